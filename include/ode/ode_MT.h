@@ -1,0 +1,150 @@
+/*************************************************************************
+ * ODE_MT: libode that uses every core.                                  *
+ *                                                                       *
+ * What ODE_MT adds to the API of the Open Dynamics Engine 0.16.2.       *
+ * <ode/ode.h> includes this file. A program that calls nothing of it    *
+ * gets the same bits as with upstream's library, on one thread, until   *
+ * the environment says otherwise (ODE_MT_THREADS).                      *
+ *                                                                       *
+ * SPDX-License-Identifier: BSD-3-Clause                                 *
+ *************************************************************************/
+#ifndef _ODE_ODE_MT_H_
+#define _ODE_ODE_MT_H_
+
+#include <ode/collision_space.h>
+#include <ode/common.h>
+#include <ode/odeconfig.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/**
+ * @defgroup ode_mt Multithreading
+ *
+ * The number of threads, the algorithm and the thread manager change speed, never results: every
+ * world gets the bits of upstream's serial step.
+ *
+ * Environment, read once at the first use of the library, for programs that cannot be recompiled:
+ * ODE_MT_THREADS=n|auto, ODE_MT_ALGORITHM=auto|serial|lcp, ODE_MT_THREAD_MANAGER=pthread|openmp,
+ * ODE_MT_LOG=error|warning|info|debug. A call below overrides the environment.
+ */
+
+/** Number of threads that means: one for every core this process may use. @ingroup ode_mt */
+#define dODE_MT_AUTO 0x7fffffff
+
+/** Largest number of threads. @ingroup ode_mt */
+#define dODE_MT_MAX_THREADS 1024
+
+/**
+ * Sets how many threads a step may use, the calling thread included.
+ *
+ * @param numThreads 0: serial (the default); 1: the calling thread alone; n: up to n threads, used
+ *        where the cost model finds that they pay; dODE_MT_AUTO: one for every core.
+ *        Any other number is answered with dMessage: below 0 counts as 0, above
+ *        dODE_MT_MAX_THREADS as that.
+ *
+ * May be called from any thread at any time; a step in progress ends with the old number.
+ * Threads start with the first step that uses them and end with dCloseODE.
+ * @ingroup ode_mt
+ */
+ODE_API void dToggleODE_MT(int numThreads);
+
+/** The number of threads in force, dODE_MT_AUTO resolved. @ingroup ode_mt */
+ODE_API int dODE_MT_GetThreads(void);
+
+/**
+ * Chooses the algorithm by its name: "auto" (islands in parallel where that pays), "serial" (all
+ * islands in order on the calling thread), "lcp" (islands in parallel whenever there are two).
+ *
+ * @return 1, or 0 and a dMessage naming the known ones if there is no such algorithm.
+ * @ingroup ode_mt
+ */
+ODE_API int dODE_MT_SetAlgorithm(const char *name);
+
+/** The name of the algorithm in force. @ingroup ode_mt */
+ODE_API const char *dODE_MT_GetAlgorithm(void);
+
+/**
+ * Chooses the thread manager by its name, "pthread" or "openmp". Waits for steps in progress.
+ *
+ * @return 1, or 0 and a dMessage naming the known ones if there is no such manager.
+ * @ingroup ode_mt
+ */
+ODE_API int dODE_MT_SetThreadManager(const char *name);
+
+/** The name of the thread manager in force. @ingroup ode_mt */
+ODE_API const char *dODE_MT_GetThreadManager(void);
+
+/** Steps whose islands were shared out to threads, since the process started. @ingroup ode_mt */
+ODE_API unsigned dODE_MT_GetParallelSteps(void);
+
+/** Islands stepped in those steps. @ingroup ode_mt */
+ODE_API unsigned dODE_MT_GetParallelIslands(void);
+
+/** Largest number of threads that stepped at least one island each in one step. @ingroup ode_mt */
+ODE_API unsigned dODE_MT_GetMaxWorkersUsed(void);
+
+/* ------------------------------------------------------------------------------------------------
+ * Calls that programs written for the multithreaded ODE of Webots make. ODE_MT works on the user's
+ * own world, space and geoms and never copies or hides one, so most of these have little to do.
+ * ------------------------------------------------------------------------------------------------ */
+
+/** A stepper: dWorldStep, dWorldQuickStep or the user's own. @ingroup ode_mt */
+typedef int dWorldStepFunction(dWorldID world, dReal stepsize);
+
+/** Called between step and collide with the number of the thread, -1: the caller's. @ingroup ode_mt */
+typedef void dSpaceUpdateFunction(int threadID);
+
+/**
+ * One frame: dSpaceCollide(space, data, callback), then stepper(world, stepsize).
+ * Callbacks come on the calling thread in upstream's order. @ingroup ode_mt
+ */
+ODE_API void dSpaceCollideAndWorldStep(dSpaceID space, void *data, dNearCallback *callback, dWorldID world,
+                                       dReal stepsize, dWorldStepFunction *stepper);
+
+/**
+ * One frame: stepper(world, stepsize), then update(-1) unless update is NULL, then
+ * dSpaceCollide(space, data, callback). @ingroup ode_mt
+ */
+ODE_API void dWorldStepAndSpaceCollide(dSpaceID space, void *data, dNearCallback *callback, dWorldID world,
+                                       dReal stepsize, dWorldStepFunction *stepper,
+                                       dSpaceUpdateFunction *update);
+
+/** Has no effect: geoms are never copied, so none needs to be told apart. @ingroup ode_mt */
+ODE_API void dGeomSetDynamicFlag(dGeomID geom);
+
+/** 1 if both handles are the same geom, else 0. @ingroup ode_mt */
+ODE_API int dAreGeomsSame(dGeomID g1, dGeomID g2);
+
+/** Has no effect: parameters are read from the user's world at every step. @ingroup ode_mt */
+ODE_API void dWorldRefreshParameters(dWorldID world);
+
+/**
+ * Number of spaces that a thread handles in the update call of dWorldStepAndSpaceCollide: 1 (the
+ * user's own) for threadID -1 during such a frame on the calling thread, else 0. @ingroup ode_mt
+ */
+ODE_API int dThreadGetSpacesCount(int threadID);
+
+/** The index-th of those spaces, or NULL if there is none. @ingroup ode_mt */
+ODE_API dSpaceID dThreadGetSpaceID(int threadID, int index);
+
+/** Number of clusters of a world and space: 1, as the algorithms in force do not cluster. @ingroup ode_mt */
+ODE_API int dClusterGetCount(dWorldID world, dSpaceID space);
+
+/** Edge of a grid cell, 0 without a grid. @ingroup ode_mt */
+ODE_API float dClusterGetGridStep(dWorldID world, dSpaceID space);
+
+/** Centre of the grid, the origin without a grid. @ingroup ode_mt */
+ODE_API void dClusterGetCenter(dWorldID world, dSpaceID space, float *x, float *y, float *z);
+
+#ifdef __cplusplus
+}
+
+/** The form with references that callers written in C++ for Webots use. @ingroup ode_mt */
+inline void dClusterGetCenter(dWorldID world, dSpaceID space, float &x, float &y, float &z) {
+    dClusterGetCenter(world, space, &x, &y, &z);
+}
+#endif
+
+#endif

@@ -1,0 +1,56 @@
+# Every place where the fork departs from upstream's sources, with the reason. No upstream file is
+# edited; a seam changes what a file's compiler sees.
+#
+#   ode_mt_call_instead(FILES FUNCTION REPLACEMENT)  calls of FUNCTION in FILES go to REPLACEMENT, which
+#                                                    ode_mt/ defines; upstream's own function stays
+#   ode_mt_rename(FILE HEADER)                       public functions defined in FILE get the linker
+#                                                    names declared in ode/seams/HEADER, and ode_mt/api
+#                                                    defines the public ones. Assembler labels keep
+#                                                    __FUNCTION__, so upstream's messages stay the same
+#   left out (ode/sources.cmake)                     ode_mt/ implements the interface of the whole file
+
+function(ode_mt_call_instead files function replacement)
+    foreach(file IN LISTS files)
+        set_property(SOURCE "${ODE_MT_UPSTREAM_DIR}/ode/src/${file}" APPEND PROPERTY
+            COMPILE_DEFINITIONS "${function}=${replacement}")
+    endforeach()
+endfunction()
+
+function(ode_mt_rename file header)
+    set_property(SOURCE "${ODE_MT_UPSTREAM_DIR}/ode/src/${file}" APPEND PROPERTY
+        COMPILE_OPTIONS -include "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/seams/${header}")
+endfunction()
+
+# error.cpp is left out: messages of islands solved on other threads are kept back and delivered on the
+# thread that called the step, in upstream's order (ode_mt/api/error.cpp).
+#
+# misc.cpp is left out: a step takes its random numbers as one atomic block, so the seed must be an
+# atomic of ours (ode_mt/api/random.cpp, ode_mt/api/matrix_print.cpp).
+
+# The islands are shared out by our frame instead of upstream's call queue.
+ode_mt_call_instead("ode.cpp" dxProcessIslands dxStepIslands)
+
+# An island on another thread must not touch collision spaces or call the user: the moved-notifications
+# of its bodies are put off (ode_mt/dynamics/dxBodyIntegration.cpp).
+ode_mt_call_instead("step.cpp;quickstep.cpp" dxStepBody dxIntegrateIslandBody)
+
+# Every island draws from its own piece of the random sequence.
+ode_mt_call_instead("quickstep.cpp" dRandInt dxIslandRandInt)
+
+# Two threads of the user may collide meshes at the same time: each thread has a cache of its own. The
+# upstream name is a variable; this turns its declarations into those of a function that returns the
+# calling thread's cache.
+foreach(file collision_trimesh_box collision_trimesh_ccylinder collision_trimesh_opcode
+             collision_trimesh_plane collision_trimesh_ray collision_trimesh_sphere
+             collision_trimesh_trimesh collision_trimesh_trimesh_old collision_cylinder_trimesh
+             collision_trimesh_internal collision_convex_trimesh odeinit)
+    ode_mt_call_instead("${file}.cpp" g_ccTrimeshCollidersCache "(*dxThreadTrimeshCollidersCache())")
+endforeach()
+
+# Initialisation counters are plain globals upstream; ours may be called from any thread, and closing
+# ends the worker threads (ode_mt/api/lifecycle.cpp).
+ode_mt_rename("odeinit.cpp" odeinit.h)
+
+# A world's threading implementation may be freed after these calls: its threads are given back first
+# (ode_mt/api/world_threading.cpp).
+ode_mt_rename("ode.cpp" ode.h)

@@ -1,0 +1,24 @@
+#include "dynamics/dxIslandScope.h"
+
+#include "dynamics/dxRandom.h"
+
+namespace {
+// One pointer per thread. The initial-exec model makes reading it one instruction; a library loaded
+// with dlopen may use the few bytes of static thread storage that glibc keeps for this.
+__attribute__((tls_model("initial-exec"))) thread_local dxIslandScope *t_current = nullptr;
+}  // namespace
+
+dxIslandScope::dxIslandScope() : m_outer(t_current) { t_current = this; }
+
+void dxIslandScope::leave() {
+    if (m_entered) t_current = m_outer;
+    m_entered = false;
+}
+
+dxIslandScope *dxIslandScope::current() { return t_current; }
+
+// Seam: upstream's quickstep.cpp calls this instead of dRandInt.
+extern "C" int dxIslandRandInt(int n) {
+    dxIslandScope *scope = dxIslandScope::current();
+    return dxRandom::toRange(scope ? scope->draw() : dxRandom::drawShared(), static_cast<std::uint32_t>(n));
+}

@@ -1,0 +1,47 @@
+// What upstream's stepper meets where it would leave the island it steps.
+//
+// dxStepIsland and dxQuickStepIsland of upstream run unchanged. Where they draw a random number, tell a
+// collision space that a geom moved, or report a message, a seam (ode/seams.cmake) asks the scope of the
+// current thread. There are two:
+//
+//   dxDeferredIsland   the island is stepped on behalf of the thread that called the step
+//   dxReservedDraws    islands are stepped in order on that thread, with random numbers taken in advance
+//
+// Invariant: a thread without a scope behaves exactly as upstream.
+#pragma once
+
+#include <cstdarg>
+#include <cstdint>
+
+enum class dxReport { Message, Debug, Error };
+
+class dxIslandScope {
+public:
+    dxIslandScope(const dxIslandScope &) = delete;
+    dxIslandScope &operator=(const dxIslandScope &) = delete;
+
+    // The scope of this thread, or null. Islands do not nest: a callback that steps another world does
+    // so without a scope or under a new one, and finds the old one again afterwards.
+    static dxIslandScope *current();
+
+    // The next random number of the sequence.
+    virtual std::uint32_t draw() = 0;
+
+    // Whether moved-notifications of bodies are put off.
+    virtual bool defersMoved() const = 0;
+
+    // A call of dMessage, dDebug or dError. True: taken over; false: to be handled as upstream does.
+    virtual bool takeOver(dxReport kind, int number, const char *format, va_list arguments) = 0;
+
+protected:
+    dxIslandScope();
+    ~dxIslandScope() { leave(); }
+
+    // Ends the scope before its destructor does: a handler of the user may leave with longjmp, which
+    // runs no destructor.
+    void leave();
+
+private:
+    dxIslandScope *m_outer;
+    bool m_entered = true;
+};

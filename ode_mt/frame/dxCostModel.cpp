@@ -1,0 +1,65 @@
+#include "frame/dxCostModel.h"
+
+#include <algorithm>
+
+namespace {
+
+// Measured with Debian's libode8 on one core of an AMD EPYC 9005 (stacks of ten boxes, humanoids of 17
+// bodies); they fix the shape of the forms, the scale is learned.
+constexpr double kBody = 250;             // ns
+constexpr double kStepJoint = 900;        // ns
+constexpr double kStepJointCubed = 4;     // ns
+constexpr double kQuickJoint = 350;       // ns
+constexpr double kQuickIteration = 33;    // ns per joint of about three rows
+
+// A running average over about sixteen steps follows a change of load within a second of simulation.
+constexpr double kLearningRate = 1.0 / 16;
+
+// Sharing out must promise this much, or prediction errors would make worlds slower.
+constexpr double kLeastGain = 0.9;
+
+// A price that was once measured too high would never be measured again, since nothing is shared out any
+// more: it fades with every step that stays on the caller.
+constexpr double kFading = 0.999;
+constexpr double kLeastPrice = 2e3;  // ns
+
+// No worker is woken for less work than this many prices.
+constexpr double kWorthWaking = 1.0;
+
+void average(std::atomic<double> &mean, double value) {
+    const double old = mean.load(std::memory_order_relaxed);
+    mean.store(old + kLearningRate * (value - old), std::memory_order_relaxed);
+}
+
+}  // namespace
+
+double dxCostModel::islandCost(dxStepperKind stepper, int iterations, unsigned bodies, unsigned joints) {
+    const double j = joints;
+    if (stepper == dxStepperKind::World) return kBody * bodies + kStepJoint * j + kStepJointCubed * j * j * j;
+    return kBody * bodies + j * (kQuickJoint + kQuickIteration * std::max(iterations, 0));
+}
+
+unsigned dxCostModel::chooseWorkers(dxStepperKind stepper, double total, double largest, unsigned limit) const {
+    const double serial = total * scale(stepper);
+    const double price = this->price();
+    const double useful = serial / std::max(price * kWorthWaking, kLeastPrice);
+    const unsigned workers = static_cast<unsigned>(std::min<double>(limit, useful));
+    if (workers >= 2) {
+        const double parallel = std::max(largest * scale(stepper), serial / workers) + price;
+        if (parallel < kLeastGain * serial) return workers;
+    }
+    m_price.store(std::max(price * kFading, kLeastPrice), std::memory_order_relaxed);
+    return 1;
+}
+
+void dxCostModel::learnSerial(dxStepperKind stepper, double total, double ns) {
+    if (total > 0) average(m_scale[index(stepper)], ns / total);
+}
+
+void dxCostModel::learnParallel(dxStepperKind stepper, double total, double largest, unsigned workers,
+                                double busyNs, double wallNs) {
+    if (total <= 0) return;
+    average(m_scale[index(stepper)], busyNs / total);
+    const double ideal = std::max(busyNs / workers, largest * scale(stepper));
+    average(m_price, std::max(wallNs - ideal, kLeastPrice));
+}

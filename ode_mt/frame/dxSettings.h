@@ -1,0 +1,34 @@
+// What dToggleODE_MT and the environment set: how many threads, which algorithm, which thread manager.
+//
+// Process-wide, because ODE_MT's API is (dToggleODE_MT has no world). The environment is read once, at
+// the first use. A value that is not understood is reported by name and leaves the default.
+#pragma once
+
+#include <atomic>
+#include <string>
+
+enum class dxAlgorithm { Auto, Serial, Lcp };
+
+class dxSettings {
+public:
+    static dxSettings &instance();
+
+    // Threads a step may use, the caller included; 0 and 1: the caller alone.
+    unsigned threads() const { return m_threads.load(std::memory_order_relaxed); }
+    void setThreads(int threads);  // reports what is out of range with dMessage
+
+    dxAlgorithm algorithm() const { return m_algorithm.load(std::memory_order_relaxed); }
+    const char *algorithmName() const;
+    bool setAlgorithm(const std::string &name);  // false: unknown, reported with dMessage
+
+    // Cores that this process may use.
+    unsigned cores() const { return m_cores; }
+
+private:
+    dxSettings();
+    void readThreads(const char *text);
+
+    std::atomic<unsigned> m_threads{0};
+    std::atomic<dxAlgorithm> m_algorithm{dxAlgorithm::Auto};
+    unsigned m_cores;
+};

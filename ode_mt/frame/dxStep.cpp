@@ -1,0 +1,371 @@
+#include "frame/dxStep.h"
+
+#include <ode/error.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "dynamics/dxBodyIntegration.h"
+#include "dynamics/dxIslandSurvey.h"
+#include "dynamics/dxRandom.h"
+#include "dynamics/dxReservedDraws.h"
+#include "dynamics/dxWorkingMemory.h"
+#include "frame/dxIslandSharing.h"
+#include "frame/dxWorldWorkers.h"
+#include "frame/dxSettings.h"
+#include "frame/dxStepStatistics.h"
+#include "frame/dxWorkers.h"
+#include "quickstep.h"
+#include "step.h"
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double nsSince(Clock::time_point start) {
+    return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+}
+
+dxCostModel &costModel() {
+    static dxCostModel model;
+    return model;
+}
+
+// Islands cheaper than this share a block, so that taking a block costs little beside its work.
+constexpr double kLeastBlockNs = 3e3;
+
+// More blocks than workers even out what the cost model misjudges.
+constexpr unsigned kBlocksPerWorker = 8;
+
+// The world's own arena for the time of a step.
+class WorldArena {
+public:
+    explicit WorldArena(dxWorld *world)
+        : m_context(world->unsafeGetWorldProcessingContext()), m_arena(m_context->ObtainStepperMemArena()) {}
+    ~WorldArena() { m_context->ReturnStepperMemArena(m_arena); }
+    dxWorldProcessMemArena *get() const { return m_arena; }
+
+private:
+    dxWorldProcessContext *m_context;
+    dxWorldProcessMemArena *m_arena;
+};
+
+}  // namespace
+
+// Seam: upstream's dWorldStep and dWorldQuickStep call this instead of dxProcessIslands.
+bool dxStepIslands(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize,
+                   dstepper_fn_t stepper, dmaxcallcountestimate_fn_t /*maxCallCountEstimator*/) {
+    dxStep(world, info, stepSize, stepper).run();
+    return true;
+}
+
+dxStep::dxStep(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper)
+    : m_world(world),
+      m_info(info),
+      m_stepSize(stepSize),
+      m_stepper(stepper),
+      m_kind(stepper == &dxQuickStepIsland ? dxStepperKind::Quick : dxStepperKind::World),
+      m_count(static_cast<unsigned>(info.GetIslandsCount())),
+      m_userHandlers(dGetErrorHandler() || dGetDebugHandler() || dGetMessageHandler()),
+      m_interrupted(m_count) {}
+
+void dxStep::run() {
+    const unsigned workers = chooseWorkers();
+    if (workers >= 2) {
+        runShared(workers);
+    } else if (m_totalCost > 0) {
+        const Clock::time_point start = Clock::now();
+        runInOrder();
+        costModel().learnSerial(m_kind, m_totalCost, nsSince(start));
+    } else {
+        runInOrder();
+    }
+}
+
+// --- in order -----------------------------------------------------------------------------------------
+
+void dxStep::runInOrder() {
+    if (!drawsRandomNumbers()) {
+        stepInOrder(dxIslandCursor(m_info), m_count);
+        return;
+    }
+    // Up to the first callback of the user nothing can look at the random sequence: those islands take
+    // their numbers as one block.
+    std::uint64_t draws = 0;
+    unsigned quiet = 0;
+    for (dxIslandCursor cursor(m_info); quiet < m_count; ++quiet) {
+        const dxIsland island = cursor.next();
+        if (dxHasMovedCallback(island)) break;
+        draws += drawsOf(dxCountRows(island));
+    }
+    dxIslandCursor cursor(m_info);
+    if (quiet > 0) {
+        const std::uint32_t seed = dxRandom::takeSharedBlock(draws);
+        dxReservedDraws reserved(seed, dxRandom::jump(seed, draws));
+        stepInOrder(cursor, quiet);
+    }
+    for (unsigned i = 0; i < quiet; ++i) cursor.next();
+    stepInOrder(cursor, m_count - quiet);
+}
+
+void dxStep::stepInOrder(dxIslandCursor cursor, unsigned count) {
+    if (count == 0) return;
+    const WorldArena arena(m_world);
+    for (unsigned i = 0; i < count; ++i) stepIsland(cursor.next(), arena.get());
+}
+
+void dxStep::stepIsland(const dxIsland &island, dxWorldProcessMemArena *arena) {
+    arena->ResetState();
+    constexpr unsigned kOneThread = 1;  // all of upstream's stages one after the other on this thread
+    dxStepperProcessingCallContext context(m_world, m_stepSize, kOneThread, arena, island.bodies, island.joints);
+    context.AssignIslandSelection(island.bodies, island.joints, island.bodyCount, island.jointCount);
+    m_stepper(&context);
+}
+
+bool dxStep::drawsRandomNumbers() const { return drawsOf(2) != 0; }
+
+// Upstream shuffles the rows before every eighth iteration but the first: m - 1 draws each time.
+std::uint64_t dxStep::drawsOf(unsigned rows) const {
+    if (m_kind != dxStepperKind::Quick || rows == 0 || m_world->qs.num_iterations < 1) return 0;
+    constexpr unsigned kShuffleEvery = 8;
+    const std::uint64_t shuffles = (static_cast<unsigned>(m_world->qs.num_iterations) - 1) / kShuffleEvery;
+    return (rows - 1) * shuffles;
+}
+
+// --- shared out ---------------------------------------------------------------------------------------
+
+void dxStep::runShared(unsigned workers) {
+    const Clock::time_point start = Clock::now();
+    unsigned rest;
+    {
+        const WorldArena arena(m_world);
+        prepareRecords(workers);
+        m_records->workers[0].arena = arena.get();
+
+        const unsigned chunks = std::min(m_count, workers * kBlocksPerWorker);
+        onWorkers(chunks, workers, [this, chunks](unsigned chunk, unsigned worker) {
+            const std::uint64_t count = m_count;
+            survey(chunk * count / chunks, (chunk + 1) * count / chunks, worker);
+        });
+        orderSharedFeedback();
+        reserveRandomNumbers();
+
+        double cost = 0;
+        for (unsigned i = 0; i < m_inOrderFrom; ++i) cost += m_records->islands[i].cost;
+        const double least = std::max(kLeastBlockNs, cost / (kBlocksPerWorker * workers));
+        dxShareIslands(*m_records, m_inOrderFrom, least);
+        onWorkers(static_cast<unsigned>(m_records->blocks.size()), workers,
+                  [this](unsigned block, unsigned worker) { stepBlock(block, worker); });
+        stepLeftovers();
+        learn(workers, nsSince(start));
+        rest = commit();
+    }
+    finishInOrder(rest);
+}
+
+void dxStep::prepareRecords(unsigned workers) {
+    m_records = dxStepRecords::borrow();
+    m_records->islands.resize(m_count);
+    dxIslandCursor cursor(m_info);
+    for (dxIslandRecord &record : m_records->islands) {
+        record = {};
+        record.island = cursor.next();
+        record.cost = dxCostModel::islandCost(m_kind, m_world->qs.num_iterations, record.island.bodyCount,
+                                              record.island.jointCount);
+    }
+    if (m_records->workers.size() < workers) m_records->workers.resize(workers);
+    for (dxWorkerRecord &worker : m_records->workers) worker.reset();
+}
+
+void dxStep::survey(unsigned begin, unsigned end, unsigned worker) {
+    for (unsigned i = begin; i < end; ++i) {
+        dxIslandRecord &record = m_records->islands[i];
+        record.inOrder = dxHasMovedCallback(record.island);
+        if (drawsRandomNumbers()) record.rows = dxCountRows(record.island);
+        dxCollectFeedback(record.island, i, m_records->workers[worker].feedbacks);
+    }
+}
+
+// Two joints may have been given one feedback structure: upstream's later island overwrites it.
+void dxStep::orderSharedFeedback() {
+    std::vector<dxFeedbackUse> &uses = m_records->feedbacks;
+    uses.clear();
+    for (const dxWorkerRecord &worker : m_records->workers) {
+        uses.insert(uses.end(), worker.feedbacks.begin(), worker.feedbacks.end());
+    }
+    std::sort(uses.begin(), uses.end(), [](const dxFeedbackUse &a, const dxFeedbackUse &b) {
+        return a.feedback != b.feedback ? a.feedback < b.feedback : a.island < b.island;
+    });
+    for (std::size_t i = 1; i < uses.size(); ++i) {
+        const bool shared = uses[i].feedback == uses[i - 1].feedback && uses[i].island != uses[i - 1].island;
+        if (shared) m_records->islands[uses[i - 1].island].inOrder = true;
+    }
+    const auto first = std::find_if(m_records->islands.begin(), m_records->islands.end(),
+                                    [](const dxIslandRecord &record) { return record.inOrder; });
+    m_inOrderFrom = static_cast<unsigned>(first - m_records->islands.begin());
+}
+
+void dxStep::reserveRandomNumbers() {
+    if (!drawsRandomNumbers()) return;
+    std::uint64_t draws = 0;
+    for (unsigned i = 0; i < m_inOrderFrom; ++i) draws += drawsOf(m_records->islands[i].rows);
+    std::uint32_t seed = dxRandom::takeSharedBlock(draws);
+    for (unsigned i = 0; i < m_inOrderFrom; ++i) {
+        m_records->islands[i].seed = seed;
+        seed = dxRandom::jump(seed, drawsOf(m_records->islands[i].rows));
+    }
+    m_randomEnd = seed;
+}
+
+void dxStep::stepBlock(unsigned block, unsigned worker) {
+    const Clock::time_point start = Clock::now();
+    const dxIslandBlock range = m_records->blocks[block];
+    for (unsigned i = range.begin; i < range.end; ++i) stepDeferred(m_records->order[i], worker);
+    m_records->workers[worker].busyNs += nsSince(start);
+}
+
+void dxStep::stepDeferred(unsigned index, unsigned worker) {
+    if (index > m_interrupted.load(std::memory_order_relaxed)) return;  // would be taken back
+    dxIslandRecord &record = m_records->islands[index];
+    dxWorkerRecord &own = m_records->workers[worker];
+    if (own.arena == nullptr) {
+        own.arena = dxWorkingMemory::take(m_records->workers[0].arena->GetMemorySize());
+        if (own.arena == nullptr) return;
+    }
+    record.worker = worker;
+    record.stepped = true;
+    ++own.islands;
+    record.undoBegin = own.undo.mark();
+    if (m_userHandlers) own.undo.save(record.island);
+    record.undoEnd = own.undo.mark();
+    try {
+        dxDeferredIsland scope(index, record.seed, m_userHandlers, own.reports);
+        stepIsland(record.island, own.arena);
+    } catch (const dxIslandInterrupted &) {
+        unsigned first = m_interrupted.load(std::memory_order_relaxed);
+        while (index < first && !m_interrupted.compare_exchange_weak(first, index, std::memory_order_relaxed)) {
+        }
+    }
+}
+
+void dxStep::stepLeftovers() {
+    for (unsigned i = 0; i < m_inOrderFrom; ++i) {
+        if (!m_records->islands[i].stepped) stepDeferred(i, 0);
+    }
+}
+
+// Makes the steps of the islands visible in upstream's order, up to the first one that cannot be: one
+// that has to be stepped in order, was interrupted, or has a geom in a space that is being collided.
+// Returns that one.
+unsigned dxStep::commit() {
+    unsigned end = std::min(m_inOrderFrom, m_interrupted.load(std::memory_order_relaxed));
+    if (m_userHandlers) {
+        for (unsigned i = 0; i < end; ++i) {
+            if (dxTouchesLockedSpace(m_records->islands[i].island)) end = i;
+        }
+        takeBack(end);
+    } else {
+        deliverReports(end);
+    }
+    for (unsigned i = 0; i < end; ++i) dxNotifyMoved(m_records->islands[i].island);
+
+    unsigned islands = 0, used = 0;
+    for (dxWorkerRecord &worker : m_records->workers) {
+        islands += worker.islands;
+        used += worker.islands != 0;
+        if (&worker != &m_records->workers[0] && worker.arena) dxWorkingMemory::giveBack(worker.arena);
+    }
+    dxStepStatistics::instance().countParallelStep(islands, used);
+    return end;
+}
+
+void dxStep::takeBack(unsigned begin) {
+    for (unsigned i = begin; i < m_inOrderFrom; ++i) {
+        const dxIslandRecord &record = m_records->islands[i];
+        if (record.stepped) m_records->workers[record.worker].undo.restore(record.undoBegin, record.undoEnd);
+    }
+}
+
+// Without handlers of the user a message goes to stderr, and an error ends the process: an interrupted
+// island reports last.
+void dxStep::deliverReports(unsigned end) {
+    std::vector<dxKeptReport> &reports = m_records->reports;
+    reports.clear();
+    for (dxWorkerRecord &worker : m_records->workers) {
+        std::move(worker.reports.begin(), worker.reports.end(), std::back_inserter(reports));
+    }
+    if (reports.empty()) return;
+    std::stable_sort(reports.begin(), reports.end(),
+                     [](const dxKeptReport &a, const dxKeptReport &b) { return a.island < b.island; });
+    for (const dxKeptReport &report : reports) {
+        if (report.island <= end) report.deliver();
+    }
+}
+
+void dxStep::finishInOrder(unsigned begin) {
+    if (begin == m_count) return;
+    const bool reserved = drawsRandomNumbers() && begin < m_inOrderFrom;
+    const std::uint32_t seed = reserved ? m_records->islands[begin].seed : 0;
+    const unsigned reservedCount = m_inOrderFrom - std::min(begin, m_inOrderFrom);
+    m_records.reset();  // from here on user code runs, which may leave the step and never come back
+
+    dxIslandCursor cursor(m_info);
+    for (unsigned i = 0; i < begin; ++i) cursor.next();
+    if (reserved && !dxRandom::rewindShared(m_randomEnd, seed)) {
+        dxReservedDraws draws(seed, m_randomEnd);
+        stepInOrder(cursor, reservedCount);
+        for (unsigned i = 0; i < reservedCount; ++i) cursor.next();
+        begin = m_inOrderFrom;
+    }
+    stepInOrder(cursor, m_count - begin);
+}
+
+void dxStep::learn(unsigned workers, double wallNs) const {
+    double busyNs = 0;
+    for (const dxWorkerRecord &worker : m_records->workers) busyNs += worker.busyNs;
+    if (m_inOrderFrom == m_count && m_interrupted.load(std::memory_order_relaxed) == m_count) {
+        costModel().learnParallel(m_kind, m_totalCost, m_largestCost, workers, busyNs, wallNs);
+    }
+}
+
+// --- who may work -------------------------------------------------------------------------------------
+
+// 1: the caller alone.
+unsigned dxStep::chooseWorkers() {
+    const dxAlgorithm algorithm = dxSettings::instance().algorithm();
+    if (algorithm == dxAlgorithm::Serial || m_count < 2) return 1;
+    const unsigned limit = workerLimit();
+    if (limit < 2) return 1;
+
+    dxIslandCursor cursor(m_info);
+    for (unsigned i = 0; i < m_count; ++i) {
+        const dxIsland island = cursor.next();
+        const double cost = dxCostModel::islandCost(m_kind, m_world->qs.num_iterations, island.bodyCount,
+                                                    island.jointCount);
+        m_totalCost += cost;
+        m_largestCost = std::max(m_largestCost, cost);
+    }
+    if (algorithm == dxAlgorithm::Lcp) return limit;
+    return costModel().chooseWorkers(m_kind, m_totalCost, m_largestCost,
+                                     std::min(limit, dxSettings::instance().cores()));
+}
+
+template <class Stage>
+void dxStep::onWorkers(unsigned blocks, unsigned workers, Stage stage) {
+    const dxThreadManager::Task task = [](void *context, unsigned block, unsigned worker) {
+        (*static_cast<Stage *>(context))(block, worker);
+    };
+    if (dxWorldWorkers::count(m_world) != 0) {
+        dxWorldWorkers::run(m_world, blocks, workers, task, &stage);
+    } else {
+        dxWorkers::instance().run(blocks, workers, task, &stage);
+    }
+}
+
+unsigned dxStep::workerLimit() const {
+    const unsigned lent = dxWorldWorkers::count(m_world);
+    unsigned limit = lent != 0 ? lent : dxSettings::instance().threads();
+    const unsigned asked = m_world->islands_max_threads;
+    if (asked != dWORLDSTEP_THREADCOUNT_UNLIMITED) limit = std::min(limit, asked);
+    return std::min(limit, m_count);
+}

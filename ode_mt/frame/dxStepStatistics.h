@@ -1,0 +1,24 @@
+// Counters that tests and users read to see what was shared out. Since the process started.
+#pragma once
+
+#include <atomic>
+
+struct dxStepStatistics {
+    std::atomic<unsigned> parallelSteps{0};
+    std::atomic<unsigned> parallelIslands{0};
+    std::atomic<unsigned> maxWorkersUsed{0};
+
+    static dxStepStatistics &instance() {
+        static dxStepStatistics statistics;
+        return statistics;
+    }
+
+    void countParallelStep(unsigned islands, unsigned workers) {
+        parallelSteps.fetch_add(1, std::memory_order_relaxed);
+        parallelIslands.fetch_add(islands, std::memory_order_relaxed);
+        unsigned most = maxWorkersUsed.load(std::memory_order_relaxed);
+        while (most < workers &&
+               !maxWorkersUsed.compare_exchange_weak(most, workers, std::memory_order_relaxed)) {
+        }
+    }
+};

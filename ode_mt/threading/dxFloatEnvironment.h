@@ -1,0 +1,39 @@
+// The floating-point environment of a run: rounding mode, flush-to-zero, denormals-are-zero, exception
+// masks and flags. Same bits need the same environment on every thread, and a thread has the one its
+// creator had long ago (trap 9 of the design), so workers take over the caller's for as long as they
+// work for it and hand back the exception flags they raised.
+#pragma once
+
+#include <atomic>
+#include <cfenv>
+
+class dxFloatEnvironment {
+public:
+    // The calling thread's environment, to be taken over by others.
+    void capture();
+
+    // Sets the flags that workers raised on the calling thread, without trapping.
+    void raiseFlags() const;
+
+private:
+    friend class dxFloatEnvironmentScope;
+    std::fenv_t environment{};
+    std::atomic<unsigned> raised{0};  // exception flags, as std::fetestexcept gives them
+};
+
+// Takes over the environment; the destructor restores the thread's own.
+class dxFloatEnvironmentScope {
+public:
+    explicit dxFloatEnvironmentScope(dxFloatEnvironment &shared);
+    ~dxFloatEnvironmentScope();
+    dxFloatEnvironmentScope(const dxFloatEnvironmentScope &) = delete;
+    dxFloatEnvironmentScope &operator=(const dxFloatEnvironmentScope &) = delete;
+
+    // Adds the flags raised so far; called before a block is reported as finished.
+    void shareFlags();
+
+private:
+    dxFloatEnvironment &shared;
+    unsigned known;
+    std::fenv_t own;
+};

@@ -1,0 +1,13 @@
+// Sleeping on a 32-bit word (Linux futex, private to the process).
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+using dxFutexWord = std::atomic<std::uint32_t>;
+
+// Sleeps while the word holds `expected`. May return early: the caller checks its condition again.
+void dxFutexWait(dxFutexWord &word, std::uint32_t expected);
+
+// Wakes up to `count` sleepers. The word may already belong to somebody else: waking touches no memory.
+void dxFutexWake(dxFutexWord &word, unsigned count);

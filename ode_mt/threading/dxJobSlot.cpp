@@ -1,0 +1,85 @@
+#include "dxJobSlot.h"
+
+#include "dxPerturbation.h"
+
+namespace {
+
+std::uint64_t join(std::uint32_t generation, std::uint32_t left) {
+    return std::uint64_t{generation} << 32 | left;
+}
+std::uint32_t generationOf(std::uint64_t word) { return static_cast<std::uint32_t>(word >> 32); }
+std::uint32_t leftOf(std::uint64_t word) { return static_cast<std::uint32_t>(word); }
+
+// Takes one from `word` if it still belongs to the generation; `left` is the number before.
+bool takeOne(std::atomic<std::uint64_t> &word, std::uint32_t generation, std::uint32_t &left) {
+    std::uint64_t now = word.load(std::memory_order_relaxed);
+    do {
+        left = leftOf(now);
+        if (generationOf(now) != generation || left == 0) return false;
+    } while (!word.compare_exchange_weak(now, now - 1, std::memory_order_acq_rel, std::memory_order_relaxed));
+    return true;
+}
+
+}  // namespace
+
+void dxJobSlot::open(const Order &newOrder) {
+    order = newOrder;
+    takenByCaller = 0;
+    environment.capture();
+    barrier.reset(order.blocks);
+    ++generation;
+    seats.store(join(generation, order.seats), std::memory_order_release);
+    supply.store(join(generation, order.blocks), std::memory_order_release);
+}
+
+void dxJobSlot::runAsCaller() {
+    for (;;) {
+        dxPerturb();
+        std::uint32_t left;
+        if (!takeBlock(generation, left)) return;
+        order.task(order.context, order.blocks - left, 0);
+        ++takenByCaller;
+    }
+}
+
+void dxJobSlot::finish() {
+    barrier.arrive(takenByCaller);
+    barrier.wait();
+    environment.raiseFlags();
+}
+
+bool dxJobSlot::canJoin() const {
+    const std::uint64_t blocks = supply.load(std::memory_order_acquire);
+    if (leftOf(blocks) == 0) return false;
+    const std::uint64_t free = seats.load(std::memory_order_relaxed);
+    return generationOf(free) == generationOf(blocks) && leftOf(free) > 0;
+}
+
+void dxJobSlot::abandon() {
+    supply.store(join(generation, 0));
+    seats.store(join(generation, 0));
+    barrier.reset(0);
+}
+
+bool dxJobSlot::takeSeat(Seat &seat) {
+    const std::uint64_t blocks = supply.load(std::memory_order_acquire);
+    if (leftOf(blocks) == 0) return false;
+    seat.generation = generationOf(blocks);
+    return takeOne(seats, seat.generation, seat.left);
+}
+
+void dxJobSlot::work(Seat seat) {
+    std::uint32_t left;
+    dxPerturb();
+    if (!takeBlock(seat.generation, left)) return;
+    const unsigned worker = order.seats - seat.left + 1;
+    dxFloatEnvironmentScope scope(environment);
+    do {
+        order.task(order.context, order.blocks - left, worker);
+        scope.shareFlags();
+        barrier.arrive(1);
+        dxPerturb();
+    } while (takeBlock(seat.generation, left));
+}
+
+bool dxJobSlot::takeBlock(std::uint32_t wanted, std::uint32_t &left) { return takeOne(supply, wanted, left); }

@@ -1,0 +1,19 @@
+// libgomp (gcc).
+//
+// Idle threads: after a region a thread spins for 300,000 pauses (about 7 ms at 2.6 GHz), then sleeps;
+// with more threads than processors it spins for 1000. Only the environment, read when the process
+// starts, changes that (OMP_WAIT_POLICY=passive), so there is nothing to do per run.
+//
+// Fork: the child inherits a pool whose threads are gone and hangs in its next region. Without a pool
+// at the time of the fork the child makes one of its own.
+//
+// Unloading: libgomp is linked with -z nodelete, so its idle threads never lose their code.
+#include <omp.h>
+
+#include "dxOpenMPRuntime.h"
+
+void dxOpenMPMakeIdleThreadsSleep() {}
+
+bool dxOpenMPEndThreads() { return omp_pause_resource_all(omp_pause_hard) == 0; }
+
+bool dxOpenMPPrepareFork() { return dxOpenMPEndThreads(); }

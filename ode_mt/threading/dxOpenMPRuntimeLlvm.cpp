@@ -1,0 +1,33 @@
+// libomp (clang).
+//
+// Idle threads: a thread spins for 200 ms after a region unless the blocktime is 0.
+//
+// Fork: libomp has handlers of its own. Its threads are not ended before a fork, nor at all: a region
+// in a child forked after omp_pause_resource_all(omp_pause_hard) aborts in libomp 14.
+//
+// Unloading: libomp may be unloaded, and its idle threads would then run into unmapped code. So it is
+// kept in memory from the first region on.
+#include <dlfcn.h>
+#include <omp.h>
+
+#include "dxOpenMPRuntime.h"
+
+namespace {
+
+bool keepInMemory() {
+    Dl_info runtime;
+    return dladdr(reinterpret_cast<void *>(&omp_get_thread_num), &runtime) != 0 &&
+           dlopen(runtime.dli_fname, RTLD_NOW | RTLD_NOLOAD | RTLD_NODELETE) != nullptr;
+}
+
+}  // namespace
+
+void dxOpenMPMakeIdleThreadsSleep() {
+    static const bool kept = keepInMemory();
+    static_cast<void>(kept);
+    kmp_set_blocktime(0);
+}
+
+bool dxOpenMPEndThreads() { return false; }
+
+bool dxOpenMPPrepareFork() { return omp_in_parallel() == 0; }

@@ -1,0 +1,45 @@
+// Where idle workers sleep, and the count of those that are awake and looking for work.
+//
+// A worker is either at work, searching (awake, will look at the job board before it sleeps) or parked.
+// A run that wants n workers relies on the searching ones and wakes only the difference, so that runs
+// that follow each other closely need no system call. A woken worker counts as searching from the
+// moment somebody decided to wake it; `tokens` holds the decided wake-ups not yet taken up.
+//
+// No wake-up is lost because both sides write first and read second, sequentially consistent: a run
+// publishes its job, then reads the counts; a worker counts itself as parked, then reads the board.
+#pragma once
+
+#include "dxFutex.h"
+
+class dxParking {
+public:
+    void reset();
+
+    void beginSearch(unsigned workers = 1);
+    void endSearch(unsigned workers = 1);
+    unsigned searching() const;
+
+    // Parks the calling worker, which was searching, unless stayAwake() holds; it returns searching.
+    template <typename Condition>
+    void park(Condition stayAwake) {
+        countAsParked();
+        if (stayAwake()) {
+            standUp();
+        } else {
+            takeToken();
+        }
+    }
+
+    // Makes sure, as far as there are parked workers, that `wanted` workers are searching.
+    void wake(unsigned wanted);
+
+    void wakeAll();
+
+private:
+    void countAsParked();
+    void standUp();
+    void takeToken();
+
+    std::atomic<std::uint32_t> counts{0};  // searching in the upper 16 bits, parked in the lower
+    dxFutexWord tokens{0};
+};

@@ -1,0 +1,117 @@
+#include "dxThreadManagerPthread.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <new>
+
+#include "dxSpin.h"
+
+dxThreadManagerPthread::dxThreadManagerPthread(dxCreateThread creation) : create(creation) { listenToForks(); }
+
+dxThreadManagerPthread::~dxThreadManagerPthread() {
+    ignoreForks();
+    stop();
+}
+
+void dxThreadManagerPthread::resize(unsigned workers) {
+    const std::lock_guard<std::mutex> hold(lifecycle);
+    const unsigned wanted = dxClampWorkers(workers);
+    if (started.load() > wanted - 1) joinThreads();
+    allowed.store(dxMaxWorkers);
+    size.store(wanted);
+}
+
+void dxThreadManagerPthread::run(unsigned blocks, unsigned maxWorkers, Task task, void *context) {
+    const unsigned most = std::min({maxWorkers, blocks, size.load(), allowed.load()});
+    if (most < 2) {
+        dxRunAlone(blocks, task, context);
+    } else {
+        board.run({blocks, most - 1, task, context}, *this);
+    }
+}
+
+void dxThreadManagerPthread::stop() {
+    const std::lock_guard<std::mutex> hold(lifecycle);
+    joinThreads();
+    allowed.store(dxMaxWorkers);
+}
+
+// The storage of a lock that another thread may have held is made a new lock.
+void dxThreadManagerPthread::inForkedChild() {
+    new (&lifecycle) std::mutex;
+    started.store(0);
+    stopping.store(false);
+    parking.reset();
+    board.abandon();
+}
+
+void dxThreadManagerPthread::summon(unsigned wanted) {
+    if (started.load(std::memory_order_relaxed) < wanted) startThreads(wanted);
+    parking.wake(wanted);
+}
+
+void dxThreadManagerPthread::startThreads(unsigned wanted) {
+    const std::unique_lock<std::mutex> hold(lifecycle, std::try_to_lock);
+    if (!hold) return;
+    while (started.load() < std::min(wanted, allowed.load() - 1) && startThread()) {
+    }
+}
+
+// A new worker counts as searching before it runs, so that the run that started it does not wake others.
+bool dxThreadManagerPthread::startThread() {
+    const unsigned index = started.load();
+    parking.beginSearch();
+    const int refusal = dxStartThread(create, threads[index], threadBody, this);
+    if (refusal == 0) {
+        char name[16];  // the kernel's limit
+        std::snprintf(name, sizeof name, "ode_mt-%u", index + 1);
+        pthread_setname_np(threads[index], name);
+        started.store(index + 1);
+        return true;
+    }
+    parking.endSearch();
+    allowed.store(index + 1);
+    if (!reported) dxReportRefusal(name(), index + 1, size.load(), refusal);
+    reported = true;
+    return false;
+}
+
+void dxThreadManagerPthread::joinThreads() {
+    stopping.store(true);
+    parking.wakeAll();
+    for (unsigned i = 0; i < started.load(); ++i) pthread_join(threads[i], nullptr);
+    started.store(0);
+    stopping.store(false);
+}
+
+void *dxThreadManagerPthread::threadBody(void *manager) {
+    static_cast<dxThreadManagerPthread *>(manager)->serve();
+    return nullptr;
+}
+
+void dxThreadManagerPthread::serve() {
+    while (!stopping.load()) {
+        workUntilIdle();
+        parking.park([this] { return shouldStayAwake(); });
+    }
+    parking.endSearch();
+}
+
+// Only as many workers spin as leave a processor to the caller.
+void dxThreadManagerPthread::workUntilIdle() {
+    for (;;) {
+        const bool maySpin = parking.searching() < dxProcessorCount();
+        if (maySpin ? !dxSpinUntil([this] { return shouldStayAwake(); }) : !shouldStayAwake()) return;
+        if (stopping.load()) return;
+        if (board.work([this] { passOnWakeUp(); })) parking.beginSearch();
+    }
+}
+
+bool dxThreadManagerPthread::shouldStayAwake() { return board.hasWork() || stopping.load(); }
+
+// Two runs may have relied on the same searching worker: the last one to stop searching wakes another if
+// there is work left.
+void dxThreadManagerPthread::passOnWakeUp() {
+    parking.endSearch();
+    if (parking.searching() == 0 && board.hasWork()) parking.wake(1);
+}

@@ -1,0 +1,67 @@
+// A pool of POSIX threads.
+//
+// Life of a worker:
+//
+//        created ──> searching ──joins a run──> at work ──no block left──> searching
+//                     │   ^                                                  │
+//         dxSpinTime  │   │ woken by a run that can use it                   │ stop
+//         without work v   │                                                  v
+//                     parked (asleep)                                        ends
+//
+// Threads are started by the first run that can use them, not by resize. Waking, joining and leaving a
+// run take no lock; `lifecycle` guards only the start and end of threads.
+//
+// Threading rule: run, from any thread and also from inside a task; resize and stop, from any thread but
+// not from inside a task. A run during a stop is done by its caller alone.
+//
+// After fork the child starts with no workers and gets its own on its first run. A child forked from
+// inside a task can only exec or exit: the blocks of that run are lost with the threads that held them.
+//
+// Dropped: a mutex and a condition variable around a list of jobs (a waiter per run queued on the
+// mutex at every join and leave); C++ thread_local with destructors (pins the library in memory).
+#pragma once
+
+#include <atomic>
+#include <mutex>
+
+#include "dxForkListener.h"
+#include "dxJobBoard.h"
+#include "dxParking.h"
+#include "dxThreadCreation.h"
+
+class dxThreadManagerPthread final : public dxThreadManager, private dxForkListener, private dxWorkerSource {
+public:
+    explicit dxThreadManagerPthread(dxCreateThread create = pthread_create);
+    ~dxThreadManagerPthread() override;
+
+    const char *name() const override { return "pthread"; }
+    unsigned workers() const override { return size.load(); }
+    void resize(unsigned workers) override;
+    void run(unsigned blocks, unsigned maxWorkers, Task task, void *context) override;
+    void stop() override;
+
+private:
+    void inForkedChild() override;
+    void summon(unsigned wanted) override;
+
+    void startThreads(unsigned wanted);
+    bool startThread();
+    void joinThreads();
+
+    static void *threadBody(void *start);
+    void serve();
+    void workUntilIdle();
+    bool shouldStayAwake();
+    void passOnWakeUp();
+
+    const dxCreateThread create;
+    dxJobBoard board;
+    dxParking parking;
+    std::atomic<bool> stopping{false};
+    std::atomic<unsigned> size{1};                // workers wanted, the caller included
+    std::atomic<unsigned> allowed{dxMaxWorkers};  // workers the system gives, the caller included
+    std::atomic<unsigned> started{0};
+    bool reported = false;
+    std::mutex lifecycle;
+    pthread_t threads[dxMaxWorkers - 1];
+};
