@@ -1,6 +1,6 @@
 /* What upstream's configure script finds out, for the configuration of Debian's libode8 on Linux:
- * atomics from OU, built-in thread pool, no thread-local storage, asserts on. Precision, OPCODE and
- * libccd are compile definitions (ode/CMakeLists.txt), as in upstream's own build. */
+ * atomics from OU, built-in thread pool, no thread-local storage, asserts on. Precision, OU,
+ * OPCODE and libccd are compile definitions (ode/CMakeLists.txt), as in upstream's own build. */
 #ifndef ODE_MT_CONFIG_H
 #define ODE_MT_CONFIG_H
 
@@ -17,10 +17,6 @@
 #if defined(__x86_64__)
 #define X86_64_SYSTEM 1
 #endif
-
-#define _OU_NAMESPACE odeou
-#define _OU_FEATURE_SET _OU_FEATURE_SET_ATOMICS
-#define _OU_TARGET_OS _OU_TARGET_OS_GENUNIX
 
 #define dOU_ENABLED 1
 #define dATOMICS_ENABLED 1

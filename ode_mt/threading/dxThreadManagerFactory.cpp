@@ -8,14 +8,15 @@ namespace {
 
 struct Kind {
     const char *name;
-    bool present;
+    bool (*present)();
     std::unique_ptr<dxThreadManager> (*make)();
 };
 
-const Kind kinds[] = {
-    {"pthread", true,
+constexpr Kind kinds[] = {
+    {"pthread", [] { return true; },
      []() -> std::unique_ptr<dxThreadManager> { return std::make_unique<dxThreadManagerPthread>(); }},
-    {"openmp", dxThreadManagerOpenMP::present, [] { return dxThreadManagerOpenMP::make(); }},
+    {"openmp", [] { return dxThreadManagerOpenMP::present(); },
+     []() -> std::unique_ptr<dxThreadManager> { return dxThreadManagerOpenMP::make(); }},
 };
 
 std::string knownNames() {
@@ -33,7 +34,7 @@ const char *defaultName() { return kinds[0].name; }
 std::vector<const char *> names() {
     std::vector<const char *> list;
     for (const Kind &kind : kinds) {
-        if (kind.present) list.push_back(kind.name);
+        if (kind.present()) list.push_back(kind.name);
     }
     return list;
 }
@@ -41,7 +42,7 @@ std::vector<const char *> names() {
 std::unique_ptr<dxThreadManager> create(const std::string &name) {
     for (const Kind &kind : kinds) {
         if (name != kind.name) continue;
-        if (kind.present) return kind.make();
+        if (kind.present()) return kind.make();
         dxLog(dxLogLevel::error, "thread manager '%s' is not in this build; known: %s", kind.name,
               knownNames().c_str());
         return nullptr;

@@ -52,14 +52,14 @@ thread_local Probed probed{0, 0};
 
 }  // namespace
 
-const bool dxThreadManagerOpenMP::present = true;
-
 dxThreadManagerOpenMP::dxThreadManagerOpenMP(dxCreateThread creation) : create(creation) { listenToForks(); }
 
 dxThreadManagerOpenMP::~dxThreadManagerOpenMP() {
     ignoreForks();
     stop();
 }
+
+bool dxThreadManagerOpenMP::present() { return true; }
 
 std::unique_ptr<dxThreadManager> dxThreadManagerOpenMP::make(dxCreateThread create) {
     return std::make_unique<dxThreadManagerOpenMP>(create);

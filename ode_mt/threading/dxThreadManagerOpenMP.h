@@ -25,7 +25,7 @@ public:
     ~dxThreadManagerOpenMP() override;
 
     // Whether this build has OpenMP; without it make() returns null and nothing else is defined.
-    static const bool present;
+    static bool present();
     static std::unique_ptr<dxThreadManager> make(dxCreateThread create = pthread_create);
 
     const char *name() const override { return "openmp"; }
