@@ -3,7 +3,7 @@
 //
 // Source: thesis chapter 11 (island-parallel LCP). Upstream's dxProcessIslands, which this replaces, lets
 // threads take islands as they come: its random numbers, list orders and messages then differ from run
-// to run. See docs/frame.md for the picture and docs/exactness.md for why the bits stay the same.
+// to run. See docs/frame.md for the picture and docs/same-bits.md for why the bits stay the same.
 #pragma once
 
 #include <atomic>
