@@ -54,3 +54,7 @@ ode_mt_rename("odeinit.cpp" odeinit.h)
 # A world's threading implementation may be freed after these calls: its threads are given back first
 # (ode_mt/api/world_threading.cpp).
 ode_mt_rename("ode.cpp" ode.h)
+
+# The table of colliders is filled lazily for the user's geom classes, without a lock
+# (ode_mt/api/user_classes.cpp).
+ode_mt_rename("collision_kernel.cpp" collision_kernel.h)

@@ -7,6 +7,7 @@
 
 #include <mutex>
 
+#include "api/user_classes.h"
 #include "collision/dxThreadTrimeshCache.h"
 #include "dynamics/dxWorkingMemory.h"
 #include "frame/dxStepRecords.h"
@@ -72,7 +73,10 @@ void dCleanupODEAllDataForThread() {
 void dCloseODE() {
     std::lock_guard<std::mutex> lock(lifecycle().mutex);
     dxUpstreamCloseODE();
-    if (--lifecycle().initialisations == 0) releaseWorkers();
+    if (--lifecycle().initialisations == 0) {
+        dxForgetUserClasses();
+        releaseWorkers();
+    }
 }
 
 }  // extern "C"

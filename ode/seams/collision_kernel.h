@@ -1,0 +1,9 @@
+/* Linker names of upstream's collision entry points; the public ones are in ode_mt/api/user_classes.cpp. */
+#pragma once
+
+#include <ode/collision.h>
+
+extern "C" {
+int dCollide(dGeomID, dGeomID, int, dContactGeom *, int) __asm__("dxUpstreamCollide");
+int dCreateGeomClass(const dGeomClass *) __asm__("dxUpstreamCreateGeomClass");
+}
