@@ -1,9 +1,8 @@
 #include "dynamics/dxWorkingMemory.h"
 
 #include <cstdlib>
-#include <mutex>
-#include <vector>
 
+#include "dynamics/dxIdlePool.h"
 #include "dynamics/dxIsland.h"
 
 namespace dxWorkingMemory {
@@ -19,44 +18,24 @@ const dxWorldProcessMemoryManager &manager() {
     return instance;
 }
 
-// Idle arenas, the one used last at the end, where its memory is likely to be in a cache.
-struct Pool {
-    std::mutex mutex;
-    std::vector<dxWorldProcessMemArena *> idle;
-};
-
 // Never destroyed: steps may still run while the process ends.
-Pool &pool() {
-    static Pool *const instance = new Pool;
+dxIdlePool<dxWorldProcessMemArena> &pool() {
+    static auto *const instance = new dxIdlePool<dxWorldProcessMemArena>;
     return *instance;
 }
 
 }  // namespace
 
 dxWorldProcessMemArena *take(std::size_t size) {
-    dxWorldProcessMemArena *arena = nullptr;
-    {
-        std::lock_guard<std::mutex> lock(pool().mutex);
-        if (!pool().idle.empty()) {
-            arena = pool().idle.back();
-            pool().idle.pop_back();
-        }
-    }
-    arena = dxWorldProcessMemArena::ReallocateMemArena(arena, size, &manager(), 1.2f, 0);
+    constexpr float kReserve = 1.2f;  // so that a slowly growing world does not reallocate at every step
+    dxWorldProcessMemArena *arena =
+        dxWorldProcessMemArena::ReallocateMemArena(pool().take(), size, &manager(), kReserve, 0);
     if (arena != nullptr) arena->ResetState();
     return arena;
 }
 
-void giveBack(dxWorldProcessMemArena *arena) {
-    std::lock_guard<std::mutex> lock(pool().mutex);
-    pool().idle.push_back(arena);
-}
+void giveBack(dxWorldProcessMemArena *arena) { pool().giveBack(arena); }
 
-void release() {
-    std::lock_guard<std::mutex> lock(pool().mutex);
-    for (dxWorldProcessMemArena *arena : pool().idle) dxWorldProcessMemArena::FreeMemArena(arena);
-    pool().idle.clear();
-    pool().idle.shrink_to_fit();
-}
+void release() { pool().clear(dxWorldProcessMemArena::FreeMemArena); }
 
 }  // namespace dxWorkingMemory

@@ -1,17 +1,12 @@
 #include "frame/dxStepRecords.h"
 
-#include <mutex>
+#include "dynamics/dxIdlePool.h"
 
 namespace {
 
-struct Pool {
-    std::mutex mutex;
-    std::vector<std::unique_ptr<dxStepRecords>> idle;
-};
-
 // Never destroyed: steps may still run while the process ends.
-Pool &pool() {
-    static Pool *const instance = new Pool;
+dxIdlePool<dxStepRecords> &pool() {
+    static auto *const instance = new dxIdlePool<dxStepRecords>;
     return *instance;
 }
 
@@ -27,20 +22,12 @@ void dxWorkerRecord::reset() {
 }
 
 dxStepRecords::Lease dxStepRecords::borrow() {
-    std::lock_guard<std::mutex> lock(pool().mutex);
-    if (pool().idle.empty()) return Lease(new dxStepRecords);
-    Lease lease(pool().idle.back().release());
-    pool().idle.pop_back();
-    return lease;
+    dxStepRecords *records = pool().take();
+    return Lease(records != nullptr ? records : new dxStepRecords);
 }
 
-void dxStepRecords::Return::operator()(dxStepRecords *records) const {
-    std::lock_guard<std::mutex> lock(pool().mutex);
-    pool().idle.emplace_back(records);
-}
+void dxStepRecords::Return::operator()(dxStepRecords *records) const { pool().giveBack(records); }
 
 void dxStepRecords::release() {
-    std::lock_guard<std::mutex> lock(pool().mutex);
-    pool().idle.clear();
-    pool().idle.shrink_to_fit();
+    pool().clear([](dxStepRecords *records) { delete records; });
 }

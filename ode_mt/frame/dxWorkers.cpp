@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <mutex>
+#include <new>
 
 #include "frame/dxSettings.h"
 #include "threading/dxThreadManagerFactory.h"
@@ -25,7 +26,11 @@ dxWorkers &dxWorkers::instance() {
 dxWorkers::dxWorkers() {
     if (const char *name = std::getenv("ODE_MT_THREAD_MANAGER")) m_manager = make(name);
     if (!m_manager) m_manager = make(dxThreadManagerFactory::defaultName());
+    listenToForks();
 }
+
+// A step of another thread may have held the lock when this one forked; that thread does not exist here.
+void dxWorkers::inForkedChild() { new (&m_mutex) std::shared_mutex; }
 
 void dxWorkers::run(unsigned blocks, unsigned workers, dxThreadManager::Task task, void *context) {
     std::shared_lock<std::shared_mutex> lock(m_mutex);

@@ -9,9 +9,10 @@
 #include <shared_mutex>
 #include <string>
 
+#include "threading/dxForkListener.h"
 #include "threading/dxThreadManager.h"
 
-class dxWorkers {
+class dxWorkers final : private dxForkListener {
 public:
     static dxWorkers &instance();
 
@@ -28,6 +29,8 @@ public:
 
 private:
     dxWorkers();
+    ~dxWorkers() = default;
+    void inForkedChild() override;
 
     std::shared_mutex m_mutex;  // shared: runs; exclusive: everything that changes the manager
     std::unique_ptr<dxThreadManager> m_manager;
