@@ -1,24 +1,25 @@
 #!/bin/sh
-# Downloads the original archive of the Debian source package `ode` into the folder $1.
+# fetch-debian-source.sh ARCHIVE FILE: downloads the original archive of the Debian source package `ode`,
+# which there has the name ARCHIVE, as FILE.
 #
 # Needs neither root nor a deb-src entry on the machine: it copies the system's package sources into a
 # private folder, turns `deb` into `deb-src` there and points apt at that folder.
 set -eu
-target=$1
-archive=$2
+archive=$1
+file=$2
 command -v apt-get >/dev/null || { echo "apt-get is not installed" >&2; exit 1; }
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir -p "$work/sources" "$work/lists/partial"
 
-for file in /etc/apt/sources.list.d/*.sources; do
-    [ -f "$file" ] || continue
-    sed 's/^Types:.*/Types: deb-src/' "$file" >"$work/sources/${file##*/}"
+for list in /etc/apt/sources.list.d/*.sources; do
+    [ -f "$list" ] || continue
+    sed 's/^Types:.*/Types: deb-src/' "$list" >"$work/sources/${list##*/}"
 done
-for file in /etc/apt/sources.list /etc/apt/sources.list.d/*.list; do
-    [ -f "$file" ] || continue
-    sed -n 's/^deb[[:space:]]/deb-src /p' "$file" >"$work/sources/system-${file##*/}"
+for list in /etc/apt/sources.list /etc/apt/sources.list.d/*.list; do
+    [ -f "$list" ] || continue
+    sed -n 's/^deb[[:space:]]/deb-src /p' "$list" >"$work/sources/system-${list##*/}"
 done
 
 apt() {
@@ -28,4 +29,4 @@ apt() {
 apt update
 cd "$work"
 apt -o APT::Sandbox::User=root source --download-only ode
-cp "$archive" "$target/"
+cp "$archive" "$file"

@@ -15,16 +15,35 @@ set(ODE_MT_CACHE_DIR "${_cache_root}/ode_mt" CACHE PATH "Folder that keeps the u
 
 set(_tried "")
 
-# Sets `result` to TRUE if `path` is the pinned archive; stops on a file with another content, since a
-# wrong archive under the right name is never what the user wants.
+# Stops, since a wrong archive under the right name is never what the user wants.
+function(_ode_mt_refuse what hash)
+    message(FATAL_ERROR "${what} is not ODE ${ODE_MT_UPSTREAM_VERSION}: its SHA-256 is\n  ${hash}\n"
+        "the pinned one is\n  ${ODE_MT_UPSTREAM_SHA256}")
+endfunction()
+
+# Sets `result` to whether there is a file `path`; stops if that is not the pinned archive.
 function(_ode_mt_accept path result)
     set(${result} FALSE PARENT_SCOPE)
     if(EXISTS "${path}")
         file(SHA256 "${path}" hash)
         if(NOT hash STREQUAL ODE_MT_UPSTREAM_SHA256)
-            message(FATAL_ERROR "${path} is not ODE ${ODE_MT_UPSTREAM_VERSION}: its SHA-256 is\n  ${hash}\n"
-                "the pinned one is\n  ${ODE_MT_UPSTREAM_SHA256}")
+            _ode_mt_refuse("${path}" ${hash})
         endif()
+        set(${result} TRUE PARENT_SCOPE)
+    endif()
+endfunction()
+
+# The same for a file just fetched from `source`, which becomes `cached` only once it is checked: a wrong
+# or half archive in the cache would stop every later build.
+function(_ode_mt_accept_fetched source fetched cached result)
+    set(${result} FALSE PARENT_SCOPE)
+    if(EXISTS "${fetched}")
+        file(SHA256 "${fetched}" hash)
+        if(NOT hash STREQUAL ODE_MT_UPSTREAM_SHA256)
+            file(REMOVE "${fetched}")
+            _ode_mt_refuse("What came from ${source}" ${hash})
+        endif()
+        file(RENAME "${fetched}" "${cached}")
         set(${result} TRUE PARENT_SCOPE)
     endif()
 endfunction()
@@ -54,30 +73,31 @@ function(_ode_mt_find_archive out)
     list(APPEND _tried "${cached}: no such file")
 
     file(MAKE_DIRECTORY "${ODE_MT_CACHE_DIR}")
-    message(STATUS "Fetching ODE ${ODE_MT_UPSTREAM_VERSION} from the Debian source package")
+    set(fetched "${cached}.part")
+    set(source "Debian source package `ode` (apt-get source)")
+    message(STATUS "Fetching ODE ${ODE_MT_UPSTREAM_VERSION} from the ${source}")
     execute_process(
-        COMMAND "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/fetch-debian-source.sh" "${ODE_MT_CACHE_DIR}"
-                "${ODE_MT_UPSTREAM_ARCHIVE}"
-        RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE error)
-    _ode_mt_accept("${cached}" good)
+        COMMAND "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/fetch-debian-source.sh" "${ODE_MT_UPSTREAM_ARCHIVE}"
+                "${fetched}"
+        OUTPUT_QUIET ERROR_VARIABLE error)
+    _ode_mt_accept_fetched("${source}" "${fetched}" "${cached}" good)
     if(good)
         set(${out} "${cached}" PARENT_SCOPE)
         return()
     endif()
     string(STRIP "${error}" error)
-    list(APPEND _tried "Debian source package `ode` (apt-get source): ${error}")
+    list(APPEND _tried "${source}: ${error}")
 
     message(STATUS "Fetching ODE ${ODE_MT_UPSTREAM_VERSION} from ${ODE_MT_UPSTREAM_URL}")
-    file(DOWNLOAD "${ODE_MT_UPSTREAM_URL}" "${cached}.part" STATUS status TIMEOUT 300)
+    file(DOWNLOAD "${ODE_MT_UPSTREAM_URL}" "${fetched}" STATUS status TIMEOUT 300)
     list(GET status 0 code)
     list(GET status 1 reason)
     if(code EQUAL 0)
-        file(RENAME "${cached}.part" "${cached}")
-        _ode_mt_accept("${cached}" good)
+        _ode_mt_accept_fetched("${ODE_MT_UPSTREAM_URL}" "${fetched}" "${cached}" good)
         set(${out} "${cached}" PARENT_SCOPE)
         return()
     endif()
-    file(REMOVE "${cached}.part")
+    file(REMOVE "${fetched}")
     list(APPEND _tried "${ODE_MT_UPSTREAM_URL}: ${reason}")
 
     list(JOIN _tried "\n  - " report)

@@ -5,6 +5,7 @@
 // unloading the library (contract C6).
 #include <ode/odeinit.h>
 
+#include <atomic>
 #include <mutex>
 
 #include "api/user_classes.h"
@@ -26,7 +27,7 @@ namespace {
 
 struct Lifecycle {
     std::mutex mutex;
-    unsigned initialisations = 0;
+    std::atomic<unsigned> initialisations{0};  // written under the mutex
 };
 
 Lifecycle &lifecycle() {
@@ -34,14 +35,23 @@ Lifecycle &lifecycle() {
     return *instance;
 }
 
+// The lock of a call that needs an initialised library. Without one upstream is about to report an error, to
+// a handler of the user that may never return, so nothing is locked.
+std::unique_lock<std::mutex> lockIfInitialised() {
+    if (lifecycle().initialisations == 0) return {};
+    return std::unique_lock<std::mutex>(lifecycle().mutex);
+}
+
 void releaseWorkers() {
     dxWorkers::instance().stop();
     dxStepRecords::release();
     dxWorkingMemory::release();
-    dxThreadTrimeshCache::release();
 }
 
-__attribute__((destructor)) void unload() { releaseWorkers(); }
+__attribute__((destructor)) void unload() {
+    releaseWorkers();
+    dxThreadTrimeshCache::unload();
+}
 
 }  // namespace
 
@@ -61,20 +71,21 @@ int dInitODE2(unsigned flags) {
 }
 
 int dAllocateODEDataForThread(unsigned flags) {
-    std::lock_guard<std::mutex> lock(lifecycle().mutex);
+    const std::unique_lock<std::mutex> lock = lockIfInitialised();
     return dxUpstreamAllocateODEDataForThread(flags);
 }
 
 void dCleanupODEAllDataForThread() {
-    std::lock_guard<std::mutex> lock(lifecycle().mutex);
+    const std::unique_lock<std::mutex> lock = lockIfInitialised();
     dxUpstreamCleanupODEAllDataForThread();
 }
 
 void dCloseODE() {
-    std::lock_guard<std::mutex> lock(lifecycle().mutex);
+    const std::unique_lock<std::mutex> lock = lockIfInitialised();
     dxUpstreamCloseODE();
     if (--lifecycle().initialisations == 0) {
         dxForgetUserClasses();
+        dxThreadTrimeshCache::release();
         releaseWorkers();
     }
 }

@@ -60,11 +60,11 @@ private:
     pthread_key_t m_key;
 };
 
-__attribute__((destructor)) void unload() { Registry::instance().unload(); }
-
 }  // namespace
 
 // Seam: takes the place of upstream's variable g_ccTrimeshCollidersCache.
 TrimeshCollidersCache *dxThreadTrimeshCollidersCache() { return Registry::instance().ofThisThread(); }
 
 void dxThreadTrimeshCache::release() { Registry::instance().release(); }
+
+void dxThreadTrimeshCache::unload() { Registry::instance().unload(); }

@@ -8,7 +8,10 @@
 
 namespace dxThreadTrimeshCache {
 
-// Frees the caches of all threads. No thread may be colliding meshes.
+// Frees the caches of all threads (dCloseODE). No thread may be colliding meshes.
 void release();
+
+// The same for good, with what the C library knows of them (unloading).
+void unload();
 
 }  // namespace dxThreadTrimeshCache

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "dynamics/dxIslandInterrupted.h"
 #include "dynamics/dxIslandScope.h"
 
 struct dxKeptReport {
@@ -21,9 +22,6 @@ struct dxKeptReport {
 
     void deliver() const;  // calls dMessage, dDebug or dError
 };
-
-// Thrown through upstream's stepper to leave an island that has to be stepped in order.
-struct dxIslandInterrupted {};
 
 class dxDeferredIsland final : public dxIslandScope {
 public:

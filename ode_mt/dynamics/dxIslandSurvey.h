@@ -1,7 +1,8 @@
-// What has to be known of an island before it may be stepped on a worker. Reads the island only, and may
-// itself run on a worker.
+// What has to be known of an island before it may be stepped on a worker. Leaves the island as it was, and
+// may itself run on a worker.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "dynamics/dxIsland.h"
@@ -10,9 +11,9 @@
 // in order: the callback may change any of those that follow.
 bool dxHasMovedCallback(const dxIsland &island);
 
-// Rows of the island's constraint system, as upstream's stepper will count them: getInfo1 depends on
-// poses only and may be called twice.
-unsigned dxCountRows(const dxIsland &island);
+// Rows of the island's constraint system, as upstream's stepper will count them; none if a joint reports an
+// error, which the step has to report in its turn.
+std::optional<unsigned> dxCountRows(const dxIsland &island);
 
 struct dxFeedbackUse {
     const void *feedback;

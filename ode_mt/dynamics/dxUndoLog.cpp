@@ -32,8 +32,7 @@ void dxUndoLog::save(const dxIsland &island) {
     for (unsigned i = 0; i < island.jointCount; ++i) {
         dxJoint &joint = *island.joints[i];
         if (joint.feedback) saveBytes(joint.feedback, sizeof *joint.feedback);
-        // Only a transmission's getInfo2 leaves something behind that its next call reads.
-        if (joint.type() == dJointTypeTransmission) saveBytes(&joint, joint.size());
+        saveBytes(&joint, joint.size());
     }
 }
 

@@ -18,7 +18,7 @@ public:
     void clear() { m_bytes.clear(); }
 
     // Appends the state that a stepper of upstream writes: motion and accumulators of the bodies,
-    // feedback, and the joints that carry state from one step to the next.
+    // feedback, and the joints, which keep angles and limit states that the user or the next step reads.
     void save(const dxIsland &island);
 
     // Puts everything back that was saved from `begin` up to `end`.

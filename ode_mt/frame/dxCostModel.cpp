@@ -19,8 +19,9 @@ constexpr double kLearningRate = 1.0 / 16;
 constexpr double kLeastGain = 0.9;
 
 // A price that was once measured too high would never be measured again, since nothing is shared out any
-// more: it fades with every step that stays on the caller.
-constexpr double kFading = 0.999;
+// more: it fades with the time spent on the caller, so slowly that what is lost by trying again is at most
+// this part of it. (A try that loses n ns raises the average by kLearningRate n.)
+constexpr double kTrying = 0.01;
 constexpr double kLeastPrice = 2e3;  // ns
 
 // No worker is woken for less work than this many prices.
@@ -48,7 +49,7 @@ unsigned dxCostModel::chooseWorkers(dxStepperKind stepper, double total, double 
         const double parallel = std::max(largest * scale(stepper), serial / workers) + price;
         if (parallel < kLeastGain * serial) return workers;
     }
-    m_price.store(std::max(price * kFading, kLeastPrice), std::memory_order_relaxed);
+    m_price.store(std::max(price - kTrying * kLearningRate * serial, kLeastPrice), std::memory_order_relaxed);
     return 1;
 }
 

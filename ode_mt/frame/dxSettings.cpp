@@ -4,8 +4,11 @@
 #include <ode/ode_MT.h>
 #include <sched.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
+
+#include "trace/dxLog.h"
 
 namespace {
 
@@ -15,6 +18,12 @@ struct AlgorithmName {
 };
 constexpr AlgorithmName kAlgorithms[] = {
     {"auto", dxAlgorithm::Auto}, {"serial", dxAlgorithm::Serial}, {"lcp", dxAlgorithm::Lcp}};
+
+std::string knownAlgorithms() {
+    std::string names;
+    for (const AlgorithmName &known : kAlgorithms) names += (names.empty() ? "" : ", ") + std::string(known.name);
+    return names;
+}
 
 unsigned usableCores() {
     cpu_set_t set;
@@ -32,7 +41,7 @@ dxSettings &dxSettings::instance() {
 
 dxSettings::dxSettings() : m_cores(usableCores()) {
     if (const char *text = std::getenv("ODE_MT_THREADS")) readThreads(text);
-    if (const char *text = std::getenv("ODE_MT_ALGORITHM")) setAlgorithm(text);
+    if (const char *text = std::getenv("ODE_MT_ALGORITHM")) readAlgorithm(text);
 }
 
 void dxSettings::readThreads(const char *text) {
@@ -41,13 +50,20 @@ void dxSettings::readThreads(const char *text) {
         return;
     }
     char *end = nullptr;
-    const long number = std::strtol(text, &end, 10);
-    if (end == text || *end != '\0') {
-        dMessage(0, "ODE_MT_THREADS is '%s'; known: auto, or a number from 0 to %d. Steps stay serial.", text,
-                 dODE_MT_MAX_THREADS);
-        return;
+    const long number = std::strtol(text, &end, 10);  // the nearest long, if it does not fit
+    const bool understood = end != text && *end == '\0';
+    const int taken = understood ? static_cast<int>(std::clamp(number, 0L, long{dODE_MT_MAX_THREADS})) : 0;
+    if (!understood || taken != number) {
+        dxLog(dxLogLevel::warning, "ODE_MT_THREADS is '%s'; known: auto, or a number from 0 to %d; %d is taken", text,
+              dODE_MT_MAX_THREADS, taken);
     }
-    setThreads(number < 0 ? -1 : number >= dODE_MT_AUTO ? dODE_MT_AUTO - 1 : static_cast<int>(number));
+    setThreads(taken);
+}
+
+void dxSettings::readAlgorithm(const char *text) {
+    if (chooseAlgorithm(text)) return;
+    dxLog(dxLogLevel::warning, "ODE_MT_ALGORITHM is '%s'; known: %s; %s is taken", text, knownAlgorithms().c_str(),
+          algorithmName());
 }
 
 void dxSettings::setThreads(int threads) {
@@ -72,14 +88,16 @@ const char *dxSettings::algorithmName() const {
 }
 
 bool dxSettings::setAlgorithm(const std::string &name) {
-    std::string names;
+    const bool found = chooseAlgorithm(name);
+    if (!found) dMessage(0, "ODE_MT: no algorithm '%s'; known: %s", name.c_str(), knownAlgorithms().c_str());
+    return found;
+}
+
+bool dxSettings::chooseAlgorithm(const std::string &name) {
     for (const AlgorithmName &known : kAlgorithms) {
-        if (name == known.name) {
-            m_algorithm.store(known.algorithm, std::memory_order_relaxed);
-            return true;
-        }
-        names += (names.empty() ? "" : ", ") + std::string(known.name);
+        if (name != known.name) continue;
+        m_algorithm.store(known.algorithm, std::memory_order_relaxed);
+        return true;
     }
-    dMessage(0, "ODE_MT: no algorithm '%s'; known: %s", name.c_str(), names.c_str());
     return false;
 }

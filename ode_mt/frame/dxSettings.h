@@ -1,7 +1,9 @@
 // What dToggleODE_MT and the environment set: how many threads, which algorithm, which thread manager.
 //
 // Process-wide, because ODE_MT's API is (dToggleODE_MT has no world). The environment is read once, at
-// the first use. A value that is not understood is reported by name and leaves the default.
+// the first use. A value that is not understood is reported by name and leaves the default: one from a
+// call with dMessage; one from the environment, which is not the program's, in the log, so that no handler
+// of the user runs while the library finds its settings.
 #pragma once
 
 #include <atomic>
@@ -15,11 +17,11 @@ public:
 
     // Threads a step may use, the caller included; 0 and 1: the caller alone.
     unsigned threads() const { return m_threads.load(std::memory_order_relaxed); }
-    void setThreads(int threads);  // reports what is out of range with dMessage
+    void setThreads(int threads);
 
     dxAlgorithm algorithm() const { return m_algorithm.load(std::memory_order_relaxed); }
     const char *algorithmName() const;
-    bool setAlgorithm(const std::string &name);  // false: unknown, reported with dMessage
+    bool setAlgorithm(const std::string &name);  // false: unknown
 
     // Cores that this process may use.
     unsigned cores() const { return m_cores; }
@@ -27,6 +29,8 @@ public:
 private:
     dxSettings();
     void readThreads(const char *text);
+    void readAlgorithm(const char *text);
+    bool chooseAlgorithm(const std::string &name);
 
     std::atomic<unsigned> m_threads{0};
     std::atomic<dxAlgorithm> m_algorithm{dxAlgorithm::Auto};

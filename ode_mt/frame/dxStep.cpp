@@ -55,6 +55,7 @@ private:
 // Seam: upstream's dWorldStep and dWorldQuickStep call this instead of dxProcessIslands.
 bool dxStepIslands(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize,
                    dstepper_fn_t stepper, dmaxcallcountestimate_fn_t /*maxCallCountEstimator*/) {
+    if (!dxWorldWorkers::prepare(world)) return false;
     dxStep(world, info, stepSize, stepper).run();
     return true;
 }
@@ -96,7 +97,9 @@ void dxStep::runInOrder() {
     for (dxIslandCursor cursor(m_info); quiet < m_count; ++quiet) {
         const dxIsland island = cursor.next();
         if (dxHasMovedCallback(island)) break;
-        draws += drawsOf(dxCountRows(island));
+        const std::optional<unsigned> rows = dxCountRows(island);
+        if (!rows) break;
+        draws += drawsOf(*rows);
     }
     dxIslandCursor cursor(m_info);
     if (quiet > 0) {
@@ -174,14 +177,23 @@ void dxStep::prepareRecords(unsigned workers) {
                                               record.island.jointCount);
     }
     if (m_records->workers.size() < workers) m_records->workers.resize(workers);
-    for (dxWorkerRecord &worker : m_records->workers) worker.reset();
+    for (dxWorkerRecord &worker : m_records->workers) {
+        worker.reset();
+        // One worker may come to survey all islands: room for what the last step found keeps a steady state
+        // from allocating.
+        worker.feedbacks.reserve(m_records->feedbacks.size());
+    }
 }
 
 void dxStep::survey(unsigned begin, unsigned end, unsigned worker) {
     for (unsigned i = begin; i < end; ++i) {
         dxIslandRecord &record = m_records->islands[i];
         record.inOrder = dxHasMovedCallback(record.island);
-        if (drawsRandomNumbers()) record.rows = dxCountRows(record.island);
+        if (drawsRandomNumbers()) {
+            const std::optional<unsigned> rows = dxCountRows(record.island);
+            record.rows = rows.value_or(0);
+            record.inOrder = record.inOrder || !rows;
+        }
         dxCollectFeedback(record.island, i, m_records->workers[worker].feedbacks);
     }
 }
@@ -264,10 +276,13 @@ unsigned dxStep::commit() {
             if (dxTouchesLockedSpace(m_records->islands[i].island)) end = i;
         }
         takeBack(end);
-    } else {
-        deliverReports(end);
     }
-    for (unsigned i = 0; i < end; ++i) dxNotifyMoved(m_records->islands[i].island);
+    gatherReports();
+    for (unsigned i = 0; i < end; ++i) {
+        deliverReports(i);
+        dxNotifyMoved(m_records->islands[i].island);
+    }
+    deliverReports(end);
 
     unsigned islands = 0, used = 0;
     for (dxWorkerRecord &worker : m_records->workers) {
@@ -286,19 +301,24 @@ void dxStep::takeBack(unsigned begin) {
     }
 }
 
-// Without handlers of the user a message goes to stderr, and an error ends the process: an interrupted
-// island reports last.
-void dxStep::deliverReports(unsigned end) {
+// Reports are kept only where the user has no handlers: a message goes to stderr, and an error ends the
+// process, so an interrupted island is the last to report.
+void dxStep::gatherReports() {
     std::vector<dxKeptReport> &reports = m_records->reports;
     reports.clear();
     for (dxWorkerRecord &worker : m_records->workers) {
         std::move(worker.reports.begin(), worker.reports.end(), std::back_inserter(reports));
     }
-    if (reports.empty()) return;
     std::stable_sort(reports.begin(), reports.end(),
                      [](const dxKeptReport &a, const dxKeptReport &b) { return a.island < b.island; });
-    for (const dxKeptReport &report : reports) {
-        if (report.island <= end) report.deliver();
+    m_nextReport = 0;
+}
+
+// To be called for the islands in ascending order.
+void dxStep::deliverReports(unsigned island) {
+    const std::vector<dxKeptReport> &reports = m_records->reports;
+    for (; m_nextReport < reports.size() && reports[m_nextReport].island == island; ++m_nextReport) {
+        reports[m_nextReport].deliver();
     }
 }
 
@@ -355,7 +375,7 @@ void dxStep::onWorkers(unsigned blocks, unsigned workers, Stage stage) {
     const dxThreadManager::Task task = [](void *context, unsigned block, unsigned worker) {
         (*static_cast<Stage *>(context))(block, worker);
     };
-    if (dxWorldWorkers::count(m_world) != 0) {
+    if (dxWorldWorkers::given(m_world)) {
         dxWorldWorkers::run(m_world, blocks, workers, task, &stage);
     } else {
         dxWorkers::instance().run(blocks, workers, task, &stage);
@@ -363,8 +383,8 @@ void dxStep::onWorkers(unsigned blocks, unsigned workers, Stage stage) {
 }
 
 unsigned dxStep::workerLimit() const {
-    const unsigned lent = dxWorldWorkers::count(m_world);
-    unsigned limit = lent != 0 ? lent : dxSettings::instance().threads();
+    unsigned limit = dxWorldWorkers::given(m_world) ? dxWorldWorkers::count(m_world)
+                                                    : dxSettings::instance().threads();
     const unsigned asked = m_world->islands_max_threads;
     if (asked != dWORLDSTEP_THREADCOUNT_UNLIMITED) limit = std::min(limit, asked);
     return std::min(limit, m_count);

@@ -38,7 +38,8 @@ private:
 
     void stepDeferred(unsigned index, unsigned worker);
     void takeBack(unsigned begin);
-    void deliverReports(unsigned end);
+    void gatherReports();
+    void deliverReports(unsigned island);
     void learn(unsigned workers, double wallNs) const;
 
     // --- who may work ----------------------------------------------------------------------------------
@@ -61,6 +62,7 @@ private:
     dxStepRecords::Lease m_records;
     double m_totalCost = 0;              // of all islands, see dxCostModel; 0 while nobody asks
     double m_largestCost = 0;
+    std::size_t m_nextReport = 0;
     unsigned m_inOrderFrom = 0;          // first island that has to be stepped in order
     std::uint32_t m_randomEnd = 0;       // the random sequence after the reserved block
     std::atomic<unsigned> m_interrupted; // first island that has to be stepped again in order

@@ -1,5 +1,7 @@
 #include "frame/dxWorkers.h"
 
+#include <ode/error.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <mutex>
@@ -7,12 +9,24 @@
 
 #include "frame/dxSettings.h"
 #include "threading/dxThreadManagerFactory.h"
+#include "trace/dxLog.h"
 
 namespace {
 
+bool isKnown(const std::string &name) {
+    const std::vector<const char *> names = dxThreadManagerFactory::names();
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string knownNames() {
+    std::string list;
+    for (const char *name : dxThreadManagerFactory::names()) list += (list.empty() ? "" : ", ") + std::string(name);
+    return list;
+}
+
 std::unique_ptr<dxThreadManager> make(const std::string &name) {
     std::unique_ptr<dxThreadManager> manager = dxThreadManagerFactory::create(name);
-    if (manager) manager->resize(std::max(dxSettings::instance().threads(), 1u));
+    manager->resize(std::max(dxSettings::instance().threads(), 1u));
     return manager;
 }
 
@@ -24,8 +38,13 @@ dxWorkers &dxWorkers::instance() {
 }
 
 dxWorkers::dxWorkers() {
-    if (const char *name = std::getenv("ODE_MT_THREAD_MANAGER")) m_manager = make(name);
-    if (!m_manager) m_manager = make(dxThreadManagerFactory::defaultName());
+    const char *name = std::getenv("ODE_MT_THREAD_MANAGER");
+    if (name != nullptr && !isKnown(name)) {
+        dxLog(dxLogLevel::warning, "ODE_MT_THREAD_MANAGER is '%s'; known: %s; %s is taken", name,
+              knownNames().c_str(), dxThreadManagerFactory::defaultName());
+        name = nullptr;
+    }
+    m_manager = make(name != nullptr ? name : dxThreadManagerFactory::defaultName());
     listenToForks();
 }
 
@@ -43,10 +62,12 @@ void dxWorkers::resize() {
 }
 
 bool dxWorkers::choose(const std::string &name) {
+    if (!isKnown(name)) {
+        dMessage(0, "ODE_MT: no thread manager '%s'; known: %s", name.c_str(), knownNames().c_str());
+        return false;
+    }
     std::unique_lock<std::shared_mutex> lock(m_mutex);
-    std::unique_ptr<dxThreadManager> manager = make(name);
-    if (!manager) return false;
-    m_manager = std::move(manager);
+    m_manager = make(name);
     return true;
 }
 

@@ -21,7 +21,7 @@ public:
     // Makes the pool as large as dxSettings says. Waits for runs in progress.
     void resize();
 
-    bool choose(const std::string &name);  // false: unknown, which is logged
+    bool choose(const std::string &name);  // false: unknown, reported with dMessage
     const char *name();
 
     // Ends all threads; the next run starts them again.

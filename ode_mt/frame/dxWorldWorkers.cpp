@@ -5,6 +5,7 @@
 #include <mutex>
 #include <vector>
 
+#include "default_threading.h"
 #include "threading/dxThreadManagerUser.h"
 
 namespace dxWorldWorkers {
@@ -62,9 +63,15 @@ std::shared_ptr<dxThreadManagerUser> managerOf(const dxWorld *world) {
 
 }  // namespace
 
-unsigned count(const dxWorld *world) {
-    const unsigned threads = world->RetrieveThreadingThreadCount();
-    return threads > 1 ? threads : 0;
+bool given(const dxWorld *world) {
+    return Access::of(*world).functions != DefaultThreadingHolder::getDefaultThreadingFunctions();
+}
+
+unsigned count(const dxWorld *world) { return world->RetrieveThreadingThreadCount(); }
+
+bool prepare(const dxWorld *world) {
+    constexpr unsigned kCallsAtOnce = 1;  // dxThreadManagerUser has at most one call waiting
+    return !given(world) || world->PreallocateResourcesForThreadedCalls(kCallsAtOnce);
 }
 
 void run(const dxWorld *world, unsigned blocks, unsigned workers, dxThreadManager::Task task, void *context) {

@@ -11,8 +11,16 @@
 
 namespace dxWorldWorkers {
 
-// How many workers the world's implementation lends; 0: none was given, or it has no threads to lend.
+// Whether the user gave an implementation of his own. ODE's self-threaded one counts as none: it is what
+// every world has from the start.
+bool given(const dxWorld *world);
+
+// How many workers it lends.
 unsigned count(const dxWorld *world);
+
+// To be called before a step. False if the implementation given refuses its resources: no step then, as
+// upstream.
+bool prepare(const dxWorld *world);
 
 void run(const dxWorld *world, unsigned blocks, unsigned workers, dxThreadManager::Task task, void *context);
 
