@@ -42,6 +42,10 @@ std::unique_lock<std::mutex> lockIfInitialised() {
     return std::unique_lock<std::mutex>(lifecycle().mutex);
 }
 
+void countInitialisation() {
+    if (++lifecycle().initialisations == 1) dxForgetColliders();
+}
+
 void releaseWorkers() {
     dxWorkers::instance().stop();
     dxStepRecords::release();
@@ -60,13 +64,13 @@ extern "C" {
 void dInitODE() {
     std::lock_guard<std::mutex> lock(lifecycle().mutex);
     dxUpstreamInitODE();
-    ++lifecycle().initialisations;
+    countInitialisation();
 }
 
 int dInitODE2(unsigned flags) {
     std::lock_guard<std::mutex> lock(lifecycle().mutex);
     const int done = dxUpstreamInitODE2(flags);
-    if (done) ++lifecycle().initialisations;
+    if (done) countInitialisation();
     return done;
 }
 

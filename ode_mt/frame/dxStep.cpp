@@ -1,5 +1,6 @@
 #include "frame/dxStep.h"
 
+#include <fenv.h>
 #include <ode/error.h>
 
 #include <algorithm>
@@ -36,6 +37,9 @@ constexpr double kLeastBlockNs = 3e3;
 
 // More blocks than workers even out what the cost model misjudges.
 constexpr unsigned kBlocksPerWorker = 8;
+
+// A program that has floating-point exceptions trapped gets the signal on the thread that called the step.
+bool trapsFloatingPoint() { return fegetexcept() > 0; }
 
 // The world's own arena for the time of a step.
 class WorldArena {
@@ -74,7 +78,7 @@ void dxStep::run() {
     const unsigned workers = chooseWorkers();
     if (workers >= 2) {
         runShared(workers);
-    } else if (m_totalCost > 0) {
+    } else if (m_costsKnown) {
         const Clock::time_point start = Clock::now();
         runInOrder();
         costModel().learnSerial(m_kind, m_totalCost, nsSince(start));
@@ -355,15 +359,17 @@ unsigned dxStep::chooseWorkers() {
     const dxAlgorithm algorithm = dxSettings::instance().algorithm();
     if (algorithm == dxAlgorithm::Serial || m_count < 2) return 1;
     const unsigned limit = workerLimit();
-    if (limit < 2) return 1;
+    if (limit < 2 || trapsFloatingPoint()) return 1;
 
     dxIslandCursor cursor(m_info);
     for (unsigned i = 0; i < m_count; ++i) {
         const dxIsland island = cursor.next();
+        if (island.bodies[0]->moved_callback != nullptr) break;  // it and what follows goes in order
         const double cost = dxCostModel::islandCost(m_kind, m_world->qs.num_iterations, island.bodyCount,
                                                     island.jointCount);
         m_totalCost += cost;
         m_largestCost = std::max(m_largestCost, cost);
+        m_costsKnown = i + 1 == m_count;
     }
     if (algorithm == dxAlgorithm::Lcp) return limit;
     return costModel().chooseWorkers(m_kind, m_totalCost, m_largestCost,

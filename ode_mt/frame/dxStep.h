@@ -60,8 +60,9 @@ private:
     const bool m_userHandlers;           // an error, debug or message handler is installed
 
     dxStepRecords::Lease m_records;
-    double m_totalCost = 0;              // of all islands, see dxCostModel; 0 while nobody asks
+    double m_totalCost = 0;              // of the islands before the first user callback, see dxCostModel
     double m_largestCost = 0;
+    bool m_costsKnown = false;           // and there is no such callback
     std::size_t m_nextReport = 0;
     unsigned m_inOrderFrom = 0;          // first island that has to be stepped in order
     std::uint32_t m_randomEnd = 0;       // the random sequence after the reserved block

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "default_threading.h"
+#include "threading/dxForkListener.h"
 #include "threading/dxThreadManagerUser.h"
 
 namespace dxWorldWorkers {
@@ -35,36 +36,66 @@ struct Entry {
     std::shared_ptr<dxThreadManagerUser> manager;
 };
 
-struct Managers {
-    std::mutex mutex;
-    std::vector<Entry> entries;
+// Fork-safe as dxIdlePool: the lock is held across fork, and nothing else is locked or made under it.
+class Managers final : private dxForkListener {
+public:
+    // Never destroyed: steps may still run while the process ends.
+    static Managers &instance() {
+        static Managers *const managers = new Managers;
+        return *managers;
+    }
+
+    // Keeps `entry` unless there is one for its implementation; returns the one that is kept.
+    std::shared_ptr<dxThreadManagerUser> keep(Entry entry) {
+        const std::lock_guard<std::mutex> hold(m_mutex);
+        const auto found = find(entry.implementation);
+        if (found != m_entries.end()) return found->manager;
+        m_entries.push_back(entry);
+        return entry.manager;
+    }
+
+    std::shared_ptr<dxThreadManagerUser> look(const Implementation &implementation) {
+        const std::lock_guard<std::mutex> hold(m_mutex);
+        const auto found = find(implementation);
+        return found != m_entries.end() ? found->manager : nullptr;
+    }
+
+    std::shared_ptr<dxThreadManagerUser> remove(const Implementation &implementation) {
+        const std::lock_guard<std::mutex> hold(m_mutex);
+        const auto found = find(implementation);
+        if (found == m_entries.end()) return nullptr;
+        const std::shared_ptr<dxThreadManagerUser> manager = found->manager;
+        m_entries.erase(found);
+        return manager;
+    }
+
+private:
+    Managers() { listenToForks(); }
 
     std::vector<Entry>::iterator find(const Implementation &implementation) {
-        return std::find_if(entries.begin(), entries.end(),
+        return std::find_if(m_entries.begin(), m_entries.end(),
                             [&](const Entry &entry) { return entry.implementation == implementation; });
     }
-};
 
-// Never destroyed: steps may still run while the process ends.
-Managers &managers() {
-    static Managers *const instance = new Managers;
-    return *instance;
-}
+    void beforeFork() override { m_mutex.lock(); }
+    void inForkingParent() override { m_mutex.unlock(); }
+    void inForkedChild() override { m_mutex.unlock(); }
+
+    std::mutex m_mutex;
+    std::vector<Entry> m_entries;
+};
 
 std::shared_ptr<dxThreadManagerUser> managerOf(const dxWorld *world) {
     const Implementation implementation = Access::of(*world);
-    std::lock_guard<std::mutex> lock(managers().mutex);
-    auto found = managers().find(implementation);
-    if (found != managers().entries.end()) return found->manager;
-    auto manager = std::make_shared<dxThreadManagerUser>(implementation.functions, implementation.id);
-    managers().entries.push_back({implementation, manager});
-    return manager;
+    if (auto manager = Managers::instance().look(implementation)) return manager;
+    return Managers::instance().keep(
+        {implementation, std::make_shared<dxThreadManagerUser>(implementation.functions, implementation.id)});
 }
 
 }  // namespace
 
 bool given(const dxWorld *world) {
-    return Access::of(*world).functions != DefaultThreadingHolder::getDefaultThreadingFunctions();
+    return Access::of(*world).id != DefaultThreadingHolder::getDefaultThreadingImpl();
 }
 
 unsigned count(const dxWorld *world) { return world->RetrieveThreadingThreadCount(); }
@@ -78,15 +109,7 @@ void run(const dxWorld *world, unsigned blocks, unsigned workers, dxThreadManage
     managerOf(world)->run(blocks, workers, task, context);
 }
 
-void giveBack(const dxWorld *world) {
-    const Implementation implementation = Access::of(*world);
-    std::shared_ptr<dxThreadManagerUser> manager;
-    std::unique_lock<std::mutex> lock(managers().mutex);
-    auto found = managers().find(implementation);
-    if (found == managers().entries.end()) return;
-    manager = std::move(found->manager);
-    managers().entries.erase(found);
-    lock.unlock();  // its end waits for the threads it has borrowed
-}
+// The end of the manager, outside of all locks, waits for the threads that it has borrowed.
+void giveBack(const dxWorld *world) { Managers::instance().remove(Access::of(*world)); }
 
 }  // namespace dxWorldWorkers

@@ -11,8 +11,8 @@
 
 namespace dxWorldWorkers {
 
-// Whether the user gave an implementation of his own. ODE's self-threaded one counts as none: it is what
-// every world has from the start.
+// Whether the user gave the world an implementation. One without threads keeps the world's steps on the
+// calling thread: its locks may not be made for more.
 bool given(const dxWorld *world);
 
 // How many workers it lends.

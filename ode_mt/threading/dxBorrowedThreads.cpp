@@ -30,7 +30,8 @@ void dxBorrowedThreads::abandon() {
 void dxBorrowedThreads::post() {
     if (waiting.exchange(true)) return;
     ++references;
-    functions->post_call(implementation, nullptr, nullptr, 0, nullptr, nullptr, call, this, 0, "ODE_MT worker");
+    functions->post_call(implementation, nullptr, nullptr, 0, nullptr, nullptr, call, this, 0,
+                         "ODE_MT worker");
 }
 
 int dxBorrowedThreads::call(void *context, dcallindex_t, dCallReleaseeID) {

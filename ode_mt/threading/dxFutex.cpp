@@ -4,7 +4,8 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-static_assert(sizeof(dxFutexWord) == 4 && dxFutexWord::is_always_lock_free, "the kernel reads the plain word");
+static_assert(sizeof(dxFutexWord) == 4 && dxFutexWord::is_always_lock_free,
+              "the kernel reads the plain word");
 
 void dxFutexWait(dxFutexWord &word, std::uint32_t expected) {
     syscall(SYS_futex, &word, FUTEX_WAIT_PRIVATE, expected, nullptr, nullptr, 0);

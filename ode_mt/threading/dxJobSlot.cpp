@@ -33,10 +33,8 @@ void dxJobSlot::open(const Order &newOrder) {
 }
 
 void dxJobSlot::runAsCaller() {
-    for (;;) {
-        dxPerturb();
-        std::uint32_t left;
-        if (!takeBlock(generation, left)) return;
+    std::uint32_t left;
+    while (takeBlock(generation, left)) {
         order.task(order.context, order.blocks - left, 0);
         ++takenByCaller;
     }
@@ -68,18 +66,17 @@ bool dxJobSlot::takeSeat(Seat &seat) {
     return takeOne(seats, seat.generation, seat.left);
 }
 
-void dxJobSlot::work(Seat seat) {
-    std::uint32_t left;
-    dxPerturb();
-    if (!takeBlock(seat.generation, left)) return;
+void dxJobSlot::work(Seat seat, std::uint32_t left) {
     const unsigned worker = order.seats - seat.left + 1;
     dxFloatEnvironmentScope scope(environment);
     do {
         order.task(order.context, order.blocks - left, worker);
         scope.shareFlags();
         barrier.arrive(1);
-        dxPerturb();
     } while (takeBlock(seat.generation, left));
 }
 
-bool dxJobSlot::takeBlock(std::uint32_t wanted, std::uint32_t &left) { return takeOne(supply, wanted, left); }
+bool dxJobSlot::takeBlock(std::uint32_t wanted, std::uint32_t &left) {
+    dxPerturb();
+    return takeOne(supply, wanted, left);
+}

@@ -35,15 +35,16 @@ public:
     void runAsCaller();
     void finish();
 
-    // Worker's side. canJoin is a look only; runAsWorker takes a seat and blocks while there are any.
-    // `joined` is called once, as soon as the seat is taken.
+    // Worker's side. canJoin is a look only; runAsWorker takes a seat and blocks while there are any. It
+    // calls `joined` when it holds its first block, so that the run cannot end during that call.
     bool canJoin() const;
     template <typename Joined>
     bool runAsWorker(Joined joined) {
         Seat seat;
-        if (!takeSeat(seat)) return false;
+        std::uint32_t left;
+        if (!takeSeat(seat) || !takeBlock(seat.generation, left)) return false;
         joined();
-        work(seat);
+        work(seat, left);
         return true;
     }
 
@@ -57,7 +58,7 @@ private:
     };
 
     bool takeSeat(Seat &seat);
-    void work(Seat seat);
+    void work(Seat seat, std::uint32_t left);
     bool takeBlock(std::uint32_t generation, std::uint32_t &left);
 
     alignas(64) std::atomic<std::uint64_t> supply{0};  // generation, blocks left

@@ -2,8 +2,10 @@
 //
 // Idle threads: a thread spins for 200 ms after a region unless the blocktime is 0.
 //
-// Fork: libomp has handlers of its own. Its threads are not ended before a fork, nor at all: a region
-// in a child forked after omp_pause_resource_all(omp_pause_hard) aborts in libomp 14.
+// End of threads: omp_pause_resource_all(omp_pause_hard) ends them, but the next region then aborts
+// (libomp 14: "Thread identifier invalid"). So they stay, asleep, until the process ends.
+//
+// Fork: libomp has handlers of its own.
 //
 // Unloading: libomp may be unloaded, and its idle threads would then run into unmapped code. So it is
 // kept in memory from the first region on.

@@ -23,6 +23,11 @@ void dxParking::endSearch(unsigned workers) { counts.fetch_sub(workers * oneSear
 
 unsigned dxParking::searching() const { return searchingIn(counts.load()); }
 
+unsigned dxParking::idle() const {
+    const std::uint32_t now = counts.load();
+    return searchingIn(now) + parkedIn(now);
+}
+
 void dxParking::wake(unsigned wanted) {
     std::uint32_t now = counts.load();
     unsigned woken;

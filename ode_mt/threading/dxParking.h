@@ -18,6 +18,7 @@ public:
     void beginSearch(unsigned workers = 1);
     void endSearch(unsigned workers = 1);
     unsigned searching() const;
+    unsigned idle() const;  // searching or parked
 
     // Parks the calling worker, which was searching, unless stayAwake() holds; it returns searching.
     template <typename Condition>

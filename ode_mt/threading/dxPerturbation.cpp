@@ -30,8 +30,11 @@ void disturbAtRandom() {
             break;
         }
         case 1:
-        case 2: sched_yield(); break;
-        default: break;
+        case 2:
+            sched_yield();
+            break;
+        default:
+            break;
     }
 }
 

@@ -33,7 +33,8 @@ public:
     BlockedSignals() {
         sigset_t blocked;
         sigfillset(&blocked);
-        for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT}) sigdelset(&blocked, fault);
+        for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT})
+            sigdelset(&blocked, fault);
         pthread_sigmask(SIG_SETMASK, &blocked, &before);
     }
     ~BlockedSignals() { pthread_sigmask(SIG_SETMASK, &before, nullptr); }
@@ -75,6 +76,7 @@ unsigned dxProbeThreads(dxCreateThread create, unsigned wanted, int &refusal) {
 
 void dxReportRefusal(const char *manager, unsigned workers, unsigned wanted, int refusal) {
     dxLog(dxLogLevel::warning,
-          "thread manager %s: the system refused a thread (%s); %u of %u workers, the caller included, are used",
+          "thread manager %s: the system refused a thread (%s); %u of %u workers, the caller included, are "
+          "used",
           manager, std::strerror(refusal), workers, wanted);
 }

@@ -21,7 +21,8 @@ constexpr Kind kinds[] = {
 
 std::string knownNames() {
     std::string list;
-    for (const char *name : dxThreadManagerFactory::names()) list += (list.empty() ? "" : ", ") + std::string(name);
+    for (const char *name : dxThreadManagerFactory::names())
+        list += (list.empty() ? "" : ", ") + std::string(name);
     return list;
 }
 

@@ -1,5 +1,5 @@
 // Thread managers by name, as ODE_MT_THREAD_MANAGER gives it. The manager of a user's threading
-// implementation is not made here: it needs the implementation (dxUserThreadManagers).
+// implementation is not made here: it needs the implementation.
 #pragma once
 
 #include <memory>

@@ -19,7 +19,7 @@ public:
     }
 
     void run(unsigned team) {
-#pragma omp parallel num_threads(static_cast<int>(team))
+#pragma omp parallel num_threads(static_cast <int>(team))
         work(static_cast<unsigned>(omp_get_thread_num()));
         environment.raiseFlags();
     }

@@ -6,7 +6,9 @@
 
 #include "dxSpin.h"
 
-dxThreadManagerPthread::dxThreadManagerPthread(dxCreateThread creation) : create(creation) { listenToForks(); }
+dxThreadManagerPthread::dxThreadManagerPthread(dxCreateThread creation) : create(creation) {
+    listenToForks();
+}
 
 dxThreadManagerPthread::~dxThreadManagerPthread() {
     ignoreForks();
@@ -39,26 +41,30 @@ void dxThreadManagerPthread::stop() {
 // The storage of a lock that another thread may have held is made a new lock.
 void dxThreadManagerPthread::inForkedChild() {
     new (&lifecycle) std::mutex;
+    new (&creation) std::mutex;
     started.store(0);
     stopping.store(false);
     parking.reset();
     board.abandon();
 }
 
+// No more workers are called at once than there are other processors; each one that joins calls the next
+// (passOnWakeUp). So a caller does not pay for waking workers that could only take its own processor.
 void dxThreadManagerPthread::summon(unsigned wanted) {
-    if (started.load(std::memory_order_relaxed) < wanted) startThreads(wanted);
-    parking.wake(wanted);
+    const unsigned atOnce = std::min(wanted, std::max(dxProcessorCount(), 2u) - 1);
+    for (unsigned idle = parking.idle(); idle < atOnce && mayStartThread() && startThread(); ++idle) {
+    }
+    parking.wake(atOnce);
 }
 
-void dxThreadManagerPthread::startThreads(unsigned wanted) {
-    const std::unique_lock<std::mutex> hold(lifecycle, std::try_to_lock);
-    if (!hold) return;
-    while (started.load() < std::min(wanted, allowed.load() - 1) && startThread()) {
-    }
+bool dxThreadManagerPthread::mayStartThread() const {
+    return started.load() < std::min(size.load(), allowed.load()) - 1;
 }
 
 // A new worker counts as searching before it runs, so that the run that started it does not wake others.
 bool dxThreadManagerPthread::startThread() {
+    const std::lock_guard<std::mutex> hold(creation);
+    if (stopping.load() || !mayStartThread()) return false;
     const unsigned index = started.load();
     parking.beginSearch();
     const int refusal = dxStartThread(create, threads[index], threadBody, this);
@@ -71,17 +77,22 @@ bool dxThreadManagerPthread::startThread() {
     }
     parking.endSearch();
     allowed.store(index + 1);
-    if (!reported) dxReportRefusal(name(), index + 1, size.load(), refusal);
+    if (!reported) dxReportRefusal(this->name(), index + 1, size.load(), refusal);
     reported = true;
     return false;
 }
 
 void dxThreadManagerPthread::joinThreads() {
-    stopping.store(true);
+    setStopping(true);
     parking.wakeAll();
     for (unsigned i = 0; i < started.load(); ++i) pthread_join(threads[i], nullptr);
     started.store(0);
-    stopping.store(false);
+    setStopping(false);
+}
+
+void dxThreadManagerPthread::setStopping(bool value) {
+    const std::lock_guard<std::mutex> hold(creation);
+    stopping.store(value);
 }
 
 void *dxThreadManagerPthread::threadBody(void *manager) {
@@ -109,9 +120,9 @@ void dxThreadManagerPthread::workUntilIdle() {
 
 bool dxThreadManagerPthread::shouldStayAwake() { return board.hasWork() || stopping.load(); }
 
-// Two runs may have relied on the same searching worker: the last one to stop searching wakes another if
-// there is work left.
+// The last worker to stop searching calls another if there is work left: its run may want more than were
+// called at once, and another run may have relied on it.
 void dxThreadManagerPthread::passOnWakeUp() {
     parking.endSearch();
-    if (parking.searching() == 0 && board.hasWork()) parking.wake(1);
+    if (parking.searching() == 0 && board.hasWork()) summon(1);
 }

@@ -8,8 +8,8 @@
 //         without work v   │                                                  v
 //                     parked (asleep)                                        ends
 //
-// Threads are started by the first run that can use them, not by resize. Waking, joining and leaving a
-// run take no lock; `lifecycle` guards only the start and end of threads.
+// Threads are started by runs that can use more workers than are idle, not by resize. Waking, joining
+// and leaving a run take no lock; locks guard only the start and end of threads.
 //
 // Threading rule: run, from any thread and also from inside a task; resize and stop, from any thread but
 // not from inside a task. A run during a stop is done by its caller alone.
@@ -44,9 +44,10 @@ private:
     void inForkedChild() override;
     void summon(unsigned wanted) override;
 
-    void startThreads(unsigned wanted);
+    bool mayStartThread() const;
     bool startThread();
     void joinThreads();
+    void setStopping(bool value);
 
     static void *threadBody(void *start);
     void serve();
@@ -62,6 +63,7 @@ private:
     std::atomic<unsigned> allowed{dxMaxWorkers};  // workers the system gives, the caller included
     std::atomic<unsigned> started{0};
     bool reported = false;
-    std::mutex lifecycle;
+    std::mutex lifecycle;  // held by stop and resize
+    std::mutex creation;   // held while one thread is started; never while one is waited for
     pthread_t threads[dxMaxWorkers - 1];
 };

@@ -5,8 +5,8 @@
 #include <thread>
 
 #include "dxBorrowedThreads.h"
-#include "trace/dxLog.h"
 #include "dxThreadCreation.h"
+#include "trace/dxLog.h"
 
 dxThreadManagerUser::dxThreadManagerUser(const dThreadingFunctionsInfo *functions,
                                          dThreadingImplementationID implementation)
@@ -39,7 +39,8 @@ void dxThreadManagerUser::stop() {
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(1);
     while (!idle()) {
         if (std::chrono::steady_clock::now() > end) {
-            dxLog(dxLogLevel::warning, "thread manager user: the threading implementation has not run %u call(s)",
+            dxLog(dxLogLevel::warning,
+                  "thread manager user: the threading implementation has not run %u call(s)",
                   borrowed->outstanding());
             return;
         }

@@ -4,9 +4,10 @@
 // takes it up, it joins whatever run has seats, keeps looking for dxSpinTime after its last one, and goes
 // back to the pool. A call taken up late finds nothing and returns.
 //
-//  - At most one posted call is waiting to be taken up. A call that joins a run posts the next one, if
-//    the run can use more. So nothing piles up in a pool that does not serve yet, and a pool that
-//    is shut down while a call waits runs it as its last one: ODE's own pool aborts on two.
+//  - At most one posted call is waiting to be taken up, and calls are posted only while a run is in
+//    progress: by its caller, or by a call that holds a block of it and finds that it can use more threads.
+//    So nothing piles up in a pool that does not serve yet, and a pool that is shut down right after a run
+//    may run the waiting call as its last one. (ODE's pool aborts on two, and on a call posted later.)
 //  - run never waits for a posted call, only for blocks; wait_call is not used, so run may be called
 //    from inside a threaded call.
 //  - Calls refer to dxBorrowedThreads, which lives until the last of them has returned.
@@ -15,8 +16,9 @@
 // one of them: the user meant that many to be busy. With ODE's self-threaded implementation (0 threads)
 // and with a pool of one, the caller works alone.
 //
-// One manager per implementation (dxUserThreadManagers): two would make two waiting calls. In a forked child the
-// user's threads are gone, so every run is done by its caller.
+// One manager per implementation, kept from step to step: its threads go on looking for work for a moment,
+// and two would make two waiting calls. In a forked child
+// the user's threads are gone, so every run is done by its caller.
 #pragma once
 
 #include <ode/threading.h>

@@ -60,8 +60,8 @@ public:
 
     void observe(Observer *observer) { m_observer = observer; }  // not owned; null: unobserved
     const Inventory &inventory() const { return m_inventory; }
-    double time() const { return m_time; }          // s, of the simulated world
-    dReal stepSize() const { return m_stepSize; }   // s
+    double time() const { return m_time; }                   // s, of the simulated world
+    dReal stepSize() const { return m_stepSize; }            // s
     std::size_t contactCount() const { return m_contacts; }  // contact joints made in the last frame
 
 protected:
@@ -78,10 +78,14 @@ protected:
 // std::invalid_argument that names what is wrong and lists what exists.
 std::unique_ptr<Scene> makeScene(const std::string &description);
 
+// Throws as makeScene does, but makes nothing.
+void checkScene(const std::string &description);
+
 struct SceneDescription {
     std::string name;     // "stacks"
     std::string meaning;  // one line for --help
 };
 std::vector<SceneDescription> availableScenes();
+std::vector<SceneDescription> availableModifiers();  // what may follow a comma in a description
 
 }  // namespace scenes

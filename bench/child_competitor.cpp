@@ -1,0 +1,59 @@
+#include "child_competitor.h"
+
+namespace bench {
+
+Ready ChildCompetitor::start() {
+    m_process = std::make_unique<ChildProcess>(command(), environment());
+    const Ready ready = readReady(answer());
+    check(ready);
+    return ready;
+}
+
+Batch ChildCompetitor::run(int frames) {
+    m_process->writeLine(writeRequest(frames));
+    return readBatch(answer());
+}
+
+std::string ChildCompetitor::answer() {
+    try {
+        return m_process->readLine(m_settings.limit);
+    } catch (const ChildError &) {
+        m_process.reset();  // a child that hangs must not go on beside the others
+        throw;
+    }
+}
+
+std::vector<std::string> ChildCompetitor::command() const {
+    std::vector<std::string> command = {m_settings.program, "--world", m_world};
+    if (engine().kind == Engine::Kind::StockPool) command.insert(command.end(), {"--pool", engine().threads});
+    if (m_settings.ignoreUnsupported) command.push_back("--ignore-unsupported");
+    return command;
+}
+
+ChildProcess::Environment ChildCompetitor::environment() const {
+    // Nothing that the user has set for other programs may reach one engine and not the other.
+    ChildProcess::Environment changes = {{"ODE_MT_THREADS", ""},
+                                         {"ODE_MT_THREAD_MANAGER", ""},
+                                         {"ODE_MT_ALGORITHM", ""},
+                                         {"ODE_MT_TRACE", ""},
+                                         {"ODE_MT_LOG", ""}};
+    for (const auto &[name, value] : engine().environment()) changes[name] = value;
+    changes["LD_LIBRARY_PATH"] = engine().isOurs() ? m_settings.oursFolder : m_settings.stockFolder;
+    return changes;
+}
+
+// The child says which library and settings it really got.
+void ChildCompetitor::check(const Ready &ready) const {
+    if (ready.isOurs != engine().isOurs())
+        throw std::runtime_error("runs on " + ready.library + ", which is " +
+                                 (ready.isOurs ? "ODE_MT" : "not ODE_MT"));
+    if (!engine().isOurs()) return;
+    if (engine().threads != "auto" && std::to_string(ready.threads) != engine().threads)
+        throw std::runtime_error("the library uses " + std::to_string(ready.threads) + " threads");
+    if (!engine().manager.empty() && ready.manager != engine().manager)
+        throw std::runtime_error("the library uses the thread manager '" + ready.manager + "'");
+    if (!engine().algorithm.empty() && ready.algorithm != engine().algorithm)
+        throw std::runtime_error("the library uses the algorithm '" + ready.algorithm + "'");
+}
+
+}  // namespace bench

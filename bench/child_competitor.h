@@ -1,0 +1,39 @@
+// An engine in a process of its own: the same program, odemt_bench_child, for every engine.
+// LD_LIBRARY_PATH decides which libode.so.8 it gets.
+#pragma once
+
+#include "child_process.h"
+#include "competitor.h"
+
+#include <memory>
+
+namespace bench {
+
+struct ChildSettings {
+    std::string program;                                        // odemt_bench_child
+    std::string stockFolder;                                    // of Debian's libode.so.8
+    std::string oursFolder;                                     // of ours
+    std::chrono::milliseconds limit = std::chrono::minutes(2);  // for one answer
+    bool ignoreUnsupported = false;                             // elements of an SDF world
+};
+
+class ChildCompetitor final : public Competitor {
+public:
+    ChildCompetitor(const Engine &engine, const std::string &world, const ChildSettings &settings)
+        : Competitor(engine), m_world(world), m_settings(settings) {}
+
+    Ready start() override;
+    Batch run(int frames) override;
+
+private:
+    std::string answer();
+    std::vector<std::string> command() const;
+    ChildProcess::Environment environment() const;
+    void check(const Ready &ready) const;
+
+    std::string m_world;
+    ChildSettings m_settings;
+    std::unique_ptr<ChildProcess> m_process;
+};
+
+}  // namespace bench

@@ -1,0 +1,106 @@
+// odemt_bench_child: runs one world on the libode.so.8 that the loader finds, batch by batch, as
+// protocol.h says. odemt_bench starts it; by hand:
+//   echo '{"frames":100}' | ODE_MT_THREADS=2 LD_LIBRARY_PATH=build/release/lib odemt_bench_child --world
+//   stacks:10
+#include "library_probe.h"
+#include "protocol.h"
+#include "scenes/state_hash.h"
+#include "stock_pool.h"
+#include "world_source.h"
+
+#include <CLI/CLI.hpp>
+
+#include <chrono>
+#include <iostream>
+#include <optional>
+
+namespace {
+
+unsigned messageCount = 0;
+
+// Messages are counted, not printed: a wall of them would be timed as well.
+void countMessage(int, const char *, va_list) { ++messageCount; }
+
+bench::Ready describe(const bench::LibraryProbe &library, const scenes::Scene &scene,
+                      const std::vector<std::string> &warnings) {
+    bench::Ready ready;
+    ready.library = library.file;
+    ready.isOurs = library.isOurs;
+    ready.threads = library.threads();
+    ready.manager = library.manager();
+    ready.algorithm = library.algorithm();
+    ready.bodies = scene.inventory().bodies.size();
+    ready.joints = scene.inventory().joints.size();
+    ready.geoms = scene.inventory().geoms.size();
+    ready.stepSize = static_cast<double>(scene.stepSize());
+    ready.warnings = warnings;
+    return ready;
+}
+
+bench::StageTimes timedFrame(scenes::Scene &scene) {
+    using Clock = std::chrono::steady_clock;
+    const auto seconds = [](Clock::time_point from, Clock::time_point to) {
+        return std::chrono::duration<double>(to - from).count();
+    };
+    const Clock::time_point start = Clock::now();
+    scene.control();
+    const Clock::time_point controlled = Clock::now();
+    scene.collide();
+    const Clock::time_point collided = Clock::now();
+    scene.step();
+    const Clock::time_point stepped = Clock::now();
+    scene.finish();
+    const Clock::time_point finished = Clock::now();
+    return {seconds(start, controlled), seconds(controlled, collided), seconds(collided, stepped),
+            seconds(stepped, finished)};
+}
+
+bench::Batch runBatch(scenes::Scene &scene, const bench::LibraryProbe &library, int frames) {
+    bench::Batch batch;
+    batch.frames = frames;
+    messageCount = 0;
+    const unsigned parallelBefore = library.parallelSteps();
+    for (int i = 0; i < frames; ++i) batch.seconds += timedFrame(scene);
+    batch.parallelSteps = library.parallelSteps() - parallelBefore;
+    batch.messages = messageCount;
+    batch.contacts = scene.contactCount();
+    batch.hash = scenes::stateHash(scene.inventory());
+    return batch;
+}
+
+void serve(const std::string &world, unsigned poolThreads, bool ignoreUnsupported) {
+    const bench::LibraryProbe library = bench::probeLibrary();
+    std::vector<std::string> warnings;
+    const std::unique_ptr<scenes::Scene> scene = bench::openWorld(world, ignoreUnsupported, warnings);
+    std::optional<bench::StockPool> pool;
+    if (poolThreads > 0) pool.emplace(scene->inventory(), poolThreads);
+
+    std::cout << bench::writeReady(describe(library, *scene, warnings)) << std::endl;
+    for (std::string line; std::getline(std::cin, line);)
+        std::cout << bench::writeBatch(runBatch(*scene, library, bench::readRequest(line))) << std::endl;
+}
+
+}  // namespace
+
+int main(int argc, char **argv) {
+    CLI::App app("Runs one world on one engine for odemt_bench.");
+    std::string world;
+    unsigned poolThreads = 0;
+    bool ignoreUnsupported = false;
+    app.add_option("--world", world, "SDF world or scene")->required();
+    app.add_option("--pool", poolThreads, "threads of upstream's own pool; 0: none");
+    app.add_flag("--ignore-unsupported", ignoreUnsupported, "leave out what the SDF loader does not know");
+    CLI11_PARSE(app, argc, argv);
+
+    dInitODE2(0);
+    dSetMessageHandler(countMessage);
+    int code = 0;
+    try {
+        serve(world, poolThreads, ignoreUnsupported);
+    } catch (const std::exception &error) {
+        std::cout << bench::writeError(error.what()) << std::endl;
+        code = 1;
+    }
+    dCloseODE();
+    return code;
+}

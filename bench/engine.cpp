@@ -1,0 +1,128 @@
+#include "engine.h"
+
+#include <algorithm>
+#include <charconv>
+#include <stdexcept>
+
+namespace bench {
+
+namespace {
+
+constexpr int kMostThreads = 1024;
+
+bool isManager(const std::string &word) { return word == "pthread" || word == "openmp"; }
+
+// The number in `text`, or -1 if it is none or not from `lowest` to 1024.
+int readThreads(const std::string &text, int lowest) {
+    int threads = 0;
+    const char *end = text.data() + text.size();
+    const auto [stopped, error] = std::from_chars(text.data(), end, threads);
+    const bool isNumber = error == std::errc() && stopped == end;
+    return isNumber && threads >= lowest && threads <= kMostThreads ? threads : -1;
+}
+
+void checkThreads(const std::string &engine, const std::string &threads, int lowest, bool mayBeAuto) {
+    if (mayBeAuto && threads == "auto") return;
+    if (readThreads(threads, lowest) < 0)
+        throw std::invalid_argument("engine '" + engine + "': '" + threads +
+                                    "' is not a number of threads from " + std::to_string(lowest) + " to " +
+                                    std::to_string(kMostThreads) + (mayBeAuto ? ", nor 'auto'" : ""));
+}
+
+// Takes what stands behind the last `separator` out of `text`; empty if there is none.
+std::string takeSuffix(std::string &text, char separator) {
+    const std::size_t at = text.find(separator);
+    if (at == std::string::npos) return "";
+    const std::string suffix = text.substr(at + 1);
+    text.erase(at);
+    return suffix;
+}
+
+std::string largest(const std::vector<std::string> &threads) {
+    int most = 1;
+    for (const std::string &text : threads) most = std::max(most, readThreads(text, 0));
+    return std::to_string(most);
+}
+
+std::vector<std::string> expand(const std::string &name, const std::vector<std::string> &threads) {
+    if (name == "stock-pool") return {name + ":" + largest(threads)};
+    if (name != "ours") return {name};
+    std::vector<std::string> names;
+    for (const std::string &text : threads) names.push_back(name + ":" + text);
+    return names;
+}
+
+}  // namespace
+
+std::string Engine::name() const {
+    switch (kind) {
+        case Kind::Stock:
+            return "stock";
+        case Kind::StockPool:
+            return "stock-pool:" + threads;
+        case Kind::Ours:
+            break;
+    }
+    return "ours:" + threads + (manager.empty() ? "" : "/" + manager) +
+           (algorithm.empty() ? "" : "/" + algorithm);
+}
+
+std::map<std::string, std::string> Engine::environment() const {
+    std::map<std::string, std::string> variables;
+    if (!isOurs()) return variables;
+    variables["ODE_MT_THREADS"] = threads;
+    if (!manager.empty()) variables["ODE_MT_THREAD_MANAGER"] = manager;
+    if (!algorithm.empty()) variables["ODE_MT_ALGORITHM"] = algorithm;
+    return variables;
+}
+
+Engine readEngine(const std::string &name) {
+    std::string rest = name;
+    Engine engine;
+    for (std::string word = takeSuffix(rest, '/'); !word.empty();) {
+        const std::string more = takeSuffix(word, '/');
+        (isManager(word) ? engine.manager : engine.algorithm) = word;
+        word = more;
+    }
+    const bool hasThreads = rest.find(':') != std::string::npos;
+    engine.threads = takeSuffix(rest, ':');
+    const bool hasWords = !engine.manager.empty() || !engine.algorithm.empty();
+
+    if (rest == "stock" && !hasThreads && !hasWords) return engine;
+    if (rest == "stock-pool" && !hasWords) {
+        engine.kind = Engine::Kind::StockPool;
+        checkThreads(name, engine.threads, 1, false);
+        return engine;
+    }
+    if (rest == "ours") {
+        engine.kind = Engine::Kind::Ours;
+        checkThreads(name, engine.threads, 0, true);
+        return engine;
+    }
+    throw std::invalid_argument(
+        "unknown engine '" + name +
+        "'; known: stock, stock-pool:N, ours:N, ours:auto, ours:N/pthread, ours:N/openmp, "
+        "ours:N/ALGORITHM");
+}
+
+std::vector<Engine> readEngines(const std::vector<std::string> &names,
+                                const std::vector<std::string> &threads, const std::string &manager) {
+    if (!manager.empty() && !isManager(manager))
+        throw std::invalid_argument("unknown thread manager '" + manager + "'; known: pthread, openmp");
+    std::vector<Engine> engines;
+    for (const std::string &name : names) {
+        for (const std::string &expanded : expand(name, threads)) {
+            Engine engine = readEngine(expanded);
+            if (engine.isOurs() && engine.manager.empty()) engine.manager = manager;
+            const bool known = std::any_of(engines.begin(), engines.end(), [&](const Engine &other) {
+                return other.name() == engine.name();
+            });
+            if (known) throw std::invalid_argument("engine '" + engine.name() + "' is listed twice");
+            engines.push_back(engine);
+        }
+    }
+    if (engines.empty()) throw std::invalid_argument("no engines to compare");
+    return engines;
+}
+
+}  // namespace bench

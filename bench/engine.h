@@ -1,0 +1,42 @@
+// The engines that the bench compares, by the names that a user gives them.
+//
+//   stock           Debian's libode8, one thread
+//   stock-pool:N    Debian's libode8 with its own pool of N threads
+//   ours:N          ODE_MT with N threads (0: serial; auto: one for every core)
+//   ours:N/WORD     … with the thread manager pthread or openmp, or with the algorithm WORD
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace bench {
+
+struct Engine {
+    enum class Kind { Stock, StockPool, Ours };
+
+    Kind kind = Kind::Stock;
+    std::string threads;    // "2", "auto"; empty for stock
+    std::string manager;    // of ours; empty: the library's default
+    std::string algorithm;  // of ours; empty: the library's default
+
+    std::string name() const;
+    bool isOurs() const { return kind == Kind::Ours; }
+
+    // Upstream's pool lets threads decide the order of additions: other bits in every run.
+    bool isReproducible() const { return kind != Kind::StockPool; }
+
+    // What the environment of its process says.
+    std::map<std::string, std::string> environment() const;
+};
+
+// Throws std::invalid_argument, naming the word that is wrong and the engines that exist.
+Engine readEngine(const std::string &name);
+
+// A list as on the command line. "ours" without a number stands for one engine for each of
+// `threads`, "stock-pool" without a number for a pool of the largest of them. `manager`, if not
+// empty, is that of all of ours that name none.
+std::vector<Engine> readEngines(const std::vector<std::string> &names,
+                                const std::vector<std::string> &threads, const std::string &manager);
+
+}  // namespace bench

@@ -1,0 +1,22 @@
+// Which libode.so.8 this process really runs on, and what it says of itself. ODE_MT's own functions
+// are looked up by name: the program is linked to what Debian's library exports.
+#pragma once
+
+#include <string>
+
+namespace bench {
+
+struct LibraryProbe {
+    std::string file;  // of the library that defines dWorldStep
+    bool isOurs;       // it exports dToggleODE_MT
+
+    // Of ours; 0 and empty with Debian's.
+    int threads() const;
+    std::string manager() const;
+    std::string algorithm() const;
+    unsigned parallelSteps() const;  // since the process started
+};
+
+LibraryProbe probeLibrary();
+
+}  // namespace bench

@@ -1,0 +1,144 @@
+#include "options.h"
+
+#include "world_source.h"
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <iostream>
+#include <sstream>
+#include <thread>
+
+namespace bench {
+
+namespace {
+
+const char *const kDescription =
+    "Compares ODE_MT with Debian's libode8: runs worlds on both, in turns, and prints how long a frame\n"
+    "takes on each, how much faster that is than the first engine, and whether the results are the same.\n";
+
+const char *const kFooter =
+    "Engines:\n"
+    "  stock         Debian's libode8 on one thread\n"
+    "  stock-pool:N  Debian's libode8 with its own pool of N threads\n"
+    "  ours:N        ODE_MT with N threads (0: serial, auto: every core)\n"
+    "  ours:N/openmp ODE_MT with this thread manager (pthread, openmp); ours:N/lcp: this algorithm\n"
+    "  stock-pool, ours: one for (the largest of / each of) --threads\n"
+    "\nExamples:\n"
+    "  odemt_bench                                    the four benchmark worlds\n"
+    "  odemt_bench --worlds humanoids:22,stacks:100   two scenes\n"
+    "  odemt_bench --worlds pile:4000,sap --engines stock,ours:2 --seconds 60\n"
+    "  odemt_bench --worlds my/world.sdf --threads 2,4,8\n"
+    "\nThe exit code is 0 if all engines ran and agreed, 1 if one failed or differed, 2 for a wrong "
+    "option.\n";
+
+constexpr int kWrongOption = 2;
+
+std::vector<std::string> split(const std::string &list) {
+    std::vector<std::string> words;
+    std::istringstream stream(list);
+    for (std::string word; std::getline(stream, word, ',');) words.push_back(word);
+    return words;
+}
+
+// 0, 1, 2, 4, … up to the number of cores.
+std::string defaultThreads() {
+    std::string list = "0,1";
+    const unsigned cores = std::thread::hardware_concurrency();
+    for (unsigned threads = 2; threads < cores; threads *= 2) list += "," + std::to_string(threads);
+    return cores > 1 ? list + "," + std::to_string(cores) : list;
+}
+
+std::string folderOfThisProgram() { return std::filesystem::read_symlink("/proc/self/exe").parent_path(); }
+
+void checkFolder(const std::string &option, const std::string &folder) {
+    if (!std::filesystem::exists(std::filesystem::path(folder) / "libode.so.8"))
+        throw std::invalid_argument(option + ": no libode.so.8 in '" + folder + "'");
+}
+
+// The words of the command line that need more than conversion.
+struct Words {
+    std::string worlds = "pioneer3at,bioloid,create,soccer";
+    std::string engines = "stock,stock-pool,ours";
+    std::string threads = defaultThreads();
+    std::string manager;
+    double limitSeconds = 120;
+};
+
+void addOptions(CLI::App &app, Words &words, Options &options) {
+    StoppingRule &stop = options.race.stop;
+    app.add_option("--worlds", words.worlds, "SDF worlds, .sdf files and scenes; --list shows them")
+        ->capture_default_str();
+    app.add_option("--engines", words.engines, "engines; speed-ups refer to the first")
+        ->capture_default_str();
+    app.add_option("--threads", words.threads, "thread counts of 'ours'")->capture_default_str();
+    app.add_option("--manager", words.manager, "thread manager of 'ours': pthread or openmp");
+    app.add_option("--seconds", stop.maximumSeconds,
+                   "most measured seconds for a world, all engines together")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
+    app.add_option("--frames", stop.maximumFrames, "most frames for each engine, warm-up not counted")
+        ->capture_default_str()
+        ->check(CLI::Range(1L, 1'000'000'000L));
+    app.add_option("--tolerance", stop.tolerance,
+                   "stop when the last ten running averages (one every 100 frames) lie within this share")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
+    app.add_option("--warm-up", options.race.warmUpFrames, "first frames, not timed (fewer if they take 1 s)")
+        ->capture_default_str()
+        ->check(CLI::Range(0L, 1'000'000L));
+    app.add_option("--timeout", words.limitSeconds, "seconds after which an engine counts as hanging")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
+    app.add_option("--json", options.jsonFile, "file for all figures")->capture_default_str();
+    app.add_option("--csv", options.csvFile, "file with one line for each world and engine")
+        ->capture_default_str();
+    app.add_option("--stock-library", options.child.stockFolder, "folder of Debian's libode.so.8")
+        ->capture_default_str();
+    app.add_option("--our-library", options.child.oursFolder, "folder of ODE_MT's libode.so.8")
+        ->capture_default_str();
+    app.add_flag("--ignore-unsupported", options.child.ignoreUnsupported,
+                 "leave out elements of an SDF world that the loader does not know");
+    app.add_flag("--list", options.list, "list worlds, scenes and modifiers");
+}
+
+void interpret(const Words &words, Options &options) {
+    options.worlds = splitWorlds(words.worlds);
+    if (options.worlds.empty()) throw std::invalid_argument("--worlds: no worlds given");
+    for (const std::string &world : options.worlds) checkWorld(world);
+    options.engines = readEngines(split(words.engines), split(words.threads), words.manager);
+    for (const Engine &engine : options.engines)
+        if (engine.isOurs())
+            checkFolder("--our-library", options.child.oursFolder);
+        else
+            checkFolder("--stock-library", options.child.stockFolder);
+    options.child.limit = std::chrono::milliseconds(static_cast<long>(1000 * words.limitSeconds));
+}
+
+}  // namespace
+
+std::optional<Options> readOptions(int argc, const char *const *argv, int &exitCode) {
+    Options options;
+    options.child.program = folderOfThisProgram() + "/odemt_bench_child";
+    options.child.stockFolder = ODEMT_STOCK_FOLDER;
+    options.child.oursFolder = ODEMT_OUR_FOLDER;
+    options.jsonFile = "results/bench.json";
+    options.csvFile = "results/bench.csv";
+    Words words;
+    CLI::App app(kDescription, "odemt_bench");
+    app.footer(kFooter);
+    addOptions(app, words, options);
+    try {
+        app.parse(argc, argv);
+        if (!options.list) interpret(words, options);
+        return options;
+    } catch (const CLI::ParseError &error) {
+        exitCode = app.exit(error) == 0 ? 0 : kWrongOption;
+    } catch (const std::invalid_argument &error) {
+        std::cerr << error.what() << "\nRun with --help for more information.\n";
+        exitCode = kWrongOption;
+    }
+    return std::nullopt;
+}
+
+}  // namespace bench

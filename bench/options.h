@@ -1,0 +1,26 @@
+// The command line of odemt_bench.
+#pragma once
+
+#include "child_competitor.h"
+#include "race.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace bench {
+
+struct Options {
+    std::vector<std::string> worlds;
+    std::vector<Engine> engines;
+    RaceSettings race;
+    ChildSettings child;
+    std::string jsonFile, csvFile;
+    bool list = false;  // print the worlds and end
+};
+
+// Empty: the program ends with `exitCode` (help was asked for or an option was wrong; what there is to
+// say has been said on standard output or standard error).
+std::optional<Options> readOptions(int argc, const char *const *argv, int &exitCode);
+
+}  // namespace bench

@@ -1,0 +1,29 @@
+// One line on standard error that says how far a long run is: rewritten in place on a terminal, a
+// new line every few seconds elsewhere.
+#pragma once
+
+#include "race.h"
+
+#include <chrono>
+
+namespace bench {
+
+class Progress {
+public:
+    Progress(std::size_t worlds, const StoppingRule &rule);
+    ~Progress() { clear(); }
+
+    void show(std::size_t world, const WorldResult &result);
+    void clear();  // before other output, so that it starts on an empty line
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    std::size_t m_worlds;
+    StoppingRule m_rule;
+    bool m_isTerminal;
+    bool m_isShown = false;
+    Clock::time_point m_next = Clock::now();
+};
+
+}  // namespace bench

@@ -1,0 +1,56 @@
+#include "report.h"
+#include "summary.h"
+
+#include <iomanip>
+#include <sstream>
+
+namespace bench {
+
+namespace {
+
+// RFC 4180: in quotes, quotes doubled, if it holds a comma, a quote or a line break.
+std::string field(const std::string &text) {
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + "\"";
+}
+
+void writeHeader(std::ostream &out) {
+    out << "world,engine,bodies,frames,rounds";
+    for (Part part : kParts)
+        for (const char *figure :
+             {"_mean_s", "_deviation_s", "_speedup_median", "_speedup_q1", "_speedup_q3"})
+            out << ',' << nameOf(part) << figure;
+    out << ",real_time_factor,shared_steps,hash,state,failure\n";
+}
+
+void writeLine(std::ostream &out, const WorldResult &result, const EngineResult &engine,
+               const EngineSummary &summary) {
+    out << field(result.world) << ',' << field(summary.engine) << ',' << engine.ready.bodies << ','
+        << result.frames << ',' << engine.batches.size();
+    for (Part part : kParts) {
+        const PartSummary &figures = summary.part(part);
+        out << ',' << figures.seconds.mean << ',' << figures.seconds.deviation << ','
+            << figures.speedUp.median << ',' << figures.speedUp.lowerQuartile << ','
+            << figures.speedUp.upperQuartile;
+    }
+    out << ',' << summary.realTimeFactor << ',' << summary.sharedSteps << ',' << hashText(summary.hash) << ','
+        << nameOf(summary.check) << ',' << field(summary.failure) << '\n';
+}
+
+}  // namespace
+
+std::string reportCsv(const std::vector<WorldResult> &results) {
+    std::ostringstream out;
+    out << std::setprecision(9);
+    writeHeader(out);
+    for (const WorldResult &result : results) {
+        const std::vector<EngineSummary> summaries = summarize(result);
+        for (std::size_t i = 0; i < summaries.size(); ++i)
+            writeLine(out, result, result.engines[i], summaries[i]);
+    }
+    return out.str();
+}
+
+}  // namespace bench

@@ -1,0 +1,117 @@
+#include "report.h"
+#include "summary.h"
+#include "table.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace bench {
+
+namespace {
+
+template <class... Values>
+std::string format(const char *pattern, Values... values) {
+    char text[160];
+    std::snprintf(text, sizeof text, pattern, values...);
+    return text;
+}
+
+// Three significant digits, but never more than four behind the point.
+std::string number(double value) {
+    if (!std::isfinite(value)) return "-";
+    const int digits = value >= 100 ? 0 : value >= 10 ? 1 : value >= 1 ? 2 : value >= 0.1 ? 3 : 4;
+    return format("%.*f", digits, value);
+}
+
+std::string milliseconds(double seconds) { return number(1e3 * seconds); }
+
+std::string ratio(const Spread &spread) {
+    if (!std::isfinite(spread.median)) return "-";
+    if (spread.lowerQuartile == 1 && spread.upperQuartile == 1) return "1";  // the first engine itself
+    return format("%.2f [%.2f, %.2f]", spread.median, spread.lowerQuartile, spread.upperQuartile);
+}
+
+std::string state(const EngineSummary &summary) {
+    switch (summary.check) {
+        case StateCheck::Differs:
+            return hashText(summary.hash) + " DIFFERS";
+        case StateCheck::NotReproducible:
+            return hashText(summary.hash) + " not reproducible";
+        case StateCheck::Unknown:
+            return "-";
+        default:
+            return hashText(summary.hash);
+    }
+}
+
+std::string title(const WorldResult &result) {
+    std::string text = "== " + result.world + " ==\n";
+    for (const EngineResult &engine : result.engines) {
+        const Ready &r = engine.ready;
+        if (r.stepSize == 0) continue;
+        text +=
+            format("%zu bodies, %zu joints, %zu geoms, step %g s; ", r.bodies, r.joints, r.geoms, r.stepSize);
+        break;
+    }
+    text += format("%ld + %ld frames in %d rounds; ", result.warmUpFrames, result.frames, result.rounds);
+    return text + toString(result.verdict) + "\n\n";
+}
+
+std::vector<std::string> cells(const EngineSummary &summary, bool isOurs) {
+    const PartSummary &frame = summary.part(Part::Frame);
+    return {summary.engine,
+            milliseconds(frame.seconds.mean) + " ± " + milliseconds(frame.seconds.deviation),
+            milliseconds(summary.part(Part::Collision).seconds.mean),
+            milliseconds(summary.part(Part::Dynamics).seconds.mean),
+            milliseconds(summary.part(Part::Overhead).seconds.mean),
+            ratio(frame.speedUp),
+            ratio(summary.part(Part::Collision).speedUp),
+            ratio(summary.part(Part::Dynamics).speedUp),
+            ratio(summary.part(Part::Overhead).speedUp),
+            number(summary.realTimeFactor),
+            isOurs ? format("%.0f %%", 100 * summary.sharedSteps) : "",
+            state(summary)};
+}
+
+// What a reader must not overlook, one line each.
+std::string notes(const WorldResult &result, const std::vector<EngineSummary> &summaries) {
+    std::string text;
+    for (std::size_t i = 0; i < summaries.size(); ++i) {
+        const EngineResult &engine = result.engines[i];
+        const std::string name = summaries[i].engine;
+        if (engine.failed()) text += "FAILED: " + name + ": " + engine.failure + "\n";
+        if (engine.firstDifference >= 0)
+            text += format("WRONG RESULT: %s: state differs after frame %ld or before\n", name.c_str(),
+                           engine.firstDifference);
+        if (summaries[i].messages)
+            text += format("note: %s: %u messages of ODE\n", name.c_str(), summaries[i].messages);
+    }
+    for (const std::string &warning : result.engines.front().ready.warnings)
+        text += "note: " + warning + "\n";
+    return text;
+}
+
+}  // namespace
+
+std::string reportText(const WorldResult &result) {
+    using Align = Table::Align;
+    Table table({{"engine", Align::Left},
+                 {"frame ms"},
+                 {"collision"},
+                 {"dynamics"},
+                 {"overhead"},
+                 {"speed-up: frame"},
+                 {"collision"},
+                 {"dynamics"},
+                 {"overhead"},
+                 {"× real time"},
+                 {"shared"},
+                 {"state", Align::Left}});
+    const std::vector<EngineSummary> summaries = summarize(result);
+    for (std::size_t i = 0; i < summaries.size(); ++i)
+        if (!result.engines[i].batches.empty())
+            table.addRow(cells(summaries[i], result.engines[i].engine.isOurs()));
+    return title(result) + table.text() + notes(result, summaries) + "\n";
+}
+
+}  // namespace bench

@@ -1,0 +1,69 @@
+#include "summary.h"
+
+namespace bench {
+
+namespace {
+
+StateCheck stateCheck(const WorldResult &result, const EngineResult &engine, bool &referenceSeen) {
+    if (engine.batches.empty()) return StateCheck::Unknown;
+    if (!engine.engine.isReproducible()) return StateCheck::NotReproducible;
+    if (engine.firstDifference >= 0) return StateCheck::Differs;
+    if (engine.batches.size() < static_cast<std::size_t>(result.rounds)) return StateCheck::Unknown;
+    if (referenceSeen) return StateCheck::Same;
+    referenceSeen = true;
+    return StateCheck::Reference;
+}
+
+void addTotals(const EngineResult &engine, EngineSummary &summary) {
+    long frames = 0, shared = 0;
+    double seconds = 0;
+    for (const Batch &batch : engine.batches) {
+        frames += batch.frames;
+        shared += batch.parallelSteps;
+        seconds += secondsOf(batch.seconds, Part::Frame);
+        summary.messages += batch.messages;
+    }
+    const auto count = static_cast<double>(frames);
+    if (seconds > 0) summary.realTimeFactor = count * engine.ready.stepSize / seconds;
+    if (frames > 0) summary.sharedSteps = static_cast<double>(shared) / count;
+    if (!engine.batches.empty()) summary.hash = engine.batches.back().hash;
+}
+
+}  // namespace
+
+const char *nameOf(StateCheck check) {
+    switch (check) {
+        case StateCheck::Reference:
+            return "reference";
+        case StateCheck::Same:
+            return "same";
+        case StateCheck::Differs:
+            return "differs";
+        case StateCheck::NotReproducible:
+            return "not reproducible";
+        case StateCheck::Unknown:
+            return "unknown";
+    }
+    return "";
+}
+
+std::vector<EngineSummary> summarize(const WorldResult &result) {
+    std::vector<EngineSummary> summaries;
+    bool referenceSeen = false;
+    const EngineResult &first = result.engines.front();
+    for (const EngineResult &engine : result.engines) {
+        EngineSummary summary;
+        summary.engine = engine.engine.name();
+        summary.failure = engine.failure;
+        for (Part part : kParts)
+            summary.parts[static_cast<std::size_t>(part)] = {
+                engine.average(part).summary(),
+                spreadOf(pairedRatios(first.seconds(part), engine.seconds(part)))};
+        addTotals(engine, summary);
+        summary.check = stateCheck(result, engine, referenceSeen);
+        summaries.push_back(summary);
+    }
+    return summaries;
+}
+
+}  // namespace bench

@@ -1,0 +1,29 @@
+// What may stand behind --worlds, and how it becomes a scene.
+//
+//   create             one of the SDF worlds of worlds/
+//   path/to/file.sdf   any SDF world
+//   stacks:100,quick   a procedural scene; "soccer" alone is the SDF world, "soccer:4" the scene
+#pragma once
+
+#include "scenes/scene.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace bench {
+
+// "rover,pile:4000,quick,create" is three worlds: a modifier belongs to the scene before it.
+std::vector<std::string> splitWorlds(const std::string &list);
+
+// Throws std::invalid_argument that names what is wrong and what exists; opens no file.
+void checkWorld(const std::string &world);
+
+// Throws what checkWorld throws and what the loader throws. `warnings`: elements of an SDF world
+// left out because `ignoreUnsupported`.
+std::unique_ptr<scenes::Scene> openWorld(const std::string &world, bool ignoreUnsupported,
+                                         std::vector<std::string> &warnings);
+
+std::string listWorlds();  // for --list
+
+}  // namespace bench

@@ -1,0 +1,116 @@
+#include "child_competitor.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+using namespace bench;
+
+namespace {
+
+ChildSettings settings() {
+    ChildSettings settings;
+    settings.program = ODEMT_BENCH_CHILD;
+    settings.stockFolder = ODEMT_STOCK_FOLDER;
+    settings.oursFolder = ODEMT_OUR_FOLDER;
+    return settings;
+}
+
+// A program in place of the child, to misbehave as no real one does.
+class Script {
+public:
+    explicit Script(const std::string &text) {
+        std::ofstream(file) << "#!/bin/sh\n" << text;
+        chmod(file.c_str(), 0700);
+    }
+    ~Script() { std::remove(file.c_str()); }
+
+    const std::string file = testing::TempDir() + "/bench_child_" + std::to_string(getpid());
+};
+
+template <class Function>
+std::string complaint(Function function) {
+    try {
+        function();
+    } catch (const std::runtime_error &error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace
+
+TEST(ChildCompetitor, StockRunsOnDebiansLibrary) {
+    ChildCompetitor stock(readEngine("stock"), "stacks:2", settings());
+    const Ready ready = stock.start();
+    EXPECT_FALSE(ready.isOurs);
+    EXPECT_EQ(ready.bodies, 20u);
+    EXPECT_EQ(stock.run(10).frames, 10);
+}
+
+TEST(ChildCompetitor, OursRunsOnOurLibraryWithItsThreads) {
+    ChildCompetitor ours(readEngine("ours:2/pthread/lcp"), "stacks:2", settings());
+    const Ready ready = ours.start();
+    EXPECT_TRUE(ready.isOurs);
+    EXPECT_EQ(ready.threads, 2);
+    EXPECT_EQ(ready.manager, "pthread");
+    EXPECT_EQ(ready.algorithm, "lcp");
+    EXPECT_EQ(ours.run(10).parallelSteps, 10u);
+}
+
+TEST(ChildCompetitor, BothEnginesGiveTheSameState) {
+    ChildCompetitor stock(readEngine("stock"), "humanoids:2", settings());
+    ChildCompetitor ours(readEngine("ours:2"), "humanoids:2", settings());
+    stock.start();
+    ours.start();
+    EXPECT_EQ(stock.run(50).hash, ours.run(50).hash);
+}
+
+TEST(ChildCompetitor, ThePoolRuns) {
+    ChildCompetitor pool(readEngine("stock-pool:2"), "stacks:2", settings());
+    pool.start();
+    EXPECT_EQ(pool.run(5).frames, 5);
+}
+
+TEST(ChildCompetitor, TheUsersOwnSettingsDoNotReachTheEngines) {
+    setenv("ODE_MT_ALGORITHM", "serial", 1);
+    ChildCompetitor ours(readEngine("ours:2"), "stacks:2", settings());
+    const Ready ready = ours.start();
+    unsetenv("ODE_MT_ALGORITHM");
+    EXPECT_NE(ready.algorithm, "serial");
+}
+
+TEST(ChildCompetitor, TheWrongLibraryIsNoticed) {
+    ChildSettings swapped = settings();
+    std::swap(swapped.stockFolder, swapped.oursFolder);
+    ChildCompetitor stock(readEngine("stock"), "stacks:2", swapped);
+    EXPECT_NE(complaint([&] { stock.start(); }).find("which is ODE_MT"), std::string::npos);
+    ChildCompetitor ours(readEngine("ours:1"), "stacks:2", swapped);
+    EXPECT_NE(complaint([&] { ours.start(); }).find("which is not ODE_MT"), std::string::npos);
+}
+
+TEST(ChildCompetitor, AnUnknownWorldIsReportedInTheChildsWords) {
+    ChildCompetitor stock(readEngine("stock"), "moon", settings());
+    EXPECT_NE(complaint([&] { stock.start(); }).find("unknown world 'moon'"), std::string::npos);
+}
+
+TEST(ChildCompetitor, ACrashAtTheStartIsReported) {
+    const Script script("echo out of memory >&2; exit 7\n");
+    ChildSettings broken = settings();
+    broken.program = script.file;
+    ChildCompetitor stock(readEngine("stock"), "rover", broken);
+    EXPECT_EQ(complaint([&] { stock.start(); }), "ended with exit code 7: out of memory");
+}
+
+TEST(ChildCompetitor, AHangInABatchIsReportedAndEnded) {
+    const Script script(std::string("echo '") + writeReady({}) + "'\nread request\nsleep 60\n");
+    ChildSettings hanging = settings();
+    hanging.program = script.file;
+    hanging.limit = std::chrono::seconds(1);
+    ChildCompetitor stock(readEngine("stock"), "rover", hanging);
+    stock.start();
+    EXPECT_EQ(complaint([&] { stock.run(1); }), "no answer within 1 s");
+}

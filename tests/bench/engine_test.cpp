@@ -1,0 +1,73 @@
+#include "engine.h"
+
+#include <gtest/gtest.h>
+
+using namespace bench;
+
+namespace {
+
+std::vector<std::string> names(const std::vector<Engine> &engines) {
+    std::vector<std::string> result;
+    for (const Engine &engine : engines) result.push_back(engine.name());
+    return result;
+}
+
+std::string complaint(const std::string &engine) {
+    try {
+        readEngine(engine);
+    } catch (const std::invalid_argument &error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace
+
+TEST(Engine, NamesAreReadAndWrittenBack) {
+    for (const char *name : {"stock", "stock-pool:2", "ours:0", "ours:1024", "ours:auto", "ours:2/openmp",
+                             "ours:2/lcp", "ours:2/pthread/lcp"})
+        EXPECT_EQ(readEngine(name).name(), name);
+}
+
+TEST(Engine, UnknownOnesAreNamedWithThoseThatExist) {
+    EXPECT_NE(complaint("bullet").find("'bullet'"), std::string::npos);
+    EXPECT_NE(complaint("bullet").find("stock-pool:N"), std::string::npos);
+    EXPECT_NE(complaint("stock:2").find("'stock:2'"), std::string::npos);
+    EXPECT_NE(complaint("stock/openmp").find("'stock/openmp'"), std::string::npos);
+}
+
+TEST(Engine, BadThreadCountsAreNamed) {
+    for (const char *name :
+         {"ours:-1", "ours:1025", "ours:two", "ours:", "ours:2x", "stock-pool:0", "stock-pool:auto"})
+        EXPECT_NE(complaint(name).find(name), std::string::npos) << name;
+}
+
+TEST(Engine, EnvironmentOfOurs) {
+    const std::map<std::string, std::string> expected = {
+        {"ODE_MT_THREADS", "2"}, {"ODE_MT_THREAD_MANAGER", "openmp"}, {"ODE_MT_ALGORITHM", "lcp"}};
+    EXPECT_EQ(readEngine("ours:2/openmp/lcp").environment(), expected);
+    EXPECT_TRUE(readEngine("stock-pool:2").environment().empty());
+}
+
+TEST(Engine, OnlyThePoolIsNotReproducible) {
+    EXPECT_TRUE(readEngine("stock").isReproducible());
+    EXPECT_TRUE(readEngine("ours:2").isReproducible());
+    EXPECT_FALSE(readEngine("stock-pool:2").isReproducible());
+}
+
+TEST(Engine, ListsExpandOverThreads) {
+    EXPECT_EQ(names(readEngines({"stock", "stock-pool", "ours"}, {"0", "4", "2"}, "")),
+              (std::vector<std::string>{"stock", "stock-pool:4", "ours:0", "ours:4", "ours:2"}));
+}
+
+TEST(Engine, TheManagerOptionIsForThoseThatNameNone) {
+    EXPECT_EQ(names(readEngines({"stock", "ours:1", "ours:2/pthread"}, {}, "openmp")),
+              (std::vector<std::string>{"stock", "ours:1/openmp", "ours:2/pthread"}));
+    EXPECT_THROW(readEngines({"ours:1"}, {}, "tbb"), std::invalid_argument);
+}
+
+TEST(Engine, ListsMustNameEachOnceAndAtLeastOne) {
+    EXPECT_THROW(readEngines({"stock", "ours:1", "stock"}, {}, ""), std::invalid_argument);
+    EXPECT_THROW(readEngines({}, {}, ""), std::invalid_argument);
+    EXPECT_THROW(readEngines({"ours"}, {"many"}, ""), std::invalid_argument);
+}

@@ -1,0 +1,82 @@
+// The program as a user runs it.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+namespace {
+
+struct Outcome {
+    int exitCode;
+    std::string output;
+};
+
+Outcome run(const std::string &arguments) {
+    FILE *pipe = popen((std::string(ODEMT_BENCH) + " " + arguments + " 2>&1").c_str(), "r");
+    std::string output;
+    char bytes[4096];
+    while (const std::size_t count = std::fread(bytes, 1, sizeof bytes, pipe)) output.append(bytes, count);
+    return {WEXITSTATUS(pclose(pipe)), output};
+}
+
+class OdemtBench : public testing::Test {
+protected:
+    void SetUp() override { std::filesystem::create_directories(folder); }
+    void TearDown() override { std::filesystem::remove_all(folder); }
+
+    std::string files() const { return " --json " + folder + "/b.json --csv " + folder + "/b.csv"; }
+
+    const std::string folder = testing::TempDir() + "/odemt_bench_" + std::to_string(getpid());
+};
+
+}  // namespace
+
+TEST_F(OdemtBench, ComparesEnginesAndSavesTheFigures) {
+    const Outcome outcome =
+        run("--worlds rover:3,stacks:2 --engines stock,ours:0,ours:2 --frames 200" + files());
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
+    EXPECT_NE(outcome.output.find("== rover:3 =="), std::string::npos) << outcome.output;
+    EXPECT_EQ(outcome.output.find("WRONG"), std::string::npos);
+
+    std::ifstream file(folder + "/b.json");
+    const auto json = nlohmann::json::parse(file);
+    ASSERT_EQ(json["worlds"].size(), 2u);
+    for (const auto &world : json["worlds"]) {
+        EXPECT_EQ(world["frames"], 200);
+        ASSERT_EQ(world["engines"].size(), 3u);
+        for (const auto &engine : world["engines"]) EXPECT_EQ(engine["hash"], world["engines"][0]["hash"]);
+    }
+    EXPECT_TRUE(std::filesystem::exists(folder + "/b.csv"));
+}
+
+TEST_F(OdemtBench, AFailingEngineMakesTheExitCodeOneAndIsNamed) {
+    // Debian's library in place of ours.
+    const Outcome outcome = run("--worlds rover:3 --engines stock,ours:1 --frames 20 --our-library " +
+                                std::string(ODEMT_STOCK_FOLDER) + files());
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.output.find("FAILED: ours:1"), std::string::npos) << outcome.output;
+}
+
+TEST_F(OdemtBench, AWrongOptionMakesTheExitCodeTwo) {
+    const Outcome outcome = run("--worlds moon");
+    EXPECT_EQ(outcome.exitCode, 2);
+    EXPECT_NE(outcome.output.find("'moon'"), std::string::npos);
+}
+
+TEST_F(OdemtBench, ListsWorlds) {
+    const Outcome outcome = run("--list");
+    EXPECT_EQ(outcome.exitCode, 0);
+    EXPECT_NE(outcome.output.find("ragdolls"), std::string::npos);
+}
+
+TEST_F(OdemtBench, AFileThatCannotBeWrittenIsNamed) {
+    const Outcome outcome =
+        run("--worlds rover:3 --engines stock --frames 20 --json /proc/b.json --csv " + folder + "/b.csv");
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.output.find("/proc/b.json"), std::string::npos);
+}

@@ -1,0 +1,64 @@
+#include "options.h"
+
+#include <gtest/gtest.h>
+
+using namespace bench;
+
+namespace {
+
+struct Outcome {
+    std::optional<Options> options;
+    int exitCode = 0;
+    std::string output, errors;
+};
+
+Outcome read(std::vector<const char *> arguments) {
+    arguments.insert(arguments.begin(), "odemt_bench");
+    Outcome outcome;
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    outcome.options = readOptions(static_cast<int>(arguments.size()), arguments.data(), outcome.exitCode);
+    outcome.output = testing::internal::GetCapturedStdout();
+    outcome.errors = testing::internal::GetCapturedStderr();
+    return outcome;
+}
+
+void expectComplaint(const std::vector<const char *> &arguments, const std::string &word) {
+    const Outcome outcome = read(arguments);
+    EXPECT_FALSE(outcome.options);
+    EXPECT_EQ(outcome.exitCode, 2);
+    EXPECT_NE(outcome.errors.find(word), std::string::npos) << outcome.errors;
+}
+
+}  // namespace
+
+TEST(Options, AreRead) {
+    const Outcome outcome = read({"--worlds", "rover,stacks:3,sap", "--engines", "stock,ours", "--threads",
+                                  "0,2", "--seconds", "1.5", "--frames", "77", "--json", "a.json"});
+    ASSERT_TRUE(outcome.options) << outcome.errors;
+    EXPECT_EQ(outcome.options->worlds, (std::vector<std::string>{"rover", "stacks:3,sap"}));
+    EXPECT_EQ(outcome.options->engines.size(), 3u);
+    EXPECT_DOUBLE_EQ(outcome.options->race.stop.maximumSeconds, 1.5);
+    EXPECT_EQ(outcome.options->race.stop.maximumFrames, 77);
+    EXPECT_EQ(outcome.options->jsonFile, "a.json");
+}
+
+TEST(Options, WrongOnesAreAnsweredByName) {
+    expectComplaint({"--wurlds", "rover"}, "--wurlds");
+    expectComplaint({"--worlds", "moon"}, "'moon'");
+    expectComplaint({"--worlds", "rover", "--engines", "bullet"}, "'bullet'");
+    expectComplaint({"--worlds", "rover", "--threads", "lots"}, "'lots'");
+    expectComplaint({"--worlds", "rover", "--manager", "tbb"}, "'tbb'");
+    expectComplaint({"--worlds", "rover", "--seconds", "-1"}, "--seconds");
+    expectComplaint({"--worlds", "rover", "--frames", "0"}, "--frames");
+    expectComplaint({"--worlds", "rover", "--our-library", "/nowhere"}, "--our-library");
+    expectComplaint({"--worlds", ""}, "--worlds");
+}
+
+TEST(Options, HelpExplainsEnginesAndGivesExamples) {
+    const Outcome outcome = read({"--help"});
+    EXPECT_FALSE(outcome.options);
+    EXPECT_EQ(outcome.exitCode, 0);
+    for (const char *word : {"stock-pool:N", "ours:N", "Examples:", "--worlds", "exit code"})
+        EXPECT_NE(outcome.output.find(word), std::string::npos) << word;
+}

@@ -1,0 +1,82 @@
+#include "protocol.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+using namespace bench;
+
+namespace {
+
+template <class Function>
+std::string complaint(Function function) {
+    try {
+        function();
+    } catch (const std::runtime_error &error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace
+
+TEST(Protocol, ABatchArrivesAsItWasSent) {
+    Batch sent;
+    sent.frames = 7;
+    sent.seconds = {0.1, 1.0 / 3, 3e-9, 2};
+    sent.hash = 0xfedcba9876543210;
+    sent.contacts = 12;
+    sent.messages = 3;
+    sent.parallelSteps = 5;
+    const Batch got = readBatch(writeBatch(sent));
+    EXPECT_EQ(got.frames, 7);
+    EXPECT_EQ(got.seconds.control, sent.seconds.control);
+    EXPECT_EQ(got.seconds.collide, sent.seconds.collide);
+    EXPECT_EQ(got.seconds.step, sent.seconds.step);
+    EXPECT_EQ(got.seconds.finish, sent.seconds.finish);
+    EXPECT_EQ(got.hash, sent.hash);
+    EXPECT_EQ(got.contacts, 12u);
+    EXPECT_EQ(got.messages, 3u);
+    EXPECT_EQ(got.parallelSteps, 5u);
+}
+
+TEST(Protocol, AReadyArrivesAsItWasSent) {
+    Ready sent;
+    sent.library = "/a folder/libode.so.8";
+    sent.isOurs = true;
+    sent.threads = 3;
+    sent.manager = "pthread";
+    sent.algorithm = "auto";
+    sent.bodies = 1;
+    sent.joints = 2;
+    sent.geoms = 3;
+    sent.stepSize = 0.008;
+    sent.warnings = {"\"odd\"\nelement"};
+    const Ready got = readReady(writeReady(sent));
+    EXPECT_EQ(got.library, sent.library);
+    EXPECT_TRUE(got.isOurs);
+    EXPECT_EQ(got.threads, 3);
+    EXPECT_EQ(got.manager, "pthread");
+    EXPECT_EQ(got.algorithm, "auto");
+    EXPECT_EQ(got.bodies, 1u);
+    EXPECT_EQ(got.joints, 2u);
+    EXPECT_EQ(got.geoms, 3u);
+    EXPECT_EQ(got.stepSize, 0.008);
+    EXPECT_EQ(got.warnings, sent.warnings);
+}
+
+TEST(Protocol, MessagesAreOneLine) { EXPECT_EQ(writeError("two\nlines").find('\n'), std::string::npos); }
+
+TEST(Protocol, ARequestArrivesAsItWasSent) { EXPECT_EQ(readRequest(writeRequest(1000)), 1000); }
+
+TEST(Protocol, AnErrorIsThrownInTheChildsOwnWords) {
+    EXPECT_EQ(complaint([] { readBatch(writeError("no such world")); }), "no such world");
+    EXPECT_EQ(complaint([] { readReady(writeError("no such world")); }), "no such world");
+}
+
+TEST(Protocol, ALineThatIsNotUnderstoodIsQuoted) {
+    for (const char *line : {"Segmentation fault", "{}", "{\"batch\":{\"frames\":1}}", ""})
+        EXPECT_NE(complaint([&] { readBatch(line); }).find("'" + std::string(line) + "'"), std::string::npos);
+}
+
+TEST(Protocol, HashesHaveSixteenDigits) { EXPECT_EQ(hashText(0xab), "00000000000000ab"); }

@@ -1,0 +1,111 @@
+#include "report.h"
+#include "summary.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+using namespace bench;
+
+namespace {
+
+EngineResult engineResult(const std::string &name, const std::vector<double> &stepSeconds) {
+    EngineResult engine;
+    engine.engine = readEngine(name);
+    engine.ready.stepSize = 0.01;
+    for (double seconds : stepSeconds) {
+        Batch batch;
+        batch.frames = 100;
+        batch.seconds = {0, seconds, seconds, 0};
+        batch.hash = 0xabc;
+        engine.batches.push_back(batch);
+        for (Part part : kParts)
+            engine.averages[static_cast<std::size_t>(part)].add(100, secondsOf(batch.seconds, part));
+    }
+    return engine;
+}
+
+// Ours is twice as fast in two rounds and four times in one.
+WorldResult worldResult() {
+    WorldResult result;
+    result.world = "pile:4,sap";
+    result.engines = {engineResult("stock", {0.2, 0.2, 0.4}), engineResult("ours:2", {0.1, 0.1, 0.1})};
+    result.rounds = 3;
+    result.frames = 300;
+    return result;
+}
+
+}  // namespace
+
+TEST(Report, SpeedUpsAreMediansOfPairs) {
+    const std::vector<EngineSummary> summaries = summarize(worldResult());
+    EXPECT_DOUBLE_EQ(summaries[1].part(Part::Frame).speedUp.median, 2);
+    EXPECT_DOUBLE_EQ(summaries[1].part(Part::Dynamics).speedUp.upperQuartile, 3);
+    EXPECT_DOUBLE_EQ(summaries[0].part(Part::Frame).speedUp.median, 1);
+}
+
+TEST(Report, RealTimeFactorIsSimulatedTimeByWallTime) {
+    EXPECT_NEAR(summarize(worldResult())[1].realTimeFactor, 300 * 0.01 / 0.6, 1e-12);
+}
+
+TEST(Report, TextShowsEnginesSpeedUpsAndHashes) {
+    const std::string text = reportText(worldResult());
+    EXPECT_NE(text.find("pile:4,sap"), std::string::npos);
+    EXPECT_NE(text.find("2.00 [2.00, 3.00]"), std::string::npos) << text;
+    EXPECT_NE(text.find("0000000000000abc"), std::string::npos);
+    EXPECT_EQ(text.find("WRONG"), std::string::npos);
+    EXPECT_EQ(text.find("FAILED"), std::string::npos);
+}
+
+TEST(Report, TextShoutsAtAWrongResult) {
+    WorldResult result = worldResult();
+    result.engines[1].firstDifference = 200;
+    const std::string text = reportText(result);
+    EXPECT_NE(text.find("DIFFERS"), std::string::npos);
+    EXPECT_NE(text.find("WRONG RESULT: ours:2"), std::string::npos);
+    EXPECT_NE(text.find("frame 200"), std::string::npos);
+}
+
+TEST(Report, TextNamesAFailedEngine) {
+    WorldResult result = worldResult();
+    result.engines[1] = engineResult("ours:2", {});
+    result.engines[1].failure = "killed by signal 11";
+    EXPECT_NE(reportText(result).find("FAILED: ours:2: killed by signal 11"), std::string::npos);
+}
+
+TEST(Report, ThePoolIsMarkedAsNotReproducible) {
+    WorldResult result = worldResult();
+    result.engines[1].engine = readEngine("stock-pool:2");
+    EXPECT_NE(reportText(result).find("not reproducible"), std::string::npos);
+}
+
+TEST(Report, JsonHoldsTheFigures) {
+    const auto json = nlohmann::json::parse(reportJson({worldResult()}));
+    const auto &world = json["worlds"][0];
+    EXPECT_EQ(world["world"], "pile:4,sap");
+    const auto &ours = world["engines"][1];
+    EXPECT_EQ(ours["engine"], "ours:2");
+    EXPECT_EQ(ours["state"], "same");
+    EXPECT_DOUBLE_EQ(ours["parts"]["frame"]["speedUp"]["median"], 2);
+    EXPECT_EQ(ours["parts"]["collision"]["keptAverages"].size(), 3u);
+}
+
+TEST(Report, CsvHasOneLineForEachEngineWithAsManyFieldsAsTitles) {
+    WorldResult result = worldResult();
+    result.world = "pile";
+    const std::string csv = reportCsv({result});
+    std::istringstream lines(csv);
+    std::string header, line;
+    std::getline(lines, header);
+    int count = 0;
+    for (; std::getline(lines, line); ++count)
+        EXPECT_EQ(std::count(line.begin(), line.end(), ','), std::count(header.begin(), header.end(), ','));
+    EXPECT_EQ(count, 2);
+}
+
+TEST(Report, CsvQuotesCommasAndQuotes) {
+    WorldResult result = worldResult();
+    result.engines[1].failure = "said \"no\"";
+    const std::string csv = reportCsv({result});
+    EXPECT_NE(csv.find("\"pile:4,sap\""), std::string::npos);
+    EXPECT_NE(csv.find("\"said \"\"no\"\"\""), std::string::npos);
+}

@@ -1,0 +1,98 @@
+// Every scenario on ODE_MT with every number of threads and every thread manager, against Debian's
+// libode8 on one thread (contract C2).
+#include "scenario_run.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace {
+
+using namespace exactness;
+
+// Every other number of threads runs under a schedule that is disturbed on purpose.
+struct Threads {
+    int count;
+    bool disturbed;
+};
+constexpr Threads threadCounts[] = {{0, false}, {1, false}, {2, true}, {3, false},
+                                    {5, true},  {8, false}, {16, true}};
+constexpr const char *managers[] = {"pthread", "openmp"};
+
+// libode8's run of the scenario that was asked for last.
+const Record &stockRecord(const std::string &scenario) {
+    static std::string cachedFor;
+    static Record cached;
+    if (cachedFor != scenario) {
+        cached = runScenario(scenario, libode8);
+        cachedFor = scenario;
+    }
+    return cached;
+}
+
+class ExactnessTest : public testing::Test {
+public:
+    ExactnessTest(ScenarioName scenario, Player player) : m_scenario(scenario), m_player(player) {}
+
+    void TestBody() override {
+        const Record &expected = stockRecord(m_scenario.name);
+        const Record actual = runScenario(m_scenario.name, m_player);
+        checkEngines(expected.engine, actual.engine);
+        checkEqual(expected, actual);
+        if (m_player.setting && m_player.setting->threads >= 2) checkSharedOut(actual.engine);
+    }
+
+private:
+    // A comparison of a library with itself would always succeed.
+    void checkEngines(const Engine &expected, const Engine &actual) const {
+        EXPECT_FALSE(expected.isOdeMt) << expected.library;
+        EXPECT_EQ(expected.library.rfind(libraryFolder(libode8), 0), 0u) << expected.library;
+        EXPECT_EQ(actual.isOdeMt, m_player.setting.has_value()) << actual.library;
+    }
+
+    void checkEqual(const Record &expected, const Record &actual) const {
+        const auto divergence = firstDivergence(expected, actual);
+        if (!divergence) return;
+        const auto difference = nameDifference(m_scenario.name, libode8, m_player, divergence->step);
+        ADD_FAILURE() << m_scenario.name << " first differs in step " << divergence->step << ", stage '"
+                      << divergence->stage << "'\n"
+                      << (difference ? difference->describe()
+                                     : "but not when run again: the difference does not repeat");
+    }
+
+    // On a busy machine a second worker may never come in time, unless the schedule is disturbed.
+    void checkSharedOut(const Engine &engine) const {
+        if (!m_scenario.serialBecause.empty()) return;
+        EXPECT_GT(engine.parallelSteps, 0u);
+        if (!m_player.setting->disturbed) return;
+        EXPECT_GE(engine.mostWorkers, 2u)
+            << "no second worker stepped an island; parallel steps: " << engine.parallelSteps
+            << ", islands: " << engine.parallelIslands;
+    }
+
+    ScenarioName m_scenario;
+    Player m_player;
+};
+
+void addTest(const ScenarioName &scenario, const std::string &name, const Player &player) {
+    testing::RegisterTest(("Exactness/" + scenario.name).c_str(), name.c_str(), nullptr, nullptr, __FILE__,
+                          __LINE__, [=]() -> testing::Test * { return new ExactnessTest(scenario, player); });
+}
+
+void addTests(const ScenarioName &scenario) {
+    addTest(scenario, "libode8_again", libode8Again);  // is the scenario itself repeatable?
+    for (const char *manager : managers) {
+        for (const Threads &threads : threadCounts) {
+            addTest(scenario, manager + ('_' + std::to_string(threads.count)),
+                    Player{ThreadSetting{manager, threads.count, threads.disturbed}});
+        }
+    }
+}
+
+}  // namespace
+
+int main(int argc, char **argv) {
+    testing::InitGoogleTest(&argc, argv);
+    for (const ScenarioName &scenario : listScenarios()) addTests(scenario);
+    return RUN_ALL_TESTS();
+}

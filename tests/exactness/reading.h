@@ -1,0 +1,47 @@
+// What was read of one field: words compared bit by bit, and text compared as it is.
+//
+// A NaN equals every other NaN (contract C2), so all of them are read as the same bits. Nothing else is
+// folded: -0.0 differs from +0.0.
+#pragma once
+
+#include <ode/common.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace exactness {
+
+struct Word {
+    enum class Kind { Real, Integer };
+
+    Kind kind;
+    std::uint64_t bits;  // of a double, or of a two's complement integer
+
+    bool operator==(const Word &other) const { return kind == other.kind && bits == other.bits; }
+    bool operator!=(const Word &other) const { return !(*this == other); }
+};
+
+bool isNaN(const Word &word);
+
+// "0.1 (3fb999999999999a)" or "42": enough digits to tell two doubles apart, and the bits.
+std::string toString(const Word &word);
+
+class Reading {
+public:
+    void real(double value);
+    void reals(const dReal *values, std::size_t count);
+    void integer(std::int64_t value);
+    void text(const std::string &text) { m_text = text; }
+    void clear();
+
+    const std::vector<Word> &words() const { return m_words; }
+    const std::string &text() const { return m_text; }
+
+private:
+    std::vector<Word> m_words;
+    std::string m_text;
+};
+
+}  // namespace exactness

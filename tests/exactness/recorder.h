@@ -1,0 +1,53 @@
+// Watches a scene and fills a record.
+//
+// Events (near pairs, contacts, moved-callbacks, notes, text on standard error) are hashed in the order
+// in which they come, into the stage in which they come; the state is hashed at the end of each stage.
+#pragma once
+
+#include "fields.h"
+#include "record.h"
+#include "standard_error.h"
+
+#include <map>
+
+namespace exactness {
+
+class Recorder final : public scenes::Observer {
+public:
+    static constexpr int noStep = -1;
+
+    // `dumpStep`: the step whose values are kept, or noStep.
+    Recorder(const scenes::Scene &scene, int dumpStep);
+
+    void beginStep(int step) { m_step = step; }
+    void endStage(const char *stage);
+
+    void nearPair(dGeomID o1, dGeomID o2) override;
+    void contact(const dContact &contact) override;
+    void bodyMoved(dBodyID body) override;
+    void note(const char *what, double value) override;
+
+    Record take(const Engine &engine);
+
+    // How much there was to see, for people: "32 contacts, 40 near pairs, ...".
+    std::string summary() const;
+
+private:
+    void event(const char *what, const Reading &reading);
+    void see(Kind kind, std::size_t index, const char *field, const Reading &reading);
+    void mix(std::uint64_t bits);
+
+    const scenes::Scene &m_scene;
+    Names m_names;
+    StandardError m_standardError;
+    int m_dumpStep;
+    int m_step = 0;
+    std::size_t m_events = 0;                   // in this stage
+    std::size_t m_firstOfStage = 0;             // the first value kept of this stage
+    std::map<std::string, std::size_t> m_seen;  // events by kind
+    std::size_t m_notANumber = 0;               // words
+    std::uint64_t m_hash = 0;
+    Record m_record;
+};
+
+}  // namespace exactness

@@ -1,0 +1,45 @@
+// Runs a scenario in a child process on one of the two libraries.
+#pragma once
+
+#include "child_process.h"
+#include "comparison.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace exactness {
+
+struct ScenarioName {
+    std::string name;           // "ball_joints/quick"
+    std::string serialBecause;  // see catalogue.h
+};
+
+std::vector<ScenarioName> listScenarios();
+
+// How ODE_MT is told to run, through its environment. Its algorithm is always the one that shares out
+// islands whenever there are two, so that small scenes test the parallel step too.
+struct ThreadSetting {
+    std::string manager;  // "pthread" or "openmp"
+    int threads;
+    bool disturbed = false;  // its schedule is disturbed on purpose
+};
+
+// Who runs a scenario.
+struct Player {
+    std::optional<ThreadSetting> setting;  // of ODE_MT; nothing: Debian's libode8
+    bool patternMemory = true;             // fill fresh memory with a pattern
+};
+const Player libode8{std::nullopt, false};
+const Player libode8Again{std::nullopt, true};
+
+std::string libraryFolder(const Player &player);
+
+// One run. Throws std::runtime_error if the child does not come to its end.
+Record runScenario(const std::string &scenario, const Player &player);
+
+// Both runs again with all values of the step in which they differ.
+std::optional<Difference> nameDifference(const std::string &scenario, const Player &expected,
+                                         const Player &actual, int step);
+
+}  // namespace exactness

@@ -1,0 +1,37 @@
+// The scenarios: scenes made for one thing that must come out exactly as upstream's.
+#pragma once
+
+#include "scenes/scene.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace exactness {
+
+struct Scenario {
+    using Make = std::function<std::unique_ptr<scenes::Scene>(scenes::Stepper)>;
+
+    std::string name;     // that of its file, with more behind it if the file has several
+    std::string meaning;  // one line
+    int steps;
+    Make make;
+    // Why its islands cannot be shared out; empty: they can, and the suite asserts that they are.
+    std::string serialBecause = "";
+    std::vector<scenes::Stepper> steppers = {scenes::Stepper::World, scenes::Stepper::Quick};
+    // It leaves a step or a space half way, after which upstream cannot destroy what there is: the program
+    // ends at once, without doing so.
+    bool leavesRuins = false;
+};
+
+// Makes a scene whose constructor takes the stepper and `arguments`.
+template <class Scene, class... Arguments>
+Scenario::Make make(Arguments... arguments) {
+    return [=](scenes::Stepper stepper) { return std::make_unique<Scene>(stepper, arguments...); };
+}
+
+using Catalogue = std::vector<Scenario>;
+const Catalogue &catalogue();
+
+}  // namespace exactness

@@ -1,0 +1,30 @@
+#include "additions.h"
+
+namespace exactness {
+
+namespace {
+
+Scenario::Make scene(const std::string &nameAndSize) {
+    return [=](scenes::Stepper stepper) {
+        return scenes::makeScene(nameAndSize + (stepper == scenes::Stepper::World ? ",world" : ",quick"));
+    };
+}
+
+}  // namespace
+
+// The scenes that bench and viewers show, small.
+void addSharedScenes(Catalogue &catalogue) {
+    const auto add = [&](const std::string &name, const std::string &sizeAndModifiers, const char *meaning,
+                         int steps) {
+        catalogue.push_back({"shared_scenes/" + name, meaning, steps, scene(name + sizeAndModifiers)});
+    };
+    add("soccer", ":3", "three fields with robots", 60);
+    add("humanoids", ":8", "eight humanoids", 40);
+    add("stacks", ":12,autodisable", "twelve stacks of ten boxes", 40);
+    add("spheres", ":120,sap", "balls poured into a box", 120);
+    add("ragdolls", ":10,quadtree", "ten ragdolls", 120);
+    add("vehicles", ":8", "buggies on a mesh", 100);
+    add("vehicles_heightfield", ":8", "buggies on a height field", 100);
+}
+
+}  // namespace exactness

@@ -1,0 +1,198 @@
+// What every scene must be: deterministic, finite, free of static pairs, and what its name says.
+#include "scenes/scene.h"
+#include "scenes/state_hash.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+using scenes::makeScene;
+using scenes::Scene;
+
+class Ode : public testing::Environment {
+public:
+    void SetUp() override { dInitODE2(0); }
+    void TearDown() override { dCloseODE(); }
+};
+const auto *const kOde = testing::AddGlobalTestEnvironment(new Ode);
+
+void run(Scene &scene, int frames) {
+    for (int i = 0; i < frames; ++i) scene.frame();
+}
+
+// QuickStep draws from ODE's own generator, which goes on from scene to scene.
+std::uint64_t hashAfter(const std::string &description, int frames) {
+    dRandSetSeed(0);
+    const auto scene = makeScene(description);
+    run(*scene, frames);
+    return scenes::stateHash(scene->inventory());
+}
+
+bool isFinite(const Scene &scene) {
+    for (dBodyID body : scene.inventory().bodies)
+        for (int i = 0; i < 3; ++i)
+            if (!std::isfinite(dBodyGetPosition(body)[i]) || !std::isfinite(dBodyGetLinearVel(body)[i]))
+                return false;
+    return true;
+}
+
+dReal height(const Scene &scene, std::size_t body) {
+    return dBodyGetPosition(scene.inventory().bodies[body])[2];
+}
+
+class Pairs final : public scenes::Observer {
+public:
+    void nearPair(dGeomID o1, dGeomID o2) override {
+        ++count;
+        if (!dGeomGetBody(o1) && !dGeomGetBody(o2)) ++staticPairs;
+    }
+    void contact(const dContact &) override { ++contacts; }
+
+    std::size_t count = 0, staticPairs = 0, contacts = 0;
+};
+
+std::vector<std::string> allNames() {
+    std::vector<std::string> names;
+    for (const scenes::SceneDescription &scene : scenes::availableScenes()) names.push_back(scene.name);
+    return names;
+}
+
+class EveryScene : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, testing::ValuesIn(allNames()),
+                         [](const auto &info) { return info.param; });
+
+}  // namespace
+
+TEST_P(EveryScene, RunsTheSameTwice) {
+    const std::string description = GetParam() + ":4";
+    EXPECT_EQ(hashAfter(description, 60), hashAfter(description, 60));
+    EXPECT_NE(hashAfter(description, 60), hashAfter(description, 61));
+}
+
+TEST_P(EveryScene, StaysFiniteAndAboveTheGround) {
+    const auto scene = makeScene(GetParam() + ":4");
+    run(*scene, 300);
+    EXPECT_TRUE(isFinite(*scene));
+    for (std::size_t i = 0; i < scene->inventory().bodies.size(); ++i) EXPECT_GT(height(*scene, i), -1) << i;
+    EXPECT_NEAR(scene->time(), 300 * scene->stepSize(), 1e-3);
+}
+
+TEST_P(EveryScene, NeverTestsStaticAgainstStatic) {
+    for (const char *space : {"simple", "hash", "sap", "quadtree"}) {
+        const auto scene = makeScene(GetParam() + ":4," + space);
+        Pairs pairs;
+        scene->observe(&pairs);
+        run(*scene, 50);
+        EXPECT_EQ(pairs.staticPairs, 0u) << space;
+        EXPECT_GT(pairs.count, 0u) << space;
+    }
+}
+
+TEST_P(EveryScene, RunsWithBothSteppersAndAutoDisable) {
+    for (const char *modifiers : {"world", "quick", "world,autodisable", "quick,autodisable"}) {
+        const auto scene = makeScene(GetParam() + ":2," + modifiers);
+        run(*scene, 50);
+        EXPECT_TRUE(isFinite(*scene)) << modifiers;
+    }
+}
+
+TEST_P(EveryScene, GrowsWithItsSize) {
+    const auto small = makeScene(GetParam() + ":2"), large = makeScene(GetParam() + ":5");
+    EXPECT_GT(large->inventory().geoms.size(), small->inventory().geoms.size());
+}
+
+TEST(Scenes, ObserverSeesEveryContact) {
+    const auto scene = makeScene("stacks:1");
+    Pairs pairs;
+    scene->observe(&pairs);
+    std::size_t contacts = 0;
+    for (int i = 0; i < 20; ++i) {
+        scene->frame();
+        contacts += scene->contactCount();
+    }
+    EXPECT_EQ(pairs.contacts, contacts);
+    EXPECT_GT(contacts, 0u);
+}
+
+TEST(Scenes, AHumanoidHasSeventeenBodiesAndSixteenMotors) {
+    const auto scene = makeScene("humanoids:1");
+    EXPECT_EQ(scene->inventory().bodies.size(), 17u);
+    EXPECT_EQ(scene->inventory().joints.size(), 16u);
+    int motors = 0;
+    for (dJointID joint : scene->inventory().joints) {
+        const bool isHinge = dJointGetType(joint) == dJointTypeHinge;
+        const dReal torque =
+            isHinge ? dJointGetHingeParam(joint, dParamFMax) : dJointGetUniversalParam(joint, dParamFMax);
+        if (torque > 0) ++motors;
+    }
+    EXPECT_EQ(motors, 16);
+}
+
+TEST(Scenes, HumanoidsBendTheirKneesAndStayUpright) {
+    const auto scene = makeScene("humanoids:1");
+    const std::size_t head = 2;
+    const dReal standing = height(*scene, head);
+    dReal lowest = standing;
+    for (int i = 0; i < 1000; ++i) {
+        scene->frame();
+        lowest = std::min(lowest, height(*scene, head));
+    }
+    EXPECT_LT(lowest, standing - REAL(0.01));
+    EXPECT_GT(lowest, standing - REAL(0.1));
+}
+
+TEST(Scenes, StacksStayUp) {
+    const auto scene = makeScene("stacks:3");
+    const std::size_t top = 9;
+    run(*scene, 500);
+    EXPECT_GT(height(*scene, top), REAL(4.6));
+}
+
+TEST(Scenes, PilesCollapse) {
+    const auto scene = makeScene("pile:100");
+    const std::size_t last = 99;
+    const dReal before = height(*scene, last);
+    run(*scene, 300);
+    EXPECT_LT(height(*scene, last), before / 2);
+}
+
+TEST(Scenes, BallsStayInTheirBox) {
+    const auto scene = makeScene("spheres:60");
+    run(*scene, 400);
+    for (dBodyID ball : scene->inventory().bodies)
+        for (int axis : {0, 1}) {
+            EXPECT_GT(dBodyGetPosition(ball)[axis], 0);
+            EXPECT_LT(dBodyGetPosition(ball)[axis], REAL(0.22) * 4);
+        }
+}
+
+TEST(Scenes, TheRoverDrivesAndStaysInsideItsWalls) {
+    const auto scene = makeScene("rover:8");
+    dReal farthest = 0;
+    for (int i = 0; i < 1500; ++i) {
+        scene->frame();
+        const dReal *position = dBodyGetPosition(scene->inventory().bodies[0]);
+        farthest = std::max({farthest, std::fabs(position[0]), std::fabs(position[1])});
+    }
+    EXPECT_GT(farthest, 1);
+    EXPECT_LT(farthest, REAL(4.5));
+}
+
+TEST(Scenes, BuggiesDriveInCircles) {
+    for (const char *name : {"vehicles:1", "vehicles_heightfield:1"}) {
+        const auto scene = makeScene(name);
+        const dReal *position = dBodyGetPosition(scene->inventory().bodies[0]);
+        const dReal startX = position[0], startY = position[1];
+        dReal farthest = 0;
+        for (int i = 0; i < 2000; ++i) {
+            scene->frame();
+            farthest = std::max(farthest, std::hypot(position[0] - startX, position[1] - startY));
+        }
+        EXPECT_GT(farthest, 3) << name;
+        EXPECT_LT(farthest, 20) << name;
+        const dReal *up = dBodyGetRotation(scene->inventory().bodies[0]) + 8;
+        EXPECT_GT(up[2], REAL(0.7)) << name << " lies on its side";
+    }
+}

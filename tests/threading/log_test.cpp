@@ -1,0 +1,51 @@
+#include "trace/dxLog.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+namespace {
+
+std::string said(dxLogLevel shown, dxLogLevel level) {
+    const dxLogLevel before = dxGetLogLevel();
+    dxSetLogLevel(shown);
+    testing::internal::CaptureStderr();
+    dxLog(level, "%d boxes", 3);
+    dxSetLogLevel(before);
+    return testing::internal::GetCapturedStderr();
+}
+
+TEST(Log, ShowsTheLevelAndMoreUrgentOnes) {
+    EXPECT_EQ(said(dxLogLevel::warning, dxLogLevel::warning), "ODE_MT warning: 3 boxes\n");
+    EXPECT_EQ(said(dxLogLevel::warning, dxLogLevel::error), "ODE_MT error: 3 boxes\n");
+    EXPECT_EQ(said(dxLogLevel::warning, dxLogLevel::info), "");
+    EXPECT_EQ(said(dxLogLevel::debug, dxLogLevel::info), "ODE_MT info: 3 boxes\n");
+}
+
+TEST(Log, CutsLongLines) {
+    testing::internal::CaptureStderr();
+    dxLog(dxLogLevel::error, "%s", std::string(5000, 'x').c_str());
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "ODE_MT error: " + std::string(1000, 'x') + "\n");
+}
+
+TEST(Log, KnowsItsLevels) {
+    dxLogLevel level = dxLogLevel::error;
+    EXPECT_TRUE(dxLogLevelFromName("debug", level));
+    EXPECT_EQ(level, dxLogLevel::debug);
+    EXPECT_FALSE(dxLogLevelFromName("loud", level));
+}
+
+// The environment is read once in a process, so this needs one of its own.
+TEST(LogDeathTest, ReadsTheEnvironment) {
+    testing::FLAGS_gtest_death_test_style = "threadsafe";
+    const auto speak = [](const char *level) {
+        setenv("ODE_MT_LOG", level, 1);
+        dxLog(dxLogLevel::info, "spoken");
+        std::exit(dxGetLogLevel() == dxLogLevel::info ? 0 : 1);
+    };
+    EXPECT_EXIT(speak("info"), testing::ExitedWithCode(0), "ODE_MT info: spoken");
+    EXPECT_EXIT(speak("loud"), testing::ExitedWithCode(1),
+                "ODE_MT warning: ODE_MT_LOG is 'loud'; known: error, warning, info, debug");
+}
+
+}  // namespace

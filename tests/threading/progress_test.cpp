@@ -1,0 +1,68 @@
+// Forward progress within a wall-clock budget, and quiet when there is nothing to do. Budgets are wide:
+// what they catch (spin-only waits, waiting for a thread that does not run) takes many times longer.
+#include <time.h>
+
+#include "ManagerKinds.h"
+#include "Runs.h"
+#include "threading/dxPerturbation.h"
+#include "threading/dxSpin.h"
+
+namespace {
+
+TEST_P(ThreadManagerTest, ProgressWithMoreWorkersThanCores) {
+    const unsigned workers = std::min(16 * dxProcessorCount(), GetParam().mostWorkers);
+    const auto manager = GetParam().make(workers);
+    const Stopwatch watch;
+    for (int i = 0; i < 200; ++i) ASSERT_TRUE(everyBlockOnce(*manager, 2 * workers, workers));
+    EXPECT_LT(watch.seconds(), 20);
+}
+
+pthread_t heldCaller;
+std::atomic<int> held{0};
+
+// Every thread but the caller stands still before it takes a block.
+void holdWorkers() {
+    if (pthread_equal(pthread_self(), heldCaller)) return;
+    ++held;
+    const timespec pause{2, 0};
+    nanosleep(&pause, nullptr);
+}
+
+TEST_P(ThreadManagerTest, DescheduledWorkerDelaysNobody) {
+    const auto manager = GetParam().make(4);
+    ASSERT_TRUE(allWorkersMeet(*manager, 4));
+    heldCaller = pthread_self();
+    held = 0;
+    dxSetDisturbance(holdWorkers);
+    const Stopwatch watch;
+    runBlocks(*manager, 4, 4, [&](unsigned, unsigned worker) {
+        // Gives the workers time to come and stand still.
+        if (worker == 0) waitUntil([] { return held > 0; }, 1);
+    });
+    const double seconds = watch.seconds();
+    dxSetDisturbance(nullptr);
+    EXPECT_GT(held, 0);
+    // A run that waits for idle workers still ends once they go on.
+    EXPECT_LT(seconds, GetParam().waitsForIdleWorkers ? 20 : 1.5);
+}
+
+double processorSeconds() {
+    timespec used;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
+    return used.tv_sec + used.tv_nsec * 1e-9;
+}
+
+TEST_P(ThreadManagerTest, IdleWorkersSleep) {
+    for (const unsigned workers : {2u, 8u}) {
+        const auto manager = GetParam().make(workers);
+        ASSERT_TRUE(allWorkersMeet(*manager, workers));
+        // libgomp spins for about 7 ms a thread where processors are left; it cannot be told otherwise.
+        const timespec runtimeSpins{0, 20000000}, second{1, 0};
+        if (GetParam().waitsForIdleWorkers) nanosleep(&runtimeSpins, nullptr);
+        const double before = processorSeconds();
+        nanosleep(&second, nullptr);
+        EXPECT_LT(processorSeconds() - before, 0.010) << workers << " workers";
+    }
+}
+
+}  // namespace

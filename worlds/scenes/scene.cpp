@@ -1,0 +1,12 @@
+#include "scenes/scene.h"
+
+namespace scenes {
+
+void Scene::frame() {
+    control();
+    collide();
+    step();
+    finish();
+}
+
+}  // namespace scenes
