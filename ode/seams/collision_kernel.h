@@ -1,4 +1,5 @@
-/* Linker names of upstream's collision entry points; the public ones are in ode_mt/api/user_classes.cpp. */
+/* Linker names of upstream's functions around its table of colliders; the public ones are in
+ * ode_mt/api/user_classes.cpp. */
 #pragma once
 
 #include <ode/collision.h>
@@ -6,4 +7,5 @@
 extern "C" {
 int dCollide(dGeomID, dGeomID, int, dContactGeom *, int) __asm__("dxUpstreamCollide");
 int dCreateGeomClass(const dGeomClass *) __asm__("dxUpstreamCreateGeomClass");
+void dSetColliderOverride(int, int, dColliderFn *) __asm__("dxUpstreamSetColliderOverride");
 }

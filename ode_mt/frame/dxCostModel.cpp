@@ -21,18 +21,24 @@ constexpr double kLeastGain = 0.9;
 // A price that was once measured too high would never be measured again, since nothing is shared out any
 // more: it fades with the time spent on the caller, so slowly that what is lost by trying again is at most
 // this part of it. (A try that loses n ns raises the average by kLearningRate n.)
-constexpr double kTrying = 0.01;
+constexpr double kTrying = 0.004;
 constexpr double kLeastPrice = 2e3;  // ns
 
 // No worker is woken for less work than this many prices.
 constexpr double kWorthWaking = 1.0;
 
-void average(std::atomic<double> &mean, double value) {
-    const double old = mean.load(std::memory_order_relaxed);
-    mean.store(old + kLearningRate * (value - old), std::memory_order_relaxed);
-}
+// A value beyond this many times the mean is a surprise, and counts for this much if it comes alone.
+constexpr double kSurprise = 4;
 
 }  // namespace
+
+void dxRunningAverage::add(double value) {
+    const double old = mean();
+    const bool surprising = value > kSurprise * old;
+    const bool again = m_surprised.exchange(surprising, std::memory_order_relaxed);
+    const double believed = surprising && !again ? kSurprise * old : value;
+    set(old + kLearningRate * (believed - old));
+}
 
 double dxCostModel::islandCost(dxStepperKind stepper, int iterations, unsigned bodies, unsigned joints) {
     const double j = joints;
@@ -40,7 +46,7 @@ double dxCostModel::islandCost(dxStepperKind stepper, int iterations, unsigned b
     return kBody * bodies + j * (kQuickJoint + kQuickIteration * std::max(iterations, 0));
 }
 
-unsigned dxCostModel::chooseWorkers(dxStepperKind stepper, double total, double largest, unsigned limit) const {
+unsigned dxCostModel::chooseWorkers(dxStepperKind stepper, double total, double largest, unsigned limit) {
     const double serial = total * scale(stepper);
     const double price = this->price();
     const double useful = serial / std::max(price * kWorthWaking, kLeastPrice);
@@ -49,18 +55,18 @@ unsigned dxCostModel::chooseWorkers(dxStepperKind stepper, double total, double 
         const double parallel = std::max(largest * scale(stepper), serial / workers) + price;
         if (parallel < kLeastGain * serial) return workers;
     }
-    m_price.store(std::max(price - kTrying * kLearningRate * serial, kLeastPrice), std::memory_order_relaxed);
+    m_price.set(std::max(price - kTrying * kLearningRate * serial, kLeastPrice));
     return 1;
 }
 
 void dxCostModel::learnSerial(dxStepperKind stepper, double total, double ns) {
-    if (total > 0) average(m_scale[index(stepper)], ns / total);
+    if (total > 0) m_scale[index(stepper)].add(ns / total);
 }
 
 void dxCostModel::learnParallel(dxStepperKind stepper, double total, double largest, unsigned workers,
                                 double busyNs, double wallNs) {
     if (total <= 0) return;
-    average(m_scale[index(stepper)], busyNs / total);
+    m_scale[index(stepper)].add(busyNs / total);
     const double ideal = std::max(busyNs / workers, largest * scale(stepper));
-    average(m_price, std::max(wallNs - ideal, kLeastPrice));
+    m_price.add(std::max(wallNs - ideal, kLeastPrice));
 }

@@ -26,6 +26,21 @@
 
 enum class dxStepperKind { World, Quick };
 
+// A running average that is not spoilt by one odd value, such as that of a thread which the system took off
+// its core for milliseconds: the first of several surprising values counts for little.
+class dxRunningAverage {
+public:
+    explicit dxRunningAverage(double first) : m_mean(first) {}
+
+    double mean() const { return m_mean.load(std::memory_order_relaxed); }
+    void set(double mean) { m_mean.store(mean, std::memory_order_relaxed); }
+    void add(double value);
+
+private:
+    std::atomic<double> m_mean;
+    std::atomic<bool> m_surprised{false};
+};
+
 class dxCostModel {
 public:
     // ns on a machine of scale 1.
@@ -33,7 +48,7 @@ public:
 
     // The workers a step should use, 1: the caller alone. `total` and `largest`: costs of all islands
     // and of the largest. `limit`: the most workers there may be.
-    unsigned chooseWorkers(dxStepperKind stepper, double total, double largest, unsigned limit) const;
+    unsigned chooseWorkers(dxStepperKind stepper, double total, double largest, unsigned limit);
 
     // A step on the caller alone took `ns` for islands of cost `total`.
     void learnSerial(dxStepperKind stepper, double total, double ns);
@@ -42,12 +57,12 @@ public:
     void learnParallel(dxStepperKind stepper, double total, double largest, unsigned workers, double busyNs,
                        double wallNs);
 
-    double scale(dxStepperKind stepper) const { return m_scale[index(stepper)].load(std::memory_order_relaxed); }
-    double price() const { return m_price.load(std::memory_order_relaxed); }  // ns
+    double scale(dxStepperKind stepper) const { return m_scale[index(stepper)].mean(); }
+    double price() const { return m_price.mean(); }  // ns
 
 private:
     static int index(dxStepperKind stepper) { return static_cast<int>(stepper); }
 
-    std::atomic<double> m_scale[2] = {1.0, 1.0};
-    mutable std::atomic<double> m_price{10e3};  // before the first measurement: two thread wake-ups
+    dxRunningAverage m_scale[2] = {dxRunningAverage(1), dxRunningAverage(1)};
+    dxRunningAverage m_price{10e3};  // before the first measurement: two thread wake-ups
 };

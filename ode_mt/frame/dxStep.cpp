@@ -8,6 +8,7 @@
 
 #include "dynamics/dxBodyIntegration.h"
 #include "dynamics/dxIslandSurvey.h"
+#include "dynamics/dxLoneStepper.h"
 #include "dynamics/dxRandom.h"
 #include "dynamics/dxReservedDraws.h"
 #include "dynamics/dxWorkingMemory.h"
@@ -94,6 +95,15 @@ void dxStep::runInOrder() {
         stepInOrder(dxIslandCursor(m_info), m_count);
         return;
     }
+    const dxLoneStepper stepper;
+    if (stepper.alone()) {
+        stepInOrder(dxIslandCursor(m_info), m_count);
+    } else {
+        runInOrderReserving();
+    }
+}
+
+void dxStep::runInOrderReserving() {
     // Up to the first callback of the user nothing can look at the random sequence: those islands take
     // their numbers as one block.
     std::uint64_t draws = 0;

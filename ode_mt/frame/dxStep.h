@@ -22,6 +22,7 @@ public:
 private:
     // --- in order: upstream's frame -------------------------------------------------------------------
     void runInOrder();
+    void runInOrderReserving();  // with a block of random numbers taken in advance
     void stepInOrder(dxIslandCursor cursor, unsigned count);
     void stepIsland(const dxIsland &island, dxWorldProcessMemArena *arena);
 

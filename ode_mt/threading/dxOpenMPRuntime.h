@@ -2,7 +2,7 @@
 #pragma once
 
 // Called by the thread that is about to open a parallel region.
-void dxOpenMPMakeIdleThreadsSleep();
+void dxOpenMPPrepareRegions();
 
 // Ends the idle threads of the calling thread's pool; false if the runtime cannot, as inside a region.
 bool dxOpenMPEndThreads();

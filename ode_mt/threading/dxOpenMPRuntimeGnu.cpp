@@ -7,12 +7,26 @@
 // Fork: the child inherits a pool whose threads are gone and hangs in its next region. Without a pool
 // at the time of the fork the child makes one of its own.
 //
-// Unloading: libgomp is linked with -z nodelete, so its idle threads never lose their code.
+// Unloading: libgomp is linked with -z nodelete, so its idle threads never lose their code. When a library
+// that uses them is unloaded they are ended under the dynamic loader's lock; and the first pthread_exit of a
+// process, which is how they end, wants that lock to load the unwinder. So the first one happens before.
 #include <omp.h>
+#include <pthread.h>
 
 #include "dxOpenMPRuntime.h"
 
-void dxOpenMPMakeIdleThreadsSleep() {}
+namespace {
+
+bool loadUnwinder() {
+    pthread_t thread;
+    const auto body = [](void *) -> void * { pthread_exit(nullptr); };
+    if (pthread_create(&thread, nullptr, body, nullptr) == 0) pthread_join(thread, nullptr);
+    return true;
+}
+
+}  // namespace
+
+void dxOpenMPPrepareRegions() { static const bool loaded = loadUnwinder(); (void)loaded; }
 
 bool dxOpenMPEndThreads() { return omp_pause_resource_all(omp_pause_hard) == 0; }
 

@@ -24,7 +24,7 @@ bool keepInMemory() {
 
 }  // namespace
 
-void dxOpenMPMakeIdleThreadsSleep() {
+void dxOpenMPPrepareRegions() {
     static const bool kept = keepInMemory();
     static_cast<void>(kept);
     kmp_set_blocktime(0);

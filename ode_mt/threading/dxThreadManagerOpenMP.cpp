@@ -79,7 +79,7 @@ void dxThreadManagerOpenMP::run(unsigned blocks, unsigned maxWorkers, Task task,
         return;
     }
     const unsigned team = allowedTeam(most);
-    dxOpenMPMakeIdleThreadsSleep();
+    dxOpenMPPrepareRegions();
     Region(blocks, task, context).run(team);
     busy.store(false);
 }

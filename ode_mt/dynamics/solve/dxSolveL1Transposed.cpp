@@ -1,0 +1,130 @@
+#include "dynamics/solve/dxSimdTargets.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "dynamics/solve/dxSolveL1Transposed.cpp"
+#include <hwy/foreach_target.h>
+// Highway's order of headers: after foreach_target.h
+#include "dynamics/solve/dxRowTile-inl.h"
+#include "dynamics/solve/dxSolveL1.h"
+#include "dynamics/solve/dxSolveL1Plain.h"
+
+// Lanes are results: a band of rows whose results are known adds its products to the sums of all results
+// before it, and so L is read along its rows.
+HWY_BEFORE_NAMESPACE();
+namespace dxSolve {
+namespace HWY_NAMESPACE {
+
+constexpr std::size_t kBand = 8;     // rows: their results stay in registers
+constexpr std::size_t kPanel = 512;  // columns: their sums stay in the first cache
+
+// sum[column] += products of Rows rows of L with their results x, the last row first
+template <std::size_t Rows, unsigned Stride, class D>
+HWY_INLINE std::size_t addBandWith(D d, const dReal *row, std::size_t rowSkip, const dReal *x,
+                                   std::size_t first, std::size_t columns, dReal *HWY_RESTRICT sum) {
+    hn::Vec<D> q[Rows];
+    for (std::size_t r = 0; r < Rows; ++r) q[r] = hn::Set(d, x[r * Stride]);
+    for (; first + hn::Lanes(d) <= columns; first += hn::Lanes(d)) {
+        auto total = hn::Load(d, sum + first);
+        for (std::size_t r = Rows; r-- > 0;) {
+            total = hn::Add(total, hn::Mul(hn::LoadU(d, row + r * rowSkip + first), q[r]));
+        }
+        hn::Store(total, d, sum + first);
+    }
+    return first;
+}
+
+// As above with the widest vectors; `columns`, a multiple of four, need not be a multiple of their length.
+template <std::size_t Rows, unsigned Stride>
+HWY_INLINE void addBand(const dReal *row, std::size_t rowSkip, const dReal *x, std::size_t columns,
+                        dReal *HWY_RESTRICT sum) {
+    const std::size_t done =
+        addBandWith<Rows, Stride>(hn::ScalableTag<dReal>(), row, rowSkip, x, 0, columns, sum);
+    if (done < columns) addBandWith<Rows, Stride>(RowLanes<4>(), row, rowSkip, x, done, columns, sum);
+}
+
+// addBand for the one to three rows after the last group of four.
+template <unsigned Stride>
+HWY_INLINE void addLastRows(const dReal *row, std::size_t rowSkip, const dReal *x, std::size_t rows,
+                            std::size_t columns, dReal *HWY_RESTRICT sum) {
+    if (rows == 1) addBand<1, Stride>(row, rowSkip, x, columns, sum);
+    if (rows == 2) addBand<2, Stride>(row, rowSkip, x, columns, sum);
+    if (rows == 3) addBand<3, Stride>(row, rowSkip, x, columns, sum);
+}
+
+// The results of columns begin..end-1, at most kPanel and a multiple of four, when all after them are known.
+template <unsigned Stride>
+HWY_INLINE void solvePanel(const dReal *L, dReal *B, std::size_t begin, std::size_t end, std::size_t rowCount,
+                           std::size_t rowSkip) {
+    HWY_ALIGN dReal sum[kPanel];
+    const RowLanes<4> d;
+    for (std::size_t column = 0; column < end - begin; column += hn::Lanes(d))
+        hn::Store(hn::Zero(d), d, sum + column);
+    const auto element = [&](std::size_t row, std::size_t column) { return L + row * rowSkip + column; };
+
+    const std::size_t lastRows = rowCount % 4, lastGroupEnd = rowCount - lastRows;
+    addLastRows<Stride>(element(lastGroupEnd, begin), rowSkip, B + lastGroupEnd * Stride, lastRows,
+                        end - begin, sum);
+    for (std::size_t row = lastGroupEnd; row > end;) {
+        row -= kBand;
+        addBand<kBand, Stride>(element(row, begin), rowSkip, B + row * Stride, end - begin, sum);
+    }
+    for (std::size_t row = end; row > begin;) {
+        row -= 4;
+        finishTransposedGroup<Stride>(element(row, row), rowSkip, B + row * Stride, sum + (row - begin));
+        if (row - begin >= 4) {
+            const std::size_t next = row - 4;
+            addBandWith<4, Stride>(RowLanes<4>(), element(row, next), rowSkip, B + row * Stride, 0, 4,
+                                   sum + (next - begin));
+            row = next;
+            finishTransposedGroup<Stride>(element(row, row), rowSkip, B + row * Stride, sum + (row - begin));
+            addBand<kBand, Stride>(element(row, begin), rowSkip, B + row * Stride, row - begin, sum);
+        }
+    }
+}
+
+template <unsigned Stride>
+HWY_INLINE void solveTransposed(const dReal *L, dReal *B, std::size_t rowCount, std::size_t rowSkip) {
+    const std::size_t lastRows = rowCount % 4;
+    std::size_t end = rowCount - lastRows;
+    finishTransposedLast<Stride>(L + end * (rowSkip + 1), rowSkip, B + end * Stride, lastRows);
+    while (end > 0) {
+        const std::size_t begin = end > kPanel ? end - kPanel : 0;
+        solvePanel<Stride>(L, B, begin, end, rowCount, rowSkip);
+        end = begin;
+    }
+}
+
+void solveTransposed1(const dReal *L, dReal *B, std::size_t rowCount, std::size_t rowSkip) {
+    solveTransposed<1>(L, B, rowCount, rowSkip);
+}
+void solveTransposed2(const dReal *L, dReal *B, std::size_t rowCount, std::size_t rowSkip) {
+    solveTransposed<2>(L, B, rowCount, rowSkip);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace dxSolve
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace dxSolve {
+HWY_EXPORT(solveTransposed1);
+HWY_EXPORT(solveTransposed2);
+
+// Up to this many rows vectors do not pay.
+constexpr unsigned kPlainRows = 27;
+}  // namespace dxSolve
+
+template <>
+void dxSolveL1Transposed<1>(const dReal *L, dReal *B, unsigned rowCount, unsigned rowSkip) {
+    using namespace dxSolve;
+    if (rowCount <= kPlainRows) return solveTransposedPlain<1>(L, B, rowCount, rowSkip);
+    HWY_DYNAMIC_DISPATCH(solveTransposed1)(L, B, rowCount, rowSkip);
+}
+
+template <>
+void dxSolveL1Transposed<2>(const dReal *L, dReal *B, unsigned rowCount, unsigned rowSkip) {
+    using namespace dxSolve;
+    if (rowCount <= kPlainRows) return solveTransposedPlain<2>(L, B, rowCount, rowSkip);
+    HWY_DYNAMIC_DISPATCH(solveTransposed2)(L, B, rowCount, rowSkip);
+}
+#endif

@@ -1,0 +1,200 @@
+// The number of threads, the algorithm and the thread manager, from calls and from the environment.
+#include <gtest/gtest.h>
+#include <ode/ode.h>
+#include <sched.h>
+
+#include <climits>
+#include <cstdarg>
+#include <cstdlib>
+#include <map>
+#include <string>
+
+#include "ChainWorld.h"
+#include "OdeSession.h"
+
+namespace {
+
+int usableCores() {
+    cpu_set_t set;
+    sched_getaffinity(0, sizeof set, &set);
+    return CPU_COUNT(&set);
+}
+
+std::string g_messages;
+
+// Collects what dMessage says for as long as it lives.
+class Messages {
+public:
+    Messages() {
+        g_messages.clear();
+        dSetMessageHandler([](int, const char *format, va_list arguments) {
+            char text[500];
+            std::vsnprintf(text, sizeof text, format, arguments);
+            g_messages += std::string(text) + "\n";
+        });
+    }
+    ~Messages() { dSetMessageHandler(nullptr); }
+    bool tell(const std::string &what) const { return g_messages.find(what) != std::string::npos; }
+    bool empty() const { return g_messages.empty(); }
+};
+
+class Settings : public testing::Test {
+    OdeSession session;
+};
+
+TEST_F(Settings, ThreadsInRangeAreTakenSilently) {
+    const Messages messages;
+    for (const int threads : {0, 1, 2, 1024}) {
+        dToggleODE_MT(threads);
+        EXPECT_EQ(dODE_MT_GetThreads(), threads);
+    }
+    dToggleODE_MT(dODE_MT_AUTO);
+    EXPECT_EQ(dODE_MT_GetThreads(), usableCores());
+    EXPECT_TRUE(messages.empty()) << g_messages;
+}
+
+TEST_F(Settings, ThreadsOutOfRangeAreNamed) {
+    for (const auto [asked, taken] :
+         std::map<int, int>{{-5, 0}, {INT_MIN, 0}, {1025, 1024}, {INT_MAX - 1, 1024}}) {
+        const Messages messages;
+        dToggleODE_MT(asked);
+        EXPECT_EQ(dODE_MT_GetThreads(), taken);
+        EXPECT_TRUE(messages.tell(std::to_string(asked))) << g_messages;
+        EXPECT_TRUE(messages.tell(std::to_string(taken))) << g_messages;
+    }
+}
+
+TEST_F(Settings, KnownAlgorithmsAreTaken) {
+    const Messages messages;
+    for (const char *name : {"serial", "lcp", "auto"}) {
+        EXPECT_EQ(dODE_MT_SetAlgorithm(name), 1);
+        EXPECT_STREQ(dODE_MT_GetAlgorithm(), name);
+    }
+    EXPECT_TRUE(messages.empty()) << g_messages;
+}
+
+TEST_F(Settings, UnknownAlgorithmIsNamedAndChangesNothing) {
+    dODE_MT_SetAlgorithm("lcp");
+    for (const char *name : {"foo", "", "LCP", static_cast<const char *>(nullptr)}) {
+        const Messages messages;
+        EXPECT_EQ(dODE_MT_SetAlgorithm(name), 0);
+        EXPECT_STREQ(dODE_MT_GetAlgorithm(), "lcp");
+        EXPECT_TRUE(messages.tell("'" + std::string(name ? name : "(null)") + "'")) << g_messages;
+        EXPECT_TRUE(messages.tell("auto, serial, lcp")) << g_messages;
+    }
+}
+
+TEST_F(Settings, UnknownThreadManagerIsNamedAndChangesNothing) {
+    for (const char *name : {"foo", "", static_cast<const char *>(nullptr)}) {
+        const Messages messages;
+        EXPECT_EQ(dODE_MT_SetThreadManager(name), 0);
+        EXPECT_STREQ(dODE_MT_GetThreadManager(), "pthread");
+        EXPECT_TRUE(messages.tell("'" + std::string(name ? name : "(null)") + "'")) << g_messages;
+        EXPECT_TRUE(messages.tell("pthread, openmp")) << g_messages;
+    }
+}
+
+TEST_F(Settings, ThreadManagersAreExchanged) {
+    dToggleODE_MT(3);
+    for (const char *name : {"openmp", "pthread"}) {
+        EXPECT_EQ(dODE_MT_SetThreadManager(name), 1);
+        EXPECT_STREQ(dODE_MT_GetThreadManager(), name);
+    }
+}
+
+// --- the environment: read once in a process, so each case runs in one of its own ------------------------
+
+struct Case {
+    std::string variable, value;
+    std::string says;  // a regular expression for standard error
+    int threads;
+    std::string algorithm, manager;
+};
+
+void PrintTo(const Case &c, std::ostream *out) { *out << c.variable << "=" << c.value; }
+
+class Environment : public testing::TestWithParam<Case> {
+protected:
+    Environment() { testing::FLAGS_gtest_death_test_style = "threadsafe"; }
+
+    // Steps a world first, as a program does that cannot be recompiled; ends with 0 if it stepped as a
+    // world does in a process without any of the variables and the settings are as they should be.
+    [[noreturn]] void stepAndCompare() const {
+        setenv(GetParam().variable.c_str(), GetParam().value.c_str(), 1);
+        dInitODE2(0);
+        ChainWorld world(20, 3);
+        dRandSetSeed(0);
+        world.step(5);
+        const bool settings = dODE_MT_GetThreads() == GetParam().threads &&
+                              dODE_MT_GetAlgorithm() == GetParam().algorithm &&
+                              dODE_MT_GetThreadManager() == GetParam().manager;
+        OdeSession::use(0, "serial");
+        ChainWorld serial(20, 3);
+        dRandSetSeed(0);
+        serial.step(5);
+        std::_Exit(!settings ? 1 : world.state() != serial.state() ? 2 : 0);
+    }
+};
+
+TEST_P(Environment, IsUnderstoodOrNamed) {
+    EXPECT_EXIT(stepAndCompare(), testing::ExitedWithCode(0), GetParam().says);
+}
+
+const Case kCases[] = {
+    {"ODE_MT_THREADS", "3", "^$", 3, "auto", "pthread"},
+    {"ODE_MT_THREADS", "auto", "^$", usableCores(), "auto", "pthread"},
+    {"ODE_MT_THREADS", "abc", "ODE_MT_THREADS is 'abc'.*auto.*0 to 1024", 0, "auto", "pthread"},
+    {"ODE_MT_THREADS", "3 4", "ODE_MT_THREADS is '3 4'.*auto.*0 to 1024", 0, "auto", "pthread"},
+    {"ODE_MT_THREADS", "", "ODE_MT_THREADS is ''.*auto.*0 to 1024", 0, "auto", "pthread"},
+    {"ODE_MT_THREADS", "-3", "ODE_MT_THREADS.*-3.*0", 0, "auto", "pthread"},
+    {"ODE_MT_THREADS", "1025", "ODE_MT_THREADS.*1025.*1024", 1024, "auto", "pthread"},
+    {"ODE_MT_THREADS", "2147483647", "ODE_MT_THREADS.*2147483647.*1024", 1024, "auto", "pthread"},
+    {"ODE_MT_THREADS", "99999999999999", "ODE_MT_THREADS.*99999999999999.*1024", 1024, "auto", "pthread"},
+    {"ODE_MT_THREADS", "99999999999999999999", "ODE_MT_THREADS.*99999999999999999999.*1024", 1024, "auto",
+     "pthread"},
+    {"ODE_MT_ALGORITHM", "lcp", "^$", 0, "lcp", "pthread"},
+    {"ODE_MT_ALGORITHM", "foo", "ODE_MT_ALGORITHM.*'foo'.*auto, serial, lcp", 0, "auto", "pthread"},
+    {"ODE_MT_THREAD_MANAGER", "openmp", "^$", 0, "auto", "openmp"},
+    {"ODE_MT_THREAD_MANAGER", "foo", "ODE_MT_THREAD_MANAGER.*'foo'.*pthread, openmp", 0, "auto", "pthread"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Values, Environment, testing::ValuesIn(kCases), [](const auto &info) {
+    return std::to_string(info.index) + "_" + info.param.variable;
+});
+
+// A message handler that calls back, or leaves, while the environment is read finds a library that works.
+TEST(EnvironmentHandler, MayCallBack) {
+    testing::FLAGS_gtest_death_test_style = "threadsafe";
+    const auto run = [] {
+        alarm(20);
+        setenv("ODE_MT_THREADS", "abc", 1);
+        setenv("ODE_MT_ALGORITHM", "foo", 1);
+        dInitODE2(0);
+        dSetMessageHandler([](int, const char *, va_list) { dToggleODE_MT(dODE_MT_GetThreads()); });
+        ChainWorld world(20, 3);
+        world.step();
+        dToggleODE_MT(2);
+        std::_Exit(dODE_MT_GetThreads() == 2 ? 0 : 1);
+    };
+    EXPECT_EXIT(run(), testing::ExitedWithCode(0), "");
+}
+
+TEST(EnvironmentHandler, MayThrow) {
+    testing::FLAGS_gtest_death_test_style = "threadsafe";
+    const auto run = [] {
+        alarm(20);
+        setenv("ODE_MT_THREADS", "abc", 1);
+        dInitODE2(0);
+        dSetMessageHandler([](int, const char *, va_list) { throw 1; });
+        ChainWorld world(20, 3);
+        try {
+            world.step();
+        } catch (int) {
+        }
+        dToggleODE_MT(2);
+        std::_Exit(dODE_MT_GetThreads() == 2 ? 0 : 1);
+    };
+    EXPECT_EXIT(run(), testing::ExitedWithCode(0), "");
+}
+
+}  // namespace

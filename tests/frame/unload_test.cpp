@@ -1,0 +1,156 @@
+// dlclose of libode.so.8 after parallel steps: no crash, no thread left, nothing that keeps the library.
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+#include <ode/ode.h>
+
+#include <fstream>
+#include <string>
+#include <thread>
+
+#include "processThreads.h"
+#include "sanitizers.h"
+
+#ifdef ODE_MT_ADDRESS_SANITIZER
+#include <sanitizer/lsan_interface.h>
+#endif
+
+namespace {
+
+// The shared library under test, unloaded by the destructor.
+//
+// What it keeps for the length of the process, some 30 kB, it does not free when it is unloaded, because
+// that looks the same to it as the end of a process whose other threads are still stepping.
+class LoadedOde {
+public:
+    LoadedOde() {
+        forgetLeaks(true);
+        m_handle = dlopen(ODE_MT_LIBRARY, RTLD_NOW | RTLD_LOCAL);
+        if (m_handle == nullptr) ADD_FAILURE() << dlerror();
+    }
+    ~LoadedOde() {
+        EXPECT_EQ(dlclose(m_handle), 0);
+        forgetLeaks(false);
+    }
+    LoadedOde(const LoadedOde &) = delete;
+    LoadedOde &operator=(const LoadedOde &) = delete;
+
+    template <class Function>
+    Function *get(Function *, const char *name) const {
+        return reinterpret_cast<Function *>(dlsym(m_handle, name));
+    }
+
+    // For the calling thread.
+    static void forgetLeaks([[maybe_unused]] bool on) {
+#ifdef ODE_MT_ADDRESS_SANITIZER
+        on ? __lsan_disable() : __lsan_enable();
+#endif
+    }
+
+private:
+    void *m_handle = nullptr;
+};
+
+#define ODE_FUNCTION(library, name) (library).get(name, #name)
+
+bool inMemory() {
+    std::ifstream maps("/proc/self/maps");
+    for (std::string line; std::getline(maps, line);) {
+        if (line.find(ODE_MT_LIBRARY) != std::string::npos) return true;
+    }
+    return false;
+}
+
+// Unconnected bodies are islands of one body each.
+void stepInParallel(const LoadedOde &ode, const char *manager) {
+    ODE_FUNCTION(ode, dInitODE2)(0);
+    ODE_FUNCTION(ode, dODE_MT_SetThreadManager)(manager);
+    ODE_FUNCTION(ode, dToggleODE_MT)(4);
+    ODE_FUNCTION(ode, dODE_MT_SetAlgorithm)("lcp");
+    const dWorldID world = ODE_FUNCTION(ode, dWorldCreate)();
+    for (int i = 0; i < 500; ++i) ODE_FUNCTION(ode, dBodyCreate)(world);
+    for (int i = 0; i < 5; ++i) ODE_FUNCTION(ode, dWorldQuickStep)(world, 0.01);
+    EXPECT_EQ(ODE_FUNCTION(ode, dODE_MT_GetParallelSteps)(), 5u);
+    ODE_FUNCTION(ode, dWorldDestroy)(world);
+}
+
+// An own scratch allocation of this thread, freed at its end or at the unloading.
+void collideMeshes(const LoadedOde &ode) {
+    static const float vertices[] = {-1, -1, 0, 1, -1, 0, 0, 1, 0};
+    static const dTriIndex indices[] = {0, 1, 2};
+    const dTriMeshDataID data = ODE_FUNCTION(ode, dGeomTriMeshDataCreate)();
+    ODE_FUNCTION(ode, dGeomTriMeshDataBuildSingle)
+    (data, vertices, 3 * sizeof(float), 3, indices, 3, 3 * sizeof(dTriIndex));
+    const dGeomID mesh = ODE_FUNCTION(ode, dCreateTriMesh)(nullptr, data, nullptr, nullptr, nullptr);
+    const dGeomID ball = ODE_FUNCTION(ode, dCreateSphere)(nullptr, 0.5);
+    dContactGeom contacts[4];
+    EXPECT_GT(ODE_FUNCTION(ode, dCollide)(mesh, ball, 4, contacts, sizeof contacts[0]), 0);
+    ODE_FUNCTION(ode, dGeomDestroy)(ball);
+    ODE_FUNCTION(ode, dGeomDestroy)(mesh);
+    ODE_FUNCTION(ode, dGeomTriMeshDataDestroy)(data);
+}
+
+class Unload : public testing::TestWithParam<bool> {};
+
+TEST_P(Unload, LeavesNothingBehind) {
+    const unsigned before = processThreads();
+    for (int i = 0; i < 5; ++i) {
+        {
+            const LoadedOde ode;
+            EXPECT_TRUE(inMemory());
+            stepInParallel(ode, "pthread");
+            EXPECT_GT(processThreads(), before);
+            collideMeshes(ode);
+            if (GetParam()) ODE_FUNCTION(ode, dCloseODE)();
+        }
+        EXPECT_TRUE(threadsFallTo(before));
+        EXPECT_FALSE(inMemory());
+    }
+}
+
+// The OpenMP runtime is a library of its own and may stay; ours goes.
+TEST_P(Unload, WithOpenMP) {
+    skipIfUnseen("openmp");
+    if (IsSkipped()) return;
+    const unsigned before = processThreads();
+    {
+        const LoadedOde ode;
+        stepInParallel(ode, "openmp");
+        if (GetParam()) ODE_FUNCTION(ode, dCloseODE)();
+    }
+    EXPECT_TRUE(threadsFallTo(before));
+    EXPECT_FALSE(inMemory());
+}
+
+INSTANTIATE_TEST_SUITE_P(Close, Unload, testing::Bool(),
+                         [](const auto &info) { return info.param ? "closed" : "notClosed"; });
+
+// A thread that has collided meshes ends after the library has gone.
+TEST(UnloadThreads, ThreadOutlivesTheLibrary) {
+    std::atomic<bool> used{false}, gone{false};
+    std::thread user;
+    {
+        const LoadedOde ode;
+        ODE_FUNCTION(ode, dInitODE2)(0);
+        user = std::thread([&] {
+            LoadedOde::forgetLeaks(true);
+            collideMeshes(ode);
+            LoadedOde::forgetLeaks(false);
+            used = true;
+            while (!gone) std::this_thread::yield();
+        });
+        while (!used) std::this_thread::yield();
+        ODE_FUNCTION(ode, dCloseODE)();
+    }
+    EXPECT_FALSE(inMemory());
+    gone = true;
+    user.join();
+}
+
+TEST(UnloadUnused, NothingWasCalled) {
+    for (int i = 0; i < 3; ++i) {
+        { const LoadedOde ode; }
+        EXPECT_FALSE(inMemory());
+    }
+}
+
+}  // namespace
