@@ -1,0 +1,184 @@
+// The controllers that plugins of a model name.
+#include "small_world.h"
+
+#include <cmath>
+#include <random>
+
+namespace {
+
+using namespace small_world;
+
+// A wheel "w" and a slider "s" on the world, and a plugin of the model.
+std::string driven(const std::string &type, const std::string &inside, const std::string &dynamics = "") {
+    return worldWith(
+        "<gravity>0 0 0</gravity><physics type=\"ode\"><max_step_size>0.01</max_step_size><ode><solver>"
+        "<type>world</type></solver></ode></physics>",
+        "<model name=\"m\">" + linkOf1kg("wheel", "0 0 0 0 0 0") + linkOf1kg("slide", "0 1 0 0 0 0") + R"(
+        <joint name="w" type="revolute"><parent>world</parent><child>wheel</child>
+          <axis><xyz>0 0 1</xyz><limit><effort>100</effort><velocity>5</velocity></limit>)" +
+            dynamics + R"(</axis></joint>
+        <joint name="s" type="prismatic"><parent>world</parent><child>slide</child><axis><xyz>1 0 0</xyz></axis></joint>
+        <plugin name="p" filename=")" +
+            type + "\">" + inside + "</plugin></model>");
+}
+
+std::string schedule(const std::string &phases) {
+    return driven("odemt-velocity-schedule", "<joints>w s</joints>" + phases);
+}
+
+// The wheel's speed after each frame.
+std::vector<long> wheelSpeeds(const std::string &sdf, int frames) {
+    const auto scene = load(sdf);
+    std::vector<long> speeds;
+    for (int i = 0; i < frames; ++i) {
+        scene->frame();
+        speeds.push_back(std::lround(spin(body(*scene, "m::wheel")).Z()));
+    }
+    return speeds;
+}
+
+TEST(VelocitySchedule, PlaysItsPhasesAndKeepsTheLast) {
+    EXPECT_EQ(
+        wheelSpeeds(schedule("<phase duration=\"0.02\">1 0</phase><phase duration=\"0.03\">2 0</phase>"), 7),
+        (std::vector<long>{1, 1, 2, 2, 2, 2, 2}));
+}
+
+TEST(VelocitySchedule, RepeatsCountedNestedAndForEver) {
+    const std::string one = "<phase duration=\"0.01\">1 0</phase>",
+                      two = "<phase duration=\"0.01\">2 0</phase>",
+                      three = "<phase duration=\"0.02\">3 0</phase>";
+    EXPECT_EQ(wheelSpeeds(schedule("<repeat count=\"2\">" + one + "<repeat count=\"2\">" + two +
+                                   "</repeat></repeat>" + three),
+                          8),
+              (std::vector<long>{1, 2, 2, 1, 2, 2, 3, 3}));
+    EXPECT_EQ(wheelSpeeds(schedule(one + "<repeat>" + two + three + "</repeat>"), 9),
+              (std::vector<long>{1, 2, 3, 3, 2, 3, 3, 2, 3}));
+    EXPECT_EQ(wheelSpeeds(schedule("<repeat>" + one + two + "</repeat>"), 5),
+              (std::vector<long>{1, 2, 1, 2, 1}));
+}
+
+TEST(VelocitySchedule, DrivesEveryJointUpToItsLimit) {
+    const auto scene = load(schedule("<phase duration=\"1\">9 -3</phase>"));
+    run(*scene, 10);
+    EXPECT_NEAR(spin(body(*scene, "m::wheel")).Z(), 5, 1e-6);
+    EXPECT_NEAR(velocity(body(*scene, "m::slide")).X(), -3, 1e-6);
+}
+
+TEST(VelocitySchedule, WakesItsBodies) {
+    std::string sdf = schedule("<phase duration=\"2\">0 0</phase><phase duration=\"1\">1 0</phase>");
+    sdf.insert(sdf.find("</physics>"), "<odemt:auto_disable><idle_time>0.5</idle_time></odemt:auto_disable>");
+    const auto scene = load(sdf);
+    runFor(*scene, 1.9);
+    EXPECT_FALSE(dBodyIsEnabled(body(*scene, "m::wheel")));
+    runFor(*scene, 0.3);
+    EXPECT_NEAR(spin(body(*scene, "m::wheel")).Z(), 1, 1e-6);
+}
+
+TEST(VelocitySchedule, MotorTakesThePlaceOfFriction) {
+    const auto scene =
+        load(driven("odemt-velocity-schedule", "<joints>w</joints><phase duration=\"1\">3</phase>",
+                    "<dynamics><friction>0.001</friction></dynamics>"));
+    run(*scene, 10);
+    EXPECT_NEAR(spin(body(*scene, "m::wheel")).Z(), 3, 1e-6);
+}
+
+TEST(RandomCycle, FollowsTheGeneratorOfTheStandard) {
+    constexpr int cycle = 10, least = 2, most = 8, seed = 42;
+    const std::string sdf =
+        driven("odemt-random-cycle", R"(<joints>w</joints><control_step>0.02</control_step>
+        <cycle>10</cycle><first_part start="3" least="2" most="8">1</first_part><second_part>2</second_part>
+        <seed>42</seed>)");
+    std::minstd_rand random(seed);
+    std::vector<long> expected;
+    for (int round = 0; round < 5; ++round) {
+        const long first = round == 0 ? 3 : least + static_cast<long>(random()) % (most - least + 1);
+        for (int step = 0; step < 2 * cycle; ++step) expected.push_back(step < 2 * first ? 1 : 2);
+    }
+    EXPECT_EQ(wheelSpeeds(sdf, 100), expected);
+}
+
+const std::string gait = R"(<gain>10</gain><start>0.5</start><frequency>2</frequency>
+    <wave name="v"><constant>0.1</constant><cos>0.01</cos><sin>0.02 0.03</sin></wave>
+    <swing joint="w" wave="v" phase="0.25"/><hold joint="s">0.3</hold>)";
+
+TEST(FourierGait, HoldsAndSwings) {
+    const auto scene = load(driven("odemt-fourier-gait", gait));
+    runFor(*scene, 0.5);
+    EXPECT_NEAR(dJointGetHingeAngle(joint(*scene, "m::w")), 0, 1e-9);
+    runFor(*scene, 2);
+    EXPECT_NEAR(dJointGetSliderPosition(joint(*scene, "m::s")), 0.3, 1e-6);
+
+    // The command of the next frame, by the formula.
+    const double angle = dJointGetHingeAngle(joint(*scene, "m::w"));
+    const double phase = 2 * 3.14159265358979323846 * (2 * (2.5 - 0.5) + 0.25);
+    const double target = 0.1 + 0.01 * std::cos(phase) + 0.02 * std::sin(phase) + 0.03 * std::sin(2 * phase);
+    scene->frame();
+    EXPECT_NEAR(dJointGetHingeParam(joint(*scene, "m::w"), dParamVel), 10 * (target - angle), 1e-9);
+}
+
+TEST(FourierGait, SpeedIsCutToTheLimit) {
+    const auto scene = load(driven("odemt-fourier-gait", "<gain>10</gain><hold joint=\"w\">3</hold>"));
+    runFor(*scene, 0.2);
+    EXPECT_NEAR(spin(body(*scene, "m::wheel")).Z(), 5, 1e-6);
+}
+
+TEST(Controller, ReachesTheSecondAxis) {
+    const auto scene = load(world("<gravity>0 0 0</gravity><model name=\"m\">" +
+                                  linkOf1kg("a", "0 0 0 0 0 0") + linkOf1kg("b", "0 1 0 0 0 0") + R"(
+        <joint name="j" type="revolute2"><parent>a</parent><child>b</child>
+          <axis><xyz>0 0 1</xyz></axis><axis2><xyz>0 1 0</xyz></axis2></joint>
+        <plugin name="p" filename="odemt-velocity-schedule"><joints>j/axis2</joints><phase duration="1">2</phase>
+        </plugin></model>)"));
+    run(*scene, 20);
+    EXPECT_NEAR(spin(body(*scene, "m::b")).Y() - spin(body(*scene, "m::a")).Y(), 2, 1e-3);
+}
+
+TEST(Controller, ParametersAreChecked) {
+    const auto expect = [](const std::string &type, const std::string &inside, const std::string &path,
+                           const std::string &message) {
+        expectError(driven(type, inside), worlds::LoadError::Kind::Value,
+                    {"test.sdf: /sdf/world/model[m]/plugin[p]" + path + ": ", message});
+    };
+    const std::string schedule = "odemt-velocity-schedule", joints = "<joints>w</joints>";
+    expect(schedule, "<phase duration=\"1\">1</phase>", "", "needs an element <joints>");
+    expect(schedule, "<joints>nose</joints>", "/joints", "no joint 'nose'");
+    expect(schedule, "<joints/>", "/joints", "names no joints");
+    expect(schedule, joints, "", "has no phases");
+    expect(schedule, joints + "<phase>1</phase>", "/phase", "needs an attribute 'duration'");
+    expect(schedule, joints + "<phase duration=\"long\">1</phase>", "/phase", "'long', not a number");
+    expect(schedule, joints + "<phase duration=\"nan\">1</phase>", "/phase", "not a number");
+    expect(schedule, joints + "<phase duration=\"-1\">1</phase>", "/phase", "less than half a step");
+    expect(schedule, joints + "<phase duration=\"1\">1 2</phase>", "/phase", "2 speeds for 1 joints");
+    expect(schedule, joints + "<phase duration=\"1\">fast</phase>", "/phase", "'fast'");
+    expect(schedule, joints + "<phase duration=\"1\" color=\"red\">1</phase>", "/phase",
+           "no attribute 'color'");
+    expect(schedule, joints + "<wait/>", "/wait", "not known");
+    expect(schedule, joints + "<repeat count=\"0\"><phase duration=\"1\">1</phase></repeat>", "/repeat",
+           "count");
+    expect(schedule, joints + "<repeat/>", "/repeat", "repeats nothing");
+    expect(schedule,
+           joints + "<repeat><phase duration=\"1\">1</phase></repeat><phase duration=\"1\">1</phase>",
+           "/phase", "after a repeat without end");
+    expect(schedule, joints + "<repeat count=\"2\"><repeat><phase duration=\"1\">1</phase></repeat></repeat>",
+           "/repeat/repeat", "inside another");
+    expect(
+        schedule,
+        joints +
+            "<repeat count=\"1e6\"><repeat count=\"1e6\"><phase duration=\"1\">1</phase></repeat></repeat>",
+        "/repeat/repeat/phase", "more than 1000000 phases");
+    expect("odemt-random-cycle",
+           joints +
+               "<first_part start=\"1\" least=\"5\" most=\"3\">1</first_part>"
+               "<second_part>1</second_part><control_step>0.01</control_step><cycle>9</cycle><seed>1</seed>",
+           "/first_part", "between 5 and 9");
+    expect("odemt-random-cycle",
+           joints +
+               "<first_part start=\"1\" least=\"1\" most=\"3\">1</first_part>"
+               "<second_part>1</second_part><control_step>0.01</control_step><cycle>9</cycle><seed>0</seed>",
+           "/seed", "between 1 and 2147483646");
+    expect("odemt-fourier-gait", "<hold joint=\"w\">1</hold>", "", "needs an element <gain>");
+    expect("odemt-fourier-gait", "<gain>1</gain><swing joint=\"w\" wave=\"big\"/>", "/swing",
+           "no wave 'big'");
+}
+
+}  // namespace

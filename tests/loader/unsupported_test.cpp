@@ -1,0 +1,153 @@
+// What is not supported is named with file and path, and left out only on demand.
+#include "small_world.h"
+
+namespace {
+
+using namespace small_world;
+using Kind = worlds::LoadError::Kind;
+
+const std::string axis = "<axis><xyz>0 0 1</xyz></axis>";
+
+std::string jointed(const std::string &type, const std::string &inside) {
+    return world("<model name=\"robot\">" + linkOf1kg("a", "0 0 0 0 0 0") + linkOf1kg("b", "1 0 0 0 0 0") +
+                 "<joint name=\"j1\" type=\"" + type + "\"><parent>a</parent><child>b</child>" + inside +
+                 "</joint></model>");
+}
+std::string linked(const std::string &inside) {
+    return world("<model name=\"m\">" + linkOf1kg("link", "0 0 0 0 0 0", inside) + "</model>");
+}
+std::string withSurface(const std::string &inside) {
+    return world(model("m", "0 0 0 0 0 0", sphere(1), "<surface>" + inside + "</surface>"));
+}
+
+struct Case {
+    const char *name;
+    std::string sdf, path;
+};
+
+class Unsupported : public testing::TestWithParam<Case> {};
+
+TEST_P(Unsupported, IsNamedWithFileAndPath) {
+    expectError(GetParam().sdf, Kind::Unsupported, {"test.sdf: " + GetParam().path, "not supported"});
+}
+
+TEST_P(Unsupported, IsLeftOutOnDemand) {
+    worlds::LoadOptions options;
+    options.ignoreUnsupported = true;
+    std::vector<std::string> warnings;
+    options.warnings = &warnings;
+    const auto scene = load(GetParam().sdf, options);
+    run(*scene, 10);
+    EXPECT_TRUE(isFinite(*scene));
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_EQ(warnings[0].find("test.sdf: " + GetParam().path), 0u) << warnings[0];
+
+    options.warnings = nullptr;
+    EXPECT_NO_THROW(load(GetParam().sdf, options));
+}
+
+const std::string robot = "/sdf/world/model[robot]/joint[j1]",
+                  shape = "/sdf/world/model[m]/link[link]/collision[shape]";
+
+INSTANTIATE_TEST_SUITE_P(
+    Elements, Unsupported,
+    testing::Values(
+        Case{"gearboxRatio", jointed("revolute", axis + "<gearbox_ratio>2</gearbox_ratio>"),
+             robot + "/gearbox_ratio"},
+        Case{"screw", jointed("screw", axis + "<thread_pitch>1</thread_pitch>"), robot + ": type 'screw'"},
+        Case{"implicitSpring",
+             jointed("revolute", axis + "<physics><ode><implicit_spring_damper>true"
+                                        "</implicit_spring_damper></ode></physics>"),
+             robot + "/physics/ode/implicit_spring_damper"},
+        Case{"limitStiffness",
+             jointed("revolute",
+                     "<axis><xyz>0 0 1</xyz><limit><lower>0</lower><upper>1</upper>"
+                     "<stiffness>5</stiffness></limit></axis>"),
+             robot + "/axis/limit/stiffness"},
+        Case{"suspensionOfAHinge",
+             jointed("revolute", axis + "<physics><ode><suspension><cfm>0</cfm><erp>0.2</erp>"
+                                        "</suspension></ode></physics>"),
+             robot + "/physics/ode/suspension"},
+        Case{"ellipsoid", world(model("m", "0 0 0 0 0 0", "<ellipsoid><radii>1 2 3</radii></ellipsoid>")),
+             shape + "/geometry/ellipsoid"},
+        Case{"polyline",
+             world(model("m", "0 0 0 0 0 0",
+                         "<polyline><height>1</height><point>0 0</point><point>1 0"
+                         "</point><point>0 1</point></polyline>")),
+             shape + "/geometry/polyline"},
+        Case{"planeThatMoves", world(model("m", "0 0 0 0 0 0", "<plane/>")), shape + "/geometry"},
+        Case{"torsionalFriction",
+             withSurface("<friction><torsional><coefficient>1</coefficient></torsional></friction>"),
+             shape + "/surface/friction/torsional"},
+        Case{"minDepth", withSurface("<contact><ode><min_depth>0.01</min_depth></ode></contact>"),
+             shape + "/surface/contact/ode/min_depth"},
+        Case{"ghost",
+             withSurface("<contact><collide_without_contact>true</collide_without_contact></contact>"),
+             shape + "/surface/contact/collide_without_contact"},
+        Case{"linkInTheWind", linked("<enable_wind>true</enable_wind>"),
+             "/sdf/world/model[m]/link[link]/enable_wind"},
+        Case{"unknownElement", linked("<colour>red</colour>"), "/sdf/world/model[m]/link[link]/colour"},
+        Case{"foreignElement", linked("<ros:topic>a</ros:topic>"),
+             "/sdf/world/model[m]/link[link]/ros:topic"},
+        Case{"gripper",
+             world("<model name=\"m\"><link name=\"link\"/><gripper name=\"g\"><gripper_link>link"
+                   "</gripper_link><palm_link>link</palm_link></gripper></model>"),
+             "/sdf/world/model[m]/gripper[g]"},
+        Case{
+            "plugin",
+            world(
+                "<model name=\"m\"><link name=\"link\"/><plugin name=\"p\" filename=\"libros.so\"/></model>"),
+            "/sdf/world/model[m]/plugin[p]: filename 'libros.so'"},
+        Case{"worldPlugin", world("<plugin name=\"p\" filename=\"libwind.so\"/>"),
+             "/sdf/world/plugin[p]: filename 'libwind.so'"},
+        Case{"otherEngine", worldWith("<physics type=\"bullet\"/>", ""), "/sdf/world/physics: type 'bullet'"},
+        Case{"rescaling",
+             worldWith("<physics type=\"ode\"><ode><solver><use_dynamic_moi_rescaling>true"
+                       "</use_dynamic_moi_rescaling></solver></ode></physics>",
+                       ""),
+             "/sdf/world/physics/ode/solver/use_dynamic_moi_rescaling"},
+        Case{"state", world("<state world_name=\"test\"/>"), "/sdf/world/state"},
+        Case{"attribute", world("<model name=\"m\" weight=\"2\"><link name=\"link\"/></model>"),
+             "/sdf/world/model[m]"}),
+    [](const auto &info) { return info.param.name; });
+
+TEST(Supported, IsWhatChangesNoMotion) {
+    EXPECT_NO_THROW(load(world(R"(
+      <light name="sun" type="directional"/><scene><shadows>true</shadows></scene>
+      <plugin name="gz::sim::systems::Physics" filename="gz-sim-physics-system"/>
+      <model name="m"><enable_wind>false</enable_wind><link name="link">
+        <visual name="v"><geometry><ellipsoid><radii>1 1 1</radii></ellipsoid></geometry></visual>
+        <sensor name="s" type="imu"/>
+        <collision name="c"><laser_retro>1</laser_retro><geometry><sphere><radius>1</radius></sphere></geometry>
+          <surface><friction><bullet><friction>1</friction></bullet></friction></surface></collision>
+      </link></model>)")));
+}
+
+TEST(Supported, IsNeutralWhereItHoldsTheDefault) {
+    EXPECT_NO_THROW(
+        load(worldWith("<physics type=\"ode\"><ode><solver><use_dynamic_moi_rescaling>0"
+                       "</use_dynamic_moi_rescaling><precon_iters>0</precon_iters></solver></ode></physics>",
+                       "")));
+    EXPECT_NO_THROW(
+        load(jointed("revolute", axis + "<physics><ode><cfm_damping>false</cfm_damping></ode></physics>")));
+}
+
+TEST(Unsupported, EveryOneIsInTheWarnings) {
+    worlds::LoadOptions options;
+    options.ignoreUnsupported = true;
+    std::vector<std::string> warnings;
+    options.warnings = &warnings;
+    const auto scene =
+        load(world("<model name=\"m\">" +
+                   linkOf1kg("a", "0 0 0 0 0 0", "<enable_wind>true</enable_wind><colour>red</colour>") +
+                   linkOf1kg("b", "1 0 0 0 0 0") +
+                   "<joint name=\"j\" type=\"gearbox\"><parent>a</parent><child>b</child>" + axis +
+                   "<axis2><xyz>0 0 "
+                   "1</xyz></axis2><gearbox_reference_body>a</gearbox_reference_body></joint></model>"),
+             options);
+    EXPECT_EQ(warnings.size(), 3u);
+    EXPECT_TRUE(scene->inventory().joints.empty());
+    EXPECT_EQ(scene->inventory().bodies.size(), 2u);
+}
+
+}  // namespace

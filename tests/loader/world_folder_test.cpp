@@ -1,0 +1,40 @@
+#include "loader/world_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <stdexcept>
+
+namespace {
+
+TEST(WorldFolder, HoldsTheFourWorlds) {
+    EXPECT_EQ(worlds::availableWorlds(),
+              (std::vector<std::string>{"bioloid", "create", "pioneer3at", "soccer"}));
+}
+
+TEST(WorldFolder, FindsWorldsByNameAndByFile) {
+    const std::string file = worlds::findWorld("create");
+    EXPECT_EQ(file, worlds::worldFolder() + "/create.sdf");
+    EXPECT_EQ(worlds::findWorld(file), file);
+}
+
+TEST(WorldFolder, NamesWhatExistsWhenThereIsNoSuchWorld) {
+    try {
+        worlds::findWorld("rugby");
+        FAIL();
+    } catch (const std::invalid_argument &error) {
+        const std::string message = error.what();
+        EXPECT_NE(message.find("'rugby'"), std::string::npos) << message;
+        EXPECT_NE(message.find("bioloid create pioneer3at soccer"), std::string::npos) << message;
+    }
+}
+
+TEST(WorldFolder, IsTheOneThatTheUserChose) {
+    setenv("ODE_MT_WORLDS", "/nowhere", 1);
+    EXPECT_EQ(worlds::worldFolder(), "/nowhere");
+    EXPECT_TRUE(worlds::availableWorlds().empty());
+    EXPECT_THROW(worlds::findWorld("create"), std::invalid_argument);
+    unsetenv("ODE_MT_WORLDS");
+}
+
+}  // namespace

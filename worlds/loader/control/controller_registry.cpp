@@ -1,0 +1,67 @@
+#include "loader/control/controller_registry.h"
+
+#include "loader/control/fourier_gait.h"
+#include "loader/control/random_cycle.h"
+#include "loader/control/velocity_schedule.h"
+
+#include <cmath>
+
+namespace worlds {
+
+namespace {
+
+using Create = std::unique_ptr<Controller> (*)(const Parameters &, const FindMotor &, double stepSize);
+
+template <class Kind>
+std::unique_ptr<Controller> create(const Parameters &parameters, const FindMotor &findMotor,
+                                   double stepSize) {
+    return std::make_unique<Kind>(parameters, findMotor, stepSize);
+}
+
+const std::map<std::string, Create> &registry() {
+    static const std::map<std::string, Create> controllers = {
+        {"odemt-fourier-gait", create<FourierGait>},
+        {"odemt-random-cycle", create<RandomCycle>},
+        {"odemt-velocity-schedule", create<VelocitySchedule>},
+    };
+    return controllers;
+}
+
+}  // namespace
+
+std::vector<std::string> controllerTypes() {
+    std::vector<std::string> types;
+    for (const auto &entry : registry()) types.push_back(entry.first);
+    return types;
+}
+
+bool isControllerType(const std::string &type) { return registry().count(type) > 0; }
+
+std::unique_ptr<Controller> createController(const ControllerDescription &description,
+                                             const FindMotor &findMotor, double stepSize) {
+    return registry().at(description.type)(description.parameters, findMotor, stepSize);
+}
+
+std::vector<JointMotor> findMotors(const Parameters &joints, const FindMotor &findMotor) {
+    std::vector<JointMotor> motors;
+    for (const std::string &name : joints.words()) motors.push_back(findMotor(name, joints));
+    if (motors.empty()) joints.fail("names no joints");
+    return motors;
+}
+
+std::vector<double> readSpeeds(const Parameters &element, std::size_t count) {
+    const std::vector<double> speeds = element.numbers();
+    if (speeds.size() != count)
+        element.fail("has " + std::to_string(speeds.size()) + " speeds for " + std::to_string(count) +
+                     " joints");
+    return speeds;
+}
+
+long toSteps(double duration, double stepSize, const Parameters &writtenIn) {
+    const double steps = std::round(duration / stepSize);
+    if (steps < 1) writtenIn.fail("lasts less than half a step");
+    if (steps > 1e9) writtenIn.fail("lasts more than 1e9 steps");
+    return static_cast<long>(steps);
+}
+
+}  // namespace worlds

@@ -1,0 +1,35 @@
+// The controllers that a <plugin> of a model can name.
+#pragma once
+
+#include "loader/control/controller.h"
+#include "loader/control/joint_motor.h"
+#include "loader/description/world_description.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace worlds {
+
+// The motor of a joint of the model, "joint" or "joint/axis2"; fails at `namedBy` when there is none.
+using FindMotor = std::function<JointMotor(const std::string &joint, const Parameters &namedBy)>;
+
+// Values of a plugin's filename.
+std::vector<std::string> controllerTypes();
+bool isControllerType(const std::string &type);
+
+// Throws LoadError for parameters that make no sense.
+std::unique_ptr<Controller> createController(const ControllerDescription &description,
+                                             const FindMotor &findMotor, double stepSize);
+
+// For controllers: the motors named by the words of <joints>.
+std::vector<JointMotor> findMotors(const Parameters &joints, const FindMotor &findMotor);
+
+// For controllers: one speed for each of `count` motors.
+std::vector<double> readSpeeds(const Parameters &element, std::size_t count);
+
+// For controllers: a duration in whole steps, at least one.
+long toSteps(double duration, double stepSize, const Parameters &writtenIn);
+
+}  // namespace worlds

@@ -1,0 +1,69 @@
+#include "loader/control/fourier_gait.h"
+
+#include <cmath>
+
+namespace worlds {
+
+namespace {
+
+constexpr double turn = 2 * 3.14159265358979323846;
+
+std::vector<double> childNumbers(const Parameters &element, const std::string &name) {
+    const Parameters *child = element.child(name);
+    return child ? child->numbers() : std::vector<double>();
+}
+
+}  // namespace
+
+FourierGait::FourierGait(const Parameters &parameters, const FindMotor &findMotor, double stepSize)
+    : m_stepSize(stepSize) {
+    parameters.expectOnly({"name", "filename"}, {"gain", "hold", "start", "frequency", "wave", "swing"});
+    m_gain = parameters.required("gain").number();
+    m_start = parameters.childNumber("start", 0);
+    m_frequency = parameters.childNumber("frequency", 0);
+    for (const Parameters &element : parameters.children)
+        if (element.name == "wave") m_waves.emplace(element.attribute("name"), readWave(element));
+    for (const Parameters &element : parameters.children) {
+        if (element.name == "hold") {
+            element.expectOnly({"joint"}, {});
+            m_holds.push_back({findMotor(element.attribute("joint"), element), element.number()});
+        } else if (element.name == "swing") {
+            readSwing(element, findMotor);
+        }
+    }
+}
+
+FourierGait::Wave FourierGait::readWave(const Parameters &element) {
+    element.expectOnly({"name"}, {"constant", "cos", "sin"});
+    return {element.childNumber("constant", 0), childNumbers(element, "cos"), childNumbers(element, "sin")};
+}
+
+void FourierGait::readSwing(const Parameters &element, const FindMotor &findMotor) {
+    element.expectOnly({"joint", "wave", "phase"}, {});
+    const auto wave = m_waves.find(element.attribute("wave"));
+    if (wave == m_waves.end()) element.fail("there is no wave '" + element.attribute("wave") + "'");
+    m_swings.push_back(
+        {findMotor(element.attribute("joint"), element), &wave->second, element.attributeNumber("phase", 0)});
+}
+
+double FourierGait::Wave::at(double phase) const {
+    double angle = constant;
+    for (std::size_t i = 0; i < cosines.size(); ++i)
+        angle += cosines[i] * std::cos(static_cast<double>(i + 1) * phase);
+    for (std::size_t i = 0; i < sines.size(); ++i)
+        angle += sines[i] * std::sin(static_cast<double>(i + 1) * phase);
+    return angle;
+}
+
+void FourierGait::approach(JointMotor &motor, double angle) const {
+    motor.setSpeed(m_gain * (angle - motor.position()));
+}
+
+void FourierGait::update(long frame) {
+    for (Hold &hold : m_holds) approach(hold.motor, hold.angle);
+    const double time = static_cast<double>(frame) * m_stepSize - m_start;
+    for (Swing &swing : m_swings)
+        approach(swing.motor, time < 0 ? 0 : swing.wave->at(turn * (m_frequency * time + swing.phase)));
+}
+
+}  // namespace worlds

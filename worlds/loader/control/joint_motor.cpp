@@ -1,0 +1,19 @@
+#include "loader/control/joint_motor.h"
+
+#include "loader/scene/ode_types.h"
+
+#include <algorithm>
+
+namespace worlds {
+
+JointMotor::JointMotor(JointAxisHandle axis, const JointAxis &description)
+    : m_axis(axis), m_maxForce(description.maxForce), m_maxSpeed(description.maxSpeed) {}
+
+void JointMotor::setSpeed(double speed) {
+    const double cut = std::clamp(speed, -m_maxSpeed, m_maxSpeed);
+    m_axis.set(dParamVel, toReal(cut));
+    m_axis.set(dParamFMax, toReal(m_maxForce));
+    if (cut != 0) m_axis.wake();
+}
+
+}  // namespace worlds

@@ -1,0 +1,106 @@
+#include "loader/description/parameters.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <sstream>
+
+namespace worlds {
+
+namespace {
+
+bool contains(const std::vector<std::string> &list, const std::string &word) {
+    return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+std::vector<std::string> split(const std::string &text) {
+    std::istringstream stream(text);
+    std::vector<std::string> words;
+    for (std::string word; stream >> word;) words.push_back(word);
+    return words;
+}
+
+}  // namespace
+
+bool readNumbers(const std::string &text, std::vector<double> &numbers) {
+    for (const std::string &word : split(text)) {
+        const char *begin = word.data() + (word[0] == '+' ? 1 : 0), *end = word.data() + word.size();
+        double number = 0;
+        const auto result = std::from_chars(begin, end, number);
+        if (result.ec != std::errc() || result.ptr != end) return false;
+        numbers.push_back(number);
+    }
+    return true;
+}
+
+void Parameters::fail(const std::string &what) const { throw LoadError(LoadError::Kind::Value, place, what); }
+
+void Parameters::expectOnly(const std::vector<std::string> &knownAttributes,
+                            const std::vector<std::string> &knownChildren) const {
+    for (const auto &[key, value] : attributes)
+        if (!contains(knownAttributes, key)) fail("has no attribute '" + key + "'");
+    for (const Parameters &element : children)
+        if (!contains(knownChildren, element.name)) element.fail("not known here");
+}
+
+const Parameters *Parameters::child(const std::string &childName) const {
+    for (const Parameters &element : children)
+        if (element.name == childName) return &element;
+    return nullptr;
+}
+
+const Parameters &Parameters::required(const std::string &childName) const {
+    const Parameters *found = child(childName);
+    if (!found) fail("needs an element <" + childName + ">");
+    return *found;
+}
+
+const std::string &Parameters::attribute(const std::string &key) const {
+    const auto found = attributes.find(key);
+    if (found == attributes.end()) fail("needs an attribute '" + key + "'");
+    return found->second;
+}
+
+double Parameters::attributeNumber(const std::string &key) const {
+    std::vector<double> values;
+    const std::string &value = attribute(key);
+    if (!readNumbers(value, values) || values.size() != 1 || !std::isfinite(values[0]))
+        fail("attribute '" + key + "' is '" + value + "', not a number");
+    return values[0];
+}
+
+double Parameters::attributeNumber(const std::string &key, double otherwise) const {
+    return attributes.count(key) ? attributeNumber(key) : otherwise;
+}
+
+std::vector<double> Parameters::numbers() const {
+    std::vector<double> values;
+    if (!readNumbers(text, values) ||
+        !std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
+        fail("'" + text + "' is not a list of numbers");
+    return values;
+}
+
+std::vector<std::string> Parameters::words() const { return split(text); }
+
+double Parameters::number() const {
+    const std::vector<double> values = numbers();
+    if (values.size() != 1) fail("'" + text + "' is not one number");
+    return values[0];
+}
+
+double Parameters::childNumber(const std::string &childName, double otherwise) const {
+    const Parameters *found = child(childName);
+    return found ? found->number() : otherwise;
+}
+
+double Parameters::childLimit(const std::string &childName, double otherwise) const {
+    const Parameters *found = child(childName);
+    if (!found) return otherwise;
+    std::vector<double> values;
+    if (!readNumbers(found->text, values) || values.size() != 1 || std::isnan(values[0]))
+        found->fail("'" + found->text + "' is not one number");
+    return values[0];
+}
+
+}  // namespace worlds

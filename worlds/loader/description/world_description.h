@@ -1,0 +1,29 @@
+// Everything the loader takes from an SDF file, resolved to world coordinates: what stands between
+// reading (read/, libsdformat) and building (scene/, ODE).
+#pragma once
+
+#include "loader/description/joint.h"
+#include "loader/description/link.h"
+#include "loader/description/parameters.h"
+#include "loader/description/physics.h"
+
+#include <string>
+#include <vector>
+
+namespace worlds {
+
+// A <plugin> of a model. Joint names in it are meant within that model.
+struct ControllerDescription {
+    std::string type;   // the plugin's filename
+    std::string model;  // "outer::inner"
+    Parameters parameters;
+};
+
+struct WorldDescription {
+    Physics physics;
+    std::vector<Link> links;
+    std::vector<Joint> joints;
+    std::vector<ControllerDescription> controllers;
+};
+
+}  // namespace worlds

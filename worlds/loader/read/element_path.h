@@ -1,0 +1,28 @@
+// Names places in an SDF file.
+#pragma once
+
+#include "loader/description/parameters.h"
+
+#include <sdf/Element.hh>
+
+#include <string>
+
+namespace worlds {
+
+// Where an element stands: in the file of the nearest include around it, or in `worldFile`.
+Place placeOf(const sdf::ElementPtr &element, const std::string &worldFile);
+
+// libsdformat's own way to write a path, /sdf/world[@name="w"]/model[@name="m"], in ours.
+std::string shortPath(const std::string &xmlPath);
+
+// An element and what was written inside it; defaults that libsdformat added are left out.
+Parameters toParameters(const sdf::ElementPtr &element, const std::string &worldFile);
+
+// Calls `visit(child)` for every child that was written in the file.
+template <class Visit>
+void forEachWritten(const sdf::ElementPtr &element, Visit visit) {
+    for (sdf::ElementPtr child = element->GetFirstElement(); child; child = child->GetNextElement())
+        if (child->GetExplicitlySetInFile()) visit(child);
+}
+
+}  // namespace worlds

@@ -1,0 +1,24 @@
+// What happens when a world holds something that is not supported.
+#pragma once
+
+#include "loader/load_world.h"
+
+namespace worlds {
+
+class Issues {
+public:
+    explicit Issues(const LoadOptions &options) : m_options(options) {}
+
+    // Throws, or takes note and returns when the user asked to go on.
+    void unsupported(const Place &place, const std::string &what = {}) const {
+        const LoadError error(LoadError::Kind::Unsupported, place,
+                              what.empty() ? "not supported" : what + ": not supported");
+        if (!m_options.ignoreUnsupported) throw error;
+        if (m_options.warnings) m_options.warnings->push_back(error.what());
+    }
+
+private:
+    const LoadOptions &m_options;
+};
+
+}  // namespace worlds

@@ -1,0 +1,53 @@
+#include "loader/read/mesh_file.h"
+
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <assimp/Importer.hpp>
+
+#include <cmath>
+
+namespace worlds {
+
+namespace {
+
+LoadError broken(const Place &place, const std::string &file, const std::string &what) {
+    return LoadError(LoadError::Kind::Resource, place, "mesh file " + file + ": " + what);
+}
+
+void append(const aiMesh &part, const ignition::math::Vector3d &scale, TriangleMesh &mesh) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size() / 3);
+    for (unsigned i = 0; i < part.mNumVertices; ++i) {
+        const aiVector3D &vertex = part.mVertices[i];
+        mesh.vertices.push_back(static_cast<float>(vertex.x * scale.X()));
+        mesh.vertices.push_back(static_cast<float>(vertex.y * scale.Y()));
+        mesh.vertices.push_back(static_cast<float>(vertex.z * scale.Z()));
+    }
+    for (unsigned i = 0; i < part.mNumFaces; ++i) {
+        const aiFace &face = part.mFaces[i];
+        if (face.mNumIndices != 3) continue;  // points and lines touch nothing
+        for (unsigned corner = 0; corner < 3; ++corner)
+            mesh.triangles.push_back(first + face.mIndices[corner]);
+    }
+}
+
+}  // namespace
+
+TriangleMesh readMeshFile(const std::string &file, const ignition::math::Vector3d &scale,
+                          const Place &place) {
+    Assimp::Importer importer;
+    // Coordinates stay as they are in the file, whichever axis it calls up.
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+    const aiScene *scene = importer.ReadFile(
+        file, aiProcess_Triangulate | aiProcess_PreTransformVertices | aiProcess_JoinIdenticalVertices);
+    if (!scene) throw broken(place, file, importer.GetErrorString());
+
+    TriangleMesh mesh;
+    for (unsigned i = 0; i < scene->mNumMeshes; ++i) append(*scene->mMeshes[i], scale, mesh);
+    if (mesh.triangles.empty()) throw broken(place, file, "holds no triangles");
+    for (const float coordinate : mesh.vertices)
+        if (!std::isfinite(coordinate)) throw broken(place, file, "holds a coordinate that is not finite");
+    return mesh;
+}
+
+}  // namespace worlds

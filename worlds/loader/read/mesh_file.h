@@ -1,0 +1,16 @@
+// Triangles out of a mesh file: whatever Assimp reads, STL, OBJ and COLLADA among it.
+#pragma once
+
+#include "loader/description/shape.h"
+#include "loader/load_error.h"
+
+#include <ignition/math/Vector3.hh>
+
+#include <string>
+
+namespace worlds {
+
+// `place` is where the mesh is named. Throws LoadError.
+TriangleMesh readMeshFile(const std::string &file, const ignition::math::Vector3d &scale, const Place &place);
+
+}  // namespace worlds

@@ -1,0 +1,108 @@
+#include "loader/scene/contact_rules.h"
+
+#include "loader/scene/ode_types.h"
+
+#include <algorithm>
+
+namespace worlds {
+
+namespace {
+
+using ignition::math::Vector3d;
+
+// SDF lets two shapes touch when the category of one meets the collide mask of the other, ODE too.
+// Masks have 16 bits; the 16 above them let static geoms keep that rule against moving ones while
+// they have no collide bits to meet one another with.
+constexpr int upperMask = 16;
+
+void setBits(dGeomID geom, const Surface &surface, bool isStatic) {
+    const unsigned long category = surface.category, collide = surface.collide;
+    if (isStatic) {
+        dGeomSetCategoryBits(geom, category | collide << upperMask);
+        dGeomSetCollideBits(geom, 0);
+    } else {
+        dGeomSetCategoryBits(geom, category);
+        dGeomSetCollideBits(geom, collide | category << upperMask);
+    }
+}
+
+template <class Value, class Choose>
+std::optional<Value> choose(const std::optional<Value> &a, const std::optional<Value> &b, Choose better) {
+    if (!a || !b) return a ? a : b;
+    return better(*a, *b);
+}
+
+Vector3d rotate(dGeomID geom, const Vector3d &vector) {
+    dQuaternion q;
+    dGeomGetQuaternion(geom, q);
+    return ignition::math::Quaterniond(q[0], q[1], q[2], q[3]).RotateVector(vector);
+}
+
+}  // namespace
+
+void ContactRules::add(dGeomID geom, const Link &link, const Collision &collision) {
+    m_properties.push_back({collision.surface, collision.maxContacts, link.model, link.selfCollide});
+    dGeomSetData(geom, &m_properties.back());
+    setBits(geom, collision.surface, link.isStatic);
+}
+
+const ContactRules::Properties &ContactRules::of(dGeomID geom) {
+    return *static_cast<const Properties *>(dGeomGetData(geom));
+}
+
+bool ContactRules::mayTouch(dGeomID geom1, dGeomID geom2) {
+    const dBodyID body1 = dGeomGetBody(geom1), body2 = dGeomGetBody(geom2);
+    if (!body1 || !body2) return true;
+    const Properties &first = of(geom1), &second = of(geom2);
+    if (first.model == second.model && !first.selfCollide && !second.selfCollide) return false;
+    return !dAreConnectedExcluding(body1, body2, dJointTypeContact);
+}
+
+int ContactRules::maxContacts(dGeomID geom1, dGeomID geom2) {
+    return std::min(of(geom1).maxContacts, of(geom2).maxContacts);
+}
+
+dSurfaceParameters ContactRules::surface(dGeomID geom1, dGeomID geom2) const {
+    const Surface &a = of(geom1).surface, &b = of(geom2).surface;
+    const auto lesser = [](double x, double y) { return std::min(x, y); };
+    const auto greater = [](double x, double y) { return std::max(x, y); };
+
+    dSurfaceParameters pair{};
+    pair.mode = m_frictionPyramid ? dContactApprox1 : 0;
+    pair.mu = toReal(std::min(a.mu, b.mu));
+    pair.mu2 = toReal(std::min(a.mu2, b.mu2));
+    if (pair.mu != pair.mu2) pair.mode |= dContactMu2;
+    pair.slip1 = toReal(a.slip1 + b.slip1);
+    if (pair.slip1 > 0) pair.mode |= dContactSlip1;
+    pair.slip2 = toReal(a.slip2 + b.slip2);
+    if (pair.slip2 > 0) pair.mode |= dContactSlip2;
+    pair.bounce = toReal(std::min(a.restitution, b.restitution));
+    pair.bounce_vel = toReal(std::max(a.bounceThreshold, b.bounceThreshold));
+    if (pair.bounce > 0) pair.mode |= dContactBounce;
+    if (const std::optional<double> erp = choose(a.softErp, b.softErp, lesser)) {
+        pair.soft_erp = toReal(*erp);
+        pair.mode |= dContactSoftERP;
+    }
+    if (const std::optional<double> cfm = choose(a.softCfm, b.softCfm, greater)) {
+        pair.soft_cfm = toReal(*cfm);
+        pair.mode |= dContactSoftCFM;
+    }
+    return pair;
+}
+
+void ContactRules::setDirection(dContact &contact) {
+    const std::optional<Vector3d> &first = of(contact.geom.g1).surface.frictionDirection;
+    const std::optional<Vector3d> &second = of(contact.geom.g2).surface.frictionDirection;
+    if (!first && !second) return;
+    const Vector3d direction = first ? rotate(contact.geom.g1, *first) : rotate(contact.geom.g2, *second);
+    const Vector3d normal(contact.geom.normal[0], contact.geom.normal[1], contact.geom.normal[2]);
+    Vector3d tangent = direction - normal * normal.Dot(direction);
+    if (tangent.Length() < 1e-6) return;  // along the normal: ODE takes a direction of its own
+    tangent.Normalize();
+    contact.fdir1[0] = toReal(tangent.X());
+    contact.fdir1[1] = toReal(tangent.Y());
+    contact.fdir1[2] = toReal(tangent.Z());
+    contact.surface.mode |= dContactFDir1;
+}
+
+}  // namespace worlds

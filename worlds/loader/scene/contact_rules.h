@@ -1,0 +1,47 @@
+// Which pairs of geoms may touch, and how.
+#pragma once
+
+#include "loader/description/link.h"
+#include "loader/description/physics.h"
+
+#include <ode/ode.h>
+
+#include <deque>
+
+namespace worlds {
+
+class ContactRules {
+public:
+    explicit ContactRules(const Physics &physics) : m_frictionPyramid(physics.frictionPyramid) {}
+
+    // Makes the geom known: its data pointer, category and collide bits are set.
+    void add(dGeomID geom, const Link &link, const Collision &collision);
+
+    // False for bodies joined by a joint, and for bodies of one model unless one of them wants to
+    // touch the rest of it. Static geoms do not meet at all, by their bits.
+    static bool mayTouch(dGeomID geom1, dGeomID geom2);
+
+    // At most this many contacts become joints.
+    static int maxContacts(dGeomID geom1, dGeomID geom2);
+
+    // The surface parameters of a pair: the friction and bounce of the weaker of the two, the
+    // softness of the softer.
+    dSurfaceParameters surface(dGeomID geom1, dGeomID geom2) const;
+
+    // Completes a contact whose geom and surface are set: the first friction direction.
+    static void setDirection(dContact &contact);
+
+private:
+    struct Properties {
+        Surface surface;
+        int maxContacts;
+        int model;
+        bool selfCollide;
+    };
+    static const Properties &of(dGeomID geom);
+
+    bool m_frictionPyramid;
+    std::deque<Properties> m_properties;  // the geoms point here
+};
+
+}  // namespace worlds

@@ -1,0 +1,37 @@
+// Geoms from collision shapes. Owns the data that meshes and height fields point to, and has to
+// outlive the geoms.
+#pragma once
+
+#include "loader/description/link.h"
+#include "loader/scene/ode_types.h"
+
+#include <deque>
+#include <vector>
+
+namespace worlds {
+
+class GeomFactory {
+public:
+    // A geom that stands still, of a link at `linkPose` in the world.
+    dGeomID createStatic(dSpaceID space, const Collision &collision, const ignition::math::Pose3d &linkPose);
+
+    // A geom that moves with a body, whose origin is the link's centre of mass.
+    dGeomID createOn(dBodyID body, dSpaceID space, const Collision &collision,
+                     const ignition::math::Vector3d &centerOfMass);
+
+private:
+    dGeomID create(dSpaceID space, const Shape &shape);
+    static dGeomID create(dSpaceID space, const Box &box);
+    static dGeomID create(dSpaceID space, const Sphere &sphere);
+    static dGeomID create(dSpaceID space, const Cylinder &cylinder);
+    static dGeomID create(dSpaceID space, const Capsule &capsule);
+    static dGeomID create(dSpaceID space, const Plane &plane);
+    dGeomID create(dSpaceID space, const TriangleMesh &mesh);
+    dGeomID create(dSpaceID space, const HeightField &field);
+
+    std::deque<TriangleMesh> m_meshes;
+    std::vector<MeshDataOwner> m_meshData;
+    std::vector<HeightDataOwner> m_heightData;
+};
+
+}  // namespace worlds

@@ -1,0 +1,61 @@
+#include "loader/scene/ode_world.h"
+
+#include "loader/scene/ode_types.h"
+
+namespace worlds {
+
+namespace {
+
+void setAutoDisable(dWorldID world, const AutoDisable &rest) {
+    dWorldSetAutoDisableFlag(world, 1);
+    dWorldSetAutoDisableLinearThreshold(world, toReal(rest.linearThreshold));
+    dWorldSetAutoDisableAngularThreshold(world, toReal(rest.angularThreshold));
+    dWorldSetAutoDisableTime(world, toReal(rest.idleTime));
+    dWorldSetAutoDisableSteps(world, rest.idleSteps);
+    dWorldSetAutoDisableAverageSamplesCount(world, static_cast<unsigned>(rest.averageSamples));
+}
+
+void setDamping(dWorldID world, const Damping &damping) {
+    dWorldSetDamping(world, toReal(damping.linear), toReal(damping.angular));
+    dWorldSetLinearDampingThreshold(world, toReal(damping.linearThreshold));
+    dWorldSetAngularDampingThreshold(world, toReal(damping.angularThreshold));
+}
+
+}  // namespace
+
+dWorldID createWorld(const Physics &physics) {
+    const dWorldID world = dWorldCreate();
+    const ignition::math::Vector3d &g = physics.gravity;
+    dWorldSetGravity(world, toReal(g.X()), toReal(g.Y()), toReal(g.Z()));
+    dWorldSetCFM(world, toReal(physics.cfm));
+    dWorldSetERP(world, toReal(physics.erp));
+    dWorldSetQuickStepNumIterations(world, physics.iterations);
+    dWorldSetQuickStepW(world, toReal(physics.sor));
+    dWorldSetContactMaxCorrectingVel(world, toReal(physics.maxCorrectingSpeed));
+    dWorldSetContactSurfaceLayer(world, toReal(physics.surfaceLayer));
+    if (physics.autoDisable) setAutoDisable(world, *physics.autoDisable);
+    if (physics.damping) setDamping(world, *physics.damping);
+    return world;
+}
+
+dSpaceID createSpace(const Space &space) {
+    switch (space.kind) {
+        case scenes::SpaceKind::Simple:
+            return dSimpleSpaceCreate(nullptr);
+        case scenes::SpaceKind::Hash: {
+            const dSpaceID hash = dHashSpaceCreate(nullptr);
+            dHashSpaceSetLevels(hash, space.minLevel, space.maxLevel);
+            return hash;
+        }
+        case scenes::SpaceKind::SweepAndPrune:
+            return dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ);
+        case scenes::SpaceKind::QuadTree:
+            break;
+    }
+    const dVector3 center = {toReal(space.center.X()), toReal(space.center.Y()), toReal(space.center.Z())};
+    const dVector3 extents = {toReal(space.extents.X()), toReal(space.extents.Y()),
+                              toReal(space.extents.Z())};
+    return dQuadTreeSpaceCreate(nullptr, center, extents, space.depth);
+}
+
+}  // namespace worlds

@@ -1,0 +1,20 @@
+// The benchmark worlds by name.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace worlds {
+
+// The folder of the SDF files: $ODE_MT_WORLDS if set, else the source folder if it is still there,
+// else the installed one.
+std::string worldFolder();
+
+// "create", "pioneer3at", … in alphabetical order.
+std::vector<std::string> availableWorlds();
+
+// The file of a world given by name ("create") or by file name ("my/world.sdf"). Throws
+// std::invalid_argument, naming the worlds that exist.
+std::string findWorld(const std::string &nameOrFile);
+
+}  // namespace worlds
