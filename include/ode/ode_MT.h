@@ -28,6 +28,10 @@ extern "C" {
  * Environment, read once at the first use of the library, for programs that cannot be recompiled:
  * ODE_MT_THREADS=n|auto, ODE_MT_ALGORITHM=auto|serial|lcp, ODE_MT_THREAD_MANAGER=pthread|openmp,
  * ODE_MT_LOG=error|warning|info|debug. A call below overrides the environment.
+ *
+ * A threading implementation given to dWorldSetStepThreadingImplementation lends its threads to that
+ * world's steps instead of the process's own, whatever the number set here; one without threads keeps
+ * the world's steps serial.
  */
 
 /** Number of threads that means: one for every core this process may use. @ingroup ode_mt */
