@@ -27,6 +27,7 @@ struct Matrix {
 struct Size {
     int rows, columns;
 };
+void PrintTo(const Size &size, std::ostream *out) { *out << size.rows << "x" << size.columns; }
 constexpr Size kSizes[] = {{1, 1}, {1, 3}, {4, 1}, {3, 4}, {5, 7}, {6, 6}, {9, 2}, {0, 5}, {5, 0}};
 
 class MatrixDebug : public testing::TestWithParam<Size> {

@@ -197,6 +197,7 @@ struct Stepper {
     const char *name;
     dWorldStepFunction *step;
 };
+void PrintTo(const Stepper &stepper, std::ostream *out) { *out << stepper.name; }
 
 class UndoLog : public testing::TestWithParam<std::tuple<std::string, Stepper>> {
     OdeSession session;

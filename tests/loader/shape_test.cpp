@@ -16,6 +16,7 @@ struct RestingShape {
     std::string rotation;
     double height;  // of the centre above the floor
 };
+void PrintTo(const RestingShape &shape, std::ostream *out) { *out << shape.name; }
 
 class Resting : public testing::TestWithParam<RestingShape> {};
 

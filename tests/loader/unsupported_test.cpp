@@ -24,6 +24,7 @@ struct Case {
     const char *name;
     std::string sdf, path;
 };
+void PrintTo(const Case &element, std::ostream *out) { *out << element.name; }
 
 class Unsupported : public testing::TestWithParam<Case> {};
 
