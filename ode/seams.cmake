@@ -3,12 +3,11 @@
 #
 #   ode_mt_call_instead(FILES FUNCTION REPLACEMENT)  calls of FUNCTION in FILES go to REPLACEMENT, which
 #                                                    ode_mt/ defines; upstream's own function stays
-#   ode_mt_rename(FILE HEADER)                       public functions defined in FILE get the linker
-#                                                    names declared in ode/seams/HEADER, and ode_mt/api
-#                                                    defines the public ones. Assembler labels keep
-#                                                    __FUNCTION__, so upstream's messages stay the same
-#   ode_mt_compile_after(FILE HEADER)                FILE sees ode/seams/HEADER first, which takes the place
-#                                                    of internal headers of upstream
+#   ode_mt_compile_after(FILE HEADER)                FILE sees ode/seams/HEADER first. Most of them give
+#                                                    public functions defined in FILE other linker names,
+#                                                    and ode_mt/api defines the public ones. Assembler
+#                                                    labels keep __FUNCTION__, so upstream's messages stay
+#                                                    the same
 #   left out (ode/sources.cmake)                     ode_mt/ implements the interface of the whole file
 
 function(ode_mt_call_instead files function replacement)
@@ -16,11 +15,6 @@ function(ode_mt_call_instead files function replacement)
         set_property(SOURCE "${ODE_MT_UPSTREAM_DIR}/ode/src/${file}" APPEND PROPERTY
             COMPILE_DEFINITIONS "${function}=${replacement}")
     endforeach()
-endfunction()
-
-function(ode_mt_rename file header)
-    set_property(SOURCE "${ODE_MT_UPSTREAM_DIR}/ode/src/${file}" APPEND PROPERTY
-        COMPILE_OPTIONS -include "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/seams/${header}")
 endfunction()
 
 function(ode_mt_compile_after file header)
@@ -56,15 +50,20 @@ endforeach()
 
 # Initialisation counters are plain globals upstream; ours may be called from any thread, and closing
 # ends the worker threads (ode_mt/api/lifecycle.cpp).
-ode_mt_rename("odeinit.cpp" odeinit.h)
+ode_mt_compile_after("odeinit.cpp" odeinit.h)
 
 # A world's threading implementation may be freed after these calls: its threads are given back first
 # (ode_mt/api/world_threading.cpp).
-ode_mt_rename("ode.cpp" ode.h)
+ode_mt_compile_after("ode.cpp" ode.h)
 
 # The table of colliders is filled lazily for the user's geom classes, without a lock
-# (ode_mt/api/user_classes.cpp).
-ode_mt_rename("collision_kernel.cpp" collision_kernel.h)
+# (ode_mt/api/user_classes.cpp); spaces keep pairs from call to call and hear of changed filters
+# (ode_mt/api/geom_filters.cpp).
+ode_mt_compile_after("collision_kernel.cpp" collision_kernel.h)
+
+# Simple and hash spaces are ours: they find pairs incrementally, and report them in upstream's order
+# (ode_mt/collision/dxOrderedSpace.h).
+ode_mt_compile_after("collision_space.cpp" collision_space.h)
 
 # The exact step's triangular solves with vectors: same bits, less time (docs/solve.md).
 ode_mt_compile_after("lcp.cpp" lcp.h)

@@ -1,0 +1,51 @@
+// An axis-aligned box as dxGeom::aabb has it: min and max of x, y, z in turn, in world units.
+//
+// Comparisons are those of upstream's collideAABBs, so a NaN bound overlaps everything on its axis.
+#pragma once
+
+#include <cmath>
+#include <cstring>
+
+#include <ode/common.h>
+
+struct dxBounds {
+    dReal v[6];
+
+    dxBounds() = default;
+    explicit dxBounds(const dReal *aabb) { std::memcpy(v, aabb, sizeof v); }
+
+    dReal low(int axis) const { return v[2 * axis]; }
+    dReal high(int axis) const { return v[2 * axis + 1]; }
+
+    bool overlaps(const dxBounds &b) const {
+        return !(v[0] > b.v[1] || v[1] < b.v[0] || v[2] > b.v[3] || v[3] < b.v[2] || v[4] > b.v[5] ||
+                 v[5] < b.v[4]);
+    }
+
+    bool contains(const dxBounds &b) const {
+        return v[0] <= b.v[0] && b.v[1] <= v[1] && v[2] <= b.v[2] && b.v[3] <= v[3] && v[4] <= b.v[4] &&
+               b.v[5] <= v[5];
+    }
+
+    // All six are finite and no minimum exceeds its maximum.
+    bool isProper() const {
+        for (int axis = 0; axis < 3; ++axis)
+            if (!std::isfinite(low(axis)) || !std::isfinite(high(axis)) || low(axis) > high(axis)) return false;
+        return true;
+    }
+
+    dReal longestEdge() const {
+        dReal longest = 0;
+        for (int axis = 0; axis < 3; ++axis) longest = std::fmax(longest, high(axis) - low(axis));
+        return longest;
+    }
+
+    dxBounds grown(dReal margin) const {
+        dxBounds box;
+        for (int axis = 0; axis < 3; ++axis) {
+            box.v[2 * axis] = v[2 * axis] - margin;
+            box.v[2 * axis + 1] = v[2 * axis + 1] + margin;
+        }
+        return box;
+    }
+};

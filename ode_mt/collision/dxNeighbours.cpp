@@ -1,0 +1,55 @@
+#include "collision/dxNeighbours.h"
+
+namespace {
+
+// Share of its longest edge that a box is given as margin. A wider one means fewer searches and more
+// candidates that do not touch; between 5 and 20 % the time of a frame is the same within its noise.
+constexpr dReal kMargin = 0.1;
+
+}  // namespace
+
+void dxNeighbours::insert(Slot slot, const dxBounds &box) {
+    if (slot >= m_nodes.size()) m_nodes.resize(slot + 1);
+    // Most boxes that are added never move: they get no margin until they do.
+    store(slot, box);
+}
+
+void dxNeighbours::move(Slot slot, const dxBounds &box) {
+    if (m_nodes[slot].stored.contains(box)) return;
+    takeOut(slot);
+    store(slot, box.isProper() ? box.grown(kMargin * box.longestEdge()) : box);
+}
+
+void dxNeighbours::remove(Slot slot) { takeOut(slot); }
+
+void dxNeighbours::store(Slot slot, const dxBounds &stored) {
+    Node &node = m_nodes[slot];
+    node.stored = stored;
+    m_grid.search(node.stored, [&](Slot other) {
+        if (node.stored.overlaps(m_nodes[other].stored)) link(slot, other);
+    });
+    m_grid.insert(slot, node.stored);
+}
+
+void dxNeighbours::takeOut(Slot slot) {
+    m_grid.remove(slot);
+    unlinkAll(slot);
+}
+
+void dxNeighbours::link(Slot a, Slot b) {
+    std::vector<Candidate> &ofA = m_nodes[a].candidates, &ofB = m_nodes[b].candidates;
+    const auto atA = static_cast<std::uint32_t>(ofA.size()), atB = static_cast<std::uint32_t>(ofB.size());
+    ofA.push_back({b, atB});
+    ofB.push_back({a, atA});
+}
+
+void dxNeighbours::unlinkAll(Slot slot) {
+    for (const Candidate &candidate : m_nodes[slot].candidates) {
+        std::vector<Candidate> &others = m_nodes[candidate.slot].candidates;
+        const Candidate moved = others.back();
+        others[candidate.back] = moved;
+        m_nodes[moved.slot].candidates[moved.back].back = candidate.back;
+        others.pop_back();
+    }
+    m_nodes[slot].candidates.clear();
+}

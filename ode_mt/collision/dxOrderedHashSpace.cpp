@@ -1,0 +1,150 @@
+#include "collision/dxOrderedHashSpace.h"
+
+#include <algorithm>
+#include <climits>
+
+#include "util.h"
+#include "collision_space_internal.h"
+
+namespace {
+
+using Kind = dxHashCells::Kind;
+
+// Of a key: what upstream looks at first, second and last.
+enum Stage : std::uint64_t { kWithinTable, kTableWithBig, kWithinBig };
+
+std::uint64_t stageAndRank(Stage stage, dxRank rank) {
+    constexpr std::uint64_t kRankBits = (UINT64_C(1) << 62) - 1;
+    return static_cast<std::uint64_t>(stage) << 62 | (dxFrontFirst(rank) & kRankBits);
+}
+
+// Two signed numbers in one word that sorts as they do.
+std::uint64_t pack(int high, int low) {
+    const auto biased = [](int i) { return static_cast<std::uint32_t>(i) ^ UINT32_C(0x80000000); };
+    return static_cast<std::uint64_t>(biased(high)) << 32 | biased(low);
+}
+
+struct Element {
+    const dxHashCells &cells;
+    dxRank rank;
+};
+
+// The key of a pair with `a` standing before `b` in the list.
+bool placeInOrder(const Element &a, const Element &b, dxPairKey &key, bool &swapped) {
+    const bool aInTable = a.cells.kind() == Kind::inTable, bInTable = b.cells.kind() == Kind::inTable;
+    if (!aInTable || !bInTable) {
+        swapped = !aInTable && bInTable;
+        const Element &outer = swapped ? b : a, &inner = swapped ? a : b;
+        const Stage stage = aInTable || bInTable ? kTableWithBig : kWithinBig;
+        key.words = {stageAndRank(stage, outer.rank), 0, 0, dxFrontFirst(inner.rank)};
+        return true;
+    }
+    // A search meets only boxes of its own level and of higher ones: the smaller of the two finds the other.
+    swapped = b.cells.level() < a.cells.level();
+    const Element &searcher = swapped ? b : a, &found = swapped ? a : b;
+    dxHashCells::Cell cell;
+    if (!dxHashCells::firstSharedCell(searcher.cells, found.cells, cell)) return false;
+    // Within a cell upstream meets first what it stored last.
+    key.words = {stageAndRank(kWithinTable, searcher.rank), pack(found.cells.level(), cell.x),
+                 pack(cell.y, cell.z), dxBackFirst(found.rank)};
+    return true;
+}
+
+struct ListedPair {
+    dxPairKey key;
+    dxGeom *first, *second;
+};
+
+// With upstream's text.
+void reportOutOfRange() {
+    dDebug(d_ERR_IASSERT,
+           "assertion \"aabbBound >= dMinIntExact && aabbBound < dMaxIntExact\" failed in collide() [%s:%u]",
+           __FILE__, __LINE__);
+}
+
+}  // namespace
+
+void dxOrderedHashSpace::setLevels(const dxHashLevels &levels) {
+    m_levels = levels;
+    allChanged();
+}
+
+void dxOrderedHashSpace::collide(void *data, dNearCallback *callback) {
+    dAASSERT(callback);
+    if (count < 2) return;  // upstream does not even clean the geoms then
+    lock_count++;
+    cleanGeoms();
+    if (refresh()) {
+        requireInRange();
+        collidePairs(data, callback);
+    } else {
+        collideList(data, callback);
+    }
+    lock_count--;
+}
+
+void dxOrderedHashSpace::boxChanged(Slot slot, dxGeom *geom) {
+    if (slot >= m_cells.size()) m_cells.resize(slot + 1);
+    memberGone(slot);
+    m_cells[slot] = dxHashCells(geom->aabb, m_levels);
+    m_outOfRange += m_cells[slot].kind() == Kind::outOfRange;
+}
+
+void dxOrderedHashSpace::memberGone(Slot slot) {
+    m_outOfRange -= m_cells[slot].kind() == Kind::outOfRange;
+    m_cells[slot] = dxHashCells();
+}
+
+bool dxOrderedHashSpace::place(Slot a, Slot b, dxPairKey &key, bool &swapped) const {
+    if (m_cells[a].kind() == Kind::outOfRange || m_cells[b].kind() == Kind::outOfRange) return false;
+    const bool reversed = rankOf(a) < rankOf(b);
+    if (reversed) std::swap(a, b);
+    const bool placed = placeInOrder({m_cells[a], rankOf(a)}, {m_cells[b], rankOf(b)}, key, swapped);
+    swapped = swapped != reversed;
+    return placed;
+}
+
+void dxOrderedHashSpace::requireInRange() const {
+    if (m_outOfRange == 0) return;
+    for (const dxGeom *geom = first; geom != nullptr; geom = geom->next)
+        if (dxGeomIsEnabled(geom) && m_cells[slotOf(geom)].kind() == Kind::outOfRange) reportOutOfRange();
+}
+
+// Upstream asks which geoms are enabled before the first callback, and does not ask again.
+void dxOrderedHashSpace::collidePairs(void *data, dNearCallback *callback) {
+    const auto bothEnabled = [](const dxOrderedPair &pair) {
+        return dxGeomIsEnabled(pair.first) && dxGeomIsEnabled(pair.second);
+    };
+    if (std::all_of(pairs().begin(), pairs().end(), bothEnabled)) {
+        for (const dxOrderedPair &pair : pairs()) dxDeliver(pair, data, callback);
+        return;
+    }
+    std::vector<dxOrderedPair> enabled;
+    std::copy_if(pairs().begin(), pairs().end(), std::back_inserter(enabled), bothEnabled);
+    for (const dxOrderedPair &pair : enabled) dxDeliver(pair, data, callback);
+}
+
+// All pairs that share a cell, whether or not their boxes overlap, for the assertions in collideAABBs.
+void dxOrderedHashSpace::collideList(void *data, dNearCallback *callback) {
+    std::vector<dxGeom *> geoms;
+    std::vector<dxHashCells> cells;
+    for (dxGeom *geom = first; geom != nullptr; geom = geom->next) {
+        if (!dxGeomIsEnabled(geom)) continue;
+        geoms.push_back(geom);
+        cells.emplace_back(geom->aabb, m_levels);
+        if (cells.back().kind() == Kind::outOfRange) reportOutOfRange();
+    }
+    std::vector<ListedPair> found;
+    for (std::size_t i = 0; i < geoms.size(); ++i)
+        for (std::size_t j = i + 1; j < geoms.size(); ++j) {
+            ListedPair pair;
+            bool swapped = false;
+            const dxRank last = geoms.size();
+            if (!placeInOrder({cells[i], last - i}, {cells[j], last - j}, pair.key, swapped)) continue;
+            pair.first = geoms[swapped ? j : i];
+            pair.second = geoms[swapped ? i : j];
+            found.push_back(pair);
+        }
+    std::sort(found.begin(), found.end(), [](const ListedPair &a, const ListedPair &b) { return a.key < b.key; });
+    for (const ListedPair &pair : found) collideAABBs(pair.first, pair.second, data, callback);
+}

@@ -1,0 +1,31 @@
+// The hash space: each geom looks for others in the cells that it covers, on its own level and those above;
+// then come pairs with geoms too large for any level. docs/collision-order.md.
+#pragma once
+
+#include <vector>
+
+#include "collision/dxHashCells.h"
+#include "collision/dxOrderedSpace.h"
+
+class dxOrderedHashSpace final : public dxOrderedSpace {
+public:
+    explicit dxOrderedHashSpace(dSpaceID parent) : dxOrderedSpace(parent, dHashSpaceClass) {}
+
+    void setLevels(const dxHashLevels &levels);
+    const dxHashLevels &levels() const { return m_levels; }
+
+    void collide(void *data, dNearCallback *callback) override;
+
+private:
+    void boxChanged(Slot slot, dxGeom *geom) override;
+    void memberGone(Slot slot) override;
+    bool place(Slot a, Slot b, dxPairKey &key, bool &swapped) const override;
+
+    void collidePairs(void *data, dNearCallback *callback);
+    void collideList(void *data, dNearCallback *callback);
+    void requireInRange() const;
+
+    dxHashLevels m_levels{-3, 10};  // upstream's defaults
+    std::vector<dxHashCells> m_cells;  // by slot
+    int m_outOfRange = 0;              // members whose kind is that
+};

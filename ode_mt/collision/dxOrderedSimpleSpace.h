@@ -1,0 +1,19 @@
+// The simple space: all pairs, each geom with those behind it in the list, from the front on.
+#pragma once
+
+#include "collision/dxOrderedSpace.h"
+
+class dxOrderedSimpleSpace final : public dxOrderedSpace {
+public:
+    explicit dxOrderedSimpleSpace(dSpaceID parent) : dxOrderedSpace(parent, dSimpleSpaceClass) {}
+
+    void collide(void *data, dNearCallback *callback) override;
+
+private:
+    void boxChanged(Slot, dxGeom *) override {}
+    void memberGone(Slot) override {}
+    bool place(Slot a, Slot b, dxPairKey &key, bool &swapped) const override;
+
+    void collidePairs(void *data, dNearCallback *callback);
+    void collideList(void *data, dNearCallback *callback);
+};

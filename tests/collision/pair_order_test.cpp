@@ -1,0 +1,62 @@
+// Pairs and their order in random spaces, against Debian's libode8: docs/collision-order.md.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+
+#include "child_process.h"
+
+namespace {
+
+struct Kind {
+    const char *name;
+    bool hash;
+    int geoms, frames, seeds;
+};
+void PrintTo(const Kind &kind, std::ostream *out) { *out << kind.name; }
+
+class PairOrder : public testing::TestWithParam<Kind> {};
+
+exactness::ChildResult run(const char *libraryFolder, unsigned seed, const Kind &kind) {
+    return exactness::runChild({ODE_MT_PAIR_SEQUENCE_PROGRAM, std::to_string(seed), kind.hash ? "1" : "0",
+                                std::to_string(kind.geoms), std::to_string(kind.frames)},
+                               {{"LD_LIBRARY_PATH", libraryFolder}});
+}
+
+std::string firstDifference(const std::string &stock, const std::string &ours) {
+    std::istringstream stockLines(stock), oursLines(ours);
+    std::string a, b;
+    while (std::getline(stockLines, a) && std::getline(oursLines, b)) {
+        if (a == b) continue;
+        std::size_t at = 0;
+        while (at < a.size() && at < b.size() && a[at] == b[at]) ++at;
+        const std::size_t from = at > 60 ? at - 60 : 0;
+        return a.substr(0, a.find(':')) + "\n  libode8: ..." + a.substr(from, 120) + "\n  ours:    ..." +
+               b.substr(from, 120);
+    }
+    return "one report is longer";
+}
+
+TEST_P(PairOrder, IsThatOfLibode8) {
+    const Kind &kind = GetParam();
+    std::size_t pairs = 0;
+    for (unsigned seed = 1; seed <= static_cast<unsigned>(kind.seeds); ++seed) {
+        const auto stock = run(ODE_MT_STOCK_LIBRARY_DIR, seed, kind);
+        const auto ours = run(ODE_MT_LIBRARY_DIR, seed, kind);
+        ASSERT_TRUE(stock.succeeded) << "seed " << seed << ": libode8 ended with " << stock.ending << stock.errors;
+        ASSERT_TRUE(ours.succeeded) << "seed " << seed << ": ours ended with " << ours.ending << ours.errors;
+        ASSERT_TRUE(stock.output == ours.output)
+            << "seed " << seed << ", " << firstDifference(stock.output, ours.output);
+        pairs += static_cast<std::size_t>(std::count(stock.output.begin(), stock.output.end(), '-'));
+    }
+    EXPECT_GT(pairs, static_cast<std::size_t>(kind.geoms) * kind.frames) << "too little met to show an order";
+}
+
+INSTANTIATE_TEST_SUITE_P(Spaces, PairOrder,
+                         testing::Values(Kind{"simpleFew", false, 12, 60, 40}, Kind{"simpleMany", false, 300, 40, 12},
+                                         Kind{"hashFew", true, 12, 60, 40}, Kind{"hashMany", true, 300, 40, 12},
+                                         Kind{"hashCrowd", true, 1500, 10, 3}),
+                         [](const auto &info) { return info.param.name; });
+
+}  // namespace
