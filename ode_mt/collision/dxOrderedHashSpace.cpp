@@ -83,23 +83,28 @@ void dxOrderedHashSpace::collide(void *data, dNearCallback *callback) {
     lock_count--;
 }
 
-void dxOrderedHashSpace::boxChanged(Slot slot, dxGeom *geom) {
-    if (slot >= m_cells.size()) m_cells.resize(slot + 1);
-    memberGone(slot);
-    m_cells[slot] = dxHashCells(geom->aabb, m_levels);
-    m_outOfRange += m_cells[slot].kind() == Kind::outOfRange;
+void dxOrderedHashSpace::update(std::vector<dxOrderedPair> &pairs) {
+    updateCells();
+    m_sparse.update(members(), *this, pairs);
 }
 
-void dxOrderedHashSpace::memberGone(Slot slot) {
-    m_outOfRange -= m_cells[slot].kind() == Kind::outOfRange;
-    m_cells[slot] = dxHashCells();
+void dxOrderedHashSpace::updateCells() {
+    m_cells.resize(members().end());
+    for (const Slot slot : members().changed()) {
+        dxHashCells &cells = m_cells[slot];
+        m_outOfRange -= cells.kind() == Kind::outOfRange;
+        const dxMembers::Member &member = members()[slot];
+        cells = member.geom != nullptr ? dxHashCells(member.bounds.v, m_levels) : dxHashCells();
+        m_outOfRange += cells.kind() == Kind::outOfRange;
+    }
 }
 
 bool dxOrderedHashSpace::place(Slot a, Slot b, dxPairKey &key, bool &swapped) const {
     if (m_cells[a].kind() == Kind::outOfRange || m_cells[b].kind() == Kind::outOfRange) return false;
-    const bool reversed = rankOf(a) < rankOf(b);
+    const bool reversed = members()[a].rank < members()[b].rank;
     if (reversed) std::swap(a, b);
-    const bool placed = placeInOrder({m_cells[a], rankOf(a)}, {m_cells[b], rankOf(b)}, key, swapped);
+    const bool placed =
+        placeInOrder({m_cells[a], members()[a].rank}, {m_cells[b], members()[b].rank}, key, swapped);
     swapped = swapped != reversed;
     return placed;
 }

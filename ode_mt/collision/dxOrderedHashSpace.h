@@ -6,8 +6,9 @@
 
 #include "collision/dxHashCells.h"
 #include "collision/dxOrderedSpace.h"
+#include "collision/dxSparsePairs.h"
 
-class dxOrderedHashSpace final : public dxOrderedSpace {
+class dxOrderedHashSpace final : public dxOrderedSpace, private dxPairPlacer {
 public:
     explicit dxOrderedHashSpace(dSpaceID parent) : dxOrderedSpace(parent, dHashSpaceClass) {}
 
@@ -17,15 +18,16 @@ public:
     void collide(void *data, dNearCallback *callback) override;
 
 private:
-    void boxChanged(Slot slot, dxGeom *geom) override;
-    void memberGone(Slot slot) override;
+    void update(std::vector<dxOrderedPair> &pairs) override;
     bool place(Slot a, Slot b, dxPairKey &key, bool &swapped) const override;
 
     void collidePairs(void *data, dNearCallback *callback);
     void collideList(void *data, dNearCallback *callback);
+    void updateCells();
     void requireInRange() const;
 
     dxHashLevels m_levels{-3, 10};  // upstream's defaults
     std::vector<dxHashCells> m_cells;  // by slot
     int m_outOfRange = 0;              // members whose kind is that
+    dxSparsePairs m_sparse;
 };

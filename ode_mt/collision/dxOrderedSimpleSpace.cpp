@@ -5,6 +5,15 @@
 #include "util.h"
 #include "collision_space_internal.h"
 
+namespace {
+
+// Up to this many geoms comparing boxes by vectors is faster than keeping neighbours and sorting, whatever
+// share of them moves (docs/collision-order.md has the figures). A space on the border does not go back and
+// forth: it turns dense again at half of it.
+constexpr int kLargestDense = 512;
+
+}  // namespace
+
 void dxOrderedSimpleSpace::collide(void *data, dNearCallback *callback) {
     dAASSERT(callback);
     lock_count++;
@@ -16,9 +25,25 @@ void dxOrderedSimpleSpace::collide(void *data, dNearCallback *callback) {
     lock_count--;
 }
 
+void dxOrderedSimpleSpace::update(std::vector<dxOrderedPair> &pairs) {
+    const bool isNew = m_dense == nullptr && m_sparse == nullptr;
+    const bool dense = count <= (m_sparse == nullptr ? kLargestDense : kLargestDense / 2);
+    if (isNew || dense != (m_dense != nullptr)) {
+        m_dense.reset(dense ? new dxDensePairs : nullptr);
+        m_sparse.reset(dense ? nullptr : new dxSparsePairs);
+        allChanged();
+        pairs.clear();
+    }
+    if (dense)
+        m_dense->update(members(), pairs);
+    else
+        m_sparse->update(members(), *this, pairs);
+}
+
 bool dxOrderedSimpleSpace::place(Slot a, Slot b, dxPairKey &key, bool &swapped) const {
-    swapped = rankOf(a) < rankOf(b);
-    key.words = {dxFrontFirst(std::max(rankOf(a), rankOf(b))), dxFrontFirst(std::min(rankOf(a), rankOf(b))), 0, 0};
+    const dxRank rankA = members()[a].rank, rankB = members()[b].rank;
+    swapped = rankA < rankB;
+    key.words = {dxFrontFirst(std::max(rankA, rankB)), dxFrontFirst(std::min(rankA, rankB)), 0, 0};
     return true;
 }
 

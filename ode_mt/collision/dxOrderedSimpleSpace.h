@@ -1,19 +1,26 @@
 // The simple space: all pairs, each geom with those behind it in the list, from the front on.
 #pragma once
 
-#include "collision/dxOrderedSpace.h"
+#include <memory>
 
-class dxOrderedSimpleSpace final : public dxOrderedSpace {
+#include "collision/dxDensePairs.h"
+#include "collision/dxOrderedSpace.h"
+#include "collision/dxSparsePairs.h"
+
+class dxOrderedSimpleSpace final : public dxOrderedSpace, private dxPairPlacer {
 public:
     explicit dxOrderedSimpleSpace(dSpaceID parent) : dxOrderedSpace(parent, dSimpleSpaceClass) {}
 
     void collide(void *data, dNearCallback *callback) override;
 
 private:
-    void boxChanged(Slot, dxGeom *) override {}
-    void memberGone(Slot) override {}
+    void update(std::vector<dxOrderedPair> &pairs) override;
     bool place(Slot a, Slot b, dxPairKey &key, bool &swapped) const override;
 
     void collidePairs(void *data, dNearCallback *callback);
     void collideList(void *data, dNearCallback *callback);
+
+    // One of them, by the size of the space.
+    std::unique_ptr<dxDensePairs> m_dense;
+    std::unique_ptr<dxSparsePairs> m_sparse;
 };

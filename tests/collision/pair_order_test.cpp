@@ -13,6 +13,7 @@ struct Kind {
     const char *name;
     bool hash;
     int geoms, frames, seeds;
+    bool breathes;
 };
 void PrintTo(const Kind &kind, std::ostream *out) { *out << kind.name; }
 
@@ -20,7 +21,7 @@ class PairOrder : public testing::TestWithParam<Kind> {};
 
 exactness::ChildResult run(const char *libraryFolder, unsigned seed, const Kind &kind) {
     return exactness::runChild({ODE_MT_PAIR_SEQUENCE_PROGRAM, std::to_string(seed), kind.hash ? "1" : "0",
-                                std::to_string(kind.geoms), std::to_string(kind.frames)},
+                                std::to_string(kind.geoms), std::to_string(kind.frames), kind.breathes ? "1" : "0"},
                                {{"LD_LIBRARY_PATH", libraryFolder}});
 }
 
@@ -54,9 +55,15 @@ TEST_P(PairOrder, IsThatOfLibode8) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Spaces, PairOrder,
-                         testing::Values(Kind{"simpleFew", false, 12, 60, 40}, Kind{"simpleMany", false, 300, 40, 12},
-                                         Kind{"hashFew", true, 12, 60, 40}, Kind{"hashMany", true, 300, 40, 12},
-                                         Kind{"hashCrowd", true, 1500, 10, 3}),
+                         testing::Values(Kind{"simpleFew", false, 12, 60, 40, false},
+                                         Kind{"simpleMany", false, 300, 40, 12, false},
+                                         // back and forth between the two ways of finding pairs
+                                         Kind{"simpleBreathing", false, 300, 40, 12, true},
+                                         Kind{"simpleCrowd", false, 1500, 10, 3, false},
+                                         Kind{"hashFew", true, 12, 60, 40, false},
+                                         Kind{"hashMany", true, 300, 40, 12, false},
+                                         Kind{"hashBreathing", true, 100, 40, 12, true},
+                                         Kind{"hashCrowd", true, 1500, 10, 3, false}),
                          [](const auto &info) { return info.param.name; });
 
 }  // namespace

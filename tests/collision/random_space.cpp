@@ -10,7 +10,7 @@ int numberOf(dGeomID geom) { return static_cast<int>(reinterpret_cast<std::intpt
 
 }  // namespace
 
-RandomSpace::RandomSpace(const Recipe &recipe) : m_random(recipe.seed) {
+RandomSpace::RandomSpace(const Recipe &recipe) : m_random(recipe.seed), m_breath(recipe.breathes ? recipe.geoms / 5 : 0) {
     m_world = dWorldCreate();
     m_space = recipe.hash ? dHashSpaceCreate(nullptr) : dSimpleSpaceCreate(nullptr);
     if (recipe.hash && chance(0.5)) {
@@ -76,7 +76,21 @@ void RandomSpace::place(dGeomID geom) {
     dGeomSetPosition(geom, position[0], position[1], position[2]);
 }
 
-void RandomSpace::changeSomething() {
+void RandomSpace::breathe(int frame) {
+    const bool grows = frame % 10 < 5;
+    for (int i = 0; i < m_breath; ++i) {
+        if (grows) {
+            m_geoms.push_back(make());
+        } else {
+            std::swap(m_geoms[below(static_cast<int>(m_geoms.size()))], m_geoms.back());
+            dGeomDestroy(m_geoms.back());
+            m_geoms.pop_back();
+        }
+    }
+}
+
+void RandomSpace::changeSomething(int frame) {
+    breathe(frame);
     const bool quiet = chance(0.2);
     const int changes = quiet ? 0 : below(static_cast<int>(m_geoms.size()) + 1) / (chance(0.5) ? 10 : 1);
     for (int i = 0; i < changes; ++i) change(m_geoms[below(static_cast<int>(m_geoms.size()))]);

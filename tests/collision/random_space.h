@@ -17,6 +17,7 @@ struct Recipe {
     bool hash;  // else a simple space
     int geoms;
     int frames;
+    bool breathes;  // grows to twice its size and shrinks again, time after time
 };
 
 class RandomSpace {
@@ -26,7 +27,7 @@ public:
     RandomSpace(const RandomSpace &) = delete;
     RandomSpace &operator=(const RandomSpace &) = delete;
 
-    void changeSomething();
+    void changeSomething(int frame);
 
     // Collides once; the numbers of the geoms of each callback, in order.
     std::vector<std::pair<int, int>> collide();
@@ -39,6 +40,7 @@ private:
     int below(int end) { return std::uniform_int_distribution<int>(0, end - 1)(m_random); }
     bool chance(double probability) { return std::bernoulli_distribution(probability)(m_random); }
     dReal size() { return std::pow(dReal(10), uniform(m_smallest, m_largest)); }
+    void breathe(int frame);
     dGeomID make();
     dGeomID makeShape();
     dSpaceID makeSubspace();
@@ -49,6 +51,7 @@ private:
     std::mt19937 m_random;
     dWorldID m_world;
     dSpaceID m_space;
+    int m_breath;  // geoms that come or go at a frame, 0 if none
     dReal m_smallest, m_largest;  // sizes, as powers of ten
     dReal m_extent;               // half the edge of the cube in which geoms are placed
     dVector3 m_centre;

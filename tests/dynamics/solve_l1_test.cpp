@@ -1,6 +1,6 @@
 // The triangular solves give upstream's bits: for every instruction set of this machine, size, stride and row
 // skip, whatever the values.
-#include "dynamics/solve/dxSimdTargets.h"
+#include "simd/dxSimdTargets.h"
 #include "dynamics/solve/dxSolveL1.h"
 #include "upstream_solve_l1.h"
 

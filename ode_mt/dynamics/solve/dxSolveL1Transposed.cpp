@@ -1,4 +1,4 @@
-#include "dynamics/solve/dxSimdTargets.h"
+#include "simd/dxSimdTargets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "dynamics/solve/dxSolveL1Transposed.cpp"

@@ -1,4 +1,4 @@
-// The instruction sets that the solvers are compiled for. Include before any header of Highway.
+// The instruction sets that vector code is compiled for. Include before any header of Highway.
 //
 // Left out: AVX3_DL, which adds nothing that is used here to AVX3, and vectors whose length is not known
 // when compiling, which tiles with a fixed number of rows cannot use.

@@ -1,0 +1,53 @@
+// The geoms of a space by slots, with what has changed since pairs were last looked for.
+//
+// A member's rank tells where it stands in upstream's list: of two members, the one with the higher rank
+// stands further to the front. Slots of members that go are not given again before the changes are
+// forgotten, so that a slot in a kept pair always means the geom that it meant then.
+// Not thread safe.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <ode/common.h>
+
+#include "collision/dxBounds.h"
+#include "collision/dxPairKey.h"
+
+class dxMembers {
+public:
+    using Slot = std::uint32_t;
+
+    struct Member {
+        dxGeom *geom = nullptr;  // NULL: nobody
+        dxRank rank = 0;         // 0: none yet
+        dxBounds bounds;         // as of the last search for pairs
+        bool sought = false;     // pairs were looked for since it came
+    };
+
+    Slot add(dxGeom *geom);
+    void remove(Slot slot);
+
+    const Member &operator[](Slot slot) const { return m_members[slot]; }
+    Slot end() const { return static_cast<Slot>(m_members.size()); }  // slots are below
+
+    // Ranks are given downwards from a number that is above all earlier ones.
+    dxRank firstOf(int ranks) { return m_highest += static_cast<dxRank>(ranks); }
+    void setRank(Slot slot, dxRank rank);
+    int unranked() const { return m_unranked; }
+
+    void markChanged(Slot slot);
+    // Also of members that have gone; those are nobody.
+    const std::vector<Slot> &changed() const { return m_changed; }
+    bool isChanged(Slot slot) const { return m_isChanged[slot] != 0; }
+    void setBounds(Slot slot, const dxBounds &bounds);
+    void forgetChanges();
+
+private:
+    std::vector<Member> m_members;
+    std::vector<Slot> m_free, m_gone;  // m_gone: free when the changes are forgotten
+    std::vector<Slot> m_changed;
+    std::vector<std::uint8_t> m_isChanged;
+    dxRank m_highest = 0;
+    int m_unranked = 0;
+};
