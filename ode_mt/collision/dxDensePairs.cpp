@@ -64,7 +64,7 @@ void dxDensePairs::findPairs(const dxMembers &members, std::size_t rows) {
     for (std::size_t row = 0; row < rows; ++row) {
         const Slot slot = m_order[row];
         dxGeom *const geom = members[slot].geom;
-        const std::size_t count = dxOverlappingRows(m_boxes, row, m_rows.data());
+        const std::size_t count = dxOverlappingRows(m_boxes, members[slot].bounds, row + 1, m_rows.data());
         for (std::size_t i = 0; i < count; ++i) {
             const Slot other = m_order[m_rows[i]];
             dxGeom *const otherGeom = members[other].geom;

@@ -66,7 +66,7 @@ void reportOutOfRange() {
 
 void dxOrderedHashSpace::setLevels(const dxHashLevels &levels) {
     m_levels = levels;
-    allChanged();
+    startAnew();
 }
 
 void dxOrderedHashSpace::collide(void *data, dNearCallback *callback) {
@@ -85,7 +85,7 @@ void dxOrderedHashSpace::collide(void *data, dNearCallback *callback) {
 
 void dxOrderedHashSpace::update(std::vector<dxOrderedPair> &pairs) {
     updateCells();
-    m_sparse.update(members(), *this, pairs);
+    dxOrderedSpace::update(pairs);
 }
 
 void dxOrderedHashSpace::updateCells() {

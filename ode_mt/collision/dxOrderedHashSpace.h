@@ -6,9 +6,8 @@
 
 #include "collision/dxHashCells.h"
 #include "collision/dxOrderedSpace.h"
-#include "collision/dxSparsePairs.h"
 
-class dxOrderedHashSpace final : public dxOrderedSpace, private dxPairPlacer {
+class dxOrderedHashSpace final : public dxOrderedSpace {
 public:
     explicit dxOrderedHashSpace(dSpaceID parent) : dxOrderedSpace(parent, dHashSpaceClass) {}
 
@@ -29,5 +28,4 @@ private:
     dxHashLevels m_levels{-3, 10};  // upstream's defaults
     std::vector<dxHashCells> m_cells;  // by slot
     int m_outOfRange = 0;              // members whose kind is that
-    dxSparsePairs m_sparse;
 };

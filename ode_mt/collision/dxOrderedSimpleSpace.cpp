@@ -26,18 +26,15 @@ void dxOrderedSimpleSpace::collide(void *data, dNearCallback *callback) {
 }
 
 void dxOrderedSimpleSpace::update(std::vector<dxOrderedPair> &pairs) {
-    const bool isNew = m_dense == nullptr && m_sparse == nullptr;
-    const bool dense = count <= (m_sparse == nullptr ? kLargestDense : kLargestDense / 2);
-    if (isNew || dense != (m_dense != nullptr)) {
+    const bool dense = !hasSearch() && count <= (m_dense != nullptr ? kLargestDense : kLargestDense / 2);
+    if (dense != (m_dense != nullptr)) {
         m_dense.reset(dense ? new dxDensePairs : nullptr);
-        m_sparse.reset(dense ? nullptr : new dxSparsePairs);
-        allChanged();
-        pairs.clear();
+        startAnew();
     }
     if (dense)
         m_dense->update(members(), pairs);
     else
-        m_sparse->update(members(), *this, pairs);
+        dxOrderedSpace::update(pairs);
 }
 
 bool dxOrderedSimpleSpace::place(Slot a, Slot b, dxPairKey &key, bool &swapped) const {

@@ -5,9 +5,8 @@
 
 #include "collision/dxDensePairs.h"
 #include "collision/dxOrderedSpace.h"
-#include "collision/dxSparsePairs.h"
 
-class dxOrderedSimpleSpace final : public dxOrderedSpace, private dxPairPlacer {
+class dxOrderedSimpleSpace final : public dxOrderedSpace {
 public:
     explicit dxOrderedSimpleSpace(dSpaceID parent) : dxOrderedSpace(parent, dSimpleSpaceClass) {}
 
@@ -20,7 +19,5 @@ private:
     void collidePairs(void *data, dNearCallback *callback);
     void collideList(void *data, dNearCallback *callback);
 
-    // One of them, by the size of the space.
-    std::unique_ptr<dxDensePairs> m_dense;
-    std::unique_ptr<dxSparsePairs> m_sparse;
+    std::unique_ptr<dxDensePairs> m_dense;  // while the space is small
 };

@@ -1,5 +1,9 @@
 #include "collision/dxOrderedSpace.h"
 
+#include <utility>
+
+#include "collision/dxNeighbourSearch.h"
+
 #include "util.h"
 #include "collision_space_internal.h"
 
@@ -46,7 +50,15 @@ void dxOrderedSpace::remove(dxGeom *geom) {
     m_members.remove(slot);
 }
 
-void dxOrderedSpace::allChanged() {
+void dxOrderedSpace::setSearch(std::unique_ptr<dxPairSearch> search) {
+    m_search = std::move(search);
+    startAnew();
+}
+
+void dxOrderedSpace::startAnew() {
+    m_pairs.clear();
+    m_ownSearch.reset();
+    m_kept.reset();
     for (Slot slot = 0; slot < m_members.end(); ++slot)
         if (m_members[slot].geom != nullptr) m_members.markChanged(slot);
 }
@@ -94,6 +106,14 @@ bool dxOrderedSpace::refresh() {
     update(m_pairs);
     m_members.forgetChanges();
     return true;
+}
+
+void dxOrderedSpace::update(std::vector<dxOrderedPair> &pairs) {
+    if (m_search == nullptr && m_ownSearch == nullptr) m_ownSearch.reset(new dxNeighbourSearch);
+    if (m_kept == nullptr) m_kept.reset(new dxKeptPairs);
+    m_matches.clear();
+    (m_search != nullptr ? m_search : m_ownSearch)->search(m_members, m_matches);
+    m_kept->update(m_members, m_matches, *this, pairs);
 }
 
 void dxOrderedSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback) {

@@ -16,6 +16,7 @@
 // One thread at a time, as upstream. docs/collision-order.md.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include <ode/ode.h>
@@ -23,10 +24,12 @@
 #include "config.h"
 #include "objects.h"
 #include "collision_kernel.h"
+#include "collision/dxKeptPairs.h"
 #include "collision/dxMembers.h"
 #include "collision/dxOrderedPair.h"
+#include "collision/dxPairSearch.h"
 
-class dxOrderedSpace : public dxSpace {
+class dxOrderedSpace : public dxSpace, protected dxPairPlacer {
 public:
     using Slot = dxMembers::Slot;
 
@@ -40,6 +43,11 @@ public:
     void cleanGeoms() override;
     void collide2(void *data, dxGeom *geom, dNearCallback *callback) override;
 
+    // From now on pairs are found by `search`, NULL: by the way that suits the size of the space. Not while
+    // the space is locked.
+    void setSearch(std::unique_ptr<dxPairSearch> search);
+    const dxPairSearch *search() const { return m_search.get(); }
+
     // The category bits, collide bits or body of a member changed, which moves nothing.
     void filtersChanged(dxGeom *geom) { m_members.markChanged(slotOf(geom)); }
 
@@ -50,15 +58,16 @@ protected:
     // the caller has to walk the list as upstream does.
     bool refresh();
 
-    // All pairs are looked for again at the next refresh.
-    void allChanged();
+    // All pairs are looked for again, from nothing: at this update or at the next.
+    void startAnew();
+    bool hasSearch() const { return m_search != nullptr; }
 
     const dxMembers &members() const { return m_members; }
     const std::vector<dxOrderedPair> &pairs() const { return m_pairs; }
     static Slot slotOf(const dxGeom *geom);
 
-    // Members have changed: brings `pairs` up to date. Those changed have their new ranks and boxes.
-    virtual void update(std::vector<dxOrderedPair> &pairs) = 0;
+    // Members have changed, and have their new ranks and boxes: brings `pairs` up to date.
+    virtual void update(std::vector<dxOrderedPair> &pairs);
 
 private:
     void rank(dxGeom *geom, dxRank rank);
@@ -67,6 +76,9 @@ private:
     dxMembers m_members;
     std::vector<dxOrderedPair> m_pairs;
     bool m_irregular = false;
+    std::unique_ptr<dxPairSearch> m_search, m_ownSearch;
+    std::vector<dxPairSearch::Match> m_matches;
+    std::unique_ptr<dxKeptPairs> m_kept;
 };
 
 inline bool dxGeomIsEnabled(const dxGeom *geom) {

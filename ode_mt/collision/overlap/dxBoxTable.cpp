@@ -13,14 +13,15 @@ namespace dxOverlap {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-std::size_t overlappingRows(const dxBoxTable &table, std::size_t row, std::uint32_t *HWY_RESTRICT rows) {
+std::size_t overlappingRows(const dxBoxTable &table, const dxBounds &box, std::size_t begin,
+                            std::uint32_t *HWY_RESTRICT rows) {
     const hn::ScalableTag<dReal> d;
     const dReal *const column[6] = {table.column(0), table.column(1), table.column(2),
                                     table.column(3), table.column(4), table.column(5)};
     hn::Vec<decltype(d)> own[6];
-    for (int bound = 0; bound < 6; ++bound) own[bound] = hn::Set(d, column[bound][row]);
+    for (int bound = 0; bound < 6; ++bound) own[bound] = hn::Set(d, box.v[bound]);
     std::size_t count = 0;
-    for (std::size_t first = row + 1; first < table.size(); first += hn::Lanes(d)) {
+    for (std::size_t first = begin; first < table.size(); first += hn::Lanes(d)) {
         // Apart, if one begins after the other ends; not "together, if ...", because of NaN.
         const auto apartOn = [&](int axis) HWY_ATTR {
             const auto low = hn::LoadU(d, column[2 * axis] + first);
@@ -48,7 +49,8 @@ namespace dxOverlap {
 HWY_EXPORT(overlappingRows);
 }  // namespace dxOverlap
 
-std::size_t dxOverlappingRows(const dxBoxTable &table, std::size_t row, std::uint32_t *rows) {
-    return HWY_DYNAMIC_DISPATCH(dxOverlap::overlappingRows)(table, row, rows);
+std::size_t dxOverlappingRows(const dxBoxTable &table, const dxBounds &box, std::size_t first,
+                              std::uint32_t *rows) {
+    return HWY_DYNAMIC_DISPATCH(dxOverlap::overlappingRows)(table, box, first, rows);
 }
 #endif

@@ -37,6 +37,7 @@ private:
     std::vector<dReal> m_columns[6];
 };
 
-// Writes the numbers of the rows after `row` whose boxes overlap its box, in rising order; returns how many.
+// Writes the numbers of the rows from `first` on whose boxes overlap `box`, in rising order; returns how many.
 // `rows` has room for table.size() numbers. The comparison is dxBounds::overlaps.
-std::size_t dxOverlappingRows(const dxBoxTable &table, std::size_t row, std::uint32_t *rows);
+std::size_t dxOverlappingRows(const dxBoxTable &table, const dxBounds &box, std::size_t first,
+                              std::uint32_t *rows);

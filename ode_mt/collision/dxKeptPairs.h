@@ -1,14 +1,13 @@
-// Pairs of any space, found among neighbours: what changed since the last time costs, the rest is kept.
-//
-// The pairs of which neither geom changed keep their order; those found now are sorted by key and merged in.
+// Pairs in order from call to call: those of which neither geom changed keep their places, and those found
+// now are sorted by key and merged in.
 #pragma once
 
 #include <vector>
 
 #include "collision/dxMembers.h"
-#include "collision/dxNeighbours.h"
 #include "collision/dxOrderedPair.h"
 #include "collision/dxPairKey.h"
+#include "collision/dxPairSearch.h"
 
 // The order of a kind of space.
 class dxPairPlacer {
@@ -21,14 +20,14 @@ protected:
     ~dxPairPlacer() = default;
 };
 
-class dxSparsePairs {
+class dxKeptPairs {
 public:
-    // Brings `pairs`, which are those of the last call, up to date.
-    void update(const dxMembers &members, const dxPairPlacer &placer, std::vector<dxOrderedPair> &pairs);
+    // Brings `pairs`, which are those of the last call, up to date. Matches of geoms that may not meet are
+    // left out.
+    void update(const dxMembers &members, const std::vector<dxPairSearch::Match> &matches,
+                const dxPairPlacer &placer, std::vector<dxOrderedPair> &pairs);
 
 private:
-    using Slot = dxMembers::Slot;
-
     struct Found {
         dxPairKey key;
         dxOrderedPair pair;
@@ -36,12 +35,9 @@ private:
         friend bool operator<(const Found &a, const Found &b) { return a.key < b.key; }
     };
 
-    void updateNeighbours(const dxMembers &members);
-    void findPairs(Slot slot, const dxMembers &members, const dxPairPlacer &placer);
+    void placeMatch(const dxPairSearch::Match &match, const dxMembers &members, const dxPairPlacer &placer);
     void merge(const dxMembers &members, std::vector<dxOrderedPair> &pairs);
 
-    dxNeighbours m_neighbours;
-    std::vector<std::uint8_t> m_isKnown;  // by slot: is in m_neighbours
     std::vector<dxPairKey> m_keys, m_nextKeys;  // of the pairs
     std::vector<dxOrderedPair> m_nextPairs;
     std::vector<Found> m_found;
