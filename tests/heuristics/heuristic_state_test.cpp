@@ -1,0 +1,90 @@
+// Which state may follow which, in the table and in a heuristic that is driven through all of them.
+#include "heuristics/dxHeuristicState.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "heuristics/dxHeuristic.h"
+
+namespace {
+
+using State = dxHeuristicState;
+using Heuristic = dxHeuristic<int>;
+
+constexpr State kStates[] = {State::Init, State::Reset, State::Running, State::Paused, State::Stopped};
+
+const std::set<std::pair<State, State>> kLegal = {
+    {State::Init, State::Reset},    {State::Init, State::Running},   {State::Init, State::Stopped},
+    {State::Reset, State::Reset},   {State::Reset, State::Running},  {State::Reset, State::Stopped},
+    {State::Running, State::Reset}, {State::Running, State::Paused}, {State::Running, State::Stopped},
+    {State::Paused, State::Reset},  {State::Paused, State::Running}, {State::Paused, State::Stopped},
+    {State::Stopped, State::Reset},
+};
+
+// A heuristic brought to the state by legal ways.
+std::unique_ptr<Heuristic> heuristicIn(State state) {
+    auto heuristic = std::make_unique<Heuristic>(0);
+    if (state == State::Reset) heuristic->reset();
+    if (state == State::Running || state == State::Paused || state == State::Stopped) heuristic->start();
+    if (state == State::Paused) heuristic->pause();
+    if (state == State::Stopped) heuristic->stop();
+    return heuristic;
+}
+
+bool change(Heuristic &heuristic, State to) {
+    switch (to) {
+        case State::Reset:
+            return heuristic.reset();
+        case State::Running:
+            return heuristic.start();
+        case State::Paused:
+            return heuristic.pause();
+        case State::Stopped:
+            return heuristic.stop();
+        case State::Init:
+            break;
+    }
+    return false;
+}
+
+TEST(HeuristicState, TheTableHoldsExactlyTheLegalChanges) {
+    for (const State from : kStates) {
+        for (const State to : kStates) {
+            EXPECT_EQ(dxMayFollow(from, to), kLegal.count({from, to}) == 1)
+                << dxNameOf(from) << " to " << dxNameOf(to);
+        }
+    }
+}
+
+TEST(HeuristicState, AHeuristicFollowsTheTableAndARefusedChangeChangesNothing) {
+    for (const State from : kStates) {
+        for (const State to : kStates) {
+            const auto heuristic = heuristicIn(from);
+            ASSERT_EQ(heuristic->state(), from);
+            const bool legal = kLegal.count({from, to}) == 1;
+            EXPECT_EQ(change(*heuristic, to), legal) << dxNameOf(from) << " to " << dxNameOf(to);
+            EXPECT_EQ(heuristic->state(), legal ? to : from);
+        }
+    }
+}
+
+TEST(HeuristicState, OnlyARunningHeuristicTicks) {
+    for (const State state : kStates) {
+        const auto heuristic = heuristicIn(state);
+        EXPECT_EQ(heuristic->tick(), state == State::Running) << dxNameOf(state);
+        EXPECT_EQ(heuristic->samples(), state == State::Running ? 1u : 0u) << dxNameOf(state);
+    }
+}
+
+TEST(HeuristicState, EveryStateHasAName) {
+    std::set<std::string> names;
+    for (const State state : kStates) names.insert(dxNameOf(state));
+    EXPECT_EQ(names, (std::set<std::string>{"init", "reset", "running", "paused", "stopped"}));
+}
+
+}  // namespace
