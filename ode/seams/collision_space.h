@@ -1,5 +1,5 @@
-/* Linker names of upstream's functions around the simple and the hash space; the public ones are in
- * ode_mt/api/spaces.cpp. */
+/* Linker names of upstream's functions around the simple and the hash space and of the entry to a frame's
+ * collisions; the public ones are in ode_mt/api/spaces.cpp. */
 #pragma once
 
 #include <ode/collision_space.h>
@@ -9,4 +9,5 @@ dSpaceID dSimpleSpaceCreate(dSpaceID) __asm__("dxUpstreamSimpleSpaceCreate");
 dSpaceID dHashSpaceCreate(dSpaceID) __asm__("dxUpstreamHashSpaceCreate");
 void dHashSpaceSetLevels(dSpaceID, int, int) __asm__("dxUpstreamHashSpaceSetLevels");
 void dHashSpaceGetLevels(dSpaceID, int *, int *) __asm__("dxUpstreamHashSpaceGetLevels");
+void dSpaceCollide(dSpaceID, void *, dNearCallback *) __asm__("dxUpstreamSpaceCollide");
 }

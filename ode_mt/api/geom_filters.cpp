@@ -13,8 +13,10 @@ void dxUpstreamGeomSetCollideBits(dGeomID geom, unsigned long bits);
 
 namespace {
 
-void tellSpace(dGeomID geom) {
-    if (dxOrderedSpace *const space = dxOrderedSpace::of(geom)) space->filtersChanged(geom);
+// And the spaces around it: a space that holds a geom with a body is dynamic.
+void tellSpaces(dGeomID geom) {
+    for (; geom != nullptr; geom = geom->parent_space)
+        if (dxOrderedSpace *const space = dxOrderedSpace::of(geom)) space->filtersChanged(geom);
 }
 
 }  // namespace
@@ -23,17 +25,17 @@ extern "C" {
 
 void dGeomSetBody(dGeomID geom, dBodyID body) {
     dxUpstreamGeomSetBody(geom, body);
-    tellSpace(geom);
+    tellSpaces(geom);
 }
 
 void dGeomSetCategoryBits(dGeomID geom, unsigned long bits) {
     dxUpstreamGeomSetCategoryBits(geom, bits);
-    tellSpace(geom);
+    tellSpaces(geom);
 }
 
 void dGeomSetCollideBits(dGeomID geom, unsigned long bits) {
     dxUpstreamGeomSetCollideBits(geom, bits);
-    tellSpace(geom);
+    tellSpaces(geom);
 }
 
 }  // extern "C"

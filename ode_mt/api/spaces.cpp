@@ -1,10 +1,14 @@
-// Creation and levels of simple and hash spaces (ode/collision_space.h), which are ours.
+// Simple and hash spaces, which are ours, and the entry to a frame's collisions (ode/collision_space.h).
 #include <ode/collision_space.h>
 
+#include "clustering/dxClusterManager.h"
 #include "collision/dxOrderedHashSpace.h"
 #include "collision/dxOrderedSimpleSpace.h"
+#include "frame/dxSettings.h"
 
 extern "C" {
+// Upstream's own, renamed by the seam ode/seams/collision_space.h.
+void dxUpstreamSpaceCollide(dSpaceID space, void *data, dNearCallback *callback);
 
 dSpaceID dSimpleSpaceCreate(dSpaceID space) { return new dxOrderedSimpleSpace(space); }
 
@@ -23,6 +27,11 @@ void dHashSpaceGetLevels(dSpaceID space, int *minlevel, int *maxlevel) {
     const dxHashLevels &levels = static_cast<dxOrderedHashSpace *>(space)->levels();
     if (minlevel != nullptr) *minlevel = levels.lowest;
     if (maxlevel != nullptr) *maxlevel = levels.highest;
+}
+
+void dSpaceCollide(dSpaceID space, void *data, dNearCallback *callback) {
+    if (space != nullptr && dGeomIsSpace(space)) dxClusterManager::prepare(space, dxSettings::instance().passName());
+    dxUpstreamSpaceCollide(space, data, callback);
 }
 
 }  // extern "C"

@@ -17,7 +17,14 @@ struct AlgorithmName {
     dxAlgorithm algorithm;
 };
 constexpr AlgorithmName kAlgorithms[] = {
-    {"auto", dxAlgorithm::Auto}, {"serial", dxAlgorithm::Serial}, {"lcp", dxAlgorithm::Lcp}};
+    {"auto", dxAlgorithm::Auto},
+    {"serial", dxAlgorithm::Serial},
+    {"lcp", dxAlgorithm::Lcp},
+    {"original", dxAlgorithm::ClusteredOriginal},
+    {"static", dxAlgorithm::ClusteredStatic},
+    {"static-unmerged", dxAlgorithm::ClusteredStaticUnmerged},
+    {"duplication", dxAlgorithm::ClusteredDuplication},
+    {"decluster", dxAlgorithm::ClusteredDecluster}};
 
 std::string knownAlgorithms() {
     std::string names;
@@ -85,6 +92,10 @@ const char *dxSettings::algorithmName() const {
         if (known.algorithm == algorithm()) return known.name;
     }
     return "";
+}
+
+const char *dxSettings::passName() const {
+    return algorithm() >= dxAlgorithm::ClusteredOriginal ? algorithmName() : nullptr;
 }
 
 bool dxSettings::setAlgorithm(const std::string &name) {

@@ -9,7 +9,17 @@
 #include <atomic>
 #include <string>
 
-enum class dxAlgorithm { Auto, Serial, Lcp };
+// ClusteredXxx: pairs are found by clusters, under the crossover pass of that name; islands as with Auto.
+enum class dxAlgorithm {
+    Auto,
+    Serial,
+    Lcp,
+    ClusteredOriginal,
+    ClusteredStatic,
+    ClusteredStaticUnmerged,
+    ClusteredDuplication,
+    ClusteredDecluster
+};
 
 class dxSettings {
 public:
@@ -21,6 +31,8 @@ public:
 
     dxAlgorithm algorithm() const { return m_algorithm.load(std::memory_order_relaxed); }
     const char *algorithmName() const;
+    // Of the crossover pass, if the algorithm clusters; else NULL.
+    const char *passName() const;
     bool setAlgorithm(const std::string &name);  // false: unknown
 
     // Cores that this process may use.

@@ -1,0 +1,50 @@
+#include "clustering/dxClusterHistory.h"
+
+#include <algorithm>
+#include <tuple>
+
+void dxClusterHistory::follow(const dxClusters &before, dxClusters &now) {
+    constexpr unsigned kUnnamed = 0;
+    m_events.clear();
+    gatherShares(before, now);
+    for (int cluster = 0; cluster < now.dynamicCount(); ++cluster) now[cluster].name = kUnnamed;
+    std::vector<bool> nameIsTaken(before.dynamicCount(), false);
+    for (const Share &share : m_shares) {  // the largest first
+        if (now[share.now].name != kUnnamed || nameIsTaken[share.before]) continue;
+        now[share.now].name = before[share.before].name;
+        nameIsTaken[share.before] = true;
+    }
+    for (int cluster = 0; cluster < now.dynamicCount(); ++cluster)
+        if (now[cluster].name == kUnnamed) now[cluster].name = m_nextName++;
+    for (const Share &share : m_shares) {
+        const unsigned old = before[share.before].name, name = now[share.now].name;
+        if (old == name) continue;
+        if (nameIsTaken[share.before]) report(dxClusterEvent::Kind::split, old, name);
+        else report(dxClusterEvent::Kind::merge, old, name);
+    }
+}
+
+void dxClusterHistory::gatherShares(const dxClusters &before, const dxClusters &now) {
+    m_shares.clear();
+    std::vector<int> counts(before.dynamicCount(), 0), touched;
+    for (int cluster = 0; cluster < now.dynamicCount(); ++cluster) {
+        touched.clear();
+        for (const dxClusters::Slot slot : now[cluster].members) {
+            const int old = before.of(slot);
+            if (old == dxClusters::kNone || old >= before.dynamicCount()) continue;
+            if (counts[old]++ == 0) touched.push_back(old);
+        }
+        for (const int old : touched) {
+            m_shares.push_back({cluster, old, counts[old]});
+            counts[old] = 0;
+        }
+    }
+    std::sort(m_shares.begin(), m_shares.end(), [](const Share &a, const Share &b) {
+        return std::make_tuple(-a.members, a.before, a.now) < std::make_tuple(-b.members, b.before, b.now);
+    });
+}
+
+void dxClusterHistory::report(dxClusterEvent::Kind kind, unsigned from, unsigned into) {
+    m_events.push_back({kind, from, into});
+    ++(kind == dxClusterEvent::Kind::merge ? m_merges : m_splits);
+}

@@ -1,0 +1,37 @@
+// What happened to clusters from one frame to the next: names that stay, merges and splits.
+#pragma once
+
+#include <vector>
+
+#include "clustering/dxClusters.h"
+
+struct dxClusterEvent {
+    enum class Kind { merge, split };
+    Kind kind;
+    unsigned from, into;  // names: `from` became part of `into`; or `into` came off `from`
+};
+
+class dxClusterHistory {
+public:
+    // Gives the dynamic clusters of `now` their names: each has that of the cluster of `before` most of whose
+    // members it holds, if no other has a better claim, else a new one. Names are not given again.
+    void follow(const dxClusters &before, dxClusters &now);
+
+    // Of the last frame.
+    const std::vector<dxClusterEvent> &events() const { return m_events; }
+    unsigned merges() const { return m_merges; }  // since the start
+    unsigned splits() const { return m_splits; }
+
+private:
+    struct Share {
+        int now, before;
+        int members;
+    };
+
+    void gatherShares(const dxClusters &before, const dxClusters &now);
+    void report(dxClusterEvent::Kind kind, unsigned from, unsigned into);
+
+    std::vector<Share> m_shares;
+    std::vector<dxClusterEvent> m_events;
+    unsigned m_nextName = 1, m_merges = 0, m_splits = 0;
+};

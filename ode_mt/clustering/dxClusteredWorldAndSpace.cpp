@@ -1,0 +1,120 @@
+#include "clustering/dxClusteredWorldAndSpace.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "clustering/dxGridFit.h"
+
+namespace {
+
+using Kind = dxClusterScene::Kind;
+
+// A grid is placed anew at most once in so many searches: it costs all inhabitants.
+constexpr int kSearchesBetweenFits = 16;
+
+// Cells an axis until somebody says otherwise: thesis 10.2 begins with the fewest.
+constexpr int kFirstCells = dxClusterGrid::kFewestCells;
+
+}  // namespace
+
+dxClusteredWorldAndSpace::dxClusteredWorldAndSpace(std::unique_ptr<dxCrossoverPass> pass)
+    : m_pass(std::move(pass)), m_wantedCells(kFirstCells) {
+    m_scene.setGrid(dxClusterGrid());
+}
+
+void dxClusteredWorldAndSpace::search(const dxMembers &members, std::vector<Match> &matches) {
+    updateScene(members);
+    updateGrid();
+    const bool linksChanged = m_links.gather(members, m_scene);
+    if (linksChanged || m_scene.changes() != m_changesSeen) cross();
+    for (int cluster = 0; cluster < m_clusters.dynamicCount(); ++cluster)
+        searchCluster(cluster, members, matches);
+    for (const Slot slot : members.changed())
+        if (members[slot].geom != nullptr && !isClustered(slot)) searchWithAll(slot, members, matches);
+}
+
+void dxClusteredWorldAndSpace::updateScene(const dxMembers &members) {
+    for (const Slot slot : members.changed()) {
+        const dxMembers::Member &member = members[slot];
+        if (member.geom != nullptr)
+            m_scene.put(slot, dxKindOf(member.geom), member.bounds);
+        else
+            m_scene.remove(slot);
+    }
+}
+
+void dxClusteredWorldAndSpace::updateGrid() {
+    const bool first = m_searchesSinceFit == 0;
+    const bool due = ++m_searchesSinceFit > kSearchesBetweenFits && dxGridIsOutgrown(m_scene);
+    if (!first && !due && m_wantedCells == m_scene.grid().cells()) return;
+    m_searchesSinceFit = 1;
+    m_scene.setGrid(dxFitGrid(m_scene, m_wantedCells));
+    m_clusters.clear(0);  // clusters are made as at the start, not kept merged
+}
+
+void dxClusteredWorldAndSpace::cross() {
+    m_changesSeen = m_scene.changes();
+    std::swap(m_clusters, m_before);
+    m_clusters.clear(m_scene.end());
+    m_pass->cross(m_scene, m_links.all(), m_before, m_clusters);
+    m_history.follow(m_before, m_clusters);
+    gatherApart();
+}
+
+void dxClusteredWorldAndSpace::gatherApart() {
+    m_apart.clear();
+    for (const Slot slot : m_scene.big())
+        if (m_scene[slot].kind == Kind::dynamicGeom || !m_pass->listsBigStatics()) m_apart.push_back(slot);
+    if (!m_pass->setsStaticsApart()) return;
+    const std::vector<Slot> &statics = m_scene.all(Kind::staticGeom);
+    m_apart.insert(m_apart.end(), statics.begin(), statics.end());
+}
+
+bool dxClusteredWorldAndSpace::isClustered(Slot slot) const {
+    return m_scene[slot].kind == Kind::dynamicGeom && !m_scene[slot].big;
+}
+
+// The changed members first: each is compared with all that stand behind it.
+void dxClusteredWorldAndSpace::searchCluster(int number, const dxMembers &members, std::vector<Match> &matches) {
+    const dxClusters::Cluster &cluster = m_clusters[number];
+    m_listed.clear();
+    for (const Slot slot : cluster.members)
+        if (members.isChanged(slot)) m_listed.push_back(slot);
+    const std::size_t changed = m_listed.size();
+    if (changed == 0) return;
+    for (const Slot slot : cluster.members)
+        if (!members.isChanged(slot)) m_listed.push_back(slot);
+    m_listed.insert(m_listed.end(), m_apart.begin(), m_apart.end());
+    m_listed.insert(m_listed.end(), cluster.duplicated.begin(), cluster.duplicated.end());
+    for (const int other : cluster.staticClusters) {
+        const std::vector<Slot> &statics = m_clusters[other].members;
+        m_listed.insert(m_listed.end(), statics.begin(), statics.end());
+    }
+    m_boxes.clear();
+    for (const Slot slot : m_listed) m_boxes.push(members[slot].bounds);
+    m_rows.resize(m_listed.size());
+    for (std::size_t i = 0; i < changed; ++i) {
+        const std::size_t count = dxOverlappingRows(m_boxes, members[m_listed[i]].bounds, i + 1, m_rows.data());
+        for (std::size_t k = 0; k < count; ++k) matches.push_back({m_listed[i], m_listed[m_rows[k]]});
+    }
+}
+
+// A static or a big member that changed: in no cluster of what moves, so it is compared with everything, except
+// with changed members of clusters, which have found it.
+void dxClusteredWorldAndSpace::searchWithAll(Slot slot, const dxMembers &members,
+                                             std::vector<Match> &matches) const {
+    for (Slot other = 0; other < members.end(); ++other) {
+        if (members[other].geom == nullptr || other == slot) continue;
+        if (members.isChanged(other) && (isClustered(other) || other < slot)) continue;
+        if (members[slot].bounds.overlaps(members[other].bounds)) matches.push_back({slot, other});
+    }
+}
+
+int dxClusteredWorldAndSpace::entities() const {
+    dxDisjointSets sets;
+    sets.reset(m_scene.end());
+    dxUniteByLinks(m_links.all(), sets);
+    const std::vector<Slot> &dynamics = m_scene.all(Kind::dynamicGeom);
+    return static_cast<int>(
+        std::count_if(dynamics.begin(), dynamics.end(), [&](Slot slot) { return sets.find(slot) == slot; }));
+}

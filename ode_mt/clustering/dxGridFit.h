@@ -1,0 +1,11 @@
+// Where to put the grid: around what moves. Static geoms do not stretch it, and neither do a few strays.
+#pragma once
+
+#include "clustering/dxClusterGrid.h"
+#include "clustering/dxClusterScene.h"
+
+// A grid of `cells` cells an axis around the dynamic inhabitants, with room to move.
+dxClusterGrid dxFitGrid(const dxClusterScene &scene, int cells);
+
+// So many dynamic inhabitants are outside that the grid should be placed anew.
+bool dxGridIsOutgrown(const dxClusterScene &scene);
