@@ -26,7 +26,8 @@ extern "C" {
  * world gets the bits of upstream's serial step.
  *
  * Environment, read once at the first use of the library, for programs that cannot be recompiled:
- * ODE_MT_THREADS=n|auto, ODE_MT_ALGORITHM=auto|serial|lcp, ODE_MT_THREAD_MANAGER=pthread|openmp,
+ * ODE_MT_THREADS=n|auto, ODE_MT_ALGORITHM=auto|serial|lcp|original|static|static-unmerged|duplication|
+ * decluster, ODE_MT_CALLBACKS=serial|concurrent, ODE_MT_THREAD_MANAGER=pthread|openmp,
  * ODE_MT_LOG=error|warning|info|debug. A call below overrides the environment.
  *
  * A threading implementation given to dWorldSetStepThreadingImplementation lends its threads to that
@@ -59,7 +60,9 @@ ODE_API int dODE_MT_GetThreads(void);
 
 /**
  * Chooses the algorithm by its name: "auto" (islands in parallel where that pays), "serial" (all
- * islands in order on the calling thread), "lcp" (islands in parallel whenever there are two).
+ * islands in order on the calling thread), "lcp" (islands in parallel whenever there are two); or one that
+ * does that and finds pairs by clusters of geoms (docs/clusters.md): "original", "static", "static-unmerged",
+ * "duplication", "decluster".
  *
  * @return 1, or 0 and a dMessage naming the known ones if there is no such algorithm.
  * @ingroup ode_mt
@@ -68,6 +71,26 @@ ODE_API int dODE_MT_SetAlgorithm(const char *name);
 
 /** The name of the algorithm in force. @ingroup ode_mt */
 ODE_API const char *dODE_MT_GetAlgorithm(void);
+
+/**
+ * Says whether near-callbacks may run on several threads at once: "serial" (the default; one at a time, in
+ * upstream's order, on the thread that called dSpaceCollide) or "concurrent" (the program consents: callbacks
+ * of pairs that share no body run at the same time on any thread).
+ *
+ * With "concurrent" a callback may read any geom, body and joint, call dCollide, dSpaceCollide2 on nested
+ * spaces that it was called for, make contact joints and attach them, enable the bodies of its pair, and
+ * write to data of its pair's bodies. Contact joints appear in the lists of world and bodies only after the
+ * last callback, in upstream's order, so the results are upstream's as long as no callback reads those lists
+ * (dAreConnected, dBodyGetJoint) to find contacts of the same call. It must not change geoms or spaces, make other
+ * joints, destroy joints, or leave by longjmp; an exception is passed on after all callbacks have ended.
+ *
+ * @return 1, or 0 and a dMessage naming the known ones if there is no such policy.
+ * @ingroup ode_mt
+ */
+ODE_API int dODE_MT_SetCallbackPolicy(const char *name);
+
+/** The name of the callback policy in force. @ingroup ode_mt */
+ODE_API const char *dODE_MT_GetCallbackPolicy(void);
 
 /**
  * Chooses the thread manager by its name, "pthread" or "openmp". Waits for steps in progress.
@@ -86,7 +109,10 @@ ODE_API unsigned dODE_MT_GetParallelSteps(void);
 /** Islands stepped in those steps. @ingroup ode_mt */
 ODE_API unsigned dODE_MT_GetParallelIslands(void);
 
-/** Largest number of threads that stepped at least one island each in one step. @ingroup ode_mt */
+/** Calls of dSpaceCollide whose callbacks ran on two threads at least. @ingroup ode_mt */
+ODE_API unsigned dODE_MT_GetParallelCollisions(void);
+
+/** Largest number of threads that took part in one step or in the callbacks of one collision. @ingroup ode_mt */
 ODE_API unsigned dODE_MT_GetMaxWorkersUsed(void);
 
 /* ------------------------------------------------------------------------------------------------

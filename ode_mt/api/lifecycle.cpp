@@ -11,6 +11,7 @@
 #include "api/user_classes.h"
 #include "collision/dxThreadTrimeshCache.h"
 #include "dynamics/dxWorkingMemory.h"
+#include "frame/dxConcurrentCallbacks.h"
 #include "frame/dxStepRecords.h"
 #include "frame/dxWorkers.h"
 
@@ -48,6 +49,7 @@ void countInitialisation() {
 
 void releaseWorkers() {
     dxWorkers::instance().stop();
+    dxForgetConcurrentCallbacks();
     dxStepRecords::release();
     dxWorkingMemory::release();
 }

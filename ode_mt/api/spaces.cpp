@@ -4,6 +4,7 @@
 #include "clustering/dxClusterManager.h"
 #include "collision/dxOrderedHashSpace.h"
 #include "collision/dxOrderedSimpleSpace.h"
+#include "frame/dxConcurrentCallbacks.h"
 #include "frame/dxSettings.h"
 
 extern "C" {
@@ -30,7 +31,11 @@ void dHashSpaceGetLevels(dSpaceID space, int *minlevel, int *maxlevel) {
 }
 
 void dSpaceCollide(dSpaceID space, void *data, dNearCallback *callback) {
-    if (space != nullptr && dGeomIsSpace(space)) dxClusterManager::prepare(space, dxSettings::instance().passName());
+    if (space != nullptr && dGeomIsSpace(space)) {
+        const dxSettings &settings = dxSettings::instance();
+        dxClusterManager::prepare(space, settings.passName());
+        if (settings.callbacksMayRunConcurrently() && dxCollideConcurrently(space, data, callback)) return;
+    }
     dxUpstreamSpaceCollide(space, data, callback);
 }
 

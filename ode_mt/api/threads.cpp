@@ -1,7 +1,6 @@
 // The calls of ode/ode_MT.h that choose threads, algorithm and thread manager, and read the counters.
 #include <ode/ode_MT.h>
 
-
 #include "frame/dxSettings.h"
 #include "frame/dxStepStatistics.h"
 #include "frame/dxWorkers.h"
@@ -21,6 +20,12 @@ int dODE_MT_SetAlgorithm(const char *name) {
 
 const char *dODE_MT_GetAlgorithm() { return dxSettings::instance().algorithmName(); }
 
+int dODE_MT_SetCallbackPolicy(const char *name) {
+    return dxSettings::instance().setCallbackPolicy(name ? name : "(null)");
+}
+
+const char *dODE_MT_GetCallbackPolicy() { return dxSettings::instance().callbackPolicyName(); }
+
 int dODE_MT_SetThreadManager(const char *name) { return dxWorkers::instance().choose(name ? name : "(null)"); }
 
 const char *dODE_MT_GetThreadManager() { return dxWorkers::instance().name(); }
@@ -28,6 +33,8 @@ const char *dODE_MT_GetThreadManager() { return dxWorkers::instance().name(); }
 unsigned dODE_MT_GetParallelSteps() { return dxStepStatistics::instance().parallelSteps; }
 
 unsigned dODE_MT_GetParallelIslands() { return dxStepStatistics::instance().parallelIslands; }
+
+unsigned dODE_MT_GetParallelCollisions() { return dxStepStatistics::instance().parallelCollisions; }
 
 unsigned dODE_MT_GetMaxWorkersUsed() { return dxStepStatistics::instance().maxWorkersUsed; }
 

@@ -73,14 +73,17 @@ void dxOrderedHashSpace::collide(void *data, dNearCallback *callback) {
     dAASSERT(callback);
     if (count < 2) return;  // upstream does not even clean the geoms then
     lock_count++;
-    cleanGeoms();
-    if (refresh()) {
-        requireInRange();
+    if (makeReady())
         collidePairs(data, callback);
-    } else {
+    else
         collideList(data, callback);
-    }
     lock_count--;
+}
+
+bool dxOrderedHashSpace::makeReady() {
+    if (!dxOrderedSpace::makeReady()) return false;
+    requireInRange();
+    return true;
 }
 
 void dxOrderedHashSpace::update(std::vector<dxOrderedPair> &pairs) {

@@ -15,6 +15,7 @@ public:
     const dxHashLevels &levels() const { return m_levels; }
 
     void collide(void *data, dNearCallback *callback) override;
+    bool makeReady() override;
 
 private:
     void update(std::vector<dxOrderedPair> &pairs) override;

@@ -17,8 +17,7 @@ constexpr int kLargestDense = 512;
 void dxOrderedSimpleSpace::collide(void *data, dNearCallback *callback) {
     dAASSERT(callback);
     lock_count++;
-    cleanGeoms();
-    if (refresh())
+    if (makeReady())
         collidePairs(data, callback);
     else
         collideList(data, callback);

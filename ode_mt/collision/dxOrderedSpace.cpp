@@ -98,7 +98,8 @@ void dxOrderedSpace::rankBehindClean(dxGeom *geom, dxRank next) {
     }
 }
 
-bool dxOrderedSpace::refresh() {
+bool dxOrderedSpace::makeReady() {
+    cleanGeoms();
     if (m_irregular) return false;
     if (m_members.changed().empty()) return true;
     for (const Slot slot : m_members.changed())

@@ -4,7 +4,7 @@
 // Between two calls of dSpaceCollide it keeps the list of pairs whose boxes overlap, in order. A call costs
 // what has changed since the last one, plus one callback per pair.
 //
-// Invariants, after refresh():
+// Invariants, after makeReady():
 //  - every geom of the space is a member with a rank. Upstream moves a geom to the front of its list when it
 //    changes, and only then, so old ranks stay comparable and only changed geoms need new ones;
 //  - pairs() holds, in order, exactly the pairs for which upstream's collideAABBs passes its tests of body,
@@ -43,6 +43,11 @@ public:
     void cleanGeoms() override;
     void collide2(void *data, dxGeom *geom, dNearCallback *callback) override;
 
+    // Cleans the geoms and brings pairs() up to date; the space is locked by then. False: upstream's list is
+    // not in the state in which ranks stand for it, and has to be walked as upstream does.
+    virtual bool makeReady();
+    const std::vector<dxOrderedPair> &pairs() const { return m_pairs; }
+
     // From now on pairs are found by `search`, NULL: by the way that suits the size of the space. Not while
     // the space is locked.
     void setSearch(std::unique_ptr<dxPairSearch> search);
@@ -54,16 +59,11 @@ public:
 protected:
     explicit dxOrderedSpace(dSpaceID parent, int type);
 
-    // Brings pairs() up to date. False: upstream's list is not in the state in which ranks stand for it, and
-    // the caller has to walk the list as upstream does.
-    bool refresh();
-
     // All pairs are looked for again, from nothing: at this update or at the next.
     void startAnew();
     bool hasSearch() const { return m_search != nullptr; }
 
     const dxMembers &members() const { return m_members; }
-    const std::vector<dxOrderedPair> &pairs() const { return m_pairs; }
     static Slot slotOf(const dxGeom *geom);
 
     // Members have changed, and have their new ranks and boxes: brings `pairs` up to date.

@@ -26,6 +26,8 @@ constexpr AlgorithmName kAlgorithms[] = {
     {"duplication", dxAlgorithm::ClusteredDuplication},
     {"decluster", dxAlgorithm::ClusteredDecluster}};
 
+constexpr char kSerialCallbacks[] = "serial", kConcurrentCallbacks[] = "concurrent";
+
 std::string knownAlgorithms() {
     std::string names;
     for (const AlgorithmName &known : kAlgorithms) names += (names.empty() ? "" : ", ") + std::string(known.name);
@@ -49,6 +51,7 @@ dxSettings &dxSettings::instance() {
 dxSettings::dxSettings() : m_cores(usableCores()) {
     if (const char *text = std::getenv("ODE_MT_THREADS")) readThreads(text);
     if (const char *text = std::getenv("ODE_MT_ALGORITHM")) readAlgorithm(text);
+    if (const char *text = std::getenv("ODE_MT_CALLBACKS")) readCallbackPolicy(text);
 }
 
 void dxSettings::readThreads(const char *text) {
@@ -71,6 +74,30 @@ void dxSettings::readAlgorithm(const char *text) {
     if (chooseAlgorithm(text)) return;
     dxLog(dxLogLevel::warning, "ODE_MT_ALGORITHM is '%s'; known: %s; %s is taken", text, knownAlgorithms().c_str(),
           algorithmName());
+}
+
+void dxSettings::readCallbackPolicy(const char *text) {
+    if (chooseCallbackPolicy(text)) return;
+    dxLog(dxLogLevel::warning, "ODE_MT_CALLBACKS is '%s'; known: %s, %s; %s is taken", text, kSerialCallbacks,
+          kConcurrentCallbacks, callbackPolicyName());
+}
+
+const char *dxSettings::callbackPolicyName() const {
+    return callbacksMayRunConcurrently() ? kConcurrentCallbacks : kSerialCallbacks;
+}
+
+bool dxSettings::setCallbackPolicy(const std::string &name) {
+    const bool found = chooseCallbackPolicy(name);
+    if (!found)
+        dMessage(0, "ODE_MT: no callback policy '%s'; known: %s, %s", name.c_str(), kSerialCallbacks,
+                 kConcurrentCallbacks);
+    return found;
+}
+
+bool dxSettings::chooseCallbackPolicy(const std::string &name) {
+    if (name != kSerialCallbacks && name != kConcurrentCallbacks) return false;
+    m_concurrentCallbacks.store(name == kConcurrentCallbacks, std::memory_order_relaxed);
+    return true;
 }
 
 void dxSettings::setThreads(int threads) {

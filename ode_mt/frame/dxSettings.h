@@ -1,4 +1,5 @@
-// What dToggleODE_MT and the environment set: how many threads, which algorithm, which thread manager.
+// What dToggleODE_MT and the environment set: how many threads, which algorithm, whether callbacks may run
+// concurrently.
 //
 // Process-wide, because ODE_MT's API is (dToggleODE_MT has no world). The environment is read once, at
 // the first use. A value that is not understood is reported by name and leaves the default: one from a
@@ -9,7 +10,8 @@
 #include <atomic>
 #include <string>
 
-// ClusteredXxx: pairs are found by clusters, under the crossover pass of that name; islands as with Auto.
+// Auto shares out what is predicted to pay, the others whatever can be shared out (Serial: nothing).
+// ClusteredXxx: pairs are found by clusters, under the crossover pass of that name.
 enum class dxAlgorithm {
     Auto,
     Serial,
@@ -35,6 +37,10 @@ public:
     const char *passName() const;
     bool setAlgorithm(const std::string &name);  // false: unknown
 
+    bool callbacksMayRunConcurrently() const { return m_concurrentCallbacks.load(std::memory_order_relaxed); }
+    const char *callbackPolicyName() const;
+    bool setCallbackPolicy(const std::string &name);  // false: unknown
+
     // Cores that this process may use.
     unsigned cores() const { return m_cores; }
 
@@ -43,8 +49,11 @@ private:
     void readThreads(const char *text);
     void readAlgorithm(const char *text);
     bool chooseAlgorithm(const std::string &name);
+    void readCallbackPolicy(const char *text);
+    bool chooseCallbackPolicy(const std::string &name);
 
     std::atomic<unsigned> m_threads{0};
     std::atomic<dxAlgorithm> m_algorithm{dxAlgorithm::Auto};
+    std::atomic<bool> m_concurrentCallbacks{false};
     unsigned m_cores;
 };

@@ -381,7 +381,7 @@ unsigned dxStep::chooseWorkers() {
         m_largestCost = std::max(m_largestCost, cost);
         m_costsKnown = i + 1 == m_count;
     }
-    if (algorithm == dxAlgorithm::Lcp) return limit;
+    if (algorithm != dxAlgorithm::Auto) return limit;
     return costModel().chooseWorkers(m_kind, m_totalCost, m_largestCost,
                                      std::min(limit, dxSettings::instance().cores()));
 }

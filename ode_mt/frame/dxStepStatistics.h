@@ -7,6 +7,7 @@ struct dxStepStatistics {
     std::atomic<unsigned> parallelSteps{0};
     std::atomic<unsigned> parallelIslands{0};
     std::atomic<unsigned> maxWorkersUsed{0};
+    std::atomic<unsigned> parallelCollisions{0};
 
     static dxStepStatistics &instance() {
         static dxStepStatistics statistics;
@@ -16,6 +17,18 @@ struct dxStepStatistics {
     void countParallelStep(unsigned islands, unsigned workers) {
         parallelSteps.fetch_add(1, std::memory_order_relaxed);
         parallelIslands.fetch_add(islands, std::memory_order_relaxed);
+        noteWorkers(workers);
+    }
+
+    // Only where two workers at least took part.
+    void countParallelCollision(unsigned workers) {
+        if (workers < 2) return;
+        parallelCollisions.fetch_add(1, std::memory_order_relaxed);
+        noteWorkers(workers);
+    }
+
+private:
+    void noteWorkers(unsigned workers) {
         unsigned most = maxWorkersUsed.load(std::memory_order_relaxed);
         while (most < workers &&
                !maxWorkersUsed.compare_exchange_weak(most, workers, std::memory_order_relaxed)) {

@@ -19,13 +19,20 @@ constexpr Threads threadCounts[] = {{0, false}, {1, false}, {2, true}, {3, false
                                     {5, true},  {8, false}, {16, true}};
 constexpr const char *managers[] = {"pthread", "openmp"};
 
+constexpr Threads fewerThreadCounts[] = {{0, false}, {1, false}, {2, true}, {3, false}, {8, false}};
+constexpr const char *algorithms[] = {"auto",   "serial",          "lcp",         "original",
+                                      "static", "static-unmerged", "duplication", "decluster"};
+
 // libode8's run of the scenario that was asked for last.
-const Record &stockRecord(const std::string &scenario) {
+const Record &stockRecord(const std::string &scenario, bool unordered) {
     static std::string cachedFor;
     static Record cached;
-    if (cachedFor != scenario) {
-        cached = runScenario(scenario, libode8);
-        cachedFor = scenario;
+    const std::string key = scenario + (unordered ? " unordered" : "");
+    if (cachedFor != key) {
+        Player stock = libode8;
+        stock.unordered = unordered;
+        cached = runScenario(scenario, stock);
+        cachedFor = key;
     }
     return cached;
 }
@@ -35,7 +42,7 @@ public:
     ExactnessTest(ScenarioName scenario, Player player) : m_scenario(scenario), m_player(player) {}
 
     void TestBody() override {
-        const Record &expected = stockRecord(m_scenario.name);
+        const Record &expected = stockRecord(m_scenario.name, m_player.unordered);
         const Record actual = runScenario(m_scenario.name, m_player);
         checkEngines(expected.engine, actual.engine);
         checkEqual(expected, actual);
@@ -53,7 +60,9 @@ private:
     void checkEqual(const Record &expected, const Record &actual) const {
         const auto divergence = firstDivergence(expected, actual);
         if (!divergence) return;
-        const auto difference = nameDifference(m_scenario.name, libode8, m_player, divergence->step);
+        Player stock = libode8;
+        stock.unordered = m_player.unordered;
+        const auto difference = nameDifference(m_scenario.name, stock, m_player, divergence->step);
         ADD_FAILURE() << m_scenario.name << " first differs in step " << divergence->step << ", stage '"
                       << divergence->stage << "'\n"
                       << (difference ? difference->describe()
@@ -62,9 +71,14 @@ private:
 
     // On a busy machine a second worker may never come in time, unless the schedule is disturbed.
     void checkSharedOut(const Engine &engine) const {
-        if (!m_scenario.serialBecause.empty()) return;
+        const std::string &algorithm = m_player.setting->algorithm;
+        if (algorithm == "auto" || algorithm == "serial" || !m_scenario.serialBecause.empty()) return;
         EXPECT_GT(engine.parallelSteps, 0u);
         if (!m_player.setting->disturbed) return;
+        // Clusters may be one.
+        if (m_player.setting->concurrentCallbacks && m_scenario.callbacks == "shared" && algorithm == "lcp") {
+            EXPECT_GT(engine.parallelCollisions, 0u) << "no second worker ran callbacks";
+        }
         EXPECT_GE(engine.mostWorkers, 2u)
             << "no second worker stepped an island; parallel steps: " << engine.parallelSteps
             << ", islands: " << engine.parallelIslands;
@@ -79,6 +93,17 @@ void addTest(const ScenarioName &scenario, const std::string &name, const Player
                           __LINE__, [=]() -> testing::Test * { return new ExactnessTest(scenario, player); });
 }
 
+// Callbacks one at a time, and, where the scenario's may, several at a time.
+void addAlgorithmTests(const ScenarioName &scenario, const char *algorithm, const Threads &threads) {
+    std::string name = std::string(algorithm) + '_' + std::to_string(threads.count);
+    Player player{ThreadSetting{managers[0], threads.count, threads.disturbed, algorithm}};
+    if (algorithm != std::string("lcp")) addTest(scenario, name, player);
+    if (scenario.callbacks.empty()) return;
+    player.setting->concurrentCallbacks = true;
+    player.unordered = true;
+    addTest(scenario, name + "_concurrent", player);
+}
+
 void addTests(const ScenarioName &scenario) {
     addTest(scenario, "libode8_again", libode8Again);  // is the scenario itself repeatable?
     for (const char *manager : managers) {
@@ -87,6 +112,8 @@ void addTests(const ScenarioName &scenario) {
                     Player{ThreadSetting{manager, threads.count, threads.disturbed}});
         }
     }
+    for (const char *algorithm : algorithms)
+        for (const Threads &threads : fewerThreadCounts) addAlgorithmTests(scenario, algorithm, threads);
 }
 
 }  // namespace

@@ -25,18 +25,28 @@ struct Options {
     unsigned timeLimit = 0;  // s, 0: none
     bool list = false;
     bool fields = false;
+    bool unordered = false;
 };
 
 const char *suffix(scenes::Stepper stepper) {
     return stepper == scenes::Stepper::World ? "/world" : "/quick";
 }
 
-// One line for each scenario and stepper: name, whether it is serial and why, meaning; tabs between.
+const char *nameOf(Scenario::Callbacks callbacks) {
+    switch (callbacks) {
+    case Scenario::Callbacks::reentrant: return "reentrant";
+    case Scenario::Callbacks::shared: return "shared";
+    default: return "";
+    }
+}
+
+// One line for each scenario and stepper: name, whether it is serial and why, whether its callbacks may run
+// concurrently, meaning; tabs between.
 void list() {
     for (const Scenario &scenario : catalogue()) {
         for (scenes::Stepper stepper : scenario.steppers) {
             std::cout << scenario.name << suffix(stepper) << '\t' << scenario.serialBecause << '\t'
-                      << scenario.meaning << '\n';
+                      << nameOf(scenario.callbacks) << '\t' << scenario.meaning << '\n';
         }
     }
 }
@@ -58,7 +68,7 @@ Choice choose(const std::string &name) {
 Record run(const Choice &choice, const Options &options) {
     const int steps = options.steps > 0 ? options.steps : choice.scenario.steps;
     std::unique_ptr<scenes::Scene> scene = choice.scenario.make(choice.stepper);
-    Recorder recorder(*scene, options.dumpStep);
+    Recorder recorder(*scene, options.dumpStep, options.unordered ? Recorder::Order::ignored : Recorder::Order::kept);
     scene->observe(&recorder);
     recorder.endStage("start");
     for (int step = 1; step <= steps; ++step) {
@@ -111,6 +121,7 @@ int main(int argc, char **argv) {
     app.add_option("--dump-step", options.dumpStep, "record every value of this step")
         ->check(CLI::NonNegativeNumber);
     app.add_option("--time-limit", options.timeLimit, "end the program after so many seconds");
+    app.add_flag("--unordered", options.unordered, "record near pairs and contacts without their order");
     app.add_flag("--list", options.list, "show all scenarios")->excludes(scenario);
     app.add_flag("--list-fields", options.fields, "show all fields that are compared")->excludes(scenario);
     CLI11_PARSE(app, argc, argv);

@@ -17,7 +17,8 @@ struct Engine {
     bool isOdeMt = false;
     unsigned parallelSteps = 0;
     unsigned parallelIslands = 0;
-    unsigned mostWorkers = 0;  // that stepped at least one island each in one step
+    unsigned parallelCollisions = 0;
+    unsigned mostWorkers = 0;  // that took part in one step or in the callbacks of one collision
 };
 
 struct StageHash {

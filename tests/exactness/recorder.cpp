@@ -1,6 +1,7 @@
 #include "recorder.h"
 
 #include <regex>
+#include <utility>
 
 namespace exactness {
 
@@ -24,8 +25,8 @@ void readSurface(const dSurfaceParameters &surface, Reading &reading) {
 
 }  // namespace
 
-Recorder::Recorder(const scenes::Scene &scene, int dumpStep)
-    : m_scene(scene), m_names(scene.inventory()), m_dumpStep(dumpStep) {}
+Recorder::Recorder(const scenes::Scene &scene, int dumpStep, Order order)
+    : m_scene(scene), m_names(scene.inventory()), m_dumpStep(dumpStep), m_order(order) {}
 
 void Recorder::endStage(const char *stage) {
     const std::string text = m_standardError.takeNew();
@@ -34,6 +35,8 @@ void Recorder::endStage(const char *stage) {
         reading.text(withoutSourcePlace(text));
         event("standard error", reading);
     }
+    mix(m_sumOfEvents);
+    m_sumOfEvents = 0;
     readState(m_scene.inventory(), m_names,
               [this](Kind kind, std::size_t index, const char *field, const Reading &reading) {
                   see(kind, index, field, reading);
@@ -48,7 +51,7 @@ void Recorder::nearPair(dGeomID o1, dGeomID o2) {
     Reading reading;
     reading.integer(m_names.of(o1));
     reading.integer(m_names.of(o2));
-    event("near pair", reading);
+    collisionEvent("near pair", reading);
 }
 
 // The fourth numbers of position and normal are read too: colliders leave them alone, and so must ours.
@@ -58,12 +61,13 @@ void Recorder::contact(const dContact &contact) {
     reading.integer(m_names.of(contact.geom.g2));
     reading.integer(contact.geom.side1);
     reading.integer(contact.geom.side2);
-    reading.reals(contact.geom.pos, 4);
-    reading.reals(contact.geom.normal, 4);
+    const int numbers = m_order == Order::kept ? 4 : 3;
+    reading.reals(contact.geom.pos, numbers);
+    reading.reals(contact.geom.normal, numbers);
     reading.real(contact.geom.depth);
     reading.reals(contact.fdir1, 3);
     readSurface(contact.surface, reading);
-    event("contact", reading);
+    collisionEvent("contact", reading);
 }
 
 void Recorder::bodyMoved(dBodyID body) {
@@ -88,6 +92,20 @@ std::string Recorder::summary() const {
     std::string text;
     for (const auto &[kind, count] : m_seen) text += kind + ": " + std::to_string(count) + ", ";
     return text + "NaN: " + std::to_string(m_notANumber);
+}
+
+// A sum does not depend on the order of its terms.
+void Recorder::collisionEvent(const char *what, const Reading &reading) {
+    if (m_order == Order::kept) {
+        event(what, reading);
+        return;
+    }
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    ++m_seen[what];
+    const std::uint64_t before = std::exchange(m_hash, 0);
+    for (const Word &word : reading.words()) mix(word.bits);
+    m_sumOfEvents += m_hash;
+    m_hash = before;
 }
 
 void Recorder::event(const char *what, const Reading &reading) {

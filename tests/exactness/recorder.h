@@ -2,6 +2,8 @@
 //
 // Events (near pairs, contacts, moved-callbacks, notes, text on standard error) are hashed in the order
 // in which they come, into the stage in which they come; the state is hashed at the end of each stage.
+// For callbacks that run on several threads the order of near pairs and contacts is left out, and so are the
+// numbers that colliders leave as they find them in the caller's memory.
 #pragma once
 
 #include "fields.h"
@@ -9,6 +11,7 @@
 #include "standard_error.h"
 
 #include <map>
+#include <mutex>
 
 namespace exactness {
 
@@ -16,8 +19,10 @@ class Recorder final : public scenes::Observer {
 public:
     static constexpr int noStep = -1;
 
+    enum class Order { kept, ignored };
+
     // `dumpStep`: the step whose values are kept, or noStep.
-    Recorder(const scenes::Scene &scene, int dumpStep);
+    Recorder(const scenes::Scene &scene, int dumpStep, Order order = Order::kept);
 
     void beginStep(int step) { m_step = step; }
     void endStage(const char *stage);
@@ -34,6 +39,7 @@ public:
 
 private:
     void event(const char *what, const Reading &reading);
+    void collisionEvent(const char *what, const Reading &reading);
     void see(Kind kind, std::size_t index, const char *field, const Reading &reading);
     void mix(std::uint64_t bits);
 
@@ -47,6 +53,9 @@ private:
     std::map<std::string, std::size_t> m_seen;  // events by kind
     std::size_t m_notANumber = 0;               // words
     std::uint64_t m_hash = 0;
+    Order m_order;
+    std::mutex m_mutex;                // with Order::ignored events come on several threads
+    std::uint64_t m_sumOfEvents = 0;   // of this stage, with Order::ignored
     Record m_record;
 };
 

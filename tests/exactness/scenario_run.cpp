@@ -27,7 +27,8 @@ std::map<std::string, std::string> variablesFor(const Player &player) {
     if (!player.setting) return variables;
     variables["ODE_MT_THREADS"] = std::to_string(player.setting->threads);
     variables["ODE_MT_THREAD_MANAGER"] = player.setting->manager;
-    variables["ODE_MT_ALGORITHM"] = "lcp";
+    variables["ODE_MT_ALGORITHM"] = player.setting->algorithm;
+    if (player.setting->concurrentCallbacks) variables["ODE_MT_CALLBACKS"] = "concurrent";
     if (player.setting->disturbed) variables["ODE_MT_PERTURB"] = std::to_string(player.setting->threads);
     return variables;
 }
@@ -41,7 +42,9 @@ std::string lastOf(const std::string &text) {
 std::string describe(const Player &player) {
     if (!player.setting) return "libode8";
     return "ODE_MT with " + std::to_string(player.setting->threads) + " threads of " +
-           player.setting->manager + (player.setting->disturbed ? ", disturbed" : "");
+           player.setting->manager + ", algorithm " + player.setting->algorithm +
+           (player.setting->concurrentCallbacks ? ", concurrent callbacks" : "") +
+           (player.setting->disturbed ? ", disturbed" : "");
 }
 
 Record run(const std::string &scenario, const Player &player, const std::vector<std::string> &options) {
@@ -49,6 +52,7 @@ Record run(const std::string &scenario, const Player &player, const std::vector<
     const std::string path = folder.file("record.json");
     std::vector<std::string> command{childProgram(), scenario,       "--record",
                                      path,           "--time-limit", std::to_string(timeLimit)};
+    if (player.unordered) command.push_back("--unordered");
     command.insert(command.end(), options.begin(), options.end());
     const ChildResult child = runChild(command, variablesFor(player));
     if (!child.succeeded) {
@@ -75,6 +79,7 @@ std::vector<ScenarioName> listScenarios() {
         ScenarioName scenario;
         std::getline(parts, scenario.name, '\t');
         std::getline(parts, scenario.serialBecause, '\t');
+        std::getline(parts, scenario.callbacks, '\t');
         names.push_back(scenario);
     }
     return names;

@@ -13,22 +13,26 @@ namespace exactness {
 struct ScenarioName {
     std::string name;           // "ball_joints/quick"
     std::string serialBecause;  // see catalogue.h
+    std::string callbacks;      // see catalogue.h; empty: one at a time
 };
 
 std::vector<ScenarioName> listScenarios();
 
-// How ODE_MT is told to run, through its environment. Its algorithm is always the one that shares out
-// islands whenever there are two, so that small scenes test the parallel step too.
+// How ODE_MT is told to run, through its environment. No algorithm but "auto" and "serial" asks whether sharing
+// out pays, so small scenes test the parallel step too.
 struct ThreadSetting {
     std::string manager;  // "pthread" or "openmp"
     int threads;
     bool disturbed = false;  // its schedule is disturbed on purpose
+    std::string algorithm = "lcp";
+    bool concurrentCallbacks = false;
 };
 
 // Who runs a scenario.
 struct Player {
     std::optional<ThreadSetting> setting;  // of ODE_MT; nothing: Debian's libode8
     bool patternMemory = true;             // fill fresh memory with a pattern
+    bool unordered = false;                // record near pairs and contacts without their order
 };
 const Player libode8{std::nullopt, false};
 const Player libode8Again{std::nullopt, true};

@@ -14,6 +14,7 @@
 // Threading: a scene is used from one thread at a time. dInitODE2 is the caller's job.
 #pragma once
 
+#include <atomic>
 #include <ode/ode.h>
 
 #include <cstdint>
@@ -71,7 +72,7 @@ protected:
     Inventory m_inventory;
     double m_time = 0;
     dReal m_stepSize;
-    std::size_t m_contacts = 0;
+    std::atomic<std::size_t> m_contacts{0};  // callbacks may run on several threads
 };
 
 // A scene by name and size, "stacks:100" or "humanoids:22" or "pile:4000,quick". Throws

@@ -29,8 +29,7 @@ WorldScene::WorldScene(const SceneOptions &options, dReal stepSize)
       m_stepper(options.stepper),
       m_world(dWorldCreate()),
       m_space(createSpace(options.space)),
-      m_contactGroup(dJointGroupCreate(0)),
-      m_contactBuffer(kMaxContacts) {
+      m_contactGroup(dJointGroupCreate(0)) {
     dWorldSetGravity(m_world, 0, 0, REAL(-9.81));
     dWorldSetAutoDisableFlag(m_world, options.autoDisable ? 1 : 0);
 
@@ -79,11 +78,12 @@ void WorldScene::meet(dGeomID o1, dGeomID o2) {
     const dBodyID body1 = dGeomGetBody(o1), body2 = dGeomGetBody(o2);
     if (body1 && body2 && dAreConnectedExcluding(body1, body2, dJointTypeContact)) return;
 
-    const int count = dCollide(o1, o2, kMaxContacts, &m_contactBuffer[0].geom, sizeof(dContact));
+    thread_local dContact contacts[kMaxContacts];
+    const int count = dCollide(o1, o2, kMaxContacts, &contacts[0].geom, sizeof(dContact));
     if (count == 0) return;
     const dSurfaceParameters parameters = surface(o1, o2);
     for (int i = 0; i < count; ++i) {
-        dContact &contact = m_contactBuffer[i];
+        dContact &contact = contacts[i];
         contact.surface = parameters;
         if (m_observer) m_observer->contact(contact);
         dJointAttach(dJointCreateContact(m_world, m_contactGroup, &contact), body1, body2);

@@ -76,7 +76,6 @@ private:
     dWorldID m_world;
     dSpaceID m_space;
     dJointGroupID m_contactGroup;
-    std::vector<dContact> m_contactBuffer;
     std::vector<std::shared_ptr<void>> m_kept;
 };
 

@@ -16,10 +16,15 @@ Scenario::Make scene(const std::string &nameAndSize) {
 void addSharedScenes(Catalogue &catalogue) {
     const auto add = [&](const std::string &name, const std::string &sizeAndModifiers, const char *meaning,
                          int steps) {
-        catalogue.push_back({"shared_scenes/" + name, meaning, steps, scene(name + sizeAndModifiers)});
+        Scenario scenario{"shared_scenes/" + name, meaning, steps, scene(name + sizeAndModifiers)};
+        const bool inAnotherSpace = sizeAndModifiers.find("sap") != std::string::npos ||
+                                    sizeAndModifiers.find("quadtree") != std::string::npos;
+        scenario.callbacks = inAnotherSpace ? Scenario::Callbacks::reentrant : Scenario::Callbacks::shared;
+        catalogue.push_back(scenario);
     };
     add("soccer", ":3", "three fields with robots", 60);
     add("humanoids", ":8", "eight humanoids", 40);
+    add("pile", ":300", "three hundred boxes in a heap, hash space", 60);
     add("stacks", ":12,autodisable", "twelve stacks of ten boxes", 40);
     add("spheres", ":120,sap", "balls poured into a box", 120);
     add("ragdolls", ":10,quadtree", "ten ragdolls", 120);

@@ -1,0 +1,63 @@
+// Contact joints that callbacks make on several threads at once: made at once, put into the lists of world
+// and bodies later, pair by pair, in the order in which upstream would have made them.
+//
+// That order decides the order of joints in islands, and with it of rows and bits. Until a joint is committed
+// it knows its bodies, but the world and the bodies do not know it.
+//
+// One log for each task. While a task runs callbacks its log is the current one of its thread, and
+// dJointCreateContact and dJointAttach (ode_mt/api/contacts.cpp) write into it.
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <vector>
+
+#include <ode/ode.h>
+
+#include "config.h"
+#include "objects.h"
+
+class dxContactLog {
+public:
+    // Where one pair's operations stand in a log.
+    struct Span {
+        std::uint32_t begin = 0, end = 0;
+    };
+
+    // That of this thread, or NULL.
+    static dxContactLog *current();
+
+    // Makes a log current for as long as it lives.
+    class Scope {
+    public:
+        explicit Scope(dxContactLog &log);
+        ~Scope();
+        Scope(const Scope &) = delete;
+        Scope &operator=(const Scope &) = delete;
+
+    private:
+        dxContactLog *const m_outer;
+    };
+
+    // `groups`: held while memory is taken from a joint group, which tasks may share.
+    void start(std::mutex &groups);
+
+    std::uint32_t position() const { return static_cast<std::uint32_t>(m_operations.size()); }
+
+    dJointID create(dWorldID world, dJointGroupID group, const dContact *contact);
+    void attach(dJointID joint, dBodyID body1, dBodyID body2);
+
+    // On the thread that called dSpaceCollide.
+    void commit(Span span);
+
+private:
+    struct Operation {
+        dJointID joint;
+        dBodyID body1, body2;
+        bool isCreation;
+    };
+
+    std::vector<Operation> m_operations;
+    std::mutex *m_groups = nullptr;
+    dxWorld m_nursery;  // where joints are made: a joint's constructor writes to its world
+};

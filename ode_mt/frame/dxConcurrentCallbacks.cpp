@@ -1,0 +1,164 @@
+#include "frame/dxConcurrentCallbacks.h"
+
+#include <fenv.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "clustering/dxClusterManager.h"
+#include "collision/dxContactLog.h"
+#include "collision/dxOrderedSpace.h"
+#include "dynamics/dxIdlePool.h"
+#include "frame/dxPairTasks.h"
+#include "frame/dxSettings.h"
+#include "frame/dxStepStatistics.h"
+#include "frame/dxWorkers.h"
+
+namespace {
+
+// More tasks than workers even out what the number of pairs does not tell of their cost.
+constexpr unsigned kTasksPerWorker = 8;
+
+// Fewer pairs than this are not worth waking a worker: at the 0.2 us and more that a callback with dCollide
+// takes, they are done in the time that it needs to come.
+constexpr std::size_t kLeastPairs = 200;
+
+// What a call needs, kept from call to call.
+struct Run {
+    dxPairTasks cut;
+    std::vector<std::unique_ptr<dxContactLog>> logs;     // by task
+    std::vector<dxContactLog::Span> spans;               // by pair
+    std::vector<std::uint32_t> taskOfPair;
+    std::vector<std::uint8_t> workerTookPart;
+    std::mutex groups;
+    std::mutex failure;
+    std::atomic<bool> failed{false};
+    std::exception_ptr thrown;
+
+    const std::vector<dxOrderedPair> *pairs = nullptr;
+    void *data = nullptr;
+    dNearCallback *callback = nullptr;
+
+    void start(const dxOrderedSpace &space, unsigned workers);
+    void runTask(unsigned task);
+    void deliver(const dxOrderedPair &pair);
+    void commit();
+};
+
+void Run::start(const dxOrderedSpace &space, unsigned workers) {
+    pairs = &space.pairs();
+    failed.store(false, std::memory_order_relaxed);
+    thrown = nullptr;
+    cut.cut(*pairs, dxClusterManager::find(const_cast<dxOrderedSpace *>(&space)), workers * kTasksPerWorker);
+    while (logs.size() < cut.tasks().size()) logs.push_back(std::make_unique<dxContactLog>());
+    for (std::size_t i = 0; i < cut.tasks().size(); ++i) logs[i]->start(groups);
+    spans.assign(pairs->size(), {});
+    taskOfPair.resize(pairs->size());
+    workerTookPart.assign(workers, 0);
+}
+
+void Run::runTask(unsigned task) {
+    dxContactLog &log = *logs[task];
+    const dxContactLog::Scope scope(log);
+    const dxPairTasks::Task &range = cut.tasks()[task];
+    for (std::uint32_t i = range.begin; i != range.end; ++i) {
+        const std::uint32_t pair = cut.order()[i];
+        taskOfPair[pair] = task;
+        if (failed.load(std::memory_order_relaxed)) continue;
+        spans[pair].begin = log.position();
+        deliver((*pairs)[pair]);
+        spans[pair].end = log.position();
+    }
+}
+
+void Run::deliver(const dxOrderedPair &pair) {
+    if (!dxGeomIsEnabled(pair.first) || !dxGeomIsEnabled(pair.second)) return;
+    try {
+        dxDeliver(pair, data, callback);
+    } catch (...) {
+        const std::lock_guard<std::mutex> lock(failure);
+        if (!failed.exchange(true)) thrown = std::current_exception();
+    }
+}
+
+void Run::commit() {
+    for (std::uint32_t pair = 0; pair < pairs->size(); ++pair) logs[taskOfPair[pair]]->commit(spans[pair]);
+}
+
+dxIdlePool<Run> &idleRuns() {
+    static dxIdlePool<Run> *const pool = new dxIdlePool<Run>;  // never destroyed: threads may collide at exit
+    return *pool;
+}
+
+// A program that has floating-point exceptions trapped gets the signal on the thread that collides.
+bool trapsFloatingPoint() { return fegetexcept() > 0; }
+
+unsigned workersFor(const dxOrderedSpace &space) {
+    const dxSettings &settings = dxSettings::instance();
+    const dxAlgorithm algorithm = settings.algorithm();
+    if (algorithm == dxAlgorithm::Serial) return 1;
+    if (algorithm != dxAlgorithm::Auto) return settings.threads();
+    return space.pairs().size() < kLeastPairs ? 1 : std::min(settings.threads(), settings.cores());
+}
+
+// Gives the run back, also when a callback's exception passes.
+class Lease {
+public:
+    Lease() : m_run(idleRuns().take()) {
+        if (m_run == nullptr) m_run = new Run;
+    }
+    ~Lease() { idleRuns().giveBack(m_run); }
+    Lease(const Lease &) = delete;
+    Lease &operator=(const Lease &) = delete;
+    Run &operator*() const { return *m_run; }
+
+private:
+    Run *m_run;
+};
+
+// The part between locking the space and unlocking it.
+bool collideLocked(dxOrderedSpace &space, void *data, dNearCallback *callback) {
+    if (!space.makeReady()) return false;
+    const unsigned workers = workersFor(space);
+    if (workers < 2) return false;
+    const Lease lease;
+    Run &run = *lease;
+    run.start(space, workers);
+    const auto tasks = static_cast<unsigned>(run.cut.tasks().size());
+    if (tasks < 2) return false;
+    run.data = data;
+    run.callback = callback;
+    const dxThreadManager::Task task = [](void *context, unsigned block, unsigned worker) {
+        Run &running = *static_cast<Run *>(context);
+        running.workerTookPart[worker] = 1;
+        running.runTask(block);
+    };
+    dxWorkers::instance().run(tasks, workers, task, &run);
+    run.commit();
+    const auto used = std::count(run.workerTookPart.begin(), run.workerTookPart.end(), 1);
+    dxStepStatistics::instance().countParallelCollision(static_cast<unsigned>(used));
+    if (run.thrown != nullptr) std::rethrow_exception(run.thrown);
+    return true;
+}
+
+}  // namespace
+
+bool dxCollideConcurrently(dSpaceID space, void *data, dNearCallback *callback) {
+    const bool isOrdered = space->type == dSimpleSpaceClass || space->type == dHashSpaceClass;
+    if (!isOrdered || space->lock_count != 0 || callback == nullptr) return false;
+    if (dxSettings::instance().threads() < 2 || dxContactLog::current() != nullptr || trapsFloatingPoint())
+        return false;
+    if (space->type == dHashSpaceClass && space->count < 2) return false;  // see dxOrderedHashSpace::collide
+    space->lock_count++;
+    const bool done = collideLocked(*static_cast<dxOrderedSpace *>(space), data, callback);
+    space->lock_count--;  // not if an exception passes, as upstream
+    return done;
+}
+
+void dxForgetConcurrentCallbacks() {
+    idleRuns().clear([](Run *run) { delete run; });
+}

@@ -1,0 +1,15 @@
+// dSpaceCollide with the near-callbacks of independent pairs on several threads, for callers who have said that
+// theirs may run so (dODE_MT_SetCallbackPolicy).
+//
+// Pairs are found as ever; tasks that share no body (dxPairTasks) are run by workers, each task's pairs in
+// order; contact joints are put into their lists afterwards, pair by pair in upstream's order (dxContactLog).
+// So the world is the one that upstream leaves, as long as callbacks do what docs/callbacks.md asks of them.
+#pragma once
+
+#include <ode/ode.h>
+
+// False: it does not pay, or cannot be done, and nothing has been done.
+bool dxCollideConcurrently(dSpaceID space, void *data, dNearCallback *callback);
+
+// Frees what is kept from call to call; none may be in progress.
+void dxForgetConcurrentCallbacks();

@@ -1,0 +1,111 @@
+#include "frame/dxPairTasks.h"
+
+#include <algorithm>
+
+#include "config.h"
+#include "objects.h"
+#include "collision_kernel.h"
+
+namespace {
+
+constexpr std::uint32_t kNone = ~std::uint32_t{0};
+
+// Colliding this geom with another writes to it, or runs code of the user's.
+bool isWrittenTo(const dxGeom *geom) {
+    const int type = geom->type;
+    return type == dHeightfieldClass || type == dGeomTransformClass || type == dTriMeshClass ||
+           type >= dFirstUserClass || dGeomIsSpace(const_cast<dxGeom *>(geom));
+}
+
+bool isExclusive(const dxGeom *geom) { return geom->body != nullptr || isWrittenTo(geom); }
+
+}  // namespace
+
+void dxPairTasks::cut(const std::vector<dxOrderedPair> &pairs, const dxClusteredWorldAndSpace *clusters,
+                      unsigned wanted) {
+    Slot end = 0;
+    for (const dxOrderedPair &pair : pairs) end = std::max({end, pair.slots[0] + 1, pair.slots[1] + 1});
+    m_sets.reset(end);
+    m_exclusive.assign(end, 0);
+    uniteExclusive(pairs);
+    if (clusters != nullptr) uniteClusters(pairs, *clusters);
+    sizeSets(pairs);
+    shareOut(wanted, pairs.size());
+}
+
+void dxPairTasks::uniteExclusive(const std::vector<dxOrderedPair> &pairs) {
+    // Upstream's tag of a body is scratch memory; here it holds the slot of the body's first geom, plus one.
+    for (const dxOrderedPair &pair : pairs)
+        for (dxGeom *const geom : {pair.first, pair.second})
+            if (geom->body != nullptr) geom->body->tag = 0;
+    for (const dxOrderedPair &pair : pairs) {
+        for (int i = 0; i < 2; ++i) {
+            const dxGeom *const geom = i == 0 ? pair.first : pair.second;
+            if (!isExclusive(geom)) continue;
+            m_exclusive[pair.slots[i]] = 1;
+            if (geom->body != nullptr) uniteBody(geom->body, pair.slots[i]);
+        }
+        if (m_exclusive[pair.slots[0]] && m_exclusive[pair.slots[1]]) m_sets.unite(pair.slots[0], pair.slots[1]);
+    }
+}
+
+void dxPairTasks::uniteBody(dBodyID body, Slot slot) {
+    if (body->tag == 0)
+        body->tag = static_cast<int>(slot + 1);
+    else
+        m_sets.unite(static_cast<Slot>(body->tag - 1), slot);
+}
+
+void dxPairTasks::uniteClusters(const std::vector<dxOrderedPair> &pairs, const dxClusteredWorldAndSpace &clusters) {
+    std::vector<std::uint32_t> firstOfTask(static_cast<std::size_t>(clusters.clusters().count()), kNone);
+    for (const dxOrderedPair &pair : pairs)
+        for (const Slot slot : pair.slots) {
+            const int cluster = clusters.clusters().of(slot);
+            if (!m_exclusive[slot] || cluster == dxClusters::kNone) continue;
+            std::uint32_t &first = firstOfTask[clusters.clusters()[cluster].task];
+            if (first == kNone) first = slot;
+            m_sets.unite(first, slot);
+        }
+}
+
+dxPairTasks::Slot dxPairTasks::ownerOf(const dxOrderedPair &pair) const {
+    return m_exclusive[pair.slots[0]] || !m_exclusive[pair.slots[1]] ? pair.slots[0] : pair.slots[1];
+}
+
+void dxPairTasks::sizeSets(const std::vector<dxOrderedPair> &pairs) {
+    m_setOfPair.resize(pairs.size());
+    m_sizeOfSet.assign(m_exclusive.size(), 0);
+    m_setsBySize.clear();
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const std::uint32_t set = m_setOfPair[i] = m_sets.find(ownerOf(pairs[i]));
+        if (m_sizeOfSet[set]++ == 0) m_setsBySize.push_back(set);
+    }
+    std::stable_sort(m_setsBySize.begin(), m_setsBySize.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return m_sizeOfSet[a] > m_sizeOfSet[b]; });
+}
+
+// Large sets first, each a task of its own; small ones together until they are as large as a task should be.
+void dxPairTasks::shareOut(unsigned wanted, std::size_t pairs) {
+    const std::size_t least = pairs / wanted + 1;
+    m_taskOfSet.assign(m_exclusive.size(), kNone);
+    m_tasks.clear();
+    std::size_t size = least;  // of the last task
+    for (const std::uint32_t set : m_setsBySize) {
+        if (size >= least) {
+            m_tasks.push_back({0, 0});
+            size = 0;
+        }
+        m_taskOfSet[set] = static_cast<std::uint32_t>(m_tasks.size() - 1);
+        m_tasks.back().end += m_sizeOfSet[set];
+        size += m_sizeOfSet[set];
+    }
+    std::uint32_t begin = 0;
+    m_fill.clear();
+    for (Task &task : m_tasks) {
+        task = {begin, begin + task.end};
+        m_fill.push_back(begin);
+        begin = task.end;
+    }
+    m_order.resize(pairs);
+    for (std::uint32_t i = 0; i < pairs; ++i) m_order[m_fill[m_taskOfSet[m_setOfPair[i]]]++] = i;
+}

@@ -1,0 +1,45 @@
+// Cuts the pairs of a space into tasks whose callbacks may run at the same time: no two tasks share a body.
+//
+// Two pairs belong together if they share a body, or a geom that a collider writes to or that leads to code of
+// the user's (a height field, a nested space, a geom of a class of the user's, a geom transform, a mesh that
+// remembers its last contacts). Static geoms of other kinds are only read and may be in many tasks. Clusters,
+// where the space has them, are kept whole.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "clustering/dxClusteredWorldAndSpace.h"
+#include "clustering/dxDisjointSets.h"
+#include "collision/dxOrderedPair.h"
+
+class dxPairTasks {
+public:
+    struct Task {
+        std::uint32_t begin, end;  // in order()
+    };
+
+    // About `wanted` tasks of like size, fewer if pairs hang together.
+    void cut(const std::vector<dxOrderedPair> &pairs, const dxClusteredWorldAndSpace *clusters, unsigned wanted);
+
+    const std::vector<Task> &tasks() const { return m_tasks; }
+    // Numbers of pairs, task by task, rising within a task.
+    const std::vector<std::uint32_t> &order() const { return m_order; }
+
+private:
+    using Slot = dxMembers::Slot;
+
+    void uniteExclusive(const std::vector<dxOrderedPair> &pairs);
+    void uniteBody(dBodyID body, Slot slot);
+    void uniteClusters(const std::vector<dxOrderedPair> &pairs, const dxClusteredWorldAndSpace &clusters);
+    void sizeSets(const std::vector<dxOrderedPair> &pairs);
+    void shareOut(unsigned wanted, std::size_t pairs);
+    Slot ownerOf(const dxOrderedPair &pair) const;
+
+    dxDisjointSets m_sets;                   // of slots
+    std::vector<std::uint8_t> m_exclusive;   // by slot
+    std::vector<std::uint32_t> m_setOfPair;  // root of its set
+    std::vector<std::uint32_t> m_sizeOfSet, m_taskOfSet, m_setsBySize;  // by root; roots
+    std::vector<std::uint32_t> m_order, m_fill;
+    std::vector<Task> m_tasks;
+};
