@@ -7,9 +7,10 @@
 
 namespace {
 
-TEST(WorldFolder, HoldsTheFourWorlds) {
+TEST(WorldFolder, HoldsTheEightWorlds) {
     EXPECT_EQ(worlds::availableWorlds(),
-              (std::vector<std::string>{"bioloid", "create", "pioneer3at", "soccer"}));
+              (std::vector<std::string>{"bioloid", "create", "epuck", "epucks", "humanoid", "humanoids",
+                                        "pioneer3at", "soccer"}));
 }
 
 TEST(WorldFolder, FindsWorldsByNameAndByFile) {
@@ -25,7 +26,9 @@ TEST(WorldFolder, NamesWhatExistsWhenThereIsNoSuchWorld) {
     } catch (const std::invalid_argument &error) {
         const std::string message = error.what();
         EXPECT_NE(message.find("'rugby'"), std::string::npos) << message;
-        EXPECT_NE(message.find("bioloid create pioneer3at soccer"), std::string::npos) << message;
+        EXPECT_NE(message.find("bioloid create epuck epucks humanoid humanoids pioneer3at soccer"),
+                  std::string::npos)
+            << message;
     }
 }
 
