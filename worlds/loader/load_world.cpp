@@ -1,5 +1,6 @@
 #include "loader/load_world.h"
 
+#include "loader/description/repeat_obstacles.h"
 #include "loader/read/document.h"
 #include "loader/read/issues.h"
 #include "loader/read/read_world.h"
@@ -16,7 +17,10 @@ std::unique_ptr<SdfScene> loadWorldText(const std::string &sdf, const std::strin
     const Issues issues(options);
     const ResourceFinder resources(name, options.modelFolders);
     const Document document(sdf, name, resources, issues);
-    return std::make_unique<SdfScene>(readWorld(document.world(), name, resources, issues));
+    WorldDescription world = readWorld(document.world(), name, resources, issues);
+    world.staticMeetsStatic = options.staticMeetsStatic;
+    if (options.staticShapes > 0) repeatObstacles(world, options.staticShapes, {name, ""});
+    return std::make_unique<SdfScene>(world);
 }
 
 }  // namespace worlds

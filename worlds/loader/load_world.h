@@ -16,6 +16,15 @@ struct LoadOptions {
     bool ignoreUnsupported = false;
     std::vector<std::string> *warnings = nullptr;  // not owned
 
+    // false: by their category and collide bits, static shapes never meet one another: ODE's space does
+    // not report such pairs. true: it does, and the near callback drops them, which moves nothing
+    // otherwise but takes the time that a program without such bits takes.
+    bool staticMeetsStatic = false;
+
+    // Static shapes that the world shall have; the obstacles of the file are repeated around it until
+    // it does (description/repeat_obstacles.h). 0: as many as the file has.
+    std::size_t staticShapes = 0;
+
     // Where model:// URIs and relative file names are looked for, besides the folder of the file that
     // names them, its subfolder models/ and the folders in SDF_PATH and GZ_SIM_RESOURCE_PATH.
     std::vector<std::string> modelFolders;

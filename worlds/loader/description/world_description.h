@@ -24,6 +24,7 @@ struct WorldDescription {
     std::vector<Link> links;
     std::vector<Joint> joints;
     std::vector<ControllerDescription> controllers;
+    bool staticMeetsStatic = false;  // pairs of static shapes reach the near callback, which drops them
 };
 
 }  // namespace worlds

@@ -15,15 +15,10 @@ using ignition::math::Vector3d;
 // they have no collide bits to meet one another with.
 constexpr int upperMask = 16;
 
-void setBits(dGeomID geom, const Surface &surface, bool isStatic) {
+void setBits(dGeomID geom, const Surface &surface, bool isStatic, bool meetsStatic) {
     const unsigned long category = surface.category, collide = surface.collide;
-    if (isStatic) {
-        dGeomSetCategoryBits(geom, category | collide << upperMask);
-        dGeomSetCollideBits(geom, 0);
-    } else {
-        dGeomSetCategoryBits(geom, category);
-        dGeomSetCollideBits(geom, collide | category << upperMask);
-    }
+    dGeomSetCategoryBits(geom, isStatic ? category | collide << upperMask : category);
+    dGeomSetCollideBits(geom, meetsStatic ? collide | category << upperMask : 0);
 }
 
 template <class Value, class Choose>
@@ -43,7 +38,7 @@ Vector3d rotate(dGeomID geom, const Vector3d &vector) {
 void ContactRules::add(dGeomID geom, const Link &link, const Collision &collision) {
     m_properties.push_back({collision.surface, collision.maxContacts, link.model, link.selfCollide});
     dGeomSetData(geom, &m_properties.back());
-    setBits(geom, collision.surface, link.isStatic);
+    setBits(geom, collision.surface, link.isStatic, !link.isStatic || m_staticMeetsStatic);
 }
 
 const ContactRules::Properties &ContactRules::of(dGeomID geom) {
@@ -52,7 +47,7 @@ const ContactRules::Properties &ContactRules::of(dGeomID geom) {
 
 bool ContactRules::mayTouch(dGeomID geom1, dGeomID geom2) {
     const dBodyID body1 = dGeomGetBody(geom1), body2 = dGeomGetBody(geom2);
-    if (!body1 || !body2) return true;
+    if (!body1 || !body2) return body1 || body2;
     const Properties &first = of(geom1), &second = of(geom2);
     if (first.model == second.model && !first.selfCollide && !second.selfCollide) return false;
     return !dAreConnectedExcluding(body1, body2, dJointTypeContact);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "loader/description/link.h"
-#include "loader/description/physics.h"
+#include "loader/description/world_description.h"
 
 #include <ode/ode.h>
 
@@ -12,13 +12,15 @@ namespace worlds {
 
 class ContactRules {
 public:
-    explicit ContactRules(const Physics &physics) : m_frictionPyramid(physics.frictionPyramid) {}
+    explicit ContactRules(const WorldDescription &world)
+        : m_frictionPyramid(world.physics.frictionPyramid), m_staticMeetsStatic(world.staticMeetsStatic) {}
 
     // Makes the geom known: its data pointer, category and collide bits are set.
     void add(dGeomID geom, const Link &link, const Collision &collision);
 
-    // False for bodies joined by a joint, and for bodies of one model unless one of them wants to
-    // touch the rest of it. Static geoms do not meet at all, by their bits.
+    // False for bodies joined by a joint, for bodies of one model unless one of them wants to touch the
+    // rest of it, and for two static geoms. Those do not even get here, by their bits, unless the world
+    // says staticMeetsStatic.
     static bool mayTouch(dGeomID geom1, dGeomID geom2);
 
     // At most this many contacts become joints.
@@ -40,7 +42,7 @@ private:
     };
     static const Properties &of(dGeomID geom);
 
-    bool m_frictionPyramid;
+    bool m_frictionPyramid, m_staticMeetsStatic;
     std::deque<Properties> m_properties;  // the geoms point here
 };
 

@@ -16,14 +16,14 @@ namespace worlds {
 
 // Destroyed from the bottom up: contact joints, geoms, what geoms point to, the world with its bodies.
 struct SdfScene::Parts {
-    explicit Parts(const Physics &physics)
-        : world(createWorld(physics)),
-          rules(physics),
-          space(createSpace(physics.space)),
+    explicit Parts(const WorldDescription &description)
+        : world(createWorld(description.physics)),
+          rules(description),
+          space(createSpace(description.physics.space)),
           contactGroup(dJointGroupCreate(0)),
-          stepper(physics.stepper),
-          springs(physics.stepSize),
-          contacts(static_cast<std::size_t>(physics.contactCandidates)) {}
+          stepper(description.physics.stepper),
+          springs(description.physics.stepSize),
+          contacts(static_cast<std::size_t>(description.physics.contactCandidates)) {}
 
     WorldOwner world;
     GeomFactory geoms;
@@ -42,7 +42,7 @@ struct SdfScene::Parts {
 };
 
 SdfScene::SdfScene(const WorldDescription &world)
-    : Scene(toReal(world.physics.stepSize)), m_parts(std::make_unique<Parts>(world.physics)) {
+    : Scene(toReal(world.physics.stepSize)), m_parts(std::make_unique<Parts>(world)) {
     m_inventory.worlds.push_back(m_parts->world.get());
     m_inventory.spaces.push_back(m_parts->space.get());
     addLinks(world);
