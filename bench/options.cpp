@@ -25,7 +25,9 @@ const char *const kFooter =
     "  ours:N/openmp ODE_MT with this thread manager (pthread, openmp); ours:N/lcp: this algorithm\n"
     "  stock-pool, ours: one for (the largest of / each of) --threads\n"
     "\nExamples:\n"
-    "  odemt_bench                                    the four benchmark worlds\n"
+    "  odemt_bench                                    the four benchmark worlds of the thesis's chapter 3\n"
+    "  odemt_bench --worlds thesis                    these and the four of its table 2.1\n"
+    "  odemt_bench --worlds pioneer3at:440,create:620 worlds with more static shapes\n"
     "  odemt_bench --worlds humanoids:22,stacks:100   two scenes\n"
     "  odemt_bench --worlds pile:4000,sap --engines stock,ours:2 --seconds 60\n"
     "  odemt_bench --worlds my/world.sdf --threads 2,4,8\n"
@@ -67,7 +69,9 @@ struct Words {
 
 void addOptions(CLI::App &app, Words &words, Options &options) {
     StoppingRule &stop = options.race.stop;
-    app.add_option("--worlds", words.worlds, "SDF worlds, .sdf files and scenes; --list shows them")
+    app.add_option(
+           "--worlds", words.worlds,
+           "SDF worlds, .sdf files and scenes; 'thesis': the eight worlds of the thesis;\n--list shows all")
         ->capture_default_str();
     app.add_option("--engines", words.engines, "engines; speed-ups refer to the first")
         ->capture_default_str();

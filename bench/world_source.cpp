@@ -1,7 +1,7 @@
 #include "world_source.h"
 
-#include "loader/load_world.h"
 #include "loader/world_folder.h"
+#include "world_spec.h"
 
 #include <algorithm>
 #include <sstream>
@@ -11,23 +11,15 @@ namespace bench {
 
 namespace {
 
+// Those of the thesis's chapter 3, then those of its table 2.1.
+const std::vector<std::string> kWorldsOfTheThesis = {"pioneer3at", "bioloid", "create",   "soccer",
+                                                     "epuck",      "epucks",  "humanoid", "humanoids"};
+
 bool isModifier(const std::string &word) {
+    if (word == kStaticMeetsStatic) return true;
     const auto modifiers = scenes::availableModifiers();
     return std::any_of(modifiers.begin(), modifiers.end(),
                        [&](const scenes::SceneDescription &modifier) { return modifier.name == word; });
-}
-
-bool isSceneName(const std::string &word) {
-    const auto all = scenes::availableScenes();
-    return std::any_of(all.begin(), all.end(),
-                       [&](const scenes::SceneDescription &scene) { return scene.name == word; });
-}
-
-bool isSdfWorld(const std::string &world) {
-    const auto all = worlds::availableWorlds();
-    const bool isFile = world.find('/') != std::string::npos || world.find(".sdf") != std::string::npos ||
-                        world.find(".world") != std::string::npos;
-    return isFile || std::find(all.begin(), all.end(), world) != all.end();
 }
 
 std::string join(const std::vector<std::string> &words) {
@@ -50,6 +42,8 @@ std::vector<std::string> splitWorlds(const std::string &list) {
     for (std::string word; std::getline(stream, word, ',');) {
         if (!result.empty() && isModifier(word))
             result.back() += "," + word;
+        else if (word == "thesis")
+            result.insert(result.end(), kWorldsOfTheThesis.begin(), kWorldsOfTheThesis.end());
         else
             result.push_back(word);
     }
@@ -57,14 +51,17 @@ std::vector<std::string> splitWorlds(const std::string &list) {
 }
 
 void checkWorld(const std::string &world) {
-    if (isSdfWorld(world)) {
-        worlds::findWorld(world);
+    const WorldSpec spec = readWorldSpec(world);
+    if (spec.isSdf) {
+        worlds::findWorld(spec.name);
+        loadOptions(spec);
         return;
     }
-    const std::string name = world.substr(0, world.find_first_of(":,"));
-    if (!isSceneName(name)) {
+    const auto scenes = scenes::availableScenes();
+    if (std::none_of(scenes.begin(), scenes.end(),
+                     [&](const auto &scene) { return scene.name == spec.name; })) {
         std::vector<std::string> names;
-        for (const scenes::SceneDescription &scene : scenes::availableScenes()) names.push_back(scene.name);
+        for (const scenes::SceneDescription &scene : scenes) names.push_back(scene.name);
         throw std::invalid_argument(
             "unknown world '" + world + "'; SDF worlds: " + join(worlds::availableWorlds()) +
             " or the path of an .sdf file; scenes: " + join(names) + " (:N for their size)");
@@ -75,16 +72,21 @@ void checkWorld(const std::string &world) {
 std::unique_ptr<scenes::Scene> openWorld(const std::string &world, bool ignoreUnsupported,
                                          std::vector<std::string> &warnings) {
     checkWorld(world);
-    if (!isSdfWorld(world)) return scenes::makeScene(world);
-    worlds::LoadOptions options;
+    const WorldSpec spec = readWorldSpec(world);
+    if (!spec.isSdf) return scenes::makeScene(world);
+    worlds::LoadOptions options = loadOptions(spec);
     options.ignoreUnsupported = ignoreUnsupported;
     options.warnings = &warnings;
-    return worlds::loadWorld(worlds::findWorld(world), options);
+    return worlds::loadWorld(worlds::findWorld(spec.name), options);
 }
 
 std::string listWorlds() {
     std::string text = "SDF worlds in " + worlds::worldFolder() + " (or the path of any .sdf file):\n";
     for (const std::string &world : worlds::availableWorlds()) text += "  " + world + "\n";
+    text += nameAndMeaning({"thesis", join(kWorldsOfTheThesis)});
+    text += "\nWith N static shapes, as NAME:N. Modifier of an SDF world, as NAME,MODIFIER:\n";
+    text +=
+        nameAndMeaning({kStaticMeetsStatic, "ODE reports pairs of static shapes, which then are dropped"});
     text += "\nScenes, as NAME:N:\n";
     for (const scenes::SceneDescription &scene : scenes::availableScenes()) text += nameAndMeaning(scene);
     text += "\nModifiers of a scene, as NAME:N,MODIFIER:\n";

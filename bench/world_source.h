@@ -1,8 +1,11 @@
 // What may stand behind --worlds, and how it becomes a scene.
 //
 //   create             one of the SDF worlds of worlds/
-//   path/to/file.sdf   any SDF world
+//   create:620         the same with 620 static shapes: its obstacles are repeated around it
+//   create,static_meets_static   the same with pairs of static shapes reported by ODE's space
+//   path/to/file.sdf   any SDF world; may have a number and the modifier, too
 //   stacks:100,quick   a procedural scene; "soccer" alone is the SDF world, "soccer:4" the scene
+//   thesis             all the worlds that the thesis measures
 #pragma once
 
 #include "scenes/scene.h"
@@ -13,7 +16,8 @@
 
 namespace bench {
 
-// "rover,pile:4000,quick,create" is three worlds: a modifier belongs to the scene before it.
+// "rover,pile:4000,quick,create" is three worlds: a modifier belongs to the world before it. "thesis" is
+// eight.
 std::vector<std::string> splitWorlds(const std::string &list);
 
 // Throws std::invalid_argument that names what is wrong and what exists; opens no file.

@@ -1,0 +1,27 @@
+// What one word behind --worlds says: NAME[:N][,MODIFIER...].
+#pragma once
+
+#include "loader/load_world.h"
+
+#include <string>
+#include <vector>
+
+namespace bench {
+
+struct WorldSpec {
+    std::string name;                    // of an SDF world or scene, or a file
+    std::string size;                    // what stands behind the colon; empty when there is none
+    std::vector<std::string> modifiers;  // what stands behind the commas
+    bool isSdf = false;                  // else a scene
+};
+
+// Opens no file.
+WorldSpec readWorldSpec(const std::string &world);
+
+// "static_meets_static", what may stand behind the comma of an SDF world.
+extern const char *const kStaticMeetsStatic;
+
+// How to load an SDF world. Throws std::invalid_argument for a size or modifier that makes no sense.
+worlds::LoadOptions loadOptions(const WorldSpec &spec);
+
+}  // namespace bench
