@@ -159,14 +159,50 @@ ODE_API int dThreadGetSpacesCount(int threadID);
 /** The index-th of those spaces, or NULL if there is none. @ingroup ode_mt */
 ODE_API dSpaceID dThreadGetSpaceID(int threadID, int index);
 
-/** Number of clusters of a world and space: 1, as the algorithms in force do not cluster. @ingroup ode_mt */
+/**
+ * @defgroup ode_mt_clusters Clusters, as of the last dSpaceCollide: for a debug overlay
+ *
+ * A simple or hash space has clusters while an algorithm that clusters is in force (dODE_MT_SetAlgorithm).
+ * The functions look and change nothing; not from another thread while the space collides. `world` is the
+ * world whose bodies the geoms of the space have. A cluster has a name, a number from 1 on, that it keeps from
+ * frame to frame; 0 stands for no cluster.
+ */
+
+/** Number of clusters of what moves; 1 if the space has none, as all is one. @ingroup ode_mt_clusters */
 ODE_API int dClusterGetCount(dWorldID world, dSpaceID space);
 
-/** Edge of a grid cell, 0 without a grid. @ingroup ode_mt */
+/** Edge of a grid cell, 0 without a grid. @ingroup ode_mt_clusters */
 ODE_API float dClusterGetGridStep(dWorldID world, dSpaceID space);
 
-/** Centre of the grid, the origin without a grid. @ingroup ode_mt */
+/** Centre of the grid, the origin without a grid. @ingroup ode_mt_clusters */
 ODE_API void dClusterGetCenter(dWorldID world, dSpaceID space, float *x, float *y, float *z);
+
+/** Cells of the grid on each axis, 0 without a grid. @ingroup ode_mt_clusters */
+ODE_API int dClusterGetGridCells(dWorldID world, dSpaceID space);
+
+/** Name of the cluster that a geom, or the space around it, is in; 0: static, big, or in none. @ingroup ode_mt_clusters */
+ODE_API unsigned dClusterGetOfGeom(dGeomID geom);
+
+/** Name of the cluster of a body's first geom, 0 if it has none. @ingroup ode_mt_clusters */
+ODE_API unsigned dClusterGetOfBody(dBodyID body);
+
+/** A cell in which something that moves lies. @ingroup ode_mt_clusters */
+typedef struct dClusterCell {
+    int x, y, z;      /**< from 0 to dClusterGetGridCells - 1 */
+    unsigned cluster; /**< name */
+} dClusterCell;
+
+/** Writes up to `capacity` such cells, in no order, and returns how many there are. @ingroup ode_mt_clusters */
+ODE_API int dClusterGetCells(dWorldID world, dSpaceID space, dClusterCell *cells, int capacity);
+
+/** What a cluster went through in the last frame. @ingroup ode_mt_clusters */
+typedef struct dClusterEvent {
+    int isSplit;         /**< 0: `from` became part of `into`; 1: `into` came off `from` */
+    unsigned from, into; /**< names */
+} dClusterEvent;
+
+/** Writes up to `capacity` such events and returns how many there were. @ingroup ode_mt_clusters */
+ODE_API int dClusterGetEvents(dWorldID world, dSpaceID space, dClusterEvent *events, int capacity);
 
 #ifdef __cplusplus
 }

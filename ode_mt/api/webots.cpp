@@ -68,15 +68,4 @@ dSpaceID dThreadGetSpaceID(int threadID, int index) {
     return index >= 0 && index < dThreadGetSpacesCount(threadID) ? t_frameSpace : nullptr;
 }
 
-int dClusterGetCount(dWorldID, dSpaceID) { return 1; }
-
-float dClusterGetGridStep(dWorldID, dSpaceID) { return 0; }
-
-void dClusterGetCenter(dWorldID, dSpaceID, float *x, float *y, float *z) {
-    require(x != nullptr, __func__, "bad x argument");
-    require(y != nullptr, __func__, "bad y argument");
-    require(z != nullptr, __func__, "bad z argument");
-    *x = *y = *z = 0;
-}
-
 }  // extern "C"

@@ -5,7 +5,7 @@
 
 void dxClusterHistory::follow(const dxClusters &before, dxClusters &now) {
     constexpr unsigned kUnnamed = 0;
-    m_events.clear();
+    m_changes.clear();
     gatherShares(before, now);
     for (int cluster = 0; cluster < now.dynamicCount(); ++cluster) now[cluster].name = kUnnamed;
     std::vector<bool> nameIsTaken(before.dynamicCount(), false);
@@ -19,8 +19,8 @@ void dxClusterHistory::follow(const dxClusters &before, dxClusters &now) {
     for (const Share &share : m_shares) {
         const unsigned old = before[share.before].name, name = now[share.now].name;
         if (old == name) continue;
-        if (nameIsTaken[share.before]) report(dxClusterEvent::Kind::split, old, name);
-        else report(dxClusterEvent::Kind::merge, old, name);
+        if (nameIsTaken[share.before]) report(dxClusterChange::Kind::split, old, name);
+        else report(dxClusterChange::Kind::merge, old, name);
     }
 }
 
@@ -44,7 +44,7 @@ void dxClusterHistory::gatherShares(const dxClusters &before, const dxClusters &
     });
 }
 
-void dxClusterHistory::report(dxClusterEvent::Kind kind, unsigned from, unsigned into) {
-    m_events.push_back({kind, from, into});
-    ++(kind == dxClusterEvent::Kind::merge ? m_merges : m_splits);
+void dxClusterHistory::report(dxClusterChange::Kind kind, unsigned from, unsigned into) {
+    m_changes.push_back({kind, from, into});
+    ++(kind == dxClusterChange::Kind::merge ? m_merges : m_splits);
 }

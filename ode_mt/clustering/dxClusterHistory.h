@@ -5,7 +5,7 @@
 
 #include "clustering/dxClusters.h"
 
-struct dxClusterEvent {
+struct dxClusterChange {
     enum class Kind { merge, split };
     Kind kind;
     unsigned from, into;  // names: `from` became part of `into`; or `into` came off `from`
@@ -18,7 +18,7 @@ public:
     void follow(const dxClusters &before, dxClusters &now);
 
     // Of the last frame.
-    const std::vector<dxClusterEvent> &events() const { return m_events; }
+    const std::vector<dxClusterChange> &changes() const { return m_changes; }
     unsigned merges() const { return m_merges; }  // since the start
     unsigned splits() const { return m_splits; }
 
@@ -29,9 +29,9 @@ private:
     };
 
     void gatherShares(const dxClusters &before, const dxClusters &now);
-    void report(dxClusterEvent::Kind kind, unsigned from, unsigned into);
+    void report(dxClusterChange::Kind kind, unsigned from, unsigned into);
 
     std::vector<Share> m_shares;
-    std::vector<dxClusterEvent> m_events;
+    std::vector<dxClusterChange> m_changes;
     unsigned m_nextName = 1, m_merges = 0, m_splits = 0;
 };

@@ -35,6 +35,8 @@ public:
 
     // The space that a geom is in, if it is of this class, or NULL.
     static dxOrderedSpace *of(const dxGeom *geom);
+    // Of a geom in such a space.
+    static Slot slotOf(const dxGeom *geom);
 
     ~dxOrderedSpace() override;
 
@@ -64,7 +66,6 @@ protected:
     bool hasSearch() const { return m_search != nullptr; }
 
     const dxMembers &members() const { return m_members; }
-    static Slot slotOf(const dxGeom *geom);
 
     // Members have changed, and have their new ranks and boxes: brings `pairs` up to date.
     virtual void update(std::vector<dxOrderedPair> &pairs);
