@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "clustering/dxClusterManager.h"
+#include "frame/dxClusterManager.h"
 #include "clustering/dxClusteredWorldAndSpace.h"
 #include "collision/dxOrderedSpace.h"
 

@@ -1,7 +1,7 @@
 // Simple and hash spaces, which are ours, and the entry to a frame's collisions (ode/collision_space.h).
 #include <ode/collision_space.h>
 
-#include "clustering/dxClusterManager.h"
+#include "frame/dxClusterManager.h"
 #include "collision/dxOrderedHashSpace.h"
 #include "collision/dxOrderedSimpleSpace.h"
 #include "frame/dxConcurrentCallbacks.h"

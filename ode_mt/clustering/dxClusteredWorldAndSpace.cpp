@@ -49,14 +49,16 @@ void dxClusteredWorldAndSpace::updateGrid() {
     if (!first && !due && m_wantedCells == m_scene.grid().cells()) return;
     m_searchesSinceFit = 1;
     m_scene.setGrid(dxFitGrid(m_scene, m_wantedCells));
-    m_clusters.clear(0);  // clusters are made as at the start, not kept merged
+    m_madeAnew = true;  // clusters are made as at the start, not kept merged
 }
 
 void dxClusteredWorldAndSpace::cross() {
     m_changesSeen = m_scene.changes();
     std::swap(m_clusters, m_before);
     m_clusters.clear(m_scene.end());
-    m_pass->cross(m_scene, m_links.all(), m_before, m_clusters);
+    static const dxClusters kNothing;
+    m_pass->cross(m_scene, m_links.all(), m_madeAnew ? kNothing : m_before, m_clusters);
+    m_madeAnew = false;
     m_history.follow(m_before, m_clusters);
     gatherApart();
 }

@@ -60,6 +60,7 @@ private:
     unsigned m_changesSeen = 0;
     int m_wantedCells;
     int m_searchesSinceFit = 0;
+    bool m_madeAnew = false;  // since the last crossover the grid has been placed anew
 
     // Of the cluster that is being searched.
     std::vector<Slot> m_listed;

@@ -9,7 +9,7 @@
 #include <mutex>
 #include <vector>
 
-#include "clustering/dxClusterManager.h"
+#include "frame/dxClusterManager.h"
 #include "collision/dxContactLog.h"
 #include "collision/dxOrderedSpace.h"
 #include "dynamics/dxIdlePool.h"

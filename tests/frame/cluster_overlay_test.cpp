@@ -97,6 +97,18 @@ TEST_F(ClusterOverlay, TellsMergesAndSplits) {
     EXPECT_EQ(events()[0].into, dClusterGetOfGeom(balls[3]));
 }
 
+TEST_F(ClusterOverlay, NamesOutlastTheGrid) {
+    const unsigned first = dClusterGetOfGeom(balls[0]), second = dClusterGetOfGeom(balls[2]);
+    const int cells = dClusterGetGridCells(world, space);
+    for (int frame = 0; frame < 400 && dClusterGetGridCells(world, space) == cells; ++frame) {
+        dGeomSetPosition(balls[0], 0, 0, 1);
+        collide();
+    }
+    EXPECT_NE(dClusterGetGridCells(world, space), cells) << "the cell size heuristic tried no other grid";
+    EXPECT_EQ(dClusterGetOfGeom(balls[0]), first);
+    EXPECT_EQ(dClusterGetOfGeom(balls[2]), second);
+}
+
 TEST_F(ClusterOverlay, IsGoneWithTheAlgorithm) {
     dODE_MT_SetAlgorithm("auto");
     collide();

@@ -1,6 +1,6 @@
 // Which spaces have clusters: those that collide while a cluster algorithm is in force.
 //
-// The clusters of a world and space belong to the space (dxClusteredWorldAndSpace is its search for pairs), so
+// The clusters of a world and space belong to the space (dxTunedClusters is its search for pairs), so
 // they are found through it in O(1), there are as many as there are spaces, and they go with it.
 #pragma once
 

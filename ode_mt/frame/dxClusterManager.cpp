@@ -1,9 +1,9 @@
-#include "clustering/dxClusterManager.h"
+#include "frame/dxClusterManager.h"
 
 #include <cstring>
 
-#include "clustering/dxClusteredWorldAndSpace.h"
 #include "collision/dxOrderedSpace.h"
+#include "frame/dxTunedClusters.h"
 
 namespace {
 
@@ -15,7 +15,8 @@ bool isOrdered(const dxSpace *space) {
 
 const dxClusteredWorldAndSpace *dxClusterManager::find(dSpaceID space) {
     if (!isOrdered(space)) return nullptr;
-    return static_cast<const dxClusteredWorldAndSpace *>(static_cast<const dxOrderedSpace *>(space)->search());
+    const dxPairSearch *const search = static_cast<const dxOrderedSpace *>(space)->search();
+    return search != nullptr ? &static_cast<const dxTunedClusters *>(search)->clusters() : nullptr;
 }
 
 void dxClusterManager::prepare(dSpaceID space, const char *passName) {
@@ -27,5 +28,5 @@ void dxClusterManager::prepare(dSpaceID space, const char *passName) {
         return;
     }
     if (present != nullptr && std::strcmp(present->passName(), passName) == 0) return;
-    ordered->setSearch(std::make_unique<dxClusteredWorldAndSpace>(dxMakeCrossoverPass(passName)));
+    ordered->setSearch(std::make_unique<dxTunedClusters>(dxMakeCrossoverPass(passName)));
 }
