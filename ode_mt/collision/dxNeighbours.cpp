@@ -6,18 +6,35 @@ namespace {
 // candidates that do not touch; between 5 and 20 % the time of a frame is the same within its noise.
 constexpr dReal kMargin = 0.1;
 
+// What travels gets room for this many moves of the same length, but not more than its longest edge.
+constexpr dReal kMovesAhead = 8;
+
+dReal marginOf(dReal edge, dReal distance) {
+    return std::fmax(kMargin * edge, std::fmin(edge, kMovesAhead * distance));
+}
+
+dReal distanceBetween(const dxBounds &a, const dxBounds &b) {
+    dReal distance = 0;
+    for (int i = 0; i < 6; ++i) distance = std::fmax(distance, std::fabs(a.v[i] - b.v[i]));
+    return distance;
+}
+
 }  // namespace
 
 void dxNeighbours::insert(Slot slot, const dxBounds &box) {
     if (slot >= m_nodes.size()) m_nodes.resize(slot + 1);
     // Most boxes that are added never move: they get no margin until they do.
+    m_nodes[slot].last = box;
     store(slot, box);
 }
 
 void dxNeighbours::move(Slot slot, const dxBounds &box) {
-    if (m_nodes[slot].stored.contains(box)) return;
+    Node &node = m_nodes[slot];
+    const dReal distance = distanceBetween(node.last, box);
+    node.last = box;
+    if (node.stored.contains(box)) return;
     takeOut(slot);
-    store(slot, box.isProper() ? box.grown(kMargin * box.longestEdge()) : box);
+    store(slot, box.isProper() ? box.grown(marginOf(box.longestEdge(), distance)) : box);
 }
 
 void dxNeighbours::remove(Slot slot) { takeOut(slot); }

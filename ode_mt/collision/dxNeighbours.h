@@ -30,6 +30,7 @@ public:
 
 private:
     struct Node {
+        dxBounds last;    // the box itself
         dxBounds stored;  // the box with its margin
             std::vector<Candidate> candidates;
     };
