@@ -2,6 +2,7 @@
 // skip, whatever the values.
 #include "simd/dxSimdTargets.h"
 #include "dynamics/solve/dxSolveL1.h"
+#include "sanitizers.h"
 #include "upstream_solve_l1.h"
 
 #include <dlfcn.h>
@@ -158,10 +159,18 @@ void expectUpstreamsBits(const Solve &ours, const Solve &theirs) {
     }
 }
 
+// The functions that are looked for call none of the library's other exported ones, so this is a precaution, and
+// one that AddressSanitizer does not allow.
+#ifdef ODE_MT_ADDRESS_SANITIZER
+constexpr int kOwnSymbolsFirst = 0;
+#else
+constexpr int kOwnSymbolsFirst = RTLD_DEEPBIND;
+#endif
+
 // A function of Debian's library, whatever this program is linked with.
 using PublicSolve = void(const dReal *, dReal *, int, int);
 PublicSolve *debianFunction(const char *name) {
-    static void *library = dlopen(ODE_MT_DEBIAN_ODE, RTLD_NOW | RTLD_LOCAL | RTLD_DEEPBIND);
+    static void *library = dlopen(ODE_MT_DEBIAN_ODE, RTLD_NOW | RTLD_LOCAL | kOwnSymbolsFirst);
     return library ? reinterpret_cast<PublicSolve *>(dlsym(library, name)) : nullptr;
 }
 
