@@ -100,10 +100,12 @@ void RandomSpace::changeSomething(int frame) {
 void RandomSpace::change(dGeomID &geom) {
     switch (below(10)) {
     case 0: place(geom); break;
-    case 1:
-        dGeomDestroy(geom);
+    case 1: {
+        const dGeomID old = geom;
         geom = make();
+        dGeomDestroy(old);
         break;
+    }
     case 2:
         // Only a geom that has just moved: upstream fails an assertion where one that is clean is added before
         // others have been cleaned.
