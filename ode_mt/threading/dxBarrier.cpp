@@ -11,7 +11,8 @@ void dxBarrier::arrive(unsigned blocks) {
 }
 
 void dxBarrier::wait() {
-    if (dxSpinUntil([this] { return pending.load(std::memory_order_acquire) == 0; })) return;
+    if (dxSpinUntil([this] { return pending.load(std::memory_order_acquire) == 0; }, dxLastBlocksTime))
+        return;
     sleeping.store(true);
     while (const std::uint32_t left = pending.load()) dxFutexWait(pending, left);
     sleeping.store(false);

@@ -18,7 +18,7 @@ public:
     // Reports blocks as finished; everything written before is visible after wait().
     void arrive(unsigned blocks);
 
-    // Returns when all blocks have arrived: spins for dxSpinTime, then sleeps.
+    // Returns when all blocks have arrived: spins for dxLastBlocksTime, then sleeps.
     void wait();
 
 private:

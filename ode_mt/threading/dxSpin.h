@@ -1,14 +1,17 @@
-// A short busy wait, for answers that usually come within microseconds: waking a sleeping thread costs
-// 5 to 50 us, a spinning one answers within 0.1 us.
+// A short busy wait, for answers that usually come soon: waking a sleeping thread costs 5 to 50 us, on a virtual
+// machine 100 us and more; a spinning one answers within 0.1 us.
 //
 // Nobody spins on a machine that offers one processor: whoever is waited for needs it.
 #pragma once
 
 #include <chrono>
 
-// How long a worker looks for the next run, and a caller waits for the last blocks, before it sleeps.
-// Longer covers longer serial stretches between two runs of a frame and costs processor time after the last.
+// How long a worker looks for the next run before it sleeps, if it knows nothing of how soon runs follow each
+// other (dxPatience).
 constexpr std::chrono::microseconds dxSpinTime{50};
+
+// How long a caller waits for the last blocks before it sleeps: about the largest island of a step that pays.
+constexpr std::chrono::microseconds dxLastBlocksTime{500};
 
 // Processors this process may use; read once.
 unsigned dxProcessorCount();
@@ -19,13 +22,13 @@ inline void dxPause() {
 #endif
 }
 
-// Spins until condition() holds or dxSpinTime is over; returns whether it holds.
+// Spins until condition() holds or `time` is over; returns whether it holds.
 template <typename Condition>
-bool dxSpinUntil(Condition condition) {
+bool dxSpinUntil(Condition condition, std::chrono::nanoseconds time = dxSpinTime) {
     constexpr int pausesPerClockReading = 8;
     if (condition()) return true;
     if (dxProcessorCount() < 2) return false;
-    const auto end = std::chrono::steady_clock::now() + dxSpinTime;
+    const auto end = std::chrono::steady_clock::now() + time;
     do {
         for (int i = 0; i < pausesPerClockReading; ++i) {
             dxPause();

@@ -101,18 +101,23 @@ void *dxThreadManagerPthread::threadBody(void *manager) {
 }
 
 void dxThreadManagerPthread::serve() {
+    dxPatience patience;
     while (!stopping.load()) {
-        workUntilIdle();
+        workUntilIdle(patience);
         parking.park([this] { return shouldStayAwake(); });
+        patience.endWait();
     }
     parking.endSearch();
 }
 
 // Only as many workers spin as leave a processor to the caller.
-void dxThreadManagerPthread::workUntilIdle() {
+void dxThreadManagerPthread::workUntilIdle(dxPatience &patience) {
     for (;;) {
+        patience.beginWait();
+        const auto mayStop = [this] { return shouldStayAwake(); };
         const bool maySpin = parking.searching() < dxProcessorCount();
-        if (maySpin ? !dxSpinUntil([this] { return shouldStayAwake(); }) : !shouldStayAwake()) return;
+        if (maySpin ? !dxSpinUntil(mayStop, patience.spinTime()) : !shouldStayAwake()) return;
+        patience.endWait();
         if (stopping.load()) return;
         if (board.work([this] { passOnWakeUp(); })) parking.beginSearch();
     }

@@ -4,7 +4,7 @@
 //
 //        created ──> searching ──joins a run──> at work ──no block left──> searching
 //                     │   ^                                                  │
-//         dxSpinTime  │   │ woken by a run that can use it                   │ stop
+//         dxPatience  │   │ woken by a run that can use it                   │ stop
 //         without work v   │                                                  v
 //                     parked (asleep)                                        ends
 //
@@ -27,6 +27,7 @@
 #include "dxForkListener.h"
 #include "dxJobBoard.h"
 #include "dxParking.h"
+#include "dxPatience.h"
 #include "dxThreadCreation.h"
 
 class dxThreadManagerPthread final : public dxThreadManager, private dxForkListener, private dxWorkerSource {
@@ -51,7 +52,7 @@ private:
 
     static void *threadBody(void *start);
     void serve();
-    void workUntilIdle();
+    void workUntilIdle(dxPatience &patience);
     bool shouldStayAwake();
     void passOnWakeUp();
 
