@@ -11,7 +11,8 @@ dxClusterGrid::dxClusterGrid(int cells, dReal edge, const dReal centre[3]) : m_c
 
 int dxClusterGrid::cellOf(dReal coordinate, int axis) const {
     const dReal cell = dFloor((coordinate - m_corner[axis]) / m_edge);
-    return static_cast<int>(std::clamp(cell, dReal(0), dReal(m_cells - 1)));
+    if (!(cell > 0)) return 0;  // also where infinities have no difference
+    return static_cast<int>(std::min(cell, dReal(m_cells - 1)));
 }
 
 dxCellRange dxClusterGrid::cellsOf(const dxBounds &box) const {

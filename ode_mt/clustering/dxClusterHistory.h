@@ -1,6 +1,7 @@
 // What happened to clusters from one frame to the next: names that stay, merges and splits.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "clustering/dxClusters.h"
@@ -33,5 +34,7 @@ private:
 
     std::vector<Share> m_shares;
     std::vector<dxClusterChange> m_changes;
+    std::vector<std::uint8_t> m_nameIsTaken;  // of the cluster before
+    std::vector<int> m_counts, m_touched;     // of the cluster now: members by the cluster before
     unsigned m_nextName = 1, m_merges = 0, m_splits = 0;
 };

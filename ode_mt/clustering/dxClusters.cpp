@@ -11,6 +11,7 @@ int dxClusters::addCluster(bool isDynamic) {
     cluster.members.clear();
     cluster.duplicated.clear();
     cluster.staticClusters.clear();
+    cluster.name = 0;
     cluster.task = m_count;
     m_dynamicCount += isDynamic;
     return m_count++;

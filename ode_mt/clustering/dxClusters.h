@@ -18,7 +18,7 @@ public:
         std::vector<Slot> members;
         std::vector<Slot> duplicated;    // static inhabitants that are listed here too
         std::vector<int> staticClusters; // that are tested together with this one ("pseudo-merged")
-        unsigned name = 0;
+        unsigned name = 0;               // 0: none; static clusters have none
         int task = 0;                    // clusters of one task are collided one after the other
     };
 

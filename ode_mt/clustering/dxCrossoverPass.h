@@ -5,6 +5,7 @@
 // inhabitant shares a cell with a dynamic one is tested with its cluster; so no overlapping pair is missed.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -13,6 +14,13 @@
 #include "clustering/dxClusterScene.h"
 #include "clustering/dxClusters.h"
 #include "clustering/dxDisjointSets.h"
+
+// What the pieces below work with, kept so that a pass takes no memory once it has run.
+struct dxCrossoverMemory {
+    dxDisjointSets sets;
+    std::vector<std::int64_t> firstOfCluster;  // -1: none
+    std::vector<int> clusterOfRoot;
+};
 
 class dxCrossoverPass {
 public:
@@ -30,6 +38,9 @@ public:
     // `before`: the clusters of the last frame, for rules under which what has merged stays merged.
     virtual void cross(const dxClusterScene &scene, const std::vector<Link> &links, const dxClusters &before,
                        dxClusters &clusters) = 0;
+
+protected:
+    dxCrossoverMemory m_memory;
 };
 
 // --- pieces that the rules are made of --------------------------------------------------------------
@@ -45,18 +56,18 @@ void dxUniteByCells(const dxClusterScene &scene, dxClusterScene::Kind kind, dxTo
 void dxUniteByLinks(const std::vector<dxCrossoverPass::Link> &links, dxDisjointSets &sets);
 // Unites what was one cluster before.
 void dxUniteAsBefore(const dxClusterScene &scene, dxClusterScene::Kind kind, const dxClusters &before,
-                     dxDisjointSets &sets);
+                     dxCrossoverMemory &memory);
 // One cluster for each set.
-void dxMakeClusters(const dxClusterScene &scene, dxClusterScene::Kind kind, dxDisjointSets &sets,
+void dxMakeClusters(const dxClusterScene &scene, dxClusterScene::Kind kind, dxCrossoverMemory &memory,
                     dxClusters &clusters);
 
 // Dynamic clusters as all rules make them; sticky: what has merged stays merged.
 void dxClusterDynamics(const dxClusterScene &scene, const std::vector<dxCrossoverPass::Link> &links,
-                       const dxClusters *sticky, dxClusters &clusters);
+                       const dxClusters *sticky, dxCrossoverMemory &memory, dxClusters &clusters);
 
 // Each dynamic cluster gets the static clusters with which it shares a cell; dynamic clusters around the same
 // static one become one task.
-void dxPseudoMerge(const dxClusterScene &scene, dxClusters &clusters);
+void dxPseudoMerge(const dxClusterScene &scene, dxCrossoverMemory &memory, dxClusters &clusters);
 // Each dynamic cluster gets the static inhabitants with which it shares a cell, big ones included.
 void dxDuplicateStatics(const dxClusterScene &scene, dxClusters &clusters);
 

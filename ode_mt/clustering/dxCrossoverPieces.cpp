@@ -57,20 +57,22 @@ void dxUniteByLinks(const std::vector<dxCrossoverPass::Link> &links, dxDisjointS
     for (const dxCrossoverPass::Link &link : links) sets.unite(link.first, link.second);
 }
 
-void dxUniteAsBefore(const dxClusterScene &scene, Kind kind, const dxClusters &before, dxDisjointSets &sets) {
-    std::vector<std::int64_t> firstOf(before.count(), -1);
+void dxUniteAsBefore(const dxClusterScene &scene, Kind kind, const dxClusters &before,
+                     dxCrossoverMemory &memory) {
+    std::vector<std::int64_t> &firstOf = memory.firstOfCluster;
+    firstOf.assign(before.count(), -1);
     for (const Slot slot : scene.all(kind)) {
         const int cluster = before.of(slot);
         if (cluster == dxClusters::kNone) continue;
-        if (firstOf[cluster] >= 0) sets.unite(slot, static_cast<Slot>(firstOf[cluster]));
+        if (firstOf[cluster] >= 0) memory.sets.unite(slot, static_cast<Slot>(firstOf[cluster]));
         firstOf[cluster] = slot;
     }
 }
 
-void dxMakeClusters(const dxClusterScene &scene, Kind kind, dxDisjointSets &sets, dxClusters &clusters) {
-    std::vector<int> clusterOfRoot(scene.end(), dxClusters::kNone);
+void dxMakeClusters(const dxClusterScene &scene, Kind kind, dxCrossoverMemory &memory, dxClusters &clusters) {
+    memory.clusterOfRoot.assign(scene.end(), dxClusters::kNone);
     const auto join = [&](Slot slot) {
-        int &cluster = clusterOfRoot[sets.find(slot)];
+        int &cluster = memory.clusterOfRoot[memory.sets.find(slot)];
         if (cluster == dxClusters::kNone) cluster = clusters.addCluster(kind == Kind::dynamicGeom);
         clusters.addMember(cluster, slot);
     };
@@ -78,22 +80,22 @@ void dxMakeClusters(const dxClusterScene &scene, Kind kind, dxDisjointSets &sets
 }
 
 void dxClusterDynamics(const dxClusterScene &scene, const std::vector<dxCrossoverPass::Link> &links,
-                       const dxClusters *sticky, dxClusters &clusters) {
-    dxDisjointSets sets;
+                       const dxClusters *sticky, dxCrossoverMemory &memory, dxClusters &clusters) {
+    dxDisjointSets &sets = memory.sets;
     sets.reset(scene.end());
     const bool first = sticky == nullptr || sticky->count() == 0;
     dxUniteByCells(scene, Kind::dynamicGeom, first ? dxTogetherness::touching : dxTogetherness::sharing, sets);
     dxUniteByLinks(links, sets);
-    if (sticky != nullptr) dxUniteAsBefore(scene, Kind::dynamicGeom, *sticky, sets);
-    dxMakeClusters(scene, Kind::dynamicGeom, sets, clusters);
+    if (sticky != nullptr) dxUniteAsBefore(scene, Kind::dynamicGeom, *sticky, memory);
+    dxMakeClusters(scene, Kind::dynamicGeom, memory, clusters);
 }
 
-void dxPseudoMerge(const dxClusterScene &scene, dxClusters &clusters) {
+void dxPseudoMerge(const dxClusterScene &scene, dxCrossoverMemory &memory, dxClusters &clusters) {
     forOccupiedCells(scene, clusters, [&](int cluster, int cell) {
         for (const Slot slot : scene.in(cell, Kind::staticGeom))
             clusters[cluster].staticClusters.push_back(clusters.of(slot));
     });
-    dxDisjointSets tasks;
+    dxDisjointSets &tasks = memory.sets;
     tasks.reset(clusters.count());
     for (int cluster = 0; cluster < clusters.dynamicCount(); ++cluster) {
         std::vector<int> &statics = clusters[cluster].staticClusters;

@@ -8,9 +8,9 @@ namespace {
 
 using Kind = dxClusterScene::Kind;
 
-constexpr double kStrays = 0.02;      // share of the inhabitants that may lie beyond either end of an axis
-constexpr dReal kRoom = 1.5;          // the grid is this many times as long as what it is for
-constexpr double kOutside = 0.1;      // share outside at which a grid is outgrown
+constexpr double kStrays = 0.02;          // share of the inhabitants that may lie beyond either end of an axis
+constexpr dReal kRoom = 1.5;              // the grid is this many times as long as what it is for
+constexpr double kOutside = 6 * kStrays;  // share outside above which a grid is outgrown: more than a fit leaves
 
 template <class Visit>
 void forDynamics(const dxClusterScene &scene, Visit &&visit) {
@@ -45,8 +45,9 @@ dxClusterGrid dxFitGrid(const dxClusterScene &scene, int cells) {
         centre[axis] = extent.low / 2 + extent.high / 2;
         longest = std::max(longest, extent.high - extent.low);
     }
-    const bool usable = std::isfinite(longest) && longest > 0;
-    return dxClusterGrid(cells, usable ? longest * kRoom / dReal(cells) : dReal(1), centre);
+    const dReal edge = longest * kRoom / dReal(cells);
+    const bool usable = std::isfinite(edge) && edge > 0;
+    return dxClusterGrid(cells, usable ? edge : dReal(1), centre);
 }
 
 bool dxGridIsOutgrown(const dxClusterScene &scene) {
@@ -55,5 +56,5 @@ bool dxGridIsOutgrown(const dxClusterScene &scene) {
         ++all;
         outside += scene.grid().isLeftBy(box);
     });
-    return static_cast<double>(outside) > std::max(kOutside, 2 * kStrays) * static_cast<double>(all);
+    return static_cast<double>(outside) > kOutside * static_cast<double>(all);
 }

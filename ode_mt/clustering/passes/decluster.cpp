@@ -10,7 +10,7 @@ public:
     bool listsBigStatics() const override { return true; }
     void cross(const dxClusterScene &scene, const std::vector<Link> &links, const dxClusters &,
                dxClusters &clusters) override {
-        dxClusterDynamics(scene, links, nullptr, clusters);
+        dxClusterDynamics(scene, links, nullptr, m_memory, clusters);
         dxDuplicateStatics(scene, clusters);
     }
 };

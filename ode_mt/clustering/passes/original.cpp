@@ -10,7 +10,7 @@ public:
     bool setsStaticsApart() const override { return true; }
     void cross(const dxClusterScene &scene, const std::vector<Link> &links, const dxClusters &before,
                dxClusters &clusters) override {
-        dxClusterDynamics(scene, links, &before, clusters);
+        dxClusterDynamics(scene, links, &before, m_memory, clusters);
     }
 };
 

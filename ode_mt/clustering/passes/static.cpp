@@ -9,13 +9,12 @@ public:
     const char *name() const override { return "static"; }
     void cross(const dxClusterScene &scene, const std::vector<Link> &links, const dxClusters &before,
                dxClusters &clusters) override {
-        dxClusterDynamics(scene, links, &before, clusters);
-        dxDisjointSets sets;
-        sets.reset(scene.end());
-        dxUniteByCells(scene, dxClusterScene::Kind::staticGeom, dxTogetherness::sharing, sets);
-        dxUniteAsBefore(scene, dxClusterScene::Kind::staticGeom, before, sets);
-        dxMakeClusters(scene, dxClusterScene::Kind::staticGeom, sets, clusters);
-        dxPseudoMerge(scene, clusters);
+        dxClusterDynamics(scene, links, &before, m_memory, clusters);
+        m_memory.sets.reset(scene.end());
+        dxUniteByCells(scene, dxClusterScene::Kind::staticGeom, dxTogetherness::sharing, m_memory.sets);
+        dxUniteAsBefore(scene, dxClusterScene::Kind::staticGeom, before, m_memory);
+        dxMakeClusters(scene, dxClusterScene::Kind::staticGeom, m_memory, clusters);
+        dxPseudoMerge(scene, m_memory, clusters);
     }
 };
 

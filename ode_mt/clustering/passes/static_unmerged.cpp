@@ -9,11 +9,10 @@ public:
     const char *name() const override { return "static-unmerged"; }
     void cross(const dxClusterScene &scene, const std::vector<Link> &links, const dxClusters &before,
                dxClusters &clusters) override {
-        dxClusterDynamics(scene, links, &before, clusters);
-        dxDisjointSets sets;
-        sets.reset(scene.end());
-        dxMakeClusters(scene, dxClusterScene::Kind::staticGeom, sets, clusters);
-        dxPseudoMerge(scene, clusters);
+        dxClusterDynamics(scene, links, &before, m_memory, clusters);
+        m_memory.sets.reset(scene.end());
+        dxMakeClusters(scene, dxClusterScene::Kind::staticGeom, m_memory, clusters);
+        dxPseudoMerge(scene, m_memory, clusters);
     }
 };
 
