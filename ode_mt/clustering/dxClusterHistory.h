@@ -17,8 +17,10 @@ public:
     // Gives the dynamic clusters of `now` their names: each has that of the cluster of `before` most of whose
     // members it holds, if no other has a better claim, else a new one. Names are not given again.
     void follow(const dxClusters &before, dxClusters &now);
+    // A search found all clusters as they were.
+    void rest() { m_changes.clear(); }
 
-    // Of the last frame.
+    // Of the last search.
     const std::vector<dxClusterChange> &changes() const { return m_changes; }
     unsigned merges() const { return m_merges; }  // since the start
     unsigned splits() const { return m_splits; }

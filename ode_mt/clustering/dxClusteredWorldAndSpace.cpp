@@ -26,7 +26,10 @@ void dxClusteredWorldAndSpace::search(const dxMembers &members, std::vector<Matc
     updateScene(members);
     updateGrid();
     const bool linksChanged = m_links.gather(members, m_scene);
-    if (linksChanged || m_scene.changes() != m_changesSeen) cross();
+    if (linksChanged || m_scene.changes() != m_changesSeen)
+        cross();
+    else
+        m_history.rest();
     for (int cluster = 0; cluster < m_clusters.dynamicCount(); ++cluster)
         searchCluster(cluster, members, matches);
     for (const Slot slot : members.changed())
