@@ -4,16 +4,18 @@
 #include <algorithm>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "child_process.h"
 
 namespace {
 
 struct Kind {
-    const char *name;
+    std::string name;
     bool hash;
     int geoms, frames, seeds;
     bool breathes;
+    std::string algorithm = "auto";
 };
 void PrintTo(const Kind &kind, std::ostream *out) { *out << kind.name; }
 
@@ -22,7 +24,7 @@ class PairOrder : public testing::TestWithParam<Kind> {};
 exactness::ChildResult run(const char *libraryFolder, unsigned seed, const Kind &kind) {
     return exactness::runChild({ODE_MT_PAIR_SEQUENCE_PROGRAM, std::to_string(seed), kind.hash ? "1" : "0",
                                 std::to_string(kind.geoms), std::to_string(kind.frames), kind.breathes ? "1" : "0"},
-                               {{"LD_LIBRARY_PATH", libraryFolder}});
+                               {{"LD_LIBRARY_PATH", libraryFolder}, {"ODE_MT_ALGORITHM", kind.algorithm}});
 }
 
 std::string firstDifference(const std::string &stock, const std::string &ours) {
@@ -64,6 +66,26 @@ INSTANTIATE_TEST_SUITE_P(Spaces, PairOrder,
                                          Kind{"hashMany", true, 300, 40, 12, false},
                                          Kind{"hashBreathing", true, 100, 40, 12, true},
                                          Kind{"hashCrowd", true, 1500, 10, 3, false}),
+                         [](const auto &info) { return info.param.name; });
+
+// Clusters find the pairs; their order is the same.
+std::vector<Kind> clustered() {
+    std::vector<Kind> all;
+    for (const std::string algorithm : {"original", "static", "static-unmerged", "duplication", "decluster"}) {
+        std::string prefix = algorithm + '_';
+        std::replace(prefix.begin(), prefix.end(), '-', '_');
+        for (const Kind &kind : {Kind{"simpleFew", false, 12, 60, 6, false}, Kind{"simpleMany", false, 300, 40, 2, false},
+                                 Kind{"simpleBreathing", false, 300, 40, 1, true}, Kind{"hashFew", true, 12, 60, 6, false},
+                                 Kind{"hashMany", true, 300, 40, 2, false}, Kind{"hashBreathing", true, 100, 40, 2, true}}) {
+            all.push_back(kind);
+            all.back().name = prefix + kind.name;
+            all.back().algorithm = algorithm;
+        }
+    }
+    return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Clusters, PairOrder, testing::ValuesIn(clustered()),
                          [](const auto &info) { return info.param.name; });
 
 }  // namespace

@@ -1,13 +1,12 @@
 // The triangular solves give upstream's bits: for every instruction set of this machine, size, stride and row
 // skip, whatever the values.
-#include "simd/dxSimdTargets.h"
+#include "instruction_sets.h"
 #include "dynamics/solve/dxSolveL1.h"
 #include "sanitizers.h"
 #include "upstream_solve_l1.h"
 
 #include <dlfcn.h>
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <cmath>
 #include <cstdint>
@@ -117,25 +116,6 @@ std::vector<unsigned> allSizes() {
     for (unsigned rowCount = 151; rowCount <= 300; rowCount += 3) sizes.push_back(rowCount);
     for (unsigned rowCount : {511u, 512u, 513u, 520u, 599u, 1000u, 1024u, 1031u}) sizes.push_back(rowCount);
     return sizes;
-}
-
-// What this machine has of the instruction sets that the kernels are compiled for.
-std::vector<std::int64_t> instructionSets() {
-    std::vector<std::int64_t> sets;
-    std::int64_t rest = hwy::SupportedTargets() & ~std::int64_t(HWY_DISABLED_TARGETS);
-    for (; rest != 0; rest &= rest - 1) sets.push_back(rest & -rest);
-    return sets;
-}
-
-// Runs `body` with the kernels of one instruction set.
-template <class Body>
-void onInstructionSet(std::int64_t set, const Body &body) {
-    hwy::SetSupportedTargetsForTest(set);
-    hwy::GetChosenTarget().Update(set);
-    SCOPED_TRACE(hwy::TargetName(set));
-    body();
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().DeInit();
 }
 
 template <unsigned Stride>

@@ -1,0 +1,99 @@
+// dxMembers: slots, ranks and what has changed.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "OdeSession.h"
+#include "bounds.h"
+#include "collision/dxMembers.h"
+
+namespace {
+
+using Slot = dxMembers::Slot;
+
+class Members : public testing::Test {
+protected:
+    ~Members() override { dGeomDestroy(geom); }
+
+    // As a space does when it looks for pairs.
+    void seek() {
+        for (const Slot slot : members.changed())
+            if (members[slot].geom != nullptr) members.setBounds(slot, cubeAt(0, 0, 0));
+        members.forgetChanges();
+    }
+    bool listedAsChanged(Slot slot) const {
+        const auto &changed = members.changed();
+        return std::count(changed.begin(), changed.end(), slot) == 1;
+    }
+
+    OdeSession session;
+    dGeomID geom = dCreateSphere(nullptr, 1);
+    dxMembers members;
+};
+
+TEST_F(Members, ANewMemberIsChangedAndHasNoRank) {
+    const Slot slot = members.add(geom);
+    EXPECT_EQ(members[slot].geom, geom);
+    EXPECT_EQ(members[slot].rank, 0u);
+    EXPECT_TRUE(members.isChanged(slot));
+    EXPECT_TRUE(listedAsChanged(slot));
+    EXPECT_EQ(members.unranked(), 1);
+    members.setRank(slot, members.firstOf(1));
+    EXPECT_EQ(members.unranked(), 0);
+    members.setRank(slot, members.firstOf(1));
+    EXPECT_EQ(members.unranked(), 0);
+}
+
+TEST_F(Members, AMemberIsListedOnceHoweverOftenItChanges) {
+    const Slot slot = members.add(geom);
+    members.markChanged(slot);
+    members.markChanged(slot);
+    EXPECT_TRUE(listedAsChanged(slot));
+    seek();
+    EXPECT_FALSE(members.isChanged(slot));
+    EXPECT_TRUE(members.changed().empty());
+    members.markChanged(slot);
+    EXPECT_TRUE(listedAsChanged(slot));
+}
+
+TEST_F(Members, LaterRanksAreAboveEarlierOnes) {
+    const dxRank first = members.firstOf(3);
+    EXPECT_GE(first, 3u) << "three ranks down to 1";
+    const dxRank second = members.firstOf(5);
+    EXPECT_GT(second - 4, first);
+}
+
+// A kept pair still names the slot: it must not mean another geom before the pair has gone.
+TEST_F(Members, ASlotThatPairsKnowIsNotGivenAgainBeforeChangesAreForgotten) {
+    const Slot slot = members.add(geom);
+    seek();
+    members.remove(slot);
+    EXPECT_EQ(members[slot].geom, nullptr);
+    EXPECT_TRUE(members.isChanged(slot)) << "its pairs have to go";
+    EXPECT_NE(members.add(geom), slot);
+    seek();
+    EXPECT_EQ(members.add(geom), slot);
+}
+
+TEST_F(Members, ASlotThatNoPairKnowsIsGivenAgainAtOnce) {
+    const Slot slot = members.add(geom);
+    members.remove(slot);
+    EXPECT_EQ(members.unranked(), 0);
+    EXPECT_EQ(members.add(geom), slot);
+    EXPECT_TRUE(listedAsChanged(slot));
+    EXPECT_EQ(members[slot].rank, 0u);
+    EXPECT_FALSE(members[slot].sought);
+}
+
+TEST_F(Members, ChurnNeedsNoMoreSlotsThanThereWereMembers) {
+    for (int round = 0; round < 10000; ++round) {
+        const Slot a = members.add(geom), b = members.add(geom);
+        if (round % 3 == 0) seek();
+        members.remove(a);
+        members.remove(b);
+    }
+    EXPECT_LE(members.end(), 4u);
+    EXPECT_LE(members.changed().size(), 4u);
+}
+
+}  // namespace
