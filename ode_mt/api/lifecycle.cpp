@@ -14,6 +14,7 @@
 #include "frame/dxConcurrentCallbacks.h"
 #include "frame/dxStepRecords.h"
 #include "frame/dxWorkers.h"
+#include "threading/dxForkLocks.h"
 
 extern "C" {
 // Upstream's own, renamed by the seam ode/seams/odeinit.h.
@@ -26,25 +27,17 @@ void dxUpstreamCloseODE();
 
 namespace {
 
-struct Lifecycle {
-    std::mutex mutex;
-    std::atomic<unsigned> initialisations{0};  // written under the mutex
-};
-
-Lifecycle &lifecycle() {
-    static Lifecycle *const instance = new Lifecycle;  // never destroyed: dCloseODE may come at exit
-    return *instance;
-}
+std::atomic<unsigned> initialisations{0};  // written under dxForkLocks::initialisation
 
 // The lock of a call that needs an initialised library. Without one upstream is about to report an error, to
 // a handler of the user that may never return, so nothing is locked.
 std::unique_lock<std::mutex> lockIfInitialised() {
-    if (lifecycle().initialisations == 0) return {};
-    return std::unique_lock<std::mutex>(lifecycle().mutex);
+    if (initialisations == 0) return {};
+    return std::unique_lock<std::mutex>(dxForkLocks::initialisation);
 }
 
 void countInitialisation() {
-    if (++lifecycle().initialisations == 1) dxForgetColliders();
+    if (++initialisations == 1) dxForgetColliders();
 }
 
 void releaseWorkers() {
@@ -64,13 +57,13 @@ __attribute__((destructor)) void unload() {
 extern "C" {
 
 void dInitODE() {
-    std::lock_guard<std::mutex> lock(lifecycle().mutex);
+    std::lock_guard<std::mutex> lock(dxForkLocks::initialisation);
     dxUpstreamInitODE();
     countInitialisation();
 }
 
 int dInitODE2(unsigned flags) {
-    std::lock_guard<std::mutex> lock(lifecycle().mutex);
+    std::lock_guard<std::mutex> lock(dxForkLocks::initialisation);
     const int done = dxUpstreamInitODE2(flags);
     if (done) countInitialisation();
     return done;
@@ -89,7 +82,7 @@ void dCleanupODEAllDataForThread() {
 void dCloseODE() {
     const std::unique_lock<std::mutex> lock = lockIfInitialised();
     dxUpstreamCloseODE();
-    if (--lifecycle().initialisations == 0) {
+    if (--initialisations == 0) {
         dxForgetUserClasses();
         dxThreadTrimeshCache::release();
         releaseWorkers();

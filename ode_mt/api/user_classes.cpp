@@ -13,6 +13,8 @@
 #include "api/user_classes.h"
 #include "config.h"
 #include "collision_kernel.h"
+#include "threading/dxForkLocks.h"
+#include "threading/dxProcessObject.h"
 
 extern "C" {
 // Upstream's own, renamed by the seam ode/seams/collision_kernel.h.
@@ -24,29 +26,26 @@ void dxUpstreamSetColliderOverride(int i, int j, dColliderFn *collider);
 namespace {
 
 struct Dispatch {
-    std::mutex mutex;
+    dxForkSafeMutex mutex;
     std::atomic<unsigned> classes{0};
-    std::atomic<dGetColliderFnFn *> getters[dMaxUserClasses];
-    std::atomic<bool> resolved[dGeomNumClasses][dGeomNumClasses];
+    std::atomic<dGetColliderFnFn *> getters[dMaxUserClasses] = {};
+    std::atomic<bool> resolved[dGeomNumClasses][dGeomNumClasses] = {};
 };
 
-Dispatch &dispatch() {
-    static Dispatch *const instance = new Dispatch{};  // never destroyed: threads may collide at exit
-    return *instance;
-}
+dxProcessObject<Dispatch> dispatch;
 
 dGetColliderFnFn *getterOf(int type) {
     return type >= dFirstUserClass && type <= dLastUserClass
-               ? dispatch().getters[type - dFirstUserClass].load(std::memory_order_acquire)
+               ? dispatch->getters[type - dFirstUserClass].load(std::memory_order_acquire)
                : nullptr;
 }
 
 void write(int type1, int type2, dColliderFn *collider) {
-    const std::lock_guard<std::mutex> lock(dispatch().mutex);
-    if (dispatch().resolved[type1][type2].load(std::memory_order_relaxed)) return;
+    const std::lock_guard<dxForkSafeMutex> lock(dispatch->mutex);
+    if (dispatch->resolved[type1][type2].load(std::memory_order_relaxed)) return;
     dxUpstreamSetColliderOverride(type1, type2, collider);
-    dispatch().resolved[type1][type2].store(true, std::memory_order_release);
-    dispatch().resolved[type2][type1].store(true, std::memory_order_release);
+    dispatch->resolved[type1][type2].store(true, std::memory_order_release);
+    dispatch->resolved[type2][type1].store(true, std::memory_order_release);
 }
 
 // As upstream: the class created first is asked for the other one; then the other, if it is the user's.
@@ -62,7 +61,7 @@ void resolve(int type1, int type2) {
 
 bool isFirstMeeting(const dxGeom &o1, const dxGeom &o2) {
     return (getterOf(o1.type) != nullptr || getterOf(o2.type) != nullptr) && o1.type >= 0 && o2.type >= 0 &&
-           !dispatch().resolved[o1.type][o2.type].load(std::memory_order_acquire);
+           !dispatch->resolved[o1.type][o2.type].load(std::memory_order_acquire);
 }
 
 // Upstream answers these without looking at the table.
@@ -73,15 +72,15 @@ bool isAnsweredEarly(const dxGeom &o1, const dxGeom &o2, int flags) {
 }  // namespace
 
 void dxForgetColliders() {
-    for (std::atomic<dGetColliderFnFn *> &getter : dispatch().getters) getter = nullptr;
-    for (auto &row : dispatch().resolved) {
+    for (std::atomic<dGetColliderFnFn *> &getter : dispatch->getters) getter = nullptr;
+    for (auto &row : dispatch->resolved) {
         for (std::atomic<bool> &resolved : row) resolved = false;
     }
 }
 
 void dxForgetUserClasses() {
     dxForgetColliders();
-    dispatch().classes = 0;
+    dispatch->classes = 0;
 }
 
 extern "C" {
@@ -96,19 +95,19 @@ int dCollide(dGeomID o1, dGeomID o2, int flags, dContactGeom *contact, int skip)
 int dCreateGeomClass(const dGeomClass *description) {
     // Upstream reports what is wrong, to a handler that may never return: without the lock.
     const bool wrong = description == nullptr || description->bytes < 0 || !description->collider ||
-                       !description->aabb || dispatch().classes.load() >= dMaxUserClasses;
+                       !description->aabb || dispatch->classes.load() >= dMaxUserClasses;
     if (wrong) return dxUpstreamCreateGeomClass(description);
-    const std::lock_guard<std::mutex> lock(dispatch().mutex);
+    const std::lock_guard<dxForkSafeMutex> lock(dispatch->mutex);
     const int type = dxUpstreamCreateGeomClass(description);
-    dispatch().getters[type - dFirstUserClass].store(description->collider, std::memory_order_release);
-    ++dispatch().classes;
+    dispatch->getters[type - dFirstUserClass].store(description->collider, std::memory_order_release);
+    ++dispatch->classes;
     return type;
 }
 
 void dSetColliderOverride(int i, int j, dColliderFn *collider) {
     dxUpstreamSetColliderOverride(i, j, collider);
-    dispatch().resolved[i][j] = true;
-    dispatch().resolved[j][i] = true;
+    dispatch->resolved[i][j] = true;
+    dispatch->resolved[j][i] = true;
 }
 
 }  // extern "C"

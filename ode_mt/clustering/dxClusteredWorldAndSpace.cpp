@@ -59,8 +59,8 @@ void dxClusteredWorldAndSpace::cross() {
     m_changesSeen = m_scene.changes();
     std::swap(m_clusters, m_before);
     m_clusters.clear(m_scene.end());
-    static const dxClusters kNothing;
-    m_pass->cross(m_scene, m_links.all(), m_madeAnew ? kNothing : m_before, m_clusters);
+    const dxClusters nothing;
+    m_pass->cross(m_scene, m_links.all(), m_madeAnew ? nothing : m_before, m_clusters);
     m_madeAnew = false;
     m_history.follow(m_before, m_clusters);
     gatherApart();

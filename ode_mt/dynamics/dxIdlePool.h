@@ -1,24 +1,20 @@
 // Objects that no step is using at the moment, kept for the next one. Any thread may take and give back.
 //
 // Holds only pointers; who takes from an empty pool makes a new object. The one used last is taken first,
-// since its memory is likely to be in a cache. Survives fork: the lock is held across it, so that the
-// child finds the list whole.
+// since its memory is likely to be in a cache. Survives fork.
 #pragma once
 
 #include <mutex>
 #include <vector>
 
-#include "threading/dxForkListener.h"
+#include "threading/dxForkLocks.h"
 
 template <class Object>
-class dxIdlePool final : private dxForkListener {
+class dxIdlePool {
 public:
-    dxIdlePool() { listenToForks(); }
-    ~dxIdlePool() { ignoreForks(); }
-
     // Null if there is none.
     Object *take() {
-        const std::lock_guard<std::mutex> hold(m_mutex);
+        const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
         if (m_idle.empty()) return nullptr;
         Object *object = m_idle.back();
         m_idle.pop_back();
@@ -26,22 +22,18 @@ public:
     }
 
     void giveBack(Object *object) {
-        const std::lock_guard<std::mutex> hold(m_mutex);
+        const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
         m_idle.push_back(object);
     }
 
     template <class Destroy>
     void clear(Destroy destroy) {
-        const std::lock_guard<std::mutex> hold(m_mutex);
+        const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
         for (Object *object : m_idle) destroy(object);
         std::vector<Object *>().swap(m_idle);
     }
 
 private:
-    void beforeFork() override { m_mutex.lock(); }
-    void inForkingParent() override { m_mutex.unlock(); }
-    void inForkedChild() override { m_mutex.unlock(); }
-
-    std::mutex m_mutex;
+    dxForkSafeMutex m_mutex;
     std::vector<Object *> m_idle;
 };

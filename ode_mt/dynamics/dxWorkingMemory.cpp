@@ -4,6 +4,7 @@
 
 #include "dynamics/dxIdlePool.h"
 #include "dynamics/dxIsland.h"
+#include "threading/dxProcessObject.h"
 
 namespace dxWorkingMemory {
 
@@ -13,29 +14,25 @@ void *allocate(std::size_t size) { return std::malloc(size); }
 void *shrink(void *block, std::size_t, std::size_t size) { return std::realloc(block, size); }
 void deallocate(void *block, std::size_t) { std::free(block); }
 
-const dxWorldProcessMemoryManager &manager() {
-    static const dxWorldProcessMemoryManager instance(allocate, shrink, deallocate);
-    return instance;
-}
+struct HeapManager : dxWorldProcessMemoryManager {
+    HeapManager() : dxWorldProcessMemoryManager(allocate, shrink, deallocate) {}
+};
 
-// Never destroyed: steps may still run while the process ends.
-dxIdlePool<dxWorldProcessMemArena> &pool() {
-    static auto *const instance = new dxIdlePool<dxWorldProcessMemArena>;
-    return *instance;
-}
+dxProcessObject<HeapManager> manager;
+dxProcessObject<dxIdlePool<dxWorldProcessMemArena>> pool;
 
 }  // namespace
 
 dxWorldProcessMemArena *take(std::size_t size) {
     constexpr float kReserve = 1.2f;  // so that a slowly growing world does not reallocate at every step
     dxWorldProcessMemArena *arena =
-        dxWorldProcessMemArena::ReallocateMemArena(pool().take(), size, &manager(), kReserve, 0);
+        dxWorldProcessMemArena::ReallocateMemArena(pool->take(), size, &*manager, kReserve, 0);
     if (arena != nullptr) arena->ResetState();
     return arena;
 }
 
-void giveBack(dxWorldProcessMemArena *arena) { pool().giveBack(arena); }
+void giveBack(dxWorldProcessMemArena *arena) { pool->giveBack(arena); }
 
-void release() { pool().clear(dxWorldProcessMemArena::FreeMemArena); }
+void release() { pool->clear(dxWorldProcessMemArena::FreeMemArena); }
 
 }  // namespace dxWorkingMemory

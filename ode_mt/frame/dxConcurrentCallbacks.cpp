@@ -17,6 +17,7 @@
 #include "frame/dxSettings.h"
 #include "frame/dxStepStatistics.h"
 #include "frame/dxWorkers.h"
+#include "threading/dxProcessObject.h"
 
 namespace {
 
@@ -89,10 +90,7 @@ void Run::commit() {
     for (std::uint32_t pair = 0; pair < pairs->size(); ++pair) logs[taskOfPair[pair]]->commit(spans[pair]);
 }
 
-dxIdlePool<Run> &idleRuns() {
-    static dxIdlePool<Run> *const pool = new dxIdlePool<Run>;  // never destroyed: threads may collide at exit
-    return *pool;
-}
+dxProcessObject<dxIdlePool<Run>> idleRuns;
 
 // A program that has floating-point exceptions trapped gets the signal on the thread that collides.
 bool trapsFloatingPoint() { return fegetexcept() > 0; }
@@ -108,10 +106,10 @@ unsigned workersFor(const dxOrderedSpace &space) {
 // Gives the run back, also when a callback's exception passes.
 class Lease {
 public:
-    Lease() : m_run(idleRuns().take()) {
+    Lease() : m_run(idleRuns->take()) {
         if (m_run == nullptr) m_run = new Run;
     }
-    ~Lease() { idleRuns().giveBack(m_run); }
+    ~Lease() { idleRuns->giveBack(m_run); }
     Lease(const Lease &) = delete;
     Lease &operator=(const Lease &) = delete;
     Run &operator*() const { return *m_run; }
@@ -160,5 +158,5 @@ bool dxCollideConcurrently(dSpaceID space, void *data, dNearCallback *callback) 
 }
 
 void dxForgetConcurrentCallbacks() {
-    idleRuns().clear([](Run *run) { delete run; });
+    idleRuns->clear([](Run *run) { delete run; });
 }

@@ -34,6 +34,8 @@ std::string knownAlgorithms() {
     return names;
 }
 
+dxProcessObject<dxSettings> settings;
+
 unsigned usableCores() {
     cpu_set_t set;
     if (sched_getaffinity(0, sizeof set, &set) != 0) return 1;
@@ -43,10 +45,7 @@ unsigned usableCores() {
 
 }  // namespace
 
-dxSettings &dxSettings::instance() {
-    static dxSettings *const settings = new dxSettings;  // never destroyed: steps may run while the process ends
-    return *settings;
-}
+dxSettings &dxSettings::instance() { return *settings; }
 
 dxSettings::dxSettings() : m_cores(usableCores()) {
     if (const char *text = std::getenv("ODE_MT_THREADS")) readThreads(text);

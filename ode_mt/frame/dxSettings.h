@@ -10,6 +10,8 @@
 #include <atomic>
 #include <string>
 
+#include "threading/dxProcessObject.h"
+
 // Auto shares out what is predicted to pay, the others whatever can be shared out (Serial: nothing).
 // ClusteredXxx: pairs are found by clusters, under the crossover pass of that name.
 enum class dxAlgorithm {
@@ -45,6 +47,7 @@ public:
     unsigned cores() const { return m_cores; }
 
 private:
+    friend class dxProcessObject<dxSettings>;
     dxSettings();
     void readThreads(const char *text);
     void readAlgorithm(const char *text);

@@ -17,6 +17,7 @@
 #include "frame/dxSettings.h"
 #include "frame/dxStepStatistics.h"
 #include "frame/dxWorkers.h"
+#include "threading/dxProcessObject.h"
 #include "quickstep.h"
 #include "step.h"
 
@@ -28,10 +29,7 @@ double nsSince(Clock::time_point start) {
     return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
 }
 
-dxCostModel &costModel() {
-    static dxCostModel model;
-    return model;
-}
+dxProcessObject<dxCostModel> costModel;
 
 // Islands cheaper than this share a block, so that taking a block costs little beside its work.
 constexpr double kLeastBlockNs = 3e3;
@@ -82,7 +80,7 @@ void dxStep::run() {
     } else if (m_costsKnown) {
         const Clock::time_point start = Clock::now();
         runInOrder();
-        costModel().learnSerial(m_kind, m_totalCost, nsSince(start));
+        costModel->learnSerial(m_kind, m_totalCost, nsSince(start));
     } else {
         runInOrder();
     }
@@ -358,7 +356,7 @@ void dxStep::learn(unsigned workers, double wallNs) const {
     double busyNs = 0;
     for (const dxWorkerRecord &worker : m_records->workers) busyNs += worker.busyNs;
     if (m_inOrderFrom == m_count && m_interrupted.load(std::memory_order_relaxed) == m_count) {
-        costModel().learnParallel(m_kind, m_totalCost, m_largestCost, workers, busyNs, wallNs);
+        costModel->learnParallel(m_kind, m_totalCost, m_largestCost, workers, busyNs, wallNs);
     }
 }
 
@@ -382,7 +380,7 @@ unsigned dxStep::chooseWorkers() {
         m_costsKnown = i + 1 == m_count;
     }
     if (algorithm != dxAlgorithm::Auto) return limit;
-    return costModel().chooseWorkers(m_kind, m_totalCost, m_largestCost,
+    return costModel->chooseWorkers(m_kind, m_totalCost, m_largestCost,
                                      std::min(limit, dxSettings::instance().cores()));
 }
 

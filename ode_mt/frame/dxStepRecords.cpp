@@ -1,14 +1,11 @@
 #include "frame/dxStepRecords.h"
 
 #include "dynamics/dxIdlePool.h"
+#include "threading/dxProcessObject.h"
 
 namespace {
 
-// Never destroyed: steps may still run while the process ends.
-dxIdlePool<dxStepRecords> &pool() {
-    static auto *const instance = new dxIdlePool<dxStepRecords>;
-    return *instance;
-}
+dxProcessObject<dxIdlePool<dxStepRecords>> pool;
 
 }  // namespace
 
@@ -22,12 +19,12 @@ void dxWorkerRecord::reset() {
 }
 
 dxStepRecords::Lease dxStepRecords::borrow() {
-    dxStepRecords *records = pool().take();
+    dxStepRecords *records = pool->take();
     return Lease(records != nullptr ? records : new dxStepRecords);
 }
 
-void dxStepRecords::Return::operator()(dxStepRecords *records) const { pool().giveBack(records); }
+void dxStepRecords::Return::operator()(dxStepRecords *records) const { pool->giveBack(records); }
 
 void dxStepRecords::release() {
-    pool().clear([](dxStepRecords *records) { delete records; });
+    pool->clear([](dxStepRecords *records) { delete records; });
 }

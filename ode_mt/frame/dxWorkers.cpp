@@ -13,6 +13,8 @@
 
 namespace {
 
+dxProcessObject<dxWorkers> workers;
+
 bool isKnown(const std::string &name) {
     const std::vector<const char *> names = dxThreadManagerFactory::names();
     return std::find(names.begin(), names.end(), name) != names.end();
@@ -32,10 +34,7 @@ std::unique_ptr<dxThreadManager> make(const std::string &name) {
 
 }  // namespace
 
-dxWorkers &dxWorkers::instance() {
-    static dxWorkers *const workers = new dxWorkers;  // never destroyed: steps may run while the process ends
-    return *workers;
-}
+dxWorkers &dxWorkers::instance() { return *workers; }
 
 dxWorkers::dxWorkers() {
     const char *name = std::getenv("ODE_MT_THREAD_MANAGER");

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "threading/dxForkListener.h"
+#include "threading/dxProcessObject.h"
 #include "threading/dxThreadManager.h"
 
 class dxWorkers final : private dxForkListener {
@@ -28,6 +29,7 @@ public:
     void stop();
 
 private:
+    friend class dxProcessObject<dxWorkers>;
     dxWorkers();
     ~dxWorkers() = default;
     void inForkedChild() override;

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "default_threading.h"
-#include "threading/dxForkListener.h"
+#include "threading/dxForkLocks.h"
+#include "threading/dxProcessObject.h"
 #include "threading/dxThreadManagerUser.h"
 
 namespace dxWorldWorkers {
@@ -36,18 +37,11 @@ struct Entry {
     std::shared_ptr<dxThreadManagerUser> manager;
 };
 
-// Fork-safe as dxIdlePool: the lock is held across fork, and nothing else is locked or made under it.
-class Managers final : private dxForkListener {
+class Managers {
 public:
-    // Never destroyed: steps may still run while the process ends.
-    static Managers &instance() {
-        static Managers *const managers = new Managers;
-        return *managers;
-    }
-
     // Keeps `entry` unless there is one for its implementation; returns the one that is kept.
     std::shared_ptr<dxThreadManagerUser> keep(Entry entry) {
-        const std::lock_guard<std::mutex> hold(m_mutex);
+        const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
         const auto found = find(entry.implementation);
         if (found != m_entries.end()) return found->manager;
         m_entries.push_back(entry);
@@ -55,13 +49,13 @@ public:
     }
 
     std::shared_ptr<dxThreadManagerUser> look(const Implementation &implementation) {
-        const std::lock_guard<std::mutex> hold(m_mutex);
+        const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
         const auto found = find(implementation);
         return found != m_entries.end() ? found->manager : nullptr;
     }
 
     std::shared_ptr<dxThreadManagerUser> remove(const Implementation &implementation) {
-        const std::lock_guard<std::mutex> hold(m_mutex);
+        const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
         const auto found = find(implementation);
         if (found == m_entries.end()) return nullptr;
         const std::shared_ptr<dxThreadManagerUser> manager = found->manager;
@@ -70,25 +64,21 @@ public:
     }
 
 private:
-    Managers() { listenToForks(); }
-
     std::vector<Entry>::iterator find(const Implementation &implementation) {
         return std::find_if(m_entries.begin(), m_entries.end(),
                             [&](const Entry &entry) { return entry.implementation == implementation; });
     }
 
-    void beforeFork() override { m_mutex.lock(); }
-    void inForkingParent() override { m_mutex.unlock(); }
-    void inForkedChild() override { m_mutex.unlock(); }
-
-    std::mutex m_mutex;
+    dxForkSafeMutex m_mutex;
     std::vector<Entry> m_entries;
 };
 
+dxProcessObject<Managers> managers;
+
 std::shared_ptr<dxThreadManagerUser> managerOf(const dxWorld *world) {
     const Implementation implementation = Access::of(*world);
-    if (auto manager = Managers::instance().look(implementation)) return manager;
-    return Managers::instance().keep(
+    if (auto manager = managers->look(implementation)) return manager;
+    return managers->keep(
         {implementation, std::make_shared<dxThreadManagerUser>(implementation.functions, implementation.id)});
 }
 
@@ -110,6 +100,6 @@ void run(const dxWorld *world, unsigned blocks, unsigned workers, dxThreadManage
 }
 
 // The end of the manager, outside of all locks, waits for the threads that it has borrowed.
-void giveBack(const dxWorld *world) { Managers::instance().remove(Access::of(*world)); }
+void giveBack(const dxWorld *world) { managers->remove(Access::of(*world)); }
 
 }  // namespace dxWorldWorkers

@@ -3,11 +3,18 @@
 #include <pthread.h>
 
 #include <mutex>
+#include <new>
+
+#include "dxForkLocks.h"
+
+namespace dxForkLocks {
+std::mutex initialisation;
+std::recursive_mutex creation;
+}  // namespace dxForkLocks
 
 struct dxForkListeners {
-    std::mutex lock;  // held across fork, so that the child finds the list whole
+    std::mutex lock;
     dxForkListener *first = nullptr;
-    bool registered = false;
 
     void add(dxForkListener &listener);
     static void remove(dxForkListener &listener);
@@ -17,11 +24,17 @@ struct dxForkListeners {
 };
 
 namespace {
+
 dxForkListeners listeners;
+
+// Before any lock of this library can be held.
+__attribute__((constructor)) void registerHandlers() {
+    pthread_atfork(dxForkListeners::prepare, dxForkListeners::parent, dxForkListeners::child);
 }
 
+}  // namespace
+
 void dxForkListeners::add(dxForkListener &listener) {
-    if (!registered) registered = pthread_atfork(prepare, parent, child) == 0;
     listener.next = first;
     listener.link = &first;
     if (first != nullptr) first->link = &listener.next;
@@ -34,6 +47,8 @@ void dxForkListeners::remove(dxForkListener &listener) {
 }
 
 void dxForkListeners::prepare() {
+    dxForkLocks::initialisation.lock();
+    dxForkLocks::creation.lock();
     listeners.lock.lock();
     for (dxForkListener *l = listeners.first; l != nullptr; l = l->next) l->beforeFork();
 }
@@ -41,11 +56,16 @@ void dxForkListeners::prepare() {
 void dxForkListeners::parent() {
     for (dxForkListener *l = listeners.first; l != nullptr; l = l->next) l->inForkingParent();
     listeners.lock.unlock();
+    dxForkLocks::creation.unlock();
+    dxForkLocks::initialisation.unlock();
 }
 
+// A recursive lock knows its owner by a number that the thread no longer has in the child: it is made anew.
 void dxForkListeners::child() {
     for (dxForkListener *l = listeners.first; l != nullptr; l = l->next) l->inForkedChild();
     listeners.lock.unlock();
+    new (&dxForkLocks::creation) std::recursive_mutex;
+    dxForkLocks::initialisation.unlock();
 }
 
 void dxForkListener::listenToForks() {

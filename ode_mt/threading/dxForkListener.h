@@ -1,5 +1,5 @@
-// Tells thread managers of fork(): in the child only the thread that forked exists, so a manager there
-// has workers that are gone and locks that nobody will release.
+// Is told of fork(): in the child only the thread that forked exists, so workers are gone there, and locks
+// that others held stay locked. dxForkLocks.h has what follows from that for locks.
 //
 // The handlers are registered with pthread_atfork on behalf of this library; the C library drops them
 // when the library is unloaded.

@@ -14,19 +14,23 @@
 #include <pthread.h>
 
 #include "dxOpenMPRuntime.h"
+#include "dxProcessObject.h"
 
 namespace {
 
-bool loadUnwinder() {
-    pthread_t thread;
-    const auto body = [](void *) -> void * { pthread_exit(nullptr); };
-    if (pthread_create(&thread, nullptr, body, nullptr) == 0) pthread_join(thread, nullptr);
-    return true;
-}
+struct LoadedUnwinder {
+    LoadedUnwinder() {
+        pthread_t thread;
+        const auto body = [](void *) -> void * { pthread_exit(nullptr); };
+        if (pthread_create(&thread, nullptr, body, nullptr) == 0) pthread_join(thread, nullptr);
+    }
+};
+
+dxProcessObject<LoadedUnwinder> unwinder;
 
 }  // namespace
 
-void dxOpenMPPrepareRegions() { static const bool loaded = loadUnwinder(); (void)loaded; }
+void dxOpenMPPrepareRegions() { *unwinder; }
 
 bool dxOpenMPEndThreads() { return omp_pause_resource_all(omp_pause_hard) == 0; }
 

@@ -13,20 +13,24 @@
 #include <omp.h>
 
 #include "dxOpenMPRuntime.h"
+#include "dxProcessObject.h"
 
 namespace {
 
-bool keepInMemory() {
-    Dl_info runtime;
-    return dladdr(reinterpret_cast<void *>(&omp_get_thread_num), &runtime) != 0 &&
-           dlopen(runtime.dli_fname, RTLD_NOW | RTLD_NOLOAD | RTLD_NODELETE) != nullptr;
-}
+struct KeptInMemory {
+    KeptInMemory() {
+        Dl_info runtime;
+        if (dladdr(reinterpret_cast<void *>(&omp_get_thread_num), &runtime) != 0)
+            dlopen(runtime.dli_fname, RTLD_NOW | RTLD_NOLOAD | RTLD_NODELETE);
+    }
+};
+
+dxProcessObject<KeptInMemory> keptInMemory;
 
 }  // namespace
 
 void dxOpenMPPrepareRegions() {
-    static const bool kept = keepInMemory();
-    static_cast<void>(kept);
+    *keptInMemory;
     kmp_set_blocktime(0);
 }
 

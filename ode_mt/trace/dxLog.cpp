@@ -16,20 +16,23 @@ void write(dxLogLevel level, const char *text) {
     std::fputs(line, stderr);
 }
 
-dxLogLevel levelFromEnvironment() {
-    dxLogLevel level = dxLogLevel::warning;
-    const char *name = std::getenv("ODE_MT_LOG");
-    if (name != nullptr && !dxLogLevelFromName(name, level)) {
-        char text[200];
-        std::snprintf(text, sizeof text, "ODE_MT_LOG is '%.100s'; known: error, warning, info, debug", name);
-        write(dxLogLevel::warning, text);
-    }
-    return level;
+constexpr int kUnread = -1;
+std::atomic<int> shownLevel{kUnread};
+
+void reportUnknown(const char *name) {
+    char text[200];
+    std::snprintf(text, sizeof text, "ODE_MT_LOG is '%.100s'; known: error, warning, info, debug", name);
+    write(dxLogLevel::warning, text);
 }
 
-std::atomic<dxLogLevel> &shownLevel() {
-    static std::atomic<dxLogLevel> level{levelFromEnvironment()};
-    return level;
+// Without a lock, which another thread may hold while this one forks: threads that come first at the same
+// time all read the environment, and one of them reports.
+void readEnvironment() {
+    dxLogLevel level = dxLogLevel::warning;
+    const char *name = std::getenv("ODE_MT_LOG");
+    const bool understood = name == nullptr || dxLogLevelFromName(name, level);
+    int expected = kUnread;
+    if (shownLevel.compare_exchange_strong(expected, static_cast<int>(level)) && !understood) reportUnknown(name);
 }
 
 }  // namespace
@@ -44,9 +47,14 @@ bool dxLogLevelFromName(const char *name, dxLogLevel &level) {
     return false;
 }
 
-dxLogLevel dxGetLogLevel() { return shownLevel().load(std::memory_order_relaxed); }
+dxLogLevel dxGetLogLevel() {
+    if (shownLevel.load(std::memory_order_relaxed) == kUnread) readEnvironment();
+    return static_cast<dxLogLevel>(shownLevel.load(std::memory_order_relaxed));
+}
 
-void dxSetLogLevel(dxLogLevel level) { shownLevel().store(level, std::memory_order_relaxed); }
+void dxSetLogLevel(dxLogLevel level) {
+    shownLevel.store(static_cast<int>(level), std::memory_order_relaxed);
+}
 
 void dxLog(dxLogLevel level, const char *format, ...) {
     if (level > dxGetLogLevel()) return;

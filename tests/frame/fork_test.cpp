@@ -3,6 +3,7 @@
 #include <ode/ode.h>
 
 #include <atomic>
+#include <chrono>
 #include <string>
 #include <thread>
 
@@ -78,6 +79,36 @@ TEST_P(Fork, WhileAnotherThreadSteps) {
     }
     enough = true;
     other.join();
+}
+
+// A fork while another thread uses the library for the first time: what that thread is making at that moment
+// is whole in the child, or not begun. Each try is a process that has not stepped before.
+TEST_P(Fork, WhileAnotherThreadStepsForTheFirstTime) {
+    if (kAddressSanitizer) GTEST_SKIP() << "AddressSanitizer's own locks do not survive a fork";
+    constexpr int kTries = 100;
+    for (int i = 0; i < kTries; ++i) {
+        EXPECT_TRUE(trueInChild([i] {
+            const OdeSession session(3, "lcp");
+            std::atomic<bool> stepping{false};
+            std::thread other([&stepping] {
+                ChainWorld world(30, 4);
+                stepping = true;
+                world.step(3);
+            });
+            ChainWorld world(30, 4);
+            while (!stepping) continue;
+            std::this_thread::sleep_for(std::chrono::microseconds(i));
+            const bool done = trueInChild([&world] {
+                world.step(3);
+                dCloseODE();
+                return true;
+            });
+            other.join();
+            return done;
+        })) << "try "
+            << i;
+        if (HasFailure()) break;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Managers, Fork, testing::Values("pthread", "openmp"),
