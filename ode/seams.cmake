@@ -67,3 +67,6 @@ ode_mt_compile_after("collision_space.cpp" collision_space.h)
 
 # The exact step's triangular solves with vectors: same bits, less time (docs/solve.md).
 ode_mt_compile_after("lcp.cpp" lcp.h)
+
+# QuickStep's sweep: the first order of the rows made to overlap, and vectors; same bits (docs/sweep.md).
+ode_mt_compile_after("quickstep.cpp" quickstep.h)

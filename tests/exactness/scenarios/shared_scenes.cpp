@@ -30,6 +30,10 @@ void addSharedScenes(Catalogue &catalogue) {
     add("ragdolls", ":10,quadtree", "ten ragdolls", 120);
     add("vehicles", ":8", "buggies on a mesh", 100);
     add("vehicles_heightfield", ":8", "buggies on a height field", 100);
+
+    add("wall", ":10", "a wall of a hundred bricks: more rows in one island than a cache holds", 30);
+    catalogue.back().serialBecause = "there is one island";
+    catalogue.back().steppers = {scenes::Stepper::Quick};
 }
 
 }  // namespace exactness
