@@ -45,10 +45,15 @@ public:
 
     void TestBody() override {
         const Record &expected = stockRecord(m_scenario.name, m_player.unordered);
-        const Record actual = runScenario(m_scenario.name, m_player);
-        checkEngines(expected.engine, actual.engine);
-        checkEqual(expected, actual);
-        if (m_player.setting && m_player.setting->threads >= 2) checkSharedOut(actual.engine);
+        std::string notShared;
+        for (int attempt = 0; attempt < kAttempts; ++attempt) {
+            const Record actual = runScenario(m_scenario.name, m_player);
+            checkEngines(expected.engine, actual.engine);
+            checkEqual(expected, actual);
+            notShared = notSharedOut(actual.engine);
+            if (HasFailure() || notShared.empty()) break;
+        }
+        EXPECT_EQ(notShared, "");
     }
 
 private:
@@ -71,20 +76,22 @@ private:
                                      : "but not when run again: the difference does not repeat");
     }
 
-    // On a busy machine a second worker may never come in time, unless the schedule is disturbed.
-    void checkSharedOut(const Engine &engine) const {
+    // What should have been shared out and was not; empty: nothing. On a busy machine a second worker may never
+    // come in time, so this is asked only where the schedule is disturbed, and of one attempt in several.
+    std::string notSharedOut(const Engine &engine) const {
+        if (!m_player.setting || m_player.setting->threads < 2 || !m_scenario.serialBecause.empty()) return "";
         const std::string &algorithm = m_player.setting->algorithm;
-        if (algorithm == "auto" || algorithm == "serial" || !m_scenario.serialBecause.empty()) return;
-        EXPECT_GT(engine.parallelSteps, 0u);
-        if (!m_player.setting->disturbed) return;
+        if (algorithm == "auto" || algorithm == "serial") return "";
+        if (engine.parallelSteps == 0) return "no step was shared out";
+        if (!m_player.setting->disturbed) return "";
+        if (engine.mostWorkers < 2) return "no second worker stepped an island";
         // Clusters may be one.
-        if (m_player.setting->concurrentCallbacks && m_scenario.callbacks == "shared" && algorithm == "lcp") {
-            EXPECT_GT(engine.parallelCollisions, 0u) << "no second worker ran callbacks";
-        }
-        EXPECT_GE(engine.mostWorkers, 2u)
-            << "no second worker stepped an island; parallel steps: " << engine.parallelSteps
-            << ", islands: " << engine.parallelIslands;
+        const bool shares =
+            m_player.setting->concurrentCallbacks && m_scenario.callbacks == "shared" && algorithm == "lcp";
+        return shares && engine.parallelCollisions == 0 ? "no second worker ran callbacks" : "";
     }
+
+    static constexpr int kAttempts = 5;
 
     ScenarioName m_scenario;
     Player m_player;

@@ -61,6 +61,7 @@ TEST_P(Lifecycle, CloseEndsAllThreads) {
 
 TEST_P(Lifecycle, WorksAgainAfterClosing) {
     const std::vector<dReal> serial = stepInParallel(0);
+    stepInParallel(GetParam().threads);  // an OpenMP runtime may keep what its first use starts
     const unsigned before = processThreads();
     for (int i = 0; i < 5; ++i) {
         EXPECT_EQ(stepInParallel(GetParam().threads), serial);
