@@ -35,9 +35,6 @@ ode_mt_call_instead("ode.cpp" dxProcessIslands dxStepIslands)
 # of its bodies are put off (ode_mt/dynamics/dxBodyIntegration.cpp).
 ode_mt_call_instead("step.cpp;quickstep.cpp" dxStepBody dxIntegrateIslandBody)
 
-# Every island draws from its own piece of the random sequence.
-ode_mt_call_instead("quickstep.cpp" dRandInt dxIslandRandInt)
-
 # Two threads of the user may collide meshes at the same time: each thread has a cache of its own. The
 # upstream name is a variable; this turns its declarations into those of a function that returns the
 # calling thread's cache.
@@ -68,5 +65,6 @@ ode_mt_compile_after("collision_space.cpp" collision_space.h)
 # The exact step's triangular solves with vectors: same bits, less time (docs/solve.md).
 ode_mt_compile_after("lcp.cpp" lcp.h)
 
-# QuickStep's sweep: the first order of the rows made to overlap, and vectors; same bits (docs/sweep.md).
+# QuickStep's rows: every island shuffles them by its own piece of the random sequence; the sweep has its first
+# order made to overlap, and vectors; same bits (docs/sweep.md).
 ode_mt_compile_after("quickstep.cpp" quickstep.h)

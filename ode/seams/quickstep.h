@@ -1,17 +1,32 @@
-/* QuickStep's sweep over the rows is ours (ode_mt/dynamics/sweep). Upstream's is a static function in the same file
- * as its call, so the two are told apart by their argument: the definition's begins with a type, the call's is a
- * variable. The definition gets another name and is not used. */
+/* QuickStep's shuffle of the rows and its sweep over them are ours (ode_mt/dynamics). Upstream's are static functions in
+ * the same file as their calls, so the two are told apart by their argument: a definition's begins with a type, a
+ * call's is a variable. The definitions get other names and are not used. */
 #pragma once
 
+#include "../../ode_mt/dynamics/dxRowShuffle.h"
 #include "../../ode_mt/dynamics/sweep/dxSweep.h"
+
+#define dxQuickStepIsland_Stage4LCP_ConstraintsShuffling(argument, iteration) dxShuffleSeam_##argument, iteration)
+#define dxShuffleSeam_dxQuickStepperStage4CallContext dxUpstreamShuffle(dxQuickStepperStage4CallContext
+#define dxShuffleSeam_stage4CallContext dxShuffleCall(stage4CallContext
 
 #define dxQuickStepIsland_Stage4LCP_STIteration(argument) dxSweepSeam_##argument)
 #define dxSweepSeam_dxQuickStepperStage4CallContext dxUpstreamSweep(dxQuickStepperStage4CallContext
 #define dxSweepSeam_stage4CallContext dxSweepCall(stage4CallContext
 
-/* Upstream marks an order as shuffled; until then the rows are in the order of their joints, which is made to
- * overlap once. The schedule lies in memory that upstream reserves for threads of its own, of which there are none
- * here, and so does the mark that it is made. */
+/* As upstream: before the first iteration the rows stay in the order of their joints. The mark tells that they
+ * no longer are. */
+template <class Call>
+bool dxShuffleCall(Call *call, unsigned iteration) {
+    if (iteration != 0) {
+        dxShuffleRows(&call->m_order->index, call->m_localContext->m_m);
+        call->m_SOR_reorderHeadTaken = 1;
+    }
+    return true;
+}
+
+/* Until the first shuffle the order is made to overlap, once. The schedule lies in memory that upstream reserves for
+ * threads of its own, of which there are none here, and so does the mark that it is made. */
 template <class Call>
 void dxSweepCall(Call *call) {
     const auto *local = call->m_localContext;

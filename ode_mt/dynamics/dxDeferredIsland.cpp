@@ -28,7 +28,11 @@ void dxKeptReport::deliver() const {
     }
 }
 
-std::uint32_t dxDeferredIsland::draw() { return m_seed = dxRandom::next(m_seed); }
+std::uint32_t dxDeferredIsland::takeBlock(std::uint64_t draws) {
+    const std::uint32_t before = m_seed;
+    m_seed = dxRandom::jump(m_seed, draws);
+    return before;
+}
 
 bool dxDeferredIsland::takeOver(dxReport kind, int number, const char *format, va_list arguments) {
     if (m_userHandlers) throw dxIslandInterrupted();

@@ -28,7 +28,7 @@ public:
     dxDeferredIsland(unsigned island, std::uint32_t seed, bool userHandlers, std::vector<dxKeptReport> &reports)
         : m_island(island), m_seed(seed), m_userHandlers(userHandlers), m_reports(reports) {}
 
-    std::uint32_t draw() override;
+    std::uint32_t takeBlock(std::uint64_t draws) override;
     bool defersMoved() const override { return true; }
     bool takeOver(dxReport kind, int number, const char *format, va_list arguments) override;
 

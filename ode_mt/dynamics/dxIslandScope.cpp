@@ -16,9 +16,3 @@ void dxIslandScope::leave() {
 }
 
 dxIslandScope *dxIslandScope::current() { return t_current; }
-
-// Seam: upstream's quickstep.cpp calls this instead of dRandInt.
-extern "C" int dxIslandRandInt(int n) {
-    dxIslandScope *scope = dxIslandScope::current();
-    return dxRandom::toRange(scope ? scope->draw() : dxRandom::drawShared(), static_cast<std::uint32_t>(n));
-}

@@ -1,6 +1,6 @@
 // What upstream's stepper meets where it would leave the island it steps.
 //
-// dxStepIsland and dxQuickStepIsland of upstream run unchanged. Where they draw a random number, tell a
+// dxStepIsland and dxQuickStepIsland of upstream run unchanged. Where they shuffle rows, tell a
 // collision space that a geom moved, or report a message, a seam (ode/seams.cmake) asks the scope of the
 // current thread. There are two:
 //
@@ -24,8 +24,8 @@ public:
     // so without a scope or under a new one, and finds the old one again afterwards.
     static dxIslandScope *current();
 
-    // The next random number of the sequence.
-    virtual std::uint32_t draw() = 0;
+    // Takes the next `draws` numbers of the random sequence. Returns the seed before the first of them.
+    virtual std::uint32_t takeBlock(std::uint64_t draws) = 0;
 
     // Whether moved-notifications of bodies are put off.
     virtual bool defersMoved() const = 0;

@@ -12,7 +12,7 @@ namespace {
 // The step itself will report what joints have to say.
 class SilentScope final : public dxIslandScope {
 public:
-    std::uint32_t draw() override { return 0; }
+    std::uint32_t takeBlock(std::uint64_t) override { return 0; }
     bool defersMoved() const override { return true; }
     bool takeOver(dxReport kind, int, const char *, va_list) override {
         if (kind != dxReport::Message) throw dxIslandInterrupted();

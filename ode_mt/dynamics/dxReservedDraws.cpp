@@ -2,7 +2,11 @@
 
 #include "dynamics/dxRandom.h"
 
-std::uint32_t dxReservedDraws::draw() { return m_seed = dxRandom::next(m_seed); }
+std::uint32_t dxReservedDraws::takeBlock(std::uint64_t draws) {
+    const std::uint32_t before = m_seed;
+    m_seed = dxRandom::jump(m_seed, draws);
+    return before;
+}
 
 bool dxReservedDraws::takeOver(dxReport, int, const char *, va_list) {
     giveBack();

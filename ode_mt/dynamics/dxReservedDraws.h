@@ -14,7 +14,7 @@ public:
     // `seed`: the sequence before the next draw; `end`: after the last reserved one.
     dxReservedDraws(std::uint32_t seed, std::uint32_t end) : m_seed(seed), m_end(end) {}
 
-    std::uint32_t draw() override;
+    std::uint32_t takeBlock(std::uint64_t draws) override;
     bool defersMoved() const override { return false; }
     bool takeOver(dxReport kind, int number, const char *format, va_list arguments) override;
 
