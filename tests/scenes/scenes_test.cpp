@@ -150,6 +150,26 @@ TEST(Scenes, StacksStayUp) {
     EXPECT_GT(height(*scene, top), REAL(4.6));
 }
 
+// A settled crowd rests; in a churn what came in the last frames still falls.
+TEST(Scenes, ChurnExchangesOneBoxAFrameAndACrowdNone) {
+    const auto falling = [](const Scene &scene) {
+        int count = 0;
+        for (const dBodyID body : scene.inventory().bodies) count += dBodyGetLinearVel(body)[2] < REAL(-0.05);
+        return count;
+    };
+    const auto crowd = makeScene("crowd:40"), churn = makeScene("churn:40");
+    run(*crowd, 200);
+    run(*churn, 200);
+    EXPECT_EQ(falling(*crowd), 0);
+    EXPECT_GT(falling(*churn), 0);
+    for (const Scene *scene : {crowd.get(), churn.get()}) {
+        const scenes::Inventory &all = scene->inventory();
+        ASSERT_EQ(all.bodies.size(), 40u);
+        ASSERT_EQ(all.geoms.size(), 41u);
+        for (std::size_t i = 0; i < all.bodies.size(); ++i) EXPECT_EQ(dGeomGetBody(all.geoms[i + 1]), all.bodies[i]);
+    }
+}
+
 TEST(Scenes, PilesCollapse) {
     const auto scene = makeScene("pile:100");
     const std::size_t last = 99;

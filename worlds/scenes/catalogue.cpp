@@ -26,6 +26,9 @@ const CatalogueEntry kCatalogue[] = {
      makeVehiclesOnMesh},
     {"vehicles_heightfield", "N buggies on hilly ground, a height field", "buggies", 10, 2500, Stepper::Quick,
      makeVehiclesOnHeightField},
+    {"crowd", "N boxes that lie on the ground", "boxes", 2000, 1'000'000, Stepper::Quick, makeCrowd},
+    {"churn", "the same; in every frame one goes and one comes", "boxes", 2000, 1'000'000, Stepper::Quick,
+     makeChurn},
 };
 
 struct Modifier {

@@ -8,6 +8,8 @@
 namespace scenes {
 
 std::unique_ptr<Scene> makeChain(const SceneOptions &options);
+std::unique_ptr<Scene> makeChurn(const SceneOptions &options);
+std::unique_ptr<Scene> makeCrowd(const SceneOptions &options);
 std::unique_ptr<Scene> makeHumanoids(const SceneOptions &options);
 std::unique_ptr<Scene> makePile(const SceneOptions &options);
 std::unique_ptr<Scene> makeRagdolls(const SceneOptions &options);

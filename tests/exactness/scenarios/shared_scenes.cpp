@@ -26,6 +26,7 @@ void addSharedScenes(Catalogue &catalogue) {
     add("humanoids", ":8", "eight humanoids", 40);
     add("pile", ":300", "three hundred boxes in a heap, hash space", 60);
     add("stacks", ":12,autodisable", "twelve stacks of ten boxes", 40);
+    add("churn", ":60", "sixty boxes, one exchanged in every frame", 60);
     add("spheres", ":120,sap", "balls poured into a box", 120);
     add("ragdolls", ":10,quadtree", "ten ragdolls", 120);
     add("vehicles", ":8", "buggies on a mesh", 100);
