@@ -28,7 +28,8 @@ extern "C" {
  * Environment, read once at the first use of the library, for programs that cannot be recompiled:
  * ODE_MT_THREADS=n|auto, ODE_MT_ALGORITHM=auto|serial|lcp|original|static|static-unmerged|duplication|
  * decluster, ODE_MT_CALLBACKS=serial|concurrent, ODE_MT_THREAD_MANAGER=pthread|openmp,
- * ODE_MT_LOG=error|warning|info|debug. A call below overrides the environment.
+ * ODE_MT_HEURISTICS=default|none|NAME,NAME..., ODE_MT_LOG=error|warning|info|debug. A call below overrides
+ * the environment.
  *
  * A threading implementation given to dWorldSetStepThreadingImplementation lends its threads to that
  * world's steps instead of the process's own, whatever the number set here; one without threads keeps
@@ -91,6 +92,21 @@ ODE_API int dODE_MT_SetCallbackPolicy(const char *name);
 
 /** The name of the callback policy in force. @ingroup ode_mt */
 ODE_API const char *dODE_MT_GetCallbackPolicy(void);
+
+/**
+ * Chooses the heuristics that tune clusters (docs/heuristics.md), for measuring: "default", "none", or names with
+ * commas between them: "cells" (number of cells), "centre" (of the grid), "crossover" and "declustering" (checks
+ * that are left out where nothing can have met or come apart), "threads" (no more threads for concurrent
+ * callbacks than clusters; not in "default"). They change speed, never results. Takes effect at the next
+ * dSpaceCollide of each space.
+ *
+ * @return 1, or 0 and a dMessage naming the known ones if a name is unknown.
+ * @ingroup ode_mt
+ */
+ODE_API int dODE_MT_SetHeuristics(const char *names);
+
+/** The names of the heuristics in force, or "none". @ingroup ode_mt */
+ODE_API const char *dODE_MT_GetHeuristics(void);
 
 /**
  * Chooses the thread manager by its name, "pthread" or "openmp". Waits for steps in progress.

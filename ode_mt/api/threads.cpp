@@ -1,4 +1,4 @@
-// The calls of ode/ode_MT.h that choose threads, algorithm and thread manager, and read the counters.
+// The calls of ode/ode_MT.h that choose threads, algorithm, heuristics and thread manager, and read the counters.
 #include <ode/ode_MT.h>
 
 #include "frame/dxSettings.h"
@@ -25,6 +25,12 @@ int dODE_MT_SetCallbackPolicy(const char *name) {
 }
 
 const char *dODE_MT_GetCallbackPolicy() { return dxSettings::instance().callbackPolicyName(); }
+
+int dODE_MT_SetHeuristics(const char *names) {
+    return dxSettings::instance().setHeuristics(names ? names : "(null)");
+}
+
+const char *dODE_MT_GetHeuristics() { return dxNamesOfHeuristics(dxSettings::instance().heuristics()); }
 
 int dODE_MT_SetThreadManager(const char *name) { return dxWorkers::instance().choose(name ? name : "(null)"); }
 

@@ -1,6 +1,8 @@
 #include "clustering/dxClusteredWorldAndSpace.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "clustering/dxGridFit.h"
@@ -9,8 +11,10 @@ namespace {
 
 using Kind = dxClusterScene::Kind;
 
-// A grid is placed anew at most once in so many searches: it costs all inhabitants.
-constexpr int kSearchesBetweenFits = 16;
+// A grid is placed anew at most once in so many checks: it costs all inhabitants.
+constexpr int kChecksBetweenFits = 16;
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 // Cells an axis until somebody says otherwise: thesis 10.2 begins with the fewest.
 constexpr int kFirstCells = dxClusterGrid::kFewestCells;
@@ -23,13 +27,61 @@ dxClusteredWorldAndSpace::dxClusteredWorldAndSpace(std::unique_ptr<dxCrossoverPa
 }
 
 void dxClusteredWorldAndSpace::search(const dxMembers &members, std::vector<Match> &matches) {
+    travel(members);
+    check(members);
+    findPairs(members, matches);
+}
+
+double dxClusteredWorldAndSpace::travel(const dxMembers &members) {
+    m_history.rest();
+    m_isNoted.resize(members.end());
+    for (const Slot slot : members.changed()) {
+        note(slot);
+        m_travel = std::max(m_travel, travelOf(slot, members));
+    }
+    if (m_travel == kInfinite) return kInfinite;
+    gatherLinks(members);
+    return m_linksChanged ? kInfinite : m_travel;
+}
+
+void dxClusteredWorldAndSpace::note(Slot slot) {
+    if (m_isNoted[slot]) return;
+    m_isNoted[slot] = 1;
+    m_noted.push_back(slot);
+}
+
+double dxClusteredWorldAndSpace::travelOf(Slot slot, const dxMembers &members) const {
+    const dxGeom *const geom = members[slot].geom;
+    const bool known = slot < m_scene.end() && m_scene[slot].kind != Kind::none;
+    if (geom == nullptr && !known) return 0;  // came and went
+    if (geom == nullptr || !known || m_scene[slot].kind != dxKindOf(geom)) return kInfinite;
+    double furthest = 0;
+    for (int bound = 0; bound < 6; ++bound) {
+        const dReal from = m_scene[slot].bounds.v[bound], to = members[slot].bounds.v[bound];
+        if (from == to) continue;
+        const double moved = std::abs(static_cast<double>(to) - static_cast<double>(from));
+        if (!std::isfinite(moved)) return kInfinite;
+        furthest = std::max(furthest, std::nextafter(moved, kInfinite));
+    }
+    return furthest;
+}
+
+void dxClusteredWorldAndSpace::gatherLinks(const dxMembers &members) {
+    if (m_links.gather(members, m_scene)) m_linksChanged = true;
+    m_linksKnown = true;
+}
+
+void dxClusteredWorldAndSpace::check(const dxMembers &members) {
     updateScene(members);
     updateGrid();
-    const bool linksChanged = m_links.gather(members, m_scene);
-    if (linksChanged || m_scene.changes() != m_changesSeen)
-        cross();
-    else
-        m_history.rest();
+    if (!m_linksKnown || m_scene.changes() != m_changesSeen) gatherLinks(members);
+    if (m_linksChanged || m_scene.changes() != m_changesSeen) cross();
+    m_travel = 0;
+    m_linksChanged = false;
+}
+
+void dxClusteredWorldAndSpace::findPairs(const dxMembers &members, std::vector<Match> &matches) {
+    m_linksKnown = false;
     for (int cluster = 0; cluster < m_clusters.dynamicCount(); ++cluster)
         searchCluster(cluster, members, matches);
     for (const Slot slot : members.changed())
@@ -37,20 +89,23 @@ void dxClusteredWorldAndSpace::search(const dxMembers &members, std::vector<Matc
 }
 
 void dxClusteredWorldAndSpace::updateScene(const dxMembers &members) {
-    for (const Slot slot : members.changed()) {
+    for (const Slot slot : m_noted) {
+        m_isNoted[slot] = 0;
         const dxMembers::Member &member = members[slot];
         if (member.geom != nullptr)
             m_scene.put(slot, dxKindOf(member.geom), member.bounds);
         else
             m_scene.remove(slot);
     }
+    m_noted.clear();
 }
 
 void dxClusteredWorldAndSpace::updateGrid() {
-    const bool first = m_searchesSinceFit == 0;
-    const bool due = ++m_searchesSinceFit > kSearchesBetweenFits && dxGridIsOutgrown(m_scene);
-    if (!first && !due && m_wantedCells == m_scene.grid().cells()) return;
-    m_searchesSinceFit = 1;
+    const bool first = m_checksSinceFit == 0;
+    const bool due = ++m_checksSinceFit > kChecksBetweenFits && m_watchesGrid && dxGridIsOutgrown(m_scene);
+    if (!first && !due && !wantsGrid()) return;
+    m_checksSinceFit = 1;
+    m_isMisplaced = false;
     m_scene.setGrid(dxFitGrid(m_scene, m_wantedCells));
     m_madeAnew = true;  // clusters are made as at the start, not kept merged
 }

@@ -35,6 +35,8 @@ public:
     virtual bool setsStaticsApart() const { return false; }
     // Big static inhabitants are listed where they are near; else they are tested with every cluster.
     virtual bool listsBigStatics() const { return false; }
+    // A cluster whose cells have come apart is split.
+    virtual bool splits() const { return false; }
     // `before`: the clusters of the last frame, for rules under which what has merged stays merged.
     virtual void cross(const dxClusterScene &scene, const std::vector<Link> &links, const dxClusters &before,
                        dxClusters &clusters) = 0;

@@ -50,11 +50,13 @@ dxClusterGrid dxFitGrid(const dxClusterScene &scene, int cells) {
     return dxClusterGrid(cells, usable ? edge : dReal(1), centre);
 }
 
-bool dxGridIsOutgrown(const dxClusterScene &scene) {
+double dxShareOutside(const dxClusterScene &scene) {
     std::size_t all = 0, outside = 0;
     forDynamics(scene, [&](const dxBounds &box) {
         ++all;
         outside += scene.grid().isLeftBy(box);
     });
-    return static_cast<double>(outside) > kOutside * static_cast<double>(all);
+    return all > 0 ? static_cast<double>(outside) / static_cast<double>(all) : 0;
 }
+
+bool dxGridIsOutgrown(const dxClusterScene &scene) { return dxShareOutside(scene) > kOutside; }

@@ -7,5 +7,8 @@
 // A grid of `cells` cells an axis around the dynamic inhabitants, with room to move.
 dxClusterGrid dxFitGrid(const dxClusterScene &scene, int cells);
 
+// Share of the dynamic inhabitants that are outside the grid.
+double dxShareOutside(const dxClusterScene &scene);
+
 // So many dynamic inhabitants are outside that the grid should be placed anew.
 bool dxGridIsOutgrown(const dxClusterScene &scene);

@@ -11,12 +11,27 @@ bool isOrdered(const dxSpace *space) {
     return space->type == dSimpleSpaceClass || space->type == dHashSpaceClass;
 }
 
+// A space's search, if it has one, was set by prepare().
+const dxTunedClusters *tunedOf(const dxSpace *space) {
+    if (!isOrdered(space)) return nullptr;
+    return static_cast<const dxTunedClusters *>(static_cast<const dxOrderedSpace *>(space)->search());
+}
+
 }  // namespace
 
 const dxClusteredWorldAndSpace *dxClusterManager::find(dSpaceID space) {
-    if (!isOrdered(space)) return nullptr;
-    const dxPairSearch *const search = static_cast<const dxOrderedSpace *>(space)->search();
-    return search != nullptr ? &static_cast<const dxTunedClusters *>(search)->clusters() : nullptr;
+    const dxTunedClusters *const tuned = tunedOf(space);
+    return tuned != nullptr ? &tuned->clusters() : nullptr;
+}
+
+unsigned dxClusterManager::threadsFor(dSpaceID space, unsigned limit) {
+    const dxTunedClusters *const tuned = tunedOf(space);
+    return tuned != nullptr ? tuned->threads(limit) : limit;
+}
+
+dxClusterManager::Searches dxClusterManager::searchesOf(dSpaceID space) {
+    const dxTunedClusters *const tuned = tunedOf(space);
+    return tuned != nullptr ? Searches{tuned->searches(), tuned->checks()} : Searches{};
 }
 
 void dxClusterManager::prepare(dSpaceID space, const char *passName) {

@@ -95,11 +95,11 @@ dxProcessObject<dxIdlePool<Run>> idleRuns;
 // A program that has floating-point exceptions trapped gets the signal on the thread that collides.
 bool trapsFloatingPoint() { return fegetexcept() > 0; }
 
-unsigned workersFor(const dxOrderedSpace &space) {
+unsigned workersFor(dxOrderedSpace &space) {
     const dxSettings &settings = dxSettings::instance();
     const dxAlgorithm algorithm = settings.algorithm();
     if (algorithm == dxAlgorithm::Serial) return 1;
-    if (algorithm != dxAlgorithm::Auto) return settings.threads();
+    if (algorithm != dxAlgorithm::Auto) return dxClusterManager::threadsFor(&space, settings.threads());
     return space.pairs().size() < kLeastPairs ? 1 : std::min(settings.threads(), settings.cores());
 }
 

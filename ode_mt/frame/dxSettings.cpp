@@ -51,6 +51,7 @@ dxSettings::dxSettings() : m_cores(usableCores()) {
     if (const char *text = std::getenv("ODE_MT_THREADS")) readThreads(text);
     if (const char *text = std::getenv("ODE_MT_ALGORITHM")) readAlgorithm(text);
     if (const char *text = std::getenv("ODE_MT_CALLBACKS")) readCallbackPolicy(text);
+    if (const char *text = std::getenv("ODE_MT_HEURISTICS")) readHeuristics(text);
 }
 
 void dxSettings::readThreads(const char *text) {
@@ -96,6 +97,25 @@ bool dxSettings::setCallbackPolicy(const std::string &name) {
 bool dxSettings::chooseCallbackPolicy(const std::string &name) {
     if (name != kSerialCallbacks && name != kConcurrentCallbacks) return false;
     m_concurrentCallbacks.store(name == kConcurrentCallbacks, std::memory_order_relaxed);
+    return true;
+}
+
+void dxSettings::readHeuristics(const char *text) {
+    if (chooseHeuristics(text)) return;
+    dxLog(dxLogLevel::warning, "ODE_MT_HEURISTICS is '%s'; known: %s; %s is taken", text, dxKnownHeuristics(),
+          dxNamesOfHeuristics(heuristics()));
+}
+
+bool dxSettings::setHeuristics(const std::string &names) {
+    const bool found = chooseHeuristics(names);
+    if (!found) dMessage(0, "ODE_MT: no heuristics '%s'; known: %s", names.c_str(), dxKnownHeuristics());
+    return found;
+}
+
+bool dxSettings::chooseHeuristics(const std::string &names) {
+    unsigned choice = dxNoHeuristics;
+    if (!dxReadHeuristics(names, choice)) return false;
+    m_heuristics.store(choice, std::memory_order_relaxed);
     return true;
 }
 

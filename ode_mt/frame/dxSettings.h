@@ -1,5 +1,5 @@
 // What dToggleODE_MT and the environment set: how many threads, which algorithm, whether callbacks may run
-// concurrently.
+// concurrently, which heuristics tune the clusters.
 //
 // Process-wide, because ODE_MT's API is (dToggleODE_MT has no world). The environment is read once, at
 // the first use. A value that is not understood is reported by name and leaves the default: one from a
@@ -10,6 +10,7 @@
 #include <atomic>
 #include <string>
 
+#include "frame/dxHeuristicChoice.h"
 #include "threading/dxProcessObject.h"
 
 // Auto shares out what is predicted to pay, the others whatever can be shared out (Serial: nothing).
@@ -43,6 +44,9 @@ public:
     const char *callbackPolicyName() const;
     bool setCallbackPolicy(const std::string &name);  // false: unknown
 
+    unsigned heuristics() const { return m_heuristics.load(std::memory_order_relaxed); }  // a dxHeuristicChoice
+    bool setHeuristics(const std::string &names);  // false: unknown
+
     // Cores that this process may use.
     unsigned cores() const { return m_cores; }
 
@@ -54,9 +58,12 @@ private:
     bool chooseAlgorithm(const std::string &name);
     void readCallbackPolicy(const char *text);
     bool chooseCallbackPolicy(const std::string &name);
+    void readHeuristics(const char *text);
+    bool chooseHeuristics(const std::string &names);
 
     std::atomic<unsigned> m_threads{0};
     std::atomic<dxAlgorithm> m_algorithm{dxAlgorithm::Auto};
     std::atomic<bool> m_concurrentCallbacks{false};
+    std::atomic<unsigned> m_heuristics{dxDefaultHeuristics};
     unsigned m_cores;
 };

@@ -1,7 +1,8 @@
-// Clusters with the heuristics that tune their grid: what a space whose algorithm clusters searches with.
+// Clusters with the heuristics that tune them: what a space whose algorithm clusters searches with.
 //
-// After each search the heuristics see what it took and how many clusters came out, and set the parameters of
-// the next one (thesis chapter 10). They change speed, never results: docs/heuristics.md.
+// Before each search the check frequencies say whether clusters have to be looked at again; after it the others
+// see what it took and how many clusters there are, and set the parameters of the next one (thesis chapter 10).
+// They change speed, never results: docs/heuristics.md.
 // One thread at a time, as the space.
 #pragma once
 
@@ -10,7 +11,10 @@
 #include "clustering/dxClusteredWorldAndSpace.h"
 #include "collision/dxPairSearch.h"
 #include "heuristics/dxCellSizeHeuristic.h"
+#include "heuristics/dxCheckFrequencyHeuristic.h"
+#include "heuristics/dxGridCentreHeuristic.h"
 #include "heuristics/dxHeuristicsManager.h"
+#include "heuristics/dxThreadCountHeuristic.h"
 
 class dxTunedClusters final : public dxPairSearch {
 public:
@@ -20,9 +24,33 @@ public:
 
     const dxClusteredWorldAndSpace &clusters() const { return m_clusters; }
     const dxHeuristicsManager &heuristics() const { return m_heuristics; }
+    unsigned threads(unsigned limit) const;  // for the callbacks of the last search, from 1 to the limit
+
+    unsigned searches() const { return m_searches; }
+    unsigned checks() const { return m_checks; }  // searches that looked at clusters again
 
 private:
+    void follow(unsigned choice);
+    bool mustCheck(const dxMembers &members);
+    void check(const dxMembers &members);
+    void measureGaps();
+    void tune(double ns);
+    void tuneCells(double ns);
+    void observeCentre(double ns);
+    void placeCentre();
+
     dxClusteredWorldAndSpace m_clusters;
     dxHeuristicsManager m_heuristics;
-    dxCellSizeHeuristic *m_cellSize;  // owned by m_heuristics
+    dxCellSizeHeuristic *m_cellSize;  // these are owned by m_heuristics
+    dxGridCentreHeuristic *m_gridCentre;
+    dxCheckFrequencyHeuristic *m_crossover, *m_declustering;
+    dxThreadCountHeuristic *m_threadCount;
+    unsigned m_choice;  // of heuristics, in force
+
+    unsigned m_searches = 0, m_checks = 0;
+    unsigned m_checkedAt = 0;     // search
+    double m_travel = 0;          // since the last check, as of the last search
+    unsigned m_blindChecks = 0;   // checks to come that measure no gap
+    unsigned m_blindInARow = 0;   // how many the last gap that did not last led to
+    double m_shareOutside = 0;    // as of the last time it was looked at
 };

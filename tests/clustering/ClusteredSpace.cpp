@@ -21,11 +21,14 @@ dxMembers::Slot slotOf(dGeomID geom) {
 }
 
 ClusteredSpace::ClusteredSpace(const char *algorithm, dSpaceID (*create)(dSpaceID))
-    : m_session(0, algorithm), m_world(dWorldCreate()), m_space(create(nullptr)) {}
+    : m_session(0, algorithm), m_world(dWorldCreate()), m_space(create(nullptr)) {
+    dODE_MT_SetHeuristics("cells,centre");
+}
 
 ClusteredSpace::~ClusteredSpace() {
     dSpaceDestroy(m_space);
     dWorldDestroy(m_world);
+    dODE_MT_SetHeuristics("default");
 }
 
 dGeomID ClusteredSpace::robot(dReal x, dReal y, dReal z, dReal edge) {

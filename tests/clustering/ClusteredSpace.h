@@ -1,4 +1,5 @@
-// A world and a space with clusters, made by hand: what stands where, and who is with whom.
+// A world and a space with clusters, made by hand: what stands where, and who is with whom. Clusters are checked at
+// every search, so that they are what the rules say.
 #pragma once
 
 #include <cstddef>

@@ -8,6 +8,7 @@ class Decluster final : public dxCrossoverPass {
 public:
     const char *name() const override { return "decluster"; }
     bool listsBigStatics() const override { return true; }
+    bool splits() const override { return true; }
     void cross(const dxClusterScene &scene, const std::vector<Link> &links, const dxClusters &,
                dxClusters &clusters) override {
         dxClusterDynamics(scene, links, nullptr, m_memory, clusters);
