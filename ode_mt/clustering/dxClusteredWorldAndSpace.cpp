@@ -41,7 +41,7 @@ double dxClusteredWorldAndSpace::travel(const dxMembers &members) {
     }
     if (m_travel == kInfinite) return kInfinite;
     gatherLinks(members);
-    return m_linksChanged ? kInfinite : m_travel;
+    return m_linksChanged ? kInfinite : std::nextafter(m_travel, kInfinite);  // differences are rounded to nearest
 }
 
 void dxClusteredWorldAndSpace::note(Slot slot) {
@@ -60,8 +60,8 @@ double dxClusteredWorldAndSpace::travelOf(Slot slot, const dxMembers &members) c
         const dReal from = m_scene[slot].bounds.v[bound], to = members[slot].bounds.v[bound];
         if (from == to) continue;
         const double moved = std::abs(static_cast<double>(to) - static_cast<double>(from));
-        if (!std::isfinite(moved)) return kInfinite;
-        furthest = std::max(furthest, std::nextafter(moved, kInfinite));
+        if (!(moved < kInfinite)) return kInfinite;  // also NaN
+        furthest = std::max(furthest, moved);
     }
     return furthest;
 }

@@ -84,6 +84,29 @@ TEST_F(Settings, UnknownAlgorithmIsNamedAndChangesNothing) {
     }
 }
 
+TEST_F(Settings, HeuristicsAreTakenByName) {
+    const Messages messages;
+    for (const char *names : {"none", "cells", "centre,threads", "cells,centre,crossover,declustering,threads"}) {
+        EXPECT_EQ(dODE_MT_SetHeuristics(names), 1);
+        EXPECT_STREQ(dODE_MT_GetHeuristics(), names);
+    }
+    EXPECT_EQ(dODE_MT_SetHeuristics("default"), 1);
+    EXPECT_STREQ(dODE_MT_GetHeuristics(), "cells,centre,crossover,declustering");
+    EXPECT_TRUE(messages.empty()) << g_messages;
+}
+
+TEST_F(Settings, UnknownHeuristicsAreNamedAndChangeNothing) {
+    dODE_MT_SetHeuristics("cells");
+    for (const char *names : {"foo", "", ",", "cells,foo", "cells,none", static_cast<const char *>(nullptr)}) {
+        const Messages messages;
+        EXPECT_EQ(dODE_MT_SetHeuristics(names), 0);
+        EXPECT_STREQ(dODE_MT_GetHeuristics(), "cells");
+        EXPECT_TRUE(messages.tell("'" + std::string(names ? names : "(null)") + "'")) << g_messages;
+        EXPECT_TRUE(messages.tell("default, none, cells")) << g_messages;
+    }
+    dODE_MT_SetHeuristics("default");
+}
+
 TEST_F(Settings, UnknownThreadManagerIsNamedAndChangesNothing) {
     for (const char *name : {"foo", "", static_cast<const char *>(nullptr)}) {
         const Messages messages;
@@ -154,6 +177,8 @@ const Case kCases[] = {
      "pthread"},
     {"ODE_MT_ALGORITHM", "lcp", "^$", 0, "lcp", "pthread"},
     {"ODE_MT_ALGORITHM", "foo", "ODE_MT_ALGORITHM.*'foo'.*auto, serial, lcp", 0, "auto", "pthread"},
+    {"ODE_MT_HEURISTICS", "cells,threads", "^$", 0, "auto", "pthread"},
+    {"ODE_MT_HEURISTICS", "foo", "ODE_MT_HEURISTICS.*'foo'.*default, none.*cells,centre", 0, "auto", "pthread"},
     {"ODE_MT_THREAD_MANAGER", "openmp", "^$", 0, "auto", "openmp"},
     {"ODE_MT_THREAD_MANAGER", "foo", "ODE_MT_THREAD_MANAGER.*'foo'.*pthread, openmp", 0, "auto", "pthread"},
 };
