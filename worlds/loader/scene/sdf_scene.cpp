@@ -23,7 +23,7 @@ struct SdfScene::Parts {
           contactGroup(dJointGroupCreate(0)),
           stepper(description.physics.stepper),
           springs(description.physics.stepSize),
-          contacts(static_cast<std::size_t>(description.physics.contactCandidates)) {}
+          contactCandidates(static_cast<std::size_t>(description.physics.contactCandidates)) {}
 
     WorldOwner world;
     GeomFactory geoms;
@@ -32,7 +32,7 @@ struct SdfScene::Parts {
     JointGroupOwner contactGroup;
     scenes::Stepper stepper;
     JointSprings springs;
-    std::vector<dContact> contacts;  // of one pair at a time
+    std::size_t contactCandidates;  // of one pair
 
     std::vector<dBodyID> linkBodies;                     // by number of the link; null for static links
     std::unordered_map<std::string, JointMotor> motors;  // by joint, a second axis by "joint/axis2"
@@ -134,7 +134,8 @@ void SdfScene::meet(dGeomID geom1, dGeomID geom2) {
     if (m_observer) m_observer->nearPair(geom1, geom2);
     if (!ContactRules::mayTouch(geom1, geom2)) return;
 
-    std::vector<dContact> &contacts = m_parts->contacts;
+    thread_local std::vector<dContact> contacts;  // callbacks may run on several threads
+    contacts.resize(m_parts->contactCandidates);
     const int found =
         dCollide(geom1, geom2, static_cast<int>(contacts.size()), &contacts[0].geom, sizeof(dContact));
     if (found == 0) return;
