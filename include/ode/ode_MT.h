@@ -28,8 +28,8 @@ extern "C" {
  * Environment, read once at the first use of the library, for programs that cannot be recompiled:
  * ODE_MT_THREADS=n|auto, ODE_MT_ALGORITHM=auto|serial|lcp|original|static|static-unmerged|duplication|
  * decluster, ODE_MT_CALLBACKS=serial|concurrent, ODE_MT_THREAD_MANAGER=pthread|openmp,
- * ODE_MT_HEURISTICS=default|none|NAME,NAME..., ODE_MT_LOG=error|warning|info|debug. A call below overrides
- * the environment.
+ * ODE_MT_HEURISTICS=default|none|NAME,NAME..., ODE_MT_GRID_CELLS=auto|n, ODE_MT_LOG=error|warning|info|debug. A
+ * call below overrides the environment.
  *
  * A threading implementation given to dWorldSetStepThreadingImplementation lends its threads to that
  * world's steps instead of the process's own, whatever the number set here; one without threads keeps
@@ -107,6 +107,18 @@ ODE_API int dODE_MT_SetHeuristics(const char *names);
 
 /** The names of the heuristics in force, or "none". @ingroup ode_mt */
 ODE_API const char *dODE_MT_GetHeuristics(void);
+
+/**
+ * Sets how many cells the grid of the clustered algorithms has on each axis, to measure what that does.
+ *
+ * @param cells 5 to 20; 0 (the default): tuned by measured time.
+ * @return 1, or 0 and a dMessage naming the known ones if it is another number.
+ * @ingroup ode_mt
+ */
+ODE_API int dODE_MT_SetGridCells(int cells);
+
+/** The number of cells set, 0 if it is tuned. @ingroup ode_mt */
+ODE_API int dODE_MT_GetGridCells(void);
 
 /**
  * Chooses the thread manager by its name, "pthread" or "openmp". Waits for steps in progress.
@@ -198,6 +210,18 @@ ODE_API int dClusterGetGridCells(dWorldID world, dSpaceID space);
 
 /** Name of the cluster that a geom, or the space around it, is in; 0: static, big, or in none. @ingroup ode_mt_clusters */
 ODE_API unsigned dClusterGetOfGeom(dGeomID geom);
+
+/**
+ * Number from 1 on of the cluster of static geoms that a static geom, or the space around it, is in; 0: in none.
+ * Such clusters have no names: the number may be another in the next frame. @ingroup ode_mt_clusters
+ */
+ODE_API unsigned dClusterGetStaticOfGeom(dGeomID geom);
+
+/**
+ * Writes the names of up to `capacity` clusters with which a geom, or the space around it, is tested and returns how
+ * many there are: its own, or all near which the algorithm looks for a static one. @ingroup ode_mt_clusters
+ */
+ODE_API int dClusterGetTestedWith(dGeomID geom, unsigned *clusters, int capacity);
 
 /** Name of the cluster of a body's first geom, 0 if it has none. @ingroup ode_mt_clusters */
 ODE_API unsigned dClusterGetOfBody(dBodyID body);

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "frame/dxClusterManager.h"
 #include "clustering/dxClusteredWorldAndSpace.h"
 #include "collision/dxOrderedSpace.h"
+#include "frame/dxClusterManager.h"
 
 namespace {
 
@@ -27,6 +27,21 @@ unsigned nameOf(const dxClusteredWorldAndSpace &clustered, dxMembers::Slot slot)
     const int cluster = clustered.clusters().of(slot);
     const bool isDynamic = cluster != dxClusters::kNone && cluster < clustered.clusters().dynamicCount();
     return isDynamic ? clustered.clusters()[cluster].name : kNoCluster;
+}
+
+// The space with clusters that a geom is in, itself or with a space around it, and its slot there.
+struct Place {
+    const dxClusteredWorldAndSpace *clustered = nullptr;  // NULL: there is none
+    dxMembers::Slot slot = 0;
+};
+
+Place placeOf(dGeomID geom) {
+    for (; geom != nullptr; geom = geom->parent_space) {
+        if (dxOrderedSpace::of(geom) == nullptr) continue;
+        const dxClusteredWorldAndSpace *const clustered = dxClusterManager::find(geom->parent_space);
+        if (clustered != nullptr) return {clustered, dxOrderedSpace::slotOf(geom)};
+    }
+    return {};
 }
 
 }  // namespace
@@ -62,12 +77,33 @@ int dClusterGetGridCells(dWorldID world, dSpaceID space) {
 
 unsigned dClusterGetOfGeom(dGeomID geom) {
     require(geom != nullptr, __func__, "bad geom argument");
-    for (; geom != nullptr; geom = geom->parent_space) {
-        if (dxOrderedSpace::of(geom) == nullptr) continue;
-        const dxClusteredWorldAndSpace *const clustered = dxClusterManager::find(geom->parent_space);
-        if (clustered != nullptr) return nameOf(*clustered, dxOrderedSpace::slotOf(geom));
+    const Place place = placeOf(geom);
+    return place.clustered != nullptr ? nameOf(*place.clustered, place.slot) : kNoCluster;
+}
+
+unsigned dClusterGetStaticOfGeom(dGeomID geom) {
+    require(geom != nullptr, __func__, "bad geom argument");
+    const Place place = placeOf(geom);
+    if (place.clustered == nullptr) return kNoCluster;
+    const dxClusters &clusters = place.clustered->clusters();
+    const int cluster = clusters.of(place.slot);
+    return cluster >= clusters.dynamicCount() ? static_cast<unsigned>(cluster - clusters.dynamicCount() + 1)
+                                              : kNoCluster;
+}
+
+int dClusterGetTestedWith(dGeomID geom, unsigned *names, int capacity) {
+    require(geom != nullptr, __func__, "bad geom argument");
+    require(names != nullptr || capacity <= 0, __func__, "bad clusters argument");
+    const Place place = placeOf(geom);
+    if (place.clustered == nullptr) return 0;
+    const dxClusters &clusters = place.clustered->clusters();
+    int count = 0;
+    for (int cluster = 0; cluster < clusters.dynamicCount(); ++cluster) {
+        if (!place.clustered->isTestedWith(place.slot, cluster)) continue;
+        if (count < capacity) names[count] = clusters[cluster].name;
+        ++count;
     }
-    return kNoCluster;
+    return count;
 }
 
 unsigned dClusterGetOfBody(dBodyID body) {

@@ -32,6 +32,10 @@ int dODE_MT_SetHeuristics(const char *names) {
 
 const char *dODE_MT_GetHeuristics() { return dxNamesOfHeuristics(dxSettings::instance().heuristics()); }
 
+int dODE_MT_SetGridCells(int cells) { return dxSettings::instance().setGridCells(cells); }
+
+int dODE_MT_GetGridCells() { return dxSettings::instance().gridCells(); }
+
 int dODE_MT_SetThreadManager(const char *name) { return dxWorkers::instance().choose(name ? name : "(null)"); }
 
 const char *dODE_MT_GetThreadManager() { return dxWorkers::instance().name(); }

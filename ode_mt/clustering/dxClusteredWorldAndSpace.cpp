@@ -170,6 +170,15 @@ void dxClusteredWorldAndSpace::searchWithAll(Slot slot, const dxMembers &members
     }
 }
 
+bool dxClusteredWorldAndSpace::isTestedWith(Slot slot, int number) const {
+    const auto holds = [](const auto &list, auto value) {
+        return std::find(list.begin(), list.end(), value) != list.end();
+    };
+    const dxClusters::Cluster &cluster = m_clusters[number];
+    return m_clusters.of(slot) == number || holds(m_apart, slot) || holds(cluster.duplicated, slot) ||
+           holds(cluster.staticClusters, m_clusters.of(slot));
+}
+
 int dxClusteredWorldAndSpace::entities() const {
     dxDisjointSets sets;
     sets.reset(m_scene.end());

@@ -27,6 +27,8 @@
 
 class dxClusteredWorldAndSpace final : public dxPairSearch {
 public:
+    using Slot = dxMembers::Slot;
+
     explicit dxClusteredWorldAndSpace(std::unique_ptr<dxCrossoverPass> pass);
 
     void search(const dxMembers &members, std::vector<Match> &matches) override;
@@ -50,6 +52,9 @@ public:
     const dxClusterScene &scene() const { return m_scene; }
     const dxClusters &clusters() const { return m_clusters; }
     const dxClusterHistory &history() const { return m_history; }
+
+    // As of the last check: what the slot holds is compared with what moves in that cluster of dynamic inhabitants.
+    bool isTestedWith(Slot slot, int cluster) const;
 
     // Cells an axis, at the next check.
     void setCells(int cells) { m_wantedCells = cells; }

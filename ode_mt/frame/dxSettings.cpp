@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "clustering/dxClusterGrid.h"
 #include "trace/dxLog.h"
 
 namespace {
@@ -27,6 +28,9 @@ constexpr AlgorithmName kAlgorithms[] = {
     {"decluster", dxAlgorithm::ClusteredDecluster}};
 
 constexpr char kSerialCallbacks[] = "serial", kConcurrentCallbacks[] = "concurrent";
+
+constexpr int kFewestCells = dxClusterGrid::kFewestCells, kMostCells = dxClusterGrid::kMostCells;
+constexpr int kTunedCells = 0;
 
 std::string knownAlgorithms() {
     std::string names;
@@ -52,6 +56,7 @@ dxSettings::dxSettings() : m_cores(usableCores()) {
     if (const char *text = std::getenv("ODE_MT_ALGORITHM")) readAlgorithm(text);
     if (const char *text = std::getenv("ODE_MT_CALLBACKS")) readCallbackPolicy(text);
     if (const char *text = std::getenv("ODE_MT_HEURISTICS")) readHeuristics(text);
+    if (const char *text = std::getenv("ODE_MT_GRID_CELLS")) readGridCells(text);
 }
 
 void dxSettings::readThreads(const char *text) {
@@ -116,6 +121,31 @@ bool dxSettings::chooseHeuristics(const std::string &names) {
     unsigned choice = dxNoHeuristics;
     if (!dxReadHeuristics(names, choice)) return false;
     m_heuristics.store(choice, std::memory_order_relaxed);
+    return true;
+}
+
+void dxSettings::readGridCells(const char *text) {
+    if (std::strcmp(text, "auto") == 0) return;
+    char *end = nullptr;
+    const long number = std::strtol(text, &end, 10);
+    const bool fits = end != text && *end == '\0' && number >= kFewestCells && number <= kMostCells;
+    if (fits && chooseGridCells(static_cast<int>(number))) return;
+    dxLog(dxLogLevel::warning,
+          "ODE_MT_GRID_CELLS is '%s'; known: auto, or a number from %d to %d; auto is taken", text,
+          kFewestCells, kMostCells);
+}
+
+bool dxSettings::setGridCells(int cells) {
+    const bool possible = chooseGridCells(cells);
+    if (!possible)
+        dMessage(0, "ODE_MT: no grid of %d cells on each axis; known: %d to %d, or %d to have it tuned",
+                 cells, kFewestCells, kMostCells, kTunedCells);
+    return possible;
+}
+
+bool dxSettings::chooseGridCells(int cells) {
+    if (cells != kTunedCells && (cells < kFewestCells || cells > kMostCells)) return false;
+    m_gridCells.store(cells, std::memory_order_relaxed);
     return true;
 }
 

@@ -1,5 +1,5 @@
 // What dToggleODE_MT and the environment set: how many threads, which algorithm, whether callbacks may run
-// concurrently, which heuristics tune the clusters.
+// concurrently, which heuristics tune the clusters, how fine their grid is.
 //
 // Process-wide, because ODE_MT's API is (dToggleODE_MT has no world). The environment is read once, at
 // the first use. A value that is not understood is reported by name and leaves the default: one from a
@@ -47,6 +47,10 @@ public:
     unsigned heuristics() const { return m_heuristics.load(std::memory_order_relaxed); }  // a dxHeuristicChoice
     bool setHeuristics(const std::string &names);  // false: unknown
 
+    // Cells of the grid of clusters on each axis; 0: tuned.
+    int gridCells() const { return m_gridCells.load(std::memory_order_relaxed); }
+    bool setGridCells(int cells);  // false: too few or too many
+
     // Cores that this process may use.
     unsigned cores() const { return m_cores; }
 
@@ -60,10 +64,13 @@ private:
     bool chooseCallbackPolicy(const std::string &name);
     void readHeuristics(const char *text);
     bool chooseHeuristics(const std::string &names);
+    void readGridCells(const char *text);
+    bool chooseGridCells(int cells);
 
     std::atomic<unsigned> m_threads{0};
     std::atomic<dxAlgorithm> m_algorithm{dxAlgorithm::Auto};
     std::atomic<bool> m_concurrentCallbacks{false};
     std::atomic<unsigned> m_heuristics{dxDefaultHeuristics};
+    std::atomic<int> m_gridCells{0};
     unsigned m_cores;
 };

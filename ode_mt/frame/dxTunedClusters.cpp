@@ -46,6 +46,8 @@ dxTunedClusters::dxTunedClusters(std::unique_ptr<dxCrossoverPass> pass)
 
 void dxTunedClusters::search(const dxMembers &members, std::vector<Match> &matches) {
     follow(dxSettings::instance().heuristics());
+    const int fixedCells = dxSettings::instance().gridCells();
+    m_clusters.setCells(fixedCells != 0 ? fixedCells : m_cellSize->cells());
     const Clock::time_point start = Clock::now();
     ++m_searches;
     if (mustCheck(members)) check(members);
@@ -109,11 +111,11 @@ void dxTunedClusters::tune(double ns) {
     m_threadCount->observe(static_cast<unsigned>(m_clusters.clusters().dynamicCount()),
                            dxSettings::instance().threads());
     m_heuristics.tick();
-    m_clusters.setCells(m_cellSize->cells());
     placeCentre();
 }
 
 void dxTunedClusters::tuneCells(double ns) {
+    if (dxSettings::instance().gridCells() != 0) return;
     const bool climbs = m_cellSize->phase() == dxCellSizeHeuristic::Phase::Climb;  // only then are they asked for
     const auto entities = static_cast<unsigned>(climbs ? m_clusters.entities() : 0);
     m_cellSize->observe({ns, static_cast<unsigned>(m_clusters.clusters().dynamicCount()), entities});
