@@ -32,11 +32,10 @@ std::vector<std::string> ChildCompetitor::command() const {
 
 ChildProcess::Environment ChildCompetitor::environment() const {
     // Nothing that the user has set for other programs may reach one engine and not the other.
-    ChildProcess::Environment changes = {{"ODE_MT_THREADS", ""},
-                                         {"ODE_MT_THREAD_MANAGER", ""},
-                                         {"ODE_MT_ALGORITHM", ""},
-                                         {"ODE_MT_TRACE", ""},
-                                         {"ODE_MT_LOG", ""}};
+    ChildProcess::Environment changes = {{"ODE_MT_THREADS", ""},    {"ODE_MT_THREAD_MANAGER", ""},
+                                         {"ODE_MT_ALGORITHM", ""},  {"ODE_MT_CALLBACKS", ""},
+                                         {"ODE_MT_GRID_CELLS", ""}, {"ODE_MT_PERTURB", ""},
+                                         {"ODE_MT_TRACE", ""},      {"ODE_MT_LOG", ""}};
     for (const auto &[name, value] : engine().environment()) changes[name] = value;
     changes["LD_LIBRARY_PATH"] = engine().isOurs() ? m_settings.oursFolder : m_settings.stockFolder;
     return changes;
@@ -54,6 +53,11 @@ void ChildCompetitor::check(const Ready &ready) const {
         throw std::runtime_error("the library uses the thread manager '" + ready.manager + "'");
     if (!engine().algorithm.empty() && ready.algorithm != engine().algorithm)
         throw std::runtime_error("the library uses the algorithm '" + ready.algorithm + "'");
+    if (!engine().callbacks.empty() && ready.callbacks != engine().callbacks)
+        throw std::runtime_error("the library uses the callback policy '" + ready.callbacks + "'");
+    if (!engine().gridCells.empty() && std::to_string(ready.gridCells) != engine().gridCells)
+        throw std::runtime_error("the library uses a grid of " + std::to_string(ready.gridCells) +
+                                 " cells on each axis");
 }
 
 }  // namespace bench

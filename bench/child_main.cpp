@@ -29,6 +29,8 @@ bench::Ready describe(const bench::LibraryProbe &library, const scenes::Scene &s
     ready.threads = library.threads();
     ready.manager = library.manager();
     ready.algorithm = library.algorithm();
+    ready.callbacks = library.callbacks();
+    ready.gridCells = library.gridCells();
     ready.bodies = scene.inventory().bodies.size();
     ready.joints = scene.inventory().joints.size();
     ready.geoms = scene.inventory().geoms.size();

@@ -9,16 +9,27 @@ namespace bench {
 namespace {
 
 constexpr int kMostThreads = 1024;
+constexpr int kFewestCells = 5, kMostCells = 20;
+const std::string kCells = "cells=";
 
 bool isManager(const std::string &word) { return word == "pthread" || word == "openmp"; }
 
-// The number in `text`, or -1 if it is none or not from `lowest` to 1024.
-int readThreads(const std::string &text, int lowest) {
-    int threads = 0;
+// The number in `text`, or -1 if it is none or not from `lowest` to `highest`.
+int readNumber(const std::string &text, int lowest, int highest) {
+    int number = 0;
     const char *end = text.data() + text.size();
-    const auto [stopped, error] = std::from_chars(text.data(), end, threads);
+    const auto [stopped, error] = std::from_chars(text.data(), end, number);
     const bool isNumber = error == std::errc() && stopped == end;
-    return isNumber && threads >= lowest && threads <= kMostThreads ? threads : -1;
+    return isNumber && number >= lowest && number <= highest ? number : -1;
+}
+
+int readThreads(const std::string &text, int lowest) { return readNumber(text, lowest, kMostThreads); }
+
+void checkCells(const std::string &engine, const std::string &cells) {
+    if (readNumber(cells, kFewestCells, kMostCells) < 0)
+        throw std::invalid_argument("engine '" + engine + "': '" + cells +
+                                    "' is not a number of grid cells from " + std::to_string(kFewestCells) +
+                                    " to " + std::to_string(kMostCells));
 }
 
 void checkThreads(const std::string &engine, const std::string &threads, int lowest, bool mayBeAuto) {
@@ -52,6 +63,22 @@ std::vector<std::string> expand(const std::string &name, const std::vector<std::
     return names;
 }
 
+// One of the words behind the slashes of an engine of ours.
+void readWord(const std::string &name, const std::string &word, Engine &engine) {
+    if (isManager(word)) {
+        engine.manager = word;
+    } else if (word == "concurrent") {
+        engine.callbacks = word;
+    } else if (word.compare(0, kCells.size(), kCells) == 0) {
+        engine.gridCells = word.substr(kCells.size());
+        checkCells(name, engine.gridCells);
+    } else {
+        engine.algorithm = word;
+    }
+}
+
+std::string slash(const std::string &word) { return word.empty() ? "" : "/" + word; }
+
 }  // namespace
 
 std::string Engine::name() const {
@@ -63,8 +90,8 @@ std::string Engine::name() const {
         case Kind::Ours:
             break;
     }
-    return "ours:" + threads + (manager.empty() ? "" : "/" + manager) +
-           (algorithm.empty() ? "" : "/" + algorithm);
+    return "ours:" + threads + slash(manager) + slash(algorithm) + slash(callbacks) +
+           slash(gridCells.empty() ? "" : kCells + gridCells);
 }
 
 std::map<std::string, std::string> Engine::environment() const {
@@ -73,20 +100,23 @@ std::map<std::string, std::string> Engine::environment() const {
     variables["ODE_MT_THREADS"] = threads;
     if (!manager.empty()) variables["ODE_MT_THREAD_MANAGER"] = manager;
     if (!algorithm.empty()) variables["ODE_MT_ALGORITHM"] = algorithm;
+    if (!callbacks.empty()) variables["ODE_MT_CALLBACKS"] = callbacks;
+    if (!gridCells.empty()) variables["ODE_MT_GRID_CELLS"] = gridCells;
     return variables;
 }
 
 Engine readEngine(const std::string &name) {
     std::string rest = name;
     Engine engine;
-    for (std::string word = takeSuffix(rest, '/'); !word.empty();) {
-        const std::string more = takeSuffix(word, '/');
-        (isManager(word) ? engine.manager : engine.algorithm) = word;
-        word = more;
+    std::string words = takeSuffix(rest, '/');
+    const bool hasWords = !words.empty();
+    while (!words.empty()) {
+        const std::string more = takeSuffix(words, '/');
+        readWord(name, words, engine);
+        words = more;
     }
     const bool hasThreads = rest.find(':') != std::string::npos;
     engine.threads = takeSuffix(rest, ':');
-    const bool hasWords = !engine.manager.empty() || !engine.algorithm.empty();
 
     if (rest == "stock" && !hasThreads && !hasWords) return engine;
     if (rest == "stock-pool" && !hasWords) {
@@ -102,7 +132,7 @@ Engine readEngine(const std::string &name) {
     throw std::invalid_argument(
         "unknown engine '" + name +
         "'; known: stock, stock-pool:N, ours:N, ours:auto, ours:N/pthread, ours:N/openmp, "
-        "ours:N/ALGORITHM");
+        "ours:N/concurrent, ours:N/cells=K, ours:N/ALGORITHM");
 }
 
 std::vector<Engine> readEngines(const std::vector<std::string> &names,

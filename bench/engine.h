@@ -3,7 +3,9 @@
 //   stock           Debian's libode8, one thread
 //   stock-pool:N    Debian's libode8 with its own pool of N threads
 //   ours:N          ODE_MT with N threads (0: serial; auto: one for every core)
-//   ours:N/WORD     … with the thread manager pthread or openmp, or with the algorithm WORD
+//   ours:N/WORD     … with the thread manager pthread or openmp, with near-callbacks on several threads
+//                   (concurrent), with a grid of that many cells on each axis (cells=8), or with the
+//                   algorithm WORD Several words may follow one another: ours:2/decluster/concurrent/cells=8
 #pragma once
 
 #include <map>
@@ -19,6 +21,8 @@ struct Engine {
     std::string threads;    // "2", "auto"; empty for stock
     std::string manager;    // of ours; empty: the library's default
     std::string algorithm;  // of ours; empty: the library's default
+    std::string callbacks;  // of ours; empty: the library's default
+    std::string gridCells;  // of ours; empty: the library's default
 
     std::string name() const;
     bool isOurs() const { return kind == Kind::Ours; }

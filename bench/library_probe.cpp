@@ -30,6 +30,8 @@ std::string resolved(const char *file) {
 int LibraryProbe::threads() const { return call<int>("dODE_MT_GetThreads"); }
 std::string LibraryProbe::manager() const { return callText("dODE_MT_GetThreadManager"); }
 std::string LibraryProbe::algorithm() const { return callText("dODE_MT_GetAlgorithm"); }
+std::string LibraryProbe::callbacks() const { return callText("dODE_MT_GetCallbackPolicy"); }
+int LibraryProbe::gridCells() const { return call<int>("dODE_MT_GetGridCells"); }
 unsigned LibraryProbe::parallelSteps() const { return call<unsigned>("dODE_MT_GetParallelSteps"); }
 
 LibraryProbe probeLibrary() {

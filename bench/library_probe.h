@@ -14,6 +14,8 @@ struct LibraryProbe {
     int threads() const;
     std::string manager() const;
     std::string algorithm() const;
+    std::string callbacks() const;   // the callback policy
+    int gridCells() const;           // 0: tuned
     unsigned parallelSteps() const;  // since the process started
 };
 

@@ -50,9 +50,11 @@ int main(int argc, char **argv) {
         std::cout << bench::reportText(results.back()) << std::flush;
         isClean = results.back().isClean() && isClean;
     }
-    const bool savedJson = save(options->jsonFile, bench::reportJson(results));
+    const bool savedJson = save(options->jsonFile, bench::reportJson(results, options->withAverages));
     const bool savedCsv = save(options->csvFile, bench::reportCsv(results));
-    const bool saved = savedJson && savedCsv;
+    const bool savedSamples =
+        options->samplesFile.empty() || save(options->samplesFile, bench::reportSamples(results));
+    const bool saved = savedJson && savedCsv && savedSamples;
     if (saved) std::cout << "Figures: " << options->jsonFile << ", " << options->csvFile << "\n";
     if (!isClean) std::cout << "AN ENGINE FAILED OR GAVE OTHER RESULTS: see above.\n";
     return isClean && saved ? 0 : 1;

@@ -22,7 +22,9 @@ const char *const kFooter =
     "  stock         Debian's libode8 on one thread\n"
     "  stock-pool:N  Debian's libode8 with its own pool of N threads\n"
     "  ours:N        ODE_MT with N threads (0: serial, auto: every core)\n"
-    "  ours:N/openmp ODE_MT with this thread manager (pthread, openmp); ours:N/lcp: this algorithm\n"
+    "  ours:N/openmp ODE_MT with this thread manager (pthread, openmp); ours:N/lcp: this algorithm;\n"
+    "                ours:N/concurrent: callbacks on several threads; ours:N/cells=K: a grid of K cells an "
+    "axis\n"
     "  stock-pool, ours: one for (the largest of / each of) --threads\n"
     "\nExamples:\n"
     "  odemt_bench                                    the four benchmark worlds of the thesis's chapter 3\n"
@@ -97,6 +99,11 @@ void addOptions(CLI::App &app, Words &words, Options &options) {
     app.add_option("--json", options.jsonFile, "file for all figures")->capture_default_str();
     app.add_option("--csv", options.csvFile, "file with one line for each world and engine")
         ->capture_default_str();
+    app.add_option("--samples", options.samplesFile,
+                   "file for the real-time factor of each second that each engine ran;\n"
+                   "measuring then does not end before --seconds or --frames");
+    app.add_flag("!--no-averages", options.withAverages,
+                 "leave the kept running averages out of the JSON file");
     app.add_option("--stock-library", options.child.stockFolder, "folder of Debian's libode.so.8")
         ->capture_default_str();
     app.add_option("--our-library", options.child.oursFolder, "folder of ODE_MT's libode.so.8")
@@ -116,6 +123,7 @@ void interpret(const Words &words, Options &options) {
             checkFolder("--our-library", options.child.oursFolder);
         else
             checkFolder("--stock-library", options.child.stockFolder);
+    if (!options.samplesFile.empty()) options.race.stop.minimumSeconds = options.race.stop.maximumSeconds;
     options.child.limit = std::chrono::milliseconds(static_cast<long>(1000 * words.limitSeconds));
 }
 

@@ -16,7 +16,9 @@ struct Options {
     RaceSettings race;
     ChildSettings child;
     std::string jsonFile, csvFile;
-    bool list = false;  // print the worlds and end
+    std::string samplesFile;   // empty: none is written
+    bool withAverages = true;  // in the JSON file
+    bool list = false;         // print the worlds and end
 };
 
 // Empty: the program ends with `exitCode` (help was asked for or an option was wrong; what there is to

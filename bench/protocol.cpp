@@ -46,6 +46,8 @@ std::string writeReady(const Ready &r) {
                    {"threads", r.threads},
                    {"manager", r.manager},
                    {"algorithm", r.algorithm},
+                   {"callbacks", r.callbacks},
+                   {"gridCells", r.gridCells},
                    {"bodies", r.bodies},
                    {"joints", r.joints},
                    {"geoms", r.geoms},
@@ -61,6 +63,8 @@ Ready readReady(const std::string &line) {
         from.at("threads").get_to(r.threads);
         from.at("manager").get_to(r.manager);
         from.at("algorithm").get_to(r.algorithm);
+        from.at("callbacks").get_to(r.callbacks);
+        from.at("gridCells").get_to(r.gridCells);
         from.at("bodies").get_to(r.bodies);
         from.at("joints").get_to(r.joints);
         from.at("geoms").get_to(r.geoms);

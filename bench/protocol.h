@@ -21,7 +21,8 @@ struct Ready {
     std::string library;  // file of the libode.so.8 that it runs on
     bool isOurs = false;  // that library exports dToggleODE_MT
     int threads = 0;      // in force, of ours
-    std::string manager, algorithm;
+    std::string manager, algorithm, callbacks;
+    int gridCells = 0;  // 0: tuned
     std::size_t bodies = 0, joints = 0, geoms = 0;
     double stepSize = 0;                // s
     std::vector<std::string> warnings;  // what the loader left out

@@ -11,10 +11,14 @@ namespace bench {
 // What was run, and the table of its engines.
 std::string reportText(const WorldResult &result);
 
-// Everything, the kept running averages and the libraries' files included.
-std::string reportJson(const std::vector<WorldResult> &results);
+// Everything, the machine and the libraries' files included; the kept running averages, which are most of it,
+// if asked for.
+std::string reportJson(const std::vector<WorldResult> &results, bool withAverages = true);
 
 // One line for each world and engine.
 std::string reportCsv(const std::vector<WorldResult> &results);
+
+// One line for each second that each engine ran: its real-time factor.
+std::string reportSamples(const std::vector<WorldResult> &results);
 
 }  // namespace bench

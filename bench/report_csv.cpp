@@ -1,3 +1,4 @@
+#include "csv_field.h"
 #include "report.h"
 #include "summary.h"
 
@@ -7,14 +8,6 @@
 namespace bench {
 
 namespace {
-
-// RFC 4180: in quotes, quotes doubled, if it holds a comma, a quote or a line break.
-std::string field(const std::string &text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
-}
 
 void writeHeader(std::ostream &out) {
     out << "world,engine,bodies,frames,rounds";
@@ -27,7 +20,7 @@ void writeHeader(std::ostream &out) {
 
 void writeLine(std::ostream &out, const WorldResult &result, const EngineResult &engine,
                const EngineSummary &summary) {
-    out << field(result.world) << ',' << field(summary.engine) << ',' << engine.ready.bodies << ','
+    out << csvField(result.world) << ',' << csvField(summary.engine) << ',' << engine.ready.bodies << ','
         << result.frames << ',' << engine.batches.size();
     for (Part part : kParts) {
         const PartSummary &figures = summary.part(part);
@@ -36,7 +29,7 @@ void writeLine(std::ostream &out, const WorldResult &result, const EngineResult 
             << figures.speedUp.upperQuartile;
     }
     out << ',' << summary.realTimeFactor << ',' << summary.sharedSteps << ',' << hashText(summary.hash) << ','
-        << nameOf(summary.check) << ',' << field(summary.failure) << '\n';
+        << nameOf(summary.check) << ',' << csvField(summary.failure) << '\n';
 }
 
 }  // namespace

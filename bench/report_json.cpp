@@ -1,3 +1,5 @@
+#include "machine.h"
+#include "real_time_samples.h"
 #include "report.h"
 #include "summary.h"
 
@@ -17,22 +19,35 @@ json toJson(const Spread &s) {
             {"percentile95", s.percentile95}};
 }
 
-json toJson(const EngineResult &engine, const EngineSummary &summary) {
+json toJson(const Machine &machine) { return {{"processor", machine.processor}, {"cores", machine.cores}}; }
+
+json samplesToJson(const std::vector<double> &samples) {
+    const MeanAndDeviation summary = meanAndDeviation(samples);
+    return {{"count", samples.size()},
+            {"mean", summary.mean},
+            {"deviation", summary.deviation},
+            {"quantiles", toJson(spreadOf(samples))}};
+}
+
+json toJson(const EngineResult &engine, const EngineSummary &summary, bool withAverages) {
     json parts;
     for (Part part : kParts) {
         const PartSummary &figures = summary.part(part);
         parts[nameOf(part)] = {{"meanSeconds", figures.seconds.mean},
                                {"deviationSeconds", figures.seconds.deviation},
-                               {"keptAverages", engine.average(part).kept()},
                                {"speedUp", toJson(figures.speedUp)}};
+        if (withAverages) parts[nameOf(part)]["keptAverages"] = engine.average(part).kept();
     }
     return {{"engine", summary.engine},
             {"library", engine.ready.library},
             {"threads", engine.ready.threads},
             {"threadManager", engine.ready.manager},
             {"algorithm", engine.ready.algorithm},
+            {"callbacks", engine.ready.callbacks},
+            {"gridCells", engine.ready.gridCells},
             {"parts", parts},
             {"realTimeFactor", summary.realTimeFactor},
+            {"realTimeSamples", samplesToJson(realTimeSamples(engine))},
             {"sharedSteps", summary.sharedSteps},
             {"odeMessages", summary.messages},
             {"hash", hashText(summary.hash)},
@@ -41,11 +56,11 @@ json toJson(const EngineResult &engine, const EngineSummary &summary) {
             {"failure", summary.failure}};
 }
 
-json toJson(const WorldResult &result) {
+json toJson(const WorldResult &result, bool withAverages) {
     json engines = json::array();
     const std::vector<EngineSummary> summaries = summarize(result);
     for (std::size_t i = 0; i < summaries.size(); ++i)
-        engines.push_back(toJson(result.engines[i], summaries[i]));
+        engines.push_back(toJson(result.engines[i], summaries[i], withAverages));
     const Ready &ready = result.engines.front().ready;
     return {{"world", result.world},
             {"bodies", ready.bodies},
@@ -62,10 +77,12 @@ json toJson(const WorldResult &result) {
 
 }  // namespace
 
-std::string reportJson(const std::vector<WorldResult> &results) {
+std::string reportJson(const std::vector<WorldResult> &results, bool withAverages) {
     json worlds = json::array();
-    for (const WorldResult &result : results) worlds.push_back(toJson(result));
-    return json{{"worlds", worlds}}.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
+    for (const WorldResult &result : results) worlds.push_back(toJson(result, withAverages));
+    return json{{"machine", toJson(thisMachine())}, {"worlds", worlds}}.dump(1, ' ', false,
+                                                                             json::error_handler_t::replace) +
+           "\n";
 }
 
 }  // namespace bench

@@ -9,7 +9,7 @@ StoppingRule::Verdict StoppingRule::judge(const std::vector<RunningAverage> &ave
     const bool stable = std::all_of(averages.begin(), averages.end(), [this](const RunningAverage &average) {
         return average.relativeSpread() <= tolerance;
     });
-    if (stable && rounds >= minimumRounds) return Verdict::Stable;
+    if (stable && rounds >= minimumRounds && seconds >= minimumSeconds) return Verdict::Stable;
     if (frames >= maximumFrames) return Verdict::OutOfFrames;
     if (seconds >= maximumSeconds) return Verdict::OutOfTime;
     return Verdict::GoOn;

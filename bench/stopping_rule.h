@@ -11,6 +11,7 @@ namespace bench {
 struct StoppingRule {
     double tolerance = 0.02;  // of RunningAverage::relativeSpread
     int minimumRounds = 30;   // so that the quartiles of the paired ratios mean something
+    double minimumSeconds = 0;
     double maximumSeconds = 30;
     long maximumFrames = 100'000;
 
