@@ -61,6 +61,22 @@ TEST(ChildCompetitor, OursRunsOnOurLibraryWithItsThreads) {
     EXPECT_EQ(ours.run(10).parallelSteps, 10u);
 }
 
+TEST(ChildCompetitor, OursRunsWithItsCallbacksAndGrid) {
+    ChildCompetitor ours(readEngine("ours:2/decluster/concurrent/cells=8"), "stacks:2", settings());
+    const Ready ready = ours.start();
+    EXPECT_EQ(ready.algorithm, "decluster");
+    EXPECT_EQ(ready.callbacks, "concurrent");
+    EXPECT_EQ(ready.gridCells, 8);
+}
+
+TEST(ChildCompetitor, ConcurrentCallbacksOfAnSdfWorldGiveTheSameState) {
+    ChildCompetitor stock(readEngine("stock"), "humanoids", settings());
+    ChildCompetitor ours(readEngine("ours:4/lcp/concurrent"), "humanoids", settings());
+    stock.start();
+    ours.start();
+    EXPECT_EQ(stock.run(100).hash, ours.run(100).hash);
+}
+
 TEST(ChildCompetitor, BothEnginesGiveTheSameState) {
     ChildCompetitor stock(readEngine("stock"), "humanoids:2", settings());
     ChildCompetitor ours(readEngine("ours:2"), "humanoids:2", settings());
@@ -77,10 +93,15 @@ TEST(ChildCompetitor, ThePoolRuns) {
 
 TEST(ChildCompetitor, TheUsersOwnSettingsDoNotReachTheEngines) {
     setenv("ODE_MT_ALGORITHM", "serial", 1);
+    setenv("ODE_MT_CALLBACKS", "concurrent", 1);
+    setenv("ODE_MT_GRID_CELLS", "8", 1);
     ChildCompetitor ours(readEngine("ours:2"), "stacks:2", settings());
     const Ready ready = ours.start();
-    unsetenv("ODE_MT_ALGORITHM");
+    for (const char *variable : {"ODE_MT_ALGORITHM", "ODE_MT_CALLBACKS", "ODE_MT_GRID_CELLS"})
+        unsetenv(variable);
     EXPECT_NE(ready.algorithm, "serial");
+    EXPECT_NE(ready.callbacks, "concurrent");
+    EXPECT_EQ(ready.gridCells, 0);
 }
 
 TEST(ChildCompetitor, TheWrongLibraryIsNoticed) {

@@ -25,7 +25,8 @@ std::string complaint(const std::string &engine) {
 
 TEST(Engine, NamesAreReadAndWrittenBack) {
     for (const char *name : {"stock", "stock-pool:2", "ours:0", "ours:1024", "ours:auto", "ours:2/openmp",
-                             "ours:2/lcp", "ours:2/pthread/lcp"})
+                             "ours:2/lcp", "ours:2/pthread/lcp", "ours:2/concurrent", "ours:2/cells=5",
+                             "ours:auto/openmp/decluster/concurrent/cells=20"})
         EXPECT_EQ(readEngine(name).name(), name);
 }
 
@@ -42,11 +43,33 @@ TEST(Engine, BadThreadCountsAreNamed) {
         EXPECT_NE(complaint(name).find(name), std::string::npos) << name;
 }
 
+TEST(Engine, BadGridsAreNamed) {
+    for (const std::string cells : {"4", "21", "", "x", "8x"}) {
+        const std::string name = "ours:2/decluster/cells=" + cells;
+        EXPECT_NE(complaint(name).find("'" + cells + "' is not a number of grid cells from 5 to 20"),
+                  std::string::npos);
+        EXPECT_NE(complaint(name).find(name), std::string::npos);
+    }
+}
+
+TEST(Engine, WordsMayComeInAnyOrder) {
+    EXPECT_EQ(readEngine("ours:2/cells=8/concurrent/lcp/pthread").name(),
+              "ours:2/pthread/lcp/concurrent/cells=8");
+}
+
+TEST(Engine, OnlyOursHasWords) {
+    EXPECT_NE(complaint("stock/concurrent").find("'stock/concurrent'"), std::string::npos);
+    EXPECT_NE(complaint("stock-pool:2/cells=8").find("'stock-pool:2/cells=8'"), std::string::npos);
+}
+
 TEST(Engine, EnvironmentOfOurs) {
     const std::map<std::string, std::string> expected = {
         {"ODE_MT_THREADS", "2"}, {"ODE_MT_THREAD_MANAGER", "openmp"}, {"ODE_MT_ALGORITHM", "lcp"}};
     EXPECT_EQ(readEngine("ours:2/openmp/lcp").environment(), expected);
     EXPECT_TRUE(readEngine("stock-pool:2").environment().empty());
+    const std::map<std::string, std::string> cells = {
+        {"ODE_MT_THREADS", "0"}, {"ODE_MT_CALLBACKS", "concurrent"}, {"ODE_MT_GRID_CELLS", "12"}};
+    EXPECT_EQ(readEngine("ours:0/concurrent/cells=12").environment(), cells);
 }
 
 TEST(Engine, OnlyThePoolIsNotReproducible) {

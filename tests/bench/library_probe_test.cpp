@@ -14,6 +14,8 @@ TEST(LibraryProbe, FindsTheLibraryThatRuns) {
     if (!library.isOurs) {
         EXPECT_EQ(library.threads(), 0);
         EXPECT_EQ(library.manager(), "");
+        EXPECT_EQ(library.callbacks(), "");
+        EXPECT_EQ(library.gridCells(), 0);
         EXPECT_EQ(library.parallelSteps(), 0u);
     }
 }

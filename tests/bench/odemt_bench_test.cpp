@@ -54,6 +54,19 @@ TEST_F(OdemtBench, ComparesEnginesAndSavesTheFigures) {
     EXPECT_TRUE(std::filesystem::exists(folder + "/b.csv"));
 }
 
+TEST_F(OdemtBench, SavesSamplesOfTheRealTimeFactor) {
+    const Outcome outcome =
+        run("--worlds rover:3 --engines stock --seconds 1.5 --samples " + folder + "/s.csv" + files());
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
+    std::ifstream file(folder + "/s.csv");
+    std::string header, line;
+    std::getline(file, header);
+    EXPECT_EQ(header, "world,engine,second,real_time_factor");
+    std::getline(file, line);
+    EXPECT_EQ(line.compare(0, 16, "rover:3,stock,1,"), 0) << line;
+    EXPECT_GT(std::stod(line.substr(16)), 0);
+}
+
 TEST_F(OdemtBench, AFailingEngineMakesTheExitCodeOneAndIsNamed) {
     // Debian's library in place of ours.
     const Outcome outcome = run("--worlds rover:3 --engines stock,ours:1 --frames 20 --our-library " +

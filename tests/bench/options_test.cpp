@@ -41,6 +41,18 @@ TEST(Options, AreRead) {
     EXPECT_DOUBLE_EQ(outcome.options->race.stop.maximumSeconds, 1.5);
     EXPECT_EQ(outcome.options->race.stop.maximumFrames, 77);
     EXPECT_EQ(outcome.options->jsonFile, "a.json");
+    EXPECT_EQ(outcome.options->samplesFile, "");
+    EXPECT_EQ(outcome.options->race.stop.minimumSeconds, 0);
+    EXPECT_TRUE(outcome.options->withAverages);
+}
+
+TEST(Options, WithSamplesMeasuringDoesNotEndEarly) {
+    const Outcome outcome = read(
+        {"--worlds", "rover", "--engines", "stock", "--seconds", "7", "--samples", "s.csv", "--no-averages"});
+    ASSERT_TRUE(outcome.options) << outcome.errors;
+    EXPECT_EQ(outcome.options->samplesFile, "s.csv");
+    EXPECT_DOUBLE_EQ(outcome.options->race.stop.minimumSeconds, 7);
+    EXPECT_FALSE(outcome.options->withAverages);
 }
 
 TEST(Options, WrongOnesAreAnsweredByName) {
@@ -48,6 +60,8 @@ TEST(Options, WrongOnesAreAnsweredByName) {
     expectComplaint({"--worlds", "moon"}, "'moon'");
     expectComplaint({"--worlds", "rover", "--engines", "bullet"}, "'bullet'");
     expectComplaint({"--worlds", "rover", "--threads", "lots"}, "'lots'");
+    expectComplaint({"--worlds", "rover", "--engines", "ours:1/cells=3"}, "'3'");
+    expectComplaint({"--worlds", "rover", "--samples"}, "--samples");
     expectComplaint({"--worlds", "rover", "--manager", "tbb"}, "'tbb'");
     expectComplaint({"--worlds", "rover", "--seconds", "-1"}, "--seconds");
     expectComplaint({"--worlds", "rover", "--frames", "0"}, "--frames");

@@ -47,6 +47,8 @@ TEST(Protocol, AReadyArrivesAsItWasSent) {
     sent.threads = 3;
     sent.manager = "pthread";
     sent.algorithm = "auto";
+    sent.callbacks = "concurrent";
+    sent.gridCells = 9;
     sent.bodies = 1;
     sent.joints = 2;
     sent.geoms = 3;
@@ -58,6 +60,8 @@ TEST(Protocol, AReadyArrivesAsItWasSent) {
     EXPECT_EQ(got.threads, 3);
     EXPECT_EQ(got.manager, "pthread");
     EXPECT_EQ(got.algorithm, "auto");
+    EXPECT_EQ(got.callbacks, "concurrent");
+    EXPECT_EQ(got.gridCells, 9);
     EXPECT_EQ(got.bodies, 1u);
     EXPECT_EQ(got.joints, 2u);
     EXPECT_EQ(got.geoms, 3u);

@@ -102,6 +102,41 @@ TEST(Report, CsvHasOneLineForEachEngineWithAsManyFieldsAsTitles) {
     EXPECT_EQ(count, 2);
 }
 
+TEST(Report, JsonHasTheKeptAveragesOnlyIfAskedFor) {
+    const auto json = nlohmann::json::parse(reportJson({worldResult()}, false));
+    const auto &frame = json["worlds"][0]["engines"][0]["parts"]["frame"];
+    EXPECT_TRUE(frame.contains("speedUp"));
+    EXPECT_FALSE(frame.contains("keptAverages"));
+}
+
+TEST(Report, JsonNamesTheMachine) {
+    const auto json = nlohmann::json::parse(reportJson({worldResult()}));
+    EXPECT_GE(json["machine"]["cores"], 1);
+    EXPECT_TRUE(json["machine"]["processor"].is_string());
+}
+
+TEST(Report, JsonHasTheDistributionOfTheSamples) {
+    WorldResult result = worldResult();
+    result.engines[1] = engineResult("ours:2", {0.5, 1, 0.25});  // 1 and 2 s: 100 frames of 10 ms in each
+    const auto json = nlohmann::json::parse(reportJson({result}));
+    const auto &samples = json["worlds"][0]["engines"][1]["realTimeSamples"];
+    EXPECT_EQ(samples["count"], 2);
+    EXPECT_DOUBLE_EQ(samples["mean"], 0.75);
+    EXPECT_DOUBLE_EQ(samples["quantiles"]["median"], 0.75);
+    EXPECT_DOUBLE_EQ(samples["quantiles"]["percentile5"], 0.5 + 0.05 * 0.5);
+}
+
+TEST(Report, SamplesAreOneLineForEachSecondOfEachEngine) {
+    WorldResult result = worldResult();
+    result.engines[0] = engineResult("stock", {2});
+    result.engines[1] = engineResult("ours:2", {0.5, 1});
+    EXPECT_EQ(reportSamples({result}),
+              "world,engine,second,real_time_factor\n"
+              "\"pile:4,sap\",stock,1,0.25\n"
+              "\"pile:4,sap\",ours:2,1,1\n"
+              "\"pile:4,sap\",ours:2,2,0.5\n");
+}
+
 TEST(Report, CsvQuotesCommasAndQuotes) {
     WorldResult result = worldResult();
     result.engines[1].failure = "said \"no\"";

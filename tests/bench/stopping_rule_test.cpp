@@ -42,6 +42,13 @@ TEST(StoppingRule, GoesOnUntilTheQuartilesMeanSomething) {
     EXPECT_EQ(rule().judge({steady()}, 9, 1, 500), Verdict::GoOn);
 }
 
+TEST(StoppingRule, GoesOnUntilItsLeastTime) {
+    StoppingRule patient = rule();
+    patient.minimumSeconds = 2;
+    EXPECT_EQ(patient.judge({steady()}, 10, 1.9, 500), Verdict::GoOn);
+    EXPECT_EQ(patient.judge({steady()}, 10, 2, 500), Verdict::Stable);
+}
+
 TEST(StoppingRule, StopsAtTheLimits) {
     EXPECT_EQ(rule().judge({rising()}, 10, 5, 500), Verdict::OutOfTime);
     EXPECT_EQ(rule().judge({rising()}, 10, 1, 1000), Verdict::OutOfFrames);

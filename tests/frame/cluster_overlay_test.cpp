@@ -34,6 +34,18 @@ protected:
         return geom;
     }
 
+    dGeomID box(dReal x) {
+        const dGeomID geom = dCreateBox(space, 1, 1, 1);
+        dGeomSetPosition(geom, x, 0, 1);
+        return geom;
+    }
+
+    std::vector<unsigned> testedWith(dGeomID geom) {
+        std::vector<unsigned> names(static_cast<std::size_t>(dClusterGetTestedWith(geom, nullptr, 0)));
+        dClusterGetTestedWith(geom, names.data(), static_cast<int>(names.size()));
+        return names;
+    }
+
     void collide() {
         dSpaceCollide(space, nullptr, [](void *, dGeomID, dGeomID) {});
     }
@@ -78,6 +90,52 @@ TEST_F(ClusterOverlay, TellsTheGridAndItsCells) {
     EXPECT_EQ(dClusterGetCells(world, space, nullptr, 0), count);
 }
 
+TEST_F(ClusterOverlay, TellsWithWhichClustersAGeomIsTested) {
+    const dGeomID near = box(0), between = box(51);
+    collide();
+    const unsigned first = dClusterGetOfGeom(balls[0]), second = dClusterGetOfGeom(balls[2]);
+    EXPECT_EQ(testedWith(balls[0]), (std::vector<unsigned>{first}));
+    EXPECT_EQ(testedWith(near), (std::vector<unsigned>{first}));
+    EXPECT_EQ(testedWith(between), std::vector<unsigned>());
+    EXPECT_EQ(testedWith(floor).size(), 2u);
+    EXPECT_NE(first, second);
+    unsigned one = 0;
+    EXPECT_EQ(dClusterGetTestedWith(floor, &one, 1), 2) << "there are more than fit";
+    EXPECT_TRUE(one == first || one == second);
+}
+
+TEST_F(ClusterOverlay, TellsThatStaticsApartAreTestedWithAll) {
+    dODE_MT_SetAlgorithm("original");
+    const dGeomID between = box(51);
+    collide();
+    EXPECT_EQ(testedWith(between).size(), 2u);
+    EXPECT_EQ(dClusterGetStaticOfGeom(between), 0u);
+}
+
+TEST_F(ClusterOverlay, TellsClustersOfStaticGeoms) {
+    EXPECT_EQ(dClusterGetStaticOfGeom(box(0)), 0u) << "not under decluster";
+    dODE_MT_SetAlgorithm("static");
+    const dGeomID near = box(0.5), between = box(51);
+    collide();
+    EXPECT_NE(dClusterGetStaticOfGeom(near), 0u);
+    EXPECT_NE(dClusterGetStaticOfGeom(between), 0u);
+    EXPECT_NE(dClusterGetStaticOfGeom(near), dClusterGetStaticOfGeom(between));
+    EXPECT_EQ(dClusterGetStaticOfGeom(balls[0]), 0u) << "it moves";
+    EXPECT_EQ(dClusterGetOfGeom(near), 0u);
+    EXPECT_EQ(testedWith(near), (std::vector<unsigned>{dClusterGetOfGeom(balls[0])}));
+    EXPECT_EQ(testedWith(between), std::vector<unsigned>());
+}
+
+TEST_F(ClusterOverlay, AFixedGridStaysAsItIs) {
+    dODE_MT_SetGridCells(9);
+    for (int frame = 0; frame < 100; ++frame) {
+        dGeomSetPosition(balls[0], 0, 0, 1);
+        collide();
+        ASSERT_EQ(dClusterGetGridCells(world, space), 9) << "frame " << frame;
+    }
+    dODE_MT_SetGridCells(0);
+}
+
 TEST_F(ClusterOverlay, TellsMergesAndSplits) {
     const unsigned kept = dClusterGetOfGeom(balls[0]), lost = dClusterGetOfGeom(balls[3]);
     collide();
@@ -116,6 +174,7 @@ TEST_F(ClusterOverlay, IsGoneWithTheAlgorithm) {
     EXPECT_EQ(dClusterGetOfGeom(balls[0]), 0u);
     EXPECT_EQ(dClusterGetGridCells(world, space), 0);
     EXPECT_EQ(dClusterGetEvents(world, space, nullptr, 0), 0);
+    EXPECT_EQ(dClusterGetTestedWith(balls[0], nullptr, 0), 0);
 }
 
 TEST_F(ClusterOverlay, BadArgumentsAreNamed) {
@@ -124,6 +183,9 @@ TEST_F(ClusterOverlay, BadArgumentsAreNamed) {
     EXPECT_EXIT(dClusterGetGridCells(world, reinterpret_cast<dSpaceID>(balls[0])), aborted, "bad space argument");
     EXPECT_EXIT(dClusterGetOfGeom(nullptr), aborted, "bad geom argument");
     EXPECT_EXIT(dClusterGetOfBody(nullptr), aborted, "bad body argument");
+    EXPECT_EXIT(dClusterGetStaticOfGeom(nullptr), aborted, "bad geom argument in dClusterGetStaticOfGeom");
+    EXPECT_EXIT(dClusterGetTestedWith(nullptr, nullptr, 0), aborted, "bad geom argument in dClusterGetTestedWith");
+    EXPECT_EXIT(dClusterGetTestedWith(balls[0], nullptr, 1), aborted, "bad clusters argument");
     EXPECT_EXIT(dClusterGetCells(world, space, nullptr, 1), aborted, "bad cells argument");
     EXPECT_EXIT(dClusterGetEvents(world, space, nullptr, 1), aborted, "bad events argument");
 }

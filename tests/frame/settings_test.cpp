@@ -107,6 +107,27 @@ TEST_F(Settings, UnknownHeuristicsAreNamedAndChangeNothing) {
     dODE_MT_SetHeuristics("default");
 }
 
+TEST_F(Settings, GridCellsInRangeAreTakenSilently) {
+    const Messages messages;
+    for (const int cells : {5, 20, 0}) {
+        EXPECT_EQ(dODE_MT_SetGridCells(cells), 1);
+        EXPECT_EQ(dODE_MT_GetGridCells(), cells);
+    }
+    EXPECT_TRUE(messages.empty()) << g_messages;
+}
+
+TEST_F(Settings, GridCellsOutOfRangeAreNamedAndChangeNothing) {
+    dODE_MT_SetGridCells(8);
+    for (const int cells : {-1, 4, 21, INT_MAX, INT_MIN}) {
+        const Messages messages;
+        EXPECT_EQ(dODE_MT_SetGridCells(cells), 0);
+        EXPECT_EQ(dODE_MT_GetGridCells(), 8);
+        EXPECT_TRUE(messages.tell(std::to_string(cells))) << g_messages;
+        EXPECT_TRUE(messages.tell("5 to 20")) << g_messages;
+    }
+    dODE_MT_SetGridCells(0);
+}
+
 TEST_F(Settings, UnknownThreadManagerIsNamedAndChangesNothing) {
     for (const char *name : {"foo", "", static_cast<const char *>(nullptr)}) {
         const Messages messages;
@@ -132,6 +153,7 @@ struct Case {
     std::string says;  // a regular expression for standard error
     int threads;
     std::string algorithm, manager;
+    int gridCells = 0;
 };
 
 void PrintTo(const Case &c, std::ostream *out) { *out << c.variable << "=" << c.value; }
@@ -150,7 +172,8 @@ protected:
         world.step(5);
         const bool settings = dODE_MT_GetThreads() == GetParam().threads &&
                               dODE_MT_GetAlgorithm() == GetParam().algorithm &&
-                              dODE_MT_GetThreadManager() == GetParam().manager;
+                              dODE_MT_GetThreadManager() == GetParam().manager &&
+                              dODE_MT_GetGridCells() == GetParam().gridCells;
         OdeSession::use(0, "serial");
         ChainWorld serial(20, 3);
         dRandSetSeed(0);
@@ -179,6 +202,12 @@ const Case kCases[] = {
     {"ODE_MT_ALGORITHM", "foo", "ODE_MT_ALGORITHM.*'foo'.*auto, serial, lcp", 0, "auto", "pthread"},
     {"ODE_MT_HEURISTICS", "cells,threads", "^$", 0, "auto", "pthread"},
     {"ODE_MT_HEURISTICS", "foo", "ODE_MT_HEURISTICS.*'foo'.*default, none.*cells,centre", 0, "auto", "pthread"},
+    {"ODE_MT_GRID_CELLS", "12", "^$", 0, "auto", "pthread", 12},
+    {"ODE_MT_GRID_CELLS", "auto", "^$", 0, "auto", "pthread"},
+    {"ODE_MT_GRID_CELLS", "4", "ODE_MT_GRID_CELLS.*'4'.*auto.*5 to 20", 0, "auto", "pthread"},
+    {"ODE_MT_GRID_CELLS", "0", "ODE_MT_GRID_CELLS.*'0'.*auto.*5 to 20", 0, "auto", "pthread"},
+    {"ODE_MT_GRID_CELLS", "9 9", "ODE_MT_GRID_CELLS.*'9 9'.*auto.*5 to 20", 0, "auto", "pthread"},
+    {"ODE_MT_GRID_CELLS", "99999999999999999999", "ODE_MT_GRID_CELLS.*5 to 20", 0, "auto", "pthread"},
     {"ODE_MT_THREAD_MANAGER", "openmp", "^$", 0, "auto", "openmp"},
     {"ODE_MT_THREAD_MANAGER", "foo", "ODE_MT_THREAD_MANAGER.*'foo'.*pthread, openmp", 0, "auto", "pthread"},
 };

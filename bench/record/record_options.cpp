@@ -1,0 +1,64 @@
+#include "record/record_options.h"
+
+#include "world_source.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+
+namespace record {
+
+namespace {
+
+constexpr int kWrongOption = 2;
+const CLI::IsMember kAlgorithms({"original", "static", "static-unmerged", "duplication", "decluster"});
+
+void addOptions(CLI::App &app, RecordOptions &options) {
+    app.add_option("world", options.world, "SDF world, .sdf file or scene, as for odemt_bench")->required();
+    app.add_option("--algorithm", options.algorithm, "which clusters are made")
+        ->capture_default_str()
+        ->check(kAlgorithms);
+    app.add_option("--cells", options.gridCells,
+                   "cells on each axis of the grid, 5 to 20; 0: tuned by measured time")
+        ->capture_default_str()
+        ->check(CLI::Number);
+    app.add_option("--frames", options.frames, "frames that are run")
+        ->capture_default_str()
+        ->check(CLI::Range(1L, 1'000'000'000L));
+    app.add_option("--every", options.every, "one frame of so many is kept; the last one always")
+        ->capture_default_str()
+        ->check(CLI::Range(1L, 1'000'000'000L));
+    app.add_option("--output", options.file, "file; standard output if it is not given");
+    app.add_flag("--ignore-unsupported", options.ignoreUnsupported,
+                 "leave out elements of an SDF world that the loader does not know");
+}
+
+void check(const RecordOptions &options) {
+    bench::checkWorld(options.world);
+    if (options.gridCells != 0 && (options.gridCells < 5 || options.gridCells > 20))
+        throw std::invalid_argument("--cells: " + std::to_string(options.gridCells) +
+                                    " is not a number from 5 to 20, nor 0");
+}
+
+}  // namespace
+
+std::optional<RecordOptions> readRecordOptions(int argc, const char *const *argv, int &exitCode) {
+    RecordOptions options;
+    CLI::App app(
+        "Runs a world on ODE_MT and records the clusters and all that moves, one JSON object a line.",
+        "odemt_record");
+    addOptions(app, options);
+    try {
+        app.parse(argc, argv);
+        check(options);
+        return options;
+    } catch (const CLI::ParseError &error) {
+        exitCode = app.exit(error) == 0 ? 0 : kWrongOption;
+    } catch (const std::invalid_argument &error) {
+        std::cerr << error.what() << "\nRun with --help for more information.\n";
+        exitCode = kWrongOption;
+    }
+    return std::nullopt;
+}
+
+}  // namespace record

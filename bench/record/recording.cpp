@@ -1,0 +1,142 @@
+#include "record/recording.h"
+
+#include <nlohmann/json.hpp>
+
+#include <istream>
+#include <stdexcept>
+
+namespace record {
+
+using nlohmann::json;
+
+// nlohmann-json finds these by their names.
+void to_json(json &to, const Pose &p) {
+    const auto &[x, y, z] = p.position;
+    const auto &[qw, qx, qy, qz] = p.quaternion;
+    to = {x, y, z, qw, qx, qy, qz};
+}
+
+void from_json(const json &from, Pose &p) {
+    for (std::size_t i = 0; i < 3; ++i) p.position[i] = from.at(i);
+    for (std::size_t i = 0; i < 4; ++i) p.quaternion[i] = from.at(3 + i);
+}
+
+void to_json(json &to, const Geom &g) {
+    to = {{"shape", g.shape.kind}, {"size", g.shape.size}, {"body", g.body}};
+    if (!g.shape.triangles.empty()) to["triangles"] = g.shape.triangles;
+}
+
+void from_json(const json &from, Geom &g) {
+    from.at("shape").get_to(g.shape.kind);
+    from.at("size").get_to(g.shape.size);
+    from.at("body").get_to(g.body);
+    if (from.contains("triangles")) from.at("triangles").get_to(g.shape.triangles);
+}
+
+void to_json(json &to, const Header &h) {
+    to = {{"world", h.world},
+          {"algorithm", h.algorithm},
+          {"library", h.library},
+          {"stepSize", h.stepSize},
+          {"geoms", h.geoms}};
+}
+
+void from_json(const json &from, Header &h) {
+    from.at("world").get_to(h.world);
+    from.at("algorithm").get_to(h.algorithm);
+    from.at("library").get_to(h.library);
+    from.at("stepSize").get_to(h.stepSize);
+    from.at("geoms").get_to(h.geoms);
+}
+
+void to_json(json &to, const Grid &g) { to = {{"cells", g.cells}, {"edge", g.edge}, {"centre", g.centre}}; }
+
+void from_json(const json &from, Grid &g) {
+    from.at("cells").get_to(g.cells);
+    from.at("edge").get_to(g.edge);
+    from.at("centre").get_to(g.centre);
+}
+
+void to_json(json &to, const Cell &c) { to = {c.x, c.y, c.z, c.cluster}; }
+
+void from_json(const json &from, Cell &c) { c = {from.at(0), from.at(1), from.at(2), from.at(3)}; }
+
+void to_json(json &to, const Event &e) {
+    to = {{"kind", e.isSplit ? "split" : "merge"}, {"from", e.from}, {"into", e.into}};
+}
+
+void from_json(const json &from, Event &e) {
+    e = {from.at("kind") == "split", from.at("from"), from.at("into")};
+}
+
+void to_json(json &to, const Membership &m) {
+    to = {{"cluster", m.cluster}, {"static", m.staticCluster}, {"testedWith", m.testedWith}};
+}
+
+void from_json(const json &from, Membership &m) {
+    from.at("cluster").get_to(m.cluster);
+    from.at("static").get_to(m.staticCluster);
+    from.at("testedWith").get_to(m.testedWith);
+}
+
+void to_json(json &to, const Frame &f) {
+    to = {{"number", f.number},     {"time", f.time},
+          {"clusters", f.clusters}, {"grid", f.grid},
+          {"cells", f.cells},       {"events", f.events},
+          {"bodies", f.bodies},     {"bodyClusters", f.bodyClusters},
+          {"geoms", f.geoms},       {"memberships", f.memberships}};
+}
+
+void from_json(const json &from, Frame &f) {
+    from.at("number").get_to(f.number);
+    from.at("time").get_to(f.time);
+    from.at("clusters").get_to(f.clusters);
+    from.at("grid").get_to(f.grid);
+    from.at("cells").get_to(f.cells);
+    from.at("events").get_to(f.events);
+    from.at("bodies").get_to(f.bodies);
+    from.at("bodyClusters").get_to(f.bodyClusters);
+    from.at("geoms").get_to(f.geoms);
+    from.at("memberships").get_to(f.memberships);
+}
+
+namespace {
+
+// Bytes that are no UTF-8 (file names may be anything) become U+FFFD instead of an exception.
+std::string dump(const json &value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
+
+// Poses and memberships of all geoms.
+void checkFrame(const Frame &frame, const Header &header) {
+    if (frame.geoms.size() != header.geoms.size() || frame.memberships.size() != header.geoms.size())
+        throw std::runtime_error("it has not one pose and one membership for each of the " +
+                                 std::to_string(header.geoms.size()) + " geoms");
+}
+
+}  // namespace
+
+std::string writeHeader(const Header &header) { return dump({{"recording", header}}); }
+
+std::string writeFrame(const Frame &frame) { return dump({{"frame", frame}}); }
+
+Recording readRecording(std::istream &lines) {
+    Recording recording;
+    int number = 0;
+    for (std::string line; std::getline(lines, line);) {
+        ++number;
+        try {
+            const json object = json::parse(line);
+            if (number == 1) {
+                object.at("recording").get_to(recording.header);
+            } else {
+                object.at("frame").get_to(recording.frames.emplace_back());
+                checkFrame(recording.frames.back(), recording.header);
+            }
+        } catch (const std::exception &error) {
+            throw std::runtime_error("line " + std::to_string(number) + ": " + error.what());
+        }
+    }
+    if (number == 0) throw std::runtime_error("line 1: missing");
+    return recording;
+}
+
+}  // namespace record

@@ -1,0 +1,42 @@
+// An SVG document in the making. Coordinates are those of the camera's screen (m); the canvas maps them to
+// pixels.
+#pragma once
+
+#include "render/area.h"
+#include "render/colour.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace render {
+
+class SvgCanvas {
+public:
+    SvgCanvas(const Area &area, int width);
+
+    struct Stroke {
+        std::string colour;
+        double width = 0.5;  // px
+    };
+
+    // Closed. Several fills: in stripes.
+    void polygon(const std::vector<Point> &corners, const std::vector<Colour> &fills, const Stroke &stroke,
+                 double opacity = 1);
+    void lines(const std::vector<std::array<Point, 2>> &lines, const Stroke &stroke);
+    void caption(const std::string &text) { m_caption = text; }
+
+    std::string document() const;
+
+private:
+    std::string place(const Point &point) const;
+    std::string fill(const std::vector<Colour> &fills);
+
+    Area m_area;
+    int m_width;
+    double m_scale;  // px / m
+    std::string m_caption, m_body;
+    std::map<std::string, std::string> m_patterns;  // definition -> name
+};
+
+}  // namespace render

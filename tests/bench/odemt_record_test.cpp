@@ -1,0 +1,158 @@
+// odemt_record and odemt_render as a user runs them.
+#include "record/recording.h"
+
+#include <gtest/gtest.h>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+namespace {
+
+struct Outcome {
+    int exitCode;
+    std::string output;
+};
+
+Outcome run(const std::string &command) {
+    FILE *pipe = popen((command + " 2>&1").c_str(), "r");
+    std::string output;
+    char bytes[4096];
+    while (const std::size_t count = std::fread(bytes, 1, sizeof bytes, pipe)) output.append(bytes, count);
+    return {WEXITSTATUS(pclose(pipe)), output};
+}
+
+class OdemtRecord : public testing::Test {
+protected:
+    void SetUp() override { std::filesystem::create_directories(folder); }
+    void TearDown() override { std::filesystem::remove_all(folder); }
+
+    Outcome record(const std::string &arguments) const {
+        return run(std::string(ODEMT_RECORD) + " " + arguments + " --output " + file);
+    }
+
+    record::Recording read() const {
+        std::ifstream stream(file);
+        return record::readRecording(stream);
+    }
+
+    const std::string folder = testing::TempDir() + "/odemt_record_" + std::to_string(getpid());
+    const std::string file = folder + "/r.jsonl";
+};
+
+std::string text(const std::string &file) {
+    std::ifstream stream(file);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+}  // namespace
+
+TEST_F(OdemtRecord, KeepsOneFrameOfSoManyAndTheLast) {
+    const Outcome outcome = record("soccer --frames 25 --every 10 --cells 8 --algorithm decluster");
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.output;
+    const record::Recording recording = read();
+    EXPECT_EQ(recording.header.world, "soccer");
+    EXPECT_EQ(recording.header.algorithm, "decluster");
+    ASSERT_EQ(recording.frames.size(), 3u);
+    EXPECT_EQ(recording.frames[0].number, 10);
+    EXPECT_EQ(recording.frames[2].number, 25);
+    EXPECT_NEAR(recording.frames[2].time, 25 * recording.header.stepSize, 1e-9);
+    EXPECT_EQ(recording.frames[2].grid.cells, 8);
+}
+
+TEST_F(OdemtRecord, TellsTheClustersOfEverything) {
+    ASSERT_EQ(record("soccer --frames 10 --cells 12 --algorithm static").exitCode, 0);
+    const record::Recording recording = read();
+    const record::Frame &frame = recording.frames.back();
+    std::set<unsigned> names;
+    std::size_t staticClusters = 0;
+    for (std::size_t geom = 0; geom < recording.header.geoms.size(); ++geom) {
+        const record::Membership &membership = frame.memberships[geom];
+        const int body = recording.header.geoms[geom].body;
+        if (body == record::Geom::kStatic) {
+            EXPECT_EQ(membership.cluster, 0u);
+            staticClusters += membership.staticCluster != 0;
+            continue;
+        }
+        EXPECT_NE(membership.cluster, 0u);
+        EXPECT_EQ(membership.cluster, frame.bodyClusters[static_cast<std::size_t>(body)]);
+        EXPECT_EQ(membership.testedWith, (std::vector<unsigned>{membership.cluster}));
+        names.insert(membership.cluster);
+    }
+    EXPECT_EQ(names.size(), static_cast<std::size_t>(frame.clusters));
+    EXPECT_GT(names.size(), 1u);
+    EXPECT_GT(staticClusters, 0u);
+    for (const record::Cell &cell : frame.cells) EXPECT_EQ(names.count(cell.cluster), 1u);
+}
+
+TEST_F(OdemtRecord, TellsMergesAndSplitsBetweenTheFramesItKeeps) {
+    ASSERT_EQ(record("soccer --frames 400 --every 400 --cells 12 --algorithm decluster").exitCode, 0);
+    int merges = 0, splits = 0;
+    for (const record::Event &event : read().frames.back().events) ++(event.isSplit ? splits : merges);
+    EXPECT_GT(merges, 0);
+    EXPECT_GT(splits, 0);
+}
+
+TEST_F(OdemtRecord, IsTheSameEveryTime) {
+    ASSERT_EQ(record("bioloid --frames 20 --cells 10").exitCode, 0);
+    const std::string first = text(file);
+    ASSERT_EQ(record("bioloid --frames 20 --cells 10").exitCode, 0);
+    EXPECT_TRUE(text(file) == first);
+}
+
+TEST_F(OdemtRecord, WrongOptionsAreAnsweredByName) {
+    for (const auto &[arguments, word] :
+         std::vector<std::pair<std::string, std::string>>{{"moon", "'moon'"},
+                                                          {"soccer --algorithm lcp", "--algorithm"},
+                                                          {"soccer --cells 4", "--cells: 4"},
+                                                          {"soccer --every 0", "--every"},
+                                                          {"soccer --wurld", "--wurld"}}) {
+        const Outcome outcome = record(arguments);
+        EXPECT_EQ(outcome.exitCode, 2) << arguments;
+        EXPECT_NE(outcome.output.find(word), std::string::npos) << outcome.output;
+    }
+}
+
+TEST_F(OdemtRecord, TheWrongLibraryIsNamed) {
+    const Outcome outcome =
+        run("LD_LIBRARY_PATH=" + std::string(ODEMT_STOCK_FOLDER) + " " + ODEMT_RECORD + " soccer");
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.output.find("it is not ODE_MT"), std::string::npos) << outcome.output;
+}
+
+TEST_F(OdemtRecord, AFileThatCannotBeWrittenIsNamed) {
+    const Outcome outcome = run(std::string(ODEMT_RECORD) + " soccer --frames 1 --output /proc/r.jsonl");
+    EXPECT_EQ(outcome.exitCode, 1);
+    EXPECT_NE(outcome.output.find("/proc/r.jsonl"), std::string::npos) << outcome.output;
+}
+
+TEST_F(OdemtRecord, ARecordingIsDrawn) {
+    ASSERT_EQ(record("soccer --frames 10").exitCode, 0);
+    const Outcome outcome =
+        run(std::string(ODEMT_RENDER) + " " + file + " --frame 10 --output " + folder + "/p.svg");
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
+    EXPECT_EQ(text(folder + "/p.svg").compare(0, 4, "<svg"), 0);
+}
+
+TEST_F(OdemtRecord, TheRendererNamesWhatIsWrong) {
+    std::ofstream(file) << "no JSON\n";
+    const std::string render = std::string(ODEMT_RENDER) + " ";
+    for (const auto &[arguments, code, word] :
+         std::vector<std::tuple<std::string, int, std::string>>{{file, 1, "line 1"},
+                                                                {folder + "/missing", 2, "missing"},
+                                                                {file + " --width 0", 2, "--width"},
+                                                                {file + " --elevation 100", 2, "--elevation"},
+                                                                {file + " --radius -1", 2, "--radius"}}) {
+        const Outcome outcome = run(render + arguments);
+        EXPECT_EQ(outcome.exitCode, code) << arguments;
+        EXPECT_NE(outcome.output.find(word), std::string::npos) << outcome.output;
+    }
+    ASSERT_EQ(record("soccer --frames 10").exitCode, 0);
+    const Outcome outcome = run(render + file + " --frame 11");
+    EXPECT_EQ(outcome.exitCode, 2);
+    EXPECT_NE(outcome.output.find("'11'"), std::string::npos) << outcome.output;
+}

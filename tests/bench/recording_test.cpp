@@ -1,0 +1,117 @@
+#include "record/recording.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+using namespace record;
+
+namespace {
+
+Header header() {
+    Header header;
+    header.world = "two \"boxes\"";
+    header.algorithm = "decluster";
+    header.library = "/lib/libode.so.8";
+    header.stepSize = 0.008;
+    header.geoms = {{{"box", {1, 2, 3}, {}}, 0},
+                    {{"mesh", {0, 0, 0, 1, 1, 1}, {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 1}}}}}}};
+    return header;
+}
+
+Frame frame() {
+    Frame frame;
+    frame.number = 70;
+    frame.time = 0.56;
+    frame.clusters = 2;
+    frame.grid = {5, 0.25, {1, -2, 3}};
+    frame.cells = {{1, 2, 3, 9}};
+    frame.events = {{true, 4, 9}, {false, 9, 4}};
+    frame.bodies = {{{1, 2, 3}, {0.5, 0.5, 0.5, 0.5}}};
+    frame.bodyClusters = {9};
+    frame.geoms = {{{4, 5, 6}, {0, 1, 0, 0}}, {}};
+    frame.memberships = {{9, 0, {9}}, {0, 3, {4, 9}}};
+    return frame;
+}
+
+Recording read(const std::string &text) {
+    std::istringstream lines(text);
+    return readRecording(lines);
+}
+
+std::string complaint(const std::string &text) {
+    try {
+        read(text);
+    } catch (const std::runtime_error &error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace
+
+TEST(Recording, TheHeaderIsReadAsItWasWritten) {
+    const Header got = read(writeHeader(header())).header;
+    EXPECT_EQ(got.world, "two \"boxes\"");
+    EXPECT_EQ(got.algorithm, "decluster");
+    EXPECT_EQ(got.library, "/lib/libode.so.8");
+    EXPECT_EQ(got.stepSize, 0.008);
+    ASSERT_EQ(got.geoms.size(), 2u);
+    EXPECT_EQ(got.geoms[0].shape.kind, "box");
+    EXPECT_EQ(got.geoms[0].shape.size, (std::vector<double>{1, 2, 3}));
+    EXPECT_EQ(got.geoms[0].body, 0);
+    EXPECT_EQ(got.geoms[1].body, Geom::kStatic);
+    ASSERT_EQ(got.geoms[1].shape.triangles.size(), 1u);
+    EXPECT_EQ(got.geoms[1].shape.triangles[0][2], (Vector{0, 1, 1}));
+}
+
+TEST(Recording, AFrameIsReadAsItWasWritten) {
+    const Recording recording = read(writeHeader(header()) + "\n" + writeFrame(frame()) + "\n");
+    ASSERT_EQ(recording.frames.size(), 1u);
+    const Frame &got = recording.frames[0];
+    EXPECT_EQ(got.number, 70);
+    EXPECT_EQ(got.time, 0.56);
+    EXPECT_EQ(got.clusters, 2);
+    EXPECT_EQ(got.grid.cells, 5);
+    EXPECT_EQ(got.grid.edge, 0.25);
+    EXPECT_EQ(got.grid.centre, (Vector{1, -2, 3}));
+    ASSERT_EQ(got.cells.size(), 1u);
+    EXPECT_EQ(got.cells[0].z, 3);
+    EXPECT_EQ(got.cells[0].cluster, 9u);
+    ASSERT_EQ(got.events.size(), 2u);
+    EXPECT_TRUE(got.events[0].isSplit);
+    EXPECT_FALSE(got.events[1].isSplit);
+    EXPECT_EQ(got.events[1].from, 9u);
+    EXPECT_EQ(got.events[1].into, 4u);
+    EXPECT_EQ(got.bodies[0].position, (Vector{1, 2, 3}));
+    EXPECT_EQ(got.bodies[0].quaternion[3], 0.5);
+    EXPECT_EQ(got.bodyClusters, (std::vector<unsigned>{9}));
+    EXPECT_EQ(got.geoms[0].quaternion[1], 1);
+    EXPECT_EQ(got.memberships[0].cluster, 9u);
+    EXPECT_EQ(got.memberships[1].staticCluster, 3u);
+    EXPECT_EQ(got.memberships[1].testedWith, (std::vector<unsigned>{4, 9}));
+}
+
+TEST(Recording, HeaderAndFrameAreOneLineEach) {
+    Header odd = header();
+    odd.world = "two\nlines";
+    EXPECT_EQ(writeHeader(odd).find('\n'), std::string::npos);
+    EXPECT_EQ(writeFrame(frame()).find('\n'), std::string::npos);
+}
+
+TEST(Recording, ALineThatIsNotUnderstoodIsNamedByItsNumber) {
+    const std::string first = writeHeader(header()) + "\n";
+    EXPECT_NE(complaint("").find("line 1"), std::string::npos);
+    EXPECT_NE(complaint("world,engine\n").find("line 1"), std::string::npos);
+    EXPECT_NE(complaint(writeFrame(frame())).find("line 1"), std::string::npos) << "a frame without a header";
+    EXPECT_NE(complaint(first + writeFrame(frame()) + "\n{\"frame\":{}}\n").find("line 3"),
+              std::string::npos);
+}
+
+TEST(Recording, AFrameMustHaveAllGeoms) {
+    Frame shorter = frame();
+    shorter.geoms.pop_back();
+    const std::string said = complaint(writeHeader(header()) + "\n" + writeFrame(shorter));
+    EXPECT_NE(said.find("line 2"), std::string::npos) << said;
+    EXPECT_NE(said.find("2 geoms"), std::string::npos) << said;
+}
