@@ -5,7 +5,7 @@ namespace render {
 namespace {
 
 constexpr Colour kWhite = {1, 1, 1}, kDark = {0.13, 0.13, 0.13}, kEdge = {0.45, 0.45, 0.45};
-constexpr Colour kApart = {0.74, 0.74, 0.74}, kUnlisted = {0.95, 0.95, 0.95};
+constexpr Colour kApart = {0.72, 0.72, 0.72}, kUnlisted = {0.97, 0.97, 0.97};
 constexpr double kTint = 0.45;                              // share of white in what a cluster lists
 constexpr double kThin = 0.5, kStrong = 0.9, kThick = 2.2;  // px
 
@@ -32,19 +32,21 @@ Paint ClusterPaint::of(std::size_t geom) const {
 }
 
 Paint ClusterPaint::ofMoving(const record::Membership &membership) const {
-    if (membership.cluster == 0) return {{kWhite}, kDark, kThick};
-    return {{ofCluster(membership.cluster)}, kDark, kStrong};
+    if (membership.cluster == 0) return {{kWhite}, {kDark}, kThick};
+    return {{ofCluster(membership.cluster)}, {kDark}, kStrong};
 }
 
 Paint ClusterPaint::ofStatic(const record::Membership &membership) const {
     const std::vector<unsigned> &testedWith = membership.testedWith;
     if (membership.staticCluster != 0) {
         const Colour fill = staticClusterColour(static_cast<int>(membership.staticCluster) - 1);
-        return testedWith.empty() ? Paint{{fill}, kEdge, kThin}
-                                  : Paint{{fill}, ofCluster(testedWith.front()), kThick};
+        if (testedWith.empty()) return {{fill}, {kEdge}, kThin};
+        Paint paint{{fill}, {}, kThick};
+        for (unsigned name : testedWith) paint.outlines.push_back(ofCluster(name));
+        return paint;
     }
-    if (!m_listsStatics) return {{kApart}, kEdge, kThin};
-    Paint paint{{}, kEdge, kThin};
+    if (!m_listsStatics) return {{kApart}, {kEdge}, kThin};
+    Paint paint{{}, {kEdge}, kThin};
     for (unsigned name : testedWith) paint.fills.push_back(mixed(ofCluster(name), kWhite, kTint));
     if (paint.fills.empty()) paint.fills.push_back(kUnlisted);
     return paint;

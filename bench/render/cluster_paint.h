@@ -1,9 +1,9 @@
 // How each geom is painted so that one sees its cluster.
 //
-//   what moves        strong colour of its cluster; white with a thick outline if it is big (in none)
-//   static, clustered pale colour of its static cluster; outline in the colour of a cluster that is tested
-//   with it static, listed    tint of each cluster that lists it, in stripes if they are several; almost
-//   white if none does static, apart     grey: tested with every cluster
+//   what moves         strong colour of its cluster; white with a thick outline if it is big (in none)
+//   static, clustered  pale colour of its static cluster; outline in the colours of the clusters that are
+//   tested with it static, listed     tint of each cluster that lists it, in stripes if they are several;
+//   almost white if none does static, apart      grey: tested with every cluster
 #pragma once
 
 #include "record/recording.h"
@@ -15,9 +15,9 @@
 namespace render {
 
 struct Paint {
-    std::vector<Colour> fills;  // at least one
-    Colour outline;
-    double outlineWidth = 0.6;  // px
+    std::vector<Colour> fills;     // at least one
+    std::vector<Colour> outlines;  // several: in dashes
+    double outlineWidth = 0.6;     // px
 };
 
 class ClusterPaint {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <set>
 #include <tuple>
 
@@ -13,9 +14,11 @@ namespace render {
 
 namespace {
 
-constexpr double kMargin = 0.03;  // of the width
-constexpr Colour kFloor = {0.98, 0.98, 0.98};
-const SvgCanvas::Stroke kFloorEdge = {"#888888", 1.2}, kGridLine = {"#9a9a9a", 0.4};
+constexpr double kMargin = 0.03;    // of the width
+constexpr double kOverlooked = 14;  // px
+constexpr Colour kFloor = {0.98, 0.98, 0.98}, kBig = {0.13, 0.13, 0.13};
+const SvgCanvas::Stroke kFloorEdge = {{{0.5, 0.5, 0.5}}, 1.2}, kGridLine = {{{0.6, 0.6, 0.6}}, 0.4},
+                        kNoStroke = {{}, 0};
 
 bool isPlane(const record::Geom &geom) { return geom.shape.kind == "plane"; }
 
@@ -48,6 +51,7 @@ public:
         drawCells(canvas);
         drawGrid(canvas);
         drawSolids(canvas);
+        drawRings(canvas);
         return canvas.document();
     }
 
@@ -142,7 +146,7 @@ private:
         for (const record::Cell &cell : m_frame.cells) columns.insert({cell.x, cell.y, cell.cluster});
         for (const auto &[x, y, cluster] : columns)
             canvas.polygon({onFloor(x, y), onFloor(x + 1, y), onFloor(x + 1, y + 1), onFloor(x, y + 1)},
-                           {m_paint.ofCluster(cluster)}, {"", 0}, 0.3);
+                           {m_paint.ofCluster(cluster)}, kNoStroke, 0.3);
     }
 
     void drawSolids(SvgCanvas &canvas) const {
@@ -154,9 +158,32 @@ private:
             for (const Patch &patch : patchesOf(m_header.geoms[geom].shape, m_frame.geoms[geom], m_camera)) {
                 std::vector<Colour> fills;
                 for (const Colour &fill : paint.fills) fills.push_back(shaded(fill, patch.light));
-                canvas.polygon(patch.corners, fills, {paint.outline.text(), paint.outlineWidth});
+                canvas.polygon(patch.corners, fills, {paint.outlines, paint.outlineWidth});
             }
         }
+    }
+
+    // Around clusters that one would overlook.
+    void drawRings(SvgCanvas &canvas) const {
+        for (const auto &[cluster, area] : areasOfClusters()) {
+            const double size = std::max(area.right - area.left, area.bottom - area.top);
+            if (canvas.pixels(size) >= kOverlooked) continue;
+            canvas.ring({(area.left + area.right) / 2, (area.top + area.bottom) / 2}, kOverlooked,
+                        {{cluster == 0 ? kBig : m_paint.ofCluster(cluster)}, 2.5});
+        }
+    }
+
+    // On the screen, by name; 0: all that moves and is in none.
+    std::map<unsigned, Area> areasOfClusters() const {
+        std::map<unsigned, Area> areas;
+        for (std::size_t i = 0; i < m_boxes.size(); ++i) {
+            if (!moves(i)) continue;
+            const Area area = areaOf(project(m_boxes[i].corners(), m_camera));
+            const auto [known, isNew] = areas.insert({m_frame.memberships[m_solids[i]].cluster, area});
+            known->second.include({area.left, area.top});
+            known->second.include({area.right, area.bottom});
+        }
+        return areas;
     }
 
     const record::Header &m_header;

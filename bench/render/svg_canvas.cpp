@@ -7,8 +7,8 @@ namespace render {
 
 namespace {
 
-constexpr int kCaptionHeight = 24;  // px
-constexpr int kStripe = 5;          // px
+constexpr int kCaptionHeight = 24;     // px
+constexpr int kStripe = 5, kDash = 7;  // px
 
 // One digit behind the point, none if it is zero.
 std::string number(double value) {
@@ -49,22 +49,39 @@ std::string SvgCanvas::fill(const std::vector<Colour> &fills) {
     return "url(#" + pattern->second + ")";
 }
 
+// The attributes of one colour of a stroke: the first is continuous, the others are dashes upon it.
+std::string SvgCanvas::stroked(const Stroke &stroke, std::size_t colour) {
+    if (stroke.colours.empty()) return "";
+    std::string text =
+        " stroke=\"" + stroke.colours[colour].text() + "\" stroke-width=\"" + number(stroke.width) + "\"";
+    if (colour == 0) return text;
+    const int others = static_cast<int>(stroke.colours.size()) - 1;
+    return text + " stroke-dasharray=\"" + std::to_string(kDash) + " " + std::to_string(kDash * others) +
+           "\" stroke-dashoffset=\"" + std::to_string(kDash * static_cast<int>(colour)) + "\"";
+}
+
 void SvgCanvas::polygon(const std::vector<Point> &corners, const std::vector<Colour> &fills,
                         const Stroke &stroke, double opacity) {
-    m_body += "<path d=\"";
-    for (std::size_t i = 0; i < corners.size(); ++i) m_body += (i == 0 ? "M" : "L") + place(corners[i]);
-    m_body += "z\" fill=\"" + fill(fills) + "\"";
+    std::string outline = "<path d=\"";
+    for (std::size_t i = 0; i < corners.size(); ++i) outline += (i == 0 ? "M" : "L") + place(corners[i]);
+    outline += "z\"";
+    m_body += outline + " fill=\"" + fill(fills) + "\"";
     if (opacity < 1) m_body += " fill-opacity=\"" + number(opacity) + "\"";
-    if (stroke.width > 0)
-        m_body += " stroke=\"" + stroke.colour + "\" stroke-width=\"" + number(stroke.width) + "\"";
-    m_body += "/>\n";
+    m_body += stroked(stroke, 0) + "/>\n";
+    for (std::size_t i = 1; i < stroke.colours.size(); ++i)
+        m_body += outline + " fill=\"none\"" + stroked(stroke, i) + "/>\n";
+}
+
+void SvgCanvas::ring(const Point &centre, double radius, const Stroke &stroke) {
+    m_body += "<circle cx=\"" + number((centre.x - m_area.left) * m_scale) + "\" cy=\"" +
+              number((centre.y - m_area.top) * m_scale + kCaptionHeight) + "\" r=\"" + number(radius) +
+              "\" fill=\"none\"" + stroked(stroke, 0) + "/>\n";
 }
 
 void SvgCanvas::lines(const std::vector<std::array<Point, 2>> &lines, const Stroke &stroke) {
     m_body += "<path d=\"";
     for (const auto &[from, to] : lines) m_body += "M" + place(from) + "L" + place(to);
-    m_body +=
-        "\" stroke=\"" + stroke.colour + "\" stroke-width=\"" + number(stroke.width) + "\" fill=\"none\"/>\n";
+    m_body += "\" fill=\"none\"" + stroked(stroke, 0) + "/>\n";
 }
 
 std::string SvgCanvas::document() const {

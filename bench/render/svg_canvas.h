@@ -16,20 +16,23 @@ public:
     SvgCanvas(const Area &area, int width);
 
     struct Stroke {
-        std::string colour;
-        double width = 0.5;  // px
+        std::vector<Colour> colours;  // several: in dashes; none: no stroke
+        double width = 0.5;           // px
     };
 
     // Closed. Several fills: in stripes.
     void polygon(const std::vector<Point> &corners, const std::vector<Colour> &fills, const Stroke &stroke,
                  double opacity = 1);
+    void ring(const Point &centre, double radius, const Stroke &stroke);  // radius: px
     void lines(const std::vector<std::array<Point, 2>> &lines, const Stroke &stroke);
+    double pixels(double metres) const { return metres * m_scale; }
     void caption(const std::string &text) { m_caption = text; }
 
     std::string document() const;
 
 private:
     std::string place(const Point &point) const;
+    static std::string stroked(const Stroke &stroke, std::size_t colour);
     std::string fill(const std::vector<Colour> &fills);
 
     Area m_area;
