@@ -7,12 +7,13 @@ normal(x, mean, deviation) = exp(-0.5 * ((x - mean) / deviation) ** 2) / (deviat
 array mean[count]
 array deviation[count]
 set samples 400
-set ytics format ""
 unset ytics
 set border 1
 set multiplot layout 2,2 title title . "  (" . note . ")" font ",14"
 do for [w=1:words(worlds)] {
     world = word(worlds, w)
+    set xrange [*:*]  # stats looks at what is in range only
+    set yrange [*:*]
     highest = 0
     least = 1e300
     most = 0

@@ -1,0 +1,87 @@
+#!/bin/sh
+# bench/figures in a folder of its own, with data that are made up: draws each kind of figure, writes the tables, and
+# names what is wrong. figures.sh SOURCE-FOLDER
+set -eu
+source=$1
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+fail() {
+    echo "FAILED: $1" >&2
+    exit 1
+}
+
+# expect_complaint WORD ARGUMENT...
+expect_complaint() {
+    word=$1
+    shift
+    code=0
+    bench/figures/run "$@" >output 2>&1 || code=$?
+    [ $code = 2 ] || fail "run $*: exit code $code"
+    grep -qF -- "$word" output || fail "run $* does not name $word: $(cat output)"
+}
+
+mkdir -p "$scratch/bench" "$scratch/.ci" "$scratch/docs/figures/data"
+cp -r "$source/bench/figures" "$scratch/bench/"
+cd "$scratch"
+printf '#!/bin/sh\n' >.ci/setup
+chmod +x .ci/setup
+
+expect_complaint "'--moon'" --moon
+expect_complaint "'3.2'" 3.2
+expect_complaint "'1'" 1
+expect_complaint "--seconds" --seconds
+expect_complaint "'soon'" --seconds soon 3.1
+expect_complaint "'-1'" --sampled -1 3.1
+expect_complaint "no data of figure 3.1" --draw 3.1
+bench/figures/run --help | grep -q 'Figure 9.1' || fail "--help does not list the figures"
+
+# data FIGURE ENGINE...: two worlds; engine number i is i times as fast as the first, in the stage twice that.
+data() {
+    figure=$1
+    shift
+    {
+        echo world,engine,frame_speedup_median,frame_speedup_q1,frame_speedup_q3,collision_speedup_median,collision_speedup_q1,collision_speedup_q3,dynamics_speedup_median,dynamics_speedup_q1,dynamics_speedup_q3
+        for world in pioneer3at soccer; do
+            i=0
+            for engine in "$@"; do
+                i=$((i + 1))
+                echo "$world,$engine,$i,0.$i,$i.5,$((2 * i)),1,3,$((2 * i)),1,3"
+            done
+        done
+    } >"docs/figures/data/$figure.csv"
+    printf '{\n "machine": {\n  "cores": 2,\n  "processor": "Fast One"\n }\n}\n' >"docs/figures/data/$figure.json"
+}
+
+data 3.1 stock ours:auto/original/concurrent ours:auto
+data 10.4 stock ours:auto/decluster/concurrent ours:auto/decluster/concurrent/cells=5
+data 10.5 stock ours:1 ours:2 ours:1/decluster/concurrent
+data 12.1 stock ours:auto/decluster/concurrent ours:auto
+{
+    echo world,engine,second,real_time_factor
+    for world in pioneer3at bioloid create soccer; do
+        for engine in stock ours:auto/decluster/concurrent ours:auto; do
+            for second in 1 2 3 4 5; do echo "$world,$engine,$second,$((10 * second))"; done
+        done
+    done
+} >docs/figures/data/12.1-samples.csv
+for figure in 3.1 10.4 10.5 12.1; do printf '<!-- %s -->\nold\n<!-- end %s -->\n' $figure $figure; done >docs/figures.md
+
+bench/figures/run --draw 3.1 10.4 10.5 12.1 >output 2>&1 || fail "run --draw: $(cat output)"
+for figure in 3.1 10.4 10.5 12.1; do
+    grep -q 'Fast One' "docs/figures/$figure.svg" || fail "figure $figure does not name the machine"
+    grep -q 'libode8' "docs/figures/$figure.svg" || fail "figure $figure does not hold libode8"
+done
+cp docs/figures/3.1.svg once.svg
+bench/figures/run --draw 3.1 >output 2>&1
+cmp once.svg docs/figures/3.1.svg || fail "a figure drawn twice is not the same"
+
+grep -qxF '| frame / collision | original | ODE_MT |' docs/figures.md || fail "no titles: $(cat docs/figures.md)"
+grep -qxF '| soccer | 2.00 / 4.00 | 3.00 / 6.00 |' docs/figures.md || fail "no speed-ups: $(cat docs/figures.md)"
+grep -qxF '| soccer | libode8 | 30 [20, 40] | 30 ± 16 |' docs/figures.md || fail "no quantiles: $(cat docs/figures.md)"
+if grep -q old docs/figures.md; then fail "an old table is left"; fi
+
+: >docs/figures.md
+if bench/figures/run --draw 3.1 >output 2>&1; then fail "a document without a place for the table was taken"; fi
+grep -q 'no place for figure 3.1' output || fail "the missing place is not named: $(cat output)"
+echo "drawn: 4 figures"
