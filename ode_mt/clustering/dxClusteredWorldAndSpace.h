@@ -69,8 +69,6 @@ public:
     int entities() const;
 
 private:
-    using Slot = dxMembers::Slot;
-
     void note(Slot slot);
     double travelOf(Slot slot, const dxMembers &members) const;
     void updateScene(const dxMembers &members);
