@@ -6,7 +6,7 @@ normal(x, mean, deviation) = exp(-0.5 * ((x - mean) / deviation) ** 2) / (deviat
 
 array mean[count]
 array deviation[count]
-set samples 400
+set samples 120
 unset ytics
 set border 1
 set multiplot layout 2,2 title title . "  (" . note . ")" font ",14"
