@@ -11,7 +11,9 @@
 //
 //   max(largest block, total / w) + price
 //
-// and is chosen where that is clearly less than the total. Nothing depends on the world: a small world
+// and is chosen where that is clearly less than the total. A price that keeps steps on the caller is not measured any
+// more; it fades, and is then tried in a few steps in a row: the first of them find the workers asleep and
+// pay more than those that follow, so one step alone would tell too high a price. Nothing depends on the world: a small world
 // stays on the caller's thread because its total is below the price. Results never depend on the model,
 // only speed does.
 //
@@ -61,8 +63,25 @@ public:
     double price() const { return m_price.mean(); }  // ns
 
 private:
+    static constexpr unsigned kTrialSteps = 8;
+
+    // Steps that are shared out to measure the price anew, whatever it was.
+    struct Trial {
+        std::atomic<unsigned> stepsLeft{0}, workers{0};
+        std::atomic<double> serial{0};           // ns: what the first of them would have taken on the caller
+        std::atomic<double> prices[kTrialSteps] = {};
+    };
+
     static int index(dxStepperKind stepper) { return static_cast<int>(stepper); }
+
+    bool isTried(double serial) const;
+    void beginTrial(double serial, unsigned workers);
+    void learnTrial(double price, double ideal, double serial);
+    void endTrial(unsigned steps, double ideal, double serial);
+    void fadePrice(double serial);
 
     dxRunningAverage m_scale[2] = {dxRunningAverage(1), dxRunningAverage(1)};
     dxRunningAverage m_price{10e3};  // before the first measurement: two thread wake-ups
+    std::atomic<bool> m_faded{false};  // not measured since: the next step that is shared out begins a trial
+    Trial m_trial;
 };

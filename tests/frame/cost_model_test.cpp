@@ -13,6 +13,7 @@ constexpr auto kQuick = dxStepperKind::Quick;
 // A machine on which islands take `scale` times their cost and sharing them out costs `price` ns.
 struct Machine {
     double scale, price;
+    double coldPrice = 0;  // beside it, in the first two shared steps after one on the caller
 };
 
 // A world of equal islands, stepped again and again as dxStep does it.
@@ -27,8 +28,10 @@ public:
         double wall = busy;
         if (workers >= 2) {
             wall = std::max(busy / workers, m_largest * m_machine.scale) + m_machine.price;
+            if (m_sharedInARow++ < 2) wall += m_machine.coldPrice;
             m_model.learnParallel(kQuick, m_total, m_largest, workers, busy, wall);
         } else {
+            m_sharedInARow = 0;
             m_model.learnSerial(kQuick, m_total, wall);
         }
         m_time += wall;
@@ -57,6 +60,7 @@ private:
     Machine m_machine;
     double m_largest, m_total;
     unsigned m_limit;
+    unsigned m_sharedInARow = 0;
     dxCostModel m_model;
     double m_time = 0, m_serialTime = 0;
 };
@@ -178,14 +182,39 @@ TEST(CostModel, APriceMeasuredTooHighFadesAndIsTriedAgain) {
     EXPECT_EQ(simulation.shared(100), 100u);
 }
 
+// Workers that sleep are dear to wake, and cheap from then on: what one step alone pays must not keep a world on the
+// caller for which sharing pays.
+TEST(CostModel, WhatOnlyTheFirstStepsPayIsFoundOut) {
+    Simulation simulation({1, 5e6}, 1e4, 16, 2);  // 160 us a step
+    simulation.shared(200);
+    simulation.machine() = {1, 10e3, 150e3};
+    unsigned steps = 0;
+    while (simulation.step() < 2 && steps < 200000) ++steps;
+    EXPECT_LT(steps, 100000u);
+    simulation.shared(10);
+    EXPECT_EQ(simulation.shared(1000), 1000u);
+}
+
+TEST(CostModel, SmallerWorldsAreNoPartOfALargerOnesTrial) {
+    dxCostModel model;
+    for (int i = 0; i < 100; ++i) model.learnParallel(kQuick, 1e6, 1e4, 2, 1e6, 1e7);
+    unsigned steps = 0;
+    while (model.chooseWorkers(kQuick, 1e6, 1e4, 2) < 2 && steps < 100000) ++steps;
+    ASSERT_LT(steps, 100000u);
+    EXPECT_EQ(model.chooseWorkers(kQuick, 1e6, 1e4, 2), 2u);
+    EXPECT_EQ(model.chooseWorkers(kQuick, 5e5, 1e4, 2), 1u);
+}
+
 // Trying again costs little: a world that sharing does not serve is hardly slower for it in the long run.
 TEST(CostModel, TryingAgainCostsLittle) {
-    for (const double price : {60e3, 100e3, 1e6, 20e6}) {
-        Simulation simulation({1, price}, 1e4, 10, 2);  // 100 us a step
-        simulation.shared(20000);
-        simulation.timeRatio();
-        simulation.shared(50000);
-        EXPECT_LT(simulation.timeRatio(), 1.01) << "price " << price << " ns";
+    for (const double coldPrice : {0.0, 100e3}) {
+        for (const double price : {60e3, 100e3, 1e6, 20e6}) {
+            Simulation simulation({1, price, coldPrice}, 1e4, 10, 2);  // 100 us a step
+            simulation.shared(20000);
+            simulation.timeRatio();
+            simulation.shared(50000);
+            EXPECT_LT(simulation.timeRatio(), 1.01) << "price " << price << " ns, first steps " << coldPrice;
+        }
     }
 }
 
