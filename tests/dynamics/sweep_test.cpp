@@ -145,7 +145,7 @@ TEST_P(Sweep, IsThatOfTakingRowsOneByOne) {
                     ASSERT_TRUE(sameNumbers(ours.lambda, reference.lambda)) << size.joints << " joints";
                     ASSERT_TRUE(sameNumbers(ours.force, reference.force)) << size.joints << " joints";
                 }
-                if (!GetParam()) ASSERT_TRUE(mostlyFinite(ours.force));
+                if (!GetParam()) { ASSERT_TRUE(mostlyFinite(ours.force)); }
             }
         });
     }
