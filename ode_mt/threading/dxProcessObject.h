@@ -11,6 +11,8 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
+#include <new>
 
 #include "dxForkLocks.h"
 
@@ -29,9 +31,10 @@ private:
     Object &make() {
         const std::lock_guard<std::recursive_mutex> hold(dxForkLocks::creation);
         if (m_object.load(std::memory_order_relaxed) == nullptr)
-            m_object.store(new Object, std::memory_order_release);
+            m_object.store(new (m_memory) Object, std::memory_order_release);
         return *m_object.load(std::memory_order_relaxed);
     }
 
+    alignas(Object) std::byte m_memory[sizeof(Object)] = {};  // goes with the library when it is unloaded
     std::atomic<Object *> m_object{nullptr};
 };

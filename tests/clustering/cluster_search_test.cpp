@@ -17,7 +17,10 @@ using Slot = dxMembers::Slot;
 
 class ClusterSearch : public testing::TestWithParam<const char *> {
 protected:
-    ~ClusterSearch() override { dWorldDestroy(world); }
+    ~ClusterSearch() override {
+        dSpaceDestroy(owner);
+        dWorldDestroy(world);
+    }
 
     dReal uniform(dReal low, dReal high) { return std::uniform_real_distribution<dReal>(low, high)(random); }
 
@@ -31,7 +34,7 @@ protected:
     }
 
     void add() {
-        const dGeomID geom = dCreateSphere(nullptr, 1);
+        const dGeomID geom = dCreateSphere(owner, 1);
         if (random() % 3 != 0) dGeomSetBody(geom, dBodyCreate(world));
         change(members.add(geom));
     }
@@ -73,6 +76,7 @@ protected:
 
     std::mt19937 random{5};
     OdeSession session;
+    dSpaceID owner = dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ);  // destroys what is left in it
     dWorldID world = dWorldCreate();
     dxMembers members;
 };

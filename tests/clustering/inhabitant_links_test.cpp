@@ -16,7 +16,10 @@ protected:
         const dReal centre[3] = {0, 0, 0};
         scene.setGrid(dxClusterGrid(5, 100, centre));
     }
-    ~InhabitantLinks() override { dWorldDestroy(world); }
+    ~InhabitantLinks() override {
+        dSpaceDestroy(owner);
+        dWorldDestroy(world);
+    }
 
     dBodyID body() { return dBodyCreate(world); }
     Slot add(dGeomID geom, dBodyID body = nullptr) {
@@ -25,7 +28,7 @@ protected:
         scene.put(slot, dxKindOf(geom), bounds(slot));
         return slot;
     }
-    Slot addSphere(dBodyID body = nullptr) { return add(dCreateSphere(nullptr, 1), body); }
+    Slot addSphere(dBodyID body = nullptr) { return add(dCreateSphere(owner, 1), body); }
     dJointID join(dBodyID a, dBodyID b) {
         const dJointID joint = dJointCreateHinge(world, nullptr);
         dJointAttach(joint, a, b);
@@ -47,6 +50,7 @@ protected:
 
     OdeSession session;
     dWorldID world = dWorldCreate();
+    dSpaceID owner = dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ);  // destroys what is left in it
     dxMembers members;
     dxClusterScene scene;
     dxInhabitantLinks links;
@@ -95,7 +99,7 @@ TEST_F(InhabitantLinks, JointsMadeAndBrokenAtRunTimeAreSeen) {
 TEST_F(InhabitantLinks, JointsToTheWorldOrToBodiesElsewhereLinkNobody) {
     const dBodyID one = body(), two = body(), elsewhere = body();
     const Slot a = addSphere(one), b = addSphere(two);
-    dGeomSetBody(dCreateSphere(nullptr, 1), elsewhere);  // in no space
+    dGeomSetBody(dCreateSphere(owner, 1), elsewhere);  // no member
     join(one, nullptr);
     join(one, elsewhere);
     join(nullptr, two);
