@@ -21,7 +21,13 @@ constexpr double kLeastGain = 0.9;
 // A price that was once measured too high would never be measured again, since nothing is shared out any
 // more: it fades with the time spent on the caller, so slowly that what is lost by trying again is at most
 // this part of it. (A trial whose steps lose n ns on average sets the price n ns above what would pay.)
+// After steps that paid, it fades faster: what disturbed them has probably passed. Each trial in vain halves that.
 constexpr double kTrying = 0.004;
+constexpr double kMostEager = 32;
+
+// A step that lost more than this many times its time on the caller was disturbed, and counts for no more.
+constexpr double kDisturbed = 2;
+
 constexpr unsigned kColdSteps = 2;  // of a trial: workers have to be woken, and find their caches cold
 constexpr double kHopeless = 10;    // times its time on the caller: a cold step's price that ends a trial
 
@@ -61,7 +67,11 @@ unsigned dxCostModel::chooseWorkers(dxStepperKind stepper, double total, double 
     if (workers >= 2) {
         const double parallel = std::max(largest * scale(stepper), serial / workers) + price;
         if (parallel < kLeastGain * serial) {
-            if (m_faded.exchange(false, std::memory_order_relaxed)) beginTrial(serial, workers);
+            if (m_faded.exchange(false, std::memory_order_relaxed)) {
+                beginTrial(serial, workers);
+            } else {
+                setEagerness(m_eagerness.load(std::memory_order_relaxed) * (1 + kLearningRate));
+            }
             return workers;
         }
     }
@@ -80,8 +90,13 @@ void dxCostModel::beginTrial(double serial, unsigned workers) {
     m_trial.stepsLeft.store(kTrialSteps, std::memory_order_relaxed);
 }
 
+void dxCostModel::setEagerness(double value) {
+    m_eagerness.store(std::clamp(value, 1.0, kMostEager), std::memory_order_relaxed);
+}
+
 void dxCostModel::fadePrice(double serial) {
-    m_price.set(std::max(price() - kTrying / kTrialSteps * serial, kLeastPrice));
+    const double part = kTrying / kTrialSteps * m_eagerness.load(std::memory_order_relaxed);
+    m_price.set(std::max(price() - part * serial, kLeastPrice));
     m_faded.store(true, std::memory_order_relaxed);
 }
 
@@ -99,7 +114,7 @@ void dxCostModel::learnParallel(dxStepperKind stepper, double total, double larg
     if (isTried(serial)) {
         learnTrial(price, ideal, serial);
     } else {
-        m_price.add(price);
+        m_price.add(std::min(price, std::max(kDisturbed * serial, kLeastPrice)));
     }
 }
 
@@ -115,7 +130,7 @@ void dxCostModel::learnTrial(double price, double ideal, double serial) {
 }
 
 // The price is that of the middle one of the warm steps, which a step that the system disturbed does not change.
-// If it does not pay, it is what all steps lost, so that the next trial is far enough away.
+// If it does not pay, it is at least what all steps lost, so that the next trial is far enough away.
 void dxCostModel::endTrial(unsigned steps, double ideal, double serial) {
     m_trial.stepsLeft.store(0, std::memory_order_relaxed);
     double prices[kTrialSteps], lost = 0;
@@ -123,5 +138,6 @@ void dxCostModel::endTrial(unsigned steps, double ideal, double serial) {
     const unsigned firstWarm = std::min(kColdSteps, steps - 1), middle = (firstWarm + steps) / 2;
     std::nth_element(prices + firstWarm, prices + middle, prices + steps);
     const bool pays = ideal + prices[middle] < kLeastGain * serial;
-    m_price.set(pays ? prices[middle] : std::max(prices[middle], lost / steps));
+    m_price.set(pays ? prices[middle] : std::max(std::min(prices[middle], serial), lost / kTrialSteps));
+    if (!pays) setEagerness(m_eagerness.load(std::memory_order_relaxed) / 2);
 }

@@ -11,9 +11,10 @@
 //
 //   max(largest block, total / w) + price
 //
-// and is chosen where that is clearly less than the total. A price that keeps steps on the caller is not measured any
-// more; it fades, and is then tried in a few steps in a row: the first of them find the workers asleep and
-// pay more than those that follow, so one step alone would tell too high a price. Nothing depends on the world: a small world
+// and is chosen where that is clearly less than the total. A price that keeps steps on the caller is not
+// measured any more; it fades, and is then tried in a few steps in a row: the first of them find the workers
+// asleep and pay more than those that follow, so one step alone would tell too high a price. A trial in vain
+// makes the next one later; where sharing has paid before, the first trials come soon. Nothing depends on the world: a small world
 // stays on the caller's thread because its total is below the price. Results never depend on the model,
 // only speed does.
 //
@@ -78,10 +79,12 @@ private:
     void beginTrial(double serial, unsigned workers);
     void learnTrial(double price, double ideal, double serial);
     void endTrial(unsigned steps, double ideal, double serial);
+    void setEagerness(double value);
     void fadePrice(double serial);
 
     dxRunningAverage m_scale[2] = {dxRunningAverage(1), dxRunningAverage(1)};
     dxRunningAverage m_price{10e3};  // before the first measurement: two thread wake-ups
+    std::atomic<double> m_eagerness{1};  // how many times faster the price fades than at least
     std::atomic<bool> m_faded{false};  // not measured since: the next step that is shared out begins a trial
     Trial m_trial;
 };

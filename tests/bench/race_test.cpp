@@ -59,8 +59,8 @@ protected:
 }  // namespace
 
 TEST_F(RaceTest, EnginesTakeTurnsInRotatingOrder) {
-    add("stock", 1e-3);
-    add("ours:1", 1e-3);
+    add("stock", 5e-3);
+    add("ours:1", 5e-3);
     settings.warmUpFrames = 1;
     settings.stop.maximumFrames = 30;  // three batches of ten
     run();
@@ -72,7 +72,7 @@ TEST_F(RaceTest, EnginesTakeTurnsInRotatingOrder) {
 }
 
 TEST_F(RaceTest, WithoutWarmUpTheFirstBatchIsOneFrame) {
-    Actor &stock = add("stock", 1e-3);
+    Actor &stock = add("stock", 5e-3);
     stock.failsAfter = 1;
     settings.warmUpFrames = 0;
     const WorldResult result = run();
@@ -81,7 +81,7 @@ TEST_F(RaceTest, WithoutWarmUpTheFirstBatchIsOneFrame) {
 }
 
 TEST_F(RaceTest, AllEnginesRunTheSameFramesAfterTheSameWarmUp) {
-    add("stock", 1e-3);
+    add("stock", 5e-3);
     add("ours:1", 7e-3);
     settings.stop.maximumFrames = 123;
     const WorldResult result = run();
@@ -99,7 +99,7 @@ TEST_F(RaceTest, TheWarmUpOfAHeavyWorldIsShort) {
 }
 
 TEST_F(RaceTest, StopsWhenStable) {
-    add("stock", 1e-3);
+    add("stock", 5e-3);
     add("ours:1", 2e-3);
     const WorldResult result = run();
     EXPECT_EQ(result.verdict, StoppingRule::Verdict::Stable);
@@ -113,9 +113,9 @@ TEST_F(RaceTest, StopsWhenTimeIsUp) {
 }
 
 TEST_F(RaceTest, ADifferentStateIsFoundInItsRound) {
-    add("stock", 1e-3);
-    add("ours:1", 1e-3);
-    add("ours:2", 1e-3).differsAfter = 115;
+    add("stock", 5e-3);
+    add("ours:1", 5e-3);
+    add("ours:2", 5e-3).differsAfter = 115;
     settings.stop.maximumFrames = 50;
     const WorldResult result = run();
     EXPECT_FALSE(result.isClean());
@@ -124,16 +124,16 @@ TEST_F(RaceTest, ADifferentStateIsFoundInItsRound) {
 }
 
 TEST_F(RaceTest, TheStockPoolMayDiffer) {
-    add("stock", 1e-3);
-    add("stock-pool:2", 1e-3).differsAfter = 0;
+    add("stock", 5e-3);
+    add("stock-pool:2", 5e-3).differsAfter = 0;
     settings.stop.maximumFrames = 50;
     EXPECT_TRUE(run().isClean());
 }
 
 TEST_F(RaceTest, AnEngineThatFailsIsNamedAndTheOthersGoOn) {
-    add("stock", 1e-3);
-    add("ours:1", 1e-3).failsAfter = 115;
-    add("ours:2", 1e-3);
+    add("stock", 5e-3);
+    add("ours:1", 5e-3).failsAfter = 115;
+    add("ours:2", 5e-3);
     settings.stop.maximumFrames = 50;
     const WorldResult result = run();
     EXPECT_FALSE(result.isClean());
@@ -144,8 +144,8 @@ TEST_F(RaceTest, AnEngineThatFailsIsNamedAndTheOthersGoOn) {
 }
 
 TEST_F(RaceTest, TheFirstEngineMayFailAtTheStart) {
-    add("stock", 1e-3).failsAtStart = true;
-    add("ours:1", 1e-3);
+    add("stock", 5e-3).failsAtStart = true;
+    add("ours:1", 5e-3);
     settings.stop.maximumFrames = 50;
     const WorldResult result = run();
     EXPECT_EQ(result.engines[0].failure, "world 'x' has no floor");
@@ -153,8 +153,8 @@ TEST_F(RaceTest, TheFirstEngineMayFailAtTheStart) {
 }
 
 TEST_F(RaceTest, EndsWhenAllHaveFailed) {
-    add("stock", 1e-3).failsAtStart = true;
-    add("ours:1", 1e-3).failsAfter = 105;
+    add("stock", 5e-3).failsAtStart = true;
+    add("ours:1", 5e-3).failsAfter = 105;
     const WorldResult result = run();
     EXPECT_FALSE(result.isClean());
     EXPECT_EQ(result.rounds, 1);

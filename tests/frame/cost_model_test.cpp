@@ -195,6 +195,21 @@ TEST(CostModel, WhatOnlyTheFirstStepsPayIsFoundOut) {
     EXPECT_EQ(simulation.shared(1000), 1000u);
 }
 
+// Other programs take the processors for a moment: sharing that paid before is soon taken up again, in the end
+// as soon after the hundredth time as after the first.
+TEST(CostModel, ADisturbanceIsSoonForgotten) {
+    const Machine calm{1, 10e3, 20e3}, disturbed{1, 3e6, 0};
+    Simulation simulation(calm, 1e4, 16, 2);  // 160 us a step
+    simulation.shared(500);
+    for (int i = 0; i < 100; ++i) {
+        simulation.machine() = disturbed;
+        unsigned steps = 0;
+        while (simulation.step() >= 2) ASSERT_LT(++steps, 100u);
+        simulation.machine() = calm;
+        EXPECT_GE(simulation.shared(1000), 800u) << i;
+    }
+}
+
 TEST(CostModel, SmallerWorldsAreNoPartOfALargerOnesTrial) {
     dxCostModel model;
     for (int i = 0; i < 100; ++i) model.learnParallel(kQuick, 1e6, 1e4, 2, 1e6, 1e7);
