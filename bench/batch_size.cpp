@@ -19,13 +19,20 @@ int roundUp(double frames) {
     return kMost;
 }
 
+// The largest of them that is not above `frames`, but at least 1.
+int roundDown(double frames) {
+    int best = 1;
+    for (int power = 1; power <= kMost; power *= 10)
+        for (int digit : {1, 2, 5})
+            if (digit * power <= frames) best = digit * power;
+    return std::min(best, kMost);
+}
+
 }  // namespace
 
-int batchSize(double secondsPerFrame) {
-    if (!(secondsPerFrame > kTarget / kMost)) return kMost;
-    const int frames = std::max(roundUp(kTarget / secondsPerFrame), kFewest);
-    if (frames * secondsPerFrame <= kLongest) return frames;
-    return 2 * secondsPerFrame <= kLongest ? 2 : 1;
+int batchSize(double fastest, double slowest) {
+    const int wanted = fastest > kTarget / kMost ? std::max(roundUp(kTarget / fastest), kFewest) : kMost;
+    return slowest * wanted > kLongest ? roundDown(kLongest / slowest) : wanted;
 }
 
 }  // namespace bench

@@ -27,6 +27,7 @@ std::vector<std::string> ChildCompetitor::command() const {
     std::vector<std::string> command = {m_settings.program, "--world", m_world};
     if (engine().kind == Engine::Kind::StockPool) command.insert(command.end(), {"--pool", engine().threads});
     if (m_settings.ignoreUnsupported) command.push_back("--ignore-unsupported");
+    if (m_settings.timeCallbacks) command.push_back("--time-callbacks");
     return command;
 }
 

@@ -15,6 +15,7 @@ struct ChildSettings {
     std::string oursFolder;                                     // of ours
     std::chrono::milliseconds limit = std::chrono::minutes(2);  // for one answer
     bool ignoreUnsupported = false;                             // elements of an SDF world
+    bool timeCallbacks = false;
 };
 
 class ChildCompetitor final : public Competitor {

@@ -2,6 +2,7 @@
 // protocol.h says. odemt_bench starts it; by hand:
 //   echo '{"frames":100}' | ODE_MT_THREADS=2 LD_LIBRARY_PATH=build/release/lib odemt_bench_child --world
 //   stacks:10
+#include "callback_timer.h"
 #include "library_probe.h"
 #include "protocol.h"
 #include "scenes/state_hash.h"
@@ -53,8 +54,9 @@ bench::StageTimes timedFrame(scenes::Scene &scene) {
     const Clock::time_point stepped = Clock::now();
     scene.finish();
     const Clock::time_point finished = Clock::now();
-    return {seconds(start, controlled), seconds(controlled, collided), seconds(collided, stepped),
-            seconds(stepped, finished)};
+    const bench::CallbackTimes times = bench::takeCallbackTimes();
+    return {seconds(start, controlled), seconds(controlled, collided) - times.timing,
+            seconds(collided, stepped), seconds(stepped, finished), times.callbacks};
 }
 
 bench::Batch runBatch(scenes::Scene &scene, const bench::LibraryProbe &library, int frames) {
@@ -88,12 +90,14 @@ int main(int argc, char **argv) {
     CLI::App app("Runs one world on one engine for odemt_bench.");
     std::string world;
     unsigned poolThreads = 0;
-    bool ignoreUnsupported = false;
+    bool ignoreUnsupported = false, timeCallbacks = false;
     app.add_option("--world", world, "SDF world or scene")->required();
     app.add_option("--pool", poolThreads, "threads of upstream's own pool; 0: none");
     app.add_flag("--ignore-unsupported", ignoreUnsupported, "leave out what the SDF loader does not know");
+    app.add_flag("--time-callbacks", timeCallbacks, "time near-callbacks apart");
     CLI11_PARSE(app, argc, argv);
 
+    bench::setCallbackTiming(timeCallbacks);
     dInitODE2(0);
     dSetMessageHandler(countMessage);
     int code = 0;

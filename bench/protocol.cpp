@@ -87,6 +87,7 @@ std::string writeBatch(const Batch &b) {
                    {"collide", b.seconds.collide},
                    {"step", b.seconds.step},
                    {"finish", b.seconds.finish},
+                   {"callbacks", b.seconds.callbacks},
                    {"hash", hashText(b.hash)},
                    {"contacts", b.contacts},
                    {"messages", b.messages},
@@ -101,6 +102,7 @@ Batch readBatch(const std::string &line) {
         from.at("collide").get_to(b.seconds.collide);
         from.at("step").get_to(b.seconds.step);
         from.at("finish").get_to(b.seconds.finish);
+        from.at("callbacks").get_to(b.seconds.callbacks);
         b.hash = readHash(from.at("hash").get<std::string>());
         from.at("contacts").get_to(b.contacts);
         from.at("messages").get_to(b.messages);

@@ -70,7 +70,7 @@ private:
             const Batch batch = m_competitors[i]->run(static_cast<int>(frames));
             m_result.warmUpFrames += frames;
             seconds += secondsOf(batch.seconds, Part::Frame);
-            m_secondsPerFrame = secondsOf(batch.seconds, Part::Frame) / static_cast<double>(frames);
+            m_fastest = m_slowest = secondsOf(batch.seconds, Part::Frame) / static_cast<double>(frames);
         }
     }
 
@@ -89,11 +89,12 @@ private:
 
     void round() {
         const long framesLeft = m_settings.stop.maximumFrames - m_result.frames;
-        const int wanted = m_secondsPerFrame > 0 ? batchSize(m_secondsPerFrame) : 1;
+        const int wanted = m_fastest > 0 ? batchSize(m_fastest, m_slowest) : 1;
         const int frames = static_cast<int>(std::min<long>(wanted, framesLeft));
         const std::size_t count = m_competitors.size(),
                           first = static_cast<std::size_t>(m_result.rounds) % count;
         for (std::size_t i = 0; i < count; ++i) runBatch((first + i) % count, frames);
+        noteSpeeds();
         ++m_result.rounds;
         m_result.frames += frames;
         compareStates();
@@ -106,10 +107,19 @@ private:
             engine.batches.push_back(batch);
             for (Part part : kParts)
                 engine.averages[static_cast<std::size_t>(part)].add(frames, secondsOf(batch.seconds, part));
-            const double seconds = secondsOf(batch.seconds, Part::Frame);
-            m_result.seconds += seconds;
-            m_secondsPerFrame = seconds / frames;
+            m_result.seconds += secondsOf(batch.seconds, Part::Frame);
         });
+    }
+
+    void noteSpeeds() {
+        m_fastest = m_slowest = 0;
+        for (const EngineResult &engine : m_result.engines) {
+            if (engine.failed()) continue;
+            const Batch &last = engine.batches.back();
+            const double seconds = secondsOf(last.seconds, Part::Frame) / last.frames;
+            m_fastest = m_fastest > 0 ? std::min(m_fastest, seconds) : seconds;
+            m_slowest = std::max(m_slowest, seconds);
+        }
     }
 
     void compareStates() {
@@ -125,7 +135,7 @@ private:
     Competitors &m_competitors;
     const RaceSettings &m_settings;
     WorldResult m_result;
-    double m_secondsPerFrame = 0;  // of the batch that ran last; 0: none yet
+    double m_fastest = 0, m_slowest = 0;  // seconds per frame in the last round; 0: none yet
 };
 
 }  // namespace
@@ -134,6 +144,16 @@ std::vector<double> EngineResult::seconds(Part part) const {
     std::vector<double> values;
     for (const Batch &batch : batches) values.push_back(secondsOf(batch.seconds, part));
     return values;
+}
+
+bool EngineResult::callbacksTimed() const {
+    return std::any_of(batches.begin(), batches.end(),
+                       [](const Batch &batch) { return batch.seconds.callbacks > 0; });
+}
+
+bool WorldResult::callbacksTimed() const {
+    return std::any_of(engines.begin(), engines.end(),
+                       [](const EngineResult &engine) { return engine.callbacksTimed(); });
 }
 
 bool WorldResult::isClean() const {

@@ -28,6 +28,7 @@ struct EngineResult {
     const RunningAverage &average(Part part) const { return averages[static_cast<std::size_t>(part)]; }
     std::vector<double> seconds(Part part) const;  // one value a batch
     bool failed() const { return !failure.empty(); }
+    bool callbacksTimed() const;
 };
 
 struct WorldResult {
@@ -38,6 +39,8 @@ struct WorldResult {
     long frames = 0;     // measured, warm-up not counted
     double seconds = 0;  // of measuring, all engines together
     StoppingRule::Verdict verdict = StoppingRule::Verdict::GoOn;
+
+    bool callbacksTimed() const;  // of any engine
 
     // All engines ran to the end with the same states, but for those that are not reproducible.
     bool isClean() const;

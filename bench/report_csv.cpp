@@ -2,6 +2,7 @@
 #include "report.h"
 #include "summary.h"
 
+#include <algorithm>
 #include <iomanip>
 #include <sstream>
 
@@ -9,9 +10,9 @@ namespace bench {
 
 namespace {
 
-void writeHeader(std::ostream &out) {
+void writeHeader(std::ostream &out, const std::vector<Part> &parts) {
     out << "world,engine,bodies,frames,rounds";
-    for (Part part : kParts)
+    for (Part part : parts)
         for (const char *figure :
              {"_mean_s", "_deviation_s", "_speedup_median", "_speedup_q1", "_speedup_q3"})
             out << ',' << nameOf(part) << figure;
@@ -19,10 +20,10 @@ void writeHeader(std::ostream &out) {
 }
 
 void writeLine(std::ostream &out, const WorldResult &result, const EngineResult &engine,
-               const EngineSummary &summary) {
+               const EngineSummary &summary, const std::vector<Part> &parts) {
     out << csvField(result.world) << ',' << csvField(summary.engine) << ',' << engine.ready.bodies << ','
         << result.frames << ',' << engine.batches.size();
-    for (Part part : kParts) {
+    for (Part part : parts) {
         const PartSummary &figures = summary.part(part);
         out << ',' << figures.seconds.mean << ',' << figures.seconds.deviation << ','
             << figures.speedUp.median << ',' << figures.speedUp.lowerQuartile << ','
@@ -37,11 +38,14 @@ void writeLine(std::ostream &out, const WorldResult &result, const EngineResult 
 std::string reportCsv(const std::vector<WorldResult> &results) {
     std::ostringstream out;
     out << std::setprecision(9);
-    writeHeader(out);
+    const bool callbacksTimed = std::any_of(
+        results.begin(), results.end(), [](const WorldResult &result) { return result.callbacksTimed(); });
+    const std::vector<Part> parts = partsToReport(callbacksTimed);
+    writeHeader(out, parts);
     for (const WorldResult &result : results) {
         const std::vector<EngineSummary> summaries = summarize(result);
         for (std::size_t i = 0; i < summaries.size(); ++i)
-            writeLine(out, result, result.engines[i], summaries[i]);
+            writeLine(out, result, result.engines[i], summaries[i], parts);
     }
     return out.str();
 }

@@ -31,7 +31,7 @@ json samplesToJson(const std::vector<double> &samples) {
 
 json toJson(const EngineResult &engine, const EngineSummary &summary, bool withAverages) {
     json parts;
-    for (Part part : kParts) {
+    for (Part part : partsToReport(engine.callbacksTimed())) {
         const PartSummary &figures = summary.part(part);
         parts[nameOf(part)] = {{"meanSeconds", figures.seconds.mean},
                                {"deviationSeconds", figures.seconds.deviation},

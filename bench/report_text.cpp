@@ -57,20 +57,27 @@ std::string title(const WorldResult &result) {
     return text + toString(result.verdict) + "\n\n";
 }
 
-std::vector<std::string> cells(const EngineSummary &summary, bool isOurs) {
+std::vector<std::string> cells(const EngineSummary &summary, bool isOurs, bool callbacksTimed) {
     const PartSummary &frame = summary.part(Part::Frame);
-    return {summary.engine,
-            milliseconds(frame.seconds.mean) + " ± " + milliseconds(frame.seconds.deviation),
-            milliseconds(summary.part(Part::Collision).seconds.mean),
-            milliseconds(summary.part(Part::Dynamics).seconds.mean),
-            milliseconds(summary.part(Part::Overhead).seconds.mean),
-            ratio(frame.speedUp),
-            ratio(summary.part(Part::Collision).speedUp),
-            ratio(summary.part(Part::Dynamics).speedUp),
-            ratio(summary.part(Part::Overhead).speedUp),
-            number(summary.realTimeFactor),
-            isOurs ? format("%.0f %%", 100 * summary.sharedSteps) : "",
-            state(summary)};
+    std::vector<std::string> cells = {
+        summary.engine,
+        milliseconds(frame.seconds.mean) + " ± " + milliseconds(frame.seconds.deviation),
+        milliseconds(summary.part(Part::Collision).seconds.mean),
+        milliseconds(summary.part(Part::Dynamics).seconds.mean),
+        milliseconds(summary.part(Part::Overhead).seconds.mean),
+        ratio(frame.speedUp),
+        ratio(summary.part(Part::Collision).speedUp),
+        ratio(summary.part(Part::Dynamics).speedUp),
+        ratio(summary.part(Part::Overhead).speedUp),
+        number(summary.realTimeFactor),
+        isOurs ? format("%.0f %%", 100 * summary.sharedSteps) : "",
+        state(summary)};
+    if (callbacksTimed) {
+        const PartSummary &outside = summary.part(Part::OutsideCallbacks);
+        cells.insert(cells.end() - 1, {milliseconds(summary.part(Part::Callbacks).seconds.mean),
+                                       milliseconds(outside.seconds.mean), ratio(outside.speedUp)});
+    }
+    return cells;
 }
 
 // What a reader must not overlook, one line each.
@@ -95,22 +102,26 @@ std::string notes(const WorldResult &result, const std::vector<EngineSummary> &s
 
 std::string reportText(const WorldResult &result) {
     using Align = Table::Align;
-    Table table({{"engine", Align::Left},
-                 {"frame ms"},
-                 {"collision"},
-                 {"dynamics"},
-                 {"overhead"},
-                 {"speed-up: frame"},
-                 {"collision"},
-                 {"dynamics"},
-                 {"overhead"},
-                 {"× real time"},
-                 {"shared"},
-                 {"state", Align::Left}});
+    std::vector<Table::Column> columns = {{"engine", Align::Left},
+                                          {"frame ms"},
+                                          {"collision"},
+                                          {"dynamics"},
+                                          {"overhead"},
+                                          {"speed-up: frame"},
+                                          {"collision"},
+                                          {"dynamics"},
+                                          {"overhead"},
+                                          {"× real time"},
+                                          {"shared"},
+                                          {"state", Align::Left}};
+    const bool callbacksTimed = result.callbacksTimed();
+    if (callbacksTimed)
+        columns.insert(columns.end() - 1, {{"callbacks ms"}, {"frame outside"}, {"speed-up outside"}});
+    Table table(columns);
     const std::vector<EngineSummary> summaries = summarize(result);
     for (std::size_t i = 0; i < summaries.size(); ++i)
         if (!result.engines[i].batches.empty())
-            table.addRow(cells(summaries[i], result.engines[i].engine.isOurs()));
+            table.addRow(cells(summaries[i], result.engines[i].engine.isOurs(), callbacksTimed));
     return title(result) + table.text() + notes(result, summaries) + "\n";
 }
 

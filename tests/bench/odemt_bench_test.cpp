@@ -54,6 +54,25 @@ TEST_F(OdemtBench, ComparesEnginesAndSavesTheFigures) {
     EXPECT_TRUE(std::filesystem::exists(folder + "/b.csv"));
 }
 
+TEST_F(OdemtBench, TimesCallbacksApart) {
+    const Outcome outcome =
+        run("--worlds stacks:20 --engines stock,ours:0,ours:2/concurrent --frames 200 --time-callbacks" +
+            files());
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
+    std::ifstream file(folder + "/b.json");
+    const auto json = nlohmann::json::parse(file);
+    for (const auto &engine : json["worlds"][0]["engines"]) {
+        const auto seconds = [&](const char *part) {
+            return engine["parts"][part]["meanSeconds"].get<double>();
+        };
+        EXPECT_GT(seconds("callbacks"), 1e-6);  // more than a hundred pairs meet in each frame
+        EXPECT_NEAR(seconds("outside_callbacks"), seconds("frame") - seconds("callbacks"), 1e-9);
+        if (engine["callbacks"] != "concurrent") {
+            EXPECT_LT(seconds("callbacks"), seconds("collision"));
+        }
+    }
+}
+
 TEST_F(OdemtBench, SavesSamplesOfTheRealTimeFactor) {
     const Outcome outcome =
         run("--worlds rover:3 --engines stock --seconds 1.5 --samples " + folder + "/s.csv" + files());

@@ -23,7 +23,7 @@ std::string complaint(Function function) {
 TEST(Protocol, ABatchArrivesAsItWasSent) {
     Batch sent;
     sent.frames = 7;
-    sent.seconds = {0.1, 1.0 / 3, 3e-9, 2};
+    sent.seconds = {0.1, 1.0 / 3, 3e-9, 2, 0.25};
     sent.hash = 0xfedcba9876543210;
     sent.contacts = 12;
     sent.messages = 3;
@@ -34,6 +34,7 @@ TEST(Protocol, ABatchArrivesAsItWasSent) {
     EXPECT_EQ(got.seconds.collide, sent.seconds.collide);
     EXPECT_EQ(got.seconds.step, sent.seconds.step);
     EXPECT_EQ(got.seconds.finish, sent.seconds.finish);
+    EXPECT_EQ(got.seconds.callbacks, sent.seconds.callbacks);
     EXPECT_EQ(got.hash, sent.hash);
     EXPECT_EQ(got.contacts, 12u);
     EXPECT_EQ(got.messages, 3u);

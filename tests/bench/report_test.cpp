@@ -56,6 +56,24 @@ TEST(Report, TextShowsEnginesSpeedUpsAndHashes) {
     EXPECT_EQ(text.find("FAILED"), std::string::npos);
 }
 
+// Engines spend 0.1 s of each batch in callbacks.
+TEST(Report, TimedCallbacksAreShownApart) {
+    EXPECT_EQ(reportText(worldResult()).find("callbacks"), std::string::npos) << "they were not timed";
+    EXPECT_EQ(reportCsv({worldResult()}).find("callbacks"), std::string::npos);
+    EXPECT_EQ(reportJson({worldResult()}).find("outside_callbacks"), std::string::npos);
+
+    WorldResult result = worldResult();
+    for (EngineResult &engine : result.engines)
+        for (Batch &batch : engine.batches) batch.seconds.callbacks = 0.1;
+    const std::vector<EngineSummary> summaries = summarize(result);
+    EXPECT_DOUBLE_EQ(summaries[1].part(Part::Callbacks).speedUp.median, 1);
+    EXPECT_DOUBLE_EQ(summaries[1].part(Part::OutsideCallbacks).speedUp.median, 3);
+    EXPECT_NE(reportText(result).find("callbacks ms"), std::string::npos);
+    EXPECT_NE(reportCsv({result}).find(",callbacks_mean_s,"), std::string::npos);
+    EXPECT_NE(reportCsv({result}).find(",outside_callbacks_speedup_median,"), std::string::npos);
+    EXPECT_NE(reportJson({result}).find("outside_callbacks"), std::string::npos);
+}
+
 TEST(Report, TextShoutsAtAWrongResult) {
     WorldResult result = worldResult();
     result.engines[1].firstDifference = 200;
