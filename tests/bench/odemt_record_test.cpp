@@ -92,7 +92,8 @@ TEST_F(OdemtRecord, TellsTheClustersOfEverything) {
 TEST_F(OdemtRecord, TellsMergesAndSplitsBetweenTheFramesItKeeps) {
     ASSERT_EQ(record("soccer --frames 400 --every 400 --cells 12 --algorithm decluster").exitCode, 0);
     int merges = 0, splits = 0;
-    for (const record::Event &event : read().frames.back().events) ++(event.isSplit ? splits : merges);
+    const record::Recording recording = read();
+    for (const record::Event &event : recording.frames.back().events) ++(event.isSplit ? splits : merges);
     EXPECT_GT(merges, 0);
     EXPECT_GT(splits, 0);
 }
