@@ -1,0 +1,28 @@
+// The LCP solver of the exact step: Dantzig's algorithm with upstream's bits, in a layout made for vectors.
+// It takes the place of upstream's dxSolveLCP (ode/src/lcp.cpp) in step.cpp; docs/lcp.md tells how it works
+// and why the bits are the same.
+#pragma once
+
+#include <ode/common.h>
+
+#include <cstddef>
+
+class dxWorldProcessMemArena;
+
+// Solves A x = b + w with, for each i, lo(i) <= x(i) <= hi(i), where w(i) >= 0 if x(i) = lo(i), w(i) <= 0 if
+// x(i) = hi(i), and w(i) = 0 otherwise.
+//
+//   memory          what dxDantzigMemory asks for is taken from it
+//   n               rows, at least 1
+//   A               symmetric, positive definite; the lower triangle is read; rows start dPAD(n) elements
+//   apart pairsBX         b(i), x(i) for each i; x is written, b may be w               not used: upstream's
+//   interface unbounded       the first of the rows that have no limits; others without limits may follow
+//   pairsLoHi       lo(i) <= 0, hi(i) >= 0; those of friction rows may be written
+//   normalOf        null, or for each i the row whose x(i) scales the limits of row i (friction), or -1
+//
+// Threading: reads and writes what it is given, and calls the message handler of the calling thread's island.
+void dxSolveDantzig(dxWorldProcessMemArena *memory, unsigned n, dReal *A, dReal *pairsBX, dReal *w,
+                    unsigned unbounded, dReal *pairsLoHi, int *normalOf);
+
+// Bytes that dxSolveDantzig takes for n rows. `givenW` as upstream's: whether w is given.
+std::size_t dxDantzigMemory(unsigned n, bool givenW);

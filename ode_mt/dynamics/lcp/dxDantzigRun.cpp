@@ -1,0 +1,355 @@
+#include "dynamics/lcp/dxDantzigRun.h"
+
+#include <ode/matrix.h>
+#include <ode/odemath.h>
+
+#include <algorithm>
+
+// Upstream's headers do not include what they use.
+#include "config.h"
+
+#include "error.h"
+#include "lcp.h"
+#include "matrix.h"
+#include "util.h"
+
+#include "dynamics/solve/dxLaneProducts.h"
+#include "dynamics/solve/dxSolveL1.h"
+
+namespace {
+
+constexpr unsigned kLine = 64;  // bytes of a line of the cache
+
+template <class Element>
+Element *take(dxWorldProcessMemArena *arena, std::size_t count) {
+    return arena->AllocateOveralignedArray<Element>(count, kLine);
+}
+
+template <class Element>
+std::size_t bytes(std::size_t count) {
+    return dOVERALIGNED_SIZE(count * sizeof(Element), kLine);
+}
+
+std::size_t temporarySize(unsigned n) { return 2 * std::size_t(dPAD(n)) + n; }
+
+// The product of a row's elements at `columns` with x there, in upstream's order (calculateLargeVectorDot of
+// ode/src/fastdot_impl.h). `factor(k)`: that of the k-th column.
+template <class Factor>
+dReal multiply(const dReal *row, const unsigned *columns, unsigned count, Factor factor) {
+    dReal sum = 0;
+    unsigned k = 0;
+    for (; k + 4 <= count; k += 4) {
+        const dReal product0 = row[columns[k]] * factor(k), product1 = row[columns[k + 1]] * factor(k + 1),
+                    product2 = row[columns[k + 2]] * factor(k + 2),
+                    product3 = row[columns[k + 3]] * factor(k + 3);
+        sum += product0 + product1 + product2 + product3;
+    }
+    for (; k < count; ++k) sum += row[columns[k]] * factor(k);
+    return sum;
+}
+
+}  // namespace
+
+std::size_t dxDantzigRun::memory(unsigned n) {
+    return bytes<unsigned>(n) + bytes<dReal>(dxLcpMatrix::size(n)) +
+           bytes<unsigned>(dxIndexSets::kWords * std::size_t(n)) + bytes<dReal>(std::size_t(dPAD(n)) * n) +
+           7 * bytes<dReal>(n) + bytes<dReal>(dxLcpRoundUp(n)) + bytes<dReal>(dxForwardSolves::size(n, 0)) +
+           2 * bytes<unsigned>(dxForwardSolves::words(n)) + bytes<Limits>(n) + bytes<bool>(n) +
+           bytes<dReal *>(n) + bytes<dReal>(temporarySize(n));
+}
+
+dxDantzigRun::dxDantzigRun(dxWorldProcessMemArena *arena, const dxDantzigProblem &problem)
+    : m_problem(problem),
+      m_n(problem.n),
+      m_order(take<unsigned>(arena, m_n)),
+      m_unbounded(dxFindLcpOrder(problem, m_order)),
+      m_A(problem.A, dPAD(m_n), m_order, m_n, m_unbounded, take<dReal>(arena, dxLcpMatrix::size(m_n))),
+      m_sets(m_n, m_unbounded, take<unsigned>(arena, dxIndexSets::kWords * std::size_t(m_n))),
+      m_skip(dPAD(m_n)),
+      m_L(take<dReal>(arena, std::size_t(m_skip) * m_n)),
+      m_d(take<dReal>(arena, m_n)),
+      m_forward(m_A, m_sets, m_L, m_skip, m_n, m_unbounded,
+                take<dReal>(arena, dxForwardSolves::size(m_n, m_unbounded)),
+                take<unsigned>(arena, dxForwardSolves::words(m_n))),
+      m_b(take<dReal>(arena, m_n)),
+      m_x(take<dReal>(arena, m_n)),
+      m_w(take<dReal>(arena, m_n)),
+      m_deltaW(take<dReal>(arena, dxLcpRoundUp(m_n))),
+      m_limits(take<Limits>(arena, m_n)),
+      m_isHigh(take<bool>(arena, m_n)),
+      m_rowPointers(take<dReal *>(arena, m_n)),
+      m_blockN(take<unsigned>(arena, dxForwardSolves::words(m_n))),
+      m_deltaX(take<dReal>(arena, m_n)),
+      m_solved(take<dReal>(arena, m_n)),
+      m_scaled(take<dReal>(arena, m_n)),
+      m_temporary(take<dReal>(arena, temporarySize(m_n))) {
+    for (unsigned i = 0; i < m_n; ++i) {
+        m_b[i] = problem.pairsBX[std::size_t(m_order[i]) * PBX__MAX + PBX_B];
+        m_x[i] = 0;
+        const dReal *limits = problem.pairsLoHi + std::size_t(m_order[i]) * PLH__MAX;
+        m_limits[i] = {limits[PLH_LO], limits[PLH_HI]};
+        m_rowPointers[i] = m_A.row(i);
+    }
+    std::fill_n(m_blockN, dxForwardSolves::words(m_n), 0u);
+}
+
+void dxDantzigRun::solve() {
+    if (m_unbounded > 0) solveUnbounded();
+    bool isFriction = false;  // limits of friction rows are known
+    for (unsigned i = m_unbounded; i < m_n && !m_hasFailed; ++i) {
+        if (!isFriction && m_problem.normalOf && m_problem.normalOf[m_order[i]] >= 0) {
+            setFrictionLimits(i);
+            isFriction = true;
+        }
+        if (!settle(i)) {
+            while (push(i)) {
+            }
+        }
+    }
+}
+
+void dxDantzigRun::deliver() const {
+    if (m_hasFailed)
+        dMessage(d_ERR_LCP, "LCP internal error, s <= 0 (s=%.4e)", static_cast<double>(m_failedLength));
+    for (unsigned i = 0; i < m_n; ++i) m_problem.pairsBX[std::size_t(m_order[i]) * PBX__MAX + PBX_X] = m_x[i];
+}
+
+// Rows without limits are in C from the start.
+void dxDantzigRun::solveUnbounded() {
+    const std::size_t skip = dPAD(m_n);
+    for (unsigned i = 0; i < m_unbounded; ++i) {
+        const unsigned own = m_order[i];
+        for (unsigned j = 0; j <= i; ++j) {
+            const unsigned other = m_order[j];
+            m_L[std::size_t(i) * m_skip + j] =
+                m_problem.A[other <= own ? own * skip + other : other * skip + own];
+        }
+    }
+    dFactorLDLT(m_L, m_d, static_cast<int>(m_unbounded), static_cast<int>(m_skip));
+    std::copy_n(m_b, m_unbounded, m_x);
+    dxSolveL1Straight<1>(m_L, m_x, m_unbounded, m_skip);
+    for (unsigned i = 0; i < m_unbounded; ++i) m_x[i] *= m_d[i];
+    dxSolveL1Transposed<1>(m_L, m_x, m_unbounded, m_skip);
+}
+
+// Friction is limited by the forces found for the normals: 0 for 0, whatever the coefficient.
+void dxDantzigRun::setFrictionLimits(unsigned first) {
+    dReal *byProblemRow = m_temporary;
+    for (unsigned i = 0; i < m_n; ++i) byProblemRow[m_order[i]] = m_x[i];
+    for (unsigned i = first; i < m_n; ++i) {
+        const dReal normal = byProblemRow[m_problem.normalOf[m_order[i]]];
+        const dReal high = normal == 0 ? 0 : dFabs(m_limits[i].high * normal);
+        m_limits[i] = {normal == 0 ? 0 : -high, high};
+    }
+}
+
+// True if row i satisfies the conditions as it is.
+bool dxDantzigRun::settle(unsigned i) {
+    const dReal *row = m_A.row(i);
+    const unsigned *indexes = m_sets.indexes(), *ofN = indexes + m_sets.countC();
+    const dReal overC = multiply(row, indexes, m_sets.countC(), [&](unsigned k) { return m_x[indexes[k]]; });
+    const dReal overN = multiply(row, ofN, m_sets.countN(), [&](unsigned k) { return m_x[ofN[k]]; });
+    m_w[i] = overC + overN - m_b[i];
+
+    if (m_limits[i].low == 0 && m_w[i] >= 0) {
+        addToN(i, false);
+    } else if (m_limits[i].high == 0 && m_w[i] <= 0) {
+        addToN(i, true);
+    } else if (m_w[i] == 0) {
+        findFactorColumn(i);
+        addToC(i);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+// True if row i is to be pushed again.
+bool dxDantzigRun::push(unsigned i) {
+    const bool isUp = m_w[i] <= 0;
+    findDirection(i, isUp);
+    const Push push = findPush(i, isUp);
+    if (push.length <= 0) {
+        giveUp(i, push.length);
+        return false;
+    }
+    apply(i, isUp, push.length);
+    return finish(i, push);
+}
+
+void dxDantzigRun::findFactorColumn(unsigned index) {
+    const unsigned count = m_sets.countC();
+    if (count == 0) return;
+    m_forward.solve(index, m_solved);
+    for (unsigned j = 0; j < count; ++j) m_scaled[j] = m_solved[j] * m_d[j];
+}
+
+void dxDantzigRun::findDirection(unsigned i, bool isUp) {
+    findFactorColumn(i);
+    if (m_sets.countC() > 0) findDeltaX(isUp);
+    findDeltaW(i, isUp);
+}
+
+// deltaX(C) = -+ A(C,C)^-1 A(C,i)
+void dxDantzigRun::findDeltaX(bool isUp) {
+    const unsigned count = m_sets.countC();
+    std::copy_n(m_scaled, count, m_temporary);
+    dxSolveL1Transposed<1>(m_L, m_temporary, count, m_skip);
+    const unsigned *positions = m_sets.factorPositions();
+    for (unsigned j = 0; j < count; ++j) m_deltaX[positions[j]] = isUp ? -m_temporary[j] : m_temporary[j];
+}
+
+// deltaW(N) = A(N,C) deltaX(C) +- A(N,i), and the same for row i
+void dxDantzigRun::findDeltaW(unsigned i, bool isUp) {
+    const unsigned countC = m_sets.countC(), *columns = m_sets.indexes(), *ofN = columns + countC;
+    const dReal *row = m_A.row(i);
+    if (m_sets.countN() > 0)
+        dxComputeLaneProducts({m_A.rows(), m_A.rowSkip(), columns, m_deltaX, countC, dxLcpBlock(m_unbounded),
+                               dxLcpBlock(i) + 1, m_blockN, m_deltaW});
+    for (unsigned k = 0; k < m_sets.countN(); ++k)
+        m_deltaW[ofN[k]] = isUp ? m_deltaW[ofN[k]] + row[ofN[k]] : m_deltaW[ofN[k]] - row[ofN[k]];
+    const dReal product = multiply(row, columns, countC, [&](unsigned k) { return m_deltaX[k]; });
+    m_deltaW[i] = isUp ? product + row[i] : product - row[i];
+}
+
+// The longest push after which all conditions still hold.
+dxDantzigRun::Push dxDantzigRun::findPush(unsigned i, bool isUp) const {
+    const dReal w = m_w[i], deltaW = m_deltaW[i];
+    const dReal endless = w != 0 ? dCopySign(dInfinity, -w) : dReal(0);
+    Push push = {deltaW != 0 ? -w / deltaW : endless, Event::Solved, 0};
+    shortenForOwnLimit(i, isUp, push);
+    shortenForN(push);
+    shortenForC(push);
+    return push;
+}
+
+void dxDantzigRun::shortenForOwnLimit(unsigned i, bool isUp, Push &push) const {
+    const Limits &limits = m_limits[i];
+    if (isUp ? !(limits.high < dInfinity) : !(limits.low > -dInfinity)) return;
+    const dReal length = isUp ? limits.high - m_x[i] : m_x[i] - limits.low;
+    if (length < push.length) push = {length, isUp ? Event::AtHigh : Event::AtLow, 0};
+}
+
+// Rows that may not move at all stay in N, whatever their w.
+void dxDantzigRun::shortenForN(Push &push) const {
+    const unsigned begin = m_sets.countC(), end = begin + m_sets.countN();
+    for (unsigned position = begin; position < end; ++position) {
+        const unsigned row = m_sets.indexAt(position);
+        const dReal deltaW = m_deltaW[row];
+        if (!(m_isHigh[row] ? deltaW > 0 : deltaW < 0)) continue;
+        if (m_limits[row].low == 0 && m_limits[row].high == 0) continue;
+        const dReal length = -m_w[row] / deltaW;
+        if (length < push.length) push = {length, Event::LeavesN, position};
+    }
+}
+
+void dxDantzigRun::shortenForC(Push &push) const {
+    for (unsigned position = m_unbounded; position < m_sets.countC(); ++position) {
+        const unsigned row = m_sets.indexAt(position);
+        const dReal deltaX = m_deltaX[position];
+        const Limits &limits = m_limits[row];
+        if (deltaX < 0 && limits.low > -dInfinity) {
+            const dReal length = (limits.low - m_x[row]) / deltaX;
+            if (length < push.length) push = {length, Event::CFallsLow, position};
+        }
+        if (deltaX > 0 && limits.high < dInfinity) {
+            const dReal length = (limits.high - m_x[row]) / deltaX;
+            if (length < push.length) push = {length, Event::CFallsHigh, position};
+        }
+    }
+}
+
+void dxDantzigRun::apply(unsigned i, bool isUp, dReal length) {
+    const unsigned countC = m_sets.countC(), end = countC + m_sets.countN();
+    for (unsigned position = 0; position < countC; ++position)
+        m_x[m_sets.indexAt(position)] += length * m_deltaX[position];
+    m_x[i] = isUp ? m_x[i] + length : m_x[i] - length;
+    for (unsigned position = countC; position < end; ++position) {
+        const unsigned row = m_sets.indexAt(position);
+        m_w[row] += length * m_deltaW[row];
+    }
+    m_w[i] += length * m_deltaW[i];
+}
+
+// True if row i is not at rest yet.
+bool dxDantzigRun::finish(unsigned i, const Push &push) {
+    switch (push.event) {
+        case Event::Solved:
+            m_w[i] = 0;
+            addToC(i);
+            return false;
+        case Event::AtLow:
+            m_x[i] = m_limits[i].low;
+            addToN(i, false);
+            return false;
+        case Event::AtHigh:
+            m_x[i] = m_limits[i].high;
+            addToN(i, true);
+            return false;
+        case Event::LeavesN:
+            m_w[m_sets.indexAt(push.position)] = 0;
+            moveFromNToC(push.position);
+            return true;
+        case Event::CFallsLow:
+            moveFromCToN(push.position, false);
+            return true;
+        case Event::CFallsHigh:
+            moveFromCToN(push.position, true);
+            return true;
+    }
+    return false;
+}
+
+// Upstream goes on with what it has, and with 0 for the rows that it has not settled.
+void dxDantzigRun::giveUp(unsigned i, dReal length) {
+    std::fill(m_x + i, m_x + m_n, dReal(0));
+    m_hasFailed = true;
+    m_failedLength = length;
+}
+
+// Upstream adds this sum up as a dot product here, but one by one in moveFromNToC.
+void dxDantzigRun::addToC(unsigned i) {
+    const unsigned count = m_sets.countC();
+    appendFactorRow(i, count > 0 ? dxDot(m_scaled, m_solved, count) : 0);
+    m_sets.addNextToC();
+}
+
+void dxDantzigRun::addToN(unsigned i, bool isHigh) {
+    m_isHigh[i] = isHigh;
+    ++m_blockN[dxLcpBlock(i)];
+    m_sets.addNextToN();
+}
+
+void dxDantzigRun::moveFromNToC(unsigned position) {
+    const unsigned row = m_sets.indexAt(position), count = m_sets.countC();
+    findFactorColumn(row);
+    dReal product = 0;
+    for (unsigned j = 0; j < count; ++j) product += m_scaled[j] * m_solved[j];
+    appendFactorRow(row, product);
+    --m_blockN[dxLcpBlock(row)];
+    m_sets.moveFromNToC(position);
+}
+
+void dxDantzigRun::moveFromCToN(unsigned position, bool isHigh) {
+    const unsigned row = m_sets.indexAt(position), factorRow = m_sets.factorRowAt(position);
+    m_x[row] = isHigh ? m_limits[row].high : m_limits[row].low;
+    m_isHigh[row] = isHigh;
+    dxLDLTRemove(m_rowPointers, m_sets.factorIndexes(), m_L, m_d, m_n, m_sets.countC(), factorRow, m_skip,
+                 m_temporary);
+    m_forward.forgetFrom(factorRow);
+    ++m_blockN[dxLcpBlock(row)];
+    m_sets.moveFromCToN(position, factorRow);
+}
+
+// `product`: that of the new row of L with D and itself. A pivot of 0 is made a tiny one, as upstream does.
+void dxDantzigRun::appendFactorRow(unsigned index, dReal product) {
+    const unsigned count = m_sets.countC();
+    dReal diagonal = m_A.diagonal(index);
+    if (count == 0) {
+        m_d[0] = dRecip(diagonal);
+        return;
+    }
+    std::copy_n(m_scaled, count, m_L + std::size_t(m_skip) * count);
+    if (diagonal == product) diagonal = dNextAfter(diagonal, dInfinity);
+    m_d[count] = dRecip(diagonal - product);
+}

@@ -1,0 +1,87 @@
+// One run of Dantzig's algorithm.
+//
+// Rows are looked at one after another; those before the present one satisfy the conditions of the LCP. A row
+// that does not is pushed: x(i) moves, and x(C) with it so that w(C) stays 0, until w(i) is 0 or x(i) at a
+// limit. When a row of N would leave its side, or one of C its limits, it changes its set first.
+#pragma once
+
+#include "dynamics/lcp/dxForwardSolves.h"
+#include "dynamics/lcp/dxIndexSets.h"
+#include "dynamics/lcp/dxLcpMatrix.h"
+#include "dynamics/lcp/dxLcpOrder.h"
+
+class dxWorldProcessMemArena;
+
+class dxDantzigRun {
+public:
+    // Takes its memory from the arena; reads the problem and writes nothing but that memory.
+    dxDantzigRun(dxWorldProcessMemArena *arena, const dxDantzigProblem &problem);
+    static std::size_t memory(unsigned n);  // bytes
+
+    void solve();
+
+    // Writes x into the problem and tells the user if the algorithm gave up.
+    void deliver() const;
+
+private:
+    struct Limits {
+        dReal low, high;
+    };
+
+    // What ends a push.
+    enum class Event { Solved, AtLow, AtHigh, LeavesN, CFallsLow, CFallsHigh };
+    struct Push {
+        dReal length;
+        Event event;
+        unsigned position;  // of the row that changes its set
+    };
+
+    void solveUnbounded();
+    void setFrictionLimits(unsigned first);
+    bool settle(unsigned i);
+    bool push(unsigned i);
+    void findFactorColumn(unsigned index);
+    void findDirection(unsigned i, bool isUp);
+    void findDeltaX(bool isUp);
+    void findDeltaW(unsigned i, bool isUp);
+    Push findPush(unsigned i, bool isUp) const;
+    void shortenForOwnLimit(unsigned i, bool isUp, Push &push) const;
+    void shortenForN(Push &push) const;
+    void shortenForC(Push &push) const;
+    void apply(unsigned i, bool isUp, dReal length);
+    bool finish(unsigned i, const Push &push);
+    void giveUp(unsigned i, dReal length);
+
+    void addToC(unsigned i);
+    void addToN(unsigned i, bool isHigh);
+    void moveFromNToC(unsigned position);
+    void moveFromCToN(unsigned position, bool isHigh);
+    void appendFactorRow(unsigned index, dReal product);
+
+    const dxDantzigProblem &m_problem;
+    const unsigned m_n;
+    unsigned *const m_order;  // the problem's row for each of ours
+    const unsigned m_unbounded;
+    const dxLcpMatrix m_A;
+    dxIndexSets m_sets;
+    const unsigned m_skip;         // of the rows of L
+    dReal *const m_L, *const m_d;  // A(C,C) = L D L', d = 1/D, in the order of the factorisation
+    dxForwardSolves m_forward;
+
+    // By row, in our order.
+    dReal *const m_b, *const m_x, *const m_w, *const m_deltaW;
+    Limits *const m_limits;
+    bool *const m_isHigh;         // for rows of N: at which limit
+    dReal **const m_rowPointers;  // of A
+    unsigned *const m_blockN;     // rows of N in each block of lanes
+
+    dReal *const m_deltaX;  // by position in C
+
+    // In the order of the factorisation, for the column i that was asked for last.
+    dReal *const m_solved;  // L^-1 A(C,i)
+    dReal *const m_scaled;  // D^-1 L^-1 A(C,i)
+
+    dReal *const m_temporary;
+    bool m_hasFailed = false;
+    dReal m_failedLength = 0;  // of the push that could not be made
+};

@@ -1,0 +1,44 @@
+// Forward solves with the factorisation of A(C,C): Y = L^-1 A(C,j), for a block of columns j at a time.
+//
+// Dantzig's algorithm solves for one column after another, and C changes little in between: it grows by a
+// row, or loses one. The first rows of Y depend on the first rows of L only, so they are kept: for each block
+// of columns, as many as are known. A column that is asked for brings its whole block up to date, since lanes
+// cost nothing: most columns of the block are about to be asked for.
+//
+// Upstream's rows after the last whole group of four (dxSolveL1Plain.h) are added up in another order, so
+// only whole groups are kept.
+#pragma once
+
+#include "dynamics/lcp/dxIndexSets.h"
+#include "dynamics/lcp/dxLcpMatrix.h"
+
+class dxForwardSolves {
+public:
+    // Columns first..n-1 of n. Elements of storage, aligned to the cache's lines, and words.
+    static std::size_t size(unsigned n, unsigned first);
+    static std::size_t words(unsigned n) { return dxLcpBlock(n) + 1; }
+
+    // `L`: the factor, whose rows start rowSkip elements apart.
+    dxForwardSolves(const dxLcpMatrix &A, const dxIndexSets &sets, const dReal *L, std::size_t rowSkip,
+                    unsigned n, unsigned first, dReal *storage, unsigned *words);
+
+    // result(row) = (L^-1 A(C,column))(row), for all rows of C
+    void solve(unsigned column, dReal *result);
+
+    // Rows of L from `row` on are others now.
+    void forgetFrom(unsigned row);
+
+private:
+    dReal *block(unsigned index) const {
+        return m_solutions + std::size_t(index - m_firstBlock) * m_n * kLcpLanes;
+    }
+    void extend(unsigned index, unsigned rows);
+
+    const dxLcpMatrix &m_A;
+    const dxIndexSets &m_sets;
+    const dReal *const m_L;
+    const std::size_t m_rowSkip;
+    const unsigned m_n, m_firstBlock, m_endBlock;
+    dReal *const m_solutions;  // by block, then by row
+    unsigned *const m_known;   // rows, for each block
+};

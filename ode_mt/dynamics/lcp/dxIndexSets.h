@@ -1,0 +1,43 @@
+// The sets of Dantzig's algorithm: C, whose rows have w = 0, and N, whose rows lie at a limit.
+//
+// Upstream moves rows and columns of the problem about, so that C, N and the rows not yet looked at follow
+// one another. Sums over a set go in the order in which upstream would hold it, and ties between rows are
+// broken by it; so positions are kept as upstream has them, but only as a list of indexes: nothing else
+// moves. C has a second order, that of the rows of its factorisation.
+#pragma once
+
+class dxIndexSets {
+public:
+    static constexpr unsigned kWords = 3;  // words of storage for each index
+
+    // `storage`: kWords * n words. The first `unbounded` indexes are in C.
+    dxIndexSets(unsigned n, unsigned unbounded, unsigned *storage);
+
+    unsigned countC() const { return m_countC; }
+    unsigned countN() const { return m_countN; }
+
+    // Indexes by position: first C, then N, then the others.
+    const unsigned *indexes() const { return m_indexAt; }
+    unsigned indexAt(unsigned position) const { return m_indexAt[position]; }
+
+    // C in the order of the factorisation: indexes, and their positions.
+    const unsigned *factorIndexes() const { return m_factorIndex; }
+    const unsigned *factorPositions() const { return m_factorPosition; }
+
+    void addNextToC() { moveToC(m_countC + m_countN); }  // the first index of the others
+    void addNextToN() { ++m_countN; }
+    void moveFromNToC(unsigned position);
+
+    // The row of the factorisation that belongs to a position in C.
+    unsigned factorRowAt(unsigned position) const;
+    void moveFromCToN(unsigned position, unsigned factorRow);
+
+private:
+    void moveToC(unsigned position);
+    void swap(unsigned position1, unsigned position2);
+
+    unsigned m_countC, m_countN = 0;
+    unsigned *const m_indexAt;
+    unsigned *const m_factorIndex;
+    unsigned *const m_factorPosition;
+};

@@ -1,0 +1,54 @@
+#include "dynamics/lcp/dxLcpMatrix.h"
+
+#include <algorithm>
+
+namespace {
+
+// Rows of the problem that are in their own places, from the first on: they are copied in one go.
+unsigned countInPlace(const unsigned *order, unsigned n) {
+    unsigned count = 0;
+    while (count < n && order[count] == count) ++count;
+    return count;
+}
+
+// The columns of row `index` up to its diagonal, from `begin` on.
+void copyRow(const dReal *lower, std::size_t skip, const unsigned *order, unsigned index, unsigned begin,
+             dReal *row) {
+    const unsigned own = order[index];
+    const dReal *source = lower + own * skip;
+    for (unsigned j = begin; j <= index; ++j) {
+        const unsigned other = order[j];
+        row[j] = other <= own ? source[other] : lower[other * skip + own];
+    }
+}
+
+}  // namespace
+
+dxLcpMatrix::dxLcpMatrix(const dReal *lower, std::size_t skip, const unsigned *order, unsigned n,
+                         unsigned first, dReal *storage)
+    : m_rows(storage), m_rowSkip(dxLcpRoundUp(n)) {
+    const unsigned inPlace = countInPlace(order, n);
+    for (unsigned i = first; i < n; ++i) {
+        const unsigned copied = std::min(inPlace, i + 1);
+        std::copy_n(lower + order[i] * skip, copied, row(i));
+        copyRow(lower, skip, order, i, copied, row(i));
+    }
+    for (unsigned begin = dxLcpBlock(first) * kLcpLanes; begin < n; begin += kLcpLanes)
+        mirror(begin, first, n);
+}
+
+// Columns begin.. of a block of lanes, for the rows before them. Lanes of columns that are never asked for
+// are 0.
+void dxLcpMatrix::mirror(unsigned begin, unsigned first, unsigned n) {
+    const unsigned end = begin + kLcpLanes;
+    unsigned whole = 0;  // rows that have been done
+    if (begin >= first && end <= n) {
+        const dReal *block = row(begin);
+        for (; whole < begin; ++whole)
+            for (unsigned i = 0; i < kLcpLanes; ++i) row(whole)[begin + i] = block[i * m_rowSkip + whole];
+    }
+    for (unsigned j = whole; j < std::min(end, n); ++j)
+        for (unsigned i = std::max({begin, first, j + 1}); i < std::min(end, n); ++i) row(j)[i] = row(i)[j];
+    for (unsigned j = 0; j < first; ++j) std::fill(row(j) + begin, row(j) + std::max(begin, first), dReal(0));
+    for (unsigned j = 0; end > n && j < n; ++j) std::fill(row(j) + n, row(j) + end, dReal(0));
+}

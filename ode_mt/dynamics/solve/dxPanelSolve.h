@@ -1,0 +1,22 @@
+// Forward solves for a panel of right-hand sides, one a lane: the kernel of dxForwardSolves.
+#pragma once
+
+#include <ode/common.h>
+
+#include <cstddef>
+
+// A right-hand side is a column of a symmetric matrix: its element for row r is rightHandSides[index[r] *
+// rightHandSkip + lane]. There are as many lanes as a line of the cache has elements, all aligned to such a
+// line.
+struct dxSolvePanelTask {
+    const dReal *L;  // as in dxSolveL1.h
+    std::size_t rowSkip;
+    const dReal *rightHandSides;
+    std::size_t rightHandSkip;
+    const unsigned *index;
+    unsigned begin, end;  // rows to be solved for, multiples of four; those before them are solved
+    dReal *solutions;     // by row, then by lane
+};
+
+// Each lane gets the bits of dxSolveL1Straight for a right-hand side of its own, `end` rows or more.
+void dxSolvePanel(const dxSolvePanelTask &task);

@@ -1,0 +1,199 @@
+// The exact step's LCP solver gives the bits of upstream's, for every instruction set of this machine.
+#include <gtest/gtest.h>
+
+#include <ode/error.h>
+#include <ode/odemath.h>
+
+#include <algorithm>
+#include <cfenv>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <cstring>
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "config.h"
+
+#include "lcp.h"
+#include "util.h"
+
+#include "dynamics/lcp/dxDantzig.h"
+#include "instruction_sets.h"
+
+namespace {
+
+std::string messages;
+
+void keepMessage(int number, const char *format, va_list arguments) {
+    char text[200];
+    std::vsnprintf(text, sizeof text, format, arguments);
+    messages += std::to_string(number) + ": " + text + "\n";
+}
+
+// A failed assert ends a run.
+[[noreturn]] void endRun(int number, const char *format, va_list arguments) {
+    keepMessage(number, format, arguments);
+    throw std::runtime_error(messages);
+}
+
+struct Shape {
+    unsigned n, unbounded;
+    unsigned rank;  // of A, before its diagonal gets `softness`
+    double softness, decades;
+    bool friction, late;  // rows with a normal's limits; rows without limits after the first ones
+};
+
+// A = J J' with sparse random J, as a pile's or a robot's.
+struct Problem {
+    Problem(const Shape &shape, unsigned seed)
+        : random(seed), n(shape.n), skip(dPAD(n)), unbounded(shape.unbounded) {
+        A.assign(std::size_t(n) * skip, std::numeric_limits<dReal>::quiet_NaN());
+        makeMatrix(shape);
+        for (unsigned i = 0; i < n; ++i) {
+            bx.insert(bx.end(), {dReal(number() * std::pow(10, shape.decades * number())), dReal(0)});
+            addLimits(shape, i);
+        }
+    }
+
+    void makeMatrix(const Shape &shape) {
+        std::vector<double> J(std::size_t(n) * shape.rank);
+        for (unsigned i = 0; i < n; ++i)
+            for (unsigned k = 0; k < 12; ++k)
+                J[i * shape.rank + random() % shape.rank] = number() * std::pow(10, shape.decades * number());
+        for (unsigned i = 0; i < n; ++i) {
+            for (unsigned j = 0; j <= i; ++j) {
+                double sum = 0;
+                for (unsigned k = 0; k < shape.rank; ++k)
+                    sum += J[i * shape.rank + k] * J[j * shape.rank + k];
+                A[std::size_t(i) * skip + j] = dReal(sum);
+            }
+            A[std::size_t(i) * skip + i] += dReal(shape.softness);
+        }
+    }
+
+    void addLimits(const Shape &shape, unsigned i) {
+        const dReal endless = dInfinity, size = dReal(std::fabs(number()));
+        int normal = -1;
+        dReal low = -endless, high = endless;
+        if (i >= shape.unbounded) {
+            const unsigned kind = random() % 8;
+            if (shape.friction && i > 0 && kind < 4) {
+                normal = static_cast<int>(random() % i);
+                low = -size, high = random() % 4 ? size : endless;
+            } else if (kind == 4 && shape.late) {
+            } else if (kind == 5) {
+                low = -size, high = size;
+            } else if (kind == 6) {
+                low = -endless, high = 0;
+            } else {
+                low = 0, high = random() % 16 ? endless : 0;
+            }
+        }
+        // A friction row's normal is not a friction row itself.
+        if (normal >= 0 && normalOf[normal] >= 0) normal = -1;
+        normalOf.push_back(normal);
+        limits.insert(limits.end(), {low, high});
+    }
+
+    double number() { return std::uniform_real_distribution<double>(-1, 1)(random); }
+
+    std::mt19937 random;
+    unsigned n, skip, unbounded;
+    std::vector<dReal> A, bx, limits;
+    std::vector<int> normalOf;
+};
+
+using Solver = decltype(&dxSolveLCP);
+
+struct Solution {
+    std::vector<dReal> x;
+    std::string messages;
+    int flags;
+};
+
+Solution solve(Solver solver, Problem problem, bool friction) {
+    const std::size_t size =
+        std::max(dxEstimateSolveLCPMemoryReq(problem.n, false), dxDantzigMemory(problem.n, false));
+    dxWorldProcessMemArena *arena = dxAllocateTemporaryWorldProcessMemArena(size, nullptr, nullptr);
+    arena->ResetState();
+    messages.clear();
+    dSetMessageHandler(keepMessage);
+    dSetDebugHandler(endRun);
+    std::feclearexcept(FE_ALL_EXCEPT);
+    try {
+        solver(arena, problem.n, problem.A.data(), problem.bx.data(), nullptr, problem.unbounded,
+               problem.limits.data(), friction ? problem.normalOf.data() : nullptr);
+    } catch (const std::runtime_error &) {
+        std::fill(problem.bx.begin(), problem.bx.end(), dReal(0));
+    }
+    Solution solution{{}, messages, std::fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW)};
+    dSetMessageHandler(nullptr);
+    dSetDebugHandler(nullptr);
+    dxFreeTemporaryWorldProcessMemArena(arena);
+    for (unsigned i = 0; i < problem.n; ++i) solution.x.push_back(problem.bx[2 * i + 1]);
+    return solution;
+}
+
+void expectSame(const Problem &problem, bool friction, const std::string &what) {
+    const Solution upstream = solve(dxSolveLCP, problem, friction),
+                   ours = solve(dxSolveDantzig, problem, friction);
+    EXPECT_EQ(std::memcmp(upstream.x.data(), ours.x.data(), problem.n * sizeof(dReal)), 0) << what;
+    EXPECT_EQ(upstream.messages, ours.messages) << what;
+    EXPECT_EQ(upstream.flags, ours.flags) << what;
+}
+
+}  // namespace
+
+TEST(Lcp, HasUpstreamsSolution) {
+    const Shape shapes[] = {
+        {1, 0, 4, 1e-5, 0, false, false},    {5, 2, 12, 1e-5, 0, true, true},
+        {12, 0, 30, 1e-5, 0, true, false},   {24, 6, 40, 1e-5, 1, true, true},
+        {33, 32, 60, 1e-5, 0, false, false}, {40, 0, 80, 1e-5, 1, true, false},
+        {64, 17, 90, 1e-5, 2, true, true},   {90, 60, 130, 1e-5, 0, true, false},
+        {130, 0, 200, 1e-5, 1, true, true},  {200, 40, 260, 1e-6, 1, true, true},
+    };
+    for (const std::int64_t set : instructionSets()) {
+        onInstructionSet(set, [&] {
+            for (const Shape &shape : shapes) {
+                for (unsigned seed = 0; seed < (shape.n < 100 ? 40 : 6); ++seed) {
+                    const std::string what = std::to_string(shape.n) + " rows, seed " + std::to_string(seed);
+                    expectSame(Problem(shape, seed), seed % 3 != 0, what);
+                }
+            }
+        });
+    }
+}
+
+// As bodies stacked or held in more ways than they can move in: A has no inverse.
+TEST(Lcp, HasUpstreamsSolutionOfSingularProblems) {
+    unsigned gaveUp = 0;
+    for (const double softness : {0.0, 1e-14, 1e-10}) {
+        for (const unsigned n : {6u, 20u, 50u, 90u}) {
+            for (unsigned seed = 0; seed < 40; ++seed) {
+                const Problem problem({n, 0, n / 2 + 1, softness, 1, true, false}, seed);
+                expectSame(problem, true, std::to_string(n) + " rows, seed " + std::to_string(seed));
+                gaveUp += !solve(dxSolveDantzig, problem, true).messages.empty();
+            }
+        }
+    }
+    EXPECT_GT(gaveUp, 5u);
+}
+
+// Results that are no numbers, and exceptions that the user has asked for.
+TEST(Lcp, HasUpstreamsSolutionBeyondTheRangeOfNumbers) {
+    const double most = std::numeric_limits<dReal>::max_exponent10;
+    for (unsigned seed = 0; seed < 200; ++seed)
+        expectSame(Problem({30, 4, 60, 1e-5, most / 6 * (1 + seed % 4), true, false}, seed), true,
+                   "seed " + std::to_string(seed));
+}
+
+TEST(Lcp, LeavesLimitsThatCannotBeToUpstreamsAsserts) {
+    Problem problem({20, 3, 40, 1e-5, 0, true, false}, 1);
+    problem.limits[2 * 7] = 1;  // low
+    EXPECT_NE(solve(dxSolveDantzig, problem, true).messages.find("dxSolveLCP_Generic"), std::string::npos);
+    expectSame(problem, true, "a low limit above 0");
+}
