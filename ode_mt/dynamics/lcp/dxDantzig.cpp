@@ -14,7 +14,6 @@
 #include "util.h"
 
 #include "dynamics/lcp/dxDantzigRun.h"
-#include "dynamics/lcp/dxLcpOrder.h"
 
 namespace {
 

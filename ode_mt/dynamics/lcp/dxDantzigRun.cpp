@@ -13,6 +13,7 @@
 #include "matrix.h"
 #include "util.h"
 
+#include "dynamics/lcp/dxLcpOrder.h"
 #include "dynamics/solve/dxLaneProducts.h"
 #include "dynamics/solve/dxSolveL1.h"
 
@@ -32,8 +33,8 @@ std::size_t bytes(std::size_t count) {
 
 std::size_t temporarySize(unsigned n) { return 2 * std::size_t(dPAD(n)) + n; }
 
-// The product of a row's elements at `columns` with x there, in upstream's order (calculateLargeVectorDot of
-// ode/src/fastdot_impl.h). `factor(k)`: that of the k-th column.
+// The product of a row's elements at `columns` with factor(k) for the k-th of them, in upstream's order
+// (calculateLargeVectorDot of ode/src/fastdot_impl.h).
 template <class Factor>
 dReal multiply(const dReal *row, const unsigned *columns, unsigned count, Factor factor) {
     dReal sum = 0;

@@ -5,10 +5,10 @@
 // limit. When a row of N would leave its side, or one of C its limits, it changes its set first.
 #pragma once
 
+#include "dynamics/lcp/dxDantzigProblem.h"
 #include "dynamics/lcp/dxForwardSolves.h"
 #include "dynamics/lcp/dxIndexSets.h"
 #include "dynamics/lcp/dxLcpMatrix.h"
-#include "dynamics/lcp/dxLcpOrder.h"
 
 class dxWorldProcessMemArena;
 

@@ -2,16 +2,7 @@
 // whose limits depend on others last, the rest as upstream's swaps leave them.
 #pragma once
 
-#include <ode/common.h>
-
-struct dxDantzigProblem {
-    unsigned n;
-    const dReal *A;  // as dxSolveDantzig has them
-    dReal *pairsBX;
-    unsigned unbounded;
-    const dReal *pairsLoHi;
-    const int *normalOf;
-};
+#include "dynamics/lcp/dxDantzigProblem.h"
 
 // Writes the problem's row for each row of the solver's, and returns how many rows without limits there are.
 unsigned dxFindLcpOrder(const dxDantzigProblem &problem, unsigned *order);
