@@ -64,7 +64,6 @@ ode_mt_compile_after("collision_space.cpp" collision_space.h)
 
 # The exact step's LCP solver: same bits, less work (docs/lcp.md).
 ode_mt_call_instead("step.cpp" dxSolveLCP dxSolveDantzig)
-ode_mt_call_instead("step.cpp" dxEstimateSolveLCPMemoryReq dxDantzigMemory)
 
 # The exact step's triangular solves with vectors: same bits, less time (docs/solve.md).
 ode_mt_compile_after("lcp.cpp" lcp.h)

@@ -116,9 +116,8 @@ struct Solution {
 };
 
 Solution solve(Solver solver, Problem problem, bool friction) {
-    const std::size_t size =
-        std::max(dxEstimateSolveLCPMemoryReq(problem.n, false), dxDantzigMemory(problem.n, false));
-    dxWorldProcessMemArena *arena = dxAllocateTemporaryWorldProcessMemArena(size, nullptr, nullptr);
+    dxWorldProcessMemArena *arena = dxAllocateTemporaryWorldProcessMemArena(
+        dxEstimateSolveLCPMemoryReq(problem.n, false), nullptr, nullptr);
     arena->ResetState();
     messages.clear();
     dSetMessageHandler(keepMessage);

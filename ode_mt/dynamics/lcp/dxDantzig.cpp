@@ -2,7 +2,6 @@
 
 #include <ode/odemath.h>
 
-#include <algorithm>
 #include <cfenv>
 
 // Upstream's headers do not include what they use.
@@ -13,6 +12,7 @@
 #include "matrix.h"
 #include "util.h"
 
+#include "dynamics/dxWorkingMemory.h"
 #include "dynamics/lcp/dxDantzigRun.h"
 
 namespace {
@@ -26,34 +26,54 @@ bool areLimitsSound(const dReal *pairsLoHi, unsigned n) {
     return true;
 }
 
-// False, with nothing changed, if upstream's solver is to be asked.
-bool solve(dxWorldProcessMemArena *memory, const dxDantzigProblem &problem) {
+// Memory beside the world's arena, whose size upstream decides and the user's allocator sees.
+class BorrowedArena {
+public:
+    explicit BorrowedArena(std::size_t size) : m_arena(dxWorkingMemory::take(size)) {}
+    ~BorrowedArena() {
+        if (m_arena) dxWorkingMemory::giveBack(m_arena);
+    }
+    BorrowedArena(const BorrowedArena &) = delete;
+    BorrowedArena &operator=(const BorrowedArena &) = delete;
+    dxWorldProcessMemArena *get() const { return m_arena; }
+
+private:
+    dxWorldProcessMemArena *const m_arena;
+};
+
+enum class Outcome { Solved, GaveUp, LeftToUpstream };
+
+// Nothing is changed if the problem is left to upstream. `failedLength`: of the push that could not be made.
+Outcome solve(dxWorldProcessMemArena *memory, const dxDantzigProblem &problem, dReal &failedLength) {
+    const BorrowedArena more(dxDantzigRun::memory(problem.n));
+    if (!more.get()) return Outcome::LeftToUpstream;
     const int before = std::fetestexcept(kTelling);
-    dxDantzigRun run(memory, problem);
+    dxDantzigRun run(memory, more.get(), problem);
     run.solve();
     const int raised = std::fetestexcept(kTelling) & ~before;
     if (raised != 0) {
         std::feclearexcept(raised);
-        return false;
+        return Outcome::LeftToUpstream;
     }
     run.deliver();
-    return true;
+    failedLength = run.failedLength();
+    return run.hasFailed() ? Outcome::GaveUp : Outcome::Solved;
 }
 
 }  // namespace
 
 void dxSolveDantzig(dxWorldProcessMemArena *memory, unsigned n, dReal *A, dReal *pairsBX, dReal *w,
                     unsigned unbounded, dReal *pairsLoHi, int *normalOf) {
-    const bool isOurs = unbounded < n && w == nullptr && fegetexcept() == 0 && areLimitsSound(pairsLoHi, n);
-    if (isOurs) {
+    Outcome outcome = Outcome::LeftToUpstream;
+    dReal failedLength = 0;
+    if (unbounded < n && w == nullptr && fegetexcept() == 0 && areLimitsSound(pairsLoHi, n)) {
         void *const start = memory->SaveState();
-        const bool isSolved = solve(memory, {n, A, pairsBX, unbounded, pairsLoHi, normalOf});
+        outcome = solve(memory, {n, A, pairsBX, unbounded, pairsLoHi, normalOf}, failedLength);
         memory->RestoreState(start);
-        if (isSolved) return;
     }
-    dxSolveLCP(memory, n, A, pairsBX, w, unbounded, pairsLoHi, normalOf);
-}
-
-std::size_t dxDantzigMemory(unsigned n, bool givenW) {
-    return std::max<std::size_t>(dxEstimateSolveLCPMemoryReq(n, givenW), dxDantzigRun::memory(n));
+    if (outcome == Outcome::LeftToUpstream) {
+        dxSolveLCP(memory, n, A, pairsBX, w, unbounded, pairsLoHi, normalOf);
+    } else if (outcome == Outcome::GaveUp) {
+        dMessage(d_ERR_LCP, "LCP internal error, s <= 0 (s=%.4e)", static_cast<double>(failedLength));
+    }
 }

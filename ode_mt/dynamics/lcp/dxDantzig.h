@@ -5,14 +5,12 @@
 
 #include <ode/common.h>
 
-#include <cstddef>
-
 class dxWorldProcessMemArena;
 
 // Solves A x = b + w with, for each i, lo(i) <= x(i) <= hi(i), where w(i) >= 0 if x(i) = lo(i), w(i) <= 0 if
 // x(i) = hi(i), and w(i) = 0 otherwise.
 //
-//   memory          what dxDantzigMemory asks for is taken from it
+//   memory          what upstream's dxEstimateSolveLCPMemoryReq asks for is taken from it, as upstream does
 //   n               rows, at least 1
 //   A               symmetric, positive definite; the lower triangle is read; rows start dPAD(n) elements
 //   apart pairsBX         b(i), x(i) for each i; x is written, b may be w               not used: upstream's
@@ -23,6 +21,3 @@ class dxWorldProcessMemArena;
 // Threading: reads and writes what it is given, and calls the message handler of the calling thread's island.
 void dxSolveDantzig(dxWorldProcessMemArena *memory, unsigned n, dReal *A, dReal *pairsBX, dReal *w,
                     unsigned unbounded, dReal *pairsLoHi, int *normalOf);
-
-// Bytes that dxSolveDantzig takes for n rows. `givenW` as upstream's: whether w is given.
-std::size_t dxDantzigMemory(unsigned n, bool givenW);

@@ -8,12 +8,12 @@
 // Upstream's headers do not include what they use.
 #include "config.h"
 
-#include "error.h"
 #include "lcp.h"
 #include "matrix.h"
 #include "util.h"
 
 #include "dynamics/lcp/dxLcpOrder.h"
+#include "dynamics/solve/dxFactorLDLT.h"
 #include "dynamics/solve/dxLaneProducts.h"
 #include "dynamics/solve/dxSolveL1.h"
 
@@ -31,7 +31,13 @@ std::size_t bytes(std::size_t count) {
     return dOVERALIGNED_SIZE(count * sizeof(Element), kLine);
 }
 
-std::size_t temporarySize(unsigned n) { return 2 * std::size_t(dPAD(n)) + n; }
+// For removing a row from the factorisation, and for making it.
+std::size_t temporarySize(unsigned n) {
+    return std::max(2 * std::size_t(dPAD(n)) + n, dxFactorLDLTStorage(n));
+}
+
+// Below this many rows vectors do not pay.
+constexpr unsigned kWideFactorRows = 24;
 
 // The product of a row's elements at `columns` with factor(k) for the k-th of them, in upstream's order
 // (calculateLargeVectorDot of ode/src/fastdot_impl.h).
@@ -53,13 +59,14 @@ dReal multiply(const dReal *row, const unsigned *columns, unsigned count, Factor
 
 std::size_t dxDantzigRun::memory(unsigned n) {
     return bytes<unsigned>(n) + bytes<dReal>(dxLcpMatrix::size(n)) +
-           bytes<unsigned>(dxIndexSets::kWords * std::size_t(n)) + bytes<dReal>(std::size_t(dPAD(n)) * n) +
-           7 * bytes<dReal>(n) + bytes<dReal>(dxLcpRoundUp(n)) + bytes<dReal>(dxForwardSolves::size(n, 0)) +
+           bytes<unsigned>(dxIndexSets::kWords * std::size_t(n)) + 7 * bytes<dReal>(n) +
+           bytes<dReal>(dxLcpRoundUp(n)) + bytes<dReal>(dxForwardSolves::size(n, 0)) +
            2 * bytes<unsigned>(dxForwardSolves::words(n)) + bytes<Limits>(n) + bytes<bool>(n) +
            bytes<dReal *>(n) + bytes<dReal>(temporarySize(n));
 }
 
-dxDantzigRun::dxDantzigRun(dxWorldProcessMemArena *arena, const dxDantzigProblem &problem)
+dxDantzigRun::dxDantzigRun(dxWorldProcessMemArena *given, dxWorldProcessMemArena *arena,
+                           const dxDantzigProblem &problem)
     : m_problem(problem),
       m_n(problem.n),
       m_order(take<unsigned>(arena, m_n)),
@@ -67,7 +74,7 @@ dxDantzigRun::dxDantzigRun(dxWorldProcessMemArena *arena, const dxDantzigProblem
       m_A(problem.A, dPAD(m_n), m_order, m_n, m_unbounded, take<dReal>(arena, dxLcpMatrix::size(m_n))),
       m_sets(m_n, m_unbounded, take<unsigned>(arena, dxIndexSets::kWords * std::size_t(m_n))),
       m_skip(dPAD(m_n)),
-      m_L(take<dReal>(arena, std::size_t(m_skip) * m_n)),
+      m_L(take<dReal>(given, std::size_t(m_skip) * m_n)),
       m_d(take<dReal>(arena, m_n)),
       m_forward(m_A, m_sets, m_L, m_skip, m_n, m_unbounded,
                 take<dReal>(arena, dxForwardSolves::size(m_n, m_unbounded)),
@@ -110,8 +117,6 @@ void dxDantzigRun::solve() {
 }
 
 void dxDantzigRun::deliver() const {
-    if (m_hasFailed)
-        dMessage(d_ERR_LCP, "LCP internal error, s <= 0 (s=%.4e)", static_cast<double>(m_failedLength));
     for (unsigned i = 0; i < m_n; ++i) m_problem.pairsBX[std::size_t(m_order[i]) * PBX__MAX + PBX_X] = m_x[i];
 }
 
@@ -126,7 +131,11 @@ void dxDantzigRun::solveUnbounded() {
                 m_problem.A[other <= own ? own * skip + other : other * skip + own];
         }
     }
-    dFactorLDLT(m_L, m_d, static_cast<int>(m_unbounded), static_cast<int>(m_skip));
+    if (m_unbounded < kWideFactorRows) {
+        dFactorLDLT(m_L, m_d, static_cast<int>(m_unbounded), static_cast<int>(m_skip));
+    } else {
+        dxFactorLDLT(m_L, m_d, m_unbounded, m_skip, m_temporary);
+    }
     std::copy_n(m_b, m_unbounded, m_x);
     dxSolveL1Straight<1>(m_L, m_x, m_unbounded, m_skip);
     for (unsigned i = 0; i < m_unbounded; ++i) m_x[i] *= m_d[i];

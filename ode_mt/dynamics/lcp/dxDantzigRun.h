@@ -14,14 +14,20 @@ class dxWorldProcessMemArena;
 
 class dxDantzigRun {
 public:
-    // Takes its memory from the arena; reads the problem and writes nothing but that memory.
-    dxDantzigRun(dxWorldProcessMemArena *arena, const dxDantzigProblem &problem);
-    static std::size_t memory(unsigned n);  // bytes
+    // Takes L from `given`, everything else from `arena`, of which it needs memory(n) bytes; reads the
+    // problem and writes nothing but that memory.
+    dxDantzigRun(dxWorldProcessMemArena *given, dxWorldProcessMemArena *arena,
+                 const dxDantzigProblem &problem);
+    static std::size_t memory(unsigned n);
 
     void solve();
 
-    // Writes x into the problem and tells the user if the algorithm gave up.
+    // Writes x into the problem.
     void deliver() const;
+
+    // The algorithm gave up, as it could not go on by a positive length.
+    bool hasFailed() const { return m_hasFailed; }
+    dReal failedLength() const { return m_failedLength; }
 
 private:
     struct Limits {
@@ -83,5 +89,5 @@ private:
 
     dReal *const m_temporary;
     bool m_hasFailed = false;
-    dReal m_failedLength = 0;  // of the push that could not be made
+    dReal m_failedLength = 0;
 };
