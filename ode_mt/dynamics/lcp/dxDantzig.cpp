@@ -4,16 +4,9 @@
 
 #include <cfenv>
 
-// Upstream's headers do not include what they use.
-#include "config.h"
-
-#include "error.h"
-#include "lcp.h"
-#include "matrix.h"
-#include "util.h"
-
 #include "dynamics/dxWorkingMemory.h"
 #include "dynamics/lcp/dxDantzigRun.h"
+#include "dynamics/lcp/dxUpstreamLcp.h"
 
 namespace {
 

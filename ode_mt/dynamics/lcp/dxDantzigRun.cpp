@@ -5,30 +5,22 @@
 
 #include <algorithm>
 
-// Upstream's headers do not include what they use.
-#include "config.h"
-
-#include "lcp.h"
-#include "matrix.h"
-#include "util.h"
-
 #include "dynamics/lcp/dxLcpOrder.h"
+#include "dynamics/lcp/dxUpstreamLcp.h"
 #include "dynamics/solve/dxFactorLDLT.h"
 #include "dynamics/solve/dxLaneProducts.h"
 #include "dynamics/solve/dxSolveL1.h"
 
 namespace {
 
-constexpr unsigned kLine = 64;  // bytes of a line of the cache
-
 template <class Element>
 Element *take(dxWorldProcessMemArena *arena, std::size_t count) {
-    return arena->AllocateOveralignedArray<Element>(count, kLine);
+    return arena->AllocateOveralignedArray<Element>(count, kCacheLine);
 }
 
 template <class Element>
 std::size_t bytes(std::size_t count) {
-    return dOVERALIGNED_SIZE(count * sizeof(Element), kLine);
+    return dOVERALIGNED_SIZE(count * sizeof(Element), kCacheLine);
 }
 
 // For removing a row from the factorisation, and for making it.
@@ -122,15 +114,8 @@ void dxDantzigRun::deliver() const {
 
 // Rows without limits are in C from the start.
 void dxDantzigRun::solveUnbounded() {
-    const std::size_t skip = dPAD(m_n);
-    for (unsigned i = 0; i < m_unbounded; ++i) {
-        const unsigned own = m_order[i];
-        for (unsigned j = 0; j <= i; ++j) {
-            const unsigned other = m_order[j];
-            m_L[std::size_t(i) * m_skip + j] =
-                m_problem.A[other <= own ? own * skip + other : other * skip + own];
-        }
-    }
+    for (unsigned i = 0; i < m_unbounded; ++i)
+        dxCopyLcpRow(m_problem.A, dPAD(m_n), m_order, i, 0, m_L + std::size_t(i) * m_skip);
     if (m_unbounded < kWideFactorRows) {
         dFactorLDLT(m_L, m_d, static_cast<int>(m_unbounded), static_cast<int>(m_skip));
     } else {

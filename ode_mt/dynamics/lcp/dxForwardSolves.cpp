@@ -6,7 +6,7 @@
 #include "dynamics/solve/dxSolveL1Plain.h"
 
 std::size_t dxForwardSolves::size(unsigned n, unsigned first) {
-    return std::size_t(dxLcpBlock(n - 1) + 1 - dxLcpBlock(first)) * n * kLcpLanes;
+    return std::size_t(dxLcpBlock(n - 1) + 1 - dxLcpBlock(first)) * n * kLineLanes;
 }
 
 dxForwardSolves::dxForwardSolves(const dxLcpMatrix &A, const dxIndexSets &sets, const dReal *L,
@@ -28,8 +28,8 @@ void dxForwardSolves::solve(unsigned column, dReal *result) {
     const unsigned rows = m_sets.countC(), grouped = rows / 4 * 4;
     const unsigned index = dxLcpBlock(column);
     extend(index, grouped);
-    const dReal *lane = block(index) + column % kLcpLanes;
-    for (unsigned row = 0; row < grouped; ++row) result[row] = lane[std::size_t(row) * kLcpLanes];
+    const dReal *lane = block(index) + column % kLineLanes;
+    for (unsigned row = 0; row < grouped; ++row) result[row] = lane[std::size_t(row) * kLineLanes];
     for (unsigned row = grouped; row < rows; ++row) {
         const unsigned other = m_sets.factorIndexes()[row];
         result[row] = m_A.row(other)[column];
@@ -40,7 +40,7 @@ void dxForwardSolves::solve(unsigned column, dReal *result) {
 void dxForwardSolves::extend(unsigned index, unsigned rows) {
     unsigned &known = m_known[index - m_firstBlock];
     if (known >= rows) return;
-    dxSolvePanel({m_L, m_rowSkip, m_A.rows() + index * kLcpLanes, m_A.rowSkip(), m_sets.factorIndexes(),
+    dxSolvePanel({m_L, m_rowSkip, m_A.rows() + index * kLineLanes, m_A.rowSkip(), m_sets.factorIndexes(),
                   known, rows, block(index)});
     known = rows;
 }

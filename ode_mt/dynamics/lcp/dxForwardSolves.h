@@ -30,7 +30,7 @@ public:
 
 private:
     dReal *block(unsigned index) const {
-        return m_solutions + std::size_t(index - m_firstBlock) * m_n * kLcpLanes;
+        return m_solutions + std::size_t(index - m_firstBlock) * m_n * kLineLanes;
     }
     void extend(unsigned index, unsigned rows);
 

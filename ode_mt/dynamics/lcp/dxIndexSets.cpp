@@ -1,6 +1,7 @@
 #include "dynamics/lcp/dxIndexSets.h"
 
 #include <algorithm>
+#include <utility>
 
 dxIndexSets::dxIndexSets(unsigned n, unsigned unbounded, unsigned *storage)
     : m_countC(unbounded), m_indexAt(storage), m_factorIndex(storage + n), m_factorPosition(storage + 2 * n) {
@@ -15,7 +16,7 @@ void dxIndexSets::moveFromNToC(unsigned position) {
 
 // The position after those of C is taken; whoever was there moves to the free one.
 void dxIndexSets::moveToC(unsigned position) {
-    swap(m_countC, position);
+    std::swap(m_indexAt[m_countC], m_indexAt[position]);
     m_factorIndex[m_countC] = m_indexAt[m_countC];
     m_factorPosition[m_countC] = m_countC;
     ++m_countC;
@@ -32,11 +33,7 @@ void dxIndexSets::moveFromCToN(unsigned position, unsigned factorRow) {
     m_factorPosition[factorRowAt(last)] = position;
     std::copy(m_factorPosition + factorRow + 1, m_factorPosition + m_countC, m_factorPosition + factorRow);
     std::copy(m_factorIndex + factorRow + 1, m_factorIndex + m_countC, m_factorIndex + factorRow);
-    swap(position, last);
+    std::swap(m_indexAt[position], m_indexAt[last]);
     --m_countC;
     ++m_countN;
-}
-
-void dxIndexSets::swap(unsigned position1, unsigned position2) {
-    std::swap(m_indexAt[position1], m_indexAt[position2]);
 }

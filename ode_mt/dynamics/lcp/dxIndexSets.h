@@ -34,7 +34,6 @@ public:
 
 private:
     void moveToC(unsigned position);
-    void swap(unsigned position1, unsigned position2);
 
     unsigned m_countC, m_countN = 0;
     unsigned *const m_indexAt;

@@ -11,9 +11,10 @@ unsigned countInPlace(const unsigned *order, unsigned n) {
     return count;
 }
 
-// The columns of row `index` up to its diagonal, from `begin` on.
-void copyRow(const dReal *lower, std::size_t skip, const unsigned *order, unsigned index, unsigned begin,
-             dReal *row) {
+}  // namespace
+
+void dxCopyLcpRow(const dReal *lower, std::size_t skip, const unsigned *order, unsigned index, unsigned begin,
+                  dReal *row) {
     const unsigned own = order[index];
     const dReal *source = lower + own * skip;
     for (unsigned j = begin; j <= index; ++j) {
@@ -22,8 +23,6 @@ void copyRow(const dReal *lower, std::size_t skip, const unsigned *order, unsign
     }
 }
 
-}  // namespace
-
 dxLcpMatrix::dxLcpMatrix(const dReal *lower, std::size_t skip, const unsigned *order, unsigned n,
                          unsigned first, dReal *storage)
     : m_rows(storage), m_rowSkip(dxLcpRoundUp(n)) {
@@ -31,21 +30,21 @@ dxLcpMatrix::dxLcpMatrix(const dReal *lower, std::size_t skip, const unsigned *o
     for (unsigned i = first; i < n; ++i) {
         const unsigned copied = std::min(inPlace, i + 1);
         std::copy_n(lower + order[i] * skip, copied, row(i));
-        copyRow(lower, skip, order, i, copied, row(i));
+        dxCopyLcpRow(lower, skip, order, i, copied, row(i));
     }
-    for (unsigned begin = dxLcpBlock(first) * kLcpLanes; begin < n; begin += kLcpLanes)
+    for (unsigned begin = dxLcpBlock(first) * kLineLanes; begin < n; begin += kLineLanes)
         mirror(begin, first, n);
 }
 
 // Columns begin.. of a block of lanes, for the rows before them. Lanes of columns that are never asked for
 // are 0.
 void dxLcpMatrix::mirror(unsigned begin, unsigned first, unsigned n) {
-    const unsigned end = begin + kLcpLanes;
+    const unsigned end = begin + kLineLanes;
     unsigned whole = 0;  // rows that have been done
     if (begin >= first && end <= n) {
         const dReal *block = row(begin);
         for (; whole < begin; ++whole)
-            for (unsigned i = 0; i < kLcpLanes; ++i) row(whole)[begin + i] = block[i * m_rowSkip + whole];
+            for (unsigned i = 0; i < kLineLanes; ++i) row(whole)[begin + i] = block[i * m_rowSkip + whole];
     }
     for (unsigned j = whole; j < std::min(end, n); ++j)
         for (unsigned i = std::max({begin, first, j + 1}); i < std::min(end, n); ++i) row(j)[i] = row(i)[j];

@@ -1,16 +1,21 @@
 // The matrix of an LCP, in the order of its solver: rows whose limits depend on others are last, rows without
 // limits first. Both triangles are kept for the columns that are still to be looked at, so that a column of
-// the triangle is a row of lanes. Lanes come in blocks of kLcpLanes consecutive columns.
+// the triangle is a row of lanes. Lanes come in blocks of kLineLanes consecutive columns.
 #pragma once
 
 #include <ode/common.h>
 
 #include <cstddef>
 
-constexpr unsigned kLcpLanes = 64 / sizeof(dReal);  // a line of the cache
+#include "simd/dxCacheLine.h"
 
-inline unsigned dxLcpBlock(unsigned index) { return index / kLcpLanes; }
-inline unsigned dxLcpRoundUp(unsigned n) { return (n + kLcpLanes - 1) / kLcpLanes * kLcpLanes; }
+inline unsigned dxLcpBlock(unsigned index) { return index / kLineLanes; }
+inline unsigned dxLcpRoundUp(unsigned n) { return (n + kLineLanes - 1) / kLineLanes * kLineLanes; }
+
+// Copies the columns from `begin` to the diagonal of row `index`, in the order `order`, of a symmetric matrix
+// of which the lower triangle is stored in another: its rows start `skip` elements apart.
+void dxCopyLcpRow(const dReal *lower, std::size_t skip, const unsigned *order, unsigned index, unsigned begin,
+                  dReal *row);
 
 class dxLcpMatrix {
 public:

@@ -2,10 +2,7 @@
 
 #include <utility>
 
-// Upstream's headers do not include what they use.
-#include "config.h"
-
-#include "lcp.h"
+#include "dynamics/lcp/dxUpstreamLcp.h"
 
 namespace {
 

@@ -4,11 +4,10 @@
 #define HWY_TARGET_INCLUDE "dynamics/solve/dxFactorLDLT.cpp"
 #include <hwy/foreach_target.h>
 // Highway's order of headers: after foreach_target.h
-#include <hwy/highway.h>
-
 #include <algorithm>
 
 #include "dynamics/solve/dxFactorLDLT.h"
+#include "dynamics/solve/dxLineLanes-inl.h"
 
 // Rows are factorised in panels, a row a lane. A row of L is a forward solve with the rows before it, scaled
 // by d; upstream takes rows in pairs, and columns too: a result subtracts the sum of its products with the
@@ -17,13 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace dxSolve {
 namespace HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-constexpr std::size_t kFactorLanes = 64 / sizeof(dReal);
-using FactorTag = hn::CappedTag<dReal, kFactorLanes>;
-using FactorVector = hn::Vec<FactorTag>;
-
-// A panel of at most kFactorLanes rows, from row `first` on.
+// A panel of at most kLineLanes rows, from row `first` on.
 struct FactorPanel {
     dReal *A, *d;
     std::size_t rowSkip;
@@ -33,25 +26,13 @@ struct FactorPanel {
     dReal *crosses;  // by lane, for the second row of a pair: with the scaled ones of the first
 
     dReal *row(std::size_t index) const { return A + index * rowSkip; }
-    dReal *column(std::size_t index) const { return solved + index * kFactorLanes; }
+    dReal *column(std::size_t index) const { return solved + index * kLineLanes; }
 };
-
-// sum[row] += L(row, column) * solved(column), for columns begin..end-1 in this order
-template <std::size_t Rows>
-HWY_INLINE void addFactorColumns(const FactorPanel &panel, const dReal *row, std::size_t lane,
-                                 std::size_t begin, std::size_t end, FactorVector *sum) {
-    const FactorTag d;
-    for (std::size_t column = begin; column < end; ++column) {
-        const auto y = hn::Load(d, panel.column(column) + lane);
-        for (std::size_t r = 0; r < Rows; ++r)
-            sum[r] = hn::Add(sum[r], hn::Mul(hn::Set(d, row[r * panel.rowSkip + column]), y));
-    }
-}
 
 // Columns `pair` and `pair` + 1, whose right-hand sides lie where their results go.
 HWY_INLINE void finishFactorPair(const FactorPanel &panel, std::size_t lane, std::size_t pair,
-                                 const FactorVector *sum) {
-    const FactorTag d;
+                                 const LineVector *sum) {
+    const LineTag d;
     dReal *column0 = panel.column(pair) + lane, *column1 = panel.column(pair + 1) + lane;
     const auto y0 = hn::Sub(hn::Load(d, column0), sum[0]);
     const auto factor = hn::Set(d, panel.row(pair + 1)[pair]);
@@ -63,20 +44,23 @@ HWY_INLINE void finishFactorPair(const FactorPanel &panel, std::size_t lane, std
 // Columns first..first+Rows-1 of the panel.
 template <std::size_t Rows>
 HWY_INLINE void solveFactorColumns(const FactorPanel &panel, std::size_t first) {
-    const FactorTag d;
-    for (std::size_t lane = 0; lane < kFactorLanes; lane += hn::Lanes(d)) {
-        FactorVector sum[Rows];
+    const LineTag d;
+    for (std::size_t lane = 0; lane < kLineLanes; lane += hn::Lanes(d)) {
+        LineVector sum[Rows];
         for (std::size_t r = 0; r < Rows; ++r) sum[r] = hn::Zero(d);
-        addFactorColumns<Rows>(panel, panel.row(first), lane, 0, first, sum);
+        addColumns<Rows>(panel.row(first), panel.rowSkip, panel.solved + lane, 0, first, sum);
         finishFactorPair(panel, lane, first, sum);
         if constexpr (Rows > 2) {
-            addFactorColumns<Rows - 2>(panel, panel.row(first + 2), lane, first, first + 2, sum + 2);
+            addColumns<Rows - 2>(panel.row(first + 2), panel.rowSkip, panel.solved + lane, first, first + 2,
+                                 sum + 2);
             finishFactorPair(panel, lane, first + 2, sum + 2);
         }
         if constexpr (Rows > 4) {
-            addFactorColumns<Rows - 4>(panel, panel.row(first + 4), lane, first + 2, first + 4, sum + 4);
+            addColumns<Rows - 4>(panel.row(first + 4), panel.rowSkip, panel.solved + lane, first + 2,
+                                 first + 4, sum + 4);
             finishFactorPair(panel, lane, first + 4, sum + 4);
-            addFactorColumns<Rows - 6>(panel, panel.row(first + 6), lane, first + 4, first + 6, sum + 6);
+            addColumns<Rows - 6>(panel.row(first + 6), panel.rowSkip, panel.solved + lane, first + 4,
+                                 first + 6, sum + 6);
             finishFactorPair(panel, lane, first + 6, sum + 6);
         }
     }
@@ -85,7 +69,7 @@ HWY_INLINE void solveFactorColumns(const FactorPanel &panel, std::size_t first) 
 // The panel's elements of a column; lanes whose rows end before it have zeros.
 HWY_INLINE void loadFactorColumn(const FactorPanel &panel, std::size_t column) {
     dReal *lanes = panel.column(column);
-    for (std::size_t lane = 0; lane < kFactorLanes; ++lane) {
+    for (std::size_t lane = 0; lane < kLineLanes; ++lane) {
         const std::size_t row = panel.first + lane;
         lanes[lane] = lane < panel.rows && row > column ? panel.row(row)[column] : 0;
     }
@@ -94,17 +78,17 @@ HWY_INLINE void loadFactorColumn(const FactorPanel &panel, std::size_t column) {
 // Adds columns begin..end-1 to the sums, and writes their rows of L from lane `from` on.
 HWY_INLINE void scaleFactorColumns(const FactorPanel &panel, std::size_t begin, std::size_t end,
                                    std::size_t from) {
-    const FactorTag d;
-    HWY_ALIGN dReal scaled[kFactorLanes];
+    const LineTag d;
+    HWY_ALIGN dReal scaled[kLineLanes];
     for (std::size_t column = begin; column < end; ++column) {
         const auto factor = hn::Set(d, panel.d[column]);
-        for (std::size_t lane = 0; lane < kFactorLanes; lane += hn::Lanes(d)) {
+        for (std::size_t lane = 0; lane < kLineLanes; lane += hn::Lanes(d)) {
             const auto y = hn::Load(d, panel.column(column) + lane);
             const auto q = hn::Mul(y, factor);
             hn::Store(q, d, scaled + lane);
             hn::Store(hn::Add(hn::Load(d, panel.squares + lane), hn::Mul(y, q)), d, panel.squares + lane);
         }
-        for (std::size_t lane = 1; lane < kFactorLanes; lane += 2)
+        for (std::size_t lane = 1; lane < kLineLanes; lane += 2)
             panel.crosses[lane] += panel.column(column)[lane] * scaled[lane - 1];
         for (std::size_t lane = from; lane < panel.rows; ++lane)
             panel.row(panel.first + lane)[column] = scaled[lane];
@@ -156,12 +140,12 @@ HWY_INLINE void factorPanel(const FactorPanel &panel) {
 }
 
 void factorLDLT(dReal *A, dReal *d, std::size_t rowCount, std::size_t rowSkip, dReal *storage) {
-    HWY_ALIGN dReal squares[kFactorLanes], crosses[kFactorLanes];
-    for (std::size_t first = 0; first < rowCount; first += kFactorLanes) {
-        std::fill_n(squares, kFactorLanes, dReal(0));
-        std::fill_n(crosses, kFactorLanes, dReal(0));
-        factorPanel(
-            {A, d, rowSkip, first, std::min(kFactorLanes, rowCount - first), storage, squares, crosses});
+    HWY_ALIGN dReal squares[kLineLanes], crosses[kLineLanes];
+    for (std::size_t first = 0; first < rowCount; first += kLineLanes) {
+        std::fill_n(squares, kLineLanes, dReal(0));
+        std::fill_n(crosses, kLineLanes, dReal(0));
+        factorPanel({A, d, rowSkip, first, std::min<std::size_t>(kLineLanes, rowCount - first), storage,
+                     squares, crosses});
     }
 }
 
@@ -174,10 +158,7 @@ namespace dxSolve {
 HWY_EXPORT(factorLDLT);
 }  // namespace dxSolve
 
-std::size_t dxFactorLDLTStorage(unsigned n) {
-    constexpr std::size_t lanes = 64 / sizeof(dReal);
-    return lanes * n;
-}
+std::size_t dxFactorLDLTStorage(unsigned n) { return std::size_t(kLineLanes) * n; }
 
 void dxFactorLDLT(dReal *A, dReal *d, unsigned rowCount, unsigned rowSkip, dReal *storage) {
     HWY_DYNAMIC_DISPATCH(dxSolve::factorLDLT)(A, d, rowCount, rowSkip, storage);

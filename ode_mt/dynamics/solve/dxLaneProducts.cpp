@@ -4,18 +4,12 @@
 #define HWY_TARGET_INCLUDE "dynamics/solve/dxLaneProducts.cpp"
 #include <hwy/foreach_target.h>
 // Highway's order of headers: after foreach_target.h
-#include <hwy/highway.h>
-
 #include "dynamics/solve/dxLaneProducts.h"
+#include "dynamics/solve/dxLineLanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace dxSolve {
 namespace HWY_NAMESPACE {
-
-namespace hn = hwy::HWY_NAMESPACE;
-
-constexpr std::size_t kProductLanes = 64 / sizeof(dReal);
-using ProductTag = hn::CappedTag<dReal, kProductLanes>;
 
 // Rows of the matrix are read as streams, eight at a time, and the sums kept in `result`.
 constexpr unsigned kStreams = 8;
@@ -23,17 +17,17 @@ constexpr unsigned kStreams = 8;
 // result(row) += the products with Streams columns
 template <unsigned Streams>
 HWY_INLINE void addStreams(const dxLaneProductsTask &task, unsigned first) {
-    const ProductTag d;
+    const LineTag d;
     const dReal *stream[Streams];
-    hn::Vec<ProductTag> factor[Streams];
+    LineVector factor[Streams];
     for (unsigned k = 0; k < Streams; ++k) {
         stream[k] = task.matrix + task.columns[first + k] * task.rowSkip;
         factor[k] = hn::Set(d, task.factors[first + k]);
     }
     for (unsigned block = task.beginBlock; block < task.endBlock; ++block) {
         if (task.wanted[block] == 0) continue;
-        for (std::size_t i = 0; i < kProductLanes; i += hn::Lanes(d)) {
-            const std::size_t lane = block * kProductLanes + i;
+        for (std::size_t i = 0; i < kLineLanes; i += hn::Lanes(d)) {
+            const std::size_t lane = std::size_t(block) * kLineLanes + i;
             const auto product = [&](unsigned k) {
                 return hn::Mul(hn::Load(d, stream[k] + lane), factor[k]);
             };
@@ -51,9 +45,9 @@ HWY_INLINE void addStreams(const dxLaneProductsTask &task, unsigned first) {
 }
 
 void computeLaneProducts(const dxLaneProductsTask &task) {
-    const ProductTag d;
-    for (std::size_t lane = task.beginBlock * kProductLanes; lane < task.endBlock * kProductLanes;
-         lane += hn::Lanes(d))
+    const LineTag d;
+    for (std::size_t lane = std::size_t(task.beginBlock) * kLineLanes;
+         lane < std::size_t(task.endBlock) * kLineLanes; lane += hn::Lanes(d))
         hn::Store(hn::Zero(d), d, task.result + lane);
     unsigned k = 0;
     for (; k + kStreams <= task.count; k += kStreams) addStreams<kStreams>(task, k);
