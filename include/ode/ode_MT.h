@@ -140,6 +140,18 @@ ODE_API unsigned dODE_MT_GetParallelIslands(void);
 /** Calls of dSpaceCollide whose callbacks ran on two threads at least. @ingroup ode_mt */
 ODE_API unsigned dODE_MT_GetParallelCollisions(void);
 
+/**
+ * Calls of dSpaceCollide in which two threads at least computed boxes, looked for pairs, or computed contacts ahead of the
+ * callbacks; the callbacks came one at a time. @ingroup ode_mt
+ */
+ODE_API unsigned dODE_MT_GetSharedCollisions(void);
+
+/** Pairs of geoms whose contacts were computed before their near-callback, for dCollide to hand out. @ingroup ode_mt */
+ODE_API unsigned dODE_MT_GetContactsAhead(void);
+
+/** Those of them whose callback did not ask for the contacts, or asked for others. @ingroup ode_mt */
+ODE_API unsigned dODE_MT_GetContactsAheadUnused(void);
+
 /** Largest number of threads that took part in one step or in the callbacks of one collision. @ingroup ode_mt */
 ODE_API unsigned dODE_MT_GetMaxWorkersUsed(void);
 

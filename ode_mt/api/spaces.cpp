@@ -4,8 +4,8 @@
 #include "frame/dxClusterManager.h"
 #include "collision/dxOrderedHashSpace.h"
 #include "collision/dxOrderedSimpleSpace.h"
-#include "frame/dxConcurrentCallbacks.h"
 #include "frame/dxSettings.h"
+#include "frame/dxSpaceCollision.h"
 
 extern "C" {
 // Upstream's own, renamed by the seam ode/seams/collision_space.h.
@@ -31,10 +31,11 @@ void dHashSpaceGetLevels(dSpaceID space, int *minlevel, int *maxlevel) {
 }
 
 void dSpaceCollide(dSpaceID space, void *data, dNearCallback *callback) {
-    if (space != nullptr && dGeomIsSpace(space)) {
+    if (space != nullptr && callback != nullptr && dGeomIsSpace(space)) {
         const dxSettings &settings = dxSettings::instance();
         dxClusterManager::prepare(space, settings.passName());
-        if (settings.callbacksMayRunConcurrently() && dxCollideConcurrently(space, data, callback)) return;
+        const bool isOrdered = space->type == dSimpleSpaceClass || space->type == dHashSpaceClass;
+        if (isOrdered) return dxCollideSpace(*static_cast<dxOrderedSpace *>(space), data, callback);
     }
     dxUpstreamSpaceCollide(space, data, callback);
 }

@@ -46,6 +46,12 @@ unsigned dODE_MT_GetParallelIslands() { return dxStepStatistics::instance().para
 
 unsigned dODE_MT_GetParallelCollisions() { return dxStepStatistics::instance().parallelCollisions; }
 
+unsigned dODE_MT_GetSharedCollisions() { return dxStepStatistics::instance().sharedCollisions; }
+
+unsigned dODE_MT_GetContactsAhead() { return dxStepStatistics::instance().contactsAhead; }
+
+unsigned dODE_MT_GetContactsAheadUnused() { return dxStepStatistics::instance().contactsAheadUnused; }
+
 unsigned dODE_MT_GetMaxWorkersUsed() { return dxStepStatistics::instance().maxWorkersUsed; }
 
 }  // extern "C"

@@ -11,6 +11,8 @@
 #include <utility>
 
 #include "api/user_classes.h"
+#include "collision/dxColliderOverrides.h"
+#include "collision/dxContactsAhead.h"
 #include "config.h"
 #include "collision_kernel.h"
 #include "threading/dxForkLocks.h"
@@ -73,6 +75,7 @@ bool isAnsweredEarly(const dxGeom &o1, const dxGeom &o2, int flags) {
 
 void dxForgetColliders() {
     for (std::atomic<dGetColliderFnFn *> &getter : dispatch->getters) getter = nullptr;
+    dxColliderOverrides::forget();
     for (auto &row : dispatch->resolved) {
         for (std::atomic<bool> &resolved : row) resolved = false;
     }
@@ -86,6 +89,10 @@ void dxForgetUserClasses() {
 extern "C" {
 
 int dCollide(dGeomID o1, dGeomID o2, int flags, dContactGeom *contact, int skip) {
+    if (dxContactsAhead *const ahead = dxContactsAhead::current()) {
+        const int count = ahead->answer(o1, o2, flags, contact, skip);
+        if (count >= 0) return count;
+    }
     if (o1 != nullptr && o2 != nullptr && isFirstMeeting(*o1, *o2) && !isAnsweredEarly(*o1, *o2, flags)) {
         resolve(o1->type, o2->type);
     }
@@ -106,6 +113,7 @@ int dCreateGeomClass(const dGeomClass *description) {
 
 void dSetColliderOverride(int i, int j, dColliderFn *collider) {
     dxUpstreamSetColliderOverride(i, j, collider);
+    dxColliderOverrides::note(i, j);
     dispatch->resolved[i][j] = true;
     dispatch->resolved[j][i] = true;
 }

@@ -26,7 +26,7 @@ dxClusteredWorldAndSpace::dxClusteredWorldAndSpace(std::unique_ptr<dxCrossoverPa
     m_scene.setGrid(dxClusterGrid());
 }
 
-void dxClusteredWorldAndSpace::search(const dxMembers &members, std::vector<Match> &matches) {
+void dxClusteredWorldAndSpace::search(const dxMembers &members, dxTaskRunner &, std::vector<Match> &matches) {
     travel(members);
     check(members);
     findPairs(members, matches);

@@ -31,7 +31,7 @@ public:
 
     explicit dxClusteredWorldAndSpace(std::unique_ptr<dxCrossoverPass> pass);
 
-    void search(const dxMembers &members, std::vector<Match> &matches) override;
+    void search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
 
     // The parts of a search, in this order; check() may be left out while nothing has come further than the gap
     // allows. Clusters, and everything else below, are then those of the last check.

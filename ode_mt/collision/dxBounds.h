@@ -36,7 +36,10 @@ struct dxBounds {
 
     dReal longestEdge() const {
         dReal longest = 0;
-        for (int axis = 0; axis < 3; ++axis) longest = std::fmax(longest, high(axis) - low(axis));
+        for (int axis = 0; axis < 3; ++axis) {
+            const dReal edge = high(axis) - low(axis);
+            if (edge > longest) longest = edge;  // not if it is NaN
+        }
         return longest;
     }
 

@@ -63,12 +63,12 @@ void dxDensePairs::findPairs(const dxMembers &members, std::size_t rows) {
     m_rows.resize(m_order.size());
     for (std::size_t row = 0; row < rows; ++row) {
         const Slot slot = m_order[row];
-        dxGeom *const geom = members[slot].geom;
-        const std::size_t count = dxOverlappingRows(m_boxes, members[slot].bounds, row + 1, m_rows.data());
+        const dxMembers::Member &member = members[slot];
+        const std::size_t count = dxOverlappingRows(m_boxes, member.bounds, row + 1, m_rows.data());
         for (std::size_t i = 0; i < count; ++i) {
             const Slot other = m_order[m_rows[i]];
-            dxGeom *const otherGeom = members[other].geom;
-            if (dxMayMeet(geom, otherGeom)) m_found.push_back({geom, otherGeom, {slot, other}});
+            const dxMembers::Member &second = members[other];
+            if (dxMayMeet(member.filter, second.filter)) m_found.push_back({member.geom, second.geom, {slot, other}});
         }
     }
 }

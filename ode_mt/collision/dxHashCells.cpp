@@ -48,7 +48,8 @@ dxHashCells::dxHashCells(const dReal aabb[6], const dxHashLevels &levels) {
             m_kind = Kind::outOfRange;
             return;
         }
-        m_bounds[i] = static_cast<int>(dFloor(bound));
+        const int truncated = static_cast<int>(bound);
+        m_bounds[i] = truncated - (bound < static_cast<dReal>(truncated));  // rounded down
     }
 }
 

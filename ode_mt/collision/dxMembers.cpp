@@ -40,8 +40,9 @@ void dxMembers::markChanged(Slot slot) {
     m_changed.push_back(slot);
 }
 
-void dxMembers::setBounds(Slot slot, const dxBounds &bounds) {
+void dxMembers::setBounds(Slot slot, const dxBounds &bounds, const dxMeetingFilter &filter) {
     m_members[slot].bounds = bounds;
+    m_members[slot].filter = filter;
     m_members[slot].sought = true;
 }
 

@@ -12,6 +12,7 @@
 #include <ode/common.h>
 
 #include "collision/dxBounds.h"
+#include "collision/dxMeetingFilter.h"
 #include "collision/dxPairKey.h"
 
 class dxMembers {
@@ -21,12 +22,16 @@ public:
     struct Member {
         dxGeom *geom = nullptr;  // NULL: nobody
         dxRank rank = 0;         // 0: none yet
-        dxBounds bounds;         // as of the last search for pairs
-        bool sought = false;     // pairs were looked for since it came
+        dxBounds bounds;         // as of the last cleaning
+        dxMeetingFilter filter;
+        bool sought = false;     // has bounds: pairs may have been looked for since it came
     };
 
     Slot add(dxGeom *geom);
     void remove(Slot slot);
+
+    // Asks the memory for a member that will be looked at soon.
+    void expect(Slot slot) const { __builtin_prefetch(&m_members[slot]); }
 
     const Member &operator[](Slot slot) const { return m_members[slot]; }
     Slot end() const { return static_cast<Slot>(m_members.size()); }  // slots are below
@@ -40,7 +45,8 @@ public:
     // Also of members that have gone; those are nobody.
     const std::vector<Slot> &changed() const { return m_changed; }
     bool isChanged(Slot slot) const { return m_isChanged[slot] != 0; }
-    void setBounds(Slot slot, const dxBounds &bounds);
+    void setBounds(Slot slot, const dxBounds &bounds, const dxMeetingFilter &filter = {});
+    void setFilter(Slot slot, const dxMeetingFilter &filter) { m_members[slot].filter = filter; }
     void forgetChanges();
 
 private:

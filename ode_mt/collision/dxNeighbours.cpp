@@ -28,13 +28,14 @@ void dxNeighbours::insert(Slot slot, const dxBounds &box) {
     store(slot, box);
 }
 
-void dxNeighbours::move(Slot slot, const dxBounds &box) {
+bool dxNeighbours::move(Slot slot, const dxBounds &box) {
     Node &node = m_nodes[slot];
     const dReal distance = distanceBetween(node.last, box);
     node.last = box;
-    if (node.stored.contains(box)) return;
+    if (node.stored.contains(box)) return false;
     takeOut(slot);
     store(slot, box.isProper() ? box.grown(marginOf(box.longestEdge(), distance)) : box);
+    return true;
 }
 
 void dxNeighbours::remove(Slot slot) { takeOut(slot); }

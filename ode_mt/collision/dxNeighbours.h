@@ -23,7 +23,8 @@ public:
     };
 
     void insert(Slot slot, const dxBounds &box);
-    void move(Slot slot, const dxBounds &box);
+    // True: the box left its margin and was looked up again.
+    bool move(Slot slot, const dxBounds &box);
     void remove(Slot slot);
 
     const std::vector<Candidate> &of(Slot slot) const { return m_nodes[slot].candidates; }
@@ -32,7 +33,7 @@ private:
     struct Node {
         dxBounds last;    // the box itself
         dxBounds stored;  // the box with its margin
-            std::vector<Candidate> candidates;
+        std::vector<Candidate> candidates;
     };
 
     void store(Slot slot, const dxBounds &stored);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <climits>
 
+#include "collision/dxPairPrefetch.h"
 #include "util.h"
 #include "collision_space_internal.h"
 
@@ -72,7 +73,7 @@ void dxOrderedHashSpace::setLevels(const dxHashLevels &levels) {
 void dxOrderedHashSpace::collide(void *data, dNearCallback *callback) {
     dAASSERT(callback);
     if (count < 2) return;  // upstream does not even clean the geoms then
-    lock_count++;
+    beginCollide();
     if (makeReady())
         collidePairs(data, callback);
     else
@@ -112,6 +113,13 @@ bool dxOrderedHashSpace::place(Slot a, Slot b, dxPairKey &key, bool &swapped) co
     return placed;
 }
 
+void dxOrderedHashSpace::expect(Slot a, Slot b) const {
+    for (const Slot slot : {a, b}) {
+        members().expect(slot);
+        __builtin_prefetch(&m_cells[slot]);
+    }
+}
+
 void dxOrderedHashSpace::requireInRange() const {
     if (m_outOfRange == 0) return;
     for (const dxGeom *geom = first; geom != nullptr; geom = geom->next)
@@ -124,12 +132,21 @@ void dxOrderedHashSpace::collidePairs(void *data, dNearCallback *callback) {
         return dxGeomIsEnabled(pair.first) && dxGeomIsEnabled(pair.second);
     };
     if (std::all_of(pairs().begin(), pairs().end(), bothEnabled)) {
-        for (const dxOrderedPair &pair : pairs()) dxDeliver(pair, data, callback);
+        deliver(pairs(), data, callback);
         return;
     }
     std::vector<dxOrderedPair> enabled;
     std::copy_if(pairs().begin(), pairs().end(), std::back_inserter(enabled), bothEnabled);
-    for (const dxOrderedPair &pair : enabled) dxDeliver(pair, data, callback);
+    deliver(enabled, data, callback);
+}
+
+void dxOrderedHashSpace::deliver(const std::vector<dxOrderedPair> &pairs, void *data, dNearCallback *callback) {
+    dxContactsAhead *const ahead = this->ahead();
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (ahead != nullptr) ahead->beforePair(pairs, i);
+        dxPairPrefetch::ahead(pairs, i);
+        dxDeliver(pairs[i], data, callback);
+    }
 }
 
 // All pairs that share a cell, whether or not their boxes overlap, for the assertions in collideAABBs.

@@ -20,8 +20,10 @@ public:
 private:
     void update(std::vector<dxOrderedPair> &pairs) override;
     bool place(Slot a, Slot b, dxPairKey &key, bool &swapped) const override;
+    void expect(Slot a, Slot b) const override;
 
     void collidePairs(void *data, dNearCallback *callback);
+    void deliver(const std::vector<dxOrderedPair> &pairs, void *data, dNearCallback *callback);
     void collideList(void *data, dNearCallback *callback);
     void updateCells();
     void requireInRange() const;

@@ -16,7 +16,7 @@ constexpr int kLargestDense = 512;
 
 void dxOrderedSimpleSpace::collide(void *data, dNearCallback *callback) {
     dAASSERT(callback);
-    lock_count++;
+    beginCollide();
     if (makeReady())
         collidePairs(data, callback);
     else
@@ -43,17 +43,26 @@ bool dxOrderedSimpleSpace::place(Slot a, Slot b, dxPairKey &key, bool &swapped) 
     return true;
 }
 
+void dxOrderedSimpleSpace::expect(Slot a, Slot b) const {
+    members().expect(a);
+    members().expect(b);
+}
+
 // Upstream asks whether a geom is enabled once before it is paired with those behind it, and of each of
 // those when its turn comes. A callback may enable or disable either.
 void dxOrderedSimpleSpace::collidePairs(void *data, dNearCallback *callback) {
     const dxGeom *front = nullptr;
     bool frontIsEnabled = false;
-    for (const dxOrderedPair &pair : pairs()) {
+    dxContactsAhead *const ahead = this->ahead();
+    for (std::size_t i = 0; i < pairs().size(); ++i) {
+        const dxOrderedPair &pair = pairs()[i];
         if (pair.first != front) {
             front = pair.first;
             frontIsEnabled = dxGeomIsEnabled(front);
         }
-        if (frontIsEnabled && dxGeomIsEnabled(pair.second)) dxDeliver(pair, data, callback);
+        if (!frontIsEnabled || !dxGeomIsEnabled(pair.second)) continue;
+        if (ahead != nullptr) ahead->beforePair(pairs(), i);
+        dxDeliver(pair, data, callback);
     }
 }
 

@@ -15,6 +15,7 @@ public:
 private:
     void update(std::vector<dxOrderedPair> &pairs) override;
     bool place(Slot a, Slot b, dxPairKey &key, bool &swapped) const override;
+    void expect(Slot a, Slot b) const override;
 
     void collidePairs(void *data, dNearCallback *callback);
     void collideList(void *data, dNearCallback *callback);

@@ -1,22 +1,40 @@
 #include "collision/dxOrderedSpace.h"
 
+#include <cstring>
 #include <utility>
 
-#include "collision/dxNeighbourSearch.h"
+#include "collision/dxAdaptiveSearch.h"
+#include "collision/dxPairPrefetch.h"
 
 #include "util.h"
 #include "collision_space_internal.h"
 
 namespace {
 
+// Geoms that one worker takes at once: some ten microseconds.
+constexpr std::size_t kBoxPiece = 128;
+
+// Geoms between asking the memory for one's place and computing its box.
+constexpr std::size_t kBoxesAhead = 4;
+
 bool isDirty(const dxGeom *geom) { return (geom->gflags & GEOM_DIRTY) != 0; }
 
-}  // namespace
+// In a smaller space the list is walked as fast.
+constexpr int kLeastIndexed = 16;
 
-bool dxMayMeet(const dxGeom *a, const dxGeom *b) {
-    if (a->body == b->body && a->body != nullptr) return false;
-    return (a->category_bits & b->collide_bits) != 0 || (b->category_bits & a->collide_bits) != 0;
+// As upstream's collide2.
+void collideFrom(dxGeom *member, void *data, dxGeom *geom, dNearCallback *callback) {
+    for (; member != nullptr; member = member->next)
+        if (dxGeomIsEnabled(member)) collideAABBs(member, geom, data, callback);
 }
+
+dxMeetingFilter filterOf(const dxGeom *geom) { return {geom->body, geom->category_bits, geom->collide_bits}; }
+
+bool hasBoxOfItsOwn(const dxGeom *geom) {
+    return geom->type <= dConvexClass || geom->type == dTriMeshClass || geom->type == dHeightfieldClass;
+}
+
+}  // namespace
 
 // The slot is kept in a field that upstream's simple and hash spaces leave unused.
 dxOrderedSpace::Slot dxOrderedSpace::slotOf(const dxGeom *geom) {
@@ -48,6 +66,13 @@ void dxOrderedSpace::remove(dxGeom *geom) {
     dxSpace::remove(geom);
     geom->tome_ex = nullptr;
     m_members.remove(slot);
+    if (m_index != nullptr) m_index->drop(slot);
+}
+
+void dxOrderedSpace::filtersChanged(dxGeom *geom) {
+    const Slot slot = slotOf(geom);
+    m_members.setFilter(slot, filterOf(geom));
+    m_members.markChanged(slot);
 }
 
 void dxOrderedSpace::setSearch(std::unique_ptr<dxPairSearch> search) {
@@ -63,27 +88,64 @@ void dxOrderedSpace::startAnew() {
         if (m_members[slot].geom != nullptr) m_members.markChanged(slot);
 }
 
+void dxOrderedSpace::collideShared(dxTaskRunner &runner, void *data, dNearCallback *callback) {
+    if (m_ahead == nullptr) m_ahead.reset(new dxContactsAhead);
+    const dxContactsAhead::Scope scope(*m_ahead, runner);
+    m_runner = &runner;
+    collide(data, callback);
+    m_runner = nullptr;
+}
+
+bool dxOrderedSpace::makeReadyShared(dxTaskRunner &runner) {
+    m_runner = &runner;
+    const bool isReady = makeReady();
+    m_runner = nullptr;
+    return isReady;
+}
+
 // Upstream stops at the first geom that is clean, and so do we. Ranks are given from the front downwards, at
 // once, because a user's bounding-box function may leave by an exception.
 void dxOrderedSpace::cleanGeoms() {
     lock_count++;
     dxRank next = m_members.firstOf(count);
-    dxGeom *geom = first;
-    for (; geom != nullptr && isDirty(geom); geom = geom->next) {
+    gatherDirty();
+    computeBoxes();
+    for (std::size_t i = 0; i < m_dirty.size(); ++i) {
+        dxGeom *const geom = m_dirty[i];
+        if (i + kBoxesAhead < m_dirty.size()) dxPairPrefetch::place(m_dirty[i + kBoxesAhead]);
         if (IS_SPACE(geom)) static_cast<dxSpace *>(geom)->cleanGeoms();
         geom->recomputeAABB();
         dIASSERT((geom->gflags & GEOM_AABB_BAD) == 0);
         geom->gflags &= ~GEOM_DIRTY;
         rank(geom, next--);
     }
-    if (m_members.unranked() != 0 || m_irregular) rankBehindClean(geom, next);
+    dxGeom *const clean = m_dirty.empty() ? first : m_dirty.back()->next;
+    if (m_members.unranked() != 0 || m_irregular) rankBehindClean(clean, next);
     lock_count--;
+}
+
+void dxOrderedSpace::gatherDirty() {
+    m_dirty.clear();
+    for (dxGeom *geom = first; geom != nullptr && isDirty(geom); geom = geom->next) m_dirty.push_back(geom);
+}
+
+// Ahead of cleaning, of the built-in classes whose boxes depend on nothing but themselves and their bodies.
+void dxOrderedSpace::computeBoxes() {
+    if (m_runner == nullptr || m_dirty.size() < kBoxPiece) return;
+    m_runner->forPieces(m_dirty.size(), kBoxPiece, [this](std::size_t begin, std::size_t end, unsigned) {
+        for (std::size_t i = begin; i < end; ++i) {
+            if (i + kBoxesAhead < end) dxPairPrefetch::place(m_dirty[i + kBoxesAhead]);
+            if (hasBoxOfItsOwn(m_dirty[i])) m_dirty[i]->recomputeAABB();
+        }
+    });
 }
 
 void dxOrderedSpace::rank(dxGeom *geom, dxRank rank) {
     const Slot slot = slotOf(geom);
     m_members.setRank(slot, rank);
+    m_members.setBounds(slot, dxBounds(geom->aabb), filterOf(geom));
     m_members.markChanged(slot);
+    if (m_index != nullptr) m_index->loosen(slot);
 }
 
 // A geom that was clean when it was added stands, clean, before the dirty ones, and upstream never gets to
@@ -102,19 +164,17 @@ bool dxOrderedSpace::makeReady() {
     cleanGeoms();
     if (m_irregular) return false;
     if (m_members.changed().empty()) return true;
-    for (const Slot slot : m_members.changed())
-        if (const dxGeom *const geom = m_members[slot].geom) m_members.setBounds(slot, dxBounds(geom->aabb));
     update(m_pairs);
     m_members.forgetChanges();
     return true;
 }
 
 void dxOrderedSpace::update(std::vector<dxOrderedPair> &pairs) {
-    if (m_search == nullptr && m_ownSearch == nullptr) m_ownSearch.reset(new dxNeighbourSearch);
+    if (m_search == nullptr && m_ownSearch == nullptr) m_ownSearch.reset(new dxAdaptiveSearch);
     if (m_kept == nullptr) m_kept.reset(new dxKeptPairs);
     m_matches.clear();
-    (m_search != nullptr ? m_search : m_ownSearch)->search(m_members, m_matches);
-    m_kept->update(m_members, m_matches, *this, pairs);
+    (m_search != nullptr ? m_search : m_ownSearch)->search(m_members, runner(), m_matches);
+    m_kept->update(m_members, m_matches, *this, runner(), pairs);
 }
 
 void dxOrderedSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback) {
@@ -122,7 +182,27 @@ void dxOrderedSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback)
     lock_count++;
     cleanGeoms();
     geom->recomputeAABB();
-    for (dxGeom *member = first; member != nullptr; member = member->next)
-        if (dxGeomIsEnabled(member)) collideAABBs(member, geom, data, callback);
+    if (m_irregular || count < kLeastIndexed)
+        collideFrom(first, data, geom, callback);
+    else
+        collideRegion(data, geom, callback);
     lock_count--;
+}
+
+// The members of the space cannot move while it is locked, but the geom may, if it is not one of them: then
+// upstream goes on with its new box.
+void dxOrderedSpace::collideRegion(void *data, dxGeom *geom, dNearCallback *callback) {
+    if (m_index == nullptr) m_index.reset(new dxRegionIndex(m_members));
+    const auto depth = static_cast<std::size_t>(lock_count);
+    while (m_regions.size() < depth) m_regions.emplace_back();
+    std::vector<Slot> &region = m_regions[depth - 1];
+    const dxBounds box(geom->aabb);
+    m_index->find(m_members, box, region);
+    for (const Slot slot : region) {
+        dxGeom *const member = m_members[slot].geom;
+        if (!dxGeomIsEnabled(member)) continue;
+        collideAABBs(member, geom, data, callback);
+        const bool hasMoved = (geom->gflags & GEOM_AABB_BAD) != 0 || std::memcmp(geom->aabb, box.v, sizeof box.v) != 0;
+        if (hasMoved) return collideFrom(member->next, data, geom, callback);
+    }
 }

@@ -16,6 +16,7 @@
 // One thread at a time, as upstream. docs/collision-order.md.
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <vector>
 
@@ -24,10 +25,13 @@
 #include "config.h"
 #include "objects.h"
 #include "collision_kernel.h"
+#include "collision/dxContactsAhead.h"
 #include "collision/dxKeptPairs.h"
 #include "collision/dxMembers.h"
 #include "collision/dxOrderedPair.h"
 #include "collision/dxPairSearch.h"
+#include "collision/dxRegionIndex.h"
+#include "collision/dxSharingPace.h"
 
 class dxOrderedSpace : public dxSpace, protected dxPairPlacer {
 public:
@@ -45,6 +49,16 @@ public:
     void cleanGeoms() override;
     void collide2(void *data, dxGeom *geom, dNearCallback *callback) override;
 
+    // collide() with what can be shared out given to the runner: boxes, the search for pairs, and contacts ahead of
+    // the callbacks, which come as ever.
+    void collideShared(dxTaskRunner &runner, void *data, dNearCallback *callback);
+    // makeReady() with the runner.
+    bool makeReadyShared(dxTaskRunner &runner);
+
+    // NULL until contacts were computed ahead for the first time.
+    const dxContactsAhead *contactsAhead() const { return m_ahead.get(); }
+    dxSharingPace &pace() { return m_pace; }
+
     // Cleans the geoms and brings pairs() up to date; the space is locked by then. False: upstream's list is
     // not in the state in which ranks stand for it, and has to be walked as upstream does.
     virtual bool makeReady();
@@ -56,7 +70,7 @@ public:
     const dxPairSearch *search() const { return m_search.get(); }
 
     // The category bits, collide bits or body of a member changed, which moves nothing.
-    void filtersChanged(dxGeom *geom) { m_members.markChanged(slotOf(geom)); }
+    void filtersChanged(dxGeom *geom);
 
 protected:
     explicit dxOrderedSpace(dSpaceID parent, int type);
@@ -67,10 +81,22 @@ protected:
 
     const dxMembers &members() const { return m_members; }
 
+    dxTaskRunner &runner() const { return m_runner != nullptr ? *m_runner : dxTaskRunner::alone(); }
+    // To be told of each pair before its callback, or NULL.
+    dxContactsAhead *ahead() const { return m_runner != nullptr ? m_ahead.get() : nullptr; }
+
     // Members have changed, and have their new ranks and boxes: brings `pairs` up to date.
     virtual void update(std::vector<dxOrderedPair> &pairs);
 
+    // To be called first: the space may still be locked by a call that a callback left by longjmp, or be in one.
+    void beginCollide() {
+        if (lock_count++ != 0) m_runner = nullptr;
+    }
+
 private:
+    void gatherDirty();
+    void computeBoxes();
+    void collideRegion(void *data, dxGeom *geom, dNearCallback *callback);
     void rank(dxGeom *geom, dxRank rank);
     void rankBehindClean(dxGeom *geom, dxRank rank);
 
@@ -80,6 +106,12 @@ private:
     std::unique_ptr<dxPairSearch> m_search, m_ownSearch;
     std::vector<dxPairSearch::Match> m_matches;
     std::unique_ptr<dxKeptPairs> m_kept;
+    std::unique_ptr<dxRegionIndex> m_index;            // from the first collide2 on
+    std::deque<std::vector<Slot>> m_regions;           // by depth of calls of collide2
+    std::vector<dxGeom *> m_dirty;  // front first
+    dxTaskRunner *m_runner = nullptr;  // of the call in progress, if it is shared
+    std::unique_ptr<dxContactsAhead> m_ahead;
+    dxSharingPace m_pace;
 };
 
 inline bool dxGeomIsEnabled(const dxGeom *geom) {

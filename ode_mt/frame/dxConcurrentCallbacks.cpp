@@ -1,7 +1,5 @@
 #include "frame/dxConcurrentCallbacks.h"
 
-#include <fenv.h>
-
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -18,15 +16,14 @@
 #include "frame/dxStepStatistics.h"
 #include "frame/dxWorkers.h"
 #include "threading/dxProcessObject.h"
+#include "threading/dxTaskRunner.h"
 
 namespace {
 
 // More tasks than workers even out what the number of pairs does not tell of their cost.
 constexpr unsigned kTasksPerWorker = 8;
 
-// Fewer pairs than this are not worth waking a worker: at the 0.2 us and more that a callback with dCollide
-// takes, they are done in the time that it needs to come.
-constexpr std::size_t kLeastPairs = 200;
+constexpr std::size_t kLeastPairs = 2;
 
 // What a call needs, kept from call to call.
 struct Run {
@@ -92,15 +89,10 @@ void Run::commit() {
 
 dxProcessObject<dxIdlePool<Run>> idleRuns;
 
-// A program that has floating-point exceptions trapped gets the signal on the thread that collides.
-bool trapsFloatingPoint() { return fegetexcept() > 0; }
-
-unsigned workersFor(dxOrderedSpace &space) {
-    const dxSettings &settings = dxSettings::instance();
-    const dxAlgorithm algorithm = settings.algorithm();
-    if (algorithm == dxAlgorithm::Serial) return 1;
-    if (algorithm != dxAlgorithm::Auto) return dxClusterManager::threadsFor(&space, settings.threads());
-    return space.pairs().size() < kLeastPairs ? 1 : std::min(settings.threads(), settings.cores());
+// Of an algorithm that clusters: as many as its heuristics want.
+unsigned workersFor(dxOrderedSpace &space, const dxTaskRunner &runner) {
+    const dxAlgorithm algorithm = dxSettings::instance().algorithm();
+    return algorithm == dxAlgorithm::Auto ? runner.workers() : dxClusterManager::threadsFor(&space, runner.workers());
 }
 
 // Gives the run back, also when a callback's exception passes.
@@ -119,10 +111,10 @@ private:
 };
 
 // The part between locking the space and unlocking it.
-bool collideLocked(dxOrderedSpace &space, void *data, dNearCallback *callback) {
-    if (!space.makeReady()) return false;
-    const unsigned workers = workersFor(space);
-    if (workers < 2) return false;
+bool collideLocked(dxOrderedSpace &space, dxTaskRunner &runner, void *data, dNearCallback *callback) {
+    if (!space.makeReadyShared(runner)) return false;
+    const unsigned workers = workersFor(space, runner);
+    if (workers < 2 || space.pairs().size() < kLeastPairs) return false;
     const Lease lease;
     Run &run = *lease;
     run.start(space, workers);
@@ -145,15 +137,10 @@ bool collideLocked(dxOrderedSpace &space, void *data, dNearCallback *callback) {
 
 }  // namespace
 
-bool dxCollideConcurrently(dSpaceID space, void *data, dNearCallback *callback) {
-    const bool isOrdered = space->type == dSimpleSpaceClass || space->type == dHashSpaceClass;
-    if (!isOrdered || space->lock_count != 0 || callback == nullptr) return false;
-    if (dxSettings::instance().threads() < 2 || dxContactLog::current() != nullptr || trapsFloatingPoint())
-        return false;
-    if (space->type == dHashSpaceClass && space->count < 2) return false;  // see dxOrderedHashSpace::collide
-    space->lock_count++;
-    const bool done = collideLocked(*static_cast<dxOrderedSpace *>(space), data, callback);
-    space->lock_count--;  // not if an exception passes, as upstream
+bool dxCollideConcurrently(dxOrderedSpace &space, dxTaskRunner &runner, void *data, dNearCallback *callback) {
+    space.lock_count++;
+    const bool done = collideLocked(space, runner, data, callback);
+    space.lock_count--;  // not if an exception passes, as upstream
     return done;
 }
 

@@ -8,8 +8,11 @@
 
 #include <ode/ode.h>
 
-// False: it does not pay, or cannot be done, and nothing has been done.
-bool dxCollideConcurrently(dSpaceID space, void *data, dNearCallback *callback);
+class dxOrderedSpace;
+class dxTaskRunner;
+
+// The space is not locked and has two geoms at least. False: it cannot be done, and no callback has been made.
+bool dxCollideConcurrently(dxOrderedSpace &space, dxTaskRunner &runner, void *data, dNearCallback *callback);
 
 // Frees what is kept from call to call; none may be in progress.
 void dxForgetConcurrentCallbacks();

@@ -2,12 +2,16 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 
 struct dxStepStatistics {
     std::atomic<unsigned> parallelSteps{0};
     std::atomic<unsigned> parallelIslands{0};
     std::atomic<unsigned> maxWorkersUsed{0};
     std::atomic<unsigned> parallelCollisions{0};
+    std::atomic<unsigned> sharedCollisions{0};
+    std::atomic<unsigned> contactsAhead{0};        // pairs
+    std::atomic<unsigned> contactsAheadUnused{0};
 
     static dxStepStatistics &instance() {
         static dxStepStatistics statistics;
@@ -25,6 +29,13 @@ struct dxStepStatistics {
         if (workers < 2) return;
         parallelCollisions.fetch_add(1, std::memory_order_relaxed);
         noteWorkers(workers);
+    }
+
+    // `computed` pairs were collided ahead of their callbacks, `used` of them asked for.
+    void countSharedCollision(unsigned workers, std::uint64_t computed, std::uint64_t used) {
+        if (workers > 1) sharedCollisions.fetch_add(1, std::memory_order_relaxed);
+        contactsAhead.fetch_add(static_cast<unsigned>(computed), std::memory_order_relaxed);
+        contactsAheadUnused.fetch_add(static_cast<unsigned>(computed - used), std::memory_order_relaxed);
     }
 
 private:

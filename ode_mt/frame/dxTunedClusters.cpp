@@ -44,7 +44,7 @@ dxTunedClusters::dxTunedClusters(std::unique_ptr<dxCrossoverPass> pass)
     m_threadCount->setEnabled(true);
 }
 
-void dxTunedClusters::search(const dxMembers &members, std::vector<Match> &matches) {
+void dxTunedClusters::search(const dxMembers &members, dxTaskRunner &, std::vector<Match> &matches) {
     follow(dxSettings::instance().heuristics());
     const int fixedCells = dxSettings::instance().gridCells();
     m_clusters.setCells(fixedCells != 0 ? fixedCells : m_cellSize->cells());

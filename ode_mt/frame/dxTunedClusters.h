@@ -20,7 +20,7 @@ class dxTunedClusters final : public dxPairSearch {
 public:
     explicit dxTunedClusters(std::unique_ptr<dxCrossoverPass> pass);
 
-    void search(const dxMembers &members, std::vector<Match> &matches) override;
+    void search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
 
     const dxClusteredWorldAndSpace &clusters() const { return m_clusters; }
     const dxHeuristicsManager &heuristics() const { return m_heuristics; }

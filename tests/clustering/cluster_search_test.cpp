@@ -57,7 +57,7 @@ protected:
 
     std::vector<std::pair<Slot, Slot>> search(dxClusteredWorldAndSpace &clustered) {
         std::vector<dxPairSearch::Match> matches;
-        clustered.search(members, matches);
+        clustered.search(members, dxTaskRunner::alone(), matches);
         std::vector<std::pair<Slot, Slot>> found;
         for (const dxPairSearch::Match &match : matches) found.emplace_back(std::minmax(match.a, match.b));
         std::sort(found.begin(), found.end());

@@ -37,10 +37,10 @@ class CheckedSearch final : public dxPairSearch {
 public:
     explicit CheckedSearch(const char *pass) : clustered(dxMakeCrossoverPass(pass)) {}
 
-    void search(const dxMembers &members, std::vector<Match> &matches) override {
+    void search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override {
         ++searches;
         const std::size_t before = matches.size();
-        clustered.search(members, matches);
+        clustered.search(members, runner, matches);
         std::vector<std::pair<Slot, Slot>> found;
         for (std::size_t i = before; i < matches.size(); ++i)
             found.emplace_back(std::minmax(matches[i].a, matches[i].b));

@@ -21,9 +21,13 @@ protected:
         dWorldDestroy(world);
     }
 
+    dxMeetingFilter filterOf(Slot slot) const {
+        const dGeomID geom = members[slot].geom;
+        return {dGeomGetBody(geom), dGeomGetCategoryBits(geom), dGeomGetCollideBits(geom)};
+    }
     void toFront(Slot slot) {
         members.setRank(slot, members.firstOf(1));
-        members.setBounds(slot, random.box());
+        members.setBounds(slot, random.box(), filterOf(slot));
         members.markChanged(slot);
     }
     void add() {
@@ -39,7 +43,7 @@ protected:
     void setBits(Slot slot) {
         dGeomSetCategoryBits(members[slot].geom, 1u << random.below(3));
         dGeomSetCollideBits(members[slot].geom, 1u << random.below(3));
-        members.setBounds(slot, members[slot].bounds);
+        members.setBounds(slot, members[slot].bounds, filterOf(slot));
         members.markChanged(slot);
     }
     void changeSome() {

@@ -115,7 +115,7 @@ protected:
 
     Pairs found(dxTunedClusters &tuned) {
         std::vector<dxPairSearch::Match> matches;
-        tuned.search(members, matches);
+        tuned.search(members, dxTaskRunner::alone(), matches);
         Pairs pairs;
         for (const dxPairSearch::Match &match : matches) pairs.emplace_back(std::minmax(match.a, match.b));
         std::sort(pairs.begin(), pairs.end());

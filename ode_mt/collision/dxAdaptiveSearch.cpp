@@ -1,0 +1,54 @@
+#include "collision/dxAdaptiveSearch.h"
+
+namespace {
+
+// Looking a box up costs about as much as ten boxes do in a batch. (To compare a box with its known neighbours
+// costs a tenth of that: a heap whose boxes only tremble is left to the neighbours.)
+constexpr std::size_t kBatchPerLookUp = 10;
+
+// Below, neither takes long.
+constexpr std::size_t kLeastLookUps = 32;
+
+// So many calls in a row with few changes must come before neighbours are built up again, which costs a look-up
+// for each member.
+constexpr int kQuietCalls = 8;
+
+}  // namespace
+
+void dxAdaptiveSearch::search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) {
+    if (m_batch == nullptr && m_neighbours == nullptr) begin(members);
+    if (m_batch != nullptr)
+        searchBatch(members, runner, matches);
+    else
+        searchNeighbours(members, runner, matches);
+}
+
+// At the first call all members are new.
+void dxAdaptiveSearch::begin(const dxMembers &members) {
+    if (members.end() < kLeastLookUps)
+        m_neighbours = std::make_unique<dxNeighbourSearch>();
+    else
+        m_batch = std::make_unique<dxBatchSearch>();
+}
+
+void dxAdaptiveSearch::searchBatch(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) {
+    const bool isQuiet = members.changed().size() * kBatchPerLookUp < members.end();
+    m_quietCalls = isQuiet ? m_quietCalls + 1 : 0;
+    if (m_quietCalls < kQuietCalls) {
+        m_batch->search(members, runner, matches);
+        return;
+    }
+    m_batch.reset();
+    m_neighbours = std::make_unique<dxNeighbourSearch>();
+    m_neighbours->adopt(members);
+    m_neighbours->search(members, runner, matches);
+}
+
+void dxAdaptiveSearch::searchNeighbours(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) {
+    m_neighbours->search(members, runner, matches);
+    const std::size_t lookUps = m_neighbours->lookedUp();
+    if (lookUps < kLeastLookUps || lookUps * kBatchPerLookUp < members.end()) return;
+    m_neighbours.reset();
+    m_batch = std::make_unique<dxBatchSearch>();
+    m_quietCalls = 0;
+}

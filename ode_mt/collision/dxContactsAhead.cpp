@@ -1,0 +1,191 @@
+#include "collision/dxContactsAhead.h"
+
+#include <algorithm>
+#include <cstring>
+#include <type_traits>
+
+#include "collision/dxPairPrefetch.h"
+#include "dynamics/dxIslandInterrupted.h"
+#include "dynamics/dxIslandScope.h"
+
+#include "config.h"
+#include "collision_kernel.h"
+#include "collision_util.h"
+
+namespace {
+
+__attribute__((tls_model("initial-exec"))) thread_local dxContactsAhead *t_current = nullptr;
+
+// Pairs computed at once: enough to pay for waking workers, few enough for their contacts to stay in a cache.
+constexpr std::size_t kWindow = 2048;
+// Pairs after which the flags are known, or are looked at again.
+constexpr std::size_t kBlindWindow = 16;
+constexpr std::size_t kPiece = 32;  // that one worker takes at once
+
+// Contacts a pair for which scratch memory is kept.
+constexpr int kMostContacts = 4096;
+
+// Pairs after which it is told whether what was computed is asked for.
+constexpr std::uint64_t kTelling = 256;
+constexpr unsigned kShortestPause = 16, kLongestPause = 1024;  // calls
+
+// Never the result of arithmetic: a signalling NaN; the number of no triangle; the address of no geom.
+using RealBits = std::conditional_t<sizeof(dReal) == sizeof(std::uint64_t), std::uint64_t, std::uint32_t>;
+constexpr auto kNoReal = static_cast<RealBits>(sizeof(RealBits) == 8 ? UINT64_C(0x7ff4a5c3e1d2b697) : UINT64_C(0x7fa5c3e1));
+constexpr int kNoSide = 0x5ac3b1e7;
+char noGeom;
+
+bool isUnwritten(const dReal &value) {
+    return std::memcmp(&value, &kNoReal, sizeof value) == 0;
+}
+void unwrite(dReal &value) { std::memcpy(&value, &kNoReal, sizeof value); }
+
+dGeomID unwrittenGeom() { return reinterpret_cast<dGeomID>(&noGeom); }
+
+void unwrite(dContactGeom &contact) {
+    for (int i = 0; i < 4; ++i) {
+        unwrite(contact.pos[i]);
+        unwrite(contact.normal[i]);
+    }
+    unwrite(contact.depth);
+    contact.g1 = contact.g2 = unwrittenGeom();
+    contact.side1 = contact.side2 = kNoSide;
+}
+
+bool isUnwritten(const dContactGeom &contact) {
+    for (int i = 0; i < 4; ++i)
+        if (!isUnwritten(contact.pos[i]) || !isUnwritten(contact.normal[i])) return false;
+    return isUnwritten(contact.depth) && contact.g1 == unwrittenGeom() && contact.g2 == unwrittenGeom() &&
+           contact.side1 == kNoSide && contact.side2 == kNoSide;
+}
+
+void copyWritten(const dContactGeom &from, dContactGeom &to) {
+    for (int i = 0; i < 4; ++i) {
+        if (!isUnwritten(from.pos[i])) to.pos[i] = from.pos[i];
+        if (!isUnwritten(from.normal[i])) to.normal[i] = from.normal[i];
+    }
+    if (!isUnwritten(from.depth)) to.depth = from.depth;
+    if (from.g1 != unwrittenGeom()) to.g1 = from.g1;
+    if (from.g2 != unwrittenGeom()) to.g2 = from.g2;
+    if (from.side1 != kNoSide) to.side1 = from.side1;
+    if (from.side2 != kNoSide) to.side2 = from.side2;
+}
+
+// A collider that has something to say is left: it says it when dCollide is called in the callback.
+class SilentScope final : public dxIslandScope {
+public:
+    std::uint32_t takeBlock(std::uint64_t) override { throw dxIslandInterrupted(); }
+    bool defersMoved() const override { return false; }
+    bool takeOver(dxReport, int, const char *, va_list) override { throw dxIslandInterrupted(); }
+};
+
+}  // namespace
+
+dxContactsAhead *dxContactsAhead::current() { return t_current; }
+
+dxContactsAhead::Scope::Scope(dxContactsAhead &ahead, dxTaskRunner &runner) : m_outer(t_current), m_ahead(ahead) {
+    ahead.start(runner);
+    t_current = &ahead;
+}
+
+dxContactsAhead::Scope::~Scope() {
+    t_current = m_outer;
+    m_ahead.end();
+}
+
+void dxContactsAhead::start(dxTaskRunner &runner) {
+    m_runner = &runner;
+    m_pair = nullptr;
+    m_begin = m_end = 0;
+    m_results.clear();
+    m_computed = m_used = 0;
+    if (m_callsWithout > 0) --m_callsWithout;
+    while (m_workers.size() < runner.workers()) m_workers.emplace_back();
+}
+
+void dxContactsAhead::end() {
+    m_pair = nullptr;
+    m_results.clear();
+    if (m_computed < kTelling) return;
+    if (2 * m_used >= m_computed) {
+        m_nextPause = 0;
+        return;
+    }
+    m_nextPause = std::clamp(2 * m_nextPause, kShortestPause, kLongestPause);
+    m_callsWithout = m_nextPause;
+}
+
+bool dxContactsAhead::maySpend() const {
+    const int contacts = m_flags & NUMC_MASK;
+    if (m_callsWithout > 0 || contacts == 0 || contacts > kMostContacts) return false;
+    return m_computed < kTelling || 2 * m_used >= m_computed;
+}
+
+void dxContactsAhead::nextWindow(const std::vector<dxOrderedPair> &pairs, std::size_t index) {
+    m_begin = index;
+    m_results.clear();
+    if (!maySpend()) {
+        m_end = index + kBlindWindow;
+        return;
+    }
+    m_end = std::min(index + (m_computed < kTelling ? kTelling : kWindow), pairs.size());
+    computeWindow(pairs);
+}
+
+void dxContactsAhead::computeWindow(const std::vector<dxOrderedPair> &pairs) {
+    m_windowFlags = m_flags;
+    m_results.resize(m_end - m_begin);
+    for (Worker &worker : m_workers) worker.contacts.clear();
+    m_runner->forPieces(m_results.size(), kPiece, [&](std::size_t begin, std::size_t end, unsigned worker) {
+        const SilentScope silent;
+        for (std::size_t i = begin; i < end; ++i) {
+            dxPairPrefetch::ahead(pairs, m_begin + i);
+            compute(pairs[m_begin + i], m_results[i], worker);
+        }
+    });
+    for (const Result &result : m_results) m_computed += result.count != kUnknown;
+}
+
+void dxContactsAhead::compute(const dxOrderedPair &pair, Result &result, unsigned number) {
+    Worker &worker = m_workers[number];
+    result.count = kUnknown;
+    if (!dxMayCollideAnywhere(*pair.first, *pair.second)) return;
+    const auto most = static_cast<std::size_t>(m_windowFlags & NUMC_MASK);
+    for (std::size_t have = worker.scratch.size(); have < most + 1; ++have) {
+        worker.scratch.emplace_back();
+        unwrite(worker.scratch.back());
+    }
+    try {
+        result.count = worker.copies.collide(*pair.first, *pair.second, m_windowFlags, worker.scratch.data(),
+                                             sizeof(dContactGeom));
+    } catch (const dxIslandInterrupted &) {
+        for (dContactGeom &contact : worker.scratch) unwrite(contact);
+        return;
+    }
+    result.worker = number;
+    result.isUsed = false;
+    result.first = worker.contacts.size();
+    result.states[0] = dxColliderState(*pair.first);
+    result.states[1] = dxColliderState(*pair.second);
+    const auto count = static_cast<std::size_t>(result.count);
+    worker.contacts.insert(worker.contacts.end(), worker.scratch.begin(),
+                           worker.scratch.begin() + static_cast<std::ptrdiff_t>(count));
+    // Colliders may leave drafts behind the last contact.
+    for (std::size_t i = 0; i < count || !isUnwritten(worker.scratch[i]); ++i) unwrite(worker.scratch[i]);
+}
+
+int dxContactsAhead::answer(dGeomID o1, dGeomID o2, int flags, dContactGeom *contacts, int skip) {
+    if (m_pair == nullptr || o1 != m_pair->first || o2 != m_pair->second) return kUnknown;
+    m_flags = flags;
+    if (m_results.empty() || flags != m_windowFlags || contacts == nullptr) return kUnknown;
+    Result &result = m_results[m_index];
+    if (result.count == kUnknown || skip < static_cast<int>(sizeof(dContactGeom))) return kUnknown;
+    if (result.states[0] != dxColliderState(*o1) || result.states[1] != dxColliderState(*o2) ||
+        !dxMayCollideAnywhere(*o1, *o2))
+        return kUnknown;
+    m_used += !result.isUsed;
+    result.isUsed = true;
+    const dContactGeom *const found = m_workers[result.worker].contacts.data() + result.first;
+    for (int i = 0; i < result.count; ++i) copyWritten(found[i], *CONTACT(contacts, i * skip));
+    return result.count;
+}

@@ -1,0 +1,94 @@
+// Contacts of pairs whose callbacks are still to come, computed by workers.
+//
+// Callbacks run one at a time, in order, on the caller's thread. Before a window of them, workers call dCollide for
+// its pairs; in the callback dCollide then hands out what is there, if it is asked for the same pair with the same
+// flags, and nothing that colliders read has changed (dxColliderState; geoms of a locked space cannot be moved).
+// Else it computes as ever. While a callback runs no worker does: it may write to whatever workers read.
+//
+// Which flags the callback will ask with is learned from the last call. If less than half of what was computed is
+// asked for, the rest of the call goes without, and so do the next calls.
+//
+// Colliders leave some bytes of dContactGeom as they are. Workers compute into memory that holds a pattern, and
+// what still shows the pattern is not copied to the user's contacts.
+//
+// Belongs to one space, like its pairs. None outlives a call of dSpaceCollide: the user may change mesh vertices and
+// convex points between two without telling.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <ode/ode.h>
+
+#include "collision/dxOrderedPair.h"
+#include "collision/dxSharedColliders.h"
+#include "threading/dxTaskRunner.h"
+
+class dxContactsAhead {
+public:
+    // That of the pair whose callback this thread is in, or NULL.
+    static dxContactsAhead *current();
+
+    // Makes one current for as long as it lives.
+    class Scope {
+    public:
+        Scope(dxContactsAhead &ahead, dxTaskRunner &runner);
+        ~Scope();
+        Scope(const Scope &) = delete;
+        Scope &operator=(const Scope &) = delete;
+
+    private:
+        dxContactsAhead *const m_outer;
+        dxContactsAhead &m_ahead;
+    };
+
+    // To be called before the callback of pairs[index], with rising indices.
+    void beforePair(const std::vector<dxOrderedPair> &pairs, std::size_t index) {
+        m_pair = &pairs[index];
+        if (index >= m_end) nextWindow(pairs, index);
+        m_index = index - m_begin;
+    }
+
+    // dCollide asks. -1: nothing is known, upstream has to compute.
+    int answer(dGeomID o1, dGeomID o2, int flags, dContactGeom *contacts, int skip);
+
+    // Of the last call: pairs computed, and how many of them were asked for.
+    std::uint64_t computed() const { return m_computed; }
+    std::uint64_t used() const { return m_used; }
+
+private:
+    static constexpr int kUnknown = -1;
+
+    struct Result {
+        int count;  // kUnknown
+        unsigned worker;
+        std::size_t first;  // among the worker's contacts
+        std::uint64_t states[2];
+        bool isUsed;
+    };
+
+    struct alignas(64) Worker {
+        std::vector<dContactGeom> contacts;  // of the window
+        std::vector<dContactGeom> scratch;   // of one pair: the pattern, between pairs
+        dxColliderCopies copies;
+    };
+
+    void start(dxTaskRunner &runner);
+    void end();
+    void nextWindow(const std::vector<dxOrderedPair> &pairs, std::size_t index);
+    bool maySpend() const;
+    void computeWindow(const std::vector<dxOrderedPair> &pairs);
+    void compute(const dxOrderedPair &pair, Result &result, unsigned worker);
+
+    dxTaskRunner *m_runner = nullptr;
+    const dxOrderedPair *m_pair = nullptr;  // whose callback runs
+    std::size_t m_begin = 0, m_end = 0;     // the window
+    std::size_t m_index = 0;                // of the pair in the window
+    std::vector<Result> m_results;          // of the window; empty: nothing was computed
+    std::vector<Worker> m_workers;
+    int m_flags = 0;  // of the last dCollide; 0: none yet
+    int m_windowFlags = 0;
+    std::uint64_t m_computed = 0, m_used = 0;
+    unsigned m_callsWithout = 0;  // to come
+    unsigned m_nextPause = 0;
+};

@@ -1,0 +1,127 @@
+#include "collision/dxRegionIndex.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+// To put a box into the tree costs as much as so many comparisons.
+constexpr std::size_t kComparisonsPerRow = 32;
+
+// Cells an axis of the curve along which boxes are put into the tree.
+constexpr int kCurveBits = 16;
+constexpr double kCurveCells = 1 << kCurveBits;
+
+// Spreads the bits of a number out, two empty ones between each.
+std::uint64_t spread(std::uint64_t bits) {
+    std::uint64_t spread = 0;
+    for (int i = 0; i < kCurveBits; ++i) spread |= (bits >> i & 1) << (3 * i);
+    return spread;
+}
+
+struct Region {
+    double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+
+    static double middle(const dxBounds &box, int axis) {
+        return 0.5 * static_cast<double>(box.low(axis)) + 0.5 * static_cast<double>(box.high(axis));
+    }
+    void include(const dxBounds &box) {
+        for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = std::min(low[axis], middle(box, axis));
+            high[axis] = std::max(high[axis], middle(box, axis));
+        }
+    }
+    // Morton order: neighbours along the curve are near in space.
+    std::uint64_t placeOnCurve(const dxBounds &box) const {
+        std::uint64_t place = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double extent = high[axis] - low[axis];
+            const double share = extent > 0 ? (middle(box, axis) - low[axis]) / extent : 0;
+            const double cell = std::min(share * kCurveCells, kCurveCells - 1);
+            place |= spread(static_cast<std::uint64_t>(cell)) << axis;
+        }
+        return place;
+    }
+};
+
+// Finite in whatever is computed with it.
+bool isModerate(const dxBounds &box) {
+    return box.isProper() && std::all_of(box.v, box.v + 6, [](dReal bound) { return std::fabs(bound) < dReal(1e30); });
+}
+
+}  // namespace
+
+dxRegionIndex::dxRegionIndex(const dxMembers &members) {
+    for (Slot slot = 0; slot < members.end(); ++slot)
+        if (members[slot].geom != nullptr) loosen(slot);
+}
+
+dxRegionIndex::Home &dxRegionIndex::homeOf(Slot slot) {
+    if (slot >= m_homes.size()) m_homes.resize(slot + 1);
+    return m_homes[slot];
+}
+
+void dxRegionIndex::loosen(Slot slot) {
+    Home &home = homeOf(slot);
+    if (home.loose != kNone) return;
+    if (home.row != kNone) m_tree.erase(home.row);
+    home.row = kNone;
+    home.loose = static_cast<std::uint32_t>(m_loose.size());
+    m_loose.push_back(slot);
+}
+
+void dxRegionIndex::drop(Slot slot) {
+    Home &home = homeOf(slot);
+    if (home.row != kNone) m_tree.erase(home.row);
+    home.row = kNone;
+    leaveLoose(home);
+}
+
+void dxRegionIndex::leaveLoose(Home &home) {
+    if (home.loose == kNone) return;
+    m_loose[home.loose] = m_loose.back();
+    m_homes[m_loose.back()].loose = home.loose;
+    m_loose.pop_back();
+    home.loose = kNone;
+}
+
+void dxRegionIndex::find(const dxMembers &members, const dxBounds &box, std::vector<Slot> &found) {
+    m_debt += m_loose.size();
+    if (m_debt > kComparisonsPerRow * m_homes.size()) build(members);
+    found.clear();
+    m_rows.clear();
+    m_tree.query(box, m_rows);
+    for (const std::uint32_t row : m_rows) found.push_back(m_slotOfRow[row]);
+    for (const Slot slot : m_loose)
+        if (members[slot].bounds.overlaps(box)) found.push_back(slot);
+    std::sort(found.begin(), found.end(), [&](Slot a, Slot b) { return members[a].rank > members[b].rank; });
+}
+
+void dxRegionIndex::build(const dxMembers &members) {
+    m_debt = 0;
+    sortAlongCurve(members);
+    m_slotOfRow.clear();
+    m_loose.clear();
+    m_tree.begin();
+    for (Home &home : m_homes) home = Home();
+    for (const dxSortItem &item : m_items) {
+        const Slot slot = item.index;
+        m_homes[slot].row = static_cast<std::uint32_t>(m_slotOfRow.size());
+        m_slotOfRow.push_back(slot);
+        m_tree.push(members[slot].bounds);
+    }
+    m_tree.finish();
+    for (Slot slot = 0; slot < members.end(); ++slot)
+        if (members[slot].geom != nullptr && homeOf(slot).row == kNone) loosen(slot);
+}
+
+void dxRegionIndex::sortAlongCurve(const dxMembers &members) {
+    Region region;
+    for (Slot slot = 0; slot < members.end(); ++slot)
+        if (members[slot].geom != nullptr && isModerate(members[slot].bounds)) region.include(members[slot].bounds);
+    m_items.clear();
+    for (Slot slot = 0; slot < members.end(); ++slot)
+        if (members[slot].geom != nullptr && isModerate(members[slot].bounds))
+            m_items.push_back({region.placeOnCurve(members[slot].bounds), slot});
+    dxRadixSort(m_items, m_spare);
+}

@@ -1,0 +1,182 @@
+#include "collision/dxSharedColliders.h"
+
+#include <new>
+
+#include "collision/dxColliderOverrides.h"
+
+#include "config.h"
+#include "objects.h"
+#include "collision_kernel.h"
+#include "collision_std.h"
+#include "collision_util.h"
+#include "collision_trimesh_internal.h"
+#include "heightfield.h"
+
+extern "C" {
+// Upstream's own, renamed by the seam ode/seams/collision_kernel.h.
+int dxUpstreamCollide(dGeomID o1, dGeomID o2, int flags, dContactGeom *contact, int skip);
+}
+
+namespace {
+
+bool isHeightfield(const dxGeom &geom) { return geom.type == dHeightfieldClass; }
+bool isMesh(const dxGeom &geom) { return geom.type == dTriMeshClass; }
+
+const dxHeightfieldData *heightsOf(const dxGeom &geom) { return static_cast<const dxHeightfield &>(geom).m_p_data; }
+
+bool callsUser(const dxHeightfieldData *heights) { return heights == nullptr || heights->m_nGetHeightMode == 0; }
+
+bool callsUserOrRemembers(const dxGeom &mesh) {
+    const dGeomID geom = const_cast<dxGeom *>(&mesh);
+    return dGeomTriMeshGetCallback(geom) != nullptr || dGeomTriMeshGetArrayCallback(geom) != nullptr ||
+           dGeomTriMeshGetRayCallback(geom) != nullptr || dGeomTriMeshGetTriMergeCallback(geom) != nullptr ||
+           dGeomTriMeshIsTCEnabled(geom, dSphereClass) || dGeomTriMeshIsTCEnabled(geom, dBoxClass) ||
+           dGeomTriMeshIsTCEnabled(geom, dCapsuleClass);
+}
+
+bool isPure(const dxGeom &geom) {
+    switch (geom.type) {
+        case dSphereClass:
+        case dBoxClass:
+        case dCapsuleClass:
+        case dCylinderClass:
+        case dPlaneClass:
+        case dRayClass:
+        case dConvexClass:
+            return true;
+        case dTriMeshClass:
+            return !callsUserOrRemembers(geom);
+        case dHeightfieldClass:
+            return !callsUser(heightsOf(geom));
+        default:
+            return false;
+    }
+}
+
+// A copy of a geom of a built-in class that has a place of its own to turn. Never destroyed: what it points to is the
+// original's.
+class MovableCopy {
+public:
+    dxGeom *of(const dxGeom &geom) {
+        switch (geom.type) {
+            case dSphereClass:
+                return copy<dxSphere>(geom);
+            case dBoxClass:
+                return copy<dxBox>(geom);
+            case dCapsuleClass:
+                return copy<dxCapsule>(geom);
+            case dCylinderClass:
+                return copy<dxCylinder>(geom);
+            case dRayClass:
+                return copy<dxRay>(geom);
+            case dConvexClass:
+                return copy<dxConvex>(geom);
+            default:
+                return nullptr;
+        }
+    }
+
+private:
+    template <class Geom>
+    dxGeom *copy(const dxGeom &geom) {
+        static_assert(sizeof(Geom) <= sizeof m_memory && alignof(Geom) <= 16, "room for every class");
+        Geom *const made = ::new (static_cast<void *>(m_memory)) Geom(static_cast<const Geom &>(geom));
+        m_place = *geom.final_posr;
+        made->final_posr = &m_place;
+        return made;
+    }
+
+    alignas(16) unsigned char m_memory[512];
+    dxPosR m_place;
+};
+
+void replace(dGeomID &geom, const dxGeom *copy, const dxGeom &original) {
+    if (geom == copy) geom = const_cast<dxGeom *>(&original);
+}
+
+}  // namespace
+
+bool dxMayCollideAnywhere(const dxGeom &a, const dxGeom &b) {
+    if (!isPure(a) || !isPure(b) || dxColliderOverrides::has(a.type, b.type)) return false;
+    // Copies of meshes are not made.
+    return !(isHeightfield(a) || isHeightfield(b)) || !(isMesh(a) || isMesh(b));
+}
+
+std::uint64_t dxColliderState(const dxGeom &geom) {
+    constexpr std::uint64_t kImpure = 1;  // no pointer, and no flag of a ray
+    if (geom.type == dRayClass) return geom.gflags & (RAY_FIRSTCONTACT | RAY_BACKFACECULL | RAY_CLOSEST_HIT);
+    if (!isMesh(geom) && !isHeightfield(geom)) return 0;
+    if (!isPure(geom)) return kImpure;
+    if (isHeightfield(geom)) return reinterpret_cast<std::uintptr_t>(heightsOf(geom));
+    const auto &mesh = static_cast<const dxTriMesh &>(geom);
+    return reinterpret_cast<std::uintptr_t>(mesh.retrieveMeshData()) ^
+           static_cast<std::uint64_t>(mesh.m_SphereContactsMergeOption) << 48;
+}
+
+// A height field with buffers and data of its own. It takes over from each original all but the buffers, which it keeps.
+class dxColliderCopies::Terrain {
+public:
+    Terrain() : m_field(nullptr, nullptr, 0) {}
+    ~Terrain() { m_heights.m_bCopyHeightData = 0; }  // the samples are the original's
+
+    int collide(const dxHeightfield &terrain, const dxGeom &other, bool terrainFirst, int flags,
+                dContactGeom *contacts, int skip) {
+        const Borrowed borrowed(m_field);
+        takeOver(terrain);
+        dxGeom *const moved = m_other.of(other);
+        const int count = terrainFirst ? dxUpstreamCollide(&m_field, moved, flags, contacts, skip)
+                                       : dxUpstreamCollide(moved, &m_field, flags, contacts, skip);
+        for (int i = 0; i < count; ++i) {
+            dContactGeom &contact = *CONTACT(contacts, i * skip);
+            for (dGeomID *const geom : {&contact.g1, &contact.g2}) {
+                replace(*geom, &m_field, terrain);
+                replace(*geom, moved, other);
+            }
+        }
+        return count;
+    }
+
+private:
+    // Gives back what is the original's, also when a message of the collider's is thrown.
+    class Borrowed {
+    public:
+        explicit Borrowed(dxHeightfield &field) : m_field(field) {}
+        ~Borrowed() {
+            m_field.gflags = 0;
+            m_field.final_posr = nullptr;
+            m_field.body = nullptr;
+        }
+        Borrowed(const Borrowed &) = delete;
+        Borrowed &operator=(const Borrowed &) = delete;
+
+    private:
+        dxHeightfield &m_field;
+    };
+
+    void takeOver(const dxHeightfield &terrain) {
+        m_heights = *terrain.m_p_data;
+        m_field.m_p_data = &m_heights;
+        m_field.gflags = terrain.gflags;
+        m_field.final_posr = terrain.final_posr;
+        m_field.body = terrain.body;
+        for (int i = 0; i < 6; ++i) m_field.aabb[i] = terrain.aabb[i];
+    }
+
+    dxHeightfield m_field;
+    dxHeightfieldData m_heights;
+    MovableCopy m_other;
+};
+
+dxColliderCopies::dxColliderCopies() = default;
+dxColliderCopies::~dxColliderCopies() = default;
+dxColliderCopies::dxColliderCopies(dxColliderCopies &&) noexcept = default;
+
+int dxColliderCopies::collide(dxGeom &a, dxGeom &b, int flags, dContactGeom *contacts, int skip) {
+    if (!isHeightfield(a) && !isHeightfield(b)) return dxUpstreamCollide(&a, &b, flags, contacts, skip);
+    a.recomputePosr();
+    b.recomputePosr();
+    if (m_terrain == nullptr) m_terrain = std::make_unique<Terrain>();
+    const bool aIsTerrain = isHeightfield(a);
+    const auto &terrain = static_cast<const dxHeightfield &>(aIsTerrain ? a : b);
+    return m_terrain->collide(terrain, aIsTerrain ? b : a, aIsTerrain, flags, contacts, skip);
+}

@@ -1,0 +1,32 @@
+// Whether the collisions of a space are shared out to workers or stay on the calling thread: whichever of the two
+// took less time of late.
+//
+// Both times are measured, of whole calls, the user's callbacks included. The way that is not in use is tried again from time
+// to time, for a few calls in a row, of which the first is not counted: workers have to wake, caches to fill. A trial in
+// vain makes the next one later.
+// It decides about speed alone; results are the same either way. One thread at a time, as the space.
+#pragma once
+
+class dxSharingPace {
+public:
+    // For the next call.
+    bool shallShare() const;
+
+    // How long the call took, and whether it was shared.
+    void remember(bool shared, double ns);
+
+private:
+    struct Way {
+        double ns = 0;    // of a call, fading; 0: never measured
+        int fresh = 0;    // calls in a row
+    };
+
+    static double faded(const Way &way, double ns);
+    void judge();
+
+    Way m_alone, m_shared;
+    bool m_isSharing = false;  // the way in use; during a trial the other one
+    bool m_isTrial = false;
+    int m_calls = 0;           // since the last trial ended
+    int m_wait = 0;            // calls between trials
+};

@@ -1,0 +1,148 @@
+#include "simd/dxSimdTargets.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "collision/overlap/dxBoxTree.cpp"
+#include <hwy/foreach_target.h>
+// Highway's order of headers: after foreach_target.h
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "collision/overlap/dxBoxTree.h"
+
+#ifndef DX_BOX_TREE_CONSTANTS
+#define DX_BOX_TREE_CONSTANTS
+namespace dxOverlap {
+constexpr std::size_t kChildren = 8;
+}  // namespace dxOverlap
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace dxOverlap {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// At most eight lanes: a node's children.
+using Lanes = hn::CappedTag<double, kChildren>;
+
+class Query {
+public:
+    Query(const dxBoxTree::Level *levels, const dxBounds &box, std::vector<std::uint32_t> &rows)
+        : m_levels(levels), m_rows(rows) {
+        std::copy(box.v, box.v + 6, m_box);
+    }
+
+    HWY_ATTR void descend(std::size_t level, std::size_t node) {
+        unsigned children = overlapping(m_levels[level], node * kChildren);
+        for (; children != 0; children &= children - 1) {
+            const std::size_t child = node * kChildren + hwy::Num0BitsBelowLS1Bit_Nonzero32(children);
+            if (level == 0)
+                m_rows.push_back(static_cast<std::uint32_t>(child));
+            else
+                descend(level - 1, child);
+        }
+    }
+
+private:
+    HWY_ATTR HWY_INLINE unsigned overlapping(const dxBoxTree::Level &level, std::size_t first) const {
+        const Lanes d;
+        unsigned together = 0;
+        for (std::size_t i = 0; i < kChildren; i += hn::Lanes(d)) {
+            const auto x = apartOn(0, level, first + i), y = apartOn(1, level, first + i);
+            const auto z = apartOn(2, level, first + i);
+            std::uint8_t bytes[8] = {};
+            hn::StoreMaskBits(d, hn::Or(x, hn::Or(y, z)), bytes);
+            together |= (~static_cast<unsigned>(bytes[0]) & ((1u << hn::Lanes(d)) - 1)) << i;
+        }
+        return together;
+    }
+
+    // Apart, if one begins after the other ends; not "together, if ...", because of NaN.
+    HWY_ATTR HWY_INLINE hn::Mask<Lanes> apartOn(int axis, const dxBoxTree::Level &level, std::size_t first) const {
+        const Lanes d;
+        const auto low = hn::LoadU(d, level.bounds[2 * axis].data() + first);
+        const auto high = hn::LoadU(d, level.bounds[2 * axis + 1].data() + first);
+        return hn::Or(hn::Gt(hn::Set(d, m_box[2 * axis]), high), hn::Lt(hn::Set(d, m_box[2 * axis + 1]), low));
+    }
+
+    const dxBoxTree::Level *m_levels;
+    std::vector<std::uint32_t> &m_rows;
+    double m_box[6];
+};
+
+HWY_ATTR void queryTree(const dxBoxTree::Level *levels, std::size_t top, const dxBounds &box,
+                        std::vector<std::uint32_t> &rows) {
+    Query(levels, box, rows).descend(top, 0);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace dxOverlap
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace dxOverlap {
+HWY_EXPORT(queryTree);
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNowhere[6] = {kInfinity, -kInfinity, kInfinity, -kInfinity, kInfinity, -kInfinity};
+
+// Around the children of one node.
+void around(const dxBoxTree::Level &level, std::size_t first, double *box) {
+    std::copy(kNowhere, kNowhere + 6, box);
+    for (std::size_t i = first; i < first + kChildren; ++i)
+        for (int axis = 0; axis < 3; ++axis) {
+            box[2 * axis] = std::min(box[2 * axis], level.bounds[2 * axis][i]);
+            box[2 * axis + 1] = std::max(box[2 * axis + 1], level.bounds[2 * axis + 1][i]);
+        }
+}
+
+}  // namespace
+}  // namespace dxOverlap
+
+void dxBoxTree::Level::push(const double *box) {
+    for (int i = 0; i < 6; ++i) bounds[i].push_back(box[i]);
+}
+
+void dxBoxTree::Level::fillUp() {
+    while (size() % dxOverlap::kChildren != 0) push(dxOverlap::kNowhere);
+}
+
+void dxBoxTree::begin() {
+    for (Level &level : m_levels)
+        for (std::vector<double> &bound : level.bounds) bound.clear();
+    if (m_levels.empty()) m_levels.emplace_back();
+    m_inUse = 0;
+}
+
+void dxBoxTree::push(const dxBounds &box) {
+    double bounds[6];
+    std::copy(box.v, box.v + 6, bounds);
+    m_levels[0].push(bounds);
+}
+
+void dxBoxTree::finish() {
+    m_levels[0].fillUp();
+    m_inUse = m_levels[0].size() == 0 ? 0 : 1;
+    for (std::size_t below = 0; m_inUse != 0 && m_levels[below].size() > dxOverlap::kChildren; ++below) {
+        if (m_levels.size() == below + 1) m_levels.emplace_back();
+        for (std::size_t first = 0; first < m_levels[below].size(); first += dxOverlap::kChildren) {
+            double box[6];
+            dxOverlap::around(m_levels[below], first, box);
+            m_levels[below + 1].push(box);
+        }
+        m_levels[below + 1].fillUp();
+        m_inUse = below + 2;
+    }
+}
+
+void dxBoxTree::erase(std::size_t row) {
+    for (int i = 0; i < 6; ++i) m_levels[0].bounds[i][row] = dxOverlap::kNowhere[i];
+}
+
+void dxBoxTree::query(const dxBounds &box, std::vector<std::uint32_t> &rows) const {
+    if (m_inUse != 0) HWY_DYNAMIC_DISPATCH(dxOverlap::queryTree)(m_levels.data(), m_inUse - 1, box, rows);
+}
+#endif

@@ -1,0 +1,185 @@
+#include "simd/dxSimdTargets.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "collision/overlap/dxCellSweep.cpp"
+#include <hwy/foreach_target.h>
+// Highway's order of headers: after foreach_target.h
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "collision/overlap/dxCellSweep.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace dxOverlap {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Lanes = hn::ScalableTag<double>;
+using Mask = hn::Mask<Lanes>;
+
+struct Box {
+    double bounds[6];
+    std::uint32_t slot;
+    bool isChanged;
+
+    static Box ofRow(const dxCellRows &rows, std::size_t row) {
+        Box box;
+        for (int i = 0; i < 6; ++i) box.bounds[i] = rows.bound(i)[row];
+        box.slot = rows.slot(row);
+        box.isChanged = rows.isChanged(row);
+        return box;
+    }
+};
+
+// One box against rows of a table. The comparison is dxBounds::overlaps.
+class Probe {
+public:
+    Probe(const dxCellRows &rows, std::vector<dxSlotPair> &pairs) : m_rows(rows), m_pairs(pairs) {
+        for (int i = 0; i < 6; ++i) m_columns[i] = rows.bound(i);
+    }
+
+    // The rows from `begin` on whose cells are `last` at most.
+    HWY_ATTR HWY_INLINE void testRun(const Box &box, std::size_t begin, double last) {
+        const Lanes d;
+        const double *const cells = m_rows.cells();
+        for (std::size_t first = begin;; first += hn::Lanes(d)) {
+            const Mask beyond = hn::Gt(hn::LoadU(d, cells + first), hn::Set(d, last));
+            emit(box, first, hn::Or(beyond, apart(box, first)));
+            if (cells[first + hn::Lanes(d) - 1] > last) return;
+        }
+    }
+
+private:
+    // Apart, if one begins after the other ends; not "together, if ...", because of NaN.
+    HWY_ATTR HWY_INLINE Mask apart(const Box &box, std::size_t first) const {
+        return hn::Or(apartOn(0, box, first), hn::Or(apartOn(1, box, first), apartOn(2, box, first)));
+    }
+
+    HWY_ATTR HWY_INLINE Mask apartOn(int axis, const Box &box, std::size_t first) const {
+        const Lanes d;
+        const auto low = hn::LoadU(d, m_columns[2 * axis] + first);
+        const auto high = hn::LoadU(d, m_columns[2 * axis + 1] + first);
+        return hn::Or(hn::Gt(hn::Set(d, box.bounds[2 * axis]), high), hn::Lt(hn::Set(d, box.bounds[2 * axis + 1]), low));
+    }
+
+    HWY_ATTR HWY_INLINE void emit(const Box &box, std::size_t first, Mask apart) {
+        const Lanes d;
+        std::uint8_t bytes[8] = {};
+        hn::StoreMaskBits(d, apart, bytes);
+        unsigned together = ~static_cast<unsigned>(bytes[0]) & ((1u << hn::Lanes(d)) - 1);
+        for (; together != 0; together &= together - 1) {
+            const std::size_t row = first + hwy::Num0BitsBelowLS1Bit_Nonzero32(together);
+            if (box.isChanged || m_rows.isChanged(row)) m_pairs.push_back({box.slot, m_rows.slot(row)});
+        }
+    }
+
+    const dxCellRows &m_rows;
+    std::vector<dxSlotPair> &m_pairs;
+    const double *m_columns[6];
+};
+
+// Where the cells from cell + offset - 1 on begin, for rising cells.
+class Run {
+public:
+    Run(const dxCellRows &rows, double firstCell, double offset)
+        : m_cells(rows.cells()), m_offset(offset),
+          m_begin(static_cast<std::size_t>(
+              std::lower_bound(m_cells, m_cells + rows.size(), firstCell + offset - 1) - m_cells)) {}
+
+    HWY_ATTR HWY_INLINE std::size_t begin(double cell) {
+        const Lanes d;
+        const auto first = hn::Set(d, cell + m_offset - 1);
+        std::size_t before;
+        do {
+            before = hn::CountTrue(d, hn::Lt(hn::LoadU(d, m_cells + m_begin), first));
+            m_begin += before;
+        } while (before == hn::Lanes(d));
+        return m_begin;
+    }
+
+    double last(double cell) const { return cell + m_offset + 1; }
+
+private:
+    const double *m_cells;
+    double m_offset;
+    std::size_t m_begin;
+};
+
+HWY_ATTR void sweepWithin(const dxCellRows &rows, dxCellStrides strides, std::size_t begin, std::size_t end,
+                          std::vector<dxSlotPair> &pairs) {
+    if (begin >= end) return;
+    const double *const cells = rows.cells();
+    const double first = cells[begin], x = static_cast<double>(strides.x), y = static_cast<double>(strides.y);
+    // Half of the neighbours, those that come later; the other half looks from its side.
+    Run runs[] = {{rows, first, y}, {rows, first, x - y}, {rows, first, x}, {rows, first, x + y}};
+    Probe probe(rows, pairs);
+    for (std::size_t row = begin; row < end; ++row) {
+        const Box box = Box::ofRow(rows, row);
+        const double cell = cells[row];
+        probe.testRun(box, row + 1, cell + 1);
+        for (Run &run : runs) probe.testRun(box, run.begin(cell), run.last(cell));
+    }
+}
+
+HWY_ATTR void sweepAcross(const dxCellRows &outer, const dxCellRows &inner, dxCellStrides strides, std::size_t begin,
+                          std::size_t end, std::vector<dxSlotPair> &pairs) {
+    if (begin >= end) return;
+    const double *const cells = outer.cells();
+    const double first = cells[begin], x = static_cast<double>(strides.x), y = static_cast<double>(strides.y);
+    Run runs[] = {{inner, first, -x - y}, {inner, first, -x}, {inner, first, -x + y},
+                  {inner, first, -y},     {inner, first, 0},  {inner, first, y},
+                  {inner, first, x - y},  {inner, first, x},  {inner, first, x + y}};
+    Probe probe(inner, pairs);
+    for (std::size_t row = begin; row < end; ++row) {
+        const Box box = Box::ofRow(outer, row);
+        for (Run &run : runs) probe.testRun(box, run.begin(cells[row]), run.last(cells[row]));
+    }
+}
+
+HWY_ATTR void sweepAll(const dxCellRows &rows, const dxBounds &bounds, std::uint32_t slot, bool changed,
+                       std::vector<dxSlotPair> &pairs) {
+    Box box;
+    std::copy(bounds.v, bounds.v + 6, box.bounds);
+    box.slot = slot;
+    box.isChanged = changed;
+    Probe(rows, pairs).testRun(box, 0, std::numeric_limits<double>::max());
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace dxOverlap
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace dxOverlap {
+HWY_EXPORT(sweepWithin);
+HWY_EXPORT(sweepAcross);
+HWY_EXPORT(sweepAll);
+}  // namespace dxOverlap
+
+void dxCellRows::resize(std::size_t rows) {
+    constexpr std::size_t kWidest = 8;  // doubles in a vector, and so many may be read behind the last row
+    constexpr double kNever = std::numeric_limits<double>::infinity();
+    if (m_columns[6].size() < rows + kWidest)
+        for (std::vector<double> &column : m_columns) column.resize(rows + rows / 2 + kWidest);
+    std::fill_n(m_columns[6].begin() + static_cast<std::ptrdiff_t>(rows), kWidest, kNever);
+    m_slots.resize(rows);
+    m_isChanged.resize(rows);
+}
+
+void dxSweepWithin(const dxCellRows &rows, dxCellStrides strides, std::size_t begin, std::size_t end,
+                   std::vector<dxSlotPair> &pairs) {
+    HWY_DYNAMIC_DISPATCH(dxOverlap::sweepWithin)(rows, strides, begin, end, pairs);
+}
+
+void dxSweepAcross(const dxCellRows &outer, const dxCellRows &inner, dxCellStrides strides, std::size_t begin,
+                   std::size_t end, std::vector<dxSlotPair> &pairs) {
+    HWY_DYNAMIC_DISPATCH(dxOverlap::sweepAcross)(outer, inner, strides, begin, end, pairs);
+}
+
+void dxSweepAll(const dxCellRows &rows, const dxBounds &box, std::uint32_t slot, bool changed,
+                std::vector<dxSlotPair> &pairs) {
+    HWY_DYNAMIC_DISPATCH(dxOverlap::sweepAll)(rows, box, slot, changed, pairs);
+}
+#endif

@@ -1,0 +1,65 @@
+#include "frame/dxSpaceCollision.h"
+
+#include <fenv.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "collision/dxContactLog.h"
+#include "collision/dxOrderedSpace.h"
+#include "frame/dxConcurrentCallbacks.h"
+#include "frame/dxSettings.h"
+#include "frame/dxStepStatistics.h"
+#include "frame/dxWorkersRunner.h"
+
+namespace {
+
+// Fewer geoms than this are never worth a worker, nor even a look at the clock.
+constexpr int kLeastGeoms = 48;
+
+// A program that has floating-point exceptions trapped gets the signal on the thread that collides.
+bool trapsFloatingPoint() { return fegetexcept() > 0; }
+
+// From inside a callback, whether of this space or of another one, everything stays on its thread.
+bool mayShare(const dxOrderedSpace &space, const dNearCallback *callback) {
+    const dxSettings &settings = dxSettings::instance();
+    return settings.threads() > 1 && settings.algorithm() != dxAlgorithm::Serial && callback != nullptr &&
+           space.lock_count == 0 && space.count > 1 && dxContactLog::current() == nullptr &&
+           dxContactsAhead::current() == nullptr && !trapsFloatingPoint();
+}
+
+void collideOnWorkers(dxOrderedSpace &space, unsigned workers, void *data, dNearCallback *callback) {
+    dxWorkersRunner runner(workers);
+    if (dxSettings::instance().callbacksMayRunConcurrently() && dxCollideConcurrently(space, runner, data, callback))
+        return;
+    space.collideShared(runner, data, callback);
+    const dxContactsAhead &ahead = *space.contactsAhead();
+    dxStepStatistics::instance().countSharedCollision(runner.tookPart(), ahead.computed(), ahead.used());
+}
+
+void collideAtPace(dxOrderedSpace &space, void *data, dNearCallback *callback) {
+    using Clock = std::chrono::steady_clock;
+    const dxSettings &settings = dxSettings::instance();
+    const unsigned workers = std::min(settings.threads(), settings.cores());
+    const bool shared = workers > 1 && space.pace().shallShare();
+    const Clock::time_point start = Clock::now();
+    if (shared)
+        collideOnWorkers(space, workers, data, callback);
+    else
+        space.collide(data, callback);
+    space.pace().remember(shared, std::chrono::duration<double, std::nano>(Clock::now() - start).count());
+}
+
+}  // namespace
+
+void dxCollideSpace(dxOrderedSpace &space, void *data, dNearCallback *callback) {
+    const dxSettings &settings = dxSettings::instance();
+    if (!mayShare(space, callback))
+        space.collide(data, callback);
+    else if (settings.algorithm() != dxAlgorithm::Auto)
+        collideOnWorkers(space, settings.threads(), data, callback);
+    else if (space.count < kLeastGeoms)
+        space.collide(data, callback);
+    else
+        collideAtPace(space, data, callback);
+}

@@ -1,0 +1,15 @@
+// One call of dSpaceCollide for a simple or hash space: who does what.
+//
+//   alone       everything on the calling thread
+//   shared      boxes, search for pairs and contacts on workers; callbacks one at a time on the calling thread
+//   concurrent  callbacks on workers too, with the program's consent (dxConcurrentCallbacks)
+//
+// Pairs, their order, contacts and callbacks are the same in all three. Under `auto` the space's pace decides
+// (collision/dxSharingPace.h), under the other algorithms everything is shared that can be.
+#pragma once
+
+#include <ode/ode.h>
+
+class dxOrderedSpace;
+
+void dxCollideSpace(dxOrderedSpace &space, void *data, dNearCallback *callback);

@@ -1,0 +1,21 @@
+#include "frame/dxWorkersRunner.h"
+
+#include <algorithm>
+
+void dxWorkersRunner::run(unsigned blocks, dxThreadManager::Task task, void *context) {
+    struct Job {
+        dxThreadManager::Task task;
+        void *context;
+        std::uint8_t *ranABlock;
+    } job{task, context, m_ranABlock};
+    const auto watched = [](void *of, unsigned block, unsigned worker) {
+        const Job &running = *static_cast<const Job *>(of);
+        running.task(running.context, block, worker);
+        if (worker < kWatched) running.ranABlock[worker] = 1;
+    };
+    dxWorkers::instance().run(blocks, m_workers, watched, &job);
+}
+
+unsigned dxWorkersRunner::tookPart() const {
+    return static_cast<unsigned>(std::count(m_ranABlock, m_ranABlock + kWatched, 1));
+}

@@ -1,0 +1,24 @@
+// The process's workers as a task runner, for the length of one call.
+#pragma once
+
+#include <cstdint>
+
+#include "frame/dxWorkers.h"
+#include "threading/dxTaskRunner.h"
+
+class dxWorkersRunner final : public dxTaskRunner {
+public:
+    explicit dxWorkersRunner(unsigned workers) : m_workers(workers) {}
+
+    unsigned workers() const override { return m_workers; }
+    void run(unsigned blocks, dxThreadManager::Task task, void *context) override;
+
+    // How many workers, the caller included, have run a block so far.
+    unsigned tookPart() const;
+
+private:
+    static constexpr unsigned kWatched = 64;  // workers; there may be more
+
+    unsigned m_workers;
+    std::uint8_t m_ranABlock[kWatched] = {};  // each written by its worker alone
+};

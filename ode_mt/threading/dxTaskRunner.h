@@ -1,0 +1,58 @@
+// Runs the blocks of a job: on workers, or on the calling thread alone. What a piece of the engine is given that
+// can share its work out but has no say in whether that pays.
+#pragma once
+
+#include <cstddef>
+#include <type_traits>
+
+#include "threading/dxThreadManager.h"
+
+class dxTaskRunner {
+public:
+    // More than any worker's number in `run`.
+    virtual unsigned workers() const = 0;
+
+    // As dxThreadManager::run.
+    virtual void run(unsigned blocks, dxThreadManager::Task task, void *context) = 0;
+
+    // Calls work(block, worker) for every block.
+    template <class Work>
+    void forBlocks(unsigned blocks, Work &&work) {
+        const auto task = [](void *context, unsigned block, unsigned worker) {
+            (*static_cast<std::remove_reference_t<Work> *>(context))(block, worker);
+        };
+        run(blocks, task, &work);
+    }
+
+    // Calls work(begin, end, worker) for pieces of [0, count) of `piece` items at most.
+    template <class Work>
+    void forPieces(std::size_t count, std::size_t piece, Work &&work) {
+        forBlocks(static_cast<unsigned>((count + piece - 1) / piece), [&](unsigned block, unsigned worker) {
+            const std::size_t begin = block * piece;
+            work(begin, begin + piece < count ? begin + piece : count, worker);
+        });
+    }
+
+    // The calling thread alone, which is worker 0.
+    static dxTaskRunner &alone();
+
+protected:
+    ~dxTaskRunner() = default;
+};
+
+namespace dxTaskRunners {
+
+class Alone final : public dxTaskRunner {
+public:
+    unsigned workers() const override { return 1; }
+    void run(unsigned blocks, dxThreadManager::Task task, void *context) override {
+        for (unsigned block = 0; block < blocks; ++block) task(context, block, 0);
+    }
+};
+
+}  // namespace dxTaskRunners
+
+inline dxTaskRunner &dxTaskRunner::alone() {
+    static dxTaskRunners::Alone runner;
+    return runner;
+}

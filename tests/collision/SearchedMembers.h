@@ -1,0 +1,29 @@
+// Members of a space without a space: boxes that come, go and change, and the pairs that a search has to find.
+#pragma once
+
+#include <set>
+#include <utility>
+
+#include "collision/dxMembers.h"
+#include "collision/dxPairSearch.h"
+
+class SearchedMembers {
+public:
+    using Slot = dxMembers::Slot;
+    using Pairs = std::multiset<std::pair<Slot, Slot>>;  // the lower slot first
+
+    Slot add(const dxBounds &box);
+    void move(Slot slot, const dxBounds &box);
+    void remove(Slot slot) { m_members.remove(slot); }
+
+    const dxMembers &members() const { return m_members; }
+    bool isThere(Slot slot) const { return slot < m_members.end() && m_members[slot].geom != nullptr; }
+
+    // By comparing all with all: those of which one has changed.
+    Pairs expected() const;
+    // What the search finds; changes are forgotten then.
+    Pairs found(dxPairSearch &search);
+
+private:
+    dxMembers m_members;
+};

@@ -1,0 +1,66 @@
+// dxAdaptiveSearch: goes over to batches when many boxes travel, back when they rest, and misses nothing meanwhile.
+#include <gtest/gtest.h>
+
+#include "RandomBoxes.h"
+#include "SearchedMembers.h"
+#include "collision/dxAdaptiveSearch.h"
+
+namespace {
+
+class AdaptiveSearch : public testing::Test {
+protected:
+    AdaptiveSearch() {
+        for (int i = 0; i < kBoxes; ++i)
+            crowd.add(cubeAt(random.uniform(-8, 8), random.uniform(-8, 8), random.uniform(-8, 8)));
+    }
+
+    void moveBy(SearchedMembers::Slot slot, dReal reach) {
+        dxBounds box = crowd.members()[slot].bounds;
+        const dReal way = random.uniform(-reach, reach);
+        for (dReal &bound : box.v) bound += way;
+        crowd.move(slot, box);
+    }
+    void travel() {
+        for (SearchedMembers::Slot slot = 0; slot < kBoxes; ++slot) moveBy(slot, 2);
+    }
+    void stir() {
+        for (int i = 0; i < 5; ++i) moveBy(random.below(kBoxes), 2);
+    }
+    void check() {
+        const auto expected = crowd.expected();
+        ASSERT_EQ(crowd.found(search), expected);
+    }
+
+    static constexpr int kBoxes = 400;
+    RandomBoxes random{7};
+    SearchedMembers crowd;
+    dxAdaptiveSearch search;
+};
+
+TEST_F(AdaptiveSearch, FollowsWhatTheCrowdDoes) {
+    for (int round = 0; round < 4; ++round) {
+        for (int i = 0; i < 10; ++i) {
+            travel();
+            check();
+        }
+        EXPECT_TRUE(search.isBatch());
+        for (int i = 0; i < 20; ++i) {
+            stir();
+            check();
+        }
+        EXPECT_FALSE(search.isBatch());
+    }
+}
+
+TEST_F(AdaptiveSearch, ABurstNowAndThenDoesNotMakeItGoBackAndForth) {
+    for (int i = 0; i < 60; ++i) {
+        if (i % 5 == 0)
+            travel();
+        else
+            stir();
+        check();
+        EXPECT_TRUE(search.isBatch());
+    }
+}
+
+}  // namespace

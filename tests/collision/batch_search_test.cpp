@@ -1,0 +1,99 @@
+// dxBatchSearch against brute force: sizes over many decades, boxes that no cell can hold, crowds and deserts.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "RandomBoxes.h"
+#include "SearchedMembers.h"
+#include "collision/dxBatchSearch.h"
+
+namespace {
+
+using Slot = SearchedMembers::Slot;
+
+TEST(BatchSearch, FindsNothingAmongNobodyAndAlone) {
+    dxBatchSearch search;
+    SearchedMembers crowd;
+    EXPECT_TRUE(crowd.found(search).empty());
+    crowd.add(cubeAt(0, 0, 0));
+    EXPECT_TRUE(crowd.found(search).empty());
+}
+
+TEST(BatchSearch, FindsEveryOverlapOnceWhateverTheBoxes) {
+    RandomBoxes random(3);
+    std::size_t overlaps = 0;
+    for (int round = 0; round < 60; ++round) {
+        dxBatchSearch search;
+        SearchedMembers crowd;
+        for (int step = 0; step < 6; ++step) {
+            for (int i = 0; i < 60; ++i) {
+                const Slot slot = random.below(200);
+                if (!crowd.isThere(slot))
+                    crowd.add(random.box());
+                else if (random.oneIn(5))
+                    crowd.remove(slot);
+                else
+                    crowd.move(slot, random.box());
+            }
+            const auto expected = crowd.expected();
+            overlaps += expected.size();
+            ASSERT_EQ(crowd.found(search), expected) << "round " << round << ", step " << step;
+        }
+    }
+    EXPECT_GT(overlaps, 10000u);
+}
+
+// So many of each size that none is compared with all: boxes of one level are swept against those of others.
+TEST(BatchSearch, SweepsLargeAgainstSmall) {
+    RandomBoxes random(4);
+    dxBatchSearch search;
+    SearchedMembers crowd;
+    for (int i = 0; i < 1500; ++i) {
+        const dReal edge = std::ldexp(dReal(0.3), i % 5);
+        crowd.add(cubeAt(random.uniform(-12, 12), random.uniform(-12, 12), random.uniform(-3, 3), edge));
+    }
+    const auto expected = crowd.expected();
+    EXPECT_GT(expected.size(), 3000u);
+    EXPECT_EQ(crowd.found(search), expected);
+}
+
+// Boxes whose faces lie on borders of cells touch across them.
+TEST(BatchSearch, FindsBoxesThatTouch) {
+    dxBatchSearch search;
+    SearchedMembers crowd;
+    for (int x = -4; x < 4; ++x)
+        for (int y = -4; y < 4; ++y)
+            for (int z = -4; z < 4; ++z) crowd.add(boundsOf(x, x + 1, y, y + 1, z, z + 1));
+    const auto expected = crowd.expected();
+    EXPECT_GT(expected.size(), 4000u);
+    EXPECT_EQ(crowd.found(search), expected);
+}
+
+// More cells than can be numbered, were they as small as the boxes.
+TEST(BatchSearch, FindsSmallBoxesFarApart) {
+    RandomBoxes random(5);
+    dxBatchSearch search;
+    SearchedMembers crowd;
+    for (int i = 0; i < 400; ++i) {
+        const dReal x = random.uniform(-1, 1) * dReal(1e7), y = random.uniform(-1, 1) * dReal(1e7);
+        crowd.add(cubeAt(x, y, 0, dReal(1e-3)));
+        crowd.add(cubeAt(x, y, 0, dReal(2e-3)));
+        crowd.add(boundsOf(x, x, y, y, 0, 0));
+    }
+    const auto expected = crowd.expected();
+    EXPECT_GE(expected.size(), 1200u);
+    EXPECT_EQ(crowd.found(search), expected);
+}
+
+TEST(BatchSearch, LeavesOutPairsThatRest) {
+    dxBatchSearch search;
+    SearchedMembers crowd;
+    for (int i = 0; i < 100; ++i) crowd.add(cubeAt(dReal(i) / 2, 0, 0));
+    EXPECT_GT(crowd.found(search).size(), 99u);
+    crowd.move(50, cubeAt(25, 0, 0));
+    const auto expected = crowd.expected();
+    EXPECT_EQ(expected.size(), 4u);
+    EXPECT_EQ(crowd.found(search), expected);
+}
+
+}  // namespace

@@ -1,0 +1,93 @@
+// dxRegionIndex against brute force: members come, go and change between questions, whatever their boxes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "RandomBoxes.h"
+#include "SearchedMembers.h"
+#include "collision/dxRegionIndex.h"
+
+namespace {
+
+using Slot = SearchedMembers::Slot;
+
+class RegionIndex : public testing::Test {
+protected:
+    void add(const dxBounds &box) { index.loosen(crowd.add(box)); }
+    void move(Slot slot, const dxBounds &box) {
+        crowd.move(slot, box);
+        index.loosen(slot);
+    }
+    void remove(Slot slot) {
+        crowd.remove(slot);
+        index.drop(slot);
+    }
+    void churn() {
+        const Slot slot = random.below(300);
+        if (!crowd.isThere(slot))
+            add(random.box());
+        else if (random.oneIn(3))
+            remove(slot);
+        else
+            move(slot, random.box());
+    }
+    // Front of the list first.
+    std::vector<Slot> expected(const dxBounds &box) const {
+        std::vector<Slot> slots;
+        for (Slot slot = 0; slot < crowd.members().end(); ++slot)
+            if (crowd.isThere(slot) && crowd.members()[slot].bounds.overlaps(box)) slots.push_back(slot);
+        std::sort(slots.begin(), slots.end(),
+                  [&](Slot a, Slot b) { return crowd.members()[a].rank > crowd.members()[b].rank; });
+        return slots;
+    }
+    std::vector<Slot> found(const dxBounds &box) {
+        std::vector<Slot> slots;
+        index.find(crowd.members(), box, slots);
+        return slots;
+    }
+
+    RandomBoxes random{11};
+    SearchedMembers crowd;
+    dxRegionIndex index{crowd.members()};
+};
+
+TEST_F(RegionIndex, FindsNothingAmongNobody) {
+    EXPECT_TRUE(found(cubeAt(0, 0, 0)).empty());
+    add(cubeAt(0, 0, 0));
+    remove(0);
+    EXPECT_TRUE(found(cubeAt(0, 0, 0)).empty());
+}
+
+TEST_F(RegionIndex, FindsWhatOverlapsInTheOrderOfTheList) {
+    for (int i = 0; i < 250; ++i) add(random.box());
+    std::size_t overlaps = 0;
+    for (int step = 0; step < 4000; ++step) {
+        if (step % 400 < 100) churn();  // times of change, times of rest
+        const dxBounds box = random.box();
+        const std::vector<Slot> slots = found(box);
+        ASSERT_EQ(slots, expected(box)) << "step " << step;
+        overlaps += slots.size();
+    }
+    EXPECT_GT(overlaps, 10000u);
+}
+
+TEST_F(RegionIndex, FindsASlotThatWasGivenAnewByItsNewBoxAlone) {
+    for (int i = 0; i < 100; ++i) add(cubeAt(i, 0, 0, dReal(0.5)));
+    for (int i = 0; i < 100; ++i) found(cubeAt(0, 0, 0));  // builds the tree
+    remove(7);
+    add(cubeAt(0, 50, 0));
+    EXPECT_TRUE(found(cubeAt(7, 0, 0, dReal(0.1))).empty());
+    EXPECT_EQ(found(cubeAt(0, 50, 0)).size(), 1u);
+}
+
+TEST_F(RegionIndex, AsksALineThroughACrowdOfThousands) {
+    for (int x = 0; x < 60; ++x)
+        for (int y = 0; y < 60; ++y) add(cubeAt(x, y, 0, dReal(0.9)));
+    for (int i = 0; i < 200; ++i) {
+        const dReal x = random.uniform(0, 59), y = random.uniform(0, 59), length = random.uniform(0, 6);
+        const dxBounds ray = boundsOf(x, x + length, y, y, 0, 0);
+        ASSERT_EQ(found(ray), expected(ray));
+    }
+}
+
+}  // namespace

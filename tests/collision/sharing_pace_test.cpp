@@ -1,0 +1,48 @@
+// dxSharingPace: takes the faster way, does not spend much on finding out, and follows when times change.
+#include <gtest/gtest.h>
+
+#include "collision/dxSharingPace.h"
+
+namespace {
+
+class SharingPace : public testing::Test {
+protected:
+    // Calls that take so long either way; how many of them were shared.
+    int shared(int calls, double aloneNs, double sharedNs) {
+        int count = 0;
+        for (int i = 0; i < calls; ++i) {
+            const bool shares = pace.shallShare();
+            count += shares;
+            pace.remember(shares, shares ? sharedNs : aloneNs);
+        }
+        return count;
+    }
+
+    dxSharingPace pace;
+};
+
+TEST_F(SharingPace, NeverSharesWhatIsDoneBeforeAWorkerWakes) { EXPECT_EQ(shared(5000, 10e3, 1e3), 0); }
+
+TEST_F(SharingPace, SharesWhatPays) {
+    EXPECT_GT(shared(100, 400e3, 250e3), 85);
+    EXPECT_GT(shared(1000, 400e3, 250e3), 950);
+}
+
+TEST_F(SharingPace, SeldomTriesWhatDoesNotPay) {
+    EXPECT_GT(shared(100, 400e3, 500e3), 0);
+    EXPECT_LT(shared(2000, 400e3, 500e3), 60);
+}
+
+TEST_F(SharingPace, GivesUpWhatNoLongerPaysAndComesBack) {
+    shared(300, 400e3, 250e3);
+    EXPECT_LT(shared(1000, 400e3, 700e3), 450);
+    EXPECT_GT(shared(4000, 400e3, 250e3), 2500);
+}
+
+TEST_F(SharingPace, StaysAloneWhenTheSpaceHasBecomeSmall) {
+    shared(300, 400e3, 250e3);
+    shared(1000, 5e3, 30e3);
+    EXPECT_EQ(shared(1000, 5e3, 30e3), 0);
+}
+
+}  // namespace
