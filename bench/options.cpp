@@ -32,6 +32,8 @@ const char *const kFooter =
     "  odemt_bench --worlds pioneer3at:440,create:620 worlds with more static shapes\n"
     "  odemt_bench --worlds humanoids:22,stacks:100   two scenes\n"
     "  odemt_bench --worlds pile:4000,sap --engines stock,ours:2 --seconds 60\n"
+    "  odemt_bench --worlds pile:1000..32000 --engines stock,ours:2\n"
+    "                                                 time over size: 1000, 2000, 4000 …\n"
     "  odemt_bench --worlds my/world.sdf --threads 2,4,8\n"
     "\nThe exit code is 0 if all engines ran and agreed, 1 if one failed or differed, 2 for a wrong "
     "option.\n";
@@ -90,9 +92,14 @@ void addOptions(CLI::App &app, Words &words, Options &options) {
                    "stop when the last ten running averages (one every 100 frames) lie within this share")
         ->capture_default_str()
         ->check(CLI::PositiveNumber);
-    app.add_option("--warm-up", options.race.warmUpFrames, "first frames, not timed (fewer if they take 1 s)")
+    app.add_option("--warm-up", options.race.warmUpFrames, "first frames, not timed (fewer if they take too long)")
         ->capture_default_str()
         ->check(CLI::Range(0L, 1'000'000L));
+    app.add_option("--warm-up-seconds", options.race.warmUpSeconds,
+                   "seconds of the first engine after which the warm-up takes too long; sizes of a world\n"
+                   "compare best with the same number of frames")
+        ->capture_default_str()
+        ->check(CLI::PositiveNumber);
     app.add_option("--timeout", words.limitSeconds, "seconds after which an engine counts as hanging")
         ->capture_default_str()
         ->check(CLI::PositiveNumber);

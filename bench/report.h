@@ -11,11 +11,14 @@ namespace bench {
 // What was run, and the table of its engines.
 std::string reportText(const WorldResult &result);
 
+// For each world of several sizes: time over size, and the exponent of its growth. Empty if there are none.
+std::string reportCurves(const std::vector<WorldResult> &results);
+
 // Everything, the machine and the libraries' files included; the kept running averages, which are most of it,
 // if asked for.
 std::string reportJson(const std::vector<WorldResult> &results, bool withAverages = true);
 
-// One line for each world and engine.
+// One line for each world and engine; with worlds of several sizes, size and growth at its end.
 std::string reportCsv(const std::vector<WorldResult> &results);
 
 // One line for each second that each engine ran: its real-time factor.

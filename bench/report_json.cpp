@@ -1,3 +1,4 @@
+#include "curve.h"
 #include "machine.h"
 #include "real_time_samples.h"
 #include "report.h"
@@ -75,13 +76,35 @@ json toJson(const WorldResult &result, bool withAverages) {
             {"engines", engines}};
 }
 
+json toJson(const Curve &curve, std::size_t engine) {
+    json entry = {{"engine", curve.points[0].engines[engine].engine}};
+    for (Part part : Curve::kReported) {
+        json seconds = json::array(), growth = json::array();
+        for (std::size_t point = 0; point < curve.points.size(); ++point) {
+            seconds.push_back(curve.seconds(part, point, engine));
+            growth.push_back(curve.growth(part, point, engine));
+        }
+        entry["parts"][nameOf(part)] = {{"meanSeconds", seconds}, {"growth", growth}};
+    }
+    return entry;
+}
+
+json toJson(const Curve &curve) {
+    json sizes = json::array(), engines = json::array();
+    for (const CurvePoint &point : curve.points) sizes.push_back(point.size);
+    for (std::size_t engine = 0; engine < curve.points[0].engines.size(); ++engine)
+        engines.push_back(toJson(curve, engine));
+    return {{"world", curve.world}, {"sizes", sizes}, {"engines", engines}};
+}
+
 }  // namespace
 
 std::string reportJson(const std::vector<WorldResult> &results, bool withAverages) {
-    json worlds = json::array();
+    json worlds = json::array(), curves = json::array();
     for (const WorldResult &result : results) worlds.push_back(toJson(result, withAverages));
-    return json{{"machine", toJson(thisMachine())}, {"worlds", worlds}}.dump(1, ' ', false,
-                                                                             json::error_handler_t::replace) +
+    for (const Curve &curve : curvesOf(results)) curves.push_back(toJson(curve));
+    return json{{"machine", toJson(thisMachine())}, {"worlds", worlds}, {"curves", curves}}.dump(
+               1, ' ', false, json::error_handler_t::replace) +
            "\n";
 }
 

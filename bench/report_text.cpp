@@ -1,3 +1,4 @@
+#include "number_text.h"
 #include "report.h"
 #include "summary.h"
 #include "table.h"
@@ -15,15 +16,6 @@ std::string format(const char *pattern, Values... values) {
     std::snprintf(text, sizeof text, pattern, values...);
     return text;
 }
-
-// Three significant digits, but never more than four behind the point.
-std::string number(double value) {
-    if (!std::isfinite(value)) return "-";
-    const int digits = value >= 100 ? 0 : value >= 10 ? 1 : value >= 1 ? 2 : value >= 0.1 ? 3 : 4;
-    return format("%.*f", digits, value);
-}
-
-std::string milliseconds(double seconds) { return number(1e3 * seconds); }
 
 std::string ratio(const Spread &spread) {
     if (!std::isfinite(spread.median)) return "-";
@@ -61,21 +53,21 @@ std::vector<std::string> cells(const EngineSummary &summary, bool isOurs, bool c
     const PartSummary &frame = summary.part(Part::Frame);
     std::vector<std::string> cells = {
         summary.engine,
-        milliseconds(frame.seconds.mean) + " ± " + milliseconds(frame.seconds.deviation),
-        milliseconds(summary.part(Part::Collision).seconds.mean),
-        milliseconds(summary.part(Part::Dynamics).seconds.mean),
-        milliseconds(summary.part(Part::Overhead).seconds.mean),
+        millisecondsText(frame.seconds.mean) + " ± " + millisecondsText(frame.seconds.deviation),
+        millisecondsText(summary.part(Part::Collision).seconds.mean),
+        millisecondsText(summary.part(Part::Dynamics).seconds.mean),
+        millisecondsText(summary.part(Part::Overhead).seconds.mean),
         ratio(frame.speedUp),
         ratio(summary.part(Part::Collision).speedUp),
         ratio(summary.part(Part::Dynamics).speedUp),
         ratio(summary.part(Part::Overhead).speedUp),
-        number(summary.realTimeFactor),
+        numberText(summary.realTimeFactor),
         isOurs ? format("%.0f %%", 100 * summary.sharedSteps) : "",
         state(summary)};
     if (callbacksTimed) {
         const PartSummary &outside = summary.part(Part::OutsideCallbacks);
-        cells.insert(cells.end() - 1, {milliseconds(summary.part(Part::Callbacks).seconds.mean),
-                                       milliseconds(outside.seconds.mean), ratio(outside.speedUp)});
+        cells.insert(cells.end() - 1, {millisecondsText(summary.part(Part::Callbacks).seconds.mean),
+                                       millisecondsText(outside.seconds.mean), ratio(outside.speedUp)});
     }
     return cells;
 }

@@ -1,6 +1,7 @@
 #include "world_source.h"
 
 #include "loader/world_folder.h"
+#include "size_range.h"
 #include "world_spec.h"
 
 #include <algorithm>
@@ -34,9 +35,8 @@ std::string nameAndMeaning(const scenes::SceneDescription &description) {
     return name + description.meaning + "\n";
 }
 
-}  // namespace
-
-std::vector<std::string> splitWorlds(const std::string &list) {
+// A modifier belongs to the world before it.
+std::vector<std::string> splitWords(const std::string &list) {
     std::vector<std::string> result;
     std::istringstream stream(list);
     for (std::string word; std::getline(stream, word, ',');) {
@@ -46,6 +46,17 @@ std::vector<std::string> splitWorlds(const std::string &list) {
             result.insert(result.end(), kWorldsOfTheThesis.begin(), kWorldsOfTheThesis.end());
         else
             result.push_back(word);
+    }
+    return result;
+}
+
+}  // namespace
+
+std::vector<std::string> splitWorlds(const std::string &list) {
+    std::vector<std::string> result;
+    for (const std::string &world : splitWords(list)) {
+        const std::vector<std::string> ofEachSize = expandSizes(world);
+        result.insert(result.end(), ofEachSize.begin(), ofEachSize.end());
     }
     return result;
 }
@@ -87,7 +98,7 @@ std::string listWorlds() {
     text += "\nWith N static shapes, as NAME:N. Modifier of an SDF world, as NAME,MODIFIER:\n";
     text +=
         nameAndMeaning({kStaticMeetsStatic, "ODE reports pairs of static shapes, which then are dropped"});
-    text += "\nScenes, as NAME:N:\n";
+    text += "\nScenes, as NAME:N (or NAME:FIRST..LAST for sizes that double):\n";
     for (const scenes::SceneDescription &scene : scenes::availableScenes()) text += nameAndMeaning(scene);
     text += "\nModifiers of a scene, as NAME:N,MODIFIER:\n";
     for (const scenes::SceneDescription &modifier : scenes::availableModifiers())

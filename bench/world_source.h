@@ -5,6 +5,7 @@
 //   create,static_meets_static   the same with pairs of static shapes reported by ODE's space
 //   path/to/file.sdf   any SDF world; may have a number and the modifier, too
 //   stacks:100,quick   a procedural scene; "soccer" alone is the SDF world, "soccer:4" the scene
+//   pile:1000..8000    one scene for each size, doubled from 1000 to 8000 at most (size_range.h)
 //   thesis             all the worlds that the thesis measures
 #pragma once
 

@@ -12,6 +12,7 @@
 
 #include "api/user_classes.h"
 #include "collision/dxColliderOverrides.h"
+#include "collision/dxContactLog.h"
 #include "collision/dxContactsAhead.h"
 #include "config.h"
 #include "collision_kernel.h"
@@ -92,6 +93,10 @@ int dCollide(dGeomID o1, dGeomID o2, int flags, dContactGeom *contact, int skip)
     if (dxContactsAhead *const ahead = dxContactsAhead::current()) {
         const int count = ahead->answer(o1, o2, flags, contact, skip);
         if (count >= 0) return count;
+    } else if (dxContactLog *const log = dxContactLog::current()) {
+        const bool isValid = o1 != nullptr && o2 != nullptr && contact != nullptr;
+        if (isValid && !isAnsweredEarly(*o1, *o2, flags) && dxMayCollideAnywhere(*o1, *o2))
+            return log->copies().collide(*o1, *o2, flags, contact, skip);
     }
     if (o1 != nullptr && o2 != nullptr && isFirstMeeting(*o1, *o2) && !isAnsweredEarly(*o1, *o2, flags)) {
         resolve(o1->type, o2->type);

@@ -14,6 +14,7 @@
 
 #include <ode/ode.h>
 
+#include "collision/dxSharedColliders.h"
 #include "config.h"
 #include "objects.h"
 
@@ -47,6 +48,9 @@ public:
     dJointID create(dWorldID world, dJointGroupID group, const dContact *contact);
     void attach(dJointID joint, dBodyID body1, dBodyID body2);
 
+    // For dCollide in this task's callbacks: what other tasks collide, too, is not written to.
+    dxColliderCopies &copies() { return m_copies; }
+
     // On the thread that called dSpaceCollide.
     void commit(Span span);
 
@@ -58,6 +62,7 @@ private:
     };
 
     std::vector<Operation> m_operations;
+    dxColliderCopies m_copies;
     std::mutex *m_groups = nullptr;
     dxWorld m_nursery;  // where joints are made: a joint's constructor writes to its world
 };

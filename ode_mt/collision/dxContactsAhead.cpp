@@ -59,11 +59,23 @@ bool isUnwritten(const dContactGeom &contact) {
            contact.side1 == kNoSide && contact.side2 == kNoSide;
 }
 
+// The fourth number of a vector is padding, and some colliders keep a mark in its first byte
+// (addUniqueContact in collision_libccd.cpp).
+void copyWrittenPadding(const dReal &from, dReal &to) {
+    unsigned char pattern[sizeof(dReal)], bytes[sizeof(dReal)];
+    std::memcpy(pattern, &kNoReal, sizeof pattern);
+    std::memcpy(bytes, &from, sizeof bytes);
+    const bool isWhole = std::memcmp(bytes + 1, pattern + 1, sizeof bytes - 1) != 0;
+    if (isWhole || bytes[0] != pattern[0]) std::memcpy(&to, bytes, isWhole ? sizeof bytes : 1);
+}
+
 void copyWritten(const dContactGeom &from, dContactGeom &to) {
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 3; ++i) {
         if (!isUnwritten(from.pos[i])) to.pos[i] = from.pos[i];
         if (!isUnwritten(from.normal[i])) to.normal[i] = from.normal[i];
     }
+    copyWrittenPadding(from.pos[3], to.pos[3]);
+    copyWrittenPadding(from.normal[3], to.normal[3]);
     if (!isUnwritten(from.depth)) to.depth = from.depth;
     if (from.g1 != unwrittenGeom()) to.g1 = from.g1;
     if (from.g2 != unwrittenGeom()) to.g2 = from.g2;

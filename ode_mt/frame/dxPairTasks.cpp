@@ -2,22 +2,24 @@
 
 #include <algorithm>
 
+#include "collision/dxSharedColliders.h"
+
 #include "config.h"
 #include "objects.h"
 #include "collision_kernel.h"
+#include "heightfield.h"
 
 namespace {
 
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-// Colliding this geom with another writes to it, or runs code of the user's.
+// Of a pair whose collision may write to it: whether it may write to this geom of the two, or run the user's code for
+// it. The others are only read.
 bool isWrittenTo(const dxGeom *geom) {
     const int type = geom->type;
     return type == dHeightfieldClass || type == dGeomTransformClass || type == dTriMeshClass ||
            type >= dFirstUserClass || dGeomIsSpace(const_cast<dxGeom *>(geom));
 }
-
-bool isExclusive(const dxGeom *geom) { return geom->body != nullptr || isWrittenTo(geom); }
 
 }  // namespace
 
@@ -38,15 +40,50 @@ void dxPairTasks::uniteExclusive(const std::vector<dxOrderedPair> &pairs) {
     for (const dxOrderedPair &pair : pairs)
         for (dxGeom *const geom : {pair.first, pair.second})
             if (geom->body != nullptr) geom->body->tag = 0;
+    for (const dxOrderedPair &pair : pairs) markExclusive(pair);
+    uniteSharedHeights(pairs);
     for (const dxOrderedPair &pair : pairs) {
         for (int i = 0; i < 2; ++i) {
             const dxGeom *const geom = i == 0 ? pair.first : pair.second;
-            if (!isExclusive(geom)) continue;
-            m_exclusive[pair.slots[i]] = 1;
             if (geom->body != nullptr) uniteBody(geom->body, pair.slots[i]);
         }
         if (m_exclusive[pair.slots[0]] && m_exclusive[pair.slots[1]]) m_sets.unite(pair.slots[0], pair.slots[1]);
     }
+}
+
+void dxPairTasks::markExclusive(const dxOrderedPair &pair) {
+    const bool writes = !dxMayCollideAnywhere(*pair.first, *pair.second);
+    for (int i = 0; i < 2; ++i) {
+        const dxGeom *const geom = i == 0 ? pair.first : pair.second;
+        if (geom->body != nullptr || (writes && isWrittenTo(geom))) m_exclusive[pair.slots[i]] = 1;
+    }
+}
+
+// Upstream's height fields keep scratch memory in their data, which several may have in common.
+void dxPairTasks::uniteSharedHeights(const std::vector<dxOrderedPair> &pairs) {
+    m_writtenHeights.clear();
+    const auto find = [this](const dxGeom *geom) {
+        return std::find_if(m_writtenHeights.begin(), m_writtenHeights.end(), [geom](const WrittenHeights &written) {
+            return written.data == static_cast<const dxHeightfield *>(geom)->m_p_data;
+        });
+    };
+    const auto forHeights = [&pairs](const auto &visit) {
+        for (const dxOrderedPair &pair : pairs)
+            for (int i = 0; i < 2; ++i) {
+                const dxGeom *const geom = i == 0 ? pair.first : pair.second;
+                if (geom->type == dHeightfieldClass) visit(geom, pair.slots[i]);
+            }
+    };
+    forHeights([&](const dxGeom *geom, Slot slot) {
+        if (m_exclusive[slot] && find(geom) == m_writtenHeights.end())
+            m_writtenHeights.push_back({static_cast<const dxHeightfield *>(geom)->m_p_data, slot});
+    });
+    forHeights([&](const dxGeom *geom, Slot slot) {
+        const auto written = find(geom);
+        if (written == m_writtenHeights.end()) return;
+        m_exclusive[slot] = 1;
+        m_sets.unite(written->first, slot);
+    });
 }
 
 void dxPairTasks::uniteBody(dBodyID body, Slot slot) {

@@ -1,8 +1,8 @@
 // Cuts the pairs of a space into tasks whose callbacks may run at the same time: no two tasks share a body.
 //
 // Two pairs belong together if they share a body, or a geom that a collider writes to or that leads to code of
-// the user's (a height field, a nested space, a geom of a class of the user's, a geom transform, a mesh that
-// remembers its last contacts). Static geoms of other kinds are only read and may be in many tasks. Clusters,
+// the user's (a nested space, a geom of a class of the user's, a geom transform, a mesh that remembers its last
+// contacts, a mesh or height field with callbacks: collision/dxSharedColliders.h). Static geoms of other kinds are only read and may be in many tasks. Clusters,
 // where the space has them, are kept whole.
 #pragma once
 
@@ -12,6 +12,8 @@
 #include "clustering/dxClusteredWorldAndSpace.h"
 #include "clustering/dxDisjointSets.h"
 #include "collision/dxOrderedPair.h"
+
+struct dxHeightfieldData;
 
 class dxPairTasks {
 public:
@@ -30,16 +32,24 @@ private:
     using Slot = dxMembers::Slot;
 
     void uniteExclusive(const std::vector<dxOrderedPair> &pairs);
+    void markExclusive(const dxOrderedPair &pair);
+    void uniteSharedHeights(const std::vector<dxOrderedPair> &pairs);
     void uniteBody(dBodyID body, Slot slot);
     void uniteClusters(const std::vector<dxOrderedPair> &pairs, const dxClusteredWorldAndSpace &clusters);
     void sizeSets(const std::vector<dxOrderedPair> &pairs);
     void shareOut(unsigned wanted, std::size_t pairs);
     Slot ownerOf(const dxOrderedPair &pair) const;
 
+    struct WrittenHeights {
+        const dxHeightfieldData *data;
+        Slot first;  // that has them
+    };
+
     dxDisjointSets m_sets;                   // of slots
     std::vector<std::uint8_t> m_exclusive;   // by slot
     std::vector<std::uint32_t> m_setOfPair;  // root of its set
     std::vector<std::uint32_t> m_sizeOfSet, m_taskOfSet, m_setsBySize;  // by root; roots
     std::vector<std::uint32_t> m_order, m_fill;
+    std::vector<WrittenHeights> m_writtenHeights;
     std::vector<Task> m_tasks;
 };

@@ -73,6 +73,15 @@ TEST_F(OdemtBench, TimesCallbacksApart) {
     }
 }
 
+TEST_F(OdemtBench, PrintsTimeOverSizeWithoutStock) {
+    const Outcome outcome = run("--worlds stacks:2..8,sap --engines ours:0,ours:2 --frames 20" + files());
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
+    EXPECT_NE(outcome.output.find("== stacks:N,sap: time over size =="), std::string::npos) << outcome.output;
+    std::ifstream file(folder + "/b.json");
+    const auto json = nlohmann::json::parse(file);
+    EXPECT_EQ(json["curves"][0]["sizes"], nlohmann::json({2, 4, 8}));
+}
+
 TEST_F(OdemtBench, SavesSamplesOfTheRealTimeFactor) {
     const Outcome outcome =
         run("--worlds rover:3 --engines stock --seconds 1.5 --samples " + folder + "/s.csv" + files());

@@ -33,17 +33,27 @@ void expectComplaint(const std::vector<const char *> &arguments, const std::stri
 }  // namespace
 
 TEST(Options, AreRead) {
-    const Outcome outcome = read({"--worlds", "rover,stacks:3,sap", "--engines", "stock,ours", "--threads",
-                                  "0,2", "--seconds", "1.5", "--frames", "77", "--json", "a.json"});
+    const Outcome outcome =
+        read({"--worlds", "rover,stacks:3,sap", "--engines", "stock,ours", "--threads", "0,2", "--seconds",
+              "1.5", "--frames", "77", "--json", "a.json", "--warm-up-seconds", "9.5"});
     ASSERT_TRUE(outcome.options) << outcome.errors;
     EXPECT_EQ(outcome.options->worlds, (std::vector<std::string>{"rover", "stacks:3,sap"}));
     EXPECT_EQ(outcome.options->engines.size(), 3u);
     EXPECT_DOUBLE_EQ(outcome.options->race.stop.maximumSeconds, 1.5);
     EXPECT_EQ(outcome.options->race.stop.maximumFrames, 77);
+    EXPECT_DOUBLE_EQ(outcome.options->race.warmUpSeconds, 9.5);
     EXPECT_EQ(outcome.options->jsonFile, "a.json");
     EXPECT_EQ(outcome.options->samplesFile, "");
     EXPECT_EQ(outcome.options->race.stop.minimumSeconds, 0);
     EXPECT_TRUE(outcome.options->withAverages);
+}
+
+TEST(Options, ARangeOfSizesIsSeveralWorlds) {
+    const Outcome outcome = read({"--worlds", "stacks:2..9,sap", "--engines", "ours:0"});
+    ASSERT_TRUE(outcome.options) << outcome.errors;
+    EXPECT_EQ(outcome.options->worlds,
+              (std::vector<std::string>{"stacks:2,sap", "stacks:4,sap", "stacks:8,sap"}));
+    expectComplaint({"--worlds", "stacks:9..2"}, "'9..2'");
 }
 
 TEST(Options, WithSamplesMeasuringDoesNotEndEarly) {
@@ -65,6 +75,7 @@ TEST(Options, WrongOnesAreAnsweredByName) {
     expectComplaint({"--worlds", "rover", "--manager", "tbb"}, "'tbb'");
     expectComplaint({"--worlds", "rover", "--seconds", "-1"}, "--seconds");
     expectComplaint({"--worlds", "rover", "--frames", "0"}, "--frames");
+    expectComplaint({"--worlds", "rover", "--warm-up-seconds", "0"}, "--warm-up-seconds");
     expectComplaint({"--worlds", "rover", "--our-library", "/nowhere"}, "--our-library");
     expectComplaint({"--worlds", ""}, "--worlds");
 }
@@ -73,6 +84,6 @@ TEST(Options, HelpExplainsEnginesAndGivesExamples) {
     const Outcome outcome = read({"--help"});
     EXPECT_FALSE(outcome.options);
     EXPECT_EQ(outcome.exitCode, 0);
-    for (const char *word : {"stock-pool:N", "ours:N", "Examples:", "--worlds", "exit code"})
+    for (const char *word : {"stock-pool:N", "ours:N", "Examples:", "--worlds", "1000..32000", "exit code"})
         EXPECT_NE(outcome.output.find(word), std::string::npos) << word;
 }

@@ -25,6 +25,13 @@ TEST(WorldSource, ModifiersBelongToTheSceneBeforeThem) {
     EXPECT_TRUE(splitWorlds("").empty());
 }
 
+TEST(WorldSource, ARangeOfSizesIsOneWorldForEach) {
+    EXPECT_EQ(
+        splitWorlds("rover,pile:10..40,quick,create"),
+        (std::vector<std::string>{"rover", "pile:10,quick", "pile:20,quick", "pile:40,quick", "create"}));
+    EXPECT_NE(complaint(splitWorlds("pile:40..10").at(0)).find("'40..10'"), std::string::npos);
+}
+
 TEST(WorldSource, TheWorldsOfTheThesisAreEightThatExist) {
     const std::vector<std::string> worlds = splitWorlds("rover,thesis");
     ASSERT_EQ(worlds.size(), 9u);

@@ -54,7 +54,7 @@ private:
     std::size_t m_notANumber = 0;               // words
     std::uint64_t m_hash = 0;
     Order m_order;
-    std::mutex m_mutex;                // with Order::ignored events come on several threads
+    std::mutex m_mutex;                // near pairs and contacts may come on several threads
     std::uint64_t m_sumOfEvents = 0;   // of this stage, with Order::ignored
     Record m_record;
 };

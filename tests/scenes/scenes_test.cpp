@@ -1,10 +1,13 @@
 // What every scene must be: deterministic, finite, free of static pairs, and what its name says.
 #include "scenes/scene.h"
 #include "scenes/state_hash.h"
+#include "scenes/terrain.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace {
 
@@ -46,12 +49,25 @@ class Pairs final : public scenes::Observer {
 public:
     void nearPair(dGeomID o1, dGeomID o2) override {
         ++count;
-        if (!dGeomGetBody(o1) && !dGeomGetBody(o2)) ++staticPairs;
+        if (isStatic(o1) && isStatic(o2)) ++staticPairs;
     }
-    void contact(const dContact &) override { ++contacts; }
+    void contact(const dContact &contact) override {
+        ++contacts;
+        if (!isStatic(contact.geom.g1) && !isStatic(contact.geom.g2)) ++contactsOfBodies;
+        if (std::fabs(dCalcVectorLength3(contact.geom.normal) - 1) > REAL(1e-3)) ++brokenNormals;
+    }
 
-    std::size_t count = 0, staticPairs = 0, contacts = 0;
+    std::size_t count = 0, staticPairs = 0, contacts = 0, contactsOfBodies = 0, brokenNormals = 0;
+
+private:
+    static bool isStatic(dGeomID geom) { return !dGeomGetBody(geom) && dGeomGetClass(geom) != dRayClass; }
 };
+
+std::size_t countOfClass(const Scene &scene, int geomClass) {
+    const auto &geoms = scene.inventory().geoms;
+    return static_cast<std::size_t>(std::count_if(
+        geoms.begin(), geoms.end(), [=](dGeomID geom) { return dGeomGetClass(geom) == geomClass; }));
+}
 
 std::vector<std::string> allNames() {
     std::vector<std::string> names;
@@ -166,7 +182,8 @@ TEST(Scenes, ChurnExchangesOneBoxAFrameAndACrowdNone) {
         const scenes::Inventory &all = scene->inventory();
         ASSERT_EQ(all.bodies.size(), 40u);
         ASSERT_EQ(all.geoms.size(), 41u);
-        for (std::size_t i = 0; i < all.bodies.size(); ++i) EXPECT_EQ(dGeomGetBody(all.geoms[i + 1]), all.bodies[i]);
+        for (std::size_t i = 0; i < all.bodies.size(); ++i)
+            EXPECT_EQ(dGeomGetBody(all.geoms[i + 1]), all.bodies[i]);
     }
 }
 
@@ -215,4 +232,108 @@ TEST(Scenes, BuggiesDriveInCircles) {
         const dReal *up = dBodyGetRotation(scene->inventory().bodies[0]) + 8;
         EXPECT_GT(up[2], REAL(0.7)) << name << " lies on its side";
     }
+}
+
+TEST(Scenes, ThingsLieOnTheTerrainAndOnOneAnother) {
+    for (const auto &[name, ground] : {std::pair("mesh_terrain:120", dTriMeshClass),
+                                       std::pair("heightfield_terrain:120", dHeightfieldClass)}) {
+        const auto scene = makeScene(name);
+        EXPECT_EQ(countOfClass(*scene, ground), 1u) << name;
+        for (int kind : {dBoxClass, dSphereClass, dCapsuleClass, dCylinderClass})
+            EXPECT_GT(countOfClass(*scene, kind), 15u) << name;
+        run(*scene, 300);
+        Pairs pairs;
+        scene->observe(&pairs);
+        scene->frame();
+        EXPECT_GT(pairs.contactsOfBodies, 10u) << name;
+        EXPECT_GT(pairs.contacts - pairs.contactsOfBodies, 120u) << name;
+        EXPECT_EQ(pairs.brokenNormals, 0u) << name;
+        for (dBodyID body : scene->inventory().bodies) {
+            const dReal *at = dBodyGetPosition(body);
+            const dReal ground = scenes::Terrain::height(at[0], at[1]);
+            EXPECT_GT(at[2], ground - REAL(0.4)) << name;
+            EXPECT_LT(at[2], ground + REAL(1.5)) << name;
+            EXPECT_GT(std::min(at[0], at[1]), 0) << name;
+        }
+    }
+}
+
+TEST(Scenes, ConvexSolidsAreHalfPolyhedraAndMeetWithSoundNormals) {
+    const auto scene = makeScene("convex:200");
+    EXPECT_EQ(countOfClass(*scene, dConvexClass), 100u);
+    EXPECT_EQ(countOfClass(*scene, dCylinderClass), 100u);
+    Pairs pairs;
+    scene->observe(&pairs);
+    run(*scene, 300);
+    EXPECT_GT(pairs.contactsOfBodies, 1000u);
+    EXPECT_EQ(pairs.brokenNormals, 0u);
+}
+
+namespace {
+
+// What a ray of the scene "rays" reports: eight numbers.
+struct Reading {
+    Reading(const Scene &scene, std::size_t ray) : numbers(&scene.inventory().readings[8 * ray]) {}
+    dReal distance() const { return numbers[0]; }
+    const dReal *place() const { return numbers + 1; }
+    const dReal *normal() const { return numbers + 4; }
+    long geom() const { return std::lround(numbers[7]); }
+
+    const dReal *numbers;
+};
+
+std::vector<dGeomID> raysOf(const Scene &scene) {
+    std::vector<dGeomID> rays = scene.inventory().geoms;
+    rays.erase(
+        std::remove_if(rays.begin(), rays.end(), [](dGeomID g) { return dGeomGetClass(g) != dRayClass; }),
+        rays.end());
+    return rays;
+}
+
+// Without any space.
+dContactGeom nearestHit(const Scene &scene, dGeomID ray) {
+    dContactGeom nearest{}, hit;
+    nearest.depth = dGeomRayGetLength(ray);
+    for (dGeomID geom : scene.inventory().geoms)
+        if (geom != ray && dCollide(ray, geom, 1, &hit, sizeof hit) && hit.depth < nearest.depth)
+            nearest = hit;
+    return nearest;
+}
+
+}  // namespace
+
+TEST(Scenes, EveryRayReportsTheNearestThingItMeets) {
+    const auto scene = makeScene("rays:150");
+    run(*scene, 40);
+    scene->control();
+    scene->collide();
+    const std::vector<dGeomID> rays = raysOf(*scene);
+    ASSERT_EQ(rays.size(), 150u);
+    ASSERT_EQ(scene->inventory().readings.size(), 8 * 150u);
+    int hits = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const Reading reading(*scene, i);
+        const dContactGeom nearest = nearestHit(*scene, rays[i]);
+        EXPECT_EQ(reading.distance(), nearest.depth) << i;
+        EXPECT_EQ(reading.geom() < 0, nearest.g1 == nullptr) << i;
+        if (reading.geom() < 0) continue;
+        ++hits;
+        EXPECT_EQ(scene->inventory().geoms[static_cast<std::size_t>(reading.geom())], nearest.g2) << i;
+        EXPECT_NEAR(dCalcVectorLength3(reading.normal()), 1, 1e-5);
+        EXPECT_NEAR(dCalcPointsDistance3(reading.place(), dGeomGetPosition(rays[i])), reading.distance(),
+                    1e-4);
+    }
+    EXPECT_GT(hits, 50);
+    EXPECT_LT(hits, 150);
+}
+
+TEST(Scenes, RaysMeetRobotsThatMove) {
+    const auto scene = makeScene("rays:10000");
+    scene->frame();
+    int met = 0;
+    for (std::size_t i = 0; i < 10000; ++i) {
+        const long geom = Reading(*scene, i).geom();
+        if (geom >= 0 && dGeomGetBody(scene->inventory().geoms[static_cast<std::size_t>(geom)])) ++met;
+    }
+    EXPECT_GT(met, 0);
 }

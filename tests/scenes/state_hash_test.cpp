@@ -45,6 +45,10 @@ TEST_F(StateHash, EveryFieldCounts) {
     expectNew("angular velocity");
     dBodyDisable(body);
     expectNew("enabled");
+    inventory.readings = {1, 2};
+    expectNew("readings");
+    inventory.readings = {2, 1};
+    expectNew("order of readings");
 }
 
 TEST_F(StateHash, BothZerosDiffer) {

@@ -29,6 +29,14 @@ const CatalogueEntry kCatalogue[] = {
     {"crowd", "N boxes that lie on the ground", "boxes", 2000, 1'000'000, Stepper::Quick, makeCrowd},
     {"churn", "the same; in every frame one goes and one comes", "boxes", 2000, 1'000'000, Stepper::Quick,
      makeChurn},
+    {"mesh_terrain", "N things on hilly ground, a triangle mesh", "things", 2000, 100'000, Stepper::Quick,
+     makeThingsOnMesh},
+    {"heightfield_terrain", "N things on hilly ground, a height field", "things", 2000, 100'000,
+     Stepper::Quick, makeThingsOnHeightField},
+    {"convex", "N convex polyhedra and cylinders dropped on one another", "solids", 2000, 100'000,
+     Stepper::Quick, makeConvex},
+    {"rays", "N rays of moving sensors cast among 5000 shapes", "rays", 10'000, 1'000'000, Stepper::Quick,
+     makeRays},
 };
 
 struct Modifier {

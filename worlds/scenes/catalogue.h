@@ -9,14 +9,18 @@ namespace scenes {
 
 std::unique_ptr<Scene> makeChain(const SceneOptions &options);
 std::unique_ptr<Scene> makeChurn(const SceneOptions &options);
+std::unique_ptr<Scene> makeConvex(const SceneOptions &options);
 std::unique_ptr<Scene> makeCrowd(const SceneOptions &options);
 std::unique_ptr<Scene> makeHumanoids(const SceneOptions &options);
 std::unique_ptr<Scene> makePile(const SceneOptions &options);
 std::unique_ptr<Scene> makeRagdolls(const SceneOptions &options);
+std::unique_ptr<Scene> makeRays(const SceneOptions &options);
 std::unique_ptr<Scene> makeRover(const SceneOptions &options);
 std::unique_ptr<Scene> makeSoccer(const SceneOptions &options);
 std::unique_ptr<Scene> makeSpheres(const SceneOptions &options);
 std::unique_ptr<Scene> makeStacks(const SceneOptions &options);
+std::unique_ptr<Scene> makeThingsOnMesh(const SceneOptions &options);
+std::unique_ptr<Scene> makeThingsOnHeightField(const SceneOptions &options);
 std::unique_ptr<Scene> makeVehiclesOnMesh(const SceneOptions &options);
 std::unique_ptr<Scene> makeVehiclesOnHeightField(const SceneOptions &options);
 std::unique_ptr<Scene> makeWall(const SceneOptions &options);

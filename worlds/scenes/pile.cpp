@@ -1,6 +1,6 @@
 // N boxes of several sizes dropped on one another: few large islands, many contacts a body.
 #include "scenes/catalogue.h"
-#include "scenes/generator.h"
+#include "scenes/random_rotation.h"
 #include "scenes/world_scene.h"
 
 #include <cmath>
@@ -32,10 +32,7 @@ private:
         const Vector3 sides{random.between(kSmallest, kLargest), random.between(kSmallest, kLargest),
                             random.between(kSmallest, kLargest)};
         const dBodyID box = addBox(position, sides, kDensity * sides.x * sides.y * sides.z);
-        const dReal roll = random.between(-3, 3), pitch = random.between(-3, 3), yaw = random.between(-3, 3);
-        dMatrix3 rotation;
-        dRFromEulerAngles(rotation, roll, pitch, yaw);
-        dBodySetRotation(box, rotation);
+        turnAtRandom(box, random);
     }
 };
 

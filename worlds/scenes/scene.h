@@ -45,6 +45,7 @@ struct Inventory {
     std::vector<dBodyID> bodies;
     std::vector<dJointID> joints;
     std::vector<dGeomID> geoms;
+    std::vector<dReal> readings;  // that sensors took in the last frame
 };
 
 class Scene {

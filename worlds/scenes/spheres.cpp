@@ -12,14 +12,15 @@ namespace {
 constexpr dReal kSmallest = REAL(0.05), kLargest = REAL(0.1);  // m, radius
 constexpr dReal kDensity = 900;                                // kg/m³, rubber
 constexpr dReal kCell = REAL(0.22);                            // m
-constexpr dReal kWall = REAL(0.2);                             // m, thickness
 constexpr dReal kStepSize = REAL(0.005);                       // s
 
 class Spheres final : public WorldScene {
 public:
     explicit Spheres(const SceneOptions &options) : WorldScene(options, kStepSize) {
         const int columns = static_cast<int>(std::ceil(std::cbrt(options.size)));
-        addContainer(kCell * columns);
+        addGround();
+        const dReal width = kCell * columns;
+        addWalls(width, 0, width + 1);  // hold all balls at once
         Generator random(3);
         for (int i = 0; i < options.size; ++i) {
             const int layer = i / (columns * columns), row = i / columns % columns, column = i % columns;
@@ -30,18 +31,6 @@ public:
                                  random.between(REAL(-0.01), REAL(0.01)), 0};
             addSphere(corner + jitter, radius, kDensity * REAL(4.18879) * radius * radius * radius);
         }
-    }
-
-private:
-    // The floor is a square with one corner at the origin; the walls hold all balls at once.
-    void addContainer(dReal width) {
-        addGround();
-        const dReal height = width + 1, middle = width / 2, outside = kWall / 2;
-        const Vector3 alongX{width + 2 * kWall, kWall, height}, alongY{kWall, width, height};
-        addStaticBox({middle, -outside, height / 2}, alongX);
-        addStaticBox({middle, width + outside, height / 2}, alongX);
-        addStaticBox({-outside, middle, height / 2}, alongY);
-        addStaticBox({width + outside, middle, height / 2}, alongY);
     }
 };
 

@@ -39,6 +39,7 @@ std::uint64_t stateHash(const Inventory &inventory) {
         hash.add(dBodyGetAngularVel(body), 3);
         hash.add(dBodyIsEnabled(body) ? 1 : 0);
     }
+    for (dReal reading : inventory.readings) hash.add(reading);
     return hash.value();
 }
 

@@ -31,9 +31,9 @@ void buildData(Mesh &mesh) {
 
 }  // namespace
 
-Terrain::Terrain(dReal width) : m_cells(static_cast<int>(std::ceil(width / kPitch))) {}
+Terrain::Terrain(dReal width, dReal pitch)
+    : m_pitch(pitch), m_cells(static_cast<int>(std::ceil(width / pitch))) {}
 
-// Hills of up to 0.8 m, slopes of up to 0.4.
 dReal Terrain::height(dReal x, dReal y) {
     const double hills = 0.5 * std::sin(0.5 * x) * std::cos(0.4 * y),
                  bumps = 0.1 * std::sin(1.3 * x + 0.9 * y);
@@ -45,7 +45,7 @@ dGeomID Terrain::addMesh(WorldScene &scene) const {
     const int samples = m_cells + 1;
     for (int row = 0; row < samples; ++row)
         for (int column = 0; column < samples; ++column) {
-            const dReal x = kPitch * column, y = kPitch * row;
+            const dReal x = m_pitch * column, y = m_pitch * row;
             mesh->vertices.push_back({x, y, height(x, y)});
         }
     for (int row = 0; row < m_cells; ++row)
@@ -63,23 +63,22 @@ dGeomID Terrain::addMesh(WorldScene &scene) const {
 // about x its y axis is the world's z axis, and its z axis the world's -y axis.
 dGeomID Terrain::addHeightField(WorldScene &scene) const {
     const int samples = m_cells + 1;
-    const dReal width = kPitch * m_cells;
     std::vector<dReal> heights;
     for (int row = 0; row < samples; ++row)
         for (int column = 0; column < samples; ++column)
-            heights.push_back(height(kPitch * column, width - kPitch * row));
+            heights.push_back(height(m_pitch * column, width() - m_pitch * row));
 
     const std::shared_ptr<dxHeightfieldData> data(dGeomHeightfieldDataCreate(), dGeomHeightfieldDataDestroy);
     const dReal scale = 1, offset = 0, thickness = 1;
     const int copyHeights = 1, wrap = 0;
-    kBuildHeightField(data.get(), heights.data(), copyHeights, width, width, samples, samples, scale, offset,
+    kBuildHeightField(data.get(), heights.data(), copyHeights, width(), width(), samples, samples, scale, offset,
                       thickness, wrap);
     scene.keep(data);
     const dGeomID geom = scene.add(dCreateHeightfield(scene.space(), data.get(), 1));
     dMatrix3 rotation;
     dRFromAxisAndAngle(rotation, 1, 0, 0, REAL(1.5707963267948966));
     dGeomSetRotation(geom, rotation);
-    dGeomSetPosition(geom, width / 2, width / 2, 0);
+    dGeomSetPosition(geom, width() / 2, width() / 2, 0);
     return geom;
 }
 

@@ -5,6 +5,7 @@
 // inventory. Static geoms carry category bits that keep them from being tested with one another.
 #pragma once
 
+#include "scenes/polyhedron.h"
 #include "scenes/scene_options.h"
 #include "scenes/vector3.h"
 
@@ -36,11 +37,15 @@ public:
     dBodyID addSphere(const Vector3 &position, dReal radius, dReal mass);
     dBodyID addCapsule(const Vector3 &position, const Vector3 &axis, dReal radius, dReal length, dReal mass);
     dBodyID addCylinder(const Vector3 &position, const Vector3 &axis, dReal radius, dReal length, dReal mass);
+    dBodyID addConvex(const Vector3 &position, const std::shared_ptr<Polyhedron> &shape, dReal mass);
 
     // Geoms without a body.
     dGeomID addGround();  // the plane z = 0
     dGeomID addStaticBox(const Vector3 &position, const Vector3 &sides, dReal yaw = 0);
+    dGeomID addStaticSphere(const Vector3 &position, dReal radius);
+    dGeomID addStaticCapsule(const Vector3 &position, dReal radius, dReal length);
     dGeomID addStaticCylinder(const Vector3 &position, dReal radius, dReal length);
+    void addWalls(dReal width, dReal bottom, dReal top);  // four, around a square with a corner at the origin
 
     // Joints; `second` may be null for the static world. Anchors and axes in world coordinates.
     dJointID addBall(dBodyID first, dBodyID second, const Vector3 &anchor);

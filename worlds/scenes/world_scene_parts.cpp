@@ -56,6 +56,15 @@ dBodyID WorldScene::addCylinder(const Vector3 &position, const Vector3 &axis, dR
     return body;
 }
 
+// With the inertia of a ball as far across as the corners reach on average: near enough for solids that
+// are about as long as wide.
+dBodyID WorldScene::addConvex(const Vector3 &position, const std::shared_ptr<Polyhedron> &shape, dReal mass) {
+    keep(shape);
+    dMass inertia;
+    dMassSetSphereTotal(&inertia, mass, shape->meanRadius());
+    return addBody(position, inertia, shape->createGeom(m_space));
+}
+
 dGeomID WorldScene::addGround() { return add(dCreatePlane(m_space, 0, 0, 1, 0)); }
 
 dGeomID WorldScene::addStaticBox(const Vector3 &position, const Vector3 &sides, dReal yaw) {
@@ -67,10 +76,32 @@ dGeomID WorldScene::addStaticBox(const Vector3 &position, const Vector3 &sides, 
     return geom;
 }
 
+dGeomID WorldScene::addStaticSphere(const Vector3 &position, dReal radius) {
+    const dGeomID geom = add(dCreateSphere(m_space, radius));
+    dGeomSetPosition(geom, position.x, position.y, position.z);
+    return geom;
+}
+
+dGeomID WorldScene::addStaticCapsule(const Vector3 &position, dReal radius, dReal length) {
+    const dGeomID geom = add(dCreateCapsule(m_space, radius, length));
+    dGeomSetPosition(geom, position.x, position.y, position.z);
+    return geom;
+}
+
 dGeomID WorldScene::addStaticCylinder(const Vector3 &position, dReal radius, dReal length) {
     const dGeomID geom = add(dCreateCylinder(m_space, radius, length));
     dGeomSetPosition(geom, position.x, position.y, position.z);
     return geom;
+}
+
+void WorldScene::addWalls(dReal width, dReal bottom, dReal top) {
+    const dReal thickness = REAL(0.2), outside = thickness / 2;
+    const dReal middle = width / 2, middleZ = (bottom + top) / 2, height = top - bottom;
+    const Vector3 alongX{width + 2 * thickness, thickness, height}, alongY{thickness, width, height};
+    addStaticBox({middle, -outside, middleZ}, alongX);
+    addStaticBox({middle, width + outside, middleZ}, alongX);
+    addStaticBox({-outside, middle, middleZ}, alongY);
+    addStaticBox({width + outside, middle, middleZ}, alongY);
 }
 
 dJointID WorldScene::addBall(dBodyID first, dBodyID second, const Vector3 &anchor) {

@@ -2,7 +2,17 @@
 
 #include "additions.h"
 
+#include <utility>
+
 namespace exactness {
+
+Scenario collisionScenario(std::string name, std::string meaning, int steps, Scenario::Make make,
+                           Scenario::Callbacks callbacks) {
+    Scenario scenario{std::move(name), std::move(meaning), steps, std::move(make)};
+    scenario.steppers = {scenes::Stepper::Quick};
+    scenario.callbacks = callbacks;
+    return scenario;
+}
 
 const Catalogue &catalogue() {
     static const Catalogue scenarios = [] {
@@ -10,31 +20,46 @@ const Catalogue &catalogue() {
         addAutoDisable(all);
         addBallJoints(all);
         addBodyMotion(all);
+        addCallbackLiberties(all);
+        addCollideFlags(all);
         addCollisionSpaces(all);
+        addConvexCrowds(all);
         addCreation(all);
+        addCrowdExtremes(all);
         addDegenerateWorlds(all);
         addDoubleJoints(all);
         addFaults(all);
         addFixedJoints(all);
         addFloatEnvironment(all);
         addFriction(all);
+        addGeomOwnership(all);
         addGeomPairs(all);
         addHinge2Joints(all);
         addHingeJoints(all);
         addJointFeedback(all);
         addKinematicBodies(all);
+        addLockedSpaces(all);
+        addManyContacts(all);
+        addMeshCallbacks(all);
         addMessages(all);
         addMotorJoints(all);
         addMovedCallbacks(all);
+        addMovingMeshes(all);
         addPoweredStops(all);
         addPrismaticJoints(all);
         addRandomStream(all);
+        addSensors(all);
         addSeveralWorlds(all);
         addSharedScenes(all);
+        addSleepingCrowds(all);
         addSliderJoints(all);
+        addSpaceChurn(all);
+        addSpaceKinds(all);
         addTerrain(all);
+        addTerrainCrowds(all);
         addTransmissionJoints(all);
         addUniversalJoints(all);
+        addUserColliders(all);
         addUserGeomClass(all);
         addUserThreading(all);
         addWorldParameters(all);

@@ -35,6 +35,10 @@ Scenario::Make make(Arguments... arguments) {
     return [=](scenes::Stepper stepper) { return std::make_unique<Scene>(stepper, arguments...); };
 }
 
+// A scenario about collisions alone, where what the stepper makes of the contacts is no matter.
+Scenario collisionScenario(std::string name, std::string meaning, int steps, Scenario::Make make,
+                           Scenario::Callbacks callbacks = Scenario::Callbacks::oneAtATime);
+
 using Catalogue = std::vector<Scenario>;
 const Catalogue &catalogue();
 

@@ -1,5 +1,6 @@
 #include "additions.h"
 #include "scenario_scene.h"
+#include "spaces.h"
 
 namespace exactness {
 
@@ -37,20 +38,6 @@ public:
     }
 };
 
-dSpaceID createSpace(int kind, dSpaceID parent) {
-    const dVector3 center = {0, 0, 0}, extents = {100, 100, 100};
-    switch (kind) {
-        case 0:
-            return dSimpleSpaceCreate(parent);
-        case 1:
-            return dHashSpaceCreate(parent);
-        case 2:
-            return dSweepAndPruneSpaceCreate(parent, dSAP_AXES_ZYX);
-        default:
-            return dQuadTreeSpaceCreate(parent, center, extents, 4);
-    }
-}
-
 // Spaces of every kind within the root space, and a space within each of them. The bodies of a part have
 // one geom in either.
 class NestedSpaces : public ManyParts {
@@ -58,8 +45,8 @@ public:
     NestedSpaces(Stepper stepper, SpaceKind root) : ManyParts(stepper, root) {
         addGround();
         addParts([this](int part, Vector3 origin) {
-            const dSpaceID outer = addSpace(createSpace(part % 4, space()));
-            const dSpaceID inner = addSpace(createSpace(part / 4 % 4, outer));
+            const dSpaceID outer = addSpace(createSpace(allSpaceKinds[part % 4], space()));
+            const dSpaceID inner = addSpace(createSpace(allSpaceKinds[part / 4 % 4], outer));
             dSpaceSetSublevel(inner, 1);
             for (int i = 0; i < 6; ++i)
                 addPiece(origin + Vector3{dReal(0.05) * i, 0, dReal(0.4) + dReal(0.5) * i}, outer, inner);

@@ -1,15 +1,12 @@
 #include "scenario_scene.h"
 
 #include <algorithm>
-#include <iterator>
 
 namespace exactness {
 
 namespace {
 
 ScenarioScene *livingScene = nullptr;
-
-constexpr int mostContacts = 16;  // for a pair
 
 scenes::SceneOptions optionsFor(Stepper stepper, SpaceKind space) {
     scenes::SceneOptions options;
@@ -95,6 +92,13 @@ dBodyID ScenarioScene::addBody(Vector3 position, dWorldID where) {
     return body;
 }
 
+dBodyID ScenarioScene::carry(dGeomID geom, Vector3 position) {
+    const dBodyID body = addBody(position, world());
+    dGeomSetBody(geom, body);
+    add(geom);
+    return body;
+}
+
 // Upstream leaves the feedback of joints without rows unwritten, so it starts from known values.
 dJointFeedback *ScenarioScene::addFeedback(dJointID joint) {
     m_feedbacks.push_back({});
@@ -120,7 +124,7 @@ void ScenarioScene::destroy(dGeomID geom) {
 
 void ScenarioScene::onNearPair(dGeomID o1, dGeomID o2) {
     if (dGeomIsSpace(o1) || dGeomIsSpace(o2)) {
-        dSpaceCollide2(o1, o2, this, &nearCallback);
+        collideTwo(o1, o2);
     } else {
         addContacts(o1, o2);
     }
@@ -138,12 +142,17 @@ void ScenarioScene::stepWorld(dWorldID each) {
 
 void ScenarioScene::collideSpace(dSpaceID which) { dSpaceCollide(which, this, &nearCallback); }
 
+void ScenarioScene::collideTwo(dGeomID one, dGeomID other) {
+    dSpaceCollide2(one, other, this, &nearCallback);
+}
+
 void ScenarioScene::addContacts(dGeomID o1, dGeomID o2) {
     const dBodyID b1 = dGeomGetBody(o1), b2 = dGeomGetBody(o2);
     if (b1 == nullptr && b2 == nullptr) return;
     if (b1 != nullptr && b2 != nullptr && dAreConnectedExcluding(b1, b2, dJointTypeContact)) return;
-    dContact contacts[mostContacts];
-    std::fill(std::begin(contacts), std::end(contacts), patternedContact());
+    // Too many for a stack, perhaps; and callbacks may run on several threads.
+    thread_local std::vector<dContact> contacts;
+    contacts.assign(m_contactLimit, patternedContact());
     const int count = dCollide(o1, o2, m_contactLimit, &contacts[0].geom, sizeof(dContact));
     for (int i = 0; i < count; ++i) {
         setSurface(contacts[i]);
@@ -152,11 +161,15 @@ void ScenarioScene::addContacts(dGeomID o1, dGeomID o2) {
 }
 
 dJointID ScenarioScene::addContact(dContact &contact, dWorldID where) {
-    if (m_observer != nullptr) m_observer->contact(contact);
+    tell(contact);
     const dJointID joint = dJointCreateContact(where, m_group, &contact);
     dJointAttach(joint, dGeomGetBody(contact.geom.g1), dGeomGetBody(contact.geom.g2));
     ++m_contacts;
     return joint;
+}
+
+void ScenarioScene::tell(const dContact &contact) {
+    if (m_observer != nullptr) m_observer->contact(contact);
 }
 
 void ScenarioScene::watchMoved(dBodyID body) { dBodySetMovedCallback(body, &movedCallback); }

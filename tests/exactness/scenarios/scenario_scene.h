@@ -29,6 +29,7 @@ protected:
     dWorldID addWorld();
     dSpaceID addSpace(dSpaceID space);  // without a parent: one more that collide() goes through
     dBodyID addBody(Vector3 position, dWorldID world);  // no geom; 1 kg, inertia of a ball of radius 0.2
+    dBodyID carry(dGeomID geom, Vector3 position);      // such a body, with this geom, which is listed
     dJointFeedback *addFeedback(dJointID joint);
 
     void destroy(dBodyID body);  // with its geoms; its joints stay, attached to nothing
@@ -43,8 +44,10 @@ protected:
 
     // --- what such changes are made of ------------------------------------------------------------
     void collideSpace(dSpaceID space);
+    void collideTwo(dGeomID one, dGeomID other);  // by dSpaceCollide2; not two geoms whose boxes may be old
     void addContacts(dGeomID o1, dGeomID o2);
     dJointID addContact(dContact &contact, dWorldID world);
+    void tell(const dContact &contact);  // of which no joint is made
     void watchMoved(dBodyID body);
     void note(const char *what, double value = 0);
     Stepper stepper() const { return m_stepper; }
@@ -53,7 +56,7 @@ protected:
     // The scene that lives: for callbacks that ODE gives no user data.
     static ScenarioScene &living();
 
-    int m_contactLimit = 4;  // for a pair
+    int m_contactLimit = 4;  // for a pair; any number
 
 private:
     static void nearCallback(void *scene, dGeomID o1, dGeomID o2);
