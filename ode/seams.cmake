@@ -26,7 +26,7 @@ endfunction()
 # thread that called the step, in upstream's order (ode_mt/api/error.cpp).
 #
 # misc.cpp is left out: a step takes its random numbers as one atomic block, so the seed must be an
-# atomic of ours (ode_mt/api/random.cpp, ode_mt/api/matrix_print.cpp).
+# atomic of ours (ode_mt/api/random.cpp, ode_mt/api/matrix_debug.cpp).
 
 # The islands are shared out by our frame instead of upstream's call queue.
 ode_mt_call_instead("ode.cpp" dxProcessIslands dxStepIslands)

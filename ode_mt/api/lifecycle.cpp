@@ -9,6 +9,7 @@
 #include <mutex>
 
 #include "api/user_classes.h"
+#include "collision/dxJointRemoval.h"
 #include "collision/dxThreadTrimeshCache.h"
 #include "dynamics/dxWorkingMemory.h"
 #include "frame/dxConcurrentCallbacks.h"
@@ -43,6 +44,7 @@ void countInitialisation() {
 void releaseWorkers() {
     dxWorkers::instance().stop();
     dxForgetConcurrentCallbacks();
+    dxForgetJointRemoval();
     dxStepRecords::release();
     dxWorkingMemory::release();
 }

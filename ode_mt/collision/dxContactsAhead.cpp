@@ -20,7 +20,7 @@ __attribute__((tls_model("initial-exec"))) thread_local dxContactsAhead *t_curre
 constexpr std::size_t kWindow = 2048;
 // Pairs after which the flags are known, or are looked at again.
 constexpr std::size_t kBlindWindow = 16;
-constexpr std::size_t kPiece = 32;  // that one worker takes at once
+constexpr std::size_t kPiece = 8;  // that one worker takes at once: a convex pair may take twenty microseconds
 
 // Contacts a pair for which scratch memory is kept.
 constexpr int kMostContacts = 4096;

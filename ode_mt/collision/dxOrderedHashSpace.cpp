@@ -135,9 +135,12 @@ void dxOrderedHashSpace::collidePairs(void *data, dNearCallback *callback) {
         deliver(pairs(), data, callback);
         return;
     }
-    std::vector<dxOrderedPair> enabled;
+    // Out of the member, because a callback may collide this space again.
+    std::vector<dxOrderedPair> enabled = std::move(m_enabledPairs);
+    enabled.clear();
     std::copy_if(pairs().begin(), pairs().end(), std::back_inserter(enabled), bothEnabled);
     deliver(enabled, data, callback);
+    m_enabledPairs = std::move(enabled);
 }
 
 void dxOrderedHashSpace::deliver(const std::vector<dxOrderedPair> &pairs, void *data, dNearCallback *callback) {

@@ -30,5 +30,6 @@ private:
 
     dxHashLevels m_levels{-3, 10};  // upstream's defaults
     std::vector<dxHashCells> m_cells;  // by slot
+    std::vector<dxOrderedPair> m_enabledPairs;  // memory for a call, kept between calls
     int m_outOfRange = 0;              // members whose kind is that
 };

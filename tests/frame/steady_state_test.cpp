@@ -1,4 +1,4 @@
-// Steps of a world that does not change take no memory from the system: every thread's calls of malloc and
+// Steps and frames of a world that does not change take no memory from the system: every thread's calls of malloc and
 // its relatives during the steps are counted.
 //
 // A program of its own, because it puts its functions in the place of the C library's.
@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "ChainWorld.h"
+#include "HeapWorld.h"
 #include "OdeSession.h"
 #include "sanitizers.h"
 
@@ -146,6 +147,22 @@ TEST_P(SteadyState, StepsWithContactsAllocateNothing) {
     for (unsigned i = 0; i < kSteps; ++i) allocations += frame();
     EXPECT_LE(allocations, allowed());
     dJointGroupDestroy(contacts);
+}
+
+// Whole frames: pairs, contacts, contact joints, step.
+TEST_P(SteadyState, FramesOfAHeapAllocateNothing) {
+    for (const auto create : {dSimpleSpaceCreate, dHashSpaceCreate}) {
+        HeapWorld world(create(nullptr));
+        const auto frame = [&] {
+            world.collide();
+            world.step();
+        };
+        warmUp(frame);
+        const unsigned allocations = allocationsOf([&] {
+            for (int i = 0; i < 40; ++i) frame();
+        });
+        EXPECT_LE(allocations, 2 * allowed());
+    }
 }
 
 std::vector<Mode> modes() {

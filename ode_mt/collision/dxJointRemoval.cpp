@@ -1,0 +1,64 @@
+#include "collision/dxJointRemoval.h"
+
+#include <vector>
+
+#include "dynamics/dxIdlePool.h"
+#include "threading/dxProcessObject.h"
+
+#include "config.h"
+#include "objects.h"
+#include "joints/joint.h"
+
+namespace {
+
+// Joints between asking the memory for one and removing it.
+constexpr std::size_t kAhead = 6;
+
+dxProcessObject<dxIdlePool<std::vector<dxJoint *>>> lists;
+
+void removeFromBody(dxBody *body, const dxJoint *joint) {
+    for (dxJointNode **link = &body->firstjoint; *link != nullptr; link = &(*link)->next)
+        if ((*link)->joint == joint) {
+            *link = (*link)->next;
+            return;
+        }
+}
+
+void removeFromWorld(dxJoint *joint) {
+    for (dxJointNode &node : joint->node) {
+        if (node.body != nullptr) removeFromBody(node.body, joint);
+        node.body = nullptr;
+        node.next = nullptr;
+    }
+    if (joint->next != nullptr) joint->next->tome = joint->tome;
+    *joint->tome = joint->next;
+    joint->next = nullptr;
+    joint->tome = nullptr;
+    --joint->world->nj;
+}
+
+void remove(dxJoint *joint) {
+    if (joint->world != nullptr) removeFromWorld(joint);  // else its world has gone before it
+    joint->~dxJoint();
+}
+
+}  // namespace
+
+void dxRemoveJoints(dxJointGroup &group) {
+    const std::size_t count = group.getJointCount();
+    if (count == 0) return;
+    std::vector<dxJoint *> *list = lists->take();
+    if (list == nullptr) list = new std::vector<dxJoint *>;
+    list->resize(count);
+    group.exportJoints(list->data());
+    for (std::size_t i = count; i-- != 0;) {
+        if (i >= kAhead) __builtin_prefetch((*list)[i - kAhead]);
+        remove((*list)[i]);
+    }
+    lists->giveBack(list);
+    group.freeAll();
+}
+
+void dxForgetJointRemoval() {
+    lists->clear([](std::vector<dxJoint *> *list) { delete list; });
+}

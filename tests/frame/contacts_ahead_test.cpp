@@ -1,0 +1,100 @@
+// Contacts computed ahead of their callbacks: workers do compute them, dCollide does hand them out, and what is not asked
+// for stays little. That they are the right ones is the exactness suite's.
+#include <gtest/gtest.h>
+#include <ode/ode.h>
+
+#include "HeapWorld.h"
+#include "OdeSession.h"
+
+namespace {
+
+struct Counts {
+    unsigned shared = dODE_MT_GetSharedCollisions();
+    unsigned ahead = dODE_MT_GetContactsAhead();
+    unsigned unused = dODE_MT_GetContactsAheadUnused();
+
+    Counts since(const Counts &before) const {
+        Counts difference;
+        difference.shared = shared - before.shared;
+        difference.ahead = ahead - before.ahead;
+        difference.unused = unused - before.unused;
+        return difference;
+    }
+};
+
+class ContactsAhead : public testing::TestWithParam<dSpaceID (*)(dSpaceID)> {
+protected:
+    Counts run(int frames, HeapWorld::Callback callback = nullptr) {
+        dRandSetSeed(0);
+        HeapWorld world(GetParam()(nullptr));
+        world.setCallback(callback);
+        const Counts before;
+        for (int i = 0; i < frames; ++i) {
+            world.collide();
+            world.step();
+        }
+        positions = world.positions();
+        contacts = world.contacts();
+        return Counts().since(before);
+    }
+
+    OdeSession session{3, "lcp"};
+    std::vector<dReal> positions;
+    int contacts = 0;
+};
+
+TEST_P(ContactsAhead, WorkersComputeThemAndCallbacksGetThem) {
+    const Counts counts = run(40);
+    EXPECT_GT(contacts, 40 * HeapWorld::kSide);
+    EXPECT_GE(counts.shared, 10u);  // a worker may be late, where others use the cores
+    EXPECT_GT(counts.ahead, 40u * HeapWorld::kSide);
+    EXPECT_EQ(counts.unused, 0u);
+}
+
+TEST_P(ContactsAhead, NotOnOneThread) {
+    OdeSession::use(1, "lcp");
+    EXPECT_EQ(run(5).ahead, 0u);
+    OdeSession::use(3, "serial");
+    EXPECT_EQ(run(5).ahead, 0u);
+}
+
+TEST_P(ContactsAhead, TheWorldMovesAsWithoutThem) {
+    run(40);
+    const std::vector<dReal> shared = positions;
+    OdeSession::use(0, "auto");
+    run(40);
+    EXPECT_EQ(shared, positions);
+}
+
+// Without a call of dCollide nobody knows the flags; with one call in a frame they are known, but little else is asked for.
+TEST_P(ContactsAhead, LittleIsComputedForCallbacksThatDoNotAsk) {
+    EXPECT_EQ(run(20, [](HeapWorld &, dGeomID, dGeomID) {}).ahead, 0u);
+    const Counts counts = run(60, [](HeapWorld &world, dGeomID o1, dGeomID o2) {
+        static unsigned calls = 0;
+        if (++calls % 16 == 0) world.makeContacts(o1, o2);
+    });
+    EXPECT_GT(counts.ahead, 0u);
+    EXPECT_LT(counts.unused, 4u * 256u);  // dxContactsAhead stops after some 256 pairs, and for longer each time
+}
+
+TEST_P(ContactsAhead, OtherQuestionsAreAnsweredAsEver) {
+    const Counts counts = run(20, [](HeapWorld &world, dGeomID o1, dGeomID o2) {
+        dContactGeom first[2], swapped[2], again[2];
+        const int count = dCollide(o1, o2, 2, first, sizeof(dContactGeom));
+        EXPECT_EQ(dCollide(o2, o1, 2, swapped, sizeof(dContactGeom)) > 0, count > 0);
+        ASSERT_EQ(dCollide(o1, o2, 2, again, sizeof(dContactGeom)), count);
+        for (int i = 0; i < count; ++i) {
+            EXPECT_EQ(first[i].depth, again[i].depth);
+            EXPECT_EQ(first[i].g1, o1);
+            EXPECT_EQ(first[i].g2, o2);
+            EXPECT_EQ(swapped[i].g1, o2);
+        }
+        world.makeContacts(o1, o2);
+    });
+    EXPECT_GT(counts.ahead, 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Spaces, ContactsAhead, testing::Values(dSimpleSpaceCreate, dHashSpaceCreate),
+                         [](const auto &info) { return info.index == 0 ? "simple" : "hash"; });
+
+}  // namespace
