@@ -4,6 +4,8 @@
 
 #include "collision/dxColliderOverrides.h"
 
+#include <ode/memory.h>
+
 #include "config.h"
 #include "objects.h"
 #include "collision_kernel.h"
@@ -24,7 +26,10 @@ bool isMesh(const dxGeom &geom) { return geom.type == dTriMeshClass; }
 
 const dxHeightfieldData *heightsOf(const dxGeom &geom) { return static_cast<const dxHeightfield &>(geom).m_p_data; }
 
-bool callsUser(const dxHeightfieldData *heights) { return heights == nullptr || heights->m_nGetHeightMode == 0; }
+// Colliding a height field takes memory, which may be the user's to give.
+bool callsUser(const dxHeightfieldData *heights) {
+    return heights == nullptr || heights->m_nGetHeightMode == 0 || dGetAllocHandler() != nullptr;
+}
 
 bool callsUserOrRemembers(const dxGeom &mesh) {
     const dGeomID geom = const_cast<dxGeom *>(&mesh);

@@ -71,6 +71,18 @@ TEST_F(RegionIndex, FindsWhatOverlapsInTheOrderOfTheList) {
     EXPECT_GT(overlaps, 10000u);
 }
 
+TEST_F(RegionIndex, ABoxWithoutEndFindsAllThatAreThereAndNobodyElse) {
+    for (int i = 0; i < 67; ++i) add(cubeAt(i, 0, 0));
+    for (int i = 0; i < 100; ++i) found(cubeAt(0, 0, 0));  // builds the tree
+    remove(5);
+    move(9, cubeAt(9, 1, 0));
+    for (const dReal low : {-kInfinite, kNaN}) {
+        const dxBounds everything = boundsOf(low, kInfinite, low, kInfinite, low, kInfinite);
+        EXPECT_EQ(found(everything).size(), 66u);
+        EXPECT_EQ(found(everything), expected(everything));
+    }
+}
+
 TEST_F(RegionIndex, FindsASlotThatWasGivenAnewByItsNewBoxAlone) {
     for (int i = 0; i < 100; ++i) add(cubeAt(i, 0, 0, dReal(0.5)));
     for (int i = 0; i < 100; ++i) found(cubeAt(0, 0, 0));  // builds the tree

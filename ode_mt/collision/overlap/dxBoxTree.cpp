@@ -28,8 +28,9 @@ using Lanes = hn::CappedTag<double, kChildren>;
 
 class Query {
 public:
-    Query(const dxBoxTree::Level *levels, const dxBounds &box, std::vector<std::uint32_t> &rows)
-        : m_levels(levels), m_rows(rows) {
+    Query(const dxBoxTree::Level *levels, const std::uint8_t *isThere, const dxBounds &box,
+          std::vector<std::uint32_t> &rows)
+        : m_levels(levels), m_isThere(isThere), m_rows(rows) {
         std::copy(box.v, box.v + 6, m_box);
     }
 
@@ -37,10 +38,10 @@ public:
         unsigned children = overlapping(m_levels[level], node * kChildren);
         for (; children != 0; children &= children - 1) {
             const std::size_t child = node * kChildren + hwy::Num0BitsBelowLS1Bit_Nonzero32(children);
-            if (level == 0)
-                m_rows.push_back(static_cast<std::uint32_t>(child));
-            else
+            if (level != 0 && child * kChildren < m_levels[level - 1].size())
                 descend(level - 1, child);
+            else if (level == 0 && m_isThere[child])
+                m_rows.push_back(static_cast<std::uint32_t>(child));
         }
     }
 
@@ -67,13 +68,14 @@ private:
     }
 
     const dxBoxTree::Level *m_levels;
+    const std::uint8_t *m_isThere;
     std::vector<std::uint32_t> &m_rows;
     double m_box[6];
 };
 
-HWY_ATTR void queryTree(const dxBoxTree::Level *levels, std::size_t top, const dxBounds &box,
-                        std::vector<std::uint32_t> &rows) {
-    Query(levels, box, rows).descend(top, 0);
+HWY_ATTR void queryTree(const dxBoxTree::Level *levels, std::size_t top, const std::uint8_t *isThere,
+                        const dxBounds &box, std::vector<std::uint32_t> &rows) {
+    Query(levels, isThere, box, rows).descend(top, 0);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -114,6 +116,7 @@ void dxBoxTree::begin() {
     for (Level &level : m_levels)
         for (std::vector<double> &bound : level.bounds) bound.clear();
     if (m_levels.empty()) m_levels.emplace_back();
+    m_isThere.clear();
     m_inUse = 0;
 }
 
@@ -121,10 +124,12 @@ void dxBoxTree::push(const dxBounds &box) {
     double bounds[6];
     std::copy(box.v, box.v + 6, bounds);
     m_levels[0].push(bounds);
+    m_isThere.push_back(1);
 }
 
 void dxBoxTree::finish() {
     m_levels[0].fillUp();
+    m_isThere.resize(m_levels[0].size(), 0);
     m_inUse = m_levels[0].size() == 0 ? 0 : 1;
     for (std::size_t below = 0; m_inUse != 0 && m_levels[below].size() > dxOverlap::kChildren; ++below) {
         if (m_levels.size() == below + 1) m_levels.emplace_back();
@@ -139,10 +144,11 @@ void dxBoxTree::finish() {
 }
 
 void dxBoxTree::erase(std::size_t row) {
+    m_isThere[row] = 0;
     for (int i = 0; i < 6; ++i) m_levels[0].bounds[i][row] = dxOverlap::kNowhere[i];
 }
 
 void dxBoxTree::query(const dxBounds &box, std::vector<std::uint32_t> &rows) const {
-    if (m_inUse != 0) HWY_DYNAMIC_DISPATCH(dxOverlap::queryTree)(m_levels.data(), m_inUse - 1, box, rows);
+    if (m_inUse != 0) HWY_DYNAMIC_DISPATCH(dxOverlap::queryTree)(m_levels.data(), m_inUse - 1, m_isThere.data(), box, rows);
 }
 #endif

@@ -27,7 +27,7 @@ public:
     void query(const dxBounds &box, std::vector<std::uint32_t> &rows) const;
 
     struct Level {
-        std::vector<double> bounds[6];  // padded to whole nodes with boxes that overlap nothing
+        std::vector<double> bounds[6];  // padded to whole nodes with boxes that overlap nothing that has an end
         std::size_t size() const { return bounds[0].size(); }
         void push(const double *box);
         void fillUp();
@@ -35,5 +35,7 @@ public:
 
 private:
     std::vector<Level> m_levels;  // rows first, the last one is a single node
+    // By row. A box without an end overlaps even the boxes that fill nodes up.
+    std::vector<std::uint8_t> m_isThere;
     std::size_t m_inUse = 0;      // levels
 };
