@@ -147,7 +147,7 @@ void dxContactsAhead::nextWindow(const std::vector<dxOrderedPair> &pairs, std::s
 void dxContactsAhead::computeWindow(const std::vector<dxOrderedPair> &pairs) {
     m_windowFlags = m_flags;
     m_results.resize(m_end - m_begin);
-    for (Worker &worker : m_workers) worker.contacts.clear();
+    for (Worker &worker : m_workers) worker.startWindow();
     m_runner->forPieces(m_results.size(), kPiece, [&](std::size_t begin, std::size_t end, unsigned worker) {
         const SilentScope silent;
         for (std::size_t i = begin; i < end; ++i) {
@@ -163,27 +163,42 @@ void dxContactsAhead::compute(const dxOrderedPair &pair, Result &result, unsigne
     result.count = kUnknown;
     if (!dxMayCollideAnywhere(*pair.first, *pair.second)) return;
     const auto most = static_cast<std::size_t>(m_windowFlags & NUMC_MASK);
-    for (std::size_t have = worker.scratch.size(); have < most + 1; ++have) {
-        worker.scratch.emplace_back();
-        unwrite(worker.scratch.back());
-    }
+    worker.makeRoom(most + 1);
     try {
-        result.count = worker.copies.collide(*pair.first, *pair.second, m_windowFlags, worker.scratch.data(),
-                                             sizeof(dContactGeom));
+        result.count = worker.copies.collide(*pair.first, *pair.second, m_windowFlags,
+                                             worker.contacts.data() + worker.used, sizeof(dContactGeom));
     } catch (const dxIslandInterrupted &) {
-        for (dContactGeom &contact : worker.scratch) unwrite(contact);
+        worker.wipe(worker.used, worker.used + most);
         return;
     }
     result.worker = number;
     result.isUsed = false;
-    result.first = worker.contacts.size();
+    result.first = worker.used;
     result.states[0] = dxColliderState(*pair.first);
     result.states[1] = dxColliderState(*pair.second);
-    const auto count = static_cast<std::size_t>(result.count);
-    worker.contacts.insert(worker.contacts.end(), worker.scratch.begin(),
-                           worker.scratch.begin() + static_cast<std::ptrdiff_t>(count));
-    // Colliders may leave drafts behind the last contact.
-    for (std::size_t i = 0; i < count || !isUnwritten(worker.scratch[i]); ++i) unwrite(worker.scratch[i]);
+    worker.used += static_cast<std::size_t>(result.count);
+    worker.wipeDrafts();
+}
+
+void dxContactsAhead::Worker::startWindow() {
+    wipe(0, used);
+    used = 0;
+}
+
+void dxContactsAhead::Worker::makeRoom(std::size_t more) {
+    const std::size_t have = contacts.size();
+    if (have >= used + more) return;
+    contacts.resize(used + 2 * more);
+    wipe(have, contacts.size());
+}
+
+void dxContactsAhead::Worker::wipe(std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) unwrite(contacts[i]);
+}
+
+// What colliders leave behind the last contact.
+void dxContactsAhead::Worker::wipeDrafts() {
+    for (std::size_t i = used; i < contacts.size() && !isUnwritten(contacts[i]); ++i) unwrite(contacts[i]);
 }
 
 int dxContactsAhead::answer(dGeomID o1, dGeomID o2, int flags, dContactGeom *contacts, int skip) {

@@ -68,9 +68,14 @@ private:
     };
 
     struct alignas(64) Worker {
-        std::vector<dContactGeom> contacts;  // of the window
-        std::vector<dContactGeom> scratch;   // of one pair: the pattern, between pairs
+        std::vector<dContactGeom> contacts;  // of the window; from `used` on they hold the pattern
+        std::size_t used = 0;
         dxColliderCopies copies;
+
+        void startWindow();
+        void makeRoom(std::size_t contacts);
+        void wipe(std::size_t begin, std::size_t end);
+        void wipeDrafts();
     };
 
     void start(dxTaskRunner &runner);

@@ -25,8 +25,10 @@ void removeFromBody(dxBody *body, const dxJoint *joint) {
 }
 
 void removeFromWorld(dxJoint *joint) {
-    for (dxJointNode &node : joint->node) {
+    for (const dxJointNode &node : joint->node)
         if (node.body != nullptr) removeFromBody(node.body, joint);
+    // Not before: the list of either body runs through the node that names the other one.
+    for (dxJointNode &node : joint->node) {
         node.body = nullptr;
         node.next = nullptr;
     }

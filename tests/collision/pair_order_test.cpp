@@ -16,6 +16,7 @@ struct Kind {
     int geoms, frames, seeds;
     bool breathes;
     std::string algorithm = "auto";
+    int threads = 0;
 };
 void PrintTo(const Kind &kind, std::ostream *out) { *out << kind.name; }
 
@@ -24,7 +25,8 @@ class PairOrder : public testing::TestWithParam<Kind> {};
 exactness::ChildResult run(const char *libraryFolder, unsigned seed, const Kind &kind) {
     return exactness::runChild({ODE_MT_PAIR_SEQUENCE_PROGRAM, std::to_string(seed), kind.hash ? "1" : "0",
                                 std::to_string(kind.geoms), std::to_string(kind.frames), kind.breathes ? "1" : "0"},
-                               {{"LD_LIBRARY_PATH", libraryFolder}, {"ODE_MT_ALGORITHM", kind.algorithm}});
+                               {{"LD_LIBRARY_PATH", libraryFolder}, {"ODE_MT_ALGORITHM", kind.algorithm},
+                                {"ODE_MT_THREADS", std::to_string(kind.threads)}});
 }
 
 std::string firstDifference(const std::string &stock, const std::string &ours) {
@@ -66,6 +68,16 @@ INSTANTIATE_TEST_SUITE_P(Spaces, PairOrder,
                                          Kind{"hashMany", true, 300, 40, 12, false},
                                          Kind{"hashBreathing", true, 100, 40, 12, true},
                                          Kind{"hashCrowd", true, 1500, 10, 3, false}),
+                         [](const auto &info) { return info.param.name; });
+
+// Boxes, search and sorting are shared out.
+INSTANTIATE_TEST_SUITE_P(Shared, PairOrder,
+                         testing::Values(Kind{"simpleFew", false, 12, 60, 6, false, "lcp", 3},
+                                         Kind{"simpleCrowd", false, 1500, 10, 2, false, "lcp", 3},
+                                         Kind{"hashFew", true, 12, 60, 6, false, "lcp", 3},
+                                         Kind{"hashMany", true, 300, 40, 4, false, "lcp", 3},
+                                         Kind{"hashBreathing", true, 100, 40, 4, true, "lcp", 3},
+                                         Kind{"hashCrowd", true, 1500, 10, 3, false, "lcp", 3}),
                          [](const auto &info) { return info.param.name; });
 
 // Clusters find the pairs; their order is the same.
