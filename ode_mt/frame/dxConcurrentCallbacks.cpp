@@ -110,6 +110,15 @@ private:
     Run *m_run;
 };
 
+// Under auto: more than half of the pairs hang together in one task, as in a heap. One worker would run their callbacks
+// while the others wait; with contacts ahead all have work.
+bool isLopsided(const dxPairTasks &cut, std::size_t pairs) {
+    if (dxSettings::instance().algorithm() != dxAlgorithm::Auto) return false;
+    return std::any_of(cut.tasks().begin(), cut.tasks().end(), [pairs](const dxPairTasks::Task &task) {
+        return 2 * std::size_t{task.end - task.begin} > pairs;
+    });
+}
+
 // The part between locking the space and unlocking it.
 bool collideLocked(dxOrderedSpace &space, dxTaskRunner &runner, void *data, dNearCallback *callback) {
     if (!space.makeReadyShared(runner)) return false;
@@ -119,7 +128,7 @@ bool collideLocked(dxOrderedSpace &space, dxTaskRunner &runner, void *data, dNea
     Run &run = *lease;
     run.start(space, workers);
     const auto tasks = static_cast<unsigned>(run.cut.tasks().size());
-    if (tasks < 2) return false;
+    if (tasks < 2 || isLopsided(run.cut, space.pairs().size())) return false;
     run.data = data;
     run.callback = callback;
     const dxThreadManager::Task task = [](void *context, unsigned block, unsigned worker) {
