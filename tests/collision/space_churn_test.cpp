@@ -22,6 +22,11 @@ void PrintTo(const Way &way, std::ostream *out) { *out << way.name; }
 
 class SpaceChurn : public testing::TestWithParam<Way> {
 protected:
+    ~SpaceChurn() override {
+        dSpaceDestroy(space);
+        dWorldDestroy(world);
+    }
+
     void SetUp() override {
         if (kAddressSanitizer || kThreadSanitizer) GTEST_SKIP() << "the sanitizer keeps freed memory";
     }
@@ -65,8 +70,6 @@ TEST_P(SpaceChurn, MemoryStaysWhatItWas) {
     // Vectors may still double now and then; a leak of one byte a geom would be more.
     const std::size_t allowed = static_cast<std::size_t>(4 * rounds * GetParam().geoms / 5);
     EXPECT_LT(after, before + allowed);
-    dSpaceDestroy(space);
-    dWorldDestroy(world);
 }
 
 INSTANTIATE_TEST_SUITE_P(Ways, SpaceChurn,
