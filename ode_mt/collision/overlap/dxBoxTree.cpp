@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "collision/overlap/dxBoxLanes-inl.h"
 #include "collision/overlap/dxBoxTree.h"
 
 #ifndef DX_BOX_TREE_CONSTANTS
@@ -21,61 +22,47 @@ constexpr std::size_t kChildren = 8;
 HWY_BEFORE_NAMESPACE();
 namespace dxOverlap {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-
 // At most eight lanes: a node's children.
 using Lanes = hn::CappedTag<double, kChildren>;
 
 class Query {
 public:
-    Query(const dxBoxTree::Level *levels, const std::uint8_t *isThere, const dxBounds &box,
+    Query(const dxBoxTree::Level *levels, const std::uint8_t *isThere, const double *box,
           std::vector<std::uint32_t> &rows)
-        : m_levels(levels), m_isThere(isThere), m_rows(rows) {
-        std::copy(box.v, box.v + 6, m_box);
-    }
+        : m_levels(levels), m_isThere(isThere), m_rows(rows), m_box(box) {}
 
-    HWY_ATTR void descend(std::size_t level, std::size_t node) {
-        unsigned children = overlapping(m_levels[level], node * kChildren);
-        for (; children != 0; children &= children - 1) {
-            const std::size_t child = node * kChildren + hwy::Num0BitsBelowLS1Bit_Nonzero32(children);
+    void descend(std::size_t level, std::size_t node) {
+        forLanes(overlapping(m_levels[level], node * kChildren), [&](std::size_t which) HWY_ATTR {
+            const std::size_t child = node * kChildren + which;
             if (level != 0 && child * kChildren < m_levels[level - 1].size())
                 descend(level - 1, child);
             else if (level == 0 && m_isThere[child])
                 m_rows.push_back(static_cast<std::uint32_t>(child));
-        }
+        });
     }
 
 private:
-    HWY_ATTR HWY_INLINE unsigned overlapping(const dxBoxTree::Level &level, std::size_t first) const {
+    HWY_INLINE std::uint32_t overlapping(const dxBoxTree::Level &level, std::size_t first) const {
         const Lanes d;
-        unsigned together = 0;
-        for (std::size_t i = 0; i < kChildren; i += hn::Lanes(d)) {
-            const auto x = apartOn(0, level, first + i), y = apartOn(1, level, first + i);
-            const auto z = apartOn(2, level, first + i);
-            std::uint8_t bytes[8] = {};
-            hn::StoreMaskBits(d, hn::Or(x, hn::Or(y, z)), bytes);
-            together |= (~static_cast<unsigned>(bytes[0]) & ((1u << hn::Lanes(d)) - 1)) << i;
-        }
+        const double *const columns[6] = {level.bounds[0].data(), level.bounds[1].data(), level.bounds[2].data(),
+                                          level.bounds[3].data(), level.bounds[4].data(), level.bounds[5].data()};
+        std::uint32_t together = 0;
+        for (std::size_t i = 0; i < kChildren; i += hn::Lanes(d))
+            together |= lanesLeft(d, m_box.apart(columns, first + i)) << i;
         return together;
-    }
-
-    // Apart, if one begins after the other ends; not "together, if ...", because of NaN.
-    HWY_ATTR HWY_INLINE hn::Mask<Lanes> apartOn(int axis, const dxBoxTree::Level &level, std::size_t first) const {
-        const Lanes d;
-        const auto low = hn::LoadU(d, level.bounds[2 * axis].data() + first);
-        const auto high = hn::LoadU(d, level.bounds[2 * axis + 1].data() + first);
-        return hn::Or(hn::Gt(hn::Set(d, m_box[2 * axis]), high), hn::Lt(hn::Set(d, m_box[2 * axis + 1]), low));
     }
 
     const dxBoxTree::Level *m_levels;
     const std::uint8_t *m_isThere;
     std::vector<std::uint32_t> &m_rows;
-    double m_box[6];
+    BoxLanes<Lanes> m_box;
 };
 
-HWY_ATTR void queryTree(const dxBoxTree::Level *levels, std::size_t top, const std::uint8_t *isThere,
-                        const dxBounds &box, std::vector<std::uint32_t> &rows) {
-    Query(levels, isThere, box, rows).descend(top, 0);
+void queryTree(const dxBoxTree::Level *levels, std::size_t top, const std::uint8_t *isThere,
+               const dxBounds &box, std::vector<std::uint32_t> &rows) {
+    double bounds[6];
+    std::copy(box.v, box.v + 6, bounds);
+    Query(levels, isThere, bounds, rows).descend(top, 0);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -9,31 +9,29 @@
 #include <algorithm>
 #include <limits>
 
+#include "collision/overlap/dxBoxLanes-inl.h"
 #include "collision/overlap/dxCellSweep.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace dxOverlap {
 namespace HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-
 using Lanes = hn::ScalableTag<double>;
 using Mask = hn::Mask<Lanes>;
 
+// A box that is looked for in runs of rows.
 struct Box {
-    double bounds[6];
+    BoxLanes<Lanes> lanes;
     std::uint32_t slot;
     bool isChanged;
 
     static Box ofRow(const dxCellRows &rows, std::size_t row) {
-        Box box;
-        for (int i = 0; i < 6; ++i) box.bounds[i] = rows.bound(i)[row];
-        box.slot = rows.slot(row);
-        box.isChanged = rows.isChanged(row);
-        return box;
+        double bounds[6];
+        for (int i = 0; i < 6; ++i) bounds[i] = rows.bound(i)[row];
+        return {BoxLanes<Lanes>(bounds), rows.slot(row), rows.isChanged(row)};
     }
 };
 
-// One box against rows of a table. The comparison is dxBounds::overlaps.
+// Boxes against rows of a table.
 class Probe {
 public:
     Probe(const dxCellRows &rows, std::vector<dxSlotPair> &pairs) : m_rows(rows), m_pairs(pairs) {
@@ -41,38 +39,20 @@ public:
     }
 
     // The rows from `begin` on whose cells are `last` at most.
-    HWY_ATTR HWY_INLINE void testRun(const Box &box, std::size_t begin, double last) {
+    HWY_INLINE void testRun(const Box &box, std::size_t begin, double last) {
         const Lanes d;
         const double *const cells = m_rows.cells();
         for (std::size_t first = begin;; first += hn::Lanes(d)) {
             const Mask beyond = hn::Gt(hn::LoadU(d, cells + first), hn::Set(d, last));
-            emit(box, first, hn::Or(beyond, apart(box, first)));
+            forLanes(lanesLeft(d, hn::Or(beyond, box.lanes.apart(m_columns, first))),
+                     [&](std::size_t lane) HWY_ATTR { emit(box, first + lane); });
             if (cells[first + hn::Lanes(d) - 1] > last) return;
         }
     }
 
 private:
-    // Apart, if one begins after the other ends; not "together, if ...", because of NaN.
-    HWY_ATTR HWY_INLINE Mask apart(const Box &box, std::size_t first) const {
-        return hn::Or(apartOn(0, box, first), hn::Or(apartOn(1, box, first), apartOn(2, box, first)));
-    }
-
-    HWY_ATTR HWY_INLINE Mask apartOn(int axis, const Box &box, std::size_t first) const {
-        const Lanes d;
-        const auto low = hn::LoadU(d, m_columns[2 * axis] + first);
-        const auto high = hn::LoadU(d, m_columns[2 * axis + 1] + first);
-        return hn::Or(hn::Gt(hn::Set(d, box.bounds[2 * axis]), high), hn::Lt(hn::Set(d, box.bounds[2 * axis + 1]), low));
-    }
-
-    HWY_ATTR HWY_INLINE void emit(const Box &box, std::size_t first, Mask apart) {
-        const Lanes d;
-        std::uint8_t bytes[8] = {};
-        hn::StoreMaskBits(d, apart, bytes);
-        unsigned together = ~static_cast<unsigned>(bytes[0]) & ((1u << hn::Lanes(d)) - 1);
-        for (; together != 0; together &= together - 1) {
-            const std::size_t row = first + hwy::Num0BitsBelowLS1Bit_Nonzero32(together);
-            if (box.isChanged || m_rows.isChanged(row)) m_pairs.push_back({box.slot, m_rows.slot(row)});
-        }
+    HWY_INLINE void emit(const Box &box, std::size_t row) {
+        if (box.isChanged || m_rows.isChanged(row)) m_pairs.push_back({box.slot, m_rows.slot(row)});
     }
 
     const dxCellRows &m_rows;
@@ -88,7 +68,7 @@ public:
           m_begin(static_cast<std::size_t>(
               std::lower_bound(m_cells, m_cells + rows.size(), firstCell + offset - 1) - m_cells)) {}
 
-    HWY_ATTR HWY_INLINE std::size_t begin(double cell) {
+    HWY_INLINE std::size_t begin(double cell) {
         const Lanes d;
         const auto first = hn::Set(d, cell + m_offset - 1);
         std::size_t before;
@@ -107,8 +87,8 @@ private:
     std::size_t m_begin;
 };
 
-HWY_ATTR void sweepWithin(const dxCellRows &rows, dxCellStrides strides, std::size_t begin, std::size_t end,
-                          std::vector<dxSlotPair> &pairs) {
+void sweepWithin(const dxCellRows &rows, dxCellStrides strides, std::size_t begin, std::size_t end,
+                 std::vector<dxSlotPair> &pairs) {
     if (begin >= end) return;
     const double *const cells = rows.cells();
     const double first = cells[begin], x = static_cast<double>(strides.x), y = static_cast<double>(strides.y);
@@ -123,8 +103,8 @@ HWY_ATTR void sweepWithin(const dxCellRows &rows, dxCellStrides strides, std::si
     }
 }
 
-HWY_ATTR void sweepAcross(const dxCellRows &outer, const dxCellRows &inner, dxCellStrides strides, std::size_t begin,
-                          std::size_t end, std::vector<dxSlotPair> &pairs) {
+void sweepAcross(const dxCellRows &outer, const dxCellRows &inner, dxCellStrides strides, std::size_t begin,
+                 std::size_t end, std::vector<dxSlotPair> &pairs) {
     if (begin >= end) return;
     const double *const cells = outer.cells();
     const double first = cells[begin], x = static_cast<double>(strides.x), y = static_cast<double>(strides.y);
@@ -138,13 +118,11 @@ HWY_ATTR void sweepAcross(const dxCellRows &outer, const dxCellRows &inner, dxCe
     }
 }
 
-HWY_ATTR void sweepAll(const dxCellRows &rows, const dxBounds &bounds, std::uint32_t slot, bool changed,
-                       std::vector<dxSlotPair> &pairs) {
-    Box box;
-    std::copy(bounds.v, bounds.v + 6, box.bounds);
-    box.slot = slot;
-    box.isChanged = changed;
-    Probe(rows, pairs).testRun(box, 0, std::numeric_limits<double>::max());
+void sweepAll(const dxCellRows &rows, const dxBounds &bounds, std::uint32_t slot, bool changed,
+              std::vector<dxSlotPair> &pairs) {
+    double box[6];
+    std::copy(bounds.v, bounds.v + 6, box);
+    Probe(rows, pairs).testRun({BoxLanes<Lanes>(box), slot, changed}, 0, std::numeric_limits<double>::max());
 }
 
 }  // namespace HWY_NAMESPACE

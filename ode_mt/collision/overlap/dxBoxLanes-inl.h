@@ -1,0 +1,66 @@
+// One box against boxes in columns, as many at a time as a vector holds, for every instruction set.
+// Included once per instruction set; the guard is Highway's.
+#if defined(ODE_MT_BOX_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef ODE_MT_BOX_LANES_INL_H
+#undef ODE_MT_BOX_LANES_INL_H
+#else
+#define ODE_MT_BOX_LANES_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace dxOverlap {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// The box, each of its bounds in all lanes. The comparison is dxBounds::overlaps.
+template <class Tag>
+class BoxLanes {
+public:
+    using Real = hn::TFromD<Tag>;
+    using Mask = hn::Mask<Tag>;
+
+    explicit BoxLanes(const Real *box) {
+        for (int bound = 0; bound < 6; ++bound) m_bounds[bound] = hn::Set(Tag(), box[bound]);
+    }
+
+    // The boxes from row `first` on that lie apart from it. `columns`: by bound.
+    HWY_INLINE Mask apart(const Real *const *columns, std::size_t first) const {
+        return hn::Or(apartOn(0, columns, first), hn::Or(apartOn(1, columns, first), apartOn(2, columns, first)));
+    }
+
+private:
+    // Apart, if one begins after the other ends; not "together, if ...", because of NaN.
+    HWY_INLINE Mask apartOn(int axis, const Real *const *columns, std::size_t first) const {
+        const auto low = hn::LoadU(Tag(), columns[2 * axis] + first);
+        const auto high = hn::LoadU(Tag(), columns[2 * axis + 1] + first);
+        return hn::Or(hn::Gt(m_bounds[2 * axis], high), hn::Lt(m_bounds[2 * axis + 1], low));
+    }
+
+    hn::Vec<Tag> m_bounds[6];
+};
+
+// A bit for each lane that is not in the mask, of the first `valid` lanes.
+template <class Tag>
+HWY_INLINE std::uint32_t lanesLeft(Tag d, hn::Mask<Tag> mask, std::size_t valid = hn::Lanes(Tag())) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(d, mask, bytes);
+    return ~static_cast<std::uint32_t>(bytes[0] | bytes[1] << 8) & ((std::uint32_t{1} << valid) - 1);
+}
+
+// Calls visit(lane) for each bit.
+template <class Visit>
+HWY_INLINE void forLanes(std::uint32_t lanes, Visit &&visit) {
+    for (; lanes != 0; lanes &= lanes - 1) visit(hwy::Num0BitsBelowLS1Bit_Nonzero32(lanes));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace dxOverlap
+HWY_AFTER_NAMESPACE();
+
+#endif
