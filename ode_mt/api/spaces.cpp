@@ -34,8 +34,7 @@ void dSpaceCollide(dSpaceID space, void *data, dNearCallback *callback) {
     if (space != nullptr && callback != nullptr && dGeomIsSpace(space)) {
         const dxSettings &settings = dxSettings::instance();
         dxClusterManager::prepare(space, settings.passName());
-        const bool isOrdered = space->type == dSimpleSpaceClass || space->type == dHashSpaceClass;
-        if (isOrdered) return dxCollideSpace(*static_cast<dxOrderedSpace *>(space), data, callback);
+        if (dxOrderedSpace *const ordered = dxOrderedSpace::from(space)) return dxCollideSpace(*ordered, data, callback);
     }
     dxUpstreamSpaceCollide(space, data, callback);
 }

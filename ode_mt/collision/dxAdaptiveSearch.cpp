@@ -2,8 +2,7 @@
 
 namespace {
 
-// Looking a box up costs about as much as ten boxes do in a batch. (To compare a box with its known neighbours
-// costs a tenth of that: a heap whose boxes only tremble is left to the neighbours.)
+// Looking a box up costs about as much as ten boxes do in a batch.
 constexpr std::size_t kBatchPerLookUp = 10;
 
 // Below, neither takes long.

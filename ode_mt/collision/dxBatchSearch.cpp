@@ -8,9 +8,6 @@ namespace {
 
 constexpr int kLowestExponent = -40, kHighestExponent = 80;
 
-// Beyond, what is computed with a corner might overflow.
-constexpr double kAstronomical = 1e30;
-
 // Most cells an axis. Numbers of cells are then below 2^52, borders included; what lies beyond is put into the last
 // cell, which keeps neighbours neighbours.
 constexpr std::uint32_t kMostCells = 1 << 17;
@@ -25,10 +22,7 @@ constexpr std::size_t kHandful = 64;
 constexpr std::size_t kSweepPiece = 256;
 
 bool fitsACell(const dxBounds &box) {
-    if (!box.isProper() || !(box.longestEdge() < std::ldexp(1.0, kHighestExponent))) return false;
-    for (const dReal bound : box.v)
-        if (!(std::fabs(bound) < kAstronomical)) return false;
-    return true;
+    return box.isModerate() && box.longestEdge() < std::ldexp(1.0, kHighestExponent);
 }
 
 // Of the smallest cell that holds the box: 2^(exponent - 1) <= edge < 2^exponent.
@@ -61,6 +55,7 @@ void dxBatchSearch::search(const dxMembers &members, dxTaskRunner &runner, std::
     sortIntoLevels(members);
     joinSparseLevels();
     if (m_found.size() < runner.workers()) m_found.resize(runner.workers());
+    m_region.clear();
     for (std::size_t level = 0; level < m_levels.size(); ++level) searchLevel(members, level, runner);
     for (Found &found : m_found) {
         matches.insert(matches.end(), found.matches.begin(), found.matches.end());
@@ -106,19 +101,22 @@ void dxBatchSearch::joinSparseLevels() {
     m_levels.resize(kept);
 }
 
-// Of the boxes of the first so many levels. Where they lie so far apart that there would be too many cells, these
-// are made larger.
-dxBatchSearch::Grid dxBatchSearch::gridOver(const dxMembers &members, int &exponent, std::size_t levels) const {
-    double low[3], high[3];
+void dxBatchSearch::Region::clear() {
     std::fill(low, low + 3, std::numeric_limits<double>::infinity());
     std::fill(high, high + 3, -std::numeric_limits<double>::infinity());
-    for (std::size_t level = 0; level < levels; ++level)
-        for (const Slot slot : m_levels[level]->slots)
-            for (int axis = 0; axis < 3; ++axis) {
-                const double corner = members[slot].bounds.low(axis);
-                low[axis] = std::min(low[axis], corner);
-                high[axis] = std::max(high[axis], corner);
-            }
+}
+
+void dxBatchSearch::Region::include(const dxBounds &box) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const double corner = box.low(axis);
+        low[axis] = std::min(low[axis], corner);
+        high[axis] = std::max(high[axis], corner);
+    }
+}
+
+// Of the region so far. Where its boxes lie so far apart that there would be too many cells, these are made larger.
+dxBatchSearch::Grid dxBatchSearch::gridOf(int exponent) const {
+    const double *const low = m_region.low, *const high = m_region.high;
     const double extent = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
     if (extent > 0) exponent = std::max(exponent, std::ilogb(extent / kMostCells) + 2);
     Grid grid;
@@ -145,8 +143,8 @@ void dxBatchSearch::fillRows(const dxMembers &members, const Grid &grid, const s
 
 void dxBatchSearch::searchLevel(const dxMembers &members, std::size_t index, dxTaskRunner &runner) {
     Level &level = *m_levels[index];
-    int exponent = level.exponent;
-    const Grid grid = gridOver(members, exponent, index + 1);
+    for (const Slot slot : level.slots) m_region.include(members[slot].bounds);
+    const Grid grid = gridOf(level.exponent);
     fillRows(members, grid, level.slots, level.rows);
     runner.forPieces(level.rows.size(), kSweepPiece, [&](std::size_t begin, std::size_t end, unsigned worker) {
         dxSweepWithin(level.rows, grid.strides(), begin, end, m_found[worker].matches);

@@ -31,6 +31,14 @@ private:
         dxCellRows rows;
     };
 
+    // Where the low corners of the boxes of a level and all smaller ones lie.
+    struct Region {
+        double low[3], high[3];
+
+        void clear();
+        void include(const dxBounds &box);
+    };
+
     // The grid of a level over boxes of that level and smaller ones.
     struct Grid {
         double cellsPerUnit, low[3];
@@ -42,7 +50,7 @@ private:
 
     void sortIntoLevels(const dxMembers &members);
     void joinSparseLevels();
-    Grid gridOver(const dxMembers &members, int &exponent, std::size_t levels) const;
+    Grid gridOf(int exponent) const;
     void fillRows(const dxMembers &members, const Grid &grid, const std::vector<Slot> &slots, dxCellRows &rows);
     void searchLevel(const dxMembers &members, std::size_t level, dxTaskRunner &runner);
     void searchSmaller(const dxMembers &members, std::size_t level, const Grid &grid, dxTaskRunner &runner);
@@ -50,6 +58,7 @@ private:
 
     std::vector<Level> m_byEdge;       // by exponent, from the lowest
     std::vector<Level *> m_levels;     // those in use, smallest boxes first
+    Region m_region;
     std::vector<Slot> m_apart;
     std::vector<Slot> m_smaller;
     dxCellRows m_smallerRows;

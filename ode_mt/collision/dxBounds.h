@@ -34,6 +34,14 @@ struct dxBounds {
         return true;
     }
 
+    // Proper, and finite in whatever a search computes with its corners.
+    bool isModerate() const {
+        constexpr dReal kAstronomical = dReal(1e30);
+        for (const dReal bound : v)
+            if (!(std::fabs(bound) < kAstronomical)) return false;
+        return isProper();
+    }
+
     dReal longestEdge() const {
         dReal longest = 0;
         for (int axis = 0; axis < 3; ++axis) {

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <type_traits>
 
+#include "collision/dxColliderOverrides.h"
 #include "collision/dxPairPrefetch.h"
 #include "dynamics/dxIslandInterrupted.h"
 #include "dynamics/dxIslandScope.h"
@@ -208,7 +209,7 @@ int dxContactsAhead::answer(dGeomID o1, dGeomID o2, int flags, dContactGeom *con
     Result &result = m_results[m_index];
     if (result.count == kUnknown || skip < static_cast<int>(sizeof(dContactGeom))) return kUnknown;
     if (result.states[0] != dxColliderState(*o1) || result.states[1] != dxColliderState(*o2) ||
-        !dxMayCollideAnywhere(*o1, *o2))
+        dxColliderOverrides::has(o1->type, o2->type))
         return kUnknown;
     m_used += !result.isUsed;
     result.isUsed = true;

@@ -49,8 +49,7 @@ void remove(dxJoint *joint) {
 void dxRemoveJoints(dxJointGroup &group) {
     const std::size_t count = group.getJointCount();
     if (count == 0) return;
-    std::vector<dxJoint *> *list = lists->take();
-    if (list == nullptr) list = new std::vector<dxJoint *>;
+    std::vector<dxJoint *> *const list = lists->takeOrMake();
     list->resize(count);
     group.exportJoints(list->data());
     for (std::size_t i = count; i-- != 0;) {

@@ -41,12 +41,13 @@ dxOrderedSpace::Slot dxOrderedSpace::slotOf(const dxGeom *geom) {
     return static_cast<Slot>(reinterpret_cast<std::uintptr_t>(geom->tome_ex) - 1);
 }
 
-dxOrderedSpace *dxOrderedSpace::of(const dxGeom *geom) {
-    dxSpace *const space = geom->parent_space;
+dxOrderedSpace *dxOrderedSpace::from(dxSpace *space) {
     const bool isOrdered =
         space != nullptr && (space->type == dSimpleSpaceClass || space->type == dHashSpaceClass);
     return isOrdered ? static_cast<dxOrderedSpace *>(space) : nullptr;
 }
+
+dxOrderedSpace *dxOrderedSpace::of(const dxGeom *geom) { return from(geom->parent_space); }
 
 dxOrderedSpace::dxOrderedSpace(dSpaceID parent, int kind) : dxSpace(parent) { type = kind; }
 

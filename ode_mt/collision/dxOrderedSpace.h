@@ -37,7 +37,9 @@ class dxOrderedSpace : public dxSpace, protected dxPairPlacer {
 public:
     using Slot = dxMembers::Slot;
 
-    // The space that a geom is in, if it is of this class, or NULL.
+    // The space, if it is of this class, or NULL.
+    static dxOrderedSpace *from(dxSpace *space);
+    // The space that a geom is in, likewise.
     static dxOrderedSpace *of(const dxGeom *geom);
     // Of a geom in such a space.
     static Slot slotOf(const dxGeom *geom);

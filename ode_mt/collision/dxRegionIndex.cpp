@@ -44,11 +44,6 @@ struct Region {
     }
 };
 
-// Finite in whatever is computed with it.
-bool isModerate(const dxBounds &box) {
-    return box.isProper() && std::all_of(box.v, box.v + 6, [](dReal bound) { return std::fabs(bound) < dReal(1e30); });
-}
-
 }  // namespace
 
 dxRegionIndex::dxRegionIndex(const dxMembers &members) {
@@ -118,10 +113,10 @@ void dxRegionIndex::build(const dxMembers &members) {
 void dxRegionIndex::sortAlongCurve(const dxMembers &members) {
     Region region;
     for (Slot slot = 0; slot < members.end(); ++slot)
-        if (members[slot].geom != nullptr && isModerate(members[slot].bounds)) region.include(members[slot].bounds);
+        if (members[slot].geom != nullptr && members[slot].bounds.isModerate()) region.include(members[slot].bounds);
     m_items.clear();
     for (Slot slot = 0; slot < members.end(); ++slot)
-        if (members[slot].geom != nullptr && isModerate(members[slot].bounds))
+        if (members[slot].geom != nullptr && members[slot].bounds.isModerate())
             m_items.push_back({region.placeOnCurve(members[slot].bounds), slot});
     dxRadixSort(m_items, m_spare);
 }

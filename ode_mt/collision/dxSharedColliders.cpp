@@ -7,12 +7,11 @@
 #include <ode/memory.h>
 
 #include "config.h"
-#include "objects.h"
+#include "collision_trimesh_internal.h"
 #include "collision_kernel.h"
+#include "heightfield.h"
 #include "collision_std.h"
 #include "collision_util.h"
-#include "collision_trimesh_internal.h"
-#include "heightfield.h"
 
 extern "C" {
 // Upstream's own, renamed by the seam ode/seams/collision_kernel.h.

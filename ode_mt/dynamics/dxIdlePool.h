@@ -1,7 +1,7 @@
 // Objects that no step is using at the moment, kept for the next one. Any thread may take and give back.
 //
-// Holds only pointers; who takes from an empty pool makes a new object. The one used last is taken first,
-// since its memory is likely to be in a cache. Survives fork.
+// Holds only pointers. The one used last is taken first, since its memory is likely to be in a cache. Survives
+// fork.
 #pragma once
 
 #include <mutex>
@@ -19,6 +19,11 @@ public:
         Object *object = m_idle.back();
         m_idle.pop_back();
         return object;
+    }
+
+    Object *takeOrMake() {
+        Object *const object = take();
+        return object != nullptr ? object : new Object;
     }
 
     void giveBack(Object *object) {

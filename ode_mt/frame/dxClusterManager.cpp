@@ -7,14 +7,10 @@
 
 namespace {
 
-bool isOrdered(const dxSpace *space) {
-    return space->type == dSimpleSpaceClass || space->type == dHashSpaceClass;
-}
-
 // A space's search, if it has one, was set by prepare().
-const dxTunedClusters *tunedOf(const dxSpace *space) {
-    if (!isOrdered(space)) return nullptr;
-    return static_cast<const dxTunedClusters *>(static_cast<const dxOrderedSpace *>(space)->search());
+const dxTunedClusters *tunedOf(dxSpace *space) {
+    const dxOrderedSpace *const ordered = dxOrderedSpace::from(space);
+    return ordered != nullptr ? static_cast<const dxTunedClusters *>(ordered->search()) : nullptr;
 }
 
 }  // namespace
@@ -35,9 +31,9 @@ dxClusterManager::Searches dxClusterManager::searchesOf(dSpaceID space) {
 }
 
 void dxClusterManager::prepare(dSpaceID space, const char *passName) {
-    if (!isOrdered(space) || space->lock_count != 0) return;
+    dxOrderedSpace *const ordered = dxOrderedSpace::from(space);
+    if (ordered == nullptr || ordered->lock_count != 0) return;
     const dxClusteredWorldAndSpace *const present = find(space);
-    dxOrderedSpace *const ordered = static_cast<dxOrderedSpace *>(space);
     if (passName == nullptr) {
         if (present != nullptr) ordered->setSearch(nullptr);
         return;

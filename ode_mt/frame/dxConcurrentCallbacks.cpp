@@ -14,7 +14,7 @@
 #include "frame/dxPairTasks.h"
 #include "frame/dxSettings.h"
 #include "frame/dxStepStatistics.h"
-#include "frame/dxWorkers.h"
+#include "frame/dxWorkersRunner.h"
 #include "threading/dxProcessObject.h"
 #include "threading/dxTaskRunner.h"
 
@@ -31,7 +31,6 @@ struct Run {
     std::vector<std::unique_ptr<dxContactLog>> logs;     // by task
     std::vector<dxContactLog::Span> spans;               // by pair
     std::vector<std::uint32_t> taskOfPair;
-    std::vector<std::uint8_t> workerTookPart;
     std::mutex groups;
     std::mutex failure;
     std::atomic<bool> failed{false};
@@ -56,7 +55,6 @@ void Run::start(const dxOrderedSpace &space, unsigned workers) {
     for (std::size_t i = 0; i < cut.tasks().size(); ++i) logs[i]->start(groups);
     spans.assign(pairs->size(), {});
     taskOfPair.resize(pairs->size());
-    workerTookPart.assign(workers, 0);
 }
 
 void Run::runTask(unsigned task) {
@@ -98,9 +96,7 @@ unsigned workersFor(dxOrderedSpace &space, const dxTaskRunner &runner) {
 // Gives the run back, also when a callback's exception passes.
 class Lease {
 public:
-    Lease() : m_run(idleRuns->take()) {
-        if (m_run == nullptr) m_run = new Run;
-    }
+    Lease() : m_run(idleRuns->takeOrMake()) {}
     ~Lease() { idleRuns->giveBack(m_run); }
     Lease(const Lease &) = delete;
     Lease &operator=(const Lease &) = delete;
@@ -131,15 +127,10 @@ bool collideLocked(dxOrderedSpace &space, dxTaskRunner &runner, void *data, dNea
     if (tasks < 2 || isLopsided(run.cut, space.pairs().size())) return false;
     run.data = data;
     run.callback = callback;
-    const dxThreadManager::Task task = [](void *context, unsigned block, unsigned worker) {
-        Run &running = *static_cast<Run *>(context);
-        running.workerTookPart[worker] = 1;
-        running.runTask(block);
-    };
-    dxWorkers::instance().run(tasks, workers, task, &run);
+    dxWorkersRunner workersRunner(workers);
+    workersRunner.run(tasks, [](void *of, unsigned task, unsigned) { static_cast<Run *>(of)->runTask(task); }, &run);
     run.commit();
-    const auto used = std::count(run.workerTookPart.begin(), run.workerTookPart.end(), 1);
-    dxStepStatistics::instance().countParallelCollision(static_cast<unsigned>(used));
+    dxStepStatistics::instance().countParallelCollision(workersRunner.tookPart());
     if (run.thrown != nullptr) std::rethrow_exception(run.thrown);
     return true;
 }

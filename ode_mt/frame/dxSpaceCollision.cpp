@@ -1,7 +1,5 @@
 #include "frame/dxSpaceCollision.h"
 
-#include <fenv.h>
-
 #include <algorithm>
 #include <chrono>
 
@@ -11,21 +9,19 @@
 #include "frame/dxSettings.h"
 #include "frame/dxStepStatistics.h"
 #include "frame/dxWorkersRunner.h"
+#include "threading/dxFloatEnvironment.h"
 
 namespace {
 
 // Fewer geoms than this are never worth a worker, nor even a look at the clock.
 constexpr int kLeastGeoms = 48;
 
-// A program that has floating-point exceptions trapped gets the signal on the thread that collides.
-bool trapsFloatingPoint() { return fegetexcept() > 0; }
-
 // From inside a callback, whether of this space or of another one, everything stays on its thread.
 bool mayShare(const dxOrderedSpace &space, const dNearCallback *callback) {
     const dxSettings &settings = dxSettings::instance();
     return settings.threads() > 1 && settings.algorithm() != dxAlgorithm::Serial && callback != nullptr &&
            space.lock_count == 0 && space.count > 1 && dxContactLog::current() == nullptr &&
-           dxContactsAhead::current() == nullptr && !trapsFloatingPoint();
+           dxContactsAhead::current() == nullptr && !dxTrapsFloatingPoint();
 }
 
 void collideOnWorkers(dxOrderedSpace &space, unsigned workers, void *data, dNearCallback *callback) {

@@ -1,6 +1,5 @@
 #include "frame/dxStep.h"
 
-#include <fenv.h>
 #include <ode/error.h>
 
 #include <algorithm>
@@ -17,6 +16,7 @@
 #include "frame/dxSettings.h"
 #include "frame/dxStepStatistics.h"
 #include "frame/dxWorkers.h"
+#include "threading/dxFloatEnvironment.h"
 #include "threading/dxProcessObject.h"
 #include "quickstep.h"
 #include "step.h"
@@ -36,9 +36,6 @@ constexpr double kLeastBlockNs = 3e3;
 
 // More blocks than workers even out what the cost model misjudges.
 constexpr unsigned kBlocksPerWorker = 8;
-
-// A program that has floating-point exceptions trapped gets the signal on the thread that called the step.
-bool trapsFloatingPoint() { return fegetexcept() > 0; }
 
 // The world's own arena for the time of a step.
 class WorldArena {
@@ -367,7 +364,7 @@ unsigned dxStep::chooseWorkers() {
     const dxAlgorithm algorithm = dxSettings::instance().algorithm();
     if (algorithm == dxAlgorithm::Serial || m_count < 2) return 1;
     const unsigned limit = workerLimit();
-    if (limit < 2 || trapsFloatingPoint()) return 1;
+    if (limit < 2 || dxTrapsFloatingPoint()) return 1;
 
     dxIslandCursor cursor(m_info);
     for (unsigned i = 0; i < m_count; ++i) {

@@ -18,10 +18,7 @@ void dxWorkerRecord::reset() {
     islands = 0;
 }
 
-dxStepRecords::Lease dxStepRecords::borrow() {
-    dxStepRecords *records = pool->take();
-    return Lease(records != nullptr ? records : new dxStepRecords);
-}
+dxStepRecords::Lease dxStepRecords::borrow() { return Lease(pool->takeOrMake()); }
 
 void dxStepRecords::Return::operator()(dxStepRecords *records) const { pool->giveBack(records); }
 

@@ -6,16 +6,16 @@ void dxWorkersRunner::run(unsigned blocks, dxThreadManager::Task task, void *con
     struct Job {
         dxThreadManager::Task task;
         void *context;
-        std::uint8_t *ranABlock;
+        bool *ranABlock;
     } job{task, context, m_ranABlock};
     const auto watched = [](void *of, unsigned block, unsigned worker) {
         const Job &running = *static_cast<const Job *>(of);
         running.task(running.context, block, worker);
-        if (worker < kWatched) running.ranABlock[worker] = 1;
+        if (!running.ranABlock[worker]) running.ranABlock[worker] = true;  // bytes of other workers are beside it
     };
     dxWorkers::instance().run(blocks, m_workers, watched, &job);
 }
 
 unsigned dxWorkersRunner::tookPart() const {
-    return static_cast<unsigned>(std::count(m_ranABlock, m_ranABlock + kWatched, 1));
+    return static_cast<unsigned>(std::count(m_ranABlock, m_ranABlock + m_workers, true));
 }

@@ -1,7 +1,7 @@
 // The process's workers as a task runner, for the length of one call.
 #pragma once
 
-#include <cstdint>
+#include <ode/ode_MT.h>
 
 #include "frame/dxWorkers.h"
 #include "threading/dxTaskRunner.h"
@@ -17,8 +17,6 @@ public:
     unsigned tookPart() const;
 
 private:
-    static constexpr unsigned kWatched = 64;  // workers; there may be more
-
     unsigned m_workers;
-    std::uint8_t m_ranABlock[kWatched] = {};  // each written by its worker alone
+    bool m_ranABlock[dODE_MT_MAX_THREADS] = {};  // each written by its worker alone
 };

@@ -1,8 +1,12 @@
 #include "dxFloatEnvironment.h"
 
+#include <fenv.h>
+
 #include <type_traits>
 
 static_assert(std::is_integral_v<std::fexcept_t>, "the saved flags are the FE_ bits themselves");
+
+bool dxTrapsFloatingPoint() { return fegetexcept() > 0; }
 
 void dxFloatEnvironment::capture() {
     std::fegetenv(&environment);

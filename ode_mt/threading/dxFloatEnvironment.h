@@ -7,6 +7,10 @@
 #include <atomic>
 #include <cfenv>
 
+// Whether the calling thread gets a signal for floating-point exceptions. A program that asked for it expects the
+// signal on the thread that called the library, so that nothing is given to workers then.
+bool dxTrapsFloatingPoint();
+
 class dxFloatEnvironment {
 public:
     // The calling thread's environment, to be taken over by others.
