@@ -1,8 +1,9 @@
-// Simple and hash spaces, which are ours, and the entry to a frame's collisions (ode/collision_space.h).
+// Simple, hash and quad-tree spaces, which are ours, and the entry to a frame's collisions (ode/collision_space.h).
 #include <ode/collision_space.h>
 
 #include "frame/dxClusterManager.h"
 #include "collision/dxOrderedHashSpace.h"
+#include "collision/dxOrderedQuadTreeSpace.h"
 #include "collision/dxOrderedSimpleSpace.h"
 #include "frame/dxSettings.h"
 #include "frame/dxSpaceCollision.h"
@@ -14,6 +15,10 @@ void dxUpstreamSpaceCollide(dSpaceID space, void *data, dNearCallback *callback)
 dSpaceID dSimpleSpaceCreate(dSpaceID space) { return new dxOrderedSimpleSpace(space); }
 
 dSpaceID dHashSpaceCreate(dSpaceID space) { return new dxOrderedHashSpace(space); }
+
+dSpaceID dQuadTreeSpaceCreate(dSpaceID space, const dVector3 center, const dVector3 extents, int depth) {
+    return new dxOrderedQuadTreeSpace(space, center, extents, depth);
+}
 
 void dHashSpaceSetLevels(dSpaceID space, int minlevel, int maxlevel) {
     dAASSERT(space);

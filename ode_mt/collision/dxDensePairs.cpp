@@ -8,6 +8,13 @@ auto standsBefore(const dxMembers &members) {
     return [&members](dxMembers::Slot a, dxMembers::Slot b) { return members[a].rank > members[b].rank; };
 }
 
+auto comesBefore(const dxMembers &members) {
+    return [&members](const dxOrderedPair &a, const dxOrderedPair &b) {
+        const dxRank rankA = members[a.slots[0]].rank, rankB = members[b.slots[0]].rank;
+        return rankA != rankB ? rankA > rankB : members[a.slots[1]].rank > members[b.slots[1]].rank;
+    };
+}
+
 }  // namespace
 
 void dxDensePairs::update(const dxMembers &members, std::vector<dxOrderedPair> &pairs) {
@@ -16,13 +23,24 @@ void dxDensePairs::update(const dxMembers &members, std::vector<dxOrderedPair> &
     m_found.clear();
     if (changedAreInFront()) {
         findPairs(members, m_changed.size());
-        for (const dxOrderedPair &pair : pairs)
-            if (!members.isChanged(pair.slots[0]) && !members.isChanged(pair.slots[1])) m_found.push_back(pair);
-    } else {
-        // Filters of a geom further behind were set: it has not moved, and pairs with it come between others.
+        keepUnchanged(members, pairs, m_found);
+        pairs.swap(m_found);
+    } else if (2 * m_changed.size() > m_order.size()) {
         findPairs(members, m_order.size());
+        pairs.swap(m_found);
+    } else {
+        m_kept.clear();
+        keepUnchanged(members, pairs, m_kept);
+        findAround(members);
+        pairs.resize(m_found.size() + m_kept.size());
+        std::merge(m_found.begin(), m_found.end(), m_kept.begin(), m_kept.end(), pairs.begin(), comesBefore(members));
     }
-    pairs.swap(m_found);
+}
+
+void dxDensePairs::keepUnchanged(const dxMembers &members, const std::vector<dxOrderedPair> &pairs,
+                                 std::vector<dxOrderedPair> &kept) const {
+    for (const dxOrderedPair &pair : pairs)
+        if (!members.isChanged(pair.slots[0]) && !members.isChanged(pair.slots[1])) kept.push_back(pair);
 }
 
 void dxDensePairs::gatherChanged(const dxMembers &members) {
@@ -61,14 +79,33 @@ bool dxDensePairs::changedAreInFront() const {
 
 void dxDensePairs::findPairs(const dxMembers &members, std::size_t rows) {
     m_rows.resize(m_order.size());
-    for (std::size_t row = 0; row < rows; ++row) {
-        const Slot slot = m_order[row];
-        const dxMembers::Member &member = members[slot];
-        const std::size_t count = dxOverlappingRows(m_boxes, member.bounds, row + 1, m_rows.data());
+    for (std::uint32_t row = 0; row < rows; ++row) {
+        const std::size_t count = dxOverlappingRows(m_boxes, members[m_order[row]].bounds, row + 1, m_rows.data());
+        for (std::size_t i = 0; i < count; ++i) push(members, row, m_rows[i]);
+    }
+}
+
+// Of changed members, wherever they stand, with all others.
+void dxDensePairs::findAround(const dxMembers &members) {
+    m_rows.resize(m_order.size());
+    m_around.clear();
+    for (std::uint32_t row = 0; row < m_order.size(); ++row) {
+        if (!members.isChanged(m_order[row])) continue;
+        const std::size_t count = dxOverlappingRows(m_boxes, members[m_order[row]].bounds, 0, m_rows.data());
         for (std::size_t i = 0; i < count; ++i) {
-            const Slot other = m_order[m_rows[i]];
-            const dxMembers::Member &second = members[other];
-            if (dxMayMeet(member.filter, second.filter)) m_found.push_back({member.geom, second.geom, {slot, other}});
+            const std::uint32_t other = m_rows[i];
+            const bool isFoundFromThere = other <= row && members.isChanged(m_order[other]);
+            if (!isFoundFromThere)
+                m_around.push_back(static_cast<std::uint64_t>(std::min(row, other)) << 32 | std::max(row, other));
         }
     }
+    std::sort(m_around.begin(), m_around.end());
+    for (const std::uint64_t rows : m_around)
+        push(members, static_cast<std::uint32_t>(rows >> 32), static_cast<std::uint32_t>(rows));
+}
+
+void dxDensePairs::push(const dxMembers &members, std::uint32_t row, std::uint32_t otherRow) {
+    const Slot slot = m_order[row], other = m_order[otherRow];
+    const dxMembers::Member &first = members[slot], &second = members[other];
+    if (dxMayMeet(first.filter, second.filter)) m_found.push_back({first.geom, second.geom, {slot, other}});
 }

@@ -1,8 +1,9 @@
-// Pairs of a small simple space: the boxes that have changed against all others, by vectors.
+// Pairs of a small space whose pairs come by rank: the boxes that have changed against all others, by vectors.
 //
-// A simple space pairs each geom with those behind it in its list. What changed stands in front of all that
+// Such a space pairs each geom with those behind it. In a simple space what changed stands in front of all that
 // did not, so the new pairs come first, in order as they are found, and the kept ones follow: nothing is
-// sorted. The table of boxes is kept in the order of the list.
+// sorted. In a quad tree what changed mostly stays where it stood, and new pairs come between kept ones. The table of
+// boxes is kept in the order of ranks.
 // A search costs changed x all / vector length comparisons, so it is for spaces of some hundred geoms.
 #pragma once
 
@@ -24,10 +25,15 @@ private:
     void reorder(const dxMembers &members);
     bool changedAreInFront() const;
     void findPairs(const dxMembers &members, std::size_t rows);
+    void findAround(const dxMembers &members);
+    void push(const dxMembers &members, std::uint32_t row, std::uint32_t otherRow);
+    void keepUnchanged(const dxMembers &members, const std::vector<dxOrderedPair> &pairs,
+                       std::vector<dxOrderedPair> &kept) const;
 
     std::vector<Slot> m_changed;             // front first
     std::vector<Slot> m_order, m_nextOrder;  // of all, front first
     dxBoxTable m_boxes, m_nextBoxes;         // of m_order
     std::vector<std::uint32_t> m_rows;
-    std::vector<dxOrderedPair> m_found;
+    std::vector<std::uint64_t> m_around;     // pairs of rows, in one number each
+    std::vector<dxOrderedPair> m_found, m_kept;
 };

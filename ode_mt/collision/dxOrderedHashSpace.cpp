@@ -89,7 +89,7 @@ bool dxOrderedHashSpace::makeReady() {
 
 void dxOrderedHashSpace::update(std::vector<dxOrderedPair> &pairs) {
     updateCells();
-    dxOrderedSpace::update(pairs);
+    updateSorted(pairs);
 }
 
 void dxOrderedHashSpace::updateCells() {

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "collision/dxHashCells.h"
-#include "collision/dxOrderedSpace.h"
+#include "collision/dxOrderedListSpace.h"
 
-class dxOrderedHashSpace final : public dxOrderedSpace {
+class dxOrderedHashSpace final : public dxOrderedListSpace {
 public:
-    explicit dxOrderedHashSpace(dSpaceID parent) : dxOrderedSpace(parent, dHashSpaceClass) {}
+    explicit dxOrderedHashSpace(dSpaceID parent) : dxOrderedListSpace(parent, dHashSpaceClass) {}
 
     void setLevels(const dxHashLevels &levels);
     const dxHashLevels &levels() const { return m_levels; }

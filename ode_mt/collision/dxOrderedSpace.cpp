@@ -1,13 +1,11 @@
 #include "collision/dxOrderedSpace.h"
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 
 #include "collision/dxAdaptiveSearch.h"
 #include "collision/dxPairPrefetch.h"
-
-#include "util.h"
-#include "collision_space_internal.h"
 
 namespace {
 
@@ -17,16 +15,10 @@ constexpr std::size_t kBoxPiece = 128;
 // Geoms between asking the memory for one's place and computing its box.
 constexpr std::size_t kBoxesAhead = 4;
 
-bool isDirty(const dxGeom *geom) { return (geom->gflags & GEOM_DIRTY) != 0; }
-
-// In a smaller space the list is walked as fast.
-constexpr int kLeastIndexed = 16;
-
-// As upstream's collide2.
-void collideFrom(dxGeom *member, void *data, dxGeom *geom, dNearCallback *callback) {
-    for (; member != nullptr; member = member->next)
-        if (dxGeomIsEnabled(member)) collideAABBs(member, geom, data, callback);
-}
+// Up to this many geoms comparing boxes by vectors is faster than keeping neighbours and sorting, whatever
+// share of them moves (docs/collision-order.md has the figures). A space on the border does not go back and
+// forth: it turns dense again at half of it.
+constexpr int kLargestDense = 512;
 
 dxMeetingFilter filterOf(const dxGeom *geom) { return {geom->body, geom->category_bits, geom->collide_bits}; }
 
@@ -36,14 +28,14 @@ bool hasBoxOfItsOwn(const dxGeom *geom) {
 
 }  // namespace
 
-// The slot is kept in a field that upstream's simple and hash spaces leave unused.
+// The slot is kept in a field that belongs to the space a geom is in; upstream's simple and hash spaces leave it unused.
 dxOrderedSpace::Slot dxOrderedSpace::slotOf(const dxGeom *geom) {
     return static_cast<Slot>(reinterpret_cast<std::uintptr_t>(geom->tome_ex) - 1);
 }
 
 dxOrderedSpace *dxOrderedSpace::from(dxSpace *space) {
-    const bool isOrdered =
-        space != nullptr && (space->type == dSimpleSpaceClass || space->type == dHashSpaceClass);
+    const bool isOrdered = space != nullptr && (space->type == dSimpleSpaceClass || space->type == dHashSpaceClass ||
+                                                space->type == dQuadTreeSpaceClass);
     return isOrdered ? static_cast<dxOrderedSpace *>(space) : nullptr;
 }
 
@@ -104,41 +96,24 @@ bool dxOrderedSpace::makeReadyShared(dxTaskRunner &runner) {
     return isReady;
 }
 
-// Upstream stops at the first geom that is clean, and so do we. Ranks are given from the front downwards, at
-// once, because a user's bounding-box function may leave by an exception.
-void dxOrderedSpace::cleanGeoms() {
-    lock_count++;
-    dxRank next = m_members.firstOf(count);
-    gatherDirty();
-    computeBoxes();
-    for (std::size_t i = 0; i < m_dirty.size(); ++i) {
-        dxGeom *const geom = m_dirty[i];
-        if (i + kBoxesAhead < m_dirty.size()) dxPairPrefetch::place(m_dirty[i + kBoxesAhead]);
-        if (IS_SPACE(geom)) static_cast<dxSpace *>(geom)->cleanGeoms();
-        geom->recomputeAABB();
-        dIASSERT((geom->gflags & GEOM_AABB_BAD) == 0);
-        geom->gflags &= ~GEOM_DIRTY;
-        rank(geom, next--);
-    }
-    dxGeom *const clean = m_dirty.empty() ? first : m_dirty.back()->next;
-    if (m_members.unranked() != 0 || m_irregular) rankBehindClean(clean, next);
-    lock_count--;
-}
-
-void dxOrderedSpace::gatherDirty() {
-    m_dirty.clear();
-    for (dxGeom *geom = first; geom != nullptr && isDirty(geom); geom = geom->next) m_dirty.push_back(geom);
-}
-
-// Ahead of cleaning, of the built-in classes whose boxes depend on nothing but themselves and their bodies.
-void dxOrderedSpace::computeBoxes() {
-    if (m_runner == nullptr || m_dirty.size() < kBoxPiece) return;
-    m_runner->forPieces(m_dirty.size(), kBoxPiece, [this](std::size_t begin, std::size_t end, unsigned) {
+// Only of the built-in classes whose boxes depend on nothing but themselves and their bodies.
+void dxOrderedSpace::computeBoxes(const std::vector<dxGeom *> &geoms) {
+    if (m_runner == nullptr || geoms.size() < kBoxPiece) return;
+    m_runner->forPieces(geoms.size(), kBoxPiece, [&](std::size_t begin, std::size_t end, unsigned) {
         for (std::size_t i = begin; i < end; ++i) {
-            if (i + kBoxesAhead < end) dxPairPrefetch::place(m_dirty[i + kBoxesAhead]);
-            if (hasBoxOfItsOwn(m_dirty[i])) m_dirty[i]->recomputeAABB();
+            if (i + kBoxesAhead < end) dxPairPrefetch::place(geoms[i + kBoxesAhead]);
+            if (hasBoxOfItsOwn(geoms[i])) geoms[i]->recomputeAABB();
         }
     });
+}
+
+void dxOrderedSpace::clean(const std::vector<dxGeom *> &geoms, std::size_t index) {
+    if (index + kBoxesAhead < geoms.size()) dxPairPrefetch::place(geoms[index + kBoxesAhead]);
+    dxGeom *const geom = geoms[index];
+    if (IS_SPACE(geom)) static_cast<dxSpace *>(geom)->cleanGeoms();
+    geom->recomputeAABB();
+    dIASSERT((geom->gflags & GEOM_AABB_BAD) == 0);
+    geom->gflags &= ~GEOM_DIRTY;
 }
 
 void dxOrderedSpace::rank(dxGeom *geom, dxRank rank) {
@@ -149,21 +124,9 @@ void dxOrderedSpace::rank(dxGeom *geom, dxRank rank) {
     if (m_index != nullptr) m_index->loosen(slot);
 }
 
-// A geom that was clean when it was added stands, clean, before the dirty ones, and upstream never gets to
-// those: they keep their old boxes, and an assertion fails where they meet. While there are such geoms, all
-// ranks are given anew.
-void dxOrderedSpace::rankBehindClean(dxGeom *geom, dxRank next) {
-    const bool wasIrregular = m_irregular;
-    m_irregular = false;
-    for (; geom != nullptr && (wasIrregular || m_members.unranked() != 0 || isDirty(geom)); geom = geom->next) {
-        m_irregular = m_irregular || isDirty(geom);
-        rank(geom, next--);
-    }
-}
-
 bool dxOrderedSpace::makeReady() {
     cleanGeoms();
-    if (m_irregular) return false;
+    if (!ranksAreRight()) return false;
     if (m_members.changed().empty()) return true;
     update(m_pairs);
     m_members.forgetChanges();
@@ -171,6 +134,18 @@ bool dxOrderedSpace::makeReady() {
 }
 
 void dxOrderedSpace::update(std::vector<dxOrderedPair> &pairs) {
+    const bool dense = m_search == nullptr && count <= (m_dense != nullptr ? kLargestDense : kLargestDense / 2);
+    if (dense != (m_dense != nullptr)) {
+        m_dense.reset(dense ? new dxDensePairs : nullptr);
+        startAnew();
+    }
+    if (dense)
+        m_dense->update(m_members, pairs);
+    else
+        updateSorted(pairs);
+}
+
+void dxOrderedSpace::updateSorted(std::vector<dxOrderedPair> &pairs) {
     if (m_search == nullptr && m_ownSearch == nullptr) m_ownSearch.reset(new dxAdaptiveSearch);
     if (m_kept == nullptr) m_kept.reset(new dxKeptPairs);
     m_matches.clear();
@@ -178,32 +153,45 @@ void dxOrderedSpace::update(std::vector<dxOrderedPair> &pairs) {
     m_kept->update(m_members, m_matches, *this, runner(), pairs);
 }
 
-void dxOrderedSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback) {
-    dAASSERT(geom && callback);
-    lock_count++;
-    cleanGeoms();
-    geom->recomputeAABB();
-    if (m_irregular || count < kLeastIndexed)
-        collideFrom(first, data, geom, callback);
-    else
-        collideRegion(data, geom, callback);
-    lock_count--;
+bool dxOrderedSpace::place(Slot a, Slot b, dxPairKey &key, bool &swapped) const {
+    const dxRank rankA = m_members[a].rank, rankB = m_members[b].rank;
+    swapped = rankA < rankB;
+    key.words = {dxFrontFirst(std::max(rankA, rankB)), dxFrontFirst(std::min(rankA, rankB)), 0, 0};
+    return true;
 }
 
-// The members of the space cannot move while it is locked, but the geom may, if it is not one of them: then
-// upstream goes on with its new box.
-void dxOrderedSpace::collideRegion(void *data, dxGeom *geom, dNearCallback *callback) {
+void dxOrderedSpace::expect(Slot a, Slot b) const {
+    m_members.expect(a);
+    m_members.expect(b);
+}
+
+// Upstream asks whether a geom is enabled once before it is paired with those behind it, and of each of
+// those when its turn comes. A callback may enable or disable either.
+void dxOrderedSpace::deliverByRank(void *data, dNearCallback *callback) {
+    const dxGeom *front = nullptr;
+    bool frontIsEnabled = false;
+    dxContactsAhead *const ahead = this->ahead();
+    for (std::size_t i = 0; i < m_pairs.size(); ++i) {
+        const dxOrderedPair &pair = m_pairs[i];
+        if (pair.first != front) {
+            front = pair.first;
+            frontIsEnabled = dxGeomIsEnabled(front);
+        }
+        if (!frontIsEnabled || !dxGeomIsEnabled(pair.second)) continue;
+        if (ahead != nullptr) ahead->beforePair(m_pairs, i);
+        dxDeliver(pair, data, callback);
+    }
+}
+
+const std::vector<dxOrderedSpace::Slot> &dxOrderedSpace::findRegion(const dxBounds &box) {
     if (m_index == nullptr) m_index.reset(new dxRegionIndex(m_members));
     const auto depth = static_cast<std::size_t>(lock_count);
     while (m_regions.size() < depth) m_regions.emplace_back();
     std::vector<Slot> &region = m_regions[depth - 1];
-    const dxBounds box(geom->aabb);
     m_index->find(m_members, box, region);
-    for (const Slot slot : region) {
-        dxGeom *const member = m_members[slot].geom;
-        if (!dxGeomIsEnabled(member)) continue;
-        collideAABBs(member, geom, data, callback);
-        const bool hasMoved = (geom->gflags & GEOM_AABB_BAD) != 0 || std::memcmp(geom->aabb, box.v, sizeof box.v) != 0;
-        if (hasMoved) return collideFrom(member->next, data, geom, callback);
-    }
+    return region;
+}
+
+bool dxOrderedSpace::isStill(const dxGeom *geom, const dxBounds &box) {
+    return (geom->gflags & GEOM_AABB_BAD) == 0 && std::memcmp(geom->aabb, box.v, sizeof box.v) == 0;
 }

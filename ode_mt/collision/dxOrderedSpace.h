@@ -5,14 +5,16 @@
 // what has changed since the last one, plus one callback per pair.
 //
 // Invariants, after makeReady():
-//  - every geom of the space is a member with a rank. Upstream moves a geom to the front of its list when it
-//    changes, and only then, so old ranks stay comparable and only changed geoms need new ones;
+//  - every geom of the space is a member with a rank, which tells where upstream comes to it. Only geoms that
+//    change move to another place, so old ranks stay comparable and only changed geoms may need new ones;
 //  - pairs() holds, in order, exactly the pairs for which upstream's collideAABBs passes its tests of body,
 //    bits and boxes and which upstream's space would bring to it. None of these can change while the space
 //    is locked, which it is while callbacks run. Whether geoms are enabled can, so that is tested when
 //    upstream tests it.
 //
-// The list itself (dxSpace::first) is upstream's, with upstream's order, locks and messages.
+// How geoms are cleaned and ranked is up to the kind of space; so is the order of pairs, which is that of their ranks
+// unless a kind has another one. The list of geoms (dxSpace::first) is upstream's, with upstream's order, locks and
+// messages.
 // One thread at a time, as upstream. docs/collision-order.md.
 #pragma once
 
@@ -26,6 +28,7 @@
 #include "objects.h"
 #include "collision_kernel.h"
 #include "collision/dxContactsAhead.h"
+#include "collision/dxDensePairs.h"
 #include "collision/dxKeptPairs.h"
 #include "collision/dxMembers.h"
 #include "collision/dxOrderedPair.h"
@@ -48,8 +51,6 @@ public:
 
     void add(dxGeom *geom) override;
     void remove(dxGeom *geom) override;
-    void cleanGeoms() override;
-    void collide2(void *data, dxGeom *geom, dNearCallback *callback) override;
 
     // collide() with what can be shared out given to the runner: boxes, the search for pairs, and contacts ahead of
     // the callbacks, which come as ever.
@@ -79,9 +80,16 @@ protected:
 
     // All pairs are looked for again, from nothing: at this update or at the next.
     void startAnew();
-    bool hasSearch() const { return m_search != nullptr; }
 
     const dxMembers &members() const { return m_members; }
+    dxMembers &members() { return m_members; }
+
+    // Cleaning: whether all members have been given their ranks by it; the boxes of geoms ahead of it, on workers if there
+    // are any; the box of one geom, and that it is clean; its rank, which may be that which it had.
+    virtual bool ranksAreRight() const { return true; }
+    void computeBoxes(const std::vector<dxGeom *> &geoms);
+    static void clean(const std::vector<dxGeom *> &geoms, std::size_t index);
+    void rank(dxGeom *geom, dxRank rank);
 
     dxTaskRunner &runner() const { return m_runner != nullptr ? *m_runner : dxTaskRunner::alone(); }
     // To be told of each pair before its callback, or NULL.
@@ -89,6 +97,19 @@ protected:
 
     // Members have changed, and have their new ranks and boxes: brings `pairs` up to date.
     virtual void update(std::vector<dxOrderedPair> &pairs);
+    // By searching and sorting.
+    void updateSorted(std::vector<dxOrderedPair> &pairs);
+
+    // Of two members the one further to the front is the first, and pairs come by it, then by the second.
+    bool place(Slot a, Slot b, dxPairKey &key, bool &swapped) const override;
+    void expect(Slot a, Slot b) const override;
+    // The callbacks in that order. Geoms may be enabled and disabled on the way.
+    void deliverByRank(void *data, dNearCallback *callback);
+
+    // The members whose boxes overlap the box, front first. Until the next call from the same depth of locks.
+    const std::vector<Slot> &findRegion(const dxBounds &box);
+    // A geom that is not in the space may move in a callback.
+    static bool isStill(const dxGeom *geom, const dxBounds &box);
 
     // To be called first: the space may still be locked by a call that a callback left by longjmp, or be in one.
     void beginCollide() {
@@ -96,21 +117,14 @@ protected:
     }
 
 private:
-    void gatherDirty();
-    void computeBoxes();
-    void collideRegion(void *data, dxGeom *geom, dNearCallback *callback);
-    void rank(dxGeom *geom, dxRank rank);
-    void rankBehindClean(dxGeom *geom, dxRank rank);
-
     dxMembers m_members;
     std::vector<dxOrderedPair> m_pairs;
-    bool m_irregular = false;
+    std::unique_ptr<dxDensePairs> m_dense;             // while the space is small
     std::unique_ptr<dxPairSearch> m_search, m_ownSearch;
     std::vector<dxPairSearch::Match> m_matches;
     std::unique_ptr<dxKeptPairs> m_kept;
     std::unique_ptr<dxRegionIndex> m_index;            // from the first collide2 on
     std::deque<std::vector<Slot>> m_regions;           // by depth of calls of collide2
-    std::vector<dxGeom *> m_dirty;  // front first
     dxTaskRunner *m_runner = nullptr;  // of the call in progress, if it is shared
     std::unique_ptr<dxContactsAhead> m_ahead;
     dxSharingPace m_pace;

@@ -11,8 +11,7 @@
 namespace {
 
 struct Kind {
-    std::string name;
-    bool hash;
+    std::string name, space;
     int geoms, frames, seeds;
     bool breathes;
     std::string algorithm = "auto";
@@ -23,7 +22,7 @@ void PrintTo(const Kind &kind, std::ostream *out) { *out << kind.name; }
 class PairOrder : public testing::TestWithParam<Kind> {};
 
 exactness::ChildResult run(const char *libraryFolder, unsigned seed, const Kind &kind) {
-    return exactness::runChild({ODE_MT_PAIR_SEQUENCE_PROGRAM, std::to_string(seed), kind.hash ? "1" : "0",
+    return exactness::runChild({ODE_MT_PAIR_SEQUENCE_PROGRAM, std::to_string(seed), kind.space,
                                 std::to_string(kind.geoms), std::to_string(kind.frames), kind.breathes ? "1" : "0"},
                                {{"LD_LIBRARY_PATH", libraryFolder}, {"ODE_MT_ALGORITHM", kind.algorithm},
                                 {"ODE_MT_THREADS", std::to_string(kind.threads)}});
@@ -59,25 +58,34 @@ TEST_P(PairOrder, IsThatOfLibode8) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Spaces, PairOrder,
-                         testing::Values(Kind{"simpleFew", false, 12, 60, 40, false},
-                                         Kind{"simpleMany", false, 300, 40, 12, false},
+                         testing::Values(Kind{"simpleFew", "simple", 12, 60, 40, false},
+                                         Kind{"simpleMany", "simple", 300, 40, 12, false},
                                          // back and forth between the two ways of finding pairs
-                                         Kind{"simpleBreathing", false, 300, 40, 12, true},
-                                         Kind{"simpleCrowd", false, 1500, 10, 3, false},
-                                         Kind{"hashFew", true, 12, 60, 40, false},
-                                         Kind{"hashMany", true, 300, 40, 12, false},
-                                         Kind{"hashBreathing", true, 100, 40, 12, true},
-                                         Kind{"hashCrowd", true, 1500, 10, 3, false}),
+                                         Kind{"simpleBreathing", "simple", 300, 40, 12, true},
+                                         Kind{"simpleCrowd", "simple", 1500, 10, 3, false},
+                                         Kind{"hashFew", "hash", 12, 60, 40, false},
+                                         Kind{"hashMany", "hash", 300, 40, 12, false},
+                                         Kind{"hashBreathing", "hash", 100, 40, 12, true},
+                                         Kind{"hashCrowd", "hash", 1500, 10, 3, false},
+                                         Kind{"quadtreeFew", "quadtree", 12, 60, 60, false},
+                                         Kind{"quadtreeSome", "quadtree", 80, 60, 30, false},
+                                         Kind{"quadtreeMany", "quadtree", 300, 40, 24, false},
+                                         Kind{"quadtreeBreathing", "quadtree", 300, 40, 12, true},
+                                         Kind{"quadtreeCrowd", "quadtree", 1500, 10, 6, false}),
                          [](const auto &info) { return info.param.name; });
 
 // Boxes, search and sorting are shared out.
 INSTANTIATE_TEST_SUITE_P(Shared, PairOrder,
-                         testing::Values(Kind{"simpleFew", false, 12, 60, 6, false, "lcp", 3},
-                                         Kind{"simpleCrowd", false, 1500, 10, 2, false, "lcp", 3},
-                                         Kind{"hashFew", true, 12, 60, 6, false, "lcp", 3},
-                                         Kind{"hashMany", true, 300, 40, 4, false, "lcp", 3},
-                                         Kind{"hashBreathing", true, 100, 40, 4, true, "lcp", 3},
-                                         Kind{"hashCrowd", true, 1500, 10, 3, false, "lcp", 3}),
+                         testing::Values(Kind{"simpleFew", "simple", 12, 60, 6, false, "lcp", 3},
+                                         Kind{"simpleCrowd", "simple", 1500, 10, 2, false, "lcp", 3},
+                                         Kind{"hashFew", "hash", 12, 60, 6, false, "lcp", 3},
+                                         Kind{"hashMany", "hash", 300, 40, 4, false, "lcp", 3},
+                                         Kind{"hashBreathing", "hash", 100, 40, 4, true, "lcp", 3},
+                                         Kind{"hashCrowd", "hash", 1500, 10, 3, false, "lcp", 3},
+                                         Kind{"quadtreeFew", "quadtree", 12, 60, 12, false, "lcp", 3},
+                                         Kind{"quadtreeMany", "quadtree", 300, 40, 6, false, "lcp", 3},
+                                         Kind{"quadtreeBreathing", "quadtree", 300, 40, 4, true, "lcp", 2},
+                                         Kind{"quadtreeCrowd", "quadtree", 1500, 10, 4, false, "lcp", 3}),
                          [](const auto &info) { return info.param.name; });
 
 // Clusters find the pairs; their order is the same.
@@ -86,9 +94,12 @@ std::vector<Kind> clustered() {
     for (const std::string algorithm : {"original", "static", "static-unmerged", "duplication", "decluster"}) {
         std::string prefix = algorithm + '_';
         std::replace(prefix.begin(), prefix.end(), '-', '_');
-        for (const Kind &kind : {Kind{"simpleFew", false, 12, 60, 6, false}, Kind{"simpleMany", false, 300, 40, 2, false},
-                                 Kind{"simpleBreathing", false, 300, 40, 1, true}, Kind{"hashFew", true, 12, 60, 6, false},
-                                 Kind{"hashMany", true, 300, 40, 2, false}, Kind{"hashBreathing", true, 100, 40, 2, true}}) {
+        for (const Kind &kind : {Kind{"simpleFew", "simple", 12, 60, 6, false}, Kind{"simpleMany", "simple", 300, 40, 2, false},
+                                 Kind{"simpleBreathing", "simple", 300, 40, 1, true}, Kind{"hashFew", "hash", 12, 60, 6, false},
+                                 Kind{"hashMany", "hash", 300, 40, 2, false}, Kind{"hashBreathing", "hash", 100, 40, 2, true},
+                                 Kind{"quadtreeFew", "quadtree", 12, 60, 6, false},
+                                 Kind{"quadtreeMany", "quadtree", 300, 40, 2, false},
+                                 Kind{"quadtreeBreathing", "quadtree", 100, 40, 2, true}}) {
             all.push_back(kind);
             all.back().name = prefix + kind.name;
             all.back().algorithm = algorithm;

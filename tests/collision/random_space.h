@@ -12,9 +12,11 @@
 
 namespace collision {
 
+enum class Kind { Simple, Hash, QuadTree };
+
 struct Recipe {
     unsigned seed;
-    bool hash;  // else a simple space
+    Kind kind;
     int geoms;
     int frames;
     bool breathes;  // grows to twice its size and shrinks again, time after time
@@ -32,7 +34,10 @@ public:
     // Collides once; the numbers of the geoms of each callback, in order.
     std::vector<std::pair<int, int>> collide();
 
-    // The numbers of the space's geoms as dSpaceGetGeom lists them.
+    // The same of a few geoms, in the space and outside, and of another space, each collided with the space.
+    std::vector<std::pair<int, int>> probe();
+
+    // The numbers of the space's geoms as dSpaceGetGeom lists them, which it does not for a quad tree.
     std::vector<int> list() const;
 
 private:
@@ -40,15 +45,26 @@ private:
     int below(int end) { return std::uniform_int_distribution<int>(0, end - 1)(m_random); }
     bool chance(double probability) { return std::bernoulli_distribution(probability)(m_random); }
     dReal size() { return std::pow(dReal(10), uniform(m_smallest, m_largest)); }
+    dSpaceID makeSpace(Kind kind);
+    dSpaceID makeQuadTree();
+    void addProbes();
+    void probeWith(dGeomID geom);
     void breathe(int frame);
     dGeomID make();
     dGeomID makeShape();
+    dGeomID makeOddity();
     dSpaceID makeSubspace();
     void place(dGeomID geom);
     void change(dGeomID &geom);
+    void number(dGeomID geom);
+    void reenter(dGeomID geom);
     static void met(void *self, dGeomID a, dGeomID b);
+    static void oddBox(dGeomID geom, dReal aabb[6]);
+    static int oddTest(dGeomID geom, dGeomID other, dReal aabb[6]);
 
     std::mt19937 m_random;
+    const Kind m_kind;
+    int m_oddClass = 0;  // of geoms that have any box
     dWorldID m_world;
     dSpaceID m_space;
     int m_breath;  // geoms that come or go at a frame, 0 if none
@@ -57,6 +73,9 @@ private:
     dVector3 m_centre;
     int m_nextNumber = 0;
     std::vector<dGeomID> m_geoms;
+    dSpaceID m_others;               // outside the space, more geoms than a small one has
+    std::vector<dGeomID> m_probes;   // outside, too
+    dGeomID m_mover = nullptr;       // the probe that may move in a callback
     std::vector<std::pair<int, int>> m_met;
     unsigned m_togglesLeft = 0;
 };

@@ -1,0 +1,31 @@
+// Members of a space that wait to be cleaned, in the order in which they came, each once.
+//
+// Upstream's quad tree may have a geom twice in its list; the second turn changes nothing.
+#pragma once
+
+#include <vector>
+
+#include "collision/dxMembers.h"
+
+class dxDirtyQueue {
+public:
+    using Slot = dxMembers::Slot;
+
+    // Does nothing if the member is in the queue.
+    void push(dxGeom *geom, Slot slot);
+    // The member has gone, whether or not it is in the queue.
+    void drop(Slot slot);
+    void clear();
+
+    const std::vector<dxGeom *> &geoms();
+
+private:
+    static constexpr std::uint32_t kNone = UINT32_MAX;
+
+    void close();
+
+    std::vector<dxGeom *> m_geoms;        // NULL: dropped
+    std::vector<Slot> m_slots;            // of the geoms
+    std::vector<std::uint32_t> m_places;  // by slot
+    std::size_t m_dropped = 0;
+};

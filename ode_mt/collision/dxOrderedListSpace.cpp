@@ -1,0 +1,76 @@
+#include "collision/dxOrderedListSpace.h"
+
+#include "util.h"
+#include "collision_space_internal.h"
+
+namespace {
+
+bool isDirty(const dxGeom *geom) { return (geom->gflags & GEOM_DIRTY) != 0; }
+
+// In a smaller space the list is walked as fast.
+constexpr int kLeastIndexed = 16;
+
+// As upstream's collide2.
+void collideFrom(dxGeom *member, void *data, dxGeom *geom, dNearCallback *callback) {
+    for (; member != nullptr; member = member->next)
+        if (dxGeomIsEnabled(member)) collideAABBs(member, geom, data, callback);
+}
+
+}  // namespace
+
+// Upstream stops at the first geom that is clean, and so do we. Ranks are given from the front downwards, at
+// once, because a user's bounding-box function may leave by an exception.
+void dxOrderedListSpace::cleanGeoms() {
+    lock_count++;
+    dxRank next = members().firstOf(count);
+    gatherDirty();
+    computeBoxes(m_dirty);
+    for (std::size_t i = 0; i < m_dirty.size(); ++i) {
+        clean(m_dirty, i);
+        rank(m_dirty[i], next--);
+    }
+    dxGeom *const clean = m_dirty.empty() ? first : m_dirty.back()->next;
+    if (members().unranked() != 0 || m_irregular) rankBehindClean(clean, next);
+    lock_count--;
+}
+
+void dxOrderedListSpace::gatherDirty() {
+    m_dirty.clear();
+    for (dxGeom *geom = first; geom != nullptr && isDirty(geom); geom = geom->next) m_dirty.push_back(geom);
+}
+
+// A geom that was clean when it was added stands, clean, before the dirty ones, and upstream never gets to
+// those: they keep their old boxes, and an assertion fails where they meet. While there are such geoms, all
+// ranks are given anew.
+void dxOrderedListSpace::rankBehindClean(dxGeom *geom, dxRank next) {
+    const bool wasIrregular = m_irregular;
+    m_irregular = false;
+    for (; geom != nullptr && (wasIrregular || members().unranked() != 0 || isDirty(geom)); geom = geom->next) {
+        m_irregular = m_irregular || isDirty(geom);
+        rank(geom, next--);
+    }
+}
+
+void dxOrderedListSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback) {
+    dAASSERT(geom && callback);
+    lock_count++;
+    cleanGeoms();
+    geom->recomputeAABB();
+    if (m_irregular || count < kLeastIndexed)
+        collideFrom(first, data, geom, callback);
+    else
+        collideRegion(data, geom, callback);
+    lock_count--;
+}
+
+// The members of the space cannot move while it is locked, but the geom may, if it is not one of them: then
+// upstream goes on with its new box.
+void dxOrderedListSpace::collideRegion(void *data, dxGeom *geom, dNearCallback *callback) {
+    const dxBounds box(geom->aabb);
+    for (const Slot slot : findRegion(box)) {
+        dxGeom *const member = members()[slot].geom;
+        if (!dxGeomIsEnabled(member)) continue;
+        collideAABBs(member, geom, data, callback);
+        if (!isStill(geom, box)) return collideFrom(member->next, data, geom, callback);
+    }
+}
