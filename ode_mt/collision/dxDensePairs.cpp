@@ -18,14 +18,19 @@ auto comesBefore(const dxMembers &members) {
 }  // namespace
 
 void dxDensePairs::update(const dxMembers &members, std::vector<dxOrderedPair> &pairs) {
-    gatherChanged(members);
-    reorder(members);
+    const bool stayInPlace = m_orderings == members.orderings();
+    if (stayInPlace) {
+        setBoxes(members);
+    } else {
+        gatherChanged(members);
+        reorder(members);
+    }
     m_found.clear();
-    if (changedAreInFront()) {
+    if (!stayInPlace && changedAreInFront()) {
         findPairs(members, m_changed.size());
         keepUnchanged(members, pairs, m_found);
         pairs.swap(m_found);
-    } else if (2 * m_changed.size() > m_order.size()) {
+    } else if (2 * members.changed().size() > m_order.size()) {
         findPairs(members, m_order.size());
         pairs.swap(m_found);
     } else {
@@ -70,7 +75,14 @@ void dxDensePairs::reorder(const dxMembers &members) {
     }
     while (changed != m_changed.cend()) pushChanged();
     m_order.swap(m_nextOrder);
+    m_orderings = members.orderings();
+    m_rowOf.resize(members.end());
+    for (std::uint32_t row = 0; row < m_order.size(); ++row) m_rowOf[m_order[row]] = row;
     std::swap(m_boxes, m_nextBoxes);
+}
+
+void dxDensePairs::setBoxes(const dxMembers &members) {
+    for (const Slot slot : members.changed()) m_boxes.set(m_rowOf[slot], members[slot].bounds);
 }
 
 bool dxDensePairs::changedAreInFront() const {

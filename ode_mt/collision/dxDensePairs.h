@@ -23,6 +23,7 @@ private:
 
     void gatherChanged(const dxMembers &members);
     void reorder(const dxMembers &members);
+    void setBoxes(const dxMembers &members);
     bool changedAreInFront() const;
     void findPairs(const dxMembers &members, std::size_t rows);
     void findAround(const dxMembers &members);
@@ -32,6 +33,8 @@ private:
 
     std::vector<Slot> m_changed;             // front first
     std::vector<Slot> m_order, m_nextOrder;  // of all, front first
+    std::vector<std::uint32_t> m_rowOf;      // by slot, in m_order; right for those that are there
+    std::uint64_t m_orderings = 0;           // of the members, when they were put in order
     dxBoxTable m_boxes, m_nextBoxes;         // of m_order
     std::vector<std::uint32_t> m_rows;
     std::vector<std::uint64_t> m_around;     // pairs of rows, in one number each

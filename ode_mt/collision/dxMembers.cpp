@@ -13,6 +13,7 @@ dxMembers::Slot dxMembers::add(dxGeom *geom) {
     m_members[slot] = Member();
     m_members[slot].geom = geom;
     ++m_unranked;
+    ++m_orderings;
     markChanged(slot);
     return slot;
 }
@@ -27,23 +28,7 @@ void dxMembers::remove(Slot slot) {
         m_free.push_back(slot);
     }
     member.geom = nullptr;
-}
-
-void dxMembers::setRank(Slot slot, dxRank rank) {
-    if (m_members[slot].rank == 0) --m_unranked;
-    m_members[slot].rank = rank;
-}
-
-void dxMembers::markChanged(Slot slot) {
-    if (m_isChanged[slot]) return;
-    m_isChanged[slot] = 1;
-    m_changed.push_back(slot);
-}
-
-void dxMembers::setBounds(Slot slot, const dxBounds &bounds, const dxMeetingFilter &filter) {
-    m_members[slot].bounds = bounds;
-    m_members[slot].filter = filter;
-    m_members[slot].sought = true;
+    ++m_orderings;
 }
 
 void dxMembers::forgetChanges() {

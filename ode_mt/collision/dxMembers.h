@@ -38,14 +38,31 @@ public:
 
     // Ranks are given downwards from a number that is above all earlier ones.
     dxRank firstOf(int ranks) { return m_highest += static_cast<dxRank>(ranks); }
-    void setRank(Slot slot, dxRank rank);
+    void setRank(Slot slot, dxRank rank) {
+        Member &member = m_members[slot];
+        if (member.rank == rank) return;
+        if (member.rank == 0) --m_unranked;
+        member.rank = rank;
+        ++m_orderings;
+    }
     int unranked() const { return m_unranked; }
+    // Rises whenever a member comes, goes or gets another rank.
+    std::uint64_t orderings() const { return m_orderings; }
 
-    void markChanged(Slot slot);
+    void markChanged(Slot slot) {
+        if (m_isChanged[slot]) return;
+        m_isChanged[slot] = 1;
+        m_changed.push_back(slot);
+    }
     // Also of members that have gone; those are nobody.
     const std::vector<Slot> &changed() const { return m_changed; }
     bool isChanged(Slot slot) const { return m_isChanged[slot] != 0; }
-    void setBounds(Slot slot, const dxBounds &bounds, const dxMeetingFilter &filter = {});
+    void setBounds(Slot slot, const dxBounds &bounds, const dxMeetingFilter &filter = {}) {
+        Member &member = m_members[slot];
+        member.bounds = bounds;
+        member.filter = filter;
+        member.sought = true;
+    }
     void setFilter(Slot slot, const dxMeetingFilter &filter) { m_members[slot].filter = filter; }
     void forgetChanges();
 
@@ -55,5 +72,6 @@ private:
     std::vector<Slot> m_changed;
     std::vector<std::uint8_t> m_isChanged;
     dxRank m_highest = 0;
+    std::uint64_t m_orderings = 0;
     int m_unranked = 0;
 };

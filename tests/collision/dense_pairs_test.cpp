@@ -1,4 +1,4 @@
-// dxDensePairs: the pairs of a simple space, in the order of its list, kept up to date, against brute force.
+// dxDensePairs: the pairs of a small space, in the order of ranks, kept up to date, against brute force.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -46,7 +46,18 @@ protected:
         members.setBounds(slot, members[slot].bounds, filterOf(slot));
         members.markChanged(slot);
     }
+    // As in a quad tree.
+    void moveInPlace(Slot slot) {
+        members.setBounds(slot, random.box(), filterOf(slot));
+        members.markChanged(slot);
+    }
     void changeSome() {
+        if (random.oneIn(3)) {
+            const std::uint32_t share = 1 + random.below(8);
+            for (Slot slot = 0; slot < members.end(); ++slot)
+                if (members[slot].geom != nullptr && random.oneIn(share)) moveInPlace(slot);
+        }
+        if (random.oneIn(3)) return;
         for (std::uint32_t i = random.below(8); i > 0; --i) {
             const Slot slot = random.below(members.end());
             if (members[slot].geom == nullptr || random.oneIn(6)) add();

@@ -25,6 +25,7 @@ int main(int argc, char **argv) {
         std::fprintf(stderr, "usage: pair_sequence SEED KIND GEOMS FRAMES BREATHES\n");
         return 2;
     }
+    std::setvbuf(stdout, nullptr, _IOFBF, 1 << 20);  // reports are long
     dInitODE2(0);
     {
         const collision::Recipe recipe{static_cast<unsigned>(std::atoi(argv[1])), kindNamed(argv[2]),

@@ -112,13 +112,17 @@ dGeomID RandomSpace::makeShape() {
 dGeomID RandomSpace::makeOddity() {
     const dGeomID geom = dCreateGeom(m_oddClass);
     dReal *const box = static_cast<dReal *>(dGeomGetClassData(geom));
-    for (int bound = 0; bound < 6; ++bound) {
-        box[bound] = m_centre[bound / 2] + (bound % 2 != 0 || chance(0.3) ? 1 : -1) * uniform(0, 1) * m_extent;
-        if (chance(0.05)) box[bound] = std::nan("");
-        if (chance(0.05)) box[bound] = bound % 2 != 0 ? dInfinity : -dInfinity;
+    for (int axis = 0; axis < 3; ++axis) {
+        const dReal middle = m_centre[axis] + uniform(-m_extent, m_extent), half = size();
+        dReal &low = box[2 * axis], &high = box[2 * axis + 1];
+        low = middle - half;
+        high = middle + half;
+        if (chance(0.1)) low = high;
+        if (chance(0.1)) std::swap(low, high);
+        if (chance(0.03)) low = -dInfinity;
+        if (chance(0.03)) high = dInfinity;
+        if (chance(0.03)) (chance(0.5) ? low : high) = std::nan("");
     }
-    if (chance(0.2))
-        for (int axis = 0; axis < 3; ++axis) box[2 * axis + 1] = box[2 * axis];
     if (chance(0.5)) dGeomSetBody(geom, dBodyCreate(m_world));
     return geom;
 }

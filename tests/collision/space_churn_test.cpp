@@ -17,10 +17,15 @@ namespace {
 
 struct Way {
     const char *name, *algorithm;
-    bool hash;
+    dSpaceID (*create)(dSpaceID);
     int geoms;
     bool collides;
 };
+
+dSpaceID createQuadTree(dSpaceID parent) {
+    const dVector3 centre = {1000, 0, 0}, extents = {1000, 10, 10};
+    return dQuadTreeSpaceCreate(parent, centre, extents, 6);
+}
 void PrintTo(const Way &way, std::ostream *out) { *out << way.name; }
 
 class SpaceChurn : public testing::TestWithParam<Way> {
@@ -63,7 +68,7 @@ protected:
 
     OdeSession session{0, GetParam().algorithm};
     dWorldID world = dWorldCreate();
-    dSpaceID space = GetParam().hash ? dHashSpaceCreate(nullptr) : dSimpleSpaceCreate(nullptr);
+    dSpaceID space = GetParam().create(nullptr);
     std::vector<dGeomID> geoms;
     int next = 0;
 };
@@ -84,16 +89,19 @@ TEST_P(SpaceChurn, MemoryStaysWhatItWas) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Ways, SpaceChurn,
-                         testing::Values(Way{"dense", "auto", false, 100, true},
-                                         Way{"neighbours", "auto", false, 600, true},
-                                         Way{"hash", "auto", true, 100, true},
-                                         Way{"original", "original", true, 100, true},
-                                         Way{"staticMerged", "static", true, 100, true},
-                                         Way{"staticUnmerged", "static-unmerged", true, 100, true},
-                                         Way{"duplication", "duplication", true, 100, true},
-                                         Way{"decluster", "decluster", true, 100, true},
-                                         Way{"simpleUncollided", "auto", false, 100, false},
-                                         Way{"hashUncollided", "auto", true, 100, false}),
+                         testing::Values(Way{"dense", "auto", dSimpleSpaceCreate, 100, true},
+                                         Way{"neighbours", "auto", dSimpleSpaceCreate, 600, true},
+                                         Way{"hash", "auto", dHashSpaceCreate, 100, true},
+                                         Way{"original", "original", dHashSpaceCreate, 100, true},
+                                         Way{"staticMerged", "static", dHashSpaceCreate, 100, true},
+                                         Way{"staticUnmerged", "static-unmerged", dHashSpaceCreate, 100, true},
+                                         Way{"duplication", "duplication", dHashSpaceCreate, 100, true},
+                                         Way{"decluster", "decluster", dHashSpaceCreate, 100, true},
+                                         Way{"simpleUncollided", "auto", dSimpleSpaceCreate, 100, false},
+                                         Way{"quadtreeDense", "auto", createQuadTree, 100, true},
+                                         Way{"quadtree", "auto", createQuadTree, 600, true},
+                                         Way{"hashUncollided", "auto", dHashSpaceCreate, 100, false},
+                                         Way{"quadtreeUncollided", "auto", createQuadTree, 100, false}),
                          [](const auto &info) { return std::string(info.param.name); });
 
 }  // namespace

@@ -94,7 +94,14 @@ TEST_P(ContactsAhead, OtherQuestionsAreAnsweredAsEver) {
     EXPECT_GT(counts.ahead, 0u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Spaces, ContactsAhead, testing::Values(dSimpleSpaceCreate, dHashSpaceCreate),
-                         [](const auto &info) { return info.index == 0 ? "simple" : "hash"; });
+dSpaceID createQuadTree(dSpaceID parent) {
+    const dVector3 centre = {0, 0, 0}, extents = {10, 10, 10};
+    return dQuadTreeSpaceCreate(parent, centre, extents, 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Spaces, ContactsAhead, testing::Values(dSimpleSpaceCreate, dHashSpaceCreate, createQuadTree),
+                         [](const auto &info) {
+                             return info.index == 0 ? "simple" : info.index == 1 ? "hash" : "quadtree";
+                         });
 
 }  // namespace

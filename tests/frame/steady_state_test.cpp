@@ -149,9 +149,14 @@ TEST_P(SteadyState, StepsWithContactsAllocateNothing) {
     dJointGroupDestroy(contacts);
 }
 
+dSpaceID createQuadTree(dSpaceID parent) {
+    const dVector3 centre = {0, 0, 0}, extents = {10, 10, 10};
+    return dQuadTreeSpaceCreate(parent, centre, extents, 3);
+}
+
 // Whole frames: pairs, contacts, contact joints, step.
 TEST_P(SteadyState, FramesOfAHeapAllocateNothing) {
-    for (const auto create : {dSimpleSpaceCreate, dHashSpaceCreate}) {
+    for (const auto create : {dSimpleSpaceCreate, dHashSpaceCreate, createQuadTree}) {
         HeapWorld world(create(nullptr));
         const auto frame = [&] {
             world.collide();

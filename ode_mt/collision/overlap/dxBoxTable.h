@@ -23,6 +23,10 @@ public:
         ++m_size;
     }
 
+    void set(std::size_t row, const dxBounds &box) {
+        for (int bound = 0; bound < 6; ++bound) m_columns[bound][row] = box.v[bound];
+    }
+
     // Row `row` of `from` becomes the last row.
     void pushRow(const dxBoxTable &from, std::size_t row) {
         dxBounds box;

@@ -289,6 +289,8 @@ void addCallbackLiberties(Catalogue &catalogue) {
     add("callback_liberties/recursive_in_simple", "callbacks collide the pair and the locked space again",
         make<Recursive>(SpaceKind::Simple));
     add("callback_liberties/recursive_in_hash", "the same in a hash space", make<Recursive>(SpaceKind::Hash));
+    add("callback_liberties/recursive_in_quad_tree", "the same in a quad-tree space",
+        make<Recursive>(SpaceKind::QuadTree));
     add("callback_liberties/other_pairs", "dCollide swapped, twice, and for geoms of another pair",
         make<OtherPairs>());
 }

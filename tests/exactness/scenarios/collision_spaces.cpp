@@ -106,6 +106,8 @@ void addCollisionSpaces(Catalogue &catalogue) {
     catalogue.push_back({"collision_spaces/nested_in_sweep_and_prune",
                          "spaces of all kinds in a sweep-and-prune space", 60,
                          make<NestedSpaces>(SpaceKind::SweepAndPrune)});
+    catalogue.push_back({"collision_spaces/nested_in_quad_tree", "spaces of all kinds in a quad-tree space", 60,
+                         make<NestedSpaces>(SpaceKind::QuadTree)});
 }
 
 }  // namespace exactness

@@ -119,6 +119,8 @@ void addCrowdExtremes(Catalogue &catalogue) {
         reentrant);
     add("crowd_extremes/six_decades_in_simple", "1 mm to 1 km in a simple space",
         make<SixDecades>(SpaceKind::Simple, 280));
+    add("crowd_extremes/six_decades_in_quad_tree", "1 mm to 1 km in a quad-tree space",
+        make<SixDecades>(SpaceKind::QuadTree, 600), reentrant);
     add("crowd_extremes/one_place", "120 geoms in one cell of a hash space, 60 of them in one point",
         make<OnePlace>(SpaceKind::Hash), reentrant);
     add("crowd_extremes/one_place_in_sweep_and_prune", "geoms with equal bounds in a sweep-and-prune space",
@@ -132,6 +134,8 @@ void addCrowdExtremes(Catalogue &catalogue) {
         make<Unbounded>(SpaceKind::Hash));
     add("crowd_extremes/unbounded_in_simple", "planes, endless rays, boxes and balls in a simple space",
         make<Unbounded>(SpaceKind::Simple), reentrant);
+    add("crowd_extremes/unbounded_in_quad_tree", "planes, endless rays, boxes and balls in a quad-tree space",
+        make<Unbounded>(SpaceKind::QuadTree), reentrant);
     add("crowd_extremes/unbounded_in_sweep_and_prune", "the same in a sweep-and-prune space",
         make<Unbounded>(SpaceKind::SweepAndPrune));
 }

@@ -17,8 +17,7 @@ void addSharedScenes(Catalogue &catalogue) {
     const auto add = [&](const std::string &name, const std::string &sizeAndModifiers, const char *meaning,
                          int steps) {
         Scenario scenario{"shared_scenes/" + name, meaning, steps, scene(name + sizeAndModifiers)};
-        const bool inAnotherSpace = sizeAndModifiers.find("sap") != std::string::npos ||
-                                    sizeAndModifiers.find("quadtree") != std::string::npos;
+        const bool inAnotherSpace = sizeAndModifiers.find("sap") != std::string::npos;
         scenario.callbacks = inAnotherSpace ? Scenario::Callbacks::reentrant : Scenario::Callbacks::shared;
         catalogue.push_back(scenario);
     };
@@ -29,6 +28,7 @@ void addSharedScenes(Catalogue &catalogue) {
     add("churn", ":60", "sixty boxes, one exchanged in every frame", 60);
     add("spheres", ":120,sap", "balls poured into a box", 120);
     add("ragdolls", ":10,quadtree", "ten ragdolls", 120);
+    add("crowd_in_quad_tree", ":800,quadtree", "eight hundred boxes on the ground, quad-tree space", 40);
     add("vehicles", ":8", "buggies on a mesh", 100);
     add("vehicles_heightfield", ":8", "buggies on a height field", 100);
 

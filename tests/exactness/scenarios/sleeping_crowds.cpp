@@ -114,6 +114,8 @@ void addSleepingCrowds(Catalogue &catalogue) {
         make<Rollers>(SpaceKind::Simple), oneAtATime);
     add("sleeping_crowds/rollers_in_sweep_and_prune", "balls wake sleeping piles, sweep-and-prune space",
         make<Rollers>(SpaceKind::SweepAndPrune), oneAtATime);
+    add("sleeping_crowds/rollers_in_quad_tree", "balls wake sleeping piles, quad-tree space",
+        make<Rollers>(SpaceKind::QuadTree), shared);
     add("sleeping_crowds/plates", "kinematic plates, callbacks and the user disturb sleeping piles",
         make<Plates>(SpaceKind::Hash), oneAtATime);
     add("sleeping_crowds/moved_in_sleep", "sleeping bodies are moved by the user",

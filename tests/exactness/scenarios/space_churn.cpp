@@ -134,15 +134,21 @@ void addSpaceChurn(Catalogue &catalogue) {
         make<Alternating>(SpaceKind::SweepAndPrune, 500));
     add("space_churn/quad_tree", "500 geoms in a quad-tree space, by turns", 26,
         make<Alternating>(SpaceKind::QuadTree, 500));
+    add("space_churn/big_quad_tree", "1200 geoms in a quad-tree space, by turns", 26,
+        make<Alternating>(SpaceKind::QuadTree, 1200), shared);
     add("space_churn/breathing", "a simple space of 150 to 690 geoms and back", 48, make<Breathing>());
     add("space_churn/in_and_out_of_hash", "geoms leave a hash space, come back, die", 30,
         make<InAndOut>(SpaceKind::Hash), shared);
     add("space_churn/in_and_out_of_simple", "geoms leave a simple space, come back, die", 30,
         make<InAndOut>(SpaceKind::Simple));
+    add("space_churn/in_and_out_of_quad_tree", "geoms leave a quad-tree space, come back, die", 30,
+        make<InAndOut>(SpaceKind::QuadTree), shared);
     add("space_churn/teleports", "geoms jump, turn and change their size, between quiet frames", 24,
         make<Teleports>(SpaceKind::Hash));
     add("space_churn/teleports_in_simple", "geoms jump, turn and change their size in a simple space", 24,
         make<Teleports>(SpaceKind::Simple));
+    add("space_churn/teleports_in_quad_tree", "geoms jump, turn and change their size in a quad-tree space", 24,
+        make<Teleports>(SpaceKind::QuadTree));
 }
 
 }  // namespace exactness
