@@ -28,7 +28,7 @@ void addSharedScenes(Catalogue &catalogue) {
     add("churn", ":60", "sixty boxes, one exchanged in every frame", 60);
     add("spheres", ":120,sap", "balls poured into a box", 120);
     add("ragdolls", ":10,quadtree", "ten ragdolls", 120);
-    add("crowd_in_quad_tree", ":800,quadtree", "eight hundred boxes on the ground, quad-tree space", 40);
+    add("crowd", ":800,quadtree", "eight hundred boxes on the ground, quad-tree space", 40);
     add("vehicles", ":8", "buggies on a mesh", 100);
     add("vehicles_heightfield", ":8", "buggies on a height field", 100);
 
