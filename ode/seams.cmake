@@ -58,10 +58,11 @@ ode_mt_compile_after("ode.cpp" ode.h)
 # (ode_mt/api/geom_filters.cpp).
 ode_mt_compile_after("collision_kernel.cpp" collision_kernel.h)
 
-# Simple, hash and quad-tree spaces are ours: they find pairs incrementally, and report them in upstream's order
+# Spaces of all kinds are ours: they find pairs incrementally, and report them in upstream's order
 # (ode_mt/collision/dxOrderedSpace.h).
-ode_mt_compile_after("collision_space.cpp" collision_space.h)
-ode_mt_compile_after("collision_quadtreespace.cpp" collision_space.h)
+foreach(file collision_space collision_quadtreespace collision_sapspace)
+    ode_mt_compile_after("${file}.cpp" collision_space.h)
+endforeach()
 
 # The exact step's LCP solver: same bits, less work (docs/lcp.md).
 ode_mt_call_instead("step.cpp" dxSolveLCP dxSolveDantzig)

@@ -202,7 +202,7 @@ ODE_API dSpaceID dThreadGetSpaceID(int threadID, int index);
 /**
  * @defgroup ode_mt_clusters Clusters, as of the last dSpaceCollide: for a debug overlay
  *
- * A simple, hash or quad-tree space has clusters while an algorithm that clusters is in force (dODE_MT_SetAlgorithm).
+ * A space has clusters while an algorithm that clusters is in force (dODE_MT_SetAlgorithm).
  * The functions look and change nothing; not from another thread while the space collides. `world` is the
  * world whose bodies the geoms of the space have. A cluster has a name, a number from 1 on, that it keeps from
  * frame to frame; 0 stands for no cluster.

@@ -1,10 +1,11 @@
-// Simple, hash and quad-tree spaces, which are ours, and the entry to a frame's collisions (ode/collision_space.h).
+// Spaces of all kinds, which are ours, and the entry to a frame's collisions (ode/collision_space.h).
 #include <ode/collision_space.h>
 
 #include "frame/dxClusterManager.h"
 #include "collision/dxOrderedHashSpace.h"
 #include "collision/dxOrderedQuadTreeSpace.h"
 #include "collision/dxOrderedSimpleSpace.h"
+#include "collision/dxOrderedSweepSpace.h"
 #include "frame/dxSettings.h"
 #include "frame/dxSpaceCollision.h"
 
@@ -19,6 +20,8 @@ dSpaceID dHashSpaceCreate(dSpaceID space) { return new dxOrderedHashSpace(space)
 dSpaceID dQuadTreeSpaceCreate(dSpaceID space, const dVector3 center, const dVector3 extents, int depth) {
     return new dxOrderedQuadTreeSpace(space, center, extents, depth);
 }
+
+dSpaceID dSweepAndPruneSpaceCreate(dSpaceID space, int axisorder) { return new dxOrderedSweepSpace(space, axisorder); }
 
 void dHashSpaceSetLevels(dSpaceID space, int minlevel, int maxlevel) {
     dAASSERT(space);

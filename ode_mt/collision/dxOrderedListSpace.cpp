@@ -7,9 +7,6 @@ namespace {
 
 bool isDirty(const dxGeom *geom) { return (geom->gflags & GEOM_DIRTY) != 0; }
 
-// In a smaller space the list is walked as fast.
-constexpr int kLeastIndexed = 16;
-
 // As upstream's collide2.
 void collideFrom(dxGeom *member, void *data, dxGeom *geom, dNearCallback *callback) {
     for (; member != nullptr; member = member->next)
@@ -56,21 +53,9 @@ void dxOrderedListSpace::collide2(void *data, dxGeom *geom, dNearCallback *callb
     lock_count++;
     cleanGeoms();
     geom->recomputeAABB();
-    if (m_irregular || count < kLeastIndexed)
+    if (m_irregular || !isWorthAnIndex())
         collideFrom(first, data, geom, callback);
-    else
-        collideRegion(data, geom, callback);
+    else if (const dxGeom *const last = collideRegion(data, geom, callback))
+        collideFrom(last->next, data, geom, callback);
     lock_count--;
-}
-
-// The members of the space cannot move while it is locked, but the geom may, if it is not one of them: then
-// upstream goes on with its new box.
-void dxOrderedListSpace::collideRegion(void *data, dxGeom *geom, dNearCallback *callback) {
-    const dxBounds box(geom->aabb);
-    for (const Slot slot : findRegion(box)) {
-        dxGeom *const member = members()[slot].geom;
-        if (!dxGeomIsEnabled(member)) continue;
-        collideAABBs(member, geom, data, callback);
-        if (!isStill(geom, box)) return collideFrom(member->next, data, geom, callback);
-    }
 }

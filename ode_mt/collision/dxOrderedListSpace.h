@@ -21,7 +21,6 @@ protected:
 private:
     void gatherDirty();
     void rankBehindClean(dxGeom *geom, dxRank rank);
-    void collideRegion(void *data, dxGeom *geom, dNearCallback *callback);
 
     std::vector<dxGeom *> m_dirty;  // front first
     bool m_irregular = false;       // there are dirty geoms behind clean ones

@@ -7,6 +7,9 @@
 #include "collision/dxAdaptiveSearch.h"
 #include "collision/dxPairPrefetch.h"
 
+#include "util.h"
+#include "collision_space_internal.h"
+
 namespace {
 
 // Geoms that one worker takes at once: some ten microseconds.
@@ -28,15 +31,20 @@ bool hasBoxOfItsOwn(const dxGeom *geom) {
 
 }  // namespace
 
-// The slot is kept in a field that belongs to the space a geom is in; upstream's simple and hash spaces leave it unused.
+// The slot is kept in a field that belongs to the space a geom is in.
 dxOrderedSpace::Slot dxOrderedSpace::slotOf(const dxGeom *geom) {
     return static_cast<Slot>(reinterpret_cast<std::uintptr_t>(geom->tome_ex) - 1);
 }
 
 dxOrderedSpace *dxOrderedSpace::from(dxSpace *space) {
-    const bool isOrdered = space != nullptr && (space->type == dSimpleSpaceClass || space->type == dHashSpaceClass ||
-                                                space->type == dQuadTreeSpaceClass);
-    return isOrdered ? static_cast<dxOrderedSpace *>(space) : nullptr;
+    if (space == nullptr) return nullptr;
+    switch (space->type) {
+    case dSimpleSpaceClass:
+    case dHashSpaceClass:
+    case dSweepAndPruneSpaceClass:
+    case dQuadTreeSpaceClass: return static_cast<dxOrderedSpace *>(space);
+    default: return nullptr;
+    }
 }
 
 dxOrderedSpace *dxOrderedSpace::of(const dxGeom *geom) { return from(geom->parent_space); }
@@ -116,10 +124,10 @@ void dxOrderedSpace::clean(const std::vector<dxGeom *> &geoms, std::size_t index
     geom->gflags &= ~GEOM_DIRTY;
 }
 
-void dxOrderedSpace::rank(dxGeom *geom, dxRank rank) {
+void dxOrderedSpace::rank(dxGeom *geom, dxRank rank, const dxBounds &bounds) {
     const Slot slot = slotOf(geom);
     m_members.setRank(slot, rank);
-    m_members.setBounds(slot, dxBounds(geom->aabb), filterOf(geom));
+    m_members.setBounds(slot, bounds, filterOf(geom));
     m_members.markChanged(slot);
     if (m_index != nullptr) m_index->loosen(slot);
 }
@@ -146,11 +154,15 @@ void dxOrderedSpace::update(std::vector<dxOrderedPair> &pairs) {
 }
 
 void dxOrderedSpace::updateSorted(std::vector<dxOrderedPair> &pairs) {
+    m_matches.clear();
+    findAndPlace(m_matches, pairs);
+}
+
+void dxOrderedSpace::findAndPlace(std::vector<dxPairSearch::Match> &matches, std::vector<dxOrderedPair> &pairs) {
     if (m_search == nullptr && m_ownSearch == nullptr) m_ownSearch.reset(new dxAdaptiveSearch);
     if (m_kept == nullptr) m_kept.reset(new dxKeptPairs);
-    m_matches.clear();
-    (m_search != nullptr ? m_search : m_ownSearch)->search(m_members, runner(), m_matches);
-    m_kept->update(m_members, m_matches, *this, runner(), pairs);
+    (m_search != nullptr ? m_search : m_ownSearch)->search(m_members, runner(), matches);
+    m_kept->update(m_members, matches, *this, runner(), pairs);
 }
 
 bool dxOrderedSpace::place(Slot a, Slot b, dxPairKey &key, bool &swapped) const {
@@ -194,4 +206,16 @@ const std::vector<dxOrderedSpace::Slot> &dxOrderedSpace::findRegion(const dxBoun
 
 bool dxOrderedSpace::isStill(const dxGeom *geom, const dxBounds &box) {
     return (geom->gflags & GEOM_AABB_BAD) == 0 && std::memcmp(geom->aabb, box.v, sizeof box.v) == 0;
+}
+
+// The members of the space cannot move while it is locked.
+dxGeom *dxOrderedSpace::collideRegion(void *data, dxGeom *geom, dNearCallback *callback) {
+    const dxBounds box(geom->aabb);
+    for (const Slot slot : findRegion(box)) {
+        dxGeom *const member = m_members[slot].geom;
+        if (!dxGeomIsEnabled(member)) continue;
+        collideAABBs(member, geom, data, callback);
+        if (!isStill(geom, box)) return member;
+    }
+    return nullptr;
 }

@@ -12,9 +12,9 @@
 //    is locked, which it is while callbacks run. Whether geoms are enabled can, so that is tested when
 //    upstream tests it.
 //
-// How geoms are cleaned and ranked is up to the kind of space; so is the order of pairs, which is that of their ranks
-// unless a kind has another one. The list of geoms (dxSpace::first) is upstream's, with upstream's order, locks and
-// messages.
+// All kinds of spaces are of this class. How geoms are cleaned and ranked is up to the kind; so is the order of pairs,
+// which is that of their ranks unless a kind has another one. The list of geoms (dxSpace::first) is upstream's, with
+// upstream's order, locks and messages.
 // One thread at a time, as upstream. docs/collision-order.md.
 #pragma once
 
@@ -80,16 +80,19 @@ protected:
 
     // All pairs are looked for again, from nothing: at this update or at the next.
     void startAnew();
+    bool hasSearch() const { return m_search != nullptr; }
 
     const dxMembers &members() const { return m_members; }
     dxMembers &members() { return m_members; }
 
     // Cleaning: whether all members have been given their ranks by it; the boxes of geoms ahead of it, on workers if there
-    // are any; the box of one geom, and that it is clean; its rank, which may be that which it had.
+    // are any; the box of one geom, and that it is clean; its rank, which may be that which it had, and its bounds, which
+    // may be wider than its box.
     virtual bool ranksAreRight() const { return true; }
     void computeBoxes(const std::vector<dxGeom *> &geoms);
     static void clean(const std::vector<dxGeom *> &geoms, std::size_t index);
-    void rank(dxGeom *geom, dxRank rank);
+    void rank(dxGeom *geom, dxRank rank) { this->rank(geom, rank, dxBounds(geom->aabb)); }
+    void rank(dxGeom *geom, dxRank rank, const dxBounds &bounds);
 
     dxTaskRunner &runner() const { return m_runner != nullptr ? *m_runner : dxTaskRunner::alone(); }
     // To be told of each pair before its callback, or NULL.
@@ -99,6 +102,8 @@ protected:
     virtual void update(std::vector<dxOrderedPair> &pairs);
     // By searching and sorting.
     void updateSorted(std::vector<dxOrderedPair> &pairs);
+    // The same. `matches` holds what is to be placed as well.
+    void findAndPlace(std::vector<dxPairSearch::Match> &matches, std::vector<dxOrderedPair> &pairs);
 
     // Of two members the one further to the front is the first, and pairs come by it, then by the second.
     bool place(Slot a, Slot b, dxPairKey &key, bool &swapped) const override;
@@ -110,6 +115,11 @@ protected:
     const std::vector<Slot> &findRegion(const dxBounds &box);
     // A geom that is not in the space may move in a callback.
     static bool isStill(const dxGeom *geom, const dxBounds &box);
+    // A smaller space is walked as fast.
+    bool isWorthAnIndex() const { return count >= 16; }
+    // As upstream's collide2 where it walks a list, which is in the order of ranks. NULL, or the member in whose callback
+    // the geom moved: upstream goes on behind it with the new box.
+    dxGeom *collideRegion(void *data, dxGeom *geom, dNearCallback *callback);
 
     // To be called first: the space may still be locked by a call that a callback left by longjmp, or be in one.
     void beginCollide() {

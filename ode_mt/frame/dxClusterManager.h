@@ -11,7 +11,7 @@ class dxClusteredWorldAndSpace;
 class dxClusterManager {
 public:
     // Before a space collides: gives it clusters under the pass of that name, or takes them away, if it is
-    // NULL. A locked space keeps what it has; sweep-and-prune spaces never have clusters.
+    // NULL. A locked space keeps what it has.
     static void prepare(dSpaceID space, const char *passName);
 
     // NULL: the space has no clusters.

@@ -1,4 +1,4 @@
-// One call of dSpaceCollide for a simple, hash or quad-tree space: who does what.
+// One call of dSpaceCollide: who does what.
 //
 //   alone       everything on the calling thread
 //   shared      boxes, search for pairs and contacts on workers; callbacks one at a time on the calling thread

@@ -90,14 +90,14 @@ TEST_F(InhabitantKind, FollowsWhatHappensInNestedSpacesOfAnyType) {
     }
 }
 
-// Upstream's own spaces have no members to mark: the ordered space around them has.
-TEST_F(InhabitantKind, FollowsBodiesInASweepAndPruneSpaceWithinAnOrderedOne) {
+TEST_F(InhabitantKind, FollowsBodiesInASweepAndPruneSpaceWithin) {
     const dSpaceID sap = dSweepAndPruneSpaceCreate(world.space(), dSAP_AXES_XYZ);
     const dGeomID geom = dCreateSphere(sap, 1);
     world.collide();
     EXPECT_EQ(seenKindOf(reinterpret_cast<dGeomID>(sap)), Kind::staticGeom);
     with(geom);
     world.collide();
+    EXPECT_EQ(seenKindOf(reinterpret_cast<dGeomID>(sap)), Kind::dynamicGeom);
     dGeomSetBody(geom, nullptr);
     world.collide();
     EXPECT_EQ(seenKindOf(reinterpret_cast<dGeomID>(sap)), Kind::staticGeom);

@@ -71,7 +71,13 @@ INSTANTIATE_TEST_SUITE_P(Spaces, PairOrder,
                                          Kind{"quadtreeSome", "quadtree", 80, 60, 30, false},
                                          Kind{"quadtreeMany", "quadtree", 300, 40, 24, false},
                                          Kind{"quadtreeBreathing", "quadtree", 300, 40, 12, true},
-                                         Kind{"quadtreeCrowd", "quadtree", 1500, 10, 6, false}),
+                                         Kind{"quadtreeCrowd", "quadtree", 1500, 10, 6, false},
+                                         Kind{"sweepFew", "sweep", 12, 60, 80, false},
+                                         Kind{"sweepSome", "sweep", 60, 60, 30, false},
+                                         Kind{"sweepMany", "sweep", 300, 40, 16, false},
+                                         // back and forth between the two ways of finding pairs
+                                         Kind{"sweepBreathing", "sweep", 700, 20, 6, true},
+                                         Kind{"sweepCrowd", "sweep", 1200, 15, 8, false}),
                          [](const auto &info) { return info.param.name; });
 
 // Boxes, search and sorting are shared out.
@@ -85,7 +91,10 @@ INSTANTIATE_TEST_SUITE_P(Shared, PairOrder,
                                          Kind{"quadtreeFew", "quadtree", 12, 60, 12, false, "lcp", 3},
                                          Kind{"quadtreeMany", "quadtree", 300, 40, 6, false, "lcp", 3},
                                          Kind{"quadtreeBreathing", "quadtree", 300, 40, 4, true, "lcp", 2},
-                                         Kind{"quadtreeCrowd", "quadtree", 1500, 10, 4, false, "lcp", 3}),
+                                         Kind{"quadtreeCrowd", "quadtree", 1500, 10, 4, false, "lcp", 3},
+                                         Kind{"sweepFew", "sweep", 12, 60, 12, false, "lcp", 3},
+                                         Kind{"sweepBreathing", "sweep", 700, 20, 4, true, "lcp", 3},
+                                         Kind{"sweepCrowd", "sweep", 1500, 10, 6, false, "lcp", 3}),
                          [](const auto &info) { return info.param.name; });
 
 // Clusters find the pairs; their order is the same.
@@ -99,7 +108,9 @@ std::vector<Kind> clustered() {
                                  Kind{"hashMany", "hash", 300, 40, 2, false}, Kind{"hashBreathing", "hash", 100, 40, 2, true},
                                  Kind{"quadtreeFew", "quadtree", 12, 60, 6, false},
                                  Kind{"quadtreeMany", "quadtree", 300, 40, 2, false},
-                                 Kind{"quadtreeBreathing", "quadtree", 100, 40, 2, true}}) {
+                                 Kind{"quadtreeBreathing", "quadtree", 100, 40, 2, true},
+                                 Kind{"sweepFew", "sweep", 12, 60, 12, false},
+                                 Kind{"sweepMany", "sweep", 300, 40, 4, false}}) {
             all.push_back(kind);
             all.back().name = prefix + kind.name;
             all.back().algorithm = algorithm;

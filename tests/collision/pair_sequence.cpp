@@ -10,6 +10,7 @@ namespace {
 
 collision::Kind kindNamed(const char *name) {
     if (std::strcmp(name, "quadtree") == 0) return collision::Kind::QuadTree;
+    if (std::strcmp(name, "sweep") == 0) return collision::Kind::Sweep;
     return std::strcmp(name, "hash") == 0 ? collision::Kind::Hash : collision::Kind::Simple;
 }
 

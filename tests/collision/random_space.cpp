@@ -1,5 +1,6 @@
 #include "random_space.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace collision {
@@ -13,7 +14,8 @@ RandomSpace *asked = nullptr;  // the space that collides
 }  // namespace
 
 RandomSpace::RandomSpace(const Recipe &recipe)
-    : m_random(recipe.seed), m_kind(recipe.kind), m_breath(recipe.breathes ? recipe.geoms / 5 : 0) {
+    : m_random(recipe.seed), m_kind(recipe.kind), m_isCrowd(recipe.geoms > 300),
+      m_breath(recipe.breathes ? recipe.geoms / 5 : 0) {
     if (m_kind != Kind::Hash) {
         dGeomClass oddities{};
         oddities.bytes = 6 * sizeof(dReal);
@@ -21,6 +23,7 @@ RandomSpace::RandomSpace(const Recipe &recipe)
         oddities.aabb = oddBox;
         oddities.aabb_test = oddTest;
         m_oddClass = dCreateGeomClass(&oddities);
+        m_oddities = 0.05;
     }
     m_world = dWorldCreate();
     m_smallest = uniform(-3, 1);
@@ -31,9 +34,19 @@ RandomSpace::RandomSpace(const Recipe &recipe)
     if (chance(0.5))
         for (int axis = 0; axis < 3; ++axis) m_centre[axis] = uniform(-1, 1) * m_extent * (chance(0.5) ? 2 : 400);
     if (chance(0.3)) m_centre[0] = m_centre[1] = m_extent;
+    if (m_kind == Kind::Sweep) chooseBounds();
     m_space = makeSpace(m_kind);
     for (int i = 0; i < recipe.geoms; ++i) m_geoms.push_back(make());
     addProbes();
+}
+
+// Bounds that a sort and single precision make something of.
+void RandomSpace::chooseBounds() {
+    m_oddities = !chance(0.3) ? 0 : m_isCrowd ? 0.02 : 0.2;
+    m_hasGrid = chance(0.4);
+    if (m_hasGrid) dSetZero(m_centre, 4);
+    // Single precision rounds neighbours together.
+    if (chance(0.2)) m_centre[0] = m_centre[1] = m_centre[2] = m_extent * dReal(3e6) * (chance(0.5) ? 1 : -1);
 }
 
 RandomSpace::~RandomSpace() {
@@ -46,6 +59,7 @@ RandomSpace::~RandomSpace() {
 dSpaceID RandomSpace::makeSpace(Kind kind) {
     if (kind == Kind::Simple) return dSimpleSpaceCreate(nullptr);
     if (kind == Kind::QuadTree) return makeQuadTree();
+    if (kind == Kind::Sweep) return makeSweep();
     const dSpaceID space = dHashSpaceCreate(nullptr);
     if (chance(0.5)) {
         const int lowest = below(12) - 8;
@@ -64,6 +78,12 @@ dSpaceID RandomSpace::makeQuadTree() {
     return dQuadTreeSpaceCreate(nullptr, centre, extents, below(7));
 }
 
+// Along axes in any order, or such as are not all three: then more is met.
+dSpaceID RandomSpace::makeSweep() {
+    constexpr int orders[] = {dSAP_AXES_XYZ, dSAP_AXES_XZY, dSAP_AXES_YXZ, dSAP_AXES_YZX, dSAP_AXES_ZXY, dSAP_AXES_ZYX};
+    return dSweepAndPruneSpaceCreate(nullptr, m_isCrowd || chance(0.8) ? orders[below(6)] : below(64));
+}
+
 void RandomSpace::addProbes() {
     m_others = dSimpleSpaceCreate(nullptr);
     for (int i = 0; i < 16; ++i) {
@@ -74,6 +94,11 @@ void RandomSpace::addProbes() {
     for (int i = 0; i < 8; ++i) {
         m_probes.push_back(makeShape());
         number(m_probes.back());
+    }
+    for (const dGeomID wide : {dCreateRay(nullptr, m_extent), dCreateBox(nullptr, m_extent, size(), size())}) {
+        m_probes.push_back(wide);
+        number(wide);
+        place(wide);
     }
 }
 
@@ -89,15 +114,9 @@ dGeomID RandomSpace::make() {
 }
 
 dGeomID RandomSpace::makeShape() {
-    if (m_oddClass != 0 && chance(0.05)) return makeOddity();
+    if (chance(m_oddities)) return makeOddity();
     if (chance(0.03)) return dCreatePlane(nullptr, below(2), below(2), 1, uniform(-1, 1) * m_extent);
-    dGeomID geom;
-    switch (below(4)) {
-    case 0: geom = dCreateSphere(nullptr, size()); break;
-    case 1: geom = dCreateBox(nullptr, size(), size(), size()); break;
-    case 2: geom = dCreateCapsule(nullptr, size(), size()); break;
-    default: geom = dCreateRay(nullptr, size() * 5); break;
-    }
+    const dGeomID geom = makeSolid();
     if (chance(0.7)) {
         dBodyID body = !m_geoms.empty() && chance(0.1) ? dGeomGetBody(m_geoms.back()) : nullptr;
         dGeomSetBody(geom, body != nullptr ? body : dBodyCreate(m_world));
@@ -108,12 +127,31 @@ dGeomID RandomSpace::makeShape() {
     return geom;
 }
 
-// Boxes that are infinite, not a number, inside out, or a point.
+dGeomID RandomSpace::makeSolid() {
+    if (m_hasGrid) return dCreateBox(nullptr, m_extent / 4, m_extent / 4, m_extent / 4);
+    switch (below(4)) {
+    case 0: return dCreateSphere(nullptr, size());
+    case 1: return dCreateBox(nullptr, size(), size(), size());
+    case 2: return dCreateCapsule(nullptr, size(), size());
+    default: return dCreateRay(nullptr, size() * 5);
+    }
+}
+
 dGeomID RandomSpace::makeOddity() {
     const dGeomID geom = dCreateGeom(m_oddClass);
     dReal *const box = static_cast<dReal *>(dGeomGetClassData(geom));
+    if (m_kind == Kind::Sweep && chance(0.5))
+        for (int bound = 0; bound < 6; ++bound) box[bound] = oddBound();
+    else
+        makeOddBounds(box);
+    if (chance(0.5)) dGeomSetBody(geom, dBodyCreate(m_world));
+    return geom;
+}
+
+// Of a box that is infinite, not a number, inside out, or a point.
+void RandomSpace::makeOddBounds(dReal *box) {
     for (int axis = 0; axis < 3; ++axis) {
-        const dReal middle = m_centre[axis] + uniform(-m_extent, m_extent), half = size();
+        const dReal middle = m_centre[axis] + onGrid(uniform(-m_extent, m_extent)), half = size();
         dReal &low = box[2 * axis], &high = box[2 * axis + 1];
         low = middle - half;
         high = middle + half;
@@ -123,14 +161,33 @@ dGeomID RandomSpace::makeOddity() {
         if (chance(0.03)) high = dInfinity;
         if (chance(0.03)) (chance(0.5) ? low : high) = std::nan("");
     }
-    if (chance(0.5)) dGeomSetBody(geom, dBodyCreate(m_world));
-    return geom;
 }
 
-// Moves with the geom, as far as it moves along x.
+// Any number, and such as single precision rounds to infinity or zero.
+dReal RandomSpace::oddBound() {
+    switch (below(40)) {
+    case 0: return dInfinity;
+    case 1: return -dInfinity;
+    case 2: return m_hasGrid ? 0 : std::nan("");
+    case 3: return -0.0;
+    case 4: return dReal(1e30) * (chance(0.5) ? 1e9 : -1e9);
+    case 5: return dReal(1e-40);
+    default: return onGrid(uniform(-m_extent, m_extent));
+    }
+}
+
+dReal RandomSpace::onGrid(dReal coordinate) {
+    return m_hasGrid ? std::trunc(coordinate / m_extent * 8) * m_extent / 8 : coordinate;  // -0 too
+}
+
+// Moves with the geom, as far as it moves along x. A zero keeps its sign until then.
 void RandomSpace::oddBox(dGeomID geom, dReal aabb[6]) {
     const dReal *const box = static_cast<const dReal *>(dGeomGetClassData(geom));
-    for (int bound = 0; bound < 6; ++bound) aabb[bound] = box[bound] + (bound < 2 ? dGeomGetPosition(geom)[0] : 0);
+    std::copy(box, box + 6, aabb);
+    const dReal moved = dGeomGetPosition(geom)[0];
+    if (moved == 0) return;
+    aabb[0] += moved;
+    aabb[1] += moved;
 }
 
 // Which geom is asked first shows in what is met.
@@ -140,8 +197,8 @@ int RandomSpace::oddTest(dGeomID geom, dGeomID other, dReal[6]) {
 }
 
 dSpaceID RandomSpace::makeSubspace() {
-    const Kind kinds[] = {Kind::Simple, Kind::Hash, Kind::QuadTree};
-    dSpaceID space = makeSpace(kinds[below(3)]);
+    const Kind kinds[] = {Kind::Simple, Kind::Hash, Kind::QuadTree, Kind::Sweep};
+    dSpaceID space = makeSpace(kinds[below(4)]);
     for (int i = below(4); i >= 0; --i) {
         dGeomID sphere = dCreateSphere(space, size());
         number(sphere);
@@ -153,7 +210,7 @@ dSpaceID RandomSpace::makeSubspace() {
 void RandomSpace::place(dGeomID geom) {
     if (dGeomIsSpace(geom) || dGeomGetClass(geom) == dPlaneClass) return;
     dVector3 position;
-    for (int axis = 0; axis < 3; ++axis) position[axis] = m_centre[axis] + uniform(-m_extent, m_extent);
+    for (int axis = 0; axis < 3; ++axis) position[axis] = m_centre[axis] + onGrid(uniform(-m_extent, m_extent));
     dGeomSetPosition(geom, position[0], position[1], position[2]);
 }
 
@@ -179,7 +236,7 @@ void RandomSpace::changeSomething(int frame) {
 }
 
 void RandomSpace::change(dGeomID &geom) {
-    switch (below(m_kind == Kind::QuadTree ? 12 : 10)) {
+    switch (below(hasList() ? 10 : 12)) {
     case 0: place(geom); break;
     case 10: dSpaceClean(m_space); break;
     case 11: {
@@ -214,11 +271,11 @@ void RandomSpace::change(dGeomID &geom) {
 // In a space with a list only a geom that has just moved: upstream fails an assertion where one that is clean is added
 // before others have been cleaned.
 void RandomSpace::reenter(dGeomID geom) {
-    if (m_kind != Kind::QuadTree || chance(0.5)) place(geom);
-    if (m_kind != Kind::QuadTree && (dGeomIsSpace(geom) || dGeomGetClass(geom) == dPlaneClass)) return;
+    if (hasList() || chance(0.5)) place(geom);
+    if (hasList() && (dGeomIsSpace(geom) || dGeomGetClass(geom) == dPlaneClass)) return;
     dSpaceRemove(m_space, geom);
     dSpaceAdd(m_space, geom);
-    if (m_kind == Kind::QuadTree && chance(0.3)) place(geom);
+    if (!hasList() && chance(0.3)) place(geom);
 }
 
 std::vector<std::pair<int, int>> RandomSpace::collide() {

@@ -12,7 +12,7 @@
 
 namespace collision {
 
-enum class Kind { Simple, Hash, QuadTree };
+enum class Kind { Simple, Hash, QuadTree, Sweep };
 
 struct Recipe {
     unsigned seed;
@@ -47,15 +47,22 @@ private:
     dReal size() { return std::pow(dReal(10), uniform(m_smallest, m_largest)); }
     dSpaceID makeSpace(Kind kind);
     dSpaceID makeQuadTree();
+    dSpaceID makeSweep();
+    void chooseBounds();
     void addProbes();
     void probeWith(dGeomID geom);
     void breathe(int frame);
     dGeomID make();
     dGeomID makeShape();
+    dGeomID makeSolid();
     dGeomID makeOddity();
+    void makeOddBounds(dReal *box);
+    dReal oddBound();
+    dReal onGrid(dReal coordinate);
     dSpaceID makeSubspace();
     void place(dGeomID geom);
     void change(dGeomID &geom);
+    bool hasList() const { return m_kind == Kind::Simple || m_kind == Kind::Hash; }
     void number(dGeomID geom);
     void reenter(dGeomID geom);
     static void met(void *self, dGeomID a, dGeomID b);
@@ -64,7 +71,10 @@ private:
 
     std::mt19937 m_random;
     const Kind m_kind;
-    int m_oddClass = 0;  // of geoms that have any box
+    const bool m_isCrowd;     // what meets most others is rare
+    bool m_hasGrid = false;   // many equal bounds, zeros of both signs among them
+    int m_oddClass = 0;       // of geoms that have any box
+    double m_oddities = 0;    // how many of the geoms are such
     dWorldID m_world;
     dSpaceID m_space;
     int m_breath;  // geoms that come or go at a frame, 0 if none

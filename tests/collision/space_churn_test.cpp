@@ -26,6 +26,9 @@ dSpaceID createQuadTree(dSpaceID parent) {
     const dVector3 centre = {1000, 0, 0}, extents = {1000, 10, 10};
     return dQuadTreeSpaceCreate(parent, centre, extents, 6);
 }
+
+dSpaceID createSweep(dSpaceID parent) { return dSweepAndPruneSpaceCreate(parent, dSAP_AXES_XZY); }
+
 void PrintTo(const Way &way, std::ostream *out) { *out << way.name; }
 
 class SpaceChurn : public testing::TestWithParam<Way> {
@@ -92,6 +95,9 @@ INSTANTIATE_TEST_SUITE_P(Ways, SpaceChurn,
                          testing::Values(Way{"dense", "auto", dSimpleSpaceCreate, 100, true},
                                          Way{"neighbours", "auto", dSimpleSpaceCreate, 600, true},
                                          Way{"hash", "auto", dHashSpaceCreate, 100, true},
+                                         Way{"sweep", "auto", createSweep, 100, true},
+                                         Way{"sweepCrowd", "auto", createSweep, 1200, true},
+                                         Way{"sweepUncollided", "auto", createSweep, 100, false},
                                          Way{"original", "original", dHashSpaceCreate, 100, true},
                                          Way{"staticMerged", "static", dHashSpaceCreate, 100, true},
                                          Way{"staticUnmerged", "static-unmerged", dHashSpaceCreate, 100, true},

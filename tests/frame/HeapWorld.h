@@ -6,6 +6,9 @@
 
 #include <vector>
 
+// As dSimpleSpaceCreate.
+inline dSpaceID createSweepSpace(dSpaceID parent) { return dSweepAndPruneSpaceCreate(parent, dSAP_AXES_XYZ); }
+
 class HeapWorld {
 public:
     static constexpr int kSide = 18;       // bodies along a side of a layer

@@ -99,9 +99,10 @@ dSpaceID createQuadTree(dSpaceID parent) {
     return dQuadTreeSpaceCreate(parent, centre, extents, 3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Spaces, ContactsAhead, testing::Values(dSimpleSpaceCreate, dHashSpaceCreate, createQuadTree),
-                         [](const auto &info) {
-                             return info.index == 0 ? "simple" : info.index == 1 ? "hash" : "quadtree";
-                         });
+constexpr const char *kSpaceNames[] = {"simple", "hash", "quadtree", "sweep"};
+
+INSTANTIATE_TEST_SUITE_P(Spaces, ContactsAhead,
+                         testing::Values(dSimpleSpaceCreate, dHashSpaceCreate, createQuadTree, createSweepSpace),
+                         [](const auto &info) { return kSpaceNames[info.index]; });
 
 }  // namespace

@@ -156,7 +156,7 @@ dSpaceID createQuadTree(dSpaceID parent) {
 
 // Whole frames: pairs, contacts, contact joints, step.
 TEST_P(SteadyState, FramesOfAHeapAllocateNothing) {
-    for (const auto create : {dSimpleSpaceCreate, dHashSpaceCreate, createQuadTree}) {
+    for (const auto create : {dSimpleSpaceCreate, dHashSpaceCreate, createQuadTree, createSweepSpace}) {
         HeapWorld world(create(nullptr));
         const auto frame = [&] {
             world.collide();

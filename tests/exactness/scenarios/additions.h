@@ -43,6 +43,7 @@ void addSleepingCrowds(Catalogue &catalogue);
 void addSliderJoints(Catalogue &catalogue);
 void addSpaceChurn(Catalogue &catalogue);
 void addSpaceKinds(Catalogue &catalogue);
+void addSweepSpaces(Catalogue &catalogue);
 void addTerrain(Catalogue &catalogue);
 void addTerrainCrowds(Catalogue &catalogue);
 void addTransmissionJoints(Catalogue &catalogue);

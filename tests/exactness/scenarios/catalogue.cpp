@@ -55,6 +55,7 @@ const Catalogue &catalogue() {
         addSliderJoints(all);
         addSpaceChurn(all);
         addSpaceKinds(all);
+        addSweepSpaces(all);
         addTerrain(all);
         addTerrainCrowds(all);
         addTransmissionJoints(all);

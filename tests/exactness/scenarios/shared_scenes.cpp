@@ -17,8 +17,7 @@ void addSharedScenes(Catalogue &catalogue) {
     const auto add = [&](const std::string &name, const std::string &sizeAndModifiers, const char *meaning,
                          int steps) {
         Scenario scenario{"shared_scenes/" + name, meaning, steps, scene(name + sizeAndModifiers)};
-        const bool inAnotherSpace = sizeAndModifiers.find("sap") != std::string::npos;
-        scenario.callbacks = inAnotherSpace ? Scenario::Callbacks::reentrant : Scenario::Callbacks::shared;
+        scenario.callbacks = Scenario::Callbacks::shared;
         catalogue.push_back(scenario);
     };
     add("soccer", ":3", "three fields with robots", 60);

@@ -113,7 +113,7 @@ void addSleepingCrowds(Catalogue &catalogue) {
     add("sleeping_crowds/rollers_in_simple", "balls wake sleeping piles, simple space",
         make<Rollers>(SpaceKind::Simple), oneAtATime);
     add("sleeping_crowds/rollers_in_sweep_and_prune", "balls wake sleeping piles, sweep-and-prune space",
-        make<Rollers>(SpaceKind::SweepAndPrune), oneAtATime);
+        make<Rollers>(SpaceKind::SweepAndPrune), shared);
     add("sleeping_crowds/rollers_in_quad_tree", "balls wake sleeping piles, quad-tree space",
         make<Rollers>(SpaceKind::QuadTree), shared);
     add("sleeping_crowds/plates", "kinematic plates, callbacks and the user disturb sleeping piles",

@@ -131,7 +131,7 @@ void addSpaceChurn(Catalogue &catalogue) {
     add("space_churn/hash", "1200 geoms in a hash space: all move, none, a handful, by turns", 26,
         make<Alternating>(SpaceKind::Hash, 1200), shared);
     add("space_churn/sweep_and_prune", "500 geoms in a sweep-and-prune space, by turns", 26,
-        make<Alternating>(SpaceKind::SweepAndPrune, 500));
+        make<Alternating>(SpaceKind::SweepAndPrune, 500), shared);
     add("space_churn/quad_tree", "500 geoms in a quad-tree space, by turns", 26,
         make<Alternating>(SpaceKind::QuadTree, 500));
     add("space_churn/big_quad_tree", "1200 geoms in a quad-tree space, by turns", 26,
@@ -143,6 +143,8 @@ void addSpaceChurn(Catalogue &catalogue) {
         make<InAndOut>(SpaceKind::Simple));
     add("space_churn/in_and_out_of_quad_tree", "geoms leave a quad-tree space, come back, die", 30,
         make<InAndOut>(SpaceKind::QuadTree), shared);
+    add("space_churn/in_and_out_of_sweep_and_prune", "geoms leave a sweep-and-prune space, come back, die", 30,
+        make<InAndOut>(SpaceKind::SweepAndPrune), shared);
     add("space_churn/teleports", "geoms jump, turn and change their size, between quiet frames", 24,
         make<Teleports>(SpaceKind::Hash));
     add("space_churn/teleports_in_simple", "geoms jump, turn and change their size in a simple space", 24,

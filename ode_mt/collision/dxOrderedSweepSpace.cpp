@@ -1,0 +1,284 @@
+#include "collision/dxOrderedSweepSpace.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision/dxPairPrefetch.h"
+#include "collision/dxSweepWalk.h"
+#include "util.h"
+#include "collision_space_internal.h"
+
+namespace {
+
+// Up to this many geoms sweeping all along the axis is faster than looking for neighbours and sorting, if most of them
+// move: in a pile up to 2000, but then slower if one does. A space on the border does not go back and forth.
+constexpr int kLargestDense = 1024, kDenseAgain = 768;
+
+// Items between asking the memory for one and looking at it.
+constexpr std::size_t kAhead = 8;
+
+// Of the first of the clean members. Ranks fall from there on.
+constexpr dxRank kFirstRank = dxRank{1} << 40;
+
+dxRank rankAt(std::size_t place) { return kFirstRank - place; }
+
+}  // namespace
+
+dxOrderedSweepSpace::dxOrderedSweepSpace(dSpaceID parent, int axes)
+    : dxOrderedSpace(parent, dSweepAndPruneSpaceClass), m_axes(axes) {
+    dInfiniteAABB(this, aabb);
+}
+
+dxOrderedSweepSpace::~dxOrderedSweepSpace() {
+    dxSweepWalk::requireUnlocked(*this);
+    while (count != 0) {
+        dxGeom *const geom = getGeom(0);
+        if (cleanup)
+            dGeomDestroy(geom);
+        else
+            remove(geom);
+    }
+}
+
+dxGeom *dxOrderedSweepSpace::getGeom(int i) {
+    dUASSERT(i >= 0 && i < count, "index out of range");
+    const auto at = static_cast<std::size_t>(i), dirtyOnes = m_lists.dirty().size();
+    return at < dirtyOnes ? m_lists.dirty()[at].geom : m_lists.clean()[at - dirtyOnes].geom;
+}
+
+void dxOrderedSweepSpace::add(dxGeom *geom) {
+    CHECK_NOT_LOCKED(this);
+    dAASSERT(geom);
+    dUASSERT(geom->tome_ex == nullptr && geom->next_ex == nullptr, "geom is already in a space");
+    dxOrderedSpace::add(geom);
+    const Slot slot = slotOf(geom);
+    m_lists.add(slot, geom);
+    if (slot >= m_states.size()) {
+        m_states.resize(slot + 1);
+        m_isEnabled.resize(slot + 1);
+    }
+    m_states[slot].part = Part::absent;
+    m_isEnabled[slot] = 0;
+}
+
+void dxOrderedSweepSpace::remove(dxGeom *geom) {
+    CHECK_NOT_LOCKED(this);
+    dAASSERT(geom);
+    dUASSERT(geom->parent_space == this, "object is not in this space");
+    const Slot slot = slotOf(geom);
+    const bool wasDirty = m_lists.isDirty(slot);
+    const std::size_t place = m_lists.placeOf(slot);
+    m_lists.remove(slot);
+    if (!wasDirty && place < m_lists.clean().size()) members().setRank(m_lists.clean()[place].slot, rankAt(place));
+    m_states[slot].part = Part::absent;
+    dxOrderedSpace::remove(geom);
+}
+
+void dxOrderedSweepSpace::dirty(dxGeom *geom) {
+    const Slot slot = slotOf(geom);
+    if (m_lists.isDirty(slot)) return;
+    const std::size_t place = m_lists.placeOf(slot);
+    m_lists.makeDirty(slot);
+    if (place < m_lists.clean().size()) members().setRank(m_lists.clean()[place].slot, rankAt(place));
+}
+
+void dxOrderedSweepSpace::cleanGeoms() {
+    if (m_lists.dirty().empty()) return;
+    lock_count++;
+    m_toClean.clear();
+    for (const dxSweepLists::Entry &entry : m_lists.dirty()) m_toClean.push_back(entry.geom);
+    computeBoxes(m_toClean);
+    const std::size_t cleanOnes = m_lists.clean().size();
+    for (std::size_t i = 0; i < m_toClean.size(); ++i) {
+        clean(m_toClean, i);
+        dxGeom *const geom = m_toClean[i];
+        const dxSweepBox box = m_axes.boxOf(geom);
+        m_states[slotOf(geom)].box = box;
+        rank(geom, rankAt(cleanOnes + i), boundsOf(geom, box));
+    }
+    m_lists.cleanAll();
+    lock_count--;
+}
+
+// As wide as rounding makes the box, and not inside out, so that whatever upstream pairs overlaps.
+dxBounds dxOrderedSweepSpace::boundsOf(const dxGeom *geom, const dxSweepBox &box) const {
+    dxBounds bounds(geom->aabb);
+    if (!m_axes.areAll()) return bounds;
+    dReal &low = bounds.v[2 * m_axes.first()], &high = bounds.v[2 * m_axes.first() + 1];
+    if (box.low < low) low = box.low;
+    if (box.high > high) high = box.high;
+    if (box.low > high) high = box.low;
+    return bounds;
+}
+
+void dxOrderedSweepSpace::collide(void *data, dNearCallback *callback) {
+    dAASSERT(callback);
+    beginCollide();
+    if (makeReady())
+        collidePairs(data, callback);
+    else
+        collideList(data, callback);
+    lock_count--;
+}
+
+// Not of use: NaN among the keys, along which upstream's sweep loses its way; a box that is not up to date, at
+// which it fails an assertion; and a change that a callback made and the call it makes now would see, while the
+// call around it has not done with pairs().
+bool dxOrderedSweepSpace::makeReady() {
+    cleanGeoms();
+    noteEnabled();
+    if (m_hasUncleanBox) return false;
+    if (members().changed().empty()) return true;
+    if (lock_count > 1) return false;
+    takeParts();
+    return !m_hasNaN && dxOrderedSpace::makeReady();
+}
+
+void dxOrderedSweepSpace::noteEnabled() {
+    m_hasUncleanBox = false;
+    const std::vector<dxSweepLists::Entry> &list = m_lists.clean();
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        if (i + kAhead < list.size()) __builtin_prefetch(&list[i + kAhead].geom->gflags);
+        const dxSweepLists::Entry &entry = list[i];
+        const bool isEnabled = dxGeomIsEnabled(entry.geom);
+        m_hasUncleanBox = m_hasUncleanBox || (isEnabled && (entry.geom->gflags & GEOM_AABB_BAD) != 0);
+        if (m_isEnabled[entry.slot] == isEnabled) continue;
+        m_isEnabled[entry.slot] = isEnabled;
+        members().markChanged(entry.slot);
+    }
+}
+
+void dxOrderedSweepSpace::takeParts() {
+    m_swept.clear();
+    m_infinite.clear();
+    m_keys.clear();
+    m_hasNaN = false;
+    const std::vector<dxSweepLists::Entry> &list = m_lists.clean();
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        if (i + kAhead < list.size()) __builtin_prefetch(&m_states[list[i + kAhead].slot]);
+        const Slot slot = list[i].slot;
+        State &state = m_states[slot];
+        if (!m_axes.areAll()) state.box = m_axes.boxOf(list[i].geom);  // a geom's bits may be bounds
+        state.part = !m_isEnabled[slot] ? Part::absent : state.box.isInfinite ? Part::infinite : Part::swept;
+        if (state.part == Part::infinite) m_infinite.push_back(slot);
+        if (state.part != Part::swept) continue;
+        m_swept.push_back(slot);
+        m_keys.push_back(state.box.low);
+        m_hasNaN = m_hasNaN || std::isnan(state.box.low);
+        // It meets what begins with it if it comes later, not if it comes earlier: which of the two may change with others.
+        if (!(state.box.low <= state.box.high)) members().markChanged(slot);
+    }
+}
+
+void dxOrderedSweepSpace::update(std::vector<dxOrderedPair> &pairs) {
+    sortSwept();
+    chooseSearch();
+    if (m_isDense)
+        sweepAll(pairs);
+    else
+        placeAll(pairs);
+    m_sweptPairs = pairs.size();
+    pairInfinite(pairs);
+}
+
+// At the same calls as upstream's, for the sake of the sort's state.
+void dxOrderedSweepSpace::sortSwept() {
+    m_inOrder.clear();
+    if (m_swept.empty()) return;
+    for (const std::uint32_t index : m_sort.sort(m_keys)) {
+        m_states[m_swept[index]].position = static_cast<std::uint32_t>(m_inOrder.size());
+        m_inOrder.push_back(m_swept[index]);
+    }
+}
+
+void dxOrderedSweepSpace::chooseSearch() {
+    const bool isSmall = count <= (m_isDense ? kLargestDense : kDenseAgain);
+    const bool isDense = !m_axes.areAll() || (!hasSearch() && isSmall);
+    if (isDense == m_isDense) return;
+    m_isDense = isDense;
+    startAnew();
+}
+
+void dxOrderedSweepSpace::sweepAll(std::vector<dxOrderedPair> &pairs) {
+    m_rows.resize(m_inOrder.size());
+    for (std::size_t row = 0; row < m_inOrder.size(); ++row) m_rows.set(row, m_states[m_inOrder[row]].box);
+    m_found.clear();
+    dxSweepAxis(m_rows, m_found);
+    pairs.clear();
+    for (const dxSlotPair &rows : m_found) pairIfMayMeet(m_inOrder[rows.a], m_inOrder[rows.b], pairs);
+}
+
+// Where a pair stands follows from all that is sorted: the ones that are kept get new places.
+void dxOrderedSweepSpace::placeAll(std::vector<dxOrderedPair> &pairs) {
+    m_again.clear();
+    for (std::size_t i = 0; i < std::min(m_sweptPairs, pairs.size()); ++i) {
+        const Slot a = pairs[i].slots[0], b = pairs[i].slots[1];
+        if (!members().isChanged(a) && !members().isChanged(b)) m_again.push_back({a, b});
+    }
+    pairs.clear();
+    findAndPlace(m_again, pairs);
+}
+
+bool dxOrderedSweepSpace::place(Slot a, Slot b, dxPairKey &key, bool &swapped) const {
+    const State &stateA = m_states[a], &stateB = m_states[b];
+    if (stateA.part != Part::swept || stateB.part != Part::swept) return false;
+    swapped = stateB.position < stateA.position;
+    const State &earlier = swapped ? stateB : stateA, &later = swapped ? stateA : stateB;
+    key.words = {earlier.position, later.position, 0, 0};
+    return earlier.box.meets(later.box);
+}
+
+void dxOrderedSweepSpace::expect(Slot a, Slot b) const {
+    for (const Slot slot : {a, b}) {
+        members().expect(slot);
+        __builtin_prefetch(&m_states[slot]);
+    }
+}
+
+void dxOrderedSweepSpace::pairInfinite(std::vector<dxOrderedPair> &pairs) const {
+    for (std::size_t i = 0; i < m_infinite.size(); ++i) {
+        for (std::size_t j = i + 1; j < m_infinite.size(); ++j) pairIfMayMeet(m_infinite[i], m_infinite[j], pairs);
+        for (const Slot slot : m_swept) pairIfMayMeet(m_infinite[i], slot, pairs);
+    }
+}
+
+void dxOrderedSweepSpace::pairIfMayMeet(Slot a, Slot b, std::vector<dxOrderedPair> &pairs) const {
+    const dxMembers::Member &memberA = members()[a], &memberB = members()[b];
+    if (dxMayMeet(memberA.filter, memberB.filter)) pairs.push_back({memberA.geom, memberB.geom, {a, b}});
+}
+
+void dxOrderedSweepSpace::collidePairs(void *data, dNearCallback *callback) {
+    dxContactsAhead *const ahead = this->ahead();
+    for (std::size_t i = 0; i < pairs().size(); ++i) {
+        if (ahead != nullptr) ahead->beforePair(pairs(), i);
+        dxPairPrefetch::ahead(pairs(), i);
+        dxSweepWalk::requireCleanBoxes(pairs()[i].first, pairs()[i].second);
+        dxDeliver(pairs()[i], data, callback);
+    }
+}
+
+void dxOrderedSweepSpace::collideList(void *data, dNearCallback *callback) {
+    dxSweepWalk walk(m_axes);
+    for (const dxSweepLists::Entry &entry : m_lists.clean())
+        if (dxGeomIsEnabled(entry.geom)) walk.add(entry.geom);
+    walk.findPairs(m_sort);
+    walk.deliver(data, callback);
+}
+
+void dxOrderedSweepSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback) {
+    dAASSERT(geom && callback);
+    lock_count++;
+    cleanGeoms();
+    geom->recomputeAABB();
+    if (!isWorthAnIndex())
+        collideFrom(0, data, geom, callback);
+    else if (const dxGeom *const last = collideRegion(data, geom, callback))
+        collideFrom(m_lists.placeOf(slotOf(last)) + 1, data, geom, callback);
+    lock_count--;
+}
+
+void dxOrderedSweepSpace::collideFrom(std::size_t place, void *data, dxGeom *geom, dNearCallback *callback) {
+    const std::vector<dxSweepLists::Entry> &list = m_lists.clean();
+    for (; place < list.size(); ++place)
+        if (dxGeomIsEnabled(list[place].geom)) collideAABBs(list[place].geom, geom, data, callback);
+}

@@ -1,0 +1,74 @@
+// The sweep-and-prune space: geoms sorted along an axis, each paired with those that begin before it ends; then pairs
+// with geoms that have no end on that axis. docs/collision-order.md.
+//
+// Unlike the other spaces this one keeps its geoms in two arrays (dxSweepLists); a member's rank follows from
+// its place in that of the clean ones. And it asks which geoms are enabled before it sorts: an enabled geom more
+// or less is a change to pairs().
+#pragma once
+
+#include <vector>
+
+#include "collision/dxOrderedSpace.h"
+#include "collision/dxRankSort.h"
+#include "collision/dxSweepBox.h"
+#include "collision/dxSweepLists.h"
+#include "collision/overlap/dxAxisSweep.h"
+
+class dxOrderedSweepSpace final : public dxOrderedSpace {
+public:
+    // `axes`: dSAP_AXES_XYZ and so on, or any number.
+    dxOrderedSweepSpace(dSpaceID parent, int axes);
+    ~dxOrderedSweepSpace() override;
+
+    dxGeom *getGeom(int i) override;
+    void add(dxGeom *geom) override;
+    void remove(dxGeom *geom) override;
+    void dirty(dxGeom *geom) override;
+    void computeAABB() override {}  // without end, whatever is in it
+    void cleanGeoms() override;
+    void collide(void *data, dNearCallback *callback) override;
+    void collide2(void *data, dxGeom *geom, dNearCallback *callback) override;
+    bool makeReady() override;
+
+private:
+    enum class Part : std::uint8_t { absent, swept, infinite };
+
+    struct State {
+        dxSweepBox box;          // as of the last cleaning
+        std::uint32_t position;  // among those swept
+        Part part;
+    };
+
+    void update(std::vector<dxOrderedPair> &pairs) override;
+    bool place(Slot a, Slot b, dxPairKey &key, bool &swapped) const override;
+    void expect(Slot a, Slot b) const override;
+
+    dxBounds boundsOf(const dxGeom *geom, const dxSweepBox &box) const;
+    void noteEnabled();
+    void takeParts();
+    void sortSwept();
+    void chooseSearch();
+    void sweepAll(std::vector<dxOrderedPair> &pairs);
+    void placeAll(std::vector<dxOrderedPair> &pairs);
+    void pairInfinite(std::vector<dxOrderedPair> &pairs) const;
+    void pairIfMayMeet(Slot a, Slot b, std::vector<dxOrderedPair> &pairs) const;
+    void collidePairs(void *data, dNearCallback *callback);
+    void collideList(void *data, dNearCallback *callback);
+    void collideFrom(std::size_t place, void *data, dxGeom *geom, dNearCallback *callback);
+
+    dxSweepAxes m_axes;
+    dxSweepLists m_lists;
+    std::vector<State> m_states;               // by slot
+    std::vector<std::uint8_t> m_isEnabled;     // by slot, at the last call
+    std::vector<dxGeom *> m_toClean;
+    std::vector<Slot> m_swept, m_infinite;     // in the order of the list
+    std::vector<float> m_keys;                 // of m_swept
+    std::vector<Slot> m_inOrder;               // m_swept, sorted
+    dxRankSort m_sort;
+    bool m_hasUncleanBox = false, m_hasNaN = false;
+
+    bool m_isDense = true;                     // pairs are found by a sweep of all
+    dxAxisRows m_rows;
+    std::vector<dxSlotPair> m_found, m_again;
+    std::size_t m_sweptPairs = 0;              // of pairs(), those in front
+};

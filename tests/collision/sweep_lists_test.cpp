@@ -1,0 +1,61 @@
+// dxSweepLists: who stands where after geoms came, changed and went.
+#include <gtest/gtest.h>
+
+#include "collision/dxSweepLists.h"
+
+namespace {
+
+using Slots = std::vector<dxSweepLists::Slot>;
+
+Slots slotsOf(const std::vector<dxSweepLists::Entry> &list) {
+    Slots slots;
+    for (const dxSweepLists::Entry &entry : list) slots.push_back(entry.slot);
+    return slots;
+}
+
+class SweepLists : public testing::Test {
+protected:
+    SweepLists() {
+        for (dxSweepLists::Slot slot = 0; slot < 5; ++slot) lists.add(slot, nullptr);
+    }
+
+    void expect(const Slots &dirty, const Slots &clean) {
+        EXPECT_EQ(slotsOf(lists.dirty()), dirty);
+        EXPECT_EQ(slotsOf(lists.clean()), clean);
+        for (std::size_t i = 0; i < clean.size(); ++i) {
+            EXPECT_EQ(lists.placeOf(clean[i]), i);
+            EXPECT_FALSE(lists.isDirty(clean[i]));
+        }
+        for (const dxSweepLists::Slot slot : dirty) EXPECT_TRUE(lists.isDirty(slot));
+    }
+
+    dxSweepLists lists;
+};
+
+TEST_F(SweepLists, WhatIsCleanedKeepsItsOrder) {
+    expect({0, 1, 2, 3, 4}, {});
+    lists.cleanAll();
+    expect({}, {0, 1, 2, 3, 4});
+}
+
+TEST_F(SweepLists, TheLastOneTakesTheFreePlace) {
+    lists.remove(1);
+    expect({0, 4, 2, 3}, {});
+    lists.cleanAll();
+    lists.remove(0);
+    expect({}, {3, 4, 2});
+    lists.remove(2);
+    expect({}, {3, 4});
+}
+
+TEST_F(SweepLists, WhatChangesStandsBehindWhatDidNot) {
+    lists.cleanAll();
+    lists.makeDirty(1);
+    lists.makeDirty(4);
+    expect({1, 4}, {0, 3, 2});
+    lists.add(7, nullptr);
+    lists.cleanAll();
+    expect({}, {0, 3, 2, 1, 4, 7});
+}
+
+}  // namespace
