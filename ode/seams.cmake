@@ -19,7 +19,8 @@ endfunction()
 
 function(ode_mt_compile_after file header)
     set_property(SOURCE "${ODE_MT_UPSTREAM_DIR}/ode/src/${file}" APPEND PROPERTY
-        COMPILE_OPTIONS -include "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/seams/${header}")
+        COMPILE_OPTIONS -include "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/seams/${header}"
+                        -iquote "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../ode_mt")
 endfunction()
 
 # error.cpp is left out: messages of islands solved on other threads are kept back and delivered on the

@@ -137,6 +137,9 @@ ODE_API unsigned dODE_MT_GetParallelSteps(void);
 /** Islands stepped in those steps. @ingroup ode_mt */
 ODE_API unsigned dODE_MT_GetParallelIslands(void);
 
+/** Steps in which two threads at least stepped one island together, since the process started. @ingroup ode_mt */
+ODE_API unsigned dODE_MT_GetTeamSteps(void);
+
 /** Calls of dSpaceCollide whose callbacks ran on two threads at least. @ingroup ode_mt */
 ODE_API unsigned dODE_MT_GetParallelCollisions(void);
 

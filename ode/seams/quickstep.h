@@ -1,52 +1,40 @@
-/* QuickStep's shuffle of the rows and its sweep over them are ours (ode_mt/dynamics). Upstream's are static functions in
- * the same file as their calls, so the two are told apart by their argument: a definition's begins with a type, a
- * call's is a variable. The definitions get other names and are not used. */
+/* Stages of QuickStep are given to workers in pieces; the shuffle of its rows and the sweeps over them are ours
+ * (ode_mt/dynamics). Upstream's are static functions in the same file as their calls, so the two are told apart by their
+ * argument: a definition's begins with a type, a call's is a variable. Definitions get other names. */
 #pragma once
 
-#include "../../ode_mt/dynamics/dxRowShuffle.h"
-#include "../../ode_mt/dynamics/sweep/dxSweep.h"
+#include "dynamics/dxIslandSweeps.h"
+#include "dynamics/dxStagePieces.h"
+
+#define dxQuickStepIsland_Stage0_Bodies(argument) dxBodiesSeam_##argument)
+#define dxBodiesSeam_dxQuickStepperStage0BodiesCallContext dxUpstreamBodies(dxQuickStepperStage0BodiesCallContext
+#define dxBodiesSeam_callContext dxUpstreamBodies(callContext
+#define dxBodiesSeam_stage0BodiesCallContext dxStagePieces::prepareBodies(dxUpstreamBodies, stage0BodiesCallContext
+
+#define dxQuickStepIsland_Stage2a(argument) dxJointsSeam_##argument)
+#define dxJointsSeam_dxQuickStepperStage2CallContext dxUpstreamJoints(dxQuickStepperStage2CallContext
+#define dxJointsSeam_stage2CallContext dxStagePieces::readJoints(dxUpstreamJoints, stage2CallContext
+
+#define dxQuickStepIsland_Stage2c(argument) dxRhsSeam_##argument)
+#define dxRhsSeam_dxQuickStepperStage2CallContext dxUpstreamRhs(dxQuickStepperStage2CallContext
+#define dxRhsSeam_stage2CallContext dxStagePieces::addRightHandSides(dxUpstreamRhs, stage2CallContext
+
+#define dxQuickStepIsland_Stage4LCP_iMJComputation(argument) dxImpulseSeam_##argument)
+#define dxImpulseSeam_dxQuickStepperStage4CallContext dxUpstreamImpulses(dxQuickStepperStage4CallContext
+#define dxImpulseSeam_stage4CallContext dxIslandSweeps::computeImpulses(dxUpstreamImpulses, stage4CallContext
+
+#define dxQuickStepIsland_Stage4LCP_AdComputation(argument) dxScaleSeam_##argument)
+#define dxScaleSeam_dxQuickStepperStage4CallContext dxUpstreamScale(dxQuickStepperStage4CallContext
+#define dxScaleSeam_stage4CallContext dxIslandSweeps::scaleRows(dxUpstreamScale, stage4CallContext
 
 #define dxQuickStepIsland_Stage4LCP_ConstraintsShuffling(argument, iteration) dxShuffleSeam_##argument, iteration)
 #define dxShuffleSeam_dxQuickStepperStage4CallContext dxUpstreamShuffle(dxQuickStepperStage4CallContext
-#define dxShuffleSeam_stage4CallContext dxShuffleCall(stage4CallContext
+#define dxShuffleSeam_stage4CallContext dxIslandSweeps::shuffle(stage4CallContext
 
 #define dxQuickStepIsland_Stage4LCP_STIteration(argument) dxSweepSeam_##argument)
 #define dxSweepSeam_dxQuickStepperStage4CallContext dxUpstreamSweep(dxQuickStepperStage4CallContext
-#define dxSweepSeam_stage4CallContext dxSweepCall(stage4CallContext
+#define dxSweepSeam_stage4CallContext dxIslandSweeps::sweep(stage4CallContext
 
-/* As upstream: before the first iteration the rows stay in the order of their joints. The mark tells that they
- * no longer are. */
-template <class Call>
-bool dxShuffleCall(Call *call, unsigned iteration) {
-    if (iteration != 0) {
-        dxShuffleRows(&call->m_order->index, call->m_localContext->m_m);
-        call->m_SOR_reorderHeadTaken = 1;
-    }
-    return true;
-}
-
-/* Until the first shuffle the order is made to overlap, once. The schedule lies in memory that upstream reserves for
- * threads of its own, of which there are none here, and so does the mark that it is made. */
-template <class Call>
-void dxSweepCall(Call *call) {
-    const auto *local = call->m_localContext;
-    const dxSweepIsland island = {local->m_m,
-                                  call->m_stepperCallContext->m_islandBodiesCount,
-                                  local->m_J,
-                                  call->m_iMJ,
-                                  reinterpret_cast<const int *>(local->m_jb),
-                                  local->m_findex,
-                                  call->m_lambda,
-                                  call->m_cforce};
-    const int *order = &call->m_order->index;
-    if (call->m_SOR_reorderHeadTaken == 0) {
-        int *scheduled = reinterpret_cast<int *>(call->m_mi_links);
-        if (call->m_SOR_mi_zeroHeadTaken == 0) {
-            unsigned *level = reinterpret_cast<unsigned *>(scheduled + island.rows);
-            dxScheduleSweep(island, order, {scheduled, level, reinterpret_cast<unsigned *>(call->m_bi_links_or_mi_levels)});
-            call->m_SOR_mi_zeroHeadTaken = 1;
-        }
-        order = scheduled;
-    }
-    dxSweep(island, order);
-}
+#define dxQuickStepIsland_Stage4b(argument) dxResultsSeam_##argument)
+#define dxResultsSeam_dxQuickStepperStage4CallContext dxUpstreamResults(dxQuickStepperStage4CallContext
+#define dxResultsSeam_stage4CallContext dxIslandSweeps::giveResults(stage4CallContext), dxUpstreamResults(stage4CallContext

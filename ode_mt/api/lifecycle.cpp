@@ -11,6 +11,8 @@
 #include "api/user_classes.h"
 #include "collision/dxJointRemoval.h"
 #include "collision/dxThreadTrimeshCache.h"
+#include "dynamics/dxIslandTeam.h"
+#include "dynamics/dxRowMemory.h"
 #include "dynamics/dxWorkingMemory.h"
 #include "frame/dxConcurrentCallbacks.h"
 #include "frame/dxStepRecords.h"
@@ -46,6 +48,8 @@ void releaseWorkers() {
     dxForgetConcurrentCallbacks();
     dxForgetJointRemoval();
     dxStepRecords::release();
+    dxIslandTeamLease::forget();
+    dxRowMemory::forget();
     dxWorkingMemory::release();
 }
 

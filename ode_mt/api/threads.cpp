@@ -44,6 +44,8 @@ unsigned dODE_MT_GetParallelSteps() { return dxStepStatistics::instance().parall
 
 unsigned dODE_MT_GetParallelIslands() { return dxStepStatistics::instance().parallelIslands; }
 
+unsigned dODE_MT_GetTeamSteps() { return dxStepStatistics::instance().teamSteps; }
+
 unsigned dODE_MT_GetParallelCollisions() { return dxStepStatistics::instance().parallelCollisions; }
 
 unsigned dODE_MT_GetSharedCollisions() { return dxStepStatistics::instance().sharedCollisions; }

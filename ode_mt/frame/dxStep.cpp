@@ -4,18 +4,23 @@
 
 #include <algorithm>
 #include <chrono>
+#include <mutex>
 
+#include "collision/dxSharingPace.h"
 #include "dynamics/dxBodyIntegration.h"
+#include "dynamics/dxIslandCall.h"
 #include "dynamics/dxIslandSurvey.h"
+#include "dynamics/dxIslandSweeps.h"
 #include "dynamics/dxLoneStepper.h"
 #include "dynamics/dxRandom.h"
 #include "dynamics/dxReservedDraws.h"
 #include "dynamics/dxWorkingMemory.h"
 #include "frame/dxIslandSharing.h"
-#include "frame/dxWorldWorkers.h"
 #include "frame/dxSettings.h"
 #include "frame/dxStepStatistics.h"
 #include "frame/dxWorkers.h"
+#include "frame/dxWorkersRunner.h"
+#include "frame/dxWorldWorkers.h"
 #include "threading/dxFloatEnvironment.h"
 #include "threading/dxProcessObject.h"
 #include "quickstep.h"
@@ -36,6 +41,24 @@ constexpr double kLeastBlockNs = 3e3;
 
 // More blocks than workers even out what the cost model misjudges.
 constexpr unsigned kBlocksPerWorker = 8;
+
+// Joints that make an island large enough to be stepped by several workers together.
+constexpr unsigned kLeastTeamJoints = 500;
+
+// Members of a team wait for one another, so more of them than cores would only get in one another's way. An algorithm
+// that is asked for by name gets so many on any machine: what they do can be tested there.
+constexpr unsigned kLeastTeam = 4;
+
+// For a time per cost to be remembered like the time of a call: that of a step of one millisecond.
+constexpr double kCostOfReference = 1e6;
+
+// Whether large islands are stepped by teams, under auto. For the process, as the cost model: what it measures is the
+// machine. Steps that find it in use do without.
+struct TeamPace {
+    std::mutex mutex;
+    dxSharingPace pace;
+};
+dxProcessObject<TeamPace> teamPace;
 
 // The world's own arena for the time of a step.
 class WorldArena {
@@ -71,16 +94,52 @@ dxStep::dxStep(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal step
       m_interrupted(m_count) {}
 
 void dxStep::run() {
-    const unsigned workers = chooseWorkers();
-    if (workers >= 2) {
-        runShared(workers);
-    } else if (m_costsKnown) {
-        const Clock::time_point start = Clock::now();
-        runInOrder();
-        costModel->learnSerial(m_kind, m_totalCost, nsSince(start));
-    } else {
-        runInOrder();
+    const unsigned limit = workerLimit();
+    estimateCosts(limit);
+    const bool mayHaveTeam = limit >= 2 && hasTeamIsland(limit);
+    const Clock::time_point start = Clock::now();
+    if (mayHaveTeam && shallHaveTeam()) {
+        runWithTeam(limit);
+        rememberTeam(true, nsSince(start));
+        return;
     }
+    const unsigned workers = chooseWorkers(limit);
+    if (workers >= 2)
+        runShared(workers);
+    else
+        runInOrder();
+    if (workers < 2 && m_costsKnown) costModel->learnSerial(m_kind, m_totalCost, nsSince(start));
+    if (mayHaveTeam) rememberTeam(false, nsSince(start));
+}
+
+// --- with a team --------------------------------------------------------------------------------------
+
+// In order, each large island by all workers together.
+void dxStep::runWithTeam(unsigned workers) {
+    const unsigned most = std::max(dxSettings::instance().cores(), kLeastTeam);
+    dxWorkersRunner runner(std::min(workers, most), m_world);
+    const dxIslandTeamLease lease(runner);
+    m_team = &*lease;
+    runInOrder();
+    m_team = nullptr;
+    dxStepStatistics::instance().countTeamStep(runner.tookPart());
+}
+
+// One island takes so long that the others would have to wait for it.
+bool dxStep::hasTeamIsland(unsigned limit) const {
+    return m_kind == dxStepperKind::Quick && m_largestJoints >= kLeastTeamJoints && m_costsKnown &&
+           m_largestCost * limit >= m_totalCost;
+}
+
+bool dxStep::shallHaveTeam() const {
+    if (dxSettings::instance().algorithm() != dxAlgorithm::Auto) return true;
+    const std::unique_lock<std::mutex> hold(teamPace->mutex, std::try_to_lock);
+    return hold && teamPace->pace.shallShare();
+}
+
+void dxStep::rememberTeam(bool hadTeam, double ns) const {
+    const std::unique_lock<std::mutex> hold(teamPace->mutex, std::try_to_lock);
+    if (hold) teamPace->pace.remember(hadTeam, ns * kCostOfReference / m_totalCost);
 }
 
 // --- in order -----------------------------------------------------------------------------------------
@@ -129,9 +188,10 @@ void dxStep::stepInOrder(dxIslandCursor cursor, unsigned count) {
 void dxStep::stepIsland(const dxIsland &island, dxWorldProcessMemArena *arena) {
     arena->ResetState();
     constexpr unsigned kOneThread = 1;  // all of upstream's stages one after the other on this thread
-    dxStepperProcessingCallContext context(m_world, m_stepSize, kOneThread, arena, island.bodies, island.joints);
-    context.AssignIslandSelection(island.bodies, island.joints, island.bodyCount, island.jointCount);
-    m_stepper(&context);
+    dxIslandCall call(m_world, m_stepSize, kOneThread, arena, island.bodies, island.joints);
+    call.AssignIslandSelection(island.bodies, island.joints, island.bodyCount, island.jointCount);
+    if (m_team != nullptr && island.jointCount >= kLeastTeamJoints) call.team = m_team;
+    m_stepper(&call);
 }
 
 bool dxStep::drawsRandomNumbers() const { return drawsOf(2) != 0; }
@@ -139,8 +199,8 @@ bool dxStep::drawsRandomNumbers() const { return drawsOf(2) != 0; }
 // Upstream shuffles the rows before every eighth iteration but the first: m - 1 draws each time.
 std::uint64_t dxStep::drawsOf(unsigned rows) const {
     if (m_kind != dxStepperKind::Quick || rows == 0 || m_world->qs.num_iterations < 1) return 0;
-    constexpr unsigned kShuffleEvery = 8;
-    const std::uint64_t shuffles = (static_cast<unsigned>(m_world->qs.num_iterations) - 1) / kShuffleEvery;
+    const std::uint64_t shuffles =
+        (static_cast<unsigned>(m_world->qs.num_iterations) - 1) / dxIslandSweeps::kShuffleEvery;
     return (rows - 1) * shuffles;
 }
 
@@ -359,13 +419,8 @@ void dxStep::learn(unsigned workers, double wallNs) const {
 
 // --- who may work -------------------------------------------------------------------------------------
 
-// 1: the caller alone.
-unsigned dxStep::chooseWorkers() {
-    const dxAlgorithm algorithm = dxSettings::instance().algorithm();
-    if (algorithm == dxAlgorithm::Serial || m_count < 2) return 1;
-    const unsigned limit = workerLimit();
-    if (limit < 2 || dxTrapsFloatingPoint()) return 1;
-
+void dxStep::estimateCosts(unsigned limit) {
+    if (limit < 2) return;
     dxIslandCursor cursor(m_info);
     for (unsigned i = 0; i < m_count; ++i) {
         const dxIsland island = cursor.next();
@@ -374,11 +429,17 @@ unsigned dxStep::chooseWorkers() {
                                                     island.jointCount);
         m_totalCost += cost;
         m_largestCost = std::max(m_largestCost, cost);
+        m_largestJoints = std::max(m_largestJoints, island.jointCount);
         m_costsKnown = i + 1 == m_count;
     }
-    if (algorithm != dxAlgorithm::Auto) return limit;
-    return costModel->chooseWorkers(m_kind, m_totalCost, m_largestCost,
-                                     std::min(limit, dxSettings::instance().cores()));
+}
+
+// For islands side by side. 1: the caller alone.
+unsigned dxStep::chooseWorkers(unsigned limit) {
+    const unsigned most = std::min(limit, m_count);
+    if (most < 2) return 1;
+    if (dxSettings::instance().algorithm() != dxAlgorithm::Auto) return most;
+    return costModel->chooseWorkers(m_kind, m_totalCost, m_largestCost, most);
 }
 
 template <class Stage>
@@ -394,9 +455,12 @@ void dxStep::onWorkers(unsigned blocks, unsigned workers, Stage stage) {
 }
 
 unsigned dxStep::workerLimit() const {
+    const dxAlgorithm algorithm = dxSettings::instance().algorithm();
+    if (algorithm == dxAlgorithm::Serial || m_count == 0) return 1;
     unsigned limit = dxWorldWorkers::given(m_world) ? dxWorldWorkers::count(m_world)
                                                     : dxSettings::instance().threads();
     const unsigned asked = m_world->islands_max_threads;
     if (asked != dWORLDSTEP_THREADCOUNT_UNLIMITED) limit = std::min(limit, asked);
-    return std::min(limit, m_count);
+    if (algorithm == dxAlgorithm::Auto) limit = std::min(limit, dxSettings::instance().cores());
+    return limit >= 2 && dxTrapsFloatingPoint() ? 1 : limit;
 }

@@ -1,5 +1,5 @@
 // One step of one world: the islands that upstream's search found are stepped in order on the calling
-// thread, or shared out to workers with the same bits.
+// thread, or shared out to workers, or one large island to all workers; with the same bits.
 //
 // Source: thesis chapter 11 (island-parallel LCP). Upstream's dxProcessIslands, which this replaces, lets
 // threads take islands as they come: its random numbers, list orders and messages then differ from run
@@ -9,6 +9,7 @@
 #include <atomic>
 
 #include "dynamics/dxIsland.h"
+#include "dynamics/dxIslandTeam.h"
 #include "frame/dxCostModel.h"
 #include "frame/dxStepRecords.h"
 #include "threading/dxThreadManager.h"
@@ -25,6 +26,12 @@ private:
     void runInOrderReserving();  // with a block of random numbers taken in advance
     void stepInOrder(dxIslandCursor cursor, unsigned count);
     void stepIsland(const dxIsland &island, dxWorldProcessMemArena *arena);
+
+    // --- with a team: in order, large islands by several workers together -------------------------------
+    void runWithTeam(unsigned workers);
+    bool hasTeamIsland(unsigned limit) const;
+    bool shallHaveTeam() const;
+    void rememberTeam(bool hadTeam, double ns) const;
 
     // --- shared out: the stages, in this order; those marked run on workers ----------------------------
     void runShared(unsigned workers);
@@ -44,7 +51,8 @@ private:
     void learn(unsigned workers, double wallNs) const;
 
     // --- who may work ----------------------------------------------------------------------------------
-    unsigned chooseWorkers();
+    void estimateCosts(unsigned limit);
+    unsigned chooseWorkers(unsigned limit);
     unsigned workerLimit() const;
     template <class Stage>
     void onWorkers(unsigned blocks, unsigned workers, Stage stage);
@@ -60,9 +68,11 @@ private:
     const unsigned m_count;              // islands
     const bool m_userHandlers;           // an error, debug or message handler is installed
 
+    dxIslandTeam *m_team = nullptr;      // of large islands
     dxStepRecords::Lease m_records;
     double m_totalCost = 0;              // of the islands before the first user callback, see dxCostModel
     double m_largestCost = 0;
+    unsigned m_largestJoints = 0;
     bool m_costsKnown = false;           // and there is no such callback
     std::size_t m_nextReport = 0;
     unsigned m_inOrderFrom = 0;          // first island that has to be stepped in order

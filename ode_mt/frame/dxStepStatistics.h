@@ -7,6 +7,7 @@
 struct dxStepStatistics {
     std::atomic<unsigned> parallelSteps{0};
     std::atomic<unsigned> parallelIslands{0};
+    std::atomic<unsigned> teamSteps{0};
     std::atomic<unsigned> maxWorkersUsed{0};
     std::atomic<unsigned> parallelCollisions{0};
     std::atomic<unsigned> sharedCollisions{0};
@@ -25,6 +26,13 @@ struct dxStepStatistics {
     }
 
     // Only where two workers at least took part.
+    void countTeamStep(unsigned workers) {
+        if (workers < 2) return;
+        teamSteps.fetch_add(1, std::memory_order_relaxed);
+        noteWorkers(workers);
+    }
+
+    // Likewise.
     void countParallelCollision(unsigned workers) {
         if (workers < 2) return;
         parallelCollisions.fetch_add(1, std::memory_order_relaxed);

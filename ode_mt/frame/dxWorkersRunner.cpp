@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "frame/dxWorkers.h"
+#include "frame/dxWorldWorkers.h"
+
 void dxWorkersRunner::run(unsigned blocks, dxThreadManager::Task task, void *context) {
     struct Job {
         dxThreadManager::Task task;
@@ -13,7 +16,10 @@ void dxWorkersRunner::run(unsigned blocks, dxThreadManager::Task task, void *con
         running.task(running.context, block, worker);
         if (!running.ranABlock[worker]) running.ranABlock[worker] = true;  // bytes of other workers are beside it
     };
-    dxWorkers::instance().run(blocks, m_workers, watched, &job);
+    if (m_world != nullptr && dxWorldWorkers::given(m_world))
+        dxWorldWorkers::run(m_world, blocks, m_workers, watched, &job);
+    else
+        dxWorkers::instance().run(blocks, m_workers, watched, &job);
 }
 
 unsigned dxWorkersRunner::tookPart() const {

@@ -1,14 +1,14 @@
-// The process's workers as a task runner, for the length of one call.
+// Workers as a task runner, for the length of one call: the process's, or those that the user lent to a world.
 #pragma once
 
-#include <ode/ode_MT.h>
+#include <ode/ode.h>
 
-#include "frame/dxWorkers.h"
 #include "threading/dxTaskRunner.h"
 
 class dxWorkersRunner final : public dxTaskRunner {
 public:
-    explicit dxWorkersRunner(unsigned workers) : m_workers(workers) {}
+    // `world`: the one whose step it is, if it is a step.
+    explicit dxWorkersRunner(unsigned workers, const dxWorld *world = nullptr) : m_workers(workers), m_world(world) {}
 
     unsigned workers() const override { return m_workers; }
     void run(unsigned blocks, dxThreadManager::Task task, void *context) override;
@@ -18,5 +18,6 @@ public:
 
 private:
     unsigned m_workers;
+    const dxWorld *m_world;
     bool m_ranABlock[dODE_MT_MAX_THREADS] = {};  // each written by its worker alone
 };

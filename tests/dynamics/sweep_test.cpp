@@ -1,5 +1,6 @@
 // QuickStep's sweep gives the bits of taking the rows one by one, for every instruction set of this machine.
 #include "instruction_sets.h"
+#include "dynamics/sweep/dxSharedSweep.h"
 #include "dynamics/sweep/dxSweep.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +11,9 @@
 #include <limits>
 #include <numeric>
 #include <random>
+#include <string>
+#include <thread>
+#include <tuple>
 #include <vector>
 
 namespace {
@@ -78,6 +82,35 @@ struct RandomIsland {
     unsigned bodies;
     std::vector<dReal> jacobian, impulse, lambda, force;
     std::vector<int> bodiesOfRow, boundingRow, order;
+};
+
+// The same rows, packed.
+struct PackedIsland {
+    explicit PackedIsland(RandomIsland &from) : of(from), rows(from.order.size()) {
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            std::copy_n(&of.impulse[12 * i], 12, rows[i].impulse);
+            rows[i].lambda = of.lambda[i];
+            std::copy_n(&of.bodiesOfRow[2 * i], 2, rows[i].body);
+            rows[i].boundingRow = of.boundingRow[i];
+        }
+    }
+
+    // Without the arrays that packed rows stand for.
+    dxSweepIsland island() {
+        dxSweepIsland island = of.island();
+        island.impulse = nullptr;
+        island.boundingRow = nullptr;
+        island.lambda = nullptr;
+        island.packed = rows.data();
+        return island;
+    }
+
+    void unpack() {
+        for (std::size_t i = 0; i < rows.size(); ++i) of.lambda[i] = rows[i].lambda;
+    }
+
+    RandomIsland &of;
+    std::vector<dxSweepRow> rows;
 };
 
 // Successive over-relaxation as a textbook has it, with the sums in upstream's order.
@@ -195,6 +228,123 @@ TEST(SweepSchedule, PutsRowsOfDifferentBodiesSideBySide) {
         waiting += row[0] == before[0] || row[0] == before[1] || row[1] == before[0] || row[1] == before[1];
     }
     EXPECT_LE(waiting, 2 * kRowsPerLink);  // in the given order: 27 of 35
+}
+
+TEST_P(Sweep, OfPackedRowsHasTheSameResult) {
+    for (const std::int64_t set : instructionSets()) {
+        onInstructionSet(set, [] {
+            for (const Size size : kSizes) {
+                RandomIsland ours(size.joints, size.bodies, 11 + size.joints, GetParam());
+                RandomIsland reference(size.joints, size.bodies, 11 + size.joints, GetParam());
+                PackedIsland packed(ours);
+                for (int sweep = 0; sweep < 3; ++sweep) {
+                    ours.shuffle();
+                    reference.shuffle();
+                    dxSweep(packed.island(), ours.order.data());
+                    sweepOneByOne(reference);
+                }
+                packed.unpack();
+                ASSERT_TRUE(sameNumbers(ours.lambda, reference.lambda)) << size.joints << " joints";
+                ASSERT_TRUE(sameNumbers(ours.force, reference.force)) << size.joints << " joints";
+            }
+        });
+    }
+}
+
+// A thread for each block, or the calling thread for all of them.
+class Threads final : public dxTaskRunner {
+public:
+    explicit Threads(bool several) : m_several(several) {}
+
+    unsigned workers() const override { return 16; }
+    void run(unsigned blocks, dxThreadManager::Task task, void *context) override {
+        if (!m_several) return dxTaskRunner::alone().run(blocks, task, context);
+        std::vector<std::thread> threads;
+        for (unsigned block = 1; block < blocks; ++block) threads.emplace_back(task, context, block, block);
+        task(context, 0, 0);
+        for (std::thread &thread : threads) thread.join();
+    }
+
+private:
+    bool m_several;
+};
+
+// By parts, and by whether each has a thread of its own.
+class SharedSweep : public testing::TestWithParam<std::tuple<unsigned, bool>> {
+protected:
+    static void expectSame(Size size, dReal (*coordinate)(std::size_t body, int axis)) {
+        const auto [parts, several] = GetParam();
+        RandomIsland ours(size.joints, size.bodies, 5 + size.joints, true);
+        RandomIsland reference(size.joints, size.bodies, 5 + size.joints, true);
+        PackedIsland packed(ours);
+        Threads threads(several);
+        dxSharedSweep sweep;
+        dReal place[3];
+        sweep.begin(packed.island(), parts, [&](std::size_t body) {
+            for (int axis = 0; axis < 3; ++axis) place[axis] = coordinate(body, axis);
+            return place;
+        });
+        for (const unsigned times : {8u, 1u, 4u}) {
+            ours.shuffle();
+            reference.shuffle();
+            sweep.sweep(packed.island(), ours.order.data(), times, threads);
+            for (unsigned i = 0; i < times; ++i) sweepOneByOne(reference);
+        }
+        packed.unpack();
+        EXPECT_TRUE(sameNumbers(ours.lambda, reference.lambda)) << size.joints << " joints";
+        EXPECT_TRUE(sameNumbers(ours.force, reference.force)) << size.joints << " joints";
+    }
+};
+
+TEST_P(SharedSweep, OfBodiesThatAreCutAnywhereIsThatOfOneThread) {
+    for (const Size size : kSizes)
+        expectSame(size, [](std::size_t body, int axis) { return dReal(body * 7 % (11 + std::size_t(axis))); });
+}
+
+TEST_P(SharedSweep, OfBodiesThatCannotBeCutIsThatOfOneThread) {
+    for (const Size size : kSizes) expectSame(size, [](std::size_t, int) { return dReal(1); });
+}
+
+TEST_P(SharedSweep, OfBodiesAtPlacesThatAreNoneIsThatOfOneThread) {
+    for (const Size size : kSizes)
+        expectSame(size, [](std::size_t body, int axis) {
+            const dReal places[] = {Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(), Limits::max(), dReal(body)};
+            return places[(body + std::size_t(axis)) % 5];
+        });
+}
+
+INSTANTIATE_TEST_SUITE_P(Parts, SharedSweep, testing::Combine(testing::Values(1u, 2u, 3u, 7u, 16u), testing::Bool()),
+                         [](const auto &info) {
+                             return std::to_string(std::get<0>(info.param)) +
+                                    (std::get<1>(info.param) ? "_threads" : "_parts_of_one_thread");
+                         });
+
+// Bodies along a line, each a row heavier than the one before it: the parts lie apart and weigh the same.
+TEST(BodyCut, PartsLieApartAndWeighTheSame) {
+    constexpr unsigned kBodies = 1000, kParts = 5;
+    std::vector<dxPlace> places;
+    std::vector<unsigned> weights;
+    unsigned all = 0;
+    for (unsigned body = 0; body < kBodies; ++body) {
+        const unsigned along = body * 7 % kBodies;  // in any order
+        places.push_back({{1, dReal(along), dReal(along % 3)}});
+        weights.push_back(along);
+        all += along;
+    }
+    dxBodyCut cut;
+    cut.cut(places, weights, kParts);
+    std::vector<unsigned> weightOf(kParts);
+    std::vector<dReal> low(kParts, kBodies), high(kParts, -1);
+    for (unsigned body = 0; body < kBodies; ++body) {
+        const std::size_t part = cut.partOf(body);
+        weightOf[part] += weights[body];
+        low[part] = std::min(low[part], places[body].at[1]);
+        high[part] = std::max(high[part], places[body].at[1]);
+    }
+    for (unsigned part = 0; part < kParts; ++part) {
+        EXPECT_NEAR(weightOf[part], all / kParts, all / kParts / 10) << part;
+        if (part > 0) { EXPECT_LT(high[part - 1], low[part]); }
+    }
 }
 
 }  // namespace

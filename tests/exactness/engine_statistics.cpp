@@ -30,6 +30,7 @@ Engine runningEngine() {
     engine.isOdeMt = dlsym(RTLD_DEFAULT, "dToggleODE_MT") != nullptr;
     engine.parallelSteps = statistic("dODE_MT_GetParallelSteps");
     engine.parallelIslands = statistic("dODE_MT_GetParallelIslands");
+    engine.teamSteps = statistic("dODE_MT_GetTeamSteps");
     engine.parallelCollisions = statistic("dODE_MT_GetParallelCollisions");
     engine.mostWorkers = statistic("dODE_MT_GetMaxWorkersUsed");
     return engine;

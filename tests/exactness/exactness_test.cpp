@@ -82,8 +82,10 @@ private:
         if (!m_player.setting || m_player.setting->threads < 2 || !m_scenario.serialBecause.empty()) return "";
         const std::string &algorithm = m_player.setting->algorithm;
         if (algorithm == "auto" || algorithm == "serial") return "";
-        if (engine.parallelSteps == 0) return "no step was shared out";
+        const bool byTeam = m_scenario.team == "team";
+        if (!byTeam && engine.parallelSteps == 0) return "no step was shared out";
         if (!m_player.setting->disturbed) return "";
+        if (byTeam && engine.teamSteps == 0) return "no team stepped the island";
         if (engine.mostWorkers < 2) return "no second worker stepped an island";
         // Clusters may be one.
         const bool shares =

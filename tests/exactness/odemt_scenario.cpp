@@ -41,12 +41,13 @@ const char *nameOf(Scenario::Callbacks callbacks) {
 }
 
 // One line for each scenario and stepper: name, whether it is serial and why, whether its callbacks may run
-// concurrently, meaning; tabs between.
+// concurrently, whether a team steps it, meaning; tabs between.
 void list() {
     for (const Scenario &scenario : catalogue()) {
         for (scenes::Stepper stepper : scenario.steppers) {
             std::cout << scenario.name << suffix(stepper) << '\t' << scenario.serialBecause << '\t'
-                      << nameOf(scenario.callbacks) << '\t' << scenario.meaning << '\n';
+                      << nameOf(scenario.callbacks) << '\t' << (scenario.byTeam ? "team" : "") << '\t'
+                      << scenario.meaning << '\n';
         }
     }
 }

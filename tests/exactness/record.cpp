@@ -37,7 +37,7 @@ static void from_json(const json &in, Word &word) {
     }
 }
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Engine, library, isOdeMt, parallelSteps, parallelIslands,
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Engine, library, isOdeMt, parallelSteps, parallelIslands, teamSteps,
                                    parallelCollisions, mostWorkers)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageHash, step, stage, hash)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Value, stage, object, field, words, text)

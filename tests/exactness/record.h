@@ -17,6 +17,7 @@ struct Engine {
     bool isOdeMt = false;
     unsigned parallelSteps = 0;
     unsigned parallelIslands = 0;
+    unsigned teamSteps = 0;
     unsigned parallelCollisions = 0;
     unsigned mostWorkers = 0;  // that took part in one step or in the callbacks of one collision
 };

@@ -12,6 +12,7 @@
 
 #include "dynamics/sweep/dxSweep.h"
 #include "dynamics/sweep/dxSweepPlain.h"
+#include "dynamics/sweep/dxSweepRun.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace dxSweeping {
@@ -19,7 +20,10 @@ namespace HWY_NAMESPACE {
 
 #if HWY_TARGET == HWY_SCALAR
 
-HWY_INLINE void takeRow(const dxSweepIsland &island, std::size_t index) { takeRowPlain(island, index); }
+template <class Row>
+HWY_INLINE void takeRow(const dxSweepIsland &island, const Row &row) {
+    takeRowPlain(island, row);
+}
 
 #else
 
@@ -60,54 +64,63 @@ HWY_INLINE void addImpulse(const Six &force, Pair delta, const dReal *impulse, d
 }
 
 // Both bodies at once.
-HWY_INLINE void takeRowOfTwo(const dxSweepIsland &island, std::size_t index) {
-    const dReal *row = island.jacobian + index * dxSweepIsland::kJacobianColumns;
-    const dReal *impulse = island.impulse + index * dxSweepIsland::kImpulseColumns;
-    dReal *out1 = forceOn(island, index, 0), *out2 = forceOn(island, index, 1);
+template <class Row>
+HWY_INLINE void takeRowOfTwo(const dxSweepIsland &island, const Row &row) {
+    dReal *const out1 = forceOn(island, row, 0), *const out2 = forceOn(island, row, 1);
     const Six force1 = load(out1), force2 = load(out2);
-    const Pair sum = sums(products(force1, load(row + dxSweepIsland::kBody1)),
-                          products(force2, load(row + dxSweepIsland::kBody2)));
-    const dReal delta = residual(island, index) - hn::GetLane(sum) - upper(sum);
-    const Pair change = hn::Set(kPair, relax(island, index, delta));
-    addImpulse(force1, change, impulse + dxSweepIsland::kOn1, out1);
-    addImpulse(force2, change, impulse + dxSweepIsland::kOn2, out2);
+    const Pair sum = sums(products(force1, load(row.jacobian() + dxSweepIsland::kBody1)),
+                          products(force2, load(row.jacobian() + dxSweepIsland::kBody2)));
+    const dReal delta = residual(row) - hn::GetLane(sum) - upper(sum);
+    const Pair change = hn::Set(kPair, relax(row, delta));
+    addImpulse(force1, change, row.impulse() + dxSweepIsland::kOn1, out1);
+    addImpulse(force2, change, row.impulse() + dxSweepIsland::kOn2, out2);
 }
 
-HWY_INLINE void takeRow(const dxSweepIsland &island, std::size_t index) {
-    if (hasSecondBody(island, index)) {
-        takeRowOfTwo(island, index);
+template <class Row>
+HWY_INLINE void takeRow(const dxSweepIsland &island, const Row &row) {
+    if (hasSecondBody(row)) {
+        takeRowOfTwo(island, row);
     } else {
-        takeRowPlain(island, index);
+        takeRowPlain(island, row);
     }
 }
 
 #endif
 
 // In large islands the rows are not in the nearest cache, and the processor cannot foresee a random order.
-HWY_INLINE void prefetchRow(const dxSweepIsland &island, std::size_t index) {
-    const dReal *row = island.jacobian + index * dxSweepIsland::kJacobianColumns;
-    const dReal *impulse = island.impulse + index * dxSweepIsland::kImpulseColumns;
-    hwy::Prefetch(row);
-    hwy::Prefetch(row + dxSweepIsland::kBody2);
-    hwy::Prefetch(impulse);
-    hwy::Prefetch(impulse + dxSweepIsland::kImpulseColumns - 1);
-    hwy::Prefetch(island.lambda + index);
-    hwy::Prefetch(island.bodiesOfRow + 2 * index);
-    hwy::Prefetch(island.boundingRow + index);
+HWY_INLINE void prefetch(const PackedRow &row) {
+    hwy::Prefetch(row.jacobian());
+    hwy::Prefetch(row.jacobian() + dxSweepIsland::kBody2);
+    hwy::Prefetch(row.impulse());
+    hwy::Prefetch(&row.lambda());
 }
 
-void sweepSmall(const dxSweepIsland &shared, const int *order) {
+constexpr std::size_t kAhead = 8;  // rows: enough to hide a load from the third cache
+
+void sweepArrays(const dxSweepIsland &shared, const int *order) {
     const dxSweepIsland island = shared;  // a copy of its own, which no store can change
-    for (unsigned i = 0; i < island.rows; ++i) takeRow(island, static_cast<std::size_t>(order[i]));
+    for (unsigned i = 0; i < island.rows; ++i) takeRow(island, ArrayRow(island, static_cast<std::size_t>(order[i])));
 }
 
-void sweepLarge(const dxSweepIsland &shared, const int *order) {
-    constexpr unsigned kAhead = 8;  // rows: enough to hide a load from the third cache
+void sweepPacked(const dxSweepIsland &shared, const int *order) {
     const dxSweepIsland island = shared;
-    for (unsigned i = 0; i < island.rows; ++i) {
-        prefetchRow(island, static_cast<std::size_t>(order[std::min(i + kAhead, island.rows - 1)]));
-        takeRow(island, static_cast<std::size_t>(order[i]));
+    for (std::size_t i = 0; i < island.rows; ++i) {
+        prefetch(PackedRow(island, static_cast<std::size_t>(order[std::min<std::size_t>(i + kAhead, island.rows - 1)])));
+        takeRow(island, PackedRow(island, static_cast<std::size_t>(order[i])));
     }
+}
+
+std::size_t takeRun(const dxSweepIsland &shared, const std::uint32_t *entries, std::size_t begin, std::size_t end) {
+    using namespace dxSweepRun;
+    const dxSweepIsland island = shared;
+    for (std::size_t i = begin; i < end; ++i) {
+        const std::uint32_t entry = entries[i];
+        if ((entry & kWaits) != 0 && i != begin) return i;
+        prefetch(PackedRow(island, entries[std::min(i + kAhead, end - 1)] & kRow));
+        takeRow(island, PackedRow(island, entry & kRow));
+        if ((entry & kAnnounces) != 0) return i + 1;
+    }
+    return end;
 }
 
 }  // namespace HWY_NAMESPACE
@@ -116,19 +129,22 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace dxSweeping {
-HWY_EXPORT(sweepSmall);
-HWY_EXPORT(sweepLarge);
-
-// Rows; about the second cache.
-constexpr unsigned kLarge = 1000;
+HWY_EXPORT(sweepArrays);
+HWY_EXPORT(sweepPacked);
+HWY_EXPORT(takeRun);
 }  // namespace dxSweeping
 
 void dxSweep(const dxSweepIsland &island, const int *order) {
     using namespace dxSweeping;
-    if (island.rows < kLarge) {
-        HWY_DYNAMIC_DISPATCH(sweepSmall)(island, order);
+    if (island.packed == nullptr) {
+        HWY_DYNAMIC_DISPATCH(sweepArrays)(island, order);
     } else {
-        HWY_DYNAMIC_DISPATCH(sweepLarge)(island, order);
+        HWY_DYNAMIC_DISPATCH(sweepPacked)(island, order);
     }
+}
+
+std::size_t dxTakeRun(const dxSweepIsland &island, const std::uint32_t *entries, std::size_t begin, std::size_t end) {
+    using namespace dxSweeping;
+    return HWY_DYNAMIC_DISPATCH(takeRun)(island, entries, begin, end);
 }
 #endif

@@ -38,6 +38,7 @@ const Catalogue &catalogue() {
         addHingeJoints(all);
         addJointFeedback(all);
         addKinematicBodies(all);
+        addLargeIslands(all);
         addLockedSpaces(all);
         addManyContacts(all);
         addMeshCallbacks(all);

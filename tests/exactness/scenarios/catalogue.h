@@ -27,6 +27,8 @@ struct Scenario {
     // in a space whose pairs are shared out, so that they do?
     enum class Callbacks { oneAtATime, reentrant, shared };
     Callbacks callbacks = Callbacks::oneAtATime;
+    // One island is so large that several workers step it together, and the suite asserts that they do.
+    bool byTeam = false;
 };
 
 // Makes a scene whose constructor takes the stepper and `arguments`.

@@ -1,0 +1,174 @@
+// QuickStep's sweeps over an island, in upstream's loop of iterations. ode/seams/quickstep.h calls these.
+//
+// Templates, because the context is known in upstream's file alone.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+#include <ode/odemath.h>
+
+#include "dynamics/dxIslandCall.h"
+#include "dynamics/dxRowShuffle.h"
+#include "dynamics/sweep/dxSweep.h"
+
+namespace dxIslandSweeps {
+
+// Upstream shuffles the rows before every eighth sweep but the first.
+constexpr unsigned kShuffleEvery = 8;
+
+constexpr std::size_t kRowPiece = 256;  // rows that one worker packs at once
+
+template <class Call>
+dxSweepIsland islandOf(const Call &call) {
+    const auto &local = *call.m_localContext;
+    return {local.m_m,
+            call.m_stepperCallContext->m_islandBodiesCount,
+            local.m_J,
+            call.m_iMJ,
+            reinterpret_cast<const int *>(local.m_jb),
+            local.m_findex,
+            call.m_lambda,
+            call.m_cforce,
+            dxIslandCall::of(call.m_stepperCallContext).rows.get()};
+}
+
+// --- preparation --------------------------------------------------------------------------------------
+
+template <class Call>
+bool isLarge(const Call &call) {
+    return call.m_localContext->m_m >= dxSweepIsland::kLarge;
+}
+
+// inv(M) J^T, and the Jacobian scaled by the diagonal of J inv(M) J^T.
+inline void packRow(dReal *jacobian, dxSweepRow &row, const dReal *invMass, const dReal *const *invInertia, dReal w) {
+    const int bodies = row.body[1] != dxSweepIsland::kNone ? 2 : 1;
+    dReal sum = 0;
+    for (int body = 0; body < bodies; ++body) {
+        const dReal *const own = jacobian + (body == 0 ? dxSweepIsland::kBody1 : dxSweepIsland::kBody2);
+        dReal *const impulse = row.impulse + (body == 0 ? dxSweepIsland::kOn1 : dxSweepIsland::kOn2);
+        for (int i = 0; i < 3; ++i) impulse[i] = invMass[body] * own[i];
+        dMultiply0_331(impulse + 3, invInertia[body], own + 3);
+        for (int i = 0; i < 6; ++i) sum += impulse[i] * own[i];
+    }
+    const dReal cfm = jacobian[dxSweepIsland::kCfm], scale = w / (sum + cfm);
+    jacobian[dxSweepIsland::kCfm] = cfm * scale;
+    jacobian[dxSweepIsland::kRhs] *= scale;
+    for (int i = 0; i < 6; ++i) jacobian[dxSweepIsland::kBody1 + i] *= scale;
+    if (bodies == 2)
+        for (int i = 0; i < 6; ++i) jacobian[dxSweepIsland::kBody2 + i] *= scale;
+}
+
+template <class Call>
+void packRows(const Call &call, dxSweepRow *rows, std::size_t begin, std::size_t end) {
+    constexpr std::size_t kInertia = 12;  // upstream's inverse inertia of a body: three rows of four
+    const auto &local = *call.m_localContext;
+    const dxStepperProcessingCallContext &context = *call.m_stepperCallContext;
+    for (std::size_t i = begin; i < end; ++i) {
+        dxSweepRow &row = rows[i];
+        row.body[0] = local.m_jb[i].first;
+        row.body[1] = local.m_jb[i].second;
+        row.boundingRow = local.m_findex[i];
+        row.lambda = call.m_lambda[i];
+        dReal invMass[2];
+        const dReal *invInertia[2];
+        for (int body = 0; body < 2 && row.body[body] != dxSweepIsland::kNone; ++body) {
+            const auto number = static_cast<std::size_t>(row.body[body]);
+            invMass[body] = context.m_islandBodiesStart[number]->invMass;
+            invInertia[body] = local.m_invI + number * kInertia;
+        }
+        packRow(local.m_J + i * dxSweepIsland::kJacobianColumns, row, invMass, invInertia, context.m_world->qs.w);
+    }
+}
+
+// The rows of a large island are packed as they are prepared: upstream's two stages do the same operations on each row,
+// one stage after the other.
+template <class Stage, class Call>
+void computeImpulses(Stage stage, Call *call) {
+    if (!isLarge(*call)) return stage(call);
+    const dxIslandCall &island = dxIslandCall::of(call->m_stepperCallContext);
+    dxSweepRow *const rows = island.rows.take(call->m_localContext->m_m);
+    dxTaskRunner &runner = island.team != nullptr ? *island.team->runner : dxTaskRunner::alone();
+    runner.forPieces(call->m_localContext->m_m, kRowPiece, [&](std::size_t begin, std::size_t end, unsigned) {
+        packRows(*call, rows, begin, end);
+    });
+}
+
+template <class Stage, class Call>
+void scaleRows(Stage stage, Call *call) {
+    if (!isLarge(*call)) stage(call);
+}
+
+// Upstream reads the results where there is feedback.
+template <class Call>
+void giveResults(Call *call) {
+    dxRowMemory &rows = dxIslandCall::of(call->m_stepperCallContext).rows;
+    const auto &local = *call->m_localContext;
+    if (rows.get() != nullptr && local.m_mfb != 0)
+        for (std::size_t i = 0; i < local.m_m; ++i) call->m_lambda[i] = rows.get()[i].lambda;
+    rows.giveBack();
+}
+
+// --- sweeps -------------------------------------------------------------------------------------------
+
+// Whether the rows are no longer in the order of their joints. The mark is one that upstream's threads would use.
+template <class Call>
+bool isShuffled(const Call &call) {
+    return call.m_SOR_reorderHeadTaken != 0;
+}
+
+// In how many parts the team takes shuffled rows; below two the caller takes them alone. Rows in the order of their
+// joints hang together in chains too long to be shared (docs/teams.md).
+template <class Call>
+unsigned partsOf(const Call &call) {
+    const dxIslandTeam *const team = dxIslandCall::of(call.m_stepperCallContext).team;
+    return team == nullptr ? 1 : std::min(team->runner->workers(), call.m_localContext->m_m / dxSharedSweep::kLeastRows);
+}
+
+template <class Call>
+void cut(const Call &call, dxIslandTeam &team, unsigned parts) {
+    dxBody *const *const bodies = call.m_stepperCallContext->m_islandBodiesStart;
+    const dxSweepIsland island = islandOf(call);
+    team.sweep.begin(island, parts, [bodies](std::size_t body) { return bodies[body]->posr.pos; });
+}
+
+// Before sweep number `sweep`, the first and every eighth. A team makes all sweeps up to the next shuffle at once.
+template <class Call>
+bool shuffle(Call *call, unsigned sweep) {
+    if (sweep == 0) return true;
+    dxShuffleRows(&call->m_order->index, call->m_localContext->m_m);
+    call->m_SOR_reorderHeadTaken = 1;
+    const unsigned parts = partsOf(*call);
+    if (parts < 2) return true;
+    dxIslandTeam &team = *dxIslandCall::of(call->m_stepperCallContext).team;
+    if (sweep == kShuffleEvery) cut(*call, team, parts);
+    const unsigned all = static_cast<unsigned>(call->m_stepperCallContext->m_world->qs.num_iterations);
+    team.sweep.sweep(islandOf(*call), &call->m_order->index, std::min(kShuffleEvery, all - sweep), *team.runner);
+    return true;
+}
+
+// Until the first shuffle the order is made to overlap, once. The schedule lies in memory that upstream reserves for
+// threads of its own, of which there are none here, and so does the mark that it is made.
+template <class Call>
+void sweepScheduled(Call *call) {
+    const dxSweepIsland island = islandOf(*call);
+    int *const scheduled = reinterpret_cast<int *>(call->m_mi_links);
+    if (call->m_SOR_mi_zeroHeadTaken == 0) {
+        unsigned *const level = reinterpret_cast<unsigned *>(scheduled + island.rows);
+        dxScheduleSweep(island, &call->m_order->index,
+                        {scheduled, level, reinterpret_cast<unsigned *>(call->m_bi_links_or_mi_levels)});
+        call->m_SOR_mi_zeroHeadTaken = 1;
+    }
+    dxSweep(island, scheduled);
+}
+
+// One sweep, unless a team has made it already.
+template <class Call>
+void sweep(Call *call) {
+    if (!isShuffled(*call))
+        sweepScheduled(call);
+    else if (partsOf(*call) < 2)
+        dxSweep(islandOf(*call), &call->m_order->index);
+}
+
+}  // namespace dxIslandSweeps

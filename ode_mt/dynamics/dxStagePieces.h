@@ -1,0 +1,89 @@
+// Upstream's stages of QuickStep in pieces: a piece is the stage for a range of bodies, joints or rows, and any worker
+// may take it. ode/seams/quickstep.h calls these in the place of the stages.
+//
+// A stage counts through its items, from a counter in its context to a length in the island's. A piece is the
+// stage with copies of both, in which the counter starts at the piece and the length ends with it, so that workers do
+// not contend for one counter. No item reads what another one of its stage writes (docs/teams.md).
+//
+// Templates, because the contexts are known in upstream's file alone.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+
+#include "dynamics/dxIslandCall.h"
+#include "joints/joint.h"
+
+namespace dxStagePieces {
+
+// Items that one worker takes at once: some ten microseconds.
+constexpr std::size_t kBodies = 32, kJoints = 32, kRows = 256;
+
+// Rows that upstream's counter counts at once (dxQUICKSTEPISLAND_STAGE2C_STEP).
+constexpr unsigned kRhsStep = 32;
+
+// Upstream's inverse inertia of a body: three rows of four.
+constexpr std::size_t kInertia = 12;
+
+// getInfo2 of other joints may push their bodies (motors at their limits), which has to go in order.
+inline bool hasOnlyContacts(const dxStepperProcessingCallContext &island) {
+    for (unsigned i = 0; i < island.m_islandJointsCount; ++i)
+        if (island.m_islandJointsStart[i]->type() != dJointTypeContact) return false;
+    return true;
+}
+
+// Tags, gravity and inertia. To number the bodies of a piece first fetches them, side by side.
+template <class Stage, class Call>
+void prepareBodies(Stage stage, Call *call) {
+    const dxStepperProcessingCallContext &whole = *call->m_stepperCallContext;
+    dxIslandTeam *const team = dxIslandCall::of(&whole).team;
+    if (team == nullptr) return stage(call);
+    team->runner->forPieces(whole.m_islandBodiesCount, kBodies, [&](std::size_t begin, std::size_t end, unsigned) {
+        dxStepperProcessingCallContext island = whole;
+        island.m_islandBodiesStart += begin;
+        island.m_islandBodiesCount = static_cast<unsigned>(end - begin);
+        for (std::size_t i = begin; i < end; ++i) whole.m_islandBodiesStart[i]->tag = static_cast<int>(i);
+        Call piece = *call;
+        piece.m_stepperCallContext = &island;
+        piece.m_invI += begin * kInertia;
+        piece.m_tagsTaken = 1;
+        stage(&piece);
+    });
+}
+
+// Jacobians and limits of the joints.
+template <class Stage, class Call>
+void readJoints(Stage stage, Call *call) {
+    dxIslandTeam *const team = dxIslandCall::of(call->m_stepperCallContext).team;
+    if (team == nullptr || !hasOnlyContacts(*call->m_stepperCallContext)) return stage(call);
+    auto &whole = *call->m_localContext;
+    std::atomic<unsigned> bounded{0};
+    team->runner->forPieces(whole.m_nj, kJoints, [&](std::size_t begin, std::size_t end, unsigned) {
+        auto local = whole;
+        local.m_nj = static_cast<unsigned>(end);
+        local.m_valid_findices = 0;
+        Call piece = *call;
+        piece.m_localContext = &local;
+        piece.m_ji_J = piece.m_ji_jb = static_cast<unsigned>(begin);
+        stage(&piece);
+        bounded.fetch_add(local.m_valid_findices, std::memory_order_relaxed);
+    });
+    whole.m_valid_findices += bounded.load(std::memory_order_relaxed);
+}
+
+template <class Stage, class Call>
+void addRightHandSides(Stage stage, Call *call) {
+    dxIslandTeam *const team = dxIslandCall::of(call->m_stepperCallContext).team;
+    if (team == nullptr) return stage(call);
+    const auto &whole = *call->m_localContext;
+    team->runner->forPieces(whole.m_m, kRows, [&](std::size_t begin, std::size_t end, unsigned) {
+        auto local = whole;
+        local.m_m = static_cast<unsigned>(end);
+        Call piece = *call;
+        piece.m_localContext = &local;
+        piece.m_Jrhsi = static_cast<unsigned>(begin) / kRhsStep;
+        stage(&piece);
+    });
+}
+
+}  // namespace dxStagePieces

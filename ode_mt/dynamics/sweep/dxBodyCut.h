@@ -1,0 +1,35 @@
+// Cuts bodies into parts that lie apart and have about the same weight, by recursive bisection across the longest
+// axis (Berger and Bokhari, "A partitioning strategy for nonuniform problems on multiprocessors", 1987).
+//
+// Linear in the bodies for each doubling of the parts. Any cut is a right one: it decides about speed alone.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <ode/common.h>
+
+struct dxPlace {
+    dReal at[3];
+};
+
+class dxBodyCut {
+public:
+    using Part = std::uint16_t;
+
+    // `places`, `weights`: by body.
+    void cut(const std::vector<dxPlace> &places, const std::vector<unsigned> &weights, unsigned parts);
+
+    Part partOf(std::size_t body) const { return m_part[body]; }
+
+private:
+    struct Bisection {
+        std::size_t begin, end;  // in m_bodies
+        unsigned firstPart, parts;
+    };
+
+    std::vector<Part> m_part;             // by body
+    std::vector<unsigned> m_bodies;       // those of a part lie side by side
+    std::vector<Bisection> m_open;
+};
