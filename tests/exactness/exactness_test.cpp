@@ -104,12 +104,14 @@ void addTest(const ScenarioName &scenario, const std::string &name, const Player
                           __LINE__, [=]() -> testing::Test * { return new ExactnessTest(scenario, player); });
 }
 
-// Callbacks one at a time, if it is this combination's turn, and, where the scenario's may, several at a time.
+// If it is this combination's turn: callbacks one at a time and, where the scenario's may, several at a time. With "lcp"
+// they are several at a time with every number of threads.
 void addAlgorithmTests(const ScenarioName &scenario, const char *algorithm, const Threads &threads, bool isItsTurn) {
     std::string name = std::string(algorithm) + '_' + std::to_string(threads.count);
     Player player{ThreadSetting{managers[0], threads.count, threads.disturbed, algorithm}};
-    if (isItsTurn && algorithm != std::string("lcp")) addTest(scenario, name, player);
-    if (scenario.callbacks.empty()) return;
+    const bool isLcp = algorithm == std::string("lcp");
+    if (isItsTurn && !isLcp) addTest(scenario, name, player);
+    if (scenario.callbacks.empty() || !(isItsTurn || isLcp)) return;
     player.setting->concurrentCallbacks = true;
     player.unordered = true;
     addTest(scenario, name + "_concurrent", player);
