@@ -22,29 +22,11 @@ public:
 
     void step() override {
         ManyParts::step();
-        if (frameNumber() % 8 != 0) return;
-        for (const dJointFeedback &feedback : m_contactFeedback) {
-            for (const dReal *part : {feedback.f1, feedback.t1, feedback.f2, feedback.t2}) {
-                for (int i = 0; i < 3; ++i) note("feedback of a contact", part[i]);
-            }
-        }
-    }
-
-    void finish() override {
-        ManyParts::finish();
-        m_contactFeedback.clear();
+        if (frameNumber() % 8 == 0) noteContactFeedback();
     }
 
 protected:
-    void onNearPair(dGeomID o1, dGeomID o2) override {
-        dContact contacts[4] = {};
-        const int count = dCollide(o1, o2, 4, &contacts[0].geom, sizeof(dContact));
-        for (int i = 0; i < count; ++i) {
-            setSurface(contacts[i]);
-            m_contactFeedback.push_back({});
-            dJointSetFeedback(addContact(contacts[i], world()), &m_contactFeedback.back());
-        }
-    }
+    void onContact(dJointID joint) override { addContactFeedback(joint); }
 
 private:
     void addPendulum(int part, Vector3 pivot) {
@@ -69,7 +51,6 @@ private:
     }
 
     dJointFeedback *m_shared = nullptr;
-    std::list<dJointFeedback> m_contactFeedback;
 };
 
 }  // namespace

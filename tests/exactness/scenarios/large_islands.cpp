@@ -4,7 +4,6 @@
 #include "scenario_scene.h"
 
 #include <cmath>
-#include <list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -107,30 +106,13 @@ public:
 
     void step() override {
         Stack::step();
-        for (const dJointFeedback &feedback : m_feedback)
-            for (const dReal *part : {feedback.f1, feedback.t1, feedback.f2, feedback.t2})
-                for (int i = 0; i < 3; ++i) note("feedback of a contact", part[i]);
-    }
-    void finish() override {
-        Stack::finish();
-        m_feedback.clear();
+        noteContactFeedback();
     }
 
 protected:
-    void onNearPair(dGeomID o1, dGeomID o2) override {
-        dContact contacts[4] = {};
-        const int count = dCollide(o1, o2, 4, &contacts[0].geom, sizeof(dContact));
-        for (int i = 0; i < count; ++i) {
-            setSurface(contacts[i]);
-            const dJointID joint = addContact(contacts[i], world());
-            if (m_dice.below(8) != 0) continue;
-            m_feedback.push_back({});
-            dJointSetFeedback(joint, &m_feedback.back());
-        }
+    void onContact(dJointID joint) override {
+        if (m_dice.oneIn(8)) addContactFeedback(joint);
     }
-
-private:
-    std::list<dJointFeedback> m_feedback;
 };
 
 // A net of balls joined to their neighbours, hanging from two corners: joints alone.

@@ -66,6 +66,7 @@ void ScenarioScene::step() {
 
 void ScenarioScene::finish() {
     dJointGroupEmpty(m_group);
+    m_contactFeedbacks.clear();
     m_time += m_stepSize;
     ++m_frame;
 }
@@ -104,6 +105,11 @@ dJointFeedback *ScenarioScene::addFeedback(dJointID joint) {
     m_feedbacks.push_back({});
     dJointSetFeedback(joint, &m_feedbacks.back());
     return &m_feedbacks.back();
+}
+
+void ScenarioScene::addContactFeedback(dJointID contact) {
+    m_contactFeedbacks.push_back({});
+    dJointSetFeedback(contact, &m_contactFeedbacks.back());
 }
 
 void ScenarioScene::destroy(dBodyID body) {
@@ -156,7 +162,7 @@ void ScenarioScene::addContacts(dGeomID o1, dGeomID o2) {
     const int count = dCollide(o1, o2, m_contactLimit, &contacts[0].geom, sizeof(dContact));
     for (int i = 0; i < count; ++i) {
         setSurface(contacts[i]);
-        addContact(contacts[i], dBodyGetWorld(b1 != nullptr ? b1 : b2));
+        onContact(addContact(contacts[i], dBodyGetWorld(b1 != nullptr ? b1 : b2)));
     }
 }
 
@@ -176,6 +182,12 @@ void ScenarioScene::watchMoved(dBodyID body) { dBodySetMovedCallback(body, &move
 
 void ScenarioScene::note(const char *what, double value) {
     if (m_observer != nullptr) m_observer->note(what, value);
+}
+
+void ScenarioScene::noteContactFeedback() {
+    for (const dJointFeedback &feedback : m_contactFeedbacks)
+        for (const dReal *part : {feedback.f1, feedback.t1, feedback.f2, feedback.t2})
+            for (int i = 0; i < 3; ++i) note("feedback of a contact", part[i]);
 }
 
 ScenarioScene &ScenarioScene::living() { return *livingScene; }

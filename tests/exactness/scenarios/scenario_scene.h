@@ -31,6 +31,7 @@ protected:
     dBodyID addBody(Vector3 position, dWorldID world);  // no geom; 1 kg, inertia of a ball of radius 0.2
     dBodyID carry(dGeomID geom, Vector3 position);      // such a body, with this geom, which is listed
     dJointFeedback *addFeedback(dJointID joint);
+    void addContactFeedback(dJointID contact);  // until the end of the frame
 
     void destroy(dBodyID body);  // with its geoms; its joints stay, attached to nothing
     void destroy(dJointID joint);
@@ -39,6 +40,7 @@ protected:
     // --- parts of a frame, to be changed ----------------------------------------------------------
     virtual void onNearPair(dGeomID o1, dGeomID o2);  // as it stands: contacts for the pair
     virtual void setSurface(dContact &contact);       // as it stands: m_surface
+    virtual void onContact(dJointID /*joint*/) {}     // of those that addContacts() makes
     virtual void stepWorld(dWorldID world);
     virtual void onMoved(dBodyID /*body*/) {}  // of the bodies that are watched
 
@@ -50,6 +52,7 @@ protected:
     void tell(const dContact &contact);  // of which no joint is made
     void watchMoved(dBodyID body);
     void note(const char *what, double value = 0);
+    void noteContactFeedback();
     Stepper stepper() const { return m_stepper; }
     int frameNumber() const { return m_frame; }  // of the frame in progress, from 1
 
@@ -66,7 +69,7 @@ private:
     dJointGroupID m_group;
     std::vector<dSpaceID> m_roots;
     int m_frame = 1;
-    std::list<dJointFeedback> m_feedbacks;
+    std::list<dJointFeedback> m_feedbacks, m_contactFeedbacks;
 };
 
 // A scene of many parts that stand too far apart to touch. Each part is an island of its own.
