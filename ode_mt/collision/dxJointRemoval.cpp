@@ -49,14 +49,14 @@ void remove(dxJoint *joint) {
 void dxRemoveJoints(dxJointGroup &group) {
     const std::size_t count = group.getJointCount();
     if (count == 0) return;
-    std::vector<dxJoint *> *const list = lists->takeOrMake();
-    list->resize(count);
-    group.exportJoints(list->data());
+    const dxIdleLease<std::vector<dxJoint *>> lease(*lists);
+    std::vector<dxJoint *> &list = *lease;
+    list.resize(count);
+    group.exportJoints(list.data());
     for (std::size_t i = count; i-- != 0;) {
-        if (i >= kAhead) __builtin_prefetch((*list)[i - kAhead]);
-        remove((*list)[i]);
+        if (i >= kAhead) __builtin_prefetch(list[i - kAhead]);
+        remove(list[i]);
     }
-    lists->giveBack(list);
     group.freeAll();
 }
 

@@ -42,3 +42,20 @@ private:
     dxForkSafeMutex m_mutex;
     std::vector<Object *> m_idle;
 };
+
+// An object of a pool until the end of the scope, by whatever way it is left. It is as the one who had it last left it.
+template <class Object>
+class dxIdleLease {
+public:
+    explicit dxIdleLease(dxIdlePool<Object> &pool) : m_pool(pool), m_object(pool.takeOrMake()) {}
+    ~dxIdleLease() { m_pool.giveBack(m_object); }
+    dxIdleLease(const dxIdleLease &) = delete;
+    dxIdleLease &operator=(const dxIdleLease &) = delete;
+
+    Object &operator*() const { return *m_object; }
+    Object *operator->() const { return m_object; }
+
+private:
+    dxIdlePool<Object> &m_pool;
+    Object *const m_object;
+};

@@ -1,6 +1,5 @@
 #include "dynamics/dxIslandTeam.h"
 
-#include "dynamics/dxIdlePool.h"
 #include "threading/dxProcessObject.h"
 
 namespace {
@@ -9,12 +8,9 @@ dxProcessObject<dxIdlePool<dxIslandTeam>> pool;
 
 }  // namespace
 
-dxIslandTeamLease::dxIslandTeamLease(dxTaskRunner &runner) : m_team(pool->takeOrMake()) { m_team->runner = &runner; }
+dxIslandTeamLease::dxIslandTeamLease(dxTaskRunner &runner) : m_team(*pool) { m_team->runner = &runner; }
 
-dxIslandTeamLease::~dxIslandTeamLease() {
-    m_team->runner = nullptr;
-    pool->giveBack(m_team);
-}
+dxIslandTeamLease::~dxIslandTeamLease() { m_team->runner = nullptr; }
 
 void dxIslandTeamLease::forget() {
     pool->clear([](dxIslandTeam *team) { delete team; });

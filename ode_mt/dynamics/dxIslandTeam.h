@@ -1,6 +1,7 @@
 // Workers that step one island together, and what they share from step to step: memory.
 #pragma once
 
+#include "dynamics/dxIdlePool.h"
 #include "dynamics/sweep/dxSharedSweep.h"
 #include "threading/dxTaskRunner.h"
 
@@ -23,5 +24,5 @@ public:
     static void forget();
 
 private:
-    dxIslandTeam *m_team;
+    dxIdleLease<dxIslandTeam> m_team;
 };

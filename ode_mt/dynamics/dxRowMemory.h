@@ -2,25 +2,22 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
+#include "dynamics/dxIdlePool.h"
 #include "dynamics/sweep/dxSweep.h"
 
 class dxRowMemory {
 public:
-    dxRowMemory() = default;
-    ~dxRowMemory() { giveBack(); }
-    dxRowMemory(const dxRowMemory &) = delete;
-    dxRowMemory &operator=(const dxRowMemory &) = delete;
-
     // Undefined contents.
     dxSweepRow *take(std::size_t rows);
-    dxSweepRow *get() const { return m_borrowed != nullptr ? m_borrowed->data() : nullptr; }
-    void giveBack();
+    dxSweepRow *get() const { return m_rows ? (*m_rows)->data() : nullptr; }
+    void giveBack() { m_rows.reset(); }
 
     // Frees what the process keeps; no step may be in progress.
     static void forget();
 
 private:
-    std::vector<dxSweepRow> *m_borrowed = nullptr;
+    std::optional<dxIdleLease<std::vector<dxSweepRow>>> m_rows;
 };

@@ -93,19 +93,6 @@ unsigned workersFor(dxOrderedSpace &space, const dxTaskRunner &runner) {
     return algorithm == dxAlgorithm::Auto ? runner.workers() : dxClusterManager::threadsFor(&space, runner.workers());
 }
 
-// Gives the run back, also when a callback's exception passes.
-class Lease {
-public:
-    Lease() : m_run(idleRuns->takeOrMake()) {}
-    ~Lease() { idleRuns->giveBack(m_run); }
-    Lease(const Lease &) = delete;
-    Lease &operator=(const Lease &) = delete;
-    Run &operator*() const { return *m_run; }
-
-private:
-    Run *m_run;
-};
-
 // Under auto: more than half of the pairs hang together in one task, as in a heap. One worker would run their callbacks
 // while the others wait; with contacts ahead all have work.
 bool isLopsided(const dxPairTasks &cut, std::size_t pairs) {
@@ -120,7 +107,7 @@ bool collideLocked(dxOrderedSpace &space, dxTaskRunner &runner, void *data, dNea
     if (!space.makeReadyShared(runner)) return false;
     const unsigned workers = workersFor(space, runner);
     if (workers < 2 || space.pairs().size() < kLeastPairs) return false;
-    const Lease lease;
+    const dxIdleLease<Run> lease(*idleRuns);
     Run &run = *lease;
     run.start(space, workers);
     const auto tasks = static_cast<unsigned>(run.cut.tasks().size());
