@@ -94,9 +94,13 @@ dxStep::dxStep(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal step
       m_interrupted(m_count) {}
 
 void dxStep::run() {
-    const unsigned limit = workerLimit();
-    estimateCosts(limit);
-    const bool mayHaveTeam = limit >= 2 && hasTeamIsland(limit);
+    const unsigned limit = mayShare() ? workerLimit() : 1;
+    if (limit < 2) {
+        runInOrder();
+        return;
+    }
+    estimateCosts();
+    const bool mayHaveTeam = hasTeamIsland(limit);
     const Clock::time_point start = Clock::now();
     if (mayHaveTeam && shallHaveTeam()) {
         runWithTeam(limit);
@@ -104,11 +108,12 @@ void dxStep::run() {
         return;
     }
     const unsigned workers = chooseWorkers(limit);
-    if (workers >= 2)
+    if (workers >= 2) {
         runShared(workers);
-    else
+    } else {
         runInOrder();
-    if (workers < 2 && m_costsKnown) costModel->learnSerial(m_kind, m_totalCost, nsSince(start));
+        if (m_costsKnown) costModel->learnSerial(m_kind, m_totalCost, nsSince(start));
+    }
     if (mayHaveTeam) rememberTeam(false, nsSince(start));
 }
 
@@ -138,6 +143,7 @@ bool dxStep::shallHaveTeam() const {
 }
 
 void dxStep::rememberTeam(bool hadTeam, double ns) const {
+    if (dxSettings::instance().algorithm() != dxAlgorithm::Auto) return;
     const std::unique_lock<std::mutex> hold(teamPace->mutex, std::try_to_lock);
     if (hold) teamPace->pace.remember(hadTeam, ns * kCostOfReference / m_totalCost);
 }
@@ -419,8 +425,13 @@ void dxStep::learn(unsigned workers, double wallNs) const {
 
 // --- who may work -------------------------------------------------------------------------------------
 
-void dxStep::estimateCosts(unsigned limit) {
-    if (limit < 2) return;
+// The steps of most small worlds are over before a clock could be read: they cost one look at their only island.
+bool dxStep::mayShare() const {
+    if (m_count != 1) return m_count > 1;
+    return m_kind == dxStepperKind::Quick && dxIslandCursor(m_info).next().jointCount >= kLeastTeamJoints;
+}
+
+void dxStep::estimateCosts() {
     dxIslandCursor cursor(m_info);
     for (unsigned i = 0; i < m_count; ++i) {
         const dxIsland island = cursor.next();
@@ -456,7 +467,7 @@ void dxStep::onWorkers(unsigned blocks, unsigned workers, Stage stage) {
 
 unsigned dxStep::workerLimit() const {
     const dxAlgorithm algorithm = dxSettings::instance().algorithm();
-    if (algorithm == dxAlgorithm::Serial || m_count == 0) return 1;
+    if (algorithm == dxAlgorithm::Serial) return 1;
     unsigned limit = dxWorldWorkers::given(m_world) ? dxWorldWorkers::count(m_world)
                                                     : dxSettings::instance().threads();
     const unsigned asked = m_world->islands_max_threads;

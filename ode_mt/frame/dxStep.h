@@ -51,7 +51,8 @@ private:
     void learn(unsigned workers, double wallNs) const;
 
     // --- who may work ----------------------------------------------------------------------------------
-    void estimateCosts(unsigned limit);
+    bool mayShare() const;
+    void estimateCosts();
     unsigned chooseWorkers(unsigned limit);
     unsigned workerLimit() const;
     template <class Stage>
