@@ -152,11 +152,8 @@ void dxClusteredWorldAndSpace::searchCluster(int number, const dxMembers &member
     }
     m_boxes.clear();
     for (const Slot slot : m_listed) m_boxes.push(members[slot].bounds);
-    m_rows.resize(m_listed.size());
-    for (std::size_t i = 0; i < changed; ++i) {
-        const std::size_t count = dxOverlappingRows(m_boxes, members[m_listed[i]].bounds, i + 1, m_rows.data());
-        for (std::size_t k = 0; k < count; ++k) matches.push_back({m_listed[i], m_listed[m_rows[k]]});
-    }
+    const std::size_t count = dxOverlappingPairs(m_boxes, changed, m_together);
+    for (std::size_t i = 0; i < count; ++i) matches.push_back({m_listed[m_together[i].a], m_listed[m_together[i].b]});
 }
 
 // A static or a big member that changed: in no cluster of what moves, so it is compared with everything, except

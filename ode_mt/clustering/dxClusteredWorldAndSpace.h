@@ -104,5 +104,5 @@ private:
     // Of the cluster that is being searched.
     std::vector<Slot> m_listed;
     dxBoxTable m_boxes;
-    std::vector<std::uint32_t> m_rows;
+    std::vector<dxSlotPair> m_together;  // rows
 };

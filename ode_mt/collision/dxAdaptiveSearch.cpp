@@ -2,6 +2,10 @@
 
 namespace {
 
+// Slots of members up to which comparing boxes by vectors is faster, whatever share of them moves. A space on the border
+// does not go back and forth: it has a table again at half of it.
+constexpr std::size_t kLargestTable = 128;
+
 // Looking a box up costs about as much as ten boxes do in a batch.
 constexpr std::size_t kBatchPerLookUp = 10;
 
@@ -15,19 +19,31 @@ constexpr int kQuietCalls = 8;
 }  // namespace
 
 void dxAdaptiveSearch::search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) {
-    if (m_batch == nullptr && m_neighbours == nullptr) begin(members);
-    if (m_batch != nullptr)
+    chooseTable(members);
+    if (m_table != nullptr)
+        m_table->search(members, runner, matches);
+    else if (m_batch != nullptr)
         searchBatch(members, runner, matches);
     else
         searchNeighbours(members, runner, matches);
 }
 
-// At the first call all members are new.
-void dxAdaptiveSearch::begin(const dxMembers &members) {
-    if (members.end() < kLeastLookUps)
-        m_neighbours = std::make_unique<dxNeighbourSearch>();
-    else
+// A batch knows nothing of the calls before.
+void dxAdaptiveSearch::chooseTable(const dxMembers &members) {
+    const bool isFirst = m_table == nullptr && m_batch == nullptr && m_neighbours == nullptr;
+    const std::size_t most = isFirst || m_table != nullptr ? kLargestTable : kLargestTable / 2;
+    const bool shallBeTable = members.end() <= most;
+    if (!isFirst && shallBeTable == isTable()) return;
+    m_table.reset();
+    m_batch.reset();
+    m_neighbours.reset();
+    m_quietCalls = 0;
+    if (shallBeTable) {
+        m_table = std::make_unique<dxTableSearch>();
+        m_table->adopt(members);
+    } else {
         m_batch = std::make_unique<dxBatchSearch>();
+    }
 }
 
 void dxAdaptiveSearch::searchBatch(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) {

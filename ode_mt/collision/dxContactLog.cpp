@@ -15,7 +15,7 @@ void dxUpstreamJointAttach(dJointID joint, dBodyID body1, dBodyID body2);
 
 namespace {
 
-thread_local dxContactLog *t_current = nullptr;
+__attribute__((tls_model("initial-exec"))) thread_local dxContactLog *t_current = nullptr;
 
 }  // namespace
 

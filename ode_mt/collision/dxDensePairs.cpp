@@ -71,7 +71,7 @@ void dxDensePairs::reorder(const dxMembers &members) {
         if (members.isChanged(slot)) continue;
         while (changed != m_changed.cend() && isBefore(*changed, slot)) pushChanged();
         m_nextOrder.push_back(slot);
-        m_nextBoxes.pushRow(m_boxes, row);
+        m_nextBoxes.push(m_boxes.row(row));
     }
     while (changed != m_changed.cend()) pushChanged();
     m_order.swap(m_nextOrder);
@@ -90,11 +90,8 @@ bool dxDensePairs::changedAreInFront() const {
 }
 
 void dxDensePairs::findPairs(const dxMembers &members, std::size_t rows) {
-    m_rows.resize(m_order.size());
-    for (std::uint32_t row = 0; row < rows; ++row) {
-        const std::size_t count = dxOverlappingRows(m_boxes, members[m_order[row]].bounds, row + 1, m_rows.data());
-        for (std::size_t i = 0; i < count; ++i) push(members, row, m_rows[i]);
-    }
+    const std::size_t count = dxOverlappingPairs(m_boxes, rows, m_together);
+    for (std::size_t i = 0; i < count; ++i) push(members, m_together[i].a, m_together[i].b);
 }
 
 // Of changed members, wherever they stand, with all others.

@@ -37,6 +37,7 @@ private:
     std::uint64_t m_orderings = 0;           // of the members, when they were put in order
     dxBoxTable m_boxes, m_nextBoxes;         // of m_order
     std::vector<std::uint32_t> m_rows;
+    std::vector<dxSlotPair> m_together;      // rows
     std::vector<std::uint64_t> m_around;     // pairs of rows, in one number each
     std::vector<dxOrderedPair> m_found, m_kept;
 };

@@ -70,15 +70,10 @@ void dxOrderedHashSpace::setLevels(const dxHashLevels &levels) {
     startAnew();
 }
 
+// Upstream does not even clean a lone geom.
 void dxOrderedHashSpace::collide(void *data, dNearCallback *callback) {
     dAASSERT(callback);
-    if (count < 2) return;  // upstream does not even clean the geoms then
-    beginCollide();
-    if (makeReady())
-        collidePairs(data, callback);
-    else
-        collideList(data, callback);
-    lock_count--;
+    if (count >= 2) dxOrderedSpace::collide(data, callback);
 }
 
 bool dxOrderedHashSpace::makeReady() {
@@ -127,23 +122,23 @@ void dxOrderedHashSpace::requireInRange() const {
 }
 
 // Upstream asks which geoms are enabled before the first callback, and does not ask again.
-void dxOrderedHashSpace::collidePairs(void *data, dNearCallback *callback) {
+void dxOrderedHashSpace::deliver(void *data, dNearCallback *callback) {
     const auto bothEnabled = [](const dxOrderedPair &pair) {
         return dxGeomIsEnabled(pair.first) && dxGeomIsEnabled(pair.second);
     };
     if (std::all_of(pairs().begin(), pairs().end(), bothEnabled)) {
-        deliver(pairs(), data, callback);
+        deliverAll(pairs(), data, callback);
         return;
     }
     // Out of the member, because a callback may collide this space again.
     std::vector<dxOrderedPair> enabled = std::move(m_enabledPairs);
     enabled.clear();
     std::copy_if(pairs().begin(), pairs().end(), std::back_inserter(enabled), bothEnabled);
-    deliver(enabled, data, callback);
+    deliverAll(enabled, data, callback);
     m_enabledPairs = std::move(enabled);
 }
 
-void dxOrderedHashSpace::deliver(const std::vector<dxOrderedPair> &pairs, void *data, dNearCallback *callback) {
+void dxOrderedHashSpace::deliverAll(const std::vector<dxOrderedPair> &pairs, void *data, dNearCallback *callback) {
     dxContactsAhead *const ahead = this->ahead();
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         if (ahead != nullptr) ahead->beforePair(pairs, i);
@@ -153,7 +148,7 @@ void dxOrderedHashSpace::deliver(const std::vector<dxOrderedPair> &pairs, void *
 }
 
 // All pairs that share a cell, whether or not their boxes overlap, for the assertions in collideAABBs.
-void dxOrderedHashSpace::collideList(void *data, dNearCallback *callback) {
+void dxOrderedHashSpace::walk(void *data, dNearCallback *callback) {
     std::vector<dxGeom *> geoms;
     std::vector<dxHashCells> cells;
     for (dxGeom *geom = first; geom != nullptr; geom = geom->next) {

@@ -21,10 +21,10 @@ private:
     void update(std::vector<dxOrderedPair> &pairs) override;
     bool place(Slot a, Slot b, dxPairKey &key, bool &swapped) const override;
     void expect(Slot a, Slot b) const override;
+    void deliver(void *data, dNearCallback *callback) override;
+    void walk(void *data, dNearCallback *callback) override;
 
-    void collidePairs(void *data, dNearCallback *callback);
-    void deliver(const std::vector<dxOrderedPair> &pairs, void *data, dNearCallback *callback);
-    void collideList(void *data, dNearCallback *callback);
+    void deliverAll(const std::vector<dxOrderedPair> &pairs, void *data, dNearCallback *callback);
     void updateCells();
     void requireInRange() const;
 

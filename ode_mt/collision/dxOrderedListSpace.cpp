@@ -19,8 +19,17 @@ void collideFrom(dxGeom *member, void *data, dxGeom *geom, dNearCallback *callba
 // once, because a user's bounding-box function may leave by an exception.
 void dxOrderedListSpace::cleanGeoms() {
     lock_count++;
-    dxRank next = members().firstOf(count);
     gatherDirty();
+    chooseToWalk();
+    if (m_isWalked)
+        for (std::size_t i = 0; i < m_dirty.size(); ++i) clean(m_dirty, i);
+    else
+        cleanAndRank();
+    lock_count--;
+}
+
+void dxOrderedListSpace::cleanAndRank() {
+    dxRank next = members().firstOf(count);
     computeBoxes(m_dirty);
     for (std::size_t i = 0; i < m_dirty.size(); ++i) {
         clean(m_dirty, i);
@@ -28,7 +37,28 @@ void dxOrderedListSpace::cleanGeoms() {
     }
     dxGeom *const clean = m_dirty.empty() ? first : m_dirty.back()->next;
     if (members().unranked() != 0 || m_irregular) rankBehindClean(clean, next);
-    lock_count--;
+}
+
+// Workers, and a search that was asked for, need all pairs.
+int dxOrderedListSpace::leastMovedToWalk() const {
+    return isShared() || hasSearch() ? INT_MAX : leastToWalk();
+}
+
+void dxOrderedListSpace::chooseToWalk() {
+    m_moved += static_cast<int>(m_dirty.size());
+    const int least = leastMovedToWalk();
+    m_isWalked = m_moved >= least || (m_isWalked && least != INT_MAX);
+    m_irregular = m_irregular || m_isWalked;
+}
+
+// Half as many as it takes to walk the list: from now on ranks and pairs are kept.
+bool dxOrderedListSpace::requireRanks() {
+    if (m_isWalked && m_moved < (leastMovedToWalk() + 1) / 2) {
+        m_isWalked = false;
+        rankBehindClean(first, members().firstOf(count));
+    }
+    m_moved = 0;
+    return !m_irregular;
 }
 
 void dxOrderedListSpace::gatherDirty() {
@@ -48,14 +78,9 @@ void dxOrderedListSpace::rankBehindClean(dxGeom *geom, dxRank next) {
     }
 }
 
-void dxOrderedListSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback) {
-    dAASSERT(geom && callback);
-    lock_count++;
-    cleanGeoms();
-    geom->recomputeAABB();
+void dxOrderedListSpace::collideWith(void *data, dxGeom *geom, dNearCallback *callback) {
     if (m_irregular || !isWorthAnIndex())
         collideFrom(first, data, geom, callback);
     else if (const dxGeom *const last = collideRegion(data, geom, callback))
         collideFrom(last->next, data, geom, callback);
-    lock_count--;
 }

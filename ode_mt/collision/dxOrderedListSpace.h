@@ -4,6 +4,7 @@
 // rank stands further to the front.
 #pragma once
 
+#include <climits>
 #include <vector>
 
 #include "collision/dxOrderedSpace.h"
@@ -11,17 +12,26 @@
 class dxOrderedListSpace : public dxOrderedSpace {
 public:
     void cleanGeoms() override;
-    void collide2(void *data, dxGeom *geom, dNearCallback *callback) override;
 
 protected:
     using dxOrderedSpace::dxOrderedSpace;
 
-    bool ranksAreRight() const override { return !m_irregular; }
+    // Geoms that move from which on testing all pairs, as upstream does, is faster than ranks and pairs are. INT_MAX: never.
+    virtual int leastToWalk() const { return INT_MAX; }
+
+    bool requireRanks() override;
+    void collideWith(void *data, dxGeom *geom, dNearCallback *callback) override;
 
 private:
+    int leastMovedToWalk() const;
     void gatherDirty();
+    void cleanAndRank();
+    void chooseToWalk();
     void rankBehindClean(dxGeom *geom, dxRank rank);
 
     std::vector<dxGeom *> m_dirty;  // front first
-    bool m_irregular = false;       // there are dirty geoms behind clean ones
+    int m_moved = 0;                // geoms that were cleaned since ranks were asked for
+    bool m_isWalked = false;        // as upstream does, for so many move
+    bool m_irregular = false;       // ranks do not stand for the list: there are dirty geoms behind clean ones, or it is
+                                    // walked
 };

@@ -87,24 +87,11 @@ void dxOrderedQuadTreeSpace::rankAnew() {
     startAnew();
 }
 
-void dxOrderedQuadTreeSpace::collide(void *data, dNearCallback *callback) {
-    dAASSERT(callback);
-    beginCollide();
-    makeReady();
-    deliverByRank(data, callback);
-    lock_count--;
-}
-
-void dxOrderedQuadTreeSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback) {
-    dAASSERT(geom && callback);
-    lock_count++;
-    cleanGeoms();
-    geom->recomputeAABB();
+void dxOrderedQuadTreeSpace::collideWith(void *data, dxGeom *geom, dNearCallback *callback) {
     if (geom->parent_space == this)
         collideMember(data, geom, callback);
     else
         collideOther(data, geom, callback);
-    lock_count--;
 }
 
 // With what is in its own block, which is itself too, and in those within; then with what is in the blocks around, from

@@ -19,13 +19,13 @@ public:
     void dirty(dxGeom *geom) override;
     void computeAABB() override {}  // it is infinite
     void cleanGeoms() override;
-    void collide(void *data, dNearCallback *callback) override;
-    void collide2(void *data, dxGeom *geom, dNearCallback *callback) override;
 
 private:
     using Block = dxQuadTree::Block;
 
     struct Rest;
+
+    void collideWith(void *data, dxGeom *geom, dNearCallback *callback) override;
 
     Block blockOf(Slot slot) const { return m_ranks.blockOf(members()[slot].rank); }
     dxRank nextRank(Block block);

@@ -1,22 +1,64 @@
 #include "collision/dxOrderedSimpleSpace.h"
 
+#include <utility>
+
 #include "util.h"
 #include "collision_space_internal.h"
 
-void dxOrderedSimpleSpace::collide(void *data, dNearCallback *callback) {
-    dAASSERT(callback);
-    beginCollide();
-    if (makeReady())
-        deliverByRank(data, callback);
-    else
-        collideList(data, callback);
-    lock_count--;
+namespace {
+
+// Geoms in a space up to which it is faster to walk if any of them moves, and if three quarters of them do.
+constexpr int kTiny = 12, kSmall = 512;
+
+// Geoms from which on comparing their boxes by vectors is faster than one by one.
+constexpr int kWorthVectors = 20;
+
+}  // namespace
+
+int dxOrderedSimpleSpace::leastToWalk() const {
+    if (count <= kTiny) return 1;
+    return count <= kSmall ? 3 * count / 4 : INT_MAX;
 }
 
-void dxOrderedSimpleSpace::collideList(void *data, dNearCallback *callback) {
+// Boxes cannot change while callbacks run.
+void dxOrderedSimpleSpace::walk(void *data, dNearCallback *callback) {
+    if (count < kWorthVectors || !listGeoms()) {
+        walkList(data, callback);
+        return;
+    }
+    // Out of the member, because a callback may collide this space again.
+    std::vector<dxOrderedPair> pairs = std::move(m_walked);
+    findListed(pairs);
+    deliverInOrder(pairs, data, callback);
+    m_walked = std::move(pairs);
+}
+
+// As upstream, with its assertions where boxes are not up to date.
+void dxOrderedSimpleSpace::walkList(void *data, dNearCallback *callback) {
     for (dxGeom *g1 = first; g1 != nullptr; g1 = g1->next) {
         if (!dxGeomIsEnabled(g1)) continue;
         for (dxGeom *g2 = g1->next; g2 != nullptr; g2 = g2->next)
             if (dxGeomIsEnabled(g2)) collideAABBs(g1, g2, data, callback);
+    }
+}
+
+// False: some boxes are not up to date.
+bool dxOrderedSimpleSpace::listGeoms() {
+    m_listed.clear();
+    m_boxes.clear();
+    for (dxGeom *geom = first; geom != nullptr; geom = geom->next) {
+        if ((geom->gflags & GEOM_AABB_BAD) != 0) return false;
+        m_listed.push_back(geom);
+        m_boxes.push(dxBounds(geom->aabb));
+    }
+    return true;
+}
+
+void dxOrderedSimpleSpace::findListed(std::vector<dxOrderedPair> &pairs) {
+    pairs.clear();
+    const std::size_t overlaps = dxOverlappingPairs(m_boxes, m_boxes.size(), m_overlaps);
+    for (std::size_t i = 0; i < overlaps; ++i) {
+        dxGeom *const first = m_listed[m_overlaps[i].a], *const second = m_listed[m_overlaps[i].b];
+        if (dxMayMeet(dxFilterOf(first), dxFilterOf(second))) pairs.push_back({first, second, {}});
     }
 }

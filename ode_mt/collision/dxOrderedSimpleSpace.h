@@ -2,13 +2,22 @@
 #pragma once
 
 #include "collision/dxOrderedListSpace.h"
+#include "collision/overlap/dxBoxTable.h"
 
 class dxOrderedSimpleSpace final : public dxOrderedListSpace {
 public:
     explicit dxOrderedSimpleSpace(dSpaceID parent) : dxOrderedListSpace(parent, dSimpleSpaceClass) {}
 
-    void collide(void *data, dNearCallback *callback) override;
-
 private:
-    void collideList(void *data, dNearCallback *callback);
+    int leastToWalk() const override;
+    void walk(void *data, dNearCallback *callback) override;
+    void walkList(void *data, dNearCallback *callback);
+    bool listGeoms();
+    void findListed(std::vector<dxOrderedPair> &pairs);
+
+    // Memory for a walk: the geoms in the order of the list, and which of them overlap.
+    std::vector<dxGeom *> m_listed;
+    dxBoxTable m_boxes;
+    std::vector<dxSlotPair> m_overlaps;
+    std::vector<dxOrderedPair> m_walked;
 };

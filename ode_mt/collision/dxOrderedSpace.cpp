@@ -23,8 +23,6 @@ constexpr std::size_t kBoxesAhead = 4;
 // forth: it turns dense again at half of it.
 constexpr int kLargestDense = 512;
 
-dxMeetingFilter filterOf(const dxGeom *geom) { return {geom->body, geom->category_bits, geom->collide_bits}; }
-
 bool hasBoxOfItsOwn(const dxGeom *geom) {
     return geom->type <= dConvexClass || geom->type == dTriMeshClass || geom->type == dHeightfieldClass;
 }
@@ -70,9 +68,29 @@ void dxOrderedSpace::remove(dxGeom *geom) {
     if (m_index != nullptr) m_index->drop(slot);
 }
 
+// The space may still be locked by a call that a callback left by longjmp, or be in one.
+void dxOrderedSpace::collide(void *data, dNearCallback *callback) {
+    dAASSERT(callback);
+    if (lock_count++ != 0) m_runner = nullptr;
+    if (makeReady())
+        deliver(data, callback);
+    else
+        walk(data, callback);
+    lock_count--;
+}
+
+void dxOrderedSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback) {
+    dAASSERT(geom && callback);
+    lock_count++;
+    cleanGeoms();
+    geom->recomputeAABB();
+    collideWith(data, geom, callback);
+    lock_count--;
+}
+
 void dxOrderedSpace::filtersChanged(dxGeom *geom) {
     const Slot slot = slotOf(geom);
-    m_members.setFilter(slot, filterOf(geom));
+    m_members.setFilter(slot, dxFilterOf(geom));
     m_members.markChanged(slot);
 }
 
@@ -127,14 +145,14 @@ void dxOrderedSpace::clean(const std::vector<dxGeom *> &geoms, std::size_t index
 void dxOrderedSpace::rank(dxGeom *geom, dxRank rank, const dxBounds &bounds) {
     const Slot slot = slotOf(geom);
     m_members.setRank(slot, rank);
-    m_members.setBounds(slot, bounds, filterOf(geom));
+    m_members.setBounds(slot, bounds, dxFilterOf(geom));
     m_members.markChanged(slot);
     if (m_index != nullptr) m_index->loosen(slot);
 }
 
 bool dxOrderedSpace::makeReady() {
     cleanGeoms();
-    if (!ranksAreRight()) return false;
+    if (!requireRanks()) return false;
     if (m_members.changed().empty()) return true;
     update(m_pairs);
     m_members.forgetChanges();
@@ -179,18 +197,18 @@ void dxOrderedSpace::expect(Slot a, Slot b) const {
 
 // Upstream asks whether a geom is enabled once before it is paired with those behind it, and of each of
 // those when its turn comes. A callback may enable or disable either.
-void dxOrderedSpace::deliverByRank(void *data, dNearCallback *callback) {
+void dxOrderedSpace::deliverInOrder(const std::vector<dxOrderedPair> &pairs, void *data, dNearCallback *callback) {
     const dxGeom *front = nullptr;
     bool frontIsEnabled = false;
     dxContactsAhead *const ahead = this->ahead();
-    for (std::size_t i = 0; i < m_pairs.size(); ++i) {
-        const dxOrderedPair &pair = m_pairs[i];
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const dxOrderedPair &pair = pairs[i];
         if (pair.first != front) {
             front = pair.first;
             frontIsEnabled = dxGeomIsEnabled(front);
         }
         if (!frontIsEnabled || !dxGeomIsEnabled(pair.second)) continue;
-        if (ahead != nullptr) ahead->beforePair(m_pairs, i);
+        if (ahead != nullptr) ahead->beforePair(pairs, i);
         dxDeliver(pair, data, callback);
     }
 }

@@ -51,6 +51,8 @@ public:
 
     void add(dxGeom *geom) override;
     void remove(dxGeom *geom) override;
+    void collide(void *data, dNearCallback *callback) override;
+    void collide2(void *data, dxGeom *geom, dNearCallback *callback) override;
 
     // collide() with what can be shared out given to the runner: boxes, the search for pairs, and contacts ahead of
     // the callbacks, which come as ever.
@@ -88,12 +90,13 @@ protected:
     // Cleaning: whether all members have been given their ranks by it; the boxes of geoms ahead of it, on workers if there
     // are any; the box of one geom, and that it is clean; its rank, which may be that which it had, and its bounds, which
     // may be wider than its box.
-    virtual bool ranksAreRight() const { return true; }
+    virtual bool requireRanks() { return true; }
     void computeBoxes(const std::vector<dxGeom *> &geoms);
     static void clean(const std::vector<dxGeom *> &geoms, std::size_t index);
     void rank(dxGeom *geom, dxRank rank) { this->rank(geom, rank, dxBounds(geom->aabb)); }
     void rank(dxGeom *geom, dxRank rank, const dxBounds &bounds);
 
+    bool isShared() const { return m_runner != nullptr; }
     dxTaskRunner &runner() const { return m_runner != nullptr ? *m_runner : dxTaskRunner::alone(); }
     // To be told of each pair before its callback, or NULL.
     dxContactsAhead *ahead() const { return m_runner != nullptr ? m_ahead.get() : nullptr; }
@@ -108,8 +111,14 @@ protected:
     // Of two members the one further to the front is the first, and pairs come by it, then by the second.
     bool place(Slot a, Slot b, dxPairKey &key, bool &swapped) const override;
     void expect(Slot a, Slot b) const override;
-    // The callbacks in that order. Geoms may be enabled and disabled on the way.
-    void deliverByRank(void *data, dNearCallback *callback);
+    // The callbacks of pairs(), where makeReady() says yes. In that order, unless a kind has another one.
+    virtual void deliver(void *data, dNearCallback *callback) { deliverInOrder(m_pairs, data, callback); }
+    // Of pairs that come by their first geom. Geoms may be enabled and disabled on the way.
+    void deliverInOrder(const std::vector<dxOrderedPair> &pairs, void *data, dNearCallback *callback);
+    // All of upstream's call, where it says no.
+    virtual void walk(void * /*data*/, dNearCallback * /*callback*/) {}
+    // The callbacks of a geom, whose box is up to date as the members' are, with those that it meets.
+    virtual void collideWith(void *data, dxGeom *geom, dNearCallback *callback) = 0;
 
     // The members whose boxes overlap the box, front first. Until the next call from the same depth of locks.
     const std::vector<Slot> &findRegion(const dxBounds &box);
@@ -120,11 +129,6 @@ protected:
     // As upstream's collide2 where it walks a list, which is in the order of ranks. NULL, or the member in whose callback
     // the geom moved: upstream goes on behind it with the new box.
     dxGeom *collideRegion(void *data, dxGeom *geom, dNearCallback *callback);
-
-    // To be called first: the space may still be locked by a call that a callback left by longjmp, or be in one.
-    void beginCollide() {
-        if (lock_count++ != 0) m_runner = nullptr;
-    }
 
 private:
     dxMembers m_members;
@@ -143,6 +147,8 @@ private:
 inline bool dxGeomIsEnabled(const dxGeom *geom) {
     return (geom->gflags & GEOM_ENABLE_TEST_MASK) == GEOM_ENABLE_TEST_VALUE;
 }
+
+inline dxMeetingFilter dxFilterOf(const dxGeom *geom) { return {geom->body, geom->category_bits, geom->collide_bits}; }
 
 // The rest of upstream's collideAABBs, for a pair of dxOrderedSpace::pairs().
 inline void dxDeliver(const dxOrderedPair &pair, void *data, dNearCallback *callback) {

@@ -111,16 +111,6 @@ dxBounds dxOrderedSweepSpace::boundsOf(const dxGeom *geom, const dxSweepBox &box
     return bounds;
 }
 
-void dxOrderedSweepSpace::collide(void *data, dNearCallback *callback) {
-    dAASSERT(callback);
-    beginCollide();
-    if (makeReady())
-        collidePairs(data, callback);
-    else
-        collideList(data, callback);
-    lock_count--;
-}
-
 // Not of use: NaN among the keys, along which upstream's sweep loses its way; a box that is not up to date, at
 // which it fails an assertion; and a change that a callback made and the call it makes now would see, while the
 // call around it has not done with pairs().
@@ -247,7 +237,7 @@ void dxOrderedSweepSpace::pairIfMayMeet(Slot a, Slot b, std::vector<dxOrderedPai
     if (dxMayMeet(memberA.filter, memberB.filter)) pairs.push_back({memberA.geom, memberB.geom, {a, b}});
 }
 
-void dxOrderedSweepSpace::collidePairs(void *data, dNearCallback *callback) {
+void dxOrderedSweepSpace::deliver(void *data, dNearCallback *callback) {
     dxContactsAhead *const ahead = this->ahead();
     for (std::size_t i = 0; i < pairs().size(); ++i) {
         if (ahead != nullptr) ahead->beforePair(pairs(), i);
@@ -257,24 +247,19 @@ void dxOrderedSweepSpace::collidePairs(void *data, dNearCallback *callback) {
     }
 }
 
-void dxOrderedSweepSpace::collideList(void *data, dNearCallback *callback) {
-    dxSweepWalk walk(m_axes);
+void dxOrderedSweepSpace::walk(void *data, dNearCallback *callback) {
+    dxSweepWalk sweep(m_axes);
     for (const dxSweepLists::Entry &entry : m_lists.clean())
-        if (dxGeomIsEnabled(entry.geom)) walk.add(entry.geom);
-    walk.findPairs(m_sort);
-    walk.deliver(data, callback);
+        if (dxGeomIsEnabled(entry.geom)) sweep.add(entry.geom);
+    sweep.findPairs(m_sort);
+    sweep.deliver(data, callback);
 }
 
-void dxOrderedSweepSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback) {
-    dAASSERT(geom && callback);
-    lock_count++;
-    cleanGeoms();
-    geom->recomputeAABB();
+void dxOrderedSweepSpace::collideWith(void *data, dxGeom *geom, dNearCallback *callback) {
     if (!isWorthAnIndex())
         collideFrom(0, data, geom, callback);
     else if (const dxGeom *const last = collideRegion(data, geom, callback))
         collideFrom(m_lists.placeOf(slotOf(last)) + 1, data, geom, callback);
-    lock_count--;
 }
 
 void dxOrderedSweepSpace::collideFrom(std::size_t place, void *data, dxGeom *geom, dNearCallback *callback) {

@@ -26,8 +26,6 @@ public:
     void dirty(dxGeom *geom) override;
     void computeAABB() override {}  // without end, whatever is in it
     void cleanGeoms() override;
-    void collide(void *data, dNearCallback *callback) override;
-    void collide2(void *data, dxGeom *geom, dNearCallback *callback) override;
     bool makeReady() override;
 
 private:
@@ -42,6 +40,9 @@ private:
     void update(std::vector<dxOrderedPair> &pairs) override;
     bool place(Slot a, Slot b, dxPairKey &key, bool &swapped) const override;
     void expect(Slot a, Slot b) const override;
+    void deliver(void *data, dNearCallback *callback) override;
+    void walk(void *data, dNearCallback *callback) override;
+    void collideWith(void *data, dxGeom *geom, dNearCallback *callback) override;
 
     dxBounds boundsOf(const dxGeom *geom, const dxSweepBox &box) const;
     void noteEnabled();
@@ -52,8 +53,6 @@ private:
     void placeAll(std::vector<dxOrderedPair> &pairs);
     void pairInfinite(std::vector<dxOrderedPair> &pairs) const;
     void pairIfMayMeet(Slot a, Slot b, std::vector<dxOrderedPair> &pairs) const;
-    void collidePairs(void *data, dNearCallback *callback);
-    void collideList(void *data, dNearCallback *callback);
     void collideFrom(std::size_t place, void *data, dxGeom *geom, dNearCallback *callback);
 
     dxSweepAxes m_axes;

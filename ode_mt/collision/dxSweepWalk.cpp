@@ -2,20 +2,13 @@
 
 #include <algorithm>
 
-#include "collision/dxMeetingFilter.h"
+#include "collision/dxOrderedSpace.h"
 
 namespace {
 
-bool mayMeet(const dxGeom *g1, const dxGeom *g2) {
-    return dxMayMeet({g1->body, g1->category_bits, g1->collide_bits}, {g2->body, g2->category_bits, g2->collide_bits});
-}
-
 void deliverPair(dxGeom *g1, dxGeom *g2, void *data, dNearCallback *callback) {
     dxSweepWalk::requireCleanBoxes(g1, g2);
-    if (!mayMeet(g1, g2)) return;
-    if (g1->AABBTest(g2, g2->aabb) == 0) return;
-    if (g2->AABBTest(g1, g1->aabb) == 0) return;
-    callback(data, g1, g2);
+    if (dxMayMeet(dxFilterOf(g1), dxFilterOf(g2))) dxDeliver({g1, g2, {}}, data, callback);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // dxAdaptiveSearch: goes over to batches when many boxes travel, back when they rest, and misses nothing meanwhile.
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "RandomBoxes.h"
 #include "SearchedMembers.h"
 #include "collision/dxAdaptiveSearch.h"
@@ -60,6 +62,21 @@ TEST_F(AdaptiveSearch, ABurstNowAndThenDoesNotMakeItGoBackAndForth) {
             stir();
         check();
         EXPECT_TRUE(search.isBatch());
+    }
+}
+
+TEST(AdaptiveSearchOfFew, HasATableUntilThereAreMany) {
+    RandomBoxes random(10);
+    SearchedMembers crowd;
+    dxAdaptiveSearch search;
+    const auto somewhere = [&] { return cubeAt(random.uniform(-4, 4), random.uniform(-4, 4), random.uniform(-4, 4)); };
+    std::vector<SearchedMembers::Slot> slots;
+    for (int size = 0; size < 300; size += 10) {
+        for (int i = 0; i < 10; ++i) slots.push_back(crowd.add(somewhere()));
+        crowd.move(slots[random.below(static_cast<unsigned>(slots.size()))], somewhere());
+        const auto expected = crowd.expected();
+        ASSERT_EQ(crowd.found(search), expected) << slots.size();
+        EXPECT_EQ(search.isTable(), slots.size() <= 128) << slots.size();
     }
 }
 

@@ -1,8 +1,9 @@
-// dxOverlappingRows against dxBounds::overlaps, on every instruction set of this machine.
+// dxBoxTable: dxOverlappingRows and dxOverlappingPairs against dxBounds::overlaps, on every instruction set of this machine.
 #include "instruction_sets.h"
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <vector>
 
 #include "RandomBoxes.h"
@@ -77,13 +78,40 @@ TEST(BoxTable, TouchingBoxesOverlapAndNaNOverlapsOnItsAxis) {
         });
 }
 
-TEST(BoxTable, PushRowCopiesARow) {
-    dxBoxTable from, to;
-    from.push(cubeAt(1, 2, 3));
-    from.push(cubeAt(4, 5, 6));
-    to.pushRow(from, 1);
-    ASSERT_EQ(to.size(), 1u);
-    for (int bound = 0; bound < 6; ++bound) EXPECT_EQ(to.column(bound)[0], cubeAt(4, 5, 6).v[bound]);
+TEST(BoxTable, PairsAreThoseOfTheRowsOneByOne) {
+    for (const std::int64_t set : instructionSets()) {
+        onInstructionSet(set, [] {
+            RandomBoxes random(6);
+            std::size_t found = 0;
+            for (std::size_t size = 0; size < 70; ++size) {
+                dxBoxTable table;
+                for (std::size_t i = 0; i < size; ++i) table.push(random.box());
+                for (const std::size_t end : {std::size_t{0}, size / 2, size}) {
+                    std::vector<dxSlotPair> expected, pairs;
+                    for (std::uint32_t row = 0; row < end; ++row)
+                        for (const std::uint32_t other : overlapping(table, table.row(row), row + 1))
+                            expected.push_back({row, other});
+                    ASSERT_EQ(dxOverlappingPairs(table, end, pairs), expected.size());
+                    for (std::size_t i = 0; i < expected.size(); ++i) {
+                        ASSERT_EQ(pairs[i].a, expected[i].a);
+                        ASSERT_EQ(pairs[i].b, expected[i].b);
+                    }
+                    found += expected.size();
+                }
+            }
+            EXPECT_GT(found, 2000u);
+        });
+        if (HasFatalFailure()) return;
+    }
+}
+
+TEST(BoxTable, RowsKeepTheirBoxesAsTheTableGrows) {
+    RandomBoxes random(7);
+    dxBoxTable table;
+    std::vector<dxBounds> boxes;
+    for (std::size_t i = 0; i < 100; ++i) table.push(boxes.emplace_back(random.box()));
+    for (std::size_t i = 0; i < 100; i += 3) table.set(i, boxes[i] = random.box());
+    for (std::size_t i = 0; i < 100; ++i) EXPECT_EQ(std::memcmp(table.row(i).v, boxes[i].v, sizeof boxes[i].v), 0) << i;
 }
 
 }  // namespace

@@ -28,6 +28,10 @@ public:
     explicit BoxLanes(const Real *box) {
         for (int bound = 0; bound < 6; ++bound) m_bounds[bound] = hn::Set(Tag(), box[bound]);
     }
+    // That of a row.
+    BoxLanes(const Real *const *columns, std::size_t row) {
+        for (int bound = 0; bound < 6; ++bound) m_bounds[bound] = hn::Set(Tag(), columns[bound][row]);
+    }
 
     // The boxes from row `first` on that lie apart from it. `columns`: by bound.
     HWY_INLINE Mask apart(const Real *const *columns, std::size_t first) const {
