@@ -67,7 +67,7 @@ std::vector<std::string> expand(const std::string &name, const std::vector<std::
 void readWord(const std::string &name, const std::string &word, Engine &engine) {
     if (isManager(word)) {
         engine.manager = word;
-    } else if (word == "concurrent") {
+    } else if (word == "concurrent" || word == "independent") {
         engine.callbacks = word;
     } else if (word.compare(0, kCells.size(), kCells) == 0) {
         engine.gridCells = word.substr(kCells.size());
@@ -132,7 +132,7 @@ Engine readEngine(const std::string &name) {
     throw std::invalid_argument(
         "unknown engine '" + name +
         "'; known: stock, stock-pool:N, ours:N, ours:auto, ours:N/pthread, ours:N/openmp, "
-        "ours:N/concurrent, ours:N/cells=K, ours:N/ALGORITHM");
+        "ours:N/concurrent, ours:N/independent, ours:N/cells=K, ours:N/ALGORITHM");
 }
 
 std::vector<Engine> readEngines(const std::vector<std::string> &names,

@@ -27,7 +27,7 @@ extern "C" {
  *
  * Environment, read once at the first use of the library, for programs that cannot be recompiled:
  * ODE_MT_THREADS=n|auto, ODE_MT_ALGORITHM=auto|serial|lcp|original|static|static-unmerged|duplication|
- * decluster, ODE_MT_CALLBACKS=serial|concurrent, ODE_MT_THREAD_MANAGER=pthread|openmp,
+ * decluster, ODE_MT_CALLBACKS=serial|concurrent|independent, ODE_MT_THREAD_MANAGER=pthread|openmp,
  * ODE_MT_HEURISTICS=default|none|NAME,NAME..., ODE_MT_GRID_CELLS=auto|n, ODE_MT_LOG=error|warning|info|debug. A
  * call below overrides the environment.
  *
@@ -75,12 +75,12 @@ ODE_API const char *dODE_MT_GetAlgorithm(void);
 
 /**
  * Says whether near-callbacks may run on several threads at once: "serial" (the default; one at a time, in
- * upstream's order, on the thread that called dSpaceCollide) or "concurrent" (the program consents: callbacks
- * of pairs that share no body run at the same time on any thread).
+ * upstream's order, on the thread that called dSpaceCollide), "concurrent" (the program consents: callbacks
+ * of pairs that share no body run at the same time on any thread) or "independent" (any callbacks do).
  *
- * With "concurrent" a callback may read any geom, body and joint, call dCollide, dSpaceCollide2 on nested
- * spaces that it was called for, make contact joints and attach them, enable the bodies of its pair, and
- * write to data of its pair's bodies. Contact joints appear in the lists of world and bodies only after the
+ * With either a callback may read any geom, body and joint, call dCollide, dSpaceCollide2 on nested
+ * spaces that it was called for, and make contact joints and attach them. With "concurrent" it may also enable the
+ * bodies of its pair, and write to data of its pair's bodies. Contact joints appear in the lists of world and bodies only after the
  * last callback, in upstream's order, so the results are upstream's as long as no callback reads those lists
  * (dAreConnected, dBodyGetJoint) to find contacts of the same call. It must not change geoms or spaces, make other
  * joints, destroy joints, or leave by longjmp; an exception is passed on after all callbacks have ended.

@@ -1,8 +1,11 @@
 #include "collision/dxContactLog.h"
 
+#include <cstddef>
+#include <new>
 #include <utility>
 
-#include "joints/joint.h"
+#include "joints/contact.h"
+#include "threading/dxSpin.h"
 
 // Upstream's: puts an object in front of a list of its world.
 void addObjectToList(dObject *object, dObject **first);
@@ -14,6 +17,33 @@ void dxUpstreamJointAttach(dJointID joint, dBodyID body1, dBodyID body2);
 }
 
 namespace {
+
+// Of a contact joint, for dxJointGroup::alloc, which constructs what it is asked for and marks it as in a group.
+struct Room {
+    explicit Room(dxWorld * /*world*/) {}
+    alignas(dxJointContact) unsigned flags;
+    std::byte rest[sizeof(dxJointContact) - sizeof(unsigned)];
+};
+static_assert(sizeof(Room) == sizeof(dxJointContact) && alignof(Room) == alignof(dxJointContact));
+
+// A mutex that is held for some ten nanoseconds at a time: sleeping takes a thousand times as long.
+class BriefLock {
+public:
+    explicit BriefLock(std::mutex &mutex) : m_mutex(mutex) {
+        constexpr int kTries = 200;
+        for (int i = 0; i < kTries; ++i) {
+            if (m_mutex.try_lock()) return;
+            dxPause();
+        }
+        m_mutex.lock();
+    }
+    ~BriefLock() { m_mutex.unlock(); }
+    BriefLock(const BriefLock &) = delete;
+    BriefLock &operator=(const BriefLock &) = delete;
+
+private:
+    std::mutex &m_mutex;
+};
 
 __attribute__((tls_model("initial-exec"))) thread_local dxContactLog *t_current = nullptr;
 
@@ -31,17 +61,27 @@ void dxContactLog::start(std::mutex &groups) {
 
 dJointID dxContactLog::create(dWorldID world, dJointGroupID group, const dContact *contact) {
     if (world == nullptr || contact == nullptr) return dxUpstreamJointCreateContact(world, group, contact);
-    dJointID joint;
-    {
-        const std::lock_guard<std::mutex> lock(*m_groups);
-        joint = dxUpstreamJointCreateContact(&m_nursery, group, contact);
-    }
-    if (joint == nullptr) return nullptr;
+    const dJointID joint = group == nullptr ? dxUpstreamJointCreateContact(&m_nursery, nullptr, contact)
+                                            : createInGroup(*group, *contact);
     m_nursery.firstjoint = nullptr;
     m_nursery.nj = 0;
     joint->world = world;
     m_operations.push_back({joint, nullptr, nullptr, true});
     return joint;
+}
+
+// As upstream's dJointCreateContact, but constructed without the lock.
+dJointID dxContactLog::createInGroup(dxJointGroup &group, const dContact &contact) {
+    void *const room = takeRoom(group);
+    auto *const joint = new (room) dxJointContact(&m_nursery);
+    joint->flags |= dJOINT_INGROUP;
+    joint->contact = contact;
+    return joint;
+}
+
+void *dxContactLog::takeRoom(dxJointGroup &group) const {
+    const BriefLock lock(*m_groups);
+    return group.alloc<Room>(nullptr);
 }
 
 // What can be read from the joint is as after upstream's dJointAttach.

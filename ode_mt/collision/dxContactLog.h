@@ -61,6 +61,9 @@ private:
         bool isCreation;
     };
 
+    dJointID createInGroup(dxJointGroup &group, const dContact &contact);
+    void *takeRoom(dxJointGroup &group) const;
+
     std::vector<Operation> m_operations;
     dxColliderCopies m_copies;
     std::mutex *m_groups = nullptr;

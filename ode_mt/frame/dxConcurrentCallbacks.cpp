@@ -50,7 +50,8 @@ void Run::start(const dxOrderedSpace &space, unsigned workers) {
     pairs = &space.pairs();
     failed.store(false, std::memory_order_relaxed);
     thrown = nullptr;
-    cut.cut(*pairs, dxClusterManager::find(const_cast<dxOrderedSpace *>(&space)), workers * kTasksPerWorker);
+    cut.cut(*pairs, dxClusterManager::find(const_cast<dxOrderedSpace *>(&space)), workers * kTasksPerWorker,
+            dxSettings::instance().callbackPolicy() == dxCallbackPolicy::Independent);
     while (logs.size() < cut.tasks().size()) logs.push_back(std::make_unique<dxContactLog>());
     for (std::size_t i = 0; i < cut.tasks().size(); ++i) logs[i]->start(groups);
     spans.assign(pairs->size(), {});

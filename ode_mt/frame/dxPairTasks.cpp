@@ -1,6 +1,7 @@
 #include "frame/dxPairTasks.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "collision/dxSharedColliders.h"
 
@@ -13,6 +14,9 @@ namespace {
 
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
+// A body's tag.
+constexpr int kFirstUnknown = -1;
+
 // Of a pair whose collision may write to it: whether it may write to this geom of the two, or run the user's code for
 // it. The others are only read.
 bool isWrittenTo(const dxGeom *geom) {
@@ -24,39 +28,72 @@ bool isWrittenTo(const dxGeom *geom) {
 }  // namespace
 
 void dxPairTasks::cut(const std::vector<dxOrderedPair> &pairs, const dxClusteredWorldAndSpace *clusters,
-                      unsigned wanted) {
+                      unsigned wanted, bool sharingBodies) {
+    const auto mayBeAnywhere = [](const dxOrderedPair &pair) {
+        return dxMayCollideAnywhere(*pair.first, *pair.second);
+    };
+    if (sharingBodies && clusters == nullptr && std::all_of(pairs.begin(), pairs.end(), mayBeAnywhere))
+        cutAnywhere(wanted, static_cast<std::uint32_t>(pairs.size()));
+    else
+        cutBetweenSets(pairs, clusters, wanted, sharingBodies);
+}
+
+// As they come: neighbours in the order of pairs are mostly neighbours in memory.
+void dxPairTasks::cutAnywhere(unsigned wanted, std::uint32_t pairs) {
+    m_tasks.clear();
+    for (std::uint64_t task = 0; task < wanted; ++task)
+        m_tasks.push_back({static_cast<std::uint32_t>(task * pairs / wanted),
+                           static_cast<std::uint32_t>((task + 1) * pairs / wanted)});
+    m_order.resize(pairs);
+    std::iota(m_order.begin(), m_order.end(), std::uint32_t{0});
+}
+
+void dxPairTasks::cutBetweenSets(const std::vector<dxOrderedPair> &pairs, const dxClusteredWorldAndSpace *clusters,
+                                 unsigned wanted, bool sharingBodies) {
     Slot end = 0;
     for (const dxOrderedPair &pair : pairs) end = std::max({end, pair.slots[0] + 1, pair.slots[1] + 1});
     m_sets.reset(end);
     m_exclusive.assign(end, 0);
+    markBodies(pairs, sharingBodies);
+    for (const dxOrderedPair &pair : pairs) markWritten(pair);
+    uniteSharedHeights(pairs);
     uniteExclusive(pairs);
     if (clusters != nullptr) uniteClusters(pairs, *clusters);
     sizeSets(pairs);
     shareOut(wanted, pairs.size());
 }
 
-void dxPairTasks::uniteExclusive(const std::vector<dxOrderedPair> &pairs) {
-    // Upstream's tag of a body is scratch memory; here it holds the slot of the body's first geom, plus one.
+// Upstream's tag of a body is scratch memory. Here it tells whether all pairs of the body belong together, and holds the
+// slot of its first geom, plus one, once that is known.
+void dxPairTasks::markBodies(const std::vector<dxOrderedPair> &pairs, bool sharingBodies) {
+    constexpr int kShared = 0;
     for (const dxOrderedPair &pair : pairs)
         for (dxGeom *const geom : {pair.first, pair.second})
-            if (geom->body != nullptr) geom->body->tag = 0;
-    for (const dxOrderedPair &pair : pairs) markExclusive(pair);
-    uniteSharedHeights(pairs);
+            if (geom->body != nullptr) geom->body->tag = kShared;
     for (const dxOrderedPair &pair : pairs) {
+        // Upstream's height fields move the other geom, and its body with it, while they collide it.
+        if (sharingBodies && dxMayCollideAnywhere(*pair.first, *pair.second)) continue;
+        for (dxGeom *const geom : {pair.first, pair.second})
+            if (geom->body != nullptr) geom->body->tag = kFirstUnknown;
+    }
+    for (const dxOrderedPair &pair : pairs)
         for (int i = 0; i < 2; ++i) {
             const dxGeom *const geom = i == 0 ? pair.first : pair.second;
-            if (geom->body != nullptr) uniteBody(geom->body, pair.slots[i]);
+            if (geom->body == nullptr || geom->body->tag == kShared) continue;
+            m_exclusive[pair.slots[i]] = 1;
+            uniteBody(geom->body, pair.slots[i]);
         }
-        if (m_exclusive[pair.slots[0]] && m_exclusive[pair.slots[1]]) m_sets.unite(pair.slots[0], pair.slots[1]);
-    }
 }
 
-void dxPairTasks::markExclusive(const dxOrderedPair &pair) {
-    const bool writes = !dxMayCollideAnywhere(*pair.first, *pair.second);
-    for (int i = 0; i < 2; ++i) {
-        const dxGeom *const geom = i == 0 ? pair.first : pair.second;
-        if (geom->body != nullptr || (writes && isWrittenTo(geom))) m_exclusive[pair.slots[i]] = 1;
-    }
+void dxPairTasks::markWritten(const dxOrderedPair &pair) {
+    if (dxMayCollideAnywhere(*pair.first, *pair.second)) return;
+    for (int i = 0; i < 2; ++i)
+        if (isWrittenTo(i == 0 ? pair.first : pair.second)) m_exclusive[pair.slots[i]] = 1;
+}
+
+void dxPairTasks::uniteExclusive(const std::vector<dxOrderedPair> &pairs) {
+    for (const dxOrderedPair &pair : pairs)
+        if (m_exclusive[pair.slots[0]] && m_exclusive[pair.slots[1]]) m_sets.unite(pair.slots[0], pair.slots[1]);
 }
 
 // Upstream's height fields keep scratch memory in their data, which several may have in common.
@@ -87,7 +124,7 @@ void dxPairTasks::uniteSharedHeights(const std::vector<dxOrderedPair> &pairs) {
 }
 
 void dxPairTasks::uniteBody(dBodyID body, Slot slot) {
-    if (body->tag == 0)
+    if (body->tag == kFirstUnknown)
         body->tag = static_cast<int>(slot + 1);
     else
         m_sets.unite(static_cast<Slot>(body->tag - 1), slot);
@@ -112,22 +149,25 @@ dxPairTasks::Slot dxPairTasks::ownerOf(const dxOrderedPair &pair) const {
 void dxPairTasks::sizeSets(const std::vector<dxOrderedPair> &pairs) {
     m_setOfPair.resize(pairs.size());
     m_sizeOfSet.assign(m_exclusive.size(), 0);
-    m_setsBySize.clear();
+    m_usedSets.clear();
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const std::uint32_t set = m_setOfPair[i] = m_sets.find(ownerOf(pairs[i]));
-        if (m_sizeOfSet[set]++ == 0) m_setsBySize.push_back(set);
+        if (m_sizeOfSet[set]++ == 0) m_usedSets.push_back(set);
     }
-    std::stable_sort(m_setsBySize.begin(), m_setsBySize.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return m_sizeOfSet[a] > m_sizeOfSet[b]; });
 }
 
-// Large sets first, each a task of its own; small ones together until they are as large as a task should be.
+// Large sets first, each a task of its own; small ones together, as they come, until they are as large as a task should
+// be.
 void dxPairTasks::shareOut(unsigned wanted, std::size_t pairs) {
     const std::size_t least = pairs / wanted + 1;
+    const auto large = std::stable_partition(m_usedSets.begin(), m_usedSets.end(),
+                                             [&](std::uint32_t set) { return m_sizeOfSet[set] >= least; });
+    std::sort(m_usedSets.begin(), large,
+              [&](std::uint32_t a, std::uint32_t b) { return m_sizeOfSet[a] > m_sizeOfSet[b]; });
     m_taskOfSet.assign(m_exclusive.size(), kNone);
     m_tasks.clear();
     std::size_t size = least;  // of the last task
-    for (const std::uint32_t set : m_setsBySize) {
+    for (const std::uint32_t set : m_usedSets) {
         if (size >= least) {
             m_tasks.push_back({0, 0});
             size = 0;

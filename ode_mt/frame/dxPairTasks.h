@@ -1,6 +1,7 @@
-// Cuts the pairs of a space into tasks whose callbacks may run at the same time: no two tasks share a body.
+// Cuts the pairs of a space into tasks whose callbacks may run at the same time: no two tasks share a body, unless the
+// program says that its callbacks write to none.
 //
-// Two pairs belong together if they share a body, or a geom that a collider writes to or that leads to code of
+// Two pairs belong together if they share such a body, or one that a collider writes to, or a geom that a collider writes to or that leads to code of
 // the user's (a nested space, a geom of a class of the user's, a geom transform, a mesh that remembers its last
 // contacts, a mesh or height field with callbacks: collision/dxSharedColliders.h). Static geoms of other kinds are only read and may be in many tasks. Clusters,
 // where the space has them, are kept whole.
@@ -22,7 +23,8 @@ public:
     };
 
     // About `wanted` tasks of like size, fewer if pairs hang together.
-    void cut(const std::vector<dxOrderedPair> &pairs, const dxClusteredWorldAndSpace *clusters, unsigned wanted);
+    void cut(const std::vector<dxOrderedPair> &pairs, const dxClusteredWorldAndSpace *clusters, unsigned wanted,
+             bool sharingBodies);
 
     const std::vector<Task> &tasks() const { return m_tasks; }
     // Numbers of pairs, task by task, rising within a task.
@@ -31,8 +33,12 @@ public:
 private:
     using Slot = dxMembers::Slot;
 
+    void cutAnywhere(unsigned wanted, std::uint32_t pairs);
+    void cutBetweenSets(const std::vector<dxOrderedPair> &pairs, const dxClusteredWorldAndSpace *clusters,
+                        unsigned wanted, bool sharingBodies);
     void uniteExclusive(const std::vector<dxOrderedPair> &pairs);
-    void markExclusive(const dxOrderedPair &pair);
+    void markBodies(const std::vector<dxOrderedPair> &pairs, bool sharingBodies);
+    void markWritten(const dxOrderedPair &pair);
     void uniteSharedHeights(const std::vector<dxOrderedPair> &pairs);
     void uniteBody(dBodyID body, Slot slot);
     void uniteClusters(const std::vector<dxOrderedPair> &pairs, const dxClusteredWorldAndSpace &clusters);
@@ -48,7 +54,7 @@ private:
     dxDisjointSets m_sets;                   // of slots
     std::vector<std::uint8_t> m_exclusive;   // by slot
     std::vector<std::uint32_t> m_setOfPair;  // root of its set
-    std::vector<std::uint32_t> m_sizeOfSet, m_taskOfSet, m_setsBySize;  // by root; roots
+    std::vector<std::uint32_t> m_sizeOfSet, m_taskOfSet, m_usedSets;  // by root; roots
     std::vector<std::uint32_t> m_order, m_fill;
     std::vector<WrittenHeights> m_writtenHeights;
     std::vector<Task> m_tasks;

@@ -13,11 +13,13 @@
 
 namespace {
 
-struct AlgorithmName {
+template <class Choice>
+struct Named {
     const char *name;
-    dxAlgorithm algorithm;
+    Choice choice;
 };
-constexpr AlgorithmName kAlgorithms[] = {
+
+constexpr Named<dxAlgorithm> kAlgorithms[] = {
     {"auto", dxAlgorithm::Auto},
     {"serial", dxAlgorithm::Serial},
     {"lcp", dxAlgorithm::Lcp},
@@ -27,16 +29,37 @@ constexpr AlgorithmName kAlgorithms[] = {
     {"duplication", dxAlgorithm::ClusteredDuplication},
     {"decluster", dxAlgorithm::ClusteredDecluster}};
 
-constexpr char kSerialCallbacks[] = "serial", kConcurrentCallbacks[] = "concurrent";
+constexpr Named<dxCallbackPolicy> kCallbackPolicies[] = {{"serial", dxCallbackPolicy::Serial},
+                                                         {"concurrent", dxCallbackPolicy::Concurrent},
+                                                         {"independent", dxCallbackPolicy::Independent}};
+
+template <class Choice, std::size_t N>
+std::string knownNames(const Named<Choice> (&all)[N]) {
+    std::string names;
+    for (const Named<Choice> &known : all) names += (names.empty() ? "" : ", ") + std::string(known.name);
+    return names;
+}
+
+template <class Choice, std::size_t N>
+const char *nameOf(const Named<Choice> (&all)[N], Choice choice) {
+    for (const Named<Choice> &known : all)
+        if (known.choice == choice) return known.name;
+    return "";
+}
+
+// False: unknown.
+template <class Choice, std::size_t N>
+bool choose(const Named<Choice> (&all)[N], const std::string &name, std::atomic<Choice> &choice) {
+    for (const Named<Choice> &known : all) {
+        if (name != known.name) continue;
+        choice.store(known.choice, std::memory_order_relaxed);
+        return true;
+    }
+    return false;
+}
 
 constexpr int kFewestCells = dxClusterGrid::kFewestCells, kMostCells = dxClusterGrid::kMostCells;
 constexpr int kTunedCells = 0;
-
-std::string knownAlgorithms() {
-    std::string names;
-    for (const AlgorithmName &known : kAlgorithms) names += (names.empty() ? "" : ", ") + std::string(known.name);
-    return names;
-}
 
 dxProcessObject<dxSettings> settings;
 
@@ -77,33 +100,26 @@ void dxSettings::readThreads(const char *text) {
 
 void dxSettings::readAlgorithm(const char *text) {
     if (chooseAlgorithm(text)) return;
-    dxLog(dxLogLevel::warning, "ODE_MT_ALGORITHM is '%s'; known: %s; %s is taken", text, knownAlgorithms().c_str(),
+    dxLog(dxLogLevel::warning, "ODE_MT_ALGORITHM is '%s'; known: %s; %s is taken", text, knownNames(kAlgorithms).c_str(),
           algorithmName());
 }
 
 void dxSettings::readCallbackPolicy(const char *text) {
     if (chooseCallbackPolicy(text)) return;
-    dxLog(dxLogLevel::warning, "ODE_MT_CALLBACKS is '%s'; known: %s, %s; %s is taken", text, kSerialCallbacks,
-          kConcurrentCallbacks, callbackPolicyName());
+    dxLog(dxLogLevel::warning, "ODE_MT_CALLBACKS is '%s'; known: %s; %s is taken", text,
+          knownNames(kCallbackPolicies).c_str(), callbackPolicyName());
 }
 
-const char *dxSettings::callbackPolicyName() const {
-    return callbacksMayRunConcurrently() ? kConcurrentCallbacks : kSerialCallbacks;
-}
+const char *dxSettings::callbackPolicyName() const { return nameOf(kCallbackPolicies, callbackPolicy()); }
 
 bool dxSettings::setCallbackPolicy(const std::string &name) {
     const bool found = chooseCallbackPolicy(name);
     if (!found)
-        dMessage(0, "ODE_MT: no callback policy '%s'; known: %s, %s", name.c_str(), kSerialCallbacks,
-                 kConcurrentCallbacks);
+        dMessage(0, "ODE_MT: no callback policy '%s'; known: %s", name.c_str(), knownNames(kCallbackPolicies).c_str());
     return found;
 }
 
-bool dxSettings::chooseCallbackPolicy(const std::string &name) {
-    if (name != kSerialCallbacks && name != kConcurrentCallbacks) return false;
-    m_concurrentCallbacks.store(name == kConcurrentCallbacks, std::memory_order_relaxed);
-    return true;
-}
+bool dxSettings::chooseCallbackPolicy(const std::string &name) { return choose(kCallbackPolicies, name, m_callbackPolicy); }
 
 void dxSettings::readHeuristics(const char *text) {
     if (chooseHeuristics(text)) return;
@@ -163,12 +179,7 @@ void dxSettings::setThreads(int threads) {
     m_threads.store(static_cast<unsigned>(threads), std::memory_order_relaxed);
 }
 
-const char *dxSettings::algorithmName() const {
-    for (const AlgorithmName &known : kAlgorithms) {
-        if (known.algorithm == algorithm()) return known.name;
-    }
-    return "";
-}
+const char *dxSettings::algorithmName() const { return nameOf(kAlgorithms, algorithm()); }
 
 const char *dxSettings::passName() const {
     return algorithm() >= dxAlgorithm::ClusteredOriginal ? algorithmName() : nullptr;
@@ -176,15 +187,8 @@ const char *dxSettings::passName() const {
 
 bool dxSettings::setAlgorithm(const std::string &name) {
     const bool found = chooseAlgorithm(name);
-    if (!found) dMessage(0, "ODE_MT: no algorithm '%s'; known: %s", name.c_str(), knownAlgorithms().c_str());
+    if (!found) dMessage(0, "ODE_MT: no algorithm '%s'; known: %s", name.c_str(), knownNames(kAlgorithms).c_str());
     return found;
 }
 
-bool dxSettings::chooseAlgorithm(const std::string &name) {
-    for (const AlgorithmName &known : kAlgorithms) {
-        if (name != known.name) continue;
-        m_algorithm.store(known.algorithm, std::memory_order_relaxed);
-        return true;
-    }
-    return false;
-}
+bool dxSettings::chooseAlgorithm(const std::string &name) { return choose(kAlgorithms, name, m_algorithm); }

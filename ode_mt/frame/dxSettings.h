@@ -26,6 +26,9 @@ enum class dxAlgorithm {
     ClusteredDecluster
 };
 
+// Which near-callbacks may run at the same time: none; those of pairs that share no body; any.
+enum class dxCallbackPolicy { Serial, Concurrent, Independent };
+
 class dxSettings {
 public:
     static dxSettings &instance();
@@ -40,7 +43,7 @@ public:
     const char *passName() const;
     bool setAlgorithm(const std::string &name);  // false: unknown
 
-    bool callbacksMayRunConcurrently() const { return m_concurrentCallbacks.load(std::memory_order_relaxed); }
+    dxCallbackPolicy callbackPolicy() const { return m_callbackPolicy.load(std::memory_order_relaxed); }
     const char *callbackPolicyName() const;
     bool setCallbackPolicy(const std::string &name);  // false: unknown
 
@@ -69,7 +72,7 @@ private:
 
     std::atomic<unsigned> m_threads{0};
     std::atomic<dxAlgorithm> m_algorithm{dxAlgorithm::Auto};
-    std::atomic<bool> m_concurrentCallbacks{false};
+    std::atomic<dxCallbackPolicy> m_callbackPolicy{dxCallbackPolicy::Serial};
     std::atomic<unsigned> m_heuristics{dxDefaultHeuristics};
     std::atomic<int> m_gridCells{0};
     unsigned m_cores;

@@ -26,8 +26,8 @@ bool mayShare(const dxOrderedSpace &space, const dNearCallback *callback) {
 
 void collideOnWorkers(dxOrderedSpace &space, unsigned workers, void *data, dNearCallback *callback) {
     dxWorkersRunner runner(workers);
-    if (dxSettings::instance().callbacksMayRunConcurrently() && dxCollideConcurrently(space, runner, data, callback))
-        return;
+    const bool mayBeConcurrent = dxSettings::instance().callbackPolicy() != dxCallbackPolicy::Serial;
+    if (mayBeConcurrent && dxCollideConcurrently(space, runner, data, callback)) return;
     space.collideShared(runner, data, callback);
     const dxContactsAhead &ahead = *space.contactsAhead();
     dxStepStatistics::instance().countSharedCollision(runner.tookPart(), ahead.computed(), ahead.used());

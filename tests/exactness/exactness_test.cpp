@@ -89,7 +89,7 @@ private:
         if (engine.mostWorkers < 2) return "no second worker stepped an island";
         // Clusters may be one.
         const bool shares =
-            m_player.setting->concurrentCallbacks && m_scenario.callbacks == "shared" && algorithm == "lcp";
+            m_player.setting->callbacks != "serial" && m_scenario.callbacks == "shared" && algorithm == "lcp";
         return shares && engine.parallelCollisions == 0 ? "no second worker ran callbacks" : "";
     }
 
@@ -105,16 +105,21 @@ void addTest(const ScenarioName &scenario, const std::string &name, const Player
 }
 
 // If it is this combination's turn: callbacks one at a time and, where the scenario's may, several at a time. With "lcp"
-// they are several at a time with every number of threads.
+// they are several at a time with every number of threads. By turns they share bodies.
 void addAlgorithmTests(const ScenarioName &scenario, const char *algorithm, const Threads &threads, bool isItsTurn) {
     std::string name = std::string(algorithm) + '_' + std::to_string(threads.count);
     Player player{ThreadSetting{managers[0], threads.count, threads.disturbed, algorithm}};
     const bool isLcp = algorithm == std::string("lcp");
     if (isItsTurn && !isLcp) addTest(scenario, name, player);
     if (scenario.callbacks.empty() || !(isItsTurn || isLcp)) return;
-    player.setting->concurrentCallbacks = true;
     player.unordered = true;
-    addTest(scenario, name + "_concurrent", player);
+    const bool isIndependentsTurn = isItsTurn && (isLcp || threads.count % 2 != 0);
+    for (const char *policy : {"concurrent", "independent"}) {
+        const bool isIndependent = policy == std::string("independent");
+        if (isIndependent ? !isIndependentsTurn : !isLcp && isIndependentsTurn) continue;
+        player.setting->callbacks = policy;
+        addTest(scenario, name + '_' + policy, player);
+    }
 }
 
 // Scenarios take each algorithm with one number of threads, by turns, so that all of them together have every

@@ -28,7 +28,7 @@ std::map<std::string, std::string> variablesFor(const Player &player) {
     variables["ODE_MT_THREADS"] = std::to_string(player.setting->threads);
     variables["ODE_MT_THREAD_MANAGER"] = player.setting->manager;
     variables["ODE_MT_ALGORITHM"] = player.setting->algorithm;
-    if (player.setting->concurrentCallbacks) variables["ODE_MT_CALLBACKS"] = "concurrent";
+    variables["ODE_MT_CALLBACKS"] = player.setting->callbacks;
     if (player.setting->disturbed) variables["ODE_MT_PERTURB"] = std::to_string(player.setting->threads);
     return variables;
 }
@@ -43,7 +43,7 @@ std::string describe(const Player &player) {
     if (!player.setting) return "libode8";
     return "ODE_MT with " + std::to_string(player.setting->threads) + " threads of " +
            player.setting->manager + ", algorithm " + player.setting->algorithm +
-           (player.setting->concurrentCallbacks ? ", concurrent callbacks" : "") +
+           ", " + player.setting->callbacks + " callbacks" +
            (player.setting->disturbed ? ", disturbed" : "");
 }
 

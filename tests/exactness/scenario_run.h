@@ -26,7 +26,7 @@ struct ThreadSetting {
     int threads;
     bool disturbed = false;  // its schedule is disturbed on purpose
     std::string algorithm = "lcp";
-    bool concurrentCallbacks = false;
+    std::string callbacks = "serial";
 };
 
 // Who runs a scenario.
