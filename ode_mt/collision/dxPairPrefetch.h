@@ -17,7 +17,9 @@ namespace dxPairPrefetch {
 constexpr std::size_t kGeomsAhead = 8, kPlacesAhead = 4;  // pairs
 
 inline void lines(const void *object, std::size_t bytes) {
-    for (std::size_t at = 0; at < bytes; at += 64) __builtin_prefetch(static_cast<const char *>(object) + at);
+    const char *const begin = static_cast<const char *>(object), *const last = begin + bytes - 1;
+    for (const char *at = begin; at < last; at += 64) __builtin_prefetch(at);
+    __builtin_prefetch(last);
 }
 
 inline void geom(const dxGeom *geom) { lines(geom, sizeof(dxGeom) + 4 * sizeof(dReal)); }
