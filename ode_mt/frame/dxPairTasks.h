@@ -1,10 +1,10 @@
 // Cuts the pairs of a space into tasks whose callbacks may run at the same time: no two tasks share a body, unless the
 // program says that its callbacks write to none.
 //
-// Two pairs belong together if they share such a body, or one that a collider writes to, or a geom that a collider writes to or that leads to code of
-// the user's (a nested space, a geom of a class of the user's, a geom transform, a mesh that remembers its last
-// contacts, a mesh or height field with callbacks: collision/dxSharedColliders.h). Static geoms of other kinds are only read and may be in many tasks. Clusters,
-// where the space has them, are kept whole.
+// Two pairs belong together if they share such a body, or one that a collider writes to, or a geom that a collider writes
+// to or that leads to code of the user's (a nested space, a geom of a class of the user's, a geom transform, a mesh that
+// remembers its last contacts, a mesh or height field with callbacks: collision/dxSharedColliders.h). Static geoms of
+// other kinds are only read and may be in many tasks. Clusters, where the space has them, are kept whole.
 #pragma once
 
 #include <cstdint>
