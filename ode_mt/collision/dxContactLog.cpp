@@ -21,7 +21,7 @@ namespace {
 // Of a contact joint, for dxJointGroup::alloc, which constructs what it is asked for and marks it as in a group.
 struct Room {
     explicit Room(dxWorld * /*world*/) {}
-    alignas(dxJointContact) unsigned flags;
+    alignas(dxJointContact) unsigned flags = 0;
     std::byte rest[sizeof(dxJointContact) - sizeof(unsigned)];
 };
 static_assert(sizeof(Room) == sizeof(dxJointContact) && alignof(Room) == alignof(dxJointContact));

@@ -1,9 +1,14 @@
 #include "collision/dxOrderedListSpace.h"
 
+#include <algorithm>
+
 #include "util.h"
 #include "collision_space_internal.h"
 
 namespace {
+
+// Geoms against a space that is walked, between two moves, after which an index pays for the ranks that it needs.
+constexpr int kMostWalks = 8;
 
 bool isDirty(const dxGeom *geom) { return (geom->gflags & GEOM_DIRTY) != 0; }
 
@@ -45,18 +50,23 @@ int dxOrderedListSpace::leastMovedToWalk() const {
 }
 
 void dxOrderedListSpace::chooseToWalk() {
-    m_moved += static_cast<int>(m_dirty.size());
+    const auto moved = static_cast<int>(m_dirty.size());
+    m_moved = std::min(m_moved + moved, count);
+    if (moved != 0) m_walks = 0;
     const int least = leastMovedToWalk();
-    m_isWalked = m_moved >= least || (m_isWalked && least != INT_MAX);
+    m_isWalked = moved >= least || (m_isWalked && least != INT_MAX);
     m_irregular = m_irregular || m_isWalked;
 }
 
-// Half as many as it takes to walk the list: from now on ranks and pairs are kept.
+// Until many move again.
+void dxOrderedListSpace::stopWalking() {
+    m_isWalked = false;
+    rankBehindClean(first, members().firstOf(count));
+}
+
+// The list is walked until fewer than half as many move as it takes to begin with that.
 bool dxOrderedListSpace::requireRanks() {
-    if (m_isWalked && m_moved < (leastMovedToWalk() + 1) / 2) {
-        m_isWalked = false;
-        rankBehindClean(first, members().firstOf(count));
-    }
+    if (m_isWalked && m_moved < leastMovedToWalk() - m_moved) stopWalking();
     m_moved = 0;
     return !m_irregular;
 }
@@ -79,6 +89,7 @@ void dxOrderedListSpace::rankBehindClean(dxGeom *geom, dxRank next) {
 }
 
 void dxOrderedListSpace::collideWith(void *data, dxGeom *geom, dNearCallback *callback) {
+    if (m_isWalked && isWorthAnIndex() && ++m_walks > kMostWalks) stopWalking();
     if (m_irregular || !isWorthAnIndex())
         collideFrom(first, data, geom, callback);
     else if (const dxGeom *const last = collideRegion(data, geom, callback))

@@ -27,10 +27,12 @@ private:
     void gatherDirty();
     void cleanAndRank();
     void chooseToWalk();
+    void stopWalking();
     void rankBehindClean(dxGeom *geom, dxRank rank);
 
     std::vector<dxGeom *> m_dirty;  // front first
-    int m_moved = 0;                // geoms that were cleaned since ranks were asked for
+    int m_moved = 0;                // geoms that were cleaned since ranks were asked for, as many as there are at most
+    int m_walks = 0;                // of collide2 since a geom moved
     bool m_isWalked = false;        // as upstream does, for so many move
     bool m_irregular = false;       // ranks do not stand for the list: there are dirty geoms behind clean ones, or it is
                                     // walked

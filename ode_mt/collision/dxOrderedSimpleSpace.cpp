@@ -1,7 +1,5 @@
 #include "collision/dxOrderedSimpleSpace.h"
 
-#include <utility>
-
 #include "util.h"
 #include "collision_space_internal.h"
 
@@ -20,17 +18,14 @@ int dxOrderedSimpleSpace::leastToWalk() const {
     return count <= kSmall ? 3 * count / 4 : INT_MAX;
 }
 
-// Boxes cannot change while callbacks run.
+// Boxes and filters cannot change while callbacks run: one that collides this space again finds the same pairs.
 void dxOrderedSimpleSpace::walk(void *data, dNearCallback *callback) {
     if (count < kWorthVectors || !listGeoms()) {
         walkList(data, callback);
         return;
     }
-    // Out of the member, because a callback may collide this space again.
-    std::vector<dxOrderedPair> pairs = std::move(m_walked);
-    findListed(pairs);
-    deliverInOrder(pairs, data, callback);
-    m_walked = std::move(pairs);
+    findListed();
+    deliverInOrder(m_walked, data, callback);
 }
 
 // As upstream, with its assertions where boxes are not up to date.
@@ -54,11 +49,11 @@ bool dxOrderedSimpleSpace::listGeoms() {
     return true;
 }
 
-void dxOrderedSimpleSpace::findListed(std::vector<dxOrderedPair> &pairs) {
-    pairs.clear();
+void dxOrderedSimpleSpace::findListed() {
+    m_walked.clear();
     const std::size_t overlaps = dxOverlappingPairs(m_boxes, m_boxes.size(), m_overlaps);
     for (std::size_t i = 0; i < overlaps; ++i) {
         dxGeom *const first = m_listed[m_overlaps[i].a], *const second = m_listed[m_overlaps[i].b];
-        if (dxMayMeet(dxFilterOf(first), dxFilterOf(second))) pairs.push_back({first, second, {}});
+        if (dxMayMeet(dxFilterOf(first), dxFilterOf(second))) m_walked.push_back({first, second, {}});
     }
 }

@@ -13,7 +13,7 @@ private:
     void walk(void *data, dNearCallback *callback) override;
     void walkList(void *data, dNearCallback *callback);
     bool listGeoms();
-    void findListed(std::vector<dxOrderedPair> &pairs);
+    void findListed();
 
     // Memory for a walk: the geoms in the order of the list, and which of them overlap.
     std::vector<dxGeom *> m_listed;
