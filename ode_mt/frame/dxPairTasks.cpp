@@ -160,22 +160,31 @@ void dxPairTasks::sizeSets(const std::vector<dxOrderedPair> &pairs) {
 // be.
 void dxPairTasks::shareOut(unsigned wanted, std::size_t pairs) {
     const std::size_t least = pairs / wanted + 1;
-    const auto large = std::stable_partition(m_usedSets.begin(), m_usedSets.end(),
-                                             [&](std::uint32_t set) { return m_sizeOfSet[set] >= least; });
-    std::sort(m_usedSets.begin(), large,
-              [&](std::uint32_t a, std::uint32_t b) { return m_sizeOfSet[a] > m_sizeOfSet[b]; });
     m_taskOfSet.assign(m_exclusive.size(), kNone);
     m_tasks.clear();
+    m_largeSets.clear();
+    for (const std::uint32_t set : m_usedSets)
+        if (m_sizeOfSet[set] >= least) m_largeSets.push_back(set);
+    std::sort(m_largeSets.begin(), m_largeSets.end(),
+              [&](std::uint32_t a, std::uint32_t b) { return m_sizeOfSet[a] > m_sizeOfSet[b]; });
+    for (const std::uint32_t set : m_largeSets) addToTask(set, true);
     std::size_t size = least;  // of the last task
     for (const std::uint32_t set : m_usedSets) {
-        if (size >= least) {
-            m_tasks.push_back({0, 0});
-            size = 0;
-        }
-        m_taskOfSet[set] = static_cast<std::uint32_t>(m_tasks.size() - 1);
-        m_tasks.back().end += m_sizeOfSet[set];
-        size += m_sizeOfSet[set];
+        if (m_sizeOfSet[set] >= least) continue;
+        addToTask(set, size >= least);
+        size = m_tasks.back().end;
     }
+    sortIntoTasks(pairs);
+}
+
+// While tasks are put together, their ends are their sizes.
+void dxPairTasks::addToTask(std::uint32_t set, bool isFirst) {
+    if (isFirst) m_tasks.push_back({0, 0});
+    m_taskOfSet[set] = static_cast<std::uint32_t>(m_tasks.size() - 1);
+    m_tasks.back().end += m_sizeOfSet[set];
+}
+
+void dxPairTasks::sortIntoTasks(std::size_t pairs) {
     std::uint32_t begin = 0;
     m_fill.clear();
     for (Task &task : m_tasks) {

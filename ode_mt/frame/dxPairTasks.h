@@ -44,6 +44,8 @@ private:
     void uniteClusters(const std::vector<dxOrderedPair> &pairs, const dxClusteredWorldAndSpace &clusters);
     void sizeSets(const std::vector<dxOrderedPair> &pairs);
     void shareOut(unsigned wanted, std::size_t pairs);
+    void addToTask(std::uint32_t set, bool isFirst);
+    void sortIntoTasks(std::size_t pairs);
     Slot ownerOf(const dxOrderedPair &pair) const;
 
     struct WrittenHeights {
@@ -55,6 +57,7 @@ private:
     std::vector<std::uint8_t> m_exclusive;   // by slot
     std::vector<std::uint32_t> m_setOfPair;  // root of its set
     std::vector<std::uint32_t> m_sizeOfSet, m_taskOfSet, m_usedSets;  // by root; roots
+    std::vector<std::uint32_t> m_largeSets;                           // roots
     std::vector<std::uint32_t> m_order, m_fill;
     std::vector<WrittenHeights> m_writtenHeights;
     std::vector<Task> m_tasks;
