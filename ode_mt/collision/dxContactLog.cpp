@@ -61,27 +61,54 @@ void dxContactLog::start(std::mutex &groups) {
 
 dJointID dxContactLog::create(dWorldID world, dJointGroupID group, const dContact *contact) {
     if (world == nullptr || contact == nullptr) return dxUpstreamJointCreateContact(world, group, contact);
-    const dJointID joint = group == nullptr ? dxUpstreamJointCreateContact(&m_nursery, nullptr, contact)
-                                            : createInGroup(*group, *contact);
-    m_nursery.firstjoint = nullptr;
-    m_nursery.nj = 0;
+    dJointID joint;
+    if (group == nullptr) {
+        joint = dxUpstreamJointCreateContact(&m_nursery, nullptr, contact);
+        leaveNursery(*joint);
+    } else {
+        dxJointContact *const inGroup = createInGroup(*group);
+        inGroup->contact = *contact;
+        joint = inGroup;
+    }
     joint->world = world;
     m_operations.push_back({joint, nullptr, nullptr, true});
     return joint;
 }
 
 // As upstream's dJointCreateContact, but constructed without the lock.
-dJointID dxContactLog::createInGroup(dxJointGroup &group, const dContact &contact) {
-    void *const room = takeRoom(group);
-    auto *const joint = new (room) dxJointContact(&m_nursery);
+dxJointContact *dxContactLog::createInGroup(dxJointGroup &group) {
+    auto *const joint = new (takeRoom(group)) dxJointContact(&m_nursery);
     joint->flags |= dJOINT_INGROUP;
-    joint->contact = contact;
+    leaveNursery(*joint);
     return joint;
 }
 
-void *dxContactLog::takeRoom(dxJointGroup &group) const {
-    const BriefLock lock(*m_groups);
-    return group.alloc<Room>(nullptr);
+// Several at once: what tasks write in turns goes back and forth between their caches.
+void *dxContactLog::takeRoom(dxJointGroup &group) {
+    constexpr int kRoomsAtOnce = 8;
+    if (m_roomsOf != &group) finish();
+    if (m_rooms.empty()) {
+        const BriefLock lock(*m_groups);
+        m_roomsOf = &group;
+        for (int i = 0; i < kRoomsAtOnce; ++i) m_rooms.push_back(group.alloc<Room>(nullptr));
+    }
+    void *const room = m_rooms.back();
+    m_rooms.pop_back();
+    return room;
+}
+
+// A group counts what it has given, and goes through its joints when it is emptied: joints of no world.
+void dxContactLog::finish() {
+    while (!m_rooms.empty()) createInGroup(*m_roomsOf);
+    m_roomsOf = nullptr;
+}
+
+void dxContactLog::leaveNursery(dxJoint &joint) {
+    m_nursery.firstjoint = nullptr;
+    m_nursery.nj = 0;
+    joint.world = nullptr;
+    joint.next = nullptr;
+    joint.tome = nullptr;
 }
 
 // What can be read from the joint is as after upstream's dJointAttach.

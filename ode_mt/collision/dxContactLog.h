@@ -18,6 +18,8 @@
 #include "config.h"
 #include "objects.h"
 
+struct dxJointContact;
+
 class dxContactLog {
 public:
     // Where one pair's operations stand in a log.
@@ -53,6 +55,8 @@ public:
 
     // On the thread that called dSpaceCollide.
     void commit(Span span);
+    // Likewise, after the last commit: what was taken of joint groups and not used.
+    void finish();
 
 private:
     struct Operation {
@@ -61,11 +65,14 @@ private:
         bool isCreation;
     };
 
-    dJointID createInGroup(dxJointGroup &group, const dContact &contact);
-    void *takeRoom(dxJointGroup &group) const;
+    dxJointContact *createInGroup(dxJointGroup &group);
+    void *takeRoom(dxJointGroup &group);
+    void leaveNursery(dxJoint &joint);
 
     std::vector<Operation> m_operations;
     dxColliderCopies m_copies;
     std::mutex *m_groups = nullptr;
+    dxJointGroup *m_roomsOf = nullptr;
+    std::vector<void *> m_rooms;  // for contact joints of that group
     dxWorld m_nursery;  // where joints are made: a joint's constructor writes to its world
 };

@@ -84,6 +84,7 @@ void Run::deliver(const dxOrderedPair &pair) {
 
 void Run::commit() {
     for (std::uint32_t pair = 0; pair < pairs->size(); ++pair) logs[taskOfPair[pair]]->commit(spans[pair]);
+    for (const std::unique_ptr<dxContactLog> &log : logs) log->finish();
 }
 
 dxProcessObject<dxIdlePool<Run>> idleRuns;
