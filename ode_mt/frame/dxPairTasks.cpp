@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-// A body's tag.
-constexpr int kFirstUnknown = -1;
+// Tags of a body.
+constexpr int kShared = 0, kFirstUnknown = -1;
 
 // Of a pair whose collision may write to it: whether it may write to this geom of the two, or run the user's code for
 // it. The others are only read.
@@ -54,8 +54,9 @@ void dxPairTasks::cutBetweenSets(const std::vector<dxOrderedPair> &pairs, const 
     for (const dxOrderedPair &pair : pairs) end = std::max({end, pair.slots[0] + 1, pair.slots[1] + 1});
     m_sets.reset(end);
     m_exclusive.assign(end, 0);
-    markBodies(pairs, sharingBodies);
+    tagBodies(pairs, sharingBodies ? kShared : kFirstUnknown);
     for (const dxOrderedPair &pair : pairs) markWritten(pair);
+    uniteBodies(pairs);
     uniteSharedHeights(pairs);
     uniteExclusive(pairs);
     if (clusters != nullptr) uniteClusters(pairs, *clusters);
@@ -65,17 +66,23 @@ void dxPairTasks::cutBetweenSets(const std::vector<dxOrderedPair> &pairs, const 
 
 // Upstream's tag of a body is scratch memory. Here it tells whether all pairs of the body belong together, and holds the
 // slot of its first geom, plus one, once that is known.
-void dxPairTasks::markBodies(const std::vector<dxOrderedPair> &pairs, bool sharingBodies) {
-    constexpr int kShared = 0;
+void dxPairTasks::tagBodies(const std::vector<dxOrderedPair> &pairs, int tag) {
     for (const dxOrderedPair &pair : pairs)
         for (dxGeom *const geom : {pair.first, pair.second})
-            if (geom->body != nullptr) geom->body->tag = kShared;
-    for (const dxOrderedPair &pair : pairs) {
-        // Upstream's height fields move the other geom, and its body with it, while they collide it.
-        if (sharingBodies && dxMayCollideAnywhere(*pair.first, *pair.second)) continue;
-        for (dxGeom *const geom : {pair.first, pair.second})
-            if (geom->body != nullptr) geom->body->tag = kFirstUnknown;
+            if (geom->body != nullptr) geom->body->tag = tag;
+}
+
+// Bodies too: upstream's height fields move the other geom, and its body with it, while they collide it.
+void dxPairTasks::markWritten(const dxOrderedPair &pair) {
+    if (dxMayCollideAnywhere(*pair.first, *pair.second)) return;
+    for (int i = 0; i < 2; ++i) {
+        const dxGeom *const geom = i == 0 ? pair.first : pair.second;
+        if (isWrittenTo(geom)) m_exclusive[pair.slots[i]] = 1;
+        if (geom->body != nullptr) geom->body->tag = kFirstUnknown;
     }
+}
+
+void dxPairTasks::uniteBodies(const std::vector<dxOrderedPair> &pairs) {
     for (const dxOrderedPair &pair : pairs)
         for (int i = 0; i < 2; ++i) {
             const dxGeom *const geom = i == 0 ? pair.first : pair.second;
@@ -83,12 +90,6 @@ void dxPairTasks::markBodies(const std::vector<dxOrderedPair> &pairs, bool shari
             m_exclusive[pair.slots[i]] = 1;
             uniteBody(geom->body, pair.slots[i]);
         }
-}
-
-void dxPairTasks::markWritten(const dxOrderedPair &pair) {
-    if (dxMayCollideAnywhere(*pair.first, *pair.second)) return;
-    for (int i = 0; i < 2; ++i)
-        if (isWrittenTo(i == 0 ? pair.first : pair.second)) m_exclusive[pair.slots[i]] = 1;
 }
 
 void dxPairTasks::uniteExclusive(const std::vector<dxOrderedPair> &pairs) {

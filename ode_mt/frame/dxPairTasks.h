@@ -36,10 +36,11 @@ private:
     void cutAnywhere(unsigned wanted, std::uint32_t pairs);
     void cutBetweenSets(const std::vector<dxOrderedPair> &pairs, const dxClusteredWorldAndSpace *clusters,
                         unsigned wanted, bool sharingBodies);
-    void uniteExclusive(const std::vector<dxOrderedPair> &pairs);
-    void markBodies(const std::vector<dxOrderedPair> &pairs, bool sharingBodies);
+    static void tagBodies(const std::vector<dxOrderedPair> &pairs, int tag);
     void markWritten(const dxOrderedPair &pair);
+    void uniteBodies(const std::vector<dxOrderedPair> &pairs);
     void uniteSharedHeights(const std::vector<dxOrderedPair> &pairs);
+    void uniteExclusive(const std::vector<dxOrderedPair> &pairs);
     void uniteBody(dBodyID body, Slot slot);
     void uniteClusters(const std::vector<dxOrderedPair> &pairs, const dxClusteredWorldAndSpace &clusters);
     void sizeSets(const std::vector<dxOrderedPair> &pairs);
