@@ -26,24 +26,12 @@ struct Room {
 };
 static_assert(sizeof(Room) == sizeof(dxJointContact) && alignof(Room) == alignof(dxJointContact));
 
-// A mutex that is held for some ten nanoseconds at a time: sleeping takes a thousand times as long.
-class BriefLock {
-public:
-    explicit BriefLock(std::mutex &mutex) : m_mutex(mutex) {
-        constexpr int kTries = 200;
-        for (int i = 0; i < kTries; ++i) {
-            if (m_mutex.try_lock()) return;
-            dxPause();
-        }
-        m_mutex.lock();
-    }
-    ~BriefLock() { m_mutex.unlock(); }
-    BriefLock(const BriefLock &) = delete;
-    BriefLock &operator=(const BriefLock &) = delete;
-
-private:
-    std::mutex &m_mutex;
-};
+// Of a mutex that is held for some ten nanoseconds at a time: sleeping takes a thousand times as long.
+std::unique_lock<std::mutex> lockBriefly(std::mutex &mutex) {
+    std::unique_lock<std::mutex> lock(mutex, std::defer_lock);
+    if (!dxSpinUntil([&] { return lock.try_lock(); })) lock.lock();
+    return lock;
+}
 
 __attribute__((tls_model("initial-exec"))) thread_local dxContactLog *t_current = nullptr;
 
@@ -61,25 +49,25 @@ void dxContactLog::start(std::mutex &groups) {
 
 dJointID dxContactLog::create(dWorldID world, dJointGroupID group, const dContact *contact) {
     if (world == nullptr || contact == nullptr) return dxUpstreamJointCreateContact(world, group, contact);
-    dJointID joint;
-    if (group == nullptr) {
-        joint = dxUpstreamJointCreateContact(&m_nursery, nullptr, contact);
-        leaveNursery(*joint);
-    } else {
-        dxJointContact *const inGroup = createInGroup(*group);
-        inGroup->contact = *contact;
-        joint = inGroup;
-    }
+    dxJointContact *const joint = construct(group);
+    joint->contact = *contact;
     joint->world = world;
     m_operations.push_back({joint, nullptr, nullptr, true});
     return joint;
 }
 
-// As upstream's dJointCreateContact, but constructed without the lock.
-dxJointContact *dxContactLog::createInGroup(dxJointGroup &group) {
-    auto *const joint = new (takeRoom(group)) dxJointContact(&m_nursery);
-    joint->flags |= dJOINT_INGROUP;
-    leaveNursery(*joint);
+// Without the lock. Of no world.
+dxJointContact *dxContactLog::construct(dxJointGroup *group) {
+    dxJointContact *joint;
+    if (group == nullptr) {
+        joint = new dxJointContact(&m_nursery);
+    } else {
+        joint = new (takeRoom(*group)) dxJointContact(&m_nursery);
+        joint->flags |= dJOINT_INGROUP;
+    }
+    m_nursery.firstjoint = nullptr;
+    m_nursery.nj = 0;
+    joint->world = nullptr;
     return joint;
 }
 
@@ -88,7 +76,7 @@ void *dxContactLog::takeRoom(dxJointGroup &group) {
     constexpr int kRoomsAtOnce = 8;
     if (m_roomsOf != &group) finish();
     if (m_rooms.empty()) {
-        const BriefLock lock(*m_groups);
+        const auto lock = lockBriefly(*m_groups);
         m_roomsOf = &group;
         for (int i = 0; i < kRoomsAtOnce; ++i) m_rooms.push_back(group.alloc<Room>(nullptr));
     }
@@ -99,16 +87,8 @@ void *dxContactLog::takeRoom(dxJointGroup &group) {
 
 // A group counts what it has given, and goes through its joints when it is emptied: joints of no world.
 void dxContactLog::finish() {
-    while (!m_rooms.empty()) createInGroup(*m_roomsOf);
+    while (!m_rooms.empty()) construct(m_roomsOf);
     m_roomsOf = nullptr;
-}
-
-void dxContactLog::leaveNursery(dxJoint &joint) {
-    m_nursery.firstjoint = nullptr;
-    m_nursery.nj = 0;
-    joint.world = nullptr;
-    joint.next = nullptr;
-    joint.tome = nullptr;
 }
 
 // What can be read from the joint is as after upstream's dJointAttach.

@@ -65,9 +65,8 @@ private:
         bool isCreation;
     };
 
-    dxJointContact *createInGroup(dxJointGroup &group);
+    dxJointContact *construct(dxJointGroup *group);
     void *takeRoom(dxJointGroup &group);
-    void leaveNursery(dxJoint &joint);
 
     std::vector<Operation> m_operations;
     dxColliderCopies m_copies;

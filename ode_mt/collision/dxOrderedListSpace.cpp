@@ -66,7 +66,7 @@ void dxOrderedListSpace::stopWalking() {
 
 // The list is walked until fewer than half as many move as it takes to begin with that.
 bool dxOrderedListSpace::requireRanks() {
-    if (m_isWalked && m_moved < leastMovedToWalk() - m_moved) stopWalking();
+    if (m_isWalked && 2 * m_moved < leastMovedToWalk()) stopWalking();
     m_moved = 0;
     return !m_irregular;
 }
