@@ -1,4 +1,4 @@
-// dxBatchSearch against brute force: sizes over many decades, boxes that no cell can hold, crowds and deserts.
+// dxBatchSearch against brute force, beyond what every search has to do (pair_search_test.cpp): crowds and deserts.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,40 +8,6 @@
 #include "collision/dxBatchSearch.h"
 
 namespace {
-
-using Slot = SearchedMembers::Slot;
-
-TEST(BatchSearch, FindsNothingAmongNobodyAndAlone) {
-    dxBatchSearch search;
-    SearchedMembers crowd;
-    EXPECT_TRUE(crowd.found(search).empty());
-    crowd.add(cubeAt(0, 0, 0));
-    EXPECT_TRUE(crowd.found(search).empty());
-}
-
-TEST(BatchSearch, FindsEveryOverlapOnceWhateverTheBoxes) {
-    RandomBoxes random(3);
-    std::size_t overlaps = 0;
-    for (int round = 0; round < 60; ++round) {
-        dxBatchSearch search;
-        SearchedMembers crowd;
-        for (int step = 0; step < 6; ++step) {
-            for (int i = 0; i < 60; ++i) {
-                const Slot slot = random.below(200);
-                if (!crowd.isThere(slot))
-                    crowd.add(random.box());
-                else if (random.oneIn(5))
-                    crowd.remove(slot);
-                else
-                    crowd.move(slot, random.box());
-            }
-            const auto expected = crowd.expected();
-            overlaps += expected.size();
-            ASSERT_EQ(crowd.found(search), expected) << "round " << round << ", step " << step;
-        }
-    }
-    EXPECT_GT(overlaps, 10000u);
-}
 
 // So many of each size that none is compared with all: boxes of one level are swept against those of others.
 TEST(BatchSearch, SweepsLargeAgainstSmall) {

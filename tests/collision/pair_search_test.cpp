@@ -1,0 +1,66 @@
+// What every search has to do, against brute force: members that come, go and change, few or many at once; sizes over
+// many decades, boxes that no cell can hold.
+#include <gtest/gtest.h>
+
+#include "RandomBoxes.h"
+#include "SearchedMembers.h"
+#include "collision/dxAdaptiveSearch.h"
+#include "collision/dxBatchSearch.h"
+#include "collision/dxNeighbourSearch.h"
+#include "collision/dxTableSearch.h"
+
+namespace {
+
+using Slot = SearchedMembers::Slot;
+
+template <class Search>
+class PairSearch : public testing::Test {};
+
+using Searches = testing::Types<dxAdaptiveSearch, dxBatchSearch, dxNeighbourSearch, dxTableSearch>;
+TYPED_TEST_SUITE(PairSearch, Searches);
+
+struct Churn {
+    unsigned seed;
+    int rounds, steps, changes;  // after the first step, which has 60
+    std::size_t slots, leastOverlaps;
+};
+constexpr Churn kChurns[] = {{3, 60, 6, 60, 200, 10000}, {8, 40, 12, 3, 80, 1500}, {8, 40, 12, 60, 80, 1500}};
+
+void change(SearchedMembers &crowd, Slot slot, RandomBoxes &random) {
+    if (!crowd.isThere(slot))
+        crowd.add(random.box());
+    else if (random.oneIn(5))
+        crowd.remove(slot);
+    else
+        crowd.move(slot, random.box());
+}
+
+TYPED_TEST(PairSearch, FindsNothingAmongNobodyAndAlone) {
+    TypeParam search;
+    SearchedMembers crowd;
+    EXPECT_TRUE(crowd.found(search).empty());
+    crowd.add(cubeAt(0, 0, 0));
+    EXPECT_TRUE(crowd.found(search).empty());
+}
+
+TYPED_TEST(PairSearch, FindsEveryOverlapOnceWhateverTheBoxes) {
+    for (const Churn &churn : kChurns) {
+        RandomBoxes random(churn.seed);
+        std::size_t overlaps = 0;
+        for (int round = 0; round < churn.rounds; ++round) {
+            TypeParam search;
+            SearchedMembers crowd;
+            for (int step = 0; step < churn.steps; ++step) {
+                for (int i = 0; i < (step == 0 ? 60 : churn.changes); ++i)
+                    change(crowd, random.below(churn.slots), random);
+                const auto expected = crowd.expected();
+                overlaps += expected.size();
+                ASSERT_EQ(crowd.found(search), expected)
+                    << churn.changes << " changes, round " << round << ", step " << step;
+            }
+        }
+        EXPECT_GT(overlaps, churn.leastOverlaps);
+    }
+}
+
+}  // namespace
