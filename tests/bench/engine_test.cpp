@@ -25,8 +25,8 @@ std::string complaint(const std::string &engine) {
 
 TEST(Engine, NamesAreReadAndWrittenBack) {
     for (const char *name : {"stock", "stock-pool:2", "ours:0", "ours:1024", "ours:auto", "ours:2/openmp",
-                             "ours:2/lcp", "ours:2/pthread/lcp", "ours:2/concurrent", "ours:2/independent", "ours:2/cells=5",
-                             "ours:auto/openmp/decluster/concurrent/cells=20"})
+                             "ours:2/lcp", "ours:2/pthread/lcp", "ours:2/concurrent", "ours:2/independent",
+                             "ours:2/cells=5", "ours:auto/openmp/decluster/concurrent/cells=20"})
         EXPECT_EQ(readEngine(name).name(), name);
 }
 

@@ -113,13 +113,13 @@ void addAlgorithmTests(const ScenarioName &scenario, const char *algorithm, cons
     if (isItsTurn && !isLcp) addTest(scenario, name, player);
     if (scenario.callbacks.empty() || !(isItsTurn || isLcp)) return;
     player.unordered = true;
-    const bool isIndependentsTurn = isItsTurn && (isLcp || threads.count % 2 != 0);
-    for (const char *policy : {"concurrent", "independent"}) {
-        const bool isIndependent = policy == std::string("independent");
-        if (isIndependent ? !isIndependentsTurn : !isLcp && isIndependentsTurn) continue;
+    const auto addPolicy = [&](const char *policy) {
         player.setting->callbacks = policy;
         addTest(scenario, name + '_' + policy, player);
-    }
+    };
+    const bool mayShareBodies = threads.count % 2 != 0;
+    if (isLcp || !mayShareBodies) addPolicy("concurrent");
+    if (isItsTurn && (isLcp || mayShareBodies)) addPolicy("independent");
 }
 
 // Scenarios take each algorithm with one number of threads, by turns, so that all of them together have every

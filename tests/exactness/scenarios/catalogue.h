@@ -23,8 +23,8 @@ struct Scenario {
     // It leaves a step or a space half way, after which upstream cannot destroy what there is: the program
     // ends at once, without doing so.
     bool leavesRuins = false;
-    // May its near-callbacks run on several threads at once, for they write to nothing of their pairs? And do its pairs fall into sets that share no body,
-    // in a space whose pairs are shared out, so that they do?
+    // May its near-callbacks run on several threads at once, for they write to nothing of their pairs? And do its
+    // pairs fall into sets that share no body, in a space whose pairs are shared out, so that they do?
     enum class Callbacks { oneAtATime, reentrant, shared };
     Callbacks callbacks = Callbacks::oneAtATime;
     // One island is so large that several workers step it together, and the suite asserts that they do.
