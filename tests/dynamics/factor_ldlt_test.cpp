@@ -3,6 +3,7 @@
 
 #include <ode/matrix.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -11,13 +12,15 @@
 #include <vector>
 
 #include "dynamics/solve/dxFactorLDLT.h"
+#include "dynamics/solve/dxTriangleScan.h"
 #include "instruction_sets.h"
 
 namespace {
 
 struct Matrix {
-    // Positive definite, or indefinite and badly scaled; nothing above the diagonal may be read.
-    Matrix(unsigned rows, unsigned rowSkip, bool isWild, unsigned seed)
+    // Positive definite, or indefinite and badly scaled; nothing above the diagonal may be read. Rows begin up to
+    // `reach` columns before their diagonal.
+    Matrix(unsigned rows, unsigned rowSkip, bool isWild, unsigned reach, unsigned seed)
         : n(rows),
           skip(rowSkip),
           elements(std::size_t(rows) * rowSkip, std::numeric_limits<dReal>::quiet_NaN()),
@@ -25,9 +28,12 @@ struct Matrix {
         std::mt19937 random(seed);
         std::uniform_real_distribution<double> number(-1, 1);
         for (unsigned i = 0; i < n; ++i) {
-            for (unsigned j = 0; j < i; ++j)
-                elements[i * skip + j] = dReal(
-                    random() % 3 ? number(random) * (isWild ? std::pow(10, 5 * number(random)) : 1) : 0);
+            const unsigned begin = i - std::min(i, unsigned(random() % (reach + 1)));
+            for (unsigned j = 0; j < i; ++j) {
+                const bool isZero = j < begin || random() % 3 == 0;
+                elements[i * skip + j] = isZero ? dReal(j < begin || random() % 2 ? 0. : -0.)
+                                                : dReal(number(random) * (isWild ? std::pow(10, 5 * number(random)) : 1));
+            }
             elements[i * skip + i] = dReal(isWild ? number(random) : n + number(random));
         }
     }
@@ -50,7 +56,9 @@ void factor(Matrix &matrix) {
     void *aligned = storage.data();
     std::size_t space = storage.size() * sizeof(dReal);
     std::align(64, 1, aligned, space);
-    dxFactorLDLT(matrix.elements.data(), matrix.d.data(), matrix.n, matrix.skip,
+    std::vector<unsigned> begins(matrix.n);
+    dxFindEnvelope(matrix.elements.data(), matrix.n, matrix.skip, begins.data());
+    dxFactorLDLT(matrix.elements.data(), matrix.d.data(), matrix.n, matrix.skip, dxEnvelope(begins.data()),
                  static_cast<dReal *>(aligned));
 }
 
@@ -60,12 +68,36 @@ TEST(FactorLDLT, GivesUpstreamsBits) {
     for (const std::int64_t set : instructionSets()) {
         onInstructionSet(set, [] {
             for (unsigned n = 1; n < 200; n += n < 70 ? 1 : 13) {
-                for (unsigned seed = 0; seed < 6; ++seed) {
-                    Matrix upstream(n, n + seed, seed % 2 != 0, seed), ours = upstream;
+                for (unsigned seed = 0; seed < 12; ++seed) {
+                    const unsigned reach = seed % 3 == 0 ? 6 : seed % 3 == 1 ? n / 2 : 2 * n;
+                    Matrix upstream(n, n + seed, seed % 2 != 0, reach, seed), ours = upstream;
                     dFactorLDLT(upstream.elements.data(), upstream.d.data(), static_cast<int>(n),
                                 static_cast<int>(upstream.skip));
                     factor(ours);
                     EXPECT_TRUE(upstream == ours) << n << " rows, seed " << seed;
+                }
+            }
+        });
+    }
+}
+
+TEST(TriangleScan, FindsTheFirstElementsAndWhatIsNotFinite) {
+    using Limits = std::numeric_limits<dReal>;
+    for (const std::int64_t set : instructionSets()) {
+        onInstructionSet(set, [] {
+            for (unsigned n = 1; n < 40; ++n) {
+                for (unsigned row = 0; row < n; ++row) {
+                    const unsigned column = (7 * row + n) % (row + 1);
+                    for (const dReal value : {dReal(1), dReal(-0.), Limits::denorm_min(), -Limits::infinity(), Limits::quiet_NaN()}) {
+                        std::vector<dReal> triangle(std::size_t(n) * (n + 3), Limits::quiet_NaN());
+                        for (unsigned i = 0; i < n; ++i)
+                            std::fill_n(&triangle[i * std::size_t(n + 3)], i + 1, dReal(0));
+                        triangle[row * std::size_t(n + 3) + column] = value;
+                        EXPECT_EQ(dxIsTriangleFinite(triangle.data(), n, n + 3), std::isfinite(value));
+                        std::vector<unsigned> begins(n);
+                        dxFindEnvelope(triangle.data(), n, n + 3, begins.data());
+                        for (unsigned i = 0; i < n; ++i) EXPECT_EQ(begins[i], i == row ? column : i);
+                    }
                 }
             }
         });

@@ -45,9 +45,10 @@ struct Shape {
     unsigned rank;  // of A, before its diagonal gets `softness`
     double softness, decades;
     bool friction, late;  // rows with a normal's limits; rows without limits after the first ones
+    unsigned reach = 0;   // columns of J that rows next to one another share, as links of a chain do; 0: all
 };
 
-// A = J J' with sparse random J, as a pile's or a robot's.
+// A = J J' with sparse random J, as a pile's, a robot's or a chain's.
 struct Problem {
     Problem(const Shape &shape, unsigned seed)
         : random(seed), n(shape.n), skip(dPAD(n)), unbounded(shape.unbounded) {
@@ -62,8 +63,12 @@ struct Problem {
     void makeMatrix(const Shape &shape) {
         std::vector<double> J(std::size_t(n) * shape.rank);
         for (unsigned i = 0; i < n; ++i)
-            for (unsigned k = 0; k < 12; ++k)
-                J[i * shape.rank + random() % shape.rank] = number() * std::pow(10, shape.decades * number());
+            for (unsigned k = 0; k < 12; ++k) {
+                const double value = number() * std::pow(10, shape.decades * number());
+                const unsigned column = shape.reach == 0 ? random() % shape.rank
+                                                         : (i * shape.rank / n + random() % shape.reach) % shape.rank;
+                J[i * shape.rank + column] = value;
+            }
         for (unsigned i = 0; i < n; ++i) {
             for (unsigned j = 0; j <= i; ++j) {
                 double sum = 0;
@@ -115,6 +120,9 @@ struct Solution {
     int flags;
 };
 
+// As the program may have left them.
+int raisedBefore = 0, rounding = FE_TONEAREST;
+
 Solution solve(Solver solver, Problem problem, bool friction) {
     dxWorldProcessMemArena *arena = dxAllocateTemporaryWorldProcessMemArena(
         dxEstimateSolveLCPMemoryReq(problem.n, false), nullptr, nullptr);
@@ -123,12 +131,15 @@ Solution solve(Solver solver, Problem problem, bool friction) {
     dSetMessageHandler(keepMessage);
     dSetDebugHandler(endRun);
     std::feclearexcept(FE_ALL_EXCEPT);
+    std::feraiseexcept(raisedBefore);
+    std::fesetround(rounding);
     try {
         solver(arena, problem.n, problem.A.data(), problem.bx.data(), nullptr, problem.unbounded,
                problem.limits.data(), friction ? problem.normalOf.data() : nullptr);
     } catch (const std::runtime_error &) {
         std::fill(problem.bx.begin(), problem.bx.end(), dReal(0));
     }
+    std::fesetround(FE_TONEAREST);
     Solution solution{{}, messages, std::fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW)};
     dSetMessageHandler(nullptr);
     dSetDebugHandler(nullptr);
@@ -154,6 +165,10 @@ TEST(Lcp, HasUpstreamsSolution) {
         {33, 32, 60, 1e-5, 0, false, false}, {40, 0, 80, 1e-5, 1, true, false},
         {64, 17, 90, 1e-5, 2, true, true},   {90, 60, 130, 1e-5, 0, true, false},
         {130, 0, 200, 1e-5, 1, true, true},  {200, 40, 260, 1e-6, 1, true, true},
+        {60, 60, 80, 1e-5, 0, false, false, 6}, {90, 50, 120, 1e-5, 1, true, false, 9},
+        {90, 0, 120, 1e-5, 1, true, true, 12},  {300, 200, 400, 1e-5, 0, true, true, 10},
+        {300, 0, 250, 1e-6, 1, true, true, 30}, {250, 10, 200, 1e-4, 0, true, false, 20},
+        {400, 0, 500, 1e-5, 1, true, true, 9},  {290, 50, 290, 1e-5, 0, true, false, 6},
     };
     for (const std::int64_t set : instructionSets()) {
         onInstructionSet(set, [&] {
@@ -188,6 +203,34 @@ TEST(Lcp, HasUpstreamsSolutionBeyondTheRangeOfNumbers) {
     for (unsigned seed = 0; seed < 200; ++seed)
         expectSame(Problem({30, 4, 60, 1e-5, most / 6 * (1 + seed % 4), true, false}, seed), true,
                    "seed " + std::to_string(seed));
+}
+
+TEST(Lcp, HasUpstreamsSolutionWithAnyRoundingAndWhateverWasRaisedBefore) {
+    for (const int mode : {FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO, FE_TONEAREST}) {
+        rounding = mode;
+        for (const int raised : {0, FE_OVERFLOW, FE_INVALID | FE_DIVBYZERO}) {
+            raisedBefore = raised;
+            for (unsigned seed = 0; seed < 20; ++seed)
+                expectSame(Problem({90, 20, 120, 1e-5, 1, true, true, 10}, seed), true, "seed " + std::to_string(seed));
+        }
+    }
+    raisedBefore = 0;
+}
+
+// Zeros hide what they are multiplied with.
+TEST(Lcp, HasUpstreamsSolutionOfWhatIsNoNumber) {
+    using Limits = std::numeric_limits<dReal>;
+    for (const dReal value : {Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN()}) {
+        for (unsigned seed = 0; seed < 30; ++seed) {
+            Problem problem({90, 20 * (seed % 3), 120, 1e-5, 1, true, true, 10}, seed);
+            (seed % 2 ? problem.bx[2 * (seed % 60)] : problem.A[problem.skip * 50 + seed]) = value;
+            for (const int raised : {0, FE_OVERFLOW | FE_INVALID | FE_DIVBYZERO}) {
+                raisedBefore = raised;
+                expectSame(problem, true, "seed " + std::to_string(seed));
+            }
+        }
+    }
+    raisedBefore = 0;
 }
 
 TEST(Lcp, LeavesLimitsThatCannotBeToUpstreamsAsserts) {

@@ -3,21 +3,55 @@
 #include <ode/odemath.h>
 
 #include <cfenv>
+#include <cmath>
 
 #include "dynamics/dxWorkingMemory.h"
 #include "dynamics/lcp/dxDantzigRun.h"
 #include "dynamics/lcp/dxUpstreamLcp.h"
+#include "dynamics/solve/dxTriangleScan.h"
 
 namespace {
 
 // Lanes that nobody asked for may raise them where upstream does not.
 constexpr int kTelling = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
 
+// Below this many rows there is little to be left out.
+constexpr unsigned kSparseRows = 64;
+
+// Zeros may be left out as long as everything is finite, and sums that start at 0 never become -0.
+bool mayLeaveOutZeros(const dxDantzigProblem &problem) {
+    if (problem.n < kSparseRows || std::fegetround() != FE_TONEAREST) return false;
+    for (unsigned i = 0; i < problem.n; ++i)
+        if (!std::isfinite(problem.pairsBX[std::size_t(i) * PBX__MAX + PBX_B])) return false;
+    return dxIsTriangleFinite(problem.A, problem.n, dPAD(problem.n));
+}
+
 bool areLimitsSound(const dReal *pairsLoHi, unsigned n) {
     for (unsigned i = 0; i < n; ++i, pairsLoHi += PLH__MAX)
         if (!(pairsLoHi[PLH_LO] <= 0 && pairsLoHi[PLH_HI] >= 0)) return false;
     return true;
 }
+
+// Floating-point exceptions that are raised while it lives, and forgotten then.
+class LoweredFlags {
+public:
+    LoweredFlags() : m_before(std::fetestexcept(kTelling)) {
+        if (m_before == 0) return;
+        std::fegetexceptflag(&m_flags, kTelling);
+        std::feclearexcept(kTelling);
+    }
+    ~LoweredFlags() {
+        if (isAnyRaised()) std::feclearexcept(kTelling);
+        if (m_before != 0) std::fesetexceptflag(&m_flags, kTelling);
+    }
+    LoweredFlags(const LoweredFlags &) = delete;
+    LoweredFlags &operator=(const LoweredFlags &) = delete;
+    bool isAnyRaised() const { return std::fetestexcept(kTelling) != 0; }
+
+private:
+    const int m_before;
+    std::fexcept_t m_flags{};
+};
 
 // Memory beside the world's arena, whose size upstream decides and the user's allocator sees.
 class BorrowedArena {
@@ -40,14 +74,10 @@ enum class Outcome { Solved, GaveUp, LeftToUpstream };
 Outcome solve(dxWorldProcessMemArena *memory, const dxDantzigProblem &problem, dReal &failedLength) {
     const BorrowedArena more(dxDantzigRun::memory(problem.n));
     if (!more.get()) return Outcome::LeftToUpstream;
-    const int before = std::fetestexcept(kTelling);
-    dxDantzigRun run(memory, more.get(), problem);
+    const LoweredFlags flags;
+    dxDantzigRun run(memory, more.get(), problem, mayLeaveOutZeros(problem));
     run.solve();
-    const int raised = std::fetestexcept(kTelling) & ~before;
-    if (raised != 0) {
-        std::feclearexcept(raised);
-        return Outcome::LeftToUpstream;
-    }
+    if (flags.isAnyRaised()) return Outcome::LeftToUpstream;
     run.deliver();
     failedLength = run.failedLength();
     return run.hasFailed() ? Outcome::GaveUp : Outcome::Solved;

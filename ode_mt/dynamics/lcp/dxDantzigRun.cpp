@@ -10,6 +10,7 @@
 #include "dynamics/solve/dxFactorLDLT.h"
 #include "dynamics/solve/dxLaneProducts.h"
 #include "dynamics/solve/dxSolveL1.h"
+#include "dynamics/solve/dxTriangleScan.h"
 
 namespace {
 
@@ -30,6 +31,11 @@ std::size_t temporarySize(unsigned n) {
 
 // Below this many rows vectors do not pay.
 constexpr unsigned kWideFactorRows = 24;
+
+// Below this many rows lanes are as fast.
+constexpr unsigned kSparseProductRows = 256;
+
+std::size_t sparseMemory(unsigned n) { return n < kSparseProductRows ? 0 : dxSparseRows::memory(n); }
 
 // The product of a row's elements at `columns` with factor(k) for the k-th of them, in upstream's order
 // (calculateLargeVectorDot of ode/src/fastdot_impl.h).
@@ -53,12 +59,14 @@ std::size_t dxDantzigRun::memory(unsigned n) {
     return bytes<unsigned>(n) + bytes<dReal>(dxLcpMatrix::size(n)) +
            bytes<unsigned>(dxIndexSets::kWords * std::size_t(n)) + 7 * bytes<dReal>(n) +
            bytes<dReal>(dxLcpRoundUp(n)) + bytes<dReal>(dxForwardSolves::size(n, 0)) +
-           2 * bytes<unsigned>(dxForwardSolves::words(n)) + bytes<Limits>(n) + bytes<bool>(n) +
+           bytes<unsigned>(n) + bytes<unsigned>(dxForwardSolves::words(n)) +
+           bytes<unsigned>(dxLcpBlock(n) + std::size_t(1)) + sparseMemory(n) +
+           bytes<Limits>(n) + bytes<bool>(n) +
            bytes<dReal *>(n) + bytes<dReal>(temporarySize(n));
 }
 
 dxDantzigRun::dxDantzigRun(dxWorldProcessMemArena *given, dxWorldProcessMemArena *arena,
-                           const dxDantzigProblem &problem)
+                           const dxDantzigProblem &problem, bool isLeavingOutExact)
     : m_problem(problem),
       m_n(problem.n),
       m_order(take<unsigned>(arena, m_n)),
@@ -68,9 +76,13 @@ dxDantzigRun::dxDantzigRun(dxWorldProcessMemArena *given, dxWorldProcessMemArena
       m_skip(dPAD(m_n)),
       m_L(take<dReal>(given, std::size_t(m_skip) * m_n)),
       m_d(take<dReal>(arena, m_n)),
-      m_forward(m_A, m_sets, m_L, m_skip, m_n, m_unbounded,
+      m_begins(take<unsigned>(arena, m_n)),
+      m_envelope(isLeavingOutExact ? dxEnvelope(m_begins) : dxEnvelope()),
+      m_forward(m_A, m_sets, m_L, m_skip, m_envelope, m_n, m_unbounded,
                 take<dReal>(arena, dxForwardSolves::size(m_n, m_unbounded)),
                 take<unsigned>(arena, dxForwardSolves::words(m_n))),
+      m_arena(arena),
+      m_sparse(m_A, m_sets, m_n, m_unbounded),
       m_b(take<dReal>(arena, m_n)),
       m_x(take<dReal>(arena, m_n)),
       m_w(take<dReal>(arena, m_n)),
@@ -78,7 +90,7 @@ dxDantzigRun::dxDantzigRun(dxWorldProcessMemArena *given, dxWorldProcessMemArena
       m_limits(take<Limits>(arena, m_n)),
       m_isHigh(take<bool>(arena, m_n)),
       m_rowPointers(take<dReal *>(arena, m_n)),
-      m_blockN(take<unsigned>(arena, dxForwardSolves::words(m_n))),
+      m_blockN(take<unsigned>(arena, dxLcpBlock(m_n) + std::size_t(1))),
       m_deltaX(take<dReal>(arena, m_n)),
       m_solved(take<dReal>(arena, m_n)),
       m_scaled(take<dReal>(arena, m_n)),
@@ -90,7 +102,7 @@ dxDantzigRun::dxDantzigRun(dxWorldProcessMemArena *given, dxWorldProcessMemArena
         m_limits[i] = {limits[PLH_LO], limits[PLH_HI]};
         m_rowPointers[i] = m_A.row(i);
     }
-    std::fill_n(m_blockN, dxForwardSolves::words(m_n), 0u);
+    std::fill_n(m_blockN, dxLcpBlock(m_n) + std::size_t(1), 0u);
 }
 
 void dxDantzigRun::solve() {
@@ -114,17 +126,17 @@ void dxDantzigRun::deliver() const {
 
 // Rows without limits are in C from the start.
 void dxDantzigRun::solveUnbounded() {
-    for (unsigned i = 0; i < m_unbounded; ++i)
-        dxCopyLcpRow(m_problem.A, dPAD(m_n), m_order, i, 0, m_L + std::size_t(i) * m_skip);
+    dxCopyLcpRows(m_problem.A, dPAD(m_n), m_order, 0, m_unbounded, m_L, m_skip);
+    if (m_envelope.leavesOut()) dxFindEnvelope(m_L, m_unbounded, m_skip, m_begins);
     if (m_unbounded < kWideFactorRows) {
         dFactorLDLT(m_L, m_d, static_cast<int>(m_unbounded), static_cast<int>(m_skip));
     } else {
-        dxFactorLDLT(m_L, m_d, m_unbounded, m_skip, m_temporary);
+        dxFactorLDLT(m_L, m_d, m_unbounded, m_skip, m_envelope, m_temporary);
     }
     std::copy_n(m_b, m_unbounded, m_x);
-    dxSolveL1Straight<1>(m_L, m_x, m_unbounded, m_skip);
+    dxSolveL1Straight(m_L, m_x, m_unbounded, m_skip, m_envelope);
     for (unsigned i = 0; i < m_unbounded; ++i) m_x[i] *= m_d[i];
-    dxSolveL1Transposed<1>(m_L, m_x, m_unbounded, m_skip);
+    dxSolveL1Transposed(m_L, m_x, m_unbounded, m_skip, m_envelope);
 }
 
 // Friction is limited by the forces found for the normals: 0 for 0, whatever the coefficient.
@@ -189,7 +201,7 @@ void dxDantzigRun::findDirection(unsigned i, bool isUp) {
 void dxDantzigRun::findDeltaX(bool isUp) {
     const unsigned count = m_sets.countC();
     std::copy_n(m_scaled, count, m_temporary);
-    dxSolveL1Transposed<1>(m_L, m_temporary, count, m_skip);
+    dxSolveL1Transposed(m_L, m_temporary, count, m_skip, m_envelope);
     const unsigned *positions = m_sets.factorPositions();
     for (unsigned j = 0; j < count; ++j) m_deltaX[positions[j]] = isUp ? -m_temporary[j] : m_temporary[j];
 }
@@ -198,13 +210,22 @@ void dxDantzigRun::findDeltaX(bool isUp) {
 void dxDantzigRun::findDeltaW(unsigned i, bool isUp) {
     const unsigned countC = m_sets.countC(), *columns = m_sets.indexes(), *ofN = columns + countC;
     const dReal *row = m_A.row(i);
-    if (m_sets.countN() > 0)
-        dxComputeLaneProducts({m_A.rows(), m_A.rowSkip(), columns, m_deltaX, countC, dxLcpBlock(m_unbounded),
-                               dxLcpBlock(i) + 1, m_blockN, m_deltaW});
+    if (m_sets.countN() > 0) findProductsOfN(i);
     for (unsigned k = 0; k < m_sets.countN(); ++k)
         m_deltaW[ofN[k]] = isUp ? m_deltaW[ofN[k]] + row[ofN[k]] : m_deltaW[ofN[k]] - row[ofN[k]];
     const dReal product = multiply(row, columns, countC, [&](unsigned k) { return m_deltaX[k]; });
     m_deltaW[i] = isUp ? product + row[i] : product - row[i];
+}
+
+void dxDantzigRun::findProductsOfN(unsigned i) {
+    const unsigned countC = m_sets.countC(), *columns = m_sets.indexes(), *ofN = columns + countC;
+    if (m_envelope.leavesOut() && m_n >= kSparseProductRows && !m_sparse.isTried()) m_sparse.build(m_arena);
+    if (m_sparse.isBuilt()) {
+        for (unsigned k = 0; k < m_sets.countN(); ++k) m_deltaW[ofN[k]] = m_sparse.multiply(ofN[k], m_deltaX);
+    } else {
+        dxComputeLaneProducts({m_A.rows(), m_A.rowSkip(), columns, m_deltaX, countC, dxLcpBlock(m_unbounded),
+                               dxLcpBlock(i) + 1, m_blockN, m_deltaW});
+    }
 }
 
 // The longest push after which all conditions still hold.
@@ -307,6 +328,7 @@ void dxDantzigRun::addToC(unsigned i) {
     const unsigned count = m_sets.countC();
     appendFactorRow(i, count > 0 ? dxDot(m_scaled, m_solved, count) : 0);
     m_sets.addNextToC();
+    m_sparse.append(i);
 }
 
 void dxDantzigRun::addToN(unsigned i, bool isHigh) {
@@ -323,16 +345,17 @@ void dxDantzigRun::moveFromNToC(unsigned position) {
     appendFactorRow(row, product);
     --m_blockN[dxLcpBlock(row)];
     m_sets.moveFromNToC(position);
+    m_sparse.append(row);
 }
 
 void dxDantzigRun::moveFromCToN(unsigned position, bool isHigh) {
     const unsigned row = m_sets.indexAt(position), factorRow = m_sets.factorRowAt(position);
     m_x[row] = isHigh ? m_limits[row].high : m_limits[row].low;
     m_isHigh[row] = isHigh;
-    dxLDLTRemove(m_rowPointers, m_sets.factorIndexes(), m_L, m_d, m_n, m_sets.countC(), factorRow, m_skip,
-                 m_temporary);
+    removeFactorRow(factorRow);
     m_forward.forgetFrom(factorRow);
     ++m_blockN[dxLcpBlock(row)];
+    m_sparse.remove(position);
     m_sets.moveFromCToN(position, factorRow);
 }
 
@@ -340,6 +363,7 @@ void dxDantzigRun::moveFromCToN(unsigned position, bool isHigh) {
 void dxDantzigRun::appendFactorRow(unsigned index, dReal product) {
     const unsigned count = m_sets.countC();
     dReal diagonal = m_A.diagonal(index);
+    m_begins[count] = firstSolved(count);
     if (count == 0) {
         m_d[0] = dRecip(diagonal);
         return;
@@ -347,4 +371,20 @@ void dxDantzigRun::appendFactorRow(unsigned index, dReal product) {
     std::copy_n(m_scaled, count, m_L + std::size_t(m_skip) * count);
     if (diagonal == product) diagonal = dNextAfter(diagonal, dInfinity);
     m_d[count] = dRecip(diagonal - product);
+}
+
+// The first that is not zero.
+unsigned dxDantzigRun::firstSolved(unsigned count) const {
+    unsigned first = 0;
+    while (m_envelope.leavesOut() && first < count && m_solved[first] == 0) ++first;
+    return first;
+}
+
+// Rows that begin after the removed one have nothing to do with it, and are only moved; the others may get
+// elements after it.
+void dxDantzigRun::removeFactorRow(unsigned factorRow) {
+    const unsigned count = m_sets.countC();
+    dxLDLTRemove(m_rowPointers, m_sets.factorIndexes(), m_L, m_d, m_n, count, factorRow, m_skip, m_temporary);
+    for (unsigned row = factorRow + 1; m_envelope.leavesOut() && row < count; ++row)
+        m_begins[row - 1] = m_begins[row] > factorRow ? m_begins[row] - 1 : m_begins[row];
 }

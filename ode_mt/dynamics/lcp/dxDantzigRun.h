@@ -9,15 +9,17 @@
 #include "dynamics/lcp/dxForwardSolves.h"
 #include "dynamics/lcp/dxIndexSets.h"
 #include "dynamics/lcp/dxLcpMatrix.h"
+#include "dynamics/lcp/dxSparseRows.h"
 
 class dxWorldProcessMemArena;
 
 class dxDantzigRun {
 public:
     // Takes L from `given`, everything else from `arena`, of which it needs memory(n) bytes; reads the
-    // problem and writes nothing but that memory.
+    // problem and writes nothing but that memory. Products with 0 are left out if `isLeavingOutExact`: everything in
+    // the problem but its limits is finite, and results are rounded to nearest.
     dxDantzigRun(dxWorldProcessMemArena *given, dxWorldProcessMemArena *arena,
-                 const dxDantzigProblem &problem);
+                 const dxDantzigProblem &problem, bool isLeavingOutExact);
     static std::size_t memory(unsigned n);
 
     void solve();
@@ -50,6 +52,7 @@ private:
     void findDirection(unsigned i, bool isUp);
     void findDeltaX(bool isUp);
     void findDeltaW(unsigned i, bool isUp);
+    void findProductsOfN(unsigned i);
     Push findPush(unsigned i, bool isUp) const;
     void shortenForOwnLimit(unsigned i, bool isUp, Push &push) const;
     void shortenForN(Push &push) const;
@@ -63,6 +66,8 @@ private:
     void moveFromNToC(unsigned position);
     void moveFromCToN(unsigned position, bool isHigh);
     void appendFactorRow(unsigned index, dReal product);
+    void removeFactorRow(unsigned factorRow);
+    unsigned firstSolved(unsigned count) const;
 
     const dxDantzigProblem &m_problem;
     const unsigned m_n;
@@ -72,7 +77,12 @@ private:
     dxIndexSets m_sets;
     const unsigned m_skip;         // of the rows of L
     dReal *const m_L, *const m_d;  // A(C,C) = L D L', d = 1/D, in the order of the factorisation
+    unsigned *const m_begins;      // of the rows of L
+    const dxEnvelope m_envelope;   // the same, if products with 0 are left out
     dxForwardSolves m_forward;
+
+    dxWorldProcessMemArena *const m_arena;  // for m_sparse, when rows are in N
+    dxSparseRows m_sparse;
 
     // By row, in our order.
     dReal *const m_b, *const m_x, *const m_w, *const m_deltaW;

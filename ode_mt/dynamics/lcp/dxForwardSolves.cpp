@@ -1,6 +1,7 @@
 #include "dynamics/lcp/dxForwardSolves.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "dynamics/solve/dxPanelSolve.h"
 #include "dynamics/solve/dxSolveL1Plain.h"
@@ -10,18 +11,20 @@ std::size_t dxForwardSolves::size(unsigned n, unsigned first) {
 }
 
 dxForwardSolves::dxForwardSolves(const dxLcpMatrix &A, const dxIndexSets &sets, const dReal *L,
-                                 std::size_t rowSkip, unsigned n, unsigned first, dReal *storage,
-                                 unsigned *words)
+                                 std::size_t rowSkip, const dxEnvelope &envelope, unsigned n, unsigned first,
+                                 dReal *storage, unsigned *words)
     : m_A(A),
       m_sets(sets),
       m_L(L),
       m_rowSkip(rowSkip),
+      m_envelope(envelope),
       m_n(n),
       m_firstBlock(dxLcpBlock(first)),
       m_endBlock(dxLcpBlock(n - 1) + 1),
       m_solutions(storage),
-      m_known(words) {
-    std::fill(m_known, m_known + (m_endBlock - m_firstBlock), 0u);
+      m_known(words),
+      m_zeros(words + (m_endBlock - m_firstBlock)) {
+    std::fill(m_known, m_zeros + (m_endBlock - m_firstBlock), 0u);
 }
 
 void dxForwardSolves::solve(unsigned column, dReal *result) {
@@ -29,7 +32,9 @@ void dxForwardSolves::solve(unsigned column, dReal *result) {
     const unsigned index = dxLcpBlock(column);
     extend(index, grouped);
     const dReal *lane = block(index) + column % kLineLanes;
-    for (unsigned row = 0; row < grouped; ++row) result[row] = lane[std::size_t(row) * kLineLanes];
+    const unsigned zeros = std::min(m_zeros[index - m_firstBlock], grouped);
+    std::fill_n(result, zeros, dReal(0));
+    for (unsigned row = zeros; row < grouped; ++row) result[row] = lane[std::size_t(row) * kLineLanes];
     for (unsigned row = grouped; row < rows; ++row) {
         const unsigned other = m_sets.factorIndexes()[row];
         result[row] = m_A.row(other)[column];
@@ -40,12 +45,34 @@ void dxForwardSolves::solve(unsigned column, dReal *result) {
 void dxForwardSolves::extend(unsigned index, unsigned rows) {
     unsigned &known = m_known[index - m_firstBlock];
     if (known >= rows) return;
-    dxSolvePanel({m_L, m_rowSkip, m_A.rows() + index * kLineLanes, m_A.rowSkip(), m_sets.factorIndexes(),
-                  known, rows, block(index)});
+    if (m_envelope.leavesOut()) extendZeros(index, rows);
+    if (known < rows)
+        dxSolvePanel({m_L, m_rowSkip, m_A.rows() + index * kLineLanes, m_A.rowSkip(), m_sets.factorIndexes(),
+                      m_envelope, m_zeros[index - m_firstBlock], known, rows, block(index)});
     known = rows;
+}
+
+void dxForwardSolves::extendZeros(unsigned index, unsigned rows) {
+    unsigned &known = m_known[index - m_firstBlock], &zeros = m_zeros[index - m_firstBlock];
+    if (zeros < known) return;
+    while (zeros < rows && isGroupZero(index, zeros)) zeros += 4;
+    known = zeros;
+}
+
+// +0 in four rows of all columns: what is subtracted from it, 0 of either sign, leaves it so.
+bool dxForwardSolves::isGroupZero(unsigned index, unsigned first) const {
+    for (unsigned row = first; row < first + 4; ++row) {
+        const dReal *lanes = m_A.row(m_sets.factorIndexes()[row]) + index * kLineLanes;
+        for (unsigned lane = 0; lane < kLineLanes; ++lane)
+            if (lanes[lane] != 0 || std::signbit(lanes[lane])) return false;
+    }
+    return true;
 }
 
 void dxForwardSolves::forgetFrom(unsigned row) {
     const unsigned left = row / 4 * 4;
-    for (unsigned i = 0; i < m_endBlock - m_firstBlock; ++i) m_known[i] = std::min(m_known[i], left);
+    for (unsigned i = 0; i < m_endBlock - m_firstBlock; ++i) {
+        m_known[i] = std::min(m_known[i], left);
+        m_zeros[i] = std::min(m_zeros[i], left);
+    }
 }

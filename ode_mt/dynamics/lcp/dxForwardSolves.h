@@ -5,22 +5,25 @@
 // of columns, as many as are known. A column that is asked for brings its whole block up to date, since lanes
 // cost nothing: most columns of the block are about to be asked for.
 //
+// Columns of A begin with zeros, and so do their solutions; of these only the number is kept.
+//
 // Upstream's rows after the last whole group of four (dxSolveL1Plain.h) are added up in another order, so
 // only whole groups are kept.
 #pragma once
 
 #include "dynamics/lcp/dxIndexSets.h"
 #include "dynamics/lcp/dxLcpMatrix.h"
+#include "dynamics/solve/dxEnvelope.h"
 
 class dxForwardSolves {
 public:
     // Columns first..n-1 of n. Elements of storage, aligned to the cache's lines, and words.
     static std::size_t size(unsigned n, unsigned first);
-    static std::size_t words(unsigned n) { return dxLcpBlock(n) + 1; }
+    static std::size_t words(unsigned n) { return 2 * (dxLcpBlock(n) + std::size_t(1)); }
 
-    // `L`: the factor, whose rows start rowSkip elements apart.
+    // `L`: the factor, whose rows start rowSkip elements apart; `envelope`: its.
     dxForwardSolves(const dxLcpMatrix &A, const dxIndexSets &sets, const dReal *L, std::size_t rowSkip,
-                    unsigned n, unsigned first, dReal *storage, unsigned *words);
+                    const dxEnvelope &envelope, unsigned n, unsigned first, dReal *storage, unsigned *words);
 
     // result(row) = (L^-1 A(C,column))(row), for all rows of C
     void solve(unsigned column, dReal *result);
@@ -33,12 +36,17 @@ private:
         return m_solutions + std::size_t(index - m_firstBlock) * m_n * kLineLanes;
     }
     void extend(unsigned index, unsigned rows);
+    void extendZeros(unsigned index, unsigned rows);
+    bool isGroupZero(unsigned index, unsigned first) const;
 
     const dxLcpMatrix &m_A;
     const dxIndexSets &m_sets;
     const dReal *const m_L;
     const std::size_t m_rowSkip;
+    const dxEnvelope &m_envelope;
     const unsigned m_n, m_firstBlock, m_endBlock;
     dReal *const m_solutions;  // by block, then by row
-    unsigned *const m_known;   // rows, for each block
+    // For each block, multiples of four:
+    unsigned *const m_known;  // rows
+    unsigned *const m_zeros;  // the first of them, which are all 0
 };

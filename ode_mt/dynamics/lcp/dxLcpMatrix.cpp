@@ -11,10 +11,8 @@ unsigned countInPlace(const unsigned *order, unsigned n) {
     return count;
 }
 
-}  // namespace
-
-void dxCopyLcpRow(const dReal *lower, std::size_t skip, const unsigned *order, unsigned index, unsigned begin,
-                  dReal *row) {
+// Columns begin..index of row `index`.
+void copyRow(const dReal *lower, std::size_t skip, const unsigned *order, unsigned index, unsigned begin, dReal *row) {
     const unsigned own = order[index];
     const dReal *source = lower + own * skip;
     for (unsigned j = begin; j <= index; ++j) {
@@ -23,15 +21,23 @@ void dxCopyLcpRow(const dReal *lower, std::size_t skip, const unsigned *order, u
     }
 }
 
+}  // namespace
+
+void dxCopyLcpRows(const dReal *lower, std::size_t skip, const unsigned *order, unsigned begin, unsigned end,
+                   dReal *copy, std::size_t copySkip) {
+    const unsigned inPlace = countInPlace(order, end);
+    for (unsigned i = begin; i < end; ++i) {
+        const unsigned copied = std::min(inPlace, i + 1);
+        dReal *const row = copy + i * copySkip;
+        std::copy_n(lower + order[i] * skip, copied, row);
+        copyRow(lower, skip, order, i, copied, row);
+    }
+}
+
 dxLcpMatrix::dxLcpMatrix(const dReal *lower, std::size_t skip, const unsigned *order, unsigned n,
                          unsigned first, dReal *storage)
     : m_rows(storage), m_rowSkip(dxLcpRoundUp(n)) {
-    const unsigned inPlace = countInPlace(order, n);
-    for (unsigned i = first; i < n; ++i) {
-        const unsigned copied = std::min(inPlace, i + 1);
-        std::copy_n(lower + order[i] * skip, copied, row(i));
-        dxCopyLcpRow(lower, skip, order, i, copied, row(i));
-    }
+    dxCopyLcpRows(lower, skip, order, first, n, m_rows, m_rowSkip);
     for (unsigned begin = dxLcpBlock(first) * kLineLanes; begin < n; begin += kLineLanes)
         mirror(begin, first, n);
 }

@@ -12,10 +12,10 @@
 inline unsigned dxLcpBlock(unsigned index) { return index / kLineLanes; }
 inline unsigned dxLcpRoundUp(unsigned n) { return (n + kLineLanes - 1) / kLineLanes * kLineLanes; }
 
-// Copies the columns from `begin` to the diagonal of row `index`, in the order `order`, of a symmetric matrix
-// of which the lower triangle is stored in another: its rows start `skip` elements apart.
-void dxCopyLcpRow(const dReal *lower, std::size_t skip, const unsigned *order, unsigned index, unsigned begin,
-                  dReal *row);
+// Copies rows begin..end-1, up to the diagonal, in the order `order`, of a symmetric matrix of which the lower
+// triangle is stored in another: its rows start `skip` elements apart, those of the copy `copySkip`, row 0 at `copy`.
+void dxCopyLcpRows(const dReal *lower, std::size_t skip, const unsigned *order, unsigned begin, unsigned end,
+                   dReal *copy, std::size_t copySkip);
 
 class dxLcpMatrix {
 public:

@@ -21,6 +21,8 @@ struct FactorPanel {
     dReal *A, *d;
     std::size_t rowSkip;
     std::size_t first, rows;
+    const dxEnvelope &envelope;
+    std::size_t begin;  // of the panel's envelope: nothing is done for the columns before it, a multiple of eight
     dReal *solved;   // L^-1 A, by column, then by lane
     dReal *squares;  // by lane: the sum of products of a row's solved elements with its scaled ones
     dReal *crosses;  // by lane, for the second row of a pair: with the scaled ones of the first
@@ -48,7 +50,8 @@ HWY_INLINE void solveFactorColumns(const FactorPanel &panel, std::size_t first) 
     for (std::size_t lane = 0; lane < kLineLanes; lane += hn::Lanes(d)) {
         LineVector sum[Rows];
         for (std::size_t r = 0; r < Rows; ++r) sum[r] = hn::Zero(d);
-        addColumns<Rows>(panel.row(first), panel.rowSkip, panel.solved + lane, 0, first, sum);
+        const std::size_t begin = std::max(panel.begin, panel.envelope.begin(first, Rows));
+        addColumns<Rows>(panel.row(first), panel.rowSkip, panel.solved + lane, begin, first, sum);
         finishFactorPair(panel, lane, first, sum);
         if constexpr (Rows > 2) {
             addColumns<Rows - 2>(panel.row(first + 2), panel.rowSkip, panel.solved + lane, first, first + 2,
@@ -110,7 +113,7 @@ HWY_INLINE void finishFactorRows(const FactorPanel &panel, std::size_t first) {
 // The last of an odd number of rows has two sums, of the even and of the odd columns.
 HWY_INLINE void finishLastFactorRow(const FactorPanel &panel, std::size_t last) {
     dReal *row = panel.row(last), even = 0, odd = 0;
-    for (std::size_t column = 0; column < last; column += 2) {
+    for (std::size_t column = panel.begin; column < last; column += 2) {
         const dReal y0 = panel.column(column)[last - panel.first],
                     y1 = panel.column(column + 1)[last - panel.first];
         row[column] = y0 * panel.d[column];
@@ -123,9 +126,9 @@ HWY_INLINE void finishLastFactorRow(const FactorPanel &panel, std::size_t last) 
 
 HWY_INLINE void factorPanel(const FactorPanel &panel) {
     const std::size_t end = panel.first + panel.rows;
-    for (std::size_t column = 0; column + 1 < end; ++column) loadFactorColumn(panel, column);
-    for (std::size_t column = 0; column < panel.first; column += 8) solveFactorColumns<8>(panel, column);
-    scaleFactorColumns(panel, 0, panel.first, 0);
+    for (std::size_t column = panel.begin; column + 1 < end; ++column) loadFactorColumn(panel, column);
+    for (std::size_t column = panel.begin; column < panel.first; column += 8) solveFactorColumns<8>(panel, column);
+    scaleFactorColumns(panel, panel.begin, panel.first, 0);
     for (std::size_t row = panel.first; row < end; row += 2) {
         if (row > panel.first) {
             solveFactorColumns<2>(panel, row - 2);
@@ -139,13 +142,25 @@ HWY_INLINE void factorPanel(const FactorPanel &panel) {
     }
 }
 
-void factorLDLT(dReal *A, dReal *d, std::size_t rowCount, std::size_t rowSkip, dReal *storage) {
+// The zeros before the envelope are scaled, too: they keep their signs unless a d is negative.
+HWY_INLINE void signZeros(const FactorPanel &panel) {
+    for (std::size_t column = 0; column < panel.begin; ++column)
+        for (std::size_t lane = 0; lane < panel.rows; ++lane) panel.row(panel.first + lane)[column] *= panel.d[column];
+}
+
+void factorLDLT(dReal *A, dReal *d, std::size_t rowCount, std::size_t rowSkip, const dxEnvelope &envelope,
+                dReal *storage) {
     HWY_ALIGN dReal squares[kLineLanes], crosses[kLineLanes];
+    bool areAllPositive = true;  // of d
     for (std::size_t first = 0; first < rowCount; first += kLineLanes) {
         std::fill_n(squares, kLineLanes, dReal(0));
         std::fill_n(crosses, kLineLanes, dReal(0));
-        factorPanel({A, d, rowSkip, first, std::min<std::size_t>(kLineLanes, rowCount - first), storage,
-                     squares, crosses});
+        const std::size_t rows = std::min<std::size_t>(kLineLanes, rowCount - first);
+        const FactorPanel panel = {A,    d, rowSkip, first, rows, envelope, envelope.begin(first, rows, 8), storage,
+                                   squares, crosses};
+        if (!areAllPositive) signZeros(panel);
+        factorPanel(panel);
+        areAllPositive = areAllPositive && std::all_of(d + first, d + first + rows, [](dReal x) { return x > 0; });
     }
 }
 
@@ -160,7 +175,8 @@ HWY_EXPORT(factorLDLT);
 
 std::size_t dxFactorLDLTStorage(unsigned n) { return std::size_t(kLineLanes) * n; }
 
-void dxFactorLDLT(dReal *A, dReal *d, unsigned rowCount, unsigned rowSkip, dReal *storage) {
-    HWY_DYNAMIC_DISPATCH(dxSolve::factorLDLT)(A, d, rowCount, rowSkip, storage);
+void dxFactorLDLT(dReal *A, dReal *d, unsigned rowCount, unsigned rowSkip, const dxEnvelope &envelope,
+                  dReal *storage) {
+    HWY_DYNAMIC_DISPATCH(dxSolve::factorLDLT)(A, d, rowCount, rowSkip, envelope, storage);
 }
 #endif

@@ -4,6 +4,8 @@
 #define HWY_TARGET_INCLUDE "dynamics/solve/dxPanelSolve.cpp"
 #include <hwy/foreach_target.h>
 // Highway's order of headers: after foreach_target.h
+#include <algorithm>
+
 #include "dynamics/solve/dxLineLanes-inl.h"
 #include "dynamics/solve/dxPanelSolve.h"
 
@@ -35,7 +37,8 @@ HWY_INLINE void solveRows(const dxSolvePanelTask &task, std::size_t lane, std::s
     LineVector sum[Rows];
     for (std::size_t r = 0; r < Rows; ++r) sum[r] = hn::Zero(LineTag());
     const dReal *row = task.L + first * task.rowSkip, *solutions = task.solutions + lane;
-    addColumns<Rows>(row, task.rowSkip, solutions, 0, first, sum);
+    const std::size_t begin = std::max<std::size_t>(task.envelope.begin(first, Rows), task.zeros);
+    addColumns<Rows>(row, task.rowSkip, solutions, begin, first, sum);
     finishGroup(task, lane, first, sum);
     if constexpr (Rows == 8) {
         LineVector second[4] = {sum[4], sum[5], sum[6], sum[7]};

@@ -5,6 +5,8 @@
 
 #include <cstddef>
 
+#include "dynamics/solve/dxEnvelope.h"
+
 // A right-hand side is a column of a symmetric matrix: its element for row r is rightHandSides[index[r] *
 // rightHandSkip + lane]. There are as many lanes as a line of the cache has elements, all aligned to such a
 // line.
@@ -14,9 +16,12 @@ struct dxSolvePanelTask {
     const dReal *rightHandSides;
     std::size_t rightHandSkip;
     const unsigned *index;
+    dxEnvelope envelope;
+    unsigned zeros;       // rows of the solutions that are 0, and neither read nor written
     unsigned begin, end;  // rows to be solved for, multiples of four; those before them are solved
     dReal *solutions;     // by row, then by lane
 };
 
-// Each lane gets the bits of dxSolveL1Straight for a right-hand side of its own, `end` rows or more.
+// Each lane gets the bits of dxSolveL1Straight for a right-hand side of its own, `end` rows or more. What the
+// envelope and the zeros leave out is right under the conditions named there.
 void dxSolvePanel(const dxSolvePanelTask &task);

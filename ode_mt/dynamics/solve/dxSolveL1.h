@@ -8,6 +8,8 @@
 
 #include <ode/common.h>
 
+#include "dxEnvelope.h"
+
 // B := L^-1 B. Instances for b_stride 1 and 2.
 template <unsigned b_stride>
 void dxSolveL1Straight(const dReal *L, dReal *B, unsigned rowCount, unsigned rowSkip);
@@ -15,3 +17,8 @@ void dxSolveL1Straight(const dReal *L, dReal *B, unsigned rowCount, unsigned row
 // B := L^-T B. Instances for b_stride 1 and 2.
 template <unsigned b_stride>
 void dxSolveL1Transposed(const dReal *L, dReal *B, unsigned rowCount, unsigned rowSkip);
+
+// The same for b_stride 1, where rows of L begin late: columns before an envelope are taken for zero, which is
+// exact if everything is finite, no sum overflows, and results are rounded to nearest.
+void dxSolveL1Straight(const dReal *L, dReal *B, unsigned rowCount, unsigned rowSkip, const dxEnvelope &envelope);
+void dxSolveL1Transposed(const dReal *L, dReal *B, unsigned rowCount, unsigned rowSkip, const dxEnvelope &envelope);

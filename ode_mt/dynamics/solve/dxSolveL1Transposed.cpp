@@ -33,12 +33,13 @@ HWY_INLINE std::size_t addBandWith(D d, const dReal *row, std::size_t rowSkip, c
     return first;
 }
 
-// As above with the widest vectors; `columns`, a multiple of four, need not be a multiple of their length.
+// As above with the widest vectors, of whose length `first` is a multiple; `columns`, a multiple of four, need not
+// be one.
 template <std::size_t Rows, unsigned Stride>
-HWY_INLINE void addBand(const dReal *row, std::size_t rowSkip, const dReal *x, std::size_t columns,
-                        dReal *HWY_RESTRICT sum) {
+HWY_INLINE void addBand(const dReal *row, std::size_t rowSkip, const dReal *x, std::size_t first,
+                        std::size_t columns, dReal *HWY_RESTRICT sum) {
     const std::size_t done =
-        addBandWith<Rows, Stride>(hn::ScalableTag<dReal>(), row, rowSkip, x, 0, columns, sum);
+        addBandWith<Rows, Stride>(hn::ScalableTag<dReal>(), row, rowSkip, x, first, columns, sum);
     if (done < columns) addBandWith<Rows, Stride>(RowLanes<4>(), row, rowSkip, x, done, columns, sum);
 }
 
@@ -46,27 +47,37 @@ HWY_INLINE void addBand(const dReal *row, std::size_t rowSkip, const dReal *x, s
 template <unsigned Stride>
 HWY_INLINE void addLastRows(const dReal *row, std::size_t rowSkip, const dReal *x, std::size_t rows,
                             std::size_t columns, dReal *HWY_RESTRICT sum) {
-    if (rows == 1) addBand<1, Stride>(row, rowSkip, x, columns, sum);
-    if (rows == 2) addBand<2, Stride>(row, rowSkip, x, columns, sum);
-    if (rows == 3) addBand<3, Stride>(row, rowSkip, x, columns, sum);
+    if (rows == 1) addBand<1, Stride>(row, rowSkip, x, 0, columns, sum);
+    if (rows == 2) addBand<2, Stride>(row, rowSkip, x, 0, columns, sum);
+    if (rows == 3) addBand<3, Stride>(row, rowSkip, x, 0, columns, sum);
 }
 
 // The results of columns begin..end-1, at most kPanel and a multiple of four, when all after them are known.
-template <unsigned Stride>
+template <unsigned Stride, bool LeavesOut>
 HWY_INLINE void solvePanel(const dReal *L, dReal *B, std::size_t begin, std::size_t end, std::size_t rowCount,
-                           std::size_t rowSkip) {
+                           std::size_t rowSkip, const dxEnvelope &envelope) {
     HWY_ALIGN dReal sum[kPanel];
     const RowLanes<4> d;
+    const hn::ScalableTag<dReal> widest;
     for (std::size_t column = 0; column < end - begin; column += hn::Lanes(d))
         hn::Store(hn::Zero(d), d, sum + column);
     const auto element = [&](std::size_t row, std::size_t column) { return L + row * rowSkip + column; };
+    const auto addBandAt = [&](std::size_t row, std::size_t columns) {
+        std::size_t leftOut = 0;
+        if constexpr (LeavesOut) {
+            const std::size_t first = envelope.begin(row, kBand);
+            if (first >= begin + columns) return;
+            leftOut = first > begin ? (first - begin) & ~(hn::Lanes(widest) - 1) : 0;
+        }
+        addBand<kBand, Stride>(element(row, begin), rowSkip, B + row * Stride, leftOut, columns, sum);
+    };
 
     const std::size_t lastRows = rowCount % 4, lastGroupEnd = rowCount - lastRows;
     addLastRows<Stride>(element(lastGroupEnd, begin), rowSkip, B + lastGroupEnd * Stride, lastRows,
                         end - begin, sum);
     for (std::size_t row = lastGroupEnd; row > end;) {
         row -= kBand;
-        addBand<kBand, Stride>(element(row, begin), rowSkip, B + row * Stride, end - begin, sum);
+        addBandAt(row, end - begin);
     }
     for (std::size_t row = end; row > begin;) {
         row -= 4;
@@ -77,28 +88,34 @@ HWY_INLINE void solvePanel(const dReal *L, dReal *B, std::size_t begin, std::siz
                                    sum + (next - begin));
             row = next;
             finishTransposedGroup<Stride>(element(row, row), rowSkip, B + row * Stride, sum + (row - begin));
-            addBand<kBand, Stride>(element(row, begin), rowSkip, B + row * Stride, row - begin, sum);
+            addBandAt(row, row - begin);
         }
     }
 }
 
-template <unsigned Stride>
-HWY_INLINE void solveTransposed(const dReal *L, dReal *B, std::size_t rowCount, std::size_t rowSkip) {
+template <unsigned Stride, bool LeavesOut>
+HWY_INLINE void solveTransposed(const dReal *L, dReal *B, std::size_t rowCount, std::size_t rowSkip,
+                                const dxEnvelope &envelope) {
     const std::size_t lastRows = rowCount % 4;
     std::size_t end = rowCount - lastRows;
     finishTransposedLast<Stride>(L + end * (rowSkip + 1), rowSkip, B + end * Stride, lastRows);
     while (end > 0) {
         const std::size_t begin = end > kPanel ? end - kPanel : 0;
-        solvePanel<Stride>(L, B, begin, end, rowCount, rowSkip);
+        solvePanel<Stride, LeavesOut>(L, B, begin, end, rowCount, rowSkip, envelope);
         end = begin;
     }
 }
 
-void solveTransposed1(const dReal *L, dReal *B, std::size_t rowCount, std::size_t rowSkip) {
-    solveTransposed<1>(L, B, rowCount, rowSkip);
+void solveTransposed1(const dReal *L, dReal *B, std::size_t rowCount, std::size_t rowSkip,
+                      const dxEnvelope &envelope) {
+    if (envelope.leavesOut()) {
+        solveTransposed<1, true>(L, B, rowCount, rowSkip, envelope);
+    } else {
+        solveTransposed<1, false>(L, B, rowCount, rowSkip, envelope);
+    }
 }
 void solveTransposed2(const dReal *L, dReal *B, std::size_t rowCount, std::size_t rowSkip) {
-    solveTransposed<2>(L, B, rowCount, rowSkip);
+    solveTransposed<2, false>(L, B, rowCount, rowSkip, dxEnvelope());
 }
 
 }  // namespace HWY_NAMESPACE
@@ -114,11 +131,16 @@ HWY_EXPORT(solveTransposed2);
 constexpr unsigned kPlainRows = 27;
 }  // namespace dxSolve
 
-template <>
-void dxSolveL1Transposed<1>(const dReal *L, dReal *B, unsigned rowCount, unsigned rowSkip) {
+void dxSolveL1Transposed(const dReal *L, dReal *B, unsigned rowCount, unsigned rowSkip,
+                         const dxEnvelope &envelope) {
     using namespace dxSolve;
     if (rowCount <= kPlainRows) return solveTransposedPlain<1>(L, B, rowCount, rowSkip);
-    HWY_DYNAMIC_DISPATCH(solveTransposed1)(L, B, rowCount, rowSkip);
+    HWY_DYNAMIC_DISPATCH(solveTransposed1)(L, B, rowCount, rowSkip, envelope);
+}
+
+template <>
+void dxSolveL1Transposed<1>(const dReal *L, dReal *B, unsigned rowCount, unsigned rowSkip) {
+    dxSolveL1Transposed(L, B, rowCount, rowSkip, dxEnvelope());
 }
 
 template <>

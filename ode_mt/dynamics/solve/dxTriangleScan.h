@@ -1,0 +1,12 @@
+// What can be left out of a lower triangle, and whether it may be.
+#pragma once
+
+#include <ode/common.h>
+
+// The triangle has n rows, the diagonal included, which start rowSkip elements apart.
+
+// No element is infinite or NaN. May raise FE_INVALID if one is.
+bool dxIsTriangleFinite(const dReal *triangle, unsigned n, unsigned rowSkip);
+
+// begins[row] = the row's first column that is not +0; its diagonal if there is none before.
+void dxFindEnvelope(const dReal *triangle, unsigned n, unsigned rowSkip, unsigned *begins);
