@@ -37,19 +37,15 @@ constexpr unsigned kSparseProductRows = 256;
 
 std::size_t sparseMemory(unsigned n) { return n < kSparseProductRows ? 0 : dxSparseRows::memory(n); }
 
-// The product of a row's elements at `columns` with factor(k) for the k-th of them, in upstream's order
-// (calculateLargeVectorDot of ode/src/fastdot_impl.h).
-template <class Factor>
-dReal multiply(const dReal *row, const unsigned *columns, unsigned count, Factor factor) {
+// The sum of `count` products in upstream's order (calculateLargeVectorDot of ode/src/fastdot_impl.h). The k-th is
+// inPlace(k), which takes no look at the list of indexes, for the first of them, and product(k) for all.
+template <class InPlace, class Product>
+dReal addUp(unsigned countInPlace, InPlace inPlace, unsigned count, Product product) {
     dReal sum = 0;
     unsigned k = 0;
-    for (; k + 4 <= count; k += 4) {
-        const dReal product0 = row[columns[k]] * factor(k), product1 = row[columns[k + 1]] * factor(k + 1),
-                    product2 = row[columns[k + 2]] * factor(k + 2),
-                    product3 = row[columns[k + 3]] * factor(k + 3);
-        sum += product0 + product1 + product2 + product3;
-    }
-    for (; k < count; ++k) sum += row[columns[k]] * factor(k);
+    for (; k + 4 <= countInPlace; k += 4) sum += inPlace(k) + inPlace(k + 1) + inPlace(k + 2) + inPlace(k + 3);
+    for (; k + 4 <= count; k += 4) sum += product(k) + product(k + 1) + product(k + 2) + product(k + 3);
+    for (; k < count; ++k) sum += product(k);
     return sum;
 }
 
@@ -154,8 +150,11 @@ void dxDantzigRun::setFrictionLimits(unsigned first) {
 bool dxDantzigRun::settle(unsigned i) {
     const dReal *row = m_A.row(i);
     const unsigned *indexes = m_sets.indexes(), *ofN = indexes + m_sets.countC();
-    const dReal overC = multiply(row, indexes, m_sets.countC(), [&](unsigned k) { return m_x[indexes[k]]; });
-    const dReal overN = multiply(row, ofN, m_sets.countN(), [&](unsigned k) { return m_x[ofN[k]]; });
+    const dReal *x = m_x;
+    const auto inPlace = [&](unsigned k) { return row[k] * x[k]; };
+    const dReal overC = addUp(m_sets.inPlace(), inPlace, m_sets.countC(),
+                              [&](unsigned k) { return row[indexes[k]] * x[indexes[k]]; });
+    const dReal overN = addUp(0, inPlace, m_sets.countN(), [&](unsigned k) { return row[ofN[k]] * x[ofN[k]]; });
     m_w[i] = overC + overN - m_b[i];
 
     if (m_limits[i].low == 0 && m_w[i] >= 0) {
@@ -202,8 +201,10 @@ void dxDantzigRun::findDeltaX(bool isUp) {
     const unsigned count = m_sets.countC();
     std::copy_n(m_scaled, count, m_temporary);
     dxSolveL1Transposed(m_L, m_temporary, count, m_skip, m_envelope);
-    const unsigned *positions = m_sets.factorPositions();
-    for (unsigned j = 0; j < count; ++j) m_deltaX[positions[j]] = isUp ? -m_temporary[j] : m_temporary[j];
+    const unsigned *positions = m_sets.factorPositions(), inPlace = m_sets.inPlace();
+    const dReal *solved = m_temporary;
+    for (unsigned j = 0; j < inPlace; ++j) m_deltaX[j] = isUp ? -solved[j] : solved[j];
+    for (unsigned j = inPlace; j < count; ++j) m_deltaX[positions[j]] = isUp ? -solved[j] : solved[j];
 }
 
 // deltaW(N) = A(N,C) deltaX(C) +- A(N,i), and the same for row i
@@ -213,7 +214,9 @@ void dxDantzigRun::findDeltaW(unsigned i, bool isUp) {
     if (m_sets.countN() > 0) findProductsOfN(i);
     for (unsigned k = 0; k < m_sets.countN(); ++k)
         m_deltaW[ofN[k]] = isUp ? m_deltaW[ofN[k]] + row[ofN[k]] : m_deltaW[ofN[k]] - row[ofN[k]];
-    const dReal product = multiply(row, columns, countC, [&](unsigned k) { return m_deltaX[k]; });
+    const dReal *deltaX = m_deltaX;
+    const dReal product = addUp(m_sets.inPlace(), [&](unsigned k) { return row[k] * deltaX[k]; }, countC,
+                                [&](unsigned k) { return row[columns[k]] * deltaX[k]; });
     m_deltaW[i] = isUp ? product + row[i] : product - row[i];
 }
 
@@ -263,22 +266,21 @@ void dxDantzigRun::shortenForC(Push &push) const {
     for (unsigned position = m_unbounded; position < m_sets.countC(); ++position) {
         const unsigned row = m_sets.indexAt(position);
         const dReal deltaX = m_deltaX[position];
-        const Limits &limits = m_limits[row];
-        if (deltaX < 0 && limits.low > -dInfinity) {
-            const dReal length = (limits.low - m_x[row]) / deltaX;
-            if (length < push.length) push = {length, Event::CFallsLow, position};
-        }
-        if (deltaX > 0 && limits.high < dInfinity) {
-            const dReal length = (limits.high - m_x[row]) / deltaX;
-            if (length < push.length) push = {length, Event::CFallsHigh, position};
-        }
+        if (deltaX == 0) continue;
+        const bool isFalling = deltaX < 0;
+        const dReal limit = isFalling ? m_limits[row].low : m_limits[row].high;
+        const dReal length = (limit - m_x[row]) / deltaX;  // endless if there is no limit
+        if (length < push.length)
+            push = {length, isFalling ? Event::CFallsLow : Event::CFallsHigh, position};
     }
 }
 
 void dxDantzigRun::apply(unsigned i, bool isUp, dReal length) {
-    const unsigned countC = m_sets.countC(), end = countC + m_sets.countN();
-    for (unsigned position = 0; position < countC; ++position)
-        m_x[m_sets.indexAt(position)] += length * m_deltaX[position];
+    const unsigned countC = m_sets.countC(), end = countC + m_sets.countN(), inPlace = m_sets.inPlace();
+    const dReal *deltaX = m_deltaX;
+    for (unsigned row = 0; row < inPlace; ++row) m_x[row] += length * deltaX[row];
+    for (unsigned position = inPlace; position < countC; ++position)
+        m_x[m_sets.indexAt(position)] += length * deltaX[position];
     m_x[i] = isUp ? m_x[i] + length : m_x[i] - length;
     for (unsigned position = countC; position < end; ++position) {
         const unsigned row = m_sets.indexAt(position);

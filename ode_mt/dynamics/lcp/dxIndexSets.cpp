@@ -4,7 +4,7 @@
 #include <utility>
 
 dxIndexSets::dxIndexSets(unsigned n, unsigned unbounded, unsigned *storage)
-    : m_countC(unbounded), m_indexAt(storage), m_factorIndex(storage + n), m_factorPosition(storage + 2 * n) {
+    : m_countC(unbounded), m_inPlace(n), m_indexAt(storage), m_factorIndex(storage + n), m_factorPosition(storage + 2 * n) {
     for (unsigned i = 0; i < n; ++i) m_indexAt[i] = i;
     for (unsigned i = 0; i < unbounded; ++i) m_factorIndex[i] = m_factorPosition[i] = i;
 }
@@ -16,6 +16,7 @@ void dxIndexSets::moveFromNToC(unsigned position) {
 
 // The position after those of C is taken; whoever was there moves to the free one.
 void dxIndexSets::moveToC(unsigned position) {
+    if (position != m_countC) m_inPlace = std::min(m_inPlace, m_countC);
     std::swap(m_indexAt[m_countC], m_indexAt[position]);
     m_factorIndex[m_countC] = m_indexAt[m_countC];
     m_factorPosition[m_countC] = m_countC;
@@ -30,6 +31,7 @@ unsigned dxIndexSets::factorRowAt(unsigned position) const {
 // The last index of C takes the position that becomes free.
 void dxIndexSets::moveFromCToN(unsigned position, unsigned factorRow) {
     const unsigned last = m_countC - 1;
+    m_inPlace = std::min({m_inPlace, position, factorRow});
     m_factorPosition[factorRowAt(last)] = position;
     std::copy(m_factorPosition + factorRow + 1, m_factorPosition + m_countC, m_factorPosition + factorRow);
     std::copy(m_factorIndex + factorRow + 1, m_factorIndex + m_countC, m_factorIndex + factorRow);

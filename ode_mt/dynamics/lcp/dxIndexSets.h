@@ -20,6 +20,10 @@ public:
     const unsigned *indexes() const { return m_indexAt; }
     unsigned indexAt(unsigned position) const { return m_indexAt[position]; }
 
+    // Positions in C before it are their own indexes, and have the same place in the factorisation: most of C, as
+    // long as no row has been in N.
+    unsigned inPlace() const { return m_inPlace < m_countC ? m_inPlace : m_countC; }
+
     // C in the order of the factorisation: indexes, and their positions.
     const unsigned *factorIndexes() const { return m_factorIndex; }
     const unsigned *factorPositions() const { return m_factorPosition; }
@@ -36,6 +40,7 @@ private:
     void moveToC(unsigned position);
 
     unsigned m_countC, m_countN = 0;
+    unsigned m_inPlace;  // it may be beyond C
     unsigned *const m_indexAt;
     unsigned *const m_factorIndex;
     unsigned *const m_factorPosition;
