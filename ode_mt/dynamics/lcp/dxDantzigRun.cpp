@@ -32,6 +32,9 @@ std::size_t temporarySize(unsigned n) {
 // Below this many rows vectors do not pay.
 constexpr unsigned kWideFactorRows = 24;
 
+// For up to this many rows of N lanes take longer than one row after the other.
+constexpr unsigned kFewRows = 2;
+
 // Below this many rows lanes are as fast.
 constexpr unsigned kSparseProductRows = 256;
 
@@ -209,21 +212,29 @@ void dxDantzigRun::findDeltaX(bool isUp) {
 
 // deltaW(N) = A(N,C) deltaX(C) +- A(N,i), and the same for row i
 void dxDantzigRun::findDeltaW(unsigned i, bool isUp) {
-    const unsigned countC = m_sets.countC(), *columns = m_sets.indexes(), *ofN = columns + countC;
+    const unsigned *ofN = m_sets.indexes() + m_sets.countC();
     const dReal *row = m_A.row(i);
     if (m_sets.countN() > 0) findProductsOfN(i);
     for (unsigned k = 0; k < m_sets.countN(); ++k)
         m_deltaW[ofN[k]] = isUp ? m_deltaW[ofN[k]] + row[ofN[k]] : m_deltaW[ofN[k]] - row[ofN[k]];
-    const dReal *deltaX = m_deltaX;
-    const dReal product = addUp(m_sets.inPlace(), [&](unsigned k) { return row[k] * deltaX[k]; }, countC,
-                                [&](unsigned k) { return row[columns[k]] * deltaX[k]; });
+    const dReal product = multiplyByDeltaX(i);
     m_deltaW[i] = isUp ? product + row[i] : product - row[i];
+}
+
+// A(row,C) deltaX(C)
+dReal dxDantzigRun::multiplyByDeltaX(unsigned index) const {
+    const dReal *row = m_A.row(index), *deltaX = m_deltaX;
+    const unsigned *columns = m_sets.indexes();
+    return addUp(m_sets.inPlace(), [&](unsigned k) { return row[k] * deltaX[k]; }, m_sets.countC(),
+                 [&](unsigned k) { return row[columns[k]] * deltaX[k]; });
 }
 
 void dxDantzigRun::findProductsOfN(unsigned i) {
     const unsigned countC = m_sets.countC(), *columns = m_sets.indexes(), *ofN = columns + countC;
     if (m_envelope.leavesOut() && m_n >= kSparseProductRows && !m_sparse.isTried()) m_sparse.build(m_arena);
-    if (m_sparse.isBuilt()) {
+    if (m_sets.countN() <= kFewRows) {
+        for (unsigned k = 0; k < m_sets.countN(); ++k) m_deltaW[ofN[k]] = multiplyByDeltaX(ofN[k]);
+    } else if (m_sparse.isBuilt()) {
         for (unsigned k = 0; k < m_sets.countN(); ++k) m_deltaW[ofN[k]] = m_sparse.multiply(ofN[k], m_deltaX);
     } else {
         dxComputeLaneProducts({m_A.rows(), m_A.rowSkip(), columns, m_deltaX, countC, dxLcpBlock(m_unbounded),

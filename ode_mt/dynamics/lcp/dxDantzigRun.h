@@ -53,6 +53,7 @@ private:
     void findDeltaX(bool isUp);
     void findDeltaW(unsigned i, bool isUp);
     void findProductsOfN(unsigned i);
+    dReal multiplyByDeltaX(unsigned index) const;
     Push findPush(unsigned i, bool isUp) const;
     void shortenForOwnLimit(unsigned i, bool isUp, Push &push) const;
     void shortenForN(Push &push) const;

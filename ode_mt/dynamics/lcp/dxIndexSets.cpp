@@ -4,7 +4,11 @@
 #include <utility>
 
 dxIndexSets::dxIndexSets(unsigned n, unsigned unbounded, unsigned *storage)
-    : m_countC(unbounded), m_inPlace(n), m_indexAt(storage), m_factorIndex(storage + n), m_factorPosition(storage + 2 * n) {
+    : m_countC(unbounded),
+      m_inPlace(n),
+      m_indexAt(storage),
+      m_factorIndex(storage + n),
+      m_factorPosition(storage + 2 * n) {
     for (unsigned i = 0; i < n; ++i) m_indexAt[i] = i;
     for (unsigned i = 0; i < unbounded; ++i) m_factorIndex[i] = m_factorPosition[i] = i;
 }

@@ -14,10 +14,9 @@ unsigned countInPlace(const unsigned *order, unsigned n) {
 // Columns begin..index of row `index`.
 void copyRow(const dReal *lower, std::size_t skip, const unsigned *order, unsigned index, unsigned begin, dReal *row) {
     const unsigned own = order[index];
-    const dReal *source = lower + own * skip;
     for (unsigned j = begin; j <= index; ++j) {
         const unsigned other = order[j];
-        row[j] = other <= own ? source[other] : lower[other * skip + own];
+        row[j] = lower[std::max(own, other) * skip + std::min(own, other)];
     }
 }
 

@@ -1,7 +1,6 @@
 #include "dynamics/lcp/dxSparseRows.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "dynamics/lcp/dxUpstreamLcp.h"
 

@@ -16,6 +16,7 @@ namespace HWY_NAMESPACE {
 
 constexpr std::size_t kBand = 8;     // rows: their results stay in registers
 constexpr std::size_t kPanel = 512;  // columns: their sums stay in the first cache
+constexpr std::size_t kShortRows = 34;
 
 // sum[column] += products of Rows rows of L with their results x, the last row first
 template <std::size_t Rows, unsigned Stride, class D>
@@ -93,6 +94,30 @@ HWY_INLINE void solvePanel(const dReal *L, dReal *B, std::size_t begin, std::siz
     }
 }
 
+// Few rows: group by group, the sums of four columns over all rows after them. Only the last four of these wait for the
+// group before.
+template <unsigned Stride>
+HWY_INLINE void solveTransposedShort(const dReal *L, dReal *B, std::size_t rowCount, std::size_t rowSkip) {
+    const RowLanes<4> d;
+    HWY_ALIGN dReal sum[4];
+    const std::size_t lastRows = rowCount % 4;
+    std::size_t first = rowCount - lastRows;
+    finishTransposedLast<Stride>(L + first * (rowSkip + 1), rowSkip, B + first * Stride, lastRows);
+    while (first > 0) {
+        first -= 4;
+        for (std::size_t column = 0; column < 4; column += hn::Lanes(d)) {
+            auto total = hn::Zero(d);
+            const dReal *row = L + rowCount * rowSkip + first + column;
+            for (std::size_t index = rowCount; index-- > first + 4;) {
+                row -= rowSkip;
+                total = hn::Add(total, hn::Mul(hn::LoadU(d, row), hn::Set(d, B[index * Stride])));
+            }
+            hn::Store(total, d, sum + column);
+        }
+        finishTransposedGroup<Stride>(L + first * (rowSkip + 1), rowSkip, B + first * Stride, sum);
+    }
+}
+
 template <unsigned Stride, bool LeavesOut>
 HWY_INLINE void solveTransposed(const dReal *L, dReal *B, std::size_t rowCount, std::size_t rowSkip,
                                 const dxEnvelope &envelope) {
@@ -108,14 +133,20 @@ HWY_INLINE void solveTransposed(const dReal *L, dReal *B, std::size_t rowCount, 
 
 void solveTransposed1(const dReal *L, dReal *B, std::size_t rowCount, std::size_t rowSkip,
                       const dxEnvelope &envelope) {
-    if (envelope.leavesOut()) {
+    if (rowCount <= kShortRows) {
+        solveTransposedShort<1>(L, B, rowCount, rowSkip);
+    } else if (envelope.leavesOut()) {
         solveTransposed<1, true>(L, B, rowCount, rowSkip, envelope);
     } else {
         solveTransposed<1, false>(L, B, rowCount, rowSkip, envelope);
     }
 }
 void solveTransposed2(const dReal *L, dReal *B, std::size_t rowCount, std::size_t rowSkip) {
-    solveTransposed<2, false>(L, B, rowCount, rowSkip, dxEnvelope());
+    if (rowCount <= kShortRows) {
+        solveTransposedShort<2>(L, B, rowCount, rowSkip);
+    } else {
+        solveTransposed<2, false>(L, B, rowCount, rowSkip, dxEnvelope());
+    }
 }
 
 }  // namespace HWY_NAMESPACE
@@ -128,7 +159,7 @@ HWY_EXPORT(solveTransposed1);
 HWY_EXPORT(solveTransposed2);
 
 // Up to this many rows vectors do not pay.
-constexpr unsigned kPlainRows = 27;
+constexpr unsigned kPlainRows = 11;
 }  // namespace dxSolve
 
 void dxSolveL1Transposed(const dReal *L, dReal *B, unsigned rowCount, unsigned rowSkip,
