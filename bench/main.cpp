@@ -50,7 +50,7 @@ int main(int argc, char **argv) {
         std::cout << bench::reportText(results.back()) << std::flush;
         isClean = results.back().isClean() && isClean;
     }
-    std::cout << bench::reportCurves(results);
+    std::cout << bench::reportCurves(results) << bench::reportScaling(results);
     const bool savedJson = save(options->jsonFile, bench::reportJson(results, options->withAverages));
     const bool savedCsv = save(options->csvFile, bench::reportCsv(results));
     const bool savedSamples =

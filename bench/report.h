@@ -14,6 +14,10 @@ std::string reportText(const WorldResult &result);
 // For each world of several sizes: time over size, and the exponent of its growth. Empty if there are none.
 std::string reportCurves(const std::vector<WorldResult> &results);
 
+// For each kind of ours with several numbers of threads: the speed-ups of all worlds over the number of threads. Empty
+// if there are none.
+std::string reportScaling(const std::vector<WorldResult> &results);
+
 // Everything, the machine and the libraries' files included; the kept running averages, which are most of it,
 // if asked for.
 std::string reportJson(const std::vector<WorldResult> &results, bool withAverages = true);
