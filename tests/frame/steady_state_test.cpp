@@ -101,9 +101,9 @@ protected:
     }
 
     // Of all steps together: a worker whom the system never let work before takes its memory when it first
-    // does, the arena and its administration.
+    // does, the arena of the step and that of the LCP solver, each with its administration.
     static unsigned allowed() {
-        constexpr unsigned kPerWorker = 2;
+        constexpr unsigned kPerWorker = 4;
         return kPerWorker * static_cast<unsigned>(std::max(GetParam().threads - 1, 0));
     }
 
