@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "dynamics/lcp/dxLcpArrays.h"
 #include "dynamics/lcp/dxLcpOrder.h"
 #include "dynamics/lcp/dxUpstreamLcp.h"
 #include "dynamics/solve/dxFactorLDLT.h"
@@ -13,16 +14,6 @@
 #include "dynamics/solve/dxTriangleScan.h"
 
 namespace {
-
-template <class Element>
-Element *take(dxWorldProcessMemArena *arena, std::size_t count) {
-    return arena->AllocateOveralignedArray<Element>(count, kCacheLine);
-}
-
-template <class Element>
-std::size_t bytes(std::size_t count) {
-    return dOVERALIGNED_SIZE(count * sizeof(Element), kCacheLine);
-}
 
 // For removing a row from the factorisation, and for making it.
 std::size_t temporarySize(unsigned n) {
@@ -37,6 +28,8 @@ constexpr unsigned kFewRows = 2;
 
 // Below this many rows lanes are as fast.
 constexpr unsigned kSparseProductRows = 256;
+
+std::size_t blockCount(unsigned n) { return dxLcpBlock(n) + std::size_t(1); }
 
 std::size_t sparseMemory(unsigned n) { return n < kSparseProductRows ? 0 : dxSparseRows::memory(n); }
 
@@ -55,45 +48,44 @@ dReal addUp(unsigned countInPlace, InPlace inPlace, unsigned count, Product prod
 }  // namespace
 
 std::size_t dxDantzigRun::memory(unsigned n) {
-    return bytes<unsigned>(n) + bytes<dReal>(dxLcpMatrix::size(n)) +
-           bytes<unsigned>(dxIndexSets::kWords * std::size_t(n)) + 7 * bytes<dReal>(n) +
-           bytes<dReal>(dxLcpRoundUp(n)) + bytes<dReal>(dxForwardSolves::size(n, 0)) +
-           bytes<unsigned>(n) + bytes<unsigned>(dxForwardSolves::words(n)) +
-           bytes<unsigned>(dxLcpBlock(n) + std::size_t(1)) + sparseMemory(n) +
-           bytes<Limits>(n) + bytes<bool>(n) +
-           bytes<dReal *>(n) + bytes<dReal>(temporarySize(n));
+    return dxArrayBytes<unsigned>(n) + dxArrayBytes<dReal>(dxLcpMatrix::size(n)) +
+           dxArrayBytes<unsigned>(dxIndexSets::kWords * std::size_t(n)) + 7 * dxArrayBytes<dReal>(n) +
+           dxArrayBytes<dReal>(dxLcpRoundUp(n)) + dxArrayBytes<dReal>(dxForwardSolves::size(n, 0)) +
+           dxArrayBytes<unsigned>(n) + dxArrayBytes<unsigned>(dxForwardSolves::words(n)) +
+           dxArrayBytes<unsigned>(blockCount(n)) + sparseMemory(n) + dxArrayBytes<Limits>(n) +
+           dxArrayBytes<bool>(n) + dxArrayBytes<dReal *>(n) + dxArrayBytes<dReal>(temporarySize(n));
 }
 
 dxDantzigRun::dxDantzigRun(dxWorldProcessMemArena *given, dxWorldProcessMemArena *arena,
                            const dxDantzigProblem &problem, bool isLeavingOutExact)
     : m_problem(problem),
       m_n(problem.n),
-      m_order(take<unsigned>(arena, m_n)),
+      m_order(dxTakeArray<unsigned>(arena, m_n)),
       m_unbounded(dxFindLcpOrder(problem, m_order)),
-      m_A(problem.A, dPAD(m_n), m_order, m_n, m_unbounded, take<dReal>(arena, dxLcpMatrix::size(m_n))),
-      m_sets(m_n, m_unbounded, take<unsigned>(arena, dxIndexSets::kWords * std::size_t(m_n))),
+      m_A(problem.A, dPAD(m_n), m_order, m_n, m_unbounded, dxTakeArray<dReal>(arena, dxLcpMatrix::size(m_n))),
+      m_sets(m_n, m_unbounded, dxTakeArray<unsigned>(arena, dxIndexSets::kWords * std::size_t(m_n))),
       m_skip(dPAD(m_n)),
-      m_L(take<dReal>(given, std::size_t(m_skip) * m_n)),
-      m_d(take<dReal>(arena, m_n)),
-      m_begins(take<unsigned>(arena, m_n)),
+      m_L(dxTakeArray<dReal>(given, std::size_t(m_skip) * m_n)),
+      m_d(dxTakeArray<dReal>(arena, m_n)),
+      m_begins(dxTakeArray<unsigned>(arena, m_n)),
       m_envelope(isLeavingOutExact ? dxEnvelope(m_begins) : dxEnvelope()),
       m_forward(m_A, m_sets, m_L, m_skip, m_envelope, m_n, m_unbounded,
-                take<dReal>(arena, dxForwardSolves::size(m_n, m_unbounded)),
-                take<unsigned>(arena, dxForwardSolves::words(m_n))),
+                dxTakeArray<dReal>(arena, dxForwardSolves::size(m_n, m_unbounded)),
+                dxTakeArray<unsigned>(arena, dxForwardSolves::words(m_n))),
       m_arena(arena),
       m_sparse(m_A, m_sets, m_n, m_unbounded),
-      m_b(take<dReal>(arena, m_n)),
-      m_x(take<dReal>(arena, m_n)),
-      m_w(take<dReal>(arena, m_n)),
-      m_deltaW(take<dReal>(arena, dxLcpRoundUp(m_n))),
-      m_limits(take<Limits>(arena, m_n)),
-      m_isHigh(take<bool>(arena, m_n)),
-      m_rowPointers(take<dReal *>(arena, m_n)),
-      m_blockN(take<unsigned>(arena, dxLcpBlock(m_n) + std::size_t(1))),
-      m_deltaX(take<dReal>(arena, m_n)),
-      m_solved(take<dReal>(arena, m_n)),
-      m_scaled(take<dReal>(arena, m_n)),
-      m_temporary(take<dReal>(arena, temporarySize(m_n))) {
+      m_b(dxTakeArray<dReal>(arena, m_n)),
+      m_x(dxTakeArray<dReal>(arena, m_n)),
+      m_w(dxTakeArray<dReal>(arena, m_n)),
+      m_deltaW(dxTakeArray<dReal>(arena, dxLcpRoundUp(m_n))),
+      m_limits(dxTakeArray<Limits>(arena, m_n)),
+      m_isHigh(dxTakeArray<bool>(arena, m_n)),
+      m_rowPointers(dxTakeArray<dReal *>(arena, m_n)),
+      m_blockN(dxTakeArray<unsigned>(arena, blockCount(m_n))),
+      m_deltaX(dxTakeArray<dReal>(arena, m_n)),
+      m_solved(dxTakeArray<dReal>(arena, m_n)),
+      m_scaled(dxTakeArray<dReal>(arena, m_n)),
+      m_temporary(dxTakeArray<dReal>(arena, temporarySize(m_n))) {
     for (unsigned i = 0; i < m_n; ++i) {
         m_b[i] = problem.pairsBX[std::size_t(m_order[i]) * PBX__MAX + PBX_B];
         m_x[i] = 0;
@@ -101,7 +93,7 @@ dxDantzigRun::dxDantzigRun(dxWorldProcessMemArena *given, dxWorldProcessMemArena
         m_limits[i] = {limits[PLH_LO], limits[PLH_HI]};
         m_rowPointers[i] = m_A.row(i);
     }
-    std::fill_n(m_blockN, dxLcpBlock(m_n) + std::size_t(1), 0u);
+    std::fill_n(m_blockN, blockCount(m_n), 0u);
 }
 
 void dxDantzigRun::solve() {
@@ -231,10 +223,12 @@ dReal dxDantzigRun::multiplyByDeltaX(unsigned index) const {
 
 void dxDantzigRun::findProductsOfN(unsigned i) {
     const unsigned countC = m_sets.countC(), *columns = m_sets.indexes(), *ofN = columns + countC;
-    if (m_envelope.leavesOut() && m_n >= kSparseProductRows && !m_sparse.isTried()) m_sparse.build(m_arena);
     if (m_sets.countN() <= kFewRows) {
         for (unsigned k = 0; k < m_sets.countN(); ++k) m_deltaW[ofN[k]] = multiplyByDeltaX(ofN[k]);
-    } else if (m_sparse.isBuilt()) {
+        return;
+    }
+    if (m_envelope.leavesOut() && m_n >= kSparseProductRows && !m_sparse.isTried()) m_sparse.build(m_arena);
+    if (m_sparse.isBuilt()) {
         for (unsigned k = 0; k < m_sets.countN(); ++k) m_deltaW[ofN[k]] = m_sparse.multiply(ofN[k], m_deltaX);
     } else {
         dxComputeLaneProducts({m_A.rows(), m_A.rowSkip(), columns, m_deltaX, countC, dxLcpBlock(m_unbounded),

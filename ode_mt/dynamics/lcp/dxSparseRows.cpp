@@ -2,48 +2,35 @@
 
 #include <algorithm>
 
-#include "dynamics/lcp/dxUpstreamLcp.h"
+#include "dynamics/lcp/dxLcpArrays.h"
 
 namespace {
 
 // One element in so many, at most: then the groups take less than a third of the matrix's memory.
 constexpr std::size_t kSparsity = 16;
 
-template <class Element>
-Element *take(dxWorldProcessMemArena *arena, std::size_t count) {
-    return arena->AllocateOveralignedArray<Element>(count, kCacheLine);
-}
-
-template <class Element>
-std::size_t bytes(std::size_t count) {
-    return dOVERALIGNED_SIZE(count * sizeof(Element), kCacheLine);
-}
-
 std::size_t mostElements(std::size_t n) { return n * n / kSparsity; }
 
 }  // namespace
 
 std::size_t dxSparseRows::memory(unsigned n) {
-    return bytes<unsigned>(n + std::size_t(1)) + 2 * bytes<unsigned>(n) + 2 * bytes<unsigned>(mostElements(n)) +
-           bytes<Group>(mostElements(n));
+    return dxArrayBytes<unsigned>(n + std::size_t(1)) + 2 * dxArrayBytes<unsigned>(n) + 2 * dxArrayBytes<unsigned>(mostElements(n)) +
+           dxArrayBytes<Group>(mostElements(n));
 }
 
 void dxSparseRows::build(dxWorldProcessMemArena *arena) {
-    m_begins = take<unsigned>(arena, m_n + std::size_t(1));
+    m_begins = dxTakeArray<unsigned>(arena, m_n + std::size_t(1));
     count();
     if (m_begins[m_n] > mostElements(m_n)) return;
-    m_groupCounts = take<unsigned>(arena, m_n);
-    m_patternEnds = take<unsigned>(arena, m_n);
-    m_pattern = take<unsigned>(arena, mostElements(m_n));
-    m_groupNumbers = take<unsigned>(arena, mostElements(m_n));
-    m_groups = take<Group>(arena, mostElements(m_n));
+    m_groupCounts = dxTakeArray<unsigned>(arena, m_n);
+    m_patternEnds = dxTakeArray<unsigned>(arena, m_n);
+    m_pattern = dxTakeArray<unsigned>(arena, mostElements(m_n));
+    m_groupNumbers = dxTakeArray<unsigned>(arena, mostElements(m_n));
+    m_groups = dxTakeArray<Group>(arena, mostElements(m_n));
     fillPattern();
     std::fill_n(m_groupCounts, m_n, 0u);
-    for (unsigned position = 0; position < m_sets.countC(); ++position) {
-        const unsigned column = m_sets.indexAt(position);
-        for (unsigned k = m_begins[column]; k < m_patternEnds[column]; ++k)
-            insert(m_pattern[k], position, m_A.row(m_pattern[k])[column]);
-    }
+    for (unsigned position = 0; position < m_sets.countC(); ++position)
+        insertColumn(m_sets.indexAt(position), position);
 }
 
 // The matrix is symmetric: a row has as many elements as its column. Of the first rows only those are counted that
@@ -87,21 +74,25 @@ dReal dxSparseRows::multiply(unsigned row, const dReal *factors) const {
 }
 
 void dxSparseRows::append(unsigned column) {
-    if (!isBuilt()) return;
-    for (unsigned k = m_begins[column]; k < m_patternEnds[column]; ++k)
-        insert(m_pattern[k], m_sets.countC() - 1, m_A.row(m_pattern[k])[column]);
+    if (isBuilt()) insertColumn(column, m_sets.countC() - 1);
 }
 
 void dxSparseRows::remove(unsigned position) {
     if (!isBuilt()) return;
-    const unsigned column = m_sets.indexAt(position), lastPosition = m_sets.countC() - 1,
-                   last = m_sets.indexAt(lastPosition);
-    for (unsigned k = m_begins[column]; k < m_patternEnds[column]; ++k) erase(m_pattern[k], position);
+    const unsigned lastPosition = m_sets.countC() - 1, last = m_sets.indexAt(lastPosition);
+    eraseColumn(m_sets.indexAt(position), position);
     if (position == lastPosition) return;
-    for (unsigned k = m_begins[last]; k < m_patternEnds[last]; ++k) {
-        erase(m_pattern[k], lastPosition);
-        insert(m_pattern[k], position, m_A.row(m_pattern[k])[last]);
-    }
+    eraseColumn(last, lastPosition);
+    insertColumn(last, position);
+}
+
+void dxSparseRows::insertColumn(unsigned column, unsigned position) {
+    for (unsigned k = m_begins[column]; k < m_patternEnds[column]; ++k)
+        insert(m_pattern[k], position, m_A.row(m_pattern[k])[column]);
+}
+
+void dxSparseRows::eraseColumn(unsigned column, unsigned position) {
+    for (unsigned k = m_begins[column]; k < m_patternEnds[column]; ++k) erase(m_pattern[k], position);
 }
 
 // The first of a row's groups that is not before the given one. Most searches are for the last.

@@ -46,6 +46,8 @@ private:
 
     void count();
     void fillPattern();
+    void insertColumn(unsigned column, unsigned position);
+    void eraseColumn(unsigned column, unsigned position);
     void insert(unsigned row, unsigned position, dReal element);
     void erase(unsigned row, unsigned position);
     unsigned findGroup(unsigned row, unsigned group) const;

@@ -16,6 +16,7 @@ namespace HWY_NAMESPACE {
 
 constexpr std::size_t kBand = 8;     // rows: their results stay in registers
 constexpr std::size_t kPanel = 512;  // columns: their sums stay in the first cache
+// Up to this many rows bands do not pay.
 constexpr std::size_t kShortRows = 34;
 
 // sum[column] += products of Rows rows of L with their results x, the last row first
