@@ -169,8 +169,9 @@ protected:
     }
     int threads() const { return GetParam().isConcurrent() ? 2 : 0; }
 
-    // Of a worker whom the system never let work before: arena, records, logs.
-    Live allowed() const { return GetParam().isConcurrent() ? Live{12, 100000} : Live{0, 0}; }
+    // Of a worker whom the system never let work before: records, logs, and two arenas, one of the step and one of the LCP
+    // solver, of 64 KiB at least (dWORLDSTEP_RESERVESIZE_DEFAULT).
+    Live allowed() const { return GetParam().isConcurrent() ? Live{12, 3 * 65536} : Live{0, 0}; }
 
     OdeSession session;
 };
