@@ -3,6 +3,8 @@
  * argument: a definition's begins with a type, a call's is a variable. Definitions get other names. */
 #pragma once
 
+#include "one_thread.h"
+
 #include "dynamics/dxIslandSweeps.h"
 #include "dynamics/dxStagePieces.h"
 
