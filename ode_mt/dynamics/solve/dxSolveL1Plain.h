@@ -71,7 +71,7 @@ inline void solveStraightPlain(const dReal *L, dReal *B, std::size_t rowCount, s
 
 // The four results of the group whose diagonal starts at `diagonal`; `sum` holds the rows after it.
 template <unsigned Stride>
-inline void finishTransposedGroup(const dReal *diagonal, std::size_t rowSkip, dReal *b, const dReal *sum) {
+inline FourResults finishTransposedGroup(const dReal *diagonal, std::size_t rowSkip, dReal *b, const dReal *sum) {
     const dReal *row1 = diagonal + rowSkip, *row2 = row1 + rowSkip, *row3 = row2 + rowSkip;
     const dReal y3 = b[3 * Stride] - sum[3];
     const dReal y2 = b[2 * Stride] - sum[2] - row3[2] * y3;
@@ -81,6 +81,7 @@ inline void finishTransposedGroup(const dReal *diagonal, std::size_t rowSkip, dR
     b[Stride] = y1;
     b[2 * Stride] = y2;
     b[3 * Stride] = y3;
+    return {{y0, y1, y2, y3}};
 }
 
 // The last `rows` results, none to three, which have no group.

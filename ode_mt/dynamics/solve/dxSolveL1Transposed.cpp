@@ -16,8 +16,6 @@ namespace HWY_NAMESPACE {
 
 constexpr std::size_t kBand = 8;     // rows: their results stay in registers
 constexpr std::size_t kPanel = 512;  // columns: their sums stay in the first cache
-// Up to this many rows bands do not pay.
-constexpr std::size_t kShortRows = 34;
 
 // sum[column] += products of Rows rows of L with their results x, the last row first
 template <std::size_t Rows, unsigned Stride, class D>
@@ -95,29 +93,85 @@ HWY_INLINE void solvePanel(const dReal *L, dReal *B, std::size_t begin, std::siz
     }
 }
 
-// Few rows: group by group, the sums of four columns over all rows after them. Only the last four of these wait for the
-// group before.
+// Few rows: the sums of all groups stay in registers, and no loop's end can be guessed wrong. A group is solved, its four
+// results are multiplied into the sums before it, and what is left is the same problem with one group less.
 template <unsigned Stride>
-HWY_INLINE void solveTransposedShort(const dReal *L, dReal *B, std::size_t rowCount, std::size_t rowSkip) {
-    const RowLanes<4> d;
-    HWY_ALIGN dReal sum[4];
-    const std::size_t lastRows = rowCount % 4;
-    std::size_t first = rowCount - lastRows;
-    finishTransposedLast<Stride>(L + first * (rowSkip + 1), rowSkip, B + first * Stride, lastRows);
-    while (first > 0) {
-        first -= 4;
-        for (std::size_t column = 0; column < 4; column += hn::Lanes(d)) {
-            auto total = hn::Zero(d);
-            const dReal *row = L + rowCount * rowSkip + first + column;
-            for (std::size_t index = rowCount; index-- > first + 4;) {
-                row -= rowSkip;
-                total = hn::Add(total, hn::Mul(hn::LoadU(d, row), hn::Set(d, B[index * Stride])));
-            }
-            hn::Store(total, d, sum + column);
-        }
-        finishTransposedGroup<Stride>(L + first * (rowSkip + 1), rowSkip, B + first * Stride, sum);
+class ShortSolve {
+public:
+    HWY_INLINE ShortSolve(const dReal *L, dReal *B, std::size_t rowSkip) : m_L(L), m_B(B), m_rowSkip(rowSkip) {
+        for (Sum &sum : m_sums)
+            for (Lanes &lanes : sum.part) lanes = hn::Zero(RowLanes<4>());
     }
-}
+
+    HWY_INLINE void solve(std::size_t rowCount) {
+        const std::size_t groups = rowCount / 4, lastRows = rowCount % 4, first = 4 * groups;
+        finishTransposedLast<Stride>(m_L + first * (m_rowSkip + 1), m_rowSkip, m_B + first * Stride, lastRows);
+        for (std::size_t row = rowCount; row-- > first;) addRow(groups, m_L + row * m_rowSkip, m_B[row * Stride]);
+        solveGroups(groups);
+    }
+
+    static constexpr std::size_t kMostRows = 35;
+
+private:
+    using Lanes = hn::Vec<RowLanes<4>>;
+    static constexpr std::size_t kMostGroups = kMostRows / 4, kParts = 4 / kLanes<RowLanes<4>>;
+    struct Sum {
+        Lanes part[kParts];
+    };
+
+    template <std::size_t Group>
+    HWY_INLINE void add(const dReal *row, dReal x) {
+        const RowLanes<4> d;
+        for (std::size_t part = 0; part < kParts; ++part) {
+            Lanes &sum = m_sums[Group].part[part];
+            sum = hn::Add(sum, hn::Mul(hn::LoadU(d, row + 4 * Group + part * hn::Lanes(d)), hn::Set(d, x)));
+        }
+    }
+
+    // Into the sums of the first `groups` groups.
+    HWY_INLINE void addRow(std::size_t groups, const dReal *row, dReal x) {
+        switch (groups) {
+        case 8: add<7>(row, x); [[fallthrough]];
+        case 7: add<6>(row, x); [[fallthrough]];
+        case 6: add<5>(row, x); [[fallthrough]];
+        case 5: add<4>(row, x); [[fallthrough]];
+        case 4: add<3>(row, x); [[fallthrough]];
+        case 3: add<2>(row, x); [[fallthrough]];
+        case 2: add<1>(row, x); [[fallthrough]];
+        case 1: add<0>(row, x);
+        }
+    }
+
+    template <std::size_t Group>
+    HWY_INLINE void solveGroup() {
+        const RowLanes<4> d;
+        HWY_ALIGN dReal sum[4];
+        for (std::size_t part = 0; part < kParts; ++part)
+            hn::Store(m_sums[Group].part[part], d, sum + part * hn::Lanes(d));
+        const dReal *const rows = m_L + 4 * Group * m_rowSkip;
+        const FourResults results =
+            finishTransposedGroup<Stride>(rows + 4 * Group, m_rowSkip, m_B + 4 * Group * Stride, sum);
+        for (std::size_t row = 4; row-- > 0;) addRow(Group, rows + row * m_rowSkip, results.y[row]);
+    }
+
+    HWY_INLINE void solveGroups(std::size_t groups) {
+        switch (groups) {
+        case 8: solveGroup<7>(); [[fallthrough]];
+        case 7: solveGroup<6>(); [[fallthrough]];
+        case 6: solveGroup<5>(); [[fallthrough]];
+        case 5: solveGroup<4>(); [[fallthrough]];
+        case 4: solveGroup<3>(); [[fallthrough]];
+        case 3: solveGroup<2>(); [[fallthrough]];
+        case 2: solveGroup<1>(); [[fallthrough]];
+        case 1: solveGroup<0>();
+        }
+    }
+
+    const dReal *const m_L;
+    dReal *const m_B;
+    const std::size_t m_rowSkip;
+    Sum m_sums[kMostGroups];
+};
 
 template <unsigned Stride, bool LeavesOut>
 HWY_INLINE void solveTransposed(const dReal *L, dReal *B, std::size_t rowCount, std::size_t rowSkip,
@@ -134,8 +188,8 @@ HWY_INLINE void solveTransposed(const dReal *L, dReal *B, std::size_t rowCount, 
 
 void solveTransposed1(const dReal *L, dReal *B, std::size_t rowCount, std::size_t rowSkip,
                       const dxEnvelope &envelope) {
-    if (rowCount <= kShortRows) {
-        solveTransposedShort<1>(L, B, rowCount, rowSkip);
+    if (rowCount <= ShortSolve<1>::kMostRows) {
+        ShortSolve<1>(L, B, rowSkip).solve(rowCount);
     } else if (envelope.leavesOut()) {
         solveTransposed<1, true>(L, B, rowCount, rowSkip, envelope);
     } else {
@@ -143,8 +197,8 @@ void solveTransposed1(const dReal *L, dReal *B, std::size_t rowCount, std::size_
     }
 }
 void solveTransposed2(const dReal *L, dReal *B, std::size_t rowCount, std::size_t rowSkip) {
-    if (rowCount <= kShortRows) {
-        solveTransposedShort<2>(L, B, rowCount, rowSkip);
+    if (rowCount <= ShortSolve<2>::kMostRows) {
+        ShortSolve<2>(L, B, rowSkip).solve(rowCount);
     } else {
         solveTransposed<2, false>(L, B, rowCount, rowSkip, dxEnvelope());
     }
