@@ -49,11 +49,11 @@ dReal addUp(unsigned countInPlace, InPlace inPlace, unsigned count, Product prod
 
 std::size_t dxDantzigRun::memory(unsigned n) {
     return dxArrayBytes<unsigned>(n) + dxArrayBytes<dReal>(dxLcpMatrix::size(n)) +
-           dxArrayBytes<unsigned>(dxIndexSets::kWords * std::size_t(n)) + 7 * dxArrayBytes<dReal>(n) +
+           dxArrayBytes<unsigned>(dxIndexSets::kWords * std::size_t(n)) + 6 * dxArrayBytes<dReal>(n) +
            dxArrayBytes<dReal>(dxLcpRoundUp(n)) + dxArrayBytes<dReal>(dxForwardSolves::size(n, 0)) +
            dxArrayBytes<unsigned>(n) + dxArrayBytes<unsigned>(dxForwardSolves::words(n)) +
            dxArrayBytes<unsigned>(blockCount(n)) + sparseMemory(n) + dxArrayBytes<Limits>(n) +
-           dxArrayBytes<bool>(n) + dxArrayBytes<dReal *>(n) + dxArrayBytes<dReal>(temporarySize(n));
+           dxArrayBytes<bool>(n) + dxArrayBytes<unsigned>(n) + dxArrayBytes<dReal *>(n) + dxArrayBytes<dReal>(temporarySize(n));
 }
 
 dxDantzigRun::dxDantzigRun(dxWorldProcessMemArena *given, dxWorldProcessMemArena *arena,
@@ -80,11 +80,11 @@ dxDantzigRun::dxDantzigRun(dxWorldProcessMemArena *given, dxWorldProcessMemArena
       m_deltaW(dxTakeArray<dReal>(arena, dxLcpRoundUp(m_n))),
       m_limits(dxTakeArray<Limits>(arena, m_n)),
       m_isHigh(dxTakeArray<bool>(arena, m_n)),
+      m_leaving(dxTakeArray<unsigned>(arena, m_n)),
       m_rowPointers(dxTakeArray<dReal *>(arena, m_n)),
       m_blockN(dxTakeArray<unsigned>(arena, blockCount(m_n))),
       m_deltaX(dxTakeArray<dReal>(arena, m_n)),
       m_solved(dxTakeArray<dReal>(arena, m_n)),
-      m_scaled(dxTakeArray<dReal>(arena, m_n)),
       m_temporary(dxTakeArray<dReal>(arena, temporarySize(m_n))) {
     for (unsigned i = 0; i < m_n; ++i) {
         m_b[i] = problem.pairsBX[std::size_t(m_order[i]) * PBX__MAX + PBX_B];
@@ -182,7 +182,8 @@ void dxDantzigRun::findFactorColumn(unsigned index) {
     const unsigned count = m_sets.countC();
     if (count == 0) return;
     m_forward.solve(index, m_solved);
-    for (unsigned j = 0; j < count; ++j) m_scaled[j] = m_solved[j] * m_d[j];
+    dReal *const scaled = this->scaled();
+    for (unsigned j = 0; j < count; ++j) scaled[j] = m_solved[j] * m_d[j];
 }
 
 void dxDantzigRun::findDirection(unsigned i, bool isUp) {
@@ -194,7 +195,8 @@ void dxDantzigRun::findDirection(unsigned i, bool isUp) {
 // deltaX(C) = -+ A(C,C)^-1 A(C,i)
 void dxDantzigRun::findDeltaX(bool isUp) {
     const unsigned count = m_sets.countC();
-    std::copy_n(m_scaled, count, m_temporary);
+    const dReal *const scaled = this->scaled();
+    for (unsigned j = 0; j < count; ++j) m_temporary[j] = scaled[j];
     dxSolveL1Transposed(m_L, m_temporary, count, m_skip, m_envelope);
     const unsigned *positions = m_sets.factorPositions(), inPlace = m_sets.inPlace();
     const dReal *solved = m_temporary;
@@ -254,16 +256,23 @@ void dxDantzigRun::shortenForOwnLimit(unsigned i, bool isUp, Push &push) const {
     if (length < push.length) push = {length, isUp ? Event::AtHigh : Event::AtLow, 0};
 }
 
-// Rows that may not move at all stay in N, whatever their w.
+// Rows that may not move at all stay in N, whatever their w. Whether a row leaves its side is as good as random, so the
+// rows that do are listed first, without a branch.
 void dxDantzigRun::shortenForN(Push &push) const {
     const unsigned begin = m_sets.countC(), end = begin + m_sets.countN();
+    unsigned *const leaving = m_leaving;
+    unsigned count = 0;
     for (unsigned position = begin; position < end; ++position) {
         const unsigned row = m_sets.indexAt(position);
         const dReal deltaW = m_deltaW[row];
-        if (!(m_isHigh[row] ? deltaW > 0 : deltaW < 0)) continue;
-        if (m_limits[row].low == 0 && m_limits[row].high == 0) continue;
-        const dReal length = -m_w[row] / deltaW;
-        if (length < push.length) push = {length, Event::LeavesN, position};
+        const bool isHigh = m_isHigh[row], isFixed = (m_limits[row].low == 0) & (m_limits[row].high == 0);
+        leaving[count] = position;
+        count += ((isHigh & (deltaW > 0)) | (!isHigh & (deltaW < 0))) & !isFixed;
+    }
+    for (unsigned k = 0; k < count; ++k) {
+        const unsigned row = m_sets.indexAt(leaving[k]);
+        const dReal length = -m_w[row] / m_deltaW[row];
+        if (length < push.length) push = {length, Event::LeavesN, leaving[k]};
     }
 }
 
@@ -273,8 +282,7 @@ void dxDantzigRun::shortenForC(Push &push) const {
         const dReal deltaX = m_deltaX[position];
         if (deltaX == 0) continue;
         const bool isFalling = deltaX < 0;
-        const dReal limit = isFalling ? m_limits[row].low : m_limits[row].high;
-        const dReal length = (limit - m_x[row]) / deltaX;  // endless if there is no limit
+        const dReal length = (m_limits[row].towards(isFalling) - m_x[row]) / deltaX;  // endless if there is no limit
         if (length < push.length)
             push = {length, isFalling ? Event::CFallsLow : Event::CFallsHigh, position};
     }
@@ -333,7 +341,7 @@ void dxDantzigRun::giveUp(unsigned i, dReal length) {
 // Upstream adds this sum up as a dot product here, but one by one in moveFromNToC.
 void dxDantzigRun::addToC(unsigned i) {
     const unsigned count = m_sets.countC();
-    appendFactorRow(i, count > 0 ? dxDot(m_scaled, m_solved, count) : 0);
+    appendFactorRow(i, count > 0 ? dxDot(scaled(), m_solved, count) : 0);
     m_sets.addNextToC();
     m_sparse.append(i);
 }
@@ -347,8 +355,9 @@ void dxDantzigRun::addToN(unsigned i, bool isHigh) {
 void dxDantzigRun::moveFromNToC(unsigned position) {
     const unsigned row = m_sets.indexAt(position), count = m_sets.countC();
     findFactorColumn(row);
+    const dReal *const scaled = this->scaled();
     dReal product = 0;
-    for (unsigned j = 0; j < count; ++j) product += m_scaled[j] * m_solved[j];
+    for (unsigned j = 0; j < count; ++j) product += scaled[j] * m_solved[j];
     appendFactorRow(row, product);
     --m_blockN[dxLcpBlock(row)];
     m_sets.moveFromNToC(position);
@@ -366,7 +375,7 @@ void dxDantzigRun::moveFromCToN(unsigned position, bool isHigh) {
     m_sets.moveFromCToN(position, factorRow);
 }
 
-// `product`: that of the new row of L with D and itself. A pivot of 0 is made a tiny one, as upstream does.
+// The row itself is there (scaled()). `product`: that of the new row of L with D and itself. A pivot of 0 is made a tiny one, as upstream does.
 void dxDantzigRun::appendFactorRow(unsigned index, dReal product) {
     const unsigned count = m_sets.countC();
     dReal diagonal = m_A.diagonal(index);
@@ -375,7 +384,6 @@ void dxDantzigRun::appendFactorRow(unsigned index, dReal product) {
         m_d[0] = dRecip(diagonal);
         return;
     }
-    std::copy_n(m_scaled, count, m_L + std::size_t(m_skip) * count);
     if (diagonal == product) diagonal = dNextAfter(diagonal, dInfinity);
     m_d[count] = dRecip(diagonal - product);
 }

@@ -34,6 +34,9 @@ public:
 private:
     struct Limits {
         dReal low, high;
+
+        // The one that is reached by falling, or rising: without a branch that nobody can foresee.
+        dReal towards(bool isFalling) const { return (&low)[isFalling ? 0 : 1]; }
     };
 
     // What ends a push.
@@ -89,6 +92,7 @@ private:
     dReal *const m_b, *const m_x, *const m_w, *const m_deltaW;
     Limits *const m_limits;
     bool *const m_isHigh;         // for rows of N: at which limit
+    unsigned *const m_leaving;    // positions in N: a list of shortenForN
     dReal **const m_rowPointers;  // of A
     unsigned *const m_blockN;     // rows of N in each block of lanes
 
@@ -96,7 +100,8 @@ private:
 
     // In the order of the factorisation, for the column i that was asked for last.
     dReal *const m_solved;  // L^-1 A(C,i)
-    dReal *const m_scaled;  // D^-1 L^-1 A(C,i)
+    // D^-1 L^-1 A(C,i) is where it will be if i comes into C: in the row behind the last one of L.
+    dReal *scaled() const { return m_L + std::size_t(m_skip) * m_sets.countC(); }
 
     dReal *const m_temporary;
     bool m_hasFailed = false;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "dynamics/solve/dxMirror.h"
+
 namespace {
 
 // Rows of the problem that are in their own places, from the first on: they are copied in one go.
@@ -37,22 +39,5 @@ dxLcpMatrix::dxLcpMatrix(const dReal *lower, std::size_t skip, const unsigned *o
                          unsigned first, dReal *storage)
     : m_rows(storage), m_rowSkip(dxLcpRoundUp(n)) {
     dxCopyLcpRows(lower, skip, order, first, n, m_rows, m_rowSkip);
-    for (unsigned begin = dxLcpBlock(first) * kLineLanes; begin < n; begin += kLineLanes)
-        mirror(begin, first, n);
-}
-
-// Columns begin.. of a block of lanes, for the rows before them. Lanes of columns that are never asked for
-// are 0.
-void dxLcpMatrix::mirror(unsigned begin, unsigned first, unsigned n) {
-    const unsigned end = begin + kLineLanes;
-    unsigned whole = 0;  // rows that have been done
-    if (begin >= first && end <= n) {
-        const dReal *block = row(begin);
-        for (; whole < begin; ++whole)
-            for (unsigned i = 0; i < kLineLanes; ++i) row(whole)[begin + i] = block[i * m_rowSkip + whole];
-    }
-    for (unsigned j = whole; j < std::min(end, n); ++j)
-        for (unsigned i = std::max({begin, first, j + 1}); i < std::min(end, n); ++i) row(j)[i] = row(i)[j];
-    for (unsigned j = 0; j < first; ++j) std::fill(row(j) + begin, row(j) + std::max(begin, first), dReal(0));
-    for (unsigned j = 0; end > n && j < n; ++j) std::fill(row(j) + n, row(j) + end, dReal(0));
+    dxMirrorLower({m_rows, m_rowSkip, n, first});
 }

@@ -19,7 +19,8 @@ void dxCopyLcpRows(const dReal *lower, std::size_t skip, const unsigned *order, 
 
 class dxLcpMatrix {
 public:
-    static std::size_t size(unsigned n) { return std::size_t(n) * dxLcpRoundUp(n); }  // elements of storage
+    // Elements of storage: whole blocks of rows, too.
+    static std::size_t size(unsigned n) { return std::size_t(dxLcpRoundUp(n)) * dxLcpRoundUp(n); }
 
     // `lower`: the lower triangle of the problem's matrix, whose rows start `skip` elements apart; `order`:
     // the problem's row for each of ours; `first`: the first column that is to be kept in rows before it,
@@ -36,8 +37,6 @@ public:
     dReal diagonal(unsigned index) const { return row(index)[index]; }
 
 private:
-    void mirror(unsigned begin, unsigned first, unsigned n);
-
     dReal *const m_rows;
     const std::size_t m_rowSkip;
 };

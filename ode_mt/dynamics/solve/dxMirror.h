@@ -1,0 +1,16 @@
+// The other triangle of a symmetric matrix, by lines of lanes.
+#pragma once
+
+#include <cstddef>
+
+#include <ode/common.h>
+
+struct dxMirrorTask {
+    dReal *rows;          // aligned to the cache's lines, as are all rows; room for whole lines of them
+    std::size_t rowSkip;  // between rows: a multiple of kLineLanes, no less than n
+    std::size_t n;
+    std::size_t first;  // the first row whose lower triangle is there
+};
+
+// Writes element (j, i) for i >= first, i > j from (i, j). Lanes of lines that have such an element, but are none, become 0.
+void dxMirrorLower(const dxMirrorTask &task);
