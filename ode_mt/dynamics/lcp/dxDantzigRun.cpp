@@ -182,8 +182,7 @@ void dxDantzigRun::findFactorColumn(unsigned index) {
     const unsigned count = m_sets.countC();
     if (count == 0) return;
     m_forward.solve(index, m_solved);
-    dReal *const scaled = this->scaled();
-    for (unsigned j = 0; j < count; ++j) scaled[j] = m_solved[j] * m_d[j];
+    dxMultiplyLanes(m_solved, m_d, count, scaled(), m_temporary);
 }
 
 void dxDantzigRun::findDirection(unsigned i, bool isUp) {
@@ -192,11 +191,9 @@ void dxDantzigRun::findDirection(unsigned i, bool isUp) {
     findDeltaW(i, isUp);
 }
 
-// deltaX(C) = -+ A(C,C)^-1 A(C,i)
+// deltaX(C) = -+ A(C,C)^-1 A(C,i), of which findFactorColumn has put the first half into m_temporary.
 void dxDantzigRun::findDeltaX(bool isUp) {
     const unsigned count = m_sets.countC();
-    const dReal *const scaled = this->scaled();
-    for (unsigned j = 0; j < count; ++j) m_temporary[j] = scaled[j];
     dxSolveL1Transposed(m_L, m_temporary, count, m_skip, m_envelope);
     const unsigned *positions = m_sets.factorPositions(), inPlace = m_sets.inPlace();
     const dReal *solved = m_temporary;
@@ -277,21 +274,27 @@ void dxDantzigRun::shortenForN(Push &push) const {
 }
 
 void dxDantzigRun::shortenForC(Push &push) const {
-    for (unsigned position = m_unbounded; position < m_sets.countC(); ++position) {
+    const auto eventAt = [&](unsigned position) {
+        return m_deltaX[position] < 0 ? Event::CFallsLow : Event::CFallsHigh;
+    };
+    const unsigned inPlace = m_sets.inPlace();
+    if (m_unbounded < inPlace) {
+        const unsigned first = dxFindFirstAtLimit(m_x, m_deltaX, m_limits, m_unbounded, inPlace, push.length);
+        if (first < inPlace) push = {push.length, eventAt(first), first};
+    }
+    for (unsigned position = std::max(m_unbounded, inPlace); position < m_sets.countC(); ++position) {
         const unsigned row = m_sets.indexAt(position);
         const dReal deltaX = m_deltaX[position];
         if (deltaX == 0) continue;
-        const bool isFalling = deltaX < 0;
-        const dReal length = (m_limits[row].towards(isFalling) - m_x[row]) / deltaX;  // endless if there is no limit
-        if (length < push.length)
-            push = {length, isFalling ? Event::CFallsLow : Event::CFallsHigh, position};
+        const dReal length = (m_limits[row].towards(deltaX < 0) - m_x[row]) / deltaX;  // endless if there is no limit
+        if (length < push.length) push = {length, eventAt(position), position};
     }
 }
 
 void dxDantzigRun::apply(unsigned i, bool isUp, dReal length) {
     const unsigned countC = m_sets.countC(), end = countC + m_sets.countN(), inPlace = m_sets.inPlace();
     const dReal *deltaX = m_deltaX;
-    for (unsigned row = 0; row < inPlace; ++row) m_x[row] += length * deltaX[row];
+    dxAdvanceLanes(m_x, deltaX, length, inPlace);
     for (unsigned position = inPlace; position < countC; ++position)
         m_x[m_sets.indexAt(position)] += length * deltaX[position];
     m_x[i] = isUp ? m_x[i] + length : m_x[i] - length;

@@ -10,6 +10,7 @@
 #include "dynamics/lcp/dxIndexSets.h"
 #include "dynamics/lcp/dxLcpMatrix.h"
 #include "dynamics/lcp/dxSparseRows.h"
+#include "dynamics/solve/dxPushLanes.h"
 
 class dxWorldProcessMemArena;
 
@@ -32,12 +33,7 @@ public:
     dReal failedLength() const { return m_failedLength; }
 
 private:
-    struct Limits {
-        dReal low, high;
-
-        // The one that is reached by falling, or rising: without a branch that nobody can foresee.
-        dReal towards(bool isFalling) const { return (&low)[isFalling ? 0 : 1]; }
-    };
+    using Limits = dxLimitPair;
 
     // What ends a push.
     enum class Event { Solved, AtLow, AtHigh, LeavesN, CFallsLow, CFallsHigh };
