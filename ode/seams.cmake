@@ -59,6 +59,9 @@ ode_mt_compile_after("ode.cpp" ode.h)
 # (ode_mt/api/geom_filters.cpp).
 ode_mt_compile_after("collision_kernel.cpp" collision_kernel.h)
 
+# libccd asks convex geoms for their furthest point, dozens of times a pair (ode_mt/collision/dxConvexSupport.h).
+ode_mt_compile_after("collision_libccd.cpp" collision_libccd.h)
+
 # Spaces of all kinds are ours: they find pairs incrementally, and report them in upstream's order
 # (ode_mt/collision/dxOrderedSpace.h).
 foreach(file collision_space collision_quadtreespace collision_sapspace)
