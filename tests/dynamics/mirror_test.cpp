@@ -1,0 +1,65 @@
+// A triangle is mirrored element by element, for every instruction set of this machine.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "dynamics/solve/dxMirror.h"
+#include "instruction_sets.h"
+#include "simd/dxCacheLine.h"
+
+namespace {
+
+// Rows from `first` on hold their lower triangle; everything else is no number.
+class Triangle {
+public:
+    Triangle(std::size_t n, std::size_t first)
+        : m_n(n), m_first(first), m_skip((n + kLineLanes - 1) / kLineLanes * kLineLanes),
+          m_storage(m_skip * m_skip + kLineLanes, std::numeric_limits<dReal>::quiet_NaN()) {
+        void *aligned = m_storage.data();
+        std::size_t space = m_storage.size() * sizeof(dReal);
+        m_rows = static_cast<dReal *>(std::align(kCacheLine, 1, aligned, space));
+        for (std::size_t i = first; i < n; ++i)
+            for (std::size_t j = 0; j <= i; ++j) at(i, j) = lower(i, j);
+    }
+
+    dReal &at(std::size_t i, std::size_t j) { return m_rows[i * m_skip + j]; }
+    static dReal lower(std::size_t i, std::size_t j) { return dReal(1 + 1000 * i + j); }
+
+    void mirror() { dxMirrorLower({m_rows, m_skip, m_n, m_first}); }
+
+    void expectMirrored() {
+        for (std::size_t i = m_first; i < m_n; ++i)
+            for (std::size_t j = 0; j <= i; ++j) {
+                ASSERT_EQ(at(i, j), lower(i, j)) << i << ' ' << j;
+                ASSERT_EQ(at(j, i), lower(i, j)) << i << ' ' << j;
+            }
+        for (std::size_t j = 0; j < m_n; ++j) {
+            for (std::size_t none = m_n; none < m_skip; ++none) ASSERT_EQ(at(j, none), 0) << j << ' ' << none;
+            for (std::size_t none = m_first / kLineLanes * kLineLanes; j < m_first && none < m_first; ++none)
+                ASSERT_EQ(at(j, none), 0) << j << ' ' << none;
+        }
+    }
+
+private:
+    const std::size_t m_n, m_first, m_skip;
+    std::vector<dReal> m_storage;
+    dReal *m_rows;
+};
+
+}  // namespace
+
+TEST(Mirror, EveryElementAndZerosBeside) {
+    for (const std::int64_t set : instructionSets())
+        onInstructionSet(set, [] {
+            for (std::size_t n = 1; n <= 50; ++n)
+                for (std::size_t first = 0; first < n; ++first) {
+                    Triangle triangle(n, first);
+                    triangle.mirror();
+                    triangle.expectMirrored();
+                    if (testing::Test::HasFatalFailure()) FAIL() << n << " rows, from " << first << " on";
+                }
+        });
+}
