@@ -23,7 +23,7 @@ void dxDensePairs::update(const dxMembers &members, std::vector<dxOrderedPair> &
         setBoxes(members);
     } else {
         gatherChanged(members);
-        reorder(members);
+        if (!reorderFront(members)) reorder(members);
     }
     m_found.clear();
     if (!stayInPlace && changedAreInFront()) {
@@ -54,6 +54,26 @@ void dxDensePairs::gatherChanged(const dxMembers &members) {
         if (members[slot].geom != nullptr) m_changed.push_back(slot);
     if (!std::is_sorted(m_changed.begin(), m_changed.end(), standsBefore(members)))
         std::sort(m_changed.begin(), m_changed.end(), standsBefore(members));
+}
+
+// Where those that have changed are those that stood in front, as robots do among things that rest, nothing else moves.
+bool dxDensePairs::reorderFront(const dxMembers &members) {
+    const std::size_t count = m_changed.size();
+    const auto stoodInFront = [&](Slot slot) {
+        return slot < m_rowOf.size() && m_rowOf[slot] < count && m_order[m_rowOf[slot]] == slot;
+    };
+    const bool hasAnyGone = members.changed().size() != count;
+    if (hasAnyGone || count == 0 || count > m_order.size()) return false;
+    if (!std::all_of(m_changed.begin(), m_changed.end(), stoodInFront)) return false;
+    if (count < m_order.size() && !standsBefore(members)(m_changed.back(), m_order[count])) return false;
+    for (std::uint32_t row = 0; row < count; ++row) {
+        const Slot slot = m_changed[row];
+        m_order[row] = slot;
+        m_rowOf[slot] = row;
+        m_boxes.set(row, members[slot].bounds);
+    }
+    m_orderings = members.orderings();
+    return true;
 }
 
 void dxDensePairs::reorder(const dxMembers &members) {

@@ -22,6 +22,7 @@ private:
     using Slot = dxMembers::Slot;
 
     void gatherChanged(const dxMembers &members);
+    bool reorderFront(const dxMembers &members);
     void reorder(const dxMembers &members);
     void setBoxes(const dxMembers &members);
     bool changedAreInFront() const;

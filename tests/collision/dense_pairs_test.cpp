@@ -118,6 +118,20 @@ TEST_F(DensePairs, AreThoseOfBruteForceInOrder) {
     EXPECT_GT(found, 100000u);
 }
 
+// As robots among things that rest: those in front change places with one another, and now and then another one comes.
+TEST_F(DensePairs, WhoStandInFrontMoveOn) {
+    for (int i = 0; i < 40; ++i) add();
+    std::vector<Slot> robots = {3, 17, 21, 30, 31};
+    for (int frame = 0; frame < 600; ++frame) {
+        std::rotate(robots.begin(), robots.begin() + 1 + random.below(4), robots.end());
+        for (const Slot robot : robots) toFront(robot);
+        if (random.oneIn(20)) toFront(random.below(40));
+        if (random.oneIn(20)) setBits(random.below(40));
+        if (random.oneIn(40)) add();
+        ASSERT_EQ(update(), bruteForce()) << "frame " << frame;
+    }
+}
+
 TEST_F(DensePairs, NothingIsLeftWhenAllHaveGone) {
     for (int i = 0; i < 20; ++i) add();
     update();
