@@ -21,6 +21,7 @@ protected:
         dCloseODE();
     }
 
+    // The points are read, not copied.
     dxCcdConvex convexOf(const std::vector<dReal> &points) {
         if (m_geom != nullptr) dGeomDestroy(m_geom);
         m_geom = dCreateConvex(nullptr, &m_plane, 0, points.data(), static_cast<unsigned>(points.size() / 3), &m_noPolygon);
@@ -77,7 +78,8 @@ TEST_F(ConvexSupport, IsTheFirstOfTheFurthestPoints) {
 }
 
 TEST_F(ConvexSupport, StaysWhereNoPointHasADistance) {
-    const dxCcdConvex convex = convexOf({1, 2, 3, 4, 5, 6});
+    const std::vector<dReal> points = {1, 2, 3, 4, 5, 6};
+    const dxCcdConvex convex = convexOf(points);
     ccd_vec3_t direction, support;
     ccdVec3Set(&direction, std::numeric_limits<ccd_real_t>::quiet_NaN(), 0, 0);
     ccdVec3Set(&support, 7, 8, 9);
