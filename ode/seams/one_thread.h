@@ -1,6 +1,7 @@
 /* Upstream's stages share their items out by atomic counters, and lock the bus for each item. Ours never run on several
- * threads with one counter: a piece of a stage has counters of its own (ode_mt/dynamics/dxStagePieces.h). So they are
- * compiled as upstream compiles them without threads. */
+ * threads with one counter: a piece of a stage has counters of its own (ode_mt/dynamics/dxStagePieces.h). So they are given
+ * the counters that upstream has for builds without threads. All else that such builds do without stays, as QuickStep's
+ * links and levels, whose memory is used (ode_mt/dynamics/dxIslandSweeps.h). */
 #pragma once
 
 #include "config.h"

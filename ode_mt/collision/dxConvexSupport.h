@@ -16,7 +16,8 @@
 #include "collision_kernel.h"
 #include "collision_std.h"
 
-// The beginning of upstream's ccd_convex_t, which is known in its file alone.
+// Upstream's ccd_convex_t, which is known in its file alone. That file is the one release that the fork is made of
+// (ode/upstream.lock), and every pair with a convex geom in the exactness suite depends on it.
 struct dxCcdConvex {
     ccd_vec3_t position;
     ccd_quat_t rotation, inverseRotation;
@@ -31,7 +32,9 @@ inline void dxSupportConvex(const dxCcdConvex &object, const ccd_vec3_t &directi
     ccd_real_t most = -CCD_REAL_MAX;
     for (std::size_t i = 0; i < object.convex->pointcount; ++i) {
         const dReal *const point = points + 3 * i;
-        const ccd_real_t distance = local.v[0] * point[0] + local.v[1] * point[1] + local.v[2] * point[2];
+        ccd_vec3_t place;
+        ccdVec3Set(&place, point[0], point[1], point[2]);
+        const ccd_real_t distance = ccdVec3Dot(&local, &place);
         furthest = distance > most ? point : furthest;
         most = distance > most ? distance : most;
     }

@@ -169,8 +169,8 @@ protected:
     }
     int threads() const { return GetParam().isConcurrent() ? 2 : 0; }
 
-    // Of a worker whom the system never let work before: records, logs, and two arenas, one of the step and one of the LCP
-    // solver, of 64 KiB at least (dWORLDSTEP_RESERVESIZE_DEFAULT).
+    // Of a worker whom the system never let work before: records, logs, an arena of the LCP solver, and one of the step, a
+    // fifth larger than the world's, which has 64 KiB at least (dWORLDSTEP_RESERVESIZE_DEFAULT).
     Live allowed() const { return GetParam().isConcurrent() ? Live{12, 3 * 65536} : Live{0, 0}; }
 
     OdeSession session;

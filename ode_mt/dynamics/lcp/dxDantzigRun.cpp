@@ -53,7 +53,8 @@ std::size_t dxDantzigRun::memory(unsigned n) {
            dxArrayBytes<dReal>(dxLcpRoundUp(n)) + dxArrayBytes<dReal>(dxForwardSolves::size(n, 0)) +
            dxArrayBytes<unsigned>(n) + dxArrayBytes<unsigned>(dxForwardSolves::words(n)) +
            dxArrayBytes<unsigned>(blockCount(n)) + sparseMemory(n) + dxArrayBytes<Limits>(n) +
-           dxArrayBytes<bool>(n) + dxArrayBytes<unsigned>(n) + dxArrayBytes<dReal *>(n) + dxArrayBytes<dReal>(temporarySize(n));
+           dxArrayBytes<bool>(n) + dxArrayBytes<unsigned>(n) + dxArrayBytes<dReal *>(n) +
+           dxArrayBytes<dReal>(temporarySize(n));
 }
 
 dxDantzigRun::dxDantzigRun(dxWorldProcessMemArena *given, dxWorldProcessMemArena *arena,
@@ -378,7 +379,8 @@ void dxDantzigRun::moveFromCToN(unsigned position, bool isHigh) {
     m_sets.moveFromCToN(position, factorRow);
 }
 
-// The row itself is there (scaled()). `product`: that of the new row of L with D and itself. A pivot of 0 is made a tiny one, as upstream does.
+// The row itself is there (scaled()). `product`: that of the new row of L with D and itself. A pivot of 0 is made a tiny
+// one, as upstream does.
 void dxDantzigRun::appendFactorRow(unsigned index, dReal product) {
     const unsigned count = m_sets.countC();
     dReal diagonal = m_A.diagonal(index);

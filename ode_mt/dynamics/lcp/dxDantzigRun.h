@@ -68,6 +68,8 @@ private:
     void appendFactorRow(unsigned index, dReal product);
     void removeFactorRow(unsigned factorRow);
     unsigned firstSolved(unsigned count) const;
+    // D^-1 L^-1 A(C,i) is where it will be if i comes into C: in the row behind the last one of L.
+    dReal *scaled() const { return m_L + std::size_t(m_skip) * m_sets.countC(); }
 
     const dxDantzigProblem &m_problem;
     const unsigned m_n;
@@ -96,10 +98,8 @@ private:
 
     // In the order of the factorisation, for the column i that was asked for last.
     dReal *const m_solved;  // L^-1 A(C,i)
-    // D^-1 L^-1 A(C,i) is where it will be if i comes into C: in the row behind the last one of L.
-    dReal *scaled() const { return m_L + std::size_t(m_skip) * m_sets.countC(); }
 
-    dReal *const m_temporary;
+    dReal *const m_temporary;  // from findFactorColumn to findDeltaX: scaled(), again
     bool m_hasFailed = false;
     dReal m_failedLength = 0;
 };

@@ -12,5 +12,6 @@ struct dxMirrorTask {
     std::size_t first;  // the first row whose lower triangle is there
 };
 
-// Writes element (j, i) for i >= first, i > j from (i, j). Lanes of lines that have such an element, but are none, become 0.
+// Writes element (j, i) for i >= first, i > j from (i, j). In lines from that of `first` on, lanes before `first` (of rows
+// before it) and from n on become 0.
 void dxMirrorLower(const dxMirrorTask &task);

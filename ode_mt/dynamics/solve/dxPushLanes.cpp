@@ -39,7 +39,7 @@ void multiply(const dReal *a, const dReal *b, unsigned count, dReal *product, dR
     }
 }
 
-// Elements of x behind the last one are not its own: they stay.
+// Elements of x behind the last one belong to rows that are not advanced by this: they stay.
 void advance(dReal *x, const dReal *deltaX, dReal length, unsigned count) {
     const PushTag d;
     unsigned i = 0;
@@ -58,7 +58,8 @@ unsigned findFirstAtLimit(const dReal *x, const dReal *deltaX, const dxLimitPair
         if (i < begin) delta = hn::IfThenZeroElse(hn::FirstN(d, begin - i), delta);
         const auto isMoving = hn::Ne(delta, zero);
         PushVector low, high;
-        hn::LoadInterleaved2(d, &limits[i].low, low, high);
+        static_assert(sizeof(dxLimitPair) == 2 * sizeof(dReal), "pairs lie side by side");
+        hn::LoadInterleaved2(d, reinterpret_cast<const dReal *>(limits + i), low, high);
         const PushVector limit = hn::IfThenElseZero(isMoving, hn::IfThenElse(hn::Lt(delta, zero), low, high));
         const PushVector distance = hn::Sub(limit, hn::IfThenElseZero(isMoving, hn::LoadU(d, x + i)));
         const PushVector lengths = hn::Div(distance, hn::IfThenElse(isMoving, delta, hn::Set(d, dReal(1))));

@@ -93,8 +93,9 @@ HWY_INLINE void solvePanel(const dReal *L, dReal *B, std::size_t begin, std::siz
     }
 }
 
-// Few rows: the sums of all groups stay in registers, and no loop's end can be guessed wrong. A group is solved, its four
-// results are multiplied into the sums before it, and what is left is the same problem with one group less.
+// Few rows: the sums of all groups stay in registers, and no loop goes over groups, whose end could be guessed wrong. A
+// group is solved, its four results are multiplied into the sums before it, and what is left is the same problem with one
+// group less.
 template <unsigned Stride>
 class ShortSolve {
 public:
@@ -115,6 +116,7 @@ public:
 private:
     using Lanes = hn::Vec<RowLanes<4>>;
     static constexpr std::size_t kMostGroups = kMostRows / 4, kParts = 4 / kLanes<RowLanes<4>>;
+    static_assert(kMostGroups == 8, "addRow and solveGroups begin with eight");
     struct Sum {
         Lanes part[kParts];
     };

@@ -71,17 +71,20 @@ HWY_INLINE dReal relaxRow(const PackedRow &row, dReal delta) {
     const hn::RebindToSigned<decltype(kSingle)> whole;
     const auto isBounded = hn::RebindMask(
         kSingle, hn::Gt(hn::Set(whole, row.boundingRow()), hn::Set(whole, dxSweepIsland::kNone)));
-    const auto one = hn::Set(kSingle, dReal(1));
+    const auto ownLow = hn::LoadU(kSingle, row.jacobian() + dxSweepIsland::kLow);
+    const auto ownHigh = hn::LoadU(kSingle, row.jacobian() + dxSweepIsland::kHigh);
+    const auto one = hn::Set(kSingle, dReal(1));  // no endless limit meets a lambda of 0
     const auto factor = hn::IfThenElse(isBounded, hn::LoadU(kSingle, &row.boundingLambda()), one);
-    const auto scaled = hn::Mul(hn::LoadU(kSingle, row.jacobian() + dxSweepIsland::kHigh), factor);
-    const auto high = hn::IfThenElse(isBounded, hn::Abs(scaled), scaled);
-    const auto low = hn::IfThenElse(isBounded, hn::Neg(high), hn::LoadU(kSingle, row.jacobian() + dxSweepIsland::kLow));
+    const auto bound = hn::Abs(hn::Mul(ownHigh, factor));
+    const auto high = hn::IfThenElse(isBounded, bound, ownHigh), low = hn::IfThenElse(isBounded, hn::Neg(bound), ownLow);
 
     const auto old = hn::LoadU(kSingle, &row.lambda()), change = hn::Set(kSingle, delta), wanted = hn::Add(old, change);
-    const auto isLow = hn::Lt(wanted, low), isHigh = hn::Gt(wanted, high);
+    const auto isLow = hn::Lt(wanted, low), isHigh = hn::Gt(wanted, high), isLimited = hn::Or(isLow, isHigh);
     const auto next = hn::IfThenElse(isLow, low, hn::IfThenElse(isHigh, high, wanted));
     hn::StoreU(next, kSingle, &row.lambda());
-    return hn::GetLane(hn::IfThenElse(hn::Or(isLow, isHigh), hn::Sub(next, old), change));
+    // Less 0, where upstream subtracts nothing: an endless lambda less itself would raise an exception.
+    const auto limited = hn::Sub(next, hn::IfThenElseZero(isLimited, old));
+    return hn::GetLane(hn::IfThenElse(isLimited, limited, change));
 }
 
 HWY_INLINE dReal relaxRow(const ArrayRow &row, dReal delta) { return relax(row, delta); }

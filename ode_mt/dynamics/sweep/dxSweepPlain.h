@@ -40,8 +40,8 @@ public:
     dReal lambdaOf(int other) const { return m_island.packed[other].lambda; }
     // Its own, if no row bounds it; found without a branch.
     const dReal &boundingLambda() const {
-        const std::size_t isNone = std::size_t(0) - static_cast<std::size_t>(boundingRow() < 0);  // all bits, or no bit
-        return m_island.packed[(m_index & isNone) | (static_cast<std::size_t>(boundingRow()) & ~isNone)].lambda;
+        const std::size_t noneMask = std::size_t(0) - static_cast<std::size_t>(boundingRow() < 0);  // all bits, or no bit
+        return m_island.packed[(m_index & noneMask) | (static_cast<std::size_t>(boundingRow()) & ~noneMask)].lambda;
     }
 
 private:
