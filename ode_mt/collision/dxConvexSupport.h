@@ -6,14 +6,11 @@
 #pragma once
 
 #include <ccd/quat.h>
-#include <ccd/vec3.h>
 #include <ode/odemath.h>
 
 #include <cstddef>
 
 #include "config.h"
-#include "objects.h"
-#include "collision_kernel.h"
 #include "collision_std.h"
 
 // Upstream's ccd_convex_t, which is known in its file alone. That file is the one release that the fork is made of

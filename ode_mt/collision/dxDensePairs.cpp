@@ -24,6 +24,7 @@ void dxDensePairs::update(const dxMembers &members, std::vector<dxOrderedPair> &
     } else {
         gatherChanged(members);
         if (!reorderFront(members)) reorder(members);
+        m_orderings = members.orderings();
     }
     m_found.clear();
     if (!stayInPlace && changedAreInFront()) {
@@ -67,12 +68,10 @@ bool dxDensePairs::reorderFront(const dxMembers &members) {
     if (!std::all_of(m_changed.begin(), m_changed.end(), stoodInFront)) return false;
     if (count < m_order.size() && !standsBefore(members)(m_changed.back(), m_order[count])) return false;
     for (std::uint32_t row = 0; row < count; ++row) {
-        const Slot slot = m_changed[row];
-        m_order[row] = slot;
-        m_rowOf[slot] = row;
-        m_boxes.set(row, members[slot].bounds);
+        m_order[row] = m_changed[row];
+        m_rowOf[m_changed[row]] = row;
     }
-    m_orderings = members.orderings();
+    setBoxes(members);
     return true;
 }
 
@@ -95,7 +94,6 @@ void dxDensePairs::reorder(const dxMembers &members) {
     }
     while (changed != m_changed.cend()) pushChanged();
     m_order.swap(m_nextOrder);
-    m_orderings = members.orderings();
     m_rowOf.resize(members.end());
     for (std::uint32_t row = 0; row < m_order.size(); ++row) m_rowOf[m_order[row]] = row;
     std::swap(m_boxes, m_nextBoxes);

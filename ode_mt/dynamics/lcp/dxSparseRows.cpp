@@ -14,8 +14,8 @@ std::size_t mostElements(std::size_t n) { return n * n / kSparsity; }
 }  // namespace
 
 std::size_t dxSparseRows::memory(unsigned n) {
-    return dxArrayBytes<unsigned>(n + std::size_t(1)) + 2 * dxArrayBytes<unsigned>(n) + 2 * dxArrayBytes<unsigned>(mostElements(n)) +
-           dxArrayBytes<Group>(mostElements(n));
+    return dxArrayBytes<unsigned>(n + std::size_t(1)) + 2 * dxArrayBytes<unsigned>(n) +
+           2 * dxArrayBytes<unsigned>(mostElements(n)) + dxArrayBytes<Group>(mostElements(n));
 }
 
 void dxSparseRows::build(dxWorldProcessMemArena *arena) {
