@@ -1,6 +1,7 @@
 #include "collision/dxKeptPairs.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace {
 
@@ -10,69 +11,90 @@ constexpr std::size_t kPiece = 256;
 // Items between asking the memory for one and working on it.
 constexpr std::size_t kAhead = 8;
 
+constexpr dxMembers::Slot kNobody = UINT32_MAX;
+
 }  // namespace
 
 void dxKeptPairs::update(const dxMembers &members, const std::vector<dxPairSearch::Match> &matches,
                          const dxPairPlacer &placer, dxTaskRunner &runner, std::vector<dxOrderedPair> &pairs) {
-    placeAll(members, matches, placer, runner);
-    sortFound(runner);
+    sortByLead(members, matches, placer, runner);
+    placeAll(members, placer, runner);
     merge(members, pairs);
 }
 
-void dxKeptPairs::placeAll(const dxMembers &members, const std::vector<dxPairSearch::Match> &matches,
-                           const dxPairPlacer &placer, dxTaskRunner &runner) {
-    m_found.resize(matches.size());
-    m_isPlaced.resize(matches.size());
+void dxKeptPairs::sortByLead(const dxMembers &members, const std::vector<dxPairSearch::Match> &matches,
+                             const dxPairPlacer &placer, dxTaskRunner &runner) {
+    m_items.resize(matches.size());
+    std::atomic<bool> allLead{true};
     runner.forPieces(matches.size(), kPiece, [&](std::size_t begin, std::size_t end, unsigned) {
         for (std::size_t i = begin; i < end; ++i) {
-            if (i + kAhead < end) placer.expect(matches[i + kAhead].a, matches[i + kAhead].b);
+            if (i + kAhead < end) placer.expect(matches[i + kAhead].a), placer.expect(matches[i + kAhead].b);
             const dxMembers::Slot a = matches[i].a, b = matches[i].b;
-            const dxMembers::Member &memberA = members[a], &memberB = members[b];
+            std::uint64_t word = 0;
             bool swapped = false;
-            m_isPlaced[i] =
-                dxMayMeet(memberA.filter, memberB.filter) && placer.place(a, b, m_found[i].key, swapped);
-            m_found[i].pair = swapped ? dxOrderedPair{memberB.geom, memberA.geom, {b, a}}
-                                      : dxOrderedPair{memberA.geom, memberB.geom, {a, b}};
+            const bool leads = dxMayMeet(members[a].filter, members[b].filter) && placer.lead(a, b, word, swapped);
+            m_items[i] = leads ? dxSortItem{word, swapped ? b : a, swapped ? a : b} : dxSortItem{0, kNobody, kNobody};
+            if (!leads) allLead.store(false, std::memory_order_relaxed);
         }
     });
+    const auto isNobody = [](const dxSortItem &item) { return item.index == kNobody; };
+    if (!allLead) m_items.erase(std::remove_if(m_items.begin(), m_items.end(), isNobody), m_items.end());
+    dxRadixSort(m_items, m_spare);
 }
 
-// By the first word, then within each run of one word, which is as long as a geom has pairs.
-void dxKeptPairs::sortFound(dxTaskRunner &runner) {
-    m_items.clear();
-    for (std::uint32_t i = 0; i < m_found.size(); ++i)
-        if (m_isPlaced[i]) m_items.push_back({m_found[i].key.words[0], i});
-    dxRadixSort(m_items, m_spare);
+void dxKeptPairs::placeAll(const dxMembers &members, const dxPairPlacer &placer, dxTaskRunner &runner) {
     m_nextKeys.resize(m_items.size());
     m_nextPairs.resize(m_items.size());
+    std::atomic<bool> allPlaced{true};
     runner.forPieces(m_items.size(), kPiece, [&](std::size_t begin, std::size_t end, unsigned) {
-        sortRuns(begin, end);
+        if (!placeRuns(members, placer, begin, end)) allPlaced.store(false, std::memory_order_relaxed);
     });
+    if (!allPlaced) leaveOutUnplaced();
 }
 
-// Of the runs that begin in [begin, end).
-void dxKeptPairs::sortRuns(std::size_t begin, std::size_t end) {
+// Of the runs of one first word that begin in [begin, end). Whether upstream brings all of their pairs; those that it does
+// not bring stand last in their runs, without geoms.
+bool dxKeptPairs::placeRuns(const dxMembers &members, const dxPairPlacer &placer, std::size_t begin, std::size_t end) {
     const std::size_t size = m_items.size();
+    bool all = true;
     while (begin != 0 && begin < end && m_items[begin].key == m_items[begin - 1].key) ++begin;
     while (begin < end) {
-        std::size_t last = begin;
+        std::size_t last = begin, placed = begin;
         for (; last < size && m_items[last].key == m_items[begin].key; ++last) {
-            if (last + kAhead < size) __builtin_prefetch(&m_found[m_items[last + kAhead].index]);
-            insertSorted(begin, last, m_found[m_items[last].index]);
+            if (last + kAhead < size) placer.expect(m_items[last + kAhead].partner);
+            const dxMembers::Slot first = m_items[last].index, second = m_items[last].partner;
+            dxPairKey key;
+            key.words[0] = m_items[last].key;
+            if (placer.follow(first, second, key))
+                insertSorted(begin, placed++, key, {members[first].geom, members[second].geom, {first, second}});
         }
+        all = all && placed == last;
+        for (; placed != last; ++placed) m_nextPairs[placed].first = nullptr;
         begin = last;
     }
+    return all;
 }
 
 // Into the run from `begin` on, which has grown to `last`. Runs are short.
-void dxKeptPairs::insertSorted(std::size_t begin, std::size_t last, const Found &found) {
+void dxKeptPairs::insertSorted(std::size_t begin, std::size_t last, const dxPairKey &key, const dxOrderedPair &pair) {
     std::size_t at = last;
-    for (; at > begin && found.key < m_nextKeys[at - 1]; --at) {
+    for (; at > begin && key < m_nextKeys[at - 1]; --at) {
         m_nextKeys[at] = m_nextKeys[at - 1];
         m_nextPairs[at] = m_nextPairs[at - 1];
     }
-    m_nextKeys[at] = found.key;
-    m_nextPairs[at] = found.pair;
+    m_nextKeys[at] = key;
+    m_nextPairs[at] = pair;
+}
+
+void dxKeptPairs::leaveOutUnplaced() {
+    std::size_t placed = 0;
+    for (std::size_t i = 0; i < m_nextPairs.size(); ++i) {
+        if (m_nextPairs[i].first == nullptr) continue;
+        m_nextKeys[placed] = m_nextKeys[i];
+        m_nextPairs[placed++] = m_nextPairs[i];
+    }
+    m_nextKeys.resize(placed);
+    m_nextPairs.resize(placed);
 }
 
 // What is left of the pairs of the last call, between the new ones.

@@ -1,5 +1,9 @@
 // Pairs in order from call to call: those of which neither geom changed keep their places, and those found
 // now are sorted by key and merged in.
+//
+// A pair's key is made in two steps. Its first word tells who brings the pair, and is all that most of the sorting needs.
+// The rest puts the few pairs of one geom in order: it is made when these stand together, one member of all of them in the
+// cache, and goes straight to where it stays.
 #pragma once
 
 #include <vector>
@@ -13,12 +17,15 @@
 // The order of a kind of space.
 class dxPairPlacer {
 public:
-    // The key of a pair whose boxes overlap, and in `swapped` whether b comes first in the callback. False:
-    // upstream does not bring this pair.
-    virtual bool place(dxMembers::Slot a, dxMembers::Slot b, dxPairKey &key, bool &swapped) const = 0;
+    // Of a pair whose boxes overlap: the first word of its key, and in `swapped` whether b comes first in the
+    // callback. False: upstream does not bring this pair.
+    virtual bool lead(dxMembers::Slot a, dxMembers::Slot b, std::uint64_t &word, bool &swapped) const = 0;
 
-    // The pair is about to be placed: its members may be fetched from memory.
-    virtual void expect(dxMembers::Slot a, dxMembers::Slot b) const = 0;
+    // The other words, of a pair in the order of the callback. False: as above.
+    virtual bool follow(dxMembers::Slot first, dxMembers::Slot second, dxPairKey &key) const = 0;
+
+    // A pair with this member is about to be placed: it may be fetched from memory.
+    virtual void expect(dxMembers::Slot slot) const = 0;
 
 protected:
     ~dxPairPlacer() = default;
@@ -32,23 +39,17 @@ public:
                 const dxPairPlacer &placer, dxTaskRunner &runner, std::vector<dxOrderedPair> &pairs);
 
 private:
-    struct Found {
-        dxPairKey key;
-        dxOrderedPair pair;
-    };
-
-    void placeAll(const dxMembers &members, const std::vector<dxPairSearch::Match> &matches,
-                  const dxPairPlacer &placer, dxTaskRunner &runner);
-    void sortFound(dxTaskRunner &runner);
-    void sortRuns(std::size_t begin, std::size_t end);
-    void insertSorted(std::size_t begin, std::size_t last, const Found &found);
+    void sortByLead(const dxMembers &members, const std::vector<dxPairSearch::Match> &matches,
+                    const dxPairPlacer &placer, dxTaskRunner &runner);
+    void placeAll(const dxMembers &members, const dxPairPlacer &placer, dxTaskRunner &runner);
+    bool placeRuns(const dxMembers &members, const dxPairPlacer &placer, std::size_t begin, std::size_t end);
+    void insertSorted(std::size_t begin, std::size_t last, const dxPairKey &key, const dxOrderedPair &pair);
+    void leaveOutUnplaced();
     void merge(const dxMembers &members, std::vector<dxOrderedPair> &pairs);
 
     std::vector<dxPairKey> m_keys, m_nextKeys;  // of the pairs
     std::vector<dxOrderedPair> m_nextPairs;
-    std::vector<Found> m_found;                // by match
-    std::vector<std::uint8_t> m_isPlaced;      // by match
     std::vector<dxPairKey> m_keptKeys;
     std::vector<dxOrderedPair> m_keptPairs;
-    std::vector<dxSortItem> m_items, m_spare;  // by a key's first word
+    std::vector<dxSortItem> m_items, m_spare;  // first words, with the slots of first and second geoms
 };

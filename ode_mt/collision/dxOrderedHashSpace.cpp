@@ -30,24 +30,32 @@ struct Element {
     dxRank rank;
 };
 
-// The key of a pair with `a` standing before `b` in the list.
-bool placeInOrder(const Element &a, const Element &b, dxPairKey &key, bool &swapped) {
-    const bool aInTable = a.cells.kind() == Kind::inTable, bInTable = b.cells.kind() == Kind::inTable;
-    if (!aInTable || !bInTable) {
-        swapped = !aInTable && bInTable;
-        const Element &outer = swapped ? b : a, &inner = swapped ? a : b;
-        const Stage stage = aInTable || bInTable ? kTableWithBig : kWithinBig;
-        key.words = {stageAndRank(stage, outer.rank), 0, 0, dxFrontFirst(inner.rank)};
+bool isInTable(const Element &element) { return element.cells.kind() == Kind::inTable; }
+
+// Of two in the table the smaller one finds the other, because a search meets only boxes of its own level and of
+// higher ones. Of two equal ones it is the one that stands further to the front of the list.
+bool isSearcher(const Element &a, const Element &b) {
+    if (isInTable(a) != isInTable(b)) return isInTable(a);
+    if (isInTable(a) && a.cells.level() != b.cells.level()) return a.cells.level() < b.cells.level();
+    return a.rank > b.rank;
+}
+
+std::uint64_t leadOf(const Element &searcher, const Element &found) {
+    const Stage stage = isInTable(found) ? kWithinTable : isInTable(searcher) ? kTableWithBig : kWithinBig;
+    return stageAndRank(stage, searcher.rank);
+}
+
+bool followLead(const Element &searcher, const Element &found, dxPairKey &key) {
+    if (!isInTable(found)) {
+        key.words[1] = key.words[2] = 0;
+        key.words[3] = dxFrontFirst(found.rank);
         return true;
     }
-    // A search meets only boxes of its own level and of higher ones: the smaller of the two finds the other.
-    swapped = b.cells.level() < a.cells.level();
-    const Element &searcher = swapped ? b : a, &found = swapped ? a : b;
     dxHashCells::Cell cell;
     if (!dxHashCells::firstSharedCell(searcher.cells, found.cells, cell)) return false;
-    // Within a cell upstream meets first what it stored last.
-    key.words = {stageAndRank(kWithinTable, searcher.rank), pack(found.cells.level(), cell.x),
-                 pack(cell.y, cell.z), dxBackFirst(found.rank)};
+    key.words[1] = pack(found.cells.level(), cell.x);
+    key.words[2] = pack(cell.y, cell.z);
+    key.words[3] = dxBackFirst(found.rank);  // within a cell upstream meets first what it stored last
     return true;
 }
 
@@ -98,21 +106,21 @@ void dxOrderedHashSpace::updateCells() {
     }
 }
 
-bool dxOrderedHashSpace::place(Slot a, Slot b, dxPairKey &key, bool &swapped) const {
-    if (m_cells[a].kind() == Kind::outOfRange || m_cells[b].kind() == Kind::outOfRange) return false;
-    const bool reversed = members()[a].rank < members()[b].rank;
-    if (reversed) std::swap(a, b);
-    const bool placed =
-        placeInOrder({m_cells[a], members()[a].rank}, {m_cells[b], members()[b].rank}, key, swapped);
-    swapped = swapped != reversed;
-    return placed;
+bool dxOrderedHashSpace::lead(Slot a, Slot b, std::uint64_t &word, bool &swapped) const {
+    const Element elementA{m_cells[a], members()[a].rank}, elementB{m_cells[b], members()[b].rank};
+    if (elementA.cells.kind() == Kind::outOfRange || elementB.cells.kind() == Kind::outOfRange) return false;
+    swapped = !isSearcher(elementA, elementB);
+    word = swapped ? leadOf(elementB, elementA) : leadOf(elementA, elementB);
+    return true;
 }
 
-void dxOrderedHashSpace::expect(Slot a, Slot b) const {
-    for (const Slot slot : {a, b}) {
-        members().expect(slot);
-        __builtin_prefetch(&m_cells[slot]);
-    }
+bool dxOrderedHashSpace::follow(Slot first, Slot second, dxPairKey &key) const {
+    return followLead({m_cells[first], members()[first].rank}, {m_cells[second], members()[second].rank}, key);
+}
+
+void dxOrderedHashSpace::expect(Slot slot) const {
+    members().expect(slot);
+    __builtin_prefetch(&m_cells[slot]);
 }
 
 void dxOrderedHashSpace::requireInRange() const {
@@ -160,12 +168,12 @@ void dxOrderedHashSpace::walk(void *data, dNearCallback *callback) {
     std::vector<ListedPair> found;
     for (std::size_t i = 0; i < geoms.size(); ++i)
         for (std::size_t j = i + 1; j < geoms.size(); ++j) {
-            ListedPair pair;
-            bool swapped = false;
             const dxRank last = geoms.size();
-            if (!placeInOrder({cells[i], last - i}, {cells[j], last - j}, pair.key, swapped)) continue;
-            pair.first = geoms[swapped ? j : i];
-            pair.second = geoms[swapped ? i : j];
+            const Element before{cells[i], last - i}, behind{cells[j], last - j};
+            const bool swapped = !isSearcher(before, behind);
+            const Element &searcher = swapped ? behind : before, &met = swapped ? before : behind;
+            ListedPair pair{{{leadOf(searcher, met)}}, geoms[swapped ? j : i], geoms[swapped ? i : j]};
+            if (!followLead(searcher, met, pair.key)) continue;
             found.push_back(pair);
         }
     std::sort(found.begin(), found.end(), [](const ListedPair &a, const ListedPair &b) { return a.key < b.key; });

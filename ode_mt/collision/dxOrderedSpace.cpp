@@ -183,16 +183,17 @@ void dxOrderedSpace::findAndPlace(std::vector<dxPairSearch::Match> &matches, std
     m_kept->update(m_members, matches, *this, runner(), pairs);
 }
 
-bool dxOrderedSpace::place(Slot a, Slot b, dxPairKey &key, bool &swapped) const {
+bool dxOrderedSpace::lead(Slot a, Slot b, std::uint64_t &word, bool &swapped) const {
     const dxRank rankA = m_members[a].rank, rankB = m_members[b].rank;
     swapped = rankA < rankB;
-    key.words = {dxFrontFirst(std::max(rankA, rankB)), dxFrontFirst(std::min(rankA, rankB)), 0, 0};
+    word = dxFrontFirst(std::max(rankA, rankB));
     return true;
 }
 
-void dxOrderedSpace::expect(Slot a, Slot b) const {
-    m_members.expect(a);
-    m_members.expect(b);
+bool dxOrderedSpace::follow(Slot, Slot second, dxPairKey &key) const {
+    key.words[1] = dxFrontFirst(m_members[second].rank);
+    key.words[2] = key.words[3] = 0;
+    return true;
 }
 
 // Upstream asks whether a geom is enabled once before it is paired with those behind it, and of each of

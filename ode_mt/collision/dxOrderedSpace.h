@@ -109,8 +109,9 @@ protected:
     void findAndPlace(std::vector<dxPairSearch::Match> &matches, std::vector<dxOrderedPair> &pairs);
 
     // Of two members the one further to the front is the first, and pairs come by it, then by the second.
-    bool place(Slot a, Slot b, dxPairKey &key, bool &swapped) const override;
-    void expect(Slot a, Slot b) const override;
+    bool lead(Slot a, Slot b, std::uint64_t &word, bool &swapped) const override;
+    bool follow(Slot first, Slot second, dxPairKey &key) const override;
+    void expect(Slot slot) const override { m_members.expect(slot); }
     // The callbacks of pairs(), where makeReady() says yes. In that order, unless a kind has another one.
     virtual void deliver(void *data, dNearCallback *callback) { deliverInOrder(m_pairs, data, callback); }
     // Of pairs that come by their first geom. Geoms may be enabled and disabled on the way.

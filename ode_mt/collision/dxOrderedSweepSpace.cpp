@@ -209,20 +209,24 @@ void dxOrderedSweepSpace::placeAll(std::vector<dxOrderedPair> &pairs) {
     findAndPlace(m_again, pairs);
 }
 
-bool dxOrderedSweepSpace::place(Slot a, Slot b, dxPairKey &key, bool &swapped) const {
+bool dxOrderedSweepSpace::lead(Slot a, Slot b, std::uint64_t &word, bool &swapped) const {
     const State &stateA = m_states[a], &stateB = m_states[b];
     if (stateA.part != Part::swept || stateB.part != Part::swept) return false;
     swapped = stateB.position < stateA.position;
     const State &earlier = swapped ? stateB : stateA, &later = swapped ? stateA : stateB;
-    key.words = {earlier.position, later.position, 0, 0};
+    word = earlier.position;
     return earlier.box.meets(later.box);
 }
 
-void dxOrderedSweepSpace::expect(Slot a, Slot b) const {
-    for (const Slot slot : {a, b}) {
-        members().expect(slot);
-        __builtin_prefetch(&m_states[slot]);
-    }
+bool dxOrderedSweepSpace::follow(Slot, Slot second, dxPairKey &key) const {
+    key.words[1] = m_states[second].position;
+    key.words[2] = key.words[3] = 0;
+    return true;
+}
+
+void dxOrderedSweepSpace::expect(Slot slot) const {
+    members().expect(slot);
+    __builtin_prefetch(&m_states[slot]);
 }
 
 void dxOrderedSweepSpace::pairInfinite(std::vector<dxOrderedPair> &pairs) const {

@@ -38,8 +38,9 @@ private:
     };
 
     void update(std::vector<dxOrderedPair> &pairs) override;
-    bool place(Slot a, Slot b, dxPairKey &key, bool &swapped) const override;
-    void expect(Slot a, Slot b) const override;
+    bool lead(Slot a, Slot b, std::uint64_t &word, bool &swapped) const override;
+    bool follow(Slot first, Slot second, dxPairKey &key) const override;
+    void expect(Slot slot) const override;
     void deliver(void *data, dNearCallback *callback) override;
     void walk(void *data, dNearCallback *callback) override;
     void collideWith(void *data, dxGeom *geom, dNearCallback *callback) override;

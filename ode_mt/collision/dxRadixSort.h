@@ -10,7 +10,8 @@
 
 struct dxSortItem {
     std::uint64_t key;
-    std::uint32_t index;  // the owner's
+    std::uint32_t index;        // the owner's
+    std::uint32_t partner = 0;  // what else belongs to it; of no meaning here
 };
 
 // `spare` is memory for the passes, kept by the owner from call to call.
