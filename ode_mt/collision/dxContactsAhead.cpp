@@ -21,7 +21,7 @@ __attribute__((tls_model("initial-exec"))) thread_local dxContactsAhead *t_curre
 constexpr std::size_t kWindow = 2048;
 // Pairs after which the flags are known, or are looked at again.
 constexpr std::size_t kBlindWindow = 16;
-constexpr std::size_t kPiece = 8;  // that one worker takes at once: a convex pair may take twenty microseconds
+constexpr std::size_t kPiece = 128;  // that one worker takes at once: a convex pair may take twenty microseconds
 
 // Contacts a pair for which scratch memory is kept.
 constexpr int kMostContacts = 4096;
@@ -110,7 +110,7 @@ void dxContactsAhead::start(dxTaskRunner &runner) {
     m_runner = &runner;
     m_pair = nullptr;
     m_begin = m_end = 0;
-    m_results.clear();
+    m_hasResults = false;
     m_computed = m_used = 0;
     if (m_callsWithout > 0) --m_callsWithout;
     while (m_workers.size() < runner.workers()) m_workers.emplace_back();
@@ -118,7 +118,7 @@ void dxContactsAhead::start(dxTaskRunner &runner) {
 
 void dxContactsAhead::end() {
     m_pair = nullptr;
-    m_results.clear();
+    m_hasResults = false;
     if (m_computed < kTelling) return;
     if (2 * m_used >= m_computed) {
         m_nextPause = 0;
@@ -136,7 +136,7 @@ bool dxContactsAhead::maySpend() const {
 
 void dxContactsAhead::nextWindow(const std::vector<dxOrderedPair> &pairs, std::size_t index) {
     m_begin = index;
-    m_results.clear();
+    m_hasResults = false;
     if (!maySpend()) {
         m_end = index + kBlindWindow;
         return;
@@ -147,16 +147,20 @@ void dxContactsAhead::nextWindow(const std::vector<dxOrderedPair> &pairs, std::s
 
 void dxContactsAhead::computeWindow(const std::vector<dxOrderedPair> &pairs) {
     m_windowFlags = m_flags;
-    m_results.resize(m_end - m_begin);
-    for (Worker &worker : m_workers) worker.startWindow();
-    m_runner->forPieces(m_results.size(), kPiece, [&](std::size_t begin, std::size_t end, unsigned worker) {
+    m_hasResults = true;
+    ++m_window;
+    const std::size_t size = m_end - m_begin;
+    if (m_results.size() < size) m_results.resize(size);
+    m_runner->forPieces(size, kPiece, [&](std::size_t begin, std::size_t end, unsigned worker) {
         const SilentScope silent;
+        m_workers[worker].enterWindow(m_window);
         for (std::size_t i = begin; i < end; ++i) {
             dxPairPrefetch::ahead(pairs, m_begin + i);
             compute(pairs[m_begin + i], m_results[i], worker);
         }
     });
-    for (const Result &result : m_results) m_computed += result.count != kUnknown;
+    for (const Worker &worker : m_workers)
+        if (worker.window == m_window) m_computed += worker.computed;
 }
 
 void dxContactsAhead::compute(const dxOrderedPair &pair, Result &result, unsigned number) {
@@ -172,18 +176,29 @@ void dxContactsAhead::compute(const dxOrderedPair &pair, Result &result, unsigne
         worker.wipe(worker.used, worker.used + most);
         return;
     }
-    result.worker = number;
+    result.worker = static_cast<std::uint16_t>(number);
     result.isUsed = false;
-    result.first = worker.used;
-    result.states[0] = dxColliderState(*pair.first);
-    result.states[1] = dxColliderState(*pair.second);
+    result.first = static_cast<std::uint32_t>(worker.used);
+    result.states = worker.keepStates({dxColliderState(*pair.first), dxColliderState(*pair.second)});
     worker.used += static_cast<std::size_t>(result.count);
+    ++worker.computed;
     worker.wipeDrafts();
 }
 
-void dxContactsAhead::Worker::startWindow() {
+// What is left of the window before.
+void dxContactsAhead::Worker::enterWindow(std::uint64_t newWindow) {
+    if (window == newWindow) return;
+    window = newWindow;
     wipe(0, used);
     used = 0;
+    states.clear();
+    computed = 0;
+}
+
+std::uint32_t dxContactsAhead::Worker::keepStates(const States &both) {
+    if (both.first == 0 && both.second == 0) return kNoStates;
+    states.push_back(both);
+    return static_cast<std::uint32_t>(states.size() - 1);
 }
 
 void dxContactsAhead::Worker::makeRoom(std::size_t more) {
@@ -205,15 +220,17 @@ void dxContactsAhead::Worker::wipeDrafts() {
 int dxContactsAhead::answer(dGeomID o1, dGeomID o2, int flags, dContactGeom *contacts, int skip) {
     if (m_pair == nullptr || o1 != m_pair->first || o2 != m_pair->second) return kUnknown;
     m_flags = flags;
-    if (m_results.empty() || flags != m_windowFlags || contacts == nullptr) return kUnknown;
+    if (!m_hasResults || flags != m_windowFlags || contacts == nullptr) return kUnknown;
     Result &result = m_results[m_index];
     if (result.count == kUnknown || skip < static_cast<int>(sizeof(dContactGeom))) return kUnknown;
-    if (result.states[0] != dxColliderState(*o1) || result.states[1] != dxColliderState(*o2) ||
+    const Worker &worker = m_workers[result.worker];
+    const States states = result.states == kNoStates ? States{0, 0} : worker.states[result.states];
+    if (states.first != dxColliderState(*o1) || states.second != dxColliderState(*o2) ||
         dxColliderOverrides::has(o1->type, o2->type))
         return kUnknown;
     m_used += !result.isUsed;
     result.isUsed = true;
-    const dContactGeom *const found = m_workers[result.worker].contacts.data() + result.first;
+    const dContactGeom *const found = worker.contacts.data() + result.first;
     for (int i = 0; i < result.count; ++i) copyWritten(found[i], *CONTACT(contacts, i * skip));
     return result.count;
 }

@@ -58,22 +58,33 @@ public:
 
 private:
     static constexpr int kUnknown = -1;
+    static constexpr std::uint32_t kNoStates = UINT32_MAX;
 
+    // Small, because it goes from one core to another for every pair.
     struct Result {
-        int count;  // kUnknown
-        unsigned worker;
-        std::size_t first;  // among the worker's contacts
-        std::uint64_t states[2];
+        std::int32_t count;  // kUnknown
+        std::uint32_t first;  // among the worker's contacts
+        std::uint32_t states;  // kNoStates, or a place among the worker's states
+        std::uint16_t worker;
         bool isUsed;
+    };
+
+    // dxColliderState of both geoms.
+    struct States {
+        std::uint64_t first, second;
     };
 
     struct alignas(64) Worker {
         std::vector<dContactGeom> contacts;  // of the window; from `used` on they hold the pattern
         std::size_t used = 0;
+        std::vector<States> states;          // those that are not nothing
+        std::uint64_t window = 0;            // whose contacts they are
+        std::uint64_t computed = 0;          // pairs in it
         dxColliderCopies copies;
 
-        void startWindow();
+        void enterWindow(std::uint64_t window);
         void makeRoom(std::size_t contacts);
+        std::uint32_t keepStates(const States &both);
         void wipe(std::size_t begin, std::size_t end);
         void wipeDrafts();
     };
@@ -89,7 +100,9 @@ private:
     const dxOrderedPair *m_pair = nullptr;  // whose callback runs
     std::size_t m_begin = 0, m_end = 0;     // the window
     std::size_t m_index = 0;                // of the pair in the window
-    std::vector<Result> m_results;          // of the window; empty: nothing was computed
+    std::vector<Result> m_results;          // the first ones are those of the window
+    bool m_hasResults = false;
+    std::uint64_t m_window = 0;             // its number
     std::vector<Worker> m_workers;
     int m_flags = 0;  // of the last dCollide; 0: none yet
     int m_windowFlags = 0;
