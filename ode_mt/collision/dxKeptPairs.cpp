@@ -11,6 +11,9 @@ constexpr std::size_t kPiece = 256;
 // Items between asking the memory for one and working on it.
 constexpr std::size_t kAhead = 8;
 
+// Pairs of one geom that are sorted by insertion.
+constexpr std::size_t kShortRun = 32;
+
 constexpr dxMembers::Slot kNobody = UINT32_MAX;
 
 }  // namespace
@@ -45,16 +48,18 @@ void dxKeptPairs::sortByLead(const dxMembers &members, const std::vector<dxPairS
 void dxKeptPairs::placeAll(const dxMembers &members, const dxPairPlacer &placer, dxTaskRunner &runner) {
     m_nextKeys.resize(m_items.size());
     m_nextPairs.resize(m_items.size());
+    if (m_longRuns.size() < runner.workers()) m_longRuns.resize(runner.workers());
     std::atomic<bool> allPlaced{true};
-    runner.forPieces(m_items.size(), kPiece, [&](std::size_t begin, std::size_t end, unsigned) {
-        if (!placeRuns(members, placer, begin, end)) allPlaced.store(false, std::memory_order_relaxed);
+    runner.forPieces(m_items.size(), kPiece, [&](std::size_t begin, std::size_t end, unsigned worker) {
+        if (!placeRuns(members, placer, begin, end, m_longRuns[worker])) allPlaced.store(false, std::memory_order_relaxed);
     });
     if (!allPlaced) leaveOutUnplaced();
 }
 
 // Of the runs of one first word that begin in [begin, end). Whether upstream brings all of their pairs; those that it does
 // not bring stand last in their runs, without geoms.
-bool dxKeptPairs::placeRuns(const dxMembers &members, const dxPairPlacer &placer, std::size_t begin, std::size_t end) {
+bool dxKeptPairs::placeRuns(const dxMembers &members, const dxPairPlacer &placer, std::size_t begin, std::size_t end,
+                            LongRun &longRun) {
     const std::size_t size = m_items.size();
     bool all = true;
     while (begin != 0 && begin < end && m_items[begin].key == m_items[begin - 1].key) ++begin;
@@ -65,9 +70,11 @@ bool dxKeptPairs::placeRuns(const dxMembers &members, const dxPairPlacer &placer
             const dxMembers::Slot first = m_items[last].index, second = m_items[last].partner;
             dxPairKey key;
             key.words[0] = m_items[last].key;
-            if (placer.follow(first, second, key))
-                insertSorted(begin, placed++, key, {members[first].geom, members[second].geom, {first, second}});
+            if (!placer.follow(first, second, key)) continue;
+            m_nextKeys[placed] = key;
+            m_nextPairs[placed++] = {members[first].geom, members[second].geom, {first, second}};
         }
+        sortRun(begin, placed, longRun);
         all = all && placed == last;
         for (; placed != last; ++placed) m_nextPairs[placed].first = nullptr;
         begin = last;
@@ -75,15 +82,30 @@ bool dxKeptPairs::placeRuns(const dxMembers &members, const dxPairPlacer &placer
     return all;
 }
 
-// Into the run from `begin` on, which has grown to `last`. Runs are short.
-void dxKeptPairs::insertSorted(std::size_t begin, std::size_t last, const dxPairKey &key, const dxOrderedPair &pair) {
-    std::size_t at = last;
-    for (; at > begin && key < m_nextKeys[at - 1]; --at) {
-        m_nextKeys[at] = m_nextKeys[at - 1];
-        m_nextPairs[at] = m_nextPairs[at - 1];
+// Runs are short, mostly. Counting for each pair those that come before it, without branches, takes as long.
+void dxKeptPairs::sortRun(std::size_t begin, std::size_t end, LongRun &longRun) {
+    if (end - begin > kShortRun) return sortLongRun(begin, end, longRun);
+    for (std::size_t i = begin + 1; i < end; ++i) {
+        const dxPairKey key = m_nextKeys[i];
+        const dxOrderedPair pair = m_nextPairs[i];
+        std::size_t at = i;
+        for (; at > begin && key.followsBefore(m_nextKeys[at - 1]); --at) {
+            m_nextKeys[at] = m_nextKeys[at - 1];
+            m_nextPairs[at] = m_nextPairs[at - 1];
+        }
+        m_nextKeys[at] = key;
+        m_nextPairs[at] = pair;
     }
-    m_nextKeys[at] = key;
-    m_nextPairs[at] = pair;
+}
+
+void dxKeptPairs::sortLongRun(std::size_t begin, std::size_t end, LongRun &run) {
+    run.clear();
+    for (std::size_t i = begin; i < end; ++i) run.push_back({m_nextKeys[i], m_nextPairs[i]});
+    std::sort(run.begin(), run.end(), [](const Placed &a, const Placed &b) { return a.key.followsBefore(b.key); });
+    for (std::size_t i = begin; i < end; ++i) {
+        m_nextKeys[i] = run[i - begin].key;
+        m_nextPairs[i] = run[i - begin].pair;
+    }
 }
 
 void dxKeptPairs::leaveOutUnplaced() {

@@ -39,11 +39,19 @@ public:
                 const dxPairPlacer &placer, dxTaskRunner &runner, std::vector<dxOrderedPair> &pairs);
 
 private:
+    struct Placed {
+        dxPairKey key;
+        dxOrderedPair pair;
+    };
+    using LongRun = std::vector<Placed>;  // a worker's memory for sorting one
+
     void sortByLead(const dxMembers &members, const std::vector<dxPairSearch::Match> &matches,
                     const dxPairPlacer &placer, dxTaskRunner &runner);
     void placeAll(const dxMembers &members, const dxPairPlacer &placer, dxTaskRunner &runner);
-    bool placeRuns(const dxMembers &members, const dxPairPlacer &placer, std::size_t begin, std::size_t end);
-    void insertSorted(std::size_t begin, std::size_t last, const dxPairKey &key, const dxOrderedPair &pair);
+    bool placeRuns(const dxMembers &members, const dxPairPlacer &placer, std::size_t begin, std::size_t end,
+                   LongRun &longRun);
+    void sortRun(std::size_t begin, std::size_t end, LongRun &longRun);
+    void sortLongRun(std::size_t begin, std::size_t end, LongRun &run);
     void leaveOutUnplaced();
     void merge(const dxMembers &members, std::vector<dxOrderedPair> &pairs);
 
@@ -51,5 +59,6 @@ private:
     std::vector<dxOrderedPair> m_nextPairs;
     std::vector<dxPairKey> m_keptKeys;
     std::vector<dxOrderedPair> m_keptPairs;
+    std::vector<LongRun> m_longRuns;  // by worker
     std::vector<dxSortItem> m_items, m_spare;  // first words, with the slots of first and second geoms
 };
