@@ -22,38 +22,38 @@ void dxAdaptiveSearch::search(const dxMembers &members, dxTaskRunner &runner, st
     chooseTable(members);
     if (m_table != nullptr)
         m_table->search(members, runner, matches);
-    else if (m_batch != nullptr)
-        searchBatch(members, runner, matches);
+    else if (m_verlet != nullptr)
+        searchVerlet(members, runner, matches);
     else
         searchNeighbours(members, runner, matches);
 }
 
 // A batch knows nothing of the calls before.
 void dxAdaptiveSearch::chooseTable(const dxMembers &members) {
-    const bool isFirst = m_table == nullptr && m_batch == nullptr && m_neighbours == nullptr;
+    const bool isFirst = m_table == nullptr && m_verlet == nullptr && m_neighbours == nullptr;
     const std::size_t most = isFirst || m_table != nullptr ? kLargestTable : kLargestTable / 2;
     const bool shallBeTable = members.end() <= most;
     if (!isFirst && shallBeTable == isTable()) return;
     m_table.reset();
-    m_batch.reset();
+    m_verlet.reset();
     m_neighbours.reset();
     m_quietCalls = 0;
     if (shallBeTable) {
         m_table = std::make_unique<dxTableSearch>();
         m_table->adopt(members);
     } else {
-        m_batch = std::make_unique<dxBatchSearch>();
+        m_verlet = std::make_unique<dxVerletSearch>();
     }
 }
 
-void dxAdaptiveSearch::searchBatch(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) {
+void dxAdaptiveSearch::searchVerlet(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) {
     const bool isQuiet = members.changed().size() * kBatchPerLookUp < members.end();
     m_quietCalls = isQuiet ? m_quietCalls + 1 : 0;
     if (m_quietCalls < kQuietCalls) {
-        m_batch->search(members, runner, matches);
+        m_verlet->search(members, runner, matches);
         return;
     }
-    m_batch.reset();
+    m_verlet.reset();
     m_neighbours = std::make_unique<dxNeighbourSearch>();
     m_neighbours->adopt(members);
     m_neighbours->search(members, runner, matches);
@@ -64,6 +64,6 @@ void dxAdaptiveSearch::searchNeighbours(const dxMembers &members, dxTaskRunner &
     const std::size_t lookUps = m_neighbours->lookedUp();
     if (lookUps < kLeastLookUps || lookUps * kBatchPerLookUp < members.end()) return;
     m_neighbours.reset();
-    m_batch = std::make_unique<dxBatchSearch>();
+    m_verlet = std::make_unique<dxVerletSearch>();
     m_quietCalls = 0;
 }

@@ -31,7 +31,11 @@ public:
     void remove(Slot slot);
 
     // Asks the memory for a member that will be looked at soon.
-    void expect(Slot slot) const { __builtin_prefetch(&m_members[slot]); }
+    void expect(Slot slot) const {
+        const char *const place = reinterpret_cast<const char *>(&m_members[slot]);
+        __builtin_prefetch(place);
+        __builtin_prefetch(place + sizeof(Member) - 1);
+    }
 
     const Member &operator[](Slot slot) const { return m_members[slot]; }
     Slot end() const { return static_cast<Slot>(m_members.size()); }  // slots are below

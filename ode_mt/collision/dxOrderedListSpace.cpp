@@ -10,6 +10,9 @@ namespace {
 // Geoms against a space that is walked, between two moves, after which an index pays for the ranks that it needs.
 constexpr int kMostWalks = 8;
 
+// Geoms between asking the memory for one and looking at it.
+constexpr std::size_t kGeomsAhead = 8;
+
 bool isDirty(const dxGeom *geom) { return (geom->gflags & GEOM_DIRTY) != 0; }
 
 // As upstream's collide2.
@@ -37,6 +40,7 @@ void dxOrderedListSpace::cleanAndRank() {
     dxRank next = members().firstOf(count);
     computeBoxes(m_dirty);
     for (std::size_t i = 0; i < m_dirty.size(); ++i) {
+        if (i + kGeomsAhead < m_dirty.size()) members().expect(slotOf(m_dirty[i + kGeomsAhead]));
         clean(m_dirty, i);
         rank(m_dirty[i], next--);
     }

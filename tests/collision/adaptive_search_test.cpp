@@ -45,12 +45,12 @@ TEST_F(AdaptiveSearch, FollowsWhatTheCrowdDoes) {
             travel();
             check();
         }
-        EXPECT_TRUE(search.isBatch());
+        EXPECT_TRUE(search.isVerlet());
         for (int i = 0; i < 20; ++i) {
             stir();
             check();
         }
-        EXPECT_FALSE(search.isBatch());
+        EXPECT_FALSE(search.isVerlet());
     }
 }
 
@@ -61,7 +61,7 @@ TEST_F(AdaptiveSearch, ABurstNowAndThenDoesNotMakeItGoBackAndForth) {
         else
             stir();
         check();
-        EXPECT_TRUE(search.isBatch());
+        EXPECT_TRUE(search.isVerlet());
     }
 }
 

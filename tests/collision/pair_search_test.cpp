@@ -8,6 +8,7 @@
 #include "collision/dxBatchSearch.h"
 #include "collision/dxNeighbourSearch.h"
 #include "collision/dxTableSearch.h"
+#include "collision/dxVerletSearch.h"
 
 namespace {
 
@@ -16,7 +17,7 @@ using Slot = SearchedMembers::Slot;
 template <class Search>
 class PairSearch : public testing::Test {};
 
-using Searches = testing::Types<dxAdaptiveSearch, dxBatchSearch, dxNeighbourSearch, dxTableSearch>;
+using Searches = testing::Types<dxAdaptiveSearch, dxBatchSearch, dxNeighbourSearch, dxTableSearch, dxVerletSearch>;
 TYPED_TEST_SUITE(PairSearch, Searches);
 
 struct Churn {

@@ -1,0 +1,192 @@
+#include "collision/dxVerletSearch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace {
+
+// The skin, as a share of a box's longest edge. A wider one means fewer lists and more candidates that do not touch.
+constexpr dReal kSkin = 0.05;
+
+// What travels gets room for so many calls, but not for more than its longest edge.
+constexpr dReal kCallsAhead = 8;
+
+// Growing a stored box takes about a three hundredth of the time that making a list takes, whatever their number.
+constexpr std::size_t kGrowthsForAList = 250;
+
+// Where one of so many members has left its stored box in one call, a list is made rather.
+constexpr std::size_t kManyEscaped = 8;
+
+// A list has to serve so many calls to be worth its making; after so many that did not, none is made for a while.
+constexpr std::size_t kShort = 3;
+constexpr unsigned kPatience = 3, kPause = 32;
+
+// What one worker takes at once: some ten microseconds.
+constexpr std::size_t kMemberPiece = 512, kCandidatePiece = 2048;
+
+// Members between asking the memory for one and looking at it.
+constexpr std::size_t kAhead = 8;
+
+// Marks beside those of dxPackedBoxes: the slot has a stored box; the box is not within it.
+constexpr dxPackedBoxes::Marks kStored = 4, kEscaped = 8;
+
+bool isSame(const dxBounds &a, const dxBounds &b) { return std::memcmp(a.v, b.v, sizeof a.v) == 0; }
+
+// That overlaps whatever one of the two does.
+dxBounds hullOf(const dxBounds &a, const dxBounds &b) {
+    dxBounds hull;
+    for (int axis = 0; axis < 3; ++axis) {
+        hull.v[2 * axis] = std::fmin(a.low(axis), b.low(axis));
+        hull.v[2 * axis + 1] = std::fmax(a.high(axis), b.high(axis));
+    }
+    return hull;
+}
+
+// A NaN bound overlaps everything.
+dxBounds withoutNaN(dxBounds box) {
+    for (int bound = 0; bound < 6; ++bound)
+        if (std::isnan(box.v[bound])) box.v[bound] = bound % 2 == 0 ? -dInfinity : dInfinity;
+    return box;
+}
+
+}  // namespace
+
+void dxVerletSearch::search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) {
+    ++m_calls;
+    if (m_callsWithout > 0) {
+        --m_callsWithout;
+        m_hasList = false;
+        m_batch.search(members, runner, matches);
+        return;
+    }
+    if (!m_hasList || !noteChanges(members, runner)) makeList(members, runner);
+    compareCandidates(runner, matches);
+    forgetChanges(members);
+}
+
+void dxVerletSearch::makeList(const dxMembers &members, dxTaskRunner &runner) {
+    m_shortLists = m_calls < kShort ? m_shortLists + 1 : 0;
+    if (m_shortLists == kPatience) {
+        m_shortLists = 0;
+        m_callsWithout = kPause;
+    }
+    resize(members.end());
+    m_grown = members;
+    for (Slot slot = 0; slot < members.end(); ++slot) {
+        m_boxes.marks(slot) = 0;
+        if (members[slot].geom == nullptr) continue;
+        const bool isChanged = members.isChanged(slot);
+        m_boxes.marks(slot) = dxPackedBoxes::kKnown | kStored | (isChanged ? dxPackedBoxes::kChanged : 0);
+        m_boxes.set(slot, members[slot].bounds);
+        store(slot, boxToStore(members, slot));
+        m_grown.setBounds(slot, m_stored[slot]);
+        m_grown.markChanged(slot);
+        m_starts[slot] = {members[slot].geom, members[slot].bounds};
+    }
+    m_candidates.clear();
+    m_batch.search(m_grown, runner, m_candidates);
+    m_calls = m_growths = 0;
+    m_hasList = true;
+    ++m_lists;
+}
+
+void dxVerletSearch::resize(std::size_t slots) {
+    m_boxes.resize(slots);
+    m_starts.resize(slots);
+    m_stored.resize(slots);
+    while (m_storedTable.size() < slots) m_storedTable.push(dxBounds());
+}
+
+void dxVerletSearch::store(Slot slot, const dxBounds &box) {
+    m_stored[slot] = box;
+    m_storedTable.set(slot, box);
+}
+
+// How far it went since the last list tells how far it will go. Without a skin: what rests.
+dxBounds dxVerletSearch::boxToStore(const dxMembers &members, Slot slot) const {
+    const dxBounds &box = members[slot].bounds, &start = m_starts[slot].box;
+    const bool isOld = m_starts[slot].geom == members[slot].geom;
+    if (!box.isProper()) return withoutNaN(box);
+    if (isOld && !members.isChanged(slot) && isSame(box, start)) return box;
+    const dReal edge = box.longestEdge();
+    dxBounds stored = box.grown(kSkin * edge);
+    if (!isOld) return stored;
+    const dReal callsPerCall = kCallsAhead / static_cast<dReal>(m_calls);
+    for (int bound = 0; bound < 6; ++bound) {
+        const dReal way = std::fmax(-edge, std::fmin(edge, (box.v[bound] - start.v[bound]) * callsPerCall));
+        const bool isOutwards = bound % 2 == 0 ? way < 0 : way > 0;
+        if (isOutwards) stored.v[bound] += way;
+    }
+    return stored;
+}
+
+bool dxVerletSearch::noteChanges(const dxMembers &members, dxTaskRunner &runner) {
+    resize(members.end());
+    const std::vector<Slot> &changed = members.changed();
+    runner.forPieces(changed.size(), kMemberPiece, [&](std::size_t begin, std::size_t end, unsigned) {
+        for (std::size_t i = begin; i < end; ++i) {
+            if (i + kAhead < end) expect(members, changed[i + kAhead]);
+            noteBox(members, changed[i]);
+        }
+    });
+    m_escaped.clear();
+    for (const Slot slot : changed)
+        if ((m_boxes.marks(slot) & kEscaped) != 0) m_escaped.push_back(slot);
+    if (m_growths + m_escaped.size() > kGrowthsForAList || m_escaped.size() * kManyEscaped > members.end())
+        return false;
+    for (const Slot slot : m_escaped) grow(members, slot);
+    return true;
+}
+
+void dxVerletSearch::expect(const dxMembers &members, Slot slot) const {
+    members.expect(slot);
+    m_boxes.expect(slot);
+    __builtin_prefetch(&m_stored[slot]);
+}
+
+void dxVerletSearch::noteBox(const dxMembers &members, Slot slot) {
+    dxPackedBoxes::Marks &marks = m_boxes.marks(slot);
+    const bool hasStored = (marks & kStored) != 0;
+    marks = hasStored ? kStored : 0;
+    if (members[slot].geom == nullptr) return;
+    const dxBounds &box = members[slot].bounds;
+    m_boxes.set(slot, box);
+    marks |= dxPackedBoxes::kKnown | dxPackedBoxes::kChanged;
+    if (!hasStored || !m_stored[slot].contains(box)) marks |= kEscaped;
+}
+
+void dxVerletSearch::grow(const dxMembers &members, Slot slot) {
+    dxPackedBoxes::Marks &marks = m_boxes.marks(slot);
+    const bool hadStored = (marks & kStored) != 0;
+    const dxBounds before = m_stored[slot], wanted = boxToStore(members, slot);
+    const dxBounds grown = hadStored ? hullOf(before, wanted) : wanted;
+    m_met.resize(m_storedTable.size());
+    const std::size_t met = dxOverlappingRows(m_storedTable, grown, 0, m_met.data());
+    for (std::size_t i = 0; i < met; ++i) {
+        const Slot other = m_met[i];
+        if (other == slot || (m_boxes.marks(other) & kStored) == 0) continue;
+        if (!hadStored || !before.overlaps(m_stored[other])) m_candidates.push_back({slot, other});
+    }
+    store(slot, grown);
+    marks = static_cast<dxPackedBoxes::Marks>((marks | kStored) & ~kEscaped);
+    ++m_growths;
+}
+
+void dxVerletSearch::compareCandidates(dxTaskRunner &runner, std::vector<Match> &matches) {
+    if (m_found.size() < runner.workers()) m_found.resize(runner.workers());
+    for (Found &found : m_found) found.count = 0;
+    runner.forPieces(m_candidates.size(), kCandidatePiece, [&](std::size_t begin, std::size_t end, unsigned worker) {
+        Found &found = m_found[worker];
+        if (found.matches.size() < found.count + (end - begin)) found.matches.resize(2 * found.count + (end - begin));
+        found.count += dxOverlappingCandidates(m_boxes, m_candidates.data() + begin, end - begin,
+                                               found.matches.data() + found.count);
+    });
+    for (const Found &found : m_found)
+        matches.insert(matches.end(), found.matches.data(), found.matches.data() + found.count);
+}
+
+void dxVerletSearch::forgetChanges(const dxMembers &members) {
+    for (const Slot slot : members.changed())
+        m_boxes.marks(slot) = static_cast<dxPackedBoxes::Marks>(m_boxes.marks(slot) & ~dxPackedBoxes::kChanged);
+}

@@ -1,0 +1,100 @@
+// dxVerletSearch: its lists serve many calls while boxes move a little, whatever moves beside them; none is made while
+// boxes jump about. That it finds what all searches find is pair_search_test's.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "RandomBoxes.h"
+#include "SearchedMembers.h"
+#include "collision/dxVerletSearch.h"
+
+namespace {
+
+using Slot = SearchedMembers::Slot;
+
+class VerletSearch : public testing::Test {
+protected:
+    VerletSearch() {
+        for (Slot i = 0; i < kBoxes; ++i) {
+            m_crowd.add(cubeAt(somewhere(), somewhere(), somewhere()));
+            m_ways.push_back({m_random.uniform(-1, 1), m_random.uniform(-1, 1), m_random.uniform(-1, 1)});
+        }
+    }
+
+    dReal somewhere() { return m_random.uniform(-6, 6); }
+
+    void move(Slot slot, dReal share) {
+        dxBounds box = m_crowd.members()[slot].bounds;
+        for (int bound = 0; bound < 6; ++bound) box.v[bound] += share * m_ways[slot].by[bound / 2];
+        m_crowd.move(slot, box);
+    }
+
+    void check() {
+        const auto expected = m_crowd.expected();
+        m_pairs += expected.size();
+        ASSERT_EQ(m_crowd.found(m_search), expected);
+    }
+
+    struct Way {
+        dReal by[3];
+    };
+
+    static constexpr Slot kBoxes = 300;
+    RandomBoxes m_random{21};
+    SearchedMembers m_crowd;
+    std::vector<Way> m_ways;
+    dxVerletSearch m_search;
+    std::size_t m_pairs = 0;
+};
+
+TEST_F(VerletSearch, AListServesManyCallsOfBoxesThatTravel) {
+    for (int call = 0; call < 100; ++call) {
+        for (Slot slot = 0; slot < kBoxes; ++slot) move(slot, 0.02);
+        check();
+    }
+    EXPECT_LT(m_search.lists(), 25u);
+    EXPECT_GT(m_pairs, 10000u);
+}
+
+// Back and forth, at rest for a while, some at a time: boxes leave the stored ones at every side.
+TEST_F(VerletSearch, FindsWhatOverlapsWhileBoxesTurnRestAndLeave) {
+    for (int call = 0; call < 200; ++call) {
+        for (Slot slot = 0; slot < kBoxes; ++slot) {
+            if (m_random.oneIn(10)) m_ways[slot].by[m_random.below(3)] *= -1;
+            if ((static_cast<int>(slot) + call) % 7 < 5) move(slot, m_random.oneIn(40) ? 1 : 0.03);
+        }
+        check();
+    }
+    EXPECT_LT(m_search.lists(), 100u);
+}
+
+// Some are always on the way out of what they are stored in, others come and go; slots are given again.
+TEST_F(VerletSearch, GrowsForAFewWithoutANewList) {
+    for (int call = 0; call < 60; ++call) {
+        const Slot slot = m_random.below(kBoxes);
+        if (!m_crowd.isThere(slot))
+            m_crowd.add(m_random.oneIn(4) ? m_random.box() : cubeAt(somewhere(), somewhere(), somewhere()));
+        else if (m_random.oneIn(2))
+            m_crowd.remove(slot);
+        else
+            m_crowd.move(slot, m_random.oneIn(4) ? m_random.box() : cubeAt(somewhere(), somewhere(), somewhere()));
+        check();
+    }
+    EXPECT_EQ(m_search.lists(), 1u);
+}
+
+TEST_F(VerletSearch, DoesWithoutListsWhileBoxesJump) {
+    for (int call = 0; call < 100; ++call) {
+        for (Slot slot = 0; slot < kBoxes; ++slot) m_crowd.move(slot, cubeAt(somewhere(), somewhere(), somewhere()));
+        check();
+    }
+    EXPECT_LT(m_search.lists(), 15u);
+    for (int call = 0; call < 100; ++call) {
+        for (Slot slot = 0; slot < kBoxes; ++slot) move(slot, 0.01);
+        check();
+    }
+    EXPECT_LT(m_search.lists(), 40u);
+}
+
+}  // namespace
