@@ -29,6 +29,7 @@ void addKinematicBodies(Catalogue &catalogue);
 void addLargeIslands(Catalogue &catalogue);
 void addLockedSpaces(Catalogue &catalogue);
 void addManyContacts(Catalogue &catalogue);
+void addManyRows(Catalogue &catalogue);
 void addMeshCallbacks(Catalogue &catalogue);
 void addMessages(Catalogue &catalogue);
 void addMotorJoints(Catalogue &catalogue);
@@ -40,6 +41,7 @@ void addRandomStream(Catalogue &catalogue);
 void addSensors(Catalogue &catalogue);
 void addSeveralWorlds(Catalogue &catalogue);
 void addSharedScenes(Catalogue &catalogue);
+void addSingularIslands(Catalogue &catalogue);
 void addSleepingCrowds(Catalogue &catalogue);
 void addSliderJoints(Catalogue &catalogue);
 void addSpaceChurn(Catalogue &catalogue);
@@ -52,6 +54,10 @@ void addUniversalJoints(Catalogue &catalogue);
 void addUserColliders(Catalogue &catalogue);
 void addUserGeomClass(Catalogue &catalogue);
 void addUserThreading(Catalogue &catalogue);
+void addWanderingRows(Catalogue &catalogue);
+void addWideContacts(Catalogue &catalogue);
+void addWideExtremes(Catalogue &catalogue);
+void addWideLattices(Catalogue &catalogue);
 void addWorldParameters(Catalogue &catalogue);
 
 }  // namespace exactness

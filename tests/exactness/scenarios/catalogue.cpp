@@ -14,6 +14,13 @@ Scenario collisionScenario(std::string name, std::string meaning, int steps, Sce
     return scenario;
 }
 
+Scenario teamScenario(std::string name, std::string meaning, int steps, Scenario::Make make) {
+    Scenario scenario{std::move(name), std::move(meaning), steps, std::move(make)};
+    scenario.steppers = {scenes::Stepper::Quick};
+    scenario.byTeam = true;
+    return scenario;
+}
+
 const Catalogue &catalogue() {
     static const Catalogue scenarios = [] {
         Catalogue all;
@@ -41,6 +48,7 @@ const Catalogue &catalogue() {
         addLargeIslands(all);
         addLockedSpaces(all);
         addManyContacts(all);
+        addManyRows(all);
         addMeshCallbacks(all);
         addMessages(all);
         addMotorJoints(all);
@@ -52,6 +60,7 @@ const Catalogue &catalogue() {
         addSensors(all);
         addSeveralWorlds(all);
         addSharedScenes(all);
+        addSingularIslands(all);
         addSleepingCrowds(all);
         addSliderJoints(all);
         addSpaceChurn(all);
@@ -64,6 +73,10 @@ const Catalogue &catalogue() {
         addUserColliders(all);
         addUserGeomClass(all);
         addUserThreading(all);
+        addWanderingRows(all);
+        addWideContacts(all);
+        addWideExtremes(all);
+        addWideLattices(all);
         addWorldParameters(all);
         return all;
     }();

@@ -41,6 +41,9 @@ Scenario::Make make(Arguments... arguments) {
 Scenario collisionScenario(std::string name, std::string meaning, int steps, Scenario::Make make,
                            Scenario::Callbacks callbacks = Scenario::Callbacks::oneAtATime);
 
+// A scenario about one island that several workers step together, which they do with QuickStep only.
+Scenario teamScenario(std::string name, std::string meaning, int steps, Scenario::Make make);
+
 using Catalogue = std::vector<Scenario>;
 const Catalogue &catalogue();
 

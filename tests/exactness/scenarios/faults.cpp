@@ -33,12 +33,6 @@ protected:
         dSetDebugHandler(&handle);
         dSetErrorHandler(&handle);
         addGround();
-        addParts([this](int part, Vector3 origin) {
-            for (int i = 0; i < 5; ++i) {
-                addBox(origin + Vector3{0, dReal(0.01) * part, dReal(0.25) + dReal(0.5) * i}, {0.5, 0.5, 0.5},
-                       1);
-            }
-        });
     }
 
 private:
@@ -61,10 +55,22 @@ private:
     bool m_faulted = false;
 };
 
+class FaultOfStacks : public Fault {
+protected:
+    explicit FaultOfStacks(Stepper stepper) : Fault(stepper) {
+        addParts([this](int part, Vector3 origin) {
+            for (int i = 0; i < 5; ++i) {
+                addBox(origin + Vector3{0, dReal(0.01) * part, dReal(0.25) + dReal(0.5) * i}, {0.5, 0.5, 0.5},
+                       1);
+            }
+        });
+    }
+};
+
 // A body half way in the order of islands gets a force that is not a number.
-class NotANumber : public Fault {
+class NotANumber : public FaultOfStacks {
 public:
-    explicit NotANumber(Stepper stepper) : Fault(stepper) {}
+    explicit NotANumber(Stepper stepper) : FaultOfStacks(stepper) {}
 
     void control() override {
         if (frameNumber() != 20) return;
@@ -74,9 +80,9 @@ public:
 };
 
 // A near callback steps the world, whose geoms may not move while the space is locked.
-class StepInNearCallback : public Fault {
+class StepInNearCallback : public FaultOfStacks {
 public:
-    explicit StepInNearCallback(Stepper stepper) : Fault(stepper) {}
+    explicit StepInNearCallback(Stepper stepper) : FaultOfStacks(stepper) {}
 
 protected:
     void onNearPair(dGeomID o1, dGeomID o2) override {
@@ -86,9 +92,9 @@ protected:
 };
 
 // A near callback destroys a geom of the space that is locked.
-class DestroyInNearCallback : public Fault {
+class DestroyInNearCallback : public FaultOfStacks {
 public:
-    explicit DestroyInNearCallback(Stepper stepper) : Fault(stepper) {}
+    explicit DestroyInNearCallback(Stepper stepper) : FaultOfStacks(stepper) {}
 
 protected:
     void onNearPair(dGeomID o1, dGeomID o2) override {
@@ -98,9 +104,9 @@ protected:
 };
 
 // A near callback throws and leaves the space locked; from then on the space cannot be changed.
-class ThrowInNearCallback : public Fault {
+class ThrowInNearCallback : public FaultOfStacks {
 public:
-    explicit ThrowInNearCallback(Stepper stepper) : Fault(stepper) {}
+    explicit ThrowInNearCallback(Stepper stepper) : FaultOfStacks(stepper) {}
 
     void collide() override {
         try {
@@ -120,6 +126,34 @@ private:
     int m_pairs = 0;
 };
 
+// Chains swing, until two bodies half way in the order of islands are joined twice more: without softness the
+// matrix is singular, and forces are no numbers.
+class Singular : public Fault {
+public:
+    explicit Singular(Stepper stepper) : Fault(stepper) {
+        dWorldSetCFM(world(), 0);
+        addParts([this](int, Vector3 origin) {
+            dBodyID before = nullptr;
+            for (int link = 0; link < 6; ++link) {
+                const Vector3 place = origin + Vector3{dReal(0.4) * link, 0, 5};
+                const dBodyID body = addSphere(place, 0.1, 1);
+                addBall(body, before, place + Vector3{-0.2, 0, 0});
+                before = body;
+            }
+        });
+    }
+
+    void control() override {
+        if (frameNumber() != 12) return;
+        const std::size_t half = m_inventory.bodies.size() / 2;
+        for (int i = 0; i < 2; ++i) {
+            const dJointID fixed = add(dJointCreateFixed(world(), nullptr));
+            dJointAttach(fixed, m_inventory.bodies[half], m_inventory.bodies[half + 1]);
+            dJointSetFixed(fixed);
+        }
+    }
+};
+
 }  // namespace
 
 void addFaults(Catalogue &catalogue) {
@@ -134,6 +168,9 @@ void addFaults(Catalogue &catalogue) {
         make<StepInNearCallback>());
     add("faults/destroy_in_near_callback", "a geom of the locked space destroyed",
         make<DestroyInNearCallback>());
+    add("faults/singular", "a singular matrix without softness; the debug handler jumps out of the step",
+        make<Singular>());
+    catalogue.back().steppers = {Stepper::World};  // QuickStep has no matrix
     add("faults/throw_in_near_callback", "an exception leaves the space locked", make<ThrowInNearCallback>());
 }
 

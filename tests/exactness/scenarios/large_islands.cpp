@@ -1,7 +1,6 @@
 // Islands so large that several workers step them together: rows of contacts and of joints in every mixture.
 #include "additions.h"
-#include "dice.h"
-#include "scenario_scene.h"
+#include "packed_stack.h"
 
 #include <cmath>
 #include <string>
@@ -12,40 +11,13 @@ namespace exactness {
 
 namespace {
 
-// Boxes of different sizes packed closely on the ground: every one touches its neighbours, all are one island.
-class Stack : public ScenarioScene {
-public:
-    explicit Stack(Stepper stepper, int columns = 8, int rows = 8, int layers = 4)
-        : ScenarioScene(stepper), m_dice(3) {
-        addGround();
-        for (int z = 0; z < layers; ++z)
-            for (int y = 0; y < rows; ++y)
-                for (int x = 0; x < columns; ++x) addBrick({dReal(0.49) * x, dReal(0.49) * y, 0.24 + dReal(0.48) * z});
-    }
-
-protected:
-    static constexpr dReal kEdge = 0.5;  // m: neighbours overlap by a centimetre
-
-    const std::vector<dBodyID> &bricks() const { return m_bricks; }
-    Dice m_dice;
-
-private:
-    void addBrick(Vector3 place) {
-        const dReal height = m_dice.between(0.48, 0.52);
-        m_bricks.push_back(addBox(place + m_dice.within(0.004), {kEdge, kEdge, height}, 1));
-        dBodySetLinearVel(m_bricks.back(), m_dice.between(-0.2, 0.2), m_dice.between(-0.2, 0.2), 0);
-    }
-
-    std::vector<dBodyID> m_bricks;
-};
-
 // Numbers of sweeps around those at which upstream shuffles, in turn; other relaxation.
-class StackOfManySweeps : public Stack {
+class StackOfManySweeps : public PackedStack {
 public:
-    using Stack::Stack;
+    using PackedStack::PackedStack;
 
     void control() override {
-        Stack::control();
+        PackedStack::control();
         constexpr int sweeps[] = {20, 9, 8, 1, 16, 17, 25, 10};
         const int turn = frameNumber() % 8;
         dWorldSetQuickStepNumIterations(world(), sweeps[turn]);
@@ -54,13 +26,11 @@ public:
 };
 
 // Masses over six decades, no softness, unlimited friction, some bodies that nothing can move.
-class UnevenStack : public Stack {
+class UnevenStack : public PackedStack {
 public:
-    explicit UnevenStack(Stepper stepper) : Stack(stepper) {
+    explicit UnevenStack(Stepper stepper) : PackedStack(stepper) {
         for (const dBodyID brick : bricks()) {
-            dMass mass;
-            dMassSetBoxTotal(&mass, std::pow(dReal(10), m_dice.between(-3, 3)), kEdge, kEdge, kEdge);
-            dBodySetMass(brick, &mass);
+            setMass(brick, std::pow(dReal(10), m_dice.between(-3, 3)));
             if (m_dice.oneIn(20)) dBodySetKinematic(brick);
         }
         m_surface.mode = 0;
@@ -70,9 +40,9 @@ public:
 };
 
 // Joints of every kind between neighbours, motors among them, which push their bodies while rows are read.
-class JointedStack : public Stack {
+class JointedStack : public PackedStack {
 public:
-    explicit JointedStack(Stepper stepper) : Stack(stepper) {
+    explicit JointedStack(Stepper stepper) : PackedStack(stepper) {
         for (std::size_t i = 1; i < bricks().size(); i += 3) joinByTurns(bricks()[i - 1], bricks()[i]);
     }
 
@@ -100,12 +70,12 @@ private:
 };
 
 // Contacts of some pairs report their forces.
-class ReportingStack : public Stack {
+class ReportingStack : public PackedStack {
 public:
-    using Stack::Stack;
+    using PackedStack::PackedStack;
 
     void step() override {
-        Stack::step();
+        PackedStack::step();
         noteContactFeedback();
     }
 
@@ -171,9 +141,9 @@ public:
 };
 
 // Two large islands and a change of sizes: bricks are taken away, and come to rest and wake.
-class TwoShrinkingStacks : public Stack {
+class TwoShrinkingStacks : public PackedStack {
 public:
-    explicit TwoShrinkingStacks(Stepper stepper) : Stack(stepper, 8, 8, 3) {
+    explicit TwoShrinkingStacks(Stepper stepper) : PackedStack(stepper, 8, 8, 3) {
         for (int i = 0; i < 120; ++i)
             addBox({30 + dReal(0.49) * (i % 6), dReal(0.49) * (i / 6 % 5), 0.24 + dReal(0.48) * (i / 30)},
                    {kEdge, kEdge, kEdge}, 1);
@@ -182,7 +152,7 @@ public:
     }
 
     void control() override {
-        Stack::control();
+        PackedStack::control();
         if (frameNumber() % 4 == 0) dBodyDisable(bricks()[static_cast<std::size_t>(frameNumber())]);
         if (frameNumber() % 4 == 2) dBodyAddForce(bricks()[static_cast<std::size_t>(frameNumber())], 30, 0, 60);
     }
@@ -192,12 +162,9 @@ public:
 
 void addLargeIslands(Catalogue &catalogue) {
     const auto add = [&](const char *name, const char *meaning, Scenario::Make make) {
-        Scenario scenario{std::string("large_islands/") + name, meaning, 10, std::move(make)};
-        scenario.steppers = {Stepper::Quick};
-        scenario.byTeam = true;
-        catalogue.push_back(std::move(scenario));
+        catalogue.push_back(teamScenario(std::string("large_islands/") + name, meaning, 10, std::move(make)));
     };
-    add("stack", "boxes packed closely on the ground", make<Stack>());
+    add("stack", "boxes packed closely on the ground", make<PackedStack>());
     add("sweeps", "numbers of sweeps around those at which rows are shuffled", make<StackOfManySweeps>());
     add("uneven", "masses over six decades, no softness, unlimited friction, kinematic bodies", make<UnevenStack>());
     add("joints", "motors and joints that report forces among the contacts", make<JointedStack>());
