@@ -1,5 +1,7 @@
 #include "engine_statistics.h"
 
+#include "instruction_set.h"
+
 #include <cstdlib>
 
 #include <dlfcn.h>
@@ -33,6 +35,7 @@ Engine runningEngine() {
     engine.teamSteps = statistic("dODE_MT_GetTeamSteps");
     engine.parallelCollisions = statistic("dODE_MT_GetParallelCollisions");
     engine.mostWorkers = statistic("dODE_MT_GetMaxWorkersUsed");
+    engine.instructionSet = instructionSetInUse();
     return engine;
 }
 

@@ -1,5 +1,6 @@
-// Every scenario on ODE_MT with every number of threads and every thread manager, against Debian's
-// libode8 on one thread (contract C2).
+// Every scenario on ODE_MT with every number of threads, every thread manager and vectors of every width, against
+// Debian's libode8 on one thread (contract C2).
+#include "instruction_set.h"
 #include "scenario_run.h"
 
 #include <gtest/gtest.h>
@@ -57,11 +58,13 @@ public:
     }
 
 private:
-    // A comparison of a library with itself would always succeed.
+    // A comparison of a library with itself would always succeed, and so might one of vectors that were not taken.
     void checkEngines(const Engine &expected, const Engine &actual) const {
         EXPECT_FALSE(expected.isOdeMt) << expected.library;
         EXPECT_EQ(expected.library.rfind(libraryFolder(libode8), 0), 0u) << expected.library;
         EXPECT_EQ(actual.isOdeMt, m_player.setting.has_value()) << actual.library;
+        if (!m_player.setting || m_player.setting->instructionSet.empty()) return;
+        EXPECT_EQ(actual.instructionSet, m_player.setting->instructionSet);
     }
 
     void checkEqual(const Record &expected, const Record &actual) const {
@@ -122,8 +125,15 @@ void addAlgorithmTests(const ScenarioName &scenario, const char *algorithm, cons
     if (isItsTurn && (isLcp || mayShareBodies)) addPolicy("independent");
 }
 
-// Scenarios take each algorithm with one number of threads, by turns, so that all of them together have every
-// combination many times. ODE_MT_EXACTNESS=thorough: each has every one.
+// Vector code runs with the widest vectors otherwise.
+void addInstructionSetTest(const ScenarioName &scenario, const std::string &set, const Threads &threads) {
+    ThreadSetting setting{managers[0], threads.count, threads.disturbed};
+    setting.instructionSet = set;
+    addTest(scenario, set + '_' + std::to_string(threads.count), Player{setting});
+}
+
+// Scenarios take each algorithm and each instruction set with one number of threads, by turns, so that all of them
+// together have every combination many times. ODE_MT_EXACTNESS=thorough: each has every one.
 bool everyCombination() {
     const char *const wanted = std::getenv("ODE_MT_EXACTNESS");
     return wanted != nullptr && wanted == std::string("thorough");
@@ -131,6 +141,10 @@ bool everyCombination() {
 
 void addTests(const ScenarioName &scenario) {
     static std::size_t turn = 0;
+    static const std::vector<std::string> sets = instructionSets();
+    const auto isTurnOf = [](std::size_t place, std::size_t threads) {
+        return everyCombination() || threads == (turn + place) % std::size(fewerThreadCounts);
+    };
     addTest(scenario, "libode8_again", libode8Again);  // is the scenario itself repeatable?
     for (const char *manager : managers) {
         for (const Threads &threads : threadCounts) {
@@ -140,8 +154,10 @@ void addTests(const ScenarioName &scenario) {
     }
     for (std::size_t a = 0; a < std::size(algorithms); ++a)
         for (std::size_t t = 0; t < std::size(fewerThreadCounts); ++t)
-            addAlgorithmTests(scenario, algorithms[a], fewerThreadCounts[t],
-                              everyCombination() || t == (turn + a) % std::size(fewerThreadCounts));
+            addAlgorithmTests(scenario, algorithms[a], fewerThreadCounts[t], isTurnOf(a, t));
+    for (std::size_t s = 1; s < sets.size(); ++s)
+        for (std::size_t t = 0; t < std::size(fewerThreadCounts); ++t)
+            if (isTurnOf(s, t)) addInstructionSetTest(scenario, sets[s], fewerThreadCounts[t]);
     ++turn;
 }
 

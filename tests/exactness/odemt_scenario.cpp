@@ -2,6 +2,7 @@
 //
 //   LD_LIBRARY_PATH=build/lib ODE_MT_THREADS=2 odemt_scenario ball_joints/quick --record ours.json
 #include "engine_statistics.h"
+#include "instruction_set.h"
 #include "recorder.h"
 #include "scenarios/catalogue.h"
 
@@ -26,6 +27,7 @@ struct Options {
     bool list = false;
     bool fields = false;
     bool unordered = false;
+    std::string instructionSet;  // empty: the widest
 };
 
 const char *suffix(scenes::Stepper stepper) {
@@ -97,6 +99,7 @@ int main(const Options &options) {
         for (const std::string &line : describeFields()) std::cout << line << '\n';
         return 0;
     }
+    if (!options.instructionSet.empty()) forceInstructionSet(options.instructionSet);
     alarm(options.timeLimit);  // a step that never ends is a failure too
     dInitODE2(0);
     dAllocateODEDataForThread(dAllocateMaskAll);
@@ -123,6 +126,7 @@ int main(int argc, char **argv) {
         ->check(CLI::NonNegativeNumber);
     app.add_option("--time-limit", options.timeLimit, "end the program after so many seconds");
     app.add_flag("--unordered", options.unordered, "record near pairs and contacts without their order");
+    app.add_option("--instruction-set", options.instructionSet, "that ODE_MT's vector code uses, as in AVX2");
     app.add_flag("--list", options.list, "show all scenarios")->excludes(scenario);
     app.add_flag("--list-fields", options.fields, "show all fields that are compared")->excludes(scenario);
     CLI11_PARSE(app, argc, argv);

@@ -44,7 +44,8 @@ std::string describe(const Player &player) {
     return "ODE_MT with " + std::to_string(player.setting->threads) + " threads of " +
            player.setting->manager + ", algorithm " + player.setting->algorithm +
            ", " + player.setting->callbacks + " callbacks" +
-           (player.setting->disturbed ? ", disturbed" : "");
+           (player.setting->disturbed ? ", disturbed" : "") +
+           (player.setting->instructionSet.empty() ? "" : ", vectors of " + player.setting->instructionSet);
 }
 
 Record run(const std::string &scenario, const Player &player, const std::vector<std::string> &options) {
@@ -53,6 +54,9 @@ Record run(const std::string &scenario, const Player &player, const std::vector<
     std::vector<std::string> command{childProgram(), scenario,       "--record",
                                      path,           "--time-limit", std::to_string(timeLimit)};
     if (player.unordered) command.push_back("--unordered");
+    if (player.setting && !player.setting->instructionSet.empty()) {
+        command.insert(command.end(), {"--instruction-set", player.setting->instructionSet});
+    }
     command.insert(command.end(), options.begin(), options.end());
     const ChildResult child = runChild(command, variablesFor(player));
     if (!child.succeeded) {

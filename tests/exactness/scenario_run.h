@@ -27,6 +27,7 @@ struct ThreadSetting {
     bool disturbed = false;  // its schedule is disturbed on purpose
     std::string algorithm = "lcp";
     std::string callbacks = "serial";
+    std::string instructionSet = "";  // of vector code; empty: the widest that the machine has
 };
 
 // Who runs a scenario.

@@ -200,6 +200,54 @@ private:
     Dice m_dice;
 };
 
+// Bodies held alike along each axis and drawn along the diagonal: the rows that hold one reach their limits
+// at the same length of a push, where which of them comes first depends on their order alone.
+class Ties : public ManyParts {
+public:
+    explicit Ties(Stepper stepper) : ManyParts(stepper) {
+        dWorldSetGravity(world(), 0, 0, 0);
+        dWorldSetCFM(world(), 0);
+        addParts([this](int part, Vector3 origin) {
+            const dBodyID body = addBody(origin, world());
+            const bool drawsFirst = part % 2 == 0;
+            if (drawsFirst) addDraw(body);
+            addHold(body, 2 + part / 2 % 2);
+            if (!drawsFirst) addDraw(body);
+        });
+    }
+
+    void control() override {
+        for (const dJointID draw : m_draws)
+            dJointSetLMotorParam(draw, dParamVel, frameNumber() % 4 < 2 ? 2 : -2);
+        for (const dJointID hold : m_holds) {
+            for (int axis = 0; axis < 3; ++axis)
+                dJointSetLMotorParam(hold, dParamFMax + dParamGroup * axis, 1 + frameNumber() % 8);
+        }
+    }
+
+private:
+    void addDraw(dBodyID body) {
+        m_draws.push_back(addMotor(body, 1));
+        dJointSetLMotorAxis(m_draws.back(), 0, 0, 1, 1, 1);
+        dJointSetLMotorParam(m_draws.back(), dParamFMax, 100);
+    }
+
+    void addHold(dBodyID body, int axes) {
+        m_holds.push_back(addMotor(body, axes));
+        for (int axis = 0; axis < axes; ++axis)
+            dJointSetLMotorAxis(m_holds.back(), axis, 0, axis == 0, axis == 1, axis == 2);
+    }
+
+    dJointID addMotor(dBodyID body, int axes) {
+        const dJointID motor = add(dJointCreateLMotor(world(), nullptr));
+        dJointAttach(motor, body, nullptr);
+        dJointSetLMotorNumAxes(motor, axes);
+        return motor;
+    }
+
+    std::vector<dJointID> m_draws, m_holds;
+};
+
 }  // namespace
 
 void addWanderingRows(Catalogue &catalogue) {
@@ -211,6 +259,8 @@ void addWanderingRows(Catalogue &catalogue) {
     add("limited_joints", "trees of joints at their stops, with weak motors", make<LimitedJoints>());
     add("every_count", "islands of one row to forty, half with limits", make<EveryCount>());
     add("changing_counts", "piles whose rows are another number in each frame", make<ChangingCounts>());
+    add("ties", "bodies held alike along all axes: rows that meet their limits at the same time",
+        make<Ties>());
 }
 
 }  // namespace exactness
