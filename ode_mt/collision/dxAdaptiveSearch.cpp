@@ -6,15 +6,18 @@ namespace {
 // does not go back and forth: it has a table again at half of it.
 constexpr std::size_t kLargestTable = 128;
 
-// Looking a box up costs about as much as ten boxes do in a batch.
-constexpr std::size_t kBatchPerLookUp = 10;
+// Looking a box up costs about as much as making a list does for ten boxes.
+constexpr std::size_t kListedPerLookUp = 10;
+
+// Comparing the neighbours of a box that moves costs about as much as comparing the candidates of five.
+constexpr std::size_t kListedPerMove = 5;
 
 // Below, neither takes long.
 constexpr std::size_t kLeastLookUps = 32;
 
 // So many calls in a row with few changes must come before neighbours are built up again, which costs a look-up
-// for each member.
-constexpr int kQuietCalls = 8;
+// for each member; and so many with many changes before a list is made instead.
+constexpr int kCallsToTell = 8;
 
 }  // namespace
 
@@ -28,7 +31,7 @@ void dxAdaptiveSearch::search(const dxMembers &members, dxTaskRunner &runner, st
         searchNeighbours(members, runner, matches);
 }
 
-// A batch knows nothing of the calls before.
+// A new list takes in all members, whether or not they have changed; the others are told of those that have not.
 void dxAdaptiveSearch::chooseTable(const dxMembers &members) {
     const bool isFirst = m_table == nullptr && m_verlet == nullptr && m_neighbours == nullptr;
     const std::size_t most = isFirst || m_table != nullptr ? kLargestTable : kLargestTable / 2;
@@ -37,7 +40,7 @@ void dxAdaptiveSearch::chooseTable(const dxMembers &members) {
     m_table.reset();
     m_verlet.reset();
     m_neighbours.reset();
-    m_quietCalls = 0;
+    m_quietCalls = m_busyCalls = 0;
     if (shallBeTable) {
         m_table = std::make_unique<dxTableSearch>();
         m_table->adopt(members);
@@ -47,9 +50,9 @@ void dxAdaptiveSearch::chooseTable(const dxMembers &members) {
 }
 
 void dxAdaptiveSearch::searchVerlet(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) {
-    const bool isQuiet = members.changed().size() * kBatchPerLookUp < members.end();
+    const bool isQuiet = members.changed().size() * kListedPerLookUp < members.end();
     m_quietCalls = isQuiet ? m_quietCalls + 1 : 0;
-    if (m_quietCalls < kQuietCalls) {
+    if (m_quietCalls < kCallsToTell) {
         m_verlet->search(members, runner, matches);
         return;
     }
@@ -61,9 +64,12 @@ void dxAdaptiveSearch::searchVerlet(const dxMembers &members, dxTaskRunner &runn
 
 void dxAdaptiveSearch::searchNeighbours(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) {
     m_neighbours->search(members, runner, matches);
+    const bool isBusy = members.changed().size() * kListedPerMove >= members.end();
+    m_busyCalls = isBusy ? m_busyCalls + 1 : 0;
     const std::size_t lookUps = m_neighbours->lookedUp();
-    if (lookUps < kLeastLookUps || lookUps * kBatchPerLookUp < members.end()) return;
+    const bool manyLeft = lookUps >= kLeastLookUps && lookUps * kListedPerLookUp >= members.end();
+    if (!manyLeft && m_busyCalls < kCallsToTell) return;
     m_neighbours.reset();
     m_verlet = std::make_unique<dxVerletSearch>();
-    m_quietCalls = 0;
+    m_quietCalls = m_busyCalls = 0;
 }

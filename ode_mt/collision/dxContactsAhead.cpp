@@ -21,7 +21,10 @@ __attribute__((tls_model("initial-exec"))) thread_local dxContactsAhead *t_curre
 constexpr std::size_t kWindow = 2048;
 // Pairs after which the flags are known, or are looked at again.
 constexpr std::size_t kBlindWindow = 16;
-constexpr std::size_t kPiece = 128;  // that one worker takes at once: a convex pair may take twenty microseconds
+// That one worker takes at once. Pairs that stand together share geoms; but a convex pair may take twenty microseconds, and
+// every worker should get some.
+constexpr std::size_t kLeastPiece = 8, kLargestPiece = 128;
+constexpr std::size_t kPiecesForEach = 4;
 
 // Contacts a pair for which scratch memory is kept.
 constexpr int kMostContacts = 4096;
@@ -151,7 +154,8 @@ void dxContactsAhead::computeWindow(const std::vector<dxOrderedPair> &pairs) {
     ++m_window;
     const std::size_t size = m_end - m_begin;
     if (m_results.size() < size) m_results.resize(size);
-    m_runner->forPieces(size, kPiece, [&](std::size_t begin, std::size_t end, unsigned worker) {
+    const std::size_t piece = std::clamp(size / (kPiecesForEach * m_runner->workers()), kLeastPiece, kLargestPiece);
+    m_runner->forPieces(size, piece, [&](std::size_t begin, std::size_t end, unsigned worker) {
         const SilentScope silent;
         m_workers[worker].enterWindow(m_window);
         for (std::size_t i = begin; i < end; ++i) {

@@ -65,7 +65,7 @@ private:
         std::int32_t count;  // kUnknown
         std::uint32_t first;  // among the worker's contacts
         std::uint32_t states;  // kNoStates, or a place among the worker's states
-        std::uint16_t worker;
+        std::uint16_t worker;  // a process has 1024 at most
         bool isUsed;
     };
 
@@ -77,7 +77,7 @@ private:
     struct alignas(64) Worker {
         std::vector<dContactGeom> contacts;  // of the window; from `used` on they hold the pattern
         std::size_t used = 0;
-        std::vector<States> states;          // those that are not nothing
+        std::vector<States> states;          // of pairs of which one is not 0
         std::uint64_t window = 0;            // whose contacts they are
         std::uint64_t computed = 0;          // pairs in it
         dxColliderCopies copies;

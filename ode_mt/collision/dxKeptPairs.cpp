@@ -30,6 +30,7 @@ void dxKeptPairs::sortByLead(const dxMembers &members, const std::vector<dxPairS
     m_items.resize(matches.size());
     std::atomic<bool> allLead{true};
     runner.forPieces(matches.size(), kPiece, [&](std::size_t begin, std::size_t end, unsigned) {
+        bool all = true;
         for (std::size_t i = begin; i < end; ++i) {
             if (i + kAhead < end) placer.expect(matches[i + kAhead].a), placer.expect(matches[i + kAhead].b);
             const dxMembers::Slot a = matches[i].a, b = matches[i].b;
@@ -37,8 +38,9 @@ void dxKeptPairs::sortByLead(const dxMembers &members, const std::vector<dxPairS
             bool swapped = false;
             const bool leads = dxMayMeet(members[a].filter, members[b].filter) && placer.lead(a, b, word, swapped);
             m_items[i] = leads ? dxSortItem{word, swapped ? b : a, swapped ? a : b} : dxSortItem{0, kNobody, kNobody};
-            if (!leads) allLead.store(false, std::memory_order_relaxed);
+            all = all && leads;
         }
+        if (!all) allLead.store(false, std::memory_order_relaxed);
     });
     const auto isNobody = [](const dxSortItem &item) { return item.index == kNobody; };
     if (!allLead) m_items.erase(std::remove_if(m_items.begin(), m_items.end(), isNobody), m_items.end());
@@ -100,6 +102,7 @@ void dxKeptPairs::sortRun(std::size_t begin, std::size_t end, LongRun &longRun) 
 
 void dxKeptPairs::sortLongRun(std::size_t begin, std::size_t end, LongRun &run) {
     run.clear();
+    run.reserve(end - begin);
     for (std::size_t i = begin; i < end; ++i) run.push_back({m_nextKeys[i], m_nextPairs[i]});
     std::sort(run.begin(), run.end(), [](const Placed &a, const Placed &b) { return a.key.followsBefore(b.key); });
     for (std::size_t i = begin; i < end; ++i) {

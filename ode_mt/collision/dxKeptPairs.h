@@ -1,9 +1,9 @@
 // Pairs in order from call to call: those of which neither geom changed keep their places, and those found
 // now are sorted by key and merged in.
 //
-// A pair's key is made in two steps. Its first word tells who brings the pair, and is all that most of the sorting needs.
-// The rest puts the few pairs of one geom in order: it is made when these stand together, one member of all of them in the
-// cache, and goes straight to where it stays.
+// A pair's key is made in two steps. Its first word tells who brings the pair, and is all that most of the sorting
+// needs. The rest puts the few pairs of one geom in order: it is made when these stand together, one member of all
+// of them in the cache, and goes straight to where it stays.
 #pragma once
 
 #include <vector>
@@ -18,7 +18,7 @@
 class dxPairPlacer {
 public:
     // Of a pair whose boxes overlap: the first word of its key, and in `swapped` whether b comes first in the
-    // callback. False: upstream does not bring this pair.
+    // callback. Two pairs with the same first word have the same first geom. False: upstream does not bring this pair.
     virtual bool lead(dxMembers::Slot a, dxMembers::Slot b, std::uint64_t &word, bool &swapped) const = 0;
 
     // The other words, of a pair in the order of the callback. False: as above.

@@ -11,7 +11,7 @@
 struct dxSortItem {
     std::uint64_t key;
     std::uint32_t index;        // the owner's
-    std::uint32_t partner = 0;  // what else belongs to it; of no meaning here
+    std::uint32_t partner = 0;  // what else belongs to it; nothing is sorted by it
 };
 
 // `spare` is memory for the passes, kept by the owner from call to call.

@@ -12,14 +12,16 @@ constexpr dReal kSkin = 0.05;
 // What travels gets room for so many calls, but not for more than its longest edge.
 constexpr dReal kCallsAhead = 8;
 
-// Growing a stored box takes about a three hundredth of the time that making a list takes, whatever their number.
+// Growing a stored box takes at least a three hundredth of the time that making a list takes, whatever their number; and
+// what is appended to the list is compared at every call.
 constexpr std::size_t kGrowthsForAList = 250;
+constexpr std::size_t kLongestByFresh = 2;  // a list that has grown by this factor is made anew
 
 // Where one of so many members has left its stored box in one call, a list is made rather.
 constexpr std::size_t kManyEscaped = 8;
 
 // A list has to serve so many calls to be worth its making; after so many that did not, none is made for a while.
-constexpr std::size_t kShort = 3;
+constexpr std::size_t kShort = 4;
 constexpr unsigned kPatience = 3, kPause = 32;
 
 // What one worker takes at once: some ten microseconds.
@@ -52,43 +54,54 @@ dxBounds withoutNaN(dxBounds box) {
 
 }  // namespace
 
+// The list is none while it is worked on: nothing is left half-way if memory runs out.
 void dxVerletSearch::search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) {
     ++m_calls;
+    const bool hadList = m_hasList, isPaused = m_callsWithout > 0;
+    m_hasList = false;
+    if (!isPaused && !(hadList && noteChanges(members, runner))) {
+        countShortList(hadList);
+        if (m_callsWithout == 0) makeList(members, runner);
+    }
     if (m_callsWithout > 0) {
         --m_callsWithout;
-        m_hasList = false;
         m_batch.search(members, runner, matches);
         return;
     }
-    if (!m_hasList || !noteChanges(members, runner)) makeList(members, runner);
     compareCandidates(runner, matches);
     forgetChanges(members);
+    m_hasList = true;
+}
+
+void dxVerletSearch::countShortList(bool hadList) {
+    m_shortLists = hadList && m_calls < kShort ? m_shortLists + 1 : 0;
+    if (m_shortLists < kPatience) return;
+    m_shortLists = 0;
+    m_callsWithout = kPause;
 }
 
 void dxVerletSearch::makeList(const dxMembers &members, dxTaskRunner &runner) {
-    m_shortLists = m_calls < kShort ? m_shortLists + 1 : 0;
-    if (m_shortLists == kPatience) {
-        m_shortLists = 0;
-        m_callsWithout = kPause;
-    }
     resize(members.end());
     m_grown = members;
     for (Slot slot = 0; slot < members.end(); ++slot) {
         m_boxes.marks(slot) = 0;
-        if (members[slot].geom == nullptr) continue;
-        const bool isChanged = members.isChanged(slot);
-        m_boxes.marks(slot) = dxPackedBoxes::kKnown | kStored | (isChanged ? dxPackedBoxes::kChanged : 0);
-        m_boxes.set(slot, members[slot].bounds);
-        store(slot, boxToStore(members, slot));
-        m_grown.setBounds(slot, m_stored[slot]);
-        m_grown.markChanged(slot);
-        m_starts[slot] = {members[slot].geom, members[slot].bounds};
+        if (members[slot].geom != nullptr) takeMember(members, slot);
     }
     m_candidates.clear();
     m_batch.search(m_grown, runner, m_candidates);
+    m_freshCandidates = m_candidates.size();
     m_calls = m_growths = 0;
-    m_hasList = true;
     ++m_lists;
+}
+
+void dxVerletSearch::takeMember(const dxMembers &members, Slot slot) {
+    const bool isChanged = members.isChanged(slot);
+    m_boxes.marks(slot) = dxPackedBoxes::kKnown | kStored | (isChanged ? dxPackedBoxes::kChanged : 0);
+    m_boxes.set(slot, members[slot].bounds);
+    store(slot, boxToStore(members, slot));
+    m_grown.setBounds(slot, m_stored[slot]);
+    m_grown.markChanged(slot);
+    m_starts[slot] = {members[slot].geom, members[slot].bounds};
 }
 
 void dxVerletSearch::resize(std::size_t slots) {
@@ -135,7 +148,11 @@ bool dxVerletSearch::noteChanges(const dxMembers &members, dxTaskRunner &runner)
         if ((m_boxes.marks(slot) & kEscaped) != 0) m_escaped.push_back(slot);
     if (m_growths + m_escaped.size() > kGrowthsForAList || m_escaped.size() * kManyEscaped > members.end())
         return false;
-    for (const Slot slot : m_escaped) grow(members, slot);
+    const std::size_t longest = kLongestByFresh * (m_freshCandidates + members.end());
+    for (const Slot slot : m_escaped) {
+        if (m_candidates.size() > longest) return false;
+        grow(members, slot);
+    }
     return true;
 }
 

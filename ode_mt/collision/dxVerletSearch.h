@@ -1,5 +1,5 @@
-// Finds pairs by a list of candidates that stays right for many calls: for spaces in which most members move, a little at a
-// time.
+// Finds pairs by a list of candidates that stays right for many calls: for spaces in which most members move, a
+// little at a time.
 //
 // Source: the neighbour list with a skin of molecular dynamics (Verlet, Physical Review 159, 1967; Allen and Tildesley,
 // Computer Simulation of Liquids, 5.3). Each box is stored grown, by a skin on all sides and by the way that it goes in
@@ -7,10 +7,10 @@
 // these, so a call compares the candidates and nothing else.
 //
 // Invariant: the candidates are, each once, the pairs of slots whose stored boxes overlap. All are found at once when a
-// list is made (dxBatchSearch). Stored boxes only ever grow until the next one: where a box leaves its own, that is grown
-// to hold it, compared with all others, and what it meets now and did not meet before becomes a candidate. A slot
-// keeps its stored box when its member goes. When growing has cost as much as a list, a list is made. Where boxes
-// move so fast that lists serve no three calls, pairs are found all at once for a while, without a list.
+// list is made (dxBatchSearch). Stored boxes only ever grow until the next one: where a box leaves its own, that is
+// grown to hold it, compared with all others, and what it meets now and did not meet before becomes a candidate. A
+// slot keeps its stored box when its member goes. A list is made when growing has cost about as much, or has made the
+// list long. Where boxes move so fast that lists serve few calls, pairs are found all at once for a while, without one.
 #pragma once
 
 #include <vector>
@@ -24,8 +24,9 @@ class dxVerletSearch final : public dxPairSearch {
 public:
     void search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
 
-    // Lists made so far.
+    // Lists made so far, and candidates in the present one.
     std::size_t lists() const { return m_lists; }
+    std::size_t candidates() const { return m_candidates.size(); }
 
 private:
     using Slot = dxMembers::Slot;
@@ -41,7 +42,9 @@ private:
         std::size_t count;
     };
 
+    void countShortList(bool hadList);
     void makeList(const dxMembers &members, dxTaskRunner &runner);
+    void takeMember(const dxMembers &members, Slot slot);
     void resize(std::size_t slots);
     dxBounds boxToStore(const dxMembers &members, Slot slot) const;
     void store(Slot slot, const dxBounds &box);
@@ -67,6 +70,7 @@ private:
     std::size_t m_lists = 0;
     std::size_t m_calls = 0;         // since the list was made
     std::size_t m_growths = 0;       // since then
+    std::size_t m_freshCandidates = 0;
     unsigned m_shortLists = 0;       // in a row
     unsigned m_callsWithout = 0;     // to come
 };

@@ -35,9 +35,9 @@ SearchedMembers::Pairs SearchedMembers::expected() const {
     return pairs;
 }
 
-SearchedMembers::Pairs SearchedMembers::found(dxPairSearch &search) {
+SearchedMembers::Pairs SearchedMembers::found(dxPairSearch &search, dxTaskRunner &runner) {
     std::vector<dxPairSearch::Match> matches;
-    search.search(m_members, dxTaskRunner::alone(), matches);
+    search.search(m_members, runner, matches);
     m_members.forgetChanges();
     Pairs pairs;
     for (const dxPairSearch::Match &match : matches)

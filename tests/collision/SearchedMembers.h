@@ -22,7 +22,7 @@ public:
     // By comparing all with all: those of which one has changed.
     Pairs expected() const;
     // What the search finds; changes are forgotten then.
-    Pairs found(dxPairSearch &search);
+    Pairs found(dxPairSearch &search, dxTaskRunner &runner = dxTaskRunner::alone());
 
 private:
     dxMembers m_members;

@@ -39,7 +39,8 @@ std::size_t overlappingCandidates(const dxPackedBoxes &boxes, const dxSlotPair *
         if (i + kAhead < count) __builtin_prefetch(boxes.begin(candidates[i + kAhead].b));
         const dxSlotPair pair = candidates[i];
         pairs[found] = pair;
-        found += mayBePair(boxes.marks(pair.a), boxes.marks(pair.b)) & !areApart(boxes.begin(pair.b), boxes.end(pair.a));
+        const bool mayBe = mayBePair(boxes.marks(pair.a), boxes.marks(pair.b));
+        found += mayBe & !areApart(boxes.begin(pair.b), boxes.end(pair.a));
     }
     return found;
 }
