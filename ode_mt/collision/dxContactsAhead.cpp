@@ -21,8 +21,8 @@ __attribute__((tls_model("initial-exec"))) thread_local dxContactsAhead *t_curre
 constexpr std::size_t kWindow = 2048;
 // Pairs after which the flags are known, or are looked at again.
 constexpr std::size_t kBlindWindow = 16;
-// That one worker takes at once. Pairs that stand together share geoms; but a convex pair may take twenty microseconds, and
-// every worker should get some.
+// That one worker takes at once. Pairs that stand together share geoms; but a convex pair may take twenty
+// microseconds, and every worker should get some.
 constexpr std::size_t kLeastPiece = 8, kLargestPiece = 128;
 constexpr std::size_t kPiecesForEach = 4;
 

@@ -14,7 +14,7 @@ constexpr std::size_t kAhead = 8;
 // Pairs of one geom that are sorted by insertion.
 constexpr std::size_t kShortRun = 32;
 
-constexpr dxMembers::Slot kNobody = UINT32_MAX;
+constexpr dxMembers::Slot kNobody = UINT32_MAX;  // of a match that is no pair
 
 }  // namespace
 
@@ -32,7 +32,10 @@ void dxKeptPairs::sortByLead(const dxMembers &members, const std::vector<dxPairS
     runner.forPieces(matches.size(), kPiece, [&](std::size_t begin, std::size_t end, unsigned) {
         bool all = true;
         for (std::size_t i = begin; i < end; ++i) {
-            if (i + kAhead < end) placer.expect(matches[i + kAhead].a), placer.expect(matches[i + kAhead].b);
+            if (i + kAhead < end) {
+                placer.expect(matches[i + kAhead].a);
+                placer.expect(matches[i + kAhead].b);
+            }
             const dxMembers::Slot a = matches[i].a, b = matches[i].b;
             std::uint64_t word = 0;
             bool swapped = false;
@@ -53,15 +56,16 @@ void dxKeptPairs::placeAll(const dxMembers &members, const dxPairPlacer &placer,
     if (m_longRuns.size() < runner.workers()) m_longRuns.resize(runner.workers());
     std::atomic<bool> allPlaced{true};
     runner.forPieces(m_items.size(), kPiece, [&](std::size_t begin, std::size_t end, unsigned worker) {
-        if (!placeRuns(members, placer, begin, end, m_longRuns[worker])) allPlaced.store(false, std::memory_order_relaxed);
+        if (!placeRuns(members, placer, begin, end, m_longRuns[worker]))
+            allPlaced.store(false, std::memory_order_relaxed);
     });
     if (!allPlaced) leaveOutUnplaced();
 }
 
-// Of the runs of one first word that begin in [begin, end). Whether upstream brings all of their pairs; those that it does
-// not bring stand last in their runs, without geoms.
-bool dxKeptPairs::placeRuns(const dxMembers &members, const dxPairPlacer &placer, std::size_t begin, std::size_t end,
-                            LongRun &longRun) {
+// Of the runs of one first word that begin in [begin, end). Whether upstream brings all of their pairs; those that it
+// does not bring stand last in their runs, without geoms.
+bool dxKeptPairs::placeRuns(const dxMembers &members, const dxPairPlacer &placer, std::size_t begin,
+                            std::size_t end, LongRun &longRun) {
     const std::size_t size = m_items.size();
     bool all = true;
     while (begin != 0 && begin < end && m_items[begin].key == m_items[begin - 1].key) ++begin;

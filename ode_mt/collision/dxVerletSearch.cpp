@@ -12,8 +12,8 @@ constexpr dReal kSkin = 0.05;
 // What travels gets room for so many calls, but not for more than its longest edge.
 constexpr dReal kCallsAhead = 8;
 
-// Growing a stored box takes at least a three hundredth of the time that making a list takes, whatever their number; and
-// what is appended to the list is compared at every call.
+// Growing a stored box takes at least a three hundredth of the time that making a list takes, whatever their number;
+// and what is appended to the list is compared at every call.
 constexpr std::size_t kGrowthsForAList = 250;
 constexpr std::size_t kLongestByFresh = 2;  // a list that has grown by this factor is made anew
 
