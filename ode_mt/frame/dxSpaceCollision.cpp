@@ -17,7 +17,7 @@ namespace {
 constexpr int kLeastGeoms = 48;
 
 // From inside a callback, whether of this space or of another one, everything stays on its thread.
-bool mayShare(const dxOrderedSpace &space, const dNearCallback *callback) {
+bool mayShare(const dxOrderedSpace &space, dNearCallback *callback) {
     const dxSettings &settings = dxSettings::instance();
     return settings.threads() > 1 && settings.algorithm() != dxAlgorithm::Serial && callback != nullptr &&
            space.lock_count == 0 && space.count > 1 && dxContactLog::current() == nullptr &&

@@ -13,7 +13,8 @@ TEST(TableSearch, AdoptsMembersThatRest) {
     dxTableSearch first, second;
     for (int i = 0; i < 70; ++i) crowd.add(cubeAt(random.uniform(-3, 3), random.uniform(-3, 3), 0));
     crowd.remove(20);
-    ASSERT_EQ(crowd.found(first), crowd.expected());
+    const auto expectedFirst = crowd.expected();
+    ASSERT_EQ(crowd.found(first), expectedFirst);
     second.adopt(crowd.members());
     crowd.move(5, cubeAt(0, 0, 0));
     const auto expected = crowd.expected();
