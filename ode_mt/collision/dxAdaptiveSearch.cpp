@@ -40,7 +40,7 @@ void dxAdaptiveSearch::chooseTable(const dxMembers &members) {
     m_table.reset();
     m_verlet.reset();
     m_neighbours.reset();
-    m_quietCalls = m_busyCalls = 0;
+    m_callsAgainst = 0;
     if (shallBeTable) {
         m_table = std::make_unique<dxTableSearch>();
         m_table->adopt(members);
@@ -51,8 +51,8 @@ void dxAdaptiveSearch::chooseTable(const dxMembers &members) {
 
 void dxAdaptiveSearch::searchVerlet(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) {
     const bool isQuiet = members.changed().size() * kListedPerLookUp < members.end();
-    m_quietCalls = isQuiet ? m_quietCalls + 1 : 0;
-    if (m_quietCalls < kCallsToTell) {
+    m_callsAgainst = isQuiet ? m_callsAgainst + 1 : 0;
+    if (m_callsAgainst < kCallsToTell) {
         m_verlet->search(members, runner, matches);
         return;
     }
@@ -65,11 +65,11 @@ void dxAdaptiveSearch::searchVerlet(const dxMembers &members, dxTaskRunner &runn
 void dxAdaptiveSearch::searchNeighbours(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) {
     m_neighbours->search(members, runner, matches);
     const bool isBusy = members.changed().size() * kListedPerMove >= members.end();
-    m_busyCalls = isBusy ? m_busyCalls + 1 : 0;
+    m_callsAgainst = isBusy ? m_callsAgainst + 1 : 0;
     const std::size_t lookUps = m_neighbours->lookedUp();
     const bool manyLeft = lookUps >= kLeastLookUps && lookUps * kListedPerLookUp >= members.end();
-    if (!manyLeft && m_busyCalls < kCallsToTell) return;
+    if (!manyLeft && m_callsAgainst < kCallsToTell) return;
     m_neighbours.reset();
     m_verlet = std::make_unique<dxVerletSearch>();
-    m_quietCalls = m_busyCalls = 0;
+    m_callsAgainst = 0;
 }

@@ -27,5 +27,5 @@ private:
     std::unique_ptr<dxTableSearch> m_table;
     std::unique_ptr<dxVerletSearch> m_verlet;
     std::unique_ptr<dxNeighbourSearch> m_neighbours;
-    int m_quietCalls = 0, m_busyCalls = 0;  // in a row: of a list, of neighbours
+    int m_callsAgainst = 0;  // in a row, that speak for the other way than the one in use
 };

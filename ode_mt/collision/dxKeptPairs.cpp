@@ -95,7 +95,7 @@ void dxKeptPairs::sortRun(std::size_t begin, std::size_t end, LongRun &longRun) 
         const dxPairKey key = m_nextKeys[i];
         const dxOrderedPair pair = m_nextPairs[i];
         std::size_t at = i;
-        for (; at > begin && key.followsBefore(m_nextKeys[at - 1]); --at) {
+        for (; at > begin && key < m_nextKeys[at - 1]; --at) {
             m_nextKeys[at] = m_nextKeys[at - 1];
             m_nextPairs[at] = m_nextPairs[at - 1];
         }
@@ -108,7 +108,7 @@ void dxKeptPairs::sortLongRun(std::size_t begin, std::size_t end, LongRun &run) 
     run.clear();
     run.reserve(end - begin);
     for (std::size_t i = begin; i < end; ++i) run.push_back({m_nextKeys[i], m_nextPairs[i]});
-    std::sort(run.begin(), run.end(), [](const Placed &a, const Placed &b) { return a.key.followsBefore(b.key); });
+    std::sort(run.begin(), run.end(), [](const Placed &a, const Placed &b) { return a.key < b.key; });
     for (std::size_t i = begin; i < end; ++i) {
         m_nextKeys[i] = run[i - begin].key;
         m_nextPairs[i] = run[i - begin].pair;

@@ -13,13 +13,6 @@ using dxRank = std::uint64_t;
 struct dxPairKey {
     std::array<std::uint64_t, 4> words;
 
-    // Of two with the same first word.
-    bool followsBefore(const dxPairKey &b) const {
-        for (std::size_t word = 1; word + 1 < words.size(); ++word)
-            if (words[word] != b.words[word]) return words[word] < b.words[word];
-        return words.back() < b.words.back();
-    }
-
     friend bool operator<(const dxPairKey &a, const dxPairKey &b) { return a.words < b.words; }
 };
 

@@ -2,7 +2,6 @@
 // boxes jump about. That it finds what all searches find is pair_search_test's.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <vector>
 
 #include "RandomBoxes.h"

@@ -1,5 +1,7 @@
 #include "ChainWorld.h"
 
+#include "world_parts.h"
+
 ChainWorld::ChainWorld(unsigned chains, unsigned links, dWorldStepFunction *stepper)
     : m_world(dWorldCreate()), m_stepper(stepper) {
     dWorldSetGravity(m_world, 0, 0, -9.81);
@@ -44,19 +46,13 @@ void ChainWorld::step(unsigned steps) {
 
 std::vector<dReal> ChainWorld::state() const {
     std::vector<dReal> numbers;
-    const auto append = [&numbers](const dReal *values, unsigned count) {
-        numbers.insert(numbers.end(), values, values + count);
-    };
     for (const dBodyID body : m_bodies) {
-        append(dBodyGetPosition(body), 3);
-        append(dBodyGetQuaternion(body), 4);
-        append(dBodyGetLinearVel(body), 3);
-        append(dBodyGetAngularVel(body), 3);
-        append(dBodyGetForce(body), 3);
-        append(dBodyGetTorque(body), 3);
+        appendMotion(numbers, body);
+        append(numbers, dBodyGetForce(body), 3);
+        append(numbers, dBodyGetTorque(body), 3);
     }
     for (const dJointFeedback &feedback : m_feedbacks) {
-        for (const dReal *vector : {feedback.f1, feedback.t1, feedback.f2, feedback.t2}) append(vector, 3);
+        for (const dReal *vector : {feedback.f1, feedback.t1, feedback.f2, feedback.t2}) append(numbers, vector, 3);
     }
     return numbers;
 }

@@ -1,5 +1,7 @@
 #include "HeapWorld.h"
 
+#include "world_parts.h"
+
 HeapWorld::HeapWorld(dSpaceID space) : m_world(dWorldCreate()), m_space(space), m_group(dJointGroupCreate(0)) {
     dWorldSetGravity(m_world, 0, 0, dReal(-9.81));
     dCreatePlane(m_space, 0, 0, 1, 0);
@@ -35,13 +37,9 @@ void HeapWorld::collide() {
 }
 
 void HeapWorld::makeContacts(dGeomID o1, dGeomID o2) {
-    dContact contacts[kMostContacts] = {};
-    const int count = dCollide(o1, o2, kMostContacts, &contacts[0].geom, sizeof(dContact));
-    for (int i = 0; i < count; ++i) {
-        contacts[i].surface.mu = dReal(0.7);
-        dJointAttach(dJointCreateContact(m_world, m_group, &contacts[i]), dGeomGetBody(o1), dGeomGetBody(o2));
-    }
-    m_contacts += count;
+    dSurfaceParameters surface = {};
+    surface.mu = dReal(0.7);
+    m_contacts += joinWhereTheyTouch(m_world, m_group, surface, o1, o2);
 }
 
 void HeapWorld::step() {
@@ -51,6 +49,6 @@ void HeapWorld::step() {
 
 std::vector<dReal> HeapWorld::positions() const {
     std::vector<dReal> numbers;
-    for (const dBodyID body : m_bodies) numbers.insert(numbers.end(), dBodyGetPosition(body), dBodyGetPosition(body) + 3);
+    for (const dBodyID body : m_bodies) append(numbers, dBodyGetPosition(body), 3);
     return numbers;
 }

@@ -12,7 +12,6 @@ inline dSpaceID createSweepSpace(dSpaceID parent) { return dSweepAndPruneSpaceCr
 class HeapWorld {
 public:
     static constexpr int kSide = 18;       // bodies along a side of a layer
-    static constexpr int kMostContacts = 4;
 
     explicit HeapWorld(dSpaceID space);
     ~HeapWorld();

@@ -1,5 +1,7 @@
 #include "PackedWorld.h"
 
+#include "world_parts.h"
+
 namespace {
 
 constexpr dReal kEdge = dReal(0.1), kPitch = dReal(0.098);  // m: neighbours overlap
@@ -45,26 +47,14 @@ void PackedWorld::frame() {
 }
 
 void PackedWorld::makeContacts(dGeomID o1, dGeomID o2) {
-    constexpr int kMostContacts = 4;
-    dContact contacts[kMostContacts] = {};
-    const int count = dCollide(o1, o2, kMostContacts, &contacts[0].geom, sizeof(dContact));
-    for (int i = 0; i < count; ++i) {
-        contacts[i].surface.mode = dContactApprox1;
-        contacts[i].surface.mu = dReal(0.6);
-        dJointAttach(dJointCreateContact(m_world, m_group, &contacts[i]), dGeomGetBody(o1), dGeomGetBody(o2));
-    }
+    dSurfaceParameters surface = {};
+    surface.mode = dContactApprox1;
+    surface.mu = dReal(0.6);
+    joinWhereTheyTouch(m_world, m_group, surface, o1, o2);
 }
 
 std::vector<dReal> PackedWorld::state() const {
     std::vector<dReal> numbers;
-    const auto append = [&numbers](const dReal *values, int count) {
-        numbers.insert(numbers.end(), values, values + count);
-    };
-    for (const dBodyID body : m_bodies) {
-        append(dBodyGetPosition(body), 3);
-        append(dBodyGetQuaternion(body), 4);
-        append(dBodyGetLinearVel(body), 3);
-        append(dBodyGetAngularVel(body), 3);
-    }
+    for (const dBodyID body : m_bodies) appendMotion(numbers, body);
     return numbers;
 }

@@ -49,6 +49,7 @@ public:
 
     // Joints; `second` may be null for the static world. Anchors and axes in world coordinates.
     dJointID addBall(dBodyID first, dBodyID second, const Vector3 &anchor);
+    dJointID addFixed(dBodyID first, dBodyID second);
     dJointID addHinge(dBodyID first, dBodyID second, const Vector3 &anchor, const Vector3 &axis);
     dJointID addUniversal(dBodyID first, dBodyID second, const Vector3 &anchor, const Vector3 &axis1,
                           const Vector3 &axis2);

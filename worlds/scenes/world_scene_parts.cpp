@@ -111,6 +111,13 @@ dJointID WorldScene::addBall(dBodyID first, dBodyID second, const Vector3 &ancho
     return joint;
 }
 
+dJointID WorldScene::addFixed(dBodyID first, dBodyID second) {
+    const dJointID joint = add(dJointCreateFixed(m_world, nullptr));
+    dJointAttach(joint, first, second);
+    dJointSetFixed(joint);
+    return joint;
+}
+
 dJointID WorldScene::addHinge(dBodyID first, dBodyID second, const Vector3 &anchor, const Vector3 &axis) {
     const dJointID joint = add(dJointCreateHinge(m_world, nullptr));
     dJointAttach(joint, first, second);

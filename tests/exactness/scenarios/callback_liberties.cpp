@@ -166,12 +166,6 @@ protected:
     }
 
 private:
-    void addFixed(dBodyID one, dBodyID other) {
-        const dJointID joint = add(dJointCreateFixed(world(), nullptr));
-        dJointAttach(joint, one, other);
-        dJointSetFixed(joint);
-    }
-
     void lookAt(dBodyID body) {
         const int joints = dBodyGetNumJoints(body);
         note("joints", joints);

@@ -146,11 +146,7 @@ public:
     void control() override {
         if (frameNumber() != 12) return;
         const std::size_t half = m_inventory.bodies.size() / 2;
-        for (int i = 0; i < 2; ++i) {
-            const dJointID fixed = add(dJointCreateFixed(world(), nullptr));
-            dJointAttach(fixed, m_inventory.bodies[half], m_inventory.bodies[half + 1]);
-            dJointSetFixed(fixed);
-        }
+        for (int i = 0; i < 2; ++i) addFixed(m_inventory.bodies[half], m_inventory.bodies[half + 1]);
     }
 };
 

@@ -61,10 +61,7 @@ private:
     void joinBy(int number, dBodyID body, dBodyID before, Vector3 anchor) {
         if (number % 2 == 0) addBall(body, before, anchor);
         if (number % 3 == 0) addHinge(body, before, anchor, scenes::kAxisY);
-        if (number % 3 != 1) return;
-        const dJointID fixed = add(dJointCreateFixed(world(), nullptr));
-        dJointAttach(fixed, body, before);
-        dJointSetFixed(fixed);
+        if (number % 3 == 1) addFixed(body, before);
     }
 };
 

@@ -97,9 +97,7 @@ public:
         for (int i = 0; i < 50; ++i)
             addBox({30 + dReal(0.49) * (i % 5), dReal(0.49) * (i / 5 % 5), 0.24 + dReal(0.48) * (i / 25)},
                    {kEdge, kEdge, kEdge}, 1);
-        m_beam = add(dJointCreateFixed(world(), nullptr));
-        dJointAttach(m_beam, m_inventory.bodies.back(), bricks().front());
-        dJointSetFixed(m_beam);
+        m_beam = addFixed(m_inventory.bodies.back(), bricks().front());
     }
 
     void control() override {

@@ -49,10 +49,7 @@ protected:
     void join(int number, dBodyID first, dBodyID second, Vector3 anchor) override {
         addHinge(first, second, anchor, scenes::kAxisZ);
         if (number % 2 == 0) addHinge(second, first, anchor, scenes::kAxisZ);
-        if (number % 3 != 0) return;
-        const dJointID fixed = add(dJointCreateFixed(world(), nullptr));
-        dJointAttach(fixed, first, second);
-        dJointSetFixed(fixed);
+        if (number % 3 == 0) addFixed(first, second);
     }
 };
 
