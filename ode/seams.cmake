@@ -68,11 +68,9 @@ foreach(file collision_space collision_quadtreespace collision_sapspace)
     ode_mt_compile_after("${file}.cpp" collision_space.h)
 endforeach()
 
-# The stages of the exact step count without atomics; QuickStep's, too (quickstep.h).
-ode_mt_compile_after("step.cpp" one_thread.h)
-
-# The exact step's LCP solver: same bits, less work (docs/lcp.md).
-ode_mt_call_instead("step.cpp" dxSolveLCP dxSolveDantzig)
+# The stages of the exact step count without atomics, QuickStep's, too (quickstep.h); its LCP solver: same bits, less work
+# (docs/lcp.md).
+ode_mt_compile_after("step.cpp" step.h)
 
 # The exact step's triangular solves with vectors: same bits, less time (docs/solve.md).
 ode_mt_compile_after("lcp.cpp" lcp.h)

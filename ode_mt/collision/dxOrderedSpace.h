@@ -34,7 +34,7 @@
 #include "collision/dxOrderedPair.h"
 #include "collision/dxPairSearch.h"
 #include "collision/dxRegionIndex.h"
-#include "collision/dxSharingPace.h"
+#include "threading/dxSharingPace.h"
 
 class dxOrderedSpace : public dxSpace, protected dxPairPlacer {
 public:

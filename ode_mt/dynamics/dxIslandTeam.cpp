@@ -8,7 +8,10 @@ dxProcessObject<dxIdlePool<dxIslandTeam>> pool;
 
 }  // namespace
 
-dxIslandTeamLease::dxIslandTeamLease(dxTaskRunner &runner) : m_team(*pool) { m_team->runner = &runner; }
+dxIslandTeamLease::dxIslandTeamLease(dxTaskRunner &runner, bool sharesAlways) : m_team(*pool) {
+    m_team->runner = &runner;
+    m_team->sharesAlways = sharesAlways;
+}
 
 dxIslandTeamLease::~dxIslandTeamLease() { m_team->runner = nullptr; }
 

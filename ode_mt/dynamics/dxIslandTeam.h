@@ -1,19 +1,23 @@
-// Workers that step one island together, and what they share from step to step: memory.
+// Workers that step one island together, and what they share from step to step: memory, and what has been
+// measured.
 #pragma once
 
 #include "dynamics/dxIdlePool.h"
 #include "dynamics/sweep/dxSharedSweep.h"
+#include "threading/dxSharingPace.h"
 #include "threading/dxTaskRunner.h"
 
 struct dxIslandTeam {
     dxTaskRunner *runner = nullptr;
+    bool sharesAlways = false;  // whatever is large enough, else what has been faster of late
     dxSharedSweep sweep;
+    dxSharingPace solvePace;    // of the exact step's triangular solves
 };
 
 // Takes a team for the time of a step; its memory goes back to the process's pool.
 class dxIslandTeamLease {
 public:
-    explicit dxIslandTeamLease(dxTaskRunner &runner);
+    dxIslandTeamLease(dxTaskRunner &runner, bool sharesAlways);
     ~dxIslandTeamLease();
     dxIslandTeamLease(const dxIslandTeamLease &) = delete;
     dxIslandTeamLease &operator=(const dxIslandTeamLease &) = delete;

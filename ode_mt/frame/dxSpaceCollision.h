@@ -5,7 +5,7 @@
 //   concurrent  callbacks on workers too, with the program's consent (dxConcurrentCallbacks)
 //
 // Pairs, their order, contacts and callbacks are the same in all three. Under `auto` the space's pace decides
-// (collision/dxSharingPace.h), under the other algorithms everything is shared that can be.
+// (threading/dxSharingPace.h), under the other algorithms everything is shared that can be.
 #pragma once
 
 #include <ode/ode.h>

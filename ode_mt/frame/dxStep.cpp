@@ -6,7 +6,7 @@
 #include <chrono>
 #include <mutex>
 
-#include "collision/dxSharingPace.h"
+#include "threading/dxSharingPace.h"
 #include "dynamics/dxBodyIntegration.h"
 #include "dynamics/dxIslandCall.h"
 #include "dynamics/dxIslandSurvey.h"
@@ -44,6 +44,12 @@ constexpr unsigned kBlocksPerWorker = 8;
 
 // Joints that make an island large enough to be stepped by several workers together.
 constexpr unsigned kLeastTeamJoints = 500;
+
+
+// The exact step's: at six rows a joint its LCP begins to be worth sharing. It is not shared as well as islands side by
+// side, so that the rest of the world has to be small.
+constexpr unsigned kLeastExactTeamJoints = 64;
+constexpr double kLeastExactTeamPart = 0.8;
 
 // Members of a team wait for one another, so more of them than cores would only get in one another's way. An algorithm
 // that is asked for by name gets so many on any machine: what they do can be tested there.
@@ -123,7 +129,7 @@ void dxStep::run() {
 void dxStep::runWithTeam(unsigned workers) {
     const unsigned most = std::max(dxSettings::instance().cores(), kLeastTeam);
     dxWorkersRunner runner(std::min(workers, most), m_world);
-    const dxIslandTeamLease lease(runner);
+    const dxIslandTeamLease lease(runner, dxSettings::instance().algorithm() != dxAlgorithm::Auto);
     m_team = &*lease;
     runInOrder();
     m_team = nullptr;
@@ -132,18 +138,19 @@ void dxStep::runWithTeam(unsigned workers) {
 
 // One island takes so long that the others would have to wait for it.
 bool dxStep::hasTeamIsland(unsigned limit) const {
-    return m_kind == dxStepperKind::Quick && m_largestJoints >= kLeastTeamJoints && m_costsKnown &&
-           m_largestCost * limit >= m_totalCost;
+    if (m_largestJoints < leastTeamJoints() || !m_costsKnown) return false;
+    const double part = m_kind == dxStepperKind::Quick ? 1.0 / limit : kLeastExactTeamPart;
+    return m_largestCost >= part * m_totalCost;
 }
 
 bool dxStep::shallHaveTeam() const {
-    if (dxSettings::instance().algorithm() != dxAlgorithm::Auto) return true;
+    if (m_kind == dxStepperKind::World || dxSettings::instance().algorithm() != dxAlgorithm::Auto) return true;
     const std::unique_lock<std::mutex> hold(teamPace->mutex, std::try_to_lock);
     return hold && teamPace->pace.shallShare();
 }
 
 void dxStep::rememberTeam(bool hadTeam, double ns) const {
-    if (dxSettings::instance().algorithm() != dxAlgorithm::Auto) return;
+    if (m_kind == dxStepperKind::World || dxSettings::instance().algorithm() != dxAlgorithm::Auto) return;
     const std::unique_lock<std::mutex> hold(teamPace->mutex, std::try_to_lock);
     if (hold) teamPace->pace.remember(hadTeam, ns * kCostOfReference / m_totalCost);
 }
@@ -196,7 +203,7 @@ void dxStep::stepIsland(const dxIsland &island, dxWorldProcessMemArena *arena) {
     constexpr unsigned kOneThread = 1;  // all of upstream's stages one after the other on this thread
     dxIslandCall call(m_world, m_stepSize, kOneThread, arena, island.bodies, island.joints);
     call.AssignIslandSelection(island.bodies, island.joints, island.bodyCount, island.jointCount);
-    if (m_team != nullptr && island.jointCount >= kLeastTeamJoints) call.team = m_team;
+    if (m_team != nullptr && island.jointCount >= leastTeamJoints()) call.team = m_team;
     m_stepper(&call);
 }
 
@@ -428,7 +435,11 @@ void dxStep::learn(unsigned workers, double wallNs) const {
 // The steps of most small worlds are over before a clock could be read: they cost one look at their only island.
 bool dxStep::mayShare() const {
     if (m_count != 1) return m_count > 1;
-    return m_kind == dxStepperKind::Quick && dxIslandCursor(m_info).next().jointCount >= kLeastTeamJoints;
+    return dxIslandCursor(m_info).next().jointCount >= leastTeamJoints();
+}
+
+unsigned dxStep::leastTeamJoints() const {
+    return m_kind == dxStepperKind::Quick ? kLeastTeamJoints : kLeastExactTeamJoints;
 }
 
 void dxStep::estimateCosts() {

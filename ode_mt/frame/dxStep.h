@@ -52,6 +52,7 @@ private:
 
     // --- who may work ----------------------------------------------------------------------------------
     bool mayShare() const;
+    unsigned leastTeamJoints() const;
     void estimateCosts();
     unsigned chooseWorkers(unsigned limit);
     unsigned workerLimit() const;

@@ -4,10 +4,10 @@
 
 #include <vector>
 
+#include "../threading/manager_runner.h"
 #include "RandomBoxes.h"
 #include "SearchedMembers.h"
 #include "collision/dxVerletSearch.h"
-#include "threading/dxThreadManagerPthread.h"
 
 namespace {
 
@@ -110,22 +110,9 @@ TEST_F(VerletSearch, DoesWithoutListsWhileBoxesJump) {
     EXPECT_LT(m_search.lists(), 40u);
 }
 
-class Workers final : public dxTaskRunner {
-public:
-    Workers() { m_manager.resize(kWorkers); }
-    unsigned workers() const override { return kWorkers; }
-    void run(unsigned blocks, dxThreadManager::Task task, void *context) override {
-        m_manager.run(blocks, kWorkers, task, context);
-    }
-
-private:
-    static constexpr unsigned kWorkers = 3;
-    dxThreadManagerPthread m_manager;
-};
-
 // So many that members and candidates are shared out.
 TEST(SharedVerletSearch, FindsWhatItFindsAlone) {
-    Workers workers;
+    ManagerRunner workers(3);
     RandomBoxes random(22);
     SearchedMembers crowd;
     dxVerletSearch search;

@@ -21,7 +21,9 @@
 #include "lcp.h"
 #include "util.h"
 
+#include "dynamics/dxIslandTeam.h"
 #include "dynamics/lcp/dxDantzig.h"
+#include "../threading/manager_runner.h"
 #include "instruction_sets.h"
 
 namespace {
@@ -124,6 +126,23 @@ struct Problem {
 
 using Solver = decltype(&dxSolveLCP);
 
+void solveAlone(dxWorldProcessMemArena *memory, unsigned n, dReal *A, dReal *pairsBX, dReal *w, unsigned unbounded,
+                dReal *pairsLoHi, int *normalOf) {
+    dxSolveDantzig(nullptr, memory, n, A, pairsBX, w, unbounded, pairsLoHi, normalOf);
+}
+
+// Everything that is worth sharing for a test is shared.
+ManagerRunner &workers() {
+    static ManagerRunner runner(3);
+    return runner;
+}
+
+void solveShared(dxWorldProcessMemArena *memory, unsigned n, dReal *A, dReal *pairsBX, dReal *w, unsigned unbounded,
+                 dReal *pairsLoHi, int *normalOf) {
+    const dxIslandTeamLease team(workers(), true);
+    dxSolveDantzig(&*team, memory, n, A, pairsBX, w, unbounded, pairsLoHi, normalOf);
+}
+
 struct Solution {
     std::vector<dReal> x;
     std::string messages;
@@ -159,11 +178,13 @@ Solution solve(Solver solver, Problem problem, bool friction) {
 }
 
 void expectSame(const Problem &problem, bool friction, const std::string &what) {
-    const Solution upstream = solve(dxSolveLCP, problem, friction),
-                   ours = solve(dxSolveDantzig, problem, friction);
-    EXPECT_EQ(std::memcmp(upstream.x.data(), ours.x.data(), problem.n * sizeof(dReal)), 0) << what;
-    EXPECT_EQ(upstream.messages, ours.messages) << what;
-    EXPECT_EQ(upstream.flags, ours.flags) << what;
+    const Solution upstream = solve(dxSolveLCP, problem, friction);
+    for (const Solver solver : {solveAlone, solveShared}) {
+        const Solution ours = solve(solver, problem, friction);
+        EXPECT_EQ(std::memcmp(upstream.x.data(), ours.x.data(), problem.n * sizeof(dReal)), 0) << what;
+        EXPECT_EQ(upstream.messages, ours.messages) << what;
+        EXPECT_EQ(upstream.flags, ours.flags) << what;
+    }
 }
 
 }  // namespace
@@ -179,7 +200,9 @@ TEST(Lcp, HasUpstreamsSolution) {
         {90, 0, 120, 1e-5, 1, true, true, 12},  {300, 200, 400, 1e-5, 0, true, true, 10},
         {300, 0, 250, 1e-6, 1, true, true, 30}, {250, 10, 200, 1e-4, 0, true, false, 20},
         {400, 0, 500, 1e-5, 1, true, true, 9},  {290, 50, 290, 1e-5, 0, true, false, 6},
+        {330, 0, 400, 1e-5, 0, true, true},     {420, 150, 450, 1e-5, 1, true, true, 80},
     };
+    const unsigned before = workers().blocksOfOthers();
     for (const std::int64_t set : instructionSets()) {
         onInstructionSet(set, [&] {
             for (const Shape &shape : shapes) {
@@ -190,6 +213,7 @@ TEST(Lcp, HasUpstreamsSolution) {
             }
         });
     }
+    EXPECT_GT(workers().blocksOfOthers(), before + 1000);
 }
 
 // As bodies stacked or held in more ways than they can move in: A has no inverse.
@@ -200,7 +224,7 @@ TEST(Lcp, HasUpstreamsSolutionOfSingularProblems) {
             for (unsigned seed = 0; seed < 40; ++seed) {
                 const Problem problem({n, 0, n / 2 + 1, softness, 1, true, false}, seed);
                 expectSame(problem, true, std::to_string(n) + " rows, seed " + std::to_string(seed));
-                gaveUp += !solve(dxSolveDantzig, problem, true).messages.empty();
+                gaveUp += !solve(solveAlone, problem, true).messages.empty();
             }
         }
     }
@@ -254,6 +278,6 @@ TEST(Lcp, HasUpstreamsSolutionOfWhatIsNoNumber) {
 TEST(Lcp, LeavesLimitsThatCannotBeToUpstreamsAsserts) {
     Problem problem({20, 3, 40, 1e-5, 0, true, false}, 1);
     problem.limits[2 * 7] = 1;  // low
-    EXPECT_NE(solve(dxSolveDantzig, problem, true).messages.find("dxSolveLCP_Generic"), std::string::npos);
+    EXPECT_NE(solve(solveAlone, problem, true).messages.find("dxSolveLCP_Generic"), std::string::npos);
     expectSame(problem, true, "a low limit above 0");
 }

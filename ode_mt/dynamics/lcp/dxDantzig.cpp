@@ -71,11 +71,11 @@ private:
 enum class Outcome { Solved, GaveUp, LeftToUpstream };
 
 // Nothing is changed if the problem is left to upstream. `failedLength`: of the push that could not be made.
-Outcome solve(dxWorldProcessMemArena *memory, const dxDantzigProblem &problem, dReal &failedLength) {
+Outcome solve(dxIslandTeam *team, dxWorldProcessMemArena *memory, const dxDantzigProblem &problem, dReal &failedLength) {
     const BorrowedArena more(dxDantzigRun::memory(problem.n));
     if (!more.get()) return Outcome::LeftToUpstream;
     const LoweredFlags flags;
-    dxDantzigRun run(memory, more.get(), problem, mayLeaveOutZeros(problem));
+    dxDantzigRun run(team, memory, more.get(), problem, mayLeaveOutZeros(problem));
     run.solve();
     if (flags.isAnyRaised()) return Outcome::LeftToUpstream;
     run.deliver();
@@ -85,13 +85,13 @@ Outcome solve(dxWorldProcessMemArena *memory, const dxDantzigProblem &problem, d
 
 }  // namespace
 
-void dxSolveDantzig(dxWorldProcessMemArena *memory, unsigned n, dReal *A, dReal *pairsBX, dReal *w,
+void dxSolveDantzig(dxIslandTeam *team, dxWorldProcessMemArena *memory, unsigned n, dReal *A, dReal *pairsBX, dReal *w,
                     unsigned unbounded, dReal *pairsLoHi, int *normalOf) {
     Outcome outcome = Outcome::LeftToUpstream;
     dReal failedLength = 0;
     if (unbounded < n && w == nullptr && fegetexcept() == 0 && areLimitsSound(pairsLoHi, n)) {
         void *const start = memory->SaveState();
-        outcome = solve(memory, {n, A, pairsBX, unbounded, pairsLoHi, normalOf}, failedLength);
+        outcome = solve(team, memory, {n, A, pairsBX, unbounded, pairsLoHi, normalOf}, failedLength);
         memory->RestoreState(start);
     }
     if (outcome == Outcome::LeftToUpstream) {

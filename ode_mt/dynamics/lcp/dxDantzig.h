@@ -6,6 +6,7 @@
 #include <ode/common.h>
 
 class dxWorldProcessMemArena;
+struct dxIslandTeam;
 
 // Solves A x = b + w with, for each i, lo(i) <= x(i) <= hi(i), where w(i) >= 0 if x(i) = lo(i), w(i) <= 0 if
 // x(i) = hi(i), and w(i) = 0 otherwise.
@@ -19,5 +20,5 @@ class dxWorldProcessMemArena;
 //   normalOf        null, or for each i the row whose x(i) scales the limits of row i (friction), or -1
 //
 // Threading: reads and writes what it is given, and calls the message handler of the calling thread's island.
-void dxSolveDantzig(dxWorldProcessMemArena *memory, unsigned n, dReal *A, dReal *pairsBX, dReal *w,
+void dxSolveDantzig(dxIslandTeam *team, dxWorldProcessMemArena *memory, unsigned n, dReal *A, dReal *pairsBX, dReal *w,
                     unsigned unbounded, dReal *pairsLoHi, int *normalOf);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "dynamics/lcp/dxFactorRemoval.h"
 #include "dynamics/lcp/dxLcpArrays.h"
 #include "dynamics/lcp/dxLcpOrder.h"
 #include "dynamics/lcp/dxUpstreamLcp.h"
@@ -17,7 +18,7 @@ namespace {
 
 // For removing a row from the factorisation, and for making it.
 std::size_t temporarySize(unsigned n) {
-    return std::max(2 * std::size_t(dPAD(n)) + n, dxFactorLDLTStorage(n));
+    return std::max(dxFactorRemovalStorage(n), dxFactorLDLTStorage(n));
 }
 
 // Below this many rows vectors do not pay.
@@ -57,20 +58,22 @@ std::size_t dxDantzigRun::memory(unsigned n) {
            dxArrayBytes<dReal>(temporarySize(n));
 }
 
-dxDantzigRun::dxDantzigRun(dxWorldProcessMemArena *given, dxWorldProcessMemArena *arena,
+dxDantzigRun::dxDantzigRun(dxIslandTeam *team, dxWorldProcessMemArena *given, dxWorldProcessMemArena *arena,
                            const dxDantzigProblem &problem, bool isLeavingOutExact)
-    : m_problem(problem),
+    : m_team(team),
+      m_problem(problem),
       m_n(problem.n),
       m_order(dxTakeArray<unsigned>(arena, m_n)),
       m_unbounded(dxFindLcpOrder(problem, m_order)),
       m_A(problem.A, dPAD(m_n), m_order, m_n, m_unbounded, dxTakeArray<dReal>(arena, dxLcpMatrix::size(m_n))),
       m_sets(m_n, m_unbounded, dxTakeArray<unsigned>(arena, dxIndexSets::kWords * std::size_t(m_n))),
       m_skip(dPAD(m_n)),
-      m_L(dxTakeArray<dReal>(given, std::size_t(m_skip) * m_n)),
+      m_factor(dxTakeArray<dReal>(given, std::size_t(m_skip) * m_n)),
+      m_L(dxTakeArray<dReal *>(arena, m_n)),
       m_d(dxTakeArray<dReal>(arena, m_n)),
       m_begins(dxTakeArray<unsigned>(arena, m_n)),
       m_envelope(isLeavingOutExact ? dxEnvelope(m_begins) : dxEnvelope()),
-      m_forward(m_A, m_sets, m_L, m_skip, m_envelope, m_n, m_unbounded,
+      m_forward(m_A, m_sets, m_L, m_envelope, m_n, m_unbounded,
                 dxTakeArray<dReal>(arena, dxForwardSolves::size(m_n, m_unbounded)),
                 dxTakeArray<unsigned>(arena, dxForwardSolves::words(m_n))),
       m_arena(arena),
@@ -82,7 +85,6 @@ dxDantzigRun::dxDantzigRun(dxWorldProcessMemArena *given, dxWorldProcessMemArena
       m_limits(dxTakeArray<Limits>(arena, m_n)),
       m_isHigh(dxTakeArray<bool>(arena, m_n)),
       m_leaving(dxTakeArray<unsigned>(arena, m_n)),
-      m_rowPointers(dxTakeArray<dReal *>(arena, m_n)),
       m_blockN(dxTakeArray<unsigned>(arena, blockCount(m_n))),
       m_deltaX(dxTakeArray<dReal>(arena, m_n)),
       m_solved(dxTakeArray<dReal>(arena, m_n)),
@@ -92,7 +94,7 @@ dxDantzigRun::dxDantzigRun(dxWorldProcessMemArena *given, dxWorldProcessMemArena
         m_x[i] = 0;
         const dReal *limits = problem.pairsLoHi + std::size_t(m_order[i]) * PLH__MAX;
         m_limits[i] = {limits[PLH_LO], limits[PLH_HI]};
-        m_rowPointers[i] = m_A.row(i);
+        m_L[i] = m_factor + std::size_t(m_skip) * i;
     }
     std::fill_n(m_blockN, blockCount(m_n), 0u);
 }
@@ -118,17 +120,17 @@ void dxDantzigRun::deliver() const {
 
 // Rows without limits are in C from the start.
 void dxDantzigRun::solveUnbounded() {
-    dxCopyLcpRows(m_problem.A, dPAD(m_n), m_order, 0, m_unbounded, m_L, m_skip);
-    if (m_envelope.leavesOut()) dxFindEnvelope(m_L, m_unbounded, m_skip, m_begins);
+    dxCopyLcpRows(m_problem.A, dPAD(m_n), m_order, 0, m_unbounded, m_factor, m_skip);
+    if (m_envelope.leavesOut()) dxFindEnvelope(m_factor, m_unbounded, m_skip, m_begins);
     if (m_unbounded < kWideFactorRows) {
-        dFactorLDLT(m_L, m_d, static_cast<int>(m_unbounded), static_cast<int>(m_skip));
+        dFactorLDLT(m_factor, m_d, static_cast<int>(m_unbounded), static_cast<int>(m_skip));
     } else {
-        dxFactorLDLT(m_L, m_d, m_unbounded, m_skip, m_envelope, m_temporary);
+        dxFactorLDLT(m_factor, m_d, m_unbounded, m_skip, m_envelope, m_temporary);
     }
     std::copy_n(m_b, m_unbounded, m_x);
-    dxSolveL1Straight(m_L, m_x, m_unbounded, m_skip, m_envelope);
+    dxSolveL1Straight(m_factor, m_x, m_unbounded, m_skip, m_envelope);
     for (unsigned i = 0; i < m_unbounded; ++i) m_x[i] *= m_d[i];
-    dxSolveL1Transposed(m_L, m_x, m_unbounded, m_skip, m_envelope);
+    dxSolveL1Transposed(m_L, m_x, m_unbounded, m_envelope);
 }
 
 // Friction is limited by the forces found for the normals: 0 for 0, whatever the coefficient.
@@ -182,7 +184,7 @@ bool dxDantzigRun::push(unsigned i) {
 void dxDantzigRun::findFactorColumn(unsigned index) {
     const unsigned count = m_sets.countC();
     if (count == 0) return;
-    m_forward.solve(index, m_solved);
+    m_forward.solve(index, m_solved, m_team);
     dxMultiplyLanes(m_solved, m_d, count, scaled(), m_temporary);
 }
 
@@ -195,7 +197,12 @@ void dxDantzigRun::findDirection(unsigned i, bool isUp) {
 // deltaX(C) = -+ A(C,C)^-1 A(C,i), of which findFactorColumn has put the first half into m_temporary.
 void dxDantzigRun::findDeltaX(bool isUp) {
     const unsigned count = m_sets.countC();
-    dxSolveL1Transposed(m_L, m_temporary, count, m_skip, m_envelope);
+    m_team.solveTriangle(std::size_t(count) * count / 2, [&](dxTaskRunner *runner) {
+        if (runner != nullptr)
+            dxSolveL1Transposed(m_L, m_temporary, count, m_envelope, *runner);
+        else
+            dxSolveL1Transposed(m_L, m_temporary, count, m_envelope);
+    });
     const unsigned *positions = m_sets.factorPositions(), inPlace = m_sets.inPlace();
     const dReal *solved = m_temporary;
     for (unsigned j = 0; j < inPlace; ++j) m_deltaX[j] = isUp ? -solved[j] : solved[j];
@@ -229,7 +236,7 @@ void dxDantzigRun::findProductsOfN(unsigned i) {
     }
     if (m_envelope.leavesOut() && m_n >= kSparseProductRows && !m_sparse.isTried()) m_sparse.build(m_arena);
     if (m_sparse.isBuilt()) {
-        for (unsigned k = 0; k < m_sets.countN(); ++k) m_deltaW[ofN[k]] = m_sparse.multiply(ofN[k], m_deltaX);
+        m_sparse.multiply(m_deltaX, i + 1, m_blockN, m_deltaW, m_team);
     } else {
         dxComputeLaneProducts({m_A.rows(), m_A.rowSkip(), columns, m_deltaX, countC, dxLcpBlock(m_unbounded),
                                dxLcpBlock(i) + 1, m_blockN, m_deltaW});
@@ -404,7 +411,8 @@ unsigned dxDantzigRun::firstSolved(unsigned count) const {
 // elements after it.
 void dxDantzigRun::removeFactorRow(unsigned factorRow) {
     const unsigned count = m_sets.countC();
-    dxLDLTRemove(m_rowPointers, m_sets.factorIndexes(), m_L, m_d, m_n, count, factorRow, m_skip, m_temporary);
+    const unsigned *const indexes = m_sets.factorIndexes();
+    dxRemoveFactorRow({m_L, m_d, count, factorRow, m_A.row(indexes[factorRow]), indexes, m_envelope, m_temporary});
     for (unsigned row = factorRow + 1; m_envelope.leavesOut() && row < count; ++row)
         m_begins[row - 1] = m_begins[row] > factorRow ? m_begins[row] - 1 : m_begins[row];
 }

@@ -9,6 +9,7 @@
 #include "dynamics/lcp/dxForwardSolves.h"
 #include "dynamics/lcp/dxIndexSets.h"
 #include "dynamics/lcp/dxLcpMatrix.h"
+#include "dynamics/lcp/dxSolveTeam.h"
 #include "dynamics/lcp/dxSparseRows.h"
 #include "dynamics/solve/dxPushLanes.h"
 
@@ -19,7 +20,7 @@ public:
     // Takes L from `given`, everything else from `arena`, of which it needs memory(n) bytes; reads the
     // problem and writes nothing but that memory. Products with 0 are left out if `isLeavingOutExact`: everything in
     // the problem but its limits is finite, and results are rounded to nearest.
-    dxDantzigRun(dxWorldProcessMemArena *given, dxWorldProcessMemArena *arena,
+    dxDantzigRun(dxIslandTeam *team, dxWorldProcessMemArena *given, dxWorldProcessMemArena *arena,
                  const dxDantzigProblem &problem, bool isLeavingOutExact);
     static std::size_t memory(unsigned n);
 
@@ -69,16 +70,18 @@ private:
     void removeFactorRow(unsigned factorRow);
     unsigned firstSolved(unsigned count) const;
     // D^-1 L^-1 A(C,i) is where it will be if i comes into C: in the row behind the last one of L.
-    dReal *scaled() const { return m_L + std::size_t(m_skip) * m_sets.countC(); }
+    dReal *scaled() const { return m_L[m_sets.countC()]; }
 
+    dxSolveTeam m_team;
     const dxDantzigProblem &m_problem;
     const unsigned m_n;
     unsigned *const m_order;  // the problem's row for each of ours
     const unsigned m_unbounded;
     const dxLcpMatrix m_A;
     dxIndexSets m_sets;
-    const unsigned m_skip;         // of the rows of L
-    dReal *const m_L, *const m_d;  // A(C,C) = L D L', d = 1/D, in the order of the factorisation
+    const unsigned m_skip;         // of the rows of L, before any was removed
+    dReal *const m_factor, **const m_L;  // A(C,C) = L D L': its rows in the order of the factorisation
+    dReal *const m_d;                    // 1/D
     unsigned *const m_begins;      // of the rows of L
     const dxEnvelope m_envelope;   // the same, if products with 0 are left out
     dxForwardSolves m_forward;
@@ -91,7 +94,6 @@ private:
     Limits *const m_limits;
     bool *const m_isHigh;         // for rows of N: at which limit
     unsigned *const m_leaving;    // positions in N: a list of shortenForN
-    dReal **const m_rowPointers;  // of A
     unsigned *const m_blockN;     // rows of N in each block of lanes
 
     dReal *const m_deltaX;  // by position in C

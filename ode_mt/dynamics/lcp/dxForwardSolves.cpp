@@ -6,31 +6,47 @@
 #include "dynamics/solve/dxPanelSolve.h"
 #include "dynamics/solve/dxSolveL1Plain.h"
 
+namespace {
+
+// Below this many blocks all have room.
+constexpr unsigned kFewBlocks = 32;
+
+unsigned blockCount(unsigned n, unsigned first) { return dxLcpBlock(n - 1) + 1 - dxLcpBlock(first); }
+
+unsigned placeCount(unsigned blocks) { return blocks < kFewBlocks ? blocks : blocks - blocks / 4; }
+
+}  // namespace
+
 std::size_t dxForwardSolves::size(unsigned n, unsigned first) {
-    return std::size_t(dxLcpBlock(n - 1) + 1 - dxLcpBlock(first)) * n * kLineLanes;
+    return std::size_t(placeCount(blockCount(n, first))) * n * kLineLanes;
 }
 
-dxForwardSolves::dxForwardSolves(const dxLcpMatrix &A, const dxIndexSets &sets, const dReal *L,
-                                 std::size_t rowSkip, const dxEnvelope &envelope, unsigned n, unsigned first,
+dxForwardSolves::dxForwardSolves(const dxLcpMatrix &A, const dxIndexSets &sets, const dReal *const *L,
+                                 const dxEnvelope &envelope, unsigned n, unsigned first,
                                  dReal *storage, unsigned *words)
     : m_A(A),
       m_sets(sets),
       m_L(L),
-      m_rowSkip(rowSkip),
       m_envelope(envelope),
       m_n(n),
       m_firstBlock(dxLcpBlock(first)),
       m_endBlock(dxLcpBlock(n - 1) + 1),
+      m_places(placeCount(blockCount(n, first))),
       m_solutions(storage),
       m_known(words),
-      m_zeros(words + (m_endBlock - m_firstBlock)) {
-    std::fill(m_known, m_zeros + (m_endBlock - m_firstBlock), 0u);
+      m_zeros(m_known + (m_endBlock - m_firstBlock)),
+      m_place(m_zeros + (m_endBlock - m_firstBlock)),
+      m_blockAt(m_place + (m_endBlock - m_firstBlock)),
+      m_askedAt(m_blockAt + (m_endBlock - m_firstBlock)) {
+    std::fill(m_known, m_place, 0u);
+    std::fill(m_place, m_blockAt, kNone);
 }
 
-void dxForwardSolves::solve(unsigned column, dReal *result) {
+void dxForwardSolves::solve(unsigned column, dReal *result, const dxSolveTeam &team) {
     const unsigned rows = m_sets.countC(), grouped = rows / 4 * 4;
     const unsigned index = dxLcpBlock(column);
-    extend(index, grouped);
+    findPlace(index);
+    extend(index, grouped, team);
     const dReal *lane = block(index) + column % kLineLanes;
     const unsigned zeros = std::min(m_zeros[index - m_firstBlock], grouped);
     std::fill_n(result, zeros, dReal(0));
@@ -38,17 +54,41 @@ void dxForwardSolves::solve(unsigned column, dReal *result) {
     for (unsigned row = grouped; row < rows; ++row) {
         const unsigned other = m_sets.factorIndexes()[row];
         result[row] = m_A.row(other)[column];
-        dxSolve::solveStraightSingle<1>(m_L + row * m_rowSkip, result, row);
+        dxSolve::solveStraightSingle<1>(m_L[row], result, row);
     }
 }
 
-void dxForwardSolves::extend(unsigned index, unsigned rows) {
+void dxForwardSolves::findPlace(unsigned index) {
+    unsigned &place = m_place[index - m_firstBlock];
+    if (place == kNone) {
+        place = m_taken < m_places ? m_taken++ : placeAskedForLongestAgo();
+        m_blockAt[place] = index;
+    }
+    m_askedAt[place] = m_time++;
+}
+
+// Its block has nothing then.
+unsigned dxForwardSolves::placeAskedForLongestAgo() const {
+    const auto place = static_cast<unsigned>(std::min_element(m_askedAt, m_askedAt + m_places) - m_askedAt);
+    const unsigned block = m_blockAt[place] - m_firstBlock;
+    m_place[block] = kNone;
+    m_known[block] = m_zeros[block] = 0;
+    return place;
+}
+
+void dxForwardSolves::extend(unsigned index, unsigned rows, const dxSolveTeam &team) {
     unsigned &known = m_known[index - m_firstBlock];
     if (known >= rows) return;
     if (m_envelope.leavesOut()) extendZeros(index, rows);
-    if (known < rows)
-        dxSolvePanel({m_L, m_rowSkip, m_A.rows() + index * kLineLanes, m_A.rowSkip(), m_sets.factorIndexes(),
-                      m_envelope, m_zeros[index - m_firstBlock], known, rows, block(index)});
+    if (known < rows) {
+        const dxSolvePanelTask task{m_L, m_A.rows() + index * kLineLanes, m_A.rowSkip(), m_sets.factorIndexes(),
+                                    m_envelope, m_zeros[index - m_firstBlock], known, rows, block(index)};
+        dxTaskRunner *const runner = team.runnerFor(std::size_t(rows - known) * rows);
+        if (runner != nullptr)
+            dxSolvePanel(task, *runner);
+        else
+            dxSolvePanel(task);
+    }
     known = rows;
 }
 

@@ -6,71 +6,78 @@
 
 namespace {
 
-// One element in so many, at most: then the groups take less than a third of the matrix's memory.
-constexpr std::size_t kSparsity = 16;
+// One line in so many, at most.
+constexpr std::size_t kSparsity = 5;
 
-std::size_t mostElements(std::size_t n) { return n * n / kSparsity; }
+constexpr unsigned kWordBits = 64;
+
+// That one worker takes at once.
+constexpr std::size_t kSharedBlocks = 8;
+
+std::size_t mostLines(std::size_t n) { return n * dxLcpRoundUp(static_cast<unsigned>(n)) / kLineLanes / kSparsity; }
+
+// Calls visit(block) for each bit.
+template <class Visit>
+void forBits(const std::uint64_t *words, std::size_t count, Visit visit) {
+    for (std::size_t word = 0; word < count; ++word)
+        for (std::uint64_t left = words[word]; left != 0; left &= left - 1)
+            visit(static_cast<unsigned>(word * kWordBits) + static_cast<unsigned>(__builtin_ctzll(left)));
+}
+
+std::size_t patternWords(unsigned blocks) { return (blocks + kWordBits - 1) / kWordBits; }
 
 }  // namespace
 
+dxSparseRows::dxSparseRows(const dxLcpMatrix &A, const dxIndexSets &sets, unsigned n, unsigned first)
+    : m_A(A),
+      m_sets(sets),
+      m_n(n),
+      m_firstBlock(dxLcpBlock(first)),
+      m_blocks(dxLcpBlock(n - 1) + 1),
+      m_patternWords(patternWords(m_blocks - m_firstBlock)) {}
+
 std::size_t dxSparseRows::memory(unsigned n) {
-    return dxArrayBytes<unsigned>(n + std::size_t(1)) + 2 * dxArrayBytes<unsigned>(n) +
-           2 * dxArrayBytes<unsigned>(mostElements(n)) + dxArrayBytes<Group>(mostElements(n));
+    const unsigned blocks = dxLcpBlock(n - 1) + 1;
+    return dxArrayBytes<std::uint64_t>(n * patternWords(blocks)) + dxArrayBytes<unsigned>(blocks + std::size_t(1)) +
+           dxArrayBytes<unsigned>(blocks) + dxArrayBytes<unsigned>(mostLines(n)) +
+           dxArrayBytes<dReal>(mostLines(n) * kLineLanes);
 }
 
 void dxSparseRows::build(dxWorldProcessMemArena *arena) {
-    m_begins = dxTakeArray<unsigned>(arena, m_n + std::size_t(1));
-    count();
-    if (m_begins[m_n] > mostElements(m_n)) return;
-    m_groupCounts = dxTakeArray<unsigned>(arena, m_n);
-    m_patternEnds = dxTakeArray<unsigned>(arena, m_n);
-    m_pattern = dxTakeArray<unsigned>(arena, mostElements(m_n));
-    m_groupNumbers = dxTakeArray<unsigned>(arena, mostElements(m_n));
-    m_groups = dxTakeArray<Group>(arena, mostElements(m_n));
-    fillPattern();
-    std::fill_n(m_groupCounts, m_n, 0u);
+    m_pattern = dxTakeArray<std::uint64_t>(arena, m_n * m_patternWords);
+    m_begins = dxTakeArray<unsigned>(arena, m_blocks + std::size_t(1));
+    findPattern();
+    if (m_begins[m_blocks] > mostLines(m_n)) return;
+    m_counts = dxTakeArray<unsigned>(arena, m_blocks);
+    m_positions = dxTakeArray<unsigned>(arena, m_begins[m_blocks]);
+    m_lines = dxTakeArray<dReal>(arena, std::size_t(m_begins[m_blocks]) * kLineLanes);
+    std::fill_n(m_counts, m_blocks, 0u);
     for (unsigned position = 0; position < m_sets.countC(); ++position)
         insertColumn(m_sets.indexAt(position), position);
 }
 
-// The matrix is symmetric: a row has as many elements as its column. Of the first rows only those are counted that
-// their columns have in the others.
-void dxSparseRows::count() {
-    std::fill_n(m_begins, m_n + std::size_t(1), 0u);
-    for (unsigned row = m_first; row < m_n; ++row) {
-        const dReal *elements = m_A.row(row);
-        unsigned count = 0;
-        for (unsigned column = 0; column < m_n; ++column) count += elements[column] != 0;
-        m_begins[row + 1] = count;
-        for (unsigned column = 0; column < m_first; ++column) m_begins[column + 1] += elements[column] != 0;
+// The matrix is symmetric: a column is its row.
+void dxSparseRows::findPattern() {
+    std::fill_n(m_begins, m_blocks + std::size_t(1), 0u);
+    for (unsigned column = 0; column < m_n; ++column) {
+        std::uint64_t *const bits = m_pattern + column * m_patternWords;
+        dxMarkLines(m_A.row(column) + std::size_t(m_firstBlock) * kLineLanes, m_blocks - m_firstBlock, bits);
+        forBits(bits, m_patternWords, [&](unsigned block) { ++m_begins[m_firstBlock + block + 1]; });
     }
-    for (unsigned row = 0; row < m_n; ++row) m_begins[row + 1] += m_begins[row];
+    for (unsigned block = 0; block < m_blocks; ++block) m_begins[block + 1] += m_begins[block];
 }
 
-void dxSparseRows::fillPattern() {
-    std::copy_n(m_begins, m_n, m_patternEnds);
-    for (unsigned row = m_first; row < m_n; ++row) {
-        const dReal *elements = m_A.row(row);
-        for (unsigned column = 0; column < m_n; ++column)
-            if (elements[column] != 0) m_pattern[m_patternEnds[column]++] = row;
-    }
-}
-
-dReal dxSparseRows::multiply(unsigned row, const dReal *factors) const {
-    const unsigned wholeGroups = m_sets.countC() / 4, rest = m_sets.countC() % 4;
-    const unsigned *numbers = m_groupNumbers + m_begins[row];
-    const Group *groups = m_groups + m_begins[row];
-    unsigned count = m_groupCounts[row];
-    const bool hasRest = count > 0 && numbers[count - 1] == wholeGroups;
-    if (hasRest) --count;
-    dReal sum = 0;
-    for (unsigned k = 0; k < count; ++k) {
-        const dReal *a = groups[k].elements, *x = factors + std::size_t(numbers[k]) * 4;
-        sum += a[0] * x[0] + a[1] * x[1] + a[2] * x[2] + a[3] * x[3];
-    }
-    for (unsigned k = 0; hasRest && k < rest; ++k)
-        sum += groups[count].elements[k] * factors[std::size_t(wholeGroups) * 4 + k];
-    return sum;
+void dxSparseRows::multiply(const dReal *factors, unsigned endRow, const unsigned *wanted, dReal *result,
+                            const dxSolveTeam &team) const {
+    const unsigned endBlock = dxLcpBlock(endRow - 1) + 1;
+    const auto multiplyBlocks = [&](unsigned begin, unsigned end) {
+        dxComputeSparseProducts({m_begins, m_counts, m_lines, m_positions, factors, m_sets.countC(), begin, end, wanted, result});
+    };
+    dxTaskRunner *const runner = team.runnerFor(std::size_t(m_begins[endBlock]) * kLineLanes / 2);  // of all half are in C
+    if (runner == nullptr) return multiplyBlocks(m_firstBlock, endBlock);
+    runner->forPieces(endBlock - m_firstBlock, kSharedBlocks, [&](std::size_t begin, std::size_t end, unsigned) {
+        multiplyBlocks(m_firstBlock + static_cast<unsigned>(begin), m_firstBlock + static_cast<unsigned>(end));
+    });
 }
 
 void dxSparseRows::append(unsigned column) {
@@ -87,44 +94,35 @@ void dxSparseRows::remove(unsigned position) {
 }
 
 void dxSparseRows::insertColumn(unsigned column, unsigned position) {
-    for (unsigned k = m_begins[column]; k < m_patternEnds[column]; ++k)
-        insert(m_pattern[k], position, m_A.row(m_pattern[k])[column]);
+    const dReal *const elements = m_A.row(column);
+    forBits(pattern(column), m_patternWords, [&](unsigned block) {
+        insert(m_firstBlock + block, position, elements + std::size_t(m_firstBlock + block) * kLineLanes);
+    });
 }
 
 void dxSparseRows::eraseColumn(unsigned column, unsigned position) {
-    for (unsigned k = m_begins[column]; k < m_patternEnds[column]; ++k) erase(m_pattern[k], position);
+    forBits(pattern(column), m_patternWords, [&](unsigned block) { erase(m_firstBlock + block, position); });
 }
 
-// The first of a row's groups that is not before the given one. Most searches are for the last.
-unsigned dxSparseRows::findGroup(unsigned row, unsigned group) const {
-    const unsigned *numbers = m_groupNumbers + m_begins[row];
-    unsigned k = m_groupCounts[row];
-    while (k > 0 && numbers[k - 1] >= group) --k;
-    return k;
+// The first of a block's lines that is not before the position.
+unsigned dxSparseRows::findLine(unsigned block, unsigned position) const {
+    const unsigned *const positions = m_positions + m_begins[block], *const end = positions + m_counts[block];
+    if (positions == end || end[-1] < position) return m_counts[block];  // most lines come last
+    return static_cast<unsigned>(std::lower_bound(positions, end, position) - positions);
 }
 
-void dxSparseRows::insert(unsigned row, unsigned position, dReal element) {
-    unsigned *numbers = m_groupNumbers + m_begins[row];
-    Group *groups = m_groups + m_begins[row];
-    const unsigned group = position / 4, k = findGroup(row, group), count = m_groupCounts[row];
-    if (k == count || numbers[k] != group) {
-        std::copy_backward(numbers + k, numbers + count, numbers + count + 1);
-        std::copy_backward(groups + k, groups + count, groups + count + 1);
-        numbers[k] = group;
-        groups[k] = Group();
-        ++m_groupCounts[row];
-    }
-    groups[k].elements[position % 4] = element;
+void dxSparseRows::insert(unsigned block, unsigned position, const dReal *elements) {
+    const unsigned k = findLine(block, position), count = m_counts[block]++;
+    unsigned *const positions = m_positions + m_begins[block];
+    std::copy_backward(positions + k, positions + count, positions + count + 1);
+    std::copy_backward(line(block, k), line(block, count), line(block, count + 1));
+    positions[k] = position;
+    std::copy_n(elements, kLineLanes, line(block, k));
 }
 
-void dxSparseRows::erase(unsigned row, unsigned position) {
-    unsigned *numbers = m_groupNumbers + m_begins[row];
-    Group *groups = m_groups + m_begins[row];
-    const unsigned k = findGroup(row, position / 4), count = m_groupCounts[row];
-    groups[k].elements[position % 4] = 0;
-    const dReal *elements = groups[k].elements;
-    if (elements[0] != 0 || elements[1] != 0 || elements[2] != 0 || elements[3] != 0) return;
-    std::copy(numbers + k + 1, numbers + count, numbers + k);
-    std::copy(groups + k + 1, groups + count, groups + k);
-    --m_groupCounts[row];
+void dxSparseRows::erase(unsigned block, unsigned position) {
+    const unsigned k = findLine(block, position), count = m_counts[block]--;
+    unsigned *const positions = m_positions + m_begins[block];
+    std::copy(positions + k + 1, positions + count, positions + k);
+    std::copy(line(block, k + 1), line(block, count), line(block, k));
 }

@@ -1,37 +1,39 @@
 // Products of rows of a sparse matrix with a vector over C: upstream's dot products (ode/src/fastdot_impl.h) without
-// the products that are zero.
+// most of the products that are zero.
 //
-// Few columns have an element in a row: those that share a body with it. Upstream adds four products to one another,
-// for positions 4k to 4k + 3 in C, then to the sum, and those left over one by one. So a row's elements are kept by
-// groups of four positions, in order, and follow each change of C.
+// Few columns have an element in a row: those that share a body with it. Rows next to one another mostly have the same
+// ones, as those of contacts of the same two bodies. So the elements of eight rows in a column of C lie side by side, a line
+// of the cache, if one of them is not zero; the lines of such a block are in the order of C, and follow each change of it.
 #pragma once
 
 #include <ode/common.h>
 
 #include <cstddef>
+#include <cstdint>
 
 #include "dynamics/lcp/dxIndexSets.h"
 #include "dynamics/lcp/dxLcpMatrix.h"
+#include "dynamics/lcp/dxSolveTeam.h"
+#include "dynamics/solve/dxSparseProducts.h"
 
 class dxWorldProcessMemArena;
 
 class dxSparseRows {
 public:
     // Rows first..n-1 of n. Until it is built it takes no time.
-    dxSparseRows(const dxLcpMatrix &A, const dxIndexSets &sets, unsigned n, unsigned first)
-        : m_A(A), m_sets(sets), m_n(n), m_first(first) {}
+    dxSparseRows(const dxLcpMatrix &A, const dxIndexSets &sets, unsigned n, unsigned first);
 
-    // Of the memory that build takes, in bytes.
+    // Of the memory that build takes, in bytes: a fifth of the matrix's.
     static std::size_t memory(unsigned n);
 
     // Gathers the elements of the rows in the columns of C, unless too many are not zero.
     void build(dxWorldProcessMemArena *arena);
 
     bool isTried() const { return m_begins != nullptr; }
-    bool isBuilt() const { return m_groupCounts != nullptr; }
+    bool isBuilt() const { return m_lines != nullptr; }
 
-    // The sum over C of A(row, column) * factors[position].
-    dReal multiply(unsigned row, const dReal *factors) const;
+    // result(row) = the sum over C of A(row, column) * factors[position], for rows before `endRow` in wanted blocks.
+    void multiply(const dReal *factors, unsigned endRow, const unsigned *wanted, dReal *result, const dxSolveTeam &team) const;
 
     // C has got a column at its end.
     void append(unsigned column);
@@ -40,28 +42,26 @@ public:
     void remove(unsigned position);
 
 private:
-    struct Group {
-        dReal elements[4];
-    };
-
-    void count();
-    void fillPattern();
+    const std::uint64_t *pattern(unsigned column) const { return m_pattern + column * m_patternWords; }
+    void findPattern();
     void insertColumn(unsigned column, unsigned position);
     void eraseColumn(unsigned column, unsigned position);
-    void insert(unsigned row, unsigned position, dReal element);
-    void erase(unsigned row, unsigned position);
-    unsigned findGroup(unsigned row, unsigned group) const;
+    void insert(unsigned block, unsigned position, const dReal *line);
+    void erase(unsigned block, unsigned position);
+    unsigned findLine(unsigned block, unsigned position) const;
+    dReal *line(unsigned block, unsigned k) const { return m_lines + (m_begins[block] + std::size_t(k)) * kLineLanes; }
 
     const dxLcpMatrix &m_A;
     const dxIndexSets &m_sets;
-    const unsigned m_n, m_first;
+    const unsigned m_n, m_firstBlock, m_blocks;
+    const std::size_t m_patternWords;
 
-    // By row:
-    unsigned *m_begins = nullptr;       // of its pattern, and of its groups; n + 1
-    unsigned *m_patternEnds = nullptr;
-    unsigned *m_groupCounts = nullptr;  // null until built
+    std::uint64_t *m_pattern = nullptr;  // by column: a bit for each block that has elements there
 
-    unsigned *m_pattern = nullptr;       // rows with an element in a column, by column
-    unsigned *m_groupNumbers = nullptr;  // by row, rising
-    Group *m_groups = nullptr;           // the same
+    // By block; its lines have room for all columns with elements.
+    unsigned *m_begins = nullptr;  // one more than blocks
+    unsigned *m_counts = nullptr;
+
+    unsigned *m_positions = nullptr;  // by line
+    dReal *m_lines = nullptr;         // null until built
 };

@@ -47,22 +47,23 @@ HWY_INLINE void finishFactorPair(const FactorPanel &panel, std::size_t lane, std
 template <std::size_t Rows>
 HWY_INLINE void solveFactorColumns(const FactorPanel &panel, std::size_t first) {
     const LineTag d;
+    const dxRowsApart triangle(panel.A, panel.rowSkip);
     for (std::size_t lane = 0; lane < kLineLanes; lane += hn::Lanes(d)) {
         LineVector sum[Rows];
         for (std::size_t r = 0; r < Rows; ++r) sum[r] = hn::Zero(d);
         const std::size_t begin = std::max(panel.begin, panel.envelope.begin(first, Rows));
-        addColumns<Rows>(panel.row(first), panel.rowSkip, panel.solved + lane, begin, first, sum);
+        addColumns<Rows>(triangle, first, panel.solved + lane, begin, first, sum);
         finishFactorPair(panel, lane, first, sum);
         if constexpr (Rows > 2) {
-            addColumns<Rows - 2>(panel.row(first + 2), panel.rowSkip, panel.solved + lane, first, first + 2,
+            addColumns<Rows - 2>(triangle, first + 2, panel.solved + lane, first, first + 2,
                                  sum + 2);
             finishFactorPair(panel, lane, first + 2, sum + 2);
         }
         if constexpr (Rows > 4) {
-            addColumns<Rows - 4>(panel.row(first + 4), panel.rowSkip, panel.solved + lane, first + 2,
+            addColumns<Rows - 4>(triangle, first + 4, panel.solved + lane, first + 2,
                                  first + 4, sum + 4);
             finishFactorPair(panel, lane, first + 4, sum + 4);
-            addColumns<Rows - 6>(panel.row(first + 6), panel.rowSkip, panel.solved + lane, first + 4,
+            addColumns<Rows - 6>(triangle, first + 6, panel.solved + lane, first + 4,
                                  first + 6, sum + 6);
             finishFactorPair(panel, lane, first + 6, sum + 6);
         }

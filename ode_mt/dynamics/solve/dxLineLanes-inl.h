@@ -12,6 +12,7 @@
 
 #include <cstddef>
 
+#include "dynamics/solve/dxTriangleRows.h"
 #include "simd/dxCacheLine.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -23,16 +24,18 @@ namespace hn = hwy::HWY_NAMESPACE;
 using LineTag = hn::CappedTag<dReal, kLineLanes>;
 using LineVector = hn::Vec<LineTag>;
 
-// sum[row] += L(row, column) * y(column) for a vector of lanes, columns begin..end-1 in this order. `y`: a
+// sum[r] += L(firstRow + r, column) * y(column) for a vector of lanes, columns begin..end-1 in this order. `y`: a
 // line of lanes for each column, from the vector's first lane on.
-template <std::size_t Rows>
-HWY_INLINE void addColumns(const dReal *row, std::size_t rowSkip, const dReal *y, std::size_t begin,
-                           std::size_t end, LineVector *sum) {
+template <std::size_t Count, class Rows>
+HWY_INLINE void addColumns(const Rows &L, std::size_t firstRow, const dReal *y, std::size_t begin, std::size_t end,
+                           LineVector *sum) {
     const LineTag d;
+    const dReal *row[Count];
+    for (std::size_t r = 0; r < Count; ++r) row[r] = L(firstRow + r);
     for (std::size_t column = begin; column < end; ++column) {
         const auto lanes = hn::Load(d, y + column * kLineLanes);
-        for (std::size_t r = 0; r < Rows; ++r)
-            sum[r] = hn::Add(sum[r], hn::Mul(hn::Set(d, row[r * rowSkip + column]), lanes));
+        for (std::size_t r = 0; r < Count; ++r)
+            sum[r] = hn::Add(sum[r], hn::Mul(hn::Set(d, row[r][column]), lanes));
     }
 }
 

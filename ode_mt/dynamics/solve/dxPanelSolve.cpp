@@ -8,6 +8,8 @@
 
 #include "dynamics/solve/dxLineLanes-inl.h"
 #include "dynamics/solve/dxPanelSolve.h"
+#include "threading/dxTaskRunner.h"
+#include "threading/dxTurns.h"
 
 // Lanes are right-hand sides: an element of L is one factor for all of them, and nothing is rearranged.
 HWY_BEFORE_NAMESPACE();
@@ -26,25 +28,36 @@ HWY_INLINE void finishGroup(const dxSolvePanelTask &task, std::size_t lane, std:
         y[r] =
             hn::Sub(hn::Load(d, task.rightHandSides + task.index[row] * task.rightHandSkip + lane), sum[r]);
         for (std::size_t k = 0; k < r; ++k)
-            y[r] = hn::Sub(y[r], hn::Mul(hn::Set(d, task.L[row * task.rowSkip + first + k]), y[k]));
+            y[r] = hn::Sub(y[r], hn::Mul(hn::Set(d, task.L[row][first + k]), y[k]));
         hn::Store(y[r], d, task.solutions + row * kLineLanes + lane);
     }
 }
 
-// Four or eight rows.
+// The first column that counts in rows from `first` on.
+HWY_INLINE std::size_t beginOf(const dxSolvePanelTask &task, std::size_t first, std::size_t rows) {
+    return std::max<std::size_t>(task.envelope.begin(first, rows), task.zeros);
+}
+
+// Four or eight rows, whose sums have come as far as column `begin`.
+template <std::size_t Rows>
+HWY_INLINE void finishRows(const dxSolvePanelTask &task, std::size_t lane, std::size_t first, std::size_t begin,
+                           LineVector *sum) {
+    const dxListedRows L(task.L);
+    const dReal *solutions = task.solutions + lane;
+    addColumns<Rows>(L, first, solutions, begin, first, sum);
+    finishGroup(task, lane, first, sum);
+    if constexpr (Rows == 8) {
+        LineVector second[4] = {sum[4], sum[5], sum[6], sum[7]};
+        addColumns<4>(L, first + 4, solutions, first, first + 4, second);
+        finishGroup(task, lane, first + 4, second);
+    }
+}
+
 template <std::size_t Rows>
 HWY_INLINE void solveRows(const dxSolvePanelTask &task, std::size_t lane, std::size_t first) {
     LineVector sum[Rows];
     for (std::size_t r = 0; r < Rows; ++r) sum[r] = hn::Zero(LineTag());
-    const dReal *row = task.L + first * task.rowSkip, *solutions = task.solutions + lane;
-    const std::size_t begin = std::max<std::size_t>(task.envelope.begin(first, Rows), task.zeros);
-    addColumns<Rows>(row, task.rowSkip, solutions, begin, first, sum);
-    finishGroup(task, lane, first, sum);
-    if constexpr (Rows == 8) {
-        LineVector second[4] = {sum[4], sum[5], sum[6], sum[7]};
-        addColumns<4>(row + 4 * task.rowSkip, task.rowSkip, solutions, first, first + 4, second);
-        finishGroup(task, lane, first + 4, second);
-    }
+    finishRows<Rows>(task, lane, first, beginOf(task, first, Rows), sum);
 }
 
 void solvePanel(const dxSolvePanelTask &task) {
@@ -56,6 +69,61 @@ void solvePanel(const dxSolvePanelTask &task) {
     }
 }
 
+// Four or eight rows whose sums are in memory: sum(row) += the products with columns begin..end-1.
+template <std::size_t Rows>
+HWY_INLINE void addToSums(const dxSolvePanelTask &task, std::size_t lane, std::size_t first, std::size_t begin,
+                          std::size_t end, dReal *sums) {
+    const LineTag d;
+    LineVector sum[Rows];
+    for (std::size_t r = 0; r < Rows; ++r) sum[r] = hn::Load(d, sums + r * kLineLanes + lane);
+    addColumns<Rows>(dxListedRows(task.L), first, task.solutions + lane, begin, end, sum);
+    for (std::size_t r = 0; r < Rows; ++r) hn::Store(sum[r], d, sums + r * kLineLanes + lane);
+}
+
+template <std::size_t Rows>
+HWY_INLINE void finishFromSums(const dxSolvePanelTask &task, std::size_t lane, std::size_t first, std::size_t begin,
+                               const dReal *sums) {
+    LineVector sum[Rows];
+    for (std::size_t r = 0; r < Rows; ++r) sum[r] = hn::Load(LineTag(), sums + r * kLineLanes + lane);
+    finishRows<Rows>(task, lane, first, begin, sum);
+}
+
+// The rows whose turn it is: products with all columns as they become known, then with those of their own.
+void solvePanelInTurn(const dxSolvePanelTask &task, unsigned turn, dxTurns &turns) {
+    constexpr std::size_t kTiles = kSharedRows / kPanelRows;
+    const LineTag d;
+    HWY_ALIGN dReal sums[kSharedRows * kLineLanes] = {};
+    const std::size_t begin = task.begin + turn * kSharedRows, end = std::min<std::size_t>(begin + kSharedRows, task.end);
+    std::size_t from = 0;
+    for (unsigned known = 0;;) {
+        const std::size_t to = task.begin + known * kSharedRows;
+        for (std::size_t tile = 0; tile < kTiles && begin + tile * kPanelRows < end; ++tile) {
+            const std::size_t first = begin + tile * kPanelRows, rows = std::min(kPanelRows, end - first);
+            const std::size_t column = std::max(from, beginOf(task, first, rows));
+            for (std::size_t lane = 0; column < to && lane < kLineLanes; lane += hn::Lanes(d)) {
+                if (rows == kPanelRows)
+                    addToSums<kPanelRows>(task, lane, first, column, to, sums + tile * kPanelRows * kLineLanes);
+                else
+                    addToSums<4>(task, lane, first, column, to, sums + tile * kPanelRows * kLineLanes);
+            }
+        }
+        from = to;
+        if (known == turn) break;
+        known = turns.await(known + 1);
+    }
+    for (std::size_t first = begin; first < end; first += kPanelRows) {
+        const std::size_t rows = std::min(kPanelRows, end - first);
+        const std::size_t column = std::max(begin, beginOf(task, first, rows));
+        for (std::size_t lane = 0; lane < kLineLanes; lane += hn::Lanes(d)) {
+            if (rows == kPanelRows)
+                finishFromSums<kPanelRows>(task, lane, first, column, sums + (first - begin) * kLineLanes);
+            else
+                finishFromSums<4>(task, lane, first, column, sums + (first - begin) * kLineLanes);
+        }
+    }
+    turns.finish(turn);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace dxSolve
 HWY_AFTER_NAMESPACE();
@@ -63,7 +131,15 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace dxSolve {
 HWY_EXPORT(solvePanel);
+HWY_EXPORT(solvePanelInTurn);
 }  // namespace dxSolve
 
 void dxSolvePanel(const dxSolvePanelTask &task) { HWY_DYNAMIC_DISPATCH(dxSolve::solvePanel)(task); }
+
+void dxSolvePanel(const dxSolvePanelTask &task, dxTaskRunner &runner) {
+    dxTurns turns;
+    runner.forBlocks((task.end - task.begin + kSharedRows - 1) / kSharedRows, [&](unsigned turn, unsigned) {
+        HWY_DYNAMIC_DISPATCH(dxSolve::solvePanelInTurn)(task, turn, turns);
+    });
+}
 #endif

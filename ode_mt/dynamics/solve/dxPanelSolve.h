@@ -11,8 +11,7 @@
 // rightHandSkip + lane]. There are as many lanes as a line of the cache has elements, all aligned to such a
 // line.
 struct dxSolvePanelTask {
-    const dReal *L;  // as in dxSolveL1.h
-    std::size_t rowSkip;
+    const dReal *const *L;  // as in dxSolveL1.h, row i at L[i]
     const dReal *rightHandSides;
     std::size_t rightHandSkip;
     const unsigned *index;
@@ -25,3 +24,6 @@ struct dxSolvePanelTask {
 // Each lane gets the bits of dxSolveL1Straight for a right-hand side of its own, `end` rows or more. What the
 // envelope and the zeros leave out is right under the conditions named there.
 void dxSolvePanel(const dxSolvePanelTask &task);
+class dxTaskRunner;
+constexpr unsigned kSharedRows = 32;
+void dxSolvePanel(const dxSolvePanelTask &task, dxTaskRunner &runner);

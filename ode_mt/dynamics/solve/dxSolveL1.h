@@ -10,6 +10,8 @@
 
 #include "dxEnvelope.h"
 
+class dxTaskRunner;
+
 // B := L^-1 B. Instances for b_stride 1 and 2.
 template <unsigned b_stride>
 void dxSolveL1Straight(const dReal *L, dReal *B, unsigned rowCount, unsigned rowSkip);
@@ -21,4 +23,17 @@ void dxSolveL1Transposed(const dReal *L, dReal *B, unsigned rowCount, unsigned r
 // The same for b_stride 1, where rows of L begin late: columns before an envelope are taken for zero, which is
 // exact if everything is finite, no sum overflows, and results are rounded to nearest.
 void dxSolveL1Straight(const dReal *L, dReal *B, unsigned rowCount, unsigned rowSkip, const dxEnvelope &envelope);
-void dxSolveL1Transposed(const dReal *L, dReal *B, unsigned rowCount, unsigned rowSkip, const dxEnvelope &envelope);
+
+// Row i of L is at L[i].
+void dxSolveL1Transposed(const dReal *const *L, dReal *B, unsigned rowCount, const dxEnvelope &envelope);
+
+// On the workers of a runner.
+void dxSolveL1Transposed(const dReal *const *L, dReal *B, unsigned rowCount, const dxEnvelope &envelope,
+                         dxTaskRunner &runner);
+
+namespace dxSolve {
+
+// Columns that one of the workers solves for while the others wait for some of them.
+constexpr unsigned kSharedPanel = 64;
+
+}  // namespace dxSolve

@@ -69,10 +69,11 @@ inline void solveStraightPlain(const dReal *L, dReal *B, std::size_t rowCount, s
     for (; first < rowCount; ++first) solveStraightSingle<Stride>(L + first * rowSkip, B, first);
 }
 
-// The four results of the group whose diagonal starts at `diagonal`; `sum` holds the rows after it.
-template <unsigned Stride>
-inline FourResults finishTransposedGroup(const dReal *diagonal, std::size_t rowSkip, dReal *b, const dReal *sum) {
-    const dReal *row1 = diagonal + rowSkip, *row2 = row1 + rowSkip, *row3 = row2 + rowSkip;
+// The four results of the group from row `first` on; `sum` holds the rows after it.
+template <unsigned Stride, class Rows>
+__attribute__((always_inline)) inline FourResults finishTransposedGroup(const Rows &L, std::size_t first, dReal *B, const dReal *sum) {
+    const dReal *row1 = L(first + 1) + first, *row2 = L(first + 2) + first, *row3 = L(first + 3) + first;
+    dReal *const b = B + first * Stride;
     const dReal y3 = b[3 * Stride] - sum[3];
     const dReal y2 = b[2 * Stride] - sum[2] - row3[2] * y3;
     const dReal y1 = b[Stride] - sum[1] - row3[1] * y3 - row2[1] * y2;
@@ -84,29 +85,29 @@ inline FourResults finishTransposedGroup(const dReal *diagonal, std::size_t rowS
     return {{y0, y1, y2, y3}};
 }
 
-// The last `rows` results, none to three, which have no group.
-template <unsigned Stride>
-inline void finishTransposedLast(const dReal *diagonal, std::size_t rowSkip, dReal *b, std::size_t rows) {
+// The results from row `first` on, none to three, which have no group.
+template <unsigned Stride, class Rows>
+__attribute__((always_inline)) inline void finishTransposedLast(const Rows &L, std::size_t first, dReal *B, std::size_t rowCount) {
+    const std::size_t rows = rowCount - first;
+    dReal *const b = B + first * Stride;
     if (rows == 2) {
-        b[0] -= diagonal[rowSkip] * b[Stride];
+        b[0] -= L(first + 1)[first] * b[Stride];
     } else if (rows == 3) {
-        const dReal *row1 = diagonal + rowSkip, *row2 = row1 + rowSkip;
+        const dReal *row1 = L(first + 1) + first, *row2 = L(first + 2) + first;
         b[Stride] -= row2[1] * b[2 * Stride];
         b[0] = b[0] - row2[0] * b[2 * Stride] - row1[0] * b[Stride];
     }
 }
 
-template <unsigned Stride>
-inline void solveTransposedPlain(const dReal *L, dReal *B, std::size_t rowCount, std::size_t rowSkip) {
-    const std::size_t lastRows = rowCount % 4;
-    std::size_t first = rowCount - lastRows;
-    finishTransposedLast<Stride>(L + first * (rowSkip + 1), rowSkip, B + first * Stride, lastRows);
+template <unsigned Stride, class Rows>
+inline void solveTransposedPlain(const Rows &L, dReal *B, std::size_t rowCount) {
+    std::size_t first = rowCount - rowCount % 4;
+    finishTransposedLast<Stride>(L, first, B, rowCount);
     while (first > 0) {
         first -= 4;
         dReal sum0 = 0, sum1 = 0, sum2 = 0, sum3 = 0;
-        const dReal *row = L + rowCount * rowSkip + first;
         for (std::size_t index = rowCount; index-- > first + 4;) {
-            row -= rowSkip;
+            const dReal *const row = L(index) + first;
             const dReal q = B[index * Stride];
             sum0 += row[0] * q;
             sum1 += row[1] * q;
@@ -114,7 +115,7 @@ inline void solveTransposedPlain(const dReal *L, dReal *B, std::size_t rowCount,
             sum3 += row[3] * q;
         }
         const dReal sum[4] = {sum0, sum1, sum2, sum3};
-        finishTransposedGroup<Stride>(L + first * (rowSkip + 1), rowSkip, B + first * Stride, sum);
+        finishTransposedGroup<Stride>(L, first, B, sum);
     }
 }
 

@@ -26,6 +26,7 @@ void addHinge2Joints(Catalogue &catalogue);
 void addHingeJoints(Catalogue &catalogue);
 void addJointFeedback(Catalogue &catalogue);
 void addKinematicBodies(Catalogue &catalogue);
+void addLargeExactIslands(Catalogue &catalogue);
 void addLargeIslands(Catalogue &catalogue);
 void addLockedSpaces(Catalogue &catalogue);
 void addManyContacts(Catalogue &catalogue);

@@ -45,6 +45,7 @@ const Catalogue &catalogue() {
         addHingeJoints(all);
         addJointFeedback(all);
         addKinematicBodies(all);
+        addLargeExactIslands(all);
         addLargeIslands(all);
         addLockedSpaces(all);
         addManyContacts(all);

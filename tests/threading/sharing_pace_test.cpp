@@ -1,7 +1,7 @@
 // dxSharingPace: takes the faster way, does not spend much on finding out, and follows when times change.
 #include <gtest/gtest.h>
 
-#include "collision/dxSharingPace.h"
+#include "threading/dxSharingPace.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "collision/dxSharingPace.h"
+#include "threading/dxSharingPace.h"
 
 #include <algorithm>
 #include <utility>

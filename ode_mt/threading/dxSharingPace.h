@@ -1,10 +1,10 @@
-// Whether the collisions of a space are shared out to workers or stay on the calling thread: whichever of the two
-// took less time of late.
+// Whether work that comes again and again, as the collisions of a space, is shared out to workers or stays on the calling
+// thread: whichever of the two took less time of late.
 //
-// Both times are measured, of whole calls, the user's callbacks included. The way that is not in use is tried again from time
+// Both times are measured, of whole calls, with all that belongs to them. The way that is not in use is tried again from time
 // to time, for a few calls in a row, of which the first is not counted: workers have to wake, caches to fill. A trial in
 // vain makes the next one later.
-// It decides about speed alone; results are the same either way. One thread at a time, as the space.
+// It decides about speed alone; results are the same either way. One thread at a time.
 #pragma once
 
 class dxSharingPace {

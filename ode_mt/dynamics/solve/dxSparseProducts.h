@@ -1,0 +1,29 @@
+// Products of rows of a sparse symmetric matrix with a vector, a row a lane, without most of the products that are zero:
+// the kernels of dxSparseRows.
+#pragma once
+
+#include <ode/common.h>
+
+#include <cstddef>
+#include <cstdint>
+
+// Rows come in blocks of as many as a line of the cache has elements. A block keeps a line, an element a row, for
+// each position of the vector at which one of its rows has an element.
+struct dxSparseProductsTask {
+    const unsigned *begins, *counts;  // by block: of its lines
+    const dReal *lines;               // aligned to the cache's lines
+    const unsigned *positions;        // of the lines, rising in a block
+    const dReal *factors;             // the vector
+    unsigned count;                   // its length
+    unsigned beginBlock, endBlock;
+    const unsigned *wanted;  // by block: 0 if none of its rows is wanted
+    dReal *result;           // by row, from block 0 on
+};
+
+// result(row) = the sum of products, for all rows of the wanted blocks: that of dxComputeLaneProducts but for its zeros,
+// which changes no bit if everything is finite and results are rounded to nearest (docs/lcp.md).
+void dxComputeSparseProducts(const dxSparseProductsTask &task);
+
+// Sets bit b of `bits` if one of the elements of line b is not zero, for each of `lines` lines at `row`; clears all others
+// up to a multiple of 64.
+void dxMarkLines(const dReal *row, std::size_t lines, std::uint64_t *bits);

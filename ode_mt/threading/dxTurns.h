@@ -1,0 +1,38 @@
+// Blocks of a run whose results are needed by all blocks after them: they are computed side by side as far as that goes,
+// and finished one after the other.
+//
+// Blocks of a run start in ascending order (dxThreadManager::run), so that the first unfinished one is held by a
+// thread that waits for nobody: any number of threads, one included, gets all finished.
+#pragma once
+
+#include <atomic>
+#include <thread>
+
+#include "threading/dxSpin.h"
+
+class dxTurns {
+public:
+    // Blocks that are finished: all before it.
+    unsigned finished() const { return m_finished.load(std::memory_order_acquire); }
+
+    // Waits until `blocks` are finished; what they wrote is then visible. Returns how many are.
+    __attribute__((noinline)) unsigned await(unsigned blocks) const {
+        unsigned known = finished();
+        for (int looks = 1; known < blocks; ++looks, known = finished()) {
+            if (looks % kPatience == 0)
+                std::this_thread::yield();
+            else
+                dxPause();
+        }
+        return known;
+    }
+
+    // Of the block that is the next to be finished, by its thread.
+    void finish(unsigned block) { m_finished.store(block + 1, std::memory_order_release); }
+
+private:
+    // Looks before a thread lets others run: one of them may hold the block that is waited for.
+    static constexpr int kPatience = 256;
+
+    alignas(128) std::atomic<unsigned> m_finished{0};
+};
