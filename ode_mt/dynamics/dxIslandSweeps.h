@@ -117,8 +117,7 @@ bool isShuffled(const Call &call) {
     return call.m_SOR_reorderHeadTaken != 0;
 }
 
-// In how many parts the team takes shuffled rows; below two the caller takes them alone. Rows in the order of their
-// joints hang together in chains too long to be shared (docs/teams.md).
+// In how many parts the team takes the rows; below two the caller takes them alone.
 template <class Call>
 unsigned partsOf(const Call &call) {
     const dxIslandTeam *const team = dxIslandCall::of(call.m_stepperCallContext).team;
@@ -132,43 +131,48 @@ void cut(const Call &call, dxIslandTeam &team, unsigned parts) {
     team.sweep.begin(island, parts, [bodies](std::size_t body) { return bodies[body]->posr.pos; });
 }
 
-// Before sweep number `sweep`, the first and every eighth. A team makes all sweeps up to the next shuffle at once.
+// The rows in the order in which they are to be taken. Until the first shuffle that is made to overlap, once: the schedule
+// lies in memory that upstream reserves for threads of its own, of which there are none here, and so does the mark that it is
+// made.
 template <class Call>
-bool shuffle(Call *call, unsigned sweep) {
-    if (sweep == 0) return true;
-    dxShuffleRows(&call->m_order->index, call->m_localContext->m_m);
-    call->m_SOR_reorderHeadTaken = 1;
-    const unsigned parts = partsOf(*call);
-    if (parts < 2) return true;
-    dxIslandTeam &team = *dxIslandCall::of(call->m_stepperCallContext).team;
-    if (sweep == kShuffleEvery) cut(*call, team, parts);
-    const unsigned all = static_cast<unsigned>(call->m_stepperCallContext->m_world->qs.num_iterations);
-    team.sweep.sweep(islandOf(*call), &call->m_order->index, std::min(kShuffleEvery, all - sweep), *team.runner);
-    return true;
-}
-
-// Until the first shuffle the order is made to overlap, once. The schedule lies in memory that upstream reserves for
-// threads of its own, of which there are none here, and so does the mark that it is made.
-template <class Call>
-void sweepScheduled(Call *call) {
-    const dxSweepIsland island = islandOf(*call);
+const int *orderOf(Call *call) {
+    if (isShuffled(*call)) return &call->m_order->index;
     int *const scheduled = reinterpret_cast<int *>(call->m_mi_links);
     if (call->m_SOR_mi_zeroHeadTaken == 0) {
+        const dxSweepIsland island = islandOf(*call);
         unsigned *const level = reinterpret_cast<unsigned *>(scheduled + island.rows);
         dxScheduleSweep(island, &call->m_order->index,
                         {scheduled, level, reinterpret_cast<unsigned *>(call->m_bi_links_or_mi_levels)});
         call->m_SOR_mi_zeroHeadTaken = 1;
     }
-    dxSweep(island, scheduled);
+    return scheduled;
+}
+
+// All sweeps from number `sweep` up to the next shuffle.
+template <class Call>
+void sweepByTeam(Call *call, unsigned sweep, unsigned parts) {
+    dxIslandTeam &team = *dxIslandCall::of(call->m_stepperCallContext).team;
+    if (sweep == 0) cut(*call, team, parts);
+    const unsigned all = static_cast<unsigned>(call->m_stepperCallContext->m_world->qs.num_iterations);
+    team.sweep.sweep(islandOf(*call), orderOf(call), std::min(kShuffleEvery, all - sweep), *team.runner);
+}
+
+// Before sweep number `sweep`, the first and every eighth.
+template <class Call>
+bool shuffle(Call *call, unsigned sweep) {
+    if (sweep > 0) {
+        dxShuffleRows(&call->m_order->index, call->m_localContext->m_m);
+        call->m_SOR_reorderHeadTaken = 1;
+    }
+    const unsigned parts = partsOf(*call);
+    if (parts >= 2) sweepByTeam(call, sweep, parts);
+    return true;
 }
 
 // One sweep, unless a team has made it already.
 template <class Call>
 void sweep(Call *call) {
-    if (!isShuffled(*call))
-        sweepScheduled(call);
-    else if (partsOf(*call) < 2)
-        dxSweep(islandOf(*call), &call->m_order->index);
+    if (partsOf(*call) < 2) dxSweep(islandOf(*call), orderOf(call));
 }
 
 }  // namespace dxIslandSweeps
