@@ -8,3 +8,4 @@
 
 constexpr unsigned kCacheLine = 64;  // bytes
 constexpr unsigned kLineLanes = kCacheLine / sizeof(dReal);
+constexpr unsigned kHalfLine = kLineLanes / 2;

@@ -14,13 +14,13 @@
 
 namespace {
 
-constexpr unsigned kBlocks = 5;
+constexpr unsigned kBlocks = 6;
 
-// Lines for some positions of a vector, and the same with lines of zeros for all others.
+// Pieces for some positions of a vector, and the same with zeros for all others.
 struct Products {
     Products(unsigned length, unsigned sparsity, unsigned seed) : random(seed), count(length) {
-        const unsigned rowSkip = kBlocks * kLineLanes;
-        matrix.resize(std::size_t(count) * rowSkip + kLineLanes);
+        const unsigned rowSkip = kBlocks * kHalfLine;
+        matrix.resize(std::size_t(count) * rowSkip + kHalfLine);
         for (unsigned position = 0; position < count; ++position) {
             columns.push_back(position);
             factors.push_back(number());
@@ -28,19 +28,19 @@ struct Products {
         for (unsigned block = 0; block < kBlocks; ++block) {
             begins.push_back(static_cast<unsigned>(positions.size()));
             for (unsigned position = 0; position < count; ++position)
-                if (random() % sparsity == 0) addLine(position, &matrix[position * rowSkip + block * kLineLanes]);
+                if (random() % sparsity == 0) addPiece(position, &matrix[position * rowSkip + block * kHalfLine]);
             counts.push_back(static_cast<unsigned>(positions.size()) - begins.back());
-            wanted.push_back(block != 2);
+            wanted.push_back(block != 2 && block != 3);
         }
         factors.push_back(0);
         positions.push_back(0);
-        lines.resize(lines.size() + kLineLanes);
+        pieces.resize(pieces.size() + kHalfLine);
     }
 
-    void addLine(unsigned position, dReal *line) {
-        for (unsigned lane = 0; lane < kLineLanes; ++lane) {
-            line[lane] = random() % 3 == 0 ? -dReal(0) : number();
-            lines.push_back(line[lane]);
+    void addPiece(unsigned position, dReal *piece) {
+        for (unsigned lane = 0; lane < kHalfLine; ++lane) {
+            piece[lane] = random() % 3 == 0 ? -dReal(0) : number();
+            pieces.push_back(piece[lane]);
         }
         positions.push_back(position);
     }
@@ -49,20 +49,20 @@ struct Products {
 
     std::mt19937 random;
     unsigned count;
-    AlignedNumbers matrix, lines;
+    AlignedNumbers matrix, pieces;
     std::vector<dReal> factors;
     std::vector<unsigned> columns, begins, counts, positions, wanted;
 };
 
 void expectSame(const Products &products) {
-    AlignedNumbers dense(kBlocks * kLineLanes, dReal(5)), sparse = dense;
-    dxComputeLaneProducts({products.matrix.data(), kBlocks * kLineLanes, products.columns.data(), products.factors.data(),
-                           products.count, 0, kBlocks, products.wanted.data(), dense.data()});
-    dxComputeSparseProducts({products.begins.data(), products.counts.data(), products.lines.data(),
+    AlignedNumbers dense(kBlocks * kHalfLine, dReal(5)), sparse = dense;
+    dxComputeLaneProducts({products.matrix.data(), kBlocks * kHalfLine, products.columns.data(), products.factors.data(),
+                           products.count, 0, kBlocks / 2, products.wanted.data(), dense.data()});
+    dxComputeSparseProducts({products.begins.data(), products.counts.data(), products.pieces.data(),
                              products.positions.data(), products.factors.data(), products.count, 0, kBlocks,
                              products.wanted.data(), sparse.data()});
-    for (unsigned row = 0; row < kBlocks * kLineLanes; ++row) {
-        if (products.wanted[row / kLineLanes] == 0)
+    for (unsigned row = 0; row < kBlocks * kHalfLine; ++row) {
+        if (products.wanted[row / kHalfLine] == 0)
             ASSERT_EQ(sparse[row], 5) << row;
         else
             ASSERT_EQ(std::memcmp(&dense[row], &sparse[row], sizeof(dReal)), 0) << row;
@@ -80,19 +80,19 @@ TEST(SparseProducts, AreThoseWithZeros) {
         });
 }
 
-TEST(SparseProducts, MarksLinesThatAreNotZero) {
+TEST(SparseProducts, MarksPiecesThatAreNotZero) {
     for (const std::int64_t set : instructionSets())
         onInstructionSet(set, [] {
             std::mt19937 random(3);
             for (const std::size_t count : {1u, 63u, 64u, 65u, 200u}) {
-                AlignedNumbers row(count * kLineLanes, -dReal(0));
+                AlignedNumbers row(count * kHalfLine, -dReal(0));
                 std::vector<bool> isMarked(count);
-                for (std::size_t line = 0; line < count; line += 1 + random() % 3) {
-                    row[line * kLineLanes + random() % kLineLanes] = std::numeric_limits<dReal>::denorm_min();
-                    isMarked[line] = true;
+                for (std::size_t piece = 0; piece < count; piece += 1 + random() % 3) {
+                    row[piece * kHalfLine + random() % kHalfLine] = std::numeric_limits<dReal>::denorm_min();
+                    isMarked[piece] = true;
                 }
                 std::vector<std::uint64_t> bits((count + 63) / 64, ~std::uint64_t{0});
-                dxMarkLines(row.data(), count, bits.data());
+                dxMarkPieces(row.data(), count, bits.data());
                 for (std::size_t bit = 0; bit < 64 * bits.size(); ++bit)
                     ASSERT_EQ((bits[bit / 64] >> (bit % 64) & 1) != 0, bit < count && isMarked[bit]) << bit;
             }

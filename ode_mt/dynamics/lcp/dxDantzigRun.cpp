@@ -30,7 +30,7 @@ constexpr unsigned kFewRows = 2;
 // Below this many rows lanes are as fast.
 constexpr unsigned kSparseProductRows = 256;
 
-std::size_t blockCount(unsigned n) { return dxLcpBlock(n) + std::size_t(1); }
+std::size_t halfBlockCount(unsigned n) { return 2 * (dxLcpBlock(n) + std::size_t(1)); }
 
 std::size_t sparseMemory(unsigned n) { return n < kSparseProductRows ? 0 : dxSparseRows::memory(n); }
 
@@ -53,7 +53,7 @@ std::size_t dxDantzigRun::memory(unsigned n) {
            dxArrayBytes<unsigned>(dxIndexSets::kWords * std::size_t(n)) + 6 * dxArrayBytes<dReal>(n) +
            dxArrayBytes<dReal>(dxLcpRoundUp(n)) + dxArrayBytes<dReal>(dxForwardSolves::size(n, 0)) +
            dxArrayBytes<unsigned>(n) + dxArrayBytes<unsigned>(dxForwardSolves::words(n)) +
-           dxArrayBytes<unsigned>(blockCount(n)) + sparseMemory(n) + dxArrayBytes<Limits>(n) +
+           dxArrayBytes<unsigned>(halfBlockCount(n)) + sparseMemory(n) + dxArrayBytes<Limits>(n) +
            dxArrayBytes<bool>(n) + dxArrayBytes<unsigned>(n) + dxArrayBytes<dReal *>(n) +
            dxArrayBytes<dReal>(temporarySize(n));
 }
@@ -85,7 +85,7 @@ dxDantzigRun::dxDantzigRun(dxIslandTeam *team, dxWorldProcessMemArena *given, dx
       m_limits(dxTakeArray<Limits>(arena, m_n)),
       m_isHigh(dxTakeArray<bool>(arena, m_n)),
       m_leaving(dxTakeArray<unsigned>(arena, m_n)),
-      m_blockN(dxTakeArray<unsigned>(arena, blockCount(m_n))),
+      m_halfBlockN(dxTakeArray<unsigned>(arena, halfBlockCount(m_n))),
       m_deltaX(dxTakeArray<dReal>(arena, m_n)),
       m_solved(dxTakeArray<dReal>(arena, m_n)),
       m_temporary(dxTakeArray<dReal>(arena, temporarySize(m_n))) {
@@ -96,7 +96,7 @@ dxDantzigRun::dxDantzigRun(dxIslandTeam *team, dxWorldProcessMemArena *given, dx
         m_limits[i] = {limits[PLH_LO], limits[PLH_HI]};
         m_L[i] = m_factor + std::size_t(m_skip) * i;
     }
-    std::fill_n(m_blockN, blockCount(m_n), 0u);
+    std::fill_n(m_halfBlockN, halfBlockCount(m_n), 0u);
 }
 
 void dxDantzigRun::solve() {
@@ -236,10 +236,10 @@ void dxDantzigRun::findProductsOfN(unsigned i) {
     }
     if (m_envelope.leavesOut() && m_n >= kSparseProductRows && !m_sparse.isTried()) m_sparse.build(m_arena);
     if (m_sparse.isBuilt()) {
-        m_sparse.multiply(m_deltaX, i + 1, m_blockN, m_deltaW, m_team);
+        m_sparse.multiply(m_deltaX, i + 1, m_halfBlockN, m_deltaW, m_team);
     } else {
         dxComputeLaneProducts({m_A.rows(), m_A.rowSkip(), columns, m_deltaX, countC, dxLcpBlock(m_unbounded),
-                               dxLcpBlock(i) + 1, m_blockN, m_deltaW});
+                               dxLcpBlock(i) + 1, m_halfBlockN, m_deltaW});
     }
 }
 
@@ -359,7 +359,7 @@ void dxDantzigRun::addToC(unsigned i) {
 
 void dxDantzigRun::addToN(unsigned i, bool isHigh) {
     m_isHigh[i] = isHigh;
-    ++m_blockN[dxLcpBlock(i)];
+    ++m_halfBlockN[dxLcpHalfBlock(i)];
     m_sets.addNextToN();
 }
 
@@ -370,7 +370,7 @@ void dxDantzigRun::moveFromNToC(unsigned position) {
     dReal product = 0;
     for (unsigned j = 0; j < count; ++j) product += scaled[j] * m_solved[j];
     appendFactorRow(row, product);
-    --m_blockN[dxLcpBlock(row)];
+    --m_halfBlockN[dxLcpHalfBlock(row)];
     m_sets.moveFromNToC(position);
     m_sparse.append(row);
 }
@@ -381,7 +381,7 @@ void dxDantzigRun::moveFromCToN(unsigned position, bool isHigh) {
     m_isHigh[row] = isHigh;
     removeFactorRow(factorRow);
     m_forward.forgetFrom(factorRow);
-    ++m_blockN[dxLcpBlock(row)];
+    ++m_halfBlockN[dxLcpHalfBlock(row)];
     m_sparse.remove(position);
     m_sets.moveFromCToN(position, factorRow);
 }

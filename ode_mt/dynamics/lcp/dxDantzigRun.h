@@ -94,7 +94,7 @@ private:
     Limits *const m_limits;
     bool *const m_isHigh;         // for rows of N: at which limit
     unsigned *const m_leaving;    // positions in N: a list of shortenForN
-    unsigned *const m_blockN;     // rows of N in each block of lanes
+    unsigned *const m_halfBlockN;  // rows of N in each half of a block of lanes
 
     dReal *const m_deltaX;  // by position in C
 

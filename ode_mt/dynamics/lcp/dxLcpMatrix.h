@@ -10,6 +10,7 @@
 #include "simd/dxCacheLine.h"
 
 inline unsigned dxLcpBlock(unsigned index) { return index / kLineLanes; }
+inline unsigned dxLcpHalfBlock(unsigned index) { return index / kHalfLine; }
 inline unsigned dxLcpRoundUp(unsigned n) { return (n + kLineLanes - 1) / kLineLanes * kLineLanes; }
 
 // Copies rows begin..end-1, up to the diagonal, in the order `order`, of a symmetric matrix of which the lower

@@ -2,8 +2,9 @@
 // most of the products that are zero.
 //
 // Few columns have an element in a row: those that share a body with it. Rows next to one another mostly have the same
-// ones, as those of contacts of the same two bodies. So the elements of eight rows in a column of C lie side by side, a line
-// of the cache, if one of them is not zero; the lines of such a block are in the order of C, and follow each change of it.
+// ones, as those of contacts of the same two bodies. So the elements of four rows in a column of C lie side by side, half a
+// line of the cache, if one of them is not zero; these pieces of such a block are in the order of C, and follow each change of
+// it.
 #pragma once
 
 #include <ode/common.h>
@@ -23,16 +24,16 @@ public:
     // Rows first..n-1 of n. Until it is built it takes no time.
     dxSparseRows(const dxLcpMatrix &A, const dxIndexSets &sets, unsigned n, unsigned first);
 
-    // Of the memory that build takes, in bytes: a fifth of the matrix's.
+    // Of the memory that build takes, in bytes: less than a quarter of the matrix's.
     static std::size_t memory(unsigned n);
 
     // Gathers the elements of the rows in the columns of C, unless too many are not zero.
     void build(dxWorldProcessMemArena *arena);
 
     bool isTried() const { return m_begins != nullptr; }
-    bool isBuilt() const { return m_lines != nullptr; }
+    bool isBuilt() const { return m_pieces != nullptr; }
 
-    // result(row) = the sum over C of A(row, column) * factors[position], for rows before `endRow` in wanted blocks.
+    // result(row) = the sum over C of A(row, column) * factors[position], for rows before `endRow` in wanted half blocks of lanes.
     void multiply(const dReal *factors, unsigned endRow, const unsigned *wanted, dReal *result, const dxSolveTeam &team) const;
 
     // C has got a column at its end.
@@ -46,10 +47,10 @@ private:
     void findPattern();
     void insertColumn(unsigned column, unsigned position);
     void eraseColumn(unsigned column, unsigned position);
-    void insert(unsigned block, unsigned position, const dReal *line);
+    void insert(unsigned block, unsigned position, const dReal *piece);
     void erase(unsigned block, unsigned position);
-    unsigned findLine(unsigned block, unsigned position) const;
-    dReal *line(unsigned block, unsigned k) const { return m_lines + (m_begins[block] + std::size_t(k)) * kLineLanes; }
+    unsigned findPiece(unsigned block, unsigned position) const;
+    dReal *piece(unsigned block, unsigned k) const { return m_pieces + (m_begins[block] + std::size_t(k)) * kHalfLine; }
 
     const dxLcpMatrix &m_A;
     const dxIndexSets &m_sets;
@@ -58,10 +59,10 @@ private:
 
     std::uint64_t *m_pattern = nullptr;  // by column: a bit for each block that has elements there
 
-    // By block; its lines have room for all columns with elements.
+    // By block; its pieces have room for all columns with elements.
     unsigned *m_begins = nullptr;  // one more than blocks
     unsigned *m_counts = nullptr;
 
-    unsigned *m_positions = nullptr;  // by line
-    dReal *m_lines = nullptr;         // null until built
+    unsigned *m_positions = nullptr;  // by piece
+    dReal *m_pieces = nullptr;         // null until built
 };

@@ -25,7 +25,7 @@ HWY_INLINE void addStreams(const dxLaneProductsTask &task, unsigned first) {
         factor[k] = hn::Set(d, task.factors[first + k]);
     }
     for (unsigned block = task.beginBlock; block < task.endBlock; ++block) {
-        if (task.wanted[block] == 0) continue;
+        if ((task.wanted[2 * block] | task.wanted[2 * block + 1]) == 0) continue;
         for (std::size_t i = 0; i < kLineLanes; i += hn::Lanes(d)) {
             const std::size_t lane = std::size_t(block) * kLineLanes + i;
             const auto product = [&](unsigned k) {

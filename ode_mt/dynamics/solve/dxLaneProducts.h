@@ -15,7 +15,7 @@ struct dxLaneProductsTask {
     const dReal *factors;     // for each of them
     unsigned count;
     unsigned beginBlock, endBlock;
-    const unsigned *wanted;  // by block: 0 if none of its rows is wanted
+    const unsigned *wanted;  // by half a block: 0 if none of its rows is wanted
     dReal *result;           // by row
 };
 

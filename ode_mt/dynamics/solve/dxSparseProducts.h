@@ -7,12 +7,12 @@
 #include <cstddef>
 #include <cstdint>
 
-// Rows come in blocks of as many as a line of the cache has elements. A block keeps a line, an element a row, for
+// Rows come in blocks of as many as half a line of the cache has elements. A block keeps such a piece, an element a row, for
 // each position of the vector at which one of its rows has an element.
 struct dxSparseProductsTask {
-    const unsigned *begins, *counts;  // by block: of its lines
-    const dReal *lines;               // aligned to the cache's lines
-    const unsigned *positions;        // of the lines, rising in a block
+    const unsigned *begins, *counts;  // by block: of its pieces
+    const dReal *pieces;              // aligned to their length
+    const unsigned *positions;        // of the pieces, rising in a block
     const dReal *factors;             // the vector
     unsigned count;                   // its length
     unsigned beginBlock, endBlock;
@@ -24,6 +24,6 @@ struct dxSparseProductsTask {
 // which changes no bit if everything is finite and results are rounded to nearest (docs/lcp.md).
 void dxComputeSparseProducts(const dxSparseProductsTask &task);
 
-// Sets bit b of `bits` if one of the elements of line b is not zero, for each of `lines` lines at `row`; clears all others
+// Sets bit p of `bits` if one of the elements of piece p is not zero, for each of `pieces` pieces at `row`; clears all others
 // up to a multiple of 64.
-void dxMarkLines(const dReal *row, std::size_t lines, std::uint64_t *bits);
+void dxMarkPieces(const dReal *row, std::size_t pieces, std::uint64_t *bits);
