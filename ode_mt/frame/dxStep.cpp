@@ -6,7 +6,6 @@
 #include <chrono>
 #include <mutex>
 
-#include "threading/dxSharingPace.h"
 #include "dynamics/dxBodyIntegration.h"
 #include "dynamics/dxIslandCall.h"
 #include "dynamics/dxIslandSurvey.h"
@@ -23,6 +22,7 @@
 #include "frame/dxWorldWorkers.h"
 #include "threading/dxFloatEnvironment.h"
 #include "threading/dxProcessObject.h"
+#include "threading/dxSharingPace.h"
 #include "quickstep.h"
 #include "step.h"
 
@@ -45,11 +45,10 @@ constexpr unsigned kBlocksPerWorker = 8;
 // Joints that make an island large enough to be stepped by several workers together.
 constexpr unsigned kLeastTeamJoints = 500;
 
-
-// The exact step's: at six rows a joint its LCP begins to be worth sharing. It is not shared as well as islands side by
-// side, so that the rest of the world has to be small.
-constexpr unsigned kLeastExactTeamJoints = 64;
-constexpr double kLeastExactTeamPart = 0.8;
+// The exact step's: at three rows a contact its LCP begins to be worth sharing; under an algorithm that is asked for by
+// name it is shared earlier. It is not shared as well as islands side by side, so that the rest of the world has to be small.
+constexpr unsigned kLeastExactTeamJoints = 134, kLeastExactTeamJointsByName = 64;
+constexpr double kLeastExactTeamPart = 0.9;
 
 // Members of a team wait for one another, so more of them than cores would only get in one another's way. An algorithm
 // that is asked for by name gets so many on any machine: what they do can be tested there.
@@ -439,7 +438,8 @@ bool dxStep::mayShare() const {
 }
 
 unsigned dxStep::leastTeamJoints() const {
-    return m_kind == dxStepperKind::Quick ? kLeastTeamJoints : kLeastExactTeamJoints;
+    if (m_kind == dxStepperKind::Quick) return kLeastTeamJoints;
+    return dxSettings::instance().algorithm() == dxAlgorithm::Auto ? kLeastExactTeamJoints : kLeastExactTeamJointsByName;
 }
 
 void dxStep::estimateCosts() {

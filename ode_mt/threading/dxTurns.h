@@ -6,6 +6,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <thread>
 
 #include "threading/dxSpin.h"
@@ -16,14 +17,9 @@ public:
     unsigned finished() const { return m_finished.load(std::memory_order_acquire); }
 
     // Waits until `blocks` are finished; what they wrote is then visible. Returns how many are.
-    __attribute__((noinline)) unsigned await(unsigned blocks) const {
+    unsigned await(unsigned blocks) const {
         unsigned known = finished();
-        for (int looks = 1; known < blocks; ++looks, known = finished()) {
-            if (looks % kPatience == 0)
-                std::this_thread::yield();
-            else
-                dxPause();
-        }
+        for (int looks = 0; known < blocks; ++looks, known = finished()) wait(looks);
         return known;
     }
 
@@ -31,8 +27,19 @@ public:
     void finish(unsigned block) { m_finished.store(block + 1, std::memory_order_release); }
 
 private:
-    // Looks before a thread lets others run: one of them may hold the block that is waited for.
-    static constexpr int kPatience = 256;
+    // Looks before a thread lets others run, of which one may hold the block that is waited for; and before it sleeps: to a
+    // thread of higher priority the others are no reason to stop.
+    static constexpr int kPatience = 256, kCourtesy = 1024;
+    static constexpr std::chrono::microseconds kSleep{20};
+
+    static void wait(int looks) {
+        if (looks < kPatience && dxProcessorCount() > 1)
+            dxPause();
+        else if (looks < kCourtesy)
+            std::this_thread::yield();
+        else
+            std::this_thread::sleep_for(kSleep);
+    }
 
     alignas(128) std::atomic<unsigned> m_finished{0};
 };

@@ -33,7 +33,8 @@ struct Factorisation {
     unsigned all() const { return count + 3 + count % 7; }  // prime to 7, or not: an index may come twice
 
     dReal number(unsigned sparsity) {
-        return random() % sparsity != 0 ? 0 : std::uniform_real_distribution<dReal>(-0.9, 0.9)(random);
+        if (random() % sparsity != 0) return random() % 2 ? dReal(0) : -dReal(0);
+        return std::uniform_real_distribution<dReal>(-0.9, 0.9)(random);
     }
 
     std::mt19937 random;

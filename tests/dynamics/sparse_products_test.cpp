@@ -1,6 +1,7 @@
 // Products without zeros are those with them, for every instruction set of this machine.
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -77,6 +78,21 @@ TEST(SparseProducts, AreThoseWithZeros) {
             for (unsigned count = 0; count < 70; ++count)
                 for (const unsigned sparsity : {1u, 2u, 5u, 20u})
                     ASSERT_NO_FATAL_FAILURE(expectSame(Products(count, sparsity, count))) << count << " positions";
+        });
+}
+
+// Numbers whose bits put together would be none.
+TEST(SparseProducts, MarkingRaisesNothing) {
+    for (const std::int64_t set : instructionSets())
+        onInstructionSet(set, [] {
+            AlignedNumbers row(kHalfLine);
+            row[0] = dReal(1.25);
+            for (unsigned lane = 1; lane < kHalfLine; ++lane) row[lane] = 2;
+            std::uint64_t bits = 0;
+            std::feclearexcept(FE_ALL_EXCEPT);
+            dxMarkPieces(row.data(), 1, &bits);
+            EXPECT_EQ(std::fetestexcept(FE_INVALID), 0);
+            EXPECT_EQ(bits, 1u);
         });
 }
 

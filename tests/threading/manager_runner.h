@@ -1,10 +1,13 @@
-// Workers of a thread manager as a task runner.
+// Workers of a thread manager as a task runner, of whom another than the caller takes part in every run: the caller goes on
+// with its first block when one of them has a block, or after a while.
 #pragma once
 
+#include "threading/dxSpin.h"
 #include "threading/dxTaskRunner.h"
 #include "threading/dxThreadManagerPthread.h"
 
 #include <atomic>
+#include <chrono>
 
 class ManagerRunner final : public dxTaskRunner {
 public:
@@ -16,21 +19,28 @@ public:
         struct Job {
             dxThreadManager::Task task;
             void *context;
-            std::atomic<unsigned> *byOthers;
-        } job{task, context, &m_byOthers};
+            bool isShared;
+            std::atomic<unsigned> byOthers{0};
+        } job{task, context, blocks > 1 && m_workers > 1};
         const auto counted = [](void *of, unsigned block, unsigned worker) {
-            const Job &running = *static_cast<const Job *>(of);
+            Job &running = *static_cast<Job *>(of);
+            if (worker != 0)
+                running.byOthers.fetch_add(1, std::memory_order_relaxed);
+            else if (running.isShared)
+                dxSpinUntil([&] { return running.byOthers.load(std::memory_order_relaxed) != 0; }, kLongest);
             running.task(running.context, block, worker);
-            if (worker != 0) running.byOthers->fetch_add(1, std::memory_order_relaxed);
         };
         m_manager.run(blocks, m_workers, counted, &job);
+        m_byOthers += job.byOthers.load(std::memory_order_relaxed);
     }
 
     // Blocks that were not the caller's, so far.
-    unsigned blocksOfOthers() const { return m_byOthers.load(std::memory_order_relaxed); }
+    unsigned blocksOfOthers() const { return m_byOthers; }
 
 private:
+    static constexpr std::chrono::milliseconds kLongest{20};
+
     const unsigned m_workers;
-    std::atomic<unsigned> m_byOthers{0};
+    unsigned m_byOthers = 0;
     dxThreadManagerPthread m_manager;
 };

@@ -11,14 +11,17 @@ struct dxIslandTeam;
 // Solves A x = b + w with, for each i, lo(i) <= x(i) <= hi(i), where w(i) >= 0 if x(i) = lo(i), w(i) <= 0 if
 // x(i) = hi(i), and w(i) = 0 otherwise.
 //
-//   memory          what upstream's dxEstimateSolveLCPMemoryReq asks for is taken from it, as upstream does
-//   n               rows, at least 1
-//   A               symmetric, positive definite; the lower triangle is read; rows start dPAD(n) elements
-//   apart pairsBX         b(i), x(i) for each i; x is written, b may be w               not used: upstream's
-//   interface unbounded       the first of the rows that have no limits; others without limits may follow
-//   pairsLoHi       lo(i) <= 0, hi(i) >= 0; those of friction rows may be written
-//   normalOf        null, or for each i the row whose x(i) scales the limits of row i (friction), or -1
+//   team        workers for large problems; null: the calling thread alone
+//   memory      what upstream's dxEstimateSolveLCPMemoryReq asks for is taken from it, as upstream does
+//   n           rows, at least 1
+//   A           symmetric, positive definite; the lower triangle is read; rows start dPAD(n) elements apart
+//   pairsBX     b(i), x(i) for each i; x is written, b may be
+//   w           not used: upstream's interface
+//   unbounded   how many of the first rows have no limits; others without limits may follow
+//   pairsLoHi   lo(i) <= 0, hi(i) >= 0; those of friction rows may be written
+//   normalOf    null, or for each i the row whose x(i) scales the limits of row i (friction), or -1
 //
-// Threading: reads and writes what it is given, and calls the message handler of the calling thread's island.
+// Threading: reads and writes what it is given, and calls the message handler of the calling thread's island. Results do not
+// depend on the team.
 void dxSolveDantzig(dxIslandTeam *team, dxWorldProcessMemArena *memory, unsigned n, dReal *A, dReal *pairsBX, dReal *w,
                     unsigned unbounded, dReal *pairsLoHi, int *normalOf);

@@ -8,12 +8,13 @@
 
 namespace {
 
-// Below this many blocks all have room.
-constexpr unsigned kFewBlocks = 32;
+// Up to this many blocks all have room.
+constexpr unsigned kFewBlocks = 24;
 
 unsigned blockCount(unsigned n, unsigned first) { return dxLcpBlock(n - 1) + 1 - dxLcpBlock(first); }
 
-unsigned placeCount(unsigned blocks) { return blocks < kFewBlocks ? blocks : blocks - blocks / 4; }
+// More blocks have no fewer places: memory is estimated for all, and taken for those that are not without limits.
+unsigned placeCount(unsigned blocks) { return blocks <= kFewBlocks ? blocks : std::max(kFewBlocks, blocks - blocks / 4); }
 
 }  // namespace
 

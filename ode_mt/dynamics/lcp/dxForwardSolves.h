@@ -7,7 +7,7 @@
 //
 // Columns of A begin with zeros, and so do their solutions; of these only the number is kept.
 //
-// There is room for three quarters of the blocks: with the sparse rows (dxSparseRows.h) that makes what upstream takes. Most
+// From 32 blocks on there is room for three quarters of them: with the sparse rows (dxSparseRows.h) that makes what upstream takes. Most
 // columns of C are never asked for again. A block that finds no room takes that of the one asked for longest ago.
 //
 // Upstream's rows after the last whole group of four (dxSolveL1Plain.h) are added up in another order, so
@@ -21,7 +21,8 @@
 
 class dxForwardSolves {
 public:
-    // Columns first..n-1 of n. Elements of storage, aligned to the cache's lines, and words.
+    // Columns first..n-1 of n. Elements of storage, aligned to the cache's lines, and words: for the first column
+    // the most.
     static std::size_t size(unsigned n, unsigned first);
     static std::size_t words(unsigned n) { return kWords * (dxLcpBlock(n) + std::size_t(1)); }
 

@@ -2,8 +2,8 @@
 // most of the products that are zero.
 //
 // Few columns have an element in a row: those that share a body with it. Rows next to one another mostly have the same
-// ones, as those of contacts of the same two bodies. So the elements of four rows in a column of C lie side by side, half a
-// line of the cache, if one of them is not zero; these pieces of such a block are in the order of C, and follow each change of
+// ones, as those of contacts of the same two bodies. So the elements of four rows (eight in single precision) in a column of
+// C lie side by side, half a line of the cache, if one of them is not zero; these pieces of such a block are in the order of C, and follow each change of
 // it.
 #pragma once
 

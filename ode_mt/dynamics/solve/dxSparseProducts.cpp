@@ -117,10 +117,9 @@ void markPieces(const dReal *row, std::size_t pieces, std::uint64_t *bits) {
     const PieceTag d;
     std::fill_n(bits, (pieces + 63) / 64, std::uint64_t{0});
     for (std::size_t piece = 0; piece < pieces; ++piece) {
-        auto all = hn::Load(d, row + piece * kHalfLine);
-        for (std::size_t lane = hn::Lanes(d); lane < kHalfLine; lane += hn::Lanes(d))
-            all = hn::Or(all, hn::Load(d, row + piece * kHalfLine + lane));
-        const bool isZero = hn::AllTrue(d, hn::Eq(hn::Abs(all), hn::Zero(d)));
+        bool isZero = true;
+        for (std::size_t lane = 0; lane < kHalfLine; lane += hn::Lanes(d))
+            isZero &= hn::AllTrue(d, hn::Eq(hn::Load(d, row + piece * kHalfLine + lane), hn::Zero(d)));
         bits[piece / 64] |= std::uint64_t{!isZero} << (piece % 64);
     }
 }

@@ -1,0 +1,76 @@
+// A run of Dantzig's algorithm stays within its memory, and raises no exception where upstream raises none: it would be
+// right all the same, but upstream's solver would do everything again.
+#include <gtest/gtest.h>
+
+#include <cfenv>
+#include <string>
+#include <vector>
+
+#include "config.h"
+
+#include "lcp.h"
+#include "util.h"
+
+#include "dynamics/lcp/dxDantzigRun.h"
+#include "instruction_sets.h"
+#include "lcp_problem.h"
+
+namespace {
+
+class Arena {
+public:
+    explicit Arena(std::size_t size) : m_arena(dxAllocateTemporaryWorldProcessMemArena(size, nullptr, nullptr)) {
+        m_arena->ResetState();
+        m_start = static_cast<char *>(m_arena->SaveState());
+    }
+    ~Arena() { dxFreeTemporaryWorldProcessMemArena(m_arena); }
+    Arena(const Arena &) = delete;
+    Arena &operator=(const Arena &) = delete;
+
+    dxWorldProcessMemArena *get() const { return m_arena; }
+    std::size_t taken() const { return static_cast<std::size_t>(static_cast<char *>(m_arena->SaveState()) - m_start); }
+
+private:
+    dxWorldProcessMemArena *const m_arena;
+    char *m_start;
+};
+
+dxDantzigProblem problemOf(Problem &problem) {
+    return {problem.n, problem.A.data(), problem.bx.data(), problem.unbounded, problem.limits.data(), problem.normalOf.data()};
+}
+
+}  // namespace
+
+TEST(DantzigRun, TakesNoMoreMemoryThanItSays) {
+    constexpr std::size_t kMuchMore = 1 << 22;
+    for (unsigned n = 1; n < 700; n += n < 40 || (n > 180 && n < 360) ? 1 : 7) {
+        Arena given(dxEstimateSolveLCPMemoryReq(n, false));
+        std::vector<dReal> A(std::size_t(n) * dPAD(n), dReal(1)), bx(2 * n), limits;
+        for (unsigned i = 0; i < n; ++i) limits.insert(limits.end(), {dReal(-1), dReal(1)});
+        for (unsigned unbounded = 0; unbounded <= n; unbounded += n < 40 ? 1 : 8) {
+            Arena arena(dxDantzigRun::memory(n) + kMuchMore);
+            const dxDantzigProblem problem{n, A.data(), bx.data(), unbounded, limits.data(), nullptr};
+            given.get()->ResetState();
+            const dxDantzigRun run(nullptr, given.get(), arena.get(), problem, true);
+            ASSERT_LE(arena.taken(), dxDantzigRun::memory(n)) << n << " rows, " << unbounded << " of them without limits";
+        }
+    }
+}
+
+TEST(DantzigRun, StaysWithinItsMemoryAndRaisesNothing) {
+    for (const std::int64_t set : instructionSets())
+        onInstructionSet(set, [] {
+            for (const Shape &shape : {Shape{12, 4, 30, 1e-5, 0, true, false}, Shape{90, 20, 130, 1e-5, 0, true, false},
+                                       Shape{300, 0, 400, 1e-5, 0, true, true, 10}, Shape{280, 60, 400, 1e-5, 0, true, false, 10},
+                                       Shape{400, 100, 500, 1e-5, 0, true, true}}) {
+                Problem problem(shape, 5);
+                const dxDantzigProblem asked = problemOf(problem);
+                Arena given(dxEstimateSolveLCPMemoryReq(problem.n, false)), arena(2 * dxDantzigRun::memory(problem.n));
+                std::feclearexcept(FE_ALL_EXCEPT);
+                dxDantzigRun run(nullptr, given.get(), arena.get(), asked, problem.n >= 64);
+                run.solve();
+                EXPECT_EQ(std::fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW), 0) << problem.n << " rows";
+                EXPECT_LE(arena.taken(), dxDantzigRun::memory(problem.n)) << problem.n << " rows";
+            }
+        });
+}
