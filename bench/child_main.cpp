@@ -63,9 +63,9 @@ bench::Batch runBatch(scenes::Scene &scene, const bench::LibraryProbe &library, 
     bench::Batch batch;
     batch.frames = frames;
     messageCount = 0;
-    const unsigned parallelBefore = library.parallelSteps();
+    const unsigned sharedBefore = library.sharedSteps();
     for (int i = 0; i < frames; ++i) batch.seconds += timedFrame(scene);
-    batch.parallelSteps = library.parallelSteps() - parallelBefore;
+    batch.sharedSteps = library.sharedSteps() - sharedBefore;
     batch.messages = messageCount;
     batch.contacts = scene.contactCount();
     batch.hash = scenes::stateHash(scene.inventory());

@@ -32,7 +32,9 @@ std::string LibraryProbe::manager() const { return callText("dODE_MT_GetThreadMa
 std::string LibraryProbe::algorithm() const { return callText("dODE_MT_GetAlgorithm"); }
 std::string LibraryProbe::callbacks() const { return callText("dODE_MT_GetCallbackPolicy"); }
 int LibraryProbe::gridCells() const { return call<int>("dODE_MT_GetGridCells"); }
-unsigned LibraryProbe::parallelSteps() const { return call<unsigned>("dODE_MT_GetParallelSteps"); }
+unsigned LibraryProbe::sharedSteps() const {
+    return call<unsigned>("dODE_MT_GetParallelSteps") + call<unsigned>("dODE_MT_GetTeamSteps");
+}
 
 LibraryProbe probeLibrary() {
     Dl_info info{};

@@ -16,7 +16,7 @@ struct LibraryProbe {
     std::string algorithm() const;
     std::string callbacks() const;   // the callback policy
     int gridCells() const;           // 0: tuned
-    unsigned parallelSteps() const;  // since the process started
+    unsigned sharedSteps() const;    // by islands or by a team, since the process started
 };
 
 LibraryProbe probeLibrary();

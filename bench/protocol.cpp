@@ -91,7 +91,7 @@ std::string writeBatch(const Batch &b) {
                    {"hash", hashText(b.hash)},
                    {"contacts", b.contacts},
                    {"messages", b.messages},
-                   {"parallelSteps", b.parallelSteps}}}});
+                   {"sharedSteps", b.sharedSteps}}}});
 }
 
 Batch readBatch(const std::string &line) {
@@ -106,7 +106,7 @@ Batch readBatch(const std::string &line) {
         b.hash = readHash(from.at("hash").get<std::string>());
         from.at("contacts").get_to(b.contacts);
         from.at("messages").get_to(b.messages);
-        from.at("parallelSteps").get_to(b.parallelSteps);
+        from.at("sharedSteps").get_to(b.sharedSteps);
         return b;
     });
 }

@@ -31,10 +31,10 @@ struct Ready {
 struct Batch {
     int frames = 0;
     StageTimes seconds;
-    std::uint64_t hash = 0;      // of the state after the last frame
-    std::size_t contacts = 0;    // in the last frame
-    unsigned messages = 0;       // of ODE, in this batch
-    unsigned parallelSteps = 0;  // steps of this batch that ours shared out to threads
+    std::uint64_t hash = 0;    // of the state after the last frame
+    std::size_t contacts = 0;  // in the last frame
+    unsigned messages = 0;     // of ODE, in this batch
+    unsigned sharedSteps = 0;  // steps of this batch that ours shared out to threads
 };
 
 std::string writeReady(const Ready &ready);

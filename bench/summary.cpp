@@ -19,7 +19,7 @@ void addTotals(const EngineResult &engine, EngineSummary &summary) {
     double seconds = 0;
     for (const Batch &batch : engine.batches) {
         frames += batch.frames;
-        shared += batch.parallelSteps;
+        shared += batch.sharedSteps;
         seconds += secondsOf(batch.seconds, Part::Frame);
         summary.messages += batch.messages;
     }

@@ -58,7 +58,7 @@ TEST(ChildCompetitor, OursRunsOnOurLibraryWithItsThreads) {
     EXPECT_EQ(ready.threads, 2);
     EXPECT_EQ(ready.manager, "pthread");
     EXPECT_EQ(ready.algorithm, "lcp");
-    EXPECT_EQ(ours.run(10).parallelSteps, 10u);
+    EXPECT_EQ(ours.run(10).sharedSteps, 10u);
 }
 
 TEST(ChildCompetitor, OursRunsWithItsCallbacksAndGrid) {

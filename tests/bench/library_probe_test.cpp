@@ -16,6 +16,6 @@ TEST(LibraryProbe, FindsTheLibraryThatRuns) {
         EXPECT_EQ(library.manager(), "");
         EXPECT_EQ(library.callbacks(), "");
         EXPECT_EQ(library.gridCells(), 0);
-        EXPECT_EQ(library.parallelSteps(), 0u);
+        EXPECT_EQ(library.sharedSteps(), 0u);
     }
 }

@@ -27,7 +27,7 @@ TEST(Protocol, ABatchArrivesAsItWasSent) {
     sent.hash = 0xfedcba9876543210;
     sent.contacts = 12;
     sent.messages = 3;
-    sent.parallelSteps = 5;
+    sent.sharedSteps = 5;
     const Batch got = readBatch(writeBatch(sent));
     EXPECT_EQ(got.frames, 7);
     EXPECT_EQ(got.seconds.control, sent.seconds.control);
@@ -38,7 +38,7 @@ TEST(Protocol, ABatchArrivesAsItWasSent) {
     EXPECT_EQ(got.hash, sent.hash);
     EXPECT_EQ(got.contacts, 12u);
     EXPECT_EQ(got.messages, 3u);
-    EXPECT_EQ(got.parallelSteps, 5u);
+    EXPECT_EQ(got.sharedSteps, 5u);
 }
 
 TEST(Protocol, AReadyArrivesAsItWasSent) {
