@@ -60,9 +60,12 @@ TEST(DantzigRun, TakesNoMoreMemoryThanItSays) {
 TEST(DantzigRun, StaysWithinItsMemoryAndRaisesNothing) {
     for (const std::int64_t set : instructionSets())
         onInstructionSet(set, [] {
-            for (const Shape &shape : {Shape{12, 4, 30, 1e-5, 0, true, false}, Shape{90, 20, 130, 1e-5, 0, true, false},
-                                       Shape{300, 0, 400, 1e-5, 0, true, true, 10}, Shape{280, 60, 400, 1e-5, 0, true, false, 10},
-                                       Shape{400, 100, 500, 1e-5, 0, true, true}}) {
+            const Shape shapes[] = {{12, 4, 30, 1e-5, 0, true, false},
+                                    {90, 20, 130, 1e-5, 0, true, false},
+                                    {300, 0, 400, 1e-5, 0, true, true, 10},
+                                    {280, 60, 400, 1e-5, 0, true, false, 10},
+                                    {400, 100, 500, 1e-5, 0, true, true}};
+            for (const Shape &shape : shapes) {
                 Problem problem(shape, 5);
                 const dxDantzigProblem asked = problemOf(problem);
                 Arena given(dxEstimateSolveLCPMemoryReq(problem.n, false)), arena(2 * dxDantzigRun::memory(problem.n));

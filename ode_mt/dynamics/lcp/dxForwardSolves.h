@@ -7,8 +7,9 @@
 //
 // Columns of A begin with zeros, and so do their solutions; of these only the number is kept.
 //
-// From 32 blocks on there is room for three quarters of them: with the sparse rows (dxSparseRows.h) that makes what upstream takes. Most
-// columns of C are never asked for again. A block that finds no room takes that of the one asked for longest ago.
+// From 32 blocks on there is room for three quarters of them: with the sparse rows (dxSparseRows.h) that makes what
+// upstream takes. Most columns of C are never asked for again. A block that finds no room takes that of the one asked for
+// longest ago.
 //
 // Upstream's rows after the last whole group of four (dxSolveL1Plain.h) are added up in another order, so
 // only whole groups are kept.

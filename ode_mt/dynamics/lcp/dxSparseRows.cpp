@@ -73,7 +73,8 @@ void dxSparseRows::multiply(const dReal *factors, unsigned endRow, const unsigne
                             const dxSolveTeam &team) const {
     const unsigned endBlock = blockCount(endRow);
     const auto multiplyBlocks = [&](unsigned begin, unsigned end) {
-        dxComputeSparseProducts({m_begins, m_counts, m_pieces, m_positions, factors, m_sets.countC(), begin, end, wanted, result});
+        dxComputeSparseProducts(
+            {m_begins, m_counts, m_pieces, m_positions, factors, m_sets.countC(), begin, end, wanted, result});
     };
     dxTaskRunner *const runner = team.runnerFor(std::size_t(m_begins[endBlock]) * kHalfLine / 2);  // of all half are in C
     if (runner == nullptr) return multiplyBlocks(m_firstBlock, endBlock);

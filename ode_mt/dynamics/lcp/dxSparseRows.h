@@ -2,9 +2,9 @@
 // most of the products that are zero.
 //
 // Few columns have an element in a row: those that share a body with it. Rows next to one another mostly have the same
-// ones, as those of contacts of the same two bodies. So the elements of four rows (eight in single precision) in a column of
-// C lie side by side, half a line of the cache, if one of them is not zero; these pieces of such a block are in the order of C, and follow each change of
-// it.
+// ones, as those of contacts of the same two bodies. So the elements of four rows (eight in single precision) in a column
+// of C lie side by side, half a line of the cache, if one of them is not zero; these pieces of such a block are in the order
+// of C, and follow each change of it.
 #pragma once
 
 #include <ode/common.h>
@@ -33,8 +33,10 @@ public:
     bool isTried() const { return m_begins != nullptr; }
     bool isBuilt() const { return m_pieces != nullptr; }
 
-    // result(row) = the sum over C of A(row, column) * factors[position], for rows before `endRow` in wanted half blocks of lanes.
-    void multiply(const dReal *factors, unsigned endRow, const unsigned *wanted, dReal *result, const dxSolveTeam &team) const;
+    // result(row) = the sum over C of A(row, column) * factors[position], for rows before `endRow` in wanted half blocks of
+    // lanes.
+    void multiply(const dReal *factors, unsigned endRow, const unsigned *wanted, dReal *result,
+                  const dxSolveTeam &team) const;
 
     // C has got a column at its end.
     void append(unsigned column);

@@ -5,6 +5,7 @@
 #include <hwy/foreach_target.h>
 // Highway's order of headers: after foreach_target.h
 #include <algorithm>
+#include <type_traits>
 
 #include "dynamics/solve/dxLineLanes-inl.h"
 #include "dynamics/solve/dxPanelSolve.h"
@@ -88,39 +89,61 @@ HWY_INLINE void finishFromSums(const dxSolvePanelTask &task, std::size_t lane, s
     finishRows<Rows>(task, lane, first, begin, sum);
 }
 
-// The rows whose turn it is: products with all columns as they become known, then with those of their own.
+// The rows of one turn. Their sums are kept while others find the columns before them.
+class RowsInTurn {
+public:
+    HWY_INLINE RowsInTurn(const dxSolvePanelTask &task, unsigned turn)
+        : m_task(task),
+          m_begin(task.begin + turn * kSharedRows),
+          m_end(std::min<std::size_t>(m_begin + kSharedRows, task.end)) {
+        std::fill_n(m_sums, kSharedRows * kLineLanes, dReal(0));
+    }
+
+    // Adds the products with columns begin..end-1.
+    HWY_INLINE void add(std::size_t begin, std::size_t end) {
+        forTiles([&](std::size_t first, auto rows) {
+            const std::size_t column = std::max(begin, beginOf(m_task, first, rows));
+            for (std::size_t lane = 0; column < end && lane < kLineLanes; lane += hn::Lanes(LineTag()))
+                addToSums<rows>(m_task, lane, first, column, end, sums(first));
+        });
+    }
+
+    // All columns before the rows have been added.
+    HWY_INLINE void finish() {
+        forTiles([&](std::size_t first, auto rows) {
+            const std::size_t column = std::max(m_begin, beginOf(m_task, first, rows));
+            for (std::size_t lane = 0; lane < kLineLanes; lane += hn::Lanes(LineTag()))
+                finishFromSums<rows>(m_task, lane, first, column, sums(first));
+        });
+    }
+
+private:
+    // Eight rows at a time, and four at the end.
+    template <class Take>
+    HWY_INLINE void forTiles(Take take) {
+        std::size_t first = m_begin;
+        for (; first + kPanelRows <= m_end; first += kPanelRows)
+            take(first, std::integral_constant<std::size_t, kPanelRows>());
+        if (first < m_end) take(first, std::integral_constant<std::size_t, 4>());
+    }
+
+    HWY_INLINE dReal *sums(std::size_t row) { return m_sums + (row - m_begin) * kLineLanes; }
+
+    const dxSolvePanelTask &m_task;
+    const std::size_t m_begin, m_end;
+    HWY_ALIGN dReal m_sums[kSharedRows * kLineLanes];
+};
+
 void solvePanelInTurn(const dxSolvePanelTask &task, unsigned turn, dxTurns &turns) {
-    constexpr std::size_t kTiles = kSharedRows / kPanelRows;
-    const LineTag d;
-    HWY_ALIGN dReal sums[kSharedRows * kLineLanes] = {};
-    const std::size_t begin = task.begin + turn * kSharedRows, end = std::min<std::size_t>(begin + kSharedRows, task.end);
-    std::size_t from = 0;
-    for (unsigned known = 0;;) {
-        const std::size_t to = task.begin + known * kSharedRows;
-        for (std::size_t tile = 0; tile < kTiles && begin + tile * kPanelRows < end; ++tile) {
-            const std::size_t first = begin + tile * kPanelRows, rows = std::min(kPanelRows, end - first);
-            const std::size_t column = std::max(from, beginOf(task, first, rows));
-            for (std::size_t lane = 0; column < to && lane < kLineLanes; lane += hn::Lanes(d)) {
-                if (rows == kPanelRows)
-                    addToSums<kPanelRows>(task, lane, first, column, to, sums + tile * kPanelRows * kLineLanes);
-                else
-                    addToSums<4>(task, lane, first, column, to, sums + tile * kPanelRows * kLineLanes);
-            }
-        }
-        from = to;
+    RowsInTurn rows(task, turn);
+    std::size_t added = 0;
+    for (unsigned known = 0;; known = turns.await(known + 1)) {
+        const std::size_t end = task.begin + known * kSharedRows;
+        rows.add(added, end);
+        added = end;
         if (known == turn) break;
-        known = turns.await(known + 1);
     }
-    for (std::size_t first = begin; first < end; first += kPanelRows) {
-        const std::size_t rows = std::min(kPanelRows, end - first);
-        const std::size_t column = std::max(begin, beginOf(task, first, rows));
-        for (std::size_t lane = 0; lane < kLineLanes; lane += hn::Lanes(d)) {
-            if (rows == kPanelRows)
-                finishFromSums<kPanelRows>(task, lane, first, column, sums + (first - begin) * kLineLanes);
-            else
-                finishFromSums<4>(task, lane, first, column, sums + (first - begin) * kLineLanes);
-        }
-    }
+    rows.finish();
     turns.finish(turn);
 }
 

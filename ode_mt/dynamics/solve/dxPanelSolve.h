@@ -7,6 +7,8 @@
 
 #include "dynamics/solve/dxEnvelope.h"
 
+class dxTaskRunner;
+
 // A right-hand side is a column of a symmetric matrix: its element for row r is rightHandSides[index[r] *
 // rightHandSkip + lane]. There are as many lanes as a line of the cache has elements, all aligned to such a
 // line.
@@ -24,6 +26,7 @@ struct dxSolvePanelTask {
 // Each lane gets the bits of dxSolveL1Straight for a right-hand side of its own, `end` rows or more. What the
 // envelope and the zeros leave out is right under the conditions named there.
 void dxSolvePanel(const dxSolvePanelTask &task);
-class dxTaskRunner;
+
+// On the workers of a runner, so many rows at a time.
 constexpr unsigned kSharedRows = 32;
 void dxSolvePanel(const dxSolvePanelTask &task, dxTaskRunner &runner);

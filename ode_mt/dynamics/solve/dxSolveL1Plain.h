@@ -71,7 +71,8 @@ inline void solveStraightPlain(const dReal *L, dReal *B, std::size_t rowCount, s
 
 // The four results of the group from row `first` on; `sum` holds the rows after it.
 template <unsigned Stride, class Rows>
-__attribute__((always_inline)) inline FourResults finishTransposedGroup(const Rows &L, std::size_t first, dReal *B, const dReal *sum) {
+__attribute__((always_inline)) inline FourResults finishTransposedGroup(const Rows &L, std::size_t first, dReal *B,
+                                                                         const dReal *sum) {
     const dReal *row1 = L(first + 1) + first, *row2 = L(first + 2) + first, *row3 = L(first + 3) + first;
     dReal *const b = B + first * Stride;
     const dReal y3 = b[3 * Stride] - sum[3];
@@ -87,7 +88,8 @@ __attribute__((always_inline)) inline FourResults finishTransposedGroup(const Ro
 
 // The results from row `first` on, none to three, which have no group.
 template <unsigned Stride, class Rows>
-__attribute__((always_inline)) inline void finishTransposedLast(const Rows &L, std::size_t first, dReal *B, std::size_t rowCount) {
+__attribute__((always_inline)) inline void finishTransposedLast(const Rows &L, std::size_t first, dReal *B,
+                                                                 std::size_t rowCount) {
     const std::size_t rows = rowCount - first;
     dReal *const b = B + first * Stride;
     if (rows == 2) {
