@@ -57,6 +57,15 @@ TEST(DantzigRun, TakesNoMoreMemoryThanItSays) {
     }
 }
 
+// Upstream's matrix and what its solver takes; ours comes on top.
+TEST(DantzigRun, TakesNoMoreMemoryAgainThanUpstreamButForVectors) {
+    constexpr std::size_t kVectors = 30;
+    for (unsigned n = 1; n < 3000; n += 1 + n / 50) {
+        const std::size_t upstream = std::size_t(n) * dPAD(n) * sizeof(dReal) + dxEstimateSolveLCPMemoryReq(n, false);
+        EXPECT_LE(dxDantzigRun::memory(n), upstream + kVectors * (n + kLineLanes) * sizeof(dReal)) << n << " rows";
+    }
+}
+
 TEST(DantzigRun, StaysWithinItsMemoryAndRaisesNothing) {
     for (const std::int64_t set : instructionSets())
         onInstructionSet(set, [] {
