@@ -142,14 +142,19 @@ bool dxStep::hasTeamIsland(unsigned limit) const {
     return m_largestCost >= part * m_totalCost;
 }
 
+// The exact step measures its LCPs instead (dxSolveTeam).
+bool dxStep::isTeamMeasured() const {
+    return m_kind == dxStepperKind::Quick && dxSettings::instance().algorithm() == dxAlgorithm::Auto;
+}
+
 bool dxStep::shallHaveTeam() const {
-    if (m_kind == dxStepperKind::World || dxSettings::instance().algorithm() != dxAlgorithm::Auto) return true;
+    if (!isTeamMeasured()) return true;
     const std::unique_lock<std::mutex> hold(teamPace->mutex, std::try_to_lock);
     return hold && teamPace->pace.shallShare();
 }
 
 void dxStep::rememberTeam(bool hadTeam, double ns) const {
-    if (m_kind == dxStepperKind::World || dxSettings::instance().algorithm() != dxAlgorithm::Auto) return;
+    if (!isTeamMeasured()) return;
     const std::unique_lock<std::mutex> hold(teamPace->mutex, std::try_to_lock);
     if (hold) teamPace->pace.remember(hadTeam, ns * kCostOfReference / m_totalCost);
 }

@@ -53,6 +53,7 @@ private:
     // --- who may work ----------------------------------------------------------------------------------
     bool mayShare() const;
     unsigned leastTeamJoints() const;
+    bool isTeamMeasured() const;
     void estimateCosts();
     unsigned chooseWorkers(unsigned limit);
     unsigned workerLimit() const;

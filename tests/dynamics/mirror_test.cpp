@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <memory>
-#include <vector>
 
+#include "aligned_numbers.h"
 #include "dynamics/solve/dxMirror.h"
 #include "instruction_sets.h"
 #include "simd/dxCacheLine.h"
@@ -17,18 +16,15 @@ class Triangle {
 public:
     Triangle(std::size_t n, std::size_t first)
         : m_n(n), m_first(first), m_skip((n + kLineLanes - 1) / kLineLanes * kLineLanes),
-          m_storage(m_skip * m_skip + kLineLanes, std::numeric_limits<dReal>::quiet_NaN()) {
-        void *aligned = m_storage.data();
-        std::size_t space = m_storage.size() * sizeof(dReal);
-        m_rows = static_cast<dReal *>(std::align(kCacheLine, 1, aligned, space));
+          m_storage(m_skip * m_skip, std::numeric_limits<dReal>::quiet_NaN()) {
         for (std::size_t i = first; i < n; ++i)
             for (std::size_t j = 0; j <= i; ++j) at(i, j) = lower(i, j);
     }
 
-    dReal &at(std::size_t i, std::size_t j) { return m_rows[i * m_skip + j]; }
+    dReal &at(std::size_t i, std::size_t j) { return m_storage[i * m_skip + j]; }
     static dReal lower(std::size_t i, std::size_t j) { return dReal(1 + 1000 * i + j); }
 
-    void mirror() { dxMirrorLower({m_rows, m_skip, m_n, m_first}); }
+    void mirror() { dxMirrorLower({m_storage.data(), m_skip, m_n, m_first}); }
 
     void expectMirrored() {
         for (std::size_t i = m_first; i < m_n; ++i)
@@ -45,8 +41,7 @@ public:
 
 private:
     const std::size_t m_n, m_first, m_skip;
-    std::vector<dReal> m_storage;
-    dReal *m_rows;
+    AlignedNumbers m_storage;
 };
 
 }  // namespace

@@ -71,7 +71,7 @@ TEST(SharedSolves, TransposedIsThatOfOneThread) {
         for (const dxEnvelope &envelope : {dxEnvelope(), triangle.envelope()}) {
             std::vector<dReal> expected = alone, shared = alone;
             dxSolveL1Transposed(triangle.rows(), expected.data(), triangle.count(), envelope);
-            dxSolveL1Transposed(triangle.rows(), shared.data(), triangle.count(), envelope, workers);
+            dxSolveL1Transposed(triangle.rows(), shared.data(), triangle.count(), envelope, &workers);
             ASSERT_EQ(std::memcmp(expected.data(), shared.data(), expected.size() * sizeof(dReal)), 0);
         }
     });
@@ -96,7 +96,7 @@ TEST(SharedSolves, PanelIsThatOfOneThread) {
                 std::fill(shared.begin() + begin * kLineLanes, shared.end(), dReal(7));
                 task.begin = begin;
                 task.solutions = shared.data();
-                dxSolvePanel(task, workers);
+                dxSolvePanel(task, &workers);
                 ASSERT_EQ(std::memcmp(expected.data(), shared.data(), expected.size() * sizeof(dReal)), 0) << begin;
             }
             task.begin = 0;

@@ -198,10 +198,7 @@ void dxDantzigRun::findDirection(unsigned i, bool isUp) {
 void dxDantzigRun::findDeltaX(bool isUp) {
     const unsigned count = m_sets.countC();
     m_team.solveTriangle(std::size_t(count) * count / 2, [&](dxTaskRunner *runner) {
-        if (runner != nullptr)
-            dxSolveL1Transposed(m_L, m_temporary, count, m_envelope, *runner);
-        else
-            dxSolveL1Transposed(m_L, m_temporary, count, m_envelope);
+        dxSolveL1Transposed(m_L, m_temporary, count, m_envelope, runner);
     });
     const unsigned *positions = m_sets.factorPositions(), inPlace = m_sets.inPlace();
     const dReal *solved = m_temporary;

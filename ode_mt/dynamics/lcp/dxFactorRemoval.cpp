@@ -31,12 +31,7 @@ public:
         m_w11 = static_cast<dReal>((REAL(0.5) * a[0] + 1) * M_SQRT1_2);
         m_w21 = static_cast<dReal>((REAL(0.5) * a[0] - 1) * M_SQRT1_2);
         dReal dee = task.d[task.r];
-        dReal alpha = m_alpha1 + (m_w11 * m_w11) * dee;
-        dee /= alpha;
-        const dReal gamma1 = m_w11 * dee;
-        dee *= m_alpha1;
-        m_alpha1 = alpha;
-        m_alpha2 = m_alpha2 - (m_w21 * m_w21) * dee;
+        const dReal gamma1 = passPivot({m_w11, m_w21}, dee).gamma1;
         m_k1 = REAL(1.0) - m_w21 * gamma1;
         m_k2 = m_w21 * gamma1 * m_w11 - m_w21;
     }
@@ -78,8 +73,14 @@ private:
 
     // Those of the row's own column, and its pivot.
     void finishColumn(unsigned index, const Weights &weights) {
-        const dReal k1 = weights.w1, k2 = weights.w2;
         dReal dee = m_task.d[index];
+        m_columns[index - m_task.r] = passPivot(weights, dee);
+        m_task.d[index - 1] = dee;
+    }
+
+    // `dee`: the pivot, which becomes another one. Returns what the rows after it need.
+    Column passPivot(const Weights &weights, dReal &dee) {
+        const dReal k1 = weights.w1, k2 = weights.w2;
         dReal alpha = m_alpha1 + (k1 * k1) * dee;
         dee /= alpha;
         const dReal gamma1 = k1 * dee;
@@ -90,8 +91,7 @@ private:
         const dReal gamma2 = k2 * dee;
         dee *= m_alpha2;
         m_alpha2 = alpha;
-        m_task.d[index - 1] = dee;
-        m_columns[index - m_task.r] = {k1, k2, gamma1, gamma2};
+        return {k1, k2, gamma1, gamma2};
     }
 
     const dxFactorRemovalTask &m_task;
@@ -119,7 +119,9 @@ void findDifferences(const dxFactorRemovalTask &task, const dReal *scaled, dReal
 
 }  // namespace
 
-std::size_t dxFactorRemovalStorage(unsigned count) { return 2 * std::size_t(count) + 4 * std::size_t(count); }
+std::size_t dxFactorRemovalStorage(unsigned count) {
+    return (2 + sizeof(Column) / sizeof(dReal)) * std::size_t(count);
+}
 
 void dxRemoveFactorRow(const dxFactorRemovalTask &task) {
     if (task.r + 1 == task.count) return;

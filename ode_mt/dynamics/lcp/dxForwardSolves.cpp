@@ -81,15 +81,10 @@ void dxForwardSolves::extend(unsigned index, unsigned rows, const dxSolveTeam &t
     unsigned &known = m_known[index - m_firstBlock];
     if (known >= rows) return;
     if (m_envelope.leavesOut()) extendZeros(index, rows);
-    if (known < rows) {
-        const dxSolvePanelTask task{m_L, m_A.rows() + index * kLineLanes, m_A.rowSkip(), m_sets.factorIndexes(),
-                                    m_envelope, m_zeros[index - m_firstBlock], known, rows, block(index)};
-        dxTaskRunner *const runner = team.runnerFor(std::size_t(rows - known) * rows);
-        if (runner != nullptr)
-            dxSolvePanel(task, *runner);
-        else
-            dxSolvePanel(task);
-    }
+    if (known < rows)
+        dxSolvePanel({m_L, m_A.rows() + index * kLineLanes, m_A.rowSkip(), m_sets.factorIndexes(), m_envelope,
+                      m_zeros[index - m_firstBlock], known, rows, block(index)},
+                     team.runnerFor(std::size_t(rows - known) * rows));
     known = rows;
 }
 

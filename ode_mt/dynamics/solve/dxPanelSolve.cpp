@@ -61,13 +61,16 @@ HWY_INLINE void solveRows(const dxSolvePanelTask &task, std::size_t lane, std::s
     finishRows<Rows>(task, lane, first, beginOf(task, first, Rows), sum);
 }
 
+// Calls take(first, rows) for eight rows at a time, and four at the end: a multiple of four in all.
+template <class Take>
+HWY_INLINE void forTiles(std::size_t begin, std::size_t end, Take take) {
+    for (; begin + kPanelRows <= end; begin += kPanelRows) take(begin, std::integral_constant<std::size_t, kPanelRows>());
+    if (begin < end) take(begin, std::integral_constant<std::size_t, 4>());
+}
+
 void solvePanel(const dxSolvePanelTask &task) {
-    const LineTag d;
-    for (std::size_t lane = 0; lane < kLineLanes; lane += hn::Lanes(d)) {
-        std::size_t row = task.begin;
-        for (; row + kPanelRows <= task.end; row += kPanelRows) solveRows<kPanelRows>(task, lane, row);
-        for (; row < task.end; row += 4) solveRows<4>(task, lane, row);
-    }
+    for (std::size_t lane = 0; lane < kLineLanes; lane += hn::Lanes(LineTag()))
+        forTiles(task.begin, task.end, [&](std::size_t first, auto rows) { solveRows<rows>(task, lane, first); });
 }
 
 // Four or eight rows whose sums are in memory: sum(row) += the products with columns begin..end-1.
@@ -101,7 +104,7 @@ public:
 
     // Adds the products with columns begin..end-1.
     HWY_INLINE void add(std::size_t begin, std::size_t end) {
-        forTiles([&](std::size_t first, auto rows) {
+        forTiles(m_begin, m_end, [&](std::size_t first, auto rows) {
             const std::size_t column = std::max(begin, beginOf(m_task, first, rows));
             for (std::size_t lane = 0; column < end && lane < kLineLanes; lane += hn::Lanes(LineTag()))
                 addToSums<rows>(m_task, lane, first, column, end, sums(first));
@@ -110,7 +113,7 @@ public:
 
     // All columns before the rows have been added.
     HWY_INLINE void finish() {
-        forTiles([&](std::size_t first, auto rows) {
+        forTiles(m_begin, m_end, [&](std::size_t first, auto rows) {
             const std::size_t column = std::max(m_begin, beginOf(m_task, first, rows));
             for (std::size_t lane = 0; lane < kLineLanes; lane += hn::Lanes(LineTag()))
                 finishFromSums<rows>(m_task, lane, first, column, sums(first));
@@ -118,15 +121,6 @@ public:
     }
 
 private:
-    // Eight rows at a time, and four at the end.
-    template <class Take>
-    HWY_INLINE void forTiles(Take take) {
-        std::size_t first = m_begin;
-        for (; first + kPanelRows <= m_end; first += kPanelRows)
-            take(first, std::integral_constant<std::size_t, kPanelRows>());
-        if (first < m_end) take(first, std::integral_constant<std::size_t, 4>());
-    }
-
     HWY_INLINE dReal *sums(std::size_t row) { return m_sums + (row - m_begin) * kLineLanes; }
 
     const dxSolvePanelTask &m_task;
@@ -157,11 +151,10 @@ HWY_EXPORT(solvePanel);
 HWY_EXPORT(solvePanelInTurn);
 }  // namespace dxSolve
 
-void dxSolvePanel(const dxSolvePanelTask &task) { HWY_DYNAMIC_DISPATCH(dxSolve::solvePanel)(task); }
-
-void dxSolvePanel(const dxSolvePanelTask &task, dxTaskRunner &runner) {
+void dxSolvePanel(const dxSolvePanelTask &task, dxTaskRunner *runner) {
+    if (runner == nullptr) return HWY_DYNAMIC_DISPATCH(dxSolve::solvePanel)(task);
     dxTurns turns;
-    runner.forBlocks((task.end - task.begin + kSharedRows - 1) / kSharedRows, [&](unsigned turn, unsigned) {
+    runner->forBlocks((task.end - task.begin + kSharedRows - 1) / kSharedRows, [&](unsigned turn, unsigned) {
         HWY_DYNAMIC_DISPATCH(dxSolve::solvePanelInTurn)(task, turn, turns);
     });
 }

@@ -25,8 +25,7 @@ struct dxSolvePanelTask {
 
 // Each lane gets the bits of dxSolveL1Straight for a right-hand side of its own, `end` rows or more. What the
 // envelope and the zeros leave out is right under the conditions named there.
-void dxSolvePanel(const dxSolvePanelTask &task);
+// `runner`: its workers take kSharedRows rows at a time; null for the calling thread alone.
+void dxSolvePanel(const dxSolvePanelTask &task, dxTaskRunner *runner = nullptr);
 
-// On the workers of a runner, so many rows at a time.
 constexpr unsigned kSharedRows = 32;
-void dxSolvePanel(const dxSolvePanelTask &task, dxTaskRunner &runner);

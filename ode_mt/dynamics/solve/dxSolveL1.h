@@ -24,12 +24,9 @@ void dxSolveL1Transposed(const dReal *L, dReal *B, unsigned rowCount, unsigned r
 // exact if everything is finite, no sum overflows, and results are rounded to nearest.
 void dxSolveL1Straight(const dReal *L, dReal *B, unsigned rowCount, unsigned rowSkip, const dxEnvelope &envelope);
 
-// Row i of L is at L[i].
-void dxSolveL1Transposed(const dReal *const *L, dReal *B, unsigned rowCount, const dxEnvelope &envelope);
-
-// On the workers of a runner.
+// Row i of L is at L[i]. `runner`: null for the calling thread alone.
 void dxSolveL1Transposed(const dReal *const *L, dReal *B, unsigned rowCount, const dxEnvelope &envelope,
-                         dxTaskRunner &runner);
+                         dxTaskRunner *runner = nullptr);
 
 namespace dxSolve {
 

@@ -137,8 +137,6 @@ public:
         solveGroups(groups);
     }
 
-    static constexpr std::size_t kMostRows = kMostShortRows;
-
 private:
     using Lanes = hn::Vec<RowLanes<4>>;
     static constexpr std::size_t kMostGroups = kMostShortRows / 4, kParts = 4 / kLanes<RowLanes<4>>;
@@ -209,28 +207,26 @@ HWY_INLINE void solveInPanels(const Rows &L, dReal *B, std::size_t rowCount, con
     }
 }
 
-void solveTransposed1(const dReal *L, dReal *B, std::size_t rowCount, std::size_t rowSkip) {
-    const dxRowsApart rows(L, rowSkip);
+template <unsigned Stride, class Rows>
+HWY_INLINE void solveTransposed(const Rows &L, dReal *B, std::size_t rowCount) {
     if (rowCount <= kMostShortRows)
-        ShortSolve<1, dxRowsApart>(rows, B).solve(rowCount);
+        ShortSolve<Stride, Rows>(L, B).solve(rowCount);
     else
-        solveInPanels<1, false>(rows, B, rowCount, dxEnvelope());
+        solveInPanels<Stride, false>(L, B, rowCount, dxEnvelope());
+}
+
+void solveTransposed1(const dReal *L, dReal *B, std::size_t rowCount, std::size_t rowSkip) {
+    solveTransposed<1>(dxRowsApart(L, rowSkip), B, rowCount);
 }
 void solveTransposed2(const dReal *L, dReal *B, std::size_t rowCount, std::size_t rowSkip) {
-    const dxRowsApart rows(L, rowSkip);
-    if (rowCount <= kMostShortRows)
-        ShortSolve<2, dxRowsApart>(rows, B).solve(rowCount);
-    else
-        solveInPanels<2, false>(rows, B, rowCount, dxEnvelope());
+    solveTransposed<2>(dxRowsApart(L, rowSkip), B, rowCount);
 }
 void solveTransposedListed(const dReal *const *L, dReal *B, std::size_t rowCount, const dxEnvelope &envelope) {
     const dxListedRows rows(L);
-    if (rowCount <= kMostShortRows)
-        ShortSolve<1, dxListedRows>(rows, B).solve(rowCount);
-    else if (envelope.leavesOut())
+    if (envelope.leavesOut() && rowCount > kMostShortRows)
         solveInPanels<1, true>(rows, B, rowCount, envelope);
     else
-        solveInPanels<1, false>(rows, B, rowCount, envelope);
+        solveTransposed<1>(rows, B, rowCount);
 }
 
 // The panel that comes after `turn` others, the last columns first.
@@ -275,19 +271,15 @@ void dxSolveL1Transposed<2>(const dReal *L, dReal *B, unsigned rowCount, unsigne
     HWY_DYNAMIC_DISPATCH(solveTransposed2)(L, B, rowCount, rowSkip);
 }
 
-void dxSolveL1Transposed(const dReal *const *L, dReal *B, unsigned rowCount, const dxEnvelope &envelope) {
+void dxSolveL1Transposed(const dReal *const *L, dReal *B, unsigned rowCount, const dxEnvelope &envelope,
+                         dxTaskRunner *runner) {
     using namespace dxSolve;
     if (rowCount <= kPlainRows) return solveTransposedPlain<1>(dxListedRows(L), B, rowCount);
-    HWY_DYNAMIC_DISPATCH(solveTransposedListed)(L, B, rowCount, envelope);
-}
-
-void dxSolveL1Transposed(const dReal *const *L, dReal *B, unsigned rowCount, const dxEnvelope &envelope,
-                         dxTaskRunner &runner) {
-    using namespace dxSolve;
+    if (runner == nullptr) return HWY_DYNAMIC_DISPATCH(solveTransposedListed)(L, B, rowCount, envelope);
     const std::size_t lastGroupEnd = rowCount - rowCount % 4;
     finishTransposedLast<1>(dxListedRows(L), lastGroupEnd, B, rowCount);
     dxTurns turns;
-    runner.forBlocks(static_cast<unsigned>((lastGroupEnd + kSharedPanel - 1) / kSharedPanel), [&](unsigned turn, unsigned) {
+    runner->forBlocks(static_cast<unsigned>((lastGroupEnd + kSharedPanel - 1) / kSharedPanel), [&](unsigned turn, unsigned) {
         HWY_DYNAMIC_DISPATCH(solveTransposedInTurn)(L, B, rowCount, envelope, turn, turns);
     });
 }

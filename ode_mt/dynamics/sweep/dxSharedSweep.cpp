@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "dynamics/sweep/dxSweepRun.h"
+#include "threading/dxSpin.h"
 
 namespace {
 
@@ -14,12 +15,6 @@ constexpr std::uint16_t kActsOnShared = 1 << 15;
 // Looks at another part's progress before a thread tries to help, and rounds of that before it lets others run.
 constexpr int kPatience = 256;
 constexpr int kRounds = 16;
-
-void pause() {
-#if defined(__x86_64__) || defined(__i386__)
-    __builtin_ia32_pause();
-#endif
-}
 
 }  // namespace
 
@@ -201,7 +196,7 @@ bool dxSharedSweep::mayGoOn(Part &part) {
         int patience = kPatience;
         while (other.done.load(std::memory_order_acquire) < needed) {
             if (--patience == 0) return false;
-            pause();
+            dxPause();
         }
     }
     return true;

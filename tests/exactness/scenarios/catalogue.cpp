@@ -14,9 +14,10 @@ Scenario collisionScenario(std::string name, std::string meaning, int steps, Sce
     return scenario;
 }
 
-Scenario teamScenario(std::string name, std::string meaning, int steps, Scenario::Make make) {
+Scenario teamScenario(std::string name, std::string meaning, int steps, Scenario::Make make,
+                      scenes::Stepper stepper) {
     Scenario scenario{std::move(name), std::move(meaning), steps, std::move(make)};
-    scenario.steppers = {scenes::Stepper::Quick};
+    scenario.steppers = {stepper};
     scenario.byTeam = true;
     return scenario;
 }

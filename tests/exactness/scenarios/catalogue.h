@@ -41,8 +41,9 @@ Scenario::Make make(Arguments... arguments) {
 Scenario collisionScenario(std::string name, std::string meaning, int steps, Scenario::Make make,
                            Scenario::Callbacks callbacks = Scenario::Callbacks::oneAtATime);
 
-// A scenario about one island that several workers step together, which they do with QuickStep only.
-Scenario teamScenario(std::string name, std::string meaning, int steps, Scenario::Make make);
+// A scenario about one island that several workers step together.
+Scenario teamScenario(std::string name, std::string meaning, int steps, Scenario::Make make,
+                      scenes::Stepper stepper = scenes::Stepper::Quick);
 
 using Catalogue = std::vector<Scenario>;
 const Catalogue &catalogue();

@@ -112,10 +112,8 @@ public:
 
 void addLargeExactIslands(Catalogue &catalogue) {
     const auto add = [&](const char *name, const char *meaning, Scenario::Make make) {
-        Scenario scenario{std::string("large_exact_islands/") + name, meaning, 5, std::move(make)};
-        scenario.steppers = {Stepper::World};
-        scenario.byTeam = true;
-        catalogue.push_back(std::move(scenario));
+        catalogue.push_back(
+            teamScenario(std::string("large_exact_islands/") + name, meaning, 5, std::move(make), Stepper::World));
     };
     add("stack", "boxes packed closely on the ground", make<Stack>());
     add("uneven", "masses over four decades, hardly any softness, unlimited and pyramidal friction", make<UnevenStack>());
