@@ -11,8 +11,8 @@
 
 namespace {
 
-// Joints between asking the memory for one and removing it.
-constexpr std::size_t kAhead = 6;
+// Joints between asking the memory for one, or for the bodies that it names, and removing it.
+constexpr std::size_t kAhead = 8, kBodiesAhead = 4;
 
 dxProcessObject<dxIdlePool<std::vector<dxJoint *>>> lists;
 
@@ -39,6 +39,16 @@ void removeFromWorld(dxJoint *joint) {
     --joint->world->nj;
 }
 
+void fetch(const dxJoint *joint) {
+    __builtin_prefetch(&joint->world);
+    __builtin_prefetch(&joint->node[1]);
+}
+
+void fetchBodies(const dxJoint *joint) {
+    for (const dxJointNode &node : joint->node)
+        if (node.body != nullptr) __builtin_prefetch(&node.body->firstjoint);
+}
+
 void remove(dxJoint *joint) {
     if (joint->world != nullptr) removeFromWorld(joint);  // else its world has gone before it
     joint->~dxJoint();
@@ -54,7 +64,8 @@ void dxRemoveJoints(dxJointGroup &group) {
     list.resize(count);
     group.exportJoints(list.data());
     for (std::size_t i = count; i-- != 0;) {
-        if (i >= kAhead) __builtin_prefetch(list[i - kAhead]);
+        if (i >= kAhead) fetch(list[i - kAhead]);
+        if (i >= kBodiesAhead) fetchBodies(list[i - kBodiesAhead]);
         remove(list[i]);
     }
     group.freeAll();
