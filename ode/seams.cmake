@@ -29,6 +29,9 @@ endfunction()
 # misc.cpp is left out: a step takes its random numbers as one atomic block, so the seed must be an
 # atomic of ours (ode_mt/api/random.cpp, ode_mt/api/matrix_debug.cpp).
 
+# Islands are found with fewer waits for memory (ode_mt/dynamics/dxIslandSearch.h).
+ode_mt_compile_after("util.cpp" util.h)
+
 # The islands are shared out by our frame instead of upstream's call queue.
 ode_mt_call_instead("ode.cpp" dxProcessIslands dxStepIslands)
 

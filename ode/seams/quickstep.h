@@ -40,3 +40,7 @@
 #define dxQuickStepIsland_Stage4b(argument) dxResultsSeam_##argument)
 #define dxResultsSeam_dxQuickStepperStage4CallContext dxUpstreamResults(dxQuickStepperStage4CallContext
 #define dxResultsSeam_stage4CallContext dxIslandSweeps::giveResults(stage4CallContext), dxUpstreamResults(stage4CallContext
+
+#define dxQuickStepIsland_Stage6b(argument) dxMoveSeam_##argument)
+#define dxMoveSeam_dxQuickStepperStage6CallContext dxUpstreamMove(dxQuickStepperStage6CallContext
+#define dxMoveSeam_stage6CallContext dxStagePieces::moveBodies(dxUpstreamMove, stage6CallContext

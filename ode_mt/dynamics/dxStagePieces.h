@@ -11,6 +11,7 @@
 #include <atomic>
 #include <cstddef>
 
+#include "dynamics/dxFetchAhead.h"
 #include "dynamics/dxIslandCall.h"
 #include "joints/joint.h"
 
@@ -32,33 +33,61 @@ inline bool hasOnlyContacts(const dxStepperProcessingCallContext &island) {
     return true;
 }
 
-// Tags, gravity and inertia. To number the bodies of a piece first fetches them, side by side.
+// An island whose bodies and joints have to come from far caches, or that is shared out, is taken in pieces.
+inline bool isWhole(const dxStepperProcessingCallContext &island) {
+    return island.m_islandBodiesCount < dxFetchAhead::kLeastBodies && dxIslandCall::of(&island).team == nullptr;
+}
+
+// The island's workers, or the caller.
+inline dxTaskRunner &runnerOf(const dxStepperProcessingCallContext &island) {
+    dxIslandTeam *const team = dxIslandCall::of(&island).team;
+    return team != nullptr ? *team->runner : dxTaskRunner::alone();
+}
+
+// The island with the bodies [begin, end) alone.
+inline dxStepperProcessingCallContext bodiesOf(const dxStepperProcessingCallContext &island, std::size_t begin, std::size_t end) {
+    dxStepperProcessingCallContext part = island;
+    part.m_islandBodiesStart += begin;
+    part.m_islandBodiesCount = static_cast<unsigned>(end - begin);
+    return part;
+}
+
+// Calls work(begin, end) for small pieces of the bodies [begin, end), the next ones of the island being fetched.
+template <class Work>
+void forBodies(const dxStepperProcessingCallContext &island, std::size_t begin, std::size_t end, const Work &work) {
+    dxBody *const *const bodies = island.m_islandBodiesStart;
+    dxFetchAhead::forPieces(begin, end, island.m_islandBodiesCount, [bodies](std::size_t i) { dxFetchAhead::body(bodies[i]); },
+                            work);
+}
+
+// Tags, gravity and inertia.
 template <class Stage, class Call>
 void prepareBodies(Stage stage, Call *call) {
     const dxStepperProcessingCallContext &whole = *call->m_stepperCallContext;
-    dxIslandTeam *const team = dxIslandCall::of(&whole).team;
-    if (team == nullptr) return stage(call);
-    team->runner->forPieces(whole.m_islandBodiesCount, kBodies, [&](std::size_t begin, std::size_t end, unsigned) {
-        dxStepperProcessingCallContext island = whole;
-        island.m_islandBodiesStart += begin;
-        island.m_islandBodiesCount = static_cast<unsigned>(end - begin);
+    if (isWhole(whole)) return stage(call);
+    const auto prepare = [&](std::size_t begin, std::size_t end) {
+        const dxStepperProcessingCallContext island = bodiesOf(whole, begin, end);
         for (std::size_t i = begin; i < end; ++i) whole.m_islandBodiesStart[i]->tag = static_cast<int>(i);
         Call piece = *call;
         piece.m_stepperCallContext = &island;
         piece.m_invI += begin * kInertia;
         piece.m_tagsTaken = 1;
         stage(&piece);
+    };
+    runnerOf(whole).forPieces(whole.m_islandBodiesCount, kBodies, [&](std::size_t begin, std::size_t end, unsigned) {
+        forBodies(whole, begin, end, prepare);
     });
 }
 
 // Jacobians and limits of the joints.
 template <class Stage, class Call>
 void readJoints(Stage stage, Call *call) {
-    dxIslandTeam *const team = dxIslandCall::of(call->m_stepperCallContext).team;
-    if (team == nullptr || !hasOnlyContacts(*call->m_stepperCallContext)) return stage(call);
+    const dxStepperProcessingCallContext &island = *call->m_stepperCallContext;
+    if (isWhole(island)) return stage(call);
     auto &whole = *call->m_localContext;
+    const auto *const infos = whole.m_jointinfos;
     std::atomic<unsigned> bounded{0};
-    team->runner->forPieces(whole.m_nj, kJoints, [&](std::size_t begin, std::size_t end, unsigned) {
+    const auto read = [&](std::size_t begin, std::size_t end) {
         auto local = whole;
         local.m_nj = static_cast<unsigned>(end);
         local.m_valid_findices = 0;
@@ -67,10 +96,15 @@ void readJoints(Stage stage, Call *call) {
         piece.m_ji_J = piece.m_ji_jb = static_cast<unsigned>(begin);
         stage(&piece);
         bounded.fetch_add(local.m_valid_findices, std::memory_order_relaxed);
+    };
+    dxTaskRunner &runner = hasOnlyContacts(island) ? runnerOf(island) : dxTaskRunner::alone();
+    runner.forPieces(whole.m_nj, kJoints, [&](std::size_t begin, std::size_t end, unsigned) {
+        dxFetchAhead::forPieces(begin, end, whole.m_nj, [infos](std::size_t i) { dxFetchAhead::joint(infos[i].joint); }, read);
     });
     whole.m_valid_findices += bounded.load(std::memory_order_relaxed);
 }
 
+// Right-hand sides from velocities.
 template <class Stage, class Call>
 void addRightHandSides(Stage stage, Call *call) {
     dxIslandTeam *const team = dxIslandCall::of(call->m_stepperCallContext).team;
@@ -82,6 +116,19 @@ void addRightHandSides(Stage stage, Call *call) {
         Call piece = *call;
         piece.m_localContext = &local;
         piece.m_Jrhsi = static_cast<unsigned>(begin) / kRhsStep;
+        stage(&piece);
+    });
+}
+
+// Positions and moved-callbacks, which stay on the caller, in order.
+template <class Stage, class Call>
+void moveBodies(Stage stage, Call *call) {
+    const dxStepperProcessingCallContext &whole = *call->m_stepperCallContext;
+    if (isWhole(whole)) return stage(call);
+    forBodies(whole, 0, whole.m_islandBodiesCount, [&](std::size_t begin, std::size_t end) {
+        const dxStepperProcessingCallContext island = bodiesOf(whole, begin, end);
+        Call piece = *call;
+        piece.m_stepperCallContext = &island;
         stage(&piece);
     });
 }
