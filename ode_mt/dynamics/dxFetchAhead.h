@@ -25,7 +25,10 @@ inline void lines(const void *object, std::size_t bytes) {
 }
 
 // What stages read: all but the settings at the end, of automatic disabling and damping.
-inline void body(const dxBody *body) { lines(body, offsetof(dxBody, finite_rot_axis)); }
+inline void body(const dxBody *body) {
+    const auto begin = reinterpret_cast<const char *>(body), end = reinterpret_cast<const char *>(&body->finite_rot_axis);
+    lines(begin, static_cast<std::size_t>(end - begin));
+}
 
 // A joint of any kind: contacts are the ones of which there are many.
 inline void joint(const dxJoint *joint) { lines(joint, sizeof(dxJointContact)); }
