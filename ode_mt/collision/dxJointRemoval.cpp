@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "dynamics/dxIdlePool.h"
+#include "simd/dxFetch.h"
 #include "threading/dxProcessObject.h"
 
 #include "config.h"
@@ -40,13 +41,13 @@ void removeFromWorld(dxJoint *joint) {
 }
 
 void fetch(const dxJoint *joint) {
-    __builtin_prefetch(&joint->world);
-    __builtin_prefetch(&joint->node[1]);
+    dxFetch::lineToWrite(&joint->world);
+    dxFetch::lineToWrite(&joint->node[1]);
 }
 
 void fetchBodies(const dxJoint *joint) {
     for (const dxJointNode &node : joint->node)
-        if (node.body != nullptr) __builtin_prefetch(&node.body->firstjoint);
+        if (node.body != nullptr) dxFetch::lineToWrite(&node.body->firstjoint);
 }
 
 void remove(dxJoint *joint) {

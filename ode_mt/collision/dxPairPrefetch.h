@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "collision/dxOrderedPair.h"
+#include "simd/dxFetch.h"
 
 #include "config.h"
 #include "objects.h"
@@ -16,16 +17,10 @@ namespace dxPairPrefetch {
 
 constexpr std::size_t kGeomsAhead = 8, kPlacesAhead = 4;  // pairs
 
-inline void lines(const void *object, std::size_t bytes) {
-    const char *const begin = static_cast<const char *>(object), *const last = begin + bytes - 1;
-    for (const char *at = begin; at < last; at += 64) __builtin_prefetch(at);
-    __builtin_prefetch(last);
-}
-
-inline void geom(const dxGeom *geom) { lines(geom, sizeof(dxGeom) + 4 * sizeof(dReal)); }
+inline void geom(const dxGeom *geom) { dxFetch::lines(geom, sizeof(dxGeom) + 4 * sizeof(dReal)); }
 
 inline void place(const dxGeom *geom) {
-    if (geom->final_posr != nullptr) lines(geom->final_posr, sizeof(dxPosR));
+    if (geom->final_posr != nullptr) dxFetch::lines(geom->final_posr, sizeof(dxPosR));
 }
 
 // While pairs[index] is worked on.

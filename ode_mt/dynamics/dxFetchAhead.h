@@ -9,6 +9,7 @@
 #include "config.h"
 #include "objects.h"
 #include "joints/contact.h"
+#include "simd/dxFetch.h"
 
 namespace dxFetchAhead {
 
@@ -17,21 +18,14 @@ constexpr unsigned kLeastBodies = 100;
 
 constexpr std::size_t kItems = 4;  // that are worked on while the next ones are on their way
 
-inline void lines(const void *object, std::size_t bytes) {
-    constexpr std::size_t kLine = 64;
-    const char *const begin = static_cast<const char *>(object), *const last = begin + bytes - 1;
-    for (const char *at = begin; at < last; at += kLine) __builtin_prefetch(at);
-    __builtin_prefetch(last);
-}
-
 // What stages read: all but the settings at the end, of automatic disabling and damping.
 inline void body(const dxBody *body) {
     const auto begin = reinterpret_cast<const char *>(body), end = reinterpret_cast<const char *>(&body->finite_rot_axis);
-    lines(begin, static_cast<std::size_t>(end - begin));
+    dxFetch::lines(begin, static_cast<std::size_t>(end - begin));
 }
 
 // A joint of any kind: contacts are the ones of which there are many.
-inline void joint(const dxJoint *joint) { lines(joint, sizeof(dxJointContact)); }
+inline void joint(const dxJoint *joint) { dxFetch::lines(joint, sizeof(dxJointContact)); }
 
 // Calls work(begin, end) for pieces of [begin, end) of kItems items at most, after fetch(item) for those of the piece
 // after it, which may lie beyond `end` but not at `count` or behind.

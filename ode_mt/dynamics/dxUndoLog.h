@@ -18,13 +18,15 @@ public:
     void clear() { m_bytes.clear(); }
 
     // Appends the state that a stepper of upstream writes: motion and accumulators of the bodies,
-    // feedback, and the joints, which keep angles and limit states that the user or the next step reads.
+    // feedback, and the joints, which keep angles and limit states that the user or the next step reads. Of contacts,
+    // which keep nothing, only coefficients that the step corrects.
     void save(const dxIsland &island);
 
     // Puts everything back that was saved from `begin` up to `end`.
     void restore(Mark begin, Mark end) const;
 
 private:
+    void saveJoint(dxJoint &joint);
     void saveBytes(void *address, std::size_t size);
 
     std::vector<std::byte> m_bytes;  // entries: address, size, bytes

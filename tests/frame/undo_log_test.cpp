@@ -8,6 +8,7 @@
 #include <string>
 
 #include "OdeSession.h"
+#include "joints/contact.h"
 
 namespace {
 
@@ -258,6 +259,33 @@ TEST(UndoLogRanges, RestoreOnlyTheirOwnIsland) {
     move(first);
     log.restore(0, log.mark());
     EXPECT_EQ(dBodyGetPosition(first.body(1))[0], 5) << "nothing is left";
+}
+
+TEST(UndoLogRanges, CoefficientsOfContactsComeBack) {
+    const OdeSession session;
+    for (const int mode : {0, int(dContactAxisDep), int(dContactRolling), dContactAxisDep | dContactRolling}) {
+        dContact contact{};
+        contact.surface.mode = mode;
+        contact.surface.mu = contact.surface.mu2 = contact.surface.rho = contact.surface.rho2 = contact.surface.rhoN = -1;
+        contact.geom.normal[2] = 1;
+        Pair pair([&contact](dWorldID world) { return dJointCreateContact(world, nullptr, &contact); });
+        const dSurfaceParameters &surface = static_cast<dxJointContact *>(pair.joint())->contact.surface;
+        const auto bytes = [&surface] {
+            Bytes all;
+            append(all, &surface, sizeof surface);
+            return all;
+        };
+        const Bytes before = bytes();
+        dxUndoLog log;
+        log.save(pair.island());
+        dWorldQuickStep(pair.world(), 0.02);
+        const Bytes after = bytes();
+        ASSERT_NE(before, after) << "upstream corrects them";
+        log.restore(0, log.mark());
+        EXPECT_EQ(bytes(), before) << "mode " << mode;
+        dWorldQuickStep(pair.world(), 0.02);
+        EXPECT_EQ(bytes(), after) << "mode " << mode;
+    }
 }
 
 TEST(UndoLogRanges, FeedbackComesBack) {
