@@ -21,6 +21,7 @@ inline void geom(const dxGeom *geom) { dxFetch::lines(geom, sizeof(dxGeom) + 4 *
 
 inline void place(const dxGeom *geom) {
     if (geom->final_posr != nullptr) dxFetch::lines(geom->final_posr, sizeof(dxPosR));
+    if (geom->body != nullptr) dxFetch::lineToWrite(&geom->body->firstjoint);
 }
 
 // While pairs[index] is worked on.

@@ -21,7 +21,7 @@ constexpr std::size_t kItems = 4;  // that are worked on while the next ones are
 // What stages read: all but the settings at the end, of automatic disabling and damping.
 inline void body(const dxBody *body) {
     const auto begin = reinterpret_cast<const char *>(body), end = reinterpret_cast<const char *>(&body->finite_rot_axis);
-    dxFetch::lines(begin, static_cast<std::size_t>(end - begin));
+    dxFetch::linesToWrite(begin, static_cast<std::size_t>(end - begin));
 }
 
 // A joint of any kind: contacts are the ones of which there are many.
