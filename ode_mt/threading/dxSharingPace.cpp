@@ -12,6 +12,10 @@ constexpr int kFirstCalls = 2;               // alone, before anything is tried
 constexpr int kTrial = 3;                    // calls
 constexpr int kShortestWait = 48, kLongestWait = 768;
 
+// In use, a way that has become slower by this is compared anew, after so many calls at least.
+constexpr double kSlower = 1.1;
+constexpr int kLeastCalls = 8;
+
 // To be taken, the other way has to be better by this; times are noisy.
 constexpr double kClearly = 0.97;
 
@@ -34,24 +38,34 @@ void dxSharingPace::remember(bool shared, double ns) {
     // The first call after a change of ways is not typical of the way.
     if (++way.fresh > 1 || way.ns == 0) way.ns = way.fresh == 2 ? ns : faded(way, ns);
     if (shared != m_isSharing) return;  // too small to be shared
-    if (m_isTrial)
+    if (m_isTrial) {
         judge();
-    else if (++m_calls >= m_wait && way.fresh >= kFirstCalls && (m_isSharing || m_alone.ns >= kWorthSharing)) {
+        return;
+    }
+    ++m_calls;
+    if (isTimeForTrial(way)) {
         m_isTrial = true;
         m_isSharing = !m_isSharing;
     }
+}
+
+bool dxSharingPace::isTimeForTrial(const Way &way) const {
+    if (way.fresh < kFirstCalls || (!m_isSharing && m_alone.ns < kWorthSharing)) return false;
+    return m_calls >= m_wait || (m_calls >= kLeastCalls && way.ns > kSlower * m_judgedNs);
 }
 
 // At the end of a trial.
 void dxSharingPace::judge() {
     const Way &tried = m_isSharing ? m_shared : m_alone, &usual = m_isSharing ? m_alone : m_shared;
     if (tried.fresh < kTrial) return;
-    m_isTrial = false;
-    m_calls = 0;
-    if (tried.ns < kClearly * usual.ns) {
+    const bool isTaken = tried.ns < kClearly * usual.ns, isEarly = m_calls < m_wait;
+    if (isTaken) {
         m_wait = kShortestWait;
     } else {
         m_isSharing = !m_isSharing;
-        m_wait = std::clamp(2 * m_wait, kShortestWait, kLongestWait);
+        if (!isEarly) m_wait = std::clamp(2 * m_wait, kShortestWait, kLongestWait);
     }
+    m_judgedNs = isTaken ? tried.ns : usual.ns;
+    m_isTrial = false;
+    m_calls = 0;
 }

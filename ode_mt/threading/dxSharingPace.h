@@ -3,7 +3,7 @@
 //
 // Both times are measured, of whole calls, with all that belongs to them. The way that is not in use is tried again from time
 // to time, for a few calls in a row, of which the first is not counted: workers have to wake, caches to fill. A trial in
-// vain makes the next one later.
+// vain makes the next one later; but if calls take longer than after the last trial, as in a scene that grows, it comes soon.
 // It decides about speed alone; results are the same either way. One thread at a time.
 #pragma once
 
@@ -22,11 +22,13 @@ private:
     };
 
     static double faded(const Way &way, double ns);
+    bool isTimeForTrial(const Way &way) const;
     void judge();
 
     Way m_alone, m_shared;
     bool m_isSharing = false;  // the way in use; during a trial the other one
     bool m_isTrial = false;
     int m_calls = 0;           // since the last trial ended
+    double m_judgedNs = 0;     // of the way in use, when it ended
     int m_wait = 0;            // calls between trials
 };

@@ -39,6 +39,23 @@ TEST_F(SharingPace, GivesUpWhatNoLongerPaysAndComesBack) {
     EXPECT_GT(shared(4000, 400e3, 250e3), 2500);
 }
 
+TEST_F(SharingPace, FollowsASceneThatGrows) {
+    shared(10, 400e3, 500e3);  // tried in vain
+    int count = 0;
+    double aloneNs = 400e3;
+    for (int i = 0; i < 40; ++i, aloneNs *= 1.02) count += shared(1, aloneNs, 500e3);
+    EXPECT_GT(count, 15) << "from the twelfth call on it pays";
+}
+
+TEST_F(SharingPace, NoiseCostsLittle) {
+    int count = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const double noise = 1 + 0.15 * ((i * 37) % 100 - 50) / 50;
+        count += shared(1, 400e3 * noise, 700e3 * noise);
+    }
+    EXPECT_LT(count, 100);
+}
+
 TEST_F(SharingPace, StaysAloneWhenTheSpaceHasBecomeSmall) {
     shared(300, 400e3, 250e3);
     shared(1000, 5e3, 30e3);
