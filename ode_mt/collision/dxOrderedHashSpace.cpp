@@ -150,7 +150,7 @@ void dxOrderedHashSpace::deliverAll(const std::vector<dxOrderedPair> &pairs, voi
     dxContactsAhead *const ahead = this->ahead();
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         if (ahead != nullptr) ahead->beforePair(pairs, i);
-        dxPairPrefetch::ahead(pairs, i);
+        dxPairPrefetch::aheadOfCallback(pairs, i);
         dxDeliver(pairs[i], data, callback);
     }
 }

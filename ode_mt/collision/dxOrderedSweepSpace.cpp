@@ -245,7 +245,7 @@ void dxOrderedSweepSpace::deliver(void *data, dNearCallback *callback) {
     dxContactsAhead *const ahead = this->ahead();
     for (std::size_t i = 0; i < pairs().size(); ++i) {
         if (ahead != nullptr) ahead->beforePair(pairs(), i);
-        dxPairPrefetch::ahead(pairs(), i);
+        dxPairPrefetch::aheadOfCallback(pairs(), i);
         dxSweepWalk::requireCleanBoxes(pairs()[i].first, pairs()[i].second);
         dxDeliver(pairs()[i], data, callback);
     }

@@ -21,7 +21,6 @@ inline void geom(const dxGeom *geom) { dxFetch::lines(geom, sizeof(dxGeom) + 4 *
 
 inline void place(const dxGeom *geom) {
     if (geom->final_posr != nullptr) dxFetch::lines(geom->final_posr, sizeof(dxPosR));
-    if (geom->body != nullptr) dxFetch::lineToWrite(&geom->body->firstjoint);
 }
 
 // While pairs[index] is worked on.
@@ -36,6 +35,15 @@ inline void ahead(const std::vector<dxOrderedPair> &pairs, std::size_t index) {
         place(pair.first);
         place(pair.second);
     }
+}
+
+// The same on the thread that calls back: a contact joint is put into the lists of both bodies.
+inline void aheadOfCallback(const std::vector<dxOrderedPair> &pairs, std::size_t index) {
+    ahead(pairs, index);
+    if (index + kPlacesAhead >= pairs.size()) return;
+    const dxOrderedPair &pair = pairs[index + kPlacesAhead];
+    for (const dxGeom *const geom : {pair.first, pair.second})
+        if (geom->body != nullptr) dxFetch::lineToWrite(&geom->body->firstjoint);
 }
 
 }  // namespace dxPairPrefetch

@@ -1,5 +1,6 @@
 // Upstream's stages of QuickStep in pieces: a piece is the stage for a range of bodies, joints or rows, and any worker
-// may take it. ode/seams/quickstep.h calls these in the place of the stages.
+// may take it; without a team the caller takes them in order. Pieces of pieces fetch the next bodies and joints
+// (docs/memory.md). ode/seams/quickstep.h calls these in the place of the stages.
 //
 // A stage counts through its items, from a counter in its context to a length in the island's. A piece is the
 // stage with copies of both, in which the counter starts at the piece and the length ends with it, so that workers do
@@ -33,31 +34,34 @@ inline bool hasOnlyContacts(const dxStepperProcessingCallContext &island) {
     return true;
 }
 
+inline bool hasTeam(const dxStepperProcessingCallContext &island) { return dxIslandCall::of(&island).team != nullptr; }
+
 // An island whose bodies and joints have to come from far caches, or that is shared out, is taken in pieces.
 inline bool isWhole(const dxStepperProcessingCallContext &island) {
-    return island.m_islandBodiesCount < dxFetchAhead::kLeastBodies && dxIslandCall::of(&island).team == nullptr;
+    return island.m_islandBodiesCount < dxFetchAhead::kLeastBodies && !hasTeam(island);
 }
 
 // The island's workers, or the caller.
 inline dxTaskRunner &runnerOf(const dxStepperProcessingCallContext &island) {
-    dxIslandTeam *const team = dxIslandCall::of(&island).team;
-    return team != nullptr ? *team->runner : dxTaskRunner::alone();
+    return hasTeam(island) ? *dxIslandCall::of(&island).team->runner : dxTaskRunner::alone();
 }
 
 // The island with the bodies [begin, end) alone.
-inline dxStepperProcessingCallContext bodiesOf(const dxStepperProcessingCallContext &island, std::size_t begin, std::size_t end) {
+inline dxStepperProcessingCallContext bodiesOf(const dxStepperProcessingCallContext &island, std::size_t begin,
+                                               std::size_t end) {
     dxStepperProcessingCallContext part = island;
     part.m_islandBodiesStart += begin;
     part.m_islandBodiesCount = static_cast<unsigned>(end - begin);
     return part;
 }
 
-// Calls work(begin, end) for small pieces of the bodies [begin, end), the next ones of the island being fetched.
+// Calls work(begin, end) for small pieces of the bodies [begin, end), the next ones being fetched: those after `end`, too,
+// unless another worker may be at them.
 template <class Work>
 void forBodies(const dxStepperProcessingCallContext &island, std::size_t begin, std::size_t end, const Work &work) {
     dxBody *const *const bodies = island.m_islandBodiesStart;
-    dxFetchAhead::forPieces(begin, end, island.m_islandBodiesCount, [bodies](std::size_t i) { dxFetchAhead::body(bodies[i]); },
-                            work);
+    dxFetchAhead::forPieces(begin, end, hasTeam(island) ? end : island.m_islandBodiesCount,
+                            [bodies](std::size_t i) { dxFetchAhead::body(bodies[i]); }, work);
 }
 
 // Tags, gravity and inertia.
@@ -97,7 +101,7 @@ void readJoints(Stage stage, Call *call) {
         stage(&piece);
         bounded.fetch_add(local.m_valid_findices, std::memory_order_relaxed);
     };
-    dxTaskRunner &runner = hasOnlyContacts(island) ? runnerOf(island) : dxTaskRunner::alone();
+    dxTaskRunner &runner = hasTeam(island) && hasOnlyContacts(island) ? runnerOf(island) : dxTaskRunner::alone();
     runner.forPieces(whole.m_nj, kJoints, [&](std::size_t begin, std::size_t end, unsigned) {
         dxFetchAhead::forPieces(begin, end, whole.m_nj, [infos](std::size_t i) { dxFetchAhead::joint(infos[i].joint); }, read);
     });

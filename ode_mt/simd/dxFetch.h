@@ -13,7 +13,7 @@ namespace dxFetch {
 inline void line(const void *place) { __builtin_prefetch(place); }
 
 // The compiler's own __builtin_prefetch(place, 1) does not make the instruction unless told to compile for newer
-// processors; all 64-bit ones take it, those that cannot do it as one that does nothing.
+// processors. Those made since 2006 take it (64-bit Windows has asked for it since 8.1), some as one that does nothing.
 inline void lineToWrite(const void *place) {
 #if defined(__x86_64__)
     __asm__ volatile("prefetchw %0" : : "m"(*static_cast<const char *>(place)));

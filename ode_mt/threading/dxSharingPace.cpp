@@ -12,9 +12,11 @@ constexpr int kFirstCalls = 2;               // alone, before anything is tried
 constexpr int kTrial = 3;                    // calls
 constexpr int kShortestWait = 48, kLongestWait = 768;
 
-// In use, a way that has become slower by this is compared anew, after so many calls at least.
+// In use, a way is compared anew if so many calls in a row were slower by this than after the last trial, each of them: one
+// that was held up by something else says nothing.
 constexpr double kSlower = 1.1;
-constexpr int kLeastCalls = 8;
+constexpr int kSlowCalls = 5;
+constexpr int kShortestEarlyWait = 8;
 
 // To be taken, the other way has to be better by this; times are noisy.
 constexpr double kClearly = 0.97;
@@ -23,6 +25,8 @@ constexpr double kClearly = 0.97;
 constexpr double kShare = 0.25;
 
 }  // namespace
+
+dxSharingPace::dxSharingPace() : m_earlyWait(kShortestEarlyWait) {}
 
 bool dxSharingPace::shallShare() const {
     return m_isSharing && m_alone.ns >= kWorthSharing;
@@ -43,6 +47,7 @@ void dxSharingPace::remember(bool shared, double ns) {
         return;
     }
     ++m_calls;
+    m_slowCalls = ns > kSlower * m_judgedNs ? m_slowCalls + 1 : 0;
     if (isTimeForTrial(way)) {
         m_isTrial = true;
         m_isSharing = !m_isSharing;
@@ -51,21 +56,25 @@ void dxSharingPace::remember(bool shared, double ns) {
 
 bool dxSharingPace::isTimeForTrial(const Way &way) const {
     if (way.fresh < kFirstCalls || (!m_isSharing && m_alone.ns < kWorthSharing)) return false;
-    return m_calls >= m_wait || (m_calls >= kLeastCalls && way.ns > kSlower * m_judgedNs);
+    return m_calls >= m_wait || isEarly();
 }
+
+bool dxSharingPace::isEarly() const { return m_calls < m_wait && m_calls >= m_earlyWait && m_slowCalls >= kSlowCalls; }
 
 // At the end of a trial.
 void dxSharingPace::judge() {
     const Way &tried = m_isSharing ? m_shared : m_alone, &usual = m_isSharing ? m_alone : m_shared;
     if (tried.fresh < kTrial) return;
-    const bool isTaken = tried.ns < kClearly * usual.ns, isEarly = m_calls < m_wait;
+    const bool isTaken = tried.ns < kClearly * usual.ns;
     if (isTaken) {
         m_wait = kShortestWait;
+        m_earlyWait = kShortestEarlyWait;
     } else {
         m_isSharing = !m_isSharing;
-        if (!isEarly) m_wait = std::clamp(2 * m_wait, kShortestWait, kLongestWait);
+        int &wait = isEarly() ? m_earlyWait : m_wait;
+        wait = std::clamp(2 * wait, isEarly() ? kShortestEarlyWait : kShortestWait, kLongestWait);
     }
     m_judgedNs = isTaken ? tried.ns : usual.ns;
     m_isTrial = false;
-    m_calls = 0;
+    m_calls = m_slowCalls = 0;
 }

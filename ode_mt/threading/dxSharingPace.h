@@ -3,12 +3,15 @@
 //
 // Both times are measured, of whole calls, with all that belongs to them. The way that is not in use is tried again from time
 // to time, for a few calls in a row, of which the first is not counted: workers have to wake, caches to fill. A trial in
-// vain makes the next one later; but if calls take longer than after the last trial, as in a scene that grows, it comes soon.
+// vain makes the next one later; but if several calls in a row take longer than after the last trial, as in a scene that grows, it
+// comes soon.
 // It decides about speed alone; results are the same either way. One thread at a time.
 #pragma once
 
 class dxSharingPace {
 public:
+    dxSharingPace();
+
     // For the next call.
     bool shallShare() const;
 
@@ -23,6 +26,7 @@ private:
 
     static double faded(const Way &way, double ns);
     bool isTimeForTrial(const Way &way) const;
+    bool isEarly() const;
     void judge();
 
     Way m_alone, m_shared;
@@ -31,4 +35,6 @@ private:
     int m_calls = 0;           // since the last trial ended
     double m_judgedNs = 0;     // of the way in use, when it ended
     int m_wait = 0;            // calls between trials
+    int m_earlyWait;           // if they have become slower
+    int m_slowCalls = 0;       // in a row, the last ones
 };

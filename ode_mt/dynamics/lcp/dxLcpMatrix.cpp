@@ -38,7 +38,10 @@ public:
     }
 
     void copy(unsigned begin, unsigned end, dReal *row) const {
-        for (unsigned j = begin; j < end; ++j) row[j] = m_lower[std::max(m_own, m_order[j]) * m_skip + std::min(m_own, m_order[j])];
+        for (unsigned j = begin; j < end; ++j) {
+            const unsigned other = m_order[j];
+            row[j] = m_lower[std::max(m_own, other) * m_skip + std::min(m_own, other)];
+        }
     }
 
 private:
