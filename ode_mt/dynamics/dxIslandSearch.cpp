@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "joints/joint.h"
+#include "simd/dxFetch.h"
 
 namespace {
 
@@ -22,7 +23,7 @@ std::uintptr_t guessAhead(const Object *object) {
 template <class Object, class Member>
 void fetchAhead(const Object *object, const Member &member) {
     const auto offset = reinterpret_cast<std::uintptr_t>(&member) - reinterpret_cast<std::uintptr_t>(object);
-    __builtin_prefetch(reinterpret_cast<const void *>(guessAhead(object) + offset));
+    dxFetch::line(reinterpret_cast<const void *>(guessAhead(object) + offset));
 }
 
 // What the search reads of bodies and joints fits the second cache, and is brought there on the way.
@@ -86,7 +87,7 @@ private:
         body->tag = kFound;
         body->flags &= ~dxBodyDisabled;
         *m_open++ = body;
-        __builtin_prefetch(body->firstjoint);
+        dxFetch::line(body->firstjoint);
     }
 
     dxBody **m_bodies;
