@@ -14,6 +14,7 @@
 #include "collision/dxBounds.h"
 #include "collision/dxMeetingFilter.h"
 #include "collision/dxPairKey.h"
+#include "simd/dxFetch.h"
 
 class dxMembers {
 public:
@@ -33,8 +34,8 @@ public:
     // Asks the memory for a member that will be looked at soon.
     void expect(Slot slot) const {
         const char *const place = reinterpret_cast<const char *>(&m_members[slot]);
-        __builtin_prefetch(place);
-        __builtin_prefetch(place + sizeof(Member) - 1);
+        dxFetch::line(place);
+        dxFetch::line(place + sizeof(Member) - 1);
     }
 
     const Member &operator[](Slot slot) const { return m_members[slot]; }

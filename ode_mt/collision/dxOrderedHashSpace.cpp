@@ -4,6 +4,7 @@
 #include <climits>
 
 #include "collision/dxPairPrefetch.h"
+#include "simd/dxFetch.h"
 #include "util.h"
 #include "collision_space_internal.h"
 
@@ -120,7 +121,7 @@ bool dxOrderedHashSpace::follow(Slot first, Slot second, dxPairKey &key) const {
 
 void dxOrderedHashSpace::expect(Slot slot) const {
     members().expect(slot);
-    __builtin_prefetch(&m_cells[slot]);
+    dxFetch::line(&m_cells[slot]);
 }
 
 void dxOrderedHashSpace::requireInRange() const {

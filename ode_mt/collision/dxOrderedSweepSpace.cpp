@@ -5,6 +5,7 @@
 
 #include "collision/dxPairPrefetch.h"
 #include "collision/dxSweepWalk.h"
+#include "simd/dxFetch.h"
 #include "util.h"
 #include "collision_space_internal.h"
 
@@ -128,7 +129,7 @@ void dxOrderedSweepSpace::noteEnabled() {
     m_hasUncleanBox = false;
     const std::vector<dxSweepLists::Entry> &list = m_lists.clean();
     for (std::size_t i = 0; i < list.size(); ++i) {
-        if (i + kAhead < list.size()) __builtin_prefetch(&list[i + kAhead].geom->gflags);
+        if (i + kAhead < list.size()) dxFetch::line(&list[i + kAhead].geom->gflags);
         const dxSweepLists::Entry &entry = list[i];
         const bool isEnabled = dxGeomIsEnabled(entry.geom);
         m_hasUncleanBox = m_hasUncleanBox || (isEnabled && (entry.geom->gflags & GEOM_AABB_BAD) != 0);
@@ -145,7 +146,7 @@ void dxOrderedSweepSpace::takeParts() {
     m_hasNaN = false;
     const std::vector<dxSweepLists::Entry> &list = m_lists.clean();
     for (std::size_t i = 0; i < list.size(); ++i) {
-        if (i + kAhead < list.size()) __builtin_prefetch(&m_states[list[i + kAhead].slot]);
+        if (i + kAhead < list.size()) dxFetch::line(&m_states[list[i + kAhead].slot]);
         const Slot slot = list[i].slot;
         State &state = m_states[slot];
         if (!m_axes.areAll()) state.box = m_axes.boxOf(list[i].geom);  // a geom's bits may be bounds
@@ -226,7 +227,7 @@ bool dxOrderedSweepSpace::follow(Slot, Slot second, dxPairKey &key) const {
 
 void dxOrderedSweepSpace::expect(Slot slot) const {
     members().expect(slot);
-    __builtin_prefetch(&m_states[slot]);
+    dxFetch::line(&m_states[slot]);
 }
 
 void dxOrderedSweepSpace::pairInfinite(std::vector<dxOrderedPair> &pairs) const {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "simd/dxFetch.h"
+
 namespace {
 
 // The skin, as a share of a box's longest edge. A wider one means fewer lists and more candidates that do not touch.
@@ -159,7 +161,7 @@ bool dxVerletSearch::noteChanges(const dxMembers &members, dxTaskRunner &runner)
 void dxVerletSearch::expect(const dxMembers &members, Slot slot) const {
     members.expect(slot);
     m_boxes.expect(slot);
-    __builtin_prefetch(&m_stored[slot]);
+    dxFetch::line(&m_stored[slot]);
 }
 
 void dxVerletSearch::noteBox(const dxMembers &members, Slot slot) {

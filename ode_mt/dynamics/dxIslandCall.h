@@ -15,6 +15,9 @@ struct dxIslandCall : dxStepperProcessingCallContext {
     dxIslandTeam *team = nullptr;  // null: the calling thread alone
     mutable dxRowMemory rows;      // packed ones, while QuickStep sweeps over them
 
+    // The island's workers, or the caller.
+    dxTaskRunner &runner() const { return team != nullptr ? *team->runner : dxTaskRunner::alone(); }
+
     // Every context that a stepper of ours is given is part of a call.
     static const dxIslandCall &of(const dxStepperProcessingCallContext *context) {
         return *static_cast<const dxIslandCall *>(context);

@@ -2,9 +2,7 @@
 // (BuildIslandsAndEstimateStepperMemoryRequirements in util.cpp, which ode/seams/util.h replaces).
 #pragma once
 
-#include "config.h"
-#include "objects.h"
-#include "util.h"
+#include "dynamics/dxIsland.h"
 
 // Disables bodies at rest, finds the islands of the others, and returns how much memory the stepper needs for the
 // one that needs most.

@@ -41,11 +41,6 @@ inline bool isWhole(const dxStepperProcessingCallContext &island) {
     return island.m_islandBodiesCount < dxFetchAhead::kLeastBodies && !hasTeam(island);
 }
 
-// The island's workers, or the caller.
-inline dxTaskRunner &runnerOf(const dxStepperProcessingCallContext &island) {
-    return hasTeam(island) ? *dxIslandCall::of(&island).team->runner : dxTaskRunner::alone();
-}
-
 // The island with the bodies [begin, end) alone.
 inline dxStepperProcessingCallContext bodiesOf(const dxStepperProcessingCallContext &island, std::size_t begin,
                                                std::size_t end) {
@@ -78,7 +73,7 @@ void prepareBodies(Stage stage, Call *call) {
         piece.m_tagsTaken = 1;
         stage(&piece);
     };
-    runnerOf(whole).forPieces(whole.m_islandBodiesCount, kBodies, [&](std::size_t begin, std::size_t end, unsigned) {
+    dxIslandCall::of(&whole).runner().forPieces(whole.m_islandBodiesCount, kBodies, [&](std::size_t begin, std::size_t end, unsigned) {
         forBodies(whole, begin, end, prepare);
     });
 }
@@ -91,19 +86,20 @@ void readJoints(Stage stage, Call *call) {
     auto &whole = *call->m_localContext;
     const auto *const infos = whole.m_jointinfos;
     std::atomic<unsigned> bounded{0};
-    const auto read = [&](std::size_t begin, std::size_t end) {
+    const bool isShared = hasTeam(island) && hasOnlyContacts(island);
+    dxTaskRunner &runner = isShared ? dxIslandCall::of(&island).runner() : dxTaskRunner::alone();
+    runner.forPieces(whole.m_nj, kJoints, [&](std::size_t begin, std::size_t end, unsigned) {
         auto local = whole;
-        local.m_nj = static_cast<unsigned>(end);
         local.m_valid_findices = 0;
         Call piece = *call;
         piece.m_localContext = &local;
-        piece.m_ji_J = piece.m_ji_jb = static_cast<unsigned>(begin);
-        stage(&piece);
-        bounded.fetch_add(local.m_valid_findices, std::memory_order_relaxed);
-    };
-    dxTaskRunner &runner = hasTeam(island) && hasOnlyContacts(island) ? runnerOf(island) : dxTaskRunner::alone();
-    runner.forPieces(whole.m_nj, kJoints, [&](std::size_t begin, std::size_t end, unsigned) {
+        const auto read = [&](std::size_t first, std::size_t last) {
+            local.m_nj = static_cast<unsigned>(last);
+            piece.m_ji_J = piece.m_ji_jb = static_cast<unsigned>(first);
+            stage(&piece);
+        };
         dxFetchAhead::forPieces(begin, end, whole.m_nj, [infos](std::size_t i) { dxFetchAhead::joint(infos[i].joint); }, read);
+        bounded.fetch_add(local.m_valid_findices, std::memory_order_relaxed);
     });
     whole.m_valid_findices += bounded.load(std::memory_order_relaxed);
 }
@@ -111,10 +107,10 @@ void readJoints(Stage stage, Call *call) {
 // Right-hand sides from velocities.
 template <class Stage, class Call>
 void addRightHandSides(Stage stage, Call *call) {
-    dxIslandTeam *const team = dxIslandCall::of(call->m_stepperCallContext).team;
-    if (team == nullptr) return stage(call);
+    const dxStepperProcessingCallContext &island = *call->m_stepperCallContext;
+    if (!hasTeam(island)) return stage(call);
     const auto &whole = *call->m_localContext;
-    team->runner->forPieces(whole.m_m, kRows, [&](std::size_t begin, std::size_t end, unsigned) {
+    dxIslandCall::of(&island).runner().forPieces(whole.m_m, kRows, [&](std::size_t begin, std::size_t end, unsigned) {
         auto local = whole;
         local.m_m = static_cast<unsigned>(end);
         Call piece = *call;

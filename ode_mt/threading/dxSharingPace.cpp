@@ -16,7 +16,6 @@ constexpr int kShortestWait = 48, kLongestWait = 768;
 // that was held up by something else says nothing.
 constexpr double kSlower = 1.1;
 constexpr int kSlowCalls = 5;
-constexpr int kShortestEarlyWait = 8;
 
 // To be taken, the other way has to be better by this; times are noisy.
 constexpr double kClearly = 0.97;
@@ -25,8 +24,6 @@ constexpr double kClearly = 0.97;
 constexpr double kShare = 0.25;
 
 }  // namespace
-
-dxSharingPace::dxSharingPace() : m_earlyWait(kShortestEarlyWait) {}
 
 bool dxSharingPace::shallShare() const {
     return m_isSharing && m_alone.ns >= kWorthSharing;
@@ -71,8 +68,10 @@ void dxSharingPace::judge() {
         m_earlyWait = kShortestEarlyWait;
     } else {
         m_isSharing = !m_isSharing;
-        int &wait = isEarly() ? m_earlyWait : m_wait;
-        wait = std::clamp(2 * wait, isEarly() ? kShortestEarlyWait : kShortestWait, kLongestWait);
+        if (isEarly())
+            m_earlyWait = std::min(2 * m_earlyWait, kLongestWait);
+        else
+            m_wait = std::clamp(2 * m_wait, kShortestWait, kLongestWait);
     }
     m_judgedNs = isTaken ? tried.ns : usual.ns;
     m_isTrial = false;

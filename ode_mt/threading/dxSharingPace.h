@@ -10,8 +10,6 @@
 
 class dxSharingPace {
 public:
-    dxSharingPace();
-
     // For the next call.
     bool shallShare() const;
 
@@ -24,6 +22,8 @@ private:
         int fresh = 0;    // calls in a row
     };
 
+    static constexpr int kShortestEarlyWait = 8;  // calls
+
     static double faded(const Way &way, double ns);
     bool isTimeForTrial(const Way &way) const;
     bool isEarly() const;
@@ -35,6 +35,6 @@ private:
     int m_calls = 0;           // since the last trial ended
     double m_judgedNs = 0;     // of the way in use, when it ended
     int m_wait = 0;            // calls between trials
-    int m_earlyWait;           // if they have become slower
+    int m_earlyWait = kShortestEarlyWait;  // if they have become slower
     int m_slowCalls = 0;       // in a row, the last ones
 };

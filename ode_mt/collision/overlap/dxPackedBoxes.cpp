@@ -7,6 +7,7 @@
 #include <hwy/highway.h>
 
 #include "collision/overlap/dxPackedBoxes.h"
+#include "simd/dxFetch.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace dxOverlap {
@@ -36,7 +37,7 @@ std::size_t overlappingCandidates(const dxPackedBoxes &boxes, const dxSlotPair *
                                   std::size_t count, dxSlotPair *HWY_RESTRICT pairs) {
     std::size_t found = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        if (i + kAhead < count) __builtin_prefetch(boxes.begin(candidates[i + kAhead].b));
+        if (i + kAhead < count) dxFetch::line(boxes.begin(candidates[i + kAhead].b));
         const dxSlotPair pair = candidates[i];
         pairs[found] = pair;
         const bool mayBe = mayBePair(boxes.marks(pair.a), boxes.marks(pair.b));

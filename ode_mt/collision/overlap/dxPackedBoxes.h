@@ -12,6 +12,7 @@
 #include "collision/dxBounds.h"
 #include "collision/dxSlotPair.h"
 #include "simd/dxCacheLine.h"
+#include "simd/dxFetch.h"
 
 class dxPackedBoxes {
 public:
@@ -34,8 +35,8 @@ public:
 
     // Asks the memory for a box that will be set soon.
     void expect(std::size_t slot) const {
-        __builtin_prefetch(&m_begins[slot], 1);
-        __builtin_prefetch(&m_ends[slot], 1);
+        dxFetch::lineToWrite(&m_begins[slot]);
+        dxFetch::lineToWrite(&m_ends[slot]);
     }
 
     Marks &marks(std::size_t slot) { return m_marks[slot]; }
