@@ -62,6 +62,12 @@ ode_mt_compile_after("ode.cpp" ode.h)
 # (ode_mt/api/geom_filters.cpp).
 ode_mt_compile_after("collision_kernel.cpp" collision_kernel.h)
 
+# A mesh that gets other data is marked as changed, but its space is not told (ode_mt/api/meshes.cpp).
+ode_mt_compile_after("collision_trimesh_internal.cpp" collision_trimesh.h)
+
+# Contacts computed ahead of callbacks hear of changes to the data of height fields (ode_mt/api/height_fields.cpp).
+ode_mt_compile_after("heightfield.cpp" heightfield.h)
+
 # libccd asks convex geoms for their furthest point, dozens of times a pair (ode_mt/collision/dxConvexSupport.h).
 ode_mt_compile_after("collision_libccd.cpp" collision_libccd.h)
 

@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "collision/dxMissedNotifications.h"
 #include "dynamics/dxIslandScope.h"
 
 namespace {
@@ -48,6 +49,12 @@ void report(Channel &channel, int number, const char *format, va_list arguments)
     }
 }
 
+// A handler that does not return leaves whatever was being done half done.
+void reportFault(Channel &channel, int number, const char *format, va_list arguments) {
+    dxMissedNotifications::add();
+    report(channel, number, format, arguments);
+}
+
 }  // namespace
 
 extern "C" {
@@ -64,7 +71,7 @@ void dError(int number, const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
     takenOver(dxReport::Error, number, format, arguments);
-    report(g_error, number, format, arguments);
+    reportFault(g_error, number, format, arguments);
     va_end(arguments);
     std::exit(1);
 }
@@ -73,7 +80,7 @@ void dDebug(int number, const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
     takenOver(dxReport::Debug, number, format, arguments);
-    report(g_debug, number, format, arguments);
+    reportFault(g_debug, number, format, arguments);
     va_end(arguments);
     std::abort();
 }

@@ -7,6 +7,7 @@
 #include <ode/collision.h>
 
 #include <atomic>
+#include <cstdint>
 #include <mutex>
 #include <utility>
 
@@ -28,11 +29,38 @@ void dxUpstreamSetColliderOverride(int i, int j, dColliderFn *collider);
 
 namespace {
 
+// What upstream's table holds for two classes, as far as it matters here. Upstream never writes over a
+// collider when a class is created: those of spaces, of geom transforms and those set by the user stay, and
+// the class is not asked.
+enum class Entry : std::uint8_t {
+    none,       // no collider: the next class that is created and is one of the two will be asked
+    other,      // a collider of upstream's or of the user's
+    asksFirst,  // the first of the two classes will be asked, at the first meeting
+    asksSecond  // the second will
+};
+
 struct Dispatch {
     dxForkSafeMutex mutex;
     std::atomic<unsigned> classes{0};
     std::atomic<dGetColliderFnFn *> getters[dMaxUserClasses] = {};
-    std::atomic<bool> resolved[dGeomNumClasses][dGeomNumClasses] = {};
+    std::atomic<Entry> entries[dGeomNumClasses][dGeomNumClasses];
+
+    Dispatch() { forget(); }
+
+    void set(int type1, int type2, Entry entry, Entry reversed) {
+        entries[type2][type1].store(reversed, std::memory_order_release);
+        entries[type1][type2].store(entry, std::memory_order_release);
+    }
+    // As upstream fills the table, where user classes are concerned.
+    void forget() {
+        for (std::atomic<dGetColliderFnFn *> &getter : getters) getter = nullptr;
+        const auto isFilled = [](int type) {
+            return dIN_RANGE(type, dFirstSpaceClass, dLastSpaceClass + 1) || type == dGeomTransformClass;
+        };
+        for (int type1 = 0; type1 < dGeomNumClasses; ++type1)
+            for (int type2 = 0; type2 < dGeomNumClasses; ++type2)
+                entries[type1][type2] = isFilled(type1) || isFilled(type2) ? Entry::other : Entry::none;
+    }
 };
 
 dxProcessObject<Dispatch> dispatch;
@@ -43,28 +71,54 @@ dGetColliderFnFn *getterOf(int type) {
                : nullptr;
 }
 
+bool asks(Entry entry) { return entry == Entry::asksFirst || entry == Entry::asksSecond; }
+
 void write(int type1, int type2, dColliderFn *collider) {
     const std::lock_guard<dxForkSafeMutex> lock(dispatch->mutex);
-    if (dispatch->resolved[type1][type2].load(std::memory_order_relaxed)) return;
+    if (!asks(dispatch->entries[type1][type2].load(std::memory_order_relaxed))) return;
     dxUpstreamSetColliderOverride(type1, type2, collider);
-    dispatch->resolved[type1][type2].store(true, std::memory_order_release);
-    dispatch->resolved[type2][type1].store(true, std::memory_order_release);
+    const Entry entry = collider != nullptr ? Entry::other : Entry::none;
+    dispatch->set(type1, type2, entry, entry);
 }
 
-// As upstream: the class created first is asked for the other one; then the other, if it is the user's.
-void resolve(int type1, int type2) {
-    if (getterOf(type1) == nullptr || (getterOf(type2) != nullptr && type2 < type1)) std::swap(type1, type2);
-    if (dColliderFn *collider = getterOf(type1)(type2)) {
+// As upstream: the class that is named in the table is asked for the other one; then the other, if it is the
+// user's.
+void resolve(int type1, int type2, Entry entry) {
+    if (entry == Entry::asksSecond) std::swap(type1, type2);
+    dGetColliderFnFn *const first = getterOf(type1), *const other = getterOf(type2);
+    if (dColliderFn *collider = first != nullptr ? first(type2) : nullptr) {
         write(type1, type2, collider);
         return;
     }
-    dGetColliderFnFn *const other = getterOf(type2);
     write(type2, type1, other != nullptr ? other(type1) : nullptr);
 }
 
-bool isFirstMeeting(const dxGeom &o1, const dxGeom &o2) {
-    return (getterOf(o1.type) != nullptr || getterOf(o2.type) != nullptr) && o1.type >= 0 && o2.type >= 0 &&
-           !dispatch->resolved[o1.type][o2.type].load(std::memory_order_acquire);
+// Upstream asks by itself where a collider of its own calls its own dCollide: that of spaces, for what is in
+// them. It is given this function to ask, so that what it writes is known here; and what it writes is what is
+// written here.
+template <int user>
+dColliderFn *askForUpstream(int other) {
+    constexpr int type = dFirstUserClass + user;
+    dColliderFn *const collider = getterOf(type)(other);
+    const bool otherIsUsers = getterOf(other) != nullptr && other != type;
+    const bool othersTurnIsToCome =
+        otherIsUsers && dispatch->entries[type][other].load(std::memory_order_acquire) == Entry::asksFirst;
+    if (collider != nullptr || !othersTurnIsToCome) write(type, other, collider);
+    return collider;
+}
+
+dGetColliderFnFn *const askers[dMaxUserClasses] = {&askForUpstream<0>, &askForUpstream<1>, &askForUpstream<2>,
+                                                   &askForUpstream<3>};
+
+bool areClasses(int type1, int type2) {
+    return type1 >= 0 && type1 < dGeomNumClasses && type2 >= 0 && type2 < dGeomNumClasses;
+}
+
+// Only meetings with a class of the user's are of interest.
+Entry entryOf(const dxGeom &o1, const dxGeom &o2) {
+    if (o1.type < dFirstUserClass && o2.type < dFirstUserClass) return Entry::other;
+    return areClasses(o1.type, o2.type) ? dispatch->entries[o1.type][o2.type].load(std::memory_order_acquire)
+                                        : Entry::other;
 }
 
 // Upstream answers these without looking at the table.
@@ -75,11 +129,8 @@ bool isAnsweredEarly(const dxGeom &o1, const dxGeom &o2, int flags) {
 }  // namespace
 
 void dxForgetColliders() {
-    for (std::atomic<dGetColliderFnFn *> &getter : dispatch->getters) getter = nullptr;
+    dispatch->forget();
     dxColliderOverrides::forget();
-    for (auto &row : dispatch->resolved) {
-        for (std::atomic<bool> &resolved : row) resolved = false;
-    }
 }
 
 void dxForgetUserClasses() {
@@ -98,8 +149,9 @@ int dCollide(dGeomID o1, dGeomID o2, int flags, dContactGeom *contact, int skip)
         if (isValid && !isAnsweredEarly(*o1, *o2, flags) && dxMayCollideAnywhere(*o1, *o2))
             return log->copies().collide(*o1, *o2, flags, contact, skip);
     }
-    if (o1 != nullptr && o2 != nullptr && isFirstMeeting(*o1, *o2) && !isAnsweredEarly(*o1, *o2, flags)) {
-        resolve(o1->type, o2->type);
+    if (o1 != nullptr && o2 != nullptr) {
+        const Entry entry = entryOf(*o1, *o2);
+        if (asks(entry) && !isAnsweredEarly(*o1, *o2, flags)) resolve(o1->type, o2->type, entry);
     }
     return dxUpstreamCollide(o1, o2, flags, contact, skip);
 }
@@ -110,17 +162,24 @@ int dCreateGeomClass(const dGeomClass *description) {
                        !description->aabb || dispatch->classes.load() >= dMaxUserClasses;
     if (wrong) return dxUpstreamCreateGeomClass(description);
     const std::lock_guard<dxForkSafeMutex> lock(dispatch->mutex);
-    const int type = dxUpstreamCreateGeomClass(description);
+    dGeomClass known = *description;
+    known.collider = askers[dispatch->classes.load()];
+    const int type = dxUpstreamCreateGeomClass(&known);
     dispatch->getters[type - dFirstUserClass].store(description->collider, std::memory_order_release);
+    for (int other = 0; other < dGeomNumClasses; ++other)
+        if (dispatch->entries[type][other].load(std::memory_order_relaxed) == Entry::none)
+            dispatch->set(type, other, Entry::asksFirst,
+                          other == type ? Entry::asksFirst : Entry::asksSecond);
     ++dispatch->classes;
     return type;
 }
 
 void dSetColliderOverride(int i, int j, dColliderFn *collider) {
     dxUpstreamSetColliderOverride(i, j, collider);
+    if (!areClasses(i, j)) return;
     dxColliderOverrides::note(i, j);
-    dispatch->resolved[i][j] = true;
-    dispatch->resolved[j][i] = true;
+    const Entry entry = collider != nullptr ? Entry::other : Entry::none;
+    dispatch->set(i, j, entry, entry);
 }
 
 }  // extern "C"

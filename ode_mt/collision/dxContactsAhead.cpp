@@ -5,6 +5,8 @@
 #include <type_traits>
 
 #include "collision/dxColliderOverrides.h"
+#include "collision/dxHeightRevision.h"
+#include "collision/dxMissedNotifications.h"
 #include "collision/dxPairPrefetch.h"
 #include "dynamics/dxIslandInterrupted.h"
 #include "dynamics/dxIslandScope.h"
@@ -35,13 +37,12 @@ constexpr unsigned kShortestPause = 16, kLongestPause = 1024;  // calls
 
 // Never the result of arithmetic: a signalling NaN; the number of no triangle; the address of no geom.
 using RealBits = std::conditional_t<sizeof(dReal) == sizeof(std::uint64_t), std::uint64_t, std::uint32_t>;
-constexpr auto kNoReal = static_cast<RealBits>(sizeof(RealBits) == 8 ? UINT64_C(0x7ff4a5c3e1d2b697) : UINT64_C(0x7fa5c3e1));
+constexpr auto kNoReal =
+    static_cast<RealBits>(sizeof(RealBits) == 8 ? UINT64_C(0x7ff4a5c3e1d2b697) : UINT64_C(0x7fa5c3e1));
 constexpr int kNoSide = 0x5ac3b1e7;
 char noGeom;
 
-bool isUnwritten(const dReal &value) {
-    return std::memcmp(&value, &kNoReal, sizeof value) == 0;
-}
+bool isUnwritten(const dReal &value) { return std::memcmp(&value, &kNoReal, sizeof value) == 0; }
 void unwrite(dReal &value) { std::memcpy(&value, &kNoReal, sizeof value); }
 
 dGeomID unwrittenGeom() { return reinterpret_cast<dGeomID>(&noGeom); }
@@ -99,8 +100,9 @@ public:
 
 dxContactsAhead *dxContactsAhead::current() { return t_current; }
 
-dxContactsAhead::Scope::Scope(dxContactsAhead &ahead, dxTaskRunner &runner) : m_outer(t_current), m_ahead(ahead) {
-    ahead.start(runner);
+dxContactsAhead::Scope::Scope(dxContactsAhead &ahead, dxTaskRunner &runner, bool arraysStay)
+    : m_outer(t_current), m_ahead(ahead) {
+    ahead.start(runner, arraysStay);
     t_current = &ahead;
 }
 
@@ -109,8 +111,14 @@ dxContactsAhead::Scope::~Scope() {
     m_ahead.end();
 }
 
-void dxContactsAhead::start(dxTaskRunner &runner) {
+// Either of them makes void what was computed.
+std::uint64_t dxContactsAhead::changesNoticed() {
+    return dxHeightRevision::count() + dxMissedNotifications::count();
+}
+
+void dxContactsAhead::start(dxTaskRunner &runner, bool arraysStay) {
     m_runner = &runner;
+    m_arraysStay = arraysStay;
     m_pair = nullptr;
     m_begin = m_end = 0;
     m_hasResults = false;
@@ -150,11 +158,13 @@ void dxContactsAhead::nextWindow(const std::vector<dxOrderedPair> &pairs, std::s
 
 void dxContactsAhead::computeWindow(const std::vector<dxOrderedPair> &pairs) {
     m_windowFlags = m_flags;
+    m_windowChanges = changesNoticed();
     m_hasResults = true;
     ++m_window;
     const std::size_t size = m_end - m_begin;
     if (m_results.size() < size) m_results.resize(size);
-    const std::size_t piece = std::clamp(size / (kPiecesForEach * m_runner->workers()), kLeastPiece, kLargestPiece);
+    const std::size_t piece =
+        std::clamp(size / (kPiecesForEach * m_runner->workers()), kLeastPiece, kLargestPiece);
     m_runner->forPieces(size, piece, [&](std::size_t begin, std::size_t end, unsigned worker) {
         const SilentScope silent;
         m_workers[worker].enterWindow(m_window);
@@ -171,6 +181,7 @@ void dxContactsAhead::compute(const dxOrderedPair &pair, Result &result, unsigne
     Worker &worker = m_workers[number];
     result.count = kUnknown;
     if (!dxMayCollideAnywhere(*pair.first, *pair.second)) return;
+    if (!m_arraysStay && !dxKnowsArrays(*pair.first, *pair.second)) return;
     const auto most = static_cast<std::size_t>(m_windowFlags & NUMC_MASK);
     worker.makeRoom(most + 1);
     try {
@@ -225,6 +236,7 @@ int dxContactsAhead::answer(dGeomID o1, dGeomID o2, int flags, dContactGeom *con
     if (m_pair == nullptr || o1 != m_pair->first || o2 != m_pair->second) return kUnknown;
     m_flags = flags;
     if (!m_hasResults || flags != m_windowFlags || contacts == nullptr) return kUnknown;
+    if (m_windowChanges != changesNoticed()) return kUnknown;
     Result &result = m_results[m_index];
     if (result.count == kUnknown || skip < static_cast<int>(sizeof(dContactGeom))) return kUnknown;
     const Worker &worker = m_workers[result.worker];

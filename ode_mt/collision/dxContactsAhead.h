@@ -1,18 +1,21 @@
 // Contacts of pairs whose callbacks are still to come, computed by workers.
 //
-// Callbacks run one at a time, in order, on the caller's thread. Before a window of them, workers call dCollide for
-// its pairs; in the callback dCollide then hands out what is there, if it is asked for the same pair with the same
-// flags, and nothing that colliders read has changed (dxColliderState; geoms of a locked space cannot be moved).
-// Else it computes as ever. While a callback runs no worker does: it may write to whatever workers read.
+// Callbacks run one at a time, in order, on the caller's thread. Before a window of them, workers call
+// dCollide for its pairs; in the callback dCollide then hands out what is there, if it is asked for the same
+// pair with the same flags, and nothing that colliders read has changed (dxColliderState, dxHeightRevision;
+// geoms of a locked space cannot be moved, and where an assertion about that fails all contacts are void).
+// Else it computes anew. While a callback runs no worker does: it may write to whatever workers read. Pairs
+// with a mesh, or with a height field whose samples are the program's, are not computed ahead
+// (dxKnowsArrays), unless the program has promised to leave such arrays alone.
 //
-// Which flags the callback will ask with is learned from the last call. If less than half of what was computed is
-// asked for, the rest of the call goes without, and so do the next calls.
+// Which flags the callback will ask with is learned from the last call. If less than half of what was
+// computed is asked for, the rest of the call goes without, and so do the next calls.
 //
-// Colliders leave some bytes of dContactGeom as they are. Workers compute into memory that holds a pattern, and
-// what still shows the pattern is not copied to the user's contacts.
+// Colliders leave some bytes of dContactGeom as they are. Workers compute into memory that holds a pattern,
+// and what still shows the pattern is not copied to the user's contacts.
 //
-// Belongs to one space, like its pairs. None outlives a call of dSpaceCollide: the user may change mesh vertices and
-// convex points between two without telling.
+// Belongs to one space, like its pairs. None outlives a call of dSpaceCollide: the user may change mesh
+// vertices and convex points between two without telling.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +35,9 @@ public:
     // Makes one current for as long as it lives.
     class Scope {
     public:
-        Scope(dxContactsAhead &ahead, dxTaskRunner &runner);
+        // `arraysStay`: the program promises that no callback writes to the arrays of meshes and height
+        // fields.
+        Scope(dxContactsAhead &ahead, dxTaskRunner &runner, bool arraysStay);
         ~Scope();
         Scope(const Scope &) = delete;
         Scope &operator=(const Scope &) = delete;
@@ -62,8 +67,8 @@ private:
 
     // Small, because it goes from one core to another for every pair.
     struct Result {
-        std::int32_t count;  // kUnknown
-        std::uint32_t first;  // among the worker's contacts
+        std::int32_t count;    // kUnknown
+        std::uint32_t first;   // among the worker's contacts
         std::uint32_t states;  // kNoStates, or a place among the worker's states
         std::uint16_t worker;  // a process has 1024 at most
         bool isUsed;
@@ -77,9 +82,9 @@ private:
     struct alignas(64) Worker {
         std::vector<dContactGeom> contacts;  // of the window; from `used` on they hold the pattern
         std::size_t used = 0;
-        std::vector<States> states;          // of pairs of which one is not 0
-        std::uint64_t window = 0;            // whose contacts they are
-        std::uint64_t computed = 0;          // pairs in it
+        std::vector<States> states;  // of pairs of which one is not 0
+        std::uint64_t window = 0;    // whose contacts they are
+        std::uint64_t computed = 0;  // pairs in it
         dxColliderCopies copies;
 
         void enterWindow(std::uint64_t window);
@@ -89,20 +94,24 @@ private:
         void wipeDrafts();
     };
 
-    void start(dxTaskRunner &runner);
+    void start(dxTaskRunner &runner, bool arraysStay);
     void end();
     void nextWindow(const std::vector<dxOrderedPair> &pairs, std::size_t index);
     bool maySpend() const;
     void computeWindow(const std::vector<dxOrderedPair> &pairs);
     void compute(const dxOrderedPair &pair, Result &result, unsigned worker);
 
+    static std::uint64_t changesNoticed();
+
     dxTaskRunner *m_runner = nullptr;
+    bool m_arraysStay = false;
+    std::uint64_t m_windowChanges = 0;      // changesNoticed() when the window was computed
     const dxOrderedPair *m_pair = nullptr;  // whose callback runs
     std::size_t m_begin = 0, m_end = 0;     // the window
     std::size_t m_index = 0;                // of the pair in the window
     std::vector<Result> m_results;          // the first ones are those of the window
     bool m_hasResults = false;
-    std::uint64_t m_window = 0;             // its number
+    std::uint64_t m_window = 0;  // its number
     std::vector<Worker> m_workers;
     int m_flags = 0;  // of the last dCollide; 0: none yet
     int m_windowFlags = 0;

@@ -17,6 +17,9 @@ public:
     void drop(Slot slot);
     void clear();
 
+    bool isEmpty() const { return m_geoms.empty(); }
+    bool has(Slot slot) const { return slot < m_places.size() && m_places[slot] != kNone; }
+
     const std::vector<dxGeom *> &geoms();
 
 private:

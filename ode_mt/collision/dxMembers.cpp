@@ -21,19 +21,13 @@ dxMembers::Slot dxMembers::add(dxGeom *geom) {
 void dxMembers::remove(Slot slot) {
     Member &member = m_members[slot];
     if (member.rank == 0) --m_unranked;
-    if (member.sought) {
-        markChanged(slot);
-        m_gone.push_back(slot);
-    } else {
-        m_free.push_back(slot);
-    }
     member.geom = nullptr;
+    markChanged(slot);
+    m_free.push_back(slot);
     ++m_orderings;
 }
 
 void dxMembers::forgetChanges() {
     for (const Slot slot : m_changed) m_isChanged[slot] = 0;
     m_changed.clear();
-    m_free.insert(m_free.end(), m_gone.begin(), m_gone.end());
-    m_gone.clear();
 }

@@ -1,9 +1,12 @@
 // The geoms of a space by slots, with what has changed since pairs were last looked for.
 //
 // A member's rank tells where it stands in upstream's list: of two members, the one with the higher rank
-// stands further to the front. Slots of members that go are not given again before the changes are
-// forgotten, so that a slot in a kept pair always means the geom that it meant then.
-// Not thread safe.
+// stands further to the front.
+//
+// The slot of a member that goes is free at once, so there are never more slots, nor more changes, than there
+// were members at one time, in a space that never looks for pairs too. Until the changes are forgotten such a
+// slot counts as changed, whoever is in it: kept pairs with it are void, and searches take its box for one
+// that moved. Not thread safe for changes; members may be read from several threads.
 #pragma once
 
 #include <cstdint>
@@ -21,11 +24,10 @@ public:
     using Slot = std::uint32_t;
 
     struct Member {
-        dxGeom *geom = nullptr;  // NULL: nobody
+        dxGeom *geom = nullptr;  // NULL: the slot is free
         dxRank rank = 0;         // 0: none yet
         dxBounds bounds;         // as of the last cleaning
         dxMeetingFilter filter;
-        bool sought = false;     // has bounds: pairs may have been looked for since it came
     };
 
     Slot add(dxGeom *geom);
@@ -59,21 +61,20 @@ public:
         m_isChanged[slot] = 1;
         m_changed.push_back(slot);
     }
-    // Also of members that have gone; those are nobody.
+    // Also slots of members that have gone, which may be free.
     const std::vector<Slot> &changed() const { return m_changed; }
     bool isChanged(Slot slot) const { return m_isChanged[slot] != 0; }
     void setBounds(Slot slot, const dxBounds &bounds, const dxMeetingFilter &filter = {}) {
         Member &member = m_members[slot];
         member.bounds = bounds;
         member.filter = filter;
-        member.sought = true;
     }
     void setFilter(Slot slot, const dxMeetingFilter &filter) { m_members[slot].filter = filter; }
     void forgetChanges();
 
 private:
     std::vector<Member> m_members;
-    std::vector<Slot> m_free, m_gone;  // m_gone: free when the changes are forgotten
+    std::vector<Slot> m_free;
     std::vector<Slot> m_changed;
     std::vector<std::uint8_t> m_isChanged;
     dxRank m_highest = 0;

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <climits>
 
+#include "collision/dxMissedNotifications.h"
 #include "collision/dxPairPrefetch.h"
-#include "simd/dxFetch.h"
 #include "util.h"
+#include "simd/dxFetch.h"
 #include "collision_space_internal.h"
 
 namespace {
@@ -33,8 +34,8 @@ struct Element {
 
 bool isInTable(const Element &element) { return element.cells.kind() == Kind::inTable; }
 
-// Of two in the table the smaller one finds the other, because a search meets only boxes of its own level and of
-// higher ones. Of two equal ones it is the one that stands further to the front of the list.
+// Of two in the table the smaller one finds the other, because a search meets only boxes of its own level and
+// of higher ones. Of two equal ones it is the one that stands further to the front of the list.
 bool isSearcher(const Element &a, const Element &b) {
     if (isInTable(a) != isInTable(b)) return isInTable(a);
     if (isInTable(a) && a.cells.level() != b.cells.level()) return a.cells.level() < b.cells.level();
@@ -74,9 +75,10 @@ void reportOutOfRange() {
 
 }  // namespace
 
+// Upstream takes them at its next call, and a callback may set them: pairs() stays as it is until then.
 void dxOrderedHashSpace::setLevels(const dxHashLevels &levels) {
     m_levels = levels;
-    startAnew();
+    m_levelsChanged = true;
 }
 
 // Upstream does not even clean a lone geom.
@@ -86,6 +88,12 @@ void dxOrderedHashSpace::collide(void *data, dNearCallback *callback) {
 }
 
 bool dxOrderedHashSpace::makeReady() {
+    if (m_levelsChanged && lock_count > 1) {  // a call around this one goes through pairs()
+        cleanGeoms();
+        return false;
+    }
+    if (m_levelsChanged) startAnew();
+    m_levelsChanged = false;
     if (!dxOrderedSpace::makeReady()) return false;
     requireInRange();
     return true;
@@ -116,7 +124,8 @@ bool dxOrderedHashSpace::lead(Slot a, Slot b, std::uint64_t &word, bool &swapped
 }
 
 bool dxOrderedHashSpace::follow(Slot first, Slot second, dxPairKey &key) const {
-    return followLead({m_cells[first], members()[first].rank}, {m_cells[second], members()[second].rank}, key);
+    return followLead({m_cells[first], members()[first].rank}, {m_cells[second], members()[second].rank},
+                      key);
 }
 
 void dxOrderedHashSpace::expect(Slot slot) const {
@@ -147,23 +156,32 @@ void dxOrderedHashSpace::deliver(void *data, dNearCallback *callback) {
     m_enabledPairs = std::move(enabled);
 }
 
-void dxOrderedHashSpace::deliverAll(const std::vector<dxOrderedPair> &pairs, void *data, dNearCallback *callback) {
+void dxOrderedHashSpace::deliverAll(const std::vector<dxOrderedPair> &pairs, void *data,
+                                    dNearCallback *callback) {
     dxContactsAhead *const ahead = this->ahead();
+    const std::uint64_t missed = dxMissedNotifications::count();
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         if (ahead != nullptr) ahead->beforePair(pairs, i);
         dxPairPrefetch::aheadOfCallback(pairs, i);
         dxDeliver(pairs[i], data, callback);
+        if (dxMissedNotifications::count() != missed) {
+            const dxOrderedPair last = pairs[i];
+            walk(data, callback, &last);
+            return;
+        }
     }
 }
 
 // All pairs that share a cell, whether or not their boxes overlap, for the assertions in collideAABBs.
-void dxOrderedHashSpace::walk(void *data, dNearCallback *callback) {
+// Upstream puts the boxes of geoms that are enabled into cells before the first callback.
+void dxOrderedHashSpace::walk(void *data, dNearCallback *callback, const dxOrderedPair *after) {
     std::vector<dxGeom *> geoms;
     std::vector<dxHashCells> cells;
     for (dxGeom *geom = first; geom != nullptr; geom = geom->next) {
-        if (!dxGeomIsEnabled(geom)) continue;
+        const bool wasEnabled = after != nullptr && (geom == after->first || geom == after->second);
+        if (!wasEnabled && !dxGeomIsEnabled(geom)) continue;
         geoms.push_back(geom);
-        cells.emplace_back(geom->aabb, m_levels);
+        cells.push_back(after != nullptr ? m_cells[slotOf(geom)] : dxHashCells(geom->aabb, m_levels));
         if (cells.back().kind() == Kind::outOfRange) reportOutOfRange();
     }
     std::vector<ListedPair> found;
@@ -177,6 +195,11 @@ void dxOrderedHashSpace::walk(void *data, dNearCallback *callback) {
             if (!followLead(searcher, met, pair.key)) continue;
             found.push_back(pair);
         }
-    std::sort(found.begin(), found.end(), [](const ListedPair &a, const ListedPair &b) { return a.key < b.key; });
-    for (const ListedPair &pair : found) collideAABBs(pair.first, pair.second, data, callback);
+    std::sort(found.begin(), found.end(),
+              [](const ListedPair &a, const ListedPair &b) { return a.key < b.key; });
+    const auto last = std::find_if(found.begin(), found.end(), [after](const ListedPair &pair) {
+        return after != nullptr && pair.first == after->first && pair.second == after->second;
+    });
+    for (auto pair = last != found.end() ? last + 1 : found.begin(); pair != found.end(); ++pair)
+        collideAABBs(pair->first, pair->second, data, callback);
 }

@@ -23,14 +23,15 @@ private:
     bool follow(Slot first, Slot second, dxPairKey &key) const override;
     void expect(Slot slot) const override;
     void deliver(void *data, dNearCallback *callback) override;
-    void walk(void *data, dNearCallback *callback) override;
+    void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) override;
 
     void deliverAll(const std::vector<dxOrderedPair> &pairs, void *data, dNearCallback *callback);
     void updateCells();
     void requireInRange() const;
 
-    dxHashLevels m_levels{-3, 10};  // upstream's defaults
-    std::vector<dxHashCells> m_cells;  // by slot
+    dxHashLevels m_levels{-3, 10};              // upstream's defaults
+    bool m_levelsChanged = false;               // since pairs() was brought up to date
+    std::vector<dxHashCells> m_cells;           // by slot
     std::vector<dxOrderedPair> m_enabledPairs;  // memory for a call, kept between calls
-    int m_outOfRange = 0;              // members whose kind is that
+    int m_outOfRange = 0;                       // members whose kind is that
 };

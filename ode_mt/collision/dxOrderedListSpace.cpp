@@ -7,13 +7,19 @@
 
 namespace {
 
-// Geoms against a space that is walked, between two moves, after which an index pays for the ranks that it needs.
+// Geoms against a space that is walked, between two moves, after which an index pays for the ranks that it
+// needs.
 constexpr int kMostWalks = 8;
 
-// Geoms between asking the memory for one and looking at it.
+// Prefetch distance in geoms.
 constexpr std::size_t kGeomsAhead = 8;
 
 bool isDirty(const dxGeom *geom) { return (geom->gflags & GEOM_DIRTY) != 0; }
+
+dxGeom *firstClean(dxGeom *geom) {
+    while (geom != nullptr && isDirty(geom)) geom = geom->next;
+    return geom;
+}
 
 // As upstream's collide2.
 void collideFrom(dxGeom *member, void *data, dxGeom *geom, dNearCallback *callback) {
@@ -23,29 +29,50 @@ void collideFrom(dxGeom *member, void *data, dxGeom *geom, dNearCallback *callba
 
 }  // namespace
 
+// Cleaning would change nothing: several threads may ask so at the same time.
+bool dxOrderedListSpace::isAtRest() const {
+    if (first != nullptr && isDirty(first)) return false;
+    if (m_isInterrupted || !isSureOfMembers()) return false;
+    return m_isWalked ? leastMovedToWalk() != INT_MAX : !m_isIrregular && members().unranked() == 0;
+}
+
 // Upstream stops at the first geom that is clean, and so do we. Ranks are given from the front downwards, at
-// once, because a user's bounding-box function may leave by an exception.
+// once, because a user's bounding-box function may leave by an exception or a jump.
 void dxOrderedListSpace::cleanGeoms() {
+    if (isAtRest()) return;
     lock_count++;
+    m_isIrregular = mayHaveStrays() || m_isInterrupted || m_isIrregular;
+    m_isInterrupted = true;
     gatherDirty();
     chooseToWalk();
-    if (m_isWalked)
-        for (std::size_t i = 0; i < m_dirty.size(); ++i) clean(m_dirty, i);
-    else
-        cleanAndRank();
+    cleanDirty();
+    m_isInterrupted = false;
     lock_count--;
 }
 
-void dxOrderedListSpace::cleanAndRank() {
-    dxRank next = members().firstOf(count);
-    computeBoxes(m_dirty);
+void dxOrderedListSpace::cleanDirty() {
+    const std::uint64_t cleaning = ++m_cleanings;
+    const bool givesRanks = !m_isWalked;
+    dxRank next = givesRanks ? members().firstOf(count) : 0;
+    if (givesRanks) computeBoxes(m_dirty);
     for (std::size_t i = 0; i < m_dirty.size(); ++i) {
-        if (i + kGeomsAhead < m_dirty.size()) members().expect(slotOf(m_dirty[i + kGeomsAhead]));
+        dxGeom *const geom = m_dirty[i];
+        if (givesRanks && i + kGeomsAhead < m_dirty.size())
+            members().expect(slotOf(m_dirty[i + kGeomsAhead]));
         clean(m_dirty, i);
-        rank(m_dirty[i], next--);
+        if (m_cleanings != cleaning) return cleanBehind(geom);
+        if (givesRanks) rank(geom, next--);
     }
-    dxGeom *const clean = m_dirty.empty() ? first : m_dirty.back()->next;
-    if (members().unranked() != 0 || m_irregular) rankBehindClean(clean, next);
+    dxGeom *const behind = m_dirty.empty() ? first : m_dirty.back()->next;
+    if (givesRanks && (members().unranked() != 0 || m_isIrregular)) rankBehindClean(behind, next);
+}
+
+// The bounding-box function of this geom has had the space cleaned: what was gathered is gone, and ranks were
+// given by both.
+void dxOrderedListSpace::cleanBehind(dxGeom *geom) {
+    for (geom = geom->next; geom != nullptr && isDirty(geom); geom = geom->next) clean(geom);
+    m_isIrregular = true;
+    if (!m_isWalked) rankBehindClean(first, members().firstOf(count));
 }
 
 // Workers, and a search that was asked for, need all pairs.
@@ -59,20 +86,27 @@ void dxOrderedListSpace::chooseToWalk() {
     if (moved != 0) m_walks = 0;
     const int least = leastMovedToWalk();
     m_isWalked = moved >= least || (m_isWalked && least != INT_MAX);
-    m_irregular = m_irregular || m_isWalked;
+    m_isIrregular = m_isIrregular || m_isWalked;
 }
 
 // Until many move again.
 void dxOrderedListSpace::stopWalking() {
-    m_isWalked = false;
     rankBehindClean(first, members().firstOf(count));
+    m_isWalked = false;
+}
+
+// Of several threads that ask, one stops; the others walk once more.
+void dxOrderedListSpace::stopWalkingIfAskedOften() {
+    if (!m_isWalked || !isWorthAnIndex() || ++m_walks <= kMostWalks) return;
+    const std::unique_lock<std::mutex> alone(m_stopping, std::try_to_lock);
+    if (alone && m_isWalked) stopWalking();
 }
 
 // The list is walked until fewer than half as many move as it takes to begin with that.
 bool dxOrderedListSpace::requireRanks() {
     if (m_isWalked && 2 * m_moved < leastMovedToWalk()) stopWalking();
     m_moved = 0;
-    return !m_irregular;
+    return ranksStand();
 }
 
 void dxOrderedListSpace::gatherDirty() {
@@ -80,21 +114,29 @@ void dxOrderedListSpace::gatherDirty() {
     for (dxGeom *geom = first; geom != nullptr && isDirty(geom); geom = geom->next) m_dirty.push_back(geom);
 }
 
-// A geom that was clean when it was added stands, clean, before the dirty ones, and upstream never gets to
-// those: they keep their old boxes, and an assertion fails where they meet. While there are such geoms, all
-// ranks are given anew.
+bool dxOrderedListSpace::hasStrayMembers() const {
+    for (const dxGeom *geom = firstClean(first); geom != nullptr; geom = geom->next)
+        if (isDirty(geom)) return true;
+    return false;
+}
+
+// A dirty geom may stand behind a clean one: the clean one was added clean, or the other is stray. Upstream
+// never gets to those that are dirty: they keep the boxes that they have, and an assertion fails where one
+// meets whose box is not up to date. While there are such geoms, all ranks are given anew.
 void dxOrderedListSpace::rankBehindClean(dxGeom *geom, dxRank next) {
-    const bool wasIrregular = m_irregular;
-    m_irregular = false;
-    for (; geom != nullptr && (wasIrregular || members().unranked() != 0 || isDirty(geom)); geom = geom->next) {
-        m_irregular = m_irregular || isDirty(geom);
+    const bool wasIrregular = m_isIrregular;
+    m_isIrregular = m_hasBadBox = false;
+    for (; geom != nullptr && (wasIrregular || members().unranked() != 0 || isDirty(geom));
+         geom = geom->next) {
+        m_isIrregular = m_isIrregular || isDirty(geom);
+        m_hasBadBox = m_hasBadBox || (geom->gflags & GEOM_AABB_BAD) != 0;
         rank(geom, next--);
     }
 }
 
 void dxOrderedListSpace::collideWith(void *data, dxGeom *geom, dNearCallback *callback) {
-    if (m_isWalked && isWorthAnIndex() && ++m_walks > kMostWalks) stopWalking();
-    if (m_irregular || !isWorthAnIndex())
+    stopWalkingIfAskedOften();
+    if (!ranksStand() || !isWorthAnIndex())
         collideFrom(first, data, geom, callback);
     else if (const dxGeom *const last = collideRegion(data, geom, callback))
         collideFrom(last->next, data, geom, callback);

@@ -1,10 +1,13 @@
 // A space in which upstream walks a list of geoms: the simple and the hash space.
 //
-// Upstream moves a geom to the front of its list when it changes, and only then. Of two members, the one with the higher
-// rank stands further to the front.
+// Upstream moves a geom to the front of its list when it changes, and only then. Of two members, the one with
+// the higher rank stands further to the front.
 #pragma once
 
+#include <atomic>
 #include <climits>
+#include <cstdint>
+#include <mutex>
 #include <vector>
 
 #include "collision/dxOrderedSpace.h"
@@ -16,24 +19,35 @@ public:
 protected:
     using dxOrderedSpace::dxOrderedSpace;
 
-    // Geoms that move from which on testing all pairs, as upstream does, is faster than ranks and pairs are. INT_MAX: never.
+    // Geoms that move from which on testing all pairs, as upstream does, is faster than ranks and pairs are.
+    // INT_MAX: never.
     virtual int leastToWalk() const { return INT_MAX; }
 
     bool requireRanks() override;
     void collideWith(void *data, dxGeom *geom, dNearCallback *callback) override;
+    bool hasStrayMembers() const override;
 
 private:
+    bool isAtRest() const;
+    // Ranks stand for the list, and all boxes that upstream would look at are up to date.
+    bool ranksStand() const { return !m_isWalked && !m_hasBadBox; }
     int leastMovedToWalk() const;
     void gatherDirty();
-    void cleanAndRank();
+    void cleanDirty();
+    void cleanBehind(dxGeom *geom);
     void chooseToWalk();
     void stopWalking();
+    void stopWalkingIfAskedOften();
     void rankBehindClean(dxGeom *geom, dxRank rank);
 
     std::vector<dxGeom *> m_dirty;  // front first
-    int m_moved = 0;                // geoms that were cleaned since ranks were asked for, as many as there are at most
-    int m_walks = 0;                // of collide2 since a geom moved
-    bool m_isWalked = false;        // as upstream does, for so many move
-    bool m_irregular = false;       // ranks do not stand for the list: there are dirty geoms behind clean ones, or it is
-                                    // walked
+    std::uint64_t m_cleanings = 0;
+    int m_moved = 0;  // geoms that were cleaned since ranks were asked for, as many as there are at most
+    std::atomic<int> m_walks{0};          // of collide2 since a geom moved
+    std::atomic<bool> m_isWalked{false};  // as upstream does, for so many move; there are no ranks
+    std::mutex m_stopping;                // only ever tried
+    bool m_isInterrupted =
+        false;  // a cleaning has begun and not ended: it is in progress, or was left by a jump
+    bool m_isIrregular = false;  // there may be dirty geoms behind clean ones, or the list is walked
+    bool m_hasBadBox = false;    // one of those dirty geoms has a box that is not up to date
 };

@@ -18,8 +18,13 @@ int dxOrderedSimpleSpace::leastToWalk() const {
     return count <= kSmall ? 3 * count / 4 : INT_MAX;
 }
 
-// Boxes and filters cannot change while callbacks run: one that collides this space again finds the same pairs.
-void dxOrderedSimpleSpace::walk(void *data, dNearCallback *callback) {
+// Boxes and filters cannot change while callbacks run: one that collides this space again finds the same
+// pairs.
+void dxOrderedSimpleSpace::walk(void *data, dNearCallback *callback, const dxOrderedPair *after) {
+    if (after != nullptr) {
+        walkFrom(after->first, after->second->next, data, callback);
+        return;
+    }
     if (count < kWorthVectors || !listGeoms()) {
         walkList(data, callback);
         return;
@@ -30,9 +35,17 @@ void dxOrderedSimpleSpace::walk(void *data, dNearCallback *callback) {
 
 // As upstream, with its assertions where boxes are not up to date.
 void dxOrderedSimpleSpace::walkList(void *data, dNearCallback *callback) {
-    for (dxGeom *g1 = first; g1 != nullptr; g1 = g1->next) {
+    if (first != nullptr) walkFrom(nullptr, first, data, callback);
+}
+
+// The first geom with the second and those behind it; then each behind the first. Whether the first is
+// enabled was asked when its turn came. NULL: none.
+void dxOrderedSimpleSpace::walkFrom(dxGeom *g1, dxGeom *g2, void *data, dNearCallback *callback) {
+    for (; g1 != nullptr && g2 != nullptr; g2 = g2->next)
+        if (dxGeomIsEnabled(g2)) collideAABBs(g1, g2, data, callback);
+    for (g1 = g1 != nullptr ? g1->next : first; g1 != nullptr; g1 = g1->next) {
         if (!dxGeomIsEnabled(g1)) continue;
-        for (dxGeom *g2 = g1->next; g2 != nullptr; g2 = g2->next)
+        for (g2 = g1->next; g2 != nullptr; g2 = g2->next)
             if (dxGeomIsEnabled(g2)) collideAABBs(g1, g2, data, callback);
     }
 }

@@ -10,8 +10,9 @@ public:
 
 private:
     int leastToWalk() const override;
-    void walk(void *data, dNearCallback *callback) override;
+    void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) override;
     void walkList(void *data, dNearCallback *callback);
+    void walkFrom(dxGeom *g1, dxGeom *g2, void *data, dNearCallback *callback);
     bool listGeoms();
     void findListed();
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "collision/dxAdaptiveSearch.h"
+#include "collision/dxMissedNotifications.h"
 #include "collision/dxPairPrefetch.h"
 
 #include "util.h"
@@ -37,35 +38,56 @@ dxOrderedSpace::Slot dxOrderedSpace::slotOf(const dxGeom *geom) {
 dxOrderedSpace *dxOrderedSpace::from(dxSpace *space) {
     if (space == nullptr) return nullptr;
     switch (space->type) {
-    case dSimpleSpaceClass:
-    case dHashSpaceClass:
-    case dSweepAndPruneSpaceClass:
-    case dQuadTreeSpaceClass: return static_cast<dxOrderedSpace *>(space);
-    default: return nullptr;
+        case dSimpleSpaceClass:
+        case dHashSpaceClass:
+        case dSweepAndPruneSpaceClass:
+        case dQuadTreeSpaceClass:
+            return static_cast<dxOrderedSpace *>(space);
+        default:
+            return nullptr;
     }
 }
 
-dxOrderedSpace *dxOrderedSpace::of(const dxGeom *geom) { return from(geom->parent_space); }
+dxOrderedSpace *dxOrderedSpace::of(const dxGeom *geom) {
+    return geom->tome_ex != nullptr ? from(geom->parent_space) : nullptr;
+}
 
 dxOrderedSpace::dxOrderedSpace(dSpaceID parent, int kind) : dxSpace(parent) { type = kind; }
 
+// From here on the geoms are in a space of upstream's, whose destructor removes or destroys them.
 dxOrderedSpace::~dxOrderedSpace() {
     for (Slot slot = 0; slot < m_members.end(); ++slot)
         if (dxGeom *const geom = m_members[slot].geom) geom->tome_ex = nullptr;
 }
 
+// What upstream refuses, it refuses before it has changed anything; but the spaces around this one may be
+// locked, and then an assertion fails after the geom is in, or out.
 void dxOrderedSpace::add(dxGeom *geom) {
-    dxSpace::add(geom);
+    CHECK_NOT_LOCKED(this);
+    dAASSERT(geom);
+    dUASSERT(mayCome(geom), "geom is already in a space");
     const Slot slot = m_members.add(geom);
     geom->tome_ex = reinterpret_cast<dxGeom **>(static_cast<std::uintptr_t>(slot) + 1);
+    comes(geom, slot);
+    dxOrderedSpace *const inner = IS_SPACE(geom) ? from(static_cast<dxSpace *>(geom)) : nullptr;
+    if (inner != nullptr && inner->hasStrays()) dxMissedNotifications::add();
+    dxSpace::add(geom);
+}
+
+bool dxOrderedSpace::mayCome(const dxGeom *geom) const {
+    return geom->parent_space == nullptr && geom->next == nullptr;
 }
 
 void dxOrderedSpace::remove(dxGeom *geom) {
+    CHECK_NOT_LOCKED(this);
+    dAASSERT(geom);
+    dUASSERT(geom->parent_space == this, "object is not in this space");
     const Slot slot = slotOf(geom);
-    dxSpace::remove(geom);
+    goes(geom, slot);
     geom->tome_ex = nullptr;
     m_members.remove(slot);
-    if (m_index != nullptr) m_index->drop(slot);
+    m_index.drop(slot);
+    dxSpace::remove(geom);
 }
 
 // The space may still be locked by a call that a callback left by longjmp, or be in one.
@@ -75,18 +97,37 @@ void dxOrderedSpace::collide(void *data, dNearCallback *callback) {
     if (makeReady())
         deliver(data, callback);
     else
-        walk(data, callback);
+        walk(data, callback, nullptr);
     lock_count--;
 }
 
 void dxOrderedSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback) {
     dAASSERT(geom && callback);
-    lock_count++;
+    // Rays of several threads may ask a space at rest; upstream's count then loses some locks.
+    __atomic_fetch_add(&lock_count, 1, __ATOMIC_RELAXED);
     cleanGeoms();
     geom->recomputeAABB();
     collideWith(data, geom, callback);
-    lock_count--;
+    __atomic_fetch_sub(&lock_count, 1, __ATOMIC_RELAXED);
 }
+
+bool dxOrderedSpace::isSureOfMembers() const {
+    return !m_hasStrays && m_notificationsMissed == dxMissedNotifications::count();
+}
+
+bool dxOrderedSpace::mayHaveStrays() {
+    if (isSureOfMembers()) return false;
+    m_notificationsMissed = dxMissedNotifications::count();
+    for (dxGeom *geom = first; geom != nullptr; geom = geom->next) filtersChanged(geom);
+    m_hasStrays = hasStrayMembers();
+    for (dxGeom *geom = first; geom != nullptr && !m_hasStrays; geom = geom->next) {
+        dxOrderedSpace *const inner = IS_SPACE(geom) ? from(static_cast<dxSpace *>(geom)) : nullptr;
+        m_hasStrays = inner != nullptr && inner->hasStrays();
+    }
+    return true;
+}
+
+bool dxOrderedSpace::hasStrays() { return mayHaveStrays() && m_hasStrays; }
 
 void dxOrderedSpace::filtersChanged(dxGeom *geom) {
     const Slot slot = slotOf(geom);
@@ -107,9 +148,10 @@ void dxOrderedSpace::startAnew() {
         if (m_members[slot].geom != nullptr) m_members.markChanged(slot);
 }
 
-void dxOrderedSpace::collideShared(dxTaskRunner &runner, void *data, dNearCallback *callback) {
+void dxOrderedSpace::collideShared(dxTaskRunner &runner, bool arraysStay, void *data,
+                                   dNearCallback *callback) {
     if (m_ahead == nullptr) m_ahead.reset(new dxContactsAhead);
-    const dxContactsAhead::Scope scope(*m_ahead, runner);
+    const dxContactsAhead::Scope scope(*m_ahead, runner, arraysStay);
     m_runner = &runner;
     collide(data, callback);
     m_runner = nullptr;
@@ -135,7 +177,10 @@ void dxOrderedSpace::computeBoxes(const std::vector<dxGeom *> &geoms) {
 
 void dxOrderedSpace::clean(const std::vector<dxGeom *> &geoms, std::size_t index) {
     if (index + kBoxesAhead < geoms.size()) dxPairPrefetch::place(geoms[index + kBoxesAhead]);
-    dxGeom *const geom = geoms[index];
+    clean(geoms[index]);
+}
+
+void dxOrderedSpace::clean(dxGeom *geom) {
     if (IS_SPACE(geom)) static_cast<dxSpace *>(geom)->cleanGeoms();
     geom->recomputeAABB();
     dIASSERT((geom->gflags & GEOM_AABB_BAD) == 0);
@@ -147,20 +192,22 @@ void dxOrderedSpace::rank(dxGeom *geom, dxRank rank, const dxBounds &bounds) {
     m_members.setRank(slot, rank);
     m_members.setBounds(slot, bounds, dxFilterOf(geom));
     m_members.markChanged(slot);
-    if (m_index != nullptr) m_index->loosen(slot);
+    m_index.loosen(slot);
 }
 
 bool dxOrderedSpace::makeReady() {
     cleanGeoms();
     if (!requireRanks()) return false;
     if (m_members.changed().empty()) return true;
+    if (lock_count > 1) return false;  // a call around this one goes through pairs()
     update(m_pairs);
     m_members.forgetChanges();
     return true;
 }
 
 void dxOrderedSpace::update(std::vector<dxOrderedPair> &pairs) {
-    const bool dense = m_search == nullptr && count <= (m_dense != nullptr ? kLargestDense : kLargestDense / 2);
+    const bool dense =
+        m_search == nullptr && count <= (m_dense != nullptr ? kLargestDense : kLargestDense / 2);
     if (dense != (m_dense != nullptr)) {
         m_dense.reset(dense ? new dxDensePairs : nullptr);
         startAnew();
@@ -176,7 +223,8 @@ void dxOrderedSpace::updateSorted(std::vector<dxOrderedPair> &pairs) {
     findAndPlace(m_matches, pairs);
 }
 
-void dxOrderedSpace::findAndPlace(std::vector<dxPairSearch::Match> &matches, std::vector<dxOrderedPair> &pairs) {
+void dxOrderedSpace::findAndPlace(std::vector<dxPairSearch::Match> &matches,
+                                  std::vector<dxOrderedPair> &pairs) {
     if (m_search == nullptr && m_ownSearch == nullptr) m_ownSearch.reset(new dxAdaptiveSearch);
     if (m_kept == nullptr) m_kept.reset(new dxKeptPairs);
     (m_search != nullptr ? m_search : m_ownSearch)->search(m_members, runner(), matches);
@@ -198,10 +246,12 @@ bool dxOrderedSpace::follow(Slot, Slot second, dxPairKey &key) const {
 
 // Upstream asks whether a geom is enabled once before it is paired with those behind it, and of each of
 // those when its turn comes. A callback may enable or disable either.
-void dxOrderedSpace::deliverInOrder(const std::vector<dxOrderedPair> &pairs, void *data, dNearCallback *callback) {
+void dxOrderedSpace::deliverInOrder(const std::vector<dxOrderedPair> &pairs, void *data,
+                                    dNearCallback *callback) {
     const dxGeom *front = nullptr;
     bool frontIsEnabled = false;
     dxContactsAhead *const ahead = this->ahead();
+    const std::uint64_t missed = dxMissedNotifications::count();
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const dxOrderedPair &pair = pairs[i];
         if (pair.first != front) {
@@ -211,16 +261,10 @@ void dxOrderedSpace::deliverInOrder(const std::vector<dxOrderedPair> &pairs, voi
         if (!frontIsEnabled || !dxGeomIsEnabled(pair.second)) continue;
         if (ahead != nullptr) ahead->beforePair(pairs, i);
         dxDeliver(pair, data, callback);
+        if (dxMissedNotifications::count() == missed) continue;
+        const dxOrderedPair last = pair;
+        return walk(data, callback, &last);
     }
-}
-
-const std::vector<dxOrderedSpace::Slot> &dxOrderedSpace::findRegion(const dxBounds &box) {
-    if (m_index == nullptr) m_index.reset(new dxRegionIndex(m_members));
-    const auto depth = static_cast<std::size_t>(lock_count);
-    while (m_regions.size() < depth) m_regions.emplace_back();
-    std::vector<Slot> &region = m_regions[depth - 1];
-    m_index->find(m_members, box, region);
-    return region;
 }
 
 bool dxOrderedSpace::isStill(const dxGeom *geom, const dxBounds &box) {
@@ -230,11 +274,13 @@ bool dxOrderedSpace::isStill(const dxGeom *geom, const dxBounds &box) {
 // The members of the space cannot move while it is locked.
 dxGeom *dxOrderedSpace::collideRegion(void *data, dxGeom *geom, dNearCallback *callback) {
     const dxBounds box(geom->aabb);
-    for (const Slot slot : findRegion(box)) {
+    const Region region(*this, box);
+    const std::uint64_t missed = dxMissedNotifications::count();
+    for (const Slot slot : region.slots()) {
         dxGeom *const member = m_members[slot].geom;
         if (!dxGeomIsEnabled(member)) continue;
         collideAABBs(member, geom, data, callback);
-        if (!isStill(geom, box)) return member;
+        if (!isStill(geom, box) || dxMissedNotifications::count() != missed) return member;
     }
     return nullptr;
 }

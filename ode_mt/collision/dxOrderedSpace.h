@@ -12,21 +12,36 @@
 //    is locked, which it is while callbacks run. Whether geoms are enabled can, so that is tested when
 //    upstream tests it.
 //
-// All kinds of spaces are of this class. How geoms are cleaned and ranked is up to the kind; so is the order of pairs,
-// which is that of their ranks unless a kind has another one. The list of geoms (dxSpace::first) is upstream's, with
-// upstream's order, locks and messages.
-// One thread at a time, as upstream. docs/collision-order.md.
+// All kinds of spaces are of this class. How geoms are cleaned and ranked is up to the kind; so is the order
+// of pairs, which is that of their ranks unless a kind has another one. The list of geoms (dxSpace::first) is
+// upstream's, with upstream's order, locks and messages.
+//
+// Code of the user's runs while a space is cleaned (bounding-box functions) and while pairs are delivered
+// (near-callbacks, box tests), and may collide, clean or ask this space again, or leave for good:
+//  - pairs() is brought up to date by the outermost call alone. A call within it that would have to change
+//  pairs() goes
+//    through the geoms as upstream does (walk);
+//  - cleaning that was left half way, or was done by a call within it, is noticed, and all ranks are given
+//  anew;
+//  - the debug handler may leave by a jump from any assertion of upstream's: what is kept of a member is made
+//  before
+//    upstream's part of a call begins, and after an assertion all members are looked at again
+//    (dxMissedNotifications); the rest of a call that has gone on after one goes through the geoms as
+//    upstream does, too;
+//  - the destructor leaves the geoms to upstream's, whose calls of the user find no space of this class any
+//  more (of).
+//
+// One thread at a time, as upstream; but while nothing changes, several threads may call collide2.
+// docs/collision-order.md, docs/kept-state.md.
 #pragma once
 
-#include <deque>
+#include <cstddef>
 #include <memory>
+#include <memory_resource>
 #include <vector>
 
 #include <ode/ode.h>
 
-#include "config.h"
-#include "objects.h"
-#include "collision_kernel.h"
 #include "collision/dxContactsAhead.h"
 #include "collision/dxDensePairs.h"
 #include "collision/dxKeptPairs.h"
@@ -34,6 +49,9 @@
 #include "collision/dxOrderedPair.h"
 #include "collision/dxPairSearch.h"
 #include "collision/dxRegionIndex.h"
+#include "config.h"
+#include "objects.h"
+#include "collision_kernel.h"
 #include "threading/dxSharingPace.h"
 
 class dxOrderedSpace : public dxSpace, protected dxPairPlacer {
@@ -42,21 +60,22 @@ public:
 
     // The space, if it is of this class, or NULL.
     static dxOrderedSpace *from(dxSpace *space);
-    // The space that a geom is in, likewise.
+    // The space that a geom is a member of, or NULL: it is in none, or in one whose destructor has got so
+    // far.
     static dxOrderedSpace *of(const dxGeom *geom);
-    // Of a geom in such a space.
+    // Returns the slot of a member.
     static Slot slotOf(const dxGeom *geom);
 
     ~dxOrderedSpace() override;
 
-    void add(dxGeom *geom) override;
-    void remove(dxGeom *geom) override;
+    void add(dxGeom *geom) final;
+    void remove(dxGeom *geom) final;
     void collide(void *data, dNearCallback *callback) override;
     void collide2(void *data, dxGeom *geom, dNearCallback *callback) override;
 
-    // collide() with what can be shared out given to the runner: boxes, the search for pairs, and contacts ahead of
-    // the callbacks, which come as ever.
-    void collideShared(dxTaskRunner &runner, void *data, dNearCallback *callback);
+    // collide() with what can be shared out given to the runner: boxes, the search for pairs, and contacts
+    // ahead of the callbacks, which are called as by collide(). `arraysStay`: as for dxContactsAhead.
+    void collideShared(dxTaskRunner &runner, bool arraysStay, void *data, dNearCallback *callback);
     // makeReady() with the runner.
     bool makeReadyShared(dxTaskRunner &runner);
 
@@ -65,9 +84,13 @@ public:
     dxSharingPace &pace() { return m_pace; }
 
     // Cleans the geoms and brings pairs() up to date; the space is locked by then. False: upstream's list is
-    // not in the state in which ranks stand for it, and has to be walked as upstream does.
+    // not in the state in which ranks stand for it, or pairs() is in use; the geoms have to be walked as
+    // upstream does.
     virtual bool makeReady();
     const std::vector<dxOrderedPair> &pairs() const { return m_pairs; }
+
+    // Whether a member, or a geom of a space in it, is stray (dxMissedNotifications).
+    bool hasStrays();
 
     // From now on pairs are found by `search`, NULL: by the way that suits the size of the space. Not while
     // the space is locked.
@@ -82,17 +105,32 @@ protected:
 
     // All pairs are looked for again, from nothing: at this update or at the next.
     void startAnew();
+
+    // Whether there are strays, or were when this was last asked: their boxes, and whether these are up to
+    // date, may change without notice. Costs nothing while no notification has been missed.
+    bool mayHaveStrays();
+    // The same without looking, if nothing may have changed.
+    bool isSureOfMembers() const;
+    // Looks at the members themselves.
+    virtual bool hasStrayMembers() const = 0;
     bool hasSearch() const { return m_search != nullptr; }
 
     const dxMembers &members() const { return m_members; }
     dxMembers &members() { return m_members; }
 
-    // Cleaning: whether all members have been given their ranks by it; the boxes of geoms ahead of it, on workers if there
-    // are any; the box of one geom, and that it is clean; its rank, which may be that which it had, and its bounds, which
-    // may be wider than its box.
+    // Whether upstream takes the geom into a space of this kind.
+    virtual bool mayCome(const dxGeom *geom) const;
+    // A geom comes, or goes, by a call that upstream will not refuse any more.
+    virtual void comes(dxGeom * /*geom*/, Slot /*slot*/) {}
+    virtual void goes(dxGeom * /*geom*/, Slot /*slot*/) {}
+
+    // Cleaning: whether all members have been given their ranks by it; the boxes of geoms ahead of it, on
+    // workers if there are any; the box of one geom, and that it is clean; its rank, which may be that which
+    // it had, and its bounds, which may be wider than its box.
     virtual bool requireRanks() { return true; }
     void computeBoxes(const std::vector<dxGeom *> &geoms);
     static void clean(const std::vector<dxGeom *> &geoms, std::size_t index);
+    static void clean(dxGeom *geom);
     void rank(dxGeom *geom, dxRank rank) { this->rank(geom, rank, dxBounds(geom->aabb)); }
     void rank(dxGeom *geom, dxRank rank, const dxBounds &bounds);
 
@@ -116,31 +154,50 @@ protected:
     virtual void deliver(void *data, dNearCallback *callback) { deliverInOrder(m_pairs, data, callback); }
     // Of pairs that come by their first geom. Geoms may be enabled and disabled on the way.
     void deliverInOrder(const std::vector<dxOrderedPair> &pairs, void *data, dNearCallback *callback);
-    // All of upstream's call, where it says no.
-    virtual void walk(void * /*data*/, dNearCallback * /*callback*/) {}
+    // All of upstream's call, where it says no; or what of it comes after a pair, in whose callback an
+    // assertion failed.
+    virtual void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) = 0;
     // The callbacks of a geom, whose box is up to date as the members' are, with those that it meets.
     virtual void collideWith(void *data, dxGeom *geom, dNearCallback *callback) = 0;
 
-    // The members whose boxes overlap the box, front first. Until the next call from the same depth of locks.
-    const std::vector<Slot> &findRegion(const dxBounds &box);
+    // The members whose boxes overlap a box, front first; in memory of the caller's.
+    class Region {
+    public:
+        Region(dxOrderedSpace &space, const dxBounds &box) {
+            space.m_index.find(space.m_members, box, m_slots);
+        }
+        Region(const Region &) = delete;
+        Region &operator=(const Region &) = delete;
+
+        const std::pmr::vector<Slot> &slots() const { return m_slots; }
+
+    private:
+        // A callback may leave by longjmp: what is on the stack needs nobody to free it.
+        static constexpr std::size_t kOnStack = 512;
+
+        alignas(std::max_align_t) std::byte m_room[kOnStack * sizeof(Slot)];
+        std::pmr::monotonic_buffer_resource m_memory{m_room, sizeof m_room};
+        std::pmr::vector<Slot> m_slots{&m_memory};
+    };
     // A geom that is not in the space may move in a callback.
     static bool isStill(const dxGeom *geom, const dxBounds &box);
     // A smaller space is walked as fast.
     bool isWorthAnIndex() const { return count >= 16; }
-    // As upstream's collide2 where it walks a list, which is in the order of ranks. NULL, or the member in whose callback
-    // the geom moved: upstream goes on behind it with the new box.
+    // As upstream's collide2 where it walks a list, which is in the order of ranks. NULL, or the member in
+    // whose callback the geom moved: upstream goes on behind it with the new box.
     dxGeom *collideRegion(void *data, dxGeom *geom, dNearCallback *callback);
 
 private:
     dxMembers m_members;
     std::vector<dxOrderedPair> m_pairs;
-    std::unique_ptr<dxDensePairs> m_dense;             // while the space is small
+    std::unique_ptr<dxDensePairs> m_dense;  // while the space is small
     std::unique_ptr<dxPairSearch> m_search, m_ownSearch;
     std::vector<dxPairSearch::Match> m_matches;
     std::unique_ptr<dxKeptPairs> m_kept;
-    std::unique_ptr<dxRegionIndex> m_index;            // from the first collide2 on
-    std::deque<std::vector<Slot>> m_regions;           // by depth of calls of collide2
-    dxTaskRunner *m_runner = nullptr;  // of the call in progress, if it is shared
+    dxRegionIndex m_index;
+    std::uint64_t m_notificationsMissed = 0;  // of the process, when the members were last looked at
+    bool m_hasStrays = false;                 // then
+    dxTaskRunner *m_runner = nullptr;         // of the call in progress, if it is shared
     std::unique_ptr<dxContactsAhead> m_ahead;
     dxSharingPace m_pace;
 };
@@ -149,7 +206,9 @@ inline bool dxGeomIsEnabled(const dxGeom *geom) {
     return (geom->gflags & GEOM_ENABLE_TEST_MASK) == GEOM_ENABLE_TEST_VALUE;
 }
 
-inline dxMeetingFilter dxFilterOf(const dxGeom *geom) { return {geom->body, geom->category_bits, geom->collide_bits}; }
+inline dxMeetingFilter dxFilterOf(const dxGeom *geom) {
+    return {geom->body, geom->category_bits, geom->collide_bits};
+}
 
 // The rest of upstream's collideAABBs, for a pair of dxOrderedSpace::pairs().
 inline void dxDeliver(const dxOrderedPair &pair, void *data, dNearCallback *callback) {

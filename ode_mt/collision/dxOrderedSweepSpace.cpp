@@ -5,14 +5,15 @@
 
 #include "collision/dxPairPrefetch.h"
 #include "collision/dxSweepWalk.h"
-#include "simd/dxFetch.h"
 #include "util.h"
+#include "simd/dxFetch.h"
 #include "collision_space_internal.h"
 
 namespace {
 
-// Up to this many geoms sweeping all along the axis is faster than looking for neighbours and sorting, if most of them
-// move: in a pile up to 2000, but then slower if one does. A space on the border does not go back and forth.
+// Up to this many geoms sweeping all along the axis is faster than looking for neighbours and sorting, if
+// most of them move: in a pile up to 2000, but then slower if one does. A space on the border does not go
+// back and forth.
 constexpr int kLargestDense = 1024, kDenseAgain = 768;
 
 // Items between asking the memory for one and looking at it.
@@ -30,15 +31,21 @@ dxOrderedSweepSpace::dxOrderedSweepSpace(dSpaceID parent, int axes)
     dInfiniteAABB(this, aabb);
 }
 
+// Geoms go from the front of the two lists, as upstream's do, whatever a geom's destructor of the user's
+// moves, adds or destroys on the way. What that has made dirty behind the first list is left to the
+// destructors below.
 dxOrderedSweepSpace::~dxOrderedSweepSpace() {
     dxSweepWalk::requireUnlocked(*this);
-    while (count != 0) {
-        dxGeom *const geom = getGeom(0);
-        if (cleanup)
-            dGeomDestroy(geom);
-        else
-            remove(geom);
-    }
+    const auto empty = [this](const std::vector<dxSweepLists::Entry> &list) {
+        while (!list.empty()) {
+            if (cleanup)
+                dGeomDestroy(list.front().geom);
+            else
+                remove(list.front().geom);
+        }
+    };
+    empty(m_lists.dirty());
+    empty(m_lists.clean());
 }
 
 dxGeom *dxOrderedSweepSpace::getGeom(int i) {
@@ -47,12 +54,11 @@ dxGeom *dxOrderedSweepSpace::getGeom(int i) {
     return at < dirtyOnes ? m_lists.dirty()[at].geom : m_lists.clean()[at - dirtyOnes].geom;
 }
 
-void dxOrderedSweepSpace::add(dxGeom *geom) {
-    CHECK_NOT_LOCKED(this);
-    dAASSERT(geom);
-    dUASSERT(geom->tome_ex == nullptr && geom->next_ex == nullptr, "geom is already in a space");
-    dxOrderedSpace::add(geom);
-    const Slot slot = slotOf(geom);
+bool dxOrderedSweepSpace::mayCome(const dxGeom *geom) const {
+    return geom->tome_ex == nullptr && geom->next_ex == nullptr && dxOrderedSpace::mayCome(geom);
+}
+
+void dxOrderedSweepSpace::comes(dxGeom *geom, Slot slot) {
     m_lists.add(slot, geom);
     if (slot >= m_states.size()) {
         m_states.resize(slot + 1);
@@ -62,17 +68,13 @@ void dxOrderedSweepSpace::add(dxGeom *geom) {
     m_isEnabled[slot] = 0;
 }
 
-void dxOrderedSweepSpace::remove(dxGeom *geom) {
-    CHECK_NOT_LOCKED(this);
-    dAASSERT(geom);
-    dUASSERT(geom->parent_space == this, "object is not in this space");
-    const Slot slot = slotOf(geom);
+void dxOrderedSweepSpace::goes(dxGeom * /*geom*/, Slot slot) {
     const bool wasDirty = m_lists.isDirty(slot);
     const std::size_t place = m_lists.placeOf(slot);
     m_lists.remove(slot);
-    if (!wasDirty && place < m_lists.clean().size()) members().setRank(m_lists.clean()[place].slot, rankAt(place));
+    if (!wasDirty && place < m_lists.clean().size())
+        members().setRank(m_lists.clean()[place].slot, rankAt(place));
     m_states[slot].part = Part::absent;
-    dxOrderedSpace::remove(geom);
 }
 
 void dxOrderedSweepSpace::dirty(dxGeom *geom) {
@@ -83,6 +85,8 @@ void dxOrderedSweepSpace::dirty(dxGeom *geom) {
     if (place < m_lists.clean().size()) members().setRank(m_lists.clean()[place].slot, rankAt(place));
 }
 
+// Where a bounding-box function has the space cleaned, upstream enters its geoms twice, and its next
+// collide() fails.
 void dxOrderedSweepSpace::cleanGeoms() {
     if (m_lists.dirty().empty()) return;
     lock_count++;
@@ -91,14 +95,34 @@ void dxOrderedSweepSpace::cleanGeoms() {
     computeBoxes(m_toClean);
     const std::size_t cleanOnes = m_lists.clean().size();
     for (std::size_t i = 0; i < m_toClean.size(); ++i) {
-        clean(m_toClean, i);
         dxGeom *const geom = m_toClean[i];
-        const dxSweepBox box = m_axes.boxOf(geom);
-        m_states[slotOf(geom)].box = box;
-        rank(geom, rankAt(cleanOnes + i), boundsOf(geom, box));
+        clean(m_toClean, i);
+        takeBox(geom, rankAt(cleanOnes + i));
     }
+    m_isMessedUp = m_isMessedUp || m_lists.dirty().empty();
     m_lists.cleanAll();
     lock_count--;
+}
+
+void dxOrderedSweepSpace::takeBox(dxGeom *geom, dxRank itsRank) {
+    const dxSweepBox box = m_axes.boxOf(geom);
+    m_states[slotOf(geom)].box = box;
+    rank(geom, itsRank, boundsOf(geom, box));
+}
+
+bool dxOrderedSweepSpace::hasStrayMembers() const {
+    const std::vector<dxSweepLists::Entry> &list = m_lists.clean();
+    return std::any_of(list.begin(), list.end(), [](const dxSweepLists::Entry &entry) {
+        return (entry.geom->gflags & GEOM_DIRTY) != 0;
+    });
+}
+
+// A stray has the box that it was last asked for.
+void dxOrderedSweepSpace::takeBoxesOfStrays() {
+    if (!mayHaveStrays()) return;
+    const std::vector<dxSweepLists::Entry> &list = m_lists.clean();
+    for (std::size_t place = 0; place < list.size(); ++place)
+        if ((list[place].geom->gflags & GEOM_DIRTY) != 0) takeBox(list[place].geom, rankAt(place));
 }
 
 // As wide as rounding makes the box, and not inside out, so that whatever upstream pairs overlaps.
@@ -112,11 +136,13 @@ dxBounds dxOrderedSweepSpace::boundsOf(const dxGeom *geom, const dxSweepBox &box
     return bounds;
 }
 
-// Not of use: NaN among the keys, along which upstream's sweep loses its way; a box that is not up to date, at
-// which it fails an assertion; and a change that a callback made and the call it makes now would see, while the
-// call around it has not done with pairs().
+// Not of use: NaN among the keys, along which upstream's sweep loses its way; a box that is not up to date,
+// at which it fails an assertion; and a change that a callback made and the call it makes now would see,
+// while the call around it has not done with pairs().
 bool dxOrderedSweepSpace::makeReady() {
     cleanGeoms();
+    if (m_isMessedUp) dDebug(d_ERR_UASSERT, "geom counts messed up in %s()", "collide");
+    takeBoxesOfStrays();
     noteEnabled();
     if (m_hasUncleanBox) return false;
     if (members().changed().empty()) return true;
@@ -156,7 +182,8 @@ void dxOrderedSweepSpace::takeParts() {
         m_swept.push_back(slot);
         m_keys.push_back(state.box.low);
         m_hasNaN = m_hasNaN || std::isnan(state.box.low);
-        // It meets what begins with it if it comes later, not if it comes earlier: which of the two may change with others.
+        // It meets what begins with it if it comes later, not if it comes earlier: which of the two may
+        // change with others.
         if (!(state.box.low <= state.box.high)) members().markChanged(slot);
     }
 }
@@ -232,7 +259,8 @@ void dxOrderedSweepSpace::expect(Slot slot) const {
 
 void dxOrderedSweepSpace::pairInfinite(std::vector<dxOrderedPair> &pairs) const {
     for (std::size_t i = 0; i < m_infinite.size(); ++i) {
-        for (std::size_t j = i + 1; j < m_infinite.size(); ++j) pairIfMayMeet(m_infinite[i], m_infinite[j], pairs);
+        for (std::size_t j = i + 1; j < m_infinite.size(); ++j)
+            pairIfMayMeet(m_infinite[i], m_infinite[j], pairs);
         for (const Slot slot : m_swept) pairIfMayMeet(m_infinite[i], slot, pairs);
     }
 }
@@ -252,7 +280,8 @@ void dxOrderedSweepSpace::deliver(void *data, dNearCallback *callback) {
     }
 }
 
-void dxOrderedSweepSpace::walk(void *data, dNearCallback *callback) {
+// Upstream goes through a list of pairs, as deliver() does.
+void dxOrderedSweepSpace::walk(void *data, dNearCallback *callback, const dxOrderedPair * /*after*/) {
     dxSweepWalk sweep(m_axes);
     for (const dxSweepLists::Entry &entry : m_lists.clean())
         if (dxGeomIsEnabled(entry.geom)) sweep.add(entry.geom);
@@ -261,7 +290,7 @@ void dxOrderedSweepSpace::walk(void *data, dNearCallback *callback) {
 }
 
 void dxOrderedSweepSpace::collideWith(void *data, dxGeom *geom, dNearCallback *callback) {
-    if (!isWorthAnIndex())
+    if (!isWorthAnIndex() || hasStrays())
         collideFrom(0, data, geom, callback);
     else if (const dxGeom *const last = collideRegion(data, geom, callback))
         collideFrom(m_lists.placeOf(slotOf(last)) + 1, data, geom, callback);

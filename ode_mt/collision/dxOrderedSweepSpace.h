@@ -1,9 +1,9 @@
-// The sweep-and-prune space: geoms sorted along an axis, each paired with those that begin before it ends; then pairs
-// with geoms that have no end on that axis. docs/collision-order.md.
+// The sweep-and-prune space: geoms sorted along an axis, each paired with those that begin before it ends;
+// then pairs with geoms that have no end on that axis. docs/collision-order.md.
 //
 // Unlike the other spaces this one keeps its geoms in two arrays (dxSweepLists); a member's rank follows from
-// its place in that of the clean ones. And it asks which geoms are enabled before it sorts: an enabled geom more
-// or less is a change to pairs().
+// its place in that of the clean ones. And it asks which geoms are enabled before it sorts: an enabled geom
+// more or less is a change to pairs().
 #pragma once
 
 #include <vector>
@@ -21,8 +21,6 @@ public:
     ~dxOrderedSweepSpace() override;
 
     dxGeom *getGeom(int i) override;
-    void add(dxGeom *geom) override;
-    void remove(dxGeom *geom) override;
     void dirty(dxGeom *geom) override;
     void computeAABB() override {}  // without end, whatever is in it
     void cleanGeoms() override;
@@ -42,10 +40,16 @@ private:
     bool follow(Slot first, Slot second, dxPairKey &key) const override;
     void expect(Slot slot) const override;
     void deliver(void *data, dNearCallback *callback) override;
-    void walk(void *data, dNearCallback *callback) override;
+    bool mayCome(const dxGeom *geom) const override;
+    void comes(dxGeom *geom, Slot slot) override;
+    void goes(dxGeom *geom, Slot slot) override;
+    void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) override;
     void collideWith(void *data, dxGeom *geom, dNearCallback *callback) override;
+    bool hasStrayMembers() const override;
 
     dxBounds boundsOf(const dxGeom *geom, const dxSweepBox &box) const;
+    void takeBox(dxGeom *geom, dxRank rank);
+    void takeBoxesOfStrays();
     void noteEnabled();
     void takeParts();
     void sortSwept();
@@ -58,17 +62,18 @@ private:
 
     dxSweepAxes m_axes;
     dxSweepLists m_lists;
-    std::vector<State> m_states;               // by slot
-    std::vector<std::uint8_t> m_isEnabled;     // by slot, at the last call
+    std::vector<State> m_states;            // by slot
+    std::vector<std::uint8_t> m_isEnabled;  // by slot, at the last call
     std::vector<dxGeom *> m_toClean;
-    std::vector<Slot> m_swept, m_infinite;     // in the order of the list
-    std::vector<float> m_keys;                 // of m_swept
-    std::vector<Slot> m_inOrder;               // m_swept, sorted
+    std::vector<Slot> m_swept, m_infinite;  // in the order of the list
+    std::vector<float> m_keys;              // of m_swept
+    std::vector<Slot> m_inOrder;            // m_swept, sorted
     dxRankSort m_sort;
     bool m_hasUncleanBox = false, m_hasNaN = false;
+    bool m_isMessedUp = false;  // as upstream's assertion has it: a cleaning took place within a cleaning
 
-    bool m_isDense = true;                     // pairs are found by a sweep of all
+    bool m_isDense = true;  // pairs are found by a sweep of all
     dxAxisRows m_rows;
     std::vector<dxSlotPair> m_found, m_again;
-    std::size_t m_sweptPairs = 0;              // of pairs(), those in front
+    std::size_t m_sweptPairs = 0;  // of pairs(), those in front
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 namespace {
 
@@ -46,26 +47,27 @@ struct Region {
 
 }  // namespace
 
-dxRegionIndex::dxRegionIndex(const dxMembers &members) {
-    for (Slot slot = 0; slot < members.end(); ++slot)
-        if (members[slot].geom != nullptr) loosen(slot);
-}
-
 dxRegionIndex::Home &dxRegionIndex::homeOf(Slot slot) {
     if (slot >= m_homes.size()) m_homes.resize(slot + 1);
     return m_homes[slot];
 }
 
 void dxRegionIndex::loosen(Slot slot) {
+    if (!m_isInUse) return;
     Home &home = homeOf(slot);
     if (home.loose != kNone) return;
     if (home.row != kNone) m_tree.erase(home.row);
     home.row = kNone;
-    home.loose = static_cast<std::uint32_t>(m_loose.size());
+    joinLoose(slot);
+}
+
+void dxRegionIndex::joinLoose(Slot slot) {
+    homeOf(slot).loose = static_cast<std::uint32_t>(m_loose.size());
     m_loose.push_back(slot);
 }
 
 void dxRegionIndex::drop(Slot slot) {
+    if (!m_isInUse) return;
     Home &home = homeOf(slot);
     if (home.row != kNone) m_tree.erase(home.row);
     home.row = kNone;
@@ -80,20 +82,40 @@ void dxRegionIndex::leaveLoose(Home &home) {
     home.loose = kNone;
 }
 
-void dxRegionIndex::find(const dxMembers &members, const dxBounds &box, std::vector<Slot> &found) {
-    m_debt += m_loose.size();
-    if (m_debt > kComparisonsPerRow * m_homes.size()) build(members);
+void dxRegionIndex::find(const dxMembers &members, const dxBounds &box, std::pmr::vector<Slot> &found) {
     found.clear();
-    m_rows.clear();
-    m_tree.query(box, m_rows);
-    for (const std::uint32_t row : m_rows) found.push_back(m_slotOfRow[row]);
+    if (!query(members, box, found)) {
+        for (Slot slot = 0; slot < members.end(); ++slot)
+            if (members[slot].geom != nullptr && members[slot].bounds.overlaps(box)) found.push_back(slot);
+        m_debt.fetch_add(members.end(), std::memory_order_relaxed);
+    }
+    std::sort(found.begin(), found.end(), [&](Slot a, Slot b) { return members[a].rank > members[b].rank; });
+    buildIfDue(members);
+}
+
+// Returns false if the tree is not in use yet, or being built.
+bool dxRegionIndex::query(const dxMembers &members, const dxBounds &box, std::pmr::vector<Slot> &found) {
+    const std::shared_lock<std::shared_mutex> reading(m_mutex, std::try_to_lock);
+    if (!reading || !m_isInUse) return false;
+    m_tree.query(box, found);
+    for (std::uint32_t &row : found) row = m_slotOfRow[row];
     for (const Slot slot : m_loose)
         if (members[slot].bounds.overlaps(box)) found.push_back(slot);
-    std::sort(found.begin(), found.end(), [&](Slot a, Slot b) { return members[a].rank > members[b].rank; });
+    if (!m_loose.empty()) m_debt.fetch_add(m_loose.size(), std::memory_order_relaxed);
+    return true;
+}
+
+void dxRegionIndex::buildIfDue(const dxMembers &members) {
+    if (m_debt.load(std::memory_order_relaxed) <= kComparisonsPerRow * members.end()) return;
+    const std::unique_lock<std::shared_mutex> building(m_mutex, std::try_to_lock);
+    if (building && m_debt.load(std::memory_order_relaxed) > kComparisonsPerRow * members.end())
+        build(members);
 }
 
 void dxRegionIndex::build(const dxMembers &members) {
-    m_debt = 0;
+    m_debt.store(0, std::memory_order_relaxed);
+    m_isInUse = false;  // if memory runs out half way
+    m_homes.resize(members.end());
     sortAlongCurve(members);
     m_slotOfRow.clear();
     m_loose.clear();
@@ -107,13 +129,15 @@ void dxRegionIndex::build(const dxMembers &members) {
     }
     m_tree.finish();
     for (Slot slot = 0; slot < members.end(); ++slot)
-        if (members[slot].geom != nullptr && homeOf(slot).row == kNone) loosen(slot);
+        if (members[slot].geom != nullptr && homeOf(slot).row == kNone) joinLoose(slot);
+    m_isInUse = true;
 }
 
 void dxRegionIndex::sortAlongCurve(const dxMembers &members) {
     Region region;
     for (Slot slot = 0; slot < members.end(); ++slot)
-        if (members[slot].geom != nullptr && members[slot].bounds.isModerate()) region.include(members[slot].bounds);
+        if (members[slot].geom != nullptr && members[slot].bounds.isModerate())
+            region.include(members[slot].bounds);
     m_items.clear();
     for (Slot slot = 0; slot < members.end(); ++slot)
         if (members[slot].geom != nullptr && members[slot].bounds.isModerate())

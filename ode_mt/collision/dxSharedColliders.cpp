@@ -1,5 +1,7 @@
 #include "collision/dxSharedColliders.h"
 
+#include <cstddef>
+#include <cstring>
 #include <new>
 
 #include "collision/dxColliderOverrides.h"
@@ -23,7 +25,9 @@ namespace {
 bool isHeightfield(const dxGeom &geom) { return geom.type == dHeightfieldClass; }
 bool isMesh(const dxGeom &geom) { return geom.type == dTriMeshClass; }
 
-const dxHeightfieldData *heightsOf(const dxGeom &geom) { return static_cast<const dxHeightfield &>(geom).m_p_data; }
+const dxHeightfieldData *heightsOf(const dxGeom &geom) {
+    return static_cast<const dxHeightfield &>(geom).m_p_data;
+}
 
 // Colliding a height field takes memory, which may be the user's to give.
 bool callsUser(const dxHeightfieldData *heights) {
@@ -57,8 +61,50 @@ bool isPure(const dxGeom &geom) {
     }
 }
 
-// A copy of a geom of a built-in class that has a place of its own to turn. Never destroyed: what it points to is the
-// original's.
+// A hash in which any change of a single word shows: each step can be undone.
+class ContentHash {
+public:
+    template <class Word>
+    void add(const Word *words, std::size_t count) {
+        static_assert(sizeof(Word) <= sizeof(std::uint64_t), "one step a word");
+        for (std::size_t i = 0; i < count; ++i) {
+            std::uint64_t word = 0;
+            std::memcpy(&word, words + i, sizeof(Word));
+            std::uint64_t &lane = m_lanes[i % kLanes];
+            lane = (lane ^ word) * kOdd;
+            lane ^= lane >> 32;
+        }
+    }
+    std::uint64_t value() const {
+        std::uint64_t value = 0;
+        for (const std::uint64_t lane : m_lanes) value = (value ^ lane) * kOdd;
+        return value;
+    }
+
+private:
+    static constexpr std::uint64_t kOdd = UINT64_C(0x9e3779b97f4a7c15);
+    static constexpr std::size_t kLanes = 4;  // multiplications that need not wait for one another
+    std::uint64_t m_lanes[kLanes] = {1, 2, 3, 4};
+};
+
+std::uint64_t contentOf(const dxConvex &convex) {
+    ContentHash hash;
+    const std::uint64_t header[] = {
+        reinterpret_cast<std::uintptr_t>(convex.planes), reinterpret_cast<std::uintptr_t>(convex.points),
+        reinterpret_cast<std::uintptr_t>(convex.polygons), convex.planecount, convex.pointcount};
+    hash.add(header, sizeof header / sizeof header[0]);
+    hash.add(convex.planes, std::size_t{4} * convex.planecount);
+    hash.add(convex.points, std::size_t{3} * convex.pointcount);
+    const unsigned *polygon = convex.polygons;
+    for (unsigned i = 0; i < convex.planecount && polygon != nullptr; ++i) {
+        hash.add(polygon, polygon[0] + std::size_t{1});
+        polygon += polygon[0] + 1;
+    }
+    return hash.value();
+}
+
+// A copy of a geom of a built-in class that has a place of its own to turn. Never destroyed: what it points
+// to is the original's.
 class MovableCopy {
 public:
     dxGeom *of(const dxGeom &geom) {
@@ -106,8 +152,16 @@ bool dxMayCollideAnywhere(const dxGeom &a, const dxGeom &b) {
     return !(isHeightfield(a) || isHeightfield(b)) || !(isMesh(a) || isMesh(b));
 }
 
+bool dxKnowsArrays(const dxGeom &a, const dxGeom &b) {
+    const auto knows = [](const dxGeom &geom) {
+        return !isMesh(geom) && (!isHeightfield(geom) || heightsOf(geom)->m_bCopyHeightData != 0);
+    };
+    return knows(a) && knows(b);
+}
+
 std::uint64_t dxColliderState(const dxGeom &geom) {
     constexpr std::uint64_t kImpure = 1;  // no pointer, and no flag of a ray
+    if (geom.type == dConvexClass) return contentOf(static_cast<const dxConvex &>(geom));
     if (geom.type == dRayClass) return geom.gflags & (RAY_FIRSTCONTACT | RAY_BACKFACECULL | RAY_CLOSEST_HIT);
     if (!isMesh(geom) && !isHeightfield(geom)) return 0;
     if (!isPure(geom)) return kImpure;
@@ -117,7 +171,8 @@ std::uint64_t dxColliderState(const dxGeom &geom) {
            static_cast<std::uint64_t>(mesh.m_SphereContactsMergeOption) << 48;
 }
 
-// A height field with buffers and data of its own. It takes over from each original all but the buffers, which it keeps.
+// A height field with buffers and data of its own. It takes over from each original all but the buffers,
+// which it keeps.
 class dxColliderCopies::Terrain {
 public:
     Terrain() : m_field(nullptr, nullptr, 0) {}

@@ -3,10 +3,11 @@
 // Upstream's colliders read two geoms and write contacts. Three things stand against running them anywhere:
 //  - they call the user: classes of the user, overridden colliders, callbacks of meshes and height fields;
 //  - they lead to other geoms: geom transforms, spaces;
-//  - they write to the geoms: a mesh with temporal coherence keeps lists; a height field uses buffers of its own and
+//  - they write to the geoms: a mesh with temporal coherence keeps lists; a height field uses buffers of its
+//  own and
 //    turns the other geom into its frame while it tests it.
-// The first two kinds and coherent meshes stay on the user's thread. A pair with a height field is collided as a
-// pair of private copies.
+// The first two kinds and coherent meshes stay on the user's thread. A pair with a height field is collided
+// as a pair of private copies.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +15,19 @@
 
 #include <ode/ode.h>
 
-// Whether no collider of the pair calls the user, leads elsewhere or writes to the geoms, once copies are used.
+// Whether no collider of the pair calls the user, leads elsewhere or writes to the geoms, once copies are
+// used.
 bool dxMayCollideAnywhere(const dxGeom &a, const dxGeom &b);
 
-// What the user may change about a geom in a callback without moving it, and colliders read: flags of rays, the
-// data of meshes. Where it is the same, and the geom has not moved, dCollide gives the same contacts.
+// Whether what colliders of such a pair read can be known to be unchanged later, as far as arrays are
+// concerned that are the program's own, so that it may write to them without a call: those of meshes, and
+// samples of height fields that were not copied, are too many to look at again.
+bool dxKnowsArrays(const dxGeom &a, const dxGeom &b);
+
+// What the user may change about a geom in a callback without moving it, and colliders read: flags of rays,
+// the data of meshes, the arrays of a convex geom (as a hash of 64 bits of all that is in them). Where it is
+// the same, and the geom has not moved, dCollide gives the same contacts. Whether samples of height fields
+// have changed is told by dxHeightRevision.
 std::uint64_t dxColliderState(const dxGeom &geom);
 
 // Scratch memory of one worker.

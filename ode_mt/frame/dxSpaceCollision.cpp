@@ -28,7 +28,7 @@ void collideOnWorkers(dxOrderedSpace &space, unsigned workers, void *data, dNear
     dxWorkersRunner runner(workers);
     const bool mayBeConcurrent = dxSettings::instance().callbackPolicy() != dxCallbackPolicy::Serial;
     if (mayBeConcurrent && dxCollideConcurrently(space, runner, data, callback)) return;
-    space.collideShared(runner, data, callback);
+    space.collideShared(runner, mayBeConcurrent, data, callback);
     const dxContactsAhead &ahead = *space.contactsAhead();
     dxStepStatistics::instance().countSharedCollision(runner.tookPart(), ahead.computed(), ahead.used());
 }

@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <thread>
 
+#include "collision/dxRegionIndex.h"
 #include "RandomBoxes.h"
 #include "SearchedMembers.h"
-#include "collision/dxRegionIndex.h"
 
 namespace {
 
@@ -41,14 +43,18 @@ protected:
         return slots;
     }
     std::vector<Slot> found(const dxBounds &box) {
-        std::vector<Slot> slots;
+        std::pmr::vector<Slot> slots;
         index.find(crowd.members(), box, slots);
-        return slots;
+        return {slots.begin(), slots.end()};
+    }
+
+    static dxBounds rayNumber(int ray) {
+        return boundsOf(ray % 40, ray % 40 + ray % 7, ray / 3, ray / 3, 0, 0);
     }
 
     RandomBoxes random{11};
     SearchedMembers crowd;
-    dxRegionIndex index{crowd.members()};
+    dxRegionIndex index;
 };
 
 TEST_F(RegionIndex, FindsNothingAmongNobody) {
@@ -90,6 +96,25 @@ TEST_F(RegionIndex, FindsASlotThatWasGivenAnewByItsNewBoxAlone) {
     add(cubeAt(0, 50, 0));
     EXPECT_TRUE(found(cubeAt(7, 0, 0, dReal(0.1))).empty());
     EXPECT_EQ(found(cubeAt(0, 50, 0)).size(), 1u);
+}
+
+// Rays of several threads: whoever builds the tree, all get the same answers.
+TEST_F(RegionIndex, SeveralThreadsAskWhileNothingChanges) {
+    for (int x = 0; x < 40; ++x)
+        for (int y = 0; y < 40; ++y) add(cubeAt(x, y, 0, dReal(0.9)));
+    for (int round = 0; round < 20; ++round) {
+        move(static_cast<Slot>(round * 7), cubeAt(round, 0, 0, dReal(0.9)));
+        std::vector<std::vector<Slot>> wanted;
+        for (int ray = 0; ray < 100; ++ray) wanted.push_back(expected(rayNumber(ray)));
+        std::vector<std::thread> askers;
+        std::atomic<int> wrong{0};
+        for (int asker = 0; asker < 3; ++asker)
+            askers.emplace_back([&] {
+                for (int ray = 0; ray < 100; ++ray) wrong += found(rayNumber(ray)) != wanted[ray];
+            });
+        for (std::thread &asker : askers) asker.join();
+        ASSERT_EQ(wrong, 0) << "round " << round;
+    }
 }
 
 TEST_F(RegionIndex, AsksALineThroughACrowdOfThousands) {

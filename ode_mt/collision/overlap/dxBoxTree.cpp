@@ -28,7 +28,7 @@ using Lanes = hn::CappedTag<double, kChildren>;
 class Query {
 public:
     Query(const dxBoxTree::Level *levels, const std::uint8_t *isThere, const double *box,
-          std::vector<std::uint32_t> &rows)
+          std::pmr::vector<std::uint32_t> &rows)
         : m_levels(levels), m_isThere(isThere), m_rows(rows), m_box(box) {}
 
     void descend(std::size_t level, std::size_t node) {
@@ -44,8 +44,9 @@ public:
 private:
     HWY_INLINE std::uint32_t overlapping(const dxBoxTree::Level &level, std::size_t first) const {
         const Lanes d;
-        const double *const columns[6] = {level.bounds[0].data(), level.bounds[1].data(), level.bounds[2].data(),
-                                          level.bounds[3].data(), level.bounds[4].data(), level.bounds[5].data()};
+        const double *const columns[6] = {level.bounds[0].data(), level.bounds[1].data(),
+                                          level.bounds[2].data(), level.bounds[3].data(),
+                                          level.bounds[4].data(), level.bounds[5].data()};
         std::uint32_t together = 0;
         for (std::size_t i = 0; i < kChildren; i += hn::Lanes(d))
             together |= lanesLeft(d, m_box.apart(columns, first + i)) << i;
@@ -54,12 +55,12 @@ private:
 
     const dxBoxTree::Level *m_levels;
     const std::uint8_t *m_isThere;
-    std::vector<std::uint32_t> &m_rows;
+    std::pmr::vector<std::uint32_t> &m_rows;
     BoxLanes<Lanes> m_box;
 };
 
 void queryTree(const dxBoxTree::Level *levels, std::size_t top, const std::uint8_t *isThere,
-               const dxBounds &box, std::vector<std::uint32_t> &rows) {
+               const dxBounds &box, std::pmr::vector<std::uint32_t> &rows) {
     double bounds[6];
     std::copy(box.v, box.v + 6, bounds);
     Query(levels, isThere, bounds, rows).descend(top, 0);
@@ -135,7 +136,8 @@ void dxBoxTree::erase(std::size_t row) {
     for (int i = 0; i < 6; ++i) m_levels[0].bounds[i][row] = dxOverlap::kNowhere[i];
 }
 
-void dxBoxTree::query(const dxBounds &box, std::vector<std::uint32_t> &rows) const {
-    if (m_inUse != 0) HWY_DYNAMIC_DISPATCH(dxOverlap::queryTree)(m_levels.data(), m_inUse - 1, m_isThere.data(), box, rows);
+void dxBoxTree::query(const dxBounds &box, std::pmr::vector<std::uint32_t> &rows) const {
+    if (m_inUse != 0)
+        HWY_DYNAMIC_DISPATCH(dxOverlap::queryTree)(m_levels.data(), m_inUse - 1, m_isThere.data(), box, rows);
 }
 #endif

@@ -5,9 +5,11 @@
 
 namespace exactness {
 
+void addArraysInCallbacks(Catalogue &catalogue);
 void addAutoDisable(Catalogue &catalogue);
 void addBallJoints(Catalogue &catalogue);
 void addBodyMotion(Catalogue &catalogue);
+void addBoxFunctions(Catalogue &catalogue);
 void addCallbackLiberties(Catalogue &catalogue);
 void addCollideFlags(Catalogue &catalogue);
 void addCollisionSpaces(Catalogue &catalogue);
@@ -17,11 +19,14 @@ void addCrowdExtremes(Catalogue &catalogue);
 void addDegenerateWorlds(Catalogue &catalogue);
 void addDoubleJoints(Catalogue &catalogue);
 void addFaults(Catalogue &catalogue);
+void addFirstMeetings(Catalogue &catalogue);
 void addFixedJoints(Catalogue &catalogue);
 void addFloatEnvironment(Catalogue &catalogue);
 void addFriction(Catalogue &catalogue);
+void addGeomDestructors(Catalogue &catalogue);
 void addGeomOwnership(Catalogue &catalogue);
 void addGeomPairs(Catalogue &catalogue);
+void addHashLevels(Catalogue &catalogue);
 void addHinge2Joints(Catalogue &catalogue);
 void addHingeJoints(Catalogue &catalogue);
 void addJointFeedback(Catalogue &catalogue);
@@ -47,6 +52,7 @@ void addSleepingCrowds(Catalogue &catalogue);
 void addSliderJoints(Catalogue &catalogue);
 void addSpaceChurn(Catalogue &catalogue);
 void addSpaceKinds(Catalogue &catalogue);
+void addStrayGeoms(Catalogue &catalogue);
 void addSweepSpaces(Catalogue &catalogue);
 void addTerrain(Catalogue &catalogue);
 void addTerrainCrowds(Catalogue &catalogue);

@@ -25,9 +25,11 @@ Scenario teamScenario(std::string name, std::string meaning, int steps, Scenario
 const Catalogue &catalogue() {
     static const Catalogue scenarios = [] {
         Catalogue all;
+        addArraysInCallbacks(all);
         addAutoDisable(all);
         addBallJoints(all);
         addBodyMotion(all);
+        addBoxFunctions(all);
         addCallbackLiberties(all);
         addCollideFlags(all);
         addCollisionSpaces(all);
@@ -37,11 +39,14 @@ const Catalogue &catalogue() {
         addDegenerateWorlds(all);
         addDoubleJoints(all);
         addFaults(all);
+        addFirstMeetings(all);
         addFixedJoints(all);
         addFloatEnvironment(all);
         addFriction(all);
+        addGeomDestructors(all);
         addGeomOwnership(all);
         addGeomPairs(all);
+        addHashLevels(all);
         addHinge2Joints(all);
         addHingeJoints(all);
         addJointFeedback(all);
@@ -67,6 +72,7 @@ const Catalogue &catalogue() {
         addSliderJoints(all);
         addSpaceChurn(all);
         addSpaceKinds(all);
+        addStrayGeoms(all);
         addSweepSpaces(all);
         addTerrain(all);
         addTerrainCrowds(all);

@@ -56,6 +56,11 @@ void HeightGrid::reshape(const std::function<dReal(int x, int y)> &height) {
     fill();
 }
 
+void HeightGrid::rebuild(const std::function<dReal(int x, int y)> &height) {
+    reshape(height);
+    build();
+}
+
 dReal HeightGrid::callback(void *grid, int x, int z) {
     auto *self = static_cast<HeightGrid *>(grid);
     self->m_asked.add(1000 * x + z);

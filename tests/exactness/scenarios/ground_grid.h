@@ -61,6 +61,7 @@ public:
 
     dGeomID createGeom(dSpaceID space) const;
     void reshape(const std::function<dReal(int x, int y)> &height);  // of a grid that is not copied
+    void rebuild(const std::function<dReal(int x, int y)> &height);  // of any
     const OrderSum &heightsAsked() const { return m_asked; }         // of the callback
 
 private:

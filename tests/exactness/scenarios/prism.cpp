@@ -30,6 +30,11 @@ dGeomID Prism::createGeom(dSpaceID space) const {
                          m_polygons.data());
 }
 
+void Prism::setHeight(dReal height) {
+    for (std::size_t z = 2; z < m_points.size(); z += 3) m_points[z] = m_points[z] < 0 ? -height / 2 : height / 2;
+    m_planes[m_planes.size() - 1] = m_planes[m_planes.size() - 5] = height / 2;
+}
+
 void Prism::giveTo(dGeomID convex) const {
     dGeomSetConvex(convex, m_planes.data(), m_corners + 2, m_points.data(), 2 * m_corners, m_polygons.data());
 }

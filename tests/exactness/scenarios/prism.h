@@ -14,6 +14,7 @@ public:
     // The prism must outlive its geoms.
     dGeomID createGeom(dSpaceID space) const;
     void giveTo(dGeomID convex) const;
+    void setHeight(dReal height);  // in place: geoms have it at once
 
 private:
     int m_corners;

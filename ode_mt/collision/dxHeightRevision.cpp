@@ -1,0 +1,3 @@
+#include "collision/dxHeightRevision.h"
+
+std::atomic<std::uint64_t> dxHeightRevision::changes{0};

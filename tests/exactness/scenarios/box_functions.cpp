@@ -1,0 +1,157 @@
+#include "additions.h"
+#include "order_sum.h"
+#include "scenario_scene.h"
+#include "shapes.h"
+#include "spaces.h"
+
+#include <csetjmp>
+#include <cstdarg>
+#include <cstdio>
+
+namespace exactness {
+
+namespace {
+
+enum class Doing { Cleans, Collides, Asks, Throws, Jumps };
+
+std::jmp_buf beforeTheCall;
+
+// A class of the user's whose bounding-box function has its own space cleaned, collides or asks it, or
+// leaves.
+class BoxFunctions : public ManyParts {
+public:
+    BoxFunctions(Stepper stepper, SpaceKind kind, Doing doing)
+        : ManyParts(stepper), m_kind(kind), m_doing(doing), m_space(createSpace(kind, nullptr)) {
+        dSetDebugHandler(&handle);
+        addGround();
+        addParts([this](int part, Vector3 origin) {
+            for (int i = 0; i < 4; ++i)
+                carry(createShape(space(), allShapes[(part + i) % 4]),
+                      origin + Vector3{dReal(0.03) * i, 0, dReal(0.3) + dReal(0.5) * i});
+        });
+        const dGeomClass description = {sizeof(int), &noCollider, &bound, nullptr, nullptr};
+        m_class = dCreateGeomClass(&description);
+        for (int i = 0; i < 25; ++i) addGeom(i);
+        m_ray = dCreateRay(nullptr, 20);
+        dGeomRaySet(m_ray, -1, 2, 0.1, 1, 0.1, 0);
+    }
+    ~BoxFunctions() override { dSetDebugHandler(nullptr); }
+
+    void control() override {
+        const int frame = frameNumber();
+        m_isDisturbing = frame % 3 == 0;
+        for (int i = 0; i < frame % 7; ++i)
+            attempt([=] { dGeomSetPosition(m_geoms[(5 * i + frame) % m_geoms.size()], i, 0.3 * i, 0); });
+        m_pairs = OrderSum();
+        attempt([this] { dSpaceCollide(m_space, this, &meet); });
+        if (m_kind != SpaceKind::SweepAndPrune)
+            attempt([this] { dSpaceCollide2(m_ray, reinterpret_cast<dGeomID>(m_space), this, &meet); });
+        note("pairs", static_cast<double>(m_pairs.count()));
+        note("sum of the pairs", m_pairs.value());
+    }
+
+private:
+    static BoxFunctions &self() { return static_cast<BoxFunctions &>(living()); }
+    static dColliderFn *noCollider(int) { return nullptr; }
+
+    void addGeom(int number) {
+        const bool isUsers = number % 4 == 2;
+        const dGeomID geom = isUsers ? dCreateGeom(m_class) : dCreateSphere(nullptr, 0.5);
+        dGeomSetData(geom, reinterpret_cast<void *>(static_cast<std::intptr_t>(number)));
+        dSpaceAdd(m_space, geom);
+        dGeomSetPosition(geom, number % 5, number / 5, 0);
+        m_geoms.push_back(geom);
+    }
+
+    static void bound(dGeomID geom, dReal box[6]) {
+        const dReal *place = dGeomGetPosition(geom);
+        for (int i = 0; i < 6; ++i) box[i] = place[i / 2] + (i % 2 == 0 ? -0.6 : 0.6);
+        BoxFunctions &scene = self();
+        if (!scene.m_isDisturbing) return;
+        scene.m_isDisturbing = false;
+        scene.note("disturbed", static_cast<double>(reinterpret_cast<std::intptr_t>(dGeomGetData(geom))));
+        scene.disturb();
+        scene.m_isDisturbing = scene.frameNumber() % 2 == 0;
+    }
+
+    void disturb() {
+        switch (m_doing) {
+            case Doing::Cleans:
+                return dSpaceClean(m_space);
+            case Doing::Collides:
+                return dSpaceCollide(m_space, this, &meet);
+            case Doing::Asks:
+                return dSpaceCollide2(m_ray, reinterpret_cast<dGeomID>(m_space), this, &meet);
+            case Doing::Throws:
+                throw 1;
+            case Doing::Jumps:
+                std::longjmp(beforeTheCall, 1);
+        }
+    }
+
+    template <class Call>
+    void attempt(const Call &call) {
+        if (setjmp(beforeTheCall) != 0) return;
+        try {
+            call();
+        } catch (int) {
+            note("thrown");
+        }
+    }
+
+    static void meet(void *data, dGeomID o1, dGeomID o2) {
+        const auto name = [](dGeomID geom) { return reinterpret_cast<std::intptr_t>(dGeomGetData(geom)); };
+        static_cast<BoxFunctions *>(data)->m_pairs.add(1000 * name(o1) + name(o2));
+    }
+
+    static void handle(int number, const char *format, va_list arguments) {
+        char text[300];
+        std::vsnprintf(text, sizeof(text), format, arguments);
+        for (char *at = text; *at != 0; ++at)
+            if (*at == '[') *at = 0;  // file and line
+        self().note(text, number);
+        std::longjmp(beforeTheCall, 1);
+    }
+
+    SpaceKind m_kind;
+    Doing m_doing;
+    dSpaceID m_space;
+    int m_class;
+    bool m_isDisturbing = false;
+    std::vector<dGeomID> m_geoms;
+    dGeomID m_ray;
+    OrderSum m_pairs;
+};
+
+}  // namespace
+
+void addBoxFunctions(Catalogue &catalogue) {
+    const struct {
+        Doing doing;
+        const char *name, *meaning;
+        bool leavesLocks;
+    } doings[] = {{Doing::Cleans, "clean", "has its space cleaned", false},
+                  {Doing::Collides, "collide", "collides its space", false},
+                  {Doing::Asks, "ask", "asks its space", false},
+                  {Doing::Throws, "throw", "throws", true},
+                  {Doing::Jumps, "jump", "jumps out of the call", true}};
+    const struct {
+        SpaceKind kind;
+        const char *in;
+    } kinds[] = {{SpaceKind::Simple, "simple"},
+                 {SpaceKind::Hash, "hash"},
+                 {SpaceKind::SweepAndPrune, "sweep_and_prune"},
+                 {SpaceKind::QuadTree, "quad_tree"}};
+    for (const auto &doing : doings)
+        for (const auto &kind : kinds) {
+            // Elsewhere than here, upstream's sweep-and-prune space then reads memory that it never wrote.
+            if (kind.kind == SpaceKind::SweepAndPrune && doing.doing != Doing::Cleans) continue;
+            catalogue.push_back(
+                collisionScenario(std::string("box_functions/") + doing.name + "_in_" + kind.in,
+                                  std::string("a user's bounding-box function ") + doing.meaning, 12,
+                                  make<BoxFunctions>(kind.kind, doing.doing)));
+            catalogue.back().leavesRuins = doing.leavesLocks;
+        }
+}
+
+}  // namespace exactness

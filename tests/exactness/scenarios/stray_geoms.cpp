@@ -1,0 +1,278 @@
+#include "additions.h"
+#include "ground_grid.h"
+#include "scenario_scene.h"
+#include "shapes.h"
+#include "spaces.h"
+
+#include <csetjmp>
+#include <cstdarg>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+namespace exactness {
+
+namespace {
+
+std::jmp_buf beforeTheCall;
+
+dReal flat(int, int) { return 0; }
+
+// Stacks, and a space in which nothing moves until a mesh is given other data, of which upstream does not
+// tell the space. From then on the mesh stands where it stood, with the box that it is asked for, and what
+// moves it is not told either.
+class Strays : public ManyParts {
+public:
+    ~Strays() override { dSetDebugHandler(nullptr); }
+
+protected:
+    Strays(Stepper stepper, SpaceKind kind, bool isNested)
+        : ManyParts(stepper), m_small(grid(0.2)), m_large(grid(3)), m_kind(kind) {
+        dSetDebugHandler(&handle);
+        addGround();
+        addParts([this](int part, Vector3 origin) {
+            for (int i = 0; i < 4; ++i)
+                carry(createShape(space(), allShapes[(part + i) % 4]),
+                      origin + Vector3{dReal(0.03) * i, 0, dReal(0.3) + dReal(0.5) * i});
+        });
+        m_outer = createSpace(kind, nullptr);
+        m_inner = isNested ? createSpace(kind, m_outer) : m_outer;
+        for (int i = 0; i < 30; ++i) {
+            const dGeomID ball = dCreateSphere(i % 3 == 0 ? m_inner : m_outer, 0.4);
+            dGeomSetPosition(ball, i % 6, i / 6, 0);
+            if (i % 7 == 3)
+                m_meshes.push_back(dCreateTriMesh(m_inner, m_small->data(), nullptr, nullptr, nullptr));
+            if (i % 7 == 3) dGeomSetPosition(m_meshes.back(), i % 6, i / 6, 0.3);
+            m_balls.push_back(ball);
+        }
+        m_ray = dCreateRay(nullptr, 20);
+        dGeomRaySet(m_ray, -1, 2, 0.1, 1, 0.1, 0);
+    }
+
+    template <class Call>
+    void attempt(const Call &call) {
+        if (setjmp(beforeTheCall) == 0) call();
+    }
+
+    void lookAround() {
+        m_pairs = OrderSum();
+        attempt([this] { dSpaceCollide(m_outer, this, &meet); });
+        attempt([this] { dSpaceCollide2(m_ray, reinterpret_cast<dGeomID>(m_outer), this, &meet); });
+        if (m_inner != m_outer) attempt([this] { dSpaceCollide(m_inner, this, &meet); });
+        attempt([this] { dSpaceCollide2(m_meshes[0], reinterpret_cast<dGeomID>(m_inner), this, &meet); });
+        note("pairs", static_cast<double>(m_pairs.count()));
+        note("sum of the pairs", m_pairs.value());
+    }
+
+    void giveData(int mesh, const GridMesh &data) { dGeomTriMeshSetData(m_meshes[mesh], data.data()); }
+    void askForBox(int mesh) {
+        dReal box[6];
+        dGeomGetAABB(m_meshes[mesh], box);
+        for (dReal bound : box) note("bound", bound);
+    }
+    void moveMesh(int mesh, dReal x) { dGeomSetPosition(m_meshes[mesh], x, 1, 0.2); }
+    void moveBall(int ball, dReal z) { dGeomSetPosition(m_balls[ball], ball % 6, ball / 6, z); }
+
+    std::shared_ptr<GridMesh> m_small, m_large;
+    SpaceKind m_kind;
+    dSpaceID m_outer, m_inner;
+    std::vector<dGeomID> m_balls, m_meshes;
+    dGeomID m_ray;
+
+    static std::intptr_t nameOf(dGeomID geom, const Strays &scene) {
+        if (dGeomIsSpace(geom)) return -1;
+        if (geom == scene.m_ray) return -2;
+        for (std::size_t i = 0; i < scene.m_balls.size(); ++i)
+            if (scene.m_balls[i] == geom) return static_cast<std::intptr_t>(i);
+        for (std::size_t i = 0; i < scene.m_meshes.size(); ++i)
+            if (scene.m_meshes[i] == geom) return static_cast<std::intptr_t>(100 + i);
+        return -3;
+    }
+
+private:
+    std::shared_ptr<GridMesh> grid(dReal pitch) {
+        const auto made = std::make_shared<GridMesh>(Ground{3, pitch, flat});
+        keep(made);
+        return made;
+    }
+
+    static void meet(void *data, dGeomID o1, dGeomID o2) {
+        Strays &scene = *static_cast<Strays *>(data);
+        scene.m_pairs.add(1000 * nameOf(o1, scene) + nameOf(o2, scene));
+        if (dGeomIsSpace(o1) || dGeomIsSpace(o2)) dSpaceCollide2(o1, o2, data, &meet);
+    }
+
+    static void handle(int number, const char *format, va_list arguments) {
+        char text[300];
+        std::vsnprintf(text, sizeof(text), format, arguments);
+        for (char *at = text; *at != 0; ++at)
+            if (*at == '[') *at = 0;  // file and line
+        static_cast<Strays &>(living()).note(text, number);
+        std::longjmp(beforeTheCall, 1);
+    }
+
+    OrderSum m_pairs;
+};
+
+// The box is asked for before the space collides: upstream finds the new pairs, for ever.
+class Asked : public Strays {
+public:
+    Asked(Stepper stepper, SpaceKind kind, bool isNested) : Strays(stepper, kind, isNested) {}
+
+    void control() override {
+        attempt([this] { change(frameNumber()); });
+        lookAround();
+    }
+
+private:
+    void change(int frame) {
+        if (frame == 4) giveData(0, *m_large);
+        if (frame >= 4) askForBox(0);
+        if (frame == 8) giveData(1, *m_large);
+        if (frame >= 8) askForBox(1);
+        if (frame == 10) giveData(0, *m_small);
+        if (frame == 10) askForBox(0);
+        if (frame == 12) moveBall(5, 0.2);
+        if (frame == 14) {
+            moveMesh(1, 4);
+            askForBox(1);
+            moveBall(9, 0.1);
+        }
+        if (frame == 16) dGeomDisable(m_meshes[1]);
+        if (frame == 18) dGeomEnable(m_meshes[1]);
+        if (frame == 20)
+            for (int ball = 0; ball < 30; ++ball) moveBall(ball, 0.01 * ball);
+        if (frame == 22) {  // the stray leaves, and comes back
+            dSpaceRemove(m_inner, m_meshes[1]);
+            dSpaceAdd(m_inner, m_meshes[1]);
+        }
+        if (frame == 24) moveMesh(1, 2);
+        if (frame == 26) {
+            dSpaceRemove(m_inner, m_meshes[0]);
+            dSpaceAdd(m_inner, m_meshes[0]);
+        }
+    }
+};
+
+// Nobody asks for the box: upstream asserts wherever it comes to the mesh, and the handler jumps out of each
+// call, which leaves spaces locked.
+class Unasked : public Strays {
+public:
+    Unasked(Stepper stepper, SpaceKind kind, bool isNested) : Strays(stepper, kind, isNested) {}
+
+    void control() override {
+        if (frameNumber() == 5) attempt([this] { giveData(0, *m_large); });
+        lookAround();
+    }
+};
+
+// Calls that are refused too late: the geom is marked as moved, and its space is not told. Later it is asked
+// for its box.
+class HalfRefused : public Strays {
+public:
+    HalfRefused(Stepper stepper, SpaceKind kind) : Strays(stepper, kind, false) {}
+
+    void control() override {
+        const int frame = frameNumber();
+        if (frame == 5 || frame == 9) dSpaceCollide(m_outer, this, &disturb);
+        m_isDisturbed = false;
+        attempt([this, frame] { change(frame); });
+        lookAround();
+    }
+
+private:
+    void change(int frame) {
+        for (int mesh = 0; mesh < 4; ++mesh) askForBox(mesh);
+        dReal box[6];
+        for (dGeomID ball : m_balls) dGeomGetAABB(ball, box);
+        if (frame == 12) moveBall(11, 0.3);
+        if (frame == 12) dGeomGetAABB(m_balls[11], box);
+    }
+
+    // In the first callback, after which no other geom is disturbed; then the rest of the call is left.
+    static void disturb(void *data, dGeomID, dGeomID) {
+        HalfRefused &scene = *static_cast<HalfRefused *>(data);
+        if (scene.m_isDisturbed) return;
+        scene.m_isDisturbed = true;
+        const int ball = scene.frameNumber();
+        dReal box[6];
+        scene.attempt([&] { dGeomSphereSetRadius(scene.m_balls[ball], 1.2); });
+        dGeomGetAABB(scene.m_balls[ball], box);
+        scene.attempt([&] { dGeomSetPosition(scene.m_balls[ball + 1], 0, 0, 0); });
+        scene.attempt([&] { scene.giveData(2, *scene.m_large); });
+        dGeomGetAABB(scene.m_meshes[2], box);
+    }
+
+    bool m_isDisturbed = false;
+};
+
+// The same, but callbacks go on, and nobody asks for boxes: the assertion fails at the next pair of the geom. Of the space
+// that is collided, or of one inside it.
+class HalfRefusedOnward : public Strays {
+public:
+    HalfRefusedOnward(Stepper stepper, SpaceKind kind, bool asks) : Strays(stepper, kind, true), m_asks(asks) {}
+
+    void control() override {
+        if (frameNumber() == 4) attempt([this] { dSpaceCollide(m_outer, this, &disturb); });
+        note("pairs before", m_before);
+        lookAround();
+    }
+
+private:
+    static void disturb(void *data, dGeomID o1, dGeomID o2) {
+        HalfRefusedOnward &scene = *static_cast<HalfRefusedOnward *>(data);
+        scene.noteIt(o1, o2);
+        if (++scene.m_before != 9) return;
+        std::jmp_buf outer;
+        std::memcpy(&outer, &beforeTheCall, sizeof outer);
+        dReal box[6];
+        scene.attempt([&] { dGeomSphereSetRadius(scene.m_balls[10], 1.1); });
+        if (scene.m_asks) dGeomGetAABB(scene.m_balls[10], box);
+        scene.attempt([&] { dGeomSetPosition(scene.m_balls[6], 0.2, 1, 0); });
+        if (scene.m_asks) dGeomGetAABB(scene.m_balls[6], box);
+        std::memcpy(&beforeTheCall, &outer, sizeof outer);
+    }
+
+    void noteIt(dGeomID o1, dGeomID o2) {
+        note("first", static_cast<double>(nameOf(o1, *this)));
+        note("second", static_cast<double>(nameOf(o2, *this)));
+    }
+
+    bool m_asks;
+    int m_before = 0;
+};
+
+}  // namespace
+
+void addStrayGeoms(Catalogue &catalogue) {
+    const struct {
+        SpaceKind kind;
+        const char *in, *meaning;
+    } kinds[] = {{SpaceKind::Simple, "simple", "a simple space"},
+                 {SpaceKind::Hash, "hash", "a hash space"},
+                 {SpaceKind::SweepAndPrune, "sweep_and_prune", "a sweep-and-prune space"},
+                 {SpaceKind::QuadTree, "quad_tree", "a quad-tree space"}};
+    for (const auto &each : kinds) {
+        const auto add = [&](const std::string &what, const std::string &meaning, Scenario::Make make) {
+            catalogue.push_back(collisionScenario("stray_geoms/" + what + "_in_" + each.in,
+                                                  meaning + " in " + each.meaning, 30, std::move(make)));
+        };
+        add("asked", "a mesh gets other data unnoticed, and is asked for its box",
+            make<Asked>(each.kind, false));
+        add("asked_nested", "the same with a space inside, which is stray, too",
+            make<Asked>(each.kind, true));
+        catalogue.back().leavesRuins = true;
+        add("unasked", "a mesh gets other data unnoticed, and an assertion fails",
+            make<Unasked>(each.kind, false));
+        catalogue.back().leavesRuins = true;
+        add("unasked_nested", "the same with a space inside", make<Unasked>(each.kind, true));
+        catalogue.back().leavesRuins = true;
+        add("onward", "what a locked space refuses too late, and callbacks go on", make<HalfRefusedOnward>(each.kind, true));
+        catalogue.back().leavesRuins = true;
+        add("onward_unasked", "the same with boxes that are not up to date", make<HalfRefusedOnward>(each.kind, false));
+        catalogue.back().leavesRuins = true;
+        add("half_refused", "what a locked space refuses too late", make<HalfRefused>(each.kind));
+    }
+}
+
+}  // namespace exactness
