@@ -1,5 +1,6 @@
-// A space through which geoms come and go takes no more memory than at the start, whether or not it collides in
-// between, under every way of finding pairs.
+// A space through which geoms come and go takes no more memory than at the start, whatever it is used for in between:
+// collided, asked with a ray, asked as a member of another space, only cleaned, or nothing; under every way of finding
+// pairs.
 #include <gtest/gtest.h>
 #include <malloc.h>
 
@@ -15,12 +16,49 @@
 
 namespace {
 
+using Use = void (*)(dSpaceID);
+
 struct Way {
     const char *name, *algorithm;
     dSpaceID (*create)(dSpaceID);
     int geoms;
-    bool collides;
+    Use use;  // after each round
 };
+
+void countPair(void *pairs, dGeomID, dGeomID) { ++*static_cast<int *>(pairs); }
+
+void collided(dSpaceID space) {
+    int pairs = 0;
+    dSpaceCollide(space, &pairs, countPair);
+}
+
+// By a ray through all that will ever be there.
+void asked(dSpaceID space) {
+    const dGeomID ray = dCreateRay(nullptr, 100000);
+    dGeomRaySet(ray, -1, 3, 0, 1, 0, 0);
+    int pairs = 0;
+    dSpaceCollide2(ray, reinterpret_cast<dGeomID>(space), &pairs, countPair);
+    dGeomDestroy(ray);
+    EXPECT_GT(pairs, 0);
+}
+
+// As a member of a space in which it meets a geom.
+void nested(dSpaceID space) {
+    const dSpaceID outer = dSimpleSpaceCreate(nullptr);
+    dSpaceSetCleanup(outer, 0);
+    const dGeomID ground = dCreatePlane(outer, 0, 0, 1, 0);
+    dSpaceAdd(outer, reinterpret_cast<dGeomID>(space));
+    int pairs = 0;
+    dSpaceCollide(outer, &pairs, [](void *data, dGeomID a, dGeomID b) { dSpaceCollide2(a, b, data, countPair); });
+    dSpaceRemove(outer, reinterpret_cast<dGeomID>(space));
+    dGeomDestroy(ground);
+    dSpaceDestroy(outer);
+    EXPECT_GT(pairs, 0);
+}
+
+void cleaned(dSpaceID space) { dSpaceClean(space); }
+
+void leftAlone(dSpaceID) {}
 
 dSpaceID createQuadTree(dSpaceID parent) {
     const dVector3 centre = {1000, 0, 0}, extents = {1000, 10, 10};
@@ -60,7 +98,7 @@ protected:
                 destroy(geoms[i]);
                 geoms[i] = make();
             }
-            if (GetParam().collides) dSpaceCollide(space, nullptr, [](void *, dGeomID, dGeomID) {});
+            GetParam().use(space);
         }
     }
 
@@ -91,23 +129,37 @@ TEST_P(SpaceChurn, MemoryStaysWhatItWas) {
     EXPECT_LT(least, 2 * rounds * GetParam().geoms / 5);
 }
 
-INSTANTIATE_TEST_SUITE_P(Ways, SpaceChurn,
-                         testing::Values(Way{"dense", "auto", dSimpleSpaceCreate, 100, true},
-                                         Way{"neighbours", "auto", dSimpleSpaceCreate, 600, true},
-                                         Way{"hash", "auto", dHashSpaceCreate, 100, true},
-                                         Way{"sweep", "auto", createSweep, 100, true},
-                                         Way{"sweepCrowd", "auto", createSweep, 1200, true},
-                                         Way{"sweepUncollided", "auto", createSweep, 100, false},
-                                         Way{"original", "original", dHashSpaceCreate, 100, true},
-                                         Way{"staticMerged", "static", dHashSpaceCreate, 100, true},
-                                         Way{"staticUnmerged", "static-unmerged", dHashSpaceCreate, 100, true},
-                                         Way{"duplication", "duplication", dHashSpaceCreate, 100, true},
-                                         Way{"decluster", "decluster", dHashSpaceCreate, 100, true},
-                                         Way{"simpleUncollided", "auto", dSimpleSpaceCreate, 100, false},
-                                         Way{"quadtreeDense", "auto", createQuadTree, 100, true},
-                                         Way{"quadtree", "auto", createQuadTree, 600, true},
-                                         Way{"hashUncollided", "auto", dHashSpaceCreate, 100, false},
-                                         Way{"quadtreeUncollided", "auto", createQuadTree, 100, false}),
+constexpr Use kUncollided[] = {asked, nested, cleaned, leftAlone};
+constexpr const char *kUncollidedNames[] = {"Asked", "Nested", "Cleaned", "LeftAlone"};
+
+INSTANTIATE_TEST_SUITE_P(Collided, SpaceChurn,
+                         testing::Values(Way{"dense", "auto", dSimpleSpaceCreate, 100, collided},
+                                         Way{"neighbours", "auto", dSimpleSpaceCreate, 600, collided},
+                                         Way{"hash", "auto", dHashSpaceCreate, 100, collided},
+                                         Way{"sweep", "auto", createSweep, 100, collided},
+                                         Way{"sweepCrowd", "auto", createSweep, 1200, collided},
+                                         Way{"original", "original", dHashSpaceCreate, 100, collided},
+                                         Way{"staticMerged", "static", dHashSpaceCreate, 100, collided},
+                                         Way{"staticUnmerged", "static-unmerged", dHashSpaceCreate, 100, collided},
+                                         Way{"duplication", "duplication", dHashSpaceCreate, 100, collided},
+                                         Way{"decluster", "decluster", dHashSpaceCreate, 100, collided},
+                                         Way{"quadtreeDense", "auto", createQuadTree, 100, collided},
+                                         Way{"quadtree", "auto", createQuadTree, 600, collided}),
                          [](const auto &info) { return std::string(info.param.name); });
+
+std::vector<Way> uncollided() {
+    std::vector<Way> ways;
+    for (const Use use : kUncollided)
+        for (const Way &kind : {Way{"simple", "auto", dSimpleSpaceCreate, 100, use},
+                                Way{"hash", "auto", dHashSpaceCreate, 100, use},
+                                Way{"sweep", "auto", createSweep, 100, use},
+                                Way{"quadtree", "auto", createQuadTree, 100, use}})
+            ways.push_back(kind);
+    return ways;
+}
+
+INSTANTIATE_TEST_SUITE_P(Uncollided, SpaceChurn, testing::ValuesIn(uncollided()), [](const auto &info) {
+    return std::string(info.param.name) + kUncollidedNames[info.index / 4];
+});
 
 }  // namespace
