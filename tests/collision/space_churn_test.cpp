@@ -4,9 +4,7 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -118,15 +116,10 @@ TEST_P(SpaceChurn, MemoryStaysWhatItWas) {
     for (int i = 0; i < GetParam().geoms; ++i) geoms.push_back(make());
     const int rounds = 40000 / GetParam().geoms;
     churn(rounds);
-    // A vector that doubles does so in one stretch; a leak shows in each of them.
-    std::ptrdiff_t least = std::numeric_limits<std::ptrdiff_t>::max();
-    for (int stretch = 0; stretch < 3; ++stretch) {
-        const std::ptrdiff_t before = bytesInUse();
-        churn(2 * rounds);
-        least = std::min(least, bytesInUse() - before);
-    }
-    // one byte for each geom that was replaced
-    EXPECT_LT(least, 2 * rounds * GetParam().geoms / 5);
+    const std::ptrdiff_t before = bytesInUse();
+    churn(10 * rounds);
+    // A byte for each geom that was replaced: what is kept for each, in a vector too, takes more.
+    EXPECT_LT(bytesInUse() - before, 10 * rounds * GetParam().geoms / 5);
 }
 
 constexpr Use kUncollided[] = {asked, nested, cleaned, leftAlone};
