@@ -82,8 +82,13 @@ ODE_API const char *dODE_MT_GetAlgorithm(void);
  * spaces that it was called for, and make contact joints and attach them. With "concurrent" it may also enable the
  * bodies of its pair, and write to data of its pair's bodies. Contact joints appear in the lists of world and bodies only after the
  * last callback, in upstream's order, so the results are upstream's as long as no callback reads those lists
- * (dAreConnected, dBodyGetJoint) to find contacts of the same call. It must not change geoms or spaces, make other
- * joints, destroy joints, or leave by longjmp; an exception is passed on after all callbacks have ended.
+ * (dAreConnected, dBodyGetJoint) to find contacts of the same call. It must not change geoms or spaces, nor write to the
+ * vertices, points or height samples that geoms use, make other joints, destroy joints, or leave by longjmp; an exception
+ * is passed on after all callbacks have ended.
+ *
+ * With "serial" a callback may write to such arrays, as with upstream: contacts with meshes and with height fields that
+ * were built without a copy of their samples are then computed in the callback, not ahead of it by several threads. Where
+ * a program has much terrain of this kind, "concurrent" is the faster choice.
  *
  * @return 1, or 0 and a dMessage naming the known ones if there is no such policy.
  * @ingroup ode_mt
