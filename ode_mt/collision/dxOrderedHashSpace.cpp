@@ -94,7 +94,7 @@ bool dxOrderedHashSpace::makeReady() {
     }
     if (m_levelsChanged) startAnew();
     m_levelsChanged = false;
-    if (!dxOrderedSpace::makeReady()) return false;
+    if (!dxOrderedListSpace::makeReady()) return false;
     requireInRange();
     return true;
 }

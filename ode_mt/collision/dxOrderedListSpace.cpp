@@ -21,6 +21,14 @@ dxGeom *firstClean(dxGeom *geom) {
     return geom;
 }
 
+// For a thread that may not clean. Others may be doing the same.
+void computeBadBoxes(dxGeom *geom) {
+    for (; geom != nullptr; geom = geom->next) {
+        if (IS_SPACE(geom)) static_cast<dxSpace *>(geom)->cleanGeoms();
+        geom->recomputeAABB();
+    }
+}
+
 // As upstream's collide2.
 void collideFrom(dxGeom *member, void *data, dxGeom *geom, dNearCallback *callback) {
     for (; member != nullptr; member = member->next)
@@ -40,14 +48,22 @@ bool dxOrderedListSpace::isAtRest() const {
 // once, because a user's bounding-box function may leave by an exception or a jump.
 void dxOrderedListSpace::cleanGeoms() {
     if (isAtRest()) return;
-    lock_count++;
+    const dxSoleCleaner::Scope cleaner(m_cleaner);
+    if (!cleaner.isMine())
+        computeBadBoxes(first);
+    else if (!isAtRest())  // by now
+        cleanAlone();
+}
+
+void dxOrderedListSpace::cleanAlone() {
+    lock();
     m_isIrregular = mayHaveStrays() || m_isInterrupted || m_isIrregular;
     m_isInterrupted = true;
     gatherDirty();
     chooseToWalk();
     cleanDirty();
     m_isInterrupted = false;
-    lock_count--;
+    unlock();
 }
 
 void dxOrderedListSpace::cleanDirty() {
@@ -102,6 +118,11 @@ void dxOrderedListSpace::stopWalkingIfAskedOften() {
     if (alone && m_isWalked) stopWalking();
 }
 
+bool dxOrderedListSpace::makeReady() {
+    m_cleaner.dismiss();
+    return dxOrderedSpace::makeReady();
+}
+
 // The list is walked until fewer than half as many move as it takes to begin with that.
 bool dxOrderedListSpace::requireRanks() {
     if (m_isWalked && 2 * m_moved < leastMovedToWalk()) stopWalking();
@@ -125,18 +146,20 @@ bool dxOrderedListSpace::hasStrayMembers() const {
 // meets whose box is not up to date. While there are such geoms, all ranks are given anew.
 void dxOrderedListSpace::rankBehindClean(dxGeom *geom, dxRank next) {
     const bool wasIrregular = m_isIrregular;
-    m_isIrregular = m_hasBadBox = false;
+    bool isIrregular = false;
+    m_hasBadBox = false;
     for (; geom != nullptr && (wasIrregular || members().unranked() != 0 || isDirty(geom));
          geom = geom->next) {
-        m_isIrregular = m_isIrregular || isDirty(geom);
+        isIrregular = isIrregular || isDirty(geom);
         m_hasBadBox = m_hasBadBox || (geom->gflags & GEOM_AABB_BAD) != 0;
         rank(geom, next--);
     }
+    m_isIrregular = isIrregular;
 }
 
 void dxOrderedListSpace::collideWith(void *data, dxGeom *geom, dNearCallback *callback) {
     stopWalkingIfAskedOften();
-    if (!ranksStand() || !isWorthAnIndex())
+    if (!isWorthAnIndex() || !isAtRest() || !ranksStand())
         collideFrom(first, data, geom, callback);
     else if (const dxGeom *const last = collideRegion(data, geom, callback))
         collideFrom(last->next, data, geom, callback);

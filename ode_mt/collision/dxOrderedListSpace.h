@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "collision/dxOrderedSpace.h"
+#include "collision/dxSoleCleaner.h"
 
 class dxOrderedListSpace : public dxOrderedSpace {
 public:
@@ -23,12 +24,14 @@ protected:
     // INT_MAX: never.
     virtual int leastToWalk() const { return INT_MAX; }
 
+    bool makeReady() override;
     bool requireRanks() override;
     void collideWith(void *data, dxGeom *geom, dNearCallback *callback) override;
     bool hasStrayMembers() const override;
 
 private:
     bool isAtRest() const;
+    void cleanAlone();
     // Ranks stand for the list, and all boxes that upstream would look at are up to date.
     bool ranksStand() const { return !m_isWalked && !m_hasBadBox; }
     int leastMovedToWalk() const;
@@ -46,8 +49,9 @@ private:
     std::atomic<int> m_walks{0};          // of collide2 since a geom moved
     std::atomic<bool> m_isWalked{false};  // as upstream does, for so many move; there are no ranks
     std::mutex m_stopping;                // only ever tried
-    bool m_isInterrupted =
-        false;  // a cleaning has begun and not ended: it is in progress, or was left by a jump
-    bool m_isIrregular = false;  // there may be dirty geoms behind clean ones, or the list is walked
-    bool m_hasBadBox = false;    // one of those dirty geoms has a box that is not up to date
+    dxSoleCleaner m_cleaner;
+    // A cleaning has begun and not ended: it is in progress, or was left by a jump.
+    std::atomic<bool> m_isInterrupted{false};
+    std::atomic<bool> m_isIrregular{false};  // there may be dirty geoms behind clean ones, or the list is walked
+    bool m_hasBadBox = false;                // one of those dirty geoms has a box that is not up to date
 };

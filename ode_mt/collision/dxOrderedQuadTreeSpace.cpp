@@ -61,9 +61,9 @@ void dxOrderedQuadTreeSpace::dirty(dxGeom *geom) { m_dirty.push(geom, slotOf(geo
 // The queue is emptied last: a user's bounding-box function may leave by an exception or a jump. One that has
 // the space cleaned empties it at once.
 void dxOrderedQuadTreeSpace::cleanGeoms() {
-    if (m_dirty.isEmpty() && isSureOfMembers()) return;
-    lock_count++;
     mayHaveStrays();
+    if (m_dirty.isEmpty()) return;
+    lock_count++;
     const std::vector<dxGeom *> &geoms = m_dirty.geoms();
     computeBoxes(geoms);
     for (std::size_t i = 0; i < geoms.size(); ++i) {

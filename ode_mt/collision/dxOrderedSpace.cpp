@@ -103,31 +103,38 @@ void dxOrderedSpace::collide(void *data, dNearCallback *callback) {
 
 void dxOrderedSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback) {
     dAASSERT(geom && callback);
-    // Rays of several threads may ask a space at rest; upstream's count then loses some locks.
-    __atomic_fetch_add(&lock_count, 1, __ATOMIC_RELAXED);
+    lock();
     cleanGeoms();
     geom->recomputeAABB();
     collideWith(data, geom, callback);
-    __atomic_fetch_sub(&lock_count, 1, __ATOMIC_RELAXED);
+    unlock();
 }
 
 bool dxOrderedSpace::isSureOfMembers() const {
-    return !m_hasStrays && m_notificationsMissed == dxMissedNotifications::count();
+    return m_notificationsMissed.load(std::memory_order_acquire) == dxMissedNotifications::count() &&
+           !m_hasStrays.load(std::memory_order_relaxed);
 }
 
 bool dxOrderedSpace::mayHaveStrays() {
     if (isSureOfMembers()) return false;
-    m_notificationsMissed = dxMissedNotifications::count();
+    const std::unique_lock<std::mutex> alone(m_lookingForStrays, std::try_to_lock);
+    if (!alone) return true;
+    const std::uint64_t missed = dxMissedNotifications::count();
     for (dxGeom *geom = first; geom != nullptr; geom = geom->next) filtersChanged(geom);
-    m_hasStrays = hasStrayMembers();
-    for (dxGeom *geom = first; geom != nullptr && !m_hasStrays; geom = geom->next) {
+    bool hasStrays = hasStrayMembers();
+    for (dxGeom *geom = first; geom != nullptr && !hasStrays; geom = geom->next) {
         dxOrderedSpace *const inner = IS_SPACE(geom) ? from(static_cast<dxSpace *>(geom)) : nullptr;
-        m_hasStrays = inner != nullptr && inner->hasStrays();
+        hasStrays = inner != nullptr && inner->hasStrays();
     }
+    m_hasStrays.store(hasStrays, std::memory_order_relaxed);
+    m_notificationsMissed.store(missed, std::memory_order_release);
     return true;
 }
 
-bool dxOrderedSpace::hasStrays() { return mayHaveStrays() && m_hasStrays; }
+bool dxOrderedSpace::hasStrays() {
+    mayHaveStrays();
+    return !isSureOfMembers();
+}
 
 void dxOrderedSpace::filtersChanged(dxGeom *geom) {
     const Slot slot = slotOf(geom);

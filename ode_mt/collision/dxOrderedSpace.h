@@ -19,25 +19,27 @@
 // Code of the user's runs while a space is cleaned (bounding-box functions) and while pairs are delivered
 // (near-callbacks, box tests), and may collide, clean or ask this space again, or leave for good:
 //  - pairs() is brought up to date by the outermost call alone. A call within it that would have to change
-//  pairs() goes
-//    through the geoms as upstream does (walk);
+//    pairs() goes through the geoms as upstream does (walk);
 //  - cleaning that was left half way, or was done by a call within it, is noticed, and all ranks are given
-//  anew;
+//    anew;
 //  - the debug handler may leave by a jump from any assertion of upstream's: what is kept of a member is made
-//  before
-//    upstream's part of a call begins, and after an assertion all members are looked at again
+//    before upstream's part of a call begins, and after an assertion all members are looked at again
 //    (dxMissedNotifications); the rest of a call that has gone on after one goes through the geoms as
 //    upstream does, too;
 //  - the destructor leaves the geoms to upstream's, whose calls of the user find no space of this class any
-//  more (of).
+//    more (of).
 //
-// One thread at a time, as upstream; but while nothing changes, several threads may call collide2.
+// One thread at a time, as upstream; but while nothing changes, several threads may call collide2. They may be the
+// first to look at what has changed before: one does, the others go through the geoms as upstream does. (In quad-tree and
+// sweep-and-prune spaces geoms must have been cleaned before, as upstream's lists of geoms to be cleaned need it.)
 // docs/collision-order.md, docs/kept-state.md.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <memory>
 #include <memory_resource>
+#include <mutex>
 #include <vector>
 
 #include <ode/ode.h>
@@ -107,12 +109,16 @@ protected:
     void startAnew();
 
     // Whether there are strays, or were when this was last asked: their boxes, and whether these are up to
-    // date, may change without notice. Costs nothing while no notification has been missed.
+    // date, may change without notice. Costs nothing while no notification has been missed. Of several threads
+    // one looks.
     bool mayHaveStrays();
     // The same without looking, if nothing may have changed.
     bool isSureOfMembers() const;
     // Looks at the members themselves.
     virtual bool hasStrayMembers() const = 0;
+    // Rays of several threads may ask a space at once; upstream's count then loses some locks.
+    void lock() { __atomic_fetch_add(&lock_count, 1, __ATOMIC_RELAXED); }
+    void unlock() { __atomic_fetch_sub(&lock_count, 1, __ATOMIC_RELAXED); }
     bool hasSearch() const { return m_search != nullptr; }
 
     const dxMembers &members() const { return m_members; }
@@ -195,8 +201,9 @@ private:
     std::vector<dxPairSearch::Match> m_matches;
     std::unique_ptr<dxKeptPairs> m_kept;
     dxRegionIndex m_index;
-    std::uint64_t m_notificationsMissed = 0;  // of the process, when the members were last looked at
-    bool m_hasStrays = false;                 // then
+    std::atomic<std::uint64_t> m_notificationsMissed{0};  // of the process, when the members were last looked at
+    std::atomic<bool> m_hasStrays{false};                 // then
+    std::mutex m_lookingForStrays;                        // only ever tried
     dxTaskRunner *m_runner = nullptr;         // of the call in progress, if it is shared
     std::unique_ptr<dxContactsAhead> m_ahead;
     dxSharingPace m_pace;

@@ -1,0 +1,48 @@
+// The thread that cleans a space, where several threads ask it and find that something has changed.
+//
+// Who comes second waits, but not for long: the first one may be in a bounding-box function of the user's that waits for
+// something else, may have left it by a jump, or be a thread that a fork has left behind. One that has left by a jump
+// stays the cleaner, and may clean again; a call that no other may overlap (dSpaceCollide) dismisses it.
+#pragma once
+
+#include <atomic>
+#include <thread>
+
+class dxSoleCleaner {
+public:
+    // Becomes the cleaner, unless another thread is and remains it.
+    class Scope {
+    public:
+        explicit Scope(dxSoleCleaner &cleaner) : m_cleaner(cleaner), m_isMine(cleaner.take()) {}
+        ~Scope() {
+            if (m_isMine) m_cleaner.dismiss();
+        }
+        Scope(const Scope &) = delete;
+        Scope &operator=(const Scope &) = delete;
+
+        bool isMine() const { return m_isMine; }
+
+    private:
+        dxSoleCleaner &m_cleaner;
+        const bool m_isMine;
+    };
+
+    void dismiss() { m_thread.store(std::thread::id(), std::memory_order_release); }
+
+private:
+    // Some milliseconds, in which ten thousand geoms are cleaned.
+    static constexpr int kTurns = 10000;
+
+    bool take() {
+        const std::thread::id self = std::this_thread::get_id();
+        for (int turn = 0; turn < kTurns; ++turn) {
+            std::thread::id cleaner;
+            if (m_thread.compare_exchange_weak(cleaner, self, std::memory_order_acq_rel) || cleaner == self)
+                return true;
+            std::this_thread::yield();
+        }
+        return false;
+    }
+
+    std::atomic<std::thread::id> m_thread{};
+};
