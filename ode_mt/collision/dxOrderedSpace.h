@@ -30,7 +30,7 @@
 //    more (of).
 //
 // One thread at a time, as upstream; but while nothing changes, several threads may call collide2. They may be the
-// first to look at what has changed before: one does, the others go through the geoms as upstream does. (In quad-tree and
+// first to look at what has changed before: one does, and the others wait for it, or not for long. (In quad-tree and
 // sweep-and-prune spaces geoms must have been cleaned before, as upstream's lists of geoms to be cleaned need it.)
 // docs/collision-order.md, docs/kept-state.md.
 #pragma once

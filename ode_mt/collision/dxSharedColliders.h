@@ -4,8 +4,7 @@
 //  - they call the user: classes of the user, overridden colliders, callbacks of meshes and height fields;
 //  - they lead to other geoms: geom transforms, spaces;
 //  - they write to the geoms: a mesh with temporal coherence keeps lists; a height field uses buffers of its
-//  own and
-//    turns the other geom into its frame while it tests it.
+//    own and turns the other geom into its frame while it tests it.
 // The first two kinds and coherent meshes stay on the user's thread. A pair with a height field is collided
 // as a pair of private copies.
 #pragma once
