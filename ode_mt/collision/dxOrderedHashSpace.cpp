@@ -89,12 +89,12 @@ void dxOrderedHashSpace::collide(void *data, dNearCallback *callback) {
 
 bool dxOrderedHashSpace::makeReady() {
     if (m_levelsChanged && lock_count > 1) {  // a call around this one goes through pairs()
-        cleanGeoms();
+        cleanToCollide();
         return false;
     }
     if (m_levelsChanged) startAnew();
     m_levelsChanged = false;
-    if (!dxOrderedListSpace::makeReady()) return false;
+    if (!dxOrderedSpace::makeReady()) return false;
     requireInRange();
     return true;
 }

@@ -49,21 +49,29 @@ bool dxOrderedListSpace::isAtRest() const {
 void dxOrderedListSpace::cleanGeoms() {
     if (isAtRest()) return;
     const dxSoleCleaner::Scope cleaner(m_cleaner);
+    lock();
     if (!cleaner.isMine())
         computeBadBoxes(first);
     else if (!isAtRest())  // by now
         cleanAlone();
+    unlock();
+}
+
+void dxOrderedListSpace::cleanToCollide() {
+    m_cleaner.dismiss();
+    if (isAtRest()) return;
+    lock_count++;
+    cleanAlone();
+    lock_count--;
 }
 
 void dxOrderedListSpace::cleanAlone() {
-    lock();
     m_isIrregular = mayHaveStrays() || m_isInterrupted || m_isIrregular;
     m_isInterrupted = true;
     gatherDirty();
     chooseToWalk();
     cleanDirty();
     m_isInterrupted = false;
-    unlock();
 }
 
 void dxOrderedListSpace::cleanDirty() {
@@ -99,7 +107,7 @@ int dxOrderedListSpace::leastMovedToWalk() const {
 void dxOrderedListSpace::chooseToWalk() {
     const auto moved = static_cast<int>(m_dirty.size());
     m_moved = std::min(m_moved + moved, count);
-    if (moved != 0) m_walks = 0;
+    if (moved != 0) m_walks.store(0, std::memory_order_relaxed);
     const int least = leastMovedToWalk();
     m_isWalked = moved >= least || (m_isWalked && least != INT_MAX);
     m_isIrregular = m_isIrregular || m_isWalked;
@@ -116,11 +124,6 @@ void dxOrderedListSpace::stopWalkingIfAskedOften() {
     if (!m_isWalked || !isWorthAnIndex() || ++m_walks <= kMostWalks) return;
     const std::unique_lock<std::mutex> alone(m_stopping, std::try_to_lock);
     if (alone && m_isWalked) stopWalking();
-}
-
-bool dxOrderedListSpace::makeReady() {
-    m_cleaner.dismiss();
-    return dxOrderedSpace::makeReady();
 }
 
 // The list is walked until fewer than half as many move as it takes to begin with that.

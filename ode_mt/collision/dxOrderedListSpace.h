@@ -12,6 +12,7 @@
 
 #include "collision/dxOrderedSpace.h"
 #include "collision/dxSoleCleaner.h"
+#include "threading/dxPublished.h"
 
 class dxOrderedListSpace : public dxOrderedSpace {
 public:
@@ -24,7 +25,7 @@ protected:
     // INT_MAX: never.
     virtual int leastToWalk() const { return INT_MAX; }
 
-    bool makeReady() override;
+    void cleanToCollide() override;
     bool requireRanks() override;
     void collideWith(void *data, dxGeom *geom, dNearCallback *callback) override;
     bool hasStrayMembers() const override;
@@ -47,11 +48,11 @@ private:
     std::uint64_t m_cleanings = 0;
     int m_moved = 0;  // geoms that were cleaned since ranks were asked for, as many as there are at most
     std::atomic<int> m_walks{0};          // of collide2 since a geom moved
-    std::atomic<bool> m_isWalked{false};  // as upstream does, for so many move; there are no ranks
+    dxPublished<bool> m_isWalked{false};  // as upstream does, for so many move; there are no ranks
     std::mutex m_stopping;                // only ever tried
     dxSoleCleaner m_cleaner;
     // A cleaning has begun and not ended: it is in progress, or was left by a jump.
-    std::atomic<bool> m_isInterrupted{false};
-    std::atomic<bool> m_isIrregular{false};  // there may be dirty geoms behind clean ones, or the list is walked
+    dxPublished<bool> m_isInterrupted{false};
+    dxPublished<bool> m_isIrregular{false};  // there may be dirty geoms behind clean ones, or the list is walked
     bool m_hasBadBox = false;                // one of those dirty geoms has a box that is not up to date
 };

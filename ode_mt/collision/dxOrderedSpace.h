@@ -134,6 +134,8 @@ protected:
     // workers if there are any; the box of one geom, and that it is clean; its rank, which may be that which
     // it had, and its bounds, which may be wider than its box.
     virtual bool requireRanks() { return true; }
+    // cleanGeoms(), in a call that no other thread's may overlap.
+    virtual void cleanToCollide() { cleanGeoms(); }
     void computeBoxes(const std::vector<dxGeom *> &geoms);
     static void clean(const std::vector<dxGeom *> &geoms, std::size_t index);
     static void clean(dxGeom *geom);
