@@ -13,6 +13,9 @@
 
 class dxAdaptiveSearch final : public dxPairSearch {
 public:
+    // As for dxBatchSearch.
+    explicit dxAdaptiveSearch(bool stopsAtCrowds = false) : m_stopsAtCrowds(stopsAtCrowds) {}
+
     void search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
 
     bool isTable() const { return m_table != nullptr; }
@@ -23,6 +26,7 @@ private:
     void searchVerlet(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches);
     void searchNeighbours(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches);
 
+    const bool m_stopsAtCrowds;
     // One of them is there from the first call on.
     std::unique_ptr<dxTableSearch> m_table;
     std::unique_ptr<dxVerletSearch> m_verlet;

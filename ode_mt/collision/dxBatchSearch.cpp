@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+
+#include "collision/dxCrowd.h"
 
 namespace {
 
@@ -52,6 +55,7 @@ std::uint64_t dxBatchSearch::Grid::cellOf(const dxBounds &box) const {
 }
 
 void dxBatchSearch::search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) {
+    m_most = m_stopsAtCrowds ? dxCrowd::mostPairs(members.end()) : SIZE_MAX;
     sortIntoLevels(members);
     joinSparseLevels();
     if (m_found.size() < runner.workers()) m_found.resize(runner.workers());
@@ -146,8 +150,8 @@ void dxBatchSearch::searchLevel(const dxMembers &members, std::size_t index, dxT
     for (const Slot slot : level.slots) m_region.include(members[slot].bounds);
     const Grid grid = gridOf(level.exponent);
     fillRows(members, grid, level.slots, level.rows);
-    runner.forPieces(level.rows.size(), kSweepPiece, [&](std::size_t begin, std::size_t end, unsigned worker) {
-        dxSweepWithin(level.rows, grid.strides(), begin, end, m_found[worker].matches);
+    sweepPieces(level.rows, runner, [&](std::size_t begin, std::size_t end, std::vector<Match> &matches) {
+        dxSweepWithin(level.rows, grid.strides(), begin, end, matches);
     });
     if (index > 0) searchSmaller(members, index, grid, runner);
 }
@@ -166,8 +170,16 @@ void dxBatchSearch::searchSmaller(const dxMembers &members, std::size_t index, c
     for (std::size_t smaller = 0; smaller < index; ++smaller)
         m_smaller.insert(m_smaller.end(), m_levels[smaller]->slots.begin(), m_levels[smaller]->slots.end());
     fillRows(members, grid, m_smaller, m_smallerRows);
-    runner.forPieces(level.rows.size(), kSweepPiece, [&](std::size_t begin, std::size_t end, unsigned worker) {
-        dxSweepAcross(level.rows, m_smallerRows, grid.strides(), begin, end, m_found[worker].matches);
+    sweepPieces(level.rows, runner, [&](std::size_t begin, std::size_t end, std::vector<Match> &matches) {
+        dxSweepAcross(level.rows, m_smallerRows, grid.strides(), begin, end, matches);
+    });
+}
+
+template <class Sweep>
+void dxBatchSearch::sweepPieces(const dxCellRows &rows, dxTaskRunner &runner, const Sweep &sweep) {
+    runner.forPieces(rows.size(), kSweepPiece, [&](std::size_t begin, std::size_t end, unsigned worker) {
+        std::vector<Match> &matches = m_found[worker].matches;
+        if (matches.size() <= m_most) sweep(begin, end, matches);
     });
 }
 
@@ -182,5 +194,6 @@ void dxBatchSearch::searchApart(const dxMembers &members, std::vector<Match> &ma
             if ((members.isChanged(slot) || members.isChanged(other)) && box.overlaps(members[other].bounds))
                 matches.push_back({slot, other});
         }
+        if (matches.size() > m_most) return;
     }
 }

@@ -20,6 +20,9 @@
 
 class dxBatchSearch final : public dxPairSearch {
 public:
+    // `stopsAtCrowds`: as soon as there are more pairs than dxCrowd::mostPairs().
+    explicit dxBatchSearch(bool stopsAtCrowds = false) : m_stopsAtCrowds(stopsAtCrowds) {}
+
     void search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
 
 private:
@@ -55,7 +58,12 @@ private:
     void searchLevel(const dxMembers &members, std::size_t level, dxTaskRunner &runner);
     void searchSmaller(const dxMembers &members, std::size_t level, const Grid &grid, dxTaskRunner &runner);
     void searchApart(const dxMembers &members, std::vector<Match> &matches);
+    // Calls sweep(begin, end, matches) for pieces of the rows, until there are more matches than a space keeps.
+    template <class Sweep>
+    void sweepPieces(const dxCellRows &rows, dxTaskRunner &runner, const Sweep &sweep);
 
+    const bool m_stopsAtCrowds;
+    std::size_t m_most = 0;            // matches of a worker, after which it stops
     std::vector<Level> m_byEdge;       // by exponent, from the lowest
     std::vector<Level *> m_levels;     // those in use, smallest boxes first
     Region m_region;

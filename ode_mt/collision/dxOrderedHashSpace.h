@@ -24,6 +24,7 @@ private:
     void expect(Slot slot) const override;
     void deliver(void *data, dNearCallback *callback) override;
     void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) override;
+    bool walksCrowds() const override { return false; }
 
     void deliverAll(const std::vector<dxOrderedPair> &pairs, void *data, dNearCallback *callback);
     void updateCells();

@@ -25,7 +25,7 @@ void dxOrderedSimpleSpace::walk(void *data, dNearCallback *callback, const dxOrd
         walkFrom(after->first, after->second->next, data, callback);
         return;
     }
-    if (count < kWorthVectors || !listGeoms()) {
+    if (count < kWorthVectors || isCrowd() || !listGeoms()) {
         walkList(data, callback);
         return;
     }

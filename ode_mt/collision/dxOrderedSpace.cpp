@@ -207,9 +207,24 @@ bool dxOrderedSpace::makeReady() {
     if (!requireRanks()) return false;
     if (m_members.changed().empty()) return true;
     if (lock_count > 1) return false;  // a call around this one goes through pairs()
+    if (m_crowd.isOne() && !m_crowd.isOver()) return false;
     update(m_pairs);
+    if (isTooMany(m_pairs.size())) becomeCrowd();
+    if (m_crowd.isOne()) return false;
     m_members.forgetChanges();
     return true;
+}
+
+bool dxOrderedSpace::isTooMany(std::size_t pairs) const {
+    return walksCrowds() && pairs > dxCrowd::mostPairs(m_members.end());
+}
+
+// Without pairs. All are looked for again when it is over.
+void dxOrderedSpace::becomeCrowd() {
+    m_crowd.become();
+    startAnew();
+    m_pairs = {};
+    m_matches = {};
 }
 
 void dxOrderedSpace::update(std::vector<dxOrderedPair> &pairs) {
@@ -232,9 +247,10 @@ void dxOrderedSpace::updateSorted(std::vector<dxOrderedPair> &pairs) {
 
 void dxOrderedSpace::findAndPlace(std::vector<dxPairSearch::Match> &matches,
                                   std::vector<dxOrderedPair> &pairs) {
-    if (m_search == nullptr && m_ownSearch == nullptr) m_ownSearch.reset(new dxAdaptiveSearch);
+    if (m_search == nullptr && m_ownSearch == nullptr) m_ownSearch.reset(new dxAdaptiveSearch(walksCrowds()));
     if (m_kept == nullptr) m_kept.reset(new dxKeptPairs);
     (m_search != nullptr ? m_search : m_ownSearch)->search(m_members, runner(), matches);
+    if (isTooMany(matches.size())) return becomeCrowd();
     m_kept->update(m_members, matches, *this, runner(), pairs);
 }
 

@@ -45,6 +45,7 @@
 #include <ode/ode.h>
 
 #include "collision/dxContactsAhead.h"
+#include "collision/dxCrowd.h"
 #include "collision/dxDensePairs.h"
 #include "collision/dxKeptPairs.h"
 #include "collision/dxMembers.h"
@@ -165,6 +166,9 @@ protected:
     // All of upstream's call, where it says no; or what of it comes after a pair, in whose callback an
     // assertion failed.
     virtual void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) = 0;
+    // Whether walk() takes no longer than upstream, and no more memory, however many pairs there are.
+    virtual bool walksCrowds() const { return true; }
+    bool isCrowd() const { return m_crowd.isOne(); }
     // The callbacks of a geom, whose box is up to date as the members' are, with those that it meets.
     virtual void collideWith(void *data, dxGeom *geom, dNearCallback *callback) = 0;
 
@@ -196,6 +200,9 @@ protected:
     dxGeom *collideRegion(void *data, dxGeom *geom, dNearCallback *callback);
 
 private:
+    bool isTooMany(std::size_t pairs) const;
+    void becomeCrowd();
+
     dxMembers m_members;
     std::vector<dxOrderedPair> m_pairs;
     std::unique_ptr<dxDensePairs> m_dense;  // while the space is small
@@ -206,6 +213,7 @@ private:
     std::atomic<std::uint64_t> m_notificationsMissed{0};  // of the process, when the members were last looked at
     std::atomic<bool> m_hasStrays{false};                 // then
     std::mutex m_lookingForStrays;                        // only ever tried
+    dxCrowd m_crowd;
     dxTaskRunner *m_runner = nullptr;         // of the call in progress, if it is shared
     std::unique_ptr<dxContactsAhead> m_ahead;
     dxSharingPace m_pace;

@@ -285,7 +285,9 @@ void dxOrderedSweepSpace::walk(void *data, dNearCallback *callback, const dxOrde
     dxSweepWalk sweep(m_axes);
     for (const dxSweepLists::Entry &entry : m_lists.clean())
         if (dxGeomIsEnabled(entry.geom)) sweep.add(entry.geom);
+    sweep.expectPairs(m_pairsWalked);
     sweep.findPairs(m_sort);
+    m_pairsWalked = sweep.pairs();
     sweep.deliver(data, callback);
 }
 

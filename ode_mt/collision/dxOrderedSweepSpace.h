@@ -72,6 +72,7 @@ private:
     bool m_hasUncleanBox = false, m_hasNaN = false;
     bool m_isMessedUp = false;  // as upstream's assertion has it: a cleaning took place within a cleaning
 
+    std::size_t m_pairsWalked = 0;  // at the last walk
     bool m_isDense = true;  // pairs are found by a sweep of all
     dxAxisRows m_rows;
     std::vector<dxSlotPair> m_found, m_again;

@@ -14,7 +14,10 @@ public:
 
     // In the order of the list; all are enabled.
     void add(dxGeom *geom);
+    // Makes room for so many pairs at once; a crowd has about as many as at the last call.
+    void expectPairs(std::size_t count) { m_pairs.reserve(count); }
     void findPairs(dxRankSort &sort);
+    std::size_t pairs() const { return m_pairs.size(); }
     void deliver(void *data, dNearCallback *callback) const;
 
     // Upstream's assertions, with its texts.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "collision/dxCrowd.h"
 #include "simd/dxFetch.h"
 
 namespace {
@@ -67,6 +68,10 @@ void dxVerletSearch::search(const dxMembers &members, dxTaskRunner &runner, std:
     }
     if (m_callsWithout > 0) {
         --m_callsWithout;
+        m_batch.search(members, runner, matches);
+        return;
+    }
+    if (m_stopsAtCrowds && m_candidates.size() > dxCrowd::mostPairs(members.end())) {  // not all of them, perhaps
         m_batch.search(members, runner, matches);
         return;
     }

@@ -22,6 +22,10 @@
 
 class dxVerletSearch final : public dxPairSearch {
 public:
+    // As for dxBatchSearch.
+    explicit dxVerletSearch(bool stopsAtCrowds = false)
+        : m_stopsAtCrowds(stopsAtCrowds), m_batch(stopsAtCrowds) {}
+
     void search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
 
     // Lists made so far, and candidates in the present one.
@@ -56,6 +60,7 @@ private:
     void compareCandidates(dxTaskRunner &runner, std::vector<Match> &matches);
     void forgetChanges(const dxMembers &members);
 
+    const bool m_stopsAtCrowds;
     dxPackedBoxes m_boxes;           // as they are, by slot
     std::vector<dxBounds> m_stored;  // by slot
     dxBoxTable m_storedTable;        // the same in columns

@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "RandomBoxes.h"
 #include "SearchedMembers.h"
 #include "collision/dxBatchSearch.h"
+#include "collision/dxCrowd.h"
 
 namespace {
 
@@ -21,6 +23,20 @@ TEST(BatchSearch, SweepsLargeAgainstSmall) {
     const auto expected = crowd.expected();
     EXPECT_GT(expected.size(), 3000u);
     EXPECT_EQ(crowd.found(search), expected);
+}
+
+// Where it is told to: soon after there are more pairs than are kept.
+TEST(BatchSearch, StopsAtACrowd) {
+    SearchedMembers crowd;
+    for (int i = 0; i < 3000; ++i) crowd.add(cubeAt(0, 0, 0));
+    const std::size_t all = 3000 * 2999 / 2, most = dxCrowd::mostPairs(3000);
+    std::vector<dxPairSearch::Match> matches;
+    dxBatchSearch(false).search(crowd.members(), dxTaskRunner::alone(), matches);
+    EXPECT_EQ(matches.size(), all);
+    matches.clear();
+    dxBatchSearch(true).search(crowd.members(), dxTaskRunner::alone(), matches);
+    EXPECT_GT(matches.size(), most);
+    EXPECT_LT(matches.size(), most + all / 4);
 }
 
 // Boxes whose faces lie on borders of cells touch across them.

@@ -1,0 +1,107 @@
+// More pairs than a space keeps: crowd KIND. Geoms gather in one place, part, and gather again, some at rest, with
+// callbacks that collide the space again, enable and disable geoms. Prints, for each call, the number of callbacks and
+// a sum over them that depends on their order; then the most memory taken, in megabytes. crowd_test runs it on Debian's
+// libode8 and on ours.
+#include <sys/resource.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+#include <ode/ode.h>
+
+namespace {
+
+constexpr int kGeoms = 1100;  // 604,450 pairs
+
+dSpaceID create(int kind) {
+    const dVector3 centre = {0, 0, 0}, extents = {200, 200, 10};
+    switch (kind) {
+    case 0: return dSimpleSpaceCreate(nullptr);
+    case 1: return dHashSpaceCreate(nullptr);
+    case 2: return dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ);
+    default: return dQuadTreeSpaceCreate(nullptr, centre, extents, 4);
+    }
+}
+
+struct Seen {
+    dSpaceID space = nullptr;
+    std::uint64_t sum = 0;
+    long pairs = 0;
+    long asksAt = -1;  // the callback that collides the space again
+};
+
+std::uint64_t numberOf(dGeomID geom) { return reinterpret_cast<std::uintptr_t>(dGeomGetData(geom)); }
+
+void onNear(void *data, dGeomID a, dGeomID b) {
+    Seen &seen = *static_cast<Seen *>(data);
+    seen.sum = (seen.sum ^ (numberOf(a) * 2048 + numberOf(b))) * 0x100000001b3u;
+    if (seen.pairs++ != seen.asksAt) return;
+    Seen again;
+    dSpaceCollide(seen.space, &again, onNear);
+    std::printf("again %ld %016llx\n", again.pairs, static_cast<unsigned long long>(again.sum));
+}
+
+class Crowd {
+public:
+    explicit Crowd(dSpaceID space) : m_space(space) {
+        for (int i = 0; i < kGeoms; ++i) {
+            m_geoms.push_back(dCreateSphere(space, 1));
+            dGeomSetData(m_geoms.back(), reinterpret_cast<void *>(static_cast<std::uintptr_t>(i)));
+            dGeomSetCategoryBits(m_geoms.back(), i % 50 == 0 ? 2 : 1);
+            dGeomSetCollideBits(m_geoms.back(), 1);
+        }
+    }
+
+    // Every `stride`-th geom, with so much room between two.
+    void place(int stride, dReal room) {
+        for (int i = 0; i < kGeoms; i += stride)
+            dGeomSetPosition(m_geoms[i], room * (i % 33) + dReal(0.001) * (i % 97), room * (i / 33), dReal(0.002) * (i % 89));
+    }
+    void enableOthers(bool isEnabled) {
+        for (int i = 3; i < kGeoms; i += 100) (isEnabled ? dGeomEnable : dGeomDisable)(m_geoms[i]);
+    }
+    void collide(long asksAt = -1) {
+        Seen seen;
+        seen.space = m_space;
+        seen.asksAt = asksAt;
+        dSpaceCollide(m_space, &seen, onNear);
+        std::printf("%ld %016llx\n", seen.pairs, static_cast<unsigned long long>(seen.sum));
+    }
+
+private:
+    dSpaceID m_space;
+    std::vector<dGeomID> m_geoms;
+};
+
+}  // namespace
+
+int main(int argc, char **argv) {
+    if (argc != 2) {
+        std::fprintf(stderr, "usage: crowd KIND\n");
+        return 2;
+    }
+    dInitODE2(0);
+    const dSpaceID space = create(std::atoi(argv[1]));
+    Crowd crowd(space);
+    for (const dReal room : {dReal(0), dReal(0.01)}) {
+        crowd.place(1, 3);  // a field
+        crowd.collide();
+        crowd.place(2, 0);  // half a crowd
+        crowd.collide();
+        crowd.place(1, room);
+        for (int call = 0; call < 40; ++call) {  // counted again in between
+            if (call % 3 == 0) crowd.place(7, room);
+            if (call % 10 == 4) crowd.enableOthers(call % 20 == 4);
+            crowd.collide(call % 16 == 9 ? 1000 : -1);
+        }
+        crowd.place(3, 2);  // fewer
+        for (int call = 0; call < 40; ++call) crowd.collide();
+    }
+    dSpaceDestroy(space);
+    dCloseODE();
+    rusage usage;
+    getrusage(RUSAGE_SELF, &usage);
+    std::printf("memory %ld\n", usage.ru_maxrss / 1024);
+}
