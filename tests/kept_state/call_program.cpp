@@ -106,12 +106,13 @@ void forEachCase(const CallRecipe &recipe, int number, Visit visit) {
     const bool thorough = wanted != nullptr && std::strcmp(wanted, "thorough") == 0;
     for (const When when : allWhens) {
         if (when == When::undone && !recipe.undo) continue;
-        if (recipe.readsOnly && when != When::asked && when != When::beforeStep && when != When::near)
-            continue;
+        if (recipe.readsOnly && when != When::asked && when != When::near) continue;
         if (when == When::near && !recipe.inLocked) continue;
         if (when == When::moved && !recipe.inStep) continue;
         for (const SpaceKind kind : allSpaceKinds) {
-            if (!thorough && (number + static_cast<int>(when) + static_cast<int>(kind)) % 2 != 0) continue;
+            if (!thorough && !recipe.everySpace &&
+                (number + static_cast<int>(when) + static_cast<int>(kind)) % 2 != 0)
+                continue;
             if (recipe.anySpace && (number + static_cast<int>(when) + static_cast<int>(kind)) % 4 != 0)
                 continue;
             for (int p = 0; p < 4; ++p) {

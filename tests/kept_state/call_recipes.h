@@ -13,11 +13,12 @@ struct CallRecipe {
 
     std::string function;
     Call call;
-    Call undo = nullptr;     // the opposite call; none: the call may be made twice and not undone
-    bool readsOnly = false;  // changes nothing: fewer contexts are enough
-    bool inLocked = true;    // false: upstream changes what a locked space holds half way, and cannot go on
-    bool inStep = true;      // false: upstream frees what a step in progress uses
-    bool anySpace = false;   // says nothing to geoms or spaces: one kind of space at a time is enough
+    Call undo = nullptr;      // the opposite call; none: the call may be made twice and not undone
+    bool readsOnly = false;   // changes nothing: fewer contexts are enough
+    bool inLocked = true;     // false: upstream changes what a locked space holds half way, and cannot go on
+    bool inStep = true;       // false: upstream frees what a step in progress uses
+    bool anySpace = false;    // says nothing to geoms or spaces: one kind of space at a time is enough
+    bool everySpace = false;  // is for spaces: all kinds of them, not by turns
 };
 
 using CallRecipes = std::vector<CallRecipe>;

@@ -49,7 +49,7 @@ void addProcess(Adder add) {
         std::FILE *const file = open_memstream(&text, &size);
         dWorldExportDIF(s.world, file, "world");
         std::fclose(file);
-        s.tell(size);
+        s.tell(size > 100);  // names are addresses, and some numbers unset
         std::free(text);
     });
 }

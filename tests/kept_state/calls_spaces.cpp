@@ -16,6 +16,13 @@ dSpaceID spaceOf(CallScene &s) {
     return s.set().space != nullptr ? s.set().space : s.setAt(Place::root).space;
 }
 
+// The place's space, if it is a hash space, or else the root if that is one.
+dSpaceID hashSpaceOf(CallScene &s) {
+    const dSpaceID own = spaceOf(s), root = s.setAt(Place::root).space;
+    if (dSpaceGetClass(own) == dHashSpaceClass) return own;
+    return dSpaceGetClass(root) == dHashSpaceClass ? root : nullptr;
+}
+
 void addTo(dSpaceID space, dGeomID geom) {
     if (dGeomGetSpace(geom) != nullptr) remove(geom);
     dSpaceAdd(space, geom);
@@ -87,12 +94,10 @@ void addSettings(CallRecipes &r) {
     };
     r.push_back({"dHashSpaceSetLevels",
                  [](CallScene &s) {
-                     if (dSpaceGetClass(spaceOf(s)) == dHashSpaceClass)
-                         dHashSpaceSetLevels(spaceOf(s), -1, 2);
+                     if (const dSpaceID space = hashSpaceOf(s)) dHashSpaceSetLevels(space, -1, 2);
                  },
                  [](CallScene &s) {
-                     if (dSpaceGetClass(spaceOf(s)) == dHashSpaceClass)
-                         dHashSpaceSetLevels(spaceOf(s), -3, 10);
+                     if (const dSpaceID space = hashSpaceOf(s)) dHashSpaceSetLevels(space, -3, 10);
                  }});
     ask("dHashSpaceGetLevels", [](CallScene &s) {
         if (dSpaceGetClass(spaceOf(s)) != dHashSpaceClass) return;
@@ -117,9 +122,14 @@ void addSettings(CallRecipes &r) {
 }  // namespace
 
 void addSpaceCalls(CallRecipes &recipes) {
-    addMembership(recipes);
-    addCreators(recipes);
-    addSettings(recipes);
+    CallRecipes r;
+    addMembership(r);
+    addCreators(r);
+    addSettings(r);
+    for (CallRecipe &recipe : r) {
+        recipe.everySpace = !recipe.readsOnly;
+        recipes.push_back(std::move(recipe));
+    }
 }
 
 }  // namespace kept_state
