@@ -2,23 +2,30 @@
 #include "options.h"
 #include "progress.h"
 #include "report.h"
+#include "result_file.h"
 #include "world_source.h"
 
-#include <filesystem>
-#include <fstream>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
 #include <iostream>
+#include <stdexcept>
 
 namespace {
 
-bool save(const std::string &file, const std::string &text) {
-    std::error_code ignored;  // the open below fails if the folder could not be made
-    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-    if (!folder.empty()) std::filesystem::create_directories(folder, ignored);
-    std::ofstream stream(file);
-    stream << text;
-    stream.close();
-    if (!stream) std::cerr << "cannot write '" << file << "'\n";
-    return static_cast<bool>(stream);
+// Of all worlds measured so far, so that an interrupt leaves them.
+void save(const std::vector<bench::WorldResult> &results, const bench::Options &options) {
+    bench::writeResultFile(options.jsonFile, bench::reportJson(results, options.withAverages));
+    bench::writeResultFile(options.csvFile, bench::reportCsv(results));
+    if (!options.samplesFile.empty())
+        bench::writeResultFile(options.samplesFile, bench::reportSamples(results));
+}
+
+// Throws if standard output is closed or full.
+void print(const std::string &text) {
+    errno = 0;
+    if (!(std::cout << text << std::flush))
+        throw std::runtime_error(std::string("cannot write to standard output: ") + std::strerror(errno));
 }
 
 bench::WorldResult measure(const std::string &world, const bench::Options &options,
@@ -29,34 +36,42 @@ bench::WorldResult measure(const std::string &world, const bench::Options &optio
     return bench::race(world, competitors, options.race, onRound);
 }
 
-}  // namespace
-
-int main(int argc, char **argv) {
-    int exitCode = 0;
-    const std::optional<bench::Options> options = bench::readOptions(argc, argv, exitCode);
-    if (!options) return exitCode;
-    if (options->list) {
-        std::cout << bench::listWorlds();
-        return 0;
-    }
+bool compare(const bench::Options &options) {
+    std::vector<std::string> files = {options.jsonFile, options.csvFile};
+    if (!options.samplesFile.empty()) files.push_back(options.samplesFile);
+    for (const std::string &file : files) bench::checkWritable(file);
 
     bool isClean = true;
     std::vector<bench::WorldResult> results;
-    bench::Progress progress(options->worlds.size(), options->race.stop);
-    for (std::size_t i = 0; i < options->worlds.size(); ++i) {
-        results.push_back(measure(options->worlds[i], *options,
+    bench::Progress progress(options.worlds.size(), options.race.stop);
+    for (std::size_t i = 0; i < options.worlds.size(); ++i) {
+        results.push_back(measure(options.worlds[i], options,
                                   [&](const bench::WorldResult &result) { progress.show(i, result); }));
         progress.clear();
-        std::cout << bench::reportText(results.back()) << std::flush;
+        save(results, options);  // before anything is printed, which may fail
         isClean = results.back().isClean() && isClean;
+        print(bench::reportText(results.back()));
     }
-    std::cout << bench::reportCurves(results) << bench::reportScaling(results);
-    const bool savedJson = save(options->jsonFile, bench::reportJson(results, options->withAverages));
-    const bool savedCsv = save(options->csvFile, bench::reportCsv(results));
-    const bool savedSamples =
-        options->samplesFile.empty() || save(options->samplesFile, bench::reportSamples(results));
-    const bool saved = savedJson && savedCsv && savedSamples;
-    if (saved) std::cout << "Figures: " << options->jsonFile << ", " << options->csvFile << "\n";
-    if (!isClean) std::cout << "AN ENGINE FAILED OR GAVE OTHER RESULTS: see above.\n";
-    return isClean && saved ? 0 : 1;
+    print(bench::reportCurves(results) + bench::reportScaling(results) + "Figures: " + options.jsonFile +
+          ", " + options.csvFile + "\n");
+    if (!isClean) print("AN ENGINE FAILED OR GAVE OTHER RESULTS: see above.\n");
+    return isClean;
+}
+
+}  // namespace
+
+int main(int argc, char **argv) {
+    signal(SIGPIPE, SIG_IGN);  // a closed standard output is reported instead
+    signal(SIGXFSZ, SIG_IGN);  // and so is a file that may not grow
+    int exitCode = 0;
+    const std::optional<bench::Options> options = bench::readOptions(argc, argv, exitCode);
+    if (!options) return exitCode;
+    try {
+        if (!options->list) return compare(*options) ? 0 : 1;
+        print(bench::listWorlds());
+        return 0;
+    } catch (const std::exception &error) {
+        std::cerr << error.what() << "\n";
+        return 1;
+    }
 }

@@ -1,5 +1,7 @@
 #include "options.h"
 
+#include "number_range.h"
+#include "result_file.h"
 #include "world_source.h"
 
 #include <CLI/CLI.hpp>
@@ -39,6 +41,9 @@ const char *const kFooter =
     "option.\n";
 
 constexpr int kWrongOption = 2;
+
+// Checked by hand, because CLI11 prints the largest double with all its 309 digits and lets NaN pass.
+const CLI::Validator kSeconds = numberIn(1e-3, 1e6), kShare = numberIn(1e-6, 1);
 
 std::vector<std::string> split(const std::string &list) {
     std::vector<std::string> words;
@@ -84,25 +89,26 @@ void addOptions(CLI::App &app, Words &words, Options &options) {
     app.add_option("--seconds", stop.maximumSeconds,
                    "most measured seconds for a world, all engines together")
         ->capture_default_str()
-        ->check(CLI::PositiveNumber);
+        ->check(kSeconds);
     app.add_option("--frames", stop.maximumFrames, "most frames for each engine, warm-up not counted")
         ->capture_default_str()
-        ->check(CLI::Range(1L, 1'000'000'000L));
+        ->check(wholeNumberIn(1, 1'000'000'000));
     app.add_option("--tolerance", stop.tolerance,
                    "stop when the last ten running averages (one every 100 frames) lie within this share")
         ->capture_default_str()
-        ->check(CLI::PositiveNumber);
-    app.add_option("--warm-up", options.race.warmUpFrames, "first frames, not timed (fewer if they take too long)")
+        ->check(kShare);
+    app.add_option("--warm-up", options.race.warmUpFrames,
+                   "first frames, not timed (fewer if they take too long)")
         ->capture_default_str()
-        ->check(CLI::Range(0L, 1'000'000L));
+        ->check(wholeNumberIn(0, 1'000'000));
     app.add_option("--warm-up-seconds", options.race.warmUpSeconds,
                    "seconds of the first engine after which the warm-up takes too long; sizes of a world\n"
                    "compare best with the same number of frames")
         ->capture_default_str()
-        ->check(CLI::PositiveNumber);
+        ->check(kSeconds);
     app.add_option("--timeout", words.limitSeconds, "seconds after which an engine counts as hanging")
         ->capture_default_str()
-        ->check(CLI::PositiveNumber);
+        ->check(kSeconds);
     app.add_option("--json", options.jsonFile, "file for all figures")->capture_default_str();
     app.add_option("--csv", options.csvFile, "file with one line for each world and engine")
         ->capture_default_str();
@@ -132,6 +138,9 @@ void interpret(const Words &words, Options &options) {
             checkFolder("--our-library", options.child.oursFolder);
         else
             checkFolder("--stock-library", options.child.stockFolder);
+    std::vector<std::string> files = {options.jsonFile, options.csvFile};
+    if (!options.samplesFile.empty()) files.push_back(options.samplesFile);
+    checkDistinct(files);
     if (!options.samplesFile.empty()) options.race.stop.minimumSeconds = options.race.stop.maximumSeconds;
     options.child.limit = std::chrono::milliseconds(static_cast<long>(1000 * words.limitSeconds));
 }

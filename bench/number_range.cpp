@@ -1,0 +1,32 @@
+#include "number_range.h"
+
+#include <charconv>
+#include <sstream>
+#include <string>
+
+namespace bench {
+
+namespace {
+
+template <class Number>
+CLI::Validator numberBetween(const char *kind, Number least, Number most) {
+    std::ostringstream range;
+    range << kind << " from " << least << " to " << most;
+    return CLI::Validator(
+        [least, most, range = range.str()](const std::string &word) -> std::string {
+            Number value = 0;
+            const char *const end = word.data() + word.size();
+            const auto [stopped, error] = std::from_chars(word.data(), end, value);
+            // A NaN is in no range.
+            if (error == std::errc() && stopped == end && value >= least && value <= most) return "";
+            return "'" + word + "' is not a " + range;
+        },
+        "");
+}
+
+}  // namespace
+
+CLI::Validator numberIn(double least, double most) { return numberBetween("number", least, most); }
+CLI::Validator wholeNumberIn(long least, long most) { return numberBetween("whole number", least, most); }
+
+}  // namespace bench

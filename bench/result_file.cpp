@@ -1,0 +1,131 @@
+#include "result_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+#include <system_error>
+
+namespace bench {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const std::string &file, const std::string &reason) {
+    throw std::runtime_error("cannot write '" + file + "': " + reason);
+}
+
+// The file that a chain of symbolic links ends at, so that a link stays a link.
+fs::path target(const std::string &file) {
+    std::error_code error;
+    const fs::path path = fs::weakly_canonical(fs::absolute(file), error);
+    if (error) fail(file, error.message());
+    // A link that leads nowhere yet is not followed by weakly_canonical.
+    if (fs::is_symlink(fs::symlink_status(path, error))) {
+        const fs::path next = fs::read_symlink(path, error);
+        return fs::weakly_canonical(next.is_absolute() ? next : path.parent_path() / next, error);
+    }
+    return path;
+}
+
+bool isSpecial(const fs::path &path) {
+    struct stat status {};
+    return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
+// A file that is removed unless it has taken its final name.
+class TemporaryFile {
+public:
+    explicit TemporaryFile(const fs::path &target) : m_name(target.string() + ".XXXXXX") {
+        m_file = mkostemp(m_name.data(), O_CLOEXEC);
+    }
+    ~TemporaryFile() {
+        if (m_file >= 0) close(m_file);
+        if (!m_renamed && m_file != kNone) unlink(m_name.c_str());
+    }
+    TemporaryFile(const TemporaryFile &) = delete;
+    TemporaryFile &operator=(const TemporaryFile &) = delete;
+
+    bool isOpen() const { return m_file >= 0; }
+    int descriptor() const { return m_file; }
+    bool rename(const fs::path &target) {
+        struct stat old {};
+        const mode_t mask = umask(0);
+        umask(mask);
+        const mode_t mode = stat(target.c_str(), &old) == 0 ? old.st_mode & 07777 : 0666 & ~mask;
+        m_renamed = fchmod(m_file, mode) == 0 && fsync(m_file) == 0 &&
+                    std::rename(m_name.c_str(), target.c_str()) == 0;
+        return m_renamed;
+    }
+
+private:
+    static constexpr int kNone = -1;
+    std::string m_name;
+    int m_file = kNone;
+    bool m_renamed = false;
+};
+
+bool writeAll(int file, const std::string &text) {
+    for (std::size_t done = 0; done < text.size();) {
+        const ssize_t count = write(file, text.data() + done, text.size() - done);
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) return false;
+        done += static_cast<std::size_t>(count);
+    }
+    return true;
+}
+
+void writeSpecial(const std::string &file, const std::string &text) {
+    const int descriptor = open(file.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor < 0) fail(file, std::strerror(errno));
+    const bool written = writeAll(descriptor, text);
+    const int error = errno;
+    if (close(descriptor) != 0 || !written) fail(file, std::strerror(written ? errno : error));
+}
+
+}  // namespace
+
+void checkWritable(const std::string &file) {
+    if (file.empty()) throw std::runtime_error("a file of results has no name");
+    const fs::path path = target(file);
+    std::error_code error;
+    if (fs::is_directory(path, error)) fail(file, "it is a folder");
+    if (isSpecial(path)) {
+        if (access(path.c_str(), W_OK) != 0) fail(file, std::strerror(errno));
+        return;
+    }
+    fs::create_directories(path.parent_path(), error);
+    if (error) fail(file, error.message());
+    if (access(path.c_str(), F_OK) == 0 && access(path.c_str(), W_OK) != 0) fail(file, std::strerror(errno));
+    const TemporaryFile trial(path);
+    if (!trial.isOpen()) fail(file, std::strerror(errno));
+    if (!writeAll(trial.descriptor(), "\n")) fail(file, std::strerror(errno));
+}
+
+void writeResultFile(const std::string &file, const std::string &text) {
+    const fs::path path = target(file);
+    if (isSpecial(path)) return writeSpecial(path.string(), text);
+    TemporaryFile fresh(path);
+    if (!fresh.isOpen() || !writeAll(fresh.descriptor(), text) || !fresh.rename(path))
+        fail(file, std::strerror(errno));
+}
+
+void checkDistinct(const std::vector<std::string> &files) {
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            const fs::path one = target(files[j]), other = target(files[i]);
+            std::error_code ignored;  // neither may exist yet
+            const bool same = one == other || fs::equivalent(one, other, ignored);
+            if (same && !isSpecial(one))
+                throw std::invalid_argument("'" + files[j] + "' and '" + files[i] +
+                                            "' are one file; each kind of results needs its own");
+        }
+    }
+}
+
+}  // namespace bench
