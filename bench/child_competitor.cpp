@@ -1,5 +1,7 @@
 #include "child_competitor.h"
 
+#include "library_variables.h"
+
 namespace bench {
 
 Ready ChildCompetitor::start() {
@@ -33,10 +35,8 @@ std::vector<std::string> ChildCompetitor::command() const {
 
 ChildProcess::Environment ChildCompetitor::environment() const {
     // Nothing that the user has set for other programs may reach one engine and not the other.
-    ChildProcess::Environment changes = {{"ODE_MT_THREADS", ""},    {"ODE_MT_THREAD_MANAGER", ""},
-                                         {"ODE_MT_ALGORITHM", ""},  {"ODE_MT_CALLBACKS", ""},
-                                         {"ODE_MT_GRID_CELLS", ""}, {"ODE_MT_PERTURB", ""},
-                                         {"ODE_MT_TRACE", ""},      {"ODE_MT_LOG", ""}};
+    ChildProcess::Environment changes;
+    for (const std::string &name : libraryVariables()) changes[name] = "";
     for (const auto &[name, value] : engine().environment()) changes[name] = value;
     changes["LD_LIBRARY_PATH"] = engine().isOurs() ? m_settings.oursFolder : m_settings.stockFolder;
     return changes;

@@ -11,6 +11,9 @@ namespace {
 constexpr int kMostThreads = 1024;
 constexpr int kFewestCells = 5, kMostCells = 20;
 const std::string kCells = "cells=";
+// As the library knows them; it would take the default for any other, in silence where the child has no log.
+const std::vector<std::string> kAlgorithms = {"auto",   "serial",          "lcp",         "original",
+                                              "static", "static-unmerged", "duplication", "decluster"};
 
 bool isManager(const std::string &word) { return word == "pthread" || word == "openmp"; }
 
@@ -63,17 +66,28 @@ std::vector<std::string> expand(const std::string &name, const std::vector<std::
     return names;
 }
 
+void setOnce(const std::string &name, std::string &part, const std::string &word) {
+    if (!part.empty())
+        throw std::invalid_argument("engine '" + name + "': '" + part + "' and '" + word +
+                                    "' exclude one another");
+    part = word;
+}
+
 // One of the words behind the slashes of an engine of ours.
 void readWord(const std::string &name, const std::string &word, Engine &engine) {
     if (isManager(word)) {
-        engine.manager = word;
+        setOnce(name, engine.manager, word);
     } else if (word == "concurrent" || word == "independent") {
-        engine.callbacks = word;
+        setOnce(name, engine.callbacks, word);
     } else if (word.compare(0, kCells.size(), kCells) == 0) {
-        engine.gridCells = word.substr(kCells.size());
-        checkCells(name, engine.gridCells);
+        checkCells(name, word.substr(kCells.size()));
+        setOnce(name, engine.gridCells, word.substr(kCells.size()));
+    } else if (std::find(kAlgorithms.begin(), kAlgorithms.end(), word) != kAlgorithms.end()) {
+        setOnce(name, engine.algorithm, word);
     } else {
-        engine.algorithm = word;
+        std::string known = "pthread, openmp, concurrent, independent, cells=K";
+        for (const std::string &algorithm : kAlgorithms) known += ", " + algorithm;
+        throw std::invalid_argument("engine '" + name + "': unknown word '" + word + "'; known: " + known);
     }
 }
 
@@ -108,12 +122,13 @@ std::map<std::string, std::string> Engine::environment() const {
 Engine readEngine(const std::string &name) {
     std::string rest = name;
     Engine engine;
+    const bool hasWords = rest.find('/') != std::string::npos;
     std::string words = takeSuffix(rest, '/');
-    const bool hasWords = !words.empty();
-    while (!words.empty()) {
-        const std::string more = takeSuffix(words, '/');
-        readWord(name, words, engine);
-        words = more;
+    for (bool more = hasWords; more;) {
+        more = words.find('/') != std::string::npos;
+        const std::string next = takeSuffix(words, '/');
+        if (rest.compare(0, 4, "ours") == 0) readWord(name, words, engine);
+        words = next;
     }
     const bool hasThreads = rest.find(':') != std::string::npos;
     engine.threads = takeSuffix(rest, ':');

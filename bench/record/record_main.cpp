@@ -1,5 +1,6 @@
 // odemt_record: a world and its clusters, frame by frame, as JSON lines (recording.h).
 #include "library_probe.h"
+#include "library_variables.h"
 #include "record/record_options.h"
 #include "record/recorder.h"
 #include "world_source.h"
@@ -14,6 +15,7 @@ namespace {
 
 // Read by the library at its first use. What else the user has set must not change the recording.
 void chooseAlgorithm(const record::RecordOptions &options) {
+    for (const std::string &name : bench::libraryVariables()) unsetenv(name.c_str());
     setenv("ODE_MT_ALGORITHM", options.algorithm.c_str(), 1);
     setenv("ODE_MT_GRID_CELLS", options.gridCells ? std::to_string(options.gridCells).c_str() : "auto", 1);
 }

@@ -26,9 +26,16 @@ extern "C" {
  * world gets the bits of upstream's serial step.
  *
  * Environment, read once at the first use of the library, for programs that cannot be recompiled:
- * ODE_MT_THREADS=n|auto, ODE_MT_ALGORITHM=auto|serial|lcp|original|static|static-unmerged|duplication|
- * decluster, ODE_MT_CALLBACKS=serial|concurrent|independent, ODE_MT_THREAD_MANAGER=pthread|openmp,
- * ODE_MT_HEURISTICS=default|none|NAME,NAME..., ODE_MT_GRID_CELLS=auto|n, ODE_MT_LOG=error|warning|info|debug. A
+ *   ODE_MT_THREADS=n|auto
+ *   ODE_MT_ALGORITHM=auto|serial|lcp|original|static|static-unmerged|duplication|decluster
+ *   ODE_MT_CALLBACKS=serial|concurrent|independent
+ *   ODE_MT_HEURISTICS=default|none|NAME,NAME...
+ *   ODE_MT_GRID_CELLS=n|auto
+ *   ODE_MT_THREAD_MANAGER=pthread|openmp
+ *   ODE_MT_LOG=error|warning|info|debug
+ *   ODE_MT_PERTURB=n
+ * An empty variable counts as unset; a program with another user's rights (set-user-ID) reads none. Of a number out
+ * of range the nearest is taken, of anything else that is not understood the default, and a line on stderr says so. A
  * call below overrides the environment.
  *
  * A threading implementation given to dWorldSetStepThreadingImplementation lends its threads to that

@@ -4,11 +4,10 @@
 #include <ode/ode_MT.h>
 #include <sched.h>
 
-#include <algorithm>
-#include <cstdlib>
 #include <cstring>
 
 #include "clustering/dxClusterGrid.h"
+#include "trace/dxEnvironment.h"
 #include "trace/dxLog.h"
 
 namespace {
@@ -19,15 +18,14 @@ struct Named {
     Choice choice;
 };
 
-constexpr Named<dxAlgorithm> kAlgorithms[] = {
-    {"auto", dxAlgorithm::Auto},
-    {"serial", dxAlgorithm::Serial},
-    {"lcp", dxAlgorithm::Lcp},
-    {"original", dxAlgorithm::ClusteredOriginal},
-    {"static", dxAlgorithm::ClusteredStatic},
-    {"static-unmerged", dxAlgorithm::ClusteredStaticUnmerged},
-    {"duplication", dxAlgorithm::ClusteredDuplication},
-    {"decluster", dxAlgorithm::ClusteredDecluster}};
+constexpr Named<dxAlgorithm> kAlgorithms[] = {{"auto", dxAlgorithm::Auto},
+                                              {"serial", dxAlgorithm::Serial},
+                                              {"lcp", dxAlgorithm::Lcp},
+                                              {"original", dxAlgorithm::ClusteredOriginal},
+                                              {"static", dxAlgorithm::ClusteredStatic},
+                                              {"static-unmerged", dxAlgorithm::ClusteredStaticUnmerged},
+                                              {"duplication", dxAlgorithm::ClusteredDuplication},
+                                              {"decluster", dxAlgorithm::ClusteredDecluster}};
 
 constexpr Named<dxCallbackPolicy> kCallbackPolicies[] = {{"serial", dxCallbackPolicy::Serial},
                                                          {"concurrent", dxCallbackPolicy::Concurrent},
@@ -75,11 +73,11 @@ unsigned usableCores() {
 dxSettings &dxSettings::instance() { return *settings; }
 
 dxSettings::dxSettings() : m_cores(usableCores()) {
-    if (const char *text = std::getenv("ODE_MT_THREADS")) readThreads(text);
-    if (const char *text = std::getenv("ODE_MT_ALGORITHM")) readAlgorithm(text);
-    if (const char *text = std::getenv("ODE_MT_CALLBACKS")) readCallbackPolicy(text);
-    if (const char *text = std::getenv("ODE_MT_HEURISTICS")) readHeuristics(text);
-    if (const char *text = std::getenv("ODE_MT_GRID_CELLS")) readGridCells(text);
+    if (const char *text = dxEnvironment(dxVariable::Threads)) readThreads(text);
+    if (const char *text = dxEnvironment(dxVariable::Algorithm)) readAlgorithm(text);
+    if (const char *text = dxEnvironment(dxVariable::Callbacks)) readCallbackPolicy(text);
+    if (const char *text = dxEnvironment(dxVariable::Heuristics)) readHeuristics(text);
+    if (const char *text = dxEnvironment(dxVariable::GridCells)) readGridCells(text);
 }
 
 void dxSettings::readThreads(const char *text) {
@@ -87,12 +85,12 @@ void dxSettings::readThreads(const char *text) {
         setThreads(dODE_MT_AUTO);
         return;
     }
-    char *end = nullptr;
-    const long number = std::strtol(text, &end, 10);  // the nearest long, if it does not fit
-    const bool understood = end != text && *end == '\0';
-    const int taken = understood ? static_cast<int>(std::clamp(number, 0L, long{dODE_MT_MAX_THREADS})) : 0;
-    if (!understood || taken != number) {
-        dxLog(dxLogLevel::warning, "ODE_MT_THREADS is '%s'; known: auto, or a number from 0 to %d; %d is taken", text,
+    long long number = 0;
+    const bool understood = dxReadNumber(text, 0, dODE_MT_MAX_THREADS, number) == dxNumberText::InRange;
+    const int taken = static_cast<int>(number);
+    if (!understood) {
+        dxLog(dxLogLevel::warning,
+              "ODE_MT_THREADS is '%s'; known: auto, or a number from 0 to %d; %d is taken", text,
               dODE_MT_MAX_THREADS, taken);
     }
     setThreads(taken);
@@ -100,8 +98,8 @@ void dxSettings::readThreads(const char *text) {
 
 void dxSettings::readAlgorithm(const char *text) {
     if (chooseAlgorithm(text)) return;
-    dxLog(dxLogLevel::warning, "ODE_MT_ALGORITHM is '%s'; known: %s; %s is taken", text, knownNames(kAlgorithms).c_str(),
-          algorithmName());
+    dxLog(dxLogLevel::warning, "ODE_MT_ALGORITHM is '%s'; known: %s; %s is taken", text,
+          knownNames(kAlgorithms).c_str(), algorithmName());
 }
 
 void dxSettings::readCallbackPolicy(const char *text) {
@@ -115,11 +113,14 @@ const char *dxSettings::callbackPolicyName() const { return nameOf(kCallbackPoli
 bool dxSettings::setCallbackPolicy(const std::string &name) {
     const bool found = chooseCallbackPolicy(name);
     if (!found)
-        dMessage(0, "ODE_MT: no callback policy '%s'; known: %s", name.c_str(), knownNames(kCallbackPolicies).c_str());
+        dMessage(0, "ODE_MT: no callback policy '%s'; known: %s", name.c_str(),
+                 knownNames(kCallbackPolicies).c_str());
     return found;
 }
 
-bool dxSettings::chooseCallbackPolicy(const std::string &name) { return choose(kCallbackPolicies, name, m_callbackPolicy); }
+bool dxSettings::chooseCallbackPolicy(const std::string &name) {
+    return choose(kCallbackPolicies, name, m_callbackPolicy);
+}
 
 void dxSettings::readHeuristics(const char *text) {
     if (chooseHeuristics(text)) return;
@@ -142,13 +143,13 @@ bool dxSettings::chooseHeuristics(const std::string &names) {
 
 void dxSettings::readGridCells(const char *text) {
     if (std::strcmp(text, "auto") == 0) return;
-    char *end = nullptr;
-    const long number = std::strtol(text, &end, 10);
-    const bool fits = end != text && *end == '\0' && number >= kFewestCells && number <= kMostCells;
-    if (fits && chooseGridCells(static_cast<int>(number))) return;
+    long long number = kTunedCells;
+    const bool understood = dxReadNumber(text, kFewestCells, kMostCells, number) == dxNumberText::InRange;
+    chooseGridCells(static_cast<int>(number));
+    if (understood) return;
     dxLog(dxLogLevel::warning,
-          "ODE_MT_GRID_CELLS is '%s'; known: auto, or a number from %d to %d; auto is taken", text,
-          kFewestCells, kMostCells);
+          "ODE_MT_GRID_CELLS is '%s'; known: auto, or a number from %d to %d; %s is taken", text,
+          kFewestCells, kMostCells, number == kTunedCells ? "auto" : std::to_string(number).c_str());
 }
 
 bool dxSettings::setGridCells(int cells) {
@@ -173,7 +174,8 @@ void dxSettings::setThreads(int threads) {
         threads = 0;
     }
     if (threads > dODE_MT_MAX_THREADS) {
-        dMessage(0, "ODE_MT: %d threads asked for; the most is %d, which is taken", threads, dODE_MT_MAX_THREADS);
+        dMessage(0, "ODE_MT: %d threads asked for; the most is %d, which is taken", threads,
+                 dODE_MT_MAX_THREADS);
         threads = dODE_MT_MAX_THREADS;
     }
     m_threads.store(static_cast<unsigned>(threads), std::memory_order_relaxed);
@@ -187,7 +189,8 @@ const char *dxSettings::passName() const {
 
 bool dxSettings::setAlgorithm(const std::string &name) {
     const bool found = chooseAlgorithm(name);
-    if (!found) dMessage(0, "ODE_MT: no algorithm '%s'; known: %s", name.c_str(), knownNames(kAlgorithms).c_str());
+    if (!found)
+        dMessage(0, "ODE_MT: no algorithm '%s'; known: %s", name.c_str(), knownNames(kAlgorithms).c_str());
     return found;
 }
 

@@ -3,12 +3,12 @@
 #include <ode/error.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <mutex>
 #include <new>
 
 #include "frame/dxSettings.h"
 #include "threading/dxThreadManagerFactory.h"
+#include "trace/dxEnvironment.h"
 #include "trace/dxLog.h"
 
 namespace {
@@ -22,7 +22,8 @@ bool isKnown(const std::string &name) {
 
 std::string knownNames() {
     std::string list;
-    for (const char *name : dxThreadManagerFactory::names()) list += (list.empty() ? "" : ", ") + std::string(name);
+    for (const char *name : dxThreadManagerFactory::names())
+        list += (list.empty() ? "" : ", ") + std::string(name);
     return list;
 }
 
@@ -37,7 +38,7 @@ std::unique_ptr<dxThreadManager> make(const std::string &name) {
 dxWorkers &dxWorkers::instance() { return *workers; }
 
 dxWorkers::dxWorkers() {
-    const char *name = std::getenv("ODE_MT_THREAD_MANAGER");
+    const char *name = dxEnvironment(dxVariable::ThreadManager);
     if (name != nullptr && !isKnown(name)) {
         dxLog(dxLogLevel::warning, "ODE_MT_THREAD_MANAGER is '%s'; known: %s; %s is taken", name,
               knownNames().c_str(), dxThreadManagerFactory::defaultName());

@@ -3,10 +3,10 @@
 #include <sched.h>
 #include <time.h>
 
-#include <cerrno>
 #include <cstdint>
-#include <cstdlib>
+#include <limits>
 
+#include "trace/dxEnvironment.h"
 #include "trace/dxLog.h"
 
 namespace {
@@ -39,16 +39,23 @@ void disturbAtRandom() {
 }
 
 dxDisturbance fromEnvironment() {
-    const char *text = std::getenv("ODE_MT_PERTURB");
+    constexpr long long kMostSeed = std::numeric_limits<long long>::max();
+    const char *text = dxEnvironment(dxVariable::Perturb);
     if (text == nullptr) return nullptr;
-    char *end = nullptr;
-    errno = 0;
-    const unsigned long long seed = std::strtoull(text, &end, 10);
-    if (end == text || *end != '\0' || *text == '-' || errno != 0) {
-        dxLog(dxLogLevel::warning, "ODE_MT_PERTURB is '%.100s'; it takes a number, the seed", text);
-        return nullptr;
+    long long seed = 0;
+    switch (dxReadNumber(text, 0, kMostSeed, seed)) {
+        case dxNumberText::NoNumber:
+            dxLog(dxLogLevel::warning, "ODE_MT_PERTURB is '%.100s'; it takes a number, the seed", text);
+            return nullptr;
+        case dxNumberText::OutOfRange:
+            dxLog(dxLogLevel::warning,
+                  "ODE_MT_PERTURB is '%.100s'; known: a number from 0 to %lld; %lld is taken", text,
+                  kMostSeed, seed);
+            break;
+        case dxNumberText::InRange:
+            break;
     }
-    randomState.store(seed);
+    randomState.store(static_cast<std::uint64_t>(seed));
     return disturbAtRandom;
 }
 

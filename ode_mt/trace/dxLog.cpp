@@ -3,8 +3,9 @@
 #include <atomic>
 #include <cstdarg>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
+
+#include "dxEnvironment.h"
 
 namespace {
 
@@ -29,10 +30,11 @@ void reportUnknown(const char *name) {
 // time all read the environment, and one of them reports.
 void readEnvironment() {
     dxLogLevel level = dxLogLevel::warning;
-    const char *name = std::getenv("ODE_MT_LOG");
+    const char *name = dxEnvironment(dxVariable::Log);
     const bool understood = name == nullptr || dxLogLevelFromName(name, level);
     int expected = kUnread;
-    if (shownLevel.compare_exchange_strong(expected, static_cast<int>(level)) && !understood) reportUnknown(name);
+    if (shownLevel.compare_exchange_strong(expected, static_cast<int>(level)) && !understood)
+        reportUnknown(name);
 }
 
 }  // namespace
@@ -52,9 +54,7 @@ dxLogLevel dxGetLogLevel() {
     return static_cast<dxLogLevel>(shownLevel.load(std::memory_order_relaxed));
 }
 
-void dxSetLogLevel(dxLogLevel level) {
-    shownLevel.store(static_cast<int>(level), std::memory_order_relaxed);
-}
+void dxSetLogLevel(dxLogLevel level) { shownLevel.store(static_cast<int>(level), std::memory_order_relaxed); }
 
 void dxLog(dxLogLevel level, const char *format, ...) {
     if (level > dxGetLogLevel()) return;

@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 namespace worlds {
 
 std::string worldFolder() {
-    if (const char *chosen = std::getenv("ODE_MT_WORLDS")) return chosen;
+    if (const char *chosen = secure_getenv("ODE_MT_WORLDS"); chosen && *chosen) return chosen;
     if (fs::is_directory(ODE_MT_WORLDS_SOURCE_DIR)) return ODE_MT_WORLDS_SOURCE_DIR;
     return ODE_MT_WORLDS_INSTALL_DIR;
 }

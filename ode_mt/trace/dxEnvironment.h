@@ -1,0 +1,18 @@
+// The environment variables of the library: one table of names and values, one way to read them, one rule for
+// numbers.
+//
+// A variable that is empty counts as unset. A program that runs with the rights of another user
+// (secure_getenv) sees none. README.md, docs/linking.md and ode_MT.h repeat the table; a test compares them
+// (tests/environment). Any thread may call.
+#pragma once
+
+enum class dxVariable { Threads, Algorithm, Callbacks, Heuristics, GridCells, ThreadManager, Log, Perturb };
+
+// Returns its value; NULL: unset or empty.
+const char *dxEnvironment(dxVariable variable);
+
+enum class dxNumberText { InRange, OutOfRange, NoNumber };
+
+// A number is decimal digits, with a minus in front or not, and nothing else. One that is out of range is
+// replaced by the nearest that is in it; what is no number leaves `number` as it is.
+dxNumberText dxReadNumber(const char *text, long long least, long long most, long long &number);
