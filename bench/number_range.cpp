@@ -1,6 +1,7 @@
 #include "number_range.h"
 
 #include <charconv>
+#include <iomanip>
 #include <sstream>
 #include <string>
 
@@ -11,7 +12,7 @@ namespace {
 template <class Number>
 CLI::Validator numberBetween(const char *kind, Number least, Number most) {
     std::ostringstream range;
-    range << kind << " from " << least << " to " << most;
+    range << std::setprecision(12) << kind << " from " << least << " to " << most;
     return CLI::Validator(
         [least, most, range = range.str()](const std::string &word) -> std::string {
             Number value = 0;

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <istream>
+#include <map>
 #include <stdexcept>
 
 namespace record {
@@ -105,8 +106,33 @@ namespace {
 // Bytes that are no UTF-8 (file names may be anything) become U+FFFD instead of an exception.
 std::string dump(const json &value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
 
-// Poses and memberships of all geoms.
+// As many numbers as recording.h says for each kind.
+std::size_t numbersOf(const std::string &kind) {
+    static const std::map<std::string, std::size_t> kNumbers = {
+        {"box", 3}, {"sphere", 1}, {"capsule", 2}, {"cylinder", 2}, {"plane", 4}, {"mesh", 6}, {"bounds", 3}};
+    const auto found = kNumbers.find(kind);
+    if (found == kNumbers.end()) throw std::runtime_error("unknown shape '" + kind + "'");
+    return found->second;
+}
+
+void checkHeader(const Header &header) {
+    for (std::size_t i = 0; i < header.geoms.size(); ++i) {
+        const Shape &shape = header.geoms[i].shape;
+        const std::size_t expected = numbersOf(shape.kind);
+        if (shape.size.size() != expected)
+            throw std::runtime_error("geom " + std::to_string(i) + ": the size of a " + shape.kind + " has " +
+                                     std::to_string(expected) + " numbers, not " +
+                                     std::to_string(shape.size.size()));
+    }
+}
+
+constexpr int kMostCells = 1000;  // on each axis; the library has at most 20
+
+// Poses and memberships of all geoms, and a grid that can be drawn.
 void checkFrame(const Frame &frame, const Header &header) {
+    if (frame.grid.cells < 0 || frame.grid.cells > kMostCells)
+        throw std::runtime_error("its grid has " + std::to_string(frame.grid.cells) +
+                                 " cells on each axis; known: 0 to " + std::to_string(kMostCells));
     if (frame.geoms.size() != header.geoms.size() || frame.memberships.size() != header.geoms.size())
         throw std::runtime_error("it has not one pose and one membership for each of the " +
                                  std::to_string(header.geoms.size()) + " geoms");
@@ -127,6 +153,7 @@ Recording readRecording(std::istream &lines) {
             const json object = json::parse(line);
             if (number == 1) {
                 object.at("recording").get_to(recording.header);
+                checkHeader(recording.header);
             } else {
                 object.at("frame").get_to(recording.frames.emplace_back());
                 checkFrame(recording.frames.back(), recording.header);

@@ -35,6 +35,7 @@ std::optional<RenderOptions> readRenderOptions(int argc, const char *const *argv
 }
 
 const record::Frame &chooseFrame(const record::Recording &recording, const std::string &frame) {
+    if (recording.frames.empty()) throw std::runtime_error("the recording has no frames");
     std::string known;
     for (const record::Frame &candidate : recording.frames) {
         if (std::to_string(candidate.number) == frame) return candidate;

@@ -94,3 +94,13 @@ TEST(Engine, ListsMustNameEachOnceAndAtLeastOne) {
     EXPECT_THROW(readEngines({}, {}, ""), std::invalid_argument);
     EXPECT_THROW(readEngines({"ours"}, {"many"}, ""), std::invalid_argument);
 }
+
+TEST(Engine, UnknownAndDoubledWordsAreRefused) {
+    EXPECT_NE(complaint("ours:1/foo").find("unknown word 'foo'; known: pthread, openmp"), std::string::npos);
+    EXPECT_NE(complaint("ours:1/foo").find("static-unmerged"), std::string::npos);
+    for (const char *name : {"ours:1/lcp/auto", "ours:1/lcp/lcp", "ours:1/pthread/openmp",
+                             "ours:1/concurrent/independent", "ours:1/cells=5/cells=6"})
+        EXPECT_NE(complaint(name).find("exclude one another"), std::string::npos) << name;
+    for (const char *name : {"ours:1/", "ours:1//lcp", "ours:1/lcp/"})
+        EXPECT_NE(complaint(name).find("unknown word ''"), std::string::npos) << name;
+}

@@ -121,3 +121,46 @@ TEST_F(OdemtBench, AFileThatCannotBeWrittenIsNamed) {
     EXPECT_EQ(outcome.exitCode, 1);
     EXPECT_NE(outcome.output.find("/proc/b.json"), std::string::npos);
 }
+
+// The old file stays where the new one does not fit, and no temporary file is left.
+TEST_F(OdemtBench, AFullDiskLeavesTheOldFile) {
+    std::ofstream(folder + "/b.json") << "old";
+    FILE *pipe = popen(("bash -c 'ulimit -f 1; " + std::string(ODEMT_BENCH) +
+                        " --worlds rover:3 --engines ours:0 --frames 2000" + files() + "' 2>&1")
+                           .c_str(),
+                       "r");
+    std::string output;
+    for (int c; (c = std::fgetc(pipe)) != EOF;) output += static_cast<char>(c);
+    EXPECT_NE(pclose(pipe), 0);
+    EXPECT_NE(output.find("cannot write '" + folder + "/b.json': File too large"), std::string::npos)
+        << output;
+    std::string text;
+    std::ifstream(folder + "/b.json") >> text;
+    EXPECT_EQ(text, "old");
+    for (const auto &entry : std::filesystem::directory_iterator(folder))
+        EXPECT_EQ(entry.path().filename().string().find("b.json."), std::string::npos);
+}
+
+TEST_F(OdemtBench, AKillLeavesTheWorldsThatWereMeasured) {
+    const Outcome outcome =
+        run("--worlds rover:3,pile:4000 --engines ours:0 --seconds 100 --frames 1000000 --tolerance 1e-6" +
+            files() + " & P=$!; for i in $(seq 300); do [ -e " + folder +
+            "/b.json ] && break; sleep 0.1; done; kill -9 $P; wait");
+    std::ifstream file(folder + "/b.json");
+    ASSERT_TRUE(file) << outcome.output;
+    EXPECT_EQ(nlohmann::json::parse(file)["worlds"].size(), 1u);
+}
+
+TEST_F(OdemtBench, AFullStandardOutputIsAnError) {
+    EXPECT_EQ(run("--list > /dev/full").exitCode, 1);
+    EXPECT_EQ(run("--list >&-").exitCode, 1);
+}
+
+TEST_F(OdemtBench, StartsOnOurLibraryWhereDebiansIsMissing) {
+    const std::string command = "LD_TRACE_LOADED_OBJECTS=1 " + std::string(ODEMT_BENCH);
+    FILE *pipe = popen(command.c_str(), "r");
+    std::string output;
+    for (int c; (c = std::fgetc(pipe)) != EOF;) output += static_cast<char>(c);
+    pclose(pipe);
+    EXPECT_NE(output.find("libode.so.8 => " + std::string(ODEMT_OUR_FOLDER)), std::string::npos) << output;
+}

@@ -87,3 +87,21 @@ TEST(Options, HelpExplainsEnginesAndGivesExamples) {
     for (const char *word : {"stock-pool:N", "ours:N", "Examples:", "--worlds", "1000..32000", "exit code"})
         EXPECT_NE(outcome.output.find(word), std::string::npos) << word;
 }
+
+TEST(Options, NumbersOutOfRangeAreAnsweredWithTheRange) {
+    for (const char *option : {"--seconds", "--warm-up-seconds", "--timeout"})
+        for (const char *value : {"nan", "inf", "1e308", "1e999", "-1", "0", "1x", " 1", ""})
+            expectComplaint({option, value}, "is not a number from 0.001 to 1000000\n");
+    for (const char *value : {"nan", "2", "1e308"})
+        expectComplaint({"--tolerance", value}, "is not a number from 1e-06 to 1\n");
+    for (const char *value : {"0", "1.5", "99999999999999999999", "nan"})
+        expectComplaint({"--frames", value}, "is not a whole number from 1 to 1000000000\n");
+}
+
+TEST(Options, OneFileForTwoKindsOfResultsIsRefused) {
+    expectComplaint({"--worlds", "rover:3", "--engines", "ours:0", "--json", "X", "--csv", "./X"},
+                    "are one file");
+    expectComplaint(
+        {"--worlds", "rover:3", "--engines", "ours:0", "--json", "X", "--samples", "nowhere/../X"},
+        "are one file");
+}

@@ -115,3 +115,25 @@ TEST(Recording, AFrameMustHaveAllGeoms) {
     EXPECT_NE(said.find("line 2"), std::string::npos) << said;
     EXPECT_NE(said.find("2 geoms"), std::string::npos) << said;
 }
+
+TEST(Recording, ASizeWithoutItsNumbersIsNamed) {
+    for (const char *kind : {"box", "sphere", "capsule", "cylinder", "plane", "mesh", "bounds"}) {
+        Header wrong = header();
+        wrong.geoms[1].shape = {kind, {}, {}};
+        EXPECT_NE(complaint(writeHeader(wrong)).find("geom 1: the size of a " + std::string(kind)),
+                  std::string::npos);
+    }
+    Header unknown = header();
+    unknown.geoms[1].shape.kind = "cone";
+    EXPECT_NE(complaint(writeHeader(unknown)).find("unknown shape 'cone'"), std::string::npos);
+}
+
+TEST(Recording, AGridWithoutBoundsIsRefused) {
+    for (const int cells : {-1, 1001, 2147483647}) {
+        Frame wrong = frame();
+        wrong.grid.cells = cells;
+        EXPECT_NE(complaint(writeHeader(header()) + "\n" + writeFrame(wrong))
+                      .find(std::to_string(cells) + " cells"),
+                  std::string::npos);
+    }
+}
