@@ -57,8 +57,11 @@ extern "C" {
  *        Any other number is answered with dMessage: below 0 counts as 0, above
  *        dODE_MT_MAX_THREADS as that.
  *
- * May be called from any thread at any time; a step in progress ends with the old number.
- * Threads start with the first step that uses them and end with dCloseODE.
+ * May be called from any thread at any time, callbacks of all kinds included; it waits for nothing. A step or collision
+ * in progress may go on with the old number. dODE_MT_AUTO counts the cores anew at each call: those that the process was
+ * given when it loaded the library and those that its first thread or the calling one may use now, not only those that
+ * the calling thread has bound itself to. Threads start with the first step that uses them, may use all of these cores,
+ * with ordinary scheduling, and end with dCloseODE.
  * @ingroup ode_mt
  */
 ODE_API void dToggleODE_MT(int numThreads);
@@ -91,7 +94,8 @@ ODE_API const char *dODE_MT_GetAlgorithm(void);
  * last callback, in upstream's order, so the results are upstream's as long as no callback reads those lists
  * (dAreConnected, dBodyGetJoint) to find contacts of the same call. It must not change geoms or spaces, nor write to the
  * vertices, points or height samples that geoms use, make other joints, destroy joints, or leave by longjmp; an exception
- * is passed on after all callbacks have ended.
+ * is passed on after all callbacks have ended, and so is pthread_exit, which then ends the thread that called
+ * dSpaceCollide (with the manager "pthread"; the runtime of "openmp" does not allow it). It may end the process.
  *
  * With "serial" a callback may write to such arrays, as with upstream: contacts with meshes and with height fields that
  * were built without a copy of their samples are then computed in the callback, not ahead of it by several threads. Where
@@ -133,7 +137,8 @@ ODE_API int dODE_MT_SetGridCells(int cells);
 ODE_API int dODE_MT_GetGridCells(void);
 
 /**
- * Chooses the thread manager by its name, "pthread" or "openmp". Waits for steps in progress.
+ * Chooses the thread manager by its name, "pthread" or "openmp". May be called at any time, as dToggleODE_MT; a step or
+ * collision in progress may go on with the old one.
  *
  * @return 1, or 0 and a dMessage naming the known ones if there is no such manager.
  * @ingroup ode_mt
@@ -142,6 +147,24 @@ ODE_API int dODE_MT_SetThreadManager(const char *name);
 
 /** The name of the thread manager in force. @ingroup ode_mt */
 ODE_API const char *dODE_MT_GetThreadManager(void);
+
+/**
+ * What has been shared out, since the process started. Each member is also the low 32 bits of a call below, whose numbers
+ * wrap (a crowd of thousands of bodies has a million pairs in a second); differences of two readings stay right.
+ * @ingroup ode_mt
+ */
+typedef struct dODE_MT_Statistics {
+    unsigned long long parallelSteps;       /**< dODE_MT_GetParallelSteps */
+    unsigned long long parallelIslands;     /**< dODE_MT_GetParallelIslands */
+    unsigned long long teamSteps;           /**< dODE_MT_GetTeamSteps */
+    unsigned long long parallelCollisions;  /**< dODE_MT_GetParallelCollisions */
+    unsigned long long sharedCollisions;    /**< dODE_MT_GetSharedCollisions */
+    unsigned long long contactsAhead;       /**< dODE_MT_GetContactsAhead */
+    unsigned long long contactsAheadUnused; /**< dODE_MT_GetContactsAheadUnused */
+} dODE_MT_Statistics;
+
+/** Writes the numbers in 64 bits each; NULL is answered with dMessage. @ingroup ode_mt */
+ODE_API void dODE_MT_GetStatistics(dODE_MT_Statistics *statistics);
 
 /** Steps whose islands were shared out to threads, since the process started. @ingroup ode_mt */
 ODE_API unsigned dODE_MT_GetParallelSteps(void);

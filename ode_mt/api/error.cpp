@@ -15,6 +15,7 @@
 
 #include "collision/dxMissedNotifications.h"
 #include "dynamics/dxIslandScope.h"
+#include "dynamics/dxLoneStepper.h"
 
 namespace {
 
@@ -43,6 +44,7 @@ bool takenOver(dxReport kind, int number, const char *format, va_list arguments)
 
 void report(Channel &channel, int number, const char *format, va_list arguments) {
     if (dMessageFunction *handler = channel.handler.load()) {
+        const dxLoneStepper::UserCode userCode;
         handler(number, format, arguments);
     } else {
         printToStderr(channel.title, number, format, arguments);
@@ -73,6 +75,7 @@ void dError(int number, const char *format, ...) {
     takenOver(dxReport::Error, number, format, arguments);
     reportFault(g_error, number, format, arguments);
     va_end(arguments);
+    const dxLoneStepper::UserCode userCode;  // what the program has registered with atexit
     std::exit(1);
 }
 

@@ -34,9 +34,9 @@ std::atomic<unsigned> initialisations{0};  // written under dxForkLocks::initial
 
 // The lock of a call that needs an initialised library. Without one upstream is about to report an error, to
 // a handler of the user that may never return, so nothing is locked.
-std::unique_lock<std::mutex> lockIfInitialised() {
+std::unique_lock<std::recursive_mutex> lockIfInitialised() {
     if (initialisations == 0) return {};
-    return std::unique_lock<std::mutex>(dxForkLocks::initialisation);
+    return std::unique_lock<std::recursive_mutex>(dxForkLocks::initialisation);
 }
 
 void countInitialisation() {
@@ -63,30 +63,30 @@ __attribute__((destructor)) void unload() {
 extern "C" {
 
 void dInitODE() {
-    std::lock_guard<std::mutex> lock(dxForkLocks::initialisation);
+    std::lock_guard<std::recursive_mutex> lock(dxForkLocks::initialisation);
     dxUpstreamInitODE();
     countInitialisation();
 }
 
 int dInitODE2(unsigned flags) {
-    std::lock_guard<std::mutex> lock(dxForkLocks::initialisation);
+    std::lock_guard<std::recursive_mutex> lock(dxForkLocks::initialisation);
     const int done = dxUpstreamInitODE2(flags);
     if (done) countInitialisation();
     return done;
 }
 
 int dAllocateODEDataForThread(unsigned flags) {
-    const std::unique_lock<std::mutex> lock = lockIfInitialised();
+    const std::unique_lock<std::recursive_mutex> lock = lockIfInitialised();
     return dxUpstreamAllocateODEDataForThread(flags);
 }
 
 void dCleanupODEAllDataForThread() {
-    const std::unique_lock<std::mutex> lock = lockIfInitialised();
+    const std::unique_lock<std::recursive_mutex> lock = lockIfInitialised();
     dxUpstreamCleanupODEAllDataForThread();
 }
 
 void dCloseODE() {
-    const std::unique_lock<std::mutex> lock = lockIfInitialised();
+    const std::unique_lock<std::recursive_mutex> lock = lockIfInitialised();
     dxUpstreamCloseODE();
     if (--initialisations == 0) {
         dxForgetUserClasses();

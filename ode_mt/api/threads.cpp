@@ -1,9 +1,19 @@
 // The calls of ode/ode_MT.h that choose threads, algorithm, heuristics and thread manager, and read the counters.
+#include <ode/error.h>
 #include <ode/ode_MT.h>
 
 #include "frame/dxSettings.h"
 #include "frame/dxStepStatistics.h"
 #include "frame/dxWorkers.h"
+
+namespace {
+
+// The getters' numbers wrap, so that the difference of two readings is right whatever was counted before.
+unsigned lowBits(const dxStepStatistics::Count &count) {
+    return static_cast<unsigned>(count.load(std::memory_order_relaxed));
+}
+
+}  // namespace
 
 extern "C" {
 
@@ -40,19 +50,34 @@ int dODE_MT_SetThreadManager(const char *name) { return dxWorkers::instance().ch
 
 const char *dODE_MT_GetThreadManager() { return dxWorkers::instance().name(); }
 
-unsigned dODE_MT_GetParallelSteps() { return dxStepStatistics::instance().parallelSteps; }
+unsigned dODE_MT_GetParallelSteps() { return lowBits(dxStepStatistics::instance().parallelSteps); }
 
-unsigned dODE_MT_GetParallelIslands() { return dxStepStatistics::instance().parallelIslands; }
+unsigned dODE_MT_GetParallelIslands() { return lowBits(dxStepStatistics::instance().parallelIslands); }
 
-unsigned dODE_MT_GetTeamSteps() { return dxStepStatistics::instance().teamSteps; }
+unsigned dODE_MT_GetTeamSteps() { return lowBits(dxStepStatistics::instance().teamSteps); }
 
-unsigned dODE_MT_GetParallelCollisions() { return dxStepStatistics::instance().parallelCollisions; }
+unsigned dODE_MT_GetParallelCollisions() { return lowBits(dxStepStatistics::instance().parallelCollisions); }
 
-unsigned dODE_MT_GetSharedCollisions() { return dxStepStatistics::instance().sharedCollisions; }
+unsigned dODE_MT_GetSharedCollisions() { return lowBits(dxStepStatistics::instance().sharedCollisions); }
 
-unsigned dODE_MT_GetContactsAhead() { return dxStepStatistics::instance().contactsAhead; }
+unsigned dODE_MT_GetContactsAhead() { return lowBits(dxStepStatistics::instance().contactsAhead); }
 
-unsigned dODE_MT_GetContactsAheadUnused() { return dxStepStatistics::instance().contactsAheadUnused; }
+unsigned dODE_MT_GetContactsAheadUnused() { return lowBits(dxStepStatistics::instance().contactsAheadUnused); }
+
+void dODE_MT_GetStatistics(dODE_MT_Statistics *statistics) {
+    if (statistics == nullptr) {
+        dMessage(0, "ODE_MT: dODE_MT_GetStatistics was given no place for them (NULL)");
+        return;
+    }
+    const dxStepStatistics &counted = dxStepStatistics::instance();
+    statistics->parallelSteps = counted.parallelSteps;
+    statistics->parallelIslands = counted.parallelIslands;
+    statistics->teamSteps = counted.teamSteps;
+    statistics->parallelCollisions = counted.parallelCollisions;
+    statistics->sharedCollisions = counted.sharedCollisions;
+    statistics->contactsAhead = counted.contactsAhead;
+    statistics->contactsAheadUnused = counted.contactsAheadUnused;
+}
 
 unsigned dODE_MT_GetMaxWorkersUsed() { return dxStepStatistics::instance().maxWorkersUsed; }
 

@@ -102,7 +102,8 @@ void dxClusteredWorldAndSpace::updateScene(const dxMembers &members) {
 
 void dxClusteredWorldAndSpace::updateGrid() {
     const bool first = m_checksSinceFit == 0;
-    const bool due = ++m_checksSinceFit > kChecksBetweenFits && m_watchesGrid && dxGridIsOutgrown(m_scene);
+    if (m_checksSinceFit <= kChecksBetweenFits) ++m_checksSinceFit;
+    const bool due = m_checksSinceFit > kChecksBetweenFits && m_watchesGrid && dxGridIsOutgrown(m_scene);
     if (!first && !due && !wantsGrid()) return;
     m_checksSinceFit = 1;
     m_isMisplaced = false;

@@ -18,6 +18,7 @@
 namespace {
 
 __attribute__((tls_model("initial-exec"))) thread_local dxContactsAhead *t_current = nullptr;
+__attribute__((tls_model("initial-exec"))) thread_local dxStackFrame t_frame;  // of the call that made it current
 
 // Pairs computed at once: enough to pay for waking workers, few enough for their contacts to stay in a cache.
 constexpr std::size_t kWindow = 2048;
@@ -98,16 +99,21 @@ public:
 
 }  // namespace
 
-dxContactsAhead *dxContactsAhead::current() { return t_current; }
+dxContactsAhead *dxContactsAhead::current() {
+    if (t_current != nullptr && !t_frame.called(dxStackFrame::ofCaller())) t_current = nullptr;
+    return t_current;
+}
 
 dxContactsAhead::Scope::Scope(dxContactsAhead &ahead, dxTaskRunner &runner, bool arraysStay)
-    : m_outer(t_current), m_ahead(ahead) {
+    : m_outer(t_current), m_outerFrame(t_frame), m_ahead(ahead) {
     ahead.start(runner, arraysStay);
     t_current = &ahead;
+    t_frame = dxStackFrame::ofCaller();
 }
 
 dxContactsAhead::Scope::~Scope() {
     t_current = m_outer;
+    t_frame = m_outerFrame;
     m_ahead.end();
 }
 

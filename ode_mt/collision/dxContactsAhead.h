@@ -25,14 +25,16 @@
 
 #include "collision/dxOrderedPair.h"
 #include "collision/dxSharedColliders.h"
+#include "threading/dxStackFrame.h"
 #include "threading/dxTaskRunner.h"
 
 class dxContactsAhead {
 public:
-    // That of the pair whose callback this thread is in, or NULL.
+    // That of the pair whose callback this thread is in, or NULL. A callback may have left by longjmp, so that a call made
+    // much deeper on the stack may still be told the last one.
     static dxContactsAhead *current();
 
-    // Makes one current for as long as it lives.
+    // Makes one current for as long as its frame is on the stack.
     class Scope {
     public:
         // `arraysStay`: the program promises that no callback writes to the arrays of meshes and height
@@ -44,6 +46,7 @@ public:
 
     private:
         dxContactsAhead *const m_outer;
+        const dxStackFrame m_outerFrame;
         dxContactsAhead &m_ahead;
     };
 
@@ -53,6 +56,9 @@ public:
         if (index >= m_end) nextWindow(pairs, index);
         m_index = index - m_begin;
     }
+
+    // The space is about to look for its pairs again.
+    void forgetPair() { m_pair = nullptr; }
 
     // dCollide asks. -1: nothing is known, upstream has to compute.
     int answer(dGeomID o1, dGeomID o2, int flags, dContactGeom *contacts, int skip);

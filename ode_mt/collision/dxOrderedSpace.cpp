@@ -90,10 +90,11 @@ void dxOrderedSpace::remove(dxGeom *geom) {
     dxSpace::remove(geom);
 }
 
-// The space may still be locked by a call that a callback left by longjmp, or be in one.
 void dxOrderedSpace::collide(void *data, dNearCallback *callback) {
     dAASSERT(callback);
-    if (lock_count++ != 0) m_runner = nullptr;
+    lock_count++;
+    m_isAhead = false;
+    if (m_ahead != nullptr) m_ahead->forgetPair();
     if (makeReady())
         deliver(data, callback);
     else
@@ -159,16 +160,26 @@ void dxOrderedSpace::collideShared(dxTaskRunner &runner, bool arraysStay, void *
                                    dNearCallback *callback) {
     if (m_ahead == nullptr) m_ahead.reset(new dxContactsAhead);
     const dxContactsAhead::Scope scope(*m_ahead, runner, arraysStay);
-    m_runner = &runner;
-    collide(data, callback);
-    m_runner = nullptr;
+    lock_count++;
+    if (makeReadyShared(runner)) {
+        m_isAhead = true;
+        deliver(data, callback);
+    } else {
+        m_isAhead = false;
+        walk(data, callback, nullptr);
+    }
+    lock_count--;
 }
 
+// Whatever way it is left.
 bool dxOrderedSpace::makeReadyShared(dxTaskRunner &runner) {
+    struct Borrowed {
+        dxTaskRunner *&runner;
+        ~Borrowed() { runner = nullptr; }
+    };
     m_runner = &runner;
-    const bool isReady = makeReady();
-    m_runner = nullptr;
-    return isReady;
+    const Borrowed borrowed{m_runner};
+    return makeReady();
 }
 
 // Only of the built-in classes whose boxes depend on nothing but themselves and their bodies.

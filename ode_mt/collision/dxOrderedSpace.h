@@ -146,7 +146,7 @@ protected:
     bool isShared() const { return m_runner != nullptr; }
     dxTaskRunner &runner() const { return m_runner != nullptr ? *m_runner : dxTaskRunner::alone(); }
     // To be told of each pair before its callback, or NULL.
-    dxContactsAhead *ahead() const { return m_runner != nullptr ? m_ahead.get() : nullptr; }
+    dxContactsAhead *ahead() const { return m_isAhead ? m_ahead.get() : nullptr; }
 
     // Members have changed, and have their new ranks and boxes: brings `pairs` up to date.
     virtual void update(std::vector<dxOrderedPair> &pairs);
@@ -214,7 +214,8 @@ private:
     std::atomic<bool> m_hasStrays{false};                 // then
     std::mutex m_lookingForStrays;                        // only ever tried
     dxCrowd m_crowd;
-    dxTaskRunner *m_runner = nullptr;         // of the call in progress, if it is shared
+    dxTaskRunner *m_runner = nullptr;  // while a shared call makes the space ready: not in its callbacks
+    bool m_isAhead = false;            // the call whose callbacks are beginning is a shared one
     std::unique_ptr<dxContactsAhead> m_ahead;
     dxSharingPace m_pace;
 };

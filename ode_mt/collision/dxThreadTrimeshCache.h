@@ -11,7 +11,8 @@ namespace dxThreadTrimeshCache {
 // Frees the caches of all threads (dCloseODE). No thread may be colliding meshes.
 void release();
 
-// The same for good, with what the C library knows of them (unloading).
+// For good, with what the C library knows of them (unloading, or the end of the process, whose other threads may still be
+// colliding: theirs are left).
 void unload();
 
 }  // namespace dxThreadTrimeshCache

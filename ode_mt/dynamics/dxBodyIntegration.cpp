@@ -7,11 +7,25 @@
 #include "collision_kernel.h"
 #include "collision_space_internal.h"
 #include "dynamics/dxIslandScope.h"
+#include "dynamics/dxLoneStepper.h"
+
+namespace {
+
+void stepBody(dxBody *body, dReal stepSize) {
+    if (body->moved_callback == nullptr) {
+        dxStepBody(body, stepSize);
+        return;
+    }
+    const dxLoneStepper::UserCode userCode;
+    dxStepBody(body, stepSize);
+}
+
+}  // namespace
 
 void dxIntegrateIslandBody(dxBody *body, dReal stepSize) {
     const dxIslandScope *scope = dxIslandScope::current();
     if (scope == nullptr || !scope->defersMoved()) {
-        dxStepBody(body, stepSize);
+        stepBody(body, stepSize);
         return;
     }
     // A body without geoms tells nobody. Nothing else reads the list while the island is stepped.

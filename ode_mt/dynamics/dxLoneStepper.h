@@ -5,10 +5,14 @@
 // step on one thread, always: its steps may draw one by one, as upstream does, until a second thread comes.
 #pragma once
 
+#include "threading/dxStackFrame.h"
+
 class dxLoneStepper {
 public:
-    // For the time of a step. The first time that a second thread comes, it waits for the step in progress,
-    // but not for ever: user code in that step might be waiting for this one.
+    // For the time of a step. The first time that a second thread comes, it waits for the step in progress, however long
+    // that takes; only where user code in that step (UserCode) has been running for a second, which may be waiting for the
+    // second thread or may have left by longjmp, it goes on. (A step with floating-point exceptions trapped counts as such,
+    // since their handler may leave it.)
     dxLoneStepper();
     ~dxLoneStepper();
     dxLoneStepper(const dxLoneStepper &) = delete;
@@ -16,6 +20,18 @@ public:
 
     // True: no other thread can be drawing for a step.
     bool alone() const { return m_alone; }
+
+    // Around a moved-callback or a message handler, which may be part of the lone step.
+    class UserCode {
+    public:
+        UserCode();
+        ~UserCode();
+        UserCode(const UserCode &) = delete;
+        UserCode &operator=(const UserCode &) = delete;
+
+    private:
+        bool m_isNoted, m_wasNoted = false;
+    };
 
 private:
     bool m_alone;

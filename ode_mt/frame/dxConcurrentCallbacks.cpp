@@ -1,5 +1,8 @@
 #include "frame/dxConcurrentCallbacks.h"
 
+#include <cxxabi.h>
+#include <pthread.h>
+
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -14,6 +17,7 @@
 #include "frame/dxPairTasks.h"
 #include "frame/dxSettings.h"
 #include "frame/dxStepStatistics.h"
+#include "frame/dxWorkers.h"
 #include "frame/dxWorkersRunner.h"
 #include "threading/dxProcessObject.h"
 #include "threading/dxTaskRunner.h"
@@ -25,6 +29,21 @@ constexpr unsigned kTasksPerWorker = 8;
 
 constexpr std::size_t kLeastPairs = 2;
 
+// Notes where a pair's operations stand in a log, also those of a callback that ends its thread.
+class Recording {
+public:
+    Recording(const dxContactLog &log, dxContactLog::Span &span) : m_log(log), m_span(span) {
+        m_span.begin = log.position();
+    }
+    ~Recording() { m_span.end = m_log.position(); }
+    Recording(const Recording &) = delete;
+    Recording &operator=(const Recording &) = delete;
+
+private:
+    const dxContactLog &m_log;
+    dxContactLog::Span &m_span;
+};
+
 // What a call needs, kept from call to call.
 struct Run {
     dxPairTasks cut;
@@ -33,7 +52,8 @@ struct Run {
     std::vector<std::uint32_t> taskOfPair;
     std::mutex groups;
     std::mutex failure;
-    std::atomic<bool> failed{false};
+    std::atomic<bool> failed{false};       // no further callback
+    std::atomic<bool> threadEnded{false};  // by a callback, with pthread_exit
     std::exception_ptr thrown;
 
     const std::vector<dxOrderedPair> *pairs = nullptr;
@@ -49,13 +69,14 @@ struct Run {
 void Run::start(const dxOrderedSpace &space, unsigned workers) {
     pairs = &space.pairs();
     failed.store(false, std::memory_order_relaxed);
+    threadEnded.store(false, std::memory_order_relaxed);
     thrown = nullptr;
     cut.cut(*pairs, dxClusterManager::find(const_cast<dxOrderedSpace *>(&space)), workers * kTasksPerWorker,
             dxSettings::instance().callbackPolicy() == dxCallbackPolicy::Independent);
     while (logs.size() < cut.tasks().size()) logs.push_back(std::make_unique<dxContactLog>());
     for (std::size_t i = 0; i < cut.tasks().size(); ++i) logs[i]->start(groups);
     spans.assign(pairs->size(), {});
-    taskOfPair.resize(pairs->size());
+    taskOfPair.assign(pairs->size(), 0);
 }
 
 void Run::runTask(unsigned task) {
@@ -66,9 +87,8 @@ void Run::runTask(unsigned task) {
         const std::uint32_t pair = cut.order()[i];
         taskOfPair[pair] = task;
         if (failed.load(std::memory_order_relaxed)) continue;
-        spans[pair].begin = log.position();
+        const Recording recording(log, spans[pair]);
         deliver((*pairs)[pair]);
-        spans[pair].end = log.position();
     }
 }
 
@@ -76,6 +96,10 @@ void Run::deliver(const dxOrderedPair &pair) {
     if (!dxGeomIsEnabled(pair.first) || !dxGeomIsEnabled(pair.second)) return;
     try {
         dxDeliver(pair, data, callback);
+    } catch (const abi::__forced_unwind &) {  // which the C library does not allow to be held up
+        threadEnded.store(true);
+        failed.store(true);
+        throw;
     } catch (...) {
         const std::lock_guard<std::mutex> lock(failure);
         if (!failed.exchange(true)) thrown = std::current_exception();
@@ -85,6 +109,19 @@ void Run::deliver(const dxOrderedPair &pair) {
 void Run::commit() {
     for (std::uint32_t pair = 0; pair < pairs->size(); ++pair) logs[taskOfPair[pair]]->commit(spans[pair]);
     for (const std::unique_ptr<dxContactLog> &log : logs) log->finish();
+}
+
+// Puts the joints into their lists even if the thread ends in a callback.
+struct Commit {
+    Run &run;
+    ~Commit() { run.commit(); }
+};
+
+// A callback has ended the worker that it ran on. As an exception, that is passed on: without workers it would have ended
+// the thread that called dSpaceCollide. The pool is made anew, with as many workers as before.
+[[noreturn]] void endThread() {
+    dxWorkers::instance().stop();
+    pthread_exit(nullptr);
 }
 
 dxProcessObject<dxIdlePool<Run>> idleRuns;
@@ -117,9 +154,12 @@ bool collideLocked(dxOrderedSpace &space, dxTaskRunner &runner, void *data, dNea
     run.data = data;
     run.callback = callback;
     dxWorkersRunner workersRunner(workers);
-    workersRunner.run(tasks, [](void *of, unsigned task, unsigned) { static_cast<Run *>(of)->runTask(task); }, &run);
-    run.commit();
+    {
+        const Commit commit{run};
+        workersRunner.run(tasks, [](void *of, unsigned task, unsigned) { static_cast<Run *>(of)->runTask(task); }, &run);
+    }
     dxStepStatistics::instance().countParallelCollision(workersRunner.tookPart());
+    if (run.threadEnded.load()) endThread();
     if (run.thrown != nullptr) std::rethrow_exception(run.thrown);
     return true;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "trace/dxLog.h"
+
 namespace {
 
 // Measured with Debian's libode8 on one core of an AMD EPYC 9005 (stacks of ten boxes, humanoids of 17
@@ -138,6 +140,8 @@ void dxCostModel::endTrial(unsigned steps, double ideal, double serial) {
     const unsigned firstWarm = std::min(kColdSteps, steps - 1), middle = (firstWarm + steps) / 2;
     std::nth_element(prices + firstWarm, prices + middle, prices + steps);
     const bool pays = ideal + prices[middle] < kLeastGain * serial;
+    dxLog(dxLogLevel::debug, "cost model: a step of %.0f us on the caller costs %.0f us to share out, which %s",
+          serial / 1e3, prices[middle] / 1e3, pays ? "pays" : "does not pay");
     m_price.set(pays ? prices[middle] : std::max(std::min(prices[middle], serial), lost / kTrialSteps));
     if (!pays) setEagerness(m_eagerness.load(std::memory_order_relaxed) / 2);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "collision/dxOrderedSpace.h"
 #include "collision/dxSharedColliders.h"
 
 #include "config.h"
@@ -13,9 +14,6 @@
 namespace {
 
 constexpr std::uint32_t kNone = ~std::uint32_t{0};
-
-// Tags of a body.
-constexpr int kShared = 0, kFirstUnknown = -1;
 
 // Of a pair whose collision may write to it: whether it may write to this geom of the two, or run the user's code for
 // it. The others are only read.
@@ -54,22 +52,20 @@ void dxPairTasks::cutBetweenSets(const std::vector<dxOrderedPair> &pairs, const 
     for (const dxOrderedPair &pair : pairs) end = std::max({end, pair.slots[0] + 1, pair.slots[1] + 1});
     m_sets.reset(end);
     m_exclusive.assign(end, 0);
-    tagBodies(pairs, sharingBodies ? kShared : kFirstUnknown);
+    m_isTied.assign(end, 0);
+    m_isSharingBodies = sharingBodies;
+    if (!pairs.empty()) m_space = pairs.front().first->parent_space;
     for (const dxOrderedPair &pair : pairs) markWritten(pair);
-    uniteBodies(pairs);
+    if (!sharingBodies)
+        for (const dxOrderedPair &pair : pairs) {
+            tieBody(pair.first, pair.slots[0]);
+            tieBody(pair.second, pair.slots[1]);
+        }
     uniteSharedHeights(pairs);
     uniteExclusive(pairs);
     if (clusters != nullptr) uniteClusters(pairs, *clusters);
     sizeSets(pairs);
     shareOut(wanted, pairs.size());
-}
-
-// Upstream's tag of a body is scratch memory. Here it tells whether all pairs of the body belong together, and holds the
-// slot of its first geom, plus one, once that is known.
-void dxPairTasks::tagBodies(const std::vector<dxOrderedPair> &pairs, int tag) {
-    for (const dxOrderedPair &pair : pairs)
-        for (dxGeom *const geom : {pair.first, pair.second})
-            if (geom->body != nullptr) geom->body->tag = tag;
 }
 
 // Bodies too: upstream's height fields move the other geom, and its body with it, while they collide it.
@@ -78,18 +74,46 @@ void dxPairTasks::markWritten(const dxOrderedPair &pair) {
     for (int i = 0; i < 2; ++i) {
         const dxGeom *const geom = i == 0 ? pair.first : pair.second;
         if (isWrittenTo(geom)) m_exclusive[pair.slots[i]] = 1;
-        if (geom->body != nullptr) geom->body->tag = kFirstUnknown;
+        tieBody(geom, pair.slots[i]);
     }
 }
 
-void dxPairTasks::uniteBodies(const std::vector<dxOrderedPair> &pairs) {
-    for (const dxOrderedPair &pair : pairs)
-        for (int i = 0; i < 2; ++i) {
-            const dxGeom *const geom = i == 0 ? pair.first : pair.second;
-            if (geom->body == nullptr || geom->body->tag == kShared) continue;
-            m_exclusive[pair.slots[i]] = 1;
-            uniteBody(geom->body, pair.slots[i]);
-        }
+// All pairs of the geom's body belong together; of a nested space, those of all bodies in it. What a body's geoms have in
+// common is found by its list of them: nothing is written to the body, whose geoms in another space another thread of the
+// user's may be colliding.
+void dxPairTasks::tieBody(const dxGeom *geom, Slot slot) {
+    if (m_isTied[slot]) return;
+    if (IS_SPACE(geom)) {
+        m_isTied[slot] = 1;
+        if (!m_isSharingBodies) tieNested(geom, slot);
+    } else if (geom->body != nullptr) {
+        m_isTied[slot] = m_exclusive[slot] = 1;
+        uniteGeomsOf(geom->body, slot);
+    }
+}
+
+void dxPairTasks::tieNested(const dxGeom *space, Slot slot) {
+    dBodyID done = nullptr;  // most often the geoms of a body are neighbours
+    for (const dxGeom *geom = static_cast<const dxSpace *>(space)->first; geom != nullptr; geom = geom->next) {
+        if (IS_SPACE(geom))
+            tieNested(geom, slot);
+        else if (geom->body != done && geom->body != nullptr)
+            uniteGeomsOf(done = geom->body, slot);
+    }
+}
+
+// By the members of the space that its geoms are, or are nested in.
+void dxPairTasks::uniteGeomsOf(dBodyID body, Slot slot) {
+    for (const dxGeom *geom = body->geom; geom != nullptr; geom = geom->body_next) {
+        const dxGeom *member = geom;
+        while (member != nullptr && member->parent_space != m_space) member = member->parent_space;
+        if (member == nullptr) continue;
+        const Slot other = dxOrderedSpace::slotOf(member);
+        if (other == slot || other >= m_exclusive.size()) continue;  // it has no pairs
+        m_exclusive[slot] = m_exclusive[other] = 1;
+        if (member == geom) m_isTied[other] = 1;
+        m_sets.unite(slot, other);
+    }
 }
 
 void dxPairTasks::uniteExclusive(const std::vector<dxOrderedPair> &pairs) {
@@ -122,13 +146,6 @@ void dxPairTasks::uniteSharedHeights(const std::vector<dxOrderedPair> &pairs) {
         m_exclusive[slot] = 1;
         m_sets.unite(written->first, slot);
     });
-}
-
-void dxPairTasks::uniteBody(dBodyID body, Slot slot) {
-    if (body->tag == kFirstUnknown)
-        body->tag = static_cast<int>(slot + 1);
-    else
-        m_sets.unite(static_cast<Slot>(body->tag - 1), slot);
 }
 
 void dxPairTasks::uniteClusters(const std::vector<dxOrderedPair> &pairs, const dxClusteredWorldAndSpace &clusters) {

@@ -1,8 +1,9 @@
 // Cuts the pairs of a space into tasks whose callbacks may run at the same time: no two tasks share a body, unless the
 // program says that its callbacks write to none.
 //
-// Two pairs belong together if they share such a body, or one that a collider writes to, or a geom that a collider writes
-// to or that leads to code of the user's (a nested space, a geom of a class of the user's, a geom transform, a mesh that
+// Two pairs belong together if they share such a body, or one that a collider writes to (a nested space stands for all
+// bodies of the geoms in it, since its callback goes on to them), or a geom that a collider writes to or that leads to code
+// of the user's (a nested space, a geom of a class of the user's, a geom transform, a mesh that
 // remembers its last contacts, a mesh or height field with callbacks: collision/dxSharedColliders.h). Static geoms of
 // other kinds are only read and may be in many tasks. Clusters, where the space has them, are kept whole.
 #pragma once
@@ -36,12 +37,12 @@ private:
     void cutAnywhere(unsigned wanted, std::uint32_t pairs);
     void cutBetweenSets(const std::vector<dxOrderedPair> &pairs, const dxClusteredWorldAndSpace *clusters,
                         unsigned wanted, bool sharingBodies);
-    static void tagBodies(const std::vector<dxOrderedPair> &pairs, int tag);
     void markWritten(const dxOrderedPair &pair);
-    void uniteBodies(const std::vector<dxOrderedPair> &pairs);
+    void tieBody(const dxGeom *geom, Slot slot);
+    void tieNested(const dxGeom *space, Slot slot);
+    void uniteGeomsOf(dBodyID body, Slot slot);
     void uniteSharedHeights(const std::vector<dxOrderedPair> &pairs);
     void uniteExclusive(const std::vector<dxOrderedPair> &pairs);
-    void uniteBody(dBodyID body, Slot slot);
     void uniteClusters(const std::vector<dxOrderedPair> &pairs, const dxClusteredWorldAndSpace &clusters);
     void sizeSets(const std::vector<dxOrderedPair> &pairs);
     void shareOut(unsigned wanted, std::size_t pairs);
@@ -56,6 +57,9 @@ private:
 
     dxDisjointSets m_sets;                   // of slots
     std::vector<std::uint8_t> m_exclusive;   // by slot
+    std::vector<std::uint8_t> m_isTied;      // by slot: all pairs of its bodies belong together
+    const dxSpace *m_space = nullptr;        // whose pairs they are
+    bool m_isSharingBodies = false;          // callbacks write to no body
     std::vector<std::uint32_t> m_setOfPair;  // root of its set
     std::vector<std::uint32_t> m_sizeOfSet, m_taskOfSet, m_usedSets;  // by root; roots
     std::vector<std::uint32_t> m_largeSets;                           // roots

@@ -2,11 +2,11 @@
 
 #include <ode/error.h>
 #include <ode/ode_MT.h>
-#include <sched.h>
 
 #include <cstring>
 
 #include "clustering/dxClusterGrid.h"
+#include "threading/dxProcessors.h"
 #include "trace/dxEnvironment.h"
 #include "trace/dxLog.h"
 
@@ -61,23 +61,18 @@ constexpr int kTunedCells = 0;
 
 dxProcessObject<dxSettings> settings;
 
-unsigned usableCores() {
-    cpu_set_t set;
-    if (sched_getaffinity(0, sizeof set, &set) != 0) return 1;
-    const int count = CPU_COUNT(&set);
-    return count > 0 ? static_cast<unsigned>(count) : 1;
-}
-
 }  // namespace
 
 dxSettings &dxSettings::instance() { return *settings; }
 
-dxSettings::dxSettings() : m_cores(usableCores()) {
+dxSettings::dxSettings() : m_cores(dxCountProcessors()) {
     if (const char *text = dxEnvironment(dxVariable::Threads)) readThreads(text);
     if (const char *text = dxEnvironment(dxVariable::Algorithm)) readAlgorithm(text);
     if (const char *text = dxEnvironment(dxVariable::Callbacks)) readCallbackPolicy(text);
     if (const char *text = dxEnvironment(dxVariable::Heuristics)) readHeuristics(text);
     if (const char *text = dxEnvironment(dxVariable::GridCells)) readGridCells(text);
+    dxLog(dxLogLevel::info, "threads %u of %u cores, algorithm %s, callbacks %s, heuristics %s", threads(), cores(),
+          algorithmName(), callbackPolicyName(), dxNamesOfHeuristics(heuristics()));
 }
 
 void dxSettings::readThreads(const char *text) {
@@ -167,8 +162,9 @@ bool dxSettings::chooseGridCells(int cells) {
 }
 
 void dxSettings::setThreads(int threads) {
+    m_cores.store(dxCountProcessors(), std::memory_order_relaxed);
     if (threads == dODE_MT_AUTO) {
-        threads = static_cast<int>(m_cores);
+        threads = static_cast<int>(cores());
     } else if (threads < 0) {
         dMessage(0, "ODE_MT: %d threads asked for; the least is 0 (serial), which is taken", threads);
         threads = 0;
@@ -178,7 +174,8 @@ void dxSettings::setThreads(int threads) {
                  dODE_MT_MAX_THREADS);
         threads = dODE_MT_MAX_THREADS;
     }
-    m_threads.store(static_cast<unsigned>(threads), std::memory_order_relaxed);
+    const auto now = static_cast<unsigned>(threads), before = m_threads.exchange(now, std::memory_order_relaxed);
+    if (now != before) dxLog(dxLogLevel::info, "%u threads, %u before; %u cores", now, before, cores());
 }
 
 const char *dxSettings::algorithmName() const { return nameOf(kAlgorithms, algorithm()); }

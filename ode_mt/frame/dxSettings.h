@@ -54,8 +54,8 @@ public:
     int gridCells() const { return m_gridCells.load(std::memory_order_relaxed); }
     bool setGridCells(int cells);  // false: too few or too many
 
-    // Cores that this process may use.
-    unsigned cores() const { return m_cores; }
+    // Cores that this process may use, as of the last time that the number of threads was set.
+    unsigned cores() const { return m_cores.load(std::memory_order_relaxed); }
 
 private:
     friend class dxProcessObject<dxSettings>;
@@ -75,5 +75,5 @@ private:
     std::atomic<dxCallbackPolicy> m_callbackPolicy{dxCallbackPolicy::Serial};
     std::atomic<unsigned> m_heuristics{dxDefaultHeuristics};
     std::atomic<int> m_gridCells{0};
-    unsigned m_cores;
+    std::atomic<unsigned> m_cores;
 };

@@ -16,11 +16,12 @@ namespace {
 // Fewer geoms than this are never worth a worker, nor even a look at the clock.
 constexpr int kLeastGeoms = 48;
 
-// From inside a callback, whether of this space or of another one, everything stays on its thread.
+// From inside a callback of a call that is shared, whether of this space or of another one, everything stays on its thread.
+// That the space is locked says nothing: a callback may have left it so by longjmp or an exception.
 bool mayShare(const dxOrderedSpace &space, dNearCallback *callback) {
     const dxSettings &settings = dxSettings::instance();
     return settings.threads() > 1 && settings.algorithm() != dxAlgorithm::Serial && callback != nullptr &&
-           space.lock_count == 0 && space.count > 1 && dxContactLog::current() == nullptr &&
+           space.count > 1 && dxContactLog::current() == nullptr &&
            dxContactsAhead::current() == nullptr && !dxTrapsFloatingPoint();
 }
 

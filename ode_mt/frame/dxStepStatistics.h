@@ -5,14 +5,16 @@
 #include <cstdint>
 
 struct dxStepStatistics {
-    std::atomic<unsigned> parallelSteps{0};
-    std::atomic<unsigned> parallelIslands{0};
-    std::atomic<unsigned> teamSteps{0};
+    using Count = std::atomic<std::uint64_t>;  // a crowd has a million pairs in a second, which 32 bits hold for an hour
+
     std::atomic<unsigned> maxWorkersUsed{0};
-    std::atomic<unsigned> parallelCollisions{0};
-    std::atomic<unsigned> sharedCollisions{0};
-    std::atomic<unsigned> contactsAhead{0};        // pairs
-    std::atomic<unsigned> contactsAheadUnused{0};
+    Count parallelSteps{0};
+    Count parallelIslands{0};
+    Count teamSteps{0};
+    Count parallelCollisions{0};
+    Count sharedCollisions{0};
+    Count contactsAhead{0};  // pairs
+    Count contactsAheadUnused{0};
 
     static dxStepStatistics &instance() {
         static dxStepStatistics statistics;
@@ -42,8 +44,8 @@ struct dxStepStatistics {
     // `computed` pairs were collided ahead of their callbacks, `used` of them asked for.
     void countSharedCollision(unsigned workers, std::uint64_t computed, std::uint64_t used) {
         if (workers > 1) sharedCollisions.fetch_add(1, std::memory_order_relaxed);
-        contactsAhead.fetch_add(static_cast<unsigned>(computed), std::memory_order_relaxed);
-        contactsAheadUnused.fetch_add(static_cast<unsigned>(computed - used), std::memory_order_relaxed);
+        contactsAhead.fetch_add(computed, std::memory_order_relaxed);
+        contactsAheadUnused.fetch_add(computed - used, std::memory_order_relaxed);
     }
 
 private:

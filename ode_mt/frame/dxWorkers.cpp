@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <mutex>
-#include <new>
+#include <utility>
 
 #include "frame/dxSettings.h"
 #include "threading/dxThreadManagerFactory.h"
@@ -15,9 +15,11 @@ namespace {
 
 dxProcessObject<dxWorkers> workers;
 
-bool isKnown(const std::string &name) {
+// The factory's own text for the name, which lives as long as the library; null: unknown.
+const char *findName(const std::string &name) {
     const std::vector<const char *> names = dxThreadManagerFactory::names();
-    return std::find(names.begin(), names.end(), name) != names.end();
+    const auto found = std::find(names.begin(), names.end(), name);
+    return found != names.end() ? *found : nullptr;
 }
 
 std::string knownNames() {
@@ -27,9 +29,12 @@ std::string knownNames() {
     return list;
 }
 
-std::unique_ptr<dxThreadManager> make(const std::string &name) {
+unsigned wantedSize() { return std::max(dxSettings::instance().threads(), 1u); }
+
+std::unique_ptr<dxThreadManager> make(const char *name) {
     std::unique_ptr<dxThreadManager> manager = dxThreadManagerFactory::create(name);
-    manager->resize(std::max(dxSettings::instance().threads(), 1u));
+    manager->resize(wantedSize());
+    dxLog(dxLogLevel::info, "thread manager %s: up to %u threads, the caller included", name, wantedSize());
     return manager;
 }
 
@@ -37,46 +42,74 @@ std::unique_ptr<dxThreadManager> make(const std::string &name) {
 
 dxWorkers &dxWorkers::instance() { return *workers; }
 
-dxWorkers::dxWorkers() {
+dxWorkers::dxWorkers() : m_name(dxThreadManagerFactory::defaultName()) {
     const char *name = dxEnvironment(dxVariable::ThreadManager);
-    if (name != nullptr && !isKnown(name)) {
-        dxLog(dxLogLevel::warning, "ODE_MT_THREAD_MANAGER is '%s'; known: %s; %s is taken", name,
-              knownNames().c_str(), dxThreadManagerFactory::defaultName());
-        name = nullptr;
+    if (name == nullptr) return;
+    if (const char *known = findName(name)) {
+        m_name = known;
+        return;
     }
-    m_manager = make(name != nullptr ? name : dxThreadManagerFactory::defaultName());
-    listenToForks();
+    dxLog(dxLogLevel::warning, "ODE_MT_THREAD_MANAGER is '%s'; known: %s; %s is taken", name, knownNames().c_str(),
+          m_name);
 }
-
-// A step of another thread may have held the lock when this one forked; that thread does not exist here.
-void dxWorkers::inForkedChild() { new (&m_mutex) std::shared_mutex; }
 
 void dxWorkers::run(unsigned blocks, unsigned workers, dxThreadManager::Task task, void *context) {
-    std::shared_lock<std::shared_mutex> lock(m_mutex);
-    m_manager->run(blocks, workers, task, context);
+    current()->run(blocks, workers, task, context);
 }
 
+// Of two threads that make a manager at the same time one has its own for this run alone.
+dxWorkers::Manager dxWorkers::current() {
+    const char *name;
+    {
+        const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
+        if (m_manager != nullptr) return m_manager;
+        name = m_name;
+    }
+    Manager made = make(name);
+    {
+        const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
+        if (m_manager != nullptr || m_name != name) return made;
+        m_manager = made;
+    }
+    resize();  // the size may have been set while it was made
+    return made;
+}
+
+// The next run makes a manager of the new size. One that has it already only asks the system anew for threads that were
+// refused.
 void dxWorkers::resize() {
-    std::unique_lock<std::shared_mutex> lock(m_mutex);
-    m_manager->resize(std::max(dxSettings::instance().threads(), 1u));
+    Manager now;
+    {
+        const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
+        now = m_manager;
+    }
+    if (now == nullptr) return;
+    if (now->workers() == wantedSize())
+        now->resize(now->workers());
+    else
+        stop();
 }
 
 bool dxWorkers::choose(const std::string &name) {
-    if (!isKnown(name)) {
+    const char *const known = findName(name);
+    if (known == nullptr) {
         dMessage(0, "ODE_MT: no thread manager '%s'; known: %s", name.c_str(), knownNames().c_str());
         return false;
     }
-    std::unique_lock<std::shared_mutex> lock(m_mutex);
-    m_manager = make(name);
+    Manager before;  // ends after the lock
+    const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
+    m_name = known;
+    m_manager.swap(before);
     return true;
 }
 
 const char *dxWorkers::name() {
-    std::shared_lock<std::shared_mutex> lock(m_mutex);
-    return m_manager->name();
+    const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
+    return m_name;
 }
 
 void dxWorkers::stop() {
-    std::unique_lock<std::shared_mutex> lock(m_mutex);
-    m_manager->stop();
+    Manager before;  // ends after the lock
+    const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
+    m_manager.swap(before);
 }

@@ -8,7 +8,7 @@
 #include "dxForkLocks.h"
 
 namespace dxForkLocks {
-std::mutex initialisation;
+std::recursive_mutex initialisation;
 std::recursive_mutex creation;
 }  // namespace dxForkLocks
 
@@ -65,7 +65,7 @@ void dxForkListeners::child() {
     for (dxForkListener *l = listeners.first; l != nullptr; l = l->next) l->inForkedChild();
     listeners.lock.unlock();
     new (&dxForkLocks::creation) std::recursive_mutex;
-    dxForkLocks::initialisation.unlock();
+    new (&dxForkLocks::initialisation) std::recursive_mutex;
 }
 
 void dxForkListener::listenToForks() {

@@ -10,8 +10,8 @@
 
 namespace dxForkLocks {
 
-extern std::mutex initialisation;      // dInitODE, dCloseODE and what they count
-extern std::recursive_mutex creation;  // a dxProcessObject is being made; it may make others
+extern std::recursive_mutex initialisation;  // dInitODE, dCloseODE and what they count; the user's allocator may call them
+extern std::recursive_mutex creation;        // a dxProcessObject is being made; it may make others
 
 }  // namespace dxForkLocks
 

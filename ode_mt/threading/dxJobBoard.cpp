@@ -24,14 +24,21 @@ void dxJobBoard::run(const dxJobSlot::Order &order, dxWorkerSource &source) {
         dxRunAlone(order.blocks, order.task, order.context);
         return;
     }
-    dxJobSlot &slot = slots[index];
-    slot.open(order);
+    const Completion completion{*this, index};
+    slots[index].open(order);
     open.fetch_or(bit(index));
     source.summon(order.seats);
+    slots[index].runAsCaller();
+}
+
+// The thread may be at its end, in a block of its own or where the system lets it be cancelled: the blocks that are left
+// are run all the same, since the run's order is about to go with the thread's stack.
+dxJobBoard::Completion::~Completion() {
+    dxJobSlot &slot = board.slots[index];
     slot.runAsCaller();
-    open.fetch_and(~bit(index));
+    board.open.fetch_and(~bit(index));
     slot.finish();
-    release(index);
+    board.release(index);
 }
 
 void dxJobBoard::abandon() {

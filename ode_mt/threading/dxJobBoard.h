@@ -42,6 +42,13 @@ public:
 private:
     static constexpr unsigned slotCount = 64;
 
+    // The end of a run, by whatever way its caller leaves it.
+    struct Completion {
+        dxJobBoard &board;
+        const unsigned index;
+        ~Completion();
+    };
+
     dxJobSlot *find();
     unsigned acquire();
     void release(unsigned slot);

@@ -35,8 +35,8 @@ void dxJobSlot::open(const Order &newOrder) {
 void dxJobSlot::runAsCaller() {
     std::uint32_t left;
     while (takeBlock(generation, left)) {
-        order.task(order.context, order.blocks - left, 0);
         ++takenByCaller;
+        order.task(order.context, order.blocks - left, 0);
     }
 }
 
@@ -66,13 +66,21 @@ bool dxJobSlot::takeSeat(Seat &seat) {
     return takeOne(seats, seat.generation, seat.left);
 }
 
+// A block is reported as finished by whatever way it is left: a callback of the user's in it may end its thread.
 void dxJobSlot::work(Seat seat, std::uint32_t left) {
+    struct Report {
+        dxFloatEnvironmentScope &scope;
+        dxBarrier &barrier;
+        ~Report() {
+            scope.shareFlags();
+            barrier.arrive(1);
+        }
+    };
     const unsigned worker = order.seats - seat.left + 1;
     dxFloatEnvironmentScope scope(environment);
     do {
+        const Report report{scope, barrier};
         order.task(order.context, order.blocks - left, worker);
-        scope.shareFlags();
-        barrier.arrive(1);
     } while (takeBlock(seat.generation, left));
 }
 

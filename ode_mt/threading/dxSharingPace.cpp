@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "trace/dxLog.h"
+
 namespace {
 
 // Below, waking a worker may take longer than the whole call.
@@ -19,6 +21,11 @@ constexpr int kSlowCalls = 5;
 
 // To be taken, the other way has to be better by this; times are noisy.
 constexpr double kClearly = 0.97;
+
+// More of anything that is counted is not told apart.
+constexpr int kMany = 1 << 20;
+
+void countUp(int &count) { count = std::min(count + 1, kMany); }
 
 // Of a measured time in the mean.
 constexpr double kShare = 0.25;
@@ -37,14 +44,15 @@ void dxSharingPace::remember(bool shared, double ns) {
     Way &way = shared ? m_shared : m_alone, &other = shared ? m_alone : m_shared;
     other.fresh = 0;
     // The first call after a change of ways is not typical of the way.
-    if (++way.fresh > 1 || way.ns == 0) way.ns = way.fresh == 2 ? ns : faded(way, ns);
+    countUp(way.fresh);
+    if (way.fresh > 1 || way.ns == 0) way.ns = way.fresh == 2 ? ns : faded(way, ns);
     if (shared != m_isSharing) return;  // too small to be shared
     if (m_isTrial) {
         judge();
         return;
     }
-    ++m_calls;
-    m_slowCalls = ns > kSlower * m_judgedNs ? m_slowCalls + 1 : 0;
+    countUp(m_calls);
+    m_slowCalls = ns > kSlower * m_judgedNs ? std::min(m_slowCalls + 1, kMany) : 0;
     if (isTimeForTrial(way)) {
         m_isTrial = true;
         m_isSharing = !m_isSharing;
@@ -73,6 +81,8 @@ void dxSharingPace::judge() {
         else
             m_wait = std::clamp(2 * m_wait, kShortestWait, kLongestWait);
     }
+    dxLog(dxLogLevel::debug, "a call of %.0f us takes %.0f us when the way in use is exchanged: %s from now on",
+          usual.ns / 1e3, tried.ns / 1e3, m_isSharing ? "shared" : "alone");
     m_judgedNs = isTaken ? tried.ns : usual.ns;
     m_isTrial = false;
     m_calls = m_slowCalls = 0;

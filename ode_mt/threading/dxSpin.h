@@ -6,15 +6,14 @@
 
 #include <chrono>
 
+#include "dxProcessors.h"
+
 // How long a worker looks for the next run before it sleeps, if it knows nothing of how soon runs follow each
 // other (dxPatience).
 constexpr std::chrono::microseconds dxSpinTime{50};
 
 // How long a caller waits for the last blocks before it sleeps: about the largest island of a step that pays.
 constexpr std::chrono::microseconds dxLastBlocksTime{500};
-
-// Processors this process may use; read once.
-unsigned dxProcessorCount();
 
 inline void dxPause() {
 #if defined(__x86_64__) || defined(__i386__)

@@ -1,13 +1,18 @@
 #include "dxThreadCreation.h"
 
+#include <sched.h>
 #include <signal.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstddef>
 #include <cstring>
 #include <mutex>
 #include <vector>
 
+#include "dxProcessors.h"
 #include "trace/dxLog.h"
 
 namespace {
@@ -21,6 +26,17 @@ public:
         pthread_attr_setstacksize(&attributes, std::max(size, std::size_t{8} << 20));
     }
     ~Attributes() { pthread_attr_destroy(&attributes); }
+
+    // Instead of what the starting thread has: the processors of the process, and ordinary scheduling.
+    void becomeOrdinary() {
+        cpu_set_t processors;
+        if (dxProcessorsOfProcess(processors)) pthread_attr_setaffinity_np(&attributes, sizeof processors, &processors);
+        const sched_param priority{};
+        pthread_attr_setinheritsched(&attributes, PTHREAD_EXPLICIT_SCHED);
+        pthread_attr_setschedpolicy(&attributes, SCHED_OTHER);
+        pthread_attr_setschedparam(&attributes, &priority);
+    }
+
     const pthread_attr_t *get() const { return &attributes; }
 
 private:
@@ -43,6 +59,9 @@ private:
     sigset_t before;
 };
 
+// Of one thread; 0: the calling one. The first thread of a process has its number.
+int nicenessOf(id_t thread) { return getpriority(PRIO_PROCESS, thread); }
+
 void *waitForGate(void *gate) {
     const std::lock_guard<std::mutex> pass(*static_cast<std::mutex *>(gate));
     return nullptr;
@@ -51,9 +70,19 @@ void *waitForGate(void *gate) {
 }  // namespace
 
 int dxStartThread(dxCreateThread create, pthread_t &thread, void *(*body)(void *), void *context) {
-    const Attributes attributes;
     const BlockedSignals blocked;
-    return create(&thread, attributes.get(), body, context);
+    Attributes attributes;
+    attributes.becomeOrdinary();
+    const int refusal = create(&thread, attributes.get(), body, context);
+    if (refusal != EPERM && refusal != EINVAL) return refusal;
+    dxLog(dxLogLevel::info, "a worker thread inherits processors and scheduling (%s)", std::strerror(refusal));
+    const Attributes inherited;
+    return create(&thread, inherited.get(), body, context);
+}
+
+void dxTakeProcessNiceness() {
+    const int niceness = nicenessOf(static_cast<id_t>(getpid()));
+    if (niceness != nicenessOf(0)) setpriority(PRIO_PROCESS, 0, niceness);
 }
 
 unsigned dxProbeThreads(dxCreateThread create, unsigned wanted, int &refusal) {

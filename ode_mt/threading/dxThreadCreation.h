@@ -15,8 +15,14 @@ inline unsigned dxClampWorkers(unsigned workers) {
 
 // Starts one worker thread: joinable, a stack of 8 MiB or the system's default where that is larger
 // (ODE's solvers use alloca), and all signals blocked but those a fault raises on the thread itself,
-// which must reach the host's crash handler. Returns an error number.
+// which must reach the host's crash handler. It may use the processors of the process and has ordinary
+// scheduling, as far as the system allows, whatever the starting thread has bound itself to. Returns an error
+// number.
 int dxStartThread(dxCreateThread create, pthread_t &thread, void *(*body)(void *), void *context);
+
+// Gives the calling thread, which inherited its niceness from the one that started it, that of the process's first
+// thread, as far as the system allows: to lower it needs a privilege.
+void dxTakeProcessNiceness();
 
 // How many threads, at most `wanted`, the system lets exist at the same time beside those there are.
 // Starts and ends them. `refusal` is the error number of the first one refused, else 0.

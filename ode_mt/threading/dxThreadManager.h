@@ -10,7 +10,8 @@
 class dxThreadManager {
 public:
     // Runs one block. `worker` is below the `maxWorkers` of the run and no two threads hold the same
-    // number at one time within one run; 0 is the caller. Must not throw.
+    // number at one time within one run; 0 is the caller. Must not throw; may end its thread (pthread_exit), of
+    // which the run's other blocks take no notice.
     using Task = void (*)(void *context, unsigned block, unsigned worker);
 
     virtual ~dxThreadManager() = default;

@@ -43,6 +43,9 @@ private:
     alignas(64) std::atomic<unsigned long long> next{0};
 };
 
+// Counts the times that pools were ended, by whichever manager: they are the runtime's.
+std::atomic<unsigned> pools{1};
+
 // The largest team that was tried out for the calling thread's pool, and which life of the pools that was.
 struct Probed {
     unsigned pools;

@@ -44,7 +44,6 @@ private:
     std::atomic<unsigned> size{1};                // workers wanted, the caller included
     std::atomic<unsigned> allowed{dxMaxWorkers};  // workers the system gives, the caller included
     std::atomic<bool> busy{false};                // some run has a region
-    std::atomic<unsigned> pools{1};               // counts the times that pools were ended
     bool regionsSafeInChild = true;
     bool alone = false;  // in a child where a region could hang
     bool reported = false;

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "dxSpin.h"
+#include "trace/dxLog.h"
 
 dxThreadManagerPthread::dxThreadManagerPthread(dxCreateThread creation) : create(creation) {
     listenToForks();
@@ -73,6 +74,7 @@ bool dxThreadManagerPthread::startThread() {
         std::snprintf(name, sizeof name, "ode_mt-%u", index + 1);
         pthread_setname_np(threads[index], name);
         started.store(index + 1);
+        dxLog(dxLogLevel::info, "thread manager %s: started %s", this->name(), name);
         return true;
     }
     parking.endSearch();
@@ -101,6 +103,7 @@ void *dxThreadManagerPthread::threadBody(void *manager) {
 }
 
 void dxThreadManagerPthread::serve() {
+    dxTakeProcessNiceness();
     dxPatience patience;
     while (!stopping.load()) {
         workUntilIdle(patience);

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <map>
 #include <string>
+#include <thread>
 
 #include "ChainWorld.h"
 #include "OdeSession.h"
@@ -51,6 +52,72 @@ TEST_F(Settings, ThreadsInRangeAreTakenSilently) {
     dToggleODE_MT(dODE_MT_AUTO);
     EXPECT_EQ(dODE_MT_GetThreads(), usableCores());
     EXPECT_TRUE(messages.empty()) << g_messages;
+}
+
+// Binds the calling thread to one processor for as long as it lives.
+class Pinned {
+public:
+    Pinned() {
+        sched_getaffinity(0, sizeof m_before, &m_before);
+        int processor = 0;
+        while (!CPU_ISSET(processor, &m_before)) ++processor;
+        cpu_set_t one;
+        CPU_ZERO(&one);
+        CPU_SET(processor, &one);
+        sched_setaffinity(0, sizeof one, &one);
+    }
+    ~Pinned() { sched_setaffinity(0, sizeof m_before, &m_before); }
+
+private:
+    cpu_set_t m_before;
+};
+
+TEST_F(Settings, AutoCountsTheProcessorsOfTheProcessNotOfTheThread) {
+    const int cores = usableCores();
+    if (cores < 2) GTEST_SKIP() << "one processor";
+    {
+        const Pinned firstThread;
+        dToggleODE_MT(dODE_MT_AUTO);
+        EXPECT_EQ(dODE_MT_GetThreads(), cores);
+    }
+    std::thread([cores] {
+        const Pinned another;
+        dToggleODE_MT(dODE_MT_AUTO);
+        EXPECT_EQ(dODE_MT_GetThreads(), cores);
+    }).join();
+}
+
+// The environment is read by the first call, which a thread may make that is bound to one processor.
+TEST(SettingsDeathTest, AutoOfAPinnedFirstCall) {
+    const int cores = usableCores();
+    if (cores < 2) GTEST_SKIP() << "one processor";
+    testing::FLAGS_gtest_death_test_style = "threadsafe";
+    const auto run = [cores](const char *threads) {
+        setenv("ODE_MT_THREADS", threads, 1);
+        const Pinned pinned;
+        if (dODE_MT_GetThreads() != (*threads == 'a' ? cores : 0)) std::_Exit(1);
+        dToggleODE_MT(dODE_MT_AUTO);
+        std::_Exit(dODE_MT_GetThreads() == cores ? 0 : 2);
+    };
+    EXPECT_EXIT(run("auto"), testing::ExitedWithCode(0), "");
+    EXPECT_EXIT(run("0"), testing::ExitedWithCode(0), "");
+}
+
+// A process that is started with one processor and gets more later.
+TEST(SettingsDeathTest, AutoIsAskedAnewAtEachCall) {
+    testing::FLAGS_gtest_death_test_style = "threadsafe";
+    const auto run = [] {
+        dToggleODE_MT(dODE_MT_AUTO);
+        if (dODE_MT_GetThreads() != 1) std::_Exit(1);
+        cpu_set_t all;
+        CPU_ZERO(&all);
+        for (int processor = 0; processor < CPU_SETSIZE; ++processor) CPU_SET(processor, &all);
+        sched_setaffinity(0, sizeof all, &all);
+        dToggleODE_MT(dODE_MT_AUTO);
+        std::_Exit(dODE_MT_GetThreads() == usableCores() ? 0 : 2);
+    };
+    const Pinned pinned;  // which the process of its own inherits
+    EXPECT_EXIT(run(), testing::ExitedWithCode(0), "");
 }
 
 TEST_F(Settings, ThreadsOutOfRangeAreNamed) {

@@ -1,0 +1,202 @@
+// Callbacks that never return: they leave by longjmp or an exception, or end their thread. What comes after is as fast, and
+// as exact, as before.
+#include <gtest/gtest.h>
+#include <ode/ode.h>
+#include <pthread.h>
+
+#include <atomic>
+#include <csetjmp>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include "ChainWorld.h"
+#include "ChildProcess.h"
+#include "Deadline.h"
+#include "HeapWorld.h"
+#include "OdeSession.h"
+#include "SphereRows.h"
+#include "processThreads.h"
+#include "sanitizers.h"
+
+namespace {
+
+std::jmp_buf g_place;
+
+dSpaceID createQuadTree(dSpaceID parent) {
+    const dVector3 centre = {0, 0, 0}, extents = {10, 10, 10};
+    return dQuadTreeSpaceCreate(parent, centre, extents, 3);
+}
+
+struct Way {
+    const char *name;
+    void (*leave)();
+};
+
+void PrintTo(const Way &way, std::ostream *out) { *out << way.name; }
+
+const Way kWays[] = {{"Longjmp", [] { std::longjmp(g_place, 1); }},
+                     {"Exception", [] { throw std::runtime_error("enough"); }}};
+
+// Calls `frame`, which is left in the middle.
+template <class Frame>
+void leaveIn(const Frame &frame) {
+    if (setjmp(g_place) != 0) return;
+    try {
+        frame();
+    } catch (const std::runtime_error &) {
+    }
+}
+
+class LeftCallback : public testing::TestWithParam<std::tuple<dSpaceID (*)(dSpaceID), Way>> {
+protected:
+    static dSpaceID createSpace() { return std::get<0>(GetParam())(nullptr); }
+    static void leave() { std::get<1>(GetParam()).leave(); }
+};
+
+// Until the bodies, which fall at first, touch.
+void settle(HeapWorld &world) {
+    for (int i = 0; i < 30; ++i) {
+        world.collide();
+        world.step();
+    }
+}
+
+unsigned sharedBy(HeapWorld &world) {
+    const unsigned before = dODE_MT_GetContactsAhead();
+    world.setCallback([](HeapWorld &, dGeomID o1, dGeomID o2) {
+        dContactGeom contacts[4];
+        dCollide(o1, o2, 4, contacts, sizeof contacts[0]);
+    });
+    // What was computed for the call that was left was not asked for, so that the next ones go without.
+    constexpr int kMostPauses = 200;
+    for (int i = 0; i < kMostPauses && dODE_MT_GetContactsAhead() == before; ++i) world.collide();
+    return dODE_MT_GetContactsAhead() - before;
+}
+
+// In a child, because the space stays locked, as upstream's, and cannot be destroyed.
+TEST_P(LeftCallback, NextCollisionsAreSharedAgain) {
+    EXPECT_TRUE(trueInChild([] {
+        const OdeSession session(3, "lcp");
+        auto &left = *new HeapWorld(createSpace());
+        HeapWorld other(createSpace());
+        settle(left);
+        settle(other);
+        const bool sharedBefore = sharedBy(left) > 0 && sharedBy(other) > 0;
+        for (int i = 0; i < 3; ++i) {
+            left.setCallback([](HeapWorld &, dGeomID, dGeomID) { leave(); });
+            leaveIn([&left] { left.collide(); });
+        }
+        const bool other2 = sharedBy(other) > 0, left2 = sharedBy(left) > 0;
+        if (!sharedBefore || !other2 || !left2)
+            std::fprintf(stderr, "shared: before %d, another space %d, the same space %d\n", sharedBefore, other2, left2);
+        _exit(sharedBefore && other2 && left2 ? 0 : 1);
+        return true;
+    }));
+}
+
+// The call that was left says nothing about the geoms any more.
+TEST_P(LeftCallback, DCollideComputesAnew) {
+    EXPECT_TRUE(trueInChild([] {
+        const OdeSession session(3, "lcp");
+        auto &world = *new HeapWorld(createSpace());
+        settle(world);
+        static dGeomID one, two;
+        world.setCallback([](HeapWorld &, dGeomID o1, dGeomID o2) {
+            one = o1, two = o2;
+            leave();
+        });
+        leaveIn([&world] { world.collide(); });
+        dContactGeom contacts[4];
+        for (int i = 0; i < 4; ++i) dCollide(one, two, 4, contacts, sizeof contacts[0]);
+        dBodyCreate(dBodyGetWorld(dGeomGetBody(one) != nullptr ? dGeomGetBody(one) : dGeomGetBody(two)));
+        _exit(0);
+        return true;
+    }));
+}
+
+constexpr const char *kSpaceNames[] = {"simple", "hash", "quadtree", "sweep"};
+
+INSTANTIATE_TEST_SUITE_P(Spaces, LeftCallback,
+                         testing::Combine(testing::Values(dSimpleSpaceCreate, dHashSpaceCreate, createQuadTree,
+                                                          createSweepSpace),
+                                          testing::ValuesIn(kWays)),
+                         [](const auto &info) {
+                             return std::string(kSpaceNames[info.index / std::size(kWays)]) +
+                                    std::get<1>(info.param).name;
+                         });
+
+// A step that a moved-callback leaves: another thread's first step does not wait for it for ever.
+TEST(LeftStep, AnotherThreadSteps) {
+    EXPECT_TRUE(trueInChild([] {
+        const OdeSession session(2, "lcp");
+        auto &world = *new ChainWorld(10, 3);
+        dBodySetMovedCallback(world.bodies()[5], [](dBodyID) { std::longjmp(g_place, 1); });
+        for (int i = 0; i < 3; ++i) leaveIn([&world] { world.step(); });
+        std::thread([] { ChainWorld(10, 3).step(3); }).join();
+        dBodySetMovedCallback(world.bodies()[5], nullptr);
+        _exit(0);
+        return true;
+    }));
+}
+
+// --- pthread_exit ------------------------------------------------------------------------------------------
+
+struct Scene {
+    SphereRows rows{dHashSpaceCreate(nullptr)};
+    dJointGroupID group = dJointGroupCreate(0);
+    pthread_t caller{};
+    bool onWorker = false;
+    std::atomic<bool> callerCame{false}, workerCame{false};
+};
+
+void joinAndEndThread(void *data, dGeomID o1, dGeomID o2) {
+    Scene &scene = *static_cast<Scene *>(data);
+    const bool isWorker = !pthread_equal(pthread_self(), scene.caller);
+    dContact contact{};
+    contact.surface.mode = 0;
+    if (dCollide(o1, o2, 1, &contact.geom, sizeof contact) > 0)
+        dJointAttach(dJointCreateContact(scene.rows.world(), scene.group, &contact), dGeomGetBody(o1), dGeomGetBody(o2));
+    (isWorker ? scene.workerCame : scene.callerCame) = true;
+    comesTrue([&scene] { return scene.workerCame && scene.callerCame; });
+    if (isWorker == scene.onWorker) pthread_exit(nullptr);
+}
+
+class EndedThread : public testing::TestWithParam<bool> {};
+
+TEST_P(EndedThread, EndsTheCallersThreadAndNothingElse) {
+    EXPECT_TRUE(trueInChild([] {
+        const OdeSession session(3, "lcp");
+        dODE_MT_SetCallbackPolicy("concurrent");
+        for (int i = 0; i < 3; ++i) {
+            Scene &scene = *new Scene;  // its space stays locked
+            scene.onWorker = GetParam();
+            bool returned = false;
+            std::thread([&scene, &returned] {
+                scene.caller = pthread_self();
+                dSpaceCollide(scene.rows.space(), &scene, joinAndEndThread);
+                returned = true;
+            }).join();
+            if (returned) return false;
+            dJointGroupEmpty(scene.group);  // the joints made so far are in their lists
+            dJointGroupDestroy(scene.group);
+        }
+        // The pool is whole: three callbacks at one time.
+        const SphereRows rows(dHashSpaceCreate(nullptr));
+        std::atomic<int> inside{0};
+        dSpaceCollide(rows.space(), &inside, [](void *counter, dGeomID, dGeomID) {
+            std::atomic<int> &came = *static_cast<std::atomic<int> *>(counter);
+            static thread_local bool isCounted = false;
+            if (!isCounted) ++came;
+            isCounted = true;
+            comesTrue([&came] { return came >= 3; });
+        });
+        dODE_MT_SetCallbackPolicy("serial");
+        return inside >= 3;
+    }));
+}
+
+INSTANTIATE_TEST_SUITE_P(Threads, EndedThread, testing::Bool(),
+                         [](const auto &info) { return info.param ? "worker" : "caller"; });
+
+}  // namespace

@@ -1,0 +1,56 @@
+// What ODE_MT_LOG shows of a program's frames at each level, as docs/linking.md says.
+#include <gtest/gtest.h>
+#include <ode/ode.h>
+
+#include <cstdlib>
+
+#include "ChainWorld.h"
+
+namespace {
+
+class LogLevels : public testing::Test {
+protected:
+    // The environment is read once in a process, so each needs one of its own.
+    LogLevels() { testing::FLAGS_gtest_death_test_style = "threadsafe"; }
+
+    [[noreturn]] static void step(const char *level, const char *algorithm, unsigned steps) {
+        setenv("ODE_MT_LOG", level, 1);
+        setenv("ODE_MT_THREADS", "3", 1);
+        setenv("ODE_MT_ALGORITHM", algorithm, 1);
+        dInitODE2(0);
+        {
+            ChainWorld world(100, 5);
+            world.step(steps);
+        }
+        dToggleODE_MT(2);
+        dCloseODE();
+        std::_Exit(0);
+    }
+};
+
+TEST_F(LogLevels, WarningAndErrorAreQuiet) {
+    EXPECT_EXIT(step("warning", "lcp", 3), testing::ExitedWithCode(0), "^$");
+    EXPECT_EXIT(step("error", "lcp", 3), testing::ExitedWithCode(0), "^$");
+}
+
+TEST_F(LogLevels, InfoNamesSettingsAndThreads) {
+    EXPECT_EXIT(step("info", "lcp", 3), testing::ExitedWithCode(0),
+                "ODE_MT info: threads 3 of [0-9]+ cores, algorithm lcp, callbacks serial, heuristics .*"
+                "ODE_MT info: thread manager pthread: up to 3 threads, the caller included.*"
+                "ODE_MT info: thread manager pthread: started ode_mt-1.*"
+                "ODE_MT info: 2 threads, 3 before");
+}
+
+TEST_F(LogLevels, DebugTellsWhatTheCostModelDecides) {
+    EXPECT_EXIT(step("debug", "auto", 300), testing::ExitedWithCode(0),
+                "ODE_MT debug: cost model: a step of [0-9]+ us on the caller costs [0-9]+ us to share out, which "
+                "(pays|does not pay)");
+}
+
+// Whoever asks for less does not pay for it.
+TEST_F(LogLevels, InfoKeepsDebugBack) {
+    const auto run = [] { step("info", "auto", 300); };
+    EXPECT_EXIT(run(), testing::ExitedWithCode(0), "ODE_MT info: [^\n]*(\nODE_MT info: [^\n]*)*\n$");
+}
+
+}  // namespace
