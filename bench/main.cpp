@@ -3,13 +3,11 @@
 #include "progress.h"
 #include "report.h"
 #include "result_file.h"
+#include "standard_output.h"
 #include "world_source.h"
 
-#include <cerrno>
 #include <csignal>
-#include <cstring>
 #include <iostream>
-#include <stdexcept>
 
 namespace {
 
@@ -19,13 +17,6 @@ void save(const std::vector<bench::WorldResult> &results, const bench::Options &
     bench::writeResultFile(options.csvFile, bench::reportCsv(results));
     if (!options.samplesFile.empty())
         bench::writeResultFile(options.samplesFile, bench::reportSamples(results));
-}
-
-// Throws if standard output is closed or full.
-void print(const std::string &text) {
-    errno = 0;
-    if (!(std::cout << text << std::flush))
-        throw std::runtime_error(std::string("cannot write to standard output: ") + std::strerror(errno));
 }
 
 bench::WorldResult measure(const std::string &world, const bench::Options &options,
@@ -50,11 +41,11 @@ bool compare(const bench::Options &options) {
         progress.clear();
         save(results, options);  // before anything is printed, which may fail
         isClean = results.back().isClean() && isClean;
-        print(bench::reportText(results.back()));
+        bench::print(bench::reportText(results.back()));
     }
-    print(bench::reportCurves(results) + bench::reportScaling(results) + "Figures: " + options.jsonFile +
+    bench::print(bench::reportCurves(results) + bench::reportScaling(results) + "Figures: " + options.jsonFile +
           ", " + options.csvFile + "\n");
-    if (!isClean) print("AN ENGINE FAILED OR GAVE OTHER RESULTS: see above.\n");
+    if (!isClean) bench::print("AN ENGINE FAILED OR GAVE OTHER RESULTS: see above.\n");
     return isClean;
 }
 
@@ -65,10 +56,10 @@ int main(int argc, char **argv) {
     signal(SIGXFSZ, SIG_IGN);  // and so is a file that may not grow
     int exitCode = 0;
     const std::optional<bench::Options> options = bench::readOptions(argc, argv, exitCode);
-    if (!options) return exitCode;
+    if (!options) return bench::exitCodeAfterOutput(exitCode);
     try {
         if (!options->list) return compare(*options) ? 0 : 1;
-        print(bench::listWorlds());
+        bench::print(bench::listWorlds());
         return 0;
     } catch (const std::exception &error) {
         std::cerr << error.what() << "\n";

@@ -7,8 +7,10 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 namespace bench {
 
@@ -80,15 +82,57 @@ bool writeAll(int file, const std::string &text) {
     return true;
 }
 
-void writeSpecial(const std::string &file, const std::string &text) {
-    const int descriptor = open(file.c_str(), O_WRONLY | O_CLOEXEC);
-    if (descriptor < 0) fail(file, std::strerror(errno));
-    const bool written = writeAll(descriptor, text);
-    const int error = errno;
-    if (close(descriptor) != 0 || !written) fail(file, std::strerror(written ? errno : error));
-}
+// What has no name to take.
+class SpecialFile {
+public:
+    explicit SpecialFile(const fs::path &path) : m_file(open(path.c_str(), O_WRONLY | O_CLOEXEC)) {}
+    ~SpecialFile() {
+        if (m_file >= 0) close(m_file);
+    }
+    SpecialFile(const SpecialFile &) = delete;
+    SpecialFile &operator=(const SpecialFile &) = delete;
+
+    int descriptor() const { return m_file; }
+    bool finish() { return close(std::exchange(m_file, -1)) == 0; }
+
+private:
+    int m_file;
+};
 
 }  // namespace
+
+class ResultStream::Target {
+public:
+    explicit Target(const fs::path &path) : m_path(path) {
+        if (isSpecial(path))
+            m_special.emplace(path);
+        else
+            m_fresh.emplace(path);
+    }
+
+    int descriptor() const { return m_fresh ? m_fresh->descriptor() : m_special->descriptor(); }
+    bool finish() { return m_fresh ? m_fresh->rename(m_path) : m_special->finish(); }
+
+private:
+    const fs::path m_path;
+    std::optional<TemporaryFile> m_fresh;
+    std::optional<SpecialFile> m_special;
+};
+
+ResultStream::ResultStream(const std::string &file)
+    : m_file(file), m_target(std::make_unique<Target>(target(file))) {
+    if (m_target->descriptor() < 0) fail(m_file, std::strerror(errno));
+}
+
+ResultStream::~ResultStream() = default;
+
+void ResultStream::append(const std::string &text) {
+    if (!writeAll(m_target->descriptor(), text)) fail(m_file, std::strerror(errno));
+}
+
+void ResultStream::finish() {
+    if (!m_target->finish()) fail(m_file, std::strerror(errno));
+}
 
 void checkWritable(const std::string &file) {
     if (file.empty()) throw std::runtime_error("a file of results has no name");
@@ -108,11 +152,9 @@ void checkWritable(const std::string &file) {
 }
 
 void writeResultFile(const std::string &file, const std::string &text) {
-    const fs::path path = target(file);
-    if (isSpecial(path)) return writeSpecial(path.string(), text);
-    TemporaryFile fresh(path);
-    if (!fresh.isOpen() || !writeAll(fresh.descriptor(), text) || !fresh.rename(path))
-        fail(file, std::strerror(errno));
+    ResultStream stream(file);
+    stream.append(text);
+    stream.finish();
 }
 
 void checkDistinct(const std::vector<std::string> &files) {

@@ -5,6 +5,7 @@
 // name to take and is written to directly.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,26 @@ void checkWritable(const std::string &file);
 
 // Throws std::runtime_error with the file and the reason; then the old text is still there.
 void writeResultFile(const std::string &file, const std::string &text);
+
+// A result that grows line by line: a recording. It takes its name when it is finished; one that is not, because the
+// program was killed, stays beside it under a name that begins with it, and one that failed is removed.
+class ResultStream {
+public:
+    // Throws std::runtime_error with the file and the reason, as the other functions do.
+    explicit ResultStream(const std::string &file);
+    ~ResultStream();
+    ResultStream(const ResultStream &) = delete;
+    ResultStream &operator=(const ResultStream &) = delete;
+
+    void append(const std::string &text);
+    void finish();
+
+private:
+    class Target;
+
+    const std::string m_file;
+    std::unique_ptr<Target> m_target;
+};
 
 // Requires files whose folders exist. Throws std::invalid_argument if two of them, however they are spelled
 // (relative, through a symbolic link), are one file.

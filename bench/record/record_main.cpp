@@ -3,12 +3,15 @@
 #include "library_variables.h"
 #include "record/record_options.h"
 #include "record/recorder.h"
+#include "result_file.h"
+#include "standard_output.h"
 #include "world_source.h"
 
 #include <ode/ode.h>
 
+#include <csignal>
 #include <cstdlib>
-#include <fstream>
+#include <functional>
 #include <iostream>
 
 namespace {
@@ -27,35 +30,43 @@ record::Header describe(const record::RecordOptions &options, const scenes::Scen
             recorder.geoms()};
 }
 
-void recordScene(const record::RecordOptions &options, std::ostream &out) {
+using Line = std::function<void(const std::string &)>;
+
+void recordScene(const record::RecordOptions &options, const Line &write) {
     std::vector<std::string> warnings;
     const auto scene = bench::openWorld(options.world, options.ignoreUnsupported, warnings);
     for (const std::string &warning : warnings) std::cerr << warning << "\n";
     record::Recorder recorder(*scene);
-    out << writeHeader(describe(options, *scene, recorder)) << "\n";
+    write(writeHeader(describe(options, *scene, recorder)) + "\n");
     for (long frame = 1; frame <= options.frames; ++frame) {
         recorder.runFrame();
         if (frame % options.every == 0 || frame == options.frames)
-            out << writeFrame(recorder.frame()) << "\n";
+            write(writeFrame(recorder.frame()) + "\n");
     }
-    if (!out.flush()) throw std::runtime_error("cannot write '" + options.file + "'");
+}
+
+void recordToFile(const record::RecordOptions &options) {
+    bench::checkWritable(options.file);
+    bench::ResultStream stream(options.file);
+    recordScene(options, [&](const std::string &line) { stream.append(line); });
+    stream.finish();
 }
 
 }  // namespace
 
 int main(int argc, char **argv) {
+    signal(SIGPIPE, SIG_IGN);  // a closed standard output is reported instead
+    signal(SIGXFSZ, SIG_IGN);  // and so is a file that may not grow
     int exitCode = 0;
     const auto options = record::readRecordOptions(argc, argv, exitCode);
-    if (!options) return exitCode;
+    if (!options) return bench::exitCodeAfterOutput(exitCode);
     chooseAlgorithm(*options);
     dInitODE2(0);
     try {
-        std::ofstream file;
-        if (!options->file.empty()) {
-            file.open(options->file);
-            if (!file) throw std::runtime_error("cannot write '" + options->file + "'");
-        }
-        recordScene(*options, options->file.empty() ? std::cout : file);
+        if (options->file.empty())
+            recordScene(*options, bench::print);
+        else
+            recordToFile(*options);
     } catch (const std::exception &error) {
         std::cerr << error.what() << "\n";
         exitCode = 1;

@@ -1,5 +1,6 @@
 #include "record/record_options.h"
 
+#include "number_range.h"
 #include "world_source.h"
 
 #include <CLI/CLI.hpp>
@@ -21,13 +22,13 @@ void addOptions(CLI::App &app, RecordOptions &options) {
     app.add_option("--cells", options.gridCells,
                    "cells on each axis of the grid, 5 to 20; 0: tuned by measured time")
         ->capture_default_str()
-        ->check(CLI::Number);
+        ->check(bench::wholeNumberIn(0, 20));
     app.add_option("--frames", options.frames, "frames that are run")
         ->capture_default_str()
-        ->check(CLI::Range(1L, 1'000'000'000L));
+        ->check(bench::wholeNumberIn(1, 1'000'000'000));
     app.add_option("--every", options.every, "one frame of so many is kept; the last one always")
         ->capture_default_str()
-        ->check(CLI::Range(1L, 1'000'000'000L));
+        ->check(bench::wholeNumberIn(1, 1'000'000'000));
     app.add_option("--output", options.file, "file; standard output if it is not given");
     app.add_flag("--ignore-unsupported", options.ignoreUnsupported,
                  "leave out elements of an SDF world that the loader does not know");

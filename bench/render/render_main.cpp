@@ -1,6 +1,11 @@
 // odemt_render: a frame of a recording (record/recording.h) as a picture.
 #include "render/render_options.h"
+#include "result_file.h"
+#include "standard_output.h"
 
+#include <cerrno>
+#include <csignal>
+#include <cstring>
 #include <fstream>
 #include <iostream>
 
@@ -8,6 +13,7 @@ namespace {
 
 record::Recording read(const std::string &file) {
     std::ifstream stream(file);
+    if (!stream) throw std::runtime_error("cannot read '" + file + "': " + std::strerror(errno));
     try {
         return record::readRecording(stream);
     } catch (const std::runtime_error &error) {
@@ -15,27 +21,23 @@ record::Recording read(const std::string &file) {
     }
 }
 
-void write(const std::string &text, const std::string &file) {
-    std::ofstream stream(file);
-    stream << text;
-    stream.close();
-    if (!stream) throw std::runtime_error("cannot write '" + file + "'");
-}
-
 }  // namespace
 
 int main(int argc, char **argv) {
+    signal(SIGPIPE, SIG_IGN);  // a closed standard output is reported instead
+    signal(SIGXFSZ, SIG_IGN);  // and so is a file that may not grow
     int exitCode = 0;
     const auto options = render::readRenderOptions(argc, argv, exitCode);
-    if (!options) return exitCode;
+    if (!options) return bench::exitCodeAfterOutput(exitCode);
     try {
+        if (!options->file.empty()) bench::checkWritable(options->file);
         const record::Recording recording = read(options->recording);
         const std::string picture = render::drawFrame(
             recording.header, render::chooseFrame(recording, options->frame), options->view);
         if (options->file.empty())
-            std::cout << picture;
+            bench::print(picture);
         else
-            write(picture, options->file);
+            bench::writeResultFile(options->file, picture);
         return 0;
     } catch (const std::invalid_argument &error) {
         std::cerr << error.what() << "\n";

@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "number_range.h"
+
 namespace render {
 
 std::optional<RenderOptions> readRenderOptions(int argc, const char *const *argv, int &exitCode) {
@@ -16,15 +18,16 @@ std::optional<RenderOptions> readRenderOptions(int argc, const char *const *argv
         ->check(CLI::ExistingFile);
     app.add_option("--frame", options.frame, "number of the frame, or 'last'")->capture_default_str();
     app.add_option("--output", options.file, "file; standard output if it is not given");
-    app.add_option("--width", view.width, "pixels")->capture_default_str()->check(CLI::Range(10, 10'000));
+    app.add_option("--width", view.width, "pixels")->capture_default_str()->check(bench::wholeNumberIn(10, 10'000));
     app.add_option("--azimuth", view.azimuth, "degrees: where the viewer stands; 0: along +x, 90: along +y")
-        ->capture_default_str();
+        ->capture_default_str()
+        ->check(bench::numberIn(-360, 360));
     app.add_option("--elevation", view.elevation, "degrees above the horizon")
         ->capture_default_str()
-        ->check(CLI::Range(1.0, 90.0));
+        ->check(bench::numberIn(1, 90));
     app.add_option("--radius", view.radius, "metres around what moves that are shown; 0: everything")
         ->capture_default_str()
-        ->check(CLI::NonNegativeNumber);
+        ->check(bench::numberIn(0, 1e6));
     try {
         app.parse(argc, argv);
         return options;
@@ -35,13 +38,13 @@ std::optional<RenderOptions> readRenderOptions(int argc, const char *const *argv
 }
 
 const record::Frame &chooseFrame(const record::Recording &recording, const std::string &frame) {
-    if (recording.frames.empty()) throw std::runtime_error("the recording has no frames");
+    if (recording.frames.empty()) throw std::invalid_argument("the recording has no frames");
     std::string known;
     for (const record::Frame &candidate : recording.frames) {
         if (std::to_string(candidate.number) == frame) return candidate;
         known += std::to_string(candidate.number) + ", ";
     }
-    if (frame == "last" && !recording.frames.empty()) return recording.frames.back();
+    if (frame == "last") return recording.frames.back();
     throw std::invalid_argument("--frame: no frame '" + frame + "' in the recording; there are: " + known +
                                 "last");
 }

@@ -151,11 +151,6 @@ TEST_F(OdemtBench, AKillLeavesTheWorldsThatWereMeasured) {
     EXPECT_EQ(nlohmann::json::parse(file)["worlds"].size(), 1u);
 }
 
-TEST_F(OdemtBench, AFullStandardOutputIsAnError) {
-    EXPECT_EQ(run("--list > /dev/full").exitCode, 1);
-    EXPECT_EQ(run("--list >&-").exitCode, 1);
-}
-
 TEST_F(OdemtBench, StartsOnOurLibraryWhereDebiansIsMissing) {
     const std::string command = "LD_TRACE_LOADED_OBJECTS=1 " + std::string(ODEMT_BENCH);
     FILE *pipe = popen(command.c_str(), "r");

@@ -1,0 +1,15 @@
+// Standard output that may be closed or full, which is an error like that of any other file.
+#pragma once
+
+#include <string>
+
+namespace bench {
+
+// Throws std::runtime_error with the reason.
+void print(const std::string &text);
+
+// Of a program that has ended with this code: 1 instead of 0 if what others have printed (help) did not arrive; the
+// reason goes to standard error.
+int exitCodeAfterOutput(int exitCode);
+
+}  // namespace bench

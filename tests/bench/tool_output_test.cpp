@@ -1,0 +1,118 @@
+// What the tools print and write, where that cannot be done: each says so, and no older file is lost. All ways of
+// writing, for all three tools.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+namespace {
+
+struct Outcome {
+    int exitCode;
+    std::string output;
+};
+
+Outcome runShell(const std::string &command) {
+    FILE *pipe = popen(("(" + command + ") 2>&1").c_str(), "r");
+    std::string output;
+    char bytes[4096];
+    while (const std::size_t count = std::fread(bytes, 1, sizeof bytes, pipe)) output.append(bytes, count);
+    return {WEXITSTATUS(pclose(pipe)), output};
+}
+
+class ToolOutput : public testing::Test {
+protected:
+    void SetUp() override {
+        std::filesystem::create_directories(folder);
+        const Outcome outcome = runShell(std::string(ODEMT_RECORD) + " rover:2 --frames 5 --output " + recording);
+        ASSERT_EQ(outcome.exitCode, 0) << outcome.output;
+    }
+    void TearDown() override { std::filesystem::remove_all(folder); }
+
+    // The file is whole and what it was, and nothing else is beside it.
+    void expectKept(const std::string &command) const {
+        std::ifstream stream(kept);
+        const std::string text((std::istreambuf_iterator<char>(stream)), {});
+        EXPECT_EQ(text, "of old\n") << command;
+        for (const auto &entry : std::filesystem::directory_iterator(folder)) {
+            const std::string name = entry.path().filename().string();
+            EXPECT_TRUE(name == "kept" || name == "recording" || name == "x.csv") << name << " is left by " << command;
+        }
+    }
+    void writeKept() const { std::ofstream(kept) << "of old\n"; }
+
+    const std::string folder = testing::TempDir() + "/tool_output_" + std::to_string(getpid());
+    const std::string recording = folder + "/recording", kept = folder + "/kept";
+    const std::string bench = std::string(ODEMT_BENCH) + " --worlds rover:3 --engines ours:0 --frames 20";
+    const std::string benchFiles = " --json " + folder + "/x.json --csv " + folder + "/x.csv";
+    const std::string record = std::string(ODEMT_RECORD) + " rover:2 --frames 5";
+    const std::string render = std::string(ODEMT_RENDER) + " " + recording;
+};
+
+TEST_F(ToolOutput, AStandardOutputThatIsFullOrClosedIsAnError) {
+    for (const std::string &command : {std::string(ODEMT_BENCH) + " --list", std::string(ODEMT_BENCH) + " --help",
+                                       bench + benchFiles, std::string(ODEMT_RECORD) + " --help", record,
+                                       std::string(ODEMT_RENDER) + " --help", render}) {
+        EXPECT_EQ(runShell(command + " >/dev/null").exitCode, 0) << command;
+        for (const char *const where : {" >/dev/full", " >&-"}) {
+            const Outcome outcome = runShell(command + where);
+            EXPECT_EQ(outcome.exitCode, 1) << command << where << ": " << outcome.output;
+            EXPECT_NE(outcome.output.find("cannot write to standard output: "), std::string::npos)
+                << command << where << ": " << outcome.output;
+        }
+    }
+}
+
+TEST_F(ToolOutput, AFileThatCannotBeWrittenIsNamedWithTheReason) {
+    const std::vector<std::pair<std::string, std::string>> files = {
+        {folder, "it is a folder"},
+        {"/dev/full", "No space left on device"},
+        {"/proc/none/x", "No such file or directory"},
+        {recording + "/x", "Not a directory"}};
+    for (const std::string &command :
+         {bench + " --csv /dev/null --json ", bench + " --json /dev/null --csv ", record + " --output ",
+          render + " --output "})
+        for (const auto &[file, reason] : files) {
+            const Outcome outcome = runShell(command + file);
+            EXPECT_EQ(outcome.exitCode, 1) << command << file << ": " << outcome.output;
+            EXPECT_NE(outcome.output.find("cannot write '" + file + "': " + reason), std::string::npos)
+                << command << file << ": " << outcome.output;
+        }
+}
+
+TEST_F(ToolOutput, WhatFailsLeavesTheOldFile) {
+    const std::string badBench = std::string(ODEMT_BENCH) + " --engines ours:0 --frames 20 --worlds ",
+                      csv = " --csv " + folder + "/x.csv --json ";
+    for (const std::string &command :
+         {badBench + "/none.sdf" + csv, "ulimit -f 0; " + bench + csv, std::string(ODEMT_RECORD) + " /none.sdf --output ",
+          "ulimit -f 0; " + record + " --output ", std::string(ODEMT_RENDER) + " /dev/null --output ",
+          render + " --frame 77 --output ", "ulimit -f 0; " + render + " --output "}) {
+        writeKept();
+        const Outcome outcome = runShell(command + kept);
+        EXPECT_NE(outcome.exitCode, 0) << command << ": " << outcome.output;
+        EXPECT_LE(outcome.exitCode, 2) << command << ": " << outcome.output;  // no signal
+        expectKept(command);
+    }
+}
+
+TEST_F(ToolOutput, ARecordingThatIsKilledLeavesTheOldFileAndItsFrames) {
+    writeKept();
+    runShell(std::string(ODEMT_RECORD) + " rover:2 --frames 1000000000 --output " + kept + " & P=$!; sleep 1; kill -9 $P; wait");
+    std::ifstream stream(kept);
+    EXPECT_EQ(std::string((std::istreambuf_iterator<char>(stream)), {}), "of old\n");
+    int frames = 0;
+    for (const auto &entry : std::filesystem::directory_iterator(folder)) {
+        if (entry.path().filename().string().rfind("kept.", 0) != 0) continue;
+        std::ifstream part(entry.path());
+        for (std::string line; std::getline(part, line);) frames += line.find("\"frame\"") != std::string::npos;
+    }
+    EXPECT_GT(frames, 1);
+}
+
+}  // namespace
