@@ -71,6 +71,11 @@ ode_mt_compile_after("heightfield.cpp" heightfield.h)
 # libccd asks convex geoms for their furthest point, dozens of times a pair (ode_mt/collision/dxConvexSupport.h).
 ode_mt_compile_after("collision_libccd.cpp" collision_libccd.h)
 
+# The sign of a zero depth follows from the order of the arguments in fmax(0.0, x). g++ takes the order to be free and changes
+# it; Debian's binary has it as it is written. Elsewhere upstream calls neither fmax nor fmin (docs/same-bits.md).
+set_property(SOURCE "${ODE_MT_UPSTREAM_DIR}/ode/src/collision_libccd.cpp" APPEND PROPERTY
+    COMPILE_OPTIONS -fno-builtin-fmax)
+
 # Spaces of all kinds are ours: they find pairs incrementally, and report them in upstream's order
 # (ode_mt/collision/dxOrderedSpace.h).
 foreach(file collision_space collision_quadtreespace collision_sapspace)
