@@ -1,5 +1,5 @@
 /* Linker names of upstream's functions around its table of colliders (the public ones are in
- * ode_mt/api/user_classes.cpp) and around what decides whether geoms may meet (ode_mt/api/geom_filters.cpp). */
+ * ode_mt/api/user_classes.cpp) and around what decides whether geoms may meet (ode_mt/api/geom_filters.cpp, geom_switches.cpp). */
 #pragma once
 
 #include <ode/collision.h>
@@ -11,4 +11,6 @@ void dSetColliderOverride(int, int, dColliderFn *) __asm__("dxUpstreamSetCollide
 void dGeomSetBody(dGeomID, dBodyID) __asm__("dxUpstreamGeomSetBody");
 void dGeomSetCategoryBits(dGeomID, unsigned long) __asm__("dxUpstreamGeomSetCategoryBits");
 void dGeomSetCollideBits(dGeomID, unsigned long) __asm__("dxUpstreamGeomSetCollideBits");
+void dGeomEnable(dGeomID) __asm__("dxUpstreamGeomEnable");
+void dGeomDisable(dGeomID) __asm__("dxUpstreamGeomDisable");
 }

@@ -104,9 +104,9 @@ dxContactsAhead *dxContactsAhead::current() {
     return t_current;
 }
 
-dxContactsAhead::Scope::Scope(dxContactsAhead &ahead, dxTaskRunner &runner, bool arraysStay)
+dxContactsAhead::Scope::Scope(dxContactsAhead &ahead, dxTaskRunner &runner, std::size_t slots, bool arraysStay)
     : m_outer(t_current), m_outerFrame(t_frame), m_ahead(ahead) {
-    ahead.start(runner, arraysStay);
+    ahead.start(runner, slots, arraysStay);
     t_current = &ahead;
     t_frame = dxStackFrame::ofCaller();
 }
@@ -122,7 +122,9 @@ std::uint64_t dxContactsAhead::changesNoticed() {
     return dxHeightRevision::count() + dxMissedNotifications::count();
 }
 
-void dxContactsAhead::start(dxTaskRunner &runner, bool arraysStay) {
+void dxContactsAhead::start(dxTaskRunner &runner, std::size_t slots, bool arraysStay) {
+    ++m_call;
+    if (m_asked.size() < slots) m_asked.resize(slots);
     m_runner = &runner;
     m_arraysStay = arraysStay;
     m_pair = nullptr;
@@ -136,8 +138,12 @@ void dxContactsAhead::start(dxTaskRunner &runner, bool arraysStay) {
 void dxContactsAhead::end() {
     m_pair = nullptr;
     m_hasResults = false;
-    if (m_computed < kTelling) return;
-    if (2 * m_used >= m_computed) {
+    m_computedUntold += m_computed;
+    m_usedUntold += m_used;
+    if (m_computedUntold < kTelling) return;
+    const bool pays = 2 * m_usedUntold >= m_computedUntold;
+    m_computedUntold = m_usedUntold = 0;
+    if (pays) {
         m_nextPause = 0;
         return;
     }
@@ -186,6 +192,7 @@ void dxContactsAhead::computeWindow(const std::vector<dxOrderedPair> &pairs) {
 void dxContactsAhead::compute(const dxOrderedPair &pair, Result &result, unsigned number) {
     Worker &worker = m_workers[number];
     result.count = kUnknown;
+    if (!wasAsked(pair.slots[0]) || !wasAsked(pair.slots[1])) return;
     if (!dxMayCollideAnywhere(*pair.first, *pair.second)) return;
     if (!m_arraysStay && !dxKnowsArrays(*pair.first, *pair.second)) return;
     const auto most = static_cast<std::size_t>(m_windowFlags & NUMC_MASK);
@@ -238,8 +245,15 @@ void dxContactsAhead::Worker::wipeDrafts() {
     for (std::size_t i = used; i < contacts.size() && !isUnwritten(contacts[i]); ++i) unwrite(contacts[i]);
 }
 
+void dxContactsAhead::noteAsked(const dxOrderedPair &pair) {
+    for (const dxMembers::Slot slot : pair.slots) m_asked[slot] = m_call;
+}
+
 int dxContactsAhead::answer(dGeomID o1, dGeomID o2, int flags, dContactGeom *contacts, int skip) {
-    if (m_pair == nullptr || o1 != m_pair->first || o2 != m_pair->second) return kUnknown;
+    if (m_pair == nullptr) return kUnknown;
+    if (o1 == m_pair->second && o2 == m_pair->first) noteAsked(*m_pair);
+    if (o1 != m_pair->first || o2 != m_pair->second) return kUnknown;
+    noteAsked(*m_pair);
     m_flags = flags;
     if (!m_hasResults || flags != m_windowFlags || contacts == nullptr) return kUnknown;
     if (m_windowChanges != changesNoticed()) return kUnknown;

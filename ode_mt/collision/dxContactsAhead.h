@@ -8,8 +8,10 @@
 // with a mesh, or with a height field whose samples are the program's, are not computed ahead
 // (dxKnowsArrays), unless the program has promised to leave such arrays alone.
 //
-// Which flags the callback will ask with is learned from the last call. If less than half of what was
-// computed is asked for, the rest of the call goes without, and so do the next calls.
+// What the callback will ask for is learned from the last call: with which flags, and for which geoms. A pair is
+// computed ahead only if dCollide was called for both of its geoms in this call or the one before, be it in other
+// pairs: a program may have reasons never to collide a geom (a collider that would not end, points that are gone).
+// If less than half of what was computed is asked for, the rest of the call goes without, and so do the next calls.
 //
 // Colliders leave some bytes of dContactGeom as they are. Workers compute into memory that holds a pattern,
 // and what still shows the pattern is not copied to the user's contacts.
@@ -23,6 +25,7 @@
 
 #include <ode/ode.h>
 
+#include "collision/dxMembers.h"
 #include "collision/dxOrderedPair.h"
 #include "collision/dxSharedColliders.h"
 #include "threading/dxStackFrame.h"
@@ -39,7 +42,8 @@ public:
     public:
         // `arraysStay`: the program promises that no callback writes to the arrays of meshes and height
         // fields.
-        Scope(dxContactsAhead &ahead, dxTaskRunner &runner, bool arraysStay);
+        // `slots`: of the space's members.
+        Scope(dxContactsAhead &ahead, dxTaskRunner &runner, std::size_t slots, bool arraysStay);
         ~Scope();
         Scope(const Scope &) = delete;
         Scope &operator=(const Scope &) = delete;
@@ -59,6 +63,10 @@ public:
 
     // The space is about to look for its pairs again.
     void forgetPair() { m_pair = nullptr; }
+    // Another geom has the slot.
+    void forgetGeom(dxMembers::Slot slot) {
+        if (slot < m_asked.size()) m_asked[slot] = 0;
+    }
 
     // dCollide asks. -1: nothing is known, upstream has to compute.
     int answer(dGeomID o1, dGeomID o2, int flags, dContactGeom *contacts, int skip);
@@ -100,12 +108,14 @@ private:
         void wipeDrafts();
     };
 
-    void start(dxTaskRunner &runner, bool arraysStay);
+    void start(dxTaskRunner &runner, std::size_t slots, bool arraysStay);
     void end();
     void nextWindow(const std::vector<dxOrderedPair> &pairs, std::size_t index);
     bool maySpend() const;
     void computeWindow(const std::vector<dxOrderedPair> &pairs);
     void compute(const dxOrderedPair &pair, Result &result, unsigned worker);
+    void noteAsked(const dxOrderedPair &pair);
+    bool wasAsked(dxMembers::Slot slot) const { return m_asked[slot] + 1 >= m_call; }
 
     static std::uint64_t changesNoticed();
 
@@ -119,9 +129,12 @@ private:
     bool m_hasResults = false;
     std::uint64_t m_window = 0;  // its number
     std::vector<Worker> m_workers;
+    std::uint64_t m_call = 1;               // its number
+    std::vector<std::uint64_t> m_asked;     // by slot: the last call in which the geom was collided, or 0
     int m_flags = 0;  // of the last dCollide; 0: none yet
     int m_windowFlags = 0;
-    std::uint64_t m_computed = 0, m_used = 0;
+    std::uint64_t m_computed = 0, m_used = 0;              // in this call
+    std::uint64_t m_computedUntold = 0, m_usedUntold = 0;  // in the calls since it was last told whether it pays
     unsigned m_callsWithout = 0;  // to come
     unsigned m_nextPause = 0;
 };

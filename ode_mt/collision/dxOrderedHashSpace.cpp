@@ -61,6 +61,9 @@ bool followLead(const Element &searcher, const Element &found, dxPairKey &key) {
     return true;
 }
 
+// Changes of enabled flags in one call that are noted, beside one for each geom.
+constexpr std::size_t kMostSwitched = 4096;
+
 struct ListedPair {
     dxPairKey key;
     dxGeom *first, *second;
@@ -88,6 +91,7 @@ void dxOrderedHashSpace::collide(void *data, dNearCallback *callback) {
 }
 
 bool dxOrderedHashSpace::makeReady() {
+    if (lock_count == 1) m_switched.clear();
     if (m_levelsChanged && lock_count > 1) {  // a call around this one goes through pairs()
         cleanToCollide();
         return false;
@@ -158,6 +162,7 @@ void dxOrderedHashSpace::deliver(void *data, dNearCallback *callback) {
 
 void dxOrderedHashSpace::deliverAll(const std::vector<dxOrderedPair> &pairs, void *data,
                                     dNearCallback *callback) {
+    const std::size_t switched = m_switched.size();
     dxContactsAhead *const ahead = this->ahead();
     const std::uint64_t missed = dxMissedNotifications::count();
     for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -166,20 +171,38 @@ void dxOrderedHashSpace::deliverAll(const std::vector<dxOrderedPair> &pairs, voi
         dxDeliver(pairs[i], data, callback);
         if (dxMissedNotifications::count() != missed) {
             const dxOrderedPair last = pairs[i];
-            walk(data, callback, &last);
+            walkFrom(switched, data, callback, &last);
             return;
         }
     }
 }
 
+// A space that was left locked by a jump has no outermost call any more: it notes no more than it has geoms at once.
+void dxOrderedHashSpace::enabledChanges(dxGeom *geom) {
+    if (lock_count == 0) return;
+    if (m_switched.size() >= static_cast<std::size_t>(count) + kMostSwitched) m_switched.clear();
+    m_switched.push_back({geom, dxGeomIsEnabled(geom)});
+}
+
+bool dxOrderedHashSpace::wasEnabled(const dxGeom *geom, std::size_t switched) const {
+    for (; switched < m_switched.size(); ++switched)
+        if (m_switched[switched].geom == geom) return m_switched[switched].wasEnabled;
+    return dxGeomIsEnabled(geom);
+}
+
 // All pairs that share a cell, whether or not their boxes overlap, for the assertions in collideAABBs.
 // Upstream puts the boxes of geoms that are enabled into cells before the first callback.
 void dxOrderedHashSpace::walk(void *data, dNearCallback *callback, const dxOrderedPair *after) {
+    walkFrom(m_switched.size(), data, callback, after);
+}
+
+// `switched`: how many geoms had been switched when the call began.
+void dxOrderedHashSpace::walkFrom(std::size_t switched, void *data, dNearCallback *callback,
+                                  const dxOrderedPair *after) {
     std::vector<dxGeom *> geoms;
     std::vector<dxHashCells> cells;
     for (dxGeom *geom = first; geom != nullptr; geom = geom->next) {
-        const bool wasEnabled = after != nullptr && (geom == after->first || geom == after->second);
-        if (!wasEnabled && !dxGeomIsEnabled(geom)) continue;
+        if (!wasEnabled(geom, switched)) continue;
         geoms.push_back(geom);
         cells.push_back(after != nullptr ? m_cells[slotOf(geom)] : dxHashCells(geom->aabb, m_levels));
         if (cells.back().kind() == Kind::outOfRange) reportOutOfRange();

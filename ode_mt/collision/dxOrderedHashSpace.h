@@ -16,8 +16,15 @@ public:
 
     void collide(void *data, dNearCallback *callback) override;
     bool makeReady() override;
+    void enabledChanges(dxGeom *geom) override;
 
 private:
+    // Whether a geom was enabled before a callback changed that.
+    struct Switched {
+        const dxGeom *geom;
+        bool wasEnabled;
+    };
+
     void update(std::vector<dxOrderedPair> &pairs) override;
     bool lead(Slot a, Slot b, std::uint64_t &word, bool &swapped) const override;
     bool follow(Slot first, Slot second, dxPairKey &key) const override;
@@ -27,6 +34,8 @@ private:
     bool walksCrowds() const override { return false; }
 
     void deliverAll(const std::vector<dxOrderedPair> &pairs, void *data, dNearCallback *callback);
+    void walkFrom(std::size_t switched, void *data, dNearCallback *callback, const dxOrderedPair *after);
+    bool wasEnabled(const dxGeom *geom, std::size_t switched) const;
     void updateCells();
     void requireInRange() const;
 
@@ -35,4 +44,5 @@ private:
     std::vector<dxHashCells> m_cells;           // by slot
     std::vector<dxOrderedPair> m_enabledPairs;  // memory for a call, kept between calls
     int m_outOfRange = 0;                       // members whose kind is that
+    std::vector<Switched> m_switched;           // in callbacks of the outermost call, in order
 };

@@ -69,6 +69,7 @@ void dxOrderedSpace::add(dxGeom *geom) {
     const Slot slot = m_members.add(geom);
     geom->tome_ex = reinterpret_cast<dxGeom **>(static_cast<std::uintptr_t>(slot) + 1);
     comes(geom, slot);
+    if (m_ahead != nullptr) m_ahead->forgetGeom(slot);
     dxOrderedSpace *const inner = IS_SPACE(geom) ? from(static_cast<dxSpace *>(geom)) : nullptr;
     if (inner != nullptr && inner->hasStrays()) dxMissedNotifications::add();
     dxSpace::add(geom);
@@ -159,7 +160,7 @@ void dxOrderedSpace::startAnew() {
 void dxOrderedSpace::collideShared(dxTaskRunner &runner, bool arraysStay, void *data,
                                    dNearCallback *callback) {
     if (m_ahead == nullptr) m_ahead.reset(new dxContactsAhead);
-    const dxContactsAhead::Scope scope(*m_ahead, runner, arraysStay);
+    const dxContactsAhead::Scope scope(*m_ahead, runner, m_members.end(), arraysStay);
     lock_count++;
     if (makeReadyShared(runner)) {
         m_isAhead = true;

@@ -102,6 +102,8 @@ public:
 
     // The category bits, collide bits or body of a member changed, which moves nothing.
     void filtersChanged(dxGeom *geom);
+    // A member is about to be enabled or disabled.
+    virtual void enabledChanges(dxGeom * /*geom*/) {}
 
 protected:
     explicit dxOrderedSpace(dSpaceID parent, int type);

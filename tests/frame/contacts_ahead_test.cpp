@@ -2,6 +2,7 @@
 // for stays little. That they are the right ones is the exactness suite's.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
+#include <sys/mman.h>
 
 #include "HeapWorld.h"
 #include "OdeSession.h"
@@ -75,6 +76,54 @@ TEST_P(ContactsAhead, LittleIsComputedForCallbacksThatDoNotAsk) {
     });
     EXPECT_GT(counts.ahead, 0u);
     EXPECT_LT(counts.unused, 4u * 256u);  // dxContactsAhead stops after some 256 pairs, and for longer each time
+}
+
+// A convex geom whose points are nowhere: a program may keep one for its box, and never collide it.
+class Sensor {
+public:
+    explicit Sensor(dSpaceID space) {
+        for (int i = 0; i < 8; ++i)
+            for (int axis = 0; axis < 3; ++axis) points()[3 * i + axis] = (i >> axis & 1) != 0 ? 30 : -30;
+        for (int i = 0; i < 4; ++i) planes()[i] = i == 2 ? 1 : 30 * (i == 3);
+        m_geom = dCreateConvex(space, planes(), 1, points(), 8, kPolygon);
+        dReal box[6];
+        dGeomGetAABB(m_geom, box);
+        mprotect(m_page, kSize, PROT_NONE);
+    }
+    ~Sensor() {
+        mprotect(m_page, kSize, PROT_READ | PROT_WRITE);
+        munmap(m_page, kSize);
+    }
+    Sensor(const Sensor &) = delete;
+    Sensor &operator=(const Sensor &) = delete;
+
+private:
+    static constexpr std::size_t kSize = 4096;
+    static constexpr unsigned kPolygon[] = {4, 4, 5, 7, 6};  // the upper face
+
+    dReal *points() const { return static_cast<dReal *>(m_page); }
+    dReal *planes() const { return points() + 3 * 8; }
+
+    void *const m_page = mmap(nullptr, kSize, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    dGeomID m_geom;
+};
+
+// Not even the colliders that go by its points.
+TEST_P(ContactsAhead, NothingIsComputedForGeomsThatAreNeverCollided) {
+    const dSpaceID space = GetParam()(nullptr);
+    Sensor sensor(space);
+    HeapWorld world(space);
+    world.setCallback([](HeapWorld &heap, dGeomID o1, dGeomID o2) {
+        if (dGeomGetClass(o1) != dConvexClass && dGeomGetClass(o2) != dConvexClass) heap.makeContacts(o1, o2);
+    });
+    const Counts before;
+    for (int i = 0; i < 20; ++i) {
+        world.collide();
+        world.step();
+    }
+    const Counts counts = Counts().since(before);
+    EXPECT_GT(counts.ahead, 20u * HeapWorld::kSide);
+    EXPECT_EQ(counts.unused, 0u);
 }
 
 TEST_P(ContactsAhead, OtherQuestionsAreAnsweredAsEver) {

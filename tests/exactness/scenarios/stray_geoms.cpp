@@ -242,6 +242,48 @@ private:
     int m_before = 0;
 };
 
+// Callbacks switch geoms of the space on and off, and give a mesh of another space other data: upstream's hash and
+// sweep-and-prune spaces have asked by then which geoms are enabled, its other spaces ask at each pair.
+class Switched : public Strays {
+public:
+    Switched(Stepper stepper, SpaceKind kind) : Strays(stepper, kind, false) {
+        m_elsewhere = createSpace(kind, nullptr);
+        m_mesh = dCreateTriMesh(m_elsewhere, m_small->data(), nullptr, nullptr, nullptr);
+        dSpaceClean(m_elsewhere);
+        for (const dGeomID ball : m_balls) dGeomSphereSetRadius(ball, 0.9);
+    }
+
+protected:
+    void control() override {
+        for (std::size_t i = 0; i < m_balls.size(); ++i) moveBall(static_cast<int>(i), 0.01 * (frameNumber() % 5));
+        m_seen = 0;
+        m_isInner = false;
+        dSpaceCollide(m_outer, this, &change);
+        note("pairs", m_seen);
+    }
+
+private:
+    static void change(void *data, dGeomID o1, dGeomID o2) {
+        Switched &scene = *static_cast<Switched *>(data);
+        scene.note("first", static_cast<double>(nameOf(o1, scene)));
+        scene.note("second", static_cast<double>(nameOf(o2, scene)));
+        const int turn = scene.m_seen++ + scene.frameNumber();
+        const dGeomID ball = scene.m_balls[(5 * turn) % scene.m_balls.size()];
+        (dGeomIsEnabled(ball) ? dGeomDisable : dGeomEnable)(ball);
+        if (turn % 9 != 4) return;
+        dGeomTriMeshSetData(scene.m_mesh, turn % 2 == 0 ? scene.m_large->data() : scene.m_small->data());
+        if (scene.m_isInner || turn % 3 != 0) return;
+        scene.m_isInner = true;
+        dSpaceCollide(scene.m_outer, data, &change);
+        scene.m_isInner = false;
+    }
+
+    dSpaceID m_elsewhere;
+    dGeomID m_mesh;
+    int m_seen = 0;
+    bool m_isInner = false;
+};
+
 }  // namespace
 
 void addStrayGeoms(Catalogue &catalogue) {
@@ -271,6 +313,9 @@ void addStrayGeoms(Catalogue &catalogue) {
         catalogue.back().leavesRuins = true;
         add("onward_unasked", "the same with boxes that are not up to date", make<HalfRefusedOnward>(each.kind, false));
         catalogue.back().leavesRuins = true;
+        if (each.kind != SpaceKind::SweepAndPrune)  // whose lists a call from inside overwrites
+            add("switched", "geoms enabled and disabled, and a mesh elsewhere that gets other data, in callbacks",
+                make<Switched>(each.kind));
         add("half_refused", "what a locked space refuses too late", make<HalfRefused>(each.kind));
     }
 }
