@@ -91,10 +91,10 @@ TEST(Error, SurfacesHaveToMakeSense) {
 }
 
 TEST(Error, WordsAreNoNumbers) {
-    expectError(withInertial("<mass>heavy</mass>"), Kind::Syntax,
-                {"test.sdf: /sdf/world/model[m]/link[link]/inertial/mass", "heavy", "line 14"});
-    expectError(withGeometry("<box><size>1 2</size></box>"), Kind::Syntax,
-                {"geometry/box/size", "<size>1 2</size>"});
+    expectError(withInertial("<mass>heavy</mass>"), Kind::Value,
+                {"test.sdf: /sdf/world/model[m]/link[link]/inertial/mass: 'heavy' is not a number"});
+    expectError(withGeometry("<box><size>1 2</size></box>"), Kind::Value,
+                {"geometry/box/size: '1 2' has 2 numbers instead of 3"});
 }
 
 TEST(Error, BrokenXmlIsNamedWithItsLine) {
@@ -108,15 +108,16 @@ TEST(Error, BrokenXmlIsNamedWithItsLine) {
     expectError("<sdf version=\"1.9\"><model name=\"m\"><link name=\"l\"/></model></sdf>", Kind::Syntax,
                 {"test.sdf: /sdf: holds no <world>"});
     expectError("<sdf><world name=\"w\"/></sdf>", Kind::Syntax, {"test.sdf", "version"});
-    expectError("<sdf version=\"1.9\"><world name=\"a\"/><world name=\"b\"/></sdf>", Kind::Unsupported,
-                {"test.sdf: /sdf: more than one <world>"});
+    expectError("<sdf version=\"1.9\"><world name=\"a\"/><world name=\"b\"/></sdf>", Kind::Value,
+                {"test.sdf: /sdf/world: is written twice"});
 }
 
 TEST(Error, StructureIsChecked) {
-    expectError(world("<model name=\"m\"/>"), Kind::Syntax, {"test.sdf"});  // no link
+    expectError(world("<model name=\"m\"/>"), Kind::Value,
+                {"test.sdf: /sdf/world/model[m]: needs an element link or model or include"});
     expectError(world("<model name=\"m\">" + linkOf1kg("a", "0 0 0 0 0 0") + linkOf1kg("a", "0 0 0 0 0 0") +
                       "</model>"),
-                Kind::Syntax, {"test.sdf", "a"});
+                Kind::Value, {"test.sdf: /sdf/world/model[m]/link[a]: a second <link> is called 'a'"});
     expectError(
         world("<model name=\"m\">" + linkOf1kg("a", "0 0 0 0 0 0") +
               "<joint name=\"j\" type=\"fixed\"><parent>a</parent><child>nobody</child></joint></model>"),
@@ -124,8 +125,8 @@ TEST(Error, StructureIsChecked) {
     expectError(
         world("<model name=\"m\"><pose relative_to=\"nowhere\">0 0 0 0 0 0</pose><link name=\"l\"/></model>"),
         Kind::Syntax, {"nowhere"});
-    expectError(world("<include><uri>model://nobody</uri></include>"), Kind::Syntax,
-                {"test.sdf", "model://nobody"});
+    expectError(world("<include><uri>model://nobody</uri></include>"), Kind::Resource,
+                {"test.sdf: /sdf/world/include/uri: no model 'model://nobody'"});
 }
 
 TEST(Error, FilesThatCannotBeReadAreNamed) {

@@ -156,10 +156,10 @@ TEST(Physics, CustomElementsAreChecked) {
         return worldWith("<physics type=\"ode\">" + element + "</physics>", "");
     };
     using Kind = worlds::LoadError::Kind;
-    expectError(physicsWith("<odemt:space type=\"octree\"/>"), Kind::Value,
+    expectError(physicsWith("<odemt:space type=\"octree\"/>"), Kind::Unsupported,
                 {"test.sdf: /sdf/world/physics/odemt:space", "octree", "quadtree"});
-    expectError(physicsWith("<odemt:space type=\"simple\"><colour>red</colour></odemt:space>"), Kind::Value,
-                {"/sdf/world/physics/odemt:space/colour", "not known"});
+    expectError(physicsWith("<odemt:space type=\"simple\"><colour>red</colour></odemt:space>"),
+                Kind::Unsupported, {"/sdf/world/physics/odemt:space/colour", "not supported"});
     expectError(physicsWith("<odemt:auto_disable><idle_time>-1</idle_time></odemt:auto_disable>"),
                 Kind::Value, {"/sdf/world/physics/odemt:auto_disable/idle_time", "negative"});
     expectError(physicsWith("<odemt:damping><linear>fast</linear></odemt:damping>"), Kind::Value,

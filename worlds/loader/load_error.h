@@ -1,6 +1,7 @@
 // What loading a world can fail with, and where in which file.
 #pragma once
 
+#include <new>
 #include <stdexcept>
 #include <string>
 
@@ -12,7 +13,14 @@ struct Place {
     std::string file;
     std::string path;
 };
+// For messages: a long path is shown by its begin and end.
 std::string toString(const Place &place);
+
+// With control characters written as \x1b.
+std::string printable(const std::string &text);
+
+// Text in quotes; long text is shown by its begin and end.
+std::string quote(const std::string &text);
 
 class LoadError : public std::runtime_error {
 public:
@@ -21,11 +29,12 @@ public:
         Syntax,       // not well-formed XML, or not SDF
         Value,        // an element holds what it may not hold
         Unsupported,  // valid SDF that this loader does not simulate
+        Memory,       // there is too little of it
         Resource      // a mesh, image or model named by the file is missing or broken
     };
 
     LoadError(Kind kind, const Place &place, const std::string &what)
-        : std::runtime_error(toString(place) + ": " + what), m_kind(kind), m_place(place) {}
+        : std::runtime_error(toString(place) + ": " + printable(what)), m_kind(kind), m_place(place) {}
 
     Kind kind() const { return m_kind; }
     const Place &place() const { return m_place; }
@@ -34,5 +43,15 @@ private:
     Kind m_kind;
     Place m_place;
 };
+
+// Calls `work`; too little memory within it is reported at `place`.
+template <class Work>
+auto withMemoryFor(const Place &place, Work work) {
+    try {
+        return work();
+    } catch (const std::bad_alloc &) {
+        throw LoadError(LoadError::Kind::Memory, place, "too little memory");
+    }
+}
 
 }  // namespace worlds

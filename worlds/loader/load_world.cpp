@@ -4,16 +4,14 @@
 #include "loader/read/document.h"
 #include "loader/read/issues.h"
 #include "loader/read/read_world.h"
+#include "loader/read/regular_file.h"
 #include "loader/read/resource_finder.h"
 
 namespace worlds {
 
-std::unique_ptr<SdfScene> loadWorld(const std::string &file, const LoadOptions &options) {
-    return loadWorldText(readTextFile(file), file, options);
-}
+namespace {
 
-std::unique_ptr<SdfScene> loadWorldText(const std::string &sdf, const std::string &name,
-                                        const LoadOptions &options) {
+std::unique_ptr<SdfScene> build(const std::string &sdf, const std::string &name, const LoadOptions &options) {
     const Issues issues(options);
     const ResourceFinder resources(name, options.modelFolders);
     const Document document(sdf, name, resources, issues);
@@ -21,6 +19,17 @@ std::unique_ptr<SdfScene> loadWorldText(const std::string &sdf, const std::strin
     world.staticMeetsStatic = options.staticMeetsStatic;
     if (options.staticShapes > 0) repeatObstacles(world, options.staticShapes, {name, ""});
     return std::make_unique<SdfScene>(world);
+}
+
+}  // namespace
+
+std::unique_ptr<SdfScene> loadWorld(const std::string &file, const LoadOptions &options) {
+    return loadWorldText(readTextFile(file), file, options);
+}
+
+std::unique_ptr<SdfScene> loadWorldText(const std::string &sdf, const std::string &name,
+                                        const LoadOptions &options) {
+    return withMemoryFor({name, "/sdf/world"}, [&] { return build(sdf, name, options); });
 }
 
 }  // namespace worlds

@@ -1,5 +1,8 @@
 #include "loader/world_folder.h"
 
+#include "loader/load_error.h"
+#include "loader/read/regular_file.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -11,7 +14,8 @@ namespace worlds {
 
 std::string worldFolder() {
     if (const char *chosen = secure_getenv("ODE_MT_WORLDS"); chosen && *chosen) return chosen;
-    if (fs::is_directory(ODE_MT_WORLDS_SOURCE_DIR)) return ODE_MT_WORLDS_SOURCE_DIR;
+    std::error_code none;  // what cannot be looked at is not there
+    if (fs::is_directory(ODE_MT_WORLDS_SOURCE_DIR, none)) return ODE_MT_WORLDS_SOURCE_DIR;
     return ODE_MT_WORLDS_INSTALL_DIR;
 }
 
@@ -24,12 +28,27 @@ std::vector<std::string> availableWorlds() {
     return names;
 }
 
-std::string findWorld(const std::string &nameOrFile) {
-    if (fs::is_regular_file(nameOrFile)) return nameOrFile;
-    const fs::path inFolder = fs::path(worldFolder()) / (nameOrFile + ".sdf");
-    if (fs::is_regular_file(inFolder)) return inFolder;
+namespace {
 
-    std::string message = "no world '" + nameOrFile + "': no such file, and " + worldFolder() + " holds";
+// Whether there is anything by that name; `isFile` says whether it is a file.
+bool isThere(const fs::path &path, bool &isFile) {
+    std::error_code none;  // a path that cannot be followed may be there nevertheless
+    isFile = fs::is_regular_file(path, none);
+    return fs::exists(fs::symlink_status(path, none));
+}
+
+}  // namespace
+
+std::string findWorld(const std::string &nameOrFile) {
+    bool isFile = false;
+    const bool isNamed = isThere(nameOrFile, isFile);
+    if (isFile) return nameOrFile;
+    const fs::path inFolder = fs::path(worldFolder()) / (nameOrFile + ".sdf");
+    if (isThere(inFolder, isFile)) return inFolder;
+    if (isNamed) throw std::invalid_argument(nameOrFile + ": " + whyNotReadable(nameOrFile, longestTextFile));
+
+    std::string message =
+        "no world " + quote(printable(nameOrFile)) + ": no such file, and " + worldFolder() + " holds";
     for (const std::string &name : availableWorlds()) message += ' ' + name;
     throw std::invalid_argument(message);
 }

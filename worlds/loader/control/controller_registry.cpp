@@ -10,6 +10,9 @@ namespace worlds {
 
 namespace {
 
+// ODE stays finite with speeds, angles and gains up to here.
+constexpr double largestControllerNumber = 1e10;
+
 using Create = std::unique_ptr<Controller> (*)(const Parameters &, const FindMotor &, double stepSize);
 
 template <class Kind>
@@ -39,6 +42,7 @@ bool isControllerType(const std::string &type) { return registry().count(type) >
 
 std::unique_ptr<Controller> createController(const ControllerDescription &description,
                                              const FindMotor &findMotor, double stepSize) {
+    description.parameters.expectWithin(largestControllerNumber);
     return registry().at(description.type)(description.parameters, findMotor, stepSize);
 }
 

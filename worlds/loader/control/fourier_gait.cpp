@@ -10,19 +10,23 @@ constexpr double turn = 2 * 3.14159265358979323846;
 
 std::vector<double> childNumbers(const Parameters &element, const std::string &name) {
     const Parameters *child = element.child(name);
-    return child ? child->numbers() : std::vector<double>();
+    if (!child) return {};
+    if (child->words().empty()) child->fail("is empty");
+    return child->numbers();
 }
 
 }  // namespace
 
 FourierGait::FourierGait(const Parameters &parameters, const FindMotor &findMotor, double stepSize)
     : m_stepSize(stepSize) {
-    parameters.expectOnly({"name", "filename"}, {"gain", "hold", "start", "frequency", "wave", "swing"});
+    parameters.expectOnly({"name", "filename"}, {"gain", "start", "frequency"},
+                          {"hold", "wave", "swing"});
     m_gain = parameters.required("gain").number();
     m_start = parameters.childNumber("start", 0);
     m_frequency = parameters.childNumber("frequency", 0);
     for (const Parameters &element : parameters.children)
-        if (element.name == "wave") m_waves.emplace(element.attribute("name"), readWave(element));
+        if (element.name == "wave" && !m_waves.emplace(element.attribute("name"), readWave(element)).second)
+            element.fail("a second wave is called " + quote(element.attribute("name")));
     for (const Parameters &element : parameters.children) {
         if (element.name == "hold") {
             element.expectOnly({"joint"}, {});
@@ -41,7 +45,7 @@ FourierGait::Wave FourierGait::readWave(const Parameters &element) {
 void FourierGait::readSwing(const Parameters &element, const FindMotor &findMotor) {
     element.expectOnly({"joint", "wave", "phase"}, {});
     const auto wave = m_waves.find(element.attribute("wave"));
-    if (wave == m_waves.end()) element.fail("there is no wave '" + element.attribute("wave") + "'");
+    if (wave == m_waves.end()) element.fail("there is no wave " + quote(element.attribute("wave")));
     m_swings.push_back(
         {findMotor(element.attribute("joint"), element), &wave->second, element.attributeNumber("phase", 0)});
 }

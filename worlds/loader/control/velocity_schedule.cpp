@@ -1,5 +1,7 @@
 #include "loader/control/velocity_schedule.h"
 
+#include <cmath>
+
 namespace worlds {
 
 namespace {
@@ -10,7 +12,7 @@ constexpr std::size_t mostPhases = 1000000;  // a schedule is kept written out
 
 VelocitySchedule::VelocitySchedule(const Parameters &parameters, const FindMotor &findMotor,
                                    double stepSize) {
-    parameters.expectOnly({"name", "filename"}, {"joints", "phase", "repeat"});
+    parameters.expectOnly({"name", "filename"}, {"joints"}, {"phase", "repeat"});
     m_motors = findMotors(parameters.required("joints"), findMotor);
     append(parameters, stepSize, true);
     if (m_phases.empty()) parameters.fail("has no phases");
@@ -36,11 +38,12 @@ void VelocitySchedule::appendPhase(const Parameters &phase, double stepSize) {
 }
 
 void VelocitySchedule::appendRepeat(const Parameters &repeat, double stepSize, bool outermost) {
-    repeat.expectOnly({"count"}, {"phase", "repeat"});
+    repeat.expectOnly({"count"}, {}, {"phase", "repeat"});
     if (repeat.children.empty()) repeat.fail("repeats nothing");
     if (repeat.attributes.count("count")) {
         const double count = repeat.attributeNumber("count");
-        if (!(count >= 1 && count <= mostPhases)) repeat.fail("count is not between 1 and 1000000");
+        if (!(count >= 1 && count <= mostPhases) || count != std::floor(count))
+            repeat.fail("count is not a whole number between 1 and 1000000");
         for (long i = 0; i < static_cast<long>(count); ++i) append(repeat, stepSize, false);
         return;
     }

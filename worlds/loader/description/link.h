@@ -3,6 +3,7 @@
 
 #include "loader/description/shape.h"
 #include "loader/description/surface.h"
+#include "loader/load_error.h"
 
 #include <ignition/math/Matrix3.hh>
 #include <ignition/math/Pose3.hh>
@@ -15,6 +16,7 @@ namespace worlds {
 
 struct Collision {
     std::string name;
+    Place place;
     Shape shape;
     ignition::math::Pose3d pose;  // in the link's frame
     Surface surface;

@@ -36,11 +36,30 @@ bool readNumbers(const std::string &text, std::vector<double> &numbers) {
 void Parameters::fail(const std::string &what) const { throw LoadError(LoadError::Kind::Value, place, what); }
 
 void Parameters::expectOnly(const std::vector<std::string> &knownAttributes,
-                            const std::vector<std::string> &knownChildren) const {
+                            const std::vector<std::string> &once,
+                            const std::vector<std::string> &repeated) const {
     for (const auto &[key, value] : attributes)
         if (!contains(knownAttributes, key)) fail("has no attribute '" + key + "'");
-    for (const Parameters &element : children)
-        if (!contains(knownChildren, element.name)) element.fail("not known here");
+    for (const Parameters &element : children) {
+        if (contains(repeated, element.name)) continue;
+        if (!contains(once, element.name)) element.fail("not known here");
+        if (child(element.name) != &element) element.fail("is written twice");
+    }
+}
+
+void Parameters::expectWithin(double most) const {
+    const auto check = [&](const std::string &list) {
+        for (const std::string &word : split(list)) {
+            std::vector<double> values;
+            if (!readNumbers(word, values) || !(std::fabs(values[0]) > most)) continue;
+            std::ostringstream range;
+            range << "between -" << most << " and " << most;
+            fail("'" + word + "' is not " + range.str());
+        }
+    };
+    check(text);
+    for (const auto &[key, value] : attributes) check(value);
+    for (const Parameters &element : children) element.expectWithin(most);
 }
 
 const Parameters *Parameters::child(const std::string &childName) const {
@@ -65,7 +84,7 @@ double Parameters::attributeNumber(const std::string &key) const {
     std::vector<double> values;
     const std::string &value = attribute(key);
     if (!readNumbers(value, values) || values.size() != 1 || !std::isfinite(values[0]))
-        fail("attribute '" + key + "' is '" + value + "', not a number");
+        fail("attribute '" + key + "' is " + quote(value) + ", not a number");
     return values[0];
 }
 
@@ -77,7 +96,7 @@ std::vector<double> Parameters::numbers() const {
     std::vector<double> values;
     if (!readNumbers(text, values) ||
         !std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
-        fail("'" + text + "' is not a list of numbers");
+        fail(quote(text) + " is not a list of numbers");
     return values;
 }
 
@@ -85,7 +104,7 @@ std::vector<std::string> Parameters::words() const { return split(text); }
 
 double Parameters::number() const {
     const std::vector<double> values = numbers();
-    if (values.size() != 1) fail("'" + text + "' is not one number");
+    if (values.size() != 1) fail(quote(text) + " is not one number");
     return values[0];
 }
 
@@ -99,7 +118,7 @@ double Parameters::childLimit(const std::string &childName, double otherwise) co
     if (!found) return otherwise;
     std::vector<double> values;
     if (!readNumbers(found->text, values) || values.size() != 1 || std::isnan(values[0]))
-        found->fail("'" + found->text + "' is not one number");
+        found->fail(quote(found->text) + " is not one number");
     return values[0];
 }
 

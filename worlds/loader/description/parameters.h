@@ -17,9 +17,13 @@ struct Parameters {
     std::map<std::string, std::string> attributes;
     std::vector<Parameters> children;
 
-    // Throws LoadError for the first attribute or child that is not listed.
-    void expectOnly(const std::vector<std::string> &knownAttributes,
-                    const std::vector<std::string> &knownChildren) const;
+    // Throws LoadError for the first attribute or child that is not listed, and for a second child of a
+    // name that is not among `repeated`.
+    void expectOnly(const std::vector<std::string> &knownAttributes, const std::vector<std::string> &once,
+                    const std::vector<std::string> &repeated = {}) const;
+
+    // Throws LoadError for the first number, in texts and attributes here and inside, beyond ±most.
+    void expectWithin(double most) const;
 
     // Null when there is no child of that name.
     const Parameters *child(const std::string &childName) const;

@@ -22,7 +22,4 @@ private:
     sdf::Root m_root;
 };
 
-// Throws LoadError.
-std::string readTextFile(const std::string &file);
-
 }  // namespace worlds

@@ -2,25 +2,13 @@
 
 #include "loader/read/element_path.h"
 #include "loader/read/element_rules.h"
+#include "loader/read/value_check.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace worlds {
 
 namespace {
-
-const char *complaint(Holds holds, double number) {
-    if (std::isnan(number)) return "not a number";
-    const bool mayBeInfinite = holds == Holds::Limit || holds == Holds::NotNegativeLimit;
-    const bool mayBeNegative = holds == Holds::Limit || holds == Holds::Finite;
-    if (std::isinf(number) && !mayBeInfinite) return "not finite";
-    if (std::fabs(number) > largestNumber && !mayBeInfinite) return "larger than 1e16";
-    if (number < 0 && !mayBeNegative) return "negative";
-    if (number == 0 && holds == Holds::Positive) return "not positive";
-    if (number > 1 && holds == Holds::Share) return "above 1";
-    return nullptr;
-}
 
 class Check {
 public:
@@ -34,7 +22,7 @@ public:
             return;
         }
         if (!attributes(element, path) || rule->use == Use::NoPhysics || rule->use == Use::ReadBySelf) return;
-        if (rule->holds != Holds::Anything) numbers(element, rule->holds);
+        value(element, *rule);
         children(element, elementContext(path));
     }
 
@@ -51,20 +39,21 @@ private:
             if (rule.path != path || !element->HasAttribute(rule.attribute)) continue;
             const std::string value = element->GetAttribute(rule.attribute)->GetAsString();
             if (std::find(rule.values.begin(), rule.values.end(), value) != rule.values.end()) continue;
-            m_issues.unsupported(place(element), rule.attribute + " '" + value + "'");
+            m_issues.unsupported(place(element), rule.attribute + " " + quote(value) + ", none of " + join(rule.values, ", "));
             return false;
         }
         return true;
     }
 
-    void numbers(const sdf::ElementPtr &element, Holds holds) const {
-        const std::string text = element->GetValue() ? element->GetValue()->GetAsString() : "";
-        std::vector<double> numbers;
-        if (!readNumbers(text, numbers) || numbers.empty())
-            throw LoadError(LoadError::Kind::Value, place(element), "'" + text + "' is not a number");
-        for (const double number : numbers)
-            if (const char *wrong = complaint(holds, number))
-                throw LoadError(LoadError::Kind::Value, place(element), "'" + text + "' is " + wrong);
+    // Numbers once more, for those that the conversion from an older version made. Poses were read as
+    // written: here their quaternions are gone.
+    void value(const sdf::ElementPtr &element, const ElementRule &rule) const {
+        const bool isNumber = rule.type == Type::Numbers || rule.type == Type::Direction ||
+                              rule.type == Type::Whole || rule.type == Type::Limit;
+        if (!isNumber) return;
+        const std::string wrong =
+            complaint(rule, element->GetValue() ? element->GetValue()->GetAsString() : std::string());
+        if (!wrong.empty()) throw LoadError(LoadError::Kind::Value, place(element), wrong);
     }
 
     static bool holdsDefault(const sdf::ElementPtr &element) {

@@ -1,4 +1,5 @@
-// Walks a document before it is used: names what is not supported and which numbers are impossible.
+// Walks a document as libsdformat understood it, old versions converted: names what is not supported
+// and checks numbers that a conversion has made. source_check.h has checked what was written.
 #pragma once
 
 #include "loader/read/issues.h"

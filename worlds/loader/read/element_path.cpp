@@ -1,7 +1,5 @@
 #include "loader/read/element_path.h"
 
-#include <regex>
-
 namespace worlds {
 
 namespace {
@@ -13,9 +11,9 @@ const std::string textSource = "<data-string>";
 bool isShownByName(const std::string &element) { return element != "world" && element != "physics"; }
 
 std::string ownName(const sdf::Element &element) {
-    const std::string &type = element.GetName();
-    if (!isShownByName(type) || !element.GetAttributeSet("name")) return type;
-    return type + "[" + element.GetAttribute("name")->GetAsString() + "]";
+    const bool isNamed = element.GetAttributeSet("name");
+    const std::string name = isNamed ? element.GetAttribute("name")->GetAsString() : "";
+    return shownName(element.GetName(), isNamed ? name.c_str() : nullptr);
 }
 
 }  // namespace
@@ -30,10 +28,25 @@ Place placeOf(const sdf::ElementPtr &element, const std::string &worldFile) {
     return place;
 }
 
+std::string shownName(const std::string &type, const char *name) {
+    return name && isShownByName(type) ? type + "[" + name + "]" : type;
+}
+
+// By hand: std::regex calls itself for every character, and a long name ends the stack.
 std::string shortPath(const std::string &xmlPath) {
-    static const std::regex unnamed(R"re(/(world|physics)\[@name="[^"]*"\])re");
-    static const std::regex named(R"re(\[@name="([^"]*)"\])re");
-    return std::regex_replace(std::regex_replace(xmlPath, unnamed, "/$1"), named, "[$1]");
+    static const std::string open = "[@name=\"", close = "\"]";
+    std::string path;
+    for (std::size_t at = 0; at < xmlPath.size();) {
+        const std::size_t begin = xmlPath.find(open, at);
+        const std::size_t end = begin == std::string::npos ? begin : xmlPath.find(close, begin + open.size());
+        path += xmlPath.substr(at, end == std::string::npos ? end : begin - at);
+        if (end == std::string::npos) break;
+        const std::string name = xmlPath.substr(begin + open.size(), end - begin - open.size());
+        const std::string type = path.substr(path.rfind('/') + 1);
+        path += shownName(type, name.c_str()).substr(type.size());
+        at = end + close.size();
+    }
+    return path;
 }
 
 Parameters toParameters(const sdf::ElementPtr &element, const std::string &worldFile) {

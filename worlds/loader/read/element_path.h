@@ -12,6 +12,9 @@ namespace worlds {
 // Where an element stands: in the file of the nearest include around it, or in `worldFile`.
 Place placeOf(const sdf::ElementPtr &element, const std::string &worldFile);
 
+// "model[m]" for an element of type "model" named "m"; null: no name.
+std::string shownName(const std::string &type, const char *name);
+
 // libsdformat's own way to write a path, /sdf/world[@name="w"]/model[@name="m"], in ours.
 std::string shortPath(const std::string &xmlPath);
 

@@ -2,30 +2,62 @@
 
 #include "loader/control/controller_registry.h"
 
+#include <limits>
 #include <unordered_map>
 
 namespace worlds {
 
 namespace {
 
-using Rules = std::unordered_map<std::string, ElementRule>;
+using Rules = std::vector<NamedRule>;
 
-constexpr ElementRule read{}, bySelf{Use::ReadBySelf}, noPhysics{Use::NoPhysics};
-constexpr ElementRule defaultOnly{Use::DefaultOnly};
-constexpr ElementRule limit{Use::Read, Holds::Limit};
-constexpr ElementRule notNegativeLimit{Use::Read, Holds::NotNegativeLimit};
-constexpr ElementRule finite{Use::Read, Holds::Finite};
-constexpr ElementRule notNegative{Use::Read, Holds::NotNegative}, positive{Use::Read, Holds::Positive};
-constexpr ElementRule share{Use::Read, Holds::Share};
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+constexpr double farthestStop = 1e9;  // m or rad, if it is on the other side
+
+ElementRule numbers(int count, double least, double most) {
+    return {Use::Read, Type::Numbers, count, least, most, Often::Once};
+}
+ElementRule whole(double least, double most) {
+    return {Use::Read, Type::Whole, 1, least, most, Often::Once};
+}
+ElementRule limit(double least, double most = infinity) {
+    return {Use::Read, Type::Limit, 1, least, most, Often::Once};
+}
+ElementRule choice(const std::vector<std::string> &choices) {
+    return {Use::Read, Type::Choice, 0, 0, 0, Often::Once, choices};
+}
+ElementRule needingOneOf(const std::vector<std::string> &children) {
+    return {Use::Read, Type::Group, 0, 0, 0, Often::Any, {}, {}, false, children};
+}
+ElementRule needing(const std::vector<std::string> &children, Often often = Often::Once) {
+    return {Use::Read, Type::Group, 0, 0, 0, often, {}, children};
+}
+
+const ElementRule group, many{Use::Read, Type::Group, 0, 0, 0, Often::Any};
+const ElementRule noPhysics{Use::NoPhysics, Type::Any, 0, 0, 0, Often::Any};
+const ElementRule bySelf{Use::ReadBySelf, Type::Any, 0, 0, 0, Often::Any};
+const ElementRule defaultOnly{Use::DefaultOnly, Type::Any};
+const ElementRule text{Use::Read, Type::Text}, flag{Use::Read, Type::Flag}, pose{Use::Read, Type::Pose};
+const ElementRule finite = numbers(1, -largestNumber, largestNumber);
+const ElementRule vector = numbers(3, -largestNumber, largestNumber);
+const ElementRule direction{Use::Read, Type::Direction, 3, -largestNumber, largestNumber};
+const ElementRule notNegative = numbers(1, 0, largestNumber);
+const ElementRule positive = numbers(1, smallestPositive, largestNumber);
+const ElementRule length = numbers(1, 1e-9, largestNumber), size = numbers(3, 1e-9, largestNumber);
+const ElementRule share = numbers(1, 0, 1);
+const ElementRule count = whole(1, 0xffff);  // ODE counts contacts in 16 bits
+const ElementRule mask = whole(0, 0xffff);
+const ElementRule hashLevel = whole(-30, 30);  // cells of 2^level m
 
 const Rules worldRules = {
-    {"/sdf", read},
-    {"/sdf/world", read},
-    {"world/gravity", finite},
-    {"world/physics", read},
-    {"world/model", read},
-    {"world/frame", read},
-    {"world/frame/pose", finite},
+    {"/sdf", group},
+    {"/sdf/world", group},
+    {"world/gravity", vector},
+    {"world/physics", many},
+    {"world/model", needingOneOf({"link", "model", "include"})},
+    {"world/frame", many},
+    {"world/frame/pose", pose},
     {"world/plugin", noPhysics},  // attributeRules() lets pass those alone that move nothing
     {"world/magnetic_field", noPhysics},
     {"world/atmosphere", noPhysics},
@@ -38,71 +70,97 @@ const Rules worldRules = {
 };
 
 const Rules physicsRules = {
-    {"world/physics/max_step_size", positive},
+    {"world/physics/max_step_size", numbers(1, 1e-9, 1e3)},
     {"world/physics/real_time_factor", noPhysics},
     {"world/physics/real_time_update_rate", noPhysics},
-    {"world/physics/max_contacts", positive},
+    {"world/physics/max_contacts", count},
     {"world/physics/dart", noPhysics},  // parameters of other engines
     {"world/physics/simbody", noPhysics},
     {"world/physics/bullet", noPhysics},
-    {"world/physics/ode", read},
-    {"world/physics/ode/solver", read},
-    {"world/physics/ode/solver/type", read},
-    {"world/physics/ode/solver/iters", positive},
+    {"world/physics/ode", group},
+    {"world/physics/ode/solver", group},
+    {"world/physics/ode/solver/type", choice({"world", "quick"})},
+    {"world/physics/ode/solver/iters", whole(1, 1e6)},
     {"world/physics/ode/solver/sor", positive},
-    {"world/physics/ode/solver/friction_model", read},
+    {"world/physics/ode/solver/friction_model", choice({"pyramid_model", "box_model"})},
     {"world/physics/ode/solver/min_step_size", noPhysics},   // steps have one size
     {"world/physics/ode/solver/island_threads", noPhysics},  // threads are the library's affair
     {"world/physics/ode/solver/precon_iters", defaultOnly},  // the rest is in Gazebo's own ODE alone
     {"world/physics/ode/solver/thread_position_correction", defaultOnly},
     {"world/physics/ode/solver/use_dynamic_moi_rescaling", defaultOnly},
-    {"world/physics/ode/constraints", read},
+    {"world/physics/ode/constraints", group},
     {"world/physics/ode/constraints/cfm", notNegative},
     {"world/physics/ode/constraints/erp", share},
-    {"world/physics/ode/constraints/contact_max_correcting_vel", notNegativeLimit},
+    {"world/physics/ode/constraints/contact_max_correcting_vel", limit(0)},
     {"world/physics/ode/constraints/contact_surface_layer", notNegative},
-    {"world/physics/odemt:contact_candidates", bySelf},
-    {"world/physics/odemt:space", bySelf},
-    {"world/physics/odemt:auto_disable", bySelf},
-    {"world/physics/odemt:damping", bySelf},
-    {"world/physics/odemt:default_surface", read},
+    {"world/physics/odemt:contact_candidates", count},
+    {"world/physics/odemt:space", group},
+    {"world/physics/odemt:space/min_level", hashLevel},
+    {"world/physics/odemt:space/max_level", hashLevel},
+    {"world/physics/odemt:space/center", vector},
+    {"world/physics/odemt:space/extents", size},
+    {"world/physics/odemt:space/depth", whole(0, 10)},  // 4^depth cells
+    {"world/physics/odemt:auto_disable", group},
+    {"world/physics/odemt:auto_disable/linear_threshold", notNegative},
+    {"world/physics/odemt:auto_disable/angular_threshold", notNegative},
+    {"world/physics/odemt:auto_disable/idle_time", notNegative},
+    {"world/physics/odemt:auto_disable/idle_steps", whole(0, 1e9)},
+    {"world/physics/odemt:auto_disable/average_samples", whole(1, 1000)},  // each body keeps as many
+    {"world/physics/odemt:damping", group},
+    {"world/physics/odemt:damping/linear", share},
+    {"world/physics/odemt:damping/angular", share},
+    {"world/physics/odemt:damping/linear_threshold", notNegative},
+    {"world/physics/odemt:damping/angular_threshold", notNegative},
+    {"world/physics/odemt:default_surface", group},
 };
 
+Rules includeRules(const std::string &include) {
+    return {
+        {include, needing({"uri"}, Often::Any)},
+        {include + "/uri", text},
+        {include + "/name", text},
+        {include + "/pose", pose},
+        {include + "/static", flag},
+        {include + "/placement_frame", text},
+        {include + "/plugin", bySelf},
+    };
+}
+
 const Rules modelRules = {
-    {"model/pose", finite},
-    {"model/static", read},
-    {"model/self_collide", read},
-    {"model/allow_auto_disable", read},
+    {"model/pose", pose},
+    {"model/static", flag},
+    {"model/self_collide", flag},
+    {"model/allow_auto_disable", flag},
     {"model/enable_wind", defaultOnly},
-    {"model/frame", read},
-    {"model/frame/pose", finite},
-    {"model/link", read},
-    {"model/joint", read},
-    {"model/model", read},
+    {"model/frame", many},
+    {"model/frame/pose", pose},
+    {"model/link", many},
+    {"model/joint", needing({"parent", "child"}, Often::Any)},
+    {"model/model", needingOneOf({"link", "model", "include"})},
     {"model/plugin", bySelf},
 };
 
 const Rules linkRules = {
-    {"link/pose", finite},
-    {"link/gravity", read},
-    {"link/self_collide", read},
-    {"link/kinematic", read},
+    {"link/pose", pose},
+    {"link/gravity", flag},
+    {"link/self_collide", flag},
+    {"link/kinematic", flag},
     {"link/enable_wind", defaultOnly},
     {"link/must_be_base_link", defaultOnly},
-    {"link/velocity_decay", read},
+    {"link/velocity_decay", group},
     {"link/velocity_decay/linear", share},
     {"link/velocity_decay/angular", share},
-    {"link/inertial", read},
+    {"link/inertial", group},
     {"link/inertial/mass", positive},
-    {"link/inertial/pose", finite},
-    {"link/inertial/inertia", read},
+    {"link/inertial/pose", pose},
+    {"link/inertial/inertia", group},
     {"link/inertial/inertia/ixx", positive},
     {"link/inertial/inertia/iyy", positive},
     {"link/inertial/inertia/izz", positive},
     {"link/inertial/inertia/ixy", finite},
     {"link/inertial/inertia/ixz", finite},
     {"link/inertial/inertia/iyz", finite},
-    {"link/collision", read},
+    {"link/collision", needing({"geometry"}, Often::Any)},
     {"link/visual", noPhysics},
     {"link/sensor", noPhysics},
     {"link/projector", noPhysics},
@@ -114,31 +172,31 @@ const Rules linkRules = {
 };
 
 const Rules collisionRules = {
-    {"collision/pose", finite},
+    {"collision/pose", pose},
     {"collision/laser_retro", noPhysics},
-    {"collision/max_contacts", positive},
-    {"collision/geometry", read},
-    {"collision/geometry/empty", read},
-    {"collision/geometry/box", read},
-    {"collision/geometry/box/size", positive},
-    {"collision/geometry/sphere", read},
-    {"collision/geometry/sphere/radius", positive},
-    {"collision/geometry/cylinder", read},
-    {"collision/geometry/cylinder/radius", positive},
-    {"collision/geometry/cylinder/length", positive},
-    {"collision/geometry/capsule", read},
-    {"collision/geometry/capsule/radius", positive},
-    {"collision/geometry/capsule/length", positive},
-    {"collision/geometry/plane", read},
-    {"collision/geometry/plane/normal", finite},
+    {"collision/max_contacts", count},
+    {"collision/geometry", {Use::Read, Type::Group, 0, 0, 0, Often::Once, {}, {}, true}},
+    {"collision/geometry/empty", group},
+    {"collision/geometry/box", needing({"size"})},
+    {"collision/geometry/box/size", size},
+    {"collision/geometry/sphere", needing({"radius"})},
+    {"collision/geometry/sphere/radius", length},
+    {"collision/geometry/cylinder", needing({"radius", "length"})},
+    {"collision/geometry/cylinder/radius", length},
+    {"collision/geometry/cylinder/length", length},
+    {"collision/geometry/capsule", needing({"radius", "length"})},
+    {"collision/geometry/capsule/radius", length},
+    {"collision/geometry/capsule/length", length},
+    {"collision/geometry/plane", group},
+    {"collision/geometry/plane/normal", direction},
     {"collision/geometry/plane/size", noPhysics},  // drawn size; in collision a plane is infinite
-    {"collision/geometry/mesh", read},
-    {"collision/geometry/mesh/uri", read},
-    {"collision/geometry/mesh/scale", positive},
-    {"collision/geometry/heightmap", read},
-    {"collision/geometry/heightmap/uri", read},
-    {"collision/geometry/heightmap/size", positive},
-    {"collision/geometry/heightmap/pos", finite},
+    {"collision/geometry/mesh", needing({"uri"})},
+    {"collision/geometry/mesh/uri", text},
+    {"collision/geometry/mesh/scale", size},
+    {"collision/geometry/heightmap", needing({"uri"})},
+    {"collision/geometry/heightmap/uri", text},
+    {"collision/geometry/heightmap/size", numbers(3, 1e-9, 1e9)},
+    {"collision/geometry/heightmap/pos", vector},
     {"collision/geometry/heightmap/texture", noPhysics},
     {"collision/geometry/heightmap/blend", noPhysics},
     {"collision/geometry/heightmap/use_terrain_paging", noPhysics},
@@ -146,26 +204,26 @@ const Rules collisionRules = {
 };
 
 const Rules surfaceRules = {
-    {"collision/surface", read},
-    {"collision/surface/bounce", read},
+    {"collision/surface", group},
+    {"collision/surface/bounce", group},
     {"collision/surface/bounce/restitution_coefficient", share},
-    {"collision/surface/bounce/threshold", notNegativeLimit},
-    {"collision/surface/friction", read},
-    {"collision/surface/friction/ode", read},
-    {"collision/surface/friction/ode/mu", notNegativeLimit},
-    {"collision/surface/friction/ode/mu2", notNegativeLimit},
+    {"collision/surface/bounce/threshold", limit(0)},
+    {"collision/surface/friction", group},
+    {"collision/surface/friction/ode", group},
+    {"collision/surface/friction/ode/mu", limit(0)},
+    {"collision/surface/friction/ode/mu2", limit(0)},
     {"collision/surface/friction/ode/slip1", notNegative},
     {"collision/surface/friction/ode/slip2", notNegative},
-    {"collision/surface/friction/ode/fdir1", finite},
+    {"collision/surface/friction/ode/fdir1", vector},
     {"collision/surface/friction/bullet", noPhysics},
-    {"collision/surface/contact", read},
+    {"collision/surface/contact", group},
     {"collision/surface/contact/collide_without_contact", defaultOnly},
     {"collision/surface/contact/collide_without_contact_bitmask", noPhysics},
-    {"collision/surface/contact/collide_bitmask", notNegative},
-    {"collision/surface/contact/category_bitmask", notNegative},
+    {"collision/surface/contact/collide_bitmask", mask},
+    {"collision/surface/contact/category_bitmask", mask},
     {"collision/surface/contact/poissons_ratio", defaultOnly},
     {"collision/surface/contact/elastic_modulus", defaultOnly},
-    {"collision/surface/contact/ode", read},
+    {"collision/surface/contact/ode", group},
     {"collision/surface/contact/ode/soft_cfm", notNegative},
     {"collision/surface/contact/ode/soft_erp", share},
     {"collision/surface/contact/ode/kp", positive},
@@ -176,33 +234,33 @@ const Rules surfaceRules = {
 
 Rules axisRules(const std::string &axis) {
     return {
-        {axis, read},
-        {axis + "/xyz", finite},
-        {axis + "/dynamics", read},
+        {axis, group},
+        {axis + "/xyz", direction},
+        {axis + "/dynamics", group},
         {axis + "/dynamics/damping", notNegative},
         {axis + "/dynamics/friction", notNegative},
         {axis + "/dynamics/spring_reference", finite},
         {axis + "/dynamics/spring_stiffness", notNegative},
-        {axis + "/limit", read},
-        {axis + "/limit/lower", limit},
-        {axis + "/limit/upper", limit},
-        {axis + "/limit/effort", limit},  // negative: no limit
-        {axis + "/limit/velocity", limit},
+        {axis + "/limit", group},
+        {axis + "/limit/lower", limit(-infinity, farthestStop)},
+        {axis + "/limit/upper", limit(-farthestStop)},
+        {axis + "/limit/effort", limit(-infinity)},  // negative: no limit
+        {axis + "/limit/velocity", limit(-infinity)},
         {axis + "/limit/stiffness", defaultOnly},
         {axis + "/limit/dissipation", defaultOnly},
     };
 }
 
 const Rules jointRules = {
-    {"joint/pose", finite},
-    {"joint/parent", read},
-    {"joint/child", read},
+    {"joint/pose", pose},
+    {"joint/parent", text},
+    {"joint/child", text},
     {"joint/sensor", noPhysics},
-    {"joint/physics", read},
+    {"joint/physics", group},
     {"joint/physics/simbody", noPhysics},
-    {"joint/physics/provide_feedback", read},
-    {"joint/physics/ode", read},
-    {"joint/physics/ode/provide_feedback", read},
+    {"joint/physics/provide_feedback", flag},
+    {"joint/physics/ode", group},
+    {"joint/physics/ode/provide_feedback", flag},
     {"joint/physics/ode/cfm_damping", defaultOnly},
     {"joint/physics/ode/implicit_spring_damper", defaultOnly},
     {"joint/physics/ode/fudge_factor", notNegative},
@@ -211,19 +269,21 @@ const Rules jointRules = {
     {"joint/physics/ode/bounce", share},
     {"joint/physics/ode/max_force", notNegative},
     {"joint/physics/ode/velocity", finite},
-    {"joint/physics/ode/limit", read},
+    {"joint/physics/ode/limit", group},
     {"joint/physics/ode/limit/cfm", notNegative},
     {"joint/physics/ode/limit/erp", share},
-    {"joint/physics/ode/suspension", read},
+    {"joint/physics/ode/suspension", group},
     {"joint/physics/ode/suspension/cfm", notNegative},
     {"joint/physics/ode/suspension/erp", share},
 };
 
 Rules allRules() {
     Rules all;
-    for (const Rules &rules : {worldRules, physicsRules, modelRules, linkRules, collisionRules, surfaceRules,
-                               jointRules, axisRules("joint/axis"), axisRules("joint/axis2")})
-        all.insert(rules.begin(), rules.end());
+    for (const Rules &rules :
+         {worldRules, includeRules("world/include"), physicsRules, modelRules, includeRules("model/include"),
+          linkRules, collisionRules, surfaceRules, jointRules, axisRules("joint/axis"),
+          axisRules("joint/axis2")})
+        all.insert(all.end(), rules.begin(), rules.end());
     return all;
 }
 
@@ -246,10 +306,19 @@ const std::vector<std::string> gazeboSystems = {
 
 }  // namespace
 
-const ElementRule *findElementRule(const std::string &path) {
+const std::vector<NamedRule> &elementRules() {
     static const Rules rules = allRules();
-    const auto found = rules.find(path);
-    return found == rules.end() ? nullptr : &found->second;
+    return rules;
+}
+
+const ElementRule *findElementRule(const std::string &path) {
+    static const std::unordered_map<std::string, const ElementRule *> byPath = [] {
+        std::unordered_map<std::string, const ElementRule *> all;
+        for (const NamedRule &named : elementRules()) all.emplace(named.path, &named.rule);
+        return all;
+    }();
+    const auto found = byPath.find(path);
+    return found == byPath.end() ? nullptr : found->second;
 }
 
 std::string elementContext(const std::string &path) {
@@ -269,8 +338,14 @@ const std::vector<AttributeRule> &attributeRules() {
          {"revolute", "continuous", "prismatic", "ball", "universal", "revolute2", "fixed"}},
         {"model/plugin", "filename", controllerTypes()},
         {"world/plugin", "filename", gazeboSystems},
+        {"world/physics/odemt:space", "type", {"simple", "hash", "sap", "quadtree"}},
     };
     return rules;
+}
+
+const std::vector<std::string> &sdfVersions() {
+    static const std::vector<std::string> versions = {"1.2", "1.3", "1.4", "1.5", "1.6", "1.7", "1.8", "1.9"};
+    return versions;
 }
 
 }  // namespace worlds

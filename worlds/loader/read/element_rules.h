@@ -1,4 +1,6 @@
-// Which elements of SDF the loader reads, which it leaves aside, and what numbers they may hold.
+// The one table of SDF elements: what the loader does with each, what type of value it holds, how many
+// numbers, in which range, and how often it may be written. Checks (source_check.h, element_check.h),
+// messages (value_check.h) and ../../elements.md (element_docs.h) are made from it.
 #pragma once
 
 #include <string>
@@ -13,27 +15,52 @@ enum class Use {
     DefaultOnly,  // accepted while it holds SDF's default, which asks for nothing
 };
 
-enum class Holds {
-    Anything,
-    Limit,  // a number; infinite means "no limit"
-    NotNegativeLimit,
-    Finite,  // up to largestNumber, and so are the rest
-    NotNegative,
-    Positive,
-    Share,  // 0 to 1
+enum class Type {
+    Group,    // holds elements and no text
+    Any,      // not looked at: of what is left aside or compared with a default
+    Text,     // a name or URI
+    Choice,   // one of `choices`
+    Flag,     // true, false, 1 or 0
+    Numbers,  // `count` of them
+    Direction,  // three numbers that are not all zero
+    Whole,    // one number, written in digits alone
+    Limit,    // one number; infinite, or beyond largestNumber, means "no limit"
+    Pose,     // x y z and roll pitch yaw, or with rotation_format="quat_xyzw" a quaternion x y z w
 };
+
+enum class Often { Once, Any };
 
 // SDF's own mark for "no limit". Larger lengths, masses and the like make ODE compute with infinity.
 constexpr double largestNumber = 1e16;
 
+// A smaller mass or size has an inverse, or a square, that ODE cannot use.
+constexpr double smallestPositive = 1e-20;
+
+// No name, word or URI is longer, in characters.
+constexpr std::size_t longestText = 1000;
+
 struct ElementRule {
     Use use = Use::Read;
-    Holds holds = Holds::Anything;
+    Type type = Type::Group;
+    int count = 0;  // of numbers
+    double least = 0, most = 0;
+    Often often = Often::Once;
+    std::vector<std::string> choices = {};  // of a Choice
+    std::vector<std::string> needs = {};    // children of a Group that have to be there
+    bool needsOneChild = false;             // a Group with exactly one child
+    std::vector<std::string> needsOneOf = {};  // children of a Group, one of which at least has to be there
 };
 
 // The rule for an element, or null when it is not supported. `path` starts at the innermost world,
 // model, link, collision or joint around it: "link/inertial/mass".
 const ElementRule *findElementRule(const std::string &path);
+
+struct NamedRule {
+    std::string path;
+    ElementRule rule;
+};
+// In the order of the documentation.
+const std::vector<NamedRule> &elementRules();
 
 // Where the elements inside `path` are looked up: "link" for "model/link", else `path` itself.
 std::string elementContext(const std::string &path);
@@ -44,5 +71,8 @@ struct AttributeRule {
     std::vector<std::string> values;
 };
 const std::vector<AttributeRule> &attributeRules();
+
+// What the version of an <sdf> element may be.
+const std::vector<std::string> &sdfVersions();
 
 }  // namespace worlds

@@ -1,5 +1,8 @@
 #include "loader/read/mesh_file.h"
 
+#include "loader/read/regular_file.h"
+
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -14,6 +17,17 @@ namespace {
 LoadError broken(const Place &place, const std::string &file, const std::string &what) {
     return LoadError(LoadError::Kind::Resource, place, "mesh file " + file + ": " + what);
 }
+
+constexpr std::uintmax_t longestMeshFile = 1u << 30;  // bytes
+
+// A mesh names further files, of materials for one, which may be no files either.
+class RegularFiles : public Assimp::DefaultIOSystem {
+public:
+    bool Exists(const char *file) const override { return whyNotReadable(file, longestMeshFile).empty(); }
+    Assimp::IOStream *Open(const char *file, const char *mode) override {
+        return whyNotReadable(file, longestMeshFile).empty() ? DefaultIOSystem::Open(file, mode) : nullptr;
+    }
+};
 
 void append(const aiMesh &part, const ignition::math::Vector3d &scale, TriangleMesh &mesh) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size() / 3);
@@ -35,7 +49,10 @@ void append(const aiMesh &part, const ignition::math::Vector3d &scale, TriangleM
 
 TriangleMesh readMeshFile(const std::string &file, const ignition::math::Vector3d &scale,
                           const Place &place) {
+    const std::string wrong = whyNotReadable(file, longestMeshFile);
+    if (!wrong.empty()) throw broken(place, file, wrong);
     Assimp::Importer importer;
+    importer.SetIOHandler(new RegularFiles);  // owned by the importer
     // Coordinates stay as they are in the file, whichever axis it calls up.
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
     const aiScene *scene = importer.ReadFile(

@@ -33,13 +33,14 @@ void readDamping(const sdf::ElementPtr &element, Link &link) {
 
 std::optional<Collision> readCollision(const sdf::Collision &source, bool isStatic, const Reading &reading) {
     const sdf::ElementPtr element = source.Element();
-    const std::optional<Shape> shape = readShape(*source.Geom(), isStatic, reading);
-    if (!shape) return std::nullopt;
-
     Collision collision;
     collision.name = source.Name();
-    collision.shape = *shape;
-    collision.pose = resolvePose(source.SemanticPose(), reading.place(element));
+    collision.place = reading.place(element);
+    std::optional<Shape> shape =
+        withMemoryFor(collision.place, [&] { return readShape(*source.Geom(), isStatic, reading); });
+    if (!shape) return std::nullopt;
+    collision.shape = std::move(*shape);
+    collision.pose = resolvePose(source.SemanticPose(), collision.place);
     collision.pose.Pos() += collision.pose.Rot() * shapeOffset(*source.Geom());
     collision.surface = reading.physics.defaultSurface;
     if (element->HasElement("surface"))

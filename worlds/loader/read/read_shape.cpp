@@ -17,7 +17,7 @@ namespace {
 
 std::string findResource(const std::string &uri, const Place &place, const Reading &reading) {
     const std::string file = reading.resources.find(uri, place.file);
-    if (file.empty()) throw LoadError(LoadError::Kind::Resource, place, "no file '" + uri + "'");
+    if (file.empty()) throw LoadError(LoadError::Kind::Resource, place, "no file " + quote(uri));
     return file;
 }
 

@@ -17,7 +17,6 @@ void readFriction(const Parameters &ode, Surface &surface) {
     surface.slip2 = ode.childNumber("slip2", surface.slip2);
     if (const Parameters *direction = ode.child("fdir1")) {
         const std::vector<double> numbers = direction->numbers();
-        if (numbers.size() != 3) direction->fail("needs three numbers");
         const ignition::math::Vector3d vector(numbers[0], numbers[1], numbers[2]);
         surface.frictionDirection.reset();
         if (vector.Length() > 0) surface.frictionDirection = vector.Normalized();
@@ -36,9 +35,7 @@ void readSoftness(const Parameters &ode, Surface &surface, double stepSize) {
 }
 
 unsigned short readMask(const Parameters &contact, const std::string &name, unsigned short otherwise) {
-    const double number = contact.childNumber(name, otherwise);
-    if (number > 0xffff) contact.child(name)->fail("has more than 16 bits");
-    return static_cast<unsigned short>(number);
+    return static_cast<unsigned short>(contact.childNumber(name, otherwise));
 }
 
 void readContact(const Parameters &contact, Surface &surface, double stepSize) {

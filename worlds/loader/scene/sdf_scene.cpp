@@ -62,8 +62,10 @@ void SdfScene::addLinks(const WorldDescription &world) {
             m_bodyNames.push_back(link.name);
         }
         for (const Collision &collision : link.collisions) {
-            const dGeomID geom = body ? m_parts->geoms.createOn(body, space, collision, link.mass.center)
-                                      : m_parts->geoms.createStatic(space, collision, link.pose);
+            const dGeomID geom = withMemoryFor(collision.place, [&] {
+                return body ? m_parts->geoms.createOn(body, space, collision, link.mass.center)
+                            : m_parts->geoms.createStatic(space, collision, link.pose);
+            });
             m_parts->rules.add(geom, link, collision);
             m_inventory.geoms.push_back(geom);
             m_geomNames.push_back(link.name + "::" + collision.name);
@@ -95,7 +97,7 @@ void SdfScene::addControllers(const WorldDescription &world) {
         const FindMotor findMotor = [&](const std::string &joint, const Parameters &namedBy) {
             const auto found = m_parts->motors.find(description.model + "::" + joint);
             if (found == m_parts->motors.end())
-                namedBy.fail("model has no joint '" + joint + "' with an axis");
+                namedBy.fail("model has no joint " + quote(joint) + " with an axis");
             return found->second;
         };
         m_parts->controllers.push_back(createController(description, findMotor, world.physics.stepSize));

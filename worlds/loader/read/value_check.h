@@ -1,0 +1,19 @@
+// What is wrong with an element's text, by its rule, in words.
+#pragma once
+
+#include "loader/read/element_rules.h"
+
+#include <string>
+#include <vector>
+
+namespace worlds {
+
+// Empty when nothing is. `isQuaternion` says that a pose is written with a quaternion.
+std::string complaint(const ElementRule &rule, const std::string &text, bool isQuaternion = false);
+
+std::string join(const std::vector<std::string> &words, const std::string &between);
+
+// "3 numbers between 1e-09 and 1e+16", for documentation.
+std::string describe(const ElementRule &rule);
+
+}  // namespace worlds
