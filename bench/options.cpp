@@ -80,7 +80,8 @@ void addOptions(CLI::App &app, Words &words, Options &options) {
     StoppingRule &stop = options.race.stop;
     app.add_option(
            "--worlds", words.worlds,
-           "SDF worlds, .sdf files and scenes; 'thesis': the eight worlds of the thesis;\n--list shows all")
+           "SDF worlds, .sdf files (a comma in a name: \\,) and scenes; 'thesis': the eight\n"
+           "worlds of the thesis; --list shows all")
         ->capture_default_str();
     app.add_option("--engines", words.engines, "engines; speed-ups refer to the first")
         ->capture_default_str();

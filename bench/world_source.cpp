@@ -1,11 +1,11 @@
 #include "world_source.h"
 
+#include "comma_list.h"
 #include "loader/world_folder.h"
 #include "size_range.h"
 #include "world_spec.h"
 
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
 
 namespace bench {
@@ -38,8 +38,7 @@ std::string nameAndMeaning(const scenes::SceneDescription &description) {
 // A modifier belongs to the world before it.
 std::vector<std::string> splitWords(const std::string &list) {
     std::vector<std::string> result;
-    std::istringstream stream(list);
-    for (std::string word; std::getline(stream, word, ',');) {
+    for (const std::string &word : splitAtCommas(list)) {
         if (!result.empty() && isModifier(word))
             result.back() += "," + word;
         else if (word == "thesis")

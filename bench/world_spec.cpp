@@ -1,11 +1,11 @@
 #include "world_spec.h"
 
+#include "comma_list.h"
 #include "loader/world_folder.h"
 #include "scenes/scene.h"
 
 #include <algorithm>
 #include <charconv>
-#include <sstream>
 #include <stdexcept>
 
 namespace bench {
@@ -54,9 +54,11 @@ std::size_t readStaticShapes(const WorldSpec &spec) {
 
 WorldSpec readWorldSpec(const std::string &world) {
     WorldSpec spec;
-    std::istringstream stream(world);
-    std::getline(stream, spec.name, ',');
-    for (std::string word; std::getline(stream, word, ',');) spec.modifiers.push_back(word);
+    spec.modifiers = splitAtCommas(world);
+    if (!spec.modifiers.empty()) {
+        spec.name = withoutEscapes(spec.modifiers.front());
+        spec.modifiers.erase(spec.modifiers.begin());
+    }
     const std::size_t colon = spec.name.rfind(':');
     if (colon != std::string::npos && !isFile(spec.name.substr(colon))) {
         spec.size = spec.name.substr(colon + 1);

@@ -20,6 +20,8 @@ std::string complaint(const std::string &world) {
 TEST(WorldSource, ModifiersBelongToTheSceneBeforeThem) {
     EXPECT_EQ(splitWorlds("rover,pile:40,quick,sap,create,a/b.sdf"),
               (std::vector<std::string>{"rover", "pile:40,quick,sap", "create", "a/b.sdf"}));
+    EXPECT_EQ(splitWorlds("a\\,b.sdf,c\\,thesis\\,d.sdf,sap"),
+              (std::vector<std::string>{"a\\,b.sdf", "c\\,thesis\\,d.sdf,sap"}));
     EXPECT_EQ(splitWorlds("create:620,static_meets_static,rover"),
               (std::vector<std::string>{"create:620,static_meets_static", "rover"}));
     EXPECT_TRUE(splitWorlds("").empty());

@@ -36,6 +36,13 @@ TEST(WorldSpec, FilesMayHaveSizesAndColons) {
     EXPECT_TRUE(readWorldSpec("my:folder/world.sdf").size.empty());
 }
 
+TEST(WorldSpec, ACommaInTheNameOfAFileIsEscaped) {
+    const WorldSpec spec = readWorldSpec("my/a\\,b\\c.sdf:20,static_meets_static");
+    EXPECT_EQ(spec.name, "my/a,b\\c.sdf");
+    EXPECT_EQ(spec.size, "20");
+    EXPECT_EQ(spec.modifiers, (std::vector<std::string>{"static_meets_static"}));
+}
+
 TEST(WorldSpec, ANameOfBothIsTheSceneOnceItHasASceneSizeOrModifier) {
     for (const char *name : {"soccer", "humanoids"}) {
         EXPECT_TRUE(readWorldSpec(name).isSdf);

@@ -1,0 +1,15 @@
+// Lists with commas between their words. A comma that belongs to a word, as in the name of a file, is written "\,".
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace bench {
+
+// The words as they are written.
+std::vector<std::string> splitAtCommas(const std::string &list);
+
+// A word as it is meant: "\," is a comma.
+std::string withoutEscapes(const std::string &word);
+
+}  // namespace bench
