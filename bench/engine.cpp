@@ -22,7 +22,7 @@ int readNumber(const std::string &text, int lowest, int highest) {
     int number = 0;
     const char *end = text.data() + text.size();
     const auto [stopped, error] = std::from_chars(text.data(), end, number);
-    const bool isNumber = error == std::errc() && stopped == end;
+    const bool isNumber = error == std::errc() && stopped == end && text == std::to_string(number);
     return isNumber && number >= lowest && number <= highest ? number : -1;
 }
 

@@ -3,6 +3,7 @@
 #include "progress.h"
 #include "report.h"
 #include "result_file.h"
+#include "loader/load_error.h"
 #include "standard_output.h"
 #include "world_source.h"
 
@@ -43,8 +44,8 @@ bool compare(const bench::Options &options) {
         isClean = results.back().isClean() && isClean;
         bench::print(bench::reportText(results.back()));
     }
-    bench::print(bench::reportCurves(results) + bench::reportScaling(results) + "Figures: " + options.jsonFile +
-          ", " + options.csvFile + "\n");
+    bench::print(bench::reportCurves(results) + bench::reportScaling(results) + "Figures: " +
+                 worlds::printable(options.jsonFile + ", " + options.csvFile) + "\n");
     if (!isClean) bench::print("AN ENGINE FAILED OR GAVE OTHER RESULTS: see above.\n");
     return isClean;
 }
@@ -52,6 +53,7 @@ bool compare(const bench::Options &options) {
 }  // namespace
 
 int main(int argc, char **argv) {
+    bench::keepStandardFiles();
     signal(SIGPIPE, SIG_IGN);  // a closed standard output is reported instead
     signal(SIGXFSZ, SIG_IGN);  // and so is a file that may not grow
     int exitCode = 0;

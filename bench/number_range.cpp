@@ -1,5 +1,6 @@
 #include "number_range.h"
 
+#include <cctype>
 #include <charconv>
 #include <iomanip>
 #include <sstream>
@@ -8,6 +9,9 @@
 namespace bench {
 
 namespace {
+
+// CLI11 reads 010 as 8.
+bool isOctal(const std::string &word) { return word.size() > 1 && word[0] == '0' && std::isdigit(static_cast<unsigned char>(word[1])); }
 
 template <class Number>
 CLI::Validator numberBetween(const char *kind, Number least, Number most) {
@@ -19,7 +23,8 @@ CLI::Validator numberBetween(const char *kind, Number least, Number most) {
             const char *const end = word.data() + word.size();
             const auto [stopped, error] = std::from_chars(word.data(), end, value);
             // A NaN is in no range.
-            if (error == std::errc() && stopped == end && value >= least && value <= most) return "";
+            const bool isIn = error == std::errc() && stopped == end && value >= least && value <= most;
+            if (isIn && !isOctal(word)) return "";
             return "'" + word + "' is not a " + range;
         },
         "");

@@ -3,6 +3,7 @@
 #include "number_range.h"
 #include "result_file.h"
 #include "world_source.h"
+#include "world_spec.h"
 
 #include <CLI/CLI.hpp>
 
@@ -141,6 +142,8 @@ void interpret(const Words &words, Options &options) {
             checkFolder("--stock-library", options.child.stockFolder);
     std::vector<std::string> files = {options.jsonFile, options.csvFile};
     if (!options.samplesFile.empty()) files.push_back(options.samplesFile);
+    for (const std::string &world : options.worlds)
+        if (const std::string file = readWorldSpec(world).name; std::filesystem::is_regular_file(file)) files.push_back(file);
     checkDistinct(files);
     if (!options.samplesFile.empty()) options.race.stop.minimumSeconds = options.race.stop.maximumSeconds;
     options.child.limit = std::chrono::milliseconds(static_cast<long>(1000 * words.limitSeconds));
@@ -165,7 +168,7 @@ std::optional<Options> readOptions(int argc, const char *const *argv, int &exitC
         return options;
     } catch (const CLI::ParseError &error) {
         exitCode = app.exit(error) == 0 ? 0 : kWrongOption;
-    } catch (const std::invalid_argument &error) {
+    } catch (const std::exception &error) {
         std::cerr << error.what() << "\nRun with --help for more information.\n";
         exitCode = kWrongOption;
     }

@@ -1,3 +1,4 @@
+#include "loader/load_error.h"
 #include "number_text.h"
 #include "report.h"
 #include "summary.h"
@@ -37,7 +38,7 @@ std::string state(const EngineSummary &summary) {
 }
 
 std::string title(const WorldResult &result) {
-    std::string text = "== " + result.world + " ==\n";
+    std::string text = "== " + worlds::printable(result.world) + " ==\n";
     for (const EngineResult &engine : result.engines) {
         const Ready &r = engine.ready;
         if (r.stepSize == 0) continue;

@@ -18,14 +18,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Of the name of a temporary file, which may be no longer than that of its file.
+constexpr std::size_t kLongestStem = 200;
+
 [[noreturn]] void fail(const std::string &file, const std::string &reason) {
     throw std::runtime_error("cannot write '" + file + "': " + reason);
+}
+
+bool isSpecial(const fs::path &path) {
+    struct stat status {};
+    return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
+// Nobody may be reading it, and to open it would wait for somebody.
+bool isNamedPipe(const fs::path &path) {
+    struct stat status {};
+    std::error_code none;
+    return stat(path.c_str(), &status) == 0 && S_ISFIFO(status.st_mode) && fs::exists(fs::canonical(path, none), none);
 }
 
 // The file that a chain of symbolic links ends at, so that a link stays a link.
 fs::path target(const std::string &file) {
     std::error_code error;
-    const fs::path path = fs::weakly_canonical(fs::absolute(file), error);
+    if (isSpecial(file)) return file;  // what /dev/stdout leads to may have no name of its own
+    const fs::path absolute = fs::absolute(file, error);
+    const fs::path path = error ? fs::path() : fs::weakly_canonical(absolute, error);
     if (error) fail(file, error.message());
     // A link that leads nowhere yet is not followed by weakly_canonical.
     if (fs::is_symlink(fs::symlink_status(path, error))) {
@@ -35,15 +52,11 @@ fs::path target(const std::string &file) {
     return path;
 }
 
-bool isSpecial(const fs::path &path) {
-    struct stat status {};
-    return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
-}
-
 // A file that is removed unless it has taken its final name.
 class TemporaryFile {
 public:
-    explicit TemporaryFile(const fs::path &target) : m_name(target.string() + ".XXXXXX") {
+    explicit TemporaryFile(const fs::path &target)
+        : m_name((target.parent_path() / target.filename().string().substr(0, kLongestStem)).string() + ".XXXXXX") {
         m_file = mkostemp(m_name.data(), O_CLOEXEC);
     }
     ~TemporaryFile() {
@@ -140,6 +153,7 @@ void checkWritable(const std::string &file) {
     std::error_code error;
     if (fs::is_directory(path, error)) fail(file, "it is a folder");
     if (isSpecial(path)) {
+        if (isNamedPipe(path)) fail(file, "it is a named pipe");
         if (access(path.c_str(), W_OK) != 0) fail(file, std::strerror(errno));
         return;
     }
@@ -158,6 +172,8 @@ void writeResultFile(const std::string &file, const std::string &text) {
 }
 
 void checkDistinct(const std::vector<std::string> &files) {
+    for (const std::string &file : files)
+        if (file.empty()) throw std::invalid_argument("a file of results has no name");
     for (std::size_t i = 0; i < files.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             const fs::path one = target(files[j]), other = target(files[i]);
@@ -165,7 +181,7 @@ void checkDistinct(const std::vector<std::string> &files) {
             const bool same = one == other || fs::equivalent(one, other, ignored);
             if (same && !isSpecial(one))
                 throw std::invalid_argument("'" + files[j] + "' and '" + files[i] +
-                                            "' are one file; each kind of results needs its own");
+                                            "' are one file, of which something would be lost");
         }
     }
 }

@@ -1,11 +1,21 @@
 #include "standard_output.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstring>
 #include <iostream>
 #include <stdexcept>
 
 namespace bench {
+
+// What takes the place of one cannot be used the way that it is used.
+void keepStandardFiles() {
+    for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (fcntl(file, F_GETFD) == -1 && errno == EBADF)
+            (void)!open("/dev/null", file == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
 
 void print(const std::string &text) {
     errno = 0;

@@ -5,6 +5,9 @@
 
 namespace bench {
 
+// To be called first. A file that is opened while standard output is closed would take its number, and all that is printed.
+void keepStandardFiles();
+
 // Throws std::runtime_error with the reason.
 void print(const std::string &text);
 

@@ -38,10 +38,14 @@ std::string nameAndMeaning(const scenes::SceneDescription &description) {
 // A modifier belongs to the world before it.
 std::vector<std::string> splitWords(const std::string &list) {
     std::vector<std::string> result;
+    bool isOfTheThesis = false;  // the word before
     for (const std::string &word : splitAtCommas(list)) {
+        if (isModifier(word) && isOfTheThesis)
+            throw std::invalid_argument("'thesis," + word + "': a modifier belongs to one world");
+        isOfTheThesis = word == "thesis";
         if (!result.empty() && isModifier(word))
             result.back() += "," + word;
-        else if (word == "thesis")
+        else if (isOfTheThesis)
             result.insert(result.end(), kWorldsOfTheThesis.begin(), kWorldsOfTheThesis.end());
         else
             result.push_back(word);

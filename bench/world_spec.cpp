@@ -43,7 +43,8 @@ std::size_t readStaticShapes(const WorldSpec &spec) {
     std::size_t count = 0;
     const char *end = spec.size.data() + spec.size.size();
     const auto [stopped, error] = std::from_chars(spec.size.data(), end, count);
-    if (error != std::errc() || stopped != end || count < 1 || count > mostStaticShapes)
+    if (error != std::errc() || stopped != end || count < 1 || count > mostStaticShapes ||
+        spec.size != std::to_string(count))
         throw std::invalid_argument("world '" + spec.name + "': size '" + spec.size +
                                     "' is not a number of static shapes from 1 to " +
                                     std::to_string(mostStaticShapes));
@@ -63,7 +64,11 @@ WorldSpec readWorldSpec(const std::string &world) {
     if (colon != std::string::npos && !isFile(spec.name.substr(colon))) {
         spec.size = spec.name.substr(colon + 1);
         spec.name.resize(colon);
+        if (spec.size.empty()) throw std::invalid_argument("world '" + world + "': no size behind the colon");
     }
+    for (const std::string &modifier : spec.modifiers)
+        if (std::count(spec.modifiers.begin(), spec.modifiers.end(), modifier) > 1)
+            throw std::invalid_argument("world '" + world + "': '" + modifier + "' is said twice");
     spec.isSdf = isSdfWorld(spec);
     return spec;
 }

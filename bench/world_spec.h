@@ -15,7 +15,7 @@ struct WorldSpec {
     bool isSdf = false;                  // else a scene
 };
 
-// Opens no file.
+// Opens no file. Throws std::invalid_argument for what says nothing or the same twice.
 WorldSpec readWorldSpec(const std::string &world);
 
 // "static_meets_static", what may stand behind the comma of an SDF world.

@@ -11,6 +11,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <functional>
 #include <iostream>
 
@@ -46,6 +47,7 @@ void recordScene(const record::RecordOptions &options, const Line &write) {
 }
 
 void recordToFile(const record::RecordOptions &options) {
+    if (std::filesystem::is_regular_file(options.world)) bench::checkDistinct({options.world, options.file});
     bench::checkWritable(options.file);
     bench::ResultStream stream(options.file);
     recordScene(options, [&](const std::string &line) { stream.append(line); });
@@ -55,6 +57,7 @@ void recordToFile(const record::RecordOptions &options) {
 }  // namespace
 
 int main(int argc, char **argv) {
+    bench::keepStandardFiles();
     signal(SIGPIPE, SIG_IGN);  // a closed standard output is reported instead
     signal(SIGXFSZ, SIG_IGN);  // and so is a file that may not grow
     int exitCode = 0;

@@ -24,13 +24,17 @@ record::Recording read(const std::string &file) {
 }  // namespace
 
 int main(int argc, char **argv) {
+    bench::keepStandardFiles();
     signal(SIGPIPE, SIG_IGN);  // a closed standard output is reported instead
     signal(SIGXFSZ, SIG_IGN);  // and so is a file that may not grow
     int exitCode = 0;
     const auto options = render::readRenderOptions(argc, argv, exitCode);
     if (!options) return bench::exitCodeAfterOutput(exitCode);
     try {
-        if (!options->file.empty()) bench::checkWritable(options->file);
+        if (!options->file.empty()) {
+            bench::checkDistinct({options->recording, options->file});
+            bench::checkWritable(options->file);
+        }
         const record::Recording recording = read(options->recording);
         const std::string picture = render::drawFrame(
             recording.header, render::chooseFrame(recording, options->frame), options->view);

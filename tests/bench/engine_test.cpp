@@ -39,7 +39,8 @@ TEST(Engine, UnknownOnesAreNamedWithThoseThatExist) {
 
 TEST(Engine, BadThreadCountsAreNamed) {
     for (const char *name :
-         {"ours:-1", "ours:1025", "ours:two", "ours:", "ours:2x", "stock-pool:0", "stock-pool:auto"})
+         {"ours:-1", "ours:1025", "ours:two", "ours:", "ours:2x", "ours:01", "ours:1/cells=05", "stock-pool:0",
+          "stock-pool:01", "stock-pool:auto"})
         EXPECT_NE(complaint(name).find(name), std::string::npos) << name;
 }
 

@@ -78,6 +78,12 @@ TEST(Options, WrongOnesAreAnsweredByName) {
     expectComplaint({"--worlds", "rover", "--warm-up-seconds", "0"}, "--warm-up-seconds");
     expectComplaint({"--worlds", "rover", "--our-library", "/nowhere"}, "--our-library");
     expectComplaint({"--worlds", ""}, "--worlds");
+    expectComplaint({"--worlds", "thesis,hash"}, "a modifier belongs to one world");
+    expectComplaint({"--worlds", "rover,hash,hash"}, "'hash' is said twice");
+    expectComplaint({"--worlds", "pioneer3at:"}, "no size behind the colon");
+    expectComplaint({"--worlds", "pioneer3at:010"}, "'010'");
+    expectComplaint({"--worlds", "rover:010"}, "'010'");
+    expectComplaint({"--worlds", "rover", "--json", ""}, "no name");
 }
 
 TEST(Options, HelpExplainsEnginesAndGivesExamples) {
@@ -94,7 +100,7 @@ TEST(Options, NumbersOutOfRangeAreAnsweredWithTheRange) {
             expectComplaint({option, value}, "is not a number from 0.001 to 1000000\n");
     for (const char *value : {"nan", "2", "1e308"})
         expectComplaint({"--tolerance", value}, "is not a number from 1e-06 to 1\n");
-    for (const char *value : {"0", "1.5", "99999999999999999999", "nan"})
+    for (const char *value : {"0", "1.5", "99999999999999999999", "nan", "010"})
         expectComplaint({"--frames", value}, "is not a whole number from 1 to 1000000000\n");
 }
 

@@ -114,4 +114,31 @@ TEST_F(Include, OfWhatIsNoModelIsAnError) {
     expectMessage(include("bare"), {"test.sdf: /sdf/world/include/uri: model 'bare': ", "model.config"});
 }
 
+TEST_F(Include, HoldsNothingElse) {
+    folder.write("ball.sdf", modelFile("ball", ballOf(1)));
+    for (const char *const inside : {"<self_collide>1</self_collide>", "<link name=\"x\"/>", "<foo/>", "<odemt:x/>"}) {
+        expectMessage(include("ball.sdf", inside), {"test.sdf", "/sdf/world/include/", "not supported"});
+        folder.write("outer.sdf", modelFile("outer", include("ball.sdf", inside)));
+        expectMessage(include("outer.sdf"), {"outer.sdf", "include/", "not supported"});
+    }
+}
+
+// Which file describes a model that is a folder.
+TEST_F(Include, TheModelsFolderNamesItsFile) {
+    folder.write("robot/new.sdf", modelFile("robot", ballOf(1)));
+    folder.write("robot/old.sdf", modelFile("older", ballOf(2)));
+    const auto config = [&](const std::string &inside) { folder.write("robot/model.config", inside); };
+    config("<model><sdf version=\"1.6\">old.sdf</sdf><sdf version=\"1.9\"> new.sdf\n</sdf><sdf "
+           "version=\"1.5\">none.sdf</sdf><sdf version=\"9.9\">none.sdf</sdf></model>");
+    EXPECT_EQ(loadInside(include("robot"))->bodyNames(), (std::vector<std::string>{"robot::l"}));
+    for (const char *const inside :
+         {"<model/>", "<model><sdf/></model>", "<model><sdf>new.sdf</sdf></model>",
+          "<model><sdf version=\"9.9\">new.sdf</sdf></model>", "<model><sdf version=\"abc\">new.sdf</sdf></model>",
+          "<model><sdf version=\"1.9\"></sdf></model>", "<model><SDF version=\"1.9\">new.sdf</SDF></model>",
+          "<sdf version=\"1.9\">new.sdf</sdf>", "<model>", ""}) {
+        config(inside);
+        expectMessage(include("robot"), {"test.sdf: /sdf/world/include/uri", "robot/model.config: "});
+    }
+}
+
 }  // namespace

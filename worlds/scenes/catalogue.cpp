@@ -74,7 +74,7 @@ int readSize(const std::string &text, const CatalogueEntry &entry) {
     int size = 0;
     const char *end = text.data() + text.size();
     const auto [stopped, error] = std::from_chars(text.data(), end, size);
-    if (error != std::errc() || stopped != end || size < 1 || size > entry.largestSize)
+    if (error != std::errc() || stopped != end || size < 1 || size > entry.largestSize || text != std::to_string(size))
         throw std::invalid_argument("scene '" + std::string(entry.name) + "': size '" + text +
                                     "' is not a number of " + entry.sizeMeaning + " from 1 to " +
                                     std::to_string(entry.largestSize));

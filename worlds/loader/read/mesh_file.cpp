@@ -8,7 +8,11 @@
 #include <assimp/scene.h>
 #include <assimp/Importer.hpp>
 
+#include <charconv>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 
 namespace worlds {
 
@@ -28,6 +32,25 @@ public:
         return whyNotReadable(file, longestMeshFile).empty() ? DefaultIOSystem::Open(file, mode) : nullptr;
     }
 };
+
+// The importer of PLY files makes room for as many vertices and faces as the file says that it holds.
+std::string whyNotPly(const std::string &file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::error_code none;
+    const std::uintmax_t size = std::filesystem::file_size(file, none);
+    std::string line;
+    if (!std::getline(stream, line) || line.compare(0, 3, "ply") != 0) return "";
+    while (std::getline(stream, line) && line.compare(0, 10, "end_header") != 0) {
+        std::istringstream words(line);
+        std::string element, kind, count;
+        words >> element >> kind >> count;
+        if (element != "element") continue;
+        std::uintmax_t elements = 0;
+        const auto [stopped, error] = std::from_chars(count.data(), count.data() + count.size(), elements);
+        if (error != std::errc() || elements > size) return "says that it holds " + count + " elements '" + kind + "', more than bytes";
+    }
+    return "";
+}
 
 void append(const aiMesh &part, const ignition::math::Vector3d &scale, TriangleMesh &mesh) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size() / 3);
@@ -51,6 +74,8 @@ TriangleMesh readMeshFile(const std::string &file, const ignition::math::Vector3
                           const Place &place) {
     const std::string wrong = whyNotReadable(file, longestMeshFile);
     if (!wrong.empty()) throw broken(place, file, wrong);
+    const std::string notPly = whyNotPly(file);
+    if (!notPly.empty()) throw broken(place, file, notPly);
     Assimp::Importer importer;
     importer.SetIOHandler(new RegularFiles);  // owned by the importer
     // Coordinates stay as they are in the file, whichever axis it calls up.

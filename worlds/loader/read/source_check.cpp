@@ -54,6 +54,8 @@ public:
             const Place place = placeOf(*child, outer);
             const std::string path = context + "/" + child->Name();
             const ElementRule *rule = findElementRule(path);
+            if (!rule && isInclude(parent))  // libsdformat leaves it aside without a word
+                throw LoadError(LoadError::Kind::Unsupported, place, "not supported");
             if (!rule) continue;  // element_check.h names it, once old versions are converted
             if (!written.insert(child->Name()).second && rule->often == Often::Once)
                 fail(place, "is written twice");

@@ -1,11 +1,10 @@
 #include "loader/read/source_tree.h"
 
 #include "loader/read/memory_file.h"
+#include "loader/read/model_config.h"
 #include "loader/read/regular_file.h"
 #include "loader/read/source_check.h"
 #include "loader/read/source_place.h"
-
-#include <sdf/parser.hh>
 
 #include <algorithm>
 #include <filesystem>
@@ -41,19 +40,10 @@ bool isMerged(const XMLElement &include) {
     return merge && (std::string(merge) == "true" || std::string(merge) == "1");
 }
 
-// A model's folder says in model.config which file describes it.
 std::string modelFile(const std::string &found, const Place &place, const std::string &uri) {
     std::error_code none;
     if (!fs::is_directory(found, none)) return found;
-    const auto fail = [&](const std::string &what) {
-        return LoadError(LoadError::Kind::Resource, place, "model " + quote(uri) + ": " + what);
-    };
-    const std::string config = found + "/model.config";
-    const std::string wrong = whyNotReadable(config, 1 << 20);
-    if (!wrong.empty()) throw fail(config + ": " + wrong);
-    const std::string file = sdf::getModelFilePath(found);
-    if (file.empty()) throw fail(config + " names no SDF file");
-    return file;
+    return found + "/" + readModelConfig(found, place, uri);
 }
 
 std::string canonicalName(const std::string &file, const Place &namedAt) {
