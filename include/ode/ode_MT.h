@@ -60,8 +60,9 @@ extern "C" {
  * May be called from any thread at any time, callbacks of all kinds included; it waits for nothing. A step or collision
  * in progress may go on with the old number. dODE_MT_AUTO counts the cores anew at each call: those that the process was
  * given when it loaded the library and those that its first thread or the calling one may use now, not only those that
- * the calling thread has bound itself to. Threads start with the first step that uses them, may use all of these cores,
- * with ordinary scheduling, and end with dCloseODE.
+ * the calling thread has bound itself to. Threads start with the first step that uses them and end with dCloseODE. Those
+ * of the manager "pthread" may use all of these cores, with ordinary scheduling; the runtime of "openmp" has rules of its
+ * own (OMP_PROC_BIND), by default those of the thread that starts them.
  * @ingroup ode_mt
  */
 ODE_API void dToggleODE_MT(int numThreads);
