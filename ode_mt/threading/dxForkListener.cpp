@@ -27,6 +27,13 @@ namespace {
 
 dxForkListeners listeners;
 
+// A recursive lock knows its owner by a number that the thread no longer has in the child, where unlocking does nothing
+// (EPERM) but let ThreadSanitizer know: it is made anew.
+void renew(std::recursive_mutex &lock) {
+    lock.unlock();
+    new (&lock) std::recursive_mutex;
+}
+
 // Before any lock of this library can be held.
 __attribute__((constructor)) void registerHandlers() {
     pthread_atfork(dxForkListeners::prepare, dxForkListeners::parent, dxForkListeners::child);
@@ -60,12 +67,11 @@ void dxForkListeners::parent() {
     dxForkLocks::initialisation.unlock();
 }
 
-// A recursive lock knows its owner by a number that the thread no longer has in the child: it is made anew.
 void dxForkListeners::child() {
     for (dxForkListener *l = listeners.first; l != nullptr; l = l->next) l->inForkedChild();
     listeners.lock.unlock();
-    new (&dxForkLocks::creation) std::recursive_mutex;
-    new (&dxForkLocks::initialisation) std::recursive_mutex;
+    renew(dxForkLocks::creation);
+    renew(dxForkLocks::initialisation);
 }
 
 void dxForkListener::listenToForks() {

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+
+#include "trace/dxLog.h"
 
 namespace {
 
@@ -104,6 +107,23 @@ TEST(CostModel, TinyWorldsStayOnTheCallerLargeOnesAreShared) {
     dxCostModel model;
     EXPECT_EQ(model.chooseWorkers(kQuick, 5e3, 1e3, 8), 1u);
     EXPECT_EQ(model.chooseWorkers(kQuick, 5e6, 1e3, 8), 8u);
+}
+
+// On a machine on which sharing out costs too much at first, and then little.
+TEST(CostModel, TellsItsDecisionsAtDebugLevel) {
+    const dxLogLevel before = dxGetLogLevel();
+    dxSetLogLevel(dxLogLevel::debug);
+    testing::internal::CaptureStderr();
+    Simulation simulation({1, 5e6}, 10e3, 100, 2);
+    simulation.shared(2000);
+    simulation.machine().price = 10e3;
+    simulation.shared(20000);
+    dxSetLogLevel(before);
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_NE(said.find("ODE_MT debug: cost model: a step of 1000 us on the caller costs 5000 us to share out, which does "
+                        "not pay"),
+              std::string::npos) << said;
+    EXPECT_NE(said.find("which pays"), std::string::npos) << said;
 }
 
 TEST(CostModel, ALargerTotalNeverGetsFewerWorkers) {

@@ -1,4 +1,4 @@
-// What ODE_MT_LOG shows of a program's frames at each level, as docs/linking.md says.
+// What ODE_MT_LOG shows of a program's frames at each level, as docs/linking.md says. (At debug: cost_model_test.cpp.)
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 
@@ -39,12 +39,6 @@ TEST_F(LogLevels, InfoNamesSettingsAndThreads) {
                 "ODE_MT info: thread manager pthread: up to 3 threads, the caller included.*"
                 "ODE_MT info: thread manager pthread: started ode_mt-1.*"
                 "ODE_MT info: 2 threads, 3 before");
-}
-
-TEST_F(LogLevels, DebugTellsWhatTheCostModelDecides) {
-    EXPECT_EXIT(step("debug", "auto", 300), testing::ExitedWithCode(0),
-                "ODE_MT debug: cost model: a step of [0-9]+ us on the caller costs [0-9]+ us to share out, which "
-                "(pays|does not pay)");
 }
 
 // Whoever asks for less does not pay for it.

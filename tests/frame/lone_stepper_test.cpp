@@ -68,7 +68,7 @@ TEST_F(LoneStepper, LongStepsDrawInOrder) {
     };
     EXPECT_TRUE(trueInChild([&run] {
         const OdeSession session(0, "serial");
-        int iterations = 500000;
+        int iterations = 50000;
         auto inOrder = run(false, iterations);
         while (!inOrder.second) inOrder = run(false, iterations *= 2);
         return inOrder.first == run(true, iterations).first;

@@ -97,7 +97,7 @@ TEST_P(MainReturns, WhileACallbackWaitsForIt) {
         if (!comesTrue([] { return inside > 0; })) std::_Exit(3);
         std::exit(kStatus);
     });
-    EXPECT_TRUE(end.exitedWith(kStatus));
+    EXPECT_TRUE(end.exitedWith(kStatus)) << end.errors;
 }
 
 INSTANTIATE_TEST_SUITE_P(Policies, MainReturns, testing::Values("serial", "concurrent"),
