@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <istream>
 #include <map>
 #include <stdexcept>
@@ -115,6 +116,18 @@ std::size_t numbersOf(const std::string &kind) {
     return found->second;
 }
 
+// Neither nan nor so large that it cannot be drawn.
+void checkNumber(double number, const std::string &what) {
+    constexpr double kLargest = 1e12;
+    if (!(std::abs(number) <= kLargest))
+        throw std::runtime_error(what + " holds a number that is not from -1e12 to 1e12");
+}
+
+void checkPose(const Pose &pose, const std::string &what) {
+    for (const double number : pose.position) checkNumber(number, what);
+    for (const double number : pose.quaternion) checkNumber(number, what);
+}
+
 void checkHeader(const Header &header) {
     for (std::size_t i = 0; i < header.geoms.size(); ++i) {
         const Shape &shape = header.geoms[i].shape;
@@ -123,6 +136,10 @@ void checkHeader(const Header &header) {
             throw std::runtime_error("geom " + std::to_string(i) + ": the size of a " + shape.kind + " has " +
                                      std::to_string(expected) + " numbers, not " +
                                      std::to_string(shape.size.size()));
+        for (const double number : shape.size) checkNumber(number, "geom " + std::to_string(i));
+        for (const Triangle &triangle : shape.triangles)
+            for (const auto &corner : triangle)
+                for (const double number : corner) checkNumber(number, "geom " + std::to_string(i));
     }
 }
 
@@ -133,6 +150,10 @@ void checkFrame(const Frame &frame, const Header &header) {
     if (frame.grid.cells < 0 || frame.grid.cells > kMostCells)
         throw std::runtime_error("its grid has " + std::to_string(frame.grid.cells) +
                                  " cells on each axis; known: 0 to " + std::to_string(kMostCells));
+    checkNumber(frame.grid.edge, "its grid");
+    for (const double number : frame.grid.centre) checkNumber(number, "its grid");
+    for (const Pose &pose : frame.bodies) checkPose(pose, "the pose of a body");
+    for (const Pose &pose : frame.geoms) checkPose(pose, "the pose of a geom");
     if (frame.geoms.size() != header.geoms.size() || frame.memberships.size() != header.geoms.size())
         throw std::runtime_error("it has not one pose and one membership for each of the " +
                                  std::to_string(header.geoms.size()) + " geoms");

@@ -2,6 +2,7 @@
 // pixels.
 #pragma once
 
+#include "loader/load_error.h"
 #include "render/area.h"
 #include "render/colour.h"
 
@@ -26,7 +27,7 @@ public:
     void ring(const Point &centre, double radius, const Stroke &stroke);  // radius: px
     void lines(const std::vector<std::array<Point, 2>> &lines, const Stroke &stroke);
     double pixels(double metres) const { return metres * m_scale; }
-    void caption(const std::string &text) { m_caption = text; }
+    void caption(const std::string &text) { m_caption = worlds::printable(text); }
 
     std::string document() const;
 

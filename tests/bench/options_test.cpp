@@ -80,6 +80,8 @@ TEST(Options, WrongOnesAreAnsweredByName) {
     expectComplaint({"--worlds", ""}, "--worlds");
     expectComplaint({"--worlds", "thesis,hash"}, "a modifier belongs to one world");
     expectComplaint({"--worlds", "rover,hash,hash"}, "'hash' is said twice");
+    expectComplaint({"--worlds", "rover,hash,sap"}, "'hash' and 'sap' exclude one another");
+    expectComplaint({"--worlds", "rover,world,quick"}, "'world' and 'quick' exclude one another");
     expectComplaint({"--worlds", "pioneer3at:"}, "no size behind the colon");
     expectComplaint({"--worlds", "pioneer3at:010"}, "'010'");
     expectComplaint({"--worlds", "rover:010"}, "'010'");

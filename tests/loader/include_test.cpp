@@ -116,6 +116,7 @@ TEST_F(Include, OfWhatIsNoModelIsAnError) {
 
 TEST_F(Include, HoldsNothingElse) {
     folder.write("ball.sdf", modelFile("ball", ballOf(1)));
+    expectMessage(include("ball.sdf", "<name>a::b</name>"), {"/sdf/world/include/name: a name may not hold '::'"});
     for (const char *const inside : {"<self_collide>1</self_collide>", "<link name=\"x\"/>", "<foo/>", "<odemt:x/>"}) {
         expectMessage(include("ball.sdf", inside), {"test.sdf", "/sdf/world/include/", "not supported"});
         folder.write("outer.sdf", modelFile("outer", include("ball.sdf", inside)));

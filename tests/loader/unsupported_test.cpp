@@ -55,6 +55,10 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Case{"gearboxRatio", jointed("revolute", axis + "<gearbox_ratio>2</gearbox_ratio>"),
              robot + "/gearbox_ratio"},
+        Case{"motorOfABall", jointed("ball", "<physics><ode><max_force>1</max_force></ode></physics>"),
+             robot + "/physics/ode/max_force"},
+        Case{"stopsOfAFixed", jointed("fixed", "<physics><ode><limit><cfm>0.1</cfm></limit></ode></physics>"),
+             robot + "/physics/ode/limit"},
         Case{"screw", jointed("screw", axis + "<thread_pitch>1</thread_pitch>"), robot + ": type 'screw'"},
         Case{"implicitSpring",
              jointed("revolute", axis + "<physics><ode><implicit_spring_damper>true"

@@ -2,6 +2,7 @@
 #include "scenes/catalogue.h"
 
 #include <charconv>
+#include <map>
 #include <stdexcept>
 
 namespace scenes {
@@ -39,21 +40,24 @@ const CatalogueEntry kCatalogue[] = {
      makeRays},
 };
 
+enum class Says { Stepper, Space, Sleep };
+
 struct Modifier {
+    Says what;
     const char *name;
     const char *meaning;
     void (*apply)(SceneOptions &);
 };
 
 const Modifier kModifiers[] = {
-    {"world", "step with dWorldStep", [](SceneOptions &o) { o.stepper = Stepper::World; }},
-    {"quick", "step with dWorldQuickStep", [](SceneOptions &o) { o.stepper = Stepper::Quick; }},
-    {"simple", "collide in a simple space", [](SceneOptions &o) { o.space = SpaceKind::Simple; }},
-    {"hash", "collide in a hash space (the default)", [](SceneOptions &o) { o.space = SpaceKind::Hash; }},
-    {"sap", "collide in a sweep-and-prune space",
+    {Says::Stepper, "world", "step with dWorldStep", [](SceneOptions &o) { o.stepper = Stepper::World; }},
+    {Says::Stepper, "quick", "step with dWorldQuickStep", [](SceneOptions &o) { o.stepper = Stepper::Quick; }},
+    {Says::Space, "simple", "collide in a simple space", [](SceneOptions &o) { o.space = SpaceKind::Simple; }},
+    {Says::Space, "hash", "collide in a hash space (the default)", [](SceneOptions &o) { o.space = SpaceKind::Hash; }},
+    {Says::Space, "sap", "collide in a sweep-and-prune space",
      [](SceneOptions &o) { o.space = SpaceKind::SweepAndPrune; }},
-    {"quadtree", "collide in a quad-tree space", [](SceneOptions &o) { o.space = SpaceKind::QuadTree; }},
-    {"autodisable", "let bodies at rest fall asleep", [](SceneOptions &o) { o.autoDisable = true; }},
+    {Says::Space, "quadtree", "collide in a quad-tree space", [](SceneOptions &o) { o.space = SpaceKind::QuadTree; }},
+    {Says::Sleep, "autodisable", "let bodies at rest fall asleep", [](SceneOptions &o) { o.autoDisable = true; }},
 };
 
 template <class Table>
@@ -81,11 +85,17 @@ int readSize(const std::string &text, const CatalogueEntry &entry) {
     return size;
 }
 
-void applyModifier(const std::string &name, const std::string &description, SceneOptions &options) {
+using Said = std::map<Says, std::string>;
+
+void applyModifier(const std::string &name, const std::string &description, Said &said, SceneOptions &options) {
     const Modifier *modifier = find(kModifiers, name);
     if (!modifier)
         throw std::invalid_argument("scene '" + description + "': unknown modifier '" + name +
                                     "'; known: " + names(kModifiers));
+    const auto [before, isNew] = said.emplace(modifier->what, name);
+    if (!isNew)
+        throw std::invalid_argument("scene '" + description + "': '" + before->second + "' and '" + name +
+                                    "' exclude one another");
     modifier->apply(options);
 }
 
@@ -107,10 +117,11 @@ Choice read(const std::string &description) {
     options.stepper = entry->stepper;
     options.size = entry->defaultSize;
     if (colon != std::string::npos) options.size = readSize(nameAndSize.substr(colon + 1), *entry);
+    Said said;
     for (std::size_t at = comma; at != std::string::npos;) {
         const std::size_t next = description.find(',', at + 1);
         const std::size_t length = next == std::string::npos ? next : next - at - 1;
-        applyModifier(description.substr(at + 1, length), description, options);
+        applyModifier(description.substr(at + 1, length), description, said, options);
         at = next;
     }
     return {entry, options};

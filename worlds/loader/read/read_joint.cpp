@@ -94,6 +94,9 @@ void readOde(const Parameters &ode, Joint &joint, const Reading &reading) {
         reading.issues.unsupported(ode.child("erp")->place, "on a joint other than ball and fixed");
         joint.erp.reset();  // ODE takes it for these two alone
     }
+    for (const char *const ofAnAxis : {"bounce", "fudge_factor", "max_force", "velocity", "limit"})
+        if (const Parameters *child = ode.child(ofAnAxis); child && axisCount(joint.type) == 0)
+            reading.issues.unsupported(child->place, "on a joint without an axis");
     joint.bounce = optionalNumber(&ode, "bounce");
     joint.fudgeFactor = optionalNumber(&ode, "fudge_factor");
     joint.motorForce = optionalNumber(&ode, "max_force");

@@ -111,6 +111,8 @@ std::string SourceTree::include(XMLElement &element, const Place &place, const s
     if (found.empty()) throw LoadError(LoadError::Kind::Resource, at, "no model " + quote(wanted));
 
     const std::string givenName = textOf(element.FirstChildElement("name"));
+    if (givenName.find("::") != std::string::npos)
+        throw LoadError(LoadError::Kind::Value, {place.file, place.path + "/name"}, "a name may not hold '::'");
     const std::string outer = place.path.substr(0, place.path.rfind("/include"));
     const Source &source = this->source(modelFile(found, at, wanted), at, outer, givenName);
     modelCount += source.modelCount;
