@@ -50,11 +50,15 @@ void dxClusteredWorldAndSpace::note(Slot slot) {
     m_noted.push_back(slot);
 }
 
+bool dxClusteredWorldAndSpace::isAnother(Slot slot, const dxMembers &members) const {
+    return slot >= m_arrivals.size() || m_arrivals[slot] != members.arrivalOf(slot);
+}
+
 double dxClusteredWorldAndSpace::travelOf(Slot slot, const dxMembers &members) const {
     const dxGeom *const geom = members[slot].geom;
     const bool known = slot < m_scene.end() && m_scene[slot].kind != Kind::none;
     if (geom == nullptr && !known) return 0;  // came and went
-    if (geom == nullptr || !known || m_scene[slot].kind != dxKindOf(geom)) return kInfinite;
+    if (geom == nullptr || !known || m_scene[slot].kind != dxKindOf(geom) || isAnother(slot, members)) return kInfinite;
     double furthest = 0;
     for (int bound = 0; bound < 6; ++bound) {
         const dReal from = m_scene[slot].bounds.v[bound], to = members[slot].bounds.v[bound];
@@ -89,9 +93,15 @@ void dxClusteredWorldAndSpace::findPairs(const dxMembers &members, std::vector<M
 }
 
 void dxClusteredWorldAndSpace::updateScene(const dxMembers &members) {
+    m_arrivals.resize(members.end());  // 0: nobody's
     for (const Slot slot : m_noted) {
         m_isNoted[slot] = 0;
         const dxMembers::Member &member = members[slot];
+        if (isAnother(slot, members)) {  // who was here before has gone
+            m_scene.remove(slot);
+            m_clusters.forgetMember(slot);
+            m_arrivals[slot] = members.arrivalOf(slot);
+        }
         if (member.geom != nullptr)
             m_scene.put(slot, dxKindOf(member.geom), member.bounds);
         else

@@ -10,6 +10,7 @@
 // One thread at a time, as the space.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -70,6 +71,7 @@ public:
 
 private:
     void note(Slot slot);
+    bool isAnother(Slot slot, const dxMembers &members) const;
     double travelOf(Slot slot, const dxMembers &members) const;
     void updateScene(const dxMembers &members);
     void updateGrid();
@@ -87,6 +89,7 @@ private:
     dxInhabitantLinks m_links;
     dxClusterGap m_gap;
     std::vector<Slot> m_apart;  // tested with every cluster
+    std::vector<std::uint64_t> m_arrivals;  // by slot: of who was in it at the last check
 
     // Since the last check.
     std::vector<Slot> m_noted;           // members that changed

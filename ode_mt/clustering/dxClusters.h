@@ -25,6 +25,10 @@ public:
     void clear(std::size_t slots);
     int addCluster(bool isDynamic);
     void addMember(int cluster, Slot slot);
+    // Another inhabitant has the slot, which was in none of these clusters.
+    void forgetMember(Slot slot) {
+        if (slot < m_of.size()) m_of[slot] = kNone;
+    }
 
     int count() const { return m_count; }
     int dynamicCount() const { return m_dynamicCount; }

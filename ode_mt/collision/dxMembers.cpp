@@ -6,12 +6,14 @@ dxMembers::Slot dxMembers::add(dxGeom *geom) {
         slot = end();
         m_members.emplace_back();
         m_isChanged.push_back(0);
+        m_arrivals.push_back(0);
     } else {
         slot = m_free.back();
         m_free.pop_back();
     }
     m_members[slot] = Member();
     m_members[slot].geom = geom;
+    m_arrivals[slot] = ++m_lastArrival;
     ++m_unranked;
     ++m_orderings;
     markChanged(slot);

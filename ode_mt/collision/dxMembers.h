@@ -53,6 +53,8 @@ public:
         ++m_orderings;
     }
     int unranked() const { return m_unranked; }
+    // Tells whoever is in a slot from those that were in it before.
+    std::uint64_t arrivalOf(Slot slot) const { return m_arrivals[slot]; }
     // Rises whenever a member comes, goes or gets another rank.
     std::uint64_t orderings() const { return m_orderings; }
 
@@ -74,6 +76,8 @@ public:
 
 private:
     std::vector<Member> m_members;
+    std::vector<std::uint64_t> m_arrivals;  // by slot: how many had come by then
+    std::uint64_t m_lastArrival = 0;
     std::vector<Slot> m_free;
     std::vector<Slot> m_changed;
     std::vector<std::uint8_t> m_isChanged;
