@@ -5,6 +5,8 @@
 #include "util.h"
 #include "collision_space_internal.h"
 
+#include "collision/dxMissedNotifications.h"
+
 namespace {
 
 // Geoms against a space that is walked, between two moves, after which an index pays for the ranks that it
@@ -68,9 +70,11 @@ void dxOrderedListSpace::cleanToCollide() {
 void dxOrderedListSpace::cleanAlone() {
     m_isIrregular = mayHaveStrays() || m_isInterrupted || m_isIrregular;
     m_isInterrupted = true;
+    const std::uint64_t missed = dxMissedNotifications::count();
     gatherDirty();
     chooseToWalk();
     cleanDirty();
+    if (dxMissedNotifications::count() != missed) rankAll();
     m_isInterrupted = false;
 }
 
@@ -95,6 +99,11 @@ void dxOrderedListSpace::cleanDirty() {
 // given by both.
 void dxOrderedListSpace::cleanBehind(dxGeom *geom) {
     for (geom = geom->next; geom != nullptr && isDirty(geom); geom = geom->next) clean(geom);
+    rankAll();
+}
+
+// A bounding-box function has changed what was gathered, or made a stray.
+void dxOrderedListSpace::rankAll() {
     m_isIrregular = true;
     if (!m_isWalked) rankBehindClean(first, members().firstOf(count));
 }

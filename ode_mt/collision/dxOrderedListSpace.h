@@ -39,6 +39,7 @@ private:
     void gatherDirty();
     void cleanDirty();
     void cleanBehind(dxGeom *geom);
+    void rankAll();
     void chooseToWalk();
     void stopWalking();
     void stopWalkingIfAskedOften();

@@ -2,12 +2,13 @@
 // what followed.
 //
 //   every_call --functions                        all names
-//   every_call --run FILE [--only function]       one line for each case and stage into FILE
+//   every_call --run FILE [function]              one line for each case into FILE
 //   every_call --show CASE                        everything that a case saw
 //
 // Each function has a process of its own: what it leaves behind in the library (colliders, classes) does not
 // reach others, and a crash ends no more than its cases.
-#include "call_recipes.h"
+#include "call_contexts.h"
+#include "user_code.h"
 
 #include <dlfcn.h>
 #include <sys/wait.h>
@@ -17,6 +18,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 
@@ -24,65 +26,12 @@ namespace {
 
 using namespace kept_state;
 
-enum class When { between, asked, beforeStep, near, nearOther, moved, twice, undone, last };
-constexpr When allWhens[] = {When::between, When::asked, When::beforeStep, When::near, When::nearOther,
-                             When::moved,   When::twice, When::undone,     When::last};
-
-const char *nameOf(When when) {
-    static const char *const names[] = {"between", "asked", "before_step", "near", "near_other",
-                                        "moved",   "twice", "undone",      "last"};
-    return names[static_cast<int>(when)];
-}
-
-struct Case {
-    const CallRecipe &recipe;
-    When when;
-    SpaceKind kind;
-    Place place;
-    int turn;
-
-    std::string name() const {
-        return recipe.function + '/' + nameOf(when) + '/' + kept_state::nameOf(kind) + '/' +
-               kept_state::nameOf(place) + '/' + std::to_string(turn);
-    }
-};
-
-void makeCall(CallScene &scene, const Case &c) {
-    const auto call = [&] { c.recipe.call(scene); };
-    const auto attempt = [&] { scene.attempt(call); };
-    switch (c.when) {
-        case When::between:
-            return attempt();
-        case When::asked:
-            scene.askBoxes();
-            return attempt();
-        case When::beforeStep:
-            scene.collide();
-            scene.attempt(call);
-            return scene.step();
-        case When::near:
-        case When::nearOther:
-            scene.inNearCallback = call;
-            return scene.frame();
-        case When::moved:
-            scene.inMovedCallback = call;
-            return scene.frame();
-        case When::twice:
-            scene.attempt(call);
-            return attempt();
-        case When::undone:
-            scene.attempt(call);
-            scene.attempt([&] { c.recipe.undo(scene); });
-            return;
-        case When::last:
-            scene.askBoxes();
-            return attempt();
-    }
-}
+constexpr int kShares = 2;
 
 std::string play(const Case &c, bool show) {
     CallScene scene(c.kind, c.place, c.turn, show);
     scene.attempt([&] {
+        prepare(scene, c);
         scene.frame();
         scene.frame();
         makeCall(scene, c);
@@ -93,38 +42,13 @@ std::string play(const Case &c, bool show) {
         scene.destroy();
     });
     CallScene::living = nullptr;
+    dSetAllocHandler(nullptr);
+    const char *const remark = isCallWaiting() ? " not_reached" : "";
+    forgetCall();
     if (show) std::printf("%s", scene.trace.text().c_str());
     char text[20];
     std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(scene.trace.hash()));
-    return text;
-}
-
-// Kinds of spaces, and places within them, by turns. ODE_MT_EXACTNESS=thorough: all of them.
-template <class Visit>
-void forEachCase(const CallRecipe &recipe, int number, Visit visit) {
-    const char *const wanted = std::getenv("ODE_MT_EXACTNESS");
-    const bool thorough = wanted != nullptr && std::strcmp(wanted, "thorough") == 0;
-    for (const When when : allWhens) {
-        if (when == When::undone && !recipe.undo) continue;
-        if (recipe.readsOnly && when != When::asked && when != When::near) continue;
-        if (when == When::near && !recipe.inLocked) continue;
-        if (when == When::moved && !recipe.inStep) continue;
-        for (const SpaceKind kind : allSpaceKinds) {
-            if (!thorough && !recipe.everySpace &&
-                (number + static_cast<int>(when) + static_cast<int>(kind)) % 2 != 0)
-                continue;
-            if (recipe.anySpace && (number + static_cast<int>(when) + static_cast<int>(kind)) % 4 != 0)
-                continue;
-            for (int p = 0; p < 4; ++p) {
-                if (!thorough && (p + number + static_cast<int>(when) + static_cast<int>(kind)) % 4 != 0)
-                    continue;
-                Place place = allPlaces[p];
-                if (when == When::nearOther) place = Place::other;
-                const int turn = number + 5 * static_cast<int>(when) + 3 * static_cast<int>(kind) + 7 * p;
-                visit(Case{recipe, when, kind, place, turn});
-            }
-        }
-    }
+    return std::string(text) + remark;
 }
 
 void startLibrary() {
@@ -132,24 +56,38 @@ void startLibrary() {
     dAllocateODEDataForThread(dAllocateMaskAll);
 }
 
+void append(int file, const std::string &text) {
+    if (write(file, text.data(), text.size()) < 0) std::_Exit(3);
+}
+
+// How many workers took part, and how many contacts were computed ahead. Nothing on Debian's library.
+std::string statistics() {
+    const auto get = [](const char *name) {
+        const auto function = reinterpret_cast<unsigned (*)()>(dlsym(RTLD_DEFAULT, name));
+        return std::to_string(function == nullptr ? 0 : function());
+    };
+    return get("dODE_MT_GetMaxWorkersUsed") + ' ' + get("dODE_MT_GetContactsAhead") + ' ' +
+           get("dODE_MT_GetParallelSteps");
+}
+
 // All cases of one function. The library is not closed: a case may have left half of something.
 void runFunction(const CallRecipe &recipe, int number, int file) {
     startLibrary();
     forEachCase(recipe, number, [&](const Case &c) {
-        const std::string name = c.name() + ' ';
-        if (write(file, name.data(), name.size()) < 0) std::_Exit(3);
-        const std::string hash = play(c, false) + '\n';
-        if (write(file, hash.data(), hash.size()) < 0) std::_Exit(3);
+        append(file, c.name() + ' ');
+        append(file, play(c, false) + '\n');
     });
+    append(file, "statistics/" + recipe.function + ' ' + statistics() + '\n');
 }
 
-void runAll(const char *path, const std::string &only) {
-    std::FILE *const out = std::fopen(path, "w");
+// Every kShares-th function, from `share` on.
+void runShare(const std::string &path, int share, const std::string &only) {
+    std::FILE *const out = std::fopen(path.c_str(), "w");
     if (out == nullptr) throw std::runtime_error("cannot write");
     int number = 0;
     for (const CallRecipe &recipe : callRecipes()) {
         ++number;
-        if (!only.empty() && recipe.function != only) continue;
+        if (number % kShares != share || (!only.empty() && recipe.function != only)) continue;
         const pid_t child = fork();
         if (child == 0) {
             alarm(60);
@@ -167,6 +105,28 @@ void runAll(const char *path, const std::string &only) {
         std::fflush(out);
     }
     std::fclose(out);
+}
+
+// Shares run side by side, each into a file of its own.
+void runAll(const std::string &path, const std::string &only) {
+    const auto part = [&](int share) { return path + '.' + std::to_string(share); };
+    pid_t children[kShares];
+    for (int share = 0; share < kShares; ++share) {
+        children[share] = fork();
+        if (children[share] != 0) continue;
+        runShare(part(share), share, only);
+        std::_Exit(0);
+    }
+    std::ofstream out(path);
+    for (int share = 0; share < kShares; ++share) {
+        int status = 0;
+        waitpid(children[share], &status, 0);
+        if (status != 0) throw std::runtime_error("a share of the functions has failed");
+        std::ifstream lines(part(share));
+        for (std::string line; std::getline(lines, line);) out << line << '\n';
+        std::remove(part(share).c_str());
+    }
+    if (!out.flush()) throw std::runtime_error("cannot write");
 }
 
 int show(const std::string &wanted) {

@@ -17,6 +17,9 @@ struct CallRecipe {
     bool readsOnly = false;   // changes nothing: fewer contexts are enough
     bool inLocked = true;     // false: upstream changes what a locked space holds half way, and cannot go on
     bool inStep = true;       // false: upstream frees what a step in progress uses
+    bool inUserCode = true;   // false: upstream leaves half an object behind
+    bool inCollision = true;  // false: upstream's cleaning or collider goes on with what the call writes over
+    bool amidStep = true;     // false: upstream's step goes on with what the call writes over
     bool anySpace = false;    // says nothing to geoms or spaces: one kind of space at a time is enough
     bool everySpace = false;  // is for spaces: all kinds of them, not by turns
 };

@@ -1,6 +1,7 @@
 #include "call_scene.h"
 
 #include "call_shapes.h"
+#include "user_code.h"
 
 #include <algorithm>
 #include <cstdarg>
@@ -24,12 +25,14 @@ void tellHandler(const char *kind, int number, const char *text, va_list argumen
 
 void onMessage(int number, const char *text, va_list arguments) {
     tellHandler("message", number, text, arguments);
+    reached(UserCode::messageHandler);
 }
 
 // A jump rather than an exception: an exception out of a constructor would free a geom that is in a list
 // already.
 void onDebug(int number, const char *text, va_list arguments) {
     tellHandler("debug", number, text, arguments);
+    reached(UserCode::debugHandler);
     std::longjmp(*CallScene::faultTarget, 1);
 }
 
@@ -132,7 +135,8 @@ void CallScene::fill(GeomSet &set, int number) {
     set.terrain =
         put(set, dCreateTriMesh(space, createMeshData(1), nullptr, nullptr, nullptr), number, false);
     set.heights = put(set, dCreateHeightfield(space, createHeights(0), 1), number, false);
-    set.custom = put(set, createCustom(space, 0.3), number, false);
+    set.custom = put(set, createCustom(space, 0.3, customClass()), number, false);
+    set.tested = put(set, createCustom(space, 0.25, testedClass()), number, false);
     set.ray = put(set, dCreateRay(space, 3), number, false);
     dGeomRaySet(set.ray, 0.3, 0.3, 2, 0.1, 0.05, -1);
     set.transform = put(set, dCreateGeomTransform(space), number, false);
@@ -296,20 +300,22 @@ void CallScene::movedCallback(dBodyID body) {
 
 void CallScene::collide() {
     m_pairs = 0;
-    const dSpaceID root = setAt(Place::root).space, other = setAt(Place::other).space;
-    if (root != nullptr) dSpaceCollide(root, this, nearCallback);
-    if (other != nullptr) dSpaceCollide(other, this, nearCallback);
-    if (root != nullptr && other != nullptr)
-        dSpaceCollide2(reinterpret_cast<dGeomID>(root), reinterpret_cast<dGeomID>(other), this, nearCallback);
+    // Callbacks may destroy spaces: each is looked up anew.
+    const auto space = [this](Place where) { return setAt(where).space; };
+    const auto geom = [this](Place where) { return reinterpret_cast<dGeomID>(setAt(where).space); };
+    if (space(Place::root) != nullptr) dSpaceCollide(space(Place::root), this, nearCallback);
+    if (space(Place::other) != nullptr) dSpaceCollide(space(Place::other), this, nearCallback);
+    if (space(Place::root) != nullptr && space(Place::other) != nullptr)
+        dSpaceCollide2(geom(Place::root), geom(Place::other), this, nearCallback);
     const std::vector<dGeomID> &loose = setAt(Place::nowhere).all;
     for (std::size_t i = 0; i < loose.size(); i += 3)
-        if (root != nullptr) dSpaceCollide2(loose[i], reinterpret_cast<dGeomID>(root), this, nearCallback);
+        if (space(Place::root) != nullptr) dSpaceCollide2(loose[i], geom(Place::root), this, nearCallback);
 }
 
 void CallScene::step() {
     for (const dWorldID w : {world, second}) {
         if (w == nullptr) continue;
-        trace.line("step", turn % 8 == 0 ? dWorldStep(w, 0.01) : dWorldQuickStep(w, 0.01));
+        trace.line("step", stepsExactly ? dWorldStep(w, 0.01) : dWorldQuickStep(w, 0.01));
     }
     dJointGroupEmpty(contacts);
     tellBodies();
@@ -381,6 +387,15 @@ void CallScene::destroy() {
     if (world != nullptr) dWorldDestroy(world);
     if (second != nullptr) dWorldDestroy(second);
     trace.line("destroyed");
+}
+
+void CallScene::destroyRoot() {
+    GeomSet &root = setAt(Place::root), &nested = setAt(Place::nested);
+    const dSpaceID space = root.space;
+    root.space = nested.space = nullptr;
+    for (GeomSet *const set : {&root, &nested})
+        while (!set->all.empty()) drop(set->all.back());
+    dSpaceDestroy(space);
 }
 
 // --- objects for recipes --------------------------------------------------------------------------------

@@ -27,7 +27,7 @@ const char *nameOf(Place place);
 struct GeomSet {
     dSpaceID space = nullptr;
     dGeomID sphere, box, capsule, cylinder, convex, mesh;           // with bodies
-    dGeomID slab, plane, ray, heights, terrain, transform, custom;  // without
+    dGeomID slab, plane, ray, heights, terrain, transform, custom, tested;  // without
     dGeomID wrapped;                                                // the transform's own
     std::vector<dGeomID> all;                                       // but the wrapped one
 };
@@ -38,11 +38,13 @@ public:
     CallScene(const CallScene &) = delete;
     CallScene &operator=(const CallScene &) = delete;
     void destroy();
+    void destroyRoot();  // the root space, and all in it
 
     // --- frames ---------------------------------------------------------------------------------------
     void collide();
     void step();
     void frame();
+    bool stepsExactly = false;  // by dWorldStep; false: dWorldQuickStep
     void askBoxes();   // of all geoms
     void tellState();  // at the end of a case: boxes and the order of geoms too
 

@@ -1,5 +1,7 @@
 #include "call_shapes.h"
 
+#include "user_code.h"
+
 #include <cmath>
 #include <cstring>
 
@@ -36,6 +38,7 @@ struct Custom {
 dReal radiusOf(dGeomID geom) { return static_cast<Custom *>(dGeomGetClassData(geom))->radius; }
 
 int collideCustom(dGeomID o1, dGeomID o2, int, dContactGeom *contact, int) {
+    reached(UserCode::collider);
     const dReal *a = dGeomGetPosition(o1), *b = dGeomGetPosition(o2);
     const dReal dx = a[0] - b[0], dy = a[1] - b[1], dz = a[2] - b[2];
     const dReal distance = std::sqrt(dx * dx + dy * dy + dz * dz);
@@ -53,16 +56,27 @@ int collideCustom(dGeomID o1, dGeomID o2, int, dContactGeom *contact, int) {
 }
 
 dColliderFn *colliderFor(int other) {
+    reached(UserCode::colliderGetter);
     return other == dSphereClass || other == dBoxClass || other == dCapsuleClass ? collideCustom : nullptr;
 }
 
 void boxOfCustom(dGeomID geom, dReal aabb[6]) {
+    reached(UserCode::boxFunction);
     const dReal *place = dGeomGetPosition(geom);
     for (int i = 0; i < 3; ++i) {
         aabb[2 * i] = place[i] - radiusOf(geom);
         aabb[2 * i + 1] = place[i] + radiusOf(geom);
     }
 }
+
+int testBox(dGeomID, dGeomID, dReal *) {
+    reached(UserCode::boxTest);
+    return 1;
+}
+
+void destroyCustom(dGeomID) { reached(UserCode::destructor); }
+
+int classOf(const dGeomClass &functions) { return dCreateGeomClass(&functions); }
 
 }  // namespace
 
@@ -110,19 +124,26 @@ dGeomClass customClassFunctions() {
     functions.bytes = sizeof(Custom);
     functions.collider = colliderFor;
     functions.aabb = boxOfCustom;
+    functions.dtor = destroyCustom;
     return functions;
 }
 
 int customClass() {
+    static const int number = classOf(customClassFunctions());
+    return number;
+}
+
+int testedClass() {
     static const int number = [] {
-        const dGeomClass functions = customClassFunctions();
-        return dCreateGeomClass(&functions);
+        dGeomClass functions = customClassFunctions();
+        functions.aabb_test = testBox;
+        return classOf(functions);
     }();
     return number;
 }
 
-dGeomID createCustom(dSpaceID space, dReal radius) {
-    const dGeomID geom = dCreateGeom(customClass());
+dGeomID createCustom(dSpaceID space, dReal radius, int geomClass) {
+    const dGeomID geom = dCreateGeom(geomClass);
     static_cast<Custom *>(dGeomGetClassData(geom))->radius = radius;
     if (space != nullptr) dSpaceAdd(space, geom);
     return geom;

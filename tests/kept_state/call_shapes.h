@@ -23,8 +23,9 @@ const float *meshVerticesSingle();
 dHeightfieldDataID createHeights(int version);  // 0: bumps, 1: higher ones
 double *heightSamples(int version);             // 5 x 5, not copied
 
-int customClass();  // a sphere of the user's
-dGeomID createCustom(dSpaceID space, dReal radius);
+int customClass();  // a sphere of the program's
+int testedClass();  // the same, with a box test
+dGeomID createCustom(dSpaceID space, dReal radius, int geomClass);
 dGeomClass customClassFunctions();
 
 }  // namespace kept_state

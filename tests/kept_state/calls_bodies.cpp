@@ -178,6 +178,7 @@ void addBodyCalls(CallRecipes &recipes) {
                      dBodySetPosition(body, 0.4, 0.4, 0.4);
                      dGeomSetBody(s.set().slab, body);
                  }});
+    r.back().amidStep = false;
     r.push_back({"dBodyDestroy", [](CallScene &s) { dBodyDestroy(s.takeBody()); }});
     r.back().inStep = false;
     recipes.insert(recipes.end(), r.begin(), r.end());

@@ -131,15 +131,19 @@ void addCollisions(CallRecipes &r) {
                          for (int i = 0; i < count; ++i) s.tell(contacts[i].pos, 3);
                      }
                  }});
+    r.back().inCollision = false;
     r.push_back({"dSpaceCollide", [](CallScene &s) {
                      if (s.set().space != nullptr) dSpaceCollide(s.set().space, &s, tellPair);
                  }});
+    r.back().inCollision = false;
     r.push_back({"dSpaceCollide2", [](CallScene &s) {
                      const dGeomID one =
                          s.place == Place::nowhere ? s.placeable() : reinterpret_cast<dGeomID>(s.set().space);
-                     dSpaceCollide2(one, reinterpret_cast<dGeomID>(s.setAt(Place::root).space), &s, tellPair);
+                     if (const dSpaceID root = s.setAt(Place::root).space)
+                         dSpaceCollide2(one, reinterpret_cast<dGeomID>(root), &s, tellPair);
                      dSpaceCollide2(s.setAt(Place::other).all[s.turn % 10], one, &s, tellPair);
                  }});
+    r.back().inCollision = false;
     r.push_back({"dClosestLineSegmentPoints",
                  [](CallScene &s) {
                      const dVector3 a{0, 0, 0, 0}, b{1, 0, 0, 0}, c{0, 1, 1, 0}, d{1, -1, 1, 0};
@@ -207,9 +211,9 @@ void addCollisionCalls(CallRecipes &r) {
     r.push_back({"dCreateGeomClass", [](CallScene &s) {
                      static int number = 0;
                      const dGeomClass functions = customClassFunctions();
-                     if (number++ < 3) s.tell(dCreateGeomClass(&functions));
+                     if (number++ < 2) s.tell(dCreateGeomClass(&functions));
                  }});
-    r.push_back({"dCreateGeom", [](CallScene &s) { s.adopt(createCustom(s.set().space, 0.35)); },
+    r.push_back({"dCreateGeom", [](CallScene &s) { s.adopt(createCustom(s.set().space, 0.35, customClass())); },
                  [](CallScene &s) {
                      const dGeomID geom = s.created();
                      s.drop(geom);

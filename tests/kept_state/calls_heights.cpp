@@ -56,6 +56,7 @@ void addHeightCalls(CallRecipes &r) {
                      dGeomHeightfieldSetHeightfieldData(s.set().heights, createHeights(1));
                      dGeomHeightfieldDataDestroy(old);
                  }});
+    r.back().inCollision = false;
     r.push_back({"dGeomHeightfieldDataBuildCallback", build([](dHeightfieldDataID data) {
                      dGeomHeightfieldDataBuildCallback(data, nullptr, slope, 3, 3, 5, 5, 1, 0, 0.2, 0);
                  }),

@@ -76,6 +76,7 @@ void addJointCalls(CallRecipes &recipes) {
                      s.drop(joint);
                      dJointDestroy(joint);
                  }});
+    r.back().amidStep = false;
     r.push_back({"dJointAttach", [](CallScene &s) { dJointAttach(some(s), s.filler(1), nullptr); },
                  [](CallScene &s) { dJointAttach(some(s), nullptr, nullptr); }});
     r.push_back({"dJointEnable", [](CallScene &s) { dJointEnable(some(s)); },

@@ -62,6 +62,7 @@ void addData(CallRecipes &r) {
                      dGeomTriMeshSetData(s.set().mesh, createMeshData(1));
                      dGeomTriMeshDataDestroy(old);
                  }});
+    r.back().inCollision = false;
     r.push_back({"dGeomTriMeshDataSet",
                  [](CallScene &s) { dGeomTriMeshDataSet(dataOf(s), dTRIMESHDATA_USE_FLAGS, nullptr); }});
     r.push_back({"dGeomTriMeshDataGet2",
@@ -81,6 +82,7 @@ void addData(CallRecipes &r) {
                      s.tell(dGeomTriMeshDataPreprocess2(
                          dataOf(s), 1u << dTRIDATAPREPROCESS_BUILD_CONCAVE_EDGES, nullptr));
                  }});
+    r.back().inCollision = false;
     r.push_back({"dGeomTriMeshDataGetBuffer",
                  [](CallScene &s) {
                      unsigned char *buffer = nullptr;
@@ -95,6 +97,7 @@ void addData(CallRecipes &r) {
                      dGeomTriMeshDataGetBuffer(dataOf(s), &buffer, &size);
                      dGeomTriMeshDataSetBuffer(dataOf(s), buffer);
                  }});
+    r.back().inCollision = false;
     const auto stretch = [](dReal height) {
         return [height](CallScene &s) {
             meshVertices(0);

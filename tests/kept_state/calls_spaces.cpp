@@ -20,7 +20,7 @@ dSpaceID spaceOf(CallScene &s) {
 dSpaceID hashSpaceOf(CallScene &s) {
     const dSpaceID own = spaceOf(s), root = s.setAt(Place::root).space;
     if (dSpaceGetClass(own) == dHashSpaceClass) return own;
-    return dSpaceGetClass(root) == dHashSpaceClass ? root : nullptr;
+    return root != nullptr && dSpaceGetClass(root) == dHashSpaceClass ? root : nullptr;
 }
 
 void addTo(dSpaceID space, dGeomID geom) {
@@ -68,6 +68,7 @@ void addMembership(CallRecipes &r) {
     r.push_back({"dSpaceDestroy", destroySpace});
     r.back().inLocked = false;
     r.push_back({"dSpaceClean", [](CallScene &s) { dSpaceClean(spaceOf(s)); }});
+    r.back().inCollision = false;
     r.push_back({"dSpaceGetGeom", [](CallScene &s) {
                      if (dSpaceGetClass(spaceOf(s)) == dQuadTreeSpaceClass) return;
                      for (int i = 0; i < dSpaceGetNumGeoms(spaceOf(s)); i += 2)
@@ -78,14 +79,18 @@ void addMembership(CallRecipes &r) {
 void addCreators(CallRecipes &r) {
     r.push_back({"dSimpleSpaceCreate", [](CallScene &s) { addFilled(s, dSimpleSpaceCreate(s.set().space)); },
                  destroyCreatedSpace});
+    r.back().inUserCode = false;
     r.push_back({"dHashSpaceCreate", [](CallScene &s) { addFilled(s, dHashSpaceCreate(s.set().space)); },
                  destroyCreatedSpace});
+    r.back().inUserCode = false;
     r.push_back({"dSweepAndPruneSpaceCreate",
                  [](CallScene &s) { addFilled(s, dSweepAndPruneSpaceCreate(s.set().space, dSAP_AXES_ZXY)); },
                  destroyCreatedSpace});
+    r.back().inUserCode = false;
     r.push_back({"dQuadTreeSpaceCreate",
                  [](CallScene &s) { addFilled(s, createSpace(SpaceKind::quadTree, s.set().space)); },
                  destroyCreatedSpace});
+    r.back().inUserCode = false;
 }
 
 void addSettings(CallRecipes &r) {

@@ -154,7 +154,9 @@ void addWorldCalls(CallRecipes &recipes) {
     r.push_back({"dWorldDestroy", destroySecond});
     r.back().inLocked = r.back().inStep = false;
     r.push_back({"dWorldStep", [](CallScene &s) { dWorldStep(s.world, 0.005); }});
+    r.back().amidStep = false;
     r.push_back({"dWorldQuickStep", [](CallScene &s) { dWorldQuickStep(s.world, 0.005); }});
+    r.back().amidStep = false;
     for (CallRecipe &recipe : r) {
         recipe.anySpace = true;
         recipes.push_back(std::move(recipe));

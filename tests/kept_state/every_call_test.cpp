@@ -5,22 +5,44 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <future>
 #include <map>
+#include <sstream>
+#include <string>
 
 namespace {
 
 using Variables = std::map<std::string, std::string>;
-using Outcomes = std::map<std::string, std::string>;  // hash or ending, by case
+
+struct Statistics {
+    unsigned mostWorkers = 0, contactsAhead = 0, parallelSteps = 0;
+};
+
+struct Outcomes {
+    std::map<std::string, std::string> byCase;  // hash or ending
+    Statistics statistics;                      // of all processes together
+};
 
 std::string fromEnvironment(const char *variable, const char *otherwise) {
     const char *value = std::getenv(variable);
     return value == nullptr ? otherwise : value;
 }
 
-// Lines are "function/context/space/place/turn hash"; a process that crashed leaves "... ended by ...".
+void add(Statistics &sum, const std::string &line) {
+    std::istringstream text(line);
+    Statistics process;
+    text >> process.mostWorkers >> process.contactsAhead >> process.parallelSteps;
+    EXPECT_FALSE(text.fail()) << line;
+    sum.mostWorkers = std::max(sum.mostWorkers, process.mostWorkers);
+    sum.contactsAhead += process.contactsAhead;
+    sum.parallelSteps += process.parallelSteps;
+}
+
+// Lines are "function/context/space/place/turn hash", and "statistics/function numbers" at the end of each
+// process; one that crashed leaves "... ended by ...".
 Outcomes play(Variables variables) {
     const exactness::TemporaryFolder folder;
     const std::string path = folder.file("outcomes");
@@ -29,8 +51,13 @@ Outcomes play(Variables variables) {
     EXPECT_TRUE(child.succeeded) << child.ending;
     Outcomes outcomes;
     std::ifstream lines(path);
-    for (std::string line; std::getline(lines, line);)
-        outcomes[line.substr(0, line.find(' '))] = line.substr(line.find(' ') + 1);
+    for (std::string line; std::getline(lines, line);) {
+        const std::string name = line.substr(0, line.find(' ')), rest = line.substr(line.find(' ') + 1);
+        if (name.rfind("statistics/", 0) == 0)
+            add(outcomes.statistics, rest);
+        else
+            outcomes.byCase[name] = rest;
+    }
     return outcomes;
 }
 
@@ -44,13 +71,13 @@ const Outcomes &stock() {
 }
 
 void compare(const Outcomes &actual) {
-    const Outcomes &expected = stock();
-    EXPECT_GT(expected.size(), 2000u);
-    EXPECT_EQ(actual.size(), expected.size()) << "a process has crashed, or ended early";
+    const auto &expected = stock().byCase;
+    EXPECT_GT(expected.size(), 5000u);
+    EXPECT_EQ(actual.byCase.size(), expected.size()) << "a process has crashed, or ended early";
     int different = 0;
     for (const auto &[name, outcome] : expected) {
-        const auto found = actual.find(name);
-        const std::string other = found == actual.end() ? "nothing" : found->second;
+        const auto found = actual.byCase.find(name);
+        const std::string other = found == actual.byCase.end() ? "nothing" : found->second;
         if (other != outcome && ++different <= 60) {
             ADD_FAILURE() << name << " differs: every_call --show " << name
                           << " on both libraries shows where (" << outcome << ", " << other << ")";
@@ -59,10 +86,12 @@ void compare(const Outcomes &actual) {
     EXPECT_EQ(different, 0) << "cases differ";
 }
 
-void compare(const char *threads, const char *algorithm) {
-    compare(play({{"LD_LIBRARY_PATH", fromEnvironment("ODE_MT_LIBRARY_DIR", ODE_MT_LIBRARY_DIR)},
-                  {"ODE_MT_THREADS", threads},
-                  {"ODE_MT_ALGORITHM", algorithm}}));
+Statistics compare(const char *threads, const char *algorithm) {
+    const Outcomes actual = play({{"LD_LIBRARY_PATH", fromEnvironment("ODE_MT_LIBRARY_DIR", ODE_MT_LIBRARY_DIR)},
+                                  {"ODE_MT_THREADS", threads},
+                                  {"ODE_MT_ALGORITHM", algorithm}});
+    compare(actual);
+    return actual.statistics;
 }
 
 // Both runs at the same time; the second with a pattern in fresh memory.
@@ -74,8 +103,19 @@ TEST(EveryCall, isRepeatable) {
     compare(again.get());
 }
 
-TEST(EveryCall, serial) { compare("0", "auto"); }
-TEST(EveryCall, twoThreads) { compare("2", "lcp"); }
-TEST(EveryCall, clustered) { compare("2", "decluster"); }
+TEST(EveryCall, serial) { EXPECT_EQ(compare("0", "auto").mostWorkers, 0u); }
+
+TEST(EveryCall, twoThreads) {
+    const Statistics statistics = compare("2", "lcp");
+    EXPECT_GE(statistics.mostWorkers, 2u);
+    EXPECT_GT(statistics.contactsAhead, 0u);
+    EXPECT_GT(statistics.parallelSteps, 0u);
+}
+
+TEST(EveryCall, clustered) {
+    const Statistics statistics = compare("2", "decluster");
+    EXPECT_GE(statistics.mostWorkers, 2u);
+    EXPECT_GT(statistics.parallelSteps, 0u);
+}
 
 }  // namespace
