@@ -113,9 +113,10 @@ if a function that Debian's library exports is missing or listed twice, if a row
 or if this file is not up to date.
 
 *Call test* is `kept_state.every_call`: it calls every exported function on live objects, between frames, between collision
-and step, in near-callbacks and moved-callbacks, twice, undone, and before the end, in spaces of all kinds, and compares the
-three frames that follow with Debian's library (serial, two threads, clusters). `every_call --show CASE` prints what a case
-saw, on whatever library the loader finds.
+and step, twice, undone, before the end, and in every kind of code that a program gives to ODE (callbacks, functions of
+classes, handlers, allocators, a thread's end), where upstream survives it, in spaces of all kinds. It compares the three
+frames that follow with Debian's library (serial, two threads, clusters). `every_call --show CASE` prints what a case saw,
+on whatever library the loader finds.
 '''
 
 
