@@ -9,5 +9,8 @@ using dxFutexWord = std::atomic<std::uint32_t>;
 // Sleeps while the word holds `expected`. May return early: the caller checks its condition again.
 void dxFutexWait(dxFutexWord &word, std::uint32_t expected);
 
+// The same for so many seconds at most. False: they have passed.
+bool dxFutexWaitFor(dxFutexWord &word, std::uint32_t expected, int seconds);
+
 // Wakes up to `count` sleepers. The word may already belong to somebody else: waking touches no memory.
 void dxFutexWake(dxFutexWord &word, unsigned count);

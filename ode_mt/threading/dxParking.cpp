@@ -15,6 +15,7 @@ unsigned searchingIn(std::uint32_t counts) { return counts >> 16; }
 void dxParking::reset() {
     counts.store(0);
     tokens.store(0);
+    watched.store(false);
 }
 
 void dxParking::beginSearch(unsigned workers) { counts.fetch_add(workers * oneSearching); }
@@ -53,11 +54,12 @@ void dxParking::standUp() {
 }
 
 void dxParking::takeToken() {
-    for (;;) {
-        std::uint32_t available = tokens.load();
-        while (available > 0) {
-            if (tokens.compare_exchange_weak(available, available - 1)) return;
-        }
-        dxFutexWait(tokens, 0);
-    }
+    while (!tryToTakeToken()) dxFutexWait(tokens, 0);
+}
+
+bool dxParking::tryToTakeToken() {
+    std::uint32_t available = tokens.load();
+    while (available > 0)
+        if (tokens.compare_exchange_weak(available, available - 1)) return true;
+    return false;
 }

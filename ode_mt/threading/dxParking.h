@@ -21,11 +21,18 @@ public:
     unsigned idle() const;  // searching or parked
 
     // Parks the calling worker, which was searching, unless stayAwake() holds; it returns searching.
-    template <typename Condition>
-    void park(Condition stayAwake) {
+    //
+    // One of those that are parked keeps watch: each second it calls lookAround(), which may wake workers, itself too.
+    // If all are parked there is a watchman, because the last one to come becomes it if there was none.
+    template <typename Condition, typename Watch>
+    void park(Condition stayAwake, Watch lookAround) {
         countAsParked();
         if (stayAwake()) {
             standUp();
+        } else if (!watched.exchange(true)) {
+            while (!tryToTakeToken())
+                if (!dxFutexWaitFor(tokens, 0, kSecondsOfWatch)) lookAround();
+            watched.store(false);
         } else {
             takeToken();
         }
@@ -40,7 +47,11 @@ private:
     void countAsParked();
     void standUp();
     void takeToken();
+    bool tryToTakeToken();
+
+    static constexpr int kSecondsOfWatch = 1;
 
     std::atomic<std::uint32_t> counts{0};  // searching in the upper 16 bits, parked in the lower
     dxFutexWord tokens{0};
+    std::atomic<bool> watched{false};
 };

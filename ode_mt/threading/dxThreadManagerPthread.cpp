@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <new>
 
+#include "dxLastThreads.h"
 #include "dxSpin.h"
 #include "trace/dxLog.h"
 
@@ -107,7 +108,7 @@ void dxThreadManagerPthread::serve() {
     dxPatience patience;
     while (!stopping.load()) {
         workUntilIdle(patience);
-        parking.park([this] { return shouldStayAwake(); });
+        parking.park([this] { return shouldStayAwake(); }, [this] { endWithTheProcess(); });
         patience.endWait();
     }
     parking.endSearch();
@@ -127,6 +128,13 @@ void dxThreadManagerPthread::workUntilIdle(dxPatience &patience) {
 }
 
 bool dxThreadManagerPthread::shouldStayAwake() { return board.hasWork() || stopping.load(); }
+
+// Whichever worker ends last ends the process, as the last thread of a process does.
+void dxThreadManagerPthread::endWithTheProcess() {
+    if (!dxAreLastThreads(started.load())) return;
+    setStopping(true);
+    parking.wakeAll();
+}
 
 // The last worker to stop searching calls another if there is work left: its run may want more than were
 // called at once, and another run may have relied on it.

@@ -17,6 +17,9 @@
 // After fork the child starts with no workers and gets its own on its first run. A child forked from
 // inside a task can only exec or exit: the blocks of that run are lost with the threads that held them.
 //
+// A process whose main thread ends by pthread_exit, without dCloseODE, ends with its last other thread: within a second
+// of that the workers end, too (dxLastThreads).
+//
 // Dropped: a mutex and a condition variable around a list of jobs (a waiter per run queued on the
 // mutex at every join and leave); C++ thread_local with destructors (pins the library in memory).
 #pragma once
@@ -54,6 +57,7 @@ private:
     void serve();
     void workUntilIdle(dxPatience &patience);
     bool shouldStayAwake();
+    void endWithTheProcess();
     void passOnWakeUp();
 
     const dxCreateThread create;

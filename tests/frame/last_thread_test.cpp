@@ -1,0 +1,97 @@
+// A process ends with its last thread, although workers sleep: the main thread has ended by pthread_exit, nobody calls
+// dCloseODE. A program of its own, because pthread_exit unwinds the stack, which a test runner does not survive.
+//
+// The program plays one of these processes if it is given its name.
+#include <gtest/gtest.h>
+#include <ode/ode.h>
+#include <pthread.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <thread>
+
+#include "sanitizers.h"
+
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr int kStatus = 7;    // of a process that ends as it should
+constexpr int kTooEarly = 3;  // of one that does not wait for its threads
+constexpr int kSerial = 4;    // of one in which no worker took part
+bool isOver = false;
+
+// Unconnected bodies are islands of one body each.
+void stepInParallel(int steps) {
+    const dWorldID world = dWorldCreate();
+    for (int i = 0; i < 500; ++i) dBodyCreate(world);
+    for (int i = 0; i < steps; ++i) dWorldQuickStep(world, 0.01);
+    dWorldDestroy(world);
+    if (dODE_MT_GetMaxWorkersUsed() < 2) std::_Exit(kSerial);
+}
+
+void begin() {
+    std::atexit([] { std::_Exit(isOver ? kStatus : kTooEarly); });
+    dInitODE2(0);
+    dODE_MT_SetThreadManager("pthread");
+    dToggleODE_MT(4);
+    dODE_MT_SetAlgorithm("lcp");
+    stepInParallel(5);
+}
+
+// Longer than the workers wait before they look around, and once more after a pause as long.
+void goOn() {
+    for (int i = 0; i < 2; ++i) {
+        std::this_thread::sleep_for(milliseconds(2500));
+        stepInParallel(5);
+    }
+    isOver = true;
+}
+
+void play(const char *name) {
+    begin();
+    if (std::strcmp(name, "other_thread_goes_on") == 0)
+        std::thread(goOn).detach();
+    else
+        isOver = true;
+    pthread_exit(nullptr);
+}
+
+// The exit status; -1: it has not ended within 20 s.
+int statusOf(const char *name) {
+    const pid_t child = fork();
+    if (child == 0) {
+        execl("/proc/self/exe", "last_thread_test", name, nullptr);
+        std::_Exit(127);
+    }
+    for (int i = 0; i < 2000; ++i) {
+        int status = 0;
+        if (waitpid(child, &status, WNOHANG) == child) return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+        std::this_thread::sleep_for(milliseconds(10));
+    }
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    return -1;
+}
+
+class LastThread : public testing::TestWithParam<const char *> {};
+
+TEST_P(LastThread, EndsTheProcess) {
+    if (kThreadSanitizer) GTEST_SKIP() << "ThreadSanitizer has a thread of its own, which never ends";
+    EXPECT_EQ(statusOf(GetParam()), kStatus);
+}
+
+INSTANTIATE_TEST_SUITE_P(After, LastThread, testing::Values("main_thread_ends", "other_thread_goes_on"),
+                         [](const auto &info) { return info.param; });
+
+}  // namespace
+
+int main(int argc, char **argv) {
+    if (argc == 2 && argv[1][0] != '-') play(argv[1]);
+    testing::InitGoogleTest(&argc, argv);
+    return RUN_ALL_TESTS();
+}
