@@ -77,8 +77,8 @@ void checkWorld(const std::string &world) {
         std::vector<std::string> names;
         for (const scenes::SceneDescription &scene : scenes) names.push_back(scene.name);
         throw std::invalid_argument(
-            "unknown world '" + world + "'; SDF worlds: " + join(worlds::availableWorlds()) +
-            " or the path of an .sdf file; scenes: " + join(names) + " (:N for their size)");
+            "unknown world '" + world + "'; SDF worlds: " + worlds::worldsInFolder() +
+            ", or the path of an .sdf file; scenes: " + join(names) + " (:N for their size)");
     }
     scenes::checkScene(world);
 }
@@ -96,7 +96,9 @@ std::unique_ptr<scenes::Scene> openWorld(const std::string &world, bool ignoreUn
 
 std::string listWorlds() {
     std::string text = "SDF worlds in " + worlds::worldFolder() + " (or the path of any .sdf file):\n";
-    for (const std::string &world : worlds::availableWorlds()) text += "  " + world + "\n";
+    const std::vector<std::string> inFolder = worlds::availableWorlds();
+    if (inFolder.empty()) text += "  none: " + worlds::worldsInFolder() + "\n";
+    for (const std::string &world : inFolder) text += "  " + world + "\n";
     text += nameAndMeaning({"thesis", join(kWorldsOfTheThesis)});
     text += "\nWith N static shapes, as NAME:N. Modifier of an SDF world, as NAME,MODIFIER:\n";
     text +=

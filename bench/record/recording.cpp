@@ -3,13 +3,37 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <cstdint>
 #include <istream>
+#include <limits>
 #include <map>
 #include <stdexcept>
+#include <type_traits>
 
 namespace record {
 
 using nlohmann::json;
+
+namespace {
+
+// nlohmann-json would cut a fraction off, and take a number that is too large modulo 2^32.
+template <typename Number>
+void getWhole(const json &from, Number &to) {
+    constexpr auto kMost = std::numeric_limits<Number>::max();
+    const bool isWhole = from.is_number_unsigned() ? from.get<std::uint64_t>() <= static_cast<std::uint64_t>(kMost)
+                                                   : from.is_number_integer() && std::is_signed_v<Number> &&
+                                                         from.get<std::int64_t>() >= std::numeric_limits<Number>::min();
+    if (!isWhole) throw std::runtime_error(from.dump() + " where a whole number is expected");
+    to = from.get<Number>();
+}
+
+template <typename Number>
+void getWhole(const json &from, std::vector<Number> &to) {
+    to.clear();
+    for (const json &number : from) getWhole(number, to.emplace_back());
+}
+
+}  // namespace
 
 // nlohmann-json finds these by their names.
 void to_json(json &to, const Pose &p) {
@@ -31,7 +55,7 @@ void to_json(json &to, const Geom &g) {
 void from_json(const json &from, Geom &g) {
     from.at("shape").get_to(g.shape.kind);
     from.at("size").get_to(g.shape.size);
-    from.at("body").get_to(g.body);
+    getWhole(from.at("body"), g.body);
     if (from.contains("triangles")) from.at("triangles").get_to(g.shape.triangles);
 }
 
@@ -54,21 +78,28 @@ void from_json(const json &from, Header &h) {
 void to_json(json &to, const Grid &g) { to = {{"cells", g.cells}, {"edge", g.edge}, {"centre", g.centre}}; }
 
 void from_json(const json &from, Grid &g) {
-    from.at("cells").get_to(g.cells);
+    getWhole(from.at("cells"), g.cells);
     from.at("edge").get_to(g.edge);
     from.at("centre").get_to(g.centre);
 }
 
 void to_json(json &to, const Cell &c) { to = {c.x, c.y, c.z, c.cluster}; }
 
-void from_json(const json &from, Cell &c) { c = {from.at(0), from.at(1), from.at(2), from.at(3)}; }
+void from_json(const json &from, Cell &c) {
+    getWhole(from.at(0), c.x);
+    getWhole(from.at(1), c.y);
+    getWhole(from.at(2), c.z);
+    getWhole(from.at(3), c.cluster);
+}
 
 void to_json(json &to, const Event &e) {
     to = {{"kind", e.isSplit ? "split" : "merge"}, {"from", e.from}, {"into", e.into}};
 }
 
 void from_json(const json &from, Event &e) {
-    e = {from.at("kind") == "split", from.at("from"), from.at("into")};
+    e.isSplit = from.at("kind") == "split";
+    getWhole(from.at("from"), e.from);
+    getWhole(from.at("into"), e.into);
 }
 
 void to_json(json &to, const Membership &m) {
@@ -76,9 +107,9 @@ void to_json(json &to, const Membership &m) {
 }
 
 void from_json(const json &from, Membership &m) {
-    from.at("cluster").get_to(m.cluster);
-    from.at("static").get_to(m.staticCluster);
-    from.at("testedWith").get_to(m.testedWith);
+    getWhole(from.at("cluster"), m.cluster);
+    getWhole(from.at("static"), m.staticCluster);
+    getWhole(from.at("testedWith"), m.testedWith);
 }
 
 void to_json(json &to, const Frame &f) {
@@ -90,14 +121,14 @@ void to_json(json &to, const Frame &f) {
 }
 
 void from_json(const json &from, Frame &f) {
-    from.at("number").get_to(f.number);
+    getWhole(from.at("number"), f.number);
     from.at("time").get_to(f.time);
-    from.at("clusters").get_to(f.clusters);
+    getWhole(from.at("clusters"), f.clusters);
     from.at("grid").get_to(f.grid);
     from.at("cells").get_to(f.cells);
     from.at("events").get_to(f.events);
     from.at("bodies").get_to(f.bodies);
-    from.at("bodyClusters").get_to(f.bodyClusters);
+    getWhole(from.at("bodyClusters"), f.bodyClusters);
     from.at("geoms").get_to(f.geoms);
     from.at("memberships").get_to(f.memberships);
 }
@@ -136,7 +167,11 @@ void checkHeader(const Header &header) {
             throw std::runtime_error("geom " + std::to_string(i) + ": the size of a " + shape.kind + " has " +
                                      std::to_string(expected) + " numbers, not " +
                                      std::to_string(shape.size.size()));
-        for (const double number : shape.size) checkNumber(number, "geom " + std::to_string(i));
+        for (const double number : shape.size) {
+            if (number < 0 && shape.kind != "plane" && shape.kind != "mesh")
+                throw std::runtime_error("geom " + std::to_string(i) + ": a size below 0");
+            checkNumber(number, "geom " + std::to_string(i));
+        }
         for (const Triangle &triangle : shape.triangles)
             for (const auto &corner : triangle)
                 for (const double number : corner) checkNumber(number, "geom " + std::to_string(i));
@@ -152,6 +187,16 @@ void checkFrame(const Frame &frame, const Header &header) {
                                  " cells on each axis; known: 0 to " + std::to_string(kMostCells));
     checkNumber(frame.grid.edge, "its grid");
     for (const double number : frame.grid.centre) checkNumber(number, "its grid");
+    for (const Cell &cell : frame.cells)
+        for (const int place : {cell.x, cell.y, cell.z})
+            if (place < 0 || place >= frame.grid.cells)
+                throw std::runtime_error("a cell is not in its grid: " + std::to_string(place));
+    if (frame.bodyClusters.size() != frame.bodies.size())
+        throw std::runtime_error("it has not one cluster for each of its " + std::to_string(frame.bodies.size()) +
+                                 " bodies");
+    for (const Geom &geom : header.geoms)
+        if (geom.body < Geom::kStatic || geom.body >= static_cast<long>(frame.bodies.size()))
+            throw std::runtime_error("it has no body " + std::to_string(geom.body) + ", which a geom is said to have");
     for (const Pose &pose : frame.bodies) checkPose(pose, "the pose of a body");
     for (const Pose &pose : frame.geoms) checkPose(pose, "the pose of a geom");
     if (frame.geoms.size() != header.geoms.size() || frame.memberships.size() != header.geoms.size())
@@ -171,7 +216,9 @@ Recording readRecording(std::istream &lines) {
     for (std::string line; std::getline(lines, line);) {
         ++number;
         try {
-            const json object = json::parse(line);
+            if (line.empty() && lines.peek() == std::char_traits<char>::eof()) break;  // written by an editor
+            const json object = json::parse(line, nullptr, false);
+            if (object.is_discarded()) throw std::runtime_error("not JSON");
             if (number == 1) {
                 object.at("recording").get_to(recording.header);
                 checkHeader(recording.header);
@@ -179,6 +226,10 @@ Recording readRecording(std::istream &lines) {
                 object.at("frame").get_to(recording.frames.emplace_back());
                 checkFrame(recording.frames.back(), recording.header);
             }
+        } catch (const json::out_of_range &) {
+            throw std::runtime_error("line " + std::to_string(number) + ": a member or an element is missing");
+        } catch (const json::exception &) {
+            throw std::runtime_error("line " + std::to_string(number) + ": a value of another type than docs/clusters.md says");
         } catch (const std::exception &error) {
             throw std::runtime_error("line " + std::to_string(number) + ": " + error.what());
         }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <sstream>
 
 using namespace record;
@@ -153,5 +154,34 @@ TEST(Recording, AGridWithoutBoundsIsRefused) {
         EXPECT_NE(complaint(writeHeader(header()) + "\n" + writeFrame(wrong))
                       .find(std::to_string(cells) + " cells"),
                   std::string::npos);
+    }
+}
+
+// Each text of the pair stands once in a recording that is right.
+TEST(Recording, WhatIsNotWholeOrNotThereIsRefused) {
+    const std::string right = writeHeader(header()) + "\n" + writeFrame(frame()) + "\n";
+    EXPECT_EQ(complaint(right), "");
+    EXPECT_EQ(complaint(right + "\n"), "") << "an empty line at the end";
+    const struct {
+        const char *from, *to, *said;
+    } wrong[] = {{"\"body\":0", "\"body\":0.5", "line 1: 0.5 where a whole number"},
+                 {"\"body\":0", "\"body\":2147483648", "line 1: 2147483648 where a whole number"},
+                 {"\"body\":0", "\"body\":-2", "line 2: it has no body -2"},
+                 {"\"body\":0", "\"body\":1", "line 2: it has no body 1"},
+                 {"\"body\":0", "\"BODY\":0", "line 1: a member or an element is missing"},
+                 {"\"size\":[1.0,", "\"size\":[-1.0,", "line 1: geom 0: a size below 0"},
+                 {"\"clusters\":2", "\"clusters\":-1.5", "line 2: -1.5 where a whole number"},
+                 {"\"cells\":[[1,2,3,9]]", "\"cells\":[[1,2,5,9]]", "line 2: a cell is not in its grid: 5"},
+                 {"\"cells\":[[1,2,3,9]]", "\"cells\":[[1,2,3,-9]]", "line 2: -9 where a whole number"},
+                 {"\"bodyClusters\":[9]", "\"bodyClusters\":[]", "line 2: it has not one cluster for each"},
+                 {"\"testedWith\":[9]", "\"testedWith\":[1e300]", "line 2: 1e+300 where a whole number"},
+                 {"\"time\":0.56", "\"time\":\"now\"", "line 2: a value of another type"},
+                 {"\"time\":0.56", "\"time\":0.56,", "line 2: not JSON"}};
+    for (const auto &[from, to, said] : wrong) {
+        std::string text = right;
+        const std::size_t place = text.find(from);
+        ASSERT_NE(place, std::string::npos) << from;
+        text.replace(place, std::strlen(from), to);
+        EXPECT_NE(complaint(text).find(said), std::string::npos) << to << ": " << complaint(text);
     }
 }

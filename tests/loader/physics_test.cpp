@@ -158,6 +158,10 @@ TEST(Physics, CustomElementsAreChecked) {
     using Kind = worlds::LoadError::Kind;
     expectError(physicsWith("<odemt:space type=\"octree\"/>"), Kind::Unsupported,
                 {"test.sdf: /sdf/world/physics/odemt:space", "octree", "quadtree"});
+    expectError(physicsWith("<odemt:space type=\"simple\"><min_level>1</min_level></odemt:space>"), Kind::Value,
+                {"/sdf/world/physics/odemt:space/min_level", "hash"});
+    expectError(physicsWith("<odemt:space type=\"hash\"><depth>3</depth></odemt:space>"), Kind::Value,
+                {"/sdf/world/physics/odemt:space/depth", "quadtree"});
     expectError(physicsWith("<odemt:space type=\"simple\"><colour>red</colour></odemt:space>"),
                 Kind::Unsupported, {"/sdf/world/physics/odemt:space/colour", "not supported"});
     expectError(physicsWith("<odemt:auto_disable><idle_time>-1</idle_time></odemt:auto_disable>"),

@@ -28,6 +28,17 @@ std::vector<std::string> availableWorlds() {
     return names;
 }
 
+std::string worldsInFolder() {
+    const std::string folder = worldFolder(), name = printable(folder);
+    std::error_code none;
+    if (!fs::is_directory(folder, none)) return name + " is not a folder";
+    const std::vector<std::string> worlds = availableWorlds();
+    if (worlds.empty()) return name + " holds no world";
+    std::string text = name + " holds";
+    for (const std::string &world : worlds) text += ' ' + printable(world);
+    return text;
+}
+
 namespace {
 
 // Whether there is anything by that name; `isFile` says whether it is a file.
@@ -47,10 +58,7 @@ std::string findWorld(const std::string &nameOrFile) {
     if (isThere(inFolder, isFile)) return inFolder;
     if (isNamed) throw std::invalid_argument(nameOrFile + ": " + whyNotReadable(nameOrFile, longestTextFile));
 
-    std::string message =
-        "no world " + quote(printable(nameOrFile)) + ": no such file, and " + worldFolder() + " holds";
-    for (const std::string &name : availableWorlds()) message += ' ' + name;
-    throw std::invalid_argument(message);
+    throw std::invalid_argument("no world " + quote(printable(nameOrFile)) + ": no such file, and " + worldsInFolder());
 }
 
 }  // namespace worlds

@@ -13,6 +13,9 @@ std::string worldFolder();
 // "create", "pioneer3at", … in alphabetical order.
 std::vector<std::string> availableWorlds();
 
+// The folder and what it holds: "/worlds holds create epuck", "/worlds is not a folder".
+std::string worldsInFolder();
+
 // The file of a world given by name ("create") or by file name ("my/world.sdf"). Throws
 // std::invalid_argument, naming the worlds that exist.
 std::string findWorld(const std::string &nameOrFile);

@@ -54,12 +54,27 @@ void readOde(const Parameters &ode, Physics &physics) {
     }
 }
 
+// What other kinds of spaces have would do nothing here.
+void refuseOfOthers(const Parameters &element, const std::string &type) {
+    static const struct {
+        const char *child, *type;
+    } kOf[] = {{"min_level", "hash"},
+               {"max_level", "hash"},
+               {"center", "quadtree"},
+               {"extents", "quadtree"},
+               {"depth", "quadtree"}};
+    for (const auto &of : kOf)
+        if (const Parameters *child = element.child(of.child); child && type != of.type)
+            child->fail("is for spaces of type " + std::string(of.type) + " alone");
+}
+
 Space readSpace(const Parameters &element) {
     Space space;
     const std::string &type = element.attribute("type");
     if (type == "hash") space.kind = scenes::SpaceKind::Hash;
     if (type == "sap") space.kind = scenes::SpaceKind::SweepAndPrune;
     if (type == "quadtree") space.kind = scenes::SpaceKind::QuadTree;
+    refuseOfOthers(element, type);
     space.minLevel = wholeChild(element, "min_level", space.minLevel);
     space.maxLevel = wholeChild(element, "max_level", space.maxLevel);
     space.center = vectorChild(element, "center", space.center);
