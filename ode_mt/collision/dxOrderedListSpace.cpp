@@ -92,11 +92,12 @@ void dxOrderedListSpace::cleanDirty() {
         if (givesRanks) rank(geom, next--);
     }
     dxGeom *const behind = m_dirty.empty() ? first : m_dirty.back()->next;
+    if (behind != nullptr && isDirty(behind)) return cleanBehind(m_dirty.back());
     if (givesRanks && (members().unranked() != 0 || m_isIrregular)) rankBehindClean(behind, next);
 }
 
 // The bounding-box function of this geom has had the space cleaned: what was gathered is gone, and ranks were
-// given by both.
+// given by both. Or one has made a stray of the geom behind those that were gathered, which upstream then cleans.
 void dxOrderedListSpace::cleanBehind(dxGeom *geom) {
     for (geom = geom->next; geom != nullptr && isDirty(geom); geom = geom->next) clean(geom);
     rankAll();

@@ -7,17 +7,18 @@
 #include <csetjmp>
 #include <cstdarg>
 #include <cstdio>
+#include <cstring>
 
 namespace exactness {
 
 namespace {
 
-enum class Doing { Cleans, Collides, Asks, Throws, Jumps };
+enum class Doing { Cleans, Collides, Asks, Grows, Throws, Jumps };
 
 std::jmp_buf beforeTheCall;
 
-// A class of the user's whose bounding-box function has its own space cleaned, collides or asks it, or
-// leaves.
+// A class of the user's whose bounding-box function has its own space cleaned, collides or asks it, makes
+// geoms of it larger (which is refused when it is half done), or leaves.
 class BoxFunctions : public ManyParts {
 public:
     BoxFunctions(Stepper stepper, SpaceKind kind, Doing doing)
@@ -82,11 +83,33 @@ private:
                 return dSpaceCollide(m_space, this, &meet);
             case Doing::Asks:
                 return dSpaceCollide2(m_ray, reinterpret_cast<dGeomID>(m_space), this, &meet);
+            case Doing::Grows:
+                return growOthers();
             case Doing::Throws:
                 throw 1;
             case Doing::Jumps:
                 std::longjmp(beforeTheCall, 1);
         }
+    }
+
+    // The first clean ones, which upstream's lists clean now because they stand behind those that moved; in one
+    // frame also one that becomes a stray.
+    void growOthers() {
+        const int frame = frameNumber(), moved = frame % 7;
+        if (moved == 0) return;
+        growTooLate(moved);
+        if (frame % 4 == 0) growTooLate(moved + 1);
+        if (frame == 36) growTooLate(moved + 4);
+    }
+
+    // By place in the space.
+    void growTooLate(int place) {
+        const dGeomID geom = m_kind == SpaceKind::QuadTree ? m_geoms[place] : dSpaceGetGeom(m_space, place);
+        if (dGeomGetClass(geom) != dSphereClass) return;
+        std::jmp_buf outer;
+        std::memcpy(&outer, &beforeTheCall, sizeof outer);
+        if (setjmp(beforeTheCall) == 0) dGeomSphereSetRadius(geom, 0.5 + 0.01 * frameNumber());
+        std::memcpy(&beforeTheCall, &outer, sizeof outer);
     }
 
     template <class Call>
@@ -130,9 +153,11 @@ void addBoxFunctions(Catalogue &catalogue) {
         Doing doing;
         const char *name, *meaning;
         bool leavesLocks;
+        int frames = 12;
     } doings[] = {{Doing::Cleans, "clean", "has its space cleaned", false},
                   {Doing::Collides, "collide", "collides its space", false},
                   {Doing::Asks, "ask", "asks its space", false},
+                  {Doing::Grows, "grow", "makes geoms of its space larger, which is refused when it is done", true, 45},
                   {Doing::Throws, "throw", "throws", true},
                   {Doing::Jumps, "jump", "jumps out of the call", true}};
     const struct {
@@ -145,10 +170,12 @@ void addBoxFunctions(Catalogue &catalogue) {
     for (const auto &doing : doings)
         for (const auto &kind : kinds) {
             // Elsewhere than here, upstream's sweep-and-prune space then reads memory that it never wrote.
-            if (kind.kind == SpaceKind::SweepAndPrune && doing.doing != Doing::Cleans) continue;
+            if (kind.kind == SpaceKind::SweepAndPrune && doing.doing != Doing::Cleans &&
+                doing.doing != Doing::Grows)
+                continue;
             catalogue.push_back(
                 collisionScenario(std::string("box_functions/") + doing.name + "_in_" + kind.in,
-                                  std::string("a user's bounding-box function ") + doing.meaning, 12,
+                                  std::string("a user's bounding-box function ") + doing.meaning, doing.frames,
                                   make<BoxFunctions>(kind.kind, doing.doing)));
             catalogue.back().leavesRuins = doing.leavesLocks;
         }
