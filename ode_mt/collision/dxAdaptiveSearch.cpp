@@ -45,7 +45,7 @@ void dxAdaptiveSearch::chooseTable(const dxMembers &members) {
         m_table = std::make_unique<dxTableSearch>();
         m_table->adopt(members);
     } else {
-        m_verlet = std::make_unique<dxVerletSearch>(m_stopsAtCrowds);
+        m_verlet = std::make_unique<dxVerletSearch>(m_mostPairs);
     }
 }
 
@@ -70,6 +70,6 @@ void dxAdaptiveSearch::searchNeighbours(const dxMembers &members, dxTaskRunner &
     const bool manyLeft = lookUps >= kLeastLookUps && lookUps * kListedPerLookUp >= members.end();
     if (!manyLeft && m_callsAgainst < kCallsToTell) return;
     m_neighbours.reset();
-    m_verlet = std::make_unique<dxVerletSearch>(m_stopsAtCrowds);
+    m_verlet = std::make_unique<dxVerletSearch>(m_mostPairs);
     m_callsAgainst = 0;
 }

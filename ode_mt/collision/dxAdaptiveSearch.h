@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "collision/dxCrowd.h"
 #include "collision/dxNeighbourSearch.h"
 #include "collision/dxPairSearch.h"
 #include "collision/dxTableSearch.h"
@@ -14,7 +15,7 @@
 class dxAdaptiveSearch final : public dxPairSearch {
 public:
     // As for dxBatchSearch.
-    explicit dxAdaptiveSearch(bool stopsAtCrowds = false) : m_stopsAtCrowds(stopsAtCrowds) {}
+    explicit dxAdaptiveSearch(dxCrowd::Limit mostPairs = dxCrowd::allPairs) : m_mostPairs(mostPairs) {}
 
     void search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
 
@@ -26,7 +27,7 @@ private:
     void searchVerlet(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches);
     void searchNeighbours(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches);
 
-    const bool m_stopsAtCrowds;
+    const dxCrowd::Limit m_mostPairs;
     // One of them is there from the first call on.
     std::unique_ptr<dxTableSearch> m_table;
     std::unique_ptr<dxVerletSearch> m_verlet;

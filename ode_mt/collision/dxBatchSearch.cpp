@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
-#include "collision/dxCrowd.h"
 
 namespace {
 
@@ -55,7 +53,7 @@ std::uint64_t dxBatchSearch::Grid::cellOf(const dxBounds &box) const {
 }
 
 void dxBatchSearch::search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) {
-    m_most = m_stopsAtCrowds ? dxCrowd::mostPairs(members.end()) : SIZE_MAX;
+    m_most = m_mostPairs(members.end());
     sortIntoLevels(members);
     joinSparseLevels();
     if (m_found.size() < runner.workers()) m_found.resize(runner.workers());

@@ -14,14 +14,15 @@
 
 #include <vector>
 
+#include "collision/dxCrowd.h"
 #include "collision/dxPairSearch.h"
 #include "collision/dxRadixSort.h"
 #include "collision/overlap/dxCellSweep.h"
 
 class dxBatchSearch final : public dxPairSearch {
 public:
-    // `stopsAtCrowds`: as soon as there are more pairs than dxCrowd::mostPairs().
-    explicit dxBatchSearch(bool stopsAtCrowds = false) : m_stopsAtCrowds(stopsAtCrowds) {}
+    // Stops as soon as there are more pairs than that.
+    explicit dxBatchSearch(dxCrowd::Limit mostPairs = dxCrowd::allPairs) : m_mostPairs(mostPairs) {}
 
     void search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
 
@@ -62,7 +63,7 @@ private:
     template <class Sweep>
     void sweepPieces(const dxCellRows &rows, dxTaskRunner &runner, const Sweep &sweep);
 
-    const bool m_stopsAtCrowds;
+    const dxCrowd::Limit m_mostPairs;
     std::size_t m_most = 0;            // matches of a worker, after which it stops
     std::vector<Level> m_byEdge;       // by exponent, from the lowest
     std::vector<Level *> m_levels;     // those in use, smallest boxes first

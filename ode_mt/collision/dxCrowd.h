@@ -7,14 +7,21 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 class dxCrowd {
 public:
-    // The most pairs that are kept for so many geoms. Testing two boxes takes about a twentieth of the time that finding,
+    // The most pairs that are kept for so many geoms.
+    using Limit = std::size_t (*)(std::size_t geoms);
+    static std::size_t allPairs(std::size_t) { return SIZE_MAX; }
+    // Where a walk tests every two boxes. Testing two boxes takes about a twentieth of the time that finding,
     // sorting and keeping a pair does; and a pair takes some hundred bytes while it is found.
     static constexpr std::size_t mostPairs(std::size_t geoms) {
         return std::clamp(geoms * geoms / 32, std::size_t{1} << 19, std::size_t{1} << 24);
     }
+    // Where a walk goes from cell to cell (dxHashWalk), which takes as long for a pair as finding and sorting it: the limit
+    // is for memory, half a GB while pairs are found.
+    static std::size_t mostPairsOfCells(std::size_t) { return std::size_t{1} << 22; }
 
     bool isOne() const { return m_calls != 0; }
     void become() { m_calls = kCalls; }

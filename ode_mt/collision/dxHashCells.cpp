@@ -25,17 +25,17 @@ int levelOf(const dReal aabb[6]) {
     return level;
 }
 
+}  // namespace
+
 // Upstream numbers the slots of a column of cells (x, y fixed) upwards from its lowest cell. Where the
 // column begins below zero, counted in this sum, the unsigned remainder jumps, so the same cell has another
 // slot for a box that begins below than for one that begins above.
-bool beginsBelowZero(int level, int x, int y, int z) {
+bool dxHashCells::beginsBelowZero(int level, int x, int y, int z) {
     const std::uint64_t base = static_cast<unsigned>(level) * UINT64_C(1000) +
                                static_cast<unsigned>(x) * UINT64_C(100) +
                                static_cast<unsigned>(y) * UINT64_C(10);
     return z < 0 && base < static_cast<std::uint64_t>(-static_cast<std::int64_t>(z));
 }
-
-}  // namespace
 
 dxHashCells::dxHashCells(const dReal aabb[6], const dxHashLevels &levels) {
     m_level = std::max(levelOf(aabb), levels.lowest);
@@ -54,8 +54,7 @@ dxHashCells::dxHashCells(const dReal aabb[6], const dxHashLevels &levels) {
 }
 
 bool dxHashCells::firstSharedCell(const dxHashCells &searcher, const dxHashCells &found, Cell &cell) {
-    const int up = found.m_level - searcher.m_level;
-    const int shift = std::min(up, 31);  // upstream halves `up` times: all bits are the sign after 31
+    const int shift = searcher.shiftTo(found.m_level);
     int low[3], high[3], searcherLowZ = 0;
     for (int axis = 0; axis < 3; ++axis) {
         const int searcherLow = searcher.m_bounds[2 * axis] >> shift;
@@ -70,7 +69,7 @@ bool dxHashCells::firstSharedCell(const dxHashCells &searcher, const dxHashCells
         for (int y = low[1]; y <= high[1]; ++y)
             if (beginsBelowZero(found.m_level, x, y, searcherLowZ) ==
                 beginsBelowZero(found.m_level, x, y, foundLowZ)) {
-                cell = {x, y, low[2]};
+                cell = {x, y, low[2], false};
                 return true;
             }
     return false;

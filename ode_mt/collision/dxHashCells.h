@@ -2,6 +2,8 @@
 // collision_space.cpp, derived in docs/collision-order.md.
 #pragma once
 
+#include <algorithm>
+
 #include <ode/common.h>
 
 struct dxHashLevels {
@@ -21,7 +23,25 @@ public:
 
     struct Cell {
         int x, y, z;
+        // Upstream finds a cell by a number that differs for columns that begin below zero: such a cell is met
+        // from such columns alone.
+        bool isOfColumnBelowZero = false;
+
+        bool operator==(const Cell &other) const {
+            return x == other.x && y == other.y && z == other.z && isOfColumnBelowZero == other.isOfColumnBelowZero;
+        }
     };
+
+    // The cells that the box covers on a level, its own or one above, in upstream's order. Needs it in the table.
+    template <class Visit>
+    void forEachCell(int level, const Visit &visit) const {
+        const int shift = shiftTo(level), lowZ = m_bounds[4] >> shift;
+        for (int x = m_bounds[0] >> shift; x <= m_bounds[1] >> shift; ++x)
+            for (int y = m_bounds[2] >> shift; y <= m_bounds[3] >> shift; ++y) {
+                const bool isBelow = beginsBelowZero(level, x, y, lowZ);
+                for (int z = lowZ; z <= m_bounds[5] >> shift; ++z) visit(Cell{x, y, z, isBelow});
+            }
+    }
 
     // The first cell, in upstream's order, in which a search for `searcher`, on the level of `found`, meets
     // `found`. False: upstream does not see this pair. Needs both in the table, searcher.level() <=
@@ -29,6 +49,10 @@ public:
     static bool firstSharedCell(const dxHashCells &searcher, const dxHashCells &found, Cell &cell);
 
 private:
+    static bool beginsBelowZero(int level, int x, int y, int z);
+    // Upstream halves as often as there are levels between; after 31 times all bits are the sign.
+    int shiftTo(int level) const { return std::min(level - m_level, 31); }
+
     Kind m_kind = Kind::big;
     int m_level = 0;
     int m_bounds[6] = {};  // as dxAABB::dbounds

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <climits>
 
+#include "collision/dxHashWalk.h"
 #include "collision/dxMissedNotifications.h"
 #include "collision/dxPairPrefetch.h"
 #include "util.h"
@@ -63,11 +64,6 @@ bool followLead(const Element &searcher, const Element &found, dxPairKey &key) {
 
 // Changes of enabled flags in one call that are noted, beside one for each geom.
 constexpr std::size_t kMostSwitched = 4096;
-
-struct ListedPair {
-    dxPairKey key;
-    dxGeom *first, *second;
-};
 
 // With upstream's text.
 void reportOutOfRange() {
@@ -199,30 +195,12 @@ void dxOrderedHashSpace::walk(void *data, dNearCallback *callback, const dxOrder
 // `switched`: how many geoms had been switched when the call began.
 void dxOrderedHashSpace::walkFrom(std::size_t switched, void *data, dNearCallback *callback,
                                   const dxOrderedPair *after) {
-    std::vector<dxGeom *> geoms;
-    std::vector<dxHashCells> cells;
+    dxHashWalk walk;
     for (dxGeom *geom = first; geom != nullptr; geom = geom->next) {
         if (!wasEnabled(geom, switched)) continue;
-        geoms.push_back(geom);
-        cells.push_back(after != nullptr ? m_cells[slotOf(geom)] : dxHashCells(geom->aabb, m_levels));
-        if (cells.back().kind() == Kind::outOfRange) reportOutOfRange();
+        const dxHashCells cells = after != nullptr ? m_cells[slotOf(geom)] : dxHashCells(geom->aabb, m_levels);
+        if (cells.kind() == Kind::outOfRange) reportOutOfRange();
+        walk.add(geom, cells);
     }
-    std::vector<ListedPair> found;
-    for (std::size_t i = 0; i < geoms.size(); ++i)
-        for (std::size_t j = i + 1; j < geoms.size(); ++j) {
-            const dxRank last = geoms.size();
-            const Element before{cells[i], last - i}, behind{cells[j], last - j};
-            const bool swapped = !isSearcher(before, behind);
-            const Element &searcher = swapped ? behind : before, &met = swapped ? before : behind;
-            ListedPair pair{{{leadOf(searcher, met)}}, geoms[swapped ? j : i], geoms[swapped ? i : j]};
-            if (!followLead(searcher, met, pair.key)) continue;
-            found.push_back(pair);
-        }
-    std::sort(found.begin(), found.end(),
-              [](const ListedPair &a, const ListedPair &b) { return a.key < b.key; });
-    const auto last = std::find_if(found.begin(), found.end(), [after](const ListedPair &pair) {
-        return after != nullptr && pair.first == after->first && pair.second == after->second;
-    });
-    for (auto pair = last != found.end() ? last + 1 : found.begin(); pair != found.end(); ++pair)
-        collideAABBs(pair->first, pair->second, data, callback);
+    walk.deliver(data, callback, after);
 }

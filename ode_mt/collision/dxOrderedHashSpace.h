@@ -31,7 +31,7 @@ private:
     void expect(Slot slot) const override;
     void deliver(void *data, dNearCallback *callback) override;
     void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) override;
-    bool walksCrowds() const override { return false; }
+    dxCrowd::Limit mostPairs() const override { return dxCrowd::mostPairsOfCells; }
 
     void deliverAll(const std::vector<dxOrderedPair> &pairs, void *data, dNearCallback *callback);
     void walkFrom(std::size_t switched, void *data, dNearCallback *callback, const dxOrderedPair *after);

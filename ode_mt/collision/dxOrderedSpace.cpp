@@ -228,7 +228,7 @@ bool dxOrderedSpace::makeReady() {
 }
 
 bool dxOrderedSpace::isTooMany(std::size_t pairs) const {
-    return walksCrowds() && pairs > dxCrowd::mostPairs(m_members.end());
+    return pairs > mostPairs()(m_members.end());
 }
 
 // Without pairs. All are looked for again when it is over.
@@ -259,7 +259,7 @@ void dxOrderedSpace::updateSorted(std::vector<dxOrderedPair> &pairs) {
 
 void dxOrderedSpace::findAndPlace(std::vector<dxPairSearch::Match> &matches,
                                   std::vector<dxOrderedPair> &pairs) {
-    if (m_search == nullptr && m_ownSearch == nullptr) m_ownSearch.reset(new dxAdaptiveSearch(walksCrowds()));
+    if (m_search == nullptr && m_ownSearch == nullptr) m_ownSearch.reset(new dxAdaptiveSearch(mostPairs()));
     if (m_kept == nullptr) m_kept.reset(new dxKeptPairs);
     (m_search != nullptr ? m_search : m_ownSearch)->search(m_members, runner(), matches);
     if (isTooMany(matches.size())) return becomeCrowd();

@@ -168,8 +168,8 @@ protected:
     // All of upstream's call, where it says no; or what of it comes after a pair, in whose callback an
     // assertion failed.
     virtual void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) = 0;
-    // Whether walk() takes no longer than upstream, and no more memory, however many pairs there are.
-    virtual bool walksCrowds() const { return true; }
+    // Beyond which walk() is called instead.
+    virtual dxCrowd::Limit mostPairs() const { return dxCrowd::mostPairs; }
     bool isCrowd() const { return m_crowd.isOne(); }
     // The callbacks of a geom, whose box is up to date as the members' are, with those that it meets.
     virtual void collideWith(void *data, dxGeom *geom, dNearCallback *callback) = 0;

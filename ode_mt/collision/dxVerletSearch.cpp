@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstring>
 
-#include "collision/dxCrowd.h"
 #include "simd/dxFetch.h"
 
 namespace {
@@ -71,7 +70,7 @@ void dxVerletSearch::search(const dxMembers &members, dxTaskRunner &runner, std:
         m_batch.search(members, runner, matches);
         return;
     }
-    if (m_stopsAtCrowds && m_candidates.size() > dxCrowd::mostPairs(members.end())) {  // not all of them, perhaps
+    if (m_candidates.size() > m_mostPairs(members.end())) {  // not all of them, perhaps
         m_batch.search(members, runner, matches);
         return;
     }

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "collision/dxBatchSearch.h"
+#include "collision/dxCrowd.h"
 #include "collision/dxPairSearch.h"
 #include "collision/overlap/dxBoxTable.h"
 #include "collision/overlap/dxPackedBoxes.h"
@@ -23,8 +24,8 @@
 class dxVerletSearch final : public dxPairSearch {
 public:
     // As for dxBatchSearch.
-    explicit dxVerletSearch(bool stopsAtCrowds = false)
-        : m_stopsAtCrowds(stopsAtCrowds), m_batch(stopsAtCrowds) {}
+    explicit dxVerletSearch(dxCrowd::Limit mostPairs = dxCrowd::allPairs)
+        : m_mostPairs(mostPairs), m_batch(mostPairs) {}
 
     void search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
 
@@ -60,7 +61,7 @@ private:
     void compareCandidates(dxTaskRunner &runner, std::vector<Match> &matches);
     void forgetChanges(const dxMembers &members);
 
-    const bool m_stopsAtCrowds;
+    const dxCrowd::Limit m_mostPairs;
     dxPackedBoxes m_boxes;           // as they are, by slot
     std::vector<dxBounds> m_stored;  // by slot
     dxBoxTable m_storedTable;        // the same in columns

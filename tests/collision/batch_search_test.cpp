@@ -31,10 +31,10 @@ TEST(BatchSearch, StopsAtACrowd) {
     for (int i = 0; i < 3000; ++i) crowd.add(cubeAt(0, 0, 0));
     const std::size_t all = 3000 * 2999 / 2, most = dxCrowd::mostPairs(3000);
     std::vector<dxPairSearch::Match> matches;
-    dxBatchSearch(false).search(crowd.members(), dxTaskRunner::alone(), matches);
+    dxBatchSearch().search(crowd.members(), dxTaskRunner::alone(), matches);
     EXPECT_EQ(matches.size(), all);
     matches.clear();
-    dxBatchSearch(true).search(crowd.members(), dxTaskRunner::alone(), matches);
+    dxBatchSearch(dxCrowd::mostPairs).search(crowd.members(), dxTaskRunner::alone(), matches);
     EXPECT_GT(matches.size(), most);
     EXPECT_LT(matches.size(), most + all / 4);
 }

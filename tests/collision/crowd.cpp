@@ -13,7 +13,8 @@
 
 namespace {
 
-constexpr int kGeoms = 1100;  // 604,450 pairs
+constexpr int kGeoms = 1100;           // 604,450 pairs
+constexpr int kGeomsOfHashSpace = 3000;  // 4,498,500 pairs
 
 dSpaceID create(int kind) {
     const dVector3 centre = {0, 0, 0}, extents = {200, 200, 10};
@@ -45,8 +46,8 @@ void onNear(void *data, dGeomID a, dGeomID b) {
 
 class Crowd {
 public:
-    explicit Crowd(dSpaceID space) : m_space(space) {
-        for (int i = 0; i < kGeoms; ++i) {
+    Crowd(dSpaceID space, int geoms) : m_space(space) {
+        for (int i = 0; i < geoms; ++i) {
             m_geoms.push_back(dCreateSphere(space, 1));
             dGeomSetData(m_geoms.back(), reinterpret_cast<void *>(static_cast<std::uintptr_t>(i)));
             dGeomSetCategoryBits(m_geoms.back(), i % 50 == 0 ? 2 : 1);
@@ -54,13 +55,14 @@ public:
         }
     }
 
-    // Every `stride`-th geom, with so much room between two.
+    // Every `stride`-th geom, with so much room between two. Without room they are in one cell of a hash space.
     void place(int stride, dReal room) {
-        for (int i = 0; i < kGeoms; i += stride)
-            dGeomSetPosition(m_geoms[i], room * (i % 33) + dReal(0.001) * (i % 97), room * (i / 33), dReal(0.002) * (i % 89));
+        for (int i = 0; i < count(); i += stride)
+            dGeomSetPosition(m_geoms[i], 1.9 + room * (i % 33) + dReal(0.001) * (i % 97), 1.9 + room * (i / 33),
+                             1.9 + dReal(0.002) * (i % 89));
     }
     void enableOthers(bool isEnabled) {
-        for (int i = 3; i < kGeoms; i += 100) (isEnabled ? dGeomEnable : dGeomDisable)(m_geoms[i]);
+        for (int i = 3; i < count(); i += 100) (isEnabled ? dGeomEnable : dGeomDisable)(m_geoms[i]);
     }
     void collide(long asksAt = -1) {
         Seen seen;
@@ -71,6 +73,8 @@ public:
     }
 
 private:
+    int count() const { return static_cast<int>(m_geoms.size()); }
+
     dSpaceID m_space;
     std::vector<dGeomID> m_geoms;
 };
@@ -83,8 +87,9 @@ int main(int argc, char **argv) {
         return 2;
     }
     dInitODE2(0);
-    const dSpaceID space = create(std::atoi(argv[1]));
-    Crowd crowd(space);
+    const int kind = std::atoi(argv[1]);
+    const dSpaceID space = create(kind);
+    Crowd crowd(space, kind == 1 ? kGeomsOfHashSpace : kGeoms);
     for (const dReal room : {dReal(0), dReal(0.01)}) {
         crowd.place(1, 3);  // a field
         crowd.collide();

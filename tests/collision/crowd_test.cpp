@@ -35,9 +35,9 @@ TEST_P(Crowd, IsCollidedAsByLibode8) {
         const Outcome ours = run(ODE_MT_LIBRARY_DIR, GetParam(), threads);
         EXPECT_EQ(ours.ending, "exit status 0");
         EXPECT_EQ(ours.callbacks, stock.callbacks) << threads << " threads";
-        const bool isHash = GetParam() == 1;  // it keeps them all
-        if (!isHash && !kAddressSanitizer && !kThreadSanitizer) {
-            EXPECT_LT(ours.megabytes, 80);
+        const bool isHash = GetParam() == 1;  // it keeps up to four million
+        if (!kAddressSanitizer && !kThreadSanitizer) {
+            EXPECT_LT(ours.megabytes, isHash ? 600 : 80);
         }
     }
 }
