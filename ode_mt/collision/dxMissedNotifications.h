@@ -1,10 +1,12 @@
 // How often something may have happened to a geom of which its space was not told.
 //
 // A space keeps what it knows of its members from call to call, and hears of changes through dxSpace::dirty.
-// Two things pass it by, and upstream's spaces too, which go on with the geom where it stands:
+// Some things pass it by, and upstream's spaces too, which go on with the geom where it stands:
 //  - dGeomTriMeshSetData marks the box of a mesh as bad, and says nothing to the space;
 //  - an assertion inside dGeomMoved, that the space is locked, comes after the geom was marked and before
-//    the space is told; a debug handler that jumps or throws leaves it so.
+//    the space is told; a debug handler that jumps or throws leaves it so;
+//  - a clean geom that is added to a simple or hash space stands in front of those that have changed, at which
+//    cleaning stops. The space itself sees that, those around it do not.
 // A geom marked so is *stray*: dirty, and not among those that its space will clean. From then on dGeomMoved
 // says nothing of it, nor of the spaces around it. After any such event spaces look at all their members
 // again.

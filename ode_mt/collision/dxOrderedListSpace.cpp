@@ -148,6 +148,11 @@ void dxOrderedListSpace::gatherDirty() {
     for (dxGeom *geom = first; geom != nullptr && isDirty(geom); geom = geom->next) m_dirty.push_back(geom);
 }
 
+// Upstream puts a clean one in front, too. Those behind it that have changed are then cleaned no more.
+void dxOrderedListSpace::comes(dxGeom *geom, Slot /*slot*/) {
+    if (!isDirty(geom) && first != nullptr && isDirty(first)) noteStrays();
+}
+
 bool dxOrderedListSpace::hasStrayMembers() const {
     for (const dxGeom *geom = firstClean(first); geom != nullptr; geom = geom->next)
         if (isDirty(geom)) return true;

@@ -29,6 +29,7 @@ protected:
     bool requireRanks() override;
     void collideWith(void *data, dxGeom *geom, dNearCallback *callback) override;
     bool hasStrayMembers() const override;
+    void comes(dxGeom *geom, Slot slot) override;
 
 private:
     bool isAtRest() const;

@@ -133,6 +133,11 @@ bool dxOrderedSpace::mayHaveStrays() {
     return true;
 }
 
+void dxOrderedSpace::noteStrays() {
+    m_hasStrays.store(true, std::memory_order_relaxed);
+    if (parent_space != nullptr) dxMissedNotifications::add();
+}
+
 bool dxOrderedSpace::hasStrays() {
     mayHaveStrays();
     return !isSureOfMembers();

@@ -117,6 +117,8 @@ protected:
     bool mayHaveStrays();
     // The same without looking, if nothing may have changed.
     bool isSureOfMembers() const;
+    // Members have become strays in sight of this space; those around it do not see that.
+    void noteStrays();
     // Looks at the members themselves.
     virtual bool hasStrayMembers() const = 0;
     // Rays of several threads may ask a space at once; upstream's count then loses some locks.

@@ -284,6 +284,68 @@ private:
     bool m_isInner = false;
 };
 
+// A clean geom comes into a list in front of one that has changed, which is cleaned no more, and whose next moves the
+// spaces around the list do not hear of.
+class CleanInFront : public Strays {
+public:
+    CleanInFront(Stepper stepper, SpaceKind kind, bool asks) : Strays(stepper, kind, false), m_asks(asks) {
+        m_list = createSpace(SpaceKind::Simple, m_outer);
+        for (int i = 0; i < kListed; ++i) {
+            m_listed.push_back(dCreateSphere(m_list, 0.5));
+            place(i, 0);
+        }
+    }
+
+protected:
+    void control() override {
+        attempt([this] { change(frameNumber() % 6, frameNumber() / 6); });
+        lookAround();
+    }
+
+private:
+    static constexpr int kListed = 5;
+
+    void change(int turn, int round) {
+        const int changed = round % kListed, clean = (changed + 1) % kListed;
+        switch (turn) {
+            case 1:
+                place(changed, 0.3);
+                putInFront(clean);
+                return ask();
+            case 2:
+            case 3:
+                place(changed, 0.3 + turn);
+                return ask();
+            case 4:  // the changed one is the first again, but for the clean ones
+                for (int i = 0; i < kListed; ++i)
+                    if (i != changed) putInFront(i);
+                for (int i = 0; i < kListed; ++i)
+                    if (i != changed) dSpaceRemove(m_list, m_listed[i]);
+                return;
+            case 5:
+                for (int i = 0; i < kListed; ++i)
+                    if (i != changed) dSpaceAdd(m_list, m_listed[i]);
+                return;
+            default:
+                return;
+        }
+    }
+
+    void place(int listed, dReal x) { dGeomSetPosition(m_listed[listed], x + listed, 2.5, 0.1); }
+    void putInFront(int listed) {
+        dSpaceRemove(m_list, m_listed[listed]);
+        dSpaceAdd(m_list, m_listed[listed]);
+    }
+    void ask() {
+        dReal box[6];
+        if (m_asks) dGeomGetAABB(reinterpret_cast<dGeomID>(m_list), box);
+    }
+
+    bool m_asks;
+    dSpaceID m_list;
+    std::vector<dGeomID> m_listed;
+};
+
 }  // namespace
 
 void addStrayGeoms(Catalogue &catalogue) {
@@ -316,6 +378,9 @@ void addStrayGeoms(Catalogue &catalogue) {
         if (each.kind != SpaceKind::SweepAndPrune)  // whose lists a call from inside overwrites
             add("switched", "geoms enabled and disabled, and a mesh elsewhere that gets other data, in callbacks",
                 make<Switched>(each.kind));
+        add("clean_in_front", "a clean geom comes into a list in front of one that has changed", make<CleanInFront>(each.kind, true));
+        add("clean_in_front_unasked", "the same with boxes that are not up to date", make<CleanInFront>(each.kind, false));
+        catalogue.back().leavesRuins = true;
         add("half_refused", "what a locked space refuses too late", make<HalfRefused>(each.kind));
     }
 }
