@@ -11,13 +11,14 @@
 
 class dxCrowd {
 public:
-    // The most pairs that are kept for so many geoms.
+    // The most pairs that are kept for so many geoms, never fewer than this.
     using Limit = std::size_t (*)(std::size_t geoms);
+    static constexpr std::size_t leastLimit = std::size_t{1} << 19;
     static std::size_t allPairs(std::size_t) { return SIZE_MAX; }
     // Where a walk tests every two boxes. Testing two boxes takes about a twentieth of the time that finding,
     // sorting and keeping a pair does; and a pair takes some hundred bytes while it is found.
     static constexpr std::size_t mostPairs(std::size_t geoms) {
-        return std::clamp(geoms * geoms / 32, std::size_t{1} << 19, std::size_t{1} << 24);
+        return std::clamp(geoms * geoms / 32, leastLimit, std::size_t{1} << 24);
     }
     // Where a walk goes from cell to cell (dxHashWalk), which takes as long for a pair as finding and sorting it: the limit
     // is for memory, half a GB while pairs are found.

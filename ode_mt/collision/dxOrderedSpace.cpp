@@ -112,13 +112,7 @@ void dxOrderedSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback)
     unlock();
 }
 
-bool dxOrderedSpace::isSureOfMembers() const {
-    return m_notificationsMissed.load(std::memory_order_acquire) == dxMissedNotifications::count() &&
-           !m_hasStrays.load(std::memory_order_relaxed);
-}
-
-bool dxOrderedSpace::mayHaveStrays() {
-    if (isSureOfMembers()) return false;
+bool dxOrderedSpace::lookForStrays() {
     const std::unique_lock<std::mutex> alone(m_lookingForStrays, std::try_to_lock);
     if (!alone) return true;
     const std::uint64_t missed = dxMissedNotifications::count();
@@ -233,7 +227,7 @@ bool dxOrderedSpace::makeReady() {
 }
 
 bool dxOrderedSpace::isTooMany(std::size_t pairs) const {
-    return pairs > mostPairs()(m_members.end());
+    return pairs > dxCrowd::leastLimit && pairs > mostPairs()(m_members.end());
 }
 
 // Without pairs. All are looked for again when it is over.

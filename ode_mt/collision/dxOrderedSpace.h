@@ -49,6 +49,7 @@
 #include "collision/dxDensePairs.h"
 #include "collision/dxKeptPairs.h"
 #include "collision/dxMembers.h"
+#include "collision/dxMissedNotifications.h"
 #include "collision/dxOrderedPair.h"
 #include "collision/dxPairSearch.h"
 #include "collision/dxRegionIndex.h"
@@ -114,9 +115,12 @@ protected:
     // Whether there are strays, or were when this was last asked: their boxes, and whether these are up to
     // date, may change without notice. Costs nothing while no notification has been missed. Of several threads
     // one looks.
-    bool mayHaveStrays();
-    // The same without looking, if nothing may have changed.
-    bool isSureOfMembers() const;
+    bool mayHaveStrays() { return !isSureOfMembers() && lookForStrays(); }
+    // There are none, and nothing may have changed that.
+    bool isSureOfMembers() const {
+        return m_notificationsMissed.load(std::memory_order_acquire) == dxMissedNotifications::count() &&
+               !m_hasStrays.load(std::memory_order_relaxed);
+    }
     // Members have become strays in sight of this space; those around it do not see that.
     void noteStrays();
     // Looks at the members themselves.
@@ -204,6 +208,7 @@ protected:
     dxGeom *collideRegion(void *data, dxGeom *geom, dNearCallback *callback);
 
 private:
+    bool lookForStrays();
     bool isTooMany(std::size_t pairs) const;
     void becomeCrowd();
 

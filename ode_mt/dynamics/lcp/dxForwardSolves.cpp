@@ -51,7 +51,8 @@ void dxForwardSolves::solve(unsigned column, dReal *result, const dxSolveTeam &t
     const dReal *lane = block(index) + column % kLineLanes;
     const unsigned zeros = std::min(m_zeros[index - m_firstBlock], grouped);
     std::fill_n(result, zeros, dReal(0));
-    for (unsigned row = zeros; row < grouped; ++row) result[row] = lane[std::size_t(row) * kLineLanes];
+    for (unsigned group = zeros; group < grouped; group += 4)
+        for (unsigned row = group; row < group + 4; ++row) result[row] = lane[std::size_t(row) * kLineLanes];
     for (unsigned row = grouped; row < rows; ++row) {
         const unsigned other = m_sets.factorIndexes()[row];
         result[row] = m_A.row(other)[column];
