@@ -41,6 +41,9 @@ extern "C" {
  * A threading implementation given to dWorldSetStepThreadingImplementation lends its threads to that
  * world's steps instead of the process's own, whatever the number set here; one without threads keeps
  * the world's steps serial.
+ *
+ * A NULL for a geom, body, space or world, or for the place of results, ends in dDebug, as elsewhere in ODE, unless a
+ * function says otherwise.
  */
 
 /** Number of threads that means: one for every core this process may use. @ingroup ode_mt */
@@ -223,7 +226,7 @@ ODE_API void dWorldStepAndSpaceCollide(dSpaceID space, void *data, dNearCallback
 /** Has no effect: geoms are never copied, so none needs to be told apart. @ingroup ode_mt */
 ODE_API void dGeomSetDynamicFlag(dGeomID geom);
 
-/** 1 if both handles are the same geom, else 0. @ingroup ode_mt */
+/** 1 if both handles are the same geom, or both NULL, else 0. @ingroup ode_mt */
 ODE_API int dAreGeomsSame(dGeomID g1, dGeomID g2);
 
 /** Has no effect: parameters are read from the user's world at every step. @ingroup ode_mt */
@@ -244,7 +247,8 @@ ODE_API dSpaceID dThreadGetSpaceID(int threadID, int index);
  * A space has clusters while an algorithm that clusters is in force (dODE_MT_SetAlgorithm).
  * The functions look and change nothing; not from another thread while the space collides. `world` is the
  * world whose bodies the geoms of the space have. A cluster has a name, a number from 1 on, that it keeps from
- * frame to frame; 0 stands for no cluster.
+ * frame to frame; 0 stands for no cluster. Functions that write up to `capacity` of something only count where that is 0;
+ * their array may be NULL then.
  */
 
 /** Number of clusters of what moves; 1 if the space has none, as all is one. @ingroup ode_mt_clusters */

@@ -1,6 +1,5 @@
 #include "frame/dxConcurrentCallbacks.h"
 
-#include <cxxabi.h>
 #include <pthread.h>
 
 #include <algorithm>
@@ -96,13 +95,15 @@ void Run::deliver(const dxOrderedPair &pair) {
     if (!dxGeomIsEnabled(pair.first) || !dxGeomIsEnabled(pair.second)) return;
     try {
         dxDeliver(pair, data, callback);
-    } catch (const abi::__forced_unwind &) {  // which the C library does not allow to be held up
-        threadEnded.store(true);
-        failed.store(true);
-        throw;
     } catch (...) {
+        const std::exception_ptr exception = std::current_exception();
+        if (exception == nullptr) {  // none of C++'s, but the end of a thread, which may not be held up
+            threadEnded.store(true);
+            failed.store(true);
+            throw;
+        }
         const std::lock_guard<std::mutex> lock(failure);
-        if (!failed.exchange(true)) thrown = std::current_exception();
+        if (!failed.exchange(true)) thrown = exception;
     }
 }
 

@@ -41,11 +41,11 @@ bool dxReadHeuristics(const std::string &names, unsigned &choice) {
         choice = names == "default" ? dxDefaultHeuristics : dxNoHeuristics;
         return true;
     }
+    if (names.empty() || names.back() == ',') return false;
     unsigned read = dxNoHeuristics;
     std::istringstream stream(names);
     for (std::string name; std::getline(stream, name, ',');)
         if (!add(name, read)) return false;
-    if (read == dxNoHeuristics) return false;
     choice = read;
     return true;
 }

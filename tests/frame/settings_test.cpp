@@ -164,7 +164,7 @@ TEST_F(Settings, HeuristicsAreTakenByName) {
 
 TEST_F(Settings, UnknownHeuristicsAreNamedAndChangeNothing) {
     dODE_MT_SetHeuristics("cells");
-    for (const char *names : {"foo", "", ",", "cells,foo", "cells,none", static_cast<const char *>(nullptr)}) {
+    for (const char *names : {"foo", "", ",", "cells,", ",cells", "cells,foo", "cells,none", static_cast<const char *>(nullptr)}) {
         const Messages messages;
         EXPECT_EQ(dODE_MT_SetHeuristics(names), 0);
         EXPECT_STREQ(dODE_MT_GetHeuristics(), "cells");
