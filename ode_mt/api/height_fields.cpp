@@ -1,8 +1,8 @@
 // Data of height fields (ode/collision.h): contacts that were computed from it hear of changes
-// (collision/dxHeightRevision.h). Upstream's own functions are renamed by the seam ode/seams/heightfield.h.
+// (collision/dxSilentChanges.h). Upstream's own functions are renamed by the seam ode/seams/heightfield.h.
 #include <ode/collision.h>
 
-#include "collision/dxHeightRevision.h"
+#include "collision/dxSilentChanges.h"
 
 namespace {
 
@@ -29,7 +29,7 @@ void dGeomHeightfieldDataBuildCallback(dHeightfieldDataID data, void *userData,
                                        dHeightfieldGetHeight *callback, dReal width, dReal depth,
                                        int widthSamples, int depthSamples, dReal scale, dReal offset,
                                        dReal thickness, int wraps) {
-    dxHeightRevision::add();
+    dxSilentChanges::add();
     dxUpstreamHeightfieldDataBuildCallback(data, userData, callback, width, depth, widthSamples, depthSamples,
                                            scale, offset, thickness, wraps);
 }
@@ -37,7 +37,7 @@ void dGeomHeightfieldDataBuildCallback(dHeightfieldDataID data, void *userData,
 void dGeomHeightfieldDataBuildByte(dHeightfieldDataID data, const unsigned char *samples, int isCopied,
                                    dReal width, dReal depth, int widthSamples, int depthSamples, dReal scale,
                                    dReal offset, dReal thickness, int wraps) {
-    dxHeightRevision::add();
+    dxSilentChanges::add();
     dxUpstreamHeightfieldDataBuildByte(data, samples, isCopied, width, depth, widthSamples, depthSamples,
                                        scale, offset, thickness, wraps);
 }
@@ -45,7 +45,7 @@ void dGeomHeightfieldDataBuildByte(dHeightfieldDataID data, const unsigned char 
 void dGeomHeightfieldDataBuildShort(dHeightfieldDataID data, const short *samples, int isCopied, dReal width,
                                     dReal depth, int widthSamples, int depthSamples, dReal scale,
                                     dReal offset, dReal thickness, int wraps) {
-    dxHeightRevision::add();
+    dxSilentChanges::add();
     dxUpstreamHeightfieldDataBuildShort(data, samples, isCopied, width, depth, widthSamples, depthSamples,
                                         scale, offset, thickness, wraps);
 }
@@ -53,7 +53,7 @@ void dGeomHeightfieldDataBuildShort(dHeightfieldDataID data, const short *sample
 void dGeomHeightfieldDataBuildSingle(dHeightfieldDataID data, const float *samples, int isCopied, dReal width,
                                      dReal depth, int widthSamples, int depthSamples, dReal scale,
                                      dReal offset, dReal thickness, int wraps) {
-    dxHeightRevision::add();
+    dxSilentChanges::add();
     dxUpstreamHeightfieldDataBuildSingle(data, samples, isCopied, width, depth, widthSamples, depthSamples,
                                          scale, offset, thickness, wraps);
 }
@@ -61,18 +61,18 @@ void dGeomHeightfieldDataBuildSingle(dHeightfieldDataID data, const float *sampl
 void dGeomHeightfieldDataBuildDouble(dHeightfieldDataID data, const double *samples, int isCopied,
                                      dReal width, dReal depth, int widthSamples, int depthSamples,
                                      dReal scale, dReal offset, dReal thickness, int wraps) {
-    dxHeightRevision::add();
+    dxSilentChanges::add();
     dxUpstreamHeightfieldDataBuildDouble(data, samples, isCopied, width, depth, widthSamples, depthSamples,
                                          scale, offset, thickness, wraps);
 }
 
 void dGeomHeightfieldDataSetBounds(dHeightfieldDataID data, dReal lowest, dReal highest) {
-    dxHeightRevision::add();
+    dxSilentChanges::add();
     dxUpstreamHeightfieldDataSetBounds(data, lowest, highest);
 }
 
 void dGeomHeightfieldDataDestroy(dHeightfieldDataID data) {
-    dxHeightRevision::add();
+    dxSilentChanges::add();
     dxUpstreamHeightfieldDataDestroy(data);
 }
 

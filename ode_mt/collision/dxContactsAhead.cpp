@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "collision/dxColliderOverrides.h"
-#include "collision/dxHeightRevision.h"
+#include "collision/dxSilentChanges.h"
 #include "collision/dxMissedNotifications.h"
 #include "collision/dxPairPrefetch.h"
 #include "dynamics/dxIslandInterrupted.h"
@@ -65,6 +65,17 @@ bool isUnwritten(const dContactGeom &contact) {
            contact.side1 == kNoSide && contact.side2 == kNoSide;
 }
 
+// Not so after the collider of two shapes in the other order (dCollide turns the normal that it finds) where only whether
+// they touch was asked for: it says yes and writes nothing.
+bool isWritten(const dContactGeom &contact) {
+    for (int i = 0; i < 3; ++i) {
+        const dReal turned = -contact.normal[i];
+        if (isUnwritten(contact.pos[i]) || isUnwritten(contact.normal[i]) || isUnwritten(turned)) return false;
+    }
+    return !isUnwritten(contact.depth) && contact.g1 != unwrittenGeom() && contact.g2 != unwrittenGeom() &&
+           contact.side1 != kNoSide && contact.side2 != kNoSide;
+}
+
 // The fourth number of a vector is padding, and some colliders keep a mark in its first byte
 // (addUniqueContact in collision_libccd.cpp).
 void copyWrittenPadding(const dReal &from, dReal &to) {
@@ -76,17 +87,15 @@ void copyWrittenPadding(const dReal &from, dReal &to) {
 }
 
 void copyWritten(const dContactGeom &from, dContactGeom &to) {
-    for (int i = 0; i < 3; ++i) {
-        if (!isUnwritten(from.pos[i])) to.pos[i] = from.pos[i];
-        if (!isUnwritten(from.normal[i])) to.normal[i] = from.normal[i];
-    }
+    std::copy_n(from.pos, 3, to.pos);
+    std::copy_n(from.normal, 3, to.normal);
     copyWrittenPadding(from.pos[3], to.pos[3]);
     copyWrittenPadding(from.normal[3], to.normal[3]);
-    if (!isUnwritten(from.depth)) to.depth = from.depth;
-    if (from.g1 != unwrittenGeom()) to.g1 = from.g1;
-    if (from.g2 != unwrittenGeom()) to.g2 = from.g2;
-    if (from.side1 != kNoSide) to.side1 = from.side1;
-    if (from.side2 != kNoSide) to.side2 = from.side2;
+    to.depth = from.depth;
+    to.g1 = from.g1;
+    to.g2 = from.g2;
+    to.side1 = from.side1;
+    to.side2 = from.side2;
 }
 
 // A collider that has something to say is left: it says it when dCollide is called in the callback.
@@ -119,7 +128,7 @@ dxContactsAhead::Scope::~Scope() {
 
 // Either of them makes void what was computed.
 std::uint64_t dxContactsAhead::changesNoticed() {
-    return dxHeightRevision::count() + dxMissedNotifications::count();
+    return dxSilentChanges::count() + dxMissedNotifications::count();
 }
 
 void dxContactsAhead::start(dxTaskRunner &runner, std::size_t slots, bool arraysStay) {
@@ -201,6 +210,12 @@ void dxContactsAhead::compute(const dxOrderedPair &pair, Result &result, unsigne
         result.count = worker.copies.collide(*pair.first, *pair.second, m_windowFlags,
                                              worker.contacts.data() + worker.used, sizeof(dContactGeom));
     } catch (const dxIslandInterrupted &) {
+        worker.wipe(worker.used, worker.used + most);
+        return;
+    }
+    const dContactGeom *const found = worker.contacts.data() + worker.used;
+    if (!std::all_of(found, found + result.count, isWritten)) {
+        result.count = kUnknown;
         worker.wipe(worker.used, worker.used + most);
         return;
     }

@@ -2,7 +2,7 @@
 //
 // Callbacks run one at a time, in order, on the caller's thread. Before a window of them, workers call
 // dCollide for its pairs; in the callback dCollide then hands out what is there, if it is asked for the same
-// pair with the same flags, and nothing that colliders read has changed (dxColliderState, dxHeightRevision;
+// pair with the same flags, and nothing that colliders read has changed (dxColliderState, dxSilentChanges;
 // geoms of a locked space cannot be moved, and where an assertion about that fails all contacts are void).
 // Else it computes anew. While a callback runs no worker does: it may write to whatever workers read. Pairs
 // with a mesh, or with a height field whose samples are the program's, are not computed ahead

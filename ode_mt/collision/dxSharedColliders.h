@@ -26,7 +26,7 @@ bool dxKnowsArrays(const dxGeom &a, const dxGeom &b);
 // What the user may change about a geom in a callback without moving it, and colliders read: flags of rays,
 // the data of meshes, the arrays of a convex geom (as a hash of 64 bits of all that is in them). Where it is
 // the same, and the geom has not moved, dCollide gives the same contacts. Whether samples of height fields
-// have changed is told by dxHeightRevision.
+// have changed is told by dxSilentChanges.
 std::uint64_t dxColliderState(const dxGeom &geom);
 
 // Scratch memory of one worker.

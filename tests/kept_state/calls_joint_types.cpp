@@ -41,10 +41,16 @@ void add(CallRecipes &r, const char *name, void (*set)(dJointID, dReal, dReal, d
     add(
         r, name, [=](CallScene &s) { set(s.joints[type], 0.1, 0.3, 0.9, 0.2, 0.1); }, false);
 }
+// Some of these move a body to and fro: from so far that its position comes back as another one.
 void add(CallRecipes &r, const char *name, void (*set)(dJointID, dReal, dReal, dReal, dReal, dReal, dReal),
          dJointType type) {
     add(
-        r, name, [=](CallScene &s) { set(s.joints[type], 0.1, 0.3, 0.9, 0.02, 0.01, 0.03); }, false);
+        r, name,
+        [=](CallScene &s) {
+            set(s.joints[type], 0.1, 0.3, 0.9, 2e14, 1e14, 3e14);
+            set(s.joints[type], 0.1, 0.3, 0.9, 0.02, 0.01, 0.03);
+        },
+        false);
 }
 void add(CallRecipes &r, const char *name, void (*set)(dJointID, int, int, dReal, dReal, dReal),
          dJointType type) {

@@ -144,6 +144,38 @@ private:
     std::vector<dJointID> m_loose;
 };
 
+// Functions of joints that move a body to and fro: far enough, and its position comes back as another one, and no space hears.
+class Nudges : public Liberties {
+public:
+    explicit Nudges(Stepper stepper) : Liberties(stepper) {
+        for (int i = 0; i < 12; ++i) {
+            const dJointID joint = i % 3 == 0 ? dJointCreatePiston(world(), nullptr) : dJointCreatePU(world(), nullptr);
+            m_joints.push_back(add(joint));
+            dJointAttach(joint, someBody(7 * i), i % 2 == 0 ? someBody(7 * i + 1) : nullptr);
+        }
+    }
+
+protected:
+    void onNearPair(dGeomID o1, dGeomID o2) override {
+        if (m_pairs++ % 9 == 4) nudge(m_pairs);
+        Liberties::onNearPair(o1, o2);
+    }
+
+private:
+    void nudge(int number) {
+        const dJointID joint = m_joints[number % m_joints.size()];
+        const dReal far = number % 2 == 0 ? dReal(1e13) : dReal(1e9) * (number % 7);
+        if (dJointGetType(joint) == dJointTypePiston)
+            dJointSetPistonAnchorOffset(joint, 0, 0, 0.5, far, -far, far / 3);
+        else if (number % 4 < 2)
+            dJointSetPUAnchorDelta(joint, 0, 0, 0.5, far, 0, far / 7);
+        else
+            dJointSetPUAnchorOffset(joint, 0, 0, 0.5, far, 0, far / 7);
+    }
+
+    std::vector<dJointID> m_joints;
+};
+
 // Callbacks that look at what earlier callbacks of the frame have made.
 class Queries : public Liberties {
 public:
@@ -258,6 +290,22 @@ private:
     dGeomID m_before = nullptr;
 };
 
+// Callbacks that ask whether geoms touch, and nothing else: some colliders then leave the contact as they find it, and
+// dCollide turns what the program had there.
+class Touches : public Liberties {
+public:
+    explicit Touches(Stepper stepper) : Liberties(stepper) {}
+
+protected:
+    void onNearPair(dGeomID o1, dGeomID o2) override {
+        m_probe.collide(o1, o2, static_cast<int>(CONTACTS_UNIMPORTANT | 1u), sizeof(dContactGeom));
+        m_probe.tell(m_observer);
+    }
+
+private:
+    ContactProbe m_probe;
+};
+
 }  // namespace
 
 void addCallbackLiberties(Catalogue &catalogue) {
@@ -287,6 +335,10 @@ void addCallbackLiberties(Catalogue &catalogue) {
         make<Recursive>(SpaceKind::QuadTree));
     add("callback_liberties/other_pairs", "dCollide swapped, twice, and for geoms of another pair",
         make<OtherPairs>());
+    add("callback_liberties/nudges", "functions of joints move bodies to and fro, which rounds their positions",
+        make<Nudges>());
+    add("callback_liberties/touches", "callbacks ask whether geoms touch, and get contacts that nobody wrote",
+        make<Touches>());
 }
 
 }  // namespace exactness

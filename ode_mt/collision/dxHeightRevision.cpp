@@ -1,3 +1,0 @@
-#include "collision/dxHeightRevision.h"
-
-std::atomic<std::uint64_t> dxHeightRevision::changes{0};
