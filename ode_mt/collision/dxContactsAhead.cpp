@@ -109,12 +109,16 @@ public:
 }  // namespace
 
 dxContactsAhead *dxContactsAhead::current() {
-    if (t_current != nullptr && !t_frame.called(dxStackFrame::ofCaller())) t_current = nullptr;
+    if (t_current != nullptr && !t_frame.called(dxStackFrame::ofCaller())) {
+        t_current->release();
+        t_current = nullptr;
+    }
     return t_current;
 }
 
 dxContactsAhead::Scope::Scope(dxContactsAhead &ahead, dxTaskRunner &runner, std::size_t slots, bool arraysStay)
-    : m_outer(t_current), m_outerFrame(t_frame), m_ahead(ahead) {
+    : m_outer(current()), m_outerFrame(t_frame), m_ahead(ahead) {
+    ahead.m_holders.fetch_add(1, std::memory_order_relaxed);
     ahead.start(runner, slots, arraysStay);
     t_current = &ahead;
     t_frame = dxStackFrame::ofCaller();
@@ -124,6 +128,21 @@ dxContactsAhead::Scope::~Scope() {
     t_current = m_outer;
     t_frame = m_outerFrame;
     m_ahead.end();
+    m_ahead.release();
+}
+
+void dxContactsAhead::release() {
+    if (m_holders.fetch_sub(1, std::memory_order_acq_rel) == 1) delete this;
+}
+
+// Who still holds it is told nothing any more.
+void dxContactsAhead::leaveSpace() {
+    m_pair = nullptr;
+    m_hasResults = false;
+    std::vector<Result>().swap(m_results);
+    std::vector<Worker>().swap(m_workers);
+    std::vector<std::uint64_t>().swap(m_asked);
+    release();
 }
 
 // Either of them makes void what was computed.

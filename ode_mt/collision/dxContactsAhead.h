@@ -16,11 +16,14 @@
 // Colliders leave some bytes of dContactGeom as they are. Workers compute into memory that holds a pattern,
 // and what still shows the pattern is not copied to the user's contacts.
 //
-// Belongs to one space, like its pairs. None outlives a call of dSpaceCollide: the user may change mesh
-// vertices and convex points between two without telling.
+// Belongs to one space, like its pairs. No contact outlives a call of dSpaceCollide: the user may change mesh
+// vertices and convex points between two without telling. A callback may leave that call by a jump, and the program destroy
+// the space: then this stays, empty, until the thread has been seen to be elsewhere.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <ode/ode.h>
@@ -33,6 +36,11 @@
 
 class dxContactsAhead {
 public:
+    struct Release {
+        void operator()(dxContactsAhead *ahead) const { ahead->leaveSpace(); }
+    };
+    using Owner = std::unique_ptr<dxContactsAhead, Release>;  // the space's
+
     // That of the pair whose callback this thread is in, or NULL. A callback may have left by longjmp, so that a call made
     // much deeper on the stack may still be told the last one.
     static dxContactsAhead *current();
@@ -108,6 +116,8 @@ private:
         void wipeDrafts();
     };
 
+    void leaveSpace();
+    void release();
     void start(dxTaskRunner &runner, std::size_t slots, bool arraysStay);
     void end();
     void nextWindow(const std::vector<dxOrderedPair> &pairs, std::size_t index);
@@ -119,6 +129,7 @@ private:
 
     static std::uint64_t changesNoticed();
 
+    std::atomic<unsigned> m_holders{1};  // the space, and threads in a call with it, or that may have left one by a jump
     dxTaskRunner *m_runner = nullptr;
     bool m_arraysStay = false;
     std::uint64_t m_windowChanges = 0;      // changesNoticed() when the window was computed

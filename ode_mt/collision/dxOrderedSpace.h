@@ -225,7 +225,7 @@ private:
     dxCrowd m_crowd;
     dxTaskRunner *m_runner = nullptr;  // while a shared call makes the space ready: not in its callbacks
     bool m_isAhead = false;            // the call whose callbacks are beginning is a shared one
-    std::unique_ptr<dxContactsAhead> m_ahead;
+    dxContactsAhead::Owner m_ahead;
     dxSharingPace m_pace;
 };
 

@@ -6,6 +6,8 @@
 
 #include <atomic>
 #include <csetjmp>
+#include <cstdlib>
+#include <cstring>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -111,6 +113,38 @@ TEST_P(LeftCallback, DCollideComputesAnew) {
         for (int i = 0; i < 4; ++i) dCollide(one, two, 4, contacts, sizeof contacts[0]);
         dBodyCreate(dBodyGetWorld(dGeomGetBody(one) != nullptr ? dGeomGetBody(one) : dGeomGetBody(two)));
         _exit(0);
+        return true;
+    }));
+}
+
+// Deeper on the stack than the call that was left. Returns the number of contacts.
+[[gnu::noinline]] int collideDeeper(dGeomID o1, dGeomID o2) {
+    volatile char room[1 << 16];
+    room[0] = room[sizeof room - 1] = 0;
+    dContactGeom contacts[4];
+    return dCollide(o1, o2, 4, contacts, sizeof contacts[0]) + room[0];
+}
+
+void useFreedMemory() {
+    for (std::size_t size = 16; size < 4096; size += 16)
+        for (int i = 0; i < 8; ++i) std::memset(std::malloc(size), 0xa5, size);
+}
+
+// The space is locked for good, and its destructor says so half way; nothing of it is looked at any more.
+TEST_P(LeftCallback, TheSpaceMayBeDestroyed) {
+    EXPECT_TRUE(trueInChild([] {
+        const OdeSession session(3, "lcp");
+        const dGeomID ball = dCreateSphere(nullptr, 1), box = dCreateBox(nullptr, 1, 1, 1);
+        const dSpaceID space = createSpace();
+        auto &world = *new HeapWorld(space);
+        settle(world);
+        const bool isShared = sharedBy(world) > 0;
+        world.setCallback([](HeapWorld &, dGeomID, dGeomID) { leave(); });
+        leaveIn([&world] { world.collide(); });
+        dSetDebugHandler([](int, const char *, va_list) { std::longjmp(g_place, 1); });
+        leaveIn([space] { dSpaceDestroy(space); });
+        useFreedMemory();
+        _exit(isShared && collideDeeper(ball, box) == 1 ? 0 : 1);
         return true;
     }));
 }
