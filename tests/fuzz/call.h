@@ -1,0 +1,56 @@
+// A call of ODE's as a script has it: names of objects and numbers, written as in C.
+//
+//   body3 = dBodyCreate(world0);
+//   dBodySetPosition(body3, 0.5, nan, 1e+300);
+//
+// A call that is made in a callback of another one follows that, with the number of the callback within it:
+//
+//   dSpaceCollide(space0);
+//     near 4: dBodyDisable(body3);
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace fuzz {
+
+enum class ObjectKind { world, space, body, geom, joint, group, meshData, heightData };
+constexpr int objectKinds = 8;
+const char *nameOf(ObjectKind kind);
+
+struct Reference {
+    ObjectKind kind = ObjectKind::geom;
+    int number = -1;  // -1: NULL
+
+    bool operator==(const Reference &other) const { return kind == other.kind && number == other.number; }
+};
+
+struct Argument {
+    enum class Kind { number, numbers, reference };
+
+    Kind kind = Kind::number;
+    std::vector<double> numbers;
+    Reference reference;
+};
+
+// Whose code makes the call.
+enum class Where { between, near, moved, message };
+
+struct Call {
+    Where where = Where::between;
+    int turn = 0;  // which near-callback, moved-callback or message of the call before it
+    std::string function;
+    std::vector<Argument> arguments;
+    Reference result;  // the object that it makes
+};
+
+std::string textOf(const Argument &argument);
+std::string textOf(const Call &call);
+// Throws std::runtime_error that names the line.
+Call callOf(const std::string &line);
+
+using Script = std::vector<Call>;
+std::string textOf(const Script &script);
+Script scriptOf(const std::string &text);  // lines that begin with '#' and empty ones are left out
+
+}  // namespace fuzz

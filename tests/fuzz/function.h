@@ -1,0 +1,57 @@
+// The functions of ODE's that scripts call: which arguments each takes, what its numbers mean, where upstream lets it be
+// called, and the call itself.
+#pragma once
+
+#include "call.h"
+#include "objects.h"
+
+#include "call_trace.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace fuzz {
+
+// What a number stands for: in ordinary scripts it is drawn so that things happen.
+enum class Meaning { size, time, place, speed, fraction, angle, coordinate, any, count, flag, bits, choice };
+
+struct Parameter {
+    enum class Kind { object, nullableObject, number, numbers };
+
+    Kind kind = Kind::number;
+    ObjectKind object = ObjectKind::geom;
+    int type = -1;  // class of geoms or type of joints that is asked for; -1: any
+    Meaning meaning = Meaning::any;
+    int length = 1;         // of numbers
+    bool isPose = false;    // the numbers are a rotation (12) or a quaternion (4)
+};
+
+class Player;
+using Arguments = std::vector<Argument>;
+
+struct Function {
+    std::string name;
+    std::vector<Parameter> parameters;
+    // Makes the call and tells the trace what it returns. `result` is the object that it makes, if any. False: not all of the
+    // objects live; nothing was called.
+    std::function<bool(Player &, const Arguments &, Reference &result)> call;
+    ObjectKind makes = ObjectKind::geom;
+    bool isMaker = false;
+    bool leavesHalves = false;  // left by a jump from an assertion, upstream has half done what cannot be undone
+    bool inNear = true;   // upstream allows it in near-callbacks
+    bool inMoved = true;  // and in moved-callbacks, amid a step
+    int weight = 4;       // how often it is drawn
+};
+
+const std::vector<Function> &functions();
+const Function *functionOf(const std::string &name);
+
+// Those of one header each.
+void addBodyFunctions(std::vector<Function> &all);
+void addGeomFunctions(std::vector<Function> &all);
+void addJointFunctions(std::vector<Function> &all);
+void addSpaceFunctions(std::vector<Function> &all);
+void addWorldFunctions(std::vector<Function> &all);
+
+}  // namespace fuzz

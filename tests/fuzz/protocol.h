@@ -1,0 +1,35 @@
+// What the driver asks of a playing process, which runs on one of the two libraries, and what that answers.
+//
+// A request is a header and a script, as bytes to draw from or as text; each is played in a fork of the process. The answer
+// is a header and texts.
+#pragma once
+
+#include <cstdint>
+
+namespace fuzz {
+
+struct RequestHeader {
+    std::uint32_t length;  // of the script
+    std::uint8_t isText;
+    std::uint8_t tells;    // write what is seen, too
+    std::uint8_t jumps, messages;
+    // Of ODE_MT; Debian's library has none of them.
+    std::uint16_t threads;
+    std::uint8_t manager, algorithm, instructionSet, cells;
+    std::uint16_t mostCalls;
+    std::uint16_t seconds;  // that it may take
+};
+
+struct AnswerHeader {
+    std::int32_t ending;  // as waitpid's status
+    std::uint32_t calls;
+    std::uint64_t hash;
+    std::uint32_t workers;      // most that took part in a step or a collision
+    std::uint32_t errorLength;  // standard error; the place of an assertion in the source is left out
+    std::uint32_t textLength;   // the script as it was played
+};
+
+constexpr const char *kManagers[] = {"pthread", "openmp"};
+constexpr const char *kAlgorithms[] = {"auto", "lcp", "serial", "original", "static", "static-unmerged", "duplication", "decluster"};
+
+}  // namespace fuzz

@@ -1,0 +1,76 @@
+#include "script_comparison.h"
+
+#include <algorithm>
+#include <iterator>
+#include <sstream>
+
+namespace fuzz {
+
+namespace {
+
+// What libode8 says where it goes on with numbers that nobody wrote, and why (docs/fuzzing.md).
+constexpr const char *kUndefined[] = {
+    "zero length vector in dRFrom2Axes",  // the matrix on the stack is left as it is
+};
+
+bool isUndefined(const Outcome &outcome) {
+    return std::any_of(std::begin(kUndefined), std::end(kUndefined), [&](const char *words) {
+        return outcome.errors.find(words) != std::string::npos || outcome.text.find(words) != std::string::npos;
+    });
+}
+
+}  // namespace
+
+const char *nameOf(Verdict verdict) {
+    static constexpr const char *names[] = {"same", "different", "upstream crashes", "upstream is too slow", "upstream is undefined"};
+    return names[static_cast<int>(verdict)];
+}
+
+// The second process's fresh memory has a pattern.
+Comparison::Comparison(const Libraries &libraries)
+    : m_onDebian(libraries.player, libraries.debian, ""),
+      m_onDebianPatterned(libraries.player, libraries.debian, "165"),
+      m_onOurs(libraries.player, libraries.ours, "") {}
+
+bool Comparison::areSame(const Outcome &a, const Outcome &b) {
+    return a.header.ending == b.header.ending && a.header.hash == b.header.hash && a.errors == b.errors && a.text == b.text;
+}
+
+Verdict Comparison::compare(const RequestHeader &request, const std::vector<std::uint8_t> &script) {
+    m_onDebian.ask(request, script);
+    m_onOurs.ask(request, script);
+    m_debian = m_onDebian.answer();
+    m_ours = m_onOurs.answer();
+    if (!m_debian.endedInTime()) return Verdict::upstreamTooSlow;
+    if (m_debian.crashed()) return Verdict::upstreamCrashed;
+    if (areSame(m_debian, m_ours)) return Verdict::same;
+    if (isUndefined(m_debian)) return Verdict::upstreamUndefined;
+    m_onDebianPatterned.ask(request, script);
+    return areSame(m_debian, m_onDebianPatterned.answer()) ? Verdict::different : Verdict::upstreamUndefined;
+}
+
+Verdict Comparison::compare(RequestHeader request, const Script &script) {
+    request.isText = 1;
+    const std::string text = textOf(script);
+    return compare(request, std::vector<std::uint8_t>(text.begin(), text.end()));
+}
+
+std::string Comparison::difference(RequestHeader request, const Script &script) {
+    request.tells = 1;
+    compare(request, script);
+    std::istringstream expected(m_debian.text), actual(m_ours.text);
+    std::string call, a, b;
+    for (;;) {
+        const bool isA = static_cast<bool>(std::getline(expected, a)), isB = static_cast<bool>(std::getline(actual, b));
+        if (!isA || !isB || a != b) {
+            std::string told = "after " + call + "\n  libode8 " + (isA ? a : "(ends)") + "\n  ODE_MT  " + (isB ? b : "(ends)") + '\n';
+            if (m_debian.header.ending != m_ours.header.ending)
+                told += "  libode8 ends with " + m_debian.ending() + ", ODE_MT with " + m_ours.ending() + '\n';
+            if (m_debian.errors != m_ours.errors) told += "  libode8 says:\n" + m_debian.errors + "  ODE_MT says:\n" + m_ours.errors;
+            return told;
+        }
+        if (a.compare(0, 4, "    ") != 0) call = a;
+    }
+}
+
+}  // namespace fuzz

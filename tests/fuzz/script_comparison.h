@@ -1,0 +1,46 @@
+// Plays a script on both libraries and says whether they agree.
+#pragma once
+
+#include "call.h"
+#include "playing_process.h"
+
+#include <memory>
+#include <string>
+
+namespace fuzz {
+
+struct Libraries {
+    std::string player;  // odemt_fuzz_player
+    std::string debian, ours;  // folders
+};
+
+enum class Verdict {
+    same,
+    different,
+    // Scripts that tell nothing about ODE_MT:
+    upstreamCrashed,     // by a fault of its own
+    upstreamTooSlow,
+    upstreamUndefined,   // its result hangs on memory that nobody wrote
+};
+const char *nameOf(Verdict verdict);
+
+class Comparison {
+public:
+    explicit Comparison(const Libraries &libraries);
+
+    Verdict compare(const RequestHeader &request, const std::vector<std::uint8_t> &script);
+    Verdict compare(RequestHeader request, const Script &script);
+
+    const Outcome &debian() const { return m_debian; }
+    const Outcome &ours() const { return m_ours; }
+    // Both as text, and the first lines that differ.
+    std::string difference(RequestHeader request, const Script &script);
+
+private:
+    static bool areSame(const Outcome &a, const Outcome &b);
+
+    PlayingProcess m_onDebian, m_onDebianPatterned, m_onOurs;
+    Outcome m_debian, m_ours;
+};
+
+}  // namespace fuzz
