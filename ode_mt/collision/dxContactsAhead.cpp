@@ -10,6 +10,7 @@
 #include "collision/dxPairPrefetch.h"
 #include "dynamics/dxIslandInterrupted.h"
 #include "dynamics/dxIslandScope.h"
+#include "threading/dxFloatEnvironment.h"
 
 #include "config.h"
 #include "collision_kernel.h"
@@ -199,6 +200,7 @@ void dxContactsAhead::nextWindow(const std::vector<dxOrderedPair> &pairs, std::s
 void dxContactsAhead::computeWindow(const std::vector<dxOrderedPair> &pairs) {
     m_windowFlags = m_flags;
     m_windowChanges = changesNoticed();
+    m_windowMode = dxFloatMode();
     m_hasResults = true;
     ++m_window;
     const std::size_t size = m_end - m_begin;
@@ -290,7 +292,7 @@ int dxContactsAhead::answer(dGeomID o1, dGeomID o2, int flags, dContactGeom *con
     noteAsked(*m_pair);
     m_flags = flags;
     if (!m_hasResults || flags != m_windowFlags || contacts == nullptr) return kUnknown;
-    if (m_windowChanges != changesNoticed()) return kUnknown;
+    if (m_windowChanges != changesNoticed() || m_windowMode != dxFloatMode()) return kUnknown;
     Result &result = m_results[m_index];
     if (result.count == kUnknown || skip < static_cast<int>(sizeof(dContactGeom))) return kUnknown;
     const Worker &worker = m_workers[result.worker];

@@ -2,8 +2,8 @@
 //
 // Callbacks run one at a time, in order, on the caller's thread. Before a window of them, workers call
 // dCollide for its pairs; in the callback dCollide then hands out what is there, if it is asked for the same
-// pair with the same flags, and nothing that colliders read has changed (dxColliderState, dxSilentChanges;
-// geoms of a locked space cannot be moved, and where an assertion about that fails all contacts are void).
+// pair with the same flags, and nothing that colliders read has changed (dxColliderState, dxSilentChanges,
+// dxFloatMode; geoms of a locked space cannot be moved, and where an assertion about that fails all contacts are void).
 // Else it computes anew. While a callback runs no worker does: it may write to whatever workers read. Pairs
 // with a mesh, or with a height field whose samples are the program's, are not computed ahead
 // (dxKnowsArrays), unless the program has promised to leave such arrays alone.
@@ -133,6 +133,7 @@ private:
     dxTaskRunner *m_runner = nullptr;
     bool m_arraysStay = false;
     std::uint64_t m_windowChanges = 0;      // changesNoticed() when the window was computed
+    std::uint32_t m_windowMode = 0;         // of floating point, then
     const dxOrderedPair *m_pair = nullptr;  // whose callback runs
     std::size_t m_begin = 0, m_end = 0;     // the window
     std::size_t m_index = 0;                // of the pair in the window

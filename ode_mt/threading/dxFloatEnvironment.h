@@ -6,6 +6,21 @@
 
 #include <atomic>
 #include <cfenv>
+#include <cstdint>
+
+#ifdef __SSE2__
+#include <xmmintrin.h>
+#endif
+
+// How the calling thread computes: rounding, denormals, masks of exceptions, not the flags raised so far. Results of two
+// computations in the same mode are the same.
+inline std::uint32_t dxFloatMode() {
+#ifdef __SSE2__
+    return _mm_getcsr() & ~std::uint32_t{_MM_EXCEPT_MASK};
+#else
+    return static_cast<std::uint32_t>(std::fegetround());
+#endif
+}
 
 // Whether the calling thread gets a signal for floating-point exceptions. A program that asked for it expects the
 // signal on the thread that called the library, so that nothing is given to workers then.

@@ -3,6 +3,8 @@
 #include "scenario_scene.h"
 #include "shapes.h"
 
+#include <xmmintrin.h>
+
 namespace exactness {
 
 namespace {
@@ -176,6 +178,23 @@ private:
     std::vector<dJointID> m_joints;
 };
 
+// Callbacks that compute their contacts in another mode of floating point, and put it back.
+class Modes : public Liberties {
+public:
+    Modes(Stepper stepper, unsigned mode) : Liberties(stepper), m_mode(mode) {}
+
+protected:
+    void onNearPair(dGeomID o1, dGeomID o2) override {
+        const unsigned own = _mm_getcsr();
+        if (m_pairs++ % 4 == 1) _mm_setcsr(own | m_mode);
+        Liberties::onNearPair(o1, o2);
+        _mm_setcsr(own);
+    }
+
+private:
+    const unsigned m_mode;
+};
+
 // Callbacks that look at what earlier callbacks of the frame have made.
 class Queries : public Liberties {
 public:
@@ -324,6 +343,7 @@ void addCallbackLiberties(Catalogue &catalogue) {
         make<OtherSpaces>());
     add("callback_liberties/joints", "contacts taken away again, groups emptied, joints made and destroyed",
         make<Joints>());
+    add("callback_liberties/rounding", "callbacks that compute contacts rounded to zero", make<Modes>(_MM_ROUND_TOWARD_ZERO));
     add("callback_liberties/queries", "callbacks look at joints that earlier callbacks made",
         make<Queries>());
     add("callback_liberties/bodies", "bodies woken, stopped, pushed, made kinematic, weighed anew",
