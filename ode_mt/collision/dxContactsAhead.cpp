@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <new>
 #include <type_traits>
 
 #include "collision/dxColliderOverrides.h"
@@ -231,6 +232,10 @@ void dxContactsAhead::compute(const dxOrderedPair &pair, Result &result, unsigne
         result.count = worker.copies.collide(*pair.first, *pair.second, m_windowFlags,
                                              worker.contacts.data() + worker.used, sizeof(dContactGeom));
     } catch (const dxIslandInterrupted &) {
+        worker.wipe(worker.used, worker.used + most);
+        return;
+    } catch (const std::bad_alloc &) {
+        // The callback will find out, in its turn.
         worker.wipe(worker.used, worker.used + most);
         return;
     }

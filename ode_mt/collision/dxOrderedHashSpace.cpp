@@ -86,15 +86,12 @@ void dxOrderedHashSpace::collide(void *data, dNearCallback *callback) {
     if (count >= 2) dxOrderedSpace::collide(data, callback);
 }
 
-bool dxOrderedHashSpace::makeReady() {
+bool dxOrderedHashSpace::findPairs() {
     if (lock_count == 1) m_switched.clear();
-    if (m_levelsChanged && lock_count > 1) {  // a call around this one goes through pairs()
-        cleanToCollide();
-        return false;
-    }
+    if (m_levelsChanged && lock_count > 1) return false;  // a call around this one goes through pairs()
     if (m_levelsChanged) startAnew();
     m_levelsChanged = false;
-    if (!dxOrderedSpace::makeReady()) return false;
+    if (!dxOrderedSpace::findPairs()) return false;
     requireInRange();
     return true;
 }

@@ -15,7 +15,7 @@ public:
     const dxHashLevels &levels() const { return m_levels; }
 
     void collide(void *data, dNearCallback *callback) override;
-    bool makeReady() override;
+    bool findPairs() override;
     void enabledChanges(dxGeom *geom) override;
 
 private:

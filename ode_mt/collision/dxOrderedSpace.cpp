@@ -215,6 +215,10 @@ void dxOrderedSpace::rank(dxGeom *geom, dxRank rank, const dxBounds &bounds) {
 
 bool dxOrderedSpace::makeReady() {
     cleanToCollide();
+    return findPairs();
+}
+
+bool dxOrderedSpace::findPairs() {
     if (!requireRanks()) return false;
     if (m_members.changed().empty()) return true;
     if (lock_count > 1) return false;  // a call around this one goes through pairs()

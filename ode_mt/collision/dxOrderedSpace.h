@@ -91,6 +91,8 @@ public:
     // not in the state in which ranks stand for it, or pairs() is in use; the geoms have to be walked as
     // upstream does.
     virtual bool makeReady();
+    // The second half of that: the geoms are clean, and what functions for bounding boxes have done meanwhile is known.
+    virtual bool findPairs();
     const std::vector<dxOrderedPair> &pairs() const { return m_pairs; }
 
     // Whether a member, or a geom of a space in it, is stray (dxMissedNotifications).

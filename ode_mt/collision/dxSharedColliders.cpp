@@ -23,6 +23,7 @@ int dxUpstreamCollide(dGeomID o1, dGeomID o2, int flags, dContactGeom *contact, 
 namespace {
 
 bool isHeightfield(const dxGeom &geom) { return geom.type == dHeightfieldClass; }
+bool hasNoPlace(const dxGeom &geom) { return geom.type == dPlaneClass; }
 bool isMesh(const dxGeom &geom) { return geom.type == dTriMeshClass; }
 
 const dxHeightfieldData *heightsOf(const dxGeom &geom) {
@@ -231,11 +232,18 @@ dxColliderCopies::~dxColliderCopies() = default;
 dxColliderCopies::dxColliderCopies(dxColliderCopies &&) noexcept = default;
 
 int dxColliderCopies::collide(dxGeom &a, dxGeom &b, int flags, dContactGeom *contacts, int skip) {
-    if (!isHeightfield(a) && !isHeightfield(b)) return dxUpstreamCollide(&a, &b, flags, contacts, skip);
+    if (isHeightfield(a) == isHeightfield(b) || hasNoPlace(a) || hasNoPlace(b))  // no collider that turns one of them
+        return dxUpstreamCollide(&a, &b, flags, contacts, skip);
     a.recomputePosr();
     b.recomputePosr();
     if (m_terrain == nullptr) m_terrain = std::make_unique<Terrain>();
     const bool aIsTerrain = isHeightfield(a);
     const auto &terrain = static_cast<const dxHeightfield &>(aIsTerrain ? a : b);
-    return m_terrain->collide(terrain, aIsTerrain ? b : a, aIsTerrain, flags, contacts, skip);
+    try {
+        return m_terrain->collide(terrain, aIsTerrain ? b : a, aIsTerrain, flags, contacts, skip);
+    } catch (const std::bad_alloc &) {
+        // Upstream frees a buffer before it asks for a larger one, and would free it again.
+        static_cast<void>(m_terrain.release());
+        throw;
+    }
 }

@@ -13,6 +13,19 @@ inline Parameter object(ObjectKind kind, int type = -1) {
     return parameter;
 }
 
+inline Parameter nullable(ObjectKind kind) {
+    Parameter parameter = object(kind);
+    parameter.kind = Parameter::Kind::nullableObject;
+    return parameter;
+}
+
+inline Parameter word(std::vector<std::string> words) {
+    Parameter parameter;
+    parameter.kind = Parameter::Kind::word;
+    parameter.words = std::move(words);
+    return parameter;
+}
+
 inline Parameter number(Meaning meaning) {
     Parameter parameter;
     parameter.meaning = meaning;
@@ -33,9 +46,7 @@ inline Function &byHand(std::vector<Function> &all, const char *name, std::vecto
     made.name = name;
     made.parameters = std::move(parameters);
     made.call = std::move(call);
-    made.inNear = isAllowed(name, Where::near);
-    made.inMoved = isAllowed(name, Where::moved);
-    made.weight = weight;
+    made.weights[0] = weight;
     all.push_back(std::move(made));
     return all.back();
 }
@@ -46,6 +57,25 @@ inline Function &byHandMaker(std::vector<Function> &all, const char *name, Objec
     made.isMaker = true;
     made.makes = makes;
     return made;
+}
+
+// The program's pointer that an object has; here a number.
+template <class Handle>
+void addData(std::vector<Function> &all, ObjectKind kind, const char *setter, void (*set)(Handle, void *), const char *getter,
+             void *(*read)(Handle)) {
+    byHand(all, setter, {object(kind), number(Meaning::bits)}, [set](Player &player, const Arguments &arguments, Reference &) {
+        const auto handle = get<Handle>(player, arguments[0]);
+        if (handle == nullptr) return false;
+        set(handle, reinterpret_cast<void *>(static_cast<std::intptr_t>(whole(arguments[1]))));
+        return true;
+    }, 1);
+    byHand(all, getter, {object(kind)}, [read](Player &player, const Arguments &arguments, Reference &) {
+        const auto handle = get<Handle>(player, arguments[0]);
+        if (handle == nullptr) return false;
+        const auto value = static_cast<double>(reinterpret_cast<std::intptr_t>(read(handle)));
+        player.tell("returns", &value, 1);
+        return true;
+    }, 1);
 }
 
 }  // namespace fuzz

@@ -1,5 +1,6 @@
 #include "call.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -11,7 +12,7 @@ namespace fuzz {
 namespace {
 
 constexpr const char *kKinds[objectKinds] = {"world", "space", "body", "geom", "joint", "group", "meshData", "heightData"};
-constexpr const char *kPlaces[] = {"", "near", "moved", "message"};
+constexpr const char *kPlaces[places] = {"", "near", "moved", "message", "collider", "box", "triangle", "height"};
 
 std::string textOf(double value) {
     if (std::isnan(value)) return "nan";
@@ -47,6 +48,13 @@ public:
         while (m_at < m_line.size() && (std::isalnum(static_cast<unsigned char>(m_line[m_at])) != 0 || m_line[m_at] == '_'))
             ++m_at;
         return m_line.substr(begin, m_at - begin);
+    }
+    std::string upTo(char end) {
+        const std::size_t begin = m_at;
+        m_at = std::min(m_line.find(end, begin), m_line.size());
+        const std::string text = m_line.substr(begin, m_at - begin);
+        need(end);
+        return text;
     }
     double number() {
         skipBlanks();
@@ -95,6 +103,11 @@ Argument readArgument(Reader &reader) {
         }
         return argument;
     }
+    if (reader.take('"')) {
+        argument.kind = Argument::Kind::word;
+        argument.word = reader.upTo('"');
+        return argument;
+    }
     const std::size_t place = reader.place();
     if (isReference(reader.word(), argument.reference)) {
         argument.kind = Argument::Kind::reference;
@@ -112,6 +125,7 @@ const char *nameOf(ObjectKind kind) { return kKinds[static_cast<int>(kind)]; }
 std::string textOf(const Argument &argument) {
     if (argument.kind == Argument::Kind::reference) return textOf(argument.reference);
     if (argument.kind == Argument::Kind::number) return textOf(argument.numbers.at(0));
+    if (argument.kind == Argument::Kind::word) return '"' + argument.word + '"';
     std::string text = "{";
     for (const double value : argument.numbers) text += (text.size() > 1 ? ", " : "") + textOf(value);
     return text + "}";
@@ -131,7 +145,7 @@ Call callOf(const std::string &line) {
     Reader reader(line);
     Call call;
     std::string word = reader.word();
-    for (int place = 1; place < 4; ++place) {
+    for (int place = 1; place < places; ++place) {
         if (word != kPlaces[place]) continue;
         call.where = static_cast<Where>(place);
         call.turn = static_cast<int>(reader.number());

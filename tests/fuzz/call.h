@@ -26,19 +26,30 @@ struct Reference {
 };
 
 struct Argument {
-    enum class Kind { number, numbers, reference };
+    enum class Kind { number, numbers, reference, word };
 
     Kind kind = Kind::number;
     std::vector<double> numbers;
     Reference reference;
+    std::string word;
 };
 
-// Whose code makes the call.
-enum class Where { between, near, moved, message };
+// Whose code makes the call: the program's own between frames, or a callback.
+enum class Where {
+    between,
+    near,
+    moved,
+    message,   // the message handler
+    collider,  // of a class of geoms of the program's
+    box,       // its bounding-box function
+    triangle,  // the callbacks of a mesh
+    height     // of a height field
+};
+constexpr int places = 8;
 
 struct Call {
     Where where = Where::between;
-    int turn = 0;  // which near-callback, moved-callback or message of the call before it
+    int turn = 0;  // which of the near-callbacks, say, of the call before it
     std::string function;
     std::vector<Argument> arguments;
     Reference result;  // the object that it makes

@@ -11,9 +11,7 @@ namespace {
 std::vector<const Function *> weighted(Where where) {
     std::vector<const Function *> list;
     for (const Function &function : functions()) {
-        const bool isAllowed = where == Where::between || (where == Where::near && function.inNear) ||
-                               (where == Where::moved && function.inMoved);
-        for (int i = 0; isAllowed && i < function.weight; ++i) list.push_back(&function);
+        for (int i = 0; i < function.weights[static_cast<std::size_t>(where)]; ++i) list.push_back(&function);
     }
     return list;
 }
@@ -27,7 +25,7 @@ Draw::Draw(const std::uint8_t *bytes, std::size_t count) : m_bytes(bytes), m_cou
                               Mode::tiny,     Mode::huge,     Mode::zero,     Mode::broken};
     m_mode = modes[byte() % 8];
     const unsigned size = byte();
-    m_bodies = size < 200 ? 2 + size % 12 : size % 60;
+    m_bodies = size < 160 ? 2 + size % 12 : size < 240 ? size % 80 : 100 + size % 16 * 10;
     m_spaceKind = byte() % 4;
 }
 
@@ -40,12 +38,22 @@ unsigned Draw::below(unsigned limit) {
 }
 
 const Function &Draw::function(Where where) {
-    static const std::vector<const Function *> lists[] = {weighted(Where::between), weighted(Where::near), weighted(Where::moved)};
-    const std::vector<const Function *> &list = lists[static_cast<int>(where)];
+    static const std::vector<std::vector<const Function *>> lists = [] {
+        std::vector<std::vector<const Function *>> made;
+        for (int place = 0; place < places; ++place) made.push_back(weighted(static_cast<Where>(place)));
+        return made;
+    }();
+    const std::vector<const Function *> &list = lists[static_cast<std::size_t>(where)];
     return *list[below(static_cast<unsigned>(list.size()))];
 }
 
+// Some calls are refused by upstream all the same.
 bool Draw::arguments(const Function &function, const Objects &objects, Arguments &arguments) {
+    if (!draw(function, objects, arguments)) return false;
+    return !function.adjust || oneIn(64) || function.adjust(objects, arguments);
+}
+
+bool Draw::draw(const Function &function, const Objects &objects, Arguments &arguments) {
     arguments.clear();
     for (const Parameter &parameter : function.parameters) {
         Argument argument;
@@ -56,6 +64,10 @@ bool Draw::arguments(const Function &function, const Objects &objects, Arguments
                 break;
             case Parameter::Kind::number:
                 argument.numbers.push_back(number(parameter.meaning));
+                break;
+            case Parameter::Kind::word:
+                argument.kind = Argument::Kind::word;
+                argument.word = parameter.words[below(static_cast<unsigned>(parameter.words.size()))];
                 break;
             case Parameter::Kind::numbers:
                 argument.kind = Argument::Kind::numbers;
@@ -75,10 +87,13 @@ bool Draw::object(const Parameter &parameter, const Objects &objects, Argument &
     argument.reference.kind = parameter.object;
     if (parameter.kind == Parameter::Kind::nullableObject && oneIn(parameter.object == ObjectKind::group ? 2 : 6)) return true;
     std::vector<Reference> living = objects.living(parameter.object);
-    if (parameter.object == ObjectKind::geom && parameter.type == -1 && oneIn(8)) living = objects.living(ObjectKind::space);
+    if (parameter.object == ObjectKind::geom && parameter.type == kAnyType && oneIn(8)) living = objects.living(ObjectKind::space);
     const auto fits = [&](const Reference &reference) {
         void *const found = objects.find(reference);
-        if (parameter.object == ObjectKind::geom && parameter.type == -2) return hasPose(static_cast<dGeomID>(found));
+        if (parameter.object == ObjectKind::geom && parameter.type == kWithPose) return hasPose(static_cast<dGeomID>(found));
+        if (parameter.object == ObjectKind::geom && parameter.type == kOnBody) return dGeomGetBody(static_cast<dGeomID>(found)) != nullptr;
+        if (parameter.object == ObjectKind::space && parameter.type >= 0)
+            return dSpaceGetClass(static_cast<dSpaceID>(found)) == parameter.type;
         if (parameter.object == ObjectKind::geom && parameter.type >= 0)
             return dGeomGetClass(static_cast<dGeomID>(found)) == parameter.type;
         if (parameter.object != ObjectKind::joint || parameter.type < 0) return true;
@@ -124,6 +139,8 @@ double Draw::number(Meaning meaning) {
             return below(2);
         case Meaning::choice:
             return below(8);
+        case Meaning::parameter:
+            return below(16) + 256 * (oneIn(3) ? below(4) : 0);
         case Meaning::bits:
             return oneIn(3) ? below(65536) : below(8);
         default:

@@ -21,15 +21,16 @@ public:
     const Function &function(Where where);
     bool arguments(const Function &function, const Objects &objects, Arguments &arguments);
 
-    // Calls that make a scene, to begin with.
-    unsigned bodies() { return m_bodies; }
-    int spaceKind() { return m_spaceKind; }
+    // The scene to begin with.
+    unsigned bodies() const { return m_bodies; }
+    int spaceKind() const { return m_spaceKind; }
 
 private:
     std::uint8_t byte();
     double number(Meaning meaning);
     double ordinary(Meaning meaning);
     double unusual();
+    bool draw(const Function &function, const Objects &objects, Arguments &arguments);
     bool object(const Parameter &parameter, const Objects &objects, Argument &argument);
     void pose(const Parameter &parameter, Argument &argument);
 

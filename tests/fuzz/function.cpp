@@ -11,6 +11,45 @@ namespace {
 
 bool matches(const std::string &name, const char *pattern) { return std::regex_search(name, std::regex(pattern)); }
 
+int weightBetween(const Function &function) {
+    const std::string &name = function.name;
+    if (function.weights[0] != 0) return function.weights[0];  // written by hand
+    if (matches(name, "Get|^dAre|^dConnecting|Query|PointDepth|ToWorld|FromWorld|^dSpaceSet(Sublevel|ManualCleanup|Cleanup)$")) return 1;
+    if (matches(name, "^dBodySet(Position|LinearVel)$|^dGeomSet(Position|Body)$|^dJointAttach$|^dSpaceAdd$")) return 12;
+    if (matches(name, "^dGeomSet(Category|Collide)Bits$|^dGeom(En|Dis)able$|^dBody(En|Dis)able$")) return 10;
+    return 4;
+}
+
+// Upstream refuses these while a space is locked.
+constexpr const char *kRefused =
+    "^dBodySet(Position|Rotation|Quaternion)$|^dGeomSet(Position|Rotation|Quaternion|Offset|Body|Convex|Category|Collide)|"
+    "^dGeomClearOffset|^dGeom\\w+Set(Radius|Lengths|Params|Length)$|^dGeomRaySet|^dJointSet(Piston|PU)Anchor(Delta|Offset)$";
+// It would do something half in a callback, or go on with objects that are gone.
+constexpr const char *kHarmful =
+    "^dCreate|SpaceCreate$|^dSpace(Add|Remove|Clean|Destroy|Collide|SetManualCleanup)|Destroy|Step$|emptyContacts|^look|^dGeomTransformSet|"
+    "^dGeomTriMesh(Set|Data|EnableTC|Clear)|^dGeomHeightfieldSet|^dJointGroup|^dWorld(Create|Use|Cleanup|Export|SetStep)|GetAABB|"
+    "^dODE_MT_SetCallbackPolicy$|^dGeomMoved$";
+// Amid a step, or in a handler.
+constexpr const char *kMild =
+    "^dBodyGet|^dBodyAdd|^dBodySet(LinearVel|AngularVel|Force|Torque)$|^dBody(En|Dis)able$|^dWorldGet|^dToggleODE_MT$|"
+    "^dODE_MT_Set(Algorithm|Heuristics|GridCells|ThreadManager)$|^dRand|"
+    "^dGeom(En|Dis)able$|^dGeomSet(Category|Collide)Bits$|^dGeomGet(Position|Rotation|Body|Class|Category|Collide|Space)";
+
+int weightIn(Where where, const Function &function) {
+    switch (where) {
+        case Where::between:
+            return weightBetween(function);
+        case Where::moved:
+        case Where::message:
+        case Where::triangle:
+        case Where::height:
+            return matches(function.name, kMild) ? weightBetween(function) : 0;
+        default:
+            if (matches(function.name, kHarmful)) return 0;
+            return matches(function.name, kRefused) ? 1 : weightBetween(function);
+    }
+}
+
 std::vector<Function> makeFunctions() {
     std::vector<Function> all;
     addBodyFunctions(all);
@@ -18,13 +57,14 @@ std::vector<Function> makeFunctions() {
     addJointFunctions(all);
     addSpaceFunctions(all);
     addWorldFunctions(all);
+    addSettingFunctions(all);
+    addAdjustments(all);
     for (Function &function : all) {
+        std::array<int, places> weights{};
+        for (int place = 0; place < places; ++place)
+            weights[static_cast<std::size_t>(place)] = weightIn(static_cast<Where>(place), function);
+        function.weights = weights;
         function.leavesHalves = function.isMaker || matches(function.name, "Destroy$|^dSpace(Add|Remove)$|^dGeom(Transform)?Set(Body|Geom)$");
-        if (matches(function.name, "Get|^dAre|^dConnecting|Query|PointDepth|ToWorld|FromWorld")) function.weight = 1;
-        if (matches(function.name, "^dBodySet(Position|LinearVel)$|^dGeomSetPosition$|^dGeomSetBody$|^dJointAttach$|^dSpaceAdd$"))
-            function.weight = 12;
-        if (matches(function.name, "^dGeomSet(Category|Collide)Bits$|^dGeom(En|Dis)able$|^dBody(En|Dis)able$")) function.weight = 10;
-        if (matches(function.name, "^dSpaceSet(Sublevel|ManualCleanup|Cleanup)$")) function.weight = 1;
         for (Parameter &parameter : function.parameters) {
             if (parameter.kind != Parameter::Kind::object) continue;
             const bool mayBeNull = function.name == "dGeomSetBody" ? parameter.object == ObjectKind::body
@@ -63,7 +103,8 @@ Meaning meaningOf(const std::string &function) {
     return Meaning::any;
 }
 
-// -1: any. -2: any that has a pose.
+bool isParameterNumber(const std::string &function) { return matches(function, "^dJoint[GS]et\\w+Param$"); }
+
 int typeOf(const std::string &function, ObjectKind kind) {
     if (kind == ObjectKind::geom) {
         static const std::pair<const char *, int> classes[] = {
@@ -72,11 +113,13 @@ int typeOf(const std::string &function, ObjectKind kind) {
             {"^dGeomTransform", dGeomTransformClass}, {"^dGeomTriMesh", dTriMeshClass}, {"^dGeomHeightfield", dHeightfieldClass}};
         for (const auto &[pattern, number] : classes)
             if (matches(function, pattern)) return number;
-        return matches(function, "^dGeom(Set|Get|Copy)(Position|Rotation|Quaternion|Offset|Body)|^dGeom(Clear|Copy|Is)?Offset|RelPoint|World")
-                   ? -2
-                   : -1;
+        if (matches(function, "^dGeom(Set|Clear)Offset")) return kOnBody;
+        return matches(function, "^dGeom(Set|Get|Copy)(Position|Rotation|Quaternion|Offset|Body)|^dGeom(Copy|Is)?Offset|RelPoint|World")
+                   ? kWithPose
+                   : kAnyType;
     }
-    if (kind != ObjectKind::joint) return -1;
+    if (kind == ObjectKind::space) return matches(function, "^dHashSpace[SG]et") ? dHashSpaceClass : kAnyType;
+    if (kind != ObjectKind::joint) return kAnyType;
     static const std::pair<const char *, int> types[] = {
         {"AMotor", dJointTypeAMotor}, {"DBall", dJointTypeDBall},   {"DHinge", dJointTypeDHinge},   {"Ball", dJointTypeBall},
         {"Fixed", dJointTypeFixed},   {"Hinge2", dJointTypeHinge2}, {"Hinge", dJointTypeHinge},     {"LMotor", dJointTypeLMotor},
@@ -84,25 +127,12 @@ int typeOf(const std::string &function, ObjectKind kind) {
         {"Slider", dJointTypeSlider}, {"Transmission", dJointTypeTransmission}, {"Universal", dJointTypeUniversal}};
     for (const auto &[name, number] : types)
         if (matches(function, (std::string("^dJoint(Set|Get|Add)") + name).c_str())) return number;
-    return -1;
+    return kAnyType;
 }
 
 int lengthOf(const std::string &function) {
     if (matches(function, "Rotation$")) return 12;
     return matches(function, "Quaternion$") ? 4 : 3;
-}
-
-bool isAllowed(const std::string &function, Where where) {
-    if (where == Where::near)
-        return !matches(function,
-                        "^dBodySet(Position|Rotation|Quaternion)$|^dGeomSet(Position|Rotation|Quaternion|Offset|Body|Convex)|"
-                        "^dGeomClearOffset|^dGeom\\w+Set(Radius|Lengths|Params|Length)$|^dGeomRaySet|^dGeomTransformSet|"
-                        "^dGeomTriMesh(Set|Data)|^dGeomHeightfield(Set|Data)|"
-                        "^dCreate|SpaceCreate$|^dSpace(Add|Remove|Clean|Destroy|Collide)|Destroy|Step$|emptyContacts|^look|"
-                        "^dJointGroup|^dWorldCreate|^dWorldUse|^dWorldCleanup|GetAABB");
-    return matches(function,
-                   "^dBodyGet|^dBodyAdd|^dBodySet(LinearVel|AngularVel|Force|Torque)$|^dBody(En|Dis)able$|^dWorldGet|"
-                   "^dGeom(En|Dis)able$|^dGeomSet(Category|Collide)Bits$|^dGeomGet(Position|Rotation|Body|Class|Category|Collide|Space)");
 }
 
 }  // namespace fuzz

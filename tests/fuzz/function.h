@@ -7,6 +7,7 @@
 
 #include "call_trace.h"
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -14,17 +15,20 @@
 namespace fuzz {
 
 // What a number stands for: in ordinary scripts it is drawn so that things happen.
-enum class Meaning { size, time, place, speed, fraction, angle, coordinate, any, count, flag, bits, choice };
+enum class Meaning { size, time, place, speed, fraction, angle, coordinate, any, count, flag, bits, choice, parameter };
+
+constexpr int kAnyType = -1, kWithPose = -2, kOnBody = -3;  // of Parameter::type
 
 struct Parameter {
-    enum class Kind { object, nullableObject, number, numbers };
+    enum class Kind { object, nullableObject, number, numbers, word };
 
     Kind kind = Kind::number;
     ObjectKind object = ObjectKind::geom;
-    int type = -1;  // class of geoms or type of joints that is asked for; -1: any
+    int type = kAnyType;  // class of geoms or spaces, or type of joints
     Meaning meaning = Meaning::any;
     int length = 1;         // of numbers
     bool isPose = false;    // the numbers are a rotation (12) or a quaternion (4)
+    std::vector<std::string> words;
 };
 
 class Player;
@@ -39,9 +43,9 @@ struct Function {
     ObjectKind makes = ObjectKind::geom;
     bool isMaker = false;
     bool leavesHalves = false;  // left by a jump from an assertion, upstream has half done what cannot be undone
-    bool inNear = true;   // upstream allows it in near-callbacks
-    bool inMoved = true;  // and in moved-callbacks, amid a step
-    int weight = 4;       // how often it is drawn
+    std::array<int, places> weights{};  // how often it is drawn in each place; 0: upstream does not allow it there
+    // Makes of drawn arguments some that upstream accepts. False: there are none.
+    std::function<bool(const Objects &, Arguments &)> adjust;
 };
 
 const std::vector<Function> &functions();
@@ -53,5 +57,9 @@ void addGeomFunctions(std::vector<Function> &all);
 void addJointFunctions(std::vector<Function> &all);
 void addSpaceFunctions(std::vector<Function> &all);
 void addWorldFunctions(std::vector<Function> &all);
+void addSettingFunctions(std::vector<Function> &all);
+
+// What upstream asserts of arguments (adjustments.cpp).
+void addAdjustments(std::vector<Function> &all);
 
 }  // namespace fuzz

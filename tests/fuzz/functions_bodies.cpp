@@ -1,8 +1,6 @@
 // Functions that scripts call: those for bodies.
 #include "by_hand.h"
 
-#include "call_shapes.h"
-
 namespace fuzz {
 
 void addBodyFunctions(std::vector<Function> &all) {
@@ -100,6 +98,16 @@ void addBodyFunctions(std::vector<Function> &all) {
                dBodySetMass(body, &mass);
                return true;
            });
+    byHand(all, "dBodyGetMass", {object(ObjectKind::body)}, [](Player &player, const Arguments &arguments, Reference &) {
+        const auto body = get<dBodyID>(player, arguments[0]);
+        if (body == nullptr) return false;
+        dMass mass;
+        dBodyGetMass(body, &mass);
+        player.tell("mass", &mass.mass, 1);
+        player.tell("inertia", mass.I, 12);
+        return true;
+    }, 1);
+    addData<dBodyID>(all, ObjectKind::body, "dBodySetData", dBodySetData, "dBodyGetData", dBodyGetData);
     byHand(all, "dBodySetMovedCallback", {object(ObjectKind::body), number(Meaning::flag)},
            [](Player &player, const Arguments &arguments, Reference &) {
                const auto body = get<dBodyID>(player, arguments[0]);

@@ -1,9 +1,174 @@
 // Functions that scripts call: those for geoms.
 #include "by_hand.h"
 
-#include "call_shapes.h"
+#include <algorithm>
 
 namespace fuzz {
+
+namespace {
+
+void addMeshFunctions(std::vector<Function> &all) {
+    using Builder = Shapes::Builder;
+    constexpr std::pair<const char *, Builder> builders[] = {
+        {"dGeomTriMeshDataBuildSimple", Builder::simple}, {"dGeomTriMeshDataBuildSimple1", Builder::simple1},
+        {"dGeomTriMeshDataBuildSingle", Builder::single}, {"dGeomTriMeshDataBuildSingle1", Builder::single1},
+        {"dGeomTriMeshDataBuildDouble", Builder::doubles}, {"dGeomTriMeshDataBuildDouble1", Builder::doubles1}};
+    for (const auto &[name, kind] : builders) {
+        const Builder builder = kind;
+        byHandMaker(all, name, ObjectKind::meshData, {number(Meaning::choice), number(Meaning::size)},
+                    [builder](Player &player, const Arguments &arguments, Reference &result) {
+                        player.adopt(ObjectKind::meshData,
+                                     player.shapes.makeMesh(builder, whole(arguments[0]) & 3, real(arguments[1])), result);
+                        return true;
+                    }, 2);
+    }
+    byHandMaker(all, "dCreateTriMesh", ObjectKind::geom, {nullable(ObjectKind::space), object(ObjectKind::meshData)},
+                [](Player &player, const Arguments &arguments, Reference &result) {
+                    const auto data = get<dTriMeshDataID>(player, arguments[1]);
+                    if (data == nullptr) return false;
+                    const auto space = get<dSpaceID>(player, arguments[0]);
+                    player.adopt(ObjectKind::geom, dCreateTriMesh(space, data, nullptr, nullptr, nullptr), result);
+                    return true;
+                });
+    const auto withData = [&](const char *name, std::vector<Parameter> parameters, auto call, int weight) {
+        parameters.insert(parameters.begin(), object(ObjectKind::meshData));
+        byHand(all, name, std::move(parameters), [call](Player &player, const Arguments &arguments, Reference &) {
+            const auto data = get<dTriMeshDataID>(player, arguments[0]);
+            if (data == nullptr) return false;
+            call(player, data, arguments);
+            return true;
+        }, weight);
+    };
+    // Not while a geom has it.
+    byHand(all, "dGeomTriMeshDataDestroy", {object(ObjectKind::meshData)}, [](Player &player, const Arguments &arguments, Reference &) {
+        const auto data = get<dTriMeshDataID>(player, arguments[0]);
+        if (data == nullptr || player.objects.isInUse(data)) return false;
+        player.objects.forget(ObjectKind::meshData, data);
+        dGeomTriMeshDataDestroy(data);
+        return true;
+    });
+    withData("dGeomTriMeshDataPreprocess2", {number(Meaning::bits)}, [](Player &player, dTriMeshDataID data, const Arguments &arguments) {
+        player.shapes.preprocess(data, static_cast<unsigned>(whole(arguments[1])));
+    }, 2);
+    withData("dGeomTriMeshDataUpdate", {}, [](Player &, dTriMeshDataID data, const Arguments &) { dGeomTriMeshDataUpdate(data); }, 4);
+    withData("writeVertex", {number(Meaning::bits), number(Meaning::choice), number(Meaning::place)},
+             [](Player &player, dTriMeshDataID data, const Arguments &arguments) {
+                 player.shapes.writeVertex(data, whole(arguments[1]), whole(arguments[2]), real(arguments[3]));
+             }, 6);
+
+    const auto withMesh = [&](const char *name, auto set) {
+        byHand(all, name, {object(ObjectKind::geom, dTriMeshClass), number(Meaning::flag)},
+               [set](Player &player, const Arguments &arguments, Reference &) {
+                   const auto mesh = get<dGeomID>(player, arguments[0]);
+                   if (mesh == nullptr) return false;
+                   set(mesh, whole(arguments[1]) != 0);
+                   return true;
+               }, 2);
+    };
+    withMesh("dGeomTriMeshSetCallback", [](dGeomID mesh, bool on) { dGeomTriMeshSetCallback(mesh, on ? keepsEvenTriangles : nullptr); });
+    withMesh("dGeomTriMeshSetArrayCallback", [](dGeomID mesh, bool on) { dGeomTriMeshSetArrayCallback(mesh, on ? seesTriangles : nullptr); });
+    withMesh("dGeomTriMeshSetRayCallback",
+             [](dGeomID mesh, bool on) { dGeomTriMeshSetRayCallback(mesh, on ? stopsRaysAtOddTriangles : nullptr); });
+    withMesh("dGeomTriMeshSetTriMergeCallback",
+             [](dGeomID mesh, bool on) { dGeomTriMeshSetTriMergeCallback(mesh, on ? mergesToTheFirst : nullptr); });
+    withMesh("dGeomTriMeshSetLastTransform", [](dGeomID mesh, bool on) {
+        const dMatrix4 transform{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, on ? 0.125 : 0, 0.25, 0.5, 1};
+        dGeomTriMeshSetLastTransform(mesh, transform);
+    });
+    withMesh("dGeomLowLevelControl", [](dGeomID mesh, bool on) {
+        int value = on ? dGeomColliderMergeContactsValue_Full : dGeomColliderMergeContactsValue_None, size = sizeof value;
+        dGeomLowLevelControl(mesh, dGeomColliderControlClass, dGeomColliderSetMergeSphereContactsControlCode, &value, &size);
+    });
+    byHand(all, "dGeomTriMeshGetTriangle", {object(ObjectKind::geom, dTriMeshClass), number(Meaning::bits)},
+           [](Player &player, const Arguments &arguments, Reference &) {
+               const auto mesh = get<dGeomID>(player, arguments[0]);
+               const int count = mesh == nullptr ? 0 : dGeomTriMeshGetTriangleCount(mesh);
+               if (count == 0) return false;
+               const int triangle = static_cast<int>(static_cast<unsigned>(whole(arguments[1])) % static_cast<unsigned>(count));
+               dVector3 corners[3];
+               dGeomTriMeshGetTriangle(mesh, triangle, &corners[0], &corners[1], &corners[2]);
+               for (const dVector3 &corner : corners) player.tell("gives", corner, 3);
+               dVector3 point;
+               dGeomTriMeshGetPoint(mesh, triangle, 0.25, 0.5, point);
+               player.tell("gives", point, 3);
+               return true;
+           }, 1);
+}
+
+void addHeightFunctions(std::vector<Function> &all) {
+    using Samples = Shapes::Samples;
+    byHandMaker(all, "dGeomHeightfieldDataCreate", ObjectKind::heightData, {}, [](Player &player, const Arguments &, Reference &result) {
+        const dHeightfieldDataID data = player.shapes.makeField();
+        player.shapes.buildField(data, Samples::doubles, {true, false, 1, 0, 0.5});
+        player.adopt(ObjectKind::heightData, data, result);
+        return true;
+    });
+    constexpr std::pair<const char *, Samples> builders[] = {{"dGeomHeightfieldDataBuildByte", Samples::bytes},
+                                                             {"dGeomHeightfieldDataBuildShort", Samples::shorts},
+                                                             {"dGeomHeightfieldDataBuildSingle", Samples::floats},
+                                                             {"dGeomHeightfieldDataBuildDouble", Samples::doubles},
+                                                             {"dGeomHeightfieldDataBuildCallback", Samples::callback}};
+    for (const auto &[name, kind] : builders) {
+        const Samples samples = kind;
+        byHand(all, name,
+               {object(ObjectKind::heightData), number(Meaning::flag), number(Meaning::flag), number(Meaning::size),
+                number(Meaning::place), number(Meaning::size)},
+               [samples](Player &player, const Arguments &arguments, Reference &) {
+                   const auto data = get<dHeightfieldDataID>(player, arguments[0]);
+                   if (data == nullptr) return false;
+                   player.shapes.buildField(data, samples,
+                                            {whole(arguments[1]) != 0, whole(arguments[2]) != 0, real(arguments[3]), real(arguments[4]),
+                                             real(arguments[5])});
+                   return true;
+               }, 2);
+    }
+    byHand(all, "dGeomHeightfieldDataSetBounds", {object(ObjectKind::heightData), number(Meaning::place), number(Meaning::place)},
+           [](Player &player, const Arguments &arguments, Reference &) {
+               const auto data = get<dHeightfieldDataID>(player, arguments[0]);
+               if (data == nullptr) return false;
+               dGeomHeightfieldDataSetBounds(data, std::min(real(arguments[1]), real(arguments[2])),
+                                             std::max(real(arguments[1]), real(arguments[2])));
+               return true;
+           });
+    // Not while a geom has it.
+    byHand(all, "dGeomHeightfieldDataDestroy", {object(ObjectKind::heightData)}, [](Player &player, const Arguments &arguments, Reference &) {
+        const auto data = get<dHeightfieldDataID>(player, arguments[0]);
+        if (data == nullptr || player.objects.isInUse(data)) return false;
+        player.objects.forget(ObjectKind::heightData, data);
+        dGeomHeightfieldDataDestroy(data);
+        return true;
+    });
+    byHand(all, "writeHeight", {object(ObjectKind::heightData), number(Meaning::bits), number(Meaning::fraction)},
+           [](Player &player, const Arguments &arguments, Reference &) {
+               const auto data = get<dHeightfieldDataID>(player, arguments[0]);
+               if (data == nullptr) return false;
+               player.shapes.writeHeight(data, whole(arguments[1]), real(arguments[2]));
+               return true;
+           }, 6);
+}
+
+void addConvexFunctions(std::vector<Function> &all) {
+    byHandMaker(all, "dCreateConvex", ObjectKind::geom, {nullable(ObjectKind::space), number(Meaning::choice)},
+                [](Player &player, const Arguments &arguments, Reference &result) {
+                    const auto space = get<dSpaceID>(player, arguments[0]);
+                    player.adopt(ObjectKind::geom, player.shapes.makeConvex(space, whole(arguments[1]) & 7), result);
+                    return true;
+                });
+    byHand(all, "dGeomSetConvex", {object(ObjectKind::geom, dConvexClass), number(Meaning::choice)},
+           [](Player &player, const Arguments &arguments, Reference &) {
+               const auto geom = get<dGeomID>(player, arguments[0]);
+               if (geom == nullptr) return false;
+               player.shapes.setConvex(geom, whole(arguments[1]) & 7);
+               return true;
+           });
+    byHand(all, "writeConvexPoint", {number(Meaning::choice), number(Meaning::choice), number(Meaning::choice), number(Meaning::place)},
+           [](Player &player, const Arguments &arguments, Reference &) {
+               player.shapes.writeConvexPoint(whole(arguments[0]) & 7, whole(arguments[1]) & 7, whole(arguments[2]) & 7, real(arguments[3]));
+               return true;
+           }, 1);
+}
+
+}  // namespace
 
 void addGeomFunctions(std::vector<Function> &all) {
     FUZZ_MAKER(dCreateBox);
@@ -111,57 +276,38 @@ void addGeomFunctions(std::vector<Function> &all) {
                                   dGeomGetClass(inner) != dGeomTransformClass && dGeomGetClass(inner) != dPlaneClass &&
                                   dGeomGetSpace(inner) == nullptr && dGeomGetBody(inner) == nullptr;
                if (!isFit) return false;
+               player.objects.pinData(inner);
                player.objects.forget(ObjectKind::geom, inner);
                dGeomTransformSetGeom(outer, inner);
                return true;
            });
-    byHandMaker(all, "dGeomTriMeshDataBuildSimple", ObjectKind::meshData, {number(Meaning::flag)},
+    addMeshFunctions(all);
+    addHeightFunctions(all);
+    addConvexFunctions(all);
+    // Balls of a class of the program's.
+    byHandMaker(all, "dCreateGeom", ObjectKind::geom, {nullable(ObjectKind::space), number(Meaning::size), number(Meaning::flag)},
                 [](Player &player, const Arguments &arguments, Reference &result) {
-                    player.adopt(ObjectKind::meshData, kept_state::createMeshData(whole(arguments[0]) & 1), result);
+                    const auto space = get<dSpaceID>(player, arguments[0]);
+                    player.adopt(ObjectKind::geom, player.shapes.makeBall(space, real(arguments[1]), whole(arguments[2]) != 0), result);
                     return true;
                 });
-    byHandMaker(all, "dGeomHeightfieldDataBuildDouble", ObjectKind::heightData, {number(Meaning::flag)},
-                [](Player &player, const Arguments &arguments, Reference &result) {
-                    player.adopt(ObjectKind::heightData, kept_state::createHeights(whole(arguments[0]) & 1), result);
-                    return true;
-                });
-    Parameter space = object(ObjectKind::space);
-    space.kind = Parameter::Kind::nullableObject;
-    byHandMaker(all, "dCreateTriMesh", ObjectKind::geom, {space, object(ObjectKind::meshData)},
-                [](Player &player, const Arguments &arguments, Reference &result) {
-                    const auto data = get<dTriMeshDataID>(player, arguments[1]);
-                    if (data == nullptr) return false;
-                    player.adopt(ObjectKind::geom,
-                                 dCreateTriMesh(get<dSpaceID>(player, arguments[0]), data, nullptr, nullptr, nullptr), result);
-                    return true;
-                });
-    byHandMaker(all, "dCreateConvex", ObjectKind::geom, {space, number(Meaning::flag)},
-                [](Player &player, const Arguments &arguments, Reference &result) {
-                    const kept_state::ConvexArrays a = kept_state::convexArrays(whole(arguments[1]) & 1);
-                    player.adopt(ObjectKind::geom,
-                                 dCreateConvex(get<dSpaceID>(player, arguments[0]), a.planes, a.planeCount, a.points,
-                                               a.pointCount, a.polygons),
-                                 result);
-                    return true;
-                });
-    byHand(all, "dGeomSetConvex", {object(ObjectKind::geom, dConvexClass), number(Meaning::flag)},
+    byHand(all, "dCollide", {object(ObjectKind::geom), object(ObjectKind::geom), number(Meaning::choice), number(Meaning::flag)},
            [](Player &player, const Arguments &arguments, Reference &) {
-               const auto geom = get<dGeomID>(player, arguments[0]);
-               if (geom == nullptr) return false;
-               const kept_state::ConvexArrays a = kept_state::convexArrays(whole(arguments[1]) & 1);
-               dGeomSetConvex(geom, a.planes, a.planeCount, a.points, a.pointCount, a.polygons);
+               const auto a = get<dGeomID>(player, arguments[0]), b = get<dGeomID>(player, arguments[1]);
+               if (a == nullptr || b == nullptr || dGeomIsSpace(a) || dGeomIsSpace(b)) return false;
+               player.tellContacts(a, b, 1 + (whole(arguments[2]) & 7), whole(arguments[3]) != 0);
                return true;
-           });
-    // Spheres of a class of the program's.
-    byHandMaker(all, "dCreateGeom", ObjectKind::geom, {space, number(Meaning::size), number(Meaning::flag)},
-                [](Player &player, const Arguments &arguments, Reference &result) {
-                    const int which = whole(arguments[2]) & 1;
-                    player.adopt(ObjectKind::geom,
-                                 kept_state::createCustom(get<dSpaceID>(player, arguments[0]), real(arguments[1]),
-                                                          which != 0 ? kept_state::testedClass() : kept_state::customClass()),
-                                 result);
-                    return true;
-                });
+           }, 8);
+    byHand(all, "dGeomRayGetParams", {object(ObjectKind::geom, dRayClass)}, [](Player &player, const Arguments &arguments, Reference &) {
+        const auto ray = get<dGeomID>(player, arguments[0]);
+        if (ray == nullptr) return false;
+        int first = 0, cull = 0;
+        dGeomRayGetParams(ray, &first, &cull);
+        const double values[] = {static_cast<double>(first), static_cast<double>(cull)};
+        player.tell("gives", values, 2);
+        return true;
+    });
+    addData<dGeomID>(all, ObjectKind::geom, "dGeomSetData", dGeomSetData, "dGeomGetData", dGeomGetData);
 }
 
 }  // namespace fuzz

@@ -1,8 +1,6 @@
 // Functions that scripts call: those for joints.
 #include "by_hand.h"
 
-#include "call_shapes.h"
-
 namespace fuzz {
 
 void addJointFunctions(std::vector<Function> &all) {
@@ -224,6 +222,31 @@ void addJointFunctions(std::vector<Function> &all) {
                    (isDestroyed ? dJointGroupDestroy : dJointGroupEmpty)(group);
                    return true;
                });
+    byHand(all, "dJointCreateContact",
+           {object(ObjectKind::world), object(ObjectKind::geom, kWithPose), object(ObjectKind::geom), number(Meaning::size)},
+           [](Player &player, const Arguments &arguments, Reference &) {
+               const auto world = get<dWorldID>(player, arguments[0]);
+               const auto a = get<dGeomID>(player, arguments[1]), b = get<dGeomID>(player, arguments[2]);
+               return world != nullptr && a != nullptr && b != nullptr && !dGeomIsSpace(b) &&
+                      player.makeContact(world, a, b, real(arguments[3]));
+           });
+    byHand(all, "dJointGetType", {object(ObjectKind::joint)}, [](Player &player, const Arguments &arguments, Reference &) {
+        const auto joint = get<dJointID>(player, arguments[0]);
+        if (joint == nullptr) return false;
+        const double type = dJointGetType(joint);
+        player.tell("returns", &type, 1);
+        return true;
+    }, 1);
+    byHand(all, "dConnectingJointList", {object(ObjectKind::body), object(ObjectKind::body)},
+           [](Player &player, const Arguments &arguments, Reference &) {
+               const auto a = get<dBodyID>(player, arguments[0]), b = get<dBodyID>(player, arguments[1]);
+               if (a == nullptr || b == nullptr) return false;
+               std::vector<dJointID> joints(static_cast<std::size_t>(dBodyGetNumJoints(a)) + 1);
+               const int count = dConnectingJointList(a, b, joints.data());
+               for (int i = 0; i < count; ++i) player.trace().object(joints[static_cast<std::size_t>(i)]);
+               return true;
+           }, 1);
+    addData<dJointID>(all, ObjectKind::joint, "dJointSetData", dJointSetData, "dJointGetData", dJointGetData);
     byHand(all, "dJointSetFeedback", {object(ObjectKind::joint), number(Meaning::flag)},
            [](Player &player, const Arguments &arguments, Reference &) {
                const auto joint = get<dJointID>(player, arguments[0]);

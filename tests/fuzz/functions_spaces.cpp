@@ -1,8 +1,6 @@
 // Functions that scripts call: those for spaces.
 #include "by_hand.h"
 
-#include "call_shapes.h"
-
 namespace fuzz {
 
 void addSpaceFunctions(std::vector<Function> &all) {
@@ -40,8 +38,7 @@ void addSpaceFunctions(std::vector<Function> &all) {
                dSpaceAdd(space, geom);
                return true;
            });
-    Parameter parent = object(ObjectKind::space);
-    parent.kind = Parameter::Kind::nullableObject;
+    const Parameter parent = nullable(ObjectKind::space);
     byHandMaker(all, "dQuadTreeSpaceCreate", ObjectKind::space,
                 {parent, number(Meaning::place), number(Meaning::place), number(Meaning::size), number(Meaning::flag)},
                 [](Player &player, const Arguments &arguments, Reference &result) {

@@ -1,7 +1,9 @@
 // Functions that scripts call: those for worlds.
 #include "by_hand.h"
 
-#include "call_shapes.h"
+#include <cstdio>
+#include <cstdlib>
+#include <regex>
 
 namespace fuzz {
 
@@ -76,10 +78,66 @@ void addWorldFunctions(std::vector<Function> &all) {
                    player.step(world, real(arguments[1]), quick);
                    return true;
                }, 20);
+    addData<dWorldID>(all, ObjectKind::world, "dWorldSetData", dWorldSetData, "dWorldGetData", dWorldGetData);
+    byHand(all, "dWorldImpulseToForce",
+           {object(ObjectKind::world), number(Meaning::time), number(Meaning::speed), number(Meaning::speed), number(Meaning::speed)},
+           [](Player &player, const Arguments &arguments, Reference &) {
+               const auto world = get<dWorldID>(player, arguments[0]);
+               if (world == nullptr) return false;
+               dVector3 force;
+               dWorldImpulseToForce(world, real(arguments[1]), real(arguments[2]), real(arguments[3]), real(arguments[4]), force);
+               player.tell("gives", force, 3);
+               return true;
+           }, 1);
+    byHand(all, "dWorldExportDIF", {object(ObjectKind::world)}, [](Player &player, const Arguments &arguments, Reference &) {
+        const auto world = get<dWorldID>(player, arguments[0]);
+        if (world == nullptr) return false;
+        char *text = nullptr;
+        std::size_t size = 0;
+        std::FILE *const file = open_memstream(&text, &size);
+        dWorldExportDIF(world, file, "world.");
+        std::fclose(file);
+        // The sign of a NaN is not compared.
+        player.trace().word(std::regex_replace(std::string(text, size), std::regex("-nan"), "nan"));
+        std::free(text);
+        return true;
+    }, 1);
+    byHand(all, "dWorldSetStepMemoryReservationPolicy", {object(ObjectKind::world), number(Meaning::flag), number(Meaning::bits)},
+           [](Player &player, const Arguments &arguments, Reference &) {
+               const auto world = get<dWorldID>(player, arguments[0]);
+               if (world == nullptr) return false;
+               dWorldStepReserveInfo info{};
+               info.struct_size = sizeof info;
+               info.reserve_factor = 1.5f;
+               info.reserve_minimum = static_cast<unsigned>(whole(arguments[2])) & 0xffff;
+               const double done = dWorldSetStepMemoryReservationPolicy(world, whole(arguments[1]) != 0 ? &info : nullptr);
+               player.tell("returns", &done, 1);
+               return true;
+           }, 1);
+    // The world's own threads: none, or the calling one.
+    byHand(all, "dWorldSetStepThreadingImplementation", {object(ObjectKind::world), number(Meaning::flag)},
+           [](Player &player, const Arguments &arguments, Reference &) {
+               const auto world = get<dWorldID>(player, arguments[0]);
+               if (world == nullptr) return false;
+               static const dThreadingImplementationID self = dThreadingAllocateSelfThreadedImplementation();
+               if (whole(arguments[1]) != 0)
+                   dWorldSetStepThreadingImplementation(world, dThreadingImplementationGetFunctions(self), self);
+               else
+                   dWorldSetStepThreadingImplementation(world, nullptr, nullptr);
+               return true;
+           }, 1);
     byHand(all, "emptyContacts", {}, [](Player &player, const Arguments &, Reference &) {
         player.emptyContacts();
         return true;
     }, 30);
+    FUZZ_TYPED(dRand);
+    FUZZ_TYPED(dRandGetSeed);
+    FUZZ_TYPED(dRandReal);
+    byHand(all, "dRandInt", {number(Meaning::bits)}, [](Player &player, const Arguments &arguments, Reference &) {
+        const double drawn = dRandInt(1 + (whole(arguments[0]) & 0xffff));
+        player.tell("returns", &drawn, 1);
+        return true;
+    }, 1);
     byHand(all, "dRandSetSeed", {number(Meaning::bits)}, [](Player &, const Arguments &arguments, Reference &) {
         dRandSetSeed(static_cast<unsigned long>(whole(arguments[0])));
         return true;

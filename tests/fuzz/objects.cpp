@@ -97,6 +97,26 @@ bool Objects::isInGroup(dJointID joint) const {
     return false;
 }
 
+namespace {
+
+const void *dataOf(dGeomID geom) {
+    if (dGeomGetClass(geom) == dTriMeshClass) return dGeomTriMeshGetTriMeshDataID(geom);
+    return dGeomGetClass(geom) == dHeightfieldClass ? dGeomHeightfieldGetHeightfieldData(geom) : nullptr;
+}
+
+}  // namespace
+
+bool Objects::isInUse(const void *data) const {
+    if (m_pinned.count(data) != 0) return true;
+    for (const Reference &reference : living(ObjectKind::geom))
+        if (dataOf(static_cast<dGeomID>(find(reference))) == data) return true;
+    return false;
+}
+
+void Objects::pinData(dGeomID geom) {
+    if (const void *const data = dataOf(geom)) m_pinned.insert(data);
+}
+
 scenes::Inventory Objects::inventory() const {
     scenes::Inventory inventory;
     const auto list = [this](ObjectKind kind, auto &handles) {

@@ -5,7 +5,7 @@
 
 #include <ode/ode.h>
 
-#include <functional>
+#include <set>
 #include <vector>
 
 #include "scenes/scene.h"
@@ -38,6 +38,10 @@ public:
     dWorldID worldOf(dJointID joint) const;
     bool isInGroup(dJointID joint) const;
 
+    // Data that a geom has, or a geom within a transform.
+    bool isInUse(const void *data) const;
+    void pinData(dGeomID geom);  // it goes into a transform
+
     // What the recorder's fields are read of.
     scenes::Inventory inventory() const;
 
@@ -50,6 +54,7 @@ private:
 
     std::vector<void *> m_objects[objectKinds];  // NULL: gone
     std::vector<JointHome> m_homes;
+    std::set<const void *> m_pinned;
 };
 
 }  // namespace fuzz

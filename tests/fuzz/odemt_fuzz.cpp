@@ -28,6 +28,7 @@ struct Options {
     double seconds = 60;
     std::string keep;
     std::vector<std::string> replay;
+    bool shows = false;
 };
 
 // splitmix64: every seed gives another sequence.
@@ -57,7 +58,8 @@ RequestHeader requestOf(Random &random) {
     request.algorithm = static_cast<std::uint8_t>(random.below(8));
     request.instructionSet = static_cast<std::uint8_t>(random.below(4));
     request.cells = static_cast<std::uint8_t>(random.below(3) == 0 ? random.below(16) : 0);
-    request.mostCalls = 2000;
+    request.perturbation = request.threads > 1 && random.below(3) == 0 ? 1 + random.below(1000) : 0;
+    request.mostCalls = 4000;
     request.seconds = 5;
     return request;
 }
@@ -72,7 +74,7 @@ std::vector<std::uint8_t> scriptOf(Random &random) {
 std::string settingOf(const RequestHeader &request) {
     std::string text = "# threads " + std::to_string(request.threads) + ", manager " + kManagers[request.manager % 2] + ", algorithm " +
                        kAlgorithms[request.algorithm % 8] + ", cells " + std::to_string(request.cells) + ", instruction set " +
-                       std::to_string(request.instructionSet) + '\n';
+                       std::to_string(request.instructionSet) + ", perturbation " + std::to_string(request.perturbation) + '\n';
     if (request.jumps != 0) text += "# jumps\n";
     if (request.messages != 0) text += "# messages\n";
     return text;
@@ -87,13 +89,14 @@ Script playedScript(const std::string &text) {
     return fuzz::scriptOf(calls);
 }
 
-void keep(const Options &options, Comparison &comparison, std::uint64_t seed, const RequestHeader &request) {
+void keep(const Options &options, Comparison &comparison, std::uint64_t seed, const RequestHeader &request,
+          const std::vector<std::uint8_t> &bytes) {
     std::cout << "seed " << seed << " differs\n" << settingOf(request) << std::flush;
     Script script = playedScript(comparison.debian().text.size() > comparison.ours().text.size() ? comparison.debian().text
                                                                                                  : comparison.ours().text);
     const auto differs = [&](const Script &tried) { return comparison.compare(request, tried) == Verdict::different; };
     if (!differs(script)) {
-        std::cout << "but not as text\n" << std::flush;
+        std::cout << "but not as text: " << comparison.difference(request, bytes) << std::flush;
     } else {
         script = shrink(std::move(script), differs);
         std::cout << textOf(script) << comparison.difference(request, script) << std::flush;
@@ -120,13 +123,15 @@ int fuzzAway(const Options &options) {
     for (std::uint64_t seed = options.seed; seconds() < options.seconds && (options.scripts == 0 || played < options.scripts); ++seed) {
         Random random(seed);
         const RequestHeader request = requestOf(random);
-        const Verdict verdict = comparison.compare(request, scriptOf(random));
+        const std::vector<std::uint8_t> script = scriptOf(random);
+        const Verdict verdict = comparison.compare(request, script);
         ++played;
         ++verdicts[nameOf(verdict)];
         ++endings[comparison.debian().ending() + ' ' + lastWords(comparison.debian().errors)];
         calls += comparison.ours().header.calls;
         onWorkers += comparison.ours().header.workers > 1;
-        if (verdict == Verdict::different) keep(options, comparison, seed, request);
+        if (options.shows) std::cout << settingOf(request) << comparison.ours().text;
+        if (verdict == Verdict::different) keep(options, comparison, seed, request, script);
     }
     std::cout << played << " scripts, " << calls << " calls in " << seconds() << " s; " << onWorkers << " with two workers at least\n";
     for (const auto &[name, count] : verdicts) std::cout << "  " << name << ": " << count << '\n';
@@ -172,6 +177,7 @@ int main(int argc, char **argv) {
     app.add_option("--seconds", options.seconds, "time")->check(CLI::PositiveNumber);
     app.add_option("--keep", options.keep, "folder for scripts that differ");
     app.add_option("--replay", options.replay, "scripts that were kept, to play instead")->check(CLI::ExistingFile);
+    app.add_flag("--show", options.shows, "print the scripts");
     app.add_option("--ours", options.libraries.ours, "folder of ODE_MT's library");
     CLI11_PARSE(app, argc, argv);
     try {

@@ -11,6 +11,7 @@
 
 #include <dlfcn.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -30,6 +31,7 @@ namespace {
 using namespace fuzz;
 
 constexpr std::size_t kMostText = 64u << 20;
+constexpr rlim_t kMostMemory = rlim_t{4} << 30;  // bytes that a script may take: height fields under huge boxes ask for more
 
 // What a playing process leaves behind, however it ends.
 struct Remains {
@@ -77,6 +79,9 @@ void set(const RequestHeader &request) {
 
 void play(const RequestHeader &request, const std::vector<std::uint8_t> &script, Remains &remains) {
     alarm(request.seconds);
+    const rlimit memory{kMostMemory, kMostMemory};
+    setrlimit(RLIMIT_AS, &memory);
+    if (request.perturbation != 0) setenv("ODE_MT_PERTURB", std::to_string(request.perturbation).c_str(), 1);
     dInitODE2(0);
     dAllocateODEDataForThread(dAllocateMaskAll);
     set(request);
@@ -125,6 +130,7 @@ void answer(const RequestHeader &request, const std::vector<std::uint8_t> &scrip
     const pid_t child = fork();
     if (child == 0) {
         dup2(errors, STDERR_FILENO);
+        dup2(errors, STDOUT_FILENO);
         play(request, script, remains);
         _exit(0);
     }

@@ -3,6 +3,8 @@
 #include "fields.h"
 #include "function.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdarg>
@@ -48,6 +50,7 @@ Player *Player::s_player = nullptr;
 
 Player::Player(const Options &options, Writer writer) : m_options(options), m_writer(std::move(writer)), m_trace(false) {
     s_player = this;
+    shapeCallback = onShape;
     surface.parameters.mu = 1;
     if (options.jumps) {
         dSetDebugHandler(onDebug);
@@ -79,45 +82,119 @@ void Player::adopt(ObjectKind kind, void *object, Reference &result) {
 
 // --- what is drawn, or read -----------------------------------------------------------------------------
 
+Reference Player::makeNow(const char *function, Arguments arguments) {
+    Call call = callOfNothing(function, std::move(arguments));
+    make(call);
+    return call.result;
+}
+
 void Player::play(Draw &draw) {
     m_draw = &draw;
-    const auto call = [this](Call made) {
-        make(made);
-        return made.result;
-    };
-    const Reference world = call(callOfNothing("dWorldCreate"));
-    call(callOfNothing("dWorldSetGravity", {argumentOf(world), argumentOf(0), argumentOf(0), argumentOf(-9.75)}));
-    Reference null;
-    null.kind = ObjectKind::space;
+    makeScene(draw);
+    while (!m_isOver && !draw.isOver() && m_calls < m_options.mostCalls) {
+        if (draw.oneIn(24))
+            playFrames(1 + draw.below(12), draw.oneIn(2));
+        else
+            drawAndMake(Where::between);
+    }
+}
+
+void Player::makeScene(Draw &draw) {
+    const Reference world = makeNow("dWorldCreate", {});
+    makeNow("dWorldSetGravity", {argumentOf(world), argumentOf(0), argumentOf(0), argumentOf(-9.75)});
     static const char *const kinds[] = {"dSimpleSpaceCreate", "dHashSpaceCreate", "dSweepAndPruneSpaceCreate", "dQuadTreeSpaceCreate"};
     Arguments arguments;
     const Function *const maker = functionOf(kinds[draw.spaceKind()]);
     draw.arguments(*maker, objects, arguments);
-    arguments[0] = argumentOf(null);
-    const Reference space = call(callOfNothing(maker->name.c_str(), arguments));
+    arguments[0] = argumentOf(Reference{ObjectKind::space, -1});
+    const Reference space = makeNow(maker->name.c_str(), arguments);
     if (!draw.oneIn(4))
-        call(callOfNothing("dCreatePlane", {argumentOf(space), argumentOf(0), argumentOf(0), argumentOf(1), argumentOf(0)}));
-    static const char *const shapes[] = {"dCreateSphere", "dCreateBox", "dCreateCapsule", "dCreateCylinder", "dCreateConvex", "dCreateGeom"};
+        makeNow("dCreatePlane", {argumentOf(space), argumentOf(0), argumentOf(0), argumentOf(1), argumentOf(0)});
+    if (draw.oneIn(6)) makeTerrain(draw, space);
+    makeBodies(draw, world, space);
+    if (draw.oneIn(2)) makeJoints(draw, world);
+}
+
+void Player::makeTerrain(Draw &draw, const Reference &space) {
+    Arguments arguments;
+    if (draw.oneIn(2)) {
+        const Function *const maker = functionOf("dGeomTriMeshDataBuildSimple");
+        draw.arguments(*maker, objects, arguments);
+        arguments[0] = argumentOf(1);
+        const Reference data = makeNow(maker->name.c_str(), arguments);
+        makeNow("dCreateTriMesh", {argumentOf(space), argumentOf(data)});
+    } else {
+        const Reference data = makeNow("dGeomHeightfieldDataCreate", {});
+        const Reference field = makeNow("dCreateHeightfield", {argumentOf(space), argumentOf(data), argumentOf(1)});
+        // Upright: its heights are along y.
+        Argument turn;
+        turn.kind = Argument::Kind::numbers;
+        turn.numbers = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0};
+        makeNow("dGeomSetRotation", {argumentOf(field), turn});
+    }
+}
+
+void Player::makeBodies(Draw &draw, const Reference &world, const Reference &space) {
+    static const char *const shapes[] = {"dCreateSphere",   "dCreateBox",    "dCreateCapsule", "dCreateCylinder",
+                                         "dCreateSphere",   "dCreateConvex", "dCreateGeom",    "dCreateBox"};
+    Arguments arguments;
     for (unsigned i = 0; i < draw.bodies() && !m_isOver && !draw.isOver(); ++i) {
-        const Reference body = call(callOfNothing("dBodyCreate", {argumentOf(world)}));
-        const Function *const shape = functionOf(shapes[draw.below(6)]);
+        const Reference body = makeNow("dBodyCreate", {argumentOf(world)});
+        const Function *const shape = functionOf(shapes[draw.below(8)]);
         draw.arguments(*shape, objects, arguments);
         arguments[0] = argumentOf(space);
-        const Reference geom = call(callOfNothing(shape->name.c_str(), arguments));
+        const Reference geom = makeNow(shape->name.c_str(), arguments);
         if (geom.number < 0 || body.number < 0) continue;
-        call(callOfNothing("dGeomSetBody", {argumentOf(geom), argumentOf(body)}));
+        makeNow("dGeomSetBody", {argumentOf(geom), argumentOf(body)});
         draw.arguments(*functionOf("dBodySetPosition"), objects, arguments);
         arguments[0] = argumentOf(body);
-        call(callOfNothing("dBodySetPosition", arguments));
+        makeNow("dBodySetPosition", arguments);
     }
-    while (!m_isOver && !draw.isOver() && m_calls < m_options.mostCalls) drawAndMake(Where::between);
+}
+
+// Of neighbours, anchored where they were drawn.
+void Player::makeJoints(Draw &draw, const Reference &world) {
+    static const char *const types[] = {"Ball", "Hinge", "Slider", "Universal", "Hinge2", "Fixed", "Piston", "PR", "PU", "AMotor", "LMotor",
+                                        "DBall", "DHinge", "Transmission", "Plane2D", "Null"};
+    Arguments arguments;
+    for (unsigned count = draw.below(12); count > 0 && !m_isOver && !draw.isOver(); --count) {
+        const std::string type = types[draw.below(16)];
+        const Reference joint =
+            makeNow(("dJointCreate" + type).c_str(), {argumentOf(world), argumentOf(Reference{ObjectKind::group, -1})});
+        if (joint.number < 0) continue;
+        draw.arguments(*functionOf("dJointAttach"), objects, arguments);
+        arguments[0] = argumentOf(joint);
+        if (!functionOf("dJointAttach")->adjust(objects, arguments)) continue;
+        makeNow("dJointAttach", arguments);
+        for (const char *const what : {"Anchor", "Axis", "Axis1", "Axis2"}) {
+            const Function *const setter = functionOf("dJointSet" + type + what);
+            if (setter == nullptr || !draw.arguments(*setter, objects, arguments)) continue;
+            arguments[0] = argumentOf(joint);
+            makeNow(setter->name.c_str(), arguments);
+        }
+    }
+}
+
+// As programs do: all spaces collide, all worlds step, the contacts go. Of more than two, the others wait.
+void Player::playFrames(unsigned count, bool quick) {
+    for (; count > 0 && !m_isOver && m_calls < m_options.mostCalls; --count) {
+        int left = 2;
+        for (const Reference &space : objects.living(ObjectKind::space)) {
+            const auto handle = static_cast<dGeomID>(objects.find(space));
+            if (handle != nullptr && dGeomGetSpace(handle) == nullptr && left-- > 0) makeNow("dSpaceCollide", {argumentOf(space)});
+        }
+        left = 2;
+        for (const Reference &world : objects.living(ObjectKind::world))
+            if (left-- > 0) makeNow(quick ? "dWorldQuickStep" : "dWorldStep", {argumentOf(world), argumentOf(0.015625)});
+        makeNow("emptyContacts", {});
+    }
 }
 
 void Player::drawAndMake(Where where) {
     const Function &function = m_draw->function(where);
     Call call;
     call.where = where;
-    call.turn = m_turn[static_cast<int>(where)];
+    call.turn = m_turn[static_cast<std::size_t>(where)];
     call.function = function.name;
     if (m_draw->arguments(function, objects, call.arguments)) make(call);
 }
@@ -133,7 +210,7 @@ void Player::play(const Script &script) {
 void Player::finish() {
     m_draw = nullptr;
     m_script = nullptr;
-    if (m_isOver) return write("# ends: an object was left half made or half destroyed");
+    if (m_isOver) return write("# ends: something was left half way, or a sweep-and-prune space would sort NaNs");
     if (m_options.tells) write("  at the end");
     std::jmp_buf target;
     m_target = &target;
@@ -143,6 +220,7 @@ void Player::finish() {
 // --- calls ------------------------------------------------------------------------------------------------
 
 void Player::make(Call &call) {
+    if (m_isOver) return;
     const Function *const function = functionOf(call.function);
     if (function == nullptr || call.arguments.size() != function->parameters.size()) {
         write("# unknown: " + textOf(call));
@@ -154,6 +232,7 @@ void Player::make(Call &call) {
     write(textOf(call));
     ++m_calls;
     m_innermost = function;
+    m_innermostPlace = call.where;
     m_trace.word(call.function);
     if (call.where != Where::between) {
         function->call(*this, call.arguments, call.result);
@@ -167,14 +246,15 @@ void Player::make(Call &call) {
         write("# left by a jump");
         m_trace.word("jump");
         m_depth = 0;
-        m_isOver = m_innermost->leavesHalves;
+        m_isOver = m_isOver || m_innermost->leavesHalves || m_innermostPlace == Where::box;
     }
     m_trace.endLine();
 }
 
 // Calls of a script that belong to this callback; or some that are drawn.
 void Player::callBack(Where where) {
-    const int turn = m_turn[static_cast<int>(where)]++;
+    if (m_isAtOnce) return;
+    const int turn = m_turn[static_cast<std::size_t>(where)]++;
     if (m_depth > 0) return;
     ++m_depth;
     if (m_script != nullptr) {
@@ -184,17 +264,58 @@ void Player::callBack(Where where) {
             make(call);
         }
     } else if (m_draw != nullptr && !m_draw->isOver() && m_draw->oneIn(8)) {
-        --m_turn[static_cast<int>(where)];
+        --m_turn[static_cast<std::size_t>(where)];
         for (unsigned left = 1 + m_draw->below(3); left > 0; --left) drawAndMake(where);
-        ++m_turn[static_cast<int>(where)];
+        ++m_turn[static_cast<std::size_t>(where)];
     }
     --m_depth;
 }
 
 // --- callbacks ---------------------------------------------------------------------------------------------
 
-void Player::collide(dSpaceID space) { dSpaceCollide(space, this, near); }
-void Player::collide2(dGeomID a, dGeomID b) { dSpaceCollide2(a, b, this, near); }
+// Sweep-and-prune spaces sort bounds by their bits, and so by the sign of a NaN, which compilers are free to choose.
+bool Player::sortsNaNs() const {
+    const auto isNaN = [](const dReal *values, int count) { return std::any_of(values, values + count, [](dReal x) { return std::isnan(x); }); };
+    const std::vector<Reference> spaces = objects.living(ObjectKind::space), geoms = objects.living(ObjectKind::geom);
+    if (std::none_of(spaces.begin(), spaces.end(), [this](const Reference &space) {
+            return dSpaceGetClass(static_cast<dSpaceID>(objects.find(space))) == dSweepAndPruneSpaceClass;
+        }))
+        return false;
+    return std::any_of(geoms.begin(), geoms.end(), [&](const Reference &reference) {
+        const auto geom = static_cast<dGeomID>(objects.find(reference));
+        if (dGeomGetClass(geom) == dPlaneClass) return false;
+        // The fourth column of a rotation is not set everywhere.
+        const dReal *const rotation = dGeomGetRotation(geom);
+        return isNaN(dGeomGetPosition(geom), 3) || isNaN(rotation, 3) || isNaN(rotation + 4, 3) || isNaN(rotation + 8, 3);
+    });
+}
+
+void Player::collide(dSpaceID space) {
+    if (sortsNaNs()) {
+        m_isOver = true;
+        return;
+    }
+    if (m_policy == Policy::serial)
+        dSpaceCollide(space, this, near);
+    else
+        collideAtOnce([&] { dSpaceCollide(space, this, nearAtOnce); });
+}
+
+void Player::collide2(dGeomID a, dGeomID b) {
+    if (sortsNaNs()) {
+        m_isOver = true;
+        return;
+    }
+    if (m_policy == Policy::serial)
+        dSpaceCollide2(a, b, this, near);
+    else
+        collideAtOnce([&] { dSpaceCollide2(a, b, this, nearAtOnce); });
+}
+
+std::string Player::nameOf(dGeomID geom) const {
+    const ObjectKind kind = dGeomIsSpace(geom) ? ObjectKind::space : ObjectKind::geom;
+    return std::string(fuzz::nameOf(kind)) + std::to_string(objects.numberOf(kind, geom));
+}
 
 void Player::near(void *player, dGeomID a, dGeomID b) { static_cast<Player *>(player)->meet(a, b); }
 
@@ -203,24 +324,76 @@ void Player::meet(dGeomID a, dGeomID b) {
     m_trace.object(a);
     m_trace.object(b);
     m_trace.endLine();
-    if (m_options.tells) {
-        const auto name = [this](dGeomID geom) {
-            const ObjectKind kind = dGeomIsSpace(geom) ? ObjectKind::space : ObjectKind::geom;
-            return std::string(nameOf(kind)) + std::to_string(objects.numberOf(kind, geom));
-        };
-        write("    near " + name(a) + ' ' + name(b));
-    }
+    if (m_options.tells) write("    near " + nameOf(a) + ' ' + nameOf(b));
     callBack(Where::near);
     if (dGeomIsSpace(a) || dGeomIsSpace(b))
         dSpaceCollide2(a, b, this, near);
     else
-        makeContacts(a, b);
+        makeContacts(a, b, [this](const double *values, int count) { tell("contact", values, count); });
 }
 
-void Player::makeContacts(dGeomID a, dGeomID b) {
+// What a callback may do that others of its kind run beside (include/ode/ode_MT.h).
+void Player::nearAtOnce(void *player, dGeomID a, dGeomID b) { static_cast<Player *>(player)->meetAtOnce(a, b); }
+
+void Player::meetAtOnce(dGeomID a, dGeomID b) {
+    std::string seen = "    near " + nameOf(a) + ' ' + nameOf(b);
+    if (dGeomIsSpace(a) || dGeomIsSpace(b)) {
+        note(seen);
+        return dSpaceCollide2(a, b, this, nearAtOnce);
+    }
+    if (m_policy == Policy::concurrent && (objects.numberOf(ObjectKind::geom, a) + objects.numberOf(ObjectKind::geom, b)) % 4 == 0)
+        for (const dBodyID body : {dGeomGetBody(a), dGeomGetBody(b)})
+            if (body != nullptr) dBodyEnable(body);
+    makeContacts(a, b, [&](const double *values, int count) {
+        for (int i = 0; i < count; ++i) seen += ' ' + hexOf(values[i]);
+    });
+    note(std::move(seen));
+}
+
+void Player::note(std::string what) {
+    const std::lock_guard<std::mutex> lock(m_atOnce);
+    m_met.push_back(std::move(what));
+}
+
+void Player::collideAtOnce(const std::function<void()> &collide) {
+    for (const Reference &world : objects.living(ObjectKind::world)) contactsOf(static_cast<dWorldID>(objects.find(world)));
+    m_met.clear();
+    m_isAtOnce = true;
+    collide();
+    m_isAtOnce = false;
+    std::sort(m_met.begin(), m_met.end());
+    for (const std::string &line : m_met) {
+        m_trace.line(line);
+        if (m_options.tells) write(line);
+    }
+}
+
+// An assertion in such a callback ends the process: the callback may not be left by a jump, and which comes first is not certain.
+void Player::setCallbackPolicy(const std::string &policy) {
+    m_policy = policy == "concurrent" ? Policy::concurrent : policy == "independent" ? Policy::independent : Policy::serial;
+    dSetDebugHandler(onDebug);
+    dSetErrorHandler(onError);
+    if (m_policy != Policy::serial) dSetMessageHandler(onMessage);
+}
+
+namespace {
+
+// Asked for unimportant contacts of these, upstream gives places that it has not computed. Geoms within transforms count, too.
+bool areConvexAndMesh(dGeomID a, dGeomID b) {
+    const auto has = [&](int number) {
+        return dGeomGetClass(a) == number || dGeomGetClass(b) == number || dGeomGetClass(a) == dGeomTransformClass ||
+               dGeomGetClass(b) == dGeomTransformClass;
+    };
+    return has(dConvexClass) && has(dTriMeshClass);
+}
+
+}  // namespace
+
+void Player::makeContacts(dGeomID a, dGeomID b, const TellContact &tellContact) {
     dContact contacts[kMostContacts] = {};
     const int most = std::min(surface.most, kMostContacts);
-    const int count = dCollide(a, b, most | surface.flags, &contacts[0].geom, sizeof *contacts);
+    const int flags = most | (areConvexAndMesh(a, b) ? 0 : surface.flags);
+    const int count = dCollide(a, b, flags, &contacts[0].geom, sizeof *contacts);
     const dBodyID bodies[] = {dGeomGetBody(a), dGeomGetBody(b)};
     dWorldID world = nullptr;
     for (const dBodyID body : bodies)
@@ -230,7 +403,7 @@ void Player::makeContacts(dGeomID a, dGeomID b) {
         const double values[] = {geom.pos[0],    geom.pos[1],    geom.pos[2], geom.normal[0],
                                  geom.normal[1], geom.normal[2], geom.depth,  static_cast<double>(geom.side1),
                                  static_cast<double>(geom.side2)};
-        tell("contact", values, 9);
+        tellContact(values, 9);
     }
     const bool areApart = bodies[0] != nullptr && bodies[1] != nullptr && dBodyGetWorld(bodies[0]) != dBodyGetWorld(bodies[1]);
     if (world == nullptr || areApart || bodies[0] == bodies[1]) return;
@@ -240,6 +413,36 @@ void Player::makeContacts(dGeomID a, dGeomID b) {
         const dJointID joint = dJointCreateContact(world, contactsOf(world), &contacts[i]);
         dJointAttach(joint, bodies[0], bodies[1]);
     }
+}
+
+void Player::tellContacts(dGeomID a, dGeomID b, int most, bool unimportant) {
+    dContactGeom contacts[kMostContacts] = {};
+    if (areConvexAndMesh(a, b)) unimportant = false;
+    const int flags = std::min(most, kMostContacts) | (unimportant ? static_cast<int>(CONTACTS_UNIMPORTANT) : 0);
+    const int count = dCollide(a, b, flags, contacts, sizeof *contacts);
+    for (int i = 0; i < count; ++i) {
+        const dContactGeom &geom = contacts[i];
+        const double values[] = {geom.pos[0], geom.pos[1], geom.pos[2], geom.normal[0], geom.normal[1], geom.normal[2], geom.depth};
+        tell("contact", values, 7);
+    }
+}
+
+bool Player::makeContact(dWorldID world, dGeomID a, dGeomID b, dReal depth) {
+    const dBodyID bodies[] = {dGeomGetBody(a), dGeomGetBody(b)};
+    if (bodies[0] == bodies[1]) return false;
+    for (const dBodyID body : bodies)
+        if (body != nullptr && dBodyGetWorld(body) != world) return false;
+    dContact contact{};
+    contact.surface = surface.parameters;
+    contact.fdir1[0] = 1;
+    const dReal *const place = dGeomGetPosition(a);
+    std::copy(place, place + 3, contact.geom.pos);
+    contact.geom.normal[2] = 1;
+    contact.geom.depth = depth;
+    contact.geom.g1 = a;
+    contact.geom.g2 = b;
+    dJointAttach(dJointCreateContact(world, contactsOf(world), &contact), bodies[0], bodies[1]);
+    return true;
 }
 
 void Player::step(dWorldID world, dReal size, bool quick) {
@@ -258,13 +461,25 @@ void Player::moved(dBodyID body) {
     s_player->callBack(Where::moved);
 }
 
+void Player::onShape(ShapeCallback which) {
+    constexpr Where where[] = {Where::collider, Where::box, Where::triangle, Where::height};
+    s_player->callBack(where[static_cast<int>(which)]);
+}
+
 void Player::handle(const char *kind, int number, const char *text, va_list arguments, bool mayJump) {
     char buffer[1000];
     std::vsnprintf(buffer, sizeof buffer, text, arguments);
     const std::string whole = buffer, told = whole.substr(0, whole.find(" ["));  // the place in the source is not compared
-    m_trace.line(std::string(kind) + ": " + told, number);
+    if (m_isAtOnce) {
+        if (!mayJump) return note(std::string("    ") + kind + ": " + told);
+        const std::lock_guard<std::mutex> lock(m_atOnce);
+        write("# an assertion has failed in callbacks that may run at once");
+        _exit(3);
+    }
+    m_trace.line(std::string(kind) + ": " + told.substr(0, told.find(" (s=")), number);
     write(std::string("    ") + kind + ' ' + std::to_string(number) + ": " + told);
     if (mayJump && m_target != nullptr) std::longjmp(*m_target, 1);
+    if (!mayJump) callBack(Where::message);
 }
 
 void Player::onDebug(int number, const char *text, va_list arguments) {

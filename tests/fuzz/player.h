@@ -4,13 +4,18 @@
 #include "call.h"
 #include "draw.h"
 #include "objects.h"
+#include "shapes.h"
 
 #include "call_trace.h"
 
 #include <array>
 #include <csetjmp>
 #include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
 #include <string>
+#include <vector>
 
 namespace fuzz {
 
@@ -47,6 +52,7 @@ public:
     // --- for the functions ---------------------------------------------------------------------------
     Objects objects;
     Surface surface;
+    Shapes shapes;
     kept_state::CallTrace &trace() { return m_trace; }
     void *find(const Argument &argument) const { return objects.find(argument.reference); }
     // A new object; known to the trace.
@@ -57,7 +63,11 @@ public:
     void collide2(dGeomID a, dGeomID b);
     void step(dWorldID world, dReal size, bool quick);
     void emptyContacts();
+    void tellContacts(dGeomID a, dGeomID b, int most, bool unimportant);
+    bool makeContact(dWorldID world, dGeomID a, dGeomID b, dReal depth);  // as the program pleases
     dJointGroupID contactsOf(dWorldID world);
+    // "serial", "concurrent" or "independent": what near-callbacks do from now on.
+    void setCallbackPolicy(const std::string &policy);
     dJointFeedback *feedbackOf(dJointID joint);
 
     static void moved(dBodyID body);
@@ -65,11 +75,28 @@ public:
 private:
     static void near(void *player, dGeomID a, dGeomID b);
     void meet(dGeomID a, dGeomID b);
-    void makeContacts(dGeomID a, dGeomID b);
+    using TellContact = std::function<void(const double *values, int count)>;
+    void makeContacts(dGeomID a, dGeomID b, const TellContact &tellContact);
+    std::string nameOf(dGeomID geom) const;
+
+    // Near-callbacks of which several may run at once: they draw no calls, and their order is not compared.
+    static void nearAtOnce(void *player, dGeomID a, dGeomID b);
+    void meetAtOnce(dGeomID a, dGeomID b);
+    void collideAtOnce(const std::function<void()> &collide);
+    void note(std::string what);
+
+    bool sortsNaNs() const;
+
+    void makeScene(Draw &draw);
+    void makeBodies(Draw &draw, const Reference &world, const Reference &space);
+    void makeTerrain(Draw &draw, const Reference &space);
+    void makeJoints(Draw &draw, const Reference &world);
+    void playFrames(unsigned count, bool quick);
+    Reference makeNow(const char *function, Arguments arguments);
     void callBack(Where where);
-    bool attempt(const Function &function, Call &call);
     void make(Call &call);
     void drawAndMake(Where where);
+    static void onShape(ShapeCallback which);
     void handle(const char *kind, int number, const char *text, va_list arguments, bool mayJump);
     static void onDebug(int number, const char *text, va_list arguments);
     static void onError(int number, const char *text, va_list arguments);
@@ -82,11 +109,16 @@ private:
     Draw *m_draw = nullptr;            // NULL: a script is played
     const Script *m_script = nullptr;
     std::size_t m_next = 0;            // of the script, behind the call in progress
-    std::array<int, 4> m_turn{};       // callbacks of the call in progress, by place
+    std::array<int, places> m_turn{};  // callbacks of the call in progress, by place
     int m_depth = 0;                   // of callbacks
     int m_calls = 0;
     const Function *m_innermost = nullptr;  // that was called last
+    Where m_innermostPlace = Where::between;
     bool m_isOver = false;
+    enum class Policy { serial, concurrent, independent } m_policy = Policy::serial;
+    bool m_isAtOnce = false;           // such callbacks are running
+    std::mutex m_atOnce;
+    std::vector<std::string> m_met;    // by them
     std::jmp_buf *m_target = nullptr;  // of the call between frames
     std::map<dWorldID, dJointGroupID> m_contacts;
     std::map<dJointID, std::unique_ptr<dJointFeedback>> m_feedback;

@@ -16,6 +16,7 @@ struct RequestHeader {
     // Of ODE_MT; Debian's library has none of them.
     std::uint16_t threads;
     std::uint8_t manager, algorithm, instructionSet, cells;
+    std::uint32_t perturbation;  // of the schedule; 0: none
     std::uint16_t mostCalls;
     std::uint16_t seconds;  // that it may take
 };

@@ -21,6 +21,7 @@ enum class Verdict {
     upstreamCrashed,     // by a fault of its own
     upstreamTooSlow,
     upstreamUndefined,   // its result hangs on memory that nobody wrote
+    signOfNaN,           // only the number in messages of the LCP solver differs
 };
 const char *nameOf(Verdict verdict);
 
@@ -35,6 +36,7 @@ public:
     const Outcome &ours() const { return m_ours; }
     // Both as text, and the first lines that differ.
     std::string difference(RequestHeader request, const Script &script);
+    std::string difference(RequestHeader request, const std::vector<std::uint8_t> &script);
 
 private:
     static bool areSame(const Outcome &a, const Outcome &b);

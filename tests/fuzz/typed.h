@@ -13,8 +13,8 @@ namespace fuzz {
 
 Meaning meaningOf(const std::string &function);
 int typeOf(const std::string &function, ObjectKind kind);  // of the geom or joint that a function is for
+bool isParameterNumber(const std::string &function);  // its whole number is one of dParamLoStop and so on
 int lengthOf(const std::string &function);                 // of an array that is read
-bool isAllowed(const std::string &function, Where where);
 
 // How a parameter of each type is drawn, and an argument passed. `In` lives as long as the call.
 template <class T, class = void>
@@ -53,6 +53,7 @@ struct Passing<Number, std::enable_if_t<std::is_arithmetic_v<Number>>> {
         Parameter parameter;
         parameter.meaning = std::is_floating_point_v<Number> ? meaningOf(function)
                             : std::is_same_v<Number, unsigned long> ? Meaning::bits
+                            : isParameterNumber(function)             ? Meaning::parameter
                                                                       : Meaning::count;
         return parameter;
     }
@@ -133,15 +134,13 @@ template <class Result, class... Types, std::size_t... places>
 Function typed(const char *name, Result (*function)(Types...), std::index_sequence<places...>) {
     Function made;
     made.name = name;
-    const auto addParameter = [&](auto passing) {
+    [[maybe_unused]] const auto addParameter = [&](auto passing) {
         if constexpr (!decltype(passing)::isOut) made.parameters.push_back(passing.parameter(made.name));
     };
     (addParameter(Passing<Types>()), ...);
-    made.inNear = isAllowed(made.name, Where::near);
-    made.inMoved = isAllowed(made.name, Where::moved);
     made.call = [function](Player &player, const Arguments &arguments, Reference &) {
         std::size_t next = 0;
-        const auto pass = [&](auto passing) {
+        [[maybe_unused]] const auto pass = [&](auto passing) {
             using P = decltype(passing);
             if constexpr (P::isOut)
                 return typename P::In();
@@ -154,7 +153,7 @@ Function typed(const char *name, Result (*function)(Types...), std::index_sequen
             function(std::get<places>(in).get()...);
         else
             tellResult(player, function(std::get<places>(in).get()...));
-        const auto tellOut = [&](auto passing, auto &value) {
+        [[maybe_unused]] const auto tellOut = [&](auto passing, auto &value) {
             if constexpr (decltype(passing)::isOut) {
                 const std::vector<double> values(value.values, value.values + 16);
                 player.tell("gives", values.data(), 16);
