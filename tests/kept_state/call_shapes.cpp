@@ -83,10 +83,10 @@ int classOf(const dGeomClass &functions) { return dCreateGeomClass(&functions); 
 ConvexArrays convexArrays(int version) { return {kPlanes[version], 6, corners(version), 8, kPolygons}; }
 
 dReal *meshVertices(int version) {
-    static dReal vertices[2][18];
+    static dReal vertices[2][24];
     const dReal size = version == 0 ? 0.25 : 0.45;
     std::memset(vertices[version], 0, sizeof vertices[version]);
-    for (int i = 0; i < 6; ++i) vertices[version][3 * i + i / 2] = i % 2 == 0 ? size : -size;
+    for (int i = 0; i < 6; ++i) vertices[version][4 * i + i / 2] = i % 2 == 0 ? size : -size;
     return vertices[version];
 }
 
@@ -95,7 +95,7 @@ const dTriIndex *meshIndices() { return kIndices; }
 const float *meshVerticesSingle() {
     static float vertices[18];
     const dReal *doubles = meshVertices(1);
-    for (int i = 0; i < 18; ++i) vertices[i] = static_cast<float>(doubles[i]);
+    for (int i = 0; i < 18; ++i) vertices[i] = static_cast<float>(doubles[i / 3 * 4 + i % 3]);
     return vertices;
 }
 

@@ -16,7 +16,7 @@ struct ConvexArrays {
 ConvexArrays convexArrays(int version);  // 0: a cube, 1: a longer one
 
 dTriMeshDataID createMeshData(int version);  // 0: an octahedron, 1: a larger one
-dReal *meshVertices(int version);            // 6 x 3, the user's own
+dReal *meshVertices(int version);            // 6 x 4, as dVector3; the user's own
 const dTriIndex *meshIndices();              // 8 x 3
 const float *meshVerticesSingle();
 

@@ -45,11 +45,11 @@ void addBuilders(CallRecipes &r) {
                                                   meshIndices(), 24, 3 * sizeof(dTriIndex), nullptr);
                  })});
     r.push_back({"dGeomTriMeshDataBuildDouble", rebuild([](dTriMeshDataID data) {
-                     dGeomTriMeshDataBuildDouble(data, meshVertices(1), 3 * sizeof(double), 6, meshIndices(),
+                     dGeomTriMeshDataBuildDouble(data, meshVertices(1), 4 * sizeof(double), 6, meshIndices(),
                                                  24, 3 * sizeof(dTriIndex));
                  })});
     r.push_back({"dGeomTriMeshDataBuildDouble1", rebuild([](dTriMeshDataID data) {
-                     dGeomTriMeshDataBuildDouble1(data, meshVertices(1), 3 * sizeof(double), 6, meshIndices(),
+                     dGeomTriMeshDataBuildDouble1(data, meshVertices(1), 4 * sizeof(double), 6, meshIndices(),
                                                   24, 3 * sizeof(dTriIndex), normals);
                  })});
 }
@@ -101,15 +101,15 @@ void addData(CallRecipes &r) {
     const auto stretch = [](dReal height) {
         return [height](CallScene &s) {
             meshVertices(0);
-            static dReal vertices[18];
+            static dReal vertices[24];
             const dReal *old = meshVertices(0);
-            for (int i = 0; i < 18; ++i) vertices[i] = old[i];
-            vertices[14] = height;
+            for (int i = 0; i < 24; ++i) vertices[i] = old[i];
+            vertices[18] = height;
             const dTriMeshDataID data = dGeomTriMeshDataCreate();
             dGeomTriMeshDataBuildSimple(data, vertices, 6, meshIndices(), 24);
             preprocess(data);
             dGeomTriMeshSetData(s.set().mesh, data);
-            vertices[14] = 2 * height;
+            vertices[18] = 2 * height;
             dGeomTriMeshDataUpdate(data);
         };
     };
