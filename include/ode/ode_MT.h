@@ -92,9 +92,10 @@ ODE_API const char *dODE_MT_GetAlgorithm(void);
  * upstream's order, on the thread that called dSpaceCollide), "concurrent" (the program consents: callbacks
  * of pairs that share no body run at the same time on any thread) or "independent" (any callbacks do).
  *
- * With either a callback may read any geom, body and joint, call dCollide, dSpaceCollide2 on nested
- * spaces that it was called for, and make contact joints and attach them. With "concurrent" it may also enable the
- * bodies of its pair, and write to data of its pair's bodies. Contact joints appear in the lists of world and bodies only after the
+ * With either a callback may read any geom, body and joint, call dCollide for its pair (for others, too, but not where
+ * the collider calls the program or writes to a geom: docs/callbacks.md), dSpaceCollide2 on nested spaces that it was
+ * called for, and make contact joints and attach them. With "concurrent" it may also enable the bodies of its pair, and
+ * write to data of its pair's bodies. Contact joints appear in the lists of world and bodies only after the
  * last callback, in upstream's order, so the results are upstream's as long as no callback reads those lists
  * (dAreConnected, dBodyGetJoint) to find contacts of the same call. It must not change geoms or spaces, nor write to the
  * vertices, points or height samples that geoms use, make other joints, destroy joints, or leave by longjmp; an exception

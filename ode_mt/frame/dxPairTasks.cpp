@@ -9,7 +9,6 @@
 #include "config.h"
 #include "objects.h"
 #include "collision_kernel.h"
-#include "heightfield.h"
 
 namespace {
 
@@ -55,25 +54,32 @@ void dxPairTasks::cutBetweenSets(const std::vector<dxOrderedPair> &pairs, const 
     m_isTied.assign(end, 0);
     m_isSharingBodies = sharingBodies;
     if (!pairs.empty()) m_space = pairs.front().first->parent_space;
+    m_memory.reset(end);
+    for (const dxOrderedPair &pair : pairs) {
+        m_memory.look(pair.first, pair.slots[0]);
+        m_memory.look(pair.second, pair.slots[1]);
+    }
+    m_memory.sort();
     for (const dxOrderedPair &pair : pairs) markWritten(pair);
     if (!sharingBodies)
         for (const dxOrderedPair &pair : pairs) {
             tieBody(pair.first, pair.slots[0]);
             tieBody(pair.second, pair.slots[1]);
         }
-    uniteSharedHeights(pairs);
+    uniteSharedMemory();
     uniteExclusive(pairs);
     if (clusters != nullptr) uniteClusters(pairs, *clusters);
     sizeSets(pairs);
     shareOut(wanted, pairs.size());
 }
 
-// Bodies too: upstream's height fields move the other geom, and its body with it, while they collide it.
+// Upstream's height fields turn the other geom, and its body with it, while they collide it: whatever has a place.
 void dxPairTasks::markWritten(const dxOrderedPair &pair) {
     if (dxMayCollideAnywhere(*pair.first, *pair.second)) return;
     for (int i = 0; i < 2; ++i) {
         const dxGeom *const geom = i == 0 ? pair.first : pair.second;
-        if (isWrittenTo(geom)) m_exclusive[pair.slots[i]] = 1;
+        const bool isTurned = m_memory.hasHeights(pair.slots[1 - i]) && (geom->gflags & GEOM_PLACEABLE) != 0;
+        if (isTurned || isWrittenTo(geom)) m_exclusive[pair.slots[i]] = 1;
         tieBody(geom, pair.slots[i]);
     }
 }
@@ -121,31 +127,18 @@ void dxPairTasks::uniteExclusive(const std::vector<dxOrderedPair> &pairs) {
         if (m_exclusive[pair.slots[0]] && m_exclusive[pair.slots[1]]) m_sets.unite(pair.slots[0], pair.slots[1]);
 }
 
-// Upstream's height fields keep scratch memory in their data, which several may have in common.
-void dxPairTasks::uniteSharedHeights(const std::vector<dxOrderedPair> &pairs) {
-    m_writtenHeights.clear();
-    const auto find = [this](const dxGeom *geom) {
-        return std::find_if(m_writtenHeights.begin(), m_writtenHeights.end(), [geom](const WrittenHeights &written) {
-            return written.data == static_cast<const dxHeightfield *>(geom)->m_p_data;
-        });
-    };
-    const auto forHeights = [&pairs](const auto &visit) {
-        for (const dxOrderedPair &pair : pairs)
-            for (int i = 0; i < 2; ++i) {
-                const dxGeom *const geom = i == 0 ? pair.first : pair.second;
-                if (geom->type == dHeightfieldClass) visit(geom, pair.slots[i]);
-            }
-    };
-    forHeights([&](const dxGeom *geom, Slot slot) {
-        if (m_exclusive[slot] && find(geom) == m_writtenHeights.end())
-            m_writtenHeights.push_back({static_cast<const dxHeightfield *>(geom)->m_p_data, slot});
-    });
-    forHeights([&](const dxGeom *geom, Slot slot) {
-        const auto written = find(geom);
-        if (written == m_writtenHeights.end()) return;
-        m_exclusive[slot] = 1;
-        m_sets.unite(written->first, slot);
-    });
+// Memory that is only read, by colliders that have copies of what they write to, is nobody's.
+void dxPairTasks::uniteSharedMemory() {
+    const std::vector<dxColliderMemory::Use> &uses = m_memory.uses();
+    for (std::size_t i = 0, end; i < uses.size(); i = end) {
+        bool isWritten = false;
+        for (end = i; end < uses.size() && uses[end].memory == uses[i].memory; ++end)
+            isWritten = isWritten || m_exclusive[uses[end].slot];
+        for (std::size_t k = i; isWritten && k < end; ++k) {
+            m_exclusive[uses[k].slot] = 1;
+            m_sets.unite(uses[i].slot, uses[k].slot);
+        }
+    }
 }
 
 void dxPairTasks::uniteClusters(const std::vector<dxOrderedPair> &pairs, const dxClusteredWorldAndSpace &clusters) {

@@ -4,7 +4,8 @@
 // Two pairs belong together if they share such a body, or one that a collider writes to (a nested space stands for all
 // bodies of the geoms in it, since its callback goes on to them), or a geom that a collider writes to or that leads to code
 // of the user's (a nested space, a geom of a class of the user's, a geom transform, a mesh that
-// remembers its last contacts, a mesh or height field with callbacks: collision/dxSharedColliders.h). Static geoms of
+// remembers its last contacts, a mesh or height field with callbacks and all that meets it:
+// collision/dxSharedColliders.h), or other memory of a collider's (frame/dxColliderMemory.h). Static geoms of
 // other kinds are only read and may be in many tasks. Clusters, where the space has them, are kept whole.
 #pragma once
 
@@ -14,8 +15,7 @@
 #include "clustering/dxClusteredWorldAndSpace.h"
 #include "clustering/dxDisjointSets.h"
 #include "collision/dxOrderedPair.h"
-
-struct dxHeightfieldData;
+#include "frame/dxColliderMemory.h"
 
 class dxPairTasks {
 public:
@@ -41,7 +41,7 @@ private:
     void tieBody(const dxGeom *geom, Slot slot);
     void tieNested(const dxGeom *space, Slot slot);
     void uniteGeomsOf(dBodyID body, Slot slot);
-    void uniteSharedHeights(const std::vector<dxOrderedPair> &pairs);
+    void uniteSharedMemory();
     void uniteExclusive(const std::vector<dxOrderedPair> &pairs);
     void uniteClusters(const std::vector<dxOrderedPair> &pairs, const dxClusteredWorldAndSpace &clusters);
     void sizeSets(const std::vector<dxOrderedPair> &pairs);
@@ -50,11 +50,7 @@ private:
     void sortIntoTasks(std::size_t pairs);
     Slot ownerOf(const dxOrderedPair &pair) const;
 
-    struct WrittenHeights {
-        const dxHeightfieldData *data;
-        Slot first;  // that has them
-    };
-
+    dxColliderMemory m_memory;
     dxDisjointSets m_sets;                   // of slots
     std::vector<std::uint8_t> m_exclusive;   // by slot
     std::vector<std::uint8_t> m_isTied;      // by slot: all pairs of its bodies belong together
@@ -64,6 +60,5 @@ private:
     std::vector<std::uint32_t> m_sizeOfSet, m_taskOfSet, m_usedSets;  // by root; roots
     std::vector<std::uint32_t> m_largeSets;                           // roots
     std::vector<std::uint32_t> m_order, m_fill;
-    std::vector<WrittenHeights> m_writtenHeights;
     std::vector<Task> m_tasks;
 };

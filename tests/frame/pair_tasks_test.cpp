@@ -6,6 +6,7 @@
 #include <atomic>
 #include <chrono>
 #include <map>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -122,6 +123,137 @@ TEST(PairTasks, BodiesAreNotWrittenTo) {
     dSpaceCollide(rows.space(), nullptr, [](void *, dGeomID, dGeomID) {});
     for (const dBodyID body : bodies) EXPECT_EQ(body->tag, kMark);
 }
+
+// Geoms without bodies that a collider writes to: callbacks of pairs with them never run at the same time either. Geoms that
+// are written to have a flag as their data; those that are one place in memory have the same. What is written to is in a pair
+// with a body of its own for each flag, so that there are many pairs that only the flag holds together.
+class WrittenGeoms {
+public:
+    explicit WrittenGeoms(const char *policy) { dODE_MT_SetCallbackPolicy(policy); }
+    ~WrittenGeoms() {
+        dSpaceDestroy(m_space);
+        if (m_shared != nullptr) dGeomDestroy(m_shared);
+        dWorldDestroy(m_world);
+        dGeomHeightfieldDataDestroy(m_heights);
+        dODE_MT_SetCallbackPolicy("serial");
+    }
+
+    dSpaceID space() const { return m_space; }
+
+    // Its heights come from a function of the program's, so that upstream collides it in place.
+    dGeomID addTerrain(dSpaceID space) {
+        dGeomHeightfieldDataBuildCallback(m_heights, nullptr, [](void *, int, int) -> dReal { return 0; }, 100, 100, 11, 11, 1, 0, 1, 0);
+        dGeomHeightfieldDataSetBounds(m_heights, -1, 0.1);  // below what lies on the stones
+        return dCreateHeightfield(space, m_heights, 1);
+    }
+    void addStones() {
+        for (int i = 0; i < kStones; ++i) addMet(dCreateSphere(m_space, 1), 6.0 * i - 30, &m_busy[i]);
+    }
+    // Two at a time have a geom in common that is put into their place.
+    void addTransforms() {
+        m_shared = dCreateSphere(nullptr, 1);
+        for (int i = 0; i < kStones; ++i) {
+            const dGeomID transform = dCreateGeomTransform(m_space);
+            dGeomTransformSetGeom(transform, m_shared);
+            addMet(transform, 6.0 * i - 30, &m_busy[0]);
+        }
+    }
+    // Height fields with the same samples, each under a stone of its own: neighbours do not touch.
+    void addTerraces() {
+        dGeomHeightfieldDataBuildCallback(m_heights, nullptr, [](void *, int, int) -> dReal { return 0; }, 4, 4, 3, 3, 1, 0, 1, 0);
+        for (int i = 0; i < kStones; ++i) {
+            const dGeomID terrace = dCreateHeightfield(m_space, m_heights, 1);
+            addMet(terrace, 6.0 * i - 30, &m_busy[0]);
+        }
+    }
+    // Pairs that have nothing to do with one another, for other workers.
+    void addOthers() {
+        for (int i = 0; i < 40; ++i) addMet(dCreateSphere(m_space, 1), 1000.0 + 6 * i, nullptr);
+    }
+
+    void expectNoClash() {
+        addOthers();
+        const unsigned before = dODE_MT_GetParallelCollisions();
+        for (int frame = 0; frame < 5; ++frame) dSpaceCollide(m_space, this, meet);
+        EXPECT_EQ(m_clashes, 0);
+        EXPECT_GT(m_marked, 0);
+        EXPECT_GT(dODE_MT_GetParallelCollisions(), before) << "others are independent of each other";
+    }
+
+private:
+    using Flag = std::atomic<int>;
+    static constexpr int kStones = 10;
+
+    void addMet(dGeomID geom, dReal x, Flag *flag) {
+        dGeomSetPosition(geom, x, 0, 0);
+        dGeomSetData(geom, flag);
+        const dGeomID ball = dCreateSphere(m_space, 1);
+        dGeomSetBody(ball, dBodyCreate(m_world));
+        dGeomSetPosition(ball, x, 1.9, 0);
+    }
+
+    static void meet(void *data, dGeomID a, dGeomID b) { static_cast<WrittenGeoms *>(data)->meet(a, b); }
+    void meet(dGeomID a, dGeomID b) {
+        if (dGeomIsSpace(a) || dGeomIsSpace(b)) return dSpaceCollide2(a, b, this, meet);
+        for (const dGeomID geom : {a, b}) {
+            Flag *const flag = static_cast<Flag *>(dGeomGetData(geom));
+            if (flag == nullptr) continue;
+            ++m_marked;
+            if (++*flag > 1) ++m_clashes;
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            dContactGeom contact;
+            dCollide(a, b, 1, &contact, sizeof contact);
+            --*flag;
+        }
+    }
+
+    OdeSession m_session{4, "lcp"};
+    dWorldID m_world = dWorldCreate();
+    dSpaceID m_space = dHashSpaceCreate(nullptr);
+    dHeightfieldDataID m_heights = dGeomHeightfieldDataCreate();
+    dGeomID m_shared = nullptr;
+    Flag m_busy[kStones] = {}, m_clashes{0}, m_marked{0};
+};
+
+class PairTasksByPolicy : public testing::TestWithParam<const char *> {};
+
+TEST_P(PairTasksByPolicy, StonesOnTerrain) {
+    WrittenGeoms geoms(GetParam());
+    geoms.addTerrain(geoms.space());
+    geoms.addStones();
+    geoms.expectNoClash();
+}
+
+TEST_P(PairTasksByPolicy, StonesOnTerrainInANestedSpace) {
+    WrittenGeoms geoms(GetParam());
+    geoms.addTerrain(dSimpleSpaceCreate(dSimpleSpaceCreate(geoms.space())));
+    geoms.addStones();
+    geoms.expectNoClash();
+}
+
+TEST_P(PairTasksByPolicy, StonesOnTerrainInATransform) {
+    WrittenGeoms geoms(GetParam());
+    const dGeomID transform = dCreateGeomTransform(geoms.space());
+    dGeomTransformSetCleanup(transform, 1);
+    dGeomTransformSetGeom(transform, geoms.addTerrain(nullptr));
+    geoms.addStones();
+    geoms.expectNoClash();
+}
+
+TEST_P(PairTasksByPolicy, TransformsWithOneGeom) {
+    WrittenGeoms geoms(GetParam());
+    geoms.addTransforms();
+    geoms.expectNoClash();
+}
+
+TEST_P(PairTasksByPolicy, TerracesWithTheSameSamples) {
+    WrittenGeoms geoms(GetParam());
+    geoms.addTerraces();
+    geoms.expectNoClash();
+}
+
+INSTANTIATE_TEST_SUITE_P(Policies, PairTasksByPolicy, testing::Values("concurrent", "independent"),
+                         [](const testing::TestParamInfo<const char *> &info) { return std::string(info.param); });
 
 // Two threads collide two spaces, in each of which every body has a geom. (ThreadSanitizer is the judge.)
 TEST(PairTasks, TwoSpacesWithGeomsOfTheSameBodies) {

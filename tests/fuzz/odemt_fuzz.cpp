@@ -26,6 +26,7 @@ struct Options {
     std::uint64_t seed = 1;
     std::uint64_t scripts = 0;  // 0: as many as there is time for
     double seconds = 60;
+    unsigned times = 1;  // that each is played
     std::string keep;
     std::vector<std::string> replay;
     bool shows = false;
@@ -89,22 +90,26 @@ Script playedScript(const std::string &text) {
     return fuzz::scriptOf(calls);
 }
 
-void keep(const Options &options, Comparison &comparison, std::uint64_t seed, const RequestHeader &request,
-          const std::vector<std::uint8_t> &bytes) {
-    std::cout << "seed " << seed << " differs\n" << settingOf(request) << std::flush;
+// What differs, made small.
+std::string keep(const Options &options, Comparison &comparison, std::uint64_t seed, const RequestHeader &request,
+                 const std::vector<std::uint8_t> &bytes) {
+    std::cout << "seed " << seed << " differs" << std::endl;
+    std::string told = "seed " + std::to_string(seed) + " differs\n" + settingOf(request) + comparison.lastDifference();
     Script script = playedScript(comparison.debian().text.size() > comparison.ours().text.size() ? comparison.debian().text
                                                                                                  : comparison.ours().text);
     const auto differs = [&](const Script &tried) { return comparison.compare(request, tried) == Verdict::different; };
-    if (!differs(script)) {
-        std::cout << "but not as text: " << comparison.difference(request, bytes) << std::flush;
-    } else {
+    if (differs(script)) {
         script = shrink(std::move(script), differs);
-        std::cout << textOf(script) << comparison.difference(request, script) << std::flush;
+        told += "made small:\n" + textOf(script) + comparison.difference(request, script);
+    } else {
+        told += "not again as text; played again:\n" + comparison.difference(request, bytes);
     }
-    if (options.keep.empty()) return;
-    std::filesystem::create_directories(options.keep);
-    std::ofstream file(options.keep + "/" + std::to_string(seed) + ".script");
-    file << settingOf(request) << textOf(script);
+    if (!options.keep.empty()) {
+        std::filesystem::create_directories(options.keep);
+        std::ofstream file(options.keep + "/" + std::to_string(seed) + ".script");
+        file << settingOf(request) << textOf(script);
+    }
+    return told;
 }
 
 // The assertion that ended a script.
@@ -118,25 +123,29 @@ int fuzzAway(const Options &options) {
     Comparison comparison(options.libraries);
     std::map<std::string, std::uint64_t> verdicts, endings;
     std::uint64_t calls = 0, onWorkers = 0, played = 0;
+    std::string differences;  // told last, where they are seen
     const Clock::time_point begin = Clock::now();
     const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
     for (std::uint64_t seed = options.seed; seconds() < options.seconds && (options.scripts == 0 || played < options.scripts); ++seed) {
         Random random(seed);
-        const RequestHeader request = requestOf(random);
+        RequestHeader request = requestOf(random);
+        request.tells = options.times > 1;  // another time may not show the difference
         const std::vector<std::uint8_t> script = scriptOf(random);
-        const Verdict verdict = comparison.compare(request, script);
+        Verdict verdict = comparison.compare(request, script);
+        for (unsigned i = 1; i < options.times && verdict == Verdict::same; ++i) verdict = comparison.compare(request, script);
         ++played;
         ++verdicts[nameOf(verdict)];
         ++endings[comparison.debian().ending() + ' ' + lastWords(comparison.debian().errors)];
         calls += comparison.ours().header.calls;
         onWorkers += comparison.ours().header.workers > 1;
         if (options.shows) std::cout << settingOf(request) << comparison.ours().text;
-        if (verdict == Verdict::different) keep(options, comparison, seed, request, script);
+        if (verdict == Verdict::different) differences += keep(options, comparison, seed, request, script);
     }
     std::cout << played << " scripts, " << calls << " calls in " << seconds() << " s; " << onWorkers << " with two workers at least\n";
     for (const auto &[name, count] : verdicts) std::cout << "  " << name << ": " << count << '\n';
     for (const auto &[name, count] : endings) std::cout << "  " << name << ": " << count << '\n';
-    return verdicts.count("different") != 0 ? 1 : 0;
+    std::cout << differences;
+    return differences.empty() ? 0 : 1;
 }
 
 // Scripts that were kept, each in many settings.
@@ -175,6 +184,7 @@ int main(int argc, char **argv) {
     app.add_option("--seed", options.seed, "first seed");
     app.add_option("--scripts", options.scripts, "how many, 0: as many as there is time for");
     app.add_option("--seconds", options.seconds, "time")->check(CLI::PositiveNumber);
+    app.add_option("--times", options.times, "that each script is played, to find what only some schedules show");
     app.add_option("--keep", options.keep, "folder for scripts that differ");
     app.add_option("--replay", options.replay, "scripts that were kept, to play instead")->check(CLI::ExistingFile);
     app.add_flag("--show", options.shows, "print the scripts");

@@ -82,12 +82,17 @@ std::string Comparison::difference(RequestHeader request, const Script &script) 
 std::string Comparison::difference(RequestHeader request, const std::vector<std::uint8_t> &script) {
     request.tells = 1;
     compare(request, script);
+    return lastDifference();
+}
+
+std::string Comparison::lastDifference() const {
     std::istringstream expected(m_debian.text), actual(m_ours.text);
     std::string call, a, b;
     for (;;) {
         const bool isA = static_cast<bool>(std::getline(expected, a)), isB = static_cast<bool>(std::getline(actual, b));
         if (!isA || !isB || a != b) {
-            std::string told = "after " + call + "\n  libode8 " + (isA ? a : "(ends)") + "\n  ODE_MT  " + (isB ? b : "(ends)") + '\n';
+            std::string told = "  after " + call + "\n  libode8 " + (isA ? a : "(ends)") + "\n  ODE_MT  " + (isB ? b : "(ends)") + '\n';
+            if (m_debian.header.hash != m_ours.header.hash) told += "  what they saw differs\n";
             if (m_debian.header.ending != m_ours.header.ending)
                 told += "  libode8 ends with " + m_debian.ending() + ", ODE_MT with " + m_ours.ending() + '\n';
             if (m_debian.errors != m_ours.errors) told += "  libode8 says:\n" + m_debian.errors + "  ODE_MT says:\n" + m_ours.errors;

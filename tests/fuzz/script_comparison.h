@@ -37,6 +37,7 @@ public:
     // Both as text, and the first lines that differ.
     std::string difference(RequestHeader request, const Script &script);
     std::string difference(RequestHeader request, const std::vector<std::uint8_t> &script);
+    std::string lastDifference() const;  // of the scripts that were compared last
 
 private:
     static bool areSame(const Outcome &a, const Outcome &b);
