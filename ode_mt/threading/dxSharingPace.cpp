@@ -22,6 +22,13 @@ constexpr int kSlowCalls = 5;
 // To be taken, the other way has to be better by this; times are noisy.
 constexpr double kClearly = 0.97;
 
+// Of the time that is worked alone, what may be lost by trying to share.
+constexpr double kTrialPart = 1.0 / 32;
+
+// Calls worked alone whose time sharing may owe when it is tried again, and before it is given up; and whose time it may have saved
+// up: more is not remembered.
+constexpr double kDebtToTry = 2, kDebtInUse = 16, kMostSaved = 256;
+
 // More of anything that is counted is not told apart.
 constexpr int kMany = 1 << 20;
 
@@ -46,6 +53,7 @@ void dxSharingPace::remember(bool shared, double ns) {
     // The first call after a change of ways is not typical of the way.
     countUp(way.fresh);
     if (way.fresh > 1 || way.ns == 0) way.ns = way.fresh == 2 ? ns : faded(way, ns);
+    account(shared, ns);
     if (shared != m_isSharing) return;  // too small to be shared
     if (m_isTrial) {
         judge();
@@ -61,16 +69,26 @@ void dxSharingPace::remember(bool shared, double ns) {
 
 bool dxSharingPace::isTimeForTrial(const Way &way) const {
     if (way.fresh < kFirstCalls || (!m_isSharing && m_alone.ns < kWorthSharing)) return false;
-    return m_calls >= m_wait || isEarly();
+    if (m_isSharing && isTooDear()) return true;
+    return (m_calls >= m_wait || isEarly()) && (m_isSharing || isPaidBack());
 }
 
 bool dxSharingPace::isEarly() const { return m_calls < m_wait && m_calls >= m_earlyWait && m_slowCalls >= kSlowCalls; }
 
+bool dxSharingPace::isPaidBack() const { return -m_savedNs <= kDebtToTry * m_alone.ns; }
+bool dxSharingPace::isTooDear() const { return -m_savedNs > kDebtInUse * m_alone.ns; }
+
+void dxSharingPace::account(bool shared, double ns) {
+    if (shared) m_savedNs = std::min(m_savedNs + m_alone.ns - ns, kMostSaved * m_alone.ns);
+    else if (m_savedNs < 0) m_savedNs = std::min(m_savedNs + kTrialPart * ns, 0.0);
+}
+
 // At the end of a trial.
 void dxSharingPace::judge() {
     const Way &tried = m_isSharing ? m_shared : m_alone, &usual = m_isSharing ? m_alone : m_shared;
-    if (tried.fresh < kTrial) return;
-    const bool isTaken = tried.ns < kClearly * usual.ns;
+    const bool isBrokenOff = m_isSharing && isTooDear();
+    if (tried.fresh < kTrial && !isBrokenOff) return;
+    const bool isTaken = !isBrokenOff && tried.ns < kClearly * usual.ns;
     if (isTaken) {
         m_wait = kShortestWait;
         m_earlyWait = kShortestEarlyWait;
@@ -84,6 +102,7 @@ void dxSharingPace::judge() {
     dxLog(dxLogLevel::debug, "a call of %.0f us takes %.0f us when the way in use is exchanged: %s from now on",
           usual.ns / 1e3, tried.ns / 1e3, m_isSharing ? "shared" : "alone");
     m_judgedNs = isTaken ? tried.ns : usual.ns;
+    if (m_isSharing) m_savedNs = std::max(m_savedNs, 0.0);  // it pays
     m_isTrial = false;
     m_calls = m_slowCalls = 0;
 }

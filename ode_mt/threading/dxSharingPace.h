@@ -5,6 +5,9 @@
 // to time, for a few calls in a row, of which the first is not counted: workers have to wake, caches to fill. A trial in
 // vain makes the next one later; but if several calls in a row take longer than after the last trial, as in a scene that grows, it
 // comes soon.
+// What sharing costs more than working alone is taken from what it has saved. A debt is paid back by a small part of the time that is
+// worked alone; until then sharing is not tried again. So where workers come late, because other programs have the processors, the
+// loss is bounded however long a call takes that waits for them.
 // It decides about speed alone; results are the same either way. One thread at a time.
 #pragma once
 
@@ -27,6 +30,9 @@ private:
     static double faded(const Way &way, double ns);
     bool isTimeForTrial(const Way &way) const;
     bool isEarly() const;
+    bool isPaidBack() const;
+    bool isTooDear() const;
+    void account(bool shared, double ns);
     void judge();
 
     Way m_alone, m_shared;
@@ -37,4 +43,5 @@ private:
     int m_wait = 0;            // calls between trials
     int m_earlyWait = kShortestEarlyWait;  // if they have become slower
     int m_slowCalls = 0;       // in a row, the last ones
+    double m_savedNs = 0;      // by sharing; below zero: a debt
 };

@@ -18,6 +18,21 @@ protected:
         return count;
     }
 
+    // The same, where one shared call in so many takes longer by a time slice of the scheduler's, for which a worker waits. Returns the time
+    // of all calls in parts of the time alone.
+    double timeWithLateWorkers(int calls, double aloneNs, double sharedNs, int oneIn) {
+        constexpr double kTimeSlice = 20e6;  // ns
+        double ns = 0;
+        for (int i = 0, count = 0; i < calls; ++i) {
+            const bool shares = pace.shallShare();
+            const bool isLate = shares && ++count % oneIn == 0;
+            const double took = shares ? sharedNs + (isLate ? kTimeSlice : 0) : aloneNs;
+            ns += took;
+            pace.remember(shares, took);
+        }
+        return ns / (calls * aloneNs);
+    }
+
     dxSharingPace pace;
 };
 
@@ -60,6 +75,30 @@ TEST_F(SharingPace, StaysAloneWhenTheSpaceHasBecomeSmall) {
     shared(300, 400e3, 250e3);
     shared(1000, 5e3, 30e3);
     EXPECT_EQ(shared(1000, 5e3, 30e3), 0);
+}
+
+TEST_F(SharingPace, LosesLittleWhereWorkersComeLate) {
+    EXPECT_LT(timeWithLateWorkers(5000, 100e3, 60e3, 1), 1.10);
+    EXPECT_LT(timeWithLateWorkers(50000, 100e3, 60e3, 1), 1.06);
+}
+
+TEST_F(SharingPace, LosesLittleWhereWorkersComeLateNowAndThen) {
+    for (const int oneIn : {2, 3, 5, 9, 20, 50}) {
+        SCOPED_TRACE(oneIn);
+        pace = {};
+        EXPECT_LT(timeWithLateWorkers(50000, 100e3, 60e3, oneIn), 1.10);
+    }
+}
+
+TEST_F(SharingPace, IsTriedAgainWhenWorkersComeInTimeAgain) {
+    timeWithLateWorkers(5000, 100e3, 60e3, 3);
+    EXPECT_LT(timeWithLateWorkers(50000, 100e3, 60e3, 100000), 0.9);
+}
+
+TEST_F(SharingPace, OneLateWorkerDoesNotEndWhatPays) {
+    shared(1000, 400e3, 250e3);
+    shared(1, 20e6, 20e6);
+    EXPECT_GT(shared(2000, 400e3, 250e3), 1500);
 }
 
 }  // namespace
