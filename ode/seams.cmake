@@ -71,7 +71,8 @@ ode_mt_compile_after("heightfield.cpp" heightfield.h)
 ode_mt_compile_after("joints/piston.cpp" joint_offsets.h)
 ode_mt_compile_after("joints/pu.cpp" joint_offsets.h)
 
-# libccd asks convex geoms for their furthest point, dozens of times a pair (ode_mt/collision/dxConvexSupport.h).
+# libccd asks convex geoms for their furthest point, dozens of times a pair (ode_mt/collision/dxConvexSupport.h). It may search
+# without end (ode_mt/collision/dxCcdSearch.h).
 ode_mt_compile_after("collision_libccd.cpp" collision_libccd.h)
 
 # The sign of a zero depth follows from the order of the arguments in fmax(0.0, x). g++ takes the order to be free and changes

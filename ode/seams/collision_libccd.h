@@ -2,6 +2,7 @@
  * arguments behind the name wherever it is declared, gets another one. */
 #pragma once
 
+#include "collision/dxCcdSearch.h"
 #include "collision/dxConvexSupport.h"
 
 static void ccdSupportConvex(const void *object, const ccd_vec3_t *direction, ccd_vec3_t *support) {
@@ -9,3 +10,7 @@ static void ccdSupportConvex(const void *object, const ccd_vec3_t *direction, cc
 }
 
 #define ccdSupportConvex(object, direction, support) dxUpstreamSupportConvex(object, direction, support)
+
+/* Its searches may be left while nobody has asked for them yet. */
+#define ccdMPRIntersect dxCcdSearch::intersect
+#define ccdMPRPenetration dxCcdSearch::penetration

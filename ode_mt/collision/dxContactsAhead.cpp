@@ -1,10 +1,12 @@
 #include "collision/dxContactsAhead.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <new>
 #include <type_traits>
 
+#include "collision/dxCcdSearch.h"
 #include "collision/dxColliderOverrides.h"
 #include "collision/dxSilentChanges.h"
 #include "collision/dxMissedNotifications.h"
@@ -67,14 +69,13 @@ bool isUnwritten(const dContactGeom &contact) {
            contact.side1 == kNoSide && contact.side2 == kNoSide;
 }
 
-// Not so after the collider of two shapes in the other order (dCollide turns the normal that it finds) where only whether
-// they touch was asked for: it says yes and writes nothing.
+// Not so where only whether two shapes touch was asked for: some colliders say yes and write nothing, and dCollide turns the normal
+// if the shapes came in the other order. Nor where a ray without end hits a convex geom at no distance: the collider computes with
+// the place that it finds in the contact. A number that was computed from the pattern is none, like the pattern.
 bool isWritten(const dContactGeom &contact) {
-    for (int i = 0; i < 3; ++i) {
-        const dReal turned = -contact.normal[i];
-        if (isUnwritten(contact.pos[i]) || isUnwritten(contact.normal[i]) || isUnwritten(turned)) return false;
-    }
-    return !isUnwritten(contact.depth) && contact.g1 != unwrittenGeom() && contact.g2 != unwrittenGeom() &&
+    for (int i = 0; i < 3; ++i)
+        if (std::isnan(contact.pos[i]) || std::isnan(contact.normal[i])) return false;
+    return !std::isnan(contact.depth) && contact.g1 != unwrittenGeom() && contact.g2 != unwrittenGeom() &&
            contact.side1 != kNoSide && contact.side2 != kNoSide;
 }
 
@@ -100,12 +101,15 @@ void copyWritten(const dContactGeom &from, dContactGeom &to) {
     to.side2 = from.side2;
 }
 
-// A collider that has something to say is left: it says it when dCollide is called in the callback.
+// A collider that has something to say, or that might not end, is left: dCollide runs it when it is called in the callback.
 class SilentScope final : public dxIslandScope {
 public:
     std::uint32_t takeBlock(std::uint64_t) override { throw dxIslandInterrupted(); }
     bool defersMoved() const override { return false; }
     bool takeOver(dxReport, int, const char *, va_list) override { throw dxIslandInterrupted(); }
+
+private:
+    const dxCcdSearch::Limit m_limit;
 };
 
 }  // namespace

@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 #include <sys/mman.h>
+#include <unistd.h>
 
+#include <csignal>
+
+#include "ChildProcess.h"
 #include "HeapWorld.h"
 #include "OdeSession.h"
 
@@ -124,6 +128,57 @@ TEST_P(ContactsAhead, NothingIsComputedForGeomsThatAreNeverCollided) {
     const Counts counts = Counts().since(before);
     EXPECT_GT(counts.ahead, 20u * HeapWorld::kSide);
     EXPECT_EQ(counts.unused, 0u);
+}
+
+// A cylinder and a capsule so long that libccd never finds out how they overlap, and a program that does not ask.
+class LongPair {
+public:
+    explicit LongPair(dSpaceID space)
+        : m_cylinder(dCreateCylinder(space, 2.09454, kLength)), m_capsule(dCreateCapsule(space, 4.94066e-324, kLength)) {
+        dGeomSetPosition(m_cylinder, 0.25999030775004711, -0.23197211160150816, -0.72142411169165999);
+        dGeomSetPosition(m_capsule, 0.92362928071389172, 0.41130943611133308, 0.56265386389853689);
+        dGeomSetRotation(m_capsule, kTurned);
+    }
+
+    void collide() const {
+        dContactGeom contacts[4];
+        dCollide(m_capsule, m_cylinder, 4, contacts, sizeof contacts[0]);
+    }
+
+private:
+    static constexpr dReal kLength = 1e20;
+    static constexpr dMatrix3 kTurned = {0.86494081160245639,  -0.36226692259906523, 0.34733279317548899,  0,
+                                         -0.50183612174396419, -0.6327813552769741,  0.58970184273649118,  0,
+                                         0.0061562437785762092, -0.68436133234165053, -0.72911704647340403, 0};
+
+    dGeomID m_cylinder, m_capsule;
+};
+
+bool isLong(dGeomID geom) { return dGeomGetClass(geom) == dCylinderClass || dGeomGetClass(geom) == dCapsuleClass; }
+
+// Both are collided with the balls.
+TEST_P(ContactsAhead, NobodyWaitsForAPairThatIsNotAskedFor) {
+    const ChildEnd asked = runInChild([] {
+        alarm(1);
+        LongPair(nullptr).collide();
+    });
+    EXPECT_TRUE(asked.killedBy(SIGALRM)) << "libccd comes to an end";
+    EXPECT_TRUE(trueInChild([] {
+        OdeSession::use(3, "lcp");
+        const dSpaceID space = GetParam()(nullptr);
+        LongPair pair(space);
+        HeapWorld world(space);
+        world.setCallback([](HeapWorld &heap, dGeomID o1, dGeomID o2) {
+            const bool hasBall = dGeomGetClass(o1) == dSphereClass || dGeomGetClass(o2) == dSphereClass;
+            if ((!isLong(o1) && !isLong(o2)) || hasBall) heap.makeContacts(o1, o2);
+        });
+        const Counts before;
+        for (int i = 0; i < 20; ++i) {
+            world.collide();
+            world.step();
+        }
+        return Counts().since(before).ahead > 20u * HeapWorld::kSide;
+    }));
 }
 
 TEST_P(ContactsAhead, OtherQuestionsAreAnsweredAsEver) {

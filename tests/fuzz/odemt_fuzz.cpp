@@ -99,7 +99,9 @@ std::string keep(const Options &options, Comparison &comparison, std::uint64_t s
                                                                                                  : comparison.ours().text);
     const auto differs = [&](const Script &tried) { return comparison.compare(request, tried) == Verdict::different; };
     if (differs(script)) {
+        comparison.setPatience(1);
         script = shrink(std::move(script), differs);
+        comparison.setPatience(24);
         told += "made small:\n" + textOf(script) + comparison.difference(request, script);
     } else {
         told += "not again as text; played again:\n" + comparison.difference(request, bytes);

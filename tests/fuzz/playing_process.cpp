@@ -56,7 +56,10 @@ PlayingProcess::PlayingProcess(const std::string &program, const std::string &li
         dup2(requests[0], STDIN_FILENO);
         dup2(answers[1], STDOUT_FILENO);
         setenv("LD_LIBRARY_PATH", libraryFolder.c_str(), 1);
-        if (!pattern.empty()) setenv("MALLOC_PERTURB_", pattern.c_str(), 1);
+        if (!pattern.empty()) {
+            setenv("MALLOC_PERTURB_", pattern.c_str(), 1);
+            setenv("GLIBC_TUNABLES", "glibc.malloc.tcache_count=0", 1);  // blocks of a thread's cache do not get the pattern
+        }
         execl(program.c_str(), program.c_str(), static_cast<char *>(nullptr));
         _exit(127);
     }

@@ -59,9 +59,8 @@ Verdict Comparison::compare(const RequestHeader &request, const std::vector<std:
     m_ours = m_onOurs.answer();
     if (!m_debian.endedInTime()) return Verdict::upstreamTooSlow;
     if (!m_ours.endedInTime()) {
-        // Perhaps the machine is busy: algorithms that share always, whatever it costs, then wait for other programs.
         RequestHeader patient = request;
-        patient.seconds = static_cast<std::uint16_t>(24 * patient.seconds);
+        patient.seconds = static_cast<std::uint16_t>(m_patience * patient.seconds);
         m_onOurs.ask(patient, script);
         m_ours = m_onOurs.answer();
     }

@@ -29,6 +29,10 @@ class Comparison {
 public:
     explicit Comparison(const Libraries &libraries);
 
+    // How many times as long as a script may take it may take on ours, when it is played again: the machine may be busy, and algorithms that
+    // share always, whatever it costs, then wait for other programs.
+    void setPatience(unsigned times) { m_patience = times; }
+
     Verdict compare(const RequestHeader &request, const std::vector<std::uint8_t> &script);
     Verdict compare(RequestHeader request, const Script &script);
 
@@ -44,6 +48,7 @@ private:
 
     PlayingProcess m_onDebian, m_onDebianPatterned, m_onOurs;
     Outcome m_debian, m_ours;
+    unsigned m_patience = 24;
 };
 
 }  // namespace fuzz

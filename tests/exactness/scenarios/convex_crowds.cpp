@@ -1,4 +1,5 @@
 #include "additions.h"
+#include "contact_probe.h"
 #include "ground_grid.h"
 #include "prism.h"
 #include "scenario_scene.h"
@@ -111,6 +112,31 @@ public:
     }
 };
 
+// Rays without end that meet no face of a prism: upstream then says that they hit it, at no distance, and turns the place and the
+// normal that the program had in the contact as if it had computed them.
+class EndlessRays : public Prisms {
+public:
+    explicit EndlessRays(Stepper stepper) : Prisms(stepper, SpaceKind::Simple) {
+        addGround();
+        addParts([this](int part, Vector3 origin) {
+            for (int i = 0; i < 3; ++i) drop(createPrism(part + i), origin + Vector3{dReal(0.05) * i, 0, dReal(0.3) + dReal(0.5) * i}, i);
+            const dGeomID ray = add(dCreateRay(space(), dInfinity));
+            dGeomSetCategoryBits(ray, kDynamicCategory);
+            dGeomRaySet(ray, origin.x - 0.5, origin.y - 0.4, 0.1, 1, 0.8, 0.3 + 0.1 * (part % 5));
+        });
+    }
+
+protected:
+    void onNearPair(dGeomID o1, dGeomID o2) override {
+        if (dGeomGetClass(o1) != dRayClass && dGeomGetClass(o2) != dRayClass) return Prisms::onNearPair(o1, o2);
+        m_probe.collide(o1, o2, m_contactLimit, sizeof(dContactGeom));
+        m_probe.tell(m_observer);
+    }
+
+private:
+    ContactProbe m_probe;
+};
+
 }  // namespace
 
 void addConvexCrowds(Catalogue &catalogue) {
@@ -126,6 +152,7 @@ void addConvexCrowds(Catalogue &catalogue) {
     add("convex_crowds/on_heights", "prisms on height fields", make<OnGround>(false), shared);
     add("convex_crowds/reshaped", "convex geoms that are given other points", make<Reshaped>());
     add("convex_crowds/rays", "rays through prisms", make<Rays>());
+    add("convex_crowds/endless_rays", "rays of infinite length through prisms and past them", make<EndlessRays>());
 }
 
 }  // namespace exactness
