@@ -62,6 +62,7 @@ RequestHeader requestOf(Random &random) {
     request.perturbation = request.threads > 1 && random.below(3) == 0 ? 1 + random.below(1000) : 0;
     request.mostCalls = 4000;
     request.seconds = 5;
+    request.wallSeconds = 300;
     return request;
 }
 
@@ -99,7 +100,7 @@ std::string keep(const Options &options, Comparison &comparison, std::uint64_t s
                                                                                                  : comparison.ours().text);
     const auto differs = [&](const Script &tried) { return comparison.compare(request, tried) == Verdict::different; };
     if (differs(script)) {
-        comparison.setPatience(1);
+        comparison.setPatience(4);
         script = shrink(std::move(script), differs);
         comparison.setPatience(24);
         told += "made small:\n" + textOf(script) + comparison.difference(request, script);
@@ -168,6 +169,7 @@ int replay(const Options &options) {
                 request.jumps = text.str().find("# jumps") != std::string::npos;
                 request.messages = text.str().find("# messages") != std::string::npos;
                 request.seconds = 20;
+                request.wallSeconds = 300;
                 if (comparison.compare(request, script) == Verdict::same) continue;
                 ++different;
                 std::cout << path << " differs\n" << settingOf(request) << comparison.difference(request, script);

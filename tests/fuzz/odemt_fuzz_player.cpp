@@ -78,7 +78,9 @@ void set(const RequestHeader &request) {
 }
 
 void play(const RequestHeader &request, const std::vector<std::uint8_t> &script, Remains &remains) {
-    alarm(request.seconds);
+    alarm(request.wallSeconds);
+    const rlimit time{request.seconds, request.seconds + 1u};
+    setrlimit(RLIMIT_CPU, &time);
     const rlimit memory{kMostMemory, kMostMemory};
     setrlimit(RLIMIT_AS, &memory);
     if (request.perturbation != 0) setenv("ODE_MT_PERTURB", std::to_string(request.perturbation).c_str(), 1);
@@ -89,6 +91,7 @@ void play(const RequestHeader &request, const std::vector<std::uint8_t> &script,
     options.jumps = request.jumps != 0;
     options.messages = request.messages != 0;
     options.tells = request.tells != 0;
+    options.fillsStack = request.fillsStack != 0;
     options.mostCalls = request.mostCalls;
     Player *player = nullptr;
     const auto writer = [&](const std::string &text) {

@@ -2,6 +2,7 @@
 
 #include "fields.h"
 #include "function.h"
+#include "stack_pattern.h"
 
 #include <unistd.h>
 
@@ -217,6 +218,10 @@ void Player::finish() {
     if (setjmp(target) == 0) look(true);
 }
 
+void Player::fillStack() const {
+    if (m_options.fillsStack) fillStackBelow();
+}
+
 // --- calls ------------------------------------------------------------------------------------------------
 
 void Player::make(Call &call) {
@@ -234,6 +239,7 @@ void Player::make(Call &call) {
     m_innermost = function;
     m_innermostPlace = call.where;
     m_trace.word(call.function);
+    fillStack();
     if (call.where != Where::between) {
         function->call(*this, call.arguments, call.result);
         return;
@@ -393,6 +399,7 @@ void Player::makeContacts(dGeomID a, dGeomID b, const TellContact &tellContact) 
     dContact contacts[kMostContacts] = {};
     const int most = std::min(surface.most, kMostContacts);
     const int flags = most | (areConvexAndMesh(a, b) ? 0 : surface.flags);
+    fillStack();
     const int count = dCollide(a, b, flags, &contacts[0].geom, sizeof *contacts);
     const dBodyID bodies[] = {dGeomGetBody(a), dGeomGetBody(b)};
     dWorldID world = nullptr;
@@ -419,6 +426,7 @@ void Player::tellContacts(dGeomID a, dGeomID b, int most, bool unimportant) {
     dContactGeom contacts[kMostContacts] = {};
     if (areConvexAndMesh(a, b)) unimportant = false;
     const int flags = std::min(most, kMostContacts) | (unimportant ? static_cast<int>(CONTACTS_UNIMPORTANT) : 0);
+    fillStack();
     const int count = dCollide(a, b, flags, contacts, sizeof *contacts);
     for (int i = 0; i < count; ++i) {
         const dContactGeom &geom = contacts[i];

@@ -34,6 +34,7 @@ public:
         bool jumps = false;     // the debug and error handlers jump out of the call, and the script goes on
         bool messages = false;  // there is a message handler
         bool tells = false;
+        bool fillsStack = false;  // before each call (stack_pattern.h)
         int mostCalls = 2000;
     };
 
@@ -102,6 +103,7 @@ private:
     static void onError(int number, const char *text, va_list arguments);
     static void onMessage(int number, const char *text, va_list arguments);
     void write(const std::string &text);
+    void fillStack() const;
 
     const Options m_options;
     const Writer m_writer;

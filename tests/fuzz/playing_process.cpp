@@ -39,7 +39,11 @@ std::string Outcome::ending() const {
                                       : "exit status " + std::to_string(WEXITSTATUS(header.ending));
 }
 
-bool Outcome::endedInTime() const { return !WIFSIGNALED(header.ending) || WTERMSIG(header.ending) != SIGALRM; }
+bool Outcome::endedInTime() const {
+    if (!WIFSIGNALED(header.ending)) return true;
+    const int signal = WTERMSIG(header.ending);
+    return signal != SIGALRM && signal != SIGXCPU;
+}
 
 bool Outcome::crashed() const {
     if (!WIFSIGNALED(header.ending)) return false;

@@ -13,12 +13,14 @@ struct RequestHeader {
     std::uint8_t isText;
     std::uint8_t tells;    // write what is seen, too
     std::uint8_t jumps, messages;
+    std::uint8_t fillsStack;  // with a pattern, before each call: a result that changes hangs on memory that nobody wrote
     // Of ODE_MT; Debian's library has none of them.
     std::uint16_t threads;
     std::uint8_t manager, algorithm, instructionSet, cells;
     std::uint32_t perturbation;  // of the schedule; 0: none
     std::uint16_t mostCalls;
-    std::uint16_t seconds;  // that it may take
+    std::uint16_t seconds;      // of processor time that it may take, of all its threads
+    std::uint16_t wallSeconds;  // the same of time, for what waits without end
 };
 
 struct AnswerHeader {

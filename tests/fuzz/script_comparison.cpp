@@ -53,14 +53,14 @@ bool Comparison::areSame(const Outcome &a, const Outcome &b) {
 }
 
 Verdict Comparison::compare(const RequestHeader &request, const std::vector<std::uint8_t> &script) {
+    RequestHeader patient = request;
+    patient.seconds = static_cast<std::uint16_t>(m_patience * request.seconds);
     m_onDebian.ask(request, script);
     m_onOurs.ask(request, script);
     m_debian = m_onDebian.answer();
     m_ours = m_onOurs.answer();
     if (!m_debian.endedInTime()) return Verdict::upstreamTooSlow;
     if (!m_ours.endedInTime()) {
-        RequestHeader patient = request;
-        patient.seconds = static_cast<std::uint16_t>(m_patience * patient.seconds);
         m_onOurs.ask(patient, script);
         m_ours = m_onOurs.answer();
     }
@@ -70,7 +70,9 @@ Verdict Comparison::compare(const RequestHeader &request, const std::vector<std:
     if (m_debian.header.hash == m_ours.header.hash && m_debian.header.ending == m_ours.header.ending &&
         differInSignsOfNaNs(m_debian.text, m_ours.text) && differInSignsOfNaNs(m_debian.errors, m_ours.errors))
         return Verdict::signOfNaN;
-    m_onDebianPatterned.ask(request, script);
+    RequestHeader patterned = patient;
+    patterned.fillsStack = 1;
+    m_onDebianPatterned.ask(patterned, script);
     return areSame(m_debian, m_onDebianPatterned.answer()) ? Verdict::different : Verdict::upstreamUndefined;
 }
 

@@ -29,8 +29,8 @@ class Comparison {
 public:
     explicit Comparison(const Libraries &libraries);
 
-    // How many times as long as a script may take it may take on ours, when it is played again: the machine may be busy, and algorithms that
-    // share always, whatever it costs, then wait for other programs.
+    // How many times the time that a script may take it may take on ours, when it is played again: algorithms that share always,
+    // whatever it costs, may have to wait for other programs.
     void setPatience(unsigned times) { m_patience = times; }
 
     Verdict compare(const RequestHeader &request, const std::vector<std::uint8_t> &script);
