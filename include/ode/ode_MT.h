@@ -25,7 +25,8 @@ extern "C" {
  * The number of threads, the algorithm and the thread manager change speed, never results: every
  * world gets the bits of upstream's serial step.
  *
- * Environment, read once at the first use of the library, for programs that cannot be recompiled:
+ * Environment, for programs that cannot be recompiled. Set before the program starts: each is read once, at the
+ * first use of what it is for.
  *   ODE_MT_THREADS=n|auto
  *   ODE_MT_ALGORITHM=auto|serial|lcp|original|static|static-unmerged|duplication|decluster
  *   ODE_MT_CALLBACKS=serial|concurrent|independent
@@ -63,7 +64,7 @@ extern "C" {
  * May be called from any thread at any time, callbacks of all kinds included; it waits for nothing. A step or collision
  * in progress may go on with the old number. dODE_MT_AUTO counts the cores anew at each call: those that the process was
  * given when it loaded the library and those that its first thread or the calling one may use now, not only those that
- * the calling thread has bound itself to. Threads start with the first step that uses them and end with dCloseODE. Those
+ * the calling thread has bound itself to. Threads start with the first step or collision that uses them and end with dCloseODE. Those
  * of the manager "pthread" may use all of these cores, with ordinary scheduling; the runtime of "openmp" has rules of its
  * own (OMP_PROC_BIND), by default those of the thread that starts them.
  * @ingroup ode_mt
@@ -92,7 +93,9 @@ ODE_API const char *dODE_MT_GetAlgorithm(void);
  * upstream's order, on the thread that called dSpaceCollide), "concurrent" (the program consents: callbacks
  * of pairs that share no body run at the same time on any thread) or "independent" (any callbacks do).
  *
- * With either a callback may read any geom, body and joint, call dCollide for its pair (for others, too, but not where
+ * With either a callback may read any body and joint, the geoms of the space that is being collided, and others that have
+ * not moved since somebody asked for their place and box (upstream computes these when they are first asked for, which two
+ * callbacks must not do at once); call dCollide for its pair (for others, too, but not where
  * the collider calls the program or writes to a geom: docs/callbacks.md), dSpaceCollide2 on nested spaces that it was
  * called for, and make contact joints and attach them. With "concurrent" it may also enable the bodies of its pair, and
  * write to data of its pair's bodies. Contact joints appear in the lists of world and bodies only after the
@@ -195,7 +198,10 @@ ODE_API unsigned dODE_MT_GetContactsAhead(void);
 /** Those of them whose callback did not ask for the contacts, or asked for others. @ingroup ode_mt */
 ODE_API unsigned dODE_MT_GetContactsAheadUnused(void);
 
-/** Largest number of threads that took part in one step or in the callbacks of one collision. @ingroup ode_mt */
+/**
+ * Largest number of threads that took part in one step that was shared out or in the callbacks of one collision; 0 while
+ * there was none. @ingroup ode_mt
+ */
 ODE_API unsigned dODE_MT_GetMaxWorkersUsed(void);
 
 /* ------------------------------------------------------------------------------------------------
@@ -211,7 +217,7 @@ typedef void dSpaceUpdateFunction(int threadID);
 
 /**
  * One frame: dSpaceCollide(space, data, callback), then stepper(world, stepsize).
- * Callbacks come on the calling thread in upstream's order. @ingroup ode_mt
+ * Callbacks come as dSpaceCollide's (dODE_MT_SetCallbackPolicy). @ingroup ode_mt
  */
 ODE_API void dSpaceCollideAndWorldStep(dSpaceID space, void *data, dNearCallback *callback, dWorldID world,
                                        dReal stepsize, dWorldStepFunction *stepper);
@@ -235,7 +241,8 @@ ODE_API void dWorldRefreshParameters(dWorldID world);
 
 /**
  * Number of spaces that a thread handles in the update call of dWorldStepAndSpaceCollide: 1 (the
- * user's own) for threadID -1 during such a frame on the calling thread, else 0. @ingroup ode_mt
+ * user's own) for threadID -1 during a frame of that function or of dSpaceCollideAndWorldStep on the calling thread, else
+ * 0. @ingroup ode_mt
  */
 ODE_API int dThreadGetSpacesCount(int threadID);
 
@@ -243,9 +250,11 @@ ODE_API int dThreadGetSpacesCount(int threadID);
 ODE_API dSpaceID dThreadGetSpaceID(int threadID, int index);
 
 /**
- * @defgroup ode_mt_clusters Clusters, as of the last dSpaceCollide: for a debug overlay
+ * @defgroup ode_mt_clusters Clusters, for a debug overlay
  *
- * A space has clusters while an algorithm that clusters is in force (dODE_MT_SetAlgorithm).
+ * A space has clusters while an algorithm that clusters is in force (dODE_MT_SetAlgorithm). They are those of the last time
+ * that dSpaceCollide looked at them: at each call without heuristics, else where something could have met or come apart
+ * (docs/heuristics.md), so cells may be those of some calls before.
  * The functions look and change nothing; not from another thread while the space collides. `world` is the
  * world whose bodies the geoms of the space have. A cluster has a name, a number from 1 on, that it keeps from
  * frame to frame; 0 stands for no cluster. Functions that write up to `capacity` of something only count where that is 0;
@@ -282,7 +291,7 @@ ODE_API int dClusterGetTestedWith(dGeomID geom, unsigned *clusters, int capacity
 /** Name of the cluster of a body's first geom, 0 if it has none. @ingroup ode_mt_clusters */
 ODE_API unsigned dClusterGetOfBody(dBodyID body);
 
-/** A cell in which something that moves lies. @ingroup ode_mt_clusters */
+/** A cell in which something that moves lay when clusters were last looked at. @ingroup ode_mt_clusters */
 typedef struct dClusterCell {
     int x, y, z;      /**< from 0 to dClusterGetGridCells - 1 */
     unsigned cluster; /**< name */
@@ -291,7 +300,7 @@ typedef struct dClusterCell {
 /** Writes up to `capacity` such cells, in no order, and returns how many there are. @ingroup ode_mt_clusters */
 ODE_API int dClusterGetCells(dWorldID world, dSpaceID space, dClusterCell *cells, int capacity);
 
-/** What a cluster went through in the last frame. @ingroup ode_mt_clusters */
+/** What a cluster went through in the last dSpaceCollide. @ingroup ode_mt_clusters */
 typedef struct dClusterEvent {
     int isSplit;         /**< 0: `from` became part of `into`; 1: `into` came off `from` */
     unsigned from, into; /**< names */

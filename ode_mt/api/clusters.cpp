@@ -31,15 +31,17 @@ unsigned nameOf(const dxClusteredWorldAndSpace &clustered, dxMembers::Slot slot)
 
 // The space with clusters that a geom is in, itself or with a space around it, and its slot there.
 struct Place {
-    const dxClusteredWorldAndSpace *clustered = nullptr;  // NULL: there is none
+    const dxClusteredWorldAndSpace *clustered = nullptr;  // NULL: there is none, or the geom has come since it looked
     dxMembers::Slot slot = 0;
 };
 
 Place placeOf(dGeomID geom) {
     for (; geom != nullptr; geom = geom->parent_space) {
-        if (dxOrderedSpace::of(geom) == nullptr) continue;
+        const dxOrderedSpace *const space = dxOrderedSpace::of(geom);
+        if (space == nullptr) continue;
         const dxClusteredWorldAndSpace *const clustered = dxClusterManager::find(geom->parent_space);
-        if (clustered != nullptr) return {clustered, dxOrderedSpace::slotOf(geom)};
+        const dxMembers::Slot slot = dxOrderedSpace::slotOf(geom);
+        if (clustered != nullptr && clustered->knows(slot, space->members())) return {clustered, slot};
     }
     return {};
 }

@@ -6,21 +6,35 @@
 #include <ode/error.h>
 #include <ode/ode_MT.h>
 
+#include "threading/dxStackFrame.h"
+
 namespace {
 
 // The space of the frame in progress on this thread, for dThreadGetSpaceID in the update call.
-thread_local dSpaceID t_frameSpace = nullptr;
-
 class FrameSpace {
 public:
-    explicit FrameSpace(dSpaceID space) : m_outer(t_frameSpace) { t_frameSpace = space; }
-    ~FrameSpace() { t_frameSpace = m_outer; }
+    [[gnu::always_inline]] explicit FrameSpace(dSpaceID space) : m_outer(t_current) {
+        t_current = {space, dxStackFrame::ofCaller()};
+    }
+    ~FrameSpace() { t_current = m_outer; }
     FrameSpace(const FrameSpace &) = delete;
     FrameSpace &operator=(const FrameSpace &) = delete;
 
+    // NULL: there is no such frame, or it was left by a jump.
+    static dSpaceID current() {
+        return t_current.frame.called(dxStackFrame::ofCaller()) ? t_current.space : nullptr;
+    }
+
 private:
-    dSpaceID m_outer;
+    struct Current {
+        dSpaceID space = nullptr;
+        dxStackFrame frame;
+    };
+    static thread_local Current t_current;
+
+    const Current m_outer;
 };
+thread_local FrameSpace::Current FrameSpace::t_current;
 
 void require(bool condition, const char *function, const char *what) {
     if (!condition) dDebug(d_ERR_UASSERT, "%s in %s()", what, function);
@@ -62,10 +76,10 @@ int dAreGeomsSame(dGeomID g1, dGeomID g2) { return g1 == g2; }
 
 void dWorldRefreshParameters(dWorldID world) { require(world != nullptr, __func__, "bad world argument"); }
 
-int dThreadGetSpacesCount(int threadID) { return threadID == -1 && t_frameSpace != nullptr ? 1 : 0; }
+int dThreadGetSpacesCount(int threadID) { return threadID == -1 && FrameSpace::current() != nullptr ? 1 : 0; }
 
 dSpaceID dThreadGetSpaceID(int threadID, int index) {
-    return index >= 0 && index < dThreadGetSpacesCount(threadID) ? t_frameSpace : nullptr;
+    return index >= 0 && index < dThreadGetSpacesCount(threadID) ? FrameSpace::current() : nullptr;
 }
 
 }  // extern "C"

@@ -34,6 +34,9 @@ public:
 
     void search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
 
+    // Forgets what happened to clusters in the frame before.
+    void beginFrame() { m_history.rest(); }
+
     // The parts of a search, in this order; check() may be left out while nothing has come further than the gap
     // allows. Clusters, and everything else below, are then those of the last check.
     //
@@ -53,6 +56,9 @@ public:
     const dxClusterScene &scene() const { return m_scene; }
     const dxClusters &clusters() const { return m_clusters; }
     const dxClusterHistory &history() const { return m_history; }
+
+    // Whether the slot's inhabitant is the one that it had at the last check.
+    bool knows(Slot slot, const dxMembers &members) const { return !isAnother(slot, members); }
 
     // As of the last check: what the slot holds is compared with what moves in that cluster of dynamic inhabitants.
     bool isTestedWith(Slot slot, int cluster) const;

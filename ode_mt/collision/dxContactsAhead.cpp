@@ -14,6 +14,7 @@
 #include "dynamics/dxIslandInterrupted.h"
 #include "dynamics/dxIslandScope.h"
 #include "threading/dxFloatEnvironment.h"
+#include "threading/dxPerturbation.h"
 
 #include "config.h"
 #include "collision_kernel.h"
@@ -217,6 +218,7 @@ void dxContactsAhead::computeWindow(const std::vector<dxOrderedPair> &pairs) {
         m_workers[worker].enterWindow(m_window);
         for (std::size_t i = begin; i < end; ++i) {
             dxPairPrefetch::ahead(pairs, m_begin + i);
+            dxPerturb(dxSchedulePoint::ComputeContacts);
             compute(pairs[m_begin + i], m_results[i], worker);
         }
     });
@@ -309,6 +311,7 @@ int dxContactsAhead::answer(dGeomID o1, dGeomID o2, int flags, dContactGeom *con
     if (states.first != dxColliderState(*o1) || states.second != dxColliderState(*o2) ||
         dxColliderOverrides::has(o1->type, o2->type))
         return kUnknown;
+    dxPerturb(dxSchedulePoint::AnswerCollide);
     m_used += !result.isUsed;
     result.isUsed = true;
     const dContactGeom *const found = worker.contacts.data() + result.first;

@@ -95,6 +95,8 @@ public:
     virtual bool findPairs();
     const std::vector<dxOrderedPair> &pairs() const { return m_pairs; }
 
+    const dxMembers &members() const { return m_members; }
+
     // Whether a member, or a geom of a space in it, is stray (dxMissedNotifications).
     bool hasStrays();
 
@@ -102,6 +104,7 @@ public:
     // the space is locked.
     void setSearch(std::unique_ptr<dxPairSearch> search);
     const dxPairSearch *search() const { return m_search.get(); }
+    dxPairSearch *search() { return m_search.get(); }
 
     // The category bits, collide bits or body of a member changed, which moves nothing.
     void filtersChanged(dxGeom *geom);
@@ -132,7 +135,6 @@ protected:
     void unlock() { __atomic_fetch_sub(&lock_count, 1, __ATOMIC_RELAXED); }
     bool hasSearch() const { return m_search != nullptr; }
 
-    const dxMembers &members() const { return m_members; }
     dxMembers &members() { return m_members; }
 
     // Whether upstream takes the geom into a space of this kind.

@@ -8,6 +8,8 @@
 #include <atomic>
 #include <thread>
 
+#include "threading/dxPerturbation.h"
+
 class dxSoleCleaner {
 public:
     // Becomes the cleaner, unless another thread is and remains it.
@@ -37,8 +39,10 @@ private:
         const std::thread::id self = std::this_thread::get_id();
         for (int turn = 0; turn < kTurns; ++turn) {
             std::thread::id cleaner;
+            dxPerturb(dxSchedulePoint::ClaimCleaning);
             if (m_thread.compare_exchange_weak(cleaner, self, std::memory_order_acq_rel) || cleaner == self)
                 return true;
+            dxPerturb(dxSchedulePoint::AwaitCleaning);
             std::this_thread::yield();
         }
         return false;

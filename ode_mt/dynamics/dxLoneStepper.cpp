@@ -6,6 +6,7 @@
 
 #include "threading/dxFloatEnvironment.h"
 #include "threading/dxForkListener.h"
+#include "threading/dxPerturbation.h"
 #include "threading/dxProcessObject.h"
 
 namespace {
@@ -41,6 +42,7 @@ public:
     void awaitStep() const {
         using Clock = std::chrono::steady_clock;
         constexpr std::chrono::seconds kMaxUserTime{1};
+        dxPerturb(dxSchedulePoint::AwaitLoneStep);
         Clock::time_point inStep = Clock::now();
         while (isStepping.load()) {
             const Clock::time_point now = Clock::now();

@@ -2,6 +2,8 @@
 
 #include <atomic>
 
+#include "threading/dxPerturbation.h"
+
 namespace dxRandom {
 
 namespace {
@@ -21,6 +23,7 @@ std::uint32_t drawShared() {
 
 std::uint32_t takeSharedBlock(std::uint64_t draws) {
     std::uint32_t seed = sharedSeed();
+    dxPerturb(dxSchedulePoint::ReserveDraws);
     while (!g_seed.compare_exchange_weak(seed, jump(seed, draws), std::memory_order_relaxed)) {
     }
     return seed;

@@ -8,9 +8,9 @@
 namespace {
 
 // A space's search, if it has one, was set by prepare().
-const dxTunedClusters *tunedOf(dxSpace *space) {
-    const dxOrderedSpace *const ordered = dxOrderedSpace::from(space);
-    return ordered != nullptr ? static_cast<const dxTunedClusters *>(ordered->search()) : nullptr;
+dxTunedClusters *tunedOf(dxSpace *space) {
+    dxOrderedSpace *const ordered = dxOrderedSpace::from(space);
+    return ordered != nullptr ? static_cast<dxTunedClusters *>(ordered->search()) : nullptr;
 }
 
 }  // namespace
@@ -33,11 +33,14 @@ dxClusterManager::Searches dxClusterManager::searchesOf(dSpaceID space) {
 void dxClusterManager::prepare(dSpaceID space, const char *passName) {
     dxOrderedSpace *const ordered = dxOrderedSpace::from(space);
     if (ordered == nullptr || ordered->lock_count != 0) return;
-    const dxClusteredWorldAndSpace *const present = find(space);
+    dxTunedClusters *const present = tunedOf(space);
     if (passName == nullptr) {
         if (present != nullptr) ordered->setSearch(nullptr);
         return;
     }
-    if (present != nullptr && std::strcmp(present->passName(), passName) == 0) return;
+    if (present != nullptr && std::strcmp(present->clusters().passName(), passName) == 0) {
+        present->beginFrame();
+        return;
+    }
     ordered->setSearch(std::make_unique<dxTunedClusters>(dxMakeCrossoverPass(passName)));
 }

@@ -18,6 +18,7 @@
 #include "frame/dxStepStatistics.h"
 #include "frame/dxWorkers.h"
 #include "frame/dxWorkersRunner.h"
+#include "threading/dxPerturbation.h"
 #include "threading/dxProcessObject.h"
 #include "threading/dxTaskRunner.h"
 
@@ -85,6 +86,7 @@ void Run::runTask(unsigned task) {
     for (std::uint32_t i = range.begin; i != range.end; ++i) {
         const std::uint32_t pair = cut.order()[i];
         taskOfPair[pair] = task;
+        dxPerturb(dxSchedulePoint::DeliverPair);
         if (failed.load(std::memory_order_relaxed)) continue;
         const Recording recording(log, spans[pair]);
         deliver((*pairs)[pair]);
@@ -108,6 +110,7 @@ void Run::deliver(const dxOrderedPair &pair) {
 }
 
 void Run::commit() {
+    dxPerturb(dxSchedulePoint::CommitContacts);
     for (std::uint32_t pair = 0; pair < pairs->size(); ++pair) logs[taskOfPair[pair]]->commit(spans[pair]);
     for (const std::unique_ptr<dxContactLog> &log : logs) log->finish();
 }

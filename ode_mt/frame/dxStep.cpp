@@ -21,6 +21,7 @@
 #include "frame/dxWorkersRunner.h"
 #include "frame/dxWorldWorkers.h"
 #include "threading/dxFloatEnvironment.h"
+#include "threading/dxPerturbation.h"
 #include "threading/dxProcessObject.h"
 #include "threading/dxSharingPace.h"
 #include "quickstep.h"
@@ -323,6 +324,7 @@ void dxStep::stepBlock(unsigned block, unsigned worker) {
 }
 
 void dxStep::stepDeferred(unsigned index, unsigned worker) {
+    dxPerturb(dxSchedulePoint::StepIsland);
     if (index > m_interrupted.load(std::memory_order_relaxed)) return;  // would be taken back
     dxIslandRecord &record = m_records->islands[index];
     dxWorkerRecord &own = m_records->workers[worker];
@@ -340,6 +342,7 @@ void dxStep::stepDeferred(unsigned index, unsigned worker) {
         dxDeferredIsland scope(index, record.seed, m_userHandlers, own.reports);
         stepIsland(record.island, own.arena);
     } catch (const dxIslandInterrupted &) {
+        dxPerturb(dxSchedulePoint::InterruptIsland);
         unsigned first = m_interrupted.load(std::memory_order_relaxed);
         while (index < first && !m_interrupted.compare_exchange_weak(first, index, std::memory_order_relaxed)) {
         }
@@ -356,6 +359,7 @@ void dxStep::stepLeftovers() {
 // that has to be stepped in order, was interrupted, or has a geom in a space that is being collided.
 // Returns that one.
 unsigned dxStep::commit() {
+    dxPerturb(dxSchedulePoint::CommitIslands);
     unsigned end = std::min(m_inOrderFrom, m_interrupted.load(std::memory_order_relaxed));
     if (m_userHandlers) {
         for (unsigned i = 0; i < end; ++i) {

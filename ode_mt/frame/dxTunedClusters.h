@@ -22,6 +22,9 @@ public:
 
     void search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
 
+    // A frame in which nothing has changed has no search.
+    void beginFrame() { m_clusters.beginFrame(); }
+
     const dxClusteredWorldAndSpace &clusters() const { return m_clusters; }
     const dxHeuristicsManager &heuristics() const { return m_heuristics; }
     unsigned threads(unsigned limit) const;  // for the callbacks of the last search, from 1 to the limit

@@ -13,7 +13,7 @@ unsigned lowest(std::uint64_t mask) { return static_cast<unsigned>(__builtin_ctz
 
 void dxRunAlone(unsigned blocks, dxThreadManager::Task task, void *context) {
     for (unsigned block = 0; block < blocks; ++block) {
-        dxPerturb();
+        dxPerturb(dxSchedulePoint::RunAlone);
         task(context, block, 0);
     }
 }
@@ -36,6 +36,7 @@ void dxJobBoard::run(const dxJobSlot::Order &order, dxWorkerSource &source) {
 dxJobBoard::Completion::~Completion() {
     dxJobSlot &slot = board.slots[index];
     slot.runAsCaller();
+    dxPerturb(dxSchedulePoint::CloseRun);
     board.open.fetch_and(~bit(index));
     slot.finish();
     board.release(index);
@@ -57,6 +58,7 @@ dxJobSlot *dxJobBoard::find() {
 
 unsigned dxJobBoard::acquire() {
     std::uint64_t now = used.load(std::memory_order_relaxed);
+    dxPerturb(dxSchedulePoint::ClaimSlot);
     do {
         if (~now == 0) return slotCount;
     } while (!used.compare_exchange_weak(now, now | (now + 1), std::memory_order_acquire,

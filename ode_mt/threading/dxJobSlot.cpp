@@ -29,6 +29,7 @@ void dxJobSlot::open(const Order &newOrder) {
     barrier.reset(order.blocks);
     ++generation;
     seats.store(join(generation, order.seats), std::memory_order_release);
+    dxPerturb(dxSchedulePoint::OpenRun);
     supply.store(join(generation, order.blocks), std::memory_order_release);
 }
 
@@ -63,6 +64,7 @@ bool dxJobSlot::takeSeat(Seat &seat) {
     const std::uint64_t blocks = supply.load(std::memory_order_acquire);
     if (leftOf(blocks) == 0) return false;
     seat.generation = generationOf(blocks);
+    dxPerturb(dxSchedulePoint::ClaimSeat);
     return takeOne(seats, seat.generation, seat.left);
 }
 
@@ -85,6 +87,6 @@ void dxJobSlot::work(Seat seat, std::uint32_t left) {
 }
 
 bool dxJobSlot::takeBlock(std::uint32_t wanted, std::uint32_t &left) {
-    dxPerturb();
+    dxPerturb(dxSchedulePoint::ClaimBlock);
     return takeOne(supply, wanted, left);
 }

@@ -7,30 +7,36 @@
 // Fork: the child inherits a pool whose threads are gone and hangs in its next region. Without a pool
 // at the time of the fork the child makes one of its own.
 //
-// Unloading: libgomp is linked with -z nodelete, so its idle threads never lose their code. When a library
-// that uses them is unloaded they are ended under the dynamic loader's lock; and the first pthread_exit of a
-// process, which is how they end, wants that lock to load the unwinder. So the first one happens before.
+// Unloading: the threads of another user thread's pool sleep in libgomp until that thread ends, so it is kept in memory from
+// the first region on. When a library that uses them is unloaded they are ended under the dynamic loader's lock; and the
+// first pthread_exit of a process, which is how they end, wants that lock to load the unwinder. So the first one happens before.
 #include <omp.h>
 #include <pthread.h>
 
+#include "dxKeptLibrary.h"
 #include "dxOpenMPRuntime.h"
 #include "dxProcessObject.h"
 
 namespace {
 
-struct LoadedUnwinder {
-    LoadedUnwinder() {
+struct PreparedRuntime {
+    PreparedRuntime() {
+        dxKeepLibraryOf(&omp_get_thread_num);
+        loadUnwinder();
+    }
+
+    static void loadUnwinder() {
         pthread_t thread;
         const auto body = [](void *) -> void * { pthread_exit(nullptr); };
         if (pthread_create(&thread, nullptr, body, nullptr) == 0) pthread_join(thread, nullptr);
     }
 };
 
-dxProcessObject<LoadedUnwinder> unwinder;
+dxProcessObject<PreparedRuntime> runtime;
 
 }  // namespace
 
-void dxOpenMPPrepareRegions() { *unwinder; }
+void dxOpenMPPrepareRegions() { *runtime; }
 
 bool dxOpenMPEndThreads() { return omp_pause_resource_all(omp_pause_hard) == 0; }
 

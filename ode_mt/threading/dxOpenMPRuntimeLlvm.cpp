@@ -9,20 +9,16 @@
 //
 // Unloading: libomp may be unloaded, and its idle threads would then run into unmapped code. So it is
 // kept in memory from the first region on.
-#include <dlfcn.h>
 #include <omp.h>
 
+#include "dxKeptLibrary.h"
 #include "dxOpenMPRuntime.h"
 #include "dxProcessObject.h"
 
 namespace {
 
 struct KeptInMemory {
-    KeptInMemory() {
-        Dl_info runtime;
-        if (dladdr(reinterpret_cast<void *>(&omp_get_thread_num), &runtime) != 0)
-            dlopen(runtime.dli_fname, RTLD_NOW | RTLD_NOLOAD | RTLD_NODELETE);
-    }
+    KeptInMemory() { dxKeepLibraryOf(&omp_get_thread_num); }
 };
 
 dxProcessObject<KeptInMemory> keptInMemory;

@@ -36,6 +36,7 @@ void dxParking::wake(unsigned wanted) {
         if (parkedIn(now) == 0 || searchingIn(now) >= wanted) return;
         woken = std::min(parkedIn(now), wanted - searchingIn(now));
     } while (!counts.compare_exchange_weak(now, now + woken * (oneSearching - oneParked)));
+    dxPerturb(dxSchedulePoint::WakeWorkers);
     tokens.fetch_add(woken);
     dxFutexWake(tokens, woken);
 }
@@ -46,6 +47,7 @@ void dxParking::countAsParked() { counts.fetch_sub(oneSearching - oneParked); }
 
 // If everybody counted as parked has been promised a wake-up meanwhile, so has this worker.
 void dxParking::standUp() {
+    dxPerturb(dxSchedulePoint::StandUp);
     std::uint32_t now = counts.load();
     while (parkedIn(now) > 0) {
         if (counts.compare_exchange_weak(now, now + oneSearching - oneParked)) return;
@@ -59,6 +61,7 @@ void dxParking::takeToken() {
 
 bool dxParking::tryToTakeToken() {
     std::uint32_t available = tokens.load();
+    dxPerturb(dxSchedulePoint::ClaimWakeUp);
     while (available > 0)
         if (tokens.compare_exchange_weak(available, available - 1)) return true;
     return false;

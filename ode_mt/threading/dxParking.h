@@ -10,6 +10,7 @@
 #pragma once
 
 #include "dxFutex.h"
+#include "dxPerturbation.h"
 
 class dxParking {
 public:
@@ -27,6 +28,7 @@ public:
     template <typename Condition, typename Watch>
     void park(Condition stayAwake, Watch lookAround) {
         countAsParked();
+        dxPerturb(dxSchedulePoint::Park);
         if (stayAwake()) {
             standUp();
         } else if (!watched.exchange(true)) {

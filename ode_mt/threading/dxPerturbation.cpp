@@ -12,6 +12,7 @@
 namespace {
 
 std::atomic<std::uint64_t> randomState{0};
+std::atomic<std::uint64_t> timesReached[kSchedulePoints];
 
 // SplitMix64 (Steele, Lea, Flood 2014): the state only counts up, so threads can share it.
 std::uint64_t nextRandom() {
@@ -62,6 +63,15 @@ dxDisturbance fromEnvironment() {
 }  // namespace
 
 std::atomic<dxDisturbance> dxDisturbanceInForce{fromEnvironment()};
+
+void dxDisturb(dxSchedulePoint point, dxDisturbance disturb) {
+    timesReached[static_cast<unsigned>(point)].fetch_add(1, std::memory_order_relaxed);
+    disturb();
+}
+
+std::uint64_t dxTimesReached(dxSchedulePoint point) {
+    return timesReached[static_cast<unsigned>(point)].load(std::memory_order_relaxed);
+}
 
 void dxSetDisturbance(dxDisturbance disturb) { dxDisturbanceInForce.store(disturb); }
 

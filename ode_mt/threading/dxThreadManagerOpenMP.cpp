@@ -28,7 +28,7 @@ private:
     void work(unsigned worker) {
         dxFloatEnvironmentScope scope(environment);
         for (;;) {
-            dxPerturb();
+            dxPerturb(dxSchedulePoint::ClaimTeamBlock);
             const unsigned long long block = next.fetch_add(1, std::memory_order_relaxed);
             if (block >= blocks) break;
             task(context, static_cast<unsigned>(block), worker);

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <thread>
 
+#include "threading/dxPerturbation.h"
 #include "threading/dxSpin.h"
 
 class dxTurns {
@@ -19,12 +20,16 @@ public:
     // Waits until `blocks` are finished; what they wrote is then visible. Returns how many are.
     unsigned await(unsigned blocks) const {
         unsigned known = finished();
+        if (known < blocks) dxPerturb(dxSchedulePoint::AwaitTurn);
         for (int looks = 0; known < blocks; ++looks, known = finished()) wait(looks);
         return known;
     }
 
     // Of the block that is the next to be finished, by its thread.
-    void finish(unsigned block) { m_finished.store(block + 1, std::memory_order_release); }
+    void finish(unsigned block) {
+        dxPerturb(dxSchedulePoint::FinishTurn);
+        m_finished.store(block + 1, std::memory_order_release);
+    }
 
 private:
     // Looks before a thread lets others run, of which one may hold the block that is waited for; and before it sleeps: to a

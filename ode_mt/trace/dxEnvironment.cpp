@@ -38,6 +38,7 @@ dxNumberText dxReadNumber(const char *text, long long least, long long most, lon
     long long value = 0;
     const auto [stopped, error] = std::from_chars(text, end, value);
     if (stopped != end || error == std::errc::invalid_argument) return dxNumberText::NoNumber;
+    if (value == 0 && *text == '-') return dxNumberText::NoNumber;
     if (error == std::errc::result_out_of_range) {
         number = *text == '-' ? least : most;
         return dxNumberText::OutOfRange;

@@ -155,6 +155,32 @@ TEST_F(ClusterOverlay, TellsMergesAndSplits) {
     EXPECT_EQ(events()[0].into, dClusterGetOfGeom(balls[3]));
 }
 
+TEST_F(ClusterOverlay, TellsEventsOnce) {
+    dGeomSetPosition(balls[2], 2, 0, 1);
+    dGeomSetPosition(balls[3], 3, 0, 1);
+    collide();
+    EXPECT_FALSE(events().empty());
+    for (int i = 0; i < 3; ++i) {
+        collide();
+        EXPECT_TRUE(events().empty()) << "nothing moved";
+    }
+}
+
+// Slots of geoms that have gone are given again.
+TEST_F(ClusterOverlay, NewGeomsAreInNoneUntilTheNextCollision) {
+    dBodyDestroy(dGeomGetBody(balls[3]));
+    dGeomDestroy(balls[3]);
+    const dGeomID apart = box(-500), near = ball(0.5);
+    for (const dGeomID geom : {apart, near}) {
+        EXPECT_EQ(dClusterGetOfGeom(geom), 0u);
+        EXPECT_EQ(dClusterGetTestedWith(geom, nullptr, 0), 0);
+        EXPECT_EQ(dClusterGetStaticOfGeom(geom), 0u);
+    }
+    collide();
+    EXPECT_EQ(dClusterGetOfGeom(near), dClusterGetOfGeom(balls[0]));
+    EXPECT_EQ(dClusterGetOfGeom(apart), 0u);
+}
+
 TEST_F(ClusterOverlay, NamesOutlastTheGrid) {
     const unsigned first = dClusterGetOfGeom(balls[0]), second = dClusterGetOfGeom(balls[2]);
     const int cells = dClusterGetGridCells(world, space);

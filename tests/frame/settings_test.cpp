@@ -277,6 +277,7 @@ const Case kCases[] = {
     {"ODE_MT_GRID_CELLS", "99999999999999999999", "ODE_MT_GRID_CELLS.*5 to 20; 20", 0, "auto", "pthread", 20},
     {"ODE_MT_THREAD_MANAGER", "openmp", "^$", 0, "auto", "openmp"},
     {"ODE_MT_THREADS", " 3", "ODE_MT_THREADS is ' 3'.*auto.*0 to 1024; 0", 0, "auto", "pthread"},
+    {"ODE_MT_THREADS", "-0", "ODE_MT_THREADS is '-0'.*auto.*0 to 1024; 0", 0, "auto", "pthread"},
     {"ODE_MT_THREADS", "+3", "ODE_MT_THREADS is '[+]3'.*auto.*0 to 1024; 0", 0, "auto", "pthread"},
     {"ODE_MT_GRID_CELLS", " 9", "ODE_MT_GRID_CELLS is ' 9'.*auto.*5 to 20; auto", 0, "auto", "pthread"},
     // Empty is unset, for all of them.

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 
+#include <atomic>
+#include <chrono>
 #include <fstream>
 #include <string>
 #include <thread>
@@ -121,6 +123,32 @@ TEST_P(Unload, WithOpenMP) {
     use();
     EXPECT_TRUE(threadsFallTo(before));
     EXPECT_FALSE(inMemory());
+}
+
+// The pool of a thread that lives on sleeps in the OpenMP runtime, which must not go before it.
+TEST(UnloadThreads, ThreadWithAnOpenMPPoolOutlivesTheLibrary) {
+    skipIfUnseen("openmp");
+    if (IsSkipped()) return;
+    for (int i = 0; i < 5; ++i) {
+        std::atomic<bool> used{false}, gone{false};
+        std::thread user;
+        {
+            const LoadedOde ode;
+            user = std::thread([&] {
+                LoadedOde::forgetLeaks(true);
+                stepInParallel(ode, "openmp");
+                LoadedOde::forgetLeaks(false);
+                used = true;
+                while (!gone) std::this_thread::yield();
+            });
+            while (!used) std::this_thread::yield();
+            ODE_FUNCTION(ode, dCloseODE)();
+        }
+        EXPECT_FALSE(inMemory());
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));  // idle threads spin, then sleep
+        gone = true;
+        user.join();
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Close, Unload, testing::Bool(),

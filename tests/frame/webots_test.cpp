@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 
+#include <csetjmp>
 #include <csignal>
 #include <string>
 #include <thread>
@@ -119,6 +120,16 @@ TEST_F(Webots, NoFrameIsLeftBehindByAnException) {
     const auto throwing = [](int) { throw 1; };
     EXPECT_THROW(dWorldStepAndSpaceCollide(space, &data, near, world, 0.1, stepper, throwing), int);
     EXPECT_EQ(dThreadGetSpacesCount(-1), 0);
+}
+
+TEST_F(Webots, NoFrameIsLeftBehindByAJump) {
+    static std::jmp_buf place;
+    const auto jumping = [](int) { std::longjmp(place, 1); };
+    if (setjmp(place) == 0) dWorldStepAndSpaceCollide(space, &data, near, world, 0.1, stepper, jumping);
+    const int count = dThreadGetSpacesCount(-1);
+    const dSpaceID left = dThreadGetSpaceID(-1, 0);
+    EXPECT_EQ(count, 0);
+    EXPECT_EQ(left, nullptr);
 }
 
 TEST_F(Webots, GeomsAreTheSameOnlyAsThemselves) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "dynamics/sweep/dxSweepRun.h"
+#include "threading/dxPerturbation.h"
 #include "threading/dxSpin.h"
 
 namespace {
@@ -162,6 +163,7 @@ void dxSharedSweep::orderSharedRows(const dxSweepIsland &island, unsigned number
 void dxSharedSweep::finish(const dxSweepIsland &island, unsigned number, unsigned times) {
     const auto tryPart = [&](unsigned which) {
         Part &part = *m_parts[which];
+        dxPerturb(dxSchedulePoint::ClaimPart);
         if (part.isFinished.load(std::memory_order_relaxed) || part.isTaken.exchange(true, std::memory_order_acquire)) return;
         if (!part.isFinished.load(std::memory_order_relaxed)) advance(island, part, times);
         part.isTaken.store(false, std::memory_order_release);
@@ -178,6 +180,7 @@ void dxSharedSweep::finish(const dxSweepIsland &island, unsigned number, unsigne
 void dxSharedSweep::advance(const dxSweepIsland &island, Part &part, unsigned times) {
     while (mayGoOn(part)) {
         part.row = dxTakeRun(island, part.rows.data(), part.row, part.rows.size());
+        dxPerturb(dxSchedulePoint::AnnounceRows);
         part.done.store(part.sweep * part.length() + static_cast<std::int64_t>(part.row), std::memory_order_release);
         if (part.row < part.rows.size()) continue;
         part.row = part.wait = 0;
@@ -195,6 +198,7 @@ bool dxSharedSweep::mayGoOn(Part &part) {
         const std::int64_t needed = part.sweep * other.length() + wait.rows;
         int patience = kPatience;
         while (other.done.load(std::memory_order_acquire) < needed) {
+            if (patience == kPatience) dxPerturb(dxSchedulePoint::AwaitRows);
             if (--patience == 0) return false;
             dxPause();
         }

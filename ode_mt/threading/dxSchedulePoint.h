@@ -1,0 +1,54 @@
+// Where one thread's progress meets another's: claims of work, hand-overs, waits, and commits of results.
+//
+// Each is named, so that a disturbed schedule (dxPerturbation) can be shown to have reached it. A new claim, hand-over, wait
+// or commit gets a name here, a sentence in dxSchedulePoint.cpp, and a scene in tests/frame/schedule_points_test.cpp, which fails while
+// a point is not reached.
+#pragma once
+
+enum class dxSchedulePoint : unsigned {
+    // Runs of a thread manager
+    ClaimSlot,
+    OpenRun,
+    ClaimSeat,
+    ClaimBlock,
+    ClaimTeamBlock,
+    RunAlone,
+    FinishBlocks,
+    AwaitBlocks,
+    CloseRun,
+    // Idle workers
+    WakeWorkers,
+    Park,
+    StandUp,
+    ClaimWakeUp,
+    // Blocks that are finished one after the other
+    FinishTurn,
+    AwaitTurn,
+    // Large islands of QuickStep
+    ClaimPart,
+    AnnounceRows,
+    AwaitRows,
+    // Islands side by side
+    StepIsland,
+    InterruptIsland,
+    CommitIslands,
+    // Random numbers of a step
+    ReserveDraws,
+    AwaitLoneStep,
+    // Spaces
+    ClaimCleaning,
+    AwaitCleaning,
+    // Contacts computed before their callbacks
+    ComputeContacts,
+    AnswerCollide,
+    // Callbacks that may run at once
+    DeliverPair,
+    CommitContacts,
+
+    Count
+};
+
+constexpr unsigned kSchedulePoints = static_cast<unsigned>(dxSchedulePoint::Count);
+
+// What a thread is about to do there.
+const char *dxDescribe(dxSchedulePoint point);
