@@ -67,6 +67,8 @@ ode_mt_compile_after("collision_trimesh_internal.cpp" collision_trimesh.h)
 
 # Contacts computed ahead of callbacks hear of changes to the data of height fields (ode_mt/api/height_fields.cpp).
 ode_mt_compile_after("heightfield.cpp" heightfield.h)
+# They hear of data of meshes that is destroyed (ode_mt/api/meshes.cpp).
+ode_mt_compile_after("collision_trimesh_opcode.cpp" collision_trimesh_opcode.h)
 # They also hear of bodies that functions of joints move to and fro (ode_mt/api/joint_offsets.cpp).
 ode_mt_compile_after("joints/piston.cpp" joint_offsets.h)
 ode_mt_compile_after("joints/pu.cpp" joint_offsets.h)

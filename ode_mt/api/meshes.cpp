@@ -1,13 +1,15 @@
-// Meshes (ode/collision_trimesh.h): what happens to one without its space being told.
+// Meshes (ode/collision_trimesh.h): what happens to one, or to its data, without its space being told.
 #include <ode/collision.h>
 
 #include "collision/dxMissedNotifications.h"
+#include "collision/dxSilentChanges.h"
 #include "config.h"
 #include "collision_kernel.h"
 
 extern "C" {
-// Upstream's own, renamed by the seam ode/seams/collision_trimesh.h.
+// Upstream's own, renamed by the seams ode/seams/collision_trimesh.h and collision_trimesh_opcode.h.
 void dxUpstreamGeomTriMeshSetData(dGeomID geom, dTriMeshDataID data);
+void dxUpstreamGeomTriMeshDataDestroy(dTriMeshDataID data);
 
 // A geom that is dirty already waits to be cleaned, or has been counted.
 void dGeomTriMeshSetData(dGeomID geom, dTriMeshDataID data) {
@@ -15,6 +17,12 @@ void dGeomTriMeshSetData(dGeomID geom, dTriMeshDataID data) {
         geom != nullptr && geom->parent_space != nullptr && (geom->gflags & GEOM_DIRTY) == 0;
     if (isUnnoticed) dxMissedNotifications::add();
     dxUpstreamGeomTriMeshSetData(geom, data);
+}
+
+// Geoms may have it still, which the program then does not collide any more.
+void dGeomTriMeshDataDestroy(dTriMeshDataID data) {
+    dxSilentChanges::add();
+    dxUpstreamGeomTriMeshDataDestroy(data);
 }
 
 }  // extern "C"

@@ -147,7 +147,7 @@ int dCollide(dGeomID o1, dGeomID o2, int flags, dContactGeom *contact, int skip)
     } else if (dxContactLog *const log = dxContactLog::current()) {
         const bool isValid = o1 != nullptr && o2 != nullptr && contact != nullptr;
         if (isValid && !isAnsweredEarly(*o1, *o2, flags) && dxMayCollideAnywhere(*o1, *o2))
-            return log->copies().collide(*o1, *o2, flags, contact, skip);
+            return log->copies().collide(*o1, *o2, {}, flags, contact, skip);
     }
     if (o1 != nullptr && o2 != nullptr) {
         const Entry entry = entryOf(*o1, *o2);

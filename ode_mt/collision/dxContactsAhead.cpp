@@ -18,12 +18,16 @@
 
 #include "config.h"
 #include "collision_kernel.h"
+#include "collision_std.h"
 #include "collision_util.h"
 
 namespace {
 
 __attribute__((tls_model("initial-exec"))) thread_local dxContactsAhead *t_current = nullptr;
-__attribute__((tls_model("initial-exec"))) thread_local dxStackFrame t_frame;  // of the call that made it current
+__attribute__((tls_model("initial-exec"))) thread_local dxStackFrame t_frame;    // of the call that made it current
+__attribute__((tls_model("initial-exec"))) thread_local std::uint64_t t_call = 0;  // its number
+
+std::atomic<std::uint64_t> lastCall{0};
 
 // Pairs computed at once: enough to pay for waking workers, few enough for their contacts to stay in a cache.
 constexpr std::size_t kWindow = 2048;
@@ -117,25 +121,31 @@ private:
 
 dxContactsAhead *dxContactsAhead::current() {
     if (t_current != nullptr && !t_frame.called(dxStackFrame::ofCaller())) {
-        t_current->release();
-        t_current = nullptr;
+        forgetCurrent();
     }
     return t_current;
 }
 
+void dxContactsAhead::forgetCurrent() {
+    if (t_current == nullptr) return;
+    t_current->release();
+    t_current = nullptr;
+    t_call = 0;
+}
+
 dxContactsAhead::Scope::Scope(dxContactsAhead &ahead, dxTaskRunner &runner, std::size_t slots, bool arraysStay)
-    : m_outer(current()), m_outerFrame(t_frame), m_ahead(ahead) {
+    : m_number(lastCall.fetch_add(1, std::memory_order_relaxed) + 1), m_ahead(ahead) {
+    forgetCurrent();
     ahead.m_holders.fetch_add(1, std::memory_order_relaxed);
     ahead.start(runner, slots, arraysStay);
     t_current = &ahead;
     t_frame = dxStackFrame::ofCaller();
+    t_call = m_number;
 }
 
 dxContactsAhead::Scope::~Scope() {
-    t_current = m_outer;
-    t_frame = m_outerFrame;
     m_ahead.end();
-    m_ahead.release();
+    if (t_call == m_number) forgetCurrent();
 }
 
 void dxContactsAhead::release() {
@@ -148,7 +158,8 @@ void dxContactsAhead::leaveSpace() {
     m_hasResults = false;
     std::vector<Result>().swap(m_results);
     std::vector<Worker>().swap(m_workers);
-    std::vector<std::uint64_t>().swap(m_asked);
+    std::vector<Asked>().swap(m_asked);
+    m_convex = {};
     release();
 }
 
@@ -229,13 +240,14 @@ void dxContactsAhead::computeWindow(const std::vector<dxOrderedPair> &pairs) {
 void dxContactsAhead::compute(const dxOrderedPair &pair, Result &result, unsigned number) {
     Worker &worker = m_workers[number];
     result.count = kUnknown;
-    if (!wasAsked(pair.slots[0]) || !wasAsked(pair.slots[1])) return;
+    if (!wasAsked(*pair.first, pair.slots[0]) || !wasAsked(*pair.second, pair.slots[1])) return;
     if (!dxMayCollideAnywhere(*pair.first, *pair.second)) return;
     if (!m_arraysStay && !dxKnowsArrays(*pair.first, *pair.second)) return;
     const auto most = static_cast<std::size_t>(m_windowFlags & NUMC_MASK);
     worker.makeRoom(most + 1);
     try {
-        result.count = worker.copies.collide(*pair.first, *pair.second, m_windowFlags,
+        const dxColliderCopies::Arrays arrays{m_convex.of(pair.slots[0]), m_convex.of(pair.slots[1])};
+        result.count = worker.copies.collide(*pair.first, *pair.second, arrays, m_windowFlags,
                                              worker.contacts.data() + worker.used, sizeof(dContactGeom));
     } catch (const dxIslandInterrupted &) {
         worker.wipe(worker.used, worker.used + most);
@@ -254,7 +266,7 @@ void dxContactsAhead::compute(const dxOrderedPair &pair, Result &result, unsigne
     result.worker = static_cast<std::uint16_t>(number);
     result.isUsed = false;
     result.first = static_cast<std::uint32_t>(worker.used);
-    result.states = worker.keepStates({dxColliderState(*pair.first), dxColliderState(*pair.second)});
+    result.states = worker.keepStates({stateOf(*pair.first, pair.slots[0]), stateOf(*pair.second, pair.slots[1])});
     worker.used += static_cast<std::size_t>(result.count);
     ++worker.computed;
     worker.wipeDrafts();
@@ -293,7 +305,24 @@ void dxContactsAhead::Worker::wipeDrafts() {
 }
 
 void dxContactsAhead::noteAsked(const dxOrderedPair &pair) {
-    for (const dxMembers::Slot slot : pair.slots) m_asked[slot] = m_call;
+    const dxGeom *const geoms[] = {pair.first, pair.second};
+    for (int i = 0; i < 2; ++i) {
+        m_asked[pair.slots[i]] = {m_call, dxSilentChanges::count()};
+        if (geoms[i]->type == dConvexClass) m_convex.read(pair.slots[i], static_cast<const dxConvex &>(*geoms[i]));
+    }
+}
+
+bool dxContactsAhead::wasAsked(const dxGeom &geom, dxMembers::Slot slot) const {
+    const Asked &asked = m_asked[slot];
+    if (asked.call + 1 < m_call) return false;
+    if (geom.type == dConvexClass) return m_convex.of(slot) != nullptr;
+    return !dxHasDataOfProgram(geom) || asked.changes == dxSilentChanges::count();
+}
+
+std::uint64_t dxContactsAhead::stateOf(const dxGeom &geom, dxMembers::Slot slot) const {
+    if (geom.type != dConvexClass) return dxColliderState(geom);
+    const dxConvexArrays::Copy *const copy = m_convex.of(slot);
+    return copy != nullptr ? copy->number() : 0;
 }
 
 int dxContactsAhead::answer(dGeomID o1, dGeomID o2, int flags, dContactGeom *contacts, int skip) {
@@ -308,7 +337,7 @@ int dxContactsAhead::answer(dGeomID o1, dGeomID o2, int flags, dContactGeom *con
     if (result.count == kUnknown || skip < static_cast<int>(sizeof(dContactGeom))) return kUnknown;
     const Worker &worker = m_workers[result.worker];
     const States states = result.states == kNoStates ? States{0, 0} : worker.states[result.states];
-    if (states.first != dxColliderState(*o1) || states.second != dxColliderState(*o2) ||
+    if (states.first != stateOf(*o1, m_pair->slots[0]) || states.second != stateOf(*o2, m_pair->slots[1]) ||
         dxColliderOverrides::has(o1->type, o2->type))
         return kUnknown;
     dxPerturb(dxSchedulePoint::AnswerCollide);

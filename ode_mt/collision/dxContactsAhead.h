@@ -2,7 +2,7 @@
 //
 // Callbacks run one at a time, in order, on the caller's thread. Before a window of them, workers call
 // dCollide for its pairs; in the callback dCollide then hands out what is there, if it is asked for the same
-// pair with the same flags, and nothing that colliders read has changed (dxColliderState, dxSilentChanges,
+// pair with the same flags, and nothing that colliders read has changed (dxColliderState, dxConvexArrays, dxSilentChanges,
 // dxFloatMode; geoms of a locked space cannot be moved, and where an assertion about that fails all contacts are void).
 // Else it computes anew. While a callback runs no worker does: it may write to whatever workers read. Pairs
 // with a mesh, or with a height field whose samples are the program's, are not computed ahead
@@ -10,7 +10,9 @@
 //
 // What the callback will ask for is learned from the last call: with which flags, and for which geoms. A pair is
 // computed ahead only if dCollide was called for both of its geoms in this call or the one before, be it in other
-// pairs: a program may have reasons never to collide a geom (a collider that would not end, points that are gone).
+// pairs: a program may have reasons never to collide a geom, or not any more (points or samples that are gone). The points
+// of a convex geom are read only when the program collides it (dxConvexArrays); samples of height fields and meshes only where
+// no such data has been destroyed since.
 // If less than half of what was computed is asked for, the rest of the call goes without, and so do the next calls.
 //
 // Colliders leave some bytes of dContactGeom as they are. Workers compute into memory that holds a pattern,
@@ -28,6 +30,7 @@
 
 #include <ode/ode.h>
 
+#include "collision/dxConvexArrays.h"
 #include "collision/dxMembers.h"
 #include "collision/dxOrderedPair.h"
 #include "collision/dxSharedColliders.h"
@@ -45,7 +48,9 @@ public:
     // much deeper on the stack may still be told the last one.
     static dxContactsAhead *current();
 
-    // Makes one current for as long as its frame is on the stack.
+    // Makes one current for as long as its frame is on the stack, or until a call elsewhere on the stack makes another one
+    // current: where a program switches between stacks of its own (fibers) in callbacks, calls do not end in the reverse order
+    // of their beginnings, and what is current does not belong to whoever ends. Calls are known by their numbers therefore.
     class Scope {
     public:
         // `arraysStay`: the program promises that no callback writes to the arrays of meshes and height
@@ -57,8 +62,7 @@ public:
         Scope &operator=(const Scope &) = delete;
 
     private:
-        dxContactsAhead *const m_outer;
-        const dxStackFrame m_outerFrame;
+        const std::uint64_t m_number;
         dxContactsAhead &m_ahead;
     };
 
@@ -73,7 +77,8 @@ public:
     void forgetPair() { m_pair = nullptr; }
     // Another geom has the slot.
     void forgetGeom(dxMembers::Slot slot) {
-        if (slot < m_asked.size()) m_asked[slot] = 0;
+        if (slot < m_asked.size()) m_asked[slot] = {};
+        m_convex.forget(slot);
     }
 
     // dCollide asks. -1: nothing is known, upstream has to compute.
@@ -96,7 +101,7 @@ private:
         bool isUsed;
     };
 
-    // dxColliderState of both geoms.
+    // Of both geoms (stateOf).
     struct States {
         std::uint64_t first, second;
     };
@@ -118,6 +123,7 @@ private:
 
     void leaveSpace();
     void release();
+    static void forgetCurrent();
     void start(dxTaskRunner &runner, std::size_t slots, bool arraysStay);
     void end();
     void nextWindow(const std::vector<dxOrderedPair> &pairs, std::size_t index);
@@ -125,7 +131,8 @@ private:
     void computeWindow(const std::vector<dxOrderedPair> &pairs);
     void compute(const dxOrderedPair &pair, Result &result, unsigned worker);
     void noteAsked(const dxOrderedPair &pair);
-    bool wasAsked(dxMembers::Slot slot) const { return m_asked[slot] + 1 >= m_call; }
+    bool wasAsked(const dxGeom &geom, dxMembers::Slot slot) const;
+    std::uint64_t stateOf(const dxGeom &geom, dxMembers::Slot slot) const;
 
     static std::uint64_t changesNoticed();
 
@@ -142,7 +149,13 @@ private:
     std::uint64_t m_window = 0;  // its number
     std::vector<Worker> m_workers;
     std::uint64_t m_call = 1;               // its number
-    std::vector<std::uint64_t> m_asked;     // by slot: the last call in which the geom was collided, or 0
+    // When a geom was collided last.
+    struct Asked {
+        std::uint64_t call = 0;     // 0: never
+        std::uint64_t changes = 0;  // dxSilentChanges::count() then
+    };
+    std::vector<Asked> m_asked;             // by slot
+    dxConvexArrays m_convex;                // of the geoms that were collided
     int m_flags = 0;  // of the last dCollide; 0: none yet
     int m_windowFlags = 0;
     std::uint64_t m_computed = 0, m_used = 0;              // in this call

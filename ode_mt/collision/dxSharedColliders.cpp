@@ -62,53 +62,12 @@ bool isPure(const dxGeom &geom) {
     }
 }
 
-// A hash in which any change of a single word shows: each step can be undone.
-class ContentHash {
-public:
-    template <class Word>
-    void add(const Word *words, std::size_t count) {
-        static_assert(sizeof(Word) <= sizeof(std::uint64_t), "one step a word");
-        for (std::size_t i = 0; i < count; ++i) {
-            std::uint64_t word = 0;
-            std::memcpy(&word, words + i, sizeof(Word));
-            std::uint64_t &lane = m_lanes[i % kLanes];
-            lane = (lane ^ word) * kOdd;
-            lane ^= lane >> 32;
-        }
-    }
-    std::uint64_t value() const {
-        std::uint64_t value = 0;
-        for (const std::uint64_t lane : m_lanes) value = (value ^ lane) * kOdd;
-        return value;
-    }
-
-private:
-    static constexpr std::uint64_t kOdd = UINT64_C(0x9e3779b97f4a7c15);
-    static constexpr std::size_t kLanes = 4;  // multiplications that need not wait for one another
-    std::uint64_t m_lanes[kLanes] = {1, 2, 3, 4};
-};
-
-std::uint64_t contentOf(const dxConvex &convex) {
-    ContentHash hash;
-    const std::uint64_t header[] = {
-        reinterpret_cast<std::uintptr_t>(convex.planes), reinterpret_cast<std::uintptr_t>(convex.points),
-        reinterpret_cast<std::uintptr_t>(convex.polygons), convex.planecount, convex.pointcount};
-    hash.add(header, sizeof header / sizeof header[0]);
-    hash.add(convex.planes, std::size_t{4} * convex.planecount);
-    hash.add(convex.points, std::size_t{3} * convex.pointcount);
-    const unsigned *polygon = convex.polygons;
-    for (unsigned i = 0; i < convex.planecount && polygon != nullptr; ++i) {
-        hash.add(polygon, polygon[0] + std::size_t{1});
-        polygon += polygon[0] + 1;
-    }
-    return hash.value();
-}
-
 // A copy of a geom of a built-in class that has a place of its own to turn. Never destroyed: what it points
 // to is the original's.
 class MovableCopy {
 public:
-    dxGeom *of(const dxGeom &geom) {
+    // `arrays`: that a convex geom is to have instead of its own, or NULL.
+    dxGeom *of(const dxGeom &geom, const dxConvexArrays::Copy *arrays) {
         switch (geom.type) {
             case dSphereClass:
                 return copy<dxSphere>(geom);
@@ -121,7 +80,7 @@ public:
             case dRayClass:
                 return copy<dxRay>(geom);
             case dConvexClass:
-                return copy<dxConvex>(geom);
+                return copyOfConvex(geom, arrays);
             default:
                 return nullptr;
         }
@@ -134,6 +93,11 @@ private:
         Geom *const made = ::new (static_cast<void *>(m_memory)) Geom(static_cast<const Geom &>(geom));
         m_place = *geom.final_posr;
         made->final_posr = &m_place;
+        return made;
+    }
+    dxGeom *copyOfConvex(const dxGeom &geom, const dxConvexArrays::Copy *arrays) {
+        dxGeom *const made = copy<dxConvex>(geom);
+        if (arrays != nullptr) arrays->giveTo(static_cast<dxConvex &>(*made));
         return made;
     }
 
@@ -160,9 +124,10 @@ bool dxKnowsArrays(const dxGeom &a, const dxGeom &b) {
     return knows(a) && knows(b);
 }
 
+bool dxHasDataOfProgram(const dxGeom &geom) { return isMesh(geom) || isHeightfield(geom); }
+
 std::uint64_t dxColliderState(const dxGeom &geom) {
     constexpr std::uint64_t kImpure = 1;  // no pointer, and no flag of a ray
-    if (geom.type == dConvexClass) return contentOf(static_cast<const dxConvex &>(geom));
     if (geom.type == dRayClass) return geom.gflags & (RAY_FIRSTCONTACT | RAY_BACKFACECULL | RAY_CLOSEST_HIT);
     if (!isMesh(geom) && !isHeightfield(geom)) return 0;
     if (!isPure(geom)) return kImpure;
@@ -179,11 +144,11 @@ public:
     Terrain() : m_field(nullptr, nullptr, 0) {}
     ~Terrain() { m_heights.m_bCopyHeightData = 0; }  // the samples are the original's
 
-    int collide(const dxHeightfield &terrain, const dxGeom &other, bool terrainFirst, int flags,
-                dContactGeom *contacts, int skip) {
+    int collide(const dxHeightfield &terrain, const dxGeom &other, const dxConvexArrays::Copy *arraysOfOther, bool terrainFirst,
+                int flags, dContactGeom *contacts, int skip) {
         const Borrowed borrowed(m_field);
         takeOver(terrain);
-        dxGeom *const moved = m_other.of(other);
+        dxGeom *const moved = m_other.of(other, arraysOfOther);
         const int count = terrainFirst ? dxUpstreamCollide(&m_field, moved, flags, contacts, skip)
                                        : dxUpstreamCollide(moved, &m_field, flags, contacts, skip);
         for (int i = 0; i < count; ++i) {
@@ -231,16 +196,31 @@ dxColliderCopies::dxColliderCopies() = default;
 dxColliderCopies::~dxColliderCopies() = default;
 dxColliderCopies::dxColliderCopies(dxColliderCopies &&) noexcept = default;
 
-int dxColliderCopies::collide(dxGeom &a, dxGeom &b, int flags, dContactGeom *contacts, int skip) {
-    if (isHeightfield(a) == isHeightfield(b) || hasNoPlace(a) || hasNoPlace(b))  // no collider that turns one of them
-        return dxUpstreamCollide(&a, &b, flags, contacts, skip);
+int dxColliderCopies::collide(dxGeom &a, dxGeom &b, const Arrays &arrays, int flags, dContactGeom *contacts, int skip) {
     a.recomputePosr();
     b.recomputePosr();
+    const bool isOnTerrain = isHeightfield(a) != isHeightfield(b) && !hasNoPlace(a) && !hasNoPlace(b);  // it turns the other one
+    if (isOnTerrain) return collideWithTerrain(a, b, arrays, flags, contacts, skip);
+    MovableCopy copyOfA, copyOfB;
+    dxGeom *const readA = arrays.a != nullptr ? copyOfA.of(a, arrays.a) : &a;
+    dxGeom *const readB = arrays.b != nullptr ? copyOfB.of(b, arrays.b) : &b;
+    const int count = dxUpstreamCollide(readA, readB, flags, contacts, skip);
+    for (int i = 0; i < count; ++i) {
+        dContactGeom &contact = *CONTACT(contacts, i * skip);
+        for (dGeomID *const geom : {&contact.g1, &contact.g2}) {
+            replace(*geom, readA, a);
+            replace(*geom, readB, b);
+        }
+    }
+    return count;
+}
+
+int dxColliderCopies::collideWithTerrain(dxGeom &a, dxGeom &b, const Arrays &arrays, int flags, dContactGeom *contacts, int skip) {
     if (m_terrain == nullptr) m_terrain = std::make_unique<Terrain>();
     const bool aIsTerrain = isHeightfield(a);
     const auto &terrain = static_cast<const dxHeightfield &>(aIsTerrain ? a : b);
     try {
-        return m_terrain->collide(terrain, aIsTerrain ? b : a, aIsTerrain, flags, contacts, skip);
+        return m_terrain->collide(terrain, aIsTerrain ? b : a, aIsTerrain ? arrays.b : arrays.a, aIsTerrain, flags, contacts, skip);
     } catch (const std::bad_alloc &) {
         // Upstream frees a buffer before it asks for a larger one, and would free it again.
         static_cast<void>(m_terrain.release());

@@ -14,6 +14,8 @@
 
 #include <ode/ode.h>
 
+#include "collision/dxConvexArrays.h"
+
 // Whether no collider of the pair calls the user, leads elsewhere or writes to the geoms, once copies are
 // used.
 bool dxMayCollideAnywhere(const dxGeom &a, const dxGeom &b);
@@ -23,10 +25,15 @@ bool dxMayCollideAnywhere(const dxGeom &a, const dxGeom &b);
 // samples of height fields that were not copied, are too many to look at again.
 bool dxKnowsArrays(const dxGeom &a, const dxGeom &b);
 
-// What the user may change about a geom in a callback without moving it, and colliders read: flags of rays,
-// the data of meshes, the arrays of a convex geom (as a hash of 64 bits of all that is in them). Where it is
-// the same, and the geom has not moved, dCollide gives the same contacts. Whether samples of height fields
-// have changed is told by dxSilentChanges.
+// Whether the geom has data in an object that the program may destroy while it has the geom, but does not collide it:
+// what that data holds may be looked at only where no such object has been destroyed (dxSilentChanges) since the program
+// collided the geom.
+bool dxHasDataOfProgram(const dxGeom &geom);
+
+// What the user may change about a geom in a callback without moving it, and colliders read: flags of rays and the data
+// of meshes. Where it is the same, the geom has not moved, and the arrays of a convex geom are those of the copy
+// (dxConvexArrays), dCollide gives the same contacts. Whether samples of height fields have changed is told by
+// dxSilentChanges.
 std::uint64_t dxColliderState(const dxGeom &geom);
 
 // Scratch memory of one worker.
@@ -36,10 +43,17 @@ public:
     ~dxColliderCopies();
     dxColliderCopies(dxColliderCopies &&) noexcept;
 
+    // What is read instead of the arrays of convex geoms; NULL: the program's.
+    struct Arrays {
+        const dxConvexArrays::Copy *a = nullptr, *b = nullptr;
+    };
+
     // dCollide for a pair that may be collided anywhere. Leaves both geoms untouched.
-    int collide(dxGeom &a, dxGeom &b, int flags, dContactGeom *contacts, int skip);
+    int collide(dxGeom &a, dxGeom &b, const Arrays &arrays, int flags, dContactGeom *contacts, int skip);
 
 private:
     class Terrain;
+    int collideWithTerrain(dxGeom &a, dxGeom &b, const Arrays &arrays, int flags, dContactGeom *contacts, int skip);
+
     std::unique_ptr<Terrain> m_terrain;  // made when the first height field comes
 };

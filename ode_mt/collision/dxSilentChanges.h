@@ -1,5 +1,5 @@
 // How often something has changed that contacts are computed from, and of which no space is told: samples of a height field,
-// or the position of a body, which some functions of joints move to and fro, so that it comes back rounded.
+// data of meshes or height fields that has been destroyed, or the position of a body, which some functions of joints move to and fro, so that it comes back rounded.
 //
 // Contacts that were computed ahead of a near-callback are void if the callback, or one before it, has made such a
 // change (dxContactsAhead). Any thread.
