@@ -100,7 +100,7 @@ ODE_API const char *dODE_MT_GetAlgorithm(void);
  * called for, and make contact joints and attach them. With "concurrent" it may also enable the bodies of its pair, and
  * write to data of its pair's bodies. Contact joints appear in the lists of world and bodies only after the
  * last callback, in upstream's order, so the results are upstream's as long as no callback reads those lists
- * (dAreConnected, dBodyGetJoint) to find contacts of the same call. It must not change geoms or spaces, nor write to the
+ * (dAreConnected, dBodyGetJoint) to find contacts of the same call. It must not change geoms or spaces, nor write to or free the
  * vertices, points or height samples that geoms use, make other joints, destroy joints, or leave by longjmp; an exception
  * is passed on after all callbacks have ended, and so is pthread_exit, which then ends the thread that called
  * dSpaceCollide (with the manager "pthread"; the runtime of "openmp" does not allow it). It may end the process.
