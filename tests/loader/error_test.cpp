@@ -101,7 +101,7 @@ TEST(Error, BrokenXmlIsNamedWithItsLine) {
     expectError("<sdf version=\"1.9\"><world name=\"w\">\n<model", Kind::Syntax,
                 {"test.sdf: not well-formed XML"});
     expectError("<sdf version=\"1.9\">\n<world name=\"w\"></sdf>", Kind::Syntax,
-                {"not well-formed XML, line 2: XML_ERROR_MISMATCHED_ELEMENT"});
+                {"not well-formed XML, line 2: mismatched tag"});
     expectError("", Kind::Syntax, {"test.sdf"});
     expectError("no XML at all", Kind::Syntax, {"test.sdf"});
     expectError("<robot name=\"urdf\"/>", Kind::Syntax, {"test.sdf: not SDF", "<sdf>"});

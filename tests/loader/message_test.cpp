@@ -65,9 +65,11 @@ INSTANTIATE_TEST_SUITE_P(
              m + "/link[c]", "invalid inertia"},
         Case{"attribute", world("<model name=\"m\" weight=\"2\"><link name=\"l\"/></model>"), m,
              "attribute 'weight'"},
-        Case{"controlCharacters",
-             world("<model name=\"m&#27;[31m&#10;\"><link name=\"l\"/><pose>&#7;</pose></model>"),
-             "/sdf/world/model[m\\x1b[31m\\x0a]/pose", "'\\x07'"},
+        Case{
+            "controlCharacters",
+            world(
+                "<model name=\"m&#127;[31m&#10;\xe2\x80\xae\"><link name=\"l\"/><pose>&#x85;</pose></model>"),
+            "/sdf/world/model[m\\x7f[31m\\x0a\\xe2\\x80\\xae]/pose", "'\\xc2\\x85'"},
         Case{"version99", versioned("99.0"), "/sdf", "version '99.0': not supported; 1.2 to 1.9 are"},
         Case{"versionBelow0", versioned("-1"), "/sdf", "version '-1'"},
         Case{"versionEmpty", versioned(""), "/sdf", "version ''"},

@@ -1,6 +1,6 @@
 #include "loader/load_error.h"
 
-#include <algorithm>
+#include <cstdint>
 
 namespace worlds {
 
@@ -8,8 +8,40 @@ namespace {
 
 constexpr std::size_t longestShown = 200;  // characters of a path or of quoted text
 
+struct Character {
+    std::uint32_t code;  // 0 for a byte that is no UTF-8
+    std::size_t bytes;
+};
+
+Character characterAt(const std::string &text, std::size_t at) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned first = byte(at);
+    if (first < 0x80) return {first, 1};
+    const std::size_t bytes = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+    if (first < 0xc2 || first > 0xf4 || text.size() - at < bytes) return {0, 1};
+    std::uint32_t code = first & (0xffu >> (bytes + 1));
+    for (std::size_t i = at + 1; i < at + bytes; ++i) {
+        if ((byte(i) & 0xc0) != 0x80) return {0, 1};
+        code = code << 6 | (byte(i) & 0x3f);
+    }
+    const bool isLonger = (bytes == 3 && code < 0x800) || (bytes == 4 && code < 0x10000);
+    const bool isOutside = code > 0x10ffff || (code >= 0xd800 && code < 0xe000);
+    return {isLonger || isOutside ? 0 : code, isLonger || isOutside ? 1 : bytes};
+}
+
+// No control character, and nothing that ends a line or turns the direction of what follows.
+bool isShown(std::uint32_t code) {
+    const auto within = [&](std::uint32_t first, std::uint32_t last) {
+        return code >= first && code <= last;
+    };
+    return code >= 0x20 && !within(0x7f, 0x9f) && code != 0x61c && !within(0x200e, 0x200f) &&
+           !within(0x2028, 0x202e) && !within(0x2066, 0x2069) && code != 0xfeff;
+}
+
+}  // namespace
+
 // Cut in the middle, never within a character of several bytes.
-std::string shorten(const std::string &text) {
+std::string shortened(const std::string &text) {
     if (text.size() <= longestShown) return text;
     const auto isInside = [&](std::size_t at) { return (text[at] & 0xc0) == 0x80; };
     std::size_t head = longestShown / 2, tail = text.size() - longestShown / 2;
@@ -18,32 +50,26 @@ std::string shorten(const std::string &text) {
     return text.substr(0, head) + "..." + text.substr(tail);
 }
 
-}  // namespace
-
 std::string printable(const std::string &text) {
     constexpr char digits[] = "0123456789abcdef";
     std::string shown;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const auto byte = static_cast<unsigned char>(text[i]);
-        const bool isSecondControl =  // U+0080 to U+009f
-            byte == 0xc2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xa0;
-        if (byte >= 0x20 && byte != 0x7f && !isSecondControl) {
-            shown += text[i];
-            continue;
-        }
-        for (std::size_t last = i + (isSecondControl ? 1 : 0);; ++i) {
-            const auto control = static_cast<unsigned char>(text[i]);
-            shown += std::string("\\x") + digits[control >> 4] + digits[control & 15];
-            if (i == last) break;
+    for (std::size_t i = 0; i < text.size();) {
+        const Character character = characterAt(text, i);
+        for (const std::size_t end = i + character.bytes; i < end; ++i) {
+            const auto byte = static_cast<unsigned char>(text[i]);
+            if (isShown(character.code))
+                shown += text[i];
+            else
+                shown += std::string("\\x") + digits[byte >> 4] + digits[byte & 15];
         }
     }
     return shown;
 }
 
-std::string quote(const std::string &text) { return "'" + shorten(text) + "'"; }
+std::string quote(const std::string &text) { return "'" + shortened(text) + "'"; }
 
 std::string toString(const Place &place) {
-    return printable(place.path.empty() ? place.file : place.file + ": " + shorten(place.path));
+    return printable(place.path.empty() ? place.file : place.file + ": " + shortened(place.path));
 }
 
 }  // namespace worlds

@@ -2,6 +2,7 @@
 
 #include "loader/read/element_rules.h"
 #include "loader/read/regular_file.h"
+#include "loader/read/xml_text.h"
 
 #include <tinyxml2.h>
 
@@ -13,12 +14,6 @@ namespace {
 
 constexpr std::uintmax_t longestConfig = 1u << 20;  // bytes
 
-std::string wordOf(const tinyxml2::XMLElement &element) {
-    const std::string text = element.GetText() ? element.GetText() : "";
-    const std::size_t begin = text.find_first_not_of(" \t\r\n"), end = text.find_last_not_of(" \t\r\n");
-    return begin == std::string::npos ? std::string() : text.substr(begin, end - begin + 1);
-}
-
 }  // namespace
 
 std::string readModelConfig(const std::string &folder, const Place &place, const std::string &model) {
@@ -29,8 +24,7 @@ std::string readModelConfig(const std::string &folder, const Place &place, const
     const std::string wrong = whyNotReadable(config, longestConfig);
     if (!wrong.empty()) throw fail(wrong);
     tinyxml2::XMLDocument xml;
-    if (xml.LoadFile(config.c_str()) != tinyxml2::XML_SUCCESS)
-        throw fail("not well-formed XML, line " + std::to_string(xml.ErrorLineNum()) + ": " + xml.ErrorName());
+    if (const std::string fault = readXml(readTextFile(config), xml); !fault.empty()) throw fail(fault);
     const tinyxml2::XMLElement *root = xml.RootElement();
     if (!root || std::string(root->Name()) != "model") throw fail("its root element is not <model>");
 
@@ -42,7 +36,7 @@ std::string readModelConfig(const std::string &folder, const Place &place, const
         const auto found = version ? std::find(newest, known.end(), version) : known.end();
         if (found == known.end()) continue;
         newest = found;
-        file = wordOf(*sdf);
+        file = wholeText(*sdf);
         if (file.empty()) throw fail("its <sdf version=\"" + std::string(version) + "\"> names no file");
     }
     if (file.empty()) throw fail("names no SDF file of a version from " + known.front() + " to " + known.back());

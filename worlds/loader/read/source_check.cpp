@@ -3,6 +3,7 @@
 #include "loader/read/element_path.h"
 #include "loader/read/element_rules.h"
 #include "loader/read/value_check.h"
+#include "loader/read/xml_text.h"
 
 #include <algorithm>
 #include <map>
@@ -198,9 +199,7 @@ XMLElement &parseSdf(const std::string &text, const std::string &file, tinyxml2:
     const auto broken = [&](const std::string &what) {
         return LoadError(LoadError::Kind::Syntax, {file, ""}, what);
     };
-    if (xml.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS)
-        throw broken("not well-formed XML, line " + std::to_string(xml.ErrorLineNum()) + ": " +
-                     xml.ErrorName());
+    if (const std::string wrong = readXml(text, xml); !wrong.empty()) throw broken(wrong);
     XMLElement *root = xml.RootElement();
     if (!root || std::string(root->Name()) != "sdf") throw broken("not SDF: the root element is not <sdf>");
     if (root->NextSiblingElement()) throw broken("not SDF: more than one root element");

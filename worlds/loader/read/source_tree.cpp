@@ -5,6 +5,7 @@
 #include "loader/read/regular_file.h"
 #include "loader/read/source_check.h"
 #include "loader/read/source_place.h"
+#include "loader/read/xml_text.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -20,13 +21,6 @@ using tinyxml2::XMLElement;
 
 constexpr std::size_t deepestInclude = 50;
 constexpr std::size_t mostModels = 20000;  // libsdformat takes about 50 kB for each
-
-std::string textOf(const XMLElement *element) {
-    const char *text = element ? element->GetText() : nullptr;
-    const std::string whole = text ? text : "";
-    const std::size_t begin = whole.find_first_not_of(" \t\r\n"), end = whole.find_last_not_of(" \t\r\n");
-    return begin == std::string::npos ? std::string() : whole.substr(begin, end - begin + 1);
-}
 
 // Every element in a line of its own: a line tells which one is meant.
 std::string print(const tinyxml2::XMLDocument &xml) {
@@ -105,12 +99,13 @@ Place SourceTree::placeNamedIn(const std::string &message) const {
 std::string SourceTree::include(XMLElement &element, const Place &place, const std::string &file,
                                 std::size_t &modelCount) {
     XMLElement *uri = element.FirstChildElement("uri");
-    const std::string wanted = textOf(uri);
+    const std::string wanted = uri ? wholeText(*uri) : std::string();
     const Place at{place.file, place.path + "/uri"};
     const std::string found = m_resources.find(wanted, file);
     if (found.empty()) throw LoadError(LoadError::Kind::Resource, at, "no model " + quote(wanted));
 
-    const std::string givenName = textOf(element.FirstChildElement("name"));
+    const XMLElement *const name = element.FirstChildElement("name");
+    const std::string givenName = name ? wholeText(*name) : std::string();
     if (givenName.find("::") != std::string::npos)
         throw LoadError(LoadError::Kind::Value, {place.file, place.path + "/name"}, "a name may not hold '::'");
     const std::string outer = place.path.substr(0, place.path.rfind("/include"));

@@ -1,0 +1,121 @@
+#include "loader/read/xml_text.h"
+
+#include "loader/load_error.h"
+
+#include <expat.h>
+#include <strings.h>
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+
+namespace worlds {
+
+namespace {
+
+// tinyxml2 looks every attribute up among those before it.
+constexpr std::size_t mostAttributes = 100, longestName = 1000;
+
+// Stops at what the parser knows and tinyxml2 does not.
+struct Limits {
+    XML_Parser parser;
+    std::string wrong;
+
+    void stop(const std::string &what) {
+        wrong = what;
+        XML_StopParser(parser, XML_FALSE);
+    }
+};
+
+void onDeclaration(void *data, const char *version, const char *encoding, int) {
+    Limits &limits = *static_cast<Limits *>(data);
+    if (version && std::string(version) != "1.0")
+        return limits.stop("XML of version " + quote(version) + ", not 1.0");
+    if (encoding && ::strcasecmp(encoding, "UTF-8") != 0 && ::strcasecmp(encoding, "US-ASCII") != 0)
+        limits.stop("XML in encoding " + quote(encoding) + ", neither UTF-8 nor US-ASCII");
+}
+
+void onDocumentType(void *data, const char *, const char *, const char *, int) {
+    static_cast<Limits *>(data)->stop("XML with a document type");
+}
+
+void onElement(void *data, const char *name, const char **attributes) {
+    Limits &limits = *static_cast<Limits *>(data);
+    std::size_t count = 0, longest = std::strlen(name);
+    for (; *attributes; attributes += 2, ++count) longest = std::max(longest, std::strlen(*attributes));
+    if (count > mostAttributes)
+        limits.stop("an element with " + std::to_string(count) + " attributes, more than " +
+                    std::to_string(mostAttributes));
+    if (longest > longestName)
+        limits.stop("a name with " + std::to_string(longest) + " characters, more than " +
+                    std::to_string(longestName));
+}
+
+std::string whyNotWellFormed(const std::string &text) {
+    const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(XML_ParserCreate("UTF-8"),
+                                                                         XML_ParserFree);
+    if (!parser) throw std::bad_alloc();
+    Limits limits{parser.get(), {}};
+    XML_SetUserData(parser.get(), &limits);
+    XML_SetXmlDeclHandler(parser.get(), onDeclaration);
+    XML_SetStartDoctypeDeclHandler(parser.get(), onDocumentType);
+    XML_SetStartElementHandler(parser.get(), onElement);
+    constexpr std::size_t longestPart = 1u << 24;  // its length is an int to the parser
+    for (std::size_t at = 0, length = 0;; at += length) {
+        length = std::min(text.size() - at, longestPart);
+        const bool isLast = at + length == text.size();
+        if (XML_Parse(parser.get(), text.data() + at, static_cast<int>(length), isLast) != XML_STATUS_OK)
+            break;
+        if (isLast) return {};
+    }
+    const XML_Error error = XML_GetErrorCode(parser.get());
+    if (error == XML_ERROR_NO_MEMORY) throw std::bad_alloc();
+    const std::string line = "line " + std::to_string(XML_GetCurrentLineNumber(parser.get())) + ": ";
+    if (!limits.wrong.empty()) return line + limits.wrong + ": not supported";
+    return "not well-formed XML, " + line + XML_ErrorString(error);
+}
+
+// Children of an element, one text where several follow one another.
+void joinTexts(tinyxml2::XMLElement &element) {
+    tinyxml2::XMLText *text = nullptr;  // that goes on
+    bool isParted = false;              // by a comment
+    for (tinyxml2::XMLNode *node = element.FirstChild(), *next = nullptr; node; node = next) {
+        next = node->NextSibling();
+        if (node->ToComment()) {
+            isParted = true;
+            element.DeleteChild(node);
+        } else if (tinyxml2::XMLText *const more = node->ToText(); more && text) {
+            text->SetValue((std::string(text->Value()) + (isParted ? " " : "") + more->Value()).c_str());
+            text->SetCData(false);
+            element.DeleteChild(more);
+            isParted = false;
+        } else {
+            text = more;
+            if (text) text->SetCData(false);
+            if (tinyxml2::XMLElement *const inner = node->ToElement()) joinTexts(*inner);
+            isParted = false;
+        }
+    }
+}
+
+}  // namespace
+
+std::string readXml(const std::string &text, tinyxml2::XMLDocument &xml) {
+    const std::string wrong = whyNotWellFormed(text);
+    if (!wrong.empty()) return wrong;
+    if (xml.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS)
+        return "not XML that can be read, line " + std::to_string(xml.ErrorLineNum()) + ": " +
+               xml.ErrorName();
+    joinTexts(*xml.RootElement());
+    return {};
+}
+
+std::string wholeText(const tinyxml2::XMLElement &element) {
+    std::string text;
+    for (const tinyxml2::XMLNode *node = element.FirstChild(); node; node = node->NextSibling())
+        if (node->ToText()) text += node->Value();
+    const std::size_t begin = text.find_first_not_of(" \t\r\n"), end = text.find_last_not_of(" \t\r\n");
+    return begin == std::string::npos ? std::string() : text.substr(begin, end - begin + 1);
+}
+
+}  // namespace worlds
