@@ -110,12 +110,4 @@ TEST_F(HostileFile, AsIncludedModel) {
               place + "model 'folder': " + folder.path("folder/model.config") + ": is not a regular file");
 }
 
-TEST_F(HostileFile, AMeshThatPromisesMoreThanItHolds) {
-    for (const char *const element : {"vertex 200000000", "face 99999999999999999999", "vertex -1"}) {
-        folder.write("big.ply", std::string("ply\nformat ascii 1.0\nelement ") + element +
-                                    "\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n");
-        expectReason(mesh("big.ply"), "more than bytes");
-    }
-}
-
 }  // namespace

@@ -1,55 +1,75 @@
 #include "loader/read/mesh_file.h"
 
+#include "loader/read/collada_file.h"
+#include "loader/read/mesh_fault.h"
+#include "loader/read/obj_check.h"
 #include "loader/read/regular_file.h"
+#include "loader/read/stl_check.h"
 
-#include <assimp/DefaultIOSystem.h>
+#include <assimp/BaseImporter.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <assimp/Importer.hpp>
+#include <assimp/IOSystem.hpp>
 
-#include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
+#include <map>
+#include <set>
+#include <utility>
 
 namespace worlds {
 
 namespace {
 
-LoadError broken(const Place &place, const std::string &file, const std::string &what) {
-    return LoadError(LoadError::Kind::Resource, place, "mesh file " + file + ": " + what);
-}
-
 constexpr std::uintmax_t longestMeshFile = 1u << 30;  // bytes
 
-// A mesh names further files, of materials for one, which may be no files either.
-class RegularFiles : public Assimp::DefaultIOSystem {
+// Makes the file's text safe to import.
+using Prepare = std::string (*)(std::string);
+
+template <void (*check)(const std::string &)>
+std::string checked(std::string text) {
+    check(text);
+    return text;
+}
+
+// By the end of the file's name. Assimp knows more formats, and trusts what is written in them.
+const std::map<std::string, Prepare> &formats() {
+    static const std::map<std::string, Prepare> all = {
+        {".dae", [](std::string text) { return reduceCollada(text); }},
+        {".obj", checked<checkObj>},
+        {".stl", checked<checkStl>},
+    };
+    return all;
+}
+
+std::string extensionOf(const std::string &file) {
+    std::string extension = std::filesystem::path(file).extension();
+    for (char &letter : extension)
+        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    return extension;
+}
+
+// A mesh may name further files, of materials for one: none is opened.
+class NoFiles : public Assimp::IOSystem {
 public:
-    bool Exists(const char *file) const override { return whyNotReadable(file, longestMeshFile).empty(); }
-    Assimp::IOStream *Open(const char *file, const char *mode) override {
-        return whyNotReadable(file, longestMeshFile).empty() ? DefaultIOSystem::Open(file, mode) : nullptr;
-    }
+    bool Exists(const char *) const override { return false; }
+    char getOsSeparator() const override { return '/'; }
+    Assimp::IOStream *Open(const char *, const char *) override { return nullptr; }
+    void Close(Assimp::IOStream *) override {}
 };
 
-// The importer of PLY files makes room for as many vertices and faces as the file says that it holds.
-std::string whyNotPly(const std::string &file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::error_code none;
-    const std::uintmax_t size = std::filesystem::file_size(file, none);
-    std::string line;
-    if (!std::getline(stream, line) || line.compare(0, 3, "ply") != 0) return "";
-    while (std::getline(stream, line) && line.compare(0, 10, "end_header") != 0) {
-        std::istringstream words(line);
-        std::string element, kind, count;
-        words >> element >> kind >> count;
-        if (element != "element") continue;
-        std::uintmax_t elements = 0;
-        const auto [stopped, error] = std::from_chars(count.data(), count.data() + count.size(), elements);
-        if (error != std::errc() || elements > size) return "says that it holds " + count + " elements '" + kind + "', more than bytes";
+// The importer of the one format: others would be chosen by what stands in the file.
+void keepImporter(Assimp::Importer &importer, const std::string &format) {
+    for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
+        Assimp::BaseImporter *const one = importer.GetImporter(i);
+        std::set<std::string> extensions;
+        one->GetExtensionList(extensions);
+        if (extensions.count(format)) continue;
+        importer.UnregisterLoader(one);
+        delete one;  // the importer does not own it any more
     }
-    return "";
 }
 
 void append(const aiMesh &part, const ignition::math::Vector3d &scale, TriangleMesh &mesh) {
@@ -63,33 +83,53 @@ void append(const aiMesh &part, const ignition::math::Vector3d &scale, TriangleM
     for (unsigned i = 0; i < part.mNumFaces; ++i) {
         const aiFace &face = part.mFaces[i];
         if (face.mNumIndices != 3) continue;  // points and lines touch nothing
-        for (unsigned corner = 0; corner < 3; ++corner)
+        for (unsigned corner = 0; corner < 3; ++corner) {
+            if (face.mIndices[corner] >= part.mNumVertices)
+                throw MeshFault("holds a triangle without vertices");
             mesh.triangles.push_back(first + face.mIndices[corner]);
+        }
     }
+}
+
+TriangleMesh readMesh(const std::string &file, const ignition::math::Vector3d &scale) {
+    if (const std::string wrong = whyNotReadable(file, longestMeshFile); !wrong.empty())
+        throw MeshFault(wrong);
+    const std::string extension = extensionOf(file);
+    const auto format = formats().find(extension);
+    if (format == formats().end()) throw MeshFault("is none of .dae, .obj and .stl: not supported");
+    std::string bytes;
+    if (!readBytes(file, bytes)) throw MeshFault("cannot be read");
+    const std::string text = format->second(std::move(bytes));
+
+    Assimp::Importer importer;
+    keepImporter(importer, extension.substr(1));
+    importer.SetIOHandler(new NoFiles);  // owned by the importer
+    // Coordinates stay as they are in the file, whichever axis it calls up.
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+    const aiScene *scene = importer.ReadFileFromMemory(
+        text.data(), text.size(),
+        aiProcess_Triangulate | aiProcess_PreTransformVertices | aiProcess_JoinIdenticalVertices,
+        extension.c_str() + 1);
+    if (!scene) throw MeshFault(shortened(importer.GetErrorString()));
+
+    TriangleMesh mesh;
+    for (unsigned i = 0; i < scene->mNumMeshes; ++i) append(*scene->mMeshes[i], scale, mesh);
+    if (mesh.triangles.empty()) throw MeshFault("holds no triangles");
+    for (const float coordinate : mesh.vertices)
+        if (!std::isfinite(coordinate)) throw MeshFault("holds a coordinate that is not finite");
+    return mesh;
 }
 
 }  // namespace
 
 TriangleMesh readMeshFile(const std::string &file, const ignition::math::Vector3d &scale,
                           const Place &place) {
-    const std::string wrong = whyNotReadable(file, longestMeshFile);
-    if (!wrong.empty()) throw broken(place, file, wrong);
-    const std::string notPly = whyNotPly(file);
-    if (!notPly.empty()) throw broken(place, file, notPly);
-    Assimp::Importer importer;
-    importer.SetIOHandler(new RegularFiles);  // owned by the importer
-    // Coordinates stay as they are in the file, whichever axis it calls up.
-    importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-    const aiScene *scene = importer.ReadFile(
-        file, aiProcess_Triangulate | aiProcess_PreTransformVertices | aiProcess_JoinIdenticalVertices);
-    if (!scene) throw broken(place, file, importer.GetErrorString());
-
-    TriangleMesh mesh;
-    for (unsigned i = 0; i < scene->mNumMeshes; ++i) append(*scene->mMeshes[i], scale, mesh);
-    if (mesh.triangles.empty()) throw broken(place, file, "holds no triangles");
-    for (const float coordinate : mesh.vertices)
-        if (!std::isfinite(coordinate)) throw broken(place, file, "holds a coordinate that is not finite");
-    return mesh;
+    try {
+        return readMesh(file, scale);
+    } catch (const MeshFault &fault) {
+        throw LoadError(LoadError::Kind::Resource, place, "mesh file " + file + ": " + fault.what());
+    }
 }
 
 }  // namespace worlds

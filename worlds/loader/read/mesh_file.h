@@ -1,4 +1,4 @@
-// Triangles out of a mesh file: whatever Assimp reads, STL, OBJ and COLLADA among it.
+// Triangles out of a mesh file, STL, OBJ or COLLADA: looked through here, then imported by Assimp.
 #pragma once
 
 #include "loader/description/shape.h"

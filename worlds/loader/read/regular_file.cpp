@@ -24,14 +24,20 @@ std::string whyNotReadable(const std::string &file, std::uintmax_t mostBytes) {
     return {};
 }
 
+bool readBytes(const std::string &file, std::string &bytes) {
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream read;
+    if (!stream || !(read << stream.rdbuf())) return false;
+    bytes = read.str();
+    return true;
+}
+
 std::string readTextFile(const std::string &file) {
     const std::string wrong = whyNotReadable(file, longestTextFile);
     if (!wrong.empty()) throw LoadError(LoadError::Kind::File, {file, ""}, wrong);
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    if (!stream || !(text << stream.rdbuf()))
-        throw LoadError(LoadError::Kind::File, {file, ""}, std::strerror(errno));
-    return text.str();
+    std::string text;
+    if (!readBytes(file, text)) throw LoadError(LoadError::Kind::File, {file, ""}, std::strerror(errno));
+    return text;
 }
 
 }  // namespace worlds

@@ -11,6 +11,9 @@ namespace worlds {
 // system's words.
 std::string whyNotReadable(const std::string &file, std::uintmax_t mostBytes);
 
+// False when the system cannot read it.
+bool readBytes(const std::string &file, std::string &bytes);
+
 constexpr std::uintmax_t longestTextFile = 256u << 20;  // bytes
 
 // Throws LoadError with the file's name.

@@ -1,0 +1,14 @@
+// A COLLADA file made safe to import.
+#pragma once
+
+#include <string>
+
+namespace worlds {
+
+// The text of a COLLADA file that holds what `text` shows of triangles and polygons, and nothing else: no
+// materials, no animations; nodes that are instances of others stand written out. Every number, reference and
+// count was looked at: Assimp reads beyond arrays, and follows a node that contains itself for ever. Throws
+// MeshFault.
+std::string reduceCollada(const std::string &text);
+
+}  // namespace worlds
