@@ -2,6 +2,7 @@
 
 #include "loader/read/element_check.h"
 #include "loader/read/element_path.h"
+#include "loader/read/faulty_element.h"
 #include "loader/read/source_place.h"
 #include "loader/read/source_tree.h"
 
@@ -17,15 +18,18 @@ namespace worlds {
 
 namespace {
 
-// libsdformat reports a line, a path, or in words alone what it could not use.
+LoadError toLoadError(std::string message, const Place &place) {
+    message.erase(message.find_last_not_of(" \n") + 1);
+    return LoadError(LoadError::Kind::Syntax, place, message);
+}
+
+// In reading, libsdformat reports a line, a path, or in words alone what it could not use.
 LoadError toLoadError(const sdf::Error &error, const SourceTree &sources) {
     const std::string opened = error.FilePath().value_or("");
     Place place = sources.placeOf(opened, error.LineNumber().value_or(0));
     if (place.path.empty()) place.path = shortPath(error.XmlPath().value_or(""));
     if (place.path.empty()) place = sources.placeNamedIn(error.Message());
-    std::string message = error.Message();
-    message.erase(message.find_last_not_of(" \n") + 1);
-    return LoadError(LoadError::Kind::Syntax, place, message);
+    return toLoadError(error.Message(), place);
 }
 
 bool isUnknownAttribute(const sdf::Error &error) {
@@ -75,7 +79,10 @@ Document::Document(const std::string &text, const std::string &file, const Resou
         nameFiles(document->Root(), sources);
         checkElements(document->Root(), file, issues);
         const sdf::Errors errors = m_root.Load(document, config);
-        if (!errors.empty()) throw toLoadError(errors.front(), sources);
+        if (!errors.empty()) {
+            const std::string message = errors.front().Message();
+            throw toLoadError(message, placeOf(findFaultyElement(document->Root(), message, config), file));
+        }
     } catch (const sdf::Exception &error) {  // no std::exception
         const std::string message = error.GetErrorStr();
         throw LoadError(LoadError::Kind::Syntax, sources.placeNamedIn(message), message);

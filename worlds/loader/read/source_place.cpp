@@ -66,8 +66,9 @@ std::string includedPath(const std::string &path, const std::string &outerPath,
 std::vector<std::string> namesIn(const std::string &message) {
     std::vector<std::string> names, reserved;
     const auto add = [&](std::string name) {
-        if (const std::size_t inner = name.rfind("::"); inner != std::string::npos) name.erase(0, inner + 2);
+        const std::size_t inner = name.rfind("::");
         if (!name.empty()) (name.compare(0, 2, "__") == 0 ? reserved : names).push_back(name);
+        if (inner != std::string::npos && inner + 2 < name.size()) names.push_back(name.substr(inner + 2));
     };
     for (std::size_t begin = message.find('['); begin != std::string::npos;
          begin = message.find('[', begin + 1)) {

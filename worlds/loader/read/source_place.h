@@ -17,8 +17,8 @@ std::string pathOfName(const std::string &text, const std::string &name);
 // comes first, and the model has the name that it was given, if any.
 std::string includedPath(const std::string &path, const std::string &outerPath, const std::string &givenName);
 
-// The names in a message of libsdformat's, which stand in [brackets] or after "named"; of nested names
-// ("a::b") the last part alone. Reserved ones ("__model__") come last.
+// The names in a message of libsdformat's, which stand in [brackets] or after "named"; nested names
+// ("a::b") are followed by their last part. Reserved ones ("__model__") come last.
 std::vector<std::string> namesIn(const std::string &message);
 
 }  // namespace worlds
