@@ -24,7 +24,8 @@ std::vector<std::string> split(const std::string &text) {
 
 bool readNumbers(const std::string &text, std::vector<double> &numbers) {
     for (const std::string &word : split(text)) {
-        const char *begin = word.data() + (word[0] == '+' ? 1 : 0), *end = word.data() + word.size();
+        const bool hasPlus = word[0] == '+' && word.size() > 1 && word[1] != '-';
+        const char *begin = word.data() + (hasPlus ? 1 : 0), *end = word.data() + word.size();
         double number = 0;
         const auto result = std::from_chars(begin, end, number);
         if (result.ec != std::errc() || result.ptr != end) return false;

@@ -48,8 +48,9 @@ public:
         : m_partsNames(partsNames), m_onInclude(onInclude) {}
 
     void children(XMLElement &parent, const std::string &context, const Place &outer) const {
-        std::map<std::string, std::set<std::string>> names;  // by kind of element
+        std::map<std::string, std::map<std::string, std::string>> names;  // the kind of each, by set of names
         std::set<std::string> written;
+        bool hasDefault = false;  // among <physics>
         for (XMLElement *child = parent.FirstChildElement(), *next = nullptr; child; child = next) {
             next = child->NextSiblingElement();
             const Place place = placeOf(*child, outer);
@@ -67,8 +68,13 @@ public:
                 name = m_onInclude(*child, place);
                 kind = "model";
             }
-            if (rule->use == Use::Read && !name.empty() && !names[kind].insert(name).second)
-                fail(place, "a second <" + kind + "> is called " + quote(name));
+            if (const char *chosen = child->Attribute("default"); chosen && kind == "physics") {
+                const bool isDefault = std::string(chosen) == "true" || std::string(chosen) == "1";
+                if (isDefault && hasDefault) fail(place, "is a second default");
+                hasDefault = hasDefault || isDefault;
+            }
+            if (rule->use == Use::Read && !name.empty())
+                distinct(names[setOfNames(context, kind)], kind, name, place);
             if (rule->use == Use::NoPhysics && !isSelected(path)) parent.DeleteChild(child);
         }
     }
@@ -104,6 +110,20 @@ public:
     }
 
 private:
+    // Frames of a world share their names with its models: libsdformat gives such frames other names. Within
+    // models it says itself what shares them.
+    static std::string setOfNames(const std::string &context, const std::string &kind) {
+        return context == "world" && kind == "frame" ? "model" : kind;
+    }
+
+    static void distinct(std::map<std::string, std::string> &kinds, const std::string &kind,
+                         const std::string &name, const Place &place) {
+        const auto [known, isNew] = kinds.emplace(name, kind);
+        if (isNew) return;
+        if (known->second == kind) fail(place, "a second <" + kind + "> is called " + quote(name));
+        fail(place, "a <" + known->second + "> is called " + quote(name) + ", too");
+    }
+
     void names(const XMLElement &element, const std::string &path, const Place &place) const {
         if (const char *name = element.Attribute("name")) {
             if (isBlank(name)) fail(place, "has an empty name");

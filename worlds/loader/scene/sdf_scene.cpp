@@ -10,6 +10,7 @@
 #include "loader/scene/ode_joint.h"
 #include "loader/scene/ode_world.h"
 
+#include <set>
 #include <unordered_map>
 
 namespace worlds {
@@ -93,11 +94,14 @@ void SdfScene::addJoints(const WorldDescription &world) {
 }
 
 void SdfScene::addControllers(const WorldDescription &world) {
+    std::set<std::string> driven;  // a second controller would undo what the first one does
     for (const ControllerDescription &description : world.controllers) {
         const FindMotor findMotor = [&](const std::string &joint, const Parameters &namedBy) {
             const auto found = m_parts->motors.find(description.model + "::" + joint);
             if (found == m_parts->motors.end())
                 namedBy.fail("model has no joint " + quote(joint) + " with an axis");
+            if (!driven.insert(found->first).second)
+                namedBy.fail("joint " + quote(joint) + " is driven already");
             return found->second;
         };
         m_parts->controllers.push_back(createController(description, findMotor, world.physics.stepSize));
