@@ -175,7 +175,8 @@ void dxBatchSearch::searchSmaller(const dxMembers &members, std::size_t index, c
 
 template <class Sweep>
 void dxBatchSearch::sweepPieces(const dxCellRows &rows, dxTaskRunner &runner, const Sweep &sweep) {
-    runner.forPieces(rows.size(), kSweepPiece, [&](std::size_t begin, std::size_t end, unsigned worker) {
+    runner.forPieces(dxParallelStage::CellSweep, rows.size(), kSweepPiece,
+        [&](std::size_t begin, std::size_t end, unsigned worker) {
         std::vector<Match> &matches = m_found[worker].matches;
         if (matches.size() <= m_most) sweep(begin, end, matches);
     });

@@ -224,7 +224,7 @@ void dxContactsAhead::computeWindow(const std::vector<dxOrderedPair> &pairs) {
     if (m_results.size() < size) m_results.resize(size);
     const std::size_t piece =
         std::clamp(size / (kPiecesForEach * m_runner->workers()), kLeastPiece, kLargestPiece);
-    m_runner->forPieces(size, piece, [&](std::size_t begin, std::size_t end, unsigned worker) {
+    m_runner->forPieces(dxParallelStage::ContactsAhead, size, piece, [&](std::size_t begin, std::size_t end, unsigned worker) {
         const SilentScope silent;
         m_workers[worker].enterWindow(m_window);
         for (std::size_t i = begin; i < end; ++i) {

@@ -29,7 +29,7 @@ void dxKeptPairs::sortByLead(const dxMembers &members, const std::vector<dxPairS
                              const dxPairPlacer &placer, dxTaskRunner &runner) {
     m_items.resize(matches.size());
     std::atomic<bool> allLead{true};
-    runner.forPieces(matches.size(), kPiece, [&](std::size_t begin, std::size_t end, unsigned) {
+    runner.forPieces(dxParallelStage::PairKeys, matches.size(), kPiece, [&](std::size_t begin, std::size_t end, unsigned) {
         bool all = true;
         for (std::size_t i = begin; i < end; ++i) {
             if (i + kAhead < end) {
@@ -55,7 +55,8 @@ void dxKeptPairs::placeAll(const dxMembers &members, const dxPairPlacer &placer,
     m_nextPairs.resize(m_items.size());
     if (m_longRuns.size() < runner.workers()) m_longRuns.resize(runner.workers());
     std::atomic<bool> allPlaced{true};
-    runner.forPieces(m_items.size(), kPiece, [&](std::size_t begin, std::size_t end, unsigned worker) {
+    runner.forPieces(dxParallelStage::KeptPairKeys, m_items.size(), kPiece,
+        [&](std::size_t begin, std::size_t end, unsigned worker) {
         if (!placeRuns(members, placer, begin, end, m_longRuns[worker]))
             allPlaced.store(false, std::memory_order_relaxed);
     });

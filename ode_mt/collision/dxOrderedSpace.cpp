@@ -185,7 +185,7 @@ bool dxOrderedSpace::makeReadyShared(dxTaskRunner &runner) {
 // Only of the built-in classes whose boxes depend on nothing but themselves and their bodies.
 void dxOrderedSpace::computeBoxes(const std::vector<dxGeom *> &geoms) {
     if (m_runner == nullptr || geoms.size() < kBoxPiece) return;
-    m_runner->forPieces(geoms.size(), kBoxPiece, [&](std::size_t begin, std::size_t end, unsigned) {
+    m_runner->forPieces(dxParallelStage::Boxes, geoms.size(), kBoxPiece, [&](std::size_t begin, std::size_t end, unsigned) {
         for (std::size_t i = begin; i < end; ++i) {
             if (i + kBoxesAhead < end) dxPairPrefetch::place(geoms[i + kBoxesAhead]);
             if (hasBoxOfItsOwn(geoms[i])) geoms[i]->recomputeAABB();

@@ -143,7 +143,8 @@ dxBounds dxVerletSearch::boxToStore(const dxMembers &members, Slot slot) const {
 bool dxVerletSearch::noteChanges(const dxMembers &members, dxTaskRunner &runner) {
     resize(members.end());
     const std::vector<Slot> &changed = members.changed();
-    runner.forPieces(changed.size(), kMemberPiece, [&](std::size_t begin, std::size_t end, unsigned) {
+    runner.forPieces(dxParallelStage::VerletChanges, changed.size(), kMemberPiece,
+        [&](std::size_t begin, std::size_t end, unsigned) {
         for (std::size_t i = begin; i < end; ++i) {
             if (i + kAhead < end) expect(members, changed[i + kAhead]);
             noteBox(members, changed[i]);
@@ -199,7 +200,8 @@ void dxVerletSearch::grow(const dxMembers &members, Slot slot) {
 void dxVerletSearch::compareCandidates(dxTaskRunner &runner, std::vector<Match> &matches) {
     if (m_found.size() < runner.workers()) m_found.resize(runner.workers());
     for (Found &found : m_found) found.count = 0;
-    runner.forPieces(m_candidates.size(), kCandidatePiece, [&](std::size_t begin, std::size_t end, unsigned worker) {
+    runner.forPieces(dxParallelStage::VerletCandidates, m_candidates.size(), kCandidatePiece,
+        [&](std::size_t begin, std::size_t end, unsigned worker) {
         Found &found = m_found[worker];
         if (found.matches.size() < found.count + (end - begin)) found.matches.resize(2 * found.count + (end - begin));
         found.count += dxOverlappingCandidates(m_boxes, m_candidates.data() + begin, end - begin,

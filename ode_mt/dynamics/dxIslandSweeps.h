@@ -88,7 +88,8 @@ void computeImpulses(Stage stage, Call *call) {
     if (!isLarge(*call)) return stage(call);
     const dxIslandCall &island = dxIslandCall::of(call->m_stepperCallContext);
     dxSweepRow *const rows = island.rows.take(call->m_localContext->m_m);
-    island.runner().forPieces(call->m_localContext->m_m, kRowPiece, [&](std::size_t begin, std::size_t end, unsigned) {
+    island.runner().forPieces(dxParallelStage::Rows, call->m_localContext->m_m, kRowPiece,
+        [&](std::size_t begin, std::size_t end, unsigned) {
         packRows(*call, rows, begin, end);
     });
 }

@@ -73,7 +73,8 @@ void prepareBodies(Stage stage, Call *call) {
         piece.m_tagsTaken = 1;
         stage(&piece);
     };
-    dxIslandCall::of(&whole).runner().forPieces(whole.m_islandBodiesCount, kBodies, [&](std::size_t begin, std::size_t end, unsigned) {
+    dxIslandCall::of(&whole).runner().forPieces(dxParallelStage::Bodies, whole.m_islandBodiesCount, kBodies,
+        [&](std::size_t begin, std::size_t end, unsigned) {
         forBodies(whole, begin, end, prepare);
     });
 }
@@ -88,7 +89,7 @@ void readJoints(Stage stage, Call *call) {
     std::atomic<unsigned> bounded{0};
     const bool isShared = hasTeam(island) && hasOnlyContacts(island);
     dxTaskRunner &runner = isShared ? dxIslandCall::of(&island).runner() : dxTaskRunner::alone();
-    runner.forPieces(whole.m_nj, kJoints, [&](std::size_t begin, std::size_t end, unsigned) {
+    runner.forPieces(dxParallelStage::Joints, whole.m_nj, kJoints, [&](std::size_t begin, std::size_t end, unsigned) {
         auto local = whole;
         local.m_valid_findices = 0;
         Call piece = *call;
@@ -110,7 +111,8 @@ void addRightHandSides(Stage stage, Call *call) {
     const dxStepperProcessingCallContext &island = *call->m_stepperCallContext;
     if (!hasTeam(island)) return stage(call);
     const auto &whole = *call->m_localContext;
-    dxIslandCall::of(&island).runner().forPieces(whole.m_m, kRows, [&](std::size_t begin, std::size_t end, unsigned) {
+    dxIslandCall::of(&island).runner().forPieces(dxParallelStage::RightHandSides, whole.m_m, kRows,
+        [&](std::size_t begin, std::size_t end, unsigned) {
         auto local = whole;
         local.m_m = static_cast<unsigned>(end);
         Call piece = *call;

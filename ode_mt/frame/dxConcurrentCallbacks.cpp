@@ -160,7 +160,7 @@ bool collideLocked(dxOrderedSpace &space, dxTaskRunner &runner, void *data, dNea
     dxWorkersRunner workersRunner(workers);
     {
         const Commit commit{run};
-        workersRunner.run(tasks, [](void *of, unsigned task, unsigned) { static_cast<Run *>(of)->runTask(task); }, &run);
+        workersRunner.forBlocks(dxParallelStage::Callbacks, tasks, [&run](unsigned task, unsigned) { run.runTask(task); });
     }
     dxStepStatistics::instance().countParallelCollision(workersRunner.tookPart());
     if (run.threadEnded.load()) endThread();

@@ -233,7 +233,7 @@ void dxStep::runShared(unsigned workers) {
         m_records->workers[0].arena = arena.get();
 
         const unsigned chunks = std::min(m_count, workers * kBlocksPerWorker);
-        onWorkers(chunks, workers, [this, chunks](unsigned chunk, unsigned worker) {
+        onWorkers(dxParallelStage::IslandSurvey, chunks, workers, [this, chunks](unsigned chunk, unsigned worker) {
             const std::uint64_t count = m_count;
             survey(chunk * count / chunks, (chunk + 1) * count / chunks, worker);
         });
@@ -244,7 +244,7 @@ void dxStep::runShared(unsigned workers) {
         for (unsigned i = 0; i < m_inOrderFrom; ++i) cost += m_records->islands[i].cost;
         const double least = std::max(kLeastBlockNs, cost / (kBlocksPerWorker * workers));
         dxShareIslands(*m_records, m_inOrderFrom, least);
-        onWorkers(static_cast<unsigned>(m_records->blocks.size()), workers,
+        onWorkers(dxParallelStage::Islands, static_cast<unsigned>(m_records->blocks.size()), workers,
                   [this](unsigned block, unsigned worker) { stepBlock(block, worker); });
         stepLeftovers();
         learn(workers, nsSince(start));
@@ -473,15 +473,21 @@ unsigned dxStep::chooseWorkers(unsigned limit) {
     return costModel->chooseWorkers(m_kind, m_totalCost, m_largestCost, most);
 }
 
-template <class Stage>
-void dxStep::onWorkers(unsigned blocks, unsigned workers, Stage stage) {
+template <class Work>
+void dxStep::onWorkers(dxParallelStage stage, unsigned blocks, unsigned workers, Work work) {
+    struct Job {
+        Work &work;
+        dxStageWatch watch;
+    } job{work, dxStageWatch(stage)};
     const dxThreadManager::Task task = [](void *context, unsigned block, unsigned worker) {
-        (*static_cast<Stage *>(context))(block, worker);
+        Job &running = *static_cast<Job *>(context);
+        running.watch.see(worker);
+        running.work(block, worker);
     };
     if (dxWorldWorkers::given(m_world)) {
-        dxWorldWorkers::run(m_world, blocks, workers, task, &stage);
+        dxWorldWorkers::run(m_world, blocks, workers, task, &job);
     } else {
-        dxWorkers::instance().run(blocks, workers, task, &stage);
+        dxWorkers::instance().run(blocks, workers, task, &job);
     }
 }
 

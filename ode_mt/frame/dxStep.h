@@ -12,6 +12,7 @@
 #include "dynamics/dxIslandTeam.h"
 #include "frame/dxCostModel.h"
 #include "frame/dxStepRecords.h"
+#include "threading/dxParallelStage.h"
 #include "threading/dxThreadManager.h"
 
 class dxStep {
@@ -57,8 +58,8 @@ private:
     void estimateCosts();
     unsigned chooseWorkers(unsigned limit);
     unsigned workerLimit() const;
-    template <class Stage>
-    void onWorkers(unsigned blocks, unsigned workers, Stage stage);
+    template <class Work>
+    void onWorkers(dxParallelStage stage, unsigned blocks, unsigned workers, Work work);
 
     bool drawsRandomNumbers() const;
     std::uint64_t drawsOf(unsigned rows) const;

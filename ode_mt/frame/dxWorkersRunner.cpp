@@ -5,14 +5,16 @@
 #include "frame/dxWorkers.h"
 #include "frame/dxWorldWorkers.h"
 
-void dxWorkersRunner::run(unsigned blocks, dxThreadManager::Task task, void *context) {
+void dxWorkersRunner::run(dxParallelStage stage, unsigned blocks, dxThreadManager::Task task, void *context) {
     struct Job {
         dxThreadManager::Task task;
         void *context;
         bool *ranABlock;
-    } job{task, context, m_ranABlock};
+        dxStageWatch watch;
+    } job{task, context, m_ranABlock, dxStageWatch(stage)};
     const auto watched = [](void *of, unsigned block, unsigned worker) {
-        const Job &running = *static_cast<const Job *>(of);
+        Job &running = *static_cast<Job *>(of);
+        running.watch.see(worker);
         running.task(running.context, block, worker);
         if (!running.ranABlock[worker]) running.ranABlock[worker] = true;  // bytes of other workers are beside it
     };

@@ -11,7 +11,7 @@ public:
     explicit dxWorkersRunner(unsigned workers, const dxWorld *world = nullptr) : m_workers(workers), m_world(world) {}
 
     unsigned workers() const override { return m_workers; }
-    void run(unsigned blocks, dxThreadManager::Task task, void *context) override;
+    void run(dxParallelStage stage, unsigned blocks, dxThreadManager::Task task, void *context) override;
 
     // How many workers, the caller included, have run a block so far.
     unsigned tookPart() const;

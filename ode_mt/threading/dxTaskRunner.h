@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <type_traits>
 
+#include "threading/dxParallelStage.h"
 #include "threading/dxThreadManager.h"
 
 class dxTaskRunner {
@@ -12,22 +13,22 @@ public:
     // More than any worker's number in `run`.
     virtual unsigned workers() const = 0;
 
-    // As dxThreadManager::run.
-    virtual void run(unsigned blocks, dxThreadManager::Task task, void *context) = 0;
+    // As dxThreadManager::run, for a piece of the stage.
+    virtual void run(dxParallelStage stage, unsigned blocks, dxThreadManager::Task task, void *context) = 0;
 
     // Calls work(block, worker) for every block.
     template <class Work>
-    void forBlocks(unsigned blocks, Work &&work) {
+    void forBlocks(dxParallelStage stage, unsigned blocks, Work &&work) {
         const auto task = [](void *context, unsigned block, unsigned worker) {
             (*static_cast<std::remove_reference_t<Work> *>(context))(block, worker);
         };
-        run(blocks, task, &work);
+        run(stage, blocks, task, &work);
     }
 
     // Calls work(begin, end, worker) for pieces of [0, count) of `piece` items at most.
     template <class Work>
-    void forPieces(std::size_t count, std::size_t piece, Work &&work) {
-        forBlocks(static_cast<unsigned>((count + piece - 1) / piece), [&](unsigned block, unsigned worker) {
+    void forPieces(dxParallelStage stage, std::size_t count, std::size_t piece, Work &&work) {
+        forBlocks(stage, static_cast<unsigned>((count + piece - 1) / piece), [&](unsigned block, unsigned worker) {
             const std::size_t begin = block * piece;
             work(begin, begin + piece < count ? begin + piece : count, worker);
         });
@@ -45,7 +46,7 @@ namespace dxTaskRunners {
 class Alone final : public dxTaskRunner {
 public:
     unsigned workers() const override { return 1; }
-    void run(unsigned blocks, dxThreadManager::Task task, void *context) override {
+    void run(dxParallelStage, unsigned blocks, dxThreadManager::Task task, void *context) override {
         for (unsigned block = 0; block < blocks; ++block) task(context, block, 0);
     }
 };

@@ -51,7 +51,7 @@ private:
 class Backwards final : public dxTaskRunner {
 public:
     unsigned workers() const override { return 3; }
-    void run(unsigned blocks, dxThreadManager::Task task, void *context) override {
+    void run(dxParallelStage, unsigned blocks, dxThreadManager::Task task, void *context) override {
         for (unsigned block = blocks; block-- != 0;) task(context, block, block % 3);
     }
 };

@@ -257,8 +257,8 @@ public:
     explicit Threads(bool several) : m_several(several) {}
 
     unsigned workers() const override { return 16; }
-    void run(unsigned blocks, dxThreadManager::Task task, void *context) override {
-        if (!m_several) return dxTaskRunner::alone().run(blocks, task, context);
+    void run(dxParallelStage stage, unsigned blocks, dxThreadManager::Task task, void *context) override {
+        if (!m_several) return dxTaskRunner::alone().run(stage, blocks, task, context);
         std::vector<std::thread> threads;
         for (unsigned block = 1; block < blocks; ++block) threads.emplace_back(task, context, block, block);
         task(context, 0, 0);

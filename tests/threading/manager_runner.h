@@ -15,7 +15,7 @@ public:
 
     unsigned workers() const override { return m_workers; }
 
-    void run(unsigned blocks, dxThreadManager::Task task, void *context) override {
+    void run(dxParallelStage, unsigned blocks, dxThreadManager::Task task, void *context) override {
         struct Job {
             dxThreadManager::Task task;
             void *context;

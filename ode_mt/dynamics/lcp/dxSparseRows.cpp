@@ -78,7 +78,8 @@ void dxSparseRows::multiply(const dReal *factors, unsigned endRow, const unsigne
     };
     dxTaskRunner *const runner = team.runnerFor(std::size_t(m_begins[endBlock]) * kHalfLine / 2);  // of all half are in C
     if (runner == nullptr) return multiplyBlocks(m_firstBlock, endBlock);
-    runner->forPieces(endBlock - m_firstBlock, kSharedBlocks, [&](std::size_t begin, std::size_t end, unsigned) {
+    runner->forPieces(dxParallelStage::SparseProducts, endBlock - m_firstBlock, kSharedBlocks,
+        [&](std::size_t begin, std::size_t end, unsigned) {
         multiplyBlocks(m_firstBlock + static_cast<unsigned>(begin), m_firstBlock + static_cast<unsigned>(end));
     });
 }

@@ -154,7 +154,8 @@ HWY_EXPORT(solvePanelInTurn);
 void dxSolvePanel(const dxSolvePanelTask &task, dxTaskRunner *runner) {
     if (runner == nullptr) return HWY_DYNAMIC_DISPATCH(dxSolve::solvePanel)(task);
     dxTurns turns;
-    runner->forBlocks((task.end - task.begin + kSharedRows - 1) / kSharedRows, [&](unsigned turn, unsigned) {
+    runner->forBlocks(dxParallelStage::PanelSolve, (task.end - task.begin + kSharedRows - 1) / kSharedRows,
+        [&](unsigned turn, unsigned) {
         HWY_DYNAMIC_DISPATCH(dxSolve::solvePanelInTurn)(task, turn, turns);
     });
 }

@@ -279,7 +279,8 @@ void dxSolveL1Transposed(const dReal *const *L, dReal *B, unsigned rowCount, con
     const std::size_t lastGroupEnd = rowCount - rowCount % 4;
     finishTransposedLast<1>(dxListedRows(L), lastGroupEnd, B, rowCount);
     dxTurns turns;
-    runner->forBlocks(static_cast<unsigned>((lastGroupEnd + kSharedPanel - 1) / kSharedPanel), [&](unsigned turn, unsigned) {
+    runner->forBlocks(dxParallelStage::TransposedSolve, static_cast<unsigned>((lastGroupEnd + kSharedPanel - 1) / kSharedPanel),
+        [&](unsigned turn, unsigned) {
         HWY_DYNAMIC_DISPATCH(solveTransposedInTurn)(L, B, rowCount, envelope, turn, turns);
     });
 }

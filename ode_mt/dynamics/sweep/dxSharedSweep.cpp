@@ -93,8 +93,8 @@ void dxSharedSweep::markSharedBodies(const dxSweepIsland &island) {
 }
 
 void dxSharedSweep::sweep(const dxSweepIsland &island, const int *order, unsigned times, dxTaskRunner &runner) {
-    runner.forBlocks(m_partCount, [&](unsigned number, unsigned) { plan(island, order, number); });
-    runner.forBlocks(m_partCount, [&](unsigned number, unsigned) { finish(island, number, times); });
+    runner.forBlocks(dxParallelStage::SweepPlan, m_partCount, [&](unsigned number, unsigned) { plan(island, order, number); });
+    runner.forBlocks(dxParallelStage::Sweep, m_partCount, [&](unsigned number, unsigned) { finish(island, number, times); });
 }
 
 void dxSharedSweep::plan(const dxSweepIsland &island, const int *order, unsigned number) {

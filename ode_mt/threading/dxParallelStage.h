@@ -1,0 +1,80 @@
+// The stages of a step and of a collision that are shared out to workers, and whether two workers at least
+// have run each.
+//
+// A stage that one worker always has to itself is right by accident: nothing in it has met another worker. So
+// whoever shares out work names its stage (dxTaskRunner), and a test plays scenes until two workers have run
+// each one (parallel_stages_test).
+//
+// Threads: noted by workers, relaxed; read by anybody. A run on the calling thread alone notes nothing.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+
+enum class dxParallelStage : unsigned char {
+    IslandSurvey,      // what a step looks at in each island first: dxStep
+    Islands,           // islands side by side
+    Boxes,             // bounding boxes of a space that is made ready: dxOrderedSpace
+    CellSweep,         // pairs in rows of cells: dxBatchSearch
+    VerletChanges,     // members that have moved: dxVerletSearch
+    VerletCandidates,  // pairs of its list that are compared
+    PairKeys,          // places of found pairs in upstream's order: dxKeptPairs
+    KeptPairKeys,      // the same of all pairs that are kept
+    ContactsAhead,     // contacts before their callbacks: dxContactsAhead
+    Callbacks,         // near-callbacks that may run at once: dxConcurrentCallbacks
+    Bodies,            // QuickStep: inertia and gravity: dxStagePieces
+    Joints,            // QuickStep: Jacobians and limits
+    RightHandSides,    // QuickStep
+    Rows,              // QuickStep: rows packed for the sweep: dxIslandSweeps
+    SweepPlan,         // QuickStep: order of rows for each worker: dxSharedSweep
+    Sweep,             // QuickStep: the sweep
+    PanelSolve,        // exact step: solves of several right-hand sides: dxPanelSolve
+    TransposedSolve,   // exact step: back substitution: dxSolveL1Transposed
+    SparseProducts,    // exact step: products with rows in C: dxSparseRows
+    Count,             // of stages, itself none
+};
+
+class dxParallelStages {
+public:
+    static constexpr std::size_t kCount = static_cast<std::size_t>(dxParallelStage::Count);
+
+    // In the order of the enumeration.
+    static constexpr std::array<const char *, kCount> kNames = {
+        "island survey", "islands", "boxes", "cell sweep", "Verlet changes", "Verlet candidates", "pair keys",
+        "kept pair keys", "contacts ahead", "callbacks", "bodies", "joints", "right-hand sides", "rows",
+        "sweep plan", "sweep", "panel solve", "transposed solve", "sparse products"};
+
+    static bool ranByTwo(dxParallelStage stage) { return flag(stage).load(std::memory_order_relaxed); }
+    static void noteTwo(dxParallelStage stage) { flag(stage).store(true, std::memory_order_relaxed); }
+
+private:
+    static std::atomic<bool> &flag(dxParallelStage stage) {
+        static std::array<std::atomic<bool>, kCount + 1> flags{};  // the last: no stage, for tests
+        return flags[static_cast<std::size_t>(stage)];
+    }
+};
+
+// Watches the workers of one run until its stage has been run by two; from then on costs a look at a constant.
+//
+// Dropped: the number of workers of every run. With many workers their first blocks would wait for one counter.
+class dxStageWatch {
+public:
+    explicit dxStageWatch(dxParallelStage stage)
+        : m_stage(stage), m_isKnown(dxParallelStages::ranByTwo(stage)) {}
+
+    // A worker has run a block.
+    void see(unsigned worker) {
+        if (m_isKnown) return;
+        unsigned first = kNone;
+        if (!m_first.compare_exchange_strong(first, worker, std::memory_order_relaxed) && first != worker)
+            dxParallelStages::noteTwo(m_stage);
+    }
+
+private:
+    static constexpr unsigned kNone = ~0u;
+
+    const dxParallelStage m_stage;
+    const bool m_isKnown;
+    std::atomic<unsigned> m_first{kNone};
+};
