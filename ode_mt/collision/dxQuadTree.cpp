@@ -2,16 +2,24 @@
 
 #include <ode/error.h>
 
+#include <new>
+
 #include "config.h"
 
 namespace {
 
 // With upstream's text.
 void requireOrder(bool isInOrder, const char *assertion) {
-    if (!isInOrder) dDebug(d_ERR_IASSERT, "assertion \"%s\" failed in Create() [%s:%u]", assertion, __FILE__, __LINE__);
+    if (!isInOrder)
+        dDebug(d_ERR_IASSERT, "assertion \"%s\" failed in Create() [%s:%u]", assertion, __FILE__, __LINE__);
 }
 
+// A tree of so many levels has more blocks than there are numbers for (dxQuadTree::Block), nor is there
+// memory for it.
+constexpr int kTooDeep = 16;
+
 std::size_t blocksOf(int depth) {
+    if (depth >= kTooDeep) throw std::bad_alloc();
     std::size_t blocks = 1;
     for (std::size_t ofLevel = 4; depth > 0; --depth, ofLevel *= 4) blocks += ofLevel;
     return blocks;
@@ -52,8 +60,10 @@ dxQuadTree::Block dxQuadTree::find(const dReal *aabb, Block from) const {
         from = m_nodes[from].parent;
     }
     for (Block quarter = from + 1; quarter < endOf(from);) {
-        if (m_nodes[quarter].area.has(aabb)) from = quarter++;
-        else quarter = endOf(quarter);
+        if (m_nodes[quarter].area.has(aabb))
+            from = quarter++;
+        else
+            quarter = endOf(quarter);
     }
     return from;
 }
