@@ -14,7 +14,8 @@ void dxUpstreamJointGroupEmpty(dJointGroupID group);
 
 dJointID dJointCreateContact(dWorldID world, dJointGroupID group, const dContact *contact) {
     dxContactLog *const log = dxContactLog::current();
-    return log == nullptr ? dxUpstreamJointCreateContact(world, group, contact) : log->create(world, group, contact);
+    return log == nullptr ? dxUpstreamJointCreateContact(world, group, contact)
+                          : log->create(world, group, contact);
 }
 
 void dJointAttach(dJointID joint, dBodyID body1, dBodyID body2) {
@@ -25,12 +26,11 @@ void dJointAttach(dJointID joint, dBodyID body1, dBodyID body2) {
         log->attach(joint, body1, body2);
 }
 
-// Upstream lists the joints in memory that it takes from the user's allocator, if there is one, who may count that.
+// Upstream lists the joints in memory that it takes from the user's allocator, if there is one, who may count
+// that.
 void dJointGroupEmpty(dJointGroupID group) {
-    if (group == nullptr || dGetAllocHandler() != nullptr)
+    if (group == nullptr || dGetAllocHandler() != nullptr || !dxRemoveJoints(*group))
         dxUpstreamJointGroupEmpty(group);
-    else
-        dxRemoveJoints(*group);
 }
 
 }  // extern "C"

@@ -4,6 +4,7 @@
 #include <new>
 #include <utility>
 
+#include "collision/dxRoom.h"
 #include "joints/contact.h"
 #include "threading/dxSpin.h"
 
@@ -18,7 +19,8 @@ void dxUpstreamJointAttach(dJointID joint, dBodyID body1, dBodyID body2);
 
 namespace {
 
-// Of a contact joint, for dxJointGroup::alloc, which constructs what it is asked for and marks it as in a group.
+// Of a contact joint, for dxJointGroup::alloc, which constructs what it is asked for and marks it as in a
+// group.
 struct Room {
     explicit Room(dxWorld * /*world*/) {}
     alignas(dxJointContact) unsigned flags = 0;
@@ -49,6 +51,7 @@ void dxContactLog::start(std::mutex &groups) {
 
 dJointID dxContactLog::create(dWorldID world, dJointGroupID group, const dContact *contact) {
     if (world == nullptr || contact == nullptr) return dxUpstreamJointCreateContact(world, group, contact);
+    dxMakeRoom(m_operations, m_operations.size() + 2);  // and that it is attached
     dxJointContact *const joint = construct(group);
     joint->contact = *contact;
     joint->world = world;
@@ -76,6 +79,7 @@ void *dxContactLog::takeRoom(dxJointGroup &group) {
     constexpr int kRoomsAtOnce = 8;
     if (m_roomsOf != &group) finish();
     if (m_rooms.empty()) {
+        m_rooms.reserve(kRoomsAtOnce);
         const auto lock = lockBriefly(*m_groups);
         m_roomsOf = &group;
         for (int i = 0; i < kRoomsAtOnce; ++i) m_rooms.push_back(group.alloc<Room>(nullptr));

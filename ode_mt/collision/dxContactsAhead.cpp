@@ -8,18 +8,19 @@
 
 #include "collision/dxCcdSearch.h"
 #include "collision/dxColliderOverrides.h"
-#include "collision/dxSilentChanges.h"
 #include "collision/dxMissedNotifications.h"
 #include "collision/dxPairPrefetch.h"
+#include "collision/dxRoom.h"
+#include "collision/dxSilentChanges.h"
 #include "dynamics/dxIslandInterrupted.h"
 #include "dynamics/dxIslandScope.h"
 #include "threading/dxFloatEnvironment.h"
 #include "threading/dxPerturbation.h"
 
-#include "config.h"
 #include "collision_kernel.h"
 #include "collision_std.h"
 #include "collision_util.h"
+#include "config.h"
 
 namespace {
 
@@ -74,9 +75,10 @@ bool isUnwritten(const dContactGeom &contact) {
            contact.side1 == kNoSide && contact.side2 == kNoSide;
 }
 
-// Not so where only whether two shapes touch was asked for: some colliders say yes and write nothing, and dCollide turns the normal
-// if the shapes came in the other order. Nor where a ray without end hits a convex geom at no distance: the collider computes with
-// the place that it finds in the contact. A number that was computed from the pattern is none, like the pattern.
+// Not so where only whether two shapes touch was asked for: some colliders say yes and write nothing, and
+// dCollide turns the normal if the shapes came in the other order. Nor where a ray without end hits a convex
+// geom at no distance: the collider computes with the place that it finds in the contact. A number that was
+// computed from the pattern is none, like the pattern.
 bool isWritten(const dContactGeom &contact) {
     for (int i = 0; i < 3; ++i)
         if (std::isnan(contact.pos[i]) || std::isnan(contact.normal[i])) return false;
@@ -106,7 +108,8 @@ void copyWritten(const dContactGeom &from, dContactGeom &to) {
     to.side2 = from.side2;
 }
 
-// A collider that has something to say, or that might not end, is left: dCollide runs it when it is called in the callback.
+// A collider that has something to say, or that might not end, is left: dCollide runs it when it is called in
+// the callback.
 class SilentScope final : public dxIslandScope {
 public:
     std::uint32_t takeBlock(std::uint64_t) override { throw dxIslandInterrupted(); }
@@ -133,11 +136,11 @@ void dxContactsAhead::forgetCurrent() {
     t_call = 0;
 }
 
-dxContactsAhead::Scope::Scope(dxContactsAhead &ahead, dxTaskRunner &runner, std::size_t slots, bool arraysStay)
+dxContactsAhead::Scope::Scope(dxContactsAhead &ahead, dxTaskRunner &runner, bool arraysStay)
     : m_number(lastCall.fetch_add(1, std::memory_order_relaxed) + 1), m_ahead(ahead) {
     forgetCurrent();
     ahead.m_holders.fetch_add(1, std::memory_order_relaxed);
-    ahead.start(runner, slots, arraysStay);
+    ahead.start(runner, arraysStay);
     t_current = &ahead;
     t_frame = dxStackFrame::ofCaller();
     t_call = m_number;
@@ -168,9 +171,13 @@ std::uint64_t dxContactsAhead::changesNoticed() {
     return dxSilentChanges::count() + dxMissedNotifications::count();
 }
 
-void dxContactsAhead::start(dxTaskRunner &runner, std::size_t slots, bool arraysStay) {
-    ++m_call;
+void dxContactsAhead::makeRoom(const dxTaskRunner &runner, std::size_t slots) {
     if (m_asked.size() < slots) m_asked.resize(slots);
+    while (m_workers.size() < runner.workers()) m_workers.emplace_back();
+}
+
+void dxContactsAhead::start(dxTaskRunner &runner, bool arraysStay) {
+    ++m_call;
     m_runner = &runner;
     m_arraysStay = arraysStay;
     m_pair = nullptr;
@@ -178,7 +185,6 @@ void dxContactsAhead::start(dxTaskRunner &runner, std::size_t slots, bool arrays
     m_hasResults = false;
     m_computed = m_used = 0;
     if (m_callsWithout > 0) --m_callsWithout;
-    while (m_workers.size() < runner.workers()) m_workers.emplace_back();
 }
 
 void dxContactsAhead::end() {
@@ -218,10 +224,14 @@ void dxContactsAhead::computeWindow(const std::vector<dxOrderedPair> &pairs) {
     m_windowFlags = m_flags;
     m_windowChanges = changesNoticed();
     m_windowMode = dxFloatMode();
-    m_hasResults = true;
     ++m_window;
     const std::size_t size = m_end - m_begin;
-    if (m_results.size() < size) m_results.resize(size);
+    try {
+        if (m_results.size() < size) m_results.resize(size);
+    } catch (const std::bad_alloc &) {
+        return;
+    }
+    m_hasResults = true;
     const std::size_t piece =
         std::clamp(size / (kPiecesForEach * m_runner->workers()), kLeastPiece, kLargestPiece);
     m_runner->forPieces(dxParallelStage::ContactsAhead, size, piece, [&](std::size_t begin, std::size_t end, unsigned worker) {
@@ -244,8 +254,9 @@ void dxContactsAhead::compute(const dxOrderedPair &pair, Result &result, unsigne
     if (!dxMayCollideAnywhere(*pair.first, *pair.second)) return;
     if (!m_arraysStay && !dxKnowsArrays(*pair.first, *pair.second)) return;
     const auto most = static_cast<std::size_t>(m_windowFlags & NUMC_MASK);
-    worker.makeRoom(most + 1);
     try {
+        worker.makeRoom(most + 1);
+        dxMakeRoom(worker.states, worker.states.size() + 1);
         const dxColliderCopies::Arrays arrays{m_convex.of(pair.slots[0]), m_convex.of(pair.slots[1])};
         result.count = worker.copies.collide(*pair.first, *pair.second, arrays, m_windowFlags,
                                              worker.contacts.data() + worker.used, sizeof(dContactGeom));
@@ -254,7 +265,7 @@ void dxContactsAhead::compute(const dxOrderedPair &pair, Result &result, unsigne
         return;
     } catch (const std::bad_alloc &) {
         // The callback will find out, in its turn.
-        worker.wipe(worker.used, worker.used + most);
+        worker.wipe(worker.used, std::min(worker.used + most, worker.contacts.size()));
         return;
     }
     const dContactGeom *const found = worker.contacts.data() + worker.used;

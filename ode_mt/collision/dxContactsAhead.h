@@ -19,8 +19,8 @@
 // and what still shows the pattern is not copied to the user's contacts.
 //
 // Belongs to one space, like its pairs. No contact outlives a call of dSpaceCollide: the user may change mesh
-// vertices and convex points between two without telling. A callback may leave that call by a jump, and the program destroy
-// the space: then this stays, empty, until the thread has been seen to be elsewhere.
+// vertices and convex points between two without telling. A callback may leave that call by a jump, and the
+// program destroy the space: then this stays, empty, until the thread has been seen to be elsewhere.
 #pragma once
 
 #include <atomic>
@@ -44,8 +44,8 @@ public:
     };
     using Owner = std::unique_ptr<dxContactsAhead, Release>;  // the space's
 
-    // That of the pair whose callback this thread is in, or NULL. A callback may have left by longjmp, so that a call made
-    // much deeper on the stack may still be told the last one.
+    // That of the pair whose callback this thread is in, or NULL. A callback may have left by longjmp, so
+    // that a call made much deeper on the stack may still be told the last one.
     static dxContactsAhead *current();
 
     // Makes one current for as long as its frame is on the stack, or until a call elsewhere on the stack makes another one
@@ -54,9 +54,8 @@ public:
     class Scope {
     public:
         // `arraysStay`: the program promises that no callback writes to the arrays of meshes and height
-        // fields.
-        // `slots`: of the space's members.
-        Scope(dxContactsAhead &ahead, dxTaskRunner &runner, std::size_t slots, bool arraysStay);
+        // fields. makeRoom() comes first.
+        Scope(dxContactsAhead &ahead, dxTaskRunner &runner, bool arraysStay);
         ~Scope();
         Scope(const Scope &) = delete;
         Scope &operator=(const Scope &) = delete;
@@ -65,6 +64,10 @@ public:
         const std::uint64_t m_number;
         dxContactsAhead &m_ahead;
     };
+
+    // Memory for a call; `slots`: of the space's members. Throws std::bad_alloc; nothing else here does:
+    // contacts for which there is none are left to the callbacks.
+    void makeRoom(const dxTaskRunner &runner, std::size_t slots);
 
     // To be called before the callback of pairs[index], with rising indices.
     void beforePair(const std::vector<dxOrderedPair> &pairs, std::size_t index) {
@@ -124,7 +127,7 @@ private:
     void leaveSpace();
     void release();
     static void forgetCurrent();
-    void start(dxTaskRunner &runner, std::size_t slots, bool arraysStay);
+    void start(dxTaskRunner &runner, bool arraysStay);
     void end();
     void nextWindow(const std::vector<dxOrderedPair> &pairs, std::size_t index);
     bool maySpend() const;
@@ -136,7 +139,8 @@ private:
 
     static std::uint64_t changesNoticed();
 
-    std::atomic<unsigned> m_holders{1};  // the space, and threads in a call with it, or that may have left one by a jump
+    std::atomic<unsigned> m_holders{
+        1};  // the space, and threads in a call with it, or that may have left one by a jump
     dxTaskRunner *m_runner = nullptr;
     bool m_arraysStay = false;
     std::uint64_t m_windowChanges = 0;      // changesNoticed() when the window was computed
@@ -158,8 +162,9 @@ private:
     dxConvexArrays m_convex;                // of the geoms that were collided
     int m_flags = 0;  // of the last dCollide; 0: none yet
     int m_windowFlags = 0;
-    std::uint64_t m_computed = 0, m_used = 0;              // in this call
-    std::uint64_t m_computedUntold = 0, m_usedUntold = 0;  // in the calls since it was last told whether it pays
-    unsigned m_callsWithout = 0;  // to come
+    std::uint64_t m_computed = 0, m_used = 0;  // in this call
+    std::uint64_t m_computedUntold = 0,
+                  m_usedUntold = 0;  // in the calls since it was last told whether it pays
+    unsigned m_callsWithout = 0;     // to come
     unsigned m_nextPause = 0;
 };

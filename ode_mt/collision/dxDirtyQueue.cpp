@@ -1,5 +1,14 @@
 #include "collision/dxDirtyQueue.h"
 
+#include "collision/dxRoom.h"
+
+// Of what is in the queue half may have been dropped (push).
+void dxDirtyQueue::makeRoom(Slot slots) {
+    dxMakeRoom(m_places, slots);
+    dxMakeRoom(m_geoms, 2 * std::size_t{slots} + 2);
+    dxMakeRoom(m_slots, 2 * std::size_t{slots} + 2);
+}
+
 void dxDirtyQueue::push(dxGeom *geom, Slot slot) {
     if (slot >= m_places.size()) m_places.resize(slot + 1, kNone);
     if (m_places[slot] != kNone) return;

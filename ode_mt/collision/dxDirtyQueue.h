@@ -11,6 +11,8 @@ class dxDirtyQueue {
 public:
     using Slot = dxMembers::Slot;
 
+    // Memory for members in the slots below: none of the other functions asks for any then.
+    void makeRoom(Slot slots);
     // Does nothing if the member is in the queue.
     void push(dxGeom *geom, Slot slot);
     // The member has gone, whether or not it is in the queue.

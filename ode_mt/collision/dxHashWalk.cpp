@@ -35,7 +35,6 @@ void dxHashWalk::add(dxGeom *geom, const dxHashCells &cells) {
 }
 
 void dxHashWalk::deliver(void *data, dNearCallback *callback, const dxOrderedPair *after) {
-    storeAll();
     Meeting meeting{data, callback, after};
     for (std::uint32_t searcher = 0; searcher < m_inTable.size(); ++searcher) search(searcher, meeting);
     for (const Boxed &boxed : m_inTable)
@@ -48,7 +47,8 @@ void dxHashWalk::deliver(void *data, dNearCallback *callback, const dxOrderedPai
 void dxHashWalk::storeAll() {
     m_foundBy.assign(m_inTable.size(), kNone);
     std::size_t cells = 0, buckets = 1;
-    for (const Boxed &boxed : m_inTable) boxed.cells.forEachCell(boxed.cells.level(), [&](const Cell &) { ++cells; });
+    for (const Boxed &boxed : m_inTable)
+        boxed.cells.forEachCell(boxed.cells.level(), [&](const Cell &) { ++cells; });
     while (buckets < 2 * cells) buckets *= 2;
     m_buckets.assign(buckets, kNone);
     m_nodes.reserve(cells);
@@ -85,8 +85,9 @@ std::size_t dxHashWalk::bucketOf(const Cell &cell, int level) const {
     return static_cast<std::size_t>(mixed >> 32) & (m_buckets.size() - 1);
 }
 
-// On its own level and those above. Of those in one cell the one that was stored last is met first. Of two on one
-// level the first in the list has found the other, so the rest of a cell of its own level, itself first, is not met.
+// On its own level and those above. Of those in one cell the one that was stored last is met first. Of two on
+// one level the first in the list has found the other, so the rest of a cell of its own level, itself first,
+// is not met.
 void dxHashWalk::search(std::uint32_t searcher, Meeting &meeting) {
     const Boxed &own = m_inTable[searcher];
     for (int level = own.cells.level(); level <= m_highestLevel; ++level) {

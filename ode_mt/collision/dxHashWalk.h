@@ -1,8 +1,8 @@
-// One call of a hash space done cell by cell as upstream does it, for the cases in which pairs are not kept: too many of
-// them, boxes that are not up to date, a call inside another one.
+// One call of a hash space done cell by cell as upstream does it, for the cases in which pairs are not kept:
+// too many of them, boxes that are not up to date, a call inside another one.
 //
-// In memory for the geoms and the cells that they cover, at most eight each; upstream keeps a bit for every two geoms, too.
-// docs/collision-order.md.
+// In memory for the geoms and the cells that they cover, at most eight each; upstream keeps a bit for every
+// two geoms, too. docs/collision-order.md.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,10 @@ class dxHashWalk {
 public:
     // In the order of the list; all are enabled, and none is out of range.
     void add(dxGeom *geom, const dxHashCells &cells);
-    // The callbacks, from the first one on or from behind a pair. What callbacks add to the space is not seen.
+    // After the last geom: takes what memory deliver() needs.
+    void storeAll();
+    // The callbacks, from the first one on or from behind a pair. What callbacks add to the space is not
+    // seen.
     void deliver(void *data, dNearCallback *callback, const dxOrderedPair *after);
 
 private:
@@ -40,7 +43,6 @@ private:
     // Calls back, once it is behind the pair to begin after.
     struct Meeting;
 
-    void storeAll();
     void store(std::uint32_t boxed, const Cell &cell);
     std::uint32_t find(const Cell &cell, int level) const;
     std::size_t bucketOf(const Cell &cell, int level) const;

@@ -1,5 +1,6 @@
 #include "collision/dxJointRemoval.h"
 
+#include <new>
 #include <vector>
 
 #include "dynamics/dxIdlePool.h"
@@ -7,8 +8,8 @@
 #include "threading/dxProcessObject.h"
 
 #include "config.h"
-#include "objects.h"
 #include "joints/joint.h"
+#include "objects.h"
 
 namespace {
 
@@ -57,9 +58,9 @@ void remove(dxJoint *joint) {
 
 }  // namespace
 
-void dxRemoveJoints(dxJointGroup &group) {
+bool dxRemoveJoints(dxJointGroup &group) try {
     const std::size_t count = group.getJointCount();
-    if (count == 0) return;
+    if (count == 0) return true;
     const dxIdleLease<std::vector<dxJoint *>> lease(*lists);
     std::vector<dxJoint *> &list = *lease;
     list.resize(count);
@@ -70,6 +71,9 @@ void dxRemoveJoints(dxJointGroup &group) {
         remove(list[i]);
     }
     group.freeAll();
+    return true;
+} catch (const std::bad_alloc &) {
+    return false;
 }
 
 void dxForgetJointRemoval() {

@@ -1,6 +1,18 @@
 #include "collision/dxMembers.h"
 
+#include "collision/dxRoom.h"
+
+void dxMembers::makeRoomForOne() {
+    const std::size_t slots = m_members.size() + 1;
+    dxMakeRoom(m_members, slots);
+    dxMakeRoom(m_isChanged, slots);
+    dxMakeRoom(m_arrivals, slots);
+    dxMakeRoom(m_free, slots);
+    dxMakeRoom(m_changed, slots);
+}
+
 dxMembers::Slot dxMembers::add(dxGeom *geom) {
+    makeRoomForOne();
     Slot slot;
     if (m_free.empty()) {
         slot = end();

@@ -30,6 +30,9 @@ public:
         dxMeetingFilter filter;
     };
 
+    // Memory for one more member. Throws std::bad_alloc, and nothing else here does: add() may follow
+    // without.
+    void makeRoomForOne();
     Slot add(dxGeom *geom);
     void remove(Slot slot);
 

@@ -6,9 +6,9 @@
 #include "collision/dxHashWalk.h"
 #include "collision/dxMissedNotifications.h"
 #include "collision/dxPairPrefetch.h"
-#include "util.h"
-#include "simd/dxFetch.h"
 #include "collision_space_internal.h"
+#include "simd/dxFetch.h"
+#include "util.h"
 
 namespace {
 
@@ -148,7 +148,8 @@ void dxOrderedHashSpace::deliver(void *data, dNearCallback *callback) {
     // Out of the member, because a callback may collide this space again.
     std::vector<dxOrderedPair> enabled = std::move(m_enabledPairs);
     enabled.clear();
-    std::copy_if(pairs().begin(), pairs().end(), std::back_inserter(enabled), bothEnabled);
+    beforeCallbacks(
+        [&] { std::copy_if(pairs().begin(), pairs().end(), std::back_inserter(enabled), bothEnabled); });
     deliverAll(enabled, data, callback);
     m_enabledPairs = std::move(enabled);
 }
@@ -170,11 +171,15 @@ void dxOrderedHashSpace::deliverAll(const std::vector<dxOrderedPair> &pairs, voi
     }
 }
 
-// A space that was left locked by a jump has no outermost call any more: it notes no more than it has geoms at once.
+// A space that was left locked by a jump has no outermost call any more: it notes no more than it has geoms
+// at once.
 void dxOrderedHashSpace::enabledChanges(dxGeom *geom) {
     if (lock_count == 0) return;
     if (m_switched.size() >= static_cast<std::size_t>(count) + kMostSwitched) m_switched.clear();
-    m_switched.push_back({geom, dxGeomIsEnabled(geom)});
+    try {
+        m_switched.push_back({geom, dxGeomIsEnabled(geom)});
+    } catch (const std::bad_alloc &) {  // only a call that goes on after an assertion asks for it
+    }
 }
 
 bool dxOrderedHashSpace::wasEnabled(const dxGeom *geom, std::size_t switched) const {
@@ -193,11 +198,15 @@ void dxOrderedHashSpace::walk(void *data, dNearCallback *callback, const dxOrder
 void dxOrderedHashSpace::walkFrom(std::size_t switched, void *data, dNearCallback *callback,
                                   const dxOrderedPair *after) {
     dxHashWalk walk;
-    for (dxGeom *geom = first; geom != nullptr; geom = geom->next) {
-        if (!wasEnabled(geom, switched)) continue;
-        const dxHashCells cells = after != nullptr ? m_cells[slotOf(geom)] : dxHashCells(geom->aabb, m_levels);
-        if (cells.kind() == Kind::outOfRange) reportOutOfRange();
-        walk.add(geom, cells);
-    }
+    beforeCallbacks([&] {
+        for (dxGeom *geom = first; geom != nullptr; geom = geom->next) {
+            if (!wasEnabled(geom, switched)) continue;
+            const dxHashCells cells =
+                after != nullptr ? m_cells[slotOf(geom)] : dxHashCells(geom->aabb, m_levels);
+            if (cells.kind() == Kind::outOfRange) reportOutOfRange();
+            walk.add(geom, cells);
+        }
+        walk.storeAll();
+    });
     walk.deliver(data, callback, after);
 }

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
-#include "util.h"
 #include "collision_space_internal.h"
+#include "util.h"
 
 #include "collision/dxMissedNotifications.h"
+#include "collision/dxRoom.h"
 
 namespace {
 
@@ -97,7 +98,8 @@ void dxOrderedListSpace::cleanDirty() {
 }
 
 // The bounding-box function of this geom has had the space cleaned: what was gathered is gone, and ranks were
-// given by both. Or one has made a stray of the geom behind those that were gathered, which upstream then cleans.
+// given by both. Or one has made a stray of the geom behind those that were gathered, which upstream then
+// cleans.
 void dxOrderedListSpace::cleanBehind(dxGeom *geom) {
     for (geom = geom->next; geom != nullptr && isDirty(geom); geom = geom->next) clean(geom);
     rankAll();
@@ -147,6 +149,8 @@ void dxOrderedListSpace::gatherDirty() {
     m_dirty.clear();
     for (dxGeom *geom = first; geom != nullptr && isDirty(geom); geom = geom->next) m_dirty.push_back(geom);
 }
+
+void dxOrderedListSpace::makeRoom(Slot slots) { dxMakeRoom(m_dirty, slots); }
 
 // Upstream puts a clean one in front, too. Those behind it that have changed are then cleaned no more.
 void dxOrderedListSpace::comes(dxGeom *geom, Slot /*slot*/) {

@@ -29,6 +29,7 @@ protected:
     bool requireRanks() override;
     void collideWith(void *data, dxGeom *geom, dNearCallback *callback) override;
     bool hasStrayMembers() const override;
+    void makeRoom(Slot slots) override;
     void comes(dxGeom *geom, Slot slot) override;
 
 private:
@@ -55,6 +56,7 @@ private:
     dxSoleCleaner m_cleaner;
     // A cleaning has begun and not ended: it is in progress, or was left by a jump.
     dxPublished<bool> m_isInterrupted{false};
-    dxPublished<bool> m_isIrregular{false};  // there may be dirty geoms behind clean ones, or the list is walked
-    bool m_hasBadBox = false;                // one of those dirty geoms has a box that is not up to date
+    dxPublished<bool> m_isIrregular{
+        false};                // there may be dirty geoms behind clean ones, or the list is walked
+    bool m_hasBadBox = false;  // one of those dirty geoms has a box that is not up to date
 };

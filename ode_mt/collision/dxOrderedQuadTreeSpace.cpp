@@ -4,8 +4,8 @@
 
 #include "collision/dxMissedNotifications.h"
 
-#include "util.h"
 #include "collision_space_internal.h"
+#include "util.h"
 
 namespace {
 
@@ -47,6 +47,8 @@ dxGeom *dxOrderedQuadTreeSpace::getGeom(int index) {
 bool dxOrderedQuadTreeSpace::mayCome(const dxGeom *geom) const {
     return geom->tome_ex == nullptr && geom->next_ex == nullptr && dxOrderedSpace::mayCome(geom);
 }
+
+void dxOrderedQuadTreeSpace::makeRoom(Slot slots) { m_dirty.makeRoom(slots); }
 
 // A geom comes into the block of the box that it had last, until it is cleaned.
 void dxOrderedQuadTreeSpace::comes(dxGeom *geom, Slot slot) {
@@ -181,7 +183,7 @@ struct dxOrderedQuadTreeSpace::Visit {
 };
 
 void dxOrderedQuadTreeSpace::walk(void *data, dNearCallback *callback, const dxOrderedPair *after) {
-    Visit visit(*this, data, callback);
+    Visit visit = beforeCallbacks([&] { return Visit(*this, data, callback); });
     visit.after = after;
     visit.meetAll(dxQuadTree::kRoot, 0, visit.order.size());
 }
@@ -199,7 +201,7 @@ void dxOrderedQuadTreeSpace::collideWith(void *data, dxGeom *geom, dNearCallback
 // With what is in its own block, which is itself too, and in those within; then with what is in the blocks
 // around, from the nearest outwards. In other blocks nothing meets it.
 void dxOrderedQuadTreeSpace::collideMember(void *data, dxGeom *geom, dNearCallback *callback) {
-    const Region region(*this, dxBounds(geom->aabb));
+    const Region region = beforeCallbacks([&] { return Region(*this, dxBounds(geom->aabb)); });
     const auto &slots = region.slots();
     const Block home = blockOf(slotOf(geom));
     const auto inner =
@@ -223,7 +225,7 @@ void dxOrderedQuadTreeSpace::collideMember(void *data, dxGeom *geom, dNearCallba
 // The same without regard to where boxes are.
 void dxOrderedQuadTreeSpace::walkMember(void *data, dxGeom *geom, dNearCallback *callback) {
     Swapped swapped{data, callback};
-    Visit visit(*this, &swapped, Swapped::call);
+    Visit visit = beforeCallbacks([&] { return Visit(*this, &swapped, Swapped::call); });
     Block block = blockOf(slotOf(geom));
     const auto placeFrom = [&](Block first) {
         std::size_t place = 0;
@@ -245,7 +247,7 @@ void dxOrderedQuadTreeSpace::walkMember(void *data, dxGeom *geom, dNearCallback 
 void dxOrderedQuadTreeSpace::collideOther(void *data, dxGeom *geom, dNearCallback *callback) {
     const dxBounds box(geom->aabb);
     Swapped swapped{data, callback};
-    const Region region(*this, box);
+    const Region region = beforeCallbacks([&] { return Region(*this, box); });
     const std::uint64_t missed = dxMissedNotifications::count();
     for (const Slot slot : region.slots()) {
         dxGeom *const member = members()[slot].geom;
@@ -260,6 +262,6 @@ void dxOrderedQuadTreeSpace::collideOther(void *data, dxGeom *geom, dNearCallbac
 
 void dxOrderedQuadTreeSpace::walkOther(void *data, dxGeom *geom, dNearCallback *callback) {
     Swapped swapped{data, callback};
-    Visit visit(*this, &swapped, Swapped::call);
+    Visit visit = beforeCallbacks([&] { return Visit(*this, &swapped, Swapped::call); });
     visit.meetFrom(geom, dxQuadTree::kRoot, 0, visit.order.size());
 }

@@ -1,7 +1,9 @@
 #include "collision/dxOrderedSimpleSpace.h"
 
-#include "util.h"
+#include <new>
+
 #include "collision_space_internal.h"
+#include "util.h"
 
 namespace {
 
@@ -25,12 +27,20 @@ void dxOrderedSimpleSpace::walk(void *data, dNearCallback *callback, const dxOrd
         walkFrom(after->first, after->second->next, data, callback);
         return;
     }
-    if (count < kWorthVectors || isCrowd() || !listGeoms()) {
+    if (count < kWorthVectors || isCrowd() || !findByVectors()) {
         walkList(data, callback);
         return;
     }
-    findListed();
     deliverInOrder(m_walked, data, callback);
+}
+
+// False: some boxes are not up to date, or there is no memory for it.
+bool dxOrderedSimpleSpace::findByVectors() try {
+    if (!listGeoms()) return false;
+    findListed();
+    return true;
+} catch (const std::bad_alloc &) {
+    return false;
 }
 
 // As upstream, with its assertions where boxes are not up to date.

@@ -13,6 +13,7 @@ private:
     void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) override;
     void walkList(void *data, dNearCallback *callback);
     void walkFrom(dxGeom *g1, dxGeom *g2, void *data, dNearCallback *callback);
+    bool findByVectors();
     bool listGeoms();
     void findListed();
 

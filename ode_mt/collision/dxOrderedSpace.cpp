@@ -8,8 +8,8 @@
 #include "collision/dxMissedNotifications.h"
 #include "collision/dxPairPrefetch.h"
 
-#include "util.h"
 #include "collision_space_internal.h"
+#include "util.h"
 
 namespace {
 
@@ -66,6 +66,8 @@ void dxOrderedSpace::add(dxGeom *geom) {
     CHECK_NOT_LOCKED(this);
     dAASSERT(geom);
     dUASSERT(mayCome(geom), "geom is already in a space");
+    m_members.makeRoomForOne();
+    makeRoom(m_members.end() + 1);
     const Slot slot = m_members.add(geom);
     geom->tome_ex = reinterpret_cast<dxGeom **>(static_cast<std::uintptr_t>(slot) + 1);
     comes(geom, slot);
@@ -156,10 +158,13 @@ void dxOrderedSpace::startAnew() {
         if (m_members[slot].geom != nullptr) m_members.markChanged(slot);
 }
 
-void dxOrderedSpace::collideShared(dxTaskRunner &runner, bool arraysStay, void *data,
+bool dxOrderedSpace::collideShared(dxTaskRunner &runner, bool arraysStay, void *data,
                                    dNearCallback *callback) {
-    if (m_ahead == nullptr) m_ahead.reset(new dxContactsAhead);
-    const dxContactsAhead::Scope scope(*m_ahead, runner, m_members.end(), arraysStay);
+    if (!prepareAhead(runner)) {
+        collide(data, callback);
+        return false;
+    }
+    const dxContactsAhead::Scope scope(*m_ahead, runner, arraysStay);
     lock_count++;
     if (makeReadyShared(runner)) {
         m_isAhead = true;
@@ -169,6 +174,17 @@ void dxOrderedSpace::collideShared(dxTaskRunner &runner, bool arraysStay, void *
         walk(data, callback, nullptr);
     }
     lock_count--;
+    return true;
+}
+
+bool dxOrderedSpace::prepareAhead(const dxTaskRunner &runner) {
+    try {
+        if (m_ahead == nullptr) m_ahead.reset(new dxContactsAhead);
+        m_ahead->makeRoom(runner, m_members.end());
+        return true;
+    } catch (const std::bad_alloc &) {
+        return false;
+    }
 }
 
 // Whatever way it is left.
@@ -223,11 +239,23 @@ bool dxOrderedSpace::findPairs() {
     if (m_members.changed().empty()) return true;
     if (lock_count > 1) return false;  // a call around this one goes through pairs()
     if (m_crowd.isOne() && !m_crowd.isOver()) return false;
+    return whereMemorySuffices([this] { return updatePairs(); });
+}
+
+bool dxOrderedSpace::updatePairs() {
     update(m_pairs);
     if (isTooMany(m_pairs.size())) becomeCrowd();
     if (m_crowd.isOne()) return false;
     m_members.forgetChanges();
     return true;
+}
+
+// Whatever was half found. A search that was set is set again by whoever did so.
+void dxOrderedSpace::giveUpPairs() {
+    m_search.reset();
+    m_dense.reset();
+    m_matches = {};
+    startAnew();
 }
 
 bool dxOrderedSpace::isTooMany(std::size_t pairs) const {
@@ -312,7 +340,7 @@ bool dxOrderedSpace::isStill(const dxGeom *geom, const dxBounds &box) {
 // The members of the space cannot move while it is locked.
 dxGeom *dxOrderedSpace::collideRegion(void *data, dxGeom *geom, dNearCallback *callback) {
     const dxBounds box(geom->aabb);
-    const Region region(*this, box);
+    const Region region = beforeCallbacks([&] { return Region(*this, box); });
     const std::uint64_t missed = dxMissedNotifications::count();
     for (const Slot slot : region.slots()) {
         dxGeom *const member = m_members[slot].geom;

@@ -29,10 +29,10 @@
 //  - the destructor leaves the geoms to upstream's, whose calls of the user find no space of this class any
 //    more (of).
 //
-// One thread at a time, as upstream; but while nothing changes, several threads may call collide2. They may be the
-// first to look at what has changed before: one does, and the others wait for it, or not for long. (In quad-tree and
-// sweep-and-prune spaces geoms must have been cleaned before, as upstream's lists of geoms to be cleaned need it.)
-// docs/collision-order.md, docs/kept-state.md.
+// One thread at a time, as upstream; but while nothing changes, several threads may call collide2. They may
+// be the first to look at what has changed before: one does, and the others wait for it, or not for long. (In
+// quad-tree and sweep-and-prune spaces geoms must have been cleaned before, as upstream's lists of geoms to
+// be cleaned need it.) docs/collision-order.md, docs/kept-state.md.
 #pragma once
 
 #include <atomic>
@@ -40,6 +40,7 @@
 #include <memory>
 #include <memory_resource>
 #include <mutex>
+#include <new>
 #include <vector>
 
 #include <ode/ode.h>
@@ -53,9 +54,9 @@
 #include "collision/dxOrderedPair.h"
 #include "collision/dxPairSearch.h"
 #include "collision/dxRegionIndex.h"
+#include "collision_kernel.h"
 #include "config.h"
 #include "objects.h"
-#include "collision_kernel.h"
 #include "threading/dxSharingPace.h"
 
 class dxOrderedSpace : public dxSpace, protected dxPairPlacer {
@@ -78,8 +79,9 @@ public:
     void collide2(void *data, dxGeom *geom, dNearCallback *callback) override;
 
     // collide() with what can be shared out given to the runner: boxes, the search for pairs, and contacts
-    // ahead of the callbacks, which are called as by collide(). `arraysStay`: as for dxContactsAhead.
-    void collideShared(dxTaskRunner &runner, bool arraysStay, void *data, dNearCallback *callback);
+    // ahead of the callbacks, which are called as by collide(). `arraysStay`: as for dxContactsAhead. False:
+    // without memory to share it out it was collide() itself.
+    bool collideShared(dxTaskRunner &runner, bool arraysStay, void *data, dNearCallback *callback);
     // makeReady() with the runner.
     bool makeReadyShared(dxTaskRunner &runner);
 
@@ -91,7 +93,8 @@ public:
     // not in the state in which ranks stand for it, or pairs() is in use; the geoms have to be walked as
     // upstream does.
     virtual bool makeReady();
-    // The second half of that: the geoms are clean, and what functions for bounding boxes have done meanwhile is known.
+    // The second half of that: the geoms are clean, and what functions for bounding boxes have done meanwhile
+    // is known.
     virtual bool findPairs();
     const std::vector<dxOrderedPair> &pairs() const { return m_pairs; }
 
@@ -118,8 +121,8 @@ protected:
     void startAnew();
 
     // Whether there are strays, or were when this was last asked: their boxes, and whether these are up to
-    // date, may change without notice. Costs nothing while no notification has been missed. Of several threads
-    // one looks.
+    // date, may change without notice. Costs nothing while no notification has been missed. Of several
+    // threads one looks.
     bool mayHaveStrays() { return !isSureOfMembers() && lookForStrays(); }
     // There are none, and nothing may have changed that.
     bool isSureOfMembers() const {
@@ -139,6 +142,8 @@ protected:
 
     // Whether upstream takes the geom into a space of this kind.
     virtual bool mayCome(const dxGeom *geom) const;
+    // Memory for what is kept of members in the slots below: their cleaning and changes must not need any.
+    virtual void makeRoom(Slot slots) = 0;
     // A geom comes, or goes, by a call that upstream will not refuse any more.
     virtual void comes(dxGeom * /*geom*/, Slot /*slot*/) {}
     virtual void goes(dxGeom * /*geom*/, Slot /*slot*/) {}
@@ -157,6 +162,28 @@ protected:
 
     bool isShared() const { return m_runner != nullptr; }
     dxTaskRunner &runner() const { return m_runner != nullptr ? *m_runner : dxTaskRunner::alone(); }
+    // What findPairs() needs memory for. Where there is none pairs are found anew at the next call, and this
+    // one goes through the geoms as upstream does.
+    template <class Find>
+    bool whereMemorySuffices(Find find) {
+        try {
+            return find();
+        } catch (const std::bad_alloc &) {
+            giveUpPairs();
+            return false;
+        }
+    }
+    // What a call of upstream's way needs memory for before its first callback. Where there is none the call
+    // ends here, by std::bad_alloc, and may be made again: the space is unlocked.
+    template <class Prepare>
+    auto beforeCallbacks(Prepare prepare) {
+        try {
+            return prepare();
+        } catch (const std::bad_alloc &) {
+            unlock();
+            throw;
+        }
+    }
     // To be told of each pair before its callback, or NULL.
     dxContactsAhead *ahead() const { return m_isAhead ? m_ahead.get() : nullptr; }
 
@@ -213,6 +240,9 @@ protected:
 
 private:
     bool lookForStrays();
+    bool updatePairs();
+    void giveUpPairs();
+    bool prepareAhead(const dxTaskRunner &runner);
     bool isTooMany(std::size_t pairs) const;
     void becomeCrowd();
 
@@ -223,9 +253,10 @@ private:
     std::vector<dxPairSearch::Match> m_matches;
     std::unique_ptr<dxKeptPairs> m_kept;
     dxRegionIndex m_index;
-    std::atomic<std::uint64_t> m_notificationsMissed{0};  // of the process, when the members were last looked at
-    std::atomic<bool> m_hasStrays{false};                 // then
-    std::mutex m_lookingForStrays;                        // only ever tried
+    std::atomic<std::uint64_t> m_notificationsMissed{
+        0};                                // of the process, when the members were last looked at
+    std::atomic<bool> m_hasStrays{false};  // then
+    std::mutex m_lookingForStrays;         // only ever tried
     dxCrowd m_crowd;
     dxTaskRunner *m_runner = nullptr;  // while a shared call makes the space ready: not in its callbacks
     bool m_isAhead = false;            // the call whose callbacks are beginning is a shared one

@@ -4,10 +4,11 @@
 #include <cmath>
 
 #include "collision/dxPairPrefetch.h"
+#include "collision/dxRoom.h"
 #include "collision/dxSweepWalk.h"
-#include "util.h"
-#include "simd/dxFetch.h"
 #include "collision_space_internal.h"
+#include "simd/dxFetch.h"
+#include "util.h"
 
 namespace {
 
@@ -56,6 +57,13 @@ dxGeom *dxOrderedSweepSpace::getGeom(int i) {
 
 bool dxOrderedSweepSpace::mayCome(const dxGeom *geom) const {
     return geom->tome_ex == nullptr && geom->next_ex == nullptr && dxOrderedSpace::mayCome(geom);
+}
+
+void dxOrderedSweepSpace::makeRoom(Slot slots) {
+    m_lists.makeRoom(slots);
+    dxMakeRoom(m_states, slots);
+    dxMakeRoom(m_isEnabled, slots);
+    dxMakeRoom(m_toClean, slots);
 }
 
 void dxOrderedSweepSpace::comes(dxGeom *geom, Slot slot) {
@@ -147,8 +155,11 @@ bool dxOrderedSweepSpace::makeReady() {
     if (m_hasUncleanBox) return false;
     if (members().changed().empty()) return true;
     if (lock_count > 1) return false;
-    takeParts();
-    return !m_hasNaN && dxOrderedSpace::makeReady();
+    const bool areTaken = whereMemorySuffices([this] {
+        takeParts();
+        return true;
+    });
+    return areTaken && !m_hasNaN && dxOrderedSpace::makeReady();
 }
 
 void dxOrderedSweepSpace::noteEnabled() {
@@ -283,10 +294,12 @@ void dxOrderedSweepSpace::deliver(void *data, dNearCallback *callback) {
 // Upstream goes through a list of pairs, as deliver() does.
 void dxOrderedSweepSpace::walk(void *data, dNearCallback *callback, const dxOrderedPair * /*after*/) {
     dxSweepWalk sweep(m_axes);
-    for (const dxSweepLists::Entry &entry : m_lists.clean())
-        if (dxGeomIsEnabled(entry.geom)) sweep.add(entry.geom);
-    sweep.expectPairs(m_pairsWalked);
-    sweep.findPairs(m_sort);
+    beforeCallbacks([&] {
+        for (const dxSweepLists::Entry &entry : m_lists.clean())
+            if (dxGeomIsEnabled(entry.geom)) sweep.add(entry.geom);
+        sweep.expectPairs(m_pairsWalked);
+        sweep.findPairs(m_sort);
+    });
     m_pairsWalked = sweep.pairs();
     sweep.deliver(data, callback);
 }

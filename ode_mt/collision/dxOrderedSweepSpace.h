@@ -41,6 +41,7 @@ private:
     void expect(Slot slot) const override;
     void deliver(void *data, dNearCallback *callback) override;
     bool mayCome(const dxGeom *geom) const override;
+    void makeRoom(Slot slots) override;
     void comes(dxGeom *geom, Slot slot) override;
     void goes(dxGeom *geom, Slot slot) override;
     void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) override;
@@ -73,7 +74,7 @@ private:
     bool m_isMessedUp = false;  // as upstream's assertion has it: a cleaning took place within a cleaning
 
     std::size_t m_pairsWalked = 0;  // at the last walk
-    bool m_isDense = true;  // pairs are found by a sweep of all
+    bool m_isDense = true;          // pairs are found by a sweep of all
     dxAxisRows m_rows;
     std::vector<dxSlotPair> m_found, m_again;
     std::size_t m_sweptPairs = 0;  // of pairs(), those in front

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <new>
+
+#include "collision/dxRoom.h"
 
 namespace {
 
@@ -52,8 +55,15 @@ dxRegionIndex::Home &dxRegionIndex::homeOf(Slot slot) {
     return m_homes[slot];
 }
 
-void dxRegionIndex::loosen(Slot slot) {
+void dxRegionIndex::loosen(Slot slot) noexcept {
     if (!m_isInUse) return;
+    try {
+        dxMakeRoom(m_loose, m_loose.size() + 1);
+        homeOf(slot);
+    } catch (const std::bad_alloc &) {
+        m_isInUse = false;
+        return;
+    }
     Home &home = homeOf(slot);
     if (home.loose != kNone) return;
     if (home.row != kNone) m_tree.erase(home.row);
@@ -108,8 +118,11 @@ bool dxRegionIndex::query(const dxMembers &members, const dxBounds &box, std::pm
 void dxRegionIndex::buildIfDue(const dxMembers &members) {
     if (m_debt.load(std::memory_order_relaxed) <= kComparisonsPerRow * members.end()) return;
     const std::unique_lock<std::shared_mutex> building(m_mutex, std::try_to_lock);
-    if (building && m_debt.load(std::memory_order_relaxed) > kComparisonsPerRow * members.end())
+    if (!building || m_debt.load(std::memory_order_relaxed) <= kComparisonsPerRow * members.end()) return;
+    try {
         build(members);
+    } catch (const std::bad_alloc &) {  // boxes are compared one by one, until it is due again
+    }
 }
 
 void dxRegionIndex::build(const dxMembers &members) {

@@ -25,8 +25,9 @@ class dxRegionIndex {
 public:
     using Slot = dxMembers::Slot;
 
-    // The member is new or has changed. Does nothing before the first question.
-    void loosen(Slot slot);
+    // The member is new or has changed. Does nothing before the first question. Without memory for that the
+    // tree is given up, until it is built anew.
+    void loosen(Slot slot) noexcept;
     // The member has gone. Likewise nothing before the first question.
     void drop(Slot slot);
 

@@ -1,5 +1,13 @@
 #include "collision/dxSweepLists.h"
 
+#include "collision/dxRoom.h"
+
+void dxSweepLists::makeRoom(Slot slots) {
+    dxMakeRoom(m_dirty, slots);
+    dxMakeRoom(m_clean, slots);
+    dxMakeRoom(m_places, slots);
+}
+
 void dxSweepLists::add(Slot slot, dxGeom *geom) { append({geom, slot}, true); }
 
 void dxSweepLists::append(const Entry &entry, bool isDirty) {

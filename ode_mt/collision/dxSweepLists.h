@@ -1,8 +1,9 @@
-// The members of a sweep-and-prune space in the two lists that upstream keeps: those that have changed, in the order
-// in which they did, and the clean ones. What leaves a list has its place taken by the last one of it.
+// The members of a sweep-and-prune space in the two lists that upstream keeps: those that have changed, in
+// the order in which they did, and the clean ones. What leaves a list has its place taken by the last one of
+// it.
 //
-// Both orders show: in dSpaceGetGeom, in the callbacks of dSpaceCollide2, in what becomes of geoms with equal bounds.
-// Not thread safe.
+// Both orders show: in dSpaceGetGeom, in the callbacks of dSpaceCollide2, in what becomes of geoms with equal
+// bounds. Not thread safe.
 #pragma once
 
 #include <cstddef>
@@ -27,6 +28,8 @@ public:
     // In the list in which the member is.
     std::size_t placeOf(Slot slot) const { return m_places[slot].index; }
 
+    // Memory for members in the slots below: none of the other functions asks for any then.
+    void makeRoom(Slot slots);
     // Behind the dirty ones.
     void add(Slot slot, dxGeom *geom);
     void remove(Slot slot);

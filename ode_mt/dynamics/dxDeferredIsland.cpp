@@ -3,6 +3,7 @@
 #include <ode/error.h>
 
 #include <cstdio>
+#include <new>
 
 #include "dynamics/dxRandom.h"
 
@@ -22,9 +23,13 @@ std::string formatText(const char *format, va_list arguments) {
 
 void dxKeptReport::deliver() const {
     switch (kind) {
-        case dxReport::Message: dMessage(number, "%s", text.c_str()); break;
-        case dxReport::Debug: dDebug(number, "%s", text.c_str());
-        case dxReport::Error: dError(number, "%s", text.c_str());
+        case dxReport::Message:
+            dMessage(number, "%s", text.c_str());
+            break;
+        case dxReport::Debug:
+            dDebug(number, "%s", text.c_str());
+        case dxReport::Error:
+            dError(number, "%s", text.c_str());
     }
 }
 
@@ -36,7 +41,11 @@ std::uint32_t dxDeferredIsland::takeBlock(std::uint64_t draws) {
 
 bool dxDeferredIsland::takeOver(dxReport kind, int number, const char *format, va_list arguments) {
     if (m_userHandlers) throw dxIslandInterrupted();
-    m_reports.push_back({m_island, kind, number, formatText(format, arguments)});
+    try {
+        m_reports.push_back({m_island, kind, number, formatText(format, arguments)});
+    } catch (const std::bad_alloc &) {
+        if (kind == dxReport::Message) return false;  // is printed at once, out of its order
+    }
     if (kind != dxReport::Message) throw dxIslandInterrupted();
     return true;
 }

@@ -1,5 +1,5 @@
-// A call of upstream's stepper for one island, with what ours adds to it. Upstream hands the context from stage to
-// stage; the seams of its stages (ode/seams/quickstep.h) find the workers here.
+// A call of upstream's stepper for one island, with what ours adds to it. Upstream hands the context from
+// stage to stage; the seams of its stages (ode/seams/quickstep.h) find the workers here.
 #pragma once
 
 #include "config.h"
@@ -12,8 +12,8 @@
 struct dxIslandCall : dxStepperProcessingCallContext {
     using dxStepperProcessingCallContext::dxStepperProcessingCallContext;
 
-    dxIslandTeam *team = nullptr;  // null: the calling thread alone
-    mutable dxRowMemory rows;      // packed ones, while QuickStep sweeps over them
+    mutable dxIslandTeam *team = nullptr;  // null: the calling thread alone
+    mutable dxRowMemory rows;              // packed ones, while QuickStep sweeps over them
 
     // The island's workers, or the caller.
     dxTaskRunner &runner() const { return team != nullptr ? *team->runner : dxTaskRunner::alone(); }

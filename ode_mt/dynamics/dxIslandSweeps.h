@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <new>
 
 #include <ode/odemath.h>
 
@@ -41,7 +42,8 @@ bool isLarge(const Call &call) {
 }
 
 // inv(M) J^T, and the Jacobian scaled by the diagonal of J inv(M) J^T.
-inline void packRow(dReal *jacobian, dxSweepRow &row, const dReal *invMass, const dReal *const *invInertia, dReal w) {
+inline void packRow(dReal *jacobian, dxSweepRow &row, const dReal *invMass, const dReal *const *invInertia,
+                    dReal w) {
     const int bodies = row.body[1] != dxSweepIsland::kNone ? 2 : 1;
     dReal sum = 0;
     for (int body = 0; body < bodies; ++body) {
@@ -77,26 +79,26 @@ void packRows(const Call &call, dxSweepRow *rows, std::size_t begin, std::size_t
             invMass[body] = context.m_islandBodiesStart[number]->invMass;
             invInertia[body] = local.m_invI + number * kInertia;
         }
-        packRow(local.m_J + i * dxSweepIsland::kJacobianColumns, row, invMass, invInertia, context.m_world->qs.w);
+        packRow(local.m_J + i * dxSweepIsland::kJacobianColumns, row, invMass, invInertia,
+                context.m_world->qs.w);
     }
 }
 
-// The rows of a large island are packed as they are prepared: upstream's two stages do the same operations on each row,
-// one stage after the other.
+// The rows of a large island are packed as they are prepared, if there is memory for that: upstream's two
+// stages do the same operations on each row, one stage after the other.
 template <class Stage, class Call>
 void computeImpulses(Stage stage, Call *call) {
-    if (!isLarge(*call)) return stage(call);
     const dxIslandCall &island = dxIslandCall::of(call->m_stepperCallContext);
-    dxSweepRow *const rows = island.rows.take(call->m_localContext->m_m);
-    island.runner().forPieces(dxParallelStage::Rows, call->m_localContext->m_m, kRowPiece,
-        [&](std::size_t begin, std::size_t end, unsigned) {
-        packRows(*call, rows, begin, end);
-    });
+    dxSweepRow *const rows = isLarge(*call) ? island.rows.take(call->m_localContext->m_m) : nullptr;
+    if (rows == nullptr) return stage(call);
+    island.runner().forPieces(
+        dxParallelStage::Rows, call->m_localContext->m_m, kRowPiece,
+        [&](std::size_t begin, std::size_t end, unsigned) { packRows(*call, rows, begin, end); });
 }
 
 template <class Stage, class Call>
 void scaleRows(Stage stage, Call *call) {
-    if (!isLarge(*call)) stage(call);
+    if (dxIslandCall::of(call->m_stepperCallContext).rows.get() == nullptr) stage(call);
 }
 
 // Upstream reads the results where there is feedback.
@@ -111,7 +113,8 @@ void giveResults(Call *call) {
 
 // --- sweeps -------------------------------------------------------------------------------------------
 
-// Whether the rows are no longer in the order of their joints. The mark is one that upstream's threads would use.
+// Whether the rows are no longer in the order of their joints. The mark is one that upstream's threads would
+// use.
 template <class Call>
 bool isShuffled(const Call &call) {
     return call.m_SOR_reorderHeadTaken != 0;
@@ -121,7 +124,9 @@ bool isShuffled(const Call &call) {
 template <class Call>
 unsigned partsOf(const Call &call) {
     const dxIslandTeam *const team = dxIslandCall::of(call.m_stepperCallContext).team;
-    return team == nullptr ? 1 : std::min(team->runner->workers(), call.m_localContext->m_m / dxSharedSweep::kLeastRows);
+    return team == nullptr
+               ? 1
+               : std::min(team->runner->workers(), call.m_localContext->m_m / dxSharedSweep::kLeastRows);
 }
 
 template <class Call>
@@ -131,9 +136,9 @@ void cut(const Call &call, dxIslandTeam &team, unsigned parts) {
     team.sweep.begin(island, parts, [bodies](std::size_t body) { return bodies[body]->posr.pos; });
 }
 
-// The rows in the order in which they are to be taken. Until the first shuffle that is made to overlap, once: the schedule
-// lies in memory that upstream reserves for threads of its own, of which there are none here, and so does the mark that it is
-// made.
+// The rows in the order in which they are to be taken. Until the first shuffle that is made to overlap, once:
+// the schedule lies in memory that upstream reserves for threads of its own, of which there are none here,
+// and so does the mark that it is made.
 template <class Call>
 const int *orderOf(Call *call) {
     if (isShuffled(*call)) return &call->m_order->index;
@@ -148,13 +153,19 @@ const int *orderOf(Call *call) {
     return scheduled;
 }
 
-// All sweeps from number `sweep` up to the next shuffle.
+// All sweeps from number `sweep` up to the next shuffle. Without memory to plan them, before which nothing is
+// swept, the caller sweeps alone from here on.
 template <class Call>
 void sweepByTeam(Call *call, unsigned sweep, unsigned parts) {
-    dxIslandTeam &team = *dxIslandCall::of(call->m_stepperCallContext).team;
-    if (sweep == 0) cut(*call, team, parts);
+    const dxIslandCall &island = dxIslandCall::of(call->m_stepperCallContext);
+    dxIslandTeam &team = *island.team;
     const unsigned all = static_cast<unsigned>(call->m_stepperCallContext->m_world->qs.num_iterations);
-    team.sweep.sweep(islandOf(*call), orderOf(call), std::min(kShuffleEvery, all - sweep), *team.runner);
+    try {
+        if (sweep == 0) cut(*call, team, parts);
+        team.sweep.sweep(islandOf(*call), orderOf(call), std::min(kShuffleEvery, all - sweep), *team.runner);
+    } catch (const std::bad_alloc &) {
+        island.team = nullptr;
+    }
 }
 
 // Before sweep number `sweep`, the first and every eighth.

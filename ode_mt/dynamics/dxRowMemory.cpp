@@ -1,5 +1,7 @@
 #include "dynamics/dxRowMemory.h"
 
+#include <new>
+
 #include "threading/dxProcessObject.h"
 
 namespace {
@@ -9,12 +11,16 @@ dxProcessObject<dxIdlePool<std::vector<dxSweepRow>>> pool;
 }  // namespace
 
 dxSweepRow *dxRowMemory::take(std::size_t rows) {
-    std::vector<dxSweepRow> &memory = *m_rows.emplace(*pool);
-    if (memory.size() < rows) {
-        memory.clear();  // what is in there need not be moved
-        memory.resize(rows + rows / 5);
+    try {
+        std::vector<dxSweepRow> &memory = *m_rows.emplace(*pool);
+        if (memory.size() < rows) {
+            memory.clear();  // what is in there need not be moved
+            memory.resize(rows + rows / 5);
+        }
+    } catch (const std::bad_alloc &) {
+        m_rows.reset();
     }
-    return memory.data();
+    return get();
 }
 
 void dxRowMemory::forget() {

@@ -10,7 +10,7 @@
 
 class dxRowMemory {
 public:
-    // Undefined contents.
+    // Undefined contents. NULL: there is no memory.
     dxSweepRow *take(std::size_t rows);
     dxSweepRow *get() const { return m_rows ? (*m_rows)->data() : nullptr; }
     void giveBack() { m_rows.reset(); }

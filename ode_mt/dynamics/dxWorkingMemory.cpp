@@ -1,6 +1,7 @@
 #include "dynamics/dxWorkingMemory.h"
 
 #include <cstdlib>
+#include <new>
 
 #include "dynamics/dxIdlePool.h"
 #include "dynamics/dxIsland.h"
@@ -25,9 +26,17 @@ dxProcessObject<dxIdlePool<dxWorldProcessMemArena>> pool;
 
 dxWorldProcessMemArena *take(std::size_t size) {
     constexpr float kReserve = 1.2f;  // so that a slowly growing world does not reallocate at every step
-    dxWorldProcessMemArena *arena =
-        dxWorldProcessMemArena::ReallocateMemArena(pool->take(), size, &*manager, kReserve, 0);
-    if (arena != nullptr) arena->ResetState();
+    dxWorldProcessMemArena *arena = nullptr;
+    try {
+        arena = pool->take();
+    } catch (const std::bad_alloc &) {
+        return nullptr;
+    }
+    arena = dxWorldProcessMemArena::ReallocateMemArena(arena, size, &*manager, kReserve, 0);
+    if (arena != nullptr)
+        arena->ResetState();
+    else
+        pool->lose();
     return arena;
 }
 

@@ -1,6 +1,7 @@
 #include "frame/dxClusterManager.h"
 
 #include <cstring>
+#include <new>
 
 #include "collision/dxOrderedSpace.h"
 #include "frame/dxTunedClusters.h"
@@ -42,5 +43,9 @@ void dxClusterManager::prepare(dSpaceID space, const char *passName) {
         present->beginFrame();
         return;
     }
-    ordered->setSearch(std::make_unique<dxTunedClusters>(dxMakeCrossoverPass(passName)));
+    try {
+        ordered->setSearch(std::make_unique<dxTunedClusters>(dxMakeCrossoverPass(passName)));
+    } catch (const std::bad_alloc &) {  // without clusters this time
+        ordered->setSearch(nullptr);
+    }
 }

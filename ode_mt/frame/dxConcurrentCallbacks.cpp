@@ -7,12 +7,14 @@
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <new>
+#include <optional>
 #include <vector>
 
-#include "frame/dxClusterManager.h"
 #include "collision/dxContactLog.h"
 #include "collision/dxOrderedSpace.h"
 #include "dynamics/dxIdlePool.h"
+#include "frame/dxClusterManager.h"
 #include "frame/dxPairTasks.h"
 #include "frame/dxSettings.h"
 #include "frame/dxStepStatistics.h"
@@ -47,8 +49,8 @@ private:
 // What a call needs, kept from call to call.
 struct Run {
     dxPairTasks cut;
-    std::vector<std::unique_ptr<dxContactLog>> logs;     // by task
-    std::vector<dxContactLog::Span> spans;               // by pair
+    std::vector<std::unique_ptr<dxContactLog>> logs;  // by task
+    std::vector<dxContactLog::Span> spans;            // by pair
     std::vector<std::uint32_t> taskOfPair;
     std::mutex groups;
     std::mutex failure;
@@ -121,8 +123,9 @@ struct Commit {
     ~Commit() { run.commit(); }
 };
 
-// A callback has ended the worker that it ran on. As an exception, that is passed on: without workers it would have ended
-// the thread that called dSpaceCollide. The pool is made anew, with as many workers as before.
+// A callback has ended the worker that it ran on. As an exception, that is passed on: without workers it
+// would have ended the thread that called dSpaceCollide. The pool is made anew, with as many workers as
+// before.
 [[noreturn]] void endThread() {
     dxWorkers::instance().stop();
     pthread_exit(nullptr);
@@ -133,11 +136,12 @@ dxProcessObject<dxIdlePool<Run>> idleRuns;
 // Of an algorithm that clusters: as many as its heuristics want.
 unsigned workersFor(dxOrderedSpace &space, const dxTaskRunner &runner) {
     const dxAlgorithm algorithm = dxSettings::instance().algorithm();
-    return algorithm == dxAlgorithm::Auto ? runner.workers() : dxClusterManager::threadsFor(&space, runner.workers());
+    return algorithm == dxAlgorithm::Auto ? runner.workers()
+                                          : dxClusterManager::threadsFor(&space, runner.workers());
 }
 
-// Under auto: more than half of the pairs hang together in one task, as in a heap. One worker would run their callbacks
-// while the others wait; with contacts ahead all have work.
+// Under auto: more than half of the pairs hang together in one task, as in a heap. One worker would run their
+// callbacks while the others wait; with contacts ahead all have work.
 bool isLopsided(const dxPairTasks &cut, std::size_t pairs) {
     if (dxSettings::instance().algorithm() != dxAlgorithm::Auto) return false;
     return std::any_of(cut.tasks().begin(), cut.tasks().end(), [pairs](const dxPairTasks::Task &task) {
@@ -145,16 +149,25 @@ bool isLopsided(const dxPairTasks &cut, std::size_t pairs) {
     });
 }
 
+// Cuts the pairs into tasks. False: they are not to be shared out, or there is no memory for that.
+bool start(std::optional<dxIdleLease<Run>> &lease, const dxOrderedSpace &space, unsigned workers) {
+    try {
+        (*lease.emplace(*idleRuns)).start(space, workers);
+    } catch (const std::bad_alloc &) {
+        return false;
+    }
+    return (*lease)->cut.tasks().size() >= 2 && !isLopsided((*lease)->cut, space.pairs().size());
+}
+
 // The part between locking the space and unlocking it.
 bool collideLocked(dxOrderedSpace &space, dxTaskRunner &runner, void *data, dNearCallback *callback) {
     if (!space.makeReadyShared(runner)) return false;
     const unsigned workers = workersFor(space, runner);
     if (workers < 2 || space.pairs().size() < kLeastPairs) return false;
-    const dxIdleLease<Run> lease(*idleRuns);
-    Run &run = *lease;
-    run.start(space, workers);
+    std::optional<dxIdleLease<Run>> lease;
+    if (!start(lease, space, workers)) return false;
+    Run &run = **lease;
     const auto tasks = static_cast<unsigned>(run.cut.tasks().size());
-    if (tasks < 2 || isLopsided(run.cut, space.pairs().size())) return false;
     run.data = data;
     run.callback = callback;
     dxWorkersRunner workersRunner(workers);

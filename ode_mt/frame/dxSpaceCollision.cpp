@@ -16,20 +16,21 @@ namespace {
 // Fewer geoms than this are never worth a worker, nor even a look at the clock.
 constexpr int kLeastGeoms = 48;
 
-// From inside a callback of a call that is shared, whether of this space or of another one, everything stays on its thread.
-// That the space is locked says nothing: a callback may have left it so by longjmp or an exception.
+// From inside a callback of a call that is shared, whether of this space or of another one, everything stays
+// on its thread. That the space is locked says nothing: a callback may have left it so by longjmp or an
+// exception.
 bool mayShare(const dxOrderedSpace &space, dNearCallback *callback) {
     const dxSettings &settings = dxSettings::instance();
     return settings.threads() > 1 && settings.algorithm() != dxAlgorithm::Serial && callback != nullptr &&
-           space.count > 1 && dxContactLog::current() == nullptr &&
-           dxContactsAhead::current() == nullptr && !dxTrapsFloatingPoint();
+           space.count > 1 && dxContactLog::current() == nullptr && dxContactsAhead::current() == nullptr &&
+           !dxTrapsFloatingPoint();
 }
 
 void collideOnWorkers(dxOrderedSpace &space, unsigned workers, void *data, dNearCallback *callback) {
     dxWorkersRunner runner(workers);
     const bool mayBeConcurrent = dxSettings::instance().callbackPolicy() != dxCallbackPolicy::Serial;
     if (mayBeConcurrent && dxCollideConcurrently(space, runner, data, callback)) return;
-    space.collideShared(runner, mayBeConcurrent, data, callback);
+    if (!space.collideShared(runner, mayBeConcurrent, data, callback)) return;
     const dxContactsAhead &ahead = *space.contactsAhead();
     dxStepStatistics::instance().countSharedCollision(runner.tookPart(), ahead.computed(), ahead.used());
 }

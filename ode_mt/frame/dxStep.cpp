@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <chrono>
 #include <mutex>
+#include <new>
+#include <optional>
 
 #include "dynamics/dxBodyIntegration.h"
 #include "dynamics/dxIslandCall.h"
@@ -20,12 +22,12 @@
 #include "frame/dxWorkers.h"
 #include "frame/dxWorkersRunner.h"
 #include "frame/dxWorldWorkers.h"
+#include "quickstep.h"
+#include "step.h"
 #include "threading/dxFloatEnvironment.h"
 #include "threading/dxPerturbation.h"
 #include "threading/dxProcessObject.h"
 #include "threading/dxSharingPace.h"
-#include "quickstep.h"
-#include "step.h"
 
 namespace {
 
@@ -46,20 +48,21 @@ constexpr unsigned kBlocksPerWorker = 8;
 // Joints that make an island large enough to be stepped by several workers together.
 constexpr unsigned kLeastTeamJoints = 500;
 
-// The exact step's: at three rows a contact its LCP begins to be worth sharing; under an algorithm that is asked for by
-// name it is shared earlier. It is not shared as well as islands side by side, so that the rest of the world has to be small.
+// The exact step's: at three rows a contact its LCP begins to be worth sharing; under an algorithm that is
+// asked for by name it is shared earlier. It is not shared as well as islands side by side, so that the rest
+// of the world has to be small.
 constexpr unsigned kLeastExactTeamJoints = 134, kLeastExactTeamJointsByName = 64;
 constexpr double kLeastExactTeamPart = 0.9;
 
-// Members of a team wait for one another, so more of them than cores would only get in one another's way. An algorithm
-// that is asked for by name gets so many on any machine: what they do can be tested there.
+// Members of a team wait for one another, so more of them than cores would only get in one another's way. An
+// algorithm that is asked for by name gets so many on any machine: what they do can be tested there.
 constexpr unsigned kLeastTeam = 4;
 
 // For a time per cost to be remembered like the time of a call: that of a step of one millisecond.
 constexpr double kCostOfReference = 1e6;
 
-// Whether large islands are stepped by teams, under auto. For the process, as the cost model: what it measures is the
-// machine. Steps that find it in use do without.
+// Whether large islands are stepped by teams, under auto. For the process, as the cost model: what it
+// measures is the machine. Steps that find it in use do without.
 struct TeamPace {
     std::mutex mutex;
     dxSharingPace pace;
@@ -129,8 +132,11 @@ void dxStep::run() {
 void dxStep::runWithTeam(unsigned workers) {
     const unsigned most = std::max(dxSettings::instance().cores(), kLeastTeam);
     dxWorkersRunner runner(std::min(workers, most), m_world);
-    const dxIslandTeamLease lease(runner, dxSettings::instance().algorithm() != dxAlgorithm::Auto);
-    m_team = &*lease;
+    std::optional<dxIslandTeamLease> lease;
+    try {
+        m_team = &*lease.emplace(runner, dxSettings::instance().algorithm() != dxAlgorithm::Auto);
+    } catch (const std::bad_alloc &) {  // then without one
+    }
     runInOrder();
     m_team = nullptr;
     dxStepStatistics::instance().countTeamStep(runner.tookPart());
@@ -226,24 +232,16 @@ std::uint64_t dxStep::drawsOf(unsigned rows) const {
 
 void dxStep::runShared(unsigned workers) {
     const Clock::time_point start = Clock::now();
+    if (!prepareShared(workers)) {
+        m_records.reset();
+        runInOrder();
+        return;
+    }
     unsigned rest;
     {
         const WorldArena arena(m_world);
-        prepareRecords(workers);
         m_records->workers[0].arena = arena.get();
-
-        const unsigned chunks = std::min(m_count, workers * kBlocksPerWorker);
-        onWorkers(dxParallelStage::IslandSurvey, chunks, workers, [this, chunks](unsigned chunk, unsigned worker) {
-            const std::uint64_t count = m_count;
-            survey(chunk * count / chunks, (chunk + 1) * count / chunks, worker);
-        });
-        orderSharedFeedback();
         reserveRandomNumbers();
-
-        double cost = 0;
-        for (unsigned i = 0; i < m_inOrderFrom; ++i) cost += m_records->islands[i].cost;
-        const double least = std::max(kLeastBlockNs, cost / (kBlocksPerWorker * workers));
-        dxShareIslands(*m_records, m_inOrderFrom, least);
         onWorkers(dxParallelStage::Islands, static_cast<unsigned>(m_records->blocks.size()), workers,
                   [this](unsigned block, unsigned worker) { stepBlock(block, worker); });
         stepLeftovers();
@@ -251,6 +249,24 @@ void dxStep::runShared(unsigned workers) {
         rest = commit();
     }
     finishInOrder(rest);
+}
+
+// Changes nothing of the world's. False: there is no memory for it.
+bool dxStep::prepareShared(unsigned workers) try {
+    prepareRecords(workers);
+    const unsigned chunks = std::min(m_count, workers * kBlocksPerWorker);
+    onWorkers(dxParallelStage::IslandSurvey, chunks, workers, [this, chunks](unsigned chunk, unsigned worker) {
+        const std::uint64_t count = m_count;
+        survey(chunk * count / chunks, (chunk + 1) * count / chunks, worker);
+    });
+    orderSharedFeedback();
+    double cost = 0;
+    for (unsigned i = 0; i < m_inOrderFrom; ++i) cost += m_records->islands[i].cost;
+    const double least = std::max(kLeastBlockNs, cost / (kBlocksPerWorker * workers));
+    dxShareIslands(*m_records, m_inOrderFrom, least);
+    return true;
+} catch (const std::bad_alloc &) {
+    return false;
 }
 
 void dxStep::prepareRecords(unsigned workers) {
@@ -333,19 +349,27 @@ void dxStep::stepDeferred(unsigned index, unsigned worker) {
         if (own.arena == nullptr) return;
     }
     record.worker = worker;
+    record.undoBegin = own.undo.mark();
+    try {
+        if (m_userHandlers) own.undo.save(record.island);
+    } catch (const std::bad_alloc &) {
+        return interruptAt(index);
+    }
+    record.undoEnd = own.undo.mark();
     record.stepped = true;
     ++own.islands;
-    record.undoBegin = own.undo.mark();
-    if (m_userHandlers) own.undo.save(record.island);
-    record.undoEnd = own.undo.mark();
     try {
         dxDeferredIsland scope(index, record.seed, m_userHandlers, own.reports);
         stepIsland(record.island, own.arena);
     } catch (const dxIslandInterrupted &) {
         dxPerturb(dxSchedulePoint::InterruptIsland);
-        unsigned first = m_interrupted.load(std::memory_order_relaxed);
-        while (index < first && !m_interrupted.compare_exchange_weak(first, index, std::memory_order_relaxed)) {
-        }
+        interruptAt(index);
+    }
+}
+
+void dxStep::interruptAt(unsigned island) {
+    unsigned first = m_interrupted.load(std::memory_order_relaxed);
+    while (island < first && !m_interrupted.compare_exchange_weak(first, island, std::memory_order_relaxed)) {
     }
 }
 
@@ -367,7 +391,6 @@ unsigned dxStep::commit() {
         }
         takeBack(end);
     }
-    gatherReports();
     for (unsigned i = 0; i < end; ++i) {
         deliverReports(i);
         dxNotifyMoved(m_records->islands[i].island);
@@ -392,24 +415,12 @@ void dxStep::takeBack(unsigned begin) {
 }
 
 // Reports are kept only where the user has no handlers: a message goes to stderr, and an error ends the
-// process, so an interrupted island is the last to report.
-void dxStep::gatherReports() {
-    std::vector<dxKeptReport> &reports = m_records->reports;
-    reports.clear();
-    for (dxWorkerRecord &worker : m_records->workers) {
-        std::move(worker.reports.begin(), worker.reports.end(), std::back_inserter(reports));
-    }
-    std::stable_sort(reports.begin(), reports.end(),
-                     [](const dxKeptReport &a, const dxKeptReport &b) { return a.island < b.island; });
-    m_nextReport = 0;
-}
-
-// To be called for the islands in ascending order.
-void dxStep::deliverReports(unsigned island) {
-    const std::vector<dxKeptReport> &reports = m_records->reports;
-    for (; m_nextReport < reports.size() && reports[m_nextReport].island == island; ++m_nextReport) {
-        reports[m_nextReport].deliver();
-    }
+// process, so an interrupted island is the last to report. Whoever stepped the island has them, and few
+// islands have any.
+void dxStep::deliverReports(unsigned island) const {
+    if (island == m_count) return;
+    for (const dxKeptReport &report : m_records->workers[m_records->islands[island].worker].reports)
+        if (report.island == island) report.deliver();
 }
 
 void dxStep::finishInOrder(unsigned begin) {
@@ -440,7 +451,8 @@ void dxStep::learn(unsigned workers, double wallNs) const {
 
 // --- who may work -------------------------------------------------------------------------------------
 
-// The steps of most small worlds are over before a clock could be read: they cost one look at their only island.
+// The steps of most small worlds are over before a clock could be read: they cost one look at their only
+// island.
 bool dxStep::mayShare() const {
     if (m_count != 1) return m_count > 1;
     return dxIslandCursor(m_info).next().jointCount >= leastTeamJoints();
@@ -448,7 +460,8 @@ bool dxStep::mayShare() const {
 
 unsigned dxStep::leastTeamJoints() const {
     if (m_kind == dxStepperKind::Quick) return kLeastTeamJoints;
-    return dxSettings::instance().algorithm() == dxAlgorithm::Auto ? kLeastExactTeamJoints : kLeastExactTeamJointsByName;
+    return dxSettings::instance().algorithm() == dxAlgorithm::Auto ? kLeastExactTeamJoints
+                                                                   : kLeastExactTeamJointsByName;
 }
 
 void dxStep::estimateCosts() {
@@ -456,8 +469,8 @@ void dxStep::estimateCosts() {
     for (unsigned i = 0; i < m_count; ++i) {
         const dxIsland island = cursor.next();
         if (island.bodies[0]->moved_callback != nullptr) break;  // it and what follows goes in order
-        const double cost = dxCostModel::islandCost(m_kind, m_world->qs.num_iterations, island.bodyCount,
-                                                    island.jointCount);
+        const double cost =
+            dxCostModel::islandCost(m_kind, m_world->qs.num_iterations, island.bodyCount, island.jointCount);
         m_totalCost += cost;
         m_largestCost = std::max(m_largestCost, cost);
         m_largestJoints = std::max(m_largestJoints, island.jointCount);
@@ -475,27 +488,14 @@ unsigned dxStep::chooseWorkers(unsigned limit) {
 
 template <class Work>
 void dxStep::onWorkers(dxParallelStage stage, unsigned blocks, unsigned workers, Work work) {
-    struct Job {
-        Work &work;
-        dxStageWatch watch;
-    } job{work, dxStageWatch(stage)};
-    const dxThreadManager::Task task = [](void *context, unsigned block, unsigned worker) {
-        Job &running = *static_cast<Job *>(context);
-        running.watch.see(worker);
-        running.work(block, worker);
-    };
-    if (dxWorldWorkers::given(m_world)) {
-        dxWorldWorkers::run(m_world, blocks, workers, task, &job);
-    } else {
-        dxWorkers::instance().run(blocks, workers, task, &job);
-    }
+    dxWorkersRunner(workers, m_world).forBlocks(stage, blocks, work);
 }
 
 unsigned dxStep::workerLimit() const {
     const dxAlgorithm algorithm = dxSettings::instance().algorithm();
     if (algorithm == dxAlgorithm::Serial) return 1;
-    unsigned limit = dxWorldWorkers::given(m_world) ? dxWorldWorkers::count(m_world)
-                                                    : dxSettings::instance().threads();
+    unsigned limit =
+        dxWorldWorkers::given(m_world) ? dxWorldWorkers::count(m_world) : dxSettings::instance().threads();
     const unsigned asked = m_world->islands_max_threads;
     if (asked != dWORLDSTEP_THREADCOUNT_UNLIMITED) limit = std::min(limit, asked);
     if (algorithm == dxAlgorithm::Auto) limit = std::min(limit, dxSettings::instance().cores());

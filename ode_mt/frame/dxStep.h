@@ -36,19 +36,20 @@ private:
 
     // --- shared out: the stages, in this order; those marked run on workers ----------------------------
     void runShared(unsigned workers);
+    bool prepareShared(unsigned workers);
     void prepareRecords(unsigned workers);
     void survey(unsigned begin, unsigned end, unsigned worker);  // workers: user callbacks, rows, feedback
     void orderSharedFeedback();
     void reserveRandomNumbers();
-    void stepBlock(unsigned block, unsigned worker);             // workers
+    void stepBlock(unsigned block, unsigned worker);  // workers
     void stepLeftovers();
     unsigned commit();
     void finishInOrder(unsigned begin);
 
     void stepDeferred(unsigned index, unsigned worker);
     void takeBack(unsigned begin);
-    void gatherReports();
-    void deliverReports(unsigned island);
+    void deliverReports(unsigned island) const;
+    void interruptAt(unsigned island);
     void learn(unsigned workers, double wallNs) const;
 
     // --- who may work ----------------------------------------------------------------------------------
@@ -69,17 +70,16 @@ private:
     const dReal m_stepSize;
     const dstepper_fn_t m_stepper;
     const dxStepperKind m_kind;
-    const unsigned m_count;              // islands
-    const bool m_userHandlers;           // an error, debug or message handler is installed
+    const unsigned m_count;     // islands
+    const bool m_userHandlers;  // an error, debug or message handler is installed
 
-    dxIslandTeam *m_team = nullptr;      // of large islands
+    dxIslandTeam *m_team = nullptr;  // of large islands
     dxStepRecords::Lease m_records;
-    double m_totalCost = 0;              // of the islands before the first user callback, see dxCostModel
+    double m_totalCost = 0;  // of the islands before the first user callback, see dxCostModel
     double m_largestCost = 0;
     unsigned m_largestJoints = 0;
-    bool m_costsKnown = false;           // and there is no such callback
-    std::size_t m_nextReport = 0;
-    unsigned m_inOrderFrom = 0;          // first island that has to be stepped in order
-    std::uint32_t m_randomEnd = 0;       // the random sequence after the reserved block
-    std::atomic<unsigned> m_interrupted; // first island that has to be stepped again in order
+    bool m_costsKnown = false;            // and there is no such callback
+    unsigned m_inOrderFrom = 0;           // first island that has to be stepped in order
+    std::uint32_t m_randomEnd = 0;        // the random sequence after the reserved block
+    std::atomic<unsigned> m_interrupted;  // first island that has to be stepped again in order
 };

@@ -16,12 +16,12 @@
 
 struct dxIslandRecord {
     dxIsland island;
-    double cost;          // dxCostModel, scale 1
-    unsigned rows;        // of the constraint system; 0 unless random numbers depend on it
-    std::uint32_t seed;   // the random sequence before the island's first draw
-    bool inOrder;         // must be stepped on the calling thread, after all islands before it
+    double cost;         // dxCostModel, scale 1
+    unsigned rows;       // of the constraint system; 0 unless random numbers depend on it
+    std::uint32_t seed;  // the random sequence before the island's first draw
+    bool inOrder;        // must be stepped on the calling thread, after all islands before it
     bool stepped;
-    unsigned worker;      // who stepped it
+    unsigned worker;  // who stepped it
     dxUndoLog::Mark undoBegin, undoEnd;
 };
 
@@ -47,7 +47,6 @@ struct dxStepRecords {
     std::vector<dxIslandBlock> blocks;
     std::vector<dxWorkerRecord> workers;
     std::vector<dxFeedbackUse> feedbacks;
-    std::vector<dxKeptReport> reports;
 
     // Borrows a set that no step in progress uses.
     struct Return {

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <mutex>
+#include <new>
 #include <utility>
 
 #include "frame/dxSettings.h"
+#include "threading/dxJobBoard.h"
 #include "threading/dxThreadManagerFactory.h"
 #include "trace/dxEnvironment.h"
 #include "trace/dxLog.h"
@@ -49,12 +51,19 @@ dxWorkers::dxWorkers() : m_name(dxThreadManagerFactory::defaultName()) {
         m_name = known;
         return;
     }
-    dxLog(dxLogLevel::warning, "ODE_MT_THREAD_MANAGER is '%s'; known: %s; %s is taken", name, knownNames().c_str(),
-          m_name);
+    dxLog(dxLogLevel::warning, "ODE_MT_THREAD_MANAGER is '%s'; known: %s; %s is taken", name,
+          knownNames().c_str(), m_name);
 }
 
+// Without memory for a manager the caller works alone.
 void dxWorkers::run(unsigned blocks, unsigned workers, dxThreadManager::Task task, void *context) {
-    current()->run(blocks, workers, task, context);
+    Manager manager;
+    try {
+        manager = current();
+    } catch (const std::bad_alloc &) {
+        return dxRunAlone(blocks, task, context);
+    }
+    manager->run(blocks, workers, task, context);
 }
 
 // Of two threads that make a manager at the same time one has its own for this run alone.
@@ -75,8 +84,8 @@ dxWorkers::Manager dxWorkers::current() {
     return made;
 }
 
-// The next run makes a manager of the new size. One that has it already only asks the system anew for threads that were
-// refused.
+// The next run makes a manager of the new size. One that has it already only asks the system anew for threads
+// that were refused.
 void dxWorkers::resize() {
     Manager now;
     {

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <vector>
 
 #include "default_threading.h"
 #include "threading/dxForkLocks.h"
+#include "threading/dxJobBoard.h"
 #include "threading/dxProcessObject.h"
 #include "threading/dxThreadManagerUser.h"
 
@@ -96,7 +98,13 @@ bool prepare(const dxWorld *world) {
 }
 
 void run(const dxWorld *world, unsigned blocks, unsigned workers, dxThreadManager::Task task, void *context) {
-    managerOf(world)->run(blocks, workers, task, context);
+    std::shared_ptr<dxThreadManagerUser> manager;
+    try {
+        manager = managerOf(world);
+    } catch (const std::bad_alloc &) {
+        return dxRunAlone(blocks, task, context);
+    }
+    manager->run(blocks, workers, task, context);
 }
 
 // The end of the manager, outside of all locks, waits for the threads that it has borrowed.

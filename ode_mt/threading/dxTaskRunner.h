@@ -1,8 +1,10 @@
-// Runs the blocks of a job: on workers, or on the calling thread alone. What a piece of the engine is given that
-// can share its work out but has no say in whether that pays.
+// Runs the blocks of a job: on workers, or on the calling thread alone. What a piece of the engine is given
+// that can share its work out but has no say in whether that pays.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
+#include <new>
 #include <type_traits>
 
 #include "threading/dxParallelStage.h"
@@ -16,13 +18,24 @@ public:
     // As dxThreadManager::run, for a piece of the stage.
     virtual void run(dxParallelStage stage, unsigned blocks, dxThreadManager::Task task, void *context) = 0;
 
-    // Calls work(block, worker) for every block.
+    // Calls work(block, worker) for every block. Where some block gets no memory std::bad_alloc is thrown on
+    // the calling thread, after all have ended: left to itself on a worker it would end the process.
     template <class Work>
     void forBlocks(dxParallelStage stage, unsigned blocks, Work &&work) {
+        struct Job {
+            std::remove_reference_t<Work> &work;
+            std::atomic<bool> isShortOfMemory{false};
+        } job{work};
         const auto task = [](void *context, unsigned block, unsigned worker) {
-            (*static_cast<std::remove_reference_t<Work> *>(context))(block, worker);
+            Job &running = *static_cast<Job *>(context);
+            try {
+                running.work(block, worker);
+            } catch (const std::bad_alloc &) {
+                running.isShortOfMemory.store(true, std::memory_order_relaxed);
+            }
         };
-        run(stage, blocks, task, &work);
+        run(stage, blocks, task, &job);
+        if (job.isShortOfMemory.load(std::memory_order_relaxed)) throw std::bad_alloc();
     }
 
     // Calls work(begin, end, worker) for pieces of [0, count) of `piece` items at most.

@@ -51,7 +51,8 @@ void sweepAxis(const dxAxisRows &rows, std::vector<dxSlotPair> &pairs) {
         const AxisProbe probe(rows, row);
         bool goesOn = true;
         for (std::size_t first = row + 1; goesOn && first < size; first += lanes)
-            forLanes(probe.meet(first, std::min(lanes, size - first), goesOn), [&](std::size_t lane) HWY_ATTR {
+            forLanes(probe.meet(first, std::min(lanes, size - first), goesOn), [&](std::size_t
+                                                                                       lane) HWY_ATTR {
                 pairs.push_back({static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(first + lane)});
             });
     }
@@ -67,8 +68,8 @@ HWY_EXPORT(sweepAxis);
 }  // namespace dxOverlap
 
 void dxAxisRows::resize(std::size_t rows) {
-    constexpr std::size_t kWidest = 8;  // doubles in a vector
-    if (m_columns[0].size() < rows + kWidest)
+    constexpr std::size_t kWidest = 8;                    // doubles in a vector
+    if (m_columns[kColumns - 1].size() < rows + kWidest)  // the last to grow, if memory has run out before
         for (std::vector<double> &column : m_columns) column.resize(rows + rows / 2 + kWidest);
     m_size = rows;
 }
