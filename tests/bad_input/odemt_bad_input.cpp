@@ -23,7 +23,7 @@ using namespace bad_input;
 
 // A call that computes for longer, or waits for longer, hangs. In seconds: of the processor, and by the
 // clock, which also runs while other processes have the processor.
-constexpr rlim_t kMostComputing = 2;
+constexpr rlim_t kMostComputing = 1;
 constexpr unsigned kPatience = 60;
 constexpr std::size_t kRoom = 1 << 14;
 // What a call may take: it may be told to make room for as much as there is.

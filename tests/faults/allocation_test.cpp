@@ -49,6 +49,7 @@ const Kind kKinds[] = {
     {"quad_concurrent", "quad", "quick", "4", "3", kConcurrent},
     {"large_serial", "hash", "quick", "160", "29", kSerial},
     {"large_lcp", "hash", "quick", "160", "29", kLcp},
+    {"large_island", "hash", "heap", "64", "11", kLcp},
     {"large_quad", "quad", "world", "160", "29", kLcp},
 };
 
