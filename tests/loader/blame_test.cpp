@@ -31,13 +31,17 @@ TEST(Blame, IsOnTheModelThatIsMeant) {
     expectSecond(two + joint("a", "a"), "/joint[j]");
     expectSecond(two + joint("a", "world"), "/joint[j]");
     expectSecond(two + joint("a", "q"), "/joint[j]/child");
-    expectSecond(two + "<frame name=\"a\"/>", "/link[a]");
     expectSecond("<link name=\"a\"/><link name=\"b\"><pose relative_to=\"b\"/></link>", "/link[b]");
 }
 
 TEST(Blame, IsOnTheJointThatReachesIntoAnotherModel) {
     expectError(world(model("good", two) + model("bad", two + joint("good::a", "b"))),
                 worlds::LoadError::Kind::Syntax, {"test.sdf: /sdf/world/model[bad]/joint[j]/parent: "});
+}
+
+TEST(Blame, IsOnTheModelWhoseNamesAreNotUnique) {
+    expectError(world(model("good", two) + model("bad", two + "<frame name=\"a\"/>")),
+                worlds::LoadError::Kind::Syntax, {"test.sdf: /sdf/world/model[bad]/link[a]: "});
 }
 
 TEST(Blame, IsOnTheFrameThatIsMeant) {

@@ -111,7 +111,7 @@ public:
 
 private:
     // Frames of a world share their names with its models: libsdformat gives such frames other names. Within
-    // models it says itself what shares them.
+    // the models of a world it says itself what shares them.
     static std::string setOfNames(const std::string &context, const std::string &kind) {
         return context == "world" && kind == "frame" ? "model" : kind;
     }
