@@ -177,6 +177,16 @@ TEST(Controller, ParametersAreChecked) {
                "<second_part>1</second_part><control_step>0.01</control_step><cycle>9</cycle><seed>0</seed>",
            "/seed", "between 1 and 2147483646");
     expect("odemt-fourier-gait", "<hold joint=\"w\">1</hold>", "", "needs an element <gain>");
+    expect("odemt-fourier-gait", "<gain unit=\"1\">1</gain>", "/gain", "no attribute 'unit'");
+    expect("odemt-fourier-gait", "<gain>1</gain><start unit=\"s\">1</start>", "/start", "no attribute 'unit'");
+    expect("odemt-fourier-gait", "<gain>1</gain><wave name=\"w\"><cos first=\"1\">1</cos></wave>", "/wave[w]/cos",
+           "no attribute 'first'");
+    expect(schedule, "<joints all=\"1\">w</joints><phase duration=\"1\">1</phase>", "/joints", "no attribute 'all'");
+    expect("odemt-random-cycle",
+           joints +
+               "<first_part start=\"1\" least=\"1\" most=\"3\">1</first_part><second_part start=\"1\">1</second_part>"
+               "<control_step>0.01</control_step><cycle>9</cycle><seed>1</seed>",
+           "/second_part", "no attribute 'start'");
     expect("odemt-fourier-gait", "<gain>1</gain><swing joint=\"w\" wave=\"big\"/>", "/swing",
            "no wave 'big'");
 }

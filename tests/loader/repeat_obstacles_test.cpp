@@ -101,7 +101,7 @@ void expectError(const std::string &world, std::size_t count, const std::string 
         loadNamed(world, count);
         ADD_FAILURE() << world;
     } catch (const worlds::LoadError &error) {
-        EXPECT_NE(std::string(error.what()).find(world + ".sdf: " + part), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find(world + ".sdf: /sdf/world: " + part), std::string::npos) << error.what();
     }
 }
 

@@ -17,7 +17,7 @@ std::unique_ptr<SdfScene> build(const std::string &sdf, const std::string &name,
     const Document document(sdf, name, resources, issues);
     WorldDescription world = readWorld(document.world(), name, resources, issues);
     world.staticMeetsStatic = options.staticMeetsStatic;
-    if (options.staticShapes > 0) repeatObstacles(world, options.staticShapes, {name, ""});
+    if (options.staticShapes > 0) repeatObstacles(world, options.staticShapes, {name, "/sdf/world"});
     return std::make_unique<SdfScene>(world);
 }
 

@@ -11,6 +11,7 @@ constexpr double turn = 2 * 3.14159265358979323846;
 std::vector<double> childNumbers(const Parameters &element, const std::string &name) {
     const Parameters *child = element.child(name);
     if (!child) return {};
+    child->expectOnly({}, {});
     if (child->words().empty()) child->fail("is empty");
     return child->numbers();
 }
@@ -21,7 +22,7 @@ FourierGait::FourierGait(const Parameters &parameters, const FindMotor &findMoto
     : m_stepSize(stepSize) {
     parameters.expectOnly({"name", "filename"}, {"gain", "start", "frequency"},
                           {"hold", "wave", "swing"});
-    m_gain = parameters.required("gain").number();
+    m_gain = parameters.requiredValue("gain").number();
     m_start = parameters.childNumber("start", 0);
     m_frequency = parameters.childNumber("frequency", 0);
     for (const Parameters &element : parameters.children)

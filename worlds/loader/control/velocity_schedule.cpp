@@ -13,7 +13,7 @@ constexpr std::size_t mostPhases = 1000000;  // a schedule is kept written out
 VelocitySchedule::VelocitySchedule(const Parameters &parameters, const FindMotor &findMotor,
                                    double stepSize) {
     parameters.expectOnly({"name", "filename"}, {"joints"}, {"phase", "repeat"});
-    m_motors = findMotors(parameters.required("joints"), findMotor);
+    m_motors = findMotors(parameters.requiredValue("joints"), findMotor);
     append(parameters, stepSize, true);
     if (m_phases.empty()) parameters.fail("has no phases");
 }

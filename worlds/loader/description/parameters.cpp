@@ -75,6 +75,12 @@ const Parameters &Parameters::required(const std::string &childName) const {
     return *found;
 }
 
+const Parameters &Parameters::requiredValue(const std::string &childName) const {
+    const Parameters &value = required(childName);
+    value.expectOnly({}, {});
+    return value;
+}
+
 const std::string &Parameters::attribute(const std::string &key) const {
     const auto found = attributes.find(key);
     if (found == attributes.end()) fail("needs an attribute '" + key + "'");
@@ -111,12 +117,15 @@ double Parameters::number() const {
 
 double Parameters::childNumber(const std::string &childName, double otherwise) const {
     const Parameters *found = child(childName);
-    return found ? found->number() : otherwise;
+    if (!found) return otherwise;
+    found->expectOnly({}, {});
+    return found->number();
 }
 
 double Parameters::childLimit(const std::string &childName, double otherwise) const {
     const Parameters *found = child(childName);
     if (!found) return otherwise;
+    found->expectOnly({}, {});
     std::vector<double> values;
     if (!readNumbers(found->text, values) || values.size() != 1 || std::isnan(values[0]))
         found->fail(quote(found->text) + " is not one number");

@@ -29,6 +29,8 @@ struct Parameters {
     const Parameters *child(const std::string &childName) const;
     // The one child of that name; throws when there is none.
     const Parameters &required(const std::string &childName) const;
+    // The same for a value: one that has attributes or children is refused.
+    const Parameters &requiredValue(const std::string &childName) const;
 
     const std::string &attribute(const std::string &key) const;
     double attributeNumber(const std::string &key) const;
