@@ -2,16 +2,21 @@
 // protocol.h says. odemt_bench starts it; by hand:
 //   echo '{"frames":100}' | ODE_MT_THREADS=2 LD_LIBRARY_PATH=build/release/lib odemt_bench_child --world
 //   stacks:10
+// The exit code is 0, 1 after an error, 2 for a wrong option.
 #include "callback_timer.h"
+#include "error_output.h"
 #include "library_probe.h"
+#include "number_range.h"
 #include "protocol.h"
 #include "scenes/state_hash.h"
+#include "standard_output.h"
 #include "stock_pool.h"
 #include "world_source.h"
 
 #include <CLI/CLI.hpp>
 
 #include <chrono>
+#include <csignal>
 #include <iostream>
 #include <optional>
 
@@ -79,23 +84,29 @@ void serve(const std::string &world, unsigned poolThreads, bool ignoreUnsupporte
     std::optional<bench::StockPool> pool;
     if (poolThreads > 0) pool.emplace(scene->inventory(), poolThreads);
 
-    std::cout << bench::writeReady(describe(library, *scene, warnings)) << std::endl;
+    bench::print(bench::writeReady(describe(library, *scene, warnings)) + "\n");
     for (std::string line; std::getline(std::cin, line);)
-        std::cout << bench::writeBatch(runBatch(*scene, library, bench::readRequest(line))) << std::endl;
+        bench::print(bench::writeBatch(runBatch(*scene, library, bench::readRequest(line))) + "\n");
 }
 
 }  // namespace
 
 int main(int argc, char **argv) {
+    bench::keepStandardFiles();
+    signal(SIGPIPE, SIG_IGN);  // a closed standard output is reported instead
     CLI::App app("Runs one world on one engine for odemt_bench.");
     std::string world;
     unsigned poolThreads = 0;
     bool ignoreUnsupported = false, timeCallbacks = false;
     app.add_option("--world", world, "SDF world or scene")->required();
-    app.add_option("--pool", poolThreads, "threads of upstream's own pool; 0: none");
+    app.add_option("--pool", poolThreads, "threads of upstream's own pool; 0: none")->check(bench::wholeNumberIn(0, 1024));
     app.add_flag("--ignore-unsupported", ignoreUnsupported, "leave out what the SDF loader does not know");
     app.add_flag("--time-callbacks", timeCallbacks, "time near-callbacks apart");
-    CLI11_PARSE(app, argc, argv);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError &error) {
+        return bench::exitCodeAfterOutput(bench::exitCodeOf(app, error));
+    }
 
     bench::setCallbackTiming(timeCallbacks);
     dInitODE2(0);
@@ -104,7 +115,7 @@ int main(int argc, char **argv) {
     try {
         serve(world, poolThreads, ignoreUnsupported);
     } catch (const std::exception &error) {
-        std::cout << bench::writeError(error.what()) << std::endl;
+        if (!(std::cout << bench::writeError(error.what()) << std::endl)) bench::printError(error.what());
         code = 1;
     }
     dCloseODE();

@@ -1,4 +1,5 @@
 // odemt_bench: worlds × engines, in turns, as a table. docs/bench.md explains the method.
+#include "error_output.h"
 #include "options.h"
 #include "progress.h"
 #include "report.h"
@@ -8,7 +9,6 @@
 #include "world_source.h"
 
 #include <csignal>
-#include <iostream>
 
 namespace {
 
@@ -64,7 +64,7 @@ int main(int argc, char **argv) {
         bench::print(bench::listWorlds());
         return 0;
     } catch (const std::exception &error) {
-        std::cerr << error.what() << "\n";
+        bench::printError(error.what());
         return 1;
     }
 }

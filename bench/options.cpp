@@ -1,5 +1,6 @@
 #include "options.h"
 
+#include "error_output.h"
 #include "number_range.h"
 #include "result_file.h"
 #include "world_source.h"
@@ -8,7 +9,6 @@
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
-#include <iostream>
 #include <sstream>
 #include <thread>
 
@@ -40,8 +40,6 @@ const char *const kFooter =
     "  odemt_bench --worlds my/world.sdf --threads 2,4,8\n"
     "\nThe exit code is 0 if all engines ran and agreed, 1 if one failed or differed, 2 for a wrong "
     "option.\n";
-
-constexpr int kWrongOption = 2;
 
 // Checked by hand, because CLI11 prints the largest double with all its 309 digits and lets NaN pass.
 const CLI::Validator kSeconds = numberIn(1e-3, 1e6), kShare = numberIn(1e-6, 1);
@@ -144,6 +142,8 @@ void interpret(const Words &words, Options &options) {
     if (!options.samplesFile.empty()) files.push_back(options.samplesFile);
     for (const std::string &world : options.worlds)
         if (const std::string file = readWorldSpec(world).name; std::filesystem::is_regular_file(file)) files.push_back(file);
+    if (options.jsonFile.empty()) throw std::invalid_argument("--json: a file of results has no name");
+    if (options.csvFile.empty()) throw std::invalid_argument("--csv: a file of results has no name");
     checkDistinct(files);
     if (!options.samplesFile.empty()) options.race.stop.minimumSeconds = options.race.stop.maximumSeconds;
     options.child.limit = std::chrono::milliseconds(static_cast<long>(1000 * words.limitSeconds));
@@ -167,10 +167,9 @@ std::optional<Options> readOptions(int argc, const char *const *argv, int &exitC
         if (!options.list) interpret(words, options);
         return options;
     } catch (const CLI::ParseError &error) {
-        exitCode = app.exit(error) == 0 ? 0 : kWrongOption;
+        exitCode = exitCodeOf(app, error);
     } catch (const std::exception &error) {
-        std::cerr << error.what() << "\nRun with --help for more information.\n";
-        exitCode = kWrongOption;
+        exitCode = printOptionError(error.what());
     }
     return std::nullopt;
 }

@@ -1,5 +1,7 @@
 #include "protocol.h"
 
+#include "loader/load_error.h"
+
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
@@ -24,9 +26,8 @@ auto parse(const std::string &line, const char *key, Reader read) -> decltype(re
     try {
         message = json::parse(line);
         if (!message.contains("error")) return read(message.at(key));
-    } catch (const std::exception &error) {
-        throw std::runtime_error("expected a line with '" + std::string(key) + "', got '" + line + "' (" +
-                                 error.what() + ")");
+    } catch (const std::exception &) {  // its words are of the library's inside
+        throw std::runtime_error("expected a line with '" + std::string(key) + "', got " + worlds::quote(line));
     }
     throw std::runtime_error(message["error"].get<std::string>());
 }
@@ -111,6 +112,6 @@ Batch readBatch(const std::string &line) {
     });
 }
 
-std::string writeError(const std::string &what) { return dump({{"error", what}}); }
+std::string writeError(const std::string &what) { return dump({{"error", worlds::printable(what)}}); }
 
 }  // namespace bench

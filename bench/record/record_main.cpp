@@ -1,4 +1,5 @@
 // odemt_record: a world and its clusters, frame by frame, as JSON lines (recording.h).
+#include "error_output.h"
 #include "library_probe.h"
 #include "library_variables.h"
 #include "record/record_options.h"
@@ -13,7 +14,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
-#include <iostream>
 
 namespace {
 
@@ -36,7 +36,7 @@ using Line = std::function<void(const std::string &)>;
 void recordScene(const record::RecordOptions &options, const Line &write) {
     std::vector<std::string> warnings;
     const auto scene = bench::openWorld(options.world, options.ignoreUnsupported, warnings);
-    for (const std::string &warning : warnings) std::cerr << warning << "\n";
+    for (const std::string &warning : warnings) bench::printError(warning);
     record::Recorder recorder(*scene);
     write(writeHeader(describe(options, *scene, recorder)) + "\n");
     for (long frame = 1; frame <= options.frames; ++frame) {
@@ -71,7 +71,7 @@ int main(int argc, char **argv) {
         else
             recordToFile(*options);
     } catch (const std::exception &error) {
-        std::cerr << error.what() << "\n";
+        bench::printError(error.what());
         exitCode = 1;
     }
     dCloseODE();

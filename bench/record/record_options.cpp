@@ -1,17 +1,15 @@
 #include "record/record_options.h"
 
+#include "error_output.h"
 #include "number_range.h"
 #include "world_source.h"
 
 #include <CLI/CLI.hpp>
 
-#include <iostream>
-
 namespace record {
 
 namespace {
 
-constexpr int kWrongOption = 2;
 const CLI::IsMember kAlgorithms({"original", "static", "static-unmerged", "duplication", "decluster"});
 
 void addOptions(CLI::App &app, RecordOptions &options) {
@@ -54,10 +52,9 @@ std::optional<RecordOptions> readRecordOptions(int argc, const char *const *argv
         check(options);
         return options;
     } catch (const CLI::ParseError &error) {
-        exitCode = app.exit(error) == 0 ? 0 : kWrongOption;
+        exitCode = bench::exitCodeOf(app, error);
     } catch (const std::invalid_argument &error) {
-        std::cerr << error.what() << "\nRun with --help for more information.\n";
-        exitCode = kWrongOption;
+        exitCode = bench::printOptionError(error.what());
     }
     return std::nullopt;
 }

@@ -1,5 +1,7 @@
 #include "record/recording.h"
 
+#include "loader/load_error.h"
+
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -16,6 +18,12 @@ using nlohmann::json;
 
 namespace {
 
+// What is nested is named by its type: to write it down takes as much stack as it is deep.
+std::string shown(const json &value) {
+    if (value.is_structured()) return "an " + std::string(value.type_name());
+    return value.is_string() ? worlds::quote(value.get<std::string>()) : value.dump();
+}
+
 // nlohmann-json would cut a fraction off, and take a number that is too large modulo 2^32.
 template <typename Number>
 void getWhole(const json &from, Number &to) {
@@ -23,7 +31,7 @@ void getWhole(const json &from, Number &to) {
     const bool isWhole = from.is_number_unsigned() ? from.get<std::uint64_t>() <= static_cast<std::uint64_t>(kMost)
                                                    : from.is_number_integer() && std::is_signed_v<Number> &&
                                                          from.get<std::int64_t>() >= std::numeric_limits<Number>::min();
-    if (!isWhole) throw std::runtime_error(from.dump() + " where a whole number is expected");
+    if (!isWhole) throw std::runtime_error(shown(from) + " where a whole number is expected");
     to = from.get<Number>();
 }
 
@@ -143,7 +151,7 @@ std::size_t numbersOf(const std::string &kind) {
     static const std::map<std::string, std::size_t> kNumbers = {
         {"box", 3}, {"sphere", 1}, {"capsule", 2}, {"cylinder", 2}, {"plane", 4}, {"mesh", 6}, {"bounds", 3}};
     const auto found = kNumbers.find(kind);
-    if (found == kNumbers.end()) throw std::runtime_error("unknown shape '" + kind + "'");
+    if (found == kNumbers.end()) throw std::runtime_error("unknown shape " + worlds::quote(kind));
     return found->second;
 }
 

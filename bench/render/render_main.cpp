@@ -1,4 +1,5 @@
 // odemt_render: a frame of a recording (record/recording.h) as a picture.
+#include "error_output.h"
 #include "render/render_options.h"
 #include "result_file.h"
 #include "standard_output.h"
@@ -7,7 +8,6 @@
 #include <csignal>
 #include <cstring>
 #include <fstream>
-#include <iostream>
 
 namespace {
 
@@ -44,10 +44,10 @@ int main(int argc, char **argv) {
             bench::writeResultFile(options->file, picture);
         return 0;
     } catch (const std::invalid_argument &error) {
-        std::cerr << error.what() << "\n";
-        return 2;
+        bench::printError(error.what());
+        return bench::kWrongOption;
     } catch (const std::exception &error) {
-        std::cerr << error.what() << "\n";
+        bench::printError(error.what());
         return 1;
     }
 }

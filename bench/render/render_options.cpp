@@ -4,12 +4,12 @@
 
 #include <stdexcept>
 
+#include "error_output.h"
 #include "number_range.h"
 
 namespace render {
 
 std::optional<RenderOptions> readRenderOptions(int argc, const char *const *argv, int &exitCode) {
-    constexpr int kWrongOption = 2;
     RenderOptions options;
     View &view = options.view;
     CLI::App app("Draws a frame of a recording of odemt_record as SVG, coloured by cluster.", "odemt_render");
@@ -32,7 +32,7 @@ std::optional<RenderOptions> readRenderOptions(int argc, const char *const *argv
         app.parse(argc, argv);
         return options;
     } catch (const CLI::ParseError &error) {
-        exitCode = app.exit(error) == 0 ? 0 : kWrongOption;
+        exitCode = bench::exitCodeOf(app, error);
     }
     return std::nullopt;
 }

@@ -72,6 +72,10 @@ TEST(Protocol, AReadyArrivesAsItWasSent) {
 
 TEST(Protocol, MessagesAreOneLine) { EXPECT_EQ(writeError("two\nlines").find('\n'), std::string::npos); }
 
+TEST(Protocol, ControlCharactersOfAnErrorAreShown) {
+    EXPECT_EQ(complaint([] { readBatch(writeError("no world '\x1b[31m'")); }), "no world '\\x1b[31m'");
+}
+
 TEST(Protocol, ARequestArrivesAsItWasSent) { EXPECT_EQ(readRequest(writeRequest(1000)), 1000); }
 
 TEST(Protocol, AnErrorIsThrownInTheChildsOwnWords) {

@@ -158,6 +158,14 @@ TEST(Recording, AGridWithoutBoundsIsRefused) {
 }
 
 // Each text of the pair stands once in a recording that is right.
+TEST(Recording, WhatIsNestedDeeplyIsNamedByItsType) {
+    constexpr std::size_t kDepth = 200'000;  // more than the stack holds, if each level is one call
+    std::string text = writeHeader(header());
+    const std::string body = "\"body\":0";
+    text.replace(text.find(body), body.size(), "\"body\":" + std::string(kDepth, '[') + std::string(kDepth, ']'));
+    EXPECT_EQ(complaint(text), "line 1: an array where a whole number is expected");
+}
+
 TEST(Recording, WhatIsNotWholeOrNotThereIsRefused) {
     const std::string right = writeHeader(header()) + "\n" + writeFrame(frame()) + "\n";
     EXPECT_EQ(complaint(right), "");

@@ -127,13 +127,43 @@ TEST_F(ToolOutput, WhatIsReadIsNotWrittenTo) {
     }
 }
 
+TEST_F(ToolOutput, ControlCharactersAreShownAndNotSent) {
+    const std::string name = "'\x1b[31m\a'";
+    for (const std::string &command :
+         {std::string(ODEMT_BENCH) + " --frames " + name, std::string(ODEMT_BENCH) + " --manager " + name,
+          std::string(ODEMT_BENCH) + " --worlds " + name, std::string(ODEMT_BENCH_CHILD) + " --pool " + name,
+          std::string(ODEMT_RECORD) + " " + name, record + " --cells " + name, render + " --frame " + name, render + " --width " + name}) {
+        const Outcome outcome = runShell(command);
+        EXPECT_EQ(outcome.exitCode, 2) << command;
+        EXPECT_NE(outcome.output.find("\\x1b[31m\\x07"), std::string::npos) << outcome.output;
+        EXPECT_EQ(outcome.output.find_first_of("\x1b\a"), std::string::npos) << command;
+    }
+}
+
+TEST_F(ToolOutput, TheChildEndsAsTheOthersDo) {
+    const std::string child = "echo '{\"frames\":1}' | " ODEMT_BENCH_CHILD;
+    const auto expect = [&](const std::string &arguments, int exitCode, const std::string &words) {
+        const Outcome outcome = runShell(child + arguments);
+        EXPECT_EQ(outcome.exitCode, exitCode) << arguments << ": " << outcome.output;
+        EXPECT_NE(outcome.output.find(words), std::string::npos) << arguments << ": " << outcome.output;
+    };
+    expect(" --world rover:1", 0, "\"batch\"");
+    expect(" --world rover:1 --nosuch", 2, "--nosuch");
+    expect(" --world rover:1 --pool 4294967295", 2, "from 0 to 1024");
+    expect(" --world nosuch", 1, "nosuch");
+    expect(" --world rover:1 >/dev/full", 1, "cannot write to standard output");
+    expect(" --world rover:1 >&-", 1, "cannot write to standard output");
+}
+
 TEST_F(ToolOutput, LongNamesAndDevicesAreWrittenTo) {
     const std::string longName = folder + "/" + std::string(250, 'a');
     EXPECT_EQ(runShell(render + " --output " + longName).exitCode, 0);
     EXPECT_TRUE(std::filesystem::exists(longName));
     const Outcome outcome = runShell(render + " --output /dev/stdout | cat");
     EXPECT_NE(outcome.output.find("<svg"), std::string::npos) << outcome.output.substr(0, 200);
-    EXPECT_EQ(runShell(bench + " --json '' --csv /dev/null").exitCode, 2);
+    const Outcome unnamed = runShell(bench + " --json '' --csv /dev/null");
+    EXPECT_EQ(unnamed.exitCode, 2);
+    EXPECT_NE(unnamed.output.find("--json: "), std::string::npos) << unnamed.output;
 }
 
 TEST_F(ToolOutput, ARecordingThatIsKilledLeavesTheOldFileAndItsFrames) {
