@@ -125,6 +125,13 @@ TEST_F(Include, HoldsNothingElse) {
 }
 
 // Which file describes a model that is a folder.
+TEST_F(Include, UnknownAttributesOfTheModelAreErrors) {
+    for (const char *const version : {"1.5", "1.9"}) {
+        folder.write("part.sdf", "<sdf version=\"" + std::string(version) + "\"><model name=\"part\" weight=\"2\"><link name=\"l\"/></model></sdf>");
+        expectMessage(include("part.sdf"), {folder.path("part.sdf") + ": /sdf/world/model[part]: has no attribute 'weight'"});
+    }
+}
+
 TEST_F(Include, TheModelsFolderNamesItsFile) {
     folder.write("robot/new.sdf", modelFile("robot", ballOf(1)));
     folder.write("robot/old.sdf", modelFile("older", ballOf(2)));

@@ -213,6 +213,14 @@ private:
     const OnInclude &m_onInclude;
 };
 
+// libsdformat looks at no others of the <model> of an included file. Those with a colon are of other namespaces.
+void checkModelAttributes(const XMLElement &model, const Place &place) {
+    static const std::set<std::string> known = {"name", "canonical_link", "placement_frame"};
+    for (const tinyxml2::XMLAttribute *at = model.FirstAttribute(); at; at = at->Next())
+        if (const std::string key = at->Name(); known.count(key) == 0 && key.find(':') == std::string::npos && key != "xmlns")
+            fail(place, "has no attribute '" + key + "'");
+}
+
 void checkVersion(const XMLElement &root, const std::string &file) {
     const Place place{file, "/sdf"};
     const char *version = root.Attribute("version");
@@ -251,6 +259,7 @@ void checkIncludedModel(XMLElement &model, const Place &outer, const std::string
     const Place place{outer.file, outer.path + "/" + shownName("model", name)};
     const bool parts = partsNames(*model.Parent()->ToElement());
     SourceCheck(parts, onInclude).element(model, "world/model", *findElementRule("world/model"), place);
+    checkModelAttributes(model, place);
 }
 
 }  // namespace worlds
