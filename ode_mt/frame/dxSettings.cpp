@@ -85,7 +85,7 @@ void dxSettings::readThreads(const char *text) {
     const int taken = static_cast<int>(number);
     if (!understood) {
         dxLog(dxLogLevel::warning,
-              "ODE_MT_THREADS is '%s'; known: auto, or a number from 0 to %d; %d is taken", text,
+              "ODE_MT_THREADS is '%.100s'; known: auto, or a number from 0 to %d; %d is taken", text,
               dODE_MT_MAX_THREADS, taken);
     }
     setThreads(taken);
@@ -93,13 +93,13 @@ void dxSettings::readThreads(const char *text) {
 
 void dxSettings::readAlgorithm(const char *text) {
     if (chooseAlgorithm(text)) return;
-    dxLog(dxLogLevel::warning, "ODE_MT_ALGORITHM is '%s'; known: %s; %s is taken", text,
+    dxLog(dxLogLevel::warning, "ODE_MT_ALGORITHM is '%.100s'; known: %s; %s is taken", text,
           knownNames(kAlgorithms).c_str(), algorithmName());
 }
 
 void dxSettings::readCallbackPolicy(const char *text) {
     if (chooseCallbackPolicy(text)) return;
-    dxLog(dxLogLevel::warning, "ODE_MT_CALLBACKS is '%s'; known: %s; %s is taken", text,
+    dxLog(dxLogLevel::warning, "ODE_MT_CALLBACKS is '%.100s'; known: %s; %s is taken", text,
           knownNames(kCallbackPolicies).c_str(), callbackPolicyName());
 }
 
@@ -119,7 +119,7 @@ bool dxSettings::chooseCallbackPolicy(const std::string &name) {
 
 void dxSettings::readHeuristics(const char *text) {
     if (chooseHeuristics(text)) return;
-    dxLog(dxLogLevel::warning, "ODE_MT_HEURISTICS is '%s'; known: %s; %s is taken", text, dxKnownHeuristics(),
+    dxLog(dxLogLevel::warning, "ODE_MT_HEURISTICS is '%.100s'; known: %s; %s is taken", text, dxKnownHeuristics(),
           dxNamesOfHeuristics(heuristics()));
 }
 
@@ -143,7 +143,7 @@ void dxSettings::readGridCells(const char *text) {
     chooseGridCells(static_cast<int>(number));
     if (understood) return;
     dxLog(dxLogLevel::warning,
-          "ODE_MT_GRID_CELLS is '%s'; known: auto, or a number from %d to %d; %s is taken", text,
+          "ODE_MT_GRID_CELLS is '%.100s'; known: auto, or a number from %d to %d; %s is taken", text,
           kFewestCells, kMostCells, number == kTunedCells ? "auto" : std::to_string(number).c_str());
 }
 

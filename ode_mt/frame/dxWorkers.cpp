@@ -51,8 +51,8 @@ dxWorkers::dxWorkers() : m_name(dxThreadManagerFactory::defaultName()) {
         m_name = known;
         return;
     }
-    dxLog(dxLogLevel::warning, "ODE_MT_THREAD_MANAGER is '%s'; known: %s; %s is taken", name,
-          knownNames().c_str(), m_name);
+    dxLog(dxLogLevel::warning, "ODE_MT_THREAD_MANAGER is '%.100s'; known: %s; %s is taken", name, knownNames().c_str(),
+          m_name);
 }
 
 // Without memory for a manager the caller works alone.

@@ -11,9 +11,21 @@ namespace {
 
 constexpr const char *levelNames[] = {"error", "warning", "info", "debug"};
 
+// Values of variables may hold anything: a line stays one, and does not speak to the terminal. U+0080 to U+009f are
+// written with two bytes.
+void hideControls(char *text) {
+    for (; *text != '\0'; ++text) {
+        const auto byte = static_cast<unsigned char>(*text), next = static_cast<unsigned char>(text[1]);
+        if (byte == 0xc2 && next >= 0x80 && next < 0xa0) text[0] = text[1] = '?';
+        if (byte < 0x20 || byte == 0x7f) *text = '?';
+    }
+}
+
 void write(dxLogLevel level, const char *text) {
     char line[1100];
-    std::snprintf(line, sizeof line, "ODE_MT %s: %s\n", levelNames[static_cast<int>(level)], text);
+    std::snprintf(line, sizeof line - 1, "ODE_MT %s: %s", levelNames[static_cast<int>(level)], text);
+    hideControls(line);
+    std::strcat(line, "\n");
     std::fputs(line, stderr);
 }
 

@@ -28,6 +28,12 @@ TEST(Log, CutsLongLines) {
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "ODE_MT error: " + std::string(1000, 'x') + "\n");
 }
 
+TEST(Log, HidesControlCharacters) {
+    testing::internal::CaptureStderr();
+    dxLog(dxLogLevel::error, "%s", "\x1b[31m a\nb\x7f \xc2\x9b \xc2\xa0\xc3\xa9");
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "ODE_MT error: ?[31m a?b? ?? \xc2\xa0\xc3\xa9\n");
+}
+
 TEST(Log, KnowsItsLevels) {
     dxLogLevel level = dxLogLevel::error;
     EXPECT_TRUE(dxLogLevelFromName("debug", level));
