@@ -1,0 +1,24 @@
+// What every message of the project's programs keeps to.
+#pragma once
+
+#include <string>
+
+namespace fuzz_driver {
+
+// Empty when `text` is one line without control characters; else what it has.
+std::string whatIsNoPlainLine(const std::string &text);
+
+// The same for a text of several lines.
+std::string whatIsNoPlainText(const std::string &text);
+
+// Names of the inside that tell the user nothing: of files in memory, of functions of the standard library.
+// Empty when there is none.
+std::string innerNameIn(const std::string &text);
+
+// The part of a text that a sanitizer wrote; empty when there is none.
+std::string sanitizerReportIn(const std::string &text);
+
+// With control characters as \x1b, and the middle of long texts left out.
+std::string shown(const std::string &text, std::size_t most = 400);
+
+}  // namespace fuzz_driver

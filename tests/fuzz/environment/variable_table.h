@@ -1,0 +1,39 @@
+// The library's variables as README.md promises them, and what it says of a value.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fuzz_environment {
+
+struct Variable {
+    std::string name;
+    std::vector<std::string> words;  // that it takes: "auto", "serial" ...
+    bool takesNumber = false, takesList = false;
+    std::optional<long long> least, most;  // of the number, where the table tells them
+    std::string standard;                  // what is taken when it is unset: the first word of the column
+};
+
+// Throws std::runtime_error when the document has no table.
+std::vector<Variable> readVariableTable(const std::string &readme);
+
+// The names of heuristics, from the table of docs/heuristics.md.
+std::vector<std::string> readHeuristicNames(const std::string &document);
+
+enum class Understanding {
+    Unset,  // or empty
+    Understood,
+    OutOfRange,     // reported, and the nearest number taken
+    NotUnderstood,  // reported, and the standard taken
+    Untold          // README does not tell
+};
+
+struct Meaning {
+    Understanding understanding;
+    std::string taken;  // a word or a number; empty: any
+};
+Meaning meaningOf(const Variable &variable, const std::string &value,
+                  const std::vector<std::string> &heuristics);
+
+}  // namespace fuzz_environment

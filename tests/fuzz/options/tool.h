@@ -1,0 +1,39 @@
+// A command line of one of the programs, run, and what is demanded of its end.
+#pragma once
+
+#include "driver/limited_run.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace fuzz_options {
+
+enum class StandardFile { Kept, Closed, Full };
+
+struct Command {
+    std::string program;  // its file
+    std::vector<std::string> arguments;
+    std::map<std::string, std::string> environment;  // what is different in it
+    std::string input;
+    bool closesInput = false;
+    StandardFile output = StandardFile::Kept, errors = StandardFile::Kept;
+    std::vector<std::string> results;  // files that it is asked for, in its folder
+
+    std::string text() const;  // as a shell would have it
+};
+
+// Runs the command in `folder`.
+fuzz_driver::Ending run(const Command &command, const std::filesystem::path &folder);
+
+// All files inside.
+std::vector<std::string> filesIn(const std::filesystem::path &folder);
+
+// Empty, or what is wrong: exit codes other than 0, 1 and 2, an error without a word, words that name no
+// option, control characters, names of the inside, files that nobody asked for. `before` are the files that
+// were there.
+std::string whatIsWrong(const Command &command, const fuzz_driver::Ending &ending,
+                        const std::filesystem::path &folder, const std::vector<std::string> &before);
+
+}  // namespace fuzz_options
