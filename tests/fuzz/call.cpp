@@ -122,6 +122,19 @@ Argument readArgument(Reader &reader) {
 
 const char *nameOf(ObjectKind kind) { return kKinds[static_cast<int>(kind)]; }
 
+Argument argumentOf(double number) {
+    Argument argument;
+    argument.numbers.push_back(number);
+    return argument;
+}
+
+Argument argumentOf(const Reference &reference) {
+    Argument argument;
+    argument.kind = Argument::Kind::reference;
+    argument.reference = reference;
+    return argument;
+}
+
 std::string textOf(const Argument &argument) {
     if (argument.kind == Argument::Kind::reference) return textOf(argument.reference);
     if (argument.kind == Argument::Kind::number) return textOf(argument.numbers.at(0));

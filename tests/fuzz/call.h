@@ -33,6 +33,8 @@ struct Argument {
     Reference reference;
     std::string word;
 };
+Argument argumentOf(double number);
+Argument argumentOf(const Reference &reference);
 
 // Whose code makes the call: the program's own between frames, or a callback.
 enum class Where {

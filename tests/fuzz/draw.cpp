@@ -25,8 +25,26 @@ Draw::Draw(const std::uint8_t *bytes, std::size_t count) : m_bytes(bytes), m_cou
                               Mode::tiny,     Mode::huge,     Mode::zero,     Mode::broken};
     m_mode = modes[byte() % 8];
     const unsigned size = byte();
-    m_bodies = size < 160 ? 2 + size % 12 : size < 240 ? size % 80 : 100 + size % 16 * 10;
+    m_isHeap = size >= 244;
+    m_bodies = size < 160 ? 2 + size % 12 : size < 236 ? size % 80 : m_isHeap ? 64 + size % 12 * 4 : 100 + size % 16 * 10;
     m_spaceKind = byte() % 4;
+    if (byte() % 4 != 0) chooseFocus();
+}
+
+// What seldom comes, comes often in some scripts, and so together with all that is kept (Groce et al., "Swarm testing", ISSTA
+// 2012). Functions that stand side by side in the table have to do with one another.
+void Draw::chooseFocus() {
+    constexpr int kRuns = 2;
+    constexpr std::size_t kLength = 5;
+    const std::vector<Function> &all = functions();
+    for (int run = 0; run < kRuns; ++run) {
+        const std::size_t first = below(static_cast<unsigned>(all.size()));
+        for (std::size_t i = 0; i < kLength; ++i) {
+            const Function &function = all[(first + i) % all.size()];
+            for (std::size_t place = 0; place < places; ++place)
+                if (function.weights[place] != 0) m_focus[place].push_back(&function);
+        }
+    }
 }
 
 std::uint8_t Draw::byte() { return m_at < m_count ? m_bytes[m_at++] : 0; }
@@ -43,7 +61,8 @@ const Function &Draw::function(Where where) {
         for (int place = 0; place < places; ++place) made.push_back(weighted(static_cast<Where>(place)));
         return made;
     }();
-    const std::vector<const Function *> &list = lists[static_cast<std::size_t>(where)];
+    const std::vector<const Function *> &focus = m_focus[static_cast<std::size_t>(where)];
+    const std::vector<const Function *> &list = !focus.empty() && oneIn(3) ? focus : lists[static_cast<std::size_t>(where)];
     return *list[below(static_cast<unsigned>(list.size()))];
 }
 
@@ -135,6 +154,8 @@ double Draw::number(Meaning meaning) {
     switch (meaning) {
         case Meaning::count:
             return oneIn(10) ? static_cast<int>(below(512)) - 128 : static_cast<int>(below(12));
+        case Meaning::level:
+            return oneIn(6) ? static_cast<int>(below(64)) - 32 : static_cast<int>(below(8)) - 4;
         case Meaning::flag:
             return below(2);
         case Meaning::choice:

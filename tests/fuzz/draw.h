@@ -3,6 +3,7 @@
 
 #include "function.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -23,10 +24,12 @@ public:
 
     // The scene to begin with.
     unsigned bodies() const { return m_bodies; }
+    bool isHeap() const { return m_isHeap; }  // of bodies that lie in contact
     int spaceKind() const { return m_spaceKind; }
 
 private:
     std::uint8_t byte();
+    void chooseFocus();
     double number(Meaning meaning);
     double ordinary(Meaning meaning);
     double unusual();
@@ -41,7 +44,10 @@ private:
     std::size_t m_at = 0;
     Mode m_mode;
     unsigned m_bodies;
+    bool m_isHeap;
     int m_spaceKind;
+    // Functions of which this script calls many. By place; empty: as many as of others.
+    std::array<std::vector<const Function *>, places> m_focus;
 };
 
 }  // namespace fuzz

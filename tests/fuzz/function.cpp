@@ -26,13 +26,13 @@ constexpr const char *kRefused =
     "^dGeomClearOffset|^dGeom\\w+Set(Radius|Lengths|Params|Length)$|^dGeomRaySet|^dJointSet(Piston|PU)Anchor(Delta|Offset)$";
 // It would do something half in a callback, or go on with objects that are gone.
 constexpr const char *kHarmful =
-    "^dCreate|SpaceCreate$|^dSpace(Add|Remove|Clean|Destroy|Collide|SetManualCleanup)|Destroy|Step$|emptyContacts|^look|^dGeomTransformSet|"
+    "^dCreate|SpaceCreate$|^dSpace(Add|Remove|Clean|Destroy|Collide|SetManualCleanup)|Destroy|Step$|WorldStep|emptyContacts|^look|^dGeomTransformSet|"
     "^dGeomTriMesh(Set|Data|EnableTC|Clear)|^dGeomHeightfieldSet|^dJointGroup|^dWorld(Create|Use|Cleanup|Export|SetStep)|GetAABB|"
-    "^dODE_MT_SetCallbackPolicy$|^dGeomMoved$";
+    "^dODE_MT_SetCallbackPolicy$|^dGeomMoved$|^dSetColliderOverride$";
 // Amid a step, or in a handler.
 constexpr const char *kMild =
     "^dBodyGet|^dBodyAdd|^dBodySet(LinearVel|AngularVel|Force|Torque)$|^dBody(En|Dis)able$|^dWorldGet|^dToggleODE_MT$|"
-    "^dODE_MT_Set(Algorithm|Heuristics|GridCells|ThreadManager)$|^dRand|"
+    "^dODE_MT_(Set(Algorithm|Heuristics|GridCells|ThreadManager)|Get\\w+)$|^dRand|^dMakeRandom|^dMessage$|"
     "^dGeom(En|Dis)able$|^dGeomSet(Category|Collide)Bits$|^dGeomGet(Position|Rotation|Body|Class|Category|Collide|Space)";
 
 int weightIn(Where where, const Function &function) {
@@ -57,6 +57,7 @@ std::vector<Function> makeFunctions() {
     addJointFunctions(all);
     addSpaceFunctions(all);
     addWorldFunctions(all);
+    addProgramFunctions(all);
     addSettingFunctions(all);
     addAdjustments(all);
     for (Function &function : all) {
@@ -104,6 +105,8 @@ Meaning meaningOf(const std::string &function) {
 }
 
 bool isParameterNumber(const std::string &function) { return matches(function, "^dJoint[GS]et\\w+Param$"); }
+
+bool isLevel(const std::string &function) { return matches(function, "^dHashSpaceSetLevels$"); }
 
 int typeOf(const std::string &function, ObjectKind kind) {
     if (kind == ObjectKind::geom) {

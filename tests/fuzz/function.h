@@ -15,7 +15,7 @@
 namespace fuzz {
 
 // What a number stands for: in ordinary scripts it is drawn so that things happen.
-enum class Meaning { size, time, place, speed, fraction, angle, coordinate, any, count, flag, bits, choice, parameter };
+enum class Meaning { size, time, place, speed, fraction, angle, coordinate, any, count, level, flag, bits, choice, parameter };
 
 constexpr int kAnyType = -1, kWithPose = -2, kOnBody = -3;  // of Parameter::type
 
@@ -57,6 +57,7 @@ void addGeomFunctions(std::vector<Function> &all);
 void addJointFunctions(std::vector<Function> &all);
 void addSpaceFunctions(std::vector<Function> &all);
 void addWorldFunctions(std::vector<Function> &all);
+void addProgramFunctions(std::vector<Function> &all);
 void addSettingFunctions(std::vector<Function> &all);
 
 // What upstream asserts of arguments (adjustments.cpp).

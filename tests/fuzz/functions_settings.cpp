@@ -1,16 +1,10 @@
 // Functions that scripts call: ODE_MT's own. Debian's library has none of them and nothing to change; results must be the same.
 #include "by_hand.h"
-
-#include <dlfcn.h>
+#include "only_ours.h"
 
 namespace fuzz {
 
 namespace {
-
-template <class Type>
-void callIfThere(const char *name, Type argument) {
-    if (void *const found = dlsym(RTLD_DEFAULT, name)) reinterpret_cast<void (*)(Type)>(found)(argument);
-}
 
 void addChoice(std::vector<Function> &all, const char *name, std::vector<std::string> words) {
     const std::string function = name;
@@ -18,6 +12,60 @@ void addChoice(std::vector<Function> &all, const char *name, std::vector<std::st
         callIfThere(function.c_str(), arguments[0].word.c_str());
         return true;
     }, 2);
+}
+
+// They look and change nothing.
+void addGetters(std::vector<Function> &all) {
+    for (const char *const name : {"dODE_MT_GetAlgorithm", "dODE_MT_GetCallbackPolicy", "dODE_MT_GetContactsAhead",
+                                   "dODE_MT_GetContactsAheadUnused", "dODE_MT_GetGridCells", "dODE_MT_GetHeuristics",
+                                   "dODE_MT_GetMaxWorkersUsed", "dODE_MT_GetParallelCollisions", "dODE_MT_GetParallelIslands",
+                                   "dODE_MT_GetParallelSteps", "dODE_MT_GetSharedCollisions", "dODE_MT_GetTeamSteps",
+                                   "dODE_MT_GetThreadManager", "dODE_MT_GetThreads"})
+        byHand(all, name, {}, [name](Player &, const Arguments &, Reference &) {
+            callIfThere(name);
+            return true;
+        }, 1);
+    for (const char *const name : {"dClusterGetCount", "dClusterGetGridCells", "dClusterGetGridStep"})
+        byHand(all, name, {object(ObjectKind::world), object(ObjectKind::space)}, [name](Player &player, const Arguments &arguments, Reference &) {
+            const auto world = get<dWorldID>(player, arguments[0]);
+            const auto space = get<dSpaceID>(player, arguments[1]);
+            if (world == nullptr || space == nullptr) return false;
+            callIfThere(name, world, space);
+            return true;
+        }, 1);
+    for (const char *const name : {"dClusterGetOfGeom", "dClusterGetStaticOfGeom", "dGeomSetDynamicFlag"})
+        byHand(all, name, {object(ObjectKind::geom)}, [name](Player &player, const Arguments &arguments, Reference &) {
+            const auto geom = get<dGeomID>(player, arguments[0]);
+            if (geom == nullptr) return false;
+            callIfThere(name, geom);
+            return true;
+        }, 1);
+    byHand(all, "dClusterGetOfBody", {object(ObjectKind::body)}, [](Player &player, const Arguments &arguments, Reference &) {
+        const auto body = get<dBodyID>(player, arguments[0]);
+        if (body == nullptr) return false;
+        callIfThere("dClusterGetOfBody", body);
+        return true;
+    }, 1);
+    byHand(all, "dWorldRefreshParameters", {object(ObjectKind::world)}, [](Player &player, const Arguments &arguments, Reference &) {
+        const auto world = get<dWorldID>(player, arguments[0]);
+        if (world == nullptr) return false;
+        callIfThere("dWorldRefreshParameters", world);
+        return true;
+    }, 1);
+}
+
+// On the other library the calls that they stand for.
+void addFrames(std::vector<Function> &all) {
+    for (const bool stepsFirst : {false, true})
+        byHand(all, stepsFirst ? "dWorldStepAndSpaceCollide" : "dSpaceCollideAndWorldStep",
+               {object(ObjectKind::space), object(ObjectKind::world), number(Meaning::time), number(Meaning::flag)},
+               [stepsFirst](Player &player, const Arguments &arguments, Reference &) {
+                   const auto space = get<dSpaceID>(player, arguments[0]);
+                   const auto world = get<dWorldID>(player, arguments[1]);
+                   if (space == nullptr || world == nullptr) return false;
+                   player.playFrame(space, world, real(arguments[2]), whole(arguments[3]) != 0, stepsFirst);
+                   return true;
+               }, 4);
 }
 
 }  // namespace
@@ -44,6 +92,8 @@ void addSettingFunctions(std::vector<Function> &all) {
                player.setCallbackPolicy(arguments[0].word);
                return true;
            }, 2);
+    addGetters(all);
+    addFrames(all);
 }
 
 }  // namespace fuzz

@@ -114,18 +114,6 @@ void addWorldFunctions(std::vector<Function> &all) {
                player.tell("returns", &done, 1);
                return true;
            }, 1);
-    // The world's own threads: none, or the calling one.
-    byHand(all, "dWorldSetStepThreadingImplementation", {object(ObjectKind::world), number(Meaning::flag)},
-           [](Player &player, const Arguments &arguments, Reference &) {
-               const auto world = get<dWorldID>(player, arguments[0]);
-               if (world == nullptr) return false;
-               static const dThreadingImplementationID self = dThreadingAllocateSelfThreadedImplementation();
-               if (whole(arguments[1]) != 0)
-                   dWorldSetStepThreadingImplementation(world, dThreadingImplementationGetFunctions(self), self);
-               else
-                   dWorldSetStepThreadingImplementation(world, nullptr, nullptr);
-               return true;
-           }, 1);
     byHand(all, "emptyContacts", {}, [](Player &player, const Arguments &, Reference &) {
         player.emptyContacts();
         return true;

@@ -2,6 +2,7 @@
 
 #include "fields.h"
 #include "function.h"
+#include "only_ours.h"
 #include "stack_pattern.h"
 
 #include <unistd.h>
@@ -30,19 +31,6 @@ Call callOfNothing(const char *function, Arguments arguments = {}) {
     call.function = function;
     call.arguments = std::move(arguments);
     return call;
-}
-
-Argument argumentOf(double number) {
-    Argument argument;
-    argument.numbers.push_back(number);
-    return argument;
-}
-
-Argument argumentOf(const Reference &reference) {
-    Argument argument;
-    argument.kind = Argument::Kind::reference;
-    argument.reference = reference;
-    return argument;
 }
 
 }  // namespace
@@ -97,97 +85,6 @@ void Player::play(Draw &draw) {
             playFrames(1 + draw.below(12), draw.oneIn(2));
         else
             drawAndMake(Where::between);
-    }
-}
-
-void Player::makeScene(Draw &draw) {
-    const Reference world = makeNow("dWorldCreate", {});
-    makeNow("dWorldSetGravity", {argumentOf(world), argumentOf(0), argumentOf(0), argumentOf(-9.75)});
-    static const char *const kinds[] = {"dSimpleSpaceCreate", "dHashSpaceCreate", "dSweepAndPruneSpaceCreate", "dQuadTreeSpaceCreate"};
-    Arguments arguments;
-    const Function *const maker = functionOf(kinds[draw.spaceKind()]);
-    draw.arguments(*maker, objects, arguments);
-    arguments[0] = argumentOf(Reference{ObjectKind::space, -1});
-    const Reference space = makeNow(maker->name.c_str(), arguments);
-    if (!draw.oneIn(4))
-        makeNow("dCreatePlane", {argumentOf(space), argumentOf(0), argumentOf(0), argumentOf(1), argumentOf(0)});
-    if (draw.oneIn(6)) makeTerrain(draw, space);
-    makeBodies(draw, world, space);
-    if (draw.oneIn(2)) makeJoints(draw, world);
-}
-
-void Player::makeTerrain(Draw &draw, const Reference &space) {
-    Arguments arguments;
-    if (draw.oneIn(2)) {
-        const Function *const maker = functionOf("dGeomTriMeshDataBuildSimple");
-        draw.arguments(*maker, objects, arguments);
-        arguments[0] = argumentOf(1);
-        const Reference data = makeNow(maker->name.c_str(), arguments);
-        makeNow("dCreateTriMesh", {argumentOf(space), argumentOf(data)});
-    } else {
-        const Reference data = makeNow("dGeomHeightfieldDataCreate", {});
-        const Reference field = makeNow("dCreateHeightfield", {argumentOf(space), argumentOf(data), argumentOf(1)});
-        // Upright: its heights are along y.
-        Argument turn;
-        turn.kind = Argument::Kind::numbers;
-        turn.numbers = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0};
-        makeNow("dGeomSetRotation", {argumentOf(field), turn});
-    }
-}
-
-void Player::makeBodies(Draw &draw, const Reference &world, const Reference &space) {
-    static const char *const shapes[] = {"dCreateSphere",   "dCreateBox",    "dCreateCapsule", "dCreateCylinder",
-                                         "dCreateSphere",   "dCreateConvex", "dCreateGeom",    "dCreateBox"};
-    Arguments arguments;
-    for (unsigned i = 0; i < draw.bodies() && !m_isOver && !draw.isOver(); ++i) {
-        const Reference body = makeNow("dBodyCreate", {argumentOf(world)});
-        const Function *const shape = functionOf(shapes[draw.below(8)]);
-        draw.arguments(*shape, objects, arguments);
-        arguments[0] = argumentOf(space);
-        const Reference geom = makeNow(shape->name.c_str(), arguments);
-        if (geom.number < 0 || body.number < 0) continue;
-        makeNow("dGeomSetBody", {argumentOf(geom), argumentOf(body)});
-        draw.arguments(*functionOf("dBodySetPosition"), objects, arguments);
-        arguments[0] = argumentOf(body);
-        makeNow("dBodySetPosition", arguments);
-    }
-}
-
-// Of neighbours, anchored where they were drawn.
-void Player::makeJoints(Draw &draw, const Reference &world) {
-    static const char *const types[] = {"Ball", "Hinge", "Slider", "Universal", "Hinge2", "Fixed", "Piston", "PR", "PU", "AMotor", "LMotor",
-                                        "DBall", "DHinge", "Transmission", "Plane2D", "Null"};
-    Arguments arguments;
-    for (unsigned count = draw.below(12); count > 0 && !m_isOver && !draw.isOver(); --count) {
-        const std::string type = types[draw.below(16)];
-        const Reference joint =
-            makeNow(("dJointCreate" + type).c_str(), {argumentOf(world), argumentOf(Reference{ObjectKind::group, -1})});
-        if (joint.number < 0) continue;
-        draw.arguments(*functionOf("dJointAttach"), objects, arguments);
-        arguments[0] = argumentOf(joint);
-        if (!functionOf("dJointAttach")->adjust(objects, arguments)) continue;
-        makeNow("dJointAttach", arguments);
-        for (const char *const what : {"Anchor", "Axis", "Axis1", "Axis2"}) {
-            const Function *const setter = functionOf("dJointSet" + type + what);
-            if (setter == nullptr || !draw.arguments(*setter, objects, arguments)) continue;
-            arguments[0] = argumentOf(joint);
-            makeNow(setter->name.c_str(), arguments);
-        }
-    }
-}
-
-// As programs do: all spaces collide, all worlds step, the contacts go. Of more than two, the others wait.
-void Player::playFrames(unsigned count, bool quick) {
-    for (; count > 0 && !m_isOver && m_calls < m_options.mostCalls; --count) {
-        int left = 2;
-        for (const Reference &space : objects.living(ObjectKind::space)) {
-            const auto handle = static_cast<dGeomID>(objects.find(space));
-            if (handle != nullptr && dGeomGetSpace(handle) == nullptr && left-- > 0) makeNow("dSpaceCollide", {argumentOf(space)});
-        }
-        left = 2;
-        for (const Reference &world : objects.living(ObjectKind::world))
-            if (left-- > 0) makeNow(quick ? "dWorldQuickStep" : "dWorldStep", {argumentOf(world), argumentOf(0.015625)});
-        makeNow("emptyContacts", {});
     }
 }
 
@@ -279,14 +176,18 @@ void Player::callBack(Where where) {
 
 // --- callbacks ---------------------------------------------------------------------------------------------
 
+bool Player::hasSweepSpace() const {
+    const std::vector<Reference> spaces = objects.living(ObjectKind::space);
+    return std::any_of(spaces.begin(), spaces.end(), [this](const Reference &space) {
+        return dSpaceGetClass(static_cast<dSpaceID>(objects.find(space))) == dSweepAndPruneSpaceClass;
+    });
+}
+
 // Sweep-and-prune spaces sort bounds by their bits, and so by the sign of a NaN, which compilers are free to choose.
 bool Player::sortsNaNs() const {
     const auto isNaN = [](const dReal *values, int count) { return std::any_of(values, values + count, [](dReal x) { return std::isnan(x); }); };
-    const std::vector<Reference> spaces = objects.living(ObjectKind::space), geoms = objects.living(ObjectKind::geom);
-    if (std::none_of(spaces.begin(), spaces.end(), [this](const Reference &space) {
-            return dSpaceGetClass(static_cast<dSpaceID>(objects.find(space))) == dSweepAndPruneSpaceClass;
-        }))
-        return false;
+    if (!hasSweepSpace()) return false;
+    const std::vector<Reference> geoms = objects.living(ObjectKind::geom);
     return std::any_of(geoms.begin(), geoms.end(), [&](const Reference &reference) {
         const auto geom = static_cast<dGeomID>(objects.find(reference));
         if (dGeomGetClass(geom) == dPlaneClass) return false;
@@ -382,6 +283,11 @@ void Player::setCallbackPolicy(const std::string &policy) {
     if (m_policy != Policy::serial) dSetMessageHandler(onMessage);
 }
 
+// The other library's messages go to standard error in another order while callbacks run at once.
+void Player::setMessages(bool on) {
+    if (on || m_policy == Policy::serial) dSetMessageHandler(on ? onMessage : nullptr);
+}
+
 namespace {
 
 // Asked for unimportant contacts of these, upstream gives places that it has not computed. Geoms within transforms count, too.
@@ -457,6 +363,31 @@ void Player::step(dWorldID world, dReal size, bool quick) {
     const int done = (quick ? dWorldQuickStep : dWorldStep)(world, size);
     const double value = done;
     tell("returns", &value, 1);
+    look(false);
+}
+
+// Not the step first where that might make a NaN for a sweep-and-prune space to sort.
+void Player::playFrame(dSpaceID space, dWorldID world, dReal size, bool quick, bool stepsFirst) {
+    stepsFirst = stepsFirst && !hasSweepSpace();
+    dWorldStepFunction *const stepper = quick ? dWorldQuickStep : dWorldStep;
+    const auto collideAndStep = functionOfOurs<void, dSpaceID, void *, dNearCallback *, dWorldID, dReal, dWorldStepFunction *>(
+        "dSpaceCollideAndWorldStep");
+    const auto stepAndCollide =
+        functionOfOurs<void, dSpaceID, void *, dNearCallback *, dWorldID, dReal, dWorldStepFunction *, dSpaceUpdateFunction *>(
+            "dWorldStepAndSpaceCollide");
+    const auto play = [&](dNearCallback *callback) {
+        if (stepsFirst && stepAndCollide != nullptr) return stepAndCollide(space, this, callback, world, size, stepper, nullptr);
+        if (collideAndStep != nullptr) return collideAndStep(space, this, callback, world, size, stepper);
+        if (stepsFirst) stepper(world, size);
+        dSpaceCollide(space, this, callback);
+        if (!stepsFirst) stepper(world, size);
+    };
+    if (sortsNaNs())
+        m_isOver = true;
+    else if (m_policy == Policy::serial)
+        play(near);
+    else
+        collideAtOnce([&] { play(nearAtOnce); });
     look(false);
 }
 

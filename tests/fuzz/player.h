@@ -49,6 +49,7 @@ public:
 
     std::uint64_t hash() const { return m_trace.hash(); }
     int calls() const { return m_calls; }
+    bool jumps() const { return m_options.jumps; }  // out of assertions
 
     // --- for the functions ---------------------------------------------------------------------------
     Objects objects;
@@ -63,12 +64,15 @@ public:
     void collide(dSpaceID space);
     void collide2(dGeomID a, dGeomID b);
     void step(dWorldID world, dReal size, bool quick);
+    // A call of ODE_MT's for both.
+    void playFrame(dSpaceID space, dWorldID world, dReal size, bool quick, bool stepsFirst);
     void emptyContacts();
     void tellContacts(dGeomID a, dGeomID b, int most, bool unimportant);
     bool makeContact(dWorldID world, dGeomID a, dGeomID b, dReal depth);  // as the program pleases
     dJointGroupID contactsOf(dWorldID world);
     // "serial", "concurrent" or "independent": what near-callbacks do from now on.
     void setCallbackPolicy(const std::string &policy);
+    void setMessages(bool on);  // whether there is a message handler
     dJointFeedback *feedbackOf(dJointID joint);
 
     static void moved(dBodyID body);
@@ -86,11 +90,14 @@ private:
     void collideAtOnce(const std::function<void()> &collide);
     void note(std::string what);
 
+    bool hasSweepSpace() const;
     bool sortsNaNs() const;
 
     void makeScene(Draw &draw);
     void makeBodies(Draw &draw, const Reference &world, const Reference &space);
+    void makeHeap(Draw &draw, const Reference &world, const Reference &space);
     void makeTerrain(Draw &draw, const Reference &space);
+    void setFilters(Draw &draw);
     void makeJoints(Draw &draw, const Reference &world);
     void playFrames(unsigned count, bool quick);
     Reference makeNow(const char *function, Arguments arguments);

@@ -4,7 +4,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -34,24 +33,7 @@ void readAll(int file, void *place, std::size_t size) {
 
 }  // namespace
 
-std::string Outcome::ending() const {
-    return WIFSIGNALED(header.ending) ? "signal " + std::to_string(WTERMSIG(header.ending))
-                                      : "exit status " + std::to_string(WEXITSTATUS(header.ending));
-}
-
-bool Outcome::endedInTime() const {
-    if (!WIFSIGNALED(header.ending)) return true;
-    const int signal = WTERMSIG(header.ending);
-    return signal != SIGALRM && signal != SIGXCPU;
-}
-
-bool Outcome::crashed() const {
-    if (!WIFSIGNALED(header.ending)) return false;
-    const int signal = WTERMSIG(header.ending);
-    return signal == SIGSEGV || signal == SIGBUS || signal == SIGFPE || signal == SIGILL || signal == SIGKILL;
-}
-
-PlayingProcess::PlayingProcess(const std::string &program, const std::string &libraryFolder, const std::string &pattern) {
+PlayingProcess::PlayingProcess(const std::string &program, const std::string &libraryFolder, const Environment &environment) {
     int requests[2], answers[2];
     if (pipe2(requests, O_CLOEXEC) != 0 || pipe2(answers, O_CLOEXEC) != 0) throw std::runtime_error("no pipes");
     m_child = fork();
@@ -60,10 +42,7 @@ PlayingProcess::PlayingProcess(const std::string &program, const std::string &li
         dup2(requests[0], STDIN_FILENO);
         dup2(answers[1], STDOUT_FILENO);
         setenv("LD_LIBRARY_PATH", libraryFolder.c_str(), 1);
-        if (!pattern.empty()) {
-            setenv("MALLOC_PERTURB_", pattern.c_str(), 1);
-            setenv("GLIBC_TUNABLES", "glibc.malloc.tcache_count=0", 1);  // blocks of a thread's cache do not get the pattern
-        }
+        for (const auto &[name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
         execl(program.c_str(), program.c_str(), static_cast<char *>(nullptr));
         _exit(127);
     }

@@ -1,35 +1,29 @@
 // A process that plays scripts on one of the two libraries.
 #pragma once
 
-#include "protocol.h"
+#include "playing.h"
 
 #include <sys/types.h>
 
-#include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace fuzz {
 
-struct Outcome {
-    AnswerHeader header{};
-    std::string errors, text;
-
-    std::string ending() const;  // "exit status 0", "signal 6"
-    bool endedInTime() const;
-    bool crashed() const;  // by a fault, not by an assertion
-};
-
-class PlayingProcess {
+class PlayingProcess final : public Playing {
 public:
-    // Throws std::runtime_error if it cannot be started. `pattern`: MALLOC_PERTURB_, or empty.
-    PlayingProcess(const std::string &program, const std::string &libraryFolder, const std::string &pattern);
-    ~PlayingProcess();
+    // Variables and their values, beside those of this process.
+    using Environment = std::vector<std::pair<std::string, std::string>>;
+
+    // Throws std::runtime_error if it cannot be started.
+    PlayingProcess(const std::string &program, const std::string &libraryFolder, const Environment &environment);
+    ~PlayingProcess() override;
     PlayingProcess(const PlayingProcess &) = delete;
     PlayingProcess &operator=(const PlayingProcess &) = delete;
 
-    void ask(RequestHeader request, const std::vector<std::uint8_t> &script);
-    Outcome answer();
+    void ask(RequestHeader request, const std::vector<std::uint8_t> &script) override;
+    Outcome answer() override;
 
 private:
     pid_t m_child = -1;

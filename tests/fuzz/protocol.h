@@ -17,7 +17,7 @@ struct RequestHeader {
     // Of ODE_MT; Debian's library has none of them.
     std::uint16_t threads;
     std::uint8_t manager, algorithm, instructionSet, cells;
-    std::uint32_t perturbation;  // of the schedule; 0: none
+    std::uint8_t disturbs;  // the schedule: workers hesitate at pseudo-random points
     std::uint16_t mostCalls;
     std::uint16_t seconds;      // of processor time that it may take, of all its threads
     std::uint16_t wallSeconds;  // the same of time, for what waits without end

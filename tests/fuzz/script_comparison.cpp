@@ -4,6 +4,7 @@
 #include <iterator>
 #include <regex>
 #include <sstream>
+#include <utility>
 
 namespace fuzz {
 
@@ -42,27 +43,46 @@ const char *nameOf(Verdict verdict) {
     return names[static_cast<int>(verdict)];
 }
 
-// The second process's fresh memory has a pattern.
+namespace {
+
+// Blocks of a thread's cache would not get the pattern.
+const PlayingProcess::Environment kPatterned{{"MALLOC_PERTURB_", "165"}, {"GLIBC_TUNABLES", "glibc.malloc.tcache_count=0"}};
+// Read when the library is loaded.
+const PlayingProcess::Environment kDisturbed{{"ODE_MT_PERTURB", "1"}};
+
+std::shared_ptr<Playing> processOfOurs(const Libraries &libraries, const PlayingProcess::Environment &environment) {
+    return std::make_shared<PlayingProcess>(libraries.player, libraries.ours, environment);
+}
+
+}  // namespace
+
 Comparison::Comparison(const Libraries &libraries)
-    : m_onDebian(libraries.player, libraries.debian, ""),
-      m_onDebianPatterned(libraries.player, libraries.debian, "165"),
-      m_onOurs(libraries.player, libraries.ours, "") {}
+    : Comparison(libraries, processOfOurs(libraries, {}), processOfOurs(libraries, kDisturbed)) {}
+
+Comparison::Comparison(const Libraries &libraries, std::shared_ptr<Playing> ours) : Comparison(libraries, ours, ours) {}
+
+Comparison::Comparison(const Libraries &libraries, std::shared_ptr<Playing> ours, std::shared_ptr<Playing> oursDisturbed)
+    : m_onDebian(libraries.player, libraries.debian, {}),
+      m_onDebianPatterned(libraries.player, libraries.debian, kPatterned),
+      m_onOurs(std::move(ours)),
+      m_onOursDisturbed(std::move(oursDisturbed)) {}
 
 bool Comparison::areSame(const Outcome &a, const Outcome &b) {
     return a.header.ending == b.header.ending && a.header.hash == b.header.hash && a.errors == b.errors && a.text == b.text;
 }
 
 Verdict Comparison::compare(const RequestHeader &request, const std::vector<std::uint8_t> &script) {
+    Playing &onOurs = request.disturbs != 0 ? *m_onOursDisturbed : *m_onOurs;
+    m_onDebian.ask(request, script);
+    onOurs.ask(request, script);
+    m_debian = m_onDebian.answer();
+    m_ours = onOurs.answer();
+    if (!m_debian.endedInTime()) return Verdict::upstreamTooSlow;
     RequestHeader patient = request;
     patient.seconds = static_cast<std::uint16_t>(m_patience * request.seconds);
-    m_onDebian.ask(request, script);
-    m_onOurs.ask(request, script);
-    m_debian = m_onDebian.answer();
-    m_ours = m_onOurs.answer();
-    if (!m_debian.endedInTime()) return Verdict::upstreamTooSlow;
     if (!m_ours.endedInTime()) {
-        m_onOurs.ask(patient, script);
-        m_ours = m_onOurs.answer();
+        onOurs.ask(patient, script);
+        m_ours = onOurs.answer();
     }
     if (m_debian.crashed()) return Verdict::upstreamCrashed;
     if (areSame(m_debian, m_ours)) return Verdict::same;

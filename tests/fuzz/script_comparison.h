@@ -28,6 +28,8 @@ const char *nameOf(Verdict verdict);
 class Comparison {
 public:
     explicit Comparison(const Libraries &libraries);
+    // `ours` plays on ODE_MT instead of processes.
+    Comparison(const Libraries &libraries, std::shared_ptr<Playing> ours);
 
     // How many times the time that a script may take it may take on ours, when it is played again: algorithms that share always,
     // whatever it costs, may have to wait for other programs.
@@ -46,7 +48,10 @@ public:
 private:
     static bool areSame(const Outcome &a, const Outcome &b);
 
-    PlayingProcess m_onDebian, m_onDebianPatterned, m_onOurs;
+    Comparison(const Libraries &libraries, std::shared_ptr<Playing> ours, std::shared_ptr<Playing> oursDisturbed);
+
+    PlayingProcess m_onDebian, m_onDebianPatterned;
+    const std::shared_ptr<Playing> m_onOurs, m_onOursDisturbed;
     Outcome m_debian, m_ours;
     unsigned m_patience = 24;
 };

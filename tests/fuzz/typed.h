@@ -14,6 +14,7 @@ namespace fuzz {
 Meaning meaningOf(const std::string &function);
 int typeOf(const std::string &function, ObjectKind kind);  // of the geom or joint that a function is for
 bool isParameterNumber(const std::string &function);  // its whole number is one of dParamLoStop and so on
+bool isLevel(const std::string &function);            // its whole numbers are powers of two: the sizes of a hash space's cells
 int lengthOf(const std::string &function);                 // of an array that is read
 
 // How a parameter of each type is drawn, and an argument passed. `In` lives as long as the call.
@@ -54,6 +55,7 @@ struct Passing<Number, std::enable_if_t<std::is_arithmetic_v<Number>>> {
         parameter.meaning = std::is_floating_point_v<Number> ? meaningOf(function)
                             : std::is_same_v<Number, unsigned long> ? Meaning::bits
                             : isParameterNumber(function)             ? Meaning::parameter
+                            : isLevel(function)                       ? Meaning::level
                                                                       : Meaning::count;
         return parameter;
     }

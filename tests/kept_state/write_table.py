@@ -34,17 +34,21 @@ def exported_symbols(library):
     return {name for name in names if not name.startswith('_Z')}
 
 
+def functions_of(header):
+    """Public functions, as declared in a header."""
+    with open(header, encoding='latin-1') as file:
+        text = re.sub(r'//.*', '', re.sub(r'/\*.*?\*/', '', file.read(), flags=re.S))
+    text = re.sub(r'^\s*#.*', '', text, flags=re.M)
+    return re.findall(r'ODE_API\b[^;{(]*?\b(d\w+)\s*\([^;{]*;', text)
+
+
 def header_of_functions(folder):
-    """Public functions, as declared, and the header of each."""
+    """Upstream's public functions, and the header of each."""
     headers = {}
     for header in sorted(os.listdir(folder)):
-        if not header.endswith('.h') or header == 'ode_MT.h':
-            continue
-        with open(os.path.join(folder, header), encoding='latin-1') as file:
-            text = re.sub(r'//.*', '', re.sub(r'/\*.*?\*/', '', file.read(), flags=re.S))
-        text = re.sub(r'^\s*#.*', '', text, flags=re.M)
-        for name in re.findall(r'ODE_API\b[^;{(]*?\b(d\w+)\s*\([^;{]*;', text):
-            headers.setdefault(name, header)
+        if header.endswith('.h') and header != 'ode_MT.h':
+            for name in functions_of(os.path.join(folder, header)):
+                headers.setdefault(name, header)
     return headers
 
 

@@ -1,0 +1,22 @@
+// Functions of ODE_MT's own, which Debian's library does not have: called where they are there.
+#pragma once
+
+#include <dlfcn.h>
+
+namespace fuzz {
+
+// Returns NULL where the library has no such function.
+template <class Result, class... Types>
+auto functionOfOurs(const char *name) {
+    return reinterpret_cast<Result (*)(Types...)>(dlsym(RTLD_DEFAULT, name));
+}
+
+// What it returns is not told: the other library has nothing to compare it with.
+template <class... Types>
+void callIfThere(const char *name, Types... arguments) {
+    if (const auto function = functionOfOurs<int, Types...>(name)) function(arguments...);
+}
+
+inline bool isOurs() { return dlsym(RTLD_DEFAULT, "dToggleODE_MT") != nullptr; }
+
+}  // namespace fuzz
