@@ -104,6 +104,7 @@ int replay(const Options &options) {
                 RequestHeader request{};
                 request.threads = static_cast<std::uint16_t>(threads);
                 request.algorithm = algorithm;
+                request.disturbs = threads > 1 && algorithm % 2 != 0;
                 request.jumps = text.str().find("# jumps") != std::string::npos;
                 request.messages = text.str().find("# messages") != std::string::npos;
                 request.seconds = 20;
