@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace fuzz {
 
@@ -41,8 +42,8 @@ Input inputOf(const std::uint8_t *bytes, std::size_t count) {
 std::vector<std::uint8_t> bytesOf(std::uint64_t seed) {
     constexpr unsigned lengths[] = {200, 500, 1000, 2000, 4000, 8000};
     constexpr unsigned kShortest = 20;
-    Random random(seed);
-    const unsigned length = lengths[random.below(6)];
+    fuzz_driver::Random random(seed);
+    const std::size_t length = lengths[random.below(std::size(lengths))];
     std::vector<std::uint8_t> bytes(kSettingBytes + kShortest + random.below(length));
     for (std::uint8_t &byte : bytes) byte = static_cast<std::uint8_t>(random.next());
     return bytes;
