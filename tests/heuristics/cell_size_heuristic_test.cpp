@@ -129,6 +129,18 @@ TEST(CellSizeHeuristic, PauseKeepsTheCellsResetStartsOver) {
     EXPECT_EQ(world.rule.cells(), 20);
 }
 
+// The first frame pays for the new grid, also if it has as many cells as the old one.
+TEST(CellSizeHeuristic, TheFirstFrameAfterAResetIsNotCounted) {
+    CellWorld world(valley(9));
+    world.frames(5);
+    world.rule.reset();
+    world.rule.start();
+    world.frames(Rule::kDefaultInterval);
+    EXPECT_EQ(world.rule.cells(), kLeast);
+    world.frame();
+    EXPECT_EQ(world.rule.cells(), kLeast + 1);
+}
+
 TEST(CellSizeHeuristic, CostsOfCellsOutsideTheRangeAreZero) {
     CellWorld world(valley(9));
     world.climb();

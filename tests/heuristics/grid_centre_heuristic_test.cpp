@@ -87,6 +87,14 @@ TEST(GridCentreHeuristic, ACheaperFrameOrOneOddFrameIsNoReason) {
     EXPECT_EQ(grid.medians, 1u);
 }
 
+// After a decision costs are compared with those that follow it.
+TEST(GridCentreHeuristic, AFrameThatStaysDearerIsAReasonOnce) {
+    Grid grid;
+    grid.frames(1000, {0, 1e5}, {0, 0, 0});
+    grid.frames(20 * Rule::kMostRest, {0, 3e5}, {0, 0, 0});
+    EXPECT_EQ(grid.medians, 2u);
+}
+
 TEST(GridCentreHeuristic, AMoveWithinACellIsNotMade) {
     Grid near, far;
     near.frames(100, {1, 1e5}, {kEdge, -kEdge, kEdge});
