@@ -40,8 +40,9 @@ for file in "$@"; do
         [ "$bare" = 0 ] || complain "$bare units are compiled without -fstack-protector-strong"
     fi
     if [ "$FORTIFIED" = 1 ]; then
-        # Of functions with a checked variant those that every compiler calls by it where it is asked for.
-        unchecked=$(printf '%s\n' "$imports" | grep -xE 'v?(f|s|sn|d)?printf|longjmp|siglongjmp' | tr '\n' ' ')
+        # Of functions with a checked variant those that every compiler calls by it where it is asked for. Not vsnprintf:
+        # std::to_string of a double hands it on by its address, which has no checked variant.
+        unchecked=$(printf '%s\n' "$imports" | grep -xE '(f|s|sn|d|v|vf|vs|vd)?printf|longjmp|siglongjmp' | tr '\n' ' ')
         [ -z "$unchecked" ] || complain "calls ${unchecked}unchecked (-D_FORTIFY_SOURCE=2)"
     fi
 done
