@@ -454,8 +454,16 @@ void dxStep::learn(unsigned workers, double wallNs) const {
 // The steps of most small worlds are over before a clock could be read: they cost one look at their only
 // island.
 bool dxStep::mayShare() const {
+    if (mayBeEndless()) return false;
     if (m_count != 1) return m_count > 1;
     return dxIslandCursor(m_info).next().jointCount >= leastTeamJoints();
+}
+
+// Upstream takes a negative number of iterations for one above two thousand million, and never returns from an island with
+// rows. It may never come to that island, though: one before it may report an error to a handler that leaves the step.
+bool dxStep::mayBeEndless() const {
+    constexpr unsigned kMostIterations = 100000;
+    return m_kind == dxStepperKind::Quick && static_cast<unsigned>(m_world->qs.num_iterations) > kMostIterations;
 }
 
 unsigned dxStep::leastTeamJoints() const {

@@ -54,6 +54,7 @@ private:
 
     // --- who may work ----------------------------------------------------------------------------------
     bool mayShare() const;
+    bool mayBeEndless() const;
     unsigned leastTeamJoints() const;
     bool isTeamMeasured() const;
     void estimateCosts();

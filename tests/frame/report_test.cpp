@@ -78,6 +78,20 @@ TEST_P(Reports, HandlerThatLeavesFindsTheWorldOfASerialStep) {
     }));
 }
 
+// A body without joints has no rows; it comes first, and its error leaves the step.
+TEST_P(Reports, AnIslandWithoutEndIsNotBegunBeforeItsTurn) {
+    EXPECT_TRUE(trueInChild([&] {
+        const dBodyID first = dBodyCreate(world.world());
+        dBodySetAngularVel(first, std::numeric_limits<dReal>::quiet_NaN(), 0, 0);
+        dWorldSetQuickStepNumIterations(world.world(), -1);
+        dSetDebugHandler([](int, const char *, va_list) { std::longjmp(g_place, 1); });
+        OdeSession::use(0, "serial");
+        const bool serialLeft = stepUntilError(world);
+        OdeSession::use(4, "lcp");
+        return serialLeft && stepUntilError(world);
+    }));
+}
+
 TEST_P(Reports, HandlerMayThrow) {
     dSetDebugHandler([](int, const char *, va_list) { throw 1; });
     OdeSession::use(4, "lcp");
