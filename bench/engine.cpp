@@ -154,6 +154,7 @@ std::vector<Engine> readEngines(const std::vector<std::string> &names,
                                 const std::vector<std::string> &threads, const std::string &manager) {
     if (!manager.empty() && !isManager(manager))
         throw std::invalid_argument("unknown thread manager '" + manager + "'; known: pthread, openmp");
+    for (const std::string &count : threads) readEngine("ours:" + count);  // also where no engine takes its number from there
     std::vector<Engine> engines;
     for (const std::string &name : names) {
         for (const std::string &expanded : expand(name, threads)) {

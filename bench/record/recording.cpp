@@ -157,9 +157,9 @@ std::size_t numbersOf(const std::string &kind) {
 
 // Neither nan nor so large that it cannot be drawn.
 void checkNumber(double number, const std::string &what) {
-    constexpr double kLargest = 1e12;
+    constexpr double kLargest = 1e16;  // as in the worlds that are recorded
     if (!(std::abs(number) <= kLargest))
-        throw std::runtime_error(what + " holds a number that is not from -1e12 to 1e12");
+        throw std::runtime_error(what + " holds a number that is not from -1e16 to 1e16");
 }
 
 void checkPose(const Pose &pose, const std::string &what) {

@@ -15,7 +15,9 @@ record::Recording read(const std::string &file) {
     std::ifstream stream(file);
     if (!stream) throw std::runtime_error("cannot read '" + file + "': " + std::strerror(errno));
     try {
-        return record::readRecording(stream);
+        record::Recording recording = record::readRecording(stream);
+        if (recording.frames.empty()) throw std::runtime_error("it has no frames");
+        return recording;
     } catch (const std::runtime_error &error) {
         throw std::runtime_error("'" + file + "' is no recording: " + error.what());
     }

@@ -30,6 +30,8 @@ std::optional<RenderOptions> readRenderOptions(int argc, const char *const *argv
         ->check(bench::numberIn(0, 1e6));
     try {
         app.parse(argc, argv);
+        if (app.count("--output") != 0 && options.file.empty())
+            throw CLI::ValidationError("--output", "a file of results has no name");
         return options;
     } catch (const CLI::ParseError &error) {
         exitCode = bench::exitCodeOf(app, error);

@@ -157,3 +157,16 @@ TEST_F(OdemtRecord, TheRendererNamesWhatIsWrong) {
     EXPECT_EQ(outcome.exitCode, 2);
     EXPECT_NE(outcome.output.find("'11'"), std::string::npos) << outcome.output;
 }
+
+TEST_F(OdemtRecord, ARecordingWithoutFramesAndAPictureWithoutANameAreNamed) {
+    ASSERT_EQ(record("rover --frames 1").exitCode, 0);
+    const std::string whole = text(file);
+    std::ofstream(file) << whole.substr(0, whole.find('\n') + 1);
+    const Outcome empty = run(std::string(ODEMT_RENDER) + " " + file);
+    EXPECT_EQ(empty.exitCode, 1);
+    EXPECT_NE(empty.output.find(file), std::string::npos) << empty.output;
+    EXPECT_NE(empty.output.find("no frames"), std::string::npos) << empty.output;
+    const Outcome nameless = run(std::string(ODEMT_RENDER) + " " + file + " --output ''");
+    EXPECT_EQ(nameless.exitCode, 2);
+    EXPECT_NE(nameless.output.find("--output"), std::string::npos) << nameless.output;
+}

@@ -70,6 +70,8 @@ TEST(Options, WrongOnesAreAnsweredByName) {
     expectComplaint({"--worlds", "moon"}, "'moon'");
     expectComplaint({"--worlds", "rover", "--engines", "bullet"}, "'bullet'");
     expectComplaint({"--worlds", "rover", "--threads", "lots"}, "'lots'");
+    expectComplaint({"--worlds", "rover", "--engines", "stock,ours:0", "--threads", "lots"}, "'lots'");
+    expectComplaint({"--worlds", "rover", "--engines", "stock,ours:0", "--threads", "2,1025"}, "1025");
     expectComplaint({"--worlds", "rover", "--engines", "ours:1/cells=3"}, "'3'");
     expectComplaint({"--worlds", "rover", "--samples"}, "--samples");
     expectComplaint({"--worlds", "rover", "--manager", "tbb"}, "'tbb'");

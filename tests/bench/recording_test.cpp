@@ -134,14 +134,14 @@ TEST(Recording, NumbersThatCannotBeDrawnAreRefused) {
     huge.geoms[0].shape.size[1] = 1e308;
     EXPECT_NE(complaint(writeHeader(huge)).find("geom 0 holds a number"), std::string::npos);
     huge = header();
-    huge.geoms[1].shape.triangles[0][2][1] = -1e13;
+    huge.geoms[1].shape.triangles[0][2][1] = -1e17;
     EXPECT_NE(complaint(writeHeader(huge)).find("geom 1 holds a number"), std::string::npos);
     for (int which = 0; which < 4; ++which) {
         Frame wrong = frame();
         (which == 0   ? wrong.grid.edge
          : which == 1 ? wrong.grid.centre[2]
          : which == 2 ? wrong.bodies[0].position[0]
-                      : wrong.geoms[1].quaternion[3]) = 1e13;
+                      : wrong.geoms[1].quaternion[3]) = 1e17;
         EXPECT_NE(complaint(writeHeader(header()) + "\n" + writeFrame(wrong)).find("a number that is not"), std::string::npos)
             << which;
     }

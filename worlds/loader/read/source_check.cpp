@@ -29,15 +29,6 @@ std::string textOf(const XMLElement &element) {
 
 bool isBlank(const std::string &text) { return text.find_first_not_of(" \t\r\n") == std::string::npos; }
 
-// Comments part the text of a value, of which libsdformat would read the first part alone.
-void joinText(XMLElement &value) {
-    if (value.FirstChildElement() || value.FirstChild() == value.LastChild() || isBlank(textOf(value))) return;
-    std::string text = textOf(value);
-    text.pop_back();  // the blank behind the last part
-    value.DeleteChildren();
-    value.SetText(text.c_str());
-}
-
 bool isInclude(const XMLElement &element) { return std::string(element.Name()) == "include"; }
 
 Place placeOf(const XMLElement &element, const Place &outer) {
@@ -105,7 +96,6 @@ public:
         if (const XMLElement *inner = element.FirstChildElement(); inner && rule.type != Type::Any)
             fail(place, std::string("holds an element, <") + inner->Name() + ">, in place of a value");
         value(element, text, rule, place);
-        joinText(element);
     }
 
     static void attributes(const XMLElement &element, const Place &place) {
@@ -183,7 +173,6 @@ private:
     // Of elements whose reader knows what is inside: either is meant, never both.
     static void textOrElements(XMLElement &outer, const Place &place) {
         if (outer.FirstChildElement() && !isBlank(textOf(outer))) fail(place, "holds text beside elements");
-        joinText(outer);
         for (XMLElement *child = outer.FirstChildElement(); child;
              child = child->NextSiblingElement()) {
             const Place inner = placeOf(*child, place);
