@@ -42,6 +42,26 @@ std::string asciiStlMesh() {
     return text.str();
 }
 
+std::string plyMesh(const std::string &format) {
+    std::string text = "ply\nformat " + format +
+                       " 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+                       "element face 4\nproperty list uchar int vertex_indices\nend_header\n";
+    if (format == "ascii") {
+        std::ostringstream body;
+        for (const Corner &corner : kCorners)
+            body << corner[0] << ' ' << corner[1] << ' ' << corner[2] << '\n';
+        for (const auto &face : kFaces) body << "3 " << face[0] << ' ' << face[1] << ' ' << face[2] << '\n';
+        return text + body.str();
+    }
+    for (const Corner &corner : kCorners)
+        for (const float number : corner) append(text, number);
+    for (const auto &face : kFaces) {
+        text += '\3';
+        for (const int corner : face) append(text, static_cast<std::int32_t>(corner));
+    }
+    return text;
+}
+
 const char *const kCollada = R"(<?xml version="1.0" encoding="utf-8"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
   <asset><unit name="meter" meter="1"/><up_axis>Z_UP</up_axis></asset>
@@ -165,6 +185,8 @@ std::map<std::string, std::string> assetFiles() {
     return {{"shape.obj", objMesh()},
             {"ascii.stl", asciiStlMesh()},
             {"binary.stl", binaryStlMesh()},
+            {"ascii.ply", plyMesh("ascii")},
+            {"binary.ply", plyMesh("binary_little_endian")},
             {"shape.dae", kCollada},
             {"hills.pgm", greyImage()},
             {"hills.png", png()},
