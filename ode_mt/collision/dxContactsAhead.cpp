@@ -123,9 +123,7 @@ private:
 }  // namespace
 
 dxContactsAhead *dxContactsAhead::current() {
-    if (t_current != nullptr && !t_frame.called(dxStackFrame::ofCaller())) {
-        forgetCurrent();
-    }
+    if (t_current != nullptr && !t_frame.called(dxStackFrame::ofCaller())) forgetCurrent();
     return t_current;
 }
 

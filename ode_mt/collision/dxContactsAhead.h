@@ -139,8 +139,8 @@ private:
 
     static std::uint64_t changesNoticed();
 
-    std::atomic<unsigned> m_holders{
-        1};  // the space, and threads in a call with it, or that may have left one by a jump
+    // The space, and threads in a call with it, or that may have left one by a jump.
+    std::atomic<unsigned> m_holders{1};
     dxTaskRunner *m_runner = nullptr;
     bool m_arraysStay = false;
     std::uint64_t m_windowChanges = 0;      // changesNoticed() when the window was computed
@@ -163,8 +163,8 @@ private:
     int m_flags = 0;  // of the last dCollide; 0: none yet
     int m_windowFlags = 0;
     std::uint64_t m_computed = 0, m_used = 0;  // in this call
-    std::uint64_t m_computedUntold = 0,
-                  m_usedUntold = 0;  // in the calls since it was last told whether it pays
-    unsigned m_callsWithout = 0;     // to come
+    // In the calls since it was last told whether it pays.
+    std::uint64_t m_computedUntold = 0, m_usedUntold = 0;
+    unsigned m_callsWithout = 0;  // to come
     unsigned m_nextPause = 0;
 };

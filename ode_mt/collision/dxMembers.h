@@ -30,9 +30,7 @@ public:
         dxMeetingFilter filter;
     };
 
-    // Memory for one more member. Throws std::bad_alloc, and nothing else here does: add() may follow
-    // without.
-    void makeRoomForOne();
+    // Throws std::bad_alloc, with nothing changed; nothing else here asks for memory.
     Slot add(dxGeom *geom);
     void remove(Slot slot);
 
@@ -78,6 +76,8 @@ public:
     void forgetChanges();
 
 private:
+    void makeRoomForOne();
+
     std::vector<Member> m_members;
     std::vector<std::uint64_t> m_arrivals;  // by slot: how many had come by then
     std::uint64_t m_lastArrival = 0;

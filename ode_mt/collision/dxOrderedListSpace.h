@@ -56,7 +56,7 @@ private:
     dxSoleCleaner m_cleaner;
     // A cleaning has begun and not ended: it is in progress, or was left by a jump.
     dxPublished<bool> m_isInterrupted{false};
-    dxPublished<bool> m_isIrregular{
-        false};                // there may be dirty geoms behind clean ones, or the list is walked
+    // There may be dirty geoms behind clean ones, or the list is walked.
+    dxPublished<bool> m_isIrregular{false};
     bool m_hasBadBox = false;  // one of those dirty geoms has a box that is not up to date
 };

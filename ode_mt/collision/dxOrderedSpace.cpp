@@ -66,7 +66,6 @@ void dxOrderedSpace::add(dxGeom *geom) {
     CHECK_NOT_LOCKED(this);
     dAASSERT(geom);
     dUASSERT(mayCome(geom), "geom is already in a space");
-    m_members.makeRoomForOne();
     makeRoom(m_members.end() + 1);
     const Slot slot = m_members.add(geom);
     geom->tome_ex = reinterpret_cast<dxGeom **>(static_cast<std::uintptr_t>(slot) + 1);

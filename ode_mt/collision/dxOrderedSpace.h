@@ -253,8 +253,8 @@ private:
     std::vector<dxPairSearch::Match> m_matches;
     std::unique_ptr<dxKeptPairs> m_kept;
     dxRegionIndex m_index;
-    std::atomic<std::uint64_t> m_notificationsMissed{
-        0};                                // of the process, when the members were last looked at
+    // Of the process, when the members were last looked at.
+    std::atomic<std::uint64_t> m_notificationsMissed{0};
     std::atomic<bool> m_hasStrays{false};  // then
     std::mutex m_lookingForStrays;         // only ever tried
     dxCrowd m_crowd;

@@ -19,7 +19,6 @@
 #include "frame/dxIslandSharing.h"
 #include "frame/dxSettings.h"
 #include "frame/dxStepStatistics.h"
-#include "frame/dxWorkers.h"
 #include "frame/dxWorkersRunner.h"
 #include "frame/dxWorldWorkers.h"
 #include "quickstep.h"
@@ -242,8 +241,9 @@ void dxStep::runShared(unsigned workers) {
         const WorldArena arena(m_world);
         m_records->workers[0].arena = arena.get();
         reserveRandomNumbers();
-        onWorkers(dxParallelStage::Islands, static_cast<unsigned>(m_records->blocks.size()), workers,
-                  [this](unsigned block, unsigned worker) { stepBlock(block, worker); });
+        dxWorkersRunner(workers, m_world)
+            .forBlocks(dxParallelStage::Islands, static_cast<unsigned>(m_records->blocks.size()),
+                       [this](unsigned block, unsigned worker) { stepBlock(block, worker); });
         stepLeftovers();
         learn(workers, nsSince(start));
         rest = commit();
@@ -255,7 +255,7 @@ void dxStep::runShared(unsigned workers) {
 bool dxStep::prepareShared(unsigned workers) try {
     prepareRecords(workers);
     const unsigned chunks = std::min(m_count, workers * kBlocksPerWorker);
-    onWorkers(dxParallelStage::IslandSurvey, chunks, workers, [this, chunks](unsigned chunk, unsigned worker) {
+    dxWorkersRunner(workers, m_world).forBlocks(dxParallelStage::IslandSurvey, chunks, [this, chunks](unsigned chunk, unsigned worker) {
         const std::uint64_t count = m_count;
         survey(chunk * count / chunks, (chunk + 1) * count / chunks, worker);
     });
@@ -492,11 +492,6 @@ unsigned dxStep::chooseWorkers(unsigned limit) {
     if (most < 2) return 1;
     if (dxSettings::instance().algorithm() != dxAlgorithm::Auto) return most;
     return costModel->chooseWorkers(m_kind, m_totalCost, m_largestCost, most);
-}
-
-template <class Work>
-void dxStep::onWorkers(dxParallelStage stage, unsigned blocks, unsigned workers, Work work) {
-    dxWorkersRunner(workers, m_world).forBlocks(stage, blocks, work);
 }
 
 unsigned dxStep::workerLimit() const {

@@ -12,7 +12,6 @@
 #include "dynamics/dxIslandTeam.h"
 #include "frame/dxCostModel.h"
 #include "frame/dxStepRecords.h"
-#include "threading/dxParallelStage.h"
 #include "threading/dxThreadManager.h"
 
 class dxStep {
@@ -60,8 +59,6 @@ private:
     void estimateCosts();
     unsigned chooseWorkers(unsigned limit);
     unsigned workerLimit() const;
-    template <class Work>
-    void onWorkers(dxParallelStage stage, unsigned blocks, unsigned workers, Work work);
 
     bool drawsRandomNumbers() const;
     std::uint64_t drawsOf(unsigned rows) const;

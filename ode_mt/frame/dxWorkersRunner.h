@@ -1,6 +1,8 @@
 // Workers as a task runner, for the length of one call: the process's, or those that the user lent to a world.
 #pragma once
 
+#include <algorithm>
+
 #include <ode/ode.h>
 
 #include "threading/dxTaskRunner.h"
@@ -8,7 +10,9 @@
 class dxWorkersRunner final : public dxTaskRunner {
 public:
     // `world`: the one whose step it is, if it is a step.
-    explicit dxWorkersRunner(unsigned workers, const dxWorld *world = nullptr) : m_workers(workers), m_world(world) {}
+    explicit dxWorkersRunner(unsigned workers, const dxWorld *world = nullptr) : m_workers(workers), m_world(world) {
+        std::fill_n(m_ranABlock, workers, false);
+    }
 
     unsigned workers() const override { return m_workers; }
     void run(dxParallelStage stage, unsigned blocks, dxThreadManager::Task task, void *context) override;
@@ -19,5 +23,5 @@ public:
 private:
     unsigned m_workers;
     const dxWorld *m_world;
-    bool m_ranABlock[dODE_MT_MAX_THREADS] = {};  // each written by its worker alone
+    bool m_ranABlock[dODE_MT_MAX_THREADS];  // the first m_workers; each written by its worker alone
 };

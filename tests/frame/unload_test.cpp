@@ -125,37 +125,12 @@ TEST_P(Unload, WithOpenMP) {
     EXPECT_FALSE(inMemory());
 }
 
-// The pool of a thread that lives on sleeps in the OpenMP runtime, which must not go before it.
-TEST(UnloadThreads, ThreadWithAnOpenMPPoolOutlivesTheLibrary) {
-    skipIfUnseen("openmp");
-    if (IsSkipped()) return;
-    for (int i = 0; i < 5; ++i) {
-        std::atomic<bool> used{false}, gone{false};
-        std::thread user;
-        {
-            const LoadedOde ode;
-            user = std::thread([&] {
-                LoadedOde::forgetLeaks(true);
-                stepInParallel(ode, "openmp");
-                LoadedOde::forgetLeaks(false);
-                used = true;
-                while (!gone) std::this_thread::yield();
-            });
-            while (!used) std::this_thread::yield();
-            ODE_FUNCTION(ode, dCloseODE)();
-        }
-        EXPECT_FALSE(inMemory());
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));  // idle threads spin, then sleep
-        gone = true;
-        user.join();
-    }
-}
-
 INSTANTIATE_TEST_SUITE_P(Close, Unload, testing::Bool(),
                          [](const auto &info) { return info.param ? "closed" : "notClosed"; });
 
-// A thread that has collided meshes ends after the library has gone.
-TEST(UnloadThreads, ThreadOutlivesTheLibrary) {
+// A thread that has called the library ends a while after it has gone.
+template <class Use>
+void outliveTheLibrary(Use use, std::chrono::milliseconds longer) {
     std::atomic<bool> used{false}, gone{false};
     std::thread user;
     {
@@ -163,7 +138,7 @@ TEST(UnloadThreads, ThreadOutlivesTheLibrary) {
         ODE_FUNCTION(ode, dInitODE2)(0);
         user = std::thread([&] {
             LoadedOde::forgetLeaks(true);
-            collideMeshes(ode);
+            use(ode);
             LoadedOde::forgetLeaks(false);
             used = true;
             while (!gone) std::this_thread::yield();
@@ -172,8 +147,20 @@ TEST(UnloadThreads, ThreadOutlivesTheLibrary) {
         ODE_FUNCTION(ode, dCloseODE)();
     }
     EXPECT_FALSE(inMemory());
+    std::this_thread::sleep_for(longer);
     gone = true;
     user.join();
+}
+
+TEST(UnloadThreads, ThreadOutlivesTheLibrary) { outliveTheLibrary(collideMeshes, std::chrono::milliseconds(0)); }
+
+// The pool of such a thread sleeps in the OpenMP runtime, which must not go before it.
+TEST(UnloadThreads, ThreadWithAnOpenMPPoolOutlivesTheLibrary) {
+    skipIfUnseen("openmp");
+    if (IsSkipped()) return;
+    constexpr std::chrono::milliseconds kUntilIdleThreadsSleep{20};
+    for (int i = 0; i < 5; ++i)
+        outliveTheLibrary([](const LoadedOde &ode) { stepInParallel(ode, "openmp"); }, kUntilIdleThreadsSleep);
 }
 
 TEST(UnloadUnused, NothingWasCalled) {

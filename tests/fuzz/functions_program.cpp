@@ -2,6 +2,8 @@
 #include "by_hand.h"
 #include "only_ours.h"
 
+#include "contact_half_way.h"
+
 #include <cstdlib>
 #include <vector>
 
@@ -55,16 +57,8 @@ void addHandlers(std::vector<Function> &all) {
 // One contact, half way between the two.
 int meetHalfWay(dGeomID o1, dGeomID o2, int, dContactGeom *contact, int) {
     if (shapeCallback) shapeCallback(ShapeCallback::collider);
-    const dReal *const a = dGeomGetPosition(o1), *const b = dGeomGetPosition(o2);
-    for (int i = 0; i < 3; ++i) {
-        contact->pos[i] = (a[i] + b[i]) / 2;
-        contact->normal[i] = i == 2 ? 1 : 0;
-    }
-    contact->depth = dReal(0.0625);
-    contact->g1 = o1;
-    contact->g2 = o2;
-    contact->side1 = contact->side2 = -1;
-    return 1;
+    const dVector3 up = {0, 0, 1};
+    return contactHalfWay(o1, o2, up, dReal(0.0625), *contact);
 }
 
 // It cannot be taken back: ODE does not tell which collider it replaces.

@@ -1,5 +1,7 @@
 #include "shapes.h"
 
+#include "contact_half_way.h"
+
 #include <cmath>
 #include <cstddef>
 
@@ -95,15 +97,8 @@ int collideBall(dGeomID o1, dGeomID o2, int, dContactGeom *contact, int) {
     const dReal distance = std::sqrt(away[0] * away[0] + away[1] * away[1] + away[2] * away[2]);
     const dReal depth = radiusOf(o1) + 0.25 - distance;
     if (!(depth >= 0) || distance == 0) return 0;
-    for (int i = 0; i < 3; ++i) {
-        contact->pos[i] = (a[i] + b[i]) / 2;
-        contact->normal[i] = away[i] / distance;
-    }
-    contact->depth = depth;
-    contact->g1 = o1;
-    contact->g2 = o2;
-    contact->side1 = contact->side2 = -1;
-    return 1;
+    const dVector3 normal = {away[0] / distance, away[1] / distance, away[2] / distance};
+    return contactHalfWay(o1, o2, normal, depth, *contact);
 }
 
 dColliderFn *colliderFor(int other) {

@@ -2,6 +2,8 @@
 
 #include "user_code.h"
 
+#include "contact_half_way.h"
+
 #include <cmath>
 #include <cstring>
 
@@ -44,15 +46,8 @@ int collideCustom(dGeomID o1, dGeomID o2, int, dContactGeom *contact, int) {
     const dReal distance = std::sqrt(dx * dx + dy * dy + dz * dz);
     const dReal depth = radiusOf(o1) + 0.2 - distance;
     if (depth < 0 || distance == 0) return 0;
-    for (int i = 0; i < 3; ++i) contact->pos[i] = (a[i] + b[i]) / 2;
-    contact->normal[0] = dx / distance;
-    contact->normal[1] = dy / distance;
-    contact->normal[2] = dz / distance;
-    contact->depth = depth;
-    contact->g1 = o1;
-    contact->g2 = o2;
-    contact->side1 = contact->side2 = -1;
-    return 1;
+    const dVector3 normal = {dx / distance, dy / distance, dz / distance};
+    return contactHalfWay(o1, o2, normal, depth, *contact);
 }
 
 dColliderFn *colliderFor(int other) {

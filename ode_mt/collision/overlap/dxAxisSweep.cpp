@@ -51,8 +51,7 @@ void sweepAxis(const dxAxisRows &rows, std::vector<dxSlotPair> &pairs) {
         const AxisProbe probe(rows, row);
         bool goesOn = true;
         for (std::size_t first = row + 1; goesOn && first < size; first += lanes)
-            forLanes(probe.meet(first, std::min(lanes, size - first), goesOn), [&](std::size_t
-                                                                                       lane) HWY_ATTR {
+            forLanes(probe.meet(first, std::min(lanes, size - first), goesOn), [&](std::size_t lane) HWY_ATTR {
                 pairs.push_back({static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(first + lane)});
             });
     }

@@ -1,7 +1,10 @@
-// Of the functions of ode_MT.h.
+// Of the functions that list_functions.py found: upstream's, or those of ode_MT.h.
 #include "bad_calls.h"
 
-#include "own_functions.h"
+#include <ode/cooperative.h>
+#include <ode/matrix_coop.h>
+
+#include "listed_functions.h"
 
 namespace bad_input {
 
