@@ -15,6 +15,7 @@
 #include "collision/dxColliderOverrides.h"
 #include "collision/dxContactLog.h"
 #include "collision/dxContactsAhead.h"
+#include "collision/dxTurnedGeom.h"
 #include "config.h"
 #include "collision_kernel.h"
 #include "threading/dxForkLocks.h"
@@ -121,6 +122,8 @@ Entry entryOf(const dxGeom &o1, const dxGeom &o2) {
                                         : Entry::other;
 }
 
+bool isTerrain(const dxGeom &geom) { return geom.type == dHeightfieldClass; }
+
 // Upstream answers these without looking at the table.
 bool isAnsweredEarly(const dxGeom &o1, const dxGeom &o2, int flags) {
     return (flags & NUMC_MASK) == 0 || &o1 == &o2 || (o1.body == o2.body && o1.body != nullptr);
@@ -149,11 +152,11 @@ int dCollide(dGeomID o1, dGeomID o2, int flags, dContactGeom *contact, int skip)
         if (isValid && !isAnsweredEarly(*o1, *o2, flags) && dxMayCollideAnywhere(*o1, *o2))
             return log->copies().collide(*o1, *o2, {}, flags, contact, skip);
     }
-    if (o1 != nullptr && o2 != nullptr) {
-        const Entry entry = entryOf(*o1, *o2);
-        if (asks(entry) && !isAnsweredEarly(*o1, *o2, flags)) resolve(o1->type, o2->type, entry);
-    }
-    return dxUpstreamCollide(o1, o2, flags, contact, skip);
+    const auto collide = [=] { return dxUpstreamCollide(o1, o2, flags, contact, skip); };
+    if (o1 == nullptr || o2 == nullptr) return collide();
+    const Entry entry = entryOf(*o1, *o2);
+    if (asks(entry) && !isAnsweredEarly(*o1, *o2, flags)) resolve(o1->type, o2->type, entry);
+    return isTerrain(*o1) || isTerrain(*o2) ? dxTurnedGeom::whileTurned(collide) : collide();
 }
 
 int dCreateGeomClass(const dGeomClass *description) {

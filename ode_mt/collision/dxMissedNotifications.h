@@ -6,7 +6,8 @@
 //  - an assertion inside dGeomMoved, that the space is locked, comes after the geom was marked and before
 //    the space is told; a debug handler that jumps or throws leaves it so;
 //  - a clean geom that is added to a simple or hash space stands in front of those that have changed, at which
-//    cleaning stops. The space itself sees that, those around it do not.
+//    cleaning stops. The space itself sees that, those around it do not;
+//  - a collision with a height field that is left in the middle leaves a geom with another box (dxTurnedGeom).
 // A geom marked so is *stray*: dirty, and not among those that its space will clean. From then on dGeomMoved
 // says nothing of it, nor of the spaces around it. After any such event spaces look at all their members
 // again.

@@ -79,9 +79,13 @@ void dxOrderedQuadTreeSpace::cleanGeoms() {
     lock_count--;
 }
 
+// Also one that has another box, but not the block of that, in which upstream would not look for it.
 bool dxOrderedQuadTreeSpace::hasStrayMembers() const {
-    for (const dxGeom *geom = dxSpace::first; geom != nullptr; geom = geom->next)
-        if ((geom->gflags & GEOM_DIRTY) != 0 && !m_dirty.has(slotOf(geom))) return true;
+    for (const dxGeom *geom = dxSpace::first; geom != nullptr; geom = geom->next) {
+        if (m_dirty.has(slotOf(geom))) continue;
+        const Block block = blockOf(slotOf(geom));
+        if ((geom->gflags & GEOM_DIRTY) != 0 || m_tree.find(geom->aabb, block) != block) return true;
+    }
     return false;
 }
 

@@ -6,6 +6,7 @@
 
 #include "collision/dxAdaptiveSearch.h"
 #include "collision/dxMissedNotifications.h"
+#include "collision/dxTurnedGeom.h"
 #include "collision/dxPairPrefetch.h"
 
 #include "collision_space_internal.h"
@@ -94,6 +95,7 @@ void dxOrderedSpace::remove(dxGeom *geom) {
 
 void dxOrderedSpace::collide(void *data, dNearCallback *callback) {
     dAASSERT(callback);
+    dxTurnedGeom::noticeLeft();
     lock_count++;
     m_isAhead = false;
     if (m_ahead != nullptr) m_ahead->forgetPair();
@@ -106,6 +108,7 @@ void dxOrderedSpace::collide(void *data, dNearCallback *callback) {
 
 void dxOrderedSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback) {
     dAASSERT(geom && callback);
+    dxTurnedGeom::noticeLeft();
     lock();
     cleanGeoms();
     geom->recomputeAABB();
@@ -117,7 +120,7 @@ bool dxOrderedSpace::lookForStrays() {
     const std::unique_lock<std::mutex> alone(m_lookingForStrays, std::try_to_lock);
     if (!alone) return true;
     const std::uint64_t missed = dxMissedNotifications::count();
-    for (dxGeom *geom = first; geom != nullptr; geom = geom->next) filtersChanged(geom);
+    for (dxGeom *geom = first; geom != nullptr; geom = geom->next) takeBoxAgain(geom);
     bool hasStrays = hasStrayMembers();
     for (dxGeom *geom = first; geom != nullptr && !hasStrays; geom = geom->next) {
         dxOrderedSpace *const inner = IS_SPACE(geom) ? from(static_cast<dxSpace *>(geom)) : nullptr;
@@ -164,6 +167,7 @@ bool dxOrderedSpace::collideShared(dxTaskRunner &runner, bool arraysStay, void *
         return false;
     }
     const dxContactsAhead::Scope scope(*m_ahead, runner, arraysStay);
+    dxTurnedGeom::noticeLeft();
     lock_count++;
     if (makeReadyShared(runner)) {
         m_isAhead = true;

@@ -120,6 +120,9 @@ protected:
     // All pairs are looked for again, from nothing: at this update or at the next.
     void startAnew();
 
+    // Its box may be another one, though nobody has said so: what is kept of the member is brought up to date.
+    virtual void takeBoxAgain(dxGeom *geom) { rank(geom, m_members[slotOf(geom)].rank); }
+
     // Whether there are strays, or were when this was last asked: their boxes, and whether these are up to
     // date, may change without notice. Costs nothing while no notification has been missed. Of several
     // threads one looks.

@@ -118,6 +118,8 @@ void dxOrderedSweepSpace::takeBox(dxGeom *geom, dxRank itsRank) {
     rank(geom, itsRank, boundsOf(geom, box));
 }
 
+void dxOrderedSweepSpace::takeBoxAgain(dxGeom *geom) { takeBox(geom, members()[slotOf(geom)].rank); }
+
 bool dxOrderedSweepSpace::hasStrayMembers() const {
     const std::vector<dxSweepLists::Entry> &list = m_lists.clean();
     return std::any_of(list.begin(), list.end(), [](const dxSweepLists::Entry &entry) {

@@ -47,6 +47,7 @@ private:
     void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) override;
     void collideWith(void *data, dxGeom *geom, dNearCallback *callback) override;
     bool hasStrayMembers() const override;
+    void takeBoxAgain(dxGeom *geom) override;
 
     dxBounds boundsOf(const dxGeom *geom, const dxSweepBox &box) const;
     void takeBox(dxGeom *geom, dxRank rank);

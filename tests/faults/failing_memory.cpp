@@ -1,6 +1,7 @@
 #include "failing_memory.h"
 
 #include <execinfo.h>
+#include <ode/ode.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -40,6 +41,9 @@ bool isRefused(Source source) {
     return isLasting.load(std::memory_order_relaxed) ? number >= first : number == first;
 }
 
+// The program's, as long as it is armed. Blocks are malloc's, as those that upstream takes otherwise.
+void *allocate(std::size_t size) { return isRefused(Source::allocator) ? nullptr : std::malloc(size); }
+
 void *orThrow(void *block) {
     if (block == nullptr) throw std::bad_alloc();
     return block;
@@ -52,6 +56,7 @@ void arm(Source source, long first, Shortage shortage) {
     firstRefused = first;
     isLasting = shortage == Shortage::lasting;
     armedSource = static_cast<int>(source);
+    if (source == Source::allocator) dSetAllocHandler(allocate);
 }
 
 void showFirstRefusal() {
@@ -61,7 +66,7 @@ void showFirstRefusal() {
 }
 
 long disarm() {
-    armedSource = kNoSource;
+    if (armedSource.exchange(kNoSource) == static_cast<int>(Source::allocator)) dSetAllocHandler(nullptr);
     return requests;
 }
 

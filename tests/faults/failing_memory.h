@@ -1,14 +1,15 @@
 // Memory that is refused on purpose: this program's operator new and malloc, and so those of the libraries
 // that it uses, count what they are asked for while they are armed, and fail once, or from then on.
 //
-// Two sources, since they mean different things: what ODE_MT keeps beside upstream's objects, and containers
+// Three sources, since they mean different things: what ODE_MT keeps beside upstream's objects, and containers
 // of upstream's, come from operator new, which throws; upstream's objects and libccd's come from malloc
-// (dAlloc), which returns NULL. Any thread may ask.
+// (dAlloc), which returns NULL; and where the program has set an allocator (dSetAllocHandler), upstream's come from that.
+// Any thread may ask.
 #pragma once
 
 namespace faults {
 
-enum class Source { operatorNew, malloc };
+enum class Source { operatorNew, malloc, allocator };
 
 // How long memory is refused: for one request, or until disarm().
 enum class Shortage { once, lasting };

@@ -37,7 +37,16 @@ struct Case {
     Shortage shortage;
 };
 
-const char *nameOf(Source source) { return source == Source::operatorNew ? "new" : "malloc"; }
+const char *nameOf(Source source) {
+    switch (source) {
+        case Source::operatorNew:
+            return "new";
+        case Source::malloc:
+            return "malloc";
+        default:
+            return "allocator";
+    }
+}
 const char *nameOf(Shortage shortage) { return shortage == Shortage::once ? "once" : "lasting"; }
 
 void play(FaultWorld &world, int frames) {
@@ -140,7 +149,7 @@ void refuseAll(FaultWorld &world, const char *phase, long every) {
     const std::uint64_t reference = referenceOf(world);
     std::printf("reference %016llx\n", static_cast<unsigned long long>(reference));
     std::fflush(stdout);
-    for (const Source source : {Source::operatorNew, Source::malloc})
+    for (const Source source : {Source::operatorNew, Source::malloc, Source::allocator})
         for (const Shortage shortage : {Shortage::once, Shortage::lasting})
             refuseOneByOne(world, {phase, source, shortage}, reference, every);
 }

@@ -32,7 +32,7 @@ std::string nameOf(const testing::TestParamInfo<Parameters> &info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Surroundings,
-                         testing::Combine(testing::Values("none", "signals", "small_stack", "address_space",
+                         testing::Combine(testing::Values("none", "signals", "small_stack", "stack_limit", "address_space",
                                                           "no_threads", "busy_process", "many_threads",
                                                           "coming_and_going", "others_initialise"),
                                           testing::Values("0", "2", "16")),

@@ -417,7 +417,7 @@ void Player::handle(const char *kind, int number, const char *text, va_list argu
     }
     m_trace.line(std::string(kind) + ": " + told.substr(0, told.find(" (s=")), number);
     write(std::string("    ") + kind + ' ' + std::to_string(number) + ": " + told);
-    if (mayJump && m_target != nullptr) std::longjmp(*m_target, 1);
+    if (mayJump && m_options.jumps && m_target != nullptr) std::longjmp(*m_target, 1);
     if (!mayJump) callBack(Where::message);
 }
 

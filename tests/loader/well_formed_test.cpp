@@ -52,7 +52,7 @@ TEST(WellFormed, CharactersThatXmlDoesNotKnowAreErrors) {
             Kind::Syntax, {"not well-formed XML"});
 }
 
-TEST(WellFormed, NamesAndListsOfAttributesHaveAnEnd) {
+TEST(WellFormed, NamesDepthAndListsOfAttributesHaveAnEnd) {
     const std::string longName(100000, 'y');
     expectError(with(sdf, "name=\"a\"", "name=\"a\" " + longName + "=\"1\""), Kind::Syntax,
                 {"a name with 100000 characters"});
@@ -60,6 +60,11 @@ TEST(WellFormed, NamesAndListsOfAttributesHaveAnEnd) {
     for (int i = 0; i < 20000; ++i) attributes += " a" + std::to_string(i) + "=\"1\"";
     expectError(with(sdf, "name=\"a\"", "name=\"a\"" + attributes), Kind::Syntax,
                 {"an element with 20001 attributes"});
+    for (const int depth : {95, 10000}) {
+        std::string begins, ends;
+        for (int i = 0; i < depth; ++i) begins += "<a>", ends += "</a>";
+        expectError(with(sdf, link, begins + ends), Kind::Syntax, {"test.sdf: line ", "elements in one another"});
+    }
 }
 
 std::string driven(const std::string &joints, const std::string &duration) {

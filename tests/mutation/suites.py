@@ -16,7 +16,7 @@ _UNITS = {
     "ode_mt/heuristics/": ["heuristics/heuristics_tests"],
     "ode_mt/simd/": ["dynamics/lcp_tests", "dynamics/dynamics_tests", "collision/search_parts_tests"],
     "ode_mt/threading/": ["threading/threading_tests"],
-    "ode_mt/": ["frame/frame_tests"],  # and for all others, last of the units
+    "ode_mt/": ["frame/frame_tests"],  # and for all others, last of all suites
 }
 
 # Themes of the exactness suite that play most of a folder's code, and in which settings.
@@ -30,26 +30,27 @@ _THEMES = {
 _SETTINGS = ["pthread_0", "pthread_3", "lcp_*", "decluster_*"]
 
 
+# Long ones of the frame's: what they show, the others show, too.
+_FRAME_FILTER = "--gtest_filter=-*Progress*:*Fork*:*ManyWorlds*:*Exits*:*End*:*Unload*:*Restep*"
+
+
 @dataclasses.dataclass(frozen=True)
 class Suite:
     name: str
     command: tuple
     environment: tuple = ()  # pairs
-    link: tuple = ()         # folder and words of the command that links its program first
 
 
 def _first(table, file):
     return next(value for start, value in table.items() if file.startswith(start))
 
 
-def _link(built, program, objects, where):
-    """The command that links a program of the build `built` with the library of the build `objects`, to go to `where`."""
-    folder = built / "tests" / pathlib.Path(program).parent
-    words = shlex.split((folder / "CMakeFiles" / f"{pathlib.Path(program).name}.dir/link.txt").read_text())
-    ours = [re.sub(r"^\.\./\.\./(lib|ode_mt)/", f"{objects}/\\1/", word) for word in words]
-    ours = [re.sub(r"^-Wl,-rpath,.*/lib$", f"-Wl,-rpath,{objects}/lib", word) for word in ours]
-    ours[ours.index("-o") + 1] = str(where)
-    return str(folder), tuple(ours)
+def _programs(file):
+    return list(dict.fromkeys(_first(_UNITS, file) + _UNITS["ode_mt/"]))
+
+
+def _linked(program, objects):
+    return objects / "tests" / pathlib.Path(program).name
 
 
 def _concept_filter(repository, program, file):
@@ -62,30 +63,36 @@ def _concept_filter(repository, program, file):
     return ":".join(f"*{suite}*" for suite in sorted(suites)) or None
 
 
+def links_for(file, built, objects):
+    """Pairs of folder and command that link the units of a file with the library of the build `objects`, not of `built`."""
+    links = []
+    for program in _programs(file):
+        folder = built / "tests" / pathlib.Path(program).parent
+        words = shlex.split((folder / "CMakeFiles" / f"{pathlib.Path(program).name}.dir/link.txt").read_text())
+        ours = [re.sub(r"^\.\./\.\./(lib|ode_mt)/", f"{objects}/\\1/", word) for word in words]
+        ours = [re.sub(r"^-Wl,-rpath,.*/lib$", f"-Wl,-rpath,{objects}/lib", word) for word in ours]
+        ours[ours.index("-o") + 1] = str(_linked(program, objects))
+        links.append((str(folder), tuple(ours)))
+    return links
+
+
 def suites_for(file, repository, built, objects):
     """`built`: a finished build of the repository, tests included; `objects`: the build that mutants are compiled in."""
     library = f"{objects}/lib"
-    programs = list(dict.fromkeys(_first(_UNITS, file) + _UNITS["ode_mt/"]))
-    units = []
-    for program in programs:
-        where = objects / "tests" / pathlib.Path(program).name
-        link = _link(built, program, objects, where)
-        command = (str(where), "--gtest_brief=1", "--gtest_fail_fast")
+    own, units = [], []
+    for program in _programs(file):
+        command = (str(_linked(program, objects)), "--gtest_brief=1", "--gtest_fail_fast")
+        name = pathlib.Path(program).name
         wanted = _concept_filter(repository, program, file)
         if wanted:
-            units.append(Suite(f"{where.name}: own tests", command + (f"--gtest_filter={wanted}",), (), link))
-        if program == "frame/frame_tests":  # the long ones: what they show, the suites that follow show, too
-            units.append(Suite(where.name, command + ("--gtest_filter=-*Progress*:*Fork*:*ManyWorlds*:*Exits*:*End*:*Unload*",), (), link))
-        else:
-            units.append(Suite(where.name, command, (), link))
-    fuzz = str(built / "tests/fuzz/odemt_fuzz")
+            own.append(Suite(f"{name}: own tests", command + (f"--gtest_filter={wanted}",)))
+        units.append(Suite(name, command + ((_FRAME_FILTER,) if name == "frame_tests" else ())))
+    fuzz = (str(built / "tests/fuzz/odemt_fuzz"), "--ours", library)
     corpus = sorted(str(path) for path in (repository / "tests/fuzz/corpus").glob("*.script"))
     themes = list(dict.fromkeys(_first(_THEMES, file) + _THEMES["ode_mt/"]))
     wanted = ":".join(f"Exactness/{theme}/*.{setting}" for theme in themes for setting in _SETTINGS)
-    shared = [
-        Suite("fuzz corpus", (fuzz, "--ours", library, "--replay", *corpus)),
-        Suite("fuzz, 150 drawn scripts", (fuzz, "--ours", library, "--seed", "1", "--scripts", "150")),
-        Suite("exactness themes", (str(built / "tests/exactness/exactness_test"), "--gtest_brief=1", "--gtest_fail_fast",
-                                   f"--gtest_filter={wanted}"), (("ODE_MT_LIBRARY_DIR", library),)),
-    ]
-    return units + shared
+    exactness = Suite("exactness themes", (str(built / "tests/exactness/exactness_test"), "--gtest_brief=1", "--gtest_fail_fast",
+                                           f"--gtest_filter={wanted}"), (("ODE_MT_LIBRARY_DIR", library),))
+    drawn = [Suite("fuzz corpus", fuzz + ("--replay", *corpus)),
+             Suite("fuzz, 150 drawn scripts", fuzz + ("--seed", "1", "--scripts", "150"))]
+    return own + units[:-1] + drawn + [exactness, units[-1]]

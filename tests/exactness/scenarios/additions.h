@@ -33,6 +33,7 @@ void addJointFeedback(Catalogue &catalogue);
 void addKinematicBodies(Catalogue &catalogue);
 void addLargeExactIslands(Catalogue &catalogue);
 void addLargeIslands(Catalogue &catalogue);
+void addLeavingHeights(Catalogue &catalogue);
 void addLockedSpaces(Catalogue &catalogue);
 void addManyContacts(Catalogue &catalogue);
 void addManyRows(Catalogue &catalogue);

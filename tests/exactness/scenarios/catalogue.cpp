@@ -53,6 +53,7 @@ const Catalogue &catalogue() {
         addKinematicBodies(all);
         addLargeExactIslands(all);
         addLargeIslands(all);
+        addLeavingHeights(all);
         addLockedSpaces(all);
         addManyContacts(all);
         addManyRows(all);

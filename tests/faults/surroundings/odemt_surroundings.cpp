@@ -21,6 +21,7 @@ constexpr struct {
 } kAll[] = {{"none", playFrames},
             {"signals", underSignals},
             {"small_stack", onSmallStack},
+            {"stack_limit", withSmallStackLimit},
             {"address_space", withLittleAddressSpace},
             {"no_threads", withoutThreads},
             {"decimal_comma", withDecimalComma},

@@ -14,6 +14,7 @@ std::uint64_t playFrames();
 std::uint64_t
 underSignals();  // a timer's signal every fraction of a millisecond, and calls of the system fail with EINTR
 std::uint64_t onSmallStack();              // of 256 kB
+std::uint64_t withSmallStackLimit();       // 256 kB, from which threads without a size of their own take theirs
 std::uint64_t withLittleAddressSpace();    // too little for the stacks of all workers
 std::uint64_t withoutThreads();            // the system refuses all of them, or all but the first
 std::uint64_t withDecimalComma();          // the program has set a locale in which numbers have one

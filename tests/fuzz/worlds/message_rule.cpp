@@ -2,6 +2,9 @@
 
 #include "driver/message_text.h"
 
+#include <algorithm>
+#include <regex>
+
 namespace fuzz_worlds {
 
 namespace fs = std::filesystem;
@@ -22,12 +25,13 @@ std::string wrongText(const std::string &message) {
     return {};
 }
 
-// The whole file is meant only if there is no element to name.
+// The whole file is meant only if there is no element to name: text that is no XML, or not of a kind that is read, is told
+// by its line.
 bool mayHaveNoPath(const Loading &loading) {
+    static const std::regex byLine("^(not well-formed XML, )?line [0-9]+: ");
+    const std::string reason = loading.message.substr(std::min(loading.message.size(), loading.placeFile.size() + 2));
     return loading.errorKind == "File" ||
-           (loading.errorKind == "Syntax" &&
-            (loading.message.find("not well-formed XML") != std::string::npos ||
-             loading.message.find("not SDF") != std::string::npos));
+           (loading.errorKind == "Syntax" && (reason.find("not SDF") != std::string::npos || std::regex_search(reason, byLine)));
 }
 
 std::string wrongPlace(const Loading &loading, const WorldCase &world, const fs::path &folder) {

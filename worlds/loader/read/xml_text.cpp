@@ -15,11 +15,14 @@ namespace {
 
 // tinyxml2 looks every attribute up among those before it.
 constexpr std::size_t mostAttributes = 100, longestName = 1000;
+// tinyxml2 itself ends at 100, its document and texts counted.
+constexpr int deepest = 90;
 
 // Stops at what the parser knows and tinyxml2 does not.
 struct Limits {
     XML_Parser parser;
     std::string wrong;
+    int depth = 0;
 
     void stop(const std::string &what) {
         wrong = what;
@@ -49,17 +52,21 @@ void onElement(void *data, const char *name, const char **attributes) {
     if (longest > longestName)
         limits.stop("a name with " + std::to_string(longest) + " characters, more than " +
                     std::to_string(longestName));
+    if (++limits.depth > deepest)
+        limits.stop("elements in one another, more than " + std::to_string(deepest) + " deep");
 }
+
+void onElementEnd(void *data, const char *) { --static_cast<Limits *>(data)->depth; }
 
 std::string whyNotWellFormed(const std::string &text) {
     const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(XML_ParserCreate("UTF-8"),
                                                                          XML_ParserFree);
     if (!parser) throw std::bad_alloc();
-    Limits limits{parser.get(), {}};
+    Limits limits{parser.get(), {}, 0};
     XML_SetUserData(parser.get(), &limits);
     XML_SetXmlDeclHandler(parser.get(), onDeclaration);
     XML_SetStartDoctypeDeclHandler(parser.get(), onDocumentType);
-    XML_SetStartElementHandler(parser.get(), onElement);
+    XML_SetElementHandler(parser.get(), onElement, onElementEnd);
     constexpr std::size_t longestPart = 1u << 24;  // its length is an int to the parser
     for (std::size_t at = 0, length = 0;; at += length) {
         length = std::min(text.size() - at, longestPart);
