@@ -1,10 +1,11 @@
-/* Linker names of upstream's functions that change the data of height fields; the public ones are in
+/* Linker names of upstream's functions that make, change or destroy the data of height fields; the public ones are in
  * ode_mt/api/height_fields.cpp. */
 #pragma once
 
 #include <ode/collision.h>
 
 extern "C" {
+dHeightfieldDataID dGeomHeightfieldDataCreate(void) __asm__("dxUpstreamHeightfieldDataCreate");
 void dGeomHeightfieldDataBuildCallback(dHeightfieldDataID, void *, dHeightfieldGetHeight *, dReal, dReal, int, int,
                                        dReal, dReal, dReal, int) __asm__("dxUpstreamHeightfieldDataBuildCallback");
 void dGeomHeightfieldDataBuildByte(dHeightfieldDataID, const unsigned char *, int, dReal, dReal, int, int, dReal, dReal,

@@ -1,7 +1,8 @@
 // Data of height fields (ode/collision.h): contacts that were computed from it hear of changes
-// (collision/dxSilentChanges.h). Upstream's own functions are renamed by the seam ode/seams/heightfield.h.
+// (collision/dxSilentChanges.h), and which data is there is known (collision/dxLivingHeights.h). Upstream's own functions are renamed by the seam ode/seams/heightfield.h.
 #include <ode/collision.h>
 
+#include "collision/dxLivingHeights.h"
 #include "collision/dxSilentChanges.h"
 
 namespace {
@@ -14,6 +15,7 @@ using Build = void(dHeightfieldDataID data, const Samples *samples, int isCopied
 }  // namespace
 
 extern "C" {
+dHeightfieldDataID dxUpstreamHeightfieldDataCreate();
 Build<unsigned char> dxUpstreamHeightfieldDataBuildByte;
 Build<short> dxUpstreamHeightfieldDataBuildShort;
 Build<float> dxUpstreamHeightfieldDataBuildSingle;
@@ -24,6 +26,12 @@ void dxUpstreamHeightfieldDataBuildCallback(dHeightfieldDataID data, void *userD
                                             dReal thickness, int wraps);
 void dxUpstreamHeightfieldDataSetBounds(dHeightfieldDataID data, dReal lowest, dReal highest);
 void dxUpstreamHeightfieldDataDestroy(dHeightfieldDataID data);
+
+dHeightfieldDataID dGeomHeightfieldDataCreate() {
+    const dHeightfieldDataID data = dxUpstreamHeightfieldDataCreate();
+    dxLivingHeights::add(data);
+    return data;
+}
 
 void dGeomHeightfieldDataBuildCallback(dHeightfieldDataID data, void *userData,
                                        dHeightfieldGetHeight *callback, dReal width, dReal depth,
@@ -73,6 +81,7 @@ void dGeomHeightfieldDataSetBounds(dHeightfieldDataID data, dReal lowest, dReal 
 
 void dGeomHeightfieldDataDestroy(dHeightfieldDataID data) {
     dxSilentChanges::add();
+    dxLivingHeights::remove(data);
     dxUpstreamHeightfieldDataDestroy(data);
 }
 

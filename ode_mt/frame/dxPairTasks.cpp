@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <numeric>
 
+#include "collision/dxLivingHeights.h"
 #include "collision/dxOrderedSpace.h"
 #include "collision/dxSharedColliders.h"
 
 #include "config.h"
 #include "objects.h"
 #include "collision_kernel.h"
+#include "heightfield.h"
 
 namespace {
 
@@ -22,13 +24,33 @@ bool isWrittenTo(const dxGeom *geom) {
            type >= dFirstUserClass || dGeomIsSpace(const_cast<dxGeom *>(geom));
 }
 
+// Without looking at data that the program has destroyed.
+class Readers {
+public:
+    bool mayCollideAnywhere(const dxOrderedPair &pair) {
+        return isThere(pair.first) && isThere(pair.second) && dxMayCollideAnywhere(*pair.first, *pair.second);
+    }
+
+private:
+    // Most pairs of a terrain follow one another.
+    bool isThere(const dxGeom *geom) {
+        if (geom->type != dHeightfieldClass) return true;
+        const dxHeightfieldData *const data = static_cast<const dxHeightfield *>(geom)->m_p_data;
+        if (data == m_data) return m_isThere;
+        m_data = data;
+        return m_isThere = dxLivingHeights::has(data);
+    }
+
+    const dxHeightfieldData *m_data = nullptr;
+    bool m_isThere = false;
+};
+
 }  // namespace
 
 void dxPairTasks::cut(const std::vector<dxOrderedPair> &pairs, const dxClusteredWorldAndSpace *clusters,
                       unsigned wanted, bool sharingBodies) {
-    const auto mayBeAnywhere = [](const dxOrderedPair &pair) {
-        return dxMayCollideAnywhere(*pair.first, *pair.second);
-    };
+    Readers readers;
+    const auto mayBeAnywhere = [&readers](const dxOrderedPair &pair) { return readers.mayCollideAnywhere(pair); };
     if (sharingBodies && clusters == nullptr && std::all_of(pairs.begin(), pairs.end(), mayBeAnywhere))
         cutAnywhere(wanted, static_cast<std::uint32_t>(pairs.size()));
     else
@@ -60,7 +82,9 @@ void dxPairTasks::cutBetweenSets(const std::vector<dxOrderedPair> &pairs, const 
         m_memory.look(pair.second, pair.slots[1]);
     }
     m_memory.sort();
-    for (const dxOrderedPair &pair : pairs) markWritten(pair);
+    Readers readers;
+    for (const dxOrderedPair &pair : pairs)
+        if (!readers.mayCollideAnywhere(pair)) markWritten(pair);
     if (!sharingBodies)
         for (const dxOrderedPair &pair : pairs) {
             tieBody(pair.first, pair.slots[0]);
@@ -75,7 +99,6 @@ void dxPairTasks::cutBetweenSets(const std::vector<dxOrderedPair> &pairs, const 
 
 // Upstream's height fields turn the other geom, and its body with it, while they collide it: whatever has a place.
 void dxPairTasks::markWritten(const dxOrderedPair &pair) {
-    if (dxMayCollideAnywhere(*pair.first, *pair.second)) return;
     for (int i = 0; i < 2; ++i) {
         const dxGeom *const geom = i == 0 ? pair.first : pair.second;
         const bool isTurned = m_memory.hasHeights(pair.slots[1 - i]) && (geom->gflags & GEOM_PLACEABLE) != 0;

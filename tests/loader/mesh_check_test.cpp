@@ -170,7 +170,7 @@ TEST_F(MeshCheck, ColladaWhoseReferencesLie) {
         deep += "<node>";
         end += "</node>";
     }
-    fault(instance, deep + instance + end, "DEPTH");
+    fault(instance, deep + instance + end, "elements in one another");
     std::string doubling;  // 2^40 instances
     for (int i = 0; i < 40; ++i) {
         const std::string next = "<instance_node url=\"#d" + std::to_string(i + 1) + "\"/>";
