@@ -63,7 +63,7 @@ void ForkedPlay::Remains::play(const RequestHeader &request, const std::vector<s
     options.jumps = request.jumps != 0;
     options.messages = request.messages != 0;
     options.tells = request.tells != 0;
-    options.fillsStack = request.fillsStack != 0;
+    options.fillsStack = request.fillsStack;
     options.mostCalls = request.mostCalls;
     Player *player = nullptr;
     const auto writer = [&](const std::string &written) {

@@ -26,7 +26,7 @@ RequestHeader requestOf(const std::array<std::uint8_t, kSettingBytes> &bytes) {
     request.disturbs = request.threads > 1 && bytes[8] % 2 == 0;
     request.mostCalls = 4000;
     request.seconds = 5;
-    request.wallSeconds = 300;
+    request.wallSeconds = 100;
     return request;
 }
 

@@ -59,6 +59,7 @@ int fuzzAway(const Options &options) {
         input.request.tells = options.times > 1;  // another time may not show the difference
         Verdict verdict = comparison.compare(input.request, input.script);
         for (unsigned i = 1; i < options.times && verdict == Verdict::same; ++i) verdict = comparison.compare(input.request, input.script);
+        if (verdict == Verdict::different && comparison.isUpstreamUnset(input.request)) verdict = Verdict::upstreamUndefined;
         ++played;
         ++verdicts[nameOf(verdict)];
         ++endings[comparison.debian().ending() + ' ' + lastWords(comparison.debian().errors)];
@@ -109,7 +110,7 @@ int replay(const Options &options) {
                 request.messages = text.str().find("# messages") != std::string::npos;
                 request.seconds = 20;
                 request.wallSeconds = 300;
-                if (comparison.compare(request, script) == Verdict::same) continue;
+                if (comparison.compare(request, script) == Verdict::same || comparison.isUpstreamUnset(request)) continue;
                 ++different;
                 std::cout << path << " differs\n" << settingOf(request) << comparison.difference(request, script);
             }

@@ -116,7 +116,7 @@ void Player::finish() {
 }
 
 void Player::fillStack() const {
-    if (m_options.fillsStack) fillStackBelow();
+    if (m_options.fillsStack != 0) fillStackBelow(m_options.fillsStack);
 }
 
 // --- calls ------------------------------------------------------------------------------------------------

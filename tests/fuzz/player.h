@@ -34,7 +34,7 @@ public:
         bool jumps = false;     // the debug and error handlers jump out of the call, and the script goes on
         bool messages = false;  // there is a message handler
         bool tells = false;
-        bool fillsStack = false;  // before each call (stack_pattern.h)
+        std::uint8_t fillsStack = 0;  // with this byte, before each call (stack_pattern.h); 0: not
         int mostCalls = 2000;
     };
 

@@ -13,7 +13,7 @@ struct RequestHeader {
     std::uint8_t isText;
     std::uint8_t tells;    // write what is seen, too
     std::uint8_t jumps, messages;
-    std::uint8_t fillsStack;  // with a pattern, before each call: a result that changes hangs on memory that nobody wrote
+    std::uint8_t fillsStack;  // with this byte, before each call: a result that changes hangs on memory that nobody wrote; 0: not
     // Of ODE_MT; Debian's library has none of them.
     std::uint16_t threads;
     std::uint8_t manager, algorithm, instructionSet, cells;

@@ -1,5 +1,8 @@
 #include "script_comparison.h"
 
+#include "input.h"
+#include "unset_memory.h"
+
 #include <algorithm>
 #include <iterator>
 #include <regex>
@@ -62,7 +65,8 @@ Comparison::Comparison(const Libraries &libraries)
 Comparison::Comparison(const Libraries &libraries, std::shared_ptr<Playing> ours) : Comparison(libraries, ours, ours) {}
 
 Comparison::Comparison(const Libraries &libraries, std::shared_ptr<Playing> ours, std::shared_ptr<Playing> oursDisturbed)
-    : m_onDebian(libraries.player, libraries.debian, {}),
+    : m_libraries(libraries),
+      m_onDebian(libraries.player, libraries.debian, {}),
       m_onDebianPatterned(libraries.player, libraries.debian, kPatterned),
       m_onOurs(std::move(ours)),
       m_onOursDisturbed(std::move(oursDisturbed)) {}
@@ -90,10 +94,21 @@ Verdict Comparison::compare(const RequestHeader &request, const std::vector<std:
     if (m_debian.header.hash == m_ours.header.hash && m_debian.header.ending == m_ours.header.ending &&
         differInSignsOfNaNs(m_debian.text, m_ours.text) && differInSignsOfNaNs(m_debian.errors, m_ours.errors))
         return Verdict::signOfNaN;
-    RequestHeader patterned = patient;
-    patterned.fillsStack = 1;
-    m_onDebianPatterned.ask(patterned, script);
-    return areSame(m_debian, m_onDebianPatterned.answer()) ? Verdict::different : Verdict::upstreamUndefined;
+    return isCertain(patient, script) ? Verdict::different : Verdict::upstreamUndefined;
+}
+
+// Upstream gives the same whatever memory held before.
+bool Comparison::isCertain(RequestHeader request, const std::vector<std::uint8_t> &script) {
+    constexpr std::uint8_t bytes[] = {0x7f, 0x01, 0xfe};  // of doubles that are huge, tiny, and huge below zero
+    return std::all_of(std::begin(bytes), std::end(bytes), [&](std::uint8_t byte) {
+        request.fillsStack = byte;
+        m_onDebianPatterned.ask(request, script);
+        return areSame(m_debian, m_onDebianPatterned.answer());
+    });
+}
+
+bool Comparison::isUpstreamUnset(const RequestHeader &request) const {
+    return readsUnsetMemory(m_libraries.player, m_libraries.debian, settingOf(request) + m_debian.text);
 }
 
 Verdict Comparison::compare(RequestHeader request, const Script &script) {

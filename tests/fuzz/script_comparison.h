@@ -38,6 +38,10 @@ public:
     Verdict compare(const RequestHeader &request, const std::vector<std::uint8_t> &script);
     Verdict compare(RequestHeader request, const Script &script);
 
+    // Of the script that was compared last, when the two differ: upstream's result hangs on memory that nobody wrote, which
+    // the patterns that compare() tries have not shown. Takes seconds.
+    bool isUpstreamUnset(const RequestHeader &request) const;
+
     const Outcome &debian() const { return m_debian; }
     const Outcome &ours() const { return m_ours; }
     // Both as text, and the first lines that differ.
@@ -47,9 +51,11 @@ public:
 
 private:
     static bool areSame(const Outcome &a, const Outcome &b);
+    bool isCertain(RequestHeader request, const std::vector<std::uint8_t> &script);
 
     Comparison(const Libraries &libraries, std::shared_ptr<Playing> ours, std::shared_ptr<Playing> oursDisturbed);
 
+    const Libraries m_libraries;
     PlayingProcess m_onDebian, m_onDebianPatterned;
     const std::shared_ptr<Playing> m_onOurs, m_onOursDisturbed;
     Outcome m_debian, m_ours;

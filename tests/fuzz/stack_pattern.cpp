@@ -6,14 +6,13 @@ namespace fuzz {
 
 namespace {
 
-constexpr int kByte = 0x7f;  // doubles of these are huge, but finite
 constexpr unsigned kSize = 128u << 10;
 
 }  // namespace
 
-__attribute__((noinline)) void fillStackBelow() {
+__attribute__((noinline)) void fillStackBelow(std::uint8_t byte) {
     char frame[kSize];
-    std::memset(frame, kByte, sizeof frame);
+    std::memset(frame, byte, sizeof frame);
     asm volatile("" : : "r"(frame) : "memory");  // it counts as read, and is written therefore
 }
 
