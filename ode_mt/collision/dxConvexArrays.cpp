@@ -55,7 +55,9 @@ bool dxConvexArrays::Copy::equals(const dxConvex &convex) const {
 
 void dxConvexArrays::Copy::giveTo(dxConvex &convex) const {
     convex.planes = m_planes.data();
+    convex.planecount = static_cast<unsigned>(m_planes.size() / 4);
     convex.points = m_points.data();
+    convex.pointcount = static_cast<unsigned>(m_points.size() / 3);
     convex.polygons = m_polygons.empty() ? nullptr : m_polygons.data();
 }
 

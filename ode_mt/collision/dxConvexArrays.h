@@ -33,7 +33,7 @@ public:
 
         std::uint64_t number() const { return m_number; }  // of this copy alone, never 0
         bool equals(const dxConvex &convex) const;
-        // Lets a copy of the geom, of which it says nothing else, have these arrays.
+        // Lets a copy of the geom, of which it says nothing else, have these arrays: the geom may have been given longer ones.
         void giveTo(dxConvex &convex) const;
 
     private:

@@ -4,6 +4,7 @@
 
 #include <ode/ode.h>
 
+#include <atomic>
 #include <vector>
 
 // As dSimpleSpaceCreate.
@@ -37,5 +38,5 @@ private:
     dJointGroupID m_group;
     std::vector<dBodyID> m_bodies;
     Callback m_callback = nullptr;
-    int m_contacts = 0;  // since the beginning
+    std::atomic<int> m_contacts{0};  // since the beginning; callbacks may run at once
 };
