@@ -152,14 +152,13 @@ void addBoxFunctions(Catalogue &catalogue) {
     const struct {
         Doing doing;
         const char *name, *meaning;
-        bool leavesLocks;
         int frames = 12;
-    } doings[] = {{Doing::Cleans, "clean", "has its space cleaned", false},
-                  {Doing::Collides, "collide", "collides its space", false},
-                  {Doing::Asks, "ask", "asks its space", false},
-                  {Doing::Grows, "grow", "makes geoms of its space larger, which is refused when it is done", true, 45},
-                  {Doing::Throws, "throw", "throws", true},
-                  {Doing::Jumps, "jump", "jumps out of the call", true}};
+    } doings[] = {{Doing::Cleans, "clean", "has its space cleaned"},
+                  {Doing::Collides, "collide", "collides its space"},
+                  {Doing::Asks, "ask", "asks its space"},
+                  {Doing::Grows, "grow", "makes geoms of its space larger, which is refused when it is done", 45},
+                  {Doing::Throws, "throw", "throws"},
+                  {Doing::Jumps, "jump", "jumps out of the call"}};
     const struct {
         SpaceKind kind;
         const char *in;
@@ -177,7 +176,7 @@ void addBoxFunctions(Catalogue &catalogue) {
                 collisionScenario(std::string("box_functions/") + doing.name + "_in_" + kind.in,
                                   std::string("a user's bounding-box function ") + doing.meaning, doing.frames,
                                   make<BoxFunctions>(kind.kind, doing.doing)));
-            catalogue.back().leavesRuins = doing.leavesLocks;
+            catalogue.back().leavesRuins = true;  // spaces that upstream cannot destroy any more
         }
 }
 
