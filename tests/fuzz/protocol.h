@@ -32,6 +32,9 @@ struct AnswerHeader {
     std::uint32_t textLength;   // the script as it was played
 };
 
+// Text of a script that ends so tells nothing.
+constexpr const char *kMemoryIsOver = "# memory is over";
+
 constexpr const char *kManagers[] = {"pthread", "openmp"};
 constexpr const char *kAlgorithms[] = {"auto", "lcp", "serial", "original", "static", "static-unmerged", "duplication", "decluster"};
 

@@ -41,7 +41,7 @@ bool differInSignsOfNaNs(const std::string &a, const std::string &b) {
 }  // namespace
 
 const char *nameOf(Verdict verdict) {
-    static constexpr const char *names[] = {"same", "different", "upstream crashes", "upstream is too slow", "upstream is undefined",
+    static constexpr const char *names[] = {"same", "different", "upstream crashes", "upstream is too slow", "memory is over", "upstream is undefined",
                                             "sign of a NaN in a message"};
     return names[static_cast<int>(verdict)];
 }
@@ -89,6 +89,8 @@ Verdict Comparison::compare(const RequestHeader &request, const std::vector<std:
         m_ours = onOurs.answer();
     }
     if (m_debian.crashed()) return Verdict::upstreamCrashed;
+    const auto hadNoMemory = [](const Outcome &outcome) { return outcome.text.find(kMemoryIsOver) != std::string::npos; };
+    if (hadNoMemory(m_debian) || hadNoMemory(m_ours)) return Verdict::memoryOver;
     if (areSame(m_debian, m_ours)) return Verdict::same;
     if (isUndefined(m_debian)) return Verdict::upstreamUndefined;
     if (m_debian.header.hash == m_ours.header.hash && m_debian.header.ending == m_ours.header.ending &&

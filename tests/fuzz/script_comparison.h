@@ -20,6 +20,7 @@ enum class Verdict {
     // Scripts that tell nothing about ODE_MT:
     upstreamCrashed,     // by a fault of its own
     upstreamTooSlow,
+    memoryOver,          // steps that were left by jumps have taken all that a script may take, on one of the two
     upstreamUndefined,   // its result hangs on memory that nobody wrote
     signOfNaN,           // only the number in messages of the LCP solver differs
 };

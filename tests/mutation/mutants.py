@@ -23,6 +23,9 @@ _RETURN_AT = re.compile(r"\breturn ([^;{}]+);")
 _STATEMENT_AT = re.compile(r"^[ ]{4,}(?!return\b|using\b|static_assert\b|throw\b|delete\b|else\b|case\b|const\b|auto\b)"
                            r"(?:if \([^;]*\) )?((?:\*|\+\+|--)?[\w:.\[\]>()-]+?(?:\(.*\)| [-+|&]?= .*))(;)$", re.M)
 
+# What is decided when it is compiled cannot be chosen when it runs.
+_FIXED = re.compile(r"^.*(?:\bconstexpr\b|\bstatic_assert\b|\benum\b|\bcase\b|\btemplate <).*$", re.M)
+
 # Numbers that only tune speed: how many of something are taken at once, what is worth a worker.
 _TUNING = re.compile(r"^\s*(?:static |inline )*constexpr .*\bk[A-Z]\w*", re.M)
 
@@ -140,7 +143,8 @@ def _replacements(text):
 def mutants_of(file, text):
     """All mutants of a file, in the order of its text."""
     code = blanked(text)
-    tuning = [range(found.start(), code.find("\n", found.start())) for found in _TUNING.finditer(code)]
+    left_out = [range(found.start(), code.find("\n", found.start())) for found in _TUNING.finditer(code)]
+    left_out += [range(*found.span()) for found in _FIXED.finditer(code)]
     for operator, begin, end, new, site in sorted(set(_replacements(code)), key=lambda r: (r[1], r[0])):
-        if not any(begin in lines for lines in tuning) and "//" not in text[slice(*site)]:
+        if not any(begin in lines for lines in left_out) and "//" not in text[slice(*site)]:
             yield Mutant(file, begin, end, text.count("\n", 0, begin) + 1, operator, text[begin:end], new, site)
