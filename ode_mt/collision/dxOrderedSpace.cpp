@@ -25,9 +25,15 @@ constexpr std::size_t kBoxesAhead = 4;
 // forth: it turns dense again at half of it.
 constexpr int kLargestDense = 512;
 
-bool hasBoxOfItsOwn(const dxGeom *geom) {
-    return geom->type <= dConvexClass || geom->type == dTriMeshClass || geom->type == dHeightfieldClass;
+// Its box follows from data or arrays that the program may change while other boxes are computed, without a word to the space.
+bool hasBoxOfData(const dxGeom *geom) {
+    return geom->type == dConvexClass || geom->type == dTriMeshClass || geom->type == dHeightfieldClass;
 }
+
+bool hasBoxOfItsOwn(const dxGeom *geom) { return geom->type < dConvexClass || hasBoxOfData(geom); }
+
+// To clean it, or what is within it, may run a function of the program's.
+bool mayRunUserCode(const dxGeom *geom) { return geom->type >= dFirstUserClass || geom->type == dGeomTransformClass || IS_SPACE(geom); }
 
 }  // namespace
 
@@ -204,10 +210,11 @@ bool dxOrderedSpace::makeReadyShared(dxTaskRunner &runner) {
 // Only of the built-in classes whose boxes depend on nothing but themselves and their bodies.
 void dxOrderedSpace::computeBoxes(const std::vector<dxGeom *> &geoms) {
     if (m_runner == nullptr || geoms.size() < kBoxPiece) return;
+    const bool dataMayChange = std::any_of(geoms.begin(), geoms.end(), mayRunUserCode);
     m_runner->forPieces(dxParallelStage::Boxes, geoms.size(), kBoxPiece, [&](std::size_t begin, std::size_t end, unsigned) {
         for (std::size_t i = begin; i < end; ++i) {
             if (i + kBoxesAhead < end) dxPairPrefetch::place(geoms[i + kBoxesAhead]);
-            if (hasBoxOfItsOwn(geoms[i])) geoms[i]->recomputeAABB();
+            if (hasBoxOfItsOwn(geoms[i]) && !(dataMayChange && hasBoxOfData(geoms[i]))) geoms[i]->recomputeAABB();
         }
     });
 }
