@@ -1,5 +1,6 @@
 // Data of height fields (ode/collision.h): contacts that were computed from it hear of changes
-// (collision/dxSilentChanges.h), and which data is there is known (collision/dxLivingHeights.h). Upstream's own functions are renamed by the seam ode/seams/heightfield.h.
+// (collision/dxSilentChanges.h), and which data is there is known (collision/dxLivingHeights.h). Upstream's own functions
+// are renamed by the seam ode/seams/heightfield.h.
 #include <ode/collision.h>
 
 #include "collision/dxLivingHeights.h"

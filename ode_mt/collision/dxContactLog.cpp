@@ -99,13 +99,10 @@ void dxContactLog::finish() {
 void dxContactLog::attach(dJointID joint, dBodyID body1, dBodyID body2) {
     m_operations.push_back({joint, body1, body2, false});
     if (joint == nullptr) return;  // upstream's message comes at the commit
-    joint->flags &= ~dJOINT_REVERSE;
-    if (body1 == nullptr) {
-        std::swap(body1, body2);
-        joint->flags |= dJOINT_REVERSE;
-    }
-    joint->node[0].body = body1;
-    joint->node[1].body = body2;
+    const bool isReversed = body1 == nullptr;
+    joint->flags = isReversed ? joint->flags | dJOINT_REVERSE : joint->flags & ~dJOINT_REVERSE;
+    joint->node[0].body = isReversed ? body2 : body1;
+    joint->node[1].body = isReversed ? nullptr : body2;
 }
 
 void dxContactLog::commit(Span span) {

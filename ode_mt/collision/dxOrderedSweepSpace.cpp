@@ -127,14 +127,6 @@ bool dxOrderedSweepSpace::hasStrayMembers() const {
     });
 }
 
-// A stray has the box that it was last asked for.
-void dxOrderedSweepSpace::takeBoxesOfStrays() {
-    if (!mayHaveStrays()) return;
-    const std::vector<dxSweepLists::Entry> &list = m_lists.clean();
-    for (std::size_t place = 0; place < list.size(); ++place)
-        if ((list[place].geom->gflags & GEOM_DIRTY) != 0) takeBox(list[place].geom, rankAt(place));
-}
-
 // As wide as rounding makes the box, and not inside out, so that whatever upstream pairs overlaps.
 dxBounds dxOrderedSweepSpace::boundsOf(const dxGeom *geom, const dxSweepBox &box) const {
     dxBounds bounds(geom->aabb);
@@ -152,7 +144,7 @@ dxBounds dxOrderedSweepSpace::boundsOf(const dxGeom *geom, const dxSweepBox &box
 bool dxOrderedSweepSpace::makeReady() {
     cleanGeoms();
     if (m_isMessedUp) dDebug(d_ERR_UASSERT, "geom counts messed up in %s()", "collide");
-    takeBoxesOfStrays();
+    mayHaveStrays();  // a stray has the box that it was last asked for, which is taken again
     noteEnabled();
     if (m_hasUncleanBox) return false;
     if (members().changed().empty()) return true;

@@ -51,7 +51,6 @@ private:
 
     dxBounds boundsOf(const dxGeom *geom, const dxSweepBox &box) const;
     void takeBox(dxGeom *geom, dxRank rank);
-    void takeBoxesOfStrays();
     void noteEnabled();
     void takeParts();
     void sortSwept();

@@ -12,22 +12,12 @@
 
 namespace dxTurnedGeom {
 
-// Calls collide(), which collides a height field with something.
-template <class Collide>
-int whileTurned(const Collide &collide);
-
-// Before a space looks at the boxes of its members.
-inline void noticeLeft();
-
-}  // namespace dxTurnedGeom
-
-namespace dxTurnedGeom {
-
 extern thread_local unsigned begun;  // and neither ended nor told of
 
 void tell();
 void end(unsigned collision);
 
+// Calls collide(), which collides a height field with something.
 template <class Collide>
 int whileTurned(const Collide &collide) {
     const unsigned collision = ++begun;
@@ -41,6 +31,7 @@ int whileTurned(const Collide &collide) {
     }
 }
 
+// Before a space looks at the boxes of its members.
 inline void noticeLeft() {
     if (begun != 0) tell();
 }

@@ -1,4 +1,5 @@
 #include "additions.h"
+#include "left_call.h"
 #include "order_sum.h"
 #include "scenario_scene.h"
 #include "shapes.h"
@@ -14,8 +15,6 @@ namespace exactness {
 namespace {
 
 enum class Doing { Cleans, Collides, Asks, Grows, Throws, Jumps };
-
-std::jmp_buf beforeTheCall;
 
 // A class of the user's whose bounding-box function has its own space cleaned, collides or asks it, makes
 // geoms of it larger (which is refused when it is half done), or leaves.
@@ -114,12 +113,7 @@ private:
 
     template <class Call>
     void attempt(const Call &call) {
-        if (setjmp(beforeTheCall) != 0) return;
-        try {
-            call();
-        } catch (int) {
-            note("thrown");
-        }
+        if (throwsAnInt(call)) note("thrown");
     }
 
     static void meet(void *data, dGeomID o1, dGeomID o2) {
@@ -159,23 +153,16 @@ void addBoxFunctions(Catalogue &catalogue) {
                   {Doing::Grows, "grow", "makes geoms of its space larger, which is refused when it is done", 45},
                   {Doing::Throws, "throw", "throws"},
                   {Doing::Jumps, "jump", "jumps out of the call"}};
-    const struct {
-        SpaceKind kind;
-        const char *in;
-    } kinds[] = {{SpaceKind::Simple, "simple"},
-                 {SpaceKind::Hash, "hash"},
-                 {SpaceKind::SweepAndPrune, "sweep_and_prune"},
-                 {SpaceKind::QuadTree, "quad_tree"}};
     for (const auto &doing : doings)
-        for (const auto &kind : kinds) {
+        for (const SpaceKind kind : allSpaceKinds) {
             // Elsewhere than here, upstream's sweep-and-prune space then reads memory that it never wrote.
-            if (kind.kind == SpaceKind::SweepAndPrune && doing.doing != Doing::Cleans &&
+            if (kind == SpaceKind::SweepAndPrune && doing.doing != Doing::Cleans &&
                 doing.doing != Doing::Grows)
                 continue;
             catalogue.push_back(
-                collisionScenario(std::string("box_functions/") + doing.name + "_in_" + kind.in,
+                collisionScenario(std::string("box_functions/") + doing.name + "_in_" + nameOf(kind),
                                   std::string("a user's bounding-box function ") + doing.meaning, doing.frames,
-                                  make<BoxFunctions>(kind.kind, doing.doing)));
+                                  make<BoxFunctions>(kind, doing.doing)));
             catalogue.back().leavesRuins = true;  // spaces that upstream cannot destroy any more
         }
 }

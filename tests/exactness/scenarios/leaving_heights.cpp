@@ -1,18 +1,15 @@
 #include "additions.h"
+#include "left_call.h"
 #include "order_sum.h"
 #include "scenario_scene.h"
 #include "shapes.h"
 #include "spaces.h"
-
-#include <csetjmp>
 
 namespace exactness {
 
 namespace {
 
 enum class Leaving { throws, jumps, asks };
-
-std::jmp_buf beforeTheCall;
 
 // A function for the heights of a field that leaves while upstream has turned a geom into the field's frame, or asks the
 // space of that geom meanwhile. The geom stays where it was turned to, and its space has not been told.
@@ -98,12 +95,7 @@ private:
 
     template <class Call>
     void attempt(const Call &call) {
-        if (setjmp(beforeTheCall) != 0) return;
-        try {
-            call();
-        } catch (int) {
-            note("thrown");
-        }
+        if (throwsAnInt(call)) note("thrown");
     }
 
     static void meet(void *data, dGeomID o1, dGeomID o2) {
@@ -129,19 +121,12 @@ void addLeavingHeights(Catalogue &catalogue) {
     } ways[] = {{Leaving::throws, "throw", "throws"},
                 {Leaving::jumps, "jump", "jumps out of the call"},
                 {Leaving::asks, "ask", "asks the geom's space"}};
-    const struct {
-        SpaceKind kind;
-        const char *in;
-    } kinds[] = {{SpaceKind::Simple, "simple"},
-                 {SpaceKind::Hash, "hash"},
-                 {SpaceKind::SweepAndPrune, "sweep_and_prune"},
-                 {SpaceKind::QuadTree, "quad_tree"}};
     for (const auto &way : ways)
-        for (const auto &kind : kinds)
-            catalogue.push_back(collisionScenario(std::string("leaving_heights/") + way.name + "_in_" + kind.in,
+        for (const SpaceKind kind : allSpaceKinds)
+            catalogue.push_back(collisionScenario(std::string("leaving_heights/") + way.name + "_in_" + nameOf(kind),
                                                   std::string("a height field's function ") + way.meaning +
                                                       " while a geom is turned into the field's frame",
-                                                  40, make<LeavingHeights>(kind.kind, way.leaving)));
+                                                  40, make<LeavingHeights>(kind, way.leaving)));
 }
 
 }  // namespace exactness
