@@ -192,6 +192,26 @@ TEST_P(TunedClusters, NoneIsMissedThatMeetsHeadOn) {
     EXPECT_LT(checks, searches / 2);
 }
 
+// At 0.05 m a frame two that are 19 m apart cannot meet for 190 frames.
+TEST_P(TunedClusters, AGapLastsAsLongAsTravelLeavesAnyOfIt) {
+    dODE_MT_SetHeuristics("crossover,declustering");
+    dxTunedClusters tuned(dxMakeCrossoverPass(GetParam()));
+    const Slot left = add(true, 1), right = add(true, 1);
+    movers[left] = {{-10, 0, 0}, {dReal(0.05), 0, 0}, dReal(0.4)};
+    movers[right] = {{10, 0, 0}, {dReal(-0.05), 0, 0}, dReal(0.4)};
+    for (const Slot slot : {left, right}) place(slot);
+    unsigned longest = 0, since = 0, before = 0;  // searches without a check
+    for (int frame = 0; frame < 150; ++frame) {
+        found(tuned);
+        members.forgetChanges();
+        moveAll();
+        since = tuned.checks() == before ? since + 1 : 0;
+        before = tuned.checks();
+        longest = std::max(longest, since);
+    }
+    EXPECT_GT(longest, 40u);
+}
+
 TEST_P(TunedClusters, WithoutTheCheckFrequencyEverySearchChecks) {
     dODE_MT_SetHeuristics("cells,centre");
     dxTunedClusters tuned(dxMakeCrossoverPass(GetParam()));

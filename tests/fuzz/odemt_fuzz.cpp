@@ -26,6 +26,7 @@ using namespace fuzz;
 struct Options {
     Libraries libraries{ODE_MT_FUZZ_PLAYER, ODE_MT_STOCK_LIBRARY_DIR, ODE_MT_LIBRARY_DIR};
     std::uint64_t seed = 1;
+    bool isFresh = false;
     std::uint64_t scripts = 0;  // 0: as many as there is time for
     double seconds = 60;
     unsigned times = 1;  // that each is played
@@ -42,8 +43,16 @@ std::string lastWords(const std::string &errors) {
     return begin == std::string::npos ? "" : errors.substr(begin, errors.find('\n', begin) - begin);
 }
 
+// Another one each time, and so far apart that runs do not come to the same scripts.
+std::uint64_t freshSeed() {
+    const auto now = std::chrono::system_clock::now().time_since_epoch();
+    return 1000000 * static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::seconds>(now).count());
+}
+
 int fuzzAway(const Options &options) {
     using Clock = std::chrono::steady_clock;
+    const std::uint64_t first = options.isFresh ? freshSeed() : options.seed;
+    std::cout << "first seed " << first << std::endl;
     Comparison comparison(options.libraries);
     std::map<std::string, std::uint64_t> verdicts, endings;
     std::uint64_t calls = 0, onWorkers = 0, played = 0;
@@ -54,7 +63,7 @@ int fuzzAway(const Options &options) {
         return seconds() >= options.seconds || (options.scripts != 0 && played == options.scripts) ||
                (options.untilDifference && !differences.empty());
     };
-    for (std::uint64_t seed = options.seed; !isOver(); ++seed) {
+    for (std::uint64_t seed = first; !isOver(); ++seed) {
         const std::vector<std::uint8_t> bytes = bytesOf(seed);
         Input input = inputOf(bytes.data(), bytes.size());
         input.request.tells = options.times > 1;  // another time may not show the difference
@@ -72,7 +81,8 @@ int fuzzAway(const Options &options) {
         differences += options.untilDifference ? settingOf(input.request) + comparison.difference(input.request, input.script)
                                                : keepDifference(comparison, input, "seed-" + std::to_string(seed), options.keep);
     }
-    std::cout << played << " scripts, " << calls << " calls in " << seconds() << " s; " << onWorkers << " with two workers at least\n";
+    std::cout << played << " scripts, " << calls << " calls in " << seconds() << " s, "
+              << static_cast<double>(played) / seconds() << " scripts a second; " << onWorkers << " with two workers at least\n";
     for (const auto &[name, count] : verdicts) std::cout << "  " << name << ": " << count << '\n';
     for (const auto &[name, count] : endings) std::cout << "  " << name << ": " << count << '\n';
     std::cout << differences;
@@ -129,7 +139,8 @@ int replay(const Options &options) {
 int main(int argc, char **argv) {
     Options options;
     CLI::App app("Compares ODE_MT with Debian's libode8 on drawn scripts of calls.");
-    app.add_option("--seed", options.seed, "first seed");
+    CLI::Option *seed = app.add_option("--seed", options.seed, "first seed");
+    app.add_flag("--fresh", options.isFresh, "first seed by the clock")->excludes(seed);
     app.add_option("--scripts", options.scripts, "how many, 0: as many as there is time for");
     app.add_option("--seconds", options.seconds, "time")->check(CLI::PositiveNumber);
     app.add_option("--times", options.times, "that each script is played, to find what only some schedules show");

@@ -1,12 +1,11 @@
 """The suites that mutants have to pass, quickest first, by the folder that a mutant is in.
 
 Programs that run on the shared library are those of a finished build; they find the mutant's library by a variable or an
-option. Programs that are linked with objects or with libode.a are linked again, with the command that CMake wrote for them.
+option. Unit tests are compiled with the mutants, since they have inline functions of the library's in them.
 """
 import dataclasses
 import pathlib
 import re
-import shlex
 
 # By the start of the file's path: programs that are linked with the library's inside.
 _UNITS = {
@@ -29,6 +28,20 @@ _THEMES = {
 }
 _SETTINGS = ["pthread_0", "pthread_3", "lcp_*", "decluster_*"]
 
+# And those for what has survived all of that.
+_JOINTS = ["*_joints", "joint_feedback", "powered_stops", "sensors"]
+_MORE_THEMES = {
+    "ode_mt/collision/": ["box_functions", "callback_liberties", "collide_flags", "collision_spaces", "convex_crowds", "crowd_extremes",
+                          "first_meetings", "geom_*", "leaving_heights", "locked_spaces", "mesh_callbacks", "moving_meshes",
+                          "shared_scenes", "space_kinds", "stray_geoms", "sweep_spaces", "terrain*", "user_colliders"],
+    "ode_mt/clustering/": ["collision_spaces", "crowd_extremes", "first_meetings", "shared_scenes", "space_kinds", "terrain_crowds"],
+    "ode_mt/dynamics/": ["friction", "large_islands", "random_stream", "wandering_rows", "wide_*", "world_parameters"],
+    "ode_mt/api/": [*_JOINTS, "auto_disable", "body_motion", "collide_flags", "faults", "kinematic_bodies", "world_parameters"],
+    "ode_mt/": [],
+}
+_MORE_FRAME_THEMES = ["faults", "float_environment", "large_islands", "messages", "random_stream"]
+_MORE_SETTINGS = ["pthread_3", "lcp_3_concurrent", "lcp_3_independent"]
+
 
 # Long ones of the frame's: what they show, the others show, too.
 _FRAME_FILTER = "--gtest_filter=-*Progress*:*Fork*:*ManyWorlds*:*Exits*:*End*:*Unload*:*Restep*"
@@ -49,10 +62,6 @@ def _programs(file):
     return list(dict.fromkeys(_first(_UNITS, file) + _UNITS["ode_mt/"]))
 
 
-def _linked(program, objects):
-    return objects / "tests" / pathlib.Path(program).name
-
-
 def _concept_filter(repository, program, file):
     """A filter for the tests of the mutant's concept (dxRankSort: rank_sort_test.cpp), or None."""
     concept = re.sub(r"(?<!^)(?=[A-Z])", "_", pathlib.Path(file).stem.removeprefix("dx")).lower()
@@ -63,25 +72,17 @@ def _concept_filter(repository, program, file):
     return ":".join(f"*{suite}*" for suite in sorted(suites)) or None
 
 
-def links_for(file, built, objects):
-    """Pairs of folder and command that link the units of a file with the library of the build `objects`, not of `built`."""
-    links = []
-    for program in _programs(file):
-        folder = built / "tests" / pathlib.Path(program).parent
-        words = shlex.split((folder / "CMakeFiles" / f"{pathlib.Path(program).name}.dir/link.txt").read_text())
-        ours = [re.sub(r"^\.\./\.\./(lib|ode_mt)/", f"{objects}/\\1/", word) for word in words]
-        ours = [re.sub(r"^-Wl,-rpath,.*/lib$", f"-Wl,-rpath,{objects}/lib", word) for word in ours]
-        ours[ours.index("-o") + 1] = str(_linked(program, objects))
-        links.append((str(folder), tuple(ours)))
-    return links
+def targets_for(file):
+    """The programs that the units of a file are tested by, as CMake names them."""
+    return [pathlib.Path(program).name for program in _programs(file)]
 
 
 def suites_for(file, repository, built, objects):
-    """`built`: a finished build of the repository, tests included; `objects`: the build that mutants are compiled in."""
+    """`built`: a finished build of the repository, tests included; `objects`: the build of library and unit tests with mutants."""
     library = f"{objects}/lib"
     own, units = [], []
     for program in _programs(file):
-        command = (str(_linked(program, objects)), "--gtest_brief=1", "--gtest_fail_fast")
+        command = (f"{objects}/tests/{program}", "--gtest_brief=1", "--gtest_fail_fast")
         name = pathlib.Path(program).name
         wanted = _concept_filter(repository, program, file)
         if wanted:
@@ -89,10 +90,17 @@ def suites_for(file, repository, built, objects):
         units.append(Suite(name, command + ((_FRAME_FILTER,) if name == "frame_tests" else ())))
     fuzz = (str(built / "tests/fuzz/odemt_fuzz"), "--ours", library)
     corpus = sorted(str(path) for path in (repository / "tests/fuzz/corpus").glob("*.script"))
-    themes = list(dict.fromkeys(_first(_THEMES, file) + _THEMES["ode_mt/"]))
-    wanted = ":".join(f"Exactness/{theme}/*.{setting}" for theme in themes for setting in _SETTINGS)
-    exactness = Suite("exactness themes", (str(built / "tests/exactness/exactness_test"), "--gtest_brief=1", "--gtest_fail_fast",
-                                           f"--gtest_filter={wanted}"), (("ODE_MT_LIBRARY_DIR", library),))
+
+    def exactness(name, themes, settings):
+        wanted = ":".join(f"Exactness/{theme}/*.{setting}" for theme in dict.fromkeys(themes) for setting in settings)
+        return Suite(name, (str(built / "tests/exactness/exactness_test"), "--gtest_brief=1", "--gtest_fail_fast",
+                            f"--gtest_filter={wanted}"), (("ODE_MT_LIBRARY_DIR", library),))
+
     drawn = [Suite("fuzz corpus", fuzz + ("--replay", *corpus)),
-             Suite("fuzz, 150 drawn scripts", fuzz + ("--seed", "1", "--scripts", "150"))]
-    return own + units[:-1] + drawn + [exactness, units[-1]]
+             Suite("fuzz, 150 drawn scripts", fuzz + ("--seed", "1", "--scripts", "150")),
+             exactness("exactness themes", _first(_THEMES, file) + _THEMES["ode_mt/"], _SETTINGS)]
+    more = [exactness("more exactness themes", _first(_MORE_THEMES, file) + _MORE_FRAME_THEMES, _MORE_SETTINGS)]
+    if file.startswith("ode_mt/api/"):
+        more.append(Suite("every call", (str(built / "tests/kept_state/every_call_test"), "--gtest_filter=*.serial"),
+                          (("ODE_MT_LIBRARY_DIR", library),)))
+    return own + units[:-1] + drawn + [units[-1]] + more

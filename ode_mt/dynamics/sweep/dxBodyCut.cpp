@@ -54,7 +54,7 @@ std::size_t splitAt(const std::size_t *weightOfBin, double share) {
 }  // namespace
 
 void dxBodyCut::cut(const std::vector<dxPlace> &places, const std::vector<unsigned> &weights, unsigned parts) {
-    m_part.assign(places.size(), 0);
+    m_part.resize(places.size());  // each is written below
     m_bodies.resize(places.size());
     std::iota(m_bodies.begin(), m_bodies.end(), 0u);
     m_open.assign(1, {0, places.size(), 0, parts});

@@ -1,6 +1,8 @@
 #include "additions.h"
 #include "crowd.h"
 
+#include <algorithm>
+
 namespace exactness {
 
 namespace {
@@ -181,6 +183,42 @@ private:
     dGeomID m_box;
 };
 
+// Every second geom is of a class whose boxes end before they begin, where others begin: which of the two is met hangs on their
+// order, and that on who else comes and goes.
+class Inverted : public Crowd {
+public:
+    explicit Inverted(Stepper stepper) : Crowd(stepper, SpaceKind::SweepAndPrune, 37) {
+        const dGeomClass description = {0, [](int) -> dColliderFn * { return nullptr; }, &bound, nullptr, nullptr};
+        const int inverted = dCreateGeomClass(&description);
+        for (int i = 0; i < 120; ++i) {
+            const dGeomID geom = add(i % 2 == 0 ? dCreateGeom(inverted) : dCreateBox(nullptr, 1, 30, 30));
+            keepFromContacts(geom);
+            put(geom);
+            dSpaceAdd(space(), geom);
+        }
+        addMembers(60, 4, 0.4);
+    }
+
+    void control() override {
+        if (frameNumber() % 3 == 0) return;
+        for (int i = 0; i < 4; ++i) {
+            const dGeomID geom = m_inventory.geoms[m_dice.below(120)];
+            dSpaceRemove(space(), geom);
+            if (frameNumber() % 3 == 1) put(geom);
+            dSpaceAdd(space(), geom);
+        }
+    }
+
+private:
+    static void bound(dGeomID geom, dReal box[6]) {
+        const dReal *const place = dGeomGetPosition(geom);
+        const dReal bounds[6] = {place[0] + dReal(0.5), place[0] - dReal(0.5), -15, 15, -15, 15};
+        std::copy(bounds, bounds + 6, box);
+    }
+
+    void put(dGeomID geom) { dGeomSetPosition(geom, m_dice.below(24) - 12, 0, 0); }
+};
+
 }  // namespace
 
 void addSweepSpaces(Catalogue &catalogue) {
@@ -202,6 +240,7 @@ void addSweepSpaces(Catalogue &catalogue) {
     add("sweep_spaces/many_switched", "1400 geoms and endless ones, put in and out, on and off", 30,
         make<Switched>(1400));
     add("sweep_spaces/any_axes", "spaces whose axes are not all three", 24, make<AnyAxes>(), reentrant);
+    add("sweep_spaces/inverted", "boxes that end before they begin, and others that begin there, put in and out", 30, make<Inverted>());
     add("sweep_spaces/asked", "rays and boxes ask 1300 geoms in a sweep-and-prune space", 20, make<Asked>());
 }
 
