@@ -11,6 +11,7 @@
 
 struct dxIslandCall : dxStepperProcessingCallContext {
     using dxStepperProcessingCallContext::dxStepperProcessingCallContext;
+    explicit dxIslandCall(const dxStepperProcessingCallContext &context) : dxStepperProcessingCallContext(context) {}
 
     mutable dxIslandTeam *team = nullptr;  // null: the calling thread alone
     mutable dxRowMemory rows;              // packed ones, while QuickStep sweeps over them

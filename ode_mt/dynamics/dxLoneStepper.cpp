@@ -2,10 +2,10 @@
 
 #include <atomic>
 #include <chrono>
-#include <thread>
 
 #include "threading/dxFloatEnvironment.h"
 #include "threading/dxForkListener.h"
+#include "threading/dxNap.h"
 #include "threading/dxPerturbation.h"
 #include "threading/dxProcessObject.h"
 
@@ -50,7 +50,7 @@ public:
                 inStep = now;
             else if (now - inStep > kMaxUserTime)
                 return;
-            std::this_thread::sleep_for(std::chrono::microseconds(20));
+            dxNap(std::chrono::microseconds(20));
         }
     }
 

@@ -81,11 +81,27 @@ private:
     dxWorldProcessMemArena *m_arena;
 };
 
+// Upstream's contexts are bare; the seams of its stages look for an island's call.
+template <dstepper_fn_t Stepper>
+void stepBare(const dxStepperProcessingCallContext *context) {
+    const dxIslandCall call(*context);
+    Stepper(&call);
+}
+
+// By calls that upstream posts to the implementation that the user gave the world.
+bool stepByPosting(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper,
+                   dmaxcallcountestimate_fn_t estimate) {
+    const dxLoneStepper inTurn;
+    return dxProcessIslands(world, info, stepSize,
+                            stepper == &dxQuickStepIsland ? &stepBare<&dxQuickStepIsland> : &stepBare<&dxStepIsland>, estimate);
+}
+
 }  // namespace
 
 // Seam: upstream's dWorldStep and dWorldQuickStep call this instead of dxProcessIslands.
 bool dxStepIslands(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize,
-                   dstepper_fn_t stepper, dmaxcallcountestimate_fn_t /*maxCallCountEstimator*/) {
+                   dstepper_fn_t stepper, dmaxcallcountestimate_fn_t maxCallCountEstimator) {
+    if (dxWorldWorkers::haveOneThread(world)) return stepByPosting(world, info, stepSize, stepper, maxCallCountEstimator);
     if (!dxWorldWorkers::prepare(world)) return false;
     dxStep(world, info, stepSize, stepper).run();
     return true;

@@ -90,6 +90,8 @@ bool given(const dxWorld *world) {
     return Access::of(*world).id != DefaultThreadingHolder::getDefaultThreadingImpl();
 }
 
+bool haveOneThread(const dxWorld *world) { return given(world) && (world->islands_max_threads == 1 || count(world) < 2); }
+
 unsigned count(const dxWorld *world) { return world->RetrieveThreadingThreadCount(); }
 
 bool prepare(const dxWorld *world) {

@@ -11,9 +11,12 @@
 
 namespace dxWorldWorkers {
 
-// Whether the user gave the world an implementation. One without threads keeps the world's steps on the
-// calling thread: its locks may not be made for more.
+// Whether the user gave the world an implementation.
 bool given(const dxWorld *world);
+
+// Whether that one, or the user's limit for the world, has a single thread run all calls of a step. It is then asked for all that
+// upstream asks of it, in upstream's order: it may count calls, refuse them, or throw, and its locks may not be made for more.
+bool haveOneThread(const dxWorld *world);
 
 // How many workers it lends.
 unsigned count(const dxWorld *world);

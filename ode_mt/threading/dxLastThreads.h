@@ -4,6 +4,7 @@
 // too, and nobody tells them that the others have gone: one of them has to look.
 #pragma once
 
-// True once the first thread has ended and only so many others are left; nothing but these can then start another.
-// False where the system does not tell (no /proc).
-bool dxAreLastThreads(unsigned threads);
+// True once the first thread has ended and only so many others are left. Where the system does not tell how many there are (no
+// /proc, no descriptor free), true once the first thread has ended: threads that go on then do their steps alone, which is better
+// than a process that nothing but SIGKILL ends.
+bool dxMayBeLastThreads(unsigned threads);

@@ -16,6 +16,7 @@
 #include "dxKeptLibrary.h"
 #include "dxOpenMPRuntime.h"
 #include "dxProcessObject.h"
+#include "trace/dxNoCancellation.h"
 
 namespace {
 
@@ -26,6 +27,7 @@ struct PreparedRuntime {
     }
 
     static void loadUnwinder() {
+        const dxNoCancellation whole;
         pthread_t thread;
         const auto body = [](void *) -> void * { pthread_exit(nullptr); };
         if (pthread_create(&thread, nullptr, body, nullptr) == 0) pthread_join(thread, nullptr);
@@ -38,6 +40,9 @@ dxProcessObject<PreparedRuntime> runtime;
 
 void dxOpenMPPrepareRegions() { *runtime; }
 
-bool dxOpenMPEndThreads() { return omp_pause_resource_all(omp_pause_hard) == 0; }
+bool dxOpenMPEndThreads() {
+    const dxNoCancellation whole;
+    return omp_pause_resource_all(omp_pause_hard) == 0;
+}
 
 bool dxOpenMPPrepareFork() { return dxOpenMPEndThreads(); }

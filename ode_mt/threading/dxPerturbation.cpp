@@ -8,6 +8,7 @@
 
 #include "trace/dxEnvironment.h"
 #include "trace/dxLog.h"
+#include "trace/dxNoCancellation.h"
 
 namespace {
 
@@ -26,6 +27,7 @@ void disturbAtRandom() {
     const std::uint64_t random = nextRandom();
     switch (random % 8) {
         case 0: {
+            const dxNoCancellation whole;
             const timespec pause{0, static_cast<long>((random >> 8) % 50000)};
             nanosleep(&pause, nullptr);
             break;

@@ -14,6 +14,7 @@
 
 #include "dxProcessors.h"
 #include "trace/dxLog.h"
+#include "trace/dxNoCancellation.h"
 
 namespace {
 
@@ -86,6 +87,7 @@ void dxTakeProcessNiceness() {
 }
 
 unsigned dxProbeThreads(dxCreateThread create, unsigned wanted, int &refusal) {
+    const dxNoCancellation whole;
     std::vector<pthread_t> threads;
     threads.reserve(wanted);
     std::mutex gate;

@@ -7,6 +7,7 @@
 #include "dxLastThreads.h"
 #include "dxSpin.h"
 #include "trace/dxLog.h"
+#include "trace/dxNoCancellation.h"
 
 dxThreadManagerPthread::dxThreadManagerPthread(dxCreateThread creation) : create(creation) {
     listenToForks();
@@ -86,6 +87,7 @@ bool dxThreadManagerPthread::startThread() {
 }
 
 void dxThreadManagerPthread::joinThreads() {
+    const dxNoCancellation whole;
     setStopping(true);
     parking.wakeAll();
     for (unsigned i = 0; i < started.load(); ++i) pthread_join(threads[i], nullptr);
@@ -131,7 +133,7 @@ bool dxThreadManagerPthread::shouldStayAwake() { return board.hasWork() || stopp
 
 // Whichever worker ends last ends the process, as the last thread of a process does.
 void dxThreadManagerPthread::endWithTheProcess() {
-    if (!dxAreLastThreads(started.load())) return;
+    if (!dxMayBeLastThreads(started.load())) return;
     setStopping(true);
     parking.wakeAll();
 }

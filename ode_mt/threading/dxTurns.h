@@ -9,6 +9,7 @@
 #include <chrono>
 #include <thread>
 
+#include "threading/dxNap.h"
 #include "threading/dxPerturbation.h"
 #include "threading/dxSpin.h"
 
@@ -43,7 +44,7 @@ private:
         else if (looks < kCourtesy)
             std::this_thread::yield();
         else
-            std::this_thread::sleep_for(kSleep);
+            dxNap(kSleep);
     }
 
     alignas(128) std::atomic<unsigned> m_finished{0};

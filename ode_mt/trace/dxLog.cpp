@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "dxEnvironment.h"
+#include "dxNoCancellation.h"
 
 namespace {
 
@@ -26,6 +27,7 @@ void write(dxLogLevel level, const char *text) {
     std::snprintf(line, sizeof line - 1, "ODE_MT %s: %s", levelNames[static_cast<int>(level)], text);
     hideControls(line);
     std::strcat(line, "\n");
+    const dxNoCancellation whole;
     std::fputs(line, stderr);
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 #include <pthread.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -56,7 +57,11 @@ void goOn() {
 
 void play(const char *name) {
     begin();
-    if (std::strcmp(name, "other_thread_goes_on") == 0)
+    if (std::strstr(name, "without_files") != nullptr) {
+        const rlimit none{3, 3};
+        setrlimit(RLIMIT_NOFILE, &none);
+    }
+    if (std::strstr(name, "other_thread_goes_on") != nullptr)
         std::thread(goOn).detach();
     else
         isOver = true;
@@ -87,7 +92,8 @@ TEST_P(LastThread, EndsTheProcess) {
     EXPECT_EQ(statusOf(GetParam()), kStatus);
 }
 
-INSTANTIATE_TEST_SUITE_P(After, LastThread, testing::Values("main_thread_ends", "other_thread_goes_on"),
+INSTANTIATE_TEST_SUITE_P(After, LastThread, testing::Values("main_thread_ends", "other_thread_goes_on", "main_thread_ends_without_files",
+                                         "other_thread_goes_on_without_files"),
                          [](const auto &info) { return info.param; });
 
 }  // namespace

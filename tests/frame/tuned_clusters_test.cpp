@@ -192,7 +192,7 @@ TEST_P(TunedClusters, NoneIsMissedThatMeetsHeadOn) {
     EXPECT_LT(checks, searches / 2);
 }
 
-// At 0.05 m a frame two that are 19 m apart cannot meet for 190 frames.
+// Two that approach slowly: were travel counted more than once, a check would come after some five frames.
 TEST_P(TunedClusters, AGapLastsAsLongAsTravelLeavesAnyOfIt) {
     dODE_MT_SetHeuristics("crossover,declustering");
     dxTunedClusters tuned(dxMakeCrossoverPass(GetParam()));
@@ -209,7 +209,7 @@ TEST_P(TunedClusters, AGapLastsAsLongAsTravelLeavesAnyOfIt) {
         before = tuned.checks();
         longest = std::max(longest, since);
     }
-    EXPECT_GT(longest, 40u);
+    EXPECT_GT(longest, 20u);
 }
 
 TEST_P(TunedClusters, WithoutTheCheckFrequencyEverySearchChecks) {

@@ -86,7 +86,7 @@ TEST(UserThreads, CallTakenUpAfterTheManagerIsGone) {
         dxThreadManagerUser manager(&pool.functions, pool.id());
         EXPECT_TRUE(everyBlockOnce(manager, 50, 4));
     }
-    EXPECT_NE(testing::internal::GetCapturedStderr().find("has not run 1 call(s)"), std::string::npos);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "upstream says nothing";
     EXPECT_TRUE(pool.runOne());
 }
 
