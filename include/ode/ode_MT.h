@@ -40,8 +40,8 @@ extern "C" {
  * call below overrides the environment.
  *
  * A threading implementation given to dWorldSetStepThreadingImplementation lends its threads to that
- * world's steps instead of the process's own, whatever the number set here; one without threads keeps
- * the world's steps serial.
+ * world's steps instead of the process's own, whatever the number set here; one that has a single thread, or none,
+ * is asked for all calls of a step as by ODE itself.
  *
  * A NULL for a geom, body, space or world, or for the place of results, ends in dDebug, as elsewhere in ODE, unless a
  * function says otherwise.
@@ -103,7 +103,8 @@ ODE_API const char *dODE_MT_GetAlgorithm(void);
  * (dAreConnected, dBodyGetJoint) to find contacts of the same call. It must not change geoms or spaces, nor write to or free the
  * vertices, points or height samples that geoms use, make other joints, destroy joints, or leave by longjmp; an exception
  * is passed on after all callbacks have ended, and so is pthread_exit, which then ends the thread that called
- * dSpaceCollide (with the manager "pthread"; the runtime of "openmp" does not allow it). It may end the process.
+ * dSpaceCollide (with the manager "pthread"; the runtime of "openmp" does not allow it). It may end the process. A
+ * callback has the stack of its thread: at least 8 MiB with "pthread", what the runtime gives with "openmp".
  *
  * With "serial" a callback may write to such arrays, as with upstream: contacts with meshes and with height fields that
  * were built without a copy of their samples are then computed in the callback, not ahead of it by several threads. Where

@@ -43,6 +43,7 @@ public:
     void unload() {
         const std::lock_guard<dxForkSafeMutex> lock(m_mutex);
         dropIf([](const Owned &owned) { return pthread_equal(owned.thread, pthread_self()) != 0; });
+        m_caches.shrink_to_fit();
         deleteKey();
     }
 

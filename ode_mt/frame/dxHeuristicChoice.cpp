@@ -1,6 +1,7 @@
 #include "frame/dxHeuristicChoice.h"
 
-#include <array>
+#include <cstddef>
+#include <cstring>
 #include <sstream>
 
 #include "threading/dxProcessObject.h"
@@ -20,15 +21,22 @@ bool add(const std::string &name, unsigned &choice) {
     return false;
 }
 
-// The names of each set, made once.
+// The names of each set, made once. They lie in the object itself: what it allocated would be lost with each unloading.
 struct Texts {
-    std::array<std::string, 1u << kCount> of;
+    static constexpr std::size_t kRoom = 48;
+    static_assert(sizeof "cells,centre,crossover,declustering,threads" <= kRoom, "all of kNames");
+
+    char of[1u << kCount][kRoom] = {"none"};
 
     Texts() {
-        of[dxNoHeuristics] = "none";
-        for (unsigned choice = 1; choice < of.size(); ++choice)
+        for (unsigned choice = 1; choice < 1u << kCount; ++choice)
             for (unsigned bit = 0; bit < kCount; ++bit)
-                if ((choice >> bit & 1u) != 0) of[choice] += (of[choice].empty() ? "" : ",") + std::string(kNames[bit]);
+                if ((choice >> bit & 1u) != 0) append(of[choice], kNames[bit]);
+    }
+
+    static void append(char *text, const char *name) {
+        if (*text != '\0') std::strcat(text, ",");
+        std::strcat(text, name);
     }
 };
 
@@ -50,6 +58,6 @@ bool dxReadHeuristics(const std::string &names, unsigned &choice) {
     return true;
 }
 
-const char *dxNamesOfHeuristics(unsigned choice) { return texts->of[choice].c_str(); }
+const char *dxNamesOfHeuristics(unsigned choice) { return texts->of[choice]; }
 
 const char *dxKnownHeuristics() { return "default, none, cells, centre, crossover, declustering, threads"; }
