@@ -41,7 +41,7 @@ extern "C" {
  *
  * A threading implementation given to dWorldSetStepThreadingImplementation lends its threads to that
  * world's steps instead of the process's own, whatever the number set here; one that has a single thread, or none,
- * is asked for all calls of a step as by ODE itself.
+ * keeps the world's steps on one thread, and functions of the user's in it are asked for all calls as by ODE itself.
  *
  * A NULL for a geom, body, space or world, or for the place of results, ends in dDebug, as elsewhere in ODE, unless a
  * function says otherwise.

@@ -101,7 +101,7 @@ bool stepByPosting(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal 
 // Seam: upstream's dWorldStep and dWorldQuickStep call this instead of dxProcessIslands.
 bool dxStepIslands(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize,
                    dstepper_fn_t stepper, dmaxcallcountestimate_fn_t maxCallCountEstimator) {
-    if (dxWorldWorkers::haveOneThread(world)) return stepByPosting(world, info, stepSize, stepper, maxCallCountEstimator);
+    if (dxWorldWorkers::haveToBeAsked(world)) return stepByPosting(world, info, stepSize, stepper, maxCallCountEstimator);
     if (!dxWorldWorkers::prepare(world)) return false;
     dxStep(world, info, stepSize, stepper).run();
     return true;

@@ -90,7 +90,10 @@ bool given(const dxWorld *world) {
     return Access::of(*world).id != DefaultThreadingHolder::getDefaultThreadingImpl();
 }
 
-bool haveOneThread(const dxWorld *world) { return given(world) && (world->islands_max_threads == 1 || count(world) < 2); }
+bool haveToBeAsked(const dxWorld *world) {
+    const bool areTheUsers = Access::of(*world).functions != DefaultThreadingHolder::getDefaultThreadingFunctions();
+    return given(world) && areTheUsers && (world->islands_max_threads == 1 || count(world) < 2);
+}
 
 unsigned count(const dxWorld *world) { return world->RetrieveThreadingThreadCount(); }
 

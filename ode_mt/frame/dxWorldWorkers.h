@@ -14,9 +14,10 @@ namespace dxWorldWorkers {
 // Whether the user gave the world an implementation.
 bool given(const dxWorld *world);
 
-// Whether that one, or the user's limit for the world, has a single thread run all calls of a step. It is then asked for all that
-// upstream asks of it, in upstream's order: it may count calls, refuse them, or throw, and its locks may not be made for more.
-bool haveOneThread(const dxWorld *world);
+// Whether functions of the user's own, or the user's limit for the world, have a single thread run all calls of a step. They are
+// then asked for all that upstream asks of them, in upstream's order: they may count calls, refuse them, or throw. Of upstream's
+// own functions nobody sees whether they are asked, and a pool that nobody serves yet would keep the step waiting for ever.
+bool haveToBeAsked(const dxWorld *world);
 
 // How many workers it lends.
 unsigned count(const dxWorld *world);
