@@ -138,24 +138,7 @@ void dxOrderedHashSpace::requireInRange() const {
 
 // Upstream asks which geoms are enabled before the first callback, and does not ask again.
 void dxOrderedHashSpace::deliver(void *data, dNearCallback *callback) {
-    const auto bothEnabled = [](const dxOrderedPair &pair) {
-        return dxGeomIsEnabled(pair.first) && dxGeomIsEnabled(pair.second);
-    };
-    if (std::all_of(pairs().begin(), pairs().end(), bothEnabled)) {
-        deliverAll(pairs(), data, callback);
-        return;
-    }
-    // Out of the member, because a callback may collide this space again.
-    std::vector<dxOrderedPair> enabled = std::move(m_enabledPairs);
-    enabled.clear();
-    beforeCallbacks(
-        [&] { std::copy_if(pairs().begin(), pairs().end(), std::back_inserter(enabled), bothEnabled); });
-    deliverAll(enabled, data, callback);
-    m_enabledPairs = std::move(enabled);
-}
-
-void dxOrderedHashSpace::deliverAll(const std::vector<dxOrderedPair> &pairs, void *data,
-                                    dNearCallback *callback) {
+    const std::vector<dxOrderedPair> &pairs = this->pairs();  // of those
     const std::size_t switched = m_switched.size();
     dxContactsAhead *const ahead = this->ahead();
     const std::uint64_t missed = dxMissedNotifications::count();
@@ -174,6 +157,7 @@ void dxOrderedHashSpace::deliverAll(const std::vector<dxOrderedPair> &pairs, voi
 // A space that was left locked by a jump has no outermost call any more: it notes no more than it has geoms
 // at once.
 void dxOrderedHashSpace::enabledChanges(dxGeom *geom) {
+    dxOrderedSpace::enabledChanges(geom);
     if (lock_count == 0) return;
     if (m_switched.size() >= static_cast<std::size_t>(count) + kMostSwitched) m_switched.clear();
     try {

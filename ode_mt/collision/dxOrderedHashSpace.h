@@ -33,7 +33,6 @@ private:
     void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) override;
     dxCrowd::Limit mostPairs() const override { return dxCrowd::mostPairsOfCells; }
 
-    void deliverAll(const std::vector<dxOrderedPair> &pairs, void *data, dNearCallback *callback);
     void walkFrom(std::size_t switched, void *data, dNearCallback *callback, const dxOrderedPair *after);
     bool wasEnabled(const dxGeom *geom, std::size_t switched) const;
     void updateCells();
@@ -42,7 +41,6 @@ private:
     dxHashLevels m_levels{-3, 10};              // upstream's defaults
     bool m_levelsChanged = false;               // since pairs() was brought up to date
     std::vector<dxHashCells> m_cells;           // by slot
-    std::vector<dxOrderedPair> m_enabledPairs;  // memory for a call, kept between calls
     int m_outOfRange = 0;                       // members whose kind is that
     std::vector<Switched> m_switched;           // in callbacks of the outermost call, in order
 };

@@ -125,6 +125,11 @@ void dxOrderedListSpace::chooseToWalk() {
     m_isIrregular = m_isIrregular || m_isWalked;
 }
 
+// What is walked by vectors is what is enabled by then, whether or not that was known.
+bool dxOrderedListSpace::isLeftOut(Slot slot) const {
+    return m_isWalked ? !dxGeomIsEnabled(members().geomIn(slot)) : dxOrderedSpace::isLeftOut(slot);
+}
+
 // Until many move again.
 void dxOrderedListSpace::stopWalking() {
     rankBehindClean(first, members().firstOf(count));

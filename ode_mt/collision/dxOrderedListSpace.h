@@ -26,6 +26,7 @@ protected:
     virtual int leastToWalk() const { return INT_MAX; }
 
     void cleanToCollide() override;
+    bool isLeftOut(Slot slot) const override;
     bool requireRanks() override;
     void collideWith(void *data, dxGeom *geom, dNearCallback *callback) override;
     bool hasStrayMembers() const override;

@@ -101,7 +101,7 @@ dxRank dxOrderedQuadTreeSpace::nextRank(Block block) {
 void dxOrderedQuadTreeSpace::rankAnew() {
     std::vector<Slot> slots;
     for (Slot slot = 0; slot < members().end(); ++slot)
-        if (members()[slot].geom != nullptr && members()[slot].rank != 0) slots.push_back(slot);
+        if (members().geomIn(slot) != nullptr && members()[slot].rank != 0) slots.push_back(slot);
     std::sort(slots.begin(), slots.end(),
               [this](Slot a, Slot b) { return members()[a].rank < members()[b].rank; });
     m_ranks.startAgain();
@@ -122,7 +122,7 @@ struct dxOrderedQuadTreeSpace::Visit {
         : space(of), data(itsData), callback(itsCallback) {
         const dxMembers &members = space.members();
         for (Slot slot = 0; slot < members.end(); ++slot)
-            if (members[slot].geom != nullptr) order.push_back(slot);
+            if (members.geomIn(slot) != nullptr) order.push_back(slot);
         std::sort(order.begin(), order.end(),
                   [&](Slot a, Slot b) { return members[a].rank > members[b].rank; });
     }
@@ -130,7 +130,7 @@ struct dxOrderedQuadTreeSpace::Visit {
     std::size_t placeOf(Slot slot) const {
         return static_cast<std::size_t>(std::find(order.begin(), order.end(), slot) - order.begin());
     }
-    dxGeom *geomAt(std::size_t place) const { return space.members()[order[place]].geom; }
+    dxGeom *geomAt(std::size_t place) const { return space.members().geomIn(order[place]); }
     Block blockAt(std::size_t place) const { return space.blockOf(order[place]); }
 
     std::size_t endOfBlock(Block block, std::size_t at, std::size_t end) const {
@@ -212,14 +212,14 @@ void dxOrderedQuadTreeSpace::collideMember(void *data, dxGeom *geom, dNearCallba
         std::find_if(slots.begin(), slots.end(), [&](Slot slot) { return blockOf(slot) >= home; });
     Swapped swapped{data, callback};
     for (auto slot = inner; slot != slots.end(); ++slot) {
-        dxGeom *const member = members()[*slot].geom;
+        dxGeom *const member = members().geomIn(*slot);
         if (dxGeomIsEnabled(member)) collideAABBs(geom, member, &swapped, Swapped::call);
     }
     for (auto end = inner; end != slots.begin();) {
         auto begin = end;
         while (begin != slots.begin() && blockOf(begin[-1]) == blockOf(end[-1])) --begin;
         for (auto slot = begin; slot != end; ++slot) {
-            dxGeom *const member = members()[*slot].geom;
+            dxGeom *const member = members().geomIn(*slot);
             if (dxGeomIsEnabled(member)) collideAABBs(member, geom, data, callback);
         }
         end = begin;
@@ -254,7 +254,7 @@ void dxOrderedQuadTreeSpace::collideOther(void *data, dxGeom *geom, dNearCallbac
     const Region region = beforeCallbacks([&] { return Region(*this, box); });
     const std::uint64_t missed = dxMissedNotifications::count();
     for (const Slot slot : region.slots()) {
-        dxGeom *const member = members()[slot].geom;
+        dxGeom *const member = members().geomIn(slot);
         if (!dxGeomIsEnabled(member)) continue;
         collideAABBs(geom, member, &swapped, Swapped::call);
         if (isStill(geom, box) && dxMissedNotifications::count() == missed) continue;

@@ -20,14 +20,13 @@ int dxOrderedSimpleSpace::leastToWalk() const {
     return count <= kSmall ? 3 * count / 4 : INT_MAX;
 }
 
-// Boxes and filters cannot change while callbacks run: one that collides this space again finds the same
-// pairs.
+// The memory is the outermost call's: one within it, in a callback, walks the list.
 void dxOrderedSimpleSpace::walk(void *data, dNearCallback *callback, const dxOrderedPair *after) {
     if (after != nullptr) {
         walkFrom(after->first, after->second->next, data, callback);
         return;
     }
-    if (count < kWorthVectors || isCrowd() || !findByVectors()) {
+    if (count < kWorthVectors || isCrowd() || lock_count > 1 || !findByVectors()) {
         walkList(data, callback);
         return;
     }
@@ -66,6 +65,7 @@ bool dxOrderedSimpleSpace::listGeoms() {
     m_boxes.clear();
     for (dxGeom *geom = first; geom != nullptr; geom = geom->next) {
         if ((geom->gflags & GEOM_AABB_BAD) != 0) return false;
+        if (!dxGeomIsEnabled(geom)) continue;
         m_listed.push_back(geom);
         m_boxes.push(dxBounds(geom->aabb));
     }

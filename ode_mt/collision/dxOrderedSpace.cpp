@@ -64,7 +64,7 @@ dxOrderedSpace::dxOrderedSpace(dSpaceID parent, int kind) : dxSpace(parent) { ty
 // From here on the geoms are in a space of upstream's, whose destructor removes or destroys them.
 dxOrderedSpace::~dxOrderedSpace() {
     for (Slot slot = 0; slot < m_members.end(); ++slot)
-        if (dxGeom *const geom = m_members[slot].geom) geom->tome_ex = nullptr;
+        if (dxGeom *const geom = m_members.geomIn(slot)) geom->tome_ex = nullptr;
 }
 
 // What upstream refuses, it refuses before it has changed anything; but the spaces around this one may be
@@ -75,6 +75,7 @@ void dxOrderedSpace::add(dxGeom *geom) {
     dUASSERT(mayCome(geom), "geom is already in a space");
     makeRoom(m_members.end() + 1);
     const Slot slot = m_members.add(geom);
+    m_members.setPresence(slot, dxGeomIsEnabled(geom));
     geom->tome_ex = reinterpret_cast<dxGeom **>(static_cast<std::uintptr_t>(slot) + 1);
     comes(geom, slot);
     if (m_ahead != nullptr) m_ahead->forgetGeom(slot);
@@ -153,6 +154,21 @@ void dxOrderedSpace::filtersChanged(dxGeom *geom) {
     m_members.markChanged(slot);
 }
 
+void dxOrderedSpace::enabledChanges(dxGeom *geom) {
+    const Slot slot = slotOf(geom);
+    m_members.noteSwitch(slot);
+    if (isLeftOut(slot)) ++m_comebacks;
+}
+
+bool dxOrderedSpace::takeSwitches() {
+    if (m_members.switched().empty()) return true;
+    if (lock_count > 1) return false;
+    for (const Slot slot : m_members.switched())
+        if (const dxGeom *const geom = m_members.geomIn(slot)) m_members.setPresence(slot, dxGeomIsEnabled(geom));
+    m_members.forgetSwitches();
+    return true;
+}
+
 void dxOrderedSpace::setSearch(std::unique_ptr<dxPairSearch> search) {
     m_search = std::move(search);
     startAnew();
@@ -162,8 +178,7 @@ void dxOrderedSpace::startAnew() {
     m_pairs.clear();
     m_ownSearch.reset();
     m_kept.reset();
-    for (Slot slot = 0; slot < m_members.end(); ++slot)
-        if (m_members[slot].geom != nullptr) m_members.markChanged(slot);
+    for (Slot slot = 0; slot < m_members.end(); ++slot) m_members.markChanged(slot);
 }
 
 bool dxOrderedSpace::collideShared(dxTaskRunner &runner, bool arraysStay, void *data,
@@ -234,6 +249,7 @@ void dxOrderedSpace::clean(dxGeom *geom) {
 void dxOrderedSpace::rank(dxGeom *geom, dxRank rank, const dxBounds &bounds) {
     const Slot slot = slotOf(geom);
     m_members.setRank(slot, rank);
+    m_members.setPresence(slot, dxGeomIsEnabled(geom));  // without a size it counts as disabled
     m_members.setBounds(slot, bounds, dxFilterOf(geom));
     m_members.markChanged(slot);
     m_index.loosen(slot);
@@ -245,7 +261,7 @@ bool dxOrderedSpace::makeReady() {
 }
 
 bool dxOrderedSpace::findPairs() {
-    if (!requireRanks()) return false;
+    if (!requireRanks() || !takeSwitches()) return false;
     if (m_members.changed().empty()) return true;
     if (lock_count > 1) return false;  // a call around this one goes through pairs()
     if (m_crowd.isOne() && !m_crowd.isOver()) return false;
@@ -327,7 +343,7 @@ void dxOrderedSpace::deliverInOrder(const std::vector<dxOrderedPair> &pairs, voi
     const dxGeom *front = nullptr;
     bool frontIsEnabled = false;
     dxContactsAhead *const ahead = this->ahead();
-    const std::uint64_t missed = dxMissedNotifications::count();
+    const std::uint64_t missed = dxMissedNotifications::count(), comebacks = m_comebacks;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const dxOrderedPair &pair = pairs[i];
         if (pair.first != front) {
@@ -337,7 +353,7 @@ void dxOrderedSpace::deliverInOrder(const std::vector<dxOrderedPair> &pairs, voi
         if (!frontIsEnabled || !dxGeomIsEnabled(pair.second)) continue;
         if (ahead != nullptr) ahead->beforePair(pairs, i);
         dxDeliver(pair, data, callback);
-        if (dxMissedNotifications::count() == missed) continue;
+        if (dxMissedNotifications::count() == missed && m_comebacks == comebacks) continue;
         const dxOrderedPair last = pair;
         return walk(data, callback, &last);
     }
@@ -353,7 +369,7 @@ dxGeom *dxOrderedSpace::collideRegion(void *data, dxGeom *geom, dNearCallback *c
     const Region region = beforeCallbacks([&] { return Region(*this, box); });
     const std::uint64_t missed = dxMissedNotifications::count();
     for (const Slot slot : region.slots()) {
-        dxGeom *const member = m_members[slot].geom;
+        dxGeom *const member = m_members.geomIn(slot);
         if (!dxGeomIsEnabled(member)) continue;
         collideAABBs(member, geom, data, callback);
         if (!isStill(geom, box) || dxMissedNotifications::count() != missed) return member;

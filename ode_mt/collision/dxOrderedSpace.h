@@ -10,7 +10,8 @@
 //  - pairs() holds, in order, exactly the pairs for which upstream's collideAABBs passes its tests of body,
 //    bits and boxes and which upstream's space would bring to it. None of these can change while the space
 //    is locked, which it is while callbacks run. Whether geoms are enabled can, so that is tested when
-//    upstream tests it.
+//    upstream tests it; those that were disabled when the call began are in no pair, and when one of them is
+//    enabled in a callback, the rest of the call goes through the geoms as upstream does.
 //
 // All kinds of spaces are of this class. How geoms are cleaned and ranked is up to the kind; so is the order
 // of pairs, which is that of their ranks unless a kind has another one. The list of geoms (dxSpace::first) is
@@ -112,7 +113,7 @@ public:
     // The category bits, collide bits or body of a member changed, which moves nothing.
     void filtersChanged(dxGeom *geom);
     // A member is about to be enabled or disabled.
-    virtual void enabledChanges(dxGeom * /*geom*/) {}
+    virtual void enabledChanges(dxGeom *geom);
 
 protected:
     explicit dxOrderedSpace(dSpaceID parent, int type);
@@ -140,6 +141,12 @@ protected:
     void lock() { __atomic_fetch_add(&lock_count, 1, __ATOMIC_RELAXED); }
     void unlock() { __atomic_fetch_sub(&lock_count, 1, __ATOMIC_RELAXED); }
     bool hasSearch() const { return m_search != nullptr; }
+
+    // Takes in members that have been enabled, and leaves out those that have been disabled. False: a call around
+    // this one goes through pairs().
+    bool takeSwitches();
+    // Whether a call in progress may know nothing of a geom that is disabled.
+    virtual bool isLeftOut(Slot slot) const { return !m_members.isPresent(slot); }
 
     dxMembers &members() { return m_members; }
 
@@ -261,6 +268,7 @@ private:
     std::atomic<bool> m_hasStrays{false};  // then
     std::mutex m_lookingForStrays;         // only ever tried
     dxCrowd m_crowd;
+    std::uint64_t m_comebacks = 0;  // geoms that were left out and have been enabled
     dxTaskRunner *m_runner = nullptr;  // while a shared call makes the space ready: not in its callbacks
     bool m_isAhead = false;            // the call whose callbacks are beginning is a shared one
     dxContactsAhead::Owner m_ahead;

@@ -62,27 +62,29 @@ bool dxOrderedSweepSpace::mayCome(const dxGeom *geom) const {
 void dxOrderedSweepSpace::makeRoom(Slot slots) {
     m_lists.makeRoom(slots);
     dxMakeRoom(m_states, slots);
-    dxMakeRoom(m_isEnabled, slots);
     dxMakeRoom(m_toClean, slots);
 }
 
 void dxOrderedSweepSpace::comes(dxGeom *geom, Slot slot) {
     m_lists.add(slot, geom);
-    if (slot >= m_states.size()) {
-        m_states.resize(slot + 1);
-        m_isEnabled.resize(slot + 1);
-    }
+    if (slot >= m_states.size()) m_states.resize(slot + 1);
     m_states[slot].part = Part::absent;
-    m_isEnabled[slot] = 0;
 }
 
 void dxOrderedSweepSpace::goes(dxGeom * /*geom*/, Slot slot) {
     const bool wasDirty = m_lists.isDirty(slot);
     const std::size_t place = m_lists.placeOf(slot);
     m_lists.remove(slot);
-    if (!wasDirty && place < m_lists.clean().size())
-        members().setRank(m_lists.clean()[place].slot, rankAt(place));
+    if (!wasDirty) rankSuccessor(slot, place);
     m_states[slot].part = Part::absent;
+}
+
+// The member that has taken the place of this one. If this one is absent, nothing else tells that the order has changed.
+void dxOrderedSweepSpace::rankSuccessor(Slot slot, std::size_t place) {
+    if (place >= m_lists.clean().size()) return;
+    const Slot successor = m_lists.clean()[place].slot;
+    members().setRank(successor, rankAt(place));
+    if (!members().isPresent(slot)) members().markChanged(successor);
 }
 
 void dxOrderedSweepSpace::dirty(dxGeom *geom) {
@@ -90,7 +92,7 @@ void dxOrderedSweepSpace::dirty(dxGeom *geom) {
     if (m_lists.isDirty(slot)) return;
     const std::size_t place = m_lists.placeOf(slot);
     m_lists.makeDirty(slot);
-    if (place < m_lists.clean().size()) members().setRank(m_lists.clean()[place].slot, rankAt(place));
+    rankSuccessor(slot, place);
 }
 
 // Where a bounding-box function has the space cleaned, upstream enters its geoms twice, and its next
@@ -145,8 +147,11 @@ bool dxOrderedSweepSpace::makeReady() {
     cleanGeoms();
     if (m_isMessedUp) dDebug(d_ERR_UASSERT, "geom counts messed up in %s()", "collide");
     mayHaveStrays();  // a stray has the box that it was last asked for, which is taken again
-    noteEnabled();
-    if (m_hasUncleanBox) return false;
+    if (hasUncleanBox() || !takeSwitches()) return false;
+    if (m_hasWalked && lock_count == 1) {  // the sort begins where the walk's has ended: equal keys may stand another way
+        m_hasWalked = false;
+        startAnew();
+    }
     if (members().changed().empty()) return true;
     if (lock_count > 1) return false;
     const bool areTaken = whereMemorySuffices([this] {
@@ -156,18 +161,13 @@ bool dxOrderedSweepSpace::makeReady() {
     return areTaken && !m_hasNaN && dxOrderedSpace::makeReady();
 }
 
-void dxOrderedSweepSpace::noteEnabled() {
-    m_hasUncleanBox = false;
+bool dxOrderedSweepSpace::hasUncleanBox() const {
     const std::vector<dxSweepLists::Entry> &list = m_lists.clean();
     for (std::size_t i = 0; i < list.size(); ++i) {
         if (i + kAhead < list.size()) dxFetch::line(&list[i + kAhead].geom->gflags);
-        const dxSweepLists::Entry &entry = list[i];
-        const bool isEnabled = dxGeomIsEnabled(entry.geom);
-        m_hasUncleanBox = m_hasUncleanBox || (isEnabled && (entry.geom->gflags & GEOM_AABB_BAD) != 0);
-        if (m_isEnabled[entry.slot] == isEnabled) continue;
-        m_isEnabled[entry.slot] = isEnabled;
-        members().markChanged(entry.slot);
+        if (dxGeomIsEnabled(list[i].geom) && (list[i].geom->gflags & GEOM_AABB_BAD) != 0) return true;
     }
+    return false;
 }
 
 void dxOrderedSweepSpace::takeParts() {
@@ -181,7 +181,7 @@ void dxOrderedSweepSpace::takeParts() {
         const Slot slot = list[i].slot;
         State &state = m_states[slot];
         if (!m_axes.areAll()) state.box = m_axes.boxOf(list[i].geom);  // a geom's bits may be bounds
-        state.part = !m_isEnabled[slot] ? Part::absent : state.box.isInfinite ? Part::infinite : Part::swept;
+        state.part = !members().isPresent(slot) ? Part::absent : state.box.isInfinite ? Part::infinite : Part::swept;
         if (state.part == Part::infinite) m_infinite.push_back(slot);
         if (state.part != Part::swept) continue;
         m_swept.push_back(slot);
@@ -287,6 +287,7 @@ void dxOrderedSweepSpace::deliver(void *data, dNearCallback *callback) {
 
 // Upstream goes through a list of pairs, as deliver() does.
 void dxOrderedSweepSpace::walk(void *data, dNearCallback *callback, const dxOrderedPair * /*after*/) {
+    m_hasWalked = true;
     dxSweepWalk sweep(m_axes);
     beforeCallbacks([&] {
         for (const dxSweepLists::Entry &entry : m_lists.clean())

@@ -51,7 +51,8 @@ private:
 
     dxBounds boundsOf(const dxGeom *geom, const dxSweepBox &box) const;
     void takeBox(dxGeom *geom, dxRank rank);
-    void noteEnabled();
+    void rankSuccessor(Slot slot, std::size_t place);
+    bool hasUncleanBox() const;
     void takeParts();
     void sortSwept();
     void chooseSearch();
@@ -64,15 +65,15 @@ private:
     dxSweepAxes m_axes;
     dxSweepLists m_lists;
     std::vector<State> m_states;            // by slot
-    std::vector<std::uint8_t> m_isEnabled;  // by slot, at the last call
     std::vector<dxGeom *> m_toClean;
     std::vector<Slot> m_swept, m_infinite;  // in the order of the list
     std::vector<float> m_keys;              // of m_swept
     std::vector<Slot> m_inOrder;            // m_swept, sorted
     dxRankSort m_sort;
-    bool m_hasUncleanBox = false, m_hasNaN = false;
+    bool m_hasNaN = false;
     bool m_isMessedUp = false;  // as upstream's assertion has it: a cleaning took place within a cleaning
 
+    bool m_hasWalked = false;       // since pairs() was brought up to date
     std::size_t m_pairsWalked = 0;  // at the last walk
     bool m_isDense = true;          // pairs are found by a sweep of all
     dxAxisRows m_rows;

@@ -96,7 +96,7 @@ void dxRegionIndex::find(const dxMembers &members, const dxBounds &box, std::pmr
     found.clear();
     if (!query(members, box, found)) {
         for (Slot slot = 0; slot < members.end(); ++slot)
-            if (members[slot].geom != nullptr && members[slot].bounds.overlaps(box)) found.push_back(slot);
+            if (members.geomIn(slot) != nullptr && members[slot].bounds.overlaps(box)) found.push_back(slot);
         m_debt.fetch_add(members.end(), std::memory_order_relaxed);
     }
     std::sort(found.begin(), found.end(), [&](Slot a, Slot b) { return members[a].rank > members[b].rank; });
@@ -142,18 +142,18 @@ void dxRegionIndex::build(const dxMembers &members) {
     }
     m_tree.finish();
     for (Slot slot = 0; slot < members.end(); ++slot)
-        if (members[slot].geom != nullptr && homeOf(slot).row == kNone) joinLoose(slot);
+        if (members.geomIn(slot) != nullptr && homeOf(slot).row == kNone) joinLoose(slot);
     m_isInUse = true;
 }
 
 void dxRegionIndex::sortAlongCurve(const dxMembers &members) {
     Region region;
     for (Slot slot = 0; slot < members.end(); ++slot)
-        if (members[slot].geom != nullptr && members[slot].bounds.isModerate())
+        if (members.geomIn(slot) != nullptr && members[slot].bounds.isModerate())
             region.include(members[slot].bounds);
     m_items.clear();
     for (Slot slot = 0; slot < members.end(); ++slot)
-        if (members[slot].geom != nullptr && members[slot].bounds.isModerate())
+        if (members.geomIn(slot) != nullptr && members[slot].bounds.isModerate())
             m_items.push_back({region.placeOnCurve(members[slot].bounds), slot});
     dxRadixSort(m_items, m_spare);
 }

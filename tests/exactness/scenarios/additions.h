@@ -17,6 +17,7 @@ void addConvexCrowds(Catalogue &catalogue);
 void addCreation(Catalogue &catalogue);
 void addCrowdExtremes(Catalogue &catalogue);
 void addDegenerateWorlds(Catalogue &catalogue);
+void addDisabledGeoms(Catalogue &catalogue);
 void addDoubleJoints(Catalogue &catalogue);
 void addFaults(Catalogue &catalogue);
 void addFirstMeetings(Catalogue &catalogue);

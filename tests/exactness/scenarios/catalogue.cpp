@@ -37,6 +37,7 @@ const Catalogue &catalogue() {
         addCreation(all);
         addCrowdExtremes(all);
         addDegenerateWorlds(all);
+        addDisabledGeoms(all);
         addDoubleJoints(all);
         addFaults(all);
         addFirstMeetings(all);
