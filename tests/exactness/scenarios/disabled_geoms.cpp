@@ -15,7 +15,8 @@ public:
     Pool(Stepper stepper, SpaceKind kind, int crowd, int pool)
         : Crowd(stepper, kind, 41), m_collidesInside(kind != SpaceKind::SweepAndPrune) {
         addMembers(crowd / 2, 7, 1);
-        for (int i = 0; i < pool; ++i) m_pool.push_back(wait(dCreateSphere(space(), m_dice.between(0.3, 0.6))));
+        for (int i = 0; i < pool; ++i) m_pool.push_back(wait(dCreateSphere(space(), 0.3 + 0.1 * m_dice.below(2))));
+        for (int i = 0; i < 6; ++i) dGeomEnable(m_pool[i]);  // whose bounds are equal
         addMembers(crowd / 2, 7, 1);
         m_ray = dCreateRay(nullptr, 30);
     }
@@ -24,7 +25,8 @@ public:
 
     void control() override {
         alternate();
-        if (frameNumber() % 6 == 5) return;
+        const bool nothingChanges = frameNumber() % 12 == 3 || frameNumber() % 12 == 9;
+        if (nothingChanges) return lookAlongARay();
         for (int i = 0; i < 4; ++i) {
             putBack(some());
             fetch(some());
@@ -85,6 +87,17 @@ private:
         scene.m_inside.add(dGeomGetClass(o1) * 16 + dGeomGetClass(o2));
         scene.note("inside", scene.m_inside.value());
         if (scene.m_inside.count() % 9 == 8) dGeomEnable(scene.some());
+        if (scene.m_inside.count() % 7 == 1) scene.collideWithout(o1 == scene.m_ray ? o2 : o1);
+    }
+
+    // For a moment, within a call: afterwards all is as it was.
+    void collideWithout(dGeomID geom) {
+        const bool wasEnabled = dGeomIsEnabled(geom) != 0;
+        dGeomDisable(geom);
+        dSpaceCollide(space(), this, [](void *data, dGeomID o1, dGeomID o2) {
+            static_cast<Pool *>(data)->m_inside.add(100 + dGeomGetClass(o1) * 16 + dGeomGetClass(o2));
+        });
+        if (wasEnabled) dGeomEnable(geom);
     }
 
     const bool m_collidesInside;
