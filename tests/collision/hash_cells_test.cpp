@@ -53,6 +53,19 @@ TEST(HashCells, TheFirstColumnMayHaveOtherSlots) {
     expectFirstShared(below, above);
 }
 
+// Cells are numbered by ints, the least and the largest of which are not used to the full.
+TEST(HashCells, NumbersUpToTheLargestInt) {
+    const auto kindAt = [](dReal x) {
+        const Box box = {x - 0.9, x, 0, 0.9, 0, 0.9};  // in cells of 1
+        return dxHashCells(box.data(), {0, 10}).kind();
+    };
+    constexpr dReal kLargest = 2147483647;
+    EXPECT_EQ(kindAt(kLargest - 1), dxHashCells::Kind::inTable);
+    EXPECT_EQ(kindAt(kLargest), dxHashCells::Kind::outOfRange);
+    EXPECT_EQ(kindAt(-kLargest + 1), dxHashCells::Kind::inTable);
+    EXPECT_EQ(kindAt(-kLargest - 1), dxHashCells::Kind::outOfRange);
+}
+
 TEST(HashCells, TheFirstSharedCellIsThatOfASearchThroughAll) {
     std::mt19937 random(1);
     std::uniform_real_distribution<dReal> place(-1.5, 1.5), size(0.05, 1.5);

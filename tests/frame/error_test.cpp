@@ -7,6 +7,7 @@
 #include <cstdarg>
 #include <cstdlib>
 #include <string>
+#include <utility>
 
 #include "ChildProcess.h"
 #include "DebianOde.h"
@@ -55,6 +56,22 @@ TEST(Error, DefaultTextAndEndAreDebians) {
             expectSame(speak(call.report), speak(debian));
         }
     }
+}
+
+// Numbers are for what upstream tells apart.
+TEST(Error, MessagesOfOurOwnHaveNoNumber) {
+    dSetMessageHandler(&hear);
+    const std::pair<const char *, int (*)(const char *)> setters[] = {
+        {"algorithm", dODE_MT_SetAlgorithm}, {"callback policy", dODE_MT_SetCallbackPolicy},
+        {"heuristic", dODE_MT_SetHeuristics}, {"thread manager", dODE_MT_SetThreadManager}};
+    for (const auto &[what, set] : setters) {
+        testing::internal::CaptureStderr();
+        g_heard.clear();
+        EXPECT_EQ(set("none of these"), 0) << what;
+        EXPECT_EQ(g_heard.find("0: ODE_MT: "), 0u) << what << ": " << g_heard;
+        testing::internal::GetCapturedStderr();
+    }
+    dSetMessageHandler(nullptr);
 }
 
 // So that the comparison above is of something.

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 
+#include "OdeSession.h"
+#include "PackedWorld.h"
 #include "frame/dxStepStatistics.h"
 
 namespace {
@@ -18,7 +20,23 @@ TEST(Statistics, CountBeyond32Bits) {
     EXPECT_EQ(after.sharedCollisions - before.sharedCollisions, 1u);
     EXPECT_EQ(dODE_MT_GetContactsAhead() - low, 5u);
     EXPECT_EQ(dODE_MT_GetContactsAhead(), static_cast<unsigned>(after.contactsAhead));
+    EXPECT_EQ(dODE_MT_GetContactsAheadUnused(), static_cast<unsigned>(after.contactsAheadUnused));
     EXPECT_EQ(dODE_MT_GetSharedCollisions(), static_cast<unsigned>(after.sharedCollisions));
+}
+
+// One island; others may have had the processors, so that a worker came too late.
+TEST(Statistics, AStepByATeamCountsOnce) {
+    const OdeSession session(3, "lcp");
+    constexpr unsigned kFrames = 3, kTries = 20;
+    for (unsigned i = 0; i < kTries; ++i) {
+        PackedWorld boxes(10, 10, 2, dWorldQuickStep);
+        const unsigned before = dODE_MT_GetTeamSteps();
+        for (unsigned frame = 0; frame < kFrames; ++frame) boxes.frame();
+        const unsigned counted = dODE_MT_GetTeamSteps() - before;
+        ASSERT_LE(counted, kFrames);
+        if (counted == kFrames) return;
+    }
+    FAIL() << "not all steps were counted";
 }
 
 TEST(Statistics, NoPlaceIsAMessage) {

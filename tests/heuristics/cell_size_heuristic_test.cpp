@@ -34,6 +34,15 @@ TEST(CellSizeHeuristic, RaisesByOneAfterEachInterval) {
     EXPECT_EQ(world.rule.cells(), 12);
 }
 
+TEST(CellSizeHeuristic, AnIntervalOfNoFramesIsOneFrame) {
+    CellWorld none(valley(9), 0), one(valley(9), 1);
+    for (int i = 0; i < 100; ++i) {
+        ASSERT_EQ(none.rule.cells(), one.rule.cells()) << i;
+        none.frame();
+        one.frame();
+    }
+}
+
 TEST(CellSizeHeuristic, EndsAtTheCheapestWhereverItLies) {
     for (int best = kLeast; best <= kMost; ++best) {
         CellWorld world(valley(best, 0.02));

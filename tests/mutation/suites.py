@@ -40,11 +40,12 @@ _MORE_THEMES = {
     "ode_mt/": [],
 }
 _MORE_FRAME_THEMES = ["faults", "float_environment", "large_islands", "messages", "random_stream"]
-_MORE_SETTINGS = ["pthread_2", "lcp_3_concurrent", "lcp_3_independent"]  # the first has a disturbed schedule and asks who took part
+_MORE_UNITS = ["frame/steady_state_test", "frame/churn_memory_test"]
+_MORE_SETTINGS = ["pthread_2", "lcp_2_concurrent", "lcp_3_independent"]  # the first has a disturbed schedule and asks who took part
 
 
 # Long ones of the frame's: what they show, the others show, too.
-_FRAME_FILTER = "--gtest_filter=-*Progress*:*Fork*:*ManyWorlds*:*Exits*:*End*:*Unload*:*Restep*"
+_FRAME_FILTER = "--gtest_filter=-*Progress*:*ManyWorlds*:*Exits*:*End*:*Restep*"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -74,7 +75,7 @@ def _concept_filter(repository, program, file):
 
 def targets_for(file):
     """The programs that the units of a file are tested by, as CMake names them."""
-    return [pathlib.Path(program).name for program in _programs(file)]
+    return [pathlib.Path(program).name for program in _programs(file) + _MORE_UNITS]
 
 
 def suites_for(file, repository, built, objects):
@@ -100,7 +101,9 @@ def suites_for(file, repository, built, objects):
     drawn = [Suite("fuzz corpus", fuzz + ("--replay", *corpus)),
              Suite("fuzz, 150 drawn scripts", fuzz + ("--seed", "1", "--scripts", "150", "--until-difference")),
              exactness("exactness themes", _first(_THEMES, file) + _THEMES["ode_mt/"], _SETTINGS)]
-    more = [Suite(name, (str(built / f"tests/faults/{name}"), "--gtest_brief=1", "--gtest_fail_fast"), library_of)
+    more = [Suite(pathlib.Path(program).name, (f"{objects}/tests/{program}", "--gtest_brief=1", "--gtest_fail_fast"))
+            for program in _MORE_UNITS]
+    more += [Suite(name, (str(built / f"tests/faults/{name}"), "--gtest_brief=1", "--gtest_fail_fast"), library_of)
             for name in ("allocation_test", "surroundings_test")]
     more.append(exactness("more exactness themes", _first(_MORE_THEMES, file) + _MORE_FRAME_THEMES, _MORE_SETTINGS))
     if file.startswith("ode_mt/api/"):

@@ -3,10 +3,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <memory>
 #include <thread>
+#include <vector>
 
 #include "ManagerKinds.h"
 #include "Runs.h"
+#include "threading/dxForkListener.h"
 
 namespace {
 
@@ -20,6 +23,29 @@ bool trueInChild(Function function) {
     }
     int status = 0;
     return waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+class ForkCounter final : public dxForkListener {
+public:
+    ForkCounter() { listenToForks(); }
+    ~ForkCounter() { ignoreForks(); }
+    void beforeFork() override { ++forks; }
+    void inForkedChild() override {}
+
+    int forks = 0;
+};
+
+// Whichever of three goes, the others are told of forks.
+TEST(ForkListener, AnyOfThemMayEnd) {
+    for (std::size_t gone = 0; gone < 3; ++gone) {
+        std::vector<std::unique_ptr<ForkCounter>> counters(3);
+        for (auto &counter : counters) counter = std::make_unique<ForkCounter>();
+        counters[gone].reset();
+        EXPECT_TRUE(trueInChild([] { return true; }));
+        counters[(gone + 1) % 3].reset();
+        EXPECT_TRUE(trueInChild([] { return true; }));
+        EXPECT_EQ(counters[(gone + 2) % 3]->forks, 2) << gone;
+    }
 }
 
 TEST_P(ThreadManagerTest, WorksInAForkedChild) {
