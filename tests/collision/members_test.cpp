@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "bounds.h"
 #include "collision/dxMembers.h"
@@ -54,6 +55,43 @@ TEST_F(Members, AMemberIsListedOnceHoweverOftenItChanges) {
     EXPECT_TRUE(members.changed().empty());
     members.markChanged(slot);
     EXPECT_TRUE(listedAsChanged(slot));
+}
+
+// Its pairs go once; after that nothing that happens to it is a change, until it is back, with the rank it has by then.
+TEST_F(Members, AnAbsentOneHasNoChanges) {
+    const Slot slot = members.add(geom);
+    members.setRank(slot, members.firstOf(1));
+    seek();
+    members.setPresence(slot, false);
+    EXPECT_TRUE(listedAsChanged(slot));
+    EXPECT_EQ(members[slot].geom, nullptr);
+    EXPECT_EQ(members.geomIn(slot), geom);
+    seek();
+    const std::uint64_t orderings = members.orderings();
+    const dxRank rank = members.firstOf(1);
+    members.setRank(slot, rank);
+    members.markChanged(slot);
+    EXPECT_TRUE(members.changed().empty());
+    EXPECT_EQ(members.orderings(), orderings);
+    members.setPresence(slot, true);
+    EXPECT_TRUE(listedAsChanged(slot));
+    EXPECT_EQ(members[slot].geom, geom);
+    EXPECT_EQ(members[slot].rank, rank);
+    EXPECT_GT(members.orderings(), orderings);
+}
+
+TEST_F(Members, SwitchesAreListedOnceUntilTheyAreTakenIn) {
+    const Slot slot = members.add(geom);
+    members.noteSwitch(slot);
+    members.noteSwitch(slot);
+    EXPECT_EQ(members.switched(), std::vector<Slot>{slot});
+    members.remove(slot);
+    EXPECT_EQ(members.switched(), std::vector<Slot>{slot}) << "whoever has it by then";
+    members.forgetSwitches();
+    EXPECT_TRUE(members.switched().empty());
+    EXPECT_EQ(members.add(geom), slot);
+    members.noteSwitch(slot);
+    EXPECT_EQ(members.switched(), std::vector<Slot>{slot});
 }
 
 TEST_F(Members, LaterRanksAreAboveEarlierOnes) {
