@@ -120,13 +120,12 @@ bool isShuffled(const Call &call) {
     return call.m_SOR_reorderHeadTaken != 0;
 }
 
-// In how many parts the team takes the rows; below two the caller takes them alone.
+// In how many parts the team takes the rows, which are packed; below two the caller takes them alone.
 template <class Call>
 unsigned partsOf(const Call &call) {
-    const dxIslandTeam *const team = dxIslandCall::of(call.m_stepperCallContext).team;
-    return team == nullptr
-               ? 1
-               : std::min(team->runner->workers(), call.m_localContext->m_m / dxSharedSweep::kLeastRows);
+    const dxIslandCall &island = dxIslandCall::of(call.m_stepperCallContext);
+    if (island.team == nullptr || island.rows.get() == nullptr) return 1;
+    return std::min(island.team->runner->workers(), call.m_localContext->m_m / dxSharedSweep::kLeastRows);
 }
 
 template <class Call>
