@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <regex>
 #include <sstream>
 #include <utility>
@@ -32,6 +33,30 @@ std::string withoutNumbers(const std::string &text) {
 std::string withoutEndlessPushes(const std::string &text) {
     static const std::regex message("\n?[^\n]*LCP internal error, s <= 0 \\(s=-?(inf|nan)\\)\n?");
     return std::regex_replace(text, message, "");
+}
+bool isEndlessPush(const std::string &line) { return line.find("LCP internal error") != std::string::npos && withoutEndlessPushes(line).empty(); }
+
+// Where two texts begin to differ.
+struct Fork {
+    std::string call;              // the last one before it
+    std::optional<std::string> a, b;  // lines; none: the text has ended
+};
+
+Fork forkOf(const std::string &textA, const std::string &textB) {
+    std::istringstream streamA(textA), streamB(textB);
+    Fork fork;
+    for (std::string a, b;;) {
+        fork.a = std::getline(streamA, a) ? std::optional(a) : std::nullopt;
+        fork.b = std::getline(streamB, b) ? std::optional(b) : std::nullopt;
+        if (!fork.a || fork.a != fork.b) return fork;
+        if (a.compare(0, 4, "    ") != 0) fork.call = a;
+    }
+}
+
+// A handler of the script's heard such a message on one of the two alone, before anything else differed, and made calls then.
+bool isHeardOnOneSide(const std::string &textA, const std::string &textB) {
+    const Fork fork = forkOf(textA, textB);
+    return fork.a != fork.b && ((fork.a && isEndlessPush(*fork.a)) || (fork.b && isEndlessPush(*fork.b)));
 }
 
 bool differInSignsOfNaNs(const std::string &a, const std::string &b) {
@@ -96,6 +121,7 @@ Verdict Comparison::compare(const RequestHeader &request, const std::vector<std:
     if (m_debian.header.hash == m_ours.header.hash && m_debian.header.ending == m_ours.header.ending &&
         differInSignsOfNaNs(m_debian.text, m_ours.text) && differInSignsOfNaNs(m_debian.errors, m_ours.errors))
         return Verdict::signOfNaN;
+    if (isHeardOnOneSide(m_debian.text, m_ours.text)) return Verdict::signOfNaN;
     return isCertain(patient, script) ? Verdict::different : Verdict::upstreamUndefined;
 }
 
@@ -132,20 +158,13 @@ std::string Comparison::difference(RequestHeader request, const std::vector<std:
 }
 
 std::string Comparison::lastDifference() const {
-    std::istringstream expected(m_debian.text), actual(m_ours.text);
-    std::string call, a, b;
-    for (;;) {
-        const bool isA = static_cast<bool>(std::getline(expected, a)), isB = static_cast<bool>(std::getline(actual, b));
-        if (!isA || !isB || a != b) {
-            std::string told = "  after " + call + "\n  libode8 " + (isA ? a : "(ends)") + "\n  ODE_MT  " + (isB ? b : "(ends)") + '\n';
-            if (m_debian.header.hash != m_ours.header.hash) told += "  what they saw differs\n";
-            if (m_debian.header.ending != m_ours.header.ending)
-                told += "  libode8 ends with " + m_debian.ending() + ", ODE_MT with " + m_ours.ending() + '\n';
-            if (m_debian.errors != m_ours.errors) told += "  libode8 says:\n" + m_debian.errors + "  ODE_MT says:\n" + m_ours.errors;
-            return told;
-        }
-        if (a.compare(0, 4, "    ") != 0) call = a;
-    }
+    const Fork fork = forkOf(m_debian.text, m_ours.text);
+    std::string told = "  after " + fork.call + "\n  libode8 " + fork.a.value_or("(ends)") + "\n  ODE_MT  " + fork.b.value_or("(ends)") + '\n';
+    if (m_debian.header.hash != m_ours.header.hash) told += "  what they saw differs\n";
+    if (m_debian.header.ending != m_ours.header.ending)
+        told += "  libode8 ends with " + m_debian.ending() + ", ODE_MT with " + m_ours.ending() + '\n';
+    if (m_debian.errors != m_ours.errors) told += "  libode8 says:\n" + m_debian.errors + "  ODE_MT says:\n" + m_ours.errors;
+    return told;
 }
 
 }  // namespace fuzz

@@ -22,7 +22,7 @@ enum class Verdict {
     upstreamTooSlow,
     memoryOver,          // steps that were left by jumps have taken all that a script may take, on one of the two
     upstreamUndefined,   // its result hangs on memory that nobody wrote
-    signOfNaN,           // only the number in messages of the LCP solver differs
+    signOfNaN,           // messages of the LCP solver differ in their number, or are heard on one side alone
 };
 const char *nameOf(Verdict verdict);
 
