@@ -50,8 +50,8 @@ int main(void) {
     }
     printState(bodies);
 
-    dJointGroupDestroy(contacts);
     dSpaceDestroy(space);
+    dJointGroupDestroy(contacts);
     dWorldDestroy(world);
     dCloseODE();
     return 0;

@@ -11,6 +11,7 @@
 #include "ChainWorld.h"
 #include "ChildProcess.h"
 #include "Deadline.h"
+#include "OdePool.h"
 #include "OdeSession.h"
 #include "SphereRows.h"
 #include "processThreads.h"
@@ -56,12 +57,10 @@ const Call kCalls[] = {
          dCleanupODEAllDataForThread();
      }},
     {"ThreadPool", [] {
-         const dThreadingThreadPoolID pool = dThreadingAllocateThreadPool(1, 0, dAllocateFlagBasicData, nullptr);
-         const dThreadingImplementationID threading = dThreadingAllocateMultiThreadedImplementation();
-         dThreadingThreadPoolServeMultiThreadedImplementation(pool, threading);
-         dThreadingImplementationShutdownProcessing(threading);
-         dThreadingFreeThreadPool(pool);
-         dThreadingFreeImplementation(threading);
+         const OdePool pool(1);
+         pool.shutDown();
+         pool.freePool();
+         pool.freeThreading();
      }},
 };
 

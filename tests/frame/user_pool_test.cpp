@@ -7,34 +7,13 @@
 
 #include "ChainWorld.h"
 #include "frame/dxStepStatistics.h"
+#include "OdePool.h"
 #include "OdeSession.h"
 #include "processThreads.h"
 #include "Runs.h"
 #include "sanitizers.h"
 
 namespace {
-
-// ODE's own pool, as its demos set it up.
-struct Pool {
-    explicit Pool(unsigned threads = 3)
-        : threading(dThreadingAllocateMultiThreadedImplementation()),
-          pool(dThreadingAllocateThreadPool(threads, 0, dAllocateFlagBasicData, nullptr)) {
-        dThreadingThreadPoolServeMultiThreadedImplementation(pool, threading);
-    }
-    void lendTo(const ChainWorld &world) const {
-        dWorldSetStepThreadingImplementation(world.world(), dThreadingImplementationGetFunctions(threading),
-                                             threading);
-    }
-    static void takeFrom(const ChainWorld &world) {
-        dWorldSetStepThreadingImplementation(world.world(), nullptr, nullptr);
-    }
-    void shutDown() const { dThreadingImplementationShutdownProcessing(threading); }
-    void freePool() const { dThreadingFreeThreadPool(pool); }
-    void freeThreading() const { dThreadingFreeImplementation(threading); }
-
-    dThreadingImplementationID threading;
-    dThreadingThreadPoolID pool;
-};
 
 class UserPool : public testing::Test {
 protected:
@@ -61,8 +40,8 @@ TEST_F(UserPool, StepsIslandsWithSerialBits) {
     const auto serial = makeWorld();
     dRandSetSeed(2);
     serial->step(20);
-    const Pool pool;
-    pool.lendTo(*world);
+    const OdePool pool;
+    pool.lendTo(world->world());
     dRandSetSeed(2);
     const unsigned before = dODE_MT_GetParallelSteps();
     world->step(20);
@@ -77,30 +56,30 @@ TEST_F(UserPool, StepsIslandsWithSerialBits) {
         30));
     pool.shutDown();
     pool.freePool();
-    Pool::takeFrom(*world);
+    OdePool::takeFrom(world->world());
     pool.freeThreading();
     world->step();
 }
 
 TEST_F(UserPool, WorldsLimitHolds) {
-    const Pool pool;
-    pool.lendTo(*world);
+    const OdePool pool;
+    pool.lendTo(world->world());
     dWorldSetStepIslandsProcessingMaxThreadCount(world->world(), 1);
     const unsigned before = dODE_MT_GetParallelSteps();
     world->step(5);
     EXPECT_EQ(dODE_MT_GetParallelSteps(), before);
     pool.shutDown();
     pool.freePool();
-    Pool::takeFrom(*world);
+    OdePool::takeFrom(world->world());
     pool.freeThreading();
 }
 
 TEST_F(UserPool, TakenFromTheWorldBeforeItIsShutDown) {
     for (int i = 0; i < 20; ++i) {
-        const Pool pool;
-        pool.lendTo(*world);
+        const OdePool pool;
+        pool.lendTo(world->world());
         world->step(3);
-        Pool::takeFrom(*world);
+        OdePool::takeFrom(world->world());
         pool.shutDown();
         pool.freePool();
         pool.freeThreading();
@@ -109,12 +88,12 @@ TEST_F(UserPool, TakenFromTheWorldBeforeItIsShutDown) {
 
 TEST_F(UserPool, FreedInTheOrderOfTheDemos) {
     for (int i = 0; i < 20; ++i) {
-        const Pool pool;
-        pool.lendTo(*world);
+        const OdePool pool;
+        pool.lendTo(world->world());
         world->step(3);
         pool.shutDown();
         pool.freePool();
-        Pool::takeFrom(*world);
+        OdePool::takeFrom(world->world());
         pool.freeThreading();
         world->step();
     }
@@ -122,8 +101,8 @@ TEST_F(UserPool, FreedInTheOrderOfTheDemos) {
 
 TEST_F(UserPool, WorldDestroyedWhileItIsServed) {
     for (int i = 0; i < 20; ++i) {
-        const Pool pool;
-        pool.lendTo(*world);
+        const OdePool pool;
+        pool.lendTo(world->world());
         world->step(3);
         world = makeWorld();
         pool.shutDown();
@@ -133,8 +112,8 @@ TEST_F(UserPool, WorldDestroyedWhileItIsServed) {
 }
 
 TEST_F(UserPool, WorldDestroyedAfterShutDown) {
-    const Pool pool;
-    pool.lendTo(*world);
+    const OdePool pool;
+    pool.lendTo(world->world());
     world->step(3);
     pool.shutDown();
     pool.freePool();
@@ -143,39 +122,39 @@ TEST_F(UserPool, WorldDestroyedAfterShutDown) {
 }
 
 TEST_F(UserPool, NeverStepped) {
-    const Pool pool;
-    pool.lendTo(*world);
+    const OdePool pool;
+    pool.lendTo(world->world());
     pool.shutDown();
     pool.freePool();
-    Pool::takeFrom(*world);
+    OdePool::takeFrom(world->world());
     pool.freeThreading();
 }
 
 TEST_F(UserPool, SharedByTwoWorlds) {
     const auto second = makeWorld();
-    const Pool pool;
-    for (const ChainWorld *each : {world.get(), second.get()}) pool.lendTo(*each);
+    const OdePool pool;
+    for (const ChainWorld *each : {world.get(), second.get()}) pool.lendTo(each->world());
     world->step(3);
     second->step(3);
-    Pool::takeFrom(*world);
+    OdePool::takeFrom(world->world());
     second->step(3);
     pool.shutDown();
     pool.freePool();
-    Pool::takeFrom(*second);
+    OdePool::takeFrom(second->world());
     pool.freeThreading();
 }
 
 TEST_F(UserPool, ExchangedForAnother) {
-    const Pool first, second(2);
-    first.lendTo(*world);
+    const OdePool first, second(2);
+    first.lendTo(world->world());
     world->step(3);
-    second.lendTo(*world);
+    second.lendTo(world->world());
     world->step(3);
     first.shutDown();
     first.freePool();
     first.freeThreading();
     world->step(3);
-    Pool::takeFrom(*world);
+    OdePool::takeFrom(world->world());
     second.shutDown();
     second.freePool();
     second.freeThreading();
@@ -208,10 +187,10 @@ TEST_F(UserPool, SelfThreadedImplementationStaysSerial) {
 }
 
 TEST_F(UserPool, BorrowedThreadsAreBackWhenTheLibraryIsClosed) {
-    const Pool pool;
-    pool.lendTo(*world);
+    const OdePool pool;
+    pool.lendTo(world->world());
     world->step(3);
-    Pool::takeFrom(*world);
+    OdePool::takeFrom(world->world());
     world.reset();
     dCloseODE();
     pool.shutDown();

@@ -49,8 +49,8 @@ protected:
         dBodySetLinearVel(body, 1, 0, 0);
     }
     ~Webots() override {
+        dWorldDestroy(world);  // its bodies leave their geoms
         dSpaceDestroy(space);
-        dWorldDestroy(world);
     }
 
     OdeSession session;

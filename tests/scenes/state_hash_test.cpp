@@ -8,21 +8,16 @@ namespace {
 
 class StateHash : public testing::Test {
 protected:
-    StateHash() {
-        dInitODE2(0);
-        world = dWorldCreate();
-        body = dBodyCreate(world);
-        inventory.bodies = {body, dBodyCreate(world)};
-    }
-    ~StateHash() override {
-        dWorldDestroy(world);
-        dCloseODE();
-    }
+    static void SetUpTestSuite() { dInitODE2(0); }
+    static void TearDownTestSuite() { dCloseODE(); }
+
+    StateHash() { inventory.bodies = {body, dBodyCreate(world)}; }
+    ~StateHash() override { dWorldDestroy(world); }
 
     std::uint64_t hash() const { return scenes::stateHash(inventory); }
 
-    dWorldID world;
-    dBodyID body;
+    const dWorldID world = dWorldCreate();
+    const dBodyID body = dBodyCreate(world);
     scenes::Inventory inventory;
 };
 
