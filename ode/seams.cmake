@@ -88,7 +88,7 @@ foreach(file collision_space collision_quadtreespace collision_sapspace)
     ode_mt_compile_after("${file}.cpp" collision_space.h)
 endforeach()
 
-# The stages of the exact step count without atomics, QuickStep's, too (quickstep.h); its LCP solver: same bits, less work
+# The stages of the exact step count without atomics; its LCP solver: same bits, less work
 # (docs/lcp.md).
 ode_mt_compile_after("step.cpp" step.h)
 
@@ -101,7 +101,3 @@ ode_mt_compile_after("lcp.cpp" lcp.h)
 # long as before.
 set_property(SOURCE "${ODE_MT_UPSTREAM_DIR}/ode/src/lcp.cpp" APPEND PROPERTY
     COMPILE_OPTIONS $<$<CXX_COMPILER_ID:GNU>:-fno-tree-loop-vectorize>)
-
-# QuickStep's rows: every island shuffles them by its own piece of the random sequence; the sweep has its first
-# order made to overlap, and vectors; same bits (docs/sweep.md).
-ode_mt_compile_after("quickstep.cpp" quickstep.h)

@@ -1,7 +1,5 @@
-/* Upstream's stages share their items out by atomic counters, and lock the bus for each item. Ours never run on several
- * threads with one counter: a piece of a stage has counters of its own (ode_mt/dynamics/dxStagePieces.h). So they are given
- * the counters that upstream has for builds without threads. All else that such builds do without stays, as QuickStep's
- * links and levels, whose memory is used (ode_mt/dynamics/dxIslandSweeps.h). */
+/* The stages of upstream's exact step count their items by atomic counters, and lock the bus for each item. Here a stage runs on one
+ * thread, so they are given the counters that upstream has for builds without threads. */
 #pragma once
 
 #include "config.h"

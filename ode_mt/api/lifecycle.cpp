@@ -12,7 +12,6 @@
 #include "collision/dxJointRemoval.h"
 #include "collision/dxThreadTrimeshCache.h"
 #include "dynamics/dxIslandTeam.h"
-#include "dynamics/dxRowMemory.h"
 #include "dynamics/dxWorkingMemory.h"
 #include "frame/dxConcurrentCallbacks.h"
 #include "frame/dxStepRecords.h"
@@ -49,7 +48,6 @@ void releaseWorkers() {
     dxForgetJointRemoval();
     dxStepRecords::release();
     dxIslandTeamLease::forget();
-    dxRowMemory::forget();
     dxWorkingMemory::release();
 }
 

@@ -1,8 +1,7 @@
-// What upstream's stepper meets where it would leave the island it steps.
+// What a stepper meets where it would leave the island it steps.
 //
-// dxStepIsland and dxQuickStepIsland of upstream run unchanged. Where they shuffle rows, tell a
-// collision space that a geom moved, or report a message, a seam (ode/seams.cmake) asks the scope of the
-// current thread. There are two:
+// Where rows are shuffled, a collision space is told that a geom moved, or a message is reported, the scope of the
+// current thread is asked. There are two:
 //
 //   dxDeferredIsland   the island is stepped on behalf of the thread that called the step
 //   dxReservedDraws    islands are stepped in order on that thread, with random numbers taken in advance

@@ -1,5 +1,8 @@
-// QuickStep's shuffle of an island's rows (ode/seams/quickstep.h puts it in the place of upstream's).
+// QuickStep's shuffle of an island's rows.
 #pragma once
+
+// Sweeps between two shuffles; upstream shuffles before every eighth sweep but the first.
+constexpr unsigned kShuffleInterval = 8;
 
 // Swaps every entry but the first with a random one before it or itself, in ascending order. Draws rows - 1 numbers, all
 // at once: from the island's own piece of the random sequence, or from the shared one.

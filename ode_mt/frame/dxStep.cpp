@@ -11,11 +11,12 @@
 #include "dynamics/dxBodyIntegration.h"
 #include "dynamics/dxIslandCall.h"
 #include "dynamics/dxIslandSurvey.h"
-#include "dynamics/dxIslandSweeps.h"
 #include "dynamics/dxLoneStepper.h"
 #include "dynamics/dxRandom.h"
 #include "dynamics/dxReservedDraws.h"
+#include "dynamics/dxRowShuffle.h"
 #include "dynamics/dxWorkingMemory.h"
+#include "dynamics/quickstep/dxQuickStep.h"
 #include "frame/dxIslandSharing.h"
 #include "frame/dxSettings.h"
 #include "frame/dxStepStatistics.h"
@@ -81,19 +82,17 @@ private:
     dxWorldProcessMemArena *m_arena;
 };
 
-// Upstream's contexts are bare; the seams of its stages look for an island's call.
-template <dstepper_fn_t Stepper>
+// Upstream's contexts are bare; the seam of its exact step looks for an island's call.
 void stepBare(const dxStepperProcessingCallContext *context) {
     const dxIslandCall call(*context);
-    Stepper(&call);
+    dxStepIsland(&call);
 }
 
-// By calls that upstream posts to the implementation that the user gave the world.
+// By upstream's own steppers, which post their stages to the implementation that the user gave the world.
 bool stepByPosting(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper,
                    dmaxcallcountestimate_fn_t estimate) {
     const dxLoneStepper inTurn;
-    return dxProcessIslands(world, info, stepSize,
-                            stepper == &dxQuickStepIsland ? &stepBare<&dxQuickStepIsland> : &stepBare<&dxStepIsland>, estimate);
+    return dxProcessIslands(world, info, stepSize, stepper == &dxQuickStepIsland ? stepper : &stepBare, estimate);
 }
 
 }  // namespace
@@ -111,7 +110,6 @@ dxStep::dxStep(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal step
     : m_world(world),
       m_info(info),
       m_stepSize(stepSize),
-      m_stepper(stepper),
       m_kind(stepper == &dxQuickStepIsland ? dxStepperKind::Quick : dxStepperKind::World),
       m_count(static_cast<unsigned>(info.GetIslandsCount())),
       m_userHandlers(dGetErrorHandler() || dGetDebugHandler() || dGetMessageHandler()),
@@ -226,11 +224,16 @@ void dxStep::stepInOrder(dxIslandCursor cursor, unsigned count) {
 
 void dxStep::stepIsland(const dxIsland &island, dxWorldProcessMemArena *arena) {
     arena->ResetState();
+    dxIslandTeam *const team = m_team != nullptr && island.jointCount >= leastTeamJoints() ? m_team : nullptr;
+    if (m_kind == dxStepperKind::Quick) {
+        dxQuickStep({m_world, m_stepSize, island, arena, team});
+        return;
+    }
     constexpr unsigned kOneThread = 1;  // all of upstream's stages one after the other on this thread
     dxIslandCall call(m_world, m_stepSize, kOneThread, arena, island.bodies, island.joints);
     call.AssignIslandSelection(island.bodies, island.joints, island.bodyCount, island.jointCount);
-    if (m_team != nullptr && island.jointCount >= leastTeamJoints()) call.team = m_team;
-    m_stepper(&call);
+    call.team = team;
+    dxStepIsland(&call);
 }
 
 bool dxStep::drawsRandomNumbers() const { return drawsOf(2) != 0; }
@@ -239,7 +242,7 @@ bool dxStep::drawsRandomNumbers() const { return drawsOf(2) != 0; }
 std::uint64_t dxStep::drawsOf(unsigned rows) const {
     if (m_kind != dxStepperKind::Quick || rows == 0 || m_world->qs.num_iterations < 1) return 0;
     const std::uint64_t shuffles =
-        (static_cast<unsigned>(m_world->qs.num_iterations) - 1) / dxIslandSweeps::kShuffleEvery;
+        (static_cast<unsigned>(m_world->qs.num_iterations) - 1) / kShuffleInterval;
     return (rows - 1) * shuffles;
 }
 

@@ -66,7 +66,6 @@ private:
     dxWorld *const m_world;
     const dxWorldProcessIslandsInfo &m_info;
     const dReal m_stepSize;
-    const dstepper_fn_t m_stepper;
     const dxStepperKind m_kind;
     const unsigned m_count;     // islands
     const bool m_userHandlers;  // an error, debug or message handler is installed

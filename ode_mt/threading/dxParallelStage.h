@@ -23,10 +23,10 @@ enum class dxParallelStage : unsigned char {
     KeptPairKeys,      // the same of all pairs that are kept
     ContactsAhead,     // contacts before their callbacks: dxContactsAhead
     Callbacks,         // near-callbacks that may run at once: dxConcurrentCallbacks
-    Bodies,            // QuickStep: inertia and gravity: dxStagePieces
+    Bodies,            // QuickStep: inertia and gravity: dxIslandBodies
     Joints,            // QuickStep: Jacobians and limits
     RightHandSides,    // QuickStep
-    Rows,              // QuickStep: rows packed for the sweep: dxIslandSweeps
+    Rows,              // QuickStep: rows prepared for the sweep: dxSorSolver
     SweepPlan,         // QuickStep: order of rows for each worker: dxSharedSweep
     Sweep,             // QuickStep: the sweep
     PanelSolve,        // exact step: solves of several right-hand sides: dxPanelSolve

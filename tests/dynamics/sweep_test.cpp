@@ -23,37 +23,41 @@ using Limits = std::numeric_limits<dReal>;
 // An island of random rows in joints of three: one free row and two that it bounds, as in a contact.
 struct RandomIsland {
     RandomIsland(unsigned joints, unsigned bodyCount, unsigned seed, bool extremes)
-        : random(seed), bodies(bodyCount), jacobian(16 * 3 * joints), impulse(12 * 3 * joints), lambda(3 * joints),
-          force(6 * bodyCount), order(3 * joints) {
+        : random(seed), rows(3 * joints), bodies(bodyCount), acceleration(6 * bodyCount), order(3 * joints),
+          scheduled(3 * joints) {
         for (unsigned joint = 0; joint < joints; ++joint) addJoint(joint);
-        for (dReal &value : lambda) value = number(extremes);
-        for (dReal &value : force) value = number(extremes);
-        for (dReal &value : impulse) value = number(extremes);
+        for (dxConstraintRow &row : rows) {
+            row.lambda = number(extremes);
+            for (dReal &value : row.impulse) value = number(extremes);
+        }
+        for (dReal &value : acceleration) value = number(extremes);
         std::iota(order.begin(), order.end(), 0);
     }
 
     void addJoint(unsigned joint) {
-        const int first = static_cast<int>(random() % bodies);
-        int second = static_cast<int>(random() % (bodies + 1)) - 1;  // -1: none
+        const int first = static_cast<int>(random() % bodies.size());
+        int second = static_cast<int>(random() % (bodies.size() + 1)) - 1;  // -1: none
         if (second == first) second = -1;
-        for (unsigned row = 3 * joint; row < 3 * joint + 3; ++row) {
-            bodiesOfRow.insert(bodiesOfRow.end(), {first, second});
-            boundingRow.push_back(row == 3 * joint ? -1 : static_cast<int>(3 * joint));
-            fillRow(&jacobian[16 * row], row != 3 * joint);
-            if (second == -1) std::fill_n(&jacobian[16 * row + dxSweepIsland::kBody2], 6, Limits::quiet_NaN());
+        for (unsigned i = 3 * joint; i < 3 * joint + 3; ++i) {
+            dxConstraintRow &row = rows[i];
+            row.body[0] = first;
+            row.body[1] = second;
+            row.boundingRow = i == 3 * joint ? -1 : static_cast<int>(3 * joint);
+            fillColumns(row.jacobian, i != 3 * joint);
+            if (second == -1) std::fill_n(row.jacobian + dxConstraintRow::kBody2, 6, Limits::quiet_NaN());
         }
     }
 
-    void fillRow(dReal *row, bool bounded) {
-        for (int i = 0; i < 14; ++i) row[i] = number(false);
-        row[dxSweepIsland::kLow] = bounded ? 0 : -std::fabs(number(false));
-        row[dxSweepIsland::kHigh] = std::fabs(number(false));
+    void fillColumns(dReal *columns, bool bounded) {
+        for (int i = 0; i < 14; ++i) columns[i] = number(false);
+        columns[dxConstraintRow::kLow] = bounded ? 0 : -std::fabs(number(false));
+        columns[dxConstraintRow::kHigh] = std::fabs(number(false));
         switch (random() % 4) {
             case 0:
-                row[dxSweepIsland::kHigh] = Limits::infinity();
+                columns[dxConstraintRow::kHigh] = Limits::infinity();
                 break;
             case 1:
-                std::swap(row[dxSweepIsland::kLow], row[dxSweepIsland::kHigh]);  // no number lies between
+                std::swap(columns[dxConstraintRow::kLow], columns[dxConstraintRow::kHigh]);  // no number lies between
                 break;
         }
     }
@@ -67,80 +71,62 @@ struct RandomIsland {
         return std::uniform_real_distribution<dReal>(-0.4, 0.4)(random);
     }
 
-    dxSweepIsland island() {
-        return {static_cast<unsigned>(order.size()), bodies, jacobian.data(), impulse.data(), bodiesOfRow.data(),
-                boundingRow.data(), lambda.data(), force.data()};
+    dxIslandProblem problem() {
+        return {static_cast<unsigned>(rows.size()), static_cast<unsigned>(bodies.size()), rows.data(), bodies.data(),
+                acceleration.data(), scheduled.data()};
     }
 
     // Shuffles rows, but keeps those that bound others before them.
     void shuffle() {
         std::shuffle(order.begin(), order.end(), random);
-        std::stable_partition(order.begin(), order.end(), [this](int row) { return boundingRow[row] == -1; });
+        putUnboundedFirst();
+    }
+    void putUnboundedFirst() {
+        std::stable_partition(order.begin(), order.end(), [this](int row) { return !rows[std::size_t(row)].isBounded(); });
+    }
+
+    std::vector<dReal> lambdas() const {
+        std::vector<dReal> all;
+        for (const dxConstraintRow &row : rows) all.push_back(row.lambda);
+        return all;
     }
 
     std::mt19937 random;
-    unsigned bodies;
-    std::vector<dReal> jacobian, impulse, lambda, force;
-    std::vector<int> bodiesOfRow, boundingRow, order;
-};
-
-// The same rows, packed.
-struct PackedIsland {
-    explicit PackedIsland(RandomIsland &from) : of(from), rows(from.order.size()) {
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            std::copy_n(&of.impulse[12 * i], 12, rows[i].impulse);
-            rows[i].lambda = of.lambda[i];
-            std::copy_n(&of.bodiesOfRow[2 * i], 2, rows[i].body);
-            rows[i].boundingRow = of.boundingRow[i];
-        }
-    }
-
-    // Without the arrays that packed rows stand for.
-    dxSweepIsland island() {
-        dxSweepIsland island = of.island();
-        island.impulse = nullptr;
-        island.boundingRow = nullptr;
-        island.lambda = nullptr;
-        island.packed = rows.data();
-        return island;
-    }
-
-    void unpack() {
-        for (std::size_t i = 0; i < rows.size(); ++i) of.lambda[i] = rows[i].lambda;
-    }
-
-    RandomIsland &of;
-    std::vector<dxSweepRow> rows;
+    std::vector<dxConstraintRow> rows;
+    std::vector<dxIslandBody> bodies;
+    std::vector<dReal> acceleration;
+    std::vector<int> order, scheduled;
 };
 
 // Successive over-relaxation as a textbook has it, with the sums in upstream's order.
 void sweepOneByOne(RandomIsland &of) {
-    for (const int row : of.order) {
-        const dReal *J = &of.jacobian[16 * row], *change = &of.impulse[12 * row];
-        dReal *force[2] = {&of.force[6 * of.bodiesOfRow[2 * row]], nullptr};
-        if (of.bodiesOfRow[2 * row + 1] >= 0) force[1] = &of.force[6 * of.bodiesOfRow[2 * row + 1]];
-        const dReal old = of.lambda[row];
+    for (const int index : of.order) {
+        dxConstraintRow &row = of.rows[index];
+        const dReal *J = row.jacobian;
+        dReal *acceleration[2] = {&of.acceleration[6 * row.body[0]], nullptr};
+        if (row.body[1] >= 0) acceleration[1] = &of.acceleration[6 * row.body[1]];
+        const dReal old = row.lambda;
         dReal delta = J[6] - old * J[7];
-        for (int body = 0; body < 2 && force[body]; ++body) {
-            dReal sum = force[body][0] * J[8 * body];
-            for (int i = 1; i < 6; ++i) sum += force[body][i] * J[8 * body + i];
+        for (int body = 0; body < 2 && acceleration[body]; ++body) {
+            dReal sum = acceleration[body][0] * J[8 * body];
+            for (int i = 1; i < 6; ++i) sum += acceleration[body][i] * J[8 * body + i];
             delta -= sum;
         }
         dReal low = J[14], high = J[15];
-        if (of.boundingRow[row] >= 0) {
-            high = std::fabs(high * of.lambda[of.boundingRow[row]]);
+        if (row.boundingRow >= 0) {
+            high = std::fabs(high * of.rows[row.boundingRow].lambda);
             low = -high;
         }
-        of.lambda[row] = old + delta;
+        row.lambda = old + delta;
         if (old + delta < low) {
-            of.lambda[row] = low;
+            row.lambda = low;
             delta = low - old;
         } else if (old + delta > high) {
-            of.lambda[row] = high;
+            row.lambda = high;
             delta = high - old;
         }
-        for (int body = 0; body < 2 && force[body]; ++body) {
-            for (int i = 0; i < 6; ++i) force[body][i] += delta * change[6 * body + i];
+        for (int body = 0; body < 2 && acceleration[body]; ++body) {
+            for (int i = 0; i < 6; ++i) acceleration[body][i] += delta * row.impulse[6 * body + i];
         }
     }
 }
@@ -150,6 +136,10 @@ bool sameNumbers(const std::vector<dReal> &a, const std::vector<dReal> &b) {
     return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](dReal x, dReal y) {
                return (std::isnan(x) && std::isnan(y)) || std::memcmp(&x, &y, sizeof x) == 0;
            });
+}
+
+bool sameState(const RandomIsland &a, const RandomIsland &b) {
+    return sameNumbers(a.lambdas(), b.lambdas()) && sameNumbers(a.acceleration, b.acceleration);
 }
 
 bool mostlyFinite(const std::vector<dReal> &numbers) {
@@ -173,12 +163,11 @@ TEST_P(Sweep, IsThatOfTakingRowsOneByOne) {
                 for (int sweep = 0; sweep < 6; ++sweep) {
                     ours.shuffle();
                     reference.shuffle();
-                    dxSweep(ours.island(), ours.order.data());
+                    dxSweep(ours.problem(), ours.order.data());
                     sweepOneByOne(reference);
-                    ASSERT_TRUE(sameNumbers(ours.lambda, reference.lambda)) << size.joints << " joints";
-                    ASSERT_TRUE(sameNumbers(ours.force, reference.force)) << size.joints << " joints";
+                    ASSERT_TRUE(sameState(ours, reference)) << size.joints << " joints";
                 }
-                if (!GetParam()) { ASSERT_TRUE(mostlyFinite(ours.force)); }
+                if (!GetParam()) { ASSERT_TRUE(mostlyFinite(ours.acceleration)); }
             }
         });
     }
@@ -188,17 +177,12 @@ TEST_P(Sweep, ByScheduleHasTheSameResult) {
     for (const Size size : kSizes) {
         RandomIsland ours(size.joints, size.bodies, 3 + size.joints, GetParam());
         RandomIsland reference(size.joints, size.bodies, 3 + size.joints, GetParam());
-        const std::size_t rows = ours.order.size();
-        std::vector<int> order(rows);
-        std::vector<unsigned> level(rows), work(std::max<std::size_t>(rows, size.bodies));
-        ours.shuffle();
-        reference.shuffle();
-        dxScheduleSweep(ours.island(), ours.order.data(), {order.data(), level.data(), work.data()});
-        ASSERT_TRUE(std::is_permutation(order.begin(), order.end(), ours.order.begin()));
-        dxSweep(ours.island(), order.data());
+        reference.putUnboundedFirst();
+        dxScheduleSweep(ours.problem());
+        ASSERT_TRUE(std::is_permutation(ours.scheduled.begin(), ours.scheduled.end(), reference.order.begin()));
+        dxSweep(ours.problem(), ours.scheduled.data());
         sweepOneByOne(reference);
-        EXPECT_TRUE(sameNumbers(ours.lambda, reference.lambda)) << size.joints << " joints";
-        EXPECT_TRUE(sameNumbers(ours.force, reference.force)) << size.joints << " joints";
+        EXPECT_TRUE(sameState(ours, reference)) << size.joints << " joints";
     }
 }
 
@@ -209,46 +193,23 @@ INSTANTIATE_TEST_SUITE_P(Numbers, Sweep, testing::Bool(),
 // neighbours that share no body at once.
 TEST(SweepSchedule, PutsRowsOfDifferentBodiesSideBySide) {
     constexpr unsigned kBodies = 10, kRowsPerLink = 4, kRows = (kBodies - 1) * kRowsPerLink;
-    std::vector<int> bodies, order(kRows), scheduled(kRows);
+    std::vector<dxConstraintRow> rows(kRows);
+    std::vector<dxIslandBody> bodies(kBodies);
+    std::vector<int> scheduled(kRows);
     for (unsigned row = 0; row < kRows; ++row) {
         // Every second link first: the others wait for them, not for one another.
         const int link = static_cast<int>(row / kRowsPerLink * 2 % (kBodies - 1));
-        bodies.insert(bodies.end(), {link, link + 1});
+        rows[row].body[0] = link;
+        rows[row].body[1] = link + 1;
+        rows[row].boundingRow = dxConstraintRow::kNone;
     }
-    std::iota(order.begin(), order.end(), 0);
-    std::vector<unsigned> level(kRows), work(kRows);
-    dxSweepIsland island{};
-    island.rows = kRows;
-    island.bodies = kBodies;
-    island.bodiesOfRow = bodies.data();
-    dxScheduleSweep(island, order.data(), {scheduled.data(), level.data(), work.data()});
+    dxScheduleSweep({kRows, kBodies, rows.data(), bodies.data(), nullptr, scheduled.data()});
     unsigned waiting = 0;
     for (unsigned i = 1; i < kRows; ++i) {
-        const int *row = &bodies[2 * scheduled[i]], *before = &bodies[2 * scheduled[i - 1]];
+        const int *row = rows[scheduled[i]].body, *before = rows[scheduled[i - 1]].body;
         waiting += row[0] == before[0] || row[0] == before[1] || row[1] == before[0] || row[1] == before[1];
     }
     EXPECT_LE(waiting, 2 * kRowsPerLink);  // in the given order: 27 of 35
-}
-
-TEST_P(Sweep, OfPackedRowsHasTheSameResult) {
-    for (const std::int64_t set : instructionSets()) {
-        onInstructionSet(set, [] {
-            for (const Size size : kSizes) {
-                RandomIsland ours(size.joints, size.bodies, 11 + size.joints, GetParam());
-                RandomIsland reference(size.joints, size.bodies, 11 + size.joints, GetParam());
-                PackedIsland packed(ours);
-                for (int sweep = 0; sweep < 3; ++sweep) {
-                    ours.shuffle();
-                    reference.shuffle();
-                    dxSweep(packed.island(), ours.order.data());
-                    sweepOneByOne(reference);
-                }
-                packed.unpack();
-                ASSERT_TRUE(sameNumbers(ours.lambda, reference.lambda)) << size.joints << " joints";
-                ASSERT_TRUE(sameNumbers(ours.force, reference.force)) << size.joints << " joints";
-            }
-        });
-    }
 }
 
 // A thread for each block, or the calling thread for all of them.
@@ -276,23 +237,20 @@ protected:
         const auto [parts, several] = GetParam();
         RandomIsland ours(size.joints, size.bodies, 5 + size.joints, true);
         RandomIsland reference(size.joints, size.bodies, 5 + size.joints, true);
-        PackedIsland packed(ours);
         Threads threads(several);
         dxSharedSweep sweep;
         dReal place[3];
-        sweep.begin(packed.island(), parts, [&](std::size_t body) {
+        sweep.begin(ours.problem(), parts, [&](std::size_t body) {
             for (int axis = 0; axis < 3; ++axis) place[axis] = coordinate(body, axis);
             return place;
         });
         for (const unsigned times : {8u, 1u, 4u}) {
             ours.shuffle();
             reference.shuffle();
-            sweep.sweep(packed.island(), ours.order.data(), times, threads);
+            sweep.sweep(ours.problem(), ours.order.data(), times, threads);
             for (unsigned i = 0; i < times; ++i) sweepOneByOne(reference);
         }
-        packed.unpack();
-        EXPECT_TRUE(sameNumbers(ours.lambda, reference.lambda)) << size.joints << " joints";
-        EXPECT_TRUE(sameNumbers(ours.force, reference.force)) << size.joints << " joints";
+        EXPECT_TRUE(sameState(ours, reference)) << size.joints << " joints";
     }
 };
 

@@ -17,6 +17,10 @@ constexpr std::uint16_t kActsOnShared = 1 << 15;
 constexpr int kPatience = 256;
 constexpr int kRounds = 16;
 
+std::size_t bodyOf(const dxIslandProblem &problem, std::size_t row, unsigned which) {
+    return static_cast<std::size_t>(problem.rows[row].body[which]);
+}
+
 }  // namespace
 
 // A row that acts on a shared body, in the order of the sweep.
@@ -62,57 +66,54 @@ struct alignas(128) dxSharedSweep::Part {
 dxSharedSweep::dxSharedSweep() = default;
 dxSharedSweep::~dxSharedSweep() = default;
 
-void dxSharedSweep::cut(const dxSweepIsland &island, unsigned parts) {
+void dxSharedSweep::cut(const dxIslandProblem &problem, unsigned parts) {
     m_partCount = parts;
     while (m_parts.size() < parts) m_parts.push_back(std::make_unique<Part>());
-    m_weights.assign(island.bodies, 0);
-    for (std::size_t row = 0; row < island.rows; ++row) ++m_weights[static_cast<std::size_t>(island.bodiesOfRow[2 * row])];
+    m_weights.assign(problem.bodyCount, 0);
+    for (std::size_t row = 0; row < problem.rowCount; ++row) ++m_weights[bodyOf(problem, row, 0)];
     m_cut.cut(m_places, m_weights, parts);
-    markSharedBodies(island);
+    markSharedBodies(problem);
 }
 
-void dxSharedSweep::markSharedBodies(const dxSweepIsland &island) {
-    m_isShared.assign(island.bodies, 0);
+void dxSharedSweep::markSharedBodies(const dxIslandProblem &problem) {
+    m_isShared.assign(problem.bodyCount, 0);
     m_sharedBodies.clear();
-    for (std::size_t row = 0; row < island.rows; ++row) {
-        const int *const bodies = island.bodiesOfRow + 2 * row;
-        if (bodies[1] == dxSweepIsland::kNone) continue;
-        const auto second = static_cast<std::size_t>(bodies[1]);
-        if (m_isShared[second] || m_cut.partOf(static_cast<std::size_t>(bodies[0])) == m_cut.partOf(second)) continue;
+    for (std::size_t row = 0; row < problem.rowCount; ++row) {
+        if (!problem.rows[row].hasSecondBody()) continue;
+        const std::size_t second = bodyOf(problem, row, 1);
+        if (m_isShared[second] || m_cut.partOf(bodyOf(problem, row, 0)) == m_cut.partOf(second)) continue;
         m_isShared[second] = 1;
         m_sharedBodies.push_back(static_cast<unsigned>(second));
     }
-    m_partOfRow.resize(island.rows);
-    for (std::size_t row = 0; row < island.rows; ++row) {
-        const int *const bodies = island.bodiesOfRow + 2 * row;
-        const bool isShared = m_isShared[static_cast<std::size_t>(bodies[0])] ||
-                              (bodies[1] != dxSweepIsland::kNone && m_isShared[static_cast<std::size_t>(bodies[1])]);
-        m_partOfRow[row] = static_cast<std::uint16_t>(m_cut.partOf(static_cast<std::size_t>(bodies[0])) |
-                                                      (isShared ? kActsOnShared : 0));
+    m_partOfRow.resize(problem.rowCount);
+    for (std::size_t row = 0; row < problem.rowCount; ++row) {
+        const std::size_t first = bodyOf(problem, row, 0);
+        const bool isShared = m_isShared[first] || (problem.rows[row].hasSecondBody() && m_isShared[bodyOf(problem, row, 1)]);
+        m_partOfRow[row] = static_cast<std::uint16_t>(m_cut.partOf(first) | (isShared ? kActsOnShared : 0));
     }
 }
 
-void dxSharedSweep::sweep(const dxSweepIsland &island, const int *order, unsigned times, dxTaskRunner &runner) {
-    runner.forBlocks(dxParallelStage::SweepPlan, m_partCount, [&](unsigned number, unsigned) { plan(island, order, number); });
-    runner.forBlocks(dxParallelStage::Sweep, m_partCount, [&](unsigned number, unsigned) { finish(island, number, times); });
+void dxSharedSweep::sweep(const dxIslandProblem &problem, const int *order, unsigned times, dxTaskRunner &runner) {
+    runner.forBlocks(dxParallelStage::SweepPlan, m_partCount, [&](unsigned number, unsigned) { plan(problem, order, number); });
+    runner.forBlocks(dxParallelStage::Sweep, m_partCount, [&](unsigned number, unsigned) { finish(problem, number, times); });
 }
 
-void dxSharedSweep::plan(const dxSweepIsland &island, const int *order, unsigned number) {
+void dxSharedSweep::plan(const dxIslandProblem &problem, const int *order, unsigned number) {
     Part &part = *m_parts[number];
-    deal(island, order, number);
-    orderSharedRows(island, number);
+    deal(problem, order, number);
+    orderSharedRows(problem, number);
     part.row = part.wait = 0;
     part.sweep = 0;
     part.done.store(0, std::memory_order_relaxed);
     part.isFinished.store(part.rows.empty(), std::memory_order_relaxed);
 }
 
-void dxSharedSweep::deal(const dxSweepIsland &island, const int *order, unsigned number) {
+void dxSharedSweep::deal(const dxIslandProblem &problem, const int *order, unsigned number) {
     Part &part = *m_parts[number];
     part.rows.clear();
     part.sharedRows.clear();
     part.counts.assign(m_partCount, 0);
-    for (unsigned i = 0; i < island.rows; ++i) {
+    for (unsigned i = 0; i < problem.rowCount; ++i) {
         const auto row = static_cast<unsigned>(order[i]);
         const std::uint16_t tag = m_partOfRow[row];
         const std::uint32_t owner = tag & ~kActsOnShared;
@@ -124,18 +125,16 @@ void dxSharedSweep::deal(const dxSweepIsland &island, const int *order, unsigned
 
 // All parts find the same pairs of rows that follow one another on a body, each by itself. Of a pair in
 // different parts the later row waits for the earlier one, unless it waits for a still later row of that part anyway.
-void dxSharedSweep::orderSharedRows(const dxSweepIsland &island, unsigned number) {
+void dxSharedSweep::orderSharedRows(const dxIslandProblem &problem, unsigned number) {
     Part &part = *m_parts[number];
     part.waits.clear();
-    part.last.resize(island.bodies);
+    part.last.resize(problem.bodyCount);
     part.asked.assign(m_partCount, std::numeric_limits<std::int32_t>::min());
     part.promised.assign(m_partCount, std::numeric_limits<std::int32_t>::min());
     const auto forSharedBodies = [&](const SharedRow &shared, auto &&visit) {
-        for (int i = 0; i < 2; ++i) {
-            const int body = island.bodiesOfRow[2 * static_cast<std::size_t>(shared.row) + static_cast<unsigned>(i)];
-            if (body != dxSweepIsland::kNone && m_isShared[static_cast<std::size_t>(body)])
+        for (const int body : problem.rows[shared.row].body)
+            if (body != dxConstraintRow::kNone && m_isShared[static_cast<std::size_t>(body)])
                 visit(part.last[static_cast<std::size_t>(body)]);
-        }
     };
     // Before the first row on a body comes the last one of the sweep before.
     for (const SharedRow &shared : part.sharedRows)
@@ -160,12 +159,12 @@ void dxSharedSweep::orderSharedRows(const dxSweepIsland &island, unsigned number
 }
 
 // Returns when the part is finished, by this thread or another one.
-void dxSharedSweep::finish(const dxSweepIsland &island, unsigned number, unsigned times) {
+void dxSharedSweep::finish(const dxIslandProblem &problem, unsigned number, unsigned times) {
     const auto tryPart = [&](unsigned which) {
         Part &part = *m_parts[which];
         dxPerturb(dxSchedulePoint::ClaimPart);
         if (part.isFinished.load(std::memory_order_relaxed) || part.isTaken.exchange(true, std::memory_order_acquire)) return;
-        if (!part.isFinished.load(std::memory_order_relaxed)) advance(island, part, times);
+        if (!part.isFinished.load(std::memory_order_relaxed)) advance(problem, part, times);
         part.isTaken.store(false, std::memory_order_release);
     };
     for (int round = 1; !m_parts[number]->isFinished.load(std::memory_order_acquire); ++round) {
@@ -177,9 +176,9 @@ void dxSharedSweep::finish(const dxSweepIsland &island, unsigned number, unsigne
 }
 
 // As far as it goes.
-void dxSharedSweep::advance(const dxSweepIsland &island, Part &part, unsigned times) {
+void dxSharedSweep::advance(const dxIslandProblem &problem, Part &part, unsigned times) {
     while (mayGoOn(part)) {
-        part.row = dxTakeRun(island, part.rows.data(), part.row, part.rows.size());
+        part.row = dxTakeRun(problem, part.rows.data(), part.row, part.rows.size());
         dxPerturb(dxSchedulePoint::AnnounceRows);
         part.done.store(part.sweep * part.length() + static_cast<std::int64_t>(part.row), std::memory_order_release);
         if (part.row < part.rows.size()) continue;

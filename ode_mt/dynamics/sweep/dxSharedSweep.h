@@ -30,29 +30,29 @@ public:
 
     // Cuts the island. `placeOf(body)`: three numbers.
     template <class PlaceOf>
-    void begin(const dxSweepIsland &island, unsigned parts, PlaceOf placeOf) {
-        m_places.resize(island.bodies);
-        for (std::size_t body = 0; body < island.bodies; ++body) {
+    void begin(const dxIslandProblem &problem, unsigned parts, PlaceOf placeOf) {
+        m_places.resize(problem.bodyCount);
+        for (std::size_t body = 0; body < problem.bodyCount; ++body) {
             const dReal *const at = placeOf(body);
             m_places[body] = {{at[0], at[1], at[2]}};
         }
-        cut(island, parts);
+        cut(problem, parts);
     }
 
-    // As dxSweep(island, order) so many times.
-    void sweep(const dxSweepIsland &island, const int *order, unsigned times, dxTaskRunner &runner);
+    // As dxSweep(problem, order) so many times.
+    void sweep(const dxIslandProblem &problem, const int *order, unsigned times, dxTaskRunner &runner);
 
 private:
     struct Part;
     struct SharedRow;
 
-    void cut(const dxSweepIsland &island, unsigned parts);
-    void markSharedBodies(const dxSweepIsland &island);
-    void plan(const dxSweepIsland &island, const int *order, unsigned number);
-    void deal(const dxSweepIsland &island, const int *order, unsigned number);
-    void orderSharedRows(const dxSweepIsland &island, unsigned number);
-    void finish(const dxSweepIsland &island, unsigned number, unsigned times);
-    void advance(const dxSweepIsland &island, Part &part, unsigned times);
+    void cut(const dxIslandProblem &problem, unsigned parts);
+    void markSharedBodies(const dxIslandProblem &problem);
+    void plan(const dxIslandProblem &problem, const int *order, unsigned number);
+    void deal(const dxIslandProblem &problem, const int *order, unsigned number);
+    void orderSharedRows(const dxIslandProblem &problem, unsigned number);
+    void finish(const dxIslandProblem &problem, unsigned number, unsigned times);
+    void advance(const dxIslandProblem &problem, Part &part, unsigned times);
     bool mayGoOn(Part &part);
 
     std::vector<dxPlace> m_places;                // by body

@@ -20,9 +20,12 @@ namespace HWY_NAMESPACE {
 
 #if HWY_TARGET == HWY_SCALAR
 
-template <class Row>
-HWY_INLINE void takeRow(const dxSweepIsland &island, const Row &row) {
-    takeRowPlain(island, row);
+struct Branching;
+struct BranchFree;
+
+template <class Relaxation>
+HWY_INLINE void takeRow(const dxIslandProblem &problem, Row &row) {
+    takeRowPlain(problem, row);
 }
 
 #else
@@ -56,94 +59,98 @@ HWY_INLINE Pair sums(const Six &a, const Six &b) {
 
 HWY_INLINE dReal upper(Pair pair) { return hn::GetLane(hn::DupOdd(pair)); }
 
-HWY_INLINE void addImpulse(const Six &force, Pair delta, const dReal *impulse, dReal *out) {
+HWY_INLINE void addImpulse(const Six &acceleration, Pair delta, const dReal *impulse, dReal *out) {
     const Six change = load(impulse);
-    hn::StoreU(hn::Add(force.v01, hn::Mul(delta, change.v01)), kPair, out);
-    hn::StoreU(hn::Add(force.v23, hn::Mul(delta, change.v23)), kPair, out + 2);
-    hn::StoreU(hn::Add(force.v45, hn::Mul(delta, change.v45)), kPair, out + 4);
+    hn::StoreU(hn::Add(acceleration.v01, hn::Mul(delta, change.v01)), kPair, out);
+    hn::StoreU(hn::Add(acceleration.v23, hn::Mul(delta, change.v23)), kPair, out + 2);
+    hn::StoreU(hn::Add(acceleration.v45, hn::Mul(delta, change.v45)), kPair, out + 4);
 }
+
+// relax() with branches, for rows in the order of their joints, whose branches are predictable.
+struct Branching {
+    static HWY_INLINE dReal relaxRow(const dxIslandProblem &problem, Row &row, dReal delta) { return relax(problem, row, delta); }
+};
 
 constexpr hn::FixedTag<dReal, 1> kSingle;
 
-// relax() of a packed row. In a large island's random order nobody can foresee whether a row is bounded by another one, and
-// at which limit it is; and few rows wait for this one, so that a longer way to the change costs less than a wrong guess.
-HWY_INLINE dReal relaxRow(const PackedRow &row, dReal delta) {
-    const hn::RebindToSigned<decltype(kSingle)> whole;
-    const auto isBounded = hn::RebindMask(
-        kSingle, hn::Gt(hn::Set(whole, row.boundingRow()), hn::Set(whole, dxSweepIsland::kNone)));
-    const auto ownLow = hn::LoadU(kSingle, row.jacobian() + dxSweepIsland::kLow);
-    const auto ownHigh = hn::LoadU(kSingle, row.jacobian() + dxSweepIsland::kHigh);
-    const auto one = hn::Set(kSingle, dReal(1));  // no endless limit meets a lambda of 0
-    const auto factor = hn::IfThenElse(isBounded, hn::LoadU(kSingle, &row.boundingLambda()), one);
-    const auto bound = hn::Abs(hn::Mul(ownHigh, factor));
-    const auto high = hn::IfThenElse(isBounded, bound, ownHigh), low = hn::IfThenElse(isBounded, hn::Neg(bound), ownLow);
+// relax() without branches. In a large island's random order it is unpredictable whether another row bounds a row, and at which
+// limit the row is; and few rows wait for this one, so that a longer dependency chain costs less than a misprediction.
+struct BranchFree {
+    static HWY_INLINE dReal relaxRow(const dxIslandProblem &problem, Row &row, dReal delta) {
+        const hn::RebindToSigned<decltype(kSingle)> whole;
+        const auto isBounded =
+            hn::RebindMask(kSingle, hn::Gt(hn::Set(whole, row.boundingRow), hn::Set(whole, Row::kNone)));
+        const auto ownLow = hn::LoadU(kSingle, row.jacobian + Row::kLow);
+        const auto ownHigh = hn::LoadU(kSingle, row.jacobian + Row::kHigh);
+        const auto one = hn::Set(kSingle, dReal(1));  // an infinite limit times a lambda of 0 would be no number
+        const auto factor = hn::IfThenElse(isBounded, hn::LoadU(kSingle, &boundingRowOf(problem, row).lambda), one);
+        const auto bound = hn::Abs(hn::Mul(ownHigh, factor));
+        const auto high = hn::IfThenElse(isBounded, bound, ownHigh);
+        const auto low = hn::IfThenElse(isBounded, hn::Neg(bound), ownLow);
 
-    const auto old = hn::LoadU(kSingle, &row.lambda()), change = hn::Set(kSingle, delta), wanted = hn::Add(old, change);
-    const auto isLow = hn::Lt(wanted, low), isHigh = hn::Gt(wanted, high), isLimited = hn::Or(isLow, isHigh);
-    const auto next = hn::IfThenElse(isLow, low, hn::IfThenElse(isHigh, high, wanted));
-    hn::StoreU(next, kSingle, &row.lambda());
-    // Less 0, where upstream subtracts nothing: an endless lambda less itself would raise an exception.
-    const auto limited = hn::Sub(next, hn::IfThenElseZero(isLimited, old));
-    return hn::GetLane(hn::IfThenElse(isLimited, limited, change));
-}
-
-HWY_INLINE dReal relaxRow(const ArrayRow &row, dReal delta) { return relax(row, delta); }
-
-// Both bodies at once.
-template <class Row>
-HWY_INLINE void takeRowOfTwo(const dxSweepIsland &island, const Row &row) {
-    dReal *const out1 = forceOn(island, row, 0), *const out2 = forceOn(island, row, 1);
-    const Six force1 = load(out1), force2 = load(out2);
-    const Pair sum = sums(products(force1, load(row.jacobian() + dxSweepIsland::kBody1)),
-                          products(force2, load(row.jacobian() + dxSweepIsland::kBody2)));
-    const dReal delta = residual(row) - hn::GetLane(sum) - upper(sum);
-    const Pair change = hn::Set(kPair, relaxRow(row, delta));
-    addImpulse(force1, change, row.impulse() + dxSweepIsland::kOn1, out1);
-    addImpulse(force2, change, row.impulse() + dxSweepIsland::kOn2, out2);
-}
-
-template <class Row>
-HWY_INLINE void takeRow(const dxSweepIsland &island, const Row &row) {
-    if (hasSecondBody(row)) {
-        takeRowOfTwo(island, row);
-    } else {
-        takeRowPlain(island, row);
+        const auto old = hn::LoadU(kSingle, &row.lambda), change = hn::Set(kSingle, delta), wanted = hn::Add(old, change);
+        const auto isLow = hn::Lt(wanted, low), isHigh = hn::Gt(wanted, high), isLimited = hn::Or(isLow, isHigh);
+        const auto next = hn::IfThenElse(isLow, low, hn::IfThenElse(isHigh, high, wanted));
+        hn::StoreU(next, kSingle, &row.lambda);
+        // Less 0, where upstream subtracts nothing: an infinite lambda less itself would raise an exception.
+        const auto limited = hn::Sub(next, hn::IfThenElseZero(isLimited, old));
+        return hn::GetLane(hn::IfThenElse(isLimited, limited, change));
     }
+
+private:
+    // The row itself, if no row bounds it; found without a branch.
+    static HWY_INLINE const Row &boundingRowOf(const dxIslandProblem &problem, const Row &row) {
+        const std::ptrdiff_t own = &row - problem.rows, other = row.boundingRow, noneMask = -std::ptrdiff_t(other < 0);
+        return problem.rows[(own & noneMask) | (other & ~noneMask)];
+    }
+};
+
+template <class Relaxation>
+HWY_INLINE void takeRow(const dxIslandProblem &problem, Row &row) {
+    if (!row.hasSecondBody()) return takeRowPlain(problem, row);
+    // Both bodies at once.
+    dReal *const out1 = problem.accelerationOf(row.body[0]), *const out2 = problem.accelerationOf(row.body[1]);
+    const Six on1 = load(out1), on2 = load(out2);
+    const Pair sum = sums(products(on1, load(row.jacobian + Row::kBody1)), products(on2, load(row.jacobian + Row::kBody2)));
+    const dReal delta = residual(row) - hn::GetLane(sum) - upper(sum);
+    const Pair change = hn::Set(kPair, Relaxation::relaxRow(problem, row, delta));
+    addImpulse(on1, change, row.impulse + Row::kOn1, out1);
+    addImpulse(on2, change, row.impulse + Row::kOn2, out2);
 }
 
 #endif
 
-// In large islands the rows are not in the nearest cache, and the processor cannot foresee a random order.
-HWY_INLINE void prefetch(const PackedRow &row) {
-    hwy::Prefetch(row.jacobian());
-    hwy::Prefetch(row.jacobian() + dxSweepIsland::kBody2);
-    hwy::Prefetch(row.impulse());
-    hwy::Prefetch(&row.lambda());
+// In a large island the rows are in no near cache, and the hardware cannot predict a random order.
+HWY_INLINE void prefetch(const Row &row) {
+    hwy::Prefetch(row.jacobian);
+    hwy::Prefetch(row.jacobian + Row::kBody2);
+    hwy::Prefetch(row.impulse);
+    hwy::Prefetch(&row.lambda);
 }
 
-constexpr std::size_t kAhead = 8;  // rows: enough to hide a load from the third cache
+constexpr std::size_t kPrefetchDistance = 8;  // rows: enough to hide a load from L3
 
-void sweepArrays(const dxSweepIsland &shared, const int *order) {
-    const dxSweepIsland island = shared;  // a copy of its own, which no store can change
-    for (unsigned i = 0; i < island.rows; ++i) takeRow(island, ArrayRow(island, static_cast<std::size_t>(order[i])));
+void sweepSmall(const dxIslandProblem &shared, const int *order) {
+    const dxIslandProblem problem = shared;  // a copy of its own, which no store can change
+    for (unsigned i = 0; i < problem.rowCount; ++i) takeRow<Branching>(problem, problem.rows[order[i]]);
 }
 
-void sweepPacked(const dxSweepIsland &shared, const int *order) {
-    const dxSweepIsland island = shared;
-    for (std::size_t i = 0; i < island.rows; ++i) {
-        prefetch(PackedRow(island, static_cast<std::size_t>(order[std::min<std::size_t>(i + kAhead, island.rows - 1)])));
-        takeRow(island, PackedRow(island, static_cast<std::size_t>(order[i])));
+void sweepLarge(const dxIslandProblem &shared, const int *order) {
+    const dxIslandProblem problem = shared;
+    for (std::size_t i = 0; i < problem.rowCount; ++i) {
+        prefetch(problem.rows[order[std::min<std::size_t>(i + kPrefetchDistance, problem.rowCount - 1)]]);
+        takeRow<BranchFree>(problem, problem.rows[order[i]]);
     }
 }
 
-std::size_t takeRun(const dxSweepIsland &shared, const std::uint32_t *entries, std::size_t begin, std::size_t end) {
+std::size_t takeRun(const dxIslandProblem &shared, const std::uint32_t *entries, std::size_t begin, std::size_t end) {
     using namespace dxSweepRun;
-    const dxSweepIsland island = shared;
+    const dxIslandProblem problem = shared;
     for (std::size_t i = begin; i < end; ++i) {
         const std::uint32_t entry = entries[i];
         if ((entry & kWaits) != 0 && i != begin) return i;
-        prefetch(PackedRow(island, entries[std::min(i + kAhead, end - 1)] & kRow));
-        takeRow(island, PackedRow(island, entry & kRow));
+        prefetch(problem.rows[entries[std::min(i + kPrefetchDistance, end - 1)] & kRow]);
+        takeRow<BranchFree>(problem, problem.rows[entry & kRow]);
         if ((entry & kAnnounces) != 0) return i + 1;
     }
     return end;
@@ -155,22 +162,22 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace dxSweeping {
-HWY_EXPORT(sweepArrays);
-HWY_EXPORT(sweepPacked);
+HWY_EXPORT(sweepSmall);
+HWY_EXPORT(sweepLarge);
 HWY_EXPORT(takeRun);
 }  // namespace dxSweeping
 
-void dxSweep(const dxSweepIsland &island, const int *order) {
+void dxSweep(const dxIslandProblem &problem, const int *order) {
     using namespace dxSweeping;
-    if (island.packed == nullptr) {
-        HWY_DYNAMIC_DISPATCH(sweepArrays)(island, order);
+    if (problem.isLarge()) {
+        HWY_DYNAMIC_DISPATCH(sweepLarge)(problem, order);
     } else {
-        HWY_DYNAMIC_DISPATCH(sweepPacked)(island, order);
+        HWY_DYNAMIC_DISPATCH(sweepSmall)(problem, order);
     }
 }
 
-std::size_t dxTakeRun(const dxSweepIsland &island, const std::uint32_t *entries, std::size_t begin, std::size_t end) {
+std::size_t dxTakeRun(const dxIslandProblem &problem, const std::uint32_t *entries, std::size_t begin, std::size_t end) {
     using namespace dxSweeping;
-    return HWY_DYNAMIC_DISPATCH(takeRun)(island, entries, begin, end);
+    return HWY_DYNAMIC_DISPATCH(takeRun)(problem, entries, begin, end);
 }
 #endif

@@ -4,90 +4,34 @@
 #include <hwy/base.h>
 
 #include <cmath>
-#include <cstddef>
 
-#include "dynamics/sweep/dxSweep.h"
+#include "dynamics/quickstep/dxIslandProblem.h"
 
 namespace dxSweeping {
 
-// A row of upstream's arrays.
-class ArrayRow {
-public:
-    ArrayRow(const dxSweepIsland &island, std::size_t index) : m_island(island), m_index(index) {}
-
-    const dReal *jacobian() const { return m_island.jacobian + m_index * dxSweepIsland::kJacobianColumns; }
-    const dReal *impulse() const { return m_island.impulse + m_index * dxSweepIsland::kImpulseColumns; }
-    int body(unsigned which) const { return m_island.bodiesOfRow[2 * m_index + which]; }
-    int boundingRow() const { return m_island.boundingRow[m_index]; }
-    dReal &lambda() const { return m_island.lambda[m_index]; }
-    dReal lambdaOf(int row) const { return m_island.lambda[row]; }
-
-private:
-    const dxSweepIsland &m_island;
-    std::size_t m_index;
-};
-
-// A packed row.
-class PackedRow {
-public:
-    PackedRow(const dxSweepIsland &island, std::size_t index) : m_island(island), m_index(index) {}
-
-    const dReal *jacobian() const { return m_island.jacobian + m_index * dxSweepIsland::kJacobianColumns; }
-    const dReal *impulse() const { return row().impulse; }
-    int body(unsigned which) const { return row().body[which]; }
-    int boundingRow() const { return row().boundingRow; }
-    dReal &lambda() const { return row().lambda; }
-    dReal lambdaOf(int other) const { return m_island.packed[other].lambda; }
-    // Its own, if no row bounds it; found without a branch.
-    const dReal &boundingLambda() const {
-        const std::size_t noneMask = std::size_t(0) - static_cast<std::size_t>(boundingRow() < 0);  // all bits, or no bit
-        return m_island.packed[(m_index & noneMask) | (static_cast<std::size_t>(boundingRow()) & ~noneMask)].lambda;
-    }
-
-private:
-    dxSweepRow &row() const { return m_island.packed[m_index]; }
-
-    const dxSweepIsland &m_island;
-    std::size_t m_index;
-};
-
-template <class Row>
-HWY_INLINE bool hasSecondBody(const Row &row) {
-    return row.body(1) != dxSweepIsland::kNone;
-}
-
-template <class Row>
-HWY_INLINE dReal *forceOn(const dxSweepIsland &island, const Row &row, unsigned which) {
-    return island.force + static_cast<std::size_t>(row.body(which)) * dxSweepIsland::kForceColumns;
-}
+using Row = dxConstraintRow;
 
 // What the right-hand side and the row's own lambda ask for.
-template <class Row>
-HWY_INLINE dReal residual(const Row &row) {
-    return row.jacobian()[dxSweepIsland::kRhs] - row.lambda() * row.jacobian()[dxSweepIsland::kCfm];
-}
+HWY_INLINE dReal residual(const Row &row) { return row.jacobian[Row::kRhs] - row.lambda * row.jacobian[Row::kCfm]; }
 
 // Changes the row's lambda by `delta` as far as its limits allow; returns the change. The branches are left to
 // the processor's prediction, which goes on with the unlimited change: without them every row would wait.
-template <class Row>
-HWY_INLINE dReal relax(const Row &row, dReal delta) {
-    dReal low = row.jacobian()[dxSweepIsland::kLow], high = row.jacobian()[dxSweepIsland::kHigh];
-    const int boundingRow = row.boundingRow();
-    if (boundingRow != dxSweepIsland::kNone) {
-        high = std::fabs(high * row.lambdaOf(boundingRow));
+HWY_INLINE dReal relax(const dxIslandProblem &problem, Row &row, dReal delta) {
+    dReal low = row.jacobian[Row::kLow], high = row.jacobian[Row::kHigh];
+    if (row.isBounded()) {
+        high = std::fabs(high * problem.rows[row.boundingRow].lambda);
         low = -high;
     }
-    dReal &lambda = row.lambda();
-    const dReal old = lambda, wanted = old + delta;
+    const dReal old = row.lambda, wanted = old + delta;
     if (wanted < low) {
-        lambda = low;
+        row.lambda = low;
         return low - old;
     }
     if (wanted > high) {
-        lambda = high;
+        row.lambda = high;
         return high - old;
     }
-    lambda = wanted;
+    row.lambda = wanted;
     return delta;
 }
 
@@ -99,14 +43,18 @@ HWY_INLINE void addScaled6(dReal *a, dReal factor, const dReal *b) {
     for (int i = 0; i < 6; ++i) a[i] += factor * b[i];
 }
 
-template <class Row>
-HWY_INLINE void takeRowPlain(const dxSweepIsland &island, const Row &row) {
-    const bool two = hasSecondBody(row);
-    dReal delta = residual(row) - dot6(forceOn(island, row, 0), row.jacobian() + dxSweepIsland::kBody1);
-    if (two) delta -= dot6(forceOn(island, row, 1), row.jacobian() + dxSweepIsland::kBody2);
-    delta = relax(row, delta);
-    addScaled6(forceOn(island, row, 0), delta, row.impulse() + dxSweepIsland::kOn1);
-    if (two) addScaled6(forceOn(island, row, 1), delta, row.impulse() + dxSweepIsland::kOn2);
+HWY_INLINE void takeRowPlain(const dxIslandProblem &problem, Row &row) {
+    dReal *const on1 = problem.accelerationOf(row.body[0]);
+    dReal delta = residual(row) - dot6(on1, row.jacobian + Row::kBody1);
+    if (!row.hasSecondBody()) {
+        addScaled6(on1, relax(problem, row, delta), row.impulse + Row::kOn1);
+        return;
+    }
+    dReal *const on2 = problem.accelerationOf(row.body[1]);
+    delta -= dot6(on2, row.jacobian + Row::kBody2);
+    delta = relax(problem, row, delta);
+    addScaled6(on1, delta, row.impulse + Row::kOn1);
+    addScaled6(on2, delta, row.impulse + Row::kOn2);
 }
 
 }  // namespace dxSweeping

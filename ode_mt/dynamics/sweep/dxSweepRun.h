@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "dynamics/sweep/dxSweep.h"
+#include "dynamics/quickstep/dxIslandProblem.h"
 
 // An entry of a list of rows: the number of a row, and marks.
 namespace dxSweepRun {
@@ -15,4 +15,4 @@ constexpr std::uint32_t kRow = kWaits - 1;
 
 // Takes entries from `begin` on: up to one that announces, that included, or the next one that waits, or
 // `end`. The first one does not wait any more. Returns the entry to go on with.
-std::size_t dxTakeRun(const dxSweepIsland &island, const std::uint32_t *entries, std::size_t begin, std::size_t end);
+std::size_t dxTakeRun(const dxIslandProblem &problem, const std::uint32_t *entries, std::size_t begin, std::size_t end);

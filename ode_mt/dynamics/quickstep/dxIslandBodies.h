@@ -1,0 +1,20 @@
+// QuickStep's stages over the bodies of an island.
+#pragma once
+
+#include "dynamics/dxIslandStep.h"
+#include "dynamics/quickstep/dxIslandProblem.h"
+
+// Numbers the bodies (dxObject::tag), adds gravity and gyroscopic torques to their accumulators, and finds their masses in the
+// world's frame. Parallel: writes each body, and its entry in `bodies`.
+void dxGatherBodies(const dxIslandStep &step, dxIslandBody *bodies);
+
+// Sets problem.acceleration to -(v / h + inv(M) f). Not before all joints have been asked: motors push their bodies. Parallel:
+// reads bodies.
+void dxFindFreeAccelerations(const dxIslandStep &step, const dxIslandProblem &problem);
+
+// Integrates forces and the constraints' `acceleration`, 6 numbers a body or null, to velocities. Serial: writes bodies.
+void dxIntegrateVelocities(const dxIslandStep &step, const dxIslandBody *bodies, const dReal *acceleration);
+
+// Integrates velocities to positions, tells spaces and the user's callbacks, and clears the accumulators. Serial, in the island's
+// order.
+void dxMoveBodies(const dxIslandStep &step);

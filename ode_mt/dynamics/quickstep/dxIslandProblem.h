@@ -1,0 +1,65 @@
+// The constraint problem of one island, as plain data: what a solver is given, and where it leaves its answer.
+//
+// Symbols, as in upstream's manual: J the Jacobian, M the bodies' masses, h the step size, v and f the velocities and
+// external forces before the step. Wanted are multipliers lambda, one for each row, with
+//
+//   (J inv(M) J' + cfm) lambda = rhs - J (v / h + inv(M) f)
+//
+// as far as their bounds [low, high] allow. The bounds of a row that another row bounds (friction) are +- |high| times
+// that row's lambda.
+//
+// Layout: a row is one block of four cache lines (in double precision), in the form in which a sweep reads it, whatever the size of the
+// island. All arrays together fit the memory that upstream estimates for an island, byte for byte (dxQuickStep.cpp).
+#pragma once
+
+#include <ode/common.h>
+
+#include <cstddef>
+
+struct dxConstraintRow {
+    enum Column { kBody1 = 0, kRhs = 6, kCfm = 7, kBody2 = 8, kLow = 14, kHigh = 15, kColumns = 16 };
+    enum ImpulseColumn { kOn1 = 0, kOn2 = 6, kImpulseColumns = 12 };
+    static constexpr int kNone = -1;
+
+    // Of the problem. Joints write `jacobian` (dxJoint::getInfo2): linear and angular columns for each body.
+    dReal jacobian[kColumns];
+
+    // Of the solver: inv(M) J', the change of the bodies' accelerations for a change of lambda by one.
+    dReal impulse[kImpulseColumns];
+
+    dReal lambda;     // the answer
+    int body[2];      // indices; the second may be kNone, and then its columns mean nothing
+    int boundingRow;  // an earlier row of the same joint, or kNone
+
+    // Of dxScheduleSweep alone.
+    unsigned level, levelBegin;
+
+    bool hasSecondBody() const { return body[1] != kNone; }
+    bool isBounded() const { return boundingRow != kNone; }
+};
+
+// A body's masses in the world's frame, side by side for the rows that act on it.
+struct dxIslandBody {
+    dReal invInertia[9];  // by rows
+    dReal invMass;
+    unsigned level;       // of dxScheduleSweep alone
+};
+
+struct dxIslandProblem {
+    static constexpr unsigned kForceColumns = 6;
+
+    unsigned rowCount;
+    unsigned bodyCount;
+    dxConstraintRow *rows;
+    dxIslandBody *bodies;
+    // bodyCount x 6. Given: -(v / h + inv(M) f), which is missing in the rows' right-hand sides. Answer: inv(M) J' lambda, the
+    // accelerations that the constraints add.
+    dReal *acceleration;
+    int *order;  // rowCount: room for the solver
+
+    dReal *accelerationOf(int body) const { return acceleration + static_cast<std::size_t>(body) * kForceColumns; }
+
+    // From so many rows on they do not fit the second-level cache: prefetching pays for itself.
+    static constexpr unsigned kLarge = 1000;
+    bool isLarge() const { return rowCount >= kLarge; }
+};

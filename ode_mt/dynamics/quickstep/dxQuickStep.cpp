@@ -1,0 +1,44 @@
+#include "dynamics/quickstep/dxQuickStep.h"
+
+#include "dynamics/quickstep/dxIslandBodies.h"
+#include "dynamics/quickstep/dxIslandProblem.h"
+#include "dynamics/quickstep/dxJointRows.h"
+#include "dynamics/quickstep/dxSorSolver.h"
+
+namespace {
+
+constexpr unsigned kCacheLine = 64;
+
+// Upstream's estimate for an island (dxEstimateQuickStepMemoryRequirements), which a user's allocator sees, is for other arrays: for
+// each row 128 + 96 bytes of Jacobian and impulse, and 36 of lambda, indices, orders and levels; for each body 96 + 48. Ours take
+// 256 + 4 and 88 + 48 (in double precision), so they fit. The arena asserts it at every allocation.
+dxIslandProblem makeProblem(const dxIslandStep &step, dxIslandBody *bodies, unsigned rows) {
+    dxIslandProblem problem;
+    problem.rowCount = rows;
+    problem.bodyCount = step.island.bodyCount;
+    problem.bodies = bodies;
+    problem.rows = step.arena->AllocateOveralignedArray<dxConstraintRow>(rows, kCacheLine);
+    problem.order = step.arena->AllocateArray<int>(rows);
+    problem.acceleration =
+        step.arena->AllocateArray<dReal>(std::size_t{problem.bodyCount} * dxIslandProblem::kForceColumns);
+    return problem;
+}
+
+}  // namespace
+
+void dxQuickStep(const dxIslandStep &step) {
+    auto *const bodies = step.arena->AllocateArray<dxIslandBody>(step.island.bodyCount);
+    dxGatherBodies(step, bodies);                                          // parallel
+    dxJointRows joints(step);                                              // serial
+    if (joints.rowCount() == 0) {
+        dxIntegrateVelocities(step, bodies, nullptr);                      // serial
+    } else {
+        const dxIslandProblem problem = makeProblem(step, bodies, joints.rowCount());
+        joints.read(problem.rows);                                         // parallel, if there are contacts alone
+        dxFindFreeAccelerations(step, problem);                            // parallel
+        dxSorSolver(step).solve(problem);                                  // parallel
+        joints.giveFeedback(problem.rows);                                 // serial
+        dxIntegrateVelocities(step, bodies, problem.acceleration);         // serial
+    }
+    dxMoveBodies(step);                                                    // serial: tells spaces and the user
+}
