@@ -29,10 +29,11 @@ endfunction()
 # misc.cpp is left out: a step takes its random numbers as one atomic block, so the seed must be an
 # atomic of ours (ode_mt/api/random.cpp, ode_mt/api/matrix_debug.cpp).
 
-# Islands are found with fewer waits for memory (ode_mt/dynamics/dxIslandSearch.h).
-ode_mt_compile_after("util.cpp" util.h)
+# Islands are found with fewer waits for memory (ode_mt/dynamics/dxStepPreparation.h).
+ode_mt_call_instead("ode.cpp" dxReallocateWorldProcessContext dxPrepareStep)
 
-# The islands are shared out by our frame instead of upstream's call queue.
+# The islands are shared out by our frame instead of upstream's call queue, and stepped by stages of ours (docs/steppers.md).
+# Upstream's steppers run only where a world has a threading implementation of the user's own.
 ode_mt_call_instead("ode.cpp" dxProcessIslands dxStepIslands)
 
 # An island on another thread must not touch collision spaces or call the user: the moved-notifications
@@ -88,11 +89,8 @@ foreach(file collision_space collision_quadtreespace collision_sapspace)
     ode_mt_compile_after("${file}.cpp" collision_space.h)
 endforeach()
 
-# The stages of the exact step count without atomics; its LCP solver: same bits, less work
-# (docs/lcp.md).
-ode_mt_compile_after("step.cpp" step.h)
 
-# The exact step's triangular solves with vectors: same bits, less time (docs/solve.md).
+# The triangular solves of upstream's LCP solver with vectors: same bits, less time (docs/solve.md).
 ode_mt_compile_after("lcp.cpp" lcp.h)
 
 # Upstream's own solver is left with what is not finite (ode_mt/dynamics/lcp/dxDantzig.cpp). There the sign of a NaN may

@@ -16,6 +16,7 @@
 #include "dynamics/dxReservedDraws.h"
 #include "dynamics/dxRowShuffle.h"
 #include "dynamics/dxWorkingMemory.h"
+#include "dynamics/exactstep/dxExactStep.h"
 #include "dynamics/quickstep/dxQuickStep.h"
 #include "frame/dxIslandSharing.h"
 #include "frame/dxSettings.h"
@@ -23,7 +24,6 @@
 #include "frame/dxWorkersRunner.h"
 #include "frame/dxWorldWorkers.h"
 #include "quickstep.h"
-#include "step.h"
 #include "threading/dxFloatEnvironment.h"
 #include "threading/dxPerturbation.h"
 #include "threading/dxProcessObject.h"
@@ -82,17 +82,11 @@ private:
     dxWorldProcessMemArena *m_arena;
 };
 
-// Upstream's contexts are bare; the seam of its exact step looks for an island's call.
-void stepBare(const dxStepperProcessingCallContext *context) {
-    const dxIslandCall call(*context);
-    dxStepIsland(&call);
-}
-
 // By upstream's own steppers, which post their stages to the implementation that the user gave the world.
 bool stepByPosting(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper,
                    dmaxcallcountestimate_fn_t estimate) {
     const dxLoneStepper inTurn;
-    return dxProcessIslands(world, info, stepSize, stepper == &dxQuickStepIsland ? stepper : &stepBare, estimate);
+    return dxProcessIslands(world, info, stepSize, stepper, estimate);
 }
 
 }  // namespace
@@ -233,7 +227,7 @@ void dxStep::stepIsland(const dxIsland &island, dxWorldProcessMemArena *arena) {
     dxIslandCall call(m_world, m_stepSize, kOneThread, arena, island.bodies, island.joints);
     call.AssignIslandSelection(island.bodies, island.joints, island.bodyCount, island.jointCount);
     call.team = team;
-    dxStepIsland(&call);
+    dxExactStepIsland(&call);
 }
 
 bool dxStep::drawsRandomNumbers() const { return drawsOf(2) != 0; }

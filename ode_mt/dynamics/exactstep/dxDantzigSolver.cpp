@@ -1,0 +1,21 @@
+#include "dynamics/exactstep/dxDantzigSolver.h"
+
+#include "dynamics/exactstep/dxExactProblem.h"
+#include "dynamics/lcp/dxDantzig.h"
+#include "dynamics/lcp/dxUpstreamLcp.h"
+
+static_assert(int(dxJoint::GI2_RHS) == int(PBX_B) && int(dxJoint::GI2_CFM) == int(PBX_X) &&
+                  int(dxJoint::GI2__RHS_CFM_MAX) == int(PBX__MAX),
+              "joints write b where the solver reads it");
+static_assert(int(dxJoint::GI2_LO) == int(PLH_LO) && int(dxJoint::GI2_HI) == int(PLH_HI) &&
+                  int(dxJoint::GI2__LO_HI_MAX) == int(PLH__MAX),
+              "joints write limits where the solver reads them");
+
+// Upstream tells its solver of as many rows without limits as there are joints of such rows; the solver finds the others by
+// their limits, and the order in which it looks at rows depends on that.
+void dxDantzigSolver::solve(const dxExactProblem &problem, dxWorldProcessMemArena &arena) {
+    void *const state = arena.SaveState();
+    dxSolveDantzig(m_team, &arena, problem.rowCount, problem.matrix, problem.pairsBX, nullptr, problem.unboundedJoints,
+                   problem.pairsLoHi, problem.normalOf);
+    arena.RestoreState(state);
+}

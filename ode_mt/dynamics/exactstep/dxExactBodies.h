@@ -1,0 +1,10 @@
+// The first stage of the exact step: an island's bodies are numbered, gravity and gyroscopic torque are added to what the user
+// has pushed them with, and their inverse inertia is turned into the world's frame.
+#pragma once
+
+#include "util.h"
+
+struct dxExactProblem;
+
+// Fills in the problem's bodies. Adds to facc and tacc, writes tags.
+void dxGatherBodies(const dxStepperProcessingCallContext &island, dxExactProblem &problem);

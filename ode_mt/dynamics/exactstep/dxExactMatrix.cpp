@@ -1,0 +1,71 @@
+#include "dynamics/exactstep/dxExactMatrix.h"
+
+#include <ode/odemath.h>
+
+#include <algorithm>
+#include <cfenv>
+
+#include "dynamics/exactstep/dxExactProblem.h"
+#include "dynamics/solve/dxConstraintMatrix.h"
+#include "matrix.h"
+
+namespace {
+
+constexpr unsigned kElements = dxExactProblem::kElements;
+static_assert(kElements == kRowElements && dxExactProblem::kSides == dxBodyLinks::kSides, "the kernel reads the Jacobian");
+static_assert(dxConstraintMatrixTask::kInverseMass == dV3E_PAD && sizeof(dxInverseInertia) == 12 * sizeof(dReal),
+              "the kernel reads tensors and the inverse mass beside them");
+static_assert(int(dxJoint::GI2_RHS) == 0 && int(dxJoint::GI2_CFM) == 1 && int(dxJoint::GI2__RHS_CFM_MAX) == 2,
+              "the kernel reads c/h and cfm/h");
+
+// v/h + inv(M) f of each body.
+const dReal *findMotions(const dxExactProblem &problem, dReal stepSize, dxWorldProcessMemArena &arena) {
+    const dReal framesPerSecond = dRecip(stepSize);
+    dReal *const motions = arena.AllocateArray<dReal>(std::size_t(problem.bodyCount) * kElements);
+    dReal *motion = motions;
+    for (unsigned i = 0; i < problem.bodyCount; ++i, motion += kElements) {
+        const dxBody &body = *problem.bodies[i];
+        dReal *const inverseInertia = problem.inverseInertia[i].tensor;
+        for (unsigned axis = dSA__MIN; axis != dSA__MAX; ++axis)
+            motion[dDA__L_MIN + axis] = body.facc[axis] * body.invMass + body.lvel[axis] * framesPerSecond;
+        dMultiply0_331(motion + dDA__A_MIN, inverseInertia, body.tacc);
+        for (unsigned axis = dSA__MIN; axis != dSA__MAX; ++axis)
+            motion[dDA__A_MIN + axis] += body.avel[axis] * framesPerSecond;
+        inverseInertia[dxConstraintMatrixTask::kInverseMass] = body.invMass;
+    }
+    return motions;
+}
+
+// The joints, by numbers of bodies.
+const dxConstraintJoint *listJoints(const dxExactProblem &problem, dxWorldProcessMemArena &arena) {
+    dxConstraintJoint *const list = arena.AllocateArray<dxConstraintJoint>(problem.jointCount);
+    for (unsigned i = 0; i < problem.jointCount; ++i) {
+        const dxExactJoint &joint = problem.joints[i];
+        const dxBody *const second = joint.joint->node[dJCB_SECOND_BODY].body;
+        list[i] = {joint.firstRow, joint.rows,
+                   {static_cast<unsigned>(joint.joint->node[dJCB_FIRST_BODY].body->tag),
+                    second != nullptr ? static_cast<unsigned>(second->tag) : dxConstraintJoint::kNoBody}};
+    }
+    return list;
+}
+
+}  // namespace
+
+void dxMakeMatrix(const dxStepperProcessingCallContext &island, dxExactProblem &problem) {
+    dxWorldProcessMemArena &arena = *island.m_stepperArena;
+    void *const state = arena.SaveState();
+    std::fill_n(problem.links.first, problem.bodyCount, dxBodyLinks::kNone);
+    dxConstraintMatrixTask task;
+    task.joints = listJoints(problem, arena);
+    task.jointCount = problem.jointCount;
+    task.jacobian = problem.jacobian;
+    task.inverseInertia = problem.inverseInertia->tensor;
+    task.motions = findMotions(problem, island.m_stepSize, arena);
+    task.pairs = problem.pairsBX;
+    task.matrix = problem.matrix;
+    task.rowSkip = dPAD(problem.rowCount);
+    task.transposed = arena.AllocateArray<dReal>(dxConstraintMatrixTask::transposedSize(problem.rowCount));
+    task.lists = problem.links;
+    dxMakeConstraintMatrix(task, fegetexcept() == 0);
+    arena.RestoreState(state);
+}

@@ -1,0 +1,73 @@
+#include "dynamics/exactstep/dxExactResults.h"
+
+#include <ode/odemath.h>
+
+#include <algorithm>
+
+#include "dynamics/dxBodyIntegration.h"
+#include "dynamics/exactstep/dxExactProblem.h"
+
+namespace {
+
+constexpr unsigned kElements = dxExactProblem::kElements;
+constexpr int kPair = dxJoint::GI2__RHS_CFM_MAX, kLambda = dxJoint::GI2_CFM;
+
+void writeFeedback(dJointFeedback &feedback, unsigned side, const dReal *force) {
+    dReal *const linear = side == dJCB_FIRST_BODY ? feedback.f1 : feedback.f2;
+    dReal *const angular = side == dJCB_FIRST_BODY ? feedback.t1 : feedback.t2;
+    std::copy_n(force + dDA__L_MIN, dSA__MAX, linear);
+    std::copy_n(force + dDA__A_MIN, dSA__MAX, angular);
+}
+
+// J' x of one joint on one of its bodies.
+void findForce(const dxExactProblem &problem, const dxExactJoint &joint, unsigned side, dReal *force) {
+    const dReal *row = problem.rowsOf(joint, side);
+    const dReal *lambda = problem.pairsBX + std::size_t(joint.firstRow) * kPair + kLambda;
+    std::fill_n(force, kElements, dReal(0));
+    for (unsigned i = 0; i < joint.rows; ++i, row += kElements, lambda += kPair)
+        for (unsigned k = 0; k < kElements; ++k) force[k] += row[k] * *lambda;
+}
+
+// The sum over the body's joints. Writes their feedback.
+void addUpForces(const dxExactProblem &problem, unsigned link, dReal *sum) {
+    std::fill_n(sum, kElements, dReal(0));
+    for (; link != dxBodyLinks::kNone; link = problem.links.after(link)) {
+        const dxExactJoint &joint = problem.joints[dxBodyLinks::jointOf(link)];
+        const unsigned side = dxBodyLinks::sideOf(link);
+        dReal force[kElements];
+        findForce(problem, joint, side, force);
+        if (joint.joint->feedback != nullptr) writeFeedback(*joint.joint->feedback, side, force);
+        for (unsigned k = 0; k < kElements; ++k) sum[k] += force[k];
+    }
+}
+
+// A body that no row holds has no sum: to add a zero could change the sign of another one.
+void accelerate(dxBody &body, const dReal *inverseInertia, const dReal *sum, dReal stepSize) {
+    const dReal linearScale = stepSize * body.invMass;
+    dVector3 impulse;
+    if (sum != nullptr) {
+        for (unsigned axis = dSA__MIN; axis != dSA__MAX; ++axis) {
+            body.lvel[axis] += (sum[dDA__L_MIN + axis] + body.facc[axis]) * linearScale;
+            impulse[axis] = (sum[dDA__A_MIN + axis] + body.tacc[axis]) * stepSize;
+        }
+    } else {
+        dAddVectorScaledVector3(body.lvel, body.lvel, body.facc, linearScale);
+        dCopyScaledVector3(impulse, body.tacc, stepSize);
+    }
+    dMultiplyAdd0_331(body.avel, inverseInertia, impulse);
+}
+
+}  // namespace
+
+void dxApplyResults(const dxStepperProcessingCallContext &island, const dxExactProblem &problem) {
+    for (unsigned i = 0; i < problem.bodyCount; ++i) {
+        dxBody &body = *problem.bodies[i];
+        const unsigned link = problem.links.first != nullptr ? problem.links.first[i] : dxBodyLinks::kNone;
+        dReal sum[kElements];
+        if (link != dxBodyLinks::kNone) addUpForces(problem, link, sum);
+        accelerate(body, problem.inverseInertia[i].tensor, link != dxBodyLinks::kNone ? sum : nullptr, island.m_stepSize);
+        dxIntegrateIslandBody(&body, island.m_stepSize);
+        dZeroVector3(body.facc);
+        dZeroVector3(body.tacc);
+    }
+}

@@ -1,0 +1,91 @@
+#include "dynamics/exactstep/dxJointOrder.h"
+
+#include "dynamics/exactstep/dxExactProblem.h"
+#include "dynamics/solve/dxConstraintMatrix.h"
+
+namespace {
+
+// Three lists side by side, which grow from the middle of an array in both directions:
+//
+//   begin           mixed           limited           end
+//     | unbounded     | mixed         | limited         |
+//
+// A mixed joint goes to the end of its list that lies away from where the last joint of another kind went, unless nothing is
+// behind it on the other side; the neighbour in its way moves to the far end of its own list. That is upstream's order.
+class Lists {
+public:
+    explicit Lists(dxExactJoint *middle) : m_begin(middle), m_mixed(middle), m_limited(middle), m_end(middle) {}
+
+    void addUnbounded(const dxExactJoint &joint) {
+        *--m_begin = joint;
+        m_wasUnbounded = true;
+    }
+
+    void addLimited(const dxExactJoint &joint) {
+        *m_end++ = joint;
+        m_wasUnbounded = false;
+    }
+
+    void addMixed(const dxExactJoint &joint) {
+        if (m_wasUnbounded ? m_limited == m_end : m_begin != m_mixed)
+            appendMixed(joint);
+        else
+            prependMixed(joint);
+    }
+
+    dxExactJoint *begin() const { return m_begin; }
+    dxExactJoint *end() const { return m_end; }
+    unsigned countUnbounded() const { return static_cast<unsigned>(m_mixed - m_begin); }
+
+private:
+    // Where the neighbouring list is empty, an element is copied to its own place.
+    void appendMixed(const dxExactJoint &joint) {
+        *m_end++ = *m_limited;
+        *m_limited++ = joint;
+    }
+
+    void prependMixed(const dxExactJoint &joint) {
+        *--m_begin = m_mixed[-1];
+        *--m_mixed = joint;
+    }
+
+    dxExactJoint *m_begin, *m_mixed, *m_limited, *m_end;
+    bool m_wasUnbounded = false;
+};
+
+// Numbers the rows. Returns how many there are.
+unsigned numberRows(dxExactJoint *begin, const dxExactJoint *end) {
+    unsigned row = 0;
+    for (dxExactJoint *joint = begin; joint != end; ++joint) {
+        joint->firstRow = row;
+        row += joint->rows;
+    }
+    return row;
+}
+
+}  // namespace
+
+void dxOrderJoints(const dxStepperProcessingCallContext &island, dxExactProblem &problem) {
+    const std::size_t count = island.m_islandJointsCount;
+    dxExactJoint *const array = island.m_stepperArena->AllocateArray<dxExactJoint>(2 * count);
+    Lists lists(array + count);
+    for (std::size_t i = 0; i < count; ++i) {
+        dxJoint *const joint = island.m_islandJointsStart[i];
+        dxJoint::Info1 info;
+        joint->getInfo1(&info);
+        dIASSERT(info.m <= kMaxJointRows && info.nub <= info.m);
+        if (info.m == 0) continue;
+        const dxExactJoint entry{joint, 0, info.m};
+        if (info.nub == 0)
+            lists.addLimited(entry);
+        else if (info.nub < info.m)
+            lists.addMixed(entry);
+        else
+            lists.addUnbounded(entry);
+    }
+    island.m_stepperArena->ShrinkArray(array, 2 * count, static_cast<std::size_t>(lists.end() - array));
+    problem.joints = lists.begin();
+    problem.jointCount = static_cast<unsigned>(lists.end() - lists.begin());
+    problem.unboundedJoints = lists.countUnbounded();
+    problem.rowCount = numberRows(lists.begin(), lists.end());
+}
