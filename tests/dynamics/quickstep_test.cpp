@@ -1,55 +1,43 @@
-// Each stage of QuickStep gives the bits of upstream's, for every instruction set of this machine, alone and by a team.
+// Each stage of QuickStep gives the bits of upstream's, for every instruction set of this machine, one island after the other.
+#include "dynamics/dxStepPreparation.h"
 #include "dynamics/quickstep/dxIslandBodies.h"
 #include "dynamics/quickstep/dxJointRows.h"
 #include "dynamics/quickstep/dxQuickStep.h"
 #include "dynamics/quickstep/dxSorSolver.h"
 #include "quickstep.h"
 #include "instruction_sets.h"
-#include "random_island.h"
+#include "random_world.h"
 #include "upstream_quickstep.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <memory>
+#include <string>
 
 namespace {
 
 constexpr dReal kStepSize = dReal(0.01);
 
-class QuickStepStages : public testing::TestWithParam<unsigned> {  // number of bodies
+class QuickStepStages : public testing::TestWithParam<RandomWorld::Shape> {
 protected:
     static void SetUpTestSuite() { dInitODE2(0); }
     static void TearDownTestSuite() { dCloseODE(); }
 };
 
-// Memory of the size of upstream's estimate, as a step has it.
-class Arena {
-public:
-    Arena(const RandomIsland &island)
-        : m_manager(&allocate, &reallocate, &release),
-          m_arena(dxWorldProcessMemArena::ReallocateMemArena(
-              nullptr,
-              dxEstimateQuickStepMemoryRequirements(island.bodies.data(), unsigned(island.bodies.size()), island.joints.data(),
-                                                    unsigned(island.joints.size())),
-              &m_manager, 1, 0)) {
-        m_arena->ResetState();
+// Calls visit(island, arena) for the islands of a step, in memory of the size that upstream's estimate asks for.
+template <class Visit>
+void forIslands(dxWorld *world, const Visit &visit) {
+    dxWorldProcessIslandsInfo info;
+    ASSERT_TRUE(dxPrepareStep(world, info, kStepSize, &dxEstimateQuickStepMemoryRequirements));
+    dxWorldProcessContext *const context = world->unsafeGetWorldProcessingContext();
+    dxWorldProcessMemArena *const arena = context->ObtainStepperMemArena();
+    dxIslandCursor cursor(info);
+    for (sizeint i = 0; i < info.GetIslandsCount(); ++i) {
+        arena->ResetState();
+        visit(cursor.next(), arena);
+        if (testing::Test::HasFatalFailure()) break;
     }
-    ~Arena() { dxWorldProcessMemArena::FreeMemArena(m_arena); }
-    dxWorldProcessMemArena *get() const { return m_arena; }
-
-private:
-    static void *allocate(std::size_t size) { return ::operator new(size); }
-    static void *reallocate(void *, std::size_t, std::size_t) { return nullptr; }
-    static void release(void *block, std::size_t) { ::operator delete(block); }
-
-    dxWorldProcessMemoryManager m_manager;
-    dxWorldProcessMemArena *m_arena;
-};
-
-dxIslandStep stepOf(const RandomIsland &island, const Arena &arena) {
-    return {island.world, kStepSize,
-            {island.bodies.data(), island.joints.data(), unsigned(island.bodies.size()), unsigned(island.joints.size())}, arena.get()};
+    context->ReturnStepperMemArena(arena);
 }
 
 template <class Number>
@@ -84,83 +72,104 @@ struct Rows {
     std::vector<int> bodies, boundingRow;
 };
 
+// Steps the island stage by stage, and compares what each leaves behind.
+void expectSameStages(const dxIslandStep &step, const UpstreamQuickStep &upstream) {
+    const unsigned bodyCount = step.island.bodyCount;
+    std::vector<dxIslandBody> bodies(bodyCount);
+    dxGatherBodies(step, bodies.data());
+    std::vector<dReal> forces, invInertia, upstreamInvInertia;
+    for (unsigned i = 0; i < bodyCount; ++i) {
+        const dxBody &body = *step.island.bodies[i];
+        forces.insert(forces.end(), body.facc, body.facc + 3);
+        forces.insert(forces.end(), body.tacc, body.tacc + 3);
+        invInertia.insert(invInertia.end(), bodies[i].invInertia, bodies[i].invInertia + 9);
+        for (unsigned entry = 0; entry < 12; ++entry)
+            if (entry % 4 != 3) upstreamInvInertia.push_back(upstream.invInertia[12 * i + entry]);
+    }
+    ASSERT_TRUE(sameBits(forces, upstream.forces));
+    ASSERT_TRUE(sameBits(invInertia, upstreamInvInertia));
+
+    dxJointRows joints(step);
+    ASSERT_EQ(joints.rowCount(), upstream.boundingRow.size());
+    std::vector<dxConstraintRow> rows(joints.rowCount());
+    std::vector<dReal> acceleration(6 * bodyCount);
+    std::vector<int> order(rows.size());
+    const dxIslandProblem problem{joints.rowCount(), bodyCount, rows.data(), bodies.data(), acceleration.data(), order.data()};
+    if (!rows.empty()) {
+        joints.read(rows.data());
+        const Rows read(problem);
+        ASSERT_TRUE(sameBits(read.bodies, upstream.bodies));
+        ASSERT_TRUE(sameBits(read.boundingRow, upstream.boundingRow));
+        ASSERT_TRUE(sameBits(columnsOf(read.jacobian, read.bodies), columnsOf(upstream.jacobian, read.bodies)));
+
+        dxFindFreeAccelerations(step, problem);
+        ASSERT_TRUE(sameBits(acceleration, upstream.freeAcceleration));
+
+        dxSorSolver(step).solve(problem);
+        const Rows solved(problem);
+        ASSERT_TRUE(sameBits(columnsOf(solved.jacobian, read.bodies), columnsOf(upstream.scaledJacobian, read.bodies)));
+        for (unsigned i = 0; i < rows.size(); ++i) {
+            const std::size_t size = (rows[i].hasSecondBody() ? 12 : 6) * sizeof(dReal);
+            ASSERT_EQ(std::memcmp(rows[i].impulse, &upstream.impulse[12 * i], size), 0);
+        }
+        ASSERT_TRUE(sameBits(solved.lambda, upstream.lambda));
+        ASSERT_TRUE(sameBits(acceleration, upstream.acceleration));
+        joints.giveFeedback(rows.data());
+    }
+    dxIntegrateVelocities(step, bodies.data(), rows.empty() ? nullptr : acceleration.data());
+    dxMoveBodies(step);
+}
+
 TEST_P(QuickStepStages, GiveUpstreamsBits) {
     for (unsigned seed = 1; seed <= 12; ++seed) {
-        RandomIsland reference(seed, GetParam());
+        RandomWorld reference(GetParam(), seed);
+        reference.push();
+        std::vector<UpstreamQuickStep> islands;
         dRandSetSeed(seed);
-        const UpstreamQuickStep upstream = stepByUpstream(reference.world, kStepSize, reference.bodies, reference.joints);
+        forIslands(reference.world(), [&](const dxIsland &island, dxWorldProcessMemArena *) {
+            islands.push_back(stepByUpstream(reference.world(), kStepSize, island));
+        });
         const unsigned long drawn = dRandGetSeed();
         for (const std::int64_t set : instructionSets()) {
             onInstructionSet(set, [&] {
-                RandomIsland island(seed, GetParam());
-                const Arena arena(island);
-                const dxIslandStep step = stepOf(island, arena);
-                const unsigned bodyCount = step.island.bodyCount;
-                std::vector<dxIslandBody> bodies(bodyCount);
-
-                dxGatherBodies(step, bodies.data());
-                std::vector<dReal> forces, invInertia, upstreamInvInertia;
-                for (unsigned i = 0; i < bodyCount; ++i) {
-                    forces.insert(forces.end(), island.bodies[i]->facc, island.bodies[i]->facc + 3);
-                    forces.insert(forces.end(), island.bodies[i]->tacc, island.bodies[i]->tacc + 3);
-                    invInertia.insert(invInertia.end(), bodies[i].invInertia, bodies[i].invInertia + 9);
-                    for (unsigned entry = 0; entry < 12; ++entry)
-                        if (entry % 4 != 3) upstreamInvInertia.push_back(upstream.invInertia[12 * i + entry]);
-                }
-                ASSERT_TRUE(sameBits(forces, upstream.forces));
-                ASSERT_TRUE(sameBits(invInertia, upstreamInvInertia));
-
-                dxJointRows joints(step);
-                ASSERT_EQ(joints.rowCount(), upstream.boundingRow.size());
-                if (joints.rowCount() == 0) return;  // nothing to solve; the test below steps such islands
-                std::vector<dxConstraintRow> rows(joints.rowCount());
-                std::vector<dReal> acceleration(6 * bodyCount);
-                std::vector<int> order(rows.size());
-                const dxIslandProblem problem{joints.rowCount(), bodyCount, rows.data(), bodies.data(), acceleration.data(),
-                                              order.data()};
-                joints.read(rows.data());
-                const Rows read(problem);
-                ASSERT_TRUE(sameBits(read.bodies, upstream.bodies));
-                ASSERT_TRUE(sameBits(read.boundingRow, upstream.boundingRow));
-                ASSERT_TRUE(sameBits(columnsOf(read.jacobian, read.bodies), columnsOf(upstream.jacobian, read.bodies)));
-
-                dxFindFreeAccelerations(step, problem);
-                ASSERT_TRUE(sameBits(acceleration, upstream.freeAcceleration));
-
+                RandomWorld world(GetParam(), seed);
+                world.push();
+                std::size_t number = 0;
                 dRandSetSeed(seed);
-                dxSorSolver(step).solve(problem);
+                forIslands(world.world(), [&](const dxIsland &island, dxWorldProcessMemArena *arena) {
+                    ASSERT_LT(number, islands.size());
+                    expectSameStages({world.world(), kStepSize, island, arena}, islands[number++]);
+                });
                 EXPECT_EQ(dRandGetSeed(), drawn);
-                const Rows solved(problem);
-                ASSERT_TRUE(sameBits(columnsOf(solved.jacobian, read.bodies), columnsOf(upstream.scaledJacobian, read.bodies)));
-                for (unsigned i = 0; i < rows.size(); ++i)
-                    ASSERT_EQ(std::memcmp(rows[i].impulse, &upstream.impulse[12 * i], (rows[i].hasSecondBody() ? 12 : 6) * sizeof(dReal)), 0);
-                ASSERT_TRUE(sameBits(solved.lambda, upstream.lambda));
-                ASSERT_TRUE(sameBits(acceleration, upstream.acceleration));
-
-                joints.giveFeedback(rows.data());
-                dxIntegrateVelocities(step, bodies.data(), acceleration.data());
-                dxMoveBodies(step);
-                ASSERT_TRUE(sameBits(island.state(), reference.state()));
+                EXPECT_EQ(world.state(), reference.state()) << "seed " << seed;
             });
         }
     }
 }
 
-// The page that puts the stages together, in memory of the estimated size.
+// The page that puts the stages together.
 TEST_P(QuickStepStages, TogetherGiveUpstreamsStep) {
     for (unsigned seed = 100; seed < 130; ++seed) {
-        RandomIsland reference(seed, GetParam()), island(seed, GetParam());
+        RandomWorld reference(GetParam(), seed), world(GetParam(), seed);
         for (int i = 0; i < 3; ++i) {
+            reference.push();
+            world.push();
             dRandSetSeed(seed);
-            stepByUpstream(reference.world, kStepSize, reference.bodies, reference.joints);
+            forIslands(reference.world(), [&](const dxIsland &island, dxWorldProcessMemArena *) {
+                stepByUpstream(reference.world(), kStepSize, island);
+            });
             dRandSetSeed(seed);
-            const Arena arena(island);
-            dxQuickStep(stepOf(island, arena));
-            ASSERT_TRUE(sameBits(island.state(), reference.state())) << "seed " << seed << ", step " << i;
+            forIslands(world.world(), [&](const dxIsland &island, dxWorldProcessMemArena *arena) {
+                dxQuickStep({world.world(), kStepSize, island, arena});
+            });
+            ASSERT_EQ(world.state(), reference.state()) << "seed " << seed << ", step " << i;
         }
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Bodies, QuickStepStages, testing::Values(1u, 2u, 9u, 60u, 250u));
+INSTANTIATE_TEST_SUITE_P(Worlds, QuickStepStages,
+                         testing::Values(RandomWorld::Shape{1, 0}, RandomWorld::Shape{2, 1}, RandomWorld::Shape{9, 12},
+                                         RandomWorld::Shape{60, 90}, RandomWorld::Shape{250, 400}),
+                         [](const auto &info) { return std::to_string(info.param.joints) + "_joints"; });
 
 }  // namespace

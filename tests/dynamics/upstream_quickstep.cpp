@@ -4,9 +4,10 @@
 
 namespace {
 
-std::vector<dReal> forcesOf(const std::vector<dxBody *> &bodies) {
+std::vector<dReal> forcesOf(const dxIsland &island) {
     std::vector<dReal> forces;
-    for (const dxBody *body : bodies) {
+    for (unsigned i = 0; i < island.bodyCount; ++i) {
+        const dxBody *const body = island.bodies[i];
         forces.insert(forces.end(), body->facc, body->facc + 3);
         forces.insert(forces.end(), body->tacc, body->tacc + 3);
     }
@@ -15,20 +16,19 @@ std::vector<dReal> forcesOf(const std::vector<dxBody *> &bodies) {
 
 }  // namespace
 
-UpstreamQuickStep stepByUpstream(dxWorld *world, dReal stepSize, const std::vector<dxBody *> &bodies,
-                                 const std::vector<dxJoint *> &joints) {
+UpstreamQuickStep stepByUpstream(dxWorld *world, dReal stepSize, const dxIsland &island) {
     UpstreamQuickStep seen;
-    dxStepperProcessingCallContext step(world, stepSize, 1, nullptr, bodies.data(), joints.data());
-    const unsigned bodyCount = bodies.size();
-    step.AssignIslandSelection(bodies.data(), joints.data(), bodyCount, joints.size());
+    dxStepperProcessingCallContext step(world, stepSize, 1, nullptr, island.bodies, island.joints);
+    const unsigned bodyCount = island.bodyCount;
+    step.AssignIslandSelection(island.bodies, island.joints, bodyCount, island.jointCount);
 
     seen.invInertia.resize(12 * bodyCount);
     dxQuickStepperStage0BodiesCallContext gather;
     gather.Initialize(&step, seen.invInertia.data());
     dxQuickStepIsland_Stage0_Bodies(&gather);
-    seen.forces = forcesOf(bodies);
+    seen.forces = forcesOf(island);
 
-    std::vector<dJointWithInfo1> infos(joints.size());
+    std::vector<dJointWithInfo1> infos(island.jointCount);
     dxQuickStepperStage0Outputs counts;
     dxQuickStepperStage0JointsCallContext count;
     count.Initialize(&step, infos.data(), &counts);

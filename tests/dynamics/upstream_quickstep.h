@@ -5,10 +5,7 @@
 
 #include <vector>
 
-#include "config.h"
-#include "objects.h"
-#include "joints/joint.h"
-#include "util.h"
+#include "dynamics/dxIsland.h"
 
 struct UpstreamQuickStep {
     std::vector<dReal> invInertia;           // bodies x 12
@@ -23,5 +20,4 @@ struct UpstreamQuickStep {
 };
 
 // Steps the island by upstream's stages.
-UpstreamQuickStep stepByUpstream(dxWorld *world, dReal stepSize, const std::vector<dxBody *> &bodies,
-                                 const std::vector<dxJoint *> &joints);
+UpstreamQuickStep stepByUpstream(dxWorld *world, dReal stepSize, const dxIsland &island);
