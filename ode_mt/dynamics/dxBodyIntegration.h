@@ -9,7 +9,7 @@
 
 #include "dynamics/dxIsland.h"
 
-// Seam: upstream's steppers call this instead of dxStepBody.
+// Both steppers call this instead of dxStepBody (a seam in upstream's QuickStep).
 void dxIntegrateIslandBody(dxBody *body, dReal stepSize);
 
 // Tells the spaces of the island's geoms that they moved.

@@ -1,5 +1,4 @@
-// A call of upstream's stepper for one island, with what ours adds to it. Upstream hands the context from
-// stage to stage; the seams of its stages (ode/seams/step.h) find the workers here.
+// A call of the exact stepper for one island: upstream's context with the workers of the island.
 #pragma once
 
 #include "config.h"

@@ -1,7 +1,7 @@
 // What a stepper meets where it would leave the island it steps.
 //
-// Where rows are shuffled, a collision space is told that a geom moved, or a message is reported, the scope of the
-// current thread is asked. There are two:
+// Where a stepper shuffles rows, tells a collision space that a geom moved, or reports a message, our functions in the place
+// of upstream's (dxRowShuffle.h, dxBodyIntegration.h, ode_mt/api/error.cpp) ask the scope of the current thread. There are two:
 //
 //   dxDeferredIsland   the island is stepped on behalf of the thread that called the step
 //   dxReservedDraws    islands are stepped in order on that thread, with random numbers taken in advance

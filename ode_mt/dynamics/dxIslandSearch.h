@@ -1,5 +1,5 @@
 // The search for islands: bodies that enabled joints connect, in upstream's order
-// (BuildIslandsAndEstimateStepperMemoryRequirements in util.cpp, which ode/seams/util.h replaces).
+// (BuildIslandsAndEstimateStepperMemoryRequirements in util.cpp).
 #pragma once
 
 #include "dynamics/dxIsland.h"

@@ -1,6 +1,5 @@
 // The LCP solver of the exact step: Dantzig's algorithm with upstream's bits, in a layout made for vectors.
-// It takes the place of upstream's dxSolveLCP (ode/src/lcp.cpp) in step.cpp; docs/lcp.md tells how it works
-// and why the bits are the same.
+// docs/lcp.md tells how it works and why the bits are those of upstream's dxSolveLCP (ode/src/lcp.cpp).
 #pragma once
 
 #include <ode/common.h>
