@@ -1,14 +1,27 @@
 # Every place where the fork departs from upstream's sources, with the reason. No upstream file is
 # edited; a seam changes what a file's compiler sees.
 #
+#   ode_mt_rename(FILE FUNCTION...)                  public functions dThing, defined in FILE, are dxUpstreamThing
+#                                                    for the linker, and ode_mt/api defines the public ones, in
+#                                                    the file named after the public header that declares them.
+#                                                    __FUNCTION__ stays, and with it the text of messages
 #   ode_mt_call_instead(FILES FUNCTION REPLACEMENT)  calls of FUNCTION in FILES go to REPLACEMENT, which
 #                                                    ode_mt/ defines; upstream's own function stays
-#   ode_mt_compile_after(FILE HEADER)                FILE sees ode/seams/HEADER first. Most of them give
-#                                                    public functions defined in FILE other linker names,
-#                                                    and ode_mt/api defines the public ones. Assembler
-#                                                    labels keep __FUNCTION__, so upstream's messages stay
-#                                                    the same
+#   ode_mt_compile_after(FILE HEADER)                FILE sees ode/seams/HEADER first
 #   left out (ode/sources.cmake)                     ode_mt/ implements the interface of the whole file
+
+set(ODE_MT_RENAMED "")  # declarations of dxUpstreamThing for ode_mt/ (seams/upstream.h.in)
+function(ode_mt_rename file)
+    foreach(function IN LISTS ARGN)
+        string(REGEX REPLACE "^d" "dxUpstream" renamed ${function})
+        set(header "${CMAKE_CURRENT_BINARY_DIR}/seams/${function}.h")
+        file(CONFIGURE OUTPUT "${header}" CONTENT "#pragma redefine_extname ${function} ${renamed}\n")
+        set_property(SOURCE "${ODE_MT_UPSTREAM_DIR}/ode/src/${file}" APPEND PROPERTY
+            COMPILE_OPTIONS -include "${header}")
+        string(APPEND ODE_MT_RENAMED "decltype(${function}) ${renamed};\n")
+    endforeach()
+    set(ODE_MT_RENAMED "${ODE_MT_RENAMED}" PARENT_SCOPE)
+endfunction()
 
 function(ode_mt_call_instead files function replacement)
     foreach(file IN LISTS files)
@@ -27,7 +40,7 @@ endfunction()
 # thread that called the step, in upstream's order (ode_mt/api/error.cpp).
 #
 # misc.cpp is left out: a step takes its random numbers as one atomic block, so the seed must be an
-# atomic of ours (ode_mt/api/random.cpp, ode_mt/api/matrix_debug.cpp).
+# atomic of ours (ode_mt/api/misc.cpp).
 
 # Islands are found with fewer waits for memory (ode_mt/dynamics/dxStepPreparation.h).
 ode_mt_call_instead("ode.cpp" dxReallocateWorldProcessContext dxPrepareStep)
@@ -51,28 +64,35 @@ foreach(file collision_trimesh_box collision_trimesh_ccylinder collision_trimesh
 endforeach()
 
 # Initialisation counters are plain globals upstream; ours may be called from any thread, and closing
-# ends the worker threads (ode_mt/api/lifecycle.cpp).
-ode_mt_compile_after("odeinit.cpp" odeinit.h)
+# ends the worker threads.
+ode_mt_rename(odeinit.cpp dInitODE dInitODE2 dAllocateODEDataForThread dCleanupODEAllDataForThread dCloseODE)
 
-# A world's threading implementation may be freed after these calls: its threads are given back first
-# (ode_mt/api/world_threading.cpp).
-ode_mt_compile_after("ode.cpp" ode.h)
+# A world's threading implementation may be freed after these calls: its threads are given back first.
+ode_mt_rename(ode.cpp dWorldDestroy dWorldSetStepThreadingImplementation)
 
-# The table of colliders is filled lazily for the user's geom classes, without a lock
-# (ode_mt/api/user_classes.cpp); spaces keep pairs from call to call and hear of changed filters
-# (ode_mt/api/geom_filters.cpp).
-ode_mt_compile_after("collision_kernel.cpp" collision_kernel.h)
+# Where callbacks run on several threads, contact joints are put into their lists later (ode_mt/collision/dxContactLog.h);
+# groups of joints are emptied without taking memory (ode_mt/collision/dxJointRemoval.h).
+ode_mt_rename(ode.cpp dJointCreateContact dJointAttach dJointGroupEmpty)
 
-# A mesh that gets other data is marked as changed, but its space is not told (ode_mt/api/meshes.cpp).
-ode_mt_compile_after("collision_trimesh_internal.cpp" collision_trimesh.h)
+# The table of colliders is filled lazily for the user's geom classes, without a lock (ode_mt/collision/dxColliderTable.h).
+ode_mt_rename(collision_kernel.cpp dCollide dCreateGeomClass dSetColliderOverride)
 
-# Contacts computed ahead of callbacks hear of changes to the data of height fields (ode_mt/api/height_fields.cpp).
-ode_mt_compile_after("heightfield.cpp" heightfield.h)
-# They hear of data of meshes that is destroyed (ode_mt/api/meshes.cpp).
-ode_mt_compile_after("collision_trimesh_opcode.cpp" collision_trimesh_opcode.h)
-# They also hear of bodies that functions of joints move to and fro (ode_mt/api/joint_offsets.cpp).
-ode_mt_compile_after("joints/piston.cpp" joint_offsets.h)
-ode_mt_compile_after("joints/pu.cpp" joint_offsets.h)
+# Spaces keep pairs from call to call, and hear of changed filters and switches.
+ode_mt_rename(collision_kernel.cpp dGeomSetBody dGeomSetCategoryBits dGeomSetCollideBits dGeomEnable dGeomDisable)
+
+# A mesh that gets other data is marked as changed, but its space is not told.
+ode_mt_rename(collision_trimesh_internal.cpp dGeomTriMeshSetData)
+
+# Contacts computed ahead of callbacks hear of changes to the data of height fields.
+ode_mt_rename(heightfield.cpp
+    dGeomHeightfieldDataCreate dGeomHeightfieldDataBuildCallback dGeomHeightfieldDataBuildByte
+    dGeomHeightfieldDataBuildShort dGeomHeightfieldDataBuildSingle dGeomHeightfieldDataBuildDouble
+    dGeomHeightfieldDataSetBounds dGeomHeightfieldDataDestroy)
+# They hear of data of meshes that is destroyed.
+ode_mt_rename(collision_trimesh_opcode.cpp dGeomTriMeshDataDestroy)
+# They also hear of bodies that functions of joints move to and fro.
+ode_mt_rename(joints/piston.cpp dJointSetPistonAnchorOffset)
+ode_mt_rename(joints/pu.cpp dJointSetPUAnchorDelta dJointSetPUAnchorOffset)
 
 # libccd asks convex geoms for their furthest point, dozens of times a pair (ode_mt/collision/dxConvexSupport.h). It may search
 # without end (ode_mt/collision/dxCcdSearch.h).
@@ -85,10 +105,9 @@ set_property(SOURCE "${ODE_MT_UPSTREAM_DIR}/ode/src/collision_libccd.cpp" APPEND
 
 # Spaces of all kinds are ours: they find pairs incrementally, and report them in upstream's order
 # (ode_mt/collision/dxOrderedSpace.h).
-foreach(file collision_space collision_quadtreespace collision_sapspace)
-    ode_mt_compile_after("${file}.cpp" collision_space.h)
-endforeach()
-
+ode_mt_rename(collision_space.cpp dSimpleSpaceCreate dHashSpaceCreate dHashSpaceSetLevels dHashSpaceGetLevels dSpaceCollide)
+ode_mt_rename(collision_quadtreespace.cpp dQuadTreeSpaceCreate)
+ode_mt_rename(collision_sapspace.cpp dSweepAndPruneSpaceCreate)
 
 # The triangular solves of upstream's LCP solver with vectors: same bits, less time (docs/solve.md).
 ode_mt_compile_after("lcp.cpp" lcp.h)
@@ -99,3 +118,5 @@ ode_mt_compile_after("lcp.cpp" lcp.h)
 # long as before.
 set_property(SOURCE "${ODE_MT_UPSTREAM_DIR}/ode/src/lcp.cpp" APPEND PROPERTY
     COMPILE_OPTIONS $<$<CXX_COMPILER_ID:GNU>:-fno-tree-loop-vectorize>)
+
+configure_file(seams/upstream.h.in seams/upstream.h @ONLY)

@@ -1,4 +1,4 @@
-// ODE's error, debug and message calls (ode/error.h), in place of upstream's error.cpp.
+// Functions of ode/error.h, in place of upstream's error.cpp: errors, debug errors and messages.
 //
 // Same texts, same streams, same ends of the process. The difference: a call made by an island that is
 // being stepped goes to that island's scope first, which may keep it until the frame delivers it on the

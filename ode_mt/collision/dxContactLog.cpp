@@ -6,16 +6,11 @@
 
 #include "collision/dxRoom.h"
 #include "joints/contact.h"
+#include "seams/upstream.h"
 #include "threading/dxSpin.h"
 
 // Upstream's: puts an object in front of a list of its world.
 void addObjectToList(dObject *object, dObject **first);
-
-extern "C" {
-// Upstream's own, renamed by the seam ode/seams/ode.h.
-dJointID dxUpstreamJointCreateContact(dWorldID world, dJointGroupID group, const dContact *contact);
-void dxUpstreamJointAttach(dJointID joint, dBodyID body1, dBodyID body2);
-}
 
 namespace {
 

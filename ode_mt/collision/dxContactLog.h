@@ -5,7 +5,7 @@
 // it knows its bodies, but the world and the bodies do not know it.
 //
 // One log for each task. While a task runs callbacks its log is the current one of its thread, and
-// dJointCreateContact and dJointAttach (ode_mt/api/contacts.cpp) write into it.
+// dJointCreateContact and dJointAttach (ode_mt/api/objects.cpp) write into it.
 #pragma once
 
 #include <cstdint>

@@ -14,11 +14,7 @@
 #include "heightfield.h"
 #include "collision_std.h"
 #include "collision_util.h"
-
-extern "C" {
-// Upstream's own, renamed by the seam ode/seams/collision_kernel.h.
-int dxUpstreamCollide(dGeomID o1, dGeomID o2, int flags, dContactGeom *contact, int skip);
-}
+#include "seams/upstream.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-// The calls of ode/ode_MT.h that programs written for the multithreaded ODE of Webots make.
+// Functions of ode/ode_MT.h that programs written for the multithreaded ODE of Webots call.
 //
 // There, clusters live in hidden worlds and spaces and hold copies of static geoms, and callers have to
 // know. Here there is one world, one space and the user's own geoms.

@@ -1,17 +1,12 @@
-// Spaces of all kinds, which are ours, and the entry to a frame's collisions (ode/collision_space.h).
+// Functions of ode/collision_space.h: spaces of all kinds are ours.
 #include <ode/collision_space.h>
 
-#include "frame/dxClusterManager.h"
 #include "collision/dxOrderedHashSpace.h"
 #include "collision/dxOrderedQuadTreeSpace.h"
 #include "collision/dxOrderedSimpleSpace.h"
 #include "collision/dxOrderedSweepSpace.h"
-#include "frame/dxSettings.h"
-#include "frame/dxSpaceCollision.h"
 
 extern "C" {
-// Upstream's own, renamed by the seam ode/seams/collision_space.h.
-void dxUpstreamSpaceCollide(dSpaceID space, void *data, dNearCallback *callback);
 
 dSpaceID dSimpleSpaceCreate(dSpaceID space) { return new dxOrderedSimpleSpace(space); }
 
@@ -36,15 +31,6 @@ void dHashSpaceGetLevels(dSpaceID space, int *minlevel, int *maxlevel) {
     const dxHashLevels &levels = static_cast<dxOrderedHashSpace *>(space)->levels();
     if (minlevel != nullptr) *minlevel = levels.lowest;
     if (maxlevel != nullptr) *maxlevel = levels.highest;
-}
-
-void dSpaceCollide(dSpaceID space, void *data, dNearCallback *callback) {
-    if (space != nullptr && callback != nullptr && dGeomIsSpace(space)) {
-        const dxSettings &settings = dxSettings::instance();
-        dxClusterManager::prepare(space, settings.passName());
-        if (dxOrderedSpace *const ordered = dxOrderedSpace::from(space)) return dxCollideSpace(*ordered, data, callback);
-    }
-    dxUpstreamSpaceCollide(space, data, callback);
 }
 
 }  // extern "C"

@@ -1,4 +1,4 @@
-// The calls of ode/ode_MT.h that choose threads, algorithm, heuristics and thread manager, and read the counters.
+// Functions of ode/ode_MT.h that choose threads, algorithm, heuristics and thread manager, and read the counters.
 #include <ode/error.h>
 #include <ode/ode_MT.h>
 

@@ -1,4 +1,4 @@
-// What a debug overlay shows of clusters (ode/ode_MT.h).
+// Functions of ode/ode_MT.h that tell a debug overlay of clusters.
 #include <ode/error.h>
 #include <ode/ode_MT.h>
 

@@ -1,5 +1,5 @@
-// ODE's helpers to print, fill and compare matrices (ode/misc.h), in place of upstream's misc.cpp.
-// A matrix is stored by rows; a row of n numbers takes dPAD(n).
+// Functions of ode/misc.h, in place of upstream's misc.cpp: random numbers (the sequence is dynamics/dxRandom), and helpers to
+// print, fill and compare matrices. A matrix is stored by rows; a row of n numbers takes dPAD(n).
 #include <ode/misc.h>
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 
 #include "config.h"
 #include "common.h"
+#include "dynamics/dxRandom.h"
 
 namespace {
 
@@ -24,6 +25,27 @@ dReal larger(dReal maximum, dReal difference) { return difference > maximum ? di
 }  // namespace
 
 extern "C" {
+
+unsigned long dRand() { return dxRandom::drawShared(); }
+
+unsigned long dRandGetSeed() { return dxRandom::sharedSeed(); }
+
+void dRandSetSeed(unsigned long seed) { dxRandom::setSharedSeed(static_cast<std::uint32_t>(seed)); }
+
+int dRandInt(int n) { return dxRandom::toRange(dxRandom::drawShared(), static_cast<std::uint32_t>(n)); }
+
+dReal dRandReal() { return static_cast<dReal>(static_cast<double>(dRand()) / 4294967295.0); }
+
+// Self-test of the generator: the first numbers after seed 0.
+int dTestRand() {
+    constexpr std::uint32_t expected[] = {0x3c6ef35f, 0x47502932, 0xd1ccf6e9, 0xaaf95334, 0x6252e503};
+    std::uint32_t seed = 0;
+    for (std::uint32_t number : expected) {
+        seed = dxRandom::next(seed);
+        if (seed != number) return 0;
+    }
+    return 1;
+}
 
 void dPrintMatrix(const dReal *A, int n, int m, const char *format, FILE *file) {
     for (int row = 0; row < n; ++row) {

@@ -1,4 +1,4 @@
-// dInitODE2, dCloseODE and what belongs to them (ode/odeinit.h).
+// Functions of ode/odeinit.h.
 //
 // Upstream's functions count calls in plain globals; here a mutex guards them, since any thread may
 // initialise the library (contract C7). The last close ends the workers and frees their memory; so does
@@ -8,7 +8,7 @@
 #include <atomic>
 #include <mutex>
 
-#include "api/user_classes.h"
+#include "collision/dxColliderTable.h"
 #include "collision/dxJointRemoval.h"
 #include "collision/dxThreadTrimeshCache.h"
 #include "dynamics/dxIslandTeam.h"
@@ -16,16 +16,8 @@
 #include "frame/dxConcurrentCallbacks.h"
 #include "frame/dxStepRecords.h"
 #include "frame/dxWorkers.h"
+#include "seams/upstream.h"
 #include "threading/dxForkLocks.h"
-
-extern "C" {
-// Upstream's own, renamed by the seam ode/seams/odeinit.h.
-void dxUpstreamInitODE();
-int dxUpstreamInitODE2(unsigned flags);
-int dxUpstreamAllocateODEDataForThread(unsigned flags);
-void dxUpstreamCleanupODEAllDataForThread();
-void dxUpstreamCloseODE();
-}
 
 namespace {
 
@@ -39,7 +31,7 @@ std::unique_lock<std::recursive_mutex> lockIfInitialised() {
 }
 
 void countInitialisation() {
-    if (++initialisations == 1) dxForgetColliders();
+    if (++initialisations == 1) dxColliderTable::forget();
 }
 
 void releaseWorkers() {
@@ -87,7 +79,7 @@ void dCloseODE() {
     const std::unique_lock<std::recursive_mutex> lock = lockIfInitialised();
     dxUpstreamCloseODE();
     if (--initialisations == 0) {
-        dxForgetUserClasses();
+        dxColliderTable::forgetClasses();
         dxThreadTrimeshCache::release();
         releaseWorkers();
     }

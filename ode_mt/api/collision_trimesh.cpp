@@ -1,15 +1,13 @@
-// Meshes (ode/collision_trimesh.h): what happens to one, or to its data, without its space being told.
+// Functions of ode/collision_trimesh.h: what happens to a mesh, or to its data, without its space being told.
 #include <ode/collision.h>
 
 #include "collision/dxMissedNotifications.h"
 #include "collision/dxSilentChanges.h"
 #include "config.h"
 #include "collision_kernel.h"
+#include "seams/upstream.h"
 
 extern "C" {
-// Upstream's own, renamed by the seams ode/seams/collision_trimesh.h and collision_trimesh_opcode.h.
-void dxUpstreamGeomTriMeshSetData(dGeomID geom, dTriMeshDataID data);
-void dxUpstreamGeomTriMeshDataDestroy(dTriMeshDataID data);
 
 // A geom that is dirty already waits to be cleaned, or has been counted.
 void dGeomTriMeshSetData(dGeomID geom, dTriMeshDataID data) {

@@ -1,32 +1,16 @@
-// dCollide and the calls that fill its table (ode/collision.h), guarded for several threads of the user.
-//
-// The first time that two classes meet of which one is the user's, upstream asks for their collider and
-// writes it into a plain global table. Two threads that collide such geoms in worlds of their own would race
-// for that entry. Here the entry is written under a lock before upstream looks at it; the user's functions
-// run without the lock, so they may take their time, nest, or leave by longjmp (contract C7).
-#include <ode/collision.h>
+#include "collision/dxColliderTable.h"
 
 #include <atomic>
 #include <cstdint>
 #include <mutex>
 #include <utility>
 
-#include "api/user_classes.h"
 #include "collision/dxColliderOverrides.h"
-#include "collision/dxContactLog.h"
-#include "collision/dxContactsAhead.h"
-#include "collision/dxTurnedGeom.h"
 #include "config.h"
 #include "collision_kernel.h"
+#include "seams/upstream.h"
 #include "threading/dxForkLocks.h"
 #include "threading/dxProcessObject.h"
-
-extern "C" {
-// Upstream's own, renamed by the seam ode/seams/collision_kernel.h.
-int dxUpstreamCollide(dGeomID o1, dGeomID o2, int flags, dContactGeom *contact, int skip);
-int dxUpstreamCreateGeomClass(const dGeomClass *description);
-void dxUpstreamSetColliderOverride(int i, int j, dColliderFn *collider);
-}
 
 namespace {
 
@@ -82,18 +66,6 @@ void write(int type1, int type2, dColliderFn *collider) {
     dispatch->set(type1, type2, entry, entry);
 }
 
-// As upstream: the class that is named in the table is asked for the other one; then the other, if it is the
-// user's.
-void resolve(int type1, int type2, Entry entry) {
-    if (entry == Entry::asksSecond) std::swap(type1, type2);
-    dGetColliderFnFn *const first = getterOf(type1), *const other = getterOf(type2);
-    if (dColliderFn *collider = first != nullptr ? first(type2) : nullptr) {
-        write(type1, type2, collider);
-        return;
-    }
-    write(type2, type1, other != nullptr ? other(type1) : nullptr);
-}
-
 // Upstream asks by itself where a collider of its own calls its own dCollide: that of spaces, for what is in
 // them. It is given this function to ask, so that what it writes is known here; and what it writes is what is
 // written here.
@@ -115,51 +87,24 @@ bool areClasses(int type1, int type2) {
     return type1 >= 0 && type1 < dGeomNumClasses && type2 >= 0 && type2 < dGeomNumClasses;
 }
 
-// Only meetings with a class of the user's are of interest.
-Entry entryOf(const dxGeom &o1, const dxGeom &o2) {
-    if (o1.type < dFirstUserClass && o2.type < dFirstUserClass) return Entry::other;
-    return areClasses(o1.type, o2.type) ? dispatch->entries[o1.type][o2.type].load(std::memory_order_acquire)
-                                        : Entry::other;
-}
-
-bool isTerrain(const dxGeom &geom) { return geom.type == dHeightfieldClass; }
-
-// Upstream answers these without looking at the table.
-bool isAnsweredEarly(const dxGeom &o1, const dxGeom &o2, int flags) {
-    return (flags & NUMC_MASK) == 0 || &o1 == &o2 || (o1.body == o2.body && o1.body != nullptr);
-}
-
 }  // namespace
 
-void dxForgetColliders() {
-    dispatch->forget();
-    dxColliderOverrides::forget();
-}
-
-void dxForgetUserClasses() {
-    dxForgetColliders();
-    dispatch->classes = 0;
-}
-
-extern "C" {
-
-int dCollide(dGeomID o1, dGeomID o2, int flags, dContactGeom *contact, int skip) {
-    if (dxContactsAhead *const ahead = dxContactsAhead::current()) {
-        const int count = ahead->answer(o1, o2, flags, contact, skip);
-        if (count >= 0) return count;
-    } else if (dxContactLog *const log = dxContactLog::current()) {
-        const bool isValid = o1 != nullptr && o2 != nullptr && contact != nullptr;
-        if (isValid && !isAnsweredEarly(*o1, *o2, flags) && dxMayCollideAnywhere(*o1, *o2))
-            return log->copies().collide(*o1, *o2, {}, flags, contact, skip);
+// As upstream: the class that is named in the table is asked for the other one; then the other, if it is the
+// user's.
+void dxColliderTable::resolve(int type1, int type2) {
+    if (!areClasses(type1, type2)) return;
+    const Entry entry = dispatch->entries[type1][type2].load(std::memory_order_acquire);
+    if (!asks(entry)) return;
+    if (entry == Entry::asksSecond) std::swap(type1, type2);
+    dGetColliderFnFn *const first = getterOf(type1), *const other = getterOf(type2);
+    if (dColliderFn *collider = first != nullptr ? first(type2) : nullptr) {
+        write(type1, type2, collider);
+        return;
     }
-    const auto collide = [=] { return dxUpstreamCollide(o1, o2, flags, contact, skip); };
-    if (o1 == nullptr || o2 == nullptr) return collide();
-    const Entry entry = entryOf(*o1, *o2);
-    if (asks(entry) && !isAnsweredEarly(*o1, *o2, flags)) resolve(o1->type, o2->type, entry);
-    return isTerrain(*o1) || isTerrain(*o2) ? dxTurnedGeom::whileTurned(collide) : collide();
+    write(type2, type1, other != nullptr ? other(type1) : nullptr);
 }
 
-int dCreateGeomClass(const dGeomClass *description) {
+int dxColliderTable::createClass(const dGeomClass *description) {
     // Upstream reports what is wrong, to a handler that may never return: without the lock.
     const bool wrong = description == nullptr || description->bytes < 0 || !description->collider ||
                        !description->aabb || dispatch->classes.load() >= dMaxUserClasses;
@@ -177,12 +122,20 @@ int dCreateGeomClass(const dGeomClass *description) {
     return type;
 }
 
-void dSetColliderOverride(int i, int j, dColliderFn *collider) {
-    dxUpstreamSetColliderOverride(i, j, collider);
-    if (!areClasses(i, j)) return;
-    dxColliderOverrides::note(i, j);
+void dxColliderTable::setOverride(int type1, int type2, dColliderFn *collider) {
+    dxUpstreamSetColliderOverride(type1, type2, collider);
+    if (!areClasses(type1, type2)) return;
+    dxColliderOverrides::note(type1, type2);
     const Entry entry = collider != nullptr ? Entry::other : Entry::none;
-    dispatch->set(i, j, entry, entry);
+    dispatch->set(type1, type2, entry, entry);
 }
 
-}  // extern "C"
+void dxColliderTable::forget() {
+    dispatch->forget();
+    dxColliderOverrides::forget();
+}
+
+void dxColliderTable::forgetClasses() {
+    forget();
+    dispatch->classes = 0;
+}

@@ -1,0 +1,162 @@
+// Functions of ode/collision.h: geoms, their classes and colliders, collisions, and the data of height fields.
+#include <ode/collision.h>
+
+#include "collision/dxColliderTable.h"
+#include "collision/dxContactLog.h"
+#include "collision/dxContactsAhead.h"
+#include "collision/dxLivingHeights.h"
+#include "collision/dxOrderedSpace.h"
+#include "collision/dxSilentChanges.h"
+#include "collision/dxTurnedGeom.h"
+#include "config.h"
+#include "collision_kernel.h"
+#include "frame/dxClusterManager.h"
+#include "frame/dxSettings.h"
+#include "frame/dxSpaceCollision.h"
+#include "seams/upstream.h"
+
+namespace {
+
+// Upstream answers these without looking at the table of colliders.
+bool isAnsweredEarly(const dxGeom &o1, const dxGeom &o2, int flags) {
+    return (flags & NUMC_MASK) == 0 || &o1 == &o2 || (o1.body == o2.body && o1.body != nullptr);
+}
+
+bool isUsers(const dxGeom &geom) { return geom.type >= dFirstUserClass; }
+
+bool isTerrain(const dxGeom &geom) { return geom.type == dHeightfieldClass; }
+
+// What decides, beside boxes, whether two geoms may meet: their body and their bits. The space that a geom is in keeps its
+// pairs and has to hear of a change. So have the spaces around it: a space that holds a geom with a body is dynamic.
+void tellFilters(dGeomID geom) {
+    for (; geom != nullptr; geom = geom->parent_space)
+        if (dxOrderedSpace *const space = dxOrderedSpace::of(geom)) space->filtersChanged(geom);
+}
+
+// Upstream's hash space asks which geoms are enabled before the first callback of a call, and callbacks may switch them.
+// Upstream answers a NULL.
+void tellSwitch(dGeomID geom) {
+    dxOrderedSpace *const space = geom != nullptr ? dxOrderedSpace::of(geom) : nullptr;
+    if (space != nullptr) space->enabledChanges(geom);
+}
+
+}  // namespace
+
+extern "C" {
+
+int dCollide(dGeomID o1, dGeomID o2, int flags, dContactGeom *contact, int skip) {
+    if (dxContactsAhead *const ahead = dxContactsAhead::current()) {
+        const int count = ahead->answer(o1, o2, flags, contact, skip);
+        if (count >= 0) return count;
+    } else if (dxContactLog *const log = dxContactLog::current()) {
+        const bool isValid = o1 != nullptr && o2 != nullptr && contact != nullptr;
+        if (isValid && !isAnsweredEarly(*o1, *o2, flags) && dxMayCollideAnywhere(*o1, *o2))
+            return log->copies().collide(*o1, *o2, {}, flags, contact, skip);
+    }
+    const auto collide = [=] { return dxUpstreamCollide(o1, o2, flags, contact, skip); };
+    if (o1 == nullptr || o2 == nullptr) return collide();
+    if ((isUsers(*o1) || isUsers(*o2)) && !isAnsweredEarly(*o1, *o2, flags))
+        dxColliderTable::resolve(o1->type, o2->type);
+    return isTerrain(*o1) || isTerrain(*o2) ? dxTurnedGeom::whileTurned(collide) : collide();
+}
+
+void dSpaceCollide(dSpaceID space, void *data, dNearCallback *callback) {
+    if (space != nullptr && callback != nullptr && dGeomIsSpace(space)) {
+        const dxSettings &settings = dxSettings::instance();
+        dxClusterManager::prepare(space, settings.passName());
+        if (dxOrderedSpace *const ordered = dxOrderedSpace::from(space)) return dxCollideSpace(*ordered, data, callback);
+    }
+    dxUpstreamSpaceCollide(space, data, callback);
+}
+
+int dCreateGeomClass(const dGeomClass *description) { return dxColliderTable::createClass(description); }
+
+void dSetColliderOverride(int i, int j, dColliderFn *collider) { dxColliderTable::setOverride(i, j, collider); }
+
+void dGeomSetBody(dGeomID geom, dBodyID body) {
+    dxUpstreamGeomSetBody(geom, body);
+    tellFilters(geom);
+}
+
+void dGeomSetCategoryBits(dGeomID geom, unsigned long bits) {
+    dxUpstreamGeomSetCategoryBits(geom, bits);
+    tellFilters(geom);
+}
+
+void dGeomSetCollideBits(dGeomID geom, unsigned long bits) {
+    dxUpstreamGeomSetCollideBits(geom, bits);
+    tellFilters(geom);
+}
+
+void dGeomEnable(dGeomID geom) {
+    tellSwitch(geom);
+    dxUpstreamGeomEnable(geom);
+}
+
+void dGeomDisable(dGeomID geom) {
+    tellSwitch(geom);
+    dxUpstreamGeomDisable(geom);
+}
+
+// Data of height fields: contacts that were computed from it hear of changes (collision/dxSilentChanges.h), and which data
+// is there is known (collision/dxLivingHeights.h).
+
+dHeightfieldDataID dGeomHeightfieldDataCreate() {
+    const dHeightfieldDataID data = dxUpstreamGeomHeightfieldDataCreate();
+    dxLivingHeights::add(data);
+    return data;
+}
+
+void dGeomHeightfieldDataBuildCallback(dHeightfieldDataID data, void *userData,
+                                       dHeightfieldGetHeight *callback, dReal width, dReal depth,
+                                       int widthSamples, int depthSamples, dReal scale, dReal offset,
+                                       dReal thickness, int wraps) {
+    dxSilentChanges::add();
+    dxUpstreamGeomHeightfieldDataBuildCallback(data, userData, callback, width, depth, widthSamples, depthSamples,
+                                           scale, offset, thickness, wraps);
+}
+
+void dGeomHeightfieldDataBuildByte(dHeightfieldDataID data, const unsigned char *samples, int isCopied,
+                                   dReal width, dReal depth, int widthSamples, int depthSamples, dReal scale,
+                                   dReal offset, dReal thickness, int wraps) {
+    dxSilentChanges::add();
+    dxUpstreamGeomHeightfieldDataBuildByte(data, samples, isCopied, width, depth, widthSamples, depthSamples,
+                                       scale, offset, thickness, wraps);
+}
+
+void dGeomHeightfieldDataBuildShort(dHeightfieldDataID data, const short *samples, int isCopied, dReal width,
+                                    dReal depth, int widthSamples, int depthSamples, dReal scale,
+                                    dReal offset, dReal thickness, int wraps) {
+    dxSilentChanges::add();
+    dxUpstreamGeomHeightfieldDataBuildShort(data, samples, isCopied, width, depth, widthSamples, depthSamples,
+                                        scale, offset, thickness, wraps);
+}
+
+void dGeomHeightfieldDataBuildSingle(dHeightfieldDataID data, const float *samples, int isCopied, dReal width,
+                                     dReal depth, int widthSamples, int depthSamples, dReal scale,
+                                     dReal offset, dReal thickness, int wraps) {
+    dxSilentChanges::add();
+    dxUpstreamGeomHeightfieldDataBuildSingle(data, samples, isCopied, width, depth, widthSamples, depthSamples,
+                                         scale, offset, thickness, wraps);
+}
+
+void dGeomHeightfieldDataBuildDouble(dHeightfieldDataID data, const double *samples, int isCopied,
+                                     dReal width, dReal depth, int widthSamples, int depthSamples,
+                                     dReal scale, dReal offset, dReal thickness, int wraps) {
+    dxSilentChanges::add();
+    dxUpstreamGeomHeightfieldDataBuildDouble(data, samples, isCopied, width, depth, widthSamples, depthSamples,
+                                         scale, offset, thickness, wraps);
+}
+
+void dGeomHeightfieldDataSetBounds(dHeightfieldDataID data, dReal lowest, dReal highest) {
+    dxSilentChanges::add();
+    dxUpstreamGeomHeightfieldDataSetBounds(data, lowest, highest);
+}
+
+void dGeomHeightfieldDataDestroy(dHeightfieldDataID data) {
+    dxSilentChanges::add();
+    dxLivingHeights::remove(data);
+    dxUpstreamGeomHeightfieldDataDestroy(data);
+}
+
+}  // extern "C"
