@@ -1,12 +1,10 @@
-// The search that a space uses unless it is told otherwise: in a small space a table of all boxes, in others neighbours
-// while few boxes move, and a list of candidates while many do.
-//
-// Which of them it is shows in the time that it takes, not in what is found.
+// The search that a space uses unless it is told otherwise: whichever dxChooseBroadPhase() takes of the table of slots,
+// the neighbour list and the neighbour sets.
 #pragma once
 
 #include <memory>
 
-#include "collision/dxCrowd.h"
+#include "collision/dxBroadPhaseChoice.h"
 #include "collision/dxNeighbourSearch.h"
 #include "collision/dxPairSearch.h"
 #include "collision/dxTableSearch.h"
@@ -15,22 +13,22 @@
 class dxAdaptiveSearch final : public dxPairSearch {
 public:
     // As for dxBatchSearch.
-    explicit dxAdaptiveSearch(dxCrowd::Limit mostPairs = dxCrowd::allPairs) : m_mostPairs(mostPairs) {}
+    explicit dxAdaptiveSearch(dxPairLimit maxPairs = dxUnlimitedPairs) : m_maxPairs(maxPairs) {}
 
     void search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
 
-    bool isTable() const { return m_table != nullptr; }
-    bool isVerlet() const { return m_verlet != nullptr; }
+    dxBroadPhase current() const;
 
 private:
-    void chooseTable(const dxMembers &members);
+    dxBroadPhaseFacts factsOf(const dxMembers &members) const;
+    void chooseBySize(const dxMembers &members);
     void searchVerlet(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches);
     void searchNeighbours(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches);
 
-    const dxCrowd::Limit m_mostPairs;
+    const dxPairLimit m_maxPairs;
     // One of them is there from the first call on.
     std::unique_ptr<dxTableSearch> m_table;
     std::unique_ptr<dxVerletSearch> m_verlet;
     std::unique_ptr<dxNeighbourSearch> m_neighbours;
-    int m_callsAgainst = 0;  // in a row, that speak for the other way than the one in use
+    int m_callsAgainst = 0;  // in a row (dxSpeaksAgainst)
 };

@@ -53,7 +53,7 @@ std::uint64_t dxBatchSearch::Grid::cellOf(const dxBounds &box) const {
 }
 
 void dxBatchSearch::search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) {
-    m_most = m_mostPairs(members.end());
+    m_most = m_maxPairs(members.end());
     sortIntoLevels(members);
     joinSparseLevels();
     if (m_found.size() < runner.workers()) m_found.resize(runner.workers());

@@ -14,7 +14,7 @@
 
 #include <vector>
 
-#include "collision/dxCrowd.h"
+#include "collision/dxBroadPhaseChoice.h"
 #include "collision/dxPairSearch.h"
 #include "collision/dxRadixSort.h"
 #include "collision/overlap/dxCellSweep.h"
@@ -22,7 +22,7 @@
 class dxBatchSearch final : public dxPairSearch {
 public:
     // Stops as soon as there are more pairs than that.
-    explicit dxBatchSearch(dxCrowd::Limit mostPairs = dxCrowd::allPairs) : m_mostPairs(mostPairs) {}
+    explicit dxBatchSearch(dxPairLimit maxPairs = dxUnlimitedPairs) : m_maxPairs(maxPairs) {}
 
     void search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
 
@@ -63,7 +63,7 @@ private:
     template <class Sweep>
     void sweepPieces(const dxCellRows &rows, dxTaskRunner &runner, const Sweep &sweep);
 
-    const dxCrowd::Limit m_mostPairs;
+    const dxPairLimit m_maxPairs;
     std::size_t m_most = 0;            // matches of a worker, after which it stops
     std::vector<Level> m_byEdge;       // by exponent, from the lowest
     std::vector<Level *> m_levels;     // those in use, smallest boxes first

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "collision/dxBroadPhaseChoice.h"
+
 namespace {
 
 auto standsBefore(const dxMembers &members) {
@@ -31,7 +33,7 @@ void dxDensePairs::update(const dxMembers &members, std::vector<dxOrderedPair> &
         findPairs(members, m_changed.size());
         keepUnchanged(members, pairs, m_found);
         pairs.swap(m_found);
-    } else if (2 * members.changed().size() > m_order.size()) {
+    } else if (dxHaveMostChanged(members.changed().size(), m_order.size())) {
         findPairs(members, m_order.size());
         pairs.swap(m_found);
     } else {

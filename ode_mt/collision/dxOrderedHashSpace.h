@@ -25,13 +25,13 @@ private:
         bool wasEnabled;
     };
 
+    dxPairOrder pairOrder() const override { return dxPairOrder::Cells; }
     void update(std::vector<dxOrderedPair> &pairs) override;
     bool lead(Slot a, Slot b, std::uint64_t &word, bool &swapped) const override;
     bool follow(Slot first, Slot second, dxPairKey &key) const override;
     void expect(Slot slot) const override;
     void deliver(void *data, dNearCallback *callback) override;
     void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) override;
-    dxCrowd::Limit mostPairs() const override { return dxCrowd::mostPairsOfCells; }
 
     void walkFrom(std::size_t switched, void *data, dNearCallback *callback, const dxOrderedPair *after);
     bool wasEnabled(const dxGeom *geom, std::size_t switched) const;

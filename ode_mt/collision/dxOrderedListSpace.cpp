@@ -10,10 +10,6 @@
 
 namespace {
 
-// Geoms against a space that is walked, between two moves, after which an index pays for the ranks that it
-// needs.
-constexpr int kMostWalks = 8;
-
 // Prefetch distance in geoms.
 constexpr std::size_t kGeomsAhead = 8;
 
@@ -44,7 +40,7 @@ void collideFrom(dxGeom *member, void *data, dxGeom *geom, dNearCallback *callba
 bool dxOrderedListSpace::isAtRest() const {
     if (first != nullptr && isDirty(first)) return false;
     if (m_isInterrupted || !isSureOfMembers()) return false;
-    return m_isWalked ? leastMovedToWalk() != INT_MAX : !m_isIrregular && members().unranked() == 0;
+    return m_isWalked ? minMovedToWalk() != INT_MAX : !m_isIrregular && members().unranked() == 0;
 }
 
 // Upstream stops at the first geom that is clean, and so do we. Ranks are given from the front downwards, at
@@ -111,17 +107,17 @@ void dxOrderedListSpace::rankAll() {
     if (!m_isWalked) rankBehindClean(first, members().firstOf(count));
 }
 
-// Workers, and a search that was asked for, need all pairs.
-int dxOrderedListSpace::leastMovedToWalk() const {
-    return isShared() || hasSearch() ? INT_MAX : leastToWalk();
-}
-
 void dxOrderedListSpace::chooseToWalk() {
     const auto moved = static_cast<int>(m_dirty.size());
     m_moved = std::min(m_moved + moved, count);
     if (moved != 0) m_walks.store(0, std::memory_order_relaxed);
-    const int least = leastMovedToWalk();
-    m_isWalked = moved >= least || (m_isWalked && least != INT_MAX);
+    dxBroadPhaseFacts facts;
+    facts.order = pairOrder();
+    facts.current = m_isWalked ? dxBroadPhase::ListWalk : dxBroadPhase::None;
+    facts.mayWalk = mayWalk();
+    facts.geoms = count;
+    facts.moved = moved;
+    m_isWalked = dxChooseBroadPhase(facts) == dxBroadPhase::ListWalk;
     m_isIrregular = m_isIrregular || m_isWalked;
 }
 
@@ -138,14 +134,13 @@ void dxOrderedListSpace::stopWalking() {
 
 // Of several threads that ask, one stops; the others walk once more.
 void dxOrderedListSpace::stopWalkingIfAskedOften() {
-    if (!m_isWalked || !isWorthAnIndex() || ++m_walks <= kMostWalks) return;
+    if (!m_isWalked || !isWorthAnIndex() || ++m_walks <= dxBroadPhaseThresholds::kMaxWalksUnranked) return;
     const std::unique_lock<std::mutex> alone(m_stopping, std::try_to_lock);
     if (alone && m_isWalked) stopWalking();
 }
 
-// The list is walked until fewer than half as many move as it takes to begin with that.
 bool dxOrderedListSpace::requireRanks() {
-    if (m_isWalked && 2 * m_moved < leastMovedToWalk()) stopWalking();
+    if (m_isWalked && dxHaveFewMoved(m_moved, minMovedToWalk())) stopWalking();
     m_moved = 0;
     return ranksStand();
 }

@@ -21,10 +21,6 @@ public:
 protected:
     using dxOrderedSpace::dxOrderedSpace;
 
-    // Geoms that move from which on testing all pairs, as upstream does, is faster than ranks and pairs are.
-    // INT_MAX: never.
-    virtual int leastToWalk() const { return INT_MAX; }
-
     void cleanToCollide() override;
     bool isLeftOut(Slot slot) const override;
     bool requireRanks() override;
@@ -38,7 +34,9 @@ private:
     void cleanAlone();
     // Ranks stand for the list, and all boxes that upstream would look at are up to date.
     bool ranksStand() const { return !m_isWalked && !m_hasBadBox; }
-    int leastMovedToWalk() const;
+    // Workers, and a search that was asked for, need the ranks and all pairs.
+    bool mayWalk() const { return !isShared() && !hasSearch(); }
+    int minMovedToWalk() const { return mayWalk() ? dxMinMovedToWalk(pairOrder(), count) : INT_MAX; }
     void gatherDirty();
     void cleanDirty();
     void cleanBehind(dxGeom *geom);

@@ -25,6 +25,7 @@ private:
 
     struct Visit;
 
+    dxPairOrder pairOrder() const override { return dxPairOrder::Blocks; }
     bool requireRanks() override;
     bool hasStrayMembers() const override;
     bool mayCome(const dxGeom *geom) const override;

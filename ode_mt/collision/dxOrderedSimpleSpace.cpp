@@ -5,28 +5,14 @@
 #include "collision_space_internal.h"
 #include "util.h"
 
-namespace {
-
-// Geoms in a space up to which it is faster to walk if any of them moves, and if three quarters of them do.
-constexpr int kTiny = 12, kSmall = 512;
-
-// Geoms from which on comparing their boxes by vectors is faster than one by one.
-constexpr int kWorthVectors = 20;
-
-}  // namespace
-
-int dxOrderedSimpleSpace::leastToWalk() const {
-    if (count <= kTiny) return 1;
-    return count <= kSmall ? 3 * count / 4 : INT_MAX;
-}
-
 // The memory is the outermost call's: one within it, in a callback, walks the list.
 void dxOrderedSimpleSpace::walk(void *data, dNearCallback *callback, const dxOrderedPair *after) {
     if (after != nullptr) {
         walkFrom(after->first, after->second->next, data, callback);
         return;
     }
-    if (count < kWorthVectors || isCrowd() || lock_count > 1 || !findByVectors()) {
+    const bool isWorthATable = count >= dxBroadPhaseThresholds::kMinWalkedByVectors;
+    if (!isWorthATable || isCrowd() || lock_count > 1 || !findByVectors()) {
         walkList(data, callback);
         return;
     }

@@ -9,7 +9,7 @@ public:
     explicit dxOrderedSimpleSpace(dSpaceID parent) : dxOrderedListSpace(parent, dSimpleSpaceClass) {}
 
 private:
-    int leastToWalk() const override;
+    dxPairOrder pairOrder() const override { return dxPairOrder::List; }
     void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) override;
     void walkList(void *data, dNearCallback *callback);
     void walkFrom(dxGeom *g1, dxGeom *g2, void *data, dNearCallback *callback);

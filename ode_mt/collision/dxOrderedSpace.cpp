@@ -20,11 +20,6 @@ constexpr std::size_t kBoxPiece = 128;
 // Geoms between asking the memory for one's place and computing its box.
 constexpr std::size_t kBoxesAhead = 4;
 
-// Up to this many geoms comparing boxes by vectors is faster than keeping neighbours and sorting, whatever
-// share of them moves (docs/collision-order.md has the figures). A space on the border does not go back and
-// forth: it turns dense again at half of it.
-constexpr int kLargestDense = 512;
-
 // Its box follows from data or arrays that the program may change while other boxes are computed, without a word to the space.
 bool hasBoxOfData(const dxGeom *geom) {
     return geom->type == dConvexClass || geom->type == dTriMeshClass || geom->type == dHeightfieldClass;
@@ -285,7 +280,7 @@ void dxOrderedSpace::giveUpPairs() {
 }
 
 bool dxOrderedSpace::isTooMany(std::size_t pairs) const {
-    return pairs > dxCrowd::leastLimit && pairs > mostPairs()(m_members.end());
+    return pairs > dxPairLimitOf(pairOrder())(m_members.end());
 }
 
 // Without pairs. All are looked for again when it is over.
@@ -297,8 +292,11 @@ void dxOrderedSpace::becomeCrowd() {
 }
 
 void dxOrderedSpace::update(std::vector<dxOrderedPair> &pairs) {
-    const bool dense =
-        m_search == nullptr && count <= (m_dense != nullptr ? kLargestDense : kLargestDense / 2);
+    dxBroadPhaseFacts facts;
+    facts.order = pairOrder();
+    facts.geoms = count;
+    facts.current = m_dense != nullptr ? dxBroadPhase::OrderedTable : dxBroadPhase::None;
+    const bool dense = m_search == nullptr && dxChooseBroadPhase(facts) == dxBroadPhase::OrderedTable;
     if (dense != (m_dense != nullptr)) {
         m_dense.reset(dense ? new dxDensePairs : nullptr);
         startAnew();
@@ -316,7 +314,8 @@ void dxOrderedSpace::updateSorted(std::vector<dxOrderedPair> &pairs) {
 
 void dxOrderedSpace::findAndPlace(std::vector<dxPairSearch::Match> &matches,
                                   std::vector<dxOrderedPair> &pairs) {
-    if (m_search == nullptr && m_ownSearch == nullptr) m_ownSearch.reset(new dxAdaptiveSearch(mostPairs()));
+    if (m_search == nullptr && m_ownSearch == nullptr)
+        m_ownSearch.reset(new dxAdaptiveSearch(dxPairLimitOf(pairOrder())));
     if (m_kept == nullptr) m_kept.reset(new dxKeptPairs);
     (m_search != nullptr ? m_search : m_ownSearch)->search(m_members, runner(), matches);
     if (isTooMany(matches.size())) return becomeCrowd();

@@ -46,6 +46,7 @@
 
 #include <ode/ode.h>
 
+#include "collision/dxBroadPhaseChoice.h"
 #include "collision/dxContactsAhead.h"
 #include "collision/dxCrowd.h"
 #include "collision/dxDensePairs.h"
@@ -197,6 +198,7 @@ protected:
     // To be told of each pair before its callback, or NULL.
     dxContactsAhead *ahead() const { return m_isAhead ? m_ahead.get() : nullptr; }
 
+    virtual dxPairOrder pairOrder() const = 0;
     // Members have changed, and have their new ranks and boxes: brings `pairs` up to date.
     virtual void update(std::vector<dxOrderedPair> &pairs);
     // By searching and sorting.
@@ -215,8 +217,6 @@ protected:
     // All of upstream's call, where it says no; or what of it comes after a pair, in whose callback an
     // assertion failed.
     virtual void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) = 0;
-    // Beyond which walk() is called instead.
-    virtual dxCrowd::Limit mostPairs() const { return dxCrowd::mostPairs; }
     bool isCrowd() const { return m_crowd.isOne(); }
     // The callbacks of a geom, whose box is up to date as the members' are, with those that it meets.
     virtual void collideWith(void *data, dxGeom *geom, dNearCallback *callback) = 0;
@@ -242,8 +242,7 @@ protected:
     };
     // A geom that is not in the space may move in a callback.
     static bool isStill(const dxGeom *geom, const dxBounds &box);
-    // A smaller space is walked as fast.
-    bool isWorthAnIndex() const { return count >= 16; }
+    bool isWorthAnIndex() const { return count >= dxBroadPhaseThresholds::kMinIndexed; }
     // As upstream's collide2 where it walks a list, which is in the order of ranks. NULL, or the member in
     // whose callback the geom moved: upstream goes on behind it with the new box.
     dxGeom *collideRegion(void *data, dxGeom *geom, dNearCallback *callback);

@@ -12,11 +12,6 @@
 
 namespace {
 
-// Up to this many geoms sweeping all along the axis is faster than looking for neighbours and sorting, if
-// most of them move: in a pile up to 2000, but then slower if one does. A space on the border does not go
-// back and forth.
-constexpr int kLargestDense = 1024, kDenseAgain = 768;
-
 // Items between asking the memory for one and looking at it.
 constexpr std::size_t kAhead = 8;
 
@@ -215,8 +210,12 @@ void dxOrderedSweepSpace::sortSwept() {
 }
 
 void dxOrderedSweepSpace::chooseSearch() {
-    const bool isSmall = count <= (m_isDense ? kLargestDense : kDenseAgain);
-    const bool isDense = !m_axes.areAll() || (!hasSearch() && isSmall);
+    dxBroadPhaseFacts facts;
+    facts.order = pairOrder();
+    facts.current = m_isDense ? dxBroadPhase::AxisSweep : dxBroadPhase::None;
+    facts.comparesAllAxes = m_axes.areAll();
+    facts.geoms = count;
+    const bool isDense = (!m_axes.areAll() || !hasSearch()) && dxChooseBroadPhase(facts) == dxBroadPhase::AxisSweep;
     if (isDense == m_isDense) return;
     m_isDense = isDense;
     startAnew();

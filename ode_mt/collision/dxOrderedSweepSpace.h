@@ -35,6 +35,7 @@ private:
         Part part;
     };
 
+    dxPairOrder pairOrder() const override { return dxPairOrder::Axis; }
     void update(std::vector<dxOrderedPair> &pairs) override;
     bool lead(Slot a, Slot b, std::uint64_t &word, bool &swapped) const override;
     bool follow(Slot first, Slot second, dxPairKey &key) const override;

@@ -5,12 +5,10 @@
 #include <mutex>
 #include <new>
 
+#include "collision/dxBroadPhaseChoice.h"
 #include "collision/dxRoom.h"
 
 namespace {
-
-// To put a box into the tree costs as much as so many comparisons.
-constexpr std::size_t kComparisonsPerRow = 32;
 
 // Cells an axis of the curve along which boxes are put into the tree.
 constexpr int kCurveBits = 16;
@@ -116,9 +114,10 @@ bool dxRegionIndex::query(const dxMembers &members, const dxBounds &box, std::pm
 }
 
 void dxRegionIndex::buildIfDue(const dxMembers &members) {
-    if (m_debt.load(std::memory_order_relaxed) <= kComparisonsPerRow * members.end()) return;
+    const std::size_t due = dxBroadPhaseThresholds::kComparisonsPerRow * members.end();
+    if (m_debt.load(std::memory_order_relaxed) <= due) return;
     const std::unique_lock<std::shared_mutex> building(m_mutex, std::try_to_lock);
-    if (!building || m_debt.load(std::memory_order_relaxed) <= kComparisonsPerRow * members.end()) return;
+    if (!building || m_debt.load(std::memory_order_relaxed) <= due) return;
     try {
         build(members);
     } catch (const std::bad_alloc &) {  // boxes are compared one by one, until it is due again

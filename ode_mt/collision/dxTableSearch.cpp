@@ -1,5 +1,7 @@
 #include "collision/dxTableSearch.h"
 
+#include "collision/dxBroadPhaseChoice.h"
+
 namespace {
 
 bool areThere(const dxMembers &members, const dxSlotPair &pair) {
@@ -11,7 +13,7 @@ bool areThere(const dxMembers &members, const dxSlotPair &pair) {
 void dxTableSearch::search(const dxMembers &members, dxTaskRunner & /*runner*/, std::vector<Match> &matches) {
     while (m_boxes.size() < members.end()) m_boxes.push(members[static_cast<Slot>(m_boxes.size())].bounds);
     for (const Slot slot : members.changed()) m_boxes.set(slot, members[slot].bounds);
-    if (2 * members.changed().size() > members.end())
+    if (dxHaveMostChanged(members.changed().size(), members.end()))
         searchAll(members, matches);
     else
         searchChanged(members, matches);

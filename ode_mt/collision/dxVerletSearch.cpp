@@ -22,10 +22,6 @@ constexpr std::size_t kLongestByFresh = 2;  // a list that has grown by this fac
 // Where one of so many members has left its stored box in one call, a list is made rather.
 constexpr std::size_t kManyEscaped = 8;
 
-// A list has to serve so many calls to be worth its making; after so many that did not, none is made for a while.
-constexpr std::size_t kShort = 4;
-constexpr unsigned kPatience = 3, kPause = 32;
-
 // What one worker takes at once: some ten microseconds.
 constexpr std::size_t kMemberPiece = 512, kCandidatePiece = 2048;
 
@@ -70,7 +66,7 @@ void dxVerletSearch::search(const dxMembers &members, dxTaskRunner &runner, std:
         m_batch.search(members, runner, matches);
         return;
     }
-    if (m_candidates.size() > m_mostPairs(members.end())) {  // not all of them, perhaps
+    if (m_candidates.size() > m_maxPairs(members.end())) {  // not all of them, perhaps
         m_batch.search(members, runner, matches);
         return;
     }
@@ -80,10 +76,11 @@ void dxVerletSearch::search(const dxMembers &members, dxTaskRunner &runner, std:
 }
 
 void dxVerletSearch::countShortList(bool hadList) {
-    m_shortLists = hadList && m_calls < kShort ? m_shortLists + 1 : 0;
-    if (m_shortLists < kPatience) return;
+    using Threshold = dxBroadPhaseThresholds;
+    m_shortLists = hadList && m_calls < Threshold::kMinCallsPerList ? m_shortLists + 1 : 0;
+    if (m_shortLists < Threshold::kMaxShortLists) return;
     m_shortLists = 0;
-    m_callsWithout = kPause;
+    m_callsWithout = Threshold::kCallsWithoutList;
 }
 
 void dxVerletSearch::makeList(const dxMembers &members, dxTaskRunner &runner) {

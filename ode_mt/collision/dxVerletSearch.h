@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "collision/dxBatchSearch.h"
-#include "collision/dxCrowd.h"
+#include "collision/dxBroadPhaseChoice.h"
 #include "collision/dxPairSearch.h"
 #include "collision/overlap/dxBoxTable.h"
 #include "collision/overlap/dxPackedBoxes.h"
@@ -24,8 +24,7 @@
 class dxVerletSearch final : public dxPairSearch {
 public:
     // As for dxBatchSearch.
-    explicit dxVerletSearch(dxCrowd::Limit mostPairs = dxCrowd::allPairs)
-        : m_mostPairs(mostPairs), m_batch(mostPairs) {}
+    explicit dxVerletSearch(dxPairLimit maxPairs = dxUnlimitedPairs) : m_maxPairs(maxPairs), m_batch(maxPairs) {}
 
     void search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
 
@@ -61,7 +60,7 @@ private:
     void compareCandidates(dxTaskRunner &runner, std::vector<Match> &matches);
     void forgetChanges(const dxMembers &members);
 
-    const dxCrowd::Limit m_mostPairs;
+    const dxPairLimit m_maxPairs;
     dxPackedBoxes m_boxes;           // as they are, by slot
     std::vector<dxBounds> m_stored;  // by slot
     dxBoxTable m_storedTable;        // the same in columns

@@ -45,12 +45,12 @@ TEST_F(AdaptiveSearch, FollowsWhatTheCrowdDoes) {
             travel();
             check();
         }
-        EXPECT_TRUE(search.isVerlet());
+        EXPECT_EQ(search.current(), dxBroadPhase::NeighbourList);
         for (int i = 0; i < 20; ++i) {
             stir();
             check();
         }
-        EXPECT_FALSE(search.isVerlet());
+        EXPECT_EQ(search.current(), dxBroadPhase::NeighbourSets);
     }
 }
 
@@ -61,7 +61,7 @@ TEST_F(AdaptiveSearch, ABurstNowAndThenDoesNotMakeItGoBackAndForth) {
         else
             stir();
         check();
-        EXPECT_TRUE(search.isVerlet());
+        EXPECT_EQ(search.current(), dxBroadPhase::NeighbourList);
     }
 }
 
@@ -76,7 +76,7 @@ TEST(AdaptiveSearchOfFew, HasATableUntilThereAreMany) {
         crowd.move(slots[random.below(static_cast<unsigned>(slots.size()))], somewhere());
         const auto expected = crowd.expected();
         ASSERT_EQ(crowd.found(search), expected) << slots.size();
-        EXPECT_EQ(search.isTable(), slots.size() <= 128) << slots.size();
+        EXPECT_EQ(search.current() == dxBroadPhase::SlotTable, slots.size() <= 128) << slots.size();
     }
 }
 

@@ -7,7 +7,6 @@
 #include "RandomBoxes.h"
 #include "SearchedMembers.h"
 #include "collision/dxBatchSearch.h"
-#include "collision/dxCrowd.h"
 
 namespace {
 
@@ -29,12 +28,12 @@ TEST(BatchSearch, SweepsLargeAgainstSmall) {
 TEST(BatchSearch, StopsAtACrowd) {
     SearchedMembers crowd;
     for (int i = 0; i < 3000; ++i) crowd.add(cubeAt(0, 0, 0));
-    const std::size_t all = 3000 * 2999 / 2, most = dxCrowd::mostPairs(3000);
+    const std::size_t all = 3000 * 2999 / 2, most = dxMaxPairsOfWalk(3000);
     std::vector<dxPairSearch::Match> matches;
     dxBatchSearch().search(crowd.members(), dxTaskRunner::alone(), matches);
     EXPECT_EQ(matches.size(), all);
     matches.clear();
-    dxBatchSearch(dxCrowd::mostPairs).search(crowd.members(), dxTaskRunner::alone(), matches);
+    dxBatchSearch(dxMaxPairsOfWalk).search(crowd.members(), dxTaskRunner::alone(), matches);
     EXPECT_GT(matches.size(), most);
     EXPECT_LT(matches.size(), most + all / 4);
 }

@@ -1,0 +1,116 @@
+// Which broad phase a space uses now, and why: every threshold between one broad phase and another stands here.
+//
+//   broad phase     what a call does                                       done by
+//   ListWalk        tests all pairs as upstream does, keeps nothing        dxOrderedSimpleSpace
+//   OrderedTable    compares changed boxes with all; pairs come in order   dxDensePairs
+//   AxisSweep       sweeps all along an axis; pairs come in order          dxOrderedSweepSpace, overlap/dxAxisSweep
+//   SlotTable       compares changed boxes with all; pairs are sorted      dxTableSearch
+//   NeighbourList   compares the candidates of a list; pairs are sorted    dxVerletSearch
+//   NeighbourSets   compares changed boxes with their neighbours; sorted   dxNeighbourSearch
+//
+// A crowd (dxCrowd) keeps no pairs at all and is walked. A neighbour list that serves too few calls gives way to a cell
+// grid over all members (dxBatchSearch) for a while. Rays and other single geoms against a space (dSpaceCollide2) walk
+// its list or ask its tree (dxRegionIndex).
+//
+// The choice shows in the time that a call takes, never in the pairs that it finds. Everything here is a pure
+// function of its arguments; what is remembered from call to call is the caller's. Figures: docs/collision-order.md.
+// What tunes one broad phase within itself (skin, edge of cells, rows that a worker takes at once) stands with it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+enum class dxBroadPhase { None, ListWalk, OrderedTable, AxisSweep, SlotTable, NeighbourList, NeighbourSets };
+
+// What the order of a space's pairs follows from, which is given by the kind of the space.
+enum class dxPairOrder {
+    List,    // simple space: the places of both geoms in its list
+    Blocks,  // quad tree: the places of both geoms in its blocks
+    Axis,    // sweep and prune: the places of both geoms along the axis
+    Cells    // hash space: the cells of both geoms. No broad phase finds pairs in this order.
+};
+
+// Units are geoms, members, calls or pairs.
+struct dxBroadPhaseThresholds {
+    // A simple space of up to so many geoms is walked if any geom moves: nothing pays for keeping pairs.
+    static constexpr int kMaxAlwaysWalked = 12;
+    // A simple space of up to so many geoms is walked if three quarters of them move.
+    static constexpr int kMaxWalked = 512;
+    // From so many geoms on a walk compares boxes by vectors; below, filling the table costs more than it saves.
+    static constexpr int kMinWalkedByVectors = 20;
+
+    // Up to so many geoms comparing boxes by vectors is faster than neighbours and sorting, whatever share of them
+    // moves. A space that has grown beyond comes back at half of it (hysteresis).
+    static constexpr int kMaxOrderedTable = 512;
+    // Up to so many geoms sweeping all along the axis is faster than neighbours and sorting, if most of them move: in
+    // a pile up to 2000, but then it is slower if one does. A space that has grown beyond comes back at the second.
+    static constexpr int kMaxAxisSweep = 1024, kMaxAxisSweepAgain = 768;
+    // As kMaxOrderedTable, where the pairs have to be sorted anyway. Slots of members.
+    static constexpr std::size_t kMaxSlotTable = 128;
+
+    // Looking a box up among neighbours costs about as much as making a list does for so many boxes.
+    static constexpr std::size_t kListedPerLookUp = 10;
+    // Comparing the neighbours of a box that moves costs about as much as comparing the candidates of so many.
+    static constexpr std::size_t kListedPerMove = 5;
+    // Fewer look-ups than this take no time to speak of.
+    static constexpr std::size_t kMinLookUps = 32;
+    // So many calls in a row with few changes must come before neighbours are built up, which costs a look-up for each
+    // member; and so many with many changes before a list is made instead.
+    static constexpr int kCallsAgainst = 8;
+
+    // A neighbour list pays if it serves so many calls; after so many lists in a row that did not, none is made for so
+    // many calls.
+    static constexpr std::size_t kMinCallsPerList = 4;
+    static constexpr unsigned kMaxShortLists = 3, kCallsWithoutList = 32;
+
+    // A crowd is walked for so many calls before its pairs are counted again: counting ends when there are too many, and
+    // costs about a tenth of a walk.
+    static constexpr int kCallsOfCrowd = 32;
+
+    // From so many geoms on a tree may answer what a geom meets in a space; a smaller space is walked as fast.
+    static constexpr int kMinIndexed = 16;
+    // Geoms against a walked space, between two moves, after which a tree pays for the ranks that it needs.
+    static constexpr int kMaxWalksUnranked = 8;
+    // Putting a box into the tree costs as much as so many comparisons with a box.
+    static constexpr std::size_t kComparisonsPerRow = 32;
+};
+
+// Facts that the order of the pairs makes irrelevant may be left as they are.
+struct dxBroadPhaseFacts {
+    dxPairOrder order = dxPairOrder::Cells;
+    dxBroadPhase current = dxBroadPhase::None;  // what the space has used so far
+    bool mayWalk = false;         // ranks are not given yet, and neither workers nor a search of the caller's need them
+    bool comparesAllAxes = true;  // false: of a sweep-and-prune space two of whose axes are the same
+    int geoms = 0;
+    int moved = 0;                // geoms that are to be cleaned
+    std::size_t slots = 0;        // of members
+    std::size_t changed = 0;      // members, since pairs were last found
+    std::size_t lookedUp = 0;     // boxes that left their neighbours at this call, in NeighbourSets
+    int callsAgainst = 0;         // in a row, this one included, for which dxSpeaksAgainst() was true
+};
+
+dxBroadPhase dxChooseBroadPhase(const dxBroadPhaseFacts &facts);
+
+// Whether the changes of this call would have been cheaper to follow the other way: by neighbours instead of a list,
+// or by a list instead of neighbours.
+bool dxSpeaksAgainst(const dxBroadPhaseFacts &facts);
+
+// Geoms that must move for a space to be walked; INT_MAX: it is never walked for that.
+int dxMinMovedToWalk(dxPairOrder order, int geoms);
+
+// A walked space is walked on until fewer than half as many geoms move as it took to begin (hysteresis).
+inline bool dxHaveFewMoved(int moved, int minMovedToWalk) { return 2 * moved < minMovedToWalk; }
+
+// Comparing every two boxes is then faster than comparing each changed one with all.
+inline bool dxHaveMostChanged(std::size_t changed, std::size_t members) { return 2 * changed > members; }
+
+// The most pairs that are kept for so many geoms. A space with more is a crowd.
+using dxPairLimit = std::size_t (*)(std::size_t geoms);
+std::size_t dxUnlimitedPairs(std::size_t geoms);
+// Where a walk tests every two boxes. Testing two boxes takes about a twentieth of the time that finding, sorting and
+// keeping a pair does; and a pair takes some hundred bytes while it is found.
+std::size_t dxMaxPairsOfWalk(std::size_t geoms);
+// Where a walk goes from cell to cell (dxHashWalk), which takes as long for a pair as finding and sorting it: the limit
+// is for memory, half a GB while pairs are found.
+std::size_t dxMaxPairsOfCells(std::size_t geoms);
+dxPairLimit dxPairLimitOf(dxPairOrder order);
