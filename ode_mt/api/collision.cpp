@@ -4,12 +4,11 @@
 #include "collision/dxColliderTable.h"
 #include "collision/dxContactLog.h"
 #include "collision/dxContactsAhead.h"
+#include "collision/dxHeightField.h"
 #include "collision/dxLivingHeights.h"
 #include "collision/dxOrderedSpace.h"
 #include "collision/dxSilentChanges.h"
 #include "collision/dxTurnedGeom.h"
-#include "config.h"
-#include "collision_kernel.h"
 #include "frame/dxClusterManager.h"
 #include "frame/dxSettings.h"
 #include "frame/dxSpaceCollision.h"
@@ -23,8 +22,6 @@ bool isAnsweredEarly(const dxGeom &o1, const dxGeom &o2, int flags) {
 }
 
 bool isUsers(const dxGeom &geom) { return geom.type >= dFirstUserClass; }
-
-bool isTerrain(const dxGeom &geom) { return geom.type == dHeightfieldClass; }
 
 // What decides, beside boxes, whether two geoms may meet: their body and their bits. The space that a geom is in keeps its
 // pairs and has to hear of a change. So have the spaces around it: a space that holds a geom with a body is dynamic.
@@ -57,7 +54,7 @@ int dCollide(dGeomID o1, dGeomID o2, int flags, dContactGeom *contact, int skip)
     if (o1 == nullptr || o2 == nullptr) return collide();
     if ((isUsers(*o1) || isUsers(*o2)) && !isAnsweredEarly(*o1, *o2, flags))
         dxColliderTable::resolve(o1->type, o2->type);
-    return isTerrain(*o1) || isTerrain(*o2) ? dxTurnedGeom::whileTurned(collide) : collide();
+    return dxIsHeightField(*o1) || dxIsHeightField(*o2) ? dxTurnedGeom::whileTurned(collide) : collide();
 }
 
 void dSpaceCollide(dSpaceID space, void *data, dNearCallback *callback) {

@@ -27,11 +27,7 @@ double gapBetween(const dxBounds &a, const dxBounds &b) {
 
 dxBounds boxAround(const std::vector<Slot> &members, const dxClusterScene &scene) {
     dxBounds box = scene[members.front()].bounds;
-    for (const Slot slot : members)
-        for (int axis = 0; axis < 3; ++axis) {
-            box.v[2 * axis] = std::min(box.low(axis), scene[slot].bounds.low(axis));
-            box.v[2 * axis + 1] = std::max(box.high(axis), scene[slot].bounds.high(axis));
-        }
+    for (const Slot slot : members) box.include(scene[slot].bounds);
     return box;
 }
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-
 
 namespace {
 
@@ -57,7 +55,7 @@ void dxBatchSearch::search(const dxMembers &members, dxTaskRunner &runner, std::
     sortIntoLevels(members);
     joinSparseLevels();
     if (m_found.size() < runner.workers()) m_found.resize(runner.workers());
-    m_region.clear();
+    m_corners = dxBounds::nothing();
     for (std::size_t level = 0; level < m_levels.size(); ++level) searchLevel(members, level, runner);
     for (Found &found : m_found) {
         matches.insert(matches.end(), found.matches.begin(), found.matches.end());
@@ -103,29 +101,15 @@ void dxBatchSearch::joinSparseLevels() {
     m_levels.resize(kept);
 }
 
-void dxBatchSearch::Region::clear() {
-    std::fill(low, low + 3, std::numeric_limits<double>::infinity());
-    std::fill(high, high + 3, -std::numeric_limits<double>::infinity());
-}
-
-void dxBatchSearch::Region::include(const dxBounds &box) {
-    for (int axis = 0; axis < 3; ++axis) {
-        const double corner = box.low(axis);
-        low[axis] = std::min(low[axis], corner);
-        high[axis] = std::max(high[axis], corner);
-    }
-}
-
-// Of the region so far. Where its boxes lie so far apart that there would be too many cells, these are made larger.
+// Of the corners so far. Where its boxes lie so far apart that there would be too many cells, these are made larger.
 dxBatchSearch::Grid dxBatchSearch::gridOf(int exponent) const {
-    const double *const low = m_region.low, *const high = m_region.high;
-    const double extent = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+    const double extent = m_corners.longestEdge();
     if (extent > 0) exponent = std::max(exponent, std::ilogb(extent / kMostCells) + 2);
     Grid grid;
     grid.cellsPerUnit = std::ldexp(1.0, -exponent);
     for (int axis = 0; axis < 3; ++axis) {
-        grid.low[axis] = std::floor(low[axis] * grid.cellsPerUnit);
-        const double cells = std::floor(high[axis] * grid.cellsPerUnit) - grid.low[axis] + 1;
+        grid.low[axis] = std::floor(m_corners.low(axis) * grid.cellsPerUnit);
+        const double cells = std::floor(m_corners.high(axis) * grid.cellsPerUnit) - grid.low[axis] + 1;
         grid.cells[axis] = static_cast<std::uint32_t>(std::min(cells, double(kMostCells)));
     }
     return grid;
@@ -145,7 +129,10 @@ void dxBatchSearch::fillRows(const dxMembers &members, const Grid &grid, const s
 
 void dxBatchSearch::searchLevel(const dxMembers &members, std::size_t index, dxTaskRunner &runner) {
     Level &level = *m_levels[index];
-    for (const Slot slot : level.slots) m_region.include(members[slot].bounds);
+    for (const Slot slot : level.slots) {
+        const dxBounds &box = members[slot].bounds;
+        for (int axis = 0; axis < 3; ++axis) m_corners.includeOn(axis, box.low(axis), box.low(axis));
+    }
     const Grid grid = gridOf(level.exponent);
     fillRows(members, grid, level.slots, level.rows);
     sweepPieces(level.rows, runner, [&](std::size_t begin, std::size_t end, std::vector<Match> &matches) {

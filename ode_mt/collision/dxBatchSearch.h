@@ -35,14 +35,6 @@ private:
         dxCellRows rows;
     };
 
-    // Where the low corners of the boxes of a level and all smaller ones lie.
-    struct Region {
-        double low[3], high[3];
-
-        void clear();
-        void include(const dxBounds &box);
-    };
-
     // The grid of a level over boxes of that level and smaller ones.
     struct Grid {
         double cellsPerUnit, low[3];
@@ -67,7 +59,7 @@ private:
     std::size_t m_most = 0;            // matches of a worker, after which it stops
     std::vector<Level> m_byEdge;       // by exponent, from the lowest
     std::vector<Level *> m_levels;     // those in use, smallest boxes first
-    Region m_region;
+    dxBounds m_corners;                // the low ones of the boxes of a level and all smaller ones
     std::vector<Slot> m_apart;
     std::vector<Slot> m_smaller;
     dxCellRows m_smallerRows;

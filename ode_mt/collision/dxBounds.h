@@ -3,6 +3,7 @@
 // Comparisons are those of upstream's collideAABBs, so a NaN bound overlaps everything on its axis.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -49,6 +50,25 @@ struct dxBounds {
             if (edge > longest) longest = edge;  // not if it is NaN
         }
         return longest;
+    }
+
+    // Of no point: what is included next is all of it.
+    static dxBounds nothing() {
+        dxBounds box;
+        for (int axis = 0; axis < 3; ++axis) {
+            box.v[2 * axis] = dInfinity;
+            box.v[2 * axis + 1] = -dInfinity;
+        }
+        return box;
+    }
+
+    // NaN is passed over.
+    void include(const dxBounds &b) {
+        for (int axis = 0; axis < 3; ++axis) includeOn(axis, b.low(axis), b.high(axis));
+    }
+    void includeOn(int axis, dReal low, dReal high) {
+        v[2 * axis] = std::min(v[2 * axis], low);
+        v[2 * axis + 1] = std::max(v[2 * axis + 1], high);
     }
 
     dxBounds grown(dReal margin) const {

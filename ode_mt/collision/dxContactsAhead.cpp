@@ -292,7 +292,7 @@ void dxContactsAhead::Worker::enterWindow(std::uint64_t newWindow) {
 }
 
 std::uint32_t dxContactsAhead::Worker::keepStates(const States &both) {
-    if (both.first == 0 && both.second == 0) return kNoStates;
+    if (both.first == 0 && both.second == 0) return kNoIndex;
     states.push_back(both);
     return static_cast<std::uint32_t>(states.size() - 1);
 }
@@ -345,7 +345,7 @@ int dxContactsAhead::answer(dGeomID o1, dGeomID o2, int flags, dContactGeom *con
     Result &result = m_results[m_index];
     if (result.count == kUnknown || skip < static_cast<int>(sizeof(dContactGeom))) return kUnknown;
     const Worker &worker = m_workers[result.worker];
-    const States states = result.states == kNoStates ? States{0, 0} : worker.states[result.states];
+    const States states = result.states == kNoIndex ? States{0, 0} : worker.states[result.states];
     if (states.first != stateOf(*o1, m_pair->slots[0]) || states.second != stateOf(*o2, m_pair->slots[1]) ||
         dxColliderOverrides::has(o1->type, o2->type))
         return kUnknown;

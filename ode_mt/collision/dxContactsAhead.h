@@ -34,6 +34,7 @@
 #include "collision/dxMembers.h"
 #include "collision/dxOrderedPair.h"
 #include "collision/dxSharedColliders.h"
+#include "simd/dxNoIndex.h"
 #include "threading/dxStackFrame.h"
 #include "threading/dxTaskRunner.h"
 
@@ -93,13 +94,12 @@ public:
 
 private:
     static constexpr int kUnknown = -1;
-    static constexpr std::uint32_t kNoStates = UINT32_MAX;
 
     // Small, because it goes from one core to another for every pair.
     struct Result {
         std::int32_t count;    // kUnknown
         std::uint32_t first;   // among the worker's contacts
-        std::uint32_t states;  // kNoStates, or a place among the worker's states
+        std::uint32_t states;  // kNoIndex, or a place among the worker's states
         std::uint16_t worker;  // a process has 1024 at most
         bool isUsed;
     };

@@ -10,8 +10,8 @@ void dxDirtyQueue::makeRoom(Slot slots) {
 }
 
 void dxDirtyQueue::push(dxGeom *geom, Slot slot) {
-    if (slot >= m_places.size()) m_places.resize(slot + 1, kNone);
-    if (m_places[slot] != kNone) return;
+    if (slot >= m_places.size()) m_places.resize(slot + 1, kNoIndex);
+    if (m_places[slot] != kNoIndex) return;
     // Spaces through which geoms come and go may never be cleaned.
     if (2 * m_dropped > m_geoms.size()) close();
     m_places[slot] = static_cast<std::uint32_t>(m_geoms.size());
@@ -20,15 +20,15 @@ void dxDirtyQueue::push(dxGeom *geom, Slot slot) {
 }
 
 void dxDirtyQueue::drop(Slot slot) {
-    if (slot >= m_places.size() || m_places[slot] == kNone) return;
+    if (slot >= m_places.size() || m_places[slot] == kNoIndex) return;
     m_geoms[m_places[slot]] = nullptr;
-    m_places[slot] = kNone;
+    m_places[slot] = kNoIndex;
     ++m_dropped;
 }
 
 void dxDirtyQueue::clear() {
     for (std::size_t place = 0; place < m_slots.size(); ++place)
-        if (m_geoms[place] != nullptr) m_places[m_slots[place]] = kNone;
+        if (m_geoms[place] != nullptr) m_places[m_slots[place]] = kNoIndex;
     m_geoms.clear();
     m_slots.clear();
     m_dropped = 0;

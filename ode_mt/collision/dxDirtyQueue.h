@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "collision/dxMembers.h"
+#include "simd/dxNoIndex.h"
 
 class dxDirtyQueue {
 public:
@@ -20,13 +21,11 @@ public:
     void clear();
 
     bool isEmpty() const { return m_geoms.empty(); }
-    bool has(Slot slot) const { return slot < m_places.size() && m_places[slot] != kNone; }
+    bool has(Slot slot) const { return slot < m_places.size() && m_places[slot] != kNoIndex; }
 
     const std::vector<dxGeom *> &geoms();
 
 private:
-    static constexpr std::uint32_t kNone = UINT32_MAX;
-
     void close();
 
     std::vector<dxGeom *> m_geoms;        // NULL: dropped

@@ -5,12 +5,7 @@
 #include "collision/dxOrderedSpace.h"
 
 #include "collision_space_internal.h"
-
-namespace {
-
-constexpr std::uint32_t kNone = UINT32_MAX;
-
-}  // namespace
+#include "simd/dxNoIndex.h"
 
 struct dxHashWalk::Meeting {
     void *data;
@@ -45,12 +40,12 @@ void dxHashWalk::deliver(void *data, dNearCallback *callback, const dxOrderedPai
 
 // A table twice as large as there can be cells: few buckets hold more than one.
 void dxHashWalk::storeAll() {
-    m_foundBy.assign(m_inTable.size(), kNone);
+    m_foundBy.assign(m_inTable.size(), kNoIndex);
     std::size_t cells = 0, buckets = 1;
     for (const Boxed &boxed : m_inTable)
         boxed.cells.forEachCell(boxed.cells.level(), [&](const Cell &) { ++cells; });
     while (buckets < 2 * cells) buckets *= 2;
-    m_buckets.assign(buckets, kNone);
+    m_buckets.assign(buckets, kNoIndex);
     m_nodes.reserve(cells);
     for (std::uint32_t boxed = 0; boxed < m_inTable.size(); ++boxed) {
         const dxHashCells &own = m_inTable[boxed].cells;
@@ -61,10 +56,10 @@ void dxHashWalk::storeAll() {
 void dxHashWalk::store(std::uint32_t boxed, const Cell &cell) {
     const int level = m_inTable[boxed].cells.level();
     std::uint32_t number = find(cell, level);
-    if (number == kNone) {
+    if (number == kNoIndex) {
         std::uint32_t &bucket = m_buckets[bucketOf(cell, level)];
         number = static_cast<std::uint32_t>(m_cells.size());
-        m_cells.push_back({cell, level, kNone, bucket});
+        m_cells.push_back({cell, level, kNoIndex, bucket});
         bucket = number;
     }
     m_nodes.push_back({boxed, m_cells[number].last});
@@ -73,7 +68,7 @@ void dxHashWalk::store(std::uint32_t boxed, const Cell &cell) {
 
 std::uint32_t dxHashWalk::find(const Cell &cell, int level) const {
     std::uint32_t number = m_buckets[bucketOf(cell, level)];
-    while (number != kNone && !(m_cells[number].level == level && m_cells[number].cell == cell))
+    while (number != kNoIndex && !(m_cells[number].level == level && m_cells[number].cell == cell))
         number = m_cells[number].before;
     return number;
 }
@@ -94,8 +89,8 @@ void dxHashWalk::search(std::uint32_t searcher, Meeting &meeting) {
         const bool isOwnLevel = level == own.cells.level();
         own.cells.forEachCell(level, [&](const Cell &cell) {
             const std::uint32_t number = find(cell, level);
-            if (number == kNone) return;
-            for (std::uint32_t at = m_cells[number].last; at != kNone; at = m_nodes[at].before) {
+            if (number == kNoIndex) return;
+            for (std::uint32_t at = m_cells[number].last; at != kNoIndex; at = m_nodes[at].before) {
                 const std::uint32_t found = m_nodes[at].boxed;
                 if (isOwnLevel && found <= searcher) return;
                 if (m_foundBy[found] == searcher) continue;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <atomic>
 
+#include "simd/dxNoIndex.h"
+
 namespace {
 
 // Pairs that one worker takes at once: some ten microseconds.
@@ -13,8 +15,6 @@ constexpr std::size_t kAhead = 8;
 
 // Pairs of one geom that are sorted by insertion.
 constexpr std::size_t kShortRun = 32;
-
-constexpr dxMembers::Slot kNobody = UINT32_MAX;  // of a match that is no pair
 
 }  // namespace
 
@@ -40,13 +40,13 @@ void dxKeptPairs::sortByLead(const dxMembers &members, const std::vector<dxPairS
             std::uint64_t word = 0;
             bool swapped = false;
             const bool leads = dxMayMeet(members[a].filter, members[b].filter) && placer.lead(a, b, word, swapped);
-            m_items[i] = leads ? dxSortItem{word, swapped ? b : a, swapped ? a : b} : dxSortItem{0, kNobody, kNobody};
+            m_items[i] = leads ? dxSortItem{word, swapped ? b : a, swapped ? a : b} : dxSortItem{0, kNoIndex, kNoIndex};
             all = all && leads;
         }
         if (!all) allLead.store(false, std::memory_order_relaxed);
     });
-    const auto isNobody = [](const dxSortItem &item) { return item.index == kNobody; };
-    if (!allLead) m_items.erase(std::remove_if(m_items.begin(), m_items.end(), isNobody), m_items.end());
+    const auto isNoPair = [](const dxSortItem &item) { return item.index == kNoIndex; };
+    if (!allLead) m_items.erase(std::remove_if(m_items.begin(), m_items.end(), isNoPair), m_items.end());
     dxRadixSort(m_items, m_spare);
 }
 

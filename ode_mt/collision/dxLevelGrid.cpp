@@ -50,7 +50,7 @@ dxLevelGrid::Cell &dxLevelGrid::findOrMake(std::int32_t level, std::int32_t x, s
     std::size_t i = hashOf(level, x, y, z) & mask;
     while (m_cells[i].level != kApart) i = (i + 1) & mask;
     ++m_usedCells;
-    return m_cells[i] = Cell{level, x, y, z, kNone};
+    return m_cells[i] = Cell{level, x, y, z, kNoIndex};
 }
 
 // Drops the empty cells; things that travel leave such cells behind.
@@ -59,46 +59,40 @@ void dxLevelGrid::rebuildTable() {
     std::vector<Cell> old;
     old.swap(m_cells);
     std::size_t occupied = 0;
-    for (const Cell &cell : old) occupied += cell.level != kApart && cell.first != kNone;
+    for (const Cell &cell : old) occupied += cell.level != kApart && cell.first != kNoIndex;
     std::size_t size = kSmallest;
     while (size < 4 * (occupied + 1)) size *= 2;
-    m_cells.assign(size, Cell{kApart, 0, 0, 0, kNone});
+    m_cells.assign(size, Cell{kApart, 0, 0, 0, kNoIndex});
     m_usedCells = 0;
     for (const Cell &cell : old)
-        if (cell.level != kApart && cell.first != kNone)
+        if (cell.level != kApart && cell.first != kNoIndex)
             findOrMake(cell.level, cell.x, cell.y, cell.z).first = cell.first;
 }
 
 void dxLevelGrid::enterCells(Slot slot, const Place &place) {
-    const Range &r = place.cells;
-    for (std::int32_t x = r.low[0]; x <= r.high[0]; ++x)
-        for (std::int32_t y = r.low[1]; y <= r.high[1]; ++y)
-            for (std::int32_t z = r.low[2]; z <= r.high[2]; ++z) {
-                std::int32_t entry = m_freeEntry;
-                if (entry == kNone) {
-                    entry = static_cast<std::int32_t>(m_entries.size());
-                    m_entries.emplace_back();
-                } else {
-                    m_freeEntry = m_entries[entry].next;
-                }
-                Cell &cell = findOrMake(place.level, x, y, z);
-                m_entries[entry] = Entry{slot, cell.first};
-                cell.first = entry;
-            }
+    forCells(place.cells, [&](std::int32_t x, std::int32_t y, std::int32_t z) {
+        std::uint32_t entry = m_freeEntry;
+        if (entry == kNoIndex) {
+            entry = static_cast<std::uint32_t>(m_entries.size());
+            m_entries.emplace_back();
+        } else {
+            m_freeEntry = m_entries[entry].next;
+        }
+        Cell &cell = findOrMake(place.level, x, y, z);
+        m_entries[entry] = Entry{slot, cell.first};
+        cell.first = entry;
+    });
 }
 
 void dxLevelGrid::leaveCells(Slot slot, const Place &place) {
-    const Range &r = place.cells;
-    for (std::int32_t x = r.low[0]; x <= r.high[0]; ++x)
-        for (std::int32_t y = r.low[1]; y <= r.high[1]; ++y)
-            for (std::int32_t z = r.low[2]; z <= r.high[2]; ++z) {
-                std::int32_t *link = &findOrMake(place.level, x, y, z).first;
-                while (m_entries[*link].slot != slot) link = &m_entries[*link].next;
-                const std::int32_t entry = *link;
-                *link = m_entries[entry].next;
-                m_entries[entry].next = m_freeEntry;
-                m_freeEntry = entry;
-            }
+    forCells(place.cells, [&](std::int32_t x, std::int32_t y, std::int32_t z) {
+        std::uint32_t *link = &findOrMake(place.level, x, y, z).first;
+        while (m_entries[*link].slot != slot) link = &m_entries[*link].next;
+        const std::uint32_t entry = *link;
+        *link = m_entries[entry].next;
+        m_entries[entry].next = m_freeEntry;
+        m_freeEntry = entry;
+    });
 }
 
 void dxLevelGrid::insert(Slot slot, const dxBounds &box) {

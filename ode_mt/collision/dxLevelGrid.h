@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "collision/dxBounds.h"
+#include "simd/dxNoIndex.h"
 
 class dxLevelGrid {
 public:
@@ -34,16 +35,15 @@ public:
 
 private:
     static constexpr int kLowestLevel = -40, kHighestLevel = 80;
-    static constexpr std::int32_t kNone = -1;
     static constexpr int kApart = kHighestLevel + 1;  // "level" of boxes that no cell can hold
 
     struct Cell {
         std::int32_t level, x, y, z;
-        std::int32_t first;  // entry, or kNone
+        std::uint32_t first;  // entry, or kNoIndex
     };
     struct Entry {
         Slot slot;
-        std::int32_t next;
+        std::uint32_t next;
     };
     struct Range {
         std::int32_t low[3], high[3];
@@ -55,6 +55,12 @@ private:
     };
 
     static int levelOf(const dxBounds &box);
+    template <class Visit>
+    static void forCells(const Range &range, Visit &&visit) {
+        for (std::int32_t x = range.low[0]; x <= range.high[0]; ++x)
+            for (std::int32_t y = range.low[1]; y <= range.high[1]; ++y)
+                for (std::int32_t z = range.low[2]; z <= range.high[2]; ++z) visit(x, y, z);
+    }
     // False: the box covers cells whose numbers do not fit.
     static bool cellsOf(const dxBounds &box, int level, Range &range);
     static std::size_t hashOf(std::int32_t level, std::int32_t x, std::int32_t y, std::int32_t z);
@@ -72,7 +78,7 @@ private:
     std::vector<Cell> m_cells;                // open addressing, a power of two
     std::size_t m_usedCells = 0;              // with a key, empty or not
     std::vector<Entry> m_entries;
-    std::int32_t m_freeEntry = kNone;
+    std::uint32_t m_freeEntry = kNoIndex;
     std::vector<Place> m_places;              // by slot
     std::array<std::vector<Slot>, kApart - kLowestLevel + 1> m_levels;
     std::vector<int> m_levelsInUse;
@@ -98,17 +104,15 @@ void dxLevelGrid::searchLevel(int level, const dxBounds &box, Visit &visit) cons
         for (const Slot slot : all) visit(slot);
         return;
     }
-    for (std::int32_t x = range.low[0]; x <= range.high[0]; ++x)
-        for (std::int32_t y = range.low[1]; y <= range.high[1]; ++y)
-            for (std::int32_t z = range.low[2]; z <= range.high[2]; ++z) {
-                const Cell *const cell = find(level, x, y, z);
-                if (cell == nullptr) continue;
-                for (std::int32_t e = cell->first; e != kNone; e = m_entries[e].next) {
-                    // A pair may share several cells: it is reported in the first of them only.
-                    const Range &other = m_places[m_entries[e].slot].cells;
-                    if (x == std::max(range.low[0], other.low[0]) && y == std::max(range.low[1], other.low[1]) &&
-                        z == std::max(range.low[2], other.low[2]))
-                        visit(m_entries[e].slot);
-                }
-            }
+    forCells(range, [&](std::int32_t x, std::int32_t y, std::int32_t z) {
+        const Cell *const cell = find(level, x, y, z);
+        if (cell == nullptr) return;
+        for (std::uint32_t e = cell->first; e != kNoIndex; e = m_entries[e].next) {
+            // A pair may share several cells: it is reported in the first of them only.
+            const Range &other = m_places[m_entries[e].slot].cells;
+            if (x == std::max(range.low[0], other.low[0]) && y == std::max(range.low[1], other.low[1]) &&
+                z == std::max(range.low[2], other.low[2]))
+                visit(m_entries[e].slot);
+        }
+    });
 }

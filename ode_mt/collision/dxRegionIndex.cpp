@@ -1,7 +1,6 @@
 #include "collision/dxRegionIndex.h"
 
 #include <algorithm>
-#include <cmath>
 #include <mutex>
 #include <new>
 
@@ -21,30 +20,21 @@ std::uint64_t spread(std::uint64_t bits) {
     return spread;
 }
 
-struct Region {
-    double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+double middleOf(const dxBounds &box, int axis) {
+    return 0.5 * static_cast<double>(box.low(axis)) + 0.5 * static_cast<double>(box.high(axis));
+}
 
-    static double middle(const dxBounds &box, int axis) {
-        return 0.5 * static_cast<double>(box.low(axis)) + 0.5 * static_cast<double>(box.high(axis));
+// Morton order: neighbours along the curve are near in space.
+std::uint64_t placeOnCurve(const dxBounds &middles, const dxBounds &box) {
+    std::uint64_t place = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double extent = middles.high(axis) - middles.low(axis);
+        const double share = extent > 0 ? (middleOf(box, axis) - middles.low(axis)) / extent : 0;
+        const double cell = std::min(share * kCurveCells, kCurveCells - 1);
+        place |= spread(static_cast<std::uint64_t>(cell)) << axis;
     }
-    void include(const dxBounds &box) {
-        for (int axis = 0; axis < 3; ++axis) {
-            low[axis] = std::min(low[axis], middle(box, axis));
-            high[axis] = std::max(high[axis], middle(box, axis));
-        }
-    }
-    // Morton order: neighbours along the curve are near in space.
-    std::uint64_t placeOnCurve(const dxBounds &box) const {
-        std::uint64_t place = 0;
-        for (int axis = 0; axis < 3; ++axis) {
-            const double extent = high[axis] - low[axis];
-            const double share = extent > 0 ? (middle(box, axis) - low[axis]) / extent : 0;
-            const double cell = std::min(share * kCurveCells, kCurveCells - 1);
-            place |= spread(static_cast<std::uint64_t>(cell)) << axis;
-        }
-        return place;
-    }
-};
+    return place;
+}
 
 }  // namespace
 
@@ -63,9 +53,9 @@ void dxRegionIndex::loosen(Slot slot) noexcept {
         return;
     }
     Home &home = homeOf(slot);
-    if (home.loose != kNone) return;
-    if (home.row != kNone) m_tree.erase(home.row);
-    home.row = kNone;
+    if (home.loose != kNoIndex) return;
+    if (home.row != kNoIndex) m_tree.erase(home.row);
+    home.row = kNoIndex;
     joinLoose(slot);
 }
 
@@ -77,17 +67,17 @@ void dxRegionIndex::joinLoose(Slot slot) {
 void dxRegionIndex::drop(Slot slot) {
     if (!m_isInUse) return;
     Home &home = homeOf(slot);
-    if (home.row != kNone) m_tree.erase(home.row);
-    home.row = kNone;
+    if (home.row != kNoIndex) m_tree.erase(home.row);
+    home.row = kNoIndex;
     leaveLoose(home);
 }
 
 void dxRegionIndex::leaveLoose(Home &home) {
-    if (home.loose == kNone) return;
+    if (home.loose == kNoIndex) return;
     m_loose[home.loose] = m_loose.back();
     m_homes[m_loose.back()].loose = home.loose;
     m_loose.pop_back();
-    home.loose = kNone;
+    home.loose = kNoIndex;
 }
 
 void dxRegionIndex::find(const dxMembers &members, const dxBounds &box, std::pmr::vector<Slot> &found) {
@@ -141,18 +131,19 @@ void dxRegionIndex::build(const dxMembers &members) {
     }
     m_tree.finish();
     for (Slot slot = 0; slot < members.end(); ++slot)
-        if (members.geomIn(slot) != nullptr && homeOf(slot).row == kNone) joinLoose(slot);
+        if (members.geomIn(slot) != nullptr && homeOf(slot).row == kNoIndex) joinLoose(slot);
     m_isInUse = true;
 }
 
 void dxRegionIndex::sortAlongCurve(const dxMembers &members) {
-    Region region;
-    for (Slot slot = 0; slot < members.end(); ++slot)
-        if (members.geomIn(slot) != nullptr && members[slot].bounds.isModerate())
-            region.include(members[slot].bounds);
+    dxBounds middles = dxBounds::nothing();
     m_items.clear();
-    for (Slot slot = 0; slot < members.end(); ++slot)
-        if (members.geomIn(slot) != nullptr && members[slot].bounds.isModerate())
-            m_items.push_back({region.placeOnCurve(members[slot].bounds), slot});
+    for (Slot slot = 0; slot < members.end(); ++slot) {
+        const dxBounds &box = members[slot].bounds;
+        if (members.geomIn(slot) == nullptr || !box.isModerate()) continue;
+        for (int axis = 0; axis < 3; ++axis) middles.includeOn(axis, middleOf(box, axis), middleOf(box, axis));
+        m_items.push_back({0, slot});
+    }
+    for (dxSortItem &item : m_items) item.key = placeOnCurve(middles, members[item.index].bounds);
     dxRadixSort(m_items, m_spare);
 }

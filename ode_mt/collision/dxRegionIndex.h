@@ -20,6 +20,7 @@
 #include "collision/dxMembers.h"
 #include "collision/dxRadixSort.h"
 #include "collision/overlap/dxBoxTree.h"
+#include "simd/dxNoIndex.h"
 
 class dxRegionIndex {
 public:
@@ -36,11 +37,9 @@ public:
     void find(const dxMembers &members, const dxBounds &box, std::pmr::vector<Slot> &found);
 
 private:
-    static constexpr std::uint32_t kNone = UINT32_MAX;
-
     struct Home {
-        std::uint32_t row = kNone;    // in the tree
-        std::uint32_t loose = kNone;  // place in m_loose
+        std::uint32_t row = kNoIndex;    // in the tree
+        std::uint32_t loose = kNoIndex;  // place in m_loose
     };
 
     Home &homeOf(Slot slot);

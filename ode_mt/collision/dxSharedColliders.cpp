@@ -2,29 +2,23 @@
 
 #include <cstddef>
 #include <cstring>
+#include <initializer_list>
 #include <new>
 
 #include "collision/dxColliderOverrides.h"
+#include "collision/dxHeightField.h"
 
 #include <ode/memory.h>
 
-#include "config.h"
 #include "collision_trimesh_internal.h"
-#include "collision_kernel.h"
-#include "heightfield.h"
 #include "collision_std.h"
 #include "collision_util.h"
 #include "seams/upstream.h"
 
 namespace {
 
-bool isHeightfield(const dxGeom &geom) { return geom.type == dHeightfieldClass; }
 bool hasNoPlace(const dxGeom &geom) { return geom.type == dPlaneClass; }
 bool isMesh(const dxGeom &geom) { return geom.type == dTriMeshClass; }
-
-const dxHeightfieldData *heightsOf(const dxGeom &geom) {
-    return static_cast<const dxHeightfield &>(geom).m_p_data;
-}
 
 // Colliding a height field takes memory, which may be the user's to give.
 bool callsUser(const dxHeightfieldData *heights) {
@@ -52,7 +46,7 @@ bool isPure(const dxGeom &geom) {
         case dTriMeshClass:
             return !callsUserOrRemembers(geom);
         case dHeightfieldClass:
-            return !callsUser(heightsOf(geom));
+            return !callsUser(dxHeightsOf(geom));
         default:
             return false;
     }
@@ -101,8 +95,18 @@ private:
     dxPosR m_place;
 };
 
-void replace(dGeomID &geom, const dxGeom *copy, const dxGeom &original) {
-    if (geom == copy) geom = const_cast<dxGeom *>(&original);
+struct Copied {
+    const dxGeom *copy, *original;
+};
+
+// Contacts of copies become contacts of the originals.
+void giveToOriginals(dContactGeom *contacts, int count, int skip, std::initializer_list<Copied> geoms) {
+    for (int i = 0; i < count; ++i) {
+        dContactGeom &contact = *CONTACT(contacts, i * skip);
+        for (const Copied &copied : geoms)
+            for (dGeomID *const geom : {&contact.g1, &contact.g2})
+                if (*geom == copied.copy) *geom = const_cast<dxGeom *>(copied.original);
+    }
 }
 
 }  // namespace
@@ -110,24 +114,24 @@ void replace(dGeomID &geom, const dxGeom *copy, const dxGeom &original) {
 bool dxMayCollideAnywhere(const dxGeom &a, const dxGeom &b) {
     if (!isPure(a) || !isPure(b) || dxColliderOverrides::has(a.type, b.type)) return false;
     // Copies of meshes are not made.
-    return !(isHeightfield(a) || isHeightfield(b)) || !(isMesh(a) || isMesh(b));
+    return !(dxIsHeightField(a) || dxIsHeightField(b)) || !(isMesh(a) || isMesh(b));
 }
 
 bool dxKnowsArrays(const dxGeom &a, const dxGeom &b) {
     const auto knows = [](const dxGeom &geom) {
-        return !isMesh(geom) && (!isHeightfield(geom) || heightsOf(geom)->m_bCopyHeightData != 0);
+        return !isMesh(geom) && (!dxIsHeightField(geom) || dxHeightsOf(geom)->m_bCopyHeightData != 0);
     };
     return knows(a) && knows(b);
 }
 
-bool dxHasDataOfProgram(const dxGeom &geom) { return isMesh(geom) || isHeightfield(geom); }
+bool dxHasDataOfProgram(const dxGeom &geom) { return isMesh(geom) || dxIsHeightField(geom); }
 
 std::uint64_t dxColliderState(const dxGeom &geom) {
     constexpr std::uint64_t kImpure = 1;  // no pointer, and no flag of a ray
     if (geom.type == dRayClass) return geom.gflags & (RAY_FIRSTCONTACT | RAY_BACKFACECULL | RAY_CLOSEST_HIT);
-    if (!isMesh(geom) && !isHeightfield(geom)) return 0;
+    if (!isMesh(geom) && !dxIsHeightField(geom)) return 0;
     if (!isPure(geom)) return kImpure;
-    if (isHeightfield(geom)) return reinterpret_cast<std::uintptr_t>(heightsOf(geom));
+    if (dxIsHeightField(geom)) return reinterpret_cast<std::uintptr_t>(dxHeightsOf(geom));
     const auto &mesh = static_cast<const dxTriMesh &>(geom);
     return reinterpret_cast<std::uintptr_t>(mesh.retrieveMeshData()) ^
            static_cast<std::uint64_t>(mesh.m_SphereContactsMergeOption) << 48;
@@ -147,13 +151,7 @@ public:
         dxGeom *const moved = m_other.of(other, arraysOfOther);
         const int count = terrainFirst ? dxUpstreamCollide(&m_field, moved, flags, contacts, skip)
                                        : dxUpstreamCollide(moved, &m_field, flags, contacts, skip);
-        for (int i = 0; i < count; ++i) {
-            dContactGeom &contact = *CONTACT(contacts, i * skip);
-            for (dGeomID *const geom : {&contact.g1, &contact.g2}) {
-                replace(*geom, &m_field, terrain);
-                replace(*geom, moved, other);
-            }
-        }
+        giveToOriginals(contacts, count, skip, {{&m_field, &terrain}, {moved, &other}});
         return count;
     }
 
@@ -195,25 +193,19 @@ dxColliderCopies::dxColliderCopies(dxColliderCopies &&) noexcept = default;
 int dxColliderCopies::collide(dxGeom &a, dxGeom &b, const Arrays &arrays, int flags, dContactGeom *contacts, int skip) {
     a.recomputePosr();
     b.recomputePosr();
-    const bool isOnTerrain = isHeightfield(a) != isHeightfield(b) && !hasNoPlace(a) && !hasNoPlace(b);  // it turns the other one
+    const bool isOnTerrain = dxIsHeightField(a) != dxIsHeightField(b) && !hasNoPlace(a) && !hasNoPlace(b);  // it turns the other one
     if (isOnTerrain) return collideWithTerrain(a, b, arrays, flags, contacts, skip);
     MovableCopy copyOfA, copyOfB;
     dxGeom *const readA = arrays.a != nullptr ? copyOfA.of(a, arrays.a) : &a;
     dxGeom *const readB = arrays.b != nullptr ? copyOfB.of(b, arrays.b) : &b;
     const int count = dxUpstreamCollide(readA, readB, flags, contacts, skip);
-    for (int i = 0; i < count; ++i) {
-        dContactGeom &contact = *CONTACT(contacts, i * skip);
-        for (dGeomID *const geom : {&contact.g1, &contact.g2}) {
-            replace(*geom, readA, a);
-            replace(*geom, readB, b);
-        }
-    }
+    giveToOriginals(contacts, count, skip, {{readA, &a}, {readB, &b}});
     return count;
 }
 
 int dxColliderCopies::collideWithTerrain(dxGeom &a, dxGeom &b, const Arrays &arrays, int flags, dContactGeom *contacts, int skip) {
     if (m_terrain == nullptr) m_terrain = std::make_unique<Terrain>();
-    const bool aIsTerrain = isHeightfield(a);
+    const bool aIsTerrain = dxIsHeightField(a);
     const auto &terrain = static_cast<const dxHeightfield &>(aIsTerrain ? a : b);
     try {
         return m_terrain->collide(terrain, aIsTerrain ? b : a, aIsTerrain ? arrays.b : arrays.a, aIsTerrain, flags, contacts, skip);

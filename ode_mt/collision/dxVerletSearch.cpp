@@ -33,16 +33,6 @@ constexpr dxPackedBoxes::Marks kStored = 4, kEscaped = 8;
 
 bool isSame(const dxBounds &a, const dxBounds &b) { return std::memcmp(a.v, b.v, sizeof a.v) == 0; }
 
-// That overlaps whatever one of the two does.
-dxBounds hullOf(const dxBounds &a, const dxBounds &b) {
-    dxBounds hull;
-    for (int axis = 0; axis < 3; ++axis) {
-        hull.v[2 * axis] = std::fmin(a.low(axis), b.low(axis));
-        hull.v[2 * axis + 1] = std::fmax(a.high(axis), b.high(axis));
-    }
-    return hull;
-}
-
 // A NaN bound overlaps everything.
 dxBounds withoutNaN(dxBounds box) {
     for (int bound = 0; bound < 6; ++bound)
@@ -180,8 +170,9 @@ void dxVerletSearch::noteBox(const dxMembers &members, Slot slot) {
 void dxVerletSearch::grow(const dxMembers &members, Slot slot) {
     dxPackedBoxes::Marks &marks = m_boxes.marks(slot);
     const bool hadStored = (marks & kStored) != 0;
-    const dxBounds before = m_stored[slot], wanted = boxToStore(members, slot);
-    const dxBounds grown = hadStored ? hullOf(before, wanted) : wanted;
+    const dxBounds before = m_stored[slot];
+    dxBounds grown = boxToStore(members, slot);
+    if (hadStored) grown.include(before);
     m_met.resize(m_storedTable.size());
     const std::size_t met = dxOverlappingRows(m_storedTable, grown, 0, m_met.data());
     for (std::size_t i = 0; i < met; ++i) {

@@ -26,11 +26,6 @@ unsigned dxClusterManager::threadsFor(dSpaceID space, unsigned limit) {
     return tuned != nullptr ? tuned->threads(limit) : limit;
 }
 
-dxClusterManager::Searches dxClusterManager::searchesOf(dSpaceID space) {
-    const dxTunedClusters *const tuned = tunedOf(space);
-    return tuned != nullptr ? Searches{tuned->searches(), tuned->checks()} : Searches{};
-}
-
 void dxClusterManager::prepare(dSpaceID space, const char *passName) {
     dxOrderedSpace *const ordered = dxOrderedSpace::from(space);
     if (ordered == nullptr || ordered->lock_count != 0) return;

@@ -19,10 +19,4 @@ public:
 
     // How many threads the space's callbacks may use, of `limit`: fewer only if a heuristic says so.
     static unsigned threadsFor(dSpaceID space, unsigned limit);
-
-    // Searches of the space so far, and how many of them looked at clusters again. No clusters: none.
-    struct Searches {
-        unsigned all = 0, checked = 0;
-    };
-    static Searches searchesOf(dSpaceID space);
 };

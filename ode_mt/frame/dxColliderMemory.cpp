@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "config.h"
-#include "objects.h"
-#include "collision_kernel.h"
-#include "heightfield.h"
+#include "collision/dxHeightField.h"
 
 void dxColliderMemory::reset(Slot end) {
     m_members.assign(end, 0);
@@ -21,9 +18,9 @@ void dxColliderMemory::look(const dxGeom *member, Slot slot) {
 
 // Disabled geoms in nested spaces are never collided, and what is in their transforms may be gone.
 void dxColliderMemory::add(const dxGeom *geom, Slot slot) {
-    if (geom->type == dHeightfieldClass) {
+    if (dxIsHeightField(*geom)) {
         m_members[slot] |= kHasHeights;
-        m_uses.push_back({static_cast<const dxHeightfield *>(geom)->m_p_data, slot});
+        m_uses.push_back({dxHeightsOf(*geom), slot});
     } else if (geom->type == dGeomTransformClass) {
         const dxGeom *const inner = dGeomTransformGetGeom(const_cast<dxGeom *>(geom));
         if (inner == nullptr) return;

@@ -3,24 +3,19 @@
 #include <algorithm>
 #include <numeric>
 
+#include "collision/dxHeightField.h"
 #include "collision/dxLivingHeights.h"
 #include "collision/dxOrderedSpace.h"
 #include "collision/dxSharedColliders.h"
-
-#include "config.h"
-#include "objects.h"
-#include "collision_kernel.h"
-#include "heightfield.h"
+#include "simd/dxNoIndex.h"
 
 namespace {
-
-constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
 // Of a pair whose collision may write to it: whether it may write to this geom of the two, or run the user's code for
 // it. The others are only read.
 bool isWrittenTo(const dxGeom *geom) {
     const int type = geom->type;
-    return type == dHeightfieldClass || type == dGeomTransformClass || type == dTriMeshClass ||
+    return dxIsHeightField(*geom) || type == dGeomTransformClass || type == dTriMeshClass ||
            type >= dFirstUserClass || dGeomIsSpace(const_cast<dxGeom *>(geom));
 }
 
@@ -34,8 +29,8 @@ public:
 private:
     // Most pairs of a terrain follow one another.
     bool isThere(const dxGeom *geom) {
-        if (geom->type != dHeightfieldClass) return true;
-        const dxHeightfieldData *const data = static_cast<const dxHeightfield *>(geom)->m_p_data;
+        if (!dxIsHeightField(*geom)) return true;
+        const dxHeightfieldData *const data = dxHeightsOf(*geom);
         if (data == m_data) return m_isThere;
         m_data = data;
         return m_isThere = dxLivingHeights::has(data);
@@ -165,13 +160,13 @@ void dxPairTasks::uniteSharedMemory() {
 }
 
 void dxPairTasks::uniteClusters(const std::vector<dxOrderedPair> &pairs, const dxClusteredWorldAndSpace &clusters) {
-    std::vector<std::uint32_t> firstOfTask(static_cast<std::size_t>(clusters.clusters().count()), kNone);
+    std::vector<std::uint32_t> firstOfTask(static_cast<std::size_t>(clusters.clusters().count()), kNoIndex);
     for (const dxOrderedPair &pair : pairs)
         for (const Slot slot : pair.slots) {
             const int cluster = clusters.clusters().of(slot);
             if (!m_exclusive[slot] || cluster == dxClusters::kNone) continue;
             std::uint32_t &first = firstOfTask[clusters.clusters()[cluster].task];
-            if (first == kNone) first = slot;
+            if (first == kNoIndex) first = slot;
             m_sets.unite(first, slot);
         }
 }
@@ -194,7 +189,7 @@ void dxPairTasks::sizeSets(const std::vector<dxOrderedPair> &pairs) {
 // be.
 void dxPairTasks::shareOut(unsigned wanted, std::size_t pairs) {
     const std::size_t least = pairs / wanted + 1;
-    m_taskOfSet.assign(m_exclusive.size(), kNone);
+    m_taskOfSet.assign(m_exclusive.size(), kNoIndex);
     m_tasks.clear();
     m_largeSets.clear();
     for (const std::uint32_t set : m_usedSets)

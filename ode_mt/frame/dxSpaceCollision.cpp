@@ -1,7 +1,6 @@
 #include "frame/dxSpaceCollision.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include "collision/dxContactLog.h"
 #include "collision/dxOrderedSpace.h"
@@ -10,6 +9,7 @@
 #include "frame/dxStepStatistics.h"
 #include "frame/dxWorkersRunner.h"
 #include "threading/dxFloatEnvironment.h"
+#include "trace/dxStopwatch.h"
 
 namespace {
 
@@ -36,16 +36,15 @@ void collideOnWorkers(dxOrderedSpace &space, unsigned workers, void *data, dNear
 }
 
 void collideAtPace(dxOrderedSpace &space, void *data, dNearCallback *callback) {
-    using Clock = std::chrono::steady_clock;
     const dxSettings &settings = dxSettings::instance();
     const unsigned workers = std::min(settings.threads(), settings.cores());
     const bool shared = workers > 1 && space.pace().shallShare();
-    const Clock::time_point start = Clock::now();
+    const dxStopwatch stopwatch;
     if (shared)
         collideOnWorkers(space, workers, data, callback);
     else
         space.collide(data, callback);
-    space.pace().remember(shared, std::chrono::duration<double, std::nano>(Clock::now() - start).count());
+    space.pace().remember(shared, stopwatch.ns());
 }
 
 }  // namespace

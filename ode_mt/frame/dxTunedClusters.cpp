@@ -1,15 +1,13 @@
 #include "frame/dxTunedClusters.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "clustering/dxGridFit.h"
 #include "frame/dxSettings.h"
+#include "trace/dxStopwatch.h"
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 // Looking at who is outside the grid costs all dynamic inhabitants.
 constexpr unsigned kSearchesBetweenLooks = 16;
@@ -25,10 +23,6 @@ dxMotionBound motionOf(double travel) { return {travel, 0, 1, 0}; }
 
 dxGridCentreHeuristic::Point pointOf(const dReal *v) {
     return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
-}
-
-double nsSince(Clock::time_point start) {
-    return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
 }
 
 }  // namespace
@@ -48,11 +42,11 @@ void dxTunedClusters::search(const dxMembers &members, dxTaskRunner &, std::vect
     follow(dxSettings::instance().heuristics());
     const int fixedCells = dxSettings::instance().gridCells();
     m_clusters.setCells(fixedCells != 0 ? fixedCells : m_cellSize->cells());
-    const Clock::time_point start = Clock::now();
+    const dxStopwatch stopwatch;
     ++m_searches;
     if (mustCheck(members)) check(members);
     m_clusters.findPairs(members, matches);
-    tune(nsSince(start));
+    tune(stopwatch.ns());
 }
 
 void dxTunedClusters::follow(unsigned choice) {

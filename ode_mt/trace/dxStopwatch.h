@@ -1,0 +1,14 @@
+// Wall-clock time since it was made, of a clock that never goes back.
+#pragma once
+
+#include <chrono>
+
+class dxStopwatch {
+public:
+    double ns() const { return std::chrono::duration<double, std::nano>(Clock::now() - m_start).count(); }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    const Clock::time_point m_start = Clock::now();
+};
