@@ -5,6 +5,7 @@
 
 #include "clustering/dxGridFit.h"
 #include "frame/dxSettings.h"
+#include "trace/dxLog.h"
 #include "trace/dxStopwatch.h"
 
 namespace {
@@ -29,13 +30,19 @@ dxGridCentreHeuristic::Point pointOf(const dReal *v) {
 
 dxTunedClusters::dxTunedClusters(std::unique_ptr<dxCrossoverPass> pass)
     : m_clusters(std::move(pass)),
-      m_cellSize(m_heuristics.add("cell size", std::make_unique<dxCellSizeHeuristic>())),
-      m_gridCentre(m_heuristics.add("grid centre", std::make_unique<dxGridCentreHeuristic>())),
-      m_crossover(m_heuristics.add("crossover check", std::make_unique<dxCheckFrequencyHeuristic>())),
-      m_declustering(m_heuristics.add("declustering check", std::make_unique<dxCheckFrequencyHeuristic>())),
-      m_threadCount(m_heuristics.add("thread count", std::make_unique<dxThreadCountHeuristic>())),
+      m_cellSize(m_heuristics.add(std::make_unique<dxCellSizeHeuristic>())),
+      m_gridCentre(m_heuristics.add(std::make_unique<dxGridCentreHeuristic>())),
+      m_crossover(m_heuristics.add(std::make_unique<dxCheckFrequencyHeuristic>())),
+      m_declustering(m_heuristics.add(std::make_unique<dxCheckFrequencyHeuristic>())),
+      m_threadCount(m_heuristics.add(std::make_unique<dxThreadCountHeuristic>())),
       m_choice(dxNoHeuristics) {
-    m_threadCount->setEnabled(true);
+    m_cellSize->setAlertCallback(this);
+    m_threadCount->setAlertCallback(this);
+}
+
+void dxTunedClusters::alertCallback(const dxHeuristic &heuristic, const dxHeuristicAlert &alert) {
+    dxLog(dxLogLevel::debug, "heuristics: %s, %.0f before, %.0f from now on",
+          &heuristic == m_cellSize ? "grid cells an axis" : "threads for callbacks", alert.before, alert.now);
 }
 
 void dxTunedClusters::search(const dxMembers &members, dxTaskRunner &, std::vector<Match> &matches) {
@@ -51,7 +58,7 @@ void dxTunedClusters::search(const dxMembers &members, dxTaskRunner &, std::vect
 
 void dxTunedClusters::follow(unsigned choice) {
     if (choice == m_choice) return;
-    const auto set = [&](dxHeuristicBase *heuristic, dxHeuristicChoice which) {
+    const auto set = [&](dxHeuristic *heuristic, dxHeuristicChoice which) {
         if ((choice & which) != 0) heuristic->start();
         else heuristic->pause();
     };

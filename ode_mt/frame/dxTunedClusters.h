@@ -16,7 +16,7 @@
 #include "heuristics/dxHeuristicsManager.h"
 #include "heuristics/dxThreadCountHeuristic.h"
 
-class dxTunedClusters final : public dxPairSearch {
+class dxTunedClusters final : public dxPairSearch, private HeuristicAlertCallback {
 public:
     explicit dxTunedClusters(std::unique_ptr<dxCrossoverPass> pass);
 
@@ -26,13 +26,13 @@ public:
     void beginFrame() { m_clusters.beginFrame(); }
 
     const dxClusteredWorldAndSpace &clusters() const { return m_clusters; }
-    const dxHeuristicsManager &heuristics() const { return m_heuristics; }
     unsigned threads(unsigned limit) const;  // for the callbacks of the last search, from 1 to the limit
 
     unsigned searches() const { return m_searches; }
     unsigned checks() const { return m_checks; }  // searches that looked at clusters again
 
 private:
+    void alertCallback(const dxHeuristic &heuristic, const dxHeuristicAlert &alert) override;
     void follow(unsigned choice);
     bool mustCheck(const dxMembers &members);
     void check(const dxMembers &members);

@@ -1,16 +1,19 @@
-// Who is told about an alert. The name is the thesis's (figure A.5).
+// Who is told when a heuristic sets its parameter anew. The names are the thesis's (figures A.4 and A.5).
 //
-// Called by dxHeuristic<T>::tick on the thread that ticks. Inside, everything may be done to the heuristic
-// but destroying it (dxHeuristicsManager::remove waits until the tick is over).
+// Called on the thread that ticks, within the tick. Inside, the heuristic's state may be changed; it may not be destroyed.
 #pragma once
 
-class dxHeuristicAlert;
-template <class T>
 class dxHeuristic;
 
-template <class T>
+// The parameter, as a number.
+struct dxHeuristicAlert {
+    double before, now;
+};
+
 class HeuristicAlertCallback {
 public:
-    virtual ~HeuristicAlertCallback() = default;
-    virtual void alertCallback(dxHeuristic<T> &heuristic, const dxHeuristicAlert &alert) = 0;
+    virtual void alertCallback(const dxHeuristic &heuristic, const dxHeuristicAlert &alert) = 0;
+
+protected:
+    ~HeuristicAlertCallback() = default;
 };

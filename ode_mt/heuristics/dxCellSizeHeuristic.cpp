@@ -121,7 +121,9 @@ void dxCellSizeHeuristic::hold(int cells, unsigned intervals) {
 }
 
 void dxCellSizeHeuristic::use(int cells) {
-    m_newGrid = cells != m_cells;
+    const int before = m_cells;
+    m_newGrid = cells != before;
     m_cells = cells;
     m_times.clear();
+    alert(before, cells);
 }

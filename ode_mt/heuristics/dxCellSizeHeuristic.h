@@ -23,16 +23,16 @@
 // Not done, and why: counting clusters alone ends at 20 cells in a world that is faster at 8; means instead
 // of medians let one frame decide during which the system took the thread off its core.
 //
-// Units: nanoseconds. Threading: as dxHeuristicBase.
+// Units: nanoseconds. Threading: as dxHeuristic.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <vector>
 
-#include "heuristics/dxHeuristicBase.h"
+#include "heuristics/dxHeuristic.h"
 
-class dxCellSizeHeuristic final : public dxHeuristicBase {
+class dxCellSizeHeuristic final : public dxHeuristic {
 public:
     static constexpr int kLeastCells = 5;  // per axis; the thesis chose both on all worlds of Webots
     static constexpr int kMostCells = 20;

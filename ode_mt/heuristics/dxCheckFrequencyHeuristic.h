@@ -25,10 +25,10 @@
 // out (dxMotionBound), because results must not depend on a heuristic.
 #pragma once
 
-#include "heuristics/dxHeuristicBase.h"
+#include "heuristics/dxHeuristic.h"
 #include "heuristics/dxMotionBound.h"
 
-class dxCheckFrequencyHeuristic final : public dxHeuristicBase {
+class dxCheckFrequencyHeuristic final : public dxHeuristic {
 public:
     static constexpr unsigned kMostFrames = 1000;  // a world at rest is looked at that often
 

@@ -18,16 +18,16 @@
 // The grid decides who is tested with whom how fast, never the result, so any centre is right. What this does
 // not do: look for cell boundaries that fall between two members (the thesis's figure 10.2).
 //
-// Units: metres, nanoseconds. Threading: as dxHeuristicBase.
+// Units: metres, nanoseconds. Threading: as dxHeuristic.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <vector>
 
-#include "heuristics/dxHeuristicBase.h"
+#include "heuristics/dxHeuristic.h"
 
-class dxGridCentreHeuristic final : public dxHeuristicBase {
+class dxGridCentreHeuristic final : public dxHeuristic {
 public:
     static constexpr double kOutside = 0.1;     // share of the dynamic members
     static constexpr double kDrift = 0.25;      // share of the frame's cost

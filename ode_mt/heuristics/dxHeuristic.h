@@ -1,68 +1,50 @@
-// A value that is observed or tuned, one sample a frame, with alerts (thesis, figure A.3).
+// What all heuristics have in common: a state, a tick at the end of every frame, and an alert when they change what they
+// tune (thesis, figure A.3).
 //
-//   frame:  heuristic.setValue(clusterCount);   as often as it changes
-//           manager.tick();                     samples the value, then calls back whom it concerns
+// A heuristic watches numbers that the frame hands in and tunes one parameter of the clustering (thesis 10.1). It may
+// change speed, never results.
 //
-// Average and speed of change are taken over the last `window` frames (dxSampleWindow) and are 0 before there
-// are samples. Values count as doubles: integers are exact up to 2^53.
+// Threading: none. A heuristic belongs to one (world, space) pair and is used by the thread that runs
+// that pair's frame.
 #pragma once
 
-#include <cstdint>
-#include <type_traits>
-
-#include "heuristics/dxHeuristicAlertList.h"
-#include "heuristics/dxHeuristicBase.h"
-#include "heuristics/dxSampleWindow.h"
+#include "heuristics/dxHeuristicState.h"
 #include "heuristics/HeuristicAlertCallback.h"
 
-template <class T>
-class dxHeuristic final : public dxHeuristicBase {
-    static_assert(std::is_arithmetic<T>::value, "a heuristic's value is a number");
-
+class dxHeuristic {
 public:
-    static constexpr unsigned kDefaultWindow = 10;  // frames, the interval that the thesis's manager used
+    dxHeuristic() = default;
+    dxHeuristic(const dxHeuristic &) = delete;
+    dxHeuristic &operator=(const dxHeuristic &) = delete;
+    virtual ~dxHeuristic() = default;
 
-    // A window of 0 frames is taken as 1.
-    explicit dxHeuristic(T initial, unsigned window = kDefaultWindow)
-        : m_initial(initial), m_value(initial), m_window(window) {}
+    dxHeuristicState state() const { return m_state; }
+    bool running() const { return m_state == dxHeuristicState::Running; }
 
-    // What the next tick samples. Stays until it is set again; reset() brings back the initial value.
-    void setValue(T value) { m_value = value; }
-    T value() const { return m_value; }
+    // False, and nothing happens, where dxMayFollow forbids it.
+    bool start() { return change(dxHeuristicState::Running); }  // also after a pause
+    bool pause() { return change(dxHeuristicState::Paused); }
+    bool stop() { return change(dxHeuristicState::Stopped); }
+    bool reset();  // forgets everything; needs a new start
 
-    std::uint64_t samples() const { return m_samples; }  // since the creation or the last reset
-    double average() const { return m_window.average(); }
-    double speed() const { return m_window.speed(); }      // per frame
-    unsigned window() const { return m_window.window(); }  // frames
+    // The frame is over. False if nothing was done: the heuristic does not run.
+    bool tick();
 
-    // 0 if the alert means nothing (dxHeuristicAlert::valid). The callback has to outlive the alert.
-    dxAlertId addAlert(const dxHeuristicAlert &alert, HeuristicAlertCallback<T> &callback) {
-        return m_alerts.add(alert, callback);
+    // From now on `callback` is told; NULL: nobody is. It has to outlive the heuristic.
+    void setAlertCallback(HeuristicAlertCallback *callback) { m_callback = callback; }
+
+protected:
+    // The parameter has been set anew, if the numbers differ.
+    void alert(double before, double now) {
+        if (m_callback != nullptr && before != now) m_callback->alertCallback(*this, {before, now});
     }
-    bool removeAlert(dxAlertId id) { return m_alerts.remove(id); }  // false: there is none
-    std::size_t alerts() const { return m_alerts.size(); }
 
 private:
-    void judge() override {
-        const double value = static_cast<double>(m_value);
-        const double previous = m_sampled;
-        m_sampled = value;
-        m_window.add(value);
-        ++m_samples;
-        m_alerts.deliver({m_samples, value, previous, m_window.speed()}, *this);
-    }
+    virtual void judge() = 0;   // a frame, while running
+    virtual void forget() = 0;  // back to what it was when created
 
-    void forget() override {
-        m_value = m_initial;
-        m_samples = 0;
-        m_window.clear();
-        m_alerts.rearm();
-    }
+    bool change(dxHeuristicState to);
 
-    const T m_initial;
-    T m_value;
-    double m_sampled = 0;  // the newest sample
-    std::uint64_t m_samples = 0;
-    dxSampleWindow m_window;
-    dxHeuristicAlertList<HeuristicAlertCallback<T>> m_alerts;
+    dxHeuristicState m_state = dxHeuristicState::Init;
+    HeuristicAlertCallback *m_callback = nullptr;
 };

@@ -15,19 +15,3 @@ bool dxMayFollow(dxHeuristicState from, dxHeuristicState to) {
     }
     return false;
 }
-
-const char *dxNameOf(dxHeuristicState state) {
-    switch (state) {
-        case dxHeuristicState::Init:
-            return "init";
-        case dxHeuristicState::Reset:
-            return "reset";
-        case dxHeuristicState::Running:
-            return "running";
-        case dxHeuristicState::Paused:
-            return "paused";
-        case dxHeuristicState::Stopped:
-            return "stopped";
-    }
-    return "unknown";
-}

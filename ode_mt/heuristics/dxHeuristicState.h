@@ -13,5 +13,3 @@
 enum class dxHeuristicState { Init, Reset, Running, Paused, Stopped };
 
 bool dxMayFollow(dxHeuristicState from, dxHeuristicState to);
-
-const char *dxNameOf(dxHeuristicState state);  // "init", "reset", ...

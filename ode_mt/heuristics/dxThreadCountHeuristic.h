@@ -1,24 +1,19 @@
-// As many threads as clusters (thesis 10.3). Off by default.
+// As many threads as clusters (thesis 10.3). Not in the default choice of heuristics.
 //
 // The thesis tried it, found no benefit and dropped it: the count follows every merge and split, and with
 // some thread libraries each change creates or ends threads. Here the engine cuts the work into blocks that
 // do not depend on the threads, and the cost model decides how many are used, so there is still less to gain.
-// It stays for measurement: changes() counts how often the number went up or down.
+// It stays for measurement: an alert comes whenever the number goes up or down.
 //
 // Threads compute blocks whose results do not depend on who runs them, so any answer is right.
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
 
-#include "heuristics/dxHeuristicBase.h"
+#include "heuristics/dxHeuristic.h"
 
-class dxThreadCountHeuristic final : public dxHeuristicBase {
+class dxThreadCountHeuristic final : public dxHeuristic {
 public:
-    // Off: threads() is the limit, as if there were no heuristic.
-    void setEnabled(bool enabled) { m_enabled = enabled; }
-    bool enabled() const { return m_enabled; }
-
     // `limit`: the most threads the user allows. Takes effect at the next tick, if running.
     void observe(unsigned clusters, unsigned limit) {
         m_clusters = clusters;
@@ -26,15 +21,12 @@ public:
     }
 
     unsigned threads() const;  // from 1 to the limit
-    std::uint64_t changes() const { return m_changes; }
 
 private:
     void judge() override;
     void forget() override;
 
-    bool m_enabled = false;
     unsigned m_clusters = 1;
     unsigned m_limit = 1;
     unsigned m_wanted = 0;  // 0: nothing is known yet
-    std::uint64_t m_changes = 0;
 };

@@ -1,25 +1,12 @@
-// A callback that notes which alert came in which frame.
+// The numbers that a heuristic has set its parameter to.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
-#include "heuristics/dxHeuristic.h"
+#include "heuristics/HeuristicAlertCallback.h"
 
-template <class T>
-struct AlertLog : HeuristicAlertCallback<T> {
-    void alertCallback(dxHeuristic<T> &heuristic, const dxHeuristicAlert &) override {
-        frames.push_back(heuristic.samples());
-    }
+struct AlertLog final : HeuristicAlertCallback {
+    void alertCallback(const dxHeuristic &, const dxHeuristicAlert &alert) override { numbers.push_back(alert.now); }
 
-    std::vector<std::uint64_t> frames;
+    std::vector<double> numbers;
 };
-
-// Hands in one value a frame.
-template <class T>
-void run(dxHeuristic<T> &heuristic, const std::vector<T> &values) {
-    for (const T value : values) {
-        heuristic.setValue(value);
-        heuristic.tick();
-    }
-}

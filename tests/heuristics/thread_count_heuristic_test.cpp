@@ -1,7 +1,9 @@
-// Threads as many as clusters: off by default, never more than the limit, never none.
+// Threads as many as clusters: never more than the limit, never none.
 #include "heuristics/dxThreadCountHeuristic.h"
 
 #include <gtest/gtest.h>
+
+#include "AlertLog.h"
 
 namespace {
 
@@ -11,18 +13,8 @@ unsigned threadsFor(dxThreadCountHeuristic &heuristic, unsigned clusters, unsign
     return heuristic.threads();
 }
 
-TEST(ThreadCountHeuristic, IsOffByDefault) {
-    dxThreadCountHeuristic heuristic;
-    heuristic.start();
-    EXPECT_FALSE(heuristic.enabled());
-    EXPECT_EQ(threadsFor(heuristic, 3, 8), 8u);
-    EXPECT_EQ(threadsFor(heuristic, 1, 8), 8u);
-    EXPECT_EQ(heuristic.changes(), 0u);
-}
-
 TEST(ThreadCountHeuristic, FollowsTheClustersWithinTheLimits) {
     dxThreadCountHeuristic heuristic;
-    heuristic.setEnabled(true);
     heuristic.start();
     EXPECT_EQ(threadsFor(heuristic, 3, 8), 3u);
     EXPECT_EQ(threadsFor(heuristic, 8, 8), 8u);
@@ -35,24 +27,23 @@ TEST(ThreadCountHeuristic, FollowsTheClustersWithinTheLimits) {
 
 TEST(ThreadCountHeuristic, ASmallerLimitHoldsAtOnce) {
     dxThreadCountHeuristic heuristic;
-    heuristic.setEnabled(true);
     heuristic.start();
     EXPECT_EQ(threadsFor(heuristic, 6, 8), 6u);
     heuristic.observe(6, 2);
     EXPECT_EQ(heuristic.threads(), 2u);
 }
 
-TEST(ThreadCountHeuristic, CountsItsChanges) {
+TEST(ThreadCountHeuristic, TellsOfItsChanges) {
+    AlertLog log;
     dxThreadCountHeuristic heuristic;
-    heuristic.setEnabled(true);
+    heuristic.setAlertCallback(&log);
     heuristic.start();
     for (const unsigned clusters : {2u, 2u, 3u, 3u, 2u}) threadsFor(heuristic, clusters, 8);
-    EXPECT_EQ(heuristic.changes(), 3u) << "from the limit to 2, to 3, to 2";
+    EXPECT_EQ(log.numbers, (std::vector<double>{2, 3, 2}));
 }
 
 TEST(ThreadCountHeuristic, GivesTheLimitWhileItDoesNotRun) {
     dxThreadCountHeuristic heuristic;
-    heuristic.setEnabled(true);
     EXPECT_EQ(threadsFor(heuristic, 2, 8), 8u);
     EXPECT_EQ(dxThreadCountHeuristic().threads(), 1u);
     heuristic.start();
@@ -63,7 +54,6 @@ TEST(ThreadCountHeuristic, GivesTheLimitWhileItDoesNotRun) {
     heuristic.start();
     EXPECT_EQ(heuristic.threads(), 2u);
     heuristic.reset();
-    EXPECT_EQ(heuristic.changes(), 0u);
     heuristic.start();
     EXPECT_EQ(heuristic.threads(), 8u);
 }
