@@ -59,7 +59,7 @@
 #include "collision_kernel.h"
 #include "config.h"
 #include "objects.h"
-#include "threading/dxSharingPace.h"
+#include "threading/dxSharingPolicy.h"
 
 class dxOrderedSpace : public dxSpace, protected dxPairPlacer {
 public:
@@ -89,7 +89,7 @@ public:
 
     // NULL until contacts were computed ahead for the first time.
     const dxContactsAhead *contactsAhead() const { return m_ahead.get(); }
-    dxSharingPace &pace() { return m_pace; }
+    dxSharingPolicy &sharing() { return m_sharing; }
 
     // Cleans the geoms and brings pairs() up to date; the space is locked by then. False: upstream's list is
     // not in the state in which ranks stand for it, or pairs() is in use; the geoms have to be walked as
@@ -271,7 +271,7 @@ private:
     dxTaskRunner *m_runner = nullptr;  // while a shared call makes the space ready: not in its callbacks
     bool m_isAhead = false;            // the call whose callbacks are beginning is a shared one
     dxContactsAhead::Owner m_ahead;
-    dxSharingPace m_pace;
+    dxSharingPolicy m_sharing;
 };
 
 inline bool dxGeomIsEnabled(const dxGeom *geom) {

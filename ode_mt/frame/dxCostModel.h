@@ -5,18 +5,16 @@
 //   dWorldStep       b·B + j·J + c·J³      B bodies, J joints; the cube is the LCP's factorisation
 //   dWorldQuickStep  b·B + J·(j + r·I)     I iterations of the sweep over the rows
 //
-// in nanoseconds on a machine of scale 1. The scale of this machine, one number per stepper, and the
-// price of sharing a step out (waking workers, waiting for the last of them) are running averages of what
-// the steps themselves measured. Sharing out over w workers is predicted to take
+// in nanoseconds on a machine of scale 1. The scale of this machine, one number per stepper, and the overhead of
+// sharing a step out are moving averages of what the steps themselves measured (dxParallelPayoff.h has the words). Sharing
+// out over w workers is predicted to take
 //
-//   max(largest block, total / w) + price
+//   max(largest block, total / w) + overhead
 //
-// and is chosen where that is clearly less than the total. A price that keeps steps on the caller is not
-// measured any more; it fades, and is then tried in a few steps in a row: the first of them find the workers
-// asleep and pay more than those that follow, so one step alone would tell too high a price. A trial in vain
-// makes the next one later; where sharing has paid before, the first trials come soon. Nothing depends on the world: a small world
-// stays on the caller's thread because its total is below the price. Results never depend on the model,
-// only speed does.
+// and is chosen where that is clearly less than the total. An overhead estimate that keeps steps on the caller is not
+// measured any more; it fades until sharing seems to pay, and is then measured by a probe. The speed at which it fades is
+// the retry interval. Nothing depends on the world: a small world stays on the caller's thread because its total is below
+// the overhead. Results never depend on the model, only speed does.
 //
 // Tried and dropped: a fixed least number of bodies (right for one machine and one stepper only); cost by
 // rows instead of joints (asking every joint for its rows costs more than the better estimate brings).
@@ -29,11 +27,11 @@
 
 enum class dxStepperKind { World, Quick };
 
-// A running average that is not spoilt by one odd value, such as that of a thread which the system took off
+// A moving average that is not spoilt by one odd value, such as that of a thread which the system took off
 // its core for milliseconds: the first of several surprising values counts for little.
-class dxRunningAverage {
+class dxSteadyAverage {
 public:
-    explicit dxRunningAverage(double first) : m_mean(first) {}
+    explicit dxSteadyAverage(double first) : m_mean(first) {}
 
     double mean() const { return m_mean.load(std::memory_order_relaxed); }
     void set(double mean) { m_mean.store(mean, std::memory_order_relaxed); }
@@ -61,30 +59,29 @@ public:
                        double wallNs);
 
     double scale(dxStepperKind stepper) const { return m_scale[index(stepper)].mean(); }
-    double price() const { return m_price.mean(); }  // ns
+    double overhead() const { return m_overhead.mean(); }  // ns
 
 private:
-    static constexpr unsigned kTrialSteps = 8;
+    static constexpr unsigned kProbeSteps = 8;
 
-    // Steps that are shared out to measure the price anew, whatever it was.
-    struct Trial {
+    // Steps that are shared out to measure the overhead anew, whatever it was.
+    struct Probe {
         std::atomic<unsigned> stepsLeft{0}, workers{0};
         std::atomic<double> serial{0};           // ns: what the first of them would have taken on the caller
-        std::atomic<double> prices[kTrialSteps] = {};
+        std::atomic<double> overheads[kProbeSteps] = {};
     };
 
     static int index(dxStepperKind stepper) { return static_cast<int>(stepper); }
 
-    bool isTried(double serial) const;
-    void beginTrial(double serial, unsigned workers);
-    void learnTrial(double price, double ideal, double serial);
-    void endTrial(unsigned steps, double ideal, double serial);
-    void setEagerness(double value);
-    void fadePrice(double serial);
+    bool isProbed(double serial) const;
+    void beginProbe(double serial, unsigned workers);
+    void learnFromProbe(double overhead, double ideal, double serial);
+    void endProbe(unsigned steps, double ideal, double serial);
+    void fadeOverhead(double serial);
 
-    dxRunningAverage m_scale[2] = {dxRunningAverage(1), dxRunningAverage(1)};
-    dxRunningAverage m_price{10e3};  // before the first measurement: two thread wake-ups
-    std::atomic<double> m_eagerness{1};  // how many times faster the price fades than at least
-    std::atomic<bool> m_faded{false};  // not measured since: the next step that is shared out begins a trial
-    Trial m_trial;
+    dxSteadyAverage m_scale[2] = {dxSteadyAverage(1), dxSteadyAverage(1)};
+    dxSteadyAverage m_overhead{10e3};        // before the first measurement: two thread wake-ups
+    std::atomic<double> m_retryInterval{1};  // part of the longest
+    std::atomic<bool> m_hasFaded{false};     // not measured since: the next step that is shared out begins a probe
+    Probe m_probe;
 };

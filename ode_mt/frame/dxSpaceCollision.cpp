@@ -35,16 +35,16 @@ void collideOnWorkers(dxOrderedSpace &space, unsigned workers, void *data, dNear
     dxStepStatistics::instance().countSharedCollision(runner.tookPart(), ahead.computed(), ahead.used());
 }
 
-void collideAtPace(dxOrderedSpace &space, void *data, dNearCallback *callback) {
+void collideMeasured(dxOrderedSpace &space, void *data, dNearCallback *callback) {
     const dxSettings &settings = dxSettings::instance();
     const unsigned workers = std::min(settings.threads(), settings.cores());
-    const bool shared = workers > 1 && space.pace().shallShare();
+    const bool shared = workers > 1 && space.sharing().shouldShare();
     const dxStopwatch stopwatch;
     if (shared)
         collideOnWorkers(space, workers, data, callback);
     else
         space.collide(data, callback);
-    space.pace().remember(shared, stopwatch.ns());
+    space.sharing().remember(shared, stopwatch.ns());
 }
 
 }  // namespace
@@ -58,5 +58,5 @@ void dxCollideSpace(dxOrderedSpace &space, void *data, dNearCallback *callback) 
     else if (space.count < kLeastGeoms)
         space.collide(data, callback);
     else
-        collideAtPace(space, data, callback);
+        collideMeasured(space, data, callback);
 }

@@ -4,8 +4,8 @@
 //   shared      boxes, search for pairs and contacts on workers; callbacks one at a time on the calling thread
 //   concurrent  callbacks on workers too, with the program's consent (dxConcurrentCallbacks)
 //
-// Pairs, their order, contacts and callbacks are the same in all three. Under `auto` the space's pace decides
-// (threading/dxSharingPace.h), under the other algorithms everything is shared that can be.
+// Pairs, their order, contacts and callbacks are the same in all three. Under `auto` measured times decide
+// (threading/dxSharingPolicy.h), under the other algorithms everything is shared that can be.
 #pragma once
 
 #include <ode/ode.h>

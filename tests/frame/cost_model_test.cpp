@@ -13,10 +13,10 @@ namespace {
 constexpr auto kWorld = dxStepperKind::World;
 constexpr auto kQuick = dxStepperKind::Quick;
 
-// A machine on which islands take `scale` times their cost and sharing them out costs `price` ns.
+// A machine on which islands take `scale` times their cost and sharing them out costs `overhead` ns.
 struct Machine {
-    double scale, price;
-    double coldPrice = 0;  // beside it, in the first two shared steps after one on the caller
+    double scale, overhead;
+    double coldOverhead = 0;  // beside it, in the first two shared steps after one on the caller
 };
 
 // A world of equal islands, stepped again and again as dxStep does it.
@@ -30,8 +30,8 @@ public:
         const double busy = m_total * m_machine.scale;
         double wall = busy;
         if (workers >= 2) {
-            wall = std::max(busy / workers, m_largest * m_machine.scale) + m_machine.price;
-            if (m_sharedInARow++ < 2) wall += m_machine.coldPrice;
+            wall = std::max(busy / workers, m_largest * m_machine.scale) + m_machine.overhead;
+            if (m_sharedInARow++ < 2) wall += m_machine.coldOverhead;
             m_model.learnParallel(kQuick, m_total, m_largest, workers, busy, wall);
         } else {
             m_sharedInARow = 0;
@@ -100,7 +100,7 @@ TEST(CostModel, NothingCostsNothing) {
     model.learnSerial(kWorld, 0, 1000);
     model.learnParallel(kWorld, 0, 0, 2, 0, 1e9);
     EXPECT_EQ(model.scale(kWorld), 1);
-    EXPECT_GT(model.price(), 0);
+    EXPECT_GT(model.overhead(), 0);
 }
 
 TEST(CostModel, TinyWorldsStayOnTheCallerLargeOnesAreShared) {
@@ -116,7 +116,7 @@ TEST(CostModel, TellsItsDecisionsAtDebugLevel) {
     testing::internal::CaptureStderr();
     Simulation simulation({1, 5e6}, 10e3, 100, 2);
     simulation.shared(2000);
-    simulation.machine().price = 10e3;
+    simulation.machine().overhead = 10e3;
     simulation.shared(20000);
     dxSetLogLevel(before);
     const std::string said = testing::internal::GetCapturedStderr();
@@ -157,11 +157,11 @@ TEST(CostModel, ScaleConvergesToTheMachine) {
     }
 }
 
-TEST(CostModel, PriceAndScaleConvergeToTheMachine) {
+TEST(CostModel, OverheadAndScaleConvergeToTheMachine) {
     for (const Machine machine : {Machine{1, 5e3}, Machine{0.5, 100e3}, Machine{3, 20e3}}) {
         Simulation simulation(machine, 1e5, 40, 4);
         EXPECT_EQ(simulation.shared(300), 300u);
-        EXPECT_NEAR(simulation.model().price(), machine.price, 0.01 * machine.price);
+        EXPECT_NEAR(simulation.model().overhead(), machine.overhead, 0.01 * machine.overhead);
         EXPECT_NEAR(simulation.model().scale(kQuick), machine.scale, 0.01 * machine.scale);
     }
 }
@@ -171,14 +171,14 @@ TEST(CostModel, OneStepMovesTheAveragesALittleInTheRightDirection) {
     model.learnSerial(kQuick, 1e5, 2e5);
     EXPECT_GT(model.scale(kQuick), 1);
     EXPECT_LT(model.scale(kQuick), 1.2);
-    const double price = model.price();
-    model.learnParallel(kQuick, 1e6, 1e4, 2, 1e6, 0.5e6 + 10 * price);
-    EXPECT_GT(model.price(), price);
-    EXPECT_LT(model.price(), 2 * price);
-    const double dearer = model.price();
+    const double overhead = model.overhead();
+    model.learnParallel(kQuick, 1e6, 1e4, 2, 1e6, 0.5e6 + 10 * overhead);
+    EXPECT_GT(model.overhead(), overhead);
+    EXPECT_LT(model.overhead(), 2 * overhead);
+    const double higher = model.overhead();
     model.learnParallel(kQuick, 1e6, 1e4, 2, 1e6, 0.5e6);
-    EXPECT_LT(model.price(), dearer);
-    EXPECT_GT(model.price(), 0);
+    EXPECT_LT(model.overhead(), higher);
+    EXPECT_GT(model.overhead(), 0);
 }
 
 // A world that seemed too small on the model's machine turns out to be worth sharing on a slow one.
@@ -190,11 +190,11 @@ TEST(CostModel, SlowMachineSharesSmallerWorlds) {
     EXPECT_EQ(slow.step(), 2u);
 }
 
-TEST(CostModel, APriceMeasuredTooHighFadesAndIsTriedAgain) {
+TEST(CostModel, AnOverheadMeasuredTooHighFadesAndIsProbedAgain) {
     Simulation simulation({1, 5e6}, 1e4, 20, 2);
     simulation.shared(200);
-    EXPECT_LT(simulation.shared(200), 20u) << "it is too dear";
-    simulation.machine().price = 5e3;  // whatever disturbed it is over
+    EXPECT_LT(simulation.shared(200), 20u) << "it is too high";
+    simulation.machine().overhead = 5e3;  // whatever disturbed it is over
     unsigned steps = 0;
     while (simulation.step() < 2 && steps < 100000) ++steps;
     EXPECT_LT(steps, 20000u);
@@ -202,7 +202,7 @@ TEST(CostModel, APriceMeasuredTooHighFadesAndIsTriedAgain) {
     EXPECT_EQ(simulation.shared(100), 100u);
 }
 
-// Workers that sleep are dear to wake, and cheap from then on: what one step alone pays must not keep a world on the
+// Workers that sleep take long to wake, and little from then on: what one step alone pays must not keep a world on the
 // caller for which sharing pays.
 TEST(CostModel, WhatOnlyTheFirstStepsPayIsFoundOut) {
     Simulation simulation({1, 5e6}, 1e4, 16, 2);  // 160 us a step
@@ -230,7 +230,7 @@ TEST(CostModel, ADisturbanceIsSoonForgotten) {
     }
 }
 
-TEST(CostModel, SmallerWorldsAreNoPartOfALargerOnesTrial) {
+TEST(CostModel, SmallerWorldsAreNoPartOfALargerOnesProbe) {
     dxCostModel model;
     for (int i = 0; i < 100; ++i) model.learnParallel(kQuick, 1e6, 1e4, 2, 1e6, 1e7);
     unsigned steps = 0;
@@ -240,15 +240,15 @@ TEST(CostModel, SmallerWorldsAreNoPartOfALargerOnesTrial) {
     EXPECT_EQ(model.chooseWorkers(kQuick, 5e5, 1e4, 2), 1u);
 }
 
-// Trying again costs little: a world that sharing does not serve is hardly slower for it in the long run.
-TEST(CostModel, TryingAgainCostsLittle) {
-    for (const double coldPrice : {0.0, 100e3}) {
-        for (const double price : {60e3, 100e3, 1e6, 20e6}) {
-            Simulation simulation({1, price, coldPrice}, 1e4, 10, 2);  // 100 us a step
+// Probes cost little: a world that sharing does not serve is hardly slower for it in the long run.
+TEST(CostModel, ProbesCostLittle) {
+    for (const double coldOverhead : {0.0, 100e3}) {
+        for (const double overhead : {60e3, 100e3, 1e6, 20e6}) {
+            Simulation simulation({1, overhead, coldOverhead}, 1e4, 10, 2);  // 100 us a step
             simulation.shared(20000);
             simulation.timeRatio();
             simulation.shared(50000);
-            EXPECT_LT(simulation.timeRatio(), 1.01) << "price " << price << " ns, first steps " << coldPrice;
+            EXPECT_LT(simulation.timeRatio(), 1.01) << "overhead " << overhead << " ns, first steps " << coldOverhead;
         }
     }
 }

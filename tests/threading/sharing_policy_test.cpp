@@ -1,19 +1,19 @@
-// dxSharingPace: takes the faster way, does not spend much on finding out, and follows when times change.
+// dxSharingPolicy: takes the faster way, does not spend much on finding out, and follows when times change.
 #include <gtest/gtest.h>
 
-#include "threading/dxSharingPace.h"
+#include "threading/dxSharingPolicy.h"
 
 namespace {
 
-class SharingPace : public testing::Test {
+class SharingPolicy : public testing::Test {
 protected:
     // Calls that take so long either way; how many of them were shared.
     int shared(int calls, double aloneNs, double sharedNs) {
         int count = 0;
         for (int i = 0; i < calls; ++i) {
-            const bool shares = pace.shallShare();
+            const bool shares = policy.shouldShare();
             count += shares;
-            pace.remember(shares, shares ? sharedNs : aloneNs);
+            policy.remember(shares, shares ? sharedNs : aloneNs);
         }
         return count;
     }
@@ -24,45 +24,45 @@ protected:
         constexpr double kTimeSlice = 20e6;  // ns
         double ns = 0;
         for (int i = 0, count = 0; i < calls; ++i) {
-            const bool shares = pace.shallShare();
+            const bool shares = policy.shouldShare();
             const bool isLate = shares && ++count % oneIn == 0;
             const double took = shares ? sharedNs + (isLate ? kTimeSlice : 0) : aloneNs;
             ns += took;
-            pace.remember(shares, took);
+            policy.remember(shares, took);
         }
         return ns / (calls * aloneNs);
     }
 
-    dxSharingPace pace;
+    dxSharingPolicy policy;
 };
 
-TEST_F(SharingPace, NeverSharesWhatIsDoneBeforeAWorkerWakes) { EXPECT_EQ(shared(5000, 10e3, 1e3), 0); }
+TEST_F(SharingPolicy, NeverSharesWhatIsDoneBeforeAWorkerWakes) { EXPECT_EQ(shared(5000, 10e3, 1e3), 0); }
 
-TEST_F(SharingPace, SharesWhatPays) {
+TEST_F(SharingPolicy, SharesWhatPays) {
     EXPECT_GT(shared(100, 400e3, 250e3), 85);
     EXPECT_GT(shared(1000, 400e3, 250e3), 950);
 }
 
-TEST_F(SharingPace, SeldomTriesWhatDoesNotPay) {
+TEST_F(SharingPolicy, SeldomProbesWhatDoesNotPay) {
     EXPECT_GT(shared(100, 400e3, 500e3), 0);
     EXPECT_LT(shared(2000, 400e3, 500e3), 60);
 }
 
-TEST_F(SharingPace, GivesUpWhatNoLongerPaysAndComesBack) {
+TEST_F(SharingPolicy, GivesUpWhatNoLongerPaysAndComesBack) {
     shared(300, 400e3, 250e3);
     EXPECT_LT(shared(1000, 400e3, 700e3), 450);
     EXPECT_GT(shared(4000, 400e3, 250e3), 2500);
 }
 
-TEST_F(SharingPace, FollowsASceneThatGrows) {
-    shared(10, 400e3, 500e3);  // tried in vain
+TEST_F(SharingPolicy, FollowsASceneThatGrows) {
+    shared(10, 400e3, 500e3);  // a probe that does not pay
     int count = 0;
     double aloneNs = 400e3;
     for (int i = 0; i < 40; ++i, aloneNs *= 1.02) count += shared(1, aloneNs, 500e3);
-    EXPECT_GT(count, 10) << "from the twelfth call on it pays, and the next trial would come after the fortieth";
+    EXPECT_GT(count, 10) << "from the twelfth call on it pays, and the next probe would come after the fortieth";
 }
 
-TEST_F(SharingPace, CallsThatWereHeldUpSayNothing) {
+TEST_F(SharingPolicy, CallsThatWereHeldUpSayNothing) {
     int count = 0;
     for (int i = 0; i < 5000; ++i) {
         const double heldUp = (i * 37) % 20 == 0 ? 3 : 1;  // one call in twenty
@@ -71,31 +71,31 @@ TEST_F(SharingPace, CallsThatWereHeldUpSayNothing) {
     EXPECT_LT(count, 150);
 }
 
-TEST_F(SharingPace, StaysAloneWhenTheSpaceHasBecomeSmall) {
+TEST_F(SharingPolicy, StaysAloneWhenTheSpaceHasBecomeSmall) {
     shared(300, 400e3, 250e3);
     shared(1000, 5e3, 30e3);
     EXPECT_EQ(shared(1000, 5e3, 30e3), 0);
 }
 
-TEST_F(SharingPace, LosesLittleWhereWorkersComeLate) {
+TEST_F(SharingPolicy, LosesLittleWhereWorkersComeLate) {
     EXPECT_LT(timeWithLateWorkers(5000, 100e3, 60e3, 1), 1.10);
     EXPECT_LT(timeWithLateWorkers(50000, 100e3, 60e3, 1), 1.06);
 }
 
-TEST_F(SharingPace, LosesLittleWhereWorkersComeLateNowAndThen) {
+TEST_F(SharingPolicy, LosesLittleWhereWorkersComeLateNowAndThen) {
     for (const int oneIn : {2, 3, 5, 9, 20, 50}) {
         SCOPED_TRACE(oneIn);
-        pace = {};
+        policy = {};
         EXPECT_LT(timeWithLateWorkers(50000, 100e3, 60e3, oneIn), 1.10);
     }
 }
 
-TEST_F(SharingPace, IsTriedAgainWhenWorkersComeInTimeAgain) {
+TEST_F(SharingPolicy, IsProbedAgainWhenWorkersComeInTimeAgain) {
     timeWithLateWorkers(5000, 100e3, 60e3, 3);
     EXPECT_LT(timeWithLateWorkers(50000, 100e3, 60e3, 100000), 0.9);
 }
 
-TEST_F(SharingPace, OneLateWorkerDoesNotEndWhatPays) {
+TEST_F(SharingPolicy, OneLateWorkerDoesNotEndWhatPays) {
     shared(1000, 400e3, 250e3);
     shared(1, 20e6, 20e6);
     EXPECT_GT(shared(2000, 400e3, 250e3), 1500);

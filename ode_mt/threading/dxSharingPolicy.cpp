@@ -1,0 +1,112 @@
+#include "threading/dxSharingPolicy.h"
+
+#include <algorithm>
+
+#include "threading/dxParallelPayoff.h"
+#include "trace/dxLog.h"
+
+namespace {
+
+// Below, waking a worker may take longer than the whole call.
+constexpr double kMinShared = 30e3;  // ns
+
+constexpr int kMinCallsInRow = 2;  // alone, before the first probe
+constexpr int kProbeCalls = 3;     // of which the first is cold
+constexpr dxRetryLimits<int> kRetry{48, 768};  // calls
+
+// In use, a way is compared anew if so many calls in a row were slower by this than after the last probe, each of them: one
+// that was held up by something else says nothing.
+constexpr double kSlower = 1.1;
+constexpr int kSlowCalls = 5;
+
+// Times are noisy.
+constexpr double kMargin = 0.97;
+
+// Of the time that is worked alone, what may be lost by probes.
+constexpr double kLossLimit = 1.0 / 32;
+
+// Debts in calls worked alone: with which a probe may begin, beyond which sharing is given up; and what may have been saved up:
+// more is not remembered.
+constexpr double kMaxDebtToProbe = 2, kMaxDebtInUse = 16, kMaxSaved = 256;
+
+// More of anything that is counted is not told apart.
+constexpr int kMany = 1 << 20;
+
+void countUp(int &count) { count = std::min(count + 1, kMany); }
+
+// Of the newest time in the average.
+constexpr double kWeight = 0.25;
+
+}  // namespace
+
+bool dxSharingPolicy::shouldShare() const {
+    return m_isSharing && m_alone.ns >= kMinShared;
+}
+
+// The first call after a change of ways is cold, the second one begins the average anew.
+void dxSharingPolicy::average(Way &way, double ns) {
+    countUp(way.callsInRow);
+    if (way.callsInRow == 1 && way.ns != 0) return;
+    const bool isFirst = way.callsInRow == 2 || way.ns == 0;
+    way.ns = isFirst ? ns : dxMovingAverage(way.ns, ns, kWeight);
+}
+
+void dxSharingPolicy::remember(bool shared, double ns) {
+    Way &way = shared ? m_shared : m_alone, &other = shared ? m_alone : m_shared;
+    other.callsInRow = 0;
+    average(way, ns);
+    account(shared, ns);
+    if (shared != m_isSharing) return;  // too small to be shared
+    if (m_isProbe) {
+        judgeProbe();
+        return;
+    }
+    countUp(m_calls);
+    m_slowCalls = ns > kSlower * m_judgedNs ? std::min(m_slowCalls + 1, kMany) : 0;
+    if (isTimeForProbe(way)) {
+        m_isProbe = true;
+        m_isSharing = !m_isSharing;
+    }
+}
+
+bool dxSharingPolicy::isTimeForProbe(const Way &way) const {
+    if (way.callsInRow < kMinCallsInRow || (!m_isSharing && m_alone.ns < kMinShared)) return false;
+    if (m_isSharing && isDebtTooHigh()) return true;
+    return (m_calls >= m_retryInterval || isEarly()) && (m_isSharing || isPaidBack());
+}
+
+bool dxSharingPolicy::isEarly() const {
+    return m_calls < m_retryInterval && m_calls >= m_earlyRetryInterval && m_slowCalls >= kSlowCalls;
+}
+
+bool dxSharingPolicy::isPaidBack() const { return -m_savedNs <= kMaxDebtToProbe * m_alone.ns; }
+bool dxSharingPolicy::isDebtTooHigh() const { return -m_savedNs > kMaxDebtInUse * m_alone.ns; }
+
+void dxSharingPolicy::account(bool shared, double ns) {
+    if (shared) m_savedNs = std::min(m_savedNs + m_alone.ns - ns, kMaxSaved * m_alone.ns);
+    else if (m_savedNs < 0) m_savedNs = std::min(m_savedNs + kLossLimit * ns, 0.0);
+}
+
+void dxSharingPolicy::judgeProbe() {
+    const Way &probed = m_isSharing ? m_shared : m_alone, &usual = m_isSharing ? m_alone : m_shared;
+    const bool isBrokenOff = m_isSharing && isDebtTooHigh();
+    if (probed.callsInRow < kProbeCalls && !isBrokenOff) return;
+    const bool pays = !isBrokenOff && dxPaysClearly(probed.ns, usual.ns, kMargin);
+    constexpr dxRetryLimits<int> kEarlyRetry{kMinEarlyRetry, kRetry.longest};
+    if (pays) {
+        m_retryInterval = kRetry.shortest;
+        m_earlyRetryInterval = kEarlyRetry.shortest;
+    } else {
+        m_isSharing = !m_isSharing;
+        if (isEarly())
+            m_earlyRetryInterval = kEarlyRetry.afterFailure(m_earlyRetryInterval);
+        else
+            m_retryInterval = kRetry.afterFailure(m_retryInterval);
+    }
+    dxLog(dxLogLevel::debug, "a call of %.0f us takes %.0f us when the way in use is exchanged: %s from now on",
+          usual.ns / 1e3, probed.ns / 1e3, m_isSharing ? "shared" : "alone");
+    m_judgedNs = pays ? probed.ns : usual.ns;
+    if (m_isSharing) m_savedNs = std::max(m_savedNs, 0.0);  // it pays
+    m_isProbe = false;
+    m_calls = m_slowCalls = 0;
+}

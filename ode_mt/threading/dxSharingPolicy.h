@@ -1,0 +1,50 @@
+// Whether work that comes again and again, as the collisions of a space, is shared out to workers or stays on the calling
+// thread: whichever of the two took less time of late. The words are those of dxParallelPayoff.h.
+//
+// Both times are measured, of whole calls, with all that belongs to them. If several calls in a row take longer than
+// after the last probe, as in a scene that grows, the next probe comes early.
+//
+// What sharing costs more than working alone is taken from what it has saved. A debt is paid back by a small part of the
+// time that is worked alone; until then there is no probe. So where workers come late, because other programs have the
+// processors, the loss is bounded however long a call takes that waits for them.
+//
+// It decides about speed alone; results are the same either way. One thread at a time.
+#pragma once
+
+class dxSharingPolicy {
+public:
+    // Whether the next call should be shared.
+    bool shouldShare() const;
+
+    // How long the call took, and whether it was shared.
+    void remember(bool shared, double ns);
+
+    // The name that callers still use.
+    bool shallShare() const { return shouldShare(); }
+
+private:
+    struct Way {
+        double ns = 0;      // moving average of a call; 0: never measured
+        int callsInRow = 0;
+    };
+
+    static constexpr int kMinEarlyRetry = 8;  // calls
+
+    void average(Way &way, double ns);
+    bool isTimeForProbe(const Way &way) const;
+    bool isEarly() const;
+    bool isPaidBack() const;
+    bool isDebtTooHigh() const;
+    void account(bool shared, double ns);
+    void judgeProbe();
+
+    Way m_alone, m_shared;
+    bool m_isSharing = false;  // the way in use; during a probe the other one
+    bool m_isProbe = false;
+    int m_calls = 0;           // since the last probe ended
+    double m_judgedNs = 0;     // of the way in use, when it ended
+    int m_retryInterval = 0;   // calls
+    int m_earlyRetryInterval = kMinEarlyRetry;  // if calls have become slower
+    int m_slowCalls = 0;       // in a row, the last ones
+    double m_savedNs = 0;      // by sharing; below zero: a debt
+};
