@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "threading/dxParallelPayoff.h"
+#include "threading/dxProcessObject.h"
 #include "trace/dxLog.h"
 
 namespace {
@@ -45,7 +46,11 @@ constexpr double kMinOverhead = 2e3;  // ns
 // A value beyond this many times the mean is a surprise, and counts for this much if it comes alone.
 constexpr double kSurprise = 4;
 
+dxProcessObject<dxCostModel> costModel;
+
 }  // namespace
+
+dxCostModel &dxCostModel::instance() { return *costModel; }
 
 void dxSteadyAverage::add(double value) {
     const double old = mean();

@@ -44,6 +44,9 @@ private:
 
 class dxCostModel {
 public:
+    // The process's, since what it measures is the machine.
+    static dxCostModel &instance();
+
     // ns on a machine of scale 1.
     static double islandCost(dxStepperKind stepper, int iterations, unsigned bodies, unsigned joints);
 

@@ -47,6 +47,8 @@ struct dxStepRecords {
     std::vector<dxIslandBlock> blocks;
     std::vector<dxWorkerRecord> workers;
     std::vector<dxFeedbackUse> feedbacks;
+    unsigned inOrderFrom = 0;     // first island that has to be stepped in order
+    std::uint32_t randomEnd = 0;  // the random sequence after the reserved block
 
     // Borrows a set that no step in progress uses.
     struct Return {
