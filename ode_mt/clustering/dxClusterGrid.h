@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "collision/dxBounds.h"
+#include "frame/dxGridCells.h"
 
 struct dxCellRange {
     std::int16_t low[3], high[3];
@@ -24,7 +25,7 @@ struct dxCellRange {
 
 class dxClusterGrid {
 public:
-    static constexpr int kFewestCells = 5, kMostCells = 20;  // an axis: thesis 10.2
+    static constexpr int kFewestCells = dxMinGridCells, kMostCells = dxMaxGridCells;  // an axis
 
     dxClusterGrid() = default;
     // `cells` an axis; `edge` of a cell, above 0.

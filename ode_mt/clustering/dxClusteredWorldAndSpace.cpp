@@ -178,6 +178,11 @@ void dxClusteredWorldAndSpace::searchWithAll(Slot slot, const dxMembers &members
     }
 }
 
+int dxClusteredWorldAndSpace::groupOf(Slot slot) const {
+    const int cluster = m_clusters.of(slot);
+    return cluster == dxClusters::kNone ? kNoGroup : m_clusters[cluster].task;
+}
+
 bool dxClusteredWorldAndSpace::isTestedWith(Slot slot, int number) const {
     const auto holds = [](const auto &list, auto value) {
         return std::find(list.begin(), list.end(), value) != list.end();

@@ -33,6 +33,7 @@ public:
     explicit dxClusteredWorldAndSpace(std::unique_ptr<dxCrossoverPass> pass);
 
     void search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
+    int groupOf(Slot slot) const override;  // the task of its cluster
 
     // Forgets what happened to clusters in the frame before.
     void beginFrame() { m_history.rest(); }

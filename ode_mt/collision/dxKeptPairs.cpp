@@ -18,14 +18,14 @@ constexpr std::size_t kShortRun = 32;
 
 }  // namespace
 
-void dxKeptPairs::update(const dxMembers &members, const std::vector<dxPairSearch::Match> &matches,
+void dxKeptPairs::update(const dxMembers &members, const std::vector<dxSlotPair> &matches,
                          const dxPairPlacer &placer, dxTaskRunner &runner, std::vector<dxOrderedPair> &pairs) {
     sortByLead(members, matches, placer, runner);
     placeAll(members, placer, runner);
     merge(members, pairs);
 }
 
-void dxKeptPairs::sortByLead(const dxMembers &members, const std::vector<dxPairSearch::Match> &matches,
+void dxKeptPairs::sortByLead(const dxMembers &members, const std::vector<dxSlotPair> &matches,
                              const dxPairPlacer &placer, dxTaskRunner &runner) {
     m_items.resize(matches.size());
     std::atomic<bool> allLead{true};

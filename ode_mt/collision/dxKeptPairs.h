@@ -11,8 +11,9 @@
 #include "collision/dxMembers.h"
 #include "collision/dxOrderedPair.h"
 #include "collision/dxPairKey.h"
-#include "collision/dxPairSearch.h"
 #include "collision/dxRadixSort.h"
+#include "collision/dxSlotPair.h"
+#include "threading/dxTaskRunner.h"
 
 // The order of a kind of space.
 class dxPairPlacer {
@@ -35,7 +36,7 @@ class dxKeptPairs {
 public:
     // Brings `pairs`, which are those of the last call, up to date. Matches of geoms that may not meet are
     // left out.
-    void update(const dxMembers &members, const std::vector<dxPairSearch::Match> &matches,
+    void update(const dxMembers &members, const std::vector<dxSlotPair> &matches,
                 const dxPairPlacer &placer, dxTaskRunner &runner, std::vector<dxOrderedPair> &pairs);
 
 private:
@@ -45,7 +46,7 @@ private:
     };
     using LongRun = std::vector<Placed>;  // a worker's memory for sorting one
 
-    void sortByLead(const dxMembers &members, const std::vector<dxPairSearch::Match> &matches,
+    void sortByLead(const dxMembers &members, const std::vector<dxSlotPair> &matches,
                     const dxPairPlacer &placer, dxTaskRunner &runner);
     void placeAll(const dxMembers &members, const dxPairPlacer &placer, dxTaskRunner &runner);
     bool placeRuns(const dxMembers &members, const dxPairPlacer &placer, std::size_t begin, std::size_t end,

@@ -1,7 +1,5 @@
 #include "dynamics/dxIslandScope.h"
 
-#include "dynamics/dxRandom.h"
-
 namespace {
 // One pointer per thread. The initial-exec model makes reading it one instruction; a library loaded
 // with dlopen may use the few bytes of static thread storage that glibc keeps for this.

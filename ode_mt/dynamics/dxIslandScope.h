@@ -1,10 +1,13 @@
-// What a stepper meets where it would leave the island it steps.
+// What code meets where it would leave the work that it does on behalf of a call: an island that it steps, a
+// pair that it collides ahead of its callback.
 //
-// Where a stepper shuffles rows, tells a collision space that a geom moved, or reports a message, our functions in the place
-// of upstream's (dxRowShuffle.h, dxBodyIntegration.h, ode_mt/api/error.cpp) ask the scope of the current thread. There are two:
+// Where it shuffles rows, tells a collision space that a geom moved, or reports a message, our functions in the place
+// of upstream's (dxRowShuffle.h, dxBodyIntegration.h, ode_mt/api/error.cpp) ask the scope of the current thread:
 //
-//   dxDeferredIsland   the island is stepped on behalf of the thread that called the step
+//   dxDeferredIsland   an island is stepped on behalf of the thread that called the step
 //   dxReservedDraws    islands are stepped in order on that thread, with random numbers taken in advance
+//   dxIslandSurvey     joints are asked for their rows beforehand
+//   dxContactsAhead    contacts are computed ahead of the near-callbacks
 //
 // Invariant: a thread without a scope behaves exactly as upstream.
 #pragma once

@@ -21,11 +21,6 @@ const dxClusteredWorldAndSpace *dxClusterManager::find(dSpaceID space) {
     return tuned != nullptr ? &tuned->clusters() : nullptr;
 }
 
-unsigned dxClusterManager::threadsFor(dSpaceID space, unsigned limit) {
-    const dxTunedClusters *const tuned = tunedOf(space);
-    return tuned != nullptr ? tuned->threads(limit) : limit;
-}
-
 void dxClusterManager::prepare(dSpaceID space, const char *passName) {
     dxOrderedSpace *const ordered = dxOrderedSpace::from(space);
     if (ordered == nullptr || ordered->lock_count != 0) return;

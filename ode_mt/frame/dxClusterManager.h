@@ -16,7 +16,4 @@ public:
 
     // NULL: the space has no clusters.
     static const dxClusteredWorldAndSpace *find(dSpaceID space);
-
-    // How many threads the space's callbacks may use, of `limit`: fewer only if a heuristic says so.
-    static unsigned threadsFor(dSpaceID space, unsigned limit);
 };

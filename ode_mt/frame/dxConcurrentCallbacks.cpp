@@ -14,7 +14,6 @@
 #include "collision/dxContactLog.h"
 #include "collision/dxOrderedSpace.h"
 #include "dynamics/dxIdlePool.h"
-#include "frame/dxClusterManager.h"
 #include "frame/dxPairTasks.h"
 #include "frame/dxSettings.h"
 #include "frame/dxStepStatistics.h"
@@ -73,7 +72,7 @@ void Run::start(const dxOrderedSpace &space, unsigned workers) {
     failed.store(false, std::memory_order_relaxed);
     threadEnded.store(false, std::memory_order_relaxed);
     thrown = nullptr;
-    cut.cut(*pairs, dxClusterManager::find(const_cast<dxOrderedSpace *>(&space)), workers * kTasksPerWorker,
+    cut.cut(*pairs, space.search(), workers * kTasksPerWorker,
             dxSettings::instance().callbackPolicy() == dxCallbackPolicy::Independent);
     while (logs.size() < cut.tasks().size()) logs.push_back(std::make_unique<dxContactLog>());
     for (std::size_t i = 0; i < cut.tasks().size(); ++i) logs[i]->start(groups);
@@ -135,9 +134,8 @@ dxProcessObject<dxIdlePool<Run>> idleRuns;
 
 // Of an algorithm that clusters: as many as its heuristics want.
 unsigned workersFor(dxOrderedSpace &space, const dxTaskRunner &runner) {
-    const dxAlgorithm algorithm = dxSettings::instance().algorithm();
-    return algorithm == dxAlgorithm::Auto ? runner.workers()
-                                          : dxClusterManager::threadsFor(&space, runner.workers());
+    const bool mayCluster = dxSettings::instance().algorithm() != dxAlgorithm::Auto && space.search() != nullptr;
+    return mayCluster ? space.search()->threads(runner.workers()) : runner.workers();
 }
 
 // Under auto: more than half of the pairs hang together in one task, as in a heap. One worker would run their

@@ -42,14 +42,14 @@ private:
 
 }  // namespace
 
-void dxPairTasks::cut(const std::vector<dxOrderedPair> &pairs, const dxClusteredWorldAndSpace *clusters,
-                      unsigned wanted, bool sharingBodies) {
+void dxPairTasks::cut(const std::vector<dxOrderedPair> &pairs, const dxPairSearch *search, unsigned wanted,
+                      bool sharingBodies) {
     Readers readers;
     const auto mayBeAnywhere = [&readers](const dxOrderedPair &pair) { return readers.mayCollideAnywhere(pair); };
-    if (sharingBodies && clusters == nullptr && std::all_of(pairs.begin(), pairs.end(), mayBeAnywhere))
+    if (sharingBodies && search == nullptr && std::all_of(pairs.begin(), pairs.end(), mayBeAnywhere))
         cutAnywhere(wanted, static_cast<std::uint32_t>(pairs.size()));
     else
-        cutBetweenSets(pairs, clusters, wanted, sharingBodies);
+        cutBetweenSets(pairs, search, wanted, sharingBodies);
 }
 
 // As they come: neighbours in the order of pairs are mostly neighbours in memory.
@@ -62,8 +62,8 @@ void dxPairTasks::cutAnywhere(unsigned wanted, std::uint32_t pairs) {
     std::iota(m_order.begin(), m_order.end(), std::uint32_t{0});
 }
 
-void dxPairTasks::cutBetweenSets(const std::vector<dxOrderedPair> &pairs, const dxClusteredWorldAndSpace *clusters,
-                                 unsigned wanted, bool sharingBodies) {
+void dxPairTasks::cutBetweenSets(const std::vector<dxOrderedPair> &pairs, const dxPairSearch *search, unsigned wanted,
+                                 bool sharingBodies) {
     Slot end = 0;
     for (const dxOrderedPair &pair : pairs) end = std::max({end, pair.slots[0] + 1, pair.slots[1] + 1});
     m_sets.reset(end);
@@ -87,7 +87,7 @@ void dxPairTasks::cutBetweenSets(const std::vector<dxOrderedPair> &pairs, const 
         }
     uniteSharedMemory();
     uniteExclusive(pairs);
-    if (clusters != nullptr) uniteClusters(pairs, *clusters);
+    if (search != nullptr) uniteGroups(pairs, *search);
     sizeSets(pairs);
     shareOut(wanted, pairs.size());
 }
@@ -159,13 +159,15 @@ void dxPairTasks::uniteSharedMemory() {
     }
 }
 
-void dxPairTasks::uniteClusters(const std::vector<dxOrderedPair> &pairs, const dxClusteredWorldAndSpace &clusters) {
-    std::vector<std::uint32_t> firstOfTask(static_cast<std::size_t>(clusters.clusters().count()), kNoIndex);
+void dxPairTasks::uniteGroups(const std::vector<dxOrderedPair> &pairs, const dxPairSearch &search) {
+    std::vector<std::uint32_t> firstOfGroup;
     for (const dxOrderedPair &pair : pairs)
         for (const Slot slot : pair.slots) {
-            const int cluster = clusters.clusters().of(slot);
-            if (!m_exclusive[slot] || cluster == dxClusters::kNone) continue;
-            std::uint32_t &first = firstOfTask[clusters.clusters()[cluster].task];
+            const int group = m_exclusive[slot] ? search.groupOf(slot) : dxPairSearch::kNoGroup;
+            if (group == dxPairSearch::kNoGroup) continue;
+            const auto index = static_cast<std::size_t>(group);
+            if (index >= firstOfGroup.size()) firstOfGroup.resize(index + 1, kNoIndex);
+            std::uint32_t &first = firstOfGroup[index];
             if (first == kNoIndex) first = slot;
             m_sets.unite(first, slot);
         }

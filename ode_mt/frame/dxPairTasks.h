@@ -6,15 +6,15 @@
 // of the user's (a nested space, a geom of a class of the user's, a geom transform, a mesh that
 // remembers its last contacts, a mesh or height field with callbacks and all that meets it:
 // collision/dxSharedColliders.h), or other memory of a collider's (frame/dxColliderMemory.h). Static geoms of
-// other kinds are only read and may be in many tasks. Clusters, where the space has them, are kept whole.
+// other kinds are only read and may be in many tasks. Groups of the space's search, where it has them, are kept whole.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "clustering/dxClusteredWorldAndSpace.h"
 #include "clustering/dxDisjointSets.h"
 #include "collision/dxOrderedPair.h"
+#include "collision/dxPairSearch.h"
 #include "frame/dxColliderMemory.h"
 
 class dxPairTasks {
@@ -23,9 +23,8 @@ public:
         std::uint32_t begin, end;  // in order()
     };
 
-    // About `wanted` tasks of like size, fewer if pairs hang together.
-    void cut(const std::vector<dxOrderedPair> &pairs, const dxClusteredWorldAndSpace *clusters, unsigned wanted,
-             bool sharingBodies);
+    // About `wanted` tasks of like size, fewer if pairs hang together. `search`: the one that groups members, or null.
+    void cut(const std::vector<dxOrderedPair> &pairs, const dxPairSearch *search, unsigned wanted, bool sharingBodies);
 
     const std::vector<Task> &tasks() const { return m_tasks; }
     // Numbers of pairs, task by task, rising within a task.
@@ -35,15 +34,15 @@ private:
     using Slot = dxMembers::Slot;
 
     void cutAnywhere(unsigned wanted, std::uint32_t pairs);
-    void cutBetweenSets(const std::vector<dxOrderedPair> &pairs, const dxClusteredWorldAndSpace *clusters,
-                        unsigned wanted, bool sharingBodies);
+    void cutBetweenSets(const std::vector<dxOrderedPair> &pairs, const dxPairSearch *search, unsigned wanted,
+                        bool sharingBodies);
     void markWritten(const dxOrderedPair &pair);
     void tieBody(const dxGeom *geom, Slot slot);
     void tieNested(const dxGeom *space, Slot slot);
     void uniteGeomsOf(dBodyID body, Slot slot);
     void uniteSharedMemory();
     void uniteExclusive(const std::vector<dxOrderedPair> &pairs);
-    void uniteClusters(const std::vector<dxOrderedPair> &pairs, const dxClusteredWorldAndSpace &clusters);
+    void uniteGroups(const std::vector<dxOrderedPair> &pairs, const dxPairSearch &search);
     void sizeSets(const std::vector<dxOrderedPair> &pairs);
     void shareOut(unsigned wanted, std::size_t pairs);
     void addToTask(std::uint32_t set, bool isFirst);

@@ -5,7 +5,7 @@
 
 #include <cstring>
 
-#include "clustering/dxClusterGrid.h"
+#include "frame/dxGridCells.h"
 #include "threading/dxProcessors.h"
 #include "trace/dxEnvironment.h"
 #include "trace/dxLog.h"
@@ -56,7 +56,6 @@ bool choose(const Named<Choice> (&all)[N], const std::string &name, std::atomic<
     return false;
 }
 
-constexpr int kFewestCells = dxClusterGrid::kFewestCells, kMostCells = dxClusterGrid::kMostCells;
 constexpr int kTunedCells = 0;
 
 dxProcessObject<dxSettings> settings;
@@ -139,24 +138,24 @@ bool dxSettings::chooseHeuristics(const std::string &names) {
 void dxSettings::readGridCells(const char *text) {
     if (std::strcmp(text, "auto") == 0) return;
     long long number = kTunedCells;
-    const bool understood = dxReadNumber(text, kFewestCells, kMostCells, number) == dxNumberText::InRange;
+    const bool understood = dxReadNumber(text, dxMinGridCells, dxMaxGridCells, number) == dxNumberText::InRange;
     chooseGridCells(static_cast<int>(number));
     if (understood) return;
     dxLog(dxLogLevel::warning,
           "ODE_MT_GRID_CELLS is '%.100s'; known: auto, or a number from %d to %d; %s is taken", text,
-          kFewestCells, kMostCells, number == kTunedCells ? "auto" : std::to_string(number).c_str());
+          dxMinGridCells, dxMaxGridCells, number == kTunedCells ? "auto" : std::to_string(number).c_str());
 }
 
 bool dxSettings::setGridCells(int cells) {
     const bool possible = chooseGridCells(cells);
     if (!possible)
         dMessage(0, "ODE_MT: no grid of %d cells on each axis; known: %d to %d, or %d to have it tuned",
-                 cells, kFewestCells, kMostCells, kTunedCells);
+                 cells, dxMinGridCells, dxMaxGridCells, kTunedCells);
     return possible;
 }
 
 bool dxSettings::chooseGridCells(int cells) {
-    if (cells != kTunedCells && (cells < kFewestCells || cells > kMostCells)) return false;
+    if (cells != kTunedCells && (cells < dxMinGridCells || cells > dxMaxGridCells)) return false;
     m_gridCells.store(cells, std::memory_order_relaxed);
     return true;
 }

@@ -21,15 +21,13 @@ public:
     explicit dxTunedClusters(std::unique_ptr<dxCrossoverPass> pass);
 
     void search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
+    int groupOf(dxMembers::Slot slot) const override { return m_clusters.groupOf(slot); }
+    unsigned threads(unsigned limit) const override;
 
     // A frame in which nothing has changed has no search.
     void beginFrame() { m_clusters.beginFrame(); }
 
     const dxClusteredWorldAndSpace &clusters() const { return m_clusters; }
-    unsigned threads(unsigned limit) const;  // for the callbacks of the last search, from 1 to the limit
-
-    unsigned searches() const { return m_searches; }
-    unsigned checks() const { return m_checks; }  // searches that looked at clusters again
 
 private:
     void alertCallback(const dxHeuristic &heuristic, const dxHeuristicAlert &alert) override;

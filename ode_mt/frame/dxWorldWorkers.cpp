@@ -6,6 +6,8 @@
 #include <new>
 #include <vector>
 
+#include "config.h"
+#include "objects.h"
 #include "default_threading.h"
 #include "threading/dxForkLocks.h"
 #include "threading/dxJobBoard.h"

@@ -6,7 +6,8 @@
 // the worlds; a step looks its own up in a list that is as short as there are implementations.
 #pragma once
 
-#include "dynamics/dxIsland.h"
+#include <ode/ode.h>
+
 #include "threading/dxThreadManager.h"
 
 namespace dxWorldWorkers {
