@@ -29,6 +29,9 @@ public:
 
     const dxClusteredWorldAndSpace &clusters() const { return m_clusters; }
 
+    unsigned searches() const { return m_searches; }
+    unsigned checks() const { return m_checks; }  // searches that looked at clusters again
+
 private:
     void alertCallback(const dxHeuristic &heuristic, const dxHeuristicAlert &alert) override;
     void follow(unsigned choice);
