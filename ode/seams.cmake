@@ -42,7 +42,7 @@ endfunction()
 # misc.cpp is left out: a step takes its random numbers as one atomic block, so the seed must be an
 # atomic of ours (ode_mt/api/misc.cpp).
 
-# Islands are found with fewer waits for memory (ode_mt/dynamics/dxStepPreparation.h).
+# Islands are found with fewer waits for memory (ode_mt/dynamics/islands/dxStepPreparation.h).
 ode_mt_call_instead("ode.cpp" dxReallocateWorldProcessContext dxPrepareStep)
 
 # The islands are shared out by our frame instead of upstream's call queue, and stepped by stages of ours (docs/steppers.md).
@@ -50,7 +50,7 @@ ode_mt_call_instead("ode.cpp" dxReallocateWorldProcessContext dxPrepareStep)
 ode_mt_call_instead("ode.cpp" dxProcessIslands dxStepIslands)
 
 # An island on another thread must not touch collision spaces or call the user: the moved-notifications
-# of its bodies are put off (ode_mt/dynamics/dxBodyIntegration.cpp).
+# of its bodies are put off (ode_mt/dynamics/islands/dxBodyIntegration.cpp).
 ode_mt_call_instead("step.cpp;quickstep.cpp" dxStepBody dxIntegrateIslandBody)
 
 # Two threads of the user may collide meshes at the same time: each thread has a cache of its own. The
@@ -70,11 +70,11 @@ ode_mt_rename(odeinit.cpp dInitODE dInitODE2 dAllocateODEDataForThread dCleanupO
 # A world's threading implementation may be freed after these calls: its threads are given back first.
 ode_mt_rename(ode.cpp dWorldDestroy dWorldSetStepThreadingImplementation)
 
-# Where callbacks run on several threads, contact joints are put into their lists later (ode_mt/collision/dxContactLog.h);
-# groups of joints are emptied without taking memory (ode_mt/collision/dxJointRemoval.h).
+# Where callbacks run on several threads, contact joints are put into their lists later (ode_mt/collision/callbacks/dxContactLog.h);
+# groups of joints are emptied without taking memory (ode_mt/dynamics/dxJointRemoval.h).
 ode_mt_rename(ode.cpp dJointCreateContact dJointAttach dJointGroupEmpty)
 
-# The table of colliders is filled lazily for the user's geom classes, without a lock (ode_mt/collision/dxColliderTable.h).
+# The table of colliders is filled lazily for the user's geom classes, without a lock (ode_mt/collision/narrowphase/dxColliderTable.h).
 ode_mt_rename(collision_kernel.cpp dCollide dCreateGeomClass dSetColliderOverride)
 
 # Spaces keep pairs from call to call, and hear of changed filters and switches.
@@ -94,8 +94,8 @@ ode_mt_rename(collision_trimesh_opcode.cpp dGeomTriMeshDataDestroy)
 ode_mt_rename(joints/piston.cpp dJointSetPistonAnchorOffset)
 ode_mt_rename(joints/pu.cpp dJointSetPUAnchorDelta dJointSetPUAnchorOffset)
 
-# libccd asks convex geoms for their furthest point, dozens of times a pair (ode_mt/collision/dxConvexSupport.h). It may search
-# without end (ode_mt/collision/dxCcdSearch.h).
+# libccd asks convex geoms for their furthest point, dozens of times a pair (ode_mt/collision/narrowphase/dxConvexSupport.h). It may search
+# without end (ode_mt/collision/narrowphase/dxCcdSearch.h).
 ode_mt_compile_after("collision_libccd.cpp" collision_libccd.h)
 
 # The sign of a zero depth follows from the order of the arguments in fmax(0.0, x). g++ takes the order to be free and changes
@@ -104,7 +104,7 @@ set_property(SOURCE "${ODE_MT_UPSTREAM_DIR}/ode/src/collision_libccd.cpp" APPEND
     COMPILE_OPTIONS -fno-builtin-fmax)
 
 # Spaces of all kinds are ours: they find pairs incrementally, and report them in upstream's order
-# (ode_mt/collision/dxOrderedSpace.h).
+# (ode_mt/collision/spaces/dxOrderedSpace.h).
 ode_mt_rename(collision_space.cpp dSimpleSpaceCreate dHashSpaceCreate dHashSpaceSetLevels dHashSpaceGetLevels dSpaceCollide)
 ode_mt_rename(collision_quadtreespace.cpp dQuadTreeSpaceCreate)
 ode_mt_rename(collision_sapspace.cpp dSweepAndPruneSpaceCreate)
@@ -112,7 +112,7 @@ ode_mt_rename(collision_sapspace.cpp dSweepAndPruneSpaceCreate)
 # The triangular solves of upstream's LCP solver with vectors: same bits, less time (docs/solve.md).
 ode_mt_compile_after("lcp.cpp" lcp.h)
 
-# Upstream's own solver is left with what is not finite (ode_mt/dynamics/lcp/dxDantzig.cpp). There the sign of a NaN may
+# Upstream's own solver is left with what is not finite (ode_mt/dynamics/exactstep/dantzig/dxDantzig.cpp). There the sign of a NaN may
 # decide whether it reports an error. Of two NaNs that are added one is kept, and vectors would keep another one than
 # Debian's binary, which has none in these loops (docs/exactness.md). Problems without limits, which it solves, too, take as
 # long as before.

@@ -23,8 +23,8 @@
 #include <utility>
 #include <vector>
 
-#include "threading/dxThreadManagerFactory.h"
-#include "threading/dxThreadManagerUser.h"
+#include "threading/managers/dxThreadManagerFactory.h"
+#include "threading/managers/dxThreadManagerUser.h"
 
 namespace {
 

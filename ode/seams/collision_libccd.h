@@ -1,8 +1,8 @@
 /* What upstream hands to libccd. */
 #pragma once
 
-#include "collision/dxCcdSearch.h"
-#include "collision/dxConvexSupport.h"
+#include "collision/narrowphase/dxCcdSearch.h"
+#include "collision/narrowphase/dxConvexSupport.h"
 
 /* Upstream's support function of convex geoms, defined in its file. */
 static void ccdSupportConvex(const void *object, const ccd_vec3_t *direction, ccd_vec3_t *support);

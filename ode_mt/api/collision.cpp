@@ -1,18 +1,18 @@
 // Functions of ode/collision.h: geoms, their classes and colliders, collisions, and the data of height fields.
 #include <ode/collision.h>
 
-#include "collision/dxColliderTable.h"
-#include "collision/dxContactLog.h"
-#include "collision/dxContactsAhead.h"
-#include "collision/dxHeightField.h"
-#include "collision/dxLivingHeights.h"
-#include "collision/dxOrderedSpace.h"
-#include "collision/dxSilentChanges.h"
-#include "collision/dxTurnedGeom.h"
-#include "frame/dxClusterManager.h"
-#include "frame/dxSettings.h"
-#include "frame/dxSpaceCollision.h"
+#include "clusters/dxClusterManager.h"
+#include "collision/callbacks/dxContactLog.h"
+#include "collision/dxSpaceCollision.h"
+#include "collision/narrowphase/dxColliderTable.h"
+#include "collision/narrowphase/dxContactsAhead.h"
+#include "collision/narrowphase/dxHeightField.h"
+#include "collision/narrowphase/dxLivingHeights.h"
+#include "collision/narrowphase/dxSilentChanges.h"
+#include "collision/narrowphase/dxTurnedGeom.h"
+#include "collision/spaces/dxOrderedSpace.h"
 #include "seams/upstream.h"
+#include "settings/dxSettings.h"
 
 namespace {
 
@@ -95,8 +95,8 @@ void dGeomDisable(dGeomID geom) {
     dxUpstreamGeomDisable(geom);
 }
 
-// Data of height fields: contacts that were computed from it hear of changes (collision/dxSilentChanges.h), and which data
-// is there is known (collision/dxLivingHeights.h).
+// Data of height fields: contacts that were computed from it hear of changes (collision/narrowphase/dxSilentChanges.h), and which data
+// is there is known (collision/narrowphase/dxLivingHeights.h).
 
 dHeightfieldDataID dGeomHeightfieldDataCreate() {
     const dHeightfieldDataID data = dxUpstreamGeomHeightfieldDataCreate();

@@ -1,10 +1,10 @@
 // Functions of ode/collision_space.h: spaces of all kinds are ours.
 #include <ode/collision_space.h>
 
-#include "collision/dxOrderedHashSpace.h"
-#include "collision/dxOrderedQuadTreeSpace.h"
-#include "collision/dxOrderedSimpleSpace.h"
-#include "collision/dxOrderedSweepSpace.h"
+#include "collision/spaces/dxOrderedHashSpace.h"
+#include "collision/spaces/dxOrderedQuadTreeSpace.h"
+#include "collision/spaces/dxOrderedSimpleSpace.h"
+#include "collision/spaces/dxOrderedSweepSpace.h"
 
 extern "C" {
 

@@ -13,9 +13,9 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "collision/dxMissedNotifications.h"
-#include "dynamics/dxIslandScope.h"
-#include "dynamics/dxLoneStepper.h"
+#include "collision/pairs/dxMissedNotifications.h"
+#include "dynamics/random/dxLoneStepper.h"
+#include "threading/dxUpstreamScope.h"
 
 namespace {
 
@@ -38,7 +38,7 @@ void printToStderr(const char *title, int number, const char *format, va_list ar
 }
 
 bool takenOver(dxReport kind, int number, const char *format, va_list arguments) {
-    dxIslandScope *scope = dxIslandScope::current();
+    dxUpstreamScope *scope = dxUpstreamScope::current();
     return scope != nullptr && scope->takeOver(kind, number, format, arguments);
 }
 

@@ -2,11 +2,11 @@
 #include <ode/memory.h>
 #include <ode/objects.h>
 
-#include "collision/dxContactLog.h"
-#include "collision/dxJointRemoval.h"
-#include "collision/dxSilentChanges.h"
-#include "frame/dxWorldWorkers.h"
+#include "collision/callbacks/dxContactLog.h"
+#include "collision/narrowphase/dxSilentChanges.h"
+#include "dynamics/dxJointRemoval.h"
 #include "seams/upstream.h"
+#include "settings/dxWorldWorkers.h"
 
 extern "C" {
 
@@ -23,8 +23,8 @@ void dWorldDestroy(dWorldID world) {
     dxUpstreamWorldDestroy(world);
 }
 
-// Contact joints: where callbacks run on several threads, they are put into their lists later (collision/dxContactLog.h).
-// They are removed without taking memory (collision/dxJointRemoval.h).
+// Contact joints: where callbacks run on several threads, they are put into their lists later (collision/callbacks/dxContactLog.h).
+// They are removed without taking memory (dynamics/dxJointRemoval.h).
 
 dJointID dJointCreateContact(dWorldID world, dJointGroupID group, const dContact *contact) {
     dxContactLog *const log = dxContactLog::current();
@@ -48,7 +48,7 @@ void dJointGroupEmpty(dJointGroupID group) {
 }
 
 // These move a body to and fro while they compute anchors: its position comes back rounded, and contacts that were computed
-// from it hear of that (collision/dxSilentChanges.h).
+// from it hear of that (collision/narrowphase/dxSilentChanges.h).
 
 void dJointSetPistonAnchorOffset(dJointID joint, dReal x, dReal y, dReal z, dReal dx, dReal dy, dReal dz) {
     dxSilentChanges::add();

@@ -2,9 +2,9 @@
 #include <ode/error.h>
 #include <ode/ode_MT.h>
 
-#include "frame/dxSettings.h"
-#include "frame/dxStepStatistics.h"
-#include "frame/dxWorkers.h"
+#include "settings/dxSettings.h"
+#include "settings/dxStepStatistics.h"
+#include "settings/dxWorkers.h"
 
 namespace {
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "clustering/dxClusteredWorldAndSpace.h"
-#include "collision/dxOrderedSpace.h"
-#include "frame/dxClusterManager.h"
+#include "clusters/dxClusteredWorldAndSpace.h"
+#include "clusters/dxClusterManager.h"
+#include "collision/spaces/dxOrderedSpace.h"
 
 namespace {
 

@@ -8,16 +8,16 @@
 #include <atomic>
 #include <mutex>
 
-#include "collision/dxColliderTable.h"
-#include "collision/dxJointRemoval.h"
-#include "collision/dxThreadTrimeshCache.h"
-#include "dynamics/dxIslandTeam.h"
-#include "dynamics/dxWorkingMemory.h"
-#include "frame/dxConcurrentCallbacks.h"
-#include "frame/dxStepRecords.h"
-#include "frame/dxWorkers.h"
+#include "collision/callbacks/dxConcurrentCallbacks.h"
+#include "collision/narrowphase/dxColliderTable.h"
+#include "collision/narrowphase/dxThreadTrimeshCache.h"
+#include "dynamics/dxJointRemoval.h"
+#include "dynamics/dxStepRecords.h"
+#include "dynamics/islands/dxIslandTeam.h"
+#include "dynamics/islands/dxWorkingMemory.h"
 #include "seams/upstream.h"
-#include "threading/dxForkLocks.h"
+#include "settings/dxWorkers.h"
+#include "threading/process/dxForkLocks.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "dxFloatEnvironment.h"
+#include "threading/dxFloatEnvironment.h"
 
 #include <fenv.h>
 

@@ -1,4 +1,4 @@
-#include "dxPerturbation.h"
+#include "threading/dxPerturbation.h"
 
 #include <sched.h>
 #include <time.h>
@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <limits>
 
-#include "trace/dxEnvironment.h"
-#include "trace/dxLog.h"
-#include "trace/dxNoCancellation.h"
+#include "core/dxEnvironment.h"
+#include "core/dxLog.h"
+#include "core/dxNoCancellation.h"
 
 namespace {
 

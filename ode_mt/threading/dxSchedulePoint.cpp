@@ -1,4 +1,4 @@
-#include "dxSchedulePoint.h"
+#include "threading/dxSchedulePoint.h"
 
 namespace {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "core/dxLog.h"
 #include "threading/dxParallelPayoff.h"
-#include "trace/dxLog.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "collision/dxOrderedSpace.h"
+#include "collision/spaces/dxOrderedSpace.h"
 
 namespace {
 

@@ -8,8 +8,8 @@
 #include <ode/ode.h>
 
 #include "OdeSession.h"
-#include "clustering/dxClusteredWorldAndSpace.h"
-#include "frame/dxClusterManager.h"
+#include "clusters/dxClusteredWorldAndSpace.h"
+#include "clusters/dxClusterManager.h"
 
 // The slot under which an ordered space knows a geom of its own.
 dxMembers::Slot slotOf(dGeomID geom);

@@ -6,7 +6,7 @@
 
 #include <ode/ode.h>
 
-#include "collision/dxBounds.h"
+#include "core/dxBounds.h"
 
 struct ReferenceCells {
     int low[3], high[3];

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bounds.h"
-#include "clustering/dxClusterGap.h"
+#include "clusters/dxClusterGap.h"
 
 namespace {
 

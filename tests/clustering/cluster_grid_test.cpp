@@ -6,7 +6,7 @@
 #include <set>
 
 #include "bounds.h"
-#include "clustering/dxClusterGrid.h"
+#include "clusters/dxClusterGrid.h"
 
 namespace {
 

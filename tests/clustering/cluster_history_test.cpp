@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "clustering/dxClusterHistory.h"
+#include "clusters/dxClusterHistory.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bounds.h"
-#include "clustering/dxClusterScene.h"
+#include "clusters/dxClusterScene.h"
 
 namespace {
 

@@ -10,7 +10,7 @@
 
 #include "ClusteredSpace.h"
 #include "RandomClusterWorld.h"
-#include "collision/dxOrderedSpace.h"
+#include "collision/spaces/dxOrderedSpace.h"
 
 namespace {
 

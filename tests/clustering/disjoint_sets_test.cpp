@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "clustering/dxDisjointSets.h"
+#include "core/dxDisjointSets.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "bounds.h"
-#include "clustering/dxGridFit.h"
+#include "clusters/dxGridFit.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "ClusteredSpace.h"
-#include "clustering/dxInhabitantLinks.h"
+#include "clusters/dxInhabitantLinks.h"
 
 namespace {
 

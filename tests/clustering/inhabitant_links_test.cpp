@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "ClusteredSpace.h"
-#include "clustering/dxDisjointSets.h"
-#include "clustering/dxInhabitantLinks.h"
+#include "clusters/dxInhabitantLinks.h"
+#include "core/dxDisjointSets.h"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ClusteredSpace.h"
-#include "collision/dxOrderedSpace.h"
+#include "collision/spaces/dxOrderedSpace.h"
 #include "sanitizers.h"
 
 namespace {

@@ -4,8 +4,8 @@
 #include <set>
 #include <utility>
 
-#include "collision/dxMembers.h"
-#include "collision/dxPairSearch.h"
+#include "collision/broadphase/dxPairSearch.h"
+#include "collision/pairs/dxMembers.h"
 
 class SearchedMembers {
 public:

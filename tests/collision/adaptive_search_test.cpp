@@ -5,7 +5,7 @@
 
 #include "RandomBoxes.h"
 #include "SearchedMembers.h"
-#include "collision/dxAdaptiveSearch.h"
+#include "collision/broadphase/dxAdaptiveSearch.h"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "collision/overlap/dxAxisSweep.h"
+#include "collision/broadphase/overlap/dxAxisSweep.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 
 #include "RandomBoxes.h"
 #include "SearchedMembers.h"
-#include "collision/dxBatchSearch.h"
+#include "collision/broadphase/dxBatchSearch.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // dxBlockRanks: ranks by block and by time.
 #include <gtest/gtest.h>
 
-#include "collision/dxBlockRanks.h"
+#include "collision/spaces/dxBlockRanks.h"
 
 namespace {
 

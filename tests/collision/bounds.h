@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "collision/dxBounds.h"
+#include "core/dxBounds.h"
 
 constexpr dReal kInfinite = std::numeric_limits<dReal>::infinity();
 constexpr dReal kNaN = std::numeric_limits<dReal>::quiet_NaN();

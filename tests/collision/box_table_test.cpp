@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "RandomBoxes.h"
-#include "collision/overlap/dxBoxTable.h"
+#include "collision/broadphase/overlap/dxBoxTable.h"
 
 namespace {
 

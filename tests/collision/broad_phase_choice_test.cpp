@@ -1,5 +1,5 @@
 // dxChooseBroadPhase: each border between two broad phases, from either side, and what is remembered across it.
-#include "collision/dxBroadPhaseChoice.h"
+#include "collision/broadphase/dxBroadPhaseChoice.h"
 
 #include <gtest/gtest.h>
 

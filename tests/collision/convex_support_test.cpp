@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "collision/dxConvexSupport.h"
+#include "collision/narrowphase/dxConvexSupport.h"
 
 namespace {
 

@@ -7,7 +7,7 @@
 
 #include "OdeSession.h"
 #include "RandomBoxes.h"
-#include "collision/dxDensePairs.h"
+#include "collision/broadphase/dxDensePairs.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "collision/dxDirtyQueue.h"
+#include "collision/spaces/dxDirtyQueue.h"
 
 namespace {
 

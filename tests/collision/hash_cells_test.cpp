@@ -1,5 +1,5 @@
 // The cell in which upstream's hash space finds a pair, beside a search through all cells of both boxes.
-#include "collision/dxHashCells.h"
+#include "collision/spaces/dxHashCells.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "collision/dxKeptPairs.h"
+#include "collision/pairs/dxKeptPairs.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "RandomBoxes.h"
-#include "collision/dxLevelGrid.h"
+#include "collision/broadphase/dxLevelGrid.h"
 
 namespace {
 

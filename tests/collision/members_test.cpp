@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bounds.h"
-#include "collision/dxMembers.h"
+#include "collision/pairs/dxMembers.h"
 #include "OdeSession.h"
 
 namespace {

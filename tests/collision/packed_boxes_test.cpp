@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "RandomBoxes.h"
-#include "collision/overlap/dxPackedBoxes.h"
+#include "collision/broadphase/overlap/dxPackedBoxes.h"
 
 namespace {
 

@@ -4,11 +4,11 @@
 
 #include "RandomBoxes.h"
 #include "SearchedMembers.h"
-#include "collision/dxAdaptiveSearch.h"
-#include "collision/dxBatchSearch.h"
-#include "collision/dxNeighbourSearch.h"
-#include "collision/dxTableSearch.h"
-#include "collision/dxVerletSearch.h"
+#include "collision/broadphase/dxAdaptiveSearch.h"
+#include "collision/broadphase/dxBatchSearch.h"
+#include "collision/broadphase/dxNeighbourSearch.h"
+#include "collision/broadphase/dxTableSearch.h"
+#include "collision/broadphase/dxVerletSearch.h"
 
 namespace {
 

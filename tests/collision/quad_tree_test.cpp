@@ -11,7 +11,7 @@
 
 #include <ode/ode.h>
 
-#include "collision/dxQuadTree.h"
+#include "collision/spaces/dxQuadTree.h"
 
 namespace {
 

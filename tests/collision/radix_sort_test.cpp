@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <random>
 
-#include "collision/dxRadixSort.h"
+#include "core/dxRadixSort.h"
 
 namespace {
 

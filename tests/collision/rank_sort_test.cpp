@@ -9,7 +9,7 @@
 #include <numeric>
 #include <random>
 
-#include "collision/dxRankSort.h"
+#include "core/dxRankSort.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <atomic>
 #include <thread>
 
-#include "collision/dxRegionIndex.h"
+#include "collision/broadphase/dxRegionIndex.h"
 #include "RandomBoxes.h"
 #include "SearchedMembers.h"
 

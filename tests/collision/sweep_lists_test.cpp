@@ -1,7 +1,7 @@
 // dxSweepLists: who stands where after geoms came, changed and went.
 #include <gtest/gtest.h>
 
-#include "collision/dxSweepLists.h"
+#include "collision/spaces/dxSweepLists.h"
 
 namespace {
 

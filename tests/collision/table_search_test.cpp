@@ -3,7 +3,7 @@
 
 #include "RandomBoxes.h"
 #include "SearchedMembers.h"
-#include "collision/dxTableSearch.h"
+#include "collision/broadphase/dxTableSearch.h"
 
 namespace {
 

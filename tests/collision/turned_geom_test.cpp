@@ -4,8 +4,8 @@
 #include <csetjmp>
 #include <stdexcept>
 
-#include "collision/dxMissedNotifications.h"
-#include "collision/dxTurnedGeom.h"
+#include "collision/narrowphase/dxTurnedGeom.h"
+#include "collision/pairs/dxMissedNotifications.h"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include "../threading/manager_runner.h"
 #include "RandomBoxes.h"
 #include "SearchedMembers.h"
-#include "collision/dxVerletSearch.h"
+#include "collision/broadphase/dxVerletSearch.h"
 
 namespace {
 

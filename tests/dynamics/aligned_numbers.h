@@ -1,7 +1,7 @@
 // Numbers that begin at a line of the cache.
 #pragma once
 
-#include "simd/dxCacheLine.h"
+#include "core/dxCacheLine.h"
 
 #include <cstddef>
 #include <new>

@@ -15,11 +15,11 @@
 #include "step.h"
 #include "util.h"
 
-#include "dynamics/dxIsland.h"
-#include "dynamics/dxStepPreparation.h"
 #include "dynamics/exactstep/dxDantzigSolver.h"
 #include "dynamics/exactstep/dxExactProblem.h"
 #include "dynamics/exactstep/dxExactStep.h"
+#include "dynamics/islands/dxIsland.h"
+#include "dynamics/islands/dxStepPreparation.h"
 #include "instruction_sets.h"
 #include "random_world.h"
 #include "upstream_exact_step.h"

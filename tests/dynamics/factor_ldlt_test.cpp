@@ -11,8 +11,8 @@
 #include <random>
 #include <vector>
 
-#include "dynamics/solve/dxFactorLDLT.h"
-#include "dynamics/solve/dxTriangleScan.h"
+#include "dynamics/exactstep/kernels/dxFactorLDLT.h"
+#include "dynamics/exactstep/kernels/dxTriangleScan.h"
 #include "instruction_sets.h"
 
 namespace {

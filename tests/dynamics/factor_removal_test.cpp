@@ -11,7 +11,7 @@
 
 #include "matrix.h"
 
-#include "dynamics/lcp/dxFactorRemoval.h"
+#include "dynamics/exactstep/dantzig/dxFactorRemoval.h"
 
 namespace {
 

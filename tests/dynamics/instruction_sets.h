@@ -1,7 +1,7 @@
 // Vector code forced to one instruction set after the other.
 #pragma once
 
-#include "simd/dxSimdTargets.h"
+#include "core/dxSimdTargets.h"
 
 #include <gtest/gtest.h>
 #include <hwy/targets.h>

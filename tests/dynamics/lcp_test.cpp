@@ -20,8 +20,8 @@
 #include "lcp.h"
 #include "util.h"
 
-#include "dynamics/dxIslandTeam.h"
-#include "dynamics/lcp/dxDantzig.h"
+#include "dynamics/islands/dxIslandTeam.h"
+#include "dynamics/exactstep/dantzig/dxDantzig.h"
 #include "../threading/manager_runner.h"
 #include "instruction_sets.h"
 #include "lcp_problem.h"

@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "aligned_numbers.h"
-#include "dynamics/solve/dxMirror.h"
+#include "core/dxCacheLine.h"
+#include "dynamics/exactstep/kernels/dxMirror.h"
 #include "instruction_sets.h"
-#include "simd/dxCacheLine.h"
 
 namespace {
 

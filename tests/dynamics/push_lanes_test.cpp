@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "dynamics/solve/dxPushLanes.h"
+#include "dynamics/exactstep/kernels/dxPushLanes.h"
 #include "instruction_sets.h"
 
 namespace {

@@ -1,9 +1,9 @@
 // Each stage of QuickStep gives the bits of upstream's, for every instruction set of this machine, one island after the other.
-#include "dynamics/dxStepPreparation.h"
+#include "dynamics/islands/dxStepPreparation.h"
 #include "dynamics/quickstep/dxIslandBodies.h"
 #include "dynamics/quickstep/dxJointRows.h"
 #include "dynamics/quickstep/dxQuickStep.h"
-#include "dynamics/quickstep/dxSorSolver.h"
+#include "dynamics/quickstep/sor/dxSorSolver.h"
 #include "quickstep.h"
 #include "instruction_sets.h"
 #include "random_world.h"

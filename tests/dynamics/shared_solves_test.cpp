@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "aligned_numbers.h"
-#include "dynamics/solve/dxPanelSolve.h"
-#include "dynamics/solve/dxSolveL1.h"
+#include "dynamics/exactstep/kernels/dxPanelSolve.h"
+#include "dynamics/exactstep/kernels/dxSolveL1.h"
 #include "instruction_sets.h"
-#include "simd/dxCacheLine.h"
+#include "core/dxCacheLine.h"
 #include "../threading/manager_runner.h"
 
 namespace {

@@ -9,7 +9,7 @@
 #include "step.h"
 #include "util.h"
 
-#include "dynamics/dxStepPreparation.h"
+#include "dynamics/islands/dxStepPreparation.h"
 #include "random_world.h"
 
 namespace {

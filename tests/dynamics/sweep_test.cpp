@@ -1,7 +1,7 @@
 // QuickStep's sweep gives the bits of taking the rows one by one, for every instruction set of this machine.
 #include "instruction_sets.h"
-#include "dynamics/sweep/dxSharedSweep.h"
-#include "dynamics/sweep/dxSweep.h"
+#include "dynamics/quickstep/sor/dxSharedSweep.h"
+#include "dynamics/quickstep/sor/dxSweep.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "dynamics/dxIsland.h"
+#include "dynamics/islands/dxIsland.h"
 
 struct UpstreamQuickStep {
     std::vector<dReal> invInertia;           // bodies x 12

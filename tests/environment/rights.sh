@@ -13,7 +13,7 @@ cp "$PROGRAM" "$SCRATCH/set_user_id"
 chown nobody "$SCRATCH/set_user_id"
 chmod u+s "$SCRATCH/set_user_id"
 
-variables=$(sed -n 's/^ *{"\(ODE_MT_[A-Z_]*\)", ".*"},$/\1/p' "$(dirname "$0")/../../ode_mt/trace/dxEnvironment.cpp")
+variables=$(sed -n 's/^ *{"\(ODE_MT_[A-Z_]*\)", ".*"},$/\1/p' "$(dirname "$0")/../../ode_mt/core/dxEnvironment.cpp")
 # run PROGRAM KIND: without variables (none), with values other than the defaults (set), with nonsense (wrong).
 run() {
     case $2 in

@@ -4,7 +4,7 @@
 set -eu
 cd "$(dirname "$0")/../.."
 fail() { echo "FAILED: $*" >&2; exit 1; }
-code=$(sed -n 's/^ *{"\(ODE_MT_[A-Z_]*\)", "\(.*\)"},$/\1=\2/p' ode_mt/trace/dxEnvironment.cpp)
+code=$(sed -n 's/^ *{"\(ODE_MT_[A-Z_]*\)", "\(.*\)"},$/\1=\2/p' ode_mt/core/dxEnvironment.cpp)
 [ "$(echo "$code" | wc -l)" -ge 8 ] || fail "no table in dxEnvironment.cpp"
 header=$(sed -n 's/^ \*   \(ODE_MT_[A-Z_]*=.*\)$/\1/p' include/ode/ode_MT.h)
 [ "$header" = "$code" ] || fail "ode_MT.h has
@@ -21,4 +21,4 @@ done
 rows() { grep '^| `ODE_MT_' "$1" | sed 's,(docs/,(,g'; }
 [ "$(rows README.md)" = "$(rows docs/linking.md)" ] || fail "the tables of README.md and docs/linking.md differ"
 if grep -rnE '\bgetenv *\(' ode_mt; then fail "read past the table"; fi
-[ "$(grep -rlE 'secure_getenv *\(' ode_mt)" = ode_mt/trace/dxEnvironment.cpp ] || fail "read past the table"
+[ "$(grep -rlE 'secure_getenv *\(' ode_mt)" = ode_mt/core/dxEnvironment.cpp ] || fail "read past the table"

@@ -1,7 +1,7 @@
 #include "instruction_set.h"
 
 // The sets that vector code is compiled for decide the places in Highway's tables.
-#include "simd/dxSimdTargets.h"
+#include "core/dxSimdTargets.h"
 
 #include <hwy/targets.h>
 

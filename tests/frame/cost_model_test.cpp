@@ -1,12 +1,12 @@
 // The rules of dxCostModel, on invented machines: no clock.
-#include "frame/dxCostModel.h"
+#include "dynamics/dxCostModel.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
 
-#include "trace/dxLog.h"
+#include "core/dxLog.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // Every island is in one block; large islands alone and first, small ones together in their own order.
-#include "frame/dxIslandSharing.h"
+#include "dynamics/dxIslandSharing.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // A second thread's first step waits for the step in progress, however long that takes (contract C7); but not for ever
 // where the user's code in that step may be waiting for it. Each in a process of its own, in which nobody has stepped.
-#include "dynamics/dxLoneStepper.h"
+#include "dynamics/random/dxLoneStepper.h"
 
 #include <fenv.h>
 #include <gtest/gtest.h>

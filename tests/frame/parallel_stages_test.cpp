@@ -14,7 +14,7 @@
 #include "OdeSession.h"
 #include "PackedWorld.h"
 #include "SphereRows.h"
-#include "frame/dxWorkersRunner.h"
+#include "settings/dxWorkersRunner.h"
 #include "threading/dxParallelStage.h"
 #include "threading/dxPerturbation.h"
 #include "threading/dxTaskRunner.h"

@@ -4,7 +4,7 @@
 
 #include "OdeSession.h"
 #include "PackedWorld.h"
-#include "frame/dxStepStatistics.h"
+#include "settings/dxStepStatistics.h"
 
 namespace {
 

@@ -5,10 +5,10 @@
 #include <thread>
 
 #include "ChainWorld.h"
-#include "frame/dxStepStatistics.h"
 #include "OdeSession.h"
 #include "Runs.h"
 #include "sanitizers.h"
+#include "settings/dxStepStatistics.h"
 #include "threading/dxPerturbation.h"
 
 namespace {

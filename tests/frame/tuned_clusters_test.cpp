@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "OdeSession.h"
-#include "collision/dxMembers.h"
-#include "frame/dxTunedClusters.h"
+#include "collision/pairs/dxMembers.h"
+#include "clusters/dxTunedClusters.h"
 
 namespace {
 

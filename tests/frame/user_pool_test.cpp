@@ -6,12 +6,12 @@
 #include <memory>
 
 #include "ChainWorld.h"
-#include "frame/dxStepStatistics.h"
 #include "OdePool.h"
 #include "OdeSession.h"
 #include "processThreads.h"
 #include "Runs.h"
 #include "sanitizers.h"
+#include "settings/dxStepStatistics.h"
 
 namespace {
 

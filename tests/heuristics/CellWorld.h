@@ -5,7 +5,7 @@
 #include <functional>
 #include <utility>
 
-#include "heuristics/dxCellSizeHeuristic.h"
+#include "clusters/heuristics/dxCellSizeHeuristic.h"
 
 using CostOf = std::function<double(int cells)>;  // ns
 

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "heuristics/dxMotionBound.h"
+#include "clusters/heuristics/dxMotionBound.h"
 
 struct SwarmSetting {
     double speed, acceleration, step;  // at the start; at most

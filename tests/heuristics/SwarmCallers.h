@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "heuristics/dxCheckFrequencyHeuristic.h"
+#include "clusters/heuristics/dxCheckFrequencyHeuristic.h"
 #include "Swarm.h"
 
 struct Outcome {

@@ -1,5 +1,5 @@
 // The cell size rule on invented worlds whose cost is known: the climb, and odd input.
-#include "heuristics/dxCellSizeHeuristic.h"
+#include "clusters/heuristics/dxCellSizeHeuristic.h"
 
 #include <gtest/gtest.h>
 

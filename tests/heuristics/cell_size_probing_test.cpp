@@ -1,5 +1,5 @@
 // The cell size rule after its climb: when it probes, what that costs at most, where it moves.
-#include "heuristics/dxCellSizeHeuristic.h"
+#include "clusters/heuristics/dxCellSizeHeuristic.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // No meeting is missed: members move at random, and every frame that is not checked is looked at by force.
-#include "heuristics/dxCheckFrequencyHeuristic.h"
+#include "clusters/heuristics/dxCheckFrequencyHeuristic.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // When the centre moves, when it stays, and how often it is looked at.
-#include "heuristics/dxGridCentreHeuristic.h"
+#include "clusters/heuristics/dxGridCentreHeuristic.h"
 
 #include <gtest/gtest.h>
 

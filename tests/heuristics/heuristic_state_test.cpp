@@ -1,5 +1,5 @@
 // Which state may follow which, in the table and in a heuristic that is driven through all of them.
-#include "heuristics/dxHeuristicState.h"
+#include "clusters/heuristics/dxHeuristicState.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "heuristics/dxHeuristic.h"
+#include "clusters/heuristics/dxHeuristic.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // dxHeuristic: whom it tells that its parameter has changed, and when.
-#include "heuristics/dxHeuristic.h"
+#include "clusters/heuristics/dxHeuristic.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // dxHeuristicsManager: owns, and ticks in order.
-#include "heuristics/dxHeuristicsManager.h"
+#include "clusters/heuristics/dxHeuristicsManager.h"
 
 #include <gtest/gtest.h>
 

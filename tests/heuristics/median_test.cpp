@@ -1,4 +1,4 @@
-#include "heuristics/dxMedian.h"
+#include "clusters/heuristics/dxMedian.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // How far members may travel, and for how many frames a gap lasts.
-#include "heuristics/dxMotionBound.h"
+#include "clusters/heuristics/dxMotionBound.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Threads as many as clusters: never more than the limit, never none.
-#include "heuristics/dxThreadCountHeuristic.h"
+#include "clusters/heuristics/dxThreadCountHeuristic.h"
 
 #include <gtest/gtest.h>
 

@@ -10,10 +10,11 @@ import re
 # By the start of the file's path: programs that are linked with the library's inside.
 _UNITS = {
     "ode_mt/collision/": ["collision/search_parts_tests"],
-    "ode_mt/clustering/": ["clustering/clustering_tests"],
+    "ode_mt/clusters/heuristics/": ["heuristics/heuristics_tests"],
+    "ode_mt/clusters/": ["clustering/clustering_tests"],
     "ode_mt/dynamics/": ["dynamics/lcp_tests", "dynamics/dynamics_tests"],
-    "ode_mt/heuristics/": ["heuristics/heuristics_tests"],
-    "ode_mt/simd/": ["dynamics/lcp_tests", "dynamics/dynamics_tests", "collision/search_parts_tests"],
+    "ode_mt/core/": ["dynamics/lcp_tests", "dynamics/dynamics_tests", "collision/search_parts_tests", "clustering/clustering_tests",
+                     "threading/threading_tests"],
     "ode_mt/threading/": ["threading/threading_tests"],
     "ode_mt/": ["frame/frame_tests"],  # and for all others, last of all suites
 }
@@ -21,7 +22,7 @@ _UNITS = {
 # Themes of the exactness suite that play most of a folder's code, and in which settings.
 _THEMES = {
     "ode_mt/collision/": ["space_churn", "hash_levels", "sleeping_crowds", "arrays_in_callbacks"],
-    "ode_mt/clustering/": ["space_churn", "stray_geoms"],
+    "ode_mt/clusters/": ["space_churn", "stray_geoms"],
     "ode_mt/dynamics/": ["powered_stops", "many_rows", "large_exact_islands", "singular_islands"],
     "ode_mt/api/": ["creation", "geom_ownership", "messages", "random_stream"],
     "ode_mt/": ["moved_callbacks", "several_worlds", "callback_liberties", "user_threading"],
@@ -34,7 +35,7 @@ _MORE_THEMES = {
     "ode_mt/collision/": ["box_functions", "callback_liberties", "collide_flags", "collision_spaces", "convex_crowds", "crowd_extremes",
                           "first_meetings", "geom_*", "leaving_heights", "locked_spaces", "mesh_callbacks", "moving_meshes",
                           "shared_scenes", "space_kinds", "stray_geoms", "sweep_spaces", "terrain*", "user_colliders"],
-    "ode_mt/clustering/": ["collision_spaces", "crowd_extremes", "first_meetings", "shared_scenes", "space_kinds", "terrain_crowds"],
+    "ode_mt/clusters/": ["collision_spaces", "crowd_extremes", "first_meetings", "shared_scenes", "space_kinds", "terrain_crowds"],
     "ode_mt/dynamics/": ["friction", "large_islands", "random_stream", "wandering_rows", "wide_*", "world_parameters"],
     "ode_mt/api/": [*_JOINTS, "auto_disable", "body_motion", "collide_flags", "faults", "kinematic_bodies", "world_parameters"],
     "ode_mt/": [],

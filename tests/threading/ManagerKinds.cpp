@@ -5,8 +5,8 @@
 
 #include <thread>
 
-#include "threading/dxThreadManagerFactory.h"
-#include "threading/dxThreadManagerUser.h"
+#include "threading/managers/dxThreadManagerFactory.h"
+#include "threading/managers/dxThreadManagerUser.h"
 #include "threadSanitizer.h"
 
 namespace {

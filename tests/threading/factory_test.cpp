@@ -1,4 +1,4 @@
-#include "threading/dxThreadManagerFactory.h"
+#include "threading/managers/dxThreadManagerFactory.h"
 
 #include <gtest/gtest.h>
 

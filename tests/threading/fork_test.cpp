@@ -9,7 +9,7 @@
 
 #include "ManagerKinds.h"
 #include "Runs.h"
-#include "threading/dxForkListener.h"
+#include "threading/process/dxForkListener.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "trace/dxLog.h"
+#include "core/dxLog.h"
 
 #include <gtest/gtest.h>
 

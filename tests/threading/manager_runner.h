@@ -2,9 +2,9 @@
 // with its first block when one of them has a block, or after a while.
 #pragma once
 
-#include "threading/dxSpin.h"
 #include "threading/dxTaskRunner.h"
-#include "threading/dxThreadManagerPthread.h"
+#include "threading/managers/dxThreadManagerPthread.h"
+#include "threading/pool/dxSpin.h"
 
 #include <atomic>
 #include <chrono>

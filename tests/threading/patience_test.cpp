@@ -1,5 +1,5 @@
 // How long a worker spins: dxPatience.
-#include "threading/dxPatience.h"
+#include "threading/pool/dxPatience.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include "ManagerKinds.h"
 #include "Runs.h"
 #include "threading/dxPerturbation.h"
-#include "threading/dxSpin.h"
+#include "threading/pool/dxSpin.h"
 
 namespace {
 

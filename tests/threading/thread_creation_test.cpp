@@ -3,9 +3,9 @@
 
 #include "processThreads.h"
 #include "Runs.h"
-#include "threading/dxThreadCreation.h"
-#include "threading/dxThreadManagerOpenMP.h"
-#include "threading/dxThreadManagerPthread.h"
+#include "threading/managers/dxThreadManagerOpenMP.h"
+#include "threading/managers/dxThreadManagerPthread.h"
+#include "threading/pool/dxThreadCreation.h"
 #include "threadSanitizer.h"
 
 namespace {

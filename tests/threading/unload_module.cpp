@@ -1,6 +1,6 @@
 // A library that owns a thread manager the way libode does: in a static object that ends it when the
 // library is unloaded.
-#include "threading/dxThreadManagerFactory.h"
+#include "threading/managers/dxThreadManagerFactory.h"
 
 extern "C" __attribute__((visibility("default"))) unsigned useThreadManager(const char *name,
                                                                             unsigned workers) {

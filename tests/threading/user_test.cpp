@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "Runs.h"
-#include "threading/dxThreadManagerUser.h"
+#include "threading/managers/dxThreadManagerUser.h"
 
 namespace {
 

@@ -9,8 +9,8 @@
 #include <thread>
 
 #include "Runs.h"
-#include "threading/dxProcessors.h"
-#include "threading/dxThreadManagerPthread.h"
+#include "threading/managers/dxThreadManagerPthread.h"
+#include "threading/process/dxProcessors.h"
 
 namespace {
 

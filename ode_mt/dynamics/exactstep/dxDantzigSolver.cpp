@@ -1,8 +1,8 @@
 #include "dynamics/exactstep/dxDantzigSolver.h"
 
+#include "dynamics/exactstep/dantzig/dxDantzig.h"
+#include "dynamics/exactstep/dantzig/dxUpstreamLcp.h"
 #include "dynamics/exactstep/dxExactProblem.h"
-#include "dynamics/lcp/dxDantzig.h"
-#include "dynamics/lcp/dxUpstreamLcp.h"
 
 static_assert(int(dxJoint::GI2_RHS) == int(PBX_B) && int(dxJoint::GI2_CFM) == int(PBX_X) &&
                   int(dxJoint::GI2__RHS_CFM_MAX) == int(PBX__MAX),

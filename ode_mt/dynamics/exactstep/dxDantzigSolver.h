@@ -1,4 +1,4 @@
-// Dantzig's algorithm (ode_mt/dynamics/lcp), with upstream's bits.
+// Dantzig's algorithm (ode_mt/dynamics/exactstep/dantzig), with upstream's bits.
 #pragma once
 
 #include "dynamics/exactstep/dxExactSolver.h"

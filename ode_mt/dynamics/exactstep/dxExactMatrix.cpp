@@ -6,7 +6,7 @@
 #include <cfenv>
 
 #include "dynamics/exactstep/dxExactProblem.h"
-#include "dynamics/solve/dxConstraintMatrix.h"
+#include "dynamics/exactstep/kernels/dxConstraintMatrix.h"
 #include "matrix.h"
 
 namespace {

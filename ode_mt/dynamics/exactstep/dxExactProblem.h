@@ -17,7 +17,7 @@
 #include "objects.h"
 #include "joints/joint.h"
 
-#include "dynamics/solve/dxBodyLinks.h"
+#include "dynamics/exactstep/kernels/dxBodyLinks.h"
 
 // A body's inverse inertia tensor in the world's frame: a 3 x 4 matrix, whose last column holds other things (dxConstraintMatrix.h).
 struct dxInverseInertia {

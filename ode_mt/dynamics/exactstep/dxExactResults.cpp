@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "dynamics/dxBodyIntegration.h"
 #include "dynamics/exactstep/dxExactProblem.h"
+#include "dynamics/islands/dxBodyIntegration.h"
 
 namespace {
 

@@ -1,6 +1,5 @@
 #include "dynamics/exactstep/dxExactStep.h"
 
-#include "dynamics/dxIslandCall.h"
 #include "dynamics/exactstep/dxDantzigSolver.h"
 #include "dynamics/exactstep/dxExactBodies.h"
 #include "dynamics/exactstep/dxExactMatrix.h"
@@ -8,6 +7,7 @@
 #include "dynamics/exactstep/dxExactResults.h"
 #include "dynamics/exactstep/dxExactRows.h"
 #include "dynamics/exactstep/dxJointOrder.h"
+#include "dynamics/islands/dxIslandCall.h"
 
 void dxExactStepIsland(const dxStepperProcessingCallContext *context) {
     dxDantzigSolver solver(dxIslandCall::of(context).team);

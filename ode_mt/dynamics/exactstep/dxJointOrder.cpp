@@ -1,7 +1,7 @@
 #include "dynamics/exactstep/dxJointOrder.h"
 
 #include "dynamics/exactstep/dxExactProblem.h"
-#include "dynamics/solve/dxConstraintMatrix.h"
+#include "dynamics/exactstep/kernels/dxConstraintMatrix.h"
 
 namespace {
 

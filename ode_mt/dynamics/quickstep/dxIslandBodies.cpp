@@ -2,9 +2,9 @@
 
 #include <ode/odemath.h>
 
-#include "dynamics/dxBodyIntegration.h"
-#include "dynamics/dxFetchAhead.h"
-#include "dynamics/dxGyroscopicTorque.h"
+#include "dynamics/islands/dxBodyIntegration.h"
+#include "dynamics/islands/dxFetchAhead.h"
+#include "dynamics/islands/dxGyroscopicTorque.h"
 
 namespace {
 

@@ -1,8 +1,8 @@
 // QuickStep's stages over the bodies of an island.
 #pragma once
 
-#include "dynamics/dxIslandStep.h"
-#include "dynamics/quickstep/dxIslandProblem.h"
+#include "dynamics/islands/dxIslandProblem.h"
+#include "dynamics/islands/dxIslandStep.h"
 
 // Numbers the bodies (dxObject::tag), adds gravity and gyroscopic torques to their accumulators, and finds their masses in the
 // world's frame. Parallel: writes each body, and its entry in `bodies`.

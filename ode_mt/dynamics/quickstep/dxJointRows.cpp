@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "dynamics/dxFetchAhead.h"
+#include "dynamics/islands/dxFetchAhead.h"
 #include "joints/joint.h"
 
 namespace {

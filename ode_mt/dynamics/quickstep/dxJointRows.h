@@ -1,8 +1,8 @@
 // What the joints of an island say: their constraint rows; and what they are told: the forces that kept them.
 #pragma once
 
-#include "dynamics/dxIslandStep.h"
-#include "dynamics/quickstep/dxIslandProblem.h"
+#include "dynamics/islands/dxIslandProblem.h"
+#include "dynamics/islands/dxIslandStep.h"
 
 class dxJointRows {
 public:

@@ -1,9 +1,9 @@
 #include "dynamics/quickstep/dxQuickStep.h"
 
+#include "dynamics/islands/dxIslandProblem.h"
 #include "dynamics/quickstep/dxIslandBodies.h"
-#include "dynamics/quickstep/dxIslandProblem.h"
 #include "dynamics/quickstep/dxJointRows.h"
-#include "dynamics/quickstep/dxSorSolver.h"
+#include "dynamics/quickstep/sor/dxSorSolver.h"
 
 namespace {
 

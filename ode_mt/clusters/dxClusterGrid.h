@@ -1,0 +1,61 @@
+// The grid of the cluster algorithms (thesis chapters 2 and 10): n x n x n cubic cells around a centre.
+//
+// Whatever lies outside belongs to the border cells. Rounding a bound to its cell and cutting it off at the
+// border keep the order of bounds, so two boxes that overlap always share a cell, wherever they are: the
+// grid decides how well things are told apart, never whether a pair is found.
+#pragma once
+
+#include <cstdint>
+
+#include "core/dxBounds.h"
+#include "settings/dxGridCells.h"
+
+struct dxCellRange {
+    std::int16_t low[3], high[3];
+
+    bool operator==(const dxCellRange &o) const {
+        for (int axis = 0; axis < 3; ++axis)
+            if (low[axis] != o.low[axis] || high[axis] != o.high[axis]) return false;
+        return true;
+    }
+    int count() const {
+        return (high[0] - low[0] + 1) * (high[1] - low[1] + 1) * (high[2] - low[2] + 1);
+    }
+};
+
+class dxClusterGrid {
+public:
+    static constexpr int kFewestCells = dxMinGridCells, kMostCells = dxMaxGridCells;  // an axis
+
+    dxClusterGrid() = default;
+    // `cells` an axis; `edge` of a cell, above 0.
+    dxClusterGrid(int cells, dReal edge, const dReal centre[3]);
+
+    int cells() const { return m_cells; }
+    int cellCount() const { return m_cells * m_cells * m_cells; }
+    dReal edge() const { return m_edge; }
+    const dReal *centre() const { return m_centre; }
+
+    // All cells on an axis on which a bound is NaN or low exceeds high, as such a box overlaps everything or is
+    // compared with care.
+    dxCellRange cellsOf(const dxBounds &box) const;
+    // The box reaches out of the grid on some side.
+    bool isLeftBy(const dxBounds &box) const;
+
+    int index(int x, int y, int z) const { return (x * m_cells + y) * m_cells + z; }
+
+    template <class Visit>
+    void forCells(const dxCellRange &range, Visit &&visit) const {
+        for (int x = range.low[0]; x <= range.high[0]; ++x)
+            for (int y = range.low[1]; y <= range.high[1]; ++y)
+                for (int z = range.low[2]; z <= range.high[2]; ++z) visit(index(x, y, z));
+    }
+
+private:
+    int cellOf(dReal coordinate, int axis) const;
+
+    int m_cells = 1;
+    dReal m_edge = 1;
+    dReal m_centre[3] = {0, 0, 0};
+    dReal m_corner[3] = {0, 0, 0};
+};

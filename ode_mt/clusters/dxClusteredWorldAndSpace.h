@@ -1,0 +1,118 @@
+// The clusters of one space and of the world whose bodies its geoms have: grid, pass, clusters and the search
+// for pairs by clusters (thesis chapters 2 and 5 to 8).
+//
+// Belongs to its space, as the space's search for pairs, and goes with it. Clusters are index sets over the
+// space's members; the space and the world stay the user's own.
+//
+// A search costs the changed members, the crossover pass if one of them changed its cells, and the clusters
+// in which something changed. Static geoms that rest cost nothing but where a pass says so. Who knows that a
+// check can be left out (dxTunedClusters) calls the parts of a search instead.
+// One thread at a time, as the space.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <ode/ode.h>
+
+#include "clusters/dxClusterGap.h"
+#include "clusters/dxClusterHistory.h"
+#include "clusters/dxClusterScene.h"
+#include "clusters/dxClusters.h"
+#include "clusters/dxCrossoverPass.h"
+#include "clusters/dxInhabitantLinks.h"
+#include "collision/broadphase/dxPairSearch.h"
+#include "collision/broadphase/overlap/dxBoxTable.h"
+
+class dxClusteredWorldAndSpace final : public dxPairSearch {
+public:
+    using Slot = dxMembers::Slot;
+
+    explicit dxClusteredWorldAndSpace(std::unique_ptr<dxCrossoverPass> pass);
+
+    void search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
+    int groupOf(Slot slot) const override;  // the task of its cluster
+
+    // Forgets what happened to clusters in the frame before.
+    void beginFrame() { m_history.rest(); }
+
+    // The parts of a search, in this order; check() may be left out while nothing has come further than the gap
+    // allows. Clusters, and everything else below, are then those of the last check.
+    //
+    // Notes what has changed. How far a bound of a member has moved since the last check, at most; infinite if
+    // something else happened: a member came, went, or changed its kind; a joint or a body of theirs did.
+    double travel(const dxMembers &members);
+    void check(const dxMembers &members);
+    void findPairs(const dxMembers &members, std::vector<Match> &matches);
+
+    // Of the last check: no pair is missed while twice the travel is less than this.
+    double gapToOthers() { return m_gap.toOthers(m_scene, m_clusters, *m_pass); }
+    // No cluster could be split before twice the travel is this, under a pass that splits.
+    double gapBeforeCut() const { return dxGapBeforeCut(m_scene, m_clusters, m_links.all()); }
+
+    const char *passName() const { return m_pass->name(); }
+    bool splits() const { return m_pass->splits(); }
+    const dxClusterScene &scene() const { return m_scene; }
+    const dxClusters &clusters() const { return m_clusters; }
+    const dxClusterHistory &history() const { return m_history; }
+
+    // Whether the slot's inhabitant is the one that it had at the last check.
+    bool knows(Slot slot, const dxMembers &members) const { return !isAnother(slot, members); }
+
+    // As of the last check: what the slot holds is compared with what moves in that cluster of dynamic inhabitants.
+    bool isTestedWith(Slot slot, int cluster) const;
+
+    // Cells an axis, at the next check.
+    void setCells(int cells) { m_wantedCells = cells; }
+    // The grid is placed anew at the next check.
+    void placeGrid() { m_isMisplaced = true; }
+    // Whether, from now on, it is also placed anew once it is outgrown. True at first.
+    void setWatchesGrid(bool watches) { m_watchesGrid = watches; }
+    // The next check places it anew.
+    bool wantsGrid() const { return m_isMisplaced || m_wantedCells != m_scene.grid().cells(); }
+    // Sets of dynamic geoms that belong together: as many as there could be clusters, were the cells small
+    // enough (the "entities" of thesis 10.2).
+    int entities() const;
+
+private:
+    void note(Slot slot);
+    bool isAnother(Slot slot, const dxMembers &members) const;
+    double travelOf(Slot slot, const dxMembers &members) const;
+    void updateScene(const dxMembers &members);
+    void updateGrid();
+    void gatherLinks(const dxMembers &members);
+    void cross();
+    void gatherApart();
+    void searchCluster(int cluster, const dxMembers &members, std::vector<Match> &matches);
+    void searchWithAll(Slot slot, const dxMembers &members, std::vector<Match> &matches) const;
+    bool isClustered(Slot slot) const;
+
+    std::unique_ptr<dxCrossoverPass> m_pass;
+    dxClusterScene m_scene;
+    dxClusters m_clusters, m_before;
+    dxClusterHistory m_history;
+    dxInhabitantLinks m_links;
+    dxClusterGap m_gap;
+    std::vector<Slot> m_apart;  // tested with every cluster
+    std::vector<std::uint64_t> m_arrivals;  // by slot: of who was in it at the last check
+
+    // Since the last check.
+    std::vector<Slot> m_noted;           // members that changed
+    std::vector<std::uint8_t> m_isNoted;  // by slot
+    double m_travel = 0;
+    bool m_linksChanged = false;
+
+    unsigned m_changesSeen = 0;
+    bool m_linksKnown = false;  // gathered in this search, of the scene as it was at the last check
+    int m_wantedCells;
+    bool m_isMisplaced = false, m_watchesGrid = true;
+    int m_checksSinceFit = 0;
+    bool m_madeAnew = false;  // since the last crossover the grid has been placed anew
+
+    // Of the cluster that is being searched.
+    std::vector<Slot> m_listed;
+    dxBoxTable m_boxes;
+    std::vector<dxSlotPair> m_together;  // rows
+};

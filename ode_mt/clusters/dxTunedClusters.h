@@ -1,0 +1,60 @@
+// Clusters with the heuristics that tune them: what a space whose algorithm clusters searches with.
+//
+// Before each search the check frequencies say whether clusters have to be looked at again; after it the others
+// see what it took and how many clusters there are, and set the parameters of the next one (thesis chapter 10).
+// They change speed, never results: docs/heuristics.md.
+// One thread at a time, as the space.
+#pragma once
+
+#include <memory>
+
+#include "clusters/dxClusteredWorldAndSpace.h"
+#include "clusters/heuristics/dxCellSizeHeuristic.h"
+#include "clusters/heuristics/dxCheckFrequencyHeuristic.h"
+#include "clusters/heuristics/dxGridCentreHeuristic.h"
+#include "clusters/heuristics/dxHeuristicsManager.h"
+#include "clusters/heuristics/dxThreadCountHeuristic.h"
+#include "collision/broadphase/dxPairSearch.h"
+
+class dxTunedClusters final : public dxPairSearch, private HeuristicAlertCallback {
+public:
+    explicit dxTunedClusters(std::unique_ptr<dxCrossoverPass> pass);
+
+    void search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
+    int groupOf(dxMembers::Slot slot) const override { return m_clusters.groupOf(slot); }
+    unsigned threads(unsigned limit) const override;
+
+    // A frame in which nothing has changed has no search.
+    void beginFrame() { m_clusters.beginFrame(); }
+
+    const dxClusteredWorldAndSpace &clusters() const { return m_clusters; }
+
+    unsigned searches() const { return m_searches; }
+    unsigned checks() const { return m_checks; }  // searches that looked at clusters again
+
+private:
+    void alertCallback(const dxHeuristic &heuristic, const dxHeuristicAlert &alert) override;
+    void follow(unsigned choice);
+    bool mustCheck(const dxMembers &members);
+    void check(const dxMembers &members);
+    void measureGaps();
+    void tune(double ns);
+    void tuneCells(double ns);
+    void observeCentre(double ns);
+    void placeCentre();
+
+    dxClusteredWorldAndSpace m_clusters;
+    dxHeuristicsManager m_heuristics;
+    dxCellSizeHeuristic *m_cellSize;  // these are owned by m_heuristics
+    dxGridCentreHeuristic *m_gridCentre;
+    dxCheckFrequencyHeuristic *m_crossover, *m_declustering;
+    dxThreadCountHeuristic *m_threadCount;
+    unsigned m_choice;  // of heuristics, in force
+
+    unsigned m_searches = 0, m_checks = 0;
+    unsigned m_checkedAt = 0;     // search
+    double m_travel = 0;          // since the last check, as of the last search
+    unsigned m_blindChecks = 0;   // checks to come that measure no gap
+    unsigned m_blindInARow = 0;   // how many the last gap that did not last led to
+    double m_shareOutside = 0;    // as of the last time it was looked at
+};

@@ -1,0 +1,70 @@
+#include "clusters/heuristics/dxGridCentreHeuristic.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "clusters/heuristics/dxMedian.h"
+
+void dxGridCentreHeuristic::forget() {
+    m_frame = {};
+    m_centre = {};
+    m_placed = false;
+    m_wantsMedian = false;
+    beginRest(kLeastRest);
+}
+
+void dxGridCentreHeuristic::judge() {
+    measure();
+    if (!m_placed) {
+        m_wantsMedian = true;
+        return;
+    }
+    if (m_wantsMedian || ++m_rested < m_rest) return;
+    if (needsMove()) {
+        m_wantsMedian = true;
+    } else {
+        m_rest = kLeastRest;
+    }
+}
+
+void dxGridCentreHeuristic::measure() {
+    if (!(m_frame.ns > 0) || !std::isfinite(m_frame.ns)) return;
+    m_times.push_back(m_frame.ns);
+    m_frame.ns = 0;
+    if (m_times.size() < kInterval) return;
+    m_cost = dxMedian(m_times);
+    if (m_costAtDecision == 0) m_costAtDecision = m_cost;
+    m_times.clear();
+}
+
+bool dxGridCentreHeuristic::needsMove() const {
+    const bool dearer = m_costAtDecision > 0 && m_cost > (1 + kDrift) * m_costAtDecision;
+    return m_frame.outside > kOutside || dearer;
+}
+
+bool dxGridCentreHeuristic::farFromCentre(const Point &point, double cellEdge) const {
+    for (std::size_t axis = 0; axis < point.size(); ++axis) {
+        if (std::abs(point[axis] - m_centre[axis]) > kHysteresis * cellEdge) return true;
+    }
+    return false;
+}
+
+bool dxGridCentreHeuristic::offer(const Point &median, double cellEdge) {
+    if (!wantsMedian()) return false;
+    m_wantsMedian = false;
+    beginRest(m_placed ? std::min(2 * m_rest, kMostRest) : kLeastRest);
+    const auto finite = [](double number) { return std::isfinite(number); };
+    if (!std::all_of(median.begin(), median.end(), finite)) return false;
+    if (!finite(cellEdge) || cellEdge <= 0) return false;
+    if (m_placed && !farFromCentre(median, cellEdge)) return false;
+    m_centre = median;
+    m_placed = true;
+    return true;
+}
+
+void dxGridCentreHeuristic::beginRest(unsigned frames) {
+    m_rest = frames;
+    m_rested = 0;
+    m_times.clear();
+    m_cost = m_costAtDecision = 0;
+}

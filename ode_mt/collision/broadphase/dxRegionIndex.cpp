@@ -1,0 +1,149 @@
+#include "collision/broadphase/dxRegionIndex.h"
+
+#include <algorithm>
+#include <mutex>
+#include <new>
+
+#include "collision/broadphase/dxBroadPhaseChoice.h"
+#include "core/dxRoom.h"
+
+namespace {
+
+// Cells an axis of the curve along which boxes are put into the tree.
+constexpr int kCurveBits = 16;
+constexpr double kCurveCells = 1 << kCurveBits;
+
+// Spreads the bits of a number out, two empty ones between each.
+std::uint64_t spread(std::uint64_t bits) {
+    std::uint64_t spread = 0;
+    for (int i = 0; i < kCurveBits; ++i) spread |= (bits >> i & 1) << (3 * i);
+    return spread;
+}
+
+double middleOf(const dxBounds &box, int axis) {
+    return 0.5 * static_cast<double>(box.low(axis)) + 0.5 * static_cast<double>(box.high(axis));
+}
+
+// Morton order: neighbours along the curve are near in space.
+std::uint64_t placeOnCurve(const dxBounds &middles, const dxBounds &box) {
+    std::uint64_t place = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double extent = middles.high(axis) - middles.low(axis);
+        const double share = extent > 0 ? (middleOf(box, axis) - middles.low(axis)) / extent : 0;
+        const double cell = std::min(share * kCurveCells, kCurveCells - 1);
+        place |= spread(static_cast<std::uint64_t>(cell)) << axis;
+    }
+    return place;
+}
+
+}  // namespace
+
+dxRegionIndex::Home &dxRegionIndex::homeOf(Slot slot) {
+    if (slot >= m_homes.size()) m_homes.resize(slot + 1);
+    return m_homes[slot];
+}
+
+void dxRegionIndex::loosen(Slot slot) noexcept {
+    if (!m_isInUse) return;
+    try {
+        dxMakeRoom(m_loose, m_loose.size() + 1);
+        homeOf(slot);
+    } catch (const std::bad_alloc &) {
+        m_isInUse = false;
+        return;
+    }
+    Home &home = homeOf(slot);
+    if (home.loose != kNoIndex) return;
+    if (home.row != kNoIndex) m_tree.erase(home.row);
+    home.row = kNoIndex;
+    joinLoose(slot);
+}
+
+void dxRegionIndex::joinLoose(Slot slot) {
+    homeOf(slot).loose = static_cast<std::uint32_t>(m_loose.size());
+    m_loose.push_back(slot);
+}
+
+void dxRegionIndex::drop(Slot slot) {
+    if (!m_isInUse) return;
+    Home &home = homeOf(slot);
+    if (home.row != kNoIndex) m_tree.erase(home.row);
+    home.row = kNoIndex;
+    leaveLoose(home);
+}
+
+void dxRegionIndex::leaveLoose(Home &home) {
+    if (home.loose == kNoIndex) return;
+    m_loose[home.loose] = m_loose.back();
+    m_homes[m_loose.back()].loose = home.loose;
+    m_loose.pop_back();
+    home.loose = kNoIndex;
+}
+
+void dxRegionIndex::find(const dxMembers &members, const dxBounds &box, std::pmr::vector<Slot> &found) {
+    found.clear();
+    if (!query(members, box, found)) {
+        for (Slot slot = 0; slot < members.end(); ++slot)
+            if (members.geomIn(slot) != nullptr && members[slot].bounds.overlaps(box)) found.push_back(slot);
+        m_debt.fetch_add(members.end(), std::memory_order_relaxed);
+    }
+    std::sort(found.begin(), found.end(), [&](Slot a, Slot b) { return members[a].rank > members[b].rank; });
+    buildIfDue(members);
+}
+
+// Returns false if the tree is not in use yet, or being built.
+bool dxRegionIndex::query(const dxMembers &members, const dxBounds &box, std::pmr::vector<Slot> &found) {
+    const std::shared_lock<std::shared_mutex> reading(m_mutex, std::try_to_lock);
+    if (!reading || !m_isInUse) return false;
+    m_tree.query(box, found);
+    for (std::uint32_t &row : found) row = m_slotOfRow[row];
+    for (const Slot slot : m_loose)
+        if (members[slot].bounds.overlaps(box)) found.push_back(slot);
+    if (!m_loose.empty()) m_debt.fetch_add(m_loose.size(), std::memory_order_relaxed);
+    return true;
+}
+
+void dxRegionIndex::buildIfDue(const dxMembers &members) {
+    const std::size_t due = dxBroadPhaseThresholds::kComparisonsPerRow * members.end();
+    if (m_debt.load(std::memory_order_relaxed) <= due) return;
+    const std::unique_lock<std::shared_mutex> building(m_mutex, std::try_to_lock);
+    if (!building || m_debt.load(std::memory_order_relaxed) <= due) return;
+    try {
+        build(members);
+    } catch (const std::bad_alloc &) {  // boxes are compared one by one, until it is due again
+    }
+}
+
+void dxRegionIndex::build(const dxMembers &members) {
+    m_debt.store(0, std::memory_order_relaxed);
+    m_isInUse = false;  // if memory runs out half way
+    m_homes.resize(members.end());
+    sortAlongCurve(members);
+    m_slotOfRow.clear();
+    m_loose.clear();
+    m_tree.begin();
+    for (Home &home : m_homes) home = Home();
+    for (const dxSortItem &item : m_items) {
+        const Slot slot = item.index;
+        m_homes[slot].row = static_cast<std::uint32_t>(m_slotOfRow.size());
+        m_slotOfRow.push_back(slot);
+        m_tree.push(members[slot].bounds);
+    }
+    m_tree.finish();
+    for (Slot slot = 0; slot < members.end(); ++slot)
+        if (members.geomIn(slot) != nullptr && homeOf(slot).row == kNoIndex) joinLoose(slot);
+    m_isInUse = true;
+}
+
+void dxRegionIndex::sortAlongCurve(const dxMembers &members) {
+    dxBounds middles = dxBounds::nothing();
+    m_items.clear();
+    for (Slot slot = 0; slot < members.end(); ++slot) {
+        const dxBounds &box = members[slot].bounds;
+        if (members.geomIn(slot) == nullptr || !box.isModerate()) continue;
+        for (int axis = 0; axis < 3; ++axis) middles.includeOn(axis, middleOf(box, axis), middleOf(box, axis));
+        m_items.push_back({0, slot});
+    }
+    for (dxSortItem &item : m_items) item.key = placeOnCurve(middles, members[item.index].bounds);
+    dxRadixSort(m_items, m_spare);
+}

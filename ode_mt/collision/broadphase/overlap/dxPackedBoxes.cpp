@@ -1,0 +1,68 @@
+#include "core/dxSimdTargets.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "collision/broadphase/overlap/dxPackedBoxes.cpp"
+#include <hwy/foreach_target.h>
+// Highway's order of headers: after foreach_target.h
+#include <hwy/highway.h>
+
+#include "collision/broadphase/overlap/dxPackedBoxes.h"
+#include "core/dxFetch.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace dxOverlap {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Candidates between asking the memory for one and comparing it.
+constexpr std::size_t kAhead = 16;
+
+// Not "together, if ...", because of NaN.
+HWY_INLINE bool areApart(const double *HWY_RESTRICT begin, const double *HWY_RESTRICT end) {
+    const hn::CappedTag<double, 8> d;
+    auto apart = hn::Gt(hn::Load(d, begin), hn::Load(d, end));
+    for (std::size_t lane = hn::Lanes(d); lane < 8; lane += hn::Lanes(d))
+        apart = hn::Or(apart, hn::Gt(hn::Load(d, begin + lane), hn::Load(d, end + lane)));
+    return !hn::AllFalse(d, apart);
+}
+
+HWY_INLINE bool mayBePair(dxPackedBoxes::Marks a, dxPackedBoxes::Marks b) {
+    const unsigned both = a & b & dxPackedBoxes::kKnown, either = (a | b) & dxPackedBoxes::kChanged;
+    return (both != 0) & (either != 0);
+}
+
+// Nothing tells which candidates are pairs: every one is written, and stays if it is one.
+std::size_t overlappingCandidates(const dxPackedBoxes &boxes, const dxSlotPair *HWY_RESTRICT candidates,
+                                  std::size_t count, dxSlotPair *HWY_RESTRICT pairs) {
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i + kAhead < count) dxFetch::line(boxes.begin(candidates[i + kAhead].b));
+        const dxSlotPair pair = candidates[i];
+        pairs[found] = pair;
+        const bool mayBe = mayBePair(boxes.marks(pair.a), boxes.marks(pair.b));
+        found += mayBe & !areApart(boxes.begin(pair.b), boxes.end(pair.a));
+    }
+    return found;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace dxOverlap
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace dxOverlap {
+HWY_EXPORT(overlappingCandidates);
+}  // namespace dxOverlap
+
+void dxPackedBoxes::resize(std::size_t boxes) {
+    m_begins.resize(boxes);
+    m_ends.resize(boxes);
+    m_marks.resize(boxes);
+}
+
+std::size_t dxOverlappingCandidates(const dxPackedBoxes &boxes, const dxSlotPair *candidates, std::size_t count,
+                                    dxSlotPair *pairs) {
+    return HWY_DYNAMIC_DISPATCH(dxOverlap::overlappingCandidates)(boxes, candidates, count, pairs);
+}
+#endif

@@ -1,0 +1,59 @@
+// Boxes by slot, each packed for one comparison with any other.
+//
+// Two boxes lie apart if one begins behind the end of the other on some axis: low > other's high, or -high > -(other's
+// low). With the six left sides of a box in one array and its six right sides in another, that is one comparison of
+// six lanes, without a branch and without gathering columns: for pairs that stand in no order.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "collision/pairs/dxSlotPair.h"
+#include "core/dxBounds.h"
+#include "core/dxCacheLine.h"
+#include "core/dxFetch.h"
+
+class dxPackedBoxes {
+public:
+    using Marks = std::uint8_t;
+    static constexpr Marks kKnown = 1;    // pairs are only of boxes both of which are known
+    static constexpr Marks kChanged = 2;  // and of which one has changed
+
+    // New ones have no marks.
+    void resize(std::size_t boxes);
+
+    void set(std::size_t slot, const dxBounds &box) {
+        Row &begin = m_begins[slot], &end = m_ends[slot];
+        for (int axis = 0; axis < 3; ++axis) {
+            begin.lanes[axis] = box.low(axis);
+            begin.lanes[3 + axis] = -double(box.high(axis));
+            end.lanes[axis] = box.high(axis);
+            end.lanes[3 + axis] = -double(box.low(axis));
+        }
+    }
+
+    // Asks the memory for a box that will be set soon.
+    void expect(std::size_t slot) const {
+        dxFetch::lineToWrite(&m_begins[slot]);
+        dxFetch::lineToWrite(&m_ends[slot]);
+    }
+
+    Marks &marks(std::size_t slot) { return m_marks[slot]; }
+    Marks marks(std::size_t slot) const { return m_marks[slot]; }
+    const double *begin(std::size_t slot) const { return m_begins[slot].lanes; }
+    const double *end(std::size_t slot) const { return m_ends[slot].lanes; }
+
+private:
+    struct alignas(kCacheLine) Row {
+        double lanes[8] = {};  // the last two stay zero
+    };
+
+    std::vector<Row> m_begins, m_ends;
+    std::vector<Marks> m_marks;
+};
+
+// Writes those of the candidates that are pairs: by their marks, and because their boxes overlap as by
+// dxBounds::overlaps. Returns how many; `pairs` has room for `count`.
+std::size_t dxOverlappingCandidates(const dxPackedBoxes &boxes, const dxSlotPair *candidates, std::size_t count,
+                                    dxSlotPair *pairs);

@@ -1,0 +1,115 @@
+#include "collision/callbacks/dxContactLog.h"
+
+#include <cstddef>
+#include <new>
+#include <utility>
+
+#include "core/dxRoom.h"
+#include "joints/contact.h"
+#include "seams/upstream.h"
+#include "threading/pool/dxSpin.h"
+
+// Upstream's: puts an object in front of a list of its world.
+void addObjectToList(dObject *object, dObject **first);
+
+namespace {
+
+// Of a contact joint, for dxJointGroup::alloc, which constructs what it is asked for and marks it as in a
+// group.
+struct Room {
+    explicit Room(dxWorld * /*world*/) {}
+    alignas(dxJointContact) unsigned flags = 0;
+    std::byte rest[sizeof(dxJointContact) - sizeof(unsigned)];
+};
+static_assert(sizeof(Room) == sizeof(dxJointContact) && alignof(Room) == alignof(dxJointContact));
+
+// Of a mutex that is held for some ten nanoseconds at a time: sleeping takes a thousand times as long.
+std::unique_lock<std::mutex> lockBriefly(std::mutex &mutex) {
+    std::unique_lock<std::mutex> lock(mutex, std::defer_lock);
+    if (!dxSpinUntil([&] { return lock.try_lock(); })) lock.lock();
+    return lock;
+}
+
+__attribute__((tls_model("initial-exec"))) thread_local dxContactLog *t_current = nullptr;
+
+}  // namespace
+
+dxContactLog *dxContactLog::current() { return t_current; }
+
+dxContactLog::Scope::Scope(dxContactLog &log) : m_outer(std::exchange(t_current, &log)) {}
+dxContactLog::Scope::~Scope() { t_current = m_outer; }
+
+void dxContactLog::start(std::mutex &groups) {
+    m_groups = &groups;
+    m_operations.clear();
+}
+
+dJointID dxContactLog::create(dWorldID world, dJointGroupID group, const dContact *contact) {
+    if (world == nullptr || contact == nullptr) return dxUpstreamJointCreateContact(world, group, contact);
+    dxMakeRoom(m_operations, m_operations.size() + 2);  // and that it is attached
+    dxJointContact *const joint = construct(group);
+    joint->contact = *contact;
+    joint->world = world;
+    m_operations.push_back({joint, nullptr, nullptr, true});
+    return joint;
+}
+
+// Without the lock. Of no world.
+dxJointContact *dxContactLog::construct(dxJointGroup *group) {
+    dxJointContact *joint;
+    if (group == nullptr) {
+        joint = new dxJointContact(&m_nursery);
+    } else {
+        joint = new (takeRoom(*group)) dxJointContact(&m_nursery);
+        joint->flags |= dJOINT_INGROUP;
+    }
+    m_nursery.firstjoint = nullptr;
+    m_nursery.nj = 0;
+    joint->world = nullptr;
+    return joint;
+}
+
+// Several at once: what tasks write in turns goes back and forth between their caches.
+void *dxContactLog::takeRoom(dxJointGroup &group) {
+    constexpr int kRoomsAtOnce = 8;
+    if (m_roomsOf != &group) finish();
+    if (m_rooms.empty()) {
+        m_rooms.reserve(kRoomsAtOnce);
+        const auto lock = lockBriefly(*m_groups);
+        m_roomsOf = &group;
+        for (int i = 0; i < kRoomsAtOnce; ++i) m_rooms.push_back(group.alloc<Room>(nullptr));
+    }
+    void *const room = m_rooms.back();
+    m_rooms.pop_back();
+    return room;
+}
+
+// A group counts what it has given, and goes through its joints when it is emptied: joints of no world.
+void dxContactLog::finish() {
+    while (!m_rooms.empty()) construct(m_roomsOf);
+    m_roomsOf = nullptr;
+}
+
+// What can be read from the joint is as after upstream's dJointAttach.
+void dxContactLog::attach(dJointID joint, dBodyID body1, dBodyID body2) {
+    m_operations.push_back({joint, body1, body2, false});
+    if (joint == nullptr) return;  // upstream's message comes at the commit
+    const bool isReversed = body1 == nullptr;
+    joint->flags = isReversed ? joint->flags | dJOINT_REVERSE : joint->flags & ~dJOINT_REVERSE;
+    joint->node[0].body = isReversed ? body2 : body1;
+    joint->node[1].body = isReversed ? nullptr : body2;
+}
+
+void dxContactLog::commit(Span span) {
+    for (std::uint32_t i = span.begin; i != span.end; ++i) {
+        const Operation &operation = m_operations[i];
+        dxJoint *const joint = operation.joint;
+        if (operation.isCreation) {
+            addObjectToList(joint, reinterpret_cast<dObject **>(&joint->world->firstjoint));
+            ++joint->world->nj;
+            joint->node[0].body = joint->node[1].body = nullptr;
+        } else {
+            dxUpstreamJointAttach(joint, operation.body1, operation.body2);
+        }
+    }
+}

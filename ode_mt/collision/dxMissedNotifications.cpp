@@ -1,3 +1,0 @@
-#include "collision/dxMissedNotifications.h"
-
-std::atomic<std::uint64_t> dxMissedNotifications::events{0};

@@ -1,3 +1,0 @@
-#include "collision/dxSilentChanges.h"
-
-std::atomic<std::uint64_t> dxSilentChanges::changes{0};

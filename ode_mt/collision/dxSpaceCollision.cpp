@@ -1,0 +1,62 @@
+#include "collision/dxSpaceCollision.h"
+
+#include <algorithm>
+
+#include "collision/callbacks/dxConcurrentCallbacks.h"
+#include "collision/callbacks/dxContactLog.h"
+#include "collision/spaces/dxOrderedSpace.h"
+#include "core/dxStopwatch.h"
+#include "settings/dxSettings.h"
+#include "settings/dxStepStatistics.h"
+#include "settings/dxWorkersRunner.h"
+#include "threading/dxFloatEnvironment.h"
+
+namespace {
+
+// Fewer geoms than this are never worth a worker, nor even a look at the clock.
+constexpr int kLeastGeoms = 48;
+
+// From inside a callback of a call that is shared, whether of this space or of another one, everything stays
+// on its thread. That the space is locked says nothing: a callback may have left it so by longjmp or an
+// exception.
+bool mayShare(const dxOrderedSpace &space, dNearCallback *callback) {
+    const dxSettings &settings = dxSettings::instance();
+    return settings.threads() > 1 && settings.algorithm() != dxAlgorithm::Serial && callback != nullptr &&
+           space.count > 1 && dxContactLog::current() == nullptr && dxContactsAhead::current() == nullptr &&
+           !dxTrapsFloatingPoint();
+}
+
+void collideOnWorkers(dxOrderedSpace &space, unsigned workers, void *data, dNearCallback *callback) {
+    dxWorkersRunner runner(workers);
+    const bool mayBeConcurrent = dxSettings::instance().callbackPolicy() != dxCallbackPolicy::Serial;
+    if (mayBeConcurrent && dxCollideConcurrently(space, runner, data, callback)) return;
+    if (!space.collideShared(runner, mayBeConcurrent, data, callback)) return;
+    const dxContactsAhead &ahead = *space.contactsAhead();
+    dxStepStatistics::instance().countSharedCollision(runner.tookPart(), ahead.computed(), ahead.used());
+}
+
+void collideMeasured(dxOrderedSpace &space, void *data, dNearCallback *callback) {
+    const dxSettings &settings = dxSettings::instance();
+    const unsigned workers = std::min(settings.threads(), settings.cores());
+    const bool shared = workers > 1 && space.sharing().shouldShare();
+    const dxStopwatch stopwatch;
+    if (shared)
+        collideOnWorkers(space, workers, data, callback);
+    else
+        space.collide(data, callback);
+    space.sharing().remember(shared, stopwatch.ns());
+}
+
+}  // namespace
+
+void dxCollideSpace(dxOrderedSpace &space, void *data, dNearCallback *callback) {
+    const dxSettings &settings = dxSettings::instance();
+    if (!mayShare(space, callback))
+        space.collide(data, callback);
+    else if (settings.algorithm() != dxAlgorithm::Auto)
+        collideOnWorkers(space, settings.threads(), data, callback);
+    else if (space.count < kLeastGeoms)
+        space.collide(data, callback);
+    else
+        collideMeasured(space, data, callback);
+}

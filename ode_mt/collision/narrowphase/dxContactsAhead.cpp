@@ -1,0 +1,358 @@
+#include "collision/narrowphase/dxContactsAhead.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <new>
+#include <type_traits>
+
+#include "collision/narrowphase/dxCcdSearch.h"
+#include "collision/narrowphase/dxColliderOverrides.h"
+#include "collision/narrowphase/dxSilentChanges.h"
+#include "collision/pairs/dxMissedNotifications.h"
+#include "collision/pairs/dxPairPrefetch.h"
+#include "core/dxRoom.h"
+#include "threading/dxFloatEnvironment.h"
+#include "threading/dxPerturbation.h"
+#include "threading/dxUpstreamInterrupted.h"
+#include "threading/dxUpstreamScope.h"
+
+#include "collision_kernel.h"
+#include "collision_std.h"
+#include "collision_util.h"
+#include "config.h"
+
+namespace {
+
+__attribute__((tls_model("initial-exec"))) thread_local dxContactsAhead *t_current = nullptr;
+__attribute__((tls_model("initial-exec"))) thread_local dxStackFrame t_frame;    // of the call that made it current
+__attribute__((tls_model("initial-exec"))) thread_local std::uint64_t t_call = 0;  // its number
+
+std::atomic<std::uint64_t> lastCall{0};
+
+// Pairs computed at once: enough to pay for waking workers, few enough for their contacts to stay in a cache.
+constexpr std::size_t kWindow = 2048;
+// Pairs after which the flags are known, or are looked at again.
+constexpr std::size_t kBlindWindow = 16;
+// That one worker takes at once. Pairs that stand together share geoms; but a convex pair may take twenty
+// microseconds, and every worker should get some.
+constexpr std::size_t kLeastPiece = 8, kLargestPiece = 128;
+constexpr std::size_t kPiecesForEach = 4;
+
+// Contacts a pair for which scratch memory is kept.
+constexpr int kMostContacts = 4096;
+
+// Pairs after which it is told whether what was computed is asked for.
+constexpr std::uint64_t kTelling = 256;
+constexpr unsigned kShortestPause = 16, kLongestPause = 1024;  // calls
+
+// Never the result of arithmetic: a signalling NaN; the number of no triangle; the address of no geom.
+using RealBits = std::conditional_t<sizeof(dReal) == sizeof(std::uint64_t), std::uint64_t, std::uint32_t>;
+constexpr auto kNoReal =
+    static_cast<RealBits>(sizeof(RealBits) == 8 ? UINT64_C(0x7ff4a5c3e1d2b697) : UINT64_C(0x7fa5c3e1));
+constexpr int kNoSide = 0x5ac3b1e7;
+char noGeom;
+
+bool isUnwritten(const dReal &value) { return std::memcmp(&value, &kNoReal, sizeof value) == 0; }
+void unwrite(dReal &value) { std::memcpy(&value, &kNoReal, sizeof value); }
+
+dGeomID unwrittenGeom() { return reinterpret_cast<dGeomID>(&noGeom); }
+
+void unwrite(dContactGeom &contact) {
+    for (int i = 0; i < 4; ++i) {
+        unwrite(contact.pos[i]);
+        unwrite(contact.normal[i]);
+    }
+    unwrite(contact.depth);
+    contact.g1 = contact.g2 = unwrittenGeom();
+    contact.side1 = contact.side2 = kNoSide;
+}
+
+bool isUnwritten(const dContactGeom &contact) {
+    for (int i = 0; i < 4; ++i)
+        if (!isUnwritten(contact.pos[i]) || !isUnwritten(contact.normal[i])) return false;
+    return isUnwritten(contact.depth) && contact.g1 == unwrittenGeom() && contact.g2 == unwrittenGeom() &&
+           contact.side1 == kNoSide && contact.side2 == kNoSide;
+}
+
+// Not so where only whether two shapes touch was asked for: some colliders say yes and write nothing, and
+// dCollide turns the normal if the shapes came in the other order. Nor where a ray without end hits a convex
+// geom at no distance: the collider computes with the place that it finds in the contact. A number that was
+// computed from the pattern is none, like the pattern.
+bool isWritten(const dContactGeom &contact) {
+    for (int i = 0; i < 3; ++i)
+        if (std::isnan(contact.pos[i]) || std::isnan(contact.normal[i])) return false;
+    return !std::isnan(contact.depth) && contact.g1 != unwrittenGeom() && contact.g2 != unwrittenGeom() &&
+           contact.side1 != kNoSide && contact.side2 != kNoSide;
+}
+
+// The fourth number of a vector is padding, and some colliders keep a mark in its first byte
+// (addUniqueContact in collision_libccd.cpp).
+void copyWrittenPadding(const dReal &from, dReal &to) {
+    unsigned char pattern[sizeof(dReal)], bytes[sizeof(dReal)];
+    std::memcpy(pattern, &kNoReal, sizeof pattern);
+    std::memcpy(bytes, &from, sizeof bytes);
+    const bool isWhole = std::memcmp(bytes + 1, pattern + 1, sizeof bytes - 1) != 0;
+    if (isWhole || bytes[0] != pattern[0]) std::memcpy(&to, bytes, isWhole ? sizeof bytes : 1);
+}
+
+void copyWritten(const dContactGeom &from, dContactGeom &to) {
+    std::copy_n(from.pos, 3, to.pos);
+    std::copy_n(from.normal, 3, to.normal);
+    copyWrittenPadding(from.pos[3], to.pos[3]);
+    copyWrittenPadding(from.normal[3], to.normal[3]);
+    to.depth = from.depth;
+    to.g1 = from.g1;
+    to.g2 = from.g2;
+    to.side1 = from.side1;
+    to.side2 = from.side2;
+}
+
+// A collider that has something to say, or that might not end, is left: dCollide runs it when it is called in
+// the callback.
+class SilentScope final : public dxUpstreamScope {
+public:
+    std::uint32_t takeBlock(std::uint64_t) override { throw dxUpstreamInterrupted(); }
+    bool defersMoved() const override { return false; }
+    bool takeOver(dxReport, int, const char *, va_list) override { throw dxUpstreamInterrupted(); }
+
+private:
+    const dxCcdSearch::Limit m_limit;
+};
+
+}  // namespace
+
+dxContactsAhead *dxContactsAhead::current() {
+    if (t_current != nullptr && !t_frame.called(dxStackFrame::ofCaller())) forgetCurrent();
+    return t_current;
+}
+
+void dxContactsAhead::forgetCurrent() {
+    if (t_current == nullptr) return;
+    t_current->release();
+    t_current = nullptr;
+    t_call = 0;
+}
+
+dxContactsAhead::Scope::Scope(dxContactsAhead &ahead, dxTaskRunner &runner, bool arraysStay)
+    : m_number(lastCall.fetch_add(1, std::memory_order_relaxed) + 1), m_ahead(ahead) {
+    forgetCurrent();
+    ahead.m_holders.fetch_add(1, std::memory_order_relaxed);
+    ahead.start(runner, arraysStay);
+    t_current = &ahead;
+    t_frame = dxStackFrame::ofCaller();
+    t_call = m_number;
+}
+
+dxContactsAhead::Scope::~Scope() {
+    m_ahead.end();
+    if (t_call == m_number) forgetCurrent();
+}
+
+void dxContactsAhead::release() {
+    if (m_holders.fetch_sub(1, std::memory_order_acq_rel) == 1) delete this;
+}
+
+// Who still holds it is told nothing any more.
+void dxContactsAhead::leaveSpace() {
+    m_pair = nullptr;
+    m_hasResults = false;
+    std::vector<Result>().swap(m_results);
+    std::vector<Worker>().swap(m_workers);
+    std::vector<Asked>().swap(m_asked);
+    m_convex = {};
+    release();
+}
+
+// Either of them makes void what was computed.
+std::uint64_t dxContactsAhead::changesNoticed() {
+    return dxSilentChanges::count() + dxMissedNotifications::count();
+}
+
+void dxContactsAhead::makeRoom(const dxTaskRunner &runner, std::size_t slots) {
+    if (m_asked.size() < slots) m_asked.resize(slots);
+    while (m_workers.size() < runner.workers()) m_workers.emplace_back();
+}
+
+void dxContactsAhead::start(dxTaskRunner &runner, bool arraysStay) {
+    ++m_call;
+    m_runner = &runner;
+    m_arraysStay = arraysStay;
+    m_pair = nullptr;
+    m_begin = m_end = 0;
+    m_hasResults = false;
+    m_computed = m_used = 0;
+    if (m_callsWithout > 0) --m_callsWithout;
+}
+
+void dxContactsAhead::end() {
+    m_pair = nullptr;
+    m_hasResults = false;
+    m_computedUntold += m_computed;
+    m_usedUntold += m_used;
+    if (m_computedUntold < kTelling) return;
+    const bool pays = 2 * m_usedUntold >= m_computedUntold;
+    m_computedUntold = m_usedUntold = 0;
+    if (pays) {
+        m_nextPause = 0;
+        return;
+    }
+    m_nextPause = std::clamp(2 * m_nextPause, kShortestPause, kLongestPause);
+    m_callsWithout = m_nextPause;
+}
+
+bool dxContactsAhead::maySpend() const {
+    const int contacts = m_flags & NUMC_MASK;
+    if (m_callsWithout > 0 || contacts == 0 || contacts > kMostContacts) return false;
+    return m_computed < kTelling || 2 * m_used >= m_computed;
+}
+
+void dxContactsAhead::nextWindow(const std::vector<dxOrderedPair> &pairs, std::size_t index) {
+    m_begin = index;
+    m_hasResults = false;
+    if (!maySpend()) {
+        m_end = index + kBlindWindow;
+        return;
+    }
+    m_end = std::min(index + (m_computed < kTelling ? kTelling : kWindow), pairs.size());
+    computeWindow(pairs);
+}
+
+void dxContactsAhead::computeWindow(const std::vector<dxOrderedPair> &pairs) {
+    m_windowFlags = m_flags;
+    m_windowChanges = changesNoticed();
+    m_windowMode = dxFloatMode();
+    ++m_window;
+    const std::size_t size = m_end - m_begin;
+    try {
+        if (m_results.size() < size) m_results.resize(size);
+    } catch (const std::bad_alloc &) {
+        return;
+    }
+    m_hasResults = true;
+    const std::size_t piece =
+        std::clamp(size / (kPiecesForEach * m_runner->workers()), kLeastPiece, kLargestPiece);
+    m_runner->forPieces(dxParallelStage::ContactsAhead, size, piece, [&](std::size_t begin, std::size_t end, unsigned worker) {
+        const SilentScope silent;
+        m_workers[worker].enterWindow(m_window);
+        for (std::size_t i = begin; i < end; ++i) {
+            dxPairPrefetch::ahead(pairs, m_begin + i);
+            dxPerturb(dxSchedulePoint::ComputeContacts);
+            compute(pairs[m_begin + i], m_results[i], worker);
+        }
+    });
+    for (const Worker &worker : m_workers)
+        if (worker.window == m_window) m_computed += worker.computed;
+}
+
+void dxContactsAhead::compute(const dxOrderedPair &pair, Result &result, unsigned number) {
+    Worker &worker = m_workers[number];
+    result.count = kUnknown;
+    if (!wasAsked(*pair.first, pair.slots[0]) || !wasAsked(*pair.second, pair.slots[1])) return;
+    if (!dxMayCollideAnywhere(*pair.first, *pair.second)) return;
+    if (!m_arraysStay && !dxKnowsArrays(*pair.first, *pair.second)) return;
+    const auto most = static_cast<std::size_t>(m_windowFlags & NUMC_MASK);
+    try {
+        worker.makeRoom(most + 1);
+        dxMakeRoom(worker.states, worker.states.size() + 1);
+        const dxColliderCopies::Arrays arrays{m_convex.of(pair.slots[0]), m_convex.of(pair.slots[1])};
+        result.count = worker.copies.collide(*pair.first, *pair.second, arrays, m_windowFlags,
+                                             worker.contacts.data() + worker.used, sizeof(dContactGeom));
+    } catch (const dxUpstreamInterrupted &) {
+        worker.wipe(worker.used, worker.used + most);
+        return;
+    } catch (const std::bad_alloc &) {
+        // The callback will find out, in its turn.
+        worker.wipe(worker.used, std::min(worker.used + most, worker.contacts.size()));
+        return;
+    }
+    const dContactGeom *const found = worker.contacts.data() + worker.used;
+    if (!std::all_of(found, found + result.count, isWritten)) {
+        result.count = kUnknown;
+        worker.wipe(worker.used, worker.used + most);
+        return;
+    }
+    result.worker = static_cast<std::uint16_t>(number);
+    result.isUsed = false;
+    result.first = static_cast<std::uint32_t>(worker.used);
+    result.states = worker.keepStates({stateOf(*pair.first, pair.slots[0]), stateOf(*pair.second, pair.slots[1])});
+    worker.used += static_cast<std::size_t>(result.count);
+    ++worker.computed;
+    worker.wipeDrafts();
+}
+
+// What is left of the window before.
+void dxContactsAhead::Worker::enterWindow(std::uint64_t newWindow) {
+    if (window == newWindow) return;
+    window = newWindow;
+    wipe(0, used);
+    used = 0;
+    states.clear();
+    computed = 0;
+}
+
+std::uint32_t dxContactsAhead::Worker::keepStates(const States &both) {
+    if (both.first == 0 && both.second == 0) return kNoIndex;
+    states.push_back(both);
+    return static_cast<std::uint32_t>(states.size() - 1);
+}
+
+void dxContactsAhead::Worker::makeRoom(std::size_t more) {
+    const std::size_t have = contacts.size();
+    if (have >= used + more) return;
+    contacts.resize(used + 2 * more);
+    wipe(have, contacts.size());
+}
+
+void dxContactsAhead::Worker::wipe(std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) unwrite(contacts[i]);
+}
+
+// What colliders leave behind the last contact.
+void dxContactsAhead::Worker::wipeDrafts() {
+    for (std::size_t i = used; i < contacts.size() && !isUnwritten(contacts[i]); ++i) unwrite(contacts[i]);
+}
+
+void dxContactsAhead::noteAsked(const dxOrderedPair &pair) {
+    const dxGeom *const geoms[] = {pair.first, pair.second};
+    for (int i = 0; i < 2; ++i) {
+        m_asked[pair.slots[i]] = {m_call, dxSilentChanges::count()};
+        if (geoms[i]->type == dConvexClass) m_convex.read(pair.slots[i], static_cast<const dxConvex &>(*geoms[i]));
+    }
+}
+
+bool dxContactsAhead::wasAsked(const dxGeom &geom, dxMembers::Slot slot) const {
+    const Asked &asked = m_asked[slot];
+    if (asked.call + 1 < m_call) return false;
+    if (geom.type == dConvexClass) return m_convex.of(slot) != nullptr;
+    return !dxHasDataOfProgram(geom) || asked.changes == dxSilentChanges::count();
+}
+
+std::uint64_t dxContactsAhead::stateOf(const dxGeom &geom, dxMembers::Slot slot) const {
+    if (geom.type != dConvexClass) return dxColliderState(geom);
+    const dxConvexArrays::Copy *const copy = m_convex.of(slot);
+    return copy != nullptr ? copy->number() : 0;
+}
+
+int dxContactsAhead::answer(dGeomID o1, dGeomID o2, int flags, dContactGeom *contacts, int skip) {
+    if (m_pair == nullptr) return kUnknown;
+    if (o1 == m_pair->second && o2 == m_pair->first) noteAsked(*m_pair);
+    if (o1 != m_pair->first || o2 != m_pair->second) return kUnknown;
+    noteAsked(*m_pair);
+    m_flags = flags;
+    if (!m_hasResults || flags != m_windowFlags || contacts == nullptr) return kUnknown;
+    if (m_windowChanges != changesNoticed() || m_windowMode != dxFloatMode()) return kUnknown;
+    Result &result = m_results[m_index];
+    if (result.count == kUnknown || skip < static_cast<int>(sizeof(dContactGeom))) return kUnknown;
+    const Worker &worker = m_workers[result.worker];
+    const States states = result.states == kNoIndex ? States{0, 0} : worker.states[result.states];
+    if (states.first != stateOf(*o1, m_pair->slots[0]) || states.second != stateOf(*o2, m_pair->slots[1]) ||
+        dxColliderOverrides::has(o1->type, o2->type))
+        return kUnknown;
+    dxPerturb(dxSchedulePoint::AnswerCollide);
+    m_used += !result.isUsed;
+    result.isUsed = true;
+    const dContactGeom *const found = worker.contacts.data() + result.first;
+    for (int i = 0; i < result.count; ++i) copyWritten(found[i], *CONTACT(contacts, i * skip));
+    return result.count;
+}

@@ -1,0 +1,62 @@
+// The arrays of convex geoms as workers read them: copies of our own.
+//
+// Points, planes and polygons are the program's; it may write to them, or free those of a geom that it does not collide any
+// more, without a call. They are there whenever it asks for contacts of the geom, though: then, and only then, they are read, and
+// copied if they are not as they were. Workers compute contacts ahead (dxContactsAhead) from the copy. Such contacts are right as long
+// as the geom's arrays are equal to it.
+//
+// One thread at a time; while workers read, none changes anything.
+// Dropped: a hash of the program's arrays, taken by workers. They read arrays that were gone.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+#include <ode/ode.h>
+
+#include "collision/pairs/dxMembers.h"
+
+struct dxConvex;
+
+class dxConvexArrays {
+public:
+    using Slot = dxMembers::Slot;
+
+    // One set of arrays, never changed. Geoms that were given the same arrays share a copy.
+    class Copy {
+    public:
+        // Throws std::bad_alloc.
+        explicit Copy(const dxConvex &convex);
+
+        std::uint64_t number() const { return m_number; }  // of this copy alone, never 0
+        bool equals(const dxConvex &convex) const;
+        // Lets a copy of the geom, of which it says nothing else, have these arrays: the geom may have been given longer ones.
+        void giveTo(dxConvex &convex) const;
+
+    private:
+        const std::uint64_t m_number;
+        std::vector<dReal> m_planes, m_points;
+        std::vector<unsigned> m_polygons;
+    };
+
+    // To be called when the program collides the geom. Without memory the geom has no copy.
+    void read(Slot slot, const dxConvex &convex);
+    void forget(Slot slot);
+
+    // NULL: the geom has not been collided.
+    const Copy *of(Slot slot) const { return slot < m_copies.size() ? m_copies[slot].get() : nullptr; }
+
+private:
+    // Where the program's arrays are, and how long: planes, points, polygons; numbers of planes and points.
+    using Place = std::tuple<const void *, const void *, const void *, unsigned, unsigned>;
+
+    std::shared_ptr<const Copy> copyOf(const dxConvex &convex);
+    void dropUnused();
+
+    std::vector<std::shared_ptr<const Copy>> m_copies;  // by slot
+    std::map<Place, std::weak_ptr<const Copy>> m_byPlace;
+    std::size_t m_mostPlaces = 64;  // until those that no geom has are dropped
+};

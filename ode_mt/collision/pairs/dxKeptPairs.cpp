@@ -1,0 +1,160 @@
+#include "collision/pairs/dxKeptPairs.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "core/dxNoIndex.h"
+
+namespace {
+
+// Pairs that one worker takes at once: some ten microseconds.
+constexpr std::size_t kPiece = 256;
+
+// Items between asking the memory for one and working on it.
+constexpr std::size_t kAhead = 8;
+
+// Pairs of one geom that are sorted by insertion.
+constexpr std::size_t kShortRun = 32;
+
+}  // namespace
+
+void dxKeptPairs::update(const dxMembers &members, const std::vector<dxSlotPair> &matches,
+                         const dxPairPlacer &placer, dxTaskRunner &runner, std::vector<dxOrderedPair> &pairs) {
+    sortByLead(members, matches, placer, runner);
+    placeAll(members, placer, runner);
+    merge(members, pairs);
+}
+
+void dxKeptPairs::sortByLead(const dxMembers &members, const std::vector<dxSlotPair> &matches,
+                             const dxPairPlacer &placer, dxTaskRunner &runner) {
+    m_items.resize(matches.size());
+    std::atomic<bool> allLead{true};
+    runner.forPieces(dxParallelStage::PairKeys, matches.size(), kPiece, [&](std::size_t begin, std::size_t end, unsigned) {
+        bool all = true;
+        for (std::size_t i = begin; i < end; ++i) {
+            if (i + kAhead < end) {
+                placer.expect(matches[i + kAhead].a);
+                placer.expect(matches[i + kAhead].b);
+            }
+            const dxMembers::Slot a = matches[i].a, b = matches[i].b;
+            std::uint64_t word = 0;
+            bool swapped = false;
+            const bool leads = dxMayMeet(members[a].filter, members[b].filter) && placer.lead(a, b, word, swapped);
+            m_items[i] = leads ? dxSortItem{word, swapped ? b : a, swapped ? a : b} : dxSortItem{0, kNoIndex, kNoIndex};
+            all = all && leads;
+        }
+        if (!all) allLead.store(false, std::memory_order_relaxed);
+    });
+    const auto isNoPair = [](const dxSortItem &item) { return item.index == kNoIndex; };
+    if (!allLead) m_items.erase(std::remove_if(m_items.begin(), m_items.end(), isNoPair), m_items.end());
+    dxRadixSort(m_items, m_spare);
+}
+
+void dxKeptPairs::placeAll(const dxMembers &members, const dxPairPlacer &placer, dxTaskRunner &runner) {
+    m_nextKeys.resize(m_items.size());
+    m_nextPairs.resize(m_items.size());
+    if (m_longRuns.size() < runner.workers()) m_longRuns.resize(runner.workers());
+    std::atomic<bool> allPlaced{true};
+    runner.forPieces(dxParallelStage::KeptPairKeys, m_items.size(), kPiece,
+        [&](std::size_t begin, std::size_t end, unsigned worker) {
+        if (!placeRuns(members, placer, begin, end, m_longRuns[worker]))
+            allPlaced.store(false, std::memory_order_relaxed);
+    });
+    if (!allPlaced) leaveOutUnplaced();
+}
+
+// Of the runs of one first word that begin in [begin, end). Whether upstream brings all of their pairs; those that it
+// does not bring stand last in their runs, without geoms.
+bool dxKeptPairs::placeRuns(const dxMembers &members, const dxPairPlacer &placer, std::size_t begin,
+                            std::size_t end, LongRun &longRun) {
+    const std::size_t size = m_items.size();
+    bool all = true;
+    while (begin != 0 && begin < end && m_items[begin].key == m_items[begin - 1].key) ++begin;
+    while (begin < end) {
+        std::size_t last = begin, placed = begin;
+        for (; last < size && m_items[last].key == m_items[begin].key; ++last) {
+            if (last + kAhead < size) placer.expect(m_items[last + kAhead].partner);
+            const dxMembers::Slot first = m_items[last].index, second = m_items[last].partner;
+            dxPairKey key;
+            key.words[0] = m_items[last].key;
+            if (!placer.follow(first, second, key)) continue;
+            m_nextKeys[placed] = key;
+            m_nextPairs[placed++] = {members[first].geom, members[second].geom, {first, second}};
+        }
+        sortRun(begin, placed, longRun);
+        all = all && placed == last;
+        for (; placed != last; ++placed) m_nextPairs[placed].first = nullptr;
+        begin = last;
+    }
+    return all;
+}
+
+// Runs are short, mostly. Counting for each pair those that come before it, without branches, takes as long.
+void dxKeptPairs::sortRun(std::size_t begin, std::size_t end, LongRun &longRun) {
+    if (end - begin > kShortRun) return sortLongRun(begin, end, longRun);
+    for (std::size_t i = begin + 1; i < end; ++i) {
+        const dxPairKey key = m_nextKeys[i];
+        const dxOrderedPair pair = m_nextPairs[i];
+        std::size_t at = i;
+        for (; at > begin && key < m_nextKeys[at - 1]; --at) {
+            m_nextKeys[at] = m_nextKeys[at - 1];
+            m_nextPairs[at] = m_nextPairs[at - 1];
+        }
+        m_nextKeys[at] = key;
+        m_nextPairs[at] = pair;
+    }
+}
+
+void dxKeptPairs::sortLongRun(std::size_t begin, std::size_t end, LongRun &run) {
+    run.clear();
+    run.reserve(end - begin);
+    for (std::size_t i = begin; i < end; ++i) run.push_back({m_nextKeys[i], m_nextPairs[i]});
+    std::sort(run.begin(), run.end(), [](const Placed &a, const Placed &b) { return a.key < b.key; });
+    for (std::size_t i = begin; i < end; ++i) {
+        m_nextKeys[i] = run[i - begin].key;
+        m_nextPairs[i] = run[i - begin].pair;
+    }
+}
+
+void dxKeptPairs::leaveOutUnplaced() {
+    std::size_t placed = 0;
+    for (std::size_t i = 0; i < m_nextPairs.size(); ++i) {
+        if (m_nextPairs[i].first == nullptr) continue;
+        m_nextKeys[placed] = m_nextKeys[i];
+        m_nextPairs[placed++] = m_nextPairs[i];
+    }
+    m_nextKeys.resize(placed);
+    m_nextPairs.resize(placed);
+}
+
+// What is left of the pairs of the last call, between the new ones.
+void dxKeptPairs::merge(const dxMembers &members, std::vector<dxOrderedPair> &pairs) {
+    const auto isKept = [&](const dxOrderedPair &pair) {
+        return !members.isChanged(pair.slots[0]) && !members.isChanged(pair.slots[1]);
+    };
+    m_keptKeys.clear();
+    m_keptPairs.clear();
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (!isKept(pairs[i])) continue;
+        m_keptKeys.push_back(m_keys[i]);
+        m_keptPairs.push_back(pairs[i]);
+    }
+    // From behind, so that what is new moves up within its own memory.
+    std::size_t found = m_nextKeys.size(), kept = m_keptKeys.size();
+    m_nextKeys.resize(found + kept);
+    m_nextPairs.resize(found + kept);
+    while (kept != 0) {
+        const std::size_t to = found + kept - 1;
+        if (found != 0 && m_keptKeys[kept - 1] < m_nextKeys[found - 1]) {
+            --found;
+            m_nextKeys[to] = m_nextKeys[found];
+            m_nextPairs[to] = m_nextPairs[found];
+        } else {
+            --kept;
+            m_nextKeys[to] = m_keptKeys[kept];
+            m_nextPairs[to] = m_keptPairs[kept];
+        }
+    }
+    m_keys.swap(m_nextKeys);
+    pairs.swap(m_nextPairs);
+}

@@ -1,0 +1,54 @@
+#include "collision/spaces/dxDirtyQueue.h"
+
+#include "core/dxRoom.h"
+
+// Of what is in the queue half may have been dropped (push).
+void dxDirtyQueue::makeRoom(Slot slots) {
+    dxMakeRoom(m_places, slots);
+    dxMakeRoom(m_geoms, 2 * std::size_t{slots} + 2);
+    dxMakeRoom(m_slots, 2 * std::size_t{slots} + 2);
+}
+
+void dxDirtyQueue::push(dxGeom *geom, Slot slot) {
+    if (slot >= m_places.size()) m_places.resize(slot + 1, kNoIndex);
+    if (m_places[slot] != kNoIndex) return;
+    // Spaces through which geoms come and go may never be cleaned.
+    if (2 * m_dropped > m_geoms.size()) close();
+    m_places[slot] = static_cast<std::uint32_t>(m_geoms.size());
+    m_geoms.push_back(geom);
+    m_slots.push_back(slot);
+}
+
+void dxDirtyQueue::drop(Slot slot) {
+    if (slot >= m_places.size() || m_places[slot] == kNoIndex) return;
+    m_geoms[m_places[slot]] = nullptr;
+    m_places[slot] = kNoIndex;
+    ++m_dropped;
+}
+
+void dxDirtyQueue::clear() {
+    for (std::size_t place = 0; place < m_slots.size(); ++place)
+        if (m_geoms[place] != nullptr) m_places[m_slots[place]] = kNoIndex;
+    m_geoms.clear();
+    m_slots.clear();
+    m_dropped = 0;
+}
+
+const std::vector<dxGeom *> &dxDirtyQueue::geoms() {
+    if (m_dropped != 0) close();
+    return m_geoms;
+}
+
+// The gaps that dropped members have left.
+void dxDirtyQueue::close() {
+    std::size_t to = 0;
+    for (std::size_t from = 0; from < m_geoms.size(); ++from) {
+        if (m_geoms[from] == nullptr) continue;
+        m_places[m_slots[from]] = static_cast<std::uint32_t>(to);
+        m_geoms[to] = m_geoms[from];
+        m_slots[to++] = m_slots[from];
+    }
+    m_geoms.resize(to);
+    m_slots.resize(to);
+    m_dropped = 0;
+}

@@ -1,0 +1,196 @@
+#include "collision/spaces/dxOrderedHashSpace.h"
+
+#include <algorithm>
+#include <climits>
+
+#include "collision/pairs/dxMissedNotifications.h"
+#include "collision/pairs/dxPairPrefetch.h"
+#include "collision/spaces/dxHashWalk.h"
+#include "collision_space_internal.h"
+#include "core/dxFetch.h"
+#include "util.h"
+
+namespace {
+
+using Kind = dxHashCells::Kind;
+
+// Of a key: what upstream looks at first, second and last.
+enum Stage : std::uint64_t { kWithinTable, kTableWithBig, kWithinBig };
+
+std::uint64_t stageAndRank(Stage stage, dxRank rank) {
+    constexpr std::uint64_t kRankBits = (UINT64_C(1) << 62) - 1;
+    return static_cast<std::uint64_t>(stage) << 62 | (dxFrontFirst(rank) & kRankBits);
+}
+
+// Two signed numbers in one word that sorts as they do.
+std::uint64_t pack(int high, int low) {
+    const auto biased = [](int i) { return static_cast<std::uint32_t>(i) ^ UINT32_C(0x80000000); };
+    return static_cast<std::uint64_t>(biased(high)) << 32 | biased(low);
+}
+
+struct Element {
+    const dxHashCells &cells;
+    dxRank rank;
+};
+
+bool isInTable(const Element &element) { return element.cells.kind() == Kind::inTable; }
+
+// Of two in the table the smaller one finds the other, because a search meets only boxes of its own level and
+// of higher ones. Of two equal ones it is the one that stands further to the front of the list.
+bool isSearcher(const Element &a, const Element &b) {
+    if (isInTable(a) != isInTable(b)) return isInTable(a);
+    if (isInTable(a) && a.cells.level() != b.cells.level()) return a.cells.level() < b.cells.level();
+    return a.rank > b.rank;
+}
+
+std::uint64_t leadOf(const Element &searcher, const Element &found) {
+    const Stage stage = isInTable(found) ? kWithinTable : isInTable(searcher) ? kTableWithBig : kWithinBig;
+    return stageAndRank(stage, searcher.rank);
+}
+
+bool followLead(const Element &searcher, const Element &found, dxPairKey &key) {
+    if (!isInTable(found)) {
+        key.words[1] = key.words[2] = 0;
+        key.words[3] = dxFrontFirst(found.rank);
+        return true;
+    }
+    dxHashCells::Cell cell;
+    if (!dxHashCells::firstSharedCell(searcher.cells, found.cells, cell)) return false;
+    key.words[1] = pack(found.cells.level(), cell.x);
+    key.words[2] = pack(cell.y, cell.z);
+    key.words[3] = dxBackFirst(found.rank);  // within a cell upstream meets first what it stored last
+    return true;
+}
+
+// Changes of enabled flags in one call that are noted, beside one for each geom.
+constexpr std::size_t kMostSwitched = 4096;
+
+// With upstream's text.
+void reportOutOfRange() {
+    dDebug(d_ERR_IASSERT,
+           "assertion \"aabbBound >= dMinIntExact && aabbBound < dMaxIntExact\" failed in collide() [%s:%u]",
+           __FILE__, __LINE__);
+}
+
+}  // namespace
+
+// Upstream takes them at its next call, and a callback may set them: pairs() stays as it is until then.
+void dxOrderedHashSpace::setLevels(const dxHashLevels &levels) {
+    m_levels = levels;
+    m_levelsChanged = true;
+}
+
+// Upstream does not even clean a lone geom.
+void dxOrderedHashSpace::collide(void *data, dNearCallback *callback) {
+    dAASSERT(callback);
+    if (count >= 2) dxOrderedSpace::collide(data, callback);
+}
+
+bool dxOrderedHashSpace::findPairs() {
+    if (lock_count == 1) m_switched.clear();
+    if (m_levelsChanged && lock_count > 1) return false;  // a call around this one goes through pairs()
+    if (m_levelsChanged) startAnew();
+    m_levelsChanged = false;
+    if (!dxOrderedSpace::findPairs()) return false;
+    requireInRange();
+    return true;
+}
+
+void dxOrderedHashSpace::update(std::vector<dxOrderedPair> &pairs) {
+    updateCells();
+    updateSorted(pairs);
+}
+
+void dxOrderedHashSpace::updateCells() {
+    m_cells.resize(members().end());
+    for (const Slot slot : members().changed()) {
+        dxHashCells &cells = m_cells[slot];
+        m_outOfRange -= cells.kind() == Kind::outOfRange;
+        const dxMembers::Member &member = members()[slot];
+        cells = member.geom != nullptr ? dxHashCells(member.bounds.v, m_levels) : dxHashCells();
+        m_outOfRange += cells.kind() == Kind::outOfRange;
+    }
+}
+
+bool dxOrderedHashSpace::lead(Slot a, Slot b, std::uint64_t &word, bool &swapped) const {
+    const Element elementA{m_cells[a], members()[a].rank}, elementB{m_cells[b], members()[b].rank};
+    if (elementA.cells.kind() == Kind::outOfRange || elementB.cells.kind() == Kind::outOfRange) return false;
+    swapped = !isSearcher(elementA, elementB);
+    word = swapped ? leadOf(elementB, elementA) : leadOf(elementA, elementB);
+    return true;
+}
+
+bool dxOrderedHashSpace::follow(Slot first, Slot second, dxPairKey &key) const {
+    return followLead({m_cells[first], members()[first].rank}, {m_cells[second], members()[second].rank},
+                      key);
+}
+
+void dxOrderedHashSpace::expect(Slot slot) const {
+    members().expect(slot);
+    dxFetch::line(&m_cells[slot]);
+}
+
+void dxOrderedHashSpace::requireInRange() const {
+    if (m_outOfRange == 0) return;
+    for (const dxGeom *geom = first; geom != nullptr; geom = geom->next)
+        if (dxGeomIsEnabled(geom) && m_cells[slotOf(geom)].kind() == Kind::outOfRange) reportOutOfRange();
+}
+
+// Upstream asks which geoms are enabled before the first callback, and does not ask again.
+void dxOrderedHashSpace::deliver(void *data, dNearCallback *callback) {
+    const std::vector<dxOrderedPair> &pairs = this->pairs();  // of those
+    const std::size_t switched = m_switched.size();
+    dxContactsAhead *const ahead = this->ahead();
+    const std::uint64_t missed = dxMissedNotifications::count();
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (ahead != nullptr) ahead->beforePair(pairs, i);
+        dxPairPrefetch::aheadOfCallback(pairs, i);
+        dxDeliver(pairs[i], data, callback);
+        if (dxMissedNotifications::count() != missed) {
+            const dxOrderedPair last = pairs[i];
+            walkFrom(switched, data, callback, &last);
+            return;
+        }
+    }
+}
+
+// A space that was left locked by a jump has no outermost call any more: it notes no more than it has geoms
+// at once.
+void dxOrderedHashSpace::enabledChanges(dxGeom *geom) {
+    dxOrderedSpace::enabledChanges(geom);
+    if (lock_count == 0) return;
+    if (m_switched.size() >= static_cast<std::size_t>(count) + kMostSwitched) m_switched.clear();
+    try {
+        m_switched.push_back({geom, dxGeomIsEnabled(geom)});
+    } catch (const std::bad_alloc &) {  // only a call that goes on after an assertion asks for it
+    }
+}
+
+bool dxOrderedHashSpace::wasEnabled(const dxGeom *geom, std::size_t switched) const {
+    for (; switched < m_switched.size(); ++switched)
+        if (m_switched[switched].geom == geom) return m_switched[switched].wasEnabled;
+    return dxGeomIsEnabled(geom);
+}
+
+// All pairs that share a cell, whether or not their boxes overlap, for the assertions in collideAABBs.
+// Upstream puts the boxes of geoms that are enabled into cells before the first callback.
+void dxOrderedHashSpace::walk(void *data, dNearCallback *callback, const dxOrderedPair *after) {
+    walkFrom(m_switched.size(), data, callback, after);
+}
+
+// `switched`: how many geoms had been switched when the call began.
+void dxOrderedHashSpace::walkFrom(std::size_t switched, void *data, dNearCallback *callback,
+                                  const dxOrderedPair *after) {
+    dxHashWalk walk;
+    beforeCallbacks([&] {
+        for (dxGeom *geom = first; geom != nullptr; geom = geom->next) {
+            if (!wasEnabled(geom, switched)) continue;
+            const dxHashCells cells =
+                after != nullptr ? m_cells[slotOf(geom)] : dxHashCells(geom->aabb, m_levels);
+            if (cells.kind() == Kind::outOfRange) reportOutOfRange();
+            walk.add(geom, cells);
+        }
+        walk.storeAll();
+    });
+    walk.deliver(data, callback, after);
+}

@@ -1,0 +1,46 @@
+// The hash space: each geom looks for others in the cells that it covers, on its own level and those above;
+// then come pairs with geoms too large for any level. docs/collision-order.md.
+#pragma once
+
+#include <vector>
+
+#include "collision/spaces/dxHashCells.h"
+#include "collision/spaces/dxOrderedListSpace.h"
+
+class dxOrderedHashSpace final : public dxOrderedListSpace {
+public:
+    explicit dxOrderedHashSpace(dSpaceID parent) : dxOrderedListSpace(parent, dHashSpaceClass) {}
+
+    void setLevels(const dxHashLevels &levels);
+    const dxHashLevels &levels() const { return m_levels; }
+
+    void collide(void *data, dNearCallback *callback) override;
+    bool findPairs() override;
+    void enabledChanges(dxGeom *geom) override;
+
+private:
+    // Whether a geom was enabled before a callback changed that.
+    struct Switched {
+        const dxGeom *geom;
+        bool wasEnabled;
+    };
+
+    dxPairOrder pairOrder() const override { return dxPairOrder::Cells; }
+    void update(std::vector<dxOrderedPair> &pairs) override;
+    bool lead(Slot a, Slot b, std::uint64_t &word, bool &swapped) const override;
+    bool follow(Slot first, Slot second, dxPairKey &key) const override;
+    void expect(Slot slot) const override;
+    void deliver(void *data, dNearCallback *callback) override;
+    void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) override;
+
+    void walkFrom(std::size_t switched, void *data, dNearCallback *callback, const dxOrderedPair *after);
+    bool wasEnabled(const dxGeom *geom, std::size_t switched) const;
+    void updateCells();
+    void requireInRange() const;
+
+    dxHashLevels m_levels{-3, 10};              // upstream's defaults
+    bool m_levelsChanged = false;               // since pairs() was brought up to date
+    std::vector<dxHashCells> m_cells;           // by slot
+    int m_outOfRange = 0;                       // members whose kind is that
+    std::vector<Switched> m_switched;           // in callbacks of the outermost call, in order
+};

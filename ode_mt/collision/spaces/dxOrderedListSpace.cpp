@@ -1,0 +1,188 @@
+#include "collision/spaces/dxOrderedListSpace.h"
+
+#include <algorithm>
+
+#include "collision_space_internal.h"
+#include "util.h"
+
+#include "collision/pairs/dxMissedNotifications.h"
+#include "core/dxRoom.h"
+
+namespace {
+
+// Prefetch distance in geoms.
+constexpr std::size_t kGeomsAhead = 8;
+
+bool isDirty(const dxGeom *geom) { return (geom->gflags & GEOM_DIRTY) != 0; }
+
+dxGeom *firstClean(dxGeom *geom) {
+    while (geom != nullptr && isDirty(geom)) geom = geom->next;
+    return geom;
+}
+
+// For a thread that may not clean. Others may be doing the same.
+void computeBadBoxes(dxGeom *geom) {
+    for (; geom != nullptr; geom = geom->next) {
+        if (IS_SPACE(geom)) static_cast<dxSpace *>(geom)->cleanGeoms();
+        geom->recomputeAABB();
+    }
+}
+
+// As upstream's collide2.
+void collideFrom(dxGeom *member, void *data, dxGeom *geom, dNearCallback *callback) {
+    for (; member != nullptr; member = member->next)
+        if (dxGeomIsEnabled(member)) collideAABBs(member, geom, data, callback);
+}
+
+}  // namespace
+
+// Cleaning would change nothing: several threads may ask so at the same time.
+bool dxOrderedListSpace::isAtRest() const {
+    if (first != nullptr && isDirty(first)) return false;
+    if (m_isInterrupted || !isSureOfMembers()) return false;
+    return m_isWalked ? minMovedToWalk() != INT_MAX : !m_isIrregular && members().unranked() == 0;
+}
+
+// Upstream stops at the first geom that is clean, and so do we. Ranks are given from the front downwards, at
+// once, because a user's bounding-box function may leave by an exception or a jump.
+void dxOrderedListSpace::cleanGeoms() {
+    if (isAtRest()) return;
+    const dxSoleCleaner::Scope cleaner(m_cleaner);
+    lock();
+    if (!cleaner.isMine())
+        computeBadBoxes(first);
+    else if (!isAtRest())  // by now
+        cleanAlone();
+    unlock();
+}
+
+void dxOrderedListSpace::cleanToCollide() {
+    m_cleaner.dismiss();
+    if (isAtRest()) return;
+    lock_count++;
+    cleanAlone();
+    lock_count--;
+}
+
+void dxOrderedListSpace::cleanAlone() {
+    m_isIrregular = mayHaveStrays() || m_isInterrupted || m_isIrregular;
+    m_isInterrupted = true;
+    const std::uint64_t missed = dxMissedNotifications::count();
+    gatherDirty();
+    chooseToWalk();
+    cleanDirty();
+    if (dxMissedNotifications::count() != missed) rankAll();
+    m_isInterrupted = false;
+}
+
+void dxOrderedListSpace::cleanDirty() {
+    const std::uint64_t cleaning = ++m_cleanings;
+    const bool givesRanks = !m_isWalked;
+    dxRank next = givesRanks ? members().firstOf(count) : 0;
+    if (givesRanks) computeBoxes(m_dirty);
+    for (std::size_t i = 0; i < m_dirty.size(); ++i) {
+        dxGeom *const geom = m_dirty[i];
+        if (givesRanks && i + kGeomsAhead < m_dirty.size())
+            members().expect(slotOf(m_dirty[i + kGeomsAhead]));
+        clean(m_dirty, i);
+        if (m_cleanings != cleaning) return cleanBehind(geom);
+        if (givesRanks) rank(geom, next--);
+    }
+    dxGeom *const behind = m_dirty.empty() ? first : m_dirty.back()->next;
+    if (behind != nullptr && isDirty(behind)) return cleanBehind(m_dirty.back());
+    if (givesRanks && (members().unranked() != 0 || m_isIrregular)) rankBehindClean(behind, next);
+}
+
+// The bounding-box function of this geom has had the space cleaned: what was gathered is gone, and ranks were
+// given by both. Or one has made a stray of the geom behind those that were gathered, which upstream then
+// cleans.
+void dxOrderedListSpace::cleanBehind(dxGeom *geom) {
+    for (geom = geom->next; geom != nullptr && isDirty(geom); geom = geom->next) clean(geom);
+    rankAll();
+}
+
+// A bounding-box function has changed what was gathered, or made a stray.
+void dxOrderedListSpace::rankAll() {
+    m_isIrregular = true;
+    if (!m_isWalked) rankBehindClean(first, members().firstOf(count));
+}
+
+void dxOrderedListSpace::chooseToWalk() {
+    const auto moved = static_cast<int>(m_dirty.size());
+    m_moved = std::min(m_moved + moved, count);
+    if (moved != 0) m_walks.store(0, std::memory_order_relaxed);
+    dxBroadPhaseFacts facts;
+    facts.order = pairOrder();
+    facts.current = m_isWalked ? dxBroadPhase::ListWalk : dxBroadPhase::None;
+    facts.mayWalk = mayWalk();
+    facts.geoms = count;
+    facts.moved = moved;
+    m_isWalked = dxChooseBroadPhase(facts) == dxBroadPhase::ListWalk;
+    m_isIrregular = m_isIrregular || m_isWalked;
+}
+
+// What is walked by vectors is what is enabled by then, whether or not that was known.
+bool dxOrderedListSpace::isLeftOut(Slot slot) const {
+    return m_isWalked ? !dxGeomIsEnabled(members().geomIn(slot)) : dxOrderedSpace::isLeftOut(slot);
+}
+
+// Until many move again.
+void dxOrderedListSpace::stopWalking() {
+    rankBehindClean(first, members().firstOf(count));
+    m_isWalked = false;
+}
+
+// Of several threads that ask, one stops; the others walk once more.
+void dxOrderedListSpace::stopWalkingIfAskedOften() {
+    if (!m_isWalked || !isWorthAnIndex() || ++m_walks <= dxBroadPhaseThresholds::kMaxWalksUnranked) return;
+    const std::unique_lock<std::mutex> alone(m_stopping, std::try_to_lock);
+    if (alone && m_isWalked) stopWalking();
+}
+
+bool dxOrderedListSpace::requireRanks() {
+    if (m_isWalked && dxHaveFewMoved(m_moved, minMovedToWalk())) stopWalking();
+    m_moved = 0;
+    return ranksStand();
+}
+
+void dxOrderedListSpace::gatherDirty() {
+    m_dirty.clear();
+    for (dxGeom *geom = first; geom != nullptr && isDirty(geom); geom = geom->next) m_dirty.push_back(geom);
+}
+
+void dxOrderedListSpace::makeRoom(Slot slots) { dxMakeRoom(m_dirty, slots); }
+
+// Upstream puts a clean one in front, too. Those behind it that have changed are then cleaned no more.
+void dxOrderedListSpace::comes(dxGeom *geom, Slot /*slot*/) {
+    if (!isDirty(geom) && first != nullptr && isDirty(first)) noteStrays();
+}
+
+bool dxOrderedListSpace::hasStrayMembers() const {
+    for (const dxGeom *geom = firstClean(first); geom != nullptr; geom = geom->next)
+        if (isDirty(geom)) return true;
+    return false;
+}
+
+// A dirty geom may stand behind a clean one: the clean one was added clean, or the other is stray. Upstream
+// never gets to those that are dirty: they keep the boxes that they have, and an assertion fails where one
+// meets whose box is not up to date. While there are such geoms, all ranks are given anew.
+void dxOrderedListSpace::rankBehindClean(dxGeom *geom, dxRank next) {
+    const bool wasIrregular = m_isIrregular;
+    bool isIrregular = false;
+    m_hasBadBox = false;
+    for (; geom != nullptr && (wasIrregular || members().unranked() != 0 || isDirty(geom));
+         geom = geom->next) {
+        isIrregular = isIrregular || isDirty(geom);
+        m_hasBadBox = m_hasBadBox || (geom->gflags & GEOM_AABB_BAD) != 0;
+        rank(geom, next--);
+    }
+    m_isIrregular = isIrregular;
+}
+
+void dxOrderedListSpace::collideWith(void *data, dxGeom *geom, dNearCallback *callback) {
+    stopWalkingIfAskedOften();
+    if (!isWorthAnIndex() || !isAtRest() || !ranksStand())
+        collideFrom(first, data, geom, callback);
+    else if (const dxGeom *const last = collideRegion(data, geom, callback))
+        collideFrom(last->next, data, geom, callback);
+}

@@ -1,0 +1,61 @@
+// A space in which upstream walks a list of geoms: the simple and the hash space.
+//
+// Upstream moves a geom to the front of its list when it changes, and only then. Of two members, the one with
+// the higher rank stands further to the front.
+#pragma once
+
+#include <atomic>
+#include <climits>
+#include <cstdint>
+#include <mutex>
+#include <vector>
+
+#include "collision/spaces/dxOrderedSpace.h"
+#include "collision/spaces/dxSoleCleaner.h"
+#include "core/dxPublished.h"
+
+class dxOrderedListSpace : public dxOrderedSpace {
+public:
+    void cleanGeoms() override;
+
+protected:
+    using dxOrderedSpace::dxOrderedSpace;
+
+    void cleanToCollide() override;
+    bool isLeftOut(Slot slot) const override;
+    bool requireRanks() override;
+    void collideWith(void *data, dxGeom *geom, dNearCallback *callback) override;
+    bool hasStrayMembers() const override;
+    void makeRoom(Slot slots) override;
+    void comes(dxGeom *geom, Slot slot) override;
+
+private:
+    bool isAtRest() const;
+    void cleanAlone();
+    // Ranks stand for the list, and all boxes that upstream would look at are up to date.
+    bool ranksStand() const { return !m_isWalked && !m_hasBadBox; }
+    // Workers, and a search that was asked for, need the ranks and all pairs.
+    bool mayWalk() const { return !isShared() && !hasSearch(); }
+    int minMovedToWalk() const { return mayWalk() ? dxMinMovedToWalk(pairOrder(), count) : INT_MAX; }
+    void gatherDirty();
+    void cleanDirty();
+    void cleanBehind(dxGeom *geom);
+    void rankAll();
+    void chooseToWalk();
+    void stopWalking();
+    void stopWalkingIfAskedOften();
+    void rankBehindClean(dxGeom *geom, dxRank rank);
+
+    std::vector<dxGeom *> m_dirty;  // front first
+    std::uint64_t m_cleanings = 0;
+    int m_moved = 0;  // geoms that were cleaned since ranks were asked for, as many as there are at most
+    std::atomic<int> m_walks{0};          // of collide2 since a geom moved
+    dxPublished<bool> m_isWalked{false};  // as upstream does, for so many move; there are no ranks
+    std::mutex m_stopping;                // only ever tried
+    dxSoleCleaner m_cleaner;
+    // A cleaning has begun and not ended: it is in progress, or was left by a jump.
+    dxPublished<bool> m_isInterrupted{false};
+    // There may be dirty geoms behind clean ones, or the list is walked.
+    dxPublished<bool> m_isIrregular{false};
+    bool m_hasBadBox = false;  // one of those dirty geoms has a box that is not up to date
+};

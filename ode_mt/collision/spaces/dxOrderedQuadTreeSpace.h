@@ -1,0 +1,49 @@
+// The quad-tree space: each geom with those behind it in its block, then with those in the blocks within,
+// from the root on. docs/collision-order.md.
+//
+// Unlike the other spaces it has a queue of its own for geoms that changed, and leaves the list of geoms as
+// they came.
+#pragma once
+
+#include "collision/spaces/dxBlockRanks.h"
+#include "collision/spaces/dxDirtyQueue.h"
+#include "collision/spaces/dxOrderedSpace.h"
+#include "collision/spaces/dxQuadTree.h"
+
+class dxOrderedQuadTreeSpace final : public dxOrderedSpace {
+public:
+    dxOrderedQuadTreeSpace(dSpaceID parent, const dReal *centre, const dReal *extents, int depth);
+    ~dxOrderedQuadTreeSpace() override;
+
+    dxGeom *getGeom(int index) override;
+    void dirty(dxGeom *geom) override;
+    void computeAABB() override {}  // it is infinite
+    void cleanGeoms() override;
+
+private:
+    using Block = dxQuadTree::Block;
+
+    struct Visit;
+
+    dxPairOrder pairOrder() const override { return dxPairOrder::Blocks; }
+    bool requireRanks() override;
+    bool hasStrayMembers() const override;
+    bool mayCome(const dxGeom *geom) const override;
+    void makeRoom(Slot slots) override;
+    void comes(dxGeom *geom, Slot slot) override;
+    void goes(dxGeom *geom, Slot slot) override;
+    void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) override;
+    void collideWith(void *data, dxGeom *geom, dNearCallback *callback) override;
+
+    Block blockOf(Slot slot) const { return m_ranks.blockOf(members()[slot].rank); }
+    dxRank nextRank(Block block);
+    void rankAnew();
+    void collideMember(void *data, dxGeom *geom, dNearCallback *callback);
+    void collideOther(void *data, dxGeom *geom, dNearCallback *callback);
+    void walkMember(void *data, dxGeom *geom, dNearCallback *callback);
+    void walkOther(void *data, dxGeom *geom, dNearCallback *callback);
+
+    dxQuadTree m_tree;
+    dxBlockRanks m_ranks;
+    dxDirtyQueue m_dirty;
+};

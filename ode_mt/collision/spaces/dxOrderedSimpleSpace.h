@@ -1,0 +1,25 @@
+// The simple space: all pairs, each geom with those behind it in the list, from the front on.
+#pragma once
+
+#include "collision/broadphase/overlap/dxBoxTable.h"
+#include "collision/spaces/dxOrderedListSpace.h"
+
+class dxOrderedSimpleSpace final : public dxOrderedListSpace {
+public:
+    explicit dxOrderedSimpleSpace(dSpaceID parent) : dxOrderedListSpace(parent, dSimpleSpaceClass) {}
+
+private:
+    dxPairOrder pairOrder() const override { return dxPairOrder::List; }
+    void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) override;
+    void walkList(void *data, dNearCallback *callback);
+    void walkFrom(dxGeom *g1, dxGeom *g2, void *data, dNearCallback *callback);
+    bool findByVectors();
+    bool listGeoms();
+    void findListed();
+
+    // Memory for a walk: the geoms in the order of the list, and which of them overlap.
+    std::vector<dxGeom *> m_listed;
+    dxBoxTable m_boxes;
+    std::vector<dxSlotPair> m_overlaps;
+    std::vector<dxOrderedPair> m_walked;
+};

@@ -1,0 +1,377 @@
+#include "collision/spaces/dxOrderedSpace.h"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "collision/broadphase/dxAdaptiveSearch.h"
+#include "collision/pairs/dxMissedNotifications.h"
+#include "collision/narrowphase/dxTurnedGeom.h"
+#include "collision/pairs/dxPairPrefetch.h"
+
+#include "collision_space_internal.h"
+#include "util.h"
+
+namespace {
+
+// Geoms that one worker takes at once: some ten microseconds.
+constexpr std::size_t kBoxPiece = 128;
+
+// Geoms between asking the memory for one's place and computing its box.
+constexpr std::size_t kBoxesAhead = 4;
+
+// Its box follows from data or arrays that the program may change while other boxes are computed, without a word to the space.
+bool hasBoxOfData(const dxGeom *geom) {
+    return geom->type == dConvexClass || geom->type == dTriMeshClass || geom->type == dHeightfieldClass;
+}
+
+bool hasBoxOfItsOwn(const dxGeom *geom) { return geom->type < dConvexClass || hasBoxOfData(geom); }
+
+// To clean it, or what is within it, may run a function of the program's.
+bool mayRunUserCode(const dxGeom *geom) { return geom->type >= dFirstUserClass || geom->type == dGeomTransformClass || IS_SPACE(geom); }
+
+}  // namespace
+
+// The slot is kept in a field that belongs to the space a geom is in.
+dxOrderedSpace::Slot dxOrderedSpace::slotOf(const dxGeom *geom) {
+    return static_cast<Slot>(reinterpret_cast<std::uintptr_t>(geom->tome_ex) - 1);
+}
+
+dxOrderedSpace *dxOrderedSpace::from(dxSpace *space) {
+    if (space == nullptr) return nullptr;
+    switch (space->type) {
+        case dSimpleSpaceClass:
+        case dHashSpaceClass:
+        case dSweepAndPruneSpaceClass:
+        case dQuadTreeSpaceClass:
+            return static_cast<dxOrderedSpace *>(space);
+        default:
+            return nullptr;
+    }
+}
+
+dxOrderedSpace *dxOrderedSpace::of(const dxGeom *geom) {
+    return geom->tome_ex != nullptr ? from(geom->parent_space) : nullptr;
+}
+
+dxOrderedSpace::dxOrderedSpace(dSpaceID parent, int kind) : dxSpace(parent) { type = kind; }
+
+// From here on the geoms are in a space of upstream's, whose destructor removes or destroys them.
+dxOrderedSpace::~dxOrderedSpace() {
+    for (Slot slot = 0; slot < m_members.end(); ++slot)
+        if (dxGeom *const geom = m_members.geomIn(slot)) geom->tome_ex = nullptr;
+}
+
+// What upstream refuses, it refuses before it has changed anything; but the spaces around this one may be
+// locked, and then an assertion fails after the geom is in, or out.
+void dxOrderedSpace::add(dxGeom *geom) {
+    CHECK_NOT_LOCKED(this);
+    dAASSERT(geom);
+    dUASSERT(mayCome(geom), "geom is already in a space");
+    makeRoom(m_members.end() + 1);
+    const Slot slot = m_members.add(geom);
+    m_members.setPresence(slot, dxGeomIsEnabled(geom));
+    geom->tome_ex = reinterpret_cast<dxGeom **>(static_cast<std::uintptr_t>(slot) + 1);
+    comes(geom, slot);
+    if (m_ahead != nullptr) m_ahead->forgetGeom(slot);
+    dxOrderedSpace *const inner = IS_SPACE(geom) ? from(static_cast<dxSpace *>(geom)) : nullptr;
+    if (inner != nullptr && inner->hasStrays()) dxMissedNotifications::add();
+    dxSpace::add(geom);
+}
+
+bool dxOrderedSpace::mayCome(const dxGeom *geom) const {
+    return geom->parent_space == nullptr && geom->next == nullptr;
+}
+
+void dxOrderedSpace::remove(dxGeom *geom) {
+    CHECK_NOT_LOCKED(this);
+    dAASSERT(geom);
+    dUASSERT(geom->parent_space == this, "object is not in this space");
+    const Slot slot = slotOf(geom);
+    goes(geom, slot);
+    geom->tome_ex = nullptr;
+    m_members.remove(slot);
+    m_index.drop(slot);
+    dxSpace::remove(geom);
+}
+
+void dxOrderedSpace::collide(void *data, dNearCallback *callback) {
+    dAASSERT(callback);
+    dxTurnedGeom::noticeLeft();
+    lock_count++;
+    m_isAhead = false;
+    if (m_ahead != nullptr) m_ahead->forgetPair();
+    if (makeReady())
+        deliver(data, callback);
+    else
+        walk(data, callback, nullptr);
+    lock_count--;
+}
+
+void dxOrderedSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback) {
+    dAASSERT(geom && callback);
+    dxTurnedGeom::noticeLeft();
+    lock();
+    cleanGeoms();
+    geom->recomputeAABB();
+    collideWith(data, geom, callback);
+    unlock();
+}
+
+bool dxOrderedSpace::lookForStrays() {
+    const std::unique_lock<std::mutex> alone(m_lookingForStrays, std::try_to_lock);
+    if (!alone) return true;
+    const std::uint64_t missed = dxMissedNotifications::count();
+    for (dxGeom *geom = first; geom != nullptr; geom = geom->next) takeBoxAgain(geom);
+    bool hasStrays = hasStrayMembers();
+    for (dxGeom *geom = first; geom != nullptr && !hasStrays; geom = geom->next) {
+        dxOrderedSpace *const inner = IS_SPACE(geom) ? from(static_cast<dxSpace *>(geom)) : nullptr;
+        hasStrays = inner != nullptr && inner->hasStrays();
+    }
+    m_hasStrays.store(hasStrays, std::memory_order_relaxed);
+    m_notificationsMissed.store(missed, std::memory_order_release);
+    return true;
+}
+
+void dxOrderedSpace::noteStrays() {
+    m_hasStrays.store(true, std::memory_order_relaxed);
+    if (parent_space != nullptr) dxMissedNotifications::add();
+}
+
+bool dxOrderedSpace::hasStrays() {
+    mayHaveStrays();
+    return !isSureOfMembers();
+}
+
+void dxOrderedSpace::filtersChanged(dxGeom *geom) {
+    const Slot slot = slotOf(geom);
+    m_members.setFilter(slot, dxFilterOf(geom));
+    m_members.markChanged(slot);
+}
+
+void dxOrderedSpace::enabledChanges(dxGeom *geom) {
+    const Slot slot = slotOf(geom);
+    m_members.noteSwitch(slot);
+    if (isLeftOut(slot)) ++m_comebacks;
+}
+
+bool dxOrderedSpace::takeSwitches() {
+    if (m_members.switched().empty()) return true;
+    if (lock_count > 1) return false;
+    for (const Slot slot : m_members.switched())
+        if (const dxGeom *const geom = m_members.geomIn(slot)) m_members.setPresence(slot, dxGeomIsEnabled(geom));
+    m_members.forgetSwitches();
+    return true;
+}
+
+void dxOrderedSpace::setSearch(std::unique_ptr<dxPairSearch> search) {
+    m_search = std::move(search);
+    startAnew();
+}
+
+void dxOrderedSpace::startAnew() {
+    m_pairs.clear();
+    m_ownSearch.reset();
+    m_kept.reset();
+    for (Slot slot = 0; slot < m_members.end(); ++slot) m_members.markChanged(slot);
+}
+
+bool dxOrderedSpace::collideShared(dxTaskRunner &runner, bool arraysStay, void *data,
+                                   dNearCallback *callback) {
+    if (!prepareAhead(runner)) {
+        collide(data, callback);
+        return false;
+    }
+    const dxContactsAhead::Scope scope(*m_ahead, runner, arraysStay);
+    dxTurnedGeom::noticeLeft();
+    lock_count++;
+    if (makeReadyShared(runner)) {
+        m_isAhead = true;
+        deliver(data, callback);
+    } else {
+        m_isAhead = false;
+        walk(data, callback, nullptr);
+    }
+    lock_count--;
+    return true;
+}
+
+bool dxOrderedSpace::prepareAhead(const dxTaskRunner &runner) {
+    try {
+        if (m_ahead == nullptr) m_ahead.reset(new dxContactsAhead);
+        m_ahead->makeRoom(runner, m_members.end());
+        return true;
+    } catch (const std::bad_alloc &) {
+        return false;
+    }
+}
+
+// Whatever way it is left.
+bool dxOrderedSpace::makeReadyShared(dxTaskRunner &runner) {
+    struct Borrowed {
+        dxTaskRunner *&runner;
+        ~Borrowed() { runner = nullptr; }
+    };
+    m_runner = &runner;
+    const Borrowed borrowed{m_runner};
+    return makeReady();
+}
+
+// Only of the built-in classes whose boxes depend on nothing but themselves and their bodies.
+void dxOrderedSpace::computeBoxes(const std::vector<dxGeom *> &geoms) {
+    if (m_runner == nullptr || geoms.size() < kBoxPiece) return;
+    const bool dataMayChange = std::any_of(geoms.begin(), geoms.end(), mayRunUserCode);
+    m_runner->forPieces(dxParallelStage::Boxes, geoms.size(), kBoxPiece, [&](std::size_t begin, std::size_t end, unsigned) {
+        for (std::size_t i = begin; i < end; ++i) {
+            if (i + kBoxesAhead < end) dxPairPrefetch::place(geoms[i + kBoxesAhead]);
+            if (hasBoxOfItsOwn(geoms[i]) && !(dataMayChange && hasBoxOfData(geoms[i]))) geoms[i]->recomputeAABB();
+        }
+    });
+}
+
+void dxOrderedSpace::clean(const std::vector<dxGeom *> &geoms, std::size_t index) {
+    if (index + kBoxesAhead < geoms.size()) dxPairPrefetch::place(geoms[index + kBoxesAhead]);
+    clean(geoms[index]);
+}
+
+void dxOrderedSpace::clean(dxGeom *geom) {
+    if (IS_SPACE(geom)) static_cast<dxSpace *>(geom)->cleanGeoms();
+    geom->recomputeAABB();
+    dIASSERT((geom->gflags & GEOM_AABB_BAD) == 0);
+    geom->gflags &= ~GEOM_DIRTY;
+}
+
+void dxOrderedSpace::rank(dxGeom *geom, dxRank rank, const dxBounds &bounds) {
+    const Slot slot = slotOf(geom);
+    m_members.setRank(slot, rank);
+    m_members.setPresence(slot, dxGeomIsEnabled(geom));  // without a size it counts as disabled
+    m_members.setBounds(slot, bounds, dxFilterOf(geom));
+    m_members.markChanged(slot);
+    m_index.loosen(slot);
+}
+
+bool dxOrderedSpace::makeReady() {
+    cleanToCollide();
+    return findPairs();
+}
+
+bool dxOrderedSpace::findPairs() {
+    if (!requireRanks() || !takeSwitches()) return false;
+    if (m_members.changed().empty()) return true;
+    if (lock_count > 1) return false;  // a call around this one goes through pairs()
+    if (m_crowd.isOne() && !m_crowd.isOver()) return false;
+    return whereMemorySuffices([this] { return updatePairs(); });
+}
+
+bool dxOrderedSpace::updatePairs() {
+    update(m_pairs);
+    if (isTooMany(m_pairs.size())) becomeCrowd();
+    if (m_crowd.isOne()) return false;
+    m_members.forgetChanges();
+    return true;
+}
+
+// Whatever was half found. A search that was set is set again by whoever did so.
+void dxOrderedSpace::giveUpPairs() {
+    m_search.reset();
+    m_dense.reset();
+    m_matches = {};
+    startAnew();
+}
+
+bool dxOrderedSpace::isTooMany(std::size_t pairs) const {
+    return pairs > dxPairLimitOf(pairOrder())(m_members.end());
+}
+
+// Without pairs. All are looked for again when it is over.
+void dxOrderedSpace::becomeCrowd() {
+    m_crowd.become();
+    startAnew();
+    m_pairs = {};
+    m_matches = {};
+}
+
+void dxOrderedSpace::update(std::vector<dxOrderedPair> &pairs) {
+    dxBroadPhaseFacts facts;
+    facts.order = pairOrder();
+    facts.geoms = count;
+    facts.current = m_dense != nullptr ? dxBroadPhase::OrderedTable : dxBroadPhase::None;
+    const bool dense = m_search == nullptr && dxChooseBroadPhase(facts) == dxBroadPhase::OrderedTable;
+    if (dense != (m_dense != nullptr)) {
+        m_dense.reset(dense ? new dxDensePairs : nullptr);
+        startAnew();
+    }
+    if (dense)
+        m_dense->update(m_members, pairs);
+    else
+        updateSorted(pairs);
+}
+
+void dxOrderedSpace::updateSorted(std::vector<dxOrderedPair> &pairs) {
+    m_matches.clear();
+    findAndPlace(m_matches, pairs);
+}
+
+void dxOrderedSpace::findAndPlace(std::vector<dxPairSearch::Match> &matches,
+                                  std::vector<dxOrderedPair> &pairs) {
+    if (m_search == nullptr && m_ownSearch == nullptr)
+        m_ownSearch.reset(new dxAdaptiveSearch(dxPairLimitOf(pairOrder())));
+    if (m_kept == nullptr) m_kept.reset(new dxKeptPairs);
+    (m_search != nullptr ? m_search : m_ownSearch)->search(m_members, runner(), matches);
+    if (isTooMany(matches.size())) return becomeCrowd();
+    m_kept->update(m_members, matches, *this, runner(), pairs);
+}
+
+bool dxOrderedSpace::lead(Slot a, Slot b, std::uint64_t &word, bool &swapped) const {
+    const dxRank rankA = m_members[a].rank, rankB = m_members[b].rank;
+    swapped = rankA < rankB;
+    word = dxFrontFirst(std::max(rankA, rankB));
+    return true;
+}
+
+bool dxOrderedSpace::follow(Slot, Slot second, dxPairKey &key) const {
+    key.words[1] = dxFrontFirst(m_members[second].rank);
+    key.words[2] = key.words[3] = 0;
+    return true;
+}
+
+// Upstream asks whether a geom is enabled once before it is paired with those behind it, and of each of
+// those when its turn comes. A callback may enable or disable either.
+void dxOrderedSpace::deliverInOrder(const std::vector<dxOrderedPair> &pairs, void *data,
+                                    dNearCallback *callback) {
+    const dxGeom *front = nullptr;
+    bool frontIsEnabled = false;
+    dxContactsAhead *const ahead = this->ahead();
+    const std::uint64_t missed = dxMissedNotifications::count(), comebacks = m_comebacks;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const dxOrderedPair &pair = pairs[i];
+        if (pair.first != front) {
+            front = pair.first;
+            frontIsEnabled = dxGeomIsEnabled(front);
+        }
+        if (!frontIsEnabled || !dxGeomIsEnabled(pair.second)) continue;
+        if (ahead != nullptr) ahead->beforePair(pairs, i);
+        dxDeliver(pair, data, callback);
+        if (dxMissedNotifications::count() == missed && m_comebacks == comebacks) continue;
+        const dxOrderedPair last = pair;
+        return walk(data, callback, &last);
+    }
+}
+
+bool dxOrderedSpace::isStill(const dxGeom *geom, const dxBounds &box) {
+    return (geom->gflags & GEOM_AABB_BAD) == 0 && std::memcmp(geom->aabb, box.v, sizeof box.v) == 0;
+}
+
+// The members of the space cannot move while it is locked.
+dxGeom *dxOrderedSpace::collideRegion(void *data, dxGeom *geom, dNearCallback *callback) {
+    const dxBounds box(geom->aabb);
+    const Region region = beforeCallbacks([&] { return Region(*this, box); });
+    const std::uint64_t missed = dxMissedNotifications::count();
+    for (const Slot slot : region.slots()) {
+        dxGeom *const member = m_members.geomIn(slot);
+        if (!dxGeomIsEnabled(member)) continue;
+        collideAABBs(member, geom, data, callback);
+        if (!isStill(geom, box) || dxMissedNotifications::count() != missed) return member;
+    }
+    return nullptr;
+}

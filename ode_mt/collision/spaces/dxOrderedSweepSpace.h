@@ -1,0 +1,83 @@
+// The sweep-and-prune space: geoms sorted along an axis, each paired with those that begin before it ends;
+// then pairs with geoms that have no end on that axis. docs/collision-order.md.
+//
+// Unlike the other spaces this one keeps its geoms in two arrays (dxSweepLists); a member's rank follows from
+// its place in that of the clean ones. And it asks which geoms are enabled before it sorts: an enabled geom
+// more or less is a change to pairs().
+#pragma once
+
+#include <vector>
+
+#include "collision/broadphase/overlap/dxAxisSweep.h"
+#include "collision/spaces/dxOrderedSpace.h"
+#include "collision/spaces/dxSweepBox.h"
+#include "collision/spaces/dxSweepLists.h"
+#include "core/dxRankSort.h"
+
+class dxOrderedSweepSpace final : public dxOrderedSpace {
+public:
+    // `axes`: dSAP_AXES_XYZ and so on, or any number.
+    dxOrderedSweepSpace(dSpaceID parent, int axes);
+    ~dxOrderedSweepSpace() override;
+
+    dxGeom *getGeom(int i) override;
+    void dirty(dxGeom *geom) override;
+    void computeAABB() override {}  // without end, whatever is in it
+    void cleanGeoms() override;
+    bool makeReady() override;
+
+private:
+    enum class Part : std::uint8_t { absent, swept, infinite };
+
+    struct State {
+        dxSweepBox box;          // as of the last cleaning
+        std::uint32_t position;  // among those swept
+        Part part;
+    };
+
+    dxPairOrder pairOrder() const override { return dxPairOrder::Axis; }
+    void update(std::vector<dxOrderedPair> &pairs) override;
+    bool lead(Slot a, Slot b, std::uint64_t &word, bool &swapped) const override;
+    bool follow(Slot first, Slot second, dxPairKey &key) const override;
+    void expect(Slot slot) const override;
+    void deliver(void *data, dNearCallback *callback) override;
+    bool mayCome(const dxGeom *geom) const override;
+    void makeRoom(Slot slots) override;
+    void comes(dxGeom *geom, Slot slot) override;
+    void goes(dxGeom *geom, Slot slot) override;
+    void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) override;
+    void collideWith(void *data, dxGeom *geom, dNearCallback *callback) override;
+    bool hasStrayMembers() const override;
+    void takeBoxAgain(dxGeom *geom) override;
+
+    dxBounds boundsOf(const dxGeom *geom, const dxSweepBox &box) const;
+    void takeBox(dxGeom *geom, dxRank rank);
+    void rankSuccessor(Slot slot, std::size_t place);
+    bool hasUncleanBox() const;
+    void takeParts();
+    void sortSwept();
+    void chooseSearch();
+    void sweepAll(std::vector<dxOrderedPair> &pairs);
+    void placeAll(std::vector<dxOrderedPair> &pairs);
+    void pairInfinite(std::vector<dxOrderedPair> &pairs) const;
+    void pairIfMayMeet(Slot a, Slot b, std::vector<dxOrderedPair> &pairs) const;
+    void collideFrom(std::size_t place, void *data, dxGeom *geom, dNearCallback *callback);
+
+    dxSweepAxes m_axes;
+    dxSweepLists m_lists;
+    std::vector<State> m_states;            // by slot
+    std::vector<dxGeom *> m_toClean;
+    std::vector<Slot> m_swept, m_infinite;  // in the order of the list
+    std::vector<float> m_keys;              // of m_swept
+    std::vector<Slot> m_inOrder;            // m_swept, sorted
+    dxRankSort m_sort;
+    bool m_hasNaN = false;
+    bool m_isMessedUp = false;  // as upstream's assertion has it: a cleaning took place within a cleaning
+
+    bool m_hasWalked = false;       // since pairs() was brought up to date
+    std::size_t m_pairsWalked = 0;  // at the last walk
+    bool m_isDense = true;          // pairs are found by a sweep of all
+    dxAxisRows m_rows;
+    std::vector<dxSlotPair> m_found, m_again;
+    std::size_t m_sweptPairs = 0;  // of pairs(), those in front
+};

@@ -1,0 +1,43 @@
+// One call of a sweep-and-prune space done step by step as upstream does it, for the cases in which pairs do not follow
+// from boxes alone: NaN among the numbers that are sorted, boxes that are not up to date.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "collision/spaces/dxSweepBox.h"
+#include "core/dxRankSort.h"
+
+class dxSweepWalk {
+public:
+    explicit dxSweepWalk(const dxSweepAxes &axes) : m_axes(axes) {}
+
+    // In the order of the list; all are enabled.
+    void add(dxGeom *geom);
+    // Makes room for so many pairs at once; a crowd has about as many as at the last call.
+    void expectPairs(std::size_t count) { m_pairs.reserve(count); }
+    void findPairs(dxRankSort &sort);
+    std::size_t pairs() const { return m_pairs.size(); }
+    void deliver(void *data, dNearCallback *callback) const;
+
+    // Upstream's assertions, with its texts.
+    static void requireUnlocked(const dxSpace &space);
+    static void requireCleanBoxes(const dxGeom *g1, const dxGeom *g2) {
+        if (((g1->gflags | g2->gflags) & GEOM_AABB_BAD) != 0) reportUncleanBox((g1->gflags & GEOM_AABB_BAD) != 0 ? 1 : 2);
+    }
+
+private:
+    struct Pair {
+        std::uint32_t earlier, later;
+    };
+
+    static void reportUncleanBox(int number);
+
+    void sweep(const std::vector<std::uint32_t> &order);
+
+    dxSweepAxes m_axes;
+    std::vector<dxGeom *> m_swept, m_infinite;
+    std::vector<dxSweepBox> m_boxes;  // of m_swept
+    std::vector<float> m_keys;
+    std::vector<Pair> m_pairs;
+};

@@ -1,0 +1,188 @@
+#include "dynamics/dxIslandParallelStep.h"
+
+#include <ode/error.h>
+
+#include <algorithm>
+#include <chrono>
+#include <new>
+
+#include "dynamics/dxIslandPreparation.h"
+#include "dynamics/dxIslandStepper.h"
+#include "dynamics/dxSerialStep.h"
+#include "dynamics/dxWorldArena.h"
+#include "dynamics/islands/dxBodyIntegration.h"
+#include "dynamics/islands/dxWorkingMemory.h"
+#include "dynamics/random/dxRandom.h"
+#include "dynamics/random/dxReservedDraws.h"
+#include "settings/dxStepStatistics.h"
+#include "settings/dxWorkersRunner.h"
+#include "threading/dxPerturbation.h"
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double nsSince(Clock::time_point start) {
+    return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+dxIslandParallelStep::dxIslandParallelStep(const dxStepCall &call, const dxStepPlan &plan)
+    : m_call(call),
+      m_plan(plan),
+      m_userHandlers(dGetErrorHandler() || dGetDebugHandler() || dGetMessageHandler()),
+      m_interrupted(call.count) {}
+
+void dxIslandParallelStep::run() {
+    const Clock::time_point start = Clock::now();
+    if (!prepare()) {
+        m_records.reset();
+        dxSerialStep(m_call).run();
+        return;
+    }
+    unsigned rest;
+    {
+        const dxWorldArena arena(m_call.world);
+        m_records->workers[0].arena = arena.get();
+        dxReserveRandomNumbers(m_call, *m_records);
+        dxWorkersRunner(m_plan.workers, m_call.world)
+            .forBlocks(dxParallelStage::Islands, static_cast<unsigned>(m_records->blocks.size()),
+                       [this](unsigned block, unsigned worker) { stepBlock(block, worker); });
+        stepLeftovers();
+        learn(nsSince(start));
+        rest = commit();
+    }
+    finishInOrder(rest);
+}
+
+// Changes nothing of the world's. Returns false if there is no memory for it.
+bool dxIslandParallelStep::prepare() try {
+    m_records = dxStepRecords::borrow();
+    dxPrepareIslands(m_call, m_plan.workers, *m_records);
+    return true;
+} catch (const std::bad_alloc &) {
+    return false;
+}
+
+void dxIslandParallelStep::stepBlock(unsigned block, unsigned worker) {
+    const Clock::time_point start = Clock::now();
+    const dxIslandBlock range = m_records->blocks[block];
+    for (unsigned i = range.begin; i < range.end; ++i) stepDeferred(m_records->order[i], worker);
+    m_records->workers[worker].busyNs += nsSince(start);
+}
+
+void dxIslandParallelStep::stepDeferred(unsigned index, unsigned worker) {
+    dxPerturb(dxSchedulePoint::StepIsland);
+    if (index > m_interrupted.load(std::memory_order_relaxed)) return;  // would be taken back
+    dxIslandRecord &record = m_records->islands[index];
+    dxWorkerRecord &own = m_records->workers[worker];
+    if (own.arena == nullptr) {
+        own.arena = dxWorkingMemory::take(m_records->workers[0].arena->GetMemorySize());
+        if (own.arena == nullptr) return;
+    }
+    record.worker = worker;
+    record.undoBegin = own.undo.mark();
+    try {
+        if (m_userHandlers) own.undo.save(record.island);
+    } catch (const std::bad_alloc &) {
+        return interruptAt(index);
+    }
+    record.undoEnd = own.undo.mark();
+    record.stepped = true;
+    ++own.islands;
+    try {
+        dxDeferredIsland scope(index, record.seed, m_userHandlers, own.reports);
+        dxIslandStepper::step(m_call, record.island, own.arena);
+    } catch (const dxUpstreamInterrupted &) {
+        dxPerturb(dxSchedulePoint::InterruptIsland);
+        interruptAt(index);
+    }
+}
+
+void dxIslandParallelStep::interruptAt(unsigned island) {
+    unsigned first = m_interrupted.load(std::memory_order_relaxed);
+    while (island < first && !m_interrupted.compare_exchange_weak(first, island, std::memory_order_relaxed)) {
+    }
+}
+
+void dxIslandParallelStep::stepLeftovers() {
+    for (unsigned i = 0; i < m_records->inOrderFrom; ++i) {
+        if (!m_records->islands[i].stepped) stepDeferred(i, 0);
+    }
+}
+
+// Makes the steps of the islands visible in upstream's order, up to the first one that cannot be: one
+// that has to be stepped in order, was interrupted, or has a geom in a space that is being collided.
+// Returns that one.
+unsigned dxIslandParallelStep::commit() {
+    dxPerturb(dxSchedulePoint::CommitIslands);
+    unsigned end = std::min(m_records->inOrderFrom, m_interrupted.load(std::memory_order_relaxed));
+    if (m_userHandlers) {
+        for (unsigned i = 0; i < end; ++i) {
+            if (dxTouchesLockedSpace(m_records->islands[i].island)) end = i;
+        }
+        takeBack(end);
+    }
+    for (unsigned i = 0; i < end; ++i) {
+        deliverReports(i);
+        dxNotifyMoved(m_records->islands[i].island);
+    }
+    deliverReports(end);
+    giveArenasBack();
+    return end;
+}
+
+void dxIslandParallelStep::takeBack(unsigned begin) {
+    for (unsigned i = begin; i < m_records->inOrderFrom; ++i) {
+        const dxIslandRecord &record = m_records->islands[i];
+        if (record.stepped) m_records->workers[record.worker].undo.restore(record.undoBegin, record.undoEnd);
+    }
+}
+
+// Reports are kept only where the user has no handlers: a message goes to stderr, and an error ends the
+// process, so an interrupted island is the last to report. Whoever stepped the island has them, and few
+// islands have any.
+void dxIslandParallelStep::deliverReports(unsigned island) const {
+    if (island == m_call.count) return;
+    for (const dxKeptReport &report : m_records->workers[m_records->islands[island].worker].reports)
+        if (report.island == island) report.deliver();
+}
+
+void dxIslandParallelStep::giveArenasBack() {
+    unsigned islands = 0, used = 0;
+    for (dxWorkerRecord &worker : m_records->workers) {
+        islands += worker.islands;
+        used += worker.islands != 0;
+        if (&worker != &m_records->workers[0] && worker.arena) dxWorkingMemory::giveBack(worker.arena);
+    }
+    dxStepStatistics::instance().countParallelStep(islands, used);
+}
+
+void dxIslandParallelStep::finishInOrder(unsigned begin) {
+    if (begin == m_call.count) return;
+    const unsigned inOrderFrom = m_records->inOrderFrom;
+    const bool reserved = dxIslandStepper::drawsRandomNumbers(m_call) && begin < inOrderFrom;
+    const std::uint32_t seed = reserved ? m_records->islands[begin].seed : 0, end = m_records->randomEnd;
+    const unsigned reservedCount = inOrderFrom - std::min(begin, inOrderFrom);
+    m_records.reset();  // from here on user code runs, which may leave the step and never come back
+
+    const dxSerialStep inOrder(m_call);
+    dxIslandCursor cursor(m_call.info);
+    for (unsigned i = 0; i < begin; ++i) cursor.next();
+    if (reserved && !dxRandom::rewindShared(end, seed)) {
+        dxReservedDraws draws(seed, end);
+        inOrder.stepIslands(cursor, reservedCount);
+        for (unsigned i = 0; i < reservedCount; ++i) cursor.next();
+        begin = inOrderFrom;
+    }
+    inOrder.stepIslands(cursor, m_call.count - begin);
+}
+
+void dxIslandParallelStep::learn(double wallNs) const {
+    if (m_records->inOrderFrom != m_call.count || m_interrupted.load(std::memory_order_relaxed) != m_call.count) return;
+    double busyNs = 0;
+    for (const dxWorkerRecord &worker : m_records->workers) busyNs += worker.busyNs;
+    dxCostModel::instance().learnParallel(m_call.kind, m_plan.costs.total, m_plan.costs.largest, m_plan.workers, busyNs,
+                                          wallNs);
+}

@@ -1,0 +1,46 @@
+// The island-parallel strategy: islands are stepped side by side by several workers, and what they did is made visible in
+// upstream's order (thesis chapter 11). The stages, in this order; WORKERS marks those that are shared:
+//
+//   dxPrepareIslands         WORKERS  callbacks of the user, rows, feedback; blocks for workers
+//   dxReserveRandomNumbers   caller   the block of the step, cut up among the islands
+//   stepBlock                WORKERS  each island, its messages and moved-notifications put off
+//   stepLeftovers            caller   islands for which a worker had no memory
+//   commit                   caller   messages and notifications in upstream's order, up to the first island that cannot be
+//   finishInOrder            caller   the islands from that one on, as the serial strategy
+//
+// Upstream's dxProcessIslands lets threads take islands as they come: its random numbers, list orders and messages then
+// differ from run to run. docs/same-bits.md goes through why the bits stay the same here.
+//
+// A worker writes only the records of the islands that it steps, and its own worker record (dxStepRecords).
+#pragma once
+
+#include <atomic>
+
+#include "dynamics/dxStepRecords.h"
+#include "dynamics/dxStepStrategy.h"
+
+class dxIslandParallelStep {
+public:
+    dxIslandParallelStep(const dxStepCall &call, const dxStepPlan &plan);
+
+    void run();
+
+private:
+    bool prepare();
+    void stepBlock(unsigned block, unsigned worker);  // workers
+    void stepDeferred(unsigned index, unsigned worker);
+    void interruptAt(unsigned island);
+    void stepLeftovers();
+    unsigned commit();
+    void takeBack(unsigned begin);
+    void deliverReports(unsigned island) const;
+    void giveArenasBack();
+    void finishInOrder(unsigned begin);
+    void learn(double wallNs) const;
+
+    const dxStepCall &m_call;
+    const dxStepPlan &m_plan;
+    const bool m_userHandlers;  // an error, debug or message handler is installed
+    dxStepRecords::Lease m_records;
+    std::atomic<unsigned> m_interrupted;  // first island that has to be stepped again in order
+};

@@ -1,0 +1,42 @@
+#include "dynamics/dxIslandStepper.h"
+
+#include "dynamics/exactstep/dxExactStep.h"
+#include "dynamics/islands/dxIslandCall.h"
+#include "dynamics/quickstep/dxQuickStep.h"
+#include "dynamics/quickstep/sor/dxRowShuffle.h"
+#include "dynamics/random/dxLoneStepper.h"
+#include "quickstep.h"
+
+dxStepperKind dxIslandStepper::kindOf(dstepper_fn_t stepper) {
+    return stepper == &dxQuickStepIsland ? dxStepperKind::Quick : dxStepperKind::World;
+}
+
+void dxIslandStepper::step(const dxStepCall &call, const dxIsland &island, dxWorldProcessMemArena *arena,
+                           dxIslandTeam *team) {
+    arena->ResetState();
+    if (call.kind == dxStepperKind::Quick) {
+        dxQuickStep({call.world, call.stepSize, island, arena, team});
+        return;
+    }
+    constexpr unsigned kOneThread = 1;  // all of upstream's stages one after the other on this thread
+    dxIslandCall islandCall(call.world, call.stepSize, kOneThread, arena, island.bodies, island.joints);
+    islandCall.AssignIslandSelection(island.bodies, island.joints, island.bodyCount, island.jointCount);
+    islandCall.team = team;
+    dxExactStepIsland(&islandCall);
+}
+
+// Upstream shuffles the rows before every eighth iteration but the first: m - 1 draws each time.
+std::uint64_t dxIslandStepper::drawsOf(const dxStepCall &call, unsigned rows) {
+    if (call.kind != dxStepperKind::Quick || rows == 0 || call.world->qs.num_iterations < 1) return 0;
+    const std::uint64_t shuffles =
+        (static_cast<unsigned>(call.world->qs.num_iterations) - 1) / kShuffleInterval;
+    return (rows - 1) * shuffles;
+}
+
+bool dxIslandStepper::drawsRandomNumbers(const dxStepCall &call) { return drawsOf(call, 2) != 0; }
+
+bool dxIslandStepper::stepByPosting(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize,
+                                    dstepper_fn_t stepper, dmaxcallcountestimate_fn_t estimate) {
+    const dxLoneStepper inTurn;
+    return dxProcessIslands(world, info, stepSize, stepper, estimate);
+}

@@ -1,0 +1,44 @@
+#include "dynamics/dxStep.h"
+
+#include <chrono>
+
+#include "dynamics/dxIslandParallelStep.h"
+#include "dynamics/dxIslandStepper.h"
+#include "dynamics/dxLargeIslandStep.h"
+#include "dynamics/dxSerialStep.h"
+#include "dynamics/dxStepStrategy.h"
+#include "settings/dxWorldWorkers.h"
+
+namespace {
+
+void follow(const dxStepPlan &plan, const dxStepCall &call) {
+    switch (plan.strategy) {
+        case dxStepStrategy::Serial: return dxSerialStep(call).run();
+        case dxStepStrategy::IslandParallel: return dxIslandParallelStep(call, plan).run();
+        case dxStepStrategy::LargeIsland: return dxRunLargeIslandStep(call, plan);
+    }
+}
+
+void followAndLearn(const dxStepPlan &plan, const dxStepCall &call) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    follow(plan, call);
+    dxLearnFromStep(call, plan, std::chrono::duration<double, std::nano>(Clock::now() - start).count());
+}
+
+}  // namespace
+
+bool dxStepIslands(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper,
+                   dmaxcallcountestimate_fn_t maxCallCountEstimator) {
+    if (dxWorldWorkers::haveToBeAsked(world))
+        return dxIslandStepper::stepByPosting(world, info, stepSize, stepper, maxCallCountEstimator);
+    if (!dxWorldWorkers::prepare(world)) return false;
+    const dxStepCall call{world, info, stepSize, stepper, dxIslandStepper::kindOf(stepper),
+                          static_cast<unsigned>(info.GetIslandsCount())};
+    const dxStepPlan plan = dxPlanStep(call);
+    if (plan.isMeasured)
+        followAndLearn(plan, call);
+    else
+        follow(plan, call);
+    return true;
+}

@@ -1,0 +1,16 @@
+// One step of one world: the islands that upstream's search found are stepped in order on the calling
+// thread, or shared out to workers, or one large island to all workers; with the same bits.
+//
+//   dxStepStrategy decides which, from costs that it has learned
+//   dxSerialStep, dxIslandParallelStep, dxLargeIslandStep do it
+//   dxIslandStepper steps one island for each of them
+//
+// See docs/frame.md for the picture and docs/same-bits.md for why the bits stay the same.
+#pragma once
+
+#include "dynamics/islands/dxIsland.h"
+
+// Seam: upstream's dWorldStep and dWorldQuickStep call this instead of dxProcessIslands. Returns false if a threading
+// implementation of the user's refuses its resources; no body has moved then.
+bool dxStepIslands(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper,
+                   dmaxcallcountestimate_fn_t maxCallCountEstimator);

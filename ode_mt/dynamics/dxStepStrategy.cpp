@@ -1,0 +1,140 @@
+#include "dynamics/dxStepStrategy.h"
+
+#include <algorithm>
+#include <mutex>
+
+#include "settings/dxSettings.h"
+#include "settings/dxWorldWorkers.h"
+#include "threading/dxFloatEnvironment.h"
+#include "threading/dxSharingPolicy.h"
+#include "threading/process/dxProcessObject.h"
+
+namespace {
+
+// Joints that make an island large enough to be stepped by several workers together.
+constexpr unsigned kMinTeamJoints = 500;
+
+// The exact step's: at three rows a contact its LCP begins to be worth sharing; under an algorithm that is
+// asked for by name it is shared earlier. It is not shared as well as islands side by side, so that the rest
+// of the world has to be small.
+constexpr unsigned kMinExactTeamJoints = 134, kMinExactTeamJointsByName = 64;
+constexpr double kMinExactTeamPart = 0.9;
+
+// For a time per cost to be remembered like the time of a call: that of a step of one millisecond.
+constexpr double kCostOfReference = 1e6;
+
+// Whether large islands are stepped by teams, under auto. For the process, as the cost model: what it
+// measures is the machine. Steps that find it in use do without.
+struct TeamPolicy {
+    std::mutex mutex;
+    dxSharingPolicy policy;
+};
+dxProcessObject<TeamPolicy> teamPolicy;
+
+// Upstream takes a negative number of iterations for one above two thousand million, and never returns from an island with
+// rows. It may never come to that island, though: one before it may report an error to a handler that leaves the step.
+bool mayBeEndless(const dxStepCall &call) {
+    constexpr unsigned kMaxIterations = 100000;
+    return call.kind == dxStepperKind::Quick &&
+           static_cast<unsigned>(call.world->qs.num_iterations) > kMaxIterations;
+}
+
+unsigned minTeamJoints(dxStepperKind kind) {
+    if (kind == dxStepperKind::Quick) return kMinTeamJoints;
+    return dxSettings::instance().algorithm() == dxAlgorithm::Auto ? kMinExactTeamJoints : kMinExactTeamJointsByName;
+}
+
+// The steps of most small worlds are over before a clock could be read: they cost one look at their only
+// island.
+bool mayUseWorkers(const dxStepCall &call) {
+    if (mayBeEndless(call)) return false;
+    if (call.count != 1) return call.count > 1;
+    return dxIslandCursor(call.info).next().jointCount >= minTeamJoints(call.kind);
+}
+
+// Workers that the settings, the world and the machine allow.
+unsigned workerLimit(const dxWorld *world) {
+    const dxAlgorithm algorithm = dxSettings::instance().algorithm();
+    if (algorithm == dxAlgorithm::Serial) return 1;
+    unsigned limit = dxWorldWorkers::given(world) ? dxWorldWorkers::count(world) : dxSettings::instance().threads();
+    const unsigned asked = world->islands_max_threads;
+    if (asked != dWORLDSTEP_THREADCOUNT_UNLIMITED) limit = std::min(limit, asked);
+    if (algorithm == dxAlgorithm::Auto) limit = std::min(limit, dxSettings::instance().cores());
+    return limit >= 2 && dxTrapsFloatingPoint() ? 1 : limit;
+}
+
+dxIslandCosts estimateCosts(const dxStepCall &call) {
+    dxIslandCosts costs;
+    dxIslandCursor cursor(call.info);
+    for (unsigned i = 0; i < call.count; ++i) {
+        const dxIsland island = cursor.next();
+        if (island.bodies[0]->moved_callback != nullptr) break;  // it and what follows goes in order
+        const double cost =
+            dxCostModel::islandCost(call.kind, call.world->qs.num_iterations, island.bodyCount, island.jointCount);
+        costs.total += cost;
+        costs.largest = std::max(costs.largest, cost);
+        costs.mostJoints = std::max(costs.mostJoints, island.jointCount);
+        costs.areOfAll = i + 1 == call.count;
+    }
+    return costs;
+}
+
+// One island takes so long that the others would have to wait for it.
+bool hasLargeIsland(const dxStepCall &call, const dxStepPlan &plan, unsigned limit) {
+    if (plan.costs.mostJoints < plan.minTeamJoints || !plan.costs.areOfAll) return false;
+    const double part = call.kind == dxStepperKind::Quick ? 1.0 / limit : kMinExactTeamPart;
+    return plan.costs.largest >= part * plan.costs.total;
+}
+
+// The exact step measures its LCPs instead (dxSolveTeam).
+bool isTeamMeasured(dxStepperKind kind) {
+    return kind == dxStepperKind::Quick && dxSettings::instance().algorithm() == dxAlgorithm::Auto;
+}
+
+bool isTeamFaster(dxStepperKind kind) {
+    if (!isTeamMeasured(kind)) return true;
+    const std::unique_lock<std::mutex> hold(teamPolicy->mutex, std::try_to_lock);
+    return hold && teamPolicy->policy.shouldShare();
+}
+
+void rememberTeam(const dxStepCall &call, const dxStepPlan &plan, double ns) {
+    if (!isTeamMeasured(call.kind)) return;
+    const std::unique_lock<std::mutex> hold(teamPolicy->mutex, std::try_to_lock);
+    const bool hadTeam = plan.strategy == dxStepStrategy::LargeIsland;
+    if (hold) teamPolicy->policy.remember(hadTeam, ns * kCostOfReference / plan.costs.total);
+}
+
+// For islands side by side. Returns 1 for the caller alone.
+unsigned chooseWorkers(const dxStepCall &call, const dxIslandCosts &costs, unsigned limit) {
+    const unsigned most = std::min(limit, call.count);
+    if (most < 2) return 1;
+    if (dxSettings::instance().algorithm() != dxAlgorithm::Auto) return most;
+    return dxCostModel::instance().chooseWorkers(call.kind, costs.total, costs.largest, most);
+}
+
+}  // namespace
+
+dxStepPlan dxPlanStep(const dxStepCall &call) {
+    dxStepPlan plan;
+    const unsigned limit = mayUseWorkers(call) ? workerLimit(call.world) : 1;
+    if (limit < 2) return plan;
+    plan.isMeasured = true;
+    plan.minTeamJoints = minTeamJoints(call.kind);
+    plan.costs = estimateCosts(call);
+    plan.hasLargeIsland = hasLargeIsland(call, plan, limit);
+    if (plan.hasLargeIsland && isTeamFaster(call.kind)) {
+        plan.strategy = dxStepStrategy::LargeIsland;
+        plan.workers = limit;
+        return plan;
+    }
+    plan.workers = chooseWorkers(call, plan.costs, limit);
+    if (plan.workers >= 2) plan.strategy = dxStepStrategy::IslandParallel;
+    return plan;
+}
+
+// Island-parallel steps measure their parallel part themselves.
+void dxLearnFromStep(const dxStepCall &call, const dxStepPlan &plan, double ns) {
+    if (plan.strategy == dxStepStrategy::Serial && plan.costs.areOfAll)
+        dxCostModel::instance().learnSerial(call.kind, plan.costs.total, ns);
+    if (plan.hasLargeIsland) rememberTeam(call, plan, ns);
+}

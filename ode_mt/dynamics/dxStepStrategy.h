@@ -1,0 +1,33 @@
+// Which way a step goes: the one place that decides it, and learns from how long it took.
+//
+//   Serial           all islands on the calling thread, in upstream's order (dxSerialStep)
+//   IslandParallel   islands side by side on several workers (dxIslandParallelStep)
+//   LargeIsland      in order, and an island that outweighs the others by several workers together (dxLargeIslandStep)
+//
+// Results never depend on the strategy, only speed does. A step stays serial where dxPlanStep says why.
+#pragma once
+
+#include "dynamics/dxStepCall.h"
+
+enum class dxStepStrategy { Serial, IslandParallel, LargeIsland };
+
+// Costs (dxCostModel) of the islands before the first one with a moved-callback.
+struct dxIslandCosts {
+    double total = 0, largest = 0;
+    unsigned mostJoints = 0;
+    bool areOfAll = false;  // there is no such callback
+};
+
+struct dxStepPlan {
+    dxStepStrategy strategy = dxStepStrategy::Serial;
+    unsigned workers = 1;  // the caller included
+    unsigned minTeamJoints = 0;
+    dxIslandCosts costs;
+    bool isMeasured = false;      // its time is worth reading a clock
+    bool hasLargeIsland = false;  // both LargeIsland and another strategy are possible
+};
+
+dxStepPlan dxPlanStep(const dxStepCall &call);
+
+// A step that was measured took `ns`.
+void dxLearnFromStep(const dxStepCall &call, const dxStepPlan &plan, double ns);

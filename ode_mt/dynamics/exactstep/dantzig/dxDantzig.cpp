@@ -1,0 +1,102 @@
+#include "dynamics/exactstep/dantzig/dxDantzig.h"
+
+#include <ode/odemath.h>
+
+#include <cfenv>
+#include <cmath>
+
+#include "dynamics/exactstep/dantzig/dxDantzigRun.h"
+#include "dynamics/exactstep/dantzig/dxUpstreamLcp.h"
+#include "dynamics/exactstep/kernels/dxTriangleScan.h"
+#include "dynamics/islands/dxWorkingMemory.h"
+
+namespace {
+
+// Lanes that nobody asked for may raise them where upstream does not.
+constexpr int kTelling = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
+
+// Below this many rows there is little to be left out.
+constexpr unsigned kSparseRows = 64;
+
+// Zeros may be left out as long as everything is finite, and sums that start at 0 never become -0.
+bool mayLeaveOutZeros(const dxDantzigProblem &problem) {
+    if (problem.n < kSparseRows || std::fegetround() != FE_TONEAREST) return false;
+    for (unsigned i = 0; i < problem.n; ++i)
+        if (!std::isfinite(problem.pairsBX[std::size_t(i) * PBX__MAX + PBX_B])) return false;
+    return dxIsTriangleFinite(problem.A, problem.n, dPAD(problem.n));
+}
+
+bool areLimitsSound(const dReal *pairsLoHi, unsigned n) {
+    for (unsigned i = 0; i < n; ++i, pairsLoHi += PLH__MAX)
+        if (!(pairsLoHi[PLH_LO] <= 0 && pairsLoHi[PLH_HI] >= 0)) return false;
+    return true;
+}
+
+// Floating-point exceptions that are raised while it lives, and forgotten then.
+class LoweredFlags {
+public:
+    LoweredFlags() : m_before(std::fetestexcept(kTelling)) {
+        if (m_before == 0) return;
+        std::fegetexceptflag(&m_flags, kTelling);
+        std::feclearexcept(kTelling);
+    }
+    ~LoweredFlags() {
+        if (isAnyRaised()) std::feclearexcept(kTelling);
+        if (m_before != 0) std::fesetexceptflag(&m_flags, kTelling);
+    }
+    LoweredFlags(const LoweredFlags &) = delete;
+    LoweredFlags &operator=(const LoweredFlags &) = delete;
+    bool isAnyRaised() const { return std::fetestexcept(kTelling) != 0; }
+
+private:
+    const int m_before;
+    std::fexcept_t m_flags{};
+};
+
+// Memory beside the world's arena, whose size upstream decides and the user's allocator sees.
+class BorrowedArena {
+public:
+    explicit BorrowedArena(std::size_t size) : m_arena(dxWorkingMemory::take(size)) {}
+    ~BorrowedArena() {
+        if (m_arena) dxWorkingMemory::giveBack(m_arena);
+    }
+    BorrowedArena(const BorrowedArena &) = delete;
+    BorrowedArena &operator=(const BorrowedArena &) = delete;
+    dxWorldProcessMemArena *get() const { return m_arena; }
+
+private:
+    dxWorldProcessMemArena *const m_arena;
+};
+
+enum class Outcome { Solved, GaveUp, LeftToUpstream };
+
+// Nothing is changed if the problem is left to upstream. `failedLength`: of the push that could not be made.
+Outcome solve(dxIslandTeam *team, dxWorldProcessMemArena *memory, const dxDantzigProblem &problem, dReal &failedLength) {
+    const BorrowedArena more(dxDantzigRun::memory(problem.n));
+    if (!more.get()) return Outcome::LeftToUpstream;
+    const LoweredFlags flags;
+    dxDantzigRun run(team, memory, more.get(), problem, mayLeaveOutZeros(problem));
+    run.solve();
+    if (flags.isAnyRaised()) return Outcome::LeftToUpstream;
+    run.deliver();
+    failedLength = run.failedLength();
+    return run.hasFailed() ? Outcome::GaveUp : Outcome::Solved;
+}
+
+}  // namespace
+
+void dxSolveDantzig(dxIslandTeam *team, dxWorldProcessMemArena *memory, unsigned n, dReal *A, dReal *pairsBX, dReal *w,
+                    unsigned unbounded, dReal *pairsLoHi, int *normalOf) {
+    Outcome outcome = Outcome::LeftToUpstream;
+    dReal failedLength = 0;
+    if (unbounded < n && w == nullptr && fegetexcept() == 0 && areLimitsSound(pairsLoHi, n)) {
+        void *const start = memory->SaveState();
+        outcome = solve(team, memory, {n, A, pairsBX, unbounded, pairsLoHi, normalOf}, failedLength);
+        memory->RestoreState(start);
+    }
+    if (outcome == Outcome::LeftToUpstream) {
+        dxSolveLCP(memory, n, A, pairsBX, w, unbounded, pairsLoHi, normalOf);
+    } else if (outcome == Outcome::GaveUp) {
+        dMessage(d_ERR_LCP, "LCP internal error, s <= 0 (s=%.4e)", static_cast<double>(failedLength));
+    }
+}

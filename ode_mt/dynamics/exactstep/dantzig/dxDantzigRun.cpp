@@ -1,0 +1,415 @@
+#include "dynamics/exactstep/dantzig/dxDantzigRun.h"
+
+#include <ode/matrix.h>
+#include <ode/odemath.h>
+
+#include <algorithm>
+
+#include "dynamics/exactstep/dantzig/dxFactorRemoval.h"
+#include "dynamics/exactstep/dantzig/dxLcpArrays.h"
+#include "dynamics/exactstep/dantzig/dxLcpOrder.h"
+#include "dynamics/exactstep/dantzig/dxUpstreamLcp.h"
+#include "dynamics/exactstep/kernels/dxFactorLDLT.h"
+#include "dynamics/exactstep/kernels/dxLaneProducts.h"
+#include "dynamics/exactstep/kernels/dxSolveL1.h"
+#include "dynamics/exactstep/kernels/dxTriangleScan.h"
+
+namespace {
+
+// For removing a row from the factorisation, and for making it.
+std::size_t temporarySize(unsigned n) {
+    return std::max(dxFactorRemovalStorage(n), dxFactorLDLTStorage(n));
+}
+
+// Below this many rows vectors do not pay.
+constexpr unsigned kWideFactorRows = 24;
+
+// For up to this many rows of N lanes take longer than one row after the other.
+constexpr unsigned kFewRows = 2;
+
+// Below this many rows lanes are as fast.
+constexpr unsigned kSparseProductRows = 256;
+
+std::size_t halfBlockCount(unsigned n) { return 2 * (dxLcpBlock(n) + std::size_t(1)); }
+
+std::size_t sparseMemory(unsigned n) { return n < kSparseProductRows ? 0 : dxSparseRows::memory(n); }
+
+// The sum of `count` products in upstream's order (calculateLargeVectorDot of ode/src/fastdot_impl.h). The k-th is
+// inPlace(k), which takes no look at the list of indexes, for the first of them, and product(k) for all.
+template <class InPlace, class Product>
+dReal addUp(unsigned countInPlace, InPlace inPlace, unsigned count, Product product) {
+    dReal sum = 0;
+    unsigned k = 0;
+    for (; k + 4 <= countInPlace; k += 4) sum += inPlace(k) + inPlace(k + 1) + inPlace(k + 2) + inPlace(k + 3);
+    for (; k + 4 <= count; k += 4) sum += product(k) + product(k + 1) + product(k + 2) + product(k + 3);
+    for (; k < count; ++k) sum += product(k);
+    return sum;
+}
+
+}  // namespace
+
+std::size_t dxDantzigRun::memory(unsigned n) {
+    return dxArrayBytes<unsigned>(n) + dxArrayBytes<dReal>(dxLcpMatrix::size(n)) +
+           dxArrayBytes<unsigned>(dxIndexSets::kWords * std::size_t(n)) + 6 * dxArrayBytes<dReal>(n) +
+           dxArrayBytes<dReal>(dxLcpRoundUp(n)) + dxArrayBytes<dReal>(dxForwardSolves::size(n, 0)) +
+           dxArrayBytes<unsigned>(n) + dxArrayBytes<unsigned>(dxForwardSolves::words(n)) +
+           dxArrayBytes<unsigned>(halfBlockCount(n)) + sparseMemory(n) + dxArrayBytes<Limits>(n) +
+           dxArrayBytes<bool>(n) + dxArrayBytes<unsigned>(n) + dxArrayBytes<dReal *>(n) +
+           dxArrayBytes<dReal>(temporarySize(n));
+}
+
+dxDantzigRun::dxDantzigRun(dxIslandTeam *team, dxWorldProcessMemArena *given, dxWorldProcessMemArena *arena,
+                           const dxDantzigProblem &problem, bool isLeavingOutExact)
+    : m_team(team),
+      m_problem(problem),
+      m_n(problem.n),
+      m_order(dxTakeArray<unsigned>(arena, m_n)),
+      m_unbounded(dxFindLcpOrder(problem, m_order)),
+      m_A(problem.A, dPAD(m_n), m_order, m_n, m_unbounded, dxTakeArray<dReal>(arena, dxLcpMatrix::size(m_n))),
+      m_sets(m_n, m_unbounded, dxTakeArray<unsigned>(arena, dxIndexSets::kWords * std::size_t(m_n))),
+      m_skip(dPAD(m_n)),
+      m_factor(dxTakeArray<dReal>(given, std::size_t(m_skip) * m_n)),
+      m_L(dxTakeArray<dReal *>(arena, m_n)),
+      m_d(dxTakeArray<dReal>(arena, m_n)),
+      m_begins(dxTakeArray<unsigned>(arena, m_n)),
+      m_envelope(isLeavingOutExact ? dxEnvelope(m_begins) : dxEnvelope()),
+      m_forward(m_A, m_sets, m_L, m_envelope, m_n, m_unbounded,
+                dxTakeArray<dReal>(arena, dxForwardSolves::size(m_n, m_unbounded)),
+                dxTakeArray<unsigned>(arena, dxForwardSolves::words(m_n))),
+      m_arena(arena),
+      m_sparse(m_A, m_sets, m_n, m_unbounded),
+      m_b(dxTakeArray<dReal>(arena, m_n)),
+      m_x(dxTakeArray<dReal>(arena, m_n)),
+      m_w(dxTakeArray<dReal>(arena, m_n)),
+      m_deltaW(dxTakeArray<dReal>(arena, dxLcpRoundUp(m_n))),
+      m_limits(dxTakeArray<Limits>(arena, m_n)),
+      m_isHigh(dxTakeArray<bool>(arena, m_n)),
+      m_leaving(dxTakeArray<unsigned>(arena, m_n)),
+      m_halfBlockN(dxTakeArray<unsigned>(arena, halfBlockCount(m_n))),
+      m_deltaX(dxTakeArray<dReal>(arena, m_n)),
+      m_solved(dxTakeArray<dReal>(arena, m_n)),
+      m_temporary(dxTakeArray<dReal>(arena, temporarySize(m_n))) {
+    for (unsigned i = 0; i < m_n; ++i) {
+        m_b[i] = problem.pairsBX[std::size_t(m_order[i]) * PBX__MAX + PBX_B];
+        m_x[i] = 0;
+        const dReal *limits = problem.pairsLoHi + std::size_t(m_order[i]) * PLH__MAX;
+        m_limits[i] = {limits[PLH_LO], limits[PLH_HI]};
+        m_L[i] = m_factor + std::size_t(m_skip) * i;
+    }
+    std::fill_n(m_halfBlockN, halfBlockCount(m_n), 0u);
+}
+
+void dxDantzigRun::solve() {
+    if (m_unbounded > 0) solveUnbounded();
+    bool isFriction = false;  // limits of friction rows are known
+    for (unsigned i = m_unbounded; i < m_n && !m_hasFailed; ++i) {
+        if (!isFriction && m_problem.normalOf && m_problem.normalOf[m_order[i]] >= 0) {
+            setFrictionLimits(i);
+            isFriction = true;
+        }
+        if (!settle(i)) {
+            while (push(i)) {
+            }
+        }
+    }
+}
+
+void dxDantzigRun::deliver() const {
+    for (unsigned i = 0; i < m_n; ++i) m_problem.pairsBX[std::size_t(m_order[i]) * PBX__MAX + PBX_X] = m_x[i];
+}
+
+// Rows without limits are in C from the start.
+void dxDantzigRun::solveUnbounded() {
+    dxCopyLcpRows(m_problem.A, dPAD(m_n), m_order, 0, m_unbounded, m_factor, m_skip);
+    if (m_envelope.leavesOut()) dxFindEnvelope(m_factor, m_unbounded, m_skip, m_begins);
+    if (m_unbounded < kWideFactorRows) {
+        dFactorLDLT(m_factor, m_d, static_cast<int>(m_unbounded), static_cast<int>(m_skip));
+    } else {
+        dxFactorLDLT(m_factor, m_d, m_unbounded, m_skip, m_envelope, m_temporary);
+    }
+    std::copy_n(m_b, m_unbounded, m_x);
+    dxSolveL1Straight(m_factor, m_x, m_unbounded, m_skip, m_envelope);
+    for (unsigned i = 0; i < m_unbounded; ++i) m_x[i] *= m_d[i];
+    dxSolveL1Transposed(m_L, m_x, m_unbounded, m_envelope);
+}
+
+// Friction is limited by the forces found for the normals: 0 for 0, whatever the coefficient.
+void dxDantzigRun::setFrictionLimits(unsigned first) {
+    dReal *byProblemRow = m_temporary;
+    for (unsigned i = 0; i < m_n; ++i) byProblemRow[m_order[i]] = m_x[i];
+    for (unsigned i = first; i < m_n; ++i) {
+        const dReal normal = byProblemRow[m_problem.normalOf[m_order[i]]];
+        const dReal high = normal == 0 ? 0 : dFabs(m_limits[i].high * normal);
+        m_limits[i] = {normal == 0 ? 0 : -high, high};
+    }
+}
+
+// True if row i satisfies the conditions as it is.
+bool dxDantzigRun::settle(unsigned i) {
+    const dReal *row = m_A.row(i);
+    const unsigned *indexes = m_sets.indexes(), *ofN = indexes + m_sets.countC();
+    const dReal *x = m_x;
+    const auto inPlace = [&](unsigned k) { return row[k] * x[k]; };
+    const dReal overC = addUp(m_sets.inPlace(), inPlace, m_sets.countC(),
+                              [&](unsigned k) { return row[indexes[k]] * x[indexes[k]]; });
+    const dReal overN = addUp(0, inPlace, m_sets.countN(), [&](unsigned k) { return row[ofN[k]] * x[ofN[k]]; });
+    m_w[i] = overC + overN - m_b[i];
+
+    if (m_limits[i].low == 0 && m_w[i] >= 0) {
+        addToN(i, false);
+    } else if (m_limits[i].high == 0 && m_w[i] <= 0) {
+        addToN(i, true);
+    } else if (m_w[i] == 0) {
+        findFactorColumn(i);
+        addToC(i);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+// True if row i is to be pushed again.
+bool dxDantzigRun::push(unsigned i) {
+    const bool isUp = m_w[i] <= 0;
+    findDirection(i, isUp);
+    const Push push = findPush(i, isUp);
+    if (push.length <= 0) {
+        giveUp(i, push.length);
+        return false;
+    }
+    apply(i, isUp, push.length);
+    return finish(i, push);
+}
+
+void dxDantzigRun::findFactorColumn(unsigned index) {
+    const unsigned count = m_sets.countC();
+    if (count == 0) return;
+    m_forward.solve(index, m_solved, m_team);
+    dxMultiplyLanes(m_solved, m_d, count, scaled(), m_temporary);
+}
+
+void dxDantzigRun::findDirection(unsigned i, bool isUp) {
+    findFactorColumn(i);
+    if (m_sets.countC() > 0) findDeltaX(isUp);
+    findDeltaW(i, isUp);
+}
+
+// deltaX(C) = -+ A(C,C)^-1 A(C,i), of which findFactorColumn has put the first half into m_temporary.
+void dxDantzigRun::findDeltaX(bool isUp) {
+    const unsigned count = m_sets.countC();
+    m_team.solveTriangle(std::size_t(count) * count / 2, [&](dxTaskRunner *runner) {
+        dxSolveL1Transposed(m_L, m_temporary, count, m_envelope, runner);
+    });
+    const unsigned *positions = m_sets.factorPositions(), inPlace = m_sets.inPlace();
+    const dReal *solved = m_temporary;
+    for (unsigned j = 0; j < inPlace; ++j) m_deltaX[j] = isUp ? -solved[j] : solved[j];
+    for (unsigned j = inPlace; j < count; ++j) m_deltaX[positions[j]] = isUp ? -solved[j] : solved[j];
+}
+
+// deltaW(N) = A(N,C) deltaX(C) +- A(N,i), and the same for row i
+void dxDantzigRun::findDeltaW(unsigned i, bool isUp) {
+    const unsigned *ofN = m_sets.indexes() + m_sets.countC();
+    const dReal *row = m_A.row(i);
+    if (m_sets.countN() > 0) findProductsOfN(i);
+    for (unsigned k = 0; k < m_sets.countN(); ++k)
+        m_deltaW[ofN[k]] = isUp ? m_deltaW[ofN[k]] + row[ofN[k]] : m_deltaW[ofN[k]] - row[ofN[k]];
+    const dReal product = multiplyByDeltaX(i);
+    m_deltaW[i] = isUp ? product + row[i] : product - row[i];
+}
+
+// A(row,C) deltaX(C)
+dReal dxDantzigRun::multiplyByDeltaX(unsigned index) const {
+    const dReal *row = m_A.row(index), *deltaX = m_deltaX;
+    const unsigned *columns = m_sets.indexes();
+    return addUp(m_sets.inPlace(), [&](unsigned k) { return row[k] * deltaX[k]; }, m_sets.countC(),
+                 [&](unsigned k) { return row[columns[k]] * deltaX[k]; });
+}
+
+void dxDantzigRun::findProductsOfN(unsigned i) {
+    const unsigned countC = m_sets.countC(), *columns = m_sets.indexes(), *ofN = columns + countC;
+    if (m_sets.countN() <= kFewRows) {
+        for (unsigned k = 0; k < m_sets.countN(); ++k) m_deltaW[ofN[k]] = multiplyByDeltaX(ofN[k]);
+        return;
+    }
+    if (m_envelope.leavesOut() && m_n >= kSparseProductRows && !m_sparse.isTried()) m_sparse.build(m_arena);
+    if (m_sparse.isBuilt()) {
+        m_sparse.multiply(m_deltaX, i + 1, m_halfBlockN, m_deltaW, m_team);
+    } else {
+        dxComputeLaneProducts({m_A.rows(), m_A.rowSkip(), columns, m_deltaX, countC, dxLcpBlock(m_unbounded),
+                               dxLcpBlock(i) + 1, m_halfBlockN, m_deltaW});
+    }
+}
+
+// The longest push after which all conditions still hold.
+dxDantzigRun::Push dxDantzigRun::findPush(unsigned i, bool isUp) const {
+    const dReal w = m_w[i], deltaW = m_deltaW[i];
+    const dReal endless = w != 0 ? dCopySign(dInfinity, -w) : dReal(0);
+    Push push = {deltaW != 0 ? -w / deltaW : endless, Event::Solved, 0};
+    shortenForOwnLimit(i, isUp, push);
+    shortenForN(push);
+    shortenForC(push);
+    return push;
+}
+
+void dxDantzigRun::shortenForOwnLimit(unsigned i, bool isUp, Push &push) const {
+    const Limits &limits = m_limits[i];
+    if (isUp ? !(limits.high < dInfinity) : !(limits.low > -dInfinity)) return;
+    const dReal length = isUp ? limits.high - m_x[i] : m_x[i] - limits.low;
+    if (length < push.length) push = {length, isUp ? Event::AtHigh : Event::AtLow, 0};
+}
+
+// Rows that may not move at all stay in N, whatever their w. Whether a row leaves its side is as good as random, so the
+// rows that do are listed first, without a branch.
+void dxDantzigRun::shortenForN(Push &push) const {
+    const unsigned begin = m_sets.countC(), end = begin + m_sets.countN();
+    unsigned *const leaving = m_leaving;
+    unsigned count = 0;
+    for (unsigned position = begin; position < end; ++position) {
+        const unsigned row = m_sets.indexAt(position);
+        const dReal deltaW = m_deltaW[row];
+        const bool isHigh = m_isHigh[row], isFixed = (m_limits[row].low == 0) & (m_limits[row].high == 0);
+        leaving[count] = position;
+        count += ((isHigh & (deltaW > 0)) | (!isHigh & (deltaW < 0))) & !isFixed;
+    }
+    for (unsigned k = 0; k < count; ++k) {
+        const unsigned row = m_sets.indexAt(leaving[k]);
+        const dReal length = -m_w[row] / m_deltaW[row];
+        if (length < push.length) push = {length, Event::LeavesN, leaving[k]};
+    }
+}
+
+void dxDantzigRun::shortenForC(Push &push) const {
+    const auto eventAt = [&](unsigned position) {
+        return m_deltaX[position] < 0 ? Event::CFallsLow : Event::CFallsHigh;
+    };
+    const unsigned inPlace = m_sets.inPlace();
+    if (m_unbounded < inPlace) {
+        const unsigned first = dxFindFirstAtLimit(m_x, m_deltaX, m_limits, m_unbounded, inPlace, push.length);
+        if (first < inPlace) push = {push.length, eventAt(first), first};
+    }
+    for (unsigned position = std::max(m_unbounded, inPlace); position < m_sets.countC(); ++position) {
+        const unsigned row = m_sets.indexAt(position);
+        const dReal deltaX = m_deltaX[position];
+        if (deltaX == 0) continue;
+        const dReal length = (m_limits[row].towards(deltaX < 0) - m_x[row]) / deltaX;  // endless if there is no limit
+        if (length < push.length) push = {length, eventAt(position), position};
+    }
+}
+
+void dxDantzigRun::apply(unsigned i, bool isUp, dReal length) {
+    const unsigned countC = m_sets.countC(), end = countC + m_sets.countN(), inPlace = m_sets.inPlace();
+    const dReal *deltaX = m_deltaX;
+    dxAdvanceLanes(m_x, deltaX, length, inPlace);
+    for (unsigned position = inPlace; position < countC; ++position)
+        m_x[m_sets.indexAt(position)] += length * deltaX[position];
+    m_x[i] = isUp ? m_x[i] + length : m_x[i] - length;
+    for (unsigned position = countC; position < end; ++position) {
+        const unsigned row = m_sets.indexAt(position);
+        m_w[row] += length * m_deltaW[row];
+    }
+    m_w[i] += length * m_deltaW[i];
+}
+
+// True if row i is not at rest yet.
+bool dxDantzigRun::finish(unsigned i, const Push &push) {
+    switch (push.event) {
+        case Event::Solved:
+            m_w[i] = 0;
+            addToC(i);
+            return false;
+        case Event::AtLow:
+            m_x[i] = m_limits[i].low;
+            addToN(i, false);
+            return false;
+        case Event::AtHigh:
+            m_x[i] = m_limits[i].high;
+            addToN(i, true);
+            return false;
+        case Event::LeavesN:
+            m_w[m_sets.indexAt(push.position)] = 0;
+            moveFromNToC(push.position);
+            return true;
+        case Event::CFallsLow:
+            moveFromCToN(push.position, false);
+            return true;
+        case Event::CFallsHigh:
+            moveFromCToN(push.position, true);
+            return true;
+    }
+    return false;
+}
+
+// Upstream goes on with what it has, and with 0 for the rows that it has not settled.
+void dxDantzigRun::giveUp(unsigned i, dReal length) {
+    std::fill(m_x + i, m_x + m_n, dReal(0));
+    m_hasFailed = true;
+    m_failedLength = length;
+}
+
+// Upstream adds this sum up as a dot product here, but one by one in moveFromNToC.
+void dxDantzigRun::addToC(unsigned i) {
+    const unsigned count = m_sets.countC();
+    appendFactorRow(i, count > 0 ? dxDot(scaled(), m_solved, count) : 0);
+    m_sets.addNextToC();
+    m_sparse.append(i);
+}
+
+void dxDantzigRun::addToN(unsigned i, bool isHigh) {
+    m_isHigh[i] = isHigh;
+    ++m_halfBlockN[dxLcpHalfBlock(i)];
+    m_sets.addNextToN();
+}
+
+void dxDantzigRun::moveFromNToC(unsigned position) {
+    const unsigned row = m_sets.indexAt(position), count = m_sets.countC();
+    findFactorColumn(row);
+    const dReal *const scaled = this->scaled();
+    dReal product = 0;
+    for (unsigned j = 0; j < count; ++j) product += scaled[j] * m_solved[j];
+    appendFactorRow(row, product);
+    --m_halfBlockN[dxLcpHalfBlock(row)];
+    m_sets.moveFromNToC(position);
+    m_sparse.append(row);
+}
+
+void dxDantzigRun::moveFromCToN(unsigned position, bool isHigh) {
+    const unsigned row = m_sets.indexAt(position), factorRow = m_sets.factorRowAt(position);
+    m_x[row] = isHigh ? m_limits[row].high : m_limits[row].low;
+    m_isHigh[row] = isHigh;
+    removeFactorRow(factorRow);
+    m_forward.forgetFrom(factorRow);
+    ++m_halfBlockN[dxLcpHalfBlock(row)];
+    m_sparse.remove(position);
+    m_sets.moveFromCToN(position, factorRow);
+}
+
+// The row itself is there (scaled()). `product`: that of the new row of L with D and itself. A pivot of 0 is made a tiny
+// one, as upstream does.
+void dxDantzigRun::appendFactorRow(unsigned index, dReal product) {
+    const unsigned count = m_sets.countC();
+    dReal diagonal = m_A.diagonal(index);
+    m_begins[count] = firstSolved(count);
+    if (count == 0) {
+        m_d[0] = dRecip(diagonal);
+        return;
+    }
+    if (diagonal == product) diagonal = dNextAfter(diagonal, dInfinity);
+    m_d[count] = dRecip(diagonal - product);
+}
+
+// The first that is not zero.
+unsigned dxDantzigRun::firstSolved(unsigned count) const {
+    unsigned first = 0;
+    while (m_envelope.leavesOut() && first < count && m_solved[first] == 0) ++first;
+    return first;
+}
+
+// Rows that begin after the removed one have nothing to do with it, and are only moved; the others may get
+// elements after it.
+void dxDantzigRun::removeFactorRow(unsigned factorRow) {
+    const unsigned count = m_sets.countC();
+    const unsigned *const indexes = m_sets.factorIndexes();
+    dxRemoveFactorRow({m_L, m_d, count, factorRow, m_A.row(indexes[factorRow]), indexes, m_envelope, m_temporary});
+    for (unsigned row = factorRow + 1; m_envelope.leavesOut() && row < count; ++row)
+        m_begins[row - 1] = m_begins[row] > factorRow ? m_begins[row] - 1 : m_begins[row];
+}

@@ -1,0 +1,107 @@
+// One run of Dantzig's algorithm.
+//
+// Rows are looked at one after another; those before the present one satisfy the conditions of the LCP. A row
+// that does not is pushed: x(i) moves, and x(C) with it so that w(C) stays 0, until w(i) is 0 or x(i) at a
+// limit. When a row of N would leave its side, or one of C its limits, it changes its set first.
+#pragma once
+
+#include "dynamics/exactstep/dantzig/dxDantzigProblem.h"
+#include "dynamics/exactstep/dantzig/dxForwardSolves.h"
+#include "dynamics/exactstep/dantzig/dxIndexSets.h"
+#include "dynamics/exactstep/dantzig/dxLcpMatrix.h"
+#include "dynamics/exactstep/dantzig/dxSolveTeam.h"
+#include "dynamics/exactstep/dantzig/dxSparseRows.h"
+#include "dynamics/exactstep/kernels/dxPushLanes.h"
+
+class dxWorldProcessMemArena;
+
+class dxDantzigRun {
+public:
+    // Takes L from `given`, everything else from `arena`, of which it needs memory(n) bytes; reads the
+    // problem and writes nothing but that memory. Products with 0 are left out if `isLeavingOutExact`: everything in
+    // the problem but its limits is finite, and results are rounded to nearest.
+    dxDantzigRun(dxIslandTeam *team, dxWorldProcessMemArena *given, dxWorldProcessMemArena *arena,
+                 const dxDantzigProblem &problem, bool isLeavingOutExact);
+    static std::size_t memory(unsigned n);
+
+    void solve();
+
+    // Writes x into the problem.
+    void deliver() const;
+
+    // The algorithm gave up, as it could not go on by a positive length.
+    bool hasFailed() const { return m_hasFailed; }
+    dReal failedLength() const { return m_failedLength; }
+
+private:
+    using Limits = dxLimitPair;
+
+    // What ends a push.
+    enum class Event { Solved, AtLow, AtHigh, LeavesN, CFallsLow, CFallsHigh };
+    struct Push {
+        dReal length;
+        Event event;
+        unsigned position;  // of the row that changes its set
+    };
+
+    void solveUnbounded();
+    void setFrictionLimits(unsigned first);
+    bool settle(unsigned i);
+    bool push(unsigned i);
+    void findFactorColumn(unsigned index);
+    void findDirection(unsigned i, bool isUp);
+    void findDeltaX(bool isUp);
+    void findDeltaW(unsigned i, bool isUp);
+    void findProductsOfN(unsigned i);
+    dReal multiplyByDeltaX(unsigned index) const;
+    Push findPush(unsigned i, bool isUp) const;
+    void shortenForOwnLimit(unsigned i, bool isUp, Push &push) const;
+    void shortenForN(Push &push) const;
+    void shortenForC(Push &push) const;
+    void apply(unsigned i, bool isUp, dReal length);
+    bool finish(unsigned i, const Push &push);
+    void giveUp(unsigned i, dReal length);
+
+    void addToC(unsigned i);
+    void addToN(unsigned i, bool isHigh);
+    void moveFromNToC(unsigned position);
+    void moveFromCToN(unsigned position, bool isHigh);
+    void appendFactorRow(unsigned index, dReal product);
+    void removeFactorRow(unsigned factorRow);
+    unsigned firstSolved(unsigned count) const;
+    // D^-1 L^-1 A(C,i) is where it will be if i comes into C: in the row behind the last one of L.
+    dReal *scaled() const { return m_L[m_sets.countC()]; }
+
+    dxSolveTeam m_team;
+    const dxDantzigProblem &m_problem;
+    const unsigned m_n;
+    unsigned *const m_order;  // the problem's row for each of ours
+    const unsigned m_unbounded;
+    const dxLcpMatrix m_A;
+    dxIndexSets m_sets;
+    const unsigned m_skip;         // of the rows of L, before any was removed
+    dReal *const m_factor, **const m_L;  // A(C,C) = L D L': its rows in the order of the factorisation
+    dReal *const m_d;                    // 1/D
+    unsigned *const m_begins;      // of the rows of L
+    const dxEnvelope m_envelope;   // the same, if products with 0 are left out
+    dxForwardSolves m_forward;
+
+    dxWorldProcessMemArena *const m_arena;  // for m_sparse, when rows are in N
+    dxSparseRows m_sparse;
+
+    // By row, in our order.
+    dReal *const m_b, *const m_x, *const m_w, *const m_deltaW;
+    Limits *const m_limits;
+    bool *const m_isHigh;         // for rows of N: at which limit
+    unsigned *const m_leaving;    // positions in N: a list of shortenForN
+    unsigned *const m_halfBlockN;  // rows of N in each half of a block of lanes
+
+    dReal *const m_deltaX;  // by position in C
+
+    // In the order of the factorisation, for the column i that was asked for last.
+    dReal *const m_solved;  // L^-1 A(C,i)
+
+    dReal *const m_temporary;  // from findFactorColumn to findDeltaX: scaled(), again
+    bool m_hasFailed = false;
+    dReal m_failedLength = 0;
+};

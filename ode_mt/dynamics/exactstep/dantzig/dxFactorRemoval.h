@@ -1,0 +1,26 @@
+// Takes a row and a column out of a factorisation L D L': upstream's dxLDLTRemove (ode/src/matrix.cpp), row by row.
+#pragma once
+
+#include <ode/common.h>
+
+#include <cstddef>
+
+#include "dynamics/exactstep/kernels/dxEnvelope.h"
+
+struct dxFactorRemovalTask {
+    dReal **L;  // rows of a lower triangle with ones on its diagonal, which is not read
+    dReal *d;   // 1/D
+    unsigned count, r;  // rows, and the one that is to go
+    // The column of the factorised matrix that goes: its element in row i is column[index[i]], for i >= r.
+    const dReal *column;
+    const unsigned *index;
+    dxEnvelope envelope;
+    dReal *storage;  // dxFactorRemovalStorage(count) elements
+};
+
+std::size_t dxFactorRemovalStorage(unsigned count);
+
+// Upstream's bits in the rows before count - 1; what the envelope leaves out is right under the conditions named in
+// dxSolveL1.h. Upstream moves all rows after r, and what lies above the diagonal, too; here row r goes to the end of the
+// list, and the others stay where they are.
+void dxRemoveFactorRow(const dxFactorRemovalTask &task);

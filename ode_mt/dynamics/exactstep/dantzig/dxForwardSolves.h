@@ -1,0 +1,69 @@
+// Forward solves with the factorisation of A(C,C): Y = L^-1 A(C,j), for a block of columns j at a time.
+//
+// Dantzig's algorithm solves for one column after another, and C changes little in between: it grows by a
+// row, or loses one. The first rows of Y depend on the first rows of L only, so they are kept: for each block
+// of columns, as many as are known. A column that is asked for brings its whole block up to date, since lanes
+// cost nothing: most columns of the block are about to be asked for.
+//
+// Columns of A begin with zeros, and so do their solutions; of these only the number is kept.
+//
+// From 32 blocks on there is room for three quarters of them: with the sparse rows (dxSparseRows.h) that makes what
+// upstream takes. Most columns of C are never asked for again. A block that finds no room takes that of the one asked for
+// longest ago.
+//
+// Upstream's rows after the last whole group of four (dxSolveL1Plain.h) are added up in another order, so
+// only whole groups are kept.
+#pragma once
+
+#include "dynamics/exactstep/dantzig/dxIndexSets.h"
+#include "dynamics/exactstep/dantzig/dxLcpMatrix.h"
+#include "dynamics/exactstep/dantzig/dxSolveTeam.h"
+#include "dynamics/exactstep/kernels/dxEnvelope.h"
+
+class dxForwardSolves {
+public:
+    // Columns first..n-1 of n. Elements of storage, aligned to the cache's lines, and words: for the first column
+    // the most.
+    static std::size_t size(unsigned n, unsigned first);
+    static std::size_t words(unsigned n) { return kWords * (dxLcpBlock(n) + std::size_t(1)); }
+
+    // `L`: the rows of the factor; `envelope`: its.
+    dxForwardSolves(const dxLcpMatrix &A, const dxIndexSets &sets, const dReal *const *L,
+                    const dxEnvelope &envelope, unsigned n, unsigned first, dReal *storage, unsigned *words);
+
+    // result(row) = (L^-1 A(C,column))(row), for all rows of C
+    void solve(unsigned column, dReal *result, const dxSolveTeam &team);
+
+    // Rows of L from `row` on are others now.
+    void forgetFrom(unsigned row);
+
+private:
+    static constexpr unsigned kWords = 5;  // for each block
+    static constexpr unsigned kNone = ~0u;
+
+    dReal *block(unsigned index) const {
+        return m_solutions + std::size_t(m_place[index - m_firstBlock]) * m_n * kLineLanes;
+    }
+    void findPlace(unsigned index);
+    unsigned placeAskedForLongestAgo() const;
+    void extend(unsigned index, unsigned rows, const dxSolveTeam &team);
+    void extendZeros(unsigned index, unsigned rows);
+    bool isGroupZero(unsigned index, unsigned first) const;
+
+    const dxLcpMatrix &m_A;
+    const dxIndexSets &m_sets;
+    const dReal *const *const m_L;
+    const dxEnvelope &m_envelope;
+    const unsigned m_n, m_firstBlock, m_endBlock, m_places;
+    dReal *const m_solutions;  // by place, then by row
+    // For each block, multiples of four:
+    unsigned *const m_known;  // rows
+    unsigned *const m_zeros;  // the first of them, which are all 0
+
+    unsigned *const m_place;  // by block: where its solutions are, or kNone
+    // By place:
+    unsigned *const m_blockAt;
+    unsigned *const m_askedAt;  // when it was asked for last
+    unsigned m_taken = 0;       // places
+    unsigned m_time = 0;
+};

@@ -1,0 +1,31 @@
+// Forward solves for a panel of right-hand sides, one a lane: the kernel of dxForwardSolves.
+#pragma once
+
+#include <ode/common.h>
+
+#include <cstddef>
+
+#include "dynamics/exactstep/kernels/dxEnvelope.h"
+
+class dxTaskRunner;
+
+// A right-hand side is a column of a symmetric matrix: its element for row r is rightHandSides[index[r] *
+// rightHandSkip + lane]. There are as many lanes as a line of the cache has elements, all aligned to such a
+// line.
+struct dxSolvePanelTask {
+    const dReal *const *L;  // as in dxSolveL1.h, row i at L[i]
+    const dReal *rightHandSides;
+    std::size_t rightHandSkip;
+    const unsigned *index;
+    dxEnvelope envelope;
+    unsigned zeros;       // rows of the solutions that are 0, and neither read nor written
+    unsigned begin, end;  // rows to be solved for, multiples of four; those before them are solved
+    dReal *solutions;     // by row, then by lane
+};
+
+// Each lane gets the bits of dxSolveL1Straight for a right-hand side of its own, `end` rows or more. What the
+// envelope and the zeros leave out is right under the conditions named there.
+// `runner`: its workers take kSharedRows rows at a time; null for the calling thread alone.
+void dxSolvePanel(const dxSolvePanelTask &task, dxTaskRunner *runner = nullptr);
+
+constexpr unsigned kSharedRows = 32;

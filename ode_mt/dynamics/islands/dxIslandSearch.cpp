@@ -1,0 +1,132 @@
+#include "dynamics/islands/dxIslandSearch.h"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "core/dxFetch.h"
+#include "joints/joint.h"
+
+namespace {
+
+// Upstream's tags. The exact step leaves out joints that are tagged as unfit.
+enum Tag : int { kUnfit = -1, kUnseen = 0, kFound = 1 };
+
+// Most objects of a list were made one after another, so the one some places on probably lies as many times as far away
+// as the next one. Nothing else says where it is: a list is followed from object to object.
+template <class Object>
+std::uintptr_t guessAhead(const Object *object) {
+    constexpr std::uintptr_t kAhead = 8;
+    const auto here = reinterpret_cast<std::uintptr_t>(object), next = reinterpret_cast<std::uintptr_t>(object->next);
+    return here + kAhead * (next - here);
+}
+
+template <class Object, class Member>
+void fetchAhead(const Object *object, const Member &member) {
+    const auto offset = reinterpret_cast<std::uintptr_t>(&member) - reinterpret_cast<std::uintptr_t>(object);
+    dxFetch::line(reinterpret_cast<const void *>(guessAhead(object) + offset));
+}
+
+// What the search reads of bodies and joints fits the second cache, and is brought there on the way.
+void untagBodies(dxWorld *world) {
+    for (dxBody *body = world->firstbody; body != nullptr; body = static_cast<dxBody *>(body->next)) {
+        fetchAhead(body, body->tag);
+        fetchAhead(body, body->flags);
+        fetchAhead(body, body->invMass);
+        body->tag = kUnseen;
+    }
+}
+
+void untagJoints(dxWorld *world) {
+    for (dxJoint *joint = world->firstjoint; joint != nullptr; joint = static_cast<dxJoint *>(joint->next)) {
+        fetchAhead(joint, joint->tag);
+        fetchAhead(joint, joint->node[1]);
+        joint->tag = kUnseen;
+    }
+}
+
+// dxJoint::isEnabled, asked by one of the joint's bodies: a joint holds if one of them can move, and mostly this one can.
+bool isEnabled(const dxJoint &joint, const dxBody &body) {
+    return body.invMass > 0 ? (joint.flags & dJOINT_DISABLED) == 0 : joint.isEnabled();
+}
+
+// Lists of one island after another, and the bodies from which the search has yet to go on.
+class Search {
+public:
+    Search(dxBody **bodies, dxJoint **joints, dxBody **open) : m_bodies(bodies), m_joints(joints), m_open(open) {}
+
+    // Depth first, the body found last before those found earlier.
+    void findIslandOf(dxBody *first) {
+        first->tag = kFound;
+        *m_bodies++ = first;
+        dxBody **const none = m_open;
+        for (dxBody *body = first;; *m_bodies++ = body) {
+            follow(*body);
+            if (m_open == none) return;
+            body = *--m_open;
+        }
+    }
+
+    dxBody **bodies() const { return m_bodies; }
+    dxJoint **joints() const { return m_joints; }
+
+private:
+    void follow(const dxBody &body) {
+        for (const dxJointNode *node = body.firstjoint; node != nullptr; node = node->next) {
+            dxJoint *const joint = node->joint;
+            if (joint->tag != kUnseen) continue;
+            const bool enabled = isEnabled(*joint, body);
+            joint->tag = enabled ? kFound : kUnfit;
+            if (!enabled) continue;
+            *m_joints++ = joint;
+            if (node->body != nullptr && node->body->tag <= kUnseen) open(node->body);
+        }
+    }
+
+    // A body at rest wakes when it is joined to one that moves.
+    void open(dxBody *body) {
+        body->tag = kFound;
+        body->flags &= ~dxBodyDisabled;
+        *m_open++ = body;
+        dxFetch::line(body->firstjoint);
+    }
+
+    dxBody **m_bodies;
+    dxJoint **m_joints;
+    dxBody **m_open;
+};
+
+}  // namespace
+
+sizeint dxFindIslands(dxWorldProcessIslandsInfo &info, dxWorldProcessMemArena *arena, dxWorld *world, dReal stepSize,
+                      dmemestimate_fn_t estimate) {
+    untagBodies(world);
+    dInternalHandleAutoDisabling(world, stepSize);
+    untagJoints(world);
+
+    const auto bodyCount = static_cast<unsigned>(world->nb), jointCount = static_cast<unsigned>(world->nj);
+    unsigned *const sizes = arena->AllocateArray<unsigned>(std::size_t{2} * bodyCount);
+    dxBody **const bodies = arena->AllocateArray<dxBody *>(bodyCount);
+    dxJoint **const joints = arena->AllocateArray<dxJoint *>(jointCount);
+    void *const state = arena->SaveState();
+    // A body is put there when a joint is found, once.
+    Search search(bodies, joints, arena->AllocateArray<dxBody *>(std::min(bodyCount, jointCount)));
+
+    sizeint most = 0;
+    unsigned *size = sizes;
+    for (dxBody *body = world->firstbody; body != nullptr; body = static_cast<dxBody *>(body->next)) {
+        if (body->tag != kUnseen) continue;
+        if ((body->flags & dxBodyDisabled) != 0) {
+            body->tag = kUnfit;
+            continue;
+        }
+        dxBody **const islandBodies = search.bodies();
+        dxJoint **const islandJoints = search.joints();
+        search.findIslandOf(body);
+        *size++ = static_cast<unsigned>(search.bodies() - islandBodies);
+        *size++ = static_cast<unsigned>(search.joints() - islandJoints);
+        most = std::max(most, estimate(islandBodies, size[-2], islandJoints, size[-1]));
+    }
+    arena->RestoreState(state);
+    info.AssignInfo(static_cast<sizeint>(size - sizes) / 2, sizes, bodies, joints);
+    return most;
+}

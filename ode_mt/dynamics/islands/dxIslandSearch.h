@@ -1,0 +1,15 @@
+// The search for islands: bodies that enabled joints connect, in upstream's order
+// (BuildIslandsAndEstimateStepperMemoryRequirements in util.cpp).
+#pragma once
+
+#include "dynamics/islands/dxIsland.h"
+
+// Disables bodies at rest, finds the islands of the others, and returns how much memory the stepper needs for the
+// one that needs most.
+//
+//   info      gets the islands, which lie in the arena
+//   estimate  the stepper's own estimate, asked for each island
+//
+// On the thread that steps the world. After it a body or joint in an island has a tag above 0, all others one of 0 or below.
+sizeint dxFindIslands(dxWorldProcessIslandsInfo &info, dxWorldProcessMemArena *arena, dxWorld *world, dReal stepSize,
+                      dmemestimate_fn_t estimate);

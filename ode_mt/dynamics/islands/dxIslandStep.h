@@ -1,0 +1,15 @@
+// One island in one step: what a stepper is given.
+#pragma once
+
+#include "dynamics/islands/dxIsland.h"
+#include "dynamics/islands/dxIslandTeam.h"
+
+struct dxIslandStep {
+    dxWorld *world;
+    dReal stepSize;
+    dxIsland island;
+    dxWorldProcessMemArena *arena;  // of the size that upstream's estimate for this stepper asks for
+    dxIslandTeam *team = nullptr;   // of a large island; null: the calling thread alone
+
+    dxTaskRunner &runner() const { return team != nullptr ? *team->runner : dxTaskRunner::alone(); }
+};

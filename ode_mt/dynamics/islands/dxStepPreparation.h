@@ -1,0 +1,12 @@
+// What comes before a step: working memory and islands, for both steppers.
+#pragma once
+
+#include "dynamics/islands/dxIsland.h"
+
+// Seam: upstream's dWorldStep and dWorldQuickStep call this instead of dxReallocateWorldProcessContext (util.cpp), and see the
+// same: the user's memory manager is asked for blocks of the same sizes in the same order, and `info` gets upstream's islands.
+//
+//   estimate  the stepper's own estimate of the memory that it needs for an island
+//
+// Returns false where there is no memory. On the thread that steps the world.
+bool dxPrepareStep(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate);

@@ -1,0 +1,66 @@
+// QuickStep's sweeps over one island on several threads, with the bits of one.
+//
+// The bodies are cut into parts that lie apart (dxBodyCut); a row belongs to the part of its first body. Each part
+// takes its rows in the order of the serial sweep. What is left to keep is the order of rows of different parts that
+// act on the same body: such a row waits until the part of the one before it has come past that one. Most rows act on
+// bodies of their own part alone and never wait. A part may go into the next sweep while others are still in
+// this one. docs/teams.md has the proof and a picture.
+//
+// A thread that can go no further with a part gives it back and looks for another one, so any number of
+// threads, one included, gets all parts done.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "dynamics/quickstep/sor/dxBodyCut.h"
+#include "dynamics/quickstep/sor/dxSweep.h"
+#include "threading/dxTaskRunner.h"
+
+class dxSharedSweep {
+public:
+    dxSharedSweep();
+    ~dxSharedSweep();
+
+    // Below so many rows a part, waiting costs more than sharing brings.
+    static constexpr unsigned kLeastRows = 500;
+
+    // Cuts the island. `placeOf(body)`: three numbers.
+    template <class PlaceOf>
+    void begin(const dxIslandProblem &problem, unsigned parts, PlaceOf placeOf) {
+        m_places.resize(problem.bodyCount);
+        for (std::size_t body = 0; body < problem.bodyCount; ++body) {
+            const dReal *const at = placeOf(body);
+            m_places[body] = {{at[0], at[1], at[2]}};
+        }
+        cut(problem, parts);
+    }
+
+    // As dxSweep(problem, order) so many times.
+    void sweep(const dxIslandProblem &problem, const int *order, unsigned times, dxTaskRunner &runner);
+
+private:
+    struct Part;
+    struct SharedRow;
+
+    void cut(const dxIslandProblem &problem, unsigned parts);
+    void markSharedBodies(const dxIslandProblem &problem);
+    void plan(const dxIslandProblem &problem, const int *order, unsigned number);
+    void deal(const dxIslandProblem &problem, const int *order, unsigned number);
+    void orderSharedRows(const dxIslandProblem &problem, unsigned number);
+    void finish(const dxIslandProblem &problem, unsigned number, unsigned times);
+    void advance(const dxIslandProblem &problem, Part &part, unsigned times);
+    bool mayGoOn(Part &part);
+
+    std::vector<dxPlace> m_places;                // by body
+    dxBodyCut m_cut;
+    std::vector<unsigned> m_weights;              // by body: rows that act on it
+    std::vector<std::uint8_t> m_isShared;         // by body: rows of several parts act on it
+    std::vector<unsigned> m_sharedBodies;
+    std::vector<std::uint16_t> m_partOfRow;       // and whether it acts on a shared body
+    std::vector<std::unique_ptr<Part>> m_parts;
+    unsigned m_partCount = 0;
+};

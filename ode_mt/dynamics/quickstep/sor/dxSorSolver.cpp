@@ -1,0 +1,95 @@
+#include "dynamics/quickstep/sor/dxSorSolver.h"
+
+#include <algorithm>
+#include <new>
+#include <numeric>
+
+#include "dynamics/quickstep/sor/dxRowShuffle.h"
+#include "dynamics/quickstep/sor/dxSweep.h"
+
+namespace {
+
+using Row = dxConstraintRow;
+
+constexpr std::size_t kRowsPerJob = 256;
+
+void prepareRow(const dxIslandProblem &problem, Row &row, dReal factor) {
+    constexpr int kJacobianOf[2] = {Row::kBody1, Row::kBody2}, kImpulseOf[2] = {Row::kOn1, Row::kOn2};
+    const int bodies = row.hasSecondBody() ? 2 : 1;
+    dReal freeAcceleration = 0;  // J -(v / h + inv(M) f)
+    dReal diagonal = 0;          // J inv(M) J'
+    for (int which = 0; which < bodies; ++which) {
+        const dReal *const jacobian = row.jacobian + kJacobianOf[which];
+        const dReal *const acceleration = problem.accelerationOf(row.body[which]);
+        for (int i = 0; i < 6; ++i) freeAcceleration += jacobian[i] * acceleration[i];
+        const dxIslandBody &body = problem.bodies[row.body[which]];
+        dReal *const impulse = row.impulse + kImpulseOf[which];
+        for (int i = 0; i < 3; ++i) {
+            const dReal *const inertia = body.invInertia + 3 * i;
+            impulse[i] = body.invMass * jacobian[i];
+            impulse[3 + i] = inertia[0] * jacobian[3] + inertia[1] * jacobian[4] + inertia[2] * jacobian[5];
+        }
+        for (int i = 0; i < 6; ++i) diagonal += impulse[i] * jacobian[i];
+    }
+    const dReal cfm = row.jacobian[Row::kCfm], scale = factor / (diagonal + cfm);
+    row.jacobian[Row::kRhs] = (row.jacobian[Row::kRhs] + freeAcceleration) * scale;
+    row.jacobian[Row::kCfm] = cfm * scale;
+    for (int which = 0; which < bodies; ++which)
+        for (int i = 0; i < 6; ++i) row.jacobian[kJacobianOf[which] + i] *= scale;
+}
+
+// Unbounded rows first, then bounded ones, whose bounds follow from those.
+void orderRows(const dxIslandProblem &problem) {
+    std::iota(problem.order, problem.order + problem.rowCount, 0);
+    int *end = problem.order;
+    for (const bool bounded : {false, true})
+        for (unsigned row = 0; row < problem.rowCount; ++row)
+            if (problem.rows[row].isBounded() == bounded) *end++ = static_cast<int>(row);
+}
+
+}  // namespace
+
+void dxSorSolver::solve(const dxIslandProblem &problem) {
+    prepareRows(problem);
+    std::fill_n(problem.acceleration, std::size_t{problem.bodyCount} * dxIslandProblem::kForceColumns, dReal(0));
+    unsigned left = static_cast<unsigned>(m_step.world->qs.num_iterations);
+    for (unsigned shuffles = 0; left != 0; ++shuffles) {
+        if (shuffles == 0) dxScheduleSweep(problem);  // the results of orderRows' order
+        if (shuffles == 1) orderRows(problem);
+        if (shuffles > 0) dxShuffleRows(problem.order, problem.rowCount);
+        const unsigned times = std::min(left, kShuffleInterval);
+        sweep(problem, times);
+        left -= times;
+    }
+}
+
+// Completes right-hand sides, finds what each row does to its bodies, and scales rows by the factor over the diagonal.
+void dxSorSolver::prepareRows(const dxIslandProblem &problem) const {
+    const dReal factor = m_step.world->qs.w;
+    m_step.runner().forPieces(dxParallelStage::Rows, problem.rowCount, kRowsPerJob,
+                              [&](std::size_t begin, std::size_t end, unsigned) {
+                                  for (std::size_t row = begin; row < end; ++row) prepareRow(problem, problem.rows[row], factor);
+                              });
+}
+
+void dxSorSolver::sweep(const dxIslandProblem &problem, unsigned times) {
+    const unsigned parts = partsOf(problem);
+    if (parts >= 2) {
+        dxBody *const *const bodies = m_step.island.bodies;
+        try {
+            if (!m_isPartitioned) m_team->sweep.begin(problem, parts, [bodies](std::size_t i) { return bodies[i]->posr.pos; });
+            m_isPartitioned = true;
+            m_team->sweep.sweep(problem, problem.order, times, *m_team->runner);
+            return;
+        } catch (const std::bad_alloc &) {  // while planning, before which nothing is swept
+            m_team = nullptr;
+        }
+    }
+    for (unsigned i = 0; i < times; ++i) dxSweep(problem, problem.order);
+}
+
+// Below two parts the caller sweeps alone.
+unsigned dxSorSolver::partsOf(const dxIslandProblem &problem) const {
+    if (m_team == nullptr) return 1;
+    return std::min(m_team->runner->workers(), problem.rowCount / dxSharedSweep::kLeastRows);
+}

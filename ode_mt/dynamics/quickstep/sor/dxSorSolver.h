@@ -1,0 +1,24 @@
+// Solves an island's problem by successive over-relaxation (projected Gauss-Seidel with a factor), as upstream's QuickStep does:
+// so many sweeps over all rows, which are shuffled before every eighth sweep but the first.
+#pragma once
+
+#include "dynamics/islands/dxIslandProblem.h"
+#include "dynamics/islands/dxIslandStep.h"
+
+class dxSorSolver {
+public:
+    // The number of sweeps and the factor are the world's. A large island's workers share rows and sweeps.
+    explicit dxSorSolver(const dxIslandStep &step) : m_step(step), m_team(step.team) {}
+
+    // Sets lambda of all rows and problem.acceleration. Overwrites the rows' Jacobians and right-hand sides, and `order`.
+    void solve(const dxIslandProblem &problem);
+
+private:
+    void prepareRows(const dxIslandProblem &problem) const;
+    void sweep(const dxIslandProblem &problem, unsigned times);
+    unsigned partsOf(const dxIslandProblem &problem) const;
+
+    const dxIslandStep &m_step;
+    dxIslandTeam *m_team;           // null: the caller sweeps alone
+    bool m_isPartitioned = false;
+};

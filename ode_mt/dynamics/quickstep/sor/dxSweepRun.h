@@ -1,0 +1,18 @@
+// A piece of a sweep: rows one after the other, up to a place where other threads come in.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "dynamics/islands/dxIslandProblem.h"
+
+// An entry of a list of rows: the number of a row, and marks.
+namespace dxSweepRun {
+constexpr std::uint32_t kWaits = UINT32_C(1) << 30;      // not before another thread has come to a certain row
+constexpr std::uint32_t kAnnounces = UINT32_C(1) << 31;  // afterwards others may be waiting for it
+constexpr std::uint32_t kRow = kWaits - 1;
+}  // namespace dxSweepRun
+
+// Takes entries from `begin` on: up to one that announces, that included, or the next one that waits, or
+// `end`. The first one does not wait any more. Returns the entry to go on with.
+std::size_t dxTakeRun(const dxIslandProblem &problem, const std::uint32_t *entries, std::size_t begin, std::size_t end);

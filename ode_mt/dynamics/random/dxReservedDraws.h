@@ -1,0 +1,27 @@
+// The scope of islands that are stepped in order on the calling thread: their random numbers were taken
+// from the shared sequence as one block beforehand, so that a step of another thread cannot fall between
+// them (contract C7).
+//
+// Before user code can look at the shared sequence, the unused rest of the block is given back, and the
+// islands that follow draw one by one, as upstream does. Where another thread has drawn meanwhile there
+// is nothing to give back, and the numbers that follow come after that thread's.
+#pragma once
+
+#include "threading/dxUpstreamScope.h"
+
+class dxReservedDraws final : public dxUpstreamScope {
+public:
+    // `seed`: the sequence before the next draw; `end`: after the last reserved one.
+    dxReservedDraws(std::uint32_t seed, std::uint32_t end) : m_seed(seed), m_end(end) {}
+
+    std::uint32_t takeBlock(std::uint64_t draws) override;
+    bool defersMoved() const override { return false; }
+    bool takeOver(dxReport kind, int number, const char *format, va_list arguments) override;
+
+    void giveBack();
+
+private:
+    std::uint32_t m_seed;
+    std::uint32_t m_end;
+    bool m_givenBack = false;
+};

@@ -1,0 +1,193 @@
+#include "settings/dxSettings.h"
+
+#include <ode/error.h>
+#include <ode/ode_MT.h>
+
+#include <cstring>
+
+#include "core/dxEnvironment.h"
+#include "core/dxLog.h"
+#include "settings/dxGridCells.h"
+#include "threading/process/dxProcessors.h"
+
+namespace {
+
+template <class Choice>
+struct Named {
+    const char *name;
+    Choice choice;
+};
+
+constexpr Named<dxAlgorithm> kAlgorithms[] = {{"auto", dxAlgorithm::Auto},
+                                              {"serial", dxAlgorithm::Serial},
+                                              {"lcp", dxAlgorithm::Lcp},
+                                              {"original", dxAlgorithm::ClusteredOriginal},
+                                              {"static", dxAlgorithm::ClusteredStatic},
+                                              {"static-unmerged", dxAlgorithm::ClusteredStaticUnmerged},
+                                              {"duplication", dxAlgorithm::ClusteredDuplication},
+                                              {"decluster", dxAlgorithm::ClusteredDecluster}};
+
+constexpr Named<dxCallbackPolicy> kCallbackPolicies[] = {{"serial", dxCallbackPolicy::Serial},
+                                                         {"concurrent", dxCallbackPolicy::Concurrent},
+                                                         {"independent", dxCallbackPolicy::Independent}};
+
+template <class Choice, std::size_t N>
+std::string knownNames(const Named<Choice> (&all)[N]) {
+    std::string names;
+    for (const Named<Choice> &known : all) names += (names.empty() ? "" : ", ") + std::string(known.name);
+    return names;
+}
+
+template <class Choice, std::size_t N>
+const char *nameOf(const Named<Choice> (&all)[N], Choice choice) {
+    for (const Named<Choice> &known : all)
+        if (known.choice == choice) return known.name;
+    return "";
+}
+
+// False: unknown.
+template <class Choice, std::size_t N>
+bool choose(const Named<Choice> (&all)[N], const std::string &name, std::atomic<Choice> &choice) {
+    for (const Named<Choice> &known : all) {
+        if (name != known.name) continue;
+        choice.store(known.choice, std::memory_order_relaxed);
+        return true;
+    }
+    return false;
+}
+
+constexpr int kTunedCells = 0;
+
+dxProcessObject<dxSettings> settings;
+
+}  // namespace
+
+dxSettings &dxSettings::instance() { return *settings; }
+
+dxSettings::dxSettings() : m_cores(dxCountProcessors()) {
+    if (const char *text = dxEnvironment(dxVariable::Threads)) readThreads(text);
+    if (const char *text = dxEnvironment(dxVariable::Algorithm)) readAlgorithm(text);
+    if (const char *text = dxEnvironment(dxVariable::Callbacks)) readCallbackPolicy(text);
+    if (const char *text = dxEnvironment(dxVariable::Heuristics)) readHeuristics(text);
+    if (const char *text = dxEnvironment(dxVariable::GridCells)) readGridCells(text);
+    dxLog(dxLogLevel::info, "threads %u of %u cores, algorithm %s, callbacks %s, heuristics %s", threads(), cores(),
+          algorithmName(), callbackPolicyName(), dxNamesOfHeuristics(heuristics()));
+}
+
+void dxSettings::readThreads(const char *text) {
+    if (std::strcmp(text, "auto") == 0) {
+        setThreads(dODE_MT_AUTO);
+        return;
+    }
+    long long number = 0;
+    const bool understood = dxReadNumber(text, 0, dODE_MT_MAX_THREADS, number) == dxNumberText::InRange;
+    const int taken = static_cast<int>(number);
+    if (!understood) {
+        dxLog(dxLogLevel::warning,
+              "ODE_MT_THREADS is '%.100s'; known: auto, or a number from 0 to %d; %d is taken", text,
+              dODE_MT_MAX_THREADS, taken);
+    }
+    setThreads(taken);
+}
+
+void dxSettings::readAlgorithm(const char *text) {
+    if (chooseAlgorithm(text)) return;
+    dxLog(dxLogLevel::warning, "ODE_MT_ALGORITHM is '%.100s'; known: %s; %s is taken", text,
+          knownNames(kAlgorithms).c_str(), algorithmName());
+}
+
+void dxSettings::readCallbackPolicy(const char *text) {
+    if (chooseCallbackPolicy(text)) return;
+    dxLog(dxLogLevel::warning, "ODE_MT_CALLBACKS is '%.100s'; known: %s; %s is taken", text,
+          knownNames(kCallbackPolicies).c_str(), callbackPolicyName());
+}
+
+const char *dxSettings::callbackPolicyName() const { return nameOf(kCallbackPolicies, callbackPolicy()); }
+
+bool dxSettings::setCallbackPolicy(const std::string &name) {
+    const bool found = chooseCallbackPolicy(name);
+    if (!found)
+        dMessage(0, "ODE_MT: no callback policy '%s'; known: %s", name.c_str(),
+                 knownNames(kCallbackPolicies).c_str());
+    return found;
+}
+
+bool dxSettings::chooseCallbackPolicy(const std::string &name) {
+    return choose(kCallbackPolicies, name, m_callbackPolicy);
+}
+
+void dxSettings::readHeuristics(const char *text) {
+    if (chooseHeuristics(text)) return;
+    dxLog(dxLogLevel::warning, "ODE_MT_HEURISTICS is '%.100s'; known: %s; %s is taken", text, dxKnownHeuristics(),
+          dxNamesOfHeuristics(heuristics()));
+}
+
+bool dxSettings::setHeuristics(const std::string &names) {
+    const bool found = chooseHeuristics(names);
+    if (!found) dMessage(0, "ODE_MT: no heuristics '%s'; known: %s", names.c_str(), dxKnownHeuristics());
+    return found;
+}
+
+bool dxSettings::chooseHeuristics(const std::string &names) {
+    unsigned choice = dxNoHeuristics;
+    if (!dxReadHeuristics(names, choice)) return false;
+    m_heuristics.store(choice, std::memory_order_relaxed);
+    return true;
+}
+
+void dxSettings::readGridCells(const char *text) {
+    if (std::strcmp(text, "auto") == 0) return;
+    long long number = kTunedCells;
+    const bool understood = dxReadNumber(text, dxMinGridCells, dxMaxGridCells, number) == dxNumberText::InRange;
+    chooseGridCells(static_cast<int>(number));
+    if (understood) return;
+    dxLog(dxLogLevel::warning,
+          "ODE_MT_GRID_CELLS is '%.100s'; known: auto, or a number from %d to %d; %s is taken", text,
+          dxMinGridCells, dxMaxGridCells, number == kTunedCells ? "auto" : std::to_string(number).c_str());
+}
+
+bool dxSettings::setGridCells(int cells) {
+    const bool possible = chooseGridCells(cells);
+    if (!possible)
+        dMessage(0, "ODE_MT: no grid of %d cells on each axis; known: %d to %d, or %d to have it tuned",
+                 cells, dxMinGridCells, dxMaxGridCells, kTunedCells);
+    return possible;
+}
+
+bool dxSettings::chooseGridCells(int cells) {
+    if (cells != kTunedCells && (cells < dxMinGridCells || cells > dxMaxGridCells)) return false;
+    m_gridCells.store(cells, std::memory_order_relaxed);
+    return true;
+}
+
+void dxSettings::setThreads(int threads) {
+    m_cores.store(dxCountProcessors(), std::memory_order_relaxed);
+    if (threads == dODE_MT_AUTO) {
+        threads = static_cast<int>(cores());
+    } else if (threads < 0) {
+        dMessage(0, "ODE_MT: %d threads asked for; the least is 0 (serial), which is taken", threads);
+        threads = 0;
+    }
+    if (threads > dODE_MT_MAX_THREADS) {
+        dMessage(0, "ODE_MT: %d threads asked for; the most is %d, which is taken", threads,
+                 dODE_MT_MAX_THREADS);
+        threads = dODE_MT_MAX_THREADS;
+    }
+    const auto now = static_cast<unsigned>(threads), before = m_threads.exchange(now, std::memory_order_relaxed);
+    if (now != before) dxLog(dxLogLevel::info, "%u threads, %u before; %u cores", now, before, cores());
+}
+
+const char *dxSettings::algorithmName() const { return nameOf(kAlgorithms, algorithm()); }
+
+const char *dxSettings::passName() const {
+    return algorithm() >= dxAlgorithm::ClusteredOriginal ? algorithmName() : nullptr;
+}
+
+bool dxSettings::setAlgorithm(const std::string &name) {
+    const bool found = chooseAlgorithm(name);
+    if (!found)
+        dMessage(0, "ODE_MT: no algorithm '%s'; known: %s", name.c_str(), knownNames(kAlgorithms).c_str());
+    return found;
+}
+
+bool dxSettings::chooseAlgorithm(const std::string &name) { return choose(kAlgorithms, name, m_algorithm); }

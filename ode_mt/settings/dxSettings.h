@@ -1,0 +1,79 @@
+// What dToggleODE_MT and the environment set: how many threads, which algorithm, whether callbacks may run
+// concurrently, which heuristics tune the clusters, how fine their grid is.
+//
+// Process-wide, because ODE_MT's API is (dToggleODE_MT has no world). The environment is read once, at
+// the first use. A value that is not understood is reported by name and leaves the default: one from a
+// call with dMessage; one from the environment, which is not the program's, in the log, so that no handler
+// of the user runs while the library finds its settings.
+#pragma once
+
+#include <atomic>
+#include <string>
+
+#include "settings/dxHeuristicChoice.h"
+#include "threading/process/dxProcessObject.h"
+
+// Auto shares out what is predicted to pay, the others whatever can be shared out (Serial: nothing).
+// ClusteredXxx: pairs are found by clusters, under the crossover pass of that name.
+enum class dxAlgorithm {
+    Auto,
+    Serial,
+    Lcp,
+    ClusteredOriginal,
+    ClusteredStatic,
+    ClusteredStaticUnmerged,
+    ClusteredDuplication,
+    ClusteredDecluster
+};
+
+// Which near-callbacks may run at the same time: none; those of pairs that share no body; any.
+enum class dxCallbackPolicy { Serial, Concurrent, Independent };
+
+class dxSettings {
+public:
+    static dxSettings &instance();
+
+    // Threads a step may use, the caller included; 0 and 1: the caller alone.
+    unsigned threads() const { return m_threads.load(std::memory_order_relaxed); }
+    void setThreads(int threads);
+
+    dxAlgorithm algorithm() const { return m_algorithm.load(std::memory_order_relaxed); }
+    const char *algorithmName() const;
+    // Of the crossover pass, if the algorithm clusters; else NULL.
+    const char *passName() const;
+    bool setAlgorithm(const std::string &name);  // false: unknown
+
+    dxCallbackPolicy callbackPolicy() const { return m_callbackPolicy.load(std::memory_order_relaxed); }
+    const char *callbackPolicyName() const;
+    bool setCallbackPolicy(const std::string &name);  // false: unknown
+
+    unsigned heuristics() const { return m_heuristics.load(std::memory_order_relaxed); }  // a dxHeuristicChoice
+    bool setHeuristics(const std::string &names);  // false: unknown
+
+    // Cells of the grid of clusters on each axis; 0: tuned.
+    int gridCells() const { return m_gridCells.load(std::memory_order_relaxed); }
+    bool setGridCells(int cells);  // false: too few or too many
+
+    // Cores that this process may use, as of the last time that the number of threads was set.
+    unsigned cores() const { return m_cores.load(std::memory_order_relaxed); }
+
+private:
+    friend class dxProcessObject<dxSettings>;
+    dxSettings();
+    void readThreads(const char *text);
+    void readAlgorithm(const char *text);
+    bool chooseAlgorithm(const std::string &name);
+    void readCallbackPolicy(const char *text);
+    bool chooseCallbackPolicy(const std::string &name);
+    void readHeuristics(const char *text);
+    bool chooseHeuristics(const std::string &names);
+    void readGridCells(const char *text);
+    bool chooseGridCells(int cells);
+
+    std::atomic<unsigned> m_threads{0};
+    std::atomic<dxAlgorithm> m_algorithm{dxAlgorithm::Auto};
+    std::atomic<dxCallbackPolicy> m_callbackPolicy{dxCallbackPolicy::Serial};
+    std::atomic<unsigned> m_heuristics{dxDefaultHeuristics};
+    std::atomic<int> m_gridCells{0};
+    std::atomic<unsigned> m_cores;
+};

@@ -1,0 +1,53 @@
+#include "threading/managers/dxThreadManagerUser.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "core/dxLog.h"
+#include "threading/pool/dxBorrowedThreads.h"
+#include "threading/pool/dxNap.h"
+#include "threading/pool/dxThreadCreation.h"
+
+dxThreadManagerUser::dxThreadManagerUser(const dThreadingFunctionsInfo *functions,
+                                         dThreadingImplementationID implementation)
+    : borrowed(new dxBorrowedThreads(functions, implementation)) {
+    listenToForks();
+}
+
+dxThreadManagerUser::~dxThreadManagerUser() {
+    ignoreForks();
+    stop();
+    borrowed->release();
+}
+
+unsigned dxThreadManagerUser::workers() const {
+    return std::min(borrowed->most.load(), dxClampWorkers(borrowed->threads()));
+}
+
+void dxThreadManagerUser::resize(unsigned workers) { borrowed->most.store(dxClampWorkers(workers)); }
+
+void dxThreadManagerUser::run(unsigned blocks, unsigned maxWorkers, Task task, void *context) {
+    const unsigned most = std::min({maxWorkers, blocks, workers()});
+    if (most < 2) {
+        dxRunAlone(blocks, task, context);
+    } else {
+        borrowed->board.run({blocks, most - 1, task, context}, *borrowed);
+    }
+}
+
+void dxThreadManagerUser::stop() {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+    while (!idle()) {
+        if (std::chrono::steady_clock::now() > end) {
+            // It may run calls only where somebody waits for them, which nobody does here; the work was done without it.
+            dxLog(dxLogLevel::info, "thread manager user: the threading implementation has not run %u call(s)",
+                  borrowed->outstanding());
+            return;
+        }
+        dxNap(std::chrono::microseconds(50));
+    }
+}
+
+bool dxThreadManagerUser::idle() const { return borrowed->outstanding() == 0; }
+
+void dxThreadManagerUser::inForkedChild() { borrowed->abandon(); }

@@ -1,0 +1,113 @@
+#include "threading/pool/dxThreadCreation.h"
+
+#include <sched.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstddef>
+#include <cstring>
+#include <mutex>
+#include <vector>
+
+#include "core/dxLog.h"
+#include "core/dxNoCancellation.h"
+#include "threading/process/dxProcessors.h"
+
+namespace {
+
+class Attributes {
+public:
+    Attributes() {
+        pthread_attr_init(&attributes);
+        std::size_t size = 0;
+        pthread_attr_getstacksize(&attributes, &size);
+        pthread_attr_setstacksize(&attributes, std::max(size, std::size_t{8} << 20));
+    }
+    ~Attributes() { pthread_attr_destroy(&attributes); }
+
+    // Instead of what the starting thread has: the processors of the process, and ordinary scheduling.
+    void becomeOrdinary() {
+        cpu_set_t processors;
+        if (dxProcessorsOfProcess(processors)) pthread_attr_setaffinity_np(&attributes, sizeof processors, &processors);
+        const sched_param priority{};
+        pthread_attr_setinheritsched(&attributes, PTHREAD_EXPLICIT_SCHED);
+        pthread_attr_setschedpolicy(&attributes, SCHED_OTHER);
+        pthread_attr_setschedparam(&attributes, &priority);
+    }
+
+    const pthread_attr_t *get() const { return &attributes; }
+
+private:
+    pthread_attr_t attributes;
+};
+
+// A new thread inherits the signal mask of its creator.
+class BlockedSignals {
+public:
+    BlockedSignals() {
+        sigset_t blocked;
+        sigfillset(&blocked);
+        for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT})
+            sigdelset(&blocked, fault);
+        pthread_sigmask(SIG_SETMASK, &blocked, &before);
+    }
+    ~BlockedSignals() { pthread_sigmask(SIG_SETMASK, &before, nullptr); }
+
+private:
+    sigset_t before;
+};
+
+// Of one thread; 0: the calling one. The first thread of a process has its number.
+int nicenessOf(id_t thread) { return getpriority(PRIO_PROCESS, thread); }
+
+void *waitForGate(void *gate) {
+    const std::lock_guard<std::mutex> pass(*static_cast<std::mutex *>(gate));
+    return nullptr;
+}
+
+}  // namespace
+
+int dxStartThread(dxCreateThread create, pthread_t &thread, void *(*body)(void *), void *context) {
+    const BlockedSignals blocked;
+    Attributes attributes;
+    attributes.becomeOrdinary();
+    const int refusal = create(&thread, attributes.get(), body, context);
+    if (refusal != EPERM && refusal != EINVAL) return refusal;
+    dxLog(dxLogLevel::info, "a worker thread inherits processors and scheduling (%s)", std::strerror(refusal));
+    const Attributes inherited;
+    return create(&thread, inherited.get(), body, context);
+}
+
+void dxTakeProcessNiceness() {
+    const int niceness = nicenessOf(static_cast<id_t>(getpid()));
+    if (niceness != nicenessOf(0)) setpriority(PRIO_PROCESS, 0, niceness);
+}
+
+unsigned dxProbeThreads(dxCreateThread create, unsigned wanted, int &refusal) {
+    const dxNoCancellation whole;
+    std::vector<pthread_t> threads;
+    threads.reserve(wanted);
+    std::mutex gate;
+    {
+        const std::lock_guard<std::mutex> closed(gate);
+        refusal = 0;
+        while (threads.size() < wanted) {
+            pthread_t thread;
+            refusal = dxStartThread(create, thread, waitForGate, &gate);
+            if (refusal != 0) break;
+            threads.push_back(thread);
+        }
+    }
+    for (const pthread_t thread : threads) pthread_join(thread, nullptr);
+    return static_cast<unsigned>(threads.size());
+}
+
+void dxReportRefusal(const char *manager, unsigned workers, unsigned wanted, int refusal) {
+    dxLog(dxLogLevel::warning,
+          "thread manager %s: the system refused a thread (%s); %u of %u workers, the caller included, are "
+          "used",
+          manager, std::strerror(refusal), workers, wanted);
+}

@@ -1,0 +1,82 @@
+// Objects that no step is using at the moment, kept for the next one. Any thread may take and give back.
+// Taking may throw std::bad_alloc, giving back needs no memory: there is room for all objects that have been
+// taken.
+//
+// Holds only pointers. The one used last is taken first, since its memory is likely to be in a cache.
+// Survives fork.
+#pragma once
+
+#include <cstddef>
+#include <mutex>
+#include <vector>
+
+#include "threading/process/dxForkLocks.h"
+
+template <class Object>
+class dxIdlePool {
+public:
+    // Null if there is none.
+    Object *take() {
+        const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
+        const std::size_t all = m_idle.size() + m_taken + 1;
+        if (m_idle.capacity() < all) m_idle.reserve(2 * all);
+        ++m_taken;
+        if (m_idle.empty()) return nullptr;
+        Object *object = m_idle.back();
+        m_idle.pop_back();
+        return object;
+    }
+
+    Object *takeOrMake() {
+        if (Object *const object = take()) return object;
+        try {
+            return new Object;
+        } catch (...) {
+            lose();
+            throw;
+        }
+    }
+
+    // One that was taken has gone, or never was.
+    void lose() {
+        const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
+        --m_taken;
+    }
+
+    void giveBack(Object *object) noexcept {
+        const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
+        --m_taken;
+        m_idle.push_back(object);
+    }
+
+    template <class Destroy>
+    void clear(Destroy destroy) {
+        const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
+        for (Object *object : m_idle) destroy(object);
+        m_idle.clear();
+        if (m_taken == 0) m_idle.shrink_to_fit();
+    }
+
+private:
+    dxForkSafeMutex m_mutex;
+    std::vector<Object *> m_idle;
+    std::size_t m_taken = 0;
+};
+
+// An object of a pool until the end of the scope, by whatever way it is left. It is as the one who had it
+// last left it.
+template <class Object>
+class dxIdleLease {
+public:
+    explicit dxIdleLease(dxIdlePool<Object> &pool) : m_pool(pool), m_object(pool.takeOrMake()) {}
+    ~dxIdleLease() { m_pool.giveBack(m_object); }
+    dxIdleLease(const dxIdleLease &) = delete;
+    dxIdleLease &operator=(const dxIdleLease &) = delete;
+
+    Object &operator*() const { return *m_object; }
+    Object *operator->() const { return m_object; }
+
+private:
+    dxIdlePool<Object> &m_pool;
+    Object *const m_object;
+};
