@@ -15,6 +15,7 @@
 #include "dynamics/dxStepRecords.h"
 #include "dynamics/islands/dxIslandTeam.h"
 #include "dynamics/islands/dxWorkingMemory.h"
+#include "dynamics/quickstep/sor/dxSharedSweep.h"
 #include "seams/upstream.h"
 #include "settings/dxWorkers.h"
 #include "threading/process/dxForkLocks.h"
@@ -40,6 +41,7 @@ void releaseWorkers() {
     dxForgetJointRemoval();
     dxStepRecords::release();
     dxIslandTeamLease::forget();
+    dxSharedSweep::forget();
     dxWorkingMemory::release();
 }
 

@@ -19,9 +19,6 @@ public:
     // How long the call took, and whether it was shared.
     void remember(bool shared, double ns);
 
-    // The name that callers still use.
-    bool shallShare() const { return shouldShare(); }
-
 private:
     struct Way {
         double ns = 0;      // moving average of a call; 0: never measured

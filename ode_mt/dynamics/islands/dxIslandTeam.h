@@ -2,16 +2,14 @@
 // measured.
 #pragma once
 
-#include "dynamics/quickstep/sor/dxSharedSweep.h"
-#include "threading/dxSharingPace.h"
+#include "threading/dxSharingPolicy.h"
 #include "threading/dxTaskRunner.h"
 #include "threading/process/dxIdlePool.h"
 
 struct dxIslandTeam {
     dxTaskRunner *runner = nullptr;
     bool sharesAlways = false;  // whatever is large enough, else what has been faster of late
-    dxSharedSweep sweep;
-    dxSharingPace solvePace;    // of the exact step's triangular solves
+    dxSharingPolicy solvePolicy;  // of the exact step's triangular solves
 };
 
 // Takes a team for the time of a step; its memory goes back to the process's pool.

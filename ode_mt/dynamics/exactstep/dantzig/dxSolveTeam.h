@@ -1,6 +1,6 @@
 // The workers of an exact step's island, for pieces of its LCP that are large enough: some ten microseconds.
 //
-// Whether that pays is measured (dxSharingPace), on the transposed solves, of which each push has one: on a machine that is
+// Whether that pays is measured (dxSharingPolicy), on the transposed solves, of which each push has one: on a machine that is
 // busy with other things workers come late. Results are the same either way.
 #pragma once
 
@@ -24,11 +24,11 @@ public:
     void solveTriangle(std::size_t elements, Solve solve) {
         if (m_team == nullptr || elements < least()) return solve(nullptr);
         if (m_team->sharesAlways) return solve(m_team->runner);
-        m_isSharing = m_team->solvePace.shallShare();
+        m_isSharing = m_team->solvePolicy.shouldShare();
         const auto start = std::chrono::steady_clock::now();
         solve(m_isSharing ? m_team->runner : nullptr);
         const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - start;
-        m_team->solvePace.remember(m_isSharing, time.count() * kElementsOfReference / static_cast<double>(elements));
+        m_team->solvePolicy.remember(m_isSharing, time.count() * kElementsOfReference / static_cast<double>(elements));
     }
 
 private:

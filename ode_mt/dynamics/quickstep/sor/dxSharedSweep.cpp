@@ -8,6 +8,7 @@
 #include "dynamics/quickstep/sor/dxSweepRun.h"
 #include "threading/dxPerturbation.h"
 #include "threading/pool/dxSpin.h"
+#include "threading/process/dxProcessObject.h"
 
 namespace {
 
@@ -16,6 +17,8 @@ constexpr std::uint16_t kActsOnShared = 1 << 15;
 // Looks at another part's progress before a thread tries to help, and rounds of that before it lets others run.
 constexpr int kPatience = 256;
 constexpr int kRounds = 16;
+
+dxProcessObject<dxIdlePool<dxSharedSweep>> idle;
 
 std::size_t bodyOf(const dxIslandProblem &problem, std::size_t row, unsigned which) {
     return static_cast<std::size_t>(problem.rows[row].body[which]);
@@ -62,6 +65,12 @@ struct alignas(128) dxSharedSweep::Part {
 
     std::int64_t length() const { return static_cast<std::int64_t>(rows.size()); }
 };
+
+dxIdlePool<dxSharedSweep> &dxSharedSweep::pool() { return *idle; }
+
+void dxSharedSweep::forget() {
+    idle->clear([](dxSharedSweep *sweep) { delete sweep; });
+}
 
 dxSharedSweep::dxSharedSweep() = default;
 dxSharedSweep::~dxSharedSweep() = default;

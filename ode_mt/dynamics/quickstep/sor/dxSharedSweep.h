@@ -19,11 +19,19 @@
 #include "dynamics/quickstep/sor/dxBodyCut.h"
 #include "dynamics/quickstep/sor/dxSweep.h"
 #include "threading/dxTaskRunner.h"
+#include "threading/process/dxIdlePool.h"
 
 class dxSharedSweep {
 public:
     dxSharedSweep();
     ~dxSharedSweep();
+
+    // One that no step is using, or a new one: its memory is kept from step to step. Throws std::bad_alloc.
+    using Lease = dxIdleLease<dxSharedSweep>;
+    static dxIdlePool<dxSharedSweep> &pool();
+
+    // Frees what is kept; no step may be in progress.
+    static void forget();
 
     // Below so many rows a part, waiting costs more than sharing brings.
     static constexpr unsigned kLeastRows = 500;

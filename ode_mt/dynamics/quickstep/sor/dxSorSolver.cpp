@@ -77,9 +77,9 @@ void dxSorSolver::sweep(const dxIslandProblem &problem, unsigned times) {
     if (parts >= 2) {
         dxBody *const *const bodies = m_step.island.bodies;
         try {
-            if (!m_isPartitioned) m_team->sweep.begin(problem, parts, [bodies](std::size_t i) { return bodies[i]->posr.pos; });
-            m_isPartitioned = true;
-            m_team->sweep.sweep(problem, problem.order, times, *m_team->runner);
+            if (!m_shared)
+                (*m_shared.emplace(dxSharedSweep::pool())).begin(problem, parts, [bodies](std::size_t i) { return bodies[i]->posr.pos; });
+            (**m_shared).sweep(problem, problem.order, times, *m_team->runner);
             return;
         } catch (const std::bad_alloc &) {  // while planning, before which nothing is swept
             m_team = nullptr;

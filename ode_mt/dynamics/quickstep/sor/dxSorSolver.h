@@ -2,8 +2,11 @@
 // so many sweeps over all rows, which are shuffled before every eighth sweep but the first.
 #pragma once
 
+#include <optional>
+
 #include "dynamics/islands/dxIslandProblem.h"
 #include "dynamics/islands/dxIslandStep.h"
+#include "dynamics/quickstep/sor/dxSharedSweep.h"
 
 class dxSorSolver {
 public:
@@ -20,5 +23,5 @@ private:
 
     const dxIslandStep &m_step;
     dxIslandTeam *m_team;           // null: the caller sweeps alone
-    bool m_isPartitioned = false;
+    std::optional<dxSharedSweep::Lease> m_shared;  // the team's sweeps, from the first one on
 };
