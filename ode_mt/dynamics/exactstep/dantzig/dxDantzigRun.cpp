@@ -54,7 +54,7 @@ std::size_t dxDantzigRun::memory(unsigned n) {
            dxArrayBytes<dReal>(dxLcpRoundUp(n)) + dxArrayBytes<dReal>(dxForwardSolves::size(n, 0)) +
            dxArrayBytes<unsigned>(n) + dxArrayBytes<unsigned>(dxForwardSolves::words(n)) +
            dxArrayBytes<unsigned>(halfBlockCount(n)) + sparseMemory(n) + dxArrayBytes<Limits>(n) +
-           dxArrayBytes<bool>(n) + dxArrayBytes<unsigned>(n) + dxArrayBytes<dReal *>(n) +
+           dxArrayBytes<dReal>(n) + dxArrayBytes<unsigned>(n) + dxArrayBytes<dReal *>(n) +
            dxArrayBytes<dReal>(temporarySize(n));
 }
 
@@ -83,7 +83,7 @@ dxDantzigRun::dxDantzigRun(dxIslandTeam *team, dxWorldProcessMemArena *given, dx
       m_w(dxTakeArray<dReal>(arena, m_n)),
       m_deltaW(dxTakeArray<dReal>(arena, dxLcpRoundUp(m_n))),
       m_limits(dxTakeArray<Limits>(arena, m_n)),
-      m_isHigh(dxTakeArray<bool>(arena, m_n)),
+      m_side(dxTakeArray<dReal>(arena, m_n)),
       m_leaving(dxTakeArray<unsigned>(arena, m_n)),
       m_halfBlockN(dxTakeArray<unsigned>(arena, halfBlockCount(m_n))),
       m_deltaX(dxTakeArray<dReal>(arena, m_n)),
@@ -266,10 +266,8 @@ void dxDantzigRun::shortenForN(Push &push) const {
     unsigned count = 0;
     for (unsigned position = begin; position < end; ++position) {
         const unsigned row = m_sets.indexAt(position);
-        const dReal deltaW = m_deltaW[row];
-        const bool isHigh = m_isHigh[row], isFixed = (m_limits[row].low == 0) & (m_limits[row].high == 0);
         leaving[count] = position;
-        count += ((isHigh & (deltaW > 0)) | (!isHigh & (deltaW < 0))) & !isFixed;
+        count += m_deltaW[row] * m_side[row] < 0;
     }
     for (unsigned k = 0; k < count; ++k) {
         const unsigned row = m_sets.indexAt(leaving[k]);
@@ -355,9 +353,14 @@ void dxDantzigRun::addToC(unsigned i) {
 }
 
 void dxDantzigRun::addToN(unsigned i, bool isHigh) {
-    m_isHigh[i] = isHigh;
+    m_side[i] = sideAt(i, isHigh);
     ++m_halfBlockN[dxLcpHalfBlock(i)];
     m_sets.addNextToN();
+}
+
+dReal dxDantzigRun::sideAt(unsigned row, bool isHigh) const {
+    if (m_limits[row].low == 0 && m_limits[row].high == 0) return 0;
+    return isHigh ? dReal(-1) : dReal(1);
 }
 
 void dxDantzigRun::moveFromNToC(unsigned position) {
@@ -375,7 +378,7 @@ void dxDantzigRun::moveFromNToC(unsigned position) {
 void dxDantzigRun::moveFromCToN(unsigned position, bool isHigh) {
     const unsigned row = m_sets.indexAt(position), factorRow = m_sets.factorRowAt(position);
     m_x[row] = isHigh ? m_limits[row].high : m_limits[row].low;
-    m_isHigh[row] = isHigh;
+    m_side[row] = sideAt(row, isHigh);
     removeFactorRow(factorRow);
     m_forward.forgetFrom(factorRow);
     ++m_halfBlockN[dxLcpHalfBlock(row)];

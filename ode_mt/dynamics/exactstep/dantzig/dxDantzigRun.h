@@ -64,6 +64,7 @@ private:
 
     void addToC(unsigned i);
     void addToN(unsigned i, bool isHigh);
+    dReal sideAt(unsigned row, bool isHigh) const;
     void moveFromNToC(unsigned position);
     void moveFromCToN(unsigned position, bool isHigh);
     void appendFactorRow(unsigned index, dReal product);
@@ -92,7 +93,7 @@ private:
     // By row, in our order.
     dReal *const m_b, *const m_x, *const m_w, *const m_deltaW;
     Limits *const m_limits;
-    bool *const m_isHigh;         // for rows of N: at which limit
+    dReal *const m_side;          // for rows of N: the sign that w may have, 0 where the limits leave no room for x
     unsigned *const m_leaving;    // positions in N: a list of shortenForN
     unsigned *const m_halfBlockN;  // rows of N in each half of a block of lanes
 
