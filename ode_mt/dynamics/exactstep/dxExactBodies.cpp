@@ -1,7 +1,6 @@
 #include "dynamics/exactstep/dxExactBodies.h"
 
 #include <ode/odemath.h>
-#include <ode/rotation.h>
 
 #include "dynamics/exactstep/dxExactProblem.h"
 

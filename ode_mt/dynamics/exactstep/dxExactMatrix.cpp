@@ -7,7 +7,6 @@
 
 #include "dynamics/exactstep/dxExactProblem.h"
 #include "dynamics/exactstep/kernels/dxConstraintMatrix.h"
-#include "matrix.h"
 
 namespace {
 

@@ -19,7 +19,8 @@
 
 #include "dynamics/exactstep/kernels/dxBodyLinks.h"
 
-// A body's inverse inertia tensor in the world's frame: a 3 x 4 matrix, whose last column holds other things (dxConstraintMatrix.h).
+// A body's inverse inertia tensor in the world's frame: a 3 x 4 matrix. While the matrix is made, its last column holds the
+// inverse mass (dxConstraintMatrix.h).
 struct dxInverseInertia {
     dMatrix3 tensor;
 };

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "dynamics/exactstep/dxExactProblem.h"
-#include "matrix.h"
 
 namespace {
 

@@ -84,7 +84,8 @@ private:
     static constexpr unsigned kLanes = hn::MaxLanes(D());
 
     HWY_INLINE dReal *rowsByElement(const dxConstraintJoint &joint, unsigned side) const {
-        return m_task.transposed + (std::size_t(joint.firstRow) * dxBodyLinks::kSides + std::size_t(side) * joint.rows) * kRowElements;
+        const std::size_t row = std::size_t(joint.firstRow) * dxBodyLinks::kSides + std::size_t(side) * joint.rows;
+        return m_task.transposed + row * kRowElements;
     }
 
     HWY_INLINE void makeRows(unsigned index) {
