@@ -1,7 +1,6 @@
 #include "dynamics/dxIslandStepper.h"
 
 #include "dynamics/exactstep/dxExactStep.h"
-#include "dynamics/islands/dxIslandCall.h"
 #include "dynamics/quickstep/dxQuickStep.h"
 #include "dynamics/quickstep/sor/dxRowShuffle.h"
 #include "dynamics/random/dxLoneStepper.h"
@@ -14,15 +13,12 @@ dxStepperKind dxIslandStepper::kindOf(dstepper_fn_t stepper) {
 void dxIslandStepper::step(const dxStepCall &call, const dxIsland &island, dxWorldProcessMemArena *arena,
                            dxIslandTeam *team) {
     arena->ResetState();
+    const dxIslandStep step{call.world, call.stepSize, island, arena, team};
     if (call.kind == dxStepperKind::Quick) {
-        dxQuickStep({call.world, call.stepSize, island, arena, team});
-        return;
+        dxQuickStep(step);
+    } else {
+        dxExactStep(step);
     }
-    constexpr unsigned kOneThread = 1;  // all of upstream's stages one after the other on this thread
-    dxIslandCall islandCall(call.world, call.stepSize, kOneThread, arena, island.bodies, island.joints);
-    islandCall.AssignIslandSelection(island.bodies, island.joints, island.bodyCount, island.jointCount);
-    islandCall.team = team;
-    dxExactStepIsland(&islandCall);
 }
 
 // Upstream shuffles the rows before every eighth iteration but the first: m - 1 draws each time.

@@ -33,7 +33,7 @@ bool dxStepIslands(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal 
     if (dxWorldWorkers::haveToBeAsked(world))
         return dxIslandStepper::stepByPosting(world, info, stepSize, stepper, maxCallCountEstimator);
     if (!dxWorldWorkers::prepare(world)) return false;
-    const dxStepCall call{world, info, stepSize, stepper, dxIslandStepper::kindOf(stepper),
+    const dxStepCall call{world, info, stepSize, dxIslandStepper::kindOf(stepper),
                           static_cast<unsigned>(info.GetIslandsCount())};
     const dxStepPlan plan = dxPlanStep(call);
     if (plan.isMeasured)

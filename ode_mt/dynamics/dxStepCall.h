@@ -8,7 +8,6 @@ struct dxStepCall {
     dxWorld *world;
     const dxWorldProcessIslandsInfo &info;
     dReal stepSize;
-    dstepper_fn_t stepper;
     dxStepperKind kind;
     unsigned count;  // of islands
 };

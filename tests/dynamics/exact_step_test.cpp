@@ -57,9 +57,10 @@ private:
     RecordedProblem &m_recorded;
 };
 
-void stepIslandAsOurs(const dxStepperProcessingCallContext &island, RecordedProblem &problem) {
+void stepIslandAsOurs(const dxStepperProcessingCallContext &call, RecordedProblem &problem) {
     RecordingSolver solver(problem);
-    dxStepExactly(island, solver);
+    const dxIsland island{call.m_islandBodiesStart, call.m_islandJointsStart, call.m_islandBodiesCount, call.m_islandJointsCount};
+    dxStepExactly({call.m_world, call.m_stepSize, island, call.m_stepperArena}, solver);
 }
 
 struct StepResult {

@@ -31,7 +31,7 @@ for file in "$@"; do
     if [ "$COMPILED" = 1 ]; then
         has '^__stack_chk_fail$' "$imports" || complain "no function watches its stack (-fstack-protector-strong)"
         # Every unit that the compiler wrote into the debug information says with which options.
-        # Only the exact step's solves are left out (ode_mt/dynamics/solve/CMakeLists.txt).
+        # Only the exact step's solves are left out (ode_mt/dynamics/exactstep/kernels/CMakeLists.txt).
         bare=$(readelf --debug-dump=info --dwarf-depth=1 "$file" 2>/dev/null | awk '
             /DW_AT_producer/ { options = $0 }
             /DW_AT_name/ && options ~ /GNU C(\+\+)?[0-9]/ {

@@ -2,9 +2,9 @@
 // has pushed them with, and their inverse inertia is turned into the world's frame.
 #pragma once
 
-#include "util.h"
+#include "dynamics/islands/dxIslandStep.h"
 
 struct dxExactProblem;
 
 // Fills in the problem's bodies. Adds to facc and tacc, writes tags.
-void dxGatherBodies(const dxStepperProcessingCallContext &island, dxExactProblem &problem);
+void dxGatherBodies(const dxIslandStep &step, dxExactProblem &problem);

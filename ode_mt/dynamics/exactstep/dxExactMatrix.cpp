@@ -50,8 +50,8 @@ const dxConstraintJoint *listJoints(const dxExactProblem &problem, dxWorldProces
 
 }  // namespace
 
-void dxMakeMatrix(const dxStepperProcessingCallContext &island, dxExactProblem &problem) {
-    dxWorldProcessMemArena &arena = *island.m_stepperArena;
+void dxMakeMatrix(const dxIslandStep &step, dxExactProblem &problem) {
+    dxWorldProcessMemArena &arena = *step.arena;
     void *const state = arena.SaveState();
     std::fill_n(problem.links.first, problem.bodyCount, dxBodyLinks::kNone);
     dxConstraintMatrixTask task;
@@ -59,7 +59,7 @@ void dxMakeMatrix(const dxStepperProcessingCallContext &island, dxExactProblem &
     task.jointCount = problem.jointCount;
     task.jacobian = problem.jacobian;
     task.inverseInertia = problem.inverseInertia->tensor;
-    task.motions = findMotions(problem, island.m_stepSize, arena);
+    task.motions = findMotions(problem, step.stepSize, arena);
     task.pairs = problem.pairsBX;
     task.matrix = problem.matrix;
     task.rowSkip = dPAD(problem.rowCount);

@@ -59,14 +59,14 @@ void accelerate(dxBody &body, const dReal *inverseInertia, const dReal *sum, dRe
 
 }  // namespace
 
-void dxApplyResults(const dxStepperProcessingCallContext &island, const dxExactProblem &problem) {
+void dxApplyResults(const dxIslandStep &step, const dxExactProblem &problem) {
     for (unsigned i = 0; i < problem.bodyCount; ++i) {
         dxBody &body = *problem.bodies[i];
         const unsigned link = problem.links.first != nullptr ? problem.links.first[i] : dxBodyLinks::kNone;
         dReal sum[kElements];
         if (link != dxBodyLinks::kNone) addUpForces(problem, link, sum);
-        accelerate(body, problem.inverseInertia[i].tensor, link != dxBodyLinks::kNone ? sum : nullptr, island.m_stepSize);
-        dxIntegrateIslandBody(&body, island.m_stepSize);
+        accelerate(body, problem.inverseInertia[i].tensor, link != dxBodyLinks::kNone ? sum : nullptr, step.stepSize);
+        dxIntegrateIslandBody(&body, step.stepSize);
         dZeroVector3(body.facc);
         dZeroVector3(body.tacc);
     }

@@ -38,10 +38,10 @@ void clearRows(const dxExactProblem &problem, dReal cfm) {
 
 }  // namespace
 
-void dxReadRows(const dxStepperProcessingCallContext &island, dxExactProblem &problem) {
-    takeMemory(*island.m_stepperArena, problem);
-    clearRows(problem, island.m_world->global_cfm);
-    const dReal framesPerSecond = dRecip(island.m_stepSize), erp = island.m_world->global_erp;
+void dxReadRows(const dxIslandStep &step, dxExactProblem &problem) {
+    takeMemory(*step.arena, problem);
+    clearRows(problem, step.world->global_cfm);
+    const dReal framesPerSecond = dRecip(step.stepSize), erp = step.world->global_erp;
     for (unsigned i = 0; i < problem.jointCount; ++i) {
         const dxExactJoint &joint = problem.joints[i];
         const std::size_t row = joint.firstRow;

@@ -1,10 +1,10 @@
 // The third stage of the exact step: each joint writes its rows.
 #pragma once
 
-#include "util.h"
+#include "dynamics/islands/dxIslandStep.h"
 
 struct dxExactProblem;
 
 // Requires rows. Fills in the Jacobian, c/h and cfm/h in the places of b and x, limits, and rows of normals; takes the memory of
 // all that belongs to rows. Joints that push against a stop add to their bodies' facc and tacc.
-void dxReadRows(const dxStepperProcessingCallContext &island, dxExactProblem &problem);
+void dxReadRows(const dxIslandStep &step, dxExactProblem &problem);

@@ -7,30 +7,29 @@
 #include "dynamics/exactstep/dxExactResults.h"
 #include "dynamics/exactstep/dxExactRows.h"
 #include "dynamics/exactstep/dxJointOrder.h"
-#include "dynamics/islands/dxIslandCall.h"
 
-void dxExactStepIsland(const dxStepperProcessingCallContext *context) {
-    dxDantzigSolver solver(dxIslandCall::of(context).team);
-    dxStepExactly(*context, solver);
+void dxExactStep(const dxIslandStep &step) {
+    dxDantzigSolver solver(step.team);
+    dxStepExactly(step, solver);
 }
 
 // All stages but the solver are serial. Each reads what those before it have written.
-void dxStepExactly(const dxStepperProcessingCallContext &island, dxExactSolver &solver) {
-    dxWorldProcessMemArena &arena = *island.m_stepperArena;
+void dxStepExactly(const dxIslandStep &step, dxExactSolver &solver) {
+    dxWorldProcessMemArena &arena = *step.arena;
     dxExactProblem problem;
 
     // Reads bodies and gravity. Writes tags and inertia, adds gravity and gyroscopic torque to the bodies' accumulators.
-    dxGatherBodies(island, problem);
+    dxGatherBodies(step, problem);
 
     // Asks joints how many rows they have (getInfo1). Writes the list of joints, and how many rows there are.
-    dxOrderJoints(island, problem);
+    dxOrderJoints(step, problem);
 
     if (problem.rowCount > 0) {
         // Asks joints for their rows (getInfo2), which may add to accumulators. Writes the Jacobian, c, cfm, limits.
-        dxReadRows(island, problem);
+        dxReadRows(step, problem);
 
         // Reads velocities, accumulators, inertia, rows. Writes A, b, and the links from bodies to joints.
-        dxMakeMatrix(island, problem);
+        dxMakeMatrix(step, problem);
 
         // Parallel for large problems, if the island has a team. Reads A, b, limits; writes x, and may write over A and b.
         solver.solve(problem, arena);
@@ -38,5 +37,5 @@ void dxStepExactly(const dxStepperProcessingCallContext &island, dxExactSolver &
 
     // Reads x, rows, inertia, accumulators. Writes feedback, velocities and poses, clears accumulators; tells spaces and the
     // user of each body that has moved before it goes on to the next one.
-    dxApplyResults(island, problem);
+    dxApplyResults(step, problem);
 }

@@ -5,15 +5,12 @@
 // (dxEstimateStepMemoryRequirements).
 #pragma once
 
-#include "config.h"
-#include "objects.h"
-#include "util.h"
+#include "dynamics/islands/dxIslandStep.h"
 
 class dxExactSolver;
 
-// Seam: upstream's dWorldStep hands this out in the place of dxStepIsland. The context is part of a dxIslandCall, whose team
-// solves large problems together.
-void dxExactStepIsland(const dxStepperProcessingCallContext *context);
+// Steps the island; its team, if there is one, solves large problems together.
+void dxExactStep(const dxIslandStep &step);
 
 // The same with another solver.
-void dxStepExactly(const dxStepperProcessingCallContext &island, dxExactSolver &solver);
+void dxStepExactly(const dxIslandStep &step, dxExactSolver &solver);

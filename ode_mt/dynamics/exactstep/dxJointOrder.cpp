@@ -65,12 +65,12 @@ unsigned numberRows(dxExactJoint *begin, const dxExactJoint *end) {
 
 }  // namespace
 
-void dxOrderJoints(const dxStepperProcessingCallContext &island, dxExactProblem &problem) {
-    const std::size_t count = island.m_islandJointsCount;
-    dxExactJoint *const array = island.m_stepperArena->AllocateArray<dxExactJoint>(2 * count);
+void dxOrderJoints(const dxIslandStep &step, dxExactProblem &problem) {
+    const std::size_t count = step.island.jointCount;
+    dxExactJoint *const array = step.arena->AllocateArray<dxExactJoint>(2 * count);
     Lists lists(array + count);
     for (std::size_t i = 0; i < count; ++i) {
-        dxJoint *const joint = island.m_islandJointsStart[i];
+        dxJoint *const joint = step.island.joints[i];
         dxJoint::Info1 info;
         joint->getInfo1(&info);
         dIASSERT(info.m <= kMaxJointRows && info.nub <= info.m);
@@ -83,7 +83,7 @@ void dxOrderJoints(const dxStepperProcessingCallContext &island, dxExactProblem 
         else
             lists.addUnbounded(entry);
     }
-    island.m_stepperArena->ShrinkArray(array, 2 * count, static_cast<std::size_t>(lists.end() - array));
+    step.arena->ShrinkArray(array, 2 * count, static_cast<std::size_t>(lists.end() - array));
     problem.joints = lists.begin();
     problem.jointCount = static_cast<unsigned>(lists.end() - lists.begin());
     problem.unboundedJoints = lists.countUnbounded();

@@ -3,9 +3,9 @@
 // front, where they are factorised at once. Within a kind the order is upstream's, which decides the order of sums.
 #pragma once
 
-#include "util.h"
+#include "dynamics/islands/dxIslandStep.h"
 
 struct dxExactProblem;
 
 // Asks each joint of the island for its number of rows. Fills in the problem's joints and its number of rows.
-void dxOrderJoints(const dxStepperProcessingCallContext &island, dxExactProblem &problem);
+void dxOrderJoints(const dxIslandStep &step, dxExactProblem &problem);

@@ -4,7 +4,7 @@
 
 #include "dynamics/islands/dxBodyIntegration.h"
 #include "dynamics/islands/dxFetchAhead.h"
-#include "dynamics/islands/dxGyroscopicTorque.h"
+#include "dynamics/islands/dxBodyForces.h"
 
 namespace {
 
@@ -39,12 +39,6 @@ void forBodiesInParallel(const dxIslandStep &step, dxParallelStage stage, const 
                             [&](std::size_t begin, std::size_t end, unsigned) { forBodies(step, begin, end, end, work); });
 }
 
-void addGravity(dxBody &body, const dReal *gravity) {
-    if ((body.flags & dxBodyNoGravity) != 0) return;
-    for (int axis = 0; axis < 3; ++axis)
-        if (gravity[axis] != 0) body.facc[axis] += body.mass.mass * gravity[axis];
-}
-
 // Sums in the order of upstream's dMultiply0_331.
 void multiply(dReal *result, const dReal *matrix, const dReal *vector) {
     for (int row = 0; row < 3; ++row)
@@ -58,7 +52,7 @@ void dxGatherBodies(const dxIslandStep &step, dxIslandBody *bodies) {
     forBodiesInParallel(step, dxParallelStage::Bodies, [&](std::size_t i) {
         dxBody &body = *step.island.bodies[i];
         body.tag = static_cast<int>(i);
-        addGravity(body, gravity);
+        dxAddGravity(body, gravity);
         dMatrix3 invInertia;
         dxFindInvInertia(body, invInertia);
         for (int row = 0; row < 3; ++row)

@@ -1,8 +1,11 @@
-// Gyroscopic torque, and inertia in the world's frame.
+// What a stepper does with a body before it asks the joints: gravity, gyroscopic torque, and inertia in the world's frame.
 #pragma once
 
 #include "config.h"
 #include "objects.h"
+
+// Adds gravity, where it is not 0, to the body's accumulator, unless the body is in no-gravity mode.
+void dxAddGravity(dxBody &body, const dReal *gravity);
 
 // Sets `inverse` (3 rows of 4, the fourth column left alone) to the body's inverse inertia in the world's frame.
 void dxFindInvInertia(const dxBody &body, dReal *inverse);

@@ -1,4 +1,4 @@
-#include "dynamics/islands/dxGyroscopicTorque.h"
+#include "dynamics/islands/dxBodyForces.h"
 
 #include <ode/odemath.h>
 #include <ode/rotation.h>
@@ -13,6 +13,12 @@ void rotateTensor(const dReal *tensor, const dReal *rotation, dReal *rotated) {
 }
 
 }  // namespace
+
+void dxAddGravity(dxBody &body, const dReal *gravity) {
+    if ((body.flags & dxBodyNoGravity) != 0) return;
+    for (int axis = 0; axis < 3; ++axis)
+        if (gravity[axis] != 0) body.facc[axis] += body.mass.mass * gravity[axis];
+}
 
 void dxFindInvInertia(const dxBody &body, dReal *inverse) { rotateTensor(body.invI, body.posr.R, inverse); }
 
