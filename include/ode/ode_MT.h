@@ -35,19 +35,19 @@ extern "C" {
  *   ODE_MT_THREAD_MANAGER=pthread|openmp
  *   ODE_MT_LOG=error|warning|info|debug
  *   ODE_MT_PERTURB=n
- * An empty variable counts as unset; a program with another user's rights (set-user-ID) reads none. Of a number out
- * of range the nearest is taken, of anything else that is not understood the default, and a line on stderr says so. A
+ * An empty variable counts as unset; a program with another user's rights (set-user-ID) reads none. A number out
+ * of range is replaced by the nearest valid one, any other invalid value by the default, and a line on stderr reports it. A
  * call below overrides the environment.
  *
  * A threading implementation given to dWorldSetStepThreadingImplementation lends its threads to that
  * world's steps instead of the process's own, whatever the number set here; one that has a single thread, or none,
- * keeps the world's steps on one thread, and functions of the user's in it are asked for all calls as by ODE itself.
+ * keeps the world's steps on one thread, and functions of the user's in it get all calls that ODE itself would make.
  *
  * A NULL for a geom, body, space or world, or for the place of results, ends in dDebug, as elsewhere in ODE, unless a
  * function says otherwise.
  */
 
-/** Number of threads that means: one for every core this process may use. @ingroup ode_mt */
+/** Number of threads that stands for one thread for every core that this process may use. @ingroup ode_mt */
 #define dODE_MT_AUTO 0x7fffffff
 
 /** Largest number of threads. @ingroup ode_mt */
@@ -58,20 +58,20 @@ extern "C" {
  *
  * @param numThreads 0: serial (the default); 1: the calling thread alone; n: up to n threads, used
  *        where the cost model finds that they pay; dODE_MT_AUTO: one for every core.
- *        Any other number is answered with dMessage: below 0 counts as 0, above
- *        dODE_MT_MAX_THREADS as that.
+ *        Any other number is reported with dMessage: a number below 0 counts as 0, one above
+ *        dODE_MT_MAX_THREADS as that maximum.
  *
- * May be called from any thread at any time, callbacks of all kinds included; it waits for nothing. A step or collision
- * in progress may go on with the old number. dODE_MT_AUTO counts the cores anew at each call: those that the process was
- * given when it loaded the library and those that its first thread or the calling one may use now, not only those that
- * the calling thread has bound itself to. Threads start with the first step or collision that uses them and end with dCloseODE. Those
+ * May be called from any thread at any time, callbacks of all kinds included; it does not block. A step or collision
+ * in progress may continue with the old number. dODE_MT_AUTO counts the cores anew at each call: those that the process was
+ * given when it loaded the library and those that its first thread or the calling one may use now, not only those in
+ * the affinity mask of the calling thread. Threads start with the first step or collision that uses them and end with dCloseODE. Those
  * of the manager "pthread" may use all of these cores, with ordinary scheduling; the runtime of "openmp" has rules of its
  * own (OMP_PROC_BIND), by default those of the thread that starts them.
  * @ingroup ode_mt
  */
 ODE_API void dToggleODE_MT(int numThreads);
 
-/** The number of threads in force, dODE_MT_AUTO resolved. @ingroup ode_mt */
+/** Returns the number of threads in force, dODE_MT_AUTO resolved. @ingroup ode_mt */
 ODE_API int dODE_MT_GetThreads(void);
 
 /**
@@ -85,7 +85,7 @@ ODE_API int dODE_MT_GetThreads(void);
  */
 ODE_API int dODE_MT_SetAlgorithm(const char *name);
 
-/** The name of the algorithm in force. @ingroup ode_mt */
+/** Returns the name of the algorithm in force. @ingroup ode_mt */
 ODE_API const char *dODE_MT_GetAlgorithm(void);
 
 /**
@@ -93,9 +93,9 @@ ODE_API const char *dODE_MT_GetAlgorithm(void);
  * upstream's order, on the thread that called dSpaceCollide), "concurrent" (the program consents: callbacks
  * of pairs that share no body run at the same time on any thread) or "independent" (any callbacks do).
  *
- * With either a callback may read any body and joint, the geoms of the space that is being collided, and others that have
- * not moved since somebody asked for their place and box (upstream computes these when they are first asked for, which two
- * callbacks must not do at once); call dCollide for its pair (for others, too, but not where
+ * With either policy a callback may read any body and joint, the geoms of the space that is being collided, and others that have
+ * not moved since the last query of their pose and box (upstream computes these at the first query, which two
+ * callbacks must not make at once); call dCollide for its pair (for others, too, but not where
  * the collider calls the program or writes to a geom: docs/callbacks.md), dSpaceCollide2 on nested spaces that it was
  * called for, and make contact joints and attach them. With "concurrent" it may also enable the bodies of its pair, and
  * write to data of its pair's bodies. Contact joints appear in the lists of world and bodies only after the
@@ -107,21 +107,21 @@ ODE_API const char *dODE_MT_GetAlgorithm(void);
  * callback has the stack of its thread: at least 8 MiB with "pthread", what the runtime gives with "openmp".
  *
  * With "serial" a callback may write to such arrays, as with upstream: contacts with meshes and with height fields that
- * were built without a copy of their samples are then computed in the callback, not ahead of it by several threads. Where
- * a program has much terrain of this kind, "concurrent" is the faster choice.
+ * were built without a copy of their samples are then computed in the callback, not before it by several threads. If
+ * a program has much terrain of this kind, "concurrent" is faster.
  *
  * @return 1, or 0 and a dMessage naming the known ones if there is no such policy.
  * @ingroup ode_mt
  */
 ODE_API int dODE_MT_SetCallbackPolicy(const char *name);
 
-/** The name of the callback policy in force. @ingroup ode_mt */
+/** Returns the name of the callback policy in force. @ingroup ode_mt */
 ODE_API const char *dODE_MT_GetCallbackPolicy(void);
 
 /**
  * Chooses the heuristics that tune clusters (docs/heuristics.md), for measuring: "default", "none", or names with
  * commas between them: "cells" (number of cells), "centre" (of the grid), "crossover" and "declustering" (checks
- * that are left out where nothing can have met or come apart), "threads" (no more threads for concurrent
+ * that are skipped where nothing can have collided or separated), "threads" (no more threads for concurrent
  * callbacks than clusters; not in "default"). They change speed, never results. Takes effect at the next
  * dSpaceCollide of each space.
  *
@@ -130,11 +130,11 @@ ODE_API const char *dODE_MT_GetCallbackPolicy(void);
  */
 ODE_API int dODE_MT_SetHeuristics(const char *names);
 
-/** The names of the heuristics in force, or "none". @ingroup ode_mt */
+/** Returns the names of the heuristics in force, or "none". @ingroup ode_mt */
 ODE_API const char *dODE_MT_GetHeuristics(void);
 
 /**
- * Sets how many cells the grid of the clustered algorithms has on each axis, to measure what that does.
+ * Sets how many cells the grid of the clustered algorithms has on each axis, to measure its effect.
  *
  * @param cells 5 to 20; 0 (the default): tuned by measured time.
  * @return 1, or 0 and a dMessage naming the known ones if it is another number.
@@ -142,24 +142,24 @@ ODE_API const char *dODE_MT_GetHeuristics(void);
  */
 ODE_API int dODE_MT_SetGridCells(int cells);
 
-/** The number of cells set, 0 if it is tuned. @ingroup ode_mt */
+/** Returns the number of cells set, 0 if it is tuned. @ingroup ode_mt */
 ODE_API int dODE_MT_GetGridCells(void);
 
 /**
  * Chooses the thread manager by its name, "pthread" or "openmp". May be called at any time, as dToggleODE_MT; a step or
- * collision in progress may go on with the old one.
+ * collision in progress may continue with the old one.
  *
  * @return 1, or 0 and a dMessage naming the known ones if there is no such manager.
  * @ingroup ode_mt
  */
 ODE_API int dODE_MT_SetThreadManager(const char *name);
 
-/** The name of the thread manager in force. @ingroup ode_mt */
+/** Returns the name of the thread manager in force. @ingroup ode_mt */
 ODE_API const char *dODE_MT_GetThreadManager(void);
 
 /**
- * What has been shared out, since the process started. Each member is also the low 32 bits of a call below, whose numbers
- * wrap (a crowd of thousands of bodies has a million pairs in a second); differences of two readings stay right.
+ * Counters of parallel work since the process started. Each call below returns the low 32 bits of a member, which
+ * wrap (a scene of thousands of bodies has a million pairs in a second); differences of two readings remain correct.
  * @ingroup ode_mt
  */
 typedef struct dODE_MT_Statistics {
@@ -172,35 +172,35 @@ typedef struct dODE_MT_Statistics {
     unsigned long long contactsAheadUnused; /**< dODE_MT_GetContactsAheadUnused */
 } dODE_MT_Statistics;
 
-/** Writes the numbers in 64 bits each; NULL is answered with dMessage. @ingroup ode_mt */
+/** Writes the counters in 64 bits each; NULL is reported with dMessage. @ingroup ode_mt */
 ODE_API void dODE_MT_GetStatistics(dODE_MT_Statistics *statistics);
 
-/** Steps whose islands were shared out to threads, since the process started. @ingroup ode_mt */
+/** Number of steps whose islands ran on several threads, since the process started. @ingroup ode_mt */
 ODE_API unsigned dODE_MT_GetParallelSteps(void);
 
-/** Islands stepped in those steps. @ingroup ode_mt */
+/** Number of islands stepped in those steps. @ingroup ode_mt */
 ODE_API unsigned dODE_MT_GetParallelIslands(void);
 
-/** Steps in which two threads at least stepped one island together, since the process started. @ingroup ode_mt */
+/** Number of steps in which at least two threads stepped one large island together, since the process started. @ingroup ode_mt */
 ODE_API unsigned dODE_MT_GetTeamSteps(void);
 
-/** Calls of dSpaceCollide whose callbacks ran on two threads at least. @ingroup ode_mt */
+/** Number of calls of dSpaceCollide whose callbacks ran on at least two threads. @ingroup ode_mt */
 ODE_API unsigned dODE_MT_GetParallelCollisions(void);
 
 /**
- * Calls of dSpaceCollide in which two threads at least computed boxes, looked for pairs, or computed contacts ahead of the
- * callbacks; the callbacks came one at a time. @ingroup ode_mt
+ * Number of calls of dSpaceCollide in which at least two threads computed boxes, found pairs, or computed contacts before the
+ * callbacks; the callbacks were called one at a time. @ingroup ode_mt
  */
 ODE_API unsigned dODE_MT_GetSharedCollisions(void);
 
-/** Pairs of geoms whose contacts were computed before their near-callback, for dCollide to hand out. @ingroup ode_mt */
+/** Number of pairs of geoms whose contacts were computed before their near-callback, for dCollide to return. @ingroup ode_mt */
 ODE_API unsigned dODE_MT_GetContactsAhead(void);
 
-/** Those of them whose callback did not ask for the contacts, or asked for others. @ingroup ode_mt */
+/** Number of those pairs whose callback did not ask for the contacts, or asked for others. @ingroup ode_mt */
 ODE_API unsigned dODE_MT_GetContactsAheadUnused(void);
 
 /**
- * Largest number of threads that took part in one step that was shared out or in the callbacks of one collision; 0 while
+ * Returns the largest number of threads that took part in one parallel step or in the callbacks of one collision; 0 if
  * there was none. @ingroup ode_mt
  */
 ODE_API unsigned dODE_MT_GetMaxWorkersUsed(void);
@@ -218,7 +218,7 @@ typedef void dSpaceUpdateFunction(int threadID);
 
 /**
  * One frame: dSpaceCollide(space, data, callback), then stepper(world, stepsize).
- * Callbacks come as dSpaceCollide's (dODE_MT_SetCallbackPolicy). @ingroup ode_mt
+ * Callbacks are called as by dSpaceCollide (dODE_MT_SetCallbackPolicy). @ingroup ode_mt
  */
 ODE_API void dSpaceCollideAndWorldStep(dSpaceID space, void *data, dNearCallback *callback, dWorldID world,
                                        dReal stepsize, dWorldStepFunction *stepper);
@@ -231,54 +231,54 @@ ODE_API void dWorldStepAndSpaceCollide(dSpaceID space, void *data, dNearCallback
                                        dReal stepsize, dWorldStepFunction *stepper,
                                        dSpaceUpdateFunction *update);
 
-/** Has no effect: geoms are never copied, so none needs to be told apart. @ingroup ode_mt */
+/** Has no effect: geoms are never copied, so none needs to be distinguished. @ingroup ode_mt */
 ODE_API void dGeomSetDynamicFlag(dGeomID geom);
 
-/** 1 if both handles are the same geom, or both NULL, else 0. @ingroup ode_mt */
+/** Returns 1 if both handles are the same geom, or both NULL, else 0. @ingroup ode_mt */
 ODE_API int dAreGeomsSame(dGeomID g1, dGeomID g2);
 
 /** Has no effect: parameters are read from the user's world at every step. @ingroup ode_mt */
 ODE_API void dWorldRefreshParameters(dWorldID world);
 
 /**
- * Number of spaces that a thread handles in the update call of dWorldStepAndSpaceCollide: 1 (the
+ * Returns the number of spaces that a thread handles in the update call of dWorldStepAndSpaceCollide: 1 (the
  * user's own) for threadID -1 during a frame of that function or of dSpaceCollideAndWorldStep on the calling thread, else
  * 0. @ingroup ode_mt
  */
 ODE_API int dThreadGetSpacesCount(int threadID);
 
-/** The index-th of those spaces, or NULL if there is none. @ingroup ode_mt */
+/** Returns the index-th of those spaces, or NULL if there is none. @ingroup ode_mt */
 ODE_API dSpaceID dThreadGetSpaceID(int threadID, int index);
 
 /**
  * @defgroup ode_mt_clusters Clusters, for a debug overlay
  *
- * A space has clusters while an algorithm that clusters is in force (dODE_MT_SetAlgorithm). They are those of the last time
- * that dSpaceCollide looked at them: at each call without heuristics, else where something could have met or come apart
+ * A space has clusters while an algorithm that clusters is in force (dODE_MT_SetAlgorithm). They are those of the last check
+ * in dSpaceCollide: at each call without heuristics, else where geoms could have collided or separated
  * (docs/heuristics.md), so cells may be those of some calls before.
- * The functions look and change nothing; not from another thread while the space collides. `world` is the
+ * The functions change nothing. They must not be called from another thread while the space collides. `world` is the
  * world whose bodies the geoms of the space have. A cluster has a name, a number from 1 on, that it keeps from
  * frame to frame; 0 stands for no cluster. Functions that write up to `capacity` of something only count where that is 0;
  * their array may be NULL then.
  */
 
-/** Number of clusters of what moves; 1 if the space has none, as all is one. @ingroup ode_mt_clusters */
+/** Returns the number of dynamic clusters; 1 if the space has no clusters, as all geoms count as one. @ingroup ode_mt_clusters */
 ODE_API int dClusterGetCount(dWorldID world, dSpaceID space);
 
-/** Edge of a grid cell, 0 without a grid. @ingroup ode_mt_clusters */
+/** Returns the edge of a grid cell, 0 without a grid. @ingroup ode_mt_clusters */
 ODE_API float dClusterGetGridStep(dWorldID world, dSpaceID space);
 
-/** Centre of the grid, the origin without a grid. @ingroup ode_mt_clusters */
+/** Writes the centre of the grid, the origin without a grid. @ingroup ode_mt_clusters */
 ODE_API void dClusterGetCenter(dWorldID world, dSpaceID space, float *x, float *y, float *z);
 
-/** Cells of the grid on each axis, 0 without a grid. @ingroup ode_mt_clusters */
+/** Returns the number of cells of the grid on each axis, 0 without a grid. @ingroup ode_mt_clusters */
 ODE_API int dClusterGetGridCells(dWorldID world, dSpaceID space);
 
-/** Name of the cluster that a geom, or the space around it, is in; 0: static, big, or in none. @ingroup ode_mt_clusters */
+/** Returns the name of the cluster that a geom, or the space around it, is in; 0: static, big, or in none. @ingroup ode_mt_clusters */
 ODE_API unsigned dClusterGetOfGeom(dGeomID geom);
 
 /**
- * Number from 1 on of the cluster of static geoms that a static geom, or the space around it, is in; 0: in none.
+ * Returns the number, from 1 on, of the cluster of static geoms that a static geom, or the space around it, is in; 0: in none.
  * Such clusters have no names: the number may be another in the next frame. @ingroup ode_mt_clusters
  */
 ODE_API unsigned dClusterGetStaticOfGeom(dGeomID geom);
@@ -289,10 +289,10 @@ ODE_API unsigned dClusterGetStaticOfGeom(dGeomID geom);
  */
 ODE_API int dClusterGetTestedWith(dGeomID geom, unsigned *clusters, int capacity);
 
-/** Name of the cluster of a body's first geom, 0 if it has none. @ingroup ode_mt_clusters */
+/** Returns the name of the cluster of a body's first geom, 0 if it has none. @ingroup ode_mt_clusters */
 ODE_API unsigned dClusterGetOfBody(dBodyID body);
 
-/** A cell in which something that moves lay when clusters were last looked at. @ingroup ode_mt_clusters */
+/** A cell that a dynamic geom occupied at the last check of the clusters. @ingroup ode_mt_clusters */
 typedef struct dClusterCell {
     int x, y, z;      /**< from 0 to dClusterGetGridCells - 1 */
     unsigned cluster; /**< name */
@@ -301,9 +301,9 @@ typedef struct dClusterCell {
 /** Writes up to `capacity` such cells, in no order, and returns how many there are. @ingroup ode_mt_clusters */
 ODE_API int dClusterGetCells(dWorldID world, dSpaceID space, dClusterCell *cells, int capacity);
 
-/** What a cluster went through in the last dSpaceCollide. @ingroup ode_mt_clusters */
+/** A merge or a split of clusters in the last dSpaceCollide. @ingroup ode_mt_clusters */
 typedef struct dClusterEvent {
-    int isSplit;         /**< 0: `from` became part of `into`; 1: `into` came off `from` */
+    int isSplit;         /**< 0: `from` became part of `into`; 1: `into` separated from `from` */
     unsigned from, into; /**< names */
 } dClusterEvent;
 
