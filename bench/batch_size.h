@@ -1,4 +1,4 @@
-// How many frames an engine runs before the next one has its turn.
+// Number of frames that an engine runs before the next engine.
 #pragma once
 
 namespace bench {

@@ -1,4 +1,4 @@
-// Times the near-callbacks of dSpaceCollide, whoever calls it in this program.
+// Times the near-callbacks of all calls of dSpaceCollide in this program.
 #pragma once
 
 namespace bench {

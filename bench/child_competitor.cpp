@@ -20,7 +20,7 @@ std::string ChildCompetitor::answer() {
     try {
         return m_process->readLine(m_settings.limit);
     } catch (const ChildError &) {
-        m_process.reset();  // a child that hangs must not go on beside the others
+        m_process.reset();  // a child that hangs must not run beside the others
         throw;
     }
 }

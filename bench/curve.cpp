@@ -33,7 +33,7 @@ auto findCurve(Curves &curves, const std::string &name) {
                         [&](const Curve &curve) { return curve.world == name; });
 }
 
-// Of a world measured twice the first result counts.
+// Adds a point. If a world was measured twice, the first result counts.
 void addPoint(Curve &curve, long size, const WorldResult &result) {
     const auto place =
         std::lower_bound(curve.points.begin(), curve.points.end(), size,

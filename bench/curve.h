@@ -28,7 +28,7 @@ struct Curve {
     double growth(Part part, std::size_t point, std::size_t engine) const;
 };
 
-// In the order in which their worlds come. A world whose size is not said belongs to no curve.
+// Returns the curves in the order of their worlds. A world without a size belongs to no curve.
 std::vector<Curve> curvesOf(const std::vector<WorldResult> &results);
 
 struct CurvePlace {

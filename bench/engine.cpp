@@ -11,7 +11,7 @@ namespace {
 constexpr int kMostThreads = 1024;
 constexpr int kFewestCells = 5, kMostCells = 20;
 const std::string kCells = "cells=";
-// As the library knows them; it would take the default for any other, in silence where the child has no log.
+// The names must be those of the library; it would use the default for any other, without a report where the child has no log.
 const std::vector<std::string> kAlgorithms = {"auto",   "serial",          "lcp",         "original",
                                               "static", "static-unmerged", "duplication", "decluster"};
 
@@ -43,7 +43,7 @@ void checkThreads(const std::string &engine, const std::string &threads, int low
                                     std::to_string(kMostThreads) + (mayBeAuto ? ", nor 'auto'" : ""));
 }
 
-// Takes what stands behind the last `separator` out of `text`; empty if there is none.
+// Removes the part after the last `separator` from `text` and returns it; empty if there is none.
 std::string takeSuffix(std::string &text, char separator) {
     const std::size_t at = text.find(separator);
     if (at == std::string::npos) return "";

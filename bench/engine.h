@@ -37,7 +37,7 @@ struct Engine {
 // Throws std::invalid_argument, naming the word that is wrong and the engines that exist.
 Engine readEngine(const std::string &name);
 
-// A list as on the command line. "ours" without a number stands for one engine for each of
+// Reads a list as on the command line. "ours" without a number stands for one engine for each of
 // `threads`, "stock-pool" without a number for a pool of the largest of them. `manager`, if not
 // empty, is that of all of ours that name none.
 std::vector<Engine> readEngines(const std::vector<std::string> &names,

@@ -10,13 +10,13 @@ struct LibraryProbe {
     std::string file;  // of the library that defines dWorldStep
     bool isOurs;       // it exports dToggleODE_MT
 
-    // Of ours; 0 and empty with Debian's.
+    // The settings of our library; 0 and empty with Debian's.
     int threads() const;
     std::string manager() const;
     std::string algorithm() const;
     std::string callbacks() const;   // the callback policy
     int gridCells() const;           // 0: tuned
-    unsigned sharedSteps() const;    // by islands or by a team, since the process started
+    unsigned sharedSteps() const;    // number of parallel steps, by islands or of a large island, since the process started
 };
 
 LibraryProbe probeLibrary();

@@ -7,7 +7,7 @@
 namespace bench {
 
 // Returns the names of all ODE_MT_... variables that are set, but for ODE_MT_WORLDS, which is the loader's.
-// By their beginning, so that those of libraries to come are among them.
+// Variables are recognised by their prefix, so that those of later versions are included.
 std::vector<std::string> libraryVariables();
 
 }  // namespace bench

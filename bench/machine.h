@@ -1,4 +1,4 @@
-// The machine that the bench runs on, for whoever reads its figures later.
+// The machine that the bench runs on, for readers of its figures.
 #pragma once
 
 #include <iosfwd>

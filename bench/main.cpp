@@ -1,4 +1,4 @@
-// odemt_bench: worlds × engines, in turns, as a table. docs/bench.md explains the method.
+// odemt_bench: worlds × engines, interleaved, as a table. docs/bench.md explains the method.
 #include "error_output.h"
 #include "options.h"
 #include "progress.h"
@@ -12,7 +12,7 @@
 
 namespace {
 
-// Of all worlds measured so far, so that an interrupt leaves them.
+// Saves the results of all worlds measured so far, so that an interrupt keeps them.
 void save(const std::vector<bench::WorldResult> &results, const bench::Options &options) {
     bench::writeResultFile(options.jsonFile, bench::reportJson(results, options.withAverages));
     bench::writeResultFile(options.csvFile, bench::reportCsv(results));

@@ -25,7 +25,7 @@ struct Ready {
     int gridCells = 0;  // 0: tuned
     std::size_t bodies = 0, joints = 0, geoms = 0;
     double stepSize = 0;                // s
-    std::vector<std::string> warnings;  // what the loader left out
+    std::vector<std::string> warnings;  // what the loader ignored
 };
 
 struct Batch {
@@ -34,7 +34,7 @@ struct Batch {
     std::uint64_t hash = 0;    // of the state after the last frame
     std::size_t contacts = 0;  // in the last frame
     unsigned messages = 0;     // of ODE, in this batch
-    unsigned sharedSteps = 0;  // steps of this batch that ours shared out to threads
+    unsigned sharedSteps = 0;  // parallel steps of this batch, of our library
 };
 
 std::string writeReady(const Ready &ready);
@@ -43,7 +43,7 @@ std::string writeBatch(const Batch &batch);
 std::string writeError(const std::string &what);
 
 // Each throws std::runtime_error: with the child's own words if the line is an error of the child,
-// else with the line that was not understood.
+// else with the line that is invalid.
 Ready readReady(const std::string &line);
 int readRequest(const std::string &line);
 Batch readBatch(const std::string &line);

@@ -1,4 +1,4 @@
-// The measurement: all engines run the same frames of the same world, in turns.
+// The measurement: all engines run the same frames of the same world, interleaved.
 //
 // Only one engine runs at a time. In a round each runs one batch of the same number of frames; the
 // order rotates from round to round, so that none always comes first. Times of one round belong
@@ -54,7 +54,7 @@ struct RaceSettings {
 
 using Competitors = std::vector<std::unique_ptr<Competitor>>;
 
-// `onRound` sees the result so far after each round. An engine that fails is left out from then on.
+// `onRound` sees the result so far after each round. An engine that fails takes no part from then on.
 WorldResult race(const std::string &world, Competitors &competitors, const RaceSettings &settings,
                  const std::function<void(const WorldResult &)> &onRound);
 

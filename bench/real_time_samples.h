@@ -1,7 +1,7 @@
 // The real-time factor of an engine once a second, as in the thesis's chapter 12.2: simulated seconds in a
 // second of wall-clock time.
 //
-// The seconds are the engine's own: those in which the other engines had their turns do not count.
+// The seconds are the engine's own: those in which other engines run do not count.
 #pragma once
 
 #include "race.h"
@@ -11,7 +11,7 @@
 namespace bench {
 
 // One sample for each `period` (s) that the engine ran, at the end of the batch in which it became full; the
-// rest at the end is left out.
+// rest at the end is dropped.
 std::vector<double> realTimeSamples(const EngineResult &engine, double period = 1);
 
 }  // namespace bench

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of the name of a temporary file, which may be no longer than that of its file.
+// The name of a temporary file may be no longer than that of its file.
 constexpr std::size_t kLongestStem = 200;
 
 [[noreturn]] void fail(const std::string &file, const std::string &reason) {
@@ -30,7 +30,7 @@ bool isSpecial(const fs::path &path) {
     return stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }
 
-// Nobody may be reading it, and to open it would wait for somebody.
+// A pipe may have no reader, and opening it would block.
 bool isNamedPipe(const fs::path &path) {
     struct stat status {};
     std::error_code none;

@@ -38,7 +38,7 @@ private:
     std::unique_ptr<Target> m_target;
 };
 
-// Of results and of what is read for them. Requires files whose folders exist. Throws std::invalid_argument if two of them, however they are spelled
+// Checks files of results and of their inputs. Requires files whose folders exist. Throws std::invalid_argument if two of them, however they are spelled
 // (relative, through a symbolic link), are one file.
 void checkDistinct(const std::vector<std::string> &files);
 

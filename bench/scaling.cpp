@@ -21,7 +21,7 @@ std::string nameWithoutThreads(Engine engine) {
     return engine.name();
 }
 
-// Of an engine that is named twice the first counts.
+// Adds a point. If an engine is named twice, the first counts.
 void addPoint(Scaling &scaling, Scaling::Point point) {
     const auto isFewer = [](const Scaling::Point &other, unsigned threads) { return other.threads < threads; };
     const auto place = std::lower_bound(scaling.points.begin(), scaling.points.end(), point.threads, isFewer);

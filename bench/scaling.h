@@ -19,7 +19,7 @@ struct Scaling {
     std::vector<Point> points;  // two or more, by rising number of threads
 };
 
-// In the order in which their engines come. Engines that are not ours, and "auto", have no number of threads.
+// Returns the curves in the order of their engines. Engines that are not ours, and "auto", have no number of threads.
 std::vector<Scaling> scalingsOf(const std::vector<Engine> &engines);
 
 }  // namespace bench

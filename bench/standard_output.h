@@ -11,8 +11,8 @@ void keepStandardFiles();
 // Throws std::runtime_error with the reason.
 void print(const std::string &text);
 
-// Of a program that has ended with this code: 1 instead of 0 if what others have printed (help) did not arrive; the
-// reason goes to standard error.
+// Returns the exit code of a program that has ended with this code: 1 instead of 0 if output of other code (help) could not be
+// written; the reason is printed to standard error.
 int exitCodeAfterOutput(int exitCode);
 
 }  // namespace bench

@@ -21,7 +21,7 @@ Spread spreadOf(const std::vector<double> &values);
 MeanAndDeviation meanAndDeviation(const std::vector<double> &values);
 
 // reference[i] / other[i], of pairs measured in the same round. A pair with a zero or negative time is
-// left out: the clock did not resolve it.
+// ignored: the clock did not resolve it.
 std::vector<double> pairedRatios(const std::vector<double> &reference, const std::vector<double> &other);
 
 }  // namespace bench

@@ -1,4 +1,4 @@
-// What may stand behind --worlds, and how it becomes a scene.
+// The values of --worlds, and the scenes that they stand for.
 //
 //   create             one of the SDF worlds of worlds/
 //   create:620         the same with 620 static shapes: its obstacles are repeated around it
@@ -25,7 +25,7 @@ std::vector<std::string> splitWorlds(const std::string &list);
 void checkWorld(const std::string &world);
 
 // Throws what checkWorld throws and what the loader throws. `warnings`: elements of an SDF world
-// left out because `ignoreUnsupported`.
+// ignored because of `ignoreUnsupported`.
 std::unique_ptr<scenes::Scene> openWorld(const std::string &world, bool ignoreUnsupported,
                                          std::vector<std::string> &warnings);
 

@@ -10,15 +10,15 @@ namespace bench {
 
 struct WorldSpec {
     std::string name;                    // of an SDF world or scene, or a file
-    std::string size;                    // what stands behind the colon; empty when there is none
-    std::vector<std::string> modifiers;  // what stands behind the commas
+    std::string size;                    // the part after the colon; empty if there is none
+    std::vector<std::string> modifiers;  // the parts after the commas
     bool isSdf = false;                  // else a scene
 };
 
 // Opens no file. Throws std::invalid_argument for what says nothing or the same twice.
 WorldSpec readWorldSpec(const std::string &world);
 
-// "static_meets_static", what may stand behind the comma of an SDF world.
+// "static_meets_static", the modifiers of an SDF world.
 extern const char *const kStaticMeetsStatic;
 
 // How to load an SDF world. Throws std::invalid_argument for a size or modifier that makes no sense.

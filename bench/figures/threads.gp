@@ -1,5 +1,5 @@
 # Speed-up against libode8 by the number of threads that a step may use: of the frame, and of the stage that the
-# figure is about. Solid: ODE_MT as it is; dashed: "decluster", which shares out every step. Thin lines are quartiles.
+# figure is about. Solid: ODE_MT as it is; dashed: "decluster", which runs every step in parallel. Thin lines are quartiles.
 threads(name) = int(name[6:(strstrt(name, "/") > 0 ? strstrt(name, "/") - 1 : strlen(name))])
 shift(world) = (worldIndex(world) - (words(worlds) - 1) / 2.0) * 0.05
 isWanted(name, word) = name ne "stock" && (strstrt(name, "/") > 0) == (word eq "decluster")

@@ -13,7 +13,7 @@ public:
 
     std::vector<Geom> geoms() const;
     void runFrame();
-    Frame frame();  // as it is now; the events are handed out once
+    Frame frame();  // as it is now; events are returned once
 
 private:
     scenes::Scene &m_scene;

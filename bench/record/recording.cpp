@@ -146,7 +146,7 @@ namespace {
 // Bytes that are no UTF-8 (file names may be anything) become U+FFFD instead of an exception.
 std::string dump(const json &value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
 
-// As many numbers as recording.h says for each kind.
+// Returns how many numbers recording.h specifies for a kind.
 std::size_t numbersOf(const std::string &kind) {
     static const std::map<std::string, std::size_t> kNumbers = {
         {"box", 3}, {"sphere", 1}, {"capsule", 2}, {"cylinder", 2}, {"plane", 4}, {"mesh", 6}, {"bounds", 3}};

@@ -60,7 +60,7 @@ struct Event {
     unsigned from = 0, into = 0;
 };
 
-// Of one geom. 0: none.
+// The clusters of one geom. 0: none.
 struct Membership {
     unsigned cluster = 0;              // name, of what moves
     unsigned staticCluster = 0;        // number in this frame
@@ -88,7 +88,7 @@ struct Recording {
 std::string writeHeader(const Header &header);  // one line, without its end
 std::string writeFrame(const Frame &frame);
 
-// Throws std::runtime_error, naming the line that was not understood.
+// Throws std::runtime_error, naming the invalid line.
 Recording readRecording(std::istream &lines);
 
 }  // namespace record

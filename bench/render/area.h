@@ -16,7 +16,7 @@ struct Area {
     }
 };
 
-// Of at least one point.
+// Requires at least one point.
 Area areaOf(const std::vector<Point> &points);
 
 }  // namespace render

@@ -11,7 +11,7 @@ struct Point {
 
 class Camera {
 public:
-    // Degrees. The viewer stands in the direction `azimuth` from the scene (0: along +x, 90: along +y),
+    // Units: degrees. The viewer is in the direction `azimuth` from the scene (0: along +x, 90: along +y),
     // `elevation` above the horizon.
     Camera(double azimuth, double elevation);
 

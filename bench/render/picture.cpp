@@ -101,7 +101,7 @@ private:
                (statics.empty() ? "" : ", " + count(statics.size(), "static "));
     }
 
-    // As much of each plane as lies below the scene, if the viewer is in front of it.
+    // Draws the part of each plane that lies below the scene, if the viewer is in front of it.
     void drawPlanes(SvgCanvas &canvas) const {
         const Vector middle = 0.5 * (m_low + m_high);
         const double reach =

@@ -24,7 +24,7 @@ struct Patch {
 // A geom of any kind but "plane".
 OrientedBox boxAround(const record::Shape &shape, const record::Pose &pose);
 
-// From the back to the front.
+// Returns the patches from the back to the front.
 std::vector<Patch> patchesOf(const record::Shape &shape, const record::Pose &pose, const Camera &camera);
 
 }  // namespace render

@@ -1,8 +1,8 @@
-// Measures the thread managers: what a run costs, and how well blocks of a given length are shared out.
+// Measures the thread managers: the overhead of a run, and the speed-up of blocks of a given length.
 //
 //   empty      a run of as many empty blocks as workers: the cost to the caller, who may do them all
 //   meeting    the same, but every block waits for all others: all workers are woken and take part
-//   blocks     200 blocks of equal length; `speedup` is the median ratio to one worker, measured in turn
+//   blocks     200 blocks of equal length; `speedup` is the median ratio to one worker, measured alternately
 //
 // `median_us` is the median of the single runs; the time column is their mean.
 //

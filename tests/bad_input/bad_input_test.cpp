@@ -1,7 +1,7 @@
 // Bad arguments are answered as libode8 answers them, by number and text, in every function that its headers
 // declare; and in ODE_MT's own functions as ode_MT.h says.
 //
-// Has found: dQuadTreeSpaceCreate went on for ever for a depth of two thousand million, where libode8
+// Has found: dQuadTreeSpaceCreate did not end for a depth of two thousand million, where libode8
 // crashes.
 #include "two_libraries.h"
 

@@ -17,7 +17,7 @@ struct Value {
     T value;
 };
 
-// Large enough for what any function reads or writes beside arrays whose length it is told.
+// Large enough for what any function reads or writes beside arrays whose length is an argument.
 constexpr std::size_t kBlock = 1 << 16;
 
 // `first` is the good one.
@@ -29,7 +29,7 @@ std::vector<Value<T>> valuesOf(const std::string &kind, const std::vector<T> &ob
     return values;
 }
 
-// One for each number, whoever writes to it: each call is made in a process of its own.
+// One for each number; calls may write to them: each call is made in a process of its own.
 double *blockOfDoubles(double value);
 
 template <class T>

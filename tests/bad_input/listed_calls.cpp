@@ -1,4 +1,4 @@
-// Of the functions that list_functions.py found: upstream's, or those of ode_MT.h.
+// Calls of the functions that list_functions.py found: upstream's, or those of ode_MT.h.
 #include "bad_calls.h"
 
 #include <ode/cooperative.h>

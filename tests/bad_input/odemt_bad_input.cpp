@@ -1,5 +1,5 @@
 // Makes every call with one bad argument at a time, each in a process of its own, and prints what came of it:
-// what handlers were told, and how the process ended. The first line names the library it runs on.
+// the calls of handlers, and how the process ended. The first line names the library it runs on.
 //
 //   odemt_bad_input [PART OF A CALL'S NAME]
 #include "bad_calls.h"
@@ -26,7 +26,7 @@ using namespace bad_input;
 constexpr rlim_t kMostComputing = 1;
 constexpr unsigned kPatience = 60;
 constexpr std::size_t kRoom = 1 << 14;
-// What a call may take: it may be told to make room for as much as there is.
+// The memory of a call: a bad argument may request as much as there is.
 constexpr rlim_t kMostMemory = rlim_t{2} << 30;
 
 char *told;  // memory that a call's process shares with this one

@@ -65,7 +65,7 @@ TEST_F(OdemtBench, TimesCallbacksApart) {
         const auto seconds = [&](const char *part) {
             return engine["parts"][part]["meanSeconds"].get<double>();
         };
-        EXPECT_GT(seconds("callbacks"), 1e-6);  // more than a hundred pairs meet in each frame
+        EXPECT_GT(seconds("callbacks"), 1e-6);  // there are more than a hundred pairs in each frame
         EXPECT_NEAR(seconds("outside_callbacks"), seconds("frame") - seconds("callbacks"), 1e-9);
         if (engine["callbacks"] != "concurrent") {
             EXPECT_LT(seconds("callbacks"), seconds("collision"));

@@ -14,7 +14,7 @@ OrientedBox box(const Vector &centre, const Vector &half) {
 
 using Order = std::vector<std::size_t>;
 
-// The viewer stands where y is small.
+// The viewer is where y is small.
 const Camera kFront(-90, 30);
 
 }  // namespace
@@ -30,7 +30,7 @@ TEST(PainterOrder, ABoxOnAnotherComesAfterIt) {
     EXPECT_EQ(painterOrder({box({0, 0, 2}, {1, 1, 1}), box({0, 0, 0}, {1, 1, 1})}, kFront), (Order{1, 0}));
 }
 
-// By the distance of its centre, the wall would be in front of the box.
+// If the distance of its centre decided, the wall would be in front of the box.
 TEST(PainterOrder, ALongWallIsBehindASmallBoxInFrontOfItsFarEnd) {
     const Camera camera(-45, 20);
     const OrientedBox wall = box({0, 0, 0}, {10, 0.1, 1}), small = box({-8, -1, 0}, {0.2, 0.2, 0.9});

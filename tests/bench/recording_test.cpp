@@ -157,7 +157,7 @@ TEST(Recording, AGridWithoutBoundsIsRefused) {
     }
 }
 
-// Each text of the pair stands once in a recording that is right.
+// Each text of the pair is once in a valid recording.
 TEST(Recording, WhatIsNestedDeeplyIsNamedByItsType) {
     constexpr std::size_t kDepth = 200'000;  // more than the stack holds, if each level is one call
     std::string text = writeHeader(header());

@@ -108,7 +108,7 @@ TEST_F(ToolOutput, WhatFailsLeavesTheOldFile) {
     }
 }
 
-// Of the world, and of the recording: no input is written over.
+// Neither the world nor the recording, which are inputs, is overwritten.
 TEST_F(ToolOutput, WhatIsReadIsNotWrittenTo) {
     const std::string world = folder + "/world.sdf", link = folder + "/link";
     const std::string original = "<sdf version=\"1.9\"><world name=\"w\"/></sdf>\n";

@@ -1,4 +1,4 @@
-// A world and a space with clusters, made by hand: what stands where, and who is with whom. Clusters are checked at
+// A world and a space with clusters, with given positions and expected clusters. Clusters are checked at
 // every search, so that they are what the rules say.
 #pragma once
 

@@ -2,7 +2,7 @@
 
 namespace {
 
-// Of docs/clusters.md.
+// The constants of docs/clusters.md.
 constexpr int kCellsPerAxis = 5;
 constexpr int kFramesBetweenGrids = 16;
 

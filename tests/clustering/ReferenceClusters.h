@@ -1,4 +1,4 @@
-// Who is in which cluster, recomputed from scratch in every frame from the rules as the thesis states them
+// The members of each cluster, recomputed from scratch in every frame from the rules as the thesis states them
 // (chapters 2 and 5 to 8): every inhabitant against every other, labels spread until nothing changes. What it
 // shares with the code under test is the type of a box.
 //
@@ -27,7 +27,7 @@ public:
 
     const ReferenceGrid &grid() const { return m_grid; }
     bool gridIsNew() const { return m_frameOfGrid == m_frame; }
-    // By index into the inhabitants of the last frame.
+    // `i` and `k` are indices into the inhabitants of the last frame.
     bool isBig(std::size_t i) const { return m_isBig[i]; }
     bool isClustered(std::size_t i) const { return m_label[i] != kNone; }
     bool together(std::size_t i, std::size_t k) const { return isClustered(i) && m_label[i] == m_label[k]; }

@@ -5,7 +5,7 @@
 
 namespace {
 
-// Of docs/clusters.md.
+// The constants of docs/clusters.md.
 constexpr double kStrayShare = 0.02;
 constexpr dReal kRoom = 1.5;
 constexpr double kOutgrownShare = 0.12;

@@ -84,7 +84,7 @@ TEST(ClusterGrid, CellsAreNumberedWithoutGapsOrRepeats) {
     EXPECT_EQ(*numbers.rbegin(), grid.cellCount() - 1);
 }
 
-// Sizes and places over many decades, most outside of the grid; some bounds NaN, infinite or inside out.
+// Sizes and places over many decades, most outside of the grid; some bounds NaN, infinite or inverted.
 TEST(ClusterGrid, OverlappingBoxesAlwaysShareACell) {
     std::mt19937 random(1);
     const auto uniform = [&](dReal low, dReal high) {

@@ -1,4 +1,4 @@
-// dxClusterHistory: names stay with clusters; merges and splits are told.
+// dxClusterHistory: names stay with clusters; merges and splits are reported.
 #include <gtest/gtest.h>
 
 #include <vector>

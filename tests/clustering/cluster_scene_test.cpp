@@ -1,4 +1,4 @@
-// dxClusterScene: who is in which cell, kept up to date by what changes, against a scene made anew.
+// dxClusterScene: the geoms of each cell, updated by changes, against a scene that is built from scratch.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// dxClusteredWorldAndSpace::search with boxes that no space would give it: NaN, inside out, sizes over six decades,
-// members that come and go. Each pair once, and those of brute force.
+// dxClusteredWorldAndSpace::search with boxes that no space would give it: NaN, inverted, sizes over six decades,
+// members that are added and removed. It reports each pair once, and the pairs of brute force.
 #include <gtest/gtest.h>
 
 #include <algorithm>

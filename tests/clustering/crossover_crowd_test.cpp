@@ -97,7 +97,7 @@ TEST(CrossoverCrowd, DeclusterSplitsAllGroupsAtOnce) {
     EXPECT_EQ(world.clustered().history().splits(), 3u);
 }
 
-// Flood fill at the start goes from cell to neighbouring cell; later only what shares a cell meets.
+// Flood fill at the start goes from cell to neighbouring cell; later only geoms that share a cell are clustered.
 TEST(CrossoverCrowd, NeighbouringCellsAreOneClusterWhenClustersAreMade) {
     for (const char *pass : kPasses) {
         ClusteredSpace world(pass);
@@ -145,7 +145,7 @@ TEST(CrossoverCrowd, AllGeomsOfABodyAreInOneCluster) {
     }
 }
 
-// A body-less geom that becomes dynamic is clustered even where only static geoms stand.
+// A body-less geom that becomes dynamic is clustered even where only static geoms are.
 TEST(CrossoverCrowd, AMovingGeomAmongStaticOnesIsClustered) {
     for (const char *pass : kPasses) {
         Crowd world(pass);
@@ -159,7 +159,7 @@ TEST(CrossoverCrowd, AMovingGeomAmongStaticOnesIsClustered) {
     }
 }
 
-// It has no place in the grid, and a joint to it holds nobody.
+// It is in no cell, and a joint to it links no geom.
 TEST(CrossoverCrowd, ABodyWithoutGeomsIsNowhere) {
     for (const char *pass : kPasses) {
         Crowd world(pass);

@@ -52,7 +52,7 @@ TEST(CrossoverStatics, DuplicationListsTheWallInBoth) {
     }
 }
 
-// A post in the middle is in nobody's cell; a robot that comes near is tested with it, the other is not.
+// A post in the middle shares no cell; a robot that comes near is tested with it, the other is not.
 TEST(CrossoverStatics, AStaticGeomBetweenTwoClustersIsTestedWithWhoComesNear) {
     for (const char *pass : {"static", "static-unmerged", "duplication", "decluster"}) {
         TwoRobots world(pass);
@@ -110,7 +110,7 @@ TEST(CrossoverStatics, StaticClustersStayMergedUnderStatic) {
     EXPECT_TRUE(world.together(a, b));
 }
 
-// A sensor without a body, moved by the program, is static, yet meets whatever is there, static geoms too.
+// A sensor without a body, moved by the program, is static, yet is tested with all geoms, static ones too.
 TEST(CrossoverStatics, AMovedGeomWithoutABodyMeetsEverything) {
     for (const char *pass : {"original", "static", "static-unmerged", "duplication", "decluster"}) {
         TwoRobots world(pass);
@@ -128,7 +128,7 @@ TEST(CrossoverStatics, AMovedGeomWithoutABodyMeetsEverything) {
     }
 }
 
-// The plane reaches down from z = 0. A flyer in the cells above never meets it.
+// The plane reaches down from z = 0. A flyer in the cells above is never tested with it.
 TEST(CrossoverStatics, AFlyerIsNotTestedWithTheFloorUnderDuplication) {
     for (const char *pass : {"duplication", "decluster"}) {
         ClusteredSpace world(pass);

@@ -112,7 +112,7 @@ TEST_F(GridFit, IsNotOutgrownByStaticGeomsOrByNobody) {
     EXPECT_FALSE(dxGridIsOutgrown(scene));
 }
 
-// Else the grid would be placed anew again and again, and clusters with it.
+// Otherwise the grid would be replaced repeatedly, and the clusters with it.
 TEST_F(GridFit, AFittedGridIsNotOutgrownEvenWithStraysOnAllSides) {
     std::mt19937 random(4);
     std::cauchy_distribution<double> heavyTails(0, 1);

@@ -1,4 +1,4 @@
-// dxInhabitantLinks: geoms of one body and of jointed bodies belong together, asked anew in every frame.
+// dxInhabitantLinks: geoms of one body and of jointed bodies are linked; the links are queried in every frame.
 #include <gtest/gtest.h>
 
 #include "ClusteredSpace.h"

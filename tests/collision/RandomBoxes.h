@@ -1,4 +1,4 @@
-// Random boxes with sizes over six decades, some of them NaN, infinite or inside out.
+// Random boxes with sizes over six decades, some of them NaN, infinite or inverted.
 #pragma once
 
 #include <cstdint>

@@ -19,9 +19,9 @@ public:
     const dxMembers &members() const { return m_members; }
     bool isThere(Slot slot) const { return slot < m_members.end() && m_members[slot].geom != nullptr; }
 
-    // By comparing all with all: those of which one has changed.
+    // Returns the pairs of which one member has changed, by brute force.
     Pairs expected() const;
-    // What the search finds; changes are forgotten then.
+    // Returns the pairs that the broad phase finds, and forgets the changes.
     Pairs found(dxPairSearch &search, dxTaskRunner &runner = dxTaskRunner::alone());
 
 private:

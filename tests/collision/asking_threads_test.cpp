@@ -1,5 +1,5 @@
 // Rays of several threads of the program ask one space at rest, as planners and lidars do: all get the answers that a
-// single thread gets, from every kind of space, from the first question on, also if that is the first look at what has
+// single thread gets, from every kind of space, from the first query on, also if that is the first to process what has
 // changed before.
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ public:
             }
         if (kind.isCleaned) dSpaceClean(m_space);
     }
-    // A mesh is exchanged, of which no space is told: its box has to be asked for.
+    // A mesh is exchanged without a notification of its space: its box has to be queried.
     void exchangeMesh() const {
         dGeomTriMeshSetData(m_mesh, m_meshData);
         dReal box[6];
@@ -95,7 +95,7 @@ private:
     dSpaceID m_space, m_inner;
 };
 
-// What a ray meets, in order: the geom and the distance.
+// The hits of a ray, in order: the geom and the distance.
 struct Hit {
     dGeomID geom;
     dReal distance;
@@ -155,7 +155,7 @@ TEST_P(AskingThreads, SeeWhatOneThreadSees) {
     std::size_t hits = 0;
     for (int round = 0; round < 5; ++round) {
         const Field field(GetParam());
-        const std::vector<std::vector<Hits>> seen = lookFromThreads(field.geom());  // nobody has asked before
+        const std::vector<std::vector<Hits>> seen = lookFromThreads(field.geom());  // the first query
         const std::vector<Hits> wanted = look(field.geom());
         for (const std::vector<Hits> &ofThread : seen) EXPECT_EQ(ofThread, wanted);
         for (const Hits &ofRay : wanted) hits += ofRay.size();

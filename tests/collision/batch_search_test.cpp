@@ -24,7 +24,7 @@ TEST(BatchSearch, SweepsLargeAgainstSmall) {
     EXPECT_EQ(crowd.found(search), expected);
 }
 
-// Where it is told to: soon after there are more pairs than are kept.
+// It stops at the limit: soon after there are more pairs than are kept.
 TEST(BatchSearch, StopsAtACrowd) {
     SearchedMembers crowd;
     for (int i = 0; i < 3000; ++i) crowd.add(cubeAt(0, 0, 0));

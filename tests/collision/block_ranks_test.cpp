@@ -11,7 +11,7 @@ TEST(BlockRanks, FallWithTheBlockAndRiseWithTime) {
     EXPECT_GT(other, late);
     EXPECT_GT(late, early);
     EXPECT_GT(early, last);
-    EXPECT_GT(last, 0u);  // that of nobody
+    EXPECT_GT(last, 0u);  // 0 is the rank of no member
     for (const dxRank rank : {early, late}) EXPECT_EQ(ranks.blockOf(rank), 7u);
     EXPECT_EQ(ranks.blockOf(other), 3u);
     EXPECT_EQ(ranks.blockOf(last), 20u);

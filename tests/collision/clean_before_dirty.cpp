@@ -1,4 +1,4 @@
-// Geoms that are clean when they are added stand in front of dirty ones: clean_before_dirty HASH MOVED ADDED, the
+// Geoms that are clean when they are added are in front of dirty ones: clean_before_dirty HASH MOVED ADDED, the
 // latter two as sets of bits over six geoms. Prints the callbacks. clean_before_dirty_test runs it on Debian's
 // libode8 and on ours.
 #include <cstdint>

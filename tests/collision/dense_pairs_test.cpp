@@ -46,7 +46,7 @@ protected:
         members.setBounds(slot, members[slot].bounds, filterOf(slot));
         members.markChanged(slot);
     }
-    // As in a quad tree.
+    // The member keeps its rank, as in a quad tree.
     void moveInPlace(Slot slot) {
         members.setBounds(slot, random.box(), filterOf(slot));
         members.markChanged(slot);
@@ -118,7 +118,7 @@ TEST_F(DensePairs, AreThoseOfBruteForceInOrder) {
     EXPECT_GT(found, 100000u);
 }
 
-// As robots among things that rest: those in front change places with one another, and now and then another one comes.
+// Models robots among resting objects: those in front exchange their places, and occasionally another one moves.
 TEST_F(DensePairs, WhoStandInFrontMoveOn) {
     for (int i = 0; i < 40; ++i) add();
     std::vector<Slot> robots = {3, 17, 21, 30, 31};

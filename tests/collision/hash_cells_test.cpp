@@ -16,7 +16,7 @@ using Box = std::array<dReal, 6>;
 
 constexpr dxHashLevels kLevels = {-3, 10};
 
-// Of two boxes, the first not on a higher level than the second.
+// Requires that the first box is not on a higher level than the second.
 std::optional<Cell> firstShared(const dxHashCells &searcher, const dxHashCells &found) {
     std::vector<Cell> cells;
     found.forEachCell(found.level(), [&cells](const Cell &cell) { cells.push_back(cell); });

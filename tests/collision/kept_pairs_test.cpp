@@ -1,4 +1,4 @@
-// dxKeptPairs: pairs in the order of their keys, whatever is found anew, kept or left out, and whoever sorts it.
+// dxKeptPairs: pairs in the order of their keys, for any set of new, kept and rejected pairs, on any number of workers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -47,7 +47,7 @@ private:
     std::uint64_t m_leaders[1000];
 };
 
-// Blocks from the last to the first, by turns for each worker.
+// Runs blocks from the last to the first, alternately for each worker.
 class Backwards final : public dxTaskRunner {
 public:
     unsigned workers() const override { return 3; }
@@ -61,7 +61,7 @@ protected:
     KeptPairs() {
         for (Slot slot = 0; slot < kSlots; ++slot) {
             m_members.add(geomOf(slot));
-            // No body, and bits that meet.
+            // A filter without a body, whose bits match.
             m_members.setBounds(slot, dxBounds(), {nullptr, 1, 1});
         }
     }

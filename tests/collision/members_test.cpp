@@ -16,7 +16,7 @@ class Members : public testing::Test {
 protected:
     ~Members() override { dGeomDestroy(geom); }
 
-    // As a space does when it looks for pairs.
+    // Processes the changes as a space does when it finds pairs.
     void seek() {
         for (const Slot slot : members.changed())
             if (members[slot].geom != nullptr) members.setBounds(slot, cubeAt(0, 0, 0));
@@ -101,7 +101,7 @@ TEST_F(Members, LaterRanksAreAboveEarlierOnes) {
     EXPECT_GT(second - 4, first);
 }
 
-// A kept pair still names the slot: it has to go, whoever has the slot by then.
+// A kept pair still refers to the slot: it must be dropped, also if another member has the slot now.
 TEST_F(Members, ASlotIsGivenAgainAtOnceAndCountsAsChanged) {
     const Slot slot = members.add(geom);
     members.setRank(slot, members.firstOf(1));
@@ -116,7 +116,7 @@ TEST_F(Members, ASlotIsGivenAgainAtOnceAndCountsAsChanged) {
     EXPECT_EQ(members.unranked(), 1);
 }
 
-// Nobody need ever look for pairs.
+// This holds also for a space that never finds pairs.
 TEST_F(Members, ChurnNeedsNoMoreSlotsThanThereWereMembers) {
     for (int round = 0; round < 10000; ++round) {
         const Slot a = members.add(geom), b = members.add(geom);

@@ -1,4 +1,4 @@
-// dxNeighbours: whoever overlaps is a candidate, from both sides, however boxes move.
+// dxNeighbours: boxes that overlap are candidates of each other, for any motion.
 #include <gtest/gtest.h>
 
 #include <algorithm>

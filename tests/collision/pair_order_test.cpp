@@ -80,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(Spaces, PairOrder,
                                          Kind{"sweepCrowd", "sweep", 1200, 15, 8, false}),
                          [](const auto &info) { return info.param.name; });
 
-// Boxes, search and sorting are shared out.
+// Boxes, broad phase and sorting run in parallel.
 INSTANTIATE_TEST_SUITE_P(Shared, PairOrder,
                          testing::Values(Kind{"simpleFew", "simple", 12, 60, 6, false, "lcp", 3},
                                          Kind{"simpleCrowd", "simple", 1500, 10, 2, false, "lcp", 3},

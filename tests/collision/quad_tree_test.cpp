@@ -29,7 +29,7 @@ Block findFrom(const dxQuadTree &tree, Block from, dReal lowX, dReal highX, dRea
     return tree.find(aabb, from);
 }
 
-// From the root.
+// Finds a box's block, starting at the root.
 Block find(const dxQuadTree &tree, dReal lowX, dReal highX, dReal lowY, dReal highY) {
     return findFrom(tree, dxQuadTree::kRoot, lowX, highX, lowY, highY);
 }

@@ -68,7 +68,7 @@ dSpaceID RandomSpace::makeSpace(Kind kind) {
     return space;
 }
 
-// Of any depth and size, somewhere near where geoms are placed.
+// Makes a tree of random depth and size near the geoms.
 dSpaceID RandomSpace::makeQuadTree() {
     dVector3 centre, extents;
     for (int axis = 0; axis < 3; ++axis) {
@@ -78,7 +78,7 @@ dSpaceID RandomSpace::makeQuadTree() {
     return dQuadTreeSpaceCreate(nullptr, centre, extents, below(7));
 }
 
-// Along axes in any order, or such as are not all three: then more is met.
+// Along axes in any order, or not all three: then there are more pairs.
 dSpaceID RandomSpace::makeSweep() {
     constexpr int orders[] = {dSAP_AXES_XYZ, dSAP_AXES_XZY, dSAP_AXES_YXZ, dSAP_AXES_YZX, dSAP_AXES_ZXY, dSAP_AXES_ZYX};
     return dSweepAndPruneSpaceCreate(nullptr, m_isCrowd || chance(0.8) ? orders[below(6)] : below(64));
@@ -148,7 +148,7 @@ dGeomID RandomSpace::makeOddity() {
     return geom;
 }
 
-// Of a box that is infinite, not a number, inside out, or a point.
+// Makes a box that is infinite, NaN, inverted, or a point.
 void RandomSpace::makeOddBounds(dReal *box) {
     for (int axis = 0; axis < 3; ++axis) {
         const dReal middle = m_centre[axis] + onGrid(uniform(-m_extent, m_extent)), half = size();
@@ -190,7 +190,7 @@ void RandomSpace::oddBox(dGeomID geom, dReal aabb[6]) {
     aabb[1] += moved;
 }
 
-// Which geom is asked first shows in what is met.
+// The pairs depend on which geom is tested first.
 int RandomSpace::oddTest(dGeomID geom, dGeomID other, dReal[6]) {
     if (asked != nullptr) asked->m_met.emplace_back(-1 - numberOf(geom), numberOf(other));
     return (numberOf(geom) + numberOf(other)) % 5 != 0;
@@ -313,7 +313,7 @@ void RandomSpace::met(void *self, dGeomID a, dGeomID b) {
     RandomSpace &space = *static_cast<RandomSpace *>(self);
     space.m_met.emplace_back(numberOf(a), numberOf(b));
     if (space.m_mover != nullptr && space.chance(0.2)) {
-        // Upstream requires that its box is known when the next geom is met.
+        // Upstream requires that its box is known before the next geom.
         space.place(space.m_mover);
         dReal aabb[6];
         dGeomGetAABB(space.m_mover, aabb);

@@ -71,7 +71,7 @@ private:
 
     std::mt19937 m_random;
     const Kind m_kind;
-    const bool m_isCrowd;     // what meets most others is rare
+    const bool m_isCrowd;     // few geoms overlap most others
     bool m_hasGrid = false;   // many equal bounds, zeros of both signs among them
     int m_oddClass = 0;       // of geoms that have any box
     double m_oddities = 0;    // how many of the geoms are such

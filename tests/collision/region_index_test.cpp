@@ -98,7 +98,7 @@ TEST_F(RegionIndex, FindsASlotThatWasGivenAnewByItsNewBoxAlone) {
     EXPECT_EQ(found(cubeAt(0, 50, 0)).size(), 1u);
 }
 
-// Rays of several threads: whoever builds the tree, all get the same answers.
+// Rays of several threads: one thread builds the tree, and all get the same results.
 TEST_F(RegionIndex, SeveralThreadsAskWhileNothingChanges) {
     for (int x = 0; x < 40; ++x)
         for (int y = 0; y < 40; ++y) add(cubeAt(x, y, 0, dReal(0.9)));

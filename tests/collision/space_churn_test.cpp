@@ -1,4 +1,4 @@
-// A space through which geoms come and go takes no more memory than at the start, whatever it is used for in between:
+// A space to which geoms are added and from which they are removed uses no more memory than at the start, for any use in between:
 // collided, asked with a ray, asked as a member of another space, only cleaned, or nothing; under every way of finding
 // pairs.
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ void collided(dSpaceID space) {
     dSpaceCollide(space, &pairs, countPair);
 }
 
-// By a ray through all that will ever be there.
+// Queries the space with a ray through all its geoms.
 void asked(dSpaceID space) {
     const dGeomID ray = dCreateRay(nullptr, 100000);
     dGeomRaySet(ray, -1, 3, 0, 1, 0, 0);
@@ -40,7 +40,7 @@ void asked(dSpaceID space) {
     EXPECT_GT(pairs, 0);
 }
 
-// As a member of a space in which it meets a geom.
+// Makes it a member of a space in which it collides with a geom.
 void nested(dSpaceID space) {
     const dSpaceID outer = dSimpleSpaceCreate(nullptr);
     dSpaceSetCleanup(outer, 0);

@@ -1,4 +1,4 @@
-// dxSweepLists: who stands where after geoms came, changed and went.
+// dxSweepLists: the order of members after geoms were added, changed and removed.
 #include <gtest/gtest.h>
 
 #include "collision/spaces/dxSweepLists.h"

@@ -1,4 +1,4 @@
-// dxTurnedGeom tells of a geom that stays turned, once, and of no other.
+// dxTurnedGeom reports a geom that remains transformed, once, and no other.
 #include <gtest/gtest.h>
 
 #include <csetjmp>

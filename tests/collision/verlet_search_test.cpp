@@ -69,7 +69,7 @@ TEST_F(VerletSearch, FindsWhatOverlapsWhileBoxesTurnRestAndLeave) {
     EXPECT_LT(m_search.lists(), 100u);
 }
 
-// Some are always on the way out of what they are stored in, others come and go; slots are given again.
+// Some members are always about to leave their stored boxes, others are added and removed; slots are reused.
 TEST_F(VerletSearch, GrowsForAFewWithoutANewList) {
     for (int call = 0; call < 60; ++call) {
         const Slot slot = m_random.below(kBoxes);
@@ -84,7 +84,7 @@ TEST_F(VerletSearch, GrowsForAFewWithoutANewList) {
     EXPECT_LT(m_search.lists(), 15u);
 }
 
-// Stored boxes that hold where a box was and where it has jumped to meet nearly all others.
+// Stored boxes that hold a box before and after a jump overlap nearly all others.
 TEST_F(VerletSearch, AListStaysShortWhileAFewJump) {
     check();
     const std::size_t fresh = m_search.candidates();
@@ -110,7 +110,7 @@ TEST_F(VerletSearch, DoesWithoutListsWhileBoxesJump) {
     EXPECT_LT(m_search.lists(), 40u);
 }
 
-// So many that members and candidates are shared out.
+// The number of members is large enough for parallel chunks of members and candidates.
 TEST(SharedVerletSearch, FindsWhatItFindsAlone) {
     ManagerRunner workers(3);
     RandomBoxes random(22);

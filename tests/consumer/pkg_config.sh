@@ -4,7 +4,7 @@
 expect "version" "$(pkg-config --modversion ode)" "$VERSION"
 expect "precision" "$(pkg-config --variable=precision ode)" "$PRECISION"
 
-# One field a line; the values of those that may differ (folders, private libraries) left out.
+# One field a line; the values of those that may differ (folders, private libraries) removed.
 fields() {
     sed -n -e 's/^\([a-z_]*=\).*/\1/p' -e 's/^\(Libs.private:\).*/\1/p' -e '/^Libs.private/!{/^[A-Z]/p}' "$1"
 }

@@ -38,7 +38,7 @@ static inline uint64_t hashNumbers(uint64_t hash, const dReal *numbers, int coun
 }
 
 /* Prints the hash of all poses and velocities and, if the library is a shared ODE_MT, how many steps it
- * shared out to threads. Looked up by name, so that the program also links to upstream's library. */
+ * that ran in parallel. They are looked up by name, so that the program also links to upstream's library. */
 static inline void printState(const dBodyID *bodies) {
     uint64_t hash = UINT64_C(14695981039346656037);
     for (int i = 0; i < BODIES; i++) {

@@ -1,6 +1,6 @@
 // Writes the counts of a build that counts its coverage (ode/coverage.cmake) when the process ends in a way
 // in which nothing is written by itself: _exit, as in the children that tests fork, and abort, as after
-// dDebug. Part of the library in such a build alone; its functions stand before the C library's. Each process
+// dDebug. Part of the library in such a build alone; its functions take precedence over the C library's. Each process
 // and each library has counts of its own, which are added to what is in the files.
 #include <dlfcn.h>
 #include <sys/syscall.h>

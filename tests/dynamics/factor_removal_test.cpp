@@ -88,7 +88,7 @@ TEST(FactorRemoval, HasUpstreamsBits) {
         }
 }
 
-// Leaving zeros out may turn a zero's sign only where it then is added to something.
+// Skipping zeros may change a zero's sign only where it is then added to a number.
 TEST(FactorRemoval, HasUpstreamsBitsWithZerosLeftOut) {
     for (unsigned count = 4; count < 120; count += 7)
         for (unsigned r = 0; r < count; r += 3) {

@@ -67,7 +67,7 @@ struct Solution {
     int flags;
 };
 
-// As the program may have left them.
+// The floating-point state that the program may have left.
 int raisedBefore = 0, rounding = FE_TONEAREST;
 
 Solution solve(Solver solver, Problem problem, bool friction) {
@@ -134,7 +134,7 @@ TEST(Lcp, HasUpstreamsSolution) {
     EXPECT_GT(workers().blocksOfOthers(), before + 1000);
 }
 
-// As bodies stacked or held in more ways than they can move in: A has no inverse.
+// Models bodies with more constraints than degrees of freedom: A is singular.
 TEST(Lcp, HasUpstreamsSolutionOfSingularProblems) {
     unsigned gaveUp = 0;
     for (const double softness : {0.0, 1e-14, 1e-10}) {
@@ -182,7 +182,7 @@ TEST(Lcp, HasUpstreamsSolutionOfWhatIsNoNumber) {
         for (unsigned seed = 0; seed < 30; ++seed) {
             Problem problem({96, 40 * (seed % 3), 120, 1e-5, 1, true, true, 10}, seed);
             problem.separateHalves();
-            if (seed % 4 < 2) problem.removeLimits();  // nobody looks at the forces
+            if (seed % 4 < 2) problem.removeLimits();  // the forces are not compared
             (seed % 2 ? problem.bx[2 * seed] : problem.A[problem.skip * 30 + seed]) = value;
             for (const int raised : {0, FE_OVERFLOW | FE_INVALID | FE_DIVBYZERO}) {
                 raisedBefore = raised;

@@ -1,4 +1,4 @@
-// The loops of a push by vectors give what plain loops give, for every instruction set of this machine.
+// The vectorised loops of a step give the results of scalar loops, for every instruction set of this machine.
 #include <gtest/gtest.h>
 
 #include <cfenv>
@@ -33,7 +33,7 @@ protected:
         return std::memcmp(a, b, count * sizeof(dReal)) == 0;
     }
 
-    // Calls body(count) for every number of elements and instruction set; nothing exceptional may come up.
+    // Calls body(count) for every number of elements and instruction set; no exception flag may be raised.
     template <class Body>
     void forAll(const Body &body) {
         for (const std::int64_t set : instructionSets())

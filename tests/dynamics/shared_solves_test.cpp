@@ -78,7 +78,7 @@ TEST(SharedSolves, TransposedIsThatOfOneThread) {
     EXPECT_GT(workers.blocksOfOthers(), 10u);
 }
 
-// From any row on that others have been solved up to.
+// The first row to solve for is any row before which all are solved.
 TEST(SharedSolves, PanelIsThatOfOneThread) {
     ManagerRunner workers(3);
     forTriangles([&](Triangle &triangle) {

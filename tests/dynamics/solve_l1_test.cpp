@@ -139,7 +139,7 @@ void expectUpstreamsBits(const Solve &ours, const Solve &theirs) {
     }
 }
 
-// The functions that are looked for call none of the library's other exported ones, so this is a precaution, and
+// The functions that are looked up call none of the library's other exported ones, so this is a precaution, and
 // one that AddressSanitizer does not allow.
 #ifdef ODE_MT_ADDRESS_SANITIZER
 constexpr int kOwnSymbolsFirst = 0;
