@@ -1,4 +1,4 @@
-// Which libode.so.8 this process runs on, what that library tells about its threads, and its instruction set.
+// Which libode.so.8 this process runs on, that library's statistics of threads, and its instruction set.
 #pragma once
 
 #include "record.h"

@@ -79,7 +79,7 @@ private:
                                      : "but not when run again: the difference does not repeat");
     }
 
-    // What should have been shared out and was not; empty: nothing. On a busy machine a second worker may never
+    // Returns what should have run in parallel and did not; empty if nothing is missing. On a busy machine a second worker may never
     // come in time, so this is asked only where the schedule is disturbed, and of one attempt in several.
     std::string notSharedOut(const Engine &engine) const {
         if (!m_player.setting || m_player.setting->threads < 2 || !m_scenario.serialBecause.empty()) return "";

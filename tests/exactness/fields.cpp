@@ -30,7 +30,7 @@ void readProcess(const Witness &witness) {
 void readJoints(const std::vector<dJointID> &joints, const Names &names, const Witness &witness) {
     for (std::size_t i = 0; i < joints.size(); ++i) {
         readFields(jointFields(), Kind::Joint, i, joints[i], names, witness);
-        // Upstream's getters of most types look at the bodies without asking whether there are any.
+        // Upstream's getters of most types dereference the bodies without a check.
         const bool isAttached =
             dJointGetBody(joints[i], 0) != nullptr || dJointGetBody(joints[i], 1) != nullptr;
         if (!isAttached) continue;

@@ -141,7 +141,7 @@ const Fields doubleHinge{{"double hinge anchor 1", vector<dJointGetDHingeAnchor1
                          {"double hinge distance", scalar<dJointGetDHingeDistance>},
                          {"double hinge parameters", parameters<dJointGetDHingeParam, 1>}};
 
-// Contact points and angles are left out: upstream leaves them unset until the first step. The scenario
+// Contact points and angles are excluded: upstream leaves them unset until the first step. The scenario
 // of transmissions notes them after every step.
 const Fields transmission{{"transmission anchor 1", vector<dJointGetTransmissionAnchor1>},
                           {"transmission anchor 2", vector<dJointGetTransmissionAnchor2>},

@@ -20,7 +20,7 @@ public:
     long of(dJointID joint) const;
 
 private:
-    // Objects come and go and addresses are used again, so a number found is checked against the
+    // Objects are created and destroyed, and addresses are reused, so a number found is checked against the
     // inventory before it is believed.
     template <class Handle>
     class Table {

@@ -43,7 +43,7 @@ const char *nameOf(Scenario::Callbacks callbacks) {
 }
 
 // One line for each scenario and stepper: name, whether it is serial and why, whether its callbacks may run
-// concurrently, whether a team steps it, meaning; tabs between.
+// concurrently, whether it is a large island, meaning; separated by tabs.
 void list() {
     for (const Scenario &scenario : catalogue()) {
         for (scenes::Stepper stepper : scenario.steppers) {

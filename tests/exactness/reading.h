@@ -25,7 +25,7 @@ struct Word {
 
 bool isNaN(const Word &word);
 
-// "0.1 (3fb999999999999a)" or "42": enough digits to tell two doubles apart, and the bits.
+// "0.1 (3fb999999999999a)" or "42": enough digits to distinguish two doubles, and the bits.
 std::string toString(const Word &word);
 
 class Reading {

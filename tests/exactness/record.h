@@ -1,4 +1,4 @@
-// What one run of a scenario leaves behind: who ran it, a hash for every stage of every step and, if
+// The record of one run of a scenario: the library that ran it, a hash for every stage of every step and, if
 // asked for, every value of one step.
 //
 // Hashes are chained: a stage's hash holds everything seen before it. Two equal last hashes therefore

@@ -7,7 +7,7 @@ namespace exactness {
 
 namespace {
 
-// An assertion's text ends in the place where it stands in the library's source, which is the one thing
+// An assertion's text ends with its place in the library's source, which is the one thing
 // that may differ (contract C8).
 std::string withoutSourcePlace(const std::string &text) {
     if (text.find('[') == std::string::npos) return text;  // most notes: there are many, and this is slow

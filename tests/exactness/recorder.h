@@ -2,7 +2,7 @@
 //
 // Events (near pairs, contacts, moved-callbacks, notes, text on standard error) are hashed in the order
 // in which they come, into the stage in which they come; the state is hashed at the end of each stage.
-// For callbacks that run on several threads the order of near pairs and contacts is left out, and so are the
+// For callbacks that run on several threads the order of near pairs and contacts is ignored, and so are the
 // numbers that colliders leave as they find them in the caller's memory.
 #pragma once
 

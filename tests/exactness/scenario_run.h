@@ -19,7 +19,7 @@ struct ScenarioName {
 
 std::vector<ScenarioName> listScenarios();
 
-// How ODE_MT is told to run, through its environment. No algorithm but "auto" and "serial" asks whether sharing
+// The settings of ODE_MT, which are passed in its environment. No algorithm but "auto" and "serial" tests whether parallelism
 // out pays, so small scenes test the parallel step too.
 struct ThreadSetting {
     std::string manager;  // "pthread" or "openmp"
@@ -30,7 +30,7 @@ struct ThreadSetting {
     std::string instructionSet = "";  // of vector code; empty: the widest that the machine has
 };
 
-// Who runs a scenario.
+// The library and settings that run a scenario.
 struct Player {
     std::optional<ThreadSetting> setting;  // of ODE_MT; nothing: Debian's libode8
     bool patternMemory = true;             // fill fresh memory with a pattern

@@ -2,7 +2,7 @@
 # The table of scenarios in docs/exactness.md, and their numbers in its first paragraph, are those of the program.
 #
 #   scenario_table.sh PROGRAM DOCUMENT          compares, and shows the difference
-#   scenario_table.sh PROGRAM DOCUMENT --write  writes the document anew
+#   scenario_table.sh PROGRAM DOCUMENT --write  rewrites the document
 set -eu
 program=$1
 document=$2

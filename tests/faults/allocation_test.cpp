@@ -28,7 +28,7 @@ const std::map<std::string, std::string> kSerial{},
     kClusters{{"ODE_MT_THREADS", "2"}, {"ODE_MT_ALGORITHM", "decluster"}},
     kConcurrent{{"ODE_MT_THREADS", "2"}, {"ODE_MT_ALGORITHM", "lcp"}, {"ODE_MT_CALLBACKS", "concurrent"}};
 
-// Each kind of space with each way of sharing out; steppers by turns. A large world has other searches for
+// Each kind of space with each parallel mode; steppers alternate. A large world has another broad phase for
 // pairs, and QuickStep other stages.
 const Kind kKinds[] = {
     {"simple_serial", "simple", "quick", "4", "1", kSerial},
@@ -102,7 +102,7 @@ TEST_P(Allocation, RefusedOnceOrForTheRestOfTheFrame) {
     for (const auto &[request, outcome] : ours.byRequest) {
         const bool goesOn = outcome == "goes on" || outcome == "refused, goes on";
         refused += goesOn;
-        // Upstream's objects come from dAlloc, whose callers do not look at what they get.
+        // Upstream's objects come from dAlloc, whose callers do not check the result.
         const bool isUpstreams = !isOf(request, "new") && outcome == "signal 11";
         EXPECT_TRUE(goesOn || outcome == "not reached" || isUpstreams) << request << ": " << outcome;
     }

@@ -44,7 +44,7 @@ std::uint64_t mix(std::uint64_t hash, const dReal *values, int count) {
 
 std::uint64_t numberOf(dGeomID geom) { return reinterpret_cast<std::uintptr_t>(dGeomGetData(geom)); }
 
-// The arrays of the geoms that have some; whoever makes such a geom keeps the address.
+// The arrays of the geoms that have some; such a geom keeps the address.
 const dReal *convexPlanes() {
     static const dReal planes[] = {1, 0,  0, 0.3, -1, 0, 0, 0.3, 0, 1, 0,  0.3,
                                    0, -1, 0, 0.3, 0,  0, 1, 0.3, 0, 0, -1, 0.3};

@@ -43,9 +43,9 @@ public:
         return frame([] {});
     }
 
-    // Of all that can be seen of the bodies, the random sequence and the callbacks of the last frame.
+    // Returns a hash of the state of the bodies, of the random sequence and of the callbacks of the last frame.
     std::uint64_t hash() const;
-    // A geom comes into the space and goes: an assertion fails if the space was left locked.
+    // Adds a geom to the space and removes it: an assertion fails if the space was left locked.
     void useSpace();
 
 private:

@@ -53,7 +53,7 @@ void play(FaultWorld &world, int frames) {
     for (int i = 0; i < frames; ++i) world.frame();
 }
 
-// Of a forked child, in which the frame with the refusals runs.
+// Exit codes of a forked child, in which the frame with the refusals runs.
 enum Status { kAsReference, kAsReferenceAfterRefusal, kDiffers, kNotReached };
 
 [[noreturn]] void playInChild(FaultWorld &world, const Case &c, long number, std::uint64_t reference) {

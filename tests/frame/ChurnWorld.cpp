@@ -16,7 +16,7 @@ ChurnWorld::~ChurnWorld() {
     dWorldDestroy(m_world);
 }
 
-// On top of one of the groups, in turn.
+// Adds it on top of each group in order.
 void ChurnWorld::add() {
     const unsigned group = m_made % kGroups, place = m_made / kGroups;
     const dBodyID body = dBodyCreate(m_world);

@@ -7,7 +7,7 @@
 #include <atomic>
 #include <vector>
 
-// As dSimpleSpaceCreate.
+// A function with the signature of dSimpleSpaceCreate.
 inline dSpaceID createSweepSpace(dSpaceID parent) { return dSweepAndPruneSpaceCreate(parent, dSAP_AXES_XYZ); }
 
 class HeapWorld {

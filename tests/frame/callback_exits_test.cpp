@@ -130,7 +130,7 @@ void useFreedMemory() {
         for (int i = 0; i < 8; ++i) std::memset(std::malloc(size), 0xa5, size);
 }
 
-// The space is locked for good, and its destructor says so half way; nothing of it is looked at any more.
+// The space stays locked, and its destructor reports that half way; it is not accessed any more.
 TEST_P(LeftCallback, TheSpaceMayBeDestroyed) {
     EXPECT_TRUE(trueInChild([] {
         const OdeSession session(3, "lcp");
@@ -160,7 +160,7 @@ INSTANTIATE_TEST_SUITE_P(Spaces, LeftCallback,
                                     std::get<1>(info.param).name;
                          });
 
-// A step that a moved-callback leaves: another thread's first step does not wait for it for ever.
+// A step that a moved-callback leaves: another thread's first step does not wait for it without limit.
 TEST(LeftStep, AnotherThreadSteps) {
     EXPECT_TRUE(trueInChild([] {
         const OdeSession session(2, "lcp");

@@ -1,4 +1,4 @@
-// A thread that has been cancelled goes on until its own next cancellation point: upstream's computations have none.
+// A thread that has been cancelled continues until its own next cancellation point: upstream's computations have none.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 #include <pthread.h>

@@ -160,7 +160,7 @@ protected:
         dODE_MT_SetHeuristics("default");
     }
 
-    // Also a cost model that is still learning, and a worker, have then taken what they need.
+    // After this a cost model that is still learning, and a worker, have allocated what they need.
     void warmUp(ChurningWorld &world) const {
         OdeSession::use(threads(), "lcp");
         world.frames(200);
@@ -169,7 +169,7 @@ protected:
     }
     int threads() const { return GetParam().isConcurrent() ? 2 : 0; }
 
-    // Of a worker whom the system never let work before: records, logs, an arena of the LCP solver, and one of the step, a
+    // Returns the memory of a worker that the system has not scheduled before: records, logs, an arena of the LCP solver, and one of the step, a
     // fifth larger than the world's, which has 64 KiB at least (dWORLDSTEP_RESERVESIZE_DEFAULT).
     Live allowed() const { return GetParam().isConcurrent() ? Live{12, 3 * 65536} : Live{0, 0}; }
 

@@ -1,4 +1,4 @@
-// Contacts computed ahead of their callbacks: workers do compute them, dCollide does hand them out, and what is not asked
+// Narrow-phase prefetch: workers compute contacts before their callbacks, dCollide returns them, and what is not asked
 // for stays little. That they are the right ones is the exactness suite's.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
@@ -71,7 +71,7 @@ TEST_P(ContactsAhead, TheWorldMovesAsWithoutThem) {
     EXPECT_EQ(shared, positions);
 }
 
-// Without a call of dCollide nobody knows the flags; with one call in a frame they are known, but little else is asked for.
+// Without a call of dCollide the flags are unknown; with one call in a frame they are known, but little else is asked for.
 TEST_P(ContactsAhead, LittleIsComputedForCallbacksThatDoNotAsk) {
     EXPECT_EQ(run(20, [](HeapWorld &, dGeomID, dGeomID) {}).ahead, 0u);
     const Counts counts = run(60, [](HeapWorld &world, dGeomID o1, dGeomID o2) {
@@ -112,7 +112,7 @@ private:
     dGeomID m_geom;
 };
 
-// Not even the colliders that go by its points.
+// Nor are contacts computed by the colliders that read its points.
 TEST_P(ContactsAhead, NothingIsComputedForGeomsThatAreNeverCollided) {
     const dSpaceID space = GetParam()(nullptr);
     Sensor sensor(space);

@@ -42,7 +42,7 @@ public:
         return workers;
     }
 
-    // Steps that were shared out.
+    // Number of parallel steps.
     unsigned shared(unsigned steps) {
         unsigned count = 0;
         for (unsigned i = 0; i < steps; ++i) count += step() >= 2;

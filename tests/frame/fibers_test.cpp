@@ -32,7 +32,7 @@ public:
         }
     }
 
-    // All fibers by turns until all are done.
+    // Runs all fibers alternately until all have ended.
     std::vector<dReal> positions() {
         while (switchFrom(m_main)) {
         }

@@ -1,5 +1,5 @@
 // A program may free what a geom is made of while the geom is in a space, if it does not collide it any more: upstream then does
-// not look at it, and neither do workers.
+// not read it, and neither do workers.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 #include <sys/mman.h>
@@ -108,7 +108,7 @@ dGeomID g_fading;
 Fading *g_goesInCallback;
 int g_pairs;
 
-// From some pair on nobody collides it.
+// From a certain pair on no callback collides it.
 void collideUntilGone(HeapWorld &world, dGeomID o1, dGeomID o2) {
     constexpr int kLastPair = 40;
     const bool isFading = o1 == g_fading || o2 == g_fading;

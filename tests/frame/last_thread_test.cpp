@@ -1,4 +1,4 @@
-// A process ends with its last thread, although workers sleep: the main thread has ended by pthread_exit, nobody calls
+// A process ends with its last thread, although workers sleep: the main thread has ended by pthread_exit, no thread calls
 // dCloseODE. A program of its own, because pthread_exit unwinds the stack, which a test runner does not survive.
 //
 // The program plays one of these processes if it is given its name.

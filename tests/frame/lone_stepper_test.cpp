@@ -45,7 +45,7 @@ TEST_F(LoneStepper, IsAwaitedForLongerThanASecond) {
     }));
 }
 
-// As a long step is: the bits are those of one whole step after the other.
+// A long step draws in order: the bits are those of one whole step after the other.
 TEST_F(LoneStepper, LongStepsDrawInOrder) {
     const auto run = [](bool atOnce, int iterations) {
         dRandSetSeed(3);
@@ -120,7 +120,7 @@ TEST_F(LoneStepper, NorOneThatTrapsFloatingPointExceptions) {
     }));
 }
 
-// In a child forked by another thread nobody goes on with the step.
+// In a child forked by another thread no thread continues the step.
 TEST_F(LoneStepper, IsNotAwaitedInAForkedChild) {
     if (kThreadSanitizer) GTEST_SKIP() << "ThreadSanitizer cannot start threads in the child";
     EXPECT_TRUE(trueInChild([] {

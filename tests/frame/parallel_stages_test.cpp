@@ -1,4 +1,4 @@
-// Each stage that is shared out to workers is run by two of them at least: one that a single worker always has to itself
+// Each parallel stage is run by at least two workers: one that always runs on a single worker
 // would never be tested for what workers do to one another.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
@@ -30,7 +30,7 @@ struct Scene {
     std::vector<Stage> stages;  // that it has
 };
 
-// As gtest names it.
+// gtest calls this to name a scene.
 [[maybe_unused]] void PrintTo(const Scene &scene, std::ostream *out) { *out << scene.name; }
 
 void playChains() { ChainWorld(64, 8).step(3); }
@@ -69,7 +69,7 @@ const Scene kScenes[] = {
      [] { playPacked(10, 10, dWorldQuickStep); },
      {Stage::PairKeys, Stage::KeptPairKeys, Stage::ContactsAhead, Stage::Bodies, Stage::Joints, Stage::RightHandSides,
       Stage::Rows, Stage::SweepPlan, Stage::Sweep}},
-    // In a row, so that each box touches few others and the factor has zeros to leave out.
+    // In a row, so that each box touches few others and the factor has zeros to skip.
     {"LargeExactIsland",
      [] { playPacked(16, 1, dWorldStep); },
      {Stage::PanelSolve, Stage::TransposedSolve, Stage::SparseProducts}},
@@ -86,7 +86,7 @@ std::string missing(const Scene &scene) {
 
 const std::thread::id caller = std::this_thread::get_id();
 
-// The caller hesitates before each block, so that workers come in time on a busy machine, too.
+// The caller pauses before each block, so that workers arrive in time on a busy machine, too.
 class HesitatingCaller {
 public:
     HesitatingCaller() {

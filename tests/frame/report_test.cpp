@@ -97,7 +97,7 @@ TEST_P(Reports, HandlerMayThrow) {
     OdeSession::use(4, "lcp");
     breakChain(world, 7);
     EXPECT_THROW(world.step(), int);
-    // What is not of that world goes on.
+    // Everything outside of that world continues.
     serial.step(3);
     ChainWorld other(kChains, kLinks, GetParam());
     OdeSession::use(0, "serial");

@@ -1,4 +1,4 @@
-// From one state in full churn the same 50 frames, 1000 times over, on 2, 3 and 8 workers: always the same bits.
+// The same 50 frames, 1000 times from one state in the middle of churn, on 2, 3 and 8 workers, must have the same bits.
 //
 // Each run is a fork of the process that holds the state, so that everything is as it was, also what the library keeps from
 // call to call. Two workers are tried as well as eight because more of them hide races (Box2D has seen that). Every other

@@ -84,7 +84,7 @@ void interruptIslands() {
     dSetDebugHandler(nullptr);
 }
 
-// In a process in which nobody has stepped before: of two threads the second one waits for the first one's step.
+// In a process in which no thread has stepped before: of two threads the second one waits for the first one's step.
 void stepOnTwoThreads() {
     OdeSession::use(0, "serial");
     ChainWorld longer(30, 6), shorter(2, 2);

@@ -91,7 +91,7 @@ protected:
 
     static constexpr unsigned kSteps = 300;
 
-    // Also a cost model that is still learning has then had its first shared step.
+    // After this a cost model that is still learning has had its first parallel step.
     template <class Frame>
     static void warmUp(Frame frame) {
         OdeSession::use(GetParam().threads, "lcp");
@@ -100,7 +100,7 @@ protected:
         for (int i = 0; i < 10; ++i) frame();
     }
 
-    // Of all steps together: a worker whom the system never let work before takes its memory when it first
+    // Returns the allocations of all steps: a worker that the system has not scheduled before allocates its memory when it first
     // does, the arena of the step and that of the LCP solver, each with its administration.
     static unsigned allowed() {
         constexpr unsigned kPerWorker = 4;

@@ -1,4 +1,4 @@
-// Which steps are shared out, and that the bits are those of a serial one.
+// Which steps run in parallel, and that their bits are those of a serial one.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 
@@ -144,7 +144,7 @@ TEST_P(Step, ThreadsChangeDuringSteps) {
     expectSerialBits();
 }
 
-// From the first island with a callback on, islands go in order on the calling thread.
+// From the first island with a callback on, islands are stepped in order on the calling thread.
 TEST_P(Step, MovedCallbackIsCalledOnTheCallingThread) {
     static std::thread::id caller;
     caller = std::this_thread::get_id();

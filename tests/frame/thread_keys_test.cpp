@@ -1,5 +1,5 @@
 // A program that has taken all keys for thread data that a process can have: meshes are collided all the same, by several
-// threads, and no memory is taken anew for every pair.
+// threads, and no memory is allocated for every pair.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 #include <pthread.h>

@@ -261,7 +261,7 @@ TEST_P(TunedClusters, WhatComesGoesOrJumpsIsCheckedAtOnce) {
     checkedAtOnce("a joint was made");
 }
 
-// The scene's changes count whatever enters or leaves cells: a grid or a list made anew would be all members.
+// The scene counts members that enter or leave cells: a rebuilt grid or list would count all members.
 TEST_P(TunedClusters, OneThatGoesAndOneThatComesMoveNobodyElse) {
     dODE_MT_SetHeuristics("crossover,declustering");
     dxTunedClusters tuned(dxMakeCrossoverPass(GetParam()));
@@ -275,7 +275,7 @@ TEST_P(TunedClusters, OneThatGoesAndOneThatComesMoveNobodyElse) {
         add(frame % 2 == 0, 0);
         found(tuned);
         members.forgetChanges();
-        // Of the frames so far: changes may be looked at some frames later.
+        // The bound is for all frames so far: changes may be processed some frames later.
         ASSERT_LE(tuned.clusters().scene().changes() - before, 2 * (frame + 1)) << "frame " << frame;
     }
 }

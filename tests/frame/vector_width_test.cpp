@@ -1,5 +1,5 @@
 // Whole frames give the same bits with vectors of every width and every number of threads. The exactness suite
-// compares them with libode8, by turns; this has all combinations side by side.
+// compares them with libode8, cyclically; this test has all combinations.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 

@@ -64,6 +64,6 @@ Call callOf(const std::string &line);
 
 using Script = std::vector<Call>;
 std::string textOf(const Script &script);
-Script scriptOf(const std::string &text);  // lines that begin with '#' and empty ones are left out
+Script scriptOf(const std::string &text);  // lines that begin with '#' and empty ones are skipped
 
 }  // namespace fuzz

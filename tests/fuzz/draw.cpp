@@ -117,7 +117,7 @@ bool Draw::object(const Parameter &parameter, const Objects &objects, Argument &
             return dGeomGetClass(static_cast<dGeomID>(found)) == parameter.type;
         if (parameter.object != ObjectKind::joint || parameter.type < 0) return true;
         const auto joint = static_cast<dJointID>(found);
-        // Upstream's functions of most types look at the bodies without asking whether there are any.
+        // Upstream's functions of most types dereference the bodies without a check.
         return dJointGetType(joint) == parameter.type && dJointGetBody(joint, 0) != nullptr;
     };
     if (living.empty()) return parameter.kind == Parameter::Kind::nullableObject;

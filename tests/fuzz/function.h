@@ -51,7 +51,7 @@ struct Function {
 const std::vector<Function> &functions();
 const Function *functionOf(const std::string &name);
 
-// Those of one header each.
+// Each returns the functions of one header.
 void addBodyFunctions(std::vector<Function> &all);
 void addGeomFunctions(std::vector<Function> &all);
 void addJointFunctions(std::vector<Function> &all);

@@ -87,7 +87,7 @@ void addBodyFunctions(std::vector<Function> &all) {
         dBodyDestroy(body);
         return true;
     });
-    // Of a box.
+    // The mass is that of a box.
     byHand(all, "dBodySetMass",
            {object(ObjectKind::body), number(Meaning::size), number(Meaning::size), number(Meaning::size), number(Meaning::size)},
            [](Player &player, const Arguments &arguments, Reference &) {

@@ -61,7 +61,7 @@ int meetHalfWay(dGeomID o1, dGeomID o2, int, dContactGeom *contact, int) {
     return contactHalfWay(o1, o2, up, dReal(0.0625), *contact);
 }
 
-// It cannot be taken back: ODE does not tell which collider it replaces.
+// It cannot be undone: ODE does not report which collider it replaces.
 void addColliders(std::vector<Function> &all) {
     byHand(all, "dSetColliderOverride", {number(Meaning::choice), number(Meaning::choice)},
            [](Player &, const Arguments &arguments, Reference &) {

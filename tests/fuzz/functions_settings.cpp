@@ -54,7 +54,7 @@ void addGetters(std::vector<Function> &all) {
     }, 1);
 }
 
-// On the other library the calls that they stand for.
+// On the other library they are replaced by the calls that they stand for.
 void addFrames(std::vector<Function> &all) {
     for (const bool stepsFirst : {false, true})
         byHand(all, stepsFirst ? "dWorldStepAndSpaceCollide" : "dSpaceCollideAndWorldStep",

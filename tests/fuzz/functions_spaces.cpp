@@ -27,7 +27,7 @@ void addSpaceFunctions(std::vector<Function> &all) {
         dSpaceDestroy(space);
         return true;
     }, 1);
-    // Not one into itself, or into one within it.
+    // A space is not added to itself, or to one within it.
     byHand(all, "dSpaceAdd", {object(ObjectKind::space), object(ObjectKind::geom)},
            [](Player &player, const Arguments &arguments, Reference &) {
                const auto space = get<dSpaceID>(player, arguments[0]);
@@ -81,7 +81,7 @@ void addSpaceFunctions(std::vector<Function> &all) {
                player.collide2(a, b);
                return true;
            }, 20);
-    // The state of everything, with or without the boxes, which asking brings up to date.
+    // The state of everything, with or without the boxes, which a query updates.
     byHand(all, "look", {number(Meaning::flag)}, [](Player &player, const Arguments &arguments, Reference &) {
         player.look(whole(arguments[0]) != 0);
         return true;

@@ -61,7 +61,7 @@ void addWorldFunctions(std::vector<Function> &all) {
         dWorldDestroy(world);
         return true;
     }, 1);
-    // Not with itself: upstream then uses memory that it has freed.
+    // A world does not share memory with itself: upstream then uses memory that it has freed.
     byHand(all, "dWorldUseSharedWorkingMemory", {object(ObjectKind::world), object(ObjectKind::world)},
            [](Player &player, const Arguments &arguments, Reference &) {
                const auto world = get<dWorldID>(player, arguments[0]), other = get<dWorldID>(player, arguments[1]);

@@ -16,7 +16,7 @@ struct Input {
     std::vector<std::uint8_t> script;
 };
 
-// Returns what the bytes stand for. Bytes that are missing count as 0.
+// Decodes the bytes. Missing bytes count as 0.
 Input inputOf(const std::uint8_t *bytes, std::size_t count);
 
 // Returns the bytes of a seed; every seed gives others.

@@ -11,7 +11,7 @@ namespace fuzz {
 
 namespace {
 
-// The calls that were made, without what was told of them.
+// Returns the calls that were made, without their results.
 Script playedScript(const std::string &text) {
     std::string calls;
     std::istringstream lines(text);

@@ -1,4 +1,4 @@
-// What is told and kept of a script on which the two libraries differ.
+// Reports and saves a script on which the two libraries differ.
 #pragma once
 
 #include "input.h"

@@ -56,7 +56,7 @@ int fuzzAway(const Options &options) {
     Comparison comparison(options.libraries);
     std::map<std::string, std::uint64_t> verdicts, endings;
     std::uint64_t calls = 0, onWorkers = 0, played = 0;
-    std::string differences;  // told last, where they are seen
+    std::string differences;  // printed last, where they are visible
     const Clock::time_point begin = Clock::now();
     const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
     const auto isOver = [&] {

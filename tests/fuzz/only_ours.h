@@ -11,7 +11,7 @@ auto functionOfOurs(const char *name) {
     return reinterpret_cast<Result (*)(Types...)>(dlsym(RTLD_DEFAULT, name));
 }
 
-// What it returns is not told: the other library has nothing to compare it with.
+// The result is not recorded: the other library has nothing to compare it with.
 template <class... Types>
 void callIfThere(const char *name, Types... arguments) {
     if (const auto function = functionOfOurs<int, Types...>(name)) function(arguments...);

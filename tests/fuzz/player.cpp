@@ -387,7 +387,7 @@ void Player::step(dWorldID world, dReal size, bool quick) {
     look(false);
 }
 
-// Not the step first where that might make a NaN for a sweep-and-prune space to sort.
+// The step does not come first where it might produce a NaN for a sweep-and-prune space to sort.
 void Player::playFrame(dSpaceID space, dWorldID world, dReal size, bool quick, bool stepsFirst) {
     stepsFirst = stepsFirst && !hasSweepSpace();
     dWorldStepFunction *const stepper = quick ? dWorldQuickStep : dWorldStep;
@@ -456,7 +456,7 @@ void Player::onMessage(int number, const char *text, va_list arguments) {
 
 // --- state -------------------------------------------------------------------------------------------------
 
-// Asking for the boxes of geoms brings these up to date, which a program that does not ask would not see.
+// A query of the boxes of geoms updates them, which a program without queries would not see.
 void Player::look(bool atBoxes) {
     scenes::Inventory inventory = objects.inventory();
     if (!atBoxes) {

@@ -1,4 +1,4 @@
-// Plays a script: calls ODE's functions, is its callbacks and handlers, and tells a trace what it sees.
+// Plays a script: calls ODE's functions, implements its callbacks and handlers, and records a trace.
 #pragma once
 
 #include "call.h"
@@ -28,10 +28,10 @@ struct Surface {
 
 class Player {
 public:
-    // Text is written as it comes, so that a crash leaves it: each call, and what was seen if `tells`.
+    // Text is written as it comes, so that a crash leaves it: each call, and the results if `tells`.
     using Writer = std::function<void(const std::string &)>;
     struct Options {
-        bool jumps = false;     // the debug and error handlers jump out of the call, and the script goes on
+        bool jumps = false;     // the debug and error handlers jump out of the call, and the script continues
         bool messages = false;  // there is a message handler
         bool tells = false;
         std::uint8_t fillsStack = 0;  // with this byte, before each call (stack_pattern.h); 0: not
@@ -45,7 +45,7 @@ public:
     // Calls are drawn from bytes, or are those of a script. Each is written before it is made.
     void play(Draw &draw);
     void play(const Script &script);
-    void finish();  // looks at everything once more
+    void finish();  // records the state of all objects once more
 
     std::uint64_t hash() const { return m_trace.hash(); }
     int calls() const { return m_calls; }

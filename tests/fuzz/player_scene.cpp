@@ -29,7 +29,7 @@ void Player::makeScene(Draw &draw) {
     if (draw.oneIn(2)) makeJoints(draw, world);
 }
 
-// By default every geom may meet every other one; only of geoms that are choosy one change of bits tells.
+// By default every geom may collide with every other one; a single change of bits is visible only for geoms with other bits.
 void Player::setFilters(Draw &draw) {
     for (const Reference &geom : objects.living(ObjectKind::geom)) {
         makeNow("dGeomSetCategoryBits", {argumentOf(geom), argumentOf(draw.below(4))});
@@ -91,7 +91,7 @@ void Player::makeHeap(Draw &draw, const Reference &world, const Reference &space
     playFrames(1 + draw.below(4), true);
 }
 
-// Of neighbours, anchored where they were drawn.
+// Makes joints between neighbours, with anchors at drawn positions.
 void Player::makeJoints(Draw &draw, const Reference &world) {
     static const char *const types[] = {"Ball", "Hinge", "Slider", "Universal", "Hinge2", "Fixed", "Piston", "PR", "PU", "AMotor", "LMotor",
                                         "DBall", "DHinge", "Transmission", "Plane2D", "Null"};
@@ -114,7 +114,7 @@ void Player::makeJoints(Draw &draw, const Reference &world) {
     }
 }
 
-// As programs do: all spaces collide, all worlds step, the contacts go. Of more than two, the others wait.
+// Plays frames as programs do: all spaces collide, all worlds step, the contacts are removed. If there are more than two, the others wait.
 void Player::playFrames(unsigned count, bool quick) {
     for (; count > 0 && !m_isOver && m_calls < m_options.mostCalls; --count) {
         int left = 2;

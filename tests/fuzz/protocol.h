@@ -13,14 +13,14 @@ struct RequestHeader {
     std::uint8_t isText;
     std::uint8_t tells;    // write what is seen, too
     std::uint8_t jumps, messages;
-    std::uint8_t fillsStack;  // with this byte, before each call: a result that changes hangs on memory that nobody wrote; 0: not
-    // Of ODE_MT; Debian's library has none of them.
+    std::uint8_t fillsStack;  // with this byte, before each call: a result that changes depends on unwritten memory; 0: off
+    // The settings of ODE_MT; Debian's library has none of them.
     std::uint16_t threads;
     std::uint8_t manager, algorithm, instructionSet, cells;
-    std::uint8_t disturbs;  // the schedule: workers hesitate at pseudo-random points
+    std::uint8_t disturbs;  // the schedule: workers pause at pseudo-random points
     std::uint16_t mostCalls;
     std::uint16_t seconds;      // of processor time that it may take, of all its threads
-    std::uint16_t wallSeconds;  // the same of time, for what waits without end
+    std::uint16_t wallSeconds;  // limit of wall-clock time, for calls that never return
 };
 
 struct AnswerHeader {
@@ -28,11 +28,11 @@ struct AnswerHeader {
     std::uint32_t calls;
     std::uint64_t hash;
     std::uint32_t workers;      // most that took part in a step or a collision
-    std::uint32_t errorLength;  // standard error; the place of an assertion in the source is left out
+    std::uint32_t errorLength;  // standard error; the place of an assertion in the source is removed
     std::uint32_t textLength;   // the script as it was played
 };
 
-// Text of a script that ends so tells nothing.
+// The text of a script that ends so is not compared.
 constexpr const char *kMemoryIsOver = "# memory is over";
 
 constexpr const char *kManagers[] = {"pthread", "openmp"};

@@ -14,7 +14,7 @@ namespace fuzz {
 
 namespace {
 
-// What libode8 says where it goes on with numbers that nobody wrote, and why (docs/fuzzing.md).
+// Messages of libode8 after which it uses unwritten numbers (docs/fuzzing.md).
 constexpr const char *kUndefined[] = {
     "zero length vector in dRFrom2Axes",  // the matrix on the stack is left as it is
 };
@@ -26,7 +26,7 @@ bool isUndefined(const Outcome &outcome) {
 }
 
 // Whether the LCP solver gives rows up, how many, and the numbers that it then says, hang on the signs of NaNs where one of them
-// is a push without end (docs/exactness.md).
+// is a step of infinite length (docs/exactness.md).
 std::string withoutNumbers(const std::string &text) {
     static const std::regex number("\\(s=[^)]*\\)");
     return std::regex_replace(text, number, "(s)");

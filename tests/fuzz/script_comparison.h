@@ -17,11 +17,11 @@ struct Libraries {
 enum class Verdict {
     same,
     different,
-    // Scripts that tell nothing about ODE_MT:
+    // Scripts without a verdict about ODE_MT:
     upstreamCrashed,     // by a fault of its own
     upstreamTooSlow,
     memoryOver,          // steps that were left by jumps have taken all that a script may take, on one of the two
-    upstreamUndefined,   // its result hangs on memory that nobody wrote
+    upstreamUndefined,   // its result depends on unwritten memory
     signOfNaN,           // messages of the LCP solver differ in their number, or are heard on one side alone
 };
 const char *nameOf(Verdict verdict);
@@ -39,7 +39,7 @@ public:
     Verdict compare(const RequestHeader &request, const std::vector<std::uint8_t> &script);
     Verdict compare(RequestHeader request, const Script &script);
 
-    // Of the script that was compared last, when the two differ: upstream's result hangs on memory that nobody wrote, which
+    // Returns whether, for the last script that differs, upstream's result depends on unwritten memory, which
     // the patterns that compare() tries have not shown. Takes seconds.
     bool isUpstreamUnset(const RequestHeader &request) const;
 

@@ -1,4 +1,4 @@
-// Whether Debian's library, playing a script, decides something by memory that nobody has written: valgrind's memcheck sees
+// Whether Debian's library, playing a script, has a branch that depends on unwritten memory: valgrind's memcheck sees
 // what does not hang on what a pattern on the stack changes.
 #pragma once
 

@@ -42,7 +42,7 @@ private:
     CostOf m_cost;
 };
 
-// Cheapest at `best`, dearer by `slope` a cell to both sides.
+// Cheapest at `best`, more expensive by `slope` a cell to both sides.
 inline CostOf valley(int best, double slope = 0.05) {
     return [=](int cells) { return 1e5 * (1 + slope * std::abs(cells - best)); };
 }

@@ -35,7 +35,7 @@ public:
                 4 * kHalfBox * std::numeric_limits<Real>::epsilon()};
     }
 
-    // Smallest distance of surfaces of different clusters; not positive: some have met.
+    // Returns the smallest distance of surfaces of different clusters; not positive: some overlap.
     double gap() const {
         double smallest = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < m_members.size(); ++i) {
@@ -84,7 +84,7 @@ private:
         return v;
     }
 
-    // From the next step on; the speed stays.
+    // Reverses a member from the next step on; its speed is unchanged.
     static void turnBack(Member &member, int axis) {
         const double inwards = member.position[axis] > 0 ? -1 : 1;
         member.velocity[axis] = inwards * std::abs(member.velocity[axis]);

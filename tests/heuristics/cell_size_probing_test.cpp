@@ -123,7 +123,7 @@ TEST(CellSizeProbing, FruitlessProbesBecomeRare) {
     const auto awayIn = [&](unsigned frames) {
         away = 0;
         for (unsigned i = 0; i < frames; ++i) {
-            if (i % 300 == 0) load = load == 1 ? 2 : 1;  // drifts for ever
+            if (i % 300 == 0) load = load == 1 ? 2 : 1;  // the load never settles
             world.frame();
             away += world.rule.cells() != 9;
         }

@@ -127,7 +127,7 @@ TEST(CheckFrequencyHeuristic, OddGapsAskForACheck) {
     EXPECT_EQ(heuristic.framesToSkip({1, 1, 0.01, 0}), dxCheckFrequencyHeuristic::kMostFrames);
 }
 
-// A subtraction that rounds to nothing must not keep a gap for ever.
+// A subtraction that rounds to nothing must not keep a gap constant.
 TEST(CheckFrequencyHeuristic, MotionTooSmallToBeSeenInTheGapStillCounts) {
     dxCheckFrequencyHeuristic heuristic;
     heuristic.start();

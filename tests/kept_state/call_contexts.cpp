@@ -19,7 +19,7 @@ bool isInUserCode(When when) {
     return when == When::colliderGetter || (when >= When::collider && when <= When::threadEnd);
 }
 
-// Upstream goes on, and what the call may touch is there.
+// Upstream continues, and what the call may access exists.
 bool isPossible(const CallRecipe &recipe, When when) {
     if (isInUserCode(when) && !(recipe.inLocked && recipe.inUserCode)) return false;
     switch (when) {

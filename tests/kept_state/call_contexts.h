@@ -46,7 +46,7 @@ struct Case {
     std::string name() const;
 };
 
-// Visits the cases of the function `number`: kinds of spaces, and places within them, by turns.
+// Visits the cases of the function `number`: kinds of spaces, and places within them, alternately.
 // ODE_MT_EXACTNESS=thorough: all of them.
 void forEachCase(const CallRecipe &recipe, int number, const std::function<void(const Case &)> &visit);
 

@@ -60,7 +60,7 @@ void append(int file, const std::string &text) {
     if (write(file, text.data(), text.size()) < 0) std::_Exit(3);
 }
 
-// How many workers took part, and how many contacts were computed ahead. Nothing on Debian's library.
+// Prints how many workers took part, and the number of prefetched contacts. Prints nothing on Debian's library.
 std::string statistics() {
     const auto get = [](const char *name) {
         const auto function = reinterpret_cast<unsigned (*)()>(dlsym(RTLD_DEFAULT, name));

@@ -15,13 +15,13 @@ struct CallRecipe {
     Call call;
     Call undo = nullptr;      // the opposite call; none: the call may be made twice and not undone
     bool readsOnly = false;   // changes nothing: fewer contexts are enough
-    bool inLocked = true;     // false: upstream changes what a locked space holds half way, and cannot go on
+    bool inLocked = true;     // false: upstream changes a locked space half way, and cannot continue
     bool inStep = true;       // false: upstream frees what a step in progress uses
     bool inUserCode = true;   // false: upstream leaves half an object behind
-    bool inCollision = true;  // false: upstream's cleaning or collider goes on with what the call writes over
-    bool amidStep = true;     // false: upstream's step goes on with what the call writes over
+    bool inCollision = true;  // false: upstream's cleaning or collider continues with data that the call overwrites
+    bool amidStep = true;     // false: upstream's step continues with data that the call overwrites
     bool anySpace = false;    // says nothing to geoms or spaces: one kind of space at a time is enough
-    bool everySpace = false;  // is for spaces: all kinds of them, not by turns
+    bool everySpace = false;  // is for spaces: all kinds of them, not alternately
 };
 
 using CallRecipes = std::vector<CallRecipe>;

@@ -300,7 +300,7 @@ void CallScene::movedCallback(dBodyID body) {
 
 void CallScene::collide() {
     m_pairs = 0;
-    // Callbacks may destroy spaces: each is looked up anew.
+    // Callbacks may destroy spaces: each is looked up again.
     const auto space = [this](Place where) { return setAt(where).space; };
     const auto geom = [this](Place where) { return reinterpret_cast<dGeomID>(setAt(where).space); };
     if (space(Place::root) != nullptr) dSpaceCollide(space(Place::root), this, nearCallback);

@@ -57,14 +57,14 @@ public:
     // --- objects for recipes ---------------------------------------------------------------------------
     GeomSet &set() { return m_sets[static_cast<int>(place)]; }
     GeomSet &setAt(Place where) { return m_sets[static_cast<int>(where)]; }
-    dGeomID any();        // a geom of the place, by turns
-    dGeomID placeable();  // one that may be moved, by turns
-    dGeomID carried();    // one with a body, by turns
+    dGeomID any();        // a geom of the place, alternately
+    dGeomID placeable();  // one that may be moved, alternately
+    dGeomID carried();    // one with a body, alternately
     dBodyID body() { return dGeomGetBody(carried()); }
     dBodyID filler(int number) const { return fillers[number % fillers.size()]; }
     dGeomID takeGeom();           // that the caller destroys or keeps from the scene
     dBodyID takeBody();           // whose geoms stay
-    dGeomID adopt(dGeomID geom);  // made by a recipe: is known and told of from now on
+    dGeomID adopt(dGeomID geom);  // made by a recipe: is known and recorded from now on
     dBodyID adopt(dBodyID body);
     dJointID adopt(dJointID joint);
     void drop(dGeomID geom);

@@ -23,7 +23,7 @@ public:
     void line(const std::string &text);
     void line(const std::string &what, double value);
 
-    // Objects are told apart by the order in which they became known.
+    // Objects are numbered in the order in which they became known.
     void know(const void *object);
     void forget(const void *object);  // whose address another object may get
 

@@ -36,7 +36,7 @@ CallRecipe::Call build(Build build) {
     };
 }
 
-// The data that the geom has is built anew.
+// The data that the geom has is rebuilt.
 template <class Build>
 CallRecipe::Call buildAgain(Build build) {
     return [build](CallScene &s) {

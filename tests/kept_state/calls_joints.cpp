@@ -5,7 +5,7 @@ namespace kept_state {
 
 namespace {
 
-// The joint of a type that the scene has, by turns; the types without rows of their own come too.
+// Returns a joint of a type of the scene, alternately; the types without rows of their own are included.
 dJointID some(CallScene &s) {
     for (std::size_t i = 1; i < s.joints.size(); ++i) {
         const dJointID joint = s.joints[(s.turn + i) % s.joints.size()];

@@ -17,7 +17,7 @@ void preprocess(dTriMeshDataID data) {
     dGeomTriMeshDataPreprocess2(data, 1u << dTRIDATAPREPROCESS_BUILD_FACE_ANGLES, nullptr);
 }
 
-// The data of a mesh that lives is built anew, larger; the geom is told by its data being set again.
+// The data of an existing mesh is rebuilt, larger; setting its data again notifies the geom.
 template <class Build>
 CallRecipe::Call rebuild(Build build) {
     return [build](CallScene &s) {

@@ -72,7 +72,7 @@ TEST_F(Bioloid, HasItsHingesWhereTheFactsHaveThem) {
 TEST_F(Bioloid, HasItsCentresOfMassWhereTheFactsHaveThem) {
     EXPECT_LT((center("base") - Vector3d(0, 0, 0.102)).Length(), 1e-9);
     EXPECT_LT((center("pelvis") - Vector3d(-0.1085, 0, 0.091)).Length(), 1e-9);
-    // Half a turn about x: y and z count the other way.
+    // Half a turn about x: y and z are negated.
     EXPECT_LT((center("front_right_2") - Vector3d(0.0585, -0.1335, 0.097)).Length(), 1e-9);
     EXPECT_LT((center("head") - Vector3d(0.1935, 0, 0.0685)).Length(), 1e-9);
 }

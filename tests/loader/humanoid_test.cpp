@@ -13,7 +13,7 @@ std::unique_ptr<worlds::SdfScene> loadNamed(const std::string &name) {
     return worlds::loadWorld(worlds::findWorld(name));
 }
 
-// 1 when it stands upright.
+// Returns 1 when it is upright.
 double upright(dBodyID body) { return dBodyGetRotation(body)[10]; }
 
 class Humanoid : public testing::Test {
@@ -42,7 +42,7 @@ TEST_F(Humanoid, IsAsTallAsTheFactsHaveIt) {
     dGeomGetAABB(geom(*scene, "robot::head::box_1"), head);
     dGeomGetAABB(geom(*scene, "robot::left_foot::box_1"), foot);
     EXPECT_NEAR(head[5] - foot[4], 0.3474, 1e-4);
-    EXPECT_NEAR(foot[4], -0.0004, 1e-4);  // on the soft floor it stands 0.4 mm deep
+    EXPECT_NEAR(foot[4], -0.0004, 1e-4);  // on the soft floor it penetrates by 0.4 mm
 }
 
 TEST_F(Humanoid, BothSidesMirrorEachOther) {

@@ -31,7 +31,7 @@ TEST(Inertial, TakesOffDiagonals) {
 }
 
 TEST(Inertial, TurnsItsFrameIntoTheLinks) {
-    // A quarter turn about z swaps the moments about x and y, and turns the sign of the product.
+    // A quarter turn about z swaps the moments about x and y, and changes the sign of the product.
     const auto scene =
         load(modelWith(R"(<inertial><pose>0.1 0.2 0.3 0 0 1.5707963267948966</pose><mass>1</mass>
         <inertia><ixx>0.4</ixx><iyy>0.5</iyy><izz>0.6</izz><ixy>0.05</ixy></inertia></inertial>)",

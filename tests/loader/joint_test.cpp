@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(
                     TypeOfJoint{"fixed", "", dJointTypeFixed}),
     [](const auto &info) { return info.param.sdf; });
 
-// A motor at positive speed turns the child against the parent, about the axis in the right hand's sense.
+// A motor at positive speed rotates the child against the parent, about the axis by the right-hand rule.
 struct Turning {
     const char *name, *type;
     std::string axes;

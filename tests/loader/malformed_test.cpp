@@ -112,7 +112,7 @@ TEST(Malformed, ElementsNestedDeeply) {
     EXPECT_TRUE(loads(world(deep + end)));
 }
 
-// Lines of a benchmark world left out, one at a time.
+// Lines of a benchmark world are removed, one at a time.
 TEST(Malformed, LinesOfABenchmarkWorldLeftOut) {
     const std::string text = readFile(worlds::findWorld("create"));
     std::vector<std::string> lines;

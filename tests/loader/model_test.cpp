@@ -1,4 +1,4 @@
-// Models: where they stand, what is in them, and what is common to their links.
+// Models: their poses, their contents, and what is common to their links.
 #include "small_world.h"
 
 #include <cmath>

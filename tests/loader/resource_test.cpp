@@ -160,7 +160,7 @@ TEST_F(Resource, HeightMapHasItsTopEdgeAtTheLargestY) {
     EXPECT_NEAR(bounds[3], 1, 1e-6);
     EXPECT_NEAR(bounds[5], 1, 1e-6);
 
-    // Halfway up the slope the height is a half; the ball is pinned to y = 0.5 by its start, so look at once.
+    // Halfway up the slope the height is a half; the ball is pinned to y = 0.5 by its start, so it is checked at once.
     const auto slope = loadBeside(staticModel("m", "0 0 0 0 0 0", heightmap("edge.png")) +
                                   model("ball", "0.5 0.5 0.55 0 0 0", sphere(0.1)));
     slope->frame();

@@ -1,4 +1,4 @@
-// Worlds made from the table of elements: the smallest one in which a rule's element stands.
+// Worlds made from the table of elements: the smallest one that contains a rule's element.
 #pragma once
 
 #include "loader/read/element_rules.h"
@@ -9,7 +9,7 @@
 
 namespace rule_world {
 
-// The element's place is `path`; what it needs around and inside stands there too. Files that it names
+// The element's place is `path`; what it needs around and inside is there too. Files that it names
 // are those of writeFiles().
 struct RuleWorld {
     explicit RuleWorld(const worlds::NamedRule &rule);

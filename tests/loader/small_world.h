@@ -34,7 +34,7 @@ std::string sphere(double radius);
 
 std::unique_ptr<worlds::SdfScene> load(const std::string &sdf, const worlds::LoadOptions &options = {});
 
-// By the names that the scene gives; a test failure and an exception when there is none.
+// Return objects by the names of the scene; a test failure and an exception if there is none.
 dBodyID body(const worlds::SdfScene &scene, const std::string &name);
 dJointID joint(const worlds::SdfScene &scene, const std::string &name);
 dGeomID geom(const worlds::SdfScene &scene, const std::string &name);

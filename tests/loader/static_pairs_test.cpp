@@ -1,4 +1,4 @@
-// Pairs of static shapes: left out by ODE's space, or reported and dropped. The motion is the same.
+// Pairs of static shapes: excluded by ODE's space, or reported and dropped. The motion is the same.
 #include "small_world.h"
 
 #include "loader/world_folder.h"

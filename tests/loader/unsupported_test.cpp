@@ -1,4 +1,4 @@
-// What is not supported is named with file and path, and left out only on demand.
+// An unsupported element is named with file and path, and ignored only on demand.
 #include "small_world.h"
 
 namespace {

@@ -1,4 +1,4 @@
-// XML that is not well-formed, or cut short by what stands in it, is an error: nothing of a world is left out
+// XML that is not well-formed, or truncated by its contents, is an error: nothing of a world is ignored
 // in silence.
 #include "small_world.h"
 #include "test_folder.h"

@@ -50,7 +50,7 @@ class Mutant:
         return f"{self.file}:{self.line}:{self.begin}:{self.operator}:{self.new}"
 
     def choosing(self, text, number):
-        """What stands in the place of the site: the mutant if it is chosen, else the original."""
+        """Returns the replacement of the site: the mutant if it is chosen, else the original."""
         begin, end = self.site
         original = text[begin:end]
         mutant = (text[begin:self.begin] + self.new + text[self.end:end]).replace("\n", " ")  # lines keep their numbers

@@ -1,6 +1,6 @@
 // One geom of each class of ODE, of a size and in a pose that are drawn.
 //
-// Half of the draws take round numbers only: quarter turns, sizes and places in eighths of a metre. There
+// Half of the draws use round numbers only: multiples of 90 degrees, sizes and positions in eighths of a metre. There
 // faces lie in one plane, edges cross at right angles and depths are zero, so that signs of zeros and ties
 // decide.
 #pragma once

@@ -12,7 +12,7 @@ namespace {
 
 using namespace exactness;
 
-// From "convex mesh 16000 poses, ...".
+// Reads the pair from "convex mesh 16000 poses, ...".
 std::string differenceOfPair(const std::string &line) {
     std::istringstream words(line);
     std::string one, other;

@@ -33,7 +33,7 @@ std::vector<Polyhedron::Face> facesOf(const Polyhedron &solid) {
     return faces;
 }
 
-// Of a corner from the plane of a face: positive outside.
+// Returns the distance of a corner from the plane of a face: positive outside.
 dReal distance(const Polyhedron &solid, std::size_t face, const Vector3 &corner) {
     const dReal *plane = &solid.planes()[4 * face];
     return plane[0] * corner.x + plane[1] * corner.y + plane[2] * corner.z - plane[3];
@@ -61,7 +61,7 @@ TEST(Polyhedron, PlanesHoldTheirOwnCornersAndHaveAllOthersBehindThem) {
     }
 }
 
-// So all faces turn the same way, and none is missing.
+// So all faces have the same orientation, and none is missing.
 TEST(Polyhedron, EveryEdgeIsWalkedOnceEachWay) {
     for (const Solid &solid : solids()) {
         std::set<std::pair<unsigned, unsigned>> edges;

@@ -25,7 +25,7 @@ void run(Scene &scene, int frames) {
     for (int i = 0; i < frames; ++i) scene.frame();
 }
 
-// QuickStep draws from ODE's own generator, which goes on from scene to scene.
+// QuickStep draws from ODE's own generator, whose sequence continues from scene to scene.
 std::uint64_t hashAfter(const std::string &description, int frames) {
     dRandSetSeed(0);
     const auto scene = makeScene(description);

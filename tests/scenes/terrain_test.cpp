@@ -11,7 +11,7 @@ public:
     EmptyScene() : WorldScene({}, REAL(0.01)) {}
 };
 
-// Where a ray that falls on the geom from above meets it.
+// Returns where a vertical ray from above hits the geom.
 dReal heightAt(dGeomID geom, dReal x, dReal y) {
     const dGeomID ray = dCreateRay(nullptr, 10);
     dGeomRaySet(ray, x, y, 5, 0, 0, -1);

@@ -1,7 +1,7 @@
 #!/bin/sh
 # The library and the tools are hardened as ode/hardening.cmake says: hardening.sh FILE... reads each property off
 # the file itself. Its environment:
-#   COMPILED   1: built with ODE_MT_HARDENING; 0: only what the linker does is looked for
+#   COMPILED   1: built with ODE_MT_HARDENING; 0: only the linker's part is checked
 #   FORTIFIED  1: copies are checked, too (not in Debug)
 # A shared library may have no path to look for libraries in; programs, which stay in the build folder, only whole ones.
 set -eu

@@ -1,4 +1,4 @@
-// What a player tells of a block of frames, and a line of JSON for it.
+// The results of a block of frames, and a line of JSON for it.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // Plays blocks of frames on whatever libode.so.8 the loader finds: one for each line on standard input, and a line of JSON
-// of each (block.h). When the input ends, all goes, and a last line tells what is left.
+// of each (block.h). When the input ends, everything is destroyed, and a last line reports what is left.
 #include "block.h"
 #include "town.h"
 

@@ -20,9 +20,9 @@ public:
 
     void askForBlock();
     void askForTheEnd();
-    // Waits; throws std::runtime_error if the process has ended, or has told nothing for five minutes.
+    // Waits; throws std::runtime_error if the process has ended, or has sent nothing for five minutes.
     Block answer();
-    // Of a process that was asked for the end. Throws std::runtime_error unless it exits with 0.
+    // Waits for the exit of a process that was told to end. Throws std::runtime_error unless it exits with 0.
     void waitForExit();
 
 private:

@@ -11,7 +11,7 @@ namespace soak {
 
 namespace {
 
-// Those that change without end: the others come to rest.
+// The scenes that never come to rest.
 constexpr const char *kResidents[] = {"churn:150,hash",     "churn:150,sap,world", "churn:150,quadtree", "churn:100,simple",
                                       "humanoids:2,simple", "soccer:4",            "rover:20,sap",       "vehicles:2"};
 

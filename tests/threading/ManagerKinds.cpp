@@ -35,7 +35,7 @@ struct OdePool {
         manager = std::make_unique<dxThreadManagerUser>(dThreadingImplementationGetFunctions(implementation),
                                                         implementation);
     }
-    // In the order of a program that uses ODE: first the pool, then the world that knew it.
+    // Destroys them in the order of a program that uses ODE: first the pool, then the world that uses it.
     ~OdePool() {
         dThreadingImplementationShutdownProcessing(implementation);
         dThreadingFreeThreadPool(pool);

@@ -35,7 +35,7 @@ public:
     int forks = 0;
 };
 
-// Whichever of three goes, the others are told of forks.
+// Whichever of three listeners is removed, the others are notified of forks.
 TEST(ForkListener, AnyOfThemMayEnd) {
     for (std::size_t gone = 0; gone < 3; ++gone) {
         std::vector<std::unique_ptr<ForkCounter>> counters(3);

@@ -1,4 +1,4 @@
-// Workers of a thread manager as a task runner, of whom another than the caller takes part in every run: the caller goes on
+// Workers of a thread manager as a task runner, of which one other than the caller takes part in every run: the caller continues
 // with its first block when one of them has a block, or after a while.
 #pragma once
 

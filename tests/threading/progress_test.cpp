@@ -20,7 +20,7 @@ TEST_P(ThreadManagerTest, ProgressWithMoreWorkersThanCores) {
 pthread_t heldCaller;
 std::atomic<int> held{0};
 
-// Every thread but the caller stands still before it takes a block.
+// Every thread but the caller stops before it takes a block.
 void holdWorkers() {
     if (pthread_equal(pthread_self(), heldCaller)) return;
     ++held;
@@ -36,13 +36,13 @@ TEST_P(ThreadManagerTest, DescheduledWorkerDelaysNobody) {
     dxSetDisturbance(holdWorkers);
     const Stopwatch watch;
     runBlocks(*manager, 4, 4, [&](unsigned, unsigned worker) {
-        // Gives the workers time to come and stand still.
+        // Gives the workers time to arrive and stop.
         if (worker == 0) waitUntil([] { return held > 0; }, 1);
     });
     const double seconds = watch.seconds();
     dxSetDisturbance(nullptr);
     EXPECT_GT(held, 0);
-    // A run that waits for idle workers still ends once they go on.
+    // A run that waits for idle workers still ends once they continue.
     EXPECT_LT(seconds, GetParam().waitsForIdleWorkers ? 20 : 1.5);
 }
 
@@ -56,7 +56,7 @@ TEST_P(ThreadManagerTest, IdleWorkersSleep) {
     for (const unsigned workers : {2u, 8u}) {
         const auto manager = GetParam().make(workers);
         ASSERT_TRUE(allWorkersMeet(*manager, workers));
-        // libgomp spins for about 7 ms a thread where processors are left; it cannot be told otherwise.
+        // libgomp spins for about 7 ms a thread where processors are left; this cannot be configured.
         const timespec runtimeSpins{0, 20000000}, second{1, 0};
         if (GetParam().waitsForIdleWorkers) nanosleep(&runtimeSpins, nullptr);
         const double before = processorSeconds();

@@ -69,7 +69,7 @@ TEST_P(ThreadManagerTest, HandsOutBlocksInAscendingOrder) {
         EXPECT_TRUE(std::is_sorted(blocks.begin(), blocks.end()));
 }
 
-// A block may start only when all lower ones have been handed out; they are then at most as many as there
+// A block may start only when all lower ones have been assigned; they are then at most as many as there
 // are other workers away from having started.
 TEST_P(ThreadManagerTest, StartsNoBlockFarAheadOfALowerOne) {
     constexpr unsigned workers = 3, blocks = 3000;

@@ -1,4 +1,4 @@
-// A worker that was descheduled inside one run and goes on during a later one.
+// A worker that was descheduled inside one run and continues during a later one.
 #include <mutex>
 #include <set>
 
@@ -18,7 +18,7 @@ void holdWorkers() {
     waitUntil([] { return released.load(); }, 10);
 }
 
-// Two workers take seats of a run for three, and stand still. The next run, on the same slot, is for two:
+// Two workers take seats of a run for three, and stop. The next run, on the same slot, is for two:
 // no more than one of them may join it, and under a number of that run.
 TEST_P(ThreadManagerTest, StaleWorkerTakesNothingFromALaterRun) {
     if (GetParam().waitsForIdleWorkers) GTEST_SKIP() << "a run ends only when all its threads have gone on";

@@ -105,7 +105,7 @@ TEST(WorkerThread, HasTheProcessorsOfTheProcess) {
     EXPECT_TRUE(CPU_EQUAL(&worker.processors, &here.processors));
 }
 
-// Also if it is the first thread of the process that has bound itself.
+// This holds also if the first thread of the process has changed its affinity.
 TEST(WorkerThread, HasTheProcessorsThatTheProcessBeganWith) {
     const Bounds here = boundsOfThisThread();
     if (CPU_COUNT(&here.processors) < 2) GTEST_SKIP() << "one processor";

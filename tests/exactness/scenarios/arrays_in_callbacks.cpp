@@ -10,7 +10,7 @@ namespace exactness {
 
 namespace {
 
-// Near-callbacks change what geoms are made of, whose turn comes later in the same call: the pairs are known by then, and
+// Near-callbacks change the arrays of geoms whose pairs come later in the same call: the pairs are known by then, and
 // their contacts may have been computed.
 class ArraysInCallbacks : public ManyParts {
 public:
@@ -65,7 +65,7 @@ private:
     std::vector<dGeomID> m_convexes;
 };
 
-// Vertices of a mesh under everything, or samples of a height field that are the program's own, or a copy that is built anew.
+// Vertices of a mesh under everything, or samples of a height field that are the program's own, or a copy that is rebuilt.
 enum class Under { Mesh, OwnHeights, CopiedHeights };
 
 class GroundArrays : public ArraysInCallbacks {
@@ -119,7 +119,7 @@ void addArraysInCallbacks(Catalogue &catalogue) {
     add("arrays_in_callbacks/mesh", "callbacks move the vertices of a mesh", make<GroundArrays>(Under::Mesh));
     add("arrays_in_callbacks/heights", "callbacks write to the samples of a height field",
         make<GroundArrays>(Under::OwnHeights));
-    add("arrays_in_callbacks/heights_rebuilt", "callbacks build the data of a height field anew",
+    add("arrays_in_callbacks/heights_rebuilt", "callbacks rebuild the data of a height field",
         make<GroundArrays>(Under::CopiedHeights));
 }
 

@@ -91,7 +91,7 @@ private:
         }
     }
 
-    // The first clean ones, which upstream's lists clean now because they stand behind those that moved; in one
+    // The first clean ones, which upstream's lists clean now because they are behind those that moved; in one
     // frame also one that becomes a stray.
     void growOthers() {
         const int frame = frameNumber(), moved = frame % 7;
@@ -101,7 +101,7 @@ private:
         if (frame == 36) growTooLate(moved + 4);
     }
 
-    // By place in the space.
+    // Requires the geom's place in the space.
     void growTooLate(int place) {
         const dGeomID geom = m_kind == SpaceKind::QuadTree ? m_geoms[place] : dSpaceGetGeom(m_space, place);
         if (dGeomGetClass(geom) != dSphereClass) return;

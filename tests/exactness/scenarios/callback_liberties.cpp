@@ -33,7 +33,7 @@ protected:
     int m_pairs = 0;  // of all frames
 };
 
-// Geoms are disabled and enabled: those of the pair, and others, whose turn was before or comes later.
+// Geoms are disabled and enabled: those of the pair, and others, of earlier or later pairs.
 class Enabling : public Liberties {
 public:
     Enabling(Stepper stepper, SpaceKind kind) : Liberties(stepper, kind) {}
@@ -195,7 +195,7 @@ private:
     const unsigned m_mode;
 };
 
-// Callbacks that look at what earlier callbacks of the frame have made.
+// Callbacks that query the joints of earlier callbacks of the frame.
 class Queries : public Liberties {
 public:
     explicit Queries(Stepper stepper) : Liberties(stepper) {
@@ -224,7 +224,7 @@ private:
     }
 };
 
-// Bodies are woken, put to sleep, pushed, stopped, made kinematic, weighed anew.
+// Bodies are enabled, disabled, pushed, stopped, made kinematic, given other masses.
 class Bodies : public Liberties {
 public:
     explicit Bodies(Stepper stepper) : Liberties(stepper) { dWorldSetAutoDisableFlag(world(), 1); }
@@ -310,7 +310,7 @@ private:
 };
 
 // Callbacks that ask whether geoms touch, and nothing else: some colliders then leave the contact as they find it, and
-// dCollide turns what the program had there.
+// dCollide negates what the program had there.
 class Touches : public Liberties {
 public:
     explicit Touches(Stepper stepper) : Liberties(stepper) {}
@@ -344,9 +344,9 @@ void addCallbackLiberties(Catalogue &catalogue) {
     add("callback_liberties/joints", "contacts taken away again, groups emptied, joints made and destroyed",
         make<Joints>());
     add("callback_liberties/rounding", "callbacks that compute contacts rounded to zero", make<Modes>(_MM_ROUND_TOWARD_ZERO));
-    add("callback_liberties/queries", "callbacks look at joints that earlier callbacks made",
+    add("callback_liberties/queries", "callbacks query joints that earlier callbacks made",
         make<Queries>());
-    add("callback_liberties/bodies", "bodies woken, stopped, pushed, made kinematic, weighed anew",
+    add("callback_liberties/bodies", "bodies enabled, stopped, pushed, made kinematic, given other masses",
         make<Bodies>());
     add("callback_liberties/recursive_in_simple", "callbacks collide the pair and the locked space again",
         make<Recursive>(SpaceKind::Simple));
@@ -355,9 +355,9 @@ void addCallbackLiberties(Catalogue &catalogue) {
         make<Recursive>(SpaceKind::QuadTree));
     add("callback_liberties/other_pairs", "dCollide swapped, twice, and for geoms of another pair",
         make<OtherPairs>());
-    add("callback_liberties/nudges", "functions of joints move bodies to and fro, which rounds their positions",
+    add("callback_liberties/nudges", "functions of joints move bodies and move them back, which rounds their positions",
         make<Nudges>());
-    add("callback_liberties/touches", "callbacks ask whether geoms touch, and get contacts that nobody wrote",
+    add("callback_liberties/touches", "callbacks ask whether geoms touch, and get unwritten contacts",
         make<Touches>());
 }
 

@@ -17,14 +17,14 @@ struct Scenario {
     std::string meaning;  // one line
     int steps;
     Make make;
-    // Why its islands cannot be shared out; empty: they can, and the suite asserts that they are.
+    // Why its islands cannot run in parallel; empty: they can, and the suite asserts that they do.
     std::string serialBecause = "";
     std::vector<scenes::Stepper> steppers = {scenes::Stepper::World, scenes::Stepper::Quick};
     // It leaves a step or a space half way, after which upstream cannot destroy what there is: the program
     // ends at once, without doing so.
     bool leavesRuins = false;
     // May its near-callbacks run on several threads at once, for they write to nothing of their pairs? And do its
-    // pairs fall into sets that share no body, in a space whose pairs are shared out, so that they do?
+    // pairs fall into sets that share no body, in a space whose pairs are found in parallel, so that they do?
     enum class Callbacks { oneAtATime, reentrant, shared };
     Callbacks callbacks = Callbacks::oneAtATime;
     // One island is so large that several workers step it together, and the suite asserts that they do.

@@ -39,7 +39,7 @@ bool isConvexWithMesh(dGeomID one, dGeomID other) {
            (first == dTriMeshClass && second == dConvexClass);
 }
 
-// Two geoms of every two classes of ODE, in no space, that turn around in one another.
+// Two geoms of every two classes of ODE, in no space, that rotate inside one another.
 class EveryPair : public Probing {
 public:
     void control() override {
@@ -122,7 +122,7 @@ public:
 
 protected:
     void ask(dGeomID one, dGeomID other) override {
-        // Upstream hands out an unset variable of its stack then.
+        // Upstream returns an unset variable of its stack then.
         if (m_modifier == unimportant && isConvexWithMesh(one, other)) return;
         for (int count : countsAsked) probe(one, other, count | m_modifier);
     }

@@ -59,7 +59,7 @@ public:
     }
 
 protected:
-    // Spaces that meet are looked into, and so is each by itself.
+    // The callback collides spaces with one another, and each with itself.
     void onNearPair(dGeomID o1, dGeomID o2) override {
         ManyParts::onNearPair(o1, o2);
         if (dGeomIsSpace(o1)) collideOnce(o1);

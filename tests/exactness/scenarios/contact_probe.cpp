@@ -10,7 +10,7 @@ namespace {
 constexpr int mostAsked = 0xffff;  // as many as dCollide's flags can say
 constexpr unsigned char fresh = 0xa5;
 constexpr int border = 64;          // bytes behind the buffer
-constexpr int slotsLookedAt = 256;  // nobody asks for so many and gets them
+constexpr int slotsLookedAt = 256;  // no call returns as many contacts
 
 }  // namespace
 

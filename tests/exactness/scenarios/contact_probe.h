@@ -1,4 +1,4 @@
-// Asks dCollide for contacts in a buffer of its own, and tells what came back: how many, each contact, and
+// Calls dCollide with a buffer of its own, and reports the result: how many, each contact, and
 // whether anything was written where nothing should be.
 #pragma once
 
@@ -10,10 +10,10 @@ namespace exactness {
 
 class ContactProbe {
 public:
-    // As dCollide. `skip` is a multiple of 8.
+    // Calls dCollide. `skip` is a multiple of 8.
     int collide(dGeomID o1, dGeomID o2, int flags, int skip = sizeof(dContactGeom));
 
-    // Of the last call.
+    // The results of the last call.
     const dContactGeom &contact(int number) const;
     int count() const { return m_count; }
     bool wroteBeside() const;  // between contacts, or behind the last one asked for

@@ -112,7 +112,7 @@ public:
     }
 };
 
-// Rays without end that meet no face of a prism: upstream then says that they hit it, at no distance, and turns the place and the
+// Rays of infinite length that hit no face of a prism: upstream then reports a hit at no distance, and negates the position and the
 // normal that the program had in the contact as if it had computed them.
 class EndlessRays : public Prisms {
 public:

@@ -20,7 +20,7 @@ protected:
     dBodyID addStone(Vector3 place) { return addBox(place, {0.5, 0.5, 0.5}, 1); }
 };
 
-// Bodies, geoms, joints and spaces come and go between frames.
+// Bodies, geoms, joints and spaces are created and destroyed between frames.
 class BetweenFrames : public Stacks {
 public:
     explicit BetweenFrames(Stepper stepper) : Stacks(stepper) {}
@@ -108,7 +108,7 @@ private:
 }  // namespace
 
 void addCreation(Catalogue &catalogue) {
-    catalogue.push_back({"creation/between_frames", "bodies, geoms and joints come and go between frames", 80,
+    catalogue.push_back({"creation/between_frames", "bodies, geoms and joints are created and destroyed between frames", 80,
                          make<BetweenFrames>()});
     catalogue.push_back({"creation/in_near_callbacks", "near callbacks make and destroy bodies and joints",
                          60, make<InNearCallbacks>()});

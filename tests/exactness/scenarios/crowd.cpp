@@ -43,7 +43,7 @@ dGeomID Crowd::addMemberWithoutBody(Vector3 place, dReal size) {
     dQuaternion turn;
     dQFromAxisAndAngle(turn, m_dice.between(-1, 1), m_dice.between(-1, 1), 1, m_dice.between(0, 3));
     dGeomSetQuaternion(geom, turn);
-    dGeomSetCollideBits(geom, ~0ul);  // members without bodies meet one another too
+    dGeomSetCollideBits(geom, ~0ul);  // members without bodies collide with one another too
     return geom;
 }
 

@@ -1,6 +1,6 @@
-// A crowd of small geoms in one space: spheres, boxes, capsules and cylinders by turns, every third one with
+// A crowd of small geoms in one space: spheres, boxes, capsules and cylinders alternately, every third one with
 // a body, all weightless. The bodies belong to families; only bodies of one family push one another, so that
-// there are many islands, but all pairs are told to the observer.
+// there are many islands, but the observer gets all pairs.
 #pragma once
 
 #include "dice.h"
@@ -23,7 +23,7 @@ protected:
     // moved now; 0: none.
     void moveEvery(int nth);
 
-    // By turns all of it moves, nothing, a handful.
+    // Moves all members, none, or a few, alternately.
     void alternate();
 
     void nudge(dGeomID geom);

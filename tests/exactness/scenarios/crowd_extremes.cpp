@@ -7,7 +7,7 @@ namespace exactness {
 
 namespace {
 
-// From a millimetre to a kilometre: many levels of a hash space, and geoms too large for any.
+// Sizes from a millimetre to a kilometre: many levels of a hash space, and geoms too large for any.
 class SixDecades : public Crowd {
 public:
     SixDecades(Stepper stepper, SpaceKind kind, int count) : Crowd(stepper, kind, 3) {
@@ -62,7 +62,7 @@ public:
     void control() override { alternate(); }
 };
 
-// Planes, rays without end, boxes and balls without bounds and some larger than any level, among small geoms.
+// Planes, rays of infinite length, infinite boxes and balls and some larger than any level, among small geoms.
 class Unbounded : public Crowd {
 public:
     Unbounded(Stepper stepper, SpaceKind kind) : Crowd(stepper, kind, 7) {
@@ -130,11 +130,11 @@ void addCrowdExtremes(Catalogue &catalogue) {
         make<FarCorners>(SpaceKind::Hash, dReal(30000)), reentrant);
     add("crowd_extremes/around_zero", "crowds on both sides of zero, hash space",
         make<FarCorners>(SpaceKind::Hash, dReal(2.5)));
-    add("crowd_extremes/unbounded", "planes, endless rays, boxes and balls in a hash space",
+    add("crowd_extremes/unbounded", "planes, infinite rays, boxes and balls in a hash space",
         make<Unbounded>(SpaceKind::Hash));
-    add("crowd_extremes/unbounded_in_simple", "planes, endless rays, boxes and balls in a simple space",
+    add("crowd_extremes/unbounded_in_simple", "planes, infinite rays, boxes and balls in a simple space",
         make<Unbounded>(SpaceKind::Simple), reentrant);
-    add("crowd_extremes/unbounded_in_quad_tree", "planes, endless rays, boxes and balls in a quad-tree space",
+    add("crowd_extremes/unbounded_in_quad_tree", "planes, infinite rays, boxes and balls in a quad-tree space",
         make<Unbounded>(SpaceKind::QuadTree), reentrant);
     add("crowd_extremes/unbounded_in_sweep_and_prune", "the same in a sweep-and-prune space",
         make<Unbounded>(SpaceKind::SweepAndPrune));

@@ -5,7 +5,7 @@ namespace exactness {
 
 namespace {
 
-// A world without a body, in which they come and go.
+// A world without bodies, in which bodies are created and destroyed.
 class EmptyWorld : public ScenarioScene {
 public:
     explicit EmptyWorld(Stepper stepper) : ScenarioScene(stepper) { addGround(); }

@@ -124,7 +124,7 @@ void addFirstMeetings(Catalogue &catalogue) {
     const auto add = [&](const char *name, const char *meaning, Scenario::Make make) {
         catalogue.push_back(collisionScenario(name, meaning, 40, std::move(make)));
     };
-    add("first_meetings/all", "user classes meet every other kind of geom, and are asked or not",
+    add("first_meetings/all", "user classes collide with every other kind of geom",
         make<FirstMeetings>(false));
     add("first_meetings/overridden_before", "the same with colliders set before the classes are created",
         make<FirstMeetings>(true));

@@ -10,7 +10,7 @@ namespace exactness {
 namespace {
 
 // The caller rounds in another direction, or flushes denormals: the threads that step must do so too.
-// Not upwards or downwards: there -(a - b) is not b - a, which compilers take for the same, so that two
+// Rounding upwards and downwards is excluded: there -(a - b) is not b - a, which compilers take for the same, so that two
 // builds of the same source differ.
 class FloatEnvironment : public ManyParts {
 public:

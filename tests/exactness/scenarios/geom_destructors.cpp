@@ -166,12 +166,12 @@ void addGeomDestructors(Catalogue &catalogue) {
         make<Destructors>(SpaceKind::SweepAndPrune));
     add("geom_destructors/in_quad_tree", "the same in a quad-tree space",
         make<Destructors>(SpaceKind::QuadTree));
-    add("geom_destructors/outlive_simple", "geoms outlive a simple space and come into others",
+    add("geom_destructors/outlive_simple", "geoms outlive a simple space and are added to others",
         make<Survivors>(SpaceKind::Simple));
-    add("geom_destructors/outlive_hash", "geoms outlive a hash space and come into others",
+    add("geom_destructors/outlive_hash", "geoms outlive a hash space and are added to others",
         make<Survivors>(SpaceKind::Hash));
     add("geom_destructors/outlive_sweep_and_prune",
-        "geoms outlive a sweep-and-prune space and come into others",
+        "geoms outlive a sweep-and-prune space and are added to others",
         make<Survivors>(SpaceKind::SweepAndPrune));
     add("geom_destructors/outlive_quad_tree",
         "geoms outlive a quad-tree space, which other such spaces refuse",

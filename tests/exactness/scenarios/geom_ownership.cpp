@@ -142,7 +142,7 @@ public:
     }
 
 private:
-    // Of the same kind as before or another one; with cleanup the transform destroys the one before.
+    // The new child has the same kind as before or another one; with cleanup the transform destroys the old one.
     void replaceChild(dGeomID transform, dGeomID child) {
         const bool keepsOld = frameNumber() % 8 == 1;
         const dGeomID old = dGeomTransformGetGeom(transform);

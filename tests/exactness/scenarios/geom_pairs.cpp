@@ -18,7 +18,7 @@ protected:
         return body;
     }
 
-    // Calls meet(number, one, other) for every two shapes, a shape with itself too.
+    // Calls meet(number, one, other) for every two shapes, and for each shape with itself.
     template <class Meet>
     static void forAllPairs(const Meet &meet) {
         int number = 0;

@@ -20,7 +20,7 @@ protected:
 
     // Joins two bodies of chain `part`, at `anchor`. `before` is null for the first link: the world.
     virtual dJointID join(int part, dBodyID before, dBodyID body, Vector3 anchor) = 0;
-    // Changes what a joint is told, in every frame.
+    // Changes a joint's parameters in every frame.
     virtual void drive(dJointID /*joint*/, int /*place*/) {}
 
     // One of six settings, by the number of the chain: free, motor, stops, stops that bounce, motor with

@@ -12,7 +12,7 @@ void makeKinematic(dBodyID body) {
     dBodySetAutoDisableFlag(body, 0);
 }
 
-// Boxes on kinematic belts that move, and pendulums that hang from kinematic bodies that turn.
+// Boxes on kinematic belts that move, and pendulums that hang from rotating kinematic bodies.
 class Belts : public ManyParts {
 public:
     explicit Belts(Stepper stepper) : ManyParts(stepper) {

@@ -1,4 +1,4 @@
-// Islands whose exact step several workers take together: hundreds of rows in the LCP, that come and go.
+// Islands whose exact step several workers take together: hundreds of rows in the LCP, in changing numbers.
 #include "additions.h"
 #include "joint_lattice.h"
 #include "packed_stack.h"
@@ -118,7 +118,7 @@ void addLargeExactIslands(Catalogue &catalogue) {
     add("stack", "boxes packed closely on the ground", make<Stack>());
     add("uneven", "masses over four decades, hardly any softness, unlimited and pyramidal friction", make<UnevenStack>());
     add("singular", "more contacts than freedoms, hardly any softness, unlimited friction", make<SingularStack>());
-    add("flickering", "contacts that come and go", make<FlickeringStack>());
+    add("flickering", "contacts that appear and disappear", make<FlickeringStack>());
     add("pushed", "friction that slides and sticks", make<PushedStack>());
     add("powered", "a lattice of hinges with motors and stops", make<PoweredLattice>());
     add("crumbs", "a stack and a few small islands", make<StackAndCrumbs>());

@@ -11,7 +11,7 @@ namespace exactness {
 
 namespace {
 
-// Numbers of sweeps around those at which upstream shuffles, in turn; other relaxation.
+// Varies the number of sweeps around those at which upstream shuffles; other relaxation.
 class StackOfManySweeps : public PackedStack {
 public:
     using PackedStack::PackedStack;
@@ -105,7 +105,7 @@ public:
     }
 };
 
-// Spokes that all act on one hub, and start from one place: nothing can be cut, and every part waits for every
+// Spokes that all act on one hub, and start from one place: no partition exists, and every part waits for every
 // other one.
 class Hub : public ScenarioScene {
 public:

@@ -12,7 +12,7 @@ namespace {
 enum class Leaving { throws, jumps, asks };
 
 // A function for the heights of a field that leaves while upstream has turned a geom into the field's frame, or asks the
-// space of that geom meanwhile. The geom stays where it was turned to, and its space has not been told.
+// space of that geom meanwhile. The geom remains transformed, and its space is not notified.
 class LeavingHeights : public ManyParts {
 public:
     LeavingHeights(Stepper stepper, SpaceKind kind, Leaving leaving)
@@ -72,7 +72,7 @@ private:
             dGeomSetPosition(m_probe, dReal(5 * i), dReal(3 * i), 0);
             dSpaceCollide2(m_probe, reinterpret_cast<dGeomID>(m_space), this, &meet);
         }
-        // As a member asks, where upstream knows its block.
+        // A member queries the space, where upstream knows its block.
         dSpaceCollide2(m_geoms[frameNumber() % kGeoms], reinterpret_cast<dGeomID>(m_space), this, &meet);
     }
 
@@ -125,7 +125,7 @@ void addLeavingHeights(Catalogue &catalogue) {
         for (const SpaceKind kind : allSpaceKinds)
             catalogue.push_back(collisionScenario(std::string("leaving_heights/") + way.name + "_in_" + nameOf(kind),
                                                   std::string("a height field's function ") + way.meaning +
-                                                      " while a geom is turned into the field's frame",
+                                                      " while a geom is transformed into the field's frame",
                                                   40, make<LeavingHeights>(kind, way.leaving)));
 }
 

@@ -15,14 +15,14 @@ namespace {
 enum class Piece { Box, Capsule, Cylinder, Sphere, Prism, Sheet };
 enum class Below { Mesh, Heights };
 
-// Of the ground, which is far finer than what lies on it.
+// The resolution of the ground is much finer than the geoms on it.
 constexpr int samples = 33;
 constexpr dReal pitch = 0.06;  // m
 
 dReal ripples(int x, int y) { return 0.02 * ((x * 7 + y * 3) % 5); }
 
 // Curved, so that each corner of a prism's base is below the plane of few triangles: upstream's height fields
-// look at ten corners for a plane.
+// test ten corners for a plane.
 dReal bowl(int x, int y) {
     const dReal dx = pitch * (x - samples / 2), dy = pitch * (y - samples / 2);
     return 0.3 * (dx * dx + dy * dy);

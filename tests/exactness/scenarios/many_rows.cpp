@@ -1,4 +1,4 @@
-// Islands of hundreds of rows for the exact step: beyond the numbers from which its solver leaves out zeros
+// Islands of hundreds of rows for the exact step: beyond the numbers from which its solver skips zeros
 // (64) and keeps rows by their elements (256), and across them from frame to frame.
 #include "additions.h"
 #include "dice.h"

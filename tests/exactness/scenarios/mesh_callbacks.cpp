@@ -131,7 +131,7 @@ private:
     }
 };
 
-// Callbacks come and go between frames, and a refusing one switches itself off.
+// Callbacks are set and removed between frames, and a refusing one removes itself.
 class Exchanged : public AskingMesh {
 public:
     explicit Exchanged(Stepper stepper) : AskingMesh(stepper) {}
@@ -164,7 +164,7 @@ void addMeshCallbacks(Catalogue &catalogue) {
     add("mesh_callbacks/arrays", "a mesh's owner sees all triangles of a pair", make<Arrays>());
     add("mesh_callbacks/rays", "a mesh's owner lets rays through some triangles", make<Rays>());
     add("mesh_callbacks/merges", "a mesh's owner chooses the triangles of merged contacts", make<Merges>());
-    add("mesh_callbacks/exchanged", "callbacks of a mesh come and go, also in a callback", make<Exchanged>());
+    add("mesh_callbacks/exchanged", "callbacks of a mesh are set and removed, also in a callback", make<Exchanged>());
 }
 
 }  // namespace exactness

@@ -111,7 +111,7 @@ void addMessages(Catalogue &catalogue) {
     };
     add("messages/printed", "messages of the LCP solver on standard error", Handler::None);
     add("messages/handled", "messages to a handler of the user", Handler::Notes);
-    add("messages/looked_at", "a handler that looks at all bodies", Handler::Looks);
+    add("messages/looked_at", "a handler that reads all bodies", Handler::Looks);
     add("messages/jumped_out", "a handler that leaves the step with longjmp", Handler::JumpsOut);
     add("messages/thrown_out", "a handler that leaves the step with an exception", Handler::Throws);
 }

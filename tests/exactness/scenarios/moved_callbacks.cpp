@@ -29,7 +29,7 @@ public:
     }
 };
 
-// Only one island, half way, has a moved-callback: those before it may be shared out.
+// Only one island, half way, has a moved-callback: those before it may run in parallel.
 class OneIsland : public Stacks {
 public:
     explicit OneIsland(Stepper stepper) : Stacks(stepper) { watchMoved(stone(partCount / 2, 1)); }

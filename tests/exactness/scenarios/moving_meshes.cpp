@@ -57,7 +57,7 @@ private:
     }
 };
 
-// Where meshes were in the last frame is told by the user, to meshes that move and to one that does not.
+// The user sets the last transform, of meshes that move and of one that does not.
 class LastTransform : public Dishes {
 public:
     explicit LastTransform(Stepper stepper) : Dishes(stepper) {}
@@ -166,7 +166,7 @@ void addMovingMeshes(Catalogue &catalogue) {
         catalogue.push_back(collisionScenario(name, meaning, 40, std::move(make), callbacks));
     };
     add("moving_meshes/coherent", "falling meshes that remember triangles, or forget them", make<Coherent>());
-    add("moving_meshes/last_transform", "falling meshes that are told where they were",
+    add("moving_meshes/last_transform", "falling meshes whose last transform is set",
         make<LastTransform>());
     add("moving_meshes/exchanged_data", "falling meshes whose triangles are exchanged",
         make<ExchangedData>());

@@ -4,7 +4,7 @@
 
 namespace exactness {
 
-// Corners of the base and of the lid by turns.
+// Corners of the base and of the lid alternately.
 Prism::Prism(int corners, dReal radius, dReal height) : m_corners(corners) {
     const dReal step = 2 * M_PI / corners;
     const auto point = [corners](int corner, int isLid) {

@@ -1,5 +1,5 @@
 // What scenarios add to scenes::WorldScene: every part of a frame can be changed, objects can be
-// destroyed, there may be more worlds and spaces, and everything of interest is told to the observer.
+// destroyed, there may be more worlds and spaces, and the observer gets all events.
 #pragma once
 
 #include "scenes/world_scene.h"
@@ -38,8 +38,8 @@ protected:
     void destroy(dGeomID geom);
 
     // --- parts of a frame, to be changed ----------------------------------------------------------
-    virtual void onNearPair(dGeomID o1, dGeomID o2);  // as it stands: contacts for the pair
-    virtual void setSurface(dContact &contact);       // as it stands: m_surface
+    virtual void onNearPair(dGeomID o1, dGeomID o2);  // by default: contacts for the pair
+    virtual void setSurface(dContact &contact);       // by default: m_surface
     virtual void onContact(dJointID /*joint*/) {}     // of those that addContacts() makes
     virtual void stepWorld(dWorldID world);
     virtual void onMoved(dBodyID /*body*/) {}  // of the bodies that are watched
@@ -72,7 +72,7 @@ private:
     std::list<dJointFeedback> m_feedbacks, m_contactFeedbacks;
 };
 
-// A scene of many parts that stand too far apart to touch. Each part is an island of its own.
+// A scene of many parts that are too far apart to touch. Each part is an island of its own.
 class ManyParts : public ScenarioScene {
 public:
     using ScenarioScene::ScenarioScene;
@@ -80,7 +80,7 @@ public:
 protected:
     static constexpr int partCount = 16;
 
-    // Calls build(number, origin) for every part; they stand on a square grid.
+    // Calls build(number, origin) for every part; they are placed on a square grid.
     static void addParts(const std::function<void(int, Vector3)> &build, int count = partCount);
 };
 

@@ -122,7 +122,7 @@ private:
 
     void askTargets() {
         for (dGeomID target : m_targets) ask(target);
-        // Upstream's height fields cannot take a ray without end: an assertion fails.
+        // Upstream's height fields cannot collide with a ray of infinite length: an assertion fails.
         if (dGeomRayGetLength(m_ray) < dInfinity) ask(m_heights);
     }
 
@@ -240,18 +240,18 @@ void addSensors(Catalogue &catalogue) {
                          Scenario::Callbacks callbacks = Scenario::Callbacks::oneAtATime) {
         catalogue.push_back(collisionScenario(name, meaning, 16, std::move(make), callbacks));
     };
-    add("sensors/rays_against_simple", "150 rays ask a simple space, changed between questions",
+    add("sensors/rays_against_simple", "150 rays query a simple space, changed between queries",
         make<RaysAgainstSpace>(SpaceKind::Simple));
-    add("sensors/rays_against_hash", "150 rays ask a hash space, changed between questions",
+    add("sensors/rays_against_hash", "150 rays query a hash space, changed between queries",
         make<RaysAgainstSpace>(SpaceKind::Hash));
-    add("sensors/rays_against_sweep_and_prune", "150 rays ask a sweep-and-prune space",
+    add("sensors/rays_against_sweep_and_prune", "150 rays query a sweep-and-prune space",
         make<RaysAgainstSpace>(SpaceKind::SweepAndPrune));
-    add("sensors/rays_against_quad_tree", "150 rays ask a quad-tree space",
+    add("sensors/rays_against_quad_tree", "150 rays query a quad-tree space",
         make<RaysAgainstSpace>(SpaceKind::QuadTree));
     add("sensors/ray_settings", "every setting of rays against every class of geoms", make<RaySettings>());
     add("sensors/carried_rays", "robots with fans of rays among posts", make<CarriedRays>(SpaceKind::Hash),
         Scenario::Callbacks::shared);
-    add("sensors/volumes", "volumes asked from within callbacks of another space", make<Volumes>());
+    add("sensors/volumes", "volumes queried from within callbacks of another space", make<Volumes>());
 }
 
 }  // namespace exactness

@@ -1,4 +1,4 @@
-// Geoms of every class that has a volume, for scenarios that let each meet each.
+// Geoms of every class that has a volume, for scenarios that collide every two.
 #pragma once
 
 #include <ode/ode.h>
@@ -12,7 +12,7 @@ constexpr Shape allShapes[] = {Shape::Sphere,   Shape::Box,    Shape::Capsule,
 // About half a metre in size.
 dGeomID createShape(dSpaceID space, Shape shape);
 
-// Convex geoms meet only meshes that know the angles between their faces.
+// Convex geoms collide only with meshes that know the angles between their faces.
 void prepareForConvex(dTriMeshDataID data);
 
 // The mesh of createShape: an octahedron.

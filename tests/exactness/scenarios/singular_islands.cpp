@@ -146,7 +146,7 @@ public:
     }
 };
 
-// Bodies of 1 mg and of 1000 kg, joined and stacked by turns.
+// Bodies of 1 mg and of 1000 kg, joined and stacked alternately.
 class MassRatios : public ManyParts {
 public:
     explicit MassRatios(Stepper stepper) : ManyParts(stepper) {
@@ -213,7 +213,7 @@ void addSingularIslands(Catalogue &catalogue) {
     add("rival_motors", "motors along the same axes, no softness", make<RivalMotors>());
     add("tables", "slabs on too many posts, no softness", make<Tables>());
     add("jammed", "boxes jammed between walls, no softness", make<Jammed>());
-    add("mass_ratios", "stacks and chains of 1 mg and 1000 kg by turns, no softness", make<MassRatios>());
+    add("mass_ratios", "stacks and chains of 1 mg and 1000 kg alternately, no softness", make<MassRatios>());
     add("zero_rows", "contacts without a direction, hardly any softness", make<ZeroRows>());
 }
 

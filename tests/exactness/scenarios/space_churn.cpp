@@ -8,7 +8,7 @@ namespace exactness {
 
 namespace {
 
-// All of it moves, nothing, a handful, in turns: a search for pairs that keeps what it found must tell.
+// All members move, none, or a few, alternately: a broad phase that keeps its pairs must detect each change.
 class Alternating : public Crowd {
 public:
     Alternating(Stepper stepper, SpaceKind kind, int count) : Crowd(stepper, kind) {
@@ -65,7 +65,7 @@ public:
     }
 
 private:
-    // Upstream wants geoms that enter a space to have moved since they were last looked at.
+    // Upstream requires that geoms that enter a space have moved since their boxes were last computed.
     void changePlace(dGeomID geom) {
         const dSpaceID from = dGeomGetSpace(geom), to = from == space() ? m_other : space();
         dSpaceRemove(from, geom);
@@ -83,7 +83,7 @@ private:
     dSpaceID m_other;
 };
 
-// Geoms without bodies jump from place to place, turn, and change their size, between frames in which nothing
+// Geoms without bodies jump, rotate, and change their size, between frames in which nothing
 // happens.
 class Teleports : public Crowd {
 public:
@@ -124,26 +124,26 @@ void addSpaceChurn(Catalogue &catalogue) {
         catalogue.push_back(collisionScenario(name, meaning, steps, std::move(make), callbacks));
     };
     constexpr auto shared = Scenario::Callbacks::shared;
-    add("space_churn/simple", "700 geoms in a simple space: all move, none, a handful, by turns", 26,
+    add("space_churn/simple", "700 geoms in a simple space: all move, none, or a few, alternately", 26,
         make<Alternating>(SpaceKind::Simple, 700), shared);
-    add("space_churn/dense", "300 geoms in a simple space: all move, none, a handful, by turns", 26,
+    add("space_churn/dense", "300 geoms in a simple space: all move, none, or a few, alternately", 26,
         make<Alternating>(SpaceKind::Simple, 300));
-    add("space_churn/hash", "1200 geoms in a hash space: all move, none, a handful, by turns", 26,
+    add("space_churn/hash", "1200 geoms in a hash space: all move, none, or a few, alternately", 26,
         make<Alternating>(SpaceKind::Hash, 1200), shared);
-    add("space_churn/sweep_and_prune", "500 geoms in a sweep-and-prune space, by turns", 26,
+    add("space_churn/sweep_and_prune", "500 geoms in a sweep-and-prune space, the same", 26,
         make<Alternating>(SpaceKind::SweepAndPrune, 500), shared);
-    add("space_churn/quad_tree", "500 geoms in a quad-tree space, by turns", 26,
+    add("space_churn/quad_tree", "500 geoms in a quad-tree space, the same", 26,
         make<Alternating>(SpaceKind::QuadTree, 500));
-    add("space_churn/big_quad_tree", "1200 geoms in a quad-tree space, by turns", 26,
+    add("space_churn/big_quad_tree", "1200 geoms in a quad-tree space, the same", 26,
         make<Alternating>(SpaceKind::QuadTree, 1200), shared);
     add("space_churn/breathing", "a simple space of 150 to 690 geoms and back", 48, make<Breathing>());
-    add("space_churn/in_and_out_of_hash", "geoms leave a hash space, come back, die", 30,
+    add("space_churn/in_and_out_of_hash", "geoms leave a hash space, return, are destroyed", 30,
         make<InAndOut>(SpaceKind::Hash), shared);
-    add("space_churn/in_and_out_of_simple", "geoms leave a simple space, come back, die", 30,
+    add("space_churn/in_and_out_of_simple", "geoms leave a simple space, return, are destroyed", 30,
         make<InAndOut>(SpaceKind::Simple));
-    add("space_churn/in_and_out_of_quad_tree", "geoms leave a quad-tree space, come back, die", 30,
+    add("space_churn/in_and_out_of_quad_tree", "geoms leave a quad-tree space, return, are destroyed", 30,
         make<InAndOut>(SpaceKind::QuadTree), shared);
-    add("space_churn/in_and_out_of_sweep_and_prune", "geoms leave a sweep-and-prune space, come back, die", 30,
+    add("space_churn/in_and_out_of_sweep_and_prune", "geoms leave a sweep-and-prune space, return, are destroyed", 30,
         make<InAndOut>(SpaceKind::SweepAndPrune), shared);
     add("space_churn/teleports", "geoms jump, turn and change their size, between quiet frames", 24,
         make<Teleports>(SpaceKind::Hash));

@@ -38,7 +38,7 @@ public:
         addParts([this](int part, Vector3 origin) { addHeap(part, origin, m_spaces[part % 6]); }, 24);
     }
 
-    // Equal lowest corners: only the history of the sort tells them apart.
+    // Equal lowest corners: only the history of the sort distinguishes them.
     void control() override {
         if (frameNumber() % 10 != 5) return;
         for (std::size_t i = 0; i + 1 < m_pieces.size(); i += 10) {
@@ -163,7 +163,7 @@ private:
     std::vector<dGeomID> m_strays;
 };
 
-// Spaces within the root space that come and go; some take their geoms along, of others the geoms stay.
+// Spaces within the root space are created and destroyed; some destroy their geoms, others do not.
 class Cleanup : public Heaps {
 public:
     explicit Cleanup(Stepper stepper) : Heaps(stepper) {
@@ -198,7 +198,7 @@ private:
         return made;
     }
 
-    // Upstream wants geoms that enter a space to have moved since they were last looked at.
+    // Upstream requires that geoms that enter a space have moved since their boxes were last computed.
     static void enter(dSpaceID to, dGeomID geom) {
         dSpaceAdd(to, geom);
         const dReal *place = dGeomGetPosition(geom);

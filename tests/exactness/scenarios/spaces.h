@@ -1,4 +1,4 @@
-// Spaces of every kind, for scenarios that let each meet each.
+// Spaces of every kind, for scenarios that collide every two.
 #pragma once
 
 #include "scenes/scene_options.h"
@@ -8,7 +8,7 @@ namespace exactness {
 constexpr scenes::SpaceKind allSpaceKinds[] = {scenes::SpaceKind::Simple, scenes::SpaceKind::Hash,
                                                scenes::SpaceKind::SweepAndPrune, scenes::SpaceKind::QuadTree};
 
-// As names of scenarios have it: "sweep_and_prune".
+// Returns the name as in names of scenarios: "sweep_and_prune".
 const char *nameOf(scenes::SpaceKind kind);
 
 dSpaceID createSpace(scenes::SpaceKind kind, dSpaceID parent);

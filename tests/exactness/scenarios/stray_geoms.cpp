@@ -19,8 +19,8 @@ std::jmp_buf beforeTheCall;
 dReal flat(int, int) { return 0; }
 
 // Stacks, and a space in which nothing moves until a mesh is given other data, of which upstream does not
-// tell the space. From then on the mesh stands where it stood, with the box that it is asked for, and what
-// moves it is not told either.
+// tell the space. From then on the mesh keeps its place in the list, with the box that is queried, and what
+// moves it does not notify the space either.
 class Strays : public ManyParts {
 public:
     ~Strays() override { dSetDebugHandler(nullptr); }
@@ -114,7 +114,7 @@ private:
     OrderSum m_pairs;
 };
 
-// The box is asked for before the space collides: upstream finds the new pairs, for ever.
+// The box is queried before the space collides: upstream finds the new pairs from then on.
 class Asked : public Strays {
 public:
     Asked(Stepper stepper, SpaceKind kind, bool isNested) : Strays(stepper, kind, isNested) {}
@@ -154,7 +154,7 @@ private:
     }
 };
 
-// Nobody asks for the box: upstream asserts wherever it comes to the mesh, and the handler jumps out of each
+// No code queries the box: upstream asserts wherever it reaches the mesh, and the handler jumps out of each
 // call, which leaves spaces locked.
 class Unasked : public Strays {
 public:
@@ -166,7 +166,7 @@ public:
     }
 };
 
-// Calls that are refused too late: the geom is marked as moved, and its space is not told. Later it is asked
+// Calls that are refused too late: the geom is marked as moved, and its space is not notified. Later it is asked
 // for its box.
 class HalfRefused : public Strays {
 public:
@@ -206,7 +206,7 @@ private:
     bool m_isDisturbed = false;
 };
 
-// The same, but callbacks go on, and nobody asks for boxes: the assertion fails at the next pair of the geom. Of the space
+// The same, but callbacks continue, and no code queries boxes: the assertion fails at the next pair of the geom. Of the space
 // that is collided, or of one inside it.
 class HalfRefusedOnward : public Strays {
 public:
@@ -361,24 +361,24 @@ void addStrayGeoms(Catalogue &catalogue) {
             catalogue.push_back(collisionScenario("stray_geoms/" + what + "_in_" + each.in,
                                                   meaning + " in " + each.meaning, 30, std::move(make)));
         };
-        add("asked", "a mesh gets other data unnoticed, and is asked for its box",
+        add("asked", "a mesh gets other data without a notification, and its box is queried",
             make<Asked>(each.kind, false));
         add("asked_nested", "the same with a space inside, which is stray, too",
             make<Asked>(each.kind, true));
         catalogue.back().leavesRuins = true;
-        add("unasked", "a mesh gets other data unnoticed, and an assertion fails",
+        add("unasked", "a mesh gets other data without a notification, and an assertion fails",
             make<Unasked>(each.kind, false));
         catalogue.back().leavesRuins = true;
         add("unasked_nested", "the same with a space inside", make<Unasked>(each.kind, true));
         catalogue.back().leavesRuins = true;
-        add("onward", "what a locked space refuses too late, and callbacks go on", make<HalfRefusedOnward>(each.kind, true));
+        add("onward", "what a locked space refuses too late, and callbacks continue", make<HalfRefusedOnward>(each.kind, true));
         catalogue.back().leavesRuins = true;
         add("onward_unasked", "the same with boxes that are not up to date", make<HalfRefusedOnward>(each.kind, false));
         catalogue.back().leavesRuins = true;
         if (each.kind != SpaceKind::SweepAndPrune)  // whose lists a call from inside overwrites
-            add("switched", "geoms enabled and disabled, and a mesh elsewhere that gets other data, in callbacks",
+            add("switched", "geoms enabled and disabled, and another mesh that gets other data, in callbacks",
                 make<Switched>(each.kind));
-        add("clean_in_front", "a clean geom comes into a list in front of one that has changed", make<CleanInFront>(each.kind, true));
+        add("clean_in_front", "a clean geom is added to a list in front of one that has changed", make<CleanInFront>(each.kind, true));
         add("clean_in_front_unasked", "the same with boxes that are not up to date", make<CleanInFront>(each.kind, false));
         catalogue.back().leavesRuins = true;
         add("half_refused", "what a locked space refuses too late", make<HalfRefused>(each.kind));

@@ -25,7 +25,7 @@ private:
 };
 
 // Boxes on a grid around zero whose bounds are the same numbers, along the sweep's axis -0 and 0 among them: where they
-// stand in the order is what earlier calls have left. Some jump to another place of the grid and back.
+// are in the order depends on earlier calls. Some jump to another place of the grid and back.
 class EqualBounds : public Crowd {
 public:
     EqualBounds(Stepper stepper, int side) : Crowd(stepper, SpaceKind::SweepAndPrune, 31), m_side(side) {
@@ -56,7 +56,7 @@ private:
     int m_side;
 };
 
-// So far out that single precision cannot tell the members apart: boxes that do not touch are pairs all the same.
+// The members are so far out that single precision cannot distinguish them: boxes that do not touch are pairs all the same.
 class FarOut : public Crowd {
 public:
     explicit FarOut(Stepper stepper) : Crowd(stepper, SpaceKind::SweepAndPrune, 32) {
@@ -91,7 +91,7 @@ public:
 };
 
 // Geoms are taken out and put back, moved or not, and switched off and on between frames and in callbacks, among
-// planes and balls without end.
+// infinite planes and balls.
 class Switched : public Crowd {
 public:
     Switched(Stepper stepper, int count) : Crowd(stepper, SpaceKind::SweepAndPrune, 34) {
@@ -183,7 +183,7 @@ private:
     dGeomID m_box;
 };
 
-// Every second geom is of a class whose boxes end before they begin, where others begin: which of the two is met hangs on their
+// Every second geom is of a class whose boxes end before they begin, where others begin: which of the two is found depends on their
 // order, and that on who else comes and goes.
 class Inverted : public Crowd {
 public:
@@ -236,12 +236,12 @@ void addSweepSpaces(Catalogue &catalogue) {
     add("sweep_spaces/far_out", "1300 geoms 3000 km from zero, where bounds are rounded together", 24,
         make<FarOut>(), reentrant);
     add("sweep_spaces/breathing", "a sweep-and-prune space of 420 to 1200 geoms and back", 40, make<Breathing>());
-    add("sweep_spaces/switched", "500 geoms and endless ones, put in and out, on and off", 30, make<Switched>(500));
-    add("sweep_spaces/many_switched", "1400 geoms and endless ones, put in and out, on and off", 30,
+    add("sweep_spaces/switched", "500 geoms and infinite ones, added and removed, enabled and disabled", 30, make<Switched>(500));
+    add("sweep_spaces/many_switched", "1400 geoms and infinite ones, added and removed, enabled and disabled", 30,
         make<Switched>(1400));
     add("sweep_spaces/any_axes", "spaces whose axes are not all three", 24, make<AnyAxes>(), reentrant);
-    add("sweep_spaces/inverted", "boxes that end before they begin, and others that begin there, put in and out", 30, make<Inverted>());
-    add("sweep_spaces/asked", "rays and boxes ask 1300 geoms in a sweep-and-prune space", 20, make<Asked>());
+    add("sweep_spaces/inverted", "boxes that end before they begin, and others that begin there, added and removed", 30, make<Inverted>());
+    add("sweep_spaces/asked", "rays and boxes query 1300 geoms in a sweep-and-prune space", 20, make<Asked>());
 }
 
 }  // namespace exactness

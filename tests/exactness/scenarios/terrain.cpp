@@ -173,7 +173,7 @@ void addTerrain(Catalogue &catalogue) {
                          make<HeightField>(Source::Shorts)});
     catalogue.push_back({"terrain/heights_floats", "shapes on a height field of floats", 60,
                          make<HeightField>(Source::Floats)});
-    catalogue.push_back({"terrain/heights_doubles", "shapes on an endless height field of doubles", 60,
+    catalogue.push_back({"terrain/heights_doubles", "shapes on an infinite height field of doubles", 60,
                          make<HeightField>(Source::Doubles)});
     catalogue.push_back(
         {"terrain/mesh", "shapes on a mesh, with triangle callbacks", 60, make<MeshTerrain>(false)});

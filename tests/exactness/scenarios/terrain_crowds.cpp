@@ -53,7 +53,7 @@ private:
     }
 };
 
-// Heights without end: the crowd wanders off the samples, on all sides.
+// An infinite height field: the crowd leaves the samples on all sides.
 class Repeating : public OnHeights {
 public:
     Repeating(Stepper stepper, HeightOptions options) : OnHeights(stepper, options) {
@@ -77,7 +77,7 @@ public:
     }
 };
 
-// The height field itself moves, turns, changes its data and is switched off for a frame.
+// The height field itself moves, rotates, changes its data and is disabled for a frame.
 class MovedHeights : public OnHeights {
 public:
     MovedHeights(Stepper stepper, HeightOptions options) : OnHeights(stepper, options) {
@@ -161,7 +161,7 @@ void addTerrainCrowds(Catalogue &catalogue) {
     options.source = HeightSource::Bytes;
     options.repeats = true;
     options.scale = 0.01;
-    add("terrain_crowds/repeating_bytes", "bodies on heights of bytes that repeat without end",
+    add("terrain_crowds/repeating_bytes", "bodies on heights of bytes that repeat infinitely",
         make<Repeating>(options));
     options = {};
     options.source = HeightSource::Shorts;

@@ -113,7 +113,7 @@ private:
     }
 };
 
-// Bounding boxes without end, and boxes that change though the geom does not move.
+// Infinite bounding boxes, and boxes that change although the geom does not move.
 class OddBounds : public Shells {
 public:
     OddBounds(Stepper stepper, SpaceKind kind) : Shells(stepper, kind) {
@@ -202,7 +202,7 @@ void addUserColliders(Catalogue &catalogue) {
     add("user_colliders/classes_in_simple", "the same in a simple space", make<Classes>(SpaceKind::Simple));
     add("user_colliders/classes_in_sweep_and_prune", "the same in a sweep-and-prune space",
         make<Classes>(SpaceKind::SweepAndPrune));
-    add("user_colliders/odd_bounds", "bounding boxes without end, and some that change at rest",
+    add("user_colliders/odd_bounds", "infinite bounding boxes, and some that change at rest",
         make<OddBounds>(SpaceKind::Hash));
     add("user_colliders/overrides", "colliders of ODE's classes put aside between frames",
         make<Overrides>(SpaceKind::Simple));

@@ -143,12 +143,12 @@ private:
 void addUserThreading(Catalogue &catalogue) {
     catalogue.push_back({"user_threading/pool",
                          "a pool of three threads lent by the user, against upstream's serial step", 40,
-                         make<UserPool>(), "who steps the islands is the user's affair"});
+                         make<UserPool>(), "the user's implementation steps the islands"});
     catalogue.push_back({"user_threading/self_threaded",
                          "an implementation without threads, given by the user", 40, make<SelfThreaded>(),
-                         "who steps the islands is the user's affair"});
+                         "the user's implementation steps the islands"});
     catalogue.push_back({"user_threading/watched", "the same, through functions that count calls, refuse some and throw", 40,
-                         make<Watched>(), "who steps the islands is the user's affair"});
+                         make<Watched>(), "the user's implementation steps the islands"});
 }
 
 }  // namespace exactness

@@ -1,4 +1,4 @@
-// Rows of the exact step that go to a limit and come back: friction that sticks and slips, stops that are met
+// Rows of the exact step that go to a limit and come back: friction that sticks and slips, stops that are reached
 // and left, motors at the end of their force; and islands of every small number of rows.
 #include "additions.h"
 #include "dice.h"
@@ -46,7 +46,7 @@ private:
     std::vector<dBodyID> m_crates;
 };
 
-// Balls and boxes in a trough under gravity that turns about: contacts are made and lost on all sides.
+// Balls and boxes in a trough under rotating gravity: contacts begin and end on all sides.
 class TurningGravity : public ManyParts {
 public:
     explicit TurningGravity(Stepper stepper) : ManyParts(stepper) {
@@ -74,7 +74,7 @@ public:
     }
 };
 
-// Trees of hinges between stops that are so narrow, and motors so weak, that all of them meet their limits
+// Trees of hinges between stops that are so narrow, and motors so weak, that all of them reach their limits
 // all the time.
 class LimitedJoints : public ManyParts {
 public:
@@ -153,7 +153,7 @@ private:
     Dice m_dice;
 };
 
-// Piles whose contacts are few or many by turns, of another kind each, and whose joints are switched off and
+// Piles with alternately few and many contacts, of another kind each, and whose joints are switched off and
 // on.
 class ChangingCounts : public ManyParts {
 public:
@@ -254,7 +254,7 @@ void addWanderingRows(Catalogue &catalogue) {
     const auto add = [&](const char *name, const char *meaning, Scenario::Make make) {
         catalogue.push_back({std::string("wandering_rows/") + name, meaning, 30, std::move(make)});
     };
-    add("pushed_crates", "crates pushed to and fro, that stick and slip", make<PushedCrates>());
+    add("pushed_crates", "crates pushed back and forth, that stick and slip", make<PushedCrates>());
     add("turning_gravity", "boxes and balls in troughs, thrown from side to side", make<TurningGravity>());
     add("limited_joints", "trees of joints at their stops, with weak motors", make<LimitedJoints>());
     add("every_count", "islands of one row to forty, half with limits", make<EveryCount>());

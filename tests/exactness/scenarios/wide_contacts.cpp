@@ -46,7 +46,7 @@ protected:
     }
 };
 
-// Bricks in a wave that runs through every other layer touch nothing; behind it they meet again.
+// Bricks in a wave that runs through every other layer touch nothing; behind it they touch again.
 class Waves : public PackedStack {
 public:
     explicit Waves(Stepper stepper) : PackedStack(stepper, 7, 7, 3) {}
@@ -78,7 +78,7 @@ public:
     }
 };
 
-// So many pairs are left out by turns that the island is now large enough for several workers, now not.
+// The callback alternately skips so many pairs that the island is large enough for several workers, or is not.
 class Threshold : public PackedStack {
 public:
     explicit Threshold(Stepper stepper) : PackedStack(stepper, 6, 6, 3) {}
@@ -112,7 +112,7 @@ private:
     dJointID m_beam;
 };
 
-// Gravity turns by a right angle and more from frame to frame: bricks let go of one another and meet others.
+// Gravity rotates by a right angle and more from frame to frame: bricks separate and touch others.
 class Rocking : public PackedStack {
 public:
     explicit Rocking(Stepper stepper) : PackedStack(stepper, 7, 7, 3) {}
@@ -178,7 +178,7 @@ private:
     }
 };
 
-// The user draws from the sequence that shuffles the rows, and sets it anew.
+// The user draws from the sequence that shuffles the rows, and sets its seed.
 class Draws : public PackedStack {
 public:
     explicit Draws(Stepper stepper) : PackedStack(stepper, 7, 7, 3) { dRandSetSeed(4711); }
@@ -261,7 +261,7 @@ void addWideContacts(Catalogue &catalogue) {
     add("waves", "contacts that vanish and come back in waves", make<Waves>());
     add("contact_counts", "one to eight contacts for a pair, another number in each frame",
         make<ContactCounts>());
-    add("threshold", "an island now large enough for several workers, now not", make<Threshold>());
+    add("threshold", "an island that is alternately large enough for several workers and too small", make<Threshold>());
     add("merging", "two stacks that are one island in every other frame", make<Merging>());
     add("rocking", "gravity that turns from frame to frame", make<Rocking>());
     add("parameters", "lengths of steps, softness and correction over decades", make<Parameters>());

@@ -12,7 +12,7 @@ namespace exactness {
 
 namespace {
 
-// Layers of 1 mg and of 1000 kg by turns, the heavy ones above, without softness and with unlimited friction.
+// Alternating layers of 1 mg and of 1000 kg, the heavy ones above, without softness and with unlimited friction.
 class MassRatio : public PackedStack {
 public:
     explicit MassRatio(Stepper stepper) : PackedStack(stepper, 6, 6, 4) {

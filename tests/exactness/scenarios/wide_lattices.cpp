@@ -13,7 +13,7 @@ namespace {
 
 using SetParameter = void (*)(dJointID, int, dReal);
 
-// Every type of joint that holds two bodies, by turns.
+// Every type of joint between two bodies, alternately.
 class EveryJoint : public JointLattice {
 public:
     explicit EveryJoint(Stepper stepper) : JointLattice(stepper) { build(); }

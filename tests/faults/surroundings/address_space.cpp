@@ -7,7 +7,7 @@
 
 namespace faults {
 
-// As `ulimit -v`. A worker's stack alone takes 8 MB.
+// Sets the limit of `ulimit -v`. A worker's stack alone takes 8 MB.
 std::uint64_t withLittleAddressSpace() {
     constexpr rlim_t kMore = 24 << 20;
     rlim_t pages = 0;

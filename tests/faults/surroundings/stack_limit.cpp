@@ -5,7 +5,7 @@
 
 namespace faults {
 
-// As `ulimit -s 256`. The C library reads the limit when a process starts, so this one starts once more.
+// Sets the limit of `ulimit -s 256`. The C library reads the limit when a process starts, so this one is executed again.
 std::uint64_t withSmallStackLimit() {
     constexpr rlim_t kStack = 256 << 10;
     rlimit limit{};

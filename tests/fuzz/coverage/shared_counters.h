@@ -1,4 +1,4 @@
-// Brings the coverage counters of a forked child to its parent, where libFuzzer looks at them.
+// Copies the coverage counters of a forked child to its parent, where libFuzzer reads them.
 //
 // The compiler counts how often each edge of instrumented code is taken in a byte of the section __sancov_cntrs
 // (-fsanitize-coverage=inline-8bit-counters). A child has its own copy of that section, and may end by a signal at any

@@ -18,7 +18,7 @@ std::string innerNameIn(const std::string &text);
 // The part of a text that a sanitizer wrote; empty when there is none.
 std::string sanitizerReportIn(const std::string &text);
 
-// With control characters as \x1b, and the middle of long texts left out.
+// With control characters as \x1b, and the middle of long texts omitted.
 std::string shown(const std::string &text, std::size_t most = 400);
 
 }  // namespace fuzz_driver

@@ -30,7 +30,7 @@ private:
         return z ^ (z >> 31);
     }
 
-    // Not the seed itself: the sequences of seeds that follow one another would overlap.
+    // The state is not the seed itself: the sequences of consecutive seeds would overlap.
     std::uint64_t m_state;
 };
 

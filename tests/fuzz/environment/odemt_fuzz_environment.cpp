@@ -196,7 +196,7 @@ private:
                std::to_string(expected) + ", " + fuzz_driver::shown(errors, 1000);
     }
 
-    // Of the variables that the library tells.
+    // Compares the variables whose values the library reports.
     static std::string wrongChoice(const Variable &variable, const Meaning &meaning, const json &ready) {
         static const std::map<std::string, const char *> members = {{"ODE_MT_THREADS", "threads"},
                                                                     {"ODE_MT_ALGORITHM", "algorithm"},

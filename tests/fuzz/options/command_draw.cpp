@@ -137,7 +137,7 @@ std::string drawValue(const Option &option, Random &random) {
     return takesLong(option.name, value) ? "2" : value;
 }
 
-// Not "--frames 2" alone: "--frames=2", with an empty value, or none.
+// Besides "--frames 2" it draws "--frames=2", an empty value, and none.
 void append(Command &command, const Option &option, const std::string &value, Random &random) {
     if (option.isPositional) {
         command.arguments.push_back(value);

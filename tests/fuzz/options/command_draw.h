@@ -17,7 +17,7 @@ struct Program {
 
 const char *const kRecordingFile = "recording.json";  // in the folder of the command
 
-// Values that take long are left out: runs measure little, and end soon.
+// Values that take long are excluded: runs measure little, and end soon.
 Command drawCommand(const Program &program, fuzz_driver::Random &random);
 
 }  // namespace fuzz_options

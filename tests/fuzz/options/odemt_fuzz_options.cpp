@@ -1,4 +1,4 @@
-// Draws command lines of the bench's programs, recordings for odemt_render among them, and looks at how they
+// Draws command lines of the bench's programs, recordings for odemt_render among them, and checks how they
 // end.
 //
 //   odemt_fuzz_options --seconds 300 --seed 1 --keep found

@@ -31,7 +31,7 @@ fuzz_driver::Ending run(const Command &command, const std::filesystem::path &fol
 std::vector<std::string> filesIn(const std::filesystem::path &folder);
 
 // Empty, or what is wrong: exit codes other than 0, 1 and 2, an error without a word, words that name no
-// option, control characters, names of the inside, files that nobody asked for. `before` are the files that
+// option, control characters, internal names, unrequested files. `before` are the files that
 // were there.
 std::string whatIsWrong(const Command &command, const fuzz_driver::Ending &ending,
                         const std::filesystem::path &folder, const std::vector<std::string> &before);

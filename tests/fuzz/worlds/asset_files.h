@@ -10,7 +10,7 @@ std::string objMesh();
 std::string binaryStlMesh();
 std::string greyImage();
 
-// By name: "shape.obj", "hills.png" ...
+// Returns the files by name: "shape.obj", "hills.png" ...
 std::map<std::string, std::string> assetFiles();
 
 bool isImage(const std::string &file);

@@ -124,7 +124,7 @@ WorldCase withFile(const std::string &geometry, const std::string &file, const s
     return world;
 }
 
-// What a world of the repository names: all models that stand beside it.
+// The files that a world of the repository names: all models beside it.
 WorldCase fromFile(const fs::path &file) {
     WorldCase world;
     world.name = file.filename().string();

@@ -34,7 +34,7 @@ std::vector<Forbidden> kindsFor(const RuledElement &ruled) {
         return kinds;
     }
     std::vector<Forbidden> kinds = {Forbidden::UnknownAttribute};
-    // Shapes of one geometry are told by another rule, the first of two is named.
+    // Shapes of one geometry are distinguished by another rule; the first of two is named.
     if (rule.often == worlds::Often::Once && ruled.path.rfind("collision/geometry/", 0) != 0 &&
         ruled.path != "/sdf/world")
         kinds.push_back(Forbidden::Doubled);

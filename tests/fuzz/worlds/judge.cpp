@@ -50,7 +50,7 @@ Judgement Judge::refuses(const WorldCase &world, const ForbiddenChange &change) 
         if (const std::string wrong = whatIsWrongWithMessages(after, changed, m_folder); !wrong.empty())
             return {"change refused", wrong};
         const std::string named = lastOf(after.placePath);
-        // A long name is shown by its begin and end; text in place of a name is told by its place alone.
+        // A long name is shown by its begin and end; text in place of a name is reported by its place alone.
         const bool names = named == name || named.find("...") != std::string::npos;
         const Loading before = names ? after : load(world);
         if (names || before.result != Loading::Result::Loaded)

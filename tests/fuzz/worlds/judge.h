@@ -21,7 +21,7 @@ class Judge {
 public:
     explicit Judge(const std::filesystem::path &folder) : m_folder(folder) {}
 
-    // It loads and can run, or is refused in the way that message_rule.h tells; nothing else.
+    // It loads and can run, or is refused as message_rule.h requires; nothing else is allowed.
     Judgement loads(const WorldCase &world);
 
     // If the world loads, then not any more with the change, and the error names the place.

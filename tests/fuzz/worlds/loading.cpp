@@ -13,7 +13,7 @@
 #include <iostream>
 #include <sstream>
 
-// Where LeakSanitizer is linked, it looks for leaks now.
+// If LeakSanitizer is linked, it checks for leaks now.
 extern "C" __attribute__((weak)) int __lsan_do_recoverable_leak_check();
 
 namespace fuzz_worlds {
@@ -46,7 +46,7 @@ private:
     std::uint64_t m_hash = 0xcbf29ce484222325u;  // FNV-1a
 };
 
-// Everything that ODE tells of the scene, and the names of its parts.
+// Returns the state of the scene from ODE, and the names of its parts.
 std::uint64_t digestOf(const worlds::SdfScene &scene) {
     Digest digest;
     for (const auto *names : {&scene.bodyNames(), &scene.jointNames(), &scene.geomNames()})
@@ -99,7 +99,7 @@ int loadAndStep(const WorldCase &world, const std::string &file) {
         tell({{"later", digestOf(*scene)}});
         scene.reset();
     } catch (const worlds::LoadError &error) {
-        // As bytes: a message may be no UTF-8.
+        // The message is sent as bytes, as it may not be UTF-8.
         const std::string what = error.what();
         tell({{"refused", nameOf(error.kind())},
               {"message", std::vector<unsigned char>(what.begin(), what.end())},

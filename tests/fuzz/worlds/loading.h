@@ -25,7 +25,7 @@ struct Loading {
 
     std::string errorKind, message, placeFile, placePath;  // of the LoadError
     std::vector<std::string> warnings;
-    std::uint64_t digest = 0;       // of everything that ODE tells of the state at first
+    std::uint64_t digest = 0;       // of the initial state, from ODE
     std::uint64_t laterDigest = 0;  // and some frames later
     double loadSeconds = 0;
 

@@ -98,7 +98,7 @@ private:
         });
     }
 
-    // Of a finding: what remains of the world that shows it, and where it is kept.
+    // Returns the verdict; for a finding with the minimised world, and where it is saved.
     Verdict verdict(std::uint64_t seed, const WorldCase &world, const Trial &trial) {
         const Judgement judgement = trial(world);
         if (judgement.complaint.empty()) return {judgement.kind, ""};

@@ -120,7 +120,7 @@ private:
         return text + "</" + element.Name() + ">";
     }
 
-    // Elements that may be there once each may stand in any order.
+    // Elements that may occur once each may be in any order.
     std::vector<const tinyxml2::XMLNode *> children(const XMLElement &element, bool isGroup) {
         std::vector<const tinyxml2::XMLNode *> all;
         bool isAnyOrder = isGroup && has(Spelling::Order);

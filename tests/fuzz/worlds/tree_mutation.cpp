@@ -60,7 +60,7 @@ const std::vector<std::string> &elementNames() {
     return names;
 }
 
-// Names of parts and attributes that stand somewhere in the tree.
+// Names of parts and attributes that occur in the tree.
 std::string drawWordOf(const std::vector<XMLElement *> &elements, Random &random) {
     static const std::vector<std::string> reserved = {"world", "__model__", "__root__", "__world__",
                                                       "",      "m::a",      "::",       "nested::x"};

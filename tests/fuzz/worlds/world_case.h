@@ -21,7 +21,7 @@ struct WorldCase {
 
 void writeCase(const WorldCase &world, const std::filesystem::path &folder);
 
-// As writeCase left it. The options are those of a file "options" beside the world, if it is there.
+// Reads a case that writeCase has written. The options are those of a file "options" beside the world, if it is there.
 WorldCase readCase(const std::filesystem::path &folder);
 
 // Whether a file of the case is XML by its name.
