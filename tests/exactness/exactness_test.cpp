@@ -107,8 +107,8 @@ void addTest(const ScenarioName &scenario, const std::string &name, const Player
                           __LINE__, [=]() -> testing::Test * { return new ExactnessTest(scenario, player); });
 }
 
-// If it is this combination's turn: callbacks one at a time and, where the scenario's may, several at a time. With "lcp"
-// they are several at a time with every number of threads. By turns they share bodies.
+// If the cycle selects this combination: serial callbacks and, where the scenario allows them, concurrent ones. With "lcp"
+// they are concurrent with every number of threads. Alternately they share bodies.
 void addAlgorithmTests(const ScenarioName &scenario, const char *algorithm, const Threads &threads, bool isItsTurn) {
     std::string name = std::string(algorithm) + '_' + std::to_string(threads.count);
     Player player{ThreadSetting{managers[0], threads.count, threads.disturbed, algorithm}};
@@ -132,7 +132,7 @@ void addInstructionSetTest(const ScenarioName &scenario, const std::string &set,
     addTest(scenario, set + '_' + std::to_string(threads.count), Player{setting});
 }
 
-// Scenarios take each algorithm and each instruction set with one number of threads, by turns, so that all of them
+// Scenarios take each algorithm and each instruction set with one number of threads, cyclically, so that all of them
 // together have every combination many times. ODE_MT_EXACTNESS=thorough: each has every one.
 bool everyCombination() {
     const char *const wanted = std::getenv("ODE_MT_EXACTNESS");

@@ -32,7 +32,7 @@ Draw::Draw(const std::uint8_t *bytes, std::size_t count) : m_bytes(bytes), m_cou
 }
 
 // What seldom comes, comes often in some scripts, and so together with all that is kept (Groce et al., "Swarm testing", ISSTA
-// 2012). Functions that stand side by side in the table have to do with one another.
+// 2012). Functions that are adjacent in the table are related.
 void Draw::chooseFocus() {
     constexpr int kRuns = 2;
     constexpr std::size_t kLength = 5;
@@ -169,7 +169,7 @@ double Draw::number(Meaning meaning) {
     }
 }
 
-// Sixteenths and hundredths: places and sizes meet exactly, and nearly.
+// Sixteenths and hundredths: positions and sizes coincide exactly, and nearly.
 double Draw::ordinary(Meaning meaning) {
     const unsigned coarse = below(32);
     const double fine = oneIn(2) ? 0 : below(256) / 2560.0;

@@ -24,7 +24,7 @@ int weightBetween(const Function &function) {
 constexpr const char *kRefused =
     "^dBodySet(Position|Rotation|Quaternion)$|^dGeomSet(Position|Rotation|Quaternion|Offset|Body|Convex|Category|Collide)|"
     "^dGeomClearOffset|^dGeom\\w+Set(Radius|Lengths|Params|Length)$|^dGeomRaySet|^dJointSet(Piston|PU)Anchor(Delta|Offset)$";
-// It would do something half in a callback, or go on with objects that are gone.
+// In a callback it would do half of its work, or use destroyed objects.
 constexpr const char *kHarmful =
     "^dCreate|SpaceCreate$|^dSpace(Add|Remove|Clean|Destroy|Collide|SetManualCleanup)|Destroy|Step$|WorldStep|emptyContacts|^look|^dGeomTransformSet|"
     "^dGeomTriMesh(Set|Data|EnableTC|Clear)|^dGeomHeightfieldSet|^dJointGroup|^dWorld(Create|Use|Cleanup|Export|SetStep)|GetAABB|"

@@ -14,7 +14,7 @@
 
 namespace fuzz {
 
-// What a number stands for: in ordinary scripts it is drawn so that things happen.
+// The meaning of a number: in ordinary scripts it is drawn from a plausible range.
 enum class Meaning { size, time, place, speed, fraction, angle, coordinate, any, count, level, flag, bits, choice, parameter };
 
 constexpr int kAnyType = -1, kWithPose = -2, kOnBody = -3;  // of Parameter::type
@@ -37,7 +37,7 @@ using Arguments = std::vector<Argument>;
 struct Function {
     std::string name;
     std::vector<Parameter> parameters;
-    // Makes the call and tells the trace what it returns. `result` is the object that it makes, if any. False: not all of the
+    // Makes the call and records its result in the trace. `result` is the object that it makes, if any. False: not all of the
     // objects live; nothing was called.
     std::function<bool(Player &, const Arguments &, Reference &result)> call;
     ObjectKind makes = ObjectKind::geom;

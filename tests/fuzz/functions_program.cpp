@@ -28,7 +28,7 @@ void addMemory(std::vector<Function> &all) {
     addSwitch("dSetAllocHandler", [](bool on) { dSetAllocHandler(on ? takeMemory : nullptr); });
     addSwitch("dSetReallocHandler", [](bool on) { dSetReallocHandler(on ? changeMemory : nullptr); });
     addSwitch("dSetFreeHandler", [](bool on) { dSetFreeHandler(on ? giveMemoryBack : nullptr); });
-    // It is not taken back: upstream would go on with the functions of a manager that it has deleted.
+    // It is not undone: upstream would use the functions of a manager that it has deleted.
     byHand(all, "dWorldSetStepMemoryManager", {object(ObjectKind::world)}, [](Player &player, const Arguments &arguments, Reference &) {
         const auto world = get<dWorldID>(player, arguments[0]);
         if (world == nullptr) return false;

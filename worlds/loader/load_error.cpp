@@ -29,7 +29,7 @@ Character characterAt(const std::string &text, std::size_t at) {
     return {isLonger || isOutside ? 0 : code, isLonger || isOutside ? 1 : bytes};
 }
 
-// No control character, and nothing that ends a line or turns the direction of what follows.
+// No control character, and nothing that ends a line or changes the direction of the text that follows.
 bool isShown(std::uint32_t code) {
     const auto within = [&](std::uint32_t first, std::uint32_t last) {
         return code >= first && code <= last;

@@ -16,7 +16,7 @@ struct Place {
 // For messages: a long path is shown by its begin and end.
 std::string toString(const Place &place);
 
-// With control characters, bytes that are no UTF-8 and what turns the direction of writing as \x1b.
+// With control characters, bytes that are no UTF-8 and changes of the direction of writing as \x1b.
 std::string printable(const std::string &text);
 
 // Long text by its begin and end.

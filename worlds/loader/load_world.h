@@ -11,21 +11,21 @@
 namespace worlds {
 
 struct LoadOptions {
-    // false: an element that is not supported is a LoadError. true: it is left out, and named in
+    // false: an element that is not supported is a LoadError. true: it is ignored, and named in
     // `warnings`.
     bool ignoreUnsupported = false;
     std::vector<std::string> *warnings = nullptr;  // not owned
 
-    // false: by their category and collide bits, static shapes never meet one another: ODE's space does
+    // false: by their category and collide bits, static shapes never collide with one another: ODE's space does
     // not report such pairs. true: it does, and the near callback drops them, which moves nothing
     // otherwise but takes the time that a program without such bits takes.
     bool staticMeetsStatic = false;
 
-    // Static shapes that the world shall have; the obstacles of the file are repeated around it until
+    // Number of static shapes that the world should have; the obstacles of the file are repeated around it until
     // it does (description/repeat_obstacles.h). 0: as many as the file has.
     std::size_t staticShapes = 0;
 
-    // Where model:// URIs and relative file names are looked for, besides the folder of the file that
+    // Folders in which model:// URIs and relative file names are searched, besides the folder of the file that
     // names them, its subfolder models/ and the folders in SDF_PATH and GZ_SIM_RESOURCE_PATH.
     std::vector<std::string> modelFolders;
 };
@@ -33,7 +33,7 @@ struct LoadOptions {
 // Throws LoadError. dInitODE2 is the caller's job.
 std::unique_ptr<SdfScene> loadWorld(const std::string &file, const LoadOptions &options = {});
 
-// The same for a world in memory; `name` stands for the file in messages and for relative names.
+// The same for a world in memory; `name` replaces the file in messages and for relative names.
 std::unique_ptr<SdfScene> loadWorldText(const std::string &sdf, const std::string &name,
                                         const LoadOptions &options = {});
 

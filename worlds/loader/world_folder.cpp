@@ -14,7 +14,7 @@ namespace worlds {
 
 std::string worldFolder() {
     if (const char *chosen = secure_getenv("ODE_MT_WORLDS"); chosen && *chosen) return chosen;
-    std::error_code none;  // what cannot be looked at is not there
+    std::error_code none;  // a path that cannot be examined does not exist
     if (fs::is_directory(ODE_MT_WORLDS_SOURCE_DIR, none)) return ODE_MT_WORLDS_SOURCE_DIR;
     return ODE_MT_WORLDS_INSTALL_DIR;
 }

@@ -1,4 +1,4 @@
-// N solids dropped on one another, convex polyhedra and cylinders by turns: ODE hands all pairs of them to
+// N solids dropped on one another, convex polyhedra and cylinders alternately: ODE gives all pairs of them to
 // libccd. Sizes and poses are random: where faces or edges of two solids are exactly parallel, libccd may
 // find no direction to part them in, and the contact gets a normal of length zero.
 #include "scenes/catalogue.h"

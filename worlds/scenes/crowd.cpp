@@ -60,7 +60,7 @@ private:
         dBodyDestroy(m_inventory.bodies[bodyAt(place)]);
     }
 
-    // What was added last stands where what has gone stood.
+    // The box added last is at the position of the one removed.
     template <class Objects>
     static void takeItsPlace(Objects &objects, std::size_t gone) {
         objects[gone] = objects.back();

@@ -1,8 +1,8 @@
 // Random numbers for scenes: SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom
 // number generators", OOPSLA 2014).
 //
-// Not dRand: its seed is part of the state that the library's own steps use. Not the distributions
-// of <random>: the standard leaves their results to each implementation.
+// It is not dRand, whose seed is part of the state that the library's own steps use, and does not use the distributions
+// of <random>, whose results depend on the implementation.
 #pragma once
 
 #include <ode/ode.h>

@@ -97,7 +97,7 @@ private:
     }
 
     // Torques in N·m. ODE's angle is that of the first body seen from the second, hence the sign
-    // of the axis: a positive angle turns the second body, the outer one, about `axis`.
+    // of the axis: a positive angle rotates the second body, the outer one, about `axis`.
     void hinge(dBodyID inner, dBodyID outer, const Vector3 &anchor, const Vector3 &axis, dReal torque,
                dReal amplitude, dReal phase) {
         const dJointID joint = addHinge(outer, inner, anchor, axis);

@@ -1,6 +1,6 @@
-// N rays of range finders that flying robots carry over 5000 things that stand on the ground. In every frame
-// each ray is moved and cast at the whole space; what it meets first is a reading of the scene, so that a
-// wrong hit shows in the state. The step is small: few bodies, which seldom meet.
+// N rays of range finders that flying robots carry over 5000 objects on the ground. In every frame
+// each ray is moved and cast at the whole space; its first hit is a reading of the scene, so that a
+// wrong hit changes the state. The step is small: few bodies, which seldom collide.
 #include "scenes/catalogue.h"
 #include "scenes/generator.h"
 #include "scenes/world_scene.h"
@@ -13,8 +13,8 @@ namespace scenes {
 
 namespace {
 
-constexpr int kThings = 5000;  // that stand still
-constexpr dReal kField = 70;   // m, side of the square that they stand on
+constexpr int kThings = 5000;  // that do not move
+constexpr dReal kField = 70;   // m, side of the square on which they are
 constexpr dReal kRange = 8;    // m, of a ray
 constexpr int kRaysOfASensor = 100;
 constexpr int kLayers = 5;                                  // of rays, from level to steeply down
@@ -131,7 +131,7 @@ private:
         if (m_observer) m_observer->note("distance that a ray measured", cast.nearest.depth);
     }
 
-    // Of two hits at the same distance the first counts: the order of pairs shows, too.
+    // Of two hits at the same distance the first counts, so the result depends on the order of pairs, too.
     static void meet(void *data, dGeomID o1, dGeomID o2) {
         Cast &cast = *static_cast<Cast *>(data);
         if (cast.observer) cast.observer->nearPair(o1, o2);

@@ -26,7 +26,7 @@ namespace scenes {
 
 enum class Stepper { World, Quick };
 
-// What a scene tells whoever watches it. The exactness recorder hashes these events in the order
+// The events that a scene reports to an observer. The exactness recorder hashes these events in the order
 // in which they come; the bench leaves them unobserved.
 class Observer {
 public:

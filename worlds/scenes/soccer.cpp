@@ -34,7 +34,7 @@ public:
         }
     }
 
-    // A player drives on or turns on the spot. All draw a new command at the same step.
+    // A player drives straight on or turns on the spot. All draw a new command at the same step.
     void control() override {
         if (m_step++ % kStepsPerCommand != 0) return;
         for (const Axles &axles : m_robots) {

@@ -1,6 +1,6 @@
 // N boxes, balls, capsules and cylinders of everyday sizes on hilly ground, two layers of them dropped: some
 // lie where they fell, some on one another, some roll down into the valleys. The ground is one geom that all
-// of them meet: a triangle mesh, or a height field of the same shape.
+// of them collide: a triangle mesh, or a height field of the same shape.
 #include "scenes/catalogue.h"
 #include "scenes/random_rotation.h"
 #include "scenes/terrain.h"

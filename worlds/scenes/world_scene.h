@@ -1,7 +1,7 @@
 // A scene of one world, one root space and one group of contact joints: what most scenes are.
 //
 // SI units, z up, gravity 9.81 m/s². A scene derives from it, builds its bodies in its constructor
-// with the add functions and drives them in control(). Everything that is added stands in the
+// with the add functions and drives them in control(). Everything that is added is in the
 // inventory. Static geoms carry category bits that keep them from being tested with one another.
 #pragma once
 
@@ -68,7 +68,7 @@ public:
 protected:
     WorldScene(const SceneOptions &options, dReal stepSize);
 
-    // Of every contact of the pair. The default is m_surface.
+    // Returns the surface of every contact of the pair. The default is m_surface.
     virtual dSurfaceParameters surface(dGeomID, dGeomID) const { return m_surface; }
 
     dSurfaceParameters m_surface{};  // Coulomb pyramid with friction 0.8, slightly soft

@@ -7,7 +7,7 @@ namespace scenes {
 
 namespace {
 
-// By the shortest way, so that a body whose axis is z stays as it is. (dRFromZAxis turns it about z;
+// Rotates by the smallest angle, so that a body whose axis is z is unchanged. (dRFromZAxis rotates it about z;
 // a universal joint on it may then start with parallel axes, which ODE complains of.)
 void turnZTo(dBodyID body, const Vector3 &axis) {
     dMatrix3 rotation;

@@ -149,7 +149,7 @@ void addBoxFunctions(Catalogue &catalogue) {
         int frames = 12;
     } doings[] = {{Doing::Cleans, "clean", "has its space cleaned"},
                   {Doing::Collides, "collide", "collides its space"},
-                  {Doing::Asks, "ask", "asks its space"},
+                  {Doing::Asks, "ask", "queries its space"},
                   {Doing::Grows, "grow", "makes geoms of its space larger, which is refused when it is done", 45},
                   {Doing::Throws, "throw", "throws"},
                   {Doing::Jumps, "jump", "jumps out of the call"}};

@@ -120,7 +120,7 @@ void addLeavingHeights(Catalogue &catalogue) {
         const char *name, *meaning;
     } ways[] = {{Leaving::throws, "throw", "throws"},
                 {Leaving::jumps, "jump", "jumps out of the call"},
-                {Leaving::asks, "ask", "asks the geom's space"}};
+                {Leaving::asks, "ask", "queries the geom's space"}};
     for (const auto &way : ways)
         for (const SpaceKind kind : allSpaceKinds)
             catalogue.push_back(collisionScenario(std::string("leaving_heights/") + way.name + "_in_" + nameOf(kind),

@@ -1,5 +1,5 @@
 // libFuzzer makes inputs (input.h) and keeps those that reach new code of ode_mt/. Each is played on the library that is linked
-// to this program, in a fork of it, and on Debian's, by odemt_fuzz_player. A script that differs is made small and told; then the
+// to this program, in a fork of it, and on Debian's, by odemt_fuzz_player. A script that differs is minimised and reported; then the
 // program ends by an abort, so that libFuzzer keeps the input, too.
 //
 //   odemt_fuzz_coverage -max_total_time=600 --keep=found corpus
@@ -46,7 +46,7 @@ public:
             throw std::runtime_error("libode.so.8 is loaded beside the library under test");
     }
 
-    // Returns whether the libraries agree; if not, tells on standard error what differs.
+    // Returns whether the libraries agree; if not, prints the difference to standard error.
     bool agree(const std::uint8_t *bytes, std::size_t count) {
         const Input input = inputOf(bytes, count);
         if (m_comparison.compare(input.request, input.script) != Verdict::different) return true;

@@ -1,4 +1,4 @@
-// Draws from seed after seed for some time, and tells what came of it.
+// Draws from one seed after another for some time, and reports the results.
 #pragma once
 
 #include <cstdint>

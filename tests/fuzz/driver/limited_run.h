@@ -14,9 +14,9 @@ struct Limits {
 };
 
 struct Ending {
-    int status = 0;  // as waitpid tells it
+    int status = 0;  // as waitpid returns it
     bool ranOutOfTime = false, ranOutOfMemory = false, leftProcesses = false;
-    std::size_t peakMemory = 0;  // bytes, as far as the system tells
+    std::size_t peakMemory = 0;  // bytes, if the system reports them
     double cpuSeconds = 0;
     std::string output, errors;  // of the two standard files
 

@@ -11,7 +11,7 @@ std::string whatIsNoPlainLine(const std::string &text);
 // The same for a text of several lines.
 std::string whatIsNoPlainText(const std::string &text);
 
-// Names of the inside that tell the user nothing: of files in memory, of functions of the standard library.
+// Internal names that mean nothing to the user: of files in memory, of functions of the standard library.
 // Empty when there is none.
 std::string innerNameIn(const std::string &text);
 

@@ -29,7 +29,7 @@ using Environment = std::map<std::string, std::string>;
 
 struct Run {
     Ending ending;
-    json ready, batch;  // as odemt_bench_child tells them
+    json ready, batch;  // as odemt_bench_child sends them
 
     bool isWhole() const {
         return ending.exited() && ending.exitCode() == 0 && ready.is_object() && batch.is_object();

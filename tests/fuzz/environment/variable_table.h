@@ -11,7 +11,7 @@ struct Variable {
     std::string name;
     std::vector<std::string> words;  // that it takes: "auto", "serial" ...
     bool takesNumber = false, takesList = false;
-    std::optional<long long> least, most;  // of the number, where the table tells them
+    std::optional<long long> least, most;  // of the number, where the table has them
     std::string standard;                  // what is taken when it is unset: the first word of the column
 };
 
@@ -26,7 +26,7 @@ enum class Understanding {
     Understood,
     OutOfRange,     // reported, and the nearest number taken
     NotUnderstood,  // reported, and the standard taken
-    Untold          // README does not tell
+    Untold          // README does not say
 };
 
 struct Meaning {

@@ -25,7 +25,7 @@ std::string wrongText(const std::string &message) {
     return {};
 }
 
-// The whole file is meant only if there is no element to name: text that is no XML, or not of a kind that is read, is told
+// A message may refer to the whole file only if there is no element to name: text that is no XML, or of an unsupported kind, is reported
 // by its line.
 bool mayHaveNoPath(const Loading &loading) {
     static const std::regex byLine("^(not well-formed XML, )?line [0-9]+: ");

@@ -1,4 +1,4 @@
-// Drives motors of a model, frame by frame. Open loop: it looks at nothing but joint positions.
+// Drives motors of a model, frame by frame. Open loop: it reads only joint positions.
 #pragma once
 
 namespace worlds {

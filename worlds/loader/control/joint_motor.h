@@ -9,10 +9,10 @@ namespace worlds {
 class JointMotor {
 public:
     // The axis's <effort> and <velocity> bound force and speed. Once a motor is used, its force limit
-    // stands in place of the axis's <friction>.
+    // replaces the axis's <friction>.
     JointMotor(JointAxisHandle axis, const JointAxis &description);
 
-    // rad/s or m/s, cut to the motor's largest speed. A motor that shall move wakes its bodies.
+    // rad/s or m/s, clamped to the motor's largest speed. A motor that should move enables its bodies.
     void setSpeed(double speed);
 
     double position() const { return m_axis.position(); }  // rad or m, 0 at the start

@@ -4,7 +4,7 @@
 //     <joints>left right</joints>              whose speeds the phases give, in this order
 //     <phase duration="0.5">0 0</phase>        s; rad/s or m/s
 //     <repeat count="3"> … </repeat>           phases and repeats, so many times
-//     <repeat> … </repeat>                     without count: for ever, so it comes last
+//     <repeat> … </repeat>                     without count: endless, so it comes last
 //   </plugin>
 //
 // Durations are rounded to whole steps. After the last phase its speeds stay.
@@ -31,7 +31,7 @@ private:
 
     std::vector<JointMotor> m_motors;
     std::vector<Phase> m_phases;
-    std::size_t m_loopStart = 0;  // the phases from here on are repeated for ever,
+    std::size_t m_loopStart = 0;  // the phases from here on are repeated endlessly,
     bool m_loops = false;         // if this is set
     std::size_t m_current = 0;
     long m_loopedFrames = 0;  // frames of the rounds that are over

@@ -1,4 +1,4 @@
-// A link: a body with its collision shapes, or shapes that stand still.
+// A link: a body with its collision shapes, or shapes that do not move.
 #pragma once
 
 #include "loader/description/shape.h"

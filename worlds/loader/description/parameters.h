@@ -43,7 +43,7 @@ struct Parameters {
 
     // The number in a child's text; `otherwise` when there is no such child.
     double childNumber(const std::string &childName, double otherwise) const;
-    // The same where infinite stands for "no limit".
+    // The same, where infinite means "no limit".
     double childLimit(const std::string &childName, double otherwise) const;
 
     [[noreturn]] void fail(const std::string &what) const;

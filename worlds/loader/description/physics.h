@@ -1,4 +1,4 @@
-// Parameters of the world as a whole. Where SDF has a default it stands here.
+// Parameters of the world as a whole. SDF's defaults are the initial values here.
 #pragma once
 
 #include "loader/description/surface.h"

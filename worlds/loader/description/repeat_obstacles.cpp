@@ -25,7 +25,7 @@ struct Rectangle {  // along x and y
     }
 };
 
-// Half the sides of the box around a shape; none for shapes without end and for surfaces of triangles.
+// Half the sides of the box around a shape; none for infinite shapes and for surfaces of triangles.
 std::optional<Vector3d> halfSize(const Shape &shape) {
     if (const Box *box = std::get_if<Box>(&shape)) return box->size / 2;
     if (const Sphere *sphere = std::get_if<Sphere>(&shape))

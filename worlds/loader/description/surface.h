@@ -18,7 +18,7 @@ struct Surface {
     // Unset: the world's ERP and CFM hold for the contact.
     std::optional<double> softErp, softCfm;
 
-    // Two shapes may touch when one's category meets the other's collide mask.
+    // Two shapes may touch when one's category matches the other's collide mask.
     unsigned short category = 0xffff, collide = 0xffff;
 };
 

@@ -1,4 +1,4 @@
-// Everything the loader takes from an SDF file, resolved to world coordinates: what stands between
+// Everything the loader takes from an SDF file, resolved to world coordinates: the data between
 // reading (read/, libsdformat) and building (scene/, ODE).
 #pragma once
 

@@ -30,7 +30,7 @@ const std::map<std::string, int> &transforms() {
     return numbers;
 }
 
-// What may stand in a node and shows no triangles.
+// Elements of a node that contain no triangles.
 bool isLeftOut(const std::string &kind) {
     static const std::set<std::string> kinds = {"asset", "extra", "instance_camera", "instance_light"};
     return kinds.count(kind) > 0;

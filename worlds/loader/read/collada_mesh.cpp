@@ -14,7 +14,7 @@ namespace {
 
 using tinyxml2::XMLElement;
 
-// Of sizes that add up and multiply without overflow.
+// The largest count whose sums and products do not overflow.
 constexpr std::int64_t largestCount = 1 << 30;
 
 [[noreturn]] void fail(const XMLElement &element, const std::string &what) {
@@ -155,7 +155,7 @@ private:
                 fail(m_element, "has one of " + std::to_string(corners.size()) + " corners");
             if (kind == "polygons") polygon(corners, 0, corners.size());
             if (kind == "polygons") continue;
-            for (std::size_t i = 2; i < corners.size(); ++i) {  // those of a strip turn round in turns
+            for (std::size_t i = 2; i < corners.size(); ++i) {  // the orientation alternates in a strip
                 const std::size_t first = kind == "trifans" ? 0 : i - 2;
                 const bool isTurned = kind == "tristrips" && i % 2 == 1;
                 triangle(corners[isTurned ? i - 1 : first], corners[isTurned ? first : i - 1], corners[i]);

@@ -1,4 +1,4 @@
-// The polygons of a COLLADA <mesh>, with every number and reference looked at: Assimp follows them blindly.
+// The polygons of a COLLADA <mesh>, with every number and reference checked: Assimp does not check them.
 #pragma once
 
 #include <tinyxml2.h>
@@ -16,7 +16,7 @@ struct ColladaMesh {
     std::vector<std::uint32_t> corners;  // of all of them, as numbers of vertices
 };
 
-// Points and lines are left out. Throws MeshFault.
+// Points and lines are skipped. Throws MeshFault.
 ColladaMesh readColladaMesh(const tinyxml2::XMLElement &mesh);
 
 // For readers of COLLADA. All of them throw MeshFault.

@@ -1,4 +1,4 @@
-// Walks a document as libsdformat understood it, old versions converted: names what is not supported
+// Traverses a document as libsdformat parsed it, old versions converted: names what is not supported
 // and checks numbers that a conversion has made. source_check.h has checked what was written.
 #pragma once
 

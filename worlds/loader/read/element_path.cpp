@@ -32,7 +32,7 @@ std::string shownName(const std::string &type, const char *name) {
     return name && isShownByName(type) ? type + "[" + name + "]" : type;
 }
 
-// By hand: std::regex calls itself for every character, and a long name ends the stack.
+// No std::regex is used: it recurses for every character, and a long name overflows the stack.
 std::string shortPath(const std::string &xmlPath) {
     static const std::string open = "[@name=\"", close = "\"]";
     std::string path;

@@ -9,7 +9,7 @@
 
 namespace worlds {
 
-// Where an element stands: in the file of the nearest include around it, or in `worldFile`.
+// The place of an element: in the file of the nearest include around it, or in `worldFile`.
 Place placeOf(const sdf::ElementPtr &element, const std::string &worldFile);
 
 // "model[m]" for an element of type "model" named "m"; null: no name.
@@ -18,7 +18,7 @@ std::string shownName(const std::string &type, const char *name);
 // libsdformat's own way to write a path, /sdf/world[@name="w"]/model[@name="m"], in ours.
 std::string shortPath(const std::string &xmlPath);
 
-// An element and what was written inside it; defaults that libsdformat added are left out.
+// An element and what was written inside it; defaults that libsdformat added are excluded.
 Parameters toParameters(const sdf::ElementPtr &element, const std::string &worldFile);
 
 // Calls `visit(child)` for every child that was written in the file.

@@ -17,7 +17,7 @@ enum class Use {
 
 enum class Type {
     Group,    // holds elements and no text
-    Any,      // not looked at: of what is left aside or compared with a default
+    Any,      // not checked: of elements that are ignored or compared with a default
     Text,     // a name or URI
     Choice,   // one of `choices`
     Flag,     // true, false, 1 or 0
@@ -59,7 +59,7 @@ struct NamedRule {
     std::string path;
     ElementRule rule;
 };
-// In the order of the documentation.
+// Returns the rules in the order of the documentation.
 const std::vector<NamedRule> &elementRules();
 
 // Where the elements inside `path` are looked up: "link" for "model/link", else `path` itself.

@@ -9,7 +9,7 @@
 
 namespace worlds {
 
-// Of the document whose <sdf> element is `root`, loading which gave `message`: the element that gives the
+// Returns, for the document with the <sdf> element `root`, whose loading gave `message`, the element that gives the
 // same message when it is loaded by itself, as far inside as one does. Of its parts, the first that bears or
 // refers to a name in the message.
 sdf::ElementPtr findFaultyElement(const sdf::ElementPtr &root, const std::string &message,

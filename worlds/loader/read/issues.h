@@ -9,7 +9,7 @@ class Issues {
 public:
     explicit Issues(const LoadOptions &options) : m_options(options) {}
 
-    // Throws, or takes note and returns when the user asked to go on.
+    // Throws, or records the issue and returns if the user asked to continue.
     void unsupported(const Place &place, const std::string &what = {}) const {
         const LoadError error(LoadError::Kind::Unsupported, place,
                               what.empty() ? "not supported" : what + ": not supported");

@@ -34,7 +34,7 @@ std::string checked(std::string text) {
     return text;
 }
 
-// By the end of the file's name. Assimp knows more formats, and trusts what is written in them.
+// Returns the formats by the suffix of the file's name. Assimp supports more formats, whose contents it does not check.
 const std::map<std::string, Prepare> &formats() {
     static const std::map<std::string, Prepare> all = {
         {".dae", [](std::string text) { return reduceCollada(text); }},
@@ -60,7 +60,7 @@ public:
     void Close(Assimp::IOStream *) override {}
 };
 
-// The importer of the one format: others would be chosen by what stands in the file.
+// The importer of the one format: Assimp would choose others by the file's contents.
 void keepImporter(Assimp::Importer &importer, const std::string &format) {
     for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
         Assimp::BaseImporter *const one = importer.GetImporter(i);

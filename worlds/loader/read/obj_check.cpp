@@ -27,7 +27,7 @@ public:
     }
 
 private:
-    // Behind the coordinates a weight or a colour may stand.
+    // The coordinates may be followed by a weight or a colour.
     void vertex(WordList words) {
         int count = 0;
         for (std::string_view word = words.next(); !word.empty(); word = words.next(), ++count)

@@ -27,7 +27,7 @@ std::uint64_t sizeOf(std::uint64_t columns, std::uint64_t rows, unsigned bitsPer
     return columns == 0 ? 0 : rows * (1 + (columns * bitsPerPixel + 7) / 8);
 }
 
-// By the header's contents, width to interlacing.
+// Returns the size that follows from the header, width to interlacing.
 std::uint64_t expectedSize(const std::string &header) {
     const std::uint64_t columns = bigEndian(header, 0), rows = bigEndian(header, 4);
     const unsigned depth = static_cast<unsigned char>(header[8]),
@@ -43,7 +43,7 @@ std::uint64_t expectedSize(const std::string &header) {
     return size;
 }
 
-// How many bytes `packed` holds; nothing when its end is missing, its checksum wrong, or more stands behind
+// How many bytes `packed` holds; nothing when its end is missing, its checksum wrong, or more follows
 // it.
 bool unpackedSize(const std::string &packed, std::uint64_t most, std::uint64_t &size) {
     z_stream stream{};

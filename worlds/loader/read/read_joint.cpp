@@ -46,10 +46,10 @@ unsigned axisCount(JointType type) {
     }
 }
 
-// SDF: negative stands for "no limit".
+// SDF: negative means "no limit".
 double limitOrNone(double value) { return value < 0 || value >= largestNumber ? infinity : value; }
 
-// ODE measures angles between -π and π: a single stop beyond that would be met from the wrong side.
+// ODE measures angles between -π and π: a single stop beyond that would be reached from the wrong side.
 void checkAngleLimits(const JointAxis &axis, const Place &place, const Reading &reading) {
     const bool unreachable = axis.lower < -IGN_PI && axis.upper > IGN_PI;
     const bool lowerTooFar = std::isfinite(axis.lower) && axis.lower < -IGN_PI;

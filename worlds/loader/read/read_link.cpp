@@ -10,7 +10,7 @@ namespace worlds {
 
 namespace {
 
-// Of a link: model and link may both say it, the link has the last word.
+// Returns a flag of a link: model and link may both have it, and the link's takes precedence.
 bool flag(const sdf::ElementPtr &element, const std::string &name, bool otherwise) {
     return element->HasElement(name) ? element->Get<bool>(name) : otherwise;
 }

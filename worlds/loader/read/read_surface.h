@@ -6,7 +6,7 @@
 
 namespace worlds {
 
-// What is not written stays as in `base`. The step size turns <kp> and <kd> into ERP and CFM.
+// What is not written stays as in `base`. The step size converts <kp> and <kd> to ERP and CFM.
 Surface readSurface(const Parameters &element, Surface base, double stepSize);
 
 }  // namespace worlds

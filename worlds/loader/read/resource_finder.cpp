@@ -25,7 +25,7 @@ void append(std::vector<std::string> &list, const std::vector<std::string> &more
 }
 
 bool isThere(const fs::path &path) {
-    std::error_code none;  // what cannot be looked at is not there
+    std::error_code none;  // a path that cannot be examined does not exist
     return fs::exists(path, none);
 }
 

@@ -8,7 +8,7 @@ namespace worlds {
 
 class ResourceFinder {
 public:
-    // `worldFile` may be a name that stands for text; its folder is then the current one.
+    // `worldFile` may be a name of a text in memory; its folder is then the current one.
     ResourceFinder(const std::string &worldFile, const std::vector<std::string> &modelFolders);
 
     // model://m/mesh.stl, file:///a/b, /a/b or a name relative to the folder of `namedIn`. Empty when

@@ -36,7 +36,7 @@ Place placeOf(const XMLElement &element, const Place &outer) {
     return {outer.file, outer.path + "/" + shownName(element.Name(), name)};
 }
 
-// From version 1.8 on "::" parts the names of nested elements, and may not be within one.
+// From version 1.8 on "::" separates the names of nested elements, and may not be within one.
 bool partsNames(const XMLElement &sdf) {
     const char *version = sdf.Attribute("version");
     return version && std::string(version) >= "1.8";
@@ -142,7 +142,7 @@ private:
         });
     }
 
-    // An attribute decides whether it may be left aside: element_check.h looks at it.
+    // An attribute decides whether it may be ignored: element_check.h checks it.
     static bool isSelected(const std::string &path) {
         return std::any_of(attributeRules().begin(), attributeRules().end(),
                            [&](const AttributeRule &rule) { return rule.path == path; });
@@ -170,7 +170,7 @@ private:
         check("degrees", "true false 1 0", " is neither true nor false");
     }
 
-    // Of elements whose reader knows what is inside: either is meant, never both.
+    // Requires either text or elements in an element that may have both.
     static void textOrElements(XMLElement &outer, const Place &place) {
         if (outer.FirstChildElement() && !isBlank(textOf(outer))) fail(place, "holds text beside elements");
         for (XMLElement *child = outer.FirstChildElement(); child;
@@ -202,7 +202,7 @@ private:
     const OnInclude &m_onInclude;
 };
 
-// libsdformat looks at no others of the <model> of an included file. Those with a colon are of other namespaces.
+// libsdformat reads no others of the <model> of an included file. Those with a colon are of other namespaces.
 void checkModelAttributes(const XMLElement &model, const Place &place) {
     static const std::set<std::string> known = {"name", "canonical_link", "placement_frame"};
     for (const tinyxml2::XMLAttribute *at = model.FirstAttribute(); at; at = at->Next())

@@ -18,11 +18,11 @@ using OnInclude = std::function<std::string(tinyxml2::XMLElement &include, const
 // XML, not SDF, or SDF of an unknown version.
 tinyxml2::XMLElement &parseSdf(const std::string &text, const std::string &file, tinyxml2::XMLDocument &xml);
 
-// Both check what is inside an element that stands at a place, and take out what is left aside:
+// Both check the contents of an element at a place, and remove what is ignored:
 // libsdformat would stumble over its faults. They throw LoadError.
 void checkSource(tinyxml2::XMLElement &root, const Place &place, const OnInclude &onInclude);
 
-// The <model> of an included file, whose <include> stands in `outer` and may give it a name.
+// The <model> of an included file, whose <include> is in `outer` and may give it a name.
 void checkIncludedModel(tinyxml2::XMLElement &model, const Place &outer, const std::string &givenName,
                         const OnInclude &onInclude);
 

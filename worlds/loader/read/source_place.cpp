@@ -57,7 +57,7 @@ std::string includedPath(const std::string &path, const std::string &outerPath,
     const std::string root = "/sdf/";
     if (path.compare(0, root.size(), root) != 0) return outerPath;
     std::string inside = path.substr(root.size());
-    const std::size_t end = inside.find('/');  // a name with a slash is cut, and the place still understood
+    const std::size_t end = inside.find('/');  // a name with a slash is truncated, and the place is still recognised
     if (!givenName.empty())
         inside = shownName("model", givenName.c_str()) + (end == std::string::npos ? "" : inside.substr(end));
     return outerPath + "/" + inside;

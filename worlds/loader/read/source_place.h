@@ -13,11 +13,11 @@ std::string pathOfLine(const std::string &text, int line);
 // when there is none.
 std::string pathOfName(const std::string &text, const std::string &name);
 
-// A path in an included file, "/sdf/model[m]/link", as one in the world: what stands around the <include>
+// A path in an included file, "/sdf/model[m]/link", as one in the world: the path around the <include>
 // comes first, and the model has the name that it was given, if any.
 std::string includedPath(const std::string &path, const std::string &outerPath, const std::string &givenName);
 
-// The names in a message of libsdformat's, which stand in [brackets] or after "named"; nested names
+// The names in a message of libsdformat's, which are in [brackets] or after "named"; nested names
 // ("a::b") are followed by their last part. Reserved ones ("__model__") come last.
 std::vector<std::string> namesIn(const std::string &message);
 

@@ -22,7 +22,7 @@ using tinyxml2::XMLElement;
 constexpr std::size_t deepestInclude = 50;
 constexpr std::size_t mostModels = 20000;  // libsdformat takes about 50 kB for each
 
-// Every element in a line of its own: a line tells which one is meant.
+// Every element is in a line of its own, so a line identifies the element.
 std::string print(const tinyxml2::XMLDocument &xml) {
     tinyxml2::XMLPrinter printer;
     xml.Print(&printer);
@@ -95,7 +95,7 @@ Place SourceTree::placeNamedIn(const std::string &message) const {
     return {m_world.file, "/sdf/world"};
 }
 
-// Makes <uri> name what libsdformat shall open. Returns the model's name.
+// Makes <uri> name what libsdformat should open. Returns the model's name.
 std::string SourceTree::include(XMLElement &element, const Place &place, const std::string &file,
                                 std::size_t &modelCount) {
     XMLElement *uri = element.FirstChildElement("uri");

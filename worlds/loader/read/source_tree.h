@@ -1,5 +1,5 @@
 // A world's file and all files that it includes, checked as they were written and made ready for
-// libsdformat, which by itself looks for included files in the working folder first and drops an
+// libsdformat, which by itself searches included files in the working folder first and drops an
 // <include> within an included model that it cannot find.
 #pragma once
 
@@ -26,10 +26,10 @@ public:
     // The world's text; every <include> names a file that can be opened, for as long as this object lives.
     const std::string &text() const { return m_world.text; }
 
-    // The file that the user knows, for one that libsdformat opened; any other name stands for itself.
+    // The file that the user knows, for one that libsdformat opened; any other name is returned unchanged.
     const std::string &nameOf(const std::string &opened) const;
 
-    // Where a line of what libsdformat opened stands in what the user wrote. Lines are those of text().
+    // Maps a line of what libsdformat opened to the user's file. Lines are those of text().
     // The path is empty for lines below 1.
     Place placeOf(const std::string &openedOrFile, int line) const;
 

@@ -84,7 +84,7 @@ std::string whyNotWellFormed(const std::string &text) {
 
 // Children of an element, one text where several follow one another.
 void joinTexts(tinyxml2::XMLElement &element) {
-    tinyxml2::XMLText *text = nullptr;  // that goes on
+    tinyxml2::XMLText *text = nullptr;  // that continues
     bool isParted = false;              // by a comment
     for (tinyxml2::XMLNode *node = element.FirstChild(), *next = nullptr; node; node = next) {
         next = node->NextSibling();

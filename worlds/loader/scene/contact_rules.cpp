@@ -10,9 +10,9 @@ namespace {
 
 using ignition::math::Vector3d;
 
-// SDF lets two shapes touch when the category of one meets the collide mask of the other, ODE too.
+// SDF lets two shapes touch when the category of one matches the collide mask of the other, and so does ODE.
 // Masks have 16 bits; the 16 above them let static geoms keep that rule against moving ones while
-// they have no collide bits to meet one another with.
+// they have no collide bits that match one another.
 constexpr int upperMask = 16;
 
 void setBits(dGeomID geom, const Surface &surface, bool isStatic, bool meetsStatic) {

@@ -8,7 +8,7 @@ using ignition::math::Pose3d;
 using ignition::math::Quaterniond;
 using ignition::math::Vector3d;
 
-// ODE's height fields lie in x and z with y up. This turns y to z, and z to -y: ODE's first row is
+// ODE's height fields lie in x and z with y up. This rotates y to z, and z to -y: ODE's first row is
 // then the one at the largest y, as the description has it.
 const Quaterniond yUpToZUp(IGN_PI / 2, 0, 0);
 

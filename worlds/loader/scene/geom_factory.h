@@ -12,7 +12,7 @@ namespace worlds {
 
 class GeomFactory {
 public:
-    // A geom that stands still, of a link at `linkPose` in the world.
+    // Makes a geom that does not move, of a link at `linkPose` in the world.
     dGeomID createStatic(dSpaceID space, const Collision &collision, const ignition::math::Pose3d &linkPose);
 
     // A geom that moves with a body, whose origin is the link's centre of mass.

@@ -1,7 +1,7 @@
 // One axis of an ODE joint, whatever the type of the joint.
 //
 // Everything counts in SDF's sense: positive is the motion of the child against the parent along the
-// axis. ode_joint.cpp attaches and turns ODE's axes so that this holds.
+// axis. ode_joint.cpp attaches and orients ODE's axes so that this holds.
 #pragma once
 
 #include <ode/ode.h>

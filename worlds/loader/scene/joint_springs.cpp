@@ -30,7 +30,7 @@ void JointSprings::add(dJointID joint, const Joint &description) {
     for (std::size_t i = 0; i < description.axes.size(); ++i) {
         const JointAxis &axis = description.axes[i];
         if (axis.damping == 0 && axis.springStiffness == 0) continue;
-        // More than this would turn the motion round within one step, and blow up.
+        // More than this would reverse the motion within one step, and be unstable.
         const double total = compliance(dJointGetBody(joint, 0), axis, linear) +
                              compliance(dJointGetBody(joint, 1), axis, linear);
         const double damping = std::min(axis.damping, 1 / (m_stepSize * total));

@@ -103,7 +103,7 @@ dJointID create(dWorldID world, const Joint &source, dBodyID parent, dBodyID chi
 void setAxis(const JointAxisHandle &handle, const Joint &joint, const JointAxis &axis) {
     handle.set(dParamLoStop, toReal(axis.lower));
     handle.set(dParamHiStop, toReal(axis.upper));
-    if (axis.friction > 0) {  // a motor that wants to stand still and is not stronger than the friction
+    if (axis.friction > 0) {  // a motor of velocity zero whose force is limited to the friction
         handle.set(dParamVel, 0);
         handle.set(dParamFMax, toReal(axis.friction));
     }
@@ -114,7 +114,7 @@ void setAxis(const JointAxisHandle &handle, const Joint &joint, const JointAxis 
     if (joint.fudgeFactor) handle.set(dParamFudgeFactor, toReal(*joint.fudgeFactor));
 }
 
-// Of joints without a free axis.
+// Sets the softness of joints without a free axis.
 void setSoftness(dJointID joint, const Joint &source) {
     const auto set = source.type == JointType::Ball ? dJointSetBallParam : dJointSetFixedParam;
     if (source.cfm) set(joint, dParamCFM, toReal(*source.cfm));

@@ -22,7 +22,7 @@ public:
     void step() override;
     void finish() override;
 
-    // In the order of the inventory: "model::link", "model::joint", "model::link::collision".
+    // Return names in the order of the inventory: "model::link", "model::joint", "model::link::collision".
     const std::vector<std::string> &bodyNames() const { return m_bodyNames; }
     const std::vector<std::string> &jointNames() const { return m_jointNames; }
     const std::vector<std::string> &geomNames() const { return m_geomNames; }
