@@ -104,13 +104,13 @@ def table(head, lines):
     return ['| ' + ' | '.join(head) + ' |', '|' + '---|' * len(head)] + ['| ' + ' | '.join(line) + ' |' for line in lines]
 
 
-INTRODUCTION = '''# What is kept from call to call, and who tells it of changes
+INTRODUCTION = '''# What is kept from call to call, and how it is notified of changes
 
 ODE computes nearly everything anew in each call. This library keeps results from one call to the next: pairs of a space,
 boxes, ranks, contacts of callbacks that are still to come. What is kept depends on *facts*, such as where a geom is, and
-nearly every function of ODE's may change a fact. A result whose fact changed without its hearing of it is wrong for ever.
+nearly every function of ODE's may change a fact. A result whose fact changed without a notification is wrong from then on.
 So each fact is listed here with the functions that change it, and each piece of kept state with the facts it depends on,
-who tells it, and the tests that show it. If you add a function or keep something new, add its row.
+what notifies it, and the tests that verify it. If you add a function or keep something new, add its row.
 
 This file is written by `tests/kept_state/write_table.py` from `tests/kept_state/table/`; the test `kept_state.table` fails
 if a function that Debian's library exports is missing or listed twice, if a row has no test, if a test does not exist,
@@ -119,8 +119,8 @@ or if this file is not up to date.
 *Call test* is `kept_state.every_call`: it calls every exported function on live objects, between frames, between collision
 and step, twice, undone, before the end, and in every kind of code that a program gives to ODE (callbacks, functions of
 classes, handlers, allocators, a thread's end), where upstream survives it, in spaces of all kinds. It compares the three
-frames that follow with Debian's library (serial, two threads, clusters). `every_call --show CASE` prints what a case saw,
-on whatever library the loader finds.
+frames that follow with Debian's library (serial, two threads, clusters). `every_call --show CASE` prints the results of a
+case on the library that the loader finds.
 '''
 
 
@@ -138,10 +138,10 @@ def document(functions, headers, facts, states, told, user_code):
     lines += ['## Kept state, and the facts it depends on', '']
     for state, where, meaning in states:
         lines += [f'### {state}', '', f'{meaning[0].upper() + meaning[1:]} (`{where}`).', '']
-        lines += table(['fact', 'who tells it', 'tests'],
+        lines += table(['fact', 'notified by', 'tests'],
                        [[row[1], row[2], ', '.join(shown(test) for test in row[3].split())] for row in told if row[0] == state])
         lines += ['']
-    lines += ['## Where code of the user\'s runs', '', 'What is held while it runs, and what happens if it calls an exported '
+    lines += ['## Where the user\'s code runs', '', 'What is held while it runs, and what happens if it calls an exported '
               'function, leaves by an exception or a jump, or ends its thread or the process.', '']
     lines += table(['code', 'held', 'calls a function', 'throws, jumps', 'ends thread or process', 'tests'],
                    [row[:5] + [', '.join(shown(test) for test in row[5].split())] for row in user_code])
