@@ -124,7 +124,7 @@ void addOptions(CLI::App &app, Words &words, Options &options) {
     app.add_flag("--ignore-unsupported", options.child.ignoreUnsupported,
                  "leave out elements of an SDF world that the loader does not know");
     app.add_flag("--time-callbacks", options.child.timeCallbacks,
-                 "time near-callbacks apart; what reading the clock takes is left out");
+                 "time near-callbacks separately; the time of reading the clock is subtracted");
     app.add_flag("--list", options.list, "list worlds, scenes and modifiers");
 }
 

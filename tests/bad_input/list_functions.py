@@ -3,7 +3,7 @@
 
     list_functions.py OUTPUT HEADER...
 
-So none is forgotten, whoever declares one. Those of a variable number of arguments are left out: they report what they are
+So none is forgotten. Those with a variable number of arguments are excluded: they report what they are
 told.
 """
 import pathlib

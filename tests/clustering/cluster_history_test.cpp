@@ -80,7 +80,7 @@ TEST_F(ClusterHistory, NamesAreNotGivenAgain) {
     const auto later = follow({{0}, {1}});
     EXPECT_EQ(later[0], names[0]);
     EXPECT_GT(later[1], names[1]);
-    EXPECT_TRUE(history.changes().empty()) << "nobody of the new cluster was in another";
+    EXPECT_TRUE(history.changes().empty()) << "no member of the new cluster was in another";
 }
 
 TEST_F(ClusterHistory, NewMembersDoNotChangeTheName) {

@@ -45,7 +45,7 @@ TEST(CrossoverCrowd, ClustersThatMeetInACellMergeInTheSameFrame) {
         EXPECT_EQ(world.clusterOf(world.walker).name, left);
         ClusteredSpace::moveTo(world.walker, dReal(-9.19), 0, 0);  // within its cells
         world.collide();
-        EXPECT_TRUE(world.clustered().history().changes().empty()) << pass << ": it is told once";
+        EXPECT_TRUE(world.clustered().history().changes().empty()) << pass << ": it is reported once";
     }
 }
 

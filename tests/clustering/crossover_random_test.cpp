@@ -187,7 +187,7 @@ TEST_P(CrossoverRandom, MembershipAndPairsAreThoseOfTheRules) {
     EXPECT_GT(seen.pairs, 20000u);
     EXPECT_GT(seen.merges, 300u);
     EXPECT_GE(seen.splits, pass() == "decluster" ? 1000u : 0u);
-    EXPECT_GT(seen.grids, kSeeds + 50) << "one each, and some placed anew";
+    EXPECT_GT(seen.grids, kSeeds + 50) << "one each, and some placed again";
     EXPECT_GT(seen.big, 1000u);
     EXPECT_GT(seen.outside, 1000u);
     EXPECT_GE(seen.listed, pass() == "original" ? 0u : 10000u);

@@ -156,7 +156,7 @@ TEST(CrossoverStatics, OtherPassesKeepTheFloorApart) {
         EXPECT_EQ(world.collide(), 2u);
         EXPECT_FALSE(world.isClustered(plane));
         EXPECT_FALSE(world.duplicates(robot, plane));
-        EXPECT_FALSE(world.oneTask(robot, other)) << "the floor joins nobody";
+        EXPECT_FALSE(world.oneTask(robot, other)) << "the floor joins no clusters";
     }
 }
 

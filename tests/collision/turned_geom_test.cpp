@@ -46,7 +46,7 @@ TEST(TurnedGeom, AJumpIsToldOfByTheNextWhoUsesASpace) {
     const Missed missed;
     static std::jmp_buf outside;
     if (setjmp(outside) == 0) dxTurnedGeom::whileTurned([]() -> int { std::longjmp(outside, 1); });
-    EXPECT_EQ(missed.count(), 0u) << "nobody can know yet";
+    EXPECT_EQ(missed.count(), 0u) << "no event has been reported yet";
     dxTurnedGeom::noticeLeft();
     dxTurnedGeom::noticeLeft();
     EXPECT_EQ(missed.count(), 1u);

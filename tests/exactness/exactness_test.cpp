@@ -86,9 +86,9 @@ private:
         const std::string &algorithm = m_player.setting->algorithm;
         if (algorithm == "auto" || algorithm == "serial") return "";
         const bool byTeam = m_scenario.team == "team";
-        if (!byTeam && engine.parallelSteps + engine.teamSteps == 0) return "no step was shared out";
+        if (!byTeam && engine.parallelSteps + engine.teamSteps == 0) return "no step ran in parallel";
         if (!m_player.setting->disturbed) return "";
-        if (byTeam && engine.teamSteps == 0) return "no team stepped the island";
+        if (byTeam && engine.teamSteps == 0) return "no two workers stepped the island";
         if (engine.mostWorkers < 2) return "no second worker stepped an island";
         // Clusters may be one.
         const bool shares =

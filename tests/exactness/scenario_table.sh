@@ -39,6 +39,6 @@ awk -v rows="$folder/rows" -v numbers="$scenarios scenarios ($runs with both ste
 if [ "${3:-}" = --write ]; then
     cp "$folder/document" "$document"
 elif ! diff -u "$document" "$folder/document"; then
-    echo "write it anew: $0 $program $document --write" >&2
+    echo "rewrite it: $0 $program $document --write" >&2
     exit 1
 fi

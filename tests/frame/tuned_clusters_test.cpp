@@ -161,7 +161,7 @@ TEST_P(TunedClusters, FindThePairsOfBruteForceThoughChecksAreLeftOut) {
             searches += tuned.searches();
         }
     EXPECT_GT(pairs, 1000u);
-    EXPECT_LT(checks, searches - searches / 4) << "hardly any check is left out";
+    EXPECT_LT(checks, searches - searches / 4) << "hardly any check is skipped";
 }
 
 // Both come half of the way, which is what the proof allows for, and a third stretches the grid.

@@ -14,7 +14,7 @@ Block blockOf(const std::string &line) {
     try {
         return nlohmann::json::parse(line).get<Block>();
     } catch (const nlohmann::json::exception &) {
-        throw std::runtime_error("a player ended, or told something else: '" + line + "'");
+        throw std::runtime_error("a player ended, or sent something else: '" + line + "'");
     }
 }
 

@@ -64,7 +64,7 @@ Block PlayerProcess::answer() {
             return block;
         }
         pollfd waiting{m_answers, POLLIN, 0};
-        if (poll(&waiting, 1, kLongestSilence) == 0) throw std::runtime_error("a player has told nothing for five minutes");
+        if (poll(&waiting, 1, kLongestSilence) == 0) throw std::runtime_error("a player has sent nothing for five minutes");
         char text[4096];
         const ssize_t length = read(m_answers, text, sizeof text);
         if (length <= 0) throw std::runtime_error("a player has ended in the middle of its work");
