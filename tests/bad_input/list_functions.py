@@ -4,7 +4,7 @@
     list_functions.py OUTPUT HEADER...
 
 So none is forgotten. Those with a variable number of arguments are excluded: they report what they are
-told.
+given.
 """
 import pathlib
 import re
@@ -13,7 +13,7 @@ import sys
 LEFT_OUT = {
     'dGeomTriMeshDataGet': 'is declared, and not defined',
     'dJointAddPUTorque': 'is declared, and not defined',
-    'dThreadingAllocateThreadPool': 'starts as many threads as it is told to',
+    'dThreadingAllocateThreadPool': 'starts as many threads as requested',
 }
 
 

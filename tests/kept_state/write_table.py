@@ -124,7 +124,7 @@ case on the library that the loader finds.
 '''
 
 
-def document(functions, headers, facts, states, told, user_code):
+def document(functions, headers, facts, states, notified, user_code):
     lines = [INTRODUCTION, '## Facts, and the functions that change them', '']
     meanings = {fact: meaning for fact, meaning in facts}
     for fact, meaning in facts:
@@ -139,7 +139,7 @@ def document(functions, headers, facts, states, told, user_code):
     for state, where, meaning in states:
         lines += [f'### {state}', '', f'{meaning[0].upper() + meaning[1:]} (`{where}`).', '']
         lines += table(['fact', 'notified by', 'tests'],
-                       [[row[1], row[2], ', '.join(shown(test) for test in row[3].split())] for row in told if row[0] == state])
+                       [[row[1], row[2], ', '.join(shown(test) for test in row[3].split())] for row in notified if row[0] == state])
         lines += ['']
     lines += ['## Where the user\'s code runs', '', 'What is held while it runs, and what happens if it calls an exported '
               'function, leaves by an exception or a jump, or ends its thread or the process.', '']
@@ -166,23 +166,23 @@ def main(library, header_folder, calls, scenarios, *options):
     functions = facts_of_functions(names, {fact for fact, _ in facts})
     tests = Tests(calls, scenarios)
     problems.extend(f'every_call does not call {name}' for name in sorted(names - tests.calls))
-    states, told, user_code = rows('states.txt'), rows('told.txt'), rows('user_code.txt')
+    states, notified, user_code = rows('states.txt'), rows('notified.txt'), rows('user_code.txt')
     for state, where, _ in states:
         if not os.path.exists(os.path.join(ROOT, where)):
             problems.append(f'states.txt: no file {where}')
-        if state not in {row[0] for row in told}:
-            problems.append(f'told.txt: nothing about "{state}"')
+        if state not in {row[0] for row in notified}:
+            problems.append(f'notified.txt: nothing about "{state}"')
     known = {fact for fact, _ in facts}
-    problems.extend(f'told.txt: fact "{fact}" reaches no state' for fact in sorted(known - {row[1] for row in told}))
-    for row in told:
+    problems.extend(f'notified.txt: fact "{fact}" reaches no state' for fact in sorted(known - {row[1] for row in notified}))
+    for row in notified:
         if row[0] not in {state for state, _, _ in states} or row[1] not in known:
-            problems.append(f'told.txt: "{row[0]}" or "{row[1]}" is unknown')
-        tests.check(f'told.txt: {row[0]}, {row[1]}', row[3].split())
+            problems.append(f'notified.txt: "{row[0]}" or "{row[1]}" is unknown')
+        tests.check(f'notified.txt: {row[0]}, {row[1]}', row[3].split())
     for row in user_code:
         if len(row) != 6:
             problems.append(f'user_code.txt: "{row[0]}" has {len(row)} cells')
         tests.check(f'user_code.txt: {row[0]}', row[-1].split())
-    text = '' if problems else document(functions, headers, facts, states, told, user_code)
+    text = '' if problems else document(functions, headers, facts, states, notified, user_code)
     if not problems and '--check' in options:
         with open(DOCUMENT, encoding='utf-8') as file:
             if file.read() != text:
@@ -190,7 +190,7 @@ def main(library, header_folder, calls, scenarios, *options):
     elif not problems:
         with open(DOCUMENT, 'w', encoding='utf-8') as file:
             file.write(text)
-    print('\n'.join(problems) or f'{len(functions)} functions, {len(states)} pieces of state, {len(told)} rows, '
+    print('\n'.join(problems) or f'{len(functions)} functions, {len(states)} pieces of state, {len(notified)} rows, '
           f'{len(user_code)} places of user code')
     return 1 if problems else 0
 

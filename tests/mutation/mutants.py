@@ -4,7 +4,7 @@ Works on text that clang-format has laid out, so that a small tokenizer is enoug
 brackets of templates do not, and a statement that fits ends on its line.
 
 A mutant is text that holds the original, too, and chooses between the two when it runs (`dxMutant`, chosen_mutant.h): so
-hundreds are compiled at once, and a process is told by a variable which one it has.
+hundreds are compiled at once, and a variable selects the one of a process.
 """
 import dataclasses
 import re

@@ -41,7 +41,7 @@ def main():
         begun = [line for line in run.stderr.splitlines() if '\tINITED' in line]
         ended = [line for line in run.stderr.splitlines() if '\tDONE' in line]
         if not begun or not ended:
-            print('libFuzzer has told no coverage')
+            print('libFuzzer has reported no coverage')
             return 1
         (edges, features), (edges_then, features_then) = coverage_of(begun[0]), coverage_of(ended[0])
         print(f'{options.seeds} seeds reach {edges} edges, {features} features; after {options.seconds} s '
