@@ -5,7 +5,7 @@
 namespace bench {
 
 Ready ChildCompetitor::start() {
-    m_process = std::make_unique<ChildProcess>(command(), environment());
+    m_process = std::make_unique<process::LineProcess>(command(), environment());
     const Ready ready = readReady(answer());
     check(ready);
     return ready;
@@ -19,8 +19,8 @@ Batch ChildCompetitor::run(int frames) {
 std::string ChildCompetitor::answer() {
     try {
         return m_process->readLine(m_settings.limit);
-    } catch (const ChildError &) {
-        m_process.reset();  // a child that hangs must not run beside the others
+    } catch (const process::LineProcessError &) {
+        m_process.reset();  // a child that hangs must not go on beside the others
         throw;
     }
 }
@@ -33,9 +33,9 @@ std::vector<std::string> ChildCompetitor::command() const {
     return command;
 }
 
-ChildProcess::Environment ChildCompetitor::environment() const {
+process::Environment ChildCompetitor::environment() const {
     // Nothing that the user has set for other programs may reach one engine and not the other.
-    ChildProcess::Environment changes;
+    process::Environment changes;
     for (const std::string &name : libraryVariables()) changes[name] = "";
     for (const auto &[name, value] : engine().environment()) changes[name] = value;
     changes["LD_LIBRARY_PATH"] = engine().isOurs() ? m_settings.oursFolder : m_settings.stockFolder;

@@ -2,10 +2,11 @@
 // LD_LIBRARY_PATH decides which libode.so.8 it gets.
 #pragma once
 
-#include "child_process.h"
 #include "competitor.h"
 
 #include <memory>
+
+#include "process/line_process.h"
 
 namespace bench {
 
@@ -29,12 +30,12 @@ public:
 private:
     std::string answer();
     std::vector<std::string> command() const;
-    ChildProcess::Environment environment() const;
+    process::Environment environment() const;
     void check(const Ready &ready) const;
 
     std::string m_world;
     ChildSettings m_settings;
-    std::unique_ptr<ChildProcess> m_process;
+    std::unique_ptr<process::LineProcess> m_process;
 };
 
 }  // namespace bench

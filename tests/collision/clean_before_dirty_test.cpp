@@ -33,8 +33,8 @@ TEST_P(CleanBeforeDirty, EndsAsUnderLibode8) {
             EXPECT_EQ(ours.ending, stock.ending) << "moved " << moved << ", added " << added;
             EXPECT_EQ(ours.output, stock.output) << "moved " << moved << ", added " << added;
             EXPECT_EQ(ours.errors, stock.errors) << "moved " << moved << ", added " << added;
-            (stock.ending == "exit status 0" ? survived : aborted) += 1;
-            if (stock.ending != "exit status 0") {
+            (stock.ending == "exit code 0" ? survived : aborted) += 1;
+            if (stock.ending != "exit code 0") {
                 EXPECT_NE(stock.errors.find("assertion"), std::string::npos);
             }
         }

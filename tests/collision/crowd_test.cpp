@@ -30,10 +30,10 @@ class Crowd : public testing::TestWithParam<int> {};
 
 TEST_P(Crowd, IsCollidedAsByLibode8) {
     const Outcome stock = run(ODE_MT_STOCK_LIBRARY_DIR, GetParam(), "");
-    ASSERT_EQ(stock.ending, "exit status 0") << stock.callbacks;
+    ASSERT_EQ(stock.ending, "exit code 0") << stock.callbacks;
     for (const char *const threads : {"0", "2", "3"}) {
         const Outcome ours = run(ODE_MT_LIBRARY_DIR, GetParam(), threads);
-        EXPECT_EQ(ours.ending, "exit status 0");
+        EXPECT_EQ(ours.ending, "exit code 0");
         EXPECT_EQ(ours.callbacks, stock.callbacks) << threads << " threads";
         const bool isHash = GetParam() == 1;  // it keeps up to four million
         if (!kAddressSanitizer && !kThreadSanitizer) {

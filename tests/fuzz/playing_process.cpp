@@ -1,11 +1,9 @@
 #include "playing_process.h"
 
-#include <fcntl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <stdexcept>
+#include <utility>
 
 namespace fuzz {
 
@@ -31,46 +29,34 @@ void readAll(int file, void *place, std::size_t size) {
     }
 }
 
-}  // namespace
-
-PlayingProcess::PlayingProcess(const std::string &program, const std::string &libraryFolder, const Environment &environment) {
-    int requests[2], answers[2];
-    if (pipe2(requests, O_CLOEXEC) != 0 || pipe2(answers, O_CLOEXEC) != 0) throw std::runtime_error("no pipes");
-    m_child = fork();
-    if (m_child < 0) throw std::runtime_error("no process");
-    if (m_child == 0) {
-        dup2(requests[0], STDIN_FILENO);
-        dup2(answers[1], STDOUT_FILENO);
-        setenv("LD_LIBRARY_PATH", libraryFolder.c_str(), 1);
-        for (const auto &[name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
-        execl(program.c_str(), program.c_str(), static_cast<char *>(nullptr));
-        _exit(127);
-    }
-    close(requests[0]);
-    close(answers[1]);
-    m_requests = requests[1];
-    m_answers = answers[0];
+process::Environment withLibrary(process::Environment environment, const std::string &folder) {
+    environment["LD_LIBRARY_PATH"] = folder;
+    return environment;
 }
 
+}  // namespace
+
+PlayingProcess::PlayingProcess(const std::string &program, const std::string &libraryFolder, process::Environment environment)
+    : m_process({program}, withLibrary(std::move(environment), libraryFolder)) {}
+
 PlayingProcess::~PlayingProcess() {
-    close(m_requests);
-    close(m_answers);
-    waitpid(m_child, nullptr, 0);
+    m_process.closeInput();
+    m_process.wait();
 }
 
 void PlayingProcess::ask(RequestHeader request, const std::vector<std::uint8_t> &script) {
     request.length = static_cast<std::uint32_t>(script.size());
-    writeAll(m_requests, &request, sizeof request);
-    writeAll(m_requests, script.data(), script.size());
+    writeAll(m_process.input(), &request, sizeof request);
+    writeAll(m_process.input(), script.data(), script.size());
 }
 
 Outcome PlayingProcess::answer() {
     Outcome outcome;
-    readAll(m_answers, &outcome.header, sizeof outcome.header);
+    readAll(m_process.output(), &outcome.header, sizeof outcome.header);
     outcome.errors.resize(outcome.header.errorLength);
     outcome.text.resize(outcome.header.textLength);
-    readAll(m_answers, &outcome.errors[0], outcome.errors.size());
-    readAll(m_answers, &outcome.text[0], outcome.text.size());
+    readAll(m_process.output(), &outcome.errors[0], outcome.errors.size());
+    readAll(m_process.output(), &outcome.text[0], outcome.text.size());
     return outcome;
 }
 

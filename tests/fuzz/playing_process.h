@@ -3,31 +3,24 @@
 
 #include "playing.h"
 
-#include <sys/types.h>
-
 #include <string>
-#include <utility>
 #include <vector>
+
+#include "process/piped_process.h"
 
 namespace fuzz {
 
 class PlayingProcess final : public Playing {
 public:
-    // Variables and their values, beside those of this process.
-    using Environment = std::vector<std::pair<std::string, std::string>>;
-
     // Throws std::runtime_error if it cannot be started.
-    PlayingProcess(const std::string &program, const std::string &libraryFolder, const Environment &environment);
-    ~PlayingProcess() override;
-    PlayingProcess(const PlayingProcess &) = delete;
-    PlayingProcess &operator=(const PlayingProcess &) = delete;
+    PlayingProcess(const std::string &program, const std::string &libraryFolder, process::Environment environment);
+    ~PlayingProcess() override;  // waits for its end
 
     void ask(RequestHeader request, const std::vector<std::uint8_t> &script) override;
     Outcome answer() override;
 
 private:
-    pid_t m_child = -1;
-    int m_requests = -1, m_answers = -1;
+    process::PipedProcess m_process;
 };
 
 }  // namespace fuzz

@@ -79,11 +79,11 @@ const char *nameOf(Verdict verdict) {
 namespace {
 
 // Blocks of a thread's cache would not get the pattern.
-const PlayingProcess::Environment kPatterned{{"MALLOC_PERTURB_", "165"}, {"GLIBC_TUNABLES", "glibc.malloc.tcache_count=0"}};
+const process::Environment kPatterned{{"MALLOC_PERTURB_", "165"}, {"GLIBC_TUNABLES", "glibc.malloc.tcache_count=0"}};
 // Read when the library is loaded.
-const PlayingProcess::Environment kDisturbed{{"ODE_MT_PERTURB", "1"}};
+const process::Environment kDisturbed{{"ODE_MT_PERTURB", "1"}};
 
-std::shared_ptr<Playing> processOfOurs(const Libraries &libraries, const PlayingProcess::Environment &environment) {
+std::shared_ptr<Playing> processOfOurs(const Libraries &libraries, const process::Environment &environment) {
     return std::make_shared<PlayingProcess>(libraries.player, libraries.ours, environment);
 }
 

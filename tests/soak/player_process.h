@@ -1,12 +1,11 @@
 // odemt_soak_player on one of the two libraries.
 #pragma once
 
-#include "block.h"
-
-#include <sys/types.h>
-
 #include <cstdint>
 #include <string>
+
+#include "block.h"
+#include "process/line_process.h"
 
 namespace soak {
 
@@ -14,21 +13,16 @@ class PlayerProcess {
 public:
     // Throws std::runtime_error if it cannot be started.
     PlayerProcess(const std::string &libraryFolder, std::uint64_t seed, int mostThreads);
-    ~PlayerProcess();
-    PlayerProcess(const PlayerProcess &) = delete;
-    PlayerProcess &operator=(const PlayerProcess &) = delete;
 
-    void askForBlock();
-    void askForTheEnd();
-    // Waits; throws std::runtime_error if the process has ended, or has sent nothing for five minutes.
+    void askForBlock() { m_process.writeLine(""); }
+    void askForTheEnd() { m_process.writeEnd(); }
+    // Waits; throws std::runtime_error if the process has ended, or has told nothing for five minutes.
     Block answer();
-    // Waits for the exit of a process that was told to end. Throws std::runtime_error unless it exits with 0.
-    void waitForExit();
+    // Of a process that was asked for the end. Throws std::runtime_error unless it exits with 0.
+    void waitForExit() { m_process.waitForExit(); }
 
 private:
-    pid_t m_child = -1;
-    int m_requests = -1, m_answers = -1;
-    std::string m_read;  // and not yet taken
+    process::LineProcess m_process;
 };
 
 }  // namespace soak

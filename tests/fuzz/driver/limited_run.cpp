@@ -12,10 +12,11 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
+
+#include "process/spawn.h"
 
 namespace fuzz_driver {
 
@@ -96,9 +97,7 @@ int Ending::exitCode() const { return WEXITSTATUS(status); }
 std::string Ending::text() const {
     if (ranOutOfTime) return "time over";
     if (ranOutOfMemory) return "memory over";
-    if (WIFSIGNALED(status))
-        return "signal " + std::to_string(WTERMSIG(status)) + " (" + strsignal(WTERMSIG(status)) + ")";
-    return "exit code " + std::to_string(WEXITSTATUS(status));
+    return process::endingOf(status);
 }
 
 Ending runLimited(const std::function<int()> &work, const Limits &limits, const std::string &input) {
