@@ -16,7 +16,6 @@
 #include <CLI/CLI.hpp>
 
 #include <chrono>
-#include <csignal>
 #include <iostream>
 #include <optional>
 
@@ -93,7 +92,6 @@ void serve(const std::string &world, unsigned poolThreads, bool ignoreUnsupporte
 
 int main(int argc, char **argv) {
     bench::keepStandardFiles();
-    signal(SIGPIPE, SIG_IGN);  // a closed standard output is reported instead
     CLI::App app("Runs one world on one engine for odemt_bench.");
     std::string world;
     unsigned poolThreads = 0;

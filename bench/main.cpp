@@ -8,8 +8,6 @@
 #include "standard_output.h"
 #include "world_source.h"
 
-#include <csignal>
-
 namespace {
 
 // Saves the results of all worlds measured so far, so that an interrupt keeps them.
@@ -54,8 +52,6 @@ bool compare(const bench::Options &options) {
 
 int main(int argc, char **argv) {
     bench::keepStandardFiles();
-    signal(SIGPIPE, SIG_IGN);  // a closed standard output is reported instead
-    signal(SIGXFSZ, SIG_IGN);  // and so is a file that may not grow
     int exitCode = 0;
     const std::optional<bench::Options> options = bench::readOptions(argc, argv, exitCode);
     if (!options) return bench::exitCodeAfterOutput(exitCode);

@@ -6,6 +6,7 @@
 namespace bench {
 
 // To be called first. A file that is opened while standard output is closed would take its number, and all that is printed.
+// From then on a standard output that is closed at the other end, and a file that may not grow, are reported by what writes.
 void keepStandardFiles();
 
 // Throws std::runtime_error with the reason.

@@ -10,7 +10,6 @@
 
 #include <ode/ode.h>
 
-#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
@@ -58,8 +57,6 @@ void recordToFile(const record::RecordOptions &options) {
 
 int main(int argc, char **argv) {
     bench::keepStandardFiles();
-    signal(SIGPIPE, SIG_IGN);  // a closed standard output is reported instead
-    signal(SIGXFSZ, SIG_IGN);  // and so is a file that may not grow
     int exitCode = 0;
     const auto options = record::readRecordOptions(argc, argv, exitCode);
     if (!options) return bench::exitCodeAfterOutput(exitCode);

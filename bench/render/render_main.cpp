@@ -5,7 +5,6 @@
 #include "standard_output.h"
 
 #include <cerrno>
-#include <csignal>
 #include <cstring>
 #include <fstream>
 
@@ -27,8 +26,6 @@ record::Recording read(const std::string &file) {
 
 int main(int argc, char **argv) {
     bench::keepStandardFiles();
-    signal(SIGPIPE, SIG_IGN);  // a closed standard output is reported instead
-    signal(SIGXFSZ, SIG_IGN);  // and so is a file that may not grow
     int exitCode = 0;
     const auto options = render::readRenderOptions(argc, argv, exitCode);
     if (!options) return bench::exitCodeAfterOutput(exitCode);

@@ -1,5 +1,7 @@
 #include "child_competitor.h"
 
+#include "complaint.h"
+
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -30,16 +32,6 @@ public:
 
     const std::string file = testing::TempDir() + "/bench_child_" + std::to_string(getpid());
 };
-
-template <class Function>
-std::string complaint(Function function) {
-    try {
-        function();
-    } catch (const std::runtime_error &error) {
-        return error.what();
-    }
-    return "";
-}
 
 }  // namespace
 

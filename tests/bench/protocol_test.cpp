@@ -2,23 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <stdexcept>
+#include "complaint.h"
 
 using namespace bench;
-
-namespace {
-
-template <class Function>
-std::string complaint(Function function) {
-    try {
-        function();
-    } catch (const std::runtime_error &error) {
-        return error.what();
-    }
-    return "";
-}
-
-}  // namespace
 
 TEST(Protocol, ABatchArrivesAsItWasSent) {
     Batch sent;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "CrossoverPasses.h"
 #include "bounds.h"
 #include "clusters/dxClusterGap.h"
 
@@ -50,7 +51,7 @@ TEST_F(ClusterGap, OneClusterThatIsTestedWithAllHasNoOthers) {
     robot(4);
     for (const char *name : {"original", "duplication"}) EXPECT_EQ(gap(name), kInf) << name;
     wall(6);
-    for (const char *name : {"original", "static", "static-unmerged", "duplication", "decluster"})
+    for (const char *name : kPasses)
         EXPECT_EQ(gap(name), kInf) << name;
 }
 

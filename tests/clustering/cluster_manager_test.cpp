@@ -5,10 +5,9 @@
 #include <string>
 
 #include "ClusteredSpace.h"
+#include "CrossoverPasses.h"
 
 namespace {
-
-const char *const kPasses[] = {"original", "static", "static-unmerged", "duplication", "decluster"};
 
 std::string passOf(dSpaceID space) {
     const dxClusteredWorldAndSpace *const clustered = dxClusterManager::find(space);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "ClusteredSpace.h"
+#include "CrossoverPasses.h"
 #include "bounds.h"
 
 namespace {
@@ -113,12 +114,6 @@ TEST_P(ClusterSearch, CellsAnAxisChangeAtTheNextSearch) {
     EXPECT_EQ(clustered.scene().grid().cells(), 17);
 }
 
-INSTANTIATE_TEST_SUITE_P(Passes, ClusterSearch,
-                         testing::Values("original", "static", "static-unmerged", "duplication", "decluster"),
-                         [](const auto &info) {
-                             std::string name = info.param;
-                             std::replace(name.begin(), name.end(), '-', '_');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Passes, ClusterSearch, testing::ValuesIn(kPasses), nameOfPass);
 
 }  // namespace

@@ -5,10 +5,10 @@
 #include <string>
 
 #include "ClusteredSpace.h"
+#include "CrossoverPasses.h"
 
 namespace {
 
-const char *const kPasses[] = {"original", "static", "static-unmerged", "duplication", "decluster"};
 const char *const kSticky[] = {"original", "static", "static-unmerged", "duplication"};
 
 constexpr dReal kInfinitelyFar = std::numeric_limits<dReal>::infinity();

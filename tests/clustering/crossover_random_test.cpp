@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "ClusteredSpace.h"
+#include "CrossoverPasses.h"
 #include "RandomClusterWorld.h"
 #include "collision/spaces/dxOrderedSpace.h"
 
@@ -194,12 +195,6 @@ TEST_P(CrossoverRandom, MembershipAndPairsAreThoseOfTheRules) {
     EXPECT_GE(seen.sharedTasks, pass() == "static" ? 1000u : 0u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Passes, CrossoverRandom,
-                         testing::Values("original", "static", "static-unmerged", "duplication", "decluster"),
-                         [](const auto &info) {
-                             std::string name = info.param;
-                             std::replace(name.begin(), name.end(), '-', '_');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Passes, CrossoverRandom, testing::ValuesIn(kPasses), nameOfPass);
 
 }  // namespace

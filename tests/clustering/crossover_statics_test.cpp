@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "ClusteredSpace.h"
+#include "CrossoverPasses.h"
 
 namespace {
 
@@ -112,7 +113,7 @@ TEST(CrossoverStatics, StaticClustersStayMergedUnderStatic) {
 
 // A sensor without a body, moved by the program, is static, yet is tested with all geoms, static ones too.
 TEST(CrossoverStatics, AMovedGeomWithoutABodyMeetsEverything) {
-    for (const char *pass : {"original", "static", "static-unmerged", "duplication", "decluster"}) {
+    for (const char *pass : kPasses) {
         TwoRobots world(pass);
         world.wall(0, 3, 0, 2);
         world.wall(0, -3, 0, 2);

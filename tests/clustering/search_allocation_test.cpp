@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "ClusteredSpace.h"
-#include "collision/spaces/dxOrderedSpace.h"
+#include "CrossoverPasses.h"
+#include "collision/dxOrderedSpace.h"
 #include "sanitizers.h"
 
 namespace {
@@ -99,12 +100,6 @@ TEST_P(SearchAllocation, AcrossCellsASearchAllocatesNothing) {
     EXPECT_GT(pairs, 0u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Passes, SearchAllocation,
-                         testing::Values("original", "static", "static-unmerged", "duplication", "decluster"),
-                         [](const auto &info) {
-                             std::string name = info.param;
-                             std::replace(name.begin(), name.end(), '-', '_');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Passes, SearchAllocation, testing::ValuesIn(kPasses), nameOfPass);
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "CrossoverPasses.h"
 #include "OdeSession.h"
 #include "collision/pairs/dxMembers.h"
 #include "clusters/dxTunedClusters.h"
@@ -280,12 +281,6 @@ TEST_P(TunedClusters, OneThatGoesAndOneThatComesMoveNobodyElse) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Passes, TunedClusters,
-                         testing::Values("original", "static", "static-unmerged", "duplication", "decluster"),
-                         [](const auto &info) {
-                             std::string name = info.param;
-                             std::replace(name.begin(), name.end(), '-', '_');
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Passes, TunedClusters, testing::ValuesIn(kPasses), nameOfPass);
 
 }  // namespace
