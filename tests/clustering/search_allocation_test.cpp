@@ -10,7 +10,7 @@
 
 #include "ClusteredSpace.h"
 #include "CrossoverPasses.h"
-#include "collision/dxOrderedSpace.h"
+#include "collision/spaces/dxOrderedSpace.h"
 #include "sanitizers.h"
 
 namespace {
