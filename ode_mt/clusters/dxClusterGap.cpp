@@ -17,7 +17,7 @@ double difference(dReal high, dReal low) {
     return std::nextafter(rounded, 0.0);
 }
 
-// At most 0 if the boxes may overlap. An axis with a NaN tells nothing.
+// Returns the gap, at most 0 if the boxes may overlap. An axis with a NaN is ignored.
 double gapBetween(const dxBounds &a, const dxBounds &b) {
     double gap = 0;
     for (int axis = 0; axis < 3; ++axis)

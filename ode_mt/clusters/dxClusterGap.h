@@ -1,5 +1,5 @@
-// How far everything would have to move before clusters, left as they are, could miss a pair: what allows
-// crossovers to be left out (dxCheckFrequencyHeuristic).
+// The motion after which unchanged clusters could miss a pair: the bound that allows crossovers to be skipped
+// (dxCheckFrequencyHeuristic).
 //
 // Distances are those of boxes: two boxes are g apart if on some axis g lies between them; they cannot overlap
 // before their bounds have moved by g together. Gaps are never too large. Metres. Not thread safe.

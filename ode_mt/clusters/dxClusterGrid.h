@@ -1,8 +1,8 @@
 // The grid of the cluster algorithms (thesis chapters 2 and 10): n x n x n cubic cells around a centre.
 //
-// Whatever lies outside belongs to the border cells. Rounding a bound to its cell and cutting it off at the
-// border keep the order of bounds, so two boxes that overlap always share a cell, wherever they are: the
-// grid decides how well things are told apart, never whether a pair is found.
+// Everything outside belongs to the border cells. Rounding a bound to its cell and clamping it to the border are
+// monotonic, so two boxes that overlap always share a cell: the grid affects how well clusters are separated, never
+// whether a pair is found.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +39,7 @@ public:
     // All cells on an axis on which a bound is NaN or low exceeds high, as such a box overlaps everything or is
     // compared with care.
     dxCellRange cellsOf(const dxBounds &box) const;
-    // The box reaches out of the grid on some side.
+    // Returns whether the box extends beyond the grid on some side.
     bool isLeftBy(const dxBounds &box) const;
 
     int index(int x, int y, int z) const { return (x * m_cells + y) * m_cells + z; }

@@ -1,5 +1,5 @@
-// What the crossover passes look at: who occupies which cell of the grid. Kept from frame to frame; a frame
-// costs what has changed.
+// The input of the crossover passes: the inhabitants of each cell of the grid. Kept from frame to frame; a frame costs
+// what has changed.
 //
 // An inhabitant is a geom of the space (a geom or a nested space) and is known by its slot. It is dynamic if
 // it, or a geom in it, has a body, else static (thesis 5.1). Big ones, planes and everything that covers
@@ -25,7 +25,7 @@ public:
         bool big = false;
         dxCellRange cells;
         dxBounds bounds;
-        std::uint32_t listed;  // where it stands in its list (all, or big)
+        std::uint32_t listed;  // its index in its list (all, or big)
     };
 
     void setGrid(const dxClusterGrid &grid);

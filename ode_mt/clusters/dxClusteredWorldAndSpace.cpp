@@ -11,7 +11,7 @@ namespace {
 
 using Kind = dxClusterScene::Kind;
 
-// A grid is placed anew at most once in so many checks: it costs all inhabitants.
+// Minimum number of checks between two placements of the grid, whose cost is proportional to all inhabitants.
 constexpr int kChecksBetweenFits = 16;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -93,11 +93,11 @@ void dxClusteredWorldAndSpace::findPairs(const dxMembers &members, std::vector<M
 }
 
 void dxClusteredWorldAndSpace::updateScene(const dxMembers &members) {
-    m_arrivals.resize(members.end());  // 0: nobody's
+    m_arrivals.resize(members.end());  // 0: no member's
     for (const Slot slot : m_noted) {
         m_isNoted[slot] = 0;
         const dxMembers::Member &member = members[slot];
-        if (isAnother(slot, members)) {  // who was here before has gone
+        if (isAnother(slot, members)) {  // the previous member of the slot was removed
             m_scene.remove(slot);
             m_clusters.forgetMember(slot);
             m_arrivals[slot] = members.arrivalOf(slot);
@@ -145,7 +145,7 @@ bool dxClusteredWorldAndSpace::isClustered(Slot slot) const {
     return m_scene[slot].kind == Kind::dynamicGeom && !m_scene[slot].big;
 }
 
-// The changed members first: each is compared with all that stand behind it.
+// The changed members come first: each is compared with all behind it.
 void dxClusteredWorldAndSpace::searchCluster(int number, const dxMembers &members, std::vector<Match> &matches) {
     const dxClusters::Cluster &cluster = m_clusters[number];
     m_listed.clear();

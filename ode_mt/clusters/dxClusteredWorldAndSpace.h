@@ -1,8 +1,8 @@
-// The clusters of one space and of the world whose bodies its geoms have: grid, pass, clusters and the search
-// for pairs by clusters (thesis chapters 2 and 5 to 8).
+// The clusters of one space and of the world whose bodies its geoms have: grid, pass, clusters and the broad phase by
+// clusters (thesis chapters 2 and 5 to 8).
 //
-// Belongs to its space, as the space's search for pairs, and goes with it. Clusters are index sets over the
-// space's members; the space and the world stay the user's own.
+// It is the broad phase of its space, which owns it. Clusters are index sets over the space's members; the space and
+// the world stay the user's own.
 //
 // A search costs the changed members, the crossover pass if one of them changed its cells, and the clusters
 // in which something changed. Static geoms that rest cost nothing but where a pass says so. Who knows that a

@@ -1,4 +1,4 @@
-// Where to put the grid: around what moves. Static geoms do not stretch it, and neither do a few strays.
+// Placement of the grid around the dynamic geoms. Static geoms do not enlarge it, and neither do a few outliers.
 #pragma once
 
 #include "clusters/dxClusterGrid.h"

@@ -10,7 +10,7 @@
 
 namespace {
 
-// Looking at who is outside the grid costs all dynamic inhabitants.
+// Counting the inhabitants outside the grid visits all dynamic ones.
 constexpr unsigned kSearchesBetweenLooks = 16;
 
 // After a gap that did not last until the next search, so many checks at most do without measuring one.

@@ -1,4 +1,4 @@
-// Clusters with the heuristics that tune them: what a space whose algorithm clusters searches with.
+// Clusters with the heuristics that tune them: the broad phase of a space under a clustered algorithm.
 //
 // Before each search the check frequencies say whether clusters have to be looked at again; after it the others
 // see what it took and how many clusters there are, and set the parameters of the next one (thesis chapter 10).

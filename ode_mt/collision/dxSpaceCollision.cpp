@@ -13,7 +13,7 @@
 
 namespace {
 
-// Fewer geoms than this are never worth a worker, nor even a look at the clock.
+// Minimum number of geoms for workers, and even for reading the clock.
 constexpr int kLeastGeoms = 48;
 
 // From inside a callback of a call that is shared, whether of this space or of another one, everything stays

@@ -1,4 +1,4 @@
-// An axis-aligned box as dxGeom::aabb has it: min and max of x, y, z in turn, in world units.
+// An axis-aligned box in the layout of dxGeom::aabb: min and max of x, then of y, then of z. Units: world units.
 //
 // Comparisons are those of upstream's collideAABBs, so a NaN bound overlaps everything on its axis.
 #pragma once
@@ -28,14 +28,14 @@ struct dxBounds {
                b.v[5] <= v[5];
     }
 
-    // All six are finite and no minimum exceeds its maximum.
+    // Returns whether all six bounds are finite and no minimum exceeds its maximum.
     bool isProper() const {
         for (int axis = 0; axis < 3; ++axis)
             if (!std::isfinite(low(axis)) || !std::isfinite(high(axis)) || low(axis) > high(axis)) return false;
         return true;
     }
 
-    // Proper, and finite in whatever a search computes with its corners.
+    // Returns whether the box is proper, and everything that a broad phase computes from its corners is finite.
     bool isModerate() const {
         constexpr dReal kAstronomical = dReal(1e30);
         for (const dReal bound : v)

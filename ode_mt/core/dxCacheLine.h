@@ -1,5 +1,4 @@
-// A line of the cache, and the rows or columns that lie in one side by side: the lanes of wide loops, however
-// many of them a vector has.
+// The size of a cache line, and the number of elements in one: the lanes of wide loops, for any vector length.
 #pragma once
 
 #include <ode/common.h>

@@ -18,7 +18,7 @@ public:
         return i;
     }
 
-    // The lower root stays: the result depends on the sets, not on the order of calls.
+    // The lower root remains: the result depends on the sets, not on the order of calls.
     void unite(std::uint32_t a, std::uint32_t b) {
         a = find(a);
         b = find(b);

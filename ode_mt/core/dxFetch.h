@@ -1,7 +1,7 @@
-// Asks the memory for lines of the cache that a loop will come to some items later.
+// Software prefetch of cache lines that a loop will need some items later.
 //
-// A line that another core has written last is best asked for to write, if it will be written: asked for to read it is
-// shared, and has to be taken from the other core a second time when the write comes.
+// A cache line that another core wrote last, and that will be written, should be prefetched for write: a prefetch for
+// read makes it shared, and the write then causes a second coherence miss to get ownership.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@ namespace dxFetch {
 
 inline void line(const void *place) { __builtin_prefetch(place); }
 
-// The compiler's own __builtin_prefetch(place, 1) does not make the instruction unless told to compile for newer
-// processors. Those made since 2006 take it (64-bit Windows has asked for it since 8.1), some as one that does nothing.
+// The compiler's own __builtin_prefetch(place, 1) does not emit the instruction unless the target is a newer processor.
+// Those made since 2006 take it (64-bit Windows has asked for it since 8.1), some as one that does nothing.
 inline void lineToWrite(const void *place) {
 #if defined(__x86_64__)
     __asm__ volatile("prefetchw %0" : : "m"(*static_cast<const char *>(place)));

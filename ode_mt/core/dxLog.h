@@ -1,8 +1,8 @@
 // One line to stderr for the person who runs the program: "ODE_MT warning: ...".
 //
-// The environment variable ODE_MT_LOG names the most talkative level that is shown: error, warning
-// (the default), info or debug. Upstream's dMessage and dError stay upstream's; this is for what only
-// ODE_MT has to say. Any thread may call; a line is written in one piece.
+// The environment variable ODE_MT_LOG names the most verbose level that is shown: error, warning (the default), info or
+// debug. Upstream's dMessage and dError stay upstream's; this is for what only ODE_MT has to say. Any thread may call;
+// a line is written in one piece.
 #pragma once
 
 enum class dxLogLevel { error, warning, info, debug };

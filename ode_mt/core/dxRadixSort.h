@@ -1,8 +1,7 @@
-// Sorts by whole-numbered keys in a time that grows with the number of items alone.
+// Radix sort by integer keys, linear in the number of items.
 //
-// Digits of eight bits from the lowest up; those in which all keys agree are left out, so that keys of a
-// narrow range cost few passes. Items with equal keys are left in the order of their indices, in which they must
-// have come.
+// Digits of eight bits from the lowest up; digits in which all keys agree are skipped, so keys of a narrow range cost
+// few passes. Items with equal keys keep the order of their indices. Requires items in the order of their indices.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +10,8 @@
 struct dxSortItem {
     std::uint64_t key;
     std::uint32_t index;        // the owner's
-    std::uint32_t partner = 0;  // what else belongs to it; nothing is sorted by it
+    std::uint32_t partner = 0;  // further data of the item; not a sort key
 };
 
-// `spare` is memory for the passes, kept by the owner from call to call.
+// `spare` is scratch for the passes, which the owner keeps from call to call.
 void dxRadixSort(std::vector<dxSortItem> &items, std::vector<dxSortItem> &spare);

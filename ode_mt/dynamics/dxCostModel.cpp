@@ -43,7 +43,8 @@ constexpr double kAlike = 0.8;
 
 constexpr double kMinOverhead = 2e3;  // ns
 
-// A value beyond this many times the mean is a surprise, and counts for this much if it comes alone.
+// A value beyond this many times the mean is an outlier, and is limited to this multiple unless the next one is an
+// outlier, too.
 constexpr double kSurprise = 4;
 
 dxProcessObject<dxCostModel> costModel;

@@ -1,6 +1,6 @@
-// Cuts the islands of a step into blocks for workers: by estimated cost, largest first (longest
-// processing time first keeps the end of the step short); small islands are put together until a block
-// is worth handing out. The blocks do not depend on the workers, and no result depends on the blocks.
+// Groups the islands of a step into blocks for workers: by estimated cost, largest first (longest processing time first
+// keeps the end of the step short); small islands are combined until a block is large enough. The blocks do not depend
+// on the workers, and no result depends on the blocks.
 #pragma once
 
 #include "dynamics/dxStepRecords.h"

@@ -1,4 +1,4 @@
-// Counters that tests and users read to see what was shared out. Since the process started.
+// Counters of parallel work since the process started, for tests and users.
 #pragma once
 
 #include <atomic>
@@ -27,14 +27,14 @@ struct dxStepStatistics {
         noteWorkers(workers);
     }
 
-    // Only where two workers at least took part.
+    // Counts a step only if at least two workers took part.
     void countTeamStep(unsigned workers) {
         if (workers < 2) return;
         teamSteps.fetch_add(1, std::memory_order_relaxed);
         noteWorkers(workers);
     }
 
-    // Likewise.
+    // Counts a collision only if at least two workers took part.
     void countParallelCollision(unsigned workers) {
         if (workers < 2) return;
         parallelCollisions.fetch_add(1, std::memory_order_relaxed);

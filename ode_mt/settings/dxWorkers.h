@@ -4,13 +4,13 @@
 // Process-wide, because threads are a property of the process: steps of several worlds at the same time
 // borrow the same workers.
 //
-// Any of these functions may be called at any time, also by a callback that runs on a worker: none waits for a run
-// in progress. A run keeps the manager that it began with; the run that leaves an exchanged manager last ends its
-// threads. So neither a run that never ends (a callback that ends the process, or waits for the caller) nor runs
-// without a gap between them hold anybody up.
+// Any of these functions may be called at any time, also by a callback that runs on a worker: none waits for a run in
+// progress. A run keeps the manager that it began with; the run that leaves an exchanged manager last ends its threads.
+// So neither a run that never ends (a callback that ends the process, or waits for the caller) nor continuous runs
+// block any other call.
 //
-// Dropped: a lock that runs shared and changes had to themselves. A change inside a callback waited for itself, and
-// so did the end of the process.
+// Dropped: a shared lock for runs and an exclusive one for changes. A change inside a callback deadlocked, and so did
+// the end of the process.
 #pragma once
 
 #include <memory>

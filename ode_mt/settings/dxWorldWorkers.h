@@ -15,9 +15,10 @@ namespace dxWorldWorkers {
 // Whether the user gave the world an implementation.
 bool given(const dxWorld *world);
 
-// Whether functions of the user's own, or the user's limit for the world, have a single thread run all calls of a step. They are
-// then asked for all that upstream asks of them, in upstream's order: they may count calls, refuse them, or throw. Of upstream's
-// own functions nobody sees whether they are asked, and a pool that nobody serves yet would keep the step waiting for ever.
+// Whether functions of the user's own, or the user's limit for the world, have a single thread run all calls of a step.
+// They are then asked for all that upstream asks of them, in upstream's order: they may count calls, refuse them, or
+// throw. Calls of upstream's own functions are not observable, and a pool that no thread serves yet would block the
+// step.
 bool haveToBeAsked(const dxWorld *world);
 
 // How many workers it lends.

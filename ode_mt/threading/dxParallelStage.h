@@ -1,11 +1,10 @@
 // The stages of a step and of a collision that are shared out to workers, and whether two workers at least
 // have run each.
 //
-// A stage that one worker always has to itself is right by accident: nothing in it has met another worker. So
-// whoever shares out work names its stage (dxTaskRunner), and a test plays scenes until two workers have run
-// each one (parallel_stages_test).
+// A stage that always runs on one worker is untested for races. So every parallel run names its stage (dxTaskRunner),
+// and a test runs scenes until two workers have run each one (parallel_stages_test).
 //
-// Threads: noted by workers, relaxed; read by anybody. A run on the calling thread alone notes nothing.
+// Threading: relaxed atomics, written by workers, read by any thread. A run on the calling thread alone writes nothing.
 #pragma once
 
 #include <array>

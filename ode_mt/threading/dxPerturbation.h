@@ -1,4 +1,4 @@
-// Disturbs the schedule on purpose, so that tests see the orders of events that are rare in practice.
+// Perturbs the schedule on purpose, so that tests cover rare orders of events.
 //
 // Every thread calls dxPerturb() at each dxSchedulePoint. It does nothing unless a disturbance is set:
 // by the environment variable ODE_MT_PERTURB=seed (pseudo-random yields and sleeps up to 50 us), or by

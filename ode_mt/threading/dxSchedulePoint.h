@@ -1,4 +1,4 @@
-// Where one thread's progress meets another's: claims of work, hand-overs, waits, and commits of results.
+// Points at which threads synchronise: claims of work, hand-overs, waits, and commits of results.
 //
 // Each is named, so that a disturbed schedule (dxPerturbation) can be shown to have reached it. A new claim, hand-over, wait
 // or commit gets a name here, a sentence in dxSchedulePoint.cpp, and a scene in tests/frame/schedule_points_test.cpp, which fails while

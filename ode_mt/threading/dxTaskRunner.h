@@ -1,5 +1,5 @@
-// Runs the blocks of a job: on workers, or on the calling thread alone. What a piece of the engine is given
-// that can share its work out but has no say in whether that pays.
+// Runs the blocks of a job: on workers, or on the calling thread alone. It is passed to parts of the engine that can
+// run in parallel but do not decide whether that pays.
 #pragma once
 
 #include <atomic>
@@ -38,7 +38,7 @@ public:
         if (job.isShortOfMemory.load(std::memory_order_relaxed)) throw std::bad_alloc();
     }
 
-    // Calls work(begin, end, worker) for pieces of [0, count) of `piece` items at most.
+    // Calls work(begin, end, worker) for chunks of [0, count) of at most `piece` items.
     template <class Work>
     void forPieces(dxParallelStage stage, std::size_t count, std::size_t piece, Work &&work) {
         forBlocks(stage, static_cast<unsigned>((count + piece - 1) / piece), [&](unsigned block, unsigned worker) {

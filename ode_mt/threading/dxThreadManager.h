@@ -1,10 +1,9 @@
 // Lends workers to the engine. The engine owns the partition of work: it cuts a job into blocks
 // whose results do not depend on who runs them; a manager only says who runs which block.
 //
-// Source: thesis chapters 3 and 4 (thread manager; OpenMP against pthread). The thesis gives every
-// worker a fixed share and waits for all of them at a barrier; here blocks are handed out one by one
-// in ascending order and the caller works too, so a worker that the system does not schedule delays
-// nobody: the caller takes what it left.
+// Source: thesis chapters 3 and 4 (thread manager; OpenMP against pthread). The thesis gives every worker a fixed share
+// and waits for all of them at a barrier; here blocks are assigned one by one in ascending order and the caller works
+// too, so a worker that is not scheduled delays no other thread: the caller takes its blocks.
 #pragma once
 
 class dxThreadManager {

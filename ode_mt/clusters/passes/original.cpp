@@ -1,5 +1,5 @@
-// "original" (thesis chapter 2): only what is dynamic is clustered; clusters that meet in a cell merge and stay
-// merged; static geoms and planes are tested apart, with every cluster.
+// "original" (thesis chapter 2): only what is dynamic is clustered; clusters that share a cell merge and stay merged;
+// static geoms and planes are tested apart, with every cluster.
 #include "clusters/passes/passes.h"
 
 namespace {

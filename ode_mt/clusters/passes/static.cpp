@@ -1,5 +1,5 @@
-// "static" (thesis chapter 5): static geoms are clustered too, and such clusters merge with one another; a
-// dynamic and a static cluster that meet are tested together, without becoming one.
+// "static" (thesis chapter 5): static geoms are clustered too, and such clusters merge with one another; a dynamic and
+// a static cluster that share a cell are tested together, without becoming one.
 #include "clusters/passes/passes.h"
 
 namespace {

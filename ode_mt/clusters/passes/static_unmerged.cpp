@@ -1,5 +1,5 @@
-// "static-unmerged" (thesis chapter 6): as "static", but static clusters never merge, so each holds one geom, and
-// a dynamic cluster is tested with no more than those that it meets.
+// "static-unmerged" (thesis chapter 6): as "static", but static clusters never merge, so each holds one geom, and a
+// dynamic cluster is tested only with those with which it shares a cell.
 #include "clusters/passes/passes.h"
 
 namespace {

@@ -24,7 +24,7 @@ void dxAdaptiveSearch::search(const dxMembers &members, dxTaskRunner &runner, st
         searchNeighbours(members, runner, matches);
 }
 
-// A new list takes in all members, whether or not they have changed; the others are told of those that have not.
+// A new Verlet list takes all members, changed or not; the other algorithms adopt those that have not changed.
 void dxAdaptiveSearch::chooseBySize(const dxMembers &members) {
     const dxBroadPhase choice = dxChooseBroadPhase(factsOf(members));
     if (choice == current()) return;

@@ -12,7 +12,7 @@
 
 class dxAdaptiveSearch final : public dxPairSearch {
 public:
-    // As for dxBatchSearch.
+    // `mostPairs` is as in dxBatchSearch.
     explicit dxAdaptiveSearch(dxPairLimit maxPairs = dxUnlimitedPairs) : m_maxPairs(maxPairs) {}
 
     void search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
@@ -26,7 +26,7 @@ private:
     void searchNeighbours(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches);
 
     const dxPairLimit m_maxPairs;
-    // One of them is there from the first call on.
+    // One of them exists from the first call on.
     std::unique_ptr<dxTableSearch> m_table;
     std::unique_ptr<dxVerletSearch> m_verlet;
     std::unique_ptr<dxNeighbourSearch> m_neighbours;

@@ -1,15 +1,15 @@
-// Finds the pairs of all members at once: for calls at which many have changed.
+// Broad phase by cell grids, without state: for calls in which many members have changed.
 //
-// Nothing is kept from call to call, so a call costs the same however far boxes have moved, and as much
-// for members that rest.
+// It keeps no state from call to call, so the cost of a call does not depend on how far boxes have moved, and includes
+// the members at rest.
 //
-// Members are put into levels by their longest edge, factors of two apart, each with a grid whose cells are as
-// large as its boxes at most. Within a level boxes are sorted by cell and swept (overlap/dxCellSweep.h). Between
-// levels the smaller boxes are sorted once more, by the cells of the larger ones, and swept against those; a
-// handful of large boxes is compared with all smaller ones instead. Boxes that no cell can hold (infinite, NaN,
-// inside out, astronomical) are compared with all.
+// Members are assigned to levels by their longest edge, in powers of two. Each level has a grid whose cells are at
+// least as large as its boxes. Within a level boxes are sorted by cell and compared with neighbouring cells
+// (overlap/dxCellSweep.h). Between levels the smaller boxes are sorted once more, by the cells of the larger ones, and
+// compared with those; a few large boxes are compared with all smaller ones instead. Boxes that no cell can hold
+// (infinite, NaN, min > max, above 1e30) are compared with all.
 //
-// One call at a time; it may share its sweeps out.
+// Threading: one call at a time, whose chunks of rows may run on workers.
 #pragma once
 
 #include <vector>
@@ -21,7 +21,7 @@
 
 class dxBatchSearch final : public dxPairSearch {
 public:
-    // Stops as soon as there are more pairs than that.
+    // The search stops as soon as there are more pairs than `mostPairs` allows.
     explicit dxBatchSearch(dxPairLimit maxPairs = dxUnlimitedPairs) : m_maxPairs(maxPairs) {}
 
     void search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
@@ -51,12 +51,12 @@ private:
     void searchLevel(const dxMembers &members, std::size_t level, dxTaskRunner &runner);
     void searchSmaller(const dxMembers &members, std::size_t level, const Grid &grid, dxTaskRunner &runner);
     void searchApart(const dxMembers &members, std::vector<Match> &matches);
-    // Calls sweep(begin, end, matches) for pieces of the rows, until there are more matches than a space keeps.
+    // Calls sweep(begin, end, matches) for chunks of the rows, until there are more matches than a space keeps.
     template <class Sweep>
     void sweepPieces(const dxCellRows &rows, dxTaskRunner &runner, const Sweep &sweep);
 
     const dxPairLimit m_maxPairs;
-    std::size_t m_most = 0;            // matches of a worker, after which it stops
+    std::size_t m_most = 0;            // number of matches of a worker after which it stops
     std::vector<Level> m_byEdge;       // by exponent, from the lowest
     std::vector<Level *> m_levels;     // those in use, smallest boxes first
     dxBounds m_corners;                // the low ones of the boxes of a level and all smaller ones

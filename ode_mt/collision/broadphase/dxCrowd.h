@@ -8,9 +8,9 @@ class dxCrowd {
 public:
     bool isOne() const { return m_calls != 0; }
     void become() { m_calls = dxBroadPhaseThresholds::kCallsOfCrowd; }
-    // At the beginning of a call of a crowd. True: it is time to count again.
+    // Returns whether it is time to count again. Requires one call at the beginning of each call beyond the limit.
     bool isOver() { return --m_calls == 0; }
 
 private:
-    int m_calls = 0;  // that it is to be walked yet
+    int m_calls = 0;  // number of calls for which the space is still walked
 };

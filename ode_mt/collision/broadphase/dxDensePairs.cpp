@@ -114,7 +114,7 @@ void dxDensePairs::findPairs(const dxMembers &members, std::size_t rows) {
     for (std::size_t i = 0; i < count; ++i) push(members, m_together[i].a, m_together[i].b);
 }
 
-// Of changed members, wherever they stand, with all others.
+// Finds the pairs of changed members, at any places, with all others.
 void dxDensePairs::findAround(const dxMembers &members) {
     m_rows.resize(m_order.size());
     m_around.clear();

@@ -1,10 +1,9 @@
-// Pairs of a small space whose pairs come by rank: the boxes that have changed against all others, by vectors.
+// Brute force for a small space whose pairs are ordered by rank: the changed boxes against all others, with SIMD.
 //
-// Such a space pairs each geom with those behind it. In a simple space what changed stands in front of all that
-// did not, so the new pairs come first, in order as they are found, and the kept ones follow: nothing is
-// sorted. In a quad tree what changed mostly stays where it stood, and new pairs come between kept ones. The table of
-// boxes is kept in the order of ranks.
-// A search costs changed x all / vector length comparisons, so it is for spaces of some hundred geoms.
+// Such a space pairs each geom with those behind it. In a simple space changed geoms are in front of all others, so the
+// new pairs come first, in order as they are found, and the kept ones follow: no sort is needed. In a quad tree changed
+// geoms mostly keep their places, and new pairs are merged with kept ones. The boxes are stored in the order of ranks.
+// An update costs changed x all / vector length comparisons, so the class is for spaces of some hundred geoms.
 #pragma once
 
 #include <vector>
@@ -15,7 +14,7 @@
 
 class dxDensePairs {
 public:
-    // Brings `pairs`, which are in order for the members before their changes, up to date.
+    // Updates `pairs`, which are in order for the members before their changes.
     void update(const dxMembers &members, std::vector<dxOrderedPair> &pairs);
 
 private:
@@ -34,11 +33,11 @@ private:
 
     std::vector<Slot> m_changed;             // front first
     std::vector<Slot> m_order, m_nextOrder;  // of all, front first
-    std::vector<std::uint32_t> m_rowOf;      // by slot, in m_order; right for those that are there
-    std::uint64_t m_orderings = 0;           // of the members, when they were put in order
+    std::vector<std::uint32_t> m_rowOf;      // by slot, in m_order; valid for those in it
+    std::uint64_t m_orderings = 0;           // dxMembers::orderings() when they were put in order
     dxBoxTable m_boxes, m_nextBoxes;         // of m_order
     std::vector<std::uint32_t> m_rows;
     std::vector<dxSlotPair> m_together;      // rows
-    std::vector<std::uint64_t> m_around;     // pairs of rows, in one number each
+    std::vector<std::uint64_t> m_around;     // pairs of rows, each packed in one number
     std::vector<dxOrderedPair> m_found, m_kept;
 };

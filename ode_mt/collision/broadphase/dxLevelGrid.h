@@ -1,13 +1,12 @@
-// Finds the boxes near a box: a hierarchical hash grid that is kept from frame to frame.
+// A hierarchical hash grid of boxes that is kept from frame to frame, for queries of the boxes near a box.
 //
-// A box lives on the level whose cells are just as large as it (cell edge 2^level, at most two cells per
-// axis, so at most eight). A search looks at the cells it covers on every level in use. Insertion, removal
-// and search cost what the neighbourhood holds, however many boxes there are and whatever their sizes.
-// Boxes that no cell can hold (infinite, NaN, inside out, out of the range of cell numbers) are kept apart
-// and are met by every search.
+// A box is stored on the level whose cells are just as large as it (cell edge 2^level, at most two cells per axis, so
+// at most eight). A query visits the cells that it covers on every level in use. The cost of insertion, removal and
+// query depends on the neighbourhood only, not on the number or sizes of all boxes. Boxes that no cell can hold
+// (infinite, NaN, min > max, out of the range of cell numbers) are kept apart and visited by every query.
 //
-// Boxes are known by slots, small numbers that the owner gives. Not thread safe.
-// Source of the idea: Ericson, Real-Time Collision Detection, 7.1.5 "Hierarchical Grids".
+// Boxes are identified by slots, small numbers that the owner assigns. Threading: not thread-safe. Source of the idea:
+// Ericson, Real-Time Collision Detection, 7.1.5 "Hierarchical Grids".
 #pragma once
 
 #include <algorithm>
@@ -30,7 +29,7 @@ public:
     template <class Visit>
     void search(const dxBounds &box, Visit &&visit) const;
 
-    // Memory in use, for tests of boundedness: cells, empty ones included.
+    // Number of cells, empty ones included, for tests of bounded memory.
     std::size_t cellCount() const { return m_cells.size(); }
 
 private:
@@ -61,7 +60,7 @@ private:
             for (std::int32_t y = range.low[1]; y <= range.high[1]; ++y)
                 for (std::int32_t z = range.low[2]; z <= range.high[2]; ++z) visit(x, y, z);
     }
-    // False: the box covers cells whose numbers do not fit.
+    // Returns false if the box covers cells whose numbers do not fit.
     static bool cellsOf(const dxBounds &box, int level, Range &range);
     static std::size_t hashOf(std::int32_t level, std::int32_t x, std::int32_t y, std::int32_t z);
 

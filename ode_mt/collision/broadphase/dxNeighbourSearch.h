@@ -1,4 +1,4 @@
-// Pairs among neighbours: the search for calls at which few members have moved far.
+// Broad phase by neighbours with margins, for calls in which few members have moved far.
 #pragma once
 
 #include "collision/broadphase/dxNeighbours.h"
@@ -6,12 +6,12 @@
 
 class dxNeighbourSearch final : public dxPairSearch {
 public:
-    // Of members that did not change before the first search, if there are any.
+    // Takes over members that have not changed before the first call.
     void adopt(const dxMembers &members);
 
     void search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
 
-    // Boxes that the last search had to look up in the grid; the others have neighbours that are known.
+    // Returns the number of boxes that the last call queried in the grid; the neighbours of the others are known.
     std::size_t lookedUp() const { return m_lookedUp; }
 
 private:

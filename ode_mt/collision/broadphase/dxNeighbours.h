@@ -1,10 +1,10 @@
-// Who is near whom: for every box of a set its candidates, the boxes that it may overlap.
+// For every box of a set its candidates, the boxes that it may overlap.
 //
-// Each box is stored with a margin. While it moves within the margin, its candidates stay what they are and
-// a frame costs it one comparison; when it leaves, it is looked up again (dxLevelGrid). Two boxes that
-// overlap are always candidates of each other, because each lies within its stored box.
+// Each box is stored with a margin. While it moves within the margin, its candidates are unchanged and a frame costs
+// one comparison; when it leaves the margin, it is queried again (dxLevelGrid). Two boxes that overlap are always
+// candidates of each other, because each lies within its stored box.
 //
-// Not thread safe for changes; candidates may be read from several threads.
+// Threading: changes are not thread-safe; several threads may read candidates.
 #pragma once
 
 #include <cstdint>
@@ -19,11 +19,11 @@ public:
 
     struct Candidate {
         Slot slot;
-        std::uint32_t back;  // where this box stands among the candidates of that one
+        std::uint32_t back;  // index of this box among the candidates of that one
     };
 
     void insert(Slot slot, const dxBounds &box);
-    // True: the box left its margin and was looked up again.
+    // Returns whether the box left its margin and was queried again.
     bool move(Slot slot, const dxBounds &box);
     void remove(Slot slot);
 

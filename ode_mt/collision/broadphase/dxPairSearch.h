@@ -1,4 +1,4 @@
-// A way of finding the pairs of members whose boxes overlap.
+// A broad phase: finds the pairs of members whose boxes overlap.
 #pragma once
 
 #include <vector>
@@ -13,8 +13,8 @@ public:
 
     virtual ~dxPairSearch() = default;
 
-    // Appends every pair with overlapping boxes of which at least one member has changed, each pair once, in
-    // any order. Called whenever members have changed; at the first call all have. May share the work out.
+    // Appends every pair with overlapping boxes of which at least one member has changed, each pair once, in any order.
+    // Called whenever members have changed; at the first call all have. It may run chunks on the runner's workers.
     virtual void search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) = 0;
 
     // What a search that groups members (by clusters) has to say of callbacks on several threads. Of the last search.

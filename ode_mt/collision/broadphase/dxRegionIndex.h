@@ -1,15 +1,14 @@
-// Which members of a space overlap a given box: for rays, sensors, and whatever else is tested against a
-// whole space.
+// Queries of the members of a space that overlap a given box: for rays, sensors, and other geoms that are tested
+// against a whole space.
 //
-// Members that rest are in a tree (overlap/dxBoxTree.h). One that changes becomes loose, and is compared with
-// every box asked for. Comparing loose members costs time with each question, building the tree costs it
-// once: the tree is built anew when the comparisons made since have cost as much. So a space that is never
-// asked builds none, and in one that is asked often, whether or not things move in it, a question costs a
-// logarithm.
+// Members at rest are in a BVH (overlap/dxBoxTree.h). A member that changes becomes loose, and is compared with every
+// queried box. Loose members cost time at each query, building the tree costs it once: the tree is rebuilt when the
+// comparisons since have cost as much. So a space without queries builds none, and in one with many queries, with or
+// without motion, a query has logarithmic cost.
 //
-// Several threads may ask while no member changes. One of them builds the tree, the others compare all
-// members meanwhile: nobody waits, so nobody can wait for a thread that a fork has left behind. A question is
-// answered from memory of the asker's; no lock is held when find() returns.
+// Threading: several threads may query while no member changes. One of them builds the tree, the others compare all
+// members meanwhile. No thread waits, so none can wait for a thread that does not exist after fork. The result is in
+// memory of the querying thread; no lock is held when find() returns.
 #pragma once
 
 #include <atomic>
@@ -26,10 +25,10 @@ class dxRegionIndex {
 public:
     using Slot = dxMembers::Slot;
 
-    // The member is new or has changed. Does nothing before the first question. Without memory for that the
-    // tree is given up, until it is built anew.
+    // Requires a call when a member is new or has changed. Does nothing before the first query. Without memory the tree
+    // is discarded until it is rebuilt.
     void loosen(Slot slot) noexcept;
-    // The member has gone. Likewise nothing before the first question.
+    // Requires a call when a member is removed. Does nothing before the first query.
     void drop(Slot slot);
 
     // Fills `found` with the members whose boxes overlap `box`, the one furthest to the front of the list
@@ -50,7 +49,7 @@ private:
     void build(const dxMembers &members);
     void sortAlongCurve(const dxMembers &members);
 
-    std::shared_mutex m_mutex;  // only ever tried: shared to query, exclusive to build
+    std::shared_mutex m_mutex;  // only try_lock is used: shared for a query, exclusive for a build
     bool m_isInUse = false;     // since the first question all members are in the tree or loose
     std::vector<Home> m_homes;  // by slot
     std::vector<Slot> m_loose;

@@ -1,7 +1,7 @@
-// Pairs of a small space: the boxes that have changed against all others, by vectors.
+// Brute force for a small space: the changed boxes against all others, with SIMD.
 //
-// A member's row in the table is its slot, so that a change writes one row and nothing has to be sorted beforehand.
-// A search costs changed x all / vector length comparisons, so it is for spaces of some hundred geoms.
+// A member's row is its slot, so a change writes one row and no sort is needed beforehand. A call costs changed x all /
+// vector length comparisons, so the class is for spaces of some hundred geoms.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@ class dxTableSearch final : public dxPairSearch {
 public:
     void search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
 
-    // Takes the members that have not changed as they are.
+    // Takes over the members that have not changed.
     void adopt(const dxMembers &members);
 
 private:
@@ -22,7 +22,7 @@ private:
     void searchAll(const dxMembers &members, std::vector<Match> &matches);
     void searchChanged(const dxMembers &members, std::vector<Match> &matches);
 
-    dxBoxTable m_boxes;              // by slot; of members that have gone, the last one
+    dxBoxTable m_boxes;              // by slot; removed members keep their last box
     std::vector<dxSlotPair> m_found;
     std::vector<std::uint32_t> m_rows;
 };

@@ -17,7 +17,7 @@ constexpr dReal kCallsAhead = 8;
 // Growing a stored box takes at least a three hundredth of the time that making a list takes, whatever their number;
 // and what is appended to the list is compared at every call.
 constexpr std::size_t kGrowthsForAList = 250;
-constexpr std::size_t kLongestByFresh = 2;  // a list that has grown by this factor is made anew
+constexpr std::size_t kLongestByFresh = 2;  // a list that has grown by this factor is rebuilt
 
 // Where one of so many members has left its stored box in one call, a list is made rather.
 constexpr std::size_t kManyEscaped = 8;
@@ -109,7 +109,7 @@ void dxVerletSearch::store(Slot slot, const dxBounds &box) {
     m_storedTable.set(slot, box);
 }
 
-// How far it went since the last list tells how far it will go. Without a skin: what rests.
+// The motion since the last list predicts the next. Members at rest have no skin.
 dxBounds dxVerletSearch::boxToStore(const dxMembers &members, Slot slot) const {
     const dxBounds &box = members[slot].bounds, &start = m_starts[slot].box;
     const bool isOld = m_starts[slot].geom == members[slot].geom;

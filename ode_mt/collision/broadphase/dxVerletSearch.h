@@ -1,16 +1,16 @@
-// Finds pairs by a list of candidates that stays right for many calls: for spaces in which most members move, a
-// little at a time.
+// Broad phase by a Verlet list, which is valid for many calls: for spaces in which most members move, a little at a
+// time.
 //
 // Source: the neighbour list with a skin of molecular dynamics (Verlet, Physical Review 159, 1967; Allen and Tildesley,
-// Computer Simulation of Liquids, 5.3). Each box is stored grown, by a skin on all sides and by the way that it goes in
-// some calls on the side to which it travels. While boxes lie within their stored ones, they cannot overlap without
-// these, so a call compares the candidates and nothing else.
+// Computer Simulation of Liquids, 5.3). Each box is stored enlarged, by a skin on all sides and by its motion of some
+// calls on the side to which it travels. While boxes lie within their stored ones, they cannot overlap without these,
+// so a call compares the candidates and nothing else.
 //
 // Invariant: the candidates are, each once, the pairs of slots whose stored boxes overlap. All are found at once when a
 // list is made (dxBatchSearch). Stored boxes only ever grow until the next one: where a box leaves its own, that is
-// grown to hold it, compared with all others, and what it meets now and did not meet before becomes a candidate. A
-// slot keeps its stored box when its member goes. A list is made when growing has cost about as much, or has made the
-// list long. Where boxes move so fast that lists serve few calls, pairs are found all at once for a while, without one.
+// grown to hold it, compared with all others, and what it meets now and did not meet before becomes a candidate. A slot
+// keeps its stored box when its member goes. A list is rebuilt when growing has cost about as much, or has made the
+// list long. Where boxes move so fast that lists serve few calls, pairs are found by the cell grid for a while.
 #pragma once
 
 #include <vector>
@@ -28,14 +28,14 @@ public:
 
     void search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
 
-    // Lists made so far, and candidates in the present one.
+    // Return the number of lists built so far, and of candidates in the current one.
     std::size_t lists() const { return m_lists; }
     std::size_t candidates() const { return m_candidates.size(); }
 
 private:
     using Slot = dxMembers::Slot;
 
-    // A member when the list was made.
+    // A member when the list was built.
     struct Start {
         const dxGeom *geom = nullptr;
         dxBounds box;
@@ -52,7 +52,7 @@ private:
     void resize(std::size_t slots);
     dxBounds boxToStore(const dxMembers &members, Slot slot) const;
     void store(Slot slot, const dxBounds &box);
-    // False: a list is due.
+    // Returns false if a new list is due.
     bool noteChanges(const dxMembers &members, dxTaskRunner &runner);
     void expect(const dxMembers &members, Slot slot) const;
     void noteBox(const dxMembers &members, Slot slot);

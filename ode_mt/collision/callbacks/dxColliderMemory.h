@@ -2,7 +2,7 @@
 // fields, and geoms in geom transforms, which are put in the transform's place for a while. Several members of the space may
 // have them in common. And which members lead to a height field, which turns the geom that it meets into its own frame.
 //
-// A nested space stands for all that is in it.
+// A nested space represents everything in it.
 #pragma once
 
 #include <cstdint>

@@ -25,12 +25,12 @@
 
 namespace {
 
-// More tasks than workers even out what the number of pairs does not tell of their cost.
+// More tasks than workers compensate for the unknown cost of a pair.
 constexpr unsigned kTasksPerWorker = 8;
 
 constexpr std::size_t kLeastPairs = 2;
 
-// Notes where a pair's operations stand in a log, also those of a callback that ends its thread.
+// Records the range of a pair's operations in a log, also for a callback that ends its thread.
 class Recording {
 public:
     Recording(const dxContactLog &log, dxContactLog::Span &span) : m_log(log), m_span(span) {
@@ -122,9 +122,8 @@ struct Commit {
     ~Commit() { run.commit(); }
 };
 
-// A callback has ended the worker that it ran on. As an exception, that is passed on: without workers it
-// would have ended the thread that called dSpaceCollide. The pool is made anew, with as many workers as
-// before.
+// A callback has ended the worker that it ran on. As an exception, that is passed on: without workers it would have
+// ended the thread that called dSpaceCollide. The pool is recreated, with as many workers as before.
 [[noreturn]] void endThread() {
     dxWorkers::instance().stop();
     pthread_exit(nullptr);
@@ -138,8 +137,8 @@ unsigned workersFor(dxOrderedSpace &space, const dxTaskRunner &runner) {
     return mayCluster ? space.search()->threads(runner.workers()) : runner.workers();
 }
 
-// Under auto: more than half of the pairs hang together in one task, as in a heap. One worker would run their
-// callbacks while the others wait; with contacts ahead all have work.
+// Under auto: more than half of the pairs are in one task, as in a heap. One worker would run their callbacks while the
+// others wait; with the narrow-phase prefetch all have work.
 bool isLopsided(const dxPairTasks &cut, std::size_t pairs) {
     if (dxSettings::instance().algorithm() != dxAlgorithm::Auto) return false;
     return std::any_of(cut.tasks().begin(), cut.tasks().end(), [pairs](const dxPairTasks::Task &task) {
@@ -147,7 +146,8 @@ bool isLopsided(const dxPairTasks &cut, std::size_t pairs) {
     });
 }
 
-// Cuts the pairs into tasks. False: they are not to be shared out, or there is no memory for that.
+// Cuts the pairs into tasks. Returns false if the callbacks should not run concurrently, or there is no memory for
+// that.
 bool start(std::optional<dxIdleLease<Run>> &lease, const dxOrderedSpace &space, unsigned workers) {
     try {
         (*lease.emplace(*idleRuns)).start(space, workers);

@@ -69,7 +69,7 @@ dxJointContact *dxContactLog::construct(dxJointGroup *group) {
     return joint;
 }
 
-// Several at once: what tasks write in turns goes back and forth between their caches.
+// Several are allocated at once, to avoid coherence misses between tasks.
 void *dxContactLog::takeRoom(dxJointGroup &group) {
     constexpr int kRoomsAtOnce = 8;
     if (m_roomsOf != &group) finish();

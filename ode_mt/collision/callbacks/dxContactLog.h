@@ -1,8 +1,8 @@
-// Contact joints that callbacks make on several threads at once: made at once, put into the lists of world
-// and bodies later, pair by pair, in the order in which upstream would have made them.
+// Contact joints that concurrent callbacks create. They are constructed immediately and inserted into the lists of
+// world and bodies later, pair by pair, in the order of upstream.
 //
-// That order decides the order of joints in islands, and with it of rows and bits. Until a joint is committed
-// it knows its bodies, but the world and the bodies do not know it.
+// That order decides the order of joints in islands, and with it of rows and bits. Until a joint is committed it refers
+// to its bodies, but is in no list of the world or the bodies.
 //
 // One log for each task. While a task runs callbacks its log is the current one of its thread, and
 // dJointCreateContact and dJointAttach (ode_mt/api/objects.cpp) write into it.
@@ -22,15 +22,15 @@ struct dxJointContact;
 
 class dxContactLog {
 public:
-    // Where one pair's operations stand in a log.
+    // The range of one pair's operations in a log.
     struct Span {
         std::uint32_t begin = 0, end = 0;
     };
 
-    // That of this thread, or NULL.
+    // Returns the log of this thread, or NULL.
     static dxContactLog *current();
 
-    // Makes a log current for as long as it lives.
+    // Makes a log current during its lifetime.
     class Scope {
     public:
         explicit Scope(dxContactLog &log);
@@ -42,7 +42,7 @@ public:
         dxContactLog *const m_outer;
     };
 
-    // `groups`: held while memory is taken from a joint group, which tasks may share.
+    // `groups` is locked while memory is allocated from a joint group, which tasks may share.
     void start(std::mutex &groups);
 
     std::uint32_t position() const { return static_cast<std::uint32_t>(m_operations.size()); }
@@ -50,12 +50,12 @@ public:
     dJointID create(dWorldID world, dJointGroupID group, const dContact *contact);
     void attach(dJointID joint, dBodyID body1, dBodyID body2);
 
-    // For dCollide in this task's callbacks: what other tasks collide, too, is not written to.
+    // Returns the copies with which dCollide in this task's callbacks avoids writes to geoms that other tasks read.
     dxColliderCopies &copies() { return m_copies; }
 
-    // On the thread that called dSpaceCollide.
+    // Inserts the joints of a pair. Requires the thread that called dSpaceCollide.
     void commit(Span span);
-    // Likewise, after the last commit: what was taken of joint groups and not used.
+    // Returns unused memory to the joint groups. Requires the same thread, after the last commit.
     void finish();
 
 private:
@@ -72,6 +72,6 @@ private:
     dxColliderCopies m_copies;
     std::mutex *m_groups = nullptr;
     dxJointGroup *m_roomsOf = nullptr;
-    std::vector<void *> m_rooms;  // for contact joints of that group
-    dxWorld m_nursery;  // where joints are made: a joint's constructor writes to its world
+    std::vector<void *> m_rooms;  // memory for contact joints of that group
+    dxWorld m_nursery;  // joints are constructed in this world, because a joint's constructor writes to its world
 };

@@ -92,7 +92,8 @@ void dxPairTasks::cutBetweenSets(const std::vector<dxOrderedPair> &pairs, const 
     shareOut(wanted, pairs.size());
 }
 
-// Upstream's height fields turn the other geom, and its body with it, while they collide it: whatever has a place.
+// Upstream's height fields transform the other geom, and its body with it, while they collide it: every geom with a
+// pose.
 void dxPairTasks::markWritten(const dxOrderedPair &pair) {
     for (int i = 0; i < 2; ++i) {
         const dxGeom *const geom = i == 0 ? pair.first : pair.second;
@@ -145,7 +146,7 @@ void dxPairTasks::uniteExclusive(const std::vector<dxOrderedPair> &pairs) {
         if (m_exclusive[pair.slots[0]] && m_exclusive[pair.slots[1]]) m_sets.unite(pair.slots[0], pair.slots[1]);
 }
 
-// Memory that is only read, by colliders that have copies of what they write to, is nobody's.
+// Memory that is only read, by colliders that have copies of what they write to, belongs to no task.
 void dxPairTasks::uniteSharedMemory() {
     const std::vector<dxColliderMemory::Use> &uses = m_memory.uses();
     for (std::size_t i = 0, end; i < uses.size(); i = end) {
@@ -187,7 +188,7 @@ void dxPairTasks::sizeSets(const std::vector<dxOrderedPair> &pairs) {
     }
 }
 
-// Large sets first, each a task of its own; small ones together, as they come, until they are as large as a task should
+// Large sets first, each a task of its own; small ones are combined in order until they are as large as a task should
 // be.
 void dxPairTasks::shareOut(unsigned wanted, std::size_t pairs) {
     const std::size_t least = pairs / wanted + 1;
@@ -208,7 +209,7 @@ void dxPairTasks::shareOut(unsigned wanted, std::size_t pairs) {
     sortIntoTasks(pairs);
 }
 
-// While tasks are put together, their ends are their sizes.
+// While tasks are combined, their ends hold their sizes.
 void dxPairTasks::addToTask(std::uint32_t set, bool isFirst) {
     if (isFirst) m_tasks.push_back({0, 0});
     m_taskOfSet[set] = static_cast<std::uint32_t>(m_tasks.size() - 1);

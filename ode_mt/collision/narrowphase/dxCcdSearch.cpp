@@ -4,13 +4,13 @@
 
 namespace {
 
-// Upstream allows the last part of a search 500 turns (ccdCollide in collision_libccd.cpp), libccd the parts before any number.
-// They take some ten.
+// Upstream limits the last phase to 500 iterations (ccdCollide in collision_libccd.cpp), libccd does not limit the
+// earlier ones. They take some ten.
 constexpr unsigned kMostTurns = 2000;
 
 __attribute__((tls_model("initial-exec"))) thread_local bool t_isLimited = false;
 
-// Stands for the first object: libccd asks for a point of each object in every turn.
+// Replaces the first object: libccd calls the support function of each object in every iteration.
 class Counted {
 public:
     Counted(const void *object, const ccd_t &search) : m_object(object), m_support(search.support1), m_center(search.center1) {}

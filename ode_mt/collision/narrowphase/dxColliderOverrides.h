@@ -1,11 +1,11 @@
-// Which colliders are the user's (dSetColliderOverride): code that runs on the user's thread alone.
+// The colliders that are the user's (dSetColliderOverride). They run on the user's thread alone.
 //
-// For the process, as upstream's table of colliders is.
+// The set is process-wide, like upstream's table of colliders.
 #pragma once
 
 namespace dxColliderOverrides {
 
-void note(int type1, int type2);  // in either order
+void note(int type1, int type2);  // in both orders
 bool has(int type1, int type2);
 void forget();
 

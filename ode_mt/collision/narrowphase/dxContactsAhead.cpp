@@ -32,9 +32,9 @@ std::atomic<std::uint64_t> lastCall{0};
 
 // Pairs computed at once: enough to pay for waking workers, few enough for their contacts to stay in a cache.
 constexpr std::size_t kWindow = 2048;
-// Pairs after which the flags are known, or are looked at again.
+// Number of pairs after which the flags are known, or are checked again.
 constexpr std::size_t kBlindWindow = 16;
-// That one worker takes at once. Pairs that stand together share geoms; but a convex pair may take twenty
+// Number of pairs that one worker takes at once. Consecutive pairs share geoms; but a convex pair may take twenty
 // microseconds, and every worker should get some.
 constexpr std::size_t kLeastPiece = 8, kLargestPiece = 128;
 constexpr std::size_t kPiecesForEach = 4;
@@ -42,7 +42,7 @@ constexpr std::size_t kPiecesForEach = 4;
 // Contacts a pair for which scratch memory is kept.
 constexpr int kMostContacts = 4096;
 
-// Pairs after which it is told whether what was computed is asked for.
+// Number of pairs after which it is decided whether the prefetched contacts are used.
 constexpr std::uint64_t kTelling = 256;
 constexpr unsigned kShortestPause = 16, kLongestPause = 1024;  // calls
 
@@ -75,10 +75,10 @@ bool isUnwritten(const dContactGeom &contact) {
            contact.side1 == kNoSide && contact.side2 == kNoSide;
 }
 
-// Not so where only whether two shapes touch was asked for: some colliders say yes and write nothing, and
-// dCollide turns the normal if the shapes came in the other order. Nor where a ray without end hits a convex
-// geom at no distance: the collider computes with the place that it finds in the contact. A number that was
-// computed from the pattern is none, like the pattern.
+// Returns false if the call asked only whether two shapes touch: some colliders return a contact without writing it,
+// and dCollide negates the normal if the shapes were in the other order. The same holds if a ray of infinite length
+// hits a convex geom at no distance: the collider computes with the place that it finds in the contact. A number that
+// was computed from the pattern is none, like the pattern.
 bool isWritten(const dContactGeom &contact) {
     for (int i = 0; i < 3; ++i)
         if (std::isnan(contact.pos[i]) || std::isnan(contact.normal[i])) return false;
@@ -153,7 +153,7 @@ void dxContactsAhead::release() {
     if (m_holders.fetch_sub(1, std::memory_order_acq_rel) == 1) delete this;
 }
 
-// Who still holds it is told nothing any more.
+// Its remaining holders get no further notifications.
 void dxContactsAhead::leaveSpace() {
     m_pair = nullptr;
     m_hasResults = false;
@@ -262,7 +262,7 @@ void dxContactsAhead::compute(const dxOrderedPair &pair, Result &result, unsigne
         worker.wipe(worker.used, worker.used + most);
         return;
     } catch (const std::bad_alloc &) {
-        // The callback will find out, in its turn.
+        // The callback will get the error.
         worker.wipe(worker.used, std::min(worker.used + most, worker.contacts.size()));
         return;
     }

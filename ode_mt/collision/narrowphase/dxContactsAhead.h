@@ -1,26 +1,25 @@
-// Contacts of pairs whose callbacks are still to come, computed by workers.
+// Narrow-phase prefetch: workers compute the contacts of pairs before their callbacks.
 //
-// Callbacks run one at a time, in order, on the caller's thread. Before a window of them, workers call
-// dCollide for its pairs; in the callback dCollide then hands out what is there, if it is asked for the same
-// pair with the same flags, and nothing that colliders read has changed (dxColliderState, dxConvexArrays, dxSilentChanges,
-// dxFloatMode; geoms of a locked space cannot be moved, and where an assertion about that fails all contacts are void).
-// Else it computes anew. While a callback runs no worker does: it may write to whatever workers read. Pairs
-// with a mesh, or with a height field whose samples are the program's, are not computed ahead
-// (dxKnowsArrays), unless the program has promised to leave such arrays alone.
+// Callbacks run one at a time, in order, on the caller's thread. Before each batch of callbacks, workers call dCollide
+// for its pairs; in the callback dCollide then returns these contacts, if it is called for the same pair with the same
+// flags, and nothing that colliders read has changed (dxColliderState, dxConvexArrays, dxSilentChanges, dxFloatMode;
+// geoms of a locked space cannot be moved, and if an assertion about that fails all contacts are invalid). Otherwise it
+// computes the contacts. No worker runs during a callback, because a callback may write to whatever workers read. Pairs
+// with a mesh, or with a height field whose samples are the program's, are not prefetched (dxKnowsArrays), unless the
+// program has promised not to write to such arrays.
 //
-// What the callback will ask for is learned from the last call: with which flags, and for which geoms. A pair is
-// computed ahead only if dCollide was called for both of its geoms in this call or the one before, be it in other
-// pairs: a program may have reasons never to collide a geom, or not any more (points or samples that are gone). The points
-// of a convex geom are read only when the program collides it (dxConvexArrays); samples of height fields and meshes only where
-// no such data has been destroyed since.
-// If less than half of what was computed is asked for, the rest of the call goes without, and so do the next calls.
+// The flags and geoms are predicted from the last call. A pair is prefetched only if dCollide was called for both of
+// its geoms in this call or the one before, possibly in other pairs: a program may have reasons not to collide a geom
+// (freed points or samples). The points of a convex geom are read only when the program collides it (dxConvexArrays);
+// samples of height fields and meshes only where no such data has been destroyed since. If fewer than half of the
+// prefetched contacts are used, the rest of the call has no prefetch, and neither have the next calls.
 //
-// Colliders leave some bytes of dContactGeom as they are. Workers compute into memory that holds a pattern,
-// and what still shows the pattern is not copied to the user's contacts.
+// Colliders leave some bytes of dContactGeom unwritten. Workers compute into memory that holds a pattern, and what
+// still has the pattern is not copied to the user's contacts.
 //
-// Belongs to one space, like its pairs. No contact outlives a call of dSpaceCollide: the user may change mesh
-// vertices and convex points between two without telling. A callback may leave that call by a jump, and the
-// program destroy the space: then this stays, empty, until the thread has been seen to be elsewhere.
+// The object belongs to one space. No contact outlives a call of dSpaceCollide: the user may change mesh vertices and
+// convex points between two calls without a notification. A callback may leave the call by a jump, and the program may
+// destroy the space: then this object remains, empty, until the thread is known to have left the call.
 #pragma once
 
 #include <atomic>
@@ -45,13 +44,14 @@ public:
     };
     using Owner = std::unique_ptr<dxContactsAhead, Release>;  // the space's
 
-    // That of the pair whose callback this thread is in, or NULL. A callback may have left by longjmp, so
-    // that a call made much deeper on the stack may still be told the last one.
+    // Returns the object of the pair whose callback runs on this thread, or NULL. A callback may have left by longjmp,
+    // so a call much deeper on the stack may still get the last one.
     static dxContactsAhead *current();
 
-    // Makes one current for as long as its frame is on the stack, or until a call elsewhere on the stack makes another one
-    // current: where a program switches between stacks of its own (fibers) in callbacks, calls do not end in the reverse order
-    // of their beginnings, and what is current does not belong to whoever ends. Calls are known by their numbers therefore.
+    // Makes one current for as long as its frame is on the stack, or until a call elsewhere on the stack makes another
+    // one current: where a program switches between stacks of its own (fibers) in callbacks, calls do not end in the
+    // reverse order of their beginnings, and the current object need not be that of the ending call. Therefore calls
+    // have numbers.
     class Scope {
     public:
         // `arraysStay`: the program promises that no callback writes to the arrays of meshes and height
@@ -66,36 +66,36 @@ public:
         dxContactsAhead &m_ahead;
     };
 
-    // Memory for a call; `slots`: of the space's members. Throws std::bad_alloc; nothing else here does:
-    // contacts for which there is none are left to the callbacks.
+    // Reserves memory for a call; `slots` is the number of slots of the space's members. Throws std::bad_alloc. No
+    // other function does: contacts without memory are computed in the callbacks.
     void makeRoom(const dxTaskRunner &runner, std::size_t slots);
 
-    // To be called before the callback of pairs[index], with rising indices.
+    // Requires a call before the callback of each pairs[index], with rising indices.
     void beforePair(const std::vector<dxOrderedPair> &pairs, std::size_t index) {
         m_pair = &pairs[index];
         if (index >= m_end) nextWindow(pairs, index);
         m_index = index - m_begin;
     }
 
-    // The space is about to look for its pairs again.
+    // Requires a call before the space updates its pairs.
     void forgetPair() { m_pair = nullptr; }
-    // Another geom has the slot.
+    // Requires a call when another geom gets the slot.
     void forgetGeom(dxMembers::Slot slot) {
         if (slot < m_asked.size()) m_asked[slot] = {};
         m_convex.forget(slot);
     }
 
-    // dCollide asks. -1: nothing is known, upstream has to compute.
+    // Returns the number of prefetched contacts for dCollide, or -1 if there are none and upstream has to compute.
     int answer(dGeomID o1, dGeomID o2, int flags, dContactGeom *contacts, int skip);
 
-    // Of the last call: pairs computed, and how many of them were asked for.
+    // Return, for the last call, the number of pairs computed and how many of them were used.
     std::uint64_t computed() const { return m_computed; }
     std::uint64_t used() const { return m_used; }
 
 private:
     static constexpr int kUnknown = -1;
 
-    // Small, because it goes from one core to another for every pair.
+    // It is small, because one moves from core to core for every pair.
     struct Result {
         std::int32_t count;    // kUnknown
         std::uint32_t first;   // among the worker's contacts
@@ -104,7 +104,7 @@ private:
         bool isUsed;
     };
 
-    // Of both geoms (stateOf).
+    // The states of both geoms (stateOf).
     struct States {
         std::uint64_t first, second;
     };
@@ -139,7 +139,7 @@ private:
 
     static std::uint64_t changesNoticed();
 
-    // The space, and threads in a call with it, or that may have left one by a jump.
+    // Number of holders: the space, and threads that are in a call with it or may have left one by a jump.
     std::atomic<unsigned> m_holders{1};
     dxTaskRunner *m_runner = nullptr;
     bool m_arraysStay = false;
@@ -153,7 +153,7 @@ private:
     std::uint64_t m_window = 0;  // its number
     std::vector<Worker> m_workers;
     std::uint64_t m_call = 1;               // its number
-    // When a geom was collided last.
+    // The last collision of a geom.
     struct Asked {
         std::uint64_t call = 0;     // 0: never
         std::uint64_t changes = 0;  // dxSilentChanges::count() then
@@ -163,7 +163,7 @@ private:
     int m_flags = 0;  // of the last dCollide; 0: none yet
     int m_windowFlags = 0;
     std::uint64_t m_computed = 0, m_used = 0;  // in this call
-    // In the calls since it was last told whether it pays.
+    // Counters of the calls since it was last decided whether the prefetch pays.
     std::uint64_t m_computedUntold = 0, m_usedUntold = 0;
     unsigned m_callsWithout = 0;  // to come
     unsigned m_nextPause = 0;

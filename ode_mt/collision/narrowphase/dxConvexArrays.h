@@ -1,12 +1,12 @@
-// The arrays of convex geoms as workers read them: copies of our own.
+// Copies of the arrays of convex geoms, for workers to read.
 //
-// Points, planes and polygons are the program's; it may write to them, or free those of a geom that it does not collide any
-// more, without a call. They are there whenever it asks for contacts of the geom, though: then, and only then, they are read, and
-// copied if they are not as they were. Workers compute contacts ahead (dxContactsAhead) from the copy. Such contacts are right as long
-// as the geom's arrays are equal to it.
+// Points, planes and polygons are the program's; it may write to them, or free those of a geom that it does not collide
+// any more, without a notification. They exist whenever it calls dCollide for the geom: then, and only then, they are
+// read, and copied if they have changed. Workers prefetch contacts (dxContactsAhead) from the copy. Such contacts are
+// valid as long as the geom's arrays are equal to it.
 //
-// One thread at a time; while workers read, none changes anything.
-// Dropped: a hash of the program's arrays, taken by workers. They read arrays that were gone.
+// Threading: one thread at a time; while workers read, no thread changes anything. Dropped: a hash of the program's
+// arrays, taken by workers. They read freed arrays.
 #pragma once
 
 #include <cstdint>
@@ -31,9 +31,9 @@ public:
         // Throws std::bad_alloc.
         explicit Copy(const dxConvex &convex);
 
-        std::uint64_t number() const { return m_number; }  // of this copy alone, never 0
+        std::uint64_t number() const { return m_number; }  // unique, never 0
         bool equals(const dxConvex &convex) const;
-        // Lets a copy of the geom, of which it says nothing else, have these arrays: the geom may have been given longer ones.
+        // Sets these arrays in a copy of the geom, which may have been given longer ones.
         void giveTo(dxConvex &convex) const;
 
     private:
@@ -42,7 +42,7 @@ public:
         std::vector<unsigned> m_polygons;
     };
 
-    // To be called when the program collides the geom. Without memory the geom has no copy.
+    // Requires a call when the program collides the geom. Without memory the geom has no copy.
     void read(Slot slot, const dxConvex &convex);
     void forget(Slot slot);
 
@@ -50,7 +50,7 @@ public:
     const Copy *of(Slot slot) const { return slot < m_copies.size() ? m_copies[slot].get() : nullptr; }
 
 private:
-    // Where the program's arrays are, and how long: planes, points, polygons; numbers of planes and points.
+    // Addresses and lengths of the program's arrays: planes, points, polygons; numbers of planes and points.
     using Place = std::tuple<const void *, const void *, const void *, unsigned, unsigned>;
 
     std::shared_ptr<const Copy> copyOf(const dxConvex &convex);

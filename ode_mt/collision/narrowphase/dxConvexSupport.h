@@ -1,8 +1,8 @@
-// The support function of convex geoms for libccd: which of the points lies furthest along a direction.
+// The support function of convex geoms for libccd: the point that is furthest along a direction.
 //
-// As upstream's (ccdSupportConvex, ode/src/collision_libccd.cpp), the first of those that lie furthest, by the same sums;
-// but without a branch for each point. Which point is the furthest changes from call to call, and a pair of convex geoms
-// makes dozens of calls.
+// Like upstream's (ccdSupportConvex, ode/src/collision_libccd.cpp), it returns the first of the furthest points, by the
+// same sums, but branch-free: which point is the furthest is unpredictable, and a pair of convex geoms makes dozens of
+// calls.
 #pragma once
 
 #include <ccd/quat.h>
@@ -21,7 +21,7 @@ struct dxCcdConvex {
     const dxConvex *convex;
 };
 
-// `support` stays as it is, before it is rotated, where no point has a number for its distance.
+// If the distance of every point is NaN, `support` keeps its value before it is rotated.
 inline void dxSupportConvex(const dxCcdConvex &object, const ccd_vec3_t &direction, ccd_vec3_t &support) {
     ccd_vec3_t local = direction;
     ccdQuatRotVec(&local, &object.inverseRotation);

@@ -52,8 +52,8 @@ bool isPure(const dxGeom &geom) {
     }
 }
 
-// A copy of a geom of a built-in class that has a place of its own to turn. Never destroyed: what it points
-// to is the original's.
+// A copy of a geom of a built-in class with a pose of its own, which may be transformed. Never destroyed: what it
+// points to is the original's.
 class MovableCopy {
 public:
     // `arrays`: that a convex geom is to have instead of its own, or NULL.
@@ -193,7 +193,7 @@ dxColliderCopies::dxColliderCopies(dxColliderCopies &&) noexcept = default;
 int dxColliderCopies::collide(dxGeom &a, dxGeom &b, const Arrays &arrays, int flags, dContactGeom *contacts, int skip) {
     a.recomputePosr();
     b.recomputePosr();
-    const bool isOnTerrain = dxIsHeightField(a) != dxIsHeightField(b) && !hasNoPlace(a) && !hasNoPlace(b);  // it turns the other one
+    const bool isOnTerrain = dxIsHeightField(a) != dxIsHeightField(b) && !hasNoPlace(a) && !hasNoPlace(b);  // it transforms the other one
     if (isOnTerrain) return collideWithTerrain(a, b, arrays, flags, contacts, skip);
     MovableCopy copyOfA, copyOfB;
     dxGeom *const readA = arrays.a != nullptr ? copyOfA.of(a, arrays.a) : &a;
@@ -210,7 +210,7 @@ int dxColliderCopies::collideWithTerrain(dxGeom &a, dxGeom &b, const Arrays &arr
     try {
         return m_terrain->collide(terrain, aIsTerrain ? b : a, aIsTerrain ? arrays.b : arrays.a, aIsTerrain, flags, contacts, skip);
     } catch (const std::bad_alloc &) {
-        // Upstream frees a buffer before it asks for a larger one, and would free it again.
+        // Upstream frees a buffer before it allocates a larger one, and would free it again.
         static_cast<void>(m_terrain.release());
         throw;
     }

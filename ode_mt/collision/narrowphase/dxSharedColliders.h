@@ -1,10 +1,10 @@
-// Which pairs may be collided away from the thread that the user's code runs on, and how.
+// The pairs that may be collided on any thread, and how.
 //
-// Upstream's colliders read two geoms and write contacts. Three things stand against running them anywhere:
+// Upstream's colliders read two geoms and write contacts. There are three obstacles to running them on any thread:
 //  - they call the user: classes of the user, overridden colliders, callbacks of meshes and height fields;
 //  - they lead to other geoms: geom transforms, spaces;
-//  - they write to the geoms: a mesh with temporal coherence keeps lists; a height field uses buffers of its
-//    own and turns the other geom into its frame while it tests it.
+//  - they write to the geoms: a mesh with temporal coherence keeps lists; a height field uses buffers of its own and
+//    transforms the other geom into its frame while it tests it.
 // The first two kinds and coherent meshes stay on the user's thread. A pair with a height field is collided
 // as a pair of private copies.
 #pragma once
@@ -16,18 +16,18 @@
 
 #include "collision/narrowphase/dxConvexArrays.h"
 
-// Whether no collider of the pair calls the user, leads elsewhere or writes to the geoms, once copies are
+// Returns whether no collider of the pair calls the user, leads to other geoms, or writes to the geoms if copies are
 // used.
 bool dxMayCollideAnywhere(const dxGeom &a, const dxGeom &b);
 
-// Whether what colliders of such a pair read can be known to be unchanged later, as far as arrays are
-// concerned that are the program's own, so that it may write to them without a call: those of meshes, and
-// samples of height fields that were not copied, are too many to look at again.
+// Whether what colliders of such a pair read can be known to be unchanged later, as far as arrays are concerned that
+// are the program's own, so that it may write to them without a call: those of meshes, and samples of height fields
+// that were not copied, are too many to compare.
 bool dxKnowsArrays(const dxGeom &a, const dxGeom &b);
 
 // Whether the geom has data in an object that the program may destroy while it has the geom, but does not collide it:
-// what that data holds may be looked at only where no such object has been destroyed (dxSilentChanges) since the program
-// collided the geom.
+// such data may be accessed only if no such object has been destroyed (dxSilentChanges) since the program collided the
+// geom.
 bool dxHasDataOfProgram(const dxGeom &geom);
 
 // What the user may change about a geom in a callback without moving it, and colliders read: flags of rays and the data
@@ -48,7 +48,7 @@ public:
         const dxConvexArrays::Copy *a = nullptr, *b = nullptr;
     };
 
-    // dCollide for a pair that may be collided anywhere. Leaves both geoms untouched.
+    // dCollide for a pair that may be collided on any thread. It does not write to the geoms.
     int collide(dxGeom &a, dxGeom &b, const Arrays &arrays, int flags, dContactGeom *contacts, int skip);
 
 private:

@@ -1,8 +1,9 @@
-// How often something has changed that contacts are computed from, and of which no space is told: samples of a height field,
-// data of meshes or height fields that has been destroyed, or the position of a body, which some functions of joints move to and fro, so that it comes back rounded.
+// Counter of changes to inputs of colliders without a notification of the space: samples of a height field, destroyed
+// data of meshes or height fields, or the position of a body, which some functions of joints change and restore with
+// rounding.
 //
-// Contacts that were computed ahead of a near-callback are void if the callback, or one before it, has made such a
-// change (dxContactsAhead). Any thread.
+// Prefetched contacts are invalid if the callback, or an earlier one, has made such a change (dxContactsAhead).
+// Threading: any thread.
 #pragma once
 
 #include <atomic>

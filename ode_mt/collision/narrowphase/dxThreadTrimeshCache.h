@@ -11,8 +11,8 @@ namespace dxThreadTrimeshCache {
 // Frees the caches of all threads (dCloseODE). No thread may be colliding meshes.
 void release();
 
-// For good, with what the C library knows of them (unloading, or the end of the process, whose other threads may still be
-// colliding: theirs are left).
+// Frees them permanently, with the C library's key (unloading, or the end of the process, whose other threads may still
+// be colliding: theirs are kept).
 void unload();
 
 }  // namespace dxThreadTrimeshCache

@@ -11,7 +11,7 @@ void tell() {
     dxMissedNotifications::add();
 }
 
-// Those that began later were left by a jump to within this one, or have been told of.
+// Those that began later were left by a jump into this one, or have been reported.
 void end(unsigned collision) {
     if (begun != collision) tell();
     if (begun != 0) begun = collision - 1;

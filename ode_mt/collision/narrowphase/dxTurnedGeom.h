@@ -1,18 +1,18 @@
-// Geoms that a height field has turned, and that nobody has turned back.
+// Geoms that a height field has transformed into its frame and not restored.
 //
-// To collide a geom with a height field upstream moves it into the field's frame, computes its box there, and puts place and
-// box back at the end. A function for heights that throws or jumps, or an assertion in between, leaves it turned, and
-// nobody tells its space of the other box. After a jump no code of ours runs; so each thread counts the
-// collisions that it has begun and not ended, and whoever uses a space next tells of those that are left
-// (dxMissedNotifications). One that is still going on, with a function for heights that uses a space, has turned its
-// geom, too, and tells once more when it has turned it back.
+// To collide a geom with a height field upstream transforms it into the field's frame, computes its box there, and
+// restores pose and box at the end. A height function that throws or jumps, or an assertion in between, leaves it
+// transformed, without a notification of its space. After a jump no code of ours runs; so each thread counts the
+// collisions that it has begun and not ended, and the next use of a space reports those that are left
+// (dxMissedNotifications). A collision in progress whose height function uses a space has transformed its geom as well,
+// and reports once more when it has restored it.
 //
-// Each thread has a count of its own: an exception that comes from a worker's callback is told by the worker.
+// Each thread has a count of its own: the worker reports an exception from its callback.
 #pragma once
 
 namespace dxTurnedGeom {
 
-extern thread_local unsigned begun;  // and neither ended nor told of
+extern thread_local unsigned begun;  // neither ended nor reported
 
 void tell();
 void end(unsigned collision);
@@ -31,7 +31,7 @@ int whileTurned(const Collide &collide) {
     }
 }
 
-// Before a space looks at the boxes of its members.
+// Requires a call before a space reads the boxes of its members.
 inline void noticeLeft() {
     if (begun != 0) tell();
 }

@@ -10,7 +10,7 @@ namespace {
 // Pairs that one worker takes at once: some ten microseconds.
 constexpr std::size_t kPiece = 256;
 
-// Items between asking the memory for one and working on it.
+// Prefetch distance, in items.
 constexpr std::size_t kAhead = 8;
 
 // Pairs of one geom that are sorted by insertion.
@@ -63,8 +63,8 @@ void dxKeptPairs::placeAll(const dxMembers &members, const dxPairPlacer &placer,
     if (!allPlaced) leaveOutUnplaced();
 }
 
-// Of the runs of one first word that begin in [begin, end). Whether upstream brings all of their pairs; those that it
-// does not bring stand last in their runs, without geoms.
+// Places the runs of equal primary keys that begin in [begin, end). Returns whether upstream reports all of their
+// pairs; those that it does not report are last in their runs, without geoms.
 bool dxKeptPairs::placeRuns(const dxMembers &members, const dxPairPlacer &placer, std::size_t begin,
                             std::size_t end, LongRun &longRun) {
     const std::size_t size = m_items.size();
@@ -89,7 +89,7 @@ bool dxKeptPairs::placeRuns(const dxMembers &members, const dxPairPlacer &placer
     return all;
 }
 
-// Runs are short, mostly. Counting for each pair those that come before it, without branches, takes as long.
+// Runs are mostly short. A branch-free counting sort takes as long.
 void dxKeptPairs::sortRun(std::size_t begin, std::size_t end, LongRun &longRun) {
     if (end - begin > kShortRun) return sortLongRun(begin, end, longRun);
     for (std::size_t i = begin + 1; i < end; ++i) {

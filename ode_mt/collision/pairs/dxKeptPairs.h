@@ -1,9 +1,9 @@
-// Pairs in order from call to call: those of which neither geom changed keep their places, and those found
-// now are sorted by key and merged in.
+// Ordered pairs that are kept from call to call: pairs of unchanged geoms keep their places, and new pairs are sorted
+// by key and merged.
 //
-// A pair's key is made in two steps. Its first word tells who brings the pair, and is all that most of the sorting
-// needs. The rest puts the few pairs of one geom in order: it is made when these stand together, one member of all
-// of them in the cache, and goes straight to where it stays.
+// A pair's key is computed in two steps. The primary key identifies the geom that reports the pair, and is sufficient
+// for most of the sorting. The secondary key orders the few pairs of one geom: it is computed when these are adjacent
+// and their common member is in the cache, and is written directly to its final place.
 #pragma once
 
 #include <vector>
@@ -15,17 +15,18 @@
 #include "core/dxRadixSort.h"
 #include "threading/dxTaskRunner.h"
 
-// The order of a kind of space.
+// The order of pairs in a kind of space.
 class dxPairPlacer {
 public:
-    // Of a pair whose boxes overlap: the first word of its key, and in `swapped` whether b comes first in the
-    // callback. Two pairs with the same first word have the same first geom. False: upstream does not bring this pair.
+    // Computes the primary key of a pair whose boxes overlap, and in `swapped` whether b is first in the callback. Two
+    // pairs with the same primary key have the same first geom. Returns false if upstream does not report this pair.
     virtual bool lead(dxMembers::Slot a, dxMembers::Slot b, std::uint64_t &word, bool &swapped) const = 0;
 
-    // The other words, of a pair in the order of the callback. False: as above.
+    // Computes the secondary key of a pair in the order of the callback. Returns false if upstream does not report this
+    // pair.
     virtual bool follow(dxMembers::Slot first, dxMembers::Slot second, dxPairKey &key) const = 0;
 
-    // A pair with this member is about to be placed: it may be fetched from memory.
+    // Prefetches a member whose pair will be placed soon.
     virtual void expect(dxMembers::Slot slot) const = 0;
 
 protected:
@@ -34,8 +35,7 @@ protected:
 
 class dxKeptPairs {
 public:
-    // Brings `pairs`, which are those of the last call, up to date. Matches of geoms that may not meet are
-    // left out.
+    // Updates `pairs`, which are those of the last call. Matches of geoms whose filters exclude each other are dropped.
     void update(const dxMembers &members, const std::vector<dxSlotPair> &matches,
                 const dxPairPlacer &placer, dxTaskRunner &runner, std::vector<dxOrderedPair> &pairs);
 
@@ -44,7 +44,7 @@ private:
         dxPairKey key;
         dxOrderedPair pair;
     };
-    using LongRun = std::vector<Placed>;  // a worker's memory for sorting one
+    using LongRun = std::vector<Placed>;  // scratch of a worker for sorting one
 
     void sortByLead(const dxMembers &members, const std::vector<dxSlotPair> &matches,
                     const dxPairPlacer &placer, dxTaskRunner &runner);
@@ -61,5 +61,5 @@ private:
     std::vector<dxPairKey> m_keptKeys;
     std::vector<dxOrderedPair> m_keptPairs;
     std::vector<LongRun> m_longRuns;  // by worker
-    std::vector<dxSortItem> m_items, m_spare;  // first words, with the slots of first and second geoms
+    std::vector<dxSortItem> m_items, m_spare;  // primary keys, with the slots of first and second geoms
 };

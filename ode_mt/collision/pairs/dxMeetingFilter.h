@@ -1,5 +1,5 @@
-// What decides, beside boxes, whether two geoms may meet: the tests of upstream's collideAABBs that do not depend on
-// boxes. A copy of a geom's fields, so that judging a pair does not touch the geoms.
+// The tests of upstream's collideAABBs that do not depend on boxes. It is a copy of a geom's fields, so that testing a
+// pair causes no cache miss on the geoms.
 #pragma once
 
 #include <ode/common.h>

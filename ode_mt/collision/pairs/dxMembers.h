@@ -1,15 +1,15 @@
-// The geoms of a space by slots, with what has changed since pairs were last looked for.
+// The geoms of a space by slots, with the changes since the pairs were last updated.
 //
-// A member's rank tells where it stands in upstream's list: of two members, the one with the higher rank
-// stands further to the front.
+// A member's rank gives its place in upstream's list: of two members, the one with the higher rank is further to the
+// front.
 //
-// The slot of a member that goes is free at once, so there are never more slots, nor more changes, than there
-// were members at one time, in a space that never looks for pairs too. Until the changes are forgotten such a
-// slot counts as changed, whoever is in it: kept pairs with it are void, and searches take its box for one
-// that moved. Not thread safe for changes; members may be read from several threads.
+// The slot of a removed member is free at once, so there are never more slots, nor more changes, than there were
+// members at one time, also in a space that never updates its pairs. Until the changes are forgotten such a slot counts
+// as changed, for any member in it: kept pairs with it are invalid, and the broad phase takes its box for one that
+// moved. Threading: changes are not thread-safe; several threads may read.
 //
-// A member whose geom is disabled is absent: no search finds it, so that pools of disabled geoms that lie in one place cost
-// nothing. It keeps its rank and its bounds for when it is enabled again.
+// A member whose geom is disabled is absent: the broad phase does not find it, so pools of disabled geoms in one place
+// cost nothing. It keeps its rank and its bounds for when it is enabled again.
 #pragma once
 
 #include <cstdint>
@@ -27,17 +27,17 @@ public:
     using Slot = std::uint32_t;
 
     struct Member {
-        dxGeom *geom = nullptr;  // NULL: nobody who meets others, the slot is free or its member absent
+        dxGeom *geom = nullptr;  // NULL: the slot is free or its member absent
         dxRank rank = 0;         // 0: none yet
         dxBounds bounds;         // as of the last cleaning
         dxMeetingFilter filter;
     };
 
-    // Throws std::bad_alloc, with nothing changed; nothing else here asks for memory.
+    // Adds a member and returns its slot. Throws std::bad_alloc without any change. No other function allocates memory.
     Slot add(dxGeom *geom);
     void remove(Slot slot);
 
-    // Asks the memory for a member that will be looked at soon.
+    // Prefetches a member.
     void expect(Slot slot) const {
         const char *const place = reinterpret_cast<const char *>(&m_members[slot]);
         dxFetch::line(place);
@@ -45,18 +45,18 @@ public:
     }
 
     const Member &operator[](Slot slot) const { return m_members[slot]; }
-    // Also an absent one. NULL: the slot is free.
+    // Returns the geom in a slot, also an absent one; NULL if the slot is free.
     dxGeom *geomIn(Slot slot) const { return m_geoms[slot]; }
     bool isPresent(Slot slot) const { return m_members[slot].geom != nullptr; }
     void setPresence(Slot slot, bool isPresent);
-    // It may have to become present or absent: not at once, since pairs may be in use.
+    // Notes that the member may become present or absent. The change is deferred, since pairs may be in use.
     void noteSwitch(Slot slot);
-    // Also slots that have become free.
+    // Returns the noted slots, including slots that have become free.
     const std::vector<Slot> &switched() const { return m_switched; }
     void forgetSwitches();
     Slot end() const { return static_cast<Slot>(m_members.size()); }  // slots are below
 
-    // Ranks are given downwards from a number that is above all earlier ones.
+    // Returns the first of a number of ranks, which are assigned downwards and are above all earlier ones.
     dxRank firstOf(int ranks) { return m_highest += static_cast<dxRank>(ranks); }
     void setRank(Slot slot, dxRank rank) {
         Member &member = m_members[slot];
@@ -66,16 +66,16 @@ public:
         if (isPresent(slot)) ++m_orderings;
     }
     int unranked() const { return m_unranked; }
-    // Tells whoever is in a slot from those that were in it before.
+    // Returns a number that distinguishes the member in a slot from earlier ones in it.
     std::uint64_t arrivalOf(Slot slot) const { return m_arrivals[slot]; }
-    // Rises whenever a present member comes, goes or gets another rank.
+    // Returns a counter of changes of the order: present members that are added, removed or get another rank.
     std::uint64_t orderings() const { return m_orderings; }
 
-    // An absent one has no pairs.
+    // Marks a member as changed. An absent one has no pairs, and is not marked.
     void markChanged(Slot slot) {
         if (isPresent(slot)) note(slot, m_isChanged, m_changed);
     }
-    // Also slots of members that have gone or become absent.
+    // Returns the changed slots, including those of members that were removed or became absent.
     const std::vector<Slot> &changed() const { return m_changed; }
     bool isChanged(Slot slot) const { return m_isChanged[slot] != 0; }
     void setBounds(Slot slot, const dxBounds &bounds, const dxMeetingFilter &filter = {}) {
@@ -90,7 +90,7 @@ private:
     using Flags = std::vector<std::uint8_t>;
 
     void makeRoomForOne();
-    // Lists it once.
+    // Adds a slot to a list once.
     static void note(Slot slot, Flags &isNoted, std::vector<Slot> &noted) {
         if (isNoted[slot] != 0) return;
         isNoted[slot] = 1;

@@ -1,7 +1,7 @@
-// Asks the memory for what a near-callback and its colliders are about to read of a pair: geoms in their order of
-// pairs lie anywhere, and a large scene does not fit a cache close to the core.
+// Prefetches what a near-callback and its colliders read of a pair: in the order of pairs, geoms are random in memory,
+// and a large scene does not fit L2.
 //
-// In two steps, because where a geom stands is behind a pointer in it.
+// There are two steps, because a geom refers to its pose by a pointer.
 #pragma once
 
 #include <vector>
@@ -23,7 +23,7 @@ inline void place(const dxGeom *geom) {
     if (geom->final_posr != nullptr) dxFetch::lines(geom->final_posr, sizeof(dxPosR));
 }
 
-// While pairs[index] is worked on.
+// Prefetches for the narrow phase during the work on pairs[index].
 inline void ahead(const std::vector<dxOrderedPair> &pairs, std::size_t index) {
     if (index + kGeomsAhead < pairs.size()) {
         const dxOrderedPair &pair = pairs[index + kGeomsAhead];
@@ -37,7 +37,7 @@ inline void ahead(const std::vector<dxOrderedPair> &pairs, std::size_t index) {
     }
 }
 
-// The same on the thread that calls back: a contact joint is put into the lists of both bodies.
+// The same on the thread of the callbacks, with the joint lists of both bodies, into which a contact joint is inserted.
 inline void aheadOfCallback(const std::vector<dxOrderedPair> &pairs, std::size_t index) {
     ahead(pairs, index);
     if (index + kPlacesAhead >= pairs.size()) return;

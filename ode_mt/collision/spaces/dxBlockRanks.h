@@ -1,8 +1,9 @@
-// Ranks of geoms in the blocks of a quad tree: falling with the number of the block and, within one block, with the time
-// since the geom came, because upstream puts what comes into a block before all that is in it.
+// Ranks of geoms in the blocks of a quad tree. They fall with the number of the block and, within one block, with the
+// time since the geom was added, because upstream adds a geom at the front of its block's list.
 //
-// A rank is the block and a stamp, a number that rises with each geom that comes into any block. It stays right for as
-// long as the geom stays in its block. Stamps run out in the end (for a tree ten deep, after 2^41), and then begin anew.
+// A rank is the block and a stamp, a number that rises with each geom that comes into any block. It is valid as long as
+// the geom stays in its block. Stamps are exhausted in the end (for a tree ten deep, after 2^41), and all ranks are
+// then assigned again.
 #pragma once
 
 #include "collision/pairs/dxPairKey.h"
@@ -18,13 +19,13 @@ public:
         for (Block block = m_last; block != 0; block >>= 1) --m_stampBits;
     }
 
-    // There is no stamp left.
+    // Returns whether all stamps are used.
     bool isExhausted() const { return m_next >> m_stampBits != 0; }
-    // Of a geom that comes into the block.
+    // Returns the rank of a geom that enters the block.
     dxRank next(Block block) { return static_cast<dxRank>(m_last - block) << m_stampBits | m_next++; }
     Block blockOf(dxRank rank) const { return m_last - static_cast<Block>(rank >> m_stampBits); }
 
-    // All ranks so far are void.
+    // Invalidates all ranks so far.
     void startAgain() { m_next = 1; }
 
 private:

@@ -2,7 +2,7 @@
 
 #include "core/dxRoom.h"
 
-// Of what is in the queue half may have been dropped (push).
+// At most half of the queue may consist of dropped entries (push).
 void dxDirtyQueue::makeRoom(Slot slots) {
     dxMakeRoom(m_places, slots);
     dxMakeRoom(m_geoms, 2 * std::size_t{slots} + 2);
@@ -12,7 +12,7 @@ void dxDirtyQueue::makeRoom(Slot slots) {
 void dxDirtyQueue::push(dxGeom *geom, Slot slot) {
     if (slot >= m_places.size()) m_places.resize(slot + 1, kNoIndex);
     if (m_places[slot] != kNoIndex) return;
-    // Spaces through which geoms come and go may never be cleaned.
+    // A space may never be cleaned while geoms are added and removed.
     if (2 * m_dropped > m_geoms.size()) close();
     m_places[slot] = static_cast<std::uint32_t>(m_geoms.size());
     m_geoms.push_back(geom);

@@ -1,6 +1,6 @@
-// Members of a space that wait to be cleaned, in the order in which they came, each once.
+// Queue of the dirty members of a space, in the order of insertion, each once.
 //
-// Upstream's quad tree may have a geom twice in its list; the second turn changes nothing.
+// Upstream's quad tree may have a geom twice in its list; the second cleaning changes nothing.
 #pragma once
 
 #include <vector>
@@ -12,11 +12,11 @@ class dxDirtyQueue {
 public:
     using Slot = dxMembers::Slot;
 
-    // Memory for members in the slots below: none of the other functions asks for any then.
+    // Reserves memory for members in the slots below `slots`; the other functions then allocate nothing.
     void makeRoom(Slot slots);
     // Does nothing if the member is in the queue.
     void push(dxGeom *geom, Slot slot);
-    // The member has gone, whether or not it is in the queue.
+    // Removes the member, if it is in the queue.
     void drop(Slot slot);
     void clear();
 

@@ -1,4 +1,4 @@
-// Where upstream's hash space puts a box, and in which cell it finds a pair: dxHashSpace::collide in
+// The cells in which upstream's hash space stores a box, and the cell in which it finds a pair: dxHashSpace::collide in
 // collision_space.cpp, derived in docs/collision-order.md.
 #pragma once
 
@@ -23,8 +23,8 @@ public:
 
     struct Cell {
         int x, y, z;
-        // Upstream finds a cell by a number that differs for columns that begin below zero: such a cell is met
-        // from such columns alone.
+        // Upstream finds a cell by a number that differs for columns that begin below zero: such a cell is found from
+        // such columns alone.
         bool isOfColumnBelowZero = false;
 
         bool operator==(const Cell &other) const {
@@ -32,7 +32,8 @@ public:
         }
     };
 
-    // The cells that the box covers on a level, its own or one above, in upstream's order. Needs it in the table.
+    // Visits the cells that the box covers on a level, its own or one above, in upstream's order. Requires kind() ==
+    // inTable.
     template <class Visit>
     void forEachCell(int level, const Visit &visit) const {
         const int shift = shiftTo(level), lowZ = m_bounds[4] >> shift;
@@ -43,8 +44,8 @@ public:
             }
     }
 
-    // The first cell, in upstream's order, in which a search for `searcher`, on the level of `found`, meets
-    // `found`. False: upstream does not see this pair. Needs both in the table, searcher.level() <=
+    // Finds the first cell, in upstream's order, in which a search for `searcher`, on the level of `found`, finds
+    // `found`. Returns false if upstream does not find this pair. Requires both in the table and searcher.level() <=
     // found.level().
     static bool firstSharedCell(const dxHashCells &searcher, const dxHashCells &found, Cell &cell);
 

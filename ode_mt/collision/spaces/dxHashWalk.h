@@ -1,8 +1,8 @@
-// One call of a hash space done cell by cell as upstream does it, for the cases in which pairs are not kept:
-// too many of them, boxes that are not up to date, a call inside another one.
+// One call of a hash space, cell by cell as in upstream, for the cases in which pairs are not kept: too many pairs,
+// boxes that are not up to date, a nested call.
 //
-// In memory for the geoms and the cells that they cover, at most eight each; upstream keeps a bit for every
-// two geoms, too. docs/collision-order.md.
+// It needs memory for the geoms and the cells that they cover, at most eight each; upstream also keeps a bit for every
+// two geoms. docs/collision-order.md.
 #pragma once
 
 #include <cstdint>
@@ -15,12 +15,12 @@
 
 class dxHashWalk {
 public:
-    // In the order of the list; all are enabled, and none is out of range.
+    // Adds a geom. Requires the order of the list, enabled geoms, and none out of range.
     void add(dxGeom *geom, const dxHashCells &cells);
-    // After the last geom: takes what memory deliver() needs.
+    // Allocates the memory of deliver(). Requires a call after the last geom.
     void storeAll();
-    // The callbacks, from the first one on or from behind a pair. What callbacks add to the space is not
-    // seen.
+    // Calls the callbacks, from the first pair on or from behind a pair. Geoms that callbacks add to the space are
+    // ignored.
     void deliver(void *data, dNearCallback *callback, const dxOrderedPair *after);
 
 private:

@@ -14,7 +14,7 @@ namespace {
 
 using Kind = dxHashCells::Kind;
 
-// Of a key: what upstream looks at first, second and last.
+// Words of a key: what upstream compares first, second and last.
 enum Stage : std::uint64_t { kWithinTable, kTableWithBig, kWithinBig };
 
 std::uint64_t stageAndRank(Stage stage, dxRank rank) {
@@ -35,8 +35,8 @@ struct Element {
 
 bool isInTable(const Element &element) { return element.cells.kind() == Kind::inTable; }
 
-// Of two in the table the smaller one finds the other, because a search meets only boxes of its own level and
-// of higher ones. Of two equal ones it is the one that stands further to the front of the list.
+// Of two boxes in the table the one of the lower level finds the other, because a search finds only boxes of its own
+// level and of higher ones. Of two equal ones it is the one further to the front of the list.
 bool isSearcher(const Element &a, const Element &b) {
     if (isInTable(a) != isInTable(b)) return isInTable(a);
     if (isInTable(a) && a.cells.level() != b.cells.level()) return a.cells.level() < b.cells.level();
@@ -58,7 +58,7 @@ bool followLead(const Element &searcher, const Element &found, dxPairKey &key) {
     if (!dxHashCells::firstSharedCell(searcher.cells, found.cells, cell)) return false;
     key.words[1] = pack(found.cells.level(), cell.x);
     key.words[2] = pack(cell.y, cell.z);
-    key.words[3] = dxBackFirst(found.rank);  // within a cell upstream meets first what it stored last
+    key.words[3] = dxBackFirst(found.rank);  // within a cell upstream finds first what it stored last
     return true;
 }
 
@@ -136,7 +136,7 @@ void dxOrderedHashSpace::requireInRange() const {
         if (dxGeomIsEnabled(geom) && m_cells[slotOf(geom)].kind() == Kind::outOfRange) reportOutOfRange();
 }
 
-// Upstream asks which geoms are enabled before the first callback, and does not ask again.
+// Upstream tests which geoms are enabled before the first callback, and not again.
 void dxOrderedHashSpace::deliver(void *data, dNearCallback *callback) {
     const std::vector<dxOrderedPair> &pairs = this->pairs();  // of those
     const std::size_t switched = m_switched.size();
@@ -162,7 +162,7 @@ void dxOrderedHashSpace::enabledChanges(dxGeom *geom) {
     if (m_switched.size() >= static_cast<std::size_t>(count) + kMostSwitched) m_switched.clear();
     try {
         m_switched.push_back({geom, dxGeomIsEnabled(geom)});
-    } catch (const std::bad_alloc &) {  // only a call that goes on after an assertion asks for it
+    } catch (const std::bad_alloc &) {  // only a call that continues after an assertion allocates
     }
 }
 

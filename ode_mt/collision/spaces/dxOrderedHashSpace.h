@@ -1,5 +1,5 @@
-// The hash space: each geom looks for others in the cells that it covers, on its own level and those above;
-// then come pairs with geoms too large for any level. docs/collision-order.md.
+// The hash space: each geom finds others in the cells that it covers, on its own level and those above; pairs with
+// geoms too large for any level follow. docs/collision-order.md.
 #pragma once
 
 #include <vector>
@@ -41,6 +41,6 @@ private:
     dxHashLevels m_levels{-3, 10};              // upstream's defaults
     bool m_levelsChanged = false;               // since pairs() was brought up to date
     std::vector<dxHashCells> m_cells;           // by slot
-    int m_outOfRange = 0;                       // members whose kind is that
+    int m_outOfRange = 0;                       // number of members of this kind
     std::vector<Switched> m_switched;           // in callbacks of the outermost call, in order
 };

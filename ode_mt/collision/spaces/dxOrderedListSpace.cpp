@@ -121,7 +121,7 @@ void dxOrderedListSpace::chooseToWalk() {
     m_isIrregular = m_isIrregular || m_isWalked;
 }
 
-// What is walked by vectors is what is enabled by then, whether or not that was known.
+// The vectorised walk uses the current enabled flags.
 bool dxOrderedListSpace::isLeftOut(Slot slot) const {
     return m_isWalked ? !dxGeomIsEnabled(members().geomIn(slot)) : dxOrderedSpace::isLeftOut(slot);
 }
@@ -163,9 +163,9 @@ bool dxOrderedListSpace::hasStrayMembers() const {
     return false;
 }
 
-// A dirty geom may stand behind a clean one: the clean one was added clean, or the other is stray. Upstream
-// never gets to those that are dirty: they keep the boxes that they have, and an assertion fails where one
-// meets whose box is not up to date. While there are such geoms, all ranks are given anew.
+// A dirty geom may be behind a clean one: the clean one was added clean, or the other is stray. Upstream never gets to
+// those that are dirty: they keep the boxes that they have, and an assertion fails where one meets whose box is not up
+// to date. While there are such geoms, all ranks are assigned again.
 void dxOrderedListSpace::rankBehindClean(dxGeom *geom, dxRank next) {
     const bool wasIrregular = m_isIrregular;
     bool isIrregular = false;

@@ -1,7 +1,7 @@
-// A space in which upstream walks a list of geoms: the simple and the hash space.
+// Base of the spaces in which upstream walks a list of geoms: the simple and the hash space.
 //
-// Upstream moves a geom to the front of its list when it changes, and only then. Of two members, the one with
-// the higher rank stands further to the front.
+// Upstream moves a geom to the front of its list when it changes, and only then. Of two members, the one with the
+// higher rank is further to the front.
 #pragma once
 
 #include <atomic>
@@ -32,7 +32,7 @@ protected:
 private:
     bool isAtRest() const;
     void cleanAlone();
-    // Ranks stand for the list, and all boxes that upstream would look at are up to date.
+    // Returns whether ranks represent the list and all boxes that upstream would read are up to date.
     bool ranksStand() const { return !m_isWalked && !m_hasBadBox; }
     // Workers, and a search that was asked for, need the ranks and all pairs.
     bool mayWalk() const { return !isShared() && !hasSearch(); }
@@ -48,12 +48,12 @@ private:
 
     std::vector<dxGeom *> m_dirty;  // front first
     std::uint64_t m_cleanings = 0;
-    int m_moved = 0;  // geoms that were cleaned since ranks were asked for, as many as there are at most
+    int m_moved = 0;  // number of geoms that were cleaned since ranks were last used, at most all
     std::atomic<int> m_walks{0};          // of collide2 since a geom moved
-    dxPublished<bool> m_isWalked{false};  // as upstream does, for so many move; there are no ranks
-    std::mutex m_stopping;                // only ever tried
+    dxPublished<bool> m_isWalked{false};  // many geoms move, so the list is walked as in upstream; there are no ranks
+    std::mutex m_stopping;                // only try_lock is used
     dxSoleCleaner m_cleaner;
-    // A cleaning has begun and not ended: it is in progress, or was left by a jump.
+    // A cleaning has begun and not ended: it is in progress, or a jump left it.
     dxPublished<bool> m_isInterrupted{false};
     // There may be dirty geoms behind clean ones, or the list is walked.
     dxPublished<bool> m_isIrregular{false};

@@ -9,7 +9,7 @@
 
 namespace {
 
-// A callback whose arguments come in the other order.
+// A callback with swapped arguments.
 struct Swapped {
     void *data;
     dNearCallback *callback;
@@ -89,7 +89,7 @@ bool dxOrderedQuadTreeSpace::hasStrayMembers() const {
     return false;
 }
 
-// Where a stray stands does not follow from its box.
+// The block of a stray does not follow from its box.
 bool dxOrderedQuadTreeSpace::requireRanks() { return isSureOfMembers(); }
 
 dxRank dxOrderedQuadTreeSpace::nextRank(Block block) {
@@ -115,8 +115,8 @@ struct dxOrderedQuadTreeSpace::Visit {
     const dxOrderedQuadTreeSpace &space;
     void *data;
     dNearCallback *callback;
-    std::vector<Slot> order;  // all members, as upstream comes to them
-    std::size_t next = 0;     // the first whose turn has not been
+    std::vector<Slot> order;  // all members, in upstream's order
+    std::size_t next = 0;     // the first that is not processed
 
     Visit(const dxOrderedQuadTreeSpace &of, void *itsData, dNearCallback *itsCallback)
         : space(of), data(itsData), callback(itsCallback) {

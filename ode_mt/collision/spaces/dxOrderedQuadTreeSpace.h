@@ -1,8 +1,8 @@
-// The quad-tree space: each geom with those behind it in its block, then with those in the blocks within,
-// from the root on. docs/collision-order.md.
+// The quad-tree space: pairs each geom with those behind it in its block, then with those in the blocks within, from
+// the root on. docs/collision-order.md.
 //
-// Unlike the other spaces it has a queue of its own for geoms that changed, and leaves the list of geoms as
-// they came.
+// Unlike the other spaces it has a queue of its own for geoms that changed, and keeps the list of geoms in the order of
+// insertion.
 #pragma once
 
 #include "collision/spaces/dxBlockRanks.h"

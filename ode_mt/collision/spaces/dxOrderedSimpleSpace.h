@@ -1,4 +1,4 @@
-// The simple space: all pairs, each geom with those behind it in the list, from the front on.
+// The simple space: pairs each geom with those behind it in the list, from the front on.
 #pragma once
 
 #include "collision/broadphase/overlap/dxBoxTable.h"
@@ -17,7 +17,7 @@ private:
     bool listGeoms();
     void findListed();
 
-    // Memory for a walk: the geoms in the order of the list, and which of them overlap.
+    // Scratch of a walk: the geoms in the order of the list, and the overlapping ones.
     std::vector<dxGeom *> m_listed;
     dxBoxTable m_boxes;
     std::vector<dxSlotPair> m_overlaps;

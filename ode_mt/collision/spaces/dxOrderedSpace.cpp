@@ -271,7 +271,7 @@ bool dxOrderedSpace::updatePairs() {
     return true;
 }
 
-// Whatever was half found. A search that was set is set again by whoever did so.
+// Discards partial results. A broad phase that was set must be set again by its owner.
 void dxOrderedSpace::giveUpPairs() {
     m_search.reset();
     m_dense.reset();
@@ -283,7 +283,7 @@ bool dxOrderedSpace::isTooMany(std::size_t pairs) const {
     return pairs > dxPairLimitOf(pairOrder())(m_members.end());
 }
 
-// Without pairs. All are looked for again when it is over.
+// The space has no pairs then. All are found again afterwards.
 void dxOrderedSpace::becomeCrowd() {
     m_crowd.become();
     startAnew();
@@ -335,8 +335,8 @@ bool dxOrderedSpace::follow(Slot, Slot second, dxPairKey &key) const {
     return true;
 }
 
-// Upstream asks whether a geom is enabled once before it is paired with those behind it, and of each of
-// those when its turn comes. A callback may enable or disable either.
+// Upstream tests whether a geom is enabled once before it is paired with those behind it, and each of those at its
+// pair. A callback may enable or disable either.
 void dxOrderedSpace::deliverInOrder(const std::vector<dxOrderedPair> &pairs, void *data,
                                     dNearCallback *callback) {
     const dxGeom *front = nullptr;

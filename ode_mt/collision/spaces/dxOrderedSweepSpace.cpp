@@ -74,7 +74,8 @@ void dxOrderedSweepSpace::goes(dxGeom * /*geom*/, Slot slot) {
     m_states[slot].part = Part::absent;
 }
 
-// The member that has taken the place of this one. If this one is absent, nothing else tells that the order has changed.
+// The member that has taken the place of this one. If this one is absent, no other notification shows that the order
+// has changed.
 void dxOrderedSweepSpace::rankSuccessor(Slot slot, std::size_t place) {
     if (place >= m_lists.clean().size()) return;
     const Slot successor = m_lists.clean()[place].slot;
@@ -124,7 +125,7 @@ bool dxOrderedSweepSpace::hasStrayMembers() const {
     });
 }
 
-// As wide as rounding makes the box, and not inside out, so that whatever upstream pairs overlaps.
+// The bounds contain the rounded box, and are not inverted, so that all pairs of upstream overlap.
 dxBounds dxOrderedSweepSpace::boundsOf(const dxGeom *geom, const dxSweepBox &box) const {
     dxBounds bounds(geom->aabb);
     if (!m_axes.areAll()) return bounds;
@@ -141,9 +142,9 @@ dxBounds dxOrderedSweepSpace::boundsOf(const dxGeom *geom, const dxSweepBox &box
 bool dxOrderedSweepSpace::makeReady() {
     cleanGeoms();
     if (m_isMessedUp) dDebug(d_ERR_UASSERT, "geom counts messed up in %s()", "collide");
-    mayHaveStrays();  // a stray has the box that it was last asked for, which is taken again
+    mayHaveStrays();  // a stray has the box of its last query, which is used again
     if (hasUncleanBox() || !takeSwitches()) return false;
-    if (m_hasWalked && lock_count == 1) {  // the sort begins where the walk's has ended: equal keys may stand another way
+    if (m_hasWalked && lock_count == 1) {  // the sort continues the history of the walk's: equal keys may have another order
         m_hasWalked = false;
         startAnew();
     }
@@ -230,7 +231,7 @@ void dxOrderedSweepSpace::sweepAll(std::vector<dxOrderedPair> &pairs) {
     for (const dxSlotPair &rows : m_found) pairIfMayMeet(m_inOrder[rows.a], m_inOrder[rows.b], pairs);
 }
 
-// Where a pair stands follows from all that is sorted: the ones that are kept get new places.
+// The place of a pair depends on all sorted members: kept pairs get new places.
 void dxOrderedSweepSpace::placeAll(std::vector<dxOrderedPair> &pairs) {
     m_again.clear();
     for (std::size_t i = 0; i < std::min(m_sweptPairs, pairs.size()); ++i) {

@@ -1,9 +1,9 @@
-// The sweep-and-prune space: geoms sorted along an axis, each paired with those that begin before it ends;
-// then pairs with geoms that have no end on that axis. docs/collision-order.md.
+// The sweep-and-prune (SAP) space: geoms are sorted along an axis, and each is paired with those that begin before it
+// ends; pairs with geoms of infinite extent on that axis follow. docs/collision-order.md.
 //
-// Unlike the other spaces this one keeps its geoms in two arrays (dxSweepLists); a member's rank follows from
-// its place in that of the clean ones. And it asks which geoms are enabled before it sorts: an enabled geom
-// more or less is a change to pairs().
+// Unlike the other spaces this one keeps its geoms in two arrays (dxSweepLists); a member's rank follows from its place
+// among the clean ones. It tests which geoms are enabled before it sorts, so enabling or disabling a geom changes
+// pairs().
 #pragma once
 
 #include <vector>
@@ -22,7 +22,7 @@ public:
 
     dxGeom *getGeom(int i) override;
     void dirty(dxGeom *geom) override;
-    void computeAABB() override {}  // without end, whatever is in it
+    void computeAABB() override {}  // always infinite
     void cleanGeoms() override;
     bool makeReady() override;
 
@@ -72,11 +72,11 @@ private:
     std::vector<Slot> m_inOrder;            // m_swept, sorted
     dxRankSort m_sort;
     bool m_hasNaN = false;
-    bool m_isMessedUp = false;  // as upstream's assertion has it: a cleaning took place within a cleaning
+    bool m_isMessedUp = false;  // as in upstream's assertion: a cleaning was nested in a cleaning
 
     bool m_hasWalked = false;       // since pairs() was brought up to date
     std::size_t m_pairsWalked = 0;  // at the last walk
-    bool m_isDense = true;          // pairs are found by a sweep of all
+    bool m_isDense = true;          // pairs are found by one sweep of all geoms
     dxAxisRows m_rows;
     std::vector<dxSlotPair> m_found, m_again;
     std::size_t m_sweptPairs = 0;  // of pairs(), those in front

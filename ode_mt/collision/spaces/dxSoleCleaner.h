@@ -1,8 +1,8 @@
-// The thread that cleans a space, where several threads ask it and find that something has changed.
+// Selects the thread that cleans a space when several threads query it after a change.
 //
-// Who comes second waits, but not for long: the first one may be in a bounding-box function of the user's that waits for
-// something else, may have left it by a jump, or be a thread that a fork has left behind. One that has left by a jump
-// stays the cleaner, and may clean again; a call that no other may overlap (dSpaceCollide) dismisses it.
+// The second thread waits for a limited time: the first one may be in a bounding-box function of the user's that waits
+// for something else, may have left it by a jump, or be a thread that a fork has left behind. One that has left by a
+// jump stays the cleaner, and may clean again; a call that no other may overlap (dSpaceCollide) resets it.
 #pragma once
 
 #include <atomic>
@@ -32,7 +32,7 @@ public:
     void dismiss() { m_thread.store(std::thread::id(), std::memory_order_release); }
 
 private:
-    // Some milliseconds, in which ten thousand geoms are cleaned.
+    // Number of attempts: some milliseconds, in which ten thousand geoms are cleaned.
     static constexpr int kTurns = 10000;
 
     bool take() {

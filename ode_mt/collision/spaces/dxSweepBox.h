@@ -14,9 +14,9 @@
 struct dxSweepBox {
     float low, high;
     dReal low1, high1, low2, high2;
-    bool isInfinite;  // without an end upwards on the first axis: not swept, paired with all
+    bool isInfinite;  // infinite upper bound on the first axis: not swept, paired with all
 
-    // For a box that stands earlier in the order than `later`, as far as NaN in `low` is ruled out.
+    // Returns whether the boxes overlap. Requires that this box is before `later` in the order, and no NaN in `low`.
     bool meets(const dxSweepBox &later) const { return later.low <= high && meetsAcross(later); }
     bool meetsAcross(const dxSweepBox &other) const {
         return high1 >= other.low1 && other.high1 >= low1 && high2 >= other.low2 && other.high2 >= low2;
@@ -24,13 +24,13 @@ struct dxSweepBox {
 };
 
 // The three axes, which should be x, y and z in any order (dSAP_AXES_XYZ and so on) but need not be: the user's number
-// has two bits for each. Number 3 makes upstream read on behind the bounds, where the geom's bits are.
+// has two bits for each. Number 3 makes upstream read behind the bounds, where the geom's bits are.
 class dxSweepAxes {
 public:
     explicit dxSweepAxes(int order) : m_axes{order & 3, order >> 2 & 3, order >> 4 & 3} {}
 
     int first() const { return m_axes[0]; }
-    // Each of x, y and z once: two boxes that meet overlap in space.
+    // Returns whether each of x, y and z occurs once: then two boxes of a pair overlap in space.
     bool areAll() const { return (1 << m_axes[0] | 1 << m_axes[1] | 1 << m_axes[2]) == 7; }
 
     dxSweepBox boxOf(const dxGeom *geom) const {

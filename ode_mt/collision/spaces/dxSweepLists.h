@@ -1,9 +1,8 @@
-// The members of a sweep-and-prune space in the two lists that upstream keeps: those that have changed, in
-// the order in which they did, and the clean ones. What leaves a list has its place taken by the last one of
-// it.
+// The members of a sweep-and-prune space in the two lists that upstream keeps: those that have changed, in the order in
+// which they did, and the clean ones. The place of a removed entry is taken by the last one of its list.
 //
-// Both orders show: in dSpaceGetGeom, in the callbacks of dSpaceCollide2, in what becomes of geoms with equal
-// bounds. Not thread safe.
+// Both orders are visible: in dSpaceGetGeom, in the callbacks of dSpaceCollide2, in the order of geoms with equal
+// bounds. Threading: not thread-safe.
 #pragma once
 
 #include <cstddef>
@@ -25,17 +24,17 @@ public:
     const std::vector<Entry> &clean() const { return m_clean; }
 
     bool isDirty(Slot slot) const { return m_places[slot].isDirty; }
-    // In the list in which the member is.
+    // Returns the index of a member in its list.
     std::size_t placeOf(Slot slot) const { return m_places[slot].index; }
 
-    // Memory for members in the slots below: none of the other functions asks for any then.
+    // Reserves memory for members in the slots below `slots`; the other functions then allocate nothing.
     void makeRoom(Slot slots);
-    // Behind the dirty ones.
+    // Appends a member to the dirty ones.
     void add(Slot slot, dxGeom *geom);
     void remove(Slot slot);
-    // A clean member goes behind the dirty ones.
+    // Moves a clean member behind the dirty ones.
     void makeDirty(Slot slot);
-    // The dirty ones go behind the clean ones.
+    // Moves the dirty ones behind the clean ones.
     void cleanAll();
 
 private:

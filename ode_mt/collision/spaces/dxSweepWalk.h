@@ -1,5 +1,5 @@
-// One call of a sweep-and-prune space done step by step as upstream does it, for the cases in which pairs do not follow
-// from boxes alone: NaN among the numbers that are sorted, boxes that are not up to date.
+// One call of a sweep-and-prune space, step by step as in upstream, for the cases in which pairs do not follow from
+// boxes alone: NaN among the numbers that are sorted, boxes that are not up to date.
 #pragma once
 
 #include <cstdint>
@@ -12,9 +12,9 @@ class dxSweepWalk {
 public:
     explicit dxSweepWalk(const dxSweepAxes &axes) : m_axes(axes) {}
 
-    // In the order of the list; all are enabled.
+    // Adds a geom. Requires the order of the list and enabled geoms.
     void add(dxGeom *geom);
-    // Makes room for so many pairs at once; a crowd has about as many as at the last call.
+    // Reserves memory for the expected number of pairs, about that of the last call.
     void expectPairs(std::size_t count) { m_pairs.reserve(count); }
     void findPairs(dxRankSort &sort);
     std::size_t pairs() const { return m_pairs.size(); }

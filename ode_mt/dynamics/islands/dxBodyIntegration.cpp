@@ -28,7 +28,7 @@ void dxIntegrateIslandBody(dxBody *body, dReal stepSize) {
         stepBody(body, stepSize);
         return;
     }
-    // A body without geoms tells nobody. Nothing else reads the list while the island is stepped.
+    // A body without geoms notifies no space. Nothing else reads the list while the island is stepped.
     const dGeomID geoms = std::exchange(body->geom, nullptr);
     try {
         dxStepBody(body, stepSize);

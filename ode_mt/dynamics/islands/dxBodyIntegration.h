@@ -1,10 +1,9 @@
-// Moving a body and telling the world about it, as two acts.
+// Moving a body and notifying the spaces, as two separate operations.
 //
-// Upstream's dxStepBody moves a body, then tells the collision spaces that its geoms moved, which re-links
-// their lists (the order of the next frame's pairs), then calls the user, then damps. On a worker the
-// second act is put off; the frame replays it for all bodies in island and body order. Damping and the
-// clearing of accumulators read nothing that the spaces write, so the bits stay the same. A body with a
-// callback of the user is never stepped on a worker.
+// Upstream's dxStepBody moves a body, then tells the collision spaces that its geoms moved, which re-links their lists
+// (the order of the next frame's pairs), then calls the user, then damps. On a worker the notification is deferred; the
+// frame replays it for all bodies in island and body order. Damping and the clearing of accumulators read nothing that
+// the spaces write, so the bits stay the same. A body with a callback of the user is never stepped on a worker.
 #pragma once
 
 #include "dynamics/islands/dxIsland.h"
@@ -12,9 +11,9 @@
 // Both steppers call this instead of dxStepBody (a seam in upstream's QuickStep).
 void dxIntegrateIslandBody(dxBody *body, dReal stepSize);
 
-// Tells the spaces of the island's geoms that they moved.
+// Notifies the spaces that the island's geoms moved.
 void dxNotifyMoved(const dxIsland &island);
 
-// Whether a geom of the island is in a space that is being collided: telling that space is an error
-// which upstream reports from within the step.
+// Returns whether a geom of the island is in a space that is being collided: notifying that space is an error, which
+// upstream reports from within the step.
 bool dxTouchesLockedSpace(const dxIsland &island);

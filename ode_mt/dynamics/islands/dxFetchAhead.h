@@ -1,6 +1,5 @@
-// Asks the memory for the bodies and joints of an island before a stage comes to them. An island's order follows its
-// joints from body to body; in a heap, that is anywhere in memory, and a heap's bodies and joints do not fit the caches
-// close to the core.
+// Prefetches the bodies and joints of an island for a stage. An island's order follows its joints from body to body; in
+// a heap that order is random in memory, and a heap's bodies and joints do not fit L2.
 #pragma once
 
 #include <algorithm>
@@ -13,22 +12,22 @@
 
 namespace dxFetchAhead {
 
-// Bodies from which on a stage asks ahead: a hundred bodies with their contacts are half a megabyte.
+// Number of bodies from which on a stage prefetches: a hundred bodies with their contacts are half a megabyte.
 constexpr unsigned kLeastBodies = 100;
 
-constexpr std::size_t kItems = 4;  // that are worked on while the next ones are on their way
+constexpr std::size_t kItems = 4;  // prefetch distance, and size of a chunk
 
-// What stages read: all but the settings at the end, of automatic disabling and damping.
+// Prefetches what stages read of a body: all but the settings of automatic disabling and damping at its end.
 inline void body(const dxBody *body) {
     const auto begin = reinterpret_cast<const char *>(body), end = reinterpret_cast<const char *>(&body->finite_rot_axis);
     dxFetch::linesToWrite(begin, static_cast<std::size_t>(end - begin));
 }
 
-// A joint of any kind: contacts are the ones of which there are many.
+// Prefetches a joint of any kind, by the size of a contact, the most frequent kind.
 inline void joint(const dxJoint *joint) { dxFetch::lines(joint, sizeof(dxJointContact)); }
 
-// Calls work(begin, end) for pieces of [begin, end) of kItems items at most, after fetch(item) for those of the piece
-// after it, which may lie beyond `end` but not at `count` or behind.
+// Calls work(begin, end) for chunks of [begin, end) of at most kItems items, after fetch(item) for those of the next
+// chunk, which may be beyond `end` but below `count`.
 template <class Fetch, class Work>
 void forPieces(std::size_t begin, std::size_t end, std::size_t count, const Fetch &fetch, const Work &work) {
     for (std::size_t piece = begin; piece < end; piece += kItems) {

@@ -26,7 +26,7 @@ void fetchAhead(const Object *object, const Member &member) {
     dxFetch::line(reinterpret_cast<const void *>(guessAhead(object) + offset));
 }
 
-// What the search reads of bodies and joints fits the second cache, and is brought there on the way.
+// What the search reads of bodies and joints fits L2, and is prefetched.
 void untagBodies(dxWorld *world) {
     for (dxBody *body = world->firstbody; body != nullptr; body = static_cast<dxBody *>(body->next)) {
         fetchAhead(body, body->tag);
@@ -44,7 +44,8 @@ void untagJoints(dxWorld *world) {
     }
 }
 
-// dxJoint::isEnabled, asked by one of the joint's bodies: a joint holds if one of them can move, and mostly this one can.
+// dxJoint::isEnabled as seen from one of the joint's bodies: a joint is enabled if one of them can move, and mostly
+// this one can.
 bool isEnabled(const dxJoint &joint, const dxBody &body) {
     return body.invMass > 0 ? (joint.flags & dJOINT_DISABLED) == 0 : joint.isEnabled();
 }

@@ -4,12 +4,13 @@
 
 #include "dynamics/islands/dxIsland.h"
 
-// Disables bodies at rest, finds the islands of the others, and returns how much memory the stepper needs for the
-// one that needs most.
+// Disables bodies at rest, finds the islands of the others, and returns the maximum memory that the stepper needs for
+// an island.
 //
 //   info      gets the islands, which lie in the arena
-//   estimate  the stepper's own estimate, asked for each island
+//   estimate  the stepper's own estimate, called for each island
 //
-// On the thread that steps the world. After it a body or joint in an island has a tag above 0, all others one of 0 or below.
+// Requires the thread that steps the world. Afterwards a body or joint in an island has a tag above 0, all others one
+// of 0 or below.
 sizeint dxFindIslands(dxWorldProcessIslandsInfo &info, dxWorldProcessMemArena *arena, dxWorld *world, dReal stepSize,
                       dmemestimate_fn_t estimate);

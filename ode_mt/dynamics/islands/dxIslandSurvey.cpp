@@ -34,8 +34,8 @@ unsigned contactRows(const dSurfaceParameters &surface) {
     return rows;
 }
 
-// Other joints have to be asked. Their getInfo1 keeps what it finds (angles, limit states), which the user
-// can see: it is put back.
+// Other joints must be queried. Their getInfo1 keeps what it finds (angles, limit states), which the user can see: it
+// is put back.
 class JointCopy {
 public:
     explicit JointCopy(dxJoint &joint) : m_joint(joint), m_size(joint.size()) {

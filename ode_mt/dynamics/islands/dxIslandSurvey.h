@@ -1,5 +1,5 @@
-// What has to be known of an island before it may be stepped on a worker. Leaves the island as it was, and
-// may itself run on a worker.
+// Properties of an island that must be known before it may be stepped on a worker. The island is unchanged. Threading:
+// may run on a worker.
 #pragma once
 
 #include <optional>
@@ -7,12 +7,12 @@
 
 #include "dynamics/islands/dxIsland.h"
 
-// Whether the user wants to be called when a body of the island moves. From such an island on islands go
-// in order: the callback may change any of those that follow.
+// Returns whether a body of the island has a moved-callback. From such an island on, islands are stepped in order: the
+// callback may change any of those that follow.
 bool dxHasMovedCallback(const dxIsland &island);
 
-// Rows of the island's constraint system, as upstream's stepper will count them; none if a joint reports an
-// error, which the step has to report in its turn.
+// Rows of the island's constraint system, as upstream's stepper will count them; none if a joint reports an error,
+// which the step must report in order.
 std::optional<unsigned> dxCountRows(const dxIsland &island);
 
 struct dxFeedbackUse {

@@ -1,5 +1,4 @@
-// Workers that step one island together, and what they share from step to step: memory, and what has been
-// measured.
+// Workers that step one large island together, and their state from step to step: memory and measurements.
 #pragma once
 
 #include "threading/dxSharingPolicy.h"
@@ -8,11 +7,11 @@
 
 struct dxIslandTeam {
     dxTaskRunner *runner = nullptr;
-    bool sharesAlways = false;  // whatever is large enough, else what has been faster of late
+    bool sharesAlways = false;  // parallel whenever the island is large enough; otherwise the measured times decide
     dxSharingPolicy solvePolicy;  // of the exact step's triangular solves
 };
 
-// Takes a team for the time of a step; its memory goes back to the process's pool.
+// Borrows the workers' state for a step; its memory is returned to the process's pool.
 class dxIslandTeamLease {
 public:
     dxIslandTeamLease(dxTaskRunner &runner, bool sharesAlways);

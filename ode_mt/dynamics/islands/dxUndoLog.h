@@ -1,8 +1,8 @@
-// Keeps what stepping an island overwrites, so that the step can be taken back.
+// Saves the state that stepping an island overwrites, so that the step can be undone.
 //
-// Needed only where the user has installed an error, debug or message handler: if an island then reports
-// something, the islands after it must not have been stepped yet when the handler looks, or if it never
-// returns (longjmp, exception). One log per worker; an island is one range of it.
+// Needed only where the user has installed an error, debug or message handler: if an island then reports something, the
+// islands after it must not have been stepped when the handler runs, also if it never returns (longjmp, exception). One
+// log per worker; an island is one range of it.
 #pragma once
 
 #include <cstddef>

@@ -11,7 +11,7 @@
 
 namespace {
 
-thread_local char t_identity;  // its address tells threads apart
+thread_local char t_identity;  // its address identifies the thread
 
 // Either the lone thread sees that there are several, or the newcomer sees the step in progress: both write
 // first and read second, sequentially consistent.
@@ -55,7 +55,7 @@ public:
     }
 
 private:
-    // The step in progress goes on here if it is the forking thread's.
+    // The step in progress continues here if it is the forking thread's.
     void inForkedChild() override {
         if (only.load() != &t_identity) isStepping.store(false);
     }

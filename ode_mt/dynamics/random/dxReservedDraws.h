@@ -1,10 +1,9 @@
-// The scope of islands that are stepped in order on the calling thread: their random numbers were taken
-// from the shared sequence as one block beforehand, so that a step of another thread cannot fall between
-// them (contract C7).
+// The scope of islands that are stepped in order on the calling thread: their random numbers were taken from the shared
+// sequence as one block beforehand, so that a step of another thread cannot interleave (contract C7).
 //
-// Before user code can look at the shared sequence, the unused rest of the block is given back, and the
-// islands that follow draw one by one, as upstream does. Where another thread has drawn meanwhile there
-// is nothing to give back, and the numbers that follow come after that thread's.
+// Before user code can read the shared sequence, the unused rest of the block is returned, and the islands that follow
+// draw one by one, as upstream does. If another thread has drawn meanwhile, nothing can be returned, and the next
+// numbers follow those of that thread.
 #pragma once
 
 #include "threading/dxUpstreamScope.h"

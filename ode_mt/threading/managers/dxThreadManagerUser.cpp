@@ -39,7 +39,8 @@ void dxThreadManagerUser::stop() {
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(1);
     while (!idle()) {
         if (std::chrono::steady_clock::now() > end) {
-            // It may run calls only where somebody waits for them, which nobody does here; the work was done without it.
+            // An implementation may run calls only where a thread waits for them, and none does here; the work was done
+            // without it.
             dxLog(dxLogLevel::info, "thread manager user: the threading implementation has not run %u call(s)",
                   borrowed->outstanding());
             return;

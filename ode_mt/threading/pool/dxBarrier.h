@@ -1,8 +1,8 @@
-// Where the caller of a run waits for blocks that others still hold.
+// The barrier at which the caller of a run waits for blocks that other threads hold.
 //
-// Source: thesis section 4.1 (ode_barrier_t). There every thread waits for every other; here only the
-// caller waits, and only for blocks that were taken: the barrier counts blocks, not threads, so a worker
-// that never came, or that was descheduled between two blocks, delays nobody.
+// Source: thesis section 4.1 (ode_barrier_t). There every thread waits for every other; here only the caller waits, and
+// only for blocks that were taken: the barrier counts blocks, not threads, so a worker that never arrived, or that was
+// descheduled between two blocks, delays no other thread.
 //
 // The object outlives its runs (it lies in a slot of the job board), because the thread that finishes
 // the last block still looks at `sleeping` after the caller may have gone on. It then at worst wakes the

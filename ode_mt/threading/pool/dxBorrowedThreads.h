@@ -18,7 +18,7 @@ public:
     // The manager's end of use; the last reference deletes the object.
     void release();
 
-    // In a forked child: nobody is inside and no call will be taken up.
+    // Requires a forked child, in which no thread is inside and no call will be executed.
     void abandon();
 
     dxJobBoard board;

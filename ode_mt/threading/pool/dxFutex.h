@@ -12,5 +12,5 @@ void dxFutexWait(dxFutexWord &word, std::uint32_t expected);
 // The same for so many seconds at most. False: they have passed.
 bool dxFutexWaitFor(dxFutexWord &word, std::uint32_t expected, int seconds);
 
-// Wakes up to `count` sleepers. The word may already belong to somebody else: waking touches no memory.
+// Wakes up to `count` sleepers. The word may already belong to another object: waking accesses no memory.
 void dxFutexWake(dxFutexWord &word, unsigned count);

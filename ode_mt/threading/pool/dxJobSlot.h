@@ -48,7 +48,7 @@ public:
         return true;
     }
 
-    // Forgets the run; for a forked child, where nobody works any more.
+    // Forgets the run; for a forked child, where no worker exists.
     void abandon();
 
 private:

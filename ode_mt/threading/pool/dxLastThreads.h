@@ -1,7 +1,7 @@
-// Whether a process lives on for the sake of its workers alone.
+// Detects a process that is kept alive by its workers alone.
 //
-// A process whose first thread has ended by pthread_exit ends with its last thread. Workers that sleep are threads,
-// too, and nobody tells them that the others have gone: one of them has to look.
+// A process whose first thread has ended by pthread_exit ends with its last thread. Sleeping workers are threads, too,
+// and get no notification when the others end: one of them must poll.
 #pragma once
 
 // True once the first thread has ended and only so many others are left. Where the system does not tell how many there are (no

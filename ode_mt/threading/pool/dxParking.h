@@ -23,8 +23,8 @@ public:
 
     // Parks the calling worker, which was searching, unless stayAwake() holds; it returns searching.
     //
-    // One of those that are parked keeps watch: each second it calls lookAround(), which may wake workers, itself too.
-    // If all are parked there is a watchman, because the last one to come becomes it if there was none.
+    // One of the parked workers is the monitor: each second it calls lookAround(), which may wake workers, itself
+    // included. If all are parked there is a monitor, because the last one becomes it if there was none.
     template <typename Condition, typename Watch>
     void park(Condition stayAwake, Watch lookAround) {
         countAsParked();

@@ -1,12 +1,12 @@
-// How long a worker should look for the next run before it sleeps: as long as the runs of late have been apart.
+// Adaptive spinning: a worker spins for the next run about as long as the recent gaps between runs.
 //
-// Between the parallel stages of two frames lie the serial ones, which often take some hundred microseconds. A
-// worker that sleeps through them has to be woken in every frame, which takes longer than many islands do. So
-// a worker remembers the longest of its recent waits and spins a little longer than that. Waits beyond
-// kLongest are not worth spinning through: they are not remembered, and after the last frame a worker spins
-// for kLongest at most. Without short waits the memory fades to dxSpinTime.
+// Between the parallel stages of two frames lie the serial ones, which often take some hundred microseconds. A worker
+// that sleeps through them has to be woken in every frame, which takes longer than many islands do. So a worker
+// remembers the longest of its recent waits and spins a little longer than that. Waits beyond kLongest are not worth
+// spinning through: they are not remembered, and after the last frame a worker spins for kLongest at most. Without
+// short waits the estimate decays to dxSpinTime.
 //
-// A worker's own; no other thread looks.
+// Threading: owned by one worker.
 #pragma once
 
 #include <algorithm>

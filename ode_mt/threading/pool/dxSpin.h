@@ -1,7 +1,7 @@
 // A short busy wait, for answers that usually come soon: waking a sleeping thread costs 5 to 50 us, on a virtual
 // machine 100 us and more; a spinning one answers within 0.1 us.
 //
-// Nobody spins on a machine that offers one processor: whoever is waited for needs it.
+// No thread spins on a machine with one processor, because the awaited thread needs it.
 #pragma once
 
 #include <chrono>

@@ -1,8 +1,8 @@
-// Blocks of a run whose results are needed by all blocks after them: they are computed side by side as far as that goes,
-// and finished one after the other.
+// Ordered completion of the blocks of a run whose results all later blocks need: they are computed in parallel as far
+// as possible, and finished in order.
 //
-// Blocks of a run start in ascending order (dxThreadManager::run), so that the first unfinished one is held by a
-// thread that waits for nobody: any number of threads, one included, gets all finished.
+// Blocks of a run start in ascending order (dxThreadManager::run), so the first unfinished one is held by a thread that
+// does not wait: any number of threads, one included, finishes all.
 #pragma once
 
 #include <atomic>
@@ -15,7 +15,7 @@
 
 class dxTurns {
 public:
-    // Blocks that are finished: all before it.
+    // Returns the number of finished blocks, which are the first ones.
     unsigned finished() const { return m_finished.load(std::memory_order_acquire); }
 
     // Waits until `blocks` are finished; what they wrote is then visible. Returns how many are.
@@ -26,15 +26,14 @@ public:
         return known;
     }
 
-    // Of the block that is the next to be finished, by its thread.
+    // Marks the next block as finished. Requires the thread that holds it.
     void finish(unsigned block) {
         dxPerturb(dxSchedulePoint::FinishTurn);
         m_finished.store(block + 1, std::memory_order_release);
     }
 
 private:
-    // Looks before a thread lets others run, of which one may hold the block that is waited for; and before it sleeps: to a
-    // thread of higher priority the others are no reason to stop.
+    // Number of polls before a thread yields, and before it sleeps: a yield does not let threads of lower priority run.
     static constexpr int kPatience = 256, kCourtesy = 1024;
     static constexpr std::chrono::microseconds kSleep{20};
 

@@ -1,5 +1,5 @@
-// Is told of fork(): in the child only the thread that forked exists, so workers are gone there, and locks
-// that others held stay locked. dxForkLocks.h has what follows from that for locks.
+// Is notified of fork(): in the child only the thread that forked exists, so there are no workers, and locks that
+// others held stay locked. dxForkLocks.h has what follows from that for locks.
 //
 // The handlers are registered with pthread_atfork on behalf of this library; the C library drops them
 // when the library is unloaded.

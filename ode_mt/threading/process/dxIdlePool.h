@@ -1,6 +1,5 @@
-// Objects that no step is using at the moment, kept for the next one. Any thread may take and give back.
-// Taking may throw std::bad_alloc, giving back needs no memory: there is room for all objects that have been
-// taken.
+// A pool of objects that no step uses at the moment. Threading: any thread may take and give back. Taking may throw
+// std::bad_alloc, giving back needs no memory: capacity is reserved for all taken objects.
 //
 // Holds only pointers. The one used last is taken first, since its memory is likely to be in a cache.
 // Survives fork.
@@ -37,7 +36,7 @@ public:
         }
     }
 
-    // One that was taken has gone, or never was.
+    // Records that a taken object was destroyed or never constructed.
     void lose() {
         const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
         --m_taken;
@@ -63,8 +62,7 @@ private:
     std::size_t m_taken = 0;
 };
 
-// An object of a pool until the end of the scope, by whatever way it is left. It is as the one who had it
-// last left it.
+// An object of a pool until the end of the scope. It has the state in which its last user left it.
 template <class Object>
 class dxIdleLease {
 public:

@@ -12,7 +12,7 @@ namespace {
 cpu_set_t atLoading;
 bool isKnown = false;
 
-std::atomic<unsigned> lastCount{0};  // 0: nobody has asked
+std::atomic<unsigned> lastCount{0};  // 0: not counted yet
 
 // Adds those of a thread; 0: the calling one. The first thread of a process has its number.
 bool addThose(pid_t thread, cpu_set_t &processors) {

@@ -1,8 +1,8 @@
-// All pairs of boxes among boxes sorted by their lower bounds along an axis, by vectors, in order.
+// Sweep and prune along one axis: all pairs of boxes that are sorted by their lower bounds, with SIMD, in order.
 //
-// Each row is compared with those behind it until one begins above its upper bound. That is more work than sweeping
-// cells (dxCellSweep.h) where many boxes lie beside one another, but the pairs come sorted, nothing is built before
-// the sweep but the columns, and the two other axes may be any.
+// Each row is compared with those behind it until one begins above its upper bound. That is more work than a cell grid
+// (dxCellSweep.h) where many boxes overlap on the axis, but the pairs are found in order, only the columns are built
+// before the sweep, and the two other axes may be any.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 #include "collision/pairs/dxSlotPair.h"
 
-// In rising order of their lower bounds on the first axis; none of these is NaN. A NaN elsewhere meets nothing.
+// In rising order of their lower bounds on the first axis; none of these is NaN. A NaN elsewhere overlaps nothing.
 class dxAxisRows {
 public:
     enum Column { low, high, low1, high1, low2, high2, kColumns };

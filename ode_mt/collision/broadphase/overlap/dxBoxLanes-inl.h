@@ -28,18 +28,18 @@ public:
     explicit BoxLanes(const Real *box) {
         for (int bound = 0; bound < 6; ++bound) m_bounds[bound] = hn::Set(Tag(), box[bound]);
     }
-    // That of a row.
+    // Broadcasts the box of a row.
     BoxLanes(const Real *const *columns, std::size_t row) {
         for (int bound = 0; bound < 6; ++bound) m_bounds[bound] = hn::Set(Tag(), columns[bound][row]);
     }
 
-    // The boxes from row `first` on that lie apart from it. `columns`: by bound.
+    // Returns the mask of the boxes from row `first` on that are disjoint from it. `columns` is indexed by bound.
     HWY_INLINE Mask apart(const Real *const *columns, std::size_t first) const {
         return hn::Or(apartOn(0, columns, first), hn::Or(apartOn(1, columns, first), apartOn(2, columns, first)));
     }
 
 private:
-    // Apart, if one begins after the other ends; not "together, if ...", because of NaN.
+    // Two boxes are disjoint if one begins after the other ends. The negated test would differ for NaN.
     HWY_INLINE Mask apartOn(int axis, const Real *const *columns, std::size_t first) const {
         const auto low = hn::LoadU(Tag(), columns[2 * axis] + first);
         const auto high = hn::LoadU(Tag(), columns[2 * axis + 1] + first);

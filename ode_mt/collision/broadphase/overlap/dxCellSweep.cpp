@@ -18,7 +18,7 @@ namespace HWY_NAMESPACE {
 using Lanes = hn::ScalableTag<double>;
 using Mask = hn::Mask<Lanes>;
 
-// A box that is looked for in runs of rows.
+// A box that is compared with runs of rows.
 struct Box {
     BoxLanes<Lanes> lanes;
     std::uint32_t slot;
@@ -92,7 +92,7 @@ void sweepWithin(const dxCellRows &rows, dxCellStrides strides, std::size_t begi
     if (begin >= end) return;
     const double *const cells = rows.cells();
     const double first = cells[begin], x = static_cast<double>(strides.x), y = static_cast<double>(strides.y);
-    // Half of the neighbours, those that come later; the other half looks from its side.
+    // Visits half of the neighbours, the later ones; the other half finds this box.
     Run runs[] = {{rows, first, y}, {rows, first, x - y}, {rows, first, x}, {rows, first, x + y}};
     Probe probe(rows, pairs);
     for (std::size_t row = begin; row < end; ++row) {

@@ -1,14 +1,13 @@
-// All pairs of overlapping boxes among boxes sorted by cells: the batch search's inner loop, by vectors.
+// All pairs of overlapping boxes among boxes sorted by cells: the inner loop of the grid broad phase, with SIMD.
 //
-// Space is cut into cubic cells, numbered so that z runs fastest and no cell follows a border of the region
-// directly: the neighbours of cell c are c + i strideX + j strideY + k with i, j, k of -1, 0 and 1. A box is in the
-// cell of its lowest corner. If no box is longer than a cell, two that overlap are in the same cell or in
-// neighbouring ones. So the candidates of a box are nine short runs of rows, one for each (i, j), and as rows
-// are taken in order the runs only ever move forward: nothing is looked up.
-// Source of the idea: linked-cell lists of molecular dynamics (Hockney and Eastwood, Computer Simulation Using
-// Particles, 8.4), sorted instead of linked.
+// Space is cut into cubic cells, numbered so that z runs fastest and no cell follows a border of the region directly:
+// the neighbours of cell c are c + i strideX + j strideY + k with i, j, k of -1, 0 and 1. A box is in the cell of its
+// lowest corner. If no box is longer than a cell, two that overlap are in the same cell or in neighbouring ones. So the
+// candidates of a box are nine short runs of rows, one for each (i, j), and as rows are taken in order the runs only
+// move forward: no lookup is needed. Source of the idea: linked-cell lists of molecular dynamics (Hockney and Eastwood,
+// Computer Simulation Using Particles, 8.4), sorted instead of linked.
 //
-// Runs are short and their lengths cannot be foreseen, so a run's end is found as a mask, not by a branch.
+// Runs are short and their lengths unpredictable, so a run's end is found as a mask, not by a branch.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +27,7 @@ public:
     const double *bound(int i) const { return m_columns[i].data(); }
     const double *cells() const { return m_columns[6].data(); }
     std::uint32_t slot(std::size_t row) const { return m_slots[row]; }
-    // Pairs of which neither box is, are left out.
+    // Pairs of two unchanged boxes are skipped.
     bool isChanged(std::size_t row) const { return m_isChanged[row] != 0; }
 
     void resize(std::size_t rows);

@@ -32,7 +32,7 @@ HWY_INLINE bool mayBePair(dxPackedBoxes::Marks a, dxPackedBoxes::Marks b) {
     return (both != 0) & (either != 0);
 }
 
-// Nothing tells which candidates are pairs: every one is written, and stays if it is one.
+// Which candidates are pairs is unpredictable: every one is written, and kept if it is one (branch-free).
 std::size_t overlappingCandidates(const dxPackedBoxes &boxes, const dxSlotPair *HWY_RESTRICT candidates,
                                   std::size_t count, dxSlotPair *HWY_RESTRICT pairs) {
     std::size_t found = 0;

@@ -1,8 +1,8 @@
 // Boxes by slot, each packed for one comparison with any other.
 //
-// Two boxes lie apart if one begins behind the end of the other on some axis: low > other's high, or -high > -(other's
-// low). With the six left sides of a box in one array and its six right sides in another, that is one comparison of
-// six lanes, without a branch and without gathering columns: for pairs that stand in no order.
+// Two boxes are disjoint if one begins behind the end of the other on some axis: low > other's high, or -high >
+// -(other's low). With the six left sides of a box in one array and its six right sides in another, that is one
+// comparison of six lanes, branch-free and without gathers, for pairs in random order.
 #pragma once
 
 #include <cstddef>
@@ -33,7 +33,7 @@ public:
         }
     }
 
-    // Asks the memory for a box that will be set soon.
+    // Prefetches for write a box that will be set soon.
     void expect(std::size_t slot) const {
         dxFetch::lineToWrite(&m_begins[slot]);
         dxFetch::lineToWrite(&m_ends[slot]);

@@ -12,13 +12,13 @@
 
 namespace {
 
-// Lanes that nobody asked for may raise them where upstream does not.
+// Unused lanes may raise them where upstream does not.
 constexpr int kTelling = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
 
-// Below this many rows there is little to be left out.
+// Below this many rows there are few zeros to skip.
 constexpr unsigned kSparseRows = 64;
 
-// Zeros may be left out as long as everything is finite, and sums that start at 0 never become -0.
+// Zeros may be skipped as long as everything is finite, and sums that start at 0 never become -0.
 bool mayLeaveOutZeros(const dxDantzigProblem &problem) {
     if (problem.n < kSparseRows || std::fegetround() != FE_TONEAREST) return false;
     for (unsigned i = 0; i < problem.n; ++i)
@@ -70,7 +70,8 @@ private:
 
 enum class Outcome { Solved, GaveUp, LeftToUpstream };
 
-// Nothing is changed if the problem is left to upstream. `failedLength`: of the push that could not be made.
+// Nothing is changed if the problem is left to upstream. `failedLength` is the length of the step that was not
+// positive.
 Outcome solve(dxIslandTeam *team, dxWorldProcessMemArena *memory, const dxDantzigProblem &problem, dReal &failedLength) {
     const BorrowedArena more(dxDantzigRun::memory(problem.n));
     if (!more.get()) return Outcome::LeftToUpstream;

@@ -11,7 +11,7 @@ struct dxIslandTeam;
 // x(i) = hi(i), and w(i) = 0 otherwise.
 //
 //   team        workers for large problems; null: the calling thread alone
-//   memory      what upstream's dxEstimateSolveLCPMemoryReq asks for is taken from it, as upstream does
+//   memory      the size of upstream's dxEstimateSolveLCPMemoryReq is allocated from it, as in upstream
 //   n           rows, at least 1
 //   A           symmetric, positive definite; the lower triangle is read; rows start dPAD(n) elements apart
 //   pairsBX     b(i), x(i) for each i; x is written, b may be
@@ -20,7 +20,7 @@ struct dxIslandTeam;
 //   pairsLoHi   lo(i) <= 0, hi(i) >= 0; those of friction rows may be written
 //   normalOf    null, or for each i the row whose x(i) scales the limits of row i (friction), or -1
 //
-// Threading: reads and writes what it is given, and calls the message handler of the calling thread's island. Results do not
-// depend on the team.
+// Threading: reads and writes what it is given, and calls the message handler of the calling thread's island. Results
+// do not depend on the workers.
 void dxSolveDantzig(dxIslandTeam *team, dxWorldProcessMemArena *memory, unsigned n, dReal *A, dReal *pairsBX, dReal *w,
                     unsigned unbounded, dReal *pairsLoHi, int *normalOf);

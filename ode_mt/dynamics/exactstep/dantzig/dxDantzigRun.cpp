@@ -35,7 +35,7 @@ std::size_t halfBlockCount(unsigned n) { return 2 * (dxLcpBlock(n) + std::size_t
 std::size_t sparseMemory(unsigned n) { return n < kSparseProductRows ? 0 : dxSparseRows::memory(n); }
 
 // The sum of `count` products in upstream's order (calculateLargeVectorDot of ode/src/fastdot_impl.h). The k-th is
-// inPlace(k), which takes no look at the list of indexes, for the first of them, and product(k) for all.
+// inPlace(k), without an access to the list of indexes, for the first of them, and product(k) for all.
 template <class InPlace, class Product>
 dReal addUp(unsigned countInPlace, InPlace inPlace, unsigned count, Product product) {
     dReal sum = 0;
@@ -168,7 +168,7 @@ bool dxDantzigRun::settle(unsigned i) {
     return true;
 }
 
-// True if row i is to be pushed again.
+// Returns whether row i needs another step.
 bool dxDantzigRun::push(unsigned i) {
     const bool isUp = m_w[i] <= 0;
     findDirection(i, isUp);
@@ -240,7 +240,7 @@ void dxDantzigRun::findProductsOfN(unsigned i) {
     }
 }
 
-// The longest push after which all conditions still hold.
+// Returns the maximum step after which all conditions still hold.
 dxDantzigRun::Push dxDantzigRun::findPush(unsigned i, bool isUp) const {
     const dReal w = m_w[i], deltaW = m_deltaW[i];
     const dReal endless = w != 0 ? dCopySign(dInfinity, -w) : dReal(0);
@@ -337,7 +337,7 @@ bool dxDantzigRun::finish(unsigned i, const Push &push) {
     return false;
 }
 
-// Upstream goes on with what it has, and with 0 for the rows that it has not settled.
+// Upstream continues with its current values, and with 0 for the rows that it has not driven to zero.
 void dxDantzigRun::giveUp(unsigned i, dReal length) {
     std::fill(m_x + i, m_x + m_n, dReal(0));
     m_hasFailed = true;

@@ -1,8 +1,9 @@
 // One run of Dantzig's algorithm.
 //
-// Rows are looked at one after another; those before the present one satisfy the conditions of the LCP. A row
-// that does not is pushed: x(i) moves, and x(C) with it so that w(C) stays 0, until w(i) is 0 or x(i) at a
-// limit. When a row of N would leave its side, or one of C its limits, it changes its set first.
+// Rows are taken one after another; those before the current one satisfy the conditions of the LCP. A row that does not
+// is driven to zero: x(i) changes, and x(C) with it so that w(C) stays 0, until w(i) is 0 or x(i) at a limit. The
+// maximum step ends when a row of the clamped set N would leave its bound, or one of the free set C would reach a
+// limit; that row then changes its set (pivot).
 #pragma once
 
 #include "dynamics/exactstep/dantzig/dxDantzigProblem.h"
@@ -17,9 +18,9 @@ class dxWorldProcessMemArena;
 
 class dxDantzigRun {
 public:
-    // Takes L from `given`, everything else from `arena`, of which it needs memory(n) bytes; reads the
-    // problem and writes nothing but that memory. Products with 0 are left out if `isLeavingOutExact`: everything in
-    // the problem but its limits is finite, and results are rounded to nearest.
+    // Allocates L from `given`, everything else from `arena`, of which it needs memory(n) bytes; reads the problem and
+    // writes only that memory. Products with 0 are skipped if `isLeavingOutExact`: everything in the problem but its
+    // limits is finite, and results are rounded to nearest.
     dxDantzigRun(dxIslandTeam *team, dxWorldProcessMemArena *given, dxWorldProcessMemArena *arena,
                  const dxDantzigProblem &problem, bool isLeavingOutExact);
     static std::size_t memory(unsigned n);
@@ -29,14 +30,14 @@ public:
     // Writes x into the problem.
     void deliver() const;
 
-    // The algorithm gave up, as it could not go on by a positive length.
+    // Returns whether the algorithm gave up because the maximum step was not positive.
     bool hasFailed() const { return m_hasFailed; }
     dReal failedLength() const { return m_failedLength; }
 
 private:
     using Limits = dxLimitPair;
 
-    // What ends a push.
+    // The event that ends a step.
     enum class Event { Solved, AtLow, AtHigh, LeavesN, CFallsLow, CFallsHigh };
     struct Push {
         dReal length;
@@ -70,7 +71,7 @@ private:
     void appendFactorRow(unsigned index, dReal product);
     void removeFactorRow(unsigned factorRow);
     unsigned firstSolved(unsigned count) const;
-    // D^-1 L^-1 A(C,i) is where it will be if i comes into C: in the row behind the last one of L.
+    // D^-1 L^-1 A(C,i) is stored where it will be if i enters C: in the row behind the last one of L.
     dReal *scaled() const { return m_L[m_sets.countC()]; }
 
     dxSolveTeam m_team;

@@ -12,8 +12,8 @@ namespace {
 // Upstream's dot product adds up so many products at a time.
 constexpr std::size_t kDotGroup = 4;
 
-// Upstream goes column by column down the rows, which is a line of the cache for each element. By row, a row needs
-// of the columns before it what the update of their own rows has left.
+// Upstream goes column by column down the rows, which is a cache line for each element. By row, a row needs of the
+// columns before it what the update of their own rows has left.
 struct Column {
     dReal k1, k2, gamma1, gamma2;
 };

@@ -1,4 +1,4 @@
-// Takes a row and a column out of a factorisation L D L': upstream's dxLDLTRemove (ode/src/matrix.cpp), row by row.
+// Removes a row and a column from an LDLT factorisation: upstream's dxLDLTRemove (ode/src/matrix.cpp), row by row.
 #pragma once
 
 #include <ode/common.h>
@@ -10,7 +10,7 @@
 struct dxFactorRemovalTask {
     dReal **L;  // rows of a lower triangle with ones on its diagonal, which is not read
     dReal *d;   // 1/D
-    unsigned count, r;  // rows, and the one that is to go
+    unsigned count, r;  // number of rows, and the one to be removed
     // The column of the factorised matrix that goes: its element in row i is column[index[i]], for i >= r.
     const dReal *column;
     const unsigned *index;
@@ -20,7 +20,7 @@ struct dxFactorRemovalTask {
 
 std::size_t dxFactorRemovalStorage(unsigned count);
 
-// Upstream's bits in the rows before count - 1; what the envelope leaves out is right under the conditions named in
-// dxSolveL1.h. Upstream moves all rows after r, and what lies above the diagonal, too; here row r goes to the end of the
-// list, and the others stay where they are.
+// Upstream's bits in the rows before count - 1; skipping the columns before the skyline is exact under the conditions
+// named in dxSolveL1.h. Upstream moves all rows after r, and what lies above the diagonal, too; here row r goes to the
+// end of the list, and the others stay where they are.
 void dxRemoveFactorRow(const dxFactorRemovalTask &task);

@@ -1,15 +1,15 @@
 // Forward solves with the factorisation of A(C,C): Y = L^-1 A(C,j), for a block of columns j at a time.
 //
-// Dantzig's algorithm solves for one column after another, and C changes little in between: it grows by a
-// row, or loses one. The first rows of Y depend on the first rows of L only, so they are kept: for each block
-// of columns, as many as are known. A column that is asked for brings its whole block up to date, since lanes
-// cost nothing: most columns of the block are about to be asked for.
+// Dantzig's algorithm solves for one column after another, and C changes little in between: it grows by a row, or loses
+// one. The first rows of Y depend on the first rows of L only, so they are kept: for each block of columns, as many as
+// are known. A request for a column updates its whole block, since the other lanes are free: most columns of the block
+// will be requested soon.
 //
-// Columns of A begin with zeros, and so do their solutions; of these only the number is kept.
+// Columns of A have leading zeros, and so have their solutions; of these only the number is stored.
 //
-// From 32 blocks on there is room for three quarters of them: with the sparse rows (dxSparseRows.h) that makes what
-// upstream takes. Most columns of C are never asked for again. A block that finds no room takes that of the one asked for
-// longest ago.
+// From 32 blocks on there is memory for three quarters of them: with the sparse rows (dxSparseRows.h) that is the
+// memory of upstream. Most columns of C are never requested again. A block without a free place evicts the least
+// recently used one (LRU).
 //
 // Upstream's rows after the last whole group of four (dxSolveL1Plain.h) are added up in another order, so
 // only whole groups are kept.
@@ -34,7 +34,7 @@ public:
     // result(row) = (L^-1 A(C,column))(row), for all rows of C
     void solve(unsigned column, dReal *result, const dxSolveTeam &team);
 
-    // Rows of L from `row` on are others now.
+    // Invalidates rows of L from `row` on.
     void forgetFrom(unsigned row);
 
 private:
@@ -60,10 +60,10 @@ private:
     unsigned *const m_known;  // rows
     unsigned *const m_zeros;  // the first of them, which are all 0
 
-    unsigned *const m_place;  // by block: where its solutions are, or kNone
+    unsigned *const m_place;  // by block: place of its solutions, or kNone
     // By place:
     unsigned *const m_blockAt;
-    unsigned *const m_askedAt;  // when it was asked for last
+    unsigned *const m_askedAt;  // time of its last use
     unsigned m_taken = 0;       // places
     unsigned m_time = 0;
 };

@@ -18,7 +18,7 @@ void dxIndexSets::moveFromNToC(unsigned position) {
     moveToC(position);
 }
 
-// The position after those of C is taken; whoever was there moves to the free one.
+// The position after those of C is taken; its previous index moves to the free one.
 void dxIndexSets::moveToC(unsigned position) {
     if (position != m_countC) m_inPlace = std::min(m_inPlace, m_countC);
     std::swap(m_indexAt[m_countC], m_indexAt[position]);

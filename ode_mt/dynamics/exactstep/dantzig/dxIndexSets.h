@@ -1,9 +1,9 @@
-// The sets of Dantzig's algorithm: C, whose rows have w = 0, and N, whose rows lie at a limit.
+// The sets of Dantzig's algorithm: the free set C, whose rows have w = 0, and the clamped set N, whose rows are at a
+// limit.
 //
-// Upstream moves rows and columns of the problem about, so that C, N and the rows not yet looked at follow
-// one another. Sums over a set go in the order in which upstream would hold it, and ties between rows are
-// broken by it; so positions are kept as upstream has them, but only as a list of indexes: nothing else
-// moves. C has a second order, that of the rows of its factorisation.
+// Upstream permutes rows and columns of the problem, so that C, N and the remaining rows are contiguous. Sums over a
+// set have that order, and it breaks ties between rows; so upstream's positions are kept, but only as a list of
+// indexes: no data moves. C has a second order, that of the rows of its factorisation.
 #pragma once
 
 class dxIndexSets {

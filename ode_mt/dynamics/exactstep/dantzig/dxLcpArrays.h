@@ -1,4 +1,4 @@
-// Arrays in an arena, each from the start of a line of the cache on.
+// Arrays in an arena, each aligned to a cache line.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ Element *dxTakeArray(dxWorldProcessMemArena *arena, std::size_t count) {
     return arena->AllocateOveralignedArray<Element>(count, kCacheLine);
 }
 
-// What it takes of the arena.
+// Returns its size in the arena.
 template <class Element>
 std::size_t dxArrayBytes(std::size_t count) {
     return dOVERALIGNED_SIZE(count * sizeof(Element), kCacheLine);

@@ -1,6 +1,6 @@
-// The matrix of an LCP, in the order of its solver: rows whose limits depend on others are last, rows without
-// limits first. Both triangles are kept for the columns that are still to be looked at, so that a column of
-// the triangle is a row of lanes. Lanes come in blocks of kLineLanes consecutive columns.
+// The matrix of an LCP, in the order of its solver: rows whose limits depend on others are last, rows without limits
+// first. Both triangles are stored for the columns that are not processed yet, so that a column of the triangle is a
+// row of lanes. Lanes come in blocks of kLineLanes consecutive columns.
 #pragma once
 
 #include <ode/common.h>
@@ -23,9 +23,9 @@ public:
     // Elements of storage: whole blocks of rows, too.
     static std::size_t size(unsigned n) { return std::size_t(dxLcpRoundUp(n)) * dxLcpRoundUp(n); }
 
-    // `lower`: the lower triangle of the problem's matrix, whose rows start `skip` elements apart; `order`:
-    // the problem's row for each of ours; `first`: the first column that is to be kept in rows before it,
-    // too. `storage` is aligned to the cache's lines.
+    // `lower`: the lower triangle of the problem's matrix, whose rows start `skip` elements apart; `order`: the
+    // problem's row for each of ours; `first`: the first column that is to be kept in rows before it, too. `storage` is
+    // aligned to cache lines.
     dxLcpMatrix(const dReal *lower, std::size_t skip, const unsigned *order, unsigned n, unsigned first,
                 dReal *storage);
 

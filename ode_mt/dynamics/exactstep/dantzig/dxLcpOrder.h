@@ -1,5 +1,5 @@
-// The order in which Dantzig's algorithm looks at the rows of a problem: rows without limits first, rows
-// whose limits depend on others last, the rest as upstream's swaps leave them.
+// The order in which Dantzig's algorithm takes the rows of a problem: rows without limits first, rows whose limits
+// depend on others last, the rest as upstream's swaps leave them.
 #pragma once
 
 #include "dynamics/exactstep/dantzig/dxDantzigProblem.h"

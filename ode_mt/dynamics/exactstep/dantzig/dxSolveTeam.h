@@ -1,4 +1,4 @@
-// The workers of an exact step's island, for pieces of its LCP that are large enough: some ten microseconds.
+// The workers of an exact step's island, for parts of its LCP that are large enough: some ten microseconds.
 //
 // Whether that pays is measured (dxSharingPolicy), on the transposed solves, of which each push has one: on a machine that is
 // busy with other things workers come late. Results are the same either way.
@@ -14,7 +14,7 @@ public:
     // `team`: null for the calling thread alone.
     explicit dxSolveTeam(dxIslandTeam *team) : m_team(team), m_isSharing(team != nullptr && team->sharesAlways) {}
 
-    // Who is to go through so many elements of a matrix; null: the calling thread alone.
+    // Returns the runner for work on this number of matrix elements; null: the calling thread alone.
     dxTaskRunner *runnerFor(std::size_t elements) const {
         return m_isSharing && elements >= least() ? m_team->runner : nullptr;
     }
@@ -32,7 +32,8 @@ public:
     }
 
 private:
-    // Some 10 us: starting and ending a run takes one. To share always is asked for where sharing is tested.
+    // Units: elements; some 10 us, as starting and ending a run takes one. The lower value is for tests, which always
+    // run in parallel.
     static constexpr std::size_t kLeastElements = 80'000, kLeastAlways = 8'000;
     std::size_t least() const { return m_team->sharesAlways ? kLeastAlways : kLeastElements; }
 

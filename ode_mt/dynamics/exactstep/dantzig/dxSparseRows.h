@@ -2,9 +2,9 @@
 // most of the products that are zero.
 //
 // Few columns have an element in a row: those that share a body with it. Rows next to one another mostly have the same
-// ones, as those of contacts of the same two bodies. So the elements of four rows (eight in single precision) in a column
-// of C lie side by side, half a line of the cache, if one of them is not zero; these pieces of such a block are in the order
-// of C, and follow each change of it.
+// ones, as those of contacts of the same two bodies. So the elements of four rows (eight in single precision) in a
+// column of C are stored together, half a cache line, if one of them is not zero; these pieces of a block have the
+// order of C, and follow each change of it.
 #pragma once
 
 #include <ode/common.h>
@@ -21,7 +21,7 @@ class dxWorldProcessMemArena;
 
 class dxSparseRows {
 public:
-    // Rows first..n-1 of n. Until it is built it takes no time.
+    // Rows first..n-1 of n. Costs nothing until it is built.
     dxSparseRows(const dxLcpMatrix &A, const dxIndexSets &sets, unsigned n, unsigned first);
 
     // Of the memory that build takes, in bytes: less than a quarter of the matrix's.
@@ -38,10 +38,10 @@ public:
     void multiply(const dReal *factors, unsigned endRow, const unsigned *wanted, dReal *result,
                   const dxSolveTeam &team) const;
 
-    // C has got a column at its end.
+    // Requires a call when a column was appended to C.
     void append(unsigned column);
 
-    // C is about to lose the column at a position, which the last one then takes.
+    // Requires a call before C loses the column at a position, which the last one then takes.
     void remove(unsigned position);
 
 private:

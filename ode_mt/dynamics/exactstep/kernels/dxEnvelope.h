@@ -1,5 +1,5 @@
-// The envelope of a lower triangle: for each row, the columns from its first that is not zero on. Kernels leave
-// out what lies before it, and docs/lcp.md tells why the bits stay the same.
+// The skyline of a lower triangle: for each row, its first column that is not zero. Kernels skip the columns before it;
+// docs/lcp.md explains why the bits are the same.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 class dxEnvelope {
 public:
-    // Nothing is left out.
+    // Makes a skyline that skips nothing.
     dxEnvelope() = default;
 
     // `begins`: for each row a column, of which those before are zero, of either sign. Rows without an element
@@ -16,7 +16,7 @@ public:
 
     bool leavesOut() const { return m_begins != nullptr; }
 
-    // All columns before it are zero in all of the rows.
+    // Returns a column before which all of the rows are zero.
     std::size_t begin(std::size_t firstRow, std::size_t rows) const {
         if (m_begins == nullptr) return 0;
         unsigned begin = m_begins[firstRow];

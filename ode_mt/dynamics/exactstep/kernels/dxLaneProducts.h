@@ -6,8 +6,8 @@
 
 #include <cstddef>
 
-// Rows come in blocks of as many as a line of the cache has elements. Columns of the matrix are read along
-// its rows, which start at such a line.
+// A block has as many rows as a cache line has elements. Columns of the matrix are read along its rows, which are
+// aligned to cache lines.
 struct dxLaneProductsTask {
     const dReal *matrix;  // symmetric where it is read
     std::size_t rowSkip;

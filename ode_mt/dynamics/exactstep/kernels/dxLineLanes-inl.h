@@ -1,5 +1,5 @@
-// Vectors that go through a line of lanes, for every instruction set.
-// Included once per instruction set; the guard is Highway's.
+// Vectors over one cache line of lanes, for every instruction set. Included once per instruction set; the guard is
+// Highway's.
 #if defined(ODE_MT_LINE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ODE_MT_LINE_LANES_INL_H
 #undef ODE_MT_LINE_LANES_INL_H

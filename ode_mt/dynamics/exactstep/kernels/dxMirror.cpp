@@ -16,7 +16,7 @@ namespace HWY_NAMESPACE {
 
 using MirrorLanes = RowLanes<kLineLanes>;
 
-// Columns begin.. of a line, for the rows before them. What lies in rows that are none is read, and left out.
+// Columns begin.. of a line, for the rows before them. Rows beyond the last are read, and ignored.
 HWY_INLINE void mirrorLine(const dxMirrorTask &task, std::size_t begin) {
     const MirrorLanes d;
     const auto row = [&](std::size_t index) { return task.rows + index * task.rowSkip; };

@@ -1,4 +1,4 @@
-// The other triangle of a symmetric matrix, by lines of lanes.
+// Computes the other triangle of a symmetric matrix, by cache lines of lanes.
 #pragma once
 
 #include <cstddef>

@@ -39,7 +39,7 @@ HWY_INLINE std::size_t beginOf(const dxSolvePanelTask &task, std::size_t first, 
     return std::max<std::size_t>(task.envelope.begin(first, rows), task.zeros);
 }
 
-// Four or eight rows, whose sums have come as far as column `begin`.
+// Four or eight rows, whose sums include the columns before `begin`.
 template <std::size_t Rows>
 HWY_INLINE void finishRows(const dxSolvePanelTask &task, std::size_t lane, std::size_t first, std::size_t begin,
                            LineVector *sum) {
@@ -92,7 +92,7 @@ HWY_INLINE void finishFromSums(const dxSolvePanelTask &task, std::size_t lane, s
     finishRows<Rows>(task, lane, first, begin, sum);
 }
 
-// The rows of one turn. Their sums are kept while others find the columns before them.
+// Solves the rows of one chunk. Their sums are kept while other workers solve the columns before them.
 class RowsInTurn {
 public:
     HWY_INLINE RowsInTurn(const dxSolvePanelTask &task, unsigned turn)

@@ -9,9 +9,8 @@
 
 class dxTaskRunner;
 
-// A right-hand side is a column of a symmetric matrix: its element for row r is rightHandSides[index[r] *
-// rightHandSkip + lane]. There are as many lanes as a line of the cache has elements, all aligned to such a
-// line.
+// A right-hand side is a column of a symmetric matrix: its element for row r is rightHandSides[index[r] * rightHandSkip
+// + lane]. There are as many lanes as a cache line has elements, all aligned to cache lines.
 struct dxSolvePanelTask {
     const dReal *const *L;  // as in dxSolveL1.h, row i at L[i]
     const dReal *rightHandSides;
@@ -23,9 +22,9 @@ struct dxSolvePanelTask {
     dReal *solutions;     // by row, then by lane
 };
 
-// Each lane gets the bits of dxSolveL1Straight for a right-hand side of its own, `end` rows or more. What the
-// envelope and the zeros leave out is right under the conditions named there.
-// `runner`: its workers take kSharedRows rows at a time; null for the calling thread alone.
+// Each lane gets the bits of dxSolveL1Straight for a right-hand side of its own, `end` rows or more. Skipping by the
+// skyline and the zeros is exact under the conditions named there. `runner`: its workers take kSharedRows rows at a
+// time; null for the calling thread alone.
 void dxSolvePanel(const dxSolvePanelTask &task, dxTaskRunner *runner = nullptr);
 
 constexpr unsigned kSharedRows = 32;

@@ -1,6 +1,6 @@
-// The element-wise loops of a push of Dantzig's algorithm (lcp/dxDantzigRun.h), by vectors.
+// The element-wise loops of a step of Dantzig's algorithm (lcp/dxDantzigRun.h), vectorised.
 //
-// Arrays have room for whole fours of elements; what lies behind the last one asked for is read, and never matters.
+// Arrays are padded to multiples of four elements; the padding is read, but does not affect results.
 #pragma once
 
 #include <ode/common.h>
@@ -8,7 +8,7 @@
 struct dxLimitPair {
     dReal low, high;
 
-    // The one that is reached by falling, or rising: without a branch that nobody can foresee.
+    // Returns the limit towards which x moves, branch-free, because the direction is unpredictable.
     dReal towards(bool isFalling) const {
         constexpr dReal dxLimitPair::*limit[] = {&dxLimitPair::high, &dxLimitPair::low};
         return this->*limit[isFalling];

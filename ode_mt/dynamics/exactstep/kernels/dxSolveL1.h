@@ -20,8 +20,8 @@ void dxSolveL1Straight(const dReal *L, dReal *B, unsigned rowCount, unsigned row
 template <unsigned b_stride>
 void dxSolveL1Transposed(const dReal *L, dReal *B, unsigned rowCount, unsigned rowSkip);
 
-// The same for b_stride 1, where rows of L begin late: columns before an envelope are taken for zero, which is
-// exact if everything is finite, no sum overflows, and results are rounded to nearest.
+// The same for b_stride 1 with skyline storage: columns before the skyline are taken for zero, which is exact if
+// everything is finite, no sum overflows, and results are rounded to nearest.
 void dxSolveL1Straight(const dReal *L, dReal *B, unsigned rowCount, unsigned rowSkip, const dxEnvelope &envelope);
 
 // Row i of L is at L[i]. `runner`: null for the calling thread alone.
@@ -30,7 +30,7 @@ void dxSolveL1Transposed(const dReal *const *L, dReal *B, unsigned rowCount, con
 
 namespace dxSolve {
 
-// Columns that one of the workers solves for while the others wait for some of them.
+// Number of columns that one worker solves while others may wait for some of them.
 constexpr unsigned kSharedPanel = 64;
 
 }  // namespace dxSolve

@@ -18,7 +18,7 @@ namespace dxSolve {
 namespace HWY_NAMESPACE {
 
 constexpr std::size_t kBand = 8;     // rows: their results stay in registers
-constexpr std::size_t kPanel = 512;  // columns: their sums stay in the first cache
+constexpr std::size_t kPanel = 512;  // columns: their sums stay in L1
 constexpr std::size_t kMostShortRows = 35;
 
 // sum[column] += products of Count rows of L with their results x, the last row first; `offset`: of column 0 in a row
@@ -229,7 +229,7 @@ void solveTransposedListed(const dReal *const *L, dReal *B, std::size_t rowCount
         solveTransposed<1>(rows, B, rowCount);
 }
 
-// The panel that comes after `turn` others, the last columns first.
+// Solves the panel with number `turn`, counted from the last columns.
 void solveTransposedInTurn(const dReal *const *L, dReal *B, std::size_t rowCount, const dxEnvelope &envelope,
                            unsigned turn, dxTurns &turns) {
     const std::size_t lastGroupEnd = rowCount - rowCount % 4, end = lastGroupEnd - turn * kSharedPanel;

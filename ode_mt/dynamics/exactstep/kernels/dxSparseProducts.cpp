@@ -20,7 +20,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using PieceTag = hn::CappedTag<dReal, kHalfLine>;
 
 // Four positions are added up to one another before they are added to the sum: a piece begins another group, or goes on
-// with that of the piece before. Which of them is as good as random, so both are done, and one is masked out.
+// with that of the piece before. Which of them is unpredictable, so both are computed, and one is masked out.
 template <class D>
 class GroupedSum {
 public:

@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
-// Rows come in blocks of as many as half a line of the cache has elements. A block keeps such a piece, an element a row, for
-// each position of the vector at which one of its rows has an element.
+// A block has as many rows as half a cache line has elements. A block stores such a piece, an element a row, for each
+// position of the vector at which one of its rows has an element.
 struct dxSparseProductsTask {
     const unsigned *begins, *counts;  // by block: of its pieces
     const dReal *pieces;              // aligned to their length

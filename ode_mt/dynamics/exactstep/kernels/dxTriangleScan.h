@@ -1,4 +1,4 @@
-// What can be left out of a lower triangle, and whether it may be.
+// What may be skipped in a lower triangle.
 #pragma once
 
 #include <ode/common.h>

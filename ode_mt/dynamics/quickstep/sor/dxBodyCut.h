@@ -1,7 +1,7 @@
-// Cuts bodies into parts that lie apart and have about the same weight, by recursive bisection across the longest
+// Partitions bodies into compact parts of about equal weight, by recursive coordinate bisection (RCB) along the longest
 // axis (Berger and Bokhari, "A partitioning strategy for nonuniform problems on multiprocessors", 1987).
 //
-// Linear in the bodies for each doubling of the parts. Any cut is a right one: it decides about speed alone.
+// Linear in the bodies for each doubling of the parts. Any partition is correct: it affects speed alone.
 #pragma once
 
 #include <cstddef>

@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::uint16_t kActsOnShared = 1 << 15;
 
-// Looks at another part's progress before a thread tries to help, and rounds of that before it lets others run.
+// Number of polls of another part's progress before a thread tries another part, and number of such rounds before it
+// yields.
 constexpr int kPatience = 256;
 constexpr int kRounds = 16;
 
@@ -184,7 +185,7 @@ void dxSharedSweep::finish(const dxIslandProblem &problem, unsigned number, unsi
     }
 }
 
-// As far as it goes.
+// Advances a part until it must wait.
 void dxSharedSweep::advance(const dxIslandProblem &problem, Part &part, unsigned times) {
     while (mayGoOn(part)) {
         part.row = dxTakeRun(problem, part.rows.data(), part.row, part.rows.size());

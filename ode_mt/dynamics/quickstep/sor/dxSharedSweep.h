@@ -1,13 +1,13 @@
-// QuickStep's sweeps over one island on several threads, with the bits of one.
+// Parallel SOR: QuickStep's sweeps over one large island on several threads, with the bits of one.
 //
-// The bodies are cut into parts that lie apart (dxBodyCut); a row belongs to the part of its first body. Each part
-// takes its rows in the order of the serial sweep. What is left to keep is the order of rows of different parts that
-// act on the same body: such a row waits until the part of the one before it has come past that one. Most rows act on
-// bodies of their own part alone and never wait. A part may go into the next sweep while others are still in
-// this one. docs/teams.md has the proof and a picture.
+// The bodies are partitioned (dxBodyCut); a row belongs to the part of its first body. Each part takes its rows in the
+// order of the serial sweep. Rows of different parts that act on the same boundary body must keep their order: such a
+// row waits until the part of the row before it has finished that row. Most rows act only on bodies of their own part
+// and never wait. A part may start the next sweep while others are still in this one. docs/teams.md has the proof and a
+// picture.
 //
-// A thread that can go no further with a part gives it back and looks for another one, so any number of
-// threads, one included, gets all parts done.
+// A thread that cannot proceed with a part releases it and tries another one, so any number of threads, one included,
+// finishes all parts.
 #pragma once
 
 #include <atomic>
@@ -33,10 +33,10 @@ public:
     // Frees what is kept; no step may be in progress.
     static void forget();
 
-    // Below so many rows a part, waiting costs more than sharing brings.
+    // Minimum number of rows of a part: below, waiting costs more than parallelism gains.
     static constexpr unsigned kLeastRows = 500;
 
-    // Cuts the island. `placeOf(body)`: three numbers.
+    // Partitions the island. `placeOf(body)` returns the position, three numbers.
     template <class PlaceOf>
     void begin(const dxIslandProblem &problem, unsigned parts, PlaceOf placeOf) {
         m_places.resize(problem.bodyCount);

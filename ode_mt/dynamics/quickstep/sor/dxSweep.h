@@ -8,5 +8,5 @@
 // the order of their joints, and in which neighbours seldom wait for one another.
 void dxScheduleSweep(const dxIslandProblem &problem);
 
-// Takes every row once, in this order. Each row's columns are scaled and its impulse is set (dxSorSolver).
+// Relaxes every row once, in this order. Each row's columns are scaled and its impulse is set (dxSorSolver).
 void dxSweep(const dxIslandProblem &problem, const int *order);

@@ -1,4 +1,4 @@
-// What a row does, without vectors. The order of all sums is upstream's.
+// The relaxation of a row in scalar code. The order of all sums is upstream's.
 #pragma once
 
 #include <hwy/base.h>
@@ -14,8 +14,8 @@ using Row = dxConstraintRow;
 // What the right-hand side and the row's own lambda ask for.
 HWY_INLINE dReal residual(const Row &row) { return row.jacobian[Row::kRhs] - row.lambda * row.jacobian[Row::kCfm]; }
 
-// Changes the row's lambda by `delta` as far as its limits allow; returns the change. The branches are left to
-// the processor's prediction, which goes on with the unlimited change: without them every row would wait.
+// Changes the row's lambda by `delta` as far as its limits allow; returns the change. The branches are kept: if they
+// are predicted, the dependency chain does not contain the clamp; branch-free code would add its latency to every row.
 HWY_INLINE dReal relax(const dxIslandProblem &problem, Row &row, dReal delta) {
     dReal low = row.jacobian[Row::kLow], high = row.jacobian[Row::kHigh];
     if (row.isBounded()) {

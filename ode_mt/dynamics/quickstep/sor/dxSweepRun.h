@@ -1,4 +1,4 @@
-// A piece of a sweep: rows one after the other, up to a place where other threads come in.
+// A part of a sweep: consecutive rows up to a dependency on another thread.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 // An entry of a list of rows: the number of a row, and marks.
 namespace dxSweepRun {
-constexpr std::uint32_t kWaits = UINT32_C(1) << 30;      // not before another thread has come to a certain row
-constexpr std::uint32_t kAnnounces = UINT32_C(1) << 31;  // afterwards others may be waiting for it
+constexpr std::uint32_t kWaits = UINT32_C(1) << 30;      // waits for another thread to finish a certain row
+constexpr std::uint32_t kAnnounces = UINT32_C(1) << 31;  // other threads may be waiting for it
 constexpr std::uint32_t kRow = kWaits - 1;
 }  // namespace dxSweepRun
 
