@@ -45,7 +45,7 @@ void RandomWorld::addBody() {
     dRFromAxisAndAngle(rotation, dReal(number()), dReal(number()), dReal(1), dReal(3 * number()));
     dBodySetRotation(body, rotation);
     dBodySetPosition(body, dReal(number()), dReal(number()), dReal(number()));
-    dBodySetLinearVel(body, dReal(number()), dReal(number()), chance(4) ? -dReal(0) : dReal(number()));
+    dBodySetLinearVel(body, dReal(number()), chance(3) ? -dReal(0) : dReal(number()), dReal(number()));
     dBodySetAngularVel(body, dReal(9 * number()), dReal(9 * number()), dReal(number()));
     dBodySetGyroscopicMode(body, !chance(3));
     dBodySetGravityMode(body, !chance(5));
@@ -218,7 +218,8 @@ void RandomWorld::setAxes(dJointID joint, unsigned kind) {
 
 void RandomWorld::push() {
     for (const dBodyID body : m_bodies) {
-        if (chance(3)) dBodyAddForce(body, dReal(9 * number()), chance(3) ? -dReal(0) : dReal(number()), 1);
+        if (chance(3)) dBodyAddForce(body, dReal(9 * number()), dReal(number()), 1);
+        if (chance(4)) dBodySetForce(body, -dReal(0), -dReal(0), -dReal(0));
         if (chance(3)) dBodyAddTorque(body, dReal(number()), 0, dReal(number()));
         if (!m_shape.isExtreme || !chance(12)) continue;
         const dReal forces[] = {dReal(1e30), dReal(-1e30), std::numeric_limits<dReal>::quiet_NaN(),
