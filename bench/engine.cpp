@@ -8,8 +8,8 @@ namespace bench {
 
 namespace {
 
-constexpr int kMostThreads = 1024;
-constexpr int kFewestCells = 5, kMostCells = 20;
+constexpr int kMaxThreads = 1024;
+constexpr int kMinCells = 5, kMaxCells = 20;
 const std::string kCells = "cells=";
 // The names must be those of the library; it would use the default for any other, without a report where the child has no log.
 const std::vector<std::string> kAlgorithms = {"auto",   "serial",          "lcp",         "original",
@@ -26,13 +26,13 @@ int readNumber(const std::string &text, int lowest, int highest) {
     return isNumber && number >= lowest && number <= highest ? number : -1;
 }
 
-int readThreads(const std::string &text, int lowest) { return readNumber(text, lowest, kMostThreads); }
+int readThreads(const std::string &text, int lowest) { return readNumber(text, lowest, kMaxThreads); }
 
 void checkCells(const std::string &engine, const std::string &cells) {
-    if (readNumber(cells, kFewestCells, kMostCells) < 0)
+    if (readNumber(cells, kMinCells, kMaxCells) < 0)
         throw std::invalid_argument("engine '" + engine + "': '" + cells +
-                                    "' is not a number of grid cells from " + std::to_string(kFewestCells) +
-                                    " to " + std::to_string(kMostCells));
+                                    "' is not a number of grid cells from " + std::to_string(kMinCells) +
+                                    " to " + std::to_string(kMaxCells));
 }
 
 void checkThreads(const std::string &engine, const std::string &threads, int lowest, bool mayBeAuto) {
@@ -40,7 +40,7 @@ void checkThreads(const std::string &engine, const std::string &threads, int low
     if (readThreads(threads, lowest) < 0)
         throw std::invalid_argument("engine '" + engine + "': '" + threads +
                                     "' is not a number of threads from " + std::to_string(lowest) + " to " +
-                                    std::to_string(kMostThreads) + (mayBeAuto ? ", nor 'auto'" : ""));
+                                    std::to_string(kMaxThreads) + (mayBeAuto ? ", nor 'auto'" : ""));
 }
 
 // Removes the part after the last `separator` from `text` and returns it; empty if there is none.

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // The name of a temporary file may be no longer than that of its file.
-constexpr std::size_t kLongestStem = 200;
+constexpr std::size_t kMaxStem = 200;
 
 [[noreturn]] void fail(const std::string &file, const std::string &reason) {
     throw std::runtime_error("cannot write '" + file + "': " + reason);
@@ -56,7 +56,7 @@ fs::path target(const std::string &file) {
 class TemporaryFile {
 public:
     explicit TemporaryFile(const fs::path &target)
-        : m_name((target.parent_path() / target.filename().string().substr(0, kLongestStem)).string() + ".XXXXXX") {
+        : m_name((target.parent_path() / target.filename().string().substr(0, kMaxStem)).string() + ".XXXXXX") {
         m_file = mkostemp(m_name.data(), O_CLOEXEC);
     }
     ~TemporaryFile() {

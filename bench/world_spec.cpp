@@ -14,7 +14,7 @@ const char *const kStaticMeetsStatic = "static_meets_static";
 
 namespace {
 
-constexpr std::size_t mostStaticShapes = 1'000'000;
+constexpr std::size_t maxStaticShapes = 1'000'000;
 
 bool isFile(const std::string &name) {
     return name.find('/') != std::string::npos || name.find(".sdf") != std::string::npos ||
@@ -43,11 +43,11 @@ std::size_t readStaticShapes(const WorldSpec &spec) {
     std::size_t count = 0;
     const char *end = spec.size.data() + spec.size.size();
     const auto [stopped, error] = std::from_chars(spec.size.data(), end, count);
-    if (error != std::errc() || stopped != end || count < 1 || count > mostStaticShapes ||
+    if (error != std::errc() || stopped != end || count < 1 || count > maxStaticShapes ||
         spec.size != std::to_string(count))
         throw std::invalid_argument("world '" + spec.name + "': size '" + spec.size +
                                     "' is not a number of static shapes from 1 to " +
-                                    std::to_string(mostStaticShapes));
+                                    std::to_string(maxStaticShapes));
     return count;
 }
 

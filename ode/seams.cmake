@@ -95,7 +95,7 @@ ode_mt_rename(joints/piston.cpp dJointSetPistonAnchorOffset)
 ode_mt_rename(joints/pu.cpp dJointSetPUAnchorDelta dJointSetPUAnchorOffset)
 
 # libccd asks convex geoms for their furthest point, dozens of times a pair (ode_mt/collision/narrowphase/dxConvexSupport.h). It may search
-# without end (ode_mt/collision/narrowphase/dxCcdSearch.h).
+# without end (ode_mt/collision/narrowphase/dxCcdQuery.h).
 ode_mt_compile_after("collision_libccd.cpp" collision_libccd.h)
 
 # The sign of a zero depth follows from the order of the arguments in fmax(0.0, x). g++ takes the order to be free and changes

@@ -7,7 +7,7 @@ namespace record {
 
 namespace {
 
-constexpr int kMostTriangles = 400;  // of a mesh that is recorded as such
+constexpr int kMaxTriangles = 400;  // of a mesh that is recorded as such
 
 std::vector<double> boundsOf(const std::vector<Triangle> &triangles) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -41,7 +41,7 @@ Shape meshOf(dGeomID geom) {
         triangles.push_back({toGeom(geom, a), toGeom(geom, b), toGeom(geom, c)});
     }
     const std::vector<double> bounds = boundsOf(triangles);
-    if (triangles.size() > kMostTriangles) triangles.clear();
+    if (triangles.size() > kMaxTriangles) triangles.clear();
     return {"mesh", bounds, triangles};
 }
 

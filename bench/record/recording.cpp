@@ -27,8 +27,8 @@ std::string shown(const json &value) {
 // nlohmann-json would cut a fraction off, and take a number that is too large modulo 2^32.
 template <typename Number>
 void getWhole(const json &from, Number &to) {
-    constexpr auto kMost = std::numeric_limits<Number>::max();
-    const bool isWhole = from.is_number_unsigned() ? from.get<std::uint64_t>() <= static_cast<std::uint64_t>(kMost)
+    constexpr auto kMax = std::numeric_limits<Number>::max();
+    const bool isWhole = from.is_number_unsigned() ? from.get<std::uint64_t>() <= static_cast<std::uint64_t>(kMax)
                                                    : from.is_number_integer() && std::is_signed_v<Number> &&
                                                          from.get<std::int64_t>() >= std::numeric_limits<Number>::min();
     if (!isWhole) throw std::runtime_error(shown(from) + " where a whole number is expected");
@@ -186,13 +186,13 @@ void checkHeader(const Header &header) {
     }
 }
 
-constexpr int kMostCells = 1000;  // on each axis; the library has at most 20
+constexpr int kMaxCells = 1000;  // on each axis; the library has at most 20
 
 // Poses and memberships of all geoms, and a grid that can be drawn.
 void checkFrame(const Frame &frame, const Header &header) {
-    if (frame.grid.cells < 0 || frame.grid.cells > kMostCells)
+    if (frame.grid.cells < 0 || frame.grid.cells > kMaxCells)
         throw std::runtime_error("its grid has " + std::to_string(frame.grid.cells) +
-                                 " cells on each axis; known: 0 to " + std::to_string(kMostCells));
+                                 " cells on each axis; known: 0 to " + std::to_string(kMaxCells));
     checkNumber(frame.grid.edge, "its grid");
     for (const double number : frame.grid.centre) checkNumber(number, "its grid");
     for (const Cell &cell : frame.cells)

@@ -1,7 +1,7 @@
 /* What upstream hands to libccd. */
 #pragma once
 
-#include "collision/narrowphase/dxCcdSearch.h"
+#include "collision/narrowphase/dxCcdQuery.h"
 #include "collision/narrowphase/dxConvexSupport.h"
 
 /* Upstream's support function of convex geoms, defined in its file. */
@@ -23,5 +23,5 @@ private:
 #define ccd_support_fn dxCcdSupport
 
 /* Its searches may be left while nobody has asked for them yet. */
-#define ccdMPRIntersect dxCcdSearch::intersect
-#define ccdMPRPenetration dxCcdSearch::penetration
+#define ccdMPRIntersect dxCcdQuery::intersect
+#define ccdMPRPenetration dxCcdQuery::penetration

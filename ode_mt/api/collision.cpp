@@ -5,11 +5,11 @@
 #include "collision/callbacks/dxContactLog.h"
 #include "collision/dxSpaceCollision.h"
 #include "collision/narrowphase/dxColliderTable.h"
-#include "collision/narrowphase/dxContactsAhead.h"
+#include "collision/narrowphase/dxNarrowphasePrefetch.h"
 #include "collision/narrowphase/dxHeightField.h"
-#include "collision/narrowphase/dxLivingHeights.h"
+#include "collision/narrowphase/dxLiveHeightfields.h"
 #include "collision/narrowphase/dxSilentChanges.h"
-#include "collision/narrowphase/dxTurnedGeom.h"
+#include "collision/narrowphase/dxTransformedGeom.h"
 #include "collision/spaces/dxOrderedSpace.h"
 #include "seams/upstream.h"
 #include "settings/dxSettings.h"
@@ -42,19 +42,19 @@ void tellSwitch(dGeomID geom) {
 extern "C" {
 
 int dCollide(dGeomID o1, dGeomID o2, int flags, dContactGeom *contact, int skip) {
-    if (dxContactsAhead *const ahead = dxContactsAhead::current()) {
+    if (dxNarrowphasePrefetch *const ahead = dxNarrowphasePrefetch::current()) {
         const int count = ahead->answer(o1, o2, flags, contact, skip);
         if (count >= 0) return count;
     } else if (dxContactLog *const log = dxContactLog::current()) {
         const bool isValid = o1 != nullptr && o2 != nullptr && contact != nullptr;
-        if (isValid && !isAnsweredEarly(*o1, *o2, flags) && dxMayCollideAnywhere(*o1, *o2))
+        if (isValid && !isAnsweredEarly(*o1, *o2, flags) && dxMayCollideConcurrently(*o1, *o2))
             return log->copies().collide(*o1, *o2, {}, flags, contact, skip);
     }
     const auto collide = [=] { return dxUpstreamCollide(o1, o2, flags, contact, skip); };
     if (o1 == nullptr || o2 == nullptr) return collide();
     if ((isUsers(*o1) || isUsers(*o2)) && !isAnsweredEarly(*o1, *o2, flags))
         dxColliderTable::resolve(o1->type, o2->type);
-    return dxIsHeightField(*o1) || dxIsHeightField(*o2) ? dxTurnedGeom::whileTurned(collide) : collide();
+    return dxIsHeightField(*o1) || dxIsHeightField(*o2) ? dxTransformedGeom::whileTransformed(collide) : collide();
 }
 
 void dSpaceCollide(dSpaceID space, void *data, dNearCallback *callback) {
@@ -96,11 +96,11 @@ void dGeomDisable(dGeomID geom) {
 }
 
 // Data of height fields: contacts that were computed from it hear of changes (collision/narrowphase/dxSilentChanges.h), and which data
-// is there is known (collision/narrowphase/dxLivingHeights.h).
+// is there is known (collision/narrowphase/dxLiveHeightfields.h).
 
 dHeightfieldDataID dGeomHeightfieldDataCreate() {
     const dHeightfieldDataID data = dxUpstreamGeomHeightfieldDataCreate();
-    dxLivingHeights::add(data);
+    dxLiveHeightfields::add(data);
     return data;
 }
 
@@ -152,7 +152,7 @@ void dGeomHeightfieldDataSetBounds(dHeightfieldDataID data, dReal lowest, dReal 
 
 void dGeomHeightfieldDataDestroy(dHeightfieldDataID data) {
     dxSilentChanges::add();
-    dxLivingHeights::remove(data);
+    dxLiveHeightfields::remove(data);
     dxUpstreamGeomHeightfieldDataDestroy(data);
 }
 

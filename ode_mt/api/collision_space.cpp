@@ -4,7 +4,7 @@
 #include "collision/spaces/dxOrderedHashSpace.h"
 #include "collision/spaces/dxOrderedQuadTreeSpace.h"
 #include "collision/spaces/dxOrderedSimpleSpace.h"
-#include "collision/spaces/dxOrderedSweepSpace.h"
+#include "collision/spaces/dxOrderedSapSpace.h"
 
 extern "C" {
 
@@ -16,7 +16,7 @@ dSpaceID dQuadTreeSpaceCreate(dSpaceID space, const dVector3 center, const dVect
     return new dxOrderedQuadTreeSpace(space, center, extents, depth);
 }
 
-dSpaceID dSweepAndPruneSpaceCreate(dSpaceID space, int axisorder) { return new dxOrderedSweepSpace(space, axisorder); }
+dSpaceID dSweepAndPruneSpaceCreate(dSpaceID space, int axisorder) { return new dxOrderedSapSpace(space, axisorder); }
 
 void dHashSpaceSetLevels(dSpaceID space, int minlevel, int maxlevel) {
     dAASSERT(space);

@@ -14,7 +14,7 @@
 #include <cstdlib>
 
 #include "collision/pairs/dxMissedNotifications.h"
-#include "dynamics/random/dxLoneStepper.h"
+#include "dynamics/random/dxSingleStepper.h"
 #include "threading/dxUpstreamScope.h"
 
 namespace {
@@ -44,7 +44,7 @@ bool takenOver(dxReport kind, int number, const char *format, va_list arguments)
 
 void report(Channel &channel, int number, const char *format, va_list arguments) {
     if (dMessageFunction *handler = channel.handler.load()) {
-        const dxLoneStepper::UserCode userCode;
+        const dxSingleStepper::UserCode userCode;
         handler(number, format, arguments);
     } else {
         printToStderr(channel.title, number, format, arguments);
@@ -75,7 +75,7 @@ void dError(int number, const char *format, ...) {
     takenOver(dxReport::Error, number, format, arguments);
     reportFault(g_error, number, format, arguments);
     va_end(arguments);
-    const dxLoneStepper::UserCode userCode;  // what the program has registered with atexit
+    const dxSingleStepper::UserCode userCode;  // what the program has registered with atexit
     std::exit(1);
 }
 

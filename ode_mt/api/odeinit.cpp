@@ -13,9 +13,9 @@
 #include "collision/narrowphase/dxThreadTrimeshCache.h"
 #include "dynamics/dxJointRemoval.h"
 #include "dynamics/dxStepRecords.h"
-#include "dynamics/islands/dxIslandTeam.h"
+#include "dynamics/islands/dxLargeIslandWorkers.h"
 #include "dynamics/islands/dxWorkingMemory.h"
-#include "dynamics/quickstep/sor/dxSharedSweep.h"
+#include "dynamics/quickstep/sor/dxParallelSor.h"
 #include "seams/upstream.h"
 #include "settings/dxWorkers.h"
 #include "threading/process/dxForkLocks.h"
@@ -40,8 +40,8 @@ void releaseWorkers() {
     dxForgetConcurrentCallbacks();
     dxForgetJointRemoval();
     dxStepRecords::release();
-    dxIslandTeamLease::forget();
-    dxSharedSweep::forget();
+    dxLargeIslandWorkersLease::forget();
+    dxParallelSor::forget();
     dxWorkingMemory::release();
 }
 

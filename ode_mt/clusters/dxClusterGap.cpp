@@ -32,7 +32,7 @@ dxBounds boxAround(const std::vector<Slot> &members, const dxClusterScene &scene
 }
 
 // How far a bound may move, either way, without leaving its cell. The border cells have no end outwards.
-double roomInCell(dReal bound, int axis, const dxClusterGrid &grid) {
+double distanceToCellFace(dReal bound, int axis, const dxClusterGrid &grid) {
     const dReal corner = grid.centre()[axis] - grid.edge() * dReal(grid.cells()) / 2;
     const dReal cell = (bound - corner) / grid.edge();
     const dReal below = cell < 1 ? dReal(kInfinite) : cell - dFloor(cell);
@@ -40,9 +40,9 @@ double roomInCell(dReal bound, int axis, const dxClusterGrid &grid) {
     return static_cast<double>(std::min(below, above) * grid.edge());
 }
 
-double roomInCells(const dxBounds &box, const dxClusterGrid &grid) {
+double distanceToCellFaces(const dxBounds &box, const dxClusterGrid &grid) {
     double room = kInfinite;
-    for (int bound = 0; bound < 6; ++bound) room = std::min(room, roomInCell(box.v[bound], bound / 2, grid));
+    for (int bound = 0; bound < 6; ++bound) room = std::min(room, distanceToCellFace(box.v[bound], bound / 2, grid));
     return room;
 }
 
@@ -112,7 +112,7 @@ double dxGapBeforeCut(const dxClusterScene &scene, const dxClusters &clusters,
         const auto first = entities.find(members.front());
         if (std::all_of(members.begin(), members.end(), [&](Slot slot) { return entities.find(slot) == first; }))
             continue;
-        for (const Slot slot : members) room = std::min(room, roomInCells(scene[slot].bounds, scene.grid()));
+        for (const Slot slot : members) room = std::min(room, distanceToCellFaces(scene[slot].bounds, scene.grid()));
     }
     return 2 * room;
 }

@@ -10,7 +10,7 @@
 #include "clusters/dxClusterScene.h"
 #include "clusters/dxClusters.h"
 #include "clusters/dxCrossoverPass.h"
-#include "collision/broadphase/overlap/dxBoxTable.h"
+#include "collision/broadphase/overlap/dxBoxColumns.h"
 
 class dxClusterGap {
 public:
@@ -28,7 +28,7 @@ private:
 
     std::vector<dxBounds> m_boxes;  // around each dynamic cluster, then of each static inhabitant
     std::vector<Slot> m_statics;
-    dxBoxTable m_table;  // of m_boxes
+    dxBoxColumns m_table;  // of m_boxes
     std::vector<std::uint32_t> m_rows;
 };
 

@@ -25,7 +25,7 @@ struct dxCellRange {
 
 class dxClusterGrid {
 public:
-    static constexpr int kFewestCells = dxMinGridCells, kMostCells = dxMaxGridCells;  // an axis
+    static constexpr int kMinCells = dxMinGridCells, kMaxCells = dxMaxGridCells;  // an axis
 
     dxClusterGrid() = default;
     // `cells` an axis; `edge` of a cell, above 0.

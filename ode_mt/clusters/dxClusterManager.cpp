@@ -11,7 +11,7 @@ namespace {
 // A space's search, if it has one, was set by prepare().
 dxTunedClusters *tunedOf(dxSpace *space) {
     dxOrderedSpace *const ordered = dxOrderedSpace::from(space);
-    return ordered != nullptr ? static_cast<dxTunedClusters *>(ordered->search()) : nullptr;
+    return ordered != nullptr ? static_cast<dxTunedClusters *>(ordered->broadphase()) : nullptr;
 }
 
 }  // namespace
@@ -26,7 +26,7 @@ void dxClusterManager::prepare(dSpaceID space, const char *passName) {
     if (ordered == nullptr || ordered->lock_count != 0) return;
     dxTunedClusters *const present = tunedOf(space);
     if (passName == nullptr) {
-        if (present != nullptr) ordered->setSearch(nullptr);
+        if (present != nullptr) ordered->setBroadphase(nullptr);
         return;
     }
     if (present != nullptr && std::strcmp(present->clusters().passName(), passName) == 0) {
@@ -34,8 +34,8 @@ void dxClusterManager::prepare(dSpaceID space, const char *passName) {
         return;
     }
     try {
-        ordered->setSearch(std::make_unique<dxTunedClusters>(dxMakeCrossoverPass(passName)));
+        ordered->setBroadphase(std::make_unique<dxTunedClusters>(dxMakeCrossoverPass(passName)));
     } catch (const std::bad_alloc &) {  // without clusters this time
-        ordered->setSearch(nullptr);
+        ordered->setBroadphase(nullptr);
     }
 }

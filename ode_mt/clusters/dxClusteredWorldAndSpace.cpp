@@ -17,7 +17,7 @@ constexpr int kChecksBetweenFits = 16;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 // Cells an axis until somebody says otherwise: thesis 10.2 begins with the fewest.
-constexpr int kFirstCells = dxClusterGrid::kFewestCells;
+constexpr int kFirstCells = dxClusterGrid::kMinCells;
 
 }  // namespace
 
@@ -26,7 +26,7 @@ dxClusteredWorldAndSpace::dxClusteredWorldAndSpace(std::unique_ptr<dxCrossoverPa
     m_scene.setGrid(dxClusterGrid());
 }
 
-void dxClusteredWorldAndSpace::search(const dxMembers &members, dxTaskRunner &, std::vector<Match> &matches) {
+void dxClusteredWorldAndSpace::findOverlaps(const dxMembers &members, dxTaskRunner &, std::vector<Match> &matches) {
     travel(members);
     check(members);
     findPairs(members, matches);
@@ -87,9 +87,9 @@ void dxClusteredWorldAndSpace::check(const dxMembers &members) {
 void dxClusteredWorldAndSpace::findPairs(const dxMembers &members, std::vector<Match> &matches) {
     m_linksKnown = false;
     for (int cluster = 0; cluster < m_clusters.dynamicCount(); ++cluster)
-        searchCluster(cluster, members, matches);
+        findPairsInCluster(cluster, members, matches);
     for (const Slot slot : members.changed())
-        if (members[slot].geom != nullptr && !isClustered(slot)) searchWithAll(slot, members, matches);
+        if (members[slot].geom != nullptr && !isClustered(slot)) findPairsWithAll(slot, members, matches);
 }
 
 void dxClusteredWorldAndSpace::updateScene(const dxMembers &members) {
@@ -146,7 +146,7 @@ bool dxClusteredWorldAndSpace::isClustered(Slot slot) const {
 }
 
 // The changed members come first: each is compared with all behind it.
-void dxClusteredWorldAndSpace::searchCluster(int number, const dxMembers &members, std::vector<Match> &matches) {
+void dxClusteredWorldAndSpace::findPairsInCluster(int number, const dxMembers &members, std::vector<Match> &matches) {
     const dxClusters::Cluster &cluster = m_clusters[number];
     m_listed.clear();
     for (const Slot slot : cluster.members)
@@ -169,7 +169,7 @@ void dxClusteredWorldAndSpace::searchCluster(int number, const dxMembers &member
 
 // A static or a big member that changed: in no cluster of what moves, so it is compared with everything, except
 // with changed members of clusters, which have found it.
-void dxClusteredWorldAndSpace::searchWithAll(Slot slot, const dxMembers &members,
+void dxClusteredWorldAndSpace::findPairsWithAll(Slot slot, const dxMembers &members,
                                              std::vector<Match> &matches) const {
     for (Slot other = 0; other < members.end(); ++other) {
         if (members[other].geom == nullptr || other == slot) continue;

@@ -23,16 +23,16 @@
 #include "clusters/dxClusters.h"
 #include "clusters/dxCrossoverPass.h"
 #include "clusters/dxInhabitantLinks.h"
-#include "collision/broadphase/dxPairSearch.h"
-#include "collision/broadphase/overlap/dxBoxTable.h"
+#include "collision/broadphase/dxBroadphase.h"
+#include "collision/broadphase/overlap/dxBoxColumns.h"
 
-class dxClusteredWorldAndSpace final : public dxPairSearch {
+class dxClusteredWorldAndSpace final : public dxBroadphase {
 public:
     using Slot = dxMembers::Slot;
 
     explicit dxClusteredWorldAndSpace(std::unique_ptr<dxCrossoverPass> pass);
 
-    void search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
+    void findOverlaps(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
     int groupOf(Slot slot) const override;  // the task of its cluster
 
     // Forgets what happened to clusters in the frame before.
@@ -85,8 +85,8 @@ private:
     void gatherLinks(const dxMembers &members);
     void cross();
     void gatherApart();
-    void searchCluster(int cluster, const dxMembers &members, std::vector<Match> &matches);
-    void searchWithAll(Slot slot, const dxMembers &members, std::vector<Match> &matches) const;
+    void findPairsInCluster(int cluster, const dxMembers &members, std::vector<Match> &matches);
+    void findPairsWithAll(Slot slot, const dxMembers &members, std::vector<Match> &matches) const;
     bool isClustered(Slot slot) const;
 
     std::unique_ptr<dxCrossoverPass> m_pass;
@@ -113,6 +113,6 @@ private:
 
     // Of the cluster that is being searched.
     std::vector<Slot> m_listed;
-    dxBoxTable m_boxes;
+    dxBoxColumns m_boxes;
     std::vector<dxSlotPair> m_together;  // rows
 };

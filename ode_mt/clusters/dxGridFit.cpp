@@ -9,7 +9,7 @@ namespace {
 using Kind = dxClusterScene::Kind;
 
 constexpr double kStrays = 0.02;          // share of the inhabitants that may lie beyond either end of an axis
-constexpr dReal kRoom = 1.5;              // the grid is this many times as long as what it is for
+constexpr dReal kRelativeSize = 1.5;              // the grid is this many times as long as what it is for
 constexpr double kOutside = 6 * kStrays;  // share outside above which a grid is outgrown: more than a fit leaves
 
 template <class Visit>
@@ -45,7 +45,7 @@ dxClusterGrid dxFitGrid(const dxClusterScene &scene, int cells) {
         centre[axis] = extent.low / 2 + extent.high / 2;
         longest = std::max(longest, extent.high - extent.low);
     }
-    const dReal edge = longest * kRoom / dReal(cells);
+    const dReal edge = longest * kRelativeSize / dReal(cells);
     const bool usable = std::isfinite(edge) && edge > 0;
     return dxClusterGrid(cells, usable ? edge : dReal(1), centre);
 }

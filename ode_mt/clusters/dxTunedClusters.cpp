@@ -14,7 +14,7 @@ namespace {
 constexpr unsigned kSearchesBetweenLooks = 16;
 
 // After a gap that did not last until the next search, so many checks at most do without measuring one.
-constexpr unsigned kMostBlindChecks = 31;
+constexpr unsigned kMaxBlindChecks = 31;
 
 constexpr dxMotionBound kRest{0, 0, 1, 0};
 
@@ -45,7 +45,7 @@ void dxTunedClusters::alertCallback(const dxHeuristic &heuristic, const dxHeuris
           &heuristic == m_cellSize ? "grid cells an axis" : "threads for callbacks", alert.before, alert.now);
 }
 
-void dxTunedClusters::search(const dxMembers &members, dxTaskRunner &, std::vector<Match> &matches) {
+void dxTunedClusters::findOverlaps(const dxMembers &members, dxTaskRunner &, std::vector<Match> &matches) {
     follow(dxSettings::instance().heuristics());
     const int fixedCells = dxSettings::instance().gridCells();
     m_clusters.setCells(fixedCells != 0 ? fixedCells : m_cellSize->cells());
@@ -79,7 +79,7 @@ bool dxTunedClusters::mustCheck(const dxMembers &members) {
     m_declustering->moved(motion);
     return m_clusters.wantsGrid() || m_crossover->framesToSkip(kRest) == 0 ||
            (m_clusters.splits() && m_declustering->framesToSkip(kRest) == 0) ||
-           m_searches - m_checkedAt > dxCheckFrequencyHeuristic::kMostFrames;
+           m_searches - m_checkedAt > dxCheckFrequencyHeuristic::kMaxFrames;
 }
 
 void dxTunedClusters::check(const dxMembers &members) {
@@ -95,7 +95,7 @@ void dxTunedClusters::check(const dxMembers &members) {
         m_declustering->invalidate();
         return;
     }
-    if (!gapLasted) m_blindInARow = std::min(2 * m_blindInARow + 1, kMostBlindChecks);
+    if (!gapLasted) m_blindInARow = std::min(2 * m_blindInARow + 1, kMaxBlindChecks);
     m_blindChecks = m_blindInARow;
     measureGaps();
 }

@@ -14,13 +14,13 @@
 #include "clusters/heuristics/dxGridCentreHeuristic.h"
 #include "clusters/heuristics/dxHeuristicsManager.h"
 #include "clusters/heuristics/dxThreadCountHeuristic.h"
-#include "collision/broadphase/dxPairSearch.h"
+#include "collision/broadphase/dxBroadphase.h"
 
-class dxTunedClusters final : public dxPairSearch, private HeuristicAlertCallback {
+class dxTunedClusters final : public dxBroadphase, private HeuristicAlertCallback {
 public:
     explicit dxTunedClusters(std::unique_ptr<dxCrossoverPass> pass);
 
-    void search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
+    void findOverlaps(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
     int groupOf(dxMembers::Slot slot) const override { return m_clusters.groupOf(slot); }
     unsigned threads(unsigned limit) const override;
 

@@ -14,7 +14,7 @@
 namespace {
 
 // Minimum number of geoms for workers, and even for reading the clock.
-constexpr int kLeastGeoms = 48;
+constexpr int kMinGeoms = 48;
 
 // From inside a callback of a call that is shared, whether of this space or of another one, everything stays
 // on its thread. That the space is locked says nothing: a callback may have left it so by longjmp or an
@@ -22,7 +22,7 @@ constexpr int kLeastGeoms = 48;
 bool mayShare(const dxOrderedSpace &space, dNearCallback *callback) {
     const dxSettings &settings = dxSettings::instance();
     return settings.threads() > 1 && settings.algorithm() != dxAlgorithm::Serial && callback != nullptr &&
-           space.count > 1 && dxContactLog::current() == nullptr && dxContactsAhead::current() == nullptr &&
+           space.count > 1 && dxContactLog::current() == nullptr && dxNarrowphasePrefetch::current() == nullptr &&
            !dxTrapsFloatingPoint();
 }
 
@@ -31,7 +31,7 @@ void collideOnWorkers(dxOrderedSpace &space, unsigned workers, void *data, dNear
     const bool mayBeConcurrent = dxSettings::instance().callbackPolicy() != dxCallbackPolicy::Serial;
     if (mayBeConcurrent && dxCollideConcurrently(space, runner, data, callback)) return;
     if (!space.collideShared(runner, mayBeConcurrent, data, callback)) return;
-    const dxContactsAhead &ahead = *space.contactsAhead();
+    const dxNarrowphasePrefetch &ahead = *space.narrowphasePrefetch();
     dxStepStatistics::instance().countSharedCollision(runner.tookPart(), ahead.computed(), ahead.used());
 }
 
@@ -44,7 +44,7 @@ void collideMeasured(dxOrderedSpace &space, void *data, dNearCallback *callback)
         collideOnWorkers(space, workers, data, callback);
     else
         space.collide(data, callback);
-    space.sharing().remember(shared, stopwatch.ns());
+    space.sharing().record(shared, stopwatch.ns());
 }
 
 }  // namespace
@@ -55,7 +55,7 @@ void dxCollideSpace(dxOrderedSpace &space, void *data, dNearCallback *callback) 
         space.collide(data, callback);
     else if (settings.algorithm() != dxAlgorithm::Auto)
         collideOnWorkers(space, settings.threads(), data, callback);
-    else if (space.count < kLeastGeoms)
+    else if (space.count < kMinGeoms)
         space.collide(data, callback);
     else
         collideMeasured(space, data, callback);

@@ -33,19 +33,19 @@ constexpr dxRetryLimits<double> kRetry{1.0 / 32, 1};
 constexpr double kShortened = 1 / (1 + kWeight);
 
 // A step that lost more than this many times its time on the caller was disturbed, and counts for no more.
-constexpr double kDisturbed = 2;
+constexpr double kOutlierFactor = 2;
 
 constexpr unsigned kColdSteps = 2;  // of a probe
-constexpr double kHopeless = 10;    // times its time on the caller: a cold step's overhead that ends a probe
+constexpr double kAbortFactor = 10;    // times its time on the caller: a cold step's overhead that ends a probe
 
 // Steps whose time on the caller is this part of that of the first of a probe belong to it too.
-constexpr double kAlike = 0.8;
+constexpr double kSimilarCost = 0.8;
 
 constexpr double kMinOverhead = 2e3;  // ns
 
 // A value beyond this many times the mean is an outlier, and is limited to this multiple unless the next one is an
 // outlier, too.
-constexpr double kSurprise = 4;
+constexpr double kOutlier = 4;
 
 dxProcessObject<dxCostModel> costModel;
 
@@ -55,10 +55,10 @@ dxCostModel &dxCostModel::instance() { return *costModel; }
 
 void dxSteadyAverage::add(double value) {
     const double old = mean();
-    const bool surprising = value > kSurprise * old;
-    const bool again = m_surprised.exchange(surprising, std::memory_order_relaxed);
-    const double believed = surprising && !again ? kSurprise * old : value;
-    set(dxMovingAverage(old, believed, kWeight));
+    const bool isOutlier = value > kOutlier * old;
+    const bool again = m_hadOutlier.exchange(isOutlier, std::memory_order_relaxed);
+    const double weighted = isOutlier && !again ? kOutlier * old : value;
+    set(dxMovingAverage(old, weighted, kWeight));
 }
 
 double dxCostModel::islandCost(dxStepperKind stepper, int iterations, unsigned bodies, unsigned joints) {
@@ -90,7 +90,7 @@ unsigned dxCostModel::chooseWorkers(dxStepperKind stepper, double total, double 
 
 bool dxCostModel::isProbed(double serial) const {
     return m_probe.stepsLeft.load(std::memory_order_relaxed) > 0 &&
-           serial >= kAlike * m_probe.serial.load(std::memory_order_relaxed);
+           serial >= kSimilarCost * m_probe.serial.load(std::memory_order_relaxed);
 }
 
 void dxCostModel::beginProbe(double serial, unsigned workers) {
@@ -119,7 +119,7 @@ void dxCostModel::learnParallel(dxStepperKind stepper, double total, double larg
     if (isProbed(serial)) {
         learnFromProbe(overhead, ideal, serial);
     } else {
-        m_overhead.add(std::min(overhead, std::max(kDisturbed * serial, kMinOverhead)));
+        m_overhead.add(std::min(overhead, std::max(kOutlierFactor * serial, kMinOverhead)));
     }
 }
 
@@ -131,7 +131,7 @@ void dxCostModel::learnFromProbe(double overhead, double ideal, double serial) {
     const unsigned steps = kProbeSteps - left + 1;
     m_probe.overheads[steps - 1].store(overhead, std::memory_order_relaxed);
     m_probe.stepsLeft.store(left - 1, std::memory_order_relaxed);
-    if (left == 1 || overhead > (steps > kColdSteps ? 1 : kHopeless) * serial) endProbe(steps, ideal, serial);
+    if (left == 1 || overhead > (steps > kColdSteps ? 1 : kAbortFactor) * serial) endProbe(steps, ideal, serial);
 }
 
 // The overhead is that of the middle one of the warm steps, which a step that the system disturbed does not change.

@@ -39,7 +39,7 @@ public:
 
 private:
     std::atomic<double> m_mean;
-    std::atomic<bool> m_surprised{false};
+    std::atomic<bool> m_hadOutlier{false};
 };
 
 class dxCostModel {

@@ -49,7 +49,7 @@ void dxIslandParallelStep::run() {
         dxWorkersRunner(m_plan.workers, m_call.world)
             .forBlocks(dxParallelStage::Islands, static_cast<unsigned>(m_records->blocks.size()),
                        [this](unsigned block, unsigned worker) { stepBlock(block, worker); });
-        stepLeftovers();
+        stepRemainingIslands();
         learn(nsSince(start));
         rest = commit();
     }
@@ -106,7 +106,7 @@ void dxIslandParallelStep::interruptAt(unsigned island) {
     }
 }
 
-void dxIslandParallelStep::stepLeftovers() {
+void dxIslandParallelStep::stepRemainingIslands() {
     for (unsigned i = 0; i < m_records->inOrderFrom; ++i) {
         if (!m_records->islands[i].stepped) stepDeferred(i, 0);
     }

@@ -4,7 +4,7 @@
 //   dxPrepareIslands         WORKERS  callbacks of the user, rows, feedback; blocks for workers
 //   dxReserveRandomNumbers   caller   the block of the step, cut up among the islands
 //   stepBlock                WORKERS  each island, its messages and moved-notifications put off
-//   stepLeftovers            caller   islands for which a worker had no memory
+//   stepRemainingIslands            caller   islands for which a worker had no memory
 //   commit                   caller   messages and notifications in upstream's order, up to the first island that cannot be
 //   finishInOrder            caller   the islands from that one on, as the serial strategy
 //
@@ -30,7 +30,7 @@ private:
     void stepBlock(unsigned block, unsigned worker);  // workers
     void stepDeferred(unsigned index, unsigned worker);
     void interruptAt(unsigned island);
-    void stepLeftovers();
+    void stepRemainingIslands();
     unsigned commit();
     void takeBack(unsigned begin);
     void deliverReports(unsigned island) const;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "dynamics/dxIslandSharing.h"
+#include "dynamics/dxIslandBlocks.h"
 #include "dynamics/dxIslandStepper.h"
 #include "dynamics/random/dxRandom.h"
 #include "settings/dxWorkersRunner.h"
@@ -80,7 +80,7 @@ void dxPrepareIslands(const dxStepCall &call, unsigned workers, dxStepRecords &r
     records.inOrderFrom = static_cast<unsigned>(first - records.islands.begin());
     double cost = 0;
     for (unsigned i = 0; i < records.inOrderFrom; ++i) cost += records.islands[i].cost;
-    dxShareIslands(records, records.inOrderFrom, std::max(kMinBlockNs, cost / (kBlocksPerWorker * workers)));
+    dxCutIslandBlocks(records, records.inOrderFrom, std::max(kMinBlockNs, cost / (kBlocksPerWorker * workers)));
 }
 
 void dxReserveRandomNumbers(const dxStepCall &call, dxStepRecords &records) {

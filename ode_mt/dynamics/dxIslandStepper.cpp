@@ -3,7 +3,7 @@
 #include "dynamics/exactstep/dxExactStep.h"
 #include "dynamics/quickstep/dxQuickStep.h"
 #include "dynamics/quickstep/sor/dxRowShuffle.h"
-#include "dynamics/random/dxLoneStepper.h"
+#include "dynamics/random/dxSingleStepper.h"
 #include "quickstep.h"
 
 dxStepperKind dxIslandStepper::kindOf(dstepper_fn_t stepper) {
@@ -11,9 +11,9 @@ dxStepperKind dxIslandStepper::kindOf(dstepper_fn_t stepper) {
 }
 
 void dxIslandStepper::step(const dxStepCall &call, const dxIsland &island, dxWorldProcessMemArena *arena,
-                           dxIslandTeam *team) {
+                           dxLargeIslandWorkers *islandWorkers) {
     arena->ResetState();
-    const dxIslandStep step{call.world, call.stepSize, island, arena, team};
+    const dxIslandStep step{call.world, call.stepSize, island, arena, islandWorkers};
     if (call.kind == dxStepperKind::Quick) {
         dxQuickStep(step);
     } else {
@@ -33,6 +33,6 @@ bool dxIslandStepper::drawsRandomNumbers(const dxStepCall &call) { return drawsO
 
 bool dxIslandStepper::stepByPosting(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize,
                                     dstepper_fn_t stepper, dmaxcallcountestimate_fn_t estimate) {
-    const dxLoneStepper inTurn;
+    const dxSingleStepper inTurn;
     return dxProcessIslands(world, info, stepSize, stepper, estimate);
 }

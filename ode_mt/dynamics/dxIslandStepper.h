@@ -1,4 +1,4 @@
-// How one island is stepped, whichever strategy the step follows: on the calling thread or by a team of workers together.
+// How one island is stepped, whichever strategy the step follows: on the calling thread or by several workers together.
 //
 // Threading: islands of one step may be stepped by several threads at the same time, each with an arena of its own.
 #pragma once
@@ -6,14 +6,14 @@
 #include <cstdint>
 
 #include "dynamics/dxStepCall.h"
-#include "dynamics/islands/dxIslandTeam.h"
+#include "dynamics/islands/dxLargeIslandWorkers.h"
 
 namespace dxIslandStepper {
 
 dxStepperKind kindOf(dstepper_fn_t stepper);
 
-// `team`: the workers that step the island together; null: the calling thread alone.
-void step(const dxStepCall &call, const dxIsland &island, dxWorldProcessMemArena *arena, dxIslandTeam *team = nullptr);
+// `islandWorkers`: the workers that step the island together; null: the calling thread alone.
+void step(const dxStepCall &call, const dxIsland &island, dxWorldProcessMemArena *arena, dxLargeIslandWorkers *islandWorkers = nullptr);
 
 // Number of random numbers that an island of so many rows draws.
 std::uint64_t drawsOf(const dxStepCall &call, unsigned rows);

@@ -3,8 +3,8 @@
 #include <new>
 #include <vector>
 
-#include "core/dxFetch.h"
-#include "threading/process/dxIdlePool.h"
+#include "core/dxPrefetch.h"
+#include "threading/process/dxObjectPool.h"
 #include "threading/process/dxProcessObject.h"
 
 #include "config.h"
@@ -14,9 +14,9 @@
 namespace {
 
 // Joints between asking the memory for one, or for the bodies that it names, and removing it.
-constexpr std::size_t kAhead = 8, kBodiesAhead = 4;
+constexpr std::size_t kPrefetchDistance = 8, kBodyPrefetchDistance = 4;
 
-dxProcessObject<dxIdlePool<std::vector<dxJoint *>>> lists;
+dxProcessObject<dxObjectPool<std::vector<dxJoint *>>> lists;
 
 void removeFromBody(dxBody *body, const dxJoint *joint) {
     for (dxJointNode **link = &body->firstjoint; *link != nullptr; link = &(*link)->next)
@@ -41,14 +41,14 @@ void removeFromWorld(dxJoint *joint) {
     --joint->world->nj;
 }
 
-void fetch(const dxJoint *joint) {
-    dxFetch::lineToWrite(&joint->world);
-    dxFetch::lineToWrite(&joint->node[1]);
+void prefetch(const dxJoint *joint) {
+    dxPrefetch::lineForWrite(&joint->world);
+    dxPrefetch::lineForWrite(&joint->node[1]);
 }
 
-void fetchBodies(const dxJoint *joint) {
+void prefetchBodies(const dxJoint *joint) {
     for (const dxJointNode &node : joint->node)
-        if (node.body != nullptr) dxFetch::lineToWrite(&node.body->firstjoint);
+        if (node.body != nullptr) dxPrefetch::lineForWrite(&node.body->firstjoint);
 }
 
 void remove(dxJoint *joint) {
@@ -61,13 +61,13 @@ void remove(dxJoint *joint) {
 bool dxRemoveJoints(dxJointGroup &group) try {
     const std::size_t count = group.getJointCount();
     if (count == 0) return true;
-    const dxIdleLease<std::vector<dxJoint *>> lease(*lists);
+    const dxPooledObject<std::vector<dxJoint *>> lease(*lists);
     std::vector<dxJoint *> &list = *lease;
     list.resize(count);
     group.exportJoints(list.data());
     for (std::size_t i = count; i-- != 0;) {
-        if (i >= kAhead) fetch(list[i - kAhead]);
-        if (i >= kBodiesAhead) fetchBodies(list[i - kBodiesAhead]);
+        if (i >= kPrefetchDistance) prefetch(list[i - kPrefetchDistance]);
+        if (i >= kBodyPrefetchDistance) prefetchBodies(list[i - kBodyPrefetchDistance]);
         remove(list[i]);
     }
     group.freeAll();

@@ -5,28 +5,28 @@
 #include <optional>
 
 #include "dynamics/dxSerialStep.h"
-#include "dynamics/islands/dxIslandTeam.h"
+#include "dynamics/islands/dxLargeIslandWorkers.h"
 #include "settings/dxSettings.h"
 #include "settings/dxStepStatistics.h"
 #include "settings/dxWorkersRunner.h"
 
 namespace {
 
-// Members of a team wait for one another, so more of them than cores would only get in one another's way. An
+// Workers of one island wait for one another, so more of them than cores would only get in one another's way. An
 // algorithm that is asked for by name gets so many on any machine: what they do can be tested there.
-constexpr unsigned kMinTeam = 4;
+constexpr unsigned kMinWorkers = 4;
 
 }  // namespace
 
 void dxRunLargeIslandStep(const dxStepCall &call, const dxStepPlan &plan) {
-    const unsigned most = std::max(dxSettings::instance().cores(), kMinTeam);
+    const unsigned most = std::max(dxSettings::instance().cores(), kMinWorkers);
     dxWorkersRunner runner(std::min(plan.workers, most), call.world);
-    std::optional<dxIslandTeamLease> lease;
-    dxIslandTeam *team = nullptr;
+    std::optional<dxLargeIslandWorkersLease> lease;
+    dxLargeIslandWorkers *islandWorkers = nullptr;
     try {
-        team = &*lease.emplace(runner, dxSettings::instance().algorithm() != dxAlgorithm::Auto);
+        islandWorkers = &*lease.emplace(runner, dxSettings::instance().algorithm() != dxAlgorithm::Auto);
     } catch (const std::bad_alloc &) {  // then without one
     }
-    dxSerialStep(call, team, plan.minTeamJoints).run();
-    dxStepStatistics::instance().countTeamStep(runner.tookPart());
+    dxSerialStep(call, islandWorkers, plan.minLargeJoints).run();
+    dxStepStatistics::instance().countLargeIslandStep(runner.tookPart());
 }

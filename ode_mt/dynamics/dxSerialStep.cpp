@@ -5,7 +5,7 @@
 #include "dynamics/dxIslandStepper.h"
 #include "dynamics/dxWorldArena.h"
 #include "dynamics/islands/dxIslandSurvey.h"
-#include "dynamics/random/dxLoneStepper.h"
+#include "dynamics/random/dxSingleStepper.h"
 #include "dynamics/random/dxRandom.h"
 #include "dynamics/random/dxReservedDraws.h"
 
@@ -14,7 +14,7 @@ void dxSerialStep::run() const {
         stepIslands(dxIslandCursor(m_call.info), m_call.count);
         return;
     }
-    const dxLoneStepper stepper;
+    const dxSingleStepper stepper;
     if (stepper.alone()) {
         stepIslands(dxIslandCursor(m_call.info), m_call.count);
     } else {
@@ -49,7 +49,7 @@ void dxSerialStep::stepIslands(dxIslandCursor cursor, unsigned count) const {
     const dxWorldArena arena(m_call.world);
     for (unsigned i = 0; i < count; ++i) {
         const dxIsland island = cursor.next();
-        const bool isLarge = m_team != nullptr && island.jointCount >= m_minTeamJoints;
-        dxIslandStepper::step(m_call, island, arena.get(), isLarge ? m_team : nullptr);
+        const bool isLarge = m_islandWorkers != nullptr && island.jointCount >= m_minLargeJoints;
+        dxIslandStepper::step(m_call, island, arena.get(), isLarge ? m_islandWorkers : nullptr);
     }
 }

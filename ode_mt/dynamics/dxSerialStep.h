@@ -1,20 +1,20 @@
 // The serial strategy: the islands one after the other on the calling thread, in upstream's order.
 //
 // QuickStep draws random numbers. While one thread alone steps with them they are drawn one by one, as upstream does
-// (dxLoneStepper); else those of all islands before the first callback of the user are taken as one block, so that no step of
+// (dxSingleStepper); else those of all islands before the first callback of the user are taken as one block, so that no step of
 // another thread draws in between (contract C7).
 #pragma once
 
 #include "dynamics/dxStepCall.h"
-#include "dynamics/islands/dxIslandTeam.h"
+#include "dynamics/islands/dxLargeIslandWorkers.h"
 
 class dxSerialStep {
 public:
     explicit dxSerialStep(const dxStepCall &call) : m_call(call) {}
 
-    // Islands of at least so many joints are stepped by the team.
-    dxSerialStep(const dxStepCall &call, dxIslandTeam *team, unsigned minTeamJoints)
-        : m_call(call), m_team(team), m_minTeamJoints(minTeamJoints) {}
+    // Islands of at least so many joints are stepped by the islandWorkers.
+    dxSerialStep(const dxStepCall &call, dxLargeIslandWorkers *islandWorkers, unsigned minLargeJoints)
+        : m_call(call), m_islandWorkers(islandWorkers), m_minLargeJoints(minLargeJoints) {}
 
     void run() const;
 
@@ -25,6 +25,6 @@ private:
     void runReserving() const;
 
     const dxStepCall &m_call;
-    dxIslandTeam *const m_team = nullptr;
-    const unsigned m_minTeamJoints = 0;
+    dxLargeIslandWorkers *const m_islandWorkers = nullptr;
+    const unsigned m_minLargeJoints = 0;
 };

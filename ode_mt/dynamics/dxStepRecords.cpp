@@ -1,11 +1,11 @@
 #include "dynamics/dxStepRecords.h"
 
-#include "threading/process/dxIdlePool.h"
+#include "threading/process/dxObjectPool.h"
 #include "threading/process/dxProcessObject.h"
 
 namespace {
 
-dxProcessObject<dxIdlePool<dxStepRecords>> pool;
+dxProcessObject<dxObjectPool<dxStepRecords>> pool;
 
 }  // namespace
 

@@ -12,24 +12,24 @@
 namespace {
 
 // Joints that make an island large enough to be stepped by several workers together.
-constexpr unsigned kMinTeamJoints = 500;
+constexpr unsigned kMinJoints = 500;
 
 // The exact step's: at three rows a contact its LCP begins to be worth sharing; under an algorithm that is
 // asked for by name it is shared earlier. It is not shared as well as islands side by side, so that the rest
 // of the world has to be small.
-constexpr unsigned kMinExactTeamJoints = 134, kMinExactTeamJointsByName = 64;
-constexpr double kMinExactTeamPart = 0.9;
+constexpr unsigned kMinExactJoints = 134, kMinExactJointsByName = 64;
+constexpr double kMinExactShare = 0.9;
 
 // For a time per cost to be remembered like the time of a call: that of a step of one millisecond.
 constexpr double kCostOfReference = 1e6;
 
-// Whether large islands are stepped by teams, under auto. For the process, as the cost model: what it
+// Whether large islands are stepped by several workers, under auto. For the process, as the cost model: what it
 // measures is the machine. Steps that find it in use do without.
-struct TeamPolicy {
+struct LargeIslandPolicy {
     std::mutex mutex;
     dxSharingPolicy policy;
 };
-dxProcessObject<TeamPolicy> teamPolicy;
+dxProcessObject<LargeIslandPolicy> largeIslandPolicy;
 
 // Upstream takes a negative number of iterations for one above two thousand million, and never returns from an island with
 // rows. It may never come to that island, though: one before it may report an error to a handler that leaves the step.
@@ -39,9 +39,9 @@ bool mayBeEndless(const dxStepCall &call) {
            static_cast<unsigned>(call.world->qs.num_iterations) > kMaxIterations;
 }
 
-unsigned minTeamJoints(dxStepperKind kind) {
-    if (kind == dxStepperKind::Quick) return kMinTeamJoints;
-    return dxSettings::instance().algorithm() == dxAlgorithm::Auto ? kMinExactTeamJoints : kMinExactTeamJointsByName;
+unsigned minLargeJoints(dxStepperKind kind) {
+    if (kind == dxStepperKind::Quick) return kMinJoints;
+    return dxSettings::instance().algorithm() == dxAlgorithm::Auto ? kMinExactJoints : kMinExactJointsByName;
 }
 
 // The steps of most small worlds are over before a clock could be read: they cost one look at their only
@@ -49,7 +49,7 @@ unsigned minTeamJoints(dxStepperKind kind) {
 bool mayUseWorkers(const dxStepCall &call) {
     if (mayBeEndless(call)) return false;
     if (call.count != 1) return call.count > 1;
-    return dxIslandCursor(call.info).next().jointCount >= minTeamJoints(call.kind);
+    return dxIslandCursor(call.info).next().jointCount >= minLargeJoints(call.kind);
 }
 
 // Workers that the settings, the world and the machine allow.
@@ -73,7 +73,7 @@ dxIslandCosts estimateCosts(const dxStepCall &call) {
             dxCostModel::islandCost(call.kind, call.world->qs.num_iterations, island.bodyCount, island.jointCount);
         costs.total += cost;
         costs.largest = std::max(costs.largest, cost);
-        costs.mostJoints = std::max(costs.mostJoints, island.jointCount);
+        costs.maxJoints = std::max(costs.maxJoints, island.jointCount);
         costs.areOfAll = i + 1 == call.count;
     }
     return costs;
@@ -81,27 +81,27 @@ dxIslandCosts estimateCosts(const dxStepCall &call) {
 
 // One island takes so long that the others would have to wait for it.
 bool hasLargeIsland(const dxStepCall &call, const dxStepPlan &plan, unsigned limit) {
-    if (plan.costs.mostJoints < plan.minTeamJoints || !plan.costs.areOfAll) return false;
-    const double part = call.kind == dxStepperKind::Quick ? 1.0 / limit : kMinExactTeamPart;
+    if (plan.costs.maxJoints < plan.minLargeJoints || !plan.costs.areOfAll) return false;
+    const double part = call.kind == dxStepperKind::Quick ? 1.0 / limit : kMinExactShare;
     return plan.costs.largest >= part * plan.costs.total;
 }
 
-// The exact step measures its LCPs instead (dxSolveTeam).
-bool isTeamMeasured(dxStepperKind kind) {
+// The exact step measures its LCPs instead (dxLcpWorkers).
+bool isLargeIslandMeasured(dxStepperKind kind) {
     return kind == dxStepperKind::Quick && dxSettings::instance().algorithm() == dxAlgorithm::Auto;
 }
 
-bool isTeamFaster(dxStepperKind kind) {
-    if (!isTeamMeasured(kind)) return true;
-    const std::unique_lock<std::mutex> hold(teamPolicy->mutex, std::try_to_lock);
-    return hold && teamPolicy->policy.shouldShare();
+bool isLargeIslandStepFaster(dxStepperKind kind) {
+    if (!isLargeIslandMeasured(kind)) return true;
+    const std::unique_lock<std::mutex> hold(largeIslandPolicy->mutex, std::try_to_lock);
+    return hold && largeIslandPolicy->policy.shouldShare();
 }
 
-void rememberTeam(const dxStepCall &call, const dxStepPlan &plan, double ns) {
-    if (!isTeamMeasured(call.kind)) return;
-    const std::unique_lock<std::mutex> hold(teamPolicy->mutex, std::try_to_lock);
-    const bool hadTeam = plan.strategy == dxStepStrategy::LargeIsland;
-    if (hold) teamPolicy->policy.remember(hadTeam, ns * kCostOfReference / plan.costs.total);
+void recordLargeIslandTime(const dxStepCall &call, const dxStepPlan &plan, double ns) {
+    if (!isLargeIslandMeasured(call.kind)) return;
+    const std::unique_lock<std::mutex> hold(largeIslandPolicy->mutex, std::try_to_lock);
+    const bool wasParallel = plan.strategy == dxStepStrategy::LargeIsland;
+    if (hold) largeIslandPolicy->policy.record(wasParallel, ns * kCostOfReference / plan.costs.total);
 }
 
 // For islands side by side. Returns 1 for the caller alone.
@@ -119,10 +119,10 @@ dxStepPlan dxPlanStep(const dxStepCall &call) {
     const unsigned limit = mayUseWorkers(call) ? workerLimit(call.world) : 1;
     if (limit < 2) return plan;
     plan.isMeasured = true;
-    plan.minTeamJoints = minTeamJoints(call.kind);
+    plan.minLargeJoints = minLargeJoints(call.kind);
     plan.costs = estimateCosts(call);
     plan.hasLargeIsland = hasLargeIsland(call, plan, limit);
-    if (plan.hasLargeIsland && isTeamFaster(call.kind)) {
+    if (plan.hasLargeIsland && isLargeIslandStepFaster(call.kind)) {
         plan.strategy = dxStepStrategy::LargeIsland;
         plan.workers = limit;
         return plan;
@@ -136,5 +136,5 @@ dxStepPlan dxPlanStep(const dxStepCall &call) {
 void dxLearnFromStep(const dxStepCall &call, const dxStepPlan &plan, double ns) {
     if (plan.strategy == dxStepStrategy::Serial && plan.costs.areOfAll)
         dxCostModel::instance().learnSerial(call.kind, plan.costs.total, ns);
-    if (plan.hasLargeIsland) rememberTeam(call, plan, ns);
+    if (plan.hasLargeIsland) recordLargeIslandTime(call, plan, ns);
 }

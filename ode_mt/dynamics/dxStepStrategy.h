@@ -14,14 +14,14 @@ enum class dxStepStrategy { Serial, IslandParallel, LargeIsland };
 // Costs (dxCostModel) of the islands before the first one with a moved-callback.
 struct dxIslandCosts {
     double total = 0, largest = 0;
-    unsigned mostJoints = 0;
+    unsigned maxJoints = 0;
     bool areOfAll = false;  // there is no such callback
 };
 
 struct dxStepPlan {
     dxStepStrategy strategy = dxStepStrategy::Serial;
     unsigned workers = 1;  // the caller included
-    unsigned minTeamJoints = 0;
+    unsigned minLargeJoints = 0;
     dxIslandCosts costs;
     bool isMeasured = false;      // its time is worth reading a clock
     bool hasLargeIsland = false;  // both LargeIsland and another strategy are possible

@@ -23,10 +23,10 @@ bool add(const std::string &name, unsigned &choice) {
 
 // The names of each set, made once. They lie in the object itself: what it allocated would be lost with each unloading.
 struct Texts {
-    static constexpr std::size_t kRoom = 48;
-    static_assert(sizeof "cells,centre,crossover,declustering,threads" <= kRoom, "all of kNames");
+    static constexpr std::size_t kMaxLength = 48;
+    static_assert(sizeof "cells,centre,crossover,declustering,threads" <= kMaxLength, "all of kNames");
 
-    char of[1u << kCount][kRoom] = {"none"};
+    char of[1u << kCount][kMaxLength] = {"none"};
 
     Texts() {
         for (unsigned choice = 1; choice < 1u << kCount; ++choice)

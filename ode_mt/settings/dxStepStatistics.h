@@ -28,7 +28,7 @@ struct dxStepStatistics {
     }
 
     // Counts a step only if at least two workers took part.
-    void countTeamStep(unsigned workers) {
+    void countLargeIslandStep(unsigned workers) {
         if (workers < 2) return;
         teamSteps.fetch_add(1, std::memory_order_relaxed);
         noteWorkers(workers);

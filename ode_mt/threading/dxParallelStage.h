@@ -15,19 +15,19 @@ enum class dxParallelStage : unsigned char {
     IslandSurvey,      // what a step looks at in each island first: dxStep
     Islands,           // islands side by side
     Boxes,             // bounding boxes of a space that is made ready: dxOrderedSpace
-    CellSweep,         // pairs in rows of cells: dxBatchSearch
-    VerletChanges,     // members that have moved: dxVerletSearch
+    CellGridPairs,         // pairs in rows of cells: dxGridBroadphase
+    VerletChanges,     // members that have moved: dxVerletBroadphase
     VerletCandidates,  // pairs of its list that are compared
     PairKeys,          // places of found pairs in upstream's order: dxKeptPairs
     KeptPairKeys,      // the same of all pairs that are kept
-    ContactsAhead,     // contacts before their callbacks: dxContactsAhead
+    NarrowphasePrefetch,     // contacts before their callbacks: dxNarrowphasePrefetch
     Callbacks,         // near-callbacks that may run at once: dxConcurrentCallbacks
     Bodies,            // QuickStep: inertia and gravity: dxIslandBodies
     Joints,            // QuickStep: Jacobians and limits
     RightHandSides,    // QuickStep
     Rows,              // QuickStep: rows prepared for the sweep: dxSorSolver
-    SweepPlan,         // QuickStep: order of rows for each worker: dxSharedSweep
-    Sweep,             // QuickStep: the sweep
+    SorPlan,         // QuickStep: order of rows for each worker: dxParallelSor
+    SorSweep,             // QuickStep: the sweep
     PanelSolve,        // exact step: solves of several right-hand sides: dxPanelSolve
     TransposedSolve,   // exact step: back substitution: dxSolveL1Transposed
     SparseProducts,    // exact step: products with rows in C: dxSparseRows
@@ -40,9 +40,9 @@ public:
 
     // In the order of the enumeration.
     static constexpr std::array<const char *, kCount> kNames = {
-        "island survey", "islands", "boxes", "cell sweep", "Verlet changes", "Verlet candidates", "pair keys",
-        "kept pair keys", "contacts ahead", "callbacks", "bodies", "joints", "right-hand sides", "rows",
-        "sweep plan", "sweep", "panel solve", "transposed solve", "sparse products"};
+        "island survey", "islands", "boxes", "cell-grid pairs", "Verlet changes", "Verlet candidates", "pair keys",
+        "kept pair keys", "narrow-phase prefetch", "callbacks", "bodies", "joints", "right-hand sides", "rows",
+        "SOR plan", "SOR sweep", "panel solve", "transposed solve", "sparse products"};
 
     static bool ranByTwo(dxParallelStage stage) { return flag(stage).load(std::memory_order_relaxed); }
     static void noteTwo(dxParallelStage stage) { flag(stage).store(true, std::memory_order_relaxed); }

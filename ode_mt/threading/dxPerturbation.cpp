@@ -42,18 +42,18 @@ void disturbAtRandom() {
 }
 
 dxDisturbance fromEnvironment() {
-    constexpr long long kMostSeed = std::numeric_limits<long long>::max();
+    constexpr long long kMaxSeed = std::numeric_limits<long long>::max();
     const char *text = dxEnvironment(dxVariable::Perturb);
     if (text == nullptr) return nullptr;
     long long seed = 0;
-    switch (dxReadNumber(text, 0, kMostSeed, seed)) {
+    switch (dxReadNumber(text, 0, kMaxSeed, seed)) {
         case dxNumberText::NoNumber:
             dxLog(dxLogLevel::warning, "ODE_MT_PERTURB is '%.100s'; it takes a number, the seed", text);
             return nullptr;
         case dxNumberText::OutOfRange:
             dxLog(dxLogLevel::warning,
                   "ODE_MT_PERTURB is '%.100s'; known: a number from 0 to %lld; %lld is taken", text,
-                  kMostSeed, seed);
+                  kMaxSeed, seed);
             break;
         case dxNumberText::InRange:
             break;

@@ -19,13 +19,13 @@ enum class dxSchedulePoint : unsigned {
     // Idle workers
     WakeWorkers,
     Park,
-    StandUp,
+    Unpark,
     ClaimWakeUp,
     // Blocks that are finished one after the other
-    FinishTurn,
-    AwaitTurn,
+    FinishInOrder,
+    AwaitInOrder,
     // Large islands of QuickStep
-    ClaimPart,
+    ClaimPartition,
     AnnounceRows,
     AwaitRows,
     // Islands side by side
@@ -34,7 +34,7 @@ enum class dxSchedulePoint : unsigned {
     CommitIslands,
     // Random numbers of a step
     ReserveDraws,
-    AwaitLoneStep,
+    AwaitSingleStepper,
     // Spaces
     ClaimCleaning,
     AwaitCleaning,

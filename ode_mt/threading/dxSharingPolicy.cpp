@@ -51,7 +51,7 @@ void dxSharingPolicy::average(Way &way, double ns) {
     way.ns = isFirst ? ns : dxMovingAverage(way.ns, ns, kWeight);
 }
 
-void dxSharingPolicy::remember(bool shared, double ns) {
+void dxSharingPolicy::record(bool shared, double ns) {
     Way &way = shared ? m_shared : m_alone, &other = shared ? m_alone : m_shared;
     other.callsInRow = 0;
     average(way, ns);

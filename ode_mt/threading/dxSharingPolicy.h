@@ -17,7 +17,7 @@ public:
     bool shouldShare() const;
 
     // How long the call took, and whether it was shared.
-    void remember(bool shared, double ns);
+    void record(bool shared, double ns);
 
 private:
     struct Way {

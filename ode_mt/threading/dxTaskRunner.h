@@ -40,10 +40,10 @@ public:
 
     // Calls work(begin, end, worker) for chunks of [0, count) of at most `piece` items.
     template <class Work>
-    void forPieces(dxParallelStage stage, std::size_t count, std::size_t piece, Work &&work) {
-        forBlocks(stage, static_cast<unsigned>((count + piece - 1) / piece), [&](unsigned block, unsigned worker) {
-            const std::size_t begin = block * piece;
-            work(begin, begin + piece < count ? begin + piece : count, worker);
+    void forChunks(dxParallelStage stage, std::size_t count, std::size_t chunk, Work &&work) {
+        forBlocks(stage, static_cast<unsigned>((count + chunk - 1) / chunk), [&](unsigned block, unsigned worker) {
+            const std::size_t begin = block * chunk;
+            work(begin, begin + chunk < count ? begin + chunk : count, worker);
         });
     }
 

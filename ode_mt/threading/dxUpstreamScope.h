@@ -7,7 +7,7 @@
 //   dxDeferredIsland   an island is stepped on behalf of the thread that called the step
 //   dxReservedDraws    islands are stepped in order on that thread, with random numbers taken in advance
 //   dxIslandSurvey     joints are asked for their rows beforehand
-//   dxContactsAhead    contacts are computed ahead of the near-callbacks
+//   dxNarrowphasePrefetch    contacts are computed ahead of the near-callbacks
 //
 // Invariant: a thread without a scope behaves exactly as upstream.
 #pragma once

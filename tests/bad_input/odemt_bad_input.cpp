@@ -23,11 +23,11 @@ using namespace bad_input;
 
 // A call that computes for longer, or waits for longer, hangs. In seconds: of the processor, and by the
 // clock, which also runs while other processes have the processor.
-constexpr rlim_t kMostComputing = 1;
+constexpr rlim_t kMaxComputing = 1;
 constexpr unsigned kPatience = 60;
 constexpr std::size_t kRoom = 1 << 14;
 // The memory of a call: a bad argument may request as much as there is.
-constexpr rlim_t kMostMemory = rlim_t{2} << 30;
+constexpr rlim_t kMaxMemory = rlim_t{2} << 30;
 
 char *told;  // memory that a call's process shares with this one
 
@@ -56,8 +56,8 @@ void onError(int number, const char *format, va_list arguments) {
 }
 
 [[noreturn]] void makeInChild(const BadCall &call) {
-    const rlimit noCore{0, 0}, memory{kMostMemory, kMostMemory},
-        computing{kMostComputing, kMostComputing + 1};
+    const rlimit noCore{0, 0}, memory{kMaxMemory, kMaxMemory},
+        computing{kMaxComputing, kMaxComputing + 1};
     setrlimit(RLIMIT_CORE, &noCore);
     setrlimit(RLIMIT_AS, &memory);
     setrlimit(RLIMIT_CPU, &computing);

@@ -48,7 +48,7 @@ TEST(ClusterGrid, WhatLiesOutsideBelongsToTheBorderCells) {
 }
 
 // Such a box overlaps everything on the axis, or has to be compared with everything.
-TEST(ClusterGrid, NaNAndInsideOutCoverTheWholeAxis) {
+TEST(ClusterGrid, NaNAndInvertedBoxesCoverTheWholeAxis) {
     const dxClusterGrid grid = smallGrid();
     expectCells(grid.cellsOf(boundsOf(kNaN, 0, 0, 0, 0, 0)), 0, 0, 4);
     expectCells(grid.cellsOf(boundsOf(0, 0, 0, kNaN, 0, 0)), 1, 0, 4);

@@ -34,14 +34,14 @@ std::vector<std::pair<Slot, Slot>> bruteForce(const dxMembers &members) {
 }
 
 // Stands in the space for the search that it checks.
-class CheckedSearch final : public dxPairSearch {
+class CheckedSearch final : public dxBroadphase {
 public:
     explicit CheckedSearch(const char *pass) : clustered(dxMakeCrossoverPass(pass)) {}
 
-    void search(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override {
+    void findOverlaps(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override {
         ++searches;
         const std::size_t before = matches.size();
-        clustered.search(members, runner, matches);
+        clustered.findOverlaps(members, runner, matches);
         std::vector<std::pair<Slot, Slot>> found;
         for (std::size_t i = before; i < matches.size(); ++i)
             found.emplace_back(std::minmax(matches[i].a, matches[i].b));
@@ -71,10 +71,10 @@ protected:
     bool isSplit(std::size_t i, std::size_t k) const;
     int clusterOf(std::size_t i) const { return clustered().clusters().of(slots[i]); }
     const dxClusters::Cluster &cluster(std::size_t i) const { return clustered().clusters()[clusterOf(i)]; }
-    const dxClusteredWorldAndSpace &clustered() const { return search->clustered; }
+    const dxClusteredWorldAndSpace &clustered() const { return findOverlaps->clustered; }
 
     OdeSession session{0, "auto"};
-    const CheckedSearch *search = nullptr;
+    const CheckedSearch *findOverlaps = nullptr;
     std::unique_ptr<ReferenceClusters> reference;
     std::vector<ReferenceInhabitant> inhabitants;
     std::vector<Slot> slots;
@@ -158,13 +158,13 @@ void CrossoverRandom::runSeed(unsigned seed) {
     reference = std::make_unique<ReferenceClusters>(pass());
     names.clear();
     auto owned = std::make_unique<CheckedSearch>(GetParam());
-    search = owned.get();
+    findOverlaps = owned.get();
     unsigned splits = 0;
-    static_cast<dxOrderedSpace *>(world.space())->setSearch(std::move(owned));
+    static_cast<dxOrderedSpace *>(world.space())->setBroadphase(std::move(owned));
     for (int frame = 1; frame <= 50; ++frame) {
         world.change();
         world.space()->collide(nullptr, [](void *, dGeomID, dGeomID) {});
-        ASSERT_EQ(search->searches, frame);
+        ASSERT_EQ(findOverlaps->searches, frame);
         inhabitants = world.inhabitants();
         slots.clear();
         for (const dGeomID geom : world.geoms()) slots.push_back(slotOf(geom));
@@ -177,7 +177,7 @@ void CrossoverRandom::runSeed(unsigned seed) {
         splits = clustered().history().splits();
         ASSERT_FALSE(HasFailure()) << "seed " << seed << ", frame " << frame;
     }
-    seen.pairs += search->pairs;
+    seen.pairs += findOverlaps->pairs;
     seen.merges += clustered().history().merges();
     seen.splits += clustered().history().splits();
 }

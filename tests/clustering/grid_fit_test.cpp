@@ -106,7 +106,7 @@ TEST_F(GridFit, IsOutgrownWhenMoreAreOutsideThanStraysMayBe) {
     EXPECT_FALSE(dxGridIsOutgrown(scene));
 }
 
-TEST_F(GridFit, IsNotOutgrownByStaticGeomsOrByNobody) {
+TEST_F(GridFit, IsNotOutgrownByStaticGeomsOrByNone) {
     EXPECT_FALSE(dxGridIsOutgrown(scene));
     for (int i = 0; i < 10; ++i) add(Kind::staticGeom, cubeAt(500, 0, 0));
     EXPECT_FALSE(dxGridIsOutgrown(scene));

@@ -96,7 +96,7 @@ TEST_F(InhabitantLinks, JointsMadeAndBrokenAtRunTimeAreSeen) {
     EXPECT_FALSE(linked(a, b));
 }
 
-TEST_F(InhabitantLinks, JointsToTheWorldOrToBodiesElsewhereLinkNobody) {
+TEST_F(InhabitantLinks, JointsToTheWorldOrToBodiesElsewhereLinkNothing) {
     const dBodyID one = body(), two = body(), elsewhere = body();
     const Slot a = addSphere(one), b = addSphere(two);
     dGeomSetBody(dCreateSphere(owner, 1), elsewhere);  // no member

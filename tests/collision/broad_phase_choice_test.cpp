@@ -76,13 +76,13 @@ TEST_F(BroadPhaseChoice, TablesInOrderOfRanksGiveWayToSearchesAndComeBackAtHalfT
 
 TEST_F(BroadPhaseChoice, AnAxisIsSweptInSmallSpacesAndWhereItIsTheOnlyWay) {
     facts.order = dxPairOrder::Axis;
-    EXPECT_EQ(follow(768), dxBroadPhase::AxisSweep);
-    EXPECT_EQ(follow(1024), dxBroadPhase::AxisSweep);
+    EXPECT_EQ(follow(768), dxBroadPhase::AxisSap);
+    EXPECT_EQ(follow(1024), dxBroadPhase::AxisSap);
     EXPECT_EQ(follow(1025), dxBroadPhase::NeighbourList);
     EXPECT_EQ(follow(769), dxBroadPhase::NeighbourList);
-    EXPECT_EQ(follow(768), dxBroadPhase::AxisSweep);
+    EXPECT_EQ(follow(768), dxBroadPhase::AxisSap);
     facts.comparesAllAxes = false;
-    EXPECT_EQ(follow(100000), dxBroadPhase::AxisSweep);
+    EXPECT_EQ(follow(100000), dxBroadPhase::AxisSap);
 }
 
 TEST_F(BroadPhaseChoice, ATableOfSlotsGivesWayToAListAndComesBackAtHalfTheSize) {

@@ -1,6 +1,6 @@
 // More pairs than a space keeps: crowd KIND. Geoms gather in one place, part, and gather again, some at rest, with
 // callbacks that collide the space again, enable and disable geoms. Prints, for each call, the number of callbacks and
-// a sum over them that depends on their order; then the most memory taken, in megabytes. crowd_test runs it on Debian's
+// a sum over them that depends on their order; then the most memory taken, in megabytes. pair_overflow_test runs it on Debian's
 // libode8 and on ours.
 #include <sys/resource.h>
 

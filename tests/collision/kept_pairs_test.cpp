@@ -20,27 +20,27 @@ dxGeom *geomOf(Slot slot) {
 }
 
 // Keys drawn by lot. The geom with the lower leader is the first; some pairs are refused at either step.
-class DrawnOrder final : public dxPairPlacer {
+class DrawnOrder final : public dxPairKeys {
 public:
     explicit DrawnOrder(unsigned seed) : m_random(seed) {
         for (std::uint64_t &leader : m_leaders) leader = m_random() % 1000000;
     }
 
-    bool lead(Slot a, Slot b, std::uint64_t &word, bool &swapped) const override {
+    bool primaryKey(Slot a, Slot b, std::uint64_t &word, bool &swapped) const override {
         swapped = std::make_pair(m_leaders[b], b) < std::make_pair(m_leaders[a], a);
         const Slot first = swapped ? b : a;
         word = m_leaders[first] << 10 | first;
         return (a + b) % 11 != 0;
     }
 
-    bool follow(Slot first, Slot second, dxPairKey &key) const override {
+    bool secondaryKey(Slot first, Slot second, dxPairKey &key) const override {
         key.words[1] = (first * 7 + second) % 3;
         key.words[2] = (first + second * 5) % 4;
         key.words[3] = m_leaders[second] << 10 | second;
         return (first * second) % 13 != 0;
     }
 
-    void expect(Slot) const override {}
+    void prefetch(Slot) const override {}
 
 private:
     std::mt19937_64 m_random;
@@ -71,10 +71,10 @@ protected:
         for (const dxSlotPair &match : m_all) {
             dxPairKey key;
             bool swapped;
-            if (!m_order.lead(match.a, match.b, key.words[0], swapped)) continue;
+            if (!m_order.primaryKey(match.a, match.b, key.words[0], swapped)) continue;
             const std::pair<Slot, Slot> pair =
                 swapped ? std::make_pair(match.b, match.a) : std::make_pair(match.a, match.b);
-            if (m_order.follow(pair.first, pair.second, key)) byKey[key.words] = pair;
+            if (m_order.secondaryKey(pair.first, pair.second, key)) byKey[key.words] = pair;
         }
         std::vector<std::pair<Slot, Slot>> pairs;
         for (const auto &[key, pair] : byKey) pairs.push_back(pair);

@@ -71,7 +71,7 @@ TEST(QuadTree, WhatDoesNotFitIsInTheRoot) {
     EXPECT_EQ(find(tree, 1, 2, kNaN, 2), 0u);
 }
 
-TEST(QuadTree, WhereABoxComesFromMattersOnlyIfItIsInsideOut) {
+TEST(QuadTree, WhereABoxComesFromMattersOnlyIfItIsInverted) {
     const dxQuadTree tree = treeAround(3, -2, 8, 4);
     std::mt19937 random(1);
     std::uniform_real_distribution<dReal> place(-12, 12), size(0, 4);

@@ -7,11 +7,11 @@
 
 #include "collision/broadphase/dxRegionIndex.h"
 #include "RandomBoxes.h"
-#include "SearchedMembers.h"
+#include "BroadphaseMembers.h"
 
 namespace {
 
-using Slot = SearchedMembers::Slot;
+using Slot = BroadphaseMembers::Slot;
 
 class RegionIndex : public testing::Test {
 protected:
@@ -53,7 +53,7 @@ protected:
     }
 
     RandomBoxes random{11};
-    SearchedMembers crowd;
+    BroadphaseMembers crowd;
     dxRegionIndex index;
 };
 

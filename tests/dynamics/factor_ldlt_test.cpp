@@ -57,8 +57,8 @@ void factor(Matrix &matrix) {
     std::size_t space = storage.size() * sizeof(dReal);
     std::align(64, 1, aligned, space);
     std::vector<unsigned> begins(matrix.n);
-    dxFindEnvelope(matrix.elements.data(), matrix.n, matrix.skip, begins.data());
-    dxFactorLDLT(matrix.elements.data(), matrix.d.data(), matrix.n, matrix.skip, dxEnvelope(begins.data()),
+    dxFindSkyline(matrix.elements.data(), matrix.n, matrix.skip, begins.data());
+    dxFactorLDLT(matrix.elements.data(), matrix.d.data(), matrix.n, matrix.skip, dxSkyline(begins.data()),
                  static_cast<dReal *>(aligned));
 }
 
@@ -95,7 +95,7 @@ TEST(TriangleScan, FindsTheFirstElementsAndWhatIsNotFinite) {
                         triangle[row * std::size_t(n + 3) + column] = value;
                         EXPECT_EQ(dxIsTriangleFinite(triangle.data(), n, n + 3), std::isfinite(value));
                         std::vector<unsigned> begins(n);
-                        dxFindEnvelope(triangle.data(), n, n + 3, begins.data());
+                        dxFindSkyline(triangle.data(), n, n + 3, begins.data());
                         for (unsigned i = 0; i < n; ++i) EXPECT_EQ(begins[i], i == row ? column : i);
                     }
                 }

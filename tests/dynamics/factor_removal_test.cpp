@@ -62,7 +62,7 @@ Factorisation removed(Factorisation factors, unsigned r, bool leavesOut) {
     for (unsigned i = 0; i < factors.count; ++i) rows.push_back(&factors.L[i * factors.count]);
     std::vector<dReal> storage(dxFactorRemovalStorage(factors.count));
     dxRemoveFactorRow({rows.data(), factors.d.data(), factors.count, r, &factors.A[factors.index[r] * factors.all()],
-                       factors.index.data(), leavesOut ? dxEnvelope(factors.begins.data()) : dxEnvelope(), storage.data()});
+                       factors.index.data(), leavesOut ? dxSkyline(factors.begins.data()) : dxSkyline(), storage.data()});
     const std::vector<dReal> L = factors.L;
     for (unsigned i = 0; i + 1 < factors.count; ++i)
         std::copy_n(&L[static_cast<std::size_t>(rows[i] - factors.L.data())], i, &factors.L[i * factors.count]);

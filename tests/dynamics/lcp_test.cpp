@@ -20,7 +20,7 @@
 #include "lcp.h"
 #include "util.h"
 
-#include "dynamics/islands/dxIslandTeam.h"
+#include "dynamics/islands/dxLargeIslandWorkers.h"
 #include "dynamics/exactstep/dantzig/dxDantzig.h"
 #include "../threading/manager_runner.h"
 #include "instruction_sets.h"
@@ -57,8 +57,8 @@ ManagerRunner &workers() {
 
 void solveShared(dxWorldProcessMemArena *memory, unsigned n, dReal *A, dReal *pairsBX, dReal *w, unsigned unbounded,
                  dReal *pairsLoHi, int *normalOf) {
-    const dxIslandTeamLease team(workers(), true);
-    dxSolveDantzig(&*team, memory, n, A, pairsBX, w, unbounded, pairsLoHi, normalOf);
+    const dxLargeIslandWorkersLease islandWorkers(workers(), true);
+    dxSolveDantzig(&*islandWorkers, memory, n, A, pairsBX, w, unbounded, pairsLoHi, normalOf);
 }
 
 struct Solution {

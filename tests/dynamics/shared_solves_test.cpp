@@ -35,7 +35,7 @@ public:
     }
 
     const dReal *const *rows() const { return m_rows.data(); }
-    dxEnvelope envelope() const { return dxEnvelope(m_begins.data()); }
+    dxSkyline envelope() const { return dxSkyline(m_begins.data()); }
     unsigned count() const { return static_cast<unsigned>(m_rows.size()); }
     dReal number() { return std::uniform_real_distribution<dReal>(-0.3, 0.3)(m_random); }
 
@@ -68,7 +68,7 @@ TEST(SharedSolves, TransposedIsThatOfOneThread) {
     forTriangles([&](Triangle &triangle) {
         std::vector<dReal> alone(triangle.count());
         for (dReal &value : alone) value = triangle.number();
-        for (const dxEnvelope &envelope : {dxEnvelope(), triangle.envelope()}) {
+        for (const dxSkyline &envelope : {dxSkyline(), triangle.envelope()}) {
             std::vector<dReal> expected = alone, shared = alone;
             dxSolveL1Transposed(triangle.rows(), expected.data(), triangle.count(), envelope);
             dxSolveL1Transposed(triangle.rows(), shared.data(), triangle.count(), envelope, &workers);
@@ -87,7 +87,7 @@ TEST(SharedSolves, PanelIsThatOfOneThread) {
         for (dReal &value : rightHandSides) value = triangle.number();
         std::vector<unsigned> index(rows);
         std::iota(index.begin(), index.end(), 0u);
-        for (const dxEnvelope &envelope : {dxEnvelope(), triangle.envelope()}) {
+        for (const dxSkyline &envelope : {dxSkyline(), triangle.envelope()}) {
             dxSolvePanelTask task{triangle.rows(), rightHandSides.data(), kLineLanes, index.data(), envelope, 0, 0, end,
                                   expected.data()};
             dxSolvePanel(task);

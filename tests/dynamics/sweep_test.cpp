@@ -1,7 +1,7 @@
 // QuickStep's sweep gives the bits of taking the rows one by one, for every instruction set of this machine.
 #include "instruction_sets.h"
-#include "dynamics/quickstep/sor/dxSharedSweep.h"
-#include "dynamics/quickstep/sor/dxSweep.h"
+#include "dynamics/quickstep/sor/dxParallelSor.h"
+#include "dynamics/quickstep/sor/dxSorSweep.h"
 
 #include <gtest/gtest.h>
 
@@ -163,7 +163,7 @@ TEST_P(Sweep, IsThatOfTakingRowsOneByOne) {
                 for (int sweep = 0; sweep < 6; ++sweep) {
                     ours.shuffle();
                     reference.shuffle();
-                    dxSweep(ours.problem(), ours.order.data());
+                    dxSorSweep(ours.problem(), ours.order.data());
                     sweepOneByOne(reference);
                     ASSERT_TRUE(sameState(ours, reference)) << size.joints << " joints";
                 }
@@ -178,9 +178,9 @@ TEST_P(Sweep, ByScheduleHasTheSameResult) {
         RandomIsland ours(size.joints, size.bodies, 3 + size.joints, GetParam());
         RandomIsland reference(size.joints, size.bodies, 3 + size.joints, GetParam());
         reference.putUnboundedFirst();
-        dxScheduleSweep(ours.problem());
+        dxScheduleSor(ours.problem());
         ASSERT_TRUE(std::is_permutation(ours.scheduled.begin(), ours.scheduled.end(), reference.order.begin()));
-        dxSweep(ours.problem(), ours.scheduled.data());
+        dxSorSweep(ours.problem(), ours.scheduled.data());
         sweepOneByOne(reference);
         EXPECT_TRUE(sameState(ours, reference)) << size.joints << " joints";
     }
@@ -191,7 +191,7 @@ INSTANTIATE_TEST_SUITE_P(Numbers, Sweep, testing::Bool(),
 
 // Ten bodies in a row, four rows between neighbours, in the order of the joints: a schedule takes rows of
 // neighbours that share no body at once.
-TEST(SweepSchedule, PutsRowsOfDifferentBodiesSideBySide) {
+TEST(SorSchedule, PutsRowsOfDifferentBodiesSideBySide) {
     constexpr unsigned kBodies = 10, kRowsPerLink = 4, kRows = (kBodies - 1) * kRowsPerLink;
     std::vector<dxConstraintRow> rows(kRows);
     std::vector<dxIslandBody> bodies(kBodies);
@@ -203,7 +203,7 @@ TEST(SweepSchedule, PutsRowsOfDifferentBodiesSideBySide) {
         rows[row].body[1] = link + 1;
         rows[row].boundingRow = dxConstraintRow::kNone;
     }
-    dxScheduleSweep({kRows, kBodies, rows.data(), bodies.data(), nullptr, scheduled.data()});
+    dxScheduleSor({kRows, kBodies, rows.data(), bodies.data(), nullptr, scheduled.data()});
     unsigned waiting = 0;
     for (unsigned i = 1; i < kRows; ++i) {
         const int *row = rows[scheduled[i]].body, *before = rows[scheduled[i - 1]].body;
@@ -231,14 +231,14 @@ private:
 };
 
 // By parts, and by whether each has a thread of its own.
-class SharedSweep : public testing::TestWithParam<std::tuple<unsigned, bool>> {
+class ParallelSor : public testing::TestWithParam<std::tuple<unsigned, bool>> {
 protected:
     static void expectSame(Size size, dReal (*coordinate)(std::size_t body, int axis)) {
         const auto [parts, several] = GetParam();
         RandomIsland ours(size.joints, size.bodies, 5 + size.joints, true);
         RandomIsland reference(size.joints, size.bodies, 5 + size.joints, true);
         Threads threads(several);
-        dxSharedSweep sweep;
+        dxParallelSor sweep;
         dReal place[3];
         sweep.begin(ours.problem(), parts, [&](std::size_t body) {
             for (int axis = 0; axis < 3; ++axis) place[axis] = coordinate(body, axis);
@@ -254,16 +254,16 @@ protected:
     }
 };
 
-TEST_P(SharedSweep, OfBodiesThatAreCutAnywhereIsThatOfOneThread) {
+TEST_P(ParallelSor, OfBodiesThatAreCutAnywhereIsThatOfOneThread) {
     for (const Size size : kSizes)
         expectSame(size, [](std::size_t body, int axis) { return dReal(body * 7 % (11 + std::size_t(axis))); });
 }
 
-TEST_P(SharedSweep, OfBodiesThatCannotBeCutIsThatOfOneThread) {
+TEST_P(ParallelSor, OfBodiesThatCannotBeCutIsThatOfOneThread) {
     for (const Size size : kSizes) expectSame(size, [](std::size_t, int) { return dReal(1); });
 }
 
-TEST_P(SharedSweep, OfBodiesAtPlacesThatAreNoneIsThatOfOneThread) {
+TEST_P(ParallelSor, OfBodiesAtPlacesThatAreNoneIsThatOfOneThread) {
     for (const Size size : kSizes)
         expectSame(size, [](std::size_t body, int axis) {
             const dReal places[] = {Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(), Limits::max(), dReal(body)};
@@ -271,14 +271,14 @@ TEST_P(SharedSweep, OfBodiesAtPlacesThatAreNoneIsThatOfOneThread) {
         });
 }
 
-INSTANTIATE_TEST_SUITE_P(Parts, SharedSweep, testing::Combine(testing::Values(1u, 2u, 3u, 7u, 16u), testing::Bool()),
+INSTANTIATE_TEST_SUITE_P(Parts, ParallelSor, testing::Combine(testing::Values(1u, 2u, 3u, 7u, 16u), testing::Bool()),
                          [](const auto &info) {
                              return std::to_string(std::get<0>(info.param)) +
                                     (std::get<1>(info.param) ? "_threads" : "_parts_of_one_thread");
                          });
 
 // Bodies along a line, each a row heavier than the one before it: the parts lie apart and weigh the same.
-TEST(BodyCut, PartsLieApartAndWeighTheSame) {
+TEST(BodyPartition, PartsLieApartAndWeighTheSame) {
     constexpr unsigned kBodies = 1000, kParts = 5;
     std::vector<dxPlace> places;
     std::vector<unsigned> weights;
@@ -289,12 +289,12 @@ TEST(BodyCut, PartsLieApartAndWeighTheSame) {
         weights.push_back(along);
         all += along;
     }
-    dxBodyCut cut;
-    cut.cut(places, weights, kParts);
+    dxBodyPartition partition;
+    partition.partition(places, weights, kParts);
     std::vector<unsigned> weightOf(kParts);
     std::vector<dReal> low(kParts, kBodies), high(kParts, -1);
     for (unsigned body = 0; body < kBodies; ++body) {
-        const std::size_t part = cut.partOf(body);
+        const std::size_t part = partition.partitionOf(body);
         weightOf[part] += weights[body];
         low[part] = std::min(low[part], places[body].at[1]);
         high[part] = std::max(high[part], places[body].at[1]);

@@ -34,7 +34,7 @@ Engine runningEngine() {
     engine.parallelIslands = statistic("dODE_MT_GetParallelIslands");
     engine.teamSteps = statistic("dODE_MT_GetTeamSteps");
     engine.parallelCollisions = statistic("dODE_MT_GetParallelCollisions");
-    engine.mostWorkers = statistic("dODE_MT_GetMaxWorkersUsed");
+    engine.maxWorkers = statistic("dODE_MT_GetMaxWorkersUsed");
     engine.instructionSet = instructionSetInUse();
     return engine;
 }

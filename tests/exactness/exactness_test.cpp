@@ -85,11 +85,11 @@ private:
         if (!m_player.setting || m_player.setting->threads < 2 || !m_scenario.serialBecause.empty()) return "";
         const std::string &algorithm = m_player.setting->algorithm;
         if (algorithm == "auto" || algorithm == "serial") return "";
-        const bool byTeam = m_scenario.team == "team";
-        if (!byTeam && engine.parallelSteps + engine.teamSteps == 0) return "no step ran in parallel";
+        const bool largeIsland = m_scenario.largeIsland == "team";
+        if (!largeIsland && engine.parallelSteps + engine.teamSteps == 0) return "no step ran in parallel";
         if (!m_player.setting->disturbed) return "";
-        if (byTeam && engine.teamSteps == 0) return "no two workers stepped the island";
-        if (engine.mostWorkers < 2) return "no second worker stepped an island";
+        if (largeIsland && engine.teamSteps == 0) return "no two workers stepped the island";
+        if (engine.maxWorkers < 2) return "no second worker stepped an island";
         // Clusters may be one.
         const bool shares =
             m_player.setting->callbacks != "serial" && m_scenario.callbacks == "shared" && algorithm == "lcp";

@@ -48,7 +48,7 @@ void list() {
     for (const Scenario &scenario : catalogue()) {
         for (scenes::Stepper stepper : scenario.steppers) {
             std::cout << scenario.name << suffix(stepper) << '\t' << scenario.serialBecause << '\t'
-                      << nameOf(scenario.callbacks) << '\t' << (scenario.byTeam ? "team" : "") << '\t'
+                      << nameOf(scenario.callbacks) << '\t' << (scenario.largeIsland ? "team" : "") << '\t'
                       << scenario.meaning << '\n';
         }
     }

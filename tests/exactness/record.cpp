@@ -38,7 +38,7 @@ static void from_json(const json &in, Word &word) {
 }
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Engine, library, isOdeMt, parallelSteps, parallelIslands, teamSteps,
-                                   parallelCollisions, mostWorkers, instructionSet)
+                                   parallelCollisions, maxWorkers, instructionSet)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageHash, step, stage, hash)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Value, stage, object, field, words, text)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Record, engine, stages, values)

@@ -19,7 +19,7 @@ struct Engine {
     unsigned parallelIslands = 0;
     unsigned teamSteps = 0;
     unsigned parallelCollisions = 0;
-    unsigned mostWorkers = 0;  // that took part in one step or in the callbacks of one collision
+    unsigned maxWorkers = 0;  // that took part in one step or in the callbacks of one collision
     std::string instructionSet;  // that vector code ran with; empty: none ran
 };
 

@@ -84,7 +84,7 @@ std::vector<ScenarioName> listScenarios() {
         std::getline(parts, scenario.name, '\t');
         std::getline(parts, scenario.serialBecause, '\t');
         std::getline(parts, scenario.callbacks, '\t');
-        std::getline(parts, scenario.team, '\t');
+        std::getline(parts, scenario.largeIsland, '\t');
         names.push_back(scenario);
     }
     return names;

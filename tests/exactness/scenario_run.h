@@ -14,7 +14,7 @@ struct ScenarioName {
     std::string name;           // "ball_joints/quick"
     std::string serialBecause;  // see catalogue.h
     std::string callbacks;      // see catalogue.h; empty: one at a time
-    std::string team;           // "team": see Scenario::byTeam
+    std::string largeIsland;           // "team": see Scenario::largeIsland
 };
 
 std::vector<ScenarioName> listScenarios();

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kInTower = 4;
 constexpr int kLinks = 6;
-constexpr int kMostContacts = 4;
+constexpr int kMaxContacts = 4;
 constexpr int kSamples = 5;
 
 dSpaceID createSpace(SpaceKind kind) {
@@ -226,9 +226,9 @@ void FaultWorld::meet(dGeomID a, dGeomID b) {
         dSpaceCollide2(a, b, this, nearCallback);
         return;
     }
-    dContact contacts[kMostContacts];
+    dContact contacts[kMaxContacts];
     std::memset(contacts, 0, sizeof contacts);
-    const int count = dCollide(a, b, kMostContacts, &contacts[0].geom, sizeof contacts[0]);
+    const int count = dCollide(a, b, kMaxContacts, &contacts[0].geom, sizeof contacts[0]);
     m_pairs.fetch_add(mix(mix(numberOf(a), numberOf(b)), static_cast<std::uint64_t>(count)));
     if (dGeomGetBody(a) == nullptr && dGeomGetBody(b) == nullptr) return;
     for (int i = 0; i < count; ++i) {

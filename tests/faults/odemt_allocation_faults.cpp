@@ -27,9 +27,9 @@ using namespace faults;
 constexpr int kWarmFrames = 4, kFramesAfter = 3;
 // Requests of several threads come in another order each time, so that a number may not be reached though a
 // later one is.
-constexpr int kMostNotReached = 3;
+constexpr int kMaxNotReached = 3;
 constexpr unsigned kPatience = 20;  // seconds
-constexpr long kMostShown = 1000000;
+constexpr long kMaxShown = 1000000;
 
 struct Case {
     const char *phase;
@@ -110,10 +110,10 @@ std::string nameOf(const Case &c, long number) {
 
 void refuseOneByOne(FaultWorld &world, const Case &c, std::uint64_t reference, long every) {
     int notReached = 0;
-    for (long number = 0; notReached < kMostNotReached; number += every) {
+    for (long number = 0; notReached < kMaxNotReached; number += every) {
         const std::string name = nameOf(c, number);
         if (!shown.empty() && shown != name) {
-            if (number > kMostShown) return;
+            if (number > kMaxShown) return;
             continue;
         }
         const std::string outcome = outcomeOf(world, c, number, reference);

@@ -71,8 +71,8 @@ unsigned sharedBy(HeapWorld &world) {
         dCollide(o1, o2, 4, contacts, sizeof contacts[0]);
     });
     // What was computed for the call that was left was not asked for, so that the next ones go without.
-    constexpr int kMostPauses = 200;
-    for (int i = 0; i < kMostPauses && dODE_MT_GetContactsAhead() == before; ++i) world.collide();
+    constexpr int kMaxPauses = 200;
+    for (int i = 0; i < kMaxPauses && dODE_MT_GetContactsAhead() == before; ++i) world.collide();
     return dODE_MT_GetContactsAhead() - before;
 }
 

@@ -131,7 +131,7 @@ TEST(Random, BlocksOfManyThreadsAreDisjointAndConsecutive) {
     EXPECT_EQ(seed, dxRandom::sharedSeed());
 }
 
-TEST(Random, RewindsOnlyWhatNobodyHasDrawnFrom) {
+TEST(Random, RewindsOnlyWhereNothingWasDrawnSince) {
     dxRandom::setSharedSeed(1);
     const std::uint32_t begin = dxRandom::takeSharedBlock(10);
     EXPECT_EQ(begin, 1u);

@@ -25,7 +25,7 @@ TEST(Statistics, CountBeyond32Bits) {
 }
 
 // One island; others may have had the processors, so that a worker came too late.
-TEST(Statistics, AStepByATeamCountsOnce) {
+TEST(Statistics, ALargeIslandStepCountsOnce) {
     const OdeSession session(3, "lcp");
     constexpr unsigned kFrames = 3, kTries = 20;
     for (unsigned i = 0; i < kTries; ++i) {

@@ -115,10 +115,10 @@ protected:
     }
 
     Pairs found(dxTunedClusters &tuned) {
-        std::vector<dxPairSearch::Match> matches;
-        tuned.search(members, dxTaskRunner::alone(), matches);
+        std::vector<dxBroadphase::Match> matches;
+        tuned.findOverlaps(members, dxTaskRunner::alone(), matches);
         Pairs pairs;
-        for (const dxPairSearch::Match &match : matches) pairs.emplace_back(std::minmax(match.a, match.b));
+        for (const dxBroadphase::Match &match : matches) pairs.emplace_back(std::minmax(match.a, match.b));
         std::sort(pairs.begin(), pairs.end());
         return pairs;
     }

@@ -8,9 +8,9 @@
 // Joints at up to four places where two geoms touch; how many.
 inline int joinWhereTheyTouch(dWorldID world, dJointGroupID group, const dSurfaceParameters &surface, dGeomID o1,
                               dGeomID o2) {
-    constexpr int kMostContacts = 4;
-    dContact contacts[kMostContacts] = {};
-    const int count = dCollide(o1, o2, kMostContacts, &contacts[0].geom, sizeof(dContact));
+    constexpr int kMaxContacts = 4;
+    dContact contacts[kMaxContacts] = {};
+    const int count = dCollide(o1, o2, kMaxContacts, &contacts[0].geom, sizeof(dContact));
     for (int i = 0; i < count; ++i) {
         contacts[i].surface = surface;
         dJointAttach(dJointCreateContact(world, group, &contacts[i]), dGeomGetBody(o1), dGeomGetBody(o2));

@@ -25,8 +25,8 @@ namespace fuzz {
 
 namespace {
 
-constexpr std::size_t kMostText = 64u << 20;
-constexpr rlim_t kMostMemory = rlim_t{4} << 30;  // bytes that a script may take: height fields under huge boxes ask for more
+constexpr std::size_t kMaxText = 64u << 20;
+constexpr rlim_t kMaxMemory = rlim_t{4} << 30;  // bytes that a script may take: height fields under huge boxes ask for more
 
 void set(const RequestHeader &request) {
     callIfThere("dToggleODE_MT", static_cast<int>(request.threads));
@@ -44,7 +44,7 @@ struct ForkedPlay::Remains {
     std::uint64_t hash;
     std::uint32_t calls, workers;
     std::uint32_t length;
-    char text[kMostText];
+    char text[kMaxText];
 
     void play(const RequestHeader &request, const std::vector<std::uint8_t> &script) noexcept;
 };
@@ -54,7 +54,7 @@ void ForkedPlay::Remains::play(const RequestHeader &request, const std::vector<s
     alarm(request.wallSeconds);
     const rlimit time{request.seconds, request.seconds + 1u};
     setrlimit(RLIMIT_CPU, &time);
-    const rlimit memory{kMostMemory, kMostMemory};
+    const rlimit memory{kMaxMemory, kMaxMemory};
     setrlimit(RLIMIT_AS, &memory);
     dInitODE2(0);
     dAllocateODEDataForThread(dAllocateMaskAll);
@@ -64,14 +64,14 @@ void ForkedPlay::Remains::play(const RequestHeader &request, const std::vector<s
     options.messages = request.messages != 0;
     options.tells = request.tells != 0;
     options.fillsStack = request.fillsStack;
-    options.mostCalls = request.mostCalls;
+    options.maxCalls = request.maxCalls;
     Player *player = nullptr;
     const auto writer = [&](const std::string &written) {
         if (player != nullptr) {
             hash = player->hash();
             calls = static_cast<std::uint32_t>(player->calls());
         }
-        if (length + written.size() > kMostText) return;
+        if (length + written.size() > kMaxText) return;
         std::memcpy(text + length, written.data(), written.size());
         length += static_cast<std::uint32_t>(written.size());
     };
@@ -85,7 +85,7 @@ void ForkedPlay::Remains::play(const RequestHeader &request, const std::vector<s
     }
     playing.finish();
     hash = playing.hash();
-    workers = exactness::runningEngine().mostWorkers;
+    workers = exactness::runningEngine().maxWorkers;
 }
 
 ForkedPlay::ForkedPlay(AtBirth atBirth, AfterDeath afterDeath)

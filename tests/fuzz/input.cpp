@@ -24,7 +24,7 @@ RequestHeader requestOf(const std::array<std::uint8_t, kSettingBytes> &bytes) {
     request.instructionSet = bytes[5] % 4;
     request.cells = bytes[6] % 3 == 0 ? bytes[7] % 16 : 0;
     request.disturbs = request.threads > 1 && bytes[8] % 2 == 0;
-    request.mostCalls = 4000;
+    request.maxCalls = 4000;
     request.seconds = 5;
     request.wallSeconds = 100;
     return request;

@@ -21,7 +21,7 @@ namespace fuzz {
 namespace {
 
 // Calls that are drawn in all callbacks of one call, at most, and callbacks within callbacks.
-constexpr int kMostContacts = 32;
+constexpr int kMaxContacts = 32;
 
 std::string hexOf(double value) {
     char text[40];
@@ -83,7 +83,7 @@ Reference Player::makeNow(const char *function, Arguments arguments) {
 void Player::play(Draw &draw) {
     m_draw = &draw;
     makeScene(draw);
-    while (!m_isOver && !draw.isOver() && m_calls < m_options.mostCalls) {
+    while (!m_isOver && !draw.isOver() && m_calls < m_options.maxCalls) {
         if (draw.oneIn(24))
             playFrames(1 + draw.below(12), draw.oneIn(2));
         else
@@ -305,8 +305,8 @@ bool areConvexAndMesh(dGeomID a, dGeomID b) {
 }  // namespace
 
 void Player::makeContacts(dGeomID a, dGeomID b, const TellContact &tellContact) {
-    dContact contacts[kMostContacts] = {};
-    const int most = std::min(surface.most, kMostContacts);
+    dContact contacts[kMaxContacts] = {};
+    const int most = std::min(surface.most, kMaxContacts);
     const int flags = most | (areConvexAndMesh(a, b) ? 0 : surface.flags);
     fillStack();
     const int count = dCollide(a, b, flags, &contacts[0].geom, sizeof *contacts);
@@ -332,9 +332,9 @@ void Player::makeContacts(dGeomID a, dGeomID b, const TellContact &tellContact) 
 }
 
 void Player::tellContacts(dGeomID a, dGeomID b, int most, bool unimportant) {
-    dContactGeom contacts[kMostContacts] = {};
+    dContactGeom contacts[kMaxContacts] = {};
     if (areConvexAndMesh(a, b)) unimportant = false;
-    const int flags = std::min(most, kMostContacts) | (unimportant ? static_cast<int>(CONTACTS_UNIMPORTANT) : 0);
+    const int flags = std::min(most, kMaxContacts) | (unimportant ? static_cast<int>(CONTACTS_UNIMPORTANT) : 0);
     fillStack();
     const int count = dCollide(a, b, flags, contacts, sizeof *contacts);
     for (int i = 0; i < count; ++i) {

@@ -35,7 +35,7 @@ public:
         bool messages = false;  // there is a message handler
         bool tells = false;
         std::uint8_t fillsStack = 0;  // with this byte, before each call (stack_pattern.h); 0: not
-        int mostCalls = 2000;
+        int maxCalls = 2000;
     };
 
     Player(const Options &options, Writer writer);

@@ -116,7 +116,7 @@ void Player::makeJoints(Draw &draw, const Reference &world) {
 
 // Plays frames as programs do: all spaces collide, all worlds step, the contacts are removed. If there are more than two, the others wait.
 void Player::playFrames(unsigned count, bool quick) {
-    for (; count > 0 && !m_isOver && m_calls < m_options.mostCalls; --count) {
+    for (; count > 0 && !m_isOver && m_calls < m_options.maxCalls; --count) {
         int left = 2;
         for (const Reference &space : objects.living(ObjectKind::space)) {
             const auto handle = static_cast<dGeomID>(objects.find(space));

@@ -18,7 +18,7 @@ struct RequestHeader {
     std::uint16_t threads;
     std::uint8_t manager, algorithm, instructionSet, cells;
     std::uint8_t disturbs;  // the schedule: workers pause at pseudo-random points
-    std::uint16_t mostCalls;
+    std::uint16_t maxCalls;
     std::uint16_t seconds;      // of processor time that it may take, of all its threads
     std::uint16_t wallSeconds;  // limit of wall-clock time, for calls that never return
 };

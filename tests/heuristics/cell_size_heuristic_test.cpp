@@ -15,7 +15,7 @@ namespace {
 using Rule = dxCellSizeHeuristic;
 using Phase = Rule::Phase;
 
-constexpr int kLeast = Rule::kLeastCells, kMost = Rule::kMostCells;
+constexpr int kMin = Rule::kMinCells, kMax = Rule::kMaxCells;
 
 TEST(CellSizeHeuristic, StartsAtTheMinimum) {
     EXPECT_EQ(Rule().cells(), 5);
@@ -24,7 +24,7 @@ TEST(CellSizeHeuristic, StartsAtTheMinimum) {
 
 TEST(CellSizeHeuristic, RaisesByOneAfterEachInterval) {
     CellWorld world(valley(12, 0.01));
-    for (int cells = kLeast; cells <= kMost; ++cells) {
+    for (int cells = kMin; cells <= kMax; ++cells) {
         for (unsigned i = 0; i < Rule::kDefaultInterval + 1; ++i) {  // the first pays for the new grid
             ASSERT_EQ(world.rule.cells(), cells);
             world.frame();
@@ -44,7 +44,7 @@ TEST(CellSizeHeuristic, AnIntervalOfNoFramesIsOneFrame) {
 }
 
 TEST(CellSizeHeuristic, EndsAtTheCheapestWhereverItLies) {
-    for (int best = kLeast; best <= kMost; ++best) {
+    for (int best = kMin; best <= kMax; ++best) {
         CellWorld world(valley(best, 0.02));
         world.climb();
         EXPECT_EQ(world.rule.cells(), best);
@@ -68,7 +68,7 @@ TEST(CellSizeHeuristic, TheClimbEndsWhenThereAreAsManyClustersAsEntities) {
 TEST(CellSizeHeuristic, EqualCostsAreSettledByTheSmallerGrid) {
     CellWorld world([](int) { return 1e5; });
     world.climb();
-    EXPECT_EQ(world.rule.cells(), kLeast);
+    EXPECT_EQ(world.rule.cells(), kMin);
 }
 
 TEST(CellSizeHeuristic, DearCandidatesAreLeftEarlyAndTwoInARowEndTheClimb) {
@@ -83,7 +83,7 @@ TEST(CellSizeHeuristic, DearCandidatesAreLeftEarlyAndTwoInARowEndTheClimb) {
 TEST(CellSizeHeuristic, OneDearCandidateDoesNotEndTheClimb) {
     CellWorld world([](int cells) { return cells == 8 ? 1e7 : 1e5 * (30 - cells); });
     world.climb();
-    EXPECT_EQ(world.rule.cells(), kMost);
+    EXPECT_EQ(world.rule.cells(), kMax);
 }
 
 // The system took the thread off its core in some frames.
@@ -117,7 +117,7 @@ TEST(CellSizeHeuristic, FramesThatWereNotMeasuredDoNotCount) {
         }
     }
     for (int i = 0; i < 100; ++i) world.rule.tick();  // nothing observed
-    EXPECT_EQ(world.rule.cells(), kLeast);
+    EXPECT_EQ(world.rule.cells(), kMin);
     world.climb();
     EXPECT_EQ(world.rule.cells(), 9);
 }
@@ -130,7 +130,7 @@ TEST(CellSizeHeuristic, PauseKeepsTheCellsResetStartsOver) {
     world.frames(2000);
     EXPECT_EQ(world.rule.cells(), 9);
     world.rule.reset();
-    EXPECT_EQ(world.rule.cells(), kLeast);
+    EXPECT_EQ(world.rule.cells(), kMin);
     EXPECT_EQ(world.rule.phase(), Phase::Climb);
     EXPECT_EQ(world.rule.cost(9), 0);
     world.rule.start();
@@ -145,9 +145,9 @@ TEST(CellSizeHeuristic, TheFirstFrameAfterAResetIsNotCounted) {
     world.rule.reset();
     world.rule.start();
     world.frames(Rule::kDefaultInterval);
-    EXPECT_EQ(world.rule.cells(), kLeast);
+    EXPECT_EQ(world.rule.cells(), kMin);
     world.frame();
-    EXPECT_EQ(world.rule.cells(), kLeast + 1);
+    EXPECT_EQ(world.rule.cells(), kMin + 1);
 }
 
 TEST(CellSizeHeuristic, CostsOfCellsOutsideTheRangeAreZero) {

@@ -14,7 +14,7 @@ namespace {
 using Rule = dxCellSizeHeuristic;
 using Phase = Rule::Phase;
 
-constexpr int kLeast = Rule::kLeastCells, kMost = Rule::kMostCells;
+constexpr int kMin = Rule::kMinCells, kMax = Rule::kMaxCells;
 
 TEST(CellSizeProbing, HoldsWithoutProbingWhileTheCostIsTheSame) {
     CellWorld world(valley(9));
@@ -61,9 +61,9 @@ TEST(CellSizeProbing, WalksToANewCheapestAndStaysThere) {
     world.setCost(valley(15, 0.1));
     world.frames(20000);
     EXPECT_EQ(world.rule.cells(), 15);
-    world.setCost(valley(kLeast, 0.2));
+    world.setCost(valley(kMin, 0.2));
     world.frames(60000);
-    EXPECT_EQ(world.rule.cells(), kLeast);
+    EXPECT_EQ(world.rule.cells(), kMin);
 }
 
 TEST(CellSizeProbing, ASmallGainIsNotWorthANewGrid) {
@@ -76,7 +76,7 @@ TEST(CellSizeProbing, ASmallGainIsNotWorthANewGrid) {
 }
 
 TEST(CellSizeProbing, ProbesAtTheEndsOfTheRangeStayInIt) {
-    for (const int end : {kLeast, kMost}) {
+    for (const int end : {kMin, kMax}) {
         CellWorld world(valley(end));
         world.climb();
         unsigned frame = 0;
@@ -87,7 +87,7 @@ TEST(CellSizeProbing, ProbesAtTheEndsOfTheRangeStayInIt) {
             tried.insert(world.rule.cells());
         }
         EXPECT_GT(tried.size(), 1u);
-        EXPECT_TRUE(*tried.begin() >= kLeast && *tried.rbegin() <= kMost);
+        EXPECT_TRUE(*tried.begin() >= kMin && *tried.rbegin() <= kMax);
     }
 }
 
@@ -107,7 +107,7 @@ TEST(CellSizeProbing, ProbingIsBoundedWhateverTheCosts) {
             }
             if (probed == 0) {
                 ++probes;
-                ASSERT_GE(held, Rule::kLeastHold * interval);
+                ASSERT_GE(held, Rule::kMinHold * interval);
             }
             ASSERT_LE(++probed, 2 * (interval + 1));
         }

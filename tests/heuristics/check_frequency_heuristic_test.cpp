@@ -124,7 +124,7 @@ TEST(CheckFrequencyHeuristic, OddGapsAskForACheck) {
         EXPECT_EQ(heuristic.framesToSkip({0, 0, 0.01, 0}), 0u) << gap;
     }
     heuristic.checked(Limits::infinity());
-    EXPECT_EQ(heuristic.framesToSkip({1, 1, 0.01, 0}), dxCheckFrequencyHeuristic::kMostFrames);
+    EXPECT_EQ(heuristic.framesToSkip({1, 1, 0.01, 0}), dxCheckFrequencyHeuristic::kMaxFrames);
 }
 
 // A subtraction that rounds to nothing must not keep a gap constant.

@@ -66,7 +66,7 @@ TEST(GridCentreHeuristic, MovesWhenTooManyMembersAreOutside) {
         Point median{};
         median[axis] = -5;
         Grid grid;
-        grid.frames(Rule::kLeastRest, {Rule::kOutside + 0.01, 1e5}, median);
+        grid.frames(Rule::kMinRest, {Rule::kOutside + 0.01, 1e5}, median);
         EXPECT_EQ(grid.rule.centre(), median);
     }
 }
@@ -91,7 +91,7 @@ TEST(GridCentreHeuristic, ACheaperFrameOrOneOddFrameIsNoReason) {
 TEST(GridCentreHeuristic, AFrameThatStaysDearerIsAReasonOnce) {
     Grid grid;
     grid.frames(1000, {0, 1e5}, {0, 0, 0});
-    grid.frames(20 * Rule::kMostRest, {0, 3e5}, {0, 0, 0});
+    grid.frames(20 * Rule::kMaxRest, {0, 3e5}, {0, 0, 0});
     EXPECT_EQ(grid.medians, 2u);
 }
 
@@ -108,7 +108,7 @@ TEST(GridCentreHeuristic, FollowsACrowdThatWalks) {
     for (int i = 0; i < 10000; ++i) {
         const double crowd = 0.01 * i;
         grid.frame({std::abs(crowd - grid.rule.centre()[0]) > 3 ? 1.0 : 0.0, 1e5}, {crowd, 0, 0});
-        ASSERT_LT(std::abs(crowd - grid.rule.centre()[0]), 3 + 0.01 * 2 * Rule::kLeastRest);
+        ASSERT_LT(std::abs(crowd - grid.rule.centre()[0]), 3 + 0.01 * 2 * Rule::kMinRest);
     }
     EXPECT_GT(grid.moves, 20u);
     EXPECT_LT(grid.moves, 40u) << "once in three metres or a little more";
@@ -122,7 +122,7 @@ TEST(GridCentreHeuristic, NoTwoDecisionsAreCloserThanTheRest) {
         grid.frame({1, 1e5}, {i % 2 == 0 ? 10.0 : -10.0, 0, 0});
         ++since;
         if (grid.medians == before) continue;
-        ASSERT_GE(since, Rule::kLeastRest);
+        ASSERT_GE(since, Rule::kMinRest);
         since = 0;
     }
 }
@@ -130,11 +130,11 @@ TEST(GridCentreHeuristic, NoTwoDecisionsAreCloserThanTheRest) {
 TEST(GridCentreHeuristic, AReasonThatMovingDoesNotCureIsLookedAtEverLess) {
     Grid grid;
     grid.frames(100000, {0.5, 1e5}, {0, 0, 0});
-    EXPECT_EQ(grid.rule.rest(), Rule::kMostRest);
-    EXPECT_LT(grid.medians, 100000 / Rule::kMostRest + 10);
+    EXPECT_EQ(grid.rule.rest(), Rule::kMaxRest);
+    EXPECT_LT(grid.medians, 100000 / Rule::kMaxRest + 10);
     EXPECT_EQ(grid.moves, 1u);
-    grid.frames(2 * Rule::kMostRest, {0, 1e5}, {0, 0, 0});
-    EXPECT_EQ(grid.rule.rest(), Rule::kLeastRest) << "the reason has gone";
+    grid.frames(2 * Rule::kMaxRest, {0, 1e5}, {0, 0, 0});
+    EXPECT_EQ(grid.rule.rest(), Rule::kMinRest) << "the reason has gone";
 }
 
 TEST(GridCentreHeuristic, OddNumbersMoveNothing) {
@@ -162,7 +162,7 @@ TEST(GridCentreHeuristic, OddNumbersMoveNothing) {
 
 TEST(GridCentreHeuristic, PauseKeepsTheCentreResetForgetsIt) {
     Grid grid;
-    grid.frames(Rule::kLeastRest, {1, 1e5}, {7, 0, 0});
+    grid.frames(Rule::kMinRest, {1, 1e5}, {7, 0, 0});
     ASSERT_EQ(grid.rule.centre()[0], 7);
     grid.rule.pause();
     grid.frames(5000, {1, 1e5}, {70, 0, 0});

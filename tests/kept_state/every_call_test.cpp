@@ -18,7 +18,7 @@ namespace {
 using Variables = std::map<std::string, std::string>;
 
 struct Statistics {
-    unsigned mostWorkers = 0, contactsAhead = 0, parallelSteps = 0;
+    unsigned maxWorkers = 0, contactsAhead = 0, parallelSteps = 0;
 };
 
 struct Outcomes {
@@ -34,9 +34,9 @@ std::string fromEnvironment(const char *variable, const char *otherwise) {
 void add(Statistics &sum, const std::string &line) {
     std::istringstream text(line);
     Statistics process;
-    text >> process.mostWorkers >> process.contactsAhead >> process.parallelSteps;
+    text >> process.maxWorkers >> process.contactsAhead >> process.parallelSteps;
     EXPECT_FALSE(text.fail()) << line;
-    sum.mostWorkers = std::max(sum.mostWorkers, process.mostWorkers);
+    sum.maxWorkers = std::max(sum.maxWorkers, process.maxWorkers);
     sum.contactsAhead += process.contactsAhead;
     sum.parallelSteps += process.parallelSteps;
 }
@@ -103,18 +103,18 @@ TEST(EveryCall, isRepeatable) {
     compare(again.get());
 }
 
-TEST(EveryCall, serial) { EXPECT_EQ(compare("0", "auto").mostWorkers, 0u); }
+TEST(EveryCall, serial) { EXPECT_EQ(compare("0", "auto").maxWorkers, 0u); }
 
 TEST(EveryCall, twoThreads) {
     const Statistics statistics = compare("2", "lcp");
-    EXPECT_GE(statistics.mostWorkers, 2u);
+    EXPECT_GE(statistics.maxWorkers, 2u);
     EXPECT_GT(statistics.contactsAhead, 0u);
     EXPECT_GT(statistics.parallelSteps, 0u);
 }
 
 TEST(EveryCall, clustered) {
     const Statistics statistics = compare("2", "decluster");
-    EXPECT_GE(statistics.mostWorkers, 2u);
+    EXPECT_GE(statistics.maxWorkers, 2u);
     EXPECT_GT(statistics.parallelSteps, 0u);
 }
 

@@ -57,23 +57,23 @@ TEST_F(Humanoid, BendsItsKneesOnceASecondAndMovesItsArms) {
     runFor(*scene, 1);
     EXPECT_NEAR(angle("left_shank"), 0, 0.02);
     const double standing = position(trunk).Z();
-    double lowest = standing, mostKnee = 0, leastReach = 0, mostReach = 0;
+    double lowest = standing, maxKnee = 0, minReach = 0, maxReach = 0;
     int bends = 0;
     for (int i = 0; i < 250; ++i) {  // 8 s, two bars
         const double before = angle("left_shank");
         scene->frame();
         const double after = angle("left_shank");
         bends += before < 0.8 && after >= 0.8;
-        mostKnee = std::max(mostKnee, after);
+        maxKnee = std::max(maxKnee, after);
         lowest = std::min(lowest, position(trunk).Z());
-        leastReach = std::min(leastReach, angle("left_shoulder"));
-        mostReach = std::max(mostReach, angle("left_arm"));
+        minReach = std::min(minReach, angle("left_shoulder"));
+        maxReach = std::max(maxReach, angle("left_arm"));
     }
     EXPECT_EQ(bends, 8);
-    EXPECT_GT(mostKnee, 1.3);  // of 1.6: the servos lag
+    EXPECT_GT(maxKnee, 1.3);  // of 1.6: the servos lag
     EXPECT_LT(lowest, standing - 0.025);
-    EXPECT_LT(leastReach, -1.5);
-    EXPECT_GT(mostReach, 1);
+    EXPECT_LT(minReach, -1.5);
+    EXPECT_GT(maxReach, 1);
 }
 
 TEST_F(Humanoid, StaysUprightOnItsFeet) {

@@ -65,7 +65,7 @@ def _programs(file):
 
 
 def _concept_filter(repository, program, file):
-    """A filter for the tests of the mutant's concept (dxRankSort: rank_sort_test.cpp), or None."""
+    """A filter for the tests of the mutant's concept (dxSapSort: sap_sort_test.cpp), or None."""
     concept = re.sub(r"(?<!^)(?=[A-Z])", "_", pathlib.Path(file).stem.removeprefix("dx")).lower()
     path = repository / "tests" / pathlib.Path(program).parent / f"{concept}_test.cpp"
     if not path.exists():

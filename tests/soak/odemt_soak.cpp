@@ -28,7 +28,7 @@ struct Options {
 };
 
 // Arenas, tables and caches grow to the largest frame that they have seen, which takes some days with all settings.
-constexpr std::size_t kLeastDays = 20;
+constexpr std::size_t kMinDays = 20;
 constexpr double kGrowth = 1.01;
 
 class Soak {
@@ -48,7 +48,7 @@ public:
                         static_cast<unsigned long long>(m_lastOfOurs.frames), m_lastOfOurs.liveBytes,
                         m_lastOfOurs.residentBytes, m_lastOfOurs.threads);
             std::fflush(stdout);
-        } while (m_days.size() < kLeastDays || std::chrono::duration<double>(Clock::now() - begin).count() < m_options.seconds);
+        } while (m_days.size() < kMinDays || std::chrono::duration<double>(Clock::now() - begin).count() < m_options.seconds);
         checkMemory();
         end();
     }

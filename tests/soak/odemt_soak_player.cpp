@@ -34,15 +34,15 @@ void tell(std::uint64_t hash, std::uint64_t frames) {
     const exactness::Engine engine = exactness::runningEngine();
     const struct mallinfo2 memory = mallinfo2();
     std::cout << soak::lineOf({engine.library, hash, memory.uordblks + memory.hblkhd, residentBytes(), threads(),
-                               engine.mostWorkers, frames})
+                               engine.maxWorkers, frames})
               << std::endl;
 }
 
-void play(std::uint64_t seed, int mostThreads) {
+void play(std::uint64_t seed, int maxThreads) {
     dInitODE2(0);
     std::uint64_t hash = 0, frames = 0;
     {
-        soak::Town town(seed, mostThreads);
+        soak::Town town(seed, maxThreads);
         for (std::string request; std::getline(std::cin, request);) {
             hash = town.playBlock();
             frames = town.frames();

@@ -12,7 +12,7 @@ namespace soak {
 class PlayerProcess {
 public:
     // Throws std::runtime_error if it cannot be started.
-    PlayerProcess(const std::string &libraryFolder, std::uint64_t seed, int mostThreads);
+    PlayerProcess(const std::string &libraryFolder, std::uint64_t seed, int maxThreads);
 
     void askForBlock() { m_process.writeLine(""); }
     void askForTheEnd() { m_process.writeEnd(); }

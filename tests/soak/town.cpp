@@ -43,7 +43,7 @@ const char *drawnOf(const char *const (&names)[size], scenes::Generator &draws) 
 
 }  // namespace
 
-Town::Town(std::uint64_t seed, int mostThreads) : m_draws(seed), m_mostThreads(mostThreads) {
+Town::Town(std::uint64_t seed, int maxThreads) : m_draws(seed), m_maxThreads(maxThreads) {
     for (const char *resident : kResidents) m_residents.push_back(scenes::makeScene(resident));
 }
 
@@ -87,7 +87,7 @@ void Town::drawSettings() {
     constexpr const char *algorithms[] = {"auto",   "auto",   "lcp",         "lcp",       "serial",
                                           "static", "original", "static-unmerged", "duplication", "decluster"};
     constexpr const char *heuristics[] = {"default", "none", "cells,centre", "crossover,declustering,threads"};
-    fuzz::callIfThere("dToggleODE_MT", static_cast<int>(m_draws.next() % static_cast<unsigned>(m_mostThreads + 1)));
+    fuzz::callIfThere("dToggleODE_MT", static_cast<int>(m_draws.next() % static_cast<unsigned>(m_maxThreads + 1)));
     fuzz::callIfThere("dODE_MT_SetThreadManager", drawnOf(managers, m_draws));
     fuzz::callIfThere("dODE_MT_SetAlgorithm", drawnOf(algorithms, m_draws));
     fuzz::callIfThere("dODE_MT_SetHeuristics", drawnOf(heuristics, m_draws));
@@ -95,7 +95,7 @@ void Town::drawSettings() {
 
 // All workers take part, and spaces have no clusters.
 void Town::useEveningSettings() const {
-    fuzz::callIfThere("dToggleODE_MT", m_mostThreads);
+    fuzz::callIfThere("dToggleODE_MT", m_maxThreads);
     fuzz::callIfThere("dODE_MT_SetThreadManager", "pthread");
     fuzz::callIfThere("dODE_MT_SetAlgorithm", "lcp");
     fuzz::callIfThere("dODE_MT_SetHeuristics", "default");

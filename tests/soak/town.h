@@ -18,8 +18,8 @@ namespace soak {
 // use may be compared. Draws are the same on both libraries.
 class Town {
 public:
-    // `mostThreads`: of ODE_MT, whose settings are drawn anew in every turn.
-    Town(std::uint64_t seed, int mostThreads);
+    // `maxThreads`: of ODE_MT, whose settings are drawn anew in every turn.
+    Town(std::uint64_t seed, int maxThreads);
 
     static int blocksOfADay();
 
@@ -35,7 +35,7 @@ private:
     void useEveningSettings() const;
 
     scenes::Generator m_draws;
-    const int m_mostThreads;
+    const int m_maxThreads;
     std::vector<std::unique_ptr<scenes::Scene>> m_residents;
     std::uint64_t m_hash = 0;
     std::uint64_t m_frames = 0;

@@ -12,7 +12,7 @@ struct ManagerKind {
     std::string name;
     // A manager with that many workers; keeps whatever it needs (a pool of ODE's) alive.
     std::shared_ptr<dxThreadManager> (*make)(unsigned workers);
-    unsigned mostWorkers;       // tests with more are skipped: too slow to be useful
+    unsigned maxWorkers;       // tests with more are skipped: too slow to be useful
     bool ownThreads;            // starts its threads itself
     bool endsThreads;           // and ends them all
     bool waitsForIdleWorkers;   // a run ends only when all its threads have come

@@ -10,7 +10,7 @@
 namespace {
 
 TEST_P(ThreadManagerTest, ProgressWithMoreWorkersThanCores) {
-    const unsigned workers = std::min(16 * dxProcessorCount(), GetParam().mostWorkers);
+    const unsigned workers = std::min(16 * dxProcessorCount(), GetParam().maxWorkers);
     const auto manager = GetParam().make(workers);
     const Stopwatch watch;
     for (int i = 0; i < 200; ++i) ASSERT_TRUE(everyBlockOnce(*manager, 2 * workers, workers));
@@ -28,7 +28,7 @@ void holdWorkers() {
     nanosleep(&pause, nullptr);
 }
 
-TEST_P(ThreadManagerTest, DescheduledWorkerDelaysNobody) {
+TEST_P(ThreadManagerTest, DescheduledWorkerDelaysNoOther) {
     const auto manager = GetParam().make(4);
     ASSERT_TRUE(allWorkersMeet(*manager, 4));
     heldCaller = pthread_self();

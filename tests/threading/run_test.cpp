@@ -10,7 +10,7 @@ constexpr unsigned workerCounts[] = {1, 2, 3, 5, 8, 16, 64, 1024};
 
 TEST_P(ThreadManagerTest, RunsEveryBlockOnce) {
     for (const unsigned workers : workerCounts) {
-        if (workers > GetParam().mostWorkers) continue;
+        if (workers > GetParam().maxWorkers) continue;
         const auto manager = GetParam().make(workers);
         for (const unsigned blocks : {0u, 1u, 2u, workers - 1, workers, workers + 1, 10 * workers}) {
             EXPECT_TRUE(everyBlockOnce(*manager, blocks, workers))
@@ -21,7 +21,7 @@ TEST_P(ThreadManagerTest, RunsEveryBlockOnce) {
 
 TEST_P(ThreadManagerTest, AllWorkersTakePartUnderTheirOwnNumbers) {
     for (const unsigned workers : workerCounts) {
-        if (workers > GetParam().mostWorkers) continue;
+        if (workers > GetParam().maxWorkers) continue;
         const auto manager = GetParam().make(workers);
         Meeting meeting(workers);
         std::vector<std::atomic<unsigned>> uses(workers);

@@ -13,7 +13,7 @@ protected:
         for (int i = 0; i < calls; ++i) {
             const bool shares = policy.shouldShare();
             count += shares;
-            policy.remember(shares, shares ? sharedNs : aloneNs);
+            policy.record(shares, shares ? sharedNs : aloneNs);
         }
         return count;
     }
@@ -28,7 +28,7 @@ protected:
             const bool isLate = shares && ++count % oneIn == 0;
             const double took = shares ? sharedNs + (isLate ? kTimeSlice : 0) : aloneNs;
             ns += took;
-            policy.remember(shares, took);
+            policy.record(shares, took);
         }
         return ns / (calls * aloneNs);
     }

@@ -19,8 +19,8 @@ bool drifted(double cost, double since) {
 }  // namespace
 
 double dxCellSizeHeuristic::cost(int cells) const {
-    if (cells < kLeastCells || cells > kMostCells) return 0;
-    return m_cost[static_cast<std::size_t>(cells - kLeastCells)];
+    if (cells < kMinCells || cells > kMaxCells) return 0;
+    return m_cost[static_cast<std::size_t>(cells - kMinCells)];
 }
 
 void dxCellSizeHeuristic::forget() {
@@ -28,9 +28,9 @@ void dxCellSizeHeuristic::forget() {
     m_phase = Phase::Climb;
     m_cost = {};
     m_dearInARow = 0;
-    m_hold = kLeastHold;
+    m_hold = kMinHold;
     m_moved = false;
-    use(kLeastCells);
+    use(kMinCells);
     m_newGrid = true;
 }
 
@@ -68,8 +68,8 @@ double dxCellSizeHeuristic::cheapestCost() const {
 
 // The smallest of several.
 int dxCellSizeHeuristic::cheapest() const {
-    int best = kLeastCells;
-    for (int cells = kLeastCells + 1; cells <= kMostCells; ++cells) {
+    int best = kMinCells;
+    for (int cells = kMinCells + 1; cells <= kMaxCells; ++cells) {
         if (cost(cells) > 0 && cost(cells) < cost(best)) best = cells;
     }
     return best;
@@ -78,8 +78,8 @@ int dxCellSizeHeuristic::cheapest() const {
 void dxCellSizeHeuristic::endClimbingStep(double cost) {
     m_dearInARow = cost == kLeftEarly ? m_dearInARow + 1 : 0;
     const bool separated = m_frame.entities > 0 && m_frame.clusters >= m_frame.entities;
-    if (separated || m_cells == kMostCells || m_dearInARow == 2) {
-        hold(cheapest(), kLeastHold);
+    if (separated || m_cells == kMaxCells || m_dearInARow == 2) {
+        hold(cheapest(), kMinHold);
     } else {
         use(m_cells + 1);
     }
@@ -87,12 +87,12 @@ void dxCellSizeHeuristic::endClimbingStep(double cost) {
 
 void dxCellSizeHeuristic::endHolding(double cost) {
     if (++m_held < m_hold || !(m_moved || drifted(cost, m_chosenCost))) return;
-    m_phase = m_home > kLeastCells ? Phase::ProbeBelow : Phase::ProbeAbove;
-    use(m_home > kLeastCells ? m_home - 1 : m_home + 1);
+    m_phase = m_home > kMinCells ? Phase::ProbeBelow : Phase::ProbeAbove;
+    use(m_home > kMinCells ? m_home - 1 : m_home + 1);
 }
 
 void dxCellSizeHeuristic::endProbe() {
-    if (m_phase == Phase::ProbeBelow && m_home < kMostCells) {
+    if (m_phase == Phase::ProbeBelow && m_home < kMaxCells) {
         m_phase = Phase::ProbeAbove;
         use(m_home + 1);
     } else {
@@ -101,13 +101,13 @@ void dxCellSizeHeuristic::endProbe() {
 }
 
 void dxCellSizeHeuristic::endProbing() {
-    const int below = std::max(m_home - 1, kLeastCells), above = std::min(m_home + 1, kMostCells);
+    const int below = std::max(m_home - 1, kMinCells), above = std::min(m_home + 1, kMaxCells);
     const int better = cost(below) <= cost(above) ? below : above;
     m_moved = cost(better) < kClearGain * cost(m_home);
     if (m_moved) {
-        hold(better, kLeastHold);
+        hold(better, kMinHold);
     } else {
-        hold(m_home, std::min(2 * m_hold, kMostHold));
+        hold(m_home, std::min(2 * m_hold, kMaxHold));
     }
 }
 

@@ -34,15 +34,15 @@
 
 class dxCellSizeHeuristic final : public dxHeuristic {
 public:
-    static constexpr int kLeastCells = 5;  // per axis; the thesis chose both on all worlds of Webots
-    static constexpr int kMostCells = 20;
+    static constexpr int kMinCells = 5;  // per axis; the thesis chose both on all worlds of Webots
+    static constexpr int kMaxCells = 20;
     static constexpr unsigned kDefaultInterval = 16;  // counted frames per measurement
     static constexpr unsigned kTrialFrames = 3;       // before a dear candidate is left
     static constexpr double kDear = 1.5;
     static constexpr double kDrift = 0.25;      // share of the cost when it was chosen
     static constexpr double kClearGain = 0.95;  // a neighbour must cost less than this part
-    static constexpr unsigned kLeastHold = 16;  // intervals
-    static constexpr unsigned kMostHold = 1024;
+    static constexpr unsigned kMinHold = 16;  // intervals
+    static constexpr unsigned kMaxHold = 1024;
 
     struct Frame {
         double ns;  // what the frame took; not a positive number: not measured, ignored
@@ -76,21 +76,21 @@ private:
     bool tooDear(double median) const;
     double cheapestCost() const;
     int cheapest() const;
-    double &costOf(int cells) { return m_cost[static_cast<std::size_t>(cells - kLeastCells)]; }
+    double &costOf(int cells) { return m_cost[static_cast<std::size_t>(cells - kMinCells)]; }
 
     const unsigned m_interval;  // frames
     Frame m_frame{};
 
     Phase m_phase = Phase::Climb;
-    int m_cells = kLeastCells;
+    int m_cells = kMinCells;
     std::vector<double> m_times;  // of the counted frames of this interval
     bool m_newGrid = true;        // the next frame pays for it and is not counted
-    std::array<double, kMostCells - kLeastCells + 1> m_cost{};
+    std::array<double, kMaxCells - kMinCells + 1> m_cost{};
 
     unsigned m_dearInARow = 0;     // climb
-    int m_home = kLeastCells;      // the number that is held, or to which a probe may return
+    int m_home = kMinCells;      // the number that is held, or to which a probe may return
     double m_chosenCost = 0;       // when it was chosen
-    unsigned m_hold = kLeastHold;  // intervals until the next probe may come
+    unsigned m_hold = kMinHold;  // intervals until the next probe may come
     unsigned m_held = 0;           // intervals so far
     bool m_moved = false;          // the last probe succeeded: its far neighbour may be better still
 };

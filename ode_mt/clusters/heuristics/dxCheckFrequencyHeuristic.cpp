@@ -3,7 +3,7 @@
 #include <cmath>
 
 unsigned dxCheckFrequencyHeuristic::framesToSkip(const dxMotionBound &motion) const {
-    return running() ? dxFramesApart(motion, m_gap, kMostFrames) : 0;
+    return running() ? dxFramesApart(motion, m_gap, kMaxFrames) : 0;
 }
 
 void dxCheckFrequencyHeuristic::moved(const dxMotionBound &motion, unsigned frames) {

@@ -30,7 +30,7 @@
 
 class dxCheckFrequencyHeuristic final : public dxHeuristic {
 public:
-    static constexpr unsigned kMostFrames = 1000;  // a world at rest is looked at that often
+    static constexpr unsigned kMaxFrames = 1000;  // a world at rest is looked at that often
 
     // A check found nothing nearer than `gap`, in metres; infinite: there are no two members. The gap must
     // not be rounded up. NaN or not positive: something has met, the next frame checks again.

@@ -10,7 +10,7 @@ void dxGridCentreHeuristic::forget() {
     m_centre = {};
     m_placed = false;
     m_wantsMedian = false;
-    beginRest(kLeastRest);
+    beginRest(kMinRest);
 }
 
 void dxGridCentreHeuristic::judge() {
@@ -23,7 +23,7 @@ void dxGridCentreHeuristic::judge() {
     if (needsMove()) {
         m_wantsMedian = true;
     } else {
-        m_rest = kLeastRest;
+        m_rest = kMinRest;
     }
 }
 
@@ -52,7 +52,7 @@ bool dxGridCentreHeuristic::farFromCentre(const Point &point, double cellEdge) c
 bool dxGridCentreHeuristic::offer(const Point &median, double cellEdge) {
     if (!wantsMedian()) return false;
     m_wantsMedian = false;
-    beginRest(m_placed ? std::min(2 * m_rest, kMostRest) : kLeastRest);
+    beginRest(m_placed ? std::min(2 * m_rest, kMaxRest) : kMinRest);
     const auto finite = [](double number) { return std::isfinite(number); };
     if (!std::all_of(median.begin(), median.end(), finite)) return false;
     if (!finite(cellEdge) || cellEdge <= 0) return false;

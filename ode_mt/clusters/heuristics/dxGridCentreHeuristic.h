@@ -6,14 +6,14 @@
 //     more than kDrift since the last decision;
 //   - if the median is then further than kHysteresis cells from the centre on some axis: a move within a cell
 //     hardly changes who shares one, and costs a new grid;
-//   - at least kLeastRest frames after the last decision. Rest doubles, up to kMostRest, each time the reason
+//   - at least kMinRest frames after the last decision. Rest doubles, up to kMaxRest, each time the reason
 //   is
 //     still there at its end (members that are spread wider than the grid are not helped by moving
 //     it) and is short again once it has gone.
 // The median is asked for (wantsMedian) only in the frames that decide, since it costs a pass over the
 // members.
 //
-// Bound: at most one median and one new grid in kLeastRest frames, once the centre is set.
+// Bound: at most one median and one new grid in kMinRest frames, once the centre is set.
 //
 // The grid decides who is tested with whom how fast, never the result, so any centre is right. What this does
 // not do: look for cell boundaries that fall between two members (the thesis's figure 10.2).
@@ -32,8 +32,8 @@ public:
     static constexpr double kOutside = 0.1;     // share of the dynamic members
     static constexpr double kDrift = 0.25;      // share of the frame's cost
     static constexpr double kHysteresis = 1;    // cells
-    static constexpr unsigned kLeastRest = 32;  // frames
-    static constexpr unsigned kMostRest = 512;
+    static constexpr unsigned kMinRest = 32;  // frames
+    static constexpr unsigned kMaxRest = 512;
     static constexpr unsigned kInterval = 16;  // measured frames to a median
 
     using Point = std::array<double, 3>;
@@ -68,7 +68,7 @@ private:
     bool m_placed = false;  // the centre was set once
     bool m_wantsMedian = false;
 
-    unsigned m_rest = kLeastRest;  // frames between decisions
+    unsigned m_rest = kMinRest;  // frames between decisions
     unsigned m_rested = 0;
     std::vector<double> m_times;
     double m_cost = 0;            // median of the last interval; 0: none yet

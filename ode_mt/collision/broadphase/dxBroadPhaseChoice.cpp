@@ -16,7 +16,7 @@ bool isListWalk(const dxBroadPhaseFacts &facts) {
 // A list that is swept along one axis twice meets pairs that no search finds.
 bool isAxisSweep(const dxBroadPhaseFacts &facts) {
     if (!facts.comparesAllAxes) return true;
-    const bool isNow = facts.current == dxBroadPhase::AxisSweep;
+    const bool isNow = facts.current == dxBroadPhase::AxisSap;
     return facts.geoms <= (isNow ? Threshold::kMaxAxisSweep : Threshold::kMaxAxisSweepAgain);
 }
 
@@ -48,7 +48,7 @@ dxBroadPhase chooseNeighbours(const dxBroadPhaseFacts &facts) {
 
 dxBroadPhase dxChooseBroadPhase(const dxBroadPhaseFacts &facts) {
     if (isListWalk(facts)) return dxBroadPhase::ListWalk;
-    if (facts.order == dxPairOrder::Axis && isAxisSweep(facts)) return dxBroadPhase::AxisSweep;
+    if (facts.order == dxPairOrder::Axis && isAxisSweep(facts)) return dxBroadPhase::AxisSap;
     const bool isByRank = facts.order == dxPairOrder::List || facts.order == dxPairOrder::Blocks;
     if (isByRank && isOrderedTable(facts)) return dxBroadPhase::OrderedTable;
     return isSlotTable(facts) ? dxBroadPhase::SlotTable : chooseNeighbours(facts);

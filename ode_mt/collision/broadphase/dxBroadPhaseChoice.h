@@ -2,14 +2,14 @@
 //
 //   broad phase     what a call does                                       done by
 //   ListWalk        tests all pairs as upstream does, keeps nothing        dxOrderedSimpleSpace
-//   OrderedTable    compares changed boxes with all; pairs come in order   dxDensePairs
-//   AxisSweep       sweeps all along an axis; pairs come in order          dxOrderedSweepSpace, overlap/dxAxisSweep
-//   SlotTable       compares changed boxes with all; pairs are sorted      dxTableSearch
-//   NeighbourList   compares the candidates of a list; pairs are sorted    dxVerletSearch
-//   NeighbourSets   compares changed boxes with their neighbours; sorted   dxNeighbourSearch
+//   OrderedTable    compares changed boxes with all; pairs come in order   dxBruteForcePairs
+//   AxisSap       sweeps all along an axis; pairs come in order          dxOrderedSapSpace, overlap/dxAxisSap
+//   SlotTable       compares changed boxes with all; pairs are sorted      dxBruteForceBroadphase
+//   NeighbourList   compares the candidates of a list; pairs are sorted    dxVerletBroadphase
+//   NeighbourSets   compares changed boxes with their neighbours; sorted   dxNeighbourBroadphase
 //
-// A crowd (dxCrowd) keeps no pairs at all and is walked. A neighbour list that serves too few calls gives way to a cell
-// grid over all members (dxBatchSearch) for a while. Rays and other single geoms against a space (dSpaceCollide2) walk
+// A crowd (dxPairOverflow) keeps no pairs at all and is walked. A neighbour list that serves too few calls gives way to a cell
+// grid over all members (dxGridBroadphase) for a while. Rays and other single geoms against a space (dSpaceCollide2) walk
 // its list or ask its tree (dxRegionIndex).
 //
 // The choice shows in the time that a call takes, never in the pairs that it finds. Everything here is a pure
@@ -20,7 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 
-enum class dxBroadPhase { None, ListWalk, OrderedTable, AxisSweep, SlotTable, NeighbourList, NeighbourSets };
+enum class dxBroadPhase { None, ListWalk, OrderedTable, AxisSap, SlotTable, NeighbourList, NeighbourSets };
 
 // What the order of a space's pairs follows from, which is given by the kind of the space.
 enum class dxPairOrder {

@@ -7,10 +7,10 @@ namespace {
 constexpr dReal kMargin = 0.1;
 
 // What travels gets room for this many moves of the same length, but not more than its longest edge.
-constexpr dReal kMovesAhead = 8;
+constexpr dReal kPredictedMoves = 8;
 
 dReal marginOf(dReal edge, dReal distance) {
-    return std::fmax(kMargin * edge, std::fmin(edge, kMovesAhead * distance));
+    return std::fmax(kMargin * edge, std::fmin(edge, kPredictedMoves * distance));
 }
 
 dReal distanceBetween(const dxBounds &a, const dxBounds &b) {
@@ -43,7 +43,7 @@ void dxNeighbours::remove(Slot slot) { takeOut(slot); }
 void dxNeighbours::store(Slot slot, const dxBounds &stored) {
     Node &node = m_nodes[slot];
     node.stored = stored;
-    m_grid.search(node.stored, [&](Slot other) {
+    m_grid.query(node.stored, [&](Slot other) {
         if (node.stored.overlaps(m_nodes[other].stored)) link(slot, other);
     });
     m_grid.insert(slot, node.stored);

@@ -1,7 +1,7 @@
 // For every box of a set its candidates, the boxes that it may overlap.
 //
 // Each box is stored with a margin. While it moves within the margin, its candidates are unchanged and a frame costs
-// one comparison; when it leaves the margin, it is queried again (dxLevelGrid). Two boxes that overlap are always
+// one comparison; when it leaves the margin, it is queried again (dxHierarchicalGrid). Two boxes that overlap are always
 // candidates of each other, because each lies within its stored box.
 //
 // Threading: changes are not thread-safe; several threads may read candidates.
@@ -10,12 +10,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/broadphase/dxLevelGrid.h"
+#include "collision/broadphase/dxHierarchicalGrid.h"
 #include "core/dxBounds.h"
 
 class dxNeighbours {
 public:
-    using Slot = dxLevelGrid::Slot;
+    using Slot = dxHierarchicalGrid::Slot;
 
     struct Candidate {
         Slot slot;
@@ -42,5 +42,5 @@ private:
     void unlinkAll(Slot slot);
 
     std::vector<Node> m_nodes;  // by slot
-    dxLevelGrid m_grid;
+    dxHierarchicalGrid m_grid;
 };

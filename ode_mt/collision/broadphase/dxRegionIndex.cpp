@@ -5,7 +5,7 @@
 #include <new>
 
 #include "collision/broadphase/dxBroadPhaseChoice.h"
-#include "core/dxRoom.h"
+#include "core/dxReserve.h"
 
 namespace {
 
@@ -46,7 +46,7 @@ dxRegionIndex::Home &dxRegionIndex::homeOf(Slot slot) {
 void dxRegionIndex::loosen(Slot slot) noexcept {
     if (!m_isInUse) return;
     try {
-        dxMakeRoom(m_loose, m_loose.size() + 1);
+        dxReserveCapacity(m_loose, m_loose.size() + 1);
         homeOf(slot);
     } catch (const std::bad_alloc &) {
         m_isInUse = false;

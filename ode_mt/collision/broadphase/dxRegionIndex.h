@@ -1,7 +1,7 @@
 // Queries of the members of a space that overlap a given box: for rays, sensors, and other geoms that are tested
 // against a whole space.
 //
-// Members at rest are in a BVH (overlap/dxBoxTree.h). A member that changes becomes loose, and is compared with every
+// Members at rest are in a BVH (overlap/dxBoxBvh.h). A member that changes becomes loose, and is compared with every
 // queried box. Loose members cost time at each query, building the tree costs it once: the tree is rebuilt when the
 // comparisons since have cost as much. So a space without queries builds none, and in one with many queries, with or
 // without motion, a query has logarithmic cost.
@@ -16,7 +16,7 @@
 #include <shared_mutex>
 #include <vector>
 
-#include "collision/broadphase/overlap/dxBoxTree.h"
+#include "collision/broadphase/overlap/dxBoxBvh.h"
 #include "collision/pairs/dxMembers.h"
 #include "core/dxNoIndex.h"
 #include "core/dxRadixSort.h"
@@ -54,7 +54,7 @@ private:
     std::vector<Home> m_homes;  // by slot
     std::vector<Slot> m_loose;
     std::vector<Slot> m_slotOfRow;
-    dxBoxTree m_tree;
+    dxBoxBvh m_tree;
     std::atomic<std::size_t> m_debt{0};  // comparisons outside the tree since it was built
     std::vector<dxSortItem> m_items, m_spare;
 };

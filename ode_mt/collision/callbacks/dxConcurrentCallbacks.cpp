@@ -20,7 +20,7 @@
 #include "settings/dxWorkersRunner.h"
 #include "threading/dxPerturbation.h"
 #include "threading/dxTaskRunner.h"
-#include "threading/process/dxIdlePool.h"
+#include "threading/process/dxObjectPool.h"
 #include "threading/process/dxProcessObject.h"
 
 namespace {
@@ -28,7 +28,7 @@ namespace {
 // More tasks than workers compensate for the unknown cost of a pair.
 constexpr unsigned kTasksPerWorker = 8;
 
-constexpr std::size_t kLeastPairs = 2;
+constexpr std::size_t kMinPairs = 2;
 
 // Records the range of a pair's operations in a log, also for a callback that ends its thread.
 class Recording {
@@ -72,7 +72,7 @@ void Run::start(const dxOrderedSpace &space, unsigned workers) {
     failed.store(false, std::memory_order_relaxed);
     threadEnded.store(false, std::memory_order_relaxed);
     thrown = nullptr;
-    cut.cut(*pairs, space.search(), workers * kTasksPerWorker,
+    cut.cut(*pairs, space.broadphase(), workers * kTasksPerWorker,
             dxSettings::instance().callbackPolicy() == dxCallbackPolicy::Independent);
     while (logs.size() < cut.tasks().size()) logs.push_back(std::make_unique<dxContactLog>());
     for (std::size_t i = 0; i < cut.tasks().size(); ++i) logs[i]->start(groups);
@@ -129,12 +129,12 @@ struct Commit {
     pthread_exit(nullptr);
 }
 
-dxProcessObject<dxIdlePool<Run>> idleRuns;
+dxProcessObject<dxObjectPool<Run>> idleRuns;
 
 // Of an algorithm that clusters: as many as its heuristics want.
 unsigned workersFor(dxOrderedSpace &space, const dxTaskRunner &runner) {
-    const bool mayCluster = dxSettings::instance().algorithm() != dxAlgorithm::Auto && space.search() != nullptr;
-    return mayCluster ? space.search()->threads(runner.workers()) : runner.workers();
+    const bool mayCluster = dxSettings::instance().algorithm() != dxAlgorithm::Auto && space.broadphase() != nullptr;
+    return mayCluster ? space.broadphase()->threads(runner.workers()) : runner.workers();
 }
 
 // Under auto: more than half of the pairs are in one task, as in a heap. One worker would run their callbacks while the
@@ -148,7 +148,7 @@ bool isLopsided(const dxPairTasks &cut, std::size_t pairs) {
 
 // Cuts the pairs into tasks. Returns false if the callbacks should not run concurrently, or there is no memory for
 // that.
-bool start(std::optional<dxIdleLease<Run>> &lease, const dxOrderedSpace &space, unsigned workers) {
+bool start(std::optional<dxPooledObject<Run>> &lease, const dxOrderedSpace &space, unsigned workers) {
     try {
         (*lease.emplace(*idleRuns)).start(space, workers);
     } catch (const std::bad_alloc &) {
@@ -161,8 +161,8 @@ bool start(std::optional<dxIdleLease<Run>> &lease, const dxOrderedSpace &space, 
 bool collideLocked(dxOrderedSpace &space, dxTaskRunner &runner, void *data, dNearCallback *callback) {
     if (!space.makeReadyShared(runner)) return false;
     const unsigned workers = workersFor(space, runner);
-    if (workers < 2 || space.pairs().size() < kLeastPairs) return false;
-    std::optional<dxIdleLease<Run>> lease;
+    if (workers < 2 || space.pairs().size() < kMinPairs) return false;
+    std::optional<dxPooledObject<Run>> lease;
     if (!start(lease, space, workers)) return false;
     Run &run = **lease;
     const auto tasks = static_cast<unsigned>(run.cut.tasks().size());

@@ -4,7 +4,7 @@
 #include <new>
 #include <utility>
 
-#include "core/dxRoom.h"
+#include "core/dxReserve.h"
 #include "joints/contact.h"
 #include "seams/upstream.h"
 #include "threading/pool/dxSpin.h"
@@ -16,12 +16,12 @@ namespace {
 
 // Of a contact joint, for dxJointGroup::alloc, which constructs what it is asked for and marks it as in a
 // group.
-struct Room {
-    explicit Room(dxWorld * /*world*/) {}
+struct JointMemory {
+    explicit JointMemory(dxWorld * /*world*/) {}
     alignas(dxJointContact) unsigned flags = 0;
     std::byte rest[sizeof(dxJointContact) - sizeof(unsigned)];
 };
-static_assert(sizeof(Room) == sizeof(dxJointContact) && alignof(Room) == alignof(dxJointContact));
+static_assert(sizeof(JointMemory) == sizeof(dxJointContact) && alignof(JointMemory) == alignof(dxJointContact));
 
 // Of a mutex that is held for some ten nanoseconds at a time: sleeping takes a thousand times as long.
 std::unique_lock<std::mutex> lockBriefly(std::mutex &mutex) {
@@ -46,7 +46,7 @@ void dxContactLog::start(std::mutex &groups) {
 
 dJointID dxContactLog::create(dWorldID world, dJointGroupID group, const dContact *contact) {
     if (world == nullptr || contact == nullptr) return dxUpstreamJointCreateContact(world, group, contact);
-    dxMakeRoom(m_operations, m_operations.size() + 2);  // and that it is attached
+    dxReserveCapacity(m_operations, m_operations.size() + 2);  // and that it is attached
     dxJointContact *const joint = construct(group);
     joint->contact = *contact;
     joint->world = world;
@@ -58,36 +58,36 @@ dJointID dxContactLog::create(dWorldID world, dJointGroupID group, const dContac
 dxJointContact *dxContactLog::construct(dxJointGroup *group) {
     dxJointContact *joint;
     if (group == nullptr) {
-        joint = new dxJointContact(&m_nursery);
+        joint = new dxJointContact(&m_constructionWorld);
     } else {
-        joint = new (takeRoom(*group)) dxJointContact(&m_nursery);
+        joint = new (takeJointMemory(*group)) dxJointContact(&m_constructionWorld);
         joint->flags |= dJOINT_INGROUP;
     }
-    m_nursery.firstjoint = nullptr;
-    m_nursery.nj = 0;
+    m_constructionWorld.firstjoint = nullptr;
+    m_constructionWorld.nj = 0;
     joint->world = nullptr;
     return joint;
 }
 
 // Several are allocated at once, to avoid coherence misses between tasks.
-void *dxContactLog::takeRoom(dxJointGroup &group) {
-    constexpr int kRoomsAtOnce = 8;
-    if (m_roomsOf != &group) finish();
-    if (m_rooms.empty()) {
-        m_rooms.reserve(kRoomsAtOnce);
+void *dxContactLog::takeJointMemory(dxJointGroup &group) {
+    constexpr int kJointsPerAllocation = 8;
+    if (m_freeJointsOf != &group) finish();
+    if (m_freeJoints.empty()) {
+        m_freeJoints.reserve(kJointsPerAllocation);
         const auto lock = lockBriefly(*m_groups);
-        m_roomsOf = &group;
-        for (int i = 0; i < kRoomsAtOnce; ++i) m_rooms.push_back(group.alloc<Room>(nullptr));
+        m_freeJointsOf = &group;
+        for (int i = 0; i < kJointsPerAllocation; ++i) m_freeJoints.push_back(group.alloc<JointMemory>(nullptr));
     }
-    void *const room = m_rooms.back();
-    m_rooms.pop_back();
-    return room;
+    void *const memory = m_freeJoints.back();
+    m_freeJoints.pop_back();
+    return memory;
 }
 
 // A group counts what it has given, and goes through its joints when it is emptied: joints of no world.
 void dxContactLog::finish() {
-    while (!m_rooms.empty()) construct(m_roomsOf);
-    m_roomsOf = nullptr;
+    while (!m_freeJoints.empty()) construct(m_freeJointsOf);
+    m_freeJointsOf = nullptr;
 }
 
 // What can be read from the joint is as after upstream's dJointAttach.

@@ -14,7 +14,7 @@
 
 #include <ode/ode.h>
 
-#include "collision/narrowphase/dxSharedColliders.h"
+#include "collision/narrowphase/dxConcurrentColliders.h"
 #include "config.h"
 #include "objects.h"
 
@@ -66,12 +66,12 @@ private:
     };
 
     dxJointContact *construct(dxJointGroup *group);
-    void *takeRoom(dxJointGroup &group);
+    void *takeJointMemory(dxJointGroup &group);
 
     std::vector<Operation> m_operations;
     dxColliderCopies m_copies;
     std::mutex *m_groups = nullptr;
-    dxJointGroup *m_roomsOf = nullptr;
-    std::vector<void *> m_rooms;  // memory for contact joints of that group
-    dxWorld m_nursery;  // joints are constructed in this world, because a joint's constructor writes to its world
+    dxJointGroup *m_freeJointsOf = nullptr;
+    std::vector<void *> m_freeJoints;  // memory for contact joints of that group
+    dxWorld m_constructionWorld;  // joints are constructed in this world, because a joint's constructor writes to its world
 };

@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "collision/narrowphase/dxHeightField.h"
-#include "collision/narrowphase/dxLivingHeights.h"
-#include "collision/narrowphase/dxSharedColliders.h"
+#include "collision/narrowphase/dxLiveHeightfields.h"
+#include "collision/narrowphase/dxConcurrentColliders.h"
 #include "collision/spaces/dxOrderedSpace.h"
 #include "core/dxNoIndex.h"
 
@@ -23,7 +23,7 @@ bool isWrittenTo(const dxGeom *geom) {
 class Readers {
 public:
     bool mayCollideAnywhere(const dxOrderedPair &pair) {
-        return isThere(pair.first) && isThere(pair.second) && dxMayCollideAnywhere(*pair.first, *pair.second);
+        return isThere(pair.first) && isThere(pair.second) && dxMayCollideConcurrently(*pair.first, *pair.second);
     }
 
 private:
@@ -33,7 +33,7 @@ private:
         const dxHeightfieldData *const data = dxHeightsOf(*geom);
         if (data == m_data) return m_isThere;
         m_data = data;
-        return m_isThere = dxLivingHeights::has(data);
+        return m_isThere = dxLiveHeightfields::has(data);
     }
 
     const dxHeightfieldData *m_data = nullptr;
@@ -42,7 +42,7 @@ private:
 
 }  // namespace
 
-void dxPairTasks::cut(const std::vector<dxOrderedPair> &pairs, const dxPairSearch *search, unsigned wanted,
+void dxPairTasks::cut(const std::vector<dxOrderedPair> &pairs, const dxBroadphase *search, unsigned wanted,
                       bool sharingBodies) {
     Readers readers;
     const auto mayBeAnywhere = [&readers](const dxOrderedPair &pair) { return readers.mayCollideAnywhere(pair); };
@@ -62,7 +62,7 @@ void dxPairTasks::cutAnywhere(unsigned wanted, std::uint32_t pairs) {
     std::iota(m_order.begin(), m_order.end(), std::uint32_t{0});
 }
 
-void dxPairTasks::cutBetweenSets(const std::vector<dxOrderedPair> &pairs, const dxPairSearch *search, unsigned wanted,
+void dxPairTasks::cutBetweenSets(const std::vector<dxOrderedPair> &pairs, const dxBroadphase *search, unsigned wanted,
                                  bool sharingBodies) {
     Slot end = 0;
     for (const dxOrderedPair &pair : pairs) end = std::max({end, pair.slots[0] + 1, pair.slots[1] + 1});
@@ -160,12 +160,12 @@ void dxPairTasks::uniteSharedMemory() {
     }
 }
 
-void dxPairTasks::uniteGroups(const std::vector<dxOrderedPair> &pairs, const dxPairSearch &search) {
+void dxPairTasks::uniteGroups(const std::vector<dxOrderedPair> &pairs, const dxBroadphase &search) {
     std::vector<std::uint32_t> firstOfGroup;
     for (const dxOrderedPair &pair : pairs)
         for (const Slot slot : pair.slots) {
-            const int group = m_exclusive[slot] ? search.groupOf(slot) : dxPairSearch::kNoGroup;
-            if (group == dxPairSearch::kNoGroup) continue;
+            const int group = m_exclusive[slot] ? search.groupOf(slot) : dxBroadphase::kNoGroup;
+            if (group == dxBroadphase::kNoGroup) continue;
             const auto index = static_cast<std::size_t>(group);
             if (index >= firstOfGroup.size()) firstOfGroup.resize(index + 1, kNoIndex);
             std::uint32_t &first = firstOfGroup[index];

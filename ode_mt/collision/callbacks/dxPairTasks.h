@@ -5,14 +5,14 @@
 // bodies of the geoms in it, since its callback goes on to them), or a geom that a collider writes to or that leads to code
 // of the user's (a nested space, a geom of a class of the user's, a geom transform, a mesh that
 // remembers its last contacts, a mesh or height field with callbacks and all that meets it:
-// collision/narrowphase/dxSharedColliders.h), or other memory of a collider's (collision/callbacks/dxColliderMemory.h). Static geoms of
+// collision/narrowphase/dxConcurrentColliders.h), or other memory of a collider's (collision/callbacks/dxColliderMemory.h). Static geoms of
 // other kinds are only read and may be in many tasks. Groups of the space's search, where it has them, are kept whole.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "collision/broadphase/dxPairSearch.h"
+#include "collision/broadphase/dxBroadphase.h"
 #include "collision/callbacks/dxColliderMemory.h"
 #include "collision/pairs/dxOrderedPair.h"
 #include "core/dxDisjointSets.h"
@@ -24,7 +24,7 @@ public:
     };
 
     // About `wanted` tasks of like size, fewer if pairs hang together. `search`: the one that groups members, or null.
-    void cut(const std::vector<dxOrderedPair> &pairs, const dxPairSearch *search, unsigned wanted, bool sharingBodies);
+    void cut(const std::vector<dxOrderedPair> &pairs, const dxBroadphase *search, unsigned wanted, bool sharingBodies);
 
     const std::vector<Task> &tasks() const { return m_tasks; }
     // Numbers of pairs, task by task, rising within a task.
@@ -34,7 +34,7 @@ private:
     using Slot = dxMembers::Slot;
 
     void cutAnywhere(unsigned wanted, std::uint32_t pairs);
-    void cutBetweenSets(const std::vector<dxOrderedPair> &pairs, const dxPairSearch *search, unsigned wanted,
+    void cutBetweenSets(const std::vector<dxOrderedPair> &pairs, const dxBroadphase *search, unsigned wanted,
                         bool sharingBodies);
     void markWritten(const dxOrderedPair &pair);
     void tieBody(const dxGeom *geom, Slot slot);
@@ -42,7 +42,7 @@ private:
     void uniteGeomsOf(dBodyID body, Slot slot);
     void uniteSharedMemory();
     void uniteExclusive(const std::vector<dxOrderedPair> &pairs);
-    void uniteGroups(const std::vector<dxOrderedPair> &pairs, const dxPairSearch &search);
+    void uniteGroups(const std::vector<dxOrderedPair> &pairs, const dxBroadphase &search);
     void sizeSets(const std::vector<dxOrderedPair> &pairs);
     void shareOut(unsigned wanted, std::size_t pairs);
     void addToTask(std::uint32_t set, bool isFirst);

@@ -76,7 +76,7 @@ void dxConvexArrays::forget(Slot slot) {
 }
 
 std::shared_ptr<const dxConvexArrays::Copy> dxConvexArrays::copyOf(const dxConvex &convex) {
-    if (m_byPlace.size() >= m_mostPlaces) dropUnused();
+    if (m_byPlace.size() >= m_maxPlaces) dropUnused();
     std::weak_ptr<const Copy> &known =
         m_byPlace[{convex.planes, convex.points, convex.polygons, convex.planecount, convex.pointcount}];
     std::shared_ptr<const Copy> found = known.lock();
@@ -87,5 +87,5 @@ std::shared_ptr<const dxConvexArrays::Copy> dxConvexArrays::copyOf(const dxConve
 void dxConvexArrays::dropUnused() {
     for (auto place = m_byPlace.begin(); place != m_byPlace.end();)
         place = place->second.expired() ? m_byPlace.erase(place) : std::next(place);
-    m_mostPlaces = 2 * m_byPlace.size() + 64;
+    m_maxPlaces = 2 * m_byPlace.size() + 64;
 }

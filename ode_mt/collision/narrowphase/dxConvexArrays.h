@@ -2,7 +2,7 @@
 //
 // Points, planes and polygons are the program's; it may write to them, or free those of a geom that it does not collide
 // any more, without a notification. They exist whenever it calls dCollide for the geom: then, and only then, they are
-// read, and copied if they have changed. Workers prefetch contacts (dxContactsAhead) from the copy. Such contacts are
+// read, and copied if they have changed. Workers prefetch contacts (dxNarrowphasePrefetch) from the copy. Such contacts are
 // valid as long as the geom's arrays are equal to it.
 //
 // Threading: one thread at a time; while workers read, no thread changes anything. Dropped: a hash of the program's
@@ -58,5 +58,5 @@ private:
 
     std::vector<std::shared_ptr<const Copy>> m_copies;  // by slot
     std::map<Place, std::weak_ptr<const Copy>> m_byPlace;
-    std::size_t m_mostPlaces = 64;  // until those that no geom has are dropped
+    std::size_t m_maxPlaces = 64;  // until those that no geom has are dropped
 };

@@ -10,7 +10,7 @@
 
 inline bool dxIsHeightField(const dxGeom &geom) { return geom.type == dHeightfieldClass; }
 
-// Requires a height field. The program may have destroyed the data (dxLivingHeights).
+// Requires a height field. The program may have destroyed the data (dxLiveHeightfields).
 inline const dxHeightfieldData *dxHeightsOf(const dxGeom &geom) {
     return static_cast<const dxHeightfield &>(geom).m_p_data;
 }

@@ -2,7 +2,7 @@
 // data of meshes or height fields, or the position of a body, which some functions of joints change and restore with
 // rounding.
 //
-// Prefetched contacts are invalid if the callback, or an earlier one, has made such a change (dxContactsAhead).
+// Prefetched contacts are invalid if the callback, or an earlier one, has made such a change (dxNarrowphasePrefetch).
 // Threading: any thread.
 #pragma once
 

@@ -8,10 +8,10 @@
 namespace {
 
 // Pairs that one worker takes at once: some ten microseconds.
-constexpr std::size_t kPiece = 256;
+constexpr std::size_t kPairsPerChunk = 256;
 
 // Prefetch distance, in items.
-constexpr std::size_t kAhead = 8;
+constexpr std::size_t kPrefetchDistance = 8;
 
 // Pairs of one geom that are sorted by insertion.
 constexpr std::size_t kShortRun = 32;
@@ -19,45 +19,45 @@ constexpr std::size_t kShortRun = 32;
 }  // namespace
 
 void dxKeptPairs::update(const dxMembers &members, const std::vector<dxSlotPair> &matches,
-                         const dxPairPlacer &placer, dxTaskRunner &runner, std::vector<dxOrderedPair> &pairs) {
-    sortByLead(members, matches, placer, runner);
-    placeAll(members, placer, runner);
+                         const dxPairKeys &order, dxTaskRunner &runner, std::vector<dxOrderedPair> &pairs) {
+    sortByPrimaryKey(members, matches, order, runner);
+    placeAll(members, order, runner);
     merge(members, pairs);
 }
 
-void dxKeptPairs::sortByLead(const dxMembers &members, const std::vector<dxSlotPair> &matches,
-                             const dxPairPlacer &placer, dxTaskRunner &runner) {
+void dxKeptPairs::sortByPrimaryKey(const dxMembers &members, const std::vector<dxSlotPair> &matches,
+                             const dxPairKeys &order, dxTaskRunner &runner) {
     m_items.resize(matches.size());
-    std::atomic<bool> allLead{true};
-    runner.forPieces(dxParallelStage::PairKeys, matches.size(), kPiece, [&](std::size_t begin, std::size_t end, unsigned) {
+    std::atomic<bool> allHaveKeys{true};
+    runner.forChunks(dxParallelStage::PairKeys, matches.size(), kPairsPerChunk, [&](std::size_t begin, std::size_t end, unsigned) {
         bool all = true;
         for (std::size_t i = begin; i < end; ++i) {
-            if (i + kAhead < end) {
-                placer.expect(matches[i + kAhead].a);
-                placer.expect(matches[i + kAhead].b);
+            if (i + kPrefetchDistance < end) {
+                order.prefetch(matches[i + kPrefetchDistance].a);
+                order.prefetch(matches[i + kPrefetchDistance].b);
             }
             const dxMembers::Slot a = matches[i].a, b = matches[i].b;
             std::uint64_t word = 0;
             bool swapped = false;
-            const bool leads = dxMayMeet(members[a].filter, members[b].filter) && placer.lead(a, b, word, swapped);
-            m_items[i] = leads ? dxSortItem{word, swapped ? b : a, swapped ? a : b} : dxSortItem{0, kNoIndex, kNoIndex};
-            all = all && leads;
+            const bool hasKey = dxFiltersAgree(members[a].filter, members[b].filter) && order.primaryKey(a, b, word, swapped);
+            m_items[i] = hasKey ? dxSortItem{word, swapped ? b : a, swapped ? a : b} : dxSortItem{0, kNoIndex, kNoIndex};
+            all = all && hasKey;
         }
-        if (!all) allLead.store(false, std::memory_order_relaxed);
+        if (!all) allHaveKeys.store(false, std::memory_order_relaxed);
     });
     const auto isNoPair = [](const dxSortItem &item) { return item.index == kNoIndex; };
-    if (!allLead) m_items.erase(std::remove_if(m_items.begin(), m_items.end(), isNoPair), m_items.end());
+    if (!allHaveKeys) m_items.erase(std::remove_if(m_items.begin(), m_items.end(), isNoPair), m_items.end());
     dxRadixSort(m_items, m_spare);
 }
 
-void dxKeptPairs::placeAll(const dxMembers &members, const dxPairPlacer &placer, dxTaskRunner &runner) {
+void dxKeptPairs::placeAll(const dxMembers &members, const dxPairKeys &order, dxTaskRunner &runner) {
     m_nextKeys.resize(m_items.size());
     m_nextPairs.resize(m_items.size());
     if (m_longRuns.size() < runner.workers()) m_longRuns.resize(runner.workers());
     std::atomic<bool> allPlaced{true};
-    runner.forPieces(dxParallelStage::KeptPairKeys, m_items.size(), kPiece,
+    runner.forChunks(dxParallelStage::KeptPairKeys, m_items.size(), kPairsPerChunk,
         [&](std::size_t begin, std::size_t end, unsigned worker) {
-        if (!placeRuns(members, placer, begin, end, m_longRuns[worker]))
+        if (!placeRuns(members, order, begin, end, m_longRuns[worker]))
             allPlaced.store(false, std::memory_order_relaxed);
     });
     if (!allPlaced) leaveOutUnplaced();
@@ -65,7 +65,7 @@ void dxKeptPairs::placeAll(const dxMembers &members, const dxPairPlacer &placer,
 
 // Places the runs of equal primary keys that begin in [begin, end). Returns whether upstream reports all of their
 // pairs; those that it does not report are last in their runs, without geoms.
-bool dxKeptPairs::placeRuns(const dxMembers &members, const dxPairPlacer &placer, std::size_t begin,
+bool dxKeptPairs::placeRuns(const dxMembers &members, const dxPairKeys &order, std::size_t begin,
                             std::size_t end, LongRun &longRun) {
     const std::size_t size = m_items.size();
     bool all = true;
@@ -73,11 +73,11 @@ bool dxKeptPairs::placeRuns(const dxMembers &members, const dxPairPlacer &placer
     while (begin < end) {
         std::size_t last = begin, placed = begin;
         for (; last < size && m_items[last].key == m_items[begin].key; ++last) {
-            if (last + kAhead < size) placer.expect(m_items[last + kAhead].partner);
+            if (last + kPrefetchDistance < size) order.prefetch(m_items[last + kPrefetchDistance].partner);
             const dxMembers::Slot first = m_items[last].index, second = m_items[last].partner;
             dxPairKey key;
             key.words[0] = m_items[last].key;
-            if (!placer.follow(first, second, key)) continue;
+            if (!order.secondaryKey(first, second, key)) continue;
             m_nextKeys[placed] = key;
             m_nextPairs[placed++] = {members[first].geom, members[second].geom, {first, second}};
         }

@@ -16,28 +16,28 @@
 #include "threading/dxTaskRunner.h"
 
 // The order of pairs in a kind of space.
-class dxPairPlacer {
+class dxPairKeys {
 public:
     // Computes the primary key of a pair whose boxes overlap, and in `swapped` whether b is first in the callback. Two
     // pairs with the same primary key have the same first geom. Returns false if upstream does not report this pair.
-    virtual bool lead(dxMembers::Slot a, dxMembers::Slot b, std::uint64_t &word, bool &swapped) const = 0;
+    virtual bool primaryKey(dxMembers::Slot a, dxMembers::Slot b, std::uint64_t &word, bool &swapped) const = 0;
 
     // Computes the secondary key of a pair in the order of the callback. Returns false if upstream does not report this
     // pair.
-    virtual bool follow(dxMembers::Slot first, dxMembers::Slot second, dxPairKey &key) const = 0;
+    virtual bool secondaryKey(dxMembers::Slot first, dxMembers::Slot second, dxPairKey &key) const = 0;
 
     // Prefetches a member whose pair will be placed soon.
-    virtual void expect(dxMembers::Slot slot) const = 0;
+    virtual void prefetch(dxMembers::Slot slot) const = 0;
 
 protected:
-    ~dxPairPlacer() = default;
+    ~dxPairKeys() = default;
 };
 
 class dxKeptPairs {
 public:
     // Updates `pairs`, which are those of the last call. Matches of geoms whose filters exclude each other are dropped.
     void update(const dxMembers &members, const std::vector<dxSlotPair> &matches,
-                const dxPairPlacer &placer, dxTaskRunner &runner, std::vector<dxOrderedPair> &pairs);
+                const dxPairKeys &order, dxTaskRunner &runner, std::vector<dxOrderedPair> &pairs);
 
 private:
     struct Placed {
@@ -46,10 +46,10 @@ private:
     };
     using LongRun = std::vector<Placed>;  // scratch of a worker for sorting one
 
-    void sortByLead(const dxMembers &members, const std::vector<dxSlotPair> &matches,
-                    const dxPairPlacer &placer, dxTaskRunner &runner);
-    void placeAll(const dxMembers &members, const dxPairPlacer &placer, dxTaskRunner &runner);
-    bool placeRuns(const dxMembers &members, const dxPairPlacer &placer, std::size_t begin, std::size_t end,
+    void sortByPrimaryKey(const dxMembers &members, const std::vector<dxSlotPair> &matches,
+                    const dxPairKeys &order, dxTaskRunner &runner);
+    void placeAll(const dxMembers &members, const dxPairKeys &order, dxTaskRunner &runner);
+    bool placeRuns(const dxMembers &members, const dxPairKeys &order, std::size_t begin, std::size_t end,
                    LongRun &longRun);
     void sortRun(std::size_t begin, std::size_t end, LongRun &longRun);
     void sortLongRun(std::size_t begin, std::size_t end, LongRun &run);

@@ -1,21 +1,21 @@
 #include "collision/pairs/dxMembers.h"
 
-#include "core/dxRoom.h"
+#include "core/dxReserve.h"
 
-void dxMembers::makeRoomForOne() {
+void dxMembers::reserveForOneMore() {
     const std::size_t slots = m_members.size() + 1;
-    dxMakeRoom(m_members, slots);
-    dxMakeRoom(m_geoms, slots);
-    dxMakeRoom(m_isChanged, slots);
-    dxMakeRoom(m_isSwitched, slots);
-    dxMakeRoom(m_arrivals, slots);
-    dxMakeRoom(m_free, slots);
-    dxMakeRoom(m_changed, slots);
-    dxMakeRoom(m_switched, slots);
+    dxReserveCapacity(m_members, slots);
+    dxReserveCapacity(m_geoms, slots);
+    dxReserveCapacity(m_isChanged, slots);
+    dxReserveCapacity(m_isSwitched, slots);
+    dxReserveCapacity(m_arrivals, slots);
+    dxReserveCapacity(m_free, slots);
+    dxReserveCapacity(m_changed, slots);
+    dxReserveCapacity(m_switched, slots);
 }
 
 dxMembers::Slot dxMembers::add(dxGeom *geom) {
-    makeRoomForOne();
+    reserveForOneMore();
     Slot slot;
     if (m_free.empty()) {
         slot = end();

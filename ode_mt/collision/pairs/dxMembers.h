@@ -17,10 +17,10 @@
 
 #include <ode/common.h>
 
-#include "collision/pairs/dxMeetingFilter.h"
+#include "collision/pairs/dxPairFilter.h"
 #include "collision/pairs/dxPairKey.h"
 #include "core/dxBounds.h"
-#include "core/dxFetch.h"
+#include "core/dxPrefetch.h"
 
 class dxMembers {
 public:
@@ -30,7 +30,7 @@ public:
         dxGeom *geom = nullptr;  // NULL: the slot is free or its member absent
         dxRank rank = 0;         // 0: none yet
         dxBounds bounds;         // as of the last cleaning
-        dxMeetingFilter filter;
+        dxPairFilter filter;
     };
 
     // Adds a member and returns its slot. Throws std::bad_alloc without any change. No other function allocates memory.
@@ -38,10 +38,10 @@ public:
     void remove(Slot slot);
 
     // Prefetches a member.
-    void expect(Slot slot) const {
+    void prefetch(Slot slot) const {
         const char *const place = reinterpret_cast<const char *>(&m_members[slot]);
-        dxFetch::line(place);
-        dxFetch::line(place + sizeof(Member) - 1);
+        dxPrefetch::line(place);
+        dxPrefetch::line(place + sizeof(Member) - 1);
     }
 
     const Member &operator[](Slot slot) const { return m_members[slot]; }
@@ -78,18 +78,18 @@ public:
     // Returns the changed slots, including those of members that were removed or became absent.
     const std::vector<Slot> &changed() const { return m_changed; }
     bool isChanged(Slot slot) const { return m_isChanged[slot] != 0; }
-    void setBounds(Slot slot, const dxBounds &bounds, const dxMeetingFilter &filter = {}) {
+    void setBounds(Slot slot, const dxBounds &bounds, const dxPairFilter &filter = {}) {
         Member &member = m_members[slot];
         member.bounds = bounds;
         member.filter = filter;
     }
-    void setFilter(Slot slot, const dxMeetingFilter &filter) { m_members[slot].filter = filter; }
+    void setFilter(Slot slot, const dxPairFilter &filter) { m_members[slot].filter = filter; }
     void forgetChanges();
 
 private:
     using Flags = std::vector<std::uint8_t>;
 
-    void makeRoomForOne();
+    void reserveForOneMore();
     // Adds a slot to a list once.
     static void note(Slot slot, Flags &isNoted, std::vector<Slot> &noted) {
         if (isNoted[slot] != 0) return;

@@ -7,7 +7,7 @@
 //    notified; a debug handler that jumps or throws leaves it so;
 //  - a clean geom that is added to a simple or hash space stands in front of those that have changed, at which
 //    cleaning stops. The space itself sees that, those around it do not;
-//  - a collision with a height field that is left in the middle leaves a geom with another box (dxTurnedGeom).
+//  - a collision with a height field that is left in the middle leaves a geom with another box (dxTransformedGeom).
 // A geom marked so is *stray*: dirty, and not among those that its space will clean. From then on dGeomMoved does not
 // notify its space, nor the spaces around it. After any such event spaces examine all their members again.
 //

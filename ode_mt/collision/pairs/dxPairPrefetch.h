@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "collision/pairs/dxOrderedPair.h"
-#include "core/dxFetch.h"
+#include "core/dxPrefetch.h"
 
 #include "config.h"
 #include "objects.h"
@@ -15,35 +15,35 @@
 
 namespace dxPairPrefetch {
 
-constexpr std::size_t kGeomsAhead = 8, kPlacesAhead = 4;  // pairs
+constexpr std::size_t kGeomPrefetchDistance = 8, kPosePrefetchDistance = 4;  // pairs
 
-inline void geom(const dxGeom *geom) { dxFetch::lines(geom, sizeof(dxGeom) + 4 * sizeof(dReal)); }
+inline void geom(const dxGeom *geom) { dxPrefetch::lines(geom, sizeof(dxGeom) + 4 * sizeof(dReal)); }
 
-inline void place(const dxGeom *geom) {
-    if (geom->final_posr != nullptr) dxFetch::lines(geom->final_posr, sizeof(dxPosR));
+inline void pose(const dxGeom *geom) {
+    if (geom->final_posr != nullptr) dxPrefetch::lines(geom->final_posr, sizeof(dxPosR));
 }
 
 // Prefetches for the narrow phase during the work on pairs[index].
-inline void ahead(const std::vector<dxOrderedPair> &pairs, std::size_t index) {
-    if (index + kGeomsAhead < pairs.size()) {
-        const dxOrderedPair &pair = pairs[index + kGeomsAhead];
+inline void forNarrowphase(const std::vector<dxOrderedPair> &pairs, std::size_t index) {
+    if (index + kGeomPrefetchDistance < pairs.size()) {
+        const dxOrderedPair &pair = pairs[index + kGeomPrefetchDistance];
         geom(pair.first);
         geom(pair.second);
     }
-    if (index + kPlacesAhead < pairs.size()) {
-        const dxOrderedPair &pair = pairs[index + kPlacesAhead];
-        place(pair.first);
-        place(pair.second);
+    if (index + kPosePrefetchDistance < pairs.size()) {
+        const dxOrderedPair &pair = pairs[index + kPosePrefetchDistance];
+        pose(pair.first);
+        pose(pair.second);
     }
 }
 
 // The same on the thread of the callbacks, with the joint lists of both bodies, into which a contact joint is inserted.
-inline void aheadOfCallback(const std::vector<dxOrderedPair> &pairs, std::size_t index) {
-    ahead(pairs, index);
-    if (index + kPlacesAhead >= pairs.size()) return;
-    const dxOrderedPair &pair = pairs[index + kPlacesAhead];
+inline void forCallback(const std::vector<dxOrderedPair> &pairs, std::size_t index) {
+    forNarrowphase(pairs, index);
+    if (index + kPosePrefetchDistance >= pairs.size()) return;
+    const dxOrderedPair &pair = pairs[index + kPosePrefetchDistance];
     for (const dxGeom *const geom : {pair.first, pair.second})
-        if (geom->body != nullptr) dxFetch::lineToWrite(&geom->body->firstjoint);
+        if (geom->body != nullptr) dxPrefetch::lineForWrite(&geom->body->firstjoint);
 }
 
 }  // namespace dxPairPrefetch

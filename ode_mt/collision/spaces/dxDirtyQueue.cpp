@@ -1,12 +1,12 @@
 #include "collision/spaces/dxDirtyQueue.h"
 
-#include "core/dxRoom.h"
+#include "core/dxReserve.h"
 
 // At most half of the queue may consist of dropped entries (push).
-void dxDirtyQueue::makeRoom(Slot slots) {
-    dxMakeRoom(m_places, slots);
-    dxMakeRoom(m_geoms, 2 * std::size_t{slots} + 2);
-    dxMakeRoom(m_slots, 2 * std::size_t{slots} + 2);
+void dxDirtyQueue::reserveMemory(Slot slots) {
+    dxReserveCapacity(m_places, slots);
+    dxReserveCapacity(m_geoms, 2 * std::size_t{slots} + 2);
+    dxReserveCapacity(m_slots, 2 * std::size_t{slots} + 2);
 }
 
 void dxDirtyQueue::push(dxGeom *geom, Slot slot) {

@@ -13,7 +13,7 @@ public:
     using Slot = dxMembers::Slot;
 
     // Reserves memory for members in the slots below `slots`; the other functions then allocate nothing.
-    void makeRoom(Slot slots);
+    void reserveMemory(Slot slots);
     // Does nothing if the member is in the queue.
     void push(dxGeom *geom, Slot slot);
     // Removes the member, if it is in the queue.

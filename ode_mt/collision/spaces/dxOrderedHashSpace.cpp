@@ -7,7 +7,7 @@
 #include "collision/pairs/dxPairPrefetch.h"
 #include "collision/spaces/dxHashWalk.h"
 #include "collision_space_internal.h"
-#include "core/dxFetch.h"
+#include "core/dxPrefetch.h"
 #include "util.h"
 
 namespace {
@@ -43,12 +43,12 @@ bool isSearcher(const Element &a, const Element &b) {
     return a.rank > b.rank;
 }
 
-std::uint64_t leadOf(const Element &searcher, const Element &found) {
+std::uint64_t primaryKeyOf(const Element &searcher, const Element &found) {
     const Stage stage = isInTable(found) ? kWithinTable : isInTable(searcher) ? kTableWithBig : kWithinBig;
     return stageAndRank(stage, searcher.rank);
 }
 
-bool followLead(const Element &searcher, const Element &found, dxPairKey &key) {
+bool secondaryKeysOf(const Element &searcher, const Element &found, dxPairKey &key) {
     if (!isInTable(found)) {
         key.words[1] = key.words[2] = 0;
         key.words[3] = dxFrontFirst(found.rank);
@@ -63,7 +63,7 @@ bool followLead(const Element &searcher, const Element &found, dxPairKey &key) {
 }
 
 // Changes of enabled flags in one call that are noted, beside one for each geom.
-constexpr std::size_t kMostSwitched = 4096;
+constexpr std::size_t kMaxSwitched = 4096;
 
 // With upstream's text.
 void reportOutOfRange() {
@@ -112,22 +112,22 @@ void dxOrderedHashSpace::updateCells() {
     }
 }
 
-bool dxOrderedHashSpace::lead(Slot a, Slot b, std::uint64_t &word, bool &swapped) const {
+bool dxOrderedHashSpace::primaryKey(Slot a, Slot b, std::uint64_t &word, bool &swapped) const {
     const Element elementA{m_cells[a], members()[a].rank}, elementB{m_cells[b], members()[b].rank};
     if (elementA.cells.kind() == Kind::outOfRange || elementB.cells.kind() == Kind::outOfRange) return false;
     swapped = !isSearcher(elementA, elementB);
-    word = swapped ? leadOf(elementB, elementA) : leadOf(elementA, elementB);
+    word = swapped ? primaryKeyOf(elementB, elementA) : primaryKeyOf(elementA, elementB);
     return true;
 }
 
-bool dxOrderedHashSpace::follow(Slot first, Slot second, dxPairKey &key) const {
-    return followLead({m_cells[first], members()[first].rank}, {m_cells[second], members()[second].rank},
+bool dxOrderedHashSpace::secondaryKey(Slot first, Slot second, dxPairKey &key) const {
+    return secondaryKeysOf({m_cells[first], members()[first].rank}, {m_cells[second], members()[second].rank},
                       key);
 }
 
-void dxOrderedHashSpace::expect(Slot slot) const {
-    members().expect(slot);
-    dxFetch::line(&m_cells[slot]);
+void dxOrderedHashSpace::prefetch(Slot slot) const {
+    members().prefetch(slot);
+    dxPrefetch::line(&m_cells[slot]);
 }
 
 void dxOrderedHashSpace::requireInRange() const {
@@ -140,11 +140,11 @@ void dxOrderedHashSpace::requireInRange() const {
 void dxOrderedHashSpace::deliver(void *data, dNearCallback *callback) {
     const std::vector<dxOrderedPair> &pairs = this->pairs();  // of those
     const std::size_t switched = m_switched.size();
-    dxContactsAhead *const ahead = this->ahead();
+    dxNarrowphasePrefetch *const ahead = this->ahead();
     const std::uint64_t missed = dxMissedNotifications::count();
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         if (ahead != nullptr) ahead->beforePair(pairs, i);
-        dxPairPrefetch::aheadOfCallback(pairs, i);
+        dxPairPrefetch::forCallback(pairs, i);
         dxDeliver(pairs[i], data, callback);
         if (dxMissedNotifications::count() != missed) {
             const dxOrderedPair last = pairs[i];
@@ -159,7 +159,7 @@ void dxOrderedHashSpace::deliver(void *data, dNearCallback *callback) {
 void dxOrderedHashSpace::enabledChanges(dxGeom *geom) {
     dxOrderedSpace::enabledChanges(geom);
     if (lock_count == 0) return;
-    if (m_switched.size() >= static_cast<std::size_t>(count) + kMostSwitched) m_switched.clear();
+    if (m_switched.size() >= static_cast<std::size_t>(count) + kMaxSwitched) m_switched.clear();
     try {
         m_switched.push_back({geom, dxGeomIsEnabled(geom)});
     } catch (const std::bad_alloc &) {  // only a call that continues after an assertion allocates

@@ -27,9 +27,9 @@ private:
 
     dxPairOrder pairOrder() const override { return dxPairOrder::Cells; }
     void update(std::vector<dxOrderedPair> &pairs) override;
-    bool lead(Slot a, Slot b, std::uint64_t &word, bool &swapped) const override;
-    bool follow(Slot first, Slot second, dxPairKey &key) const override;
-    void expect(Slot slot) const override;
+    bool primaryKey(Slot a, Slot b, std::uint64_t &word, bool &swapped) const override;
+    bool secondaryKey(Slot first, Slot second, dxPairKey &key) const override;
+    void prefetch(Slot slot) const override;
     void deliver(void *data, dNearCallback *callback) override;
     void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) override;
 

@@ -6,12 +6,12 @@
 #include "util.h"
 
 #include "collision/pairs/dxMissedNotifications.h"
-#include "core/dxRoom.h"
+#include "core/dxReserve.h"
 
 namespace {
 
 // Prefetch distance in geoms.
-constexpr std::size_t kGeomsAhead = 8;
+constexpr std::size_t kGeomPrefetchDistance = 8;
 
 bool isDirty(const dxGeom *geom) { return (geom->gflags & GEOM_DIRTY) != 0; }
 
@@ -82,8 +82,8 @@ void dxOrderedListSpace::cleanDirty() {
     if (givesRanks) computeBoxes(m_dirty);
     for (std::size_t i = 0; i < m_dirty.size(); ++i) {
         dxGeom *const geom = m_dirty[i];
-        if (givesRanks && i + kGeomsAhead < m_dirty.size())
-            members().expect(slotOf(m_dirty[i + kGeomsAhead]));
+        if (givesRanks && i + kGeomPrefetchDistance < m_dirty.size())
+            members().prefetch(slotOf(m_dirty[i + kGeomPrefetchDistance]));
         clean(m_dirty, i);
         if (m_cleanings != cleaning) return cleanBehind(geom);
         if (givesRanks) rank(geom, next--);
@@ -150,7 +150,7 @@ void dxOrderedListSpace::gatherDirty() {
     for (dxGeom *geom = first; geom != nullptr && isDirty(geom); geom = geom->next) m_dirty.push_back(geom);
 }
 
-void dxOrderedListSpace::makeRoom(Slot slots) { dxMakeRoom(m_dirty, slots); }
+void dxOrderedListSpace::reserveMemory(Slot slots) { dxReserveCapacity(m_dirty, slots); }
 
 // Upstream puts a clean one in front, too. Those behind it that have changed are then cleaned no more.
 void dxOrderedListSpace::comes(dxGeom *geom, Slot /*slot*/) {

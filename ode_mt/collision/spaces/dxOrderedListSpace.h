@@ -26,7 +26,7 @@ protected:
     bool requireRanks() override;
     void collideWith(void *data, dxGeom *geom, dNearCallback *callback) override;
     bool hasStrayMembers() const override;
-    void makeRoom(Slot slots) override;
+    void reserveMemory(Slot slots) override;
     void comes(dxGeom *geom, Slot slot) override;
 
 private:
@@ -35,7 +35,7 @@ private:
     // Returns whether ranks represent the list and all boxes that upstream would read are up to date.
     bool ranksStand() const { return !m_isWalked && !m_hasBadBox; }
     // Workers, and a search that was asked for, need the ranks and all pairs.
-    bool mayWalk() const { return !isShared() && !hasSearch(); }
+    bool mayWalk() const { return !isShared() && !hasBroadphase(); }
     int minMovedToWalk() const { return mayWalk() ? dxMinMovedToWalk(pairOrder(), count) : INT_MAX; }
     void gatherDirty();
     void cleanDirty();

@@ -48,7 +48,7 @@ bool dxOrderedQuadTreeSpace::mayCome(const dxGeom *geom) const {
     return geom->tome_ex == nullptr && geom->next_ex == nullptr && dxOrderedSpace::mayCome(geom);
 }
 
-void dxOrderedQuadTreeSpace::makeRoom(Slot slots) { m_dirty.makeRoom(slots); }
+void dxOrderedQuadTreeSpace::reserveMemory(Slot slots) { m_dirty.reserveMemory(slots); }
 
 // A geom comes into the block of the box that it had last, until it is cleaned.
 void dxOrderedQuadTreeSpace::comes(dxGeom *geom, Slot slot) {

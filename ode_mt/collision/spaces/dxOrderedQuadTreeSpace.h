@@ -29,7 +29,7 @@ private:
     bool requireRanks() override;
     bool hasStrayMembers() const override;
     bool mayCome(const dxGeom *geom) const override;
-    void makeRoom(Slot slots) override;
+    void reserveMemory(Slot slots) override;
     void comes(dxGeom *geom, Slot slot) override;
     void goes(dxGeom *geom, Slot slot) override;
     void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) override;

@@ -12,7 +12,7 @@ void dxOrderedSimpleSpace::walk(void *data, dNearCallback *callback, const dxOrd
         return;
     }
     const bool isWorthATable = count >= dxBroadPhaseThresholds::kMinWalkedByVectors;
-    if (!isWorthATable || isCrowd() || lock_count > 1 || !findByVectors()) {
+    if (!isWorthATable || hasPairOverflow() || lock_count > 1 || !findVectorised()) {
         walkList(data, callback);
         return;
     }
@@ -20,7 +20,7 @@ void dxOrderedSimpleSpace::walk(void *data, dNearCallback *callback, const dxOrd
 }
 
 // False: some boxes are not up to date, or there is no memory for it.
-bool dxOrderedSimpleSpace::findByVectors() try {
+bool dxOrderedSimpleSpace::findVectorised() try {
     if (!listGeoms()) return false;
     findListed();
     return true;
@@ -63,6 +63,6 @@ void dxOrderedSimpleSpace::findListed() {
     const std::size_t overlaps = dxOverlappingPairs(m_boxes, m_boxes.size(), m_overlaps);
     for (std::size_t i = 0; i < overlaps; ++i) {
         dxGeom *const first = m_listed[m_overlaps[i].a], *const second = m_listed[m_overlaps[i].b];
-        if (dxMayMeet(dxFilterOf(first), dxFilterOf(second))) m_walked.push_back({first, second, {}});
+        if (dxFiltersAgree(dxFilterOf(first), dxFilterOf(second))) m_walked.push_back({first, second, {}});
     }
 }

@@ -1,7 +1,7 @@
 // The simple space: pairs each geom with those behind it in the list, from the front on.
 #pragma once
 
-#include "collision/broadphase/overlap/dxBoxTable.h"
+#include "collision/broadphase/overlap/dxBoxColumns.h"
 #include "collision/spaces/dxOrderedListSpace.h"
 
 class dxOrderedSimpleSpace final : public dxOrderedListSpace {
@@ -13,13 +13,13 @@ private:
     void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) override;
     void walkList(void *data, dNearCallback *callback);
     void walkFrom(dxGeom *g1, dxGeom *g2, void *data, dNearCallback *callback);
-    bool findByVectors();
+    bool findVectorised();
     bool listGeoms();
     void findListed();
 
     // Scratch of a walk: the geoms in the order of the list, and the overlapping ones.
     std::vector<dxGeom *> m_listed;
-    dxBoxTable m_boxes;
+    dxBoxColumns m_boxes;
     std::vector<dxSlotPair> m_overlaps;
     std::vector<dxOrderedPair> m_walked;
 };

@@ -4,9 +4,9 @@
 #include <cstring>
 #include <utility>
 
-#include "collision/broadphase/dxAdaptiveSearch.h"
+#include "collision/broadphase/dxAdaptiveBroadphase.h"
 #include "collision/pairs/dxMissedNotifications.h"
-#include "collision/narrowphase/dxTurnedGeom.h"
+#include "collision/narrowphase/dxTransformedGeom.h"
 #include "collision/pairs/dxPairPrefetch.h"
 
 #include "collision_space_internal.h"
@@ -15,10 +15,10 @@
 namespace {
 
 // Geoms that one worker takes at once: some ten microseconds.
-constexpr std::size_t kBoxPiece = 128;
+constexpr std::size_t kBoxesPerChunk = 128;
 
 // Geoms between asking the memory for one's place and computing its box.
-constexpr std::size_t kBoxesAhead = 4;
+constexpr std::size_t kBoxPrefetchDistance = 4;
 
 // Its box follows from data or arrays that the program may change while other boxes are computed, without a word to the space.
 bool hasBoxOfData(const dxGeom *geom) {
@@ -68,12 +68,12 @@ void dxOrderedSpace::add(dxGeom *geom) {
     CHECK_NOT_LOCKED(this);
     dAASSERT(geom);
     dUASSERT(mayCome(geom), "geom is already in a space");
-    makeRoom(m_members.end() + 1);
+    reserveMemory(m_members.end() + 1);
     const Slot slot = m_members.add(geom);
     m_members.setPresence(slot, dxGeomIsEnabled(geom));
     geom->tome_ex = reinterpret_cast<dxGeom **>(static_cast<std::uintptr_t>(slot) + 1);
     comes(geom, slot);
-    if (m_ahead != nullptr) m_ahead->forgetGeom(slot);
+    if (m_prefetch != nullptr) m_prefetch->forgetGeom(slot);
     dxOrderedSpace *const inner = IS_SPACE(geom) ? from(static_cast<dxSpace *>(geom)) : nullptr;
     if (inner != nullptr && inner->hasStrays()) dxMissedNotifications::add();
     dxSpace::add(geom);
@@ -97,10 +97,10 @@ void dxOrderedSpace::remove(dxGeom *geom) {
 
 void dxOrderedSpace::collide(void *data, dNearCallback *callback) {
     dAASSERT(callback);
-    dxTurnedGeom::noticeLeft();
+    dxTransformedGeom::noticeLeft();
     lock_count++;
-    m_isAhead = false;
-    if (m_ahead != nullptr) m_ahead->forgetPair();
+    m_isPrefetching = false;
+    if (m_prefetch != nullptr) m_prefetch->forgetPair();
     if (makeReady())
         deliver(data, callback);
     else
@@ -110,7 +110,7 @@ void dxOrderedSpace::collide(void *data, dNearCallback *callback) {
 
 void dxOrderedSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback) {
     dAASSERT(geom && callback);
-    dxTurnedGeom::noticeLeft();
+    dxTransformedGeom::noticeLeft();
     lock();
     cleanGeoms();
     geom->recomputeAABB();
@@ -164,42 +164,42 @@ bool dxOrderedSpace::takeSwitches() {
     return true;
 }
 
-void dxOrderedSpace::setSearch(std::unique_ptr<dxPairSearch> search) {
-    m_search = std::move(search);
+void dxOrderedSpace::setBroadphase(std::unique_ptr<dxBroadphase> broadphase) {
+    m_broadphase = std::move(broadphase);
     startAnew();
 }
 
 void dxOrderedSpace::startAnew() {
     m_pairs.clear();
-    m_ownSearch.reset();
+    m_defaultBroadphase.reset();
     m_kept.reset();
     for (Slot slot = 0; slot < m_members.end(); ++slot) m_members.markChanged(slot);
 }
 
 bool dxOrderedSpace::collideShared(dxTaskRunner &runner, bool arraysStay, void *data,
                                    dNearCallback *callback) {
-    if (!prepareAhead(runner)) {
+    if (!preparePrefetch(runner)) {
         collide(data, callback);
         return false;
     }
-    const dxContactsAhead::Scope scope(*m_ahead, runner, arraysStay);
-    dxTurnedGeom::noticeLeft();
+    const dxNarrowphasePrefetch::Scope scope(*m_prefetch, runner, arraysStay);
+    dxTransformedGeom::noticeLeft();
     lock_count++;
     if (makeReadyShared(runner)) {
-        m_isAhead = true;
+        m_isPrefetching = true;
         deliver(data, callback);
     } else {
-        m_isAhead = false;
+        m_isPrefetching = false;
         walk(data, callback, nullptr);
     }
     lock_count--;
     return true;
 }
 
-bool dxOrderedSpace::prepareAhead(const dxTaskRunner &runner) {
+bool dxOrderedSpace::preparePrefetch(const dxTaskRunner &runner) {
     try {
-        if (m_ahead == nullptr) m_ahead.reset(new dxContactsAhead);
-        m_ahead->makeRoom(runner, m_members.end());
+        if (m_prefetch == nullptr) m_prefetch.reset(new dxNarrowphasePrefetch);
+        m_prefetch->reserveMemory(runner, m_members.end());
         return true;
     } catch (const std::bad_alloc &) {
         return false;
@@ -219,18 +219,18 @@ bool dxOrderedSpace::makeReadyShared(dxTaskRunner &runner) {
 
 // Only of the built-in classes whose boxes depend on nothing but themselves and their bodies.
 void dxOrderedSpace::computeBoxes(const std::vector<dxGeom *> &geoms) {
-    if (m_runner == nullptr || geoms.size() < kBoxPiece) return;
+    if (m_runner == nullptr || geoms.size() < kBoxesPerChunk) return;
     const bool dataMayChange = std::any_of(geoms.begin(), geoms.end(), mayRunUserCode);
-    m_runner->forPieces(dxParallelStage::Boxes, geoms.size(), kBoxPiece, [&](std::size_t begin, std::size_t end, unsigned) {
+    m_runner->forChunks(dxParallelStage::Boxes, geoms.size(), kBoxesPerChunk, [&](std::size_t begin, std::size_t end, unsigned) {
         for (std::size_t i = begin; i < end; ++i) {
-            if (i + kBoxesAhead < end) dxPairPrefetch::place(geoms[i + kBoxesAhead]);
+            if (i + kBoxPrefetchDistance < end) dxPairPrefetch::pose(geoms[i + kBoxPrefetchDistance]);
             if (hasBoxOfItsOwn(geoms[i]) && !(dataMayChange && hasBoxOfData(geoms[i]))) geoms[i]->recomputeAABB();
         }
     });
 }
 
 void dxOrderedSpace::clean(const std::vector<dxGeom *> &geoms, std::size_t index) {
-    if (index + kBoxesAhead < geoms.size()) dxPairPrefetch::place(geoms[index + kBoxesAhead]);
+    if (index + kBoxPrefetchDistance < geoms.size()) dxPairPrefetch::pose(geoms[index + kBoxPrefetchDistance]);
     clean(geoms[index]);
 }
 
@@ -259,21 +259,21 @@ bool dxOrderedSpace::findPairs() {
     if (!requireRanks() || !takeSwitches()) return false;
     if (m_members.changed().empty()) return true;
     if (lock_count > 1) return false;  // a call around this one goes through pairs()
-    if (m_crowd.isOne() && !m_crowd.isOver()) return false;
+    if (m_pairOverflow.isActive() && !m_pairOverflow.isTimeToCount()) return false;
     return whereMemorySuffices([this] { return updatePairs(); });
 }
 
 bool dxOrderedSpace::updatePairs() {
     update(m_pairs);
-    if (isTooMany(m_pairs.size())) becomeCrowd();
-    if (m_crowd.isOne()) return false;
+    if (isTooMany(m_pairs.size())) beginPairOverflow();
+    if (m_pairOverflow.isActive()) return false;
     m_members.forgetChanges();
     return true;
 }
 
 // Discards partial results. A broad phase that was set must be set again by its owner.
 void dxOrderedSpace::giveUpPairs() {
-    m_search.reset();
+    m_broadphase.reset();
     m_dense.reset();
     m_matches = {};
     startAnew();
@@ -284,8 +284,8 @@ bool dxOrderedSpace::isTooMany(std::size_t pairs) const {
 }
 
 // The space has no pairs then. All are found again afterwards.
-void dxOrderedSpace::becomeCrowd() {
-    m_crowd.become();
+void dxOrderedSpace::beginPairOverflow() {
+    m_pairOverflow.begin();
     startAnew();
     m_pairs = {};
     m_matches = {};
@@ -296,9 +296,9 @@ void dxOrderedSpace::update(std::vector<dxOrderedPair> &pairs) {
     facts.order = pairOrder();
     facts.geoms = count;
     facts.current = m_dense != nullptr ? dxBroadPhase::OrderedTable : dxBroadPhase::None;
-    const bool dense = m_search == nullptr && dxChooseBroadPhase(facts) == dxBroadPhase::OrderedTable;
+    const bool dense = m_broadphase == nullptr && dxChooseBroadPhase(facts) == dxBroadPhase::OrderedTable;
     if (dense != (m_dense != nullptr)) {
-        m_dense.reset(dense ? new dxDensePairs : nullptr);
+        m_dense.reset(dense ? new dxBruteForcePairs : nullptr);
         startAnew();
     }
     if (dense)
@@ -312,24 +312,24 @@ void dxOrderedSpace::updateSorted(std::vector<dxOrderedPair> &pairs) {
     findAndPlace(m_matches, pairs);
 }
 
-void dxOrderedSpace::findAndPlace(std::vector<dxPairSearch::Match> &matches,
+void dxOrderedSpace::findAndPlace(std::vector<dxBroadphase::Match> &matches,
                                   std::vector<dxOrderedPair> &pairs) {
-    if (m_search == nullptr && m_ownSearch == nullptr)
-        m_ownSearch.reset(new dxAdaptiveSearch(dxPairLimitOf(pairOrder())));
+    if (m_broadphase == nullptr && m_defaultBroadphase == nullptr)
+        m_defaultBroadphase.reset(new dxAdaptiveBroadphase(dxPairLimitOf(pairOrder())));
     if (m_kept == nullptr) m_kept.reset(new dxKeptPairs);
-    (m_search != nullptr ? m_search : m_ownSearch)->search(m_members, runner(), matches);
-    if (isTooMany(matches.size())) return becomeCrowd();
+    (m_broadphase != nullptr ? m_broadphase : m_defaultBroadphase)->findOverlaps(m_members, runner(), matches);
+    if (isTooMany(matches.size())) return beginPairOverflow();
     m_kept->update(m_members, matches, *this, runner(), pairs);
 }
 
-bool dxOrderedSpace::lead(Slot a, Slot b, std::uint64_t &word, bool &swapped) const {
+bool dxOrderedSpace::primaryKey(Slot a, Slot b, std::uint64_t &word, bool &swapped) const {
     const dxRank rankA = m_members[a].rank, rankB = m_members[b].rank;
     swapped = rankA < rankB;
     word = dxFrontFirst(std::max(rankA, rankB));
     return true;
 }
 
-bool dxOrderedSpace::follow(Slot, Slot second, dxPairKey &key) const {
+bool dxOrderedSpace::secondaryKey(Slot, Slot second, dxPairKey &key) const {
     key.words[1] = dxFrontFirst(m_members[second].rank);
     key.words[2] = key.words[3] = 0;
     return true;
@@ -341,7 +341,7 @@ void dxOrderedSpace::deliverInOrder(const std::vector<dxOrderedPair> &pairs, voi
                                     dNearCallback *callback) {
     const dxGeom *front = nullptr;
     bool frontIsEnabled = false;
-    dxContactsAhead *const ahead = this->ahead();
+    dxNarrowphasePrefetch *const ahead = this->ahead();
     const std::uint64_t missed = dxMissedNotifications::count(), comebacks = m_comebacks;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const dxOrderedPair &pair = pairs[i];

@@ -44,11 +44,11 @@
 #include <ode/ode.h>
 
 #include "collision/broadphase/dxBroadPhaseChoice.h"
-#include "collision/broadphase/dxCrowd.h"
-#include "collision/broadphase/dxDensePairs.h"
-#include "collision/broadphase/dxPairSearch.h"
+#include "collision/broadphase/dxPairOverflow.h"
+#include "collision/broadphase/dxBruteForcePairs.h"
+#include "collision/broadphase/dxBroadphase.h"
 #include "collision/broadphase/dxRegionIndex.h"
-#include "collision/narrowphase/dxContactsAhead.h"
+#include "collision/narrowphase/dxNarrowphasePrefetch.h"
 #include "collision/pairs/dxKeptPairs.h"
 #include "collision/pairs/dxMembers.h"
 #include "collision/pairs/dxMissedNotifications.h"
@@ -58,7 +58,7 @@
 #include "objects.h"
 #include "threading/dxSharingPolicy.h"
 
-class dxOrderedSpace : public dxSpace, protected dxPairPlacer {
+class dxOrderedSpace : public dxSpace, protected dxPairKeys {
 public:
     using Slot = dxMembers::Slot;
 
@@ -77,14 +77,14 @@ public:
     void collide2(void *data, dxGeom *geom, dNearCallback *callback) override;
 
     // collide() with parallel work on the runner: boxes, broad phase, and narrow-phase prefetch; the callbacks are
-    // called as by collide(). `arraysStay` is as in dxContactsAhead. Returns false if there was no memory for parallel
+    // called as by collide(). `arraysStay` is as in dxNarrowphasePrefetch. Returns false if there was no memory for parallel
     // work and collide() ran instead.
     bool collideShared(dxTaskRunner &runner, bool arraysStay, void *data, dNearCallback *callback);
     // makeReady() with the runner.
     bool makeReadyShared(dxTaskRunner &runner);
 
     // Returns NULL until the first narrow-phase prefetch.
-    const dxContactsAhead *contactsAhead() const { return m_ahead.get(); }
+    const dxNarrowphasePrefetch *narrowphasePrefetch() const { return m_prefetch.get(); }
     dxSharingPolicy &sharing() { return m_sharing; }
 
     // Cleans the geoms and updates pairs(). Requires a locked space. Returns false if ranks do not represent upstream's
@@ -101,9 +101,9 @@ public:
     bool hasStrays();
 
     // Sets the broad phase; NULL: the default for the size of the space. Requires an unlocked space.
-    void setSearch(std::unique_ptr<dxPairSearch> search);
-    const dxPairSearch *search() const { return m_search.get(); }
-    dxPairSearch *search() { return m_search.get(); }
+    void setBroadphase(std::unique_ptr<dxBroadphase> broadphase);
+    const dxBroadphase *broadphase() const { return m_broadphase.get(); }
+    dxBroadphase *broadphase() { return m_broadphase.get(); }
 
     // Requires a call when the category bits, collide bits or body of a member changed.
     void filtersChanged(dxGeom *geom);
@@ -135,7 +135,7 @@ protected:
     // The counter is atomic: rays of several threads may query a space at once.
     void lock() { __atomic_fetch_add(&lock_count, 1, __ATOMIC_RELAXED); }
     void unlock() { __atomic_fetch_sub(&lock_count, 1, __ATOMIC_RELAXED); }
-    bool hasSearch() const { return m_search != nullptr; }
+    bool hasBroadphase() const { return m_broadphase != nullptr; }
 
     // Applies changes of enabled flags to the members. Returns false if an outer call iterates over pairs().
     bool takeSwitches();
@@ -147,7 +147,7 @@ protected:
     // Returns whether upstream accepts the geom in a space of this kind.
     virtual bool mayCome(const dxGeom *geom) const;
     // Reserves memory for members in the slots below `slots`, so that cleaning and changes allocate nothing.
-    virtual void makeRoom(Slot slots) = 0;
+    virtual void reserveMemory(Slot slots) = 0;
     // Called when a geom is added or removed, after upstream's checks.
     virtual void comes(dxGeom * /*geom*/, Slot /*slot*/) {}
     virtual void goes(dxGeom * /*geom*/, Slot /*slot*/) {}
@@ -189,7 +189,7 @@ protected:
         }
     }
     // Returns the object that must be notified of each pair before its callback, or NULL.
-    dxContactsAhead *ahead() const { return m_isAhead ? m_ahead.get() : nullptr; }
+    dxNarrowphasePrefetch *ahead() const { return m_isPrefetching ? m_prefetch.get() : nullptr; }
 
     virtual dxPairOrder pairOrder() const = 0;
     // Updates `pairs` after members have changed. Requires their new ranks and boxes.
@@ -197,13 +197,13 @@ protected:
     // Updates the pairs by the broad phase and a sort.
     void updateSorted(std::vector<dxOrderedPair> &pairs);
     // The same, with the additional pairs in `matches`.
-    void findAndPlace(std::vector<dxPairSearch::Match> &matches, std::vector<dxOrderedPair> &pairs);
+    void findAndPlace(std::vector<dxBroadphase::Match> &matches, std::vector<dxOrderedPair> &pairs);
 
     // The default order: of two members the one further to the front is the first; pairs are ordered by the first, then
     // by the second.
-    bool lead(Slot a, Slot b, std::uint64_t &word, bool &swapped) const override;
-    bool follow(Slot first, Slot second, dxPairKey &key) const override;
-    void expect(Slot slot) const override { m_members.expect(slot); }
+    bool primaryKey(Slot a, Slot b, std::uint64_t &word, bool &swapped) const override;
+    bool secondaryKey(Slot first, Slot second, dxPairKey &key) const override;
+    void prefetch(Slot slot) const override { m_members.prefetch(slot); }
     // Calls the callbacks of pairs() after makeReady() has returned true, in that order by default.
     virtual void deliver(void *data, dNearCallback *callback) { deliverInOrder(m_pairs, data, callback); }
     // Calls the callbacks of pairs that are ordered by their first geom. Callbacks may enable and disable geoms.
@@ -211,7 +211,7 @@ protected:
     // Executes upstream's whole call after makeReady() has returned false, or the rest of it after a pair in whose
     // callback an assertion failed.
     virtual void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) = 0;
-    bool isCrowd() const { return m_crowd.isOne(); }
+    bool hasPairOverflow() const { return m_pairOverflow.isActive(); }
     // Calls the callbacks of a geom with the members that it overlaps. Requires up-to-date boxes.
     virtual void collideWith(void *data, dxGeom *geom, dNearCallback *callback) = 0;
 
@@ -230,8 +230,8 @@ protected:
         // A callback may leave by longjmp: memory on the stack needs no release.
         static constexpr std::size_t kOnStack = 512;
 
-        alignas(std::max_align_t) std::byte m_room[kOnStack * sizeof(Slot)];
-        std::pmr::monotonic_buffer_resource m_memory{m_room, sizeof m_room};
+        alignas(std::max_align_t) std::byte m_buffer[kOnStack * sizeof(Slot)];
+        std::pmr::monotonic_buffer_resource m_memory{m_buffer, sizeof m_buffer};
         std::pmr::vector<Slot> m_slots{&m_memory};
     };
     // Returns whether the geom's box is still `box`. A geom that is not in the space may move in a callback.
@@ -245,26 +245,26 @@ private:
     bool lookForStrays();
     bool updatePairs();
     void giveUpPairs();
-    bool prepareAhead(const dxTaskRunner &runner);
+    bool preparePrefetch(const dxTaskRunner &runner);
     bool isTooMany(std::size_t pairs) const;
-    void becomeCrowd();
+    void beginPairOverflow();
 
     dxMembers m_members;
     std::vector<dxOrderedPair> m_pairs;
-    std::unique_ptr<dxDensePairs> m_dense;  // while the space is small
-    std::unique_ptr<dxPairSearch> m_search, m_ownSearch;
-    std::vector<dxPairSearch::Match> m_matches;
+    std::unique_ptr<dxBruteForcePairs> m_dense;  // while the space is small
+    std::unique_ptr<dxBroadphase> m_broadphase, m_defaultBroadphase;
+    std::vector<dxBroadphase::Match> m_matches;
     std::unique_ptr<dxKeptPairs> m_kept;
     dxRegionIndex m_index;
     // The process's counter when the members were last examined.
     std::atomic<std::uint64_t> m_notificationsMissed{0};
     std::atomic<bool> m_hasStrays{false};  // then
     std::mutex m_lookingForStrays;         // only ever tried
-    dxCrowd m_crowd;
+    dxPairOverflow m_pairOverflow;
     std::uint64_t m_comebacks = 0;  // number of absent geoms that were enabled
     dxTaskRunner *m_runner = nullptr;  // during makeReady() of a parallel call, not in its callbacks
-    bool m_isAhead = false;            // the call whose callbacks begin is a parallel one
-    dxContactsAhead::Owner m_ahead;
+    bool m_isPrefetching = false;            // the call whose callbacks begin is a parallel one
+    dxNarrowphasePrefetch::Owner m_prefetch;
     dxSharingPolicy m_sharing;
 };
 
@@ -272,7 +272,7 @@ inline bool dxGeomIsEnabled(const dxGeom *geom) {
     return (geom->gflags & GEOM_ENABLE_TEST_MASK) == GEOM_ENABLE_TEST_VALUE;
 }
 
-inline dxMeetingFilter dxFilterOf(const dxGeom *geom) {
+inline dxPairFilter dxFilterOf(const dxGeom *geom) {
     return {geom->body, geom->category_bits, geom->collide_bits};
 }
 

@@ -33,11 +33,11 @@ public:
 
 private:
     // Number of attempts: some milliseconds, in which ten thousand geoms are cleaned.
-    static constexpr int kTurns = 10000;
+    static constexpr int kMaxAttempts = 10000;
 
     bool take() {
         const std::thread::id self = std::this_thread::get_id();
-        for (int turn = 0; turn < kTurns; ++turn) {
+        for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
             std::thread::id cleaner;
             dxPerturb(dxSchedulePoint::ClaimCleaning);
             if (m_thread.compare_exchange_weak(cleaner, self, std::memory_order_acq_rel) || cleaner == self)

@@ -15,7 +15,7 @@ static_assert(int(dxJoint::GI2_LO) == int(PLH_LO) && int(dxJoint::GI2_HI) == int
 // their limits, and the order in which it looks at rows depends on that.
 void dxDantzigSolver::solve(const dxExactProblem &problem, dxWorldProcessMemArena &arena) {
     void *const state = arena.SaveState();
-    dxSolveDantzig(m_team, &arena, problem.rowCount, problem.matrix, problem.pairsBX, nullptr, problem.unboundedJoints,
+    dxSolveDantzig(m_islandWorkers, &arena, problem.rowCount, problem.matrix, problem.pairsBX, nullptr, problem.unboundedJoints,
                    problem.pairsLoHi, problem.normalOf);
     arena.RestoreState(state);
 }

@@ -3,15 +3,15 @@
 
 #include "dynamics/exactstep/dxExactSolver.h"
 
-struct dxIslandTeam;
+struct dxLargeIslandWorkers;
 
 class dxDantzigSolver final : public dxExactSolver {
 public:
-    // `team`: workers for large problems; null: the calling thread alone.
-    explicit dxDantzigSolver(dxIslandTeam *team) : m_team(team) {}
+    // `islandWorkers`: workers for large problems; null: the calling thread alone.
+    explicit dxDantzigSolver(dxLargeIslandWorkers *islandWorkers) : m_islandWorkers(islandWorkers) {}
 
     void solve(const dxExactProblem &problem, dxWorldProcessMemArena &arena) override;
 
 private:
-    dxIslandTeam *const m_team;
+    dxLargeIslandWorkers *const m_islandWorkers;
 };

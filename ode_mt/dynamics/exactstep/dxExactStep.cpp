@@ -9,7 +9,7 @@
 #include "dynamics/exactstep/dxJointOrder.h"
 
 void dxExactStep(const dxIslandStep &step) {
-    dxDantzigSolver solver(step.team);
+    dxDantzigSolver solver(step.islandWorkers);
     dxStepExactly(step, solver);
 }
 
@@ -31,7 +31,7 @@ void dxStepExactly(const dxIslandStep &step, dxExactSolver &solver) {
         // Reads velocities, accumulators, inertia, rows. Writes A, b, and the links from bodies to joints.
         dxMakeMatrix(step, problem);
 
-        // Parallel for large problems, if the island has a team. Reads A, b, limits; writes x, and may write over A and b.
+        // Parallel for large problems, if the island has a islandWorkers. Reads A, b, limits; writes x, and may write over A and b.
         solver.solve(problem, arena);
     }
 

@@ -9,7 +9,7 @@
 
 class dxExactSolver;
 
-// Steps the island; its team, if there is one, solves large problems together.
+// Steps the island; its islandWorkers, if there is one, solves large problems together.
 void dxExactStep(const dxIslandStep &step);
 
 // The same with another solver.

@@ -6,7 +6,7 @@
 
 #include "collision_kernel.h"
 #include "collision_space_internal.h"
-#include "dynamics/random/dxLoneStepper.h"
+#include "dynamics/random/dxSingleStepper.h"
 #include "threading/dxUpstreamScope.h"
 
 namespace {
@@ -16,7 +16,7 @@ void stepBody(dxBody *body, dReal stepSize) {
         dxStepBody(body, stepSize);
         return;
     }
-    const dxLoneStepper::UserCode userCode;
+    const dxSingleStepper::UserCode userCode;
     dxStepBody(body, stepSize);
 }
 

@@ -31,7 +31,7 @@ struct dxConstraintRow {
     int body[2];      // indices; the second may be kNone, and then its columns mean nothing
     int boundingRow;  // an earlier row of the same joint, or kNone
 
-    // Of dxScheduleSweep alone.
+    // Of dxScheduleSor alone.
     unsigned level, levelBegin;
 
     bool hasSecondBody() const { return body[1] != kNone; }
@@ -42,7 +42,7 @@ struct dxConstraintRow {
 struct dxIslandBody {
     dReal invInertia[9];  // by rows
     dReal invMass;
-    unsigned level;       // of dxScheduleSweep alone
+    unsigned level;       // of dxScheduleSor alone
 };
 
 struct dxIslandProblem {

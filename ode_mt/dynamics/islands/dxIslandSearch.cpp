@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "core/dxFetch.h"
+#include "core/dxPrefetch.h"
 #include "joints/joint.h"
 
 namespace {
@@ -14,32 +14,32 @@ enum Tag : int { kUnfit = -1, kUnseen = 0, kFound = 1 };
 // Most objects of a list were made one after another, so the one some places on probably lies as many times as far away
 // as the next one. Nothing else says where it is: a list is followed from object to object.
 template <class Object>
-std::uintptr_t guessAhead(const Object *object) {
-    constexpr std::uintptr_t kAhead = 8;
+std::uintptr_t predictedAddress(const Object *object) {
+    constexpr std::uintptr_t kPrefetchDistance = 8;
     const auto here = reinterpret_cast<std::uintptr_t>(object), next = reinterpret_cast<std::uintptr_t>(object->next);
-    return here + kAhead * (next - here);
+    return here + kPrefetchDistance * (next - here);
 }
 
 template <class Object, class Member>
-void fetchAhead(const Object *object, const Member &member) {
+void prefetchAhead(const Object *object, const Member &member) {
     const auto offset = reinterpret_cast<std::uintptr_t>(&member) - reinterpret_cast<std::uintptr_t>(object);
-    dxFetch::line(reinterpret_cast<const void *>(guessAhead(object) + offset));
+    dxPrefetch::line(reinterpret_cast<const void *>(predictedAddress(object) + offset));
 }
 
 // What the search reads of bodies and joints fits L2, and is prefetched.
 void untagBodies(dxWorld *world) {
     for (dxBody *body = world->firstbody; body != nullptr; body = static_cast<dxBody *>(body->next)) {
-        fetchAhead(body, body->tag);
-        fetchAhead(body, body->flags);
-        fetchAhead(body, body->invMass);
+        prefetchAhead(body, body->tag);
+        prefetchAhead(body, body->flags);
+        prefetchAhead(body, body->invMass);
         body->tag = kUnseen;
     }
 }
 
 void untagJoints(dxWorld *world) {
     for (dxJoint *joint = world->firstjoint; joint != nullptr; joint = static_cast<dxJoint *>(joint->next)) {
-        fetchAhead(joint, joint->tag);
-        fetchAhead(joint, joint->node[1]);
+        prefetchAhead(joint, joint->tag);
+        prefetchAhead(joint, joint->node[1]);
         joint->tag = kUnseen;
     }
 }
@@ -88,7 +88,7 @@ private:
         body->tag = kFound;
         body->flags &= ~dxBodyDisabled;
         *m_open++ = body;
-        dxFetch::line(body->firstjoint);
+        dxPrefetch::line(body->firstjoint);
     }
 
     dxBody **m_bodies;

@@ -2,14 +2,14 @@
 #pragma once
 
 #include "dynamics/islands/dxIsland.h"
-#include "dynamics/islands/dxIslandTeam.h"
+#include "dynamics/islands/dxLargeIslandWorkers.h"
 
 struct dxIslandStep {
     dxWorld *world;
     dReal stepSize;
     dxIsland island;
     dxWorldProcessMemArena *arena;  // of the size that upstream's estimate for this stepper asks for
-    dxIslandTeam *team = nullptr;   // of a large island; null: the calling thread alone
+    dxLargeIslandWorkers *islandWorkers = nullptr;   // of a large island; null: the calling thread alone
 
-    dxTaskRunner &runner() const { return team != nullptr ? *team->runner : dxTaskRunner::alone(); }
+    dxTaskRunner &runner() const { return islandWorkers != nullptr ? *islandWorkers->runner : dxTaskRunner::alone(); }
 };

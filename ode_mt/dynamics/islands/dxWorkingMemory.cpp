@@ -4,7 +4,7 @@
 #include <new>
 
 #include "dynamics/islands/dxIsland.h"
-#include "threading/process/dxIdlePool.h"
+#include "threading/process/dxObjectPool.h"
 #include "threading/process/dxProcessObject.h"
 
 namespace dxWorkingMemory {
@@ -20,7 +20,7 @@ struct HeapManager : dxWorldProcessMemoryManager {
 };
 
 dxProcessObject<HeapManager> manager;
-dxProcessObject<dxIdlePool<dxWorldProcessMemArena>> pool;
+dxProcessObject<dxObjectPool<dxWorldProcessMemArena>> pool;
 
 }  // namespace
 

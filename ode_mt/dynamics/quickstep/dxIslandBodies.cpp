@@ -3,7 +3,7 @@
 #include <ode/odemath.h>
 
 #include "dynamics/islands/dxBodyIntegration.h"
-#include "dynamics/islands/dxFetchAhead.h"
+#include "dynamics/islands/dxIslandPrefetch.h"
 #include "dynamics/islands/dxBodyForces.h"
 
 namespace {
@@ -15,12 +15,12 @@ constexpr std::size_t kBodiesPerJob = 32;
 // `fetchEnd`.
 template <class Work>
 void forBodies(const dxIslandStep &step, std::size_t begin, std::size_t end, std::size_t fetchEnd, const Work &work) {
-    if (step.island.bodyCount < dxFetchAhead::kLeastBodies) {
+    if (step.island.bodyCount < dxIslandPrefetch::kMinBodies) {
         for (std::size_t i = begin; i < end; ++i) work(i);
         return;
     }
     dxBody *const *const bodies = step.island.bodies;
-    dxFetchAhead::forPieces(begin, end, fetchEnd, [bodies](std::size_t i) { dxFetchAhead::body(bodies[i]); },
+    dxIslandPrefetch::forChunks(begin, end, fetchEnd, [bodies](std::size_t i) { dxIslandPrefetch::body(bodies[i]); },
                             [&work](std::size_t first, std::size_t last) {
                                 for (std::size_t i = first; i < last; ++i) work(i);
                             });
@@ -34,8 +34,8 @@ void forAllBodies(const dxIslandStep &step, const Work &work) {
 // As above, on the island's workers. What lies beyond a job may be another worker's and is not fetched.
 template <class Work>
 void forBodiesInParallel(const dxIslandStep &step, dxParallelStage stage, const Work &work) {
-    if (step.team == nullptr) return forAllBodies(step, work);
-    step.runner().forPieces(stage, step.island.bodyCount, kBodiesPerJob,
+    if (step.islandWorkers == nullptr) return forAllBodies(step, work);
+    step.runner().forChunks(stage, step.island.bodyCount, kBodiesPerJob,
                             [&](std::size_t begin, std::size_t end, unsigned) { forBodies(step, begin, end, end, work); });
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "dynamics/islands/dxFetchAhead.h"
+#include "dynamics/islands/dxIslandPrefetch.h"
 #include "joints/joint.h"
 
 namespace {
@@ -58,9 +58,9 @@ dxJointRows::dxJointRows(const dxIslandStep &step) : m_step(step) {
 }
 
 void dxJointRows::read(Row *rows) {
-    const bool isShared = m_step.team != nullptr && hasOnlyContacts();
+    const bool isShared = m_step.islandWorkers != nullptr && hasOnlyContacts();
     dxTaskRunner &runner = isShared ? m_step.runner() : dxTaskRunner::alone();
-    runner.forPieces(dxParallelStage::Joints, m_jointCount, kJointsPerJob,
+    runner.forChunks(dxParallelStage::Joints, m_jointCount, kJointsPerJob,
                      [&](std::size_t begin, std::size_t end, unsigned) { readAll(rows, begin, end); });
 }
 
@@ -73,8 +73,8 @@ void dxJointRows::readAll(Row *rows, std::size_t begin, std::size_t end) const {
     const auto read = [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) readJoint(rows, m_joints[i]);
     };
-    if (m_step.island.bodyCount < dxFetchAhead::kLeastBodies) return read(begin, end);
-    dxFetchAhead::forPieces(begin, end, m_jointCount, [this](std::size_t i) { dxFetchAhead::joint(m_joints[i].joint); }, read);
+    if (m_step.island.bodyCount < dxIslandPrefetch::kMinBodies) return read(begin, end);
+    dxIslandPrefetch::forChunks(begin, end, m_jointCount, [this](std::size_t i) { dxIslandPrefetch::joint(m_joints[i].joint); }, read);
 }
 
 void dxJointRows::readJoint(Row *rows, const Joint &joint) const {

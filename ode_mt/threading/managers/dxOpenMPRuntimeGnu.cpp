@@ -15,14 +15,14 @@
 
 #include "core/dxNoCancellation.h"
 #include "threading/managers/dxOpenMPRuntime.h"
-#include "threading/process/dxKeptLibrary.h"
+#include "threading/process/dxPinnedLibrary.h"
 #include "threading/process/dxProcessObject.h"
 
 namespace {
 
 struct PreparedRuntime {
     PreparedRuntime() {
-        dxKeepLibraryOf(&omp_get_thread_num);
+        dxPinLibraryOf(&omp_get_thread_num);
         loadUnwinder();
     }
 

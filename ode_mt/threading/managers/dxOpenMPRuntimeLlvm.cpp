@@ -12,13 +12,13 @@
 #include <omp.h>
 
 #include "threading/managers/dxOpenMPRuntime.h"
-#include "threading/process/dxKeptLibrary.h"
+#include "threading/process/dxPinnedLibrary.h"
 #include "threading/process/dxProcessObject.h"
 
 namespace {
 
 struct KeptInMemory {
-    KeptInMemory() { dxKeepLibraryOf(&omp_get_thread_num); }
+    KeptInMemory() { dxPinLibraryOf(&omp_get_thread_num); }
 };
 
 dxProcessObject<KeptInMemory> keptInMemory;

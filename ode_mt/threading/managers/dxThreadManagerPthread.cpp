@@ -53,7 +53,7 @@ void dxThreadManagerPthread::inForkedChild() {
 
 // No more workers are called at once than there are other processors; each one that joins calls the next
 // (passOnWakeUp). So a caller does not pay for waking workers that could only take its own processor.
-void dxThreadManagerPthread::summon(unsigned wanted) {
+void dxThreadManagerPthread::requestWorkers(unsigned wanted) {
     const unsigned atOnce = std::min(wanted, std::max(dxProcessorCount(), 2u) - 1);
     for (unsigned idle = parking.idle(); idle < atOnce && mayStartThread() && startThread(); ++idle) {
     }
@@ -107,23 +107,23 @@ void *dxThreadManagerPthread::threadBody(void *manager) {
 
 void dxThreadManagerPthread::serve() {
     dxTakeProcessNiceness();
-    dxPatience patience;
+    dxAdaptiveSpin spin;
     while (!stopping.load()) {
-        workUntilIdle(patience);
+        workUntilIdle(spin);
         parking.park([this] { return shouldStayAwake(); }, [this] { endWithTheProcess(); });
-        patience.endWait();
+        spin.endWait();
     }
     parking.endSearch();
 }
 
 // Only as many workers spin as leave a processor to the caller.
-void dxThreadManagerPthread::workUntilIdle(dxPatience &patience) {
+void dxThreadManagerPthread::workUntilIdle(dxAdaptiveSpin &spin) {
     for (;;) {
-        patience.beginWait();
+        spin.beginWait();
         const auto mayStop = [this] { return shouldStayAwake(); };
         const bool maySpin = parking.searching() < dxProcessorCount();
-        if (maySpin ? !dxSpinUntil(mayStop, patience.spinTime()) : !shouldStayAwake()) return;
-        patience.endWait();
+        if (maySpin ? !dxSpinUntil(mayStop, spin.spinTime()) : !shouldStayAwake()) return;
+        spin.endWait();
         if (stopping.load()) return;
         if (board.work([this] { passOnWakeUp(); })) parking.beginSearch();
     }
@@ -142,5 +142,5 @@ void dxThreadManagerPthread::endWithTheProcess() {
 // called at once, and another run may have relied on it.
 void dxThreadManagerPthread::passOnWakeUp() {
     parking.endSearch();
-    if (parking.searching() == 0 && board.hasWork()) summon(1);
+    if (parking.searching() == 0 && board.hasWork()) requestWorkers(1);
 }

@@ -4,7 +4,7 @@
 //
 //        created ──> searching ──joins a run──> at work ──no block left──> searching
 //                     │   ^                                                  │
-//         dxPatience  │   │ woken by a run that can use it                   │ stop
+//         dxAdaptiveSpin  │   │ woken by a run that can use it                   │ stop
 //         without work v   │                                                  v
 //                     parked (asleep)                                        ends
 //
@@ -29,7 +29,7 @@
 
 #include "threading/pool/dxJobBoard.h"
 #include "threading/pool/dxParking.h"
-#include "threading/pool/dxPatience.h"
+#include "threading/pool/dxAdaptiveSpin.h"
 #include "threading/pool/dxThreadCreation.h"
 #include "threading/process/dxForkListener.h"
 
@@ -46,7 +46,7 @@ public:
 
 private:
     void inForkedChild() override;
-    void summon(unsigned wanted) override;
+    void requestWorkers(unsigned wanted) override;
 
     bool mayStartThread() const;
     bool startThread();
@@ -55,7 +55,7 @@ private:
 
     static void *threadBody(void *start);
     void serve();
-    void workUntilIdle(dxPatience &patience);
+    void workUntilIdle(dxAdaptiveSpin &spin);
     bool shouldStayAwake();
     void endWithTheProcess();
     void passOnWakeUp();

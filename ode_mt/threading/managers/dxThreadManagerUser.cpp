@@ -5,7 +5,7 @@
 
 #include "core/dxLog.h"
 #include "threading/pool/dxBorrowedThreads.h"
-#include "threading/pool/dxNap.h"
+#include "threading/pool/dxSleep.h"
 #include "threading/pool/dxThreadCreation.h"
 
 dxThreadManagerUser::dxThreadManagerUser(const dThreadingFunctionsInfo *functions,
@@ -45,7 +45,7 @@ void dxThreadManagerUser::stop() {
                   borrowed->outstanding());
             return;
         }
-        dxNap(std::chrono::microseconds(50));
+        dxSleep(std::chrono::microseconds(50));
     }
 }
 

@@ -12,7 +12,7 @@ dxBorrowedThreads::dxBorrowedThreads(const dThreadingFunctionsInfo *info, dThrea
 
 unsigned dxBorrowedThreads::threads() const { return functions->retrieve_thread_count(implementation); }
 
-void dxBorrowedThreads::summon(unsigned wanted) {
+void dxBorrowedThreads::requestWorkers(unsigned wanted) {
     if (searching.load() < wanted) post();
 }
 

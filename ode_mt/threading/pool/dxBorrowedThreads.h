@@ -10,7 +10,7 @@ public:
     dxBorrowedThreads(const dThreadingFunctionsInfo *functions, dThreadingImplementationID implementation);
 
     unsigned threads() const;
-    void summon(unsigned wanted) override;
+    void requestWorkers(unsigned wanted) override;
 
     // Calls posted that have not returned yet.
     unsigned outstanding() const { return references.load() - 1; }

@@ -27,7 +27,7 @@ void dxJobBoard::run(const dxJobSlot::Order &order, dxWorkerSource &source) {
     const Completion completion{*this, index};
     slots[index].open(order);
     open.fetch_or(bit(index));
-    source.summon(order.seats);
+    source.requestWorkers(order.seats);
     slots[index].runAsCaller();
 }
 

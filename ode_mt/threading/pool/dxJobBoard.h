@@ -14,7 +14,7 @@
 class dxWorkerSource {
 public:
     // Called when a run has been published that can use `wanted` workers beside its caller.
-    virtual void summon(unsigned wanted) = 0;
+    virtual void requestWorkers(unsigned wanted) = 0;
 
 protected:
     ~dxWorkerSource() = default;

@@ -30,7 +30,7 @@ void dxJobSlot::open(const Order &newOrder) {
     ++generation;
     seats.store(join(generation, order.seats), std::memory_order_release);
     dxPerturb(dxSchedulePoint::OpenRun);
-    supply.store(join(generation, order.blocks), std::memory_order_release);
+    blocksLeft.store(join(generation, order.blocks), std::memory_order_release);
 }
 
 void dxJobSlot::runAsCaller() {
@@ -48,20 +48,20 @@ void dxJobSlot::finish() {
 }
 
 bool dxJobSlot::canJoin() const {
-    const std::uint64_t blocks = supply.load(std::memory_order_acquire);
+    const std::uint64_t blocks = blocksLeft.load(std::memory_order_acquire);
     if (leftOf(blocks) == 0) return false;
     const std::uint64_t free = seats.load(std::memory_order_relaxed);
     return generationOf(free) == generationOf(blocks) && leftOf(free) > 0;
 }
 
 void dxJobSlot::abandon() {
-    supply.store(join(generation, 0));
+    blocksLeft.store(join(generation, 0));
     seats.store(join(generation, 0));
     barrier.reset(0);
 }
 
 bool dxJobSlot::takeSeat(Seat &seat) {
-    const std::uint64_t blocks = supply.load(std::memory_order_acquire);
+    const std::uint64_t blocks = blocksLeft.load(std::memory_order_acquire);
     if (leftOf(blocks) == 0) return false;
     seat.generation = generationOf(blocks);
     dxPerturb(dxSchedulePoint::ClaimSeat);
@@ -88,5 +88,5 @@ void dxJobSlot::work(Seat seat, std::uint32_t left) {
 
 bool dxJobSlot::takeBlock(std::uint32_t wanted, std::uint32_t &left) {
     dxPerturb(dxSchedulePoint::ClaimBlock);
-    return takeOne(supply, wanted, left);
+    return takeOne(blocksLeft, wanted, left);
 }

@@ -61,7 +61,7 @@ private:
     void work(Seat seat, std::uint32_t left);
     bool takeBlock(std::uint32_t generation, std::uint32_t &left);
 
-    alignas(64) std::atomic<std::uint64_t> supply{0};  // generation, blocks left
+    alignas(64) std::atomic<std::uint64_t> blocksLeft{0};  // generation, blocks left
     std::atomic<std::uint64_t> seats{0};               // generation, seats left
     alignas(64) dxBarrier barrier;
     alignas(64) Order order{};

@@ -46,8 +46,8 @@ void dxParking::wakeAll() { wake(0xffff); }
 void dxParking::countAsParked() { counts.fetch_sub(oneSearching - oneParked); }
 
 // If everybody counted as parked has been promised a wake-up meanwhile, so has this worker.
-void dxParking::standUp() {
-    dxPerturb(dxSchedulePoint::StandUp);
+void dxParking::unpark() {
+    dxPerturb(dxSchedulePoint::Unpark);
     std::uint32_t now = counts.load();
     while (parkedIn(now) > 0) {
         if (counts.compare_exchange_weak(now, now + oneSearching - oneParked)) return;

@@ -23,17 +23,17 @@ public:
 
     // Parks the calling worker, which was searching, unless stayAwake() holds; it returns searching.
     //
-    // One of the parked workers is the monitor: each second it calls lookAround(), which may wake workers, itself
+    // One of the parked workers is the monitor: each second it calls monitor(), which may wake workers, itself
     // included. If all are parked there is a monitor, because the last one becomes it if there was none.
     template <typename Condition, typename Watch>
-    void park(Condition stayAwake, Watch lookAround) {
+    void park(Condition stayAwake, Watch monitor) {
         countAsParked();
         dxPerturb(dxSchedulePoint::Park);
         if (stayAwake()) {
-            standUp();
+            unpark();
         } else if (!watched.exchange(true)) {
             while (!tryToTakeToken())
-                if (!dxFutexWaitFor(tokens, 0, kSecondsOfWatch)) lookAround();
+                if (!dxFutexWaitFor(tokens, 0, kMonitorSeconds)) monitor();
             watched.store(false);
         } else {
             takeToken();
@@ -47,11 +47,11 @@ public:
 
 private:
     void countAsParked();
-    void standUp();
+    void unpark();
     void takeToken();
     bool tryToTakeToken();
 
-    static constexpr int kSecondsOfWatch = 1;
+    static constexpr int kMonitorSeconds = 1;
 
     std::atomic<std::uint32_t> counts{0};  // searching in the upper 16 bits, parked in the lower
     dxFutexWord tokens{0};

@@ -9,7 +9,7 @@
 #include "threading/process/dxProcessors.h"
 
 // How long a worker looks for the next run before it sleeps, if it knows nothing of how soon runs follow each
-// other (dxPatience).
+// other (dxAdaptiveSpin).
 constexpr std::chrono::microseconds dxSpinTime{50};
 
 // How long a caller waits for the last blocks before it sleeps: about the largest island of a step that pays.

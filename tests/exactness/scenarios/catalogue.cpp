@@ -18,7 +18,7 @@ Scenario teamScenario(std::string name, std::string meaning, int steps, Scenario
                       scenes::Stepper stepper) {
     Scenario scenario{std::move(name), std::move(meaning), steps, std::move(make)};
     scenario.steppers = {stepper};
-    scenario.byTeam = true;
+    scenario.largeIsland = true;
     return scenario;
 }
 

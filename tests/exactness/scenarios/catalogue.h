@@ -28,7 +28,7 @@ struct Scenario {
     enum class Callbacks { oneAtATime, reentrant, shared };
     Callbacks callbacks = Callbacks::oneAtATime;
     // One island is so large that several workers step it together, and the suite asserts that they do.
-    bool byTeam = false;
+    bool largeIsland = false;
 };
 
 // Makes a scene whose constructor takes the stepper and `arguments`.

@@ -7,7 +7,7 @@ namespace exactness {
 
 namespace {
 
-constexpr int mostAsked = 0xffff;  // as many as dCollide's flags can say
+constexpr int maxAsked = 0xffff;  // as many as dCollide's flags can say
 constexpr unsigned char fresh = 0xa5;
 constexpr int border = 64;          // bytes behind the buffer
 constexpr int slotsLookedAt = 256;  // no call returns as many contacts
@@ -15,7 +15,7 @@ constexpr int slotsLookedAt = 256;  // no call returns as many contacts
 }  // namespace
 
 int ContactProbe::collide(dGeomID o1, dGeomID o2, int flags, int skip) {
-    prepare(flags & mostAsked, skip);
+    prepare(flags & maxAsked, skip);
     m_count = dCollide(o1, o2, flags, reinterpret_cast<dContactGeom *>(m_bytes.data()), skip);
     return m_count;
 }

@@ -31,8 +31,8 @@ dReal bowl(int x, int y) {
 // One large piece on each of many patches of fine ground: a hundred and more contacts for a pair.
 class LargeOnFine : public ManyParts {
 public:
-    LargeOnFine(Stepper stepper, Piece piece, Below below, int leastContacts)
-        : ManyParts(stepper), m_leastContacts(leastContacts) {
+    LargeOnFine(Stepper stepper, Piece piece, Below below, int minContacts)
+        : ManyParts(stepper), m_leastContacts(minContacts) {
         m_contactLimit = 250;
         const Ground ground{samples, pitch, piece == Piece::Prism ? bowl : ripples};
         const auto mesh = std::make_shared<GridMesh>(ground);
@@ -124,9 +124,9 @@ private:
 }  // namespace
 
 void addManyContacts(Catalogue &catalogue) {
-    const auto add = [&](const char *name, const char *meaning, Piece piece, Below below, int leastContacts) {
+    const auto add = [&](const char *name, const char *meaning, Piece piece, Below below, int minContacts) {
         catalogue.push_back(collisionScenario(name, meaning, LargeOnFine::lastFrame,
-                                              make<LargeOnFine>(piece, below, leastContacts)));
+                                              make<LargeOnFine>(piece, below, minContacts)));
     };
     add("many_contacts/box_on_mesh", "100 and more contacts of a box with a mesh", Piece::Box, Below::Mesh,
         100);

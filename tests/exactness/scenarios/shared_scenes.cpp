@@ -32,7 +32,7 @@ void addSharedScenes(Catalogue &catalogue) {
     add("vehicles_heightfield", ":8", "buggies on a height field", 100);
 
     add("wall", ":10", "a wall of a hundred bricks: more rows in one island than a cache holds", 30);
-    catalogue.back().byTeam = true;
+    catalogue.back().largeIsland = true;
     catalogue.back().callbacks = Scenario::Callbacks::reentrant;  // its pairs hang together
     catalogue.back().steppers = {scenes::Stepper::Quick};
 }

@@ -54,7 +54,7 @@ protected:
         if (setjmp(beforeTheCall) == 0) call();
     }
 
-    void lookAround() {
+    void monitor() {
         m_pairs = OrderSum();
         attempt([this] { dSpaceCollide(m_outer, this, &meet); });
         attempt([this] { dSpaceCollide2(m_ray, reinterpret_cast<dGeomID>(m_outer), this, &meet); });
@@ -121,7 +121,7 @@ public:
 
     void control() override {
         attempt([this] { change(frameNumber()); });
-        lookAround();
+        monitor();
     }
 
 private:
@@ -162,7 +162,7 @@ public:
 
     void control() override {
         if (frameNumber() == 5) attempt([this] { giveData(0, *m_large); });
-        lookAround();
+        monitor();
     }
 };
 
@@ -177,7 +177,7 @@ public:
         if (frame == 5 || frame == 9) dSpaceCollide(m_outer, this, &disturb);
         m_isDisturbed = false;
         attempt([this, frame] { change(frame); });
-        lookAround();
+        monitor();
     }
 
 private:
@@ -215,7 +215,7 @@ public:
     void control() override {
         if (frameNumber() == 4) attempt([this] { dSpaceCollide(m_outer, this, &disturb); });
         note("pairs before", m_before);
-        lookAround();
+        monitor();
     }
 
 private:
@@ -299,7 +299,7 @@ public:
 protected:
     void control() override {
         attempt([this] { change(frameNumber() % 6, frameNumber() / 6); });
-        lookAround();
+        monitor();
     }
 
 private:

@@ -21,13 +21,13 @@ void comeAndGo(int worlds) {
 }  // namespace
 
 std::uint64_t withWorldsComingAndGoing() {
-    constexpr std::size_t kMostGrowth =
+    constexpr std::size_t kMaxGrowth =
         256 << 10;  // a hundred bytes a world; a worker that comes late takes its memory late
     comeAndGo(500);
     const std::size_t before = bytesInUse();
     comeAndGo(2500);
     const std::size_t after = bytesInUse();
-    if (after > before + kMostGrowth) {
+    if (after > before + kMaxGrowth) {
         std::fprintf(stderr, "%zu bytes in use after 500 worlds, %zu after 3000\n", before, after);
         return 0;
     }

@@ -24,7 +24,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kMostText = 64u << 20;  // bytes that a process may write to a standard file
+constexpr std::size_t kMaxText = 64u << 20;  // bytes that a process may write to a standard file
 
 // A file in memory for a standard file of a child.
 class TextFile {
@@ -114,7 +114,7 @@ Ending runLimited(const std::function<int()> &work, const Limits &limits, const 
     const Clock::time_point begin = Clock::now();
     for (pollfd wait{handle, POLLIN, 0}; poll(&wait, 1, 20) == 0;) {
         ending.ranOutOfMemory =
-            residentMemory(child) > limits.memory || out.size() > kMostText || err.size() > kMostText;
+            residentMemory(child) > limits.memory || out.size() > kMaxText || err.size() > kMaxText;
         ending.ranOutOfTime = std::chrono::duration<double>(Clock::now() - begin).count() > limits.seconds;
         if (ending.ranOutOfMemory || ending.ranOutOfTime) break;
     }

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kLongestMessage = 5000;  // bytes, names of files included
+constexpr std::size_t kMaxMessage = 5000;  // bytes, names of files included
 
 bool startsWith(const std::string &text, const std::string &begin) {
     return text.compare(0, begin.size(), begin) == 0;
@@ -21,7 +21,7 @@ std::string wrongText(const std::string &message) {
     if (const std::string wrong = fuzz_driver::whatIsNoPlainLine(message); !wrong.empty()) return wrong;
     if (const std::string name = fuzz_driver::innerNameIn(message); !name.empty())
         return "names the inside: " + name;
-    if (message.size() > kLongestMessage) return "has " + std::to_string(message.size()) + " bytes";
+    if (message.size() > kMaxMessage) return "has " + std::to_string(message.size()) + " bytes";
     return {};
 }
 

@@ -6,7 +6,7 @@ namespace worlds {
 
 namespace {
 
-constexpr std::size_t mostPhases = 1000000;  // a schedule is kept written out
+constexpr std::size_t maxPhases = 1000000;  // a schedule is kept written out
 
 }  // namespace
 
@@ -31,7 +31,7 @@ void VelocitySchedule::append(const Parameters &list, double stepSize, bool oute
 
 void VelocitySchedule::appendPhase(const Parameters &phase, double stepSize) {
     phase.expectOnly({"duration"}, {});
-    if (m_phases.size() == mostPhases) phase.fail("makes more than 1000000 phases");
+    if (m_phases.size() == maxPhases) phase.fail("makes more than 1000000 phases");
     const long start = m_phases.empty() ? 0 : m_phases.back().end;
     const long steps = toSteps(phase.attributeNumber("duration"), stepSize, phase);
     m_phases.push_back({start + steps, readSpeeds(phase, m_motors.size())});
@@ -42,7 +42,7 @@ void VelocitySchedule::appendRepeat(const Parameters &repeat, double stepSize, b
     if (repeat.children.empty()) repeat.fail("repeats nothing");
     if (repeat.attributes.count("count")) {
         const double count = repeat.attributeNumber("count");
-        if (!(count >= 1 && count <= mostPhases) || count != std::floor(count))
+        if (!(count >= 1 && count <= maxPhases) || count != std::floor(count))
             repeat.fail("count is not a whole number between 1 and 1000000");
         for (long i = 0; i < static_cast<long>(count); ++i) append(repeat, stepSize, false);
         return;

@@ -17,7 +17,7 @@ namespace {
 using tinyxml2::XMLElement;
 
 constexpr int deepestNode = 100;
-constexpr std::size_t mostNodes = 100000, mostInstanceCorners = 100000000;  // instances written out
+constexpr std::size_t maxNodes = 100000, maxInstanceCorners = 100000000;  // instances written out
 
 [[noreturn]] void fail(const XMLElement &element, const std::string &what) {
     throw MeshFault(shownElement(element) + " " + what);
@@ -121,8 +121,8 @@ private:
     void node(const XMLElement &source, XMLElement &outer, int depth) {
         if (depth > deepestNode)
             fail(source, "is nested more than " + std::to_string(deepestNode) + " deep, or within itself");
-        if (++m_nodeCount > mostNodes)
-            throw MeshFault("shows more than " + std::to_string(mostNodes) + " nodes");
+        if (++m_nodeCount > maxNodes)
+            throw MeshFault("shows more than " + std::to_string(maxNodes) + " nodes");
         XMLElement &out = *outer.InsertNewChildElement("node");
         for (const XMLElement *child = source.FirstChildElement(); child;
              child = child->NextSiblingElement()) {
@@ -159,8 +159,8 @@ private:
         const auto known = m_corners.find(id);
         const std::size_t corners = known == m_corners.end() ? write(source, id) : known->second;
         m_instanceCorners += corners;
-        if (m_instanceCorners > mostInstanceCorners)
-            throw MeshFault("shows polygons of more than " + std::to_string(mostInstanceCorners) +
+        if (m_instanceCorners > maxInstanceCorners)
+            throw MeshFault("shows polygons of more than " + std::to_string(maxInstanceCorners) +
                             " corners");
         if (corners > 0)
             outer.InsertNewChildElement("instance_geometry")->SetAttribute("url", ("#" + id).c_str());

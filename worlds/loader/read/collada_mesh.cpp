@@ -165,8 +165,8 @@ private:
     }
 
     void polygon(const std::vector<std::uint32_t> &corners, std::size_t begin, std::size_t size) {
-        if (size > mostCorners)
-            fail(m_element, "has a polygon of more than " + std::to_string(mostCorners) + " corners");
+        if (size > maxCorners)
+            fail(m_element, "has a polygon of more than " + std::to_string(maxCorners) + " corners");
         if (size < 3) fail(m_element, "has a polygon of " + std::to_string(size) + " corners");
         m_mesh.sizes.push_back(size);
         const auto first = corners.begin() + static_cast<std::ptrdiff_t>(begin);

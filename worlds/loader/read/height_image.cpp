@@ -12,7 +12,7 @@ namespace worlds {
 namespace {
 
 constexpr std::uintmax_t longestImageFile = 1u << 30;  // bytes
-constexpr int mostPixels = 100000000;                  // 18 bytes are taken for each
+constexpr int maxPixels = 100000000;                  // 18 bytes are taken for each
 
 // The library has no words for a file that ends too early.
 std::string reason() {
@@ -35,9 +35,9 @@ HeightField readHeightImage(const std::string &file, const ignition::math::Vecto
     HeightField field;
     if (!stbi_info(file.c_str(), &field.columns, &field.rows, nullptr)) throw fail(reason());
     if (field.columns < 2 || field.rows < 2) throw fail("a height map needs 2 x 2 pixels or more");
-    if (static_cast<double>(field.columns) * field.rows > mostPixels)
+    if (static_cast<double>(field.columns) * field.rows > maxPixels)
         throw fail(std::to_string(field.columns) + " x " + std::to_string(field.rows) +
-                   " pixels are more than " + std::to_string(mostPixels));
+                   " pixels are more than " + std::to_string(maxPixels));
     const std::unique_ptr<stbi_us, void (*)(void *)> pixels(
         stbi_load_16(file.c_str(), &field.columns, &field.rows, nullptr, STBI_grey), stbi_image_free);
     if (!pixels) throw fail(reason());

@@ -46,8 +46,8 @@ private:
             if (!vertex || *vertex == 0 || -*vertex > m_vertices)
                 fail("a face has no vertex " + quote(std::string(word)));
             m_largest = std::max(m_largest, *vertex);
-            if (++corners > mostCorners)
-                fail("a face has more than " + std::to_string(mostCorners) + " corners");
+            if (++corners > maxCorners)
+                fail("a face has more than " + std::to_string(maxCorners) + " corners");
         }
         if (corners == 0) fail("a face has no corners");
     }

@@ -7,10 +7,10 @@
 namespace worlds {
 
 // Cutting a polygon into triangles takes a time that grows with the square of its corners.
-constexpr std::size_t mostCorners = 1000;
+constexpr std::size_t maxCorners = 1000;
 
 // Throws MeshFault for a vertex that is not three finite numbers or more, a face whose corners are no
-// vertices of the file, and one with more than mostCorners.
+// vertices of the file, and one with more than maxCorners.
 void checkObj(const std::string &text);
 
 }  // namespace worlds

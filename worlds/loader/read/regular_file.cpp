@@ -12,14 +12,14 @@
 
 namespace worlds {
 
-std::string whyNotReadable(const std::string &file, std::uintmax_t mostBytes) {
+std::string whyNotReadable(const std::string &file, std::uintmax_t maxBytes) {
     struct stat status {};
     if (::stat(file.c_str(), &status) != 0) return std::strerror(errno);
     if (S_ISDIR(status.st_mode)) return "is a folder";
     if (!S_ISREG(status.st_mode)) return "is not a regular file";
     if (status.st_size == 0) return "is empty";
-    if (static_cast<std::uintmax_t>(status.st_size) > mostBytes)
-        return "has " + std::to_string(status.st_size) + " bytes, more than " + std::to_string(mostBytes);
+    if (static_cast<std::uintmax_t>(status.st_size) > maxBytes)
+        return "has " + std::to_string(status.st_size) + " bytes, more than " + std::to_string(maxBytes);
     if (::access(file.c_str(), R_OK) != 0) return std::strerror(errno);
     return {};
 }

@@ -20,7 +20,7 @@ namespace {
 using tinyxml2::XMLElement;
 
 constexpr std::size_t deepestInclude = 50;
-constexpr std::size_t mostModels = 20000;  // libsdformat takes about 50 kB for each
+constexpr std::size_t maxModels = 20000;  // libsdformat takes about 50 kB for each
 
 // Every element is in a line of its own, so a line identifies the element.
 std::string print(const tinyxml2::XMLDocument &xml) {
@@ -111,9 +111,9 @@ std::string SourceTree::include(XMLElement &element, const Place &place, const s
     const std::string outer = place.path.substr(0, place.path.rfind("/include"));
     const Source &source = this->source(modelFile(found, at, wanted), at, outer, givenName);
     modelCount += source.modelCount;
-    if (modelCount > mostModels)
+    if (modelCount > maxModels)
         throw LoadError(LoadError::Kind::Value, at,
-                        "the world includes more than " + std::to_string(mostModels) + " models");
+                        "the world includes more than " + std::to_string(maxModels) + " models");
     uri->SetText(source.opened.c_str());
     if (isMerged(element)) return {};
     return givenName.empty() ? source.modelName : givenName;

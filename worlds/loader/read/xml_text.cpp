@@ -14,7 +14,7 @@ namespace worlds {
 namespace {
 
 // tinyxml2 looks every attribute up among those before it.
-constexpr std::size_t mostAttributes = 100, longestName = 1000;
+constexpr std::size_t maxAttributes = 100, longestName = 1000;
 // tinyxml2 itself ends at 100, its document and texts counted.
 constexpr int deepest = 90;
 
@@ -46,9 +46,9 @@ void onElement(void *data, const char *name, const char **attributes) {
     Limits &limits = *static_cast<Limits *>(data);
     std::size_t count = 0, longest = std::strlen(name);
     for (; *attributes; attributes += 2, ++count) longest = std::max(longest, std::strlen(*attributes));
-    if (count > mostAttributes)
+    if (count > maxAttributes)
         limits.stop("an element with " + std::to_string(count) + " attributes, more than " +
-                    std::to_string(mostAttributes));
+                    std::to_string(maxAttributes));
     if (longest > longestName)
         limits.stop("a name with " + std::to_string(longest) + " characters, more than " +
                     std::to_string(longestName));

@@ -13,7 +13,7 @@
 #include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
-namespace dxOverlap {
+namespace dxBroadphaseKernels {
 namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
@@ -64,7 +64,7 @@ HWY_INLINE void forLanes(std::uint32_t lanes, Visit &&visit) {
 }
 
 }  // namespace HWY_NAMESPACE
-}  // namespace dxOverlap
+}  // namespace dxBroadphaseKernels
 HWY_AFTER_NAMESPACE();
 
 #endif

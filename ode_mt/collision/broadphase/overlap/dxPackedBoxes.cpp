@@ -7,16 +7,16 @@
 #include <hwy/highway.h>
 
 #include "collision/broadphase/overlap/dxPackedBoxes.h"
-#include "core/dxFetch.h"
+#include "core/dxPrefetch.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace dxOverlap {
+namespace dxBroadphaseKernels {
 namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
 // Candidates between asking the memory for one and comparing it.
-constexpr std::size_t kAhead = 16;
+constexpr std::size_t kPrefetchDistance = 16;
 
 // Not "together, if ...", because of NaN.
 HWY_INLINE bool areApart(const double *HWY_RESTRICT begin, const double *HWY_RESTRICT end) {
@@ -37,7 +37,7 @@ std::size_t overlappingCandidates(const dxPackedBoxes &boxes, const dxSlotPair *
                                   std::size_t count, dxSlotPair *HWY_RESTRICT pairs) {
     std::size_t found = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        if (i + kAhead < count) dxFetch::line(boxes.begin(candidates[i + kAhead].b));
+        if (i + kPrefetchDistance < count) dxPrefetch::line(boxes.begin(candidates[i + kPrefetchDistance].b));
         const dxSlotPair pair = candidates[i];
         pairs[found] = pair;
         const bool mayBe = mayBePair(boxes.marks(pair.a), boxes.marks(pair.b));
@@ -47,13 +47,13 @@ std::size_t overlappingCandidates(const dxPackedBoxes &boxes, const dxSlotPair *
 }
 
 }  // namespace HWY_NAMESPACE
-}  // namespace dxOverlap
+}  // namespace dxBroadphaseKernels
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace dxOverlap {
+namespace dxBroadphaseKernels {
 HWY_EXPORT(overlappingCandidates);
-}  // namespace dxOverlap
+}  // namespace dxBroadphaseKernels
 
 void dxPackedBoxes::resize(std::size_t boxes) {
     m_begins.resize(boxes);
@@ -63,6 +63,6 @@ void dxPackedBoxes::resize(std::size_t boxes) {
 
 std::size_t dxOverlappingCandidates(const dxPackedBoxes &boxes, const dxSlotPair *candidates, std::size_t count,
                                     dxSlotPair *pairs) {
-    return HWY_DYNAMIC_DISPATCH(dxOverlap::overlappingCandidates)(boxes, candidates, count, pairs);
+    return HWY_DYNAMIC_DISPATCH(dxBroadphaseKernels::overlappingCandidates)(boxes, candidates, count, pairs);
 }
 #endif

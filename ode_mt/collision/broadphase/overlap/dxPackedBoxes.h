@@ -12,7 +12,7 @@
 #include "collision/pairs/dxSlotPair.h"
 #include "core/dxBounds.h"
 #include "core/dxCacheLine.h"
-#include "core/dxFetch.h"
+#include "core/dxPrefetch.h"
 
 class dxPackedBoxes {
 public:
@@ -34,9 +34,9 @@ public:
     }
 
     // Prefetches for write a box that will be set soon.
-    void expect(std::size_t slot) const {
-        dxFetch::lineToWrite(&m_begins[slot]);
-        dxFetch::lineToWrite(&m_ends[slot]);
+    void prefetchForWrite(std::size_t slot) const {
+        dxPrefetch::lineForWrite(&m_begins[slot]);
+        dxPrefetch::lineForWrite(&m_ends[slot]);
     }
 
     Marks &marks(std::size_t slot) { return m_marks[slot]; }

@@ -13,7 +13,7 @@
 namespace {
 
 // Unused lanes may raise them where upstream does not.
-constexpr int kTelling = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
+constexpr int kCheckedExceptions = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
 
 // Below this many rows there are few zeros to skip.
 constexpr unsigned kSparseRows = 64;
@@ -35,18 +35,18 @@ bool areLimitsSound(const dReal *pairsLoHi, unsigned n) {
 // Floating-point exceptions that are raised while it lives, and forgotten then.
 class LoweredFlags {
 public:
-    LoweredFlags() : m_before(std::fetestexcept(kTelling)) {
+    LoweredFlags() : m_before(std::fetestexcept(kCheckedExceptions)) {
         if (m_before == 0) return;
-        std::fegetexceptflag(&m_flags, kTelling);
-        std::feclearexcept(kTelling);
+        std::fegetexceptflag(&m_flags, kCheckedExceptions);
+        std::feclearexcept(kCheckedExceptions);
     }
     ~LoweredFlags() {
-        if (isAnyRaised()) std::feclearexcept(kTelling);
-        if (m_before != 0) std::fesetexceptflag(&m_flags, kTelling);
+        if (isAnyRaised()) std::feclearexcept(kCheckedExceptions);
+        if (m_before != 0) std::fesetexceptflag(&m_flags, kCheckedExceptions);
     }
     LoweredFlags(const LoweredFlags &) = delete;
     LoweredFlags &operator=(const LoweredFlags &) = delete;
-    bool isAnyRaised() const { return std::fetestexcept(kTelling) != 0; }
+    bool isAnyRaised() const { return std::fetestexcept(kCheckedExceptions) != 0; }
 
 private:
     const int m_before;
@@ -72,11 +72,11 @@ enum class Outcome { Solved, GaveUp, LeftToUpstream };
 
 // Nothing is changed if the problem is left to upstream. `failedLength` is the length of the step that was not
 // positive.
-Outcome solve(dxIslandTeam *team, dxWorldProcessMemArena *memory, const dxDantzigProblem &problem, dReal &failedLength) {
+Outcome solve(dxLargeIslandWorkers *islandWorkers, dxWorldProcessMemArena *memory, const dxDantzigProblem &problem, dReal &failedLength) {
     const BorrowedArena more(dxDantzigRun::memory(problem.n));
     if (!more.get()) return Outcome::LeftToUpstream;
     const LoweredFlags flags;
-    dxDantzigRun run(team, memory, more.get(), problem, mayLeaveOutZeros(problem));
+    dxDantzigRun run(islandWorkers, memory, more.get(), problem, mayLeaveOutZeros(problem));
     run.solve();
     if (flags.isAnyRaised()) return Outcome::LeftToUpstream;
     run.deliver();
@@ -86,13 +86,13 @@ Outcome solve(dxIslandTeam *team, dxWorldProcessMemArena *memory, const dxDantzi
 
 }  // namespace
 
-void dxSolveDantzig(dxIslandTeam *team, dxWorldProcessMemArena *memory, unsigned n, dReal *A, dReal *pairsBX, dReal *w,
+void dxSolveDantzig(dxLargeIslandWorkers *islandWorkers, dxWorldProcessMemArena *memory, unsigned n, dReal *A, dReal *pairsBX, dReal *w,
                     unsigned unbounded, dReal *pairsLoHi, int *normalOf) {
     Outcome outcome = Outcome::LeftToUpstream;
     dReal failedLength = 0;
     if (unbounded < n && w == nullptr && fegetexcept() == 0 && areLimitsSound(pairsLoHi, n)) {
         void *const start = memory->SaveState();
-        outcome = solve(team, memory, {n, A, pairsBX, unbounded, pairsLoHi, normalOf}, failedLength);
+        outcome = solve(islandWorkers, memory, {n, A, pairsBX, unbounded, pairsLoHi, normalOf}, failedLength);
         memory->RestoreState(start);
     }
     if (outcome == Outcome::LeftToUpstream) {

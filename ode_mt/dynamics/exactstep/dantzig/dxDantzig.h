@@ -5,12 +5,12 @@
 #include <ode/common.h>
 
 class dxWorldProcessMemArena;
-struct dxIslandTeam;
+struct dxLargeIslandWorkers;
 
 // Solves A x = b + w with, for each i, lo(i) <= x(i) <= hi(i), where w(i) >= 0 if x(i) = lo(i), w(i) <= 0 if
 // x(i) = hi(i), and w(i) = 0 otherwise.
 //
-//   team        workers for large problems; null: the calling thread alone
+//   islandWorkers  workers for large problems; null: the calling thread alone
 //   memory      the size of upstream's dxEstimateSolveLCPMemoryReq is allocated from it, as in upstream
 //   n           rows, at least 1
 //   A           symmetric, positive definite; the lower triangle is read; rows start dPAD(n) elements apart
@@ -22,5 +22,5 @@ struct dxIslandTeam;
 //
 // Threading: reads and writes what it is given, and calls the message handler of the calling thread's island. Results
 // do not depend on the workers.
-void dxSolveDantzig(dxIslandTeam *team, dxWorldProcessMemArena *memory, unsigned n, dReal *A, dReal *pairsBX, dReal *w,
+void dxSolveDantzig(dxLargeIslandWorkers *islandWorkers, dxWorldProcessMemArena *memory, unsigned n, dReal *A, dReal *pairsBX, dReal *w,
                     unsigned unbounded, dReal *pairsLoHi, int *normalOf);

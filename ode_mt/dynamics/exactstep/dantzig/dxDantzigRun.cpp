@@ -58,9 +58,9 @@ std::size_t dxDantzigRun::memory(unsigned n) {
            dxArrayBytes<dReal>(temporarySize(n));
 }
 
-dxDantzigRun::dxDantzigRun(dxIslandTeam *team, dxWorldProcessMemArena *given, dxWorldProcessMemArena *arena,
+dxDantzigRun::dxDantzigRun(dxLargeIslandWorkers *islandWorkers, dxWorldProcessMemArena *given, dxWorldProcessMemArena *arena,
                            const dxDantzigProblem &problem, bool isLeavingOutExact)
-    : m_team(team),
+    : m_islandWorkers(islandWorkers),
       m_problem(problem),
       m_n(problem.n),
       m_order(dxTakeArray<unsigned>(arena, m_n)),
@@ -72,7 +72,7 @@ dxDantzigRun::dxDantzigRun(dxIslandTeam *team, dxWorldProcessMemArena *given, dx
       m_L(dxTakeArray<dReal *>(arena, m_n)),
       m_d(dxTakeArray<dReal>(arena, m_n)),
       m_begins(dxTakeArray<unsigned>(arena, m_n)),
-      m_envelope(isLeavingOutExact ? dxEnvelope(m_begins) : dxEnvelope()),
+      m_envelope(isLeavingOutExact ? dxSkyline(m_begins) : dxSkyline()),
       m_forward(m_A, m_sets, m_L, m_envelope, m_n, m_unbounded,
                 dxTakeArray<dReal>(arena, dxForwardSolves::size(m_n, m_unbounded)),
                 dxTakeArray<unsigned>(arena, dxForwardSolves::words(m_n))),
@@ -107,8 +107,8 @@ void dxDantzigRun::solve() {
             setFrictionLimits(i);
             isFriction = true;
         }
-        if (!settle(i)) {
-            while (push(i)) {
+        if (!driveToZero(i)) {
+            while (pivot(i)) {
             }
         }
     }
@@ -121,7 +121,7 @@ void dxDantzigRun::deliver() const {
 // Rows without limits are in C from the start.
 void dxDantzigRun::solveUnbounded() {
     dxCopyLcpRows(m_problem.A, dPAD(m_n), m_order, 0, m_unbounded, m_factor, m_skip);
-    if (m_envelope.leavesOut()) dxFindEnvelope(m_factor, m_unbounded, m_skip, m_begins);
+    if (m_envelope.leavesOut()) dxFindSkyline(m_factor, m_unbounded, m_skip, m_begins);
     if (m_unbounded < kWideFactorRows) {
         dFactorLDLT(m_factor, m_d, static_cast<int>(m_unbounded), static_cast<int>(m_skip));
     } else {
@@ -145,7 +145,7 @@ void dxDantzigRun::setFrictionLimits(unsigned first) {
 }
 
 // True if row i satisfies the conditions as it is.
-bool dxDantzigRun::settle(unsigned i) {
+bool dxDantzigRun::driveToZero(unsigned i) {
     const dReal *row = m_A.row(i);
     const unsigned *indexes = m_sets.indexes(), *ofN = indexes + m_sets.countC();
     const dReal *x = m_x;
@@ -169,22 +169,22 @@ bool dxDantzigRun::settle(unsigned i) {
 }
 
 // Returns whether row i needs another step.
-bool dxDantzigRun::push(unsigned i) {
+bool dxDantzigRun::pivot(unsigned i) {
     const bool isUp = m_w[i] <= 0;
     findDirection(i, isUp);
-    const Push push = findPush(i, isUp);
-    if (push.length <= 0) {
-        giveUp(i, push.length);
+    const MaximumStep step = findMaximumStep(i, isUp);
+    if (step.length <= 0) {
+        giveUp(i, step.length);
         return false;
     }
-    apply(i, isUp, push.length);
-    return finish(i, push);
+    apply(i, isUp, step.length);
+    return finish(i, step);
 }
 
 void dxDantzigRun::findFactorColumn(unsigned index) {
     const unsigned count = m_sets.countC();
     if (count == 0) return;
-    m_forward.solve(index, m_solved, m_team);
+    m_forward.solve(index, m_solved, m_islandWorkers);
     dxMultiplyLanes(m_solved, m_d, count, scaled(), m_temporary);
 }
 
@@ -197,7 +197,7 @@ void dxDantzigRun::findDirection(unsigned i, bool isUp) {
 // deltaX(C) = -+ A(C,C)^-1 A(C,i), of which findFactorColumn has put the first half into m_temporary.
 void dxDantzigRun::findDeltaX(bool isUp) {
     const unsigned count = m_sets.countC();
-    m_team.solveTriangle(std::size_t(count) * count / 2, [&](dxTaskRunner *runner) {
+    m_islandWorkers.solveTriangle(std::size_t(count) * count / 2, [&](dxTaskRunner *runner) {
         dxSolveL1Transposed(m_L, m_temporary, count, m_envelope, runner);
     });
     const unsigned *positions = m_sets.factorPositions(), inPlace = m_sets.inPlace();
@@ -233,7 +233,7 @@ void dxDantzigRun::findProductsOfN(unsigned i) {
     }
     if (m_envelope.leavesOut() && m_n >= kSparseProductRows && !m_sparse.isTried()) m_sparse.build(m_arena);
     if (m_sparse.isBuilt()) {
-        m_sparse.multiply(m_deltaX, i + 1, m_halfBlockN, m_deltaW, m_team);
+        m_sparse.multiply(m_deltaX, i + 1, m_halfBlockN, m_deltaW, m_islandWorkers);
     } else {
         dxComputeLaneProducts({m_A.rows(), m_A.rowSkip(), columns, m_deltaX, countC, dxLcpBlock(m_unbounded),
                                dxLcpBlock(i) + 1, m_halfBlockN, m_deltaW});
@@ -241,26 +241,26 @@ void dxDantzigRun::findProductsOfN(unsigned i) {
 }
 
 // Returns the maximum step after which all conditions still hold.
-dxDantzigRun::Push dxDantzigRun::findPush(unsigned i, bool isUp) const {
+dxDantzigRun::MaximumStep dxDantzigRun::findMaximumStep(unsigned i, bool isUp) const {
     const dReal w = m_w[i], deltaW = m_deltaW[i];
     const dReal endless = w != 0 ? dCopySign(dInfinity, -w) : dReal(0);
-    Push push = {deltaW != 0 ? -w / deltaW : endless, Event::Solved, 0};
-    shortenForOwnLimit(i, isUp, push);
-    shortenForN(push);
-    shortenForC(push);
-    return push;
+    MaximumStep step = {deltaW != 0 ? -w / deltaW : endless, Event::Solved, 0};
+    limitByOwnBounds(i, isUp, step);
+    limitByN(step);
+    limitByC(step);
+    return step;
 }
 
-void dxDantzigRun::shortenForOwnLimit(unsigned i, bool isUp, Push &push) const {
+void dxDantzigRun::limitByOwnBounds(unsigned i, bool isUp, MaximumStep &step) const {
     const Limits &limits = m_limits[i];
     if (isUp ? !(limits.high < dInfinity) : !(limits.low > -dInfinity)) return;
     const dReal length = isUp ? limits.high - m_x[i] : m_x[i] - limits.low;
-    if (length < push.length) push = {length, isUp ? Event::AtHigh : Event::AtLow, 0};
+    if (length < step.length) step = {length, isUp ? Event::AtHigh : Event::AtLow, 0};
 }
 
 // Rows that may not move at all stay in N, whatever their w. Whether a row leaves its side is as good as random, so the
 // rows that do are listed first, without a branch.
-void dxDantzigRun::shortenForN(Push &push) const {
+void dxDantzigRun::limitByN(MaximumStep &step) const {
     const unsigned begin = m_sets.countC(), end = begin + m_sets.countN();
     unsigned *const leaving = m_leaving;
     unsigned count = 0;
@@ -272,25 +272,25 @@ void dxDantzigRun::shortenForN(Push &push) const {
     for (unsigned k = 0; k < count; ++k) {
         const unsigned row = m_sets.indexAt(leaving[k]);
         const dReal length = -m_w[row] / m_deltaW[row];
-        if (length < push.length) push = {length, Event::LeavesN, leaving[k]};
+        if (length < step.length) step = {length, Event::LeavesN, leaving[k]};
     }
 }
 
-void dxDantzigRun::shortenForC(Push &push) const {
+void dxDantzigRun::limitByC(MaximumStep &step) const {
     const auto eventAt = [&](unsigned position) {
-        return m_deltaX[position] < 0 ? Event::CFallsLow : Event::CFallsHigh;
+        return m_deltaX[position] < 0 ? Event::CReachesLow : Event::CReachesHigh;
     };
     const unsigned inPlace = m_sets.inPlace();
     if (m_unbounded < inPlace) {
-        const unsigned first = dxFindFirstAtLimit(m_x, m_deltaX, m_limits, m_unbounded, inPlace, push.length);
-        if (first < inPlace) push = {push.length, eventAt(first), first};
+        const unsigned first = dxFindFirstAtLimit(m_x, m_deltaX, m_limits, m_unbounded, inPlace, step.length);
+        if (first < inPlace) step = {step.length, eventAt(first), first};
     }
     for (unsigned position = std::max(m_unbounded, inPlace); position < m_sets.countC(); ++position) {
         const unsigned row = m_sets.indexAt(position);
         const dReal deltaX = m_deltaX[position];
         if (deltaX == 0) continue;
         const dReal length = (m_limits[row].towards(deltaX < 0) - m_x[row]) / deltaX;  // endless if there is no limit
-        if (length < push.length) push = {length, eventAt(position), position};
+        if (length < step.length) step = {length, eventAt(position), position};
     }
 }
 
@@ -309,8 +309,8 @@ void dxDantzigRun::apply(unsigned i, bool isUp, dReal length) {
 }
 
 // True if row i is not at rest yet.
-bool dxDantzigRun::finish(unsigned i, const Push &push) {
-    switch (push.event) {
+bool dxDantzigRun::finish(unsigned i, const MaximumStep &step) {
+    switch (step.event) {
         case Event::Solved:
             m_w[i] = 0;
             addToC(i);
@@ -324,14 +324,14 @@ bool dxDantzigRun::finish(unsigned i, const Push &push) {
             addToN(i, true);
             return false;
         case Event::LeavesN:
-            m_w[m_sets.indexAt(push.position)] = 0;
-            moveFromNToC(push.position);
+            m_w[m_sets.indexAt(step.position)] = 0;
+            moveFromNToC(step.position);
             return true;
-        case Event::CFallsLow:
-            moveFromCToN(push.position, false);
+        case Event::CReachesLow:
+            moveFromCToN(step.position, false);
             return true;
-        case Event::CFallsHigh:
-            moveFromCToN(push.position, true);
+        case Event::CReachesHigh:
+            moveFromCToN(step.position, true);
             return true;
     }
     return false;

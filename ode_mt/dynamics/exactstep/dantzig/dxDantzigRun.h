@@ -10,9 +10,9 @@
 #include "dynamics/exactstep/dantzig/dxForwardSolves.h"
 #include "dynamics/exactstep/dantzig/dxIndexSets.h"
 #include "dynamics/exactstep/dantzig/dxLcpMatrix.h"
-#include "dynamics/exactstep/dantzig/dxSolveTeam.h"
+#include "dynamics/exactstep/dantzig/dxLcpWorkers.h"
 #include "dynamics/exactstep/dantzig/dxSparseRows.h"
-#include "dynamics/exactstep/kernels/dxPushLanes.h"
+#include "dynamics/exactstep/kernels/dxPivotLanes.h"
 
 class dxWorldProcessMemArena;
 
@@ -21,7 +21,7 @@ public:
     // Allocates L from `given`, everything else from `arena`, of which it needs memory(n) bytes; reads the problem and
     // writes only that memory. Products with 0 are skipped if `isLeavingOutExact`: everything in the problem but its
     // limits is finite, and results are rounded to nearest.
-    dxDantzigRun(dxIslandTeam *team, dxWorldProcessMemArena *given, dxWorldProcessMemArena *arena,
+    dxDantzigRun(dxLargeIslandWorkers *islandWorkers, dxWorldProcessMemArena *given, dxWorldProcessMemArena *arena,
                  const dxDantzigProblem &problem, bool isLeavingOutExact);
     static std::size_t memory(unsigned n);
 
@@ -38,8 +38,8 @@ private:
     using Limits = dxLimitPair;
 
     // The event that ends a step.
-    enum class Event { Solved, AtLow, AtHigh, LeavesN, CFallsLow, CFallsHigh };
-    struct Push {
+    enum class Event { Solved, AtLow, AtHigh, LeavesN, CReachesLow, CReachesHigh };
+    struct MaximumStep {
         dReal length;
         Event event;
         unsigned position;  // of the row that changes its set
@@ -47,20 +47,20 @@ private:
 
     void solveUnbounded();
     void setFrictionLimits(unsigned first);
-    bool settle(unsigned i);
-    bool push(unsigned i);
+    bool driveToZero(unsigned i);
+    bool pivot(unsigned i);
     void findFactorColumn(unsigned index);
     void findDirection(unsigned i, bool isUp);
     void findDeltaX(bool isUp);
     void findDeltaW(unsigned i, bool isUp);
     void findProductsOfN(unsigned i);
     dReal multiplyByDeltaX(unsigned index) const;
-    Push findPush(unsigned i, bool isUp) const;
-    void shortenForOwnLimit(unsigned i, bool isUp, Push &push) const;
-    void shortenForN(Push &push) const;
-    void shortenForC(Push &push) const;
+    MaximumStep findMaximumStep(unsigned i, bool isUp) const;
+    void limitByOwnBounds(unsigned i, bool isUp, MaximumStep &step) const;
+    void limitByN(MaximumStep &step) const;
+    void limitByC(MaximumStep &step) const;
     void apply(unsigned i, bool isUp, dReal length);
-    bool finish(unsigned i, const Push &push);
+    bool finish(unsigned i, const MaximumStep &step);
     void giveUp(unsigned i, dReal length);
 
     void addToC(unsigned i);
@@ -74,7 +74,7 @@ private:
     // D^-1 L^-1 A(C,i) is stored where it will be if i enters C: in the row behind the last one of L.
     dReal *scaled() const { return m_L[m_sets.countC()]; }
 
-    dxSolveTeam m_team;
+    dxLcpWorkers m_islandWorkers;
     const dxDantzigProblem &m_problem;
     const unsigned m_n;
     unsigned *const m_order;  // the problem's row for each of ours
@@ -85,7 +85,7 @@ private:
     dReal *const m_factor, **const m_L;  // A(C,C) = L D L': its rows in the order of the factorisation
     dReal *const m_d;                    // 1/D
     unsigned *const m_begins;      // of the rows of L
-    const dxEnvelope m_envelope;   // the same, if products with 0 are left out
+    const dxSkyline m_envelope;   // the same, if products with 0 are left out
     dxForwardSolves m_forward;
 
     dxWorldProcessMemArena *const m_arena;  // for m_sparse, when rows are in N
@@ -95,7 +95,7 @@ private:
     dReal *const m_b, *const m_x, *const m_w, *const m_deltaW;
     Limits *const m_limits;
     dReal *const m_side;          // for rows of N: the sign that w may have, 0 where the limits leave no room for x
-    unsigned *const m_leaving;    // positions in N: a list of shortenForN
+    unsigned *const m_leaving;    // positions in N: a list of limitByN
     unsigned *const m_halfBlockN;  // rows of N in each half of a block of lanes
 
     dReal *const m_deltaX;  // by position in C

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include "dynamics/exactstep/kernels/dxEnvelope.h"
+#include "dynamics/exactstep/kernels/dxSkyline.h"
 
 struct dxFactorRemovalTask {
     dReal **L;  // rows of a lower triangle with ones on its diagonal, which is not read
@@ -14,7 +14,7 @@ struct dxFactorRemovalTask {
     // The column of the factorised matrix that goes: its element in row i is column[index[i]], for i >= r.
     const dReal *column;
     const unsigned *index;
-    dxEnvelope envelope;
+    dxSkyline envelope;
     dReal *storage;  // dxFactorRemovalStorage(count) elements
 };
 

@@ -23,7 +23,7 @@ std::size_t dxForwardSolves::size(unsigned n, unsigned first) {
 }
 
 dxForwardSolves::dxForwardSolves(const dxLcpMatrix &A, const dxIndexSets &sets, const dReal *const *L,
-                                 const dxEnvelope &envelope, unsigned n, unsigned first,
+                                 const dxSkyline &envelope, unsigned n, unsigned first,
                                  dReal *storage, unsigned *words)
     : m_A(A),
       m_sets(sets),
@@ -38,16 +38,16 @@ dxForwardSolves::dxForwardSolves(const dxLcpMatrix &A, const dxIndexSets &sets, 
       m_zeros(m_known + (m_endBlock - m_firstBlock)),
       m_place(m_zeros + (m_endBlock - m_firstBlock)),
       m_blockAt(m_place + (m_endBlock - m_firstBlock)),
-      m_askedAt(m_blockAt + (m_endBlock - m_firstBlock)) {
+      m_usedAt(m_blockAt + (m_endBlock - m_firstBlock)) {
     std::fill(m_known, m_place, 0u);
     std::fill(m_place, m_blockAt, kNone);
 }
 
-void dxForwardSolves::solve(unsigned column, dReal *result, const dxSolveTeam &team) {
+void dxForwardSolves::solve(unsigned column, dReal *result, const dxLcpWorkers &islandWorkers) {
     const unsigned rows = m_sets.countC(), grouped = rows / 4 * 4;
     const unsigned index = dxLcpBlock(column);
     findPlace(index);
-    extend(index, grouped, team);
+    extend(index, grouped, islandWorkers);
     const dReal *lane = block(index) + column % kLineLanes;
     const unsigned zeros = std::min(m_zeros[index - m_firstBlock], grouped);
     std::fill_n(result, zeros, dReal(0));
@@ -63,29 +63,29 @@ void dxForwardSolves::solve(unsigned column, dReal *result, const dxSolveTeam &t
 void dxForwardSolves::findPlace(unsigned index) {
     unsigned &place = m_place[index - m_firstBlock];
     if (place == kNone) {
-        place = m_taken < m_places ? m_taken++ : placeAskedForLongestAgo();
+        place = m_taken < m_places ? m_taken++ : leastRecentlyUsedPlace();
         m_blockAt[place] = index;
     }
-    m_askedAt[place] = m_time++;
+    m_usedAt[place] = m_time++;
 }
 
 // Its block has nothing then.
-unsigned dxForwardSolves::placeAskedForLongestAgo() const {
-    const auto place = static_cast<unsigned>(std::min_element(m_askedAt, m_askedAt + m_places) - m_askedAt);
+unsigned dxForwardSolves::leastRecentlyUsedPlace() const {
+    const auto place = static_cast<unsigned>(std::min_element(m_usedAt, m_usedAt + m_places) - m_usedAt);
     const unsigned block = m_blockAt[place] - m_firstBlock;
     m_place[block] = kNone;
     m_known[block] = m_zeros[block] = 0;
     return place;
 }
 
-void dxForwardSolves::extend(unsigned index, unsigned rows, const dxSolveTeam &team) {
+void dxForwardSolves::extend(unsigned index, unsigned rows, const dxLcpWorkers &islandWorkers) {
     unsigned &known = m_known[index - m_firstBlock];
     if (known >= rows) return;
     if (m_envelope.leavesOut()) extendZeros(index, rows);
     if (known < rows)
         dxSolvePanel({m_L, m_A.rows() + index * kLineLanes, m_A.rowSkip(), m_sets.factorIndexes(), m_envelope,
                       m_zeros[index - m_firstBlock], known, rows, block(index)},
-                     team.runnerFor(std::size_t(rows - known) * rows));
+                     islandWorkers.runnerFor(std::size_t(rows - known) * rows));
     known = rows;
 }
 

@@ -17,8 +17,8 @@
 
 #include "dynamics/exactstep/dantzig/dxIndexSets.h"
 #include "dynamics/exactstep/dantzig/dxLcpMatrix.h"
-#include "dynamics/exactstep/dantzig/dxSolveTeam.h"
-#include "dynamics/exactstep/kernels/dxEnvelope.h"
+#include "dynamics/exactstep/dantzig/dxLcpWorkers.h"
+#include "dynamics/exactstep/kernels/dxSkyline.h"
 
 class dxForwardSolves {
 public:
@@ -29,10 +29,10 @@ public:
 
     // `L`: the rows of the factor; `envelope`: its.
     dxForwardSolves(const dxLcpMatrix &A, const dxIndexSets &sets, const dReal *const *L,
-                    const dxEnvelope &envelope, unsigned n, unsigned first, dReal *storage, unsigned *words);
+                    const dxSkyline &envelope, unsigned n, unsigned first, dReal *storage, unsigned *words);
 
     // result(row) = (L^-1 A(C,column))(row), for all rows of C
-    void solve(unsigned column, dReal *result, const dxSolveTeam &team);
+    void solve(unsigned column, dReal *result, const dxLcpWorkers &islandWorkers);
 
     // Invalidates rows of L from `row` on.
     void forgetFrom(unsigned row);
@@ -45,15 +45,15 @@ private:
         return m_solutions + std::size_t(m_place[index - m_firstBlock]) * m_n * kLineLanes;
     }
     void findPlace(unsigned index);
-    unsigned placeAskedForLongestAgo() const;
-    void extend(unsigned index, unsigned rows, const dxSolveTeam &team);
+    unsigned leastRecentlyUsedPlace() const;
+    void extend(unsigned index, unsigned rows, const dxLcpWorkers &islandWorkers);
     void extendZeros(unsigned index, unsigned rows);
     bool isGroupZero(unsigned index, unsigned first) const;
 
     const dxLcpMatrix &m_A;
     const dxIndexSets &m_sets;
     const dReal *const *const m_L;
-    const dxEnvelope &m_envelope;
+    const dxSkyline &m_envelope;
     const unsigned m_n, m_firstBlock, m_endBlock, m_places;
     dReal *const m_solutions;  // by place, then by row
     // For each block, multiples of four:
@@ -63,7 +63,7 @@ private:
     unsigned *const m_place;  // by block: place of its solutions, or kNone
     // By place:
     unsigned *const m_blockAt;
-    unsigned *const m_askedAt;  // time of its last use
+    unsigned *const m_usedAt;  // time of its last use
     unsigned m_taken = 0;       // places
     unsigned m_time = 0;
 };

@@ -16,7 +16,7 @@ constexpr std::size_t kSharedBlocks = 16;
 
 unsigned blockCount(unsigned n) { return dxLcpHalfBlock(n - 1) + 1; }
 
-std::size_t mostPieces(unsigned n) { return std::size_t(n) * blockCount(n) / kSparsity; }
+std::size_t maxPieces(unsigned n) { return std::size_t(n) * blockCount(n) / kSparsity; }
 
 // Calls visit(block) for each bit.
 template <class Visit>
@@ -41,15 +41,15 @@ dxSparseRows::dxSparseRows(const dxLcpMatrix &A, const dxIndexSets &sets, unsign
 std::size_t dxSparseRows::memory(unsigned n) {
     const unsigned blocks = blockCount(n);
     return dxArrayBytes<std::uint64_t>(n * patternWords(blocks)) + dxArrayBytes<unsigned>(blocks + std::size_t(1)) +
-           dxArrayBytes<unsigned>(blocks) + dxArrayBytes<unsigned>(mostPieces(n)) +
-           dxArrayBytes<dReal>(mostPieces(n) * kHalfLine);
+           dxArrayBytes<unsigned>(blocks) + dxArrayBytes<unsigned>(maxPieces(n)) +
+           dxArrayBytes<dReal>(maxPieces(n) * kHalfLine);
 }
 
 void dxSparseRows::build(dxWorldProcessMemArena *arena) {
     m_pattern = dxTakeArray<std::uint64_t>(arena, m_n * m_patternWords);
     m_begins = dxTakeArray<unsigned>(arena, m_blocks + std::size_t(1));
     findPattern();
-    if (m_begins[m_blocks] > mostPieces(m_n)) return;
+    if (m_begins[m_blocks] > maxPieces(m_n)) return;
     m_counts = dxTakeArray<unsigned>(arena, m_blocks);
     m_positions = dxTakeArray<unsigned>(arena, m_begins[m_blocks]);
     m_pieces = dxTakeArray<dReal>(arena, std::size_t(m_begins[m_blocks]) * kHalfLine);
@@ -70,15 +70,15 @@ void dxSparseRows::findPattern() {
 }
 
 void dxSparseRows::multiply(const dReal *factors, unsigned endRow, const unsigned *wanted, dReal *result,
-                            const dxSolveTeam &team) const {
+                            const dxLcpWorkers &islandWorkers) const {
     const unsigned endBlock = blockCount(endRow);
     const auto multiplyBlocks = [&](unsigned begin, unsigned end) {
         dxComputeSparseProducts(
             {m_begins, m_counts, m_pieces, m_positions, factors, m_sets.countC(), begin, end, wanted, result});
     };
-    dxTaskRunner *const runner = team.runnerFor(std::size_t(m_begins[endBlock]) * kHalfLine / 2);  // of all half are in C
+    dxTaskRunner *const runner = islandWorkers.runnerFor(std::size_t(m_begins[endBlock]) * kHalfLine / 2);  // of all half are in C
     if (runner == nullptr) return multiplyBlocks(m_firstBlock, endBlock);
-    runner->forPieces(dxParallelStage::SparseProducts, endBlock - m_firstBlock, kSharedBlocks,
+    runner->forChunks(dxParallelStage::SparseProducts, endBlock - m_firstBlock, kSharedBlocks,
         [&](std::size_t begin, std::size_t end, unsigned) {
         multiplyBlocks(m_firstBlock + static_cast<unsigned>(begin), m_firstBlock + static_cast<unsigned>(end));
     });

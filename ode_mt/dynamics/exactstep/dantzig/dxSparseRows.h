@@ -14,7 +14,7 @@
 
 #include "dynamics/exactstep/dantzig/dxIndexSets.h"
 #include "dynamics/exactstep/dantzig/dxLcpMatrix.h"
-#include "dynamics/exactstep/dantzig/dxSolveTeam.h"
+#include "dynamics/exactstep/dantzig/dxLcpWorkers.h"
 #include "dynamics/exactstep/kernels/dxSparseProducts.h"
 
 class dxWorldProcessMemArena;
@@ -36,7 +36,7 @@ public:
     // result(row) = the sum over C of A(row, column) * factors[position], for rows before `endRow` in wanted half blocks of
     // lanes.
     void multiply(const dReal *factors, unsigned endRow, const unsigned *wanted, dReal *result,
-                  const dxSolveTeam &team) const;
+                  const dxLcpWorkers &islandWorkers) const;
 
     // Requires a call when a column was appended to C.
     void append(unsigned column);

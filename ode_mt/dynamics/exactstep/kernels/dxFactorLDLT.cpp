@@ -21,7 +21,7 @@ struct FactorPanel {
     dReal *A, *d;
     std::size_t rowSkip;
     std::size_t first, rows;
-    const dxEnvelope &envelope;
+    const dxSkyline &envelope;
     std::size_t begin;  // of the panel's envelope: nothing is done for the columns before it, a multiple of eight
     dReal *solved;   // L^-1 A, by column, then by lane
     dReal *squares;  // by lane: the sum of products of a row's solved elements with its scaled ones
@@ -149,7 +149,7 @@ HWY_INLINE void signZeros(const FactorPanel &panel) {
         for (std::size_t lane = 0; lane < panel.rows; ++lane) panel.row(panel.first + lane)[column] *= panel.d[column];
 }
 
-void factorLDLT(dReal *A, dReal *d, std::size_t rowCount, std::size_t rowSkip, const dxEnvelope &envelope,
+void factorLDLT(dReal *A, dReal *d, std::size_t rowCount, std::size_t rowSkip, const dxSkyline &envelope,
                 dReal *storage) {
     HWY_ALIGN dReal squares[kLineLanes], crosses[kLineLanes];
     bool areAllPositive = true;  // of d
@@ -176,7 +176,7 @@ HWY_EXPORT(factorLDLT);
 
 std::size_t dxFactorLDLTStorage(unsigned n) { return std::size_t(kLineLanes) * n; }
 
-void dxFactorLDLT(dReal *A, dReal *d, unsigned rowCount, unsigned rowSkip, const dxEnvelope &envelope,
+void dxFactorLDLT(dReal *A, dReal *d, unsigned rowCount, unsigned rowSkip, const dxSkyline &envelope,
                   dReal *storage) {
     HWY_DYNAMIC_DISPATCH(dxSolve::factorLDLT)(A, d, rowCount, rowSkip, envelope, storage);
 }

@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-#include "dynamics/exactstep/kernels/dxEnvelope.h"
+#include "dynamics/exactstep/kernels/dxSkyline.h"
 
 // Elements of storage, aligned to a cache line, for n rows.
 std::size_t dxFactorLDLTStorage(unsigned n);
@@ -14,5 +14,5 @@ std::size_t dxFactorLDLTStorage(unsigned n);
 // A = L D L': the lower triangle of A, whose rows start rowSkip elements apart, becomes that of L below the diagonal;
 // the diagonal itself, ones, is not written. d(i) = 1 / D(i). rowCount is at least 1. The skyline is that of A and of
 // L: before it, A is +0. It is exact if everything is finite, and results are rounded to nearest.
-void dxFactorLDLT(dReal *A, dReal *d, unsigned rowCount, unsigned rowSkip, const dxEnvelope &envelope,
+void dxFactorLDLT(dReal *A, dReal *d, unsigned rowCount, unsigned rowSkip, const dxSkyline &envelope,
                   dReal *storage);

@@ -10,7 +10,7 @@
 #include "dynamics/exactstep/kernels/dxLineLanes-inl.h"
 #include "dynamics/exactstep/kernels/dxPanelSolve.h"
 #include "threading/dxTaskRunner.h"
-#include "threading/pool/dxTurns.h"
+#include "threading/pool/dxOrderedCompletion.h"
 
 // Lanes are right-hand sides: an element of L is one factor for all of them, and nothing is rearranged.
 HWY_BEFORE_NAMESPACE();
@@ -95,9 +95,9 @@ HWY_INLINE void finishFromSums(const dxSolvePanelTask &task, std::size_t lane, s
 // Solves the rows of one chunk. Their sums are kept while other workers solve the columns before them.
 class RowsInTurn {
 public:
-    HWY_INLINE RowsInTurn(const dxSolvePanelTask &task, unsigned turn)
+    HWY_INLINE RowsInTurn(const dxSolvePanelTask &task, unsigned chunk)
         : m_task(task),
-          m_begin(task.begin + turn * kSharedRows),
+          m_begin(task.begin + chunk * kSharedRows),
           m_end(std::min<std::size_t>(m_begin + kSharedRows, task.end)) {
         std::fill_n(m_sums, kSharedRows * kLineLanes, dReal(0));
     }
@@ -128,17 +128,17 @@ private:
     HWY_ALIGN dReal m_sums[kSharedRows * kLineLanes];
 };
 
-void solvePanelInTurn(const dxSolvePanelTask &task, unsigned turn, dxTurns &turns) {
-    RowsInTurn rows(task, turn);
+void solvePanelOrdered(const dxSolvePanelTask &task, unsigned chunk, dxOrderedCompletion &completion) {
+    RowsInTurn rows(task, chunk);
     std::size_t added = 0;
-    for (unsigned known = 0;; known = turns.await(known + 1)) {
+    for (unsigned known = 0;; known = completion.await(known + 1)) {
         const std::size_t end = task.begin + known * kSharedRows;
         rows.add(added, end);
         added = end;
-        if (known == turn) break;
+        if (known == chunk) break;
     }
     rows.finish();
-    turns.finish(turn);
+    completion.finish(chunk);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -148,15 +148,15 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace dxSolve {
 HWY_EXPORT(solvePanel);
-HWY_EXPORT(solvePanelInTurn);
+HWY_EXPORT(solvePanelOrdered);
 }  // namespace dxSolve
 
 void dxSolvePanel(const dxSolvePanelTask &task, dxTaskRunner *runner) {
     if (runner == nullptr) return HWY_DYNAMIC_DISPATCH(dxSolve::solvePanel)(task);
-    dxTurns turns;
+    dxOrderedCompletion completion;
     runner->forBlocks(dxParallelStage::PanelSolve, (task.end - task.begin + kSharedRows - 1) / kSharedRows,
-        [&](unsigned turn, unsigned) {
-        HWY_DYNAMIC_DISPATCH(dxSolve::solvePanelInTurn)(task, turn, turns);
+        [&](unsigned chunk, unsigned) {
+        HWY_DYNAMIC_DISPATCH(dxSolve::solvePanelOrdered)(task, chunk, completion);
     });
 }
 #endif

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include "dynamics/exactstep/kernels/dxEnvelope.h"
+#include "dynamics/exactstep/kernels/dxSkyline.h"
 
 class dxTaskRunner;
 
@@ -16,7 +16,7 @@ struct dxSolvePanelTask {
     const dReal *rightHandSides;
     std::size_t rightHandSkip;
     const unsigned *index;
-    dxEnvelope envelope;
+    dxSkyline envelope;
     unsigned zeros;       // rows of the solutions that are 0, and neither read nor written
     unsigned begin, end;  // rows to be solved for, multiples of four; those before them are solved
     dReal *solutions;     // by row, then by lane

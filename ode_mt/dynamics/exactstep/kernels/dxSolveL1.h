@@ -8,7 +8,7 @@
 
 #include <ode/common.h>
 
-#include "dynamics/exactstep/kernels/dxEnvelope.h"
+#include "dynamics/exactstep/kernels/dxSkyline.h"
 
 class dxTaskRunner;
 
@@ -22,10 +22,10 @@ void dxSolveL1Transposed(const dReal *L, dReal *B, unsigned rowCount, unsigned r
 
 // The same for b_stride 1 with skyline storage: columns before the skyline are taken for zero, which is exact if
 // everything is finite, no sum overflows, and results are rounded to nearest.
-void dxSolveL1Straight(const dReal *L, dReal *B, unsigned rowCount, unsigned rowSkip, const dxEnvelope &envelope);
+void dxSolveL1Straight(const dReal *L, dReal *B, unsigned rowCount, unsigned rowSkip, const dxSkyline &envelope);
 
 // Row i of L is at L[i]. `runner`: null for the calling thread alone.
-void dxSolveL1Transposed(const dReal *const *L, dReal *B, unsigned rowCount, const dxEnvelope &envelope,
+void dxSolveL1Transposed(const dReal *const *L, dReal *B, unsigned rowCount, const dxSkyline &envelope,
                          dxTaskRunner *runner = nullptr);
 
 namespace dxSolve {

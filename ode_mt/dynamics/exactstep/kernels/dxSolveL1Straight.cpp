@@ -53,7 +53,7 @@ HWY_INLINE void addGroup(const dReal *row, std::size_t rowSkip, std::size_t rows
 
 template <std::size_t Rows, unsigned Stride>
 HWY_INLINE void solveBlock(const dReal *L, dReal *B, std::size_t firstRow, std::size_t rowSkip,
-                           const dxEnvelope &envelope) {
+                           const dxSkyline &envelope) {
     HWY_ALIGN dReal sum[Rows];
     sumColumns<Rows, Stride>(L + firstRow * rowSkip, rowSkip, B, envelope.begin(firstRow, Rows, 4), firstRow, sum);
     const dReal *diagonal = L + firstRow * (rowSkip + 1);
@@ -67,7 +67,7 @@ HWY_INLINE void solveBlock(const dReal *L, dReal *B, std::size_t firstRow, std::
 
 template <unsigned Stride>
 HWY_INLINE void solveStraight(const dReal *L, dReal *B, std::size_t rowCount, std::size_t rowSkip,
-                              const dxEnvelope &envelope) {
+                              const dxSkyline &envelope) {
     std::size_t row = 0;
     const auto remain = [&](std::size_t rows) { return row + rows <= rowCount; };
     for (; row < kWideBlockColumns && remain(kNarrowBlock); row += kNarrowBlock)
@@ -80,11 +80,11 @@ HWY_INLINE void solveStraight(const dReal *L, dReal *B, std::size_t rowCount, st
 }
 
 void solveStraight1(const dReal *L, dReal *B, std::size_t rowCount, std::size_t rowSkip,
-                    const dxEnvelope &envelope) {
+                    const dxSkyline &envelope) {
     solveStraight<1>(L, B, rowCount, rowSkip, envelope);
 }
 void solveStraight2(const dReal *L, dReal *B, std::size_t rowCount, std::size_t rowSkip) {
-    solveStraight<2>(L, B, rowCount, rowSkip, dxEnvelope());
+    solveStraight<2>(L, B, rowCount, rowSkip, dxSkyline());
 }
 
 }  // namespace HWY_NAMESPACE
@@ -100,7 +100,7 @@ HWY_EXPORT(solveStraight2);
 constexpr unsigned kPlainRows = 15;
 }  // namespace dxSolve
 
-void dxSolveL1Straight(const dReal *L, dReal *B, unsigned rowCount, unsigned rowSkip, const dxEnvelope &envelope) {
+void dxSolveL1Straight(const dReal *L, dReal *B, unsigned rowCount, unsigned rowSkip, const dxSkyline &envelope) {
     using namespace dxSolve;
     if (rowCount <= kPlainRows) return solveStraightPlain<1>(L, B, rowCount, rowSkip);
     HWY_DYNAMIC_DISPATCH(solveStraight1)(L, B, rowCount, rowSkip, envelope);
@@ -108,7 +108,7 @@ void dxSolveL1Straight(const dReal *L, dReal *B, unsigned rowCount, unsigned row
 
 template <>
 void dxSolveL1Straight<1>(const dReal *L, dReal *B, unsigned rowCount, unsigned rowSkip) {
-    dxSolveL1Straight(L, B, rowCount, rowSkip, dxEnvelope());
+    dxSolveL1Straight(L, B, rowCount, rowSkip, dxSkyline());
 }
 
 template <>

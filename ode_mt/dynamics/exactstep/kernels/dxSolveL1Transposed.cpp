@@ -9,7 +9,7 @@
 #include "dynamics/exactstep/kernels/dxSolveL1Plain.h"
 #include "dynamics/exactstep/kernels/dxTriangleRows.h"
 #include "threading/dxTaskRunner.h"
-#include "threading/pool/dxTurns.h"
+#include "threading/pool/dxOrderedCompletion.h"
 
 // Lanes are results: a band of rows whose results are known adds its products to the sums of all results
 // before it, and so L is read along its rows.
@@ -19,7 +19,7 @@ namespace HWY_NAMESPACE {
 
 constexpr std::size_t kBand = 8;     // rows: their results stay in registers
 constexpr std::size_t kPanel = 512;  // columns: their sums stay in L1
-constexpr std::size_t kMostShortRows = 35;
+constexpr std::size_t kMaxShortRows = 35;
 
 // sum[column] += products of Count rows of L with their results x, the last row first; `offset`: of column 0 in a row
 template <std::size_t Count, unsigned Stride, class D, class Rows>
@@ -64,18 +64,18 @@ struct AllKnown {
 };
 
 // ... or other workers are finding them, a panel each.
-class KnownInTurn {
+class KnownInOrder {
 public:
-    KnownInTurn(const dxTurns &turns, std::size_t lastGroupEnd) : m_turns(turns), m_lastGroupEnd(lastGroupEnd) {}
+    KnownInOrder(const dxOrderedCompletion &completion, std::size_t lastGroupEnd) : m_completion(completion), m_lastGroupEnd(lastGroupEnd) {}
 
     // The results of `row` and all after it.
     HWY_INLINE void await(std::size_t row) {
         const auto needed = static_cast<unsigned>((m_lastGroupEnd - row + kSharedPanel - 1) / kSharedPanel);
-        if (m_finished < needed) m_finished = m_turns.await(needed);
+        if (m_finished < needed) m_finished = m_completion.await(needed);
     }
 
 private:
-    const dxTurns &m_turns;
+    const dxOrderedCompletion &m_completion;
     const std::size_t m_lastGroupEnd;
     unsigned m_finished = 0;
 };
@@ -83,7 +83,7 @@ private:
 // The results of columns begin..end-1, at most kPanel and a multiple of four, from those after them.
 template <unsigned Stride, bool LeavesOut, class Rows, class Known>
 HWY_INLINE void solvePanel(const Rows &L, dReal *B, std::size_t begin, std::size_t end, std::size_t rowCount,
-                           const dxEnvelope &envelope, Known known) {
+                           const dxSkyline &envelope, Known known) {
     HWY_ALIGN dReal sum[kPanel];
     const RowLanes<4> d;
     const hn::ScalableTag<dReal> widest;
@@ -139,8 +139,8 @@ public:
 
 private:
     using Lanes = hn::Vec<RowLanes<4>>;
-    static constexpr std::size_t kMostGroups = kMostShortRows / 4, kParts = 4 / kLanes<RowLanes<4>>;
-    static_assert(kMostGroups == 8, "addRow and solveGroups begin with eight");
+    static constexpr std::size_t kMaxGroups = kMaxShortRows / 4, kParts = 4 / kLanes<RowLanes<4>>;
+    static_assert(kMaxGroups == 8, "addRow and solveGroups begin with eight");
     struct Sum {
         Lanes part[kParts];
     };
@@ -193,11 +193,11 @@ private:
 
     const Rows &m_L;
     dReal *const m_B;
-    Sum m_sums[kMostGroups];
+    Sum m_sums[kMaxGroups];
 };
 
 template <unsigned Stride, bool LeavesOut, class Rows>
-HWY_INLINE void solveInPanels(const Rows &L, dReal *B, std::size_t rowCount, const dxEnvelope &envelope) {
+HWY_INLINE void solveInPanels(const Rows &L, dReal *B, std::size_t rowCount, const dxSkyline &envelope) {
     std::size_t end = rowCount - rowCount % 4;
     finishTransposedLast<Stride>(L, end, B, rowCount);
     while (end > 0) {
@@ -209,10 +209,10 @@ HWY_INLINE void solveInPanels(const Rows &L, dReal *B, std::size_t rowCount, con
 
 template <unsigned Stride, class Rows>
 HWY_INLINE void solveTransposed(const Rows &L, dReal *B, std::size_t rowCount) {
-    if (rowCount <= kMostShortRows)
+    if (rowCount <= kMaxShortRows)
         ShortSolve<Stride, Rows>(L, B).solve(rowCount);
     else
-        solveInPanels<Stride, false>(L, B, rowCount, dxEnvelope());
+        solveInPanels<Stride, false>(L, B, rowCount, dxSkyline());
 }
 
 void solveTransposed1(const dReal *L, dReal *B, std::size_t rowCount, std::size_t rowSkip) {
@@ -221,25 +221,25 @@ void solveTransposed1(const dReal *L, dReal *B, std::size_t rowCount, std::size_
 void solveTransposed2(const dReal *L, dReal *B, std::size_t rowCount, std::size_t rowSkip) {
     solveTransposed<2>(dxRowsApart(L, rowSkip), B, rowCount);
 }
-void solveTransposedListed(const dReal *const *L, dReal *B, std::size_t rowCount, const dxEnvelope &envelope) {
+void solveTransposedListed(const dReal *const *L, dReal *B, std::size_t rowCount, const dxSkyline &envelope) {
     const dxListedRows rows(L);
-    if (envelope.leavesOut() && rowCount > kMostShortRows)
+    if (envelope.leavesOut() && rowCount > kMaxShortRows)
         solveInPanels<1, true>(rows, B, rowCount, envelope);
     else
         solveTransposed<1>(rows, B, rowCount);
 }
 
 // Solves the panel with number `turn`, counted from the last columns.
-void solveTransposedInTurn(const dReal *const *L, dReal *B, std::size_t rowCount, const dxEnvelope &envelope,
-                           unsigned turn, dxTurns &turns) {
-    const std::size_t lastGroupEnd = rowCount - rowCount % 4, end = lastGroupEnd - turn * kSharedPanel;
+void solveTransposedOrdered(const dReal *const *L, dReal *B, std::size_t rowCount, const dxSkyline &envelope,
+                           unsigned chunk, dxOrderedCompletion &completion) {
+    const std::size_t lastGroupEnd = rowCount - rowCount % 4, end = lastGroupEnd - chunk * kSharedPanel;
     const std::size_t begin = end > kSharedPanel ? end - kSharedPanel : 0;
-    const KnownInTurn known(turns, lastGroupEnd);
+    const KnownInOrder known(completion, lastGroupEnd);
     if (envelope.leavesOut())
         solvePanel<1, true>(dxListedRows(L), B, begin, end, rowCount, envelope, known);
     else
         solvePanel<1, false>(dxListedRows(L), B, begin, end, rowCount, envelope, known);
-    turns.finish(turn);
+    completion.finish(chunk);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -251,7 +251,7 @@ namespace dxSolve {
 HWY_EXPORT(solveTransposed1);
 HWY_EXPORT(solveTransposed2);
 HWY_EXPORT(solveTransposedListed);
-HWY_EXPORT(solveTransposedInTurn);
+HWY_EXPORT(solveTransposedOrdered);
 
 // Up to this many rows vectors do not pay.
 constexpr unsigned kPlainRows = 11;
@@ -271,17 +271,17 @@ void dxSolveL1Transposed<2>(const dReal *L, dReal *B, unsigned rowCount, unsigne
     HWY_DYNAMIC_DISPATCH(solveTransposed2)(L, B, rowCount, rowSkip);
 }
 
-void dxSolveL1Transposed(const dReal *const *L, dReal *B, unsigned rowCount, const dxEnvelope &envelope,
+void dxSolveL1Transposed(const dReal *const *L, dReal *B, unsigned rowCount, const dxSkyline &envelope,
                          dxTaskRunner *runner) {
     using namespace dxSolve;
     if (rowCount <= kPlainRows) return solveTransposedPlain<1>(dxListedRows(L), B, rowCount);
     if (runner == nullptr) return HWY_DYNAMIC_DISPATCH(solveTransposedListed)(L, B, rowCount, envelope);
     const std::size_t lastGroupEnd = rowCount - rowCount % 4;
     finishTransposedLast<1>(dxListedRows(L), lastGroupEnd, B, rowCount);
-    dxTurns turns;
+    dxOrderedCompletion completion;
     runner->forBlocks(dxParallelStage::TransposedSolve, static_cast<unsigned>((lastGroupEnd + kSharedPanel - 1) / kSharedPanel),
-        [&](unsigned turn, unsigned) {
-        HWY_DYNAMIC_DISPATCH(solveTransposedInTurn)(L, B, rowCount, envelope, turn, turns);
+        [&](unsigned chunk, unsigned) {
+        HWY_DYNAMIC_DISPATCH(solveTransposedOrdered)(L, B, rowCount, envelope, chunk, completion);
     });
 }
 #endif

@@ -61,7 +61,7 @@ bool dxIsTriangleFinite(const dReal *triangle, unsigned n, unsigned rowSkip) {
     return HWY_DYNAMIC_DISPATCH(dxSolve::isTriangleFinite)(triangle, n, rowSkip);
 }
 
-void dxFindEnvelope(const dReal *triangle, unsigned n, unsigned rowSkip, unsigned *begins) {
+void dxFindSkyline(const dReal *triangle, unsigned n, unsigned rowSkip, unsigned *begins) {
     HWY_DYNAMIC_DISPATCH(dxSolve::findEnvelope)(triangle, n, rowSkip, begins);
 }
 #endif

@@ -9,4 +9,4 @@
 bool dxIsTriangleFinite(const dReal *triangle, unsigned n, unsigned rowSkip);
 
 // begins[row] = the row's first column that is not +0; its diagonal if there is none before.
-void dxFindEnvelope(const dReal *triangle, unsigned n, unsigned rowSkip, unsigned *begins);
+void dxFindSkyline(const dReal *triangle, unsigned n, unsigned rowSkip, unsigned *begins);

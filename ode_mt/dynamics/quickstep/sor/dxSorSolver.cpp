@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "dynamics/quickstep/sor/dxRowShuffle.h"
-#include "dynamics/quickstep/sor/dxSweep.h"
+#include "dynamics/quickstep/sor/dxSorSweep.h"
 
 namespace {
 
@@ -54,7 +54,7 @@ void dxSorSolver::solve(const dxIslandProblem &problem) {
     std::fill_n(problem.acceleration, std::size_t{problem.bodyCount} * dxIslandProblem::kForceColumns, dReal(0));
     unsigned left = static_cast<unsigned>(m_step.world->qs.num_iterations);
     for (unsigned shuffles = 0; left != 0; ++shuffles) {
-        if (shuffles == 0) dxScheduleSweep(problem);  // the results of orderRows' order
+        if (shuffles == 0) dxScheduleSor(problem);  // the results of orderRows' order
         if (shuffles == 1) orderRows(problem);
         if (shuffles > 0) dxShuffleRows(problem.order, problem.rowCount);
         const unsigned times = std::min(left, kShuffleInterval);
@@ -66,7 +66,7 @@ void dxSorSolver::solve(const dxIslandProblem &problem) {
 // Completes right-hand sides, finds what each row does to its bodies, and scales rows by the factor over the diagonal.
 void dxSorSolver::prepareRows(const dxIslandProblem &problem) const {
     const dReal factor = m_step.world->qs.w;
-    m_step.runner().forPieces(dxParallelStage::Rows, problem.rowCount, kRowsPerJob,
+    m_step.runner().forChunks(dxParallelStage::Rows, problem.rowCount, kRowsPerJob,
                               [&](std::size_t begin, std::size_t end, unsigned) {
                                   for (std::size_t row = begin; row < end; ++row) prepareRow(problem, problem.rows[row], factor);
                               });
@@ -78,18 +78,18 @@ void dxSorSolver::sweep(const dxIslandProblem &problem, unsigned times) {
         dxBody *const *const bodies = m_step.island.bodies;
         try {
             if (!m_shared)
-                (*m_shared.emplace(dxSharedSweep::pool())).begin(problem, parts, [bodies](std::size_t i) { return bodies[i]->posr.pos; });
-            (**m_shared).sweep(problem, problem.order, times, *m_team->runner);
+                (*m_shared.emplace(dxParallelSor::pool())).begin(problem, parts, [bodies](std::size_t i) { return bodies[i]->posr.pos; });
+            (**m_shared).sweep(problem, problem.order, times, *m_islandWorkers->runner);
             return;
         } catch (const std::bad_alloc &) {  // while planning, before which nothing is swept
-            m_team = nullptr;
+            m_islandWorkers = nullptr;
         }
     }
-    for (unsigned i = 0; i < times; ++i) dxSweep(problem, problem.order);
+    for (unsigned i = 0; i < times; ++i) dxSorSweep(problem, problem.order);
 }
 
 // Below two parts the caller sweeps alone.
 unsigned dxSorSolver::partsOf(const dxIslandProblem &problem) const {
-    if (m_team == nullptr) return 1;
-    return std::min(m_team->runner->workers(), problem.rowCount / dxSharedSweep::kLeastRows);
+    if (m_islandWorkers == nullptr) return 1;
+    return std::min(m_islandWorkers->runner->workers(), problem.rowCount / dxParallelSor::kMinRows);
 }

@@ -6,12 +6,12 @@
 
 #include "dynamics/islands/dxIslandProblem.h"
 #include "dynamics/islands/dxIslandStep.h"
-#include "dynamics/quickstep/sor/dxSharedSweep.h"
+#include "dynamics/quickstep/sor/dxParallelSor.h"
 
 class dxSorSolver {
 public:
     // The number of sweeps and the factor are the world's. A large island's workers share rows and sweeps.
-    explicit dxSorSolver(const dxIslandStep &step) : m_step(step), m_team(step.team) {}
+    explicit dxSorSolver(const dxIslandStep &step) : m_step(step), m_islandWorkers(step.islandWorkers) {}
 
     // Sets lambda of all rows and problem.acceleration. Overwrites the rows' Jacobians and right-hand sides, and `order`.
     void solve(const dxIslandProblem &problem);
@@ -22,6 +22,6 @@ private:
     unsigned partsOf(const dxIslandProblem &problem) const;
 
     const dxIslandStep &m_step;
-    dxIslandTeam *m_team;           // null: the caller sweeps alone
-    std::optional<dxSharedSweep::Lease> m_shared;  // the team's sweeps, from the first one on
+    dxLargeIslandWorkers *m_islandWorkers;           // null: the caller sweeps alone
+    std::optional<dxParallelSor::Lease> m_shared;  // their sweeps, from the first one on
 };

@@ -1,0 +1,34 @@
+// The search that a space uses unless it is told otherwise: whichever dxChooseBroadPhase() takes of the table of slots,
+// the neighbour list and the neighbour sets.
+#pragma once
+
+#include <memory>
+
+#include "collision/broadphase/dxBroadPhaseChoice.h"
+#include "collision/broadphase/dxNeighbourBroadphase.h"
+#include "collision/broadphase/dxBroadphase.h"
+#include "collision/broadphase/dxBruteForceBroadphase.h"
+#include "collision/broadphase/dxVerletBroadphase.h"
+
+class dxAdaptiveBroadphase final : public dxBroadphase {
+public:
+    // `maxPairs` is as in dxGridBroadphase.
+    explicit dxAdaptiveBroadphase(dxPairLimit maxPairs = dxUnlimitedPairs) : m_maxPairs(maxPairs) {}
+
+    void findOverlaps(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
+
+    dxBroadPhase current() const;
+
+private:
+    dxBroadPhaseFacts factsOf(const dxMembers &members) const;
+    void chooseBySize(const dxMembers &members);
+    void findWithVerletList(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches);
+    void findWithNeighbours(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches);
+
+    const dxPairLimit m_maxPairs;
+    // One of them exists from the first call on.
+    std::unique_ptr<dxBruteForceBroadphase> m_bruteForce;
+    std::unique_ptr<dxVerletBroadphase> m_verlet;
+    std::unique_ptr<dxNeighbourBroadphase> m_neighbours;
+    int m_callsAgainst = 0;  // in a row (dxSpeaksAgainst)
+};

@@ -1,0 +1,81 @@
+// Broad phase by a Verlet list, which is valid for many calls: for spaces in which most members move, a little at a
+// time.
+//
+// Source: the neighbour list with a skin of molecular dynamics (Verlet, Physical Review 159, 1967; Allen and Tildesley,
+// Computer Simulation of Liquids, 5.3). Each box is stored enlarged, by a skin on all sides and by its motion of some
+// calls on the side to which it travels. While boxes lie within their stored ones, they cannot overlap without these,
+// so a call compares the candidates and nothing else.
+//
+// Invariant: the candidates are, each once, the pairs of slots whose stored boxes overlap. All are found at once when a
+// list is made (dxGridBroadphase). Stored boxes only ever grow until the next one: where a box leaves its own, that is
+// grown to hold it, compared with all others, and what it meets now and did not meet before becomes a candidate. A slot
+// keeps its stored box when its member goes. A list is rebuilt when growing has cost about as much, or has made the
+// list long. Where boxes move so fast that lists serve few calls, pairs are found by the cell grid for a while.
+#pragma once
+
+#include <vector>
+
+#include "collision/broadphase/dxGridBroadphase.h"
+#include "collision/broadphase/dxBroadPhaseChoice.h"
+#include "collision/broadphase/dxBroadphase.h"
+#include "collision/broadphase/overlap/dxBoxColumns.h"
+#include "collision/broadphase/overlap/dxPackedBoxes.h"
+
+class dxVerletBroadphase final : public dxBroadphase {
+public:
+    // As for dxGridBroadphase.
+    explicit dxVerletBroadphase(dxPairLimit maxPairs = dxUnlimitedPairs) : m_maxPairs(maxPairs), m_batch(maxPairs) {}
+
+    void findOverlaps(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
+
+    // Return the number of lists built so far, and of candidates in the current one.
+    std::size_t lists() const { return m_lists; }
+    std::size_t candidates() const { return m_candidates.size(); }
+
+private:
+    using Slot = dxMembers::Slot;
+
+    // A member when the list was built.
+    struct Start {
+        const dxGeom *geom = nullptr;
+        dxBounds box;
+    };
+
+    struct alignas(kCacheLine) Found {
+        std::vector<Match> matches;  // the first `count` of them
+        std::size_t count;
+    };
+
+    void countShortList(bool hadList);
+    void makeList(const dxMembers &members, dxTaskRunner &runner);
+    void takeMember(const dxMembers &members, Slot slot);
+    void resize(std::size_t slots);
+    dxBounds boxToStore(const dxMembers &members, Slot slot) const;
+    void store(Slot slot, const dxBounds &box);
+    // Returns false if a new list is due.
+    bool noteChanges(const dxMembers &members, dxTaskRunner &runner);
+    void prefetch(const dxMembers &members, Slot slot) const;
+    void noteBox(const dxMembers &members, Slot slot);
+    void grow(const dxMembers &members, Slot slot);
+    void compareCandidates(dxTaskRunner &runner, std::vector<Match> &matches);
+    void forgetChanges(const dxMembers &members);
+
+    const dxPairLimit m_maxPairs;
+    dxPackedBoxes m_boxes;           // as they are, by slot
+    std::vector<dxBounds> m_stored;  // by slot
+    dxBoxColumns m_storedTable;        // the same in columns
+    std::vector<Start> m_starts;     // by slot
+    std::vector<Match> m_candidates;
+    std::vector<Slot> m_escaped;     // in this call
+    std::vector<std::uint32_t> m_met;
+    dxGridBroadphase m_batch;
+    dxMembers m_grown;               // for the batch: the members with their stored boxes
+    std::vector<Found> m_found;      // by worker
+    bool m_hasList = false;
+    std::size_t m_lists = 0;
+    std::size_t m_calls = 0;         // since the list was made
+    std::size_t m_growths = 0;       // since then
+    std::size_t m_freshCandidates = 0;
+    unsigned m_shortLists = 0;       // in a row
+    unsigned m_callsWithout = 0;     // to come
+};

@@ -1,0 +1,39 @@
+// Sweep and prune along one axis: all pairs of boxes that are sorted by their lower bounds, with SIMD, in order.
+//
+// Each row is compared with those behind it until one begins above its upper bound. That is more work than a cell grid
+// (dxCellGridPairs.h) where many boxes overlap on the axis, but the pairs are found in order, only the columns are built
+// before the sweep, and the two other axes may be any.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "collision/pairs/dxSlotPair.h"
+
+// In rising order of their lower bounds on the first axis; none of these is NaN. A NaN elsewhere overlaps nothing.
+class dxSapColumns {
+public:
+    enum Column { low, high, low1, high1, low2, high2, kColumns };
+
+    std::size_t size() const { return m_size; }
+    const double *column(int i) const { return m_columns[i].data(); }
+
+    void resize(std::size_t rows);
+    template <class Box>
+    void set(std::size_t row, const Box &box) {
+        m_columns[low][row] = box.low;
+        m_columns[high][row] = box.high;
+        m_columns[low1][row] = box.low1;
+        m_columns[high1][row] = box.high1;
+        m_columns[low2][row] = box.low2;
+        m_columns[high2][row] = box.high2;
+    }
+
+private:
+    std::size_t m_size = 0;
+    std::vector<double> m_columns[kColumns];  // longer than the table by a vector
+};
+
+// Appends the pairs of rows, by the earlier row and then by the later one. `a` is the earlier one.
+void dxSapPairs(const dxSapColumns &rows, std::vector<dxSlotPair> &pairs);

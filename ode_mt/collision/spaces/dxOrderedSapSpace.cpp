@@ -1,0 +1,313 @@
+#include "collision/spaces/dxOrderedSapSpace.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision/pairs/dxPairPrefetch.h"
+#include "collision/spaces/dxSapWalk.h"
+#include "collision_space_internal.h"
+#include "core/dxPrefetch.h"
+#include "core/dxReserve.h"
+#include "util.h"
+
+namespace {
+
+// Items between asking the memory for one and looking at it.
+constexpr std::size_t kPrefetchDistance = 8;
+
+// Of the first of the clean members. Ranks fall from there on.
+constexpr dxRank kFirstRank = dxRank{1} << 40;
+
+dxRank rankAt(std::size_t place) { return kFirstRank - place; }
+
+}  // namespace
+
+dxOrderedSapSpace::dxOrderedSapSpace(dSpaceID parent, int axes)
+    : dxOrderedSpace(parent, dSweepAndPruneSpaceClass), m_axes(axes) {
+    dInfiniteAABB(this, aabb);
+}
+
+// Geoms go from the front of the two lists, as upstream's do, whatever a geom's destructor of the user's
+// moves, adds or destroys on the way. What that has made dirty behind the first list is left to the
+// destructors below.
+dxOrderedSapSpace::~dxOrderedSapSpace() {
+    dxSapWalk::requireUnlocked(*this);
+    const auto empty = [this](const std::vector<dxSapLists::Entry> &list) {
+        while (!list.empty()) {
+            if (cleanup)
+                dGeomDestroy(list.front().geom);
+            else
+                remove(list.front().geom);
+        }
+    };
+    empty(m_lists.dirty());
+    empty(m_lists.clean());
+}
+
+dxGeom *dxOrderedSapSpace::getGeom(int i) {
+    dUASSERT(i >= 0 && i < count, "index out of range");
+    const auto at = static_cast<std::size_t>(i), dirtyOnes = m_lists.dirty().size();
+    return at < dirtyOnes ? m_lists.dirty()[at].geom : m_lists.clean()[at - dirtyOnes].geom;
+}
+
+bool dxOrderedSapSpace::mayCome(const dxGeom *geom) const {
+    return geom->tome_ex == nullptr && geom->next_ex == nullptr && dxOrderedSpace::mayCome(geom);
+}
+
+void dxOrderedSapSpace::reserveMemory(Slot slots) {
+    m_lists.reserveMemory(slots);
+    dxReserveCapacity(m_states, slots);
+    dxReserveCapacity(m_toClean, slots);
+}
+
+void dxOrderedSapSpace::comes(dxGeom *geom, Slot slot) {
+    m_lists.add(slot, geom);
+    if (slot >= m_states.size()) m_states.resize(slot + 1);
+    m_states[slot].part = Part::absent;
+}
+
+void dxOrderedSapSpace::goes(dxGeom * /*geom*/, Slot slot) {
+    const bool wasDirty = m_lists.isDirty(slot);
+    const std::size_t place = m_lists.placeOf(slot);
+    m_lists.remove(slot);
+    if (!wasDirty) rankSuccessor(slot, place);
+    m_states[slot].part = Part::absent;
+}
+
+// The member that has taken the place of this one. If this one is absent, no other notification shows that the order
+// has changed.
+void dxOrderedSapSpace::rankSuccessor(Slot slot, std::size_t place) {
+    if (place >= m_lists.clean().size()) return;
+    const Slot successor = m_lists.clean()[place].slot;
+    members().setRank(successor, rankAt(place));
+    if (!members().isPresent(slot)) members().markChanged(successor);
+}
+
+void dxOrderedSapSpace::dirty(dxGeom *geom) {
+    const Slot slot = slotOf(geom);
+    if (m_lists.isDirty(slot)) return;
+    const std::size_t place = m_lists.placeOf(slot);
+    m_lists.makeDirty(slot);
+    rankSuccessor(slot, place);
+}
+
+// Where a bounding-box function has the space cleaned, upstream enters its geoms twice, and its next
+// collide() fails.
+void dxOrderedSapSpace::cleanGeoms() {
+    if (m_lists.dirty().empty()) return;
+    lock_count++;
+    m_toClean.clear();
+    for (const dxSapLists::Entry &entry : m_lists.dirty()) m_toClean.push_back(entry.geom);
+    computeBoxes(m_toClean);
+    const std::size_t cleanOnes = m_lists.clean().size();
+    for (std::size_t i = 0; i < m_toClean.size(); ++i) {
+        dxGeom *const geom = m_toClean[i];
+        clean(m_toClean, i);
+        takeBox(geom, rankAt(cleanOnes + i));
+    }
+    m_isMessedUp = m_isMessedUp || m_lists.dirty().empty();
+    m_lists.cleanAll();
+    lock_count--;
+}
+
+void dxOrderedSapSpace::takeBox(dxGeom *geom, dxRank itsRank) {
+    const dxSapBox box = m_axes.boxOf(geom);
+    m_states[slotOf(geom)].box = box;
+    rank(geom, itsRank, boundsOf(geom, box));
+}
+
+void dxOrderedSapSpace::takeBoxAgain(dxGeom *geom) { takeBox(geom, members()[slotOf(geom)].rank); }
+
+bool dxOrderedSapSpace::hasStrayMembers() const {
+    const std::vector<dxSapLists::Entry> &list = m_lists.clean();
+    return std::any_of(list.begin(), list.end(), [](const dxSapLists::Entry &entry) {
+        return (entry.geom->gflags & GEOM_DIRTY) != 0;
+    });
+}
+
+// The bounds contain the rounded box, and are not inverted, so that all pairs of upstream overlap.
+dxBounds dxOrderedSapSpace::boundsOf(const dxGeom *geom, const dxSapBox &box) const {
+    dxBounds bounds(geom->aabb);
+    if (!m_axes.areAll()) return bounds;
+    dReal &low = bounds.v[2 * m_axes.first()], &high = bounds.v[2 * m_axes.first() + 1];
+    if (box.low < low) low = box.low;
+    if (box.high > high) high = box.high;
+    if (box.low > high) high = box.low;
+    return bounds;
+}
+
+// Not of use: NaN among the keys, along which upstream's sweep loses its way; a box that is not up to date,
+// at which it fails an assertion; and a change that a callback made and the call it makes now would see,
+// while the call around it has not done with pairs().
+bool dxOrderedSapSpace::makeReady() {
+    cleanGeoms();
+    if (m_isMessedUp) dDebug(d_ERR_UASSERT, "geom counts messed up in %s()", "collide");
+    mayHaveStrays();  // a stray has the box of its last query, which is used again
+    if (hasUncleanBox() || !takeSwitches()) return false;
+    if (m_hasWalked && lock_count == 1) {  // the sort continues the history of the walk's: equal keys may have another order
+        m_hasWalked = false;
+        startAnew();
+    }
+    if (members().changed().empty()) return true;
+    if (lock_count > 1) return false;
+    const bool areTaken = whereMemorySuffices([this] {
+        takeParts();
+        return true;
+    });
+    return areTaken && !m_hasNaN && dxOrderedSpace::makeReady();
+}
+
+bool dxOrderedSapSpace::hasUncleanBox() const {
+    const std::vector<dxSapLists::Entry> &list = m_lists.clean();
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        if (i + kPrefetchDistance < list.size()) dxPrefetch::line(&list[i + kPrefetchDistance].geom->gflags);
+        if (dxGeomIsEnabled(list[i].geom) && (list[i].geom->gflags & GEOM_AABB_BAD) != 0) return true;
+    }
+    return false;
+}
+
+void dxOrderedSapSpace::takeParts() {
+    m_swept.clear();
+    m_infinite.clear();
+    m_keys.clear();
+    m_hasNaN = false;
+    const std::vector<dxSapLists::Entry> &list = m_lists.clean();
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        if (i + kPrefetchDistance < list.size()) dxPrefetch::line(&m_states[list[i + kPrefetchDistance].slot]);
+        const Slot slot = list[i].slot;
+        State &state = m_states[slot];
+        if (!m_axes.areAll()) state.box = m_axes.boxOf(list[i].geom);  // a geom's bits may be bounds
+        state.part = !members().isPresent(slot) ? Part::absent : state.box.isInfinite ? Part::infinite : Part::swept;
+        if (state.part == Part::infinite) m_infinite.push_back(slot);
+        if (state.part != Part::swept) continue;
+        m_swept.push_back(slot);
+        m_keys.push_back(state.box.low);
+        m_hasNaN = m_hasNaN || std::isnan(state.box.low);
+        // It meets what begins with it if it comes later, not if it comes earlier: which of the two may
+        // change with others.
+        if (!(state.box.low <= state.box.high)) members().markChanged(slot);
+    }
+}
+
+void dxOrderedSapSpace::update(std::vector<dxOrderedPair> &pairs) {
+    sortSwept();
+    chooseBroadphase();
+    if (m_isDense)
+        sweepAll(pairs);
+    else
+        placeAll(pairs);
+    m_sweptPairs = pairs.size();
+    pairInfinite(pairs);
+}
+
+// At the same calls as upstream's, for the sake of the sort's state.
+void dxOrderedSapSpace::sortSwept() {
+    m_inOrder.clear();
+    if (m_swept.empty()) return;
+    for (const std::uint32_t index : m_sort.sort(m_keys)) {
+        m_states[m_swept[index]].position = static_cast<std::uint32_t>(m_inOrder.size());
+        m_inOrder.push_back(m_swept[index]);
+    }
+}
+
+void dxOrderedSapSpace::chooseBroadphase() {
+    dxBroadPhaseFacts facts;
+    facts.order = pairOrder();
+    facts.current = m_isDense ? dxBroadPhase::AxisSap : dxBroadPhase::None;
+    facts.comparesAllAxes = m_axes.areAll();
+    facts.geoms = count;
+    const bool isDense = (!m_axes.areAll() || !hasBroadphase()) && dxChooseBroadPhase(facts) == dxBroadPhase::AxisSap;
+    if (isDense == m_isDense) return;
+    m_isDense = isDense;
+    startAnew();
+}
+
+void dxOrderedSapSpace::sweepAll(std::vector<dxOrderedPair> &pairs) {
+    m_rows.resize(m_inOrder.size());
+    for (std::size_t row = 0; row < m_inOrder.size(); ++row) m_rows.set(row, m_states[m_inOrder[row]].box);
+    m_found.clear();
+    dxSapPairs(m_rows, m_found);
+    pairs.clear();
+    for (const dxSlotPair &rows : m_found) pairIfMayMeet(m_inOrder[rows.a], m_inOrder[rows.b], pairs);
+}
+
+// The place of a pair depends on all sorted members: kept pairs get new places.
+void dxOrderedSapSpace::placeAll(std::vector<dxOrderedPair> &pairs) {
+    m_again.clear();
+    for (std::size_t i = 0; i < std::min(m_sweptPairs, pairs.size()); ++i) {
+        const Slot a = pairs[i].slots[0], b = pairs[i].slots[1];
+        if (!members().isChanged(a) && !members().isChanged(b)) m_again.push_back({a, b});
+    }
+    pairs.clear();
+    findAndPlace(m_again, pairs);
+}
+
+bool dxOrderedSapSpace::primaryKey(Slot a, Slot b, std::uint64_t &word, bool &swapped) const {
+    const State &stateA = m_states[a], &stateB = m_states[b];
+    if (stateA.part != Part::swept || stateB.part != Part::swept) return false;
+    swapped = stateB.position < stateA.position;
+    const State &earlier = swapped ? stateB : stateA, &later = swapped ? stateA : stateB;
+    word = earlier.position;
+    return earlier.box.meets(later.box);
+}
+
+bool dxOrderedSapSpace::secondaryKey(Slot, Slot second, dxPairKey &key) const {
+    key.words[1] = m_states[second].position;
+    key.words[2] = key.words[3] = 0;
+    return true;
+}
+
+void dxOrderedSapSpace::prefetch(Slot slot) const {
+    members().prefetch(slot);
+    dxPrefetch::line(&m_states[slot]);
+}
+
+void dxOrderedSapSpace::pairInfinite(std::vector<dxOrderedPair> &pairs) const {
+    for (std::size_t i = 0; i < m_infinite.size(); ++i) {
+        for (std::size_t j = i + 1; j < m_infinite.size(); ++j)
+            pairIfMayMeet(m_infinite[i], m_infinite[j], pairs);
+        for (const Slot slot : m_swept) pairIfMayMeet(m_infinite[i], slot, pairs);
+    }
+}
+
+void dxOrderedSapSpace::pairIfMayMeet(Slot a, Slot b, std::vector<dxOrderedPair> &pairs) const {
+    const dxMembers::Member &memberA = members()[a], &memberB = members()[b];
+    if (dxFiltersAgree(memberA.filter, memberB.filter)) pairs.push_back({memberA.geom, memberB.geom, {a, b}});
+}
+
+void dxOrderedSapSpace::deliver(void *data, dNearCallback *callback) {
+    dxNarrowphasePrefetch *const ahead = this->ahead();
+    for (std::size_t i = 0; i < pairs().size(); ++i) {
+        if (ahead != nullptr) ahead->beforePair(pairs(), i);
+        dxPairPrefetch::forCallback(pairs(), i);
+        dxSapWalk::requireCleanBoxes(pairs()[i].first, pairs()[i].second);
+        dxDeliver(pairs()[i], data, callback);
+    }
+}
+
+// Upstream goes through a list of pairs, as deliver() does.
+void dxOrderedSapSpace::walk(void *data, dNearCallback *callback, const dxOrderedPair * /*after*/) {
+    m_hasWalked = true;
+    dxSapWalk sweep(m_axes);
+    beforeCallbacks([&] {
+        for (const dxSapLists::Entry &entry : m_lists.clean())
+            if (dxGeomIsEnabled(entry.geom)) sweep.add(entry.geom);
+        sweep.reservePairs(m_pairsWalked);
+        sweep.findPairs(m_sort);
+    });
+    m_pairsWalked = sweep.pairs();
+    sweep.deliver(data, callback);
+}
+
+void dxOrderedSapSpace::collideWith(void *data, dxGeom *geom, dNearCallback *callback) {
+    if (!isWorthAnIndex() || hasStrays())
+        collideFrom(0, data, geom, callback);
+    else if (const dxGeom *const last = collideRegion(data, geom, callback))
+        collideFrom(m_lists.placeOf(slotOf(last)) + 1, data, geom, callback);
+}
+
+void dxOrderedSapSpace::collideFrom(std::size_t place, void *data, dxGeom *geom, dNearCallback *callback) {
+    const std::vector<dxSapLists::Entry> &list = m_lists.clean();
+    for (; place < list.size(); ++place)
+        if (dxGeomIsEnabled(list[place].geom)) collideAABBs(list[place].geom, geom, data, callback);
+}

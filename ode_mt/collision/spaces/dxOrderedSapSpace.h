@@ -1,0 +1,83 @@
+// The sweep-and-prune (SAP) space: geoms are sorted along an axis, and each is paired with those that begin before it
+// ends; pairs with geoms of infinite extent on that axis follow. docs/collision-order.md.
+//
+// Unlike the other spaces this one keeps its geoms in two arrays (dxSapLists); a member's rank follows from its place
+// among the clean ones. It tests which geoms are enabled before it sorts, so enabling or disabling a geom changes
+// pairs().
+#pragma once
+
+#include <vector>
+
+#include "collision/broadphase/overlap/dxAxisSap.h"
+#include "collision/spaces/dxOrderedSpace.h"
+#include "collision/spaces/dxSapBox.h"
+#include "collision/spaces/dxSapLists.h"
+#include "core/dxSapSort.h"
+
+class dxOrderedSapSpace final : public dxOrderedSpace {
+public:
+    // `axes`: dSAP_AXES_XYZ and so on, or any number.
+    dxOrderedSapSpace(dSpaceID parent, int axes);
+    ~dxOrderedSapSpace() override;
+
+    dxGeom *getGeom(int i) override;
+    void dirty(dxGeom *geom) override;
+    void computeAABB() override {}  // always infinite
+    void cleanGeoms() override;
+    bool makeReady() override;
+
+private:
+    enum class Part : std::uint8_t { absent, swept, infinite };
+
+    struct State {
+        dxSapBox box;          // as of the last cleaning
+        std::uint32_t position;  // among those swept
+        Part part;
+    };
+
+    dxPairOrder pairOrder() const override { return dxPairOrder::Axis; }
+    void update(std::vector<dxOrderedPair> &pairs) override;
+    bool primaryKey(Slot a, Slot b, std::uint64_t &word, bool &swapped) const override;
+    bool secondaryKey(Slot first, Slot second, dxPairKey &key) const override;
+    void prefetch(Slot slot) const override;
+    void deliver(void *data, dNearCallback *callback) override;
+    bool mayCome(const dxGeom *geom) const override;
+    void reserveMemory(Slot slots) override;
+    void comes(dxGeom *geom, Slot slot) override;
+    void goes(dxGeom *geom, Slot slot) override;
+    void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) override;
+    void collideWith(void *data, dxGeom *geom, dNearCallback *callback) override;
+    bool hasStrayMembers() const override;
+    void takeBoxAgain(dxGeom *geom) override;
+
+    dxBounds boundsOf(const dxGeom *geom, const dxSapBox &box) const;
+    void takeBox(dxGeom *geom, dxRank rank);
+    void rankSuccessor(Slot slot, std::size_t place);
+    bool hasUncleanBox() const;
+    void takeParts();
+    void sortSwept();
+    void chooseBroadphase();
+    void sweepAll(std::vector<dxOrderedPair> &pairs);
+    void placeAll(std::vector<dxOrderedPair> &pairs);
+    void pairInfinite(std::vector<dxOrderedPair> &pairs) const;
+    void pairIfMayMeet(Slot a, Slot b, std::vector<dxOrderedPair> &pairs) const;
+    void collideFrom(std::size_t place, void *data, dxGeom *geom, dNearCallback *callback);
+
+    dxSapAxes m_axes;
+    dxSapLists m_lists;
+    std::vector<State> m_states;            // by slot
+    std::vector<dxGeom *> m_toClean;
+    std::vector<Slot> m_swept, m_infinite;  // in the order of the list
+    std::vector<float> m_keys;              // of m_swept
+    std::vector<Slot> m_inOrder;            // m_swept, sorted
+    dxSapSort m_sort;
+    bool m_hasNaN = false;
+    bool m_isMessedUp = false;  // as in upstream's assertion: a cleaning was nested in a cleaning
+
+    bool m_hasWalked = false;       // since pairs() was brought up to date
+    std::size_t m_pairsWalked = 0;  // at the last walk
+    bool m_isDense = true;          // pairs are found by one sweep of all geoms
+    dxSapColumns m_rows;
+    std::vector<dxSlotPair> m_found, m_again;
+    std::size_t m_sweptPairs = 0;  // of pairs(), those in front
+};

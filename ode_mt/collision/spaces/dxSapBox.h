@@ -1,0 +1,57 @@
+// What upstream's sweep-and-prune space reads of a geom: its bounds along the space's three axes.
+#pragma once
+
+#include <cstring>
+#include <limits>
+
+#include <ode/ode.h>
+
+#include "config.h"
+#include "objects.h"
+#include "collision_kernel.h"
+
+// Along the first axis upstream compares in single precision, whose rounding can make boxes touch that do not.
+struct dxSapBox {
+    float low, high;
+    dReal low1, high1, low2, high2;
+    bool isInfinite;  // infinite upper bound on the first axis: not swept, paired with all
+
+    // Returns whether the boxes overlap. Requires that this box is before `later` in the order, and no NaN in `low`.
+    bool meets(const dxSapBox &later) const { return later.low <= high && meetsAcross(later); }
+    bool meetsAcross(const dxSapBox &other) const {
+        return high1 >= other.low1 && other.high1 >= low1 && high2 >= other.low2 && other.high2 >= low2;
+    }
+};
+
+// The three axes, which should be x, y and z in any order (dSAP_AXES_XYZ and so on) but need not be: the user's number
+// has two bits for each. Number 3 makes upstream read behind the bounds, where the geom's bits are.
+class dxSapAxes {
+public:
+    explicit dxSapAxes(int order) : m_axes{order & 3, order >> 2 & 3, order >> 4 & 3} {}
+
+    int first() const { return m_axes[0]; }
+    // Returns whether each of x, y and z occurs once: then two boxes of a pair overlap in space.
+    bool areAll() const { return (1 << m_axes[0] | 1 << m_axes[1] | 1 << m_axes[2]) == 7; }
+
+    dxSapBox boxOf(const dxGeom *geom) const {
+        dReal bounds[kBounds];
+        read(geom, bounds);
+        const auto low = [&](int i) { return bounds[2 * m_axes[i]]; };
+        const auto high = [&](int i) { return bounds[2 * m_axes[i] + 1]; };
+        return {static_cast<float>(low(0)), static_cast<float>(high(0)), low(1), high(1), low(2), high(2),
+                high(0) == dInfinity};
+    }
+
+private:
+    static constexpr int kBounds = 8;
+
+    static void read(const dxGeom *geom, dReal *bounds) {
+        constexpr std::size_t kBehind = 2 * sizeof(dReal);
+        const unsigned long bits[2] = {geom->category_bits, geom->collide_bits};
+        static_assert(sizeof bits >= kBehind, "");
+        std::memcpy(bounds, geom->aabb, sizeof geom->aabb);
+        std::memcpy(bounds + 6, bits, kBehind);
+    }
+
+    int m_axes[3];
+};

@@ -1,0 +1,63 @@
+#include "collision/spaces/dxSapWalk.h"
+
+#include <algorithm>
+
+#include "collision/spaces/dxOrderedSpace.h"
+
+namespace {
+
+void deliverPair(dxGeom *g1, dxGeom *g2, void *data, dNearCallback *callback) {
+    dxSapWalk::requireCleanBoxes(g1, g2);
+    if (dxFiltersAgree(dxFilterOf(g1), dxFilterOf(g2))) dxDeliver({g1, g2, {}}, data, callback);
+}
+
+}  // namespace
+
+void dxSapWalk::requireUnlocked(const dxSpace &space) {
+    if (space.lock_count != 0)
+        dDebug(d_ERR_UASSERT, "Invalid operation for locked space in %s()", "~dxSAPSpace");
+}
+
+// Of the first of a pair's geoms, or of the second.
+void dxSapWalk::reportUncleanBox(int number) {
+    dDebug(d_ERR_IASSERT, "assertion \"(g%d->gflags & GEOM_AABB_BAD)==0\" failed in %s() [%s:%u]", number,
+           "collideGeomsNoAABBs", __FILE__, __LINE__);
+}
+
+void dxSapWalk::add(dxGeom *geom) {
+    const dxSapBox box = m_axes.boxOf(geom);
+    if (box.isInfinite) {
+        m_infinite.push_back(geom);
+        return;
+    }
+    m_swept.push_back(geom);
+    m_boxes.push_back(box);
+    m_keys.push_back(box.low);
+}
+
+void dxSapWalk::findPairs(dxSapSort &sort) {
+    if (!m_swept.empty()) sweep(sort.sort(m_keys));
+}
+
+// Upstream keeps a second place that runs on until it is past a key that is not below that of the geom whose turn it is.
+// Along keys that rise that is the geom itself. A NaN is not below anything and nothing below it, so it ends
+// whatever meets it.
+void dxSapWalk::sweep(const std::vector<std::uint32_t> &order) {
+    auto next = order.begin();
+    for (const std::uint32_t earlier : order) {
+        const float key = m_keys[earlier];
+        next = std::find_if(next, order.end(), [&](std::uint32_t other) { return !(m_keys[other] < key); });
+        if (next == order.end() || ++next == order.end()) return;
+        for (auto later = next; later != order.end() && m_keys[*later] <= m_boxes[earlier].high; ++later)
+            if (m_boxes[earlier].meetsAcross(m_boxes[*later])) m_pairs.push_back({earlier, *later});
+    }
+}
+
+void dxSapWalk::deliver(void *data, dNearCallback *callback) const {
+    for (const Pair &pair : m_pairs) deliverPair(m_swept[pair.earlier], m_swept[pair.later], data, callback);
+    for (std::size_t i = 0; i < m_infinite.size(); ++i) {
+        for (std::size_t j = i + 1; j < m_infinite.size(); ++j)
+            deliverPair(m_infinite[i], m_infinite[j], data, callback);
+        for (dxGeom *const other : m_swept) deliverPair(m_infinite[i], other, data, callback);
+    }
+}

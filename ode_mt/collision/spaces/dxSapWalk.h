@@ -1,0 +1,43 @@
+// One call of a sweep-and-prune space, step by step as in upstream, for the cases in which pairs do not follow from
+// boxes alone: NaN among the numbers that are sorted, boxes that are not up to date.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "collision/spaces/dxSapBox.h"
+#include "core/dxSapSort.h"
+
+class dxSapWalk {
+public:
+    explicit dxSapWalk(const dxSapAxes &axes) : m_axes(axes) {}
+
+    // Adds a geom. Requires the order of the list and enabled geoms.
+    void add(dxGeom *geom);
+    // Reserves memory for the expected number of pairs, about that of the last call.
+    void reservePairs(std::size_t count) { m_pairs.reserve(count); }
+    void findPairs(dxSapSort &sort);
+    std::size_t pairs() const { return m_pairs.size(); }
+    void deliver(void *data, dNearCallback *callback) const;
+
+    // Upstream's assertions, with its texts.
+    static void requireUnlocked(const dxSpace &space);
+    static void requireCleanBoxes(const dxGeom *g1, const dxGeom *g2) {
+        if (((g1->gflags | g2->gflags) & GEOM_AABB_BAD) != 0) reportUncleanBox((g1->gflags & GEOM_AABB_BAD) != 0 ? 1 : 2);
+    }
+
+private:
+    struct Pair {
+        std::uint32_t earlier, later;
+    };
+
+    static void reportUncleanBox(int number);
+
+    void sweep(const std::vector<std::uint32_t> &order);
+
+    dxSapAxes m_axes;
+    std::vector<dxGeom *> m_swept, m_infinite;
+    std::vector<dxSapBox> m_boxes;  // of m_swept
+    std::vector<float> m_keys;
+    std::vector<Pair> m_pairs;
+};

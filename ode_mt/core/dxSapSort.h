@@ -1,0 +1,28 @@
+// The order of upstream's sweep-and-prune space: by one number for each geom, and among equal numbers by the history of
+// earlier calls.
+//
+// Upstream's radix sort begins with the order of its last call if there are as many numbers as then, else with that of
+// their indices, and changes nothing if the numbers do not fall along it. Otherwise numbers rise, by their bits (-0
+// before 0), and of equal ones those with their sign bit clear keep that order while those with it set reverse it. So
+// the order of indices is a state that every call of upstream's changes, and every call here must change it likewise.
+// docs/collision-order.md. Not thread safe.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/dxRadixSort.h"
+
+class dxSapSort {
+public:
+    // Returns the indices of `keys` in order. NaN keys are ordered by their bits.
+    const std::vector<std::uint32_t> &sort(const std::vector<float> &keys);
+
+private:
+    bool isInOrder(const std::vector<float> &keys) const;
+    void takeTieOrder(const std::vector<float> &keys);
+
+    std::vector<std::uint32_t> m_order;
+    std::vector<std::uint32_t> m_tieOrder;  // indices in the order in which a stable sort must leave equal keys
+    std::vector<dxSortItem> m_items, m_spare;
+};
