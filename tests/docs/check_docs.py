@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""What the documents name is there: links with their headings, files, functions and classes, tests.
+"""What the documents name is there: links with their headings, files, functions and classes, tests. And every page of docs/ is
+in its contents, docs/README.md.
 
     check_docs.py REPOSITORY UPSTREAM BUILD
 
 REPOSITORY: its root; UPSTREAM: upstream's unpacked sources; BUILD: the build folder, whose tests are asked for.
-Prints each name that is missing, with its document, and exits with 1.
+Prints each name that is missing, with its document, and each page that is not in the contents, and exits with 1.
 """
 import json
 import pathlib
@@ -56,6 +57,12 @@ def missing_names(text, folders, words, tests):
             yield test
 
 
+def pages_without_contents(docs):
+    """Pages to which the contents have no link."""
+    linked = {target for target, _ in LINK.findall((docs / "README.md").read_text())}
+    return sorted({str(page.relative_to(docs)) for page in docs.rglob("*.md")} - linked - {"README.md"})
+
+
 def main(root, upstream, build):
     folders = [root / name for name in FOLDERS]
     code = "".join(text_of(folder, CODE) for folder in folders) + text_of(upstream, {".c", ".cpp", ".h"})
@@ -66,6 +73,9 @@ def main(root, upstream, build):
     tests |= {re.sub(r"/[^/]*$", "", name) for name in tests}  # without its parameter
     tests |= {re.sub(r"^\w+/", "", name) for name in tests}  # nor the name of the set of parameters
     failures = 0
+    for page in pages_without_contents(root / "docs"):
+        print(f"docs/README.md: the contents lack docs/{page}")
+        failures += 1
     for document in documents:
         text = document.read_text()
         for name in sorted({*missing_links(document, text), *missing_names(text, (root, upstream), words, tests)}):

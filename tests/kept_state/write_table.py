@@ -106,6 +106,8 @@ def table(head, lines):
 
 INTRODUCTION = '''# What is kept from call to call, and how it is notified of changes
 
+This page is for developers who add a function, or state that is kept from call to call.
+
 ODE computes nearly everything anew in each call. This library keeps results from one call to the next: pairs of a space,
 boxes, ranks, contacts of callbacks that are still to come. What is kept depends on *facts*, such as where a geom is, and
 nearly every function of ODE's may change a fact. A result whose fact changed without a notification is wrong from then on.
