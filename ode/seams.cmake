@@ -9,6 +9,7 @@
 #                                                    ode_mt/ defines; upstream's own function stays
 #   ode_mt_compile_after(FILE HEADER)                FILE sees ode/seams/HEADER first
 #   left out (ode/sources.cmake)                     ode_mt/ implements the interface of the whole file
+#   set_property(... COMPILE_OPTIONS ...)            an option of the compiler for one file
 
 set(ODE_MT_RENAMED "")  # declarations of dxUpstreamThing for ode_mt/ (seams/upstream.h.in)
 function(ode_mt_rename file)
@@ -45,12 +46,14 @@ endfunction()
 # Islands are found with fewer waits for memory (ode_mt/dynamics/islands/dxStepPreparation.h).
 ode_mt_call_instead("ode.cpp" dxReallocateWorldProcessContext dxPrepareStep)
 
-# The islands are shared out by our frame instead of upstream's call queue, and stepped by stages of ours (docs/steppers.md).
+# The islands are distributed by our strategies instead of upstream's call queue (ode_mt/dynamics/dxStep.h), and stepped by stages of
+# ours (docs/steppers.md).
 # Upstream's steppers run only where a world has a threading implementation of the user's own.
 ode_mt_call_instead("ode.cpp" dxProcessIslands dxStepIslands)
 
-# An island on another thread must not touch collision spaces or call the user: the moved-notifications
-# of its bodies are put off (ode_mt/dynamics/islands/dxBodyIntegration.cpp).
+# Our steppers move a body by dxIntegrateIslandBody, which defers notifications on workers. Where upstream's steppers run, it marks
+# moved-callbacks as code of the user's, for which a second thread's first step does not wait for ever
+# (ode_mt/dynamics/islands/dxBodyIntegration.cpp, ode_mt/dynamics/random/dxSingleStepper.h).
 ode_mt_call_instead("step.cpp;quickstep.cpp" dxStepBody dxIntegrateIslandBody)
 
 # Two threads of the user may collide meshes at the same time: each thread has a cache of its own. The
@@ -77,20 +80,20 @@ ode_mt_rename(ode.cpp dJointCreateContact dJointAttach dJointGroupEmpty)
 # The table of colliders is filled lazily for the user's geom classes, without a lock (ode_mt/collision/narrowphase/dxColliderTable.h).
 ode_mt_rename(collision_kernel.cpp dCollide dCreateGeomClass dSetColliderOverride)
 
-# Spaces keep pairs from call to call, and hear of changed filters and switches.
+# Spaces keep pairs from call to call, and are notified of changed filters and switches.
 ode_mt_rename(collision_kernel.cpp dGeomSetBody dGeomSetCategoryBits dGeomSetCollideBits dGeomEnable dGeomDisable)
 
 # A mesh that gets other data is marked as changed, but its space is not told.
 ode_mt_rename(collision_trimesh_internal.cpp dGeomTriMeshSetData)
 
-# Contacts computed ahead of callbacks hear of changes to the data of height fields.
+# The narrow-phase prefetch is notified of changes to the data of height fields.
 ode_mt_rename(heightfield.cpp
     dGeomHeightfieldDataCreate dGeomHeightfieldDataBuildCallback dGeomHeightfieldDataBuildByte
     dGeomHeightfieldDataBuildShort dGeomHeightfieldDataBuildSingle dGeomHeightfieldDataBuildDouble
     dGeomHeightfieldDataSetBounds dGeomHeightfieldDataDestroy)
-# They hear of data of meshes that is destroyed.
+# It is notified of data of meshes that is destroyed.
 ode_mt_rename(collision_trimesh_opcode.cpp dGeomTriMeshDataDestroy)
-# They also hear of bodies that functions of joints move to and fro.
+# It is also notified of bodies that functions of joints move to and fro.
 ode_mt_rename(joints/piston.cpp dJointSetPistonAnchorOffset)
 ode_mt_rename(joints/pu.cpp dJointSetPUAnchorDelta dJointSetPUAnchorOffset)
 
@@ -112,8 +115,8 @@ ode_mt_rename(collision_sapspace.cpp dSweepAndPruneSpaceCreate)
 # The triangular solves of upstream's LCP solver with vectors: same bits, less time (docs/solve.md).
 ode_mt_compile_after("lcp.cpp" lcp.h)
 
-# Upstream's own solver is left with what is not finite (ode_mt/dynamics/exactstep/dantzig/dxDantzig.cpp). There the sign of a NaN may
-# decide whether it reports an error. Of two NaNs that are added one is kept, and vectors would keep another one than
+# Upstream's own solver is left with what is not finite, and with the other cases of docs/lcp.md
+# (ode_mt/dynamics/exactstep/dantzig/dxDantzig.cpp). There the sign of a NaN may decide whether it reports an error. Of two NaNs that are added one is kept, and vectors would keep another one than
 # Debian's binary, which has none in these loops (docs/exactness.md). Problems without limits, which it solves, too, take as
 # long as before.
 set_property(SOURCE "${ODE_MT_UPSTREAM_DIR}/ode/src/lcp.cpp" APPEND PROPERTY

@@ -1,14 +1,14 @@
 // Moving a body and notifying the spaces, as two separate operations.
 //
 // Upstream's dxStepBody moves a body, then tells the collision spaces that its geoms moved, which re-links their lists
-// (the order of the next frame's pairs), then calls the user, then damps. On a worker the notification is deferred; the
-// frame replays it for all bodies in island and body order. Damping and the clearing of accumulators read nothing that
+// (the order of the next frame's pairs), then calls the user, then damps. On a worker the notification is deferred;
+// dxIslandParallelStep replays it for all bodies in island and body order. Damping and the clearing of accumulators read nothing that
 // the spaces write, so the bits stay the same. A body with a callback of the user is never stepped on a worker.
 #pragma once
 
 #include "dynamics/islands/dxIsland.h"
 
-// Both steppers call this instead of dxStepBody (a seam in upstream's QuickStep).
+// Both steppers call this instead of dxStepBody; so do upstream's, by a seam.
 void dxIntegrateIslandBody(dxBody *body, dReal stepSize);
 
 // Notifies the spaces that the island's geoms moved.

@@ -1,4 +1,4 @@
-// The element-wise loops of a step of Dantzig's algorithm (lcp/dxDantzigRun.h), vectorised.
+// The element-wise loops of a step of Dantzig's algorithm (dantzig/dxDantzigRun.h), vectorised.
 //
 // Arrays are padded to multiples of four elements; the padding is read, but does not affect results.
 #pragma once
