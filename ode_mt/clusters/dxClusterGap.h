@@ -1,5 +1,5 @@
 // The motion after which unchanged clusters could miss a pair: the bound that allows crossovers to be skipped
-// (dxCheckFrequencyHeuristic).
+// (dxCheckFrequencyHeuristic; thesis 10.1, crossover and declustering frequencies).
 //
 // Distances are those of boxes: two boxes are g apart if on some axis g lies between them; they cannot overlap
 // before their bounds have moved by g together. Gaps are never too large. Metres. Not thread safe.

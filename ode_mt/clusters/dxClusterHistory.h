@@ -1,4 +1,4 @@
-// What happened to clusters from one frame to the next: names that stay, merges and splits.
+// What happened to clusters from one frame to the next: names that stay, merges (thesis chapter 2) and splits (chapter 8).
 #pragma once
 
 #include <cstdint>

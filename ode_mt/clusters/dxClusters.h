@@ -1,4 +1,4 @@
-// The clusters of one frame, as index sets: who is in which cluster. Nothing is moved, copied or hidden.
+// The clusters of one frame (thesis chapter 2), as index sets: who is in which cluster. Nothing is moved, copied or hidden.
 //
 // Clusters of dynamic inhabitants come first (numbers 0 to dynamicCount() - 1), clusters of static ones, if
 // the pass makes them, behind. Numbers are of this frame; names stay with a cluster from frame to frame.

@@ -1,4 +1,5 @@
-// Placement of the grid around the dynamic geoms. Static geoms do not enlarge it, and neither do a few outliers.
+// Placement of the grid around the dynamic geoms (thesis 10.1: the grid's centre). Static geoms do not enlarge it, and
+// neither do a few outliers.
 #pragma once
 
 #include "clusters/dxClusterGrid.h"

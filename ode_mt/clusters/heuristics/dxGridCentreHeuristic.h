@@ -1,19 +1,18 @@
 // Where the centre of the grid lies (thesis 10.1, which names the parameter and gives no rule).
 //
-// The centre is put at the median of the dynamic members, per axis: one member far away, or one that falls
-// for ever, does not drag it along as a mean or an extent would. It is moved only
+// The centre is put where the caller offers it: at the middle of what nearly all dynamic members span (dxFitGrid), so that one member
+// far away, or one that falls for ever, does not drag it along. (The median of the members was tried: docs/heuristics.md.) It is moved
+// only
 //   - when more than kOutside of the members are outside the grid, or the median frame has become dearer by
 //     more than kDrift since the last decision;
-//   - if the median is then further than kHysteresis cells from the centre on some axis: a move within a cell
+//   - if what is offered is then further than kHysteresis cells from the centre on some axis: a move within a cell
 //     hardly changes who shares one, and costs a new grid;
-//   - at least kMinRest frames after the last decision. Rest doubles, up to kMaxRest, each time the reason
-//   is
+//   - at least kMinRest frames after the last decision. Rest doubles, up to kMaxRest, each time the reason is
 //     still there at its end (members that are spread wider than the grid are not helped by moving
 //     it) and is short again once it has gone.
-// The median is asked for (wantsMedian) only in the frames that decide, since it costs a pass over the
-// members.
+// It is asked for (wantsMedian, the name is older) only in the frames that decide, since it costs a pass over the members.
 //
-// Bound: at most one median and one new grid in kMinRest frames, once the centre is set.
+// Bound: at most one such pass and one new grid in kMinRest frames, once the centre is set.
 //
 // The grid decides who is tested with whom how fast, never the result, so any centre is right. What this does
 // not do: look for cell boundaries that fall between two members (the thesis's figure 10.2).

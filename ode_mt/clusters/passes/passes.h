@@ -1,4 +1,4 @@
-// Makers of the passes, one file each.
+// Makers of the passes, one file each (thesis chapters 2 and 5 to 8).
 #pragma once
 
 #include <memory>

@@ -9,6 +9,8 @@
 // compared with those; a few large boxes are compared with all smaller ones instead. Boxes that no cell can hold
 // (infinite, NaN, min > max, above 1e30) are compared with all.
 //
+// Source of the idea: the cell lists of molecular dynamics (Allen and Tildesley, Computer Simulation of Liquids, 5.3).
+//
 // Threading: one call at a time, whose chunks of rows may run on workers.
 #pragma once
 

@@ -2,7 +2,8 @@
 //
 // Each box is stored with a margin. While it moves within the margin, its candidates are unchanged and a frame costs
 // one comparison; when it leaves the margin, it is queried again (dxHierarchicalGrid). Two boxes that overlap are always
-// candidates of each other, because each lies within its stored box.
+// candidates of each other, because each lies within its stored box. Box2D's b2DynamicTree stores boxes with a margin for the same
+// reason.
 //
 // Threading: changes are not thread-safe; several threads may read candidates.
 #pragma once

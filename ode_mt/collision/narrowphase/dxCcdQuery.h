@@ -1,8 +1,9 @@
-// libccd's iterative overlap test of two shapes, with a limit of iterations.
+// libccd's iterative overlap test of two shapes (Minkowski portal refinement: Snethen, "XenoCollide", Game Programming Gems 7, 2008),
+// with a limit of iterations.
 //
 // Each iteration calls the support functions; where numbers are too large for progress, the iteration never ends. A
-// callback that collides such a pair never returns, with upstream's library as with ours. But contacts ahead of
-// callbacks (dxNarrowphasePrefetch) are looked for without being asked: under a limit of turns, the search is left by a
+// callback that collides such a pair never returns, with upstream's library as with ours. But the narrow-phase prefetch
+// (dxNarrowphasePrefetch) computes contacts that may never be asked for: there the iteration is left at the limit, by a
 // dxUpstreamInterrupted.
 #pragma once
 

@@ -6,7 +6,8 @@
 // spinning through: they are not remembered, and after the last frame a worker spins for kMaxSpin at most. Without
 // short waits the estimate decays to dxSpinTime.
 //
-// Threading: owned by one worker.
+// Source of the idea: Karlin, Li, Manasse and Owicki, "Empirical studies of competitive spinning for a shared-memory multiprocessor",
+// 1991. Threading: owned by one worker.
 #pragma once
 
 #include <algorithm>

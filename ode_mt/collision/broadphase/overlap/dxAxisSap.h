@@ -3,6 +3,9 @@
 // Each row is compared with those behind it until one begins above its upper bound. That is more work than a cell grid
 // (dxCellGridPairs.h) where many boxes overlap on the axis, but the pairs are found in order, only the columns are built
 // before the sweep, and the two other axes may be any.
+//
+// Source of the idea: Cohen, Lin, Manocha and Ponamgi, "I-COLLIDE: an interactive and exact collision detection system for large-scale
+// environments", 1995; there the sorted lists of all three axes are kept.
 #pragma once
 
 #include <cstddef>

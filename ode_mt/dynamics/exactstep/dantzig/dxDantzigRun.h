@@ -3,7 +3,7 @@
 // Rows are taken one after another; those before the current one satisfy the conditions of the LCP. A row that does not
 // is driven to zero: x(i) changes, and x(C) with it so that w(C) stays 0, until w(i) is 0 or x(i) at a limit. The
 // maximum step ends when a row of the clamped set N would leave its bound, or one of the free set C would reach a
-// limit; that row then changes its set (pivot).
+// limit; that row then changes its set (pivot). Source: Baraff 1994 (dxDantzig.h).
 #pragma once
 
 #include "dynamics/exactstep/dantzig/dxDantzigProblem.h"

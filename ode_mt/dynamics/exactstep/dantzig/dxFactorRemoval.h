@@ -1,4 +1,6 @@
 // Removes a row and a column from an LDLT factorisation: upstream's dxLDLTRemove (ode/src/matrix.cpp), row by row.
+//
+// Such updates of factorisations are those of Gill, Golub, Murray and Saunders, "Methods for modifying matrix factorizations", 1974.
 #pragma once
 
 #include <ode/common.h>

@@ -5,7 +5,7 @@
 #include "dynamics/islands/dxIslandProblem.h"
 
 // Writes an order of the rows to problem.order that gives the results of taking unbounded rows first, then bounded ones, each in
-// the order of their joints, and in which neighbours seldom wait for one another.
+// the order of their joints, and in which neighbours seldom wait for one another (level scheduling; dxSorSchedule.cpp has the source).
 void dxScheduleSor(const dxIslandProblem &problem);
 
 // Relaxes every row once, in this order. Each row's columns are scaled and its impulse is set (dxSorSolver).
