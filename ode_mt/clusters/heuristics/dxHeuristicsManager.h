@@ -1,9 +1,8 @@
 // Owns the heuristics of one (world, space) pair (thesis, figure A.5).
 //
-// tick() is called once at the end of every frame and ticks the heuristics in the order in which they were added, so that
-// alerts come in the same order in every run. Unlike the thesis's manager this one knows no heuristic, world or cluster:
-// what is observed and who acts upon it is the frame's business. There is no global state; several pairs have several
-// managers.
+// tick() is called once at the end of every search for pairs and ticks the heuristics in the order in which they were added, so
+// that alerts come in the same order in every run. Unlike the thesis's manager this one knows no heuristic, world or cluster: its
+// owner (dxTunedClusters) decides what is observed and acts upon it. There is no global state; several pairs have several managers.
 //
 // Threading: none, owned and used by the thread that runs the pair's frame.
 #pragma once
