@@ -1,7 +1,7 @@
 // Functions of ode/error.h, in place of upstream's error.cpp: errors, debug errors and messages.
 //
 // Same texts, same streams, same ends of the process. The difference: a call made by an island that is
-// being stepped goes to that island's scope first, which may keep it until the frame delivers it on the
+// being stepped goes to that island's scope first, which may keep it until dxIslandParallelStep delivers it on the
 // thread that called the step, in upstream's order (contract C4).
 //
 // The three handlers are process-wide because ODE's API is. They are atomics, so that installing one

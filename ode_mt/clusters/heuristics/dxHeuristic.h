@@ -1,7 +1,7 @@
 // What all heuristics have in common: a state, a tick at the end of every frame, and an alert when they change what they
 // tune (thesis, figure A.3).
 //
-// A heuristic watches numbers that the frame hands in and tunes one parameter of the clustering (thesis 10.1). It may
+// A heuristic watches numbers that its owner hands in and tunes one parameter of the clustering (thesis 10.1). It may
 // change speed, never results.
 //
 // Threading: none. A heuristic belongs to one (world, space) pair and is used by the thread that runs

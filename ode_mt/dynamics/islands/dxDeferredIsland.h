@@ -1,8 +1,8 @@
 // The scope of an island that a worker steps on behalf of the thread that called the step.
 //
 //   random draws   come from the island's own part of the sequence
-//   moved          notifications are deferred; the frame replays them in upstream's order
-//   dMessage       is kept; the frame delivers it in island order on the calling thread
+//   moved          notifications are deferred; dxIslandParallelStep replays them in upstream's order
+//   dMessage       is kept; dxIslandParallelStep delivers it in island order on the calling thread
 //   dDebug, dError end the island. So does dMessage where the user has installed a handler: it may look
 //                  at the world, or never return, so the island is stepped again in order, for the user
 //                  to see the world as upstream shows it

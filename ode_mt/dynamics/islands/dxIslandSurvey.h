@@ -11,7 +11,7 @@
 // callback may change any of those that follow.
 bool dxHasMovedCallback(const dxIsland &island);
 
-// Rows of the island's constraint system, as upstream's stepper will count them; none if a joint reports an error,
+// Rows of the island's constraint system, as the stepper will count them; none if a joint reports an error,
 // which the step must report in order.
 std::optional<unsigned> dxCountRows(const dxIsland &island);
 

@@ -17,7 +17,7 @@ public:
     Mark mark() const { return m_bytes.size(); }
     void clear() { m_bytes.clear(); }
 
-    // Appends the state that a stepper of upstream writes: motion and accumulators of the bodies,
+    // Appends the state that a step writes: motion and accumulators of the bodies,
     // feedback, and the joints, which keep angles and limit states that the user or the next step reads. Of contacts,
     // which keep nothing, only coefficients that the step corrects.
     void save(const dxIsland &island);

@@ -4,7 +4,7 @@
 #include "dynamics/islands/dxIslandProblem.h"
 #include "dynamics/islands/dxIslandStep.h"
 
-// Numbers the bodies (dxObject::tag), adds gravity and gyroscopic torques to their accumulators, and finds their masses in the
+// Numbers the bodies (dObject::tag), adds gravity and gyroscopic torques to their accumulators, and finds their masses in the
 // world's frame. Parallel: writes each body, and its entry in `bodies`.
 void dxGatherBodies(const dxIslandStep &step, dxIslandBody *bodies);
 
