@@ -22,6 +22,6 @@ private:
 };
 #define ccd_support_fn dxCcdSupport
 
-/* Its searches may be left while nobody has asked for them yet. */
+/* Its searches may be left while no caller has asked for them yet. */
 #define ccdMPRIntersect dxCcdQuery::intersect
 #define ccdMPRPenetration dxCcdQuery::penetration

@@ -1,4 +1,4 @@
-// Numbers that begin at a line of the cache.
+// Numbers that begin at a cache line.
 #pragma once
 
 #include "core/dxCacheLine.h"

@@ -173,7 +173,7 @@ TEST_F(ExactStep, HasUpstreamsBitsBeyondTheRangeOfNumbers) {
     }
 }
 
-// Lanes that nobody reads must not trap.
+// Lanes that are not read must not trap.
 TEST_F(ExactStep, HasUpstreamsBitsWithExceptionsTrapped) {
     std::feclearexcept(FE_ALL_EXCEPT);
     feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);

@@ -30,7 +30,7 @@ public:
     // The frame is over. False if nothing was done: the heuristic does not run.
     bool tick();
 
-    // From now on `callback` is told; NULL: nobody is. It has to outlive the heuristic.
+    // From now on `callback` is notified; NULL: none is. It has to outlive the heuristic.
     void setAlertCallback(HeuristicAlertCallback *callback) { m_callback = callback; }
 
 protected:

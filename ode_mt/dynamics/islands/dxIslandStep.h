@@ -9,7 +9,7 @@ struct dxIslandStep {
     dReal stepSize;
     dxIsland island;
     dxWorldProcessMemArena *arena;  // of the size that upstream's estimate for this stepper asks for
-    dxLargeIslandWorkers *islandWorkers = nullptr;   // of a large island; null: the calling thread alone
+    dxLargeIslandWorkers *islandWorkers = nullptr;  // of a large island; null: the calling thread alone
 
     dxTaskRunner &runner() const { return islandWorkers != nullptr ? *islandWorkers->runner : dxTaskRunner::alone(); }
 };

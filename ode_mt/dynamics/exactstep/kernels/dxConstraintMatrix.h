@@ -52,5 +52,5 @@ struct dxConstraintMatrixTask {
     static constexpr unsigned kSlack = 4;  // lanes that begin at the last element
 };
 
-// `mayUseLanes`: false where a lane that nobody reads must not raise a floating-point exception.
+// `mayUseLanes`: false where a lane that is not read must not raise a floating-point exception.
 void dxMakeConstraintMatrix(const dxConstraintMatrixTask &task, bool mayUseLanes);

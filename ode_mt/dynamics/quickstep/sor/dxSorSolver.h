@@ -24,6 +24,6 @@ private:
     unsigned partsOf(const dxIslandProblem &problem) const;
 
     const dxIslandStep &m_step;
-    dxLargeIslandWorkers *m_islandWorkers;           // null: the caller sweeps alone
+    dxLargeIslandWorkers *m_islandWorkers;         // null: the caller sweeps alone
     std::optional<dxParallelSor::Lease> m_shared;  // their sweeps, from the first one on
 };
