@@ -45,12 +45,12 @@ TEST_F(AdaptiveBroadphase, FollowsTheNumberOfMovingMembers) {
             travel();
             check();
         }
-        EXPECT_EQ(search.current(), dxBroadPhase::NeighbourList);
+        EXPECT_EQ(search.current(), dxBroadphaseKind::NeighbourList);
         for (int i = 0; i < 20; ++i) {
             stir();
             check();
         }
-        EXPECT_EQ(search.current(), dxBroadPhase::NeighbourSets);
+        EXPECT_EQ(search.current(), dxBroadphaseKind::NeighbourSets);
     }
 }
 
@@ -61,7 +61,7 @@ TEST_F(AdaptiveBroadphase, ABurstNowAndThenDoesNotMakeItGoBackAndForth) {
         else
             stir();
         check();
-        EXPECT_EQ(search.current(), dxBroadPhase::NeighbourList);
+        EXPECT_EQ(search.current(), dxBroadphaseKind::NeighbourList);
     }
 }
 
@@ -76,7 +76,7 @@ TEST(AdaptiveBroadphaseOfFew, IsBruteForceUntilThereAreMany) {
         crowd.move(slots[random.below(static_cast<unsigned>(slots.size()))], somewhere());
         const auto expected = crowd.expected();
         ASSERT_EQ(crowd.found(search), expected) << slots.size();
-        EXPECT_EQ(search.current() == dxBroadPhase::SlotTable, slots.size() <= 128) << slots.size();
+        EXPECT_EQ(search.current() == dxBroadphaseKind::SlotTable, slots.size() <= 128) << slots.size();
     }
 }
 

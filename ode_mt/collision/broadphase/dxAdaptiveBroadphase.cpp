@@ -1,13 +1,13 @@
 #include "collision/broadphase/dxAdaptiveBroadphase.h"
 
-dxBroadPhase dxAdaptiveBroadphase::current() const {
-    if (m_bruteForce != nullptr) return dxBroadPhase::SlotTable;
-    if (m_verlet != nullptr) return dxBroadPhase::NeighbourList;
-    return m_neighbours != nullptr ? dxBroadPhase::NeighbourSets : dxBroadPhase::None;
+dxBroadphaseKind dxAdaptiveBroadphase::current() const {
+    if (m_bruteForce != nullptr) return dxBroadphaseKind::SlotTable;
+    if (m_verlet != nullptr) return dxBroadphaseKind::NeighbourList;
+    return m_neighbours != nullptr ? dxBroadphaseKind::NeighbourSets : dxBroadphaseKind::None;
 }
 
-dxBroadPhaseFacts dxAdaptiveBroadphase::factsOf(const dxMembers &members) const {
-    dxBroadPhaseFacts facts;
+dxBroadphaseFacts dxAdaptiveBroadphase::factsOf(const dxMembers &members) const {
+    dxBroadphaseFacts facts;
     facts.current = current();
     facts.slots = members.end();
     facts.changed = members.changed().size();
@@ -26,13 +26,13 @@ void dxAdaptiveBroadphase::findOverlaps(const dxMembers &members, dxTaskRunner &
 
 // A new Verlet list takes all members, changed or not; the other algorithms adopt those that have not changed.
 void dxAdaptiveBroadphase::chooseBySize(const dxMembers &members) {
-    const dxBroadPhase choice = dxChooseBroadPhase(factsOf(members));
+    const dxBroadphaseKind choice = dxChooseBroadphase(factsOf(members));
     if (choice == current()) return;
     m_bruteForce.reset();
     m_verlet.reset();
     m_neighbours.reset();
     m_callsAgainst = 0;
-    if (choice == dxBroadPhase::SlotTable) {
+    if (choice == dxBroadphaseKind::SlotTable) {
         m_bruteForce = std::make_unique<dxBruteForceBroadphase>();
         m_bruteForce->adopt(members);
     } else {
@@ -41,9 +41,9 @@ void dxAdaptiveBroadphase::chooseBySize(const dxMembers &members) {
 }
 
 void dxAdaptiveBroadphase::findWithVerletList(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) {
-    dxBroadPhaseFacts facts = factsOf(members);
+    dxBroadphaseFacts facts = factsOf(members);
     facts.callsAgainst = m_callsAgainst = dxSpeaksAgainst(facts) ? m_callsAgainst + 1 : 0;
-    if (dxChooseBroadPhase(facts) == dxBroadPhase::NeighbourList) {
+    if (dxChooseBroadphase(facts) == dxBroadphaseKind::NeighbourList) {
         m_verlet->findOverlaps(members, runner, matches);
         return;
     }
@@ -55,10 +55,10 @@ void dxAdaptiveBroadphase::findWithVerletList(const dxMembers &members, dxTaskRu
 
 void dxAdaptiveBroadphase::findWithNeighbours(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) {
     m_neighbours->findOverlaps(members, runner, matches);
-    dxBroadPhaseFacts facts = factsOf(members);
+    dxBroadphaseFacts facts = factsOf(members);
     facts.lookedUp = m_neighbours->lookedUp();
     facts.callsAgainst = m_callsAgainst = dxSpeaksAgainst(facts) ? m_callsAgainst + 1 : 0;
-    if (dxChooseBroadPhase(facts) == dxBroadPhase::NeighbourSets) return;
+    if (dxChooseBroadphase(facts) == dxBroadphaseKind::NeighbourSets) return;
     m_neighbours.reset();
     m_verlet = std::make_unique<dxVerletBroadphase>(m_maxPairs);
     m_callsAgainst = 0;

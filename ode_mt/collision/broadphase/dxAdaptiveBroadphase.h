@@ -1,10 +1,10 @@
-// The search that a space uses unless it is told otherwise: whichever dxChooseBroadPhase() takes of the table of slots,
+// The search that a space uses unless it is told otherwise: whichever dxChooseBroadphase() takes of the table of slots,
 // the neighbour list and the neighbour sets.
 #pragma once
 
 #include <memory>
 
-#include "collision/broadphase/dxBroadPhaseChoice.h"
+#include "collision/broadphase/dxBroadphaseChoice.h"
 #include "collision/broadphase/dxNeighbourBroadphase.h"
 #include "collision/broadphase/dxBroadphase.h"
 #include "collision/broadphase/dxBruteForceBroadphase.h"
@@ -17,10 +17,10 @@ public:
 
     void findOverlaps(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
 
-    dxBroadPhase current() const;
+    dxBroadphaseKind current() const;
 
 private:
-    dxBroadPhaseFacts factsOf(const dxMembers &members) const;
+    dxBroadphaseFacts factsOf(const dxMembers &members) const;
     void chooseBySize(const dxMembers &members);
     void findWithVerletList(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches);
     void findWithNeighbours(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches);

@@ -1,6 +1,6 @@
 #include "collision/broadphase/dxBruteForceBroadphase.h"
 
-#include "collision/broadphase/dxBroadPhaseChoice.h"
+#include "collision/broadphase/dxBroadphaseChoice.h"
 
 namespace {
 

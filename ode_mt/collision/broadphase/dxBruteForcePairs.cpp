@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "collision/broadphase/dxBroadPhaseChoice.h"
+#include "collision/broadphase/dxBroadphaseChoice.h"
 
 namespace {
 

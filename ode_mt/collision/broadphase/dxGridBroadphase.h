@@ -16,7 +16,7 @@
 
 #include <vector>
 
-#include "collision/broadphase/dxBroadPhaseChoice.h"
+#include "collision/broadphase/dxBroadphaseChoice.h"
 #include "collision/broadphase/dxBroadphase.h"
 #include "collision/broadphase/overlap/dxCellGridPairs.h"
 #include "core/dxRadixSort.h"

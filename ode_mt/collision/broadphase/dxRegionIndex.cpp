@@ -4,7 +4,7 @@
 #include <mutex>
 #include <new>
 
-#include "collision/broadphase/dxBroadPhaseChoice.h"
+#include "collision/broadphase/dxBroadphaseChoice.h"
 #include "core/dxReserve.h"
 
 namespace {
@@ -104,7 +104,7 @@ bool dxRegionIndex::query(const dxMembers &members, const dxBounds &box, std::pm
 }
 
 void dxRegionIndex::buildIfDue(const dxMembers &members) {
-    const std::size_t due = dxBroadPhaseThresholds::kComparisonsPerRow * members.end();
+    const std::size_t due = dxBroadphaseThresholds::kComparisonsPerRow * members.end();
     if (m_debt.load(std::memory_order_relaxed) <= due) return;
     const std::unique_lock<std::shared_mutex> building(m_mutex, std::try_to_lock);
     if (!building || m_debt.load(std::memory_order_relaxed) <= due) return;

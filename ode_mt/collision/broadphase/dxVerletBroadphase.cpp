@@ -66,7 +66,7 @@ void dxVerletBroadphase::findOverlaps(const dxMembers &members, dxTaskRunner &ru
 }
 
 void dxVerletBroadphase::countShortList(bool hadList) {
-    using Threshold = dxBroadPhaseThresholds;
+    using Threshold = dxBroadphaseThresholds;
     m_shortLists = hadList && m_calls < Threshold::kMinCallsPerList ? m_shortLists + 1 : 0;
     if (m_shortLists < Threshold::kMaxShortLists) return;
     m_shortLists = 0;

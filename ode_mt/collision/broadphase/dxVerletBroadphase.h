@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "collision/broadphase/dxGridBroadphase.h"
-#include "collision/broadphase/dxBroadPhaseChoice.h"
+#include "collision/broadphase/dxBroadphaseChoice.h"
 #include "collision/broadphase/dxBroadphase.h"
 #include "collision/broadphase/overlap/dxBoxColumns.h"
 #include "collision/broadphase/overlap/dxPackedBoxes.h"

@@ -111,13 +111,13 @@ void dxOrderedListSpace::chooseToWalk() {
     const auto moved = static_cast<int>(m_dirty.size());
     m_moved = std::min(m_moved + moved, count);
     if (moved != 0) m_walks.store(0, std::memory_order_relaxed);
-    dxBroadPhaseFacts facts;
+    dxBroadphaseFacts facts;
     facts.order = pairOrder();
-    facts.current = m_isWalked ? dxBroadPhase::ListWalk : dxBroadPhase::None;
+    facts.current = m_isWalked ? dxBroadphaseKind::ListWalk : dxBroadphaseKind::None;
     facts.mayWalk = mayWalk();
     facts.geoms = count;
     facts.moved = moved;
-    m_isWalked = dxChooseBroadPhase(facts) == dxBroadPhase::ListWalk;
+    m_isWalked = dxChooseBroadphase(facts) == dxBroadphaseKind::ListWalk;
     m_isIrregular = m_isIrregular || m_isWalked;
 }
 
@@ -134,7 +134,7 @@ void dxOrderedListSpace::stopWalking() {
 
 // Of several threads that ask, one stops; the others walk once more.
 void dxOrderedListSpace::stopWalkingIfAskedOften() {
-    if (!m_isWalked || !isWorthAnIndex() || ++m_walks <= dxBroadPhaseThresholds::kMaxWalksUnranked) return;
+    if (!m_isWalked || !isWorthAnIndex() || ++m_walks <= dxBroadphaseThresholds::kMaxWalksUnranked) return;
     const std::unique_lock<std::mutex> alone(m_stopping, std::try_to_lock);
     if (alone && m_isWalked) stopWalking();
 }

@@ -211,12 +211,12 @@ void dxOrderedSapSpace::sortSwept() {
 }
 
 void dxOrderedSapSpace::chooseBroadphase() {
-    dxBroadPhaseFacts facts;
+    dxBroadphaseFacts facts;
     facts.order = pairOrder();
-    facts.current = m_isDense ? dxBroadPhase::AxisSap : dxBroadPhase::None;
+    facts.current = m_isDense ? dxBroadphaseKind::AxisSap : dxBroadphaseKind::None;
     facts.comparesAllAxes = m_axes.areAll();
     facts.geoms = count;
-    const bool isDense = (!m_axes.areAll() || !hasBroadphase()) && dxChooseBroadPhase(facts) == dxBroadPhase::AxisSap;
+    const bool isDense = (!m_axes.areAll() || !hasBroadphase()) && dxChooseBroadphase(facts) == dxBroadphaseKind::AxisSap;
     if (isDense == m_isDense) return;
     m_isDense = isDense;
     startAnew();

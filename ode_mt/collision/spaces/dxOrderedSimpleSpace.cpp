@@ -11,7 +11,7 @@ void dxOrderedSimpleSpace::walk(void *data, dNearCallback *callback, const dxOrd
         walkFrom(after->first, after->second->next, data, callback);
         return;
     }
-    const bool isWorthATable = count >= dxBroadPhaseThresholds::kMinWalkedByVectors;
+    const bool isWorthATable = count >= dxBroadphaseThresholds::kMinWalkedByVectors;
     if (!isWorthATable || hasPairOverflow() || lock_count > 1 || !findVectorised()) {
         walkList(data, callback);
         return;

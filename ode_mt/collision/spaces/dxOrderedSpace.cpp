@@ -292,11 +292,11 @@ void dxOrderedSpace::beginPairOverflow() {
 }
 
 void dxOrderedSpace::update(std::vector<dxOrderedPair> &pairs) {
-    dxBroadPhaseFacts facts;
+    dxBroadphaseFacts facts;
     facts.order = pairOrder();
     facts.geoms = count;
-    facts.current = m_dense != nullptr ? dxBroadPhase::OrderedTable : dxBroadPhase::None;
-    const bool dense = m_broadphase == nullptr && dxChooseBroadPhase(facts) == dxBroadPhase::OrderedTable;
+    facts.current = m_dense != nullptr ? dxBroadphaseKind::OrderedTable : dxBroadphaseKind::None;
+    const bool dense = m_broadphase == nullptr && dxChooseBroadphase(facts) == dxBroadphaseKind::OrderedTable;
     if (dense != (m_dense != nullptr)) {
         m_dense.reset(dense ? new dxBruteForcePairs : nullptr);
         startAnew();

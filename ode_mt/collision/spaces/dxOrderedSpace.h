@@ -43,7 +43,7 @@
 
 #include <ode/ode.h>
 
-#include "collision/broadphase/dxBroadPhaseChoice.h"
+#include "collision/broadphase/dxBroadphaseChoice.h"
 #include "collision/broadphase/dxPairOverflow.h"
 #include "collision/broadphase/dxBruteForcePairs.h"
 #include "collision/broadphase/dxBroadphase.h"
@@ -236,7 +236,7 @@ protected:
     };
     // Returns whether the geom's box is still `box`. A geom that is not in the space may move in a callback.
     static bool isStill(const dxGeom *geom, const dxBounds &box);
-    bool isWorthAnIndex() const { return count >= dxBroadPhaseThresholds::kMinIndexed; }
+    bool isWorthAnIndex() const { return count >= dxBroadphaseThresholds::kMinIndexed; }
     // Equivalent of upstream's collide2 where it walks a list, which has the order of ranks. Returns NULL, or the
     // member in whose callback the geom moved: upstream continues behind it with the new box.
     dxGeom *collideRegion(void *data, dxGeom *geom, dNearCallback *callback);

@@ -20,7 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 
-enum class dxBroadPhase { None, ListWalk, OrderedTable, AxisSap, SlotTable, NeighbourList, NeighbourSets };
+enum class dxBroadphaseKind { None, ListWalk, OrderedTable, AxisSap, SlotTable, NeighbourList, NeighbourSets };
 
 // What the order of a space's pairs follows from, which is given by the kind of the space.
 enum class dxPairOrder {
@@ -31,7 +31,7 @@ enum class dxPairOrder {
 };
 
 // Units are geoms, members, calls or pairs.
-struct dxBroadPhaseThresholds {
+struct dxBroadphaseThresholds {
     // A simple space of up to so many geoms is walked if any geom moves: nothing pays for keeping pairs.
     static constexpr int kMaxAlwaysWalked = 12;
     // A simple space of up to so many geoms is walked if three quarters of them move.
@@ -76,9 +76,9 @@ struct dxBroadPhaseThresholds {
 };
 
 // Facts that the order of the pairs makes irrelevant may be left as they are.
-struct dxBroadPhaseFacts {
+struct dxBroadphaseFacts {
     dxPairOrder order = dxPairOrder::Cells;
-    dxBroadPhase current = dxBroadPhase::None;  // what the space has used so far
+    dxBroadphaseKind current = dxBroadphaseKind::None;  // what the space has used so far
     bool mayWalk = false;         // ranks are not given yet, and neither workers nor a search of the caller's need them
     bool comparesAllAxes = true;  // false: of a sweep-and-prune space two of whose axes are the same
     int geoms = 0;
@@ -89,11 +89,11 @@ struct dxBroadPhaseFacts {
     int callsAgainst = 0;         // in a row, this one included, for which dxSpeaksAgainst() was true
 };
 
-dxBroadPhase dxChooseBroadPhase(const dxBroadPhaseFacts &facts);
+dxBroadphaseKind dxChooseBroadphase(const dxBroadphaseFacts &facts);
 
 // Whether the changes of this call would have been cheaper to follow the other way: by neighbours instead of a list,
 // or by a list instead of neighbours.
-bool dxSpeaksAgainst(const dxBroadPhaseFacts &facts);
+bool dxSpeaksAgainst(const dxBroadphaseFacts &facts);
 
 // Geoms that must move for a space to be walked; INT_MAX: it is never walked for that.
 int dxMinMovedToWalk(dxPairOrder order, int geoms);

@@ -1,0 +1,148 @@
+// dxChooseBroadphase: each border between two broad phases, from either side, and what is remembered across it.
+#include "collision/broadphase/dxBroadphaseChoice.h"
+
+#include <gtest/gtest.h>
+
+#include <climits>
+
+namespace {
+
+using Threshold = dxBroadphaseThresholds;
+
+class BroadphaseChoice : public testing::Test {
+protected:
+    // Of a space with so many geoms, all of them members.
+    dxBroadphaseKind chooseFor(int geoms) {
+        facts.geoms = geoms;
+        facts.slots = static_cast<std::size_t>(geoms);
+        return dxChooseBroadphase(facts);
+    }
+    // As a space that grows or shrinks to so many geoms.
+    dxBroadphaseKind follow(int geoms) { return facts.current = chooseFor(geoms); }
+
+    dxBroadphaseFacts facts;
+};
+
+TEST_F(BroadphaseChoice, ASmallSimpleSpaceIsWalkedIfAnythingMoves) {
+    facts.order = dxPairOrder::List;
+    facts.mayWalk = true;
+    facts.moved = 1;
+    EXPECT_EQ(chooseFor(Threshold::kMaxAlwaysWalked), dxBroadphaseKind::ListWalk);
+    EXPECT_EQ(chooseFor(Threshold::kMaxAlwaysWalked + 1), dxBroadphaseKind::OrderedTable);
+    facts.moved = 0;
+    EXPECT_EQ(chooseFor(Threshold::kMaxAlwaysWalked), dxBroadphaseKind::OrderedTable);
+}
+
+TEST_F(BroadphaseChoice, AMiddlingSimpleSpaceIsWalkedIfThreeQuartersMove) {
+    facts.order = dxPairOrder::List;
+    facts.mayWalk = true;
+    facts.moved = 75;
+    EXPECT_EQ(chooseFor(100), dxBroadphaseKind::ListWalk);
+    facts.moved = 74;
+    EXPECT_EQ(chooseFor(100), dxBroadphaseKind::OrderedTable);
+    facts.current = dxBroadphaseKind::ListWalk;
+    EXPECT_EQ(chooseFor(100), dxBroadphaseKind::ListWalk) << "it is walked on";
+    facts.moved = INT_MAX;
+    EXPECT_EQ(chooseFor(Threshold::kMaxWalked), dxBroadphaseKind::ListWalk);
+    EXPECT_NE(chooseFor(Threshold::kMaxWalked + 1), dxBroadphaseKind::ListWalk);
+}
+
+TEST_F(BroadphaseChoice, AWalkEndsWhenHalfAsManyMove) {
+    EXPECT_FALSE(dxHaveFewMoved(38, dxMinMovedToWalk(dxPairOrder::List, 100)));
+    EXPECT_TRUE(dxHaveFewMoved(37, dxMinMovedToWalk(dxPairOrder::List, 100)));
+    EXPECT_TRUE(dxHaveFewMoved(100, INT_MAX));
+}
+
+TEST_F(BroadphaseChoice, NothingIsWalkedWhoseRanksAreNeededOrWhoseOrderIsAnother) {
+    facts.moved = facts.geoms = 10;
+    for (const dxPairOrder order : {dxPairOrder::List, dxPairOrder::Blocks, dxPairOrder::Axis, dxPairOrder::Cells}) {
+        facts.order = order;
+        facts.mayWalk = order != dxPairOrder::List;
+        EXPECT_NE(dxChooseBroadphase(facts), dxBroadphaseKind::ListWalk) << static_cast<int>(order);
+    }
+}
+
+TEST_F(BroadphaseChoice, TablesInOrderOfRanksGiveWayToSearchesAndComeBackAtHalfTheSize) {
+    for (const dxPairOrder order : {dxPairOrder::List, dxPairOrder::Blocks}) {
+        facts = {};
+        facts.order = order;
+        EXPECT_EQ(follow(256), dxBroadphaseKind::OrderedTable);
+        EXPECT_EQ(follow(512), dxBroadphaseKind::OrderedTable);
+        EXPECT_EQ(follow(513), dxBroadphaseKind::NeighbourList);
+        EXPECT_EQ(follow(257), dxBroadphaseKind::NeighbourList);
+        EXPECT_EQ(follow(256), dxBroadphaseKind::OrderedTable);
+    }
+}
+
+TEST_F(BroadphaseChoice, AnAxisIsSweptInSmallSpacesAndWhereItIsTheOnlyWay) {
+    facts.order = dxPairOrder::Axis;
+    EXPECT_EQ(follow(768), dxBroadphaseKind::AxisSap);
+    EXPECT_EQ(follow(1024), dxBroadphaseKind::AxisSap);
+    EXPECT_EQ(follow(1025), dxBroadphaseKind::NeighbourList);
+    EXPECT_EQ(follow(769), dxBroadphaseKind::NeighbourList);
+    EXPECT_EQ(follow(768), dxBroadphaseKind::AxisSap);
+    facts.comparesAllAxes = false;
+    EXPECT_EQ(follow(100000), dxBroadphaseKind::AxisSap);
+}
+
+TEST_F(BroadphaseChoice, ATableOfSlotsGivesWayToAListAndComesBackAtHalfTheSize) {
+    EXPECT_EQ(follow(128), dxBroadphaseKind::SlotTable);
+    EXPECT_EQ(follow(129), dxBroadphaseKind::NeighbourList);
+    EXPECT_EQ(follow(65), dxBroadphaseKind::NeighbourList);
+    EXPECT_EQ(follow(64), dxBroadphaseKind::SlotTable);
+    facts.current = dxBroadphaseKind::NeighbourSets;
+    EXPECT_EQ(chooseFor(65), dxBroadphaseKind::NeighbourSets);
+    EXPECT_EQ(chooseFor(64), dxBroadphaseKind::SlotTable);
+}
+
+TEST_F(BroadphaseChoice, ListsAndNeighboursAreChangedAfterCallsThatSpeakAgainstThem) {
+    facts.slots = 1000;
+    facts.current = dxBroadphaseKind::NeighbourList;
+    facts.callsAgainst = Threshold::kCallsAgainst - 1;
+    EXPECT_EQ(dxChooseBroadphase(facts), dxBroadphaseKind::NeighbourList);
+    facts.callsAgainst = Threshold::kCallsAgainst;
+    EXPECT_EQ(dxChooseBroadphase(facts), dxBroadphaseKind::NeighbourSets);
+    facts.current = dxBroadphaseKind::NeighbourSets;
+    EXPECT_EQ(dxChooseBroadphase(facts), dxBroadphaseKind::NeighbourList);
+    facts.callsAgainst = Threshold::kCallsAgainst - 1;
+    EXPECT_EQ(dxChooseBroadphase(facts), dxBroadphaseKind::NeighbourSets);
+}
+
+TEST_F(BroadphaseChoice, FewChangesSpeakAgainstAListAndManyAgainstNeighbours) {
+    facts.slots = 1000;
+    facts.current = dxBroadphaseKind::NeighbourList;
+    facts.changed = 99;
+    EXPECT_TRUE(dxSpeaksAgainst(facts));
+    facts.changed = 100;
+    EXPECT_FALSE(dxSpeaksAgainst(facts));
+    facts.current = dxBroadphaseKind::NeighbourSets;
+    facts.changed = 199;
+    EXPECT_FALSE(dxSpeaksAgainst(facts));
+    facts.changed = 200;
+    EXPECT_TRUE(dxSpeaksAgainst(facts));
+    facts.current = dxBroadphaseKind::SlotTable;
+    EXPECT_FALSE(dxSpeaksAgainst(facts));
+}
+
+TEST_F(BroadphaseChoice, MembersThatLeaveTheirNeighboursAllAtOnceAreListedAtOnce) {
+    facts.current = dxBroadphaseKind::NeighbourSets;
+    facts.slots = 1000;
+    facts.lookedUp = 99;
+    EXPECT_EQ(dxChooseBroadphase(facts), dxBroadphaseKind::NeighbourSets);
+    facts.lookedUp = 100;
+    EXPECT_EQ(dxChooseBroadphase(facts), dxBroadphaseKind::NeighbourList);
+    facts.slots = 200;
+    facts.lookedUp = Threshold::kMinLookUps - 1;
+    EXPECT_EQ(dxChooseBroadphase(facts), dxBroadphaseKind::NeighbourSets) << "a handful of look-ups takes no time";
+}
+
+TEST_F(BroadphaseChoice, APairLimitIsNeverLowAndNeverBeyondMemory) {
+    EXPECT_EQ(dxPairLimitOf(dxPairOrder::List)(10), std::size_t{1} << 19);
+    EXPECT_EQ(dxPairLimitOf(dxPairOrder::Blocks)(8192), std::size_t{8192} * 8192 / 32);
+    EXPECT_EQ(dxPairLimitOf(dxPairOrder::Axis)(1000000), std::size_t{1} << 24);
+    EXPECT_EQ(dxPairLimitOf(dxPairOrder::Cells)(10), std::size_t{1} << 22);
+    EXPECT_EQ(dxPairLimitOf(dxPairOrder::Cells)(1000000), std::size_t{1} << 22);
+    EXPECT_EQ(dxUnlimitedPairs(3), SIZE_MAX);
+}
+
+}  // namespace
