@@ -19,6 +19,6 @@ struct dxLaneProductsTask {
     dReal *result;           // by row
 };
 
-// result(row) = the sum over the columns of A(row, column) * factor, for all rows of the wanted blocks.
+// result(row) = the sum over the columns of A(row, column) * factor, for all rows of the wanted halves of blocks.
 // Upstream's order: four products are added to one another, then to the sum; those left over one by one.
 void dxComputeLaneProducts(const dxLaneProductsTask &task);
