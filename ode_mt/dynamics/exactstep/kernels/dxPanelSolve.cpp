@@ -61,6 +61,29 @@ HWY_INLINE void solveRows(const dxSolvePanelTask &task, std::size_t lane, std::s
     finishRows<Rows>(task, lane, first, beginOf(task, first, Rows), sum);
 }
 
+// Four rows of `Parts` vectors side by side: an element of L is loaded once for all of them, and there are as many sums
+// in flight as for eight rows.
+template <std::size_t Parts>
+HWY_INLINE void solveFourRows(const dxSolvePanelTask &task, std::size_t lane, std::size_t first) {
+    const LineTag d;
+    const auto laneOf = [&](std::size_t part) { return lane + part * hn::Lanes(d); };
+    const dReal *const rows[4] = {task.L[first], task.L[first + 1], task.L[first + 2], task.L[first + 3]};
+    LineVector sum[Parts][4];
+    for (std::size_t part = 0; part < Parts; ++part)
+        for (LineVector &own : sum[part]) own = hn::Zero(d);
+    for (std::size_t column = beginOf(task, first, 4); column < first; ++column) {
+        LineVector y[Parts];
+        for (std::size_t part = 0; part < Parts; ++part)
+            y[part] = hn::Load(d, task.solutions + column * kLineLanes + laneOf(part));
+        for (std::size_t r = 0; r < 4; ++r) {
+            const LineVector factor = hn::Set(d, rows[r][column]);
+            for (std::size_t part = 0; part < Parts; ++part)
+                sum[part][r] = hn::Add(sum[part][r], hn::Mul(factor, y[part]));
+        }
+    }
+    for (std::size_t part = 0; part < Parts; ++part) finishGroup(task, laneOf(part), first, sum[part]);
+}
+
 // Calls take(first, rows) for eight rows at a time, and four at the end: a multiple of four in all.
 template <class Take>
 HWY_INLINE void forTiles(std::size_t begin, std::size_t end, Take take) {
@@ -69,8 +92,12 @@ HWY_INLINE void forTiles(std::size_t begin, std::size_t end, Take take) {
 }
 
 void solvePanel(const dxSolvePanelTask &task) {
-    for (std::size_t lane = 0; lane < kLineLanes; lane += hn::Lanes(LineTag()))
-        forTiles(task.begin, task.end, [&](std::size_t first, auto rows) { solveRows<rows>(task, lane, first); });
+    constexpr std::size_t kLanes = hn::MaxLanes(LineTag()), kParts = kLineLanes > kLanes ? 2 : 1;
+    const std::size_t end = task.end - (task.end - task.begin) % kPanelRows;
+    for (std::size_t lane = 0; task.begin < end && lane < kLineLanes; lane += kLanes)
+        for (std::size_t first = task.begin; first < end; first += kPanelRows) solveRows<kPanelRows>(task, lane, first);
+    for (std::size_t lane = 0; end < task.end && lane < kLineLanes; lane += kParts * kLanes)
+        solveFourRows<kParts>(task, lane, end);
 }
 
 // Four or eight rows whose sums are in memory: sum(row) += the products with columns begin..end-1.
