@@ -1,9 +1,8 @@
-// The vectorised loops of a step give the results of scalar loops, for every instruction set of this machine.
+// The vectorised search for the maximum step gives the results of a scalar loop, for every instruction set of this machine.
 #include <gtest/gtest.h>
 
 #include <cfenv>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <random>
 #include <vector>
@@ -29,10 +28,6 @@ protected:
     // One of few, so that there are zeros and equal ones.
     dReal number() { return dReal(static_cast<int>(random() % 9) - 4) / 2; }
 
-    static bool areSame(const dReal *a, const dReal *b, unsigned count) {
-        return std::memcmp(a, b, count * sizeof(dReal)) == 0;
-    }
-
     // Calls body(count) for every number of elements and instruction set; no exception flag may be raised.
     template <class Body>
     void forAll(const Body &body) {
@@ -48,28 +43,6 @@ protected:
 
     std::mt19937 random{7};
 };
-
-TEST_F(PushLanes, Multiplies) {
-    forAll([&](unsigned count) {
-        const Numbers a = numbers(count), b = numbers(count);
-        Numbers product = numbers(0), copy = numbers(0), expected(kMax);
-        for (unsigned i = 0; i < count; ++i) expected[i] = a[i] * b[i];
-        dxMultiplyLanes(a.data(), b.data(), count, product.data(), copy.data());
-        ASSERT_TRUE(areSame(product.data(), expected.data(), count)) << count;
-        ASSERT_TRUE(areSame(copy.data(), expected.data(), count)) << count;
-    });
-}
-
-TEST_F(PushLanes, AdvancesNoMoreThanAsked) {
-    forAll([&](unsigned count) {
-        Numbers x = numbers(kMax), expected = x;
-        const Numbers delta = numbers(count);
-        const dReal length = dReal(0.7);
-        for (unsigned i = 0; i < count; ++i) expected[i] += length * delta[i];
-        dxAdvanceLanes(x.data(), delta.data(), length, count);
-        ASSERT_TRUE(areSame(x.data(), expected.data(), kMax)) << count;
-    });
-}
 
 TEST_F(PushLanes, FindsTheFirstThatReachesItsLimit) {
     unsigned founds = 0;

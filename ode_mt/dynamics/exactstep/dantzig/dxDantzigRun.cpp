@@ -11,6 +11,7 @@
 #include "dynamics/exactstep/dantzig/dxUpstreamLcp.h"
 #include "dynamics/exactstep/kernels/dxFactorLDLT.h"
 #include "dynamics/exactstep/kernels/dxLaneProducts.h"
+#include "dynamics/exactstep/kernels/dxPair.h"
 #include "dynamics/exactstep/kernels/dxSolveL1.h"
 #include "dynamics/exactstep/kernels/dxTriangleScan.h"
 
@@ -184,8 +185,7 @@ bool dxDantzigRun::pivot(unsigned i) {
 void dxDantzigRun::findFactorColumn(unsigned index) {
     const unsigned count = m_sets.countC();
     if (count == 0) return;
-    m_forward.solve(index, m_solved, m_islandWorkers);
-    dxMultiplyLanes(m_solved, m_d, count, scaled(), m_temporary);
+    m_forward.solve(index, m_d, {m_solved, scaled(), m_temporary}, m_islandWorkers);
 }
 
 void dxDantzigRun::findDirection(unsigned i, bool isUp) {
@@ -201,18 +201,34 @@ void dxDantzigRun::findDeltaX(bool isUp) {
         dxSolveL1Transposed(m_L, m_temporary, count, m_envelope, runner);
     });
     const unsigned *positions = m_sets.factorPositions(), inPlace = m_sets.inPlace();
-    const dReal *solved = m_temporary;
-    for (unsigned j = 0; j < inPlace; ++j) m_deltaX[j] = isUp ? -solved[j] : solved[j];
-    for (unsigned j = inPlace; j < count; ++j) m_deltaX[positions[j]] = isUp ? -solved[j] : solved[j];
+    if (isUp) {
+        dReal *const solved = m_temporary;
+        unsigned j = 0;
+        for (; j + 4 <= count; j += 4) {
+            dxStorePair(-dxLoadPair(solved + j), solved + j);
+            dxStorePair(-dxLoadPair(solved + j + 2), solved + j + 2);
+        }
+        for (; j < count; ++j) solved[j] = -solved[j];
+    }
+    std::copy_n(m_temporary, inPlace, m_deltaX);
+    for (unsigned j = inPlace; j < count; ++j) m_deltaX[positions[j]] = m_temporary[j];
 }
 
-// deltaW(N) = A(N,C) deltaX(C) +- A(N,i), and the same for row i
+// deltaW(N) = A(N,C) deltaX(C) +- A(N,i), and the same for row i. Rows that may not move at all stay in N, whatever their
+// w. Whether a row leaves its side is as good as random, so the rows that do are listed, without a branch.
 void dxDantzigRun::findDeltaW(unsigned i, bool isUp) {
     const unsigned *ofN = m_sets.indexes() + m_sets.countC();
     const dReal *row = m_A.row(i);
     if (m_sets.countN() > 0) findProductsOfN(i);
-    for (unsigned k = 0; k < m_sets.countN(); ++k)
-        m_deltaW[ofN[k]] = isUp ? m_deltaW[ofN[k]] + row[ofN[k]] : m_deltaW[ofN[k]] - row[ofN[k]];
+    unsigned leaving = 0;
+    for (unsigned k = 0; k < m_sets.countN(); ++k) {
+        const unsigned other = ofN[k];
+        const dReal deltaW = isUp ? m_deltaW[other] + row[other] : m_deltaW[other] - row[other];
+        m_deltaW[other] = deltaW;
+        m_leaving[leaving] = m_sets.countC() + k;
+        leaving += deltaW * m_side[other] < 0;
+    }
+    m_countLeaving = leaving;
     const dReal product = multiplyByDeltaX(i);
     m_deltaW[i] = isUp ? product + row[i] : product - row[i];
 }
@@ -258,21 +274,11 @@ void dxDantzigRun::limitByOwnBounds(unsigned i, bool isUp, MaximumStep &step) co
     if (length < step.length) step = {length, isUp ? Event::AtHigh : Event::AtLow, 0};
 }
 
-// Rows that may not move at all stay in N, whatever their w. Whether a row leaves its side is as good as random, so the
-// rows that do are listed first, without a branch.
 void dxDantzigRun::limitByN(MaximumStep &step) const {
-    const unsigned begin = m_sets.countC(), end = begin + m_sets.countN();
-    unsigned *const leaving = m_leaving;
-    unsigned count = 0;
-    for (unsigned position = begin; position < end; ++position) {
-        const unsigned row = m_sets.indexAt(position);
-        leaving[count] = position;
-        count += m_deltaW[row] * m_side[row] < 0;
-    }
-    for (unsigned k = 0; k < count; ++k) {
-        const unsigned row = m_sets.indexAt(leaving[k]);
+    for (unsigned k = 0; k < m_countLeaving; ++k) {
+        const unsigned row = m_sets.indexAt(m_leaving[k]);
         const dReal length = -m_w[row] / m_deltaW[row];
-        if (length < step.length) step = {length, Event::LeavesN, leaving[k]};
+        if (length < step.length) step = {length, Event::LeavesN, m_leaving[k]};
     }
 }
 
@@ -297,11 +303,18 @@ void dxDantzigRun::limitByC(MaximumStep &step) const {
 void dxDantzigRun::apply(unsigned i, bool isUp, dReal length) {
     const unsigned countC = m_sets.countC(), end = countC + m_sets.countN(), inPlace = m_sets.inPlace();
     const dReal *deltaX = m_deltaX;
-    dxAdvanceLanes(m_x, deltaX, length, inPlace);
-    for (unsigned position = inPlace; position < countC; ++position)
+    unsigned position = 0;
+    for (const dxPair lengths = {length, length}; position + 4 <= inPlace; position += 4) {
+        dReal *const x = m_x + position;
+        const dxPair first = dxLoadPair(x) + lengths * dxLoadPair(deltaX + position);
+        const dxPair second = dxLoadPair(x + 2) + lengths * dxLoadPair(deltaX + position + 2);
+        dxStorePair(first, x);
+        dxStorePair(second, x + 2);
+    }
+    for (; position < countC; ++position)
         m_x[m_sets.indexAt(position)] += length * deltaX[position];
     m_x[i] = isUp ? m_x[i] + length : m_x[i] - length;
-    for (unsigned position = countC; position < end; ++position) {
+    for (; position < end; ++position) {
         const unsigned row = m_sets.indexAt(position);
         m_w[row] += length * m_deltaW[row];
     }

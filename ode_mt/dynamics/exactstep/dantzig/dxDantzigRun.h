@@ -95,7 +95,8 @@ private:
     dReal *const m_b, *const m_x, *const m_w, *const m_deltaW;
     Limits *const m_limits;
     dReal *const m_side;          // for rows of N: the sign that w may have, 0 where the limits leave no room for x
-    unsigned *const m_leaving;    // positions in N: a list of limitByN
+    unsigned *const m_leaving;    // positions in N of the rows that leave their side: a list of findDeltaW
+    unsigned m_countLeaving = 0;
     unsigned *const m_halfBlockN;  // rows of N in each half of a block of lanes
 
     dReal *const m_deltaX;  // by position in C

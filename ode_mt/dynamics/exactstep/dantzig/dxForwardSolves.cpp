@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/exactstep/kernels/dxPair.h"
 #include "dynamics/exactstep/kernels/dxPanelSolve.h"
 #include "dynamics/exactstep/kernels/dxSolveL1Plain.h"
 
@@ -15,6 +16,17 @@ unsigned blockCount(unsigned n, unsigned first) { return dxLcpBlock(n - 1) + 1 -
 
 // More blocks have no fewer places: memory is estimated for all, and taken for those that are not without limits.
 unsigned placeCount(unsigned blocks) { return blocks <= kFewBlocks ? blocks : std::max(kFewBlocks, blocks - blocks / 4); }
+
+// Rows begin..end-1 of one of the lanes, both even.
+void takeLane(const dReal *lane, unsigned begin, unsigned end, const dReal *d, const dxForwardSolves::Results &results) {
+    for (unsigned row = begin; row < end; row += 2) {
+        const dReal *const first = lane + std::size_t(row) * kLineLanes;
+        const dxPair solved = {first[0], first[kLineLanes]}, scaled = solved * dxLoadPair(d + row);
+        dxStorePair(solved, results.solved + row);
+        dxStorePair(scaled, results.scaled + row);
+        dxStorePair(scaled, results.copy + row);
+    }
+}
 
 }  // namespace
 
@@ -43,20 +55,23 @@ dxForwardSolves::dxForwardSolves(const dxLcpMatrix &A, const dxIndexSets &sets, 
     std::fill(m_place, m_blockAt, kNone);
 }
 
-void dxForwardSolves::solve(unsigned column, dReal *result, const dxLcpWorkers &islandWorkers) {
+void dxForwardSolves::solve(unsigned column, const dReal *d, const Results &results, const dxLcpWorkers &islandWorkers) {
     const unsigned rows = m_sets.countC(), grouped = rows / 4 * 4;
     const unsigned index = dxLcpBlock(column);
     findPlace(index);
     extend(index, grouped, islandWorkers);
     const dReal *lane = block(index) + column % kLineLanes;
     const unsigned zeros = std::min(m_zeros[index - m_firstBlock], grouped);
-    std::fill_n(result, zeros, dReal(0));
-    for (unsigned group = zeros; group < grouped; group += 4)
-        for (unsigned row = group; row < group + 4; ++row) result[row] = lane[std::size_t(row) * kLineLanes];
+    for (unsigned row = 0; row < zeros; ++row) {
+        results.solved[row] = 0;
+        results.scaled[row] = results.copy[row] = 0 * d[row];
+    }
+    takeLane(lane, zeros, grouped, d, results);
     for (unsigned row = grouped; row < rows; ++row) {
         const unsigned other = m_sets.factorIndexes()[row];
-        result[row] = m_A.row(other)[column];
-        dxSolve::solveStraightSingle<1>(m_L[row], result, row);
+        results.solved[row] = m_A.row(other)[column];
+        dxSolve::solveStraightSingle<1>(m_L[row], results.solved, row);
+        results.scaled[row] = results.copy[row] = results.solved[row] * d[row];
     }
 }
 

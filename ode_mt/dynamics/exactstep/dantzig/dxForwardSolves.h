@@ -31,8 +31,11 @@ public:
     dxForwardSolves(const dxLcpMatrix &A, const dxIndexSets &sets, const dReal *const *L,
                     const dxSkyline &envelope, unsigned n, unsigned first, dReal *storage, unsigned *words);
 
-    // result(row) = (L^-1 A(C,column))(row), for all rows of C
-    void solve(unsigned column, dReal *result, const dxLcpWorkers &islandWorkers);
+    // solved(row) = (L^-1 A(C,column))(row), and scaled(row) = copy(row) = solved(row) d(row), for all rows of C
+    struct Results {
+        dReal *solved, *scaled, *copy;
+    };
+    void solve(unsigned column, const dReal *d, const Results &results, const dxLcpWorkers &islandWorkers);
 
     // Invalidates rows of L from `row` on.
     void forgetFrom(unsigned row);

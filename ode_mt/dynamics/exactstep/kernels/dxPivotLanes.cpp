@@ -30,24 +30,6 @@ HWY_INLINE PushVector loadBelow(const dReal *array, unsigned i, unsigned end) {
     return hn::IfThenElseZero(hn::FirstN(d, end - i), lanes);
 }
 
-void multiply(const dReal *a, const dReal *b, unsigned count, dReal *product, dReal *copy) {
-    const PushTag d;
-    for (unsigned i = 0; i < count; i += hn::Lanes(d)) {
-        const PushVector lanes = hn::Mul(loadBelow(a, i, count), loadBelow(b, i, count));
-        hn::StoreU(lanes, d, product + i);
-        hn::StoreU(lanes, d, copy + i);
-    }
-}
-
-// Elements of x behind the last one belong to rows that are not advanced by this: they stay.
-void advance(dReal *x, const dReal *deltaX, dReal length, unsigned count) {
-    const PushTag d;
-    unsigned i = 0;
-    for (; i + hn::Lanes(d) <= count; i += hn::Lanes(d))
-        hn::StoreU(hn::Add(hn::LoadU(d, x + i), hn::Mul(hn::Set(d, length), hn::LoadU(d, deltaX + i))), d, x + i);
-    for (; i < count; ++i) x[i] += length * deltaX[i];
-}
-
 unsigned findFirstAtLimit(const dReal *x, const dReal *deltaX, const dxLimitPair *limits, unsigned begin, unsigned end,
                           dReal &length) {
     const PushTag d;
@@ -82,18 +64,8 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace dxSolve {
-HWY_EXPORT(multiply);
-HWY_EXPORT(advance);
 HWY_EXPORT(findFirstAtLimit);
 }  // namespace dxSolve
-
-void dxMultiplyLanes(const dReal *a, const dReal *b, unsigned count, dReal *product, dReal *copy) {
-    HWY_DYNAMIC_DISPATCH(dxSolve::multiply)(a, b, count, product, copy);
-}
-
-void dxAdvanceLanes(dReal *x, const dReal *deltaX, dReal length, unsigned count) {
-    HWY_DYNAMIC_DISPATCH(dxSolve::advance)(x, deltaX, length, count);
-}
 
 unsigned dxFindFirstAtLimit(const dReal *x, const dReal *deltaX, const dxLimitPair *limits, unsigned begin,
                             unsigned end, dReal &length) {

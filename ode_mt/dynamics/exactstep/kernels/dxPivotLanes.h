@@ -1,4 +1,4 @@
-// The element-wise loops of a step of Dantzig's algorithm (dantzig/dxDantzigRun.h), vectorised.
+// The search for the maximum step of Dantzig's algorithm (dantzig/dxDantzigRun.h), vectorised.
 //
 // Arrays are padded to multiples of four elements; the padding is read, but does not affect results.
 #pragma once
@@ -10,16 +10,10 @@ struct dxLimitPair {
 
     // Returns the limit towards which x moves, branch-free, because the direction is unpredictable.
     dReal towards(bool isFalling) const {
-        constexpr dReal dxLimitPair::*limit[] = {&dxLimitPair::high, &dxLimitPair::low};
+        static constexpr dReal dxLimitPair::*limit[] = {&dxLimitPair::high, &dxLimitPair::low};
         return this->*limit[isFalling];
     }
 };
-
-// product(i) = copy(i) = a(i) b(i), for i < count. Whole fours are written.
-void dxMultiplyLanes(const dReal *a, const dReal *b, unsigned count, dReal *product, dReal *copy);
-
-// x(i) += length deltaX(i), for i < count
-void dxAdvanceLanes(dReal *x, const dReal *deltaX, dReal length, unsigned count);
 
 // Of the elements begin..end-1 the first one that reaches its limit before `length`, and before all others; `end` if there
 // is none. `length` becomes its.

@@ -15,6 +15,8 @@
 
 #include <cstddef>
 
+#include "dynamics/exactstep/kernels/dxPair.h"
+
 namespace dxSolve {
 
 struct FourResults {
@@ -41,7 +43,18 @@ inline FourResults finishStraightGroup(const dReal *diagonal, std::size_t rowSki
 template <unsigned Stride>
 inline void solveStraightSingle(const dReal *row, dReal *B, std::size_t index) {
     dReal even = 0, odd = 0;
-    for (std::size_t column = 0; column + 1 < index; column += 2) {
+    std::size_t column = 0;
+    if constexpr (Stride == 1) {
+        dxPair sum = {0, 0};
+        // Results after the groups were stored one by one just now: a load of two would wait for them.
+        for (const std::size_t grouped = index / 4 * 4; column < grouped; column += 4) {
+            sum += dxLoadPair(row + column) * dxLoadPair(B + column);
+            sum += dxLoadPair(row + column + 2) * dxLoadPair(B + column + 2);
+        }
+        even = sum[0];
+        odd = sum[1];
+    }
+    for (; column + 1 < index; column += 2) {
         even += row[column] * B[column * Stride];
         odd += row[column + 1] * B[(column + 1) * Stride];
     }
