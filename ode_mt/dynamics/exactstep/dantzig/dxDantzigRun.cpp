@@ -219,7 +219,7 @@ void dxDantzigRun::findDeltaX(bool isUp) {
 void dxDantzigRun::findDeltaW(unsigned i, bool isUp) {
     const unsigned *ofN = m_sets.indexes() + m_sets.countC();
     const dReal *row = m_A.row(i);
-    if (m_sets.countN() > 0) findProductsOfN(i);
+    findProducts(i);
     unsigned leaving = 0;
     for (unsigned k = 0; k < m_sets.countN(); ++k) {
         const unsigned other = ofN[k];
@@ -229,8 +229,7 @@ void dxDantzigRun::findDeltaW(unsigned i, bool isUp) {
         leaving += deltaW * m_side[other] < 0;
     }
     m_countLeaving = leaving;
-    const dReal product = multiplyByDeltaX(i);
-    m_deltaW[i] = isUp ? product + row[i] : product - row[i];
+    m_deltaW[i] = isUp ? m_deltaW[i] + row[i] : m_deltaW[i] - row[i];
 }
 
 // A(row,C) deltaX(C)
@@ -241,18 +240,23 @@ dReal dxDantzigRun::multiplyByDeltaX(unsigned index) const {
                  [&](unsigned k) { return row[columns[k]] * deltaX[k]; });
 }
 
-void dxDantzigRun::findProductsOfN(unsigned i) {
+// A(N,C) deltaX(C), and the same for row i
+void dxDantzigRun::findProducts(unsigned i) {
     const unsigned countC = m_sets.countC(), *columns = m_sets.indexes(), *ofN = columns + countC;
     if (m_sets.countN() <= kFewRows) {
         for (unsigned k = 0; k < m_sets.countN(); ++k) m_deltaW[ofN[k]] = multiplyByDeltaX(ofN[k]);
+        m_deltaW[i] = multiplyByDeltaX(i);
         return;
     }
     if (m_envelope.leavesOut() && m_n >= kSparseProductRows && !m_sparse.isTried()) m_sparse.build(m_arena);
     if (m_sparse.isBuilt()) {
         m_sparse.multiply(m_deltaX, i + 1, m_halfBlockN, m_deltaW, m_islandWorkers);
+        m_deltaW[i] = multiplyByDeltaX(i);
     } else {
+        ++m_halfBlockN[dxLcpHalfBlock(i)];
         dxComputeLaneProducts({m_A.rows(), m_A.rowSkip(), columns, m_deltaX, countC, dxLcpBlock(m_unbounded),
                                dxLcpBlock(i) + 1, m_halfBlockN, m_deltaW});
+        --m_halfBlockN[dxLcpHalfBlock(i)];
     }
 }
 
@@ -303,13 +307,13 @@ void dxDantzigRun::limitByC(MaximumStep &step) const {
 void dxDantzigRun::apply(unsigned i, bool isUp, dReal length) {
     const unsigned countC = m_sets.countC(), end = countC + m_sets.countN(), inPlace = m_sets.inPlace();
     const dReal *deltaX = m_deltaX;
+    dReal *const x = m_x;
     unsigned position = 0;
     for (const dxPair lengths = {length, length}; position + 4 <= inPlace; position += 4) {
-        dReal *const x = m_x + position;
-        const dxPair first = dxLoadPair(x) + lengths * dxLoadPair(deltaX + position);
-        const dxPair second = dxLoadPair(x + 2) + lengths * dxLoadPair(deltaX + position + 2);
-        dxStorePair(first, x);
-        dxStorePair(second, x + 2);
+        const dxPair first = dxLoadPair(x + position) + lengths * dxLoadPair(deltaX + position);
+        const dxPair second = dxLoadPair(x + position + 2) + lengths * dxLoadPair(deltaX + position + 2);
+        dxStorePair(first, x + position);
+        dxStorePair(second, x + position + 2);
     }
     for (; position < countC; ++position)
         m_x[m_sets.indexAt(position)] += length * deltaX[position];

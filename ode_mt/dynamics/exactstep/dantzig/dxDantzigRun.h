@@ -53,7 +53,7 @@ private:
     void findDirection(unsigned i, bool isUp);
     void findDeltaX(bool isUp);
     void findDeltaW(unsigned i, bool isUp);
-    void findProductsOfN(unsigned i);
+    void findProducts(unsigned i);
     dReal multiplyByDeltaX(unsigned index) const;
     MaximumStep findMaximumStep(unsigned i, bool isUp) const;
     void limitByOwnBounds(unsigned i, bool isUp, MaximumStep &step) const;

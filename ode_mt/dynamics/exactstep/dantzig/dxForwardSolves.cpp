@@ -19,12 +19,13 @@ unsigned placeCount(unsigned blocks) { return blocks <= kFewBlocks ? blocks : st
 
 // Rows begin..end-1 of one of the lanes, both even.
 void takeLane(const dReal *lane, unsigned begin, unsigned end, const dReal *d, const dxForwardSolves::Results &results) {
+    const auto [toSolved, toScaled, toCopy] = results;
     for (unsigned row = begin; row < end; row += 2) {
         const dReal *const first = lane + std::size_t(row) * kLineLanes;
         const dxPair solved = {first[0], first[kLineLanes]}, scaled = solved * dxLoadPair(d + row);
-        dxStorePair(solved, results.solved + row);
-        dxStorePair(scaled, results.scaled + row);
-        dxStorePair(scaled, results.copy + row);
+        dxStorePair(solved, toSolved + row);
+        dxStorePair(scaled, toScaled + row);
+        dxStorePair(scaled, toCopy + row);
     }
 }
 
