@@ -48,7 +48,7 @@ void survey(const dxStepCall &call, dxStepRecords &records, unsigned begin, unsi
     }
 }
 
-// Two joints may have been given one feedback structure: upstream's later island overwrites it.
+// Two joints may have been given one feedback structure, or two that overlap: upstream's later island overwrites it.
 void orderSharedFeedback(dxStepRecords &records) {
     std::vector<dxFeedbackUse> &uses = records.feedbacks;
     uses.clear();
@@ -58,9 +58,14 @@ void orderSharedFeedback(dxStepRecords &records) {
     std::sort(uses.begin(), uses.end(), [](const dxFeedbackUse &a, const dxFeedbackUse &b) {
         return a.feedback != b.feedback ? a.feedback < b.feedback : a.island < b.island;
     });
-    for (std::size_t i = 1; i < uses.size(); ++i) {
-        const bool shared = uses[i].feedback == uses[i - 1].feedback && uses[i].island != uses[i - 1].island;
-        if (shared) records.islands[uses[i - 1].island].inOrder = true;
+    // Of structures of which each overlaps the one before it, the first island writes first.
+    const auto isEarlier = [](const dxFeedbackUse &a, const dxFeedbackUse &b) { return a.island < b.island; };
+    for (auto begin = uses.begin(); begin != uses.end();) {
+        auto end = begin + 1;
+        while (end != uses.end() && dxOverlap(end[-1], *end)) ++end;
+        const auto [first, last] = std::minmax_element(begin, end, isEarlier);
+        if (first->island != last->island) records.islands[first->island].inOrder = true;
+        begin = end;
     }
 }
 

@@ -12,10 +12,9 @@
 #include "collision/pairs/dxMissedNotifications.h"
 #include "collision/pairs/dxPairPrefetch.h"
 #include "core/dxReserve.h"
+#include "threading/dxInterruptingScope.h"
 #include "threading/dxFloatEnvironment.h"
 #include "threading/dxPerturbation.h"
-#include "threading/dxUpstreamInterrupted.h"
-#include "threading/dxUpstreamScope.h"
 
 #include "collision_kernel.h"
 #include "collision_std.h"
@@ -107,18 +106,6 @@ void copyWritten(const dContactGeom &from, dContactGeom &to) {
     to.side1 = from.side1;
     to.side2 = from.side2;
 }
-
-// A collider that has something to say, or that might not end, is left: dCollide runs it when it is called in
-// the callback.
-class SilentScope final : public dxUpstreamScope {
-public:
-    std::uint32_t takeBlock(std::uint64_t) override { throw dxUpstreamInterrupted(); }
-    bool defersMoved() const override { return false; }
-    bool takeOver(dxReport, int, const char *, va_list) override { throw dxUpstreamInterrupted(); }
-
-private:
-    const dxCcdQuery::Limit m_limit;
-};
 
 }  // namespace
 
@@ -233,7 +220,9 @@ void dxNarrowphasePrefetch::computeBatch(const std::vector<dxOrderedPair> &pairs
     const std::size_t chunk =
         std::clamp(size / (kChunksPerWorker * m_runner->workers()), kMinChunk, kMaxChunk);
     m_runner->forChunks(dxParallelStage::NarrowphasePrefetch, size, chunk, [&](std::size_t begin, std::size_t end, unsigned worker) {
-        const SilentScope silent;
+        // A collider that reports something, or that might not end, is left: dCollide runs it when the callback calls it.
+        const dxInterruptingScope interrupting;
+        const dxCcdQuery::Limit limit;
         m_workers[worker].enterBatch(m_batch);
         for (std::size_t i = begin; i < end; ++i) {
             dxPairPrefetch::forNarrowphase(pairs, m_begin + i);

@@ -8,6 +8,7 @@
 #include "collision/pairs/dxMissedNotifications.h"
 #include "collision/narrowphase/dxTransformedGeom.h"
 #include "collision/pairs/dxPairPrefetch.h"
+#include "threading/dxInterruptingScope.h"
 
 #include "collision_space_internal.h"
 #include "util.h"
@@ -224,7 +225,12 @@ void dxOrderedSpace::computeBoxes(const std::vector<dxGeom *> &geoms) {
     m_runner->forChunks(dxParallelStage::Boxes, geoms.size(), kBoxesPerChunk, [&](std::size_t begin, std::size_t end, unsigned) {
         for (std::size_t i = begin; i < end; ++i) {
             if (i + kBoxPrefetchDistance < end) dxPairPrefetch::pose(geoms[i + kBoxPrefetchDistance]);
-            if (hasBoxOfItsOwn(geoms[i]) && !(dataMayChange && hasBoxOfData(geoms[i]))) geoms[i]->recomputeAABB();
+            if (!hasBoxOfItsOwn(geoms[i]) || (dataMayChange && hasBoxOfData(geoms[i]))) continue;
+            try {
+                const dxInterruptingScope scope;
+                geoms[i]->recomputeAABB();
+            } catch (const dxUpstreamInterrupted &) {  // an assertion, which clean() comes to in its turn
+            }
         }
     });
 }

@@ -83,6 +83,6 @@ std::optional<unsigned> dxCountRows(const dxIsland &island) {
 
 void dxCollectFeedback(const dxIsland &island, unsigned index, std::vector<dxFeedbackUse> &uses) {
     for (unsigned i = 0; i < island.jointCount; ++i) {
-        if (const dJointFeedback *feedback = island.joints[i]->feedback) uses.push_back({feedback, index});
+        if (const dJointFeedback *feedback = island.joints[i]->feedback) uses.push_back({reinterpret_cast<std::uintptr_t>(feedback), index});
     }
 }

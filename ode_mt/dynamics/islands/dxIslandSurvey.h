@@ -2,6 +2,7 @@
 // may run on a worker.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -16,9 +17,14 @@ bool dxHasMovedCallback(const dxIsland &island);
 std::optional<unsigned> dxCountRows(const dxIsland &island);
 
 struct dxFeedbackUse {
-    const void *feedback;
+    std::uintptr_t feedback;  // address
     unsigned island;
 };
+
+// Requires that `first` does not begin behind `second`.
+inline bool dxOverlap(const dxFeedbackUse &first, const dxFeedbackUse &second) {
+    return second.feedback - first.feedback < sizeof(dJointFeedback);
+}
 
 // Appends the feedback structures that the island writes.
 void dxCollectFeedback(const dxIsland &island, unsigned index, std::vector<dxFeedbackUse> &uses);
