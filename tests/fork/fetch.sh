@@ -45,7 +45,7 @@ nothing_found)
     must_say "Debian source package \`ode\` (apt-get source): apt-get is not installed"
     must_say "https://no-such-server.invalid/ode.tar.gz:"
     must_say "-DODE_MT_UPSTREAM_TARBALL=/path/to/$NAME"
-    [ ! -e "$SCRATCH/ode/upstream" ] || fail "something was unpacked"
+    ! ls -d "$SCRATCH"/ode/upstream/ode-* >/dev/null 2>&1 || fail "something was unpacked"
     [ -z "$(ls "$cache")" ] || fail "something was left in the cache: $(ls "$cache")"
     ;;
 wrong_given)
