@@ -3,9 +3,9 @@
 #include <ode/error.h>
 
 #include <algorithm>
-#include <chrono>
 #include <new>
 
+#include "core/dxStopwatch.h"
 #include "dynamics/dxIslandPreparation.h"
 #include "dynamics/dxIslandStepper.h"
 #include "dynamics/dxSerialStep.h"
@@ -18,16 +18,6 @@
 #include "settings/dxWorkersRunner.h"
 #include "threading/dxPerturbation.h"
 
-namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double nsSince(Clock::time_point start) {
-    return std::chrono::duration<double, std::nano>(Clock::now() - start).count();
-}
-
-}  // namespace
-
 dxIslandParallelStep::dxIslandParallelStep(const dxStepCall &call, const dxStepPlan &plan)
     : m_call(call),
       m_plan(plan),
@@ -35,7 +25,7 @@ dxIslandParallelStep::dxIslandParallelStep(const dxStepCall &call, const dxStepP
       m_interrupted(call.count) {}
 
 void dxIslandParallelStep::run() {
-    const Clock::time_point start = Clock::now();
+    const dxStopwatch stopwatch;
     if (!prepare()) {
         m_records.reset();
         dxSerialStep(m_call).run();
@@ -50,7 +40,7 @@ void dxIslandParallelStep::run() {
             .forBlocks(dxParallelStage::Islands, static_cast<unsigned>(m_records->blocks.size()),
                        [this](unsigned block, unsigned worker) { stepBlock(block, worker); });
         stepRemainingIslands();
-        learn(nsSince(start));
+        learn(stopwatch.ns());
         rest = commit();
     }
     finishInOrder(rest);
@@ -66,10 +56,10 @@ bool dxIslandParallelStep::prepare() try {
 }
 
 void dxIslandParallelStep::stepBlock(unsigned block, unsigned worker) {
-    const Clock::time_point start = Clock::now();
+    const dxStopwatch stopwatch;
     const dxIslandBlock range = m_records->blocks[block];
     for (unsigned i = range.begin; i < range.end; ++i) stepDeferred(m_records->order[i], worker);
-    m_records->workers[worker].busyNs += nsSince(start);
+    m_records->workers[worker].busyNs += stopwatch.ns();
 }
 
 void dxIslandParallelStep::stepDeferred(unsigned index, unsigned worker) {

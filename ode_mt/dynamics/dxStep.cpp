@@ -1,7 +1,6 @@
 #include "dynamics/dxStep.h"
 
-#include <chrono>
-
+#include "core/dxStopwatch.h"
 #include "dynamics/dxIslandParallelStep.h"
 #include "dynamics/dxIslandStepper.h"
 #include "dynamics/dxLargeIslandStep.h"
@@ -20,10 +19,9 @@ void follow(const dxStepPlan &plan, const dxStepCall &call) {
 }
 
 void followAndLearn(const dxStepPlan &plan, const dxStepCall &call) {
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point start = Clock::now();
+    const dxStopwatch stopwatch;
     follow(plan, call);
-    dxLearnFromStep(call, plan, std::chrono::duration<double, std::nano>(Clock::now() - start).count());
+    dxLearnFromStep(call, plan, stopwatch.ns());
 }
 
 }  // namespace

@@ -21,26 +21,13 @@
 #include "dynamics/islands/dxIsland.h"
 #include "dynamics/islands/dxStepPreparation.h"
 #include "instruction_sets.h"
+#include "kept_messages.h"
 #include "random_world.h"
 #include "upstream_exact_step.h"
 
 namespace {
 
 constexpr dReal kStepSize = dReal(0.01);
-
-std::string messages;
-
-void keepMessage(int number, const char *format, va_list arguments) {
-    char text[200];
-    std::vsnprintf(text, sizeof text, format, arguments);
-    messages += std::to_string(number) + ": " + text + "\n";
-}
-
-// A failed assertion, such as that of a body that has moved to nowhere, leaves the step.
-[[noreturn]] void leaveStep(int number, const char *format, va_list arguments) {
-    keepMessage(number, format, arguments);
-    throw std::runtime_error(messages);
-}
 
 class RecordingSolver final : public dxExactSolver {
 public:
@@ -75,7 +62,7 @@ using IslandStepper = decltype(&stepIslandAsUpstream);
 
 StepResult step(dxWorld *world, Preparation prepare, IslandStepper stepIsland) {
     StepResult result;
-    messages.clear();
+    keptMessages.clear();
     dxWorldProcessIslandsInfo info;
     EXPECT_TRUE(prepare(world, info, kStepSize, &dxEstimateStepMemoryRequirements));
     dxWorldProcessContext *const context = world->unsafeGetWorldProcessingContext();
@@ -94,7 +81,7 @@ StepResult step(dxWorld *world, Preparation prepare, IslandStepper stepIsland) {
         }
     }
     context->ReturnStepperMemArena(arena);
-    result.messages = messages;
+    result.messages = keptMessages;
     return result;
 }
 
@@ -138,7 +125,7 @@ protected:
     ExactStep() {
         dInitODE2(0);
         dSetMessageHandler(keepMessage);
-        dSetDebugHandler(leaveStep);
+        dSetDebugHandler(keepMessageAndLeave);
     }
     ~ExactStep() override {
         dSetMessageHandler(nullptr);

@@ -24,23 +24,10 @@
 #include "dynamics/exactstep/dantzig/dxDantzig.h"
 #include "../threading/manager_runner.h"
 #include "instruction_sets.h"
+#include "kept_messages.h"
 #include "lcp_problem.h"
 
 namespace {
-
-std::string messages;
-
-void keepMessage(int number, const char *format, va_list arguments) {
-    char text[200];
-    std::vsnprintf(text, sizeof text, format, arguments);
-    messages += std::to_string(number) + ": " + text + "\n";
-}
-
-// A failed assert ends a run.
-[[noreturn]] void endRun(int number, const char *format, va_list arguments) {
-    keepMessage(number, format, arguments);
-    throw std::runtime_error(messages);
-}
 
 using Solver = decltype(&dxSolveLCP);
 
@@ -74,9 +61,9 @@ Solution solve(Solver solver, Problem problem, bool friction) {
     dxWorldProcessMemArena *arena = dxAllocateTemporaryWorldProcessMemArena(
         dxEstimateSolveLCPMemoryReq(problem.n, false), nullptr, nullptr);
     arena->ResetState();
-    messages.clear();
+    keptMessages.clear();
     dSetMessageHandler(keepMessage);
-    dSetDebugHandler(endRun);
+    dSetDebugHandler(keepMessageAndLeave);
     std::feclearexcept(FE_ALL_EXCEPT);
     std::feraiseexcept(raisedBefore);
     std::fesetround(rounding);
@@ -87,7 +74,7 @@ Solution solve(Solver solver, Problem problem, bool friction) {
         std::fill(problem.bx.begin(), problem.bx.end(), dReal(0));
     }
     std::fesetround(FE_TONEAREST);
-    Solution solution{{}, messages, std::fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW)};
+    Solution solution{{}, keptMessages, std::fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW)};
     dSetMessageHandler(nullptr);
     dSetDebugHandler(nullptr);
     dxFreeTemporaryWorldProcessMemArena(arena);

@@ -49,8 +49,10 @@ protected:
         dBodySetLinearVel(body, 1, 0, 0);
     }
     ~Webots() override {
-        dWorldDestroy(world);  // its bodies leave their geoms
+        for (const dGeomID ball : balls) dGeomDestroy(ball);
         dSpaceDestroy(space);
+        dBodyDestroy(body);
+        dWorldDestroy(world);
     }
 
     OdeSession session;

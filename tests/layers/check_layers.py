@@ -8,8 +8,9 @@ A room is a folder in ode_mt/. A new room, or one that includes another one for 
 """
 import pathlib
 import re
-import sys
 import tempfile
+
+from checks import run_check, unexpected
 
 # What each room may include, besides itself. Collision and dynamics know nothing of each other; clusters are opted into by
 # exported functions alone.
@@ -74,7 +75,7 @@ def circles(includes):
 
 
 def complaints_of(root):
-    includes = list(includes_of(root))
+    includes = list(includes_of(pathlib.Path(root)))
     return [*upwards(includes), *circles(includes)]
 
 
@@ -95,28 +96,17 @@ def self_test():
                                         ["core/a.h:2: core/x/b.h (from core/x/ one comes back to core/)",
                                          "core/x/c.h:2: core/d.h (from core/ one comes back to core/x/)"]),
     }
-    failures = 0
-    for name, (files, expected) in cases.items():
+
+    def found_in(files):
         with tempfile.TemporaryDirectory() as folder:
             for path, included in files.items():
                 file = pathlib.Path(folder, path)
                 file.parent.mkdir(parents=True, exist_ok=True)
                 file.write_text("#pragma once\n" + (f'#include "{included}"\n' if included else ""))
-            found = complaints_of(pathlib.Path(folder))
-        if found != expected:
-            print(f"{name}: expected {expected}, found {found}")
-            failures += 1
-    return failures
+            return complaints_of(folder)
 
-
-def main(argument):
-    if argument == "--self-test":
-        return 1 if self_test() else 0
-    complaints = complaints_of(pathlib.Path(argument))
-    for complaint in complaints:
-        print(complaint)
-    return 1 if complaints else 0
+    return unexpected(found_in, cases)
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))
+    run_check(complaints_of, self_test)

@@ -12,8 +12,9 @@ with a file of ode_mt/, and the files of tests/ that cover it.
 """
 import pathlib
 import re
-import sys
 import tempfile
+
+from checks import run_check, unexpected
 
 LINE = re.compile(r"^\| `([\w/]+\.cpp)` \| (.*) \|$", re.MULTILINE)
 QUOTED = re.compile(r"`([^`]+)`")
@@ -25,6 +26,7 @@ def key_of(name):
 
 
 def complaints_of(root):
+    root = pathlib.Path(root)
     tests = {key_of(path.stem[:-len("_test")]) for path in (root / "tests").rglob("*_test.cpp")}
     files = {path.relative_to(root / "ode_mt").as_posix(): key_of(path.stem) in tests for path in (root / "ode_mt").rglob("*.cpp")}
     lines = LINE.findall((root / "tests" / "README.md").read_text())
@@ -71,23 +73,8 @@ def self_test():
         "a line without a test": (([file], [(line[0], "all of them")]), [f"tests/README.md: the line of {file} names no test"]),
         "two lines": (([file, covering], [line, line]), [f"tests/README.md: {file} has two lines"] * 2),
     }
-    failures = 0
-    for name, (given, expected) in cases.items():
-        found = complaints(*given)
-        if found != expected:
-            print(f"{name}: expected {expected}, found {found}")
-            failures += 1
-    return failures
-
-
-def main(argument):
-    if argument == "--self-test":
-        return 1 if self_test() else 0
-    complaints = list(complaints_of(pathlib.Path(argument)))
-    for complaint in complaints:
-        print(complaint)
-    return 1 if complaints else 0
+    return unexpected(lambda given: complaints(*given), cases)
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))
+    run_check(complaints_of, self_test)

@@ -4,15 +4,16 @@
 // busy with other things workers come late. Results are the same either way.
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 
+#include "core/dxStopwatch.h"
 #include "dynamics/islands/dxLargeIslandWorkers.h"
 
 class dxLcpWorkers {
 public:
     // `islandWorkers`: null for the calling thread alone.
-    explicit dxLcpWorkers(dxLargeIslandWorkers *islandWorkers) : m_islandWorkers(islandWorkers), m_isSharing(islandWorkers != nullptr && islandWorkers->isAlwaysParallel) {}
+    explicit dxLcpWorkers(dxLargeIslandWorkers *islandWorkers)
+        : m_islandWorkers(islandWorkers), m_isSharing(islandWorkers != nullptr && islandWorkers->isAlwaysParallel) {}
 
     // Returns the runner for work on this number of matrix elements; null: the calling thread alone.
     dxTaskRunner *runnerFor(std::size_t elements) const {
@@ -25,10 +26,9 @@ public:
         if (m_islandWorkers == nullptr || elements < least()) return solve(nullptr);
         if (m_islandWorkers->isAlwaysParallel) return solve(m_islandWorkers->runner);
         m_isSharing = m_islandWorkers->solvePolicy.shouldShare();
-        const auto start = std::chrono::steady_clock::now();
+        const dxStopwatch stopwatch;
         solve(m_isSharing ? m_islandWorkers->runner : nullptr);
-        const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - start;
-        m_islandWorkers->solvePolicy.record(m_isSharing, time.count() * kElementsOfReference / static_cast<double>(elements));
+        m_islandWorkers->solvePolicy.record(m_isSharing, stopwatch.ns() * kElementsOfReference / static_cast<double>(elements));
     }
 
 private:

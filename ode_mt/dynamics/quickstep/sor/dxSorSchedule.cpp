@@ -4,23 +4,16 @@
 #include <algorithm>
 #include <utility>
 
+#include "dynamics/quickstep/sor/dxSorOrder.h"
 #include "dynamics/quickstep/sor/dxSorSweep.h"
 
 namespace {
-
-// Calls visit(row) for the rows that no other row bounds, then for the others: upstream's order before the first shuffle.
-template <class Visit>
-void forRowsInOrder(const dxIslandProblem &problem, const Visit &visit) {
-    for (const bool bounded : {false, true})
-        for (unsigned row = 0; row < problem.rowCount; ++row)
-            if (problem.rows[row].isBounded() == bounded) visit(row);
-}
 
 // Sets the rows' levels; returns the number of levels. A body's level is the first at which it is free.
 unsigned findLevels(const dxIslandProblem &problem) {
     for (unsigned body = 0; body < problem.bodyCount; ++body) problem.bodies[body].level = 0;
     unsigned levels = 0;
-    forRowsInOrder(problem, [&](unsigned index) {
+    dxForRowsInOrder(problem, [&](unsigned index) {
         dxConstraintRow &row = problem.rows[index];
         unsigned &level1 = problem.bodies[row.body[0]].level;
         row.level = level1;
@@ -42,7 +35,7 @@ void sortByLevel(const dxIslandProblem &problem, unsigned levels) {
     for (unsigned row = 0; row < problem.rowCount; ++row) ++rows[rows[row].level].levelBegin;
     unsigned sum = 0;
     for (unsigned level = 0; level < levels; ++level) sum += std::exchange(rows[level].levelBegin, sum);
-    forRowsInOrder(problem, [&](unsigned row) { problem.order[rows[rows[row].level].levelBegin++] = static_cast<int>(row); });
+    dxForRowsInOrder(problem, [&](unsigned row) { problem.order[rows[rows[row].level].levelBegin++] = static_cast<int>(row); });
 }
 
 }  // namespace

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <new>
-#include <numeric>
 
 #include "dynamics/quickstep/sor/dxRowShuffle.h"
+#include "dynamics/quickstep/sor/dxSorOrder.h"
 #include "dynamics/quickstep/sor/dxSorSweep.h"
 
 namespace {
@@ -38,13 +38,9 @@ void prepareRow(const dxIslandProblem &problem, Row &row, dReal factor) {
         for (int i = 0; i < 6; ++i) row.jacobian[kJacobianOf[which] + i] *= scale;
 }
 
-// Unbounded rows first, then bounded ones, whose bounds follow from those.
 void orderRows(const dxIslandProblem &problem) {
-    std::iota(problem.order, problem.order + problem.rowCount, 0);
     int *end = problem.order;
-    for (const bool bounded : {false, true})
-        for (unsigned row = 0; row < problem.rowCount; ++row)
-            if (problem.rows[row].isBounded() == bounded) *end++ = static_cast<int>(row);
+    dxForRowsInOrder(problem, [&end](unsigned row) { *end++ = static_cast<int>(row); });
 }
 
 }  // namespace
