@@ -48,13 +48,17 @@ ode_mt_call_instead("ode.cpp" dxReallocateWorldProcessContext dxPrepareStep)
 
 # The islands are distributed by our strategies instead of upstream's call queue (ode_mt/dynamics/dxStep.h), and stepped by stages of
 # ours (docs/steppers.md).
-# Upstream's steppers run only where a world has a threading implementation of the user's own.
+# Upstream's steppers run only where a world has a threading implementation of the user's own, and for islands whose joints the
+# user changes during the step.
 ode_mt_call_instead("ode.cpp" dxProcessIslands dxStepIslands)
 
 # Our steppers move a body by dxIntegrateIslandBody, which defers notifications on workers. Where upstream's steppers run, it marks
 # moved-callbacks as code of the user's, for which a second thread's first step does not wait for ever
 # (ode_mt/dynamics/islands/dxBodyIntegration.cpp, ode_mt/dynamics/random/dxSingleStepper.h).
 ode_mt_call_instead("step.cpp;quickstep.cpp" dxStepBody dxIntegrateIslandBody)
+
+# An island that upstream's QuickStep steps may have its own part of the random sequence (ode_mt/dynamics/random/dxIslandDraws.h).
+ode_mt_call_instead("quickstep.cpp" dRandInt dxDrawForIsland)
 
 # Two threads of the user may collide meshes at the same time: each thread has a cache of its own. The
 # upstream name is a variable; this turns its declarations into those of a function that returns the

@@ -4,6 +4,7 @@
 
 #include "collision/callbacks/dxContactLog.h"
 #include "collision/narrowphase/dxSilentChanges.h"
+#include "core/dxJointAttachment.h"
 #include "dynamics/dxJointRemoval.h"
 #include "seams/upstream.h"
 #include "settings/dxWorldWorkers.h"
@@ -24,6 +25,7 @@ void dWorldDestroy(dWorldID world) {
 }
 
 // Contact joints: where callbacks run on several threads, they are put into their lists later (collision/callbacks/dxContactLog.h).
+// A joint that is attached during a step may concern it (core/dxJointAttachment.h).
 // They are removed without taking memory (dynamics/dxJointRemoval.h).
 
 dJointID dJointCreateContact(dWorldID world, dJointGroupID group, const dContact *contact) {
@@ -35,7 +37,7 @@ dJointID dJointCreateContact(dWorldID world, dJointGroupID group, const dContact
 void dJointAttach(dJointID joint, dBodyID body1, dBodyID body2) {
     dxContactLog *const log = dxContactLog::current();
     if (log == nullptr)
-        dxUpstreamJointAttach(joint, body1, body2);
+        dxJointAttachment::attach(joint, body1, body2);
     else
         log->attach(joint, body1, body2);
 }

@@ -11,6 +11,7 @@
 #include "dynamics/dxSerialStep.h"
 #include "dynamics/dxWorldArena.h"
 #include "dynamics/islands/dxBodyIntegration.h"
+#include "dynamics/islands/dxIslandSearch.h"
 #include "dynamics/islands/dxWorkingMemory.h"
 #include "dynamics/random/dxRandom.h"
 #include "dynamics/random/dxReservedDraws.h"
@@ -126,7 +127,9 @@ unsigned dxIslandParallelStep::commit() {
 void dxIslandParallelStep::takeBack(unsigned begin) {
     for (unsigned i = begin; i < m_records->inOrderFrom; ++i) {
         const dxIslandRecord &record = m_records->islands[i];
-        if (record.stepped) m_records->workers[record.worker].undo.restore(record.undoBegin, record.undoEnd);
+        if (!record.stepped) continue;
+        m_records->workers[record.worker].undo.restore(record.undoBegin, record.undoEnd);
+        for (unsigned k = 0; k < record.island.jointCount; ++k) record.island.joints[k]->tag = dxFoundTag;
     }
 }
 

@@ -1,10 +1,42 @@
 #include "dynamics/dxIslandStepper.h"
 
+#include <algorithm>
+
+#include "core/dxJointAttachment.h"
 #include "dynamics/exactstep/dxExactStep.h"
 #include "dynamics/quickstep/dxQuickStep.h"
 #include "dynamics/quickstep/sor/dxRowShuffle.h"
 #include "dynamics/random/dxSingleStepper.h"
 #include "quickstep.h"
+#include "step.h"
+
+namespace {
+
+bool hasRecentJoints(const dxIsland &island) {
+    return std::any_of(island.joints, island.joints + island.jointCount,
+                       [](const dxJoint *joint) { return dxJointAttachment::isRecent(*joint); });
+}
+
+bool hasJoinedBodies(const dxIsland &island) {
+    return std::any_of(island.bodies, island.bodies + island.bodyCount,
+                       [](const dxBody *body) { return dxJointAttachment::hasRecent(*body); });
+}
+
+// Whether joints have been attached since the island was found in a way that the stepper meets: such islands are upstream's.
+// The exact step also goes through all joints of its bodies.
+bool isChanged(const dxIsland &island, dxStepperKind kind) {
+    return hasRecentJoints(island) || (kind == dxStepperKind::World && hasJoinedBodies(island));
+}
+
+// On the calling thread alone.
+void stepAsUpstream(const dxIslandStep &step, dxStepperKind kind) {
+    const dxIsland &island = step.island;
+    dxStepperProcessingCallContext context(step.world, step.stepSize, 1, step.arena, island.bodies, island.joints);
+    context.AssignIslandSelection(island.bodies, island.joints, island.bodyCount, island.jointCount);
+    kind == dxStepperKind::Quick ? dxQuickStepIsland(&context) : dxStepIsland(&context);
+}
+
+}  // namespace
 
 dxStepperKind dxIslandStepper::kindOf(dstepper_fn_t stepper) {
     return stepper == &dxQuickStepIsland ? dxStepperKind::Quick : dxStepperKind::World;
@@ -14,7 +46,9 @@ void dxIslandStepper::step(const dxStepCall &call, const dxIsland &island, dxWor
                            dxLargeIslandWorkers *islandWorkers) {
     arena->ResetState();
     const dxIslandStep step{call.world, call.stepSize, island, arena, islandWorkers};
-    if (call.kind == dxStepperKind::Quick) {
+    if (isChanged(island, call.kind)) {
+        stepAsUpstream(step, call.kind);
+    } else if (call.kind == dxStepperKind::Quick) {
         dxQuickStep(step);
     } else {
         dxExactStep(step);

@@ -4,9 +4,9 @@
 #include <new>
 #include <utility>
 
+#include "core/dxJointAttachment.h"
 #include "core/dxReserve.h"
 #include "joints/contact.h"
-#include "seams/upstream.h"
 #include "threading/pool/dxSpin.h"
 
 // Upstream's: puts an object in front of a list of its world.
@@ -109,7 +109,7 @@ void dxContactLog::commit(Span span) {
             ++joint->world->nj;
             joint->node[0].body = joint->node[1].body = nullptr;
         } else {
-            dxUpstreamJointAttach(joint, operation.body1, operation.body2);
+            dxJointAttachment::attach(joint, operation.body1, operation.body2);
         }
     }
 }

@@ -53,10 +53,14 @@ private:
     bool m_wasUnbounded = false;
 };
 
-// Numbers the rows. Returns how many there are.
+// Upstream's tag of a joint without rows.
+constexpr int kNoRows = -1;
+
+// Numbers the joints and their rows. Returns how many rows there are.
 unsigned numberRows(dxExactJoint *begin, const dxExactJoint *end) {
     unsigned row = 0;
     for (dxExactJoint *joint = begin; joint != end; ++joint) {
+        joint->joint->tag = static_cast<int>(joint - begin);
         joint->firstRow = row;
         row += joint->rows;
     }
@@ -74,7 +78,10 @@ void dxOrderJoints(const dxIslandStep &step, dxExactProblem &problem) {
         dxJoint::Info1 info;
         joint->getInfo1(&info);
         dIASSERT(info.m <= kMaxJointRows && info.nub <= info.m);
-        if (info.m == 0) continue;
+        if (info.m == 0) {
+            joint->tag = kNoRows;
+            continue;
+        }
         const dxExactJoint entry{joint, 0, info.m};
         if (info.nub == 0)
             lists.addLimited(entry);

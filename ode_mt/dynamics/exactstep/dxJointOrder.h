@@ -7,5 +7,6 @@
 
 struct dxExactProblem;
 
-// Asks each joint of the island for its number of rows. Fills in the problem's joints and its number of rows.
+// Asks each joint of the island for its number of rows. Fills in the problem's joints and its number of rows. Writes the joints'
+// tags, which no stage here reads, but upstream's step of a later island may (core/dxJointAttachment.h).
 void dxOrderJoints(const dxIslandStep &step, dxExactProblem &problem);

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "core/dxJointAttachment.h"
 #include "core/dxPrefetch.h"
 #include "joints/joint.h"
 
 namespace {
 
-// Upstream's tags. The exact step leaves out joints that are tagged as unfit.
-enum Tag : int { kUnfit = -1, kUnseen = 0, kFound = 1 };
+// Upstream's tags, beside dxFoundTag.
+enum Tag : int { kUnfit = -1, kUnseen = 0, kFound = dxFoundTag };
 
 // Most objects of a list were made one after another, so the one some places on probably lies as many times as far away
 // as the next one. Nothing else says where it is: a list is followed from object to object.
@@ -41,6 +42,7 @@ void untagJoints(dxWorld *world) {
         prefetchAhead(joint, joint->tag);
         prefetchAhead(joint, joint->node[1]);
         joint->tag = kUnseen;
+        dxJointAttachment::forget(*joint);
     }
 }
 

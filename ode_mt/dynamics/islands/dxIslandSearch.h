@@ -4,13 +4,15 @@
 
 #include "dynamics/islands/dxIsland.h"
 
+constexpr int dxFoundTag = 1;  // of bodies and joints in islands
+
 // Disables bodies at rest, finds the islands of the others, and returns the maximum memory that the stepper needs for
 // an island.
 //
 //   info      gets the islands, which lie in the arena
 //   estimate  the stepper's own estimate, called for each island
 //
-// Requires the thread that steps the world. Afterwards a body or joint in an island has a tag above 0, all others one
-// of 0 or below.
+// Requires the thread that steps the world. Afterwards a body or joint in an island has dxFoundTag, all others a tag of 0 or
+// below.
 sizeint dxFindIslands(dxWorldProcessIslandsInfo &info, dxWorldProcessMemArena *arena, dxWorld *world, dReal stepSize,
                       dmemestimate_fn_t estimate);

@@ -67,6 +67,63 @@ protected:
     }
 };
 
+// A callback joins stones of other stacks, or one to the world. Islands are stepped from the last stack to the first, so that
+// some of the stacks have been stepped and the others come later in this step.
+class Joining : public Stacks {
+public:
+    explicit Joining(Stepper stepper) : Stacks(stepper) {
+        watchMoved(stone(partCount - 1, 2));
+        watchMoved(stone(partCount / 2, 2));
+    }
+
+    void control() override {
+        Stacks::control();
+        while (m_inventory.joints.size() > 12) destroy(m_inventory.joints.front());
+    }
+
+protected:
+    void onMoved(dBodyID) override {
+        const int call = m_calls++;
+        for (int i = 0; i < 3; ++i) {
+            const int stack = (5 * call + 3 * i) % partCount;
+            const dBodyID one = stone(stack, 1), other = stone((stack + 1 + call % 2) % partCount, 2);
+            const dReal *place = dBodyGetPosition(one);
+            addFeedback(addBall(one, i < 2 ? other : nullptr, {place[0], place[1], place[2]}));
+        }
+    }
+
+private:
+    int m_calls = 0;
+};
+
+// A callback in the first island attaches joints of other islands to stones of stacks that come later. When its island is
+// stepped, such a joint finds bodies that are not numbered yet, which upstream takes for the second one of the island.
+class Rejoining : public Stacks {
+public:
+    explicit Rejoining(Stepper stepper) : Stacks(stepper) {
+        for (int stack = 0; stack < partCount; ++stack) {
+            const dReal *place = dBodyGetPosition(stone(stack, 2));
+            addHinge(stone(stack, 2), stone(stack, 3), {place[0], place[1], place[2]}, scenes::kAxisX);
+            m_stackOf[stack] = stack;
+        }
+        watchMoved(stone(partCount - 1, 4));
+        watchMoved(stone(partCount - 1, 0));
+    }
+
+protected:
+    void onMoved(dBodyID) override {
+        const int call = m_calls++, hinge = call % (partCount - 1);
+        int &stack = m_stackOf[hinge];
+        if (stack == 0) return;
+        stack -= 1 + call % stack;
+        dJointAttach(m_inventory.joints[hinge], stone(stack, 2), stone(stack, 3));
+    }
+
+private:
+    int m_stackOf[partCount];
+    int m_calls = 0;
+};
+
 // Geoms of other spaces are moved and resized, and collided with, in callbacks of step and collide.
 class MovingGeoms : public Stacks {
 public:
@@ -116,6 +173,10 @@ void addMovedCallbacks(Catalogue &catalogue) {
                          make<Forces>()});
     catalogue.push_back({"moved_callbacks/switching", "callbacks switch other bodies' callbacks on and off",
                          60, make<Switching>()});
+    catalogue.push_back({"moved_callbacks/joining", "a callback makes joints between stones of other islands", 60, make<Joining>(),
+                         "the first island has a moved-callback"});
+    catalogue.push_back({"moved_callbacks/rejoining", "a callback attaches joints of later islands to bodies of others", 60,
+                         make<Rejoining>(), "the first island has a moved-callback"});
     catalogue.push_back({"moved_callbacks/moving_geoms", "callbacks move and resize geoms of another space",
                          60, make<MovingGeoms>()});
 }

@@ -1,0 +1,35 @@
+// Joints that have been attached since the last search for islands.
+//
+// Code of the user's that runs within a step (moved-callbacks, handlers of messages, the step's allocator) may attach joints to
+// bodies of islands that are still to be stepped, also joints of such islands. Upstream's exact step meets a new joint in its
+// bodies' lists, and takes it for the joint of the island that its tag numbers (Stage2c in step.cpp); both of its steppers take
+// a body of another island for one of their own that has the same number. What follows from that is left to them: the mark
+// tells a step of such islands.
+//
+// Threading: that of upstream's dJointAttach.
+#pragma once
+
+#include "config.h"
+#include "objects.h"
+#include "joints/joint.h"
+
+#include "seams/upstream.h"
+
+namespace dxJointAttachment {
+
+// A bit of dxJoint::flags that upstream does not use.
+constexpr unsigned kMark = 1u << 31;
+
+inline void attach(dxJoint *joint, dxBody *body1, dxBody *body2) {
+    dxUpstreamJointAttach(joint, body1, body2);
+    if (joint != nullptr) joint->flags |= kMark;
+}
+
+inline void forget(dxJoint &joint) { joint.flags &= ~kMark; }
+
+inline bool isRecent(const dxJoint &joint) { return (joint.flags & kMark) != 0; }
+
+// The joint that was attached last is the first of its bodies' lists.
+inline bool hasRecent(const dxBody &body) { return body.firstjoint != nullptr && isRecent(*body.firstjoint->joint); }
+
+}  // namespace dxJointAttachment
