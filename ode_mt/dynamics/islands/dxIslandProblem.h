@@ -18,17 +18,18 @@
 
 struct dxConstraintRow {
     enum Column { kBody1 = 0, kRhs = 6, kCfm = 7, kBody2 = 8, kLow = 14, kHigh = 15, kColumns = 16 };
-    enum ImpulseColumn { kOn1 = 0, kOn2 = 6, kImpulseColumns = 12 };
+    static constexpr int kBodyColumns = 6;
     static constexpr int kNone = -1;
 
     // Of the problem. Joints write `jacobian` (dxJoint::getInfo2): linear and angular columns for each body.
     dReal jacobian[kColumns];
 
-    // Of the solver: inv(M) J', the change of the bodies' accelerations for a change of lambda by one.
-    dReal impulse[kImpulseColumns];
-
+    // Of the solver: inv(M) J', the change of a body's acceleration for a change of lambda by one. Each begins where a vector of
+    // four does not cross a cache line.
+    dReal impulseOn1[kBodyColumns];
     dReal lambda;     // the answer
     int body[2];      // indices; the second may be kNone, and then its columns mean nothing
+    dReal impulseOn2[kBodyColumns];
     int boundingRow;  // an earlier row of the same joint, or kNone
 
     // Of dxScheduleSor alone.
@@ -42,22 +43,25 @@ struct dxConstraintRow {
 struct dxIslandBody {
     dReal invInertia[9];  // by rows
     dReal invMass;
-    unsigned level;       // of dxScheduleSor alone
+};
+
+// What the constraints of an island add to a body's acceleration: linear, then angular. One cache line (in double precision), since
+// every row that acts on the body reads and writes it.
+struct alignas(8 * sizeof(dReal)) dxBodyAcceleration {
+    dReal columns[dxConstraintRow::kBodyColumns];
+    unsigned level;  // of dxScheduleSor alone
 };
 
 struct dxIslandProblem {
-    static constexpr unsigned kForceColumns = 6;
-
     unsigned rowCount;
     unsigned bodyCount;
     dxConstraintRow *rows;
     dxIslandBody *bodies;
-    // bodyCount x 6. Given: -(v / h + inv(M) f), which is missing in the rows' right-hand sides. Answer: inv(M) J' lambda, the
-    // accelerations that the constraints add.
-    dReal *acceleration;
+    // By body. Given: -(v / h + inv(M) f), which is missing in the rows' right-hand sides. Answer: inv(M) J' lambda.
+    dxBodyAcceleration *accelerations;
     int *order;  // rowCount: room for the solver
 
-    dReal *accelerationOf(int body) const { return acceleration + static_cast<std::size_t>(body) * kForceColumns; }
+    dReal *accelerationOf(int body) const { return accelerations[body].columns; }
 
     // From so many rows on they do not fit the second-level cache: prefetching pays for itself.
     static constexpr unsigned kLarge = 1000;

@@ -66,7 +66,7 @@ void dxFindFreeAccelerations(const dxIslandStep &step, const dxIslandProblem &pr
     const dReal perStep = dRecip(step.stepSize);
     forBodiesInParallel(step, dxParallelStage::RightHandSides, [&](std::size_t i) {
         const dxBody &body = *step.island.bodies[i];
-        dReal *const linear = problem.acceleration + i * dxIslandProblem::kForceColumns, *const angular = linear + 3;
+        dReal *const linear = problem.accelerations[i].columns, *const angular = linear + 3;
         for (int axis = 0; axis < 3; ++axis)
             linear[axis] = -(body.facc[axis] * body.invMass + body.lvel[axis] * perStep);
         dReal turned[3];
@@ -75,12 +75,12 @@ void dxFindFreeAccelerations(const dxIslandStep &step, const dxIslandProblem &pr
     });
 }
 
-void dxIntegrateVelocities(const dxIslandStep &step, const dxIslandBody *bodies, const dReal *acceleration) {
+void dxIntegrateVelocities(const dxIslandStep &step, const dxIslandBody *bodies, const dxBodyAcceleration *accelerations) {
     const dReal h = step.stepSize;
     forAllBodies(step, [&](std::size_t i) {
         dxBody &body = *step.island.bodies[i];
-        if (acceleration != nullptr) {
-            const dReal *const own = acceleration + i * dxIslandProblem::kForceColumns;
+        if (accelerations != nullptr) {
+            const dReal *const own = accelerations[i].columns;
             for (int axis = 0; axis < 3; ++axis) {
                 body.lvel[axis] += h * own[axis];
                 body.avel[axis] += h * own[3 + axis];

@@ -8,12 +8,12 @@
 // world's frame. Parallel: writes each body, and its entry in `bodies`.
 void dxGatherBodies(const dxIslandStep &step, dxIslandBody *bodies);
 
-// Sets problem.acceleration to -(v / h + inv(M) f). Not before all joints have been asked: motors push their bodies. Parallel:
+// Sets problem.accelerations to -(v / h + inv(M) f). Not before all joints have been asked: motors push their bodies. Parallel:
 // reads bodies.
 void dxFindFreeAccelerations(const dxIslandStep &step, const dxIslandProblem &problem);
 
-// Integrates forces and the constraints' `acceleration`, 6 numbers a body or null, to velocities. Serial: writes bodies.
-void dxIntegrateVelocities(const dxIslandStep &step, const dxIslandBody *bodies, const dReal *acceleration);
+// Integrates forces and the constraints' `accelerations`, which may be null, to velocities. Serial: writes bodies.
+void dxIntegrateVelocities(const dxIslandStep &step, const dxIslandBody *bodies, const dxBodyAcceleration *accelerations);
 
 // Integrates velocities to positions, tells spaces and the user's callbacks, and clears the accumulators. Serial, in the island's
 // order.

@@ -11,16 +11,16 @@ constexpr unsigned kCacheLine = 64;
 
 // Upstream's estimate for an island (dxEstimateQuickStepMemoryRequirements), which a user's allocator sees, is for other arrays: for
 // each row 128 + 96 bytes of Jacobian and impulse, and 36 of lambda, indices, orders and levels; for each body 96 + 48. Ours take
-// 256 + 4 and 88 + 48 (in double precision), so they fit. The arena asserts it at every allocation.
+// 256 + 4 and 80 + 64 (in double precision), so they fit. The arena asserts it at every allocation.
 dxIslandProblem makeProblem(const dxIslandStep &step, dxIslandBody *bodies, unsigned rows) {
     dxIslandProblem problem;
     problem.rowCount = rows;
     problem.bodyCount = step.island.bodyCount;
     problem.bodies = bodies;
     problem.rows = step.arena->AllocateOveralignedArray<dxConstraintRow>(rows, kCacheLine);
+    // Behind the rows without a gap.
+    problem.accelerations = step.arena->AllocateOveralignedArray<dxBodyAcceleration>(problem.bodyCount, alignof(dxBodyAcceleration));
     problem.order = step.arena->AllocateArray<int>(rows);
-    problem.acceleration =
-        step.arena->AllocateArray<dReal>(std::size_t{problem.bodyCount} * dxIslandProblem::kForceColumns);
     return problem;
 }
 
@@ -38,7 +38,7 @@ void dxQuickStep(const dxIslandStep &step) {
         dxFindFreeAccelerations(step, problem);                            // parallel
         dxSorSolver(step).solve(problem);                                  // parallel
         joints.giveFeedback(problem.rows);                                 // serial
-        dxIntegrateVelocities(step, bodies, problem.acceleration);         // serial
+        dxIntegrateVelocities(step, bodies, problem.accelerations);        // serial
     }
     dxMoveBodies(step);                                                    // serial: tells spaces and the user
 }

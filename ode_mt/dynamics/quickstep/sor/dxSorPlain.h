@@ -47,14 +47,14 @@ HWY_INLINE void takeRowPlain(const dxIslandProblem &problem, Row &row) {
     dReal *const on1 = problem.accelerationOf(row.body[0]);
     dReal delta = residual(row) - dot6(on1, row.jacobian + Row::kBody1);
     if (!row.hasSecondBody()) {
-        addScaled6(on1, relax(problem, row, delta), row.impulse + Row::kOn1);
+        addScaled6(on1, relax(problem, row, delta), row.impulseOn1);
         return;
     }
     dReal *const on2 = problem.accelerationOf(row.body[1]);
     delta -= dot6(on2, row.jacobian + Row::kBody2);
     delta = relax(problem, row, delta);
-    addScaled6(on1, delta, row.impulse + Row::kOn1);
-    addScaled6(on2, delta, row.impulse + Row::kOn2);
+    addScaled6(on1, delta, row.impulseOn1);
+    addScaled6(on2, delta, row.impulseOn2);
 }
 
 }  // namespace dxSorKernels

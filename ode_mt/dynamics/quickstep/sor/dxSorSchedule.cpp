@@ -11,14 +11,14 @@ namespace {
 
 // Sets the rows' levels; returns the number of levels. A body's level is the first at which it is free.
 unsigned findLevels(const dxIslandProblem &problem) {
-    for (unsigned body = 0; body < problem.bodyCount; ++body) problem.bodies[body].level = 0;
+    for (unsigned body = 0; body < problem.bodyCount; ++body) problem.accelerations[body].level = 0;
     unsigned levels = 0;
     dxForRowsInOrder(problem, [&](unsigned index) {
         dxConstraintRow &row = problem.rows[index];
-        unsigned &level1 = problem.bodies[row.body[0]].level;
+        unsigned &level1 = problem.accelerations[row.body[0]].level;
         row.level = level1;
         if (row.hasSecondBody()) {
-            unsigned &level2 = problem.bodies[row.body[1]].level;
+            unsigned &level2 = problem.accelerations[row.body[1]].level;
             row.level = std::max(level1, level2);
             level2 = row.level + 1;
         }

@@ -14,7 +14,7 @@ using Row = dxConstraintRow;
 constexpr std::size_t kRowsPerJob = 256;
 
 void prepareRow(const dxIslandProblem &problem, Row &row, dReal factor) {
-    constexpr int kJacobianOf[2] = {Row::kBody1, Row::kBody2}, kImpulseOf[2] = {Row::kOn1, Row::kOn2};
+    constexpr int kJacobianOf[2] = {Row::kBody1, Row::kBody2};
     const int bodies = row.hasSecondBody() ? 2 : 1;
     dReal freeAcceleration = 0;  // J -(v / h + inv(M) f)
     dReal diagonal = 0;          // J inv(M) J'
@@ -23,7 +23,7 @@ void prepareRow(const dxIslandProblem &problem, Row &row, dReal factor) {
         const dReal *const acceleration = problem.accelerationOf(row.body[which]);
         for (int i = 0; i < 6; ++i) freeAcceleration += jacobian[i] * acceleration[i];
         const dxIslandBody &body = problem.bodies[row.body[which]];
-        dReal *const impulse = row.impulse + kImpulseOf[which];
+        dReal *const impulse = which == 0 ? row.impulseOn1 : row.impulseOn2;
         for (int i = 0; i < 3; ++i) {
             const dReal *const inertia = body.invInertia + 3 * i;
             impulse[i] = body.invMass * jacobian[i];
@@ -47,7 +47,7 @@ void orderRows(const dxIslandProblem &problem) {
 
 void dxSorSolver::solve(const dxIslandProblem &problem) {
     prepareRows(problem);
-    std::fill_n(problem.acceleration, std::size_t{problem.bodyCount} * dxIslandProblem::kForceColumns, dReal(0));
+    std::fill_n(problem.accelerations, problem.bodyCount, dxBodyAcceleration());
     unsigned left = static_cast<unsigned>(m_step.world->qs.num_iterations);
     for (unsigned shuffles = 0; left != 0; ++shuffles) {
         if (shuffles == 0) dxScheduleSor(problem);  // the results of orderRows' order

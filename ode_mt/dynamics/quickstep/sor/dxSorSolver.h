@@ -15,7 +15,7 @@ public:
     // The number of sweeps and the factor are the world's. A large island's workers share rows and sweeps.
     explicit dxSorSolver(const dxIslandStep &step) : m_step(step), m_islandWorkers(step.islandWorkers) {}
 
-    // Sets lambda of all rows and problem.acceleration. Overwrites the rows' Jacobians and right-hand sides, and `order`.
+    // Sets lambda of all rows and problem.accelerations. Overwrites the rows' Jacobians and right-hand sides, and `order`.
     void solve(const dxIslandProblem &problem);
 
 private:

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 
 #include "dynamics/quickstep/sor/dxSorSweep.h"
 #include "dynamics/quickstep/sor/dxSorPlain.h"
@@ -35,36 +36,67 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr hn::FixedTag<dReal, 2> kPair;
 using Pair = hn::Vec<decltype(kPair)>;
 
-// The numbers of a body.
-struct Six {
+// The numbers of a body in pairs.
+struct SixInPairs {
     Pair v01, v23, v45;
+
+    static HWY_INLINE SixInPairs load(const dReal *p) {
+        return {hn::LoadU(kPair, p), hn::LoadU(kPair, p + 2), hn::LoadU(kPair, p + 4)};
+    }
+
+    HWY_INLINE SixInPairs times(const SixInPairs &b) const {
+        return {hn::Mul(v01, b.v01), hn::Mul(v23, b.v23), hn::Mul(v45, b.v45)};
+    }
+
+    // The sum of each, in the order of upstream: lane 0 a's, lane 1 b's.
+    static HWY_INLINE Pair sums(const SixInPairs &a, const SixInPairs &b) {
+        Pair sum = hn::Add(hn::InterleaveLower(kPair, a.v01, b.v01), hn::InterleaveUpper(kPair, a.v01, b.v01));
+        sum = hn::Add(sum, hn::InterleaveLower(kPair, a.v23, b.v23));
+        sum = hn::Add(sum, hn::InterleaveUpper(kPair, a.v23, b.v23));
+        sum = hn::Add(sum, hn::InterleaveLower(kPair, a.v45, b.v45));
+        return hn::Add(sum, hn::InterleaveUpper(kPair, a.v45, b.v45));
+    }
+
+    HWY_INLINE void addAndStore(dReal factor, const dReal *impulse, dReal *out) const {
+        const SixInPairs change = load(impulse);
+        const Pair lanes = hn::Set(kPair, factor);
+        hn::StoreU(hn::Add(v01, hn::Mul(lanes, change.v01)), kPair, out);
+        hn::StoreU(hn::Add(v23, hn::Mul(lanes, change.v23)), kPair, out + 2);
+        hn::StoreU(hn::Add(v45, hn::Mul(lanes, change.v45)), kPair, out + 4);
+    }
 };
 
-HWY_INLINE Six load(const dReal *p) {
-    return {hn::LoadU(kPair, p), hn::LoadU(kPair, p + 2), hn::LoadU(kPair, p + 4)};
-}
+// The same, the first four in one vector of `Four`, whose halves are blocks of two lanes.
+template <class Four>
+struct SixInFour {
+    hn::Vec<Four> v0123;
+    Pair v45;
 
-HWY_INLINE Six products(const Six &a, const Six &b) {
-    return {hn::Mul(a.v01, b.v01), hn::Mul(a.v23, b.v23), hn::Mul(a.v45, b.v45)};
-}
+    static HWY_INLINE SixInFour load(const dReal *p) { return {hn::LoadU(Four(), p), hn::LoadU(kPair, p + 4)}; }
 
-// The sum of each, in the order of upstream: lane 0 a's, lane 1 b's.
-HWY_INLINE Pair sums(const Six &a, const Six &b) {
-    Pair sum = hn::Add(hn::InterleaveLower(kPair, a.v01, b.v01), hn::InterleaveUpper(kPair, a.v01, b.v01));
-    sum = hn::Add(sum, hn::InterleaveLower(kPair, a.v23, b.v23));
-    sum = hn::Add(sum, hn::InterleaveUpper(kPair, a.v23, b.v23));
-    sum = hn::Add(sum, hn::InterleaveLower(kPair, a.v45, b.v45));
-    return hn::Add(sum, hn::InterleaveUpper(kPair, a.v45, b.v45));
-}
+    HWY_INLINE SixInFour times(const SixInFour &b) const { return {hn::Mul(v0123, b.v0123), hn::Mul(v45, b.v45)}; }
+
+    static HWY_INLINE Pair sums(const SixInFour &a, const SixInFour &b) {
+        const auto v02 = hn::InterleaveLower(Four(), a.v0123, b.v0123), v13 = hn::InterleaveUpper(Four(), a.v0123, b.v0123);
+        Pair sum = hn::Add(hn::LowerHalf(kPair, v02), hn::LowerHalf(kPair, v13));
+        sum = hn::Add(sum, hn::UpperHalf(kPair, v02));
+        sum = hn::Add(sum, hn::UpperHalf(kPair, v13));
+        sum = hn::Add(sum, hn::InterleaveLower(kPair, a.v45, b.v45));
+        return hn::Add(sum, hn::InterleaveUpper(kPair, a.v45, b.v45));
+    }
+
+    HWY_INLINE void addAndStore(dReal factor, const dReal *impulse, dReal *out) const {
+        const SixInFour change = load(impulse);
+        hn::StoreU(hn::Add(v0123, hn::Mul(hn::Set(Four(), factor), change.v0123)), Four(), out);
+        hn::StoreU(hn::Add(v45, hn::Mul(hn::Set(kPair, factor), change.v45)), kPair, out + 4);
+    }
+};
+
+using AtMostFour = hn::CappedTag<dReal, 4>;
+constexpr bool kHasFour = hn::MaxLanes(AtMostFour()) == 4 && sizeof(dReal) == 8;
+using Six = std::conditional_t<kHasFour, SixInFour<AtMostFour>, SixInPairs>;
 
 HWY_INLINE dReal upper(Pair pair) { return hn::GetLane(hn::DupOdd(pair)); }
-
-HWY_INLINE void addImpulse(const Six &acceleration, Pair delta, const dReal *impulse, dReal *out) {
-    const Six change = load(impulse);
-    hn::StoreU(hn::Add(acceleration.v01, hn::Mul(delta, change.v01)), kPair, out);
-    hn::StoreU(hn::Add(acceleration.v23, hn::Mul(delta, change.v23)), kPair, out + 2);
-    hn::StoreU(hn::Add(acceleration.v45, hn::Mul(delta, change.v45)), kPair, out + 4);
-}
 
 // relax() with branches, for rows in the order of their joints, whose branches are predictable.
 struct Branching {
@@ -107,15 +139,19 @@ private:
 
 template <class Relaxation>
 HWY_INLINE void takeRow(const dxIslandProblem &problem, Row &row) {
-    if (!row.hasSecondBody()) return takeRowPlain(problem, row);
+    dReal *const out1 = problem.accelerationOf(row.body[0]);
+    const Six on1 = Six::load(out1);
+    if (!row.hasSecondBody()) {
+        on1.addAndStore(relax(problem, row, residual(row) - dot6(out1, row.jacobian + Row::kBody1)), row.impulseOn1, out1);
+        return;
+    }
     // Both bodies at once.
-    dReal *const out1 = problem.accelerationOf(row.body[0]), *const out2 = problem.accelerationOf(row.body[1]);
-    const Six on1 = load(out1), on2 = load(out2);
-    const Pair sum = sums(products(on1, load(row.jacobian + Row::kBody1)), products(on2, load(row.jacobian + Row::kBody2)));
-    const dReal delta = residual(row) - hn::GetLane(sum) - upper(sum);
-    const Pair change = hn::Set(kPair, Relaxation::relaxRow(problem, row, delta));
-    addImpulse(on1, change, row.impulse + Row::kOn1, out1);
-    addImpulse(on2, change, row.impulse + Row::kOn2, out2);
+    dReal *const out2 = problem.accelerationOf(row.body[1]);
+    const Six on2 = Six::load(out2);
+    const Pair sum = Six::sums(on1.times(Six::load(row.jacobian + Row::kBody1)), on2.times(Six::load(row.jacobian + Row::kBody2)));
+    const dReal change = Relaxation::relaxRow(problem, row, residual(row) - hn::GetLane(sum) - upper(sum));
+    on1.addAndStore(change, row.impulseOn1, out1);
+    on2.addAndStore(change, row.impulseOn2, out2);
 }
 
 #endif
@@ -124,8 +160,8 @@ HWY_INLINE void takeRow(const dxIslandProblem &problem, Row &row) {
 HWY_INLINE void prefetch(const Row &row) {
     hwy::Prefetch(row.jacobian);
     hwy::Prefetch(row.jacobian + Row::kBody2);
-    hwy::Prefetch(row.impulse);
-    hwy::Prefetch(&row.lambda);
+    hwy::Prefetch(row.impulseOn1);
+    hwy::Prefetch(row.impulseOn2);
 }
 
 constexpr std::size_t kPrefetchDistance = 8;  // rows: enough to hide a load from L3
