@@ -108,7 +108,7 @@ void dGeomHeightfieldDataBuildCallback(dHeightfieldDataID data, void *userData,
                                        dHeightfieldGetHeight *callback, dReal width, dReal depth,
                                        int widthSamples, int depthSamples, dReal scale, dReal offset,
                                        dReal thickness, int wraps) {
-    dxSilentChanges::add();
+    dxSilentChanges.add();
     dxUpstreamGeomHeightfieldDataBuildCallback(data, userData, callback, width, depth, widthSamples, depthSamples,
                                            scale, offset, thickness, wraps);
 }
@@ -116,7 +116,7 @@ void dGeomHeightfieldDataBuildCallback(dHeightfieldDataID data, void *userData,
 void dGeomHeightfieldDataBuildByte(dHeightfieldDataID data, const unsigned char *samples, int isCopied,
                                    dReal width, dReal depth, int widthSamples, int depthSamples, dReal scale,
                                    dReal offset, dReal thickness, int wraps) {
-    dxSilentChanges::add();
+    dxSilentChanges.add();
     dxUpstreamGeomHeightfieldDataBuildByte(data, samples, isCopied, width, depth, widthSamples, depthSamples,
                                        scale, offset, thickness, wraps);
 }
@@ -124,7 +124,7 @@ void dGeomHeightfieldDataBuildByte(dHeightfieldDataID data, const unsigned char 
 void dGeomHeightfieldDataBuildShort(dHeightfieldDataID data, const short *samples, int isCopied, dReal width,
                                     dReal depth, int widthSamples, int depthSamples, dReal scale,
                                     dReal offset, dReal thickness, int wraps) {
-    dxSilentChanges::add();
+    dxSilentChanges.add();
     dxUpstreamGeomHeightfieldDataBuildShort(data, samples, isCopied, width, depth, widthSamples, depthSamples,
                                         scale, offset, thickness, wraps);
 }
@@ -132,7 +132,7 @@ void dGeomHeightfieldDataBuildShort(dHeightfieldDataID data, const short *sample
 void dGeomHeightfieldDataBuildSingle(dHeightfieldDataID data, const float *samples, int isCopied, dReal width,
                                      dReal depth, int widthSamples, int depthSamples, dReal scale,
                                      dReal offset, dReal thickness, int wraps) {
-    dxSilentChanges::add();
+    dxSilentChanges.add();
     dxUpstreamGeomHeightfieldDataBuildSingle(data, samples, isCopied, width, depth, widthSamples, depthSamples,
                                          scale, offset, thickness, wraps);
 }
@@ -140,18 +140,18 @@ void dGeomHeightfieldDataBuildSingle(dHeightfieldDataID data, const float *sampl
 void dGeomHeightfieldDataBuildDouble(dHeightfieldDataID data, const double *samples, int isCopied,
                                      dReal width, dReal depth, int widthSamples, int depthSamples,
                                      dReal scale, dReal offset, dReal thickness, int wraps) {
-    dxSilentChanges::add();
+    dxSilentChanges.add();
     dxUpstreamGeomHeightfieldDataBuildDouble(data, samples, isCopied, width, depth, widthSamples, depthSamples,
                                          scale, offset, thickness, wraps);
 }
 
 void dGeomHeightfieldDataSetBounds(dHeightfieldDataID data, dReal lowest, dReal highest) {
-    dxSilentChanges::add();
+    dxSilentChanges.add();
     dxUpstreamGeomHeightfieldDataSetBounds(data, lowest, highest);
 }
 
 void dGeomHeightfieldDataDestroy(dHeightfieldDataID data) {
-    dxSilentChanges::add();
+    dxSilentChanges.add();
     dxLiveHeightfields::remove(data);
     dxUpstreamGeomHeightfieldDataDestroy(data);
 }

@@ -13,13 +13,13 @@ extern "C" {
 void dGeomTriMeshSetData(dGeomID geom, dTriMeshDataID data) {
     const bool isUnnoticed =
         geom != nullptr && geom->parent_space != nullptr && (geom->gflags & GEOM_DIRTY) == 0;
-    if (isUnnoticed) dxMissedNotifications::add();
+    if (isUnnoticed) dxMissedNotifications.add();
     dxUpstreamGeomTriMeshSetData(geom, data);
 }
 
 // Geoms may have it still, which the program then does not collide any more.
 void dGeomTriMeshDataDestroy(dTriMeshDataID data) {
-    dxSilentChanges::add();
+    dxSilentChanges.add();
     dxUpstreamGeomTriMeshDataDestroy(data);
 }
 

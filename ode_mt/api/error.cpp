@@ -53,7 +53,7 @@ void report(Channel &channel, int number, const char *format, va_list arguments)
 
 // A handler that does not return leaves whatever was being done half done.
 void reportFault(Channel &channel, int number, const char *format, va_list arguments) {
-    dxMissedNotifications::add();
+    dxMissedNotifications.add();
     report(channel, number, format, arguments);
 }
 

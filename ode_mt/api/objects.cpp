@@ -53,17 +53,17 @@ void dJointGroupEmpty(dJointGroupID group) {
 // from it hear of that (collision/narrowphase/dxSilentChanges.h).
 
 void dJointSetPistonAnchorOffset(dJointID joint, dReal x, dReal y, dReal z, dReal dx, dReal dy, dReal dz) {
-    dxSilentChanges::add();
+    dxSilentChanges.add();
     dxUpstreamJointSetPistonAnchorOffset(joint, x, y, z, dx, dy, dz);
 }
 
 void dJointSetPUAnchorDelta(dJointID joint, dReal x, dReal y, dReal z, dReal dx, dReal dy, dReal dz) {
-    dxSilentChanges::add();
+    dxSilentChanges.add();
     dxUpstreamJointSetPUAnchorDelta(joint, x, y, z, dx, dy, dz);
 }
 
 void dJointSetPUAnchorOffset(dJointID joint, dReal x, dReal y, dReal z, dReal dx, dReal dy, dReal dz) {
-    dxSilentChanges::add();
+    dxSilentChanges.add();
     dxUpstreamJointSetPUAnchorOffset(joint, x, y, z, dx, dy, dz);
 }
 

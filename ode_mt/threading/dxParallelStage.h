@@ -11,6 +11,8 @@
 #include <atomic>
 #include <cstddef>
 
+#include "core/dxNoIndex.h"
+
 enum class dxParallelStage : unsigned char {
     IslandSurvey,      // what a step looks at in each island first: dxStep
     Islands,           // islands side by side
@@ -65,15 +67,13 @@ public:
     // A worker has run a block.
     void see(unsigned worker) {
         if (m_isKnown) return;
-        unsigned first = kNone;
+        unsigned first = kNoIndex;
         if (!m_first.compare_exchange_strong(first, worker, std::memory_order_relaxed) && first != worker)
             dxParallelStages::noteTwo(m_stage);
     }
 
 private:
-    static constexpr unsigned kNone = ~0u;
-
     const dxParallelStage m_stage;
     const bool m_isKnown;
-    std::atomic<unsigned> m_first{kNone};
+    std::atomic<unsigned> m_first{kNoIndex};
 };

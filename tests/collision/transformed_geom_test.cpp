@@ -12,10 +12,10 @@ namespace {
 // Notifications that were missed since it was made.
 class Missed {
 public:
-    std::uint64_t count() const { return dxMissedNotifications::count() - m_before; }
+    std::uint64_t count() const { return dxMissedNotifications.count() - m_before; }
 
 private:
-    std::uint64_t m_before = dxMissedNotifications::count();
+    std::uint64_t m_before = dxMissedNotifications.count();
 };
 
 TEST(TurnedGeom, OneThatIsTurnedBackIsNotToldOf) {

@@ -153,7 +153,7 @@ void dxNarrowphasePrefetch::leaveSpace() {
 
 // Either of them makes void what was computed.
 std::uint64_t dxNarrowphasePrefetch::changesNoticed() {
-    return dxSilentChanges::count() + dxMissedNotifications::count();
+    return dxSilentChanges.count() + dxMissedNotifications.count();
 }
 
 void dxNarrowphasePrefetch::reserveMemory(const dxTaskRunner &runner, std::size_t slots) {
@@ -305,7 +305,7 @@ void dxNarrowphasePrefetch::Worker::wipeDrafts() {
 void dxNarrowphasePrefetch::noteRequested(const dxOrderedPair &pair) {
     const dxGeom *const geoms[] = {pair.first, pair.second};
     for (int i = 0; i < 2; ++i) {
-        m_requested[pair.slots[i]] = {m_call, dxSilentChanges::count()};
+        m_requested[pair.slots[i]] = {m_call, dxSilentChanges.count()};
         if (geoms[i]->type == dConvexClass) m_convex.read(pair.slots[i], static_cast<const dxConvex &>(*geoms[i]));
     }
 }
@@ -314,7 +314,7 @@ bool dxNarrowphasePrefetch::wasRequested(const dxGeom &geom, dxMembers::Slot slo
     const Requested &asked = m_requested[slot];
     if (asked.call + 1 < m_call) return false;
     if (geom.type == dConvexClass) return m_convex.of(slot) != nullptr;
-    return !dxHasDataOfProgram(geom) || asked.changes == dxSilentChanges::count();
+    return !dxHasDataOfProgram(geom) || asked.changes == dxSilentChanges.count();
 }
 
 std::uint64_t dxNarrowphasePrefetch::stateOf(const dxGeom &geom, dxMembers::Slot slot) const {

@@ -156,7 +156,7 @@ private:
     // The last collision of a geom.
     struct Requested {
         std::uint64_t call = 0;     // 0: never
-        std::uint64_t changes = 0;  // dxSilentChanges::count() then
+        std::uint64_t changes = 0;  // dxSilentChanges.count() then
     };
     std::vector<Requested> m_requested;             // by slot
     dxConvexArrays m_convex;                // of the geoms that were collided

@@ -1,3 +1,3 @@
 #include "collision/narrowphase/dxSilentChanges.h"
 
-std::atomic<std::uint64_t> dxSilentChanges::changes{0};
+dxEventCounter dxSilentChanges;

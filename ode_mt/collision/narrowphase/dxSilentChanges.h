@@ -3,17 +3,8 @@
 // rounding.
 //
 // Prefetched contacts are invalid if the callback, or an earlier one, has made such a change (dxNarrowphasePrefetch).
-// Threading: any thread.
 #pragma once
 
-#include <atomic>
-#include <cstdint>
+#include "core/dxEventCounter.h"
 
-namespace dxSilentChanges {
-
-extern std::atomic<std::uint64_t> changes;
-
-inline std::uint64_t count() { return changes.load(std::memory_order_acquire); }
-inline void add() { changes.fetch_add(1, std::memory_order_acq_rel); }
-
-}  // namespace dxSilentChanges
+extern dxEventCounter dxSilentChanges;

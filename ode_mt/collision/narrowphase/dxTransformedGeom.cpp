@@ -8,7 +8,7 @@ thread_local unsigned begun = 0;
 
 void tell() {
     begun = 0;
-    dxMissedNotifications::add();
+    dxMissedNotifications.add();
 }
 
 // Those that began later were left by a jump into this one, or have been reported.

@@ -1,3 +1,3 @@
 #include "collision/pairs/dxMissedNotifications.h"
 
-std::atomic<std::uint64_t> dxMissedNotifications::events{0};
+dxEventCounter dxMissedNotifications;

@@ -10,19 +10,8 @@
 //  - a collision with a height field that is left in the middle leaves a geom with another box (dxTransformedGeom).
 // A geom marked so is *stray*: dirty, and not among those that its space will clean. From then on dGeomMoved does not
 // notify its space, nor the spaces around it. After any such event spaces examine all their members again.
-//
-// Threading: any thread.
 #pragma once
 
-#include <atomic>
-#include <cstdint>
+#include "core/dxEventCounter.h"
 
-namespace dxMissedNotifications {
-
-extern std::atomic<std::uint64_t> events;
-
-// Rises with each event.
-inline std::uint64_t count() { return events.load(std::memory_order_acquire); }
-inline void add() { events.fetch_add(1, std::memory_order_acq_rel); }
-
-}  // namespace dxMissedNotifications
+extern dxEventCounter dxMissedNotifications;

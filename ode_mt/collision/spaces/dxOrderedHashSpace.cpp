@@ -141,12 +141,12 @@ void dxOrderedHashSpace::deliver(void *data, dNearCallback *callback) {
     const std::vector<dxOrderedPair> &pairs = this->pairs();  // of those
     const std::size_t switched = m_switched.size();
     dxNarrowphasePrefetch *const ahead = this->ahead();
-    const std::uint64_t missed = dxMissedNotifications::count();
+    const std::uint64_t missed = dxMissedNotifications.count();
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         if (ahead != nullptr) ahead->beforePair(pairs, i);
         dxPairPrefetch::forCallback(pairs, i);
         dxDeliver(pairs[i], data, callback);
-        if (dxMissedNotifications::count() != missed) {
+        if (dxMissedNotifications.count() != missed) {
             const dxOrderedPair last = pairs[i];
             walkFrom(switched, data, callback, &last);
             return;

@@ -67,11 +67,11 @@ void dxOrderedListSpace::cleanToCollide() {
 void dxOrderedListSpace::cleanAlone() {
     m_isIrregular = mayHaveStrays() || m_isInterrupted || m_isIrregular;
     m_isInterrupted = true;
-    const std::uint64_t missed = dxMissedNotifications::count();
+    const std::uint64_t missed = dxMissedNotifications.count();
     gatherDirty();
     chooseToWalk();
     cleanDirty();
-    if (dxMissedNotifications::count() != missed) rankAll();
+    if (dxMissedNotifications.count() != missed) rankAll();
     m_isInterrupted = false;
 }
 

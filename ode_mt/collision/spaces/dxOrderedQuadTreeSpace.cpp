@@ -252,12 +252,12 @@ void dxOrderedQuadTreeSpace::collideOther(void *data, dxGeom *geom, dNearCallbac
     const dxBounds box(geom->aabb);
     Swapped swapped{data, callback};
     const Region region = beforeCallbacks([&] { return Region(*this, box); });
-    const std::uint64_t missed = dxMissedNotifications::count();
+    const std::uint64_t missed = dxMissedNotifications.count();
     for (const Slot slot : region.slots()) {
         dxGeom *const member = members().geomIn(slot);
         if (!dxGeomIsEnabled(member)) continue;
         collideAABBs(geom, member, &swapped, Swapped::call);
-        if (isStill(geom, box) && dxMissedNotifications::count() == missed) continue;
+        if (isStill(geom, box) && dxMissedNotifications.count() == missed) continue;
         Visit rest(*this, &swapped, Swapped::call);
         rest.next = rest.placeOf(slot) + 1;
         return rest.meetFrom(geom, dxQuadTree::kRoot, 0, rest.order.size());

@@ -76,7 +76,7 @@ void dxOrderedSpace::add(dxGeom *geom) {
     comes(geom, slot);
     if (m_prefetch != nullptr) m_prefetch->forgetGeom(slot);
     dxOrderedSpace *const inner = IS_SPACE(geom) ? from(static_cast<dxSpace *>(geom)) : nullptr;
-    if (inner != nullptr && inner->hasStrays()) dxMissedNotifications::add();
+    if (inner != nullptr && inner->hasStrays()) dxMissedNotifications.add();
     dxSpace::add(geom);
 }
 
@@ -122,7 +122,7 @@ void dxOrderedSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback)
 bool dxOrderedSpace::lookForStrays() {
     const std::unique_lock<std::mutex> alone(m_lookingForStrays, std::try_to_lock);
     if (!alone) return true;
-    const std::uint64_t missed = dxMissedNotifications::count();
+    const std::uint64_t missed = dxMissedNotifications.count();
     for (dxGeom *geom = first; geom != nullptr; geom = geom->next) takeBoxAgain(geom);
     bool hasStrays = hasStrayMembers();
     for (dxGeom *geom = first; geom != nullptr && !hasStrays; geom = geom->next) {
@@ -136,7 +136,7 @@ bool dxOrderedSpace::lookForStrays() {
 
 void dxOrderedSpace::noteStrays() {
     m_hasStrays.store(true, std::memory_order_relaxed);
-    if (parent_space != nullptr) dxMissedNotifications::add();
+    if (parent_space != nullptr) dxMissedNotifications.add();
 }
 
 bool dxOrderedSpace::hasStrays() {
@@ -348,7 +348,7 @@ void dxOrderedSpace::deliverInOrder(const std::vector<dxOrderedPair> &pairs, voi
     const dxGeom *front = nullptr;
     bool frontIsEnabled = false;
     dxNarrowphasePrefetch *const ahead = this->ahead();
-    const std::uint64_t missed = dxMissedNotifications::count(), comebacks = m_comebacks;
+    const std::uint64_t missed = dxMissedNotifications.count(), comebacks = m_comebacks;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const dxOrderedPair &pair = pairs[i];
         if (pair.first != front) {
@@ -358,7 +358,7 @@ void dxOrderedSpace::deliverInOrder(const std::vector<dxOrderedPair> &pairs, voi
         if (!frontIsEnabled || !dxGeomIsEnabled(pair.second)) continue;
         if (ahead != nullptr) ahead->beforePair(pairs, i);
         dxDeliver(pair, data, callback);
-        if (dxMissedNotifications::count() == missed && m_comebacks == comebacks) continue;
+        if (dxMissedNotifications.count() == missed && m_comebacks == comebacks) continue;
         const dxOrderedPair last = pair;
         return walk(data, callback, &last);
     }
@@ -372,12 +372,12 @@ bool dxOrderedSpace::isStill(const dxGeom *geom, const dxBounds &box) {
 dxGeom *dxOrderedSpace::collideRegion(void *data, dxGeom *geom, dNearCallback *callback) {
     const dxBounds box(geom->aabb);
     const Region region = beforeCallbacks([&] { return Region(*this, box); });
-    const std::uint64_t missed = dxMissedNotifications::count();
+    const std::uint64_t missed = dxMissedNotifications.count();
     for (const Slot slot : region.slots()) {
         dxGeom *const member = m_members.geomIn(slot);
         if (!dxGeomIsEnabled(member)) continue;
         collideAABBs(member, geom, data, callback);
-        if (!isStill(geom, box) || dxMissedNotifications::count() != missed) return member;
+        if (!isStill(geom, box) || dxMissedNotifications.count() != missed) return member;
     }
     return nullptr;
 }

@@ -125,7 +125,7 @@ protected:
     bool mayHaveStrays() { return !isSureOfMembers() && lookForStrays(); }
     // Returns whether there are certainly none.
     bool isSureOfMembers() const {
-        return m_notificationsMissed.load(std::memory_order_acquire) == dxMissedNotifications::count() &&
+        return m_notificationsMissed.load(std::memory_order_acquire) == dxMissedNotifications.count() &&
                !m_hasStrays.load(std::memory_order_relaxed);
     }
     // Records new strays, which the spaces around this one do not detect themselves.

@@ -17,11 +17,6 @@
 
 namespace {
 
-// For removing a row from the factorisation, and for making it.
-std::size_t temporarySize(unsigned n) {
-    return std::max(dxFactorRemovalStorage(n), dxFactorLDLTStorage(n));
-}
-
 // Below this many rows vectors do not pay.
 constexpr unsigned kWideFactorRows = 24;
 
@@ -30,8 +25,6 @@ constexpr unsigned kFewRows = 2;
 
 // Below this many rows lanes are as fast.
 constexpr unsigned kSparseProductRows = 256;
-
-std::size_t halfBlockCount(unsigned n) { return 2 * (dxLcpBlock(n) + std::size_t(1)); }
 
 std::size_t sparseMemory(unsigned n) { return n < kSparseProductRows ? 0 : dxSparseRows::memory(n); }
 
@@ -50,13 +43,7 @@ dReal addUp(unsigned countInPlace, InPlace inPlace, unsigned count, Product prod
 }  // namespace
 
 std::size_t dxDantzigRun::memory(unsigned n) {
-    return dxArrayBytes<unsigned>(n) + dxArrayBytes<dReal>(dxLcpMatrix::size(n)) +
-           dxArrayBytes<unsigned>(dxIndexSets::kWords * std::size_t(n)) + 6 * dxArrayBytes<dReal>(n) +
-           dxArrayBytes<dReal>(dxLcpRoundUp(n)) + dxArrayBytes<dReal>(dxForwardSolves::size(n, 0)) +
-           dxArrayBytes<unsigned>(n) + dxArrayBytes<unsigned>(dxForwardSolves::words(n)) +
-           dxArrayBytes<unsigned>(halfBlockCount(n)) + sparseMemory(n) + dxArrayBytes<Limits>(n) +
-           dxArrayBytes<dReal>(n) + dxArrayBytes<unsigned>(n) + dxArrayBytes<dReal *>(n) +
-           dxArrayBytes<dReal>(temporarySize(n));
+    return dxArrayBytes<unsigned>(n) + dxDantzigArrays::memory(n) + sparseMemory(n);
 }
 
 dxDantzigRun::dxDantzigRun(dxLargeIslandWorkers *islandWorkers, dxWorldProcessMemArena *given, dxWorldProcessMemArena *arena,
@@ -66,38 +53,25 @@ dxDantzigRun::dxDantzigRun(dxLargeIslandWorkers *islandWorkers, dxWorldProcessMe
       m_n(problem.n),
       m_order(dxTakeArray<unsigned>(arena, m_n)),
       m_unbounded(dxFindLcpOrder(problem, m_order)),
-      m_A(problem.A, dPAD(m_n), m_order, m_n, m_unbounded, dxTakeArray<dReal>(arena, dxLcpMatrix::size(m_n))),
-      m_sets(m_n, m_unbounded, dxTakeArray<unsigned>(arena, dxIndexSets::kWords * std::size_t(m_n))),
+      m_arrays(dxDantzigArrays::take(arena, m_n, m_unbounded)),
+      m_A(problem.A, dPAD(m_n), m_order, m_n, m_unbounded, m_arrays.matrix),
+      m_sets(m_n, m_unbounded, m_arrays.sets),
       m_skip(dPAD(m_n)),
       m_factor(dxTakeArray<dReal>(given, std::size_t(m_skip) * m_n)),
-      m_L(dxTakeArray<dReal *>(arena, m_n)),
-      m_d(dxTakeArray<dReal>(arena, m_n)),
-      m_begins(dxTakeArray<unsigned>(arena, m_n)),
+      m_L(m_arrays.factorRows),
+      m_d(m_arrays.diagonal),
+      m_begins(m_arrays.begins),
       m_envelope(isLeavingOutExact ? dxSkyline(m_begins) : dxSkyline()),
-      m_forward(m_A, m_sets, m_L, m_envelope, m_n, m_unbounded,
-                dxTakeArray<dReal>(arena, dxForwardSolves::size(m_n, m_unbounded)),
-                dxTakeArray<unsigned>(arena, dxForwardSolves::words(m_n))),
+      m_forward(m_A, m_sets, m_L, m_envelope, m_n, m_unbounded, m_arrays.solutions, m_arrays.solutionWords),
       m_arena(arena),
-      m_sparse(m_A, m_sets, m_n, m_unbounded),
-      m_b(dxTakeArray<dReal>(arena, m_n)),
-      m_x(dxTakeArray<dReal>(arena, m_n)),
-      m_w(dxTakeArray<dReal>(arena, m_n)),
-      m_deltaW(dxTakeArray<dReal>(arena, dxLcpRoundUp(m_n))),
-      m_limits(dxTakeArray<Limits>(arena, m_n)),
-      m_side(dxTakeArray<dReal>(arena, m_n)),
-      m_leaving(dxTakeArray<unsigned>(arena, m_n)),
-      m_halfBlockN(dxTakeArray<unsigned>(arena, halfBlockCount(m_n))),
-      m_deltaX(dxTakeArray<dReal>(arena, m_n)),
-      m_solved(dxTakeArray<dReal>(arena, m_n)),
-      m_temporary(dxTakeArray<dReal>(arena, temporarySize(m_n))) {
+      m_sparse(m_A, m_sets, m_n, m_unbounded) {
     for (unsigned i = 0; i < m_n; ++i) {
-        m_b[i] = problem.pairsBX[std::size_t(m_order[i]) * PBX__MAX + PBX_B];
-        m_x[i] = 0;
+        m_arrays.b[i] = problem.pairsBX[std::size_t(m_order[i]) * PBX__MAX + PBX_B];
+        m_arrays.x[i] = 0;
         const dReal *limits = problem.pairsLoHi + std::size_t(m_order[i]) * PLH__MAX;
-        m_limits[i] = {limits[PLH_LO], limits[PLH_HI]};
+        m_arrays.limits[i] = {limits[PLH_LO], limits[PLH_HI]};
         m_L[i] = m_factor + std::size_t(m_skip) * i;
     }
-    std::fill_n(m_halfBlockN, halfBlockCount(m_n), 0u);
 }
 
 void dxDantzigRun::solve() {
@@ -116,7 +90,7 @@ void dxDantzigRun::solve() {
 }
 
 void dxDantzigRun::deliver() const {
-    for (unsigned i = 0; i < m_n; ++i) m_problem.pairsBX[std::size_t(m_order[i]) * PBX__MAX + PBX_X] = m_x[i];
+    for (unsigned i = 0; i < m_n; ++i) m_problem.pairsBX[std::size_t(m_order[i]) * PBX__MAX + PBX_X] = m_arrays.x[i];
 }
 
 // Rows without limits are in C from the start.
@@ -126,22 +100,22 @@ void dxDantzigRun::solveUnbounded() {
     if (m_unbounded < kWideFactorRows) {
         dFactorLDLT(m_factor, m_d, static_cast<int>(m_unbounded), static_cast<int>(m_skip));
     } else {
-        dxFactorLDLT(m_factor, m_d, m_unbounded, m_skip, m_envelope, m_temporary);
+        dxFactorLDLT(m_factor, m_d, m_unbounded, m_skip, m_envelope, m_arrays.temporary);
     }
-    std::copy_n(m_b, m_unbounded, m_x);
-    dxSolveL1Straight(m_factor, m_x, m_unbounded, m_skip, m_envelope);
-    for (unsigned i = 0; i < m_unbounded; ++i) m_x[i] *= m_d[i];
-    dxSolveL1Transposed(m_L, m_x, m_unbounded, m_envelope);
+    std::copy_n(m_arrays.b, m_unbounded, m_arrays.x);
+    dxSolveL1Straight(m_factor, m_arrays.x, m_unbounded, m_skip, m_envelope);
+    for (unsigned i = 0; i < m_unbounded; ++i) m_arrays.x[i] *= m_d[i];
+    dxSolveL1Transposed(m_L, m_arrays.x, m_unbounded, m_envelope);
 }
 
 // Friction is limited by the forces found for the normals: 0 for 0, whatever the coefficient.
 void dxDantzigRun::setFrictionLimits(unsigned first) {
-    dReal *byProblemRow = m_temporary;
-    for (unsigned i = 0; i < m_n; ++i) byProblemRow[m_order[i]] = m_x[i];
+    dReal *byProblemRow = m_arrays.temporary;
+    for (unsigned i = 0; i < m_n; ++i) byProblemRow[m_order[i]] = m_arrays.x[i];
     for (unsigned i = first; i < m_n; ++i) {
         const dReal normal = byProblemRow[m_problem.normalOf[m_order[i]]];
-        const dReal high = normal == 0 ? 0 : dFabs(m_limits[i].high * normal);
-        m_limits[i] = {normal == 0 ? 0 : -high, high};
+        const dReal high = normal == 0 ? 0 : dFabs(m_arrays.limits[i].high * normal);
+        m_arrays.limits[i] = {normal == 0 ? 0 : -high, high};
     }
 }
 
@@ -149,18 +123,18 @@ void dxDantzigRun::setFrictionLimits(unsigned first) {
 bool dxDantzigRun::driveToZero(unsigned i) {
     const dReal *row = m_A.row(i);
     const unsigned *indexes = m_sets.indexes(), *ofN = indexes + m_sets.countC();
-    const dReal *x = m_x;
+    const dReal *x = m_arrays.x;
     const auto inPlace = [&](unsigned k) { return row[k] * x[k]; };
     const dReal overC = addUp(m_sets.inPlace(), inPlace, m_sets.countC(),
                               [&](unsigned k) { return row[indexes[k]] * x[indexes[k]]; });
     const dReal overN = addUp(0, inPlace, m_sets.countN(), [&](unsigned k) { return row[ofN[k]] * x[ofN[k]]; });
-    m_w[i] = overC + overN - m_b[i];
+    m_arrays.w[i] = overC + overN - m_arrays.b[i];
 
-    if (m_limits[i].low == 0 && m_w[i] >= 0) {
+    if (m_arrays.limits[i].low == 0 && m_arrays.w[i] >= 0) {
         addToN(i, false);
-    } else if (m_limits[i].high == 0 && m_w[i] <= 0) {
+    } else if (m_arrays.limits[i].high == 0 && m_arrays.w[i] <= 0) {
         addToN(i, true);
-    } else if (m_w[i] == 0) {
+    } else if (m_arrays.w[i] == 0) {
         findFactorColumn(i);
         addToC(i);
     } else {
@@ -171,7 +145,7 @@ bool dxDantzigRun::driveToZero(unsigned i) {
 
 // Returns whether row i needs another step.
 bool dxDantzigRun::pivot(unsigned i) {
-    const bool isUp = m_w[i] <= 0;
+    const bool isUp = m_arrays.w[i] <= 0;
     findDirection(i, isUp);
     const MaximumStep step = findMaximumStep(i, isUp);
     if (step.length <= 0) {
@@ -185,7 +159,7 @@ bool dxDantzigRun::pivot(unsigned i) {
 void dxDantzigRun::findFactorColumn(unsigned index) {
     const unsigned count = m_sets.countC();
     if (count == 0) return;
-    m_forward.solve(index, m_d, {m_solved, scaled(), m_temporary}, m_islandWorkers);
+    m_forward.solve(index, m_d, {m_arrays.solved, scaled(), m_arrays.temporary}, m_islandWorkers);
 }
 
 void dxDantzigRun::findDirection(unsigned i, bool isUp) {
@@ -194,15 +168,15 @@ void dxDantzigRun::findDirection(unsigned i, bool isUp) {
     findDeltaW(i, isUp);
 }
 
-// deltaX(C) = -+ A(C,C)^-1 A(C,i), of which findFactorColumn has put the first half into m_temporary.
+// deltaX(C) = -+ A(C,C)^-1 A(C,i), of which findFactorColumn has put the first half into m_arrays.temporary.
 void dxDantzigRun::findDeltaX(bool isUp) {
     const unsigned count = m_sets.countC();
     m_islandWorkers.solveTriangle(std::size_t(count) * count / 2, [&](dxTaskRunner *runner) {
-        dxSolveL1Transposed(m_L, m_temporary, count, m_envelope, runner);
+        dxSolveL1Transposed(m_L, m_arrays.temporary, count, m_envelope, runner);
     });
     const unsigned *positions = m_sets.factorPositions(), inPlace = m_sets.inPlace();
     if (isUp) {
-        dReal *const solved = m_temporary;
+        dReal *const solved = m_arrays.temporary;
         unsigned j = 0;
         for (; j + 4 <= count; j += 4) {
             dxStorePair(-dxLoadPair(solved + j), solved + j);
@@ -210,8 +184,8 @@ void dxDantzigRun::findDeltaX(bool isUp) {
         }
         for (; j < count; ++j) solved[j] = -solved[j];
     }
-    std::copy_n(m_temporary, inPlace, m_deltaX);
-    for (unsigned j = inPlace; j < count; ++j) m_deltaX[positions[j]] = m_temporary[j];
+    std::copy_n(m_arrays.temporary, inPlace, m_arrays.deltaX);
+    for (unsigned j = inPlace; j < count; ++j) m_arrays.deltaX[positions[j]] = m_arrays.temporary[j];
 }
 
 // deltaW(N) = A(N,C) deltaX(C) +- A(N,i), and the same for row i. Rows that may not move at all stay in N, whatever their
@@ -223,18 +197,18 @@ void dxDantzigRun::findDeltaW(unsigned i, bool isUp) {
     unsigned leaving = 0;
     for (unsigned k = 0; k < m_sets.countN(); ++k) {
         const unsigned other = ofN[k];
-        const dReal deltaW = isUp ? m_deltaW[other] + row[other] : m_deltaW[other] - row[other];
-        m_deltaW[other] = deltaW;
-        m_leaving[leaving] = m_sets.countC() + k;
-        leaving += deltaW * m_side[other] < 0;
+        const dReal deltaW = isUp ? m_arrays.deltaW[other] + row[other] : m_arrays.deltaW[other] - row[other];
+        m_arrays.deltaW[other] = deltaW;
+        m_arrays.leaving[leaving] = m_sets.countC() + k;
+        leaving += deltaW * m_arrays.side[other] < 0;
     }
     m_countLeaving = leaving;
-    m_deltaW[i] = isUp ? m_deltaW[i] + row[i] : m_deltaW[i] - row[i];
+    m_arrays.deltaW[i] = isUp ? m_arrays.deltaW[i] + row[i] : m_arrays.deltaW[i] - row[i];
 }
 
 // A(row,C) deltaX(C)
 dReal dxDantzigRun::multiplyByDeltaX(unsigned index) const {
-    const dReal *row = m_A.row(index), *deltaX = m_deltaX;
+    const dReal *row = m_A.row(index), *deltaX = m_arrays.deltaX;
     const unsigned *columns = m_sets.indexes();
     return addUp(m_sets.inPlace(), [&](unsigned k) { return row[k] * deltaX[k]; }, m_sets.countC(),
                  [&](unsigned k) { return row[columns[k]] * deltaX[k]; });
@@ -244,25 +218,25 @@ dReal dxDantzigRun::multiplyByDeltaX(unsigned index) const {
 void dxDantzigRun::findProducts(unsigned i) {
     const unsigned countC = m_sets.countC(), *columns = m_sets.indexes(), *ofN = columns + countC;
     if (m_sets.countN() <= kFewRows) {
-        for (unsigned k = 0; k < m_sets.countN(); ++k) m_deltaW[ofN[k]] = multiplyByDeltaX(ofN[k]);
-        m_deltaW[i] = multiplyByDeltaX(i);
+        for (unsigned k = 0; k < m_sets.countN(); ++k) m_arrays.deltaW[ofN[k]] = multiplyByDeltaX(ofN[k]);
+        m_arrays.deltaW[i] = multiplyByDeltaX(i);
         return;
     }
     if (m_envelope.leavesOut() && m_n >= kSparseProductRows && !m_sparse.isTried()) m_sparse.build(m_arena);
     if (m_sparse.isBuilt()) {
-        m_sparse.multiply(m_deltaX, i + 1, m_halfBlockN, m_deltaW, m_islandWorkers);
-        m_deltaW[i] = multiplyByDeltaX(i);
+        m_sparse.multiply(m_arrays.deltaX, i + 1, m_arrays.halfBlockN, m_arrays.deltaW, m_islandWorkers);
+        m_arrays.deltaW[i] = multiplyByDeltaX(i);
     } else {
-        ++m_halfBlockN[dxLcpHalfBlock(i)];
-        dxComputeLaneProducts({m_A.rows(), m_A.rowSkip(), columns, m_deltaX, countC, dxLcpBlock(m_unbounded),
-                               dxLcpBlock(i) + 1, m_halfBlockN, m_deltaW});
-        --m_halfBlockN[dxLcpHalfBlock(i)];
+        ++m_arrays.halfBlockN[dxLcpHalfBlock(i)];
+        dxComputeLaneProducts({m_A.rows(), m_A.rowSkip(), columns, m_arrays.deltaX, countC, dxLcpBlock(m_unbounded),
+                               dxLcpBlock(i) + 1, m_arrays.halfBlockN, m_arrays.deltaW});
+        --m_arrays.halfBlockN[dxLcpHalfBlock(i)];
     }
 }
 
 // Returns the maximum step after which all conditions still hold.
 dxDantzigRun::MaximumStep dxDantzigRun::findMaximumStep(unsigned i, bool isUp) const {
-    const dReal w = m_w[i], deltaW = m_deltaW[i];
+    const dReal w = m_arrays.w[i], deltaW = m_arrays.deltaW[i];
     const dReal endless = w != 0 ? dCopySign(dInfinity, -w) : dReal(0);
     MaximumStep step = {deltaW != 0 ? -w / deltaW : endless, Event::Solved, 0};
     limitByOwnBounds(i, isUp, step);
@@ -272,42 +246,42 @@ dxDantzigRun::MaximumStep dxDantzigRun::findMaximumStep(unsigned i, bool isUp) c
 }
 
 void dxDantzigRun::limitByOwnBounds(unsigned i, bool isUp, MaximumStep &step) const {
-    const Limits &limits = m_limits[i];
+    const Limits &limits = m_arrays.limits[i];
     if (isUp ? !(limits.high < dInfinity) : !(limits.low > -dInfinity)) return;
-    const dReal length = isUp ? limits.high - m_x[i] : m_x[i] - limits.low;
+    const dReal length = isUp ? limits.high - m_arrays.x[i] : m_arrays.x[i] - limits.low;
     if (length < step.length) step = {length, isUp ? Event::AtHigh : Event::AtLow, 0};
 }
 
 void dxDantzigRun::limitByN(MaximumStep &step) const {
     for (unsigned k = 0; k < m_countLeaving; ++k) {
-        const unsigned row = m_sets.indexAt(m_leaving[k]);
-        const dReal length = -m_w[row] / m_deltaW[row];
-        if (length < step.length) step = {length, Event::LeavesN, m_leaving[k]};
+        const unsigned row = m_sets.indexAt(m_arrays.leaving[k]);
+        const dReal length = -m_arrays.w[row] / m_arrays.deltaW[row];
+        if (length < step.length) step = {length, Event::LeavesN, m_arrays.leaving[k]};
     }
 }
 
 void dxDantzigRun::limitByC(MaximumStep &step) const {
     const auto eventAt = [&](unsigned position) {
-        return m_deltaX[position] < 0 ? Event::CReachesLow : Event::CReachesHigh;
+        return m_arrays.deltaX[position] < 0 ? Event::CReachesLow : Event::CReachesHigh;
     };
     const unsigned inPlace = m_sets.inPlace();
     if (m_unbounded < inPlace) {
-        const unsigned first = dxFindFirstAtLimit(m_x, m_deltaX, m_limits, m_unbounded, inPlace, step.length);
+        const unsigned first = dxFindFirstAtLimit(m_arrays.x, m_arrays.deltaX, m_arrays.limits, m_unbounded, inPlace, step.length);
         if (first < inPlace) step = {step.length, eventAt(first), first};
     }
     for (unsigned position = std::max(m_unbounded, inPlace); position < m_sets.countC(); ++position) {
         const unsigned row = m_sets.indexAt(position);
-        const dReal deltaX = m_deltaX[position];
+        const dReal deltaX = m_arrays.deltaX[position];
         if (deltaX == 0) continue;
-        const dReal length = (m_limits[row].towards(deltaX < 0) - m_x[row]) / deltaX;  // endless if there is no limit
+        const dReal length = (m_arrays.limits[row].towards(deltaX < 0) - m_arrays.x[row]) / deltaX;  // endless if there is no limit
         if (length < step.length) step = {length, eventAt(position), position};
     }
 }
 
 void dxDantzigRun::apply(unsigned i, bool isUp, dReal length) {
     const unsigned countC = m_sets.countC(), end = countC + m_sets.countN(), inPlace = m_sets.inPlace();
-    const dReal *deltaX = m_deltaX;
-    dReal *const x = m_x;
+    const dReal *deltaX = m_arrays.deltaX;
+    dReal *const x = m_arrays.x;
     unsigned position = 0;
     for (const dxPair lengths = {length, length}; position + 4 <= inPlace; position += 4) {
         const dxPair first = dxLoadPair(x + position) + lengths * dxLoadPair(deltaX + position);
@@ -316,32 +290,32 @@ void dxDantzigRun::apply(unsigned i, bool isUp, dReal length) {
         dxStorePair(second, x + position + 2);
     }
     for (; position < countC; ++position)
-        m_x[m_sets.indexAt(position)] += length * deltaX[position];
-    m_x[i] = isUp ? m_x[i] + length : m_x[i] - length;
+        m_arrays.x[m_sets.indexAt(position)] += length * deltaX[position];
+    m_arrays.x[i] = isUp ? m_arrays.x[i] + length : m_arrays.x[i] - length;
     for (; position < end; ++position) {
         const unsigned row = m_sets.indexAt(position);
-        m_w[row] += length * m_deltaW[row];
+        m_arrays.w[row] += length * m_arrays.deltaW[row];
     }
-    m_w[i] += length * m_deltaW[i];
+    m_arrays.w[i] += length * m_arrays.deltaW[i];
 }
 
 // True if row i is not at rest yet.
 bool dxDantzigRun::finish(unsigned i, const MaximumStep &step) {
     switch (step.event) {
         case Event::Solved:
-            m_w[i] = 0;
+            m_arrays.w[i] = 0;
             addToC(i);
             return false;
         case Event::AtLow:
-            m_x[i] = m_limits[i].low;
+            m_arrays.x[i] = m_arrays.limits[i].low;
             addToN(i, false);
             return false;
         case Event::AtHigh:
-            m_x[i] = m_limits[i].high;
+            m_arrays.x[i] = m_arrays.limits[i].high;
             addToN(i, true);
             return false;
         case Event::LeavesN:
-            m_w[m_sets.indexAt(step.position)] = 0;
+            m_arrays.w[m_sets.indexAt(step.position)] = 0;
             moveFromNToC(step.position);
             return true;
         case Event::CReachesLow:
@@ -356,7 +330,7 @@ bool dxDantzigRun::finish(unsigned i, const MaximumStep &step) {
 
 // Upstream continues with its current values, and with 0 for the rows that it has not driven to zero.
 void dxDantzigRun::giveUp(unsigned i, dReal length) {
-    std::fill(m_x + i, m_x + m_n, dReal(0));
+    std::fill(m_arrays.x + i, m_arrays.x + m_n, dReal(0));
     m_hasFailed = true;
     m_failedLength = length;
 }
@@ -364,19 +338,19 @@ void dxDantzigRun::giveUp(unsigned i, dReal length) {
 // Upstream adds this sum up as a dot product here, but one by one in moveFromNToC.
 void dxDantzigRun::addToC(unsigned i) {
     const unsigned count = m_sets.countC();
-    appendFactorRow(i, count > 0 ? dxDot(scaled(), m_solved, count) : 0);
+    appendFactorRow(i, count > 0 ? dxDot(scaled(), m_arrays.solved, count) : 0);
     m_sets.addNextToC();
     m_sparse.append(i);
 }
 
 void dxDantzigRun::addToN(unsigned i, bool isHigh) {
-    m_side[i] = sideAt(i, isHigh);
-    ++m_halfBlockN[dxLcpHalfBlock(i)];
+    m_arrays.side[i] = sideAt(i, isHigh);
+    ++m_arrays.halfBlockN[dxLcpHalfBlock(i)];
     m_sets.addNextToN();
 }
 
 dReal dxDantzigRun::sideAt(unsigned row, bool isHigh) const {
-    if (m_limits[row].low == 0 && m_limits[row].high == 0) return 0;
+    if (m_arrays.limits[row].low == 0 && m_arrays.limits[row].high == 0) return 0;
     return isHigh ? dReal(-1) : dReal(1);
 }
 
@@ -385,20 +359,20 @@ void dxDantzigRun::moveFromNToC(unsigned position) {
     findFactorColumn(row);
     const dReal *const scaled = this->scaled();
     dReal product = 0;
-    for (unsigned j = 0; j < count; ++j) product += scaled[j] * m_solved[j];
+    for (unsigned j = 0; j < count; ++j) product += scaled[j] * m_arrays.solved[j];
     appendFactorRow(row, product);
-    --m_halfBlockN[dxLcpHalfBlock(row)];
+    --m_arrays.halfBlockN[dxLcpHalfBlock(row)];
     m_sets.moveFromNToC(position);
     m_sparse.append(row);
 }
 
 void dxDantzigRun::moveFromCToN(unsigned position, bool isHigh) {
     const unsigned row = m_sets.indexAt(position), factorRow = m_sets.factorRowAt(position);
-    m_x[row] = isHigh ? m_limits[row].high : m_limits[row].low;
-    m_side[row] = sideAt(row, isHigh);
+    m_arrays.x[row] = isHigh ? m_arrays.limits[row].high : m_arrays.limits[row].low;
+    m_arrays.side[row] = sideAt(row, isHigh);
     removeFactorRow(factorRow);
     m_forward.forgetFrom(factorRow);
-    ++m_halfBlockN[dxLcpHalfBlock(row)];
+    ++m_arrays.halfBlockN[dxLcpHalfBlock(row)];
     m_sparse.remove(position);
     m_sets.moveFromCToN(position, factorRow);
 }
@@ -420,7 +394,7 @@ void dxDantzigRun::appendFactorRow(unsigned index, dReal product) {
 // The first that is not zero.
 unsigned dxDantzigRun::firstSolved(unsigned count) const {
     unsigned first = 0;
-    while (m_envelope.leavesOut() && first < count && m_solved[first] == 0) ++first;
+    while (m_envelope.leavesOut() && first < count && m_arrays.solved[first] == 0) ++first;
     return first;
 }
 
@@ -429,7 +403,7 @@ unsigned dxDantzigRun::firstSolved(unsigned count) const {
 void dxDantzigRun::removeFactorRow(unsigned factorRow) {
     const unsigned count = m_sets.countC();
     const unsigned *const indexes = m_sets.factorIndexes();
-    dxRemoveFactorRow({m_L, m_d, count, factorRow, m_A.row(indexes[factorRow]), indexes, m_envelope, m_temporary});
+    dxRemoveFactorRow({m_L, m_d, count, factorRow, m_A.row(indexes[factorRow]), indexes, m_envelope, m_arrays.temporary});
     for (unsigned row = factorRow + 1; m_envelope.leavesOut() && row < count; ++row)
         m_begins[row - 1] = m_begins[row] > factorRow ? m_begins[row] - 1 : m_begins[row];
 }

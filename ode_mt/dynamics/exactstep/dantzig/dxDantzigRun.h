@@ -6,13 +6,13 @@
 // limit; that row then changes its set (pivot). Source: Baraff 1994 (dxDantzig.h).
 #pragma once
 
+#include "dynamics/exactstep/dantzig/dxDantzigArrays.h"
 #include "dynamics/exactstep/dantzig/dxDantzigProblem.h"
 #include "dynamics/exactstep/dantzig/dxForwardSolves.h"
 #include "dynamics/exactstep/dantzig/dxIndexSets.h"
 #include "dynamics/exactstep/dantzig/dxLcpMatrix.h"
 #include "dynamics/exactstep/dantzig/dxLcpWorkers.h"
 #include "dynamics/exactstep/dantzig/dxSparseRows.h"
-#include "dynamics/exactstep/kernels/dxPivotLanes.h"
 
 class dxWorldProcessMemArena;
 
@@ -79,6 +79,7 @@ private:
     const unsigned m_n;
     unsigned *const m_order;  // the problem's row for each of ours
     const unsigned m_unbounded;
+    const dxDantzigArrays m_arrays;
     const dxLcpMatrix m_A;
     dxIndexSets m_sets;
     const unsigned m_skip;         // of the rows of L, before any was removed
@@ -91,20 +92,7 @@ private:
     dxWorldProcessMemArena *const m_arena;  // for m_sparse, when rows are in N
     dxSparseRows m_sparse;
 
-    // By row, in our order.
-    dReal *const m_b, *const m_x, *const m_w, *const m_deltaW;
-    Limits *const m_limits;
-    dReal *const m_side;          // for rows of N: the sign that w may have, 0 where the limits leave no room for x
-    unsigned *const m_leaving;    // positions in N of the rows that leave their side: a list of findDeltaW
-    unsigned m_countLeaving = 0;
-    unsigned *const m_halfBlockN;  // rows of N in each half of a block of lanes
-
-    dReal *const m_deltaX;  // by position in C
-
-    // In the order of the factorisation, for the column i that was asked for last.
-    dReal *const m_solved;  // L^-1 A(C,i)
-
-    dReal *const m_temporary;  // from findFactorColumn to findDeltaX: scaled(), again
+    unsigned m_countLeaving = 0;  // in the list m_arrays.leaving
     bool m_hasFailed = false;
     dReal m_failedLength = 0;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/dxNoIndex.h"
 #include "dynamics/exactstep/kernels/dxPair.h"
 #include "dynamics/exactstep/kernels/dxPanelSolve.h"
 #include "dynamics/exactstep/kernels/dxSolveL1Plain.h"
@@ -53,7 +54,7 @@ dxForwardSolves::dxForwardSolves(const dxLcpMatrix &A, const dxIndexSets &sets, 
       m_blockAt(m_place + (m_endBlock - m_firstBlock)),
       m_usedAt(m_blockAt + (m_endBlock - m_firstBlock)) {
     std::fill(m_known, m_place, 0u);
-    std::fill(m_place, m_blockAt, kNone);
+    std::fill(m_place, m_blockAt, kNoIndex);
 }
 
 void dxForwardSolves::solve(unsigned column, const dReal *d, const Results &results, const dxLcpWorkers &islandWorkers) {
@@ -78,7 +79,7 @@ void dxForwardSolves::solve(unsigned column, const dReal *d, const Results &resu
 
 void dxForwardSolves::findPlace(unsigned index) {
     unsigned &place = m_place[index - m_firstBlock];
-    if (place == kNone) {
+    if (place == kNoIndex) {
         place = m_taken < m_places ? m_taken++ : leastRecentlyUsedPlace();
         m_blockAt[place] = index;
     }
@@ -89,7 +90,7 @@ void dxForwardSolves::findPlace(unsigned index) {
 unsigned dxForwardSolves::leastRecentlyUsedPlace() const {
     const auto place = static_cast<unsigned>(std::min_element(m_usedAt, m_usedAt + m_places) - m_usedAt);
     const unsigned block = m_blockAt[place] - m_firstBlock;
-    m_place[block] = kNone;
+    m_place[block] = kNoIndex;
     m_known[block] = m_zeros[block] = 0;
     return place;
 }

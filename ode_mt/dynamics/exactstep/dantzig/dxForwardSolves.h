@@ -42,7 +42,6 @@ public:
 
 private:
     static constexpr unsigned kWords = 5;  // for each block
-    static constexpr unsigned kNone = ~0u;
 
     dReal *block(unsigned index) const {
         return m_solutions + std::size_t(m_place[index - m_firstBlock]) * m_n * kLineLanes;
@@ -63,7 +62,7 @@ private:
     unsigned *const m_known;  // rows
     unsigned *const m_zeros;  // the first of them, which are all 0
 
-    unsigned *const m_place;  // by block: place of its solutions, or kNone
+    unsigned *const m_place;  // by block: place of its solutions, or kNoIndex
     // By place:
     unsigned *const m_blockAt;
     unsigned *const m_usedAt;  // time of its last use

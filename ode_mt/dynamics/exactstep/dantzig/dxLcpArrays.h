@@ -16,3 +16,22 @@ template <class Element>
 std::size_t dxArrayBytes(std::size_t count) {
     return dOVERALIGNED_SIZE(count * sizeof(Element), kCacheLine);
 }
+
+// Takes arrays one after another, or, without an arena, adds up their sizes: so one list of arrays says both what is taken and how
+// much that is.
+class dxArrayTaker {
+public:
+    explicit dxArrayTaker(dxWorldProcessMemArena *arena = nullptr) : m_arena(arena) {}
+
+    template <class Element>
+    Element *take(std::size_t count) {
+        m_bytes += dxArrayBytes<Element>(count);
+        return m_arena != nullptr ? dxTakeArray<Element>(m_arena, count) : nullptr;
+    }
+
+    std::size_t bytes() const { return m_bytes; }
+
+private:
+    dxWorldProcessMemArena *const m_arena;
+    std::size_t m_bytes = 0;
+};
