@@ -93,7 +93,7 @@ TEST(TriangleScan, FindsTheFirstElementsAndWhatIsNotFinite) {
                         for (unsigned i = 0; i < n; ++i)
                             std::fill_n(&triangle[i * std::size_t(n + 3)], i + 1, dReal(0));
                         triangle[row * std::size_t(n + 3) + column] = value;
-                        EXPECT_EQ(dxIsTriangleFinite(triangle.data(), n, n + 3), std::isfinite(value));
+                        EXPECT_EQ(dxAreRowsFinite(triangle.data(), 0, n, n + 3), std::isfinite(value));
                         std::vector<unsigned> begins(n);
                         dxFindSkyline(triangle.data(), n, n + 3, begins.data());
                         for (unsigned i = 0; i < n; ++i) EXPECT_EQ(begins[i], i == row ? column : i);

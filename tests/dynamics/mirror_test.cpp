@@ -24,7 +24,12 @@ public:
     dReal &at(std::size_t i, std::size_t j) { return m_storage[i * m_skip + j]; }
     static dReal lower(std::size_t i, std::size_t j) { return dReal(1 + 1000 * i + j); }
 
-    void mirror() { dxMirrorLower({m_storage.data(), m_skip, m_n, m_first}); }
+    // In two parts, if there are two lines.
+    void mirror() {
+        const std::size_t begin = m_first / kLineLanes * kLineLanes, middle = std::min(m_n, begin + kLineLanes);
+        dxMirrorLower({m_storage.data(), m_skip, m_n, m_first, begin, middle});
+        dxMirrorLower({m_storage.data(), m_skip, m_n, m_first, middle, m_n});
+    }
 
     void expectMirrored() {
         for (std::size_t i = m_first; i < m_n; ++i)

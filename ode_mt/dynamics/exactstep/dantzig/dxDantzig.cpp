@@ -7,7 +7,6 @@
 
 #include "dynamics/exactstep/dantzig/dxDantzigRun.h"
 #include "dynamics/exactstep/dantzig/dxUpstreamLcp.h"
-#include "dynamics/exactstep/kernels/dxTriangleScan.h"
 #include "dynamics/islands/dxWorkingMemory.h"
 
 namespace {
@@ -18,12 +17,12 @@ constexpr int kCheckedExceptions = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
 // Below this many rows there are few zeros to skip.
 constexpr unsigned kSparseRows = 64;
 
-// Zeros may be skipped as long as everything is finite, and sums that start at 0 never become -0.
+// Zeros may be skipped as long as everything is finite, and sums that start at 0 never become -0. The run sees whether the matrix is.
 bool mayLeaveOutZeros(const dxDantzigProblem &problem) {
     if (problem.n < kSparseRows || std::fegetround() != FE_TONEAREST) return false;
     for (unsigned i = 0; i < problem.n; ++i)
         if (!std::isfinite(problem.pairsBX[std::size_t(i) * PBX__MAX + PBX_B])) return false;
-    return dxIsTriangleFinite(problem.A, problem.n, dPAD(problem.n));
+    return true;
 }
 
 bool areLimitsSound(const dReal *pairsLoHi, unsigned n) {
@@ -78,7 +77,7 @@ Outcome solve(dxLargeIslandWorkers *islandWorkers, dxWorldProcessMemArena *memor
     const LoweredFlags flags;
     dxDantzigRun run(islandWorkers, memory, more.get(), problem, mayLeaveOutZeros(problem));
     run.solve();
-    if (flags.isAnyRaised()) return Outcome::LeftToUpstream;
+    if (flags.isAnyRaised() || run.isUnfit()) return Outcome::LeftToUpstream;
     run.deliver();
     failedLength = run.failedLength();
     return run.hasFailed() ? Outcome::GaveUp : Outcome::Solved;

@@ -26,6 +26,9 @@ constexpr unsigned kFewRows = 2;
 // Below this many rows lanes are as fast.
 constexpr unsigned kSparseProductRows = 256;
 
+// One part in so many of the rows is taken before products of all others are kept.
+constexpr unsigned kSparsePart = 4;
+
 std::size_t sparseMemory(unsigned n) { return n < kSparseProductRows ? 0 : dxSparseRows::memory(n); }
 
 // The sum of `count` products in upstream's order (calculateLargeVectorDot of ode/src/fastdot_impl.h). The k-th is
@@ -54,7 +57,8 @@ dxDantzigRun::dxDantzigRun(dxLargeIslandWorkers *islandWorkers, dxWorldProcessMe
       m_order(dxTakeArray<unsigned>(arena, m_n)),
       m_unbounded(dxFindLcpOrder(problem, m_order)),
       m_arrays(dxDantzigArrays::take(arena, m_n, m_unbounded)),
-      m_A(problem.A, dPAD(m_n), m_order, m_n, m_unbounded, m_arrays.matrix),
+      m_source(problem.A, dPAD(m_n), m_order, m_n),
+      m_A(m_source, m_n, m_unbounded, m_arrays.matrix),
       m_sets(m_n, m_unbounded, m_arrays.sets),
       m_skip(dPAD(m_n)),
       m_factor(dxTakeArray<dReal>(given, std::size_t(m_skip) * m_n)),
@@ -77,13 +81,17 @@ dxDantzigRun::dxDantzigRun(dxLargeIslandWorkers *islandWorkers, dxWorldProcessMe
 void dxDantzigRun::solve() {
     if (m_unbounded > 0) solveUnbounded();
     bool isFriction = false;  // limits of friction rows are known
-    for (unsigned i = m_unbounded; i < m_n && !m_hasFailed; ++i) {
+    for (unsigned i = m_unbounded; i < m_n && !m_hasFailed && !m_isUnfit; ++i) {
+        if (!m_A.take(i, m_envelope.leavesOut())) {
+            m_isUnfit = true;
+            return;
+        }
         if (!isFriction && m_problem.normalOf && m_problem.normalOf[m_order[i]] >= 0) {
             setFrictionLimits(i);
             isFriction = true;
         }
         if (!driveToZero(i)) {
-            while (pivot(i)) {
+            while (pivot(i) && !m_isUnfit) {
             }
         }
     }
@@ -95,8 +103,12 @@ void dxDantzigRun::deliver() const {
 
 // Rows without limits are in C from the start.
 void dxDantzigRun::solveUnbounded() {
-    dxCopyLcpRows(m_problem.A, dPAD(m_n), m_order, 0, m_unbounded, m_factor, m_skip);
-    if (m_envelope.leavesOut()) dxFindSkyline(m_factor, m_unbounded, m_skip, m_begins);
+    for (unsigned i = 0; i < m_unbounded; ++i) m_source.copyRow(i, m_L[i]);
+    if (m_envelope.leavesOut()) {
+        m_isUnfit = !dxAreRowsFinite(m_factor, 0, m_unbounded, m_skip);
+        if (m_isUnfit) return;
+        dxFindSkyline(m_factor, m_unbounded, m_skip, m_begins);
+    }
     if (m_unbounded < kWideFactorRows) {
         dFactorLDLT(m_factor, m_d, static_cast<int>(m_unbounded), static_cast<int>(m_skip));
     } else {
@@ -159,6 +171,7 @@ bool dxDantzigRun::pivot(unsigned i) {
 void dxDantzigRun::findFactorColumn(unsigned index) {
     const unsigned count = m_sets.countC();
     if (count == 0) return;
+    m_A.mirror();
     m_forward.solve(index, m_d, {m_arrays.solved, scaled(), m_arrays.temporary}, m_islandWorkers);
 }
 
@@ -214,15 +227,31 @@ dReal dxDantzigRun::multiplyByDeltaX(unsigned index) const {
                  [&](unsigned k) { return row[columns[k]] * deltaX[k]; });
 }
 
+// Not before a part of the rows has been taken: it needs all of them.
+bool dxDantzigRun::isSparseDue(unsigned i) const {
+    return m_envelope.leavesOut() && m_n >= kSparseProductRows && !m_sparse.isTried() && i >= m_n / kSparsePart;
+}
+
+void dxDantzigRun::buildSparse() {
+    while (m_A.end() < m_n) m_isUnfit |= !m_A.take(m_A.end(), true);
+    m_A.mirror();
+    m_sparse.build(m_arena);
+}
+
 // A(N,C) deltaX(C), and the same for row i
 void dxDantzigRun::findProducts(unsigned i) {
     const unsigned countC = m_sets.countC(), *columns = m_sets.indexes(), *ofN = columns + countC;
+    if (countC == 0) {
+        for (unsigned k = 0; k < m_sets.countN(); ++k) m_arrays.deltaW[ofN[k]] = 0;
+        m_arrays.deltaW[i] = 0;
+        return;
+    }
     if (m_sets.countN() <= kFewRows) {
         for (unsigned k = 0; k < m_sets.countN(); ++k) m_arrays.deltaW[ofN[k]] = multiplyByDeltaX(ofN[k]);
         m_arrays.deltaW[i] = multiplyByDeltaX(i);
         return;
     }
-    if (m_envelope.leavesOut() && m_n >= kSparseProductRows && !m_sparse.isTried()) m_sparse.build(m_arena);
+    if (isSparseDue(i)) buildSparse();
     if (m_sparse.isBuilt()) {
         m_sparse.multiply(m_arrays.deltaX, i + 1, m_arrays.halfBlockN, m_arrays.deltaW, m_islandWorkers);
         m_arrays.deltaW[i] = multiplyByDeltaX(i);

@@ -19,8 +19,8 @@ class dxWorldProcessMemArena;
 class dxDantzigRun {
 public:
     // Allocates L from `given`, everything else from `arena`, of which it needs memory(n) bytes; reads the problem and
-    // writes only that memory. Products with 0 are skipped if `isLeavingOutExact`: everything in the problem but its
-    // limits is finite, and results are rounded to nearest.
+    // writes only that memory. Products with 0 are skipped if `isLeavingOutExact`: b is finite, results
+    // are rounded to nearest, and so far as is known the matrix is finite, too.
     dxDantzigRun(dxLargeIslandWorkers *islandWorkers, dxWorldProcessMemArena *given, dxWorldProcessMemArena *arena,
                  const dxDantzigProblem &problem, bool isLeavingOutExact);
     static std::size_t memory(unsigned n);
@@ -29,6 +29,9 @@ public:
 
     // Writes x into the problem.
     void deliver() const;
+
+    // Returns whether products with 0 must not be left out after all: what has been solved is of no use.
+    bool isUnfit() const { return m_isUnfit; }
 
     // Returns whether the algorithm gave up because the maximum step was not positive.
     bool hasFailed() const { return m_hasFailed; }
@@ -53,6 +56,8 @@ private:
     void findDirection(unsigned i, bool isUp);
     void findDeltaX(bool isUp);
     void findDeltaW(unsigned i, bool isUp);
+    bool isSparseDue(unsigned i) const;
+    void buildSparse();
     void findProducts(unsigned i);
     dReal multiplyByDeltaX(unsigned index) const;
     MaximumStep findMaximumStep(unsigned i, bool isUp) const;
@@ -80,7 +85,8 @@ private:
     unsigned *const m_order;  // the problem's row for each of ours
     const unsigned m_unbounded;
     const dxDantzigArrays m_arrays;
-    const dxLcpMatrix m_A;
+    const dxReorderedTriangle m_source;
+    dxLcpMatrix m_A;
     dxIndexSets m_sets;
     const unsigned m_skip;         // of the rows of L, before any was removed
     dReal *const m_factor, **const m_L;  // A(C,C) = L D L': its rows in the order of the factorisation
@@ -93,6 +99,7 @@ private:
     dxSparseRows m_sparse;
 
     unsigned m_countLeaving = 0;  // in the list m_arrays.leaving
+    bool m_isUnfit = false;
     bool m_hasFailed = false;
     dReal m_failedLength = 0;
 };

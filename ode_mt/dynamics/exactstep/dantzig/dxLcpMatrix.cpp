@@ -3,17 +3,19 @@
 #include <algorithm>
 
 #include "dynamics/exactstep/kernels/dxMirror.h"
+#include "dynamics/exactstep/kernels/dxTriangleScan.h"
 
 namespace {
 
-// Positions from 0 on that hold rows of the problem in their own places: they are copied in one go.
+// Up to so many rows are taken at once: there is little to save, and calls cost more.
+constexpr unsigned kFewRows = 64;
+
 unsigned countInPlace(const unsigned *order, unsigned n) {
     unsigned count = 0;
     while (count < n && order[count] == count) ++count;
     return count;
 }
 
-// Positions from 0 on whose rows of the problem ascend, as those without limits do unless they were moved there.
 unsigned countAscending(const unsigned *order, unsigned n) {
     unsigned count = std::min(n, 1u);
     while (count < n && order[count - 1] < order[count]) ++count;
@@ -56,22 +58,25 @@ private:
 
 }  // namespace
 
-void dxCopyLcpRows(const dReal *lower, std::size_t skip, const unsigned *order, unsigned begin, unsigned end,
-                   dReal *copy, std::size_t copySkip) {
-    const unsigned inPlace = countInPlace(order, end), ascending = countAscending(order, end);
-    for (unsigned i = begin; i < end; ++i) {
-        const Row row(lower, skip, order, order[i]);
-        dReal *const to = copy + i * copySkip;
-        const unsigned first = std::min(inPlace, i + 1), second = std::min(ascending, i + 1);
-        row.copyInPlace(first, to);
-        row.copyAscending(first, second, to);
-        row.copy(second, i + 1, to);
-    }
+dxReorderedTriangle::dxReorderedTriangle(const dReal *lower, std::size_t skip, const unsigned *order, unsigned n)
+    : m_lower(lower), m_skip(skip), m_order(order), m_inPlace(countInPlace(order, n)), m_ascending(countAscending(order, n)) {}
+
+void dxReorderedTriangle::copyRow(unsigned index, dReal *to) const {
+    const Row row(m_lower, m_skip, m_order, m_order[index]);
+    const unsigned end = index + 1, first = std::min(m_inPlace, end), second = std::min(m_ascending, end);
+    row.copyInPlace(first, to);
+    row.copyAscending(first, second, to);
+    row.copy(second, end, to);
 }
 
-dxLcpMatrix::dxLcpMatrix(const dReal *lower, std::size_t skip, const unsigned *order, unsigned n,
-                         unsigned first, dReal *storage)
-    : m_rows(storage), m_rowSkip(dxLcpRoundUp(n)) {
-    dxCopyLcpRows(lower, skip, order, first, n, m_rows, m_rowSkip);
-    dxMirrorLower({m_rows, m_rowSkip, n, first});
+bool dxLcpMatrix::takeBlock(unsigned index, bool isFinite) {
+    const unsigned begin = m_end;
+    m_end = m_n <= kFewRows ? m_n : std::min(m_n, (dxLcpBlock(index) + 1) * kLineLanes);
+    for (unsigned i = begin; i < m_end; ++i) m_source.copyRow(i, row(i));
+    return !isFinite || dxAreRowsFinite(m_rows, begin, m_end, static_cast<unsigned>(m_rowSkip));
+}
+
+void dxLcpMatrix::mirrorBlocks() {
+    dxMirrorLower({m_rows, m_rowSkip, m_n, m_first, dxLcpBlock(m_mirrored) * kLineLanes, m_end});
+    m_mirrored = m_end;
 }

@@ -45,7 +45,7 @@ HWY_INLINE void mirrorDiagonal(const dxMirrorTask &task, std::size_t begin) {
 }
 
 void mirror(const dxMirrorTask &task) {
-    for (std::size_t begin = task.first / kLineLanes * kLineLanes; begin < task.n; begin += kLineLanes) {
+    for (std::size_t begin = task.begin; begin < task.end; begin += kLineLanes) {
         mirrorLine(task, begin);
         mirrorDiagonal(task, begin);
     }

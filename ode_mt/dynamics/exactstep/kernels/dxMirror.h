@@ -10,8 +10,9 @@ struct dxMirrorTask {
     std::size_t rowSkip;  // between rows: a multiple of kLineLanes, no less than n
     std::size_t n;
     std::size_t first;  // the first row whose lower triangle is there
+    std::size_t begin, end;  // columns: whole lines, but that the last may end with n
 };
 
-// Writes element (j, i) for i >= first, i > j from (i, j). In lines from that of `first` on, lanes before `first` (of rows
-// before it) and from n on become 0.
+// Writes element (j, i) for i >= first, i > j from (i, j), for columns i from begin to end - 1. In these lines, lanes before
+// `first` (of rows before it) and from n on become 0.
 void dxMirrorLower(const dxMirrorTask &task);

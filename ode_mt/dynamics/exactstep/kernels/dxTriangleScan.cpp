@@ -17,11 +17,11 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-bool isTriangleFinite(const dReal *triangle, std::size_t n, std::size_t rowSkip) {
+bool areRowsFinite(const dReal *triangle, std::size_t begin, std::size_t end, std::size_t rowSkip) {
     const hn::ScalableTag<dReal> d;
     auto differences = hn::Zero(d);  // of elements and themselves: 0, or NaN
     dReal last = 0;                  // the same of what makes no whole vector
-    for (std::size_t row = 0; row < n; ++row) {
+    for (std::size_t row = begin; row < end; ++row) {
         const dReal *elements = triangle + row * rowSkip;
         std::size_t column = 0;
         for (; column + hn::Lanes(d) <= row + 1; column += hn::Lanes(d)) {
@@ -53,12 +53,12 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace dxSolve {
-HWY_EXPORT(isTriangleFinite);
+HWY_EXPORT(areRowsFinite);
 HWY_EXPORT(findEnvelope);
 }  // namespace dxSolve
 
-bool dxIsTriangleFinite(const dReal *triangle, unsigned n, unsigned rowSkip) {
-    return HWY_DYNAMIC_DISPATCH(dxSolve::isTriangleFinite)(triangle, n, rowSkip);
+bool dxAreRowsFinite(const dReal *triangle, unsigned begin, unsigned end, unsigned rowSkip) {
+    return HWY_DYNAMIC_DISPATCH(dxSolve::areRowsFinite)(triangle, begin, end, rowSkip);
 }
 
 void dxFindSkyline(const dReal *triangle, unsigned n, unsigned rowSkip, unsigned *begins) {

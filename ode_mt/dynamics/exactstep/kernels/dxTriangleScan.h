@@ -1,12 +1,12 @@
-// What may be skipped in a lower triangle.
+// What may be left out in a lower triangle.
 #pragma once
 
 #include <ode/common.h>
 
 // The triangle has n rows, the diagonal included, which start rowSkip elements apart.
 
-// No element is infinite or NaN. May raise FE_INVALID if one is.
-bool dxIsTriangleFinite(const dReal *triangle, unsigned n, unsigned rowSkip);
+// No element of rows begin..end-1 is infinite or NaN. May raise FE_INVALID if one is.
+bool dxAreRowsFinite(const dReal *triangle, unsigned begin, unsigned end, unsigned rowSkip);
 
 // begins[row] = the row's first column that is not +0; its diagonal if there is none before.
 void dxFindSkyline(const dReal *triangle, unsigned n, unsigned rowSkip, unsigned *begins);
