@@ -5,6 +5,7 @@
 
 #include "ChildProcess.h"
 #include "HeapWorld.h"
+#include "sanitizers.h"
 
 namespace {
 
@@ -55,7 +56,13 @@ void *workCancelled(void *context) {
     return nullptr;
 }
 
-class Cancellation : public testing::TestWithParam<std::tuple<const char *, Work>> {};
+class Cancellation : public testing::TestWithParam<std::tuple<const char *, Work>> {
+protected:
+    void SetUp() override {
+        const auto [manager, work] = GetParam();
+        skipIfUnseen(work == Work::otherManager ? "openmp" : manager);
+    }
+};
 
 TEST_P(Cancellation, ComesAtThePointOfTheProgram) {
     EXPECT_TRUE(trueInChild([] {
