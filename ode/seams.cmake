@@ -44,7 +44,7 @@ endfunction()
 # atomic of ours (ode_mt/api/misc.cpp).
 
 # Islands are found with fewer waits for memory (ode_mt/dynamics/islands/dxStepPreparation.h).
-ode_mt_call_instead("ode.cpp" dxReallocateWorldProcessContext dxPrepareStep)
+ode_mt_call_instead("ode.cpp" dxReallocateWorldProcessContext dxPrepareStepIslands)
 
 # The islands are distributed by our strategies instead of upstream's call queue (ode_mt/dynamics/dxStep.h), and stepped by stages of
 # ours (docs/steppers.md).

@@ -29,6 +29,7 @@ extern "C" {
  * first use of what it is for.
  *   ODE_MT_THREADS=n|auto
  *   ODE_MT_ALGORITHM=auto|serial|lcp|original|static|static-unmerged|duplication|decluster
+ *   ODE_MT_SOLVER=exact|fast
  *   ODE_MT_CALLBACKS=serial|concurrent|independent
  *   ODE_MT_HEURISTICS=default|none|NAME,NAME...
  *   ODE_MT_GRID_CELLS=n|auto
@@ -87,6 +88,24 @@ ODE_API int dODE_MT_SetAlgorithm(const char *name);
 
 /** Returns the name of the algorithm in force. @ingroup ode_mt */
 ODE_API const char *dODE_MT_GetAlgorithm(void);
+
+/**
+ * Chooses how dWorldStep solves the islands of a world: "exact" (the default, unless the environment says otherwise: upstream's
+ * algorithm, with upstream's bits) or "fast" (the same equations of the same joints, solved in another way: hundreds of
+ * times faster for large islands; docs/direct-solver.md). With "fast", velocities are those of "exact" to about nine digits wherever
+ * the equations determine them; the bits are other ones, the same for every number of threads and instruction set. Forces of
+ * redundant joints and contacts (dJointFeedback) may be distributed in another way where cfm is 0. dWorldQuickStep is the same with
+ * both, and so are worlds stepped by functions of the user's own (dWorldSetStepThreadingImplementation) on one thread.
+ *
+ * May be called from any thread, but not while the world is stepped. The choice ends with the world.
+ *
+ * @return 1, or 0 and a dMessage naming the known ones if there is no such solver.
+ * @ingroup ode_mt
+ */
+ODE_API int dODE_MT_SetSolver(dWorldID world, const char *name);
+
+/** Returns the name of the solver of a world. @ingroup ode_mt */
+ODE_API const char *dODE_MT_GetSolver(dWorldID world);
 
 /**
  * Says whether near-callbacks may run on several threads at once: "serial" (the default; one at a time, in
@@ -198,6 +217,12 @@ ODE_API unsigned dODE_MT_GetContactsAhead(void);
 
 /** Number of those pairs whose callback did not ask for the contacts, or asked for others. @ingroup ode_mt */
 ODE_API unsigned dODE_MT_GetContactsAheadUnused(void);
+
+/** Number of islands that the solver "fast" was asked to solve, since the process started. @ingroup ode_mt */
+ODE_API unsigned dODE_MT_GetDirectIslands(void);
+
+/** Number of those islands that it left to the algorithm of "exact", since it found no solution, or no good one. @ingroup ode_mt */
+ODE_API unsigned dODE_MT_GetDirectFallbacks(void);
 
 /**
  * Returns the largest number of threads that took part in one parallel step or in the callbacks of one collision; 0 if

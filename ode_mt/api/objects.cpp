@@ -7,6 +7,7 @@
 #include "core/dxJointAttachment.h"
 #include "dynamics/dxJointRemoval.h"
 #include "seams/upstream.h"
+#include "settings/dxWorldSolver.h"
 #include "settings/dxWorldWorkers.h"
 
 extern "C" {
@@ -20,7 +21,10 @@ void dWorldSetStepThreadingImplementation(dWorldID world, const dThreadingFuncti
 }
 
 void dWorldDestroy(dWorldID world) {
-    if (world != nullptr) dxWorldWorkers::giveBack(world);
+    if (world != nullptr) {
+        dxWorldWorkers::giveBack(world);
+        dxWorldSolver::forget(world);
+    }
     dxUpstreamWorldDestroy(world);
 }
 

@@ -2,9 +2,13 @@
 #include <ode/error.h>
 #include <ode/ode_MT.h>
 
+#include "config.h"
+#include "error.h"
+
 #include "settings/dxSettings.h"
 #include "settings/dxStepStatistics.h"
 #include "settings/dxWorkers.h"
+#include "settings/dxWorldSolver.h"
 
 namespace {
 
@@ -29,6 +33,16 @@ int dODE_MT_SetAlgorithm(const char *name) {
 }
 
 const char *dODE_MT_GetAlgorithm() { return dxSettings::instance().algorithmName(); }
+
+int dODE_MT_SetSolver(dWorldID world, const char *name) {
+    dAASSERT(world);
+    return dxWorldSolver::choose(world, name ? name : "(null)");
+}
+
+const char *dODE_MT_GetSolver(dWorldID world) {
+    dAASSERT(world);
+    return dxSettings::nameOfSolver(dxWorldSolver::of(world));
+}
 
 int dODE_MT_SetCallbackPolicy(const char *name) {
     return dxSettings::instance().setCallbackPolicy(name ? name : "(null)");
@@ -63,6 +77,10 @@ unsigned dODE_MT_GetSharedCollisions() { return lowBits(dxStepStatistics::instan
 unsigned dODE_MT_GetContactsAhead() { return lowBits(dxStepStatistics::instance().contactsAhead); }
 
 unsigned dODE_MT_GetContactsAheadUnused() { return lowBits(dxStepStatistics::instance().contactsAheadUnused); }
+
+unsigned dODE_MT_GetDirectIslands() { return lowBits(dxStepStatistics::instance().directIslands); }
+
+unsigned dODE_MT_GetDirectFallbacks() { return lowBits(dxStepStatistics::instance().directFallbacks); }
 
 void dODE_MT_GetStatistics(dODE_MT_Statistics *statistics) {
     if (statistics == nullptr) {

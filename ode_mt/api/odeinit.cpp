@@ -11,6 +11,7 @@
 #include "collision/callbacks/dxConcurrentCallbacks.h"
 #include "collision/narrowphase/dxColliderTable.h"
 #include "collision/narrowphase/dxThreadTrimeshCache.h"
+#include "dynamics/direct/dxDirectStep.h"
 #include "dynamics/dxJointRemoval.h"
 #include "dynamics/dxStepRecords.h"
 #include "dynamics/islands/dxLargeIslandWorkers.h"
@@ -40,6 +41,7 @@ void releaseWorkers() {
     dxForgetConcurrentCallbacks();
     dxForgetJointRemoval();
     dxStepRecords::release();
+    dxReleaseDirectSolvers();
     dxLargeIslandWorkersLease::forget();
     dxParallelSor::forget();
     dxWorkingMemory::release();

@@ -18,6 +18,7 @@ struct Variable {
 constexpr Variable kVariables[] = {
     {"ODE_MT_THREADS", "n|auto"},
     {"ODE_MT_ALGORITHM", "auto|serial|lcp|original|static|static-unmerged|duplication|decluster"},
+    {"ODE_MT_SOLVER", "exact|fast"},
     {"ODE_MT_CALLBACKS", "serial|concurrent|independent"},
     {"ODE_MT_HEURISTICS", "default|none|NAME,NAME..."},
     {"ODE_MT_GRID_CELLS", "n|auto"},

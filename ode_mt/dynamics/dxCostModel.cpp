@@ -13,6 +13,7 @@ namespace {
 constexpr double kBody = 250;             // ns
 constexpr double kStepJoint = 900;        // ns
 constexpr double kStepJointCubed = 4;     // ns
+constexpr double kDirectJoint = 1e4;      // ns, in a wall of bricks
 constexpr double kQuickJoint = 350;       // ns
 constexpr double kQuickIteration = 33;    // ns per joint of about three rows
 
@@ -63,7 +64,9 @@ void dxSteadyAverage::add(double value) {
 
 double dxCostModel::islandCost(dxStepperKind stepper, int iterations, unsigned bodies, unsigned joints) {
     const double j = joints;
-    if (stepper == dxStepperKind::World) return kBody * bodies + kStepJoint * j + kStepJointCubed * j * j * j;
+    const double exact = kStepJoint * j + kStepJointCubed * j * j * j;
+    if (stepper == dxStepperKind::World) return kBody * bodies + exact;
+    if (stepper == dxStepperKind::Direct) return kBody * bodies + std::min(exact, kDirectJoint * j);
     return kBody * bodies + j * (kQuickJoint + kQuickIteration * std::max(iterations, 0));
 }
 

@@ -3,11 +3,15 @@
 #include <algorithm>
 
 #include "core/dxJointAttachment.h"
+#include "dynamics/direct/dxDirectMemory.h"
+#include "dynamics/direct/dxDirectStep.h"
 #include "dynamics/exactstep/dxExactStep.h"
+#include "dynamics/islands/dxWorkingMemory.h"
 #include "dynamics/quickstep/dxQuickStep.h"
 #include "dynamics/quickstep/sor/dxRowShuffle.h"
 #include "dynamics/random/dxSingleStepper.h"
 #include "quickstep.h"
+#include "settings/dxWorldSolver.h"
 #include "step.h"
 
 namespace {
@@ -25,7 +29,7 @@ bool hasJoinedBodies(const dxIsland &island) {
 // Whether joints have been attached since the island was found in a way that the stepper meets: such islands are upstream's.
 // The exact step also goes through all joints of its bodies.
 bool isChanged(const dxIsland &island, dxStepperKind kind) {
-    return hasRecentJoints(island) || (kind == dxStepperKind::World && hasJoinedBodies(island));
+    return hasRecentJoints(island) || (kind != dxStepperKind::Quick && hasJoinedBodies(island));
 }
 
 // On the calling thread alone.
@@ -36,10 +40,24 @@ void stepAsUpstream(const dxIslandStep &step, dxStepperKind kind) {
     kind == dxStepperKind::Quick ? dxQuickStepIsland(&context) : dxStepIsland(&context);
 }
 
+// In memory from the pool, as the direct step's arena has no room for upstream's matrix. Without memory the island stays where
+// it is.
+void stepAsUpstreamInOwnMemory(dxIslandStep step) {
+    const dxIsland &island = step.island;
+    const dxArenaLease arena(dxEstimateStepMemoryRequirements(island.bodies, island.bodyCount, island.joints, island.jointCount));
+    if (arena.get() == nullptr) {
+        dMessage(d_ERR_UASSERT, "ODE_MT: no memory to step an island whose joints have changed during the step");
+        return;
+    }
+    step.arena = arena.get();
+    stepAsUpstream(step, dxStepperKind::World);
+}
+
 }  // namespace
 
-dxStepperKind dxIslandStepper::kindOf(dstepper_fn_t stepper) {
-    return stepper == &dxQuickStepIsland ? dxStepperKind::Quick : dxStepperKind::World;
+dxStepperKind dxIslandStepper::kindOf(const dxWorld *world, dstepper_fn_t stepper) {
+    if (stepper == &dxQuickStepIsland) return dxStepperKind::Quick;
+    return dxWorldSolver::isFast(world) ? dxStepperKind::Direct : dxStepperKind::World;
 }
 
 void dxIslandStepper::step(const dxStepCall &call, const dxIsland &island, dxWorldProcessMemArena *arena,
@@ -47,9 +65,11 @@ void dxIslandStepper::step(const dxStepCall &call, const dxIsland &island, dxWor
     arena->ResetState();
     const dxIslandStep step{call.world, call.stepSize, island, arena, islandWorkers};
     if (isChanged(island, call.kind)) {
-        stepAsUpstream(step, call.kind);
+        call.kind == dxStepperKind::Direct ? stepAsUpstreamInOwnMemory(step) : stepAsUpstream(step, call.kind);
     } else if (call.kind == dxStepperKind::Quick) {
         dxQuickStep(step);
+    } else if (call.kind == dxStepperKind::Direct) {
+        dxDirectStep(step);
     } else {
         dxExactStep(step);
     }

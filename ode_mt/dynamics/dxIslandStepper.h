@@ -10,7 +10,7 @@
 
 namespace dxIslandStepper {
 
-dxStepperKind kindOf(dstepper_fn_t stepper);
+dxStepperKind kindOf(const dxWorld *world, dstepper_fn_t stepper);
 
 // `islandWorkers`: the workers that step the island together; null: the calling thread alone.
 void step(const dxStepCall &call, const dxIsland &island, dxWorldProcessMemArena *arena, dxLargeIslandWorkers *islandWorkers = nullptr);

@@ -10,6 +10,10 @@
 
 #include "dynamics/islands/dxIsland.h"
 
+// Seam: upstream's dWorldStep and dWorldQuickStep call this instead of dxReallocateWorldProcessContext. dxPrepareStep with the estimate of
+// the stepper that the world's solver comes to.
+bool dxPrepareStepIslands(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate);
+
 // Seam: upstream's dWorldStep and dWorldQuickStep call this instead of dxProcessIslands. Returns false if a threading
 // implementation of the user's refuses its resources; no body has moved then.
 bool dxStepIslands(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper,

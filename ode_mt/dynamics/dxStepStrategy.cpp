@@ -49,6 +49,7 @@ unsigned minLargeJoints(dxStepperKind kind) {
 bool mayUseWorkers(const dxStepCall &call) {
     if (mayBeEndless(call)) return false;
     if (call.count != 1) return call.count > 1;
+    if (call.kind == dxStepperKind::Direct) return false;
     return dxIslandCursor(call.info).next().jointCount >= minLargeJoints(call.kind);
 }
 
@@ -81,6 +82,7 @@ dxIslandCosts estimateCosts(const dxStepCall &call) {
 
 // One island takes so long that the others would have to wait for it.
 bool hasLargeIsland(const dxStepCall &call, const dxStepPlan &plan, unsigned limit) {
+    if (call.kind == dxStepperKind::Direct) return false;  // solves an island on one thread
     if (plan.costs.maxJoints < plan.minLargeJoints || !plan.costs.areOfAll) return false;
     const double part = call.kind == dxStepperKind::Quick ? 1.0 / limit : kMinExactShare;
     return plan.costs.largest >= part * plan.costs.total;

@@ -27,6 +27,8 @@ constexpr Named<dxAlgorithm> kAlgorithms[] = {{"auto", dxAlgorithm::Auto},
                                               {"duplication", dxAlgorithm::ClusteredDuplication},
                                               {"decluster", dxAlgorithm::ClusteredDecluster}};
 
+constexpr Named<dxSolver> kSolvers[] = {{"exact", dxSolver::Exact}, {"fast", dxSolver::Fast}};
+
 constexpr Named<dxCallbackPolicy> kCallbackPolicies[] = {{"serial", dxCallbackPolicy::Serial},
                                                          {"concurrent", dxCallbackPolicy::Concurrent},
                                                          {"independent", dxCallbackPolicy::Independent}};
@@ -67,11 +69,12 @@ dxSettings &dxSettings::instance() { return *settings; }
 dxSettings::dxSettings() : m_cores(dxCountProcessors()) {
     if (const char *text = dxEnvironment(dxVariable::Threads)) readThreads(text);
     if (const char *text = dxEnvironment(dxVariable::Algorithm)) readAlgorithm(text);
+    if (const char *text = dxEnvironment(dxVariable::Solver)) readSolver(text);
     if (const char *text = dxEnvironment(dxVariable::Callbacks)) readCallbackPolicy(text);
     if (const char *text = dxEnvironment(dxVariable::Heuristics)) readHeuristics(text);
     if (const char *text = dxEnvironment(dxVariable::GridCells)) readGridCells(text);
-    dxLog(dxLogLevel::info, "threads %u of %u cores, algorithm %s, callbacks %s, heuristics %s", threads(), cores(),
-          algorithmName(), callbackPolicyName(), dxNamesOfHeuristics(heuristics()));
+    dxLog(dxLogLevel::info, "threads %u of %u cores, algorithm %s, solver %s, callbacks %s, heuristics %s", threads(), cores(),
+          algorithmName(), nameOfSolver(solver()), callbackPolicyName(), dxNamesOfHeuristics(heuristics()));
 }
 
 void dxSettings::readThreads(const char *text) {
@@ -94,6 +97,29 @@ void dxSettings::readAlgorithm(const char *text) {
     if (chooseAlgorithm(text)) return;
     dxLog(dxLogLevel::warning, "ODE_MT_ALGORITHM is '%.100s'; known: %s; %s is taken", text,
           knownNames(kAlgorithms).c_str(), algorithmName());
+}
+
+void dxSettings::readSolver(const char *text) {
+    for (const Named<dxSolver> &known : kSolvers)
+        if (std::strcmp(text, known.name) == 0) {
+            m_solver = known.choice;
+            if (m_solver != dxSolver::Exact) allowFast();
+            return;
+        }
+    dxLog(dxLogLevel::warning, "ODE_MT_SOLVER is '%.100s'; known: %s; %s is taken", text, knownNames(kSolvers).c_str(),
+          nameOfSolver(solver()));
+}
+
+const char *dxSettings::nameOfSolver(dxSolver solver) { return nameOf(kSolvers, solver); }
+
+bool dxSettings::readSolver(const std::string &name, dxSolver &solver) {
+    for (const Named<dxSolver> &known : kSolvers)
+        if (name == known.name) {
+            solver = known.choice;
+            return true;
+        }
+    dMessage(0, "ODE_MT: no solver '%s'; known: %s", name.c_str(), knownNames(kSolvers).c_str());
+    return false;
 }
 
 void dxSettings::readCallbackPolicy(const char *text) {

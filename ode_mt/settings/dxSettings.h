@@ -29,6 +29,9 @@ enum class dxAlgorithm {
 // Which near-callbacks may run at the same time: none; those of pairs that share no body; any.
 enum class dxCallbackPolicy { Serial, Concurrent, Independent };
 
+// How dWorldStep solves an island: by Dantzig's algorithm with upstream's bits, or by the direct solver in body space.
+enum class dxSolver { Exact, Fast };
+
 class dxSettings {
 public:
     static dxSettings &instance();
@@ -42,6 +45,15 @@ public:
     // Of the crossover pass, if the algorithm clusters; else NULL.
     const char *passName() const;
     bool setAlgorithm(const std::string &name);  // false: unknown
+
+    // Of worlds that have none of their own (dxWorldSolver.h).
+    dxSolver solver() const { return m_solver; }
+    static const char *nameOfSolver(dxSolver solver);
+    static bool readSolver(const std::string &name, dxSolver &solver);  // false: unknown, reported with dMessage
+
+    // Whether any world may have another solver than the exact one.
+    bool mayBeFast() const { return m_mayBeFast.load(std::memory_order_relaxed); }
+    void allowFast() { m_mayBeFast.store(true, std::memory_order_relaxed); }
 
     dxCallbackPolicy callbackPolicy() const { return m_callbackPolicy.load(std::memory_order_relaxed); }
     const char *callbackPolicyName() const;
@@ -63,6 +75,7 @@ private:
     void readThreads(const char *text);
     void readAlgorithm(const char *text);
     bool chooseAlgorithm(const std::string &name);
+    void readSolver(const char *text);
     void readCallbackPolicy(const char *text);
     bool chooseCallbackPolicy(const std::string &name);
     void readHeuristics(const char *text);
@@ -72,6 +85,8 @@ private:
 
     std::atomic<unsigned> m_threads{0};
     std::atomic<dxAlgorithm> m_algorithm{dxAlgorithm::Auto};
+    dxSolver m_solver = dxSolver::Exact;
+    std::atomic<bool> m_mayBeFast{false};
     std::atomic<dxCallbackPolicy> m_callbackPolicy{dxCallbackPolicy::Serial};
     std::atomic<unsigned> m_heuristics{dxDefaultHeuristics};
     std::atomic<int> m_gridCells{0};

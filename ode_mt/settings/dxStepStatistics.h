@@ -15,6 +15,8 @@ struct dxStepStatistics {
     Count sharedCollisions{0};
     Count contactsAhead{0};  // pairs
     Count contactsAheadUnused{0};
+    Count directIslands{0};
+    Count directFallbacks{0};  // of those, left to Dantzig's algorithm
 
     static dxStepStatistics &instance() {
         static dxStepStatistics statistics;

@@ -12,11 +12,14 @@ constexpr unsigned kMatrixAlignment = 64;  // bytes
 constexpr int kPair = dxJoint::GI2__RHS_CFM_MAX;
 static_assert(kPair == int(dxJoint::GI2__LO_HI_MAX), "joints are told one distance for pairs of both kinds");
 
-void takeMemory(dxWorldProcessMemArena &arena, dxExactProblem &problem) {
+void takeJacobian(dxWorldProcessMemArena &arena, dxExactProblem &problem) {
     const std::size_t rows = problem.rowCount;
     problem.normalOf = arena.AllocateArray<int>(rows);
     problem.jacobian = arena.AllocateArray<dReal>(rows * dxExactProblem::kSides * dxExactProblem::kElements);
-    problem.matrix = arena.AllocateOveralignedArray<dReal>(rows * dPAD(problem.rowCount), kMatrixAlignment);
+}
+
+void takePairs(dxWorldProcessMemArena &arena, dxExactProblem &problem) {
+    const std::size_t rows = problem.rowCount;
     problem.pairsBX = arena.AllocateArray<dReal>(rows * kPair);
     problem.pairsLoHi = arena.AllocateArray<dReal>(rows * kPair);
     problem.links.first = arena.AllocateArray<unsigned>(problem.bodyCount);
@@ -36,10 +39,7 @@ void clearRows(const dxExactProblem &problem, dReal cfm) {
     }
 }
 
-}  // namespace
-
-void dxReadRows(const dxIslandStep &step, dxExactProblem &problem) {
-    takeMemory(*step.arena, problem);
+void askJoints(const dxIslandStep &step, const dxExactProblem &problem) {
     clearRows(problem, step.world->global_cfm);
     const dReal framesPerSecond = dRecip(step.stepSize), erp = step.world->global_erp;
     for (unsigned i = 0; i < problem.jointCount; ++i) {
@@ -54,4 +54,23 @@ void dxReadRows(const dxIslandStep &step, dxExactProblem &problem) {
             if (normalOf[k] != -1) normalOf[k] += static_cast<int>(row);
     }
     for (std::size_t i = 0; i < std::size_t(problem.rowCount) * kPair; ++i) problem.pairsBX[i] *= framesPerSecond;
+}
+
+}  // namespace
+
+void dxTakeMatrix(dxWorldProcessMemArena &arena, dxExactProblem &problem) {
+    problem.matrix = arena.AllocateOveralignedArray<dReal>(std::size_t(problem.rowCount) * dPAD(problem.rowCount), kMatrixAlignment);
+}
+
+void dxReadRows(const dxIslandStep &step, dxExactProblem &problem) {
+    takeJacobian(*step.arena, problem);
+    dxTakeMatrix(*step.arena, problem);
+    takePairs(*step.arena, problem);
+    askJoints(step, problem);
+}
+
+void dxReadRowsAlone(const dxIslandStep &step, dxExactProblem &problem) {
+    takeJacobian(*step.arena, problem);
+    takePairs(*step.arena, problem);
+    askJoints(step, problem);
 }

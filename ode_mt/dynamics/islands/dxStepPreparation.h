@@ -3,8 +3,8 @@
 
 #include "dynamics/islands/dxIsland.h"
 
-// Seam: upstream's dWorldStep and dWorldQuickStep call this instead of dxReallocateWorldProcessContext (util.cpp), and see the
-// same: the user's memory manager is asked for blocks of the same sizes in the same order, and `info` gets upstream's islands.
+// In place of dxReallocateWorldProcessContext (util.cpp), and with the same effect (the seam is dxPrepareStepIslands):
+// the user's memory manager is asked for blocks of the same sizes in the same order, and `info` gets upstream's islands.
 //
 //   estimate  the stepper's own estimate of the memory that it needs for an island
 //

@@ -20,3 +20,19 @@ void giveBack(dxWorldProcessMemArena *arena);
 void release();
 
 }  // namespace dxWorkingMemory
+
+// An arena until the end of the scope; null: there is no memory.
+class dxArenaLease {
+public:
+    explicit dxArenaLease(std::size_t size) : m_arena(dxWorkingMemory::take(size)) {}
+    ~dxArenaLease() {
+        if (m_arena != nullptr) dxWorkingMemory::giveBack(m_arena);
+    }
+    dxArenaLease(const dxArenaLease &) = delete;
+    dxArenaLease &operator=(const dxArenaLease &) = delete;
+
+    dxWorldProcessMemArena *get() const { return m_arena; }
+
+private:
+    dxWorldProcessMemArena *const m_arena;
+};

@@ -1,0 +1,62 @@
+#include "dynamics/direct/dxDirectSolver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// The residual, as part of the largest b, from which on another solver is asked.
+constexpr double kMaxResidual = 1e-9;
+
+}  // namespace
+
+bool dxDirectSolver::solve(const dxExactProblem &rows, double stepSize) {
+    m_residual = kInfinity;
+    if (!m_rows.gather(rows, stepSize)) return false;
+    m_interior.begin(m_rows.problem(), m_rows.order());
+    limitRows();
+    m_residual = m_interior.solve();
+    if (m_residual < kInfinity && limitFriction()) m_residual = std::max(m_residual, m_interior.solve());
+    if (m_residual == kInfinity) return false;
+    m_x = m_interior.x();
+    return m_residual <= kMaxResidual * largestRightSide();
+}
+
+// Friction rows may not move yet.
+void dxDirectSolver::limitRows() {
+    const dxDirectProblem &problem = m_rows.problem();
+    for (unsigned i = 0; i < problem.rowCount; ++i) {
+        m_interior.low()[i] = problem.isFriction(i) ? 0 : problem.lo[i];
+        m_interior.high()[i] = problem.isFriction(i) ? 0 : problem.hi[i];
+    }
+}
+
+// An infinite coefficient allows any force, as long as the normal has one. Returns whether a friction row may move.
+bool dxDirectSolver::limitFriction() {
+    const dxDirectProblem &problem = m_rows.problem();
+    bool mayAnyMove = false;
+    for (unsigned i = 0; i < problem.rowCount; ++i) {
+        if (!problem.isFriction(i)) continue;
+        const double normal = m_interior.x()[problem.normalOf[i]];
+        const double limit = normal == 0 ? 0 : std::fabs(problem.hi[i] * normal);
+        m_interior.low()[i] = -limit;
+        m_interior.high()[i] = limit;
+        mayAnyMove = mayAnyMove || limit > 0;
+    }
+    return mayAnyMove;
+}
+
+double dxDirectSolver::largestRightSide() const {
+    double largest = 0;
+    for (const double b : m_rows.problem().b) largest = std::max(largest, std::fabs(b));
+    return largest;
+}
+
+double dxDirectSolver::residualOf(const dxExactProblem &rows) {
+    std::vector<double> x;
+    m_rows.readForces(rows, x);
+    return m_interior.residualOf(x);
+}

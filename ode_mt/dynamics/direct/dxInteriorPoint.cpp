@@ -1,0 +1,220 @@
+#include "dynamics/direct/dxInteriorPoint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "dynamics/direct/dxKktResidual.h"
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// The distance to a limit that there is not: nothing compares with it, and 0 times it is 0.
+constexpr double kFar = 1e300;
+
+constexpr unsigned kMaxSteps = 100;
+
+// Between 0.3 and 3 the number of steps is the same within a tenth; below, it grows.
+constexpr double kStart = 3;
+
+// Least c of a row, as part of its diagonal, while steps are taken.
+constexpr double kMinSoftness = 1e-12;
+
+// How much of the way to the nearest limit a step goes.
+constexpr double kMaxAdvance = 0.995;
+
+// Parts of the first gap at which the rows' states are guessed and refined: the first one, and each next one of the last.
+constexpr double kFirstGuess = 1e-8, kNextGuess = 1e-3, kLastGuess = 1e-26;
+
+// The residual that is good enough, as part of the largest b.
+constexpr double kGoodResidual = 1e-12;
+
+// The part of c times a distance that a multiplier is below where the row ends away from its limit.
+constexpr double kSurelyFree = 0.1;
+
+// Forces as near to a limit as this part of it are at the limit.
+constexpr double kNearLimit = 1e-9;
+
+}  // namespace
+
+void dxInteriorPoint::begin(const dxDirectProblem &problem, const dxEliminationOrder &order) {
+    m_problem = &problem;
+    m_system.begin(problem, order);
+    m_refinement.begin(problem);
+    for (std::vector<double> *array : {&m_low, &m_high, &m_x, &m_best, &m_toLow, &m_toHigh, &m_pullLow, &m_pullHigh, &m_dx,
+                                       &m_dPullLow, &m_dPullHigh, &m_s, &m_d, &m_q})
+        array->resize(problem.rowCount);
+    m_state.resize(problem.rowCount);
+}
+
+// Rows start as far from their limits as the largest b would push one, and in the middle between two.
+void dxInteriorPoint::start() {
+    const dxDirectProblem &problem = *m_problem;
+    double scale = 0;
+    for (unsigned i = 0; i < problem.rowCount; ++i)
+        if (problem.diagonal[i] > 0) scale = std::max(scale, std::fabs(problem.b[i]) / std::sqrt(problem.diagonal[i]));
+    scale = scale > 0 ? kStart * scale : 1;
+    m_limits = 0;
+    for (unsigned i = 0; i < problem.rowCount; ++i) start(i, scale);
+}
+
+// `scale`: in units in which each row's diagonal is 1.
+void dxInteriorPoint::start(unsigned i, double scale) {
+    const double root = std::sqrt(m_problem->diagonal[i] > 0 ? m_problem->diagonal[i] : 1.0);
+    const double low = m_low[i], high = m_high[i];
+    const bool isFixed = low == high, hasLow = low > -kInfinity, hasHigh = high < kInfinity;
+    m_x[i] = isFixed             ? low
+             : hasLow && hasHigh ? low + (high - low) / 2
+             : hasLow            ? low + scale / root
+             : hasHigh           ? high - scale / root
+                                 : 0;
+    m_toLow[i] = hasLow && !isFixed ? m_x[i] - low : kFar;
+    m_toHigh[i] = hasHigh && !isFixed ? high - m_x[i] : kFar;
+    m_pullLow[i] = hasLow && !isFixed ? std::min(scale * scale / m_toLow[i], scale * root) : 0;
+    m_pullHigh[i] = hasHigh && !isFixed ? std::min(scale * scale / m_toHigh[i], scale * root) : 0;
+    m_limits += (m_pullLow[i] > 0) + (m_pullHigh[i] > 0);
+}
+
+// The gap of x and the multipliers after a part of the step.
+double dxInteriorPoint::gapAfter(double length) const {
+    double sum = 0;
+    for (unsigned i = 0; i < m_problem->rowCount; ++i)
+        sum += (m_pullLow[i] + length * m_dPullLow[i]) * (m_toLow[i] + length * m_dx[i]) +
+               (m_pullHigh[i] + length * m_dPullHigh[i]) * (m_toHigh[i] - length * m_dx[i]);
+    return m_limits > 0 ? sum / m_limits : 0;
+}
+
+double dxInteriorPoint::findStepLength() const {
+    double inverse = 0;  // the largest part of a distance or multiplier that the step takes
+    for (unsigned i = 0; i < m_problem->rowCount; ++i) {
+        const double dx = m_dx[i];
+        inverse = std::max(inverse, -dx / m_toLow[i]);
+        inverse = std::max(inverse, dx / m_toHigh[i]);
+        if (m_pullLow[i] > 0) inverse = std::max(inverse, -m_dPullLow[i] / m_pullLow[i]);
+        if (m_pullHigh[i] > 0) inverse = std::max(inverse, -m_dPullHigh[i] / m_pullHigh[i]);
+    }
+    return inverse > 1 ? 1 / inverse : 1;
+}
+
+// The step to a target of 0.
+void dxInteriorPoint::predict() {
+    m_system.solve(m_s, m_dx);
+    for (unsigned i = 0; i < m_problem->rowCount; ++i) {
+        m_dPullLow[i] = -m_pullLow[i] - m_pullLow[i] / m_toLow[i] * m_dx[i];
+        m_dPullHigh[i] = -m_pullHigh[i] + m_pullHigh[i] / m_toHigh[i] * m_dx[i];
+    }
+}
+
+// The step to `target`, corrected by the products that the predicted one left out.
+void dxInteriorPoint::correct(double target) {
+    for (unsigned i = 0; i < m_problem->rowCount; ++i) {
+        m_dPullLow[i] = m_pullLow[i] > 0 ? target - m_dx[i] * m_dPullLow[i] : 0;
+        m_dPullHigh[i] = m_pullHigh[i] > 0 ? target + m_dx[i] * m_dPullHigh[i] : 0;
+        m_q[i] = m_s[i] + m_dPullLow[i] / m_toLow[i] - m_dPullHigh[i] / m_toHigh[i];
+    }
+    m_system.solve(m_q, m_dx);
+    for (unsigned i = 0; i < m_problem->rowCount; ++i) {
+        m_dPullLow[i] = (m_dPullLow[i] - m_pullLow[i] * m_dx[i]) / m_toLow[i] - m_pullLow[i];
+        m_dPullHigh[i] = (m_dPullHigh[i] + m_pullHigh[i] * m_dx[i]) / m_toHigh[i] - m_pullHigh[i];
+    }
+}
+
+void dxInteriorPoint::advance(double length) {
+    for (unsigned i = 0; i < m_problem->rowCount; ++i) {
+        const double dx = length * m_dx[i];
+        m_x[i] += dx;
+        if (m_pullLow[i] > 0) {
+            m_toLow[i] += dx;
+            m_pullLow[i] += length * m_dPullLow[i];
+        }
+        if (m_pullHigh[i] > 0) {
+            m_toHigh[i] -= dx;
+            m_pullHigh[i] += length * m_dPullHigh[i];
+        }
+    }
+}
+
+// A row ends at a limit if its distance is small beside the multiplier, in units of its diagonal, and away from it if the multiplier
+// is small beside the distance, in units of its c. In between, the last step decides: it brings a row that ends there
+// nearer to its limit by a larger part than it makes its multiplier smaller.
+void dxInteriorPoint::guessStates() {
+    for (unsigned i = 0; i < m_problem->rowCount; ++i) {
+        const double diagonal = m_problem->diagonal[i], c = m_problem->c[i];
+        const auto isAt = [diagonal, c](double distance, double change, double pull, double pullChange) {
+            if (pull == 0) return false;
+            if (pull > diagonal * distance) return true;
+            if (pull < kSurelyFree * c * distance) return false;
+            return change / distance < pullChange / pull;
+        };
+        m_state[i] = dxRowState::Free;
+        m_best[i] = std::clamp(m_x[i], m_low[i], m_high[i]);
+        if (m_low[i] == m_high[i] || isAt(m_toLow[i], m_dx[i], m_pullLow[i], m_dPullLow[i])) {
+            m_state[i] = dxRowState::AtLow;
+            m_best[i] = m_low[i];
+        } else if (isAt(m_toHigh[i], -m_dx[i], m_pullHigh[i], m_dPullHigh[i])) {
+            m_state[i] = dxRowState::AtHigh;
+            m_best[i] = m_high[i];
+        }
+    }
+}
+
+bool dxInteriorPoint::iterate() {
+    const dxDirectProblem &problem = *m_problem;
+    m_system.findResidual(m_x, m_s);
+    for (unsigned i = 0; i < problem.rowCount; ++i)
+        m_d[i] = m_low[i] == m_high[i] ? kInfinity
+                                       : std::max(problem.c[i], kMinSoftness * problem.diagonal[i]) + m_pullLow[i] / m_toLow[i] +
+                                             m_pullHigh[i] / m_toHigh[i];
+    if (!m_system.factorise(m_d)) return false;
+    predict();
+    const double aff = findStepLength();
+    const double part = m_gap > 0 ? gapAfter(aff) / m_gap : 0;
+    correct(part * part * part * m_gap);
+    const double full = findStepLength();
+    const double length = full < 1 ? kMaxAdvance * full : kMaxAdvance;
+    if (!std::isfinite(length)) return false;
+    advance(length);
+    return true;
+}
+
+double dxInteriorPoint::solve() {
+    start();
+    for (double *d : {m_dx.data(), m_dPullLow.data(), m_dPullHigh.data()}) std::fill_n(d, m_problem->rowCount, 0.0);
+    m_gap = gapAfter(0);
+    const double firstGap = m_gap;
+    double largest = 0, residual = kInfinity;
+    for (const double b : m_problem->b) largest = std::max(largest, std::fabs(b));
+    std::vector<double> found;
+    double guess = m_limits > 0 ? kFirstGuess : 1;
+    for (unsigned i = 0; i < kMaxSteps; ++i) {
+        if (m_gap <= guess * firstGap) {
+            guessStates();
+            const double now = m_refinement.refine(m_system, m_low, m_high, m_state, m_best);
+            if (now < residual) {
+                residual = now;
+                found = m_best;
+            }
+            if (residual <= kGoodResidual * largest || m_gap <= kLastGuess * firstGap) break;
+            guess = std::min(guess, m_gap / firstGap) * kNextGuess;
+        }
+        if (!iterate()) break;
+        m_gap = gapAfter(0);
+    }
+    if (residual < kInfinity) m_x = found;
+    return residual;
+}
+
+double dxInteriorPoint::residualOf(std::vector<double> &x) {
+    for (unsigned i = 0; i < m_problem->rowCount; ++i) {
+        for (const double limit : {m_low[i], m_high[i]})
+            if (std::fabs(x[i] - limit) <= kNearLimit * std::fabs(limit)) x[i] = limit;
+    }
+    m_system.findResidual(x, m_s);
+    double worst = 0;
+    for (unsigned i = 0; i < m_problem->rowCount; ++i) {
+        const double residual = dxKktResidual(x[i], -m_s[i], m_low[i], m_high[i]);
+        if (!(residual <= worst)) worst = residual;
+    }
+    return std::isfinite(worst) ? worst : kInfinity;
+}

@@ -1,0 +1,91 @@
+#include "dynamics/direct/dxRefinement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "dynamics/direct/dxKktResidual.h"
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Least c of a row, as part of its diagonal.
+constexpr double kMinSoftness = 1e-12;
+
+constexpr unsigned kMaxCorrections = 12;
+
+// Corrections in a row that do not halve the residual before it counts as found.
+constexpr unsigned kMaxStalled = 2;
+
+// Rows that change sides at once. More mean that the states were not known yet.
+constexpr unsigned kMaxChanges = 20;
+
+// w of the wrong sign, as part of the residual, that sets a row free.
+constexpr double kReleaseTolerance = 1e-3;
+
+}  // namespace
+
+void dxRefinement::begin(const dxDirectProblem &problem) {
+    m_problem = &problem;
+    for (std::vector<double> *array : {&m_s, &m_d, &m_dx, &m_best}) array->resize(problem.rowCount);
+}
+
+double dxRefinement::findWorst(const std::vector<double> &low, const std::vector<double> &high,
+                               const std::vector<double> &x) const {
+    double worst = 0;
+    for (unsigned i = 0; i < m_problem->rowCount; ++i) {
+        const double residual = dxKktResidual(x[i], -m_s[i], low[i], high[i]);
+        if (!(residual <= worst)) worst = residual;
+    }
+    return std::isfinite(worst) ? worst : kInfinity;
+}
+
+unsigned dxRefinement::updateStates(const std::vector<double> &low, const std::vector<double> &high, const std::vector<double> &x,
+                                    double tolerance, std::vector<dxRowState> &state) const {
+    unsigned changes = 0;
+    for (unsigned i = 0; i < m_problem->rowCount; ++i) {
+        dxRowState now = dxRowState::Free;
+        if (low[i] == high[i] || (x[i] <= low[i] && m_s[i] <= tolerance))
+            now = dxRowState::AtLow;
+        else if (x[i] >= high[i] && m_s[i] >= -tolerance)
+            now = dxRowState::AtHigh;
+        changes += now != state[i];
+        state[i] = now;
+    }
+    return changes;
+}
+
+bool dxRefinement::factorise(dxReducedSystem &system, const std::vector<dxRowState> &state) {
+    for (unsigned i = 0; i < m_problem->rowCount; ++i)
+        m_d[i] = state[i] == dxRowState::Free ? std::max(m_problem->c[i], kMinSoftness * m_problem->diagonal[i]) : kInfinity;
+    return system.factorise(m_d);
+}
+
+double dxRefinement::refine(dxReducedSystem &system, const std::vector<double> &low, const std::vector<double> &high,
+                            std::vector<dxRowState> &state, std::vector<double> &x) {
+    double best = kInfinity;
+    unsigned stalled = 0;
+    bool isFactored = false;
+    for (unsigned i = 0; i < kMaxCorrections; ++i) {
+        system.findResidual(x, m_s);
+        const double worst = findWorst(low, high, x);
+        if (worst == kInfinity) break;
+        stalled = worst < best / 2 ? 0 : stalled + 1;
+        if (worst < best) {
+            best = worst;
+            m_best = x;
+        }
+        const unsigned changes = i > 0 ? updateStates(low, high, x, kReleaseTolerance * worst, state) : 0;
+        if (stalled >= kMaxStalled || changes > kMaxChanges) break;
+        if (!isFactored || changes > 0) {
+            isFactored = factorise(system, state);
+            if (!isFactored) break;
+        }
+        system.solve(m_s, m_dx);
+        for (unsigned row = 0; row < m_problem->rowCount; ++row)
+            if (state[row] == dxRowState::Free) x[row] = std::clamp(x[row] + m_dx[row], low[row], high[row]);
+    }
+    if (best < kInfinity) x = m_best;
+    return best;
+}

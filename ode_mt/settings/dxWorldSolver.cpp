@@ -1,0 +1,57 @@
+#include "settings/dxWorldSolver.h"
+
+#include <algorithm>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "threading/process/dxForkLocks.h"
+#include "threading/process/dxProcessObject.h"
+
+namespace dxWorldSolver {
+
+namespace {
+
+struct Choices {
+    using Choice = std::pair<const dxWorld *, dxSolver>;
+
+    std::vector<Choice>::iterator find(const dxWorld *world) {
+        return std::find_if(list.begin(), list.end(), [world](const Choice &choice) { return choice.first == world; });
+    }
+
+    dxForkSafeMutex mutex;
+    std::vector<Choice> list;
+};
+
+dxProcessObject<Choices> choices;
+
+}  // namespace
+
+dxSolver of(const dxWorld *world) {
+    const std::lock_guard<dxForkSafeMutex> hold(choices->mutex);
+    const auto found = choices->find(world);
+    return found != choices->list.end() ? found->second : dxSettings::instance().solver();
+}
+
+bool choose(const dxWorld *world, const std::string &name) {
+    dxSolver solver = dxSolver::Exact;
+    if (!dxSettings::readSolver(name, solver)) return false;
+    if (solver != dxSolver::Exact) dxSettings::instance().allowFast();
+    const std::lock_guard<dxForkSafeMutex> hold(choices->mutex);
+    const auto found = choices->find(world);
+    if (found != choices->list.end())
+        found->second = solver;
+    else
+        choices->list.emplace_back(world, solver);
+    return true;
+}
+
+void forget(const dxWorld *world) {
+    const std::lock_guard<dxForkSafeMutex> hold(choices->mutex);
+    const auto found = choices->find(world);
+    if (found == choices->list.end()) return;
+    choices->list.erase(found);
+    if (choices->list.empty()) choices->list.shrink_to_fit();  // what is kept would be lost with an unloading
+}
+
+}  // namespace dxWorldSolver
