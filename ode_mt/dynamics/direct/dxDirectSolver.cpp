@@ -8,8 +8,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// The residual, as part of the largest b, from which on another solver is asked.
-constexpr double kMaxResidual = 1e-9;
+// The residual from which on another solver is asked, as part of the largest b and of the largest sum: rows that contradict one another
+// have forces of b/c, whose sums are rounded to more than the rest.
+constexpr double kMaxResidual = 1e-9, kMaxRounding = 64 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
@@ -22,7 +23,7 @@ bool dxDirectSolver::solve(const dxExactProblem &rows, double stepSize) {
     if (m_residual < kInfinity && limitFriction()) m_residual = std::max(m_residual, m_interior.solve());
     if (m_residual == kInfinity) return false;
     m_x = m_interior.x();
-    return m_residual <= kMaxResidual * largestRightSide();
+    return m_residual <= kMaxResidual * scale().b + kMaxRounding * scale().sum;
 }
 
 // Friction rows may not move yet.
@@ -47,12 +48,6 @@ bool dxDirectSolver::limitFriction() {
         mayAnyMove = mayAnyMove || limit > 0;
     }
     return mayAnyMove;
-}
-
-double dxDirectSolver::largestRightSide() const {
-    double largest = 0;
-    for (const double b : m_rows.problem().b) largest = std::max(largest, std::fabs(b));
-    return largest;
 }
 
 double dxDirectSolver::residualOf(const dxExactProblem &rows) {

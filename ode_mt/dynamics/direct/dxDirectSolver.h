@@ -18,6 +18,9 @@ public:
     // Of the last call of solve; infinity: none was found.
     double residual() const { return m_residual; }
 
+    // Of its numbers.
+    dxInteriorPoint::Scale scale() const { return m_interior.scaleOf(m_x); }
+
     // Of any forces, in the places of x, under the limits that the last call of solve found.
     double residualOf(const dxExactProblem &rows);
 
@@ -29,7 +32,6 @@ public:
 private:
     void limitRows();
     bool limitFriction();
-    double largestRightSide() const;
 
     dxDirectRows m_rows;
     dxInteriorPoint m_interior;

@@ -27,8 +27,8 @@ constexpr double kMaxAdvance = 0.995;
 // Parts of the first gap at which the rows' states are guessed and refined: the first one, and each next one of the last.
 constexpr double kFirstGuess = 1e-8, kNextGuess = 1e-3, kLastGuess = 1e-26;
 
-// The residual that is good enough, as part of the largest b.
-constexpr double kGoodResidual = 1e-12;
+// The residual that is good enough, as part of the largest b and of the largest sum.
+constexpr double kGoodResidual = 1e-12, kGoodRounding = 1e-15;
 
 // The part of c times a distance that a multiplier is below where the row ends away from its limit.
 constexpr double kSurelyFree = 0.1;
@@ -183,9 +183,8 @@ double dxInteriorPoint::solve() {
     for (double *d : {m_dx.data(), m_dPullLow.data(), m_dPullHigh.data()}) std::fill_n(d, m_problem->rowCount, 0.0);
     m_gap = gapAfter(0);
     const double firstGap = m_gap;
-    double largest = 0, residual = kInfinity;
-    for (const double b : m_problem->b) largest = std::max(largest, std::fabs(b));
-    std::vector<double> found;
+    double residual = kInfinity;
+    m_found.clear();
     double guess = m_limits > 0 ? kFirstGuess : 1;
     for (unsigned i = 0; i < kMaxSteps; ++i) {
         if (m_gap <= guess * firstGap) {
@@ -193,22 +192,32 @@ double dxInteriorPoint::solve() {
             const double now = m_refinement.refine(m_system, m_low, m_high, m_state, m_best);
             if (now < residual) {
                 residual = now;
-                found = m_best;
+                m_found = m_best;
             }
-            if (residual <= kGoodResidual * largest || m_gap <= kLastGuess * firstGap) break;
+            const Scale scale = scaleOf(m_best);
+            if (residual <= kGoodResidual * scale.b + kGoodRounding * scale.sum || m_gap <= kLastGuess * firstGap) break;
             guess = std::min(guess, m_gap / firstGap) * kNextGuess;
         }
         if (!iterate()) break;
         m_gap = gapAfter(0);
     }
-    if (residual < kInfinity) m_x = found;
+    if (residual < kInfinity) m_x = m_found;
     return residual;
+}
+
+dxInteriorPoint::Scale dxInteriorPoint::scaleOf(const std::vector<double> &x) const {
+    Scale scale{0, 0};
+    for (unsigned i = 0; i < m_problem->rowCount; ++i) {
+        scale.b = std::max(scale.b, std::fabs(m_problem->b[i]));
+        scale.sum = std::max(scale.sum, m_problem->diagonal[i] * std::fabs(x[i]));
+    }
+    return scale;
 }
 
 double dxInteriorPoint::residualOf(std::vector<double> &x) {
     for (unsigned i = 0; i < m_problem->rowCount; ++i) {
         for (const double limit : {m_low[i], m_high[i]})
-            if (std::fabs(x[i] - limit) <= kNearLimit * std::fabs(limit)) x[i] = limit;
+            if (std::isfinite(limit) && std::fabs(x[i] - limit) <= kNearLimit * std::fabs(limit)) x[i] = limit;
     }
     m_system.findResidual(x, m_s);
     double worst = 0;

@@ -39,6 +39,12 @@ public:
 
     const std::vector<double> &x() const { return m_x; }
 
+    // What rounding makes of a residual: the largest b, and the largest sum that w is the rest of.
+    struct Scale {
+        double b, sum;
+    };
+    Scale scaleOf(const std::vector<double> &x) const;
+
     // The residual of any x under the limits in force. A force next to a limit, as rounding may leave it, is put there.
     double residualOf(std::vector<double> &x);
 
@@ -59,7 +65,7 @@ private:
     const dxDirectProblem *m_problem = nullptr;
     dxReducedSystem m_system;
     dxRefinement m_refinement;
-    std::vector<double> m_low, m_high, m_x, m_best;
+    std::vector<double> m_low, m_high, m_x, m_best, m_found;
     std::vector<double> m_toLow, m_toHigh;              // distances; kFar where there is no limit
     std::vector<double> m_pullLow, m_pullHigh;          // multipliers; 0 where there is no limit
     std::vector<double> m_dx, m_dPullLow, m_dPullHigh;  // of a step

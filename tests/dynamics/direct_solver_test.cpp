@@ -1,0 +1,130 @@
+// The direct solver beside upstream's algorithm, on islands of random worlds: joints of all types, motors, stops, friction, kinematic
+// bodies. Its residual is no larger, and where upstream's is small, bodies are accelerated as by upstream.
+#include <gtest/gtest.h>
+
+#include <ode/error.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "island_rows.h"
+#include "kept_messages.h"
+#include "random_world.h"
+
+#include "dynamics/direct/dxDirectSolver.h"
+#include "dynamics/exactstep/dxDantzigSolver.h"
+#include "dynamics/exactstep/dxExactMatrix.h"
+
+namespace {
+
+constexpr dReal kStepSize = dReal(0.01);
+
+// Residuals, as parts of the largest b: what is none, and up to which solutions are compared. Sums are rounded.
+constexpr double kNegligible = 1e-12, kComparable = 1e-12, kRounding = 8 * std::numeric_limits<double>::epsilon();
+
+// inv(M) J' x, by body.
+std::vector<double> accelerationsOf(const dxExactProblem &problem) {
+    std::vector<double> forces(std::size_t(problem.bodyCount) * 6), accelerations(forces.size());
+    for (unsigned i = 0; i < problem.jointCount; ++i)
+        for (unsigned side = 0; side < 2; ++side) {
+            const dxExactJoint &joint = problem.joints[i];
+            const dxBody *const body = joint.joint->node[side].body;
+            if (body == nullptr) continue;
+            for (unsigned row = 0; row < joint.rows; ++row)
+                for (unsigned k = 0; k < 6; ++k)
+                    forces[std::size_t(body->tag) * 6 + k] += double(problem.rowsOf(joint, side)[row * 6 + k]) *
+                                                              problem.pairsBX[(std::size_t(joint.firstRow) + row) * 2 + 1];
+        }
+    for (unsigned i = 0; i < problem.bodyCount; ++i)
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            accelerations[i * 6 + axis] = forces[i * 6 + axis] * problem.bodies[i]->invMass;
+            for (unsigned k = 0; k < 3; ++k)
+                accelerations[i * 6 + 3 + axis] += double(problem.inverseInertia[i].tensor[4 * axis + k]) * forces[i * 6 + 3 + k];
+        }
+    return accelerations;
+}
+
+double largestOf(const std::vector<double> &numbers) {
+    double largest = 0;
+    for (const double number : numbers) largest = std::max(largest, std::fabs(number));
+    return largest;
+}
+
+double largestDifference(const std::vector<double> &a, const std::vector<double> &b) {
+    double largest = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::fabs(a[i] - b[i]));
+    return largest;
+}
+
+struct Tally {
+    unsigned islands = 0, unsolved = 0, compared = 0;
+    unsigned better = 0;  // residual than upstream's
+};
+
+// Solves the problem twice, and leaves upstream's forces.
+void compareSolutions(const dxIslandStep &step, dxExactProblem &problem, dxDirectSolver &solver, Tally &tally) {
+    ++tally.islands;
+    const bool isSolved = solver.solve(problem, step.stepSize);
+    tally.unsolved += !isSolved;
+    const double ours = solver.residual();
+    std::vector<double> direct;
+    if (isSolved) {
+        const std::vector<dReal> pairs(problem.pairsBX, problem.pairsBX + 2 * std::size_t(problem.rowCount));
+        solver.writeForces(problem);
+        direct = accelerationsOf(problem);
+        std::copy(pairs.begin(), pairs.end(), problem.pairsBX);
+    }
+    dxMakeMatrix(step, problem);
+    dxDantzigSolver(nullptr).solve(problem, *step.arena);
+    if (!isSolved) return;
+    const double upstreams = solver.residualOf(problem);
+    const std::vector<double> exact = accelerationsOf(problem);
+    const dxInteriorPoint::Scale scale = solver.scale();
+    EXPECT_LE(ours, std::max(upstreams, kNegligible * scale.b + kRounding * scale.sum));
+    tally.better += ours < upstreams;
+    // Where upstream's algorithm gives up, or rows contradict one another, there is nothing to compare.
+    if (upstreams > kComparable * scale.b) return;
+    ++tally.compared;
+    EXPECT_LE(largestDifference(direct, exact), 1e-9 * largestOf(exact));
+}
+
+class DirectSolver : public testing::Test {
+protected:
+    DirectSolver() {
+        dInitODE2(0);
+        keptMessages.clear();
+        dSetMessageHandler(keepMessage);
+        dSetDebugHandler(keepMessageAndLeave);
+    }
+    ~DirectSolver() override {
+        dSetMessageHandler(nullptr);
+        dSetDebugHandler(nullptr);
+        dCloseODE();
+    }
+
+    dxDirectSolver m_solver;
+};
+
+const RandomWorld::Shape kShapes[] = {{2, 1}, {2, 6}, {5, 6}, {9, 20}, {20, 30}, {12, 60}, {60, 120}};
+
+TEST_F(DirectSolver, IsAsExactAsUpstreams) {
+    Tally tally;
+    for (const RandomWorld::Shape &shape : kShapes)
+        for (unsigned seed = 0; seed < 20; ++seed) {
+            RandomWorld world(shape, seed);
+            for (int i = 0; i < 3; ++i) {
+                world.push();
+                solveIslands(world.world(), kStepSize, [&](const dxIslandStep &step, dxExactProblem &problem) {
+                    compareSolutions(step, problem, m_solver, tally);
+                });
+            }
+        }
+    EXPECT_GT(tally.islands, 500u);
+    EXPECT_EQ(tally.unsolved, 0u);
+    EXPECT_GT(tally.compared, tally.islands / 3);
+    EXPECT_GT(tally.better, tally.islands / 2);
+}
+
+}  // namespace
