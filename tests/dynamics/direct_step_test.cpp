@@ -1,0 +1,218 @@
+// Whole steps of worlds whose solver is "fast": velocities are those of "exact", bits are the same for every number of threads and
+// instruction set, what cannot be solved is left to the exact solver, and other worlds and dWorldQuickStep are as ever.
+#include <gtest/gtest.h>
+
+#include <ode/ode.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+#include "brick_wall.h"
+#include "instruction_sets.h"
+#include "random_world.h"
+
+namespace {
+
+constexpr dReal kStepSize = dReal(0.01);
+
+class DirectStep : public testing::Test {
+protected:
+    DirectStep() { dInitODE2(0); }
+    ~DirectStep() override {
+        dToggleODE_MT(0);
+        dODE_MT_SetAlgorithm("auto");
+        dCloseODE();
+    }
+};
+
+struct Counts {
+    unsigned islands = dODE_MT_GetDirectIslands(), fallbacks = dODE_MT_GetDirectFallbacks();
+
+    unsigned newIslands() const { return dODE_MT_GetDirectIslands() - islands; }
+    unsigned newFallbacks() const { return dODE_MT_GetDirectFallbacks() - fallbacks; }
+};
+
+// One step of a wall by each solver.
+void expectSameVelocities(const BrickWall::Shape &shape) {
+    const Counts counts;
+    BrickWall exact(shape), fast(shape);
+    ASSERT_EQ(dODE_MT_SetSolver(fast.world(), "fast"), 1);
+    for (BrickWall *wall : {&exact, &fast}) {
+        wall->collide();
+        wall->step();
+    }
+    EXPECT_GT(fast.contacts(), 100u);
+    EXPECT_EQ(counts.newIslands(), 1u);
+    EXPECT_EQ(counts.newFallbacks(), 0u);
+    const std::vector<dReal> expected = exact.velocities(), found = fast.velocities();
+    double largest = 0, difference = 0;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        largest = std::max(largest, std::fabs(double(expected[i])));
+        difference = std::max(difference, std::fabs(double(expected[i]) - double(found[i])));
+    }
+    EXPECT_GT(largest, 0);
+    EXPECT_LE(difference, 1e-9 * largest);
+    EXPECT_NE(expected, found);  // otherwise it was not the direct solver's
+}
+
+TEST_F(DirectStep, MovesAWallAsTheExactStep) { expectSameVelocities({}); }
+
+TEST_F(DirectStep, MovesAWallOnAMovingFloorAsTheExactStep) {
+    BrickWall::Shape shape;
+    shape.hasMovingFloor = true;
+    expectSameVelocities(shape);
+}
+
+TEST_F(DirectStep, MovesAWallOfInfiniteFrictionAsTheExactStep) {
+    BrickWall::Shape shape;
+    shape.mu = dInfinity;
+    shape.cfm = dReal(1e-4);
+    expectSameVelocities(shape);
+}
+
+TEST_F(DirectStep, MovesAWallWithFixedFrictionLimitsAsTheExactStep) {
+    BrickWall::Shape shape;
+    shape.mu = 1000;  // N
+    shape.hasApproximation = false;
+    shape.cfm = dReal(1e-4);  // harder ones are beyond upstream's algorithm
+    expectSameVelocities(shape);
+}
+
+// Where forces are not unique, the residual is what counts: nothing is left to the exact solver.
+TEST_F(DirectStep, SolvesHardContacts) {
+    BrickWall::Shape shape;
+    shape.cfm = 0;
+    BrickWall wall(shape);
+    dODE_MT_SetSolver(wall.world(), "fast");
+    const Counts counts;
+    for (int i = 0; i < 20; ++i) {
+        wall.collide();
+        wall.step();
+    }
+    EXPECT_EQ(counts.newIslands(), 20u);
+    EXPECT_EQ(counts.newFallbacks(), 0u);
+    for (const dReal velocity : wall.velocities()) EXPECT_LT(std::fabs(velocity), 10);
+}
+
+// A chain of ball joints, each of them there twice with anchors apart: hard rows that contradict one another have no solution.
+TEST_F(DirectStep, StepsOnWhereHardRowsContradictOneAnother) {
+    const dWorldID world = dWorldCreate();
+    dWorldSetCFM(world, 0);
+    dWorldSetGravity(world, 0, 0, -10);
+    dODE_MT_SetSolver(world, "fast");
+    std::vector<dBodyID> links;
+    for (int i = 0; i < 30; ++i) {
+        links.push_back(dBodyCreate(world));
+        dBodySetPosition(links.back(), i, 0, 0);
+        for (const dReal apart : {0, 1}) {
+            const dJointID joint = dJointCreateBall(world, nullptr);
+            dJointAttach(joint, links.back(), i > 0 ? links[i - 1] : nullptr);
+            dJointSetBallAnchor(joint, dReal(i - 0.5), 0, 0);
+            if (apart > 0) dJointSetBallAnchor2(joint, dReal(i - 0.4), 0, 0);
+        }
+    }
+    const Counts counts;
+    EXPECT_EQ(dWorldStep(world, kStepSize), 1);
+    EXPECT_EQ(counts.newIslands(), 1u);
+    dWorldDestroy(world);
+}
+
+// A problem that is not convex, where rows become softer the more they are pressed: with the exact solver's bits, and counted.
+TEST_F(DirectStep, LeavesWhatItCannotSolveToTheExactStep) {
+    BrickWall::Shape shape;
+    shape.cfm = dReal(-1e-9);
+    shape.side = 4;
+    BrickWall exact(shape), fast(shape);
+    dODE_MT_SetSolver(fast.world(), "fast");
+    const Counts counts;
+    for (BrickWall *wall : {&exact, &fast}) {
+        wall->collide();
+        wall->step();
+    }
+    EXPECT_EQ(counts.newIslands(), 1u);
+    EXPECT_EQ(counts.newFallbacks(), 1u);
+    EXPECT_EQ(exact.velocities(), fast.velocities());
+}
+
+// Islands of all sizes with joints of all types, before and after the direct solver's least one.
+std::vector<std::uint64_t> stateAfterSteps(unsigned threads, const char *solver, const char *algorithm = "lcp") {
+    dToggleODE_MT(static_cast<int>(threads));
+    dODE_MT_SetAlgorithm(algorithm);
+    std::vector<std::uint64_t> all;
+    for (const RandomWorld::Shape shape : {RandomWorld::Shape{60, 90}, {200, 140}}) {
+        RandomWorld world(shape, 3);
+        dODE_MT_SetSolver(world.world(), solver);
+        for (int i = 0; i < 5; ++i) {
+            world.push();
+            dWorldStep(world.world(), kStepSize);
+        }
+        const std::vector<std::uint64_t> state = world.state();
+        all.insert(all.end(), state.begin(), state.end());
+    }
+    return all;
+}
+
+TEST_F(DirectStep, HasTheSameBitsForEveryNumberOfThreads) {
+    const Counts counts;
+    const std::vector<std::uint64_t> serial = stateAfterSteps(0, "fast", "serial");
+    EXPECT_GE(counts.newIslands(), 5u);
+    for (const unsigned threads : {1u, 2u, 3u, 8u}) EXPECT_EQ(stateAfterSteps(threads, "fast"), serial) << threads << " threads";
+    EXPECT_NE(stateAfterSteps(0, "exact"), serial);
+}
+
+TEST_F(DirectStep, HasTheSameBitsOnEveryInstructionSet) {
+    std::vector<std::uint64_t> first;
+    for (const std::int64_t set : instructionSets())
+        onInstructionSet(set, [&] {
+            const std::vector<std::uint64_t> state = stateAfterSteps(0, "fast");
+            if (first.empty()) first = state;
+            EXPECT_EQ(state, first);
+        });
+}
+
+// A step that follows others has the bits of one in a new process: nothing is kept that counts.
+TEST_F(DirectStep, HasTheSameBitsEachTime) {
+    const std::vector<std::uint64_t> first = stateAfterSteps(0, "fast");
+    expectSameVelocities({});
+    EXPECT_EQ(stateAfterSteps(0, "fast"), first);
+}
+
+TEST_F(DirectStep, LeavesQuickStepAsItIs) {
+    std::vector<std::vector<std::uint64_t>> states;
+    for (const char *solver : {"exact", "fast"}) {
+        RandomWorld world({60, 90}, 1);
+        dODE_MT_SetSolver(world.world(), solver);
+        dRandSetSeed(5);
+        for (int i = 0; i < 3; ++i) dWorldQuickStep(world.world(), kStepSize);
+        states.push_back(world.state());
+    }
+    EXPECT_EQ(states[0], states[1]);
+}
+
+std::vector<size_t> g_requests;
+
+// The user's memory manager is asked for the rows, not for a matrix of rows by rows.
+TEST_F(DirectStep, TakesNoMemoryForAMatrix) {
+    std::size_t largest[2] = {0, 0};
+    for (const bool isFast : {false, true}) {
+        BrickWall wall({});
+        dODE_MT_SetSolver(wall.world(), isFast ? "fast" : "exact");
+        dWorldStepMemoryFunctionsInfo functions = {sizeof functions, nullptr, nullptr, nullptr};
+        functions.alloc_block = [](dsizeint size) {
+            g_requests.push_back(size);
+            return std::malloc(size);
+        };
+        functions.shrink_block = [](void *block, dsizeint, dsizeint size) { return std::realloc(block, size); };
+        functions.free_block = [](void *block, dsizeint) { std::free(block); };
+        dWorldSetStepMemoryManager(wall.world(), &functions);
+        g_requests.clear();
+        wall.collide();
+        wall.step();
+        largest[isFast] = *std::max_element(g_requests.begin(), g_requests.end());
+    }
+    EXPECT_LT(largest[1] * 4, largest[0]);
+}
+
+}  // namespace
