@@ -33,42 +33,44 @@ HWY_INLINE void subtractProduct(dxBodyBlock &target, const dxBodyBlock &left, co
     }
 }
 
-// target * inv(pivot)', where pivot is lower triangular.
-HWY_INLINE void divide(dxBodyBlock &target, const dxBodyBlock &pivot, const dxBodyVector &inversePivot) {
+// target * inverse', where `inverse` is inv(pivot), lower triangular.
+HWY_INLINE void multiplyTransposed(dxBodyBlock &target, const dxBodyBlock &inverse) {
     const BodyTag d;
-    for (unsigned lane = 0; lane < kBodyLanes && lane < kBodyAxes; lane += hn::Lanes(d)) {
-        hn::Vec<BodyTag> done[kBodyAxes];
+    for (unsigned lane = 0; lane < kBodyAxes; lane += hn::Lanes(d)) {
+        hn::Vec<BodyTag> column[kBodyAxes];
+        for (unsigned c = 0; c < kBodyAxes; ++c) column[c] = hn::Load(d, target.column[c].lane + lane);
         HWY_UNROLL(6) for (unsigned c = 0; c < kBodyAxes; ++c) {
-            auto sum = hn::Load(d, target.column[c].lane + lane);
-            for (unsigned k = 0; k < c; ++k) sum = hn::Sub(sum, hn::Mul(done[k], hn::Set(d, pivot.column[k].lane[c])));
-            done[c] = hn::Mul(sum, hn::Set(d, inversePivot.lane[c]));
-            hn::Store(done[c], d, target.column[c].lane + lane);
+            auto sum = hn::Mul(column[0], hn::Set(d, inverse.column[0].lane[c]));
+            for (unsigned k = 1; k <= c; ++k) sum = hn::Add(sum, hn::Mul(column[k], hn::Set(d, inverse.column[k].lane[c])));
+            hn::Store(sum, d, target.column[c].lane + lane);
         }
     }
 }
 
-// Cholesky of one block. What is above the diagonal is of no use afterwards.
-HWY_INLINE bool factorPivot(dxBodyBlock &block, dxBodyVector &inversePivot) {
-    const BodyTag d;
-    for (unsigned c = 0; c < kBodyAxes; ++c) {
-        double *const column = block.column[c].lane;
-        const double pivot = column[c];
-        if (!(pivot > 0) || !std::isfinite(pivot)) return false;
-        const double inverse = 1 / std::sqrt(pivot);
-        inversePivot.lane[c] = inverse;
-        for (unsigned lane = 0; lane < kBodyAxes; lane += hn::Lanes(d))
-            hn::Store(hn::Mul(hn::Load(d, column + lane), hn::Set(d, inverse)), d, column + lane);
-        for (unsigned k = c + 1; k < kBodyAxes; ++k) {
-            double *const later = block.column[k].lane;
-            const auto factor = hn::Set(d, column[k]);
-            for (unsigned lane = 0; lane < kBodyAxes; lane += hn::Lanes(d))
-                hn::Store(hn::Sub(hn::Load(d, later + lane), hn::Mul(hn::Load(d, column + lane), factor)), d, later + lane);
+// Cholesky of one block, and the inverse of its factor: by columns, and by rows, for both directions of a solve.
+HWY_INLINE bool factorPivot(dxBodyBlock &block, dxPivotInverse &inverse) {
+    double factor[kBodyAxes][kBodyAxes];
+    for (unsigned c = 0; c < kBodyAxes; ++c)
+        for (unsigned r = c; r < kBodyAxes; ++r) {
+            double sum = block.column[c].lane[r];
+            for (unsigned k = 0; k < c; ++k) sum -= factor[r][k] * factor[c][k];
+            if (r > c) {
+                factor[r][c] = sum * inverse.byColumns.column[c].lane[c];
+                continue;
+            }
+            if (!(sum > 0) || !std::isfinite(sum)) return false;
+            inverse.byColumns.column[c].lane[c] = inverse.byRows.column[c].lane[c] = 1 / std::sqrt(sum);
         }
-    }
+    for (unsigned c = 0; c < kBodyAxes; ++c)
+        for (unsigned r = c + 1; r < kBodyAxes; ++r) {
+            double sum = 0;
+            for (unsigned k = c; k < r; ++k) sum += factor[r][k] * inverse.byColumns.column[c].lane[k];
+            inverse.byColumns.column[c].lane[r] = inverse.byRows.column[r].lane[c] = -sum * inverse.byColumns.column[r].lane[r];
+        }
     return true;
 }
 
-bool factorise(const dxEliminationOrder &order, dxBodyBlocks &diagonal, dxBodyBlocks &below, dxBodyVectors &inversePivots,
+bool factorise(const dxEliminationOrder &order, dxBodyBlocks &diagonal, dxBodyBlocks &below, std::vector<dxPivotInverse> &inverses,
                unsigned *slotOf) {
     const unsigned bodies = order.bodyCount();
     dxBodyBlock *const blocks = below.data();
@@ -83,53 +85,69 @@ bool factorise(const dxEliminationOrder &order, dxBodyBlocks &diagonal, dxBodyBl
             for (unsigned source = entry.block + 1; source < sourceEnd; ++source)
                 subtractProduct(blocks[slotOf[order.rowOf(source)]], blocks[source], factor);
         }
-        if (!factorPivot(diagonal[column], inversePivots[column])) return false;
-        for (unsigned block = begin; block < end; ++block) divide(blocks[block], diagonal[column], inversePivots[column]);
+        if (!factorPivot(diagonal[column], inverses[column])) return false;
+        for (unsigned block = begin; block < end; ++block) multiplyTransposed(blocks[block], inverses[column].byColumns);
     }
     return true;
 }
 
-HWY_INLINE void solvePivot(const dxBodyBlock &pivot, const dxBodyVector &inversePivot, double *y) {
-    for (unsigned c = 0; c < kBodyAxes; ++c) {
-        y[c] *= inversePivot.lane[c];
-        for (unsigned r = c + 1; r < kBodyAxes; ++r) y[r] -= pivot.column[c].lane[r] * y[c];
+// y = block * y
+HWY_INLINE void multiply(const dxBodyBlock &block, dxBodyVector &y) {
+    const BodyTag d;
+    const dxBodyVector old = y;
+    for (unsigned lane = 0; lane < kBodyAxes; lane += hn::Lanes(d)) {
+        const auto product = [&](unsigned c) {
+            return hn::Mul(hn::Load(d, block.column[c].lane + lane), hn::Set(d, old.lane[c]));
+        };
+        const auto even = hn::Add(hn::Add(product(0), product(2)), product(4));
+        const auto odd = hn::Add(hn::Add(product(1), product(3)), product(5));
+        hn::Store(hn::Add(even, odd), d, y.lane + lane);
     }
 }
 
-HWY_INLINE void solvePivotTransposed(const dxBodyBlock &pivot, const dxBodyVector &inversePivot, double *y) {
-    for (unsigned c = kBodyAxes; c-- > 0;) {
-        double sum = y[c];
-        for (unsigned r = c + 1; r < kBodyAxes; ++r) sum -= pivot.column[c].lane[r] * y[r];
-        y[c] = sum * inversePivot.lane[c];
-    }
-}
-
-// y(row) -= block * y(column)
-HWY_INLINE void subtractTimes(dxBodyVector &target, const dxBodyBlock &block, const double *y) {
+// target -= block * y
+HWY_INLINE void subtractTimes(dxBodyVector &target, const dxBodyBlock &block, const dxBodyVector &y) {
     const BodyTag d;
     for (unsigned lane = 0; lane < kBodyAxes; lane += hn::Lanes(d)) {
-        auto sum = hn::Load(d, target.lane + lane);
-        HWY_UNROLL(6) for (unsigned c = 0; c < kBodyAxes; ++c)
-            sum = hn::Sub(sum, hn::Mul(hn::Load(d, block.column[c].lane + lane), hn::Set(d, y[c])));
-        hn::Store(sum, d, target.lane + lane);
+        const auto product = [&](unsigned c) {
+            return hn::Mul(hn::Load(d, block.column[c].lane + lane), hn::Set(d, y.lane[c]));
+        };
+        const auto even = hn::Add(hn::Add(product(0), product(2)), product(4));
+        const auto odd = hn::Add(hn::Add(product(1), product(3)), product(5));
+        hn::Store(hn::Sub(hn::Load(d, target.lane + lane), hn::Add(even, odd)), d, target.lane + lane);
     }
 }
 
-void solve(const dxEliminationOrder &order, const dxBodyBlocks &diagonal, const dxBodyBlocks &below,
-           const dxBodyVectors &inversePivots, dxBodyVectors &y) {
+// y(column) -= the sum over blocks of block' * y(row)
+HWY_INLINE void subtractTransposed(const dxEliminationOrder &order, const dxBodyBlock *below, unsigned column, dxBodyVectors &y) {
+    const BodyTag d;
+    const unsigned begin = order.firstBlock(column), end = order.firstBlock(column + 1);
+    if (begin == end) return;
+    dxBodyBlock sums;
+    for (unsigned lane = 0; lane < kBodyLanes; lane += hn::Lanes(d)) {
+        hn::Vec<BodyTag> sum[kBodyAxes];
+        for (unsigned c = 0; c < kBodyAxes; ++c) sum[c] = hn::Zero(d);
+        for (unsigned block = begin; block < end; ++block) {
+            const auto other = hn::Load(d, y[order.rowOf(block)].lane + lane);
+            HWY_UNROLL(6) for (unsigned c = 0; c < kBodyAxes; ++c)
+                sum[c] = hn::Add(sum[c], hn::Mul(hn::Load(d, below[block].column[c].lane + lane), other));
+        }
+        for (unsigned c = 0; c < kBodyAxes; ++c) hn::Store(sum[c], d, sums.column[c].lane + lane);
+    }
+    for (unsigned c = 0; c < kBodyAxes; ++c) y[column].lane[c] -= addUp(sums.column[c].lane);
+}
+
+void solve(const dxEliminationOrder &order, const dxBodyBlocks &below, const std::vector<dxPivotInverse> &inverses,
+           dxBodyVectors &y) {
     const unsigned bodies = order.bodyCount();
     for (unsigned column = 0; column < bodies; ++column) {
-        solvePivot(diagonal[column], inversePivots[column], y[column].lane);
+        multiply(inverses[column].byColumns, y[column]);
         for (unsigned block = order.firstBlock(column); block < order.firstBlock(column + 1); ++block)
-            subtractTimes(y[order.rowOf(block)], below[block], y[column].lane);
+            subtractTimes(y[order.rowOf(block)], below[block], y[column]);
     }
     for (unsigned column = bodies; column-- > 0;) {
-        double *const own = y[column].lane;
-        for (unsigned block = order.firstBlock(column); block < order.firstBlock(column + 1); ++block) {
-            const dxBodyVector &other = y[order.rowOf(block)];
-            HWY_UNROLL(6) for (unsigned c = 0; c < kBodyAxes; ++c) own[c] -= addUpProducts(below[block].column[c], other);
-        }
-        solvePivotTransposed(diagonal[column], inversePivots[column], own);
+        subtractTransposed(order, below.data(), column, y);
+        multiply(inverses[column].byRows, y[column]);
     }
 }
 
@@ -147,15 +165,15 @@ void dxBlockFactor::shape(const dxEliminationOrder &order) {
     m_order = &order;
     m_diagonal.resize(order.bodyCount());
     m_below.resize(order.blockCount());
-    m_inversePivots.resize(order.bodyCount());
+    m_inverses.assign(order.bodyCount(), dxPivotInverse{});
     m_slotOf.resize(order.bodyCount());
 }
 
 bool dxBlockFactor::factorise() {
-    return HWY_DYNAMIC_DISPATCH(dxDirect::factorise)(*m_order, m_diagonal, m_below, m_inversePivots, m_slotOf.data());
+    return HWY_DYNAMIC_DISPATCH(dxDirect::factorise)(*m_order, m_diagonal, m_below, m_inverses, m_slotOf.data());
 }
 
 void dxBlockFactor::solve(dxBodyVectors &y) const {
-    HWY_DYNAMIC_DISPATCH(dxDirect::solve)(*m_order, m_diagonal, m_below, m_inversePivots, y);
+    HWY_DYNAMIC_DISPATCH(dxDirect::solve)(*m_order, m_below, m_inverses, y);
 }
 #endif

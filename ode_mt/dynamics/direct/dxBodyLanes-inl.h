@@ -24,14 +24,6 @@ HWY_INLINE double addUp(const double *lanes) {
     return (a + c) + (b + d);
 }
 
-HWY_INLINE double addUpProducts(const dxBodyVector &left, const dxBodyVector &right) {
-    const BodyTag d;
-    dxBodyVector products;
-    for (unsigned lane = 0; lane < kBodyLanes; lane += hn::Lanes(d))
-        hn::Store(hn::Mul(hn::Load(d, left.lane + lane), hn::Load(d, right.lane + lane)), d, products.lane + lane);
-    return addUp(products.lane);
-}
-
 }  // namespace HWY_NAMESPACE
 }  // namespace dxDirect
 HWY_AFTER_NAMESPACE();

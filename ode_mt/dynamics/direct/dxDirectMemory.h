@@ -7,9 +7,10 @@
 #include "objects.h"
 #include "joints/joint.h"
 
-// Islands of fewer rows are solved by Dantzig's algorithm, which is faster there (docs/direct-solver.md has the figures).
-constexpr unsigned kMinDirectRows = 120;
+// Islands that have both fewer rows with limits and fewer rows in all are solved by Dantzig's algorithm, which is faster there
+// (docs/direct-solver.md has the figures): it is quick where no row may reach a limit, and its zeros are skipped, as in a chain.
+constexpr unsigned kMinDirectLimitedRows = 110, kMinDirectRows = 700;
 
-// In place of upstream's dxEstimateStepMemoryRequirements, and never more than that: there is no matrix of more than
-// kMinDirectRows rows.
+// In place of upstream's dxEstimateStepMemoryRequirements, and never more than that: there is no matrix of kMinDirectRows rows
+// or more.
 sizeint dxEstimateDirectStepMemory(dxBody *const *bodies, unsigned bodyCount, dxJoint *const *joints, unsigned jointCount);

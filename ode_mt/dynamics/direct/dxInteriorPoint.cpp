@@ -33,6 +33,9 @@ constexpr double kGoodResidual = 1e-12, kGoodRounding = 1e-15;
 // The part of c times a distance that a multiplier is below where the row ends away from its limit.
 constexpr double kSurelyFree = 0.1;
 
+// The residual that is as small as it gets, as part of the largest b and sum.
+constexpr double kRounding = 2 * std::numeric_limits<double>::epsilon();
+
 // Forces as near to a limit as this part of it are at the limit.
 constexpr double kNearLimit = 1e-9;
 
@@ -189,7 +192,9 @@ double dxInteriorPoint::solve() {
     for (unsigned i = 0; i < kMaxSteps; ++i) {
         if (m_gap <= guess * firstGap) {
             guessStates();
-            const double now = m_refinement.refine(m_system, m_low, m_high, m_state, m_best);
+            const Scale expected = scaleOf(m_best);
+            const double rounding = kRounding * (expected.b + expected.sum);
+            const double now = m_refinement.refine(m_system, m_low, m_high, rounding, m_state, m_best);
             if (now < residual) {
                 residual = now;
                 m_found = m_best;

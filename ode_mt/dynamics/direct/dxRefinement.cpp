@@ -63,7 +63,7 @@ bool dxRefinement::factorise(dxReducedSystem &system, const std::vector<dxRowSta
 }
 
 double dxRefinement::refine(dxReducedSystem &system, const std::vector<double> &low, const std::vector<double> &high,
-                            std::vector<dxRowState> &state, std::vector<double> &x) {
+                            double enough, std::vector<dxRowState> &state, std::vector<double> &x) {
     double best = kInfinity;
     unsigned stalled = 0;
     bool isFactored = false;
@@ -77,7 +77,7 @@ double dxRefinement::refine(dxReducedSystem &system, const std::vector<double> &
             m_best = x;
         }
         const unsigned changes = i > 0 ? updateStates(low, high, x, kReleaseTolerance * worst, state) : 0;
-        if (stalled >= kMaxStalled || changes > kMaxChanges) break;
+        if (worst <= enough || stalled >= kMaxStalled || changes > kMaxChanges) break;
         if (!isFactored || changes > 0) {
             isFactored = factorise(system, state);
             if (!isFactored) break;

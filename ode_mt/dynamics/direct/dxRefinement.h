@@ -21,8 +21,9 @@ public:
     void begin(const dxDirectProblem &problem);
 
     // From `x` on, with rows in `state`. A row that would pass a limit stays there; one that is pushed away from it is set
-    // free, as long as such rows are few. Writes `x`, as good as it was found. Returns its residual, infinity for none.
-    double refine(dxReducedSystem &system, const std::vector<double> &low, const std::vector<double> &high,
+    // free, as long as such rows are few. Ends at a residual of `enough`. Writes `x`, as good as it was found. Returns its
+    // residual, infinity for none.
+    double refine(dxReducedSystem &system, const std::vector<double> &low, const std::vector<double> &high, double enough,
                   std::vector<dxRowState> &state, std::vector<double> &x);
 
 private:

@@ -13,19 +13,9 @@ void dxExactStep(const dxIslandStep &step) {
     dxStepExactly(step, solver);
 }
 
-void dxSolveRowsExactly(const dxIslandStep &step, dxExactProblem &problem, dxExactSolver &solver) {
-    // Asks joints for their rows (getInfo2), which may add to accumulators. Writes the Jacobian, c, cfm, limits.
-    dxReadRows(step, problem);
-
-    // Reads velocities, accumulators, inertia, rows. Writes A, b, and the links from bodies to joints.
-    dxMakeMatrix(step, problem);
-
-    // Parallel for large problems, if the island has a islandWorkers. Reads A, b, limits; writes x, and may write over A and b.
-    solver.solve(problem, *step.arena);
-}
-
 // All stages but the solver are serial. Each reads what those before it have written.
 void dxStepExactly(const dxIslandStep &step, dxExactSolver &solver) {
+    dxWorldProcessMemArena &arena = *step.arena;
     dxExactProblem problem;
 
     // Reads bodies and gravity. Writes tags and inertia, adds gravity and gyroscopic torque to the bodies' accumulators.
@@ -34,7 +24,16 @@ void dxStepExactly(const dxIslandStep &step, dxExactSolver &solver) {
     // Asks joints how many rows they have (getInfo1). Writes the list of joints, and how many rows there are.
     dxOrderJoints(step, problem);
 
-    if (problem.rowCount > 0) dxSolveRowsExactly(step, problem, solver);
+    if (problem.rowCount > 0) {
+        // Asks joints for their rows (getInfo2), which may add to accumulators. Writes the Jacobian, c, cfm, limits.
+        dxReadRows(step, problem);
+
+        // Reads velocities, accumulators, inertia, rows. Writes A, b, and the links from bodies to joints.
+        dxMakeMatrix(step, problem);
+
+        // Parallel for large problems, if the island has a islandWorkers. Reads A, b, limits; writes x, and may write over A and b.
+        solver.solve(problem, arena);
+    }
 
     // Reads x, rows, inertia, accumulators. Writes feedback, velocities and poses, clears accumulators; tells spaces and the
     // user of each body that has moved before it goes on to the next one.

@@ -8,13 +8,9 @@
 #include "dynamics/islands/dxIslandStep.h"
 
 class dxExactSolver;
-struct dxExactProblem;
 
 // Steps the island; its islandWorkers, if there is one, solves large problems together.
 void dxExactStep(const dxIslandStep &step);
 
 // The same with another solver.
 void dxStepExactly(const dxIslandStep &step, dxExactSolver &solver);
-
-// The stages between the order of joints and the results, for an island that has rows.
-void dxSolveRowsExactly(const dxIslandStep &step, dxExactProblem &problem, dxExactSolver &solver);
