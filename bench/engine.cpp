@@ -79,13 +79,15 @@ void readWord(const std::string &name, const std::string &word, Engine &engine) 
         setOnce(name, engine.manager, word);
     } else if (word == "concurrent" || word == "independent") {
         setOnce(name, engine.callbacks, word);
+    } else if (word == "exact" || word == "fast") {
+        setOnce(name, engine.solver, word);
     } else if (word.compare(0, kCells.size(), kCells) == 0) {
         checkCells(name, word.substr(kCells.size()));
         setOnce(name, engine.gridCells, word.substr(kCells.size()));
     } else if (std::find(kAlgorithms.begin(), kAlgorithms.end(), word) != kAlgorithms.end()) {
         setOnce(name, engine.algorithm, word);
     } else {
-        std::string known = "pthread, openmp, concurrent, independent, cells=K";
+        std::string known = "pthread, openmp, exact, fast, concurrent, independent, cells=K";
         for (const std::string &algorithm : kAlgorithms) known += ", " + algorithm;
         throw std::invalid_argument("engine '" + name + "': unknown word '" + word + "'; known: " + known);
     }
@@ -104,7 +106,7 @@ std::string Engine::name() const {
         case Kind::Ours:
             break;
     }
-    return "ours:" + threads + slash(manager) + slash(algorithm) + slash(callbacks) +
+    return "ours:" + threads + slash(manager) + slash(algorithm) + slash(solver) + slash(callbacks) +
            slash(gridCells.empty() ? "" : kCells + gridCells);
 }
 
@@ -114,6 +116,7 @@ std::map<std::string, std::string> Engine::environment() const {
     variables["ODE_MT_THREADS"] = threads;
     if (!manager.empty()) variables["ODE_MT_THREAD_MANAGER"] = manager;
     if (!algorithm.empty()) variables["ODE_MT_ALGORITHM"] = algorithm;
+    if (!solver.empty()) variables["ODE_MT_SOLVER"] = solver;
     if (!callbacks.empty()) variables["ODE_MT_CALLBACKS"] = callbacks;
     if (!gridCells.empty()) variables["ODE_MT_GRID_CELLS"] = gridCells;
     return variables;
@@ -147,7 +150,7 @@ Engine readEngine(const std::string &name) {
     throw std::invalid_argument(
         "unknown engine '" + name +
         "'; known: stock, stock-pool:N, ours:N, ours:auto, ours:N/pthread, ours:N/openmp, "
-        "ours:N/concurrent, ours:N/independent, ours:N/cells=K, ours:N/ALGORITHM");
+        "ours:N/exact, ours:N/fast, ours:N/concurrent, ours:N/independent, ours:N/cells=K, ours:N/ALGORITHM");
 }
 
 std::vector<Engine> readEngines(const std::vector<std::string> &names,

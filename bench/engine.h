@@ -5,7 +5,8 @@
 //   ours:N          ODE_MT with N threads (0: serial; auto: one for every core)
 //   ours:N/WORD     … with the thread manager pthread or openmp, with near-callbacks on several threads
 //                   (concurrent), with a grid of that many cells on each axis (cells=8), or with the
-//                   algorithm WORD Several words may follow one another: ours:2/decluster/concurrent/cells=8
+//                   algorithm WORD, or with the direct solver behind dWorldStep (fast).
+//                   Several words may follow one another: ours:2/decluster/concurrent/cells=8
 #pragma once
 
 #include <map>
@@ -21,6 +22,7 @@ struct Engine {
     std::string threads;    // "2", "auto"; empty for stock
     std::string manager;    // of ours; empty: the library's default
     std::string algorithm;  // of ours; empty: the library's default
+    std::string solver;     // of ours; empty: the library's default
     std::string callbacks;  // of ours; empty: the library's default
     std::string gridCells;  // of ours; empty: the library's default
 
@@ -29,6 +31,9 @@ struct Engine {
 
     // Upstream's pool lets threads decide the order of additions: other bits in every run.
     bool isReproducible() const { return kind != Kind::StockPool; }
+
+    // Those of the direct solver are its own.
+    bool hasUpstreamsBits() const { return isReproducible() && solver != "fast"; }
 
     // What the environment of its process says.
     std::map<std::string, std::string> environment() const;

@@ -11,7 +11,7 @@ namespace {
 // The first engine whose states are reproducible: the others' states must equal its own.
 const EngineResult *hashReference(const WorldResult &result) {
     for (const EngineResult &engine : result.engines)
-        if (engine.engine.isReproducible() && !engine.failed()) return &engine;
+        if (engine.engine.hasUpstreamsBits() && !engine.failed()) return &engine;
     return nullptr;
 }
 
@@ -126,7 +126,7 @@ private:
         const EngineResult *reference = hashReference(m_result);
         if (!reference) return;
         for (EngineResult &engine : m_result.engines) {
-            if (!engine.engine.isReproducible() || engine.failed() || engine.firstDifference >= 0) continue;
+            if (!engine.engine.hasUpstreamsBits() || engine.failed() || engine.firstDifference >= 0) continue;
             if (engine.batches.back().hash != reference->batches.back().hash)
                 engine.firstDifference = m_result.warmUpFrames + m_result.frames;
         }

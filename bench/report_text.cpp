@@ -30,6 +30,8 @@ std::string state(const EngineSummary &summary) {
             return hashText(summary.hash) + " DIFFERS";
         case StateCheck::NotReproducible:
             return hashText(summary.hash) + " not reproducible";
+        case StateCheck::OwnBits:
+            return hashText(summary.hash) + " own bits";
         case StateCheck::Unknown:
             return "-";
         default:

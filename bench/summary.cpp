@@ -7,6 +7,7 @@ namespace {
 StateCheck stateCheck(const WorldResult &result, const EngineResult &engine, bool &referenceSeen) {
     if (engine.batches.empty()) return StateCheck::Unknown;
     if (!engine.engine.isReproducible()) return StateCheck::NotReproducible;
+    if (!engine.engine.hasUpstreamsBits()) return StateCheck::OwnBits;
     if (engine.firstDifference >= 0) return StateCheck::Differs;
     if (engine.batches.size() < static_cast<std::size_t>(result.rounds)) return StateCheck::Unknown;
     if (referenceSeen) return StateCheck::Same;
@@ -41,6 +42,8 @@ const char *nameOf(StateCheck check) {
             return "differs";
         case StateCheck::NotReproducible:
             return "not reproducible";
+        case StateCheck::OwnBits:
+            return "own bits";
         case StateCheck::Unknown:
             return "unknown";
     }

@@ -8,7 +8,7 @@
 
 namespace bench {
 
-enum class StateCheck { Reference, Same, Differs, NotReproducible, Unknown };
+enum class StateCheck { Reference, Same, Differs, NotReproducible, OwnBits, Unknown };
 const char *nameOf(StateCheck check);
 
 struct PartSummary {

@@ -26,7 +26,7 @@ std::string complaint(const std::string &engine) {
 TEST(Engine, NamesAreReadAndWrittenBack) {
     for (const char *name : {"stock", "stock-pool:2", "ours:0", "ours:1024", "ours:auto", "ours:2/openmp",
                              "ours:2/lcp", "ours:2/pthread/lcp", "ours:2/concurrent", "ours:2/independent",
-                             "ours:2/cells=5", "ours:auto/openmp/decluster/concurrent/cells=20"})
+                             "ours:2/cells=5", "ours:0/fast", "ours:2/lcp/exact", "ours:auto/openmp/decluster/concurrent/cells=20"})
         EXPECT_EQ(readEngine(name).name(), name);
 }
 
@@ -77,6 +77,11 @@ TEST(Engine, OnlyThePoolIsNotReproducible) {
     EXPECT_TRUE(readEngine("stock").isReproducible());
     EXPECT_TRUE(readEngine("ours:2").isReproducible());
     EXPECT_FALSE(readEngine("stock-pool:2").isReproducible());
+    EXPECT_TRUE(readEngine("ours:2/fast").isReproducible());
+    EXPECT_FALSE(readEngine("ours:2/fast").hasUpstreamsBits());
+    EXPECT_TRUE(readEngine("ours:2/exact").hasUpstreamsBits());
+    EXPECT_TRUE(readEngine("stock").hasUpstreamsBits());
+    EXPECT_EQ(readEngine("ours:2/fast").environment().at("ODE_MT_SOLVER"), "fast");
 }
 
 TEST(Engine, ListsExpandOverThreads) {

@@ -96,6 +96,12 @@ TEST(Report, ThePoolIsMarkedAsNotReproducible) {
     EXPECT_NE(reportText(result).find("not reproducible"), std::string::npos);
 }
 
+TEST(Report, TheDirectSolverIsMarkedAsHavingItsOwnBits) {
+    WorldResult result = worldResult();
+    result.engines[1].engine = readEngine("ours:2/fast");
+    EXPECT_NE(reportText(result).find("own bits"), std::string::npos);
+}
+
 TEST(Report, JsonHoldsTheFigures) {
     const auto json = nlohmann::json::parse(reportJson({worldResult()}));
     const auto &world = json["worlds"][0];

@@ -151,6 +151,68 @@ TEST_F(Settings, UnknownAlgorithmIsNamedAndChangesNothing) {
     }
 }
 
+TEST_F(Settings, SolversAreOfOneWorld) {
+    const Messages messages;
+    const dWorldID chosen = dWorldCreate(), other = dWorldCreate();
+    EXPECT_STREQ(dODE_MT_GetSolver(chosen), "exact");
+    for (const char *name : {"fast", "exact", "fast"}) {
+        EXPECT_EQ(dODE_MT_SetSolver(chosen, name), 1);
+        EXPECT_STREQ(dODE_MT_GetSolver(chosen), name);
+        EXPECT_STREQ(dODE_MT_GetSolver(other), "exact");
+    }
+    EXPECT_TRUE(messages.empty()) << g_messages;
+    dWorldDestroy(chosen);
+    dWorldDestroy(other);
+}
+
+// The allocator places some of many new worlds where that one was.
+TEST_F(Settings, SolverEndsWithItsWorld) {
+    const dWorldID destroyed = dWorldCreate();
+    dODE_MT_SetSolver(destroyed, "fast");
+    dWorldDestroy(destroyed);
+    for (int i = 0; i < 20; ++i) {
+        const dWorldID world = dWorldCreate();
+        EXPECT_STREQ(dODE_MT_GetSolver(world), "exact");
+        dWorldDestroy(world);
+    }
+}
+
+TEST_F(Settings, UnknownSolverIsNamedAndChangesNothing) {
+    const dWorldID world = dWorldCreate();
+    dODE_MT_SetSolver(world, "fast");
+    for (const char *name : {"foo", "", "FAST", static_cast<const char *>(nullptr)}) {
+        const Messages messages;
+        EXPECT_EQ(dODE_MT_SetSolver(world, name), 0);
+        EXPECT_STREQ(dODE_MT_GetSolver(world), "fast");
+        EXPECT_TRUE(messages.tell("'" + std::string(name ? name : "(null)") + "'")) << g_messages;
+        EXPECT_TRUE(messages.tell("exact, fast")) << g_messages;
+    }
+    dWorldDestroy(world);
+}
+
+TEST(SettingsDeathTest, SolverOfNoWorldIsAnError) {
+    testing::FLAGS_gtest_death_test_style = "threadsafe";
+    EXPECT_DEATH(dODE_MT_SetSolver(nullptr, "fast"), "Bad argument");
+    EXPECT_DEATH(dODE_MT_GetSolver(nullptr), "Bad argument");
+}
+
+TEST(SettingsDeathTest, SolverOfTheEnvironmentIsThatOfNewWorlds) {
+    testing::FLAGS_gtest_death_test_style = "threadsafe";
+    const auto run = [](const char *value, const std::string &expected) {
+        setenv("ODE_MT_SOLVER", value, 1);
+        dInitODE2(0);
+        const dWorldID world = dWorldCreate(), other = dWorldCreate();
+        const bool isExpected = dODE_MT_GetSolver(world) == expected;
+        dODE_MT_SetSolver(world, "exact");
+        const bool isOwn = std::string(dODE_MT_GetSolver(world)) == "exact" && dODE_MT_GetSolver(other) == expected;
+        std::_Exit(!isExpected ? 1 : !isOwn ? 2 : 0);
+    };
+    EXPECT_EXIT(run("fast", "fast"), testing::ExitedWithCode(0), "^$");
+    EXPECT_EXIT(run("exact", "exact"), testing::ExitedWithCode(0), "^$");
+    EXPECT_EXIT(run("", "exact"), testing::ExitedWithCode(0), "^$");
+    EXPECT_EXIT(run("foo", "exact"), testing::ExitedWithCode(0), "ODE_MT_SOLVER is 'foo'.*exact, fast; exact is taken");
+}
+
 TEST_F(Settings, HeuristicsAreTakenByName) {
     const Messages messages;
     for (const char *names : {"none", "cells", "centre,threads", "cells,centre,crossover,declustering,threads"}) {

@@ -17,7 +17,8 @@ void addChoice(std::vector<Function> &all, const char *name, std::vector<std::st
 // They look and change nothing.
 void addGetters(std::vector<Function> &all) {
     for (const char *const name : {"dODE_MT_GetAlgorithm", "dODE_MT_GetCallbackPolicy", "dODE_MT_GetContactsAhead",
-                                   "dODE_MT_GetContactsAheadUnused", "dODE_MT_GetGridCells", "dODE_MT_GetHeuristics",
+                                   "dODE_MT_GetContactsAheadUnused", "dODE_MT_GetDirectFallbacks",
+                                   "dODE_MT_GetDirectIslands", "dODE_MT_GetGridCells", "dODE_MT_GetHeuristics",
                                    "dODE_MT_GetMaxWorkersUsed", "dODE_MT_GetParallelCollisions", "dODE_MT_GetParallelIslands",
                                    "dODE_MT_GetParallelSteps", "dODE_MT_GetSharedCollisions", "dODE_MT_GetTeamSteps",
                                    "dODE_MT_GetThreadManager", "dODE_MT_GetThreads"})
@@ -25,6 +26,12 @@ void addGetters(std::vector<Function> &all) {
             callIfThere(name);
             return true;
         }, 1);
+    byHand(all, "dODE_MT_GetSolver", {object(ObjectKind::world)}, [](Player &player, const Arguments &arguments, Reference &) {
+        const auto world = get<dWorldID>(player, arguments[0]);
+        if (world == nullptr) return false;
+        callIfThere("dODE_MT_GetSolver", world);
+        return true;
+    }, 1);
     for (const char *const name : {"dClusterGetCount", "dClusterGetGridCells", "dClusterGetGridStep"})
         byHand(all, name, {object(ObjectKind::world), object(ObjectKind::space)}, [name](Player &player, const Arguments &arguments, Reference &) {
             const auto world = get<dWorldID>(player, arguments[0]);
@@ -85,6 +92,13 @@ void addSettingFunctions(std::vector<Function> &all) {
     addChoice(all, "dODE_MT_SetHeuristics",
               {"default", "none", "cells", "centre", "crossover", "declustering", "threads", "cells,centre,crossover,declustering,threads"});
     addChoice(all, "dODE_MT_SetThreadManager", {"pthread", "openmp"});
+    // The bits of "fast" are its own.
+    byHand(all, "dODE_MT_SetSolver", {object(ObjectKind::world)}, [](Player &player, const Arguments &arguments, Reference &) {
+        const auto world = get<dWorldID>(player, arguments[0]);
+        if (world == nullptr) return false;
+        callIfThere("dODE_MT_SetSolver", world, "exact");
+        return true;
+    }, 1);
     // The player then does what such callbacks may do, on both libraries.
     byHand(all, "dODE_MT_SetCallbackPolicy", {word({"serial", "concurrent", "independent"})},
            [](Player &player, const Arguments &arguments, Reference &) {

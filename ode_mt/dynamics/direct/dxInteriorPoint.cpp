@@ -88,14 +88,17 @@ double dxInteriorPoint::gapAfter(double length) const {
     return m_limits > 0 ? sum / m_limits : 0;
 }
 
+// Only a new largest part is divided: those are few.
 double dxInteriorPoint::findStepLength() const {
     double inverse = 0;  // the largest part of a distance or multiplier that the step takes
+    const auto take = [&inverse](double loss, double of) {
+        if (loss > inverse * of) inverse = loss / of;
+    };
     for (unsigned i = 0; i < m_problem->rowCount; ++i) {
-        const double dx = m_dx[i];
-        inverse = std::max(inverse, -dx / m_toLow[i]);
-        inverse = std::max(inverse, dx / m_toHigh[i]);
-        if (m_pullLow[i] > 0) inverse = std::max(inverse, -m_dPullLow[i] / m_pullLow[i]);
-        if (m_pullHigh[i] > 0) inverse = std::max(inverse, -m_dPullHigh[i] / m_pullHigh[i]);
+        take(-m_dx[i], m_toLow[i]);
+        take(m_dx[i], m_toHigh[i]);
+        if (m_pullLow[i] > 0) take(-m_dPullLow[i], m_pullLow[i]);
+        if (m_pullHigh[i] > 0) take(-m_dPullHigh[i], m_pullHigh[i]);
     }
     return inverse > 1 ? 1 / inverse : 1;
 }
