@@ -193,6 +193,34 @@ TEST_F(DirectStep, LeavesQuickStepAsItIs) {
     EXPECT_EQ(states[0], states[1]);
 }
 
+// A moved-callback attaches a joint to a wall that is still to be stepped: that island is upstream's, in memory of its own.
+TEST_F(DirectStep, LeavesIslandsThatChangeDuringTheStepToUpstream) {
+    static dBodyID brick;
+    std::vector<std::vector<dReal>> velocities;
+    const Counts counts;
+    for (const char *solver : {"exact", "fast"}) {
+        BrickWall::Shape shape;
+        shape.side = 4;
+        BrickWall wall(shape);
+        dODE_MT_SetSolver(wall.world(), solver);
+        brick = wall.bricks()[5];
+        const dBodyID mover = dBodyCreate(wall.world());  // the last body of a world is the first one in its list
+        dBodySetPosition(mover, 50, 0, 5);
+        dBodySetMovedCallback(mover, [](dBodyID body) {
+            const dJointID joint = dJointCreateBall(dBodyGetWorld(body), nullptr);
+            dJointAttach(joint, brick, nullptr);
+            dJointSetBallAnchor(joint, 0, 0, 1);
+            dBodySetMovedCallback(body, nullptr);
+        });
+        wall.collide();
+        EXPECT_GT(wall.contacts(), 60u);
+        wall.step();
+        velocities.push_back(wall.velocities());
+    }
+    EXPECT_EQ(velocities[0], velocities[1]);
+    EXPECT_EQ(counts.newIslands(), 0u);
+}
+
 std::vector<size_t> g_requests;
 
 // The user's memory manager is asked for the rows, not for a matrix of rows by rows.
