@@ -221,6 +221,28 @@ TEST_F(DirectStep, LeavesIslandsThatChangeDuringTheStepToUpstream) {
     EXPECT_EQ(counts.newIslands(), 0u);
 }
 
+// Functions of the user's are asked for all that upstream asks of them.
+TEST_F(DirectStep, LeavesWorldsOfTheUsersThreadingFunctionsToUpstream) {
+    const dThreadingImplementationID implementation = dThreadingAllocateSelfThreadedImplementation();
+    const dThreadingFunctionsInfo functions = *dThreadingImplementationGetFunctions(implementation);
+    std::vector<std::vector<dReal>> velocities;
+    const Counts counts;
+    for (const char *solver : {"exact", "fast"}) {
+        BrickWall::Shape shape;
+        shape.side = 4;
+        BrickWall wall(shape);
+        dODE_MT_SetSolver(wall.world(), solver);
+        dWorldSetStepThreadingImplementation(wall.world(), &functions, implementation);
+        wall.collide();
+        wall.step();
+        velocities.push_back(wall.velocities());
+        dWorldSetStepThreadingImplementation(wall.world(), nullptr, nullptr);
+    }
+    dThreadingFreeImplementation(implementation);
+    EXPECT_EQ(velocities[0], velocities[1]);
+    EXPECT_EQ(counts.newIslands(), 0u);
+}
+
 std::vector<size_t> g_requests;
 
 // The user's memory manager is asked for the rows, not for a matrix of rows by rows.
