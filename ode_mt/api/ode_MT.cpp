@@ -35,12 +35,12 @@ int dODE_MT_SetAlgorithm(const char *name) {
 const char *dODE_MT_GetAlgorithm() { return dxSettings::instance().algorithmName(); }
 
 int dODE_MT_SetSolver(dWorldID world, const char *name) {
-    dAASSERT(world);
+    dUASSERT(world, "bad world argument");
     return dxWorldSolver::choose(world, name ? name : "(null)");
 }
 
 const char *dODE_MT_GetSolver(dWorldID world) {
-    dAASSERT(world);
+    dUASSERT(world, "bad world argument");
     return dxSettings::nameOfSolver(dxWorldSolver::of(world));
 }
 

@@ -67,6 +67,7 @@ const std::map<std::string, std::string> kNullAnswers{
     {"dWorldStepAndSpaceCollide(space0, ones, function, world0, 0.5, function, NULL)", " returns"},
     {"dODE_MT_GetStatistics(NULL)",
      " message 0 \"ODE_MT: dODE_MT_GetStatistics was given no place for them (NULL)\" returns"},
+    {"dODE_MT_SetSolver(NULL, text)", " debug 2 \"bad world argument in dODE_MT_SetSolver()\""},
 };
 
 void expectAnswerToNull(const std::string &call, const std::string &answer) {
@@ -103,6 +104,7 @@ TEST(BadInput, OwnSettingsNameWhatTheyWereGiven) {
     const Lines lines = linesOn(Library::Ours, {ODE_MT_OWN_BAD_INPUT_PROGRAM, "dODE_MT_Set"}, "0");
     int refused = 0;
     for (std::size_t i = 1; i < lines.size(); ++i) {
+        if (callOf(lines[i]).find("(NULL, text)") != std::string::npos) continue;  // no world
         const bool isGood =
             lines[i].find("Cells(0)") != std::string::npos || lines[i].find("Cells(7)") != std::string::npos;
         const std::string answer = answerOf(lines[i]);
