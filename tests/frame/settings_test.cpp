@@ -192,8 +192,8 @@ TEST_F(Settings, UnknownSolverIsNamedAndChangesNothing) {
 
 TEST(SettingsDeathTest, SolverOfNoWorldIsAnError) {
     testing::FLAGS_gtest_death_test_style = "threadsafe";
-    EXPECT_DEATH(dODE_MT_SetSolver(nullptr, "fast"), "Bad argument");
-    EXPECT_DEATH(dODE_MT_GetSolver(nullptr), "Bad argument");
+    EXPECT_DEATH(dODE_MT_SetSolver(nullptr, "fast"), "bad world argument in dODE_MT_SetSolver");
+    EXPECT_DEATH(dODE_MT_GetSolver(nullptr), "bad world argument in dODE_MT_GetSolver");
 }
 
 TEST(SettingsDeathTest, SolverOfTheEnvironmentIsThatOfNewWorlds) {
