@@ -29,8 +29,8 @@ void dWorldDestroy(dWorldID world) {
 }
 
 // Contact joints: where callbacks run on several threads, they are put into their lists later (collision/callbacks/dxContactLog.h).
-// A joint that is attached during a step may concern it (core/dxJointAttachment.h).
-// They are removed without taking memory (dynamics/dxJointRemoval.h).
+// They are removed without taking memory (dynamics/dxJointRemoval.h). A joint of any type that is attached during a step may concern
+// it (core/dxJointAttachment.h).
 
 dJointID dJointCreateContact(dWorldID world, dJointGroupID group, const dContact *contact) {
     dxContactLog *const log = dxContactLog::current();

@@ -3,6 +3,7 @@
 #include <ode/error.h>
 #include <ode/ode_MT.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "core/dxEnvironment.h"
@@ -47,15 +48,19 @@ const char *nameOf(const Named<Choice> (&all)[N], Choice choice) {
     return "";
 }
 
+// Null: unknown.
+template <class Choice, std::size_t N>
+const Named<Choice> *find(const Named<Choice> (&all)[N], const std::string &name) {
+    const auto found = std::find_if(all, all + N, [&name](const Named<Choice> &known) { return name == known.name; });
+    return found != all + N ? found : nullptr;
+}
+
 // False: unknown.
 template <class Choice, std::size_t N>
 bool choose(const Named<Choice> (&all)[N], const std::string &name, std::atomic<Choice> &choice) {
-    for (const Named<Choice> &known : all) {
-        if (name != known.name) continue;
-        choice.store(known.choice, std::memory_order_relaxed);
-        return true;
-    }
-    return false;
+    const Named<Choice> *const known = find(all, name);
+    if (known != nullptr) choice.store(known->choice, std::memory_order_relaxed);
+    return known != nullptr;
 }
 
 constexpr int kTunedCells = 0;
@@ -100,12 +105,11 @@ void dxSettings::readAlgorithm(const char *text) {
 }
 
 void dxSettings::readSolver(const char *text) {
-    for (const Named<dxSolver> &known : kSolvers)
-        if (std::strcmp(text, known.name) == 0) {
-            m_solver = known.choice;
-            if (m_solver != dxSolver::Exact) allowFast();
-            return;
-        }
+    if (const Named<dxSolver> *const known = find(kSolvers, text)) {
+        m_solver = known->choice;
+        if (m_solver != dxSolver::Exact) allowFast();
+        return;
+    }
     dxLog(dxLogLevel::warning, "ODE_MT_SOLVER is '%.100s'; known: %s; %s is taken", text, knownNames(kSolvers).c_str(),
           nameOfSolver(solver()));
 }
@@ -113,11 +117,10 @@ void dxSettings::readSolver(const char *text) {
 const char *dxSettings::nameOfSolver(dxSolver solver) { return nameOf(kSolvers, solver); }
 
 bool dxSettings::readSolver(const std::string &name, dxSolver &solver) {
-    for (const Named<dxSolver> &known : kSolvers)
-        if (name == known.name) {
-            solver = known.choice;
-            return true;
-        }
+    if (const Named<dxSolver> *const known = find(kSolvers, name)) {
+        solver = known->choice;
+        return true;
+    }
     dMessage(0, "ODE_MT: no solver '%s'; known: %s", name.c_str(), knownNames(kSolvers).c_str());
     return false;
 }

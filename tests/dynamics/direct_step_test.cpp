@@ -193,16 +193,26 @@ TEST_F(DirectStep, LeavesQuickStepAsItIs) {
     EXPECT_EQ(states[0], states[1]);
 }
 
+// Large enough for the direct solver.
+class SmallWall : public BrickWall {
+public:
+    explicit SmallWall(const char *solver) : BrickWall(shape()) { dODE_MT_SetSolver(world(), solver); }
+
+private:
+    static Shape shape() {
+        Shape shape;
+        shape.side = 4;
+        return shape;
+    }
+};
+
 // A moved-callback attaches a joint to a wall that is still to be stepped: that island is upstream's, in memory of its own.
 TEST_F(DirectStep, LeavesIslandsThatChangeDuringTheStepToUpstream) {
     static dBodyID brick;
     std::vector<std::vector<dReal>> velocities;
     const Counts counts;
     for (const char *solver : {"exact", "fast"}) {
-        BrickWall::Shape shape;
-        shape.side = 4;
-        BrickWall wall(shape);
-        dODE_MT_SetSolver(wall.world(), solver);
+        SmallWall wall(solver);
         brick = wall.bricks()[5];
         const dBodyID mover = dBodyCreate(wall.world());  // the last body of a world is the first one in its list
         dBodySetPosition(mover, 50, 0, 5);
@@ -228,10 +238,7 @@ TEST_F(DirectStep, LeavesWorldsOfTheUsersThreadingFunctionsToUpstream) {
     std::vector<std::vector<dReal>> velocities;
     const Counts counts;
     for (const char *solver : {"exact", "fast"}) {
-        BrickWall::Shape shape;
-        shape.side = 4;
-        BrickWall wall(shape);
-        dODE_MT_SetSolver(wall.world(), solver);
+        SmallWall wall(solver);
         dWorldSetStepThreadingImplementation(wall.world(), &functions, implementation);
         wall.collide();
         wall.step();

@@ -1,11 +1,8 @@
 // The rows of each island of a world, as the steppers' first stages leave them.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <ode/ode.h>
 
-#include <algorithm>
 #include <functional>
 
 #include "config.h"
@@ -18,21 +15,15 @@
 #include "dynamics/exactstep/dxExactRows.h"
 #include "dynamics/exactstep/dxJointOrder.h"
 #include "dynamics/islands/dxIslandStep.h"
-#include "dynamics/islands/dxStepPreparation.h"
+#include "islands_of_step.h"
 
 // Calls `solve` for each island that has rows, with c/h and cfm/h in the places of b and x, and moves the bodies by what it leaves in the
 // place of x. `solve` makes the links (dxMakeMatrix).
 using IslandSolve = std::function<void(const dxIslandStep &step, dxExactProblem &problem)>;
 
 inline void solveIslands(dWorldID world, dReal stepSize, const IslandSolve &solve) {
-    dxWorldProcessIslandsInfo info;
-    ASSERT_TRUE(dxPrepareStep(world, info, stepSize, &dxEstimateStepMemoryRequirements));
-    dxWorldProcessContext *const context = world->unsafeGetWorldProcessingContext();
-    dxWorldProcessMemArena *const arena = context->ObtainStepperMemArena();
-    dxIslandCursor cursor(info);
-    for (sizeint i = 0; i < info.GetIslandsCount(); ++i) {
-        arena->ResetState();
-        const dxIslandStep step{world, stepSize, cursor.next(), arena};
+    forIslands(world, stepSize, &dxEstimateStepMemoryRequirements, [&](const dxIsland &island, dxWorldProcessMemArena *arena) {
+        const dxIslandStep step{world, stepSize, island, arena};
         dxExactProblem problem;
         dxGatherBodies(step, problem);
         dxOrderJoints(step, problem);
@@ -41,6 +32,5 @@ inline void solveIslands(dWorldID world, dReal stepSize, const IslandSolve &solv
             solve(step, problem);
         }
         dxApplyResults(step, problem);
-    }
-    context->ReturnStepperMemArena(arena);
+    });
 }

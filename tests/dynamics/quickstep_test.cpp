@@ -6,6 +6,7 @@
 #include "dynamics/quickstep/sor/dxSorSolver.h"
 #include "quickstep.h"
 #include "instruction_sets.h"
+#include "islands_of_step.h"
 #include "random_world.h"
 #include "upstream_quickstep.h"
 
@@ -23,22 +24,6 @@ protected:
     static void SetUpTestSuite() { dInitODE2(0); }
     static void TearDownTestSuite() { dCloseODE(); }
 };
-
-// Calls visit(island, arena) for the islands of a step, in memory of the size that upstream's estimate asks for.
-template <class Visit>
-void forIslands(dxWorld *world, const Visit &visit) {
-    dxWorldProcessIslandsInfo info;
-    ASSERT_TRUE(dxPrepareStep(world, info, kStepSize, &dxEstimateQuickStepMemoryRequirements));
-    dxWorldProcessContext *const context = world->unsafeGetWorldProcessingContext();
-    dxWorldProcessMemArena *const arena = context->ObtainStepperMemArena();
-    dxIslandCursor cursor(info);
-    for (sizeint i = 0; i < info.GetIslandsCount(); ++i) {
-        arena->ResetState();
-        visit(cursor.next(), arena);
-        if (testing::Test::HasFatalFailure()) break;
-    }
-    context->ReturnStepperMemArena(arena);
-}
 
 template <class Number>
 testing::AssertionResult sameBits(const std::vector<Number> &ours, const std::vector<Number> &upstream) {
@@ -133,7 +118,7 @@ TEST_P(QuickStepStages, GiveUpstreamsBits) {
         reference.push();
         std::vector<UpstreamQuickStep> islands;
         dRandSetSeed(seed);
-        forIslands(reference.world(), [&](const dxIsland &island, dxWorldProcessMemArena *) {
+        forIslands(reference.world(), kStepSize, &dxEstimateQuickStepMemoryRequirements, [&](const dxIsland &island, dxWorldProcessMemArena *) {
             islands.push_back(stepByUpstream(reference.world(), kStepSize, island));
         });
         const unsigned long drawn = dRandGetSeed();
@@ -143,7 +128,7 @@ TEST_P(QuickStepStages, GiveUpstreamsBits) {
                 world.push();
                 std::size_t number = 0;
                 dRandSetSeed(seed);
-                forIslands(world.world(), [&](const dxIsland &island, dxWorldProcessMemArena *arena) {
+                forIslands(world.world(), kStepSize, &dxEstimateQuickStepMemoryRequirements, [&](const dxIsland &island, dxWorldProcessMemArena *arena) {
                     ASSERT_LT(number, islands.size());
                     expectSameStages({world.world(), kStepSize, island, arena}, islands[number++]);
                 });
@@ -162,11 +147,11 @@ TEST_P(QuickStepStages, TogetherGiveUpstreamsStep) {
             reference.push();
             world.push();
             dRandSetSeed(seed);
-            forIslands(reference.world(), [&](const dxIsland &island, dxWorldProcessMemArena *) {
+            forIslands(reference.world(), kStepSize, &dxEstimateQuickStepMemoryRequirements, [&](const dxIsland &island, dxWorldProcessMemArena *) {
                 stepByUpstream(reference.world(), kStepSize, island);
             });
             dRandSetSeed(seed);
-            forIslands(world.world(), [&](const dxIsland &island, dxWorldProcessMemArena *arena) {
+            forIslands(world.world(), kStepSize, &dxEstimateQuickStepMemoryRequirements, [&](const dxIsland &island, dxWorldProcessMemArena *arena) {
                 dxQuickStep({world.world(), kStepSize, island, arena});
             });
             ASSERT_EQ(world.state(), reference.state()) << "seed " << seed << ", step " << i;

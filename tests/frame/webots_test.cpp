@@ -50,15 +50,15 @@ protected:
     }
     ~Webots() override {
         for (const dGeomID ball : balls) dGeomDestroy(ball);
-        dSpaceDestroy(space);
         dBodyDestroy(body);
         dWorldDestroy(world);
+        dSpaceDestroy(space);
     }
 
     OdeSession session;
-    dWorldID world;
-    dSpaceID space;
-    dBodyID body;
+    const dWorldID world;
+    const dSpaceID space;
+    dBodyID body = nullptr;
     dGeomID balls[2];
     std::string data = "data";
 };

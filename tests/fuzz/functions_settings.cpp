@@ -26,12 +26,13 @@ void addGetters(std::vector<Function> &all) {
             callIfThere(name);
             return true;
         }, 1);
-    byHand(all, "dODE_MT_GetSolver", {object(ObjectKind::world)}, [](Player &player, const Arguments &arguments, Reference &) {
-        const auto world = get<dWorldID>(player, arguments[0]);
-        if (world == nullptr) return false;
-        callIfThere("dODE_MT_GetSolver", world);
-        return true;
-    }, 1);
+    for (const char *const name : {"dODE_MT_GetSolver", "dWorldRefreshParameters"})
+        byHand(all, name, {object(ObjectKind::world)}, [name](Player &player, const Arguments &arguments, Reference &) {
+            const auto world = get<dWorldID>(player, arguments[0]);
+            if (world == nullptr) return false;
+            callIfThere(name, world);
+            return true;
+        }, 1);
     for (const char *const name : {"dClusterGetCount", "dClusterGetGridCells", "dClusterGetGridStep"})
         byHand(all, name, {object(ObjectKind::world), object(ObjectKind::space)}, [name](Player &player, const Arguments &arguments, Reference &) {
             const auto world = get<dWorldID>(player, arguments[0]);
@@ -51,12 +52,6 @@ void addGetters(std::vector<Function> &all) {
         const auto body = get<dBodyID>(player, arguments[0]);
         if (body == nullptr) return false;
         callIfThere("dClusterGetOfBody", body);
-        return true;
-    }, 1);
-    byHand(all, "dWorldRefreshParameters", {object(ObjectKind::world)}, [](Player &player, const Arguments &arguments, Reference &) {
-        const auto world = get<dWorldID>(player, arguments[0]);
-        if (world == nullptr) return false;
-        callIfThere("dWorldRefreshParameters", world);
         return true;
     }, 1);
 }

@@ -13,6 +13,7 @@
 // Units: those of the user's world.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -43,4 +44,8 @@ struct dxDirectProblem {
     std::vector<double> diagonal;   // J inv(M) J' of each row
 
     bool isFriction(unsigned row) const { return normalOf[row] != kNoNormal; }
+
+    // c, or the least of it, as part of the diagonal, with which rows are solved; corrections make up for the difference.
+    double softnessOf(unsigned row) const { return std::max(c[row], kMinSoftness * diagonal[row]); }
+    static constexpr double kMinSoftness = 1e-12;
 };

@@ -22,7 +22,6 @@ bool dxDirectSolver::solve(const dxExactProblem &rows, double stepSize) {
     m_residual = m_interior.solve();
     if (m_residual < kInfinity && limitFriction()) m_residual = std::max(m_residual, m_interior.solve());
     if (m_residual == kInfinity) return false;
-    m_x = m_interior.x();
     return m_residual <= kMaxResidual * scale().b + kMaxRounding * scale().sum;
 }
 

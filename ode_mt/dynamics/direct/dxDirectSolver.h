@@ -19,15 +19,13 @@ public:
     double residual() const { return m_residual; }
 
     // Of its numbers.
-    dxInteriorPoint::Scale scale() const { return m_interior.scaleOf(m_x); }
+    dxInteriorPoint::Scale scale() const { return m_interior.scaleOf(m_interior.x()); }
 
     // Of any forces, in the places of x, under the limits that the last call of solve found.
     double residualOf(const dxExactProblem &rows);
 
     // Of the last call of solve that found a residual.
-    void writeForces(const dxExactProblem &rows) const { m_rows.writeForces(m_x, rows); }
-
-    unsigned factorisations() const { return m_interior.factorisations(); }
+    void writeForces(const dxExactProblem &rows) const { m_rows.writeForces(m_interior.x(), rows); }
 
 private:
     void limitRows();
@@ -35,6 +33,5 @@ private:
 
     dxDirectRows m_rows;
     dxInteriorPoint m_interior;
-    std::vector<double> m_x;
     double m_residual = 0;
 };

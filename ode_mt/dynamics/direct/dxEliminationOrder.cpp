@@ -3,11 +3,7 @@
 #include <algorithm>
 #include <functional>
 
-namespace {
-
-constexpr unsigned kNowhere = ~0u;
-
-}  // namespace
+#include "core/dxNoIndex.h"
 
 void dxEliminationOrder::find(unsigned bodyCount, const std::vector<std::pair<unsigned, unsigned>> &pairs) {
     buildGraph(bodyCount, pairs);
@@ -35,7 +31,7 @@ void dxEliminationOrder::buildGraph(unsigned bodyCount, const std::vector<std::p
 // The heap keeps outdated entries, which are recognised by their degree.
 void dxEliminationOrder::orderBodies(unsigned bodyCount) {
     m_sequence.clear();
-    m_placeOf.assign(bodyCount, kNowhere);
+    m_placeOf.assign(bodyCount, kNoIndex);
     m_heap.clear();
     for (unsigned i = 0; i < bodyCount; ++i) m_heap.emplace_back(m_neighbours[i].size(), i);
     std::make_heap(m_heap.begin(), m_heap.end(), std::greater<>());
@@ -43,7 +39,7 @@ void dxEliminationOrder::orderBodies(unsigned bodyCount) {
         std::pop_heap(m_heap.begin(), m_heap.end(), std::greater<>());
         const auto [degree, body] = m_heap.back();
         m_heap.pop_back();
-        if (m_placeOf[body] != kNowhere || degree != m_neighbours[body].size()) continue;
+        if (m_placeOf[body] != kNoIndex || degree != m_neighbours[body].size()) continue;
         m_placeOf[body] = static_cast<unsigned>(m_sequence.size());
         m_sequence.push_back(body);
         eliminate(body);

@@ -18,9 +18,6 @@ constexpr unsigned kMaxSteps = 100;
 // Between 0.3 and 3 the number of steps is the same within a tenth; below, it grows.
 constexpr double kStart = 3;
 
-// Least c of a row, as part of its diagonal, while steps are taken.
-constexpr double kMinSoftness = 1e-12;
-
 // How much of the way to the nearest limit a step goes.
 constexpr double kMaxAdvance = 0.995;
 
@@ -170,7 +167,7 @@ bool dxInteriorPoint::iterate() {
     m_system.findResidual(m_x, m_s);
     for (unsigned i = 0; i < problem.rowCount; ++i)
         m_d[i] = m_low[i] == m_high[i] ? kInfinity
-                                       : std::max(problem.c[i], kMinSoftness * problem.diagonal[i]) + m_pullLow[i] / m_toLow[i] +
+                                       : problem.softnessOf(i) + m_pullLow[i] / m_toLow[i] +
                                              m_pullHigh[i] / m_toHigh[i];
     if (!m_system.factorise(m_d)) return false;
     predict();
@@ -228,10 +225,5 @@ double dxInteriorPoint::residualOf(std::vector<double> &x) {
             if (std::isfinite(limit) && std::fabs(x[i] - limit) <= kNearLimit * std::fabs(limit)) x[i] = limit;
     }
     m_system.findResidual(x, m_s);
-    double worst = 0;
-    for (unsigned i = 0; i < m_problem->rowCount; ++i) {
-        const double residual = dxKktResidual(x[i], -m_s[i], m_low[i], m_high[i]);
-        if (!(residual <= worst)) worst = residual;
-    }
-    return std::isfinite(worst) ? worst : kInfinity;
+    return dxWorstKktResidual(x, m_s, m_low, m_high);
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 // Of one row. Where it may not move at all, any w is right.
 inline double dxKktResidual(double x, double w, double low, double high) {
@@ -11,4 +13,15 @@ inline double dxKktResidual(double x, double w, double low, double high) {
     if (x <= low) return std::max(0.0, -w);
     if (x >= high) return std::max(0.0, w);
     return std::fabs(w);
+}
+
+// Of the worst row, where `s` = -w; infinity if one is no number.
+inline double dxWorstKktResidual(const std::vector<double> &x, const std::vector<double> &s, const std::vector<double> &low,
+                                 const std::vector<double> &high) {
+    double worst = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const double residual = dxKktResidual(x[i], -s[i], low[i], high[i]);
+        if (!(residual <= worst)) worst = residual;
+    }
+    return std::isfinite(worst) ? worst : std::numeric_limits<double>::infinity();
 }

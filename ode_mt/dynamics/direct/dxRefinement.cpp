@@ -10,9 +10,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Least c of a row, as part of its diagonal.
-constexpr double kMinSoftness = 1e-12;
-
 constexpr unsigned kMaxCorrections = 12;
 
 // Corrections in a row that do not halve the residual before it counts as found.
@@ -29,16 +26,6 @@ constexpr double kReleaseTolerance = 1e-3;
 void dxRefinement::begin(const dxDirectProblem &problem) {
     m_problem = &problem;
     for (std::vector<double> *array : {&m_s, &m_d, &m_dx, &m_best}) array->resize(problem.rowCount);
-}
-
-double dxRefinement::findWorst(const std::vector<double> &low, const std::vector<double> &high,
-                               const std::vector<double> &x) const {
-    double worst = 0;
-    for (unsigned i = 0; i < m_problem->rowCount; ++i) {
-        const double residual = dxKktResidual(x[i], -m_s[i], low[i], high[i]);
-        if (!(residual <= worst)) worst = residual;
-    }
-    return std::isfinite(worst) ? worst : kInfinity;
 }
 
 unsigned dxRefinement::updateStates(const std::vector<double> &low, const std::vector<double> &high, const std::vector<double> &x,
@@ -58,7 +45,7 @@ unsigned dxRefinement::updateStates(const std::vector<double> &low, const std::v
 
 bool dxRefinement::factorise(dxReducedSystem &system, const std::vector<dxRowState> &state) {
     for (unsigned i = 0; i < m_problem->rowCount; ++i)
-        m_d[i] = state[i] == dxRowState::Free ? std::max(m_problem->c[i], kMinSoftness * m_problem->diagonal[i]) : kInfinity;
+        m_d[i] = state[i] == dxRowState::Free ? m_problem->softnessOf(i) : kInfinity;
     return system.factorise(m_d);
 }
 
@@ -69,7 +56,7 @@ double dxRefinement::refine(dxReducedSystem &system, const std::vector<double> &
     bool isFactored = false;
     for (unsigned i = 0; i < kMaxCorrections; ++i) {
         system.findResidual(x, m_s);
-        const double worst = findWorst(low, high, x);
+        const double worst = dxWorstKktResidual(x, m_s, low, high);
         if (worst == kInfinity) break;
         stalled = worst < best / 2 ? 0 : stalled + 1;
         if (worst < best) {

@@ -27,7 +27,6 @@ public:
                   std::vector<dxRowState> &state, std::vector<double> &x);
 
 private:
-    double findWorst(const std::vector<double> &low, const std::vector<double> &high, const std::vector<double> &x) const;
     unsigned updateStates(const std::vector<double> &low, const std::vector<double> &high, const std::vector<double> &x,
                           double tolerance, std::vector<dxRowState> &state) const;
     bool factorise(dxReducedSystem &system, const std::vector<dxRowState> &state);

@@ -52,27 +52,13 @@ private:
     std::fexcept_t m_flags{};
 };
 
-// Memory beside the world's arena, whose size upstream decides and the user's allocator sees.
-class BorrowedArena {
-public:
-    explicit BorrowedArena(std::size_t size) : m_arena(dxWorkingMemory::take(size)) {}
-    ~BorrowedArena() {
-        if (m_arena) dxWorkingMemory::giveBack(m_arena);
-    }
-    BorrowedArena(const BorrowedArena &) = delete;
-    BorrowedArena &operator=(const BorrowedArena &) = delete;
-    dxWorldProcessMemArena *get() const { return m_arena; }
-
-private:
-    dxWorldProcessMemArena *const m_arena;
-};
-
 enum class Outcome { Solved, GaveUp, LeftToUpstream };
 
 // Nothing is changed if the problem is left to upstream. `failedLength` is the length of the step that was not
 // positive.
 Outcome solve(dxLargeIslandWorkers *islandWorkers, dxWorldProcessMemArena *memory, const dxDantzigProblem &problem, dReal &failedLength) {
-    const BorrowedArena more(dxDantzigRun::memory(problem.n));
+    // Beside the world's arena, whose size upstream decides and the user's allocator sees.
+    const dxArenaLease more(dxDantzigRun::memory(problem.n));
     if (!more.get()) return Outcome::LeftToUpstream;
     const LoweredFlags flags;
     dxDantzigRun run(islandWorkers, memory, more.get(), problem, mayLeaveOutZeros(problem));
