@@ -90,12 +90,19 @@ ODE_API int dODE_MT_SetAlgorithm(const char *name);
 ODE_API const char *dODE_MT_GetAlgorithm(void);
 
 /**
- * Chooses how dWorldStep solves the islands of a world: "exact" (the default, unless the environment says otherwise: upstream's
- * algorithm, with upstream's bits) or "fast" (the same equations of the same joints, solved in another way: hundreds of
- * times faster for large islands; docs/direct-solver.md). With "fast", velocities are those of "exact" to about nine digits wherever
- * the equations determine them; the bits are other ones, the same for every number of threads and instruction set. Forces of
- * redundant joints and contacts (dJointFeedback) may be distributed in another way where cfm is 0. dWorldQuickStep is the same with
- * both, and so are worlds stepped by functions of the user's own (dWorldSetStepThreadingImplementation) on one thread.
+ * Chooses how the islands of a world are solved: "exact" (the default, unless the environment says otherwise: upstream's algorithms,
+ * with upstream's bits) or "fast" (the same equations of the same joints, solved in another way).
+ *
+ * dWorldStep, "fast": hundreds of times faster for large islands (docs/direct-solver.md). Velocities are those of "exact" to about nine
+ * digits wherever the equations determine them. Forces of redundant joints and contacts (dJointFeedback) may be distributed in
+ * another way where cfm is 0.
+ *
+ * dWorldQuickStep, "fast": sweeps begin with the forces of the last step and take eight contacts at a time
+ * (docs/iterative-solver.md). The number of iterations (dWorldSetQuickStepNumIterations) is an upper bound; the result is another approximation
+ * than upstream's of the same solution. No random numbers are drawn.
+ *
+ * The bits are other ones than upstream's, the same for every number of threads and instruction set. Both solvers are the same for
+ * worlds stepped by functions of the user's own (dWorldSetStepThreadingImplementation) on one thread.
  *
  * May be called from any thread, but not while the world is stepped. The choice ends with the world.
  *
@@ -106,6 +113,35 @@ ODE_API int dODE_MT_SetSolver(dWorldID world, const char *name);
 
 /** Returns the name of the solver of a world. @ingroup ode_mt */
 ODE_API const char *dODE_MT_GetSolver(dWorldID world);
+
+/**
+ * Says how early dWorldQuickStep of a "fast" world may end: before the number of iterations is reached, but after two fifths of it, as
+ * soon as a sweep changes the forces by no more than this part of what they change in all (both in terms of energy, the square root of
+ * it). 0: not before they change no more. The default is 1e-9, at which forces do not change any more but by rounding.
+ *
+ * May be called from any thread, but not while the world is stepped.
+ *
+ * @param tolerance from 0 to 1
+ * @return 1, or 0 and a dMessage if the tolerance is another number.
+ * @ingroup ode_mt
+ */
+ODE_API int dODE_MT_SetSolverTolerance(dWorldID world, double tolerance);
+
+/** Returns the tolerance of a world. @ingroup ode_mt */
+ODE_API double dODE_MT_GetSolverTolerance(dWorldID world);
+
+/**
+ * Says whether dWorldQuickStep of a "fast" world begins with the forces of the world's last step (1, the default), or with none (0). With
+ * none, a step depends on nothing but what the program can read and set, so that a world that is made anew from a saved state goes on with the
+ * same bits; more iterations are needed for the same residual.
+ *
+ * May be called from any thread, but not while the world is stepped.
+ * @ingroup ode_mt
+ */
+ODE_API void dODE_MT_SetWarmStart(dWorldID world, int isWarm);
+
+/** Returns 1 if steps begin with the forces of the last one, or else 0. @ingroup ode_mt */
+ODE_API int dODE_MT_GetWarmStart(dWorldID world);
 
 /**
  * Says whether near-callbacks may run on several threads at once: "serial" (the default; one at a time, in

@@ -7,6 +7,7 @@
 #include "core/dxJointAttachment.h"
 #include "dynamics/dxJointRemoval.h"
 #include "seams/upstream.h"
+#include "dynamics/iterative/dxIterativeWorld.h"
 #include "settings/dxWorldSolver.h"
 #include "settings/dxWorldWorkers.h"
 
@@ -24,6 +25,7 @@ void dWorldDestroy(dWorldID world) {
     if (world != nullptr) {
         dxWorldWorkers::giveBack(world);
         dxWorldSolver::forget(world);
+        dxIterativeWorld::forget(world);
     }
     dxUpstreamWorldDestroy(world);
 }

@@ -41,7 +41,32 @@ int dODE_MT_SetSolver(dWorldID world, const char *name) {
 
 const char *dODE_MT_GetSolver(dWorldID world) {
     dUASSERT(world, "bad world argument");
-    return dxSettings::nameOfSolver(dxWorldSolver::of(world));
+    return dxSettings::nameOfSolver(dxWorldSolver::of(world).solver);
+}
+
+int dODE_MT_SetSolverTolerance(dWorldID world, double tolerance) {
+    dUASSERT(world, "bad world argument");
+    if (dxSolverChoice::isTolerance(tolerance)) {
+        dxWorldSolver::setTolerance(world, tolerance);
+        return 1;
+    }
+    dMessage(0, "ODE_MT: no solver tolerance %g; known: a number from 0 to 1", tolerance);
+    return 0;
+}
+
+double dODE_MT_GetSolverTolerance(dWorldID world) {
+    dUASSERT(world, "bad world argument");
+    return dxWorldSolver::of(world).tolerance;
+}
+
+void dODE_MT_SetWarmStart(dWorldID world, int isWarm) {
+    dUASSERT(world, "bad world argument");
+    dxWorldSolver::setWarmStart(world, isWarm != 0);
+}
+
+int dODE_MT_GetWarmStart(dWorldID world) {
+    dUASSERT(world, "bad world argument");
+    return dxWorldSolver::of(world).isWarm ? 1 : 0;
 }
 
 int dODE_MT_SetCallbackPolicy(const char *name) {

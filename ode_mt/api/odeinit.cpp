@@ -12,6 +12,7 @@
 #include "collision/narrowphase/dxColliderTable.h"
 #include "collision/narrowphase/dxThreadTrimeshCache.h"
 #include "dynamics/direct/dxDirectStep.h"
+#include "dynamics/iterative/dxIterativeWorld.h"
 #include "dynamics/dxJointRemoval.h"
 #include "dynamics/dxStepRecords.h"
 #include "dynamics/islands/dxLargeIslandWorkers.h"
@@ -42,6 +43,7 @@ void releaseWorkers() {
     dxForgetJointRemoval();
     dxStepRecords::release();
     dxReleaseDirectSolvers();
+    dxIterativeWorld::release();
     dxLargeIslandWorkersLease::forget();
     dxParallelSor::forget();
     dxWorkingMemory::release();

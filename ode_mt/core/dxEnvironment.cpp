@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
@@ -19,6 +20,8 @@ constexpr Variable kVariables[] = {
     {"ODE_MT_THREADS", "n|auto"},
     {"ODE_MT_ALGORITHM", "auto|serial|lcp|original|static|static-unmerged|duplication|decluster"},
     {"ODE_MT_SOLVER", "exact|fast"},
+    {"ODE_MT_SOLVER_TOLERANCE", "0..1"},
+    {"ODE_MT_WARM_START", "0|1"},
     {"ODE_MT_CALLBACKS", "serial|concurrent|independent"},
     {"ODE_MT_HEURISTICS", "default|none|NAME,NAME..."},
     {"ODE_MT_GRID_CELLS", "n|auto"},
@@ -32,6 +35,15 @@ constexpr Variable kVariables[] = {
 const char *dxEnvironment(dxVariable variable) {
     const char *value = secure_getenv(kVariables[static_cast<std::size_t>(variable)].name);
     return value != nullptr && *value != '\0' ? value : nullptr;
+}
+
+bool dxReadReal(const char *text, double &number) {
+    const char *const end = text + std::strlen(text);
+    double value = 0;
+    const auto [stopped, error] = std::from_chars(text, end, value);
+    if (stopped != end || error != std::errc() || !std::isfinite(value)) return false;
+    number = value;
+    return true;
 }
 
 dxNumberText dxReadNumber(const char *text, long long least, long long most, long long &number) {

@@ -6,10 +6,13 @@
 // (tests/environment). Any thread may call.
 #pragma once
 
-enum class dxVariable { Threads, Algorithm, Solver, Callbacks, Heuristics, GridCells, ThreadManager, Log, Perturb };
+enum class dxVariable { Threads, Algorithm, Solver, SolverTolerance, WarmStart, Callbacks, Heuristics, GridCells, ThreadManager, Log, Perturb };
 
 // Returns its value; NULL: unset or empty.
 const char *dxEnvironment(dxVariable variable);
+
+// A finite number as strtod reads it in the "C" locale, without blanks. Returns false for anything else.
+bool dxReadReal(const char *text, double &number);
 
 enum class dxNumberText { InRange, OutOfRange, NoNumber };
 

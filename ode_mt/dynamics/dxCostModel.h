@@ -5,6 +5,7 @@
 //   dWorldStep       b·B + j·J + c·J³      B bodies, J joints; the cube is the LCP's factorisation
 //   dWorldQuickStep  b·B + J·(j + r·I)     I iterations of the sweep over the rows
 //   direct solver    b·B + d·J             about as many factorisations for any island
+//   iterative solver b·B + J·(j + r·I)     as dWorldQuickStep, with numbers of its own
 //
 // in nanoseconds on a machine of scale 1. The scale of this machine, one number per stepper, and the overhead of
 // sharing a step out are moving averages of what the steps themselves measured (dxParallelPayoff.h has the words). Sharing
@@ -26,8 +27,10 @@
 
 #include <atomic>
 
-// dWorldStep, dWorldQuickStep, and dWorldStep with the direct solver.
-enum class dxStepperKind { World, Quick, Direct };
+// dWorldStep, dWorldQuickStep, and the same of a fast world.
+enum class dxStepperKind { World, Quick, Direct, Iterative };
+
+inline bool dxIsQuick(dxStepperKind kind) { return kind == dxStepperKind::Quick || kind == dxStepperKind::Iterative; }
 
 // A moving average that is not spoilt by one odd value, such as that of a thread which the system took off
 // its core for milliseconds: the first of several surprising values counts for little.
@@ -84,7 +87,7 @@ private:
     void endProbe(unsigned steps, double ideal, double serial);
     void fadeOverhead(double serial);
 
-    dxSteadyAverage m_scale[3] = {dxSteadyAverage(1), dxSteadyAverage(1), dxSteadyAverage(1)};
+    dxSteadyAverage m_scale[4] = {dxSteadyAverage(1), dxSteadyAverage(1), dxSteadyAverage(1), dxSteadyAverage(1)};
     dxSteadyAverage m_overhead{10e3};        // before the first measurement: two thread wake-ups
     std::atomic<double> m_retryInterval{1};  // part of the longest
     std::atomic<bool> m_hasFaded{false};     // not measured since: the next step that is shared out begins a probe

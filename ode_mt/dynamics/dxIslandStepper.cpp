@@ -7,6 +7,7 @@
 #include "dynamics/direct/dxDirectStep.h"
 #include "dynamics/exactstep/dxExactStep.h"
 #include "dynamics/islands/dxWorkingMemory.h"
+#include "dynamics/iterative/dxIterativeStep.h"
 #include "dynamics/quickstep/dxQuickStep.h"
 #include "dynamics/quickstep/sor/dxRowShuffle.h"
 #include "dynamics/random/dxSingleStepper.h"
@@ -29,7 +30,7 @@ bool hasJoinedBodies(const dxIsland &island) {
 // Whether joints have been attached since the island was found in a way that the stepper meets: such islands are upstream's.
 // The exact step also goes through all joints of its bodies.
 bool isChanged(const dxIsland &island, dxStepperKind kind) {
-    return hasRecentJoints(island) || (kind != dxStepperKind::Quick && hasJoinedBodies(island));
+    return hasRecentJoints(island) || (!dxIsQuick(kind) && hasJoinedBodies(island));
 }
 
 // On the calling thread alone.
@@ -37,7 +38,7 @@ void stepAsUpstream(const dxIslandStep &step, dxStepperKind kind) {
     const dxIsland &island = step.island;
     dxStepperProcessingCallContext context(step.world, step.stepSize, 1, step.arena, island.bodies, island.joints);
     context.AssignIslandSelection(island.bodies, island.joints, island.bodyCount, island.jointCount);
-    kind == dxStepperKind::Quick ? dxQuickStepIsland(&context) : dxStepIsland(&context);
+    dxIsQuick(kind) ? dxQuickStepIsland(&context) : dxStepIsland(&context);
 }
 
 // In memory from the pool, as the direct step's arena has no room for upstream's matrix. Without memory the island stays where
@@ -56,18 +57,21 @@ void stepAsUpstreamInOwnMemory(dxIslandStep step) {
 }  // namespace
 
 dxStepperKind dxIslandStepper::kindOf(const dxWorld *world, dstepper_fn_t stepper) {
-    if (stepper == &dxQuickStepIsland) return dxStepperKind::Quick;
-    return dxWorldSolver::isFast(world) ? dxStepperKind::Direct : dxStepperKind::World;
+    const bool isFast = dxWorldSolver::isFast(world);
+    if (stepper == &dxQuickStepIsland) return isFast ? dxStepperKind::Iterative : dxStepperKind::Quick;
+    return isFast ? dxStepperKind::Direct : dxStepperKind::World;
 }
 
 void dxIslandStepper::step(const dxStepCall &call, const dxIsland &island, dxWorldProcessMemArena *arena,
                            dxLargeIslandWorkers *islandWorkers) {
     arena->ResetState();
-    const dxIslandStep step{call.world, call.stepSize, island, arena, islandWorkers};
+    const dxIslandStep step{call.world, call.stepSize, island, arena, islandWorkers, call.iterativeWorld};
     if (isChanged(island, call.kind)) {
         call.kind == dxStepperKind::Direct ? stepAsUpstreamInOwnMemory(step) : stepAsUpstream(step, call.kind);
     } else if (call.kind == dxStepperKind::Quick) {
         dxQuickStep(step);
+    } else if (call.kind == dxStepperKind::Iterative) {
+        dxIterativeStep(step);
     } else if (call.kind == dxStepperKind::Direct) {
         dxDirectStep(step);
     } else {

@@ -1,5 +1,7 @@
 #include "dynamics/dxStep.h"
 
+#include <new>
+
 #include "core/dxStopwatch.h"
 #include "dynamics/dxIslandParallelStep.h"
 #include "dynamics/dxIslandStepper.h"
@@ -8,6 +10,8 @@
 #include "dynamics/dxStepStrategy.h"
 #include "dynamics/direct/dxDirectMemory.h"
 #include "dynamics/islands/dxStepPreparation.h"
+#include "dynamics/iterative/dxIterativeWorld.h"
+#include "quickstep.h"
 #include "settings/dxWorldSolver.h"
 #include "settings/dxWorldWorkers.h"
 #include "step.h"
@@ -33,10 +37,27 @@ bool isSteppedDirectly(const dxWorld *world, dmemestimate_fn_t estimate) {
     return estimate == &dxEstimateStepMemoryRequirements && dxWorldSolver::isFast(world) && !dxWorldWorkers::haveToBeAsked(world);
 }
 
+// Small islands of a fast dWorldQuickStep are solved together: a lane of a vector each. So many bodies and joints still fit L2.
+constexpr unsigned kMinIterativeGroup = 600, kEachIsland = 0;
+
+bool isSteppedIteratively(const dxWorld *world, dmemestimate_fn_t estimate) {
+    return estimate == &dxEstimateQuickStepMemoryRequirements && dxWorldSolver::isFast(world) && !dxWorldWorkers::haveToBeAsked(world);
+}
+
+// Without memory each step begins from zero forces, by SOR.
+dxIterativeWorld *beginIteratively(const dxWorld *world, const dxWorldProcessIslandsInfo &info) try {
+    dxIterativeWorld &own = dxIterativeWorld::of(world);
+    own.begin(info, dxWorldSolver::of(world));
+    return &own;
+} catch (const std::bad_alloc &) {
+    return nullptr;
+}
+
 }  // namespace
 
 bool dxPrepareStepIslands(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate) {
-    return dxPrepareStep(world, info, stepSize, isSteppedDirectly(world, estimate) ? &dxEstimateDirectStepMemory : estimate);
+    const unsigned minGroup = isSteppedIteratively(world, estimate) ? kMinIterativeGroup : kEachIsland;
+    return dxPrepareStep(world, info, stepSize, isSteppedDirectly(world, estimate) ? &dxEstimateDirectStepMemory : estimate, minGroup);
 }
 
 bool dxStepIslands(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper,
@@ -44,8 +65,8 @@ bool dxStepIslands(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal 
     if (dxWorldWorkers::haveToBeAsked(world))
         return dxIslandStepper::stepByPosting(world, info, stepSize, stepper, maxCallCountEstimator);
     if (!dxWorldWorkers::prepare(world)) return false;
-    const dxStepCall call{world, info, stepSize, dxIslandStepper::kindOf(world, stepper),
-                          static_cast<unsigned>(info.GetIslandsCount())};
+    dxStepCall call{world, info, stepSize, dxIslandStepper::kindOf(world, stepper), static_cast<unsigned>(info.GetIslandsCount())};
+    if (call.kind == dxStepperKind::Iterative) call.iterativeWorld = beginIteratively(world, info);
     const dxStepPlan plan = dxPlanStep(call);
     if (plan.isMeasured)
         followAndLearn(plan, call);

@@ -4,10 +4,13 @@
 #include "dynamics/dxCostModel.h"
 #include "dynamics/islands/dxIsland.h"
 
+class dxIterativeWorld;
+
 struct dxStepCall {
     dxWorld *world;
     const dxWorldProcessIslandsInfo &info;
     dReal stepSize;
     dxStepperKind kind;
     unsigned count;  // of islands
+    dxIterativeWorld *iterativeWorld = nullptr;  // of a fast dWorldQuickStep, unless there is no memory for it
 };

@@ -35,12 +35,12 @@ dxProcessObject<LargeIslandPolicy> largeIslandPolicy;
 // rows. It may never come to that island, though: one before it may report an error to a handler that leaves the step.
 bool mayBeEndless(const dxStepCall &call) {
     constexpr unsigned kMaxIterations = 100000;
-    return call.kind == dxStepperKind::Quick &&
+    return dxIsQuick(call.kind) &&
            static_cast<unsigned>(call.world->qs.num_iterations) > kMaxIterations;
 }
 
 unsigned minLargeJoints(dxStepperKind kind) {
-    if (kind == dxStepperKind::Quick) return kMinJoints;
+    if (dxIsQuick(kind)) return kMinJoints;
     return dxSettings::instance().algorithm() == dxAlgorithm::Auto ? kMinExactJoints : kMinExactJointsByName;
 }
 
@@ -84,13 +84,13 @@ dxIslandCosts estimateCosts(const dxStepCall &call) {
 bool hasLargeIsland(const dxStepCall &call, const dxStepPlan &plan, unsigned limit) {
     if (call.kind == dxStepperKind::Direct) return false;  // solves an island on one thread
     if (plan.costs.maxJoints < plan.minLargeJoints || !plan.costs.areOfAll) return false;
-    const double part = call.kind == dxStepperKind::Quick ? 1.0 / limit : kMinExactShare;
+    const double part = dxIsQuick(call.kind) ? 1.0 / limit : kMinExactShare;
     return plan.costs.largest >= part * plan.costs.total;
 }
 
 // The exact step measures its LCPs instead (dxLcpWorkers).
 bool isLargeIslandMeasured(dxStepperKind kind) {
-    return kind == dxStepperKind::Quick && dxSettings::instance().algorithm() == dxAlgorithm::Auto;
+    return dxIsQuick(kind) && dxSettings::instance().algorithm() == dxAlgorithm::Auto;
 }
 
 bool isLargeIslandStepFaster(dxStepperKind kind) {

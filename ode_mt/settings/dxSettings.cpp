@@ -75,11 +75,13 @@ dxSettings::dxSettings() : m_cores(dxCountProcessors()) {
     if (const char *text = dxEnvironment(dxVariable::Threads)) readThreads(text);
     if (const char *text = dxEnvironment(dxVariable::Algorithm)) readAlgorithm(text);
     if (const char *text = dxEnvironment(dxVariable::Solver)) readSolver(text);
+    if (const char *text = dxEnvironment(dxVariable::SolverTolerance)) readTolerance(text);
+    if (const char *text = dxEnvironment(dxVariable::WarmStart)) readWarmStart(text);
     if (const char *text = dxEnvironment(dxVariable::Callbacks)) readCallbackPolicy(text);
     if (const char *text = dxEnvironment(dxVariable::Heuristics)) readHeuristics(text);
     if (const char *text = dxEnvironment(dxVariable::GridCells)) readGridCells(text);
     dxLog(dxLogLevel::info, "threads %u of %u cores, algorithm %s, solver %s, callbacks %s, heuristics %s", threads(), cores(),
-          algorithmName(), nameOfSolver(solver()), callbackPolicyName(), dxNamesOfHeuristics(heuristics()));
+          algorithmName(), nameOfSolver(solver().solver), callbackPolicyName(), dxNamesOfHeuristics(heuristics()));
 }
 
 void dxSettings::readThreads(const char *text) {
@@ -106,12 +108,30 @@ void dxSettings::readAlgorithm(const char *text) {
 
 void dxSettings::readSolver(const char *text) {
     if (const Named<dxSolver> *const known = find(kSolvers, text)) {
-        m_solver = known->choice;
-        if (m_solver != dxSolver::Exact) allowFast();
+        m_solver.solver = known->choice;
+        if (known->choice != dxSolver::Exact) allowFast();
         return;
     }
     dxLog(dxLogLevel::warning, "ODE_MT_SOLVER is '%.100s'; known: %s; %s is taken", text, knownNames(kSolvers).c_str(),
-          nameOfSolver(solver()));
+          nameOfSolver(solver().solver));
+}
+
+void dxSettings::readTolerance(const char *text) {
+    double tolerance = 0;
+    if (dxReadReal(text, tolerance) && dxSolverChoice::isTolerance(tolerance)) {
+        m_solver.tolerance = tolerance;
+        return;
+    }
+    dxLog(dxLogLevel::warning, "ODE_MT_SOLVER_TOLERANCE is '%.100s'; known: a number from 0 to 1; %g is taken", text, m_solver.tolerance);
+}
+
+void dxSettings::readWarmStart(const char *text) {
+    long long number = 0;
+    if (dxReadNumber(text, 0, 1, number) == dxNumberText::InRange) {
+        m_solver.isWarm = number != 0;
+        return;
+    }
+    dxLog(dxLogLevel::warning, "ODE_MT_WARM_START is '%.100s'; known: 0, 1; %d is taken", text, m_solver.isWarm ? 1 : 0);
 }
 
 const char *dxSettings::nameOfSolver(dxSolver solver) { return nameOf(kSolvers, solver); }

@@ -29,8 +29,20 @@ enum class dxAlgorithm {
 // Which near-callbacks may run at the same time: none; those of pairs that share no body; any.
 enum class dxCallbackPolicy { Serial, Concurrent, Independent };
 
-// How dWorldStep solves an island: by Dantzig's algorithm with upstream's bits, or by the direct solver in body space.
+// How islands are solved: with upstream's bits, or by the direct and the iterative solver.
 enum class dxSolver { Exact, Fast };
+
+// Of a world. The last two are the iterative solver's.
+struct dxSolverChoice {
+    static constexpr double kDefaultTolerance = 1e-9;
+
+    // False for NaN.
+    static bool isTolerance(double tolerance) { return tolerance >= 0 && tolerance <= 1; }
+
+    dxSolver solver = dxSolver::Exact;
+    double tolerance = kDefaultTolerance;  // sweeps may end when they change forces by this part of all
+    bool isWarm = true;                    // steps begin with the forces of the last one
+};
 
 class dxSettings {
 public:
@@ -47,7 +59,7 @@ public:
     bool setAlgorithm(const std::string &name);  // false: unknown
 
     // Of worlds that have none of their own (dxWorldSolver.h).
-    dxSolver solver() const { return m_solver; }
+    const dxSolverChoice &solver() const { return m_solver; }
     static const char *nameOfSolver(dxSolver solver);
     static bool readSolver(const std::string &name, dxSolver &solver);  // false: unknown, reported with dMessage
 
@@ -76,6 +88,8 @@ private:
     void readAlgorithm(const char *text);
     bool chooseAlgorithm(const std::string &name);
     void readSolver(const char *text);
+    void readTolerance(const char *text);
+    void readWarmStart(const char *text);
     void readCallbackPolicy(const char *text);
     bool chooseCallbackPolicy(const std::string &name);
     void readHeuristics(const char *text);
@@ -85,7 +99,7 @@ private:
 
     std::atomic<unsigned> m_threads{0};
     std::atomic<dxAlgorithm> m_algorithm{dxAlgorithm::Auto};
-    dxSolver m_solver = dxSolver::Exact;
+    dxSolverChoice m_solver;
     std::atomic<bool> m_mayBeFast{false};
     std::atomic<dxCallbackPolicy> m_callbackPolicy{dxCallbackPolicy::Serial};
     std::atomic<unsigned> m_heuristics{dxDefaultHeuristics};

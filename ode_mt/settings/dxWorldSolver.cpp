@@ -13,10 +13,17 @@ namespace dxWorldSolver {
 namespace {
 
 struct Choices {
-    using Choice = std::pair<const dxWorld *, dxSolver>;
+    using Choice = std::pair<const dxWorld *, dxSolverChoice>;
 
     std::vector<Choice>::iterator find(const dxWorld *world) {
         return std::find_if(list.begin(), list.end(), [world](const Choice &choice) { return choice.first == world; });
+    }
+
+    // The world's own, which begins as the process's.
+    dxSolverChoice &own(const dxWorld *world) {
+        const auto found = find(world);
+        if (found != list.end()) return found->second;
+        return list.emplace_back(world, dxSettings::instance().solver()).second;
     }
 
     dxForkSafeMutex mutex;
@@ -27,7 +34,7 @@ dxProcessObject<Choices> choices;
 
 }  // namespace
 
-dxSolver of(const dxWorld *world) {
+dxSolverChoice of(const dxWorld *world) {
     const std::lock_guard<dxForkSafeMutex> hold(choices->mutex);
     const auto found = choices->find(world);
     return found != choices->list.end() ? found->second : dxSettings::instance().solver();
@@ -38,12 +45,18 @@ bool choose(const dxWorld *world, const std::string &name) {
     if (!dxSettings::readSolver(name, solver)) return false;
     if (solver != dxSolver::Exact) dxSettings::instance().allowFast();
     const std::lock_guard<dxForkSafeMutex> hold(choices->mutex);
-    const auto found = choices->find(world);
-    if (found != choices->list.end())
-        found->second = solver;
-    else
-        choices->list.emplace_back(world, solver);
+    choices->own(world).solver = solver;
     return true;
+}
+
+void setTolerance(const dxWorld *world, double tolerance) {
+    const std::lock_guard<dxForkSafeMutex> hold(choices->mutex);
+    choices->own(world).tolerance = tolerance;
+}
+
+void setWarmStart(const dxWorld *world, bool isWarm) {
+    const std::lock_guard<dxForkSafeMutex> hold(choices->mutex);
+    choices->own(world).isWarm = isWarm;
 }
 
 void forget(const dxWorld *world) {

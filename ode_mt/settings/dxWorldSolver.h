@@ -13,11 +13,14 @@
 
 namespace dxWorldSolver {
 
-dxSolver of(const dxWorld *world);
+dxSolverChoice of(const dxWorld *world);
 
-inline bool isFast(const dxWorld *world) { return dxSettings::instance().mayBeFast() && of(world) == dxSolver::Fast; }
+inline bool isFast(const dxWorld *world) { return dxSettings::instance().mayBeFast() && of(world).solver == dxSolver::Fast; }
 
 bool choose(const dxWorld *world, const std::string &name);  // false: unknown, reported with dMessage
+
+void setTolerance(const dxWorld *world, double tolerance);  // from 0 to 1
+void setWarmStart(const dxWorld *world, bool isWarm);
 
 // The world is about to be destroyed.
 void forget(const dxWorld *world);

@@ -1,5 +1,5 @@
 // Whole steps of worlds whose solver is "fast": velocities are those of "exact", bits are the same for every number of threads and
-// instruction set, what cannot be solved is left to the exact solver, and other worlds and dWorldQuickStep are as ever.
+// instruction set, what cannot be solved is left to the exact solver, and other worlds are as ever.
 #include <gtest/gtest.h>
 
 #include <ode/ode.h>
@@ -179,18 +179,6 @@ TEST_F(DirectStep, HasTheSameBitsEachTime) {
     const std::vector<std::uint64_t> first = stateAfterSteps(0, "fast");
     expectSameVelocities({});
     EXPECT_EQ(stateAfterSteps(0, "fast"), first);
-}
-
-TEST_F(DirectStep, LeavesQuickStepAsItIs) {
-    std::vector<std::vector<std::uint64_t>> states;
-    for (const char *solver : {"exact", "fast"}) {
-        RandomWorld world({60, 90}, 1);
-        dODE_MT_SetSolver(world.world(), solver);
-        dRandSetSeed(5);
-        for (int i = 0; i < 3; ++i) dWorldQuickStep(world.world(), kStepSize);
-        states.push_back(world.state());
-    }
-    EXPECT_EQ(states[0], states[1]);
 }
 
 // Large enough for the direct solver.

@@ -101,7 +101,7 @@ private:
 }  // namespace
 
 sizeint dxFindIslands(dxWorldProcessIslandsInfo &info, dxWorldProcessMemArena *arena, dxWorld *world, dReal stepSize,
-                      dmemestimate_fn_t estimate) {
+                      dmemestimate_fn_t estimate, unsigned minGroup) {
     untagBodies(world);
     dInternalHandleAutoDisabling(world, stepSize);
     untagJoints(world);
@@ -116,19 +116,25 @@ sizeint dxFindIslands(dxWorldProcessIslandsInfo &info, dxWorldProcessMemArena *a
 
     sizeint most = 0;
     unsigned *size = sizes;
+    dxBody **groupBodies = bodies;
+    dxJoint **groupJoints = joints;
+    const auto endGroup = [&] {
+        *size++ = static_cast<unsigned>(search.bodies() - groupBodies);
+        *size++ = static_cast<unsigned>(search.joints() - groupJoints);
+        most = std::max(most, estimate(groupBodies, size[-2], groupJoints, size[-1]));
+        groupBodies = search.bodies();
+        groupJoints = search.joints();
+    };
     for (dxBody *body = world->firstbody; body != nullptr; body = static_cast<dxBody *>(body->next)) {
         if (body->tag != kUnseen) continue;
         if ((body->flags & dxBodyDisabled) != 0) {
             body->tag = kUnfit;
             continue;
         }
-        dxBody **const islandBodies = search.bodies();
-        dxJoint **const islandJoints = search.joints();
         search.findIslandOf(body);
-        *size++ = static_cast<unsigned>(search.bodies() - islandBodies);
-        *size++ = static_cast<unsigned>(search.joints() - islandJoints);
-        most = std::max(most, estimate(islandBodies, size[-2], islandJoints, size[-1]));
+        if (search.bodies() - groupBodies + (search.joints() - groupJoints) >= minGroup) endGroup();
     }
+    if (search.bodies() != groupBodies) endGroup();
     arena->RestoreState(state);
     info.AssignInfo(static_cast<sizeint>(size - sizes) / 2, sizes, bodies, joints);
     return most;

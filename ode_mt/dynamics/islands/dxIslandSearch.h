@@ -15,4 +15,4 @@ constexpr int dxFoundTag = 1;  // of bodies and joints in islands
 // Requires the thread that steps the world. Afterwards a body or joint in an island has dxFoundTag, all others a tag of 0 or
 // below.
 sizeint dxFindIslands(dxWorldProcessIslandsInfo &info, dxWorldProcessMemArena *arena, dxWorld *world, dReal stepSize,
-                      dmemestimate_fn_t estimate);
+                      dmemestimate_fn_t estimate, unsigned minGroup);

@@ -22,7 +22,7 @@ constexpr float kNoReserve = 1;
 
 }  // namespace
 
-bool dxPrepareStep(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate) {
+bool dxPrepareStep(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate, unsigned minGroup) {
     dxStepWorkingMemory *const memory = AllocateOnDemand(world->wmem);
     if (memory == nullptr) return false;
     dxWorldProcessContext *const context = memory->SureGetWorldProcessingContext();
@@ -34,7 +34,7 @@ bool dxPrepareStep(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSi
         context->ReallocateIslandsMemArena(searchMemory(*world), manager, kNoReserve, reserve.m_uiReserveMinimum);
     if (islands == nullptr) return false;
 
-    const sizeint stepper = dxFindIslands(info, islands, world, stepSize, estimate);
+    const sizeint stepper = dxFindIslands(info, islands, world, stepSize, estimate, minGroup);
     return context->ReallocateStepperMemArenas(world, world->calculateIslandProcessingMaxThreadCount(),
                                                stepper + kIslandCallSize, manager, reserve.m_fReserveFactor,
                                                reserve.m_uiReserveMinimum);

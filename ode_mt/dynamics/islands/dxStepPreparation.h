@@ -9,4 +9,4 @@
 //   estimate  the stepper's own estimate of the memory that it needs for an island
 //
 // Returns false where there is no memory. On the thread that steps the world.
-bool dxPrepareStep(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate);
+bool dxPrepareStep(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate, unsigned minGroup = 0);

@@ -17,6 +17,12 @@ public:
     // Afterwards the rows' Jacobians, right-hand sides, cfm, limits, bodies and bounding rows are set, and lambda is 0.
     void read(dxConstraintRow *rows);
 
+    // Calls visit(joint, its first row, number of rows), in the island's order. Joints without rows are left out.
+    template <class Visit>
+    void forJoints(const Visit &visit) const {
+        for (unsigned i = 0; i < m_jointCount; ++i) visit(m_joints[i].joint, m_joints[i].firstRow, rowsOf(m_joints[i]));
+    }
+
     // Writes the forces J' lambda to the joints' feedback. Serial.
     void giveFeedback(const dxConstraintRow *rows) const;
 

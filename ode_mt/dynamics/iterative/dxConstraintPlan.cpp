@@ -1,0 +1,143 @@
+#include "dynamics/iterative/dxConstraintPlan.h"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <utility>
+
+#include "dynamics/islands/dxIslandPrefetch.h"
+#include "dynamics/iterative/dxOtherJoints.h"
+
+namespace {
+
+// Some ten microseconds of a sweep.
+constexpr unsigned kPacksPerChunk = 16, kOthersPerChunk = 64;
+
+// Up to so many are solved in their order, by one thread: along a chain a sweep then carries a force from one end to the other.
+constexpr std::size_t kMaxInOrder = 1000;
+
+int tagOf(const dxBody *body) { return body != nullptr ? body->tag : dxConstraintPlan::kNoBody; }
+
+}  // namespace
+
+void dxConstraintPlan::make(const dxIsland &group) {
+    m_joints = group.joints;
+    m_used.assign(group.bodyCount, 0);
+    m_moves.resize(group.bodyCount);
+    for (unsigned i = 0; i < group.bodyCount; ++i) m_moves[i] = group.bodies[i]->invMass > 0;
+    findManifolds(group);
+    placeManifolds();
+    placeOthers();
+    cutChunks();
+}
+
+unsigned dxConstraintPlan::colorOf(const int (&body)[2]) {
+    std::uint64_t used = 0;
+    for (const int end : body)
+        if (end != kNoBody && m_moves[static_cast<unsigned>(end)]) used |= m_used[static_cast<unsigned>(end)];
+    const std::uint64_t free = ~used;
+    const unsigned color = std::min(static_cast<unsigned>(__builtin_ctzll(free | std::uint64_t(1) << kLeftOver)), kLeftOver);
+    if (color == kLeftOver) return color;
+    for (const int end : body)
+        if (end != kNoBody) m_used[static_cast<unsigned>(end)] |= std::uint64_t(1) << color;
+    return color;
+}
+
+// Contacts of two bodies follow one another, since they were attached one after the other.
+void dxConstraintPlan::findManifolds(const dxIsland &group) {
+    m_manifolds.clear();
+    m_others.clear();
+    const auto read = [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const dxJoint &joint = *group.joints[i];
+            const int body[2] = {tagOf(joint.node[0].body), tagOf(joint.node[1].body)};
+            if (dxOtherJoints::isOther(joint)) {
+                m_others.push_back({static_cast<unsigned>(i), static_cast<std::uint8_t>(colorOf(body))});
+                continue;
+            }
+            if (!m_manifolds.empty()) {
+                Manifold &last = m_manifolds.back();
+                if (last.firstJoint + last.contactCount == i && last.body[0] == body[0] && last.body[1] == body[1] &&
+                    last.contactCount < dxContactPack::kMaxContacts) {
+                    ++last.contactCount;
+                    continue;
+                }
+            }
+            m_manifolds.push_back({static_cast<unsigned>(i), 1, static_cast<std::uint8_t>(colorOf(body)), 0, false, 0, {body[0], body[1]}});
+        }
+    };
+    if (group.bodyCount < dxIslandPrefetch::kMinBodies) return read(0, group.jointCount);
+    dxIslandPrefetch::forChunks(0, group.jointCount, group.jointCount, [&group](std::size_t i) { dxIslandPrefetch::joint(group.joints[i]); }, read);
+}
+
+// By colour, those with many contacts first, so that packs have little to fill up.
+void dxConstraintPlan::placeManifolds() {
+    constexpr unsigned kMost = dxContactPack::kMaxContacts;
+    unsigned place[(kColors + 1) * kMost] = {};
+    const auto placeOf = [&place](const Manifold &manifold) -> unsigned & { return place[manifold.color * kMost + (kMost - manifold.contactCount)]; };
+    for (const Manifold &manifold : m_manifolds) ++placeOf(manifold);
+    unsigned packs = 0;
+    for (unsigned color = 0; color <= kColors; ++color) {
+        // Those left over are each a pack of their own.
+        const unsigned lanes = color == kLeftOver ? 1 : dxLanes::kCount;
+        m_firstPack[color] = packs;
+        unsigned count = 0;
+        for (unsigned i = 0; i < kMost; ++i) count += std::exchange(place[color * kMost + i], packs * lanes + count);
+        packs += (count + lanes - 1) / lanes;
+    }
+    m_firstPack[kColors + 1] = packs;
+    m_packs.clear();
+    m_packs.resize(packs);
+    for (Manifold &manifold : m_manifolds) {
+        const unsigned lanes = manifold.color == kLeftOver ? 1 : dxLanes::kCount;
+        const unsigned number = placeOf(manifold)++;
+        manifold.pack = number / lanes;
+        manifold.lane = static_cast<std::uint8_t>(number % lanes);
+        dxContactPack &pack = m_packs[manifold.pack];
+        pack.contactCount = std::max<unsigned>(pack.contactCount, manifold.contactCount);
+    }
+    m_packedContacts = 0;
+    for (dxContactPack &pack : m_packs) {
+        pack.firstContact = m_packedContacts;
+        m_packedContacts += pack.contactCount;
+    }
+}
+
+void dxConstraintPlan::placeOthers() {
+    unsigned count[kColors + 2] = {};
+    m_isSerial = m_others.size() <= kMaxInOrder;
+    m_othersByColor.resize(m_others.size());
+    if (m_isSerial) {
+        std::iota(m_othersByColor.begin(), m_othersByColor.end(), 0u);
+        std::fill(std::begin(m_firstOther), std::end(m_firstOther), 0u);
+        return;
+    }
+    for (const OtherJoint &other : m_others) ++count[other.color + 1];
+    for (unsigned color = 0; color <= kColors; ++color) {
+        m_firstOther[color] = count[color];
+        count[color + 1] += count[color];
+    }
+    m_firstOther[kColors + 1] = count[kColors + 1];
+    for (unsigned i = 0; i < m_others.size(); ++i) m_othersByColor[count[m_others[i].color]++] = i;
+}
+
+void dxConstraintPlan::cutChunks() {
+    m_chunks.clear();
+    m_phases.clear();
+    if (m_isSerial && !m_others.empty()) {
+        m_chunks.push_back({0, 0, 0, static_cast<unsigned>(m_others.size())});
+        m_phases.push_back({0, 1});
+    }
+    for (unsigned color = 0; color <= kColors; ++color) {
+        const unsigned firstChunk = static_cast<unsigned>(m_chunks.size());
+        const unsigned pack = m_firstPack[color], endPack = m_firstPack[color + 1], other = m_firstOther[color], endOther = m_firstOther[color + 1];
+        if (color == kLeftOver) {
+            if (pack != endPack || other != endOther) m_chunks.push_back({pack, endPack, other, endOther});
+        } else {
+            for (unsigned i = pack; i < endPack; i += kPacksPerChunk) m_chunks.push_back({i, std::min(i + kPacksPerChunk, endPack), other, other});
+            for (unsigned i = other; i < endOther; i += kOthersPerChunk)
+                m_chunks.push_back({endPack, endPack, i, std::min(i + kOthersPerChunk, endOther)});
+        }
+        if (m_chunks.size() != firstChunk) m_phases.push_back({firstChunk, static_cast<unsigned>(m_chunks.size())});
+    }
+}

@@ -1,0 +1,85 @@
+// How the constraints of a group of islands are solved in parallel: which contacts are a manifold, and which manifolds and joints may be
+// solved at the same time (graph colouring).
+//
+// Manifolds and joints are edges between bodies. Edges of one colour share no moving body, so that they may be solved in any order,
+// by lanes of a vector or by threads; colours are solved one after the other. Each edge takes the first colour that is free on both of its
+// bodies. Bodies with more edges than there are colours have some left over, which are solved one by one at the end of a sweep.
+//
+// Source of the method: Saad, "Iterative Methods for Sparse Linear Systems", 12.4 (multicolour orderings).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dynamics/islands/dxIsland.h"
+#include "dynamics/iterative/dxContactPack.h"
+
+class dxConstraintPlan {
+public:
+    static constexpr int kNoBody = dxContactPack::kNoBody;
+
+    // Contact joints [firstJoint, firstJoint + contactCount) of the group, between bodies with these tags.
+    struct Manifold {
+        unsigned firstJoint;
+        std::uint8_t contactCount, color;
+        std::uint8_t lane;
+        bool firstOwns;  // of dxContactForces: the first body keeps the forces for the next step
+        unsigned pack;
+        int body[2];
+    };
+
+    // A joint that is not solved as a lane: its rows are generic.
+    struct OtherJoint {
+        unsigned joint;
+        std::uint8_t color;
+    };
+
+    // What one thread takes at once of a colour.
+    struct Chunk {
+        unsigned firstPack, endPack;
+        unsigned firstOther, endOther;  // of otherJoints() by colour
+    };
+
+    // Chunks that may be solved at the same time.
+    struct Phase {
+        unsigned firstChunk, endChunk;
+    };
+
+    // Requires bodies with tags. Throws std::bad_alloc.
+    void make(const dxIsland &group);
+
+    const std::vector<Manifold> &manifolds() const { return m_manifolds; }
+    std::vector<Manifold> &manifolds() { return m_manifolds; }
+    // In the order of the group.
+    const std::vector<OtherJoint> &otherJoints() const { return m_others; }
+    const dxJoint *jointOf(const OtherJoint &other) const { return m_joints[other.joint]; }
+    // Indices of otherJoints(), by colour.
+    const std::vector<unsigned> &othersByColor() const { return m_othersByColor; }
+    const std::vector<Chunk> &chunks() const { return m_chunks; }
+    const std::vector<Phase> &phases() const { return m_phases; }
+
+    std::vector<dxContactPack> &packs() { return m_packs; }
+    unsigned packedContacts() const { return m_packedContacts; }  // elements of the array of dxContactLanes
+
+private:
+    static constexpr unsigned kColors = 63, kLeftOver = kColors;
+
+    unsigned colorOf(const int (&body)[2]);
+    void findManifolds(const dxIsland &group);
+    void placeManifolds();
+    void placeOthers();
+    void cutChunks();
+
+    dxJoint *const *m_joints = nullptr;
+    std::vector<std::uint64_t> m_used;  // by body: a bit for each colour; all: it does not move
+    std::vector<std::uint8_t> m_moves;
+    std::vector<Manifold> m_manifolds;
+    std::vector<OtherJoint> m_others;
+    std::vector<unsigned> m_othersByColor;
+    std::vector<dxContactPack> m_packs;
+    std::vector<Chunk> m_chunks;
+    std::vector<Phase> m_phases;
+    unsigned m_packedContacts = 0;
+    bool m_isSerial = false;  // other joints
+    unsigned m_firstPack[kColors + 2] = {}, m_firstOther[kColors + 2] = {};
+};

@@ -1,0 +1,234 @@
+#include "dynamics/iterative/dxContactReader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <ode/odemath.h>
+
+#include "joints/contact.h"
+
+#include "dynamics/islands/dxIslandPrefetch.h"
+#include "dynamics/iterative/dxIterativeWorld.h"
+#include "dynamics/iterative/dxWarmStart.h"
+
+namespace {
+
+using Manifold = dxConstraintPlan::Manifold;
+
+constexpr unsigned kPrefetchDistance = 3;  // manifolds
+
+// Stands for an infinite coefficient: any force, as long as the normal has one.
+constexpr dReal kLargeFriction = dReal(1e30);
+
+// Normals of one contact in two steps are no farther apart.
+constexpr float kAlike = 0.9f;
+
+const dxJointContact &contactOf(const dxJoint *joint) { return *static_cast<const dxJointContact *>(joint); }
+
+void write(const dReal *vector, dxLaneNumbers *numbers, unsigned lane) {
+    for (int i = 0; i < 3; ++i) numbers[i].lane[lane] = vector[i];
+}
+
+dReal velocityAlong(const dxBody &body, const dReal *direction, const dReal *arm) {
+    dVector3 axis;
+    dCalcVectorCross3(axis, arm, direction);
+    return dCalcVectorDot3(direction, body.lvel) + dCalcVectorDot3(axis, body.avel);
+}
+
+// The velocity that the normal asks for.
+dReal pushOut(const dxIslandStep &step, const dxJointContact &joint, const dReal *normal, const dReal (&arm)[2][3]) {
+    const dxWorld &world = *step.world;
+    const dSurfaceParameters &surface = joint.contact.surface;
+    const dReal erp = (surface.mode & dContactSoftERP) != 0 ? surface.soft_erp : world.global_erp;
+    const dReal depth = std::max(joint.contact.geom.depth - world.contactp.min_depth, dReal(0));
+    const dReal motion = (surface.mode & dContactMotionN) != 0 ? surface.motionN : dReal(0);
+    const dReal wanted = std::min(dRecip(step.stepSize) * erp * depth + motion, world.contactp.max_vel);
+    if ((surface.mode & dContactBounce) == 0 || !(surface.bounce_vel >= 0)) return wanted;
+    dReal outgoing = velocityAlong(*joint.node[0].body, normal, arm[0]);
+    if (joint.node[1].body != nullptr) outgoing -= velocityAlong(*joint.node[1].body, normal, arm[1]);
+    const dReal incoming = motion - outgoing;
+    return incoming > surface.bounce_vel ? std::max(wanted, surface.bounce * incoming + motion) : wanted;
+}
+
+// The limits of one friction row. None: the row has no force.
+void readFriction(dReal coefficient, bool isOfNormal, dReal stepSize, unsigned tangent, unsigned lane, dxContactLanes &contact) {
+    const dReal finite = std::min(coefficient > 0 ? coefficient : dReal(0), kLargeFriction);
+    contact.friction[tangent].lane[lane] = isOfNormal ? finite : 0;
+    contact.limit[tangent].lane[lane] = isOfNormal ? 0 : finite * stepSize;
+}
+
+// The impulse along an axis of the world.
+dReal impulseAlong(const dxContactLanes &contact, int axis, unsigned lane) {
+    dReal sum = 0;
+    for (unsigned row = 0; row < dxContactLanes::kRows; ++row) sum += contact.direction[row][axis].lane[lane] * contact.impulse[row].lane[lane];
+    return sum;
+}
+
+}  // namespace
+
+dxContactReader::dxContactReader(const dxIslandStep &step, const dxIslandBody *bodies)
+    : m_step(step), m_bodies(bodies), m_forces(step.iterativeWorld->forces()) {}
+
+unsigned dxContactReader::numberOf(int tag) const {
+    return tag == dxConstraintPlan::kNoBody ? dxContactForces::kNone : m_forces.firstBody(m_step.island) + static_cast<unsigned>(tag);
+}
+
+// Joints of the manifolds that come next.
+void dxContactReader::prefetch(const Manifold *manifold) const {
+    if (manifold == nullptr) return;
+    for (unsigned k = 0; k < manifold->contactCount; ++k) dxIslandPrefetch::joint(m_step.island.joints[manifold->firstJoint + k]);
+}
+
+void dxContactReader::read(const dxContactPacks &contacts, const Manifold *const *lanes, unsigned begin, unsigned end) const {
+    const bool isLarge = m_step.island.bodyCount >= dxIslandPrefetch::kMinBodies;
+    for (unsigned i = begin; i < end; ++i) {
+        dxContactPack &pack = contacts.packs[i];
+        std::memset(contacts.contacts + pack.firstContact, 0, pack.contactCount * sizeof(dxContactLanes));
+        for (unsigned lane = 0; lane < dxLanes::kCount; ++lane) {
+            for (int side = 0; side < 2; ++side) {
+                pack.source[side][lane] = static_cast<int>(m_step.island.bodyCount);
+                pack.target[side][lane] = dxContactPack::kNoBody;
+            }
+            const unsigned place = i * dxLanes::kCount + lane;
+            if (isLarge && place + kPrefetchDistance < end * dxLanes::kCount) prefetch(lanes[place + kPrefetchDistance]);
+            const Manifold *const manifold = lanes[place];
+            if (manifold == nullptr) continue;
+            readBodies(pack, lane, *manifold);
+            for (unsigned k = 0; k < manifold->contactCount; ++k)
+                readContact(contacts.contacts[pack.firstContact + k], lane, *m_step.island.joints[manifold->firstJoint + k]);
+            startWarm(contacts, pack, lane, *manifold);
+        }
+    }
+}
+
+void dxContactReader::readBodies(dxContactPack &pack, unsigned lane, const Manifold &manifold) const {
+    constexpr int kElements[6] = {0, 1, 2, 4, 5, 8};
+    for (int side = 0; side < 2; ++side) {
+        if (manifold.body[side] == dxConstraintPlan::kNoBody) continue;
+        const dxIslandBody &body = m_bodies[manifold.body[side]];
+        pack.source[side][lane] = manifold.body[side];
+        if (!(body.invMass > 0)) continue;
+        pack.target[side][lane] = manifold.body[side];
+        pack.inverseMass[side].lane[lane] = body.invMass;
+        for (int i = 0; i < 6; ++i) pack.inverseInertia[side][i].lane[lane] = body.invInertia[kElements[i]];
+    }
+}
+
+void dxContactReader::readContact(dxContactLanes &contact, unsigned lane, const dxJoint &joint) const {
+    const dxJointContact &own = contactOf(&joint);
+    const dSurfaceParameters &surface = own.contact.surface;
+    const int mode = surface.mode;
+    dReal normal[3], arm[2][3] = {};
+    for (int i = 0; i < 3; ++i) {
+        normal[i] = (own.flags & dJOINT_REVERSE) != 0 ? -own.contact.geom.normal[i] : own.contact.geom.normal[i];
+        arm[0][i] = own.contact.geom.pos[i] - own.node[0].body->posr.pos[i];
+        if (own.node[1].body != nullptr) arm[1][i] = own.contact.geom.pos[i] - own.node[1].body->posr.pos[i];
+    }
+    write(arm[0], contact.arm[0], lane);
+    write(arm[1], contact.arm[1], lane);
+    write(normal, contact.direction[0], lane);
+    if ((mode & dContactFDir1) != 0) write(own.contact.fdir1, contact.direction[1], lane);
+
+    contact.wanted[0].lane[lane] = pushOut(m_step, own, normal, arm);
+    contact.wanted[1].lane[lane] = (mode & dContactMotion1) != 0 ? surface.motion1 : 0;
+    contact.wanted[2].lane[lane] = (mode & dContactMotion2) != 0 ? surface.motion2 : 0;
+    const dReal perStep = dRecip(m_step.stepSize), cfm = m_step.world->global_cfm;
+    contact.softness[0].lane[lane] = perStep * ((mode & dContactSoftCFM) != 0 ? surface.soft_cfm : cfm);
+    contact.softness[1].lane[lane] = perStep * ((mode & dContactSlip1) != 0 ? surface.slip1 : cfm);
+    contact.softness[2].lane[lane] = perStep * ((mode & dContactSlip2) != 0 ? surface.slip2 : cfm);
+    const dReal mu2 = (mode & dContactMu2) != 0 ? surface.mu2 : surface.mu;
+    readFriction(surface.mu, (mode & dContactApprox1_1) != 0, m_step.stepSize, 0, lane, contact);
+    readFriction(mu2, (mode & dContactApprox1_2) != 0, m_step.stepSize, 1, lane, contact);
+}
+
+// Each contact of the last step is used once: by the contact that is nearest to it of those that have none yet.
+void dxContactReader::startWarm(const dxContactPacks &contacts, const dxContactPack &pack, unsigned lane, const Manifold &manifold) const {
+    struct Candidate {
+        const dxContactForces::Contact *contact;
+        bool firstOwns;
+    };
+    constexpr unsigned kMaxCandidates = 32;
+    Candidate candidates[kMaxCandidates];
+    unsigned count = 0;
+    m_forces.forLast(numberOf(manifold.body[0]), numberOf(manifold.body[1]), [&](const dxContactForces::Manifold &last, bool firstOwns) {
+        const dxContactForces::Contact *const own = m_forces.lastContacts(last);
+        for (unsigned i = 0; i < last.contactCount && count < kMaxCandidates; ++i) candidates[count++] = {own + i, firstOwns};
+    });
+    for (unsigned k = 0; k < manifold.contactCount && count != 0; ++k) {
+        dxContactLanes &contact = contacts.contacts[pack.firstContact + k];
+        unsigned best = count;
+        float nearest = HUGE_VALF;
+        for (unsigned i = 0; i < count; ++i) {
+            const Candidate &candidate = candidates[i];
+            const float sign = candidate.firstOwns ? 1.0f : -1.0f;
+            float distance = 0, cosine = 0;
+            for (int axis = 0; axis < 3; ++axis) {
+                const auto arm = static_cast<float>(contact.arm[candidate.firstOwns ? 0 : 1][axis].lane[lane]);
+                const float difference = arm - candidate.contact->arm[axis];
+                distance += difference * difference;
+                cosine += sign * static_cast<float>(contact.direction[0][axis].lane[lane]) * candidate.contact->normal[axis];
+            }
+            if (!(cosine > kAlike) || !(distance < nearest)) continue;
+            nearest = distance;
+            best = i;
+        }
+        if (best == count) continue;
+        const dReal sign = dxWarmStart::kPart * (candidates[best].firstOwns ? m_step.stepSize : -m_step.stepSize);
+        for (int axis = 0; axis < 3; ++axis) {
+            const dReal impulse = sign * static_cast<dReal>(candidates[best].contact->force[axis]);
+            contact.impulse[axis].lane[lane] = std::isfinite(impulse) ? impulse : 0;
+        }
+        candidates[best] = candidates[--count];
+    }
+}
+
+void dxContactReader::list(std::vector<Manifold> &manifolds) const {
+    const unsigned firstJoint = m_forces.firstJoint(m_step.island);
+    for (Manifold &manifold : manifolds) {
+        const unsigned firstContact = firstJoint + manifold.firstJoint;
+        manifold.firstOwns = m_forces.keep(firstContact, numberOf(manifold.body[0]), numberOf(manifold.body[1]), firstContact, manifold.contactCount);
+    }
+}
+
+void dxContactReader::keep(const dxContactPacks &contacts, const Manifold *const *lanes, unsigned begin, unsigned end) const {
+    const unsigned firstJoint = m_forces.firstJoint(m_step.island);
+    const dReal perStep = dRecip(m_step.stepSize);
+    for (unsigned i = begin; i < end; ++i)
+        for (unsigned lane = 0; lane < dxLanes::kCount; ++lane) {
+            const Manifold *const manifold = lanes[i * dxLanes::kCount + lane];
+            if (manifold == nullptr) continue;
+            const dReal sign = manifold->firstOwns ? 1 : -1;
+            dxContactForces::Contact *const kept = m_forces.contacts(firstJoint + manifold->firstJoint);
+            for (unsigned k = 0; k < manifold->contactCount; ++k) {
+                const dxContactLanes &contact = contacts.contacts[contacts.packs[i].firstContact + k];
+                for (int axis = 0; axis < 3; ++axis) {
+                    kept[k].arm[axis] = static_cast<float>(contact.arm[manifold->firstOwns ? 0 : 1][axis].lane[lane]);
+                    kept[k].normal[axis] = static_cast<float>(sign * contact.direction[0][axis].lane[lane]);
+                    kept[k].force[axis] = static_cast<float>(sign * perStep * impulseAlong(contact, axis, lane));
+                }
+            }
+        }
+}
+
+void dxContactReader::giveFeedback(const dxContactPacks &contacts, const std::vector<Manifold> &manifolds) const {
+    const dReal perStep = dRecip(m_step.stepSize);
+    for (const Manifold &manifold : manifolds)
+        for (unsigned k = 0; k < manifold.contactCount; ++k) {
+            const dxJoint &joint = *m_step.island.joints[manifold.firstJoint + k];
+            if (joint.feedback == nullptr) continue;
+            const dxContactLanes &contact = contacts.contacts[contacts.packs[manifold.pack].firstContact + k];
+            dVector3 force = {}, arm[2] = {};
+            for (int axis = 0; axis < 3; ++axis) {
+                force[axis] = impulseAlong(contact, axis, manifold.lane) * perStep;
+                arm[0][axis] = contact.arm[0][axis].lane[manifold.lane];
+                arm[1][axis] = contact.arm[1][axis].lane[manifold.lane];
+            }
+            dJointFeedback &feedback = *joint.feedback;
+            dCopyVector3(feedback.f1, force);
+            dCalcVectorCross3(feedback.t1, arm[0], force);
+            if (joint.node[1].body == nullptr) continue;
+            dCopyNegatedVector3(feedback.f2, force);
+            dCalcVectorCross3(feedback.t2, force, arm[1]);
+        }
+}

@@ -1,0 +1,49 @@
+// Solves the constraints of a group of islands approximately, in sweeps from the last step's forces: docs/iterative-solver.md.
+//
+// Threading: one group, one thread and the group's workers. Memory is kept from group to group; the process keeps as many solvers as groups are
+// solved at the same time.
+#pragma once
+
+#include <vector>
+
+#include "dynamics/islands/dxIslandStep.h"
+#include "dynamics/iterative/dxColoredSweeps.h"
+#include "dynamics/iterative/dxConstraintPlan.h"
+#include "dynamics/iterative/dxContactReader.h"
+#include "dynamics/iterative/dxOtherRows.h"
+
+class dxIterativeSolver {
+public:
+    // Makes all the plans and takes all memory that solve() needs. Requires tags. Throws std::bad_alloc.
+    void begin(const dxIslandStep &step);
+
+    // Requires bodies as dxGatherBodies leaves them. Writes velocities, feedback, and the forces that the next step begins with.
+    void solve(const dxIslandStep &step, const dxIslandBody *bodies, const dxOtherJoints &joints);
+
+private:
+    // Calls work(chunk, its number) for all chunks of the plan, in any order. Parallel.
+    template <class Work>
+    void forChunks(const dxIslandStep &step, const Work &work) {
+        const std::vector<dxConstraintPlan::Chunk> &chunks = m_plan.chunks();
+        step.runner().forBlocks(dxParallelStage::Rows, static_cast<unsigned>(chunks.size()), [&](unsigned i, unsigned) { work(chunks[i], i); });
+    }
+
+    void findFreeVelocities(const dxIslandStep &step, const dxIslandBody *bodies);
+    void placeLanes();
+    double prepare(const dxIslandStep &step, const dxIslandBody *bodies, const dxOtherJoints &joints);
+    void sweep(const dxIslandStep &step, double energy);
+    double solveChunk(unsigned chunk, unsigned sweep);
+    void writeVelocities(const dxIslandStep &step);
+
+    dxContactPacks packs() { return {m_plan.packs().data(), m_contacts.data()}; }
+
+    dxConstraintPlan m_plan;
+    dxColoredSweeps m_sweeps;
+    dxOtherRows m_others;
+    std::vector<dxContactLanes> m_contacts;
+    std::vector<const dxConstraintPlan::Manifold *> m_lanes;  // by pack and lane
+    std::vector<dxVelocity> m_velocities;                     // by body, and one of a body at rest
+    std::vector<double> m_energies;                           // by chunk
+    dReal m_factor = 1;
+    unsigned m_smoothFrom = 0;  // the sweep after which none is over-relaxed
+};

@@ -1,0 +1,163 @@
+#include "dynamics/iterative/dxOtherRows.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/iterative/dxWarmStart.h"
+#include "dynamics/quickstep/sor/dxSorSweep.h"
+
+namespace {
+
+using Row = dxConstraintRow;
+
+constexpr std::size_t kMaxRows = 6;  // of a joint
+
+constexpr int kJacobianOf[2] = {Row::kBody1, Row::kBody2};
+
+// Bits of dxJoint::flags that upstream does not use: how many rows the joint had when it kept their forces in dxJoint::lambda, and one more.
+constexpr unsigned kCountShift = 27, kCountMask = 15u << kCountShift;
+
+void keepForces(dxJoint &joint, const Row *rows, unsigned count) {
+    for (unsigned i = 0; i < count; ++i) joint.lambda[i] = rows[i].lambda;
+    joint.flags = (joint.flags & ~kCountMask) | (count + 1) << kCountShift;
+}
+
+// A joint at a limit has other rows than one between them.
+bool hasForces(const dxJoint &joint, unsigned count) { return (joint.flags & kCountMask) >> kCountShift == count + 1; }
+
+dReal dot6(const dReal *a, const dReal *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3] + a[4] * b[4] + a[5] * b[5]; }
+
+// An infinite coefficient allows any force, as long as the row that bounds this one has one.
+dReal limited(dReal impulse, const Row &row, dReal bounding) {
+    if (!row.isBounded()) return std::max(row.jacobian[Row::kLow], std::min(row.jacobian[Row::kHigh], impulse));
+    const dReal limit = bounding != 0 ? std::fabs(row.jacobian[Row::kHigh] * bounding) : 0;
+    return std::max(-limit, std::min(limit, impulse));
+}
+
+// A body that does not move only adds to what is wanted, so that rows need not wait for one another on its account.
+void leaveOutUnmoved(Row &row, const dxIslandBody *bodies, const dxVelocity *velocities) {
+    for (int side = 1; side >= 0; --side) {
+        const int body = row.body[side];
+        if (body == Row::kNone || bodies[body].invMass > 0) continue;
+        row.jacobian[Row::kRhs] -= dot6(row.jacobian + kJacobianOf[side], velocities[body].columns);
+        if (side == 0) {
+            std::copy_n(row.jacobian + Row::kBody2, Row::kBodyColumns, row.jacobian + Row::kBody1);
+            row.body[0] = row.body[1];
+        }
+        row.body[1] = Row::kNone;
+    }
+}
+
+}  // namespace
+
+double dxOtherRows::prepareRow(Row &row, const dxIslandBody *bodies, const dxVelocity *velocities, dReal stepSize, dReal factor, dReal &diagonal) const {
+    row.jacobian[Row::kRhs] *= stepSize;
+    if (!row.isBounded()) {
+        row.jacobian[Row::kLow] *= stepSize;
+        row.jacobian[Row::kHigh] *= stepSize;
+    }
+    leaveOutUnmoved(row, bodies, velocities);
+    const int sides = row.hasSecondBody() ? 2 : 1;
+    dReal velocity = 0;
+    diagonal = row.jacobian[Row::kCfm];
+    for (int side = 0; side < sides; ++side) {
+        const dReal *const jacobian = row.jacobian + kJacobianOf[side];
+        const dxIslandBody &body = bodies[row.body[side]];
+        dReal *const impulse = side == 0 ? row.impulseOn1 : row.impulseOn2;
+        for (int i = 0; i < 3; ++i) {
+            const dReal *const inertia = body.invInertia + 3 * i;
+            impulse[i] = body.invMass * jacobian[i];
+            impulse[3 + i] = inertia[0] * jacobian[3] + inertia[1] * jacobian[4] + inertia[2] * jacobian[5];
+        }
+        velocity += dot6(jacobian, velocities[row.body[side]].columns);
+        diagonal += dot6(impulse, jacobian);
+    }
+    const dReal inverse = diagonal > 0 ? 1 / diagonal : 0, scale = factor * inverse;
+    const dReal impulse = (row.jacobian[Row::kRhs] - velocity) * inverse;
+    const dReal allowed = row.isBounded() ? 0 : std::max(row.jacobian[Row::kLow], std::min(row.jacobian[Row::kHigh], impulse));
+    for (int side = 0; side < sides; ++side)
+        for (int i = 0; i < Row::kBodyColumns; ++i) row.jacobian[kJacobianOf[side] + i] *= scale;
+    row.jacobian[Row::kRhs] *= scale;
+    row.jacobian[Row::kCfm] *= scale;
+    return std::fabs(static_cast<double>(allowed * impulse * diagonal));
+}
+
+void dxOtherRows::reserve(const dxConstraintPlan &plan) {
+    const std::size_t joints = plan.otherJoints().size(), rows = kMaxRows * joints;
+    m_order.reserve(rows);
+    m_firstInOrder.reserve(joints + 1);
+    m_firstRow.reserve(joints + 1);
+    m_diagonal.reserve(rows);
+    m_last.reserve(rows);
+}
+
+double dxOtherRows::prepare(const dxOtherJoints &joints, const dxConstraintPlan &plan, const dxIslandBody *bodies, const dxVelocity *velocities,
+                            dReal stepSize, dReal factor, bool isWarm) {
+    orderRows(joints, plan);
+    m_rows = joints.rows();
+    m_diagonal.resize(joints.rowCount());
+    m_last.resize(joints.rowCount());
+    double energy = 0;
+    joints.forJoints([&](const dxJoint *joint, unsigned first, unsigned count) {
+        for (unsigned i = 0; i < count; ++i) {
+            Row &row = m_rows[first + i];
+            energy += prepareRow(row, bodies, velocities, stepSize, factor, m_diagonal[first + i]);
+            if (!isWarm || !hasForces(*joint, count)) continue;
+            const dReal impulse = joint->lambda[i] * stepSize * dxWarmStart::kPart;
+            if (std::isfinite(impulse)) row.lambda = limited(impulse, row, row.isBounded() ? m_rows[row.boundingRow].lambda : 0);
+        }
+    });
+    return energy;
+}
+
+// Joints without rows have a place in the plan, too.
+void dxOtherRows::orderRows(const dxOtherJoints &joints, const dxConstraintPlan &plan) {
+    const std::vector<dxConstraintPlan::OtherJoint> &others = plan.otherJoints();
+    m_firstRow.assign(others.size() + 1, 0);
+    std::size_t next = 0;
+    joints.forJoints([&](const dxJoint *joint, unsigned first, unsigned count) {
+        while (plan.jointOf(others[next]) != joint) m_firstRow[++next] = first;
+        m_firstRow[++next] = first + count;
+    });
+    while (next < others.size()) m_firstRow[++next] = joints.rowCount();
+    m_order.clear();
+    m_firstInOrder.clear();
+    for (const unsigned other : plan.othersByColor()) {
+        m_firstInOrder.push_back(static_cast<unsigned>(m_order.size()));
+        for (unsigned row = m_firstRow[other]; row < m_firstRow[other + 1]; ++row) m_order.push_back(static_cast<int>(row));
+    }
+    m_firstInOrder.push_back(static_cast<unsigned>(m_order.size()));
+}
+
+void dxOtherRows::apply(unsigned begin, unsigned end, dxVelocity *velocities) const {
+    for (unsigned i = m_firstInOrder[begin]; i < m_firstInOrder[end]; ++i) {
+        const Row &row = m_rows[m_order[i]];
+        for (int side = 0; side < 2; ++side) {
+            if (row.body[side] == Row::kNone) continue;
+            const dReal *const impulse = side == 0 ? row.impulseOn1 : row.impulseOn2;
+            for (int k = 0; k < Row::kBodyColumns; ++k) velocities[row.body[side]].columns[k] += impulse[k] * row.lambda;
+        }
+    }
+}
+
+double dxOtherRows::sweep(unsigned begin, unsigned end, dxVelocity *velocities) {
+    const unsigned first = m_firstInOrder[begin], last = m_firstInOrder[end];
+    for (unsigned i = first; i < last; ++i) m_last[i] = m_rows[m_order[i]].lambda;
+    dxIslandProblem problem = {};
+    problem.rowCount = last - first;
+    problem.rows = m_rows;
+    problem.accelerations = velocities;
+    dxSorSweep(problem, m_order.data() + first);
+    double energy = 0;
+    for (unsigned i = first; i < last; ++i) {
+        const dReal change = m_rows[m_order[i]].lambda - m_last[i];
+        energy += static_cast<double>(change * change * m_diagonal[m_order[i]]);
+    }
+    return energy;
+}
+
+void dxOtherRows::finish(const dxOtherJoints &joints, dReal stepSize) {
+    const dReal perStep = 1 / stepSize;
+    for (unsigned i = 0; i < joints.rowCount(); ++i) m_rows[i].lambda *= perStep;
+    joints.forJoints([this](dxJoint *joint, unsigned first, unsigned count) { keepForces(*joint, m_rows + first, count); });
+}

@@ -1,0 +1,239 @@
+// The plan of a group's constraints: each joint is in one place, edges of one colour share no moving body, bodies with many edges have some left
+// over. And its sweeps: each chunk once a sweep, phases one after the other, whatever threads take part.
+#include <gtest/gtest.h>
+
+#include <ode/ode.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <set>
+#include <thread>
+#include <vector>
+
+#include "config.h"
+#include "objects.h"
+#include "joints/contact.h"
+
+#include "dynamics/iterative/dxColoredSweeps.h"
+#include "dynamics/iterative/dxConstraintPlan.h"
+#include "random_world.h"
+
+namespace {
+
+// All joints of a world as one group; joints between bodies that do not move left out.
+class Group {
+public:
+    explicit Group(dWorldID world) {
+        for (dxBody *body = world->firstbody; body != nullptr; body = static_cast<dxBody *>(body->next)) {
+            body->tag = static_cast<int>(m_bodies.size());
+            m_bodies.push_back(body);
+        }
+        for (dxJoint *joint = world->firstjoint; joint != nullptr; joint = static_cast<dxJoint *>(joint->next))
+            if (joint->isEnabled()) m_joints.push_back(joint);
+    }
+
+    dxIsland island() const {
+        return {m_bodies.data(), m_joints.data(), static_cast<unsigned>(m_bodies.size()), static_cast<unsigned>(m_joints.size())};
+    }
+    bool moves(int body) const { return body >= 0 && m_bodies[static_cast<std::size_t>(body)]->invMass > 0; }
+    int bodyOf(unsigned joint, int side) const {
+        const dxBody *const body = m_joints[joint]->node[side].body;
+        return body != nullptr ? body->tag : dxConstraintPlan::kNoBody;
+    }
+
+private:
+    std::vector<dxBody *> m_bodies;
+    std::vector<dxJoint *> m_joints;
+};
+
+dJointID touch(dWorldID world, dBodyID first, dBodyID second) {
+    dContact contact = {};
+    contact.geom.normal[2] = 1;
+    const dJointID joint = dJointCreateContact(world, nullptr, &contact);
+    dJointAttach(joint, first, second);
+    return joint;
+}
+
+class ConstraintPlan : public testing::Test {
+protected:
+    ConstraintPlan() { dInitODE2(0); }
+    ~ConstraintPlan() override { dCloseODE(); }
+
+    // By pack: the manifolds in its lanes. Fails where two share a lane, or a joint is in two places or none.
+    static std::vector<std::vector<const dxConstraintPlan::Manifold *>> packsOf(const dxConstraintPlan &plan, const Group &group, std::size_t packs) {
+        std::vector<unsigned> times(group.island().jointCount, 0);
+        std::vector<std::vector<const dxConstraintPlan::Manifold *>> all(packs);
+        std::set<std::pair<unsigned, unsigned>> lanes;
+        for (const dxConstraintPlan::Manifold &manifold : plan.manifolds()) {
+            EXPECT_LT(manifold.pack, packs);
+            EXPECT_TRUE(lanes.insert({manifold.pack, manifold.lane}).second);
+            EXPECT_LE(manifold.contactCount, dxContactPack::kMaxContacts);
+            all.at(manifold.pack).push_back(&manifold);
+            for (unsigned i = 0; i < manifold.contactCount; ++i) {
+                ++times.at(manifold.firstJoint + i);
+                EXPECT_EQ(group.bodyOf(manifold.firstJoint + i, 0), manifold.body[0]);
+                EXPECT_EQ(group.bodyOf(manifold.firstJoint + i, 1), manifold.body[1]);
+            }
+        }
+        for (const dxConstraintPlan::OtherJoint &other : plan.otherJoints()) ++times.at(other.joint);
+        EXPECT_EQ(std::count(times.begin(), times.end(), 1u), static_cast<std::ptrdiff_t>(times.size()));
+        return all;
+    }
+
+    // Moving bodies of a chunk: those of its manifolds and joints.
+    static void expectNoneShared(dxConstraintPlan &plan, const Group &group) {
+        const auto packs = packsOf(plan, group, plan.packs().size());
+        std::vector<unsigned> timesOfPack(packs.size(), 0), timesOfOther(plan.otherJoints().size(), 0);
+        for (const dxConstraintPlan::Phase &phase : plan.phases()) {
+            const bool isAlone = phase.endChunk - phase.firstChunk == 1;
+            std::set<int> used;
+            for (unsigned c = phase.firstChunk; c < phase.endChunk; ++c) {
+                const dxConstraintPlan::Chunk &chunk = plan.chunks()[c];
+                std::set<int> own;
+                const auto take = [&](int body, bool isOneByOne) {
+                    if (!group.moves(body)) return;
+                    EXPECT_EQ(used.count(body), 0u) << "two chunks at once share a body";
+                    EXPECT_TRUE(own.insert(body).second || isOneByOne) << "two lanes share a body";
+                };
+                for (unsigned p = chunk.firstPack; p < chunk.endPack; ++p) {
+                    ++timesOfPack.at(p);
+                    const bool isOneByOne = isAlone && packs[p].size() == 1;
+                    for (const dxConstraintPlan::Manifold *manifold : packs[p])
+                        for (const int body : manifold->body) take(body, isOneByOne);
+                }
+                for (unsigned o = chunk.firstOther; o < chunk.endOther; ++o) {
+                    const unsigned other = plan.othersByColor().at(o);
+                    ++timesOfOther.at(other);
+                    for (int side = 0; side < 2; ++side) take(group.bodyOf(plan.otherJoints()[other].joint, side), isAlone);
+                }
+                used.insert(own.begin(), own.end());
+            }
+        }
+        for (const unsigned times : timesOfPack) EXPECT_EQ(times, 1u);
+        for (const unsigned times : timesOfOther) EXPECT_EQ(times, 1u);
+    }
+};
+
+TEST_F(ConstraintPlan, ColorsRandomWorlds) {
+    for (const RandomWorld::Shape shape : {RandomWorld::Shape{5, 12}, {80, 240}, {300, 200}, {500, 4000}}) {
+        RandomWorld world(shape, 2);
+        const Group group(world.world());
+        dxConstraintPlan plan;
+        plan.make(group.island());
+        expectNoneShared(plan, group);
+        EXPECT_GT(plan.phases().size(), 1u);
+    }
+}
+
+// A grid of bodies in which each touches four others is filled with few colours, eight to a pack.
+TEST_F(ConstraintPlan, FillsPacks) {
+    constexpr int kSide = 20;
+    const dWorldID world = dWorldCreate();
+    std::vector<dBodyID> bodies;
+    for (int i = 0; i < kSide * kSide; ++i) bodies.push_back(dBodyCreate(world));
+    for (int i = 0; i < kSide * kSide; ++i) {
+        if (i % kSide != 0) touch(world, bodies[static_cast<std::size_t>(i)], bodies[static_cast<std::size_t>(i - 1)]);
+        if (i >= kSide) touch(world, bodies[static_cast<std::size_t>(i)], bodies[static_cast<std::size_t>(i - kSide)]);
+    }
+    const Group group(world);
+    dxConstraintPlan plan;
+    plan.make(group.island());
+    expectNoneShared(plan, group);
+    EXPECT_LE(plan.phases().size(), 7u);
+    EXPECT_LE(plan.packs().size(), plan.manifolds().size() / 8 + plan.phases().size());
+    dWorldDestroy(world);
+}
+
+// More edges on a body than there are colours: the rest is solved one by one. A body that does not move has no colours.
+TEST_F(ConstraintPlan, SolvesTheRestOfAHubOneByOne) {
+    for (const bool moves : {true, false}) {
+        const dWorldID world = dWorldCreate();
+        const dBodyID hub = dBodyCreate(world);
+        if (!moves) dBodySetKinematic(hub);
+        for (int i = 0; i < 200; ++i) touch(world, dBodyCreate(world), hub);
+        const Group group(world);
+        dxConstraintPlan plan;
+        plan.make(group.island());
+        expectNoneShared(plan, group);
+        EXPECT_EQ(plan.phases().size(), moves ? 64u : 1u);
+        dWorldDestroy(world);
+    }
+}
+
+// Contacts between two bodies are a manifold; the ninth begins another one.
+TEST_F(ConstraintPlan, PutsContactsOfTwoBodiesTogether) {
+    const dWorldID world = dWorldCreate();
+    const dBodyID first = dBodyCreate(world), second = dBodyCreate(world);
+    for (int i = 0; i < 9; ++i) touch(world, first, second);
+    for (int i = 0; i < 3; ++i) touch(world, first, nullptr);
+    const Group group(world);
+    dxConstraintPlan plan;
+    plan.make(group.island());
+    std::vector<unsigned> counts;
+    for (const dxConstraintPlan::Manifold &manifold : plan.manifolds()) counts.push_back(manifold.contactCount);
+    std::sort(counts.begin(), counts.end());
+    EXPECT_EQ(counts, (std::vector<unsigned>{1, 3, 8}));
+    dWorldDestroy(world);
+}
+
+// So many threads of its own, all of which take part.
+class Threads final : public dxTaskRunner {
+public:
+    explicit Threads(unsigned count) : m_count(count) {}
+    unsigned workers() const override { return m_count; }
+    void run(dxParallelStage, unsigned blocks, dxThreadManager::Task task, void *context) override {
+        std::vector<std::thread> threads;
+        for (unsigned block = 0; block < blocks; ++block) threads.emplace_back([=] { task(context, block, block); });
+        for (std::thread &thread : threads) thread.join();
+    }
+
+private:
+    const unsigned m_count;
+};
+
+TEST_F(ConstraintPlan, IsSweptOnceASweepByAnyNumberOfThreads) {
+    RandomWorld world({500, 4000}, 2);
+    const Group group(world.world());
+    dxConstraintPlan plan;
+    plan.make(group.island());
+    std::vector<unsigned> phaseOf(plan.chunks().size());
+    for (unsigned phase = 0; phase < plan.phases().size(); ++phase)
+        for (unsigned chunk = plan.phases()[phase].firstChunk; chunk < plan.phases()[phase].endChunk; ++chunk) phaseOf[chunk] = phase;
+
+    constexpr unsigned kMost = 12, kEnd = 7;
+    std::vector<double> expected;
+    for (const unsigned workers : {1u, 2u, 5u}) {
+        dxColoredSweeps sweeps;
+        sweeps.begin(plan, kMost);
+        Threads threads(workers);
+        std::vector<std::atomic<unsigned>> times(plan.chunks().size());
+        std::atomic<std::uint64_t> phasesBegun{0};
+        std::atomic<bool> isInOrder{true};
+        std::vector<double> energies;
+        const unsigned count = sweeps.run(
+            threads,
+            [&](unsigned chunk, unsigned sweep) {
+                if (times[chunk].fetch_add(1) != sweep) isInOrder = false;
+                // No chunk of an earlier phase comes after one of a later phase.
+                const std::uint64_t position = sweep * plan.phases().size() + phaseOf[chunk];
+                std::uint64_t latest = phasesBegun.load();
+                if (latest > position) isInOrder = false;
+                while (latest < position && !phasesBegun.compare_exchange_weak(latest, position)) {
+                }
+                return 1 / (1.0 + chunk + sweep);
+            },
+            [&](unsigned sweep, double energy) {
+                energies.push_back(energy);
+                return sweep + 1 == kEnd;
+            });
+        EXPECT_EQ(count, kEnd);
+        EXPECT_TRUE(isInOrder);
+        for (const std::atomic<unsigned> &chunk : times) EXPECT_EQ(chunk.load(), kEnd);
+        if (expected.empty()) expected = energies;
+        EXPECT_EQ(energies, expected);  // bits: sums have one order
+        EXPECT_EQ(energies.size(), kEnd);
+    }
+}
+
+}  // namespace

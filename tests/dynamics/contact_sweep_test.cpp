@@ -1,0 +1,236 @@
+// The kernels over packs of contacts, on every instruction set: impulses that are swept long enough solve the contact's conditions, velocities
+// are those that the impulses give, and the bits do not depend on the width of vectors.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "dynamics/iterative/dxContactSweep.h"
+#include "instruction_sets.h"
+
+namespace {
+
+using Vector = std::array<double, 3>;
+
+double dot(const Vector &a, const Vector &b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vector cross(const Vector &a, const Vector &b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+// One pack of eight manifolds, each between two bodies of its own, or one and the static environment. Lane 7 is empty, lane 6 has one contact
+// less than the others.
+class Pack {
+public:
+    static constexpr unsigned kBodies = 16, kContacts = 3;
+
+    explicit Pack(unsigned seed) : m_random(seed), m_velocities(kBodies + 1), m_contacts(kContacts) {
+        m_packs.resize(1);
+        m_packs[0].contactCount = kContacts;
+        for (unsigned i = 0; i < kBodies; ++i)
+            for (int k = 0; k < 6; ++k) m_velocities[i].columns[k] = number();
+        m_free = m_velocities;
+        for (unsigned lane = 0; lane < dxLanes::kCount; ++lane) fillLane(lane);
+    }
+
+    dxContactPacks packs() { return {m_packs.data(), m_contacts.data()}; }
+    double prepare() { return dxPrepareContacts(packs(), 0, 1, m_velocities.data()); }
+    void apply() { dxApplyImpulses(packs(), 0, 1, m_velocities.data()); }
+    double sweep(dReal factor = 1) { return dxSweepContacts(packs(), 0, 1, factor, m_velocities.data()); }
+
+    const std::vector<dxVelocity> &velocities() const { return m_velocities; }
+    dxContactLanes &contact(unsigned i) { return m_contacts[i]; }
+
+    bool has(unsigned lane, unsigned contact) const { return lane < 6 || (lane == 6 && contact + 1 < kContacts); }
+
+    // The velocity along a row, of the pack's velocities or of those that the impulses give.
+    double velocityAlong(const std::vector<dxVelocity> &velocities, unsigned lane, unsigned contact, unsigned row) const {
+        double sum = 0;
+        for (unsigned side = 0; side < 2; ++side) {
+            const int body = m_packs[0].source[side][lane];
+            const dReal *const u = velocities[static_cast<std::size_t>(body)].columns;
+            const Vector v = {u[0], u[1], u[2]}, w = {u[3], u[4], u[5]};
+            const Vector direction = vectorOf(m_contacts[contact].direction[row], lane), arm = vectorOf(m_contacts[contact].arm[side], lane);
+            sum += (side == 0 ? 1 : -1) * (dot(direction, v) + dot(cross(arm, direction), w));
+        }
+        return sum;
+    }
+
+    // The free velocities and what the impulses add.
+    std::vector<dxVelocity> expectedVelocities() const {
+        std::vector<dxVelocity> all = m_free;
+        for (unsigned lane = 0; lane < dxLanes::kCount; ++lane)
+            for (const dxContactLanes &contact : m_contacts)
+                for (unsigned row = 0; row < 3; ++row)
+                    for (unsigned side = 0; side < 2; ++side) push(all, lane, contact, row, side);
+        return all;
+    }
+
+private:
+    double number() { return std::uniform_real_distribution<double>(-1, 1)(m_random); }
+
+    static Vector vectorOf(const dxLaneNumbers *numbers, unsigned lane) { return {numbers[0].lane[lane], numbers[1].lane[lane], numbers[2].lane[lane]}; }
+
+    void fillLane(unsigned lane) {
+        dxContactPack &pack = m_packs[0];
+        for (unsigned side = 0; side < 2; ++side) {
+            pack.source[side][lane] = kBodies;
+            pack.target[side][lane] = dxContactPack::kNoBody;
+            if (lane == 7 || (lane == 5 && side == 1)) continue;
+            const int body = static_cast<int>(2 * lane + side);
+            pack.source[side][lane] = body;
+            if (lane == 4 && side == 1) continue;  // moves on its own
+            pack.target[side][lane] = body;
+            pack.inverseMass[side].lane[lane] = 1 + number() / 2;
+            const double inertia[6] = {2 + number() / 2, number() / 4, number() / 4, 2 + number() / 2, number() / 4, 2 + number() / 2};
+            for (int i = 0; i < 6; ++i) pack.inverseInertia[side][i].lane[lane] = inertia[i];
+        }
+        for (unsigned i = 0; i < kContacts; ++i)
+            if (has(lane, i)) fillContact(m_contacts[i], lane);
+    }
+
+    void fillContact(dxContactLanes &contact, unsigned lane) {
+        Vector normal = {number(), number(), number()};
+        const double length = std::sqrt(dot(normal, normal));
+        for (int axis = 0; axis < 3; ++axis) {
+            contact.direction[0][axis].lane[lane] = normal[static_cast<std::size_t>(axis)] / length;
+            for (auto &arm : contact.arm) arm[axis].lane[lane] = number();
+        }
+        for (int row = 0; row < 3; ++row) {
+            contact.wanted[row].lane[lane] = number();
+            contact.softness[row].lane[lane] = 0.05;
+        }
+        for (int tangent = 0; tangent < 2; ++tangent) {
+            contact.friction[tangent].lane[lane] = lane % 2 == 0 ? 0.5 : 0;
+            contact.limit[tangent].lane[lane] = lane % 2 == 0 ? 0 : 0.1;
+        }
+    }
+
+    void push(std::vector<dxVelocity> &all, unsigned lane, const dxContactLanes &contact, unsigned row, unsigned side) const {
+        const dxContactPack &pack = m_packs[0];
+        const int target = pack.target[side][lane];
+        if (target == dxContactPack::kNoBody) return;
+        const double impulse = (side == 0 ? 1 : -1) * contact.impulse[row].lane[lane];
+        const Vector direction = vectorOf(contact.direction[row], lane), axis = cross(vectorOf(contact.arm[side], lane), direction);
+        constexpr int kElement[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
+        for (std::size_t i = 0; i < 3; ++i) {
+            all[static_cast<std::size_t>(target)].columns[i] += pack.inverseMass[side].lane[lane] * direction[i] * impulse;
+            for (std::size_t k = 0; k < 3; ++k)
+                all[static_cast<std::size_t>(target)].columns[3 + i] += pack.inverseInertia[side][kElement[i][k]].lane[lane] * axis[k] * impulse;
+        }
+    }
+
+    std::mt19937 m_random;
+    std::vector<dxVelocity> m_velocities, m_free;
+    std::vector<dxContactPack> m_packs;
+    std::vector<dxContactLanes> m_contacts;
+};
+
+template <class Test>
+void onAllInstructionSets(const Test &test) {
+    for (const std::int64_t set : instructionSets()) onInstructionSet(set, test);
+}
+
+TEST(ContactSweep, PreparesThreeDirectionsAtRightAngles) {
+    onAllInstructionSets([] {
+        Pack pack(1);
+        pack.prepare();
+        for (unsigned lane = 0; lane < 7; ++lane)
+            for (unsigned i = 0; i < Pack::kContacts; ++i) {
+                if (!pack.has(lane, i)) continue;
+                for (unsigned a = 0; a < 3; ++a)
+                    for (unsigned b = 0; b < 3; ++b) {
+                        double product = 0;
+                        for (int axis = 0; axis < 3; ++axis)
+                            product += pack.contact(i).direction[a][axis].lane[lane] * pack.contact(i).direction[b][axis].lane[lane];
+                        EXPECT_NEAR(product, a == b ? 1 : 0, 1e-12);
+                    }
+            }
+    });
+}
+
+TEST(ContactSweep, KeepsAGivenDirection) {
+    onAllInstructionSets([] {
+        Pack pack(2);
+        for (int axis = 0; axis < 3; ++axis) pack.contact(0).direction[1][axis].lane[3] = 0.3 * (axis + 1);
+        pack.prepare();
+        for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(pack.contact(0).direction[1][axis].lane[3], 0.3 * (axis + 1));
+    });
+}
+
+TEST(ContactSweep, FindsForcesThatSolveTheConditions) {
+    onAllInstructionSets([] {
+        for (unsigned seed = 0; seed < 20; ++seed) {
+            Pack pack(seed);
+            EXPECT_GT(pack.prepare(), 0);
+            pack.apply();
+            double change = 0;
+            for (int i = 0; i < 3000; ++i) change = pack.sweep(i % 2 == 0 ? dReal(1) : dReal(1.3));
+            EXPECT_LT(change, 1e-12);
+            for (unsigned lane = 0; lane < 7; ++lane)
+                for (unsigned i = 0; i < Pack::kContacts; ++i) {
+                    if (!pack.has(lane, i)) continue;
+                    const dxContactLanes &contact = pack.contact(i);
+                    for (unsigned row = 0; row < 3; ++row) {
+                        const double impulse = contact.impulse[row].lane[lane];
+                        const double missing = contact.wanted[row].lane[lane] - pack.velocityAlong(pack.velocities(), lane, i, row) -
+                                               contact.softness[row].lane[lane] * impulse;
+                        const double high = row == 0 ? 1e300
+                                                     : contact.friction[row - 1].lane[lane] * contact.impulse[0].lane[lane] +
+                                                           contact.limit[row - 1].lane[lane];
+                        const double low = row == 0 ? 0 : -high;
+                        EXPECT_GE(impulse, low - 1e-12);
+                        EXPECT_LE(impulse, high + 1e-12);
+                        if (impulse > low + 1e-9) EXPECT_GT(missing, -1e-9);
+                        if (impulse < high - 1e-9) EXPECT_LT(missing, 1e-9);
+                    }
+                }
+        }
+    });
+}
+
+TEST(ContactSweep, LeavesTheVelocitiesThatTheForcesGive) {
+    onAllInstructionSets([] {
+        for (unsigned seed = 0; seed < 20; ++seed) {
+            Pack pack(seed);
+            for (unsigned i = 0; i < Pack::kContacts; ++i)  // a force of the last step, in the world's frame
+                for (int axis = 0; axis < 3; ++axis) pack.contact(i).impulse[axis].lane[0] = 0.1 * axis;
+            pack.prepare();
+            pack.apply();
+            for (int i = 0; i < 5; ++i) pack.sweep();
+            const std::vector<dxVelocity> expected = pack.expectedVelocities();
+            for (unsigned body = 0; body < Pack::kBodies; ++body)
+                for (int k = 0; k < 6; ++k) EXPECT_NEAR(pack.velocities()[body].columns[k], expected[body].columns[k], 1e-11);
+        }
+    });
+}
+
+TEST(ContactSweep, LeavesBodiesAloneThatDoNotMove) {
+    onAllInstructionSets([] {
+        Pack pack(4), same(4);
+        pack.prepare();
+        for (int i = 0; i < 5; ++i) pack.sweep();
+        for (const unsigned body : {9u, 11u, 14u, 15u, 16u})
+            EXPECT_TRUE(std::equal(pack.velocities()[body].columns, pack.velocities()[body].columns + 6, same.velocities()[body].columns));
+    });
+}
+
+TEST(ContactSweep, HasTheSameBitsOnEveryInstructionSet) {
+    std::vector<double> first;
+    onAllInstructionSets([&first] {
+        std::vector<double> numbers;
+        for (unsigned seed = 0; seed < 20; ++seed) {
+            Pack pack(seed);
+            numbers.push_back(pack.prepare());
+            pack.apply();
+            for (int i = 0; i < 7; ++i) numbers.push_back(pack.sweep(dReal(1.3)));
+            for (const dxVelocity &velocity : pack.velocities()) numbers.insert(numbers.end(), velocity.columns, velocity.columns + 6);
+        }
+        if (first.empty()) first = numbers;
+        EXPECT_EQ(numbers, first);
+    });
+}
+
+}  // namespace

@@ -1,0 +1,283 @@
+// dWorldQuickStep of worlds whose solver is "fast": the same bits for every number of threads and instruction set, and for a world made
+// anew from a saved state; forces of the last step found again; what is not solved so is left to upstream. How good its results are is
+// judged in tests/quality.
+#include <gtest/gtest.h>
+
+#include <ode/ode.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+#include "instruction_sets.h"
+#include "random_world.h"
+
+namespace {
+
+constexpr dReal kStepSize = dReal(0.01);
+
+class IterativeStep : public testing::Test {
+protected:
+    IterativeStep() { dInitODE2(0); }
+    ~IterativeStep() override {
+        dToggleODE_MT(0);
+        dODE_MT_SetAlgorithm("auto");
+        dCloseODE();
+    }
+};
+
+// Boxes that fall into a heap, stacks beside it, and a wheel on a hinge with a motor.
+class Yard {
+public:
+    explicit Yard(const char *solver, bool isWarm = true) : m_world(dWorldCreate()), m_space(dHashSpaceCreate(nullptr)), m_contacts(dJointGroupCreate(0)) {
+        dODE_MT_SetSolver(m_world, solver);
+        dODE_MT_SetWarmStart(m_world, isWarm);
+        dWorldSetGravity(m_world, 0, 0, -10);
+        dCreatePlane(m_space, 0, 0, 1, 0);
+        for (int i = 0; i < 450; ++i) addBox(dReal(i % 5) + dReal(0.1) * dReal(i % 3), dReal(i / 5 % 5) + dReal(0.07) * dReal(i % 4), dReal(0.6) + dReal(1.05) * dReal(i / 25));
+        for (int i = 0; i < 200; ++i) addBox(3 * dReal(i / 5), -500, dReal(0.5) + dReal(i % 5));
+        addWheel();
+    }
+    ~Yard() {
+        dJointGroupDestroy(m_contacts);
+        dSpaceDestroy(m_space);
+        dWorldDestroy(m_world);
+    }
+    Yard(const Yard &) = delete;
+    Yard &operator=(const Yard &) = delete;
+
+    void step(int count = 1) {
+        for (int i = 0; i < count; ++i) {
+            m_contactCount = 0;
+            dSpaceCollide(m_space, this, [](void *data, dGeomID a, dGeomID b) { static_cast<Yard *>(data)->meet(a, b); });
+            dWorldQuickStep(m_world, kStepSize);
+            dJointGroupEmpty(m_contacts);
+        }
+    }
+
+    // Poses and velocities; bits.
+    std::vector<std::uint64_t> state() const {
+        std::vector<std::uint64_t> all;
+        for (const dBodyID body : m_bodies)
+            for (const auto &[numbers, count] : fieldsOf(body))
+                for (int i = 0; i < count; ++i) {
+                    const double number = numbers[i];
+                    std::uint64_t bits;
+                    std::memcpy(&bits, &number, sizeof bits);
+                    all.push_back(bits);
+                }
+        return all;
+    }
+
+    // Another yard's bodies stand and move as this one's, and its geoms have been moved in the order of the bodies.
+    void copyTo(Yard &other) const {
+        dSpaceClean(other.m_space);
+        for (std::size_t i = 0; i < m_bodies.size(); ++i) {
+            const dBodyID from = m_bodies[i], to = other.m_bodies[i];
+            const dReal *const at = dBodyGetPosition(from), *const moves = dBodyGetLinearVel(from), *const turns = dBodyGetAngularVel(from);
+            dBodySetPosition(to, at[0], at[1], at[2]);
+            std::memcpy(const_cast<dReal *>(dBodyGetQuaternion(to)), dBodyGetQuaternion(from), 4 * sizeof(dReal));  // unlike dBodySetQuaternion, not normalised anew
+            std::memcpy(const_cast<dReal *>(dBodyGetRotation(to)), dBodyGetRotation(from), 12 * sizeof(dReal));
+            dBodySetLinearVel(to, moves[0], moves[1], moves[2]);
+            dBodySetAngularVel(to, turns[0], turns[1], turns[2]);
+        }
+    }
+
+    dWorldID world() const { return m_world; }
+    dBodyID body(std::size_t i) const { return m_bodies[i]; }
+    unsigned contactCount() const { return m_contactCount; }
+    double energyOfStacks() const {
+        double sum = 0;
+        for (std::size_t i = 450; i < 650; ++i) {
+            const dReal *const v = dBodyGetLinearVel(m_bodies[i]), *const w = dBodyGetAngularVel(m_bodies[i]);
+            for (int axis = 0; axis < 3; ++axis) sum += double(v[axis]) * v[axis] + double(w[axis]) * w[axis] / 6;
+        }
+        return sum / 2;
+    }
+
+private:
+    static std::array<std::pair<const dReal *, int>, 4> fieldsOf(dBodyID body) {
+        return {{{dBodyGetPosition(body), 3}, {dBodyGetQuaternion(body), 4}, {dBodyGetLinearVel(body), 3}, {dBodyGetAngularVel(body), 3}}};
+    }
+
+    void addBox(dReal x, dReal y, dReal z) {
+        const dBodyID body = dBodyCreate(m_world);
+        dMass mass;
+        dMassSetBoxTotal(&mass, 1, 1, 1, 1);
+        dBodySetMass(body, &mass);
+        dBodySetPosition(body, x, y, z);
+        dGeomSetBody(dCreateBox(m_space, 1, 1, 1), body);
+        m_bodies.push_back(body);
+    }
+
+    void addWheel() {
+        addBox(-10, 0, 3);
+        const dJointID hinge = dJointCreateHinge(m_world, nullptr);
+        dJointAttach(hinge, m_bodies.back(), nullptr);
+        dJointSetHingeAnchor(hinge, -10, 0, 3);
+        dJointSetHingeAxis(hinge, 0, 1, 0);
+        dJointSetHingeParam(hinge, dParamVel, 2);
+        dJointSetHingeParam(hinge, dParamFMax, 5);
+    }
+
+    void meet(dGeomID a, dGeomID b) {
+        dContact contacts[8];
+        const int count = dCollide(a, b, 8, &contacts[0].geom, sizeof contacts[0]);
+        for (int i = 0; i < count; ++i) {
+            contacts[i].surface.mode = dContactApprox1;
+            contacts[i].surface.mu = dReal(0.6);
+            dJointAttach(dJointCreateContact(m_world, m_contacts, &contacts[i]), dGeomGetBody(a), dGeomGetBody(b));
+        }
+        m_contactCount += static_cast<unsigned>(count);
+    }
+
+    dWorldID m_world;
+    dSpaceID m_space;
+    dJointGroupID m_contacts;
+    std::vector<dBodyID> m_bodies;
+    unsigned m_contactCount = 0;
+};
+
+std::vector<std::uint64_t> yardAfter(int steps, unsigned threads, const char *algorithm = "lcp") {
+    dToggleODE_MT(static_cast<int>(threads));
+    dODE_MT_SetAlgorithm(algorithm);
+    Yard yard("fast");
+    yard.step(steps);
+    EXPECT_GT(yard.contactCount(), 1500u);
+    return yard.state();
+}
+
+// Islands of all sizes with joints of all types.
+std::vector<std::uint64_t> randomWorldsAfterSteps(unsigned threads, const char *algorithm = "lcp") {
+    dToggleODE_MT(static_cast<int>(threads));
+    dODE_MT_SetAlgorithm(algorithm);
+    std::vector<std::uint64_t> all;
+    for (const RandomWorld::Shape shape : {RandomWorld::Shape{80, 240}, {300, 200}, {400, 1600}}) {
+        RandomWorld world(shape, 3);
+        dODE_MT_SetSolver(world.world(), "fast");
+        for (int i = 0; i < 5; ++i) {
+            world.push();
+            dWorldQuickStep(world.world(), kStepSize);
+        }
+        const std::vector<std::uint64_t> state = world.state();
+        all.insert(all.end(), state.begin(), state.end());
+    }
+    return all;
+}
+
+TEST_F(IterativeStep, HasTheSameBitsForEveryNumberOfThreads) {
+    const std::vector<std::uint64_t> yard = yardAfter(70, 0, "serial"), worlds = randomWorldsAfterSteps(0, "serial");
+    for (const unsigned threads : {1u, 2u, 3u, 5u, 8u}) {
+        const unsigned before = dODE_MT_GetTeamSteps();
+        EXPECT_EQ(yardAfter(70, threads), yard) << threads << " threads";
+        EXPECT_EQ(randomWorldsAfterSteps(threads), worlds) << threads << " threads";
+        if (threads > 1) EXPECT_GT(dODE_MT_GetTeamSteps(), before);
+    }
+}
+
+TEST_F(IterativeStep, HasTheSameBitsOnEveryInstructionSet) {
+    std::vector<std::uint64_t> first;
+    for (const std::int64_t set : instructionSets())
+        onInstructionSet(set, [&] {
+            std::vector<std::uint64_t> state = yardAfter(60, 0);
+            const std::vector<std::uint64_t> worlds = randomWorldsAfterSteps(0);
+            state.insert(state.end(), worlds.begin(), worlds.end());
+            if (first.empty()) first = state;
+            EXPECT_TRUE(state == first);
+        });
+}
+
+// With forces of the last step, a world at rest is nearly solved before the first sweep; without, it is the same for a world made anew.
+TEST_F(IterativeStep, GoesOnWithTheSameBitsFromASavedStateWithoutWarmStart) {
+    for (const bool isWarm : {false, true}) {
+        Yard yard("fast", isWarm), copy("fast", isWarm);
+        yard.step(60);
+        yard.copyTo(copy);
+        yard.copyTo(yard);  // so that its contacts come in the same order, too
+        yard.step();
+        copy.step();
+        EXPECT_EQ(yard.state() == copy.state(), !isWarm);
+    }
+}
+
+// A body that is made where one was destroyed is another body: it begins with no forces.
+TEST_F(IterativeStep, KnowsBodiesApartThatHaveOneAddress) {
+    dMass mass;
+    dMassSetBoxTotal(&mass, 1, 1, 1, 1);
+    std::vector<dReal> speeds;
+    for (const bool isDestroyed : {false, true}) {
+        const dWorldID world = dWorldCreate();
+        dODE_MT_SetSolver(world, "fast");
+        dWorldSetGravity(world, 0, 0, -10);
+        dWorldSetQuickStepNumIterations(world, 0);
+        dBodyID body = dBodyCreate(world);
+        const dJointGroupID group = dJointGroupCreate(0);
+        for (int i = 0; i < 2; ++i) {
+            if (i == 1 && isDestroyed) {
+                const dBodyID old = body;
+                dBodyDestroy(body);
+                body = dBodyCreate(world);
+                EXPECT_EQ(body, old);  // else this test shows nothing
+            }
+            dBodySetMass(body, &mass);
+            dBodySetPosition(body, 0, 0, 0);
+            dBodySetLinearVel(body, 0, 0, 0);
+            dWorldSetQuickStepNumIterations(world, i == 0 ? 20 : 0);
+            dContact contact = {};
+            contact.geom.normal[2] = 1;
+            contact.geom.pos[2] = dReal(-0.5);
+            dJointAttach(dJointCreateContact(world, group, &contact), body, nullptr);
+            dWorldQuickStep(world, kStepSize);
+            dJointGroupEmpty(group);
+        }
+        speeds.push_back(dBodyGetLinearVel(body)[2]);
+        dJointGroupDestroy(group);
+        dWorldDestroy(world);
+    }
+    EXPECT_NEAR(speeds[1], -0.1, 1e-6);          // nothing holds it
+    EXPECT_GT(speeds[0], dReal(-0.1) + dReal(0.05));  // the last step's force does
+}
+
+TEST_F(IterativeStep, DrawsNoRandomNumbers) {
+    Yard yard("fast");
+    dRandSetSeed(7);
+    yard.step(30);
+    EXPECT_EQ(dRandGetSeed(), 7u);
+}
+
+TEST_F(IterativeStep, LetsStacksStand) {
+    Yard yard("fast");
+    yard.step(300);
+    EXPECT_LT(yard.energyOfStacks(), 200 * 2e-3);
+    for (int i = 0; i < 200; ++i) EXPECT_NEAR(dBodyGetPosition(yard.body(450 + static_cast<std::size_t>(i)))[2], 0.5 + i % 5, 0.02);
+}
+
+// A moved-callback attaches a joint to a body that is still to be stepped.
+TEST_F(IterativeStep, StepsIslandsThatChangeDuringTheStep) {
+    Yard yard("fast");
+    yard.step(30);
+    static dBodyID last;
+    last = yard.body(0);
+    dBodySetMovedCallback(yard.body(500), [](dBodyID body) {
+        const dJointID joint = dJointCreateBall(dBodyGetWorld(body), nullptr);
+        dJointAttach(joint, last, nullptr);
+        dBodySetMovedCallback(body, nullptr);
+    });
+    yard.step(5);
+    for (int i = 0; i < 650; ++i)
+        for (int axis = 0; axis < 3; ++axis) EXPECT_TRUE(std::isfinite(dBodyGetPosition(yard.body(static_cast<std::size_t>(i)))[axis]));
+}
+
+// Memory that a step leaves by a jump is there for the next one.
+TEST_F(IterativeStep, EndsWorldsAndTheLibraryWithNothingKept) {
+    for (int i = 0; i < 3; ++i) {
+        Yard yard("fast");
+        yard.step(3);
+    }
+    SUCCEED();
+}
+
+}  // namespace
