@@ -28,6 +28,10 @@ enum class dxSchedulePoint : unsigned {
     ClaimPartition,
     AnnounceRows,
     AwaitRows,
+    // The same of fast worlds
+    ClaimChunk,
+    OpenPhase,
+    AwaitPhase,
     // Islands side by side
     StepIsland,
     InterruptIsland,

@@ -12,6 +12,7 @@ public:
     PackedWorld(const PackedWorld &) = delete;
     PackedWorld &operator=(const PackedWorld &) = delete;
 
+    dWorldID world() const { return m_world; }
     void frame();
 
     // Pose and velocities of all bodies.

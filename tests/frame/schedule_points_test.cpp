@@ -52,6 +52,9 @@ void stepLargeIslands() {
     PackedWorld quick(10, 8, 3, dWorldQuickStep), exact(3, 3, 1, dWorldStep);
     quick.frame();
     exact.frame();
+    PackedWorld fast(16, 16, 3, dWorldQuickStep);
+    dODE_MT_SetSolver(fast.world(), "fast");
+    fast.frame();
 }
 
 // In a heap nearly all pairs hang together; as independent ones they are several tasks.

@@ -7,6 +7,7 @@
 #include <cstdarg>
 #include <cstdlib>
 #include <map>
+#include <limits>
 #include <string>
 #include <thread>
 
@@ -190,8 +191,44 @@ TEST_F(Settings, UnknownSolverIsNamedAndChangesNothing) {
     dWorldDestroy(world);
 }
 
+TEST_F(Settings, SettingsOfTheIterativeSolverAreOfOneWorld) {
+    const Messages messages;
+    const dWorldID chosen = dWorldCreate(), other = dWorldCreate();
+    const double usual = dODE_MT_GetSolverTolerance(chosen);
+    for (const double tolerance : {0.0, 0.25, 1.0}) {
+        EXPECT_EQ(dODE_MT_SetSolverTolerance(chosen, tolerance), 1);
+        EXPECT_EQ(dODE_MT_GetSolverTolerance(chosen), tolerance);
+        EXPECT_EQ(dODE_MT_GetSolverTolerance(other), usual);
+    }
+    EXPECT_EQ(dODE_MT_GetWarmStart(chosen), 1);
+    dODE_MT_SetWarmStart(chosen, 0);
+    EXPECT_EQ(dODE_MT_GetWarmStart(chosen), 0);
+    dODE_MT_SetWarmStart(chosen, -3);
+    EXPECT_EQ(dODE_MT_GetWarmStart(chosen), 1);
+    EXPECT_STREQ(dODE_MT_GetSolver(chosen), "exact");
+    EXPECT_TRUE(messages.empty()) << g_messages;
+    dWorldDestroy(chosen);
+    dWorldDestroy(other);
+}
+
+TEST_F(Settings, ImpossibleTolerancesAreNamedAndChangeNothing) {
+    const dWorldID world = dWorldCreate();
+    dODE_MT_SetSolverTolerance(world, 0.5);
+    for (const double tolerance : {-1e-9, 1.5, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+        const Messages messages;
+        EXPECT_EQ(dODE_MT_SetSolverTolerance(world, tolerance), 0);
+        EXPECT_EQ(dODE_MT_GetSolverTolerance(world), 0.5);
+        EXPECT_TRUE(messages.tell("no solver tolerance")) << g_messages;
+    }
+    dWorldDestroy(world);
+}
+
 TEST(SettingsDeathTest, SolverOfNoWorldIsAnError) {
     testing::FLAGS_gtest_death_test_style = "threadsafe";
+    EXPECT_DEATH(dODE_MT_SetSolverTolerance(nullptr, 0.5), "bad world argument in dODE_MT_SetSolverTolerance");
+    EXPECT_DEATH(dODE_MT_GetSolverTolerance(nullptr), "bad world argument in dODE_MT_GetSolverTolerance");
+    EXPECT_DEATH(dODE_MT_SetWarmStart(nullptr, 0), "bad world argument in dODE_MT_SetWarmStart");
+    EXPECT_DEATH(dODE_MT_GetWarmStart(nullptr), "bad world argument in dODE_MT_GetWarmStart");
     EXPECT_DEATH(dODE_MT_SetSolver(nullptr, "fast"), "bad world argument in dODE_MT_SetSolver");
     EXPECT_DEATH(dODE_MT_GetSolver(nullptr), "bad world argument in dODE_MT_GetSolver");
 }
@@ -211,6 +248,24 @@ TEST(SettingsDeathTest, SolverOfTheEnvironmentIsThatOfNewWorlds) {
     EXPECT_EXIT(run("exact", "exact"), testing::ExitedWithCode(0), "^$");
     EXPECT_EXIT(run("", "exact"), testing::ExitedWithCode(0), "^$");
     EXPECT_EXIT(run("foo", "exact"), testing::ExitedWithCode(0), "ODE_MT_SOLVER is 'foo'.*exact, fast; exact is taken");
+}
+
+TEST(SettingsDeathTest, SettingsOfTheIterativeSolverAreReadFromTheEnvironment) {
+    testing::FLAGS_gtest_death_test_style = "threadsafe";
+    const auto run = [](const char *tolerance, const char *warmStart, double expectedTolerance, int expectedWarmStart) {
+        setenv("ODE_MT_SOLVER_TOLERANCE", tolerance, 1);
+        setenv("ODE_MT_WARM_START", warmStart, 1);
+        dInitODE2(0);
+        const dWorldID world = dWorldCreate();
+        if (expectedTolerance >= 0 && dODE_MT_GetSolverTolerance(world) != expectedTolerance) std::_Exit(1);
+        std::_Exit(dODE_MT_GetWarmStart(world) == expectedWarmStart ? 0 : 2);
+    };
+    EXPECT_EXIT(run("0.25", "0", 0.25, 0), testing::ExitedWithCode(0), "^$");
+    EXPECT_EXIT(run("1e-3", "1", 1e-3, 1), testing::ExitedWithCode(0), "^$");
+    EXPECT_EXIT(run("", "", -1, 1), testing::ExitedWithCode(0), "^$");
+    EXPECT_EXIT(run("2", "", -1, 1), testing::ExitedWithCode(0), "ODE_MT_SOLVER_TOLERANCE is '2'; known: a number from 0 to 1; 1e-09 is taken");
+    EXPECT_EXIT(run("0.5x", "", -1, 1), testing::ExitedWithCode(0), "ODE_MT_SOLVER_TOLERANCE is '0.5x'");
+    EXPECT_EXIT(run("", "yes", -1, 1), testing::ExitedWithCode(0), "ODE_MT_WARM_START is 'yes'; known: 0, 1; 1 is taken");
 }
 
 TEST_F(Settings, HeuristicsAreTakenByName) {

@@ -64,6 +64,7 @@ struct Mode {
     int threads;
     const char *algorithm, *manager;
     dWorldStepFunction *stepper;
+    const char *solver = "exact";
 };
 
 void PrintTo(const Mode &mode, std::ostream *out) {
@@ -78,6 +79,8 @@ protected:
         }
         dODE_MT_SetThreadManager(GetParam().manager);
     }
+
+    static void chooseSolver(dWorldID world) { dODE_MT_SetSolver(world, GetParam().solver); }
     void TearDown() override { dODE_MT_SetThreadManager("pthread"); }
 
     template <class Function>
@@ -121,6 +124,7 @@ TEST_P(SteadyState, CountingWorks) {
 
 TEST_P(SteadyState, StepsAllocateNothing) {
     ChainWorld world(40, 4, GetParam().stepper);
+    chooseSolver(world.world());
     warmUp([&] { world.step(); });
     EXPECT_LE(allocationsOf([&] { world.step(kSteps); }), allowed());
 }
@@ -128,6 +132,7 @@ TEST_P(SteadyState, StepsAllocateNothing) {
 // Contact joints come and go between the steps.
 TEST_P(SteadyState, StepsWithContactsAllocateNothing) {
     ChainWorld world(40, 4, GetParam().stepper);
+    chooseSolver(world.world());
     const dJointGroupID contacts = dJointGroupCreate(0);
     const auto frame = [&] {
         for (std::size_t i = 0; i < world.bodies().size(); i += 2) {
@@ -158,6 +163,7 @@ dSpaceID createQuadTree(dSpaceID parent) {
 TEST_P(SteadyState, FramesOfAHeapAllocateNothing) {
     for (const auto create : {dSimpleSpaceCreate, dHashSpaceCreate, createQuadTree, createSweepSpace}) {
         HeapWorld world(create(nullptr));
+        chooseSolver(world.world());
         const auto frame = [&] {
             world.collide();
             world.step();
@@ -179,12 +185,13 @@ std::vector<Mode> modes() {
         }
         all.push_back({4, "auto", "pthread", stepper});
     }
+    for (const int threads : {0, 3}) all.push_back({threads, "lcp", "pthread", dWorldQuickStep, "fast"});
     return all;
 }
 
 INSTANTIATE_TEST_SUITE_P(Modes, SteadyState, testing::ValuesIn(modes()), [](const auto &info) {
     const Mode &mode = info.param;
-    return std::string(mode.stepper == dWorldStep ? "world_" : "quick_") + mode.manager + "_" +
+    return std::string(mode.solver) + (mode.stepper == dWorldStep ? "_world_" : "_quick_") + mode.manager + "_" +
            mode.algorithm + std::to_string(mode.threads);
 });
 

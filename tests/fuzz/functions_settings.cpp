@@ -26,7 +26,7 @@ void addGetters(std::vector<Function> &all) {
             callIfThere(name);
             return true;
         }, 1);
-    for (const char *const name : {"dODE_MT_GetSolver", "dWorldRefreshParameters"})
+    for (const char *const name : {"dODE_MT_GetSolver", "dODE_MT_GetSolverTolerance", "dODE_MT_GetWarmStart", "dWorldRefreshParameters"})
         byHand(all, name, {object(ObjectKind::world)}, [name](Player &player, const Arguments &arguments, Reference &) {
             const auto world = get<dWorldID>(player, arguments[0]);
             if (world == nullptr) return false;
@@ -92,6 +92,19 @@ void addSettingFunctions(std::vector<Function> &all) {
         const auto world = get<dWorldID>(player, arguments[0]);
         if (world == nullptr) return false;
         callIfThere("dODE_MT_SetSolver", world, "exact");
+        return true;
+    }, 1);
+    // Of no effect on an exact world.
+    byHand(all, "dODE_MT_SetSolverTolerance", {object(ObjectKind::world)}, [](Player &player, const Arguments &arguments, Reference &) {
+        const auto world = get<dWorldID>(player, arguments[0]);
+        if (world == nullptr) return false;
+        callIfThere("dODE_MT_SetSolverTolerance", world, 0.5);
+        return true;
+    }, 1);
+    byHand(all, "dODE_MT_SetWarmStart", {object(ObjectKind::world)}, [](Player &player, const Arguments &arguments, Reference &) {
+        const auto world = get<dWorldID>(player, arguments[0]);
+        if (world == nullptr) return false;
+        callIfThere("dODE_MT_SetWarmStart", world, 0);
         return true;
     }, 1);
     // The player then does what such callbacks may do, on both libraries.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "dynamics/iterative/dxConstraintPlan.h"
+#include "threading/dxPerturbation.h"
 #include "threading/dxTaskRunner.h"
 #include "threading/pool/dxSpin.h"
 
@@ -63,12 +64,14 @@ private:
 
     bool claim(unsigned chunk, unsigned sweep) {
         unsigned expected = sweep;
+        dxPerturb(dxSchedulePoint::ClaimChunk);
         return m_claims[chunk].load(std::memory_order_relaxed) == sweep &&
                m_claims[chunk].compare_exchange_strong(expected, sweep + 1, std::memory_order_relaxed);
     }
 
     template <class IsLast>
     void open(unsigned position, const IsLast &isLast) {
+        dxPerturb(dxSchedulePoint::OpenPhase);
         m_finished.store(0, std::memory_order_relaxed);
         const unsigned next = position + 1;
         if (next % m_phaseCount == 0 && isLast(position / m_phaseCount, energy())) m_end.store(next, std::memory_order_relaxed);
@@ -76,6 +79,7 @@ private:
     }
 
     void await(unsigned position) const {
+        if (m_position.load(std::memory_order_acquire) == position) dxPerturb(dxSchedulePoint::AwaitPhase);
         for (int polls = kPolls; m_position.load(std::memory_order_acquire) == position; --polls) {
             if (polls > 0) {
                 dxPause();
