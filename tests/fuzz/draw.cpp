@@ -1,5 +1,7 @@
 #include "draw.h"
 
+#include "played_as.h"
+
 #include <cmath>
 #include <limits>
 
@@ -25,8 +27,11 @@ Draw::Draw(const std::uint8_t *bytes, std::size_t count) : m_bytes(bytes), m_cou
                               Mode::tiny,     Mode::huge,     Mode::zero,     Mode::broken};
     m_mode = modes[byte() % 8];
     const unsigned size = byte();
-    m_isHeap = size >= 244;
-    m_bodies = size < 160 ? 2 + size % 12 : size < 236 ? size % 80 : m_isHeap ? 64 + size % 12 * 4 : 100 + size % 16 * 10;
+    m_isHeap = playedAs.isFast ? size % 2 != 0 : size >= 244;
+    if (playedAs.isFast)
+        m_bodies = m_isHeap ? 8 + size % 64 : 2 + size % 12;
+    else
+        m_bodies = size < 160 ? 2 + size % 12 : size < 236 ? size % 80 : m_isHeap ? 64 + size % 12 * 4 : 100 + size % 16 * 10;
     m_spaceKind = byte() % 4;
     if (byte() % 4 != 0) chooseFocus();
 }

@@ -34,6 +34,7 @@ void set(const RequestHeader &request) {
     callIfThere("dODE_MT_SetAlgorithm", kAlgorithms[request.algorithm % 8]);
     callIfThere("dODE_MT_SetGridCells", request.cells == 0 ? 0 : 5 + request.cells % 16);
     const std::vector<std::string> sets = exactness::instructionSets();
+    if (playedAs.isSerial && !sets.empty()) return exactness::forceInstructionSet(sets.back());
     if (request.instructionSet != 0 && !sets.empty()) exactness::forceInstructionSet(sets[request.instructionSet % sets.size()]);
 }
 
@@ -42,7 +43,7 @@ void set(const RequestHeader &request) {
 // What a playing process leaves behind, however it ends.
 struct ForkedPlay::Remains {
     std::uint64_t hash;
-    std::uint32_t calls, workers;
+    std::uint32_t calls, workers, directIslands;
     std::uint32_t length;
     char text[kMaxText];
 
@@ -86,6 +87,7 @@ void ForkedPlay::Remains::play(const RequestHeader &request, const std::vector<s
     playing.finish();
     hash = playing.hash();
     workers = exactness::runningEngine().maxWorkers;
+    if (const auto count = functionOfOurs<unsigned>("dODE_MT_GetDirectIslands")) directIslands = count();
 }
 
 ForkedPlay::ForkedPlay(AtBirth atBirth, AfterDeath afterDeath)
@@ -104,7 +106,7 @@ ForkedPlay::~ForkedPlay() {
 
 void ForkedPlay::ask(RequestHeader request, const std::vector<std::uint8_t> &script) {
     m_remains->hash = 0;
-    m_remains->calls = m_remains->workers = m_remains->length = 0;
+    m_remains->calls = m_remains->workers = m_remains->directIslands = m_remains->length = 0;
     if (ftruncate(m_errors, 0) != 0) throw std::runtime_error("the file of standard error cannot be emptied");
     lseek(m_errors, 0, SEEK_SET);
     m_child = fork();
@@ -129,6 +131,7 @@ Outcome ForkedPlay::answer() {
                       m_remains->calls,
                       m_remains->hash,
                       m_remains->workers,
+                      m_remains->directIslands,
                       static_cast<std::uint32_t>(outcome.errors.size()),
                       m_remains->length};
     return outcome;

@@ -87,11 +87,14 @@ void addSettingFunctions(std::vector<Function> &all) {
     addChoice(all, "dODE_MT_SetHeuristics",
               {"default", "none", "cells", "centre", "crossover", "declustering", "threads", "cells,centre,crossover,declustering,threads"});
     addChoice(all, "dODE_MT_SetThreadManager", {"pthread", "openmp"});
-    // The bits of "fast" are its own.
+    // The bits of "fast" are its own, and so are all its runs changed alike.
     byHand(all, "dODE_MT_SetSolver", {object(ObjectKind::world)}, [](Player &player, const Arguments &arguments, Reference &) {
         const auto world = get<dWorldID>(player, arguments[0]);
         if (world == nullptr) return false;
-        callIfThere("dODE_MT_SetSolver", world, "exact");
+        if (playedAs.isFast)
+            player.changeSolver(world);
+        else
+            callIfThere("dODE_MT_SetSolver", world, "exact");
         return true;
     }, 1);
     // Of no effect on an exact world.

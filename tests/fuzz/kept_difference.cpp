@@ -25,7 +25,7 @@ Script playedScript(const std::string &text) {
 std::string keepDifference(Comparison &comparison, const Input &input, const std::string &name, const std::string &folder) {
     const RequestHeader &request = input.request;
     std::string told = name + " differs\n" + settingOf(request) + comparison.lastDifference();
-    Script script = playedScript(comparison.debian().text.size() > comparison.ours().text.size() ? comparison.debian().text
+    Script script = playedScript(comparison.reference().text.size() > comparison.ours().text.size() ? comparison.reference().text
                                                                                                  : comparison.ours().text);
     const auto differs = [&](const Script &tried) { return comparison.compare(request, tried) == Verdict::different; };
     if (differs(script)) {

@@ -2,6 +2,7 @@
 //
 //   odemt_fuzz --seconds 300 --seed 1 --keep found
 //   odemt_fuzz --replay found/17.script
+//   odemt_fuzz --fast --seconds 300             the solver fast, compared with its own run on one thread
 #include "input.h"
 #include "kept_difference.h"
 #include "script_comparison.h"
@@ -55,7 +56,7 @@ int fuzzAway(const Options &options) {
     std::cout << "first seed " << first << std::endl;
     Comparison comparison(options.libraries);
     std::map<std::string, std::uint64_t> verdicts, endings;
-    std::uint64_t calls = 0, onWorkers = 0, played = 0;
+    std::uint64_t calls = 0, onWorkers = 0, direct = 0, played = 0;
     std::string differences;  // printed last, where they are visible
     const Clock::time_point begin = Clock::now();
     const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
@@ -72,9 +73,10 @@ int fuzzAway(const Options &options) {
         if (verdict == Verdict::different && comparison.isUpstreamUnset(input.request)) verdict = Verdict::upstreamUndefined;
         ++played;
         ++verdicts[nameOf(verdict)];
-        ++endings[comparison.debian().ending() + ' ' + lastWords(comparison.debian().errors)];
+        ++endings[comparison.reference().ending() + ' ' + lastWords(comparison.reference().errors)];
         calls += comparison.ours().header.calls;
         onWorkers += comparison.ours().header.workers > 1;
+        direct += comparison.ours().header.directIslands > 0;
         if (options.shows) std::cout << settingOf(input.request) << comparison.ours().text;
         if (verdict != Verdict::different) continue;
         std::cout << "seed " << seed << " differs" << std::endl;
@@ -82,7 +84,7 @@ int fuzzAway(const Options &options) {
                                                : keepDifference(comparison, input, "seed-" + std::to_string(seed), options.keep);
     }
     std::cout << played << " scripts, " << calls << " calls in " << seconds() << " s, "
-              << static_cast<double>(played) / seconds() << " scripts a second; " << onWorkers << " with two workers at least\n";
+              << static_cast<double>(played) / seconds() << " scripts a second; " << onWorkers << " with two workers at least, " << direct << " with the direct solver\n";
     for (const auto &[name, count] : verdicts) std::cout << "  " << name << ": " << count << '\n';
     for (const auto &[name, count] : endings) std::cout << "  " << name << ": " << count << '\n';
     std::cout << differences;
@@ -150,6 +152,7 @@ int main(int argc, char **argv) {
     app.add_flag("--until-difference", options.untilDifference, "end at the first script that differs, and do not make it small");
     app.add_option("--write", options.write, "folder for the bytes of --scripts scripts, which are not played");
     app.add_flag("--show", options.shows, "print the scripts");
+    app.add_flag("--fast", options.libraries.isFast, "compare the solver fast with its own run on one thread without vectors");
     app.add_option("--player", options.libraries.player, "odemt_fuzz_player to play with");
     app.add_option("--ours", options.libraries.ours, "folder of ODE_MT's library");
     CLI11_PARSE(app, argc, argv);

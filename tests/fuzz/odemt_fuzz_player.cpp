@@ -1,8 +1,10 @@
 // Plays scripts on the libode.so.8 that the loader finds, each in a process of its own: requests on standard input, answers on
 // standard output (protocol.h). `odemt_fuzz_player FILE` plays a script as text and prints what it sees;
-// `odemt_fuzz_player --functions` prints the names of the functions that scripts call.
+// `odemt_fuzz_player --functions` prints the names of the functions that scripts call. Before all others, `--fast` and `--fast-serial`
+// say as what it plays (played_as.h); ODE_MT_SOLVER chooses the solver.
 #include "forked_play.h"
 #include "function.h"
+#include "played_as.h"
 #include "player.h"
 
 #include <ode/ode.h>
@@ -81,7 +83,11 @@ int listFunctions() {
 int main(int argc, char **argv) {
     try {
         if (argc == 1) return serve();
-        return std::string(argv[1]) == "--functions" ? listFunctions() : show(argv[1]);
+        const std::string option = argv[1];
+        playedAs.isSerial = option == "--fast-serial";
+        playedAs.isFast = playedAs.isSerial || option == "--fast";
+        if (playedAs.isFast) return argc == 2 ? serve() : show(argv[2]);
+        return option == "--functions" ? listFunctions() : show(argv[1]);
     } catch (const std::exception &error) {
         std::cerr << "odemt_fuzz_player: " << error.what() << '\n';
         return 1;

@@ -1,14 +1,16 @@
 // Functions of ODE_MT's own, which Debian's library does not have: called where they are there.
 #pragma once
 
+#include "played_as.h"
+
 #include <dlfcn.h>
 
 namespace fuzz {
 
-// Returns NULL where the library has no such function.
+// Returns NULL where the library has no such function, or is played as if it had none.
 template <class Result, class... Types>
 auto functionOfOurs(const char *name) {
-    return reinterpret_cast<Result (*)(Types...)>(dlsym(RTLD_DEFAULT, name));
+    return reinterpret_cast<Result (*)(Types...)>(playedAs.isSerial ? nullptr : dlsym(RTLD_DEFAULT, name));
 }
 
 // The result is not recorded: the other library has nothing to compare it with.
@@ -17,6 +19,6 @@ void callIfThere(const char *name, Types... arguments) {
     if (const auto function = functionOfOurs<int, Types...>(name)) function(arguments...);
 }
 
-inline bool isOurs() { return dlsym(RTLD_DEFAULT, "dToggleODE_MT") != nullptr; }
+inline bool isOurs() { return functionOfOurs<void, int>("dToggleODE_MT") != nullptr; }
 
 }  // namespace fuzz

@@ -6,6 +6,7 @@
 #include "protocol.h"
 #include "stack_pattern.h"
 
+#include <dlfcn.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -287,6 +288,16 @@ void Player::setCallbackPolicy(const std::string &policy) {
 }
 
 // The other library's messages go to standard error in another order while callbacks run at once.
+void Player::changeSolver(dWorldID world) {
+    using Getter = const char *(*)(dWorldID);
+    using Setter = int (*)(dWorldID, const char *);
+    if (m_depth > 0 || m_innermostPlace != Where::between) return;
+    const auto getter = reinterpret_cast<Getter>(dlsym(RTLD_DEFAULT, "dODE_MT_GetSolver"));
+    const auto setter = reinterpret_cast<Setter>(dlsym(RTLD_DEFAULT, "dODE_MT_SetSolver"));
+    if (getter == nullptr || setter == nullptr) return;
+    setter(world, std::strcmp(getter(world), "fast") == 0 ? "exact" : "fast");
+}
+
 void Player::setMessages(bool on) {
     if (on || m_policy == Policy::serial) dSetMessageHandler(on ? onMessage : nullptr);
 }

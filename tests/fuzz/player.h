@@ -72,6 +72,7 @@ public:
     dJointGroupID contactsOf(dWorldID world);
     // "serial", "concurrent" or "independent": what near-callbacks do from now on.
     void setCallbackPolicy(const std::string &policy);
+    void changeSolver(dWorldID world);    // to the other one of ODE_MT's, unless a callback of a step may ask for it
     void setMessages(bool on);  // whether there is a message handler
     dJointFeedback *feedbackOf(dJointID joint);
 

@@ -2,6 +2,7 @@
 #include "player.h"
 
 #include "function.h"
+#include "played_as.h"
 
 namespace fuzz {
 
@@ -88,7 +89,7 @@ void Player::makeHeap(Draw &draw, const Reference &world, const Reference &space
         makeNow("dBodySetPosition", {argumentOf(body), argumentOf(i % kWidth * kDistance), argumentOf(0),
                                      argumentOf(kSize / 2 + i / kWidth * kDistance)});
     }
-    playFrames(1 + draw.below(4), true);
+    playFrames(1 + draw.below(4), !playedAs.isFast || draw.oneIn(2));
 }
 
 // Makes joints between neighbours, with anchors at drawn positions.

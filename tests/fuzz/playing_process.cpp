@@ -36,8 +36,8 @@ process::Environment withLibrary(process::Environment environment, const std::st
 
 }  // namespace
 
-PlayingProcess::PlayingProcess(const std::string &program, const std::string &libraryFolder, process::Environment environment)
-    : m_process({program}, withLibrary(std::move(environment), libraryFolder)) {}
+PlayingProcess::PlayingProcess(const std::vector<std::string> &command, const std::string &libraryFolder, process::Environment environment)
+    : m_process(command, withLibrary(std::move(environment), libraryFolder)) {}
 
 PlayingProcess::~PlayingProcess() {
     m_process.closeInput();

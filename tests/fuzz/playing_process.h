@@ -13,7 +13,7 @@ namespace fuzz {
 class PlayingProcess final : public Playing {
 public:
     // Throws std::runtime_error if it cannot be started.
-    PlayingProcess(const std::string &program, const std::string &libraryFolder, process::Environment environment);
+    PlayingProcess(const std::vector<std::string> &command, const std::string &libraryFolder, process::Environment environment);
     ~PlayingProcess() override;  // waits for its end
 
     void ask(RequestHeader request, const std::vector<std::uint8_t> &script) override;

@@ -28,6 +28,7 @@ struct AnswerHeader {
     std::uint32_t calls;
     std::uint64_t hash;
     std::uint32_t workers;      // most that took part in a step or a collision
+    std::uint32_t directIslands;  // that the solver fast was asked to solve
     std::uint32_t errorLength;  // standard error; the place of an assertion in the source is removed
     std::uint32_t textLength;   // the script as it was played
 };

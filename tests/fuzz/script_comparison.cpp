@@ -83,8 +83,21 @@ const process::Environment kPatterned{{"MALLOC_PERTURB_", "165"}, {"GLIBC_TUNABL
 // Read when the library is loaded.
 const process::Environment kDisturbed{{"ODE_MT_PERTURB", "1"}};
 
+std::shared_ptr<Playing> processOfFast(const Libraries &libraries, const char *option, process::Environment environment) {
+    environment["ODE_MT_SOLVER"] = "fast";
+    return std::make_shared<PlayingProcess>(std::vector<std::string>{libraries.player, option}, libraries.ours, std::move(environment));
+}
+
 std::shared_ptr<Playing> processOfOurs(const Libraries &libraries, const process::Environment &environment) {
-    return std::make_shared<PlayingProcess>(libraries.player, libraries.ours, environment);
+    if (libraries.isFast) return processOfFast(libraries, "--fast", environment);
+    return std::make_shared<PlayingProcess>(std::vector<std::string>{libraries.player}, libraries.ours, environment);
+}
+
+// Draws what that of ours draws.
+std::shared_ptr<Playing> processOfDebian(const Libraries &libraries, const process::Environment &environment) {
+    std::vector<std::string> command{libraries.player};
+    if (libraries.isFast) command.push_back("--fast");
+    return std::make_shared<PlayingProcess>(command, libraries.debian, environment);
 }
 
 }  // namespace
@@ -96,10 +109,13 @@ Comparison::Comparison(const Libraries &libraries, std::shared_ptr<Playing> ours
 
 Comparison::Comparison(const Libraries &libraries, std::shared_ptr<Playing> ours, std::shared_ptr<Playing> oursDisturbed)
     : m_libraries(libraries),
-      m_onDebian(libraries.player, libraries.debian, {}),
-      m_onDebianPatterned(libraries.player, libraries.debian, kPatterned),
+      m_onDebian(processOfDebian(libraries, {})),
+      m_onDebianPatterned(processOfDebian(libraries, kPatterned)),
+      m_onReference(libraries.isFast ? processOfFast(libraries, "--fast-serial", {}) : m_onDebian),
       m_onOurs(std::move(ours)),
       m_onOursDisturbed(std::move(oursDisturbed)) {}
+
+bool Comparison::hasFailed(const Outcome &outcome) { return !outcome.endedInTime() || outcome.crashed(); }
 
 bool Comparison::areSame(const Outcome &a, const Outcome &b) {
     return a.header.ending == b.header.ending && a.header.hash == b.header.hash && a.errors == b.errors && a.text == b.text;
@@ -107,41 +123,48 @@ bool Comparison::areSame(const Outcome &a, const Outcome &b) {
 
 Verdict Comparison::compare(const RequestHeader &request, const std::vector<std::uint8_t> &script) {
     Playing &onOurs = request.disturbs != 0 ? *m_onOursDisturbed : *m_onOurs;
-    m_onDebian.ask(request, script);
+    m_onReference->ask(request, script);
     onOurs.ask(request, script);
-    m_debian = m_onDebian.answer();
+    m_reference = m_onReference->answer();
     m_ours = onOurs.answer();
-    if (!m_debian.endedInTime()) return Verdict::upstreamTooSlow;
+    if (m_libraries.isFast && hasFailed(m_reference) && !hasFailed(onDebian(request, script))) return Verdict::different;
+    if (!m_reference.endedInTime()) return Verdict::upstreamTooSlow;
     RequestHeader patient = request;
     patient.seconds = static_cast<std::uint16_t>(m_patience * request.seconds);
     if (!m_ours.endedInTime()) {
         onOurs.ask(patient, script);
         m_ours = onOurs.answer();
     }
-    if (m_debian.crashed()) return Verdict::upstreamCrashed;
+    if (m_reference.crashed()) return Verdict::upstreamCrashed;
     const auto hadNoMemory = [](const Outcome &outcome) { return outcome.text.find(kMemoryIsOver) != std::string::npos; };
-    if (hadNoMemory(m_debian) || hadNoMemory(m_ours)) return Verdict::memoryOver;
-    if (areSame(m_debian, m_ours)) return Verdict::same;
-    if (isUndefined(m_debian)) return Verdict::upstreamUndefined;
-    if (m_debian.header.hash == m_ours.header.hash && m_debian.header.ending == m_ours.header.ending &&
-        differInSignsOfNaNs(m_debian.text, m_ours.text) && differInSignsOfNaNs(m_debian.errors, m_ours.errors))
+    if (hadNoMemory(m_reference) || hadNoMemory(m_ours)) return Verdict::memoryOver;
+    if (areSame(m_reference, m_ours)) return Verdict::same;
+    if (isUndefined(m_reference)) return Verdict::upstreamUndefined;
+    if (m_reference.header.hash == m_ours.header.hash && m_reference.header.ending == m_ours.header.ending &&
+        differInSignsOfNaNs(m_reference.text, m_ours.text) && differInSignsOfNaNs(m_reference.errors, m_ours.errors))
         return Verdict::signOfNaN;
-    if (isHeardOnOneSide(m_debian.text, m_ours.text)) return Verdict::signOfNaN;
+    if (isHeardOnOneSide(m_reference.text, m_ours.text)) return Verdict::signOfNaN;
     return isCertain(patient, script) ? Verdict::different : Verdict::upstreamUndefined;
 }
 
-// Upstream gives the same whatever memory held before.
+Outcome Comparison::onDebian(const RequestHeader &request, const std::vector<std::uint8_t> &script) {
+    m_onDebian->ask(request, script);
+    return m_onDebian->answer();
+}
+
+// Upstream gives the same whatever memory held before. What fast does with unwritten memory of its own is a difference.
 bool Comparison::isCertain(RequestHeader request, const std::vector<std::uint8_t> &script) {
     constexpr std::uint8_t bytes[] = {0x7f, 0x01, 0xfe};  // of doubles that are huge, tiny, and huge below zero
+    const Outcome debian = m_libraries.isFast ? onDebian(request, script) : m_reference;
     return std::all_of(std::begin(bytes), std::end(bytes), [&](std::uint8_t byte) {
         request.fillsStack = byte;
-        m_onDebianPatterned.ask(request, script);
-        return areSame(m_debian, m_onDebianPatterned.answer());
+        m_onDebianPatterned->ask(request, script);
+        return areSame(debian, m_onDebianPatterned->answer());
     });
 }
 
 bool Comparison::isUpstreamUnset(const RequestHeader &request) const {
-    return readsUnsetMemory(m_libraries.player, m_libraries.debian, settingOf(request) + m_debian.text);
+    return readsUnsetMemory(m_libraries.player, m_libraries.debian, settingOf(request) + m_reference.text);
 }
 
 Verdict Comparison::compare(RequestHeader request, const Script &script) {
@@ -163,12 +186,13 @@ std::string Comparison::difference(RequestHeader request, const std::vector<std:
 }
 
 std::string Comparison::lastDifference() const {
-    const Fork fork = forkOf(m_debian.text, m_ours.text);
-    std::string told = "  after " + fork.call + "\n  libode8 " + fork.a.value_or("(ends)") + "\n  ODE_MT  " + fork.b.value_or("(ends)") + '\n';
-    if (m_debian.header.hash != m_ours.header.hash) told += "  what they saw differs\n";
-    if (m_debian.header.ending != m_ours.header.ending)
-        told += "  libode8 ends with " + m_debian.ending() + ", ODE_MT with " + m_ours.ending() + '\n';
-    if (m_debian.errors != m_ours.errors) told += "  libode8 says:\n" + m_debian.errors + "  ODE_MT says:\n" + m_ours.errors;
+    const Fork fork = forkOf(m_reference.text, m_ours.text);
+    const std::string reference = m_libraries.isFast ? "one thread" : "libode8";
+    std::string told = "  after " + fork.call + "\n  " + reference + ' ' + fork.a.value_or("(ends)") + "\n  ODE_MT  " + fork.b.value_or("(ends)") + '\n';
+    if (m_reference.header.hash != m_ours.header.hash) told += "  what they saw differs\n";
+    if (m_reference.header.ending != m_ours.header.ending)
+        told += "  " + reference + " ends with " + m_reference.ending() + ", ODE_MT with " + m_ours.ending() + '\n';
+    if (m_reference.errors != m_ours.errors) told += "  " + reference + " says:\n" + m_reference.errors + "  ODE_MT says:\n" + m_ours.errors;
     return told;
 }
 

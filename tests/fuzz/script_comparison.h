@@ -12,6 +12,8 @@ namespace fuzz {
 struct Libraries {
     std::string player;  // odemt_fuzz_player
     std::string debian, ours;  // folders
+    // The solver fast on ODE_MT is compared with its own run on one thread without vectors, which then stands for Debian's library.
+    bool isFast = false;
 };
 
 enum class Verdict {
@@ -43,7 +45,7 @@ public:
     // the patterns that compare() tries have not shown. Takes seconds.
     bool isUpstreamUnset(const RequestHeader &request) const;
 
-    const Outcome &debian() const { return m_debian; }
+    const Outcome &reference() const { return m_reference; }
     const Outcome &ours() const { return m_ours; }
     // Both as text, and the first lines that differ.
     std::string difference(RequestHeader request, const Script &script);
@@ -51,15 +53,18 @@ public:
     std::string lastDifference() const;  // of the scripts that were compared last
 
 private:
+    static bool hasFailed(const Outcome &outcome);
     static bool areSame(const Outcome &a, const Outcome &b);
     bool isCertain(RequestHeader request, const std::vector<std::uint8_t> &script);
+    Outcome onDebian(const RequestHeader &request, const std::vector<std::uint8_t> &script);
 
     Comparison(const Libraries &libraries, std::shared_ptr<Playing> ours, std::shared_ptr<Playing> oursDisturbed);
 
     const Libraries m_libraries;
-    PlayingProcess m_onDebian, m_onDebianPatterned;
+    const std::shared_ptr<Playing> m_onDebian, m_onDebianPatterned;
+    const std::shared_ptr<Playing> m_onReference;  // what ours are compared with: Debian's, or fast on one thread
     const std::shared_ptr<Playing> m_onOurs, m_onOursDisturbed;
-    Outcome m_debian, m_ours;
+    Outcome m_reference, m_ours;
     unsigned m_patience = 24;
 };
 
