@@ -43,6 +43,19 @@ void furnishHardContacts(Lab &lab) {
     addHeap(lab, 50, 3);
 }
 
+// All are pushed to and fro, so that in every fifth frame the forces of the one before are a bad guess.
+void furnishShaken(Lab &lab) {
+    addHeap(lab, 50, 6);
+    lab.setController([&lab](int frame) {
+        const dReal push = (frame + 1) / 5 % 2 == 0 ? 8 : -8;  // N a kg
+        for (const dBodyID body : lab.inventory().bodies) {
+            dMass mass;
+            dBodyGetMass(body, &mass);
+            dBodyAddForce(body, push * mass.mass, 0, push / 2 * mass.mass);
+        }
+    });
+}
+
 void furnishRolling(Lab &lab) {
     lab.surfaceOfAll().mode |= dContactRolling;
     lab.surfaceOfAll().rho = lab.surfaceOfAll().rhoN = REAL(0.02);  // m
@@ -133,6 +146,7 @@ constexpr OwnScene kOwnScenes[] = {
     {"fixed_friction", "heap of 50 boxes, friction without dContactApprox1", REAL(0.01), furnishFixedFriction},
     {"infinite_friction", "heap of 50 boxes that do not slide", REAL(0.01), furnishInfiniteFriction},
     {"hard_contacts", "heap of 50 boxes with the world's erp and cfm", REAL(0.01), furnishHardContacts},
+    {"shaken", "heap of 50 boxes that is pushed to and fro", REAL(0.01), furnishShaken},
     {"rolling", "60 balls with rolling friction on a slope", REAL(0.01), furnishRolling},
     {"conveyor", "towers on a moving kinematic slab and on a conveyor belt", REAL(0.01), furnishConveyor},
     {"hub", "98 boxes on one kinematic body that turns", REAL(0.01), furnishHub},

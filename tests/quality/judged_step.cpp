@@ -110,7 +110,20 @@ JudgedScene::JudgedScene(scenes::Scene &scene)
     }
 }
 
-void JudgedScene::frame() { m_scene.frame(); }
+double JudgedScene::timedStep() {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point begin = Clock::now();
+    m_scene.step();
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+double JudgedScene::frame() {
+    m_scene.control();
+    m_scene.collide();
+    const double seconds = timedStep();
+    m_scene.finish();
+    return seconds;
+}
 
 Judgement JudgedScene::judgedFrame(SavedProblem &problem) {
     m_scene.control();
@@ -200,11 +213,9 @@ Judgement JudgedScene::step(const std::vector<SavedContact> &contacts, const std
         for (int i = 0; i < 6; ++i) free.back().axis[i] += stepSize * change[i];
     }
 
-    dRandSetSeed(kSeed);
-    const auto begin = std::chrono::steady_clock::now();
-    m_scene.step();
     Judgement judgement;
-    judgement.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    dRandSetSeed(kSeed);
+    judgement.seconds = timedStep();
 
     feedbacks.readForces(rows);
     loads.assign(loads.size(), {});

@@ -32,7 +32,7 @@ struct Options {
     std::vector<std::string> names;
     std::vector<int> iterations{20};
     int frames = 60, count = 1, every = 5;
-    bool isWorldStep = false, tellsVelocities = false;
+    bool isWorldStep = false, tellsVelocities = false, warmsUp = false;
 
     scenes::Stepper stepper() const { return isWorldStep ? scenes::Stepper::World : scenes::Stepper::Quick; }
     Stepping stepping() const { return {stepper(), iterations.front()}; }
@@ -46,27 +46,28 @@ std::string library() {
 
 Json jsonOf(const Judgement &judgement, const Options &options) {
     Json json{{"worst", judgement.residual.worst},   {"energy", judgement.residual.energy}, {"rows", judgement.residual.rows},
-              {"inconsistency", judgement.inconsistency}, {"change", judgement.change},          {"seconds", judgement.seconds}};
+              {"inconsistency", judgement.inconsistency}, {"change", judgement.change},
+              {"seconds", judgement.seconds}};
     if (options.tellsVelocities)
         for (const Velocity &velocity : judgement.velocities)
             for (const double number : velocity.axis) json["velocities"].push_back(number);
     return json;
 }
 
-// The problems are those of every so many frames behind the first ones.
+// The problems are those of every so many frames behind the first ones. Steps between them, which need no feedback, are timed.
 Json runScene(const Options &options) {
     const std::unique_ptr<scenes::Scene> scene = makeJudgedScene(options.scene, options.stepper());
     use(options.stepping(), *scene);
     JudgedScene judged(*scene);
     std::vector<SavedProblem> problems;
-    Json steps = Json::array();
+    Json steps = Json::array(), seconds = Json::array();
     for (int i = 0; i < options.frames; ++i) judged.frame();
     for (int i = 0; i < options.count; ++i) {
-        for (int skipped = 1; skipped < options.every; ++skipped) judged.frame();
+        for (int skipped = 1; skipped < options.every; ++skipped) seconds.push_back(judged.frame());
         steps.push_back(jsonOf(judged.judgedFrame(problems.emplace_back()), options));
     }
     if (!options.problems.empty()) write(problems, options.problems);
-    return {{"steps", steps}};
+    return {{"steps", steps}, {"seconds", seconds}};
 }
 
 // A list of steps for each number of iterations.
@@ -75,10 +76,12 @@ Json replay(const Options &options) {
     Json all = Json::array();
     for (const int iterations : options.iterations) {
         Json steps = Json::array();
-        for (const SavedProblem &problem : problems) {
+        for (std::size_t i = 0; i < problems.size(); ++i) {
             const std::unique_ptr<scenes::Scene> scene = makeJudgedScene(options.scene, options.stepper());
             use({options.stepper(), iterations}, *scene);
-            steps.push_back(jsonOf(JudgedScene(*scene).replay(problem), options));
+            JudgedScene judged(*scene);
+            if (options.warmsUp) judged.replay(problems[i == 0 ? problems.size() - 1 : i - 1]);
+            steps.push_back(jsonOf(judged.replay(problems[i]), options));
         }
         all.push_back({{"iterations", iterations}, {"steps", steps}});
     }
@@ -138,6 +141,7 @@ int main(int argc, char **argv) {
     CLI::App *const hashes = command("hash", "the state, every so many frames");
     for (CLI::App *const made : {runs, replays, hashes}) made->add_option("scene", options.scene)->required();
     replays->add_option("problems", options.problems)->required();
+    replays->add_flag("--warm-up", options.warmsUp, "step another of the problems before, so that memory is there");
     for (CLI::App *const made : {runs, replays}) made->add_flag("--velocities", options.tellsVelocities, "tell all velocities after each step");
     for (CLI::App *const made : {runs, hashes}) {
         made->add_option("--frames", options.frames, "frames before (60)");

@@ -1,0 +1,20 @@
+# What closed-loop experiments measure with fast, divided by the worst that libode8 has with 18 to 22 iterations, both with the slack
+# that no user notices: left of 1 is better. Thin lines: from libode8's best to its worst.
+set terminal svg size 900,1240 noenhanced font "sans-serif,12" background "white"
+set output output
+set logscale x
+set xlabel "error of fast / largest error of libode8 (slack added to both)"
+unset grid
+set grid xtics lc "#dddddd" lw 0.5
+set yrange [-1:*] reverse
+set ytics scale 0 font ",10"
+set arrow from 1, graph 0 to 1, graph 1 nohead lc rgb reference lw 1.5 front
+unset key
+set title title . "  (" . note . ")" font ",14"
+label(i) = strcol("experiment") . ": " . strcol("quantity")
+# Of counts there is no slack.
+slack(x) = column("slack") > 0 ? column("slack") : 0.5
+ratio(name) = (column(name) + slack(0)) / (column("most") + slack(0))
+set lmargin 42
+plot data . "-closed.csv" using (ratio("least")):0:(1 - ratio("least")):(0):ytic(label(0)) with vectors nohead lc rgb "#999999" lw 1.5, \
+     "" using (ratio("fast")):0 with points pt 7 ps 0.6 lc rgb ours
