@@ -1,8 +1,8 @@
 // Contract F3, closed loop: after seconds of frames nothing has become worse with the solver fast than with libode8, at the same number
 // of iterations: drift, depth, energy at rest, sliding, gaps of joints, and what else odemt_quality measures.
 //
-// What collapses or bounces comes out otherwise after the smallest change. How much, libode8 shows itself with one or two iterations
-// more or less: fast may have the worst of these values, and what no user notices more (Quantity::slack).
+// What collapses or bounces comes out otherwise after the smallest change. How much, both show with one or two iterations more or less:
+// the median of fast may be as bad as the worst of libode8, and what no user notices more (Quantity::slack).
 #include "engine_run.h"
 
 #include <gtest/gtest.h>
@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace {
 
@@ -32,10 +33,12 @@ std::vector<std::string> experimentNames() {
     return names;
 }
 
+constexpr int kNear[] = {18, 19, 20, 21, 22};
+
 class ClosedLoop : public testing::TestWithParam<std::string> {
 protected:
     ClosedLoop() {
-        for (const int iterations : {18, 19, 20, 21, 22}) m_debian.push_back(measure(Engine::debian(), GetParam(), iterations));
+        for (const int iterations : kNear) m_debian.push_back(measure(Engine::debian(), GetParam(), iterations));
         const bool hasReference = std::any_of(m_debian[0].begin(), m_debian[0].end(), [](const json &quantity) { return bool(quantity["reference"]); });
         if (hasReference) m_reference = measure(Engine::debian(), GetParam(), std::vector<std::string>{"--world"});
     }
@@ -47,17 +50,23 @@ protected:
         return entry["reference"] ? std::fabs(value - double(m_reference[quantity]["value"])) : value;
     }
 
+    std::vector<double> errors(const std::vector<json> &measured, const std::string &quantity) const {
+        std::vector<double> all;
+        for (const json &one : measured) all.push_back(error(one, quantity));
+        std::sort(all.begin(), all.end());
+        return all;
+    }
+
     // Names what is worse.
-    std::string worse(const json &measured) const {
-        std::string names;
-        for (const auto &[quantity, entry] : measured.items()) {
-            double most = 0;
-            for (const json &debian : m_debian) most = std::max(most, error(debian, quantity));
-            if (error(measured, quantity) <= most + double(entry["slack"])) continue;
-            names += quantity + ' ' + std::to_string(error(measured, quantity)) + " instead of " + std::to_string(most) + ' ' +
-                     std::string(entry["unit"]) + '\n';
+    std::string worse(const std::vector<json> &measured) const {
+        std::ostringstream names;
+        for (const auto &[quantity, entry] : measured[0].items()) {
+            const std::vector<double> judged = errors(measured, quantity);
+            const double median = judged[judged.size() / 2], most = errors(m_debian, quantity).back();
+            if (median <= most + double(entry["slack"])) continue;
+            names << quantity << ' ' << median << " instead of at most " << most << ' ' << std::string(entry["unit"]) << '\n';
         }
-        return names;
+        return names.str();
     }
 
 private:
@@ -65,7 +74,11 @@ private:
     json m_reference;
 };
 
-TEST_P(ClosedLoop, FastIsNoWorse) { EXPECT_EQ(worse(measure(Engine::fast(), GetParam(), 20)), ""); }
+TEST_P(ClosedLoop, FastIsNoWorse) {
+    std::vector<json> fast;
+    for (const int iterations : kNear) fast.push_back(measure(Engine::fast(), GetParam(), iterations));
+    EXPECT_EQ(worse(fast), "");
+}
 
 INSTANTIATE_TEST_SUITE_P(Experiments, ClosedLoop, testing::ValuesIn(experimentNames()),
                          [](const testing::TestParamInfo<std::string> &info) { return info.param; });
@@ -73,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(Experiments, ClosedLoop, testing::ValuesIn(experimentNa
 // What this suite would say of a solver that does a quarter of the iterations.
 class FewerIterations : public ClosedLoop {};
 
-TEST_P(FewerIterations, AreWorse) { EXPECT_NE(worse(measure(Engine::debian(), GetParam(), 5)), ""); }
+TEST_P(FewerIterations, AreWorse) { EXPECT_NE(worse({measure(Engine::debian(), GetParam(), 5)}), ""); }
 
 INSTANTIATE_TEST_SUITE_P(Experiments, FewerIterations,
                          testing::Values("stack", "towers", "wall", "hub", "mass_ratio", "pile", "fixed_friction", "loaded_chain", "motors", "stop",

@@ -19,16 +19,19 @@ public:
     ~PenetrationLog() override { m_scene.observe(nullptr); }
     void contact(const dContact &contact) override;
 
-    double mean() const { return m_count == 0 ? 0 : m_sum / static_cast<double>(m_count); }  // m
-    double largest() const { return m_largest; }
+    double mean() const;  // m
+    double quantile(double part) const;
 
 private:
     scenes::Scene &m_scene;
-    double m_sum = 0, m_largest = 0;
-    long m_count = 0;
+    std::vector<double> m_depths;
 };
 
-double kineticEnergy(const std::vector<dBodyID> &bodies);                    // J
+// The smallest number that is no less than `part` (0 to 1) of all; 0: there are none.
+double quantileOf(std::vector<double> numbers, double part);
+
+double kineticEnergy(dBodyID body);  // J
+double kineticEnergy(const std::vector<dBodyID> &bodies);
 double potentialEnergy(const std::vector<dBodyID> &bodies, double gravity);  // J
 
 // Positions to measure displacements from.
@@ -37,9 +40,10 @@ public:
     explicit Places(const std::vector<dBodyID> &bodies);
     double largestHorizontalMove() const;  // m, since then
     double largestMove() const;
+    double medianMove() const;
 
 private:
-    double largest(int axes) const;
+    std::vector<double> moves(int axes) const;
 
     struct Place {
         dBodyID body;
@@ -49,6 +53,7 @@ private:
 };
 
 // Runs the scene: `settling` frames unobserved, then `watched` ones, and measures what lies still: drift, depth of contacts, energy.
+// Medians, since single bodies of a heap still tumble when most have come to rest: with another rounding, others do.
 std::vector<Quantity> observeRest(scenes::Scene &scene, int settling, int watched);
 
 void run(scenes::Scene &scene, int frames);
