@@ -2,25 +2,28 @@
 // libode8's, on the same problems. A solver that keeps forces from step to step is judged on the problems that it meets, which
 // libode8 solves once more; and, without such forces, on those that libode8 meets.
 //
-// Both norms, the largest row's velocity and the energy of all rows' errors, are root mean squares over the problems of a scene, since
-// the residual of one problem is a matter of luck; one problem may have half as much again.
+// The energy of all rows' errors is compared, problem by problem: the geometric mean of the ratios is 1 at most, but for noise. Its largest row is one of
+// hundreds, and a matter of luck: with three times the iterations it is still larger now and then.
 #include "engine_run.h"
 
 #include "exactness/child_process.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ostream>
+#include <sstream>
 
 namespace {
 
 using namespace quality;
 
-// Below this any residual is rounding; m/s, and the root of J.
-constexpr double kRounding = 1e-11;
-// Of one problem, as a multiple of libode8's.
-constexpr double kOneProblem = 1.5;
+// Below this any residual is rounding; the root of J, and m/s.
+constexpr double kRounding = 1e-9;
+// Geometric means of ratios to libode8's residuals, and the ratio of the largest residuals of a scene. Residuals do not fall steadily: in
+// the bridge libode8 itself leaves up to two percent more with twice the iterations. With nine tenths of them it fails in most scenes.
+constexpr double kEnergy = 1.05, kLargestRow = 1.5, kOneProblem = 10;
 
 constexpr int kIterations[] = {10, 20, 50, 150};
 
@@ -39,16 +42,16 @@ Norms normsOf(const nlohmann::json &steps) {
     return norms;
 }
 
-double meanSquareRoot(const std::vector<double> &numbers) {
-    double sum = 0;
-    for (const double number : numbers) sum += number * number;
-    return std::sqrt(sum / static_cast<double>(numbers.size()));
+std::vector<double> ratiosOf(const std::vector<double> &judged, const std::vector<double> &reference) {
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < judged.size(); ++i) ratios.push_back((judged[i] + kRounding) / (reference[i] + kRounding));
+    return ratios;
 }
 
-bool isNoWorse(const std::vector<double> &judged, const std::vector<double> &reference) {
-    for (std::size_t i = 0; i < judged.size(); ++i)
-        if (!(judged[i] <= kOneProblem * reference[i] + kRounding)) return false;
-    return meanSquareRoot(judged) <= meanSquareRoot(reference) + kRounding;
+double geometricMean(const std::vector<double> &numbers) {
+    double sum = 0;
+    for (const double number : numbers) sum += std::log(number);
+    return std::exp(sum / static_cast<double>(numbers.size()));
 }
 
 std::string textOf(const std::vector<double> &numbers) {
@@ -58,9 +61,15 @@ std::string textOf(const std::vector<double> &numbers) {
 }
 
 testing::AssertionResult isNoWorse(const Norms &judged, const Norms &reference) {
-    if (isNoWorse(judged.worst, reference.worst) && isNoWorse(judged.energy, reference.energy)) return testing::AssertionSuccess();
-    return testing::AssertionFailure() << "\nlargest row:" << textOf(judged.worst) << "\n    libode8:" << textOf(reference.worst)
-                                       << "\n     energy:" << textOf(judged.energy) << "\n    libode8:" << textOf(reference.energy);
+    const std::vector<double> energy = ratiosOf(judged.energy, reference.energy), worst = ratiosOf(judged.worst, reference.worst);
+    const double largest = *std::max_element(judged.energy.begin(), judged.energy.end());
+    const double usual = *std::max_element(reference.energy.begin(), reference.energy.end());
+    if (geometricMean(energy) <= kEnergy && geometricMean(worst) <= kLargestRow && largest <= kOneProblem * usual + kRounding)
+        return testing::AssertionSuccess();
+    return testing::AssertionFailure() << "energy " << geometricMean(energy) << " times that of libode8:" << textOf(energy)
+                                       << "\nlargest row " << geometricMean(worst) << " times:" << textOf(worst)
+                                       << "\n     energy:" << textOf(judged.energy) << "\n    libode8:" << textOf(reference.energy)
+                                       << "\nlargest row:" << textOf(judged.worst) << "\n    libode8:" << textOf(reference.worst);
 }
 
 struct Scene {
@@ -79,7 +88,7 @@ class OpenLoop : public testing::TestWithParam<Scene> {
 protected:
     // The scene's own steps; their problems are saved.
     Norms run(const Engine &engine, int iterations) {
-        return normsOf(answerOf(engine, {"run", GetParam().name, "--frames", std::to_string(GetParam().frames), "--problems", "6", "--iterations",
+        return normsOf(answerOf(engine, {"run", GetParam().name, "--frames", std::to_string(GetParam().frames), "--problems", "10", "--iterations",
                                          std::to_string(iterations), "--save", m_problems})["steps"]);
     }
     // The saved problems.
