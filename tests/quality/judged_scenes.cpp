@@ -121,19 +121,22 @@ void furnishBouncing(Lab &lab) {
     }
 }
 
-// Planks on hinges across a gap, with boxes on them.
+// Planks on hinges across a gap, with boxes on them. The last one hangs on two soft ball joints, so that the bridge may sag.
 void furnishBridge(Lab &lab) {
-    constexpr int kPlanks = 12;
+    constexpr int kPlanks = 8;
     dBodyID previous = nullptr;
-    for (int i = 0; i <= kPlanks; ++i) {
+    for (int i = 0; i < kPlanks; ++i) {
         const dReal x = REAL(0.5) * static_cast<dReal>(i);
-        const dBodyID plank = i < kPlanks ? lab.addBox({x + REAL(0.25), 0, 3}, {REAL(0.46), 1, REAL(0.08)}, 10) : nullptr;
-        const dBodyID first = plank != nullptr ? plank : previous, second = plank != nullptr ? previous : nullptr;
-        lab.addHinge(first, second, {x, 0, 3}, scenes::kAxisY);
+        const dBodyID plank = lab.addBox({x + REAL(0.25), 0, 3}, {REAL(0.46), 1, REAL(0.08)}, 10);
+        lab.addHinge(plank, previous, {x, 0, 3}, scenes::kAxisY);
         previous = plank;
     }
-    for (int i = 0; i < 8; ++i)
-        lab.addBox({1 + REAL(0.5) * static_cast<dReal>(i), 0, REAL(3.3)}, {REAL(0.3), REAL(0.3), REAL(0.3)}, 20);
+    for (const dReal side : {REAL(-0.4), REAL(0.4)}) {
+        const dJointID end = lab.addBall(previous, nullptr, {REAL(0.5) * kPlanks, side, 3});
+        dJointSetBallParam(end, dParamERP, REAL(0.3));
+        dJointSetBallParam(end, dParamCFM, REAL(2e-5));
+    }
+    for (int i = 0; i < 6; ++i) lab.addBox({REAL(0.5) * static_cast<dReal>(i + 1), 0, REAL(3.3)}, {REAL(0.3), REAL(0.3), REAL(0.3)}, 20);
 }
 
 struct OwnScene {

@@ -74,7 +74,8 @@ testing::AssertionResult isNoWorse(const Norms &judged, const Norms &reference) 
 
 struct Scene {
     const char *name;
-    int frames;  // before the first problem
+    int frames;           // before the first problem
+    int enough = 20;      // iterations that half of them are worse than; more where residuals fall slowly
 };
 
 std::ostream &operator<<(std::ostream &stream, const Scene &scene) { return stream << scene.name; }
@@ -82,7 +83,7 @@ std::ostream &operator<<(std::ostream &stream, const Scene &scene) { return stre
 constexpr Scene kScenes[] = {{"pile:200", 60}, {"stacks:4", 60},          {"wall:6", 60},   {"spheres:200", 100}, {"chain:30", 60},
                              {"ragdolls:4", 80}, {"rover:4", 60},         {"humanoids:2", 60}, {"vehicles:2", 60},
                              {"fixed_friction", 60}, {"infinite_friction", 60}, {"hard_contacts", 60}, {"shaken", 60}, {"rolling", 60},
-                             {"conveyor", 60},   {"hub", 60},             {"mass_ratio", 40}, {"bouncing", 60},    {"bridge", 60}};
+                             {"conveyor", 60},   {"hub", 60},             {"mass_ratio", 40, 400}, {"bouncing", 60},    {"bridge", 60, 400}};
 
 class OpenLoop : public testing::TestWithParam<Scene> {
 protected:
@@ -120,8 +121,8 @@ TEST_P(OpenLoop, FastIsNoWorseWithoutForcesOfTheLastStep) {
 
 // What this suite would say of a solver that does half of the iterations.
 TEST_P(OpenLoop, HalfOfTheIterationsAreWorse) {
-    const Norms debian = run(Engine::debian(), 20);
-    EXPECT_FALSE(isNoWorse(replay(Engine::debian(), 10), debian));
+    const Norms debian = run(Engine::debian(), GetParam().enough);
+    EXPECT_FALSE(isNoWorse(replay(Engine::debian(), GetParam().enough / 2), debian));
 }
 
 std::string nameOf(const testing::TestParamInfo<Scene> &info) {
