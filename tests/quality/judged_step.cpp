@@ -214,6 +214,7 @@ Judgement JudgedScene::step(const std::vector<SavedContact> &contacts, const std
     }
 
     Judgement judgement;
+    judgement.start = residualOf(rows, inertias, free, stepSize);
     dRandSetSeed(kSeed);
     judgement.seconds = timedStep();
 

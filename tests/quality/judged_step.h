@@ -10,7 +10,7 @@
 namespace quality {
 
 struct Judgement {
-    Residual residual;
+    Residual residual, start;  // of the solution, and of no forces at all
     double inconsistency = 0;  // largest difference of a velocity from what the forces give the body; m/s or rad/s
     double change = 0;         // largest change of a velocity by joints; m/s or rad/s
     double seconds = 0;        // that the step took, feedback included

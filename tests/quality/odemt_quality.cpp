@@ -45,7 +45,7 @@ std::string library() {
 }
 
 Json jsonOf(const Judgement &judgement, const Options &options) {
-    Json json{{"worst", judgement.residual.worst},   {"energy", judgement.residual.energy}, {"rows", judgement.residual.rows},
+    Json json{{"startWorst", judgement.start.worst}, {"startEnergy", judgement.start.energy}, {"worst", judgement.residual.worst},   {"energy", judgement.residual.energy}, {"rows", judgement.residual.rows},
               {"inconsistency", judgement.inconsistency}, {"change", judgement.change},
               {"seconds", judgement.seconds}};
     if (options.tellsVelocities)
