@@ -4,6 +4,7 @@
 #include "clusters/dxClusterManager.h"
 #include "collision/callbacks/dxContactLog.h"
 #include "collision/dxSpaceCollision.h"
+#include "collision/narrowphase/dxBoxBox.h"
 #include "collision/narrowphase/dxColliderTable.h"
 #include "collision/narrowphase/dxNarrowphasePrefetch.h"
 #include "collision/narrowphase/dxHeightField.h"
@@ -64,6 +65,13 @@ void dSpaceCollide(dSpaceID space, void *data, dNearCallback *callback) {
         if (dxOrderedSpace *const ordered = dxOrderedSpace::from(space)) return dxCollideSpace(*ordered, data, callback);
     }
     dxUpstreamSpaceCollide(space, data, callback);
+}
+
+int dBoxBox(const dVector3 p1, const dMatrix3 R1, const dVector3 side1, const dVector3 p2, const dMatrix3 R2, const dVector3 side2,
+            dVector3 normal, dReal *depth, int *return_code, int flags, dContactGeom *contact, int skip) {
+    const dxBoxPair boxes = {{p1, p2}, {R1, R2}, {side1, side2}};
+    const int count = dxBoxBox(boxes, normal, *depth, *return_code, flags, contact, skip);
+    return count >= 0 ? count : dxUpstreamBoxBox(p1, R1, side1, p2, R2, side2, normal, depth, return_code, flags, contact, skip);
 }
 
 int dCreateGeomClass(const dGeomClass *description) { return dxColliderTable::createClass(description); }

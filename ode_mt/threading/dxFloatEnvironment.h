@@ -26,6 +26,16 @@ inline std::uint32_t dxFloatMode() {
 // signal on the thread that called the library, so that nothing is given to workers then.
 bool dxTrapsFloatingPoint();
 
+// Whether the calling thread rounds to nearest and gets no signal for floating-point exceptions, as nearly every program. Then the sign of
+// a sum is that of its terms, turned round, and more may be computed than is used.
+inline bool dxIsPlainFloatMode() {
+#ifdef __SSE2__
+    return (_mm_getcsr() & (_MM_MASK_MASK | _MM_ROUND_MASK)) == _MM_MASK_MASK;
+#else
+    return std::fegetround() == FE_TONEAREST && !dxTrapsFloatingPoint();
+#endif
+}
+
 class dxFloatEnvironment {
 public:
     // The calling thread's environment, to be taken over by others.
