@@ -34,6 +34,7 @@ public:
     using Tag = hn::FixedTag<Real, 4>;
     using Vector = hn::Vec<Tag>;
 
+    FourLanes() = default;
     HWY_INLINE FourLanes(Vector lanes) : m_lanes(lanes) {}
     explicit HWY_INLINE FourLanes(Real all) : m_lanes(hn::Set(Tag(), all)) {}
     // Of three numbers; the fourth is zero.

@@ -59,7 +59,7 @@ public:
     }
 
     alignas(32) dReal half[2][4];  // half of the sides
-    alignas(32) dReal R[3][4];
+    alignas(32) dReal R[12];  // rows of four
 
 private:
     // Bits of three lanes.
@@ -67,7 +67,7 @@ private:
 
     HWY_INLINE Answer testFaces(const dxBoxPair &boxes, SeparatingAxis &axis) {
         const dReal *const R1 = boxes.rotation[0], *const R2 = boxes.rotation[1];
-        Lanes columns1[3] = {m_half1, m_half1, m_half1};  // of R, without signs
+        Lanes columns1[3];  // of R, without signs
         for (int i = 0; i < 3; ++i) {
             m_R[i] = sumOfProducts(m_rows2, R1[i], R1[4 + i], R1[8 + i]);
             columns1[i] = sumOfProducts(m_rows1, R2[i], R2[4 + i], R2[8 + i]).abs();
@@ -102,7 +102,7 @@ private:
     }
 
     HWY_INLINE Answer testEdges(SeparatingAxis &axis) {
-        for (int i = 0; i < 3; ++i) m_R[i].store(R[i]);
+        for (int i = 0; i < 3; ++i) m_R[i].store(R + 4 * i);
         const Lanes overlaps[3] = {overlapOfEdges<0>(), overlapOfEdges<1>(), overlapOfEdges<2>()};
         const Lanes zero(dReal(0));
         const unsigned together = (overlaps[0] <= zero) & (overlaps[1] <= zero) & (overlaps[2] <= zero);
@@ -163,14 +163,15 @@ private:
     HWY_INLINE void takeEdges(int i, int j, dReal length, SeparatingAxis &axis) const {
         const int next = (i + 1) % 3, last = (i + 2) % 3;
         axis.code = 7 + 3 * i + j;
-        axis.isInverted = m_t[last] * R[next][j] - m_t[next] * R[last][j] < 0;
+        axis.isInverted = m_t[last] * R[4 * next + j] - m_t[next] * R[4 * last + j] < 0;
         axis.inFirst[i] = 0 / length;
-        axis.inFirst[next] = -R[last][j] / length;
-        axis.inFirst[last] = R[next][j] / length;
+        axis.inFirst[next] = -R[4 * last + j] / length;
+        axis.inFirst[last] = R[4 * next + j] / length;
     }
 
     Lanes m_rows1[3], m_rows2[3], m_half1, m_half2;
-    Lanes m_R[3] = {m_half1, m_half1, m_half1}, m_least = m_half1;  // m_least: of the faces, in every lane
+    Lanes m_R[3];
+    Lanes m_least;  // overlap of the faces, in every lane
     dReal m_overlaps[8], m_t[8];
 };
 
