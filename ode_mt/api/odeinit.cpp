@@ -11,7 +11,7 @@
 #include "collision/callbacks/dxConcurrentCallbacks.h"
 #include "collision/narrowphase/dxColliderTable.h"
 #include "collision/narrowphase/dxThreadTrimeshCache.h"
-#include "dynamics/direct/dxDirectStep.h"
+#include "dynamics/direct/dxFastSolver.h"
 #include "dynamics/iterative/dxIterativeWorld.h"
 #include "dynamics/dxJointRemoval.h"
 #include "dynamics/dxStepRecords.h"
@@ -42,7 +42,7 @@ void releaseWorkers() {
     dxForgetConcurrentCallbacks();
     dxForgetJointRemoval();
     dxStepRecords::release();
-    dxReleaseDirectSolvers();
+    dxFastSolver::release();
     dxIterativeWorld::release();
     dxLargeIslandWorkersLease::forget();
     dxParallelSor::forget();

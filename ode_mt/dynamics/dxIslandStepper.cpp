@@ -4,7 +4,8 @@
 
 #include "core/dxJointAttachment.h"
 #include "dynamics/direct/dxDirectMemory.h"
-#include "dynamics/direct/dxDirectStep.h"
+#include "dynamics/direct/dxFastSolver.h"
+#include "dynamics/exactstep/dxDantzigSolver.h"
 #include "dynamics/exactstep/dxExactStep.h"
 #include "dynamics/islands/dxWorkingMemory.h"
 #include "dynamics/iterative/dxIterativeStep.h"
@@ -72,10 +73,10 @@ void dxIslandStepper::step(const dxStepCall &call, const dxIsland &island, dxWor
         dxQuickStep(step);
     } else if (call.kind == dxStepperKind::Iterative) {
         dxIterativeStep(step);
-    } else if (call.kind == dxStepperKind::Direct) {
-        dxDirectStep(step);
     } else {
-        dxExactStep(step);
+        dxFastSolver fast;
+        dxDantzigSolver dantzig;
+        dxExactStep(step, call.kind == dxStepperKind::Direct ? static_cast<dxExactSolver &>(fast) : dantzig);
     }
 }
 

@@ -16,6 +16,7 @@
 #include "util.h"
 
 #include "dynamics/exactstep/dxDantzigSolver.h"
+#include "dynamics/exactstep/dxExactMatrix.h"
 #include "dynamics/exactstep/dxExactProblem.h"
 #include "dynamics/exactstep/dxExactStep.h"
 #include "dynamics/islands/dxIsland.h"
@@ -33,10 +34,11 @@ class RecordingSolver final : public dxExactSolver {
 public:
     explicit RecordingSolver(RecordedProblem &recorded) : m_recorded(recorded) {}
 
-    void solve(const dxExactProblem &problem, dxWorldProcessMemArena &arena) override {
-        m_recorded.recordProblem(problem.rowCount, problem.matrix, problem.pairsBX, problem.unboundedJoints, problem.pairsLoHi,
+    void solve(const dxIslandStep &step, const dxExactProblem &problem) override {
+        dReal *const matrix = dxMakeMatrix(step, problem);
+        m_recorded.recordProblem(problem.rowCount, matrix, problem.pairsBX, problem.unboundedJoints, problem.pairsLoHi,
                                  problem.normalOf);
-        dxDantzigSolver(nullptr).solve(problem, arena);
+        dxDantzigSolver::solve(step, problem, matrix);
         m_recorded.recordSolution(problem.pairsBX);
     }
 
@@ -47,7 +49,7 @@ private:
 void stepIslandAsOurs(const dxStepperProcessingCallContext &call, RecordedProblem &problem) {
     RecordingSolver solver(problem);
     const dxIsland island{call.m_islandBodiesStart, call.m_islandJointsStart, call.m_islandBodiesCount, call.m_islandJointsCount};
-    dxStepExactly({call.m_world, call.m_stepSize, island, call.m_stepperArena}, solver);
+    dxExactStep({call.m_world, call.m_stepSize, island, call.m_stepperArena}, solver);
 }
 
 struct StepResult {

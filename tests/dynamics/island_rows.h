@@ -1,4 +1,4 @@
-// The rows of each island of a world, as the steppers' first stages leave them.
+// The problem of each island of a world, as the exact step hands it to its solver.
 #pragma once
 
 #include <ode/ode.h>
@@ -9,28 +9,23 @@
 #include "step.h"
 #include "util.h"
 
-#include "dynamics/exactstep/dxExactBodies.h"
 #include "dynamics/exactstep/dxExactProblem.h"
-#include "dynamics/exactstep/dxExactResults.h"
-#include "dynamics/exactstep/dxExactRows.h"
-#include "dynamics/exactstep/dxJointOrder.h"
+#include "dynamics/exactstep/dxExactSolver.h"
+#include "dynamics/exactstep/dxExactStep.h"
 #include "dynamics/islands/dxIslandStep.h"
 #include "islands_of_step.h"
 
-// Calls `solve` for each island that has rows, with c/h and cfm/h in the places of b and x, and moves the bodies by what it leaves in the
-// place of x. `solve` makes the links (dxMakeMatrix).
-using IslandSolve = std::function<void(const dxIslandStep &step, dxExactProblem &problem)>;
+// Solves a problem: dxExactSolver's function.
+using IslandSolve = std::function<void(const dxIslandStep &step, const dxExactProblem &problem)>;
 
+// Steps each island by `solve`.
 inline void solveIslands(dWorldID world, dReal stepSize, const IslandSolve &solve) {
+    struct Solver final : dxExactSolver {
+        explicit Solver(const IslandSolve &solve) : m_solve(solve) {}
+        void solve(const dxIslandStep &step, const dxExactProblem &problem) override { m_solve(step, problem); }
+        const IslandSolve &m_solve;
+    } solver(solve);
     forIslands(world, stepSize, &dxEstimateStepMemoryRequirements, [&](const dxIsland &island, dxWorldProcessMemArena *arena) {
-        const dxIslandStep step{world, stepSize, island, arena};
-        dxExactProblem problem;
-        dxGatherBodies(step, problem);
-        dxOrderJoints(step, problem);
-        if (problem.rowCount > 0) {
-            dxReadRows(step, problem);
-            solve(step, problem);
-        }
-        dxApplyResults(step, problem);
+        dxExactStep({world, stepSize, island, arena}, solver);
     });
 }

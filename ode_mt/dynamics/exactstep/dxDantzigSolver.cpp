@@ -2,7 +2,9 @@
 
 #include "dynamics/exactstep/dantzig/dxDantzig.h"
 #include "dynamics/exactstep/dantzig/dxUpstreamLcp.h"
+#include "dynamics/exactstep/dxExactMatrix.h"
 #include "dynamics/exactstep/dxExactProblem.h"
+#include "dynamics/islands/dxIslandStep.h"
 
 static_assert(int(dxJoint::GI2_RHS) == int(PBX_B) && int(dxJoint::GI2_CFM) == int(PBX_X) &&
                   int(dxJoint::GI2__RHS_CFM_MAX) == int(PBX__MAX),
@@ -11,11 +13,15 @@ static_assert(int(dxJoint::GI2_LO) == int(PLH_LO) && int(dxJoint::GI2_HI) == int
                   int(dxJoint::GI2__LO_HI_MAX) == int(PLH__MAX),
               "joints write limits where the solver reads them");
 
+void dxDantzigSolver::solve(const dxIslandStep &step, const dxExactProblem &problem) {
+    void *const state = step.arena->SaveState();
+    solve(step, problem, dxMakeMatrix(step, problem));
+    step.arena->RestoreState(state);
+}
+
 // Upstream tells its solver of as many rows without limits as there are joints of such rows; the solver finds the others by
 // their limits, and the order in which it looks at rows depends on that.
-void dxDantzigSolver::solve(const dxExactProblem &problem, dxWorldProcessMemArena &arena) {
-    void *const state = arena.SaveState();
-    dxSolveDantzig(m_islandWorkers, &arena, problem.rowCount, problem.matrix, problem.pairsBX, nullptr, problem.unboundedJoints,
+void dxDantzigSolver::solve(const dxIslandStep &step, const dxExactProblem &problem, dReal *matrix) {
+    dxSolveDantzig(step.islandWorkers, step.arena, problem.rowCount, matrix, problem.pairsBX, nullptr, problem.unboundedJoints,
                    problem.pairsLoHi, problem.normalOf);
-    arena.RestoreState(state);
 }

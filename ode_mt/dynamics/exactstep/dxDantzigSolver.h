@@ -1,17 +1,16 @@
-// Dantzig's algorithm (ode_mt/dynamics/exactstep/dantzig), with upstream's bits.
+// Dantzig's algorithm (ode_mt/dynamics/exactstep/dantzig), with upstream's bits. Large problems are solved by the workers of the step's
+// island, if it has any.
 #pragma once
+
+#include <ode/common.h>
 
 #include "dynamics/exactstep/dxExactSolver.h"
 
-struct dxLargeIslandWorkers;
-
 class dxDantzigSolver final : public dxExactSolver {
 public:
-    // `islandWorkers`: workers for large problems; null: the calling thread alone.
-    explicit dxDantzigSolver(dxLargeIslandWorkers *islandWorkers) : m_islandWorkers(islandWorkers) {}
+    // Makes the matrix in the step's arena, and solves.
+    void solve(const dxIslandStep &step, const dxExactProblem &problem) override;
 
-    void solve(const dxExactProblem &problem, dxWorldProcessMemArena &arena) override;
-
-private:
-    dxLargeIslandWorkers *const m_islandWorkers;
+    // Solves with the matrix, made (dxMakeMatrix).
+    static void solve(const dxIslandStep &step, const dxExactProblem &problem, dReal *matrix);
 };

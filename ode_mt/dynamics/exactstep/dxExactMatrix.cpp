@@ -2,13 +2,14 @@
 
 #include <ode/odemath.h>
 
-#include <algorithm>
 #include <cfenv>
 
 #include "dynamics/exactstep/dxExactProblem.h"
 #include "dynamics/exactstep/kernels/dxConstraintMatrix.h"
 
 namespace {
+
+constexpr unsigned kMatrixAlignment = 64;  // bytes
 
 constexpr unsigned kElements = dxExactProblem::kElements;
 static_assert(kElements == kRowElements && dxExactProblem::kSides == dxBodyLinks::kSides, "the kernel reads the Jacobian");
@@ -50,10 +51,11 @@ const dxConstraintJoint *listJoints(const dxExactProblem &problem, dxWorldProces
 
 }  // namespace
 
-void dxMakeMatrix(const dxIslandStep &step, dxExactProblem &problem) {
+dReal *dxMakeMatrix(const dxIslandStep &step, const dxExactProblem &problem) {
     dxWorldProcessMemArena &arena = *step.arena;
+    const std::size_t rows = problem.rowCount;
+    dReal *const matrix = arena.AllocateOveralignedArray<dReal>(rows * dPAD(rows), kMatrixAlignment);
     void *const state = arena.SaveState();
-    std::fill_n(problem.links.first, problem.bodyCount, dxBodyLinks::kNone);
     dxConstraintMatrixTask task;
     task.joints = listJoints(problem, arena);
     task.jointCount = problem.jointCount;
@@ -61,10 +63,11 @@ void dxMakeMatrix(const dxIslandStep &step, dxExactProblem &problem) {
     task.inverseInertia = problem.inverseInertia->tensor;
     task.motions = findMotions(problem, step.stepSize, arena);
     task.pairs = problem.pairsBX;
-    task.matrix = problem.matrix;
-    task.rowSkip = dPAD(problem.rowCount);
-    task.transposed = arena.AllocateArray<dReal>(dxConstraintMatrixTask::transposedSize(problem.rowCount));
-    task.lists = problem.links;
+    task.matrix = matrix;
+    task.rowSkip = dPAD(rows);
+    task.transposed = arena.AllocateArray<dReal>(dxConstraintMatrixTask::transposedSize(rows));
+    task.links = problem.links;
     dxMakeConstraintMatrix(task, fegetexcept() == 0);
     arena.RestoreState(state);
+    return matrix;
 }

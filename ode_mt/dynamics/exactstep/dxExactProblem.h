@@ -46,8 +46,7 @@ struct dxExactProblem {
     // --- rows; null where there are none ------------------------------------------------------------------
     unsigned rowCount = 0;
     dReal *jacobian = nullptr;   // kElements for each row of a joint on its first body, then for each on its second one
-    dReal *matrix = nullptr;     // A: its lower triangle; rows start dPAD(rowCount) elements apart
-    dReal *pairsBX = nullptr;    // b and, once solved, x; until A is made, x holds cfm/h
+    dReal *pairsBX = nullptr;    // c/h and cfm/h; the solver turns them into b and x
     dReal *pairsLoHi = nullptr;  // lo, hi; of friction rows relative to the normal's force
     int *normalOf = nullptr;     // for friction rows the row of the normal, else -1
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "dynamics/exactstep/dxExactProblem.h"
+#include "dynamics/exactstep/kernels/dxPair.h"
 #include "dynamics/islands/dxBodyIntegration.h"
 
 namespace {
@@ -19,26 +20,50 @@ void writeFeedback(dJointFeedback &feedback, unsigned side, const dReal *force) 
     std::copy_n(force + dDA__A_MIN, dSA__MAX, angular);
 }
 
+// A force and a torque on a body.
+struct Force {
+    dxPair a = {}, b = {}, c = {};
+
+    void add(const Force &other) {
+        a += other.a;
+        b += other.b;
+        c += other.c;
+    }
+    void addRow(const dReal *row, dReal lambda) {
+        a += dxLoadPair(row) * lambda;
+        b += dxLoadPair(row + 2) * lambda;
+        c += dxLoadPair(row + 4) * lambda;
+    }
+    void store(dReal *elements) const {
+        dxStorePair(a, elements);
+        dxStorePair(b, elements + 2);
+        dxStorePair(c, elements + 4);
+    }
+};
+
 // J' x of one joint on one of its bodies.
-void findForce(const dxExactProblem &problem, const dxExactJoint &joint, unsigned side, dReal *force) {
+Force findForce(const dxExactProblem &problem, const dxExactJoint &joint, unsigned side) {
     const dReal *row = problem.rowsOf(joint, side);
     const dReal *lambda = problem.pairsBX + std::size_t(joint.firstRow) * kPair + kLambda;
-    std::fill_n(force, kElements, dReal(0));
-    for (unsigned i = 0; i < joint.rows; ++i, row += kElements, lambda += kPair)
-        for (unsigned k = 0; k < kElements; ++k) force[k] += row[k] * *lambda;
+    Force force;
+    for (unsigned i = joint.rows; i > 0; --i, row += kElements, lambda += kPair) force.addRow(row, *lambda);
+    return force;
 }
 
 // The sum over the body's joints. Writes their feedback.
-void addUpForces(const dxExactProblem &problem, unsigned link, dReal *sum) {
-    std::fill_n(sum, kElements, dReal(0));
+void addUpForces(const dxExactProblem &problem, unsigned link, dReal *elements) {
+    Force sum;
     for (; link != dxBodyLinks::kNone; link = problem.links.after(link)) {
         const dxExactJoint &joint = problem.joints[dxBodyLinks::jointOf(link)];
         const unsigned side = dxBodyLinks::sideOf(link);
-        dReal force[kElements];
-        findForce(problem, joint, side, force);
-        if (joint.joint->feedback != nullptr) writeFeedback(*joint.joint->feedback, side, force);
-        for (unsigned k = 0; k < kElements; ++k) sum[k] += force[k];
+        const Force force = findForce(problem, joint, side);
+        if (joint.joint->feedback != nullptr) {
+            force.store(elements);
+            writeFeedback(*joint.joint->feedback, side, elements);
+        }
+        sum.add(force);
     }
+    sum.store(elements);
 }
 
 // A body that no row holds has no sum: to add a zero could change the sign of another one.

@@ -5,21 +5,20 @@
 #include <algorithm>
 
 #include "dynamics/exactstep/dxExactProblem.h"
+#include "dynamics/exactstep/kernels/dxPair.h"
 
 namespace {
 
-constexpr unsigned kMatrixAlignment = 64;  // bytes
 constexpr int kPair = dxJoint::GI2__RHS_CFM_MAX;
 static_assert(kPair == int(dxJoint::GI2__LO_HI_MAX), "joints are told one distance for pairs of both kinds");
+static_assert(kPair == 2 && int(dxJoint::GI2_RHS) == 0 && int(dxJoint::GI2_CFM) == 1 && int(dxJoint::GI2_LO) == 0 &&
+                  int(dxJoint::GI2_HI) == 1,
+              "rows are cleared by pairs");
 
-void takeJacobian(dxWorldProcessMemArena &arena, dxExactProblem &problem) {
+void takeMemory(dxWorldProcessMemArena &arena, dxExactProblem &problem) {
     const std::size_t rows = problem.rowCount;
     problem.normalOf = arena.AllocateArray<int>(rows);
     problem.jacobian = arena.AllocateArray<dReal>(rows * dxExactProblem::kSides * dxExactProblem::kElements);
-}
-
-void takePairs(dxWorldProcessMemArena &arena, dxExactProblem &problem) {
-    const std::size_t rows = problem.rowCount;
     problem.pairsBX = arena.AllocateArray<dReal>(rows * kPair);
     problem.pairsLoHi = arena.AllocateArray<dReal>(rows * kPair);
     problem.links.first = arena.AllocateArray<unsigned>(problem.bodyCount);
@@ -30,17 +29,24 @@ void takePairs(dxWorldProcessMemArena &arena, dxExactProblem &problem) {
 void clearRows(const dxExactProblem &problem, dReal cfm) {
     const std::size_t rows = problem.rowCount;
     std::fill_n(problem.jacobian, rows * dxExactProblem::kSides * dxExactProblem::kElements, dReal(0));
+    const dxPair rightSide = {0, cfm}, limits = {-dInfinity, dInfinity};
     for (std::size_t i = 0; i < rows; ++i) {
-        problem.pairsBX[i * kPair + dxJoint::GI2_RHS] = 0;
-        problem.pairsBX[i * kPair + dxJoint::GI2_CFM] = cfm;
-        problem.pairsLoHi[i * kPair + dxJoint::GI2_LO] = -dInfinity;
-        problem.pairsLoHi[i * kPair + dxJoint::GI2_HI] = dInfinity;
+        dxStorePair(rightSide, problem.pairsBX + i * kPair);
+        dxStorePair(limits, problem.pairsLoHi + i * kPair);
         problem.normalOf[i] = -1;
     }
 }
 
+// Adds a joint to its bodies' lists.
+void link(const dxExactProblem &problem, unsigned joint) {
+    const dxJointNode *const nodes = problem.joints[joint].joint->node;
+    for (unsigned side = 0; side < dxExactProblem::kSides && nodes[side].body != nullptr; ++side)
+        problem.links.add(static_cast<unsigned>(nodes[side].body->tag), dxBodyLinks::linkOf(joint, side));
+}
+
 void askJoints(const dxIslandStep &step, const dxExactProblem &problem) {
     clearRows(problem, step.world->global_cfm);
+    std::fill_n(problem.links.first, problem.bodyCount, dxBodyLinks::kNone);
     const dReal framesPerSecond = dRecip(step.stepSize), erp = step.world->global_erp;
     for (unsigned i = 0; i < problem.jointCount; ++i) {
         const dxExactJoint &joint = problem.joints[i];
@@ -52,25 +58,15 @@ void askJoints(const dxIslandStep &step, const dxExactProblem &problem) {
         // Joints count from their own first row.
         for (unsigned k = 0; k < joint.rows; ++k)
             if (normalOf[k] != -1) normalOf[k] += static_cast<int>(row);
+        link(problem, i);
     }
-    for (std::size_t i = 0; i < std::size_t(problem.rowCount) * kPair; ++i) problem.pairsBX[i] *= framesPerSecond;
+    for (dReal *pair = problem.pairsBX; pair != problem.pairsBX + std::size_t(problem.rowCount) * kPair; pair += kPair)
+        dxStorePair(dxLoadPair(pair) * framesPerSecond, pair);
 }
 
 }  // namespace
 
-void dxTakeMatrix(dxWorldProcessMemArena &arena, dxExactProblem &problem) {
-    problem.matrix = arena.AllocateOveralignedArray<dReal>(std::size_t(problem.rowCount) * dPAD(problem.rowCount), kMatrixAlignment);
-}
-
 void dxReadRows(const dxIslandStep &step, dxExactProblem &problem) {
-    takeJacobian(*step.arena, problem);
-    dxTakeMatrix(*step.arena, problem);
-    takePairs(*step.arena, problem);
-    askJoints(step, problem);
-}
-
-void dxReadRowsAlone(const dxIslandStep &step, dxExactProblem &problem) {
-    takeJacobian(*step.arena, problem);
-    takePairs(*step.arena, problem);
+    takeMemory(*step.arena, problem);
     askJoints(step, problem);
 }

@@ -5,12 +5,6 @@
 
 struct dxExactProblem;
 
-// Requires rows. Fills in the Jacobian, c/h and cfm/h in the places of b and x, limits, and rows of normals; takes the memory of
-// all that belongs to rows. Joints that push against a stop add to their bodies' facc and tacc.
+// Requires rows. Fills in the Jacobian, c/h and cfm/h in the places of b and x, limits, rows of normals, and the links; takes the
+// memory of all that belongs to rows. Joints that push against a stop add to their bodies' facc and tacc.
 void dxReadRows(const dxIslandStep &step, dxExactProblem &problem);
-
-// The same, but takes no memory for A.
-void dxReadRowsAlone(const dxIslandStep &step, dxExactProblem &problem);
-
-// Takes the memory for A.
-void dxTakeMatrix(dxWorldProcessMemArena &arena, dxExactProblem &problem);

@@ -2,13 +2,13 @@
 #pragma once
 
 struct dxExactProblem;
-class dxWorldProcessMemArena;
+struct dxIslandStep;
 
 class dxExactSolver {
 public:
-    // Requires rows. Writes x into problem.pairsBX; A, b and the limits of friction rows may be written over. What is taken of
-    // the arena is given back, and is no more than dxEstimateSolveLCPMemoryReq says.
-    virtual void solve(const dxExactProblem &problem, dxWorldProcessMemArena &arena) = 0;
+    // Requires rows, read. Writes x into problem.pairsBX; b and the limits of friction rows may be written over. What is taken of
+    // the step's arena is given back.
+    virtual void solve(const dxIslandStep &step, const dxExactProblem &problem) = 0;
 
 protected:
     ~dxExactSolver() = default;

@@ -1,21 +1,14 @@
 #include "dynamics/exactstep/dxExactStep.h"
 
-#include "dynamics/exactstep/dxDantzigSolver.h"
 #include "dynamics/exactstep/dxExactBodies.h"
-#include "dynamics/exactstep/dxExactMatrix.h"
 #include "dynamics/exactstep/dxExactProblem.h"
 #include "dynamics/exactstep/dxExactResults.h"
 #include "dynamics/exactstep/dxExactRows.h"
+#include "dynamics/exactstep/dxExactSolver.h"
 #include "dynamics/exactstep/dxJointOrder.h"
 
-void dxExactStep(const dxIslandStep &step) {
-    dxDantzigSolver solver(step.islandWorkers);
-    dxStepExactly(step, solver);
-}
-
 // All stages but the solver are serial. Each reads what those before it have written.
-void dxStepExactly(const dxIslandStep &step, dxExactSolver &solver) {
-    dxWorldProcessMemArena &arena = *step.arena;
+void dxExactStep(const dxIslandStep &step, dxExactSolver &solver) {
     dxExactProblem problem;
 
     // Reads bodies and gravity. Writes tags and inertia, adds gravity and gyroscopic torque to the bodies' accumulators.
@@ -25,14 +18,13 @@ void dxStepExactly(const dxIslandStep &step, dxExactSolver &solver) {
     dxOrderJoints(step, problem);
 
     if (problem.rowCount > 0) {
-        // Asks joints for their rows (getInfo2), which may add to accumulators. Writes the Jacobian, c, cfm, limits.
+        // Asks joints for their rows (getInfo2), which may add to accumulators. Writes the Jacobian, c, cfm, limits,
+        // and the links from bodies to joints.
         dxReadRows(step, problem);
 
-        // Reads velocities, accumulators, inertia, rows. Writes A, b, and the links from bodies to joints.
-        dxMakeMatrix(step, problem);
-
-        // Parallel for large problems, if the island has a islandWorkers. Reads A, b, limits; writes x, and may write over A and b.
-        solver.solve(problem, arena);
+        // Reads velocities, accumulators, inertia, rows, limits. Writes x. Dantzig's algorithm is parallel for large problems, if the
+        // island has workers.
+        solver.solve(step, problem);
     }
 
     // Reads x, rows, inertia, accumulators. Writes feedback, velocities and poses, clears accumulators; tells spaces and the

@@ -9,8 +9,5 @@
 
 class dxExactSolver;
 
-// Steps the island; its islandWorkers, if there is one, solves large problems together.
-void dxExactStep(const dxIslandStep &step);
-
-// The same with another solver.
-void dxStepExactly(const dxIslandStep &step, dxExactSolver &solver);
+// Steps the island, with upstream's bits if the solver has them.
+void dxExactStep(const dxIslandStep &step, dxExactSolver &solver);

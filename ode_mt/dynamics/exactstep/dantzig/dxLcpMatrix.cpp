@@ -31,11 +31,15 @@ public:
 
     void copyInPlace(unsigned end, dReal *row) const { std::copy_n(left(), end, row); }
 
+    // Columns that are all left of the row's own.
+    void copyLeft(unsigned begin, unsigned end, dReal *row) const {
+        for (unsigned j = begin; j < end; ++j) row[j] = left()[m_order[j]];
+    }
+
     void copyAscending(unsigned begin, unsigned end, dReal *row) const {
         const auto isLeft = [this](unsigned column) { return column < m_own; };
         const auto middle = static_cast<unsigned>(std::partition_point(m_order + begin, m_order + end, isLeft) - m_order);
-        const dReal *const left = this->left();
-        for (unsigned j = begin; j < middle; ++j) row[j] = left[m_order[j]];
+        copyLeft(begin, middle, row);
         for (unsigned j = middle; j < end; ++j) row[j] = below(m_order[j]);
     }
 
@@ -65,6 +69,7 @@ void dxReorderedTriangle::copyRow(unsigned index, dReal *to) const {
     const Row row(m_lower, m_skip, m_order, m_order[index]);
     const unsigned end = index + 1, first = std::min(m_inPlace, end), second = std::min(m_ascending, end);
     row.copyInPlace(first, to);
+    if (end <= m_ascending) return row.copyLeft(first, end, to);
     row.copyAscending(first, second, to);
     row.copy(second, end, to);
 }

@@ -104,14 +104,14 @@ private:
     }
 
     HWY_INLINE void addBody(unsigned index, const dxConstraintJoint &joint, unsigned side) {
-        const unsigned body = joint.bodies[side];
         transpose(joint, side);
         multiplyByInverseMass(joint, side);
         if (side == 0)
             addBlock(joint, joint, side, StartWithSoftness{m_task.pairs + std::size_t(2) * joint.firstRow});
         else
             addBlock(joint, joint, side, StartAsTheyAre());
-        for (unsigned link = m_task.lists.first[body]; link != dxBodyLinks::kNone; link = m_task.lists.after(link)) {
+        for (unsigned link = m_task.links.after(dxBodyLinks::linkOf(index, side)); link != dxBodyLinks::kNone;
+             link = m_task.links.after(link)) {
             const dxConstraintJoint &other = m_task.joints[dxBodyLinks::jointOf(link)];
             const bool hasMetBefore = side == 1 && (other.bodies[0] == joint.bodies[0] || other.bodies[1] == joint.bodies[0]);
             if (hasMetBefore)
@@ -119,8 +119,7 @@ private:
             else
                 addBlock(joint, other, dxBodyLinks::sideOf(link), StartAtZero());
         }
-        subtractMotion(joint, side, body);
-        m_task.lists.add(body, dxBodyLinks::linkOf(index, side));
+        subtractMotion(joint, side);
     }
 
     HWY_INLINE void transpose(const dxConstraintJoint &joint, unsigned side) {
@@ -148,10 +147,10 @@ private:
         }
     }
 
-    HWY_INLINE void subtractMotion(const dxConstraintJoint &joint, unsigned side, unsigned body) {
+    HWY_INLINE void subtractMotion(const dxConstraintJoint &joint, unsigned side) {
         const D d;
         const dReal *const rows = rowsByElement(joint, side);
-        const dReal *const motion = m_task.motions + std::size_t(kRowElements) * body;
+        const dReal *const motion = m_task.motions + std::size_t(kRowElements) * joint.bodies[side];
         HWY_ALIGN dReal sums[kWidestBlock];
         for (unsigned i = 0; i < joint.rows; i += kLanes) {
             auto sum = hn::Mul(hn::LoadU(d, rows + i), hn::Set(d, motion[0]));

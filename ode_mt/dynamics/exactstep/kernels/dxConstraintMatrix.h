@@ -3,7 +3,7 @@
 //   A = J inv(M) J' + cfm/h,   b = c/h - J u,   u = v/h + inv(M) f
 //
 // Two joints have elements of A in common only if they share a body. Joints are taken in the order of their rows: each meets
-// those before it in its bodies' lists, makes its rows of A up to the diagonal, and is added to the lists.
+// those before it, which follow it in its bodies' lists, and makes its rows of A up to the diagonal.
 //
 // A block of A, the rows of one joint by those of another, is made row by row with a lane for each column: so the Jacobian is
 // kept by elements, too. Every element is a sum of six products in upstream's order; what the second body adds comes after
@@ -46,7 +46,7 @@ struct dxConstraintMatrixTask {
     std::size_t rowSkip;  // between rows of A
 
     dReal *transposed;  // room for the Jacobian by elements: transposedSize()
-    dxBodyLinks::Lists lists;  // empty
+    dxBodyLinks::Lists links;  // of each body's joints, the last one first
 
     static std::size_t transposedSize(std::size_t rows) { return dxBodyLinks::kSides * kRowElements * rows + kSlack; }
     static constexpr unsigned kSlack = 4;  // lanes that begin at the last element

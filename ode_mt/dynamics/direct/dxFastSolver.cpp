@@ -1,21 +1,19 @@
-#include "dynamics/direct/dxDirectStep.h"
+#include "dynamics/direct/dxFastSolver.h"
 
 #include <algorithm>
 #include <limits>
 #include <new>
 
+#include "config.h"
+#include "objects.h"
 #include "step.h"
 
 #include "core/dxLog.h"
 #include "dynamics/direct/dxDirectMemory.h"
 #include "dynamics/direct/dxDirectSolver.h"
 #include "dynamics/exactstep/dxDantzigSolver.h"
-#include "dynamics/exactstep/dxExactBodies.h"
-#include "dynamics/exactstep/dxExactMatrix.h"
 #include "dynamics/exactstep/dxExactProblem.h"
-#include "dynamics/exactstep/dxExactResults.h"
-#include "dynamics/exactstep/dxExactRows.h"
-#include "dynamics/exactstep/dxJointOrder.h"
+#include "dynamics/islands/dxIslandStep.h"
 #include "dynamics/islands/dxWorkingMemory.h"
 #include "settings/dxStepStatistics.h"
 #include "threading/process/dxObjectPool.h"
@@ -30,16 +28,6 @@ constexpr int kPair = dxJoint::GI2__RHS_CFM_MAX, kForce = dxJoint::GI2_CFM;
 // A solution that is not good is kept for islands of more rows: Dantzig's algorithm would need minutes for them.
 constexpr unsigned kMaxDenseRows = 3000;
 
-// Lists each body's joints, as dxMakeMatrix does.
-void linkBodies(dxExactProblem &problem) {
-    std::fill_n(problem.links.first, problem.bodyCount, dxBodyLinks::kNone);
-    for (unsigned i = 0; i < problem.jointCount; ++i)
-        for (unsigned side = 0; side < dxExactProblem::kSides; ++side) {
-            const dxBody *const body = problem.joints[i].joint->node[side].body;
-            if (body != nullptr) problem.links.add(static_cast<unsigned>(body->tag), dxBodyLinks::linkOf(i, side));
-        }
-}
-
 // Requires rows, read.
 bool isLargeEnough(const dxExactProblem &problem) {
     if (problem.rowCount >= kMinDirectRows) return true;
@@ -50,15 +38,13 @@ bool isLargeEnough(const dxExactProblem &problem) {
 }
 
 // By Dantzig's algorithm, in memory from the pool. Returns false where there is none.
-bool solveDensely(const dxIslandStep &step, dxExactProblem problem) {
+bool solveDensely(const dxIslandStep &step, const dxExactProblem &problem) {
     const dxIsland &island = step.island;
     const dxArenaLease arena(dxEstimateStepMemoryRequirements(island.bodies, island.bodyCount, island.joints, island.jointCount));
     if (arena.get() == nullptr) return false;
     dxIslandStep dense = step;
     dense.arena = arena.get();
-    dxTakeMatrix(*dense.arena, problem);
-    dxMakeMatrix(dense, problem);
-    dxDantzigSolver(step.islandWorkers).solve(problem, *dense.arena);
+    dxDantzigSolver().solve(dense, problem);
     return true;
 }
 
@@ -90,41 +76,15 @@ void findForces(const dxIslandStep &step, const dxExactProblem &problem) try {
     fallBack(step, problem, nullptr);
 }
 
-void solveDirectly(const dxIslandStep &step, dxExactProblem &problem) {
-    findForces(step, problem);
-    linkBodies(problem);
-}
-
-// As the exact step does.
-void solveExactly(const dxIslandStep &step, dxExactProblem &problem) {
-    dxTakeMatrix(*step.arena, problem);
-    dxMakeMatrix(step, problem);
-    dxDantzigSolver(step.islandWorkers).solve(problem, *step.arena);
-}
-
 }  // namespace
 
-// The stages are those of dxStepExactly, all of them serial.
-void dxDirectStep(const dxIslandStep &step) {
-    dxExactProblem problem;
-
-    // Reads bodies and gravity. Writes tags and inertia, adds gravity and gyroscopic torque to the bodies' accumulators.
-    dxGatherBodies(step, problem);
-
-    // Asks joints how many rows they have (getInfo1). Writes the list of joints, and how many rows there are.
-    dxOrderJoints(step, problem);
-
-    // Asks joints for their rows (getInfo2), which may add to accumulators. Writes the Jacobian, c, cfm, limits.
-    if (problem.rowCount > 0) dxReadRowsAlone(step, problem);
-
-    // Reads velocities, accumulators, inertia, rows. Writes x, and the links from bodies to joints.
-    if (problem.rowCount > 0) isLargeEnough(problem) ? solveDirectly(step, problem) : solveExactly(step, problem);
-
-    // Reads x, rows, inertia, accumulators. Writes feedback, velocities and poses, clears accumulators; tells spaces and the
-    // user of each body that has moved before it goes on to the next one.
-    dxApplyResults(step, problem);
+void dxFastSolver::solve(const dxIslandStep &step, const dxExactProblem &problem) {
+    if (isLargeEnough(problem))
+        findForces(step, problem);
+    else
+        dxDantzigSolver().solve(step, problem);
 }
 
-void dxReleaseDirectSolvers() {
+void dxFastSolver::release() {
     solvers->clear([](dxDirectSolver *solver) { delete solver; });
 }

@@ -1,0 +1,16 @@
+// The solver "fast" (docs/direct-solver.md): solves large problems in body space, without a matrix of rows by rows, and leaves the others
+// to Dantzig's algorithm.
+//
+// Threading: islands may be solved by several threads at the same time.
+#pragma once
+
+#include "dynamics/exactstep/dxExactSolver.h"
+
+class dxFastSolver final : public dxExactSolver {
+public:
+    // The step's arena is as large as dxEstimateDirectStepMemory says.
+    void solve(const dxIslandStep &step, const dxExactProblem &problem) override;
+
+    // Frees what is kept from island to island and is not in use (dCloseODE, unloading).
+    static void release();
+};
