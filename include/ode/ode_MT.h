@@ -106,7 +106,7 @@ ODE_API const char *dODE_MT_GetAlgorithm(void);
  *
  * May be called from any thread, but not while the world is stepped. The choice ends with the world.
  *
- * @return 1, or 0 and a dMessage naming the known ones if there is no such solver.
+ * @return 1, or 0 and a dMessage: naming the known ones if there is no such solver, or if there is no memory.
  * @ingroup ode_mt
  */
 ODE_API int dODE_MT_SetSolver(dWorldID world, const char *name);

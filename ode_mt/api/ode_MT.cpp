@@ -2,6 +2,8 @@
 #include <ode/error.h>
 #include <ode/ode_MT.h>
 
+#include <new>
+
 #include "config.h"
 #include "error.h"
 
@@ -36,7 +38,12 @@ const char *dODE_MT_GetAlgorithm() { return dxSettings::instance().algorithmName
 
 int dODE_MT_SetSolver(dWorldID world, const char *name) {
     dUASSERT(world, "bad world argument");
-    return dxWorldSolver::choose(world, name ? name : "(null)");
+    try {
+        return dxWorldSolver::choose(world, name ? name : "(null)");
+    } catch (const std::bad_alloc &) {  // reported where the handler may leave
+    }
+    dMessage(0, "ODE_MT: no memory to note the solver of a world");
+    return 0;
 }
 
 const char *dODE_MT_GetSolver(dWorldID world) {

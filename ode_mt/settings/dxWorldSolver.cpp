@@ -1,6 +1,7 @@
 #include "settings/dxWorldSolver.h"
 
 #include <algorithm>
+#include <atomic>
 #include <mutex>
 #include <utility>
 #include <vector>
@@ -19,15 +20,21 @@ struct Choices {
         return std::find_if(list.begin(), list.end(), [world](const Choice &choice) { return choice.first == world; });
     }
 
-    // The world's own, which begins as the process's.
+    // The world's own, which begins as the process's. Requires the mutex.
     dxSolverChoice &own(const dxWorld *world) {
         const auto found = find(world);
         if (found != list.end()) return found->second;
-        return list.emplace_back(world, dxSettings::instance().solver()).second;
+        list.emplace_back(world, dxSettings::instance().solver());
+        count();
+        return list.back().second;
     }
+
+    // Requires the mutex.
+    void count() { size.store(list.size(), std::memory_order_release); }
 
     dxForkSafeMutex mutex;
     std::vector<Choice> list;
+    std::atomic<std::size_t> size{0};  // of the list: most processes have none
 };
 
 dxProcessObject<Choices> choices;
@@ -35,6 +42,7 @@ dxProcessObject<Choices> choices;
 }  // namespace
 
 dxSolverChoice of(const dxWorld *world) {
+    if (choices->size.load(std::memory_order_acquire) == 0) return dxSettings::instance().solver();
     const std::lock_guard<dxForkSafeMutex> hold(choices->mutex);
     const auto found = choices->find(world);
     return found != choices->list.end() ? found->second : dxSettings::instance().solver();
@@ -64,6 +72,7 @@ void forget(const dxWorld *world) {
     const auto found = choices->find(world);
     if (found == choices->list.end()) return;
     choices->list.erase(found);
+    choices->count();
     if (choices->list.empty()) choices->list.shrink_to_fit();  // what is kept would be lost with an unloading
 }
 

@@ -36,11 +36,13 @@ sizeint sizeOfMatrix(sizeint bodies, sizeint joints, unsigned rows) {
 
 sizeint dxEstimateDirectStepMemory(dxBody *const *bodies, unsigned bodyCount, dxJoint *const *joints, unsigned jointCount) {
     const sizeint upstreams = dxEstimateStepMemoryRequirements(bodies, bodyCount, joints, jointCount);
+    const sizeint matrix = sizeOfMatrix(bodyCount, jointCount, kMinDirectRows);
+    if (upstreams <= matrix) return upstreams;
     sizeint rows = 0;
     for (unsigned i = 0; i < jointCount; ++i) {
         dxJoint::SureMaxInfo info;
         joints[i]->getSureMaxInfo(&info);
         rows += info.max_m;
     }
-    return std::min(upstreams, sizeOfRows(bodyCount, jointCount, rows) + sizeOfMatrix(bodyCount, jointCount, kMinDirectRows));
+    return std::min(upstreams, sizeOfRows(bodyCount, jointCount, rows) + matrix);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "dynamics/direct/dxBodyMotions.h"
 #include "dynamics/exactstep/dxExactProblem.h"
 
 namespace {
@@ -43,7 +44,7 @@ bool dxDirectRows::gather(const dxExactProblem &rows, double stepSize) {
     if (!numberBodies(rows)) return false;
     orderBodies(rows);
     if (!fillMasses(rows)) return false;
-    findMotions(rows, stepSize);
+    dxFindBodyMotions(rows, stepSize, m_motions);
     pairJoints(rows);
     if (!fillRows(rows)) return false;
     findDiagonal();
@@ -95,21 +96,6 @@ bool dxDirectRows::fillMasses(const dxExactProblem &rows) {
         }
     }
     return true;
-}
-
-void dxDirectRows::findMotions(const dxExactProblem &rows, double stepSize) {
-    m_motions.resize(rows.bodyCount);
-    for (unsigned i = 0; i < rows.bodyCount; ++i) {
-        const dxBody &body = *rows.bodies[i];
-        const dReal *const tensor = rows.inverseInertia[i].tensor;
-        dxBodyVector &motion = m_motions[i];
-        motion = {};
-        for (unsigned axis = 0; axis < 3; ++axis) {
-            motion.lane[axis] = double(body.facc[axis]) * body.invMass + body.lvel[axis] / stepSize;
-            motion.lane[3 + axis] = double(tensor[4 * axis]) * body.tacc[0] + double(tensor[4 * axis + 1]) * body.tacc[1] +
-                                    double(tensor[4 * axis + 2]) * body.tacc[2] + body.avel[axis] / stepSize;
-        }
-    }
 }
 
 unsigned dxDirectRows::placeOf(const dxExactProblem &rows, unsigned joint, unsigned side) const {

@@ -30,7 +30,6 @@ private:
     };
 
     bool numberBodies(const dxExactProblem &rows);
-    void findMotions(const dxExactProblem &rows, double stepSize);
     void orderBodies(const dxExactProblem &rows);
     bool fillMasses(const dxExactProblem &rows);
     void pairJoints(const dxExactProblem &rows);

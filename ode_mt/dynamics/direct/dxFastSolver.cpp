@@ -11,6 +11,8 @@
 #include "core/dxLog.h"
 #include "dynamics/direct/dxDirectMemory.h"
 #include "dynamics/direct/dxDirectSolver.h"
+#include "dynamics/direct/dxHeldMessage.h"
+#include "dynamics/direct/dxReducedLcp.h"
 #include "dynamics/exactstep/dxDantzigSolver.h"
 #include "dynamics/exactstep/dxExactProblem.h"
 #include "dynamics/islands/dxIslandStep.h"
@@ -22,19 +24,28 @@
 namespace {
 
 dxProcessObject<dxObjectPool<dxDirectSolver>> solvers;
+dxProcessObject<dxObjectPool<dxReducedLcp>> eliminations;
 
 constexpr int kPair = dxJoint::GI2__RHS_CFM_MAX, kForce = dxJoint::GI2_CFM;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // A solution that is not good is kept for islands of more rows: Dantzig's algorithm would need minutes for them.
 constexpr unsigned kMaxDenseRows = 3000;
 
+// With fewer rows without limits there is too little to eliminate (docs/direct-solver.md has the figures).
+constexpr unsigned kMinEliminatedRows = 16;
+
+enum class Method { Dantzig, Elimination, BodySpace };
+
 // Requires rows, read.
-bool isLargeEnough(const dxExactProblem &problem) {
-    if (problem.rowCount >= kMinDirectRows) return true;
+Method chooseMethod(const dxExactProblem &problem) {
+    if (problem.rowCount >= kMinDirectRows) return Method::BodySpace;
     unsigned limited = 0;
     for (std::size_t i = 0; i < problem.rowCount; ++i)
         limited += problem.pairsLoHi[i * kPair + dxJoint::GI2_LO] > -dInfinity || problem.pairsLoHi[i * kPair + dxJoint::GI2_HI] < dInfinity;
-    return limited >= kMinDirectLimitedRows;
+    if (limited >= kMinDirectLimitedRows) return Method::BodySpace;
+    return problem.rowCount - limited >= kMinEliminatedRows ? Method::Elimination : Method::Dantzig;
 }
 
 // By Dantzig's algorithm, in memory from the pool. Returns false where there is none.
@@ -48,43 +59,75 @@ bool solveDensely(const dxIslandStep &step, const dxExactProblem &problem) {
     return true;
 }
 
-void clearForces(const dxExactProblem &problem) {
-    for (std::size_t i = 0; i < problem.rowCount; ++i) problem.pairsBX[i * kPair + kForce] = 0;
-}
-
-// Asks Dantzig's algorithm for a problem that the direct solver has found no solution of, or none that is good.
-void fallBack(const dxIslandStep &step, const dxExactProblem &problem, dxDirectSolver *solver) {
+// Counts an island that another algorithm is asked to solve. `residual`: of what was found; infinity: nothing was.
+void countFallback(const dxExactProblem &problem, double residual) {
     dxStepStatistics::instance().directFallbacks.fetch_add(1, std::memory_order_relaxed);
-    dxLog(dxLogLevel::info, "an island of %u rows was left to Dantzig's algorithm: residual %g", problem.rowCount,
-          solver != nullptr ? solver->residual() : 0);
-    const bool isFound = solver != nullptr && solver->residual() < std::numeric_limits<double>::infinity();
-    const bool isSolved = (!isFound || problem.rowCount <= kMaxDenseRows) && solveDensely(step, problem);
-    if (isFound && (!isSolved || !(solver->residualOf(problem) <= solver->residual())))
-        solver->writeForces(problem);
-    else if (!isSolved)
-        clearForces(problem);
+    dxLog(dxLogLevel::info, "an island of %u rows was left to Dantzig's algorithm: residual %g", problem.rowCount, residual);
 }
 
-void findForces(const dxIslandStep &step, const dxExactProblem &problem) try {
-    const dxPooledObject<dxDirectSolver> solver(*solvers);
-    dxStepStatistics::instance().directIslands.fetch_add(1, std::memory_order_relaxed);
-    if (solver->solve(problem, step.stepSize))
-        solver->writeForces(problem);
-    else
-        fallBack(step, problem, &*solver);
-} catch (const std::bad_alloc &) {
-    fallBack(step, problem, nullptr);
+// What became of an island.
+enum class Outcome { Solved, LeftToDantzig, Unsolved };
+
+// A solution that is not good is compared with that of Dantzig's algorithm.
+Outcome solveBest(const dxIslandStep &step, const dxExactProblem &problem, dxDirectSolver &solver) {
+    if (!solver.solve(problem, step.stepSize)) {
+        countFallback(problem, solver.residual());
+        if (solver.residual() == kInfinity) return Outcome::Unsolved;
+        if (problem.rowCount <= kMaxDenseRows && solveDensely(step, problem) && solver.residualOf(problem) <= solver.residual())
+            return Outcome::LeftToDantzig;
+    }
+    solver.writeForces(problem);
+    return Outcome::Solved;
+}
+
+Outcome solveInBodySpace(const dxIslandStep &step, const dxExactProblem &problem) {
+    try {
+        const dxPooledObject<dxDirectSolver> solver(*solvers);
+        return solveBest(step, problem, *solver);
+    } catch (const std::bad_alloc &) {
+        countFallback(problem, kInfinity);
+        return Outcome::Unsolved;
+    }
+}
+
+// Without memory for any solver, joints have no force.
+Outcome solveDenselyOrNot(const dxIslandStep &step, const dxExactProblem &problem) {
+    if (solveDensely(step, problem)) return Outcome::LeftToDantzig;
+    for (std::size_t i = 0; i < problem.rowCount; ++i) problem.pairsBX[i * kPair + kForce] = 0;
+    return Outcome::Unsolved;
+}
+
+void findForces(const dxIslandStep &step, const dxExactProblem &problem) {
+    dxHeldMessage message;
+    Outcome outcome = solveInBodySpace(step, problem);
+    if (outcome == Outcome::Unsolved) outcome = solveDenselyOrNot(step, problem);
+    if (outcome == Outcome::LeftToDantzig) message.deliver();
+}
+
+// Returns false if the problem is left to Dantzig's algorithm.
+bool eliminate(const dxIslandStep &step, const dxExactProblem &problem) {
+    bool isSolved = false;
+    try {
+        const dxPooledObject<dxReducedLcp> elimination(*eliminations);
+        isSolved = elimination->solve(step, problem);
+    } catch (const std::bad_alloc &) {  // then without
+    }
+    if (!isSolved) countFallback(problem, kInfinity);
+    return isSolved;
 }
 
 }  // namespace
 
 void dxFastSolver::solve(const dxIslandStep &step, const dxExactProblem &problem) {
-    if (isLargeEnough(problem))
+    const Method method = chooseMethod(problem);
+    if (method != Method::Dantzig) dxStepStatistics::instance().directIslands.fetch_add(1, std::memory_order_relaxed);
+    if (method == Method::BodySpace)
         findForces(step, problem);
-    else
+    else if (method == Method::Dantzig || !eliminate(step, problem))
         dxDantzigSolver().solve(step, problem);
 }
 
 void dxFastSolver::release() {
     solvers->clear([](dxDirectSolver *solver) { delete solver; });
+    eliminations->clear([](dxReducedLcp *elimination) { delete elimination; });
 }

@@ -33,9 +33,6 @@ constexpr double kSurelyFree = 0.1;
 // The residual that is as small as it gets, as part of the largest b and sum.
 constexpr double kRounding = 2 * std::numeric_limits<double>::epsilon();
 
-// Forces as near to a limit as this part of it are at the limit.
-constexpr double kNearLimit = 1e-9;
-
 }  // namespace
 
 void dxInteriorPoint::begin(const dxDirectProblem &problem, const dxEliminationOrder &order) {
@@ -220,10 +217,7 @@ dxInteriorPoint::Scale dxInteriorPoint::scaleOf(const std::vector<double> &x) co
 }
 
 double dxInteriorPoint::residualOf(std::vector<double> &x) {
-    for (unsigned i = 0; i < m_problem->rowCount; ++i) {
-        for (const double limit : {m_low[i], m_high[i]})
-            if (std::isfinite(limit) && std::fabs(x[i] - limit) <= kNearLimit * std::fabs(limit)) x[i] = limit;
-    }
+    for (unsigned i = 0; i < m_problem->rowCount; ++i) x[i] = dxSnapToLimit(x[i], m_low[i], m_high[i]);
     m_system.findResidual(x, m_s);
     return dxWorstKktResidual(x, m_s, m_low, m_high);
 }

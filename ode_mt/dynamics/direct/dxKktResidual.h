@@ -15,6 +15,14 @@ inline double dxKktResidual(double x, double w, double low, double high) {
     return std::fabs(w);
 }
 
+// A force next to a limit, as rounding may leave it, is at the limit.
+inline double dxSnapToLimit(double x, double low, double high) {
+    constexpr double kNear = 1e-9;  // as part of the limit
+    for (const double limit : {low, high})
+        if (std::isfinite(limit) && std::fabs(x - limit) <= kNear * std::fabs(limit)) x = limit;
+    return x;
+}
+
 // Of the worst row, where `s` = -w; infinity if one is no number.
 inline double dxWorstKktResidual(const std::vector<double> &x, const std::vector<double> &s, const std::vector<double> &low,
                                  const std::vector<double> &high) {

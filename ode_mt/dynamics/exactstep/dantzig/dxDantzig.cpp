@@ -54,9 +54,10 @@ private:
 
 enum class Outcome { Solved, GaveUp, LeftToUpstream };
 
-// Nothing is changed if the problem is left to upstream. `failedLength` is the length of the step that was not
-// positive.
-Outcome solve(dxLargeIslandWorkers *islandWorkers, dxWorldProcessMemArena *memory, const dxDantzigProblem &problem, dReal &failedLength) {
+// Nothing is changed if the problem is left to upstream. `limits`: null, or where those are written under which x is a solution.
+// `failedLength` is the length of the step that was not positive.
+Outcome solve(dxLargeIslandWorkers *islandWorkers, dxWorldProcessMemArena *memory, const dxDantzigProblem &problem, dReal *limits,
+              dReal &failedLength) {
     // Beside the world's arena, whose size upstream decides and the user's allocator sees.
     const dxArenaLease more(dxDantzigRun::memory(problem.n));
     if (!more.get()) return Outcome::LeftToUpstream;
@@ -65,8 +66,19 @@ Outcome solve(dxLargeIslandWorkers *islandWorkers, dxWorldProcessMemArena *memor
     run.solve();
     if (flags.isAnyRaised() || run.isUnfit()) return Outcome::LeftToUpstream;
     run.deliver();
+    if (limits != nullptr) run.deliverLimits(limits);
     failedLength = run.failedLength();
     return run.hasFailed() ? Outcome::GaveUp : Outcome::Solved;
+}
+
+// As far as ours may.
+Outcome trySolve(dxLargeIslandWorkers *islandWorkers, dxWorldProcessMemArena *memory, const dxDantzigProblem &problem, dReal *limits,
+                 dReal &failedLength) {
+    if (fegetexcept() != 0 || !areLimitsSound(problem.pairsLoHi, problem.n)) return Outcome::LeftToUpstream;
+    void *const start = memory->SaveState();
+    const Outcome outcome = solve(islandWorkers, memory, problem, limits, failedLength);
+    memory->RestoreState(start);
+    return outcome;
 }
 
 }  // namespace
@@ -75,14 +87,17 @@ void dxSolveDantzig(dxLargeIslandWorkers *islandWorkers, dxWorldProcessMemArena 
                     unsigned unbounded, dReal *pairsLoHi, int *normalOf) {
     Outcome outcome = Outcome::LeftToUpstream;
     dReal failedLength = 0;
-    if (unbounded < n && w == nullptr && fegetexcept() == 0 && areLimitsSound(pairsLoHi, n)) {
-        void *const start = memory->SaveState();
-        outcome = solve(islandWorkers, memory, {n, A, pairsBX, unbounded, pairsLoHi, normalOf}, failedLength);
-        memory->RestoreState(start);
-    }
+    if (unbounded < n && w == nullptr)
+        outcome = trySolve(islandWorkers, memory, {n, A, pairsBX, unbounded, pairsLoHi, normalOf}, nullptr, failedLength);
     if (outcome == Outcome::LeftToUpstream) {
         dxSolveLCP(memory, n, A, pairsBX, w, unbounded, pairsLoHi, normalOf);
     } else if (outcome == Outcome::GaveUp) {
         dMessage(d_ERR_LCP, "LCP internal error, s <= 0 (s=%.4e)", static_cast<double>(failedLength));
     }
+}
+
+bool dxTryDantzig(dxLargeIslandWorkers *islandWorkers, dxWorldProcessMemArena *memory, unsigned n, dReal *A, dReal *pairsBX, dReal *pairsLoHi,
+                  int *normalOf) {
+    dReal failedLength = 0;
+    return trySolve(islandWorkers, memory, {n, A, pairsBX, 0, pairsLoHi, normalOf}, pairsLoHi, failedLength) == Outcome::Solved;
 }

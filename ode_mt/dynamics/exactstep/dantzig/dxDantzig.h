@@ -27,3 +27,8 @@ struct dxLargeIslandWorkers;
 // do not depend on the workers.
 void dxSolveDantzig(dxLargeIslandWorkers *islandWorkers, dxWorldProcessMemArena *memory, unsigned n, dReal *A, dReal *pairsBX, dReal *w,
                     unsigned unbounded, dReal *pairsLoHi, int *normalOf);
+
+// The same, but neither reports anything nor calls upstream's solver: returns false where that would be necessary, and leaves all as it is.
+// The limits of friction rows are written, since they are those of the normals' forces before friction.
+bool dxTryDantzig(dxLargeIslandWorkers *islandWorkers, dxWorldProcessMemArena *memory, unsigned n, dReal *A, dReal *pairsBX, dReal *pairsLoHi,
+                  int *normalOf);

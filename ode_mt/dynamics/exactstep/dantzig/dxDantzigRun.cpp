@@ -101,6 +101,14 @@ void dxDantzigRun::deliver() const {
     for (unsigned i = 0; i < m_n; ++i) m_problem.pairsBX[std::size_t(m_order[i]) * PBX__MAX + PBX_X] = m_arrays.x[i];
 }
 
+void dxDantzigRun::deliverLimits(dReal *pairsLoHi) const {
+    for (unsigned i = 0; i < m_n; ++i) {
+        dReal *const limits = pairsLoHi + std::size_t(m_order[i]) * PLH__MAX;
+        limits[PLH_LO] = m_arrays.limits[i].low;
+        limits[PLH_HI] = m_arrays.limits[i].high;
+    }
+}
+
 // Rows without limits are in C from the start.
 void dxDantzigRun::solveUnbounded() {
     for (unsigned i = 0; i < m_unbounded; ++i) m_source.copyRow(i, m_L[i]);

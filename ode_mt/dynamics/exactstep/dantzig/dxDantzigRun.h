@@ -30,6 +30,9 @@ public:
     // Writes x into the problem.
     void deliver() const;
 
+    // Writes the limits under which x is the solution: those of friction rows, too.
+    void deliverLimits(dReal *pairsLoHi) const;
+
     // Returns whether products with 0 must not be left out after all: what has been solved is of no use.
     bool isUnfit() const { return m_isUnfit; }
 

@@ -1,0 +1,56 @@
+#include "dynamics/direct/dxRowResidual.h"
+
+#include "dynamics/direct/dxRowMatrix.h"
+#include "dynamics/exactstep/dxExactProblem.h"
+
+namespace {
+
+constexpr int kPair = dxJoint::GI2__RHS_CFM_MAX;
+
+void addForces(const dReal *rows, unsigned count, const double *forces, dxBodyVector &sum) {
+    for (unsigned row = 0; row < count; ++row, rows += kBodyAxes)
+        for (unsigned k = 0; k < kBodyAxes; ++k) sum.lane[k] += rows[k] * forces[row];
+}
+
+void accelerate(const dxInverseMass &inverse, const dxBodyVector &motion, dxBodyVector &body) {
+    const dxBodyVector force = body;
+    for (unsigned k = 0; k < 3; ++k) {
+        body.lane[k] = force.lane[k] * inverse.mass + motion.lane[k];
+        const double *const row = inverse.inertia[k];
+        body.lane[3 + k] = row[0] * force.lane[3] + row[1] * force.lane[4] + row[2] * force.lane[5] + motion.lane[3 + k];
+    }
+}
+
+void addMotion(const dReal *rows, unsigned count, const dxBodyVector &motion, double *w) {
+    for (unsigned row = 0; row < count; ++row, rows += kBodyAxes) {
+        const double linear = rows[0] * motion.lane[0] + rows[1] * motion.lane[1] + rows[2] * motion.lane[2];
+        const double angular = rows[3] * motion.lane[3] + rows[4] * motion.lane[4] + rows[5] * motion.lane[5];
+        w[row] += linear + angular;
+    }
+}
+
+}  // namespace
+
+void dxRowResidual::find(const dxExactProblem &problem, const dxInverseMass *inverseMasses, const dxBodyVectors &motions,
+                         const std::vector<double> &forces) {
+    m_bodies.assign(problem.bodyCount, dxBodyVector{});
+    m_w.resize(problem.rowCount);
+    const auto forSides = [&problem](const auto &visit) {
+        for (unsigned i = 0; i < problem.jointCount; ++i)
+            for (unsigned side = 0; side < dxExactProblem::kSides; ++side) {
+                const dxBody *const body = problem.joints[i].joint->node[side].body;
+                if (body != nullptr) visit(problem.joints[i], problem.rowsOf(problem.joints[i], side), static_cast<unsigned>(body->tag));
+            }
+    };
+    forSides([&](const dxExactJoint &joint, const dReal *rows, unsigned body) {
+        addForces(rows, joint.rows, forces.data() + joint.firstRow, m_bodies[body]);
+    });
+    for (unsigned i = 0; i < problem.bodyCount; ++i) accelerate(inverseMasses[i], motions[i], m_bodies[i]);
+    for (unsigned row = 0; row < problem.rowCount; ++row) {
+        const dReal *const pair = problem.pairsBX + std::size_t(row) * kPair;
+        m_w[row] = double(pair[dxJoint::GI2_CFM]) * forces[row] - pair[dxJoint::GI2_RHS];
+    }
+    forSides([&](const dxExactJoint &joint, const dReal *rows, unsigned body) {
+        addMotion(rows, joint.rows, m_bodies[body], m_w.data() + joint.firstRow);
+    });
+}
