@@ -133,9 +133,9 @@ void dxReducedLcp::shapeBlocks() {
     blocks.below.assign(blocks.order.blockCount(), dxBodyBlock{});
     blocks.inversePivots.resize(std::size_t(kBodyAxes) * m_joints);
     blocks.slotOf.resize(m_joints);
-    blocks.beside.assign(std::size_t(kBodyAxes) * m_joints * blocks.lines, dxBodyVector{});
+    blocks.beside.assign(std::size_t(kBodyAxes) * m_joints * blocks.lines + 1, dxBodyVector{});
     blocks.masks.assign(m_joints, std::uint64_t(1) << blocks.limited / kBodyLanes);
-    blocks.limitedRows.assign(std::size_t(blocks.limited + 1) * blocks.lines, dxBodyVector{});
+    blocks.limitedRows.assign(std::size_t(blocks.limited + 1) * blocks.lines + 1, dxBodyVector{});
 }
 
 // c/h and cfm/h.
@@ -192,21 +192,14 @@ bool dxReducedLcp::solveLimitedRows(const dxIslandStep &step, const dxExactProbl
     dReal *const pairsBX = arena.AllocateArray<dReal>(std::size_t(limited) * kPair);
     dReal *const pairsLoHi = arena.AllocateArray<dReal>(std::size_t(limited) * kPair);
     int *const normalOf = arena.AllocateArray<int>(limited);
-    double zero = 0;  // unless a number is not finite
     for (unsigned i = 0; i < limited; ++i) {
         const unsigned row = m_limitedRows[i];
-        for (unsigned k = 0; k <= i; ++k) {
-            const double element = dxElement(m_blocks.limitedRow(i), k);
-            zero += 0 * element;
-            matrix[std::size_t(i) * dPAD(limited) + k] = static_cast<dReal>(element);
-        }
-        const double b = dxElement(m_blocks.limitedRow(limited), i);
-        zero += 0 * b;
-        pairsBX[i * kPair + dxJoint::GI2_RHS] = static_cast<dReal>(b);
+        std::copy_n(m_blocks.limitedRow(i)->lane, i + 1, matrix + std::size_t(i) * dPAD(limited));
+        pairsBX[i * kPair + dxJoint::GI2_RHS] = static_cast<dReal>(dxElement(m_blocks.limitedRow(limited), i));
         std::copy_n(problem.pairsLoHi + std::size_t(row) * kPair, kPair, pairsLoHi + std::size_t(i) * kPair);
         normalOf[i] = problem.normalOf[row] != -1 ? static_cast<int>(m_numberOf[problem.normalOf[row]]) : -1;
     }
-    const bool isSolved = zero == 0 && dxTryDantzig(step.islandWorkers, &arena, limited, matrix, pairsBX, pairsLoHi, normalOf);
+    const bool isSolved = dxTryDantzig(step.islandWorkers, &arena, limited, matrix, pairsBX, pairsLoHi, normalOf);
     for (unsigned i = 0; i < limited && isSolved; ++i) {
         dxElement(m_limitedForces.data(), i) = pairsBX[i * kPair + dxJoint::GI2_CFM];
         m_low[m_limitedRows[i]] = pairsLoHi[i * kPair + dxJoint::GI2_LO];

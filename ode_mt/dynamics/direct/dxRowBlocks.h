@@ -5,7 +5,7 @@
 //
 // A_uu is sparse: a block for each two joints that share a body or come to (dxEliminationOrder, whose bodies are joints here). A_ul and
 // b_u are one matrix, stored by rows of lines of kBodyLanes columns, of which only those in a mask are not 0; A_ll and b_l are another, the
-// right-hand side being its last row.
+// right-hand side being its last row. Both have a line more than they need: products are added by whole lines that begin anywhere.
 //
 // Invariants: a block's lanes and columns beyond its joints' rows are 0. All numbers are doubles, whatever dReal is.
 #pragma once

@@ -53,13 +53,12 @@ HWY_INLINE void addToBlock(const dxBodyBlock &byMass, unsigned rows, const dxBod
         });
 }
 
-// Columns that begin anywhere in a row of lines.
+// Columns that begin anywhere in a row of lines. Those behind them get zeros.
 HWY_INLINE void addToLines(const dxBodyBlock &byMass, unsigned row, const dxBodyBlock &jacobian, unsigned count, double *to) {
     const BodyTag d;
-    dxBodyVector sums;
-    multiplyRow(byMass, row, jacobian, count,
-                [&](unsigned lane, hn::Vec<BodyTag> products) { hn::Store(products, d, sums.lane + lane); });
-    for (unsigned i = 0; i < count; ++i) to[i] += sums.lane[i];
+    multiplyRow(byMass, row, jacobian, count, [&](unsigned lane, hn::Vec<BodyTag> products) {
+        hn::StoreU(hn::Add(hn::LoadU(d, to + lane), products), d, to + lane);
+    });
 }
 
 class RowMatrix {
