@@ -26,6 +26,8 @@ struct Kind {
 const std::map<std::string, std::string> kSerial{},
     kLcp{{"ODE_MT_THREADS", "2"}, {"ODE_MT_ALGORITHM", "lcp"}},
     kClusters{{"ODE_MT_THREADS", "2"}, {"ODE_MT_ALGORITHM", "decluster"}},
+    kFast{{"ODE_MT_SOLVER", "fast"}},
+    kFastLcp{{"ODE_MT_THREADS", "2"}, {"ODE_MT_ALGORITHM", "lcp"}, {"ODE_MT_SOLVER", "fast"}},
     kConcurrent{{"ODE_MT_THREADS", "2"}, {"ODE_MT_ALGORITHM", "lcp"}, {"ODE_MT_CALLBACKS", "concurrent"}};
 
 // Each kind of space with each parallel mode; steppers alternate. A large world has another broad phase for
@@ -51,6 +53,9 @@ const Kind kKinds[] = {
     {"large_lcp", "hash", "quick", "160", "5", kLcp},
     {"large_island", "hash", "heap", "64", "1", kLcp},
     {"large_quad", "quad", "world", "160", "5", kLcp},
+    {"fast_islands", "simple", "world", "4", "2", kFast},
+    {"fast_heap", "hash", "world_heap", "9", "3", kFast},
+    {"fast_heap_lcp", "hash", "world_heap", "9", "3", kFastLcp},
 };
 
 struct Outcomes {
@@ -95,12 +100,14 @@ TEST_P(Allocation, RefusedOnceOrForTheRestOfTheFrame) {
     const Outcomes ours = outcomesOn(Library::Ours, GetParam());
     for (const auto &[variable, value] : GetParam().settings) unsetenv(variable.c_str());
     ASSERT_EQ(ours.references.size(), 2u);
-    EXPECT_EQ(ours.references, debian.references);
+    const bool isFast = GetParam().settings.count("ODE_MT_SOLVER") > 0;
+    if (!isFast) EXPECT_EQ(ours.references, debian.references);
     EXPECT_GT(ours.byRequest.size(), 20u);
 
     int refused = 0;
     for (const auto &[request, outcome] : ours.byRequest) {
-        const bool goesOn = outcome == "goes on" || outcome == "refused, goes on";
+        // A fast solver that has no memory leaves its island to the exact one, which has other bits.
+        const bool goesOn = outcome == "goes on" || outcome == "refused, goes on" || (isFast && outcome == "differs");
         refused += goesOn;
         // Upstream's objects come from dAlloc, whose callers do not check the result.
         const bool isUpstreams = !isOf(request, "new") && outcome == "signal 11";

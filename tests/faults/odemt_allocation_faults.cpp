@@ -3,7 +3,7 @@
 //   odemt_allocation_faults SPACE STEPPER TOWERS EVERY [--show PHASE SOURCE SHORTAGE NUMBER]
 //
 // Prints the library it runs on, "reference HASH", and then a line "PHASE SOURCE SHORTAGE NUMBER OUTCOME" for each, where
-// NUMBER is that of the first request that failed. STEPPER: world, quick, or heap, which is quick with one large island.
+// NUMBER is that of the first request that failed. STEPPER: world, quick, or either with one large island: heap (quick), world_heap.
 // EVERY: each how manieth request. --show: only that request, and the stack that asked. Threads and algorithm come from the
 // environment.
 #include "failing_memory.h"
@@ -173,7 +173,8 @@ int main(int count, char **arguments) {
     const std::string stepper = arguments[2];
     dInitODE2(0);
     {
-        FaultWorld world(spaceOf(arguments[1]), stepper == "world" ? dWorldStep : dWorldQuickStep, std::atoi(arguments[3]), stepper == "heap");
+        const bool isExact = stepper == "world" || stepper == "world_heap", isHeap = stepper == "heap" || stepper == "world_heap";
+        FaultWorld world(spaceOf(arguments[1]), isExact ? dWorldStep : dWorldQuickStep, std::atoi(arguments[3]), isHeap);
         const long every = std::atol(arguments[4]);
         refuseAll(world, "cold", every);
         play(world, kWarmFrames);
