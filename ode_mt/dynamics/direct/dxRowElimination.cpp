@@ -48,7 +48,7 @@ public:
     bool eliminate() {
         for (unsigned place = 0; place < m_order.bodyCount(); ++place)
             if (!eliminateJoint(place)) return false;
-        for (unsigned place = 0; place < m_order.bodyCount(); ++place) reduceLimitedRows(place);
+        for (unsigned place = 0; place < m_order.bodyCount() && m_blocks.limited > 0; ++place) reduceLimitedRows(place);
         return true;
     }
 
@@ -192,30 +192,69 @@ private:
 
 bool eliminateRows(dxRowBlocks &blocks) { return RowElimination(blocks).eliminate(); }
 
-void substituteBack(const dxRowBlocks &blocks, const dxBodyVector *limited, dxBodyVectors &forces) {
-    const BodyTag d;
-    const dxEliminationOrder &order = blocks.order;
-    for (unsigned place = order.bodyCount(); place-- > 0;) {
-        const unsigned rows = blocks.sizes[place];
-        double *const force = forces[place].lane;
-        for (unsigned row = rows; row-- > 0;) {
-            dxBodyVector sums;
-            for (unsigned lane = 0; lane < kBodyLanes; lane += hn::Lanes(d)) {
-                auto sum = hn::Zero(d);
-                for (std::uint64_t mask = blocks.masks[place]; mask != 0;) {
-                    const unsigned line = takeLowest(mask);
-                    sum = hn::Add(sum, hn::Mul(hn::Load(d, blocks.besideOf(place, row)[line].lane + lane), hn::Load(d, limited[line].lane + lane)));
-                }
-                for (unsigned block = order.firstBlock(place); block < order.firstBlock(place + 1); ++block)
-                    sum = hn::Add(sum, hn::Mul(hn::Load(d, blocks.below[block].column[row].lane + lane),
-                                               hn::Load(d, forces[order.rowOf(block)].lane + lane)));
-                hn::Store(sum, d, sums.lane + lane);
-            }
-            double sum = -addUp(sums.lane) * blocks.inversePivots[kBodyAxes * place + row];
-            for (unsigned other = row + 1; other < rows; ++other) sum -= blocks.diagonal[place].column[row].lane[other] * force[other];
+class BackSubstitution {
+public:
+    BackSubstitution(const dxRowBlocks &blocks, const dxBodyVector *limited, dxBodyVectors &forces)
+        : m_blocks(blocks), m_limited(limited), m_forces(forces) {}
+
+    void substitute() {
+        for (unsigned place = m_blocks.order.bodyCount(); place-- > 0;) substitute(place);
+    }
+
+private:
+    HWY_INLINE void substitute(unsigned place) {
+        switch (m_blocks.sizes[place]) {
+            case 1: return findForces<1>(place);
+            case 2: return findForces<2>(place);
+            case 3: return findForces<3>(place);
+            case 4: return findForces<4>(place);
+            case 5: return findForces<5>(place);
+            default: return findForces<kBodyAxes>(place);
+        }
+    }
+
+    template <unsigned Count>
+    HWY_INLINE void findForces(unsigned place) {
+        dxBodyBlock sums;
+        addUpColumns<Count>(place, sums);
+        const dxBodyBlock &factor = m_blocks.diagonal[place];
+        double *const force = m_forces[place].lane;
+        for (unsigned row = Count; row-- > 0;) {
+            double sum = -addUp(sums.column[row].lane) * m_blocks.inversePivots[kBodyAxes * place + row];
+            for (unsigned other = row + 1; other < Count; ++other) sum -= factor.column[row].lane[other] * force[other];
             force[row] = sum;
         }
     }
+
+    // A joint's rows times the forces that are known, lane by lane.
+    template <unsigned Count>
+    HWY_INLINE void addUpColumns(unsigned place, dxBodyBlock &sums) const {
+        const BodyTag d;
+        for (unsigned lane = 0; lane < kBodyLanes; lane += hn::Lanes(d)) {
+            hn::Vec<BodyTag> sum[Count];
+            for (unsigned row = 0; row < Count; ++row) sum[row] = hn::Zero(d);
+            for (std::uint64_t mask = m_blocks.masks[place]; mask != 0;) {
+                const unsigned line = takeLowest(mask);
+                const auto known = hn::Load(d, m_limited[line].lane + lane);
+                for (unsigned row = 0; row < Count; ++row)
+                    sum[row] = hn::Add(sum[row], hn::Mul(hn::Load(d, m_blocks.besideOf(place, row)[line].lane + lane), known));
+            }
+            for (unsigned block = m_blocks.order.firstBlock(place); block < m_blocks.order.firstBlock(place + 1); ++block) {
+                const auto known = hn::Load(d, m_forces[m_blocks.order.rowOf(block)].lane + lane);
+                for (unsigned row = 0; row < Count; ++row)
+                    sum[row] = hn::Add(sum[row], hn::Mul(hn::Load(d, m_blocks.below[block].column[row].lane + lane), known));
+            }
+            for (unsigned row = 0; row < Count; ++row) hn::Store(sum[row], d, sums.column[row].lane + lane);
+        }
+    }
+
+    const dxRowBlocks &m_blocks;
+    const dxBodyVector *const m_limited;
+    dxBodyVectors &m_forces;
+};
+
+void substituteBack(const dxRowBlocks &blocks, const dxBodyVector *limited, dxBodyVectors &forces) {
+    BackSubstitution(blocks, limited, forces).substitute();
 }
 
 }  // namespace HWY_NAMESPACE

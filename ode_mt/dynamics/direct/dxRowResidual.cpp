@@ -7,9 +7,19 @@ namespace {
 
 constexpr int kPair = dxJoint::GI2__RHS_CFM_MAX;
 
+// Sums are kept apart from what is read, so that they stay in registers.
 void addForces(const dReal *rows, unsigned count, const double *forces, dxBodyVector &sum) {
-    for (unsigned row = 0; row < count; ++row, rows += kBodyAxes)
-        for (unsigned k = 0; k < kBodyAxes; ++k) sum.lane[k] += rows[k] * forces[row];
+    double a = sum.lane[0], b = sum.lane[1], c = sum.lane[2], d = sum.lane[3], e = sum.lane[4], f = sum.lane[5];
+    for (unsigned row = 0; row < count; ++row, rows += kBodyAxes) {
+        const double force = forces[row];
+        a += rows[0] * force;
+        b += rows[1] * force;
+        c += rows[2] * force;
+        d += rows[3] * force;
+        e += rows[4] * force;
+        f += rows[5] * force;
+    }
+    sum = {{a, b, c, d, e, f, 0, 0}};
 }
 
 void accelerate(const dxInverseMass &inverse, const dxBodyVector &motion, dxBodyVector &body) {
