@@ -54,6 +54,7 @@ public:
 
 private:
     static bool hasFailed(const Outcome &outcome);
+    static bool hasFailedInStep(const Outcome &outcome);
     static bool areSame(const Outcome &a, const Outcome &b);
     bool isCertain(RequestHeader request, const std::vector<std::uint8_t> &script);
     Outcome onDebian(const RequestHeader &request, const std::vector<std::uint8_t> &script);
