@@ -6,6 +6,7 @@
 #include "util.h"
 
 #include "collision/pairs/dxMissedNotifications.h"
+#include "core/dxPrefetch.h"
 #include "core/dxReserve.h"
 
 namespace {
@@ -145,9 +146,22 @@ bool dxOrderedListSpace::requireRanks() {
     return ranksStand();
 }
 
+// The geoms mostly come in the order of the last call, whose list tells what will be read. What a geom that is gone had is prefetched in
+// vain.
 void dxOrderedListSpace::gatherDirty() {
-    m_dirty.clear();
-    for (dxGeom *geom = first; geom != nullptr && isDirty(geom); geom = geom->next) m_dirty.push_back(geom);
+    std::size_t gathered = 0;
+    for (dxGeom *geom = first; geom != nullptr && isDirty(geom); geom = geom->next, ++gathered) {
+        if (gathered + kGeomPrefetchDistance < m_dirty.size()) {
+            const dxGeom *const expected = m_dirty[gathered + kGeomPrefetchDistance];
+            dxPrefetch::line(&expected->gflags);
+            dxPrefetch::line(&expected->next);
+        }
+        if (gathered < m_dirty.size())
+            m_dirty[gathered] = geom;
+        else
+            m_dirty.push_back(geom);
+    }
+    m_dirty.resize(gathered);
 }
 
 void dxOrderedListSpace::reserveMemory(Slot slots) { dxReserveCapacity(m_dirty, slots); }
