@@ -7,8 +7,8 @@
 #include "objects.h"
 #include "joints/joint.h"
 
-// Islands that have both fewer rows with limits and fewer rows in all are solved by Dantzig's algorithm, which is faster there
-// (docs/direct-solver.md has the figures): it is quick where no row may reach a limit, and its zeros are skipped, as in a chain.
+// Islands that have both fewer rows with limits and fewer rows in all may be solved by Dantzig's algorithm, with or without their rows
+// without limits: it is faster there (docs/direct-solver.md has the figures).
 constexpr unsigned kMinDirectLimitedRows = 110, kMinDirectRows = 700;
 
 // In place of upstream's dxEstimateStepMemoryRequirements, and never more than that: there is no matrix of kMinDirectRows rows

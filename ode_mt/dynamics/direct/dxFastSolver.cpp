@@ -34,18 +34,38 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr unsigned kMaxDenseRows = 3000;
 
 // With fewer rows without limits there is too little to eliminate (docs/direct-solver.md has the figures).
-constexpr unsigned kMinEliminatedRows = 16;
+constexpr unsigned kMinEliminatedRows = 40;
+
+// Of a chain there are 4, of a tree whose bodies have three joints 6.
+constexpr std::size_t kMaxBlocksPerJoint = 16;
 
 enum class Method { Dantzig, Elimination, BodySpace };
 
-// Requires rows, read.
-Method chooseMethod(const dxExactProblem &problem) {
-    if (problem.rowCount >= kMinDirectRows) return Method::BodySpace;
+unsigned countLimited(const dxExactProblem &problem) {
     unsigned limited = 0;
     for (std::size_t i = 0; i < problem.rowCount; ++i)
         limited += problem.pairsLoHi[i * kPair + dxJoint::GI2_LO] > -dInfinity || problem.pairsLoHi[i * kPair + dxJoint::GI2_HI] < dInfinity;
+    return limited;
+}
+
+// Whether joints share bodies with few others, as in a chain or a tree: those of one body have blocks with one another.
+bool isSparse(const dxExactProblem &problem) {
+    std::size_t blocks = 0;
+    for (unsigned i = 0; i < problem.bodyCount; ++i) {
+        std::size_t joints = 0;
+        for (unsigned link = problem.links.first[i]; link != dxBodyLinks::kNone; link = problem.links.after(link)) ++joints;
+        blocks += joints * joints;
+    }
+    return blocks <= kMaxBlocksPerJoint * problem.jointCount;
+}
+
+// Requires rows, read.
+Method chooseMethod(const dxExactProblem &problem) {
+    const unsigned limited = countLimited(problem);
     if (limited >= kMinDirectLimitedRows) return Method::BodySpace;
-    return problem.rowCount - limited >= kMinEliminatedRows ? Method::Elimination : Method::Dantzig;
+    const bool isLarge = problem.rowCount >= kMinDirectRows;
+    if (problem.rowCount - limited >= kMinEliminatedRows && (!isLarge || isSparse(problem))) return Method::Elimination;
+    return isLarge ? Method::BodySpace : Method::Dantzig;
 }
 
 // By Dantzig's algorithm, in memory from the pool. Returns false where there is none.
@@ -104,27 +124,28 @@ void findForces(const dxIslandStep &step, const dxExactProblem &problem) {
     if (outcome == Outcome::LeftToDantzig) message.deliver();
 }
 
-// Returns false if the problem is left to Dantzig's algorithm.
-bool eliminate(const dxIslandStep &step, const dxExactProblem &problem) {
-    bool isSolved = false;
-    try {
-        const dxPooledObject<dxReducedLcp> elimination(*eliminations);
-        isSolved = elimination->solve(step, problem);
-    } catch (const std::bad_alloc &) {  // then without
-    }
-    if (!isSolved) countFallback(problem, kInfinity);
-    return isSolved;
+bool eliminate(const dxIslandStep &step, const dxExactProblem &problem) try {
+    const dxPooledObject<dxReducedLcp> elimination(*eliminations);
+    return elimination->solve(step, problem);
+} catch (const std::bad_alloc &) {
+    return false;
+}
+
+// The step's arena has no room for the matrix of a large problem.
+void solveByElimination(const dxIslandStep &step, const dxExactProblem &problem) {
+    if (eliminate(step, problem)) return;
+    if (problem.rowCount >= kMinDirectRows) return findForces(step, problem);
+    countFallback(problem, kInfinity);
+    dxDantzigSolver().solve(step, problem);
 }
 
 }  // namespace
 
 void dxFastSolver::solve(const dxIslandStep &step, const dxExactProblem &problem) {
     const Method method = chooseMethod(problem);
-    if (method != Method::Dantzig) dxStepStatistics::instance().directIslands.fetch_add(1, std::memory_order_relaxed);
-    if (method == Method::BodySpace)
-        findForces(step, problem);
-    else if (method == Method::Dantzig || !eliminate(step, problem))
-        dxDantzigSolver().solve(step, problem);
+    if (method == Method::Dantzig) return dxDantzigSolver().solve(step, problem);
+    dxStepStatistics::instance().directIslands.fetch_add(1, std::memory_order_relaxed);
+    method == Method::BodySpace ? findForces(step, problem) : solveByElimination(step, problem);
 }
 
 void dxFastSolver::release() {
