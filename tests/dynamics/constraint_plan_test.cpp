@@ -1,5 +1,5 @@
-// The plan of a group's constraints: each joint is in one place, edges of one colour share no moving body, bodies with many edges have some left
-// over. And its sweeps: each chunk once a sweep, phases one after the other, whatever threads take part.
+// The plan of a group's constraints: each joint is in one place, edges of one colour share no moving body, bodies with many edges
+// have some left over. And its sweeps: each chunk once a sweep, phases one after the other, whatever threads take part.
 #include <gtest/gtest.h>
 
 #include <ode/ode.h>
@@ -61,7 +61,8 @@ protected:
     ~ConstraintPlan() override { dCloseODE(); }
 
     // By pack: the manifolds in its lanes. Fails where two share a lane, or a joint is in two places or none.
-    static std::vector<std::vector<const dxConstraintPlan::Manifold *>> packsOf(const dxConstraintPlan &plan, const Group &group, std::size_t packs) {
+    static std::vector<std::vector<const dxConstraintPlan::Manifold *>> packsOf(const dxConstraintPlan &plan, const Group &group,
+                                                                                std::size_t packs) {
         std::vector<unsigned> times(group.island().jointCount, 0);
         std::vector<std::vector<const dxConstraintPlan::Manifold *>> all(packs);
         std::set<std::pair<unsigned, unsigned>> lanes;
@@ -199,7 +200,8 @@ TEST_F(ConstraintPlan, IsSweptOnceASweepByAnyNumberOfThreads) {
     plan.make(group.island());
     std::vector<unsigned> phaseOf(plan.chunks().size());
     for (unsigned phase = 0; phase < plan.phases().size(); ++phase)
-        for (unsigned chunk = plan.phases()[phase].firstChunk; chunk < plan.phases()[phase].endChunk; ++chunk) phaseOf[chunk] = phase;
+        for (unsigned chunk = plan.phases()[phase].firstChunk; chunk < plan.phases()[phase].endChunk; ++chunk)
+            phaseOf[chunk] = phase;
 
     constexpr unsigned kMost = 12, kEnd = 7;
     std::vector<double> expected;

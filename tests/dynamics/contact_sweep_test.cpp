@@ -1,5 +1,5 @@
-// The kernels over packs of contacts, on every instruction set: impulses that are swept long enough solve the contact's conditions, velocities
-// are those that the impulses give, and the bits do not depend on the width of vectors.
+// The kernels over packs of contacts, on every instruction set: impulses that are swept long enough solve the contact's
+// conditions, velocities are those that the impulses give, and the bits do not depend on the width of vectors.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,8 +20,8 @@ Vector cross(const Vector &a, const Vector &b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// One pack of eight manifolds, each between two bodies of its own, or one and the static environment. Lane 7 is empty, lane 6 has one contact
-// less than the others.
+// One pack of eight manifolds, each between two bodies of its own, or one and the static environment. Lane 7 is empty, lane 6 has
+// one contact less than the others.
 class Pack {
 public:
     static constexpr unsigned kBodies = 16, kContacts = 3;
@@ -52,7 +52,8 @@ public:
             const int body = m_packs[0].source[side][lane];
             const dReal *const u = velocities[static_cast<std::size_t>(body)].columns;
             const Vector v = {u[0], u[1], u[2]}, w = {u[3], u[4], u[5]};
-            const Vector direction = vectorOf(m_contacts[contact].direction[row], lane), arm = vectorOf(m_contacts[contact].arm[side], lane);
+            const Vector direction = vectorOf(m_contacts[contact].direction[row], lane),
+                         arm = vectorOf(m_contacts[contact].arm[side], lane);
             sum += (side == 0 ? 1 : -1) * (dot(direction, v) + dot(cross(arm, direction), w));
         }
         return sum;
@@ -71,7 +72,9 @@ public:
 private:
     double number() { return std::uniform_real_distribution<double>(-1, 1)(m_random); }
 
-    static Vector vectorOf(const dxLaneNumbers *numbers, unsigned lane) { return {numbers[0].lane[lane], numbers[1].lane[lane], numbers[2].lane[lane]}; }
+    static Vector vectorOf(const dxLaneNumbers *numbers, unsigned lane) {
+        return {numbers[0].lane[lane], numbers[1].lane[lane], numbers[2].lane[lane]};
+    }
 
     void fillLane(unsigned lane) {
         dxContactPack &pack = m_packs[0];
@@ -84,7 +87,8 @@ private:
             if (lane == 4 && side == 1) continue;  // moves on its own
             pack.target[side][lane] = body;
             pack.inverseMass[side].lane[lane] = 1 + number() / 2;
-            const double inertia[6] = {2 + number() / 2, number() / 4, number() / 4, 2 + number() / 2, number() / 4, 2 + number() / 2};
+            const double inertia[6] = {2 + number() / 2, number() / 4, number() / 4,
+                                       2 + number() / 2, number() / 4, 2 + number() / 2};
             for (int i = 0; i < 6; ++i) pack.inverseInertia[side][i].lane[lane] = inertia[i];
         }
         for (unsigned i = 0; i < kContacts; ++i)
@@ -113,12 +117,14 @@ private:
         const int target = pack.target[side][lane];
         if (target == dxContactPack::kNoBody) return;
         const double impulse = (side == 0 ? 1 : -1) * contact.impulse[row].lane[lane];
-        const Vector direction = vectorOf(contact.direction[row], lane), axis = cross(vectorOf(contact.arm[side], lane), direction);
+        const Vector direction = vectorOf(contact.direction[row], lane),
+                     axis = cross(vectorOf(contact.arm[side], lane), direction);
         constexpr int kElement[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
         for (std::size_t i = 0; i < 3; ++i) {
             all[static_cast<std::size_t>(target)].columns[i] += pack.inverseMass[side].lane[lane] * direction[i] * impulse;
             for (std::size_t k = 0; k < 3; ++k)
-                all[static_cast<std::size_t>(target)].columns[3 + i] += pack.inverseInertia[side][kElement[i][k]].lane[lane] * axis[k] * impulse;
+                all[static_cast<std::size_t>(target)].columns[3 + i] +=
+                    pack.inverseInertia[side][kElement[i][k]].lane[lane] * axis[k] * impulse;
         }
     }
 
@@ -144,7 +150,8 @@ TEST(ContactSweep, PreparesThreeDirectionsAtRightAngles) {
                     for (unsigned b = 0; b < 3; ++b) {
                         double product = 0;
                         for (int axis = 0; axis < 3; ++axis)
-                            product += pack.contact(i).direction[a][axis].lane[lane] * pack.contact(i).direction[b][axis].lane[lane];
+                            product +=
+                                pack.contact(i).direction[a][axis].lane[lane] * pack.contact(i).direction[b][axis].lane[lane];
                         EXPECT_NEAR(product, a == b ? 1 : 0, 1e-12);
                     }
             }
@@ -175,7 +182,8 @@ TEST(ContactSweep, FindsForcesThatSolveTheConditions) {
                     const dxContactLanes &contact = pack.contact(i);
                     for (unsigned row = 0; row < 3; ++row) {
                         const double impulse = contact.impulse[row].lane[lane];
-                        const double missing = contact.wanted[row].lane[lane] - pack.velocityAlong(pack.velocities(), lane, i, row) -
+                        const double missing = contact.wanted[row].lane[lane] -
+                                               pack.velocityAlong(pack.velocities(), lane, i, row) -
                                                contact.softness[row].lane[lane] * impulse;
                         const double high = row == 0 ? 1e300
                                                      : contact.friction[row - 1].lane[lane] * contact.impulse[0].lane[lane] +
@@ -213,7 +221,8 @@ TEST(ContactSweep, LeavesBodiesAloneThatDoNotMove) {
         pack.prepare();
         for (int i = 0; i < 5; ++i) pack.sweep();
         for (const unsigned body : {9u, 11u, 14u, 15u, 16u})
-            EXPECT_TRUE(std::equal(pack.velocities()[body].columns, pack.velocities()[body].columns + 6, same.velocities()[body].columns));
+            EXPECT_TRUE(std::equal(pack.velocities()[body].columns, pack.velocities()[body].columns + 6,
+                                   same.velocities()[body].columns));
     });
 }
 
@@ -226,7 +235,8 @@ TEST(ContactSweep, HasTheSameBitsOnEveryInstructionSet) {
             numbers.push_back(pack.prepare());
             pack.apply();
             for (int i = 0; i < 7; ++i) numbers.push_back(pack.sweep(dReal(1.3)));
-            for (const dxVelocity &velocity : pack.velocities()) numbers.insert(numbers.end(), velocity.columns, velocity.columns + 6);
+            for (const dxVelocity &velocity : pack.velocities())
+                numbers.insert(numbers.end(), velocity.columns, velocity.columns + 6);
         }
         if (first.empty()) first = numbers;
         EXPECT_EQ(numbers, first);

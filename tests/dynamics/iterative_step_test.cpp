@@ -1,6 +1,6 @@
-// dWorldQuickStep of worlds whose solver is "fast": the same bits for every number of threads and instruction set, and for a world made
-// anew from a saved state; forces of the last step found again; what is not solved so is left to upstream. How good its results are is
-// judged in tests/quality.
+// dWorldQuickStep of worlds whose solver is "fast": the same bits for every number of threads and instruction set, and for a
+// world made anew from a saved state; forces of the last step found again; what is not solved so is left to upstream. How good
+// its results are is judged in tests/quality.
 #include <gtest/gtest.h>
 
 #include <ode/ode.h>
@@ -32,12 +32,15 @@ protected:
 // Boxes that fall into a heap, stacks beside it, and a wheel on a hinge with a motor.
 class Yard {
 public:
-    explicit Yard(const char *solver, bool isWarm = true) : m_world(dWorldCreate()), m_space(dHashSpaceCreate(nullptr)), m_contacts(dJointGroupCreate(0)) {
+    explicit Yard(const char *solver, bool isWarm = true)
+        : m_world(dWorldCreate()), m_space(dHashSpaceCreate(nullptr)), m_contacts(dJointGroupCreate(0)) {
         dODE_MT_SetSolver(m_world, solver);
         dODE_MT_SetWarmStart(m_world, isWarm);
         dWorldSetGravity(m_world, 0, 0, -10);
         dCreatePlane(m_space, 0, 0, 1, 0);
-        for (int i = 0; i < 450; ++i) addBox(dReal(i % 5) + dReal(0.1) * dReal(i % 3), dReal(i / 5 % 5) + dReal(0.07) * dReal(i % 4), dReal(0.6) + dReal(1.05) * dReal(i / 25));
+        for (int i = 0; i < 450; ++i)
+            addBox(dReal(i % 5) + dReal(0.1) * dReal(i % 3), dReal(i / 5 % 5) + dReal(0.07) * dReal(i % 4),
+                   dReal(0.6) + dReal(1.05) * dReal(i / 25));
         for (int i = 0; i < 200; ++i) addBox(3 * dReal(i / 5), -500, dReal(0.5) + dReal(i % 5));
         addWheel();
     }
@@ -77,9 +80,11 @@ public:
         dSpaceClean(other.m_space);
         for (std::size_t i = 0; i < m_bodies.size(); ++i) {
             const dBodyID from = m_bodies[i], to = other.m_bodies[i];
-            const dReal *const at = dBodyGetPosition(from), *const moves = dBodyGetLinearVel(from), *const turns = dBodyGetAngularVel(from);
+            const dReal *const at = dBodyGetPosition(from), *const moves = dBodyGetLinearVel(from),
+                               *const turns = dBodyGetAngularVel(from);
             dBodySetPosition(to, at[0], at[1], at[2]);
-            std::memcpy(const_cast<dReal *>(dBodyGetQuaternion(to)), dBodyGetQuaternion(from), 4 * sizeof(dReal));  // unlike dBodySetQuaternion, not normalised anew
+            std::memcpy(const_cast<dReal *>(dBodyGetQuaternion(to)), dBodyGetQuaternion(from),
+                        4 * sizeof(dReal));  // unlike dBodySetQuaternion, not normalised anew
             std::memcpy(const_cast<dReal *>(dBodyGetRotation(to)), dBodyGetRotation(from), 12 * sizeof(dReal));
             dBodySetLinearVel(to, moves[0], moves[1], moves[2]);
             dBodySetAngularVel(to, turns[0], turns[1], turns[2]);
@@ -100,7 +105,10 @@ public:
 
 private:
     static std::array<std::pair<const dReal *, int>, 4> fieldsOf(dBodyID body) {
-        return {{{dBodyGetPosition(body), 3}, {dBodyGetQuaternion(body), 4}, {dBodyGetLinearVel(body), 3}, {dBodyGetAngularVel(body), 3}}};
+        return {{{dBodyGetPosition(body), 3},
+                 {dBodyGetQuaternion(body), 4},
+                 {dBodyGetLinearVel(body), 3},
+                 {dBodyGetAngularVel(body), 3}}};
     }
 
     void addBox(dReal x, dReal y, dReal z) {
@@ -190,7 +198,8 @@ TEST_F(IterativeStep, HasTheSameBitsOnEveryInstructionSet) {
         });
 }
 
-// With forces of the last step, a world at rest is nearly solved before the first sweep; without, it is the same for a world made anew.
+// With forces of the last step, a world at rest is nearly solved before the first sweep; without, it is the same for a world made
+// anew.
 TEST_F(IterativeStep, GoesOnWithTheSameBitsFromASavedStateWithoutWarmStart) {
     for (const bool isWarm : {false, true}) {
         Yard yard("fast", isWarm), copy("fast", isWarm);
@@ -237,7 +246,7 @@ TEST_F(IterativeStep, KnowsBodiesApartThatHaveOneAddress) {
         dJointGroupDestroy(group);
         dWorldDestroy(world);
     }
-    EXPECT_NEAR(speeds[1], -0.1, 1e-6);          // nothing holds it
+    EXPECT_NEAR(speeds[1], -0.1, 1e-6);               // nothing holds it
     EXPECT_GT(speeds[0], dReal(-0.1) + dReal(0.05));  // the last step's force does
 }
 
@@ -252,7 +261,8 @@ TEST_F(IterativeStep, LetsStacksStand) {
     Yard yard("fast");
     yard.step(300);
     EXPECT_LT(yard.energyOfStacks(), 200 * 2e-3);
-    for (int i = 0; i < 200; ++i) EXPECT_NEAR(dBodyGetPosition(yard.body(450 + static_cast<std::size_t>(i)))[2], 0.5 + i % 5, 0.02);
+    for (int i = 0; i < 200; ++i)
+        EXPECT_NEAR(dBodyGetPosition(yard.body(450 + static_cast<std::size_t>(i)))[2], 0.5 + i % 5, 0.02);
 }
 
 // A moved-callback attaches a joint to a body that is still to be stepped.
@@ -268,7 +278,8 @@ TEST_F(IterativeStep, StepsIslandsThatChangeDuringTheStep) {
     });
     yard.step(5);
     for (int i = 0; i < 650; ++i)
-        for (int axis = 0; axis < 3; ++axis) EXPECT_TRUE(std::isfinite(dBodyGetPosition(yard.body(static_cast<std::size_t>(i)))[axis]));
+        for (int axis = 0; axis < 3; ++axis)
+            EXPECT_TRUE(std::isfinite(dBodyGetPosition(yard.body(static_cast<std::size_t>(i)))[axis]));
 }
 
 // Memory that a step leaves by a jump is there for the next one.

@@ -57,11 +57,14 @@ HWY_INLINE Motion loadEight(const dReal *const *rows) {
 HWY_INLINE void storeEight(const Motion &motion, dReal *const *rows) {
     const LaneTag d;
     const Lane none = hn::Zero(d);
-    const Lane evenLow0 = hn::ConcatLowerLower(d, motion.w[1], motion.v[0]), evenLow1 = hn::ConcatUpperUpper(d, motion.w[1], motion.v[0]);
-    const Lane evenHigh0 = hn::ConcatLowerLower(d, motion.w[2], motion.v[1]), evenHigh1 = hn::ConcatUpperUpper(d, motion.w[2], motion.v[1]);
+    const Lane evenLow0 = hn::ConcatLowerLower(d, motion.w[1], motion.v[0]),
+               evenLow1 = hn::ConcatUpperUpper(d, motion.w[1], motion.v[0]);
+    const Lane evenHigh0 = hn::ConcatLowerLower(d, motion.w[2], motion.v[1]),
+               evenHigh1 = hn::ConcatUpperUpper(d, motion.w[2], motion.v[1]);
     const Lane oddLow0 = hn::ConcatLowerLower(d, none, motion.v[2]), oddLow1 = hn::ConcatUpperUpper(d, none, motion.v[2]);
     const Lane oddHigh0 = hn::ConcatLowerLower(d, none, motion.w[0]), oddHigh1 = hn::ConcatUpperUpper(d, none, motion.w[0]);
-    const Lane low[4] = {evenBlocks(evenLow0, oddLow0), oddBlocks(evenLow0, oddLow0), evenBlocks(evenLow1, oddLow1), oddBlocks(evenLow1, oddLow1)};
+    const Lane low[4] = {evenBlocks(evenLow0, oddLow0), oddBlocks(evenLow0, oddLow0), evenBlocks(evenLow1, oddLow1),
+                         oddBlocks(evenLow1, oddLow1)};
     const Lane high[4] = {evenBlocks(evenHigh0, oddHigh0), oddBlocks(evenHigh0, oddHigh0), evenBlocks(evenHigh1, oddHigh1),
                           oddBlocks(evenHigh1, oddHigh1)};
     for (unsigned i = 0; i < 4; ++i) {

@@ -1,8 +1,9 @@
 // Sweeps over the phases of a plan, on one thread or on an island's workers, with the same results.
 //
-// Phases follow one another; the chunks of a phase may be taken in any order by any thread. Workers begin with their own share of a phase's
-// chunks, the same in each sweep, so that what they read lies in their caches, and then help others. Who ends the last chunk opens the next
-// phase. A worker waits only for chunks that running threads hold, so any number of them finishes, one included.
+// Phases follow one another; the chunks of a phase may be taken in any order by any thread. Workers begin with their own share of
+// a phase's chunks, the same in each sweep, so that what they read lies in their caches, and then help others. Who ends the last
+// chunk opens the next phase. A worker waits only for chunks that running threads hold, so any number of them finishes, one
+// included.
 #pragma once
 
 #include <atomic>
@@ -20,8 +21,8 @@ public:
     // At most so many sweeps; Throws std::bad_alloc.
     void begin(const dxConstraintPlan &plan, unsigned most);
 
-    // Calls solve(chunk, sweep) for all chunks in sweeps 0, 1, ...; it returns an energy. After each sweep isLast(sweep, sum of the energies) is
-    // asked once. Returns the number of sweeps.
+    // Calls solve(chunk, sweep) for all chunks in sweeps 0, 1, ...; it returns an energy. After each sweep isLast(sweep, sum of
+    // the energies) is asked once. Returns the number of sweeps.
     template <class Solve, class IsLast>
     unsigned run(dxTaskRunner &runner, const Solve &solve, const IsLast &isLast) {
         const unsigned workers = runner.workers();
@@ -98,7 +99,7 @@ private:
 
     const dxConstraintPlan::Phase *m_phases = nullptr;
     unsigned m_chunkCount = 0, m_phaseCount = 0, m_most = 0;
-    std::vector<double> m_energies;                   // by chunk
+    std::vector<double> m_energies;                     // by chunk
     std::unique_ptr<std::atomic<unsigned>[]> m_claims;  // by chunk: sweeps in which it was taken
     unsigned m_claimCount = 0;
     alignas(64) std::atomic<unsigned> m_position{0};  // phases that have been solved, in all sweeps

@@ -63,18 +63,22 @@ void dxConstraintPlan::findManifolds(const dxIsland &group) {
                     continue;
                 }
             }
-            m_manifolds.push_back({static_cast<unsigned>(i), 1, static_cast<std::uint8_t>(colorOf(body)), 0, false, 0, {body[0], body[1]}});
+            m_manifolds.push_back(
+                {static_cast<unsigned>(i), 1, static_cast<std::uint8_t>(colorOf(body)), 0, false, 0, {body[0], body[1]}});
         }
     };
     if (group.bodyCount < dxIslandPrefetch::kMinBodies) return read(0, group.jointCount);
-    dxIslandPrefetch::forChunks(0, group.jointCount, group.jointCount, [&group](std::size_t i) { dxIslandPrefetch::joint(group.joints[i]); }, read);
+    dxIslandPrefetch::forChunks(
+        0, group.jointCount, group.jointCount, [&group](std::size_t i) { dxIslandPrefetch::joint(group.joints[i]); }, read);
 }
 
 // By colour, those with many contacts first, so that packs have little to fill up.
 void dxConstraintPlan::placeManifolds() {
     constexpr unsigned kMost = dxContactPack::kMaxContacts;
     unsigned place[(kColors + 1) * kMost] = {};
-    const auto placeOf = [&place](const Manifold &manifold) -> unsigned & { return place[manifold.color * kMost + (kMost - manifold.contactCount)]; };
+    const auto placeOf = [&place](const Manifold &manifold) -> unsigned & {
+        return place[manifold.color * kMost + (kMost - manifold.contactCount)];
+    };
     for (const Manifold &manifold : m_manifolds) ++placeOf(manifold);
     unsigned packs = 0;
     for (unsigned color = 0; color <= kColors; ++color) {
@@ -130,11 +134,13 @@ void dxConstraintPlan::cutChunks() {
     }
     for (unsigned color = 0; color <= kColors; ++color) {
         const unsigned firstChunk = static_cast<unsigned>(m_chunks.size());
-        const unsigned pack = m_firstPack[color], endPack = m_firstPack[color + 1], other = m_firstOther[color], endOther = m_firstOther[color + 1];
+        const unsigned pack = m_firstPack[color], endPack = m_firstPack[color + 1], other = m_firstOther[color],
+                       endOther = m_firstOther[color + 1];
         if (color == kLeftOver) {
             if (pack != endPack || other != endOther) m_chunks.push_back({pack, endPack, other, endOther});
         } else {
-            for (unsigned i = pack; i < endPack; i += kPacksPerChunk) m_chunks.push_back({i, std::min(i + kPacksPerChunk, endPack), other, other});
+            for (unsigned i = pack; i < endPack; i += kPacksPerChunk)
+                m_chunks.push_back({i, std::min(i + kPacksPerChunk, endPack), other, other});
             for (unsigned i = other; i < endOther; i += kOthersPerChunk)
                 m_chunks.push_back({endPack, endPack, i, std::min(i + kOthersPerChunk, endOther)});
         }

@@ -1,9 +1,10 @@
-// How the constraints of a group of islands are solved in parallel: which contacts are a manifold, and which manifolds and joints may be
-// solved at the same time (graph colouring).
+// How the constraints of a group of islands are solved in parallel: which contacts are a manifold, and which manifolds and joints
+// may be solved at the same time (graph colouring).
 //
-// Manifolds and joints are edges between bodies. Edges of one colour share no moving body, so that they may be solved in any order,
-// by lanes of a vector or by threads; colours are solved one after the other. Each edge takes the first colour that is free on both of its
-// bodies. Bodies with more edges than there are colours have some left over, which are solved one by one at the end of a sweep.
+// Manifolds and joints are edges between bodies. Edges of one colour share no moving body, so that they may be solved in any
+// order, by lanes of a vector or by threads; colours are solved one after the other. Each edge takes the first colour that is
+// free on both of its bodies. Bodies with more edges than there are colours have some left over, which are solved one by one at
+// the end of a sweep.
 //
 // Source of the method: Saad, "Iterative Methods for Sparse Linear Systems", 12.4 (multicolour orderings).
 #pragma once

@@ -1,12 +1,12 @@
 // The contact forces of a world's last step, from which the next one starts (warm start).
 //
-// Contacts have no identity: a program makes them anew for every step. A contact gets the force of one of the last step's between the
-// same two bodies, the nearest one whose normal is alike. "Near" is meant in arms, from the centre of one of the bodies in the world's
-// axes, since these stay the same while a sphere rolls or a stack is carried along.
+// Contacts have no identity: a program makes them anew for every step. A contact gets the force of one of the last step's between
+// the same two bodies, the nearest one whose normal is alike. "Near" is meant in arms, from the centre of one of the bodies in
+// the world's axes, since these stay the same while a sphere rolls or a stack is carried along.
 //
-// Bodies are recognised without addresses, which may be another body's by now: bits of dxBody::flags that upstream does not use hold a body's
-// number in the last step, and a new body has none. That number leads to the contacts that the body then owned; of two bodies the one with the
-// fewer contacts owns those between them, so that a hub with thousands of them has a short list.
+// Bodies are recognised without addresses, which may be another body's by now: bits of dxBody::flags that upstream does not use
+// hold a body's number in the last step, and a new body has none. That number leads to the contacts that the body then owned; of
+// two bodies the one with the fewer contacts owns those between them, so that a hub with thousands of them has a short list.
 //
 // Threading: begin() before a step, on its thread; groups of a step may be read and written at the same time.
 #pragma once
@@ -27,7 +27,7 @@ public:
     struct Manifold {
         unsigned other;  // a body's number; kNone
         unsigned firstContact, contactCount;
-        unsigned next;   // of the owner; kNone
+        unsigned next;  // of the owner; kNone
     };
 
     static constexpr unsigned kNone = ~0u;
@@ -50,7 +50,8 @@ public:
     unsigned firstBody(const dxIsland &group) const { return static_cast<unsigned>(group.bodies - m_bodies); }
     unsigned firstJoint(const dxIsland &group) const { return static_cast<unsigned>(group.joints - m_joints); }
 
-    // Keeps a manifold of this step; `number` is its own, at most that of its first joint. Returns whether the first body owns it.
+    // Keeps a manifold of this step; `number` is its own, at most that of its first joint. Returns whether the first body owns
+    // it.
     bool keep(unsigned number, unsigned first, unsigned second, unsigned firstContact, unsigned contactCount);
     Contact *contacts(unsigned firstContact) { return m_now.contacts.data() + firstContact; }
 

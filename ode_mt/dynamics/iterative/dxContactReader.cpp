@@ -61,7 +61,8 @@ void readFriction(dReal coefficient, bool isOfNormal, dReal stepSize, unsigned t
 // The impulse along an axis of the world.
 dReal impulseAlong(const dxContactLanes &contact, int axis, unsigned lane) {
     dReal sum = 0;
-    for (unsigned row = 0; row < dxContactLanes::kRows; ++row) sum += contact.direction[row][axis].lane[lane] * contact.impulse[row].lane[lane];
+    for (unsigned row = 0; row < dxContactLanes::kRows; ++row)
+        sum += contact.direction[row][axis].lane[lane] * contact.impulse[row].lane[lane];
     return sum;
 }
 
@@ -71,7 +72,8 @@ dxContactReader::dxContactReader(const dxIslandStep &step, const dxIslandBody *b
     : m_step(step), m_bodies(bodies), m_forces(step.iterativeWorld->forces()) {}
 
 unsigned dxContactReader::numberOf(int tag) const {
-    return tag == dxConstraintPlan::kNoBody ? dxContactForces::kNone : m_forces.firstBody(m_step.island) + static_cast<unsigned>(tag);
+    return tag == dxConstraintPlan::kNoBody ? dxContactForces::kNone
+                                            : m_forces.firstBody(m_step.island) + static_cast<unsigned>(tag);
 }
 
 // Joints of the manifolds that come next.
@@ -143,7 +145,8 @@ void dxContactReader::readContact(dxContactLanes &contact, unsigned lane, const 
 }
 
 // Each contact of the last step is used once: by the contact that is nearest to it of those that have none yet.
-void dxContactReader::startWarm(const dxContactPacks &contacts, const dxContactPack &pack, unsigned lane, const Manifold &manifold) const {
+void dxContactReader::startWarm(const dxContactPacks &contacts, const dxContactPack &pack, unsigned lane,
+                                const Manifold &manifold) const {
     struct Candidate {
         const dxContactForces::Contact *contact;
         bool firstOwns;
@@ -151,10 +154,12 @@ void dxContactReader::startWarm(const dxContactPacks &contacts, const dxContactP
     constexpr unsigned kMaxCandidates = 32;
     Candidate candidates[kMaxCandidates];
     unsigned count = 0;
-    m_forces.forLast(numberOf(manifold.body[0]), numberOf(manifold.body[1]), [&](const dxContactForces::Manifold &last, bool firstOwns) {
-        const dxContactForces::Contact *const own = m_forces.lastContacts(last);
-        for (unsigned i = 0; i < last.contactCount && count < kMaxCandidates; ++i) candidates[count++] = {own + i, firstOwns};
-    });
+    m_forces.forLast(numberOf(manifold.body[0]), numberOf(manifold.body[1]),
+                     [&](const dxContactForces::Manifold &last, bool firstOwns) {
+                         const dxContactForces::Contact *const own = m_forces.lastContacts(last);
+                         for (unsigned i = 0; i < last.contactCount && count < kMaxCandidates; ++i)
+                             candidates[count++] = {own + i, firstOwns};
+                     });
     for (unsigned k = 0; k < manifold.contactCount && count != 0; ++k) {
         dxContactLanes &contact = contacts.contacts[pack.firstContact + k];
         unsigned best = count;
@@ -187,7 +192,8 @@ void dxContactReader::list(std::vector<Manifold> &manifolds) const {
     const unsigned firstJoint = m_forces.firstJoint(m_step.island);
     for (Manifold &manifold : manifolds) {
         const unsigned firstContact = firstJoint + manifold.firstJoint;
-        manifold.firstOwns = m_forces.keep(firstContact, numberOf(manifold.body[0]), numberOf(manifold.body[1]), firstContact, manifold.contactCount);
+        manifold.firstOwns = m_forces.keep(firstContact, numberOf(manifold.body[0]), numberOf(manifold.body[1]), firstContact,
+                                           manifold.contactCount);
     }
 }
 

@@ -1,5 +1,6 @@
-// Contact joints as lanes: writes what upstream's dxJointContact::getInfo2 says of a contact, so far as it is not the same for all rows,
-// into packs; dxPrepareContacts makes the rest from it, a lane for each contact. Afterwards it reads answers from there.
+// Contact joints as lanes: writes what upstream's dxJointContact::getInfo2 says of a contact, so far as it is not the same for
+// all rows, into packs; dxPrepareContacts makes the rest from it, a lane for each contact. Afterwards it reads answers from
+// there.
 //
 // Equations are upstream's: erp, cfm, depth, layers, bounce, slip, motion, friction pyramids by force or by the normal's force.
 //
@@ -33,7 +34,8 @@ private:
     void prefetch(const dxConstraintPlan::Manifold *manifold) const;
     void readBodies(dxContactPack &pack, unsigned lane, const dxConstraintPlan::Manifold &manifold) const;
     void readContact(dxContactLanes &contact, unsigned lane, const dxJoint &joint) const;
-    void startWarm(const dxContactPacks &contacts, const dxContactPack &pack, unsigned lane, const dxConstraintPlan::Manifold &manifold) const;
+    void startWarm(const dxContactPacks &contacts, const dxContactPack &pack, unsigned lane,
+                   const dxConstraintPlan::Manifold &manifold) const;
 
     const dxIslandStep &m_step;
     const dxIslandBody *const m_bodies;

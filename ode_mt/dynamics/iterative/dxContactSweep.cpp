@@ -14,7 +14,9 @@ namespace dxIterative {
 namespace HWY_NAMESPACE {
 
 HWY_INLINE Lane loadLanes(const dxLaneNumbers &numbers, unsigned first) { return hn::Load(LaneTag(), numbers.lane + first); }
-HWY_INLINE void storeLanes(Lane lanes, dxLaneNumbers &numbers, unsigned first) { hn::Store(lanes, LaneTag(), numbers.lane + first); }
+HWY_INLINE void storeLanes(Lane lanes, dxLaneNumbers &numbers, unsigned first) {
+    hn::Store(lanes, LaneTag(), numbers.lane + first);
+}
 
 struct Vector {
     Lane x, y, z;
@@ -30,10 +32,14 @@ HWY_INLINE void storeVector(const Vector &vector, dxLaneNumbers *numbers, unsign
     storeLanes(vector.z, numbers[2], first);
 }
 
-HWY_INLINE Lane dot(const Vector &a, const Vector &b) { return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z)); }
+HWY_INLINE Lane dot(const Vector &a, const Vector &b) {
+    return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
 HWY_INLINE Vector add(const Vector &a, const Vector &b) { return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)}; }
 HWY_INLINE Vector subtract(const Vector &a, const Vector &b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
-HWY_INLINE Vector scale(const Vector &a, Lane factor) { return {hn::Mul(a.x, factor), hn::Mul(a.y, factor), hn::Mul(a.z, factor)}; }
+HWY_INLINE Vector scale(const Vector &a, Lane factor) {
+    return {hn::Mul(a.x, factor), hn::Mul(a.y, factor), hn::Mul(a.z, factor)};
+}
 
 // A NaN stays one, on every instruction set.
 HWY_INLINE Lane atLeast(Lane low, Lane a) { return hn::IfThenElse(hn::Lt(a, low), low, a); }
@@ -50,8 +56,13 @@ struct Masses {
 
     static HWY_INLINE Masses load(const dxContactPack &pack, unsigned side, unsigned first) {
         const dxLaneNumbers *const inertia = pack.inverseInertia[side];
-        return {loadLanes(pack.inverseMass[side], first), loadLanes(inertia[0], first), loadLanes(inertia[1], first), loadLanes(inertia[2], first),
-                loadLanes(inertia[3], first), loadLanes(inertia[4], first), loadLanes(inertia[5], first)};
+        return {loadLanes(pack.inverseMass[side], first),
+                loadLanes(inertia[0], first),
+                loadLanes(inertia[1], first),
+                loadLanes(inertia[2], first),
+                loadLanes(inertia[3], first),
+                loadLanes(inertia[4], first),
+                loadLanes(inertia[5], first)};
     }
 
     HWY_INLINE Vector turn(const Vector &a) const {
@@ -73,7 +84,8 @@ struct Bodies {
     }
 
     // Bodies that do not move are written elsewhere.
-    HWY_INLINE void store(const dxContactPack &pack, unsigned side, unsigned first, dxVelocity *velocities, dxVelocity &elsewhere) const {
+    HWY_INLINE void store(const dxContactPack &pack, unsigned side, unsigned first, dxVelocity *velocities,
+                          dxVelocity &elsewhere) const {
         dReal *rows[kLanes];
         for (unsigned i = 0; i < kLanes; ++i) {
             const int target = pack.target[side][first + i];
@@ -109,20 +121,28 @@ struct Energy {
     }
 };
 
-// Two directions that are normal to one of length 1, as upstream's dPlaneSpace chooses the first one: horizontal, unless the normal
-// is nearly so.
+// 0 for 0, without a division by it: a program may trap that.
+HWY_INLINE Lane inverseOf(Lane a) {
+    const Lane one = hn::Set(LaneTag(), dReal(1)), none = hn::Zero(LaneTag());
+    const auto isNone = hn::Eq(a, none);
+    return hn::IfThenElse(isNone, none, hn::Div(one, hn::IfThenElse(isNone, one, a)));
+}
+
+// Two directions that are normal to one of length 1, as upstream's dPlaneSpace chooses the first one: horizontal, unless the
+// normal is nearly so.
 HWY_INLINE Vector tangentOf(const Vector &normal) {
     const LaneTag d;
-    const Lane one = hn::Set(d, dReal(1)), none = hn::Zero(d);
+    const Lane none = hn::Zero(d);
     const auto isSteep = hn::Gt(hn::Abs(normal.z), hn::Set(d, dReal(0.70710678118654752440)));
     const Lane a = hn::IfThenElse(isSteep, normal.y, normal.x), b = hn::IfThenElse(isSteep, normal.z, normal.y);
     const Lane square = hn::Add(hn::Mul(a, a), hn::Mul(b, b));
-    const Lane inverse = hn::IfThenElse(hn::Eq(square, none), none, hn::Div(one, hn::Sqrt(square)));
+    const Lane inverse = inverseOf(hn::Sqrt(square));
     const Lane first = hn::Mul(hn::Neg(b), inverse), second = hn::Mul(a, inverse);
     return {hn::IfThenElse(isSteep, none, first), hn::IfThenElse(isSteep, first, second), hn::IfThenElse(isSteep, second, none)};
 }
 
-HWY_INLINE Lane prepareContact(const dxContactPack &pack, dxContactLanes &contact, unsigned first, const Bodies &body1, const Bodies &body2) {
+HWY_INLINE Lane prepareContact(const dxContactPack &pack, dxContactLanes &contact, unsigned first, const Bodies &body1,
+                               const Bodies &body2) {
     const LaneTag d;
     const Lane none = hn::Zero(d);
     const Masses masses1 = Masses::load(pack, 0, first), masses2 = Masses::load(pack, 1, first);
@@ -144,15 +164,15 @@ HWY_INLINE Lane prepareContact(const dxContactPack &pack, dxContactLanes &contac
     }
     const Lane inverseMass = hn::Add(masses1.inverse, masses2.inverse);
     const auto couple = [&](int i, int k) {
-        return hn::Add(hn::Mul(inverseMass, dot(direction[i], direction[k])), hn::Add(dot(axis1[i], turned1[k]), dot(axis2[i], turned2[k])));
+        return hn::Add(hn::Mul(inverseMass, dot(direction[i], direction[k])),
+                       hn::Add(dot(axis1[i], turned1[k]), dot(axis2[i], turned2[k])));
     };
     storeLanes(couple(0, 1), contact.coupling[0], first);
     storeLanes(couple(0, 2), contact.coupling[1], first);
     storeLanes(couple(1, 2), contact.coupling[2], first);
     for (int i = 0; i < 3; ++i) {
         const Lane diagonal = hn::Add(couple(i, i), loadLanes(contact.softness[i], first));
-        const Lane inverse = hn::IfThenElse(hn::Eq(diagonal, none), none, hn::Div(hn::Set(d, dReal(1)), diagonal));
-        storeLanes(inverse, contact.inverse[i], first);
+        storeLanes(inverseOf(diagonal), contact.inverse[i], first);
         const Lane impulse = dot(force, direction[i]);
         storeLanes(i == 0 ? atLeast(none, impulse) : impulse, contact.impulse[i], first);
     }
@@ -201,8 +221,8 @@ void apply(const dxContactPacks &contacts, unsigned begin, unsigned end, dxVeloc
 }
 
 // The normal first, then friction against its new impulse.
-HWY_INLINE Lane relax(dxContactLanes &contact, unsigned first, const Masses &masses1, const Masses &masses2, Lane factor, Bodies &body1,
-                      Bodies &body2) {
+HWY_INLINE Lane relax(dxContactLanes &contact, unsigned first, const Masses &masses1, const Masses &masses2, Lane factor,
+                      Bodies &body1, Bodies &body2) {
     const Vector arm1 = loadVector(contact.arm[0], first), arm2 = loadVector(contact.arm[1], first);
     const Vector normal = loadVector(contact.direction[0], first);
     const Vector tangent1 = loadVector(contact.direction[1], first), tangent2 = loadVector(contact.direction[2], first);
@@ -217,7 +237,8 @@ HWY_INLINE Lane relax(dxContactLanes &contact, unsigned first, const Masses &mas
 
     const Lane old0 = loadLanes(contact.impulse[0], first);
     const Lane residual0 = residualOf(0, normal, old0);
-    const Lane new0 = atLeast(hn::Zero(LaneTag()), hn::Add(old0, hn::Mul(factor, hn::Mul(residual0, loadLanes(contact.inverse[0], first)))));
+    const Lane new0 =
+        atLeast(hn::Zero(LaneTag()), hn::Add(old0, hn::Mul(factor, hn::Mul(residual0, loadLanes(contact.inverse[0], first)))));
     const Lane change0 = hn::Sub(new0, old0);
     storeLanes(new0, contact.impulse[0], first);
 
@@ -229,7 +250,8 @@ HWY_INLINE Lane relax(dxContactLanes &contact, unsigned first, const Masses &mas
     storeLanes(new1, contact.impulse[1], first);
 
     const Lane old2 = loadLanes(contact.impulse[2], first), limit2 = limitOf(1, new0);
-    const Lane coupled = hn::Add(hn::Mul(loadLanes(contact.coupling[1], first), change0), hn::Mul(loadLanes(contact.coupling[2], first), change1));
+    const Lane coupled =
+        hn::Add(hn::Mul(loadLanes(contact.coupling[1], first), change0), hn::Mul(loadLanes(contact.coupling[2], first), change1));
     const Lane residual2 = hn::Sub(residualOf(2, tangent2, old2), coupled);
     const Lane wanted2 = hn::Add(old2, hn::Mul(factor, hn::Mul(residual2, loadLanes(contact.inverse[2], first))));
     const Lane new2 = clamp(limit2, wanted2);
@@ -239,7 +261,8 @@ HWY_INLINE Lane relax(dxContactLanes &contact, unsigned first, const Masses &mas
     const Vector impulse = add(add(scale(normal, change0), scale(tangent1, change1)), scale(tangent2, change2));
     body1.push(masses1, arm1, impulse);
     body2.pull(masses2, arm2, impulse);
-    return hn::Add(hn::Add(hn::Abs(hn::Mul(change0, residual0)), hn::Abs(hn::Mul(change1, residual1))), hn::Abs(hn::Mul(change2, residual2)));
+    return hn::Add(hn::Add(hn::Abs(hn::Mul(change0, residual0)), hn::Abs(hn::Mul(change1, residual1))),
+                   hn::Abs(hn::Mul(change2, residual2)));
 }
 
 // A manifold's contacts are relaxed twice while its bodies are in registers: they depend on one another more than on others.
@@ -253,7 +276,8 @@ double sweep(const dxContactPacks &contacts, unsigned begin, unsigned end, dReal
             const Masses masses1 = Masses::load(pack, 0, first), masses2 = Masses::load(pack, 1, first);
             Bodies body1 = Bodies::load(pack, 0, first, velocities), body2 = Bodies::load(pack, 1, first, velocities);
             if (pack.contactCount > 1)
-                for (unsigned k = 0; k < pack.contactCount; ++k) relax(contacts.contacts[pack.firstContact + k], first, masses1, masses2, factor, body1, body2);
+                for (unsigned k = 0; k < pack.contactCount; ++k)
+                    relax(contacts.contacts[pack.firstContact + k], first, masses1, masses2, factor, body1, body2);
             for (unsigned k = 0; k < pack.contactCount; ++k)
                 energy.add(relax(contacts.contacts[pack.firstContact + k], first, masses1, masses2, factor, body1, body2), first);
             body1.store(pack, 0, first, velocities, elsewhere);

@@ -30,17 +30,20 @@ void dxIterativeSolver::begin(const dxIslandStep &step) {
 
 void dxIterativeSolver::placeLanes() {
     m_lanes.assign(m_plan.packs().size() * dxLanes::kCount, nullptr);
-    for (const dxConstraintPlan::Manifold &manifold : m_plan.manifolds()) m_lanes[std::size_t(manifold.pack) * dxLanes::kCount + manifold.lane] = &manifold;
+    for (const dxConstraintPlan::Manifold &manifold : m_plan.manifolds())
+        m_lanes[std::size_t(manifold.pack) * dxLanes::kCount + manifold.lane] = &manifold;
 }
 
 void dxIterativeSolver::solve(const dxIslandStep &step, const dxIslandBody *bodies, const dxOtherJoints &joints) {
-    findFreeVelocities(step, bodies);               // parallel
+    findFreeVelocities(step, bodies);                     // parallel
     const double energy = prepare(step, bodies, joints);  // parallel
-    sweep(step, energy);                            // parallel
-    writeVelocities(step);                          // parallel
+    sweep(step, energy);                                  // parallel
+    writeVelocities(step);                                // parallel
     const dxContactReader reader(step, bodies);
     reader.list(m_plan.manifolds());
-    forChunks(step, [&](const dxConstraintPlan::Chunk &chunk, unsigned) { reader.keep(packs(), m_lanes.data(), chunk.firstPack, chunk.endPack); });
+    forChunks(step, [&](const dxConstraintPlan::Chunk &chunk, unsigned) {
+        reader.keep(packs(), m_lanes.data(), chunk.firstPack, chunk.endPack);
+    });
     reader.giveFeedback(packs(), m_plan.manifolds());
     m_others.finish(joints, step.stepSize);
     joints.giveFeedback();
@@ -49,18 +52,20 @@ void dxIterativeSolver::solve(const dxIslandStep &step, const dxIslandBody *bodi
 // v + h inv(M) f
 void dxIterativeSolver::findFreeVelocities(const dxIslandStep &step, const dxIslandBody *bodies) {
     const dReal h = step.stepSize;
-    step.runner().forChunks(dxParallelStage::RightHandSides, step.island.bodyCount, kBodiesPerJob, [&](std::size_t begin, std::size_t end, unsigned) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const dxBody &body = *step.island.bodies[i];
-            dReal *const velocity = m_velocities[i].columns;
-            const dReal perForce = h * bodies[i].invMass;
-            for (int axis = 0; axis < 3; ++axis) {
-                const dReal *const inertia = bodies[i].invInertia + 3 * axis;
-                velocity[axis] = body.lvel[axis] + perForce * body.facc[axis];
-                velocity[3 + axis] = body.avel[axis] + h * (inertia[0] * body.tacc[0] + inertia[1] * body.tacc[1] + inertia[2] * body.tacc[2]);
+    step.runner().forChunks(
+        dxParallelStage::RightHandSides, step.island.bodyCount, kBodiesPerJob, [&](std::size_t begin, std::size_t end, unsigned) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const dxBody &body = *step.island.bodies[i];
+                dReal *const velocity = m_velocities[i].columns;
+                const dReal perForce = h * bodies[i].invMass;
+                for (int axis = 0; axis < 3; ++axis) {
+                    const dReal *const inertia = bodies[i].invInertia + 3 * axis;
+                    velocity[axis] = body.lvel[axis] + perForce * body.facc[axis];
+                    velocity[3 + axis] =
+                        body.avel[axis] + h * (inertia[0] * body.tacc[0] + inertia[1] * body.tacc[1] + inertia[2] * body.tacc[2]);
+                }
             }
-        }
-    });
+        });
     m_velocities[step.island.bodyCount] = dxVelocity();
 }
 
@@ -71,7 +76,8 @@ double dxIterativeSolver::prepare(const dxIslandStep &step, const dxIslandBody *
         reader.read(packs(), m_lanes.data(), chunk.firstPack, chunk.endPack);
         m_energies[i] = dxPrepareContacts(packs(), chunk.firstPack, chunk.endPack, m_velocities.data());
     });
-    double energy = m_others.prepare(joints, m_plan, bodies, m_velocities.data(), step.stepSize, step.world->qs.w, step.iterativeWorld->isWarm());
+    double energy = m_others.prepare(joints, m_plan, bodies, m_velocities.data(), step.stepSize, step.world->qs.w,
+                                     step.iterativeWorld->isWarm());
     for (const double part : m_energies) energy += part;
     return energy;
 }
@@ -81,8 +87,9 @@ void dxIterativeSolver::sweep(const dxIslandStep &step, double energy) {
     const unsigned most = iterationsOf(step), least = static_cast<unsigned>(std::ceil(kLeastPart * most));
     m_factor = step.world->qs.w;
     m_smoothFrom = most > kSmoothing ? most - kSmoothing : 0;
-    m_sweeps.run(step.runner(), [this](unsigned chunk, unsigned sweep) { return solveChunk(chunk, sweep); },
-                 [=](unsigned sweep, double change) { return sweep >= least && change <= enough; });
+    m_sweeps.run(
+        step.runner(), [this](unsigned chunk, unsigned sweep) { return solveChunk(chunk, sweep); },
+        [=](unsigned sweep, double change) { return sweep >= least && change <= enough; });
 }
 
 // Sweep 0 applies the impulses that the last step has left.
@@ -93,7 +100,8 @@ double dxIterativeSolver::solveChunk(unsigned index, unsigned sweep) {
         if (sweep == 0)
             dxApplyImpulses(packs(), chunk.firstPack, chunk.endPack, m_velocities.data());
         else
-            energy += dxSweepContacts(packs(), chunk.firstPack, chunk.endPack, sweep > m_smoothFrom ? 1 : m_factor, m_velocities.data());
+            energy += dxSweepContacts(packs(), chunk.firstPack, chunk.endPack, sweep > m_smoothFrom ? 1 : m_factor,
+                                      m_velocities.data());
     }
     if (chunk.firstOther != chunk.endOther) {
         if (sweep == 0)
@@ -105,11 +113,12 @@ double dxIterativeSolver::solveChunk(unsigned index, unsigned sweep) {
 }
 
 void dxIterativeSolver::writeVelocities(const dxIslandStep &step) {
-    step.runner().forChunks(dxParallelStage::RightHandSides, step.island.bodyCount, kBodiesPerJob, [&](std::size_t begin, std::size_t end, unsigned) {
-        for (std::size_t i = begin; i < end; ++i) {
-            dxBody &body = *step.island.bodies[i];
-            std::copy_n(m_velocities[i].columns, 3, body.lvel);
-            std::copy_n(m_velocities[i].columns + 3, 3, body.avel);
-        }
-    });
+    step.runner().forChunks(dxParallelStage::RightHandSides, step.island.bodyCount, kBodiesPerJob,
+                            [&](std::size_t begin, std::size_t end, unsigned) {
+                                for (std::size_t i = begin; i < end; ++i) {
+                                    dxBody &body = *step.island.bodies[i];
+                                    std::copy_n(m_velocities[i].columns, 3, body.lvel);
+                                    std::copy_n(m_velocities[i].columns + 3, 3, body.avel);
+                                }
+                            });
 }

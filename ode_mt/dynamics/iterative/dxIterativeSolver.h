@@ -1,7 +1,7 @@
 // Solves the constraints of a group of islands approximately, in sweeps from the last step's forces: docs/iterative-solver.md.
 //
-// Threading: one group, one thread and the group's workers. Memory is kept from group to group; the process keeps as many solvers as groups are
-// solved at the same time.
+// Threading: one group, one thread and the group's workers. Memory is kept from group to group; the process keeps as many solvers
+// as groups are solved at the same time.
 #pragma once
 
 #include <vector>
@@ -25,7 +25,8 @@ private:
     template <class Work>
     void forChunks(const dxIslandStep &step, const Work &work) {
         const std::vector<dxConstraintPlan::Chunk> &chunks = m_plan.chunks();
-        step.runner().forBlocks(dxParallelStage::Rows, static_cast<unsigned>(chunks.size()), [&](unsigned i, unsigned) { work(chunks[i], i); });
+        step.runner().forBlocks(dxParallelStage::Rows, static_cast<unsigned>(chunks.size()),
+                                [&](unsigned i, unsigned) { work(chunks[i], i); });
     }
 
     void findFreeVelocities(const dxIslandStep &step, const dxIslandBody *bodies);

@@ -22,7 +22,8 @@ public:
     // Frees those of all worlds (unloading). No step may be in progress.
     static void release();
 
-    // A step begins. Solvers that the last one did not give back, since user code left it, are there again. Throws std::bad_alloc.
+    // A step begins. Solvers that the last one did not give back, since user code left it, are there again. Throws
+    // std::bad_alloc.
     void begin(const dxWorldProcessIslandsInfo &info, const dxSolverChoice &choice);
 
     dxContactForces &forces() { return m_forces; }

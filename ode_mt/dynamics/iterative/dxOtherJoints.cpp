@@ -9,7 +9,8 @@ constexpr unsigned kCacheLine = 64;
 }  // namespace
 
 bool dxOtherJoints::isOther(const dxJoint &joint) {
-    return joint.type() != dJointTypeContact || (static_cast<const dxJointContact &>(joint).contact.surface.mode & dContactRolling) != 0;
+    return joint.type() != dJointTypeContact ||
+           (static_cast<const dxJointContact &>(joint).contact.surface.mode & dContactRolling) != 0;
 }
 
 dxOtherJoints::dxOtherJoints(const dxIslandStep &step) : m_step(step) {

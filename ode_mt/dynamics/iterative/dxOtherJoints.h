@@ -1,4 +1,5 @@
-// The joints of a group that are not solved as lanes (hinges, motors, contacts with rolling friction), and their rows as they say them.
+// The joints of a group that are not solved as lanes (hinges, motors, contacts with rolling friction), and their rows as they say
+// them.
 #pragma once
 
 #include <optional>
@@ -8,8 +9,8 @@
 
 class dxOtherJoints {
 public:
-    // Asks the joints for their rows. Takes memory of the step's arena, in which upstream's estimate has room for it. May call the user's
-    // message handlers.
+    // Asks the joints for their rows. Takes memory of the step's arena, in which upstream's estimate has room for it. May call
+    // the user's message handlers.
     explicit dxOtherJoints(const dxIslandStep &step);
 
     static bool isOther(const dxJoint &joint);

@@ -14,7 +14,8 @@ constexpr std::size_t kMaxRows = 6;  // of a joint
 
 constexpr int kJacobianOf[2] = {Row::kBody1, Row::kBody2};
 
-// Bits of dxJoint::flags that upstream does not use: how many rows the joint had when it kept their forces in dxJoint::lambda, and one more.
+// Bits of dxJoint::flags that upstream does not use: how many rows the joint had when it kept their forces in dxJoint::lambda,
+// and one more.
 constexpr unsigned kCountShift = 27, kCountMask = 15u << kCountShift;
 
 void keepForces(dxJoint &joint, const Row *rows, unsigned count) {
@@ -25,7 +26,9 @@ void keepForces(dxJoint &joint, const Row *rows, unsigned count) {
 // A joint at a limit has other rows than one between them.
 bool hasForces(const dxJoint &joint, unsigned count) { return (joint.flags & kCountMask) >> kCountShift == count + 1; }
 
-dReal dot6(const dReal *a, const dReal *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3] + a[4] * b[4] + a[5] * b[5]; }
+dReal dot6(const dReal *a, const dReal *b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3] + a[4] * b[4] + a[5] * b[5];
+}
 
 // An infinite coefficient allows any force, as long as the row that bounds this one has one.
 dReal limited(dReal impulse, const Row &row, dReal bounding) {
@@ -50,7 +53,8 @@ void leaveOutUnmoved(Row &row, const dxIslandBody *bodies, const dxVelocity *vel
 
 }  // namespace
 
-double dxOtherRows::prepareRow(Row &row, const dxIslandBody *bodies, const dxVelocity *velocities, dReal stepSize, dReal factor, dReal &diagonal) const {
+double dxOtherRows::prepareRow(Row &row, const dxIslandBody *bodies, const dxVelocity *velocities, dReal stepSize, dReal factor,
+                               dReal &diagonal) const {
     row.jacobian[Row::kRhs] *= stepSize;
     if (!row.isBounded()) {
         row.jacobian[Row::kLow] *= stepSize;
@@ -91,8 +95,8 @@ void dxOtherRows::reserve(const dxConstraintPlan &plan) {
     m_last.reserve(rows);
 }
 
-double dxOtherRows::prepare(const dxOtherJoints &joints, const dxConstraintPlan &plan, const dxIslandBody *bodies, const dxVelocity *velocities,
-                            dReal stepSize, dReal factor, bool isWarm) {
+double dxOtherRows::prepare(const dxOtherJoints &joints, const dxConstraintPlan &plan, const dxIslandBody *bodies,
+                            const dxVelocity *velocities, dReal stepSize, dReal factor, bool isWarm) {
     orderRows(joints, plan);
     m_rows = joints.rows();
     m_diagonal.resize(joints.rowCount());

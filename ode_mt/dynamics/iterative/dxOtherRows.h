@@ -1,5 +1,5 @@
-// Rows of joints that are not solved as lanes: as QuickStep's (dxConstraintRow), but with velocities and impulses for accelerations and
-// forces. One block is the rows of a joint, which are solved one after the other.
+// Rows of joints that are not solved as lanes: as QuickStep's (dxConstraintRow), but with velocities and impulses for
+// accelerations and forces. One block is the rows of a joint, which are solved one after the other.
 #pragma once
 
 #include <vector>
@@ -15,9 +15,10 @@ public:
     // Takes the memory that the plan's joints may need, whatever they say. Throws std::bad_alloc.
     void reserve(const dxConstraintPlan &plan);
 
-    // Completes the rows of `joints`, `velocities` being the free ones; sweeps over-relax by `factor`. Returns the energy of the residual without impulses.
-    double prepare(const dxOtherJoints &joints, const dxConstraintPlan &plan, const dxIslandBody *bodies, const dxVelocity *velocities,
-                   dReal stepSize, dReal factor, bool isWarm);
+    // Completes the rows of `joints`, `velocities` being the free ones; sweeps over-relax by `factor`. Returns the energy of the
+    // residual without impulses.
+    double prepare(const dxOtherJoints &joints, const dxConstraintPlan &plan, const dxIslandBody *bodies,
+                   const dxVelocity *velocities, dReal stepSize, dReal factor, bool isWarm);
 
     // Joints [begin, end) of the plan's by colour. Reads and writes the velocities of their bodies.
     void apply(unsigned begin, unsigned end, dxVelocity *velocities) const;
@@ -28,13 +29,13 @@ public:
 
 private:
     void orderRows(const dxOtherJoints &joints, const dxConstraintPlan &plan);
-    double prepareRow(dxConstraintRow &row, const dxIslandBody *bodies, const dxVelocity *velocities, dReal stepSize, dReal factor,
-                      dReal &diagonal) const;
+    double prepareRow(dxConstraintRow &row, const dxIslandBody *bodies, const dxVelocity *velocities, dReal stepSize,
+                      dReal factor, dReal &diagonal) const;
 
     dxConstraintRow *m_rows = nullptr;
-    std::vector<int> m_order;             // of rows, by colour
+    std::vector<int> m_order;              // of rows, by colour
     std::vector<unsigned> m_firstInOrder;  // by joint by colour, and the end
     std::vector<unsigned> m_firstRow;      // by joint in the order of the group, and the end
-    std::vector<dReal> m_diagonal;        // by row: J inv(M) J' + softness
-    std::vector<dReal> m_last;            // by place in the order: the impulse before a sweep
+    std::vector<dReal> m_diagonal;         // by row: J inv(M) J' + softness
+    std::vector<dReal> m_last;             // by place in the order: the impulse before a sweep
 };

@@ -4,5 +4,6 @@
 
 #include "dynamics/islands/dxIslandProblem.h"
 
-// Linear, then angular. The line is shared with the sweep over rows (dxSorSweep), to which a velocity is as good as an acceleration.
+// Linear, then angular. The line is shared with the sweep over rows (dxSorSweep), to which a velocity is as good as an
+// acceleration.
 using dxVelocity = dxBodyAcceleration;
