@@ -3,10 +3,11 @@
 set terminal svg size 900,1240 noenhanced font "sans-serif,12" background "white"
 set output output
 set logscale x
-set xlabel "error / largest error of libode8, slack added; grey: libode8, blue: fast"
+set xlabel "error / largest of libode8; grey: libode8, blue: fast"
 unset grid
 set grid xtics lc "#dddddd" lw 0.5
-set yrange [-1:*] reverse
+stats data . "-closed.csv" using 0 nooutput
+set yrange [STATS_records:-1]
 set ytics scale 0 font ",10"
 set arrow from 1, graph 0 to 1, graph 1 nohead lc rgb reference lw 1.5 front
 unset key
