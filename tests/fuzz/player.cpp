@@ -132,8 +132,6 @@ void Player::make(Call &call) {
         write("# unknown: " + textOf(call));
         return;
     }
-    // Upstream leaves the angles of a transmission unset until its first step. In other comparisons libode8 shows it.
-    if (playedAs.isFast && call.function.find("GetTransmissionAngle") != std::string::npos) return;
     // The name of what is made is known before it is.
     if (function->isMaker && call.result.number < 0) call.result = {function->makes, objects.named(function->makes)};
     if (call.where == Where::between) m_turn = {};

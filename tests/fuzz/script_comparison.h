@@ -62,8 +62,8 @@ private:
     Comparison(const Libraries &libraries, std::shared_ptr<Playing> ours, std::shared_ptr<Playing> oursDisturbed);
 
     const Libraries m_libraries;
-    const std::shared_ptr<Playing> m_onDebian, m_onDebianPatterned;
-    const std::shared_ptr<Playing> m_onReference;  // what ours are compared with: Debian's, or fast on one thread
+    const std::shared_ptr<Playing> m_onDebian;
+    const std::shared_ptr<Playing> m_onReference, m_onReferencePatterned;  // what ours are compared with: Debian's, or fast on one thread
     const std::shared_ptr<Playing> m_onOurs, m_onOursDisturbed;
     Outcome m_reference, m_ours;
     unsigned m_patience = 24;
