@@ -91,23 +91,29 @@ void addSettingFunctions(std::vector<Function> &all) {
     byHand(all, "dODE_MT_SetSolver", {object(ObjectKind::world)}, [](Player &player, const Arguments &arguments, Reference &) {
         const auto world = get<dWorldID>(player, arguments[0]);
         if (world == nullptr) return false;
-        if (playedAs.isFast)
-            player.changeSolver(world);
-        else
+        if (!playedAs.isFast)
             callIfThere("dODE_MT_SetSolver", world, "exact");
+        else if (!player.isInCallback())
+            player.changeSolver(world);
         return true;
     }, 1);
     // Of no effect on an exact world.
     byHand(all, "dODE_MT_SetSolverTolerance", {object(ObjectKind::world)}, [](Player &player, const Arguments &arguments, Reference &) {
         const auto world = get<dWorldID>(player, arguments[0]);
         if (world == nullptr) return false;
-        callIfThere("dODE_MT_SetSolverTolerance", world, 0.5);
+        if (!playedAs.isFast)
+            callIfThere("dODE_MT_SetSolverTolerance", world, 0.5);
+        else if (!player.isInCallback())
+            callOnFast("dODE_MT_SetSolverTolerance", world, 0.5);
         return true;
     }, 1);
     byHand(all, "dODE_MT_SetWarmStart", {object(ObjectKind::world)}, [](Player &player, const Arguments &arguments, Reference &) {
         const auto world = get<dWorldID>(player, arguments[0]);
         if (world == nullptr) return false;
-        callIfThere("dODE_MT_SetWarmStart", world, 0);
+        if (!playedAs.isFast)
+            callIfThere("dODE_MT_SetWarmStart", world, 0);
+        else if (!player.isInCallback())
+            callOnFast("dODE_MT_SetWarmStart", world, 0);
         return true;
     }, 1);
     // The player then does what such callbacks may do, on both libraries.

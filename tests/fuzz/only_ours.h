@@ -19,6 +19,13 @@ void callIfThere(const char *name, Types... arguments) {
     if (const auto function = functionOfOurs<int, Types...>(name)) function(arguments...);
 }
 
+// For settings of the solver fast, which change results: its runs have them alike, hidden or not.
+template <class... Types>
+void callOnFast(const char *name, Types... arguments) {
+    const auto function = reinterpret_cast<int (*)(Types...)>(dlsym(RTLD_DEFAULT, name));
+    if (function != nullptr) function(arguments...);
+}
+
 inline bool isOurs() { return functionOfOurs<void, int>("dToggleODE_MT") != nullptr; }
 
 }  // namespace fuzz

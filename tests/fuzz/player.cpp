@@ -291,7 +291,6 @@ void Player::setCallbackPolicy(const std::string &policy) {
 void Player::changeSolver(dWorldID world) {
     using Getter = const char *(*)(dWorldID);
     using Setter = int (*)(dWorldID, const char *);
-    if (m_depth > 0 || m_innermostPlace != Where::between) return;
     const auto getter = reinterpret_cast<Getter>(dlsym(RTLD_DEFAULT, "dODE_MT_GetSolver"));
     const auto setter = reinterpret_cast<Setter>(dlsym(RTLD_DEFAULT, "dODE_MT_SetSolver"));
     if (getter == nullptr || setter == nullptr) return;

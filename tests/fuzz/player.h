@@ -72,7 +72,8 @@ public:
     dJointGroupID contactsOf(dWorldID world);
     // "serial", "concurrent" or "independent": what near-callbacks do from now on.
     void setCallbackPolicy(const std::string &policy);
-    void changeSolver(dWorldID world);    // to the other one of ODE_MT's, unless a callback of a step may ask for it
+    void changeSolver(dWorldID world);  // to the other one of ODE_MT's
+    bool isInCallback() const { return m_depth > 0 || m_innermostPlace != Where::between; }  // and so perhaps in a step
     void setMessages(bool on);  // whether there is a message handler
     dJointFeedback *feedbackOf(dJointID joint);
 
