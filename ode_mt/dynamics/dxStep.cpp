@@ -38,7 +38,7 @@ bool isSteppedDirectly(const dxWorld *world, dmemestimate_fn_t estimate) {
 }
 
 // Small islands of a fast dWorldQuickStep are solved together: a lane of a vector each. So many bodies and joints still fit L2.
-constexpr unsigned kMinIterativeGroup = 600, kEachIsland = 0;
+constexpr unsigned kMinIterativeGroup = 600;
 
 bool isSteppedIteratively(const dxWorld *world, dmemestimate_fn_t estimate) {
     return estimate == &dxEstimateQuickStepMemoryRequirements && dxWorldSolver::isFast(world) && !dxWorldWorkers::haveToBeAsked(world);
@@ -56,8 +56,8 @@ dxIterativeWorld *beginIteratively(const dxWorld *world, const dxWorldProcessIsl
 }  // namespace
 
 bool dxPrepareStepIslands(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate) {
-    const unsigned minGroup = isSteppedIteratively(world, estimate) ? kMinIterativeGroup : kEachIsland;
-    return dxPrepareStep(world, info, stepSize, isSteppedDirectly(world, estimate) ? &dxEstimateDirectStepMemory : estimate, minGroup);
+    if (isSteppedIteratively(world, estimate)) return dxPrepareGroups(world, info, stepSize, estimate, kMinIterativeGroup);
+    return dxPrepareStep(world, info, stepSize, isSteppedDirectly(world, estimate) ? &dxEstimateDirectStepMemory : estimate);
 }
 
 bool dxStepIslands(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper,

@@ -20,6 +20,7 @@ public:
     HeapWorld &operator=(const HeapWorld &) = delete;
 
     void collide();  // contact joints for all that touch
+    dWorldID world() const { return m_world; }
     void step();     // removes them
 
     // What the near-callback does with a pair; the usual thing if empty.

@@ -11,6 +11,7 @@ constexpr int dxFoundTag = 1;  // of bodies and joints in islands
 //
 //   info      gets the islands, which lie in the arena
 //   estimate  the stepper's own estimate, called for each island
+//   minGroup  islands are joined to groups of at least so many bodies and joints, which then stand for islands
 //
 // Requires the thread that steps the world. Afterwards a body or joint in an island has dxFoundTag, all others a tag of 0 or
 // below.

@@ -22,7 +22,12 @@ constexpr float kNoReserve = 1;
 
 }  // namespace
 
-bool dxPrepareStep(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate, unsigned minGroup) {
+bool dxPrepareStep(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate) {
+    constexpr unsigned kEachIsland = 0;
+    return dxPrepareGroups(world, info, stepSize, estimate, kEachIsland);
+}
+
+bool dxPrepareGroups(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate, unsigned minGroup) {
     dxStepWorkingMemory *const memory = AllocateOnDemand(world->wmem);
     if (memory == nullptr) return false;
     dxWorldProcessContext *const context = memory->SureGetWorldProcessingContext();

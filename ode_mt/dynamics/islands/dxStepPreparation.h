@@ -9,4 +9,7 @@
 //   estimate  the stepper's own estimate of the memory that it needs for an island
 //
 // Returns false where there is no memory. On the thread that steps the world.
-bool dxPrepareStep(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate, unsigned minGroup = 0);
+bool dxPrepareStep(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate);
+
+// The same for groups of islands of at least so many bodies and joints, which are then stepped as if each were one island.
+bool dxPrepareGroups(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate, unsigned minGroup);
