@@ -30,6 +30,8 @@ extern "C" {
  *   ODE_MT_THREADS=n|auto
  *   ODE_MT_ALGORITHM=auto|serial|lcp|original|static|static-unmerged|duplication|decluster
  *   ODE_MT_SOLVER=exact|fast
+ *   ODE_MT_SOLVER_TOLERANCE=x
+ *   ODE_MT_WARM_START=0|1
  *   ODE_MT_CALLBACKS=serial|concurrent|independent
  *   ODE_MT_HEURISTICS=default|none|NAME,NAME...
  *   ODE_MT_GRID_CELLS=n|auto

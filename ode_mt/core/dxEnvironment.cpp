@@ -20,7 +20,7 @@ constexpr Variable kVariables[] = {
     {"ODE_MT_THREADS", "n|auto"},
     {"ODE_MT_ALGORITHM", "auto|serial|lcp|original|static|static-unmerged|duplication|decluster"},
     {"ODE_MT_SOLVER", "exact|fast"},
-    {"ODE_MT_SOLVER_TOLERANCE", "0..1"},
+    {"ODE_MT_SOLVER_TOLERANCE", "x"},
     {"ODE_MT_WARM_START", "0|1"},
     {"ODE_MT_CALLBACKS", "serial|concurrent|independent"},
     {"ODE_MT_HEURISTICS", "default|none|NAME,NAME..."},

@@ -146,7 +146,7 @@ private:
                    fuzz_driver::shown(run.ending.errors + run.ending.output, 1500);
         if (const std::string report = fuzz_driver::sanitizerReportIn(run.ending.errors); !report.empty())
             return "a sanitizer: " + report;
-        if (run.batch.at("hash") != hashOf(scene)) return "another state: " + run.batch.dump();
+        if (run.batch.at("hash") != hashOf(scene, solverOf(environment))) return "another state: " + run.batch.dump();
         const std::string level = levelIn(environment);
         for (const Variable &variable : m_table) {
             const auto set = environment.find(variable.name);
@@ -162,10 +162,20 @@ private:
         return wrongLines(run.ending.errors, level);
     }
 
-    const json &hashOf(const std::string &scene) {
-        json &hash = m_hashes[scene];
-        if (hash.is_null()) hash = simulate(scene, {}).batch.at("hash");
+    const json &hashOf(const std::string &scene, const Environment &solver) {
+        json &hash = m_hashes[scene + ' ' + textOf(solver)];
+        if (hash.is_null()) hash = simulate(scene, solver).batch.at("hash");
         return hash;
+    }
+
+    // What decides about the bits: nothing but the solver "fast" and its settings.
+    static Environment solverOf(const Environment &environment) {
+        Environment solver;
+        const auto chosen = environment.find("ODE_MT_SOLVER");
+        if (chosen == environment.end() || chosen->second != "fast") return solver;
+        for (const char *const name : {"ODE_MT_SOLVER", "ODE_MT_SOLVER_TOLERANCE", "ODE_MT_WARM_START"})
+            if (const auto found = environment.find(name); found != environment.end()) solver.insert(*found);
+        return solver;
     }
 
     std::string levelIn(const Environment &environment) const {

@@ -1,10 +1,12 @@
 #include "environment/variable_table.h"
 
 #include <algorithm>
+#include <charconv>
 #include <regex>
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <system_error>
 
 namespace fuzz_environment {
 
@@ -31,6 +33,8 @@ Variable readRow(const std::smatch &row) {
     for (const std::string &alternative : split(row[2], '|')) {
         if (alternative == "n")
             variable.takesNumber = true;
+        else if (alternative == "x")
+            variable.takesFraction = true;
         else if (alternative.find("...") != std::string::npos)
             variable.takesList = true;
         else
@@ -51,6 +55,12 @@ Variable readRow(const std::smatch &row) {
 bool isNumber(const std::string &value) {
     const std::size_t begin = value[0] == '-' ? 1 : 0;
     return value.size() > begin && value.find_first_not_of("0123456789", begin) == std::string::npos;
+}
+
+bool isFraction(const std::string &value) {
+    double number = -1;
+    const auto [stopped, error] = std::from_chars(value.data(), value.data() + value.size(), number);
+    return error == std::errc() && stopped == value.data() + value.size() && number >= 0 && number <= 1;
 }
 
 // -1, 0, 1: whether the number is below, within or above; digits only, of any length.
@@ -106,6 +116,7 @@ Meaning meaningOf(const Variable &variable, const std::string &value,
     if (value.empty()) return {Understanding::Unset, variable.standard};
     if (contains(variable.words, value)) return {Understanding::Understood, value};
     if (variable.takesNumber && isNumber(value)) return meaningOfNumber(variable, value);
+    if (variable.takesFraction && isFraction(value)) return {Understanding::Understood, value};
     if (variable.takesList) {
         const std::vector<std::string> names = split(value, ',');
         const bool areKnown = std::all_of(

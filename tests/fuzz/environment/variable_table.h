@@ -11,6 +11,7 @@ struct Variable {
     std::string name;
     std::vector<std::string> words;  // that it takes: "auto", "serial" ...
     bool takesNumber = false, takesList = false;
+    bool takesFraction = false;            // from 0 to 1, as "0.25" or "1e-3"
     std::optional<long long> least, most;  // of the number, where the table has them
     std::string standard;                  // what is taken when it is unset: the first word of the column
 };
