@@ -40,6 +40,11 @@ void dxContactForces::numberBodies(unsigned bodyCount) {
     }
 }
 
+void dxContactForces::clear(const dxIsland &group) {
+    const unsigned first = firstBody(group);
+    for (unsigned i = first; i < first + group.bodyCount; ++i) m_now.bodies[i] = {m_bodies[i], kNone, 0};
+}
+
 bool dxContactForces::keep(unsigned number, unsigned first, unsigned second, unsigned firstContact, unsigned contactCount) {
     const bool firstOwns = second == kNone || m_now.bodies[first].manifoldCount <= m_now.bodies[second].manifoldCount;
     Body &owner = m_now.bodies[firstOwns ? first : second];

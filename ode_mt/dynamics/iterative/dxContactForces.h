@@ -50,6 +50,9 @@ public:
     unsigned firstBody(const dxIsland &group) const { return static_cast<unsigned>(group.bodies - m_bodies); }
     unsigned firstJoint(const dxIsland &group) const { return static_cast<unsigned>(group.joints - m_joints); }
 
+    // Nothing is kept of this step for a group any more. A group may be stepped twice: what an interruption leaves is taken back.
+    void clear(const dxIsland &group);
+
     // Keeps a manifold of this step; `number` is its own, at most that of its first joint. Returns whether the first body owns
     // it.
     bool keep(unsigned number, unsigned first, unsigned second, unsigned firstContact, unsigned contactCount);

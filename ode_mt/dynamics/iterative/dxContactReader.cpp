@@ -190,6 +190,7 @@ void dxContactReader::startWarm(const dxContactPacks &contacts, const dxContactP
 
 void dxContactReader::list(std::vector<Manifold> &manifolds) const {
     const unsigned firstJoint = m_forces.firstJoint(m_step.island);
+    m_forces.clear(m_step.island);
     for (Manifold &manifold : manifolds) {
         const unsigned firstContact = firstJoint + manifold.firstJoint;
         manifold.firstOwns = m_forces.keep(firstContact, numberOf(manifold.body[0]), numberOf(manifold.body[1]), firstContact,
