@@ -19,6 +19,17 @@ unsigned lowBits(const dxStepStatistics::Count &count) {
     return static_cast<unsigned>(count.load(std::memory_order_relaxed));
 }
 
+// Returns what note() returns, or false where it has no memory. That is reported outside the catch clause, as the handler may leave.
+template <class Note>
+bool noteSolver(const Note &note) {
+    try {
+        return note();
+    } catch (const std::bad_alloc &) {
+    }
+    dMessage(0, "ODE_MT: no memory to note the solver of a world");
+    return false;
+}
+
 }  // namespace
 
 extern "C" {
@@ -38,12 +49,7 @@ const char *dODE_MT_GetAlgorithm() { return dxSettings::instance().algorithmName
 
 int dODE_MT_SetSolver(dWorldID world, const char *name) {
     dUASSERT(world, "bad world argument");
-    try {
-        return dxWorldSolver::choose(world, name ? name : "(null)");
-    } catch (const std::bad_alloc &) {  // reported where the handler may leave
-    }
-    dMessage(0, "ODE_MT: no memory to note the solver of a world");
-    return 0;
+    return noteSolver([=] { return dxWorldSolver::choose(world, name ? name : "(null)"); });
 }
 
 const char *dODE_MT_GetSolver(dWorldID world) {
@@ -53,10 +59,11 @@ const char *dODE_MT_GetSolver(dWorldID world) {
 
 int dODE_MT_SetSolverTolerance(dWorldID world, double tolerance) {
     dUASSERT(world, "bad world argument");
-    if (dxSolverChoice::isTolerance(tolerance)) {
-        dxWorldSolver::setTolerance(world, tolerance);
-        return 1;
-    }
+    if (dxSolverChoice::isTolerance(tolerance))
+        return noteSolver([=] {
+            dxWorldSolver::setTolerance(world, tolerance);
+            return true;
+        });
     dMessage(0, "ODE_MT: no solver tolerance %g; known: a number from 0 to 1", tolerance);
     return 0;
 }
@@ -68,7 +75,10 @@ double dODE_MT_GetSolverTolerance(dWorldID world) {
 
 void dODE_MT_SetWarmStart(dWorldID world, int isWarm) {
     dUASSERT(world, "bad world argument");
-    dxWorldSolver::setWarmStart(world, isWarm != 0);
+    noteSolver([=] {
+        dxWorldSolver::setWarmStart(world, isWarm != 0);
+        return true;
+    });
 }
 
 int dODE_MT_GetWarmStart(dWorldID world) {

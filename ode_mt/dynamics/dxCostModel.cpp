@@ -16,7 +16,7 @@ constexpr double kStepJointCubed = 4;     // ns
 constexpr double kDirectJoint = 1e4;      // ns, in a wall of bricks
 constexpr double kQuickJoint = 350;       // ns
 constexpr double kIterativeJoint = 250;    // ns
-constexpr double kIterativeIteration = 6;  // ns per contact, of iterations of which half are made
+constexpr double kIterativeIteration = 6;  // ns per contact
 constexpr double kQuickIteration = 33;    // ns per joint of about three rows
 
 // A moving average over about sixteen steps follows a change of load within a second of simulation.

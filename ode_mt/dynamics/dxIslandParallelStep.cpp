@@ -13,6 +13,7 @@
 #include "dynamics/islands/dxBodyIntegration.h"
 #include "dynamics/islands/dxIslandSearch.h"
 #include "dynamics/islands/dxWorkingMemory.h"
+#include "dynamics/iterative/dxIterativeWorld.h"
 #include "dynamics/random/dxRandom.h"
 #include "dynamics/random/dxReservedDraws.h"
 #include "settings/dxStepStatistics.h"
@@ -51,6 +52,7 @@ void dxIslandParallelStep::run() {
 bool dxIslandParallelStep::prepare() try {
     m_records = dxStepRecords::borrow();
     dxPrepareIslands(m_call, m_plan.workers, *m_records);
+    if (m_call.iterativeWorld != nullptr) m_call.iterativeWorld->provideSolvers(m_plan.workers);
     return true;
 } catch (const std::bad_alloc &) {
     return false;

@@ -14,7 +14,6 @@
 #include "quickstep.h"
 #include "settings/dxWorldSolver.h"
 #include "settings/dxWorldWorkers.h"
-#include "step.h"
 
 namespace {
 
@@ -32,17 +31,11 @@ void followAndLearn(const dxStepPlan &plan, const dxStepCall &call) {
     dxLearnFromStep(call, plan, stopwatch.ns());
 }
 
-// The direct solver makes no matrix of rows by rows. Where the user's functions step the world, upstream's stepper does.
-bool isSteppedDirectly(const dxWorld *world, dmemestimate_fn_t estimate) {
-    return estimate == &dxEstimateStepMemoryRequirements && dxWorldSolver::isFast(world) && !dxWorldWorkers::haveToBeAsked(world);
-}
+// Where the user's functions step the world, upstream's stepper does.
+bool isSolvedFast(const dxWorld *world) { return dxWorldSolver::isFast(world) && !dxWorldWorkers::haveToBeAsked(world); }
 
 // Small islands of a fast dWorldQuickStep are solved together: a lane of a vector each. So many bodies and joints still fit L2.
 constexpr unsigned kMinIterativeGroup = 600;
-
-bool isSteppedIteratively(const dxWorld *world, dmemestimate_fn_t estimate) {
-    return estimate == &dxEstimateQuickStepMemoryRequirements && dxWorldSolver::isFast(world) && !dxWorldWorkers::haveToBeAsked(world);
-}
 
 // Without memory each step begins from zero forces, by SOR.
 dxIterativeWorld *beginIteratively(const dxWorld *world, const dxWorldProcessIslandsInfo &info) try {
@@ -56,8 +49,10 @@ dxIterativeWorld *beginIteratively(const dxWorld *world, const dxWorldProcessIsl
 }  // namespace
 
 bool dxPrepareStepIslands(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate) {
-    if (isSteppedIteratively(world, estimate)) return dxPrepareGroups(world, info, stepSize, estimate, kMinIterativeGroup);
-    return dxPrepareStep(world, info, stepSize, isSteppedDirectly(world, estimate) ? &dxEstimateDirectStepMemory : estimate);
+    if (!isSolvedFast(world)) return dxPrepareStep(world, info, stepSize, estimate);
+    if (estimate == &dxEstimateQuickStepMemoryRequirements)
+        return dxPrepareGroups(world, info, stepSize, estimate, kMinIterativeGroup);
+    return dxPrepareStep(world, info, stepSize, &dxEstimateDirectStepMemory);  // no matrix of rows by rows
 }
 
 bool dxStepIslands(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper,

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "brick_wall.h"
+#include "../frame/OdeSession.h"
 #include "instruction_sets.h"
 #include "kept_messages.h"
 #include "random_world.h"
@@ -23,13 +24,7 @@ namespace {
 constexpr dReal kStepSize = dReal(0.01);
 
 class DirectStep : public testing::Test {
-protected:
-    DirectStep() { dInitODE2(0); }
-    ~DirectStep() override {
-        dToggleODE_MT(0);
-        dODE_MT_SetAlgorithm("auto");
-        dCloseODE();
-    }
+    const OdeSession m_session;
 };
 
 struct Counts {

@@ -12,6 +12,7 @@
 #include <memory>
 #include <vector>
 
+#include "../frame/OdeSession.h"
 #include "instruction_sets.h"
 #include "random_world.h"
 
@@ -20,13 +21,7 @@ namespace {
 constexpr dReal kStepSize = dReal(0.01);
 
 class IterativeStep : public testing::Test {
-protected:
-    IterativeStep() { dInitODE2(0); }
-    ~IterativeStep() override {
-        dToggleODE_MT(0);
-        dODE_MT_SetAlgorithm("auto");
-        dCloseODE();
-    }
+    const OdeSession m_session;
 };
 
 // Boxes that fall into a heap, stacks beside it, and a wheel on a hinge with a motor.

@@ -51,8 +51,8 @@ protected:
     ~Webots() override {
         for (const dGeomID ball : balls) dGeomDestroy(ball);
         dBodyDestroy(body);
-        dWorldDestroy(world);
         dSpaceDestroy(space);
+        dWorldDestroy(world);
     }
 
     OdeSession session;

@@ -14,6 +14,20 @@ void addChoice(std::vector<Function> &all, const char *name, std::vector<std::st
     }, 2);
 }
 
+// A setting of the solver "fast", which all its runs have alike.
+template <class Value>
+void addSolverSetting(std::vector<Function> &all, const char *name, Value value) {
+    byHand(all, name, {object(ObjectKind::world)}, [name, value](Player &player, const Arguments &arguments, Reference &) {
+        const auto world = get<dWorldID>(player, arguments[0]);
+        if (world == nullptr) return false;
+        if (!playedAs.isFast)
+            callIfThere(name, world, value);
+        else if (!player.isInCallback())
+            callOnFast(name, world, value);
+        return true;
+    }, 1);
+}
+
 // They look and change nothing.
 void addGetters(std::vector<Function> &all) {
     for (const char *const name : {"dODE_MT_GetAlgorithm", "dODE_MT_GetCallbackPolicy", "dODE_MT_GetContactsAhead",
@@ -98,24 +112,8 @@ void addSettingFunctions(std::vector<Function> &all) {
         return true;
     }, 1);
     // Of no effect on an exact world.
-    byHand(all, "dODE_MT_SetSolverTolerance", {object(ObjectKind::world)}, [](Player &player, const Arguments &arguments, Reference &) {
-        const auto world = get<dWorldID>(player, arguments[0]);
-        if (world == nullptr) return false;
-        if (!playedAs.isFast)
-            callIfThere("dODE_MT_SetSolverTolerance", world, 0.5);
-        else if (!player.isInCallback())
-            callOnFast("dODE_MT_SetSolverTolerance", world, 0.5);
-        return true;
-    }, 1);
-    byHand(all, "dODE_MT_SetWarmStart", {object(ObjectKind::world)}, [](Player &player, const Arguments &arguments, Reference &) {
-        const auto world = get<dWorldID>(player, arguments[0]);
-        if (world == nullptr) return false;
-        if (!playedAs.isFast)
-            callIfThere("dODE_MT_SetWarmStart", world, 0);
-        else if (!player.isInCallback())
-            callOnFast("dODE_MT_SetWarmStart", world, 0);
-        return true;
-    }, 1);
+    addSolverSetting(all, "dODE_MT_SetSolverTolerance", 0.5);
+    addSolverSetting(all, "dODE_MT_SetWarmStart", 0);
     // The player then does what such callbacks may do, on both libraries.
     byHand(all, "dODE_MT_SetCallbackPolicy", {word({"serial", "concurrent", "independent"})},
            [](Player &player, const Arguments &arguments, Reference &) {

@@ -9,6 +9,7 @@
 #include "dynamics/direct/dxRowElimination.h"
 
 #include <cmath>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace dxDirect {
@@ -22,6 +23,19 @@ HWY_INLINE unsigned takeLowest(std::uint64_t &mask) {
     const unsigned lowest = hwy::Num0BitsBelowLS1Bit_Nonzero64(mask);
     mask &= mask - 1;
     return lowest;
+}
+
+// Calls work(count), a joint's number of rows being a constant in it, so that loops over rows are unrolled.
+template <class Work>
+HWY_INLINE void withRows(unsigned rows, const Work &work) {
+    switch (rows) {
+        case 1: return work(std::integral_constant<unsigned, 1>());
+        case 2: return work(std::integral_constant<unsigned, 2>());
+        case 3: return work(std::integral_constant<unsigned, 3>());
+        case 4: return work(std::integral_constant<unsigned, 4>());
+        case 5: return work(std::integral_constant<unsigned, 5>());
+        default: return work(std::integral_constant<unsigned, kBodyAxes>());
+    }
 }
 
 // row(i) -= the sum over p < Count of factors.column[p].lane[i] * source(p), for i < rows, over `width` columns.
@@ -73,14 +87,7 @@ private:
 
     // The products of an earlier joint's rows.
     HWY_INLINE void subtractEarlier(unsigned place, const dxEliminationOrder::RowEntry &entry) {
-        switch (m_blocks.sizes[entry.column]) {
-            case 1: return subtractEarlierRows<1>(place, entry);
-            case 2: return subtractEarlierRows<2>(place, entry);
-            case 3: return subtractEarlierRows<3>(place, entry);
-            case 4: return subtractEarlierRows<4>(place, entry);
-            case 5: return subtractEarlierRows<5>(place, entry);
-            default: return subtractEarlierRows<kBodyAxes>(place, entry);
-        }
+        withRows(m_blocks.sizes[entry.column], [&](auto count) HWY_ATTR { subtractEarlierRows<decltype(count)::value>(place, entry); });
     }
 
     template <unsigned Count>
@@ -157,14 +164,7 @@ private:
     }
 
     HWY_INLINE void reduceLimitedRows(unsigned place) {
-        switch (m_blocks.sizes[place]) {
-            case 1: return reduceLimitedRowsBy<1>(place);
-            case 2: return reduceLimitedRowsBy<2>(place);
-            case 3: return reduceLimitedRowsBy<3>(place);
-            case 4: return reduceLimitedRowsBy<4>(place);
-            case 5: return reduceLimitedRowsBy<5>(place);
-            default: return reduceLimitedRowsBy<kBodyAxes>(place);
-        }
+        withRows(m_blocks.sizes[place], [&](auto count) HWY_ATTR { reduceLimitedRowsBy<decltype(count)::value>(place); });
     }
 
     // Rows of a line at a time: in each of them the columns up to the line.
@@ -203,14 +203,7 @@ public:
 
 private:
     HWY_INLINE void substitute(unsigned place) {
-        switch (m_blocks.sizes[place]) {
-            case 1: return findForces<1>(place);
-            case 2: return findForces<2>(place);
-            case 3: return findForces<3>(place);
-            case 4: return findForces<4>(place);
-            case 5: return findForces<5>(place);
-            default: return findForces<kBodyAxes>(place);
-        }
+        withRows(m_blocks.sizes[place], [&](auto count) HWY_ATTR { findForces<decltype(count)::value>(place); });
     }
 
     template <unsigned Count>

@@ -43,6 +43,15 @@ struct dxConstraintRow {
 struct dxIslandBody {
     dReal invInertia[9];  // by rows
     dReal invMass;
+
+    // inv(M) J', of a row's columns for the body. The order of sums is upstream's.
+    void respond(const dReal *jacobian, dReal *impulse) const {
+        for (int i = 0; i < 3; ++i) {
+            const dReal *const inertia = invInertia + 3 * i;
+            impulse[i] = invMass * jacobian[i];
+            impulse[3 + i] = inertia[0] * jacobian[3] + inertia[1] * jacobian[4] + inertia[2] * jacobian[5];
+        }
+    }
 };
 
 // What the constraints of an island add to a body's acceleration: linear, then angular. One cache line (in double precision), since

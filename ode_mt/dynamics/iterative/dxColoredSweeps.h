@@ -21,6 +21,9 @@ public:
     // At most so many sweeps; Throws std::bad_alloc.
     void begin(const dxConstraintPlan &plan, unsigned most);
 
+    // Takes as much memory as others have. Throws std::bad_alloc.
+    void reserveAs(const dxColoredSweeps &other) { reserve(other.m_claimCount); }
+
     // Calls solve(chunk, sweep) for all chunks in sweeps 0, 1, ...; it returns an energy. After each sweep isLast(sweep, sum of
     // the energies) is asked once. Returns the number of sweeps.
     template <class Solve, class IsLast>
@@ -36,6 +39,8 @@ private:
     // Fewer chunks are done before another worker could begin.
     static constexpr unsigned kMinChunks = 8;
     static constexpr int kPolls = 512;
+
+    void reserve(unsigned chunks);
 
     template <class Solve, class IsLast>
     unsigned runAlone(const Solve &solve, const IsLast &isLast) {

@@ -5,8 +5,9 @@
 #include <numeric>
 #include <utility>
 
+#include "joints/contact.h"
+
 #include "dynamics/islands/dxIslandPrefetch.h"
-#include "dynamics/iterative/dxOtherJoints.h"
 
 namespace {
 
@@ -15,6 +16,12 @@ constexpr unsigned kPacksPerChunk = 16, kOthersPerChunk = 64;
 
 // Up to so many are solved in their order, by one thread: along a chain a sweep then carries a force from one end to the other.
 constexpr std::size_t kMaxInOrder = 1000;
+
+// Whether a joint is solved as a lane.
+bool isPacked(const dxJoint &joint) {
+    return joint.type() == dJointTypeContact &&
+           (static_cast<const dxJointContact &>(joint).contact.surface.mode & dContactRolling) == 0;
+}
 
 int tagOf(const dxBody *body) { return body != nullptr ? body->tag : dxConstraintPlan::kNoBody; }
 
@@ -29,6 +36,17 @@ void dxConstraintPlan::make(const dxIsland &group) {
     placeManifolds();
     placeOthers();
     cutChunks();
+}
+
+void dxConstraintPlan::reserveAs(const dxConstraintPlan &other) {
+    m_used.reserve(other.m_used.capacity());
+    m_moves.reserve(other.m_moves.capacity());
+    m_manifolds.reserve(other.m_manifolds.capacity());
+    m_others.reserve(other.m_others.capacity());
+    m_othersByColor.reserve(other.m_othersByColor.capacity());
+    m_packs.reserve(other.m_packs.capacity());
+    m_chunks.reserve(other.m_chunks.capacity());
+    m_phases.reserve(other.m_phases.capacity());
 }
 
 unsigned dxConstraintPlan::colorOf(const int (&body)[2]) {
@@ -51,7 +69,7 @@ void dxConstraintPlan::findManifolds(const dxIsland &group) {
         for (std::size_t i = begin; i < end; ++i) {
             const dxJoint &joint = *group.joints[i];
             const int body[2] = {tagOf(joint.node[0].body), tagOf(joint.node[1].body)};
-            if (dxOtherJoints::isOther(joint)) {
+            if (!isPacked(joint)) {
                 m_others.push_back({static_cast<unsigned>(i), static_cast<std::uint8_t>(colorOf(body))});
                 continue;
             }

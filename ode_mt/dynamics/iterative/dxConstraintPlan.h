@@ -49,6 +49,9 @@ public:
     // Requires bodies with tags. Throws std::bad_alloc.
     void make(const dxIsland &group);
 
+    // Takes as much memory as another plan has. Throws std::bad_alloc.
+    void reserveAs(const dxConstraintPlan &other);
+
     const std::vector<Manifold> &manifolds() const { return m_manifolds; }
     std::vector<Manifold> &manifolds() { return m_manifolds; }
     // In the order of the group.
@@ -72,7 +75,7 @@ private:
     void cutChunks();
 
     dxJoint *const *m_joints = nullptr;
-    std::vector<std::uint64_t> m_used;  // by body: a bit for each colour; all: it does not move
+    std::vector<std::uint64_t> m_used;  // by body: a bit for each colour
     std::vector<std::uint8_t> m_moves;
     std::vector<Manifold> m_manifolds;
     std::vector<OtherJoint> m_others;

@@ -45,11 +45,11 @@ void dxContactForces::clear(const dxIsland &group) {
     for (unsigned i = first; i < first + group.bodyCount; ++i) m_now.bodies[i] = {m_bodies[i], kNone, 0};
 }
 
-bool dxContactForces::keep(unsigned number, unsigned first, unsigned second, unsigned firstContact, unsigned contactCount) {
+bool dxContactForces::keep(unsigned first, unsigned second, unsigned firstContact, unsigned contactCount) {
     const bool firstOwns = second == kNone || m_now.bodies[first].manifoldCount <= m_now.bodies[second].manifoldCount;
     Body &owner = m_now.bodies[firstOwns ? first : second];
-    m_now.manifolds[number] = {firstOwns ? second : first, firstContact, contactCount, owner.firstManifold};
-    owner.firstManifold = number;
+    m_now.manifolds[firstContact] = {firstOwns ? second : first, firstContact, contactCount, owner.firstManifold};
+    owner.firstManifold = firstContact;
     ++owner.manifoldCount;
     return firstOwns;
 }

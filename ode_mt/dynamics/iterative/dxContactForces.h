@@ -53,9 +53,8 @@ public:
     // Nothing is kept of this step for a group any more. A group may be stepped twice: what an interruption leaves is taken back.
     void clear(const dxIsland &group);
 
-    // Keeps a manifold of this step; `number` is its own, at most that of its first joint. Returns whether the first body owns
-    // it.
-    bool keep(unsigned number, unsigned first, unsigned second, unsigned firstContact, unsigned contactCount);
+    // Keeps a manifold of this step, which is known by its first contact. Returns whether the first body owns it.
+    bool keep(unsigned first, unsigned second, unsigned firstContact, unsigned contactCount);
     Contact *contacts(unsigned firstContact) { return m_now.contacts.data() + firstContact; }
 
 private:

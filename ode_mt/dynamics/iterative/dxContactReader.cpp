@@ -24,8 +24,6 @@ constexpr dReal kLargeFriction = dReal(1e30);
 // Normals of one contact in two steps are no farther apart.
 constexpr float kAlike = 0.9f;
 
-const dxJointContact &contactOf(const dxJoint *joint) { return *static_cast<const dxJointContact *>(joint); }
-
 void write(const dReal *vector, dxLaneNumbers *numbers, unsigned lane) {
     for (int i = 0; i < 3; ++i) numbers[i].lane[lane] = vector[i];
 }
@@ -118,7 +116,7 @@ void dxContactReader::readBodies(dxContactPack &pack, unsigned lane, const Manif
 }
 
 void dxContactReader::readContact(dxContactLanes &contact, unsigned lane, const dxJoint &joint) const {
-    const dxJointContact &own = contactOf(&joint);
+    const auto &own = static_cast<const dxJointContact &>(joint);
     const dSurfaceParameters &surface = own.contact.surface;
     const int mode = surface.mode;
     dReal normal[3], arm[2][3] = {};
@@ -193,8 +191,8 @@ void dxContactReader::list(std::vector<Manifold> &manifolds) const {
     m_forces.clear(m_step.island);
     for (Manifold &manifold : manifolds) {
         const unsigned firstContact = firstJoint + manifold.firstJoint;
-        manifold.firstOwns = m_forces.keep(firstContact, numberOf(manifold.body[0]), numberOf(manifold.body[1]), firstContact,
-                                           manifold.contactCount);
+        manifold.firstOwns =
+            m_forces.keep(numberOf(manifold.body[0]), numberOf(manifold.body[1]), firstContact, manifold.contactCount);
     }
 }
 

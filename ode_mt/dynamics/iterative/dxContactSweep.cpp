@@ -141,6 +141,11 @@ HWY_INLINE Vector tangentOf(const Vector &normal) {
     return {hn::IfThenElse(isSteep, none, first), hn::IfThenElse(isSteep, first, second), hn::IfThenElse(isSteep, second, none)};
 }
 
+// What a friction row may have at the most, where the normal has the impulse `pressure`.
+HWY_INLINE Lane limitOf(const dxContactLanes &contact, int tangent, Lane pressure, unsigned first) {
+    return hn::Add(hn::Mul(loadLanes(contact.friction[tangent], first), pressure), loadLanes(contact.limit[tangent], first));
+}
+
 HWY_INLINE Lane prepareContact(const dxContactPack &pack, dxContactLanes &contact, unsigned first, const Bodies &body1,
                                const Bodies &body2) {
     const LaneTag d;
@@ -177,8 +182,7 @@ HWY_INLINE Lane prepareContact(const dxContactPack &pack, dxContactLanes &contac
         storeLanes(i == 0 ? atLeast(none, impulse) : impulse, contact.impulse[i], first);
     }
     for (int i = 1; i < 3; ++i) {
-        const Lane limit = hn::Add(hn::Mul(loadLanes(contact.friction[i - 1], first), loadLanes(contact.impulse[0], first)),
-                                   loadLanes(contact.limit[i - 1], first));
+        const Lane limit = limitOf(contact, i - 1, loadLanes(contact.impulse[0], first), first);
         storeLanes(clamp(limit, loadLanes(contact.impulse[i], first)), contact.impulse[i], first);
     }
     const Vector relative = subtract(body1.velocityAt(arm1), body2.velocityAt(arm2));
@@ -199,25 +203,38 @@ double prepare(const dxContactPacks &contacts, unsigned begin, unsigned end, con
     return energy.sum();
 }
 
-void apply(const dxContactPacks &contacts, unsigned begin, unsigned end, dxVelocity *velocities) {
+// Calls work(pack, first lane, masses and bodies of both sides) for kLanes manifolds at a time, and stores the bodies as it leaves
+// them.
+template <class Work>
+HWY_INLINE void forManifolds(const dxContactPacks &contacts, unsigned begin, unsigned end, dxVelocity *velocities,
+                             const Work &work) {
     dxVelocity elsewhere;
     for (unsigned i = begin; i < end; ++i) {
         const dxContactPack &pack = contacts.packs[i];
         for (unsigned first = 0; first < dxLanes::kCount; first += kLanes) {
             const Masses masses1 = Masses::load(pack, 0, first), masses2 = Masses::load(pack, 1, first);
             Bodies body1 = Bodies::load(pack, 0, first, velocities), body2 = Bodies::load(pack, 1, first, velocities);
-            for (unsigned k = 0; k < pack.contactCount; ++k) {
-                const dxContactLanes &contact = contacts.contacts[pack.firstContact + k];
-                Vector impulse = scale(loadVector(contact.direction[0], first), loadLanes(contact.impulse[0], first));
-                impulse = add(impulse, scale(loadVector(contact.direction[1], first), loadLanes(contact.impulse[1], first)));
-                impulse = add(impulse, scale(loadVector(contact.direction[2], first), loadLanes(contact.impulse[2], first)));
-                body1.push(masses1, loadVector(contact.arm[0], first), impulse);
-                body2.pull(masses2, loadVector(contact.arm[1], first), impulse);
-            }
+            work(pack, first, masses1, masses2, body1, body2);
             body1.store(pack, 0, first, velocities, elsewhere);
             body2.store(pack, 1, first, velocities, elsewhere);
         }
     }
+}
+
+void apply(const dxContactPacks &contacts, unsigned begin, unsigned end, dxVelocity *velocities) {
+    forManifolds(contacts, begin, end, velocities,
+                 [&](const dxContactPack &pack, unsigned first, const Masses &masses1, const Masses &masses2, Bodies &body1,
+                     Bodies &body2) HWY_ATTR {
+                     for (unsigned k = 0; k < pack.contactCount; ++k) {
+                         const dxContactLanes &contact = contacts.contacts[pack.firstContact + k];
+                         const auto along = [&](unsigned row) HWY_ATTR {
+                             return scale(loadVector(contact.direction[row], first), loadLanes(contact.impulse[row], first));
+                         };
+                         const Vector impulse = add(add(along(0), along(1)), along(2));
+                         body1.push(masses1, loadVector(contact.arm[0], first), impulse);
+                         body2.pull(masses2, loadVector(contact.arm[1], first), impulse);
+                     }
+                 });
 }
 
 // The normal first, then friction against its new impulse.
@@ -231,10 +248,6 @@ HWY_INLINE Lane relax(dxContactLanes &contact, unsigned first, const Masses &mas
         return hn::Sub(hn::Sub(loadLanes(contact.wanted[row], first), dot(direction, relative)),
                        hn::Mul(loadLanes(contact.softness[row], first), impulse));
     };
-    const auto limitOf = [&](int tangent, Lane pressure) {
-        return hn::Add(hn::Mul(loadLanes(contact.friction[tangent], first), pressure), loadLanes(contact.limit[tangent], first));
-    };
-
     const Lane old0 = loadLanes(contact.impulse[0], first);
     const Lane residual0 = residualOf(0, normal, old0);
     const Lane new0 =
@@ -242,14 +255,14 @@ HWY_INLINE Lane relax(dxContactLanes &contact, unsigned first, const Masses &mas
     const Lane change0 = hn::Sub(new0, old0);
     storeLanes(new0, contact.impulse[0], first);
 
-    const Lane old1 = loadLanes(contact.impulse[1], first), limit1 = limitOf(0, new0);
+    const Lane old1 = loadLanes(contact.impulse[1], first), limit1 = limitOf(contact, 0, new0, first);
     const Lane residual1 = hn::Sub(residualOf(1, tangent1, old1), hn::Mul(loadLanes(contact.coupling[0], first), change0));
     const Lane wanted1 = hn::Add(old1, hn::Mul(factor, hn::Mul(residual1, loadLanes(contact.inverse[1], first))));
     const Lane new1 = clamp(limit1, wanted1);
     const Lane change1 = hn::Sub(new1, old1);
     storeLanes(new1, contact.impulse[1], first);
 
-    const Lane old2 = loadLanes(contact.impulse[2], first), limit2 = limitOf(1, new0);
+    const Lane old2 = loadLanes(contact.impulse[2], first), limit2 = limitOf(contact, 1, new0, first);
     const Lane coupled =
         hn::Add(hn::Mul(loadLanes(contact.coupling[1], first), change0), hn::Mul(loadLanes(contact.coupling[2], first), change1));
     const Lane residual2 = hn::Sub(residualOf(2, tangent2, old2), coupled);
@@ -269,21 +282,16 @@ HWY_INLINE Lane relax(dxContactLanes &contact, unsigned first, const Masses &mas
 double sweep(const dxContactPacks &contacts, unsigned begin, unsigned end, dReal relaxation, dxVelocity *velocities) {
     const Lane factor = hn::Set(LaneTag(), relaxation);
     Energy energy;
-    dxVelocity elsewhere;
-    for (unsigned i = begin; i < end; ++i) {
-        const dxContactPack &pack = contacts.packs[i];
-        for (unsigned first = 0; first < dxLanes::kCount; first += kLanes) {
-            const Masses masses1 = Masses::load(pack, 0, first), masses2 = Masses::load(pack, 1, first);
-            Bodies body1 = Bodies::load(pack, 0, first, velocities), body2 = Bodies::load(pack, 1, first, velocities);
-            if (pack.contactCount > 1)
-                for (unsigned k = 0; k < pack.contactCount; ++k)
-                    relax(contacts.contacts[pack.firstContact + k], first, masses1, masses2, factor, body1, body2);
-            for (unsigned k = 0; k < pack.contactCount; ++k)
-                energy.add(relax(contacts.contacts[pack.firstContact + k], first, masses1, masses2, factor, body1, body2), first);
-            body1.store(pack, 0, first, velocities, elsewhere);
-            body2.store(pack, 1, first, velocities, elsewhere);
-        }
-    }
+    forManifolds(contacts, begin, end, velocities,
+                 [&](const dxContactPack &pack, unsigned first, const Masses &masses1, const Masses &masses2, Bodies &body1,
+                     Bodies &body2) HWY_ATTR {
+                     dxContactLanes *const own = contacts.contacts + pack.firstContact;
+                     if (pack.contactCount > 1)
+                         for (unsigned k = 0; k < pack.contactCount; ++k)
+                             relax(own[k], first, masses1, masses2, factor, body1, body2);
+                     for (unsigned k = 0; k < pack.contactCount; ++k)
+                         energy.add(relax(own[k], first, masses1, masses2, factor, body1, body2), first);
+                 });
     return energy.sum();
 }
 

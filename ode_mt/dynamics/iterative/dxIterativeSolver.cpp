@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dynamics/islands/dxIslandPrefetch.h"
 #include "dynamics/iterative/dxIterativeWorld.h"
 
 namespace {
@@ -26,6 +25,16 @@ void dxIterativeSolver::begin(const dxIslandStep &step) {
     m_others.reserve(m_plan);
     placeLanes();
     m_sweeps.begin(m_plan, iterationsOf(step) + 1);
+}
+
+void dxIterativeSolver::reserveAs(const dxIterativeSolver &other) {
+    m_plan.reserveAs(other.m_plan);
+    m_sweeps.reserveAs(other.m_sweeps);
+    m_others.reserveAs(other.m_others);
+    m_contacts.reserve(other.m_contacts.capacity());
+    m_lanes.reserve(other.m_lanes.capacity());
+    m_velocities.reserve(other.m_velocities.capacity());
+    m_energies.reserve(other.m_energies.capacity());
 }
 
 void dxIterativeSolver::placeLanes() {

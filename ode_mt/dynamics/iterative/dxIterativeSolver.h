@@ -1,7 +1,7 @@
 // Solves the constraints of a group of islands approximately, in sweeps from the last step's forces: docs/iterative-solver.md.
 //
-// Threading: one group, one thread and the group's workers. Memory is kept from group to group; the process keeps as many solvers
-// as groups are solved at the same time.
+// Threading: one group, one thread and the group's workers. Memory is kept from group to group; a world keeps as many solvers as
+// groups of it are solved at the same time (dxIterativeWorld).
 #pragma once
 
 #include <vector>
@@ -19,6 +19,11 @@ public:
 
     // Requires bodies as dxGatherBodies leaves them. Writes velocities, feedback, and the forces that the next step begins with.
     void solve(const dxIslandStep &step, const dxIslandBody *bodies, const dxOtherJoints &joints);
+
+    // Takes as much memory as another solver has. Throws std::bad_alloc.
+    void reserveAs(const dxIterativeSolver &other);
+
+    const dxConstraintPlan &plan() const { return m_plan; }
 
 private:
     // Calls work(chunk, its number) for all chunks of the plan, in any order. Parallel.

@@ -19,9 +19,9 @@ bool solve(const dxIslandStep &step) try {
     const dxIterativeWorld::Lease solver(*step.iterativeWorld);
     solver->begin(step);
     auto *const bodies = step.arena->AllocateArray<dxIslandBody>(step.island.bodyCount);
-    dxGatherBodies(step, bodies);         // parallel
-    const dxOtherJoints joints(step);     // serial
-    solver->solve(step, bodies, joints);  // parallel
+    dxGatherBodies(step, bodies);                      // parallel
+    const dxOtherJoints joints(step, solver->plan());  // serial
+    solver->solve(step, bodies, joints);               // parallel
     return true;
 } catch (const std::bad_alloc &) {
     return false;

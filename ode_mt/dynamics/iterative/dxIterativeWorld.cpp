@@ -1,49 +1,24 @@
 #include "dynamics/iterative/dxIterativeWorld.h"
 
-#include <algorithm>
-#include <utility>
-
-#include "threading/process/dxForkLocks.h"
+#include "threading/process/dxPerWorld.h"
 #include "threading/process/dxProcessObject.h"
 
 namespace {
 
-struct Worlds {
-    using Entry = std::pair<const dxWorld *, std::unique_ptr<dxIterativeWorld>>;
-
-    std::vector<Entry>::iterator find(const dxWorld *world) {
-        return std::find_if(list.begin(), list.end(), [world](const Entry &entry) { return entry.first == world; });
-    }
-
-    dxForkSafeMutex mutex;
-    std::vector<Entry> list;
-};
-
-dxProcessObject<Worlds> worlds;
+dxProcessObject<dxPerWorld<std::unique_ptr<dxIterativeWorld>>> worlds;
 
 }  // namespace
 
 dxIterativeWorld &dxIterativeWorld::of(const dxWorld *world) {
-    const std::lock_guard<dxForkSafeMutex> hold(worlds->mutex);
-    const auto found = worlds->find(world);
-    if (found != worlds->list.end()) return *found->second;
-    worlds->list.emplace_back(world, std::make_unique<dxIterativeWorld>());
-    return *worlds->list.back().second;
+    dxIterativeWorld *found = nullptr;
+    worlds->visitOrMake(world, [] { return std::make_unique<dxIterativeWorld>(); },
+                        [&found](const std::unique_ptr<dxIterativeWorld> &own) { found = own.get(); });
+    return *found;
 }
 
-void dxIterativeWorld::forget(const dxWorld *world) {
-    const std::lock_guard<dxForkSafeMutex> hold(worlds->mutex);
-    const auto found = worlds->find(world);
-    if (found == worlds->list.end()) return;
-    worlds->list.erase(found);
-    if (worlds->list.empty()) worlds->list.shrink_to_fit();  // what is kept would be lost with an unloading
-}
+void dxIterativeWorld::forget(const dxWorld *world) { worlds->forget(world); }
 
-void dxIterativeWorld::release() {
-    const std::lock_guard<dxForkSafeMutex> hold(worlds->mutex);
-    worlds->list.clear();
-    worlds->list.shrink_to_fit();
-}
+void dxIterativeWorld::release() { worlds->clear(); }
 
 void dxIterativeWorld::begin(const dxWorldProcessIslandsInfo &info, const dxSolverChoice &choice) {
     m_choice = choice;
@@ -52,13 +27,22 @@ void dxIterativeWorld::begin(const dxWorldProcessIslandsInfo &info, const dxSolv
     m_forces.begin(info, choice.isWarm);
 }
 
+void dxIterativeWorld::provideSolvers(unsigned count) {
+    while (m_solvers.size() < count) addSolver();
+    dxIterativeSolver &first = *m_solvers.front();
+    for (const std::unique_ptr<dxIterativeSolver> &solver : m_solvers) first.reserveAs(*solver);
+    for (const std::unique_ptr<dxIterativeSolver> &solver : m_solvers) solver->reserveAs(first);
+}
+
+void dxIterativeWorld::addSolver() {
+    m_idle.reserve(m_solvers.size() + 1);
+    m_solvers.push_back(std::make_unique<dxIterativeSolver>());
+    m_idle.push_back(m_solvers.back().get());
+}
+
 dxIterativeSolver *dxIterativeWorld::take() {
     const std::lock_guard<std::mutex> hold(m_mutex);
-    if (m_idle.empty()) {
-        m_idle.reserve(m_solvers.size() + 1);
-        m_solvers.push_back(std::make_unique<dxIterativeSolver>());
-        return m_solvers.back().get();
-    }
+    if (m_idle.empty()) addSolver();
     dxIterativeSolver *const solver = m_idle.back();
     m_idle.pop_back();
     return solver;

@@ -26,6 +26,10 @@ public:
     // std::bad_alloc.
     void begin(const dxWorldProcessIslandsInfo &info, const dxSolverChoice &choice);
 
+    // So many solvers may be taken at once. Each has memory for what any of them has solved: which of them gets which group is the
+    // schedule's. Throws std::bad_alloc.
+    void provideSolvers(unsigned count);
+
     dxContactForces &forces() { return m_forces; }
     bool isWarm() const { return m_choice.isWarm; }
     double tolerance() const { return m_choice.tolerance; }
@@ -46,6 +50,7 @@ public:
     };
 
 private:
+    void addSolver();
     dxIterativeSolver *take();
     void giveBack(dxIterativeSolver *solver) noexcept;
 

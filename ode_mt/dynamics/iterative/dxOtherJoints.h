@@ -5,15 +5,14 @@
 #include <optional>
 
 #include "dynamics/islands/dxIslandStep.h"
+#include "dynamics/iterative/dxConstraintPlan.h"
 #include "dynamics/quickstep/dxJointRows.h"
 
 class dxOtherJoints {
 public:
     // Asks the joints for their rows. Takes memory of the step's arena, in which upstream's estimate has room for it. May call
     // the user's message handlers.
-    explicit dxOtherJoints(const dxIslandStep &step);
-
-    static bool isOther(const dxJoint &joint);
+    dxOtherJoints(const dxIslandStep &step, const dxConstraintPlan &plan);
 
     dxConstraintRow *rows() const { return m_rows; }
     unsigned rowCount() const { return m_reader ? m_reader->rowCount() : 0; }

@@ -4,10 +4,12 @@
 #include <cmath>
 
 #include "dynamics/iterative/dxWarmStart.h"
+#include "dynamics/quickstep/sor/dxSorPlain.h"
 #include "dynamics/quickstep/sor/dxSorSweep.h"
 
 namespace {
 
+using dxSorKernels::dot6;
 using Row = dxConstraintRow;
 
 constexpr std::size_t kMaxRows = 6;  // of a joint
@@ -25,10 +27,6 @@ void keepForces(dxJoint &joint, const Row *rows, unsigned count) {
 
 // A joint at a limit has other rows than one between them.
 bool hasForces(const dxJoint &joint, unsigned count) { return (joint.flags & kCountMask) >> kCountShift == count + 1; }
-
-dReal dot6(const dReal *a, const dReal *b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3] + a[4] * b[4] + a[5] * b[5];
-}
 
 // An infinite coefficient allows any force, as long as the row that bounds this one has one.
 dReal limited(dReal impulse, const Row &row, dReal bounding) {
@@ -66,13 +64,8 @@ double dxOtherRows::prepareRow(Row &row, const dxIslandBody *bodies, const dxVel
     diagonal = row.jacobian[Row::kCfm];
     for (int side = 0; side < sides; ++side) {
         const dReal *const jacobian = row.jacobian + kJacobianOf[side];
-        const dxIslandBody &body = bodies[row.body[side]];
         dReal *const impulse = side == 0 ? row.impulseOn1 : row.impulseOn2;
-        for (int i = 0; i < 3; ++i) {
-            const dReal *const inertia = body.invInertia + 3 * i;
-            impulse[i] = body.invMass * jacobian[i];
-            impulse[3 + i] = inertia[0] * jacobian[3] + inertia[1] * jacobian[4] + inertia[2] * jacobian[5];
-        }
+        bodies[row.body[side]].respond(jacobian, impulse);
         velocity += dot6(jacobian, velocities[row.body[side]].columns);
         diagonal += dot6(impulse, jacobian);
     }
@@ -93,6 +86,14 @@ void dxOtherRows::reserve(const dxConstraintPlan &plan) {
     m_firstRow.reserve(joints + 1);
     m_diagonal.reserve(rows);
     m_last.reserve(rows);
+}
+
+void dxOtherRows::reserveAs(const dxOtherRows &other) {
+    m_order.reserve(other.m_order.capacity());
+    m_firstInOrder.reserve(other.m_firstInOrder.capacity());
+    m_firstRow.reserve(other.m_firstRow.capacity());
+    m_diagonal.reserve(other.m_diagonal.capacity());
+    m_last.reserve(other.m_last.capacity());
 }
 
 double dxOtherRows::prepare(const dxOtherJoints &joints, const dxConstraintPlan &plan, const dxIslandBody *bodies,

@@ -15,6 +15,9 @@ public:
     // Takes the memory that the plan's joints may need, whatever they say. Throws std::bad_alloc.
     void reserve(const dxConstraintPlan &plan);
 
+    // Takes as much memory as others have. Throws std::bad_alloc.
+    void reserveAs(const dxOtherRows &other);
+
     // Completes the rows of `joints`, `velocities` being the free ones; sweeps over-relax by `factor`. Returns the energy of the
     // residual without impulses.
     double prepare(const dxOtherJoints &joints, const dxConstraintPlan &plan, const dxIslandBody *bodies,

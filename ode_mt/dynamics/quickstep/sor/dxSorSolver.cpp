@@ -22,13 +22,8 @@ void prepareRow(const dxIslandProblem &problem, Row &row, dReal factor) {
         const dReal *const jacobian = row.jacobian + kJacobianOf[which];
         const dReal *const acceleration = problem.accelerationOf(row.body[which]);
         for (int i = 0; i < 6; ++i) freeAcceleration += jacobian[i] * acceleration[i];
-        const dxIslandBody &body = problem.bodies[row.body[which]];
         dReal *const impulse = which == 0 ? row.impulseOn1 : row.impulseOn2;
-        for (int i = 0; i < 3; ++i) {
-            const dReal *const inertia = body.invInertia + 3 * i;
-            impulse[i] = body.invMass * jacobian[i];
-            impulse[3 + i] = inertia[0] * jacobian[3] + inertia[1] * jacobian[4] + inertia[2] * jacobian[5];
-        }
+        problem.bodies[row.body[which]].respond(jacobian, impulse);
         for (int i = 0; i < 6; ++i) diagonal += impulse[i] * jacobian[i];
     }
     const dReal cfm = row.jacobian[Row::kCfm], scale = factor / (diagonal + cfm);
