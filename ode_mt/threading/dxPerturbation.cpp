@@ -12,53 +12,61 @@
 
 namespace {
 
-std::atomic<std::uint64_t> randomState{0};
+std::atomic<std::uint64_t> seed{0};
+std::atomic<std::uint64_t> drawn{0};
 std::atomic<std::uint64_t> timesReached[kSchedulePoints];
 
-// SplitMix64 (Steele, Lea, Flood 2014): the state only counts up, so threads can share it.
-std::uint64_t nextRandom() {
-    std::uint64_t z = randomState.fetch_add(0x9e3779b97f4a7c15u, std::memory_order_relaxed);
+// One point in eight sleeps at first, later one in sixty-four: a long run would sleep for most of its time.
+constexpr std::uint64_t kSleepyPoints = 20000;
+
+// SplitMix64 (Steele, Lea, Flood 2014): its state only counts up, so threads can share it.
+std::uint64_t randomAt(std::uint64_t place) {
+    std::uint64_t z = seed.load(std::memory_order_relaxed) + place * 0x9e3779b97f4a7c15u;
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
     return z ^ (z >> 31);
 }
 
+void sleepUpTo50us(std::uint64_t random) {
+    const dxNoCancellation whole;
+    const timespec pause{0, static_cast<long>(random % 50000)};
+    nanosleep(&pause, nullptr);
+}
+
 void disturbAtRandom() {
-    const std::uint64_t random = nextRandom();
-    switch (random % 8) {
-        case 0: {
-            const dxNoCancellation whole;
-            const timespec pause{0, static_cast<long>((random >> 8) % 50000)};
-            nanosleep(&pause, nullptr);
-            break;
-        }
-        case 1:
-        case 2:
-            sched_yield();
-            break;
-        default:
-            break;
+    const std::uint64_t place = drawn.fetch_add(1, std::memory_order_relaxed);
+    const std::uint64_t random = randomAt(place);
+    const unsigned kind = random % 64;
+    if (kind == 0 || (kind % 8 == 0 && place < kSleepyPoints)) {
+        sleepUpTo50us(random >> 8);
+    } else if (kind % 8 == 1 || kind % 8 == 2) {
+        sched_yield();
     }
+}
+
+void startFrom(std::uint64_t newSeed) {
+    seed.store(newSeed);
+    drawn.store(0);
 }
 
 dxDisturbance fromEnvironment() {
     constexpr long long kMaxSeed = std::numeric_limits<long long>::max();
     const char *text = dxEnvironment(dxVariable::Perturb);
     if (text == nullptr) return nullptr;
-    long long seed = 0;
-    switch (dxReadNumber(text, 0, kMaxSeed, seed)) {
+    long long number = 0;
+    switch (dxReadNumber(text, 0, kMaxSeed, number)) {
         case dxNumberText::NoNumber:
             dxLog(dxLogLevel::warning, "ODE_MT_PERTURB is '%.100s'; it takes a number, the seed", text);
             return nullptr;
         case dxNumberText::OutOfRange:
             dxLog(dxLogLevel::warning,
                   "ODE_MT_PERTURB is '%.100s'; known: a number from 0 to %lld; %lld is taken", text,
-                  kMaxSeed, seed);
+                  kMaxSeed, number);
             break;
         case dxNumberText::InRange:
             break;
     }
-    randomState.store(static_cast<std::uint64_t>(seed));
+    startFrom(static_cast<std::uint64_t>(number));
     return disturbAtRandom;
 }
 
@@ -78,6 +86,6 @@ std::uint64_t dxTimesReached(dxSchedulePoint point) {
 void dxSetDisturbance(dxDisturbance disturb) { dxDisturbanceInForce.store(disturb); }
 
 void dxSetRandomDisturbance(unsigned seed) {
-    randomState.store(seed);
+    startFrom(seed);
     dxSetDisturbance(disturbAtRandom);
 }
