@@ -26,7 +26,12 @@ class Pack {
 public:
     static constexpr unsigned kBodies = 16, kContacts = 3;
 
-    explicit Pack(unsigned seed) : m_random(seed), m_velocities(kBodies + 1), m_contacts(kContacts) {
+    explicit Pack(unsigned seed, bool hasResponses = true)
+        : m_random(seed),
+          m_hasResponses(hasResponses),
+          m_velocities(kBodies + 1),
+          m_contacts(kContacts),
+          m_responses(kContacts) {
         m_packs.resize(1);
         m_packs[0].contactCount = kContacts;
         for (unsigned i = 0; i < kBodies; ++i)
@@ -35,7 +40,9 @@ public:
         for (unsigned lane = 0; lane < dxLanes::kCount; ++lane) fillLane(lane);
     }
 
-    dxContactPacks packs() { return {m_packs.data(), m_contacts.data()}; }
+    dxContactPacks packs() {
+        return {m_packs.data(), m_contacts.data(), m_hasResponses ? m_responses.data() : nullptr};
+    }
     double prepare() { return dxPrepareContacts(packs(), 0, 1, m_velocities.data()); }
     void apply() { dxApplyImpulses(packs(), 0, 1, m_velocities.data()); }
     double sweep(dReal factor = 1) { return dxSweepContacts(packs(), 0, 1, factor, m_velocities.data()); }
@@ -53,7 +60,7 @@ public:
             const dReal *const u = velocities[static_cast<std::size_t>(body)].columns;
             const Vector v = {u[0], u[1], u[2]}, w = {u[3], u[4], u[5]};
             const Vector direction = vectorOf(m_contacts[contact].direction[row], lane),
-                         arm = vectorOf(m_contacts[contact].arm[side], lane);
+                         arm = armOf(m_contacts[contact], side, lane);
             sum += (side == 0 ? 1 : -1) * (dot(direction, v) + dot(cross(arm, direction), w));
         }
         return sum;
@@ -76,6 +83,14 @@ private:
         return {numbers[0].lane[lane], numbers[1].lane[lane], numbers[2].lane[lane]};
     }
 
+    Vector armOf(const dxContactLanes &contact, unsigned side, unsigned lane) const {
+        Vector arm = vectorOf(contact.arm, lane);
+        const Vector between = vectorOf(m_packs[0].between, lane);
+        if (side == 1)
+            for (std::size_t i = 0; i < 3; ++i) arm[i] += between[i];
+        return arm;
+    }
+
     void fillLane(unsigned lane) {
         dxContactPack &pack = m_packs[0];
         for (unsigned side = 0; side < 2; ++side) {
@@ -91,6 +106,8 @@ private:
                                        2 + number() / 2, number() / 4, 2 + number() / 2};
             for (int i = 0; i < 6; ++i) pack.inverseInertia[side][i].lane[lane] = inertia[i];
         }
+        for (auto &between : pack.between)
+            if (lane < 5 || lane == 6) between.lane[lane] = number();
         for (unsigned i = 0; i < kContacts; ++i)
             if (has(lane, i)) fillContact(m_contacts[i], lane);
     }
@@ -100,7 +117,7 @@ private:
         const double length = std::sqrt(dot(normal, normal));
         for (int axis = 0; axis < 3; ++axis) {
             contact.direction[0][axis].lane[lane] = normal[static_cast<std::size_t>(axis)] / length;
-            for (auto &arm : contact.arm) arm[axis].lane[lane] = number();
+            contact.arm[axis].lane[lane] = number();
         }
         for (int row = 0; row < 3; ++row) {
             contact.wanted[row].lane[lane] = number();
@@ -118,7 +135,7 @@ private:
         if (target == dxContactPack::kNoBody) return;
         const double impulse = (side == 0 ? 1 : -1) * contact.impulse[row].lane[lane];
         const Vector direction = vectorOf(contact.direction[row], lane),
-                     axis = cross(vectorOf(contact.arm[side], lane), direction);
+                     axis = cross(armOf(contact, side, lane), direction);
         constexpr int kElement[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
         for (std::size_t i = 0; i < 3; ++i) {
             all[static_cast<std::size_t>(target)].columns[i] += pack.inverseMass[side].lane[lane] * direction[i] * impulse;
@@ -129,9 +146,11 @@ private:
     }
 
     std::mt19937 m_random;
+    bool m_hasResponses;
     std::vector<dxVelocity> m_velocities, m_free;
     std::vector<dxContactPack> m_packs;
     std::vector<dxContactLanes> m_contacts;
+    std::vector<dxContactResponse> m_responses;
 };
 
 template <class Test>
@@ -211,6 +230,23 @@ TEST(ContactSweep, LeavesTheVelocitiesThatTheForcesGive) {
             const std::vector<dxVelocity> expected = pack.expectedVelocities();
             for (unsigned body = 0; body < Pack::kBodies; ++body)
                 for (int k = 0; k < 6; ++k) EXPECT_NEAR(pack.velocities()[body].columns[k], expected[body].columns[k], 1e-11);
+        }
+    });
+}
+
+// A manifold's contacts see one another by their responses or by the bodies.
+TEST(ContactSweep, FindsTheSameWithoutResponses) {
+    onAllInstructionSets([] {
+        for (unsigned seed = 0; seed < 20; ++seed) {
+            Pack with(seed), without(seed, false);
+            for (Pack *const pack : {&with, &without}) {
+                pack->prepare();
+                pack->apply();
+                for (int i = 0; i < 5; ++i) pack->sweep();
+            }
+            for (unsigned body = 0; body < Pack::kBodies; ++body)
+                for (int k = 0; k < 6; ++k)
+                    EXPECT_NEAR(with.velocities()[body].columns[k], without.velocities()[body].columns[k], 1e-6);
         }
     });
 }

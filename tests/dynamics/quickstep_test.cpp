@@ -108,8 +108,9 @@ void expectSameStages(const dxIslandStep &step, const UpstreamQuickStep &upstrea
         ASSERT_TRUE(sameBits(columnsOf(accelerations), upstream.acceleration));
         joints.giveFeedback(rows.data());
     }
-    dxIntegrateVelocities(step, bodies.data(), rows.empty() ? nullptr : accelerations.data());
-    dxMoveBodies(step);
+    dxQuietMotion motion(step);
+    dxIntegrateVelocities(step, bodies.data(), rows.empty() ? nullptr : accelerations.data(), motion);
+    dxMoveBodies(step, motion);
 }
 
 TEST_P(QuickStepStages, GiveUpstreamsBits) {

@@ -69,7 +69,7 @@ const Scene kScenes[] = {
     {"LargeIsland",
      [] { playPacked(10, 10, dWorldQuickStep); },
      {Stage::PairKeys, Stage::KeptPairKeys, Stage::NarrowphasePrefetch, Stage::Bodies, Stage::Joints, Stage::RightHandSides,
-      Stage::Rows, Stage::SorPlan, Stage::SorSweep}},
+      Stage::Rows, Stage::SorPlan, Stage::SorSweep, Stage::Motion}},
     {"LargeIslandOfAFastWorld", [] { playPacked(16, 16, dWorldQuickStep, "fast"); }, {Stage::ColoredSweeps}},
     // In a row, so that each box touches few others and the factor has zeros to skip.
     {"LargeExactIsland",

@@ -1,6 +1,7 @@
 #include "dynamics/islands/dxBodyIntegration.h"
 
 #include <ode/collision.h>
+#include <ode/odemath.h>
 
 #include <utility>
 
@@ -28,6 +29,10 @@ void dxIntegrateIslandBody(dxBody *body, dReal stepSize) {
         stepBody(body, stepSize);
         return;
     }
+    dxIntegrateUntold(body, stepSize);
+}
+
+void dxIntegrateUntold(dxBody *body, dReal stepSize) {
     // A body without geoms notifies no space. Nothing else reads the list while the island is stepped.
     const dGeomID geoms = std::exchange(body->geom, nullptr);
     try {
@@ -37,6 +42,13 @@ void dxIntegrateIslandBody(dxBody *body, dReal stepSize) {
         throw;
     }
     body->geom = geoms;
+}
+
+// Upstream asserts that the quaternion, to which half of its product with the angular velocity has been added, has a length.
+bool dxMovesQuietly(const dxBody &body) {
+    if (body.moved_callback != nullptr || (body.flags & dxBodyFlagFiniteRotation) != 0) return false;
+    const dReal length = dCalcVectorDot3(body.q, body.q) + body.q[3] * body.q[3], speed = dCalcVectorDot3(body.avel, body.avel);
+    return length > dReal(0.25) && length < 4 && speed < dReal(1e15);
 }
 
 void dxNotifyMoved(const dxIsland &island) {

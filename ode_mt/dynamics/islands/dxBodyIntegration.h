@@ -11,6 +11,13 @@
 // Both steppers call this instead of dxStepBody; so do upstream's, by a seam.
 void dxIntegrateIslandBody(dxBody *body, dReal stepSize);
 
+// Moves a body and damps it, but tells no space. Any thread; writes the body alone.
+void dxIntegrateUntold(dxBody *body, dReal stepSize);
+
+// Whether moving a body, at its present velocity, is heard by nobody but the spaces: it has no callback, and none of upstream's
+// asserts fails. Bodies of which all are so may be moved in any order.
+bool dxMovesQuietly(const dxBody &body);
+
 // Notifies the spaces that the island's geoms moved.
 void dxNotifyMoved(const dxIsland &island);
 

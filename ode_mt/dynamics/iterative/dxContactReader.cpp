@@ -8,6 +8,7 @@
 
 #include "joints/contact.h"
 
+#include "core/dxPrefetch.h"
 #include "dynamics/islands/dxIslandPrefetch.h"
 #include "dynamics/iterative/dxIterativeWorld.h"
 #include "dynamics/iterative/dxWarmStart.h"
@@ -56,6 +57,12 @@ void readFriction(dReal coefficient, bool isOfNormal, dReal stepSize, unsigned t
     contact.limit[tangent].lane[lane] = isOfNormal ? 0 : finite * stepSize;
 }
 
+// From the centre of one of the bodies to a contact.
+dReal armOf(const dxContactPack &pack, const dxContactLanes &contact, bool isOfFirst, int axis, unsigned lane) {
+    const dReal arm = contact.arm[axis].lane[lane];
+    return isOfFirst ? arm : arm + pack.between[axis].lane[lane];
+}
+
 // The impulse along an axis of the world.
 dReal impulseAlong(const dxContactLanes &contact, int axis, unsigned lane) {
     dReal sum = 0;
@@ -74,30 +81,41 @@ unsigned dxContactReader::numberOf(int tag) const {
                                             : m_forces.firstBody(m_step.island) + static_cast<unsigned>(tag);
 }
 
-// Joints of the manifolds that come next.
-void dxContactReader::prefetch(const Manifold *manifold) const {
+// Joints of a manifold that comes next.
+void dxContactReader::prefetchJoints(const Manifold *manifold) const {
     if (manifold == nullptr) return;
     for (unsigned k = 0; k < manifold->contactCount; ++k) dxIslandPrefetch::joint(m_step.island.joints[manifold->firstJoint + k]);
+}
+
+// What startWarm() will look for, for a pack's manifolds. Each is at the end of a chain of three places in memory; here eight chains
+// are followed side by side.
+void dxContactReader::prefetchForces(const Manifold *const *lanes) const {
+    for (unsigned lane = 0; lane < dxLanes::kCount; ++lane)
+        if (lanes[lane] != nullptr)
+            forLast(*lanes[lane], [this](const dxContactForces::Manifold &last, bool) {
+                dxPrefetch::lines(m_forces.lastContacts(last), last.contactCount * sizeof(dxContactForces::Contact));
+            });
 }
 
 void dxContactReader::read(const dxContactPacks &contacts, const Manifold *const *lanes, unsigned begin, unsigned end) const {
     const bool isLarge = m_step.island.bodyCount >= dxIslandPrefetch::kMinBodies;
     for (unsigned i = begin; i < end; ++i) {
         dxContactPack &pack = contacts.packs[i];
+        const Manifold *const *const own = lanes + i * dxLanes::kCount;
+        if (isLarge && i + 1 < end) prefetchForces(own + dxLanes::kCount);
         std::memset(contacts.contacts + pack.firstContact, 0, pack.contactCount * sizeof(dxContactLanes));
         for (unsigned lane = 0; lane < dxLanes::kCount; ++lane) {
             for (int side = 0; side < 2; ++side) {
                 pack.source[side][lane] = static_cast<int>(m_step.island.bodyCount);
                 pack.target[side][lane] = dxContactPack::kNoBody;
             }
-            const unsigned place = i * dxLanes::kCount + lane;
-            if (isLarge && place + kPrefetchDistance < end * dxLanes::kCount) prefetch(lanes[place + kPrefetchDistance]);
-            const Manifold *const manifold = lanes[place];
-            if (manifold == nullptr) continue;
-            readBodies(pack, lane, *manifold);
-            for (unsigned k = 0; k < manifold->contactCount; ++k)
-                readContact(contacts.contacts[pack.firstContact + k], lane, *m_step.island.joints[manifold->firstJoint + k]);
-            startWarm(contacts, pack, lane, *manifold);
+            if (isLarge && i * dxLanes::kCount + lane + kPrefetchDistance < end * dxLanes::kCount)
+                prefetchJoints(own[lane + kPrefetchDistance]);
+            if (own[lane] == nullptr) continue;
+            readBodies(pack, lane, *own[lane]);
+            for (unsigned k = 0; k < own[lane]->contactCount; ++k)
+                readContact(contacts.contacts[pack.firstContact + k], lane, *m_step.island.joints[own[lane]->firstJoint + k]);
+            startWarm(contacts, pack, lane, *own[lane]);
         }
     }
 }
@@ -113,6 +131,10 @@ void dxContactReader::readBodies(dxContactPack &pack, unsigned lane, const Manif
         pack.inverseMass[side].lane[lane] = body.invMass;
         for (int i = 0; i < 6; ++i) pack.inverseInertia[side][i].lane[lane] = body.invInertia[kElements[i]];
     }
+    if (manifold.body[1] == dxConstraintPlan::kNoBody) return;
+    dVector3 between;
+    dSubtractVectors3(between, m_step.island.bodies[manifold.body[0]]->posr.pos, m_step.island.bodies[manifold.body[1]]->posr.pos);
+    write(between, pack.between, lane);
 }
 
 void dxContactReader::readContact(dxContactLanes &contact, unsigned lane, const dxJoint &joint) const {
@@ -125,8 +147,7 @@ void dxContactReader::readContact(dxContactLanes &contact, unsigned lane, const 
         arm[0][i] = own.contact.geom.pos[i] - own.node[0].body->posr.pos[i];
         if (own.node[1].body != nullptr) arm[1][i] = own.contact.geom.pos[i] - own.node[1].body->posr.pos[i];
     }
-    write(arm[0], contact.arm[0], lane);
-    write(arm[1], contact.arm[1], lane);
+    write(arm[0], contact.arm, lane);
     write(normal, contact.direction[0], lane);
     if ((mode & dContactFDir1) != 0) write(own.contact.fdir1, contact.direction[1], lane);
 
@@ -152,12 +173,10 @@ void dxContactReader::startWarm(const dxContactPacks &contacts, const dxContactP
     constexpr unsigned kMaxCandidates = 32;
     Candidate candidates[kMaxCandidates];
     unsigned count = 0;
-    m_forces.forLast(numberOf(manifold.body[0]), numberOf(manifold.body[1]),
-                     [&](const dxContactForces::Manifold &last, bool firstOwns) {
-                         const dxContactForces::Contact *const own = m_forces.lastContacts(last);
-                         for (unsigned i = 0; i < last.contactCount && count < kMaxCandidates; ++i)
-                             candidates[count++] = {own + i, firstOwns};
-                     });
+    forLast(manifold, [&](const dxContactForces::Manifold &last, bool firstOwns) {
+        const dxContactForces::Contact *const own = m_forces.lastContacts(last);
+        for (unsigned i = 0; i < last.contactCount && count < kMaxCandidates; ++i) candidates[count++] = {own + i, firstOwns};
+    });
     for (unsigned k = 0; k < manifold.contactCount && count != 0; ++k) {
         dxContactLanes &contact = contacts.contacts[pack.firstContact + k];
         unsigned best = count;
@@ -167,7 +186,7 @@ void dxContactReader::startWarm(const dxContactPacks &contacts, const dxContactP
             const float sign = candidate.firstOwns ? 1.0f : -1.0f;
             float distance = 0, cosine = 0;
             for (int axis = 0; axis < 3; ++axis) {
-                const auto arm = static_cast<float>(contact.arm[candidate.firstOwns ? 0 : 1][axis].lane[lane]);
+                const auto arm = static_cast<float>(armOf(pack, contact, candidate.firstOwns, axis, lane));
                 const float difference = arm - candidate.contact->arm[axis];
                 distance += difference * difference;
                 cosine += sign * static_cast<float>(contact.direction[0][axis].lane[lane]) * candidate.contact->normal[axis];
@@ -205,10 +224,11 @@ void dxContactReader::keep(const dxContactPacks &contacts, const Manifold *const
             if (manifold == nullptr) continue;
             const dReal sign = manifold->firstOwns ? 1 : -1;
             dxContactForces::Contact *const kept = m_forces.contacts(firstJoint + manifold->firstJoint);
+            const dxContactPack &pack = contacts.packs[i];
             for (unsigned k = 0; k < manifold->contactCount; ++k) {
-                const dxContactLanes &contact = contacts.contacts[contacts.packs[i].firstContact + k];
+                const dxContactLanes &contact = contacts.contacts[pack.firstContact + k];
                 for (int axis = 0; axis < 3; ++axis) {
-                    kept[k].arm[axis] = static_cast<float>(contact.arm[manifold->firstOwns ? 0 : 1][axis].lane[lane]);
+                    kept[k].arm[axis] = static_cast<float>(armOf(pack, contact, manifold->firstOwns, axis, lane));
                     kept[k].normal[axis] = static_cast<float>(sign * contact.direction[0][axis].lane[lane]);
                     kept[k].force[axis] = static_cast<float>(sign * perStep * impulseAlong(contact, axis, lane));
                 }
@@ -222,12 +242,13 @@ void dxContactReader::giveFeedback(const dxContactPacks &contacts, const std::ve
         for (unsigned k = 0; k < manifold.contactCount; ++k) {
             const dxJoint &joint = *m_step.island.joints[manifold.firstJoint + k];
             if (joint.feedback == nullptr) continue;
-            const dxContactLanes &contact = contacts.contacts[contacts.packs[manifold.pack].firstContact + k];
+            const dxContactPack &pack = contacts.packs[manifold.pack];
+            const dxContactLanes &contact = contacts.contacts[pack.firstContact + k];
             dVector3 force = {}, arm[2] = {};
             for (int axis = 0; axis < 3; ++axis) {
                 force[axis] = impulseAlong(contact, axis, manifold.lane) * perStep;
-                arm[0][axis] = contact.arm[0][axis].lane[manifold.lane];
-                arm[1][axis] = contact.arm[1][axis].lane[manifold.lane];
+                arm[0][axis] = armOf(pack, contact, true, axis, manifold.lane);
+                arm[1][axis] = armOf(pack, contact, false, axis, manifold.lane);
             }
             dJointFeedback &feedback = *joint.feedback;
             dCopyVector3(feedback.f1, force);

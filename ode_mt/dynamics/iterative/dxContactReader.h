@@ -31,7 +31,13 @@ public:
 
 private:
     unsigned numberOf(int tag) const;
-    void prefetch(const dxConstraintPlan::Manifold *manifold) const;
+    // Calls visit(manifold of the last step, whether its owner is the first body).
+    template <class Visit>
+    void forLast(const dxConstraintPlan::Manifold &manifold, const Visit &visit) const {
+        m_forces.forLast(numberOf(manifold.body[0]), numberOf(manifold.body[1]), visit);
+    }
+    void prefetchJoints(const dxConstraintPlan::Manifold *manifold) const;
+    void prefetchForces(const dxConstraintPlan::Manifold *const *lanes) const;
     void readBodies(dxContactPack &pack, unsigned lane, const dxConstraintPlan::Manifold &manifold) const;
     void readContact(dxContactLanes &contact, unsigned lane, const dxJoint &joint) const;
     void startWarm(const dxContactPacks &contacts, const dxContactPack &pack, unsigned lane,

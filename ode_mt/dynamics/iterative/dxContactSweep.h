@@ -7,12 +7,7 @@
 #include "dynamics/iterative/dxContactPack.h"
 #include "dynamics/iterative/dxVelocities.h"
 
-struct dxContactPacks {
-    dxContactPack *packs;
-    dxContactLanes *contacts;
-};
-
-// Completes what dxContactReader has written: tangents where none are given (direction[1] zero), couplings, inverses, impulses as
+// Completes what dxContactReader has written: tangents where none are given (direction[1] zero), couplings, inverses, responses (if there is room), impulses as
 // projections of `impulse`, which holds a vector in the world's frame. Returns the energy of the residual without impulses, u
 // being the free velocities.
 double dxPrepareContacts(const dxContactPacks &contacts, unsigned begin, unsigned end, const dxVelocity *velocities);

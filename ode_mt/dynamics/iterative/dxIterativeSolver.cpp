@@ -3,24 +3,42 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/islands/dxForBodies.h"
+#include "dynamics/iterative/dxFreeMotion.h"
 #include "dynamics/iterative/dxIterativeWorld.h"
 
 namespace {
-
-constexpr std::size_t kBodiesPerJob = 64;
 
 // Of the iterations: so many are made in any case, and so many at the end are not over-relaxed, which leaves smaller residuals.
 constexpr double kLeastPart = 0.4;
 constexpr unsigned kSmoothing = 3;
 
+// More contacts fit no cache, and a sweep takes as long as it takes to read them: responses would be 144 bytes beside 224.
+constexpr unsigned kMaxResponses = 4096;
+
 unsigned iterationsOf(const dxIslandStep &step) { return static_cast<unsigned>(std::max(step.world->qs.num_iterations, 0)); }
 
 }  // namespace
 
-void dxIterativeSolver::begin(const dxIslandStep &step) {
+void dxIterativeSolver::begin(const dxIslandStep &step, dxIslandBody *masses) {
+    const std::size_t count = step.island.bodyCount;
+    m_velocities.resize(count + 1);
+    m_velocities[count] = dxVelocity();
+    if (step.islandWorkers == nullptr) return makePlan(step);
+    const auto jobs = static_cast<unsigned>((count + dxBodyLoops::kBodiesPerJob - 1) / dxBodyLoops::kBodiesPerJob);
+    step.runner().forBlocks(dxParallelStage::Bodies, 1 + jobs, [&](unsigned block, unsigned) {
+        if (block == 0) return makePlan(step);
+        const std::size_t first = (block - 1) * dxBodyLoops::kBodiesPerJob;
+        dxFindFreeMotion(step, first, std::min(first + dxBodyLoops::kBodiesPerJob, count), masses, m_velocities.data());
+    });
+}
+
+void dxIterativeSolver::makePlan(const dxIslandStep &step) {
     m_plan.make(step.island);
-    m_velocities.resize(step.island.bodyCount + std::size_t{1});
-    if (m_contacts.size() < m_plan.packedContacts()) m_contacts.resize(m_plan.packedContacts());
+    const unsigned contacts = m_plan.packedContacts();
+    if (m_contacts.size() < contacts) m_contacts.resize(contacts);
+    m_hasResponses = contacts <= kMaxResponses;
+    if (m_hasResponses && m_responses.size() < contacts) m_responses.resize(contacts);
     m_energies.resize(m_plan.chunks().size());
     m_others.reserve(m_plan);
     placeLanes();
@@ -32,6 +50,7 @@ void dxIterativeSolver::reserveAs(const dxIterativeSolver &other) {
     m_sweeps.reserveAs(other.m_sweeps);
     m_others.reserveAs(other.m_others);
     m_contacts.reserve(other.m_contacts.capacity());
+    m_responses.reserve(other.m_responses.capacity());
     m_lanes.reserve(other.m_lanes.capacity());
     m_velocities.reserve(other.m_velocities.capacity());
     m_energies.reserve(other.m_energies.capacity());
@@ -43,11 +62,13 @@ void dxIterativeSolver::placeLanes() {
         m_lanes[std::size_t(manifold.pack) * dxLanes::kCount + manifold.lane] = &manifold;
 }
 
-void dxIterativeSolver::solve(const dxIslandStep &step, const dxIslandBody *bodies, const dxOtherJoints &joints) {
-    findFreeVelocities(step, bodies);                     // parallel
+void dxIterativeSolver::solve(const dxIslandStep &step, dxIslandBody *bodies, const dxOtherJoints &joints, dxQuietMotion &motion) {
+    // Joints other than contacts may have pushed their bodies when they were asked for their rows.
+    if (step.islandWorkers == nullptr || !m_plan.otherJoints().empty())
+        dxFindFreeMotion(step, bodies, m_velocities.data());  // parallel
     const double energy = prepare(step, bodies, joints);  // parallel
     sweep(step, energy);                                  // parallel
-    writeVelocities(step);                                // parallel
+    writeVelocities(step, motion);                        // parallel
     const dxContactReader reader(step, bodies);
     reader.list(m_plan.manifolds());
     forChunks(step, [&](const dxConstraintPlan::Chunk &chunk, unsigned) {
@@ -56,26 +77,6 @@ void dxIterativeSolver::solve(const dxIslandStep &step, const dxIslandBody *bodi
     reader.giveFeedback(packs(), m_plan.manifolds());
     m_others.finish(joints, step.stepSize);
     joints.giveFeedback();
-}
-
-// v + h inv(M) f
-void dxIterativeSolver::findFreeVelocities(const dxIslandStep &step, const dxIslandBody *bodies) {
-    const dReal h = step.stepSize;
-    step.runner().forChunks(
-        dxParallelStage::RightHandSides, step.island.bodyCount, kBodiesPerJob, [&](std::size_t begin, std::size_t end, unsigned) {
-            for (std::size_t i = begin; i < end; ++i) {
-                const dxBody &body = *step.island.bodies[i];
-                dReal *const velocity = m_velocities[i].columns;
-                const dReal perForce = h * bodies[i].invMass;
-                for (int axis = 0; axis < 3; ++axis) {
-                    const dReal *const inertia = bodies[i].invInertia + 3 * axis;
-                    velocity[axis] = body.lvel[axis] + perForce * body.facc[axis];
-                    velocity[3 + axis] =
-                        body.avel[axis] + h * (inertia[0] * body.tacc[0] + inertia[1] * body.tacc[1] + inertia[2] * body.tacc[2]);
-                }
-            }
-        });
-    m_velocities[step.island.bodyCount] = dxVelocity();
 }
 
 // Returns the energy of the residual without impulses.
@@ -121,13 +122,11 @@ double dxIterativeSolver::solveChunk(unsigned index, unsigned sweep) {
     return energy;
 }
 
-void dxIterativeSolver::writeVelocities(const dxIslandStep &step) {
-    step.runner().forChunks(dxParallelStage::RightHandSides, step.island.bodyCount, kBodiesPerJob,
-                            [&](std::size_t begin, std::size_t end, unsigned) {
-                                for (std::size_t i = begin; i < end; ++i) {
-                                    dxBody &body = *step.island.bodies[i];
-                                    std::copy_n(m_velocities[i].columns, 3, body.lvel);
-                                    std::copy_n(m_velocities[i].columns + 3, 3, body.avel);
-                                }
-                            });
+void dxIterativeSolver::writeVelocities(const dxIslandStep &step, dxQuietMotion &motion) {
+    dxForBodiesInParallel(step, dxParallelStage::Motion, [&](std::size_t i) {
+        dxBody &body = *step.island.bodies[i];
+        std::copy_n(m_velocities[i].columns, 3, body.lvel);
+        std::copy_n(m_velocities[i].columns + 3, 3, body.avel);
+        motion.see(body);
+    });
 }

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "dynamics/islands/dxBodyMotion.h"
 #include "dynamics/islands/dxIslandStep.h"
 #include "dynamics/iterative/dxColoredSweeps.h"
 #include "dynamics/iterative/dxConstraintPlan.h"
@@ -14,11 +15,12 @@
 
 class dxIterativeSolver {
 public:
-    // Makes all the plans and takes all memory that solve() needs. Requires tags. Throws std::bad_alloc.
-    void begin(const dxIslandStep &step);
+    // Makes all the plans and takes all memory that solve() needs. Workers find the bodies' free motion meanwhile. Requires tags.
+    // Throws std::bad_alloc; nothing of the bodies has changed then.
+    void begin(const dxIslandStep &step, dxIslandBody *masses);
 
-    // Requires bodies as dxGatherBodies leaves them. Writes velocities, feedback, and the forces that the next step begins with.
-    void solve(const dxIslandStep &step, const dxIslandBody *bodies, const dxOtherJoints &joints);
+    // Writes velocities, feedback, and the forces that the next step begins with.
+    void solve(const dxIslandStep &step, dxIslandBody *masses, const dxOtherJoints &joints, dxQuietMotion &motion);
 
     // Takes as much memory as another solver has. Throws std::bad_alloc.
     void reserveAs(const dxIterativeSolver &other);
@@ -34,22 +36,26 @@ private:
                                 [&](unsigned i, unsigned) { work(chunks[i], i); });
     }
 
-    void findFreeVelocities(const dxIslandStep &step, const dxIslandBody *bodies);
+    void makePlan(const dxIslandStep &step);
     void placeLanes();
     double prepare(const dxIslandStep &step, const dxIslandBody *bodies, const dxOtherJoints &joints);
     void sweep(const dxIslandStep &step, double energy);
     double solveChunk(unsigned chunk, unsigned sweep);
-    void writeVelocities(const dxIslandStep &step);
+    void writeVelocities(const dxIslandStep &step, dxQuietMotion &motion);
 
-    dxContactPacks packs() { return {m_plan.packs().data(), m_contacts.data()}; }
+    dxContactPacks packs() {
+        return {m_plan.packs().data(), m_contacts.data(), m_hasResponses ? m_responses.data() : nullptr};
+    }
 
     dxConstraintPlan m_plan;
     dxColoredSweeps m_sweeps;
     dxOtherRows m_others;
     std::vector<dxContactLanes> m_contacts;
+    std::vector<dxContactResponse> m_responses;               // by contact, where there are not too many
     std::vector<const dxConstraintPlan::Manifold *> m_lanes;  // by pack and lane
     std::vector<dxVelocity> m_velocities;                     // by body, and one of a body at rest
     std::vector<double> m_energies;                           // by chunk
+    bool m_hasResponses = false;
     dReal m_factor = 1;
     unsigned m_smoothFrom = 0;  // the sweep after which none is over-relaxed
 };

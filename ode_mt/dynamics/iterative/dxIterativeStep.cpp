@@ -4,7 +4,6 @@
 
 #include "dynamics/iterative/dxIterativeWorld.h"
 #include "dynamics/iterative/dxOtherJoints.h"
-#include "dynamics/quickstep/dxIslandBodies.h"
 #include "dynamics/quickstep/dxQuickStep.h"
 
 namespace {
@@ -14,14 +13,13 @@ void numberBodies(const dxIsland &group) {
 }
 
 // Returns false if there is no memory; nothing of the bodies has changed then.
-bool solve(const dxIslandStep &step) try {
+bool solve(const dxIslandStep &step, dxQuietMotion &motion) try {
     numberBodies(step.island);
     const dxIterativeWorld::Lease solver(*step.iterativeWorld);
-    solver->begin(step);
-    auto *const bodies = step.arena->AllocateArray<dxIslandBody>(step.island.bodyCount);
-    dxGatherBodies(step, bodies);                      // parallel
+    auto *const masses = step.arena->AllocateArray<dxIslandBody>(step.island.bodyCount);
+    solver->begin(step, masses);                       // parallel: the plan beside the bodies' free motion
     const dxOtherJoints joints(step, solver->plan());  // serial
-    solver->solve(step, bodies, joints);               // parallel
+    solver->solve(step, masses, joints, motion);       // parallel
     return true;
 } catch (const std::bad_alloc &) {
     return false;
@@ -30,6 +28,7 @@ bool solve(const dxIslandStep &step) try {
 }  // namespace
 
 void dxIterativeStep(const dxIslandStep &step) {
-    if (step.iterativeWorld == nullptr || !solve(step)) return dxQuickStep(step);
-    dxMoveBodies(step);  // serial: tells spaces and the user
+    dxQuietMotion motion(step);
+    if (step.iterativeWorld == nullptr || !solve(step, motion)) return dxQuickStep(step);
+    dxMoveBodies(step, motion);  // positions parallel; spaces and the user are told serially
 }

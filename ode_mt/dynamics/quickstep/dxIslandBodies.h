@@ -1,6 +1,7 @@
 // QuickStep's stages over the bodies of an island.
 #pragma once
 
+#include "dynamics/islands/dxBodyMotion.h"
 #include "dynamics/islands/dxIslandProblem.h"
 #include "dynamics/islands/dxIslandStep.h"
 
@@ -12,9 +13,6 @@ void dxGatherBodies(const dxIslandStep &step, dxIslandBody *bodies);
 // reads bodies.
 void dxFindFreeAccelerations(const dxIslandStep &step, const dxIslandProblem &problem);
 
-// Integrates forces and the constraints' `accelerations`, which may be null, to velocities. Serial: writes bodies.
-void dxIntegrateVelocities(const dxIslandStep &step, const dxIslandBody *bodies, const dxBodyAcceleration *accelerations);
-
-// Integrates velocities to positions, tells spaces and the user's callbacks, and clears the accumulators. Serial, in the island's
-// order.
-void dxMoveBodies(const dxIslandStep &step);
+// Integrates forces and the constraints' `accelerations`, which may be null, to velocities. Parallel: writes bodies.
+void dxIntegrateVelocities(const dxIslandStep &step, const dxIslandBody *bodies, const dxBodyAcceleration *accelerations,
+                           dxQuietMotion &motion);

@@ -28,17 +28,18 @@ dxIslandProblem makeProblem(const dxIslandStep &step, dxIslandBody *bodies, unsi
 
 void dxQuickStep(const dxIslandStep &step) {
     auto *const bodies = step.arena->AllocateArray<dxIslandBody>(step.island.bodyCount);
-    dxGatherBodies(step, bodies);                                          // parallel
-    dxJointRows joints(step);                                              // serial
+    dxQuietMotion motion(step);
+    dxGatherBodies(step, bodies);                                              // parallel
+    dxJointRows joints(step);                                                  // serial
     if (joints.rowCount() == 0) {
-        dxIntegrateVelocities(step, bodies, nullptr);                      // serial
+        dxIntegrateVelocities(step, bodies, nullptr, motion);                  // parallel
     } else {
         const dxIslandProblem problem = makeProblem(step, bodies, joints.rowCount());
-        joints.read(problem.rows);                                         // parallel, if there are contacts alone
-        dxFindFreeAccelerations(step, problem);                            // parallel
-        dxSorSolver(step).solve(problem);                                  // parallel
-        joints.giveFeedback(problem.rows);                                 // serial
-        dxIntegrateVelocities(step, bodies, problem.accelerations);        // serial
+        joints.read(problem.rows);                                             // parallel, if there are contacts alone
+        dxFindFreeAccelerations(step, problem);                                // parallel
+        dxSorSolver(step).solve(problem);                                      // parallel
+        joints.giveFeedback(problem.rows);                                     // serial
+        dxIntegrateVelocities(step, bodies, problem.accelerations, motion);    // parallel
     }
-    dxMoveBodies(step);                                                    // serial: tells spaces and the user
+    dxMoveBodies(step, motion);                                                // positions parallel; spaces and the user are told serially
 }
