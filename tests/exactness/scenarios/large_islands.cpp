@@ -158,6 +158,34 @@ public:
     }
 };
 
+// In some frames a callback hears that a body has moved, and sees which of the others have: the next ones have not.
+class ListeningStack : public PackedStack {
+public:
+    using PackedStack::PackedStack;
+
+    void control() override {
+        PackedStack::control();
+        const std::size_t last = bricks().size() - 1;
+        for (const std::size_t i : {std::size_t{5}, last / 2, last}) {
+            if (frameNumber() % 3 == 0) watchMoved(bricks()[i]);
+            if (frameNumber() % 3 == 1) dBodySetMovedCallback(bricks()[i], nullptr);
+        }
+        dBodySetFiniteRotationMode(bricks()[9], frameNumber() % 2);
+        dBodySetLinearDamping(bricks()[10], dReal(0.1));
+        dBodySetMaxAngularSpeed(bricks()[11], dReal(0.2));
+    }
+
+protected:
+    void onMoved(dBodyID body) override {
+        note("height of the moved body", dBodyGetPosition(body)[2]);
+        for (std::size_t i = 0; i < bricks().size(); i += 17) {
+            note("height of another body", dBodyGetPosition(bricks()[i])[2]);
+            note("velocity of another body", dBodyGetLinearVel(bricks()[i])[2]);
+            note("force on another body", dBodyGetForce(bricks()[i])[2]);
+        }
+    }
+};
+
 }  // namespace
 
 void addLargeIslands(Catalogue &catalogue) {
@@ -172,6 +200,7 @@ void addLargeIslands(Catalogue &catalogue) {
     add("net", "a net of ball joints", make<Net>());
     add("hub", "a body on which all rows act", make<Hub>());
     add("chain", "a chain in one line, and a crowd of small islands", make<ChainAndCrowd>());
+    add("listening", "bodies of an island that report that they moved, in some frames", make<ListeningStack>());
     add("shrinking", "two islands whose bodies are put to sleep and wake", make<TwoShrinkingStacks>());
 }
 
