@@ -21,12 +21,14 @@ extern "C" {
 
 /**
  * @defgroup ode_mt Multithreading
+ * @brief What ODE_MT adds to ODE.
  *
  * The number of threads, the algorithm and the thread manager change speed, never results: every
  * world gets the bits of upstream's serial step.
  *
  * Environment, for programs that cannot be recompiled. Set before the program starts: each is read once, at the
  * first use of what it is for.
+ * @code{.unparsed}
  *   ODE_MT_THREADS=n|auto
  *   ODE_MT_ALGORITHM=auto|serial|lcp|original|static|static-unmerged|duplication|decluster
  *   ODE_MT_SOLVER=exact|fast
@@ -38,6 +40,7 @@ extern "C" {
  *   ODE_MT_THREAD_MANAGER=pthread|openmp
  *   ODE_MT_LOG=error|warning|info|debug
  *   ODE_MT_PERTURB=n
+ * @endcode
  * An empty variable counts as unset; a program with another user's rights (set-user-ID) reads none. A number out
  * of range is replaced by the nearest valid one, any other invalid value by the default, and a line on stderr reports it. A
  * call below overrides the environment.
@@ -48,6 +51,11 @@ extern "C" {
  *
  * A NULL for a geom, body, space or world, or for the place of results, ends in dDebug, as elsewhere in ODE, unless a
  * function says otherwise.
+ *
+ * Threads: a function may be called from any thread at any time, callbacks included, and does not block, unless it says
+ * otherwise. Settings of the process take effect at the next step or collision.
+ *
+ * @since 0.9.0, unless a function says otherwise
  */
 
 /** Number of threads that stands for one thread for every core that this process may use. @ingroup ode_mt */
@@ -74,7 +82,12 @@ extern "C" {
  */
 ODE_API void dToggleODE_MT(int numThreads);
 
-/** Returns the number of threads in force, dODE_MT_AUTO resolved. @ingroup ode_mt */
+/**
+ * Tells how many threads a step may use.
+ *
+ * @return the number in force, from 0 to dODE_MT_MAX_THREADS, dODE_MT_AUTO resolved.
+ * @ingroup ode_mt
+ */
 ODE_API int dODE_MT_GetThreads(void);
 
 /**
@@ -83,12 +96,18 @@ ODE_API int dODE_MT_GetThreads(void);
  * does that and finds pairs by clusters of geoms (docs/clusters.md): "original", "static", "static-unmerged",
  * "duplication", "decluster".
  *
+ * @param name one of these, in lower case; NULL counts as unknown
  * @return 1, or 0 and a dMessage naming the known ones if there is no such algorithm.
  * @ingroup ode_mt
  */
 ODE_API int dODE_MT_SetAlgorithm(const char *name);
 
-/** Returns the name of the algorithm in force. @ingroup ode_mt */
+/**
+ * Tells which algorithm is in force.
+ *
+ * @return its name, in memory of the library's that is never freed.
+ * @ingroup ode_mt
+ */
 ODE_API const char *dODE_MT_GetAlgorithm(void);
 
 /**
@@ -108,12 +127,20 @@ ODE_API const char *dODE_MT_GetAlgorithm(void);
  *
  * May be called from any thread, but not while the world is stepped. The choice ends with the world.
  *
+ * @param world the world
+ * @param name "exact" or "fast"; NULL counts as unknown
  * @return 1, or 0 and a dMessage: naming the known ones if there is no such solver, or if there is no memory.
  * @ingroup ode_mt
  */
 ODE_API int dODE_MT_SetSolver(dWorldID world, const char *name);
 
-/** Returns the name of the solver of a world. @ingroup ode_mt */
+/**
+ * Tells which solver a world has: its own choice, or else the process's.
+ *
+ * @param world the world
+ * @return the name of the solver, in memory of the library's that is never freed.
+ * @ingroup ode_mt
+ */
 ODE_API const char *dODE_MT_GetSolver(dWorldID world);
 
 /**
@@ -123,13 +150,20 @@ ODE_API const char *dODE_MT_GetSolver(dWorldID world);
  *
  * May be called from any thread, but not while the world is stepped.
  *
- * @param tolerance from 0 to 1
- * @return 1, or 0 and a dMessage if the tolerance is another number.
+ * @param world the world
+ * @param tolerance from 0 to 1, a ratio
+ * @return 1, or 0 and a dMessage if the tolerance is another number (NaN included), or if there is no memory.
  * @ingroup ode_mt
  */
 ODE_API int dODE_MT_SetSolverTolerance(dWorldID world, double tolerance);
 
-/** Returns the tolerance of a world. @ingroup ode_mt */
+/**
+ * Tells the tolerance of a world.
+ *
+ * @param world the world
+ * @return the tolerance, from 0 to 1.
+ * @ingroup ode_mt
+ */
 ODE_API double dODE_MT_GetSolverTolerance(dWorldID world);
 
 /**
@@ -137,12 +171,21 @@ ODE_API double dODE_MT_GetSolverTolerance(dWorldID world);
  * none, a step depends on nothing but what the program can read and set, so that a world that is made anew from a saved state goes on with the
  * same bits; more iterations are needed for the same residual.
  *
- * May be called from any thread, but not while the world is stepped.
+ * May be called from any thread, but not while the world is stepped. A dMessage reports if there is no memory.
+ *
+ * @param world the world
+ * @param isWarm 0: with none; any other number: with those of the last step
  * @ingroup ode_mt
  */
 ODE_API void dODE_MT_SetWarmStart(dWorldID world, int isWarm);
 
-/** Returns 1 if steps begin with the forces of the last one, or else 0. @ingroup ode_mt */
+/**
+ * Tells whether steps of a world begin with the forces of the last one.
+ *
+ * @param world the world
+ * @return 1 if they do, or else 0.
+ * @ingroup ode_mt
+ */
 ODE_API int dODE_MT_GetWarmStart(dWorldID world);
 
 /**
@@ -167,12 +210,18 @@ ODE_API int dODE_MT_GetWarmStart(dWorldID world);
  * were built without a copy of their samples are then computed in the callback, not before it by several threads. If
  * a program has much terrain of this kind, "concurrent" is faster.
  *
+ * @param name "serial", "concurrent" or "independent"; NULL counts as unknown
  * @return 1, or 0 and a dMessage naming the known ones if there is no such policy.
  * @ingroup ode_mt
  */
 ODE_API int dODE_MT_SetCallbackPolicy(const char *name);
 
-/** Returns the name of the callback policy in force. @ingroup ode_mt */
+/**
+ * Tells which callback policy is in force.
+ *
+ * @return its name, in memory of the library's that is never freed.
+ * @ingroup ode_mt
+ */
 ODE_API const char *dODE_MT_GetCallbackPolicy(void);
 
 /**
@@ -182,12 +231,18 @@ ODE_API const char *dODE_MT_GetCallbackPolicy(void);
  * callbacks than clusters; not in "default"). They change speed, never results. Takes effect at the next
  * dSpaceCollide of each space.
  *
+ * @param names one of these, or several with commas between them; NULL counts as unknown
  * @return 1, or 0 and a dMessage naming the known ones if a name is unknown.
  * @ingroup ode_mt
  */
 ODE_API int dODE_MT_SetHeuristics(const char *names);
 
-/** Returns the names of the heuristics in force, or "none". @ingroup ode_mt */
+/**
+ * Tells which heuristics are in force.
+ *
+ * @return their names with commas between them, or "none", in memory of the library's that is never freed.
+ * @ingroup ode_mt
+ */
 ODE_API const char *dODE_MT_GetHeuristics(void);
 
 /**
@@ -199,19 +254,30 @@ ODE_API const char *dODE_MT_GetHeuristics(void);
  */
 ODE_API int dODE_MT_SetGridCells(int cells);
 
-/** Returns the number of cells set, 0 if it is tuned. @ingroup ode_mt */
+/**
+ * Tells how many cells are set.
+ *
+ * @return the number that was set, 0 if it is tuned.
+ * @ingroup ode_mt
+ */
 ODE_API int dODE_MT_GetGridCells(void);
 
 /**
  * Chooses the thread manager by its name, "pthread" or "openmp". May be called at any time, as dToggleODE_MT; a step or
  * collision in progress may continue with the old one.
  *
+ * @param name "pthread" or "openmp" (known where the build found OpenMP); NULL counts as unknown
  * @return 1, or 0 and a dMessage naming the known ones if there is no such manager.
  * @ingroup ode_mt
  */
 ODE_API int dODE_MT_SetThreadManager(const char *name);
 
-/** Returns the name of the thread manager in force. @ingroup ode_mt */
+/**
+ * Tells which thread manager is in force.
+ *
+ * @return its name, in memory of the library's that is never freed.
+ * @ingroup ode_mt
+ */
 ODE_API const char *dODE_MT_GetThreadManager(void);
 
 /**
@@ -229,42 +295,93 @@ typedef struct dODE_MT_Statistics {
     unsigned long long contactsAheadUnused; /**< dODE_MT_GetContactsAheadUnused */
 } dODE_MT_Statistics;
 
-/** Writes the counters in 64 bits each; NULL is reported with dMessage. @ingroup ode_mt */
+/**
+ * Writes the counters in 64 bits each.
+ *
+ * @param statistics where they are written; NULL is reported with dMessage
+ * @ingroup ode_mt
+ */
 ODE_API void dODE_MT_GetStatistics(dODE_MT_Statistics *statistics);
 
-/** Number of steps whose islands ran on several threads, since the process started. @ingroup ode_mt */
+/**
+ * Counts the steps whose islands ran on several threads.
+ *
+ * @return the number since the process started.
+ * @ingroup ode_mt
+ */
 ODE_API unsigned dODE_MT_GetParallelSteps(void);
 
-/** Number of islands stepped in those steps. @ingroup ode_mt */
+/**
+ * Counts the islands stepped in those steps.
+ *
+ * @return the number since the process started.
+ * @ingroup ode_mt
+ */
 ODE_API unsigned dODE_MT_GetParallelIslands(void);
 
-/** Number of steps in which at least two threads stepped one large island together, since the process started. @ingroup ode_mt */
+/**
+ * Counts the steps in which at least two threads stepped one large island together.
+ *
+ * @return the number since the process started.
+ * @ingroup ode_mt
+ */
 ODE_API unsigned dODE_MT_GetTeamSteps(void);
 
-/** Number of calls of dSpaceCollide whose callbacks ran on at least two threads. @ingroup ode_mt */
+/**
+ * Counts the calls of dSpaceCollide whose callbacks ran on at least two threads.
+ *
+ * @return the number since the process started.
+ * @ingroup ode_mt
+ */
 ODE_API unsigned dODE_MT_GetParallelCollisions(void);
 
 /**
- * Number of calls of dSpaceCollide in which at least two threads computed boxes, found pairs, or computed contacts before the
- * callbacks; the callbacks were called one at a time. @ingroup ode_mt
+ * Counts the calls of dSpaceCollide in which at least two threads computed boxes, found pairs, or computed contacts
+ * before the callbacks; the callbacks were called one at a time.
+ *
+ * @return the number since the process started.
+ * @ingroup ode_mt
  */
 ODE_API unsigned dODE_MT_GetSharedCollisions(void);
 
-/** Number of pairs of geoms whose contacts were computed before their near-callback, for dCollide to return. @ingroup ode_mt */
+/**
+ * Counts the pairs of geoms whose contacts were computed before their near-callback, for dCollide to return.
+ *
+ * @return the number since the process started.
+ * @ingroup ode_mt
+ */
 ODE_API unsigned dODE_MT_GetContactsAhead(void);
 
-/** Number of those pairs whose callback did not ask for the contacts, or asked for others. @ingroup ode_mt */
+/**
+ * Counts those of these pairs whose callback did not ask for the contacts, or asked for others.
+ *
+ * @return the number since the process started.
+ * @ingroup ode_mt
+ */
 ODE_API unsigned dODE_MT_GetContactsAheadUnused(void);
 
-/** Number of islands that the solver "fast" was asked to solve, since the process started. @ingroup ode_mt */
+/**
+ * Counts the islands that the solver "fast" was asked to solve.
+ *
+ * @return the number since the process started.
+ * @ingroup ode_mt
+ */
 ODE_API unsigned dODE_MT_GetDirectIslands(void);
 
-/** Number of those islands that it left to the algorithm of "exact", since it found no solution, or no good one. @ingroup ode_mt */
+/**
+ * Counts those of these islands that it left to the algorithm of "exact", since it found no solution, or no good one.
+ *
+ * @return the number since the process started.
+ * @ingroup ode_mt
+ */
 ODE_API unsigned dODE_MT_GetDirectFallbacks(void);
 
 /**
- * Returns the largest number of threads that took part in one parallel step or in the callbacks of one collision; 0 if
- * there was none. @ingroup ode_mt
+ * Tells how many threads were ever used at once.
+ *
+ * @return the largest number of threads that took part in one parallel step or in the callbacks of one collision; 0 if
+ * there was none.
+ * @ingroup ode_mt
  */
 ODE_API unsigned dODE_MT_GetMaxWorkersUsed(void);
 
@@ -273,48 +390,107 @@ ODE_API unsigned dODE_MT_GetMaxWorkersUsed(void);
  * own world, space and geoms and never copies or hides one, so most of these have little to do.
  * ------------------------------------------------------------------------------------------------ */
 
-/** A stepper: dWorldStep, dWorldQuickStep or the user's own. @ingroup ode_mt */
+/**
+ * A stepper: dWorldStep, dWorldQuickStep or the user's own.
+ *
+ * @param world the world to be stepped
+ * @param stepsize by how much time, above 0
+ * @return what the stepper returns; it is not looked at.
+ * @ingroup ode_mt
+ */
 typedef int dWorldStepFunction(dWorldID world, dReal stepsize);
 
-/** Called between step and collide with the number of the thread, -1: the caller's. @ingroup ode_mt */
+/**
+ * A function that is called between step and collide.
+ *
+ * @param threadID -1: the thread that called dWorldStepAndSpaceCollide; no other number is given.
+ * @ingroup ode_mt
+ */
 typedef void dSpaceUpdateFunction(int threadID);
 
 /**
  * One frame: dSpaceCollide(space, data, callback), then stepper(world, stepsize).
- * Callbacks are called as by dSpaceCollide (dODE_MT_SetCallbackPolicy). @ingroup ode_mt
+ * Callbacks are called as by dSpaceCollide (dODE_MT_SetCallbackPolicy). It may be called from where both may be called, and a NULL
+ * for anything but the data ends in dDebug.
+ *
+ * @param space the space to be collided
+ * @param data given to the callback
+ * @param callback the near-callback
+ * @param world the world to be stepped
+ * @param stepsize the time of the step, above 0
+ * @param stepper the stepper, called on this thread
+ * @ingroup ode_mt
  */
 ODE_API void dSpaceCollideAndWorldStep(dSpaceID space, void *data, dNearCallback *callback, dWorldID world,
                                        dReal stepsize, dWorldStepFunction *stepper);
 
 /**
  * One frame: stepper(world, stepsize), then update(-1) unless update is NULL, then
- * dSpaceCollide(space, data, callback). @ingroup ode_mt
+ * dSpaceCollide(space, data, callback). It may be called from where both may be called, and a NULL for anything but data and update ends
+ * in dDebug.
+ *
+ * @param space the space to be collided
+ * @param data given to the callback
+ * @param callback the near-callback
+ * @param world the world to be stepped
+ * @param stepsize the time of the step, above 0
+ * @param stepper the stepper, called on this thread
+ * @param update called on this thread; NULL: none
+ * @ingroup ode_mt
  */
 ODE_API void dWorldStepAndSpaceCollide(dSpaceID space, void *data, dNearCallback *callback, dWorldID world,
                                        dReal stepsize, dWorldStepFunction *stepper,
                                        dSpaceUpdateFunction *update);
 
-/** Has no effect: geoms are never copied, so none needs to be distinguished. @ingroup ode_mt */
+/**
+ * Has no effect: geoms are never copied, so none needs to be distinguished.
+ *
+ * @param geom a geom
+ * @ingroup ode_mt
+ */
 ODE_API void dGeomSetDynamicFlag(dGeomID geom);
 
-/** Returns 1 if both handles are the same geom, or both NULL, else 0. @ingroup ode_mt */
+/**
+ * Compares two handles.
+ *
+ * @param g1 a geom, or NULL
+ * @param g2 a geom, or NULL
+ * @return 1 if both handles are the same geom, or both NULL, else 0.
+ * @ingroup ode_mt
+ */
 ODE_API int dAreGeomsSame(dGeomID g1, dGeomID g2);
 
-/** Has no effect: parameters are read from the user's world at every step. @ingroup ode_mt */
+/**
+ * Has no effect: parameters are read from the user's world at every step.
+ *
+ * @param world a world
+ * @ingroup ode_mt
+ */
 ODE_API void dWorldRefreshParameters(dWorldID world);
 
 /**
- * Returns the number of spaces that a thread handles in the update call of dWorldStepAndSpaceCollide: 1 (the
- * user's own) for threadID -1 during a frame of that function or of dSpaceCollideAndWorldStep on the calling thread, else
- * 0. @ingroup ode_mt
+ * Tells how many spaces a thread handles in the update call of dWorldStepAndSpaceCollide.
+ *
+ * @param threadID what the update call was given
+ * @return 1 (the user's own space) for threadID -1 during a frame of that function or of dSpaceCollideAndWorldStep on the
+ * calling thread, else 0.
+ * @ingroup ode_mt
  */
 ODE_API int dThreadGetSpacesCount(int threadID);
 
-/** Returns the index-th of those spaces, or NULL if there is none. @ingroup ode_mt */
+/**
+ * Tells which these spaces are.
+ *
+ * @param threadID what the update call was given
+ * @param index from 0 to dThreadGetSpacesCount - 1
+ * @return the index-th of those spaces, or NULL if there is none.
+ * @ingroup ode_mt
+ */
 ODE_API dSpaceID dThreadGetSpaceID(int threadID, int index);
 
 /**
  * @defgroup ode_mt_clusters Clusters, for a debug overlay
+ * @brief Where pairs are looked for, to be drawn.
  *
  * A space has clusters while an algorithm that clusters is in force (dODE_MT_SetAlgorithm). They are those of the last check
  * in dSpaceCollide: at each call without heuristics, else where geoms could have collided or separated
@@ -323,60 +499,144 @@ ODE_API dSpaceID dThreadGetSpaceID(int threadID, int index);
  * world whose bodies the geoms of the space have. A cluster has a name, a number from 1 on, that it keeps from
  * frame to frame; 0 stands for no cluster. Functions that write up to `capacity` of something only count where that is 0;
  * their array may be NULL then.
+ *
+ * @since 0.9.0, unless a function says otherwise
  */
 
-/** Returns the number of dynamic clusters; 1 if the space has no clusters, as all geoms count as one. @ingroup ode_mt_clusters */
+/**
+ * Counts the dynamic clusters of a space.
+ *
+ * @param world the world
+ * @param space the space
+ * @return the number of dynamic clusters; 1 if the space has no clusters, as all geoms count as one.
+ * @ingroup ode_mt_clusters
+ */
 ODE_API int dClusterGetCount(dWorldID world, dSpaceID space);
 
-/** Returns the edge of a grid cell, 0 without a grid. @ingroup ode_mt_clusters */
+/**
+ * Tells how large a grid cell is.
+ *
+ * @param world the world
+ * @param space the space
+ * @return the edge of a grid cell, in the program's unit of length; 0 without a grid.
+ * @ingroup ode_mt_clusters
+ */
 ODE_API float dClusterGetGridStep(dWorldID world, dSpaceID space);
 
-/** Writes the centre of the grid, the origin without a grid. @ingroup ode_mt_clusters */
+/**
+ * Writes the centre of the grid, the origin without a grid.
+ *
+ * @param world the world
+ * @param space the space
+ * @param x where its first coordinate is written
+ * @param y where its second one is written
+ * @param z where its third one is written
+ * @ingroup ode_mt_clusters
+ */
 ODE_API void dClusterGetCenter(dWorldID world, dSpaceID space, float *x, float *y, float *z);
 
-/** Returns the number of cells of the grid on each axis, 0 without a grid. @ingroup ode_mt_clusters */
+/**
+ * Tells how many cells the grid has on each axis.
+ *
+ * @param world the world
+ * @param space the space
+ * @return that number, 0 without a grid.
+ * @ingroup ode_mt_clusters
+ */
 ODE_API int dClusterGetGridCells(dWorldID world, dSpaceID space);
 
-/** Returns the name of the cluster that a geom, or the space around it, is in; 0: static, big, or in none. @ingroup ode_mt_clusters */
+/**
+ * Tells which cluster a geom, or the space around it, is in.
+ *
+ * @param geom the geom
+ * @return the name of the cluster; 0: the geom is static, big, or in none.
+ * @ingroup ode_mt_clusters
+ */
 ODE_API unsigned dClusterGetOfGeom(dGeomID geom);
 
 /**
- * Returns the number, from 1 on, of the cluster of static geoms that a static geom, or the space around it, is in; 0: in none.
- * Such clusters have no names: the number may be another in the next frame. @ingroup ode_mt_clusters
+ * Tells which cluster of static geoms a static geom, or the space around it, is in. Such clusters have no names: the number may be
+ * another in the next frame.
+ *
+ * @param geom the geom
+ * @return the number of that cluster, from 1 on; 0: in none.
+ * @ingroup ode_mt_clusters
  */
 ODE_API unsigned dClusterGetStaticOfGeom(dGeomID geom);
 
 /**
- * Writes the names of up to `capacity` clusters with which a geom, or the space around it, is tested and returns how
- * many there are: its own, or all near which the algorithm looks for a static one. @ingroup ode_mt_clusters
+ * Tells with which clusters a geom, or the space around it, is tested: its own, or all near which the algorithm looks for a static
+ * one.
+ *
+ * @param geom the geom
+ * @param clusters where their names are written
+ * @param capacity how many of them at most
+ * @return how many there are.
+ * @ingroup ode_mt_clusters
  */
 ODE_API int dClusterGetTestedWith(dGeomID geom, unsigned *clusters, int capacity);
 
-/** Returns the name of the cluster of a body's first geom, 0 if it has none. @ingroup ode_mt_clusters */
+/**
+ * Tells which cluster a body is in.
+ *
+ * @param body the body
+ * @return the name of the cluster of the body's first geom, 0 if it has none.
+ * @ingroup ode_mt_clusters
+ */
 ODE_API unsigned dClusterGetOfBody(dBodyID body);
 
 /** A cell that a dynamic geom occupied at the last check of the clusters. @ingroup ode_mt_clusters */
 typedef struct dClusterCell {
-    int x, y, z;      /**< from 0 to dClusterGetGridCells - 1 */
+    int x;            /**< from 0 to dClusterGetGridCells - 1 */
+    int y;            /**< likewise */
+    int z;            /**< likewise */
     unsigned cluster; /**< name */
 } dClusterCell;
 
-/** Writes up to `capacity` such cells, in no order, and returns how many there are. @ingroup ode_mt_clusters */
+/**
+ * Tells which cells are occupied.
+ *
+ * @param world the world
+ * @param space the space
+ * @param cells where they are written, in no order
+ * @param capacity how many of them at most
+ * @return how many there are.
+ * @ingroup ode_mt_clusters
+ */
 ODE_API int dClusterGetCells(dWorldID world, dSpaceID space, dClusterCell *cells, int capacity);
 
 /** A merge or a split of clusters in the last dSpaceCollide. @ingroup ode_mt_clusters */
 typedef struct dClusterEvent {
     int isSplit;         /**< 0: `from` became part of `into`; 1: `into` separated from `from` */
-    unsigned from, into; /**< names */
+    unsigned from;       /**< name of the cluster that is no more, or that the other one left */
+    unsigned into;       /**< name of the cluster that remains, or that is new */
 } dClusterEvent;
 
-/** Writes up to `capacity` such events and returns how many there were. @ingroup ode_mt_clusters */
+/**
+ * Tells what happened to the clusters in the last dSpaceCollide.
+ *
+ * @param world the world
+ * @param space the space
+ * @param events where merges and splits are written
+ * @param capacity how many of them at most
+ * @return how many there were.
+ * @ingroup ode_mt_clusters
+ */
 ODE_API int dClusterGetEvents(dWorldID world, dSpaceID space, dClusterEvent *events, int capacity);
 
 #ifdef __cplusplus
 }
 
-/** The form with references that callers written in C++ for Webots use. @ingroup ode_mt */
+/**
+ * The form with references that callers written in C++ for Webots use.
+ *
+ * @param world the world
+ * @param space the space
+ * @param x the first coordinate of the centre of the grid
+ * @param y the second one
+ * @param z the third one
+ * @ingroup ode_mt_clusters
+ */
 inline void dClusterGetCenter(dWorldID world, dSpaceID space, float &x, float &y, float &z) {
     dClusterGetCenter(world, space, &x, &y, &z);
 }
