@@ -1,0 +1,43 @@
+/* Upstream's thread pool, kept and replaced, for docs/migrate.md: the same bits either way. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "towers.h"
+
+static unsigned long long run(void) {
+    runFrames(20);
+    return stateOfTowers();
+}
+
+int main(void) {
+    dInitODE2(0);
+    setUpTowers();
+    const unsigned long long serial = run();
+    destroyTowers();
+
+    setUpTowers();
+    /* [pool] */
+    dThreadingImplementationID threading = dThreadingAllocateMultiThreadedImplementation();
+    dThreadingThreadPoolID pool = dThreadingAllocateThreadPool(2, 0, dAllocateFlagBasicData, NULL);
+    dThreadingThreadPoolServeMultiThreadedImplementation(pool, threading);
+    dWorldSetStepThreadingImplementation(world, dThreadingImplementationGetFunctions(threading), threading);
+    /* [pool] */
+    const unsigned long long pooled = run();
+    /* [end] */
+    dWorldSetStepThreadingImplementation(world, NULL, NULL);
+    dThreadingImplementationShutdownProcessing(threading);
+    dThreadingFreeThreadPool(pool);
+    dThreadingFreeImplementation(threading);
+    /* [end] */
+    destroyTowers();
+
+    setUpTowers();
+    /* [instead] */
+    dToggleODE_MT(2); /* collisions use the threads, too */
+    /* [instead] */
+    const unsigned long long own = run();
+    destroyTowers();
+    dCloseODE();
+    printf("serial %016llx, pool %016llx, own threads %016llx\n", serial, pooled, own);
+    return serial == pooled && serial == own ? EXIT_SUCCESS : EXIT_FAILURE;
+}
