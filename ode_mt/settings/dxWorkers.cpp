@@ -33,8 +33,13 @@ std::string knownNames() {
 
 unsigned wantedSize() { return std::max(dxSettings::instance().threads(), 1u); }
 
-std::unique_ptr<dxThreadManager> make(const char *name) {
+// The default manager, and its name, where the one asked for cannot be made.
+std::unique_ptr<dxThreadManager> make(const char *&name) {
     std::unique_ptr<dxThreadManager> manager = dxThreadManagerFactory::create(name);
+    if (manager == nullptr) {
+        name = dxThreadManagerFactory::defaultName();
+        manager = dxThreadManagerFactory::create(name);
+    }
     manager->resize(wantedSize());
     dxLog(dxLogLevel::info, "thread manager %s: up to %u threads, the caller included", name, wantedSize());
     return manager;
@@ -44,6 +49,7 @@ std::unique_ptr<dxThreadManager> make(const char *name) {
 
 dxWorkers &dxWorkers::instance() { return *workers; }
 
+// A library that the manager needs is loaded when the first workers are needed: not under the lock that is held here.
 dxWorkers::dxWorkers() : m_name(dxThreadManagerFactory::defaultName()) {
     const char *name = dxEnvironment(dxVariable::ThreadManager);
     if (name == nullptr) return;
@@ -68,16 +74,18 @@ void dxWorkers::run(unsigned blocks, unsigned workers, dxThreadManager::Task tas
 
 // Of two threads that make a manager at the same time one has its own for this run alone.
 dxWorkers::Manager dxWorkers::current() {
-    const char *name;
+    const char *wanted;
     {
         const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
         if (m_manager != nullptr) return m_manager;
-        name = m_name;
+        wanted = m_name;
     }
+    const char *name = wanted;
     Manager made = make(name);
     {
         const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
-        if (m_manager != nullptr || m_name != name) return made;
+        if (m_manager != nullptr || m_name != wanted) return made;
+        m_name = name;
         m_manager = made;
     }
     resize();  // the size may have been set while it was made
@@ -103,6 +111,10 @@ bool dxWorkers::choose(const std::string &name) {
     const char *const known = findName(name);
     if (known == nullptr) {
         dMessage(0, "ODE_MT: no thread manager '%s'; known: %s", name.c_str(), knownNames().c_str());
+        return false;
+    }
+    if (const char *const missing = dxThreadManagerFactory::missingLibrary(name)) {
+        dMessage(0, "ODE_MT: thread manager '%s' needs %s, which cannot be loaded", known, missing);
         return false;
     }
     Manager before;  // ends after the lock

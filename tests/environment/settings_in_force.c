@@ -18,6 +18,7 @@ int main(void) {
     dBodyCreate(world);
     dWorldStep(world, 0.01);
     dWorldDestroy(world);
+    printf("manager %s at the end\n", dODE_MT_GetThreadManager());
     dCloseODE();
     return 0;
 }

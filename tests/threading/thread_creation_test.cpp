@@ -54,8 +54,8 @@ TEST(ThreadCreation, RefusedToPthread) {
 
 TEST(ThreadCreation, RefusedToOpenMP) {
     if (underThreadSanitizer) GTEST_SKIP() << "see threadSanitizer.h";
-    if (!dxThreadManagerOpenMP::present()) GTEST_SKIP() << "no OpenMP in this build";
     const auto manager = dxThreadManagerOpenMP::make(createWhileAllowed);
+    if (manager == nullptr) GTEST_SKIP() << "no OpenMP runtime on this machine";
     testing::internal::CaptureStderr();
     expectFallBack(*manager);
     const std::string said = testing::internal::GetCapturedStderr();

@@ -1,6 +1,7 @@
 #include "threading/managers/dxThreadManagerFactory.h"
 
 #include "core/dxLog.h"
+#include "threading/managers/dxOpenMPRuntime.h"
 #include "threading/managers/dxThreadManagerOpenMP.h"
 #include "threading/managers/dxThreadManagerPthread.h"
 
@@ -8,15 +9,13 @@ namespace {
 
 struct Kind {
     const char *name;
-    bool (*present)();
+    const char *library;  // file name of the one that make() loads; null: none
     std::unique_ptr<dxThreadManager> (*make)();
 };
 
-constexpr Kind kinds[] = {
-    {"pthread", [] { return true; },
-     []() -> std::unique_ptr<dxThreadManager> { return std::make_unique<dxThreadManagerPthread>(); }},
-    {"openmp", [] { return dxThreadManagerOpenMP::present(); },
-     []() -> std::unique_ptr<dxThreadManager> { return dxThreadManagerOpenMP::make(); }},
+const Kind kinds[] = {
+    {"pthread", nullptr, []() -> std::unique_ptr<dxThreadManager> { return std::make_unique<dxThreadManagerPthread>(); }},
+    {"openmp", dxOpenMPRuntime::fileName(), []() -> std::unique_ptr<dxThreadManager> { return dxThreadManagerOpenMP::make(); }},
 };
 
 std::string knownNames() {
@@ -34,19 +33,24 @@ const char *defaultName() { return kinds[0].name; }
 
 std::vector<const char *> names() {
     std::vector<const char *> list;
-    for (const Kind &kind : kinds) {
-        if (kind.present()) list.push_back(kind.name);
-    }
+    for (const Kind &kind : kinds) list.push_back(kind.name);
     return list;
+}
+
+const char *missingLibrary(const std::string &name) {
+    for (const Kind &kind : kinds) {
+        if (name == kind.name && kind.library != nullptr && !dxOpenMPRuntime::load()) return kind.library;
+    }
+    return nullptr;
 }
 
 std::unique_ptr<dxThreadManager> create(const std::string &name) {
     for (const Kind &kind : kinds) {
         if (name != kind.name) continue;
-        if (kind.present()) return kind.make();
-        dxLog(dxLogLevel::error, "thread manager '%s' is not in this build; known: %s", kind.name,
-              knownNames().c_str());
-        return nullptr;
+        std::unique_ptr<dxThreadManager> manager = kind.make();
+        if (manager == nullptr)
+            dxLog(dxLogLevel::warning, "thread manager '%s' needs %s, which cannot be loaded", kind.name, kind.library);
+        return manager;
     }
     dxLog(dxLogLevel::error, "unknown thread manager '%s'; known: %s", name.c_str(), knownNames().c_str());
     return nullptr;

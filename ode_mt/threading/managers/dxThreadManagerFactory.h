@@ -13,10 +13,13 @@ namespace dxThreadManagerFactory {
 // The one that measured better; see docs/thread-managers.md.
 const char *defaultName();
 
-// The managers of this build. "openmp" is missing where CMake found no OpenMP.
+// All managers; for one of them the system may lack a library.
 std::vector<const char *> names();
 
-// Null for a name that is not in names(); the reason is logged.
+// File name of a library that this manager needs and the dynamic loader does not find; null if there is none. Loads it.
+const char *missingLibrary(const std::string &name);
+
+// Null for a name that is not in names() and where a library is missing; the reason is logged.
 std::unique_ptr<dxThreadManager> create(const std::string &name);
 
 }  // namespace dxThreadManagerFactory

@@ -1,31 +1,28 @@
 #include "threading/managers/dxThreadManagerOpenMP.h"
 
-#include <omp.h>
-
 #include <algorithm>
 
 #include "threading/dxFloatEnvironment.h"
 #include "threading/dxPerturbation.h"
-#include "threading/managers/dxOpenMPRuntime.h"
 #include "threading/pool/dxJobBoard.h"
 
 namespace {
 
 class Region {
 public:
-    Region(unsigned blockCount, dxThreadManager::Task blockTask, void *taskContext)
-        : blocks(blockCount), task(blockTask), context(taskContext) {
+    Region(const dxOpenMPRuntime &openmp, unsigned blockCount, dxThreadManager::Task blockTask, void *taskContext)
+        : runtime(openmp), blocks(blockCount), task(blockTask), context(taskContext) {
         environment.capture();
     }
 
     void run(unsigned team) {
-#pragma omp parallel num_threads(static_cast <int>(team))
-        work(static_cast<unsigned>(omp_get_thread_num()));
+        runtime.parallel([](void *region) { static_cast<Region *>(region)->work(); }, this, team);
         environment.raiseFlags();
     }
 
 private:
-    void work(unsigned worker) {
+    void work() {
+        const unsigned worker = runtime.threadNumber();
         dxFloatEnvironmentScope scope(environment);
         for (;;) {
             dxPerturb(dxSchedulePoint::ClaimTeamBlock);
@@ -36,6 +33,7 @@ private:
         scope.shareFlags();
     }
 
+    const dxOpenMPRuntime &runtime;
     const unsigned blocks;
     const dxThreadManager::Task task;
     void *const context;
@@ -55,17 +53,18 @@ thread_local Probed probed{0, 0};
 
 }  // namespace
 
-dxThreadManagerOpenMP::dxThreadManagerOpenMP(dxCreateThread creation) : create(creation) { listenToForks(); }
+dxThreadManagerOpenMP::dxThreadManagerOpenMP(const dxOpenMPRuntime &openmp, dxCreateThread creation) : runtime(openmp), create(creation) {
+    listenToForks();
+}
 
 dxThreadManagerOpenMP::~dxThreadManagerOpenMP() {
     ignoreForks();
     stop();
 }
 
-bool dxThreadManagerOpenMP::present() { return true; }
-
 std::unique_ptr<dxThreadManager> dxThreadManagerOpenMP::make(dxCreateThread create) {
-    return std::make_unique<dxThreadManagerOpenMP>(create);
+    const std::optional<dxOpenMPRuntime> runtime = dxOpenMPRuntime::load();
+    return runtime ? std::make_unique<dxThreadManagerOpenMP>(*runtime, create) : nullptr;
 }
 
 void dxThreadManagerOpenMP::resize(unsigned workers) {
@@ -82,19 +81,19 @@ void dxThreadManagerOpenMP::run(unsigned blocks, unsigned maxWorkers, Task task,
         return;
     }
     const unsigned team = allowedTeam(most);
-    dxOpenMPPrepareRegions();
-    Region(blocks, task, context).run(team);
+    runtime.prepareRegions();
+    Region(runtime, blocks, task, context).run(team);
     busy.store(false);
 }
 
 void dxThreadManagerOpenMP::stop() {
-    dxOpenMPEndThreads();
+    runtime.endThreads();
     ++pools;
     allowed.store(dxMaxWorkers);
 }
 
 void dxThreadManagerOpenMP::beforeFork() {
-    regionsSafeInChild = dxOpenMPPrepareFork();
+    regionsSafeInChild = runtime.prepareFork();
     ++pools;
 }
 

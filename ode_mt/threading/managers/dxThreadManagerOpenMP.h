@@ -1,4 +1,4 @@
-// Workers of the OpenMP runtime: one parallel region per run.
+// Workers of the OpenMP runtime (dxOpenMPRuntime.h): one parallel region per run.
 //
 // Limits that come from the runtime, which owns its threads:
 //  - The caller waits for every thread of the region, also for one that took no block and is not
@@ -16,16 +16,16 @@
 #include <memory>
 
 #include "threading/dxThreadManager.h"
+#include "threading/managers/dxOpenMPRuntime.h"
 #include "threading/pool/dxThreadCreation.h"
 #include "threading/process/dxForkListener.h"
 
 class dxThreadManagerOpenMP final : public dxThreadManager, private dxForkListener {
 public:
-    explicit dxThreadManagerOpenMP(dxCreateThread create = pthread_create);
+    explicit dxThreadManagerOpenMP(const dxOpenMPRuntime &runtime, dxCreateThread create = pthread_create);
     ~dxThreadManagerOpenMP() override;
 
-    // Whether this build has OpenMP; without it make() returns null and nothing else is defined.
-    static bool present();
+    // Loads the runtime; null where it is not installed.
     static std::unique_ptr<dxThreadManager> make(dxCreateThread create = pthread_create);
 
     const char *name() const override { return "openmp"; }
@@ -40,6 +40,7 @@ private:
 
     unsigned allowedTeam(unsigned wanted);
 
+    const dxOpenMPRuntime runtime;
     const dxCreateThread create;
     std::atomic<unsigned> size{1};                // workers wanted, the caller included
     std::atomic<unsigned> allowed{dxMaxWorkers};  // workers the system gives, the caller included
