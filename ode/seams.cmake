@@ -74,6 +74,9 @@ endforeach()
 # ends the worker threads.
 ode_mt_rename(odeinit.cpp dInitODE dInitODE2 dAllocateODEDataForThread dCleanupODEAllDataForThread dCloseODE)
 
+# A program asks for our extension as for upstream's: dCheckConfiguration("ODE_EXT_mt").
+ode_mt_rename(ode.cpp dCheckConfiguration)
+
 # A world's threading implementation may be freed after these calls: its threads are given back first.
 ode_mt_rename(ode.cpp dWorldDestroy dWorldSetStepThreadingImplementation)
 

@@ -58,11 +58,31 @@ extern "C" {
  * @since 0.9.0, unless a function says otherwise
  */
 
+/**
+ * Version of ODE_MT whose header this is, beside that of ODE (dODE_VERSION): a new first number where a program must be changed, a
+ * new second one where something is added. Until 1.0.0 a new second number may mean either. docs/changelog.md lists them.
+ * @ingroup ode_mt
+ */
+#define dODE_MT_VERSION "0.9.0"
+
+/** The same as a number, 10000 first + 100 second + third, for the preprocessor. @ingroup ode_mt */
+#define dODE_MT_VERSION_NUMBER 900
+
 /** Number of threads that stands for one thread for every core that this process may use. @ingroup ode_mt */
 #define dODE_MT_AUTO 0x7fffffff
 
 /** Largest number of threads. @ingroup ode_mt */
 #define dODE_MT_MAX_THREADS 1024
+
+/**
+ * Returns the version of the library that is loaded, which may be newer than the header: dODE_MT_VERSION of its build, valid
+ * until the library is unloaded. May be called from any thread at any time.
+ *
+ * A program that also runs on upstream's library asks dCheckConfiguration("ODE_EXT_mt"), which is 1 here and 0 there, and finds the
+ * functions of this header by dlsym.
+ * @ingroup ode_mt
+ */
+ODE_API const char *dODE_MT_GetVersion(void);
 
 /**
  * Sets how many threads a step may use, the calling thread included.
@@ -264,16 +284,18 @@ ODE_API int dODE_MT_GetGridCells(void);
 
 /**
  * Chooses the thread manager by its name, "pthread" or "openmp". May be called at any time, as dToggleODE_MT; a step or
- * collision in progress may continue with the old one.
+ * collision in progress may continue with the old one. "openmp" loads the OpenMP runtime of the compiler (libgomp.so.1; libomp.so.5 in
+ * a build by clang), which stays in memory until the process ends.
  *
  * @param name "pthread" or "openmp" (known where the build found OpenMP); NULL counts as unknown
- * @return 1, or 0 and a dMessage naming the known ones if there is no such manager.
+ * @return 1, or 0 and a dMessage naming the known ones if there is no such manager, or the runtime if it cannot be loaded.
  * @ingroup ode_mt
  */
 ODE_API int dODE_MT_SetThreadManager(const char *name);
 
 /**
- * Tells which thread manager is in force.
+ * Tells which thread manager is in force. Where ODE_MT_THREAD_MANAGER asks for "openmp", the runtime is loaded when the first workers are
+ * needed; if it cannot be, that is reported, and from then on "pthread" is in force.
  *
  * @return its name, in memory of the library's that is never freed.
  * @ingroup ode_mt

@@ -34,6 +34,8 @@ bool noteSolver(const Note &note) {
 
 extern "C" {
 
+const char *dODE_MT_GetVersion() { return dODE_MT_VERSION; }
+
 void dToggleODE_MT(int numThreads) {
     dxSettings::instance().setThreads(numThreads);
     dxWorkers::instance().resize();
