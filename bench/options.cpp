@@ -61,6 +61,14 @@ std::string defaultThreads() {
 
 std::string folderOfThisProgram() { return std::filesystem::read_symlink("/proc/self/exe").parent_path(); }
 
+// Of this program's neighbours, in an installed tree as in a build folder; else the one it was built with.
+std::string folderOfOurLibrary() {
+    const std::filesystem::path above = std::filesystem::path(folderOfThisProgram()).parent_path();
+    for (const std::filesystem::path &folder : {above / "lib", above / ODEMT_SYSTEM_LIBRARIES})
+        if (std::filesystem::exists(folder / "libode.so.8")) return folder;
+    return ODEMT_OUR_FOLDER;
+}
+
 void checkFolder(const std::string &option, const std::string &folder) {
     if (!std::filesystem::exists(std::filesystem::path(folder) / "libode.so.8"))
         throw std::invalid_argument(option + ": no libode.so.8 in '" + folder + "'");
@@ -155,7 +163,7 @@ std::optional<Options> readOptions(int argc, const char *const *argv, int &exitC
     Options options;
     options.child.program = folderOfThisProgram() + "/odemt_bench_child";
     options.child.stockFolder = ODEMT_STOCK_FOLDER;
-    options.child.oursFolder = ODEMT_OUR_FOLDER;
+    options.child.oursFolder = folderOfOurLibrary();
     options.jsonFile = "results/bench.json";
     options.csvFile = "results/bench.csv";
     Words words;

@@ -9,7 +9,7 @@
 
 # A compiler cache may hand the compiler names as seen from the build folder (ccache: base_dir).
 function(_ode_mt_prefix_maps out kind folder name)
-    file(RELATIVE_PATH relative "${CMAKE_BINARY_DIR}" "${folder}")
+    file(RELATIVE_PATH relative "${PROJECT_BINARY_DIR}" "${folder}")
     set(options "-f${kind}-prefix-map=${folder}/=${name}")
     string(REGEX REPLACE "/$" "" relative "${relative}")
     if(relative)
@@ -20,7 +20,7 @@ endfunction()
 
 set(_debug_maps "")
 set(_macro_maps "")
-set(_folders "${PROJECT_SOURCE_DIR}" "${CMAKE_BINARY_DIR}")
+set(_folders "${PROJECT_SOURCE_DIR}" "${PROJECT_BINARY_DIR}")
 # In this order, one of two that lie in or beside one another never takes the other's names ("ode", "ode/build", "ode-build").
 list(SORT _folders)
 foreach(folder IN LISTS _folders)
@@ -36,7 +36,7 @@ target_compile_options(ode_file_names INTERFACE ${_debug_maps} ${_macro_maps})
 if(ODE_MT_LTO)
     # Code that is optimised as a whole is compiled when the library is linked. The line tables of what goes into libode.a are
     # the assembler's own.
-    target_compile_options(ode_file_names INTERFACE "-Wa,--debug-prefix-map=${CMAKE_BINARY_DIR}=.")
+    target_compile_options(ode_file_names INTERFACE "-Wa,--debug-prefix-map=${PROJECT_BINARY_DIR}=.")
     target_link_options(ode_file_names INTERFACE ${_debug_maps})
 endif()
 

@@ -75,11 +75,12 @@ extern "C" {
 #define dODE_MT_MAX_THREADS 1024
 
 /**
- * Returns the version of the library that is loaded, which may be newer than the header: dODE_MT_VERSION of its build, valid
- * until the library is unloaded. May be called from any thread at any time.
+ * Tells the version of the library that is loaded, which may be newer than the header.
  *
  * A program that also runs on upstream's library asks dCheckConfiguration("ODE_EXT_mt"), which is 1 here and 0 there, and finds the
  * functions of this header by dlsym.
+ *
+ * @return dODE_MT_VERSION of its build, valid until the library is unloaded.
  * @ingroup ode_mt
  */
 ODE_API const char *dODE_MT_GetVersion(void);

@@ -1,6 +1,6 @@
 # Read by the scripts beside it. Their environment (tests/consumer/CMakeLists.txt):
 #   SCRATCH    folder of these tests; SCRATCH/moved is the installed tree
-#   CMAKE CC CXX   the tools of this build
+#   CMAKE PYTHON CC CXX   the tools of this build
 #   LIBDIR     where libraries are, relative to the installed tree
 #   PRECISION  dDOUBLE or dSINGLE
 #   VERSION    of ODE

@@ -3,6 +3,17 @@
 . "$(dirname "$0")/expect.sh"
 rm -rf "$SCRATCH"
 mkdir -p "$SCRATCH"
+DESTDIR="$SCRATCH/destination" "$CMAKE" --install "$BUILD" --prefix /opt/ode_mt >/dev/null
+cp "$BUILD/install_manifest.txt" "$SCRATCH/"
+[ -e "$SCRATCH/destination/opt/ode_mt/$LIBDIR/libode.so.8" ] || fail "nothing lies in DESTDIR"
+# What was there before, and the folder of it, is kept; all else goes.
+mkdir -p "$SCRATCH/destination/opt/ode_mt/bin"
+touch "$SCRATCH/destination/opt/ode_mt/bin/another"
+DESTDIR="$SCRATCH/destination" "$CMAKE" --build "$BUILD" --target uninstall >/dev/null || fail "uninstall ends with an error"
+expect "files after uninstall" "$(cd "$SCRATCH/destination" && find . -type f)" ./opt/ode_mt/bin/another
+expect "folders after uninstall" "$(cd "$SCRATCH/destination" && find . -type d -empty)" ""
+if "$CMAKE" --build "$BUILD" --target uninstall >/dev/null 2>&1; then fail "what is removed can be removed again"; fi
+
 "$CMAKE" --install "$BUILD" --prefix "$SCRATCH/installed" >/dev/null
 mv "$SCRATCH/installed" "$prefix"
 
@@ -10,9 +21,25 @@ lib=$prefix/$LIBDIR
 expect "SONAME" "$(readelf -d "$lib/libode.so" | sed -n 's/.*soname: \[\(.*\)\]/\1/p')" libode.so.8
 expect "libode.so.8" "$(readlink -f "$lib/libode.so.8")" "$(readlink -f "$lib/libode.so.8.0.2")"
 if readelf -d "$lib/libode.so" | grep -E 'R(UN)?PATH'; then fail "the library has a path in it"; fi
-if grep -r -e "$SCRATCH" -e "$BUILD" "$prefix/bin" "$prefix/include" "$lib/pkgconfig" "$lib/cmake"; then
+if grep -rI -e "$SCRATCH" -e "$BUILD" "$prefix/bin" "$prefix/include" "$lib/pkgconfig" "$lib/cmake"; then
     fail "an installed file knows a folder of this build"
 fi
 for header in "$BUILD"/include/ode/*.h; do
     cmp "$header" "$prefix/include/ode/${header##*/}"
 done
+
+# Libraries are stripped, and the debug symbols of the shared one lie where debuggers look for its build ID.
+if readelf --sections --wide "$lib/libode.so.8" | grep -E ' \.(debug_info|symtab) '; then fail "libode.so.8 is not stripped"; fi
+if readelf --sections --wide "$lib/libode.a" 2>/dev/null | grep -m 1 ' \.debug_info '; then fail "libode.a has debug information"; fi
+id=$(readelf --notes "$lib/libode.so.8" | sed -n 's/.*Build ID: //p')
+if [ -n "$id" ]; then
+    symbols=$lib/debug/.build-id/$(echo "$id" | cut -c1-2)/$(echo "$id" | cut -c3-).debug
+    readelf --sections --wide "$symbols" | grep -q ' \.debug_info ' || fail "there are no debug symbols in $symbols"
+fi
+
+# The programs find the library and the worlds from their own place.
+if [ -x "$prefix/bin/odemt_info" ]; then
+    "$prefix/bin/odemt_info" | grep -q "^library  *$(readlink -f "$lib/libode.so.8")$" || fail "odemt_info: $("$prefix/bin/odemt_info")"
+    "$prefix/bin/odemt_info" --json | "$PYTHON" -c 'import json, sys; assert json.load(sys.stdin)["precision"] == "'"${PRECISION#d}"'".lower()'
+    "$prefix/bin/odemt_bench" --list | grep -q "^SDF worlds in $(readlink -f "$prefix")/share/ode_mt/worlds" || fail "odemt_bench finds other worlds"
+fi

@@ -1,6 +1,7 @@
 #!/bin/sh
 # The installed tree is used by way of pkg-config, shared and static.
 . "$(dirname "$0")/expect.sh"
+pkg-config --validate ode || fail "ode.pc is not valid"
 expect "version" "$(pkg-config --modversion ode)" "$VERSION"
 expect "precision" "$(pkg-config --variable=precision ode)" "$PRECISION"
 

@@ -15,8 +15,8 @@ namespace worlds {
 std::string worldFolder() {
     if (const char *chosen = secure_getenv("ODE_MT_WORLDS"); chosen && *chosen) return chosen;
     std::error_code none;  // a path that cannot be examined does not exist
-    if (fs::is_directory(ODE_MT_WORLDS_SOURCE_DIR, none)) return ODE_MT_WORLDS_SOURCE_DIR;
-    return ODE_MT_WORLDS_INSTALL_DIR;
+    const fs::path installed = fs::read_symlink("/proc/self/exe", none).parent_path().parent_path() / "share/ode_mt/worlds";
+    return fs::is_directory(installed, none) ? installed.string() : ODE_MT_WORLDS_SOURCE_DIR;
 }
 
 std::vector<std::string> availableWorlds() {

@@ -6,8 +6,8 @@
 
 namespace worlds {
 
-// The folder of the SDF files: $ODE_MT_WORLDS if set, else the source folder if it is still there,
-// else the installed one.
+// The folder of the SDF files: $ODE_MT_WORLDS if set, else share/ode_mt/worlds of the tree that this program is installed
+// in, else the source folder.
 std::string worldFolder();
 
 // "create", "pioneer3at", … in alphabetical order.

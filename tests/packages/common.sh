@@ -1,0 +1,22 @@
+# Read by the scripts beside it. Their environment (tests/packages/CMakeLists.txt):
+#   BUILD      the build folder             SCRATCH  folder of these tests; SCRATCH/packages holds the packages
+#   EXAMPLES   folder of the examples       LIB      folder of the system's libraries, without the leading slash
+#   PRECISION  double or single             VERSION  of the packages
+#   CPACK CC CXX   the tools of this build
+set -eu
+fail() { echo "FAILED: $*" >&2; exit 1; }
+skip() { echo "SKIPPED: $*"; exit 77; }
+expect() { [ "$2" = "$3" ] || fail "$1 is '$2', expected '$3'"; }
+
+if [ "$PRECISION" = double ]; then
+    library=libode8-mt development=libode-mt-dev
+    packages="$library $library-dbgsym $development libode-mt-tools libode-mt-doc"
+else
+    library=libode8sp-mt development=libode-sp-mt-dev
+    packages="$library $library-dbgsym $development"
+fi
+# deb PACKAGE: its file.
+deb() { echo "$SCRATCH/packages/$1_${VERSION}"_*.deb; }
+# unpacked PACKAGE: the folder of its files.
+unpacked() { echo "$SCRATCH/unpacked/$1"; }
+field() { dpkg-deb --field "$(deb "$1")" "$2"; }
