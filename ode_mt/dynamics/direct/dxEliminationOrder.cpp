@@ -1,66 +1,46 @@
 #include "dynamics/direct/dxEliminationOrder.h"
 
 #include <algorithm>
-#include <functional>
 
 #include "core/dxNoIndex.h"
 
 void dxEliminationOrder::find(unsigned bodyCount, const std::vector<std::pair<unsigned, unsigned>> &pairs) {
-    buildGraph(bodyCount, pairs);
-    orderBodies(bodyCount);
+    m_graph.eliminateAll(bodyCount, pairs);
+    placeBodies();
     listColumns();
     listRows();
 }
 
-void dxEliminationOrder::buildGraph(unsigned bodyCount, const std::vector<std::pair<unsigned, unsigned>> &pairs) {
-    if (m_neighbours.size() < bodyCount) m_neighbours.resize(bodyCount);
-    for (unsigned i = 0; i < bodyCount; ++i) m_neighbours[i].clear();
-    for (const auto &[a, b] : pairs) {
-        m_neighbours[a].push_back(b);
-        m_neighbours[b].push_back(a);
+// Postorder. Of several children the one with the most neighbours is last: its column continues in its parent's (dxFactorPlan).
+void dxEliminationOrder::placeBodies() {
+    const std::vector<unsigned> &eliminated = m_graph.sequence();
+    const auto count = static_cast<unsigned>(eliminated.size());
+    m_placeOf.resize(count);
+    for (unsigned i = 0; i < count; ++i) m_placeOf[eliminated[i]] = i;
+    m_parent.assign(count, kNoIndex);
+    m_firstChild.assign(count + 1, kNoIndex);  // the last: of no node, roots
+    m_nextSibling.assign(count, kNoIndex);
+    const auto degree = [&](unsigned i) { return m_graph.laterNeighbours(eliminated[i]).size(); };
+    for (unsigned i = 0; i < count; ++i) {
+        for (const unsigned neighbour : m_graph.laterNeighbours(eliminated[i])) m_parent[i] = std::min(m_parent[i], m_placeOf[neighbour]);
+        unsigned *link = &m_firstChild[m_parent[i] != kNoIndex ? m_parent[i] : count];  // the most neighbours first: a stack turns them
+        while (*link != kNoIndex && degree(*link) > degree(i)) link = &m_nextSibling[*link];
+        m_nextSibling[i] = *link;
+        *link = i;
     }
-    for (unsigned i = 0; i < bodyCount; ++i) {
-        std::vector<unsigned> &list = m_neighbours[i];
-        std::sort(list.begin(), list.end());
-        list.erase(std::unique(list.begin(), list.end()), list.end());
+    m_sequence.resize(count);
+    m_stack.clear();
+    for (unsigned root = m_firstChild[count]; root != kNoIndex; root = m_nextSibling[root]) m_stack.push_back(root);
+    std::reverse(m_stack.begin(), m_stack.end());
+    for (unsigned place = count; place > 0;) {  // from the last place on: parents before children
+        const unsigned node = m_stack.back();
+        m_stack.pop_back();
+        m_sequence[--place] = eliminated[node];
+        const std::size_t begin = m_stack.size();
+        for (unsigned child = m_firstChild[node]; child != kNoIndex; child = m_nextSibling[child]) m_stack.push_back(child);
+        std::reverse(m_stack.begin() + static_cast<std::ptrdiff_t>(begin), m_stack.end());
     }
-    m_mark.assign(bodyCount, 0);
-    m_lastMark = 0;
-}
-
-// The heap keeps outdated entries, which are recognised by their degree.
-void dxEliminationOrder::orderBodies(unsigned bodyCount) {
-    m_sequence.clear();
-    m_placeOf.assign(bodyCount, kNoIndex);
-    m_heap.clear();
-    for (unsigned i = 0; i < bodyCount; ++i) m_heap.emplace_back(m_neighbours[i].size(), i);
-    std::make_heap(m_heap.begin(), m_heap.end(), std::greater<>());
-    while (!m_heap.empty()) {
-        std::pop_heap(m_heap.begin(), m_heap.end(), std::greater<>());
-        const auto [degree, body] = m_heap.back();
-        m_heap.pop_back();
-        if (m_placeOf[body] != kNoIndex || degree != m_neighbours[body].size()) continue;
-        m_placeOf[body] = static_cast<unsigned>(m_sequence.size());
-        m_sequence.push_back(body);
-        eliminate(body);
-    }
-}
-
-void dxEliminationOrder::eliminate(unsigned body) {
-    const std::vector<unsigned> &clique = m_neighbours[body];
-    for (const unsigned neighbour : clique) {
-        std::vector<unsigned> &list = m_neighbours[neighbour];
-        const std::size_t before = list.size();
-        list.erase(std::find(list.begin(), list.end(), body));
-        ++m_lastMark;
-        m_mark[neighbour] = m_lastMark;
-        for (const unsigned known : list) m_mark[known] = m_lastMark;
-        for (const unsigned other : clique)
-            if (m_mark[other] != m_lastMark) list.push_back(other);
-        if (list.size() == before) continue;
-        m_heap.emplace_back(list.size(), neighbour);
-        std::push_heap(m_heap.begin(), m_heap.end(), std::greater<>());
-    }
+    for (unsigned i = 0; i < count; ++i) m_placeOf[m_sequence[i]] = i;
 }
 
 void dxEliminationOrder::listColumns() {
@@ -69,7 +49,7 @@ void dxEliminationOrder::listColumns() {
     for (const unsigned body : m_sequence) {
         const auto start = static_cast<unsigned>(m_rowOf.size());
         m_columnStart.push_back(start);
-        for (const unsigned neighbour : m_neighbours[body]) m_rowOf.push_back(m_placeOf[neighbour]);
+        for (const unsigned neighbour : m_graph.laterNeighbours(body)) m_rowOf.push_back(m_placeOf[neighbour]);
         std::sort(m_rowOf.begin() + start, m_rowOf.end());
     }
     m_columnStart.push_back(static_cast<unsigned>(m_rowOf.size()));
@@ -81,11 +61,14 @@ void dxEliminationOrder::listRows() {
     for (const unsigned row : m_rowOf) ++m_rowStart[row + 1];
     for (unsigned i = 0; i < bodies; ++i) m_rowStart[i + 1] += m_rowStart[i];
     m_entries.resize(m_rowOf.size());
-    std::vector<unsigned> &next = m_mark;
-    next.assign(m_rowStart.begin(), m_rowStart.end());
+    m_next.assign(m_rowStart.begin(), m_rowStart.end());
     for (unsigned column = 0; column < bodies; ++column)
         for (unsigned block = m_columnStart[column]; block < m_columnStart[column + 1]; ++block)
-            m_entries[next[m_rowOf[block]]++] = {column, block};
+            m_entries[m_next[m_rowOf[block]]++] = {column, block};
+}
+
+unsigned dxEliminationOrder::parentOf(unsigned column) const {
+    return m_columnStart[column] < m_columnStart[column + 1] ? m_rowOf[m_columnStart[column]] : kNoIndex;
 }
 
 unsigned dxEliminationOrder::findBlock(unsigned row, unsigned column) const {

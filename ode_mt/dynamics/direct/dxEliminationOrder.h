@@ -1,17 +1,17 @@
 // The symbolic factorisation of an island's matrix in body space: in which order bodies are eliminated, and which blocks
 // of the factor are not zero. It depends on which bodies share joints, and on no number.
 //
-// Minimum degree: the body with the fewest neighbours is next, of several the first one; its neighbours become neighbours of
-// one another. Source: George and Liu, "The evolution of the minimum degree ordering algorithm", SIAM Review 31, 1989. Here
-// the graph is kept explicitly, without quotients: a node is a body of six rows, so that the numeric factorisation costs
-// a hundred times as much as this one.
+// The order is that of dxEliminationGraph, sorted so that the elimination tree is in postorder: a column's parent is the first row below
+// its diagonal, and the columns of a subtree stand side by side, their root last. The factor has the same blocks.
+// Source: Davis, "Direct Methods for Sparse Linear Systems", chapter 4.
 //
 // Deterministic: numbers of bodies decide, and nothing else.
 #pragma once
 
-#include <cstdint>
 #include <utility>
 #include <vector>
+
+#include "dynamics/direct/dxEliminationGraph.h"
 
 class dxEliminationOrder {
 public:
@@ -31,6 +31,9 @@ public:
     unsigned firstBlock(unsigned column) const { return m_columnStart[column]; }
     unsigned rowOf(unsigned block) const { return m_rowOf[block]; }
 
+    // In the elimination tree; kNoIndex: none.
+    unsigned parentOf(unsigned column) const;
+
     // Entries of a row: firstEntry(row) to firstEntry(row + 1), columns ascending.
     unsigned firstEntry(unsigned row) const { return m_rowStart[row]; }
     const RowEntry &entry(unsigned index) const { return m_entries[index]; }
@@ -39,20 +42,16 @@ public:
     unsigned findBlock(unsigned row, unsigned column) const;
 
 private:
-    using Degree = std::pair<unsigned, unsigned>;  // number of neighbours, body
-
-    void buildGraph(unsigned bodyCount, const std::vector<std::pair<unsigned, unsigned>> &pairs);
-    void eliminate(unsigned body);
-    void orderBodies(unsigned bodyCount);
+    void placeBodies();
     void listColumns();
     void listRows();
 
-    std::vector<std::vector<unsigned>> m_neighbours;  // by body; once it is eliminated, its column's rows
+    dxEliminationGraph m_graph;
     std::vector<unsigned> m_sequence, m_placeOf;
+    std::vector<unsigned> m_parent, m_firstChild, m_nextSibling;  // by place in the graph's order
+    std::vector<unsigned> m_stack;
     std::vector<unsigned> m_columnStart, m_rowOf;
     std::vector<unsigned> m_rowStart;
     std::vector<RowEntry> m_entries;
-    std::vector<Degree> m_heap;
-    std::vector<unsigned> m_mark;
-    unsigned m_lastMark = 0;
+    std::vector<unsigned> m_next;
 };
