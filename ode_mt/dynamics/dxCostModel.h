@@ -29,6 +29,7 @@
 
 // dWorldStep, dWorldQuickStep, and the same of a fast world.
 enum class dxStepperKind { World, Quick, Direct, Iterative };
+constexpr unsigned kStepperKinds = 4;
 
 inline bool dxIsQuick(dxStepperKind kind) { return kind == dxStepperKind::Quick || kind == dxStepperKind::Iterative; }
 
@@ -87,7 +88,7 @@ private:
     void endProbe(unsigned steps, double ideal, double serial);
     void fadeOverhead(double serial);
 
-    dxSteadyAverage m_scale[4] = {dxSteadyAverage(1), dxSteadyAverage(1), dxSteadyAverage(1), dxSteadyAverage(1)};
+    dxSteadyAverage m_scale[kStepperKinds] = {dxSteadyAverage(1), dxSteadyAverage(1), dxSteadyAverage(1), dxSteadyAverage(1)};
     dxSteadyAverage m_overhead{10e3};        // before the first measurement: two thread wake-ups
     std::atomic<double> m_retryInterval{1};  // part of the longest
     std::atomic<bool> m_hasFaded{false};     // not measured since: the next step that is shared out begins a probe

@@ -20,14 +20,19 @@ constexpr unsigned kMinJoints = 500;
 constexpr unsigned kMinExactJoints = 134, kMinExactJointsByName = 64;
 constexpr double kMinExactShare = 0.9;
 
+// The direct solver's: its phases take some ten microseconds each.
+constexpr unsigned kMinDirectJoints = 250;
+
 // For a time per cost to be remembered like the time of a call: that of a step of one millisecond.
 constexpr double kCostOfReference = 1e6;
 
 // Whether large islands are stepped by several workers, under auto. For the process, as the cost model: what it
-// measures is the machine. Steps that find it in use do without.
+// measures is the machine; one for each stepper. Steps that find it in use do without.
 struct LargeIslandPolicy {
     std::mutex mutex;
-    dxSharingPolicy policy;
+    dxSharingPolicy policies[kStepperKinds];
+
+    dxSharingPolicy &of(dxStepperKind kind) { return policies[static_cast<int>(kind)]; }
 };
 dxProcessObject<LargeIslandPolicy> largeIslandPolicy;
 
@@ -41,6 +46,7 @@ bool mayBeEndless(const dxStepCall &call) {
 
 unsigned minLargeJoints(dxStepperKind kind) {
     if (dxIsQuick(kind)) return kMinJoints;
+    if (kind == dxStepperKind::Direct) return kMinDirectJoints;
     return dxSettings::instance().algorithm() == dxAlgorithm::Auto ? kMinExactJoints : kMinExactJointsByName;
 }
 
@@ -49,7 +55,6 @@ unsigned minLargeJoints(dxStepperKind kind) {
 bool mayUseWorkers(const dxStepCall &call) {
     if (mayBeEndless(call)) return false;
     if (call.count != 1) return call.count > 1;
-    if (call.kind == dxStepperKind::Direct) return false;
     return dxIslandCursor(call.info).next().jointCount >= minLargeJoints(call.kind);
 }
 
@@ -82,28 +87,27 @@ dxIslandCosts estimateCosts(const dxStepCall &call) {
 
 // One island takes so long that the others would have to wait for it.
 bool hasLargeIsland(const dxStepCall &call, const dxStepPlan &plan, unsigned limit) {
-    if (call.kind == dxStepperKind::Direct) return false;  // solves an island on one thread
     if (plan.costs.maxJoints < plan.minLargeJoints || !plan.costs.areOfAll) return false;
-    const double part = dxIsQuick(call.kind) ? 1.0 / limit : kMinExactShare;
+    const double part = call.kind == dxStepperKind::World ? kMinExactShare : 1.0 / limit;
     return plan.costs.largest >= part * plan.costs.total;
 }
 
 // The exact step measures its LCPs instead (dxLcpWorkers).
 bool isLargeIslandMeasured(dxStepperKind kind) {
-    return dxIsQuick(kind) && dxSettings::instance().algorithm() == dxAlgorithm::Auto;
+    return kind != dxStepperKind::World && dxSettings::instance().algorithm() == dxAlgorithm::Auto;
 }
 
 bool isLargeIslandStepFaster(dxStepperKind kind) {
     if (!isLargeIslandMeasured(kind)) return true;
     const std::unique_lock<std::mutex> hold(largeIslandPolicy->mutex, std::try_to_lock);
-    return hold && largeIslandPolicy->policy.shouldShare();
+    return hold && largeIslandPolicy->of(kind).shouldShare();
 }
 
 void recordLargeIslandTime(const dxStepCall &call, const dxStepPlan &plan, double ns) {
     if (!isLargeIslandMeasured(call.kind)) return;
     const std::unique_lock<std::mutex> hold(largeIslandPolicy->mutex, std::try_to_lock);
     const bool wasParallel = plan.strategy == dxStepStrategy::LargeIsland;
-    if (hold) largeIslandPolicy->policy.record(wasParallel, ns * kCostOfReference / plan.costs.total);
+    if (hold) largeIslandPolicy->of(call.kind).record(wasParallel, ns * kCostOfReference / plan.costs.total);
 }
 
 // For islands side by side. Returns 1 for the caller alone.

@@ -32,6 +32,7 @@ enum class dxParallelStage : unsigned char {
     SorSweep,             // QuickStep: the sweep
     ColoredSweeps,     // fast QuickStep: sweeps by colours: dxColoredSweeps
     Motion,            // QuickStep: velocities and positions: dxBodyMotion
+    BodySpace,         // fast dWorldStep: phases of the direct solver: dxDirectSolver
     PanelSolve,        // exact step: solves of several right-hand sides: dxPanelSolve
     TransposedSolve,   // exact step: back substitution: dxSolveL1Transposed
     SparseProducts,    // exact step: products with rows in C: dxSparseRows
@@ -46,7 +47,8 @@ public:
     static constexpr std::array<const char *, kCount> kNames = {
         "island survey", "islands", "boxes", "cell-grid pairs", "Verlet changes", "Verlet candidates", "pair keys",
         "kept pair keys", "narrow-phase prefetch", "callbacks", "bodies", "joints", "right-hand sides", "rows",
-        "SOR plan", "SOR sweep", "colored sweeps", "motion", "panel solve", "transposed solve", "sparse products"};
+        "SOR plan", "SOR sweep", "colored sweeps", "motion", "body space", "panel solve", "transposed solve",
+        "sparse products"};
 
     static bool ranByTwo(dxParallelStage stage) { return flag(stage).load(std::memory_order_relaxed); }
     static void noteTwo(dxParallelStage stage) { flag(stage).store(true, std::memory_order_relaxed); }

@@ -32,6 +32,11 @@ enum class dxSchedulePoint : unsigned {
     ClaimChunk,
     OpenPhase,
     AwaitPhase,
+    // Phases of the direct solver
+    PublishPhase,
+    ClaimPhaseChunk,
+    AwaitPhaseChunks,
+    AwaitPublishedPhase,
     // Islands side by side
     StepIsland,
     InterruptIsland,

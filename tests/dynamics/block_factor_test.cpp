@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <thread>
 
 #include "dynamics/direct/dxReducedSystem.h"
 #include "dynamics/direct/dxRowProducts.h"
@@ -50,16 +51,24 @@ std::vector<double> randomWeights(RandomDirectProblem &random) {
     return weight;
 }
 
-const RandomDirectProblem::Shape kShapes[] = {{1, 0, 3, 1e-8}, {2, 1, 6, 1e-8}, {7, 10, 12, 1e-8}, {40, 80, 12, 1e-8}};
+const RandomDirectProblem::Shape kShapes[] = {{1, 0, 3, 1e-8}, {2, 1, 6, 1e-8}, {7, 10, 12, 1e-8}, {40, 80, 12, 1e-8}, {150, 500, 3, 1e-8}};
+
+bool factorise(const RandomDirectProblem &random, const std::vector<double> &weight, dxBlockFactor &factor, dxPhaseRunner &phases) {
+    dxProblemChunks chunks;
+    chunks.make(random.problem);
+    factor.shape(random.order, phases.threads());
+    return factor.factorise(phases, [&](unsigned begin, unsigned end) {
+        dxRowProducts::makeColumns(random.problem, chunks, random.order, begin, end, weight.data(), factor);
+    });
+}
 
 // H y = r for a y that is known.
 void expectSolution(const RandomDirectProblem::Shape &shape, unsigned seed) {
     RandomDirectProblem random(shape, seed);
     const std::vector<double> weight = randomWeights(random);
     dxBlockFactor factor;
-    factor.shape(random.order);
-    dxRowProducts::makeMatrix(random.problem, weight, factor);
-    ASSERT_TRUE(factor.factorise());
+    dxPhaseRunner alone;
+    ASSERT_TRUE(factorise(random, weight, factor, alone));
     const dxBodyVectors expected = randomVector(random);
     const Dense matrix = denseMatrix(random.problem, weight);
     dxBodyVectors y(expected.size());
@@ -68,7 +77,7 @@ void expectSolution(const RandomDirectProblem::Shape &shape, unsigned seed) {
         for (std::size_t j = 0; j < matrix.size(); ++j) sum += matrix[i][j] * expected[j / kBodyAxes].lane[j % kBodyAxes];
         y[i / kBodyAxes].lane[i % kBodyAxes] = static_cast<double>(sum);
     }
-    factor.solve(y);
+    factor.solve(alone, y);
     for (std::size_t i = 0; i < matrix.size(); ++i)
         EXPECT_NEAR(y[i / kBodyAxes].lane[i % kBodyAxes], expected[i / kBodyAxes].lane[i % kBodyAxes], 1e-7);
     for (const dxBodyVector &body : y)
@@ -83,11 +92,10 @@ TEST(BlockFactor, SolvesAsADenseMatrixDoes) {
 TEST(BlockFactor, RefusesAMatrixThatIsNotPositiveDefinite) {
     RandomDirectProblem random(kShapes[2], 1);
     dxBlockFactor factor;
-    factor.shape(random.order);
+    dxPhaseRunner alone;
     for (const double mass : {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
         random.problem.mass[3].column[2].lane[2] = mass;
-        dxRowProducts::makeMatrix(random.problem, std::vector<double>(random.problem.rowCount), factor);
-        EXPECT_FALSE(factor.factorise());
+        EXPECT_FALSE(factorise(random, std::vector<double>(random.problem.rowCount), factor, alone));
     }
 }
 
@@ -96,13 +104,17 @@ TEST(ReducedSystem, SolvesInTheSpaceOfRows) {
     for (unsigned seed = 0; seed < 10; ++seed) {
         RandomDirectProblem random(kShapes[3], seed);
         const dxDirectProblem &problem = random.problem;
-        std::vector<double> d, q, dx(problem.rowCount), s(problem.rowCount);
+        std::vector<double> d, q, dx, s;
         for (unsigned i = 0; i < problem.rowCount; ++i) {
             d.push_back(i % 5 == 0 ? std::numeric_limits<double>::infinity() : 0.1 + std::fabs(random.number()));
             q.push_back(random.number());
         }
+        const unsigned padded = dxProblemChunks::padded(problem.rowCount);
+        d.resize(padded, std::numeric_limits<double>::infinity());
+        for (std::vector<double> *array : {&q, &dx, &s}) array->resize(padded);
         dxReducedSystem system;
-        system.begin(problem, random.order);
+        dxPhaseRunner alone;
+        system.begin(problem, random.order, alone, 1);
         ASSERT_TRUE(system.factorise(d));
         system.solve(q, dx);
         system.findResidual(dx, s);  // b - (J inv(M) J' + c) dx
@@ -125,15 +137,54 @@ TEST(BlockFactor, HasTheSameBitsOnEveryInstructionSet) {
     for (const std::int64_t set : instructionSets())
         onInstructionSet(set, [&] {
             dxBlockFactor factor;
-            factor.shape(random.order);
-            dxRowProducts::makeMatrix(random.problem, weight, factor);
-            ASSERT_TRUE(factor.factorise());
+            dxPhaseRunner alone;
+            ASSERT_TRUE(factorise(random, weight, factor, alone));
             dxBodyVectors y = right;
-            factor.solve(y);
+            factor.solve(alone, y);
             if (first.empty()) first = y;
             EXPECT_EQ(std::memcmp(first.data(), y.data(), y.size() * sizeof y[0]), 0);
         });
     EXPECT_FALSE(first.empty());
+}
+
+// Threads of the test's own, one for each block of a run.
+class Threads final : public dxTaskRunner {
+public:
+    explicit Threads(unsigned count) : m_count(count) {}
+    unsigned workers() const override { return m_count; }
+    void run(dxParallelStage, unsigned blocks, dxThreadManager::Task task, void *context) override {
+        std::vector<std::thread> threads;
+        for (unsigned block = 0; block < blocks; ++block) threads.emplace_back([=] { task(context, block, block); });
+        for (std::thread &thread : threads) thread.join();
+    }
+
+private:
+    const unsigned m_count;
+};
+
+// A factorisation with a top: its columns are shared, and so are the chunks of columns below it.
+TEST(BlockFactor, HasTheSameBitsForEveryNumberOfThreads) {
+    RandomDirectProblem random({300, 900, 3, 1e-8}, 3);
+    const std::vector<double> weight = randomWeights(random);
+    const dxBodyVectors right = randomVector(random);
+    dxFactorPlan plan;
+    plan.make(random.order);
+    EXPECT_GT(plan.top().size(), 10u);
+    EXPECT_GT(plan.chunks().size(), 3u);
+    dxBodyVectors first;
+    for (const unsigned threads : {1u, 2u, 3u, 5u, 8u, 16u}) {
+        dxBlockFactor factor;
+        dxPhaseRunner phases;
+        phases.reserve(threads);
+        Threads runner(threads);
+        phases.run(dxParallelStage::Count, runner, [&] {
+            ASSERT_TRUE(factorise(random, weight, factor, phases));
+            dxBodyVectors y = right;
+            factor.solve(phases, y);
+            if (first.empty()) first = y;
+            EXPECT_EQ(std::memcmp(first.data(), y.data(), y.size() * sizeof y[0]), 0) << threads << " threads";
+        });
+    }
 }
 
 }  // namespace

@@ -281,6 +281,44 @@ TEST_F(DirectStep, HasTheSameBitsForEveryNumberOfThreads) {
     EXPECT_NE(stateAfterSteps(0, "exact"), serial);
 }
 
+// A large island in body space, whose factorisation has a top. Returns whether a second worker took part in each step.
+bool stepLargeWall(unsigned threads, const char *algorithm, std::vector<dReal> &velocities) {
+    dToggleODE_MT(static_cast<int>(threads));
+    dODE_MT_SetAlgorithm(algorithm);
+    BrickWall::Shape shape;
+    shape.side = 14;
+    BrickWall wall(shape);
+    dODE_MT_SetSolver(wall.world(), "fast");
+    const unsigned before = dODE_MT_GetTeamSteps();
+    constexpr unsigned kSteps = 2;
+    for (unsigned i = 0; i < kSteps; ++i) {
+        wall.collide();
+        wall.step();
+    }
+    velocities = wall.velocities();
+    return dODE_MT_GetTeamSteps() == before + kSteps;
+}
+
+// A worker that comes late finds nothing left to do, so each is tried until it has come in time.
+TEST_F(DirectStep, HasTheSameBitsForEveryNumberOfWorkersOfALargeIsland) {
+    std::vector<dReal> serial, velocities;
+    EXPECT_FALSE(stepLargeWall(0, "serial", serial));
+    for (const unsigned threads : {1u, 2u, 3u, 5u, 8u, 16u}) {
+        constexpr unsigned kTries = 50;
+        bool isShared = false;
+        for (unsigned i = 0; i < kTries && !isShared; ++i) {
+            isShared = stepLargeWall(threads, "lcp", velocities);
+            EXPECT_EQ(velocities, serial) << threads << " threads";
+            if (threads < 2) break;
+        }
+        EXPECT_EQ(isShared, threads >= 2) << threads << " threads";
+    }
+    for (unsigned i = 0; i < 5; ++i) {
+        stepLargeWall(2, "auto", velocities);
+        EXPECT_EQ(velocities, serial);
+    }
+}
+
 TEST_F(DirectStep, HasTheSameBitsOnEveryInstructionSet) {
     std::vector<std::uint64_t> first;
     for (const std::int64_t set : instructionSets())

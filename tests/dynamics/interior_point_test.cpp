@@ -14,7 +14,8 @@
 namespace {
 
 double solve(dxInteriorPoint &interior, const RandomDirectProblem &random) {
-    interior.begin(random.problem, random.order);
+    dxPhaseRunner alone;
+    interior.begin(random.problem, random.order, alone, 1);
     interior.low() = random.problem.lo;
     interior.high() = random.problem.hi;
     return interior.solve();

@@ -71,6 +71,7 @@ const Scene kScenes[] = {
      {Stage::PairKeys, Stage::KeptPairKeys, Stage::NarrowphasePrefetch, Stage::Bodies, Stage::Joints, Stage::RightHandSides,
       Stage::Rows, Stage::SorPlan, Stage::SorSweep, Stage::Motion}},
     {"LargeIslandOfAFastWorld", [] { playPacked(16, 16, dWorldQuickStep, "fast"); }, {Stage::ColoredSweeps}},
+    {"LargeIslandInBodySpace", [] { playPacked(16, 16, dWorldStep, "fast"); }, {Stage::BodySpace}},
     // In a row, so that each box touches few others and the factor has zeros to skip.
     {"LargeExactIsland",
      [] { playPacked(16, 1, dWorldStep); },

@@ -55,6 +55,9 @@ void stepLargeIslands() {
     PackedWorld fast(16, 16, 3, dWorldQuickStep);
     dODE_MT_SetSolver(fast.world(), "fast");
     fast.frame();
+    PackedWorld direct(16, 16, 2, dWorldStep);
+    dODE_MT_SetSolver(direct.world(), "fast");
+    direct.frame();
 }
 
 // In a heap nearly all pairs hang together; as independent ones they are several tasks.

@@ -70,24 +70,46 @@ HWY_INLINE bool factorPivot(dxBodyBlock &block, dxPivotInverse &inverse) {
     return true;
 }
 
-bool factorise(const dxEliminationOrder &order, dxBodyBlocks &diagonal, dxBodyBlocks &below, std::vector<dxPivotInverse> &inverses,
-               unsigned *slotOf) {
-    const unsigned bodies = order.bodyCount();
-    dxBodyBlock *const blocks = below.data();
-    for (unsigned column = 0; column < bodies; ++column) {
-        const unsigned begin = order.firstBlock(column), end = order.firstBlock(column + 1);
-        for (unsigned block = begin; block < end; ++block) slotOf[order.rowOf(block)] = block;
-        for (unsigned e = order.firstEntry(column); e < order.firstEntry(column + 1); ++e) {
-            const dxEliminationOrder::RowEntry entry = order.entry(e);
-            const dxBodyBlock &factor = blocks[entry.block];
-            subtractProduct(diagonal[column], factor, factor);
-            const unsigned sourceEnd = order.firstBlock(entry.column + 1);
-            for (unsigned source = entry.block + 1; source < sourceEnd; ++source)
-                subtractProduct(blocks[slotOf[order.rowOf(source)]], blocks[source], factor);
-        }
-        if (!factorPivot(diagonal[column], inverses[column])) return false;
-        for (unsigned block = begin; block < end; ++block) multiplyTransposed(blocks[block], inverses[column].byColumns);
+// Of the column, the blocks from ownBegin to ownEnd get their products; `pivot` those of its diagonal block.
+HWY_INLINE void subtractEarlier(const dxFactorArrays &arrays, unsigned column, unsigned ownBegin, unsigned ownEnd, unsigned *slotOf,
+                                dxBodyBlock &pivot) {
+    const dxEliminationOrder &order = arrays.order;
+    const unsigned firstRow = ownBegin < ownEnd ? order.rowOf(ownBegin) : order.bodyCount();
+    const unsigned lastRow = ownBegin < ownEnd ? order.rowOf(ownEnd - 1) : 0;
+    for (unsigned block = ownBegin; block < ownEnd; ++block) slotOf[order.rowOf(block)] = block;
+    for (unsigned e = order.firstEntry(column); e < order.firstEntry(column + 1); ++e) {
+        const dxEliminationOrder::RowEntry entry = order.entry(e);
+        const dxBodyBlock &factor = arrays.below[entry.block];
+        subtractProduct(pivot, factor, factor);
+        const unsigned end = order.firstBlock(entry.column + 1);
+        unsigned source = entry.block + 1;
+        while (source < end && order.rowOf(source) < firstRow) ++source;
+        for (; source < end && order.rowOf(source) <= lastRow; ++source)
+            subtractProduct(arrays.below[slotOf[order.rowOf(source)]], arrays.below[source], factor);
     }
+}
+
+// Columns whose products all come from one another.
+bool factoriseColumns(const dxFactorArrays &arrays, unsigned beginColumn, unsigned endColumn, unsigned *slotOf) {
+    for (unsigned column = beginColumn; column < endColumn; ++column) {
+        const unsigned begin = arrays.order.firstBlock(column), end = arrays.order.firstBlock(column + 1);
+        subtractEarlier(arrays, column, begin, end, slotOf, arrays.diagonal[column]);
+        if (!factorPivot(arrays.diagonal[column], arrays.inverses[column])) return false;
+        for (unsigned block = begin; block < end; ++block) multiplyTransposed(arrays.below[block], arrays.inverses[column].byColumns);
+    }
+    return true;
+}
+
+// One of `parts` of a column's blocks. The diagonal block is read by all of them and stays as it is.
+bool factorisePart(const dxFactorArrays &arrays, unsigned column, unsigned part, unsigned parts, unsigned *slotOf) {
+    const unsigned begin = arrays.order.firstBlock(column), count = arrays.order.firstBlock(column + 1) - begin;
+    const unsigned ownBegin = begin + count * part / parts, ownEnd = begin + count * (part + 1) / parts;
+    dxBodyBlock pivot = arrays.diagonal[column];
+    subtractEarlier(arrays, column, ownBegin, ownEnd, slotOf, pivot);
+    dxPivotInverse inverse = {};
+    if (!factorPivot(pivot, inverse)) return false;
+    for (unsigned block = ownBegin; block < ownEnd; ++block) multiplyTransposed(arrays.below[block], inverse.byColumns);
+    if (part == 0) arrays.inverses[column] = inverse;
     return true;
 }
 
@@ -137,17 +159,24 @@ HWY_INLINE void subtractTransposed(const dxEliminationOrder &order, const dxBody
     for (unsigned c = 0; c < kBodyAxes; ++c) y[column].lane[c] -= addUp(sums.column[c].lane);
 }
 
-void solve(const dxEliminationOrder &order, const dxBodyBlocks &below, const std::vector<dxPivotInverse> &inverses,
-           dxBodyVectors &y) {
-    const unsigned bodies = order.bodyCount();
-    for (unsigned column = 0; column < bodies; ++column) {
-        multiply(inverses[column].byColumns, y[column]);
-        for (unsigned block = order.firstBlock(column); block < order.firstBlock(column + 1); ++block)
-            subtractTimes(y[order.rowOf(block)], below[block], y[column]);
+// inv(L) y, for a range of columns. Rows outside may have spills for targets.
+void solveForward(const dxFactorArrays &arrays, unsigned beginColumn, unsigned endColumn, dxBodyVectors &y, dxBodyVector *spills) {
+    const dxEliminationOrder &order = arrays.order;
+    const unsigned *const targets = arrays.targets, bodies = order.bodyCount();
+    for (unsigned column = beginColumn; column < endColumn; ++column) {
+        multiply(arrays.inverses[column].byColumns, y[column]);
+        for (unsigned block = order.firstBlock(column); block < order.firstBlock(column + 1); ++block) {
+            const unsigned target = targets[block];
+            subtractTimes(target < bodies ? y[target] : spills[target - bodies], arrays.below[block], y[column]);
+        }
     }
-    for (unsigned column = bodies; column-- > 0;) {
-        subtractTransposed(order, below.data(), column, y);
-        multiply(inverses[column].byRows, y[column]);
+}
+
+// inv(L') y, for a range of columns. Requires those of all rows in them.
+void solveBackward(const dxFactorArrays &arrays, unsigned beginColumn, unsigned endColumn, dxBodyVectors &y) {
+    for (unsigned column = endColumn; column-- > beginColumn;) {
+        subtractTransposed(arrays.order, arrays.below, column, y);
+        multiply(arrays.inverses[column].byRows, y[column]);
     }
 }
 
@@ -157,23 +186,67 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace dxDirect {
-HWY_EXPORT(factorise);
-HWY_EXPORT(solve);
+HWY_EXPORT(factoriseColumns);
+HWY_EXPORT(factorisePart);
+HWY_EXPORT(solveForward);
+HWY_EXPORT(solveBackward);
 }  // namespace dxDirect
 
-void dxBlockFactor::shape(const dxEliminationOrder &order) {
+namespace {
+
+// Products of blocks in a column at the top, at some 10 ns, and blocks of each part, from which on it is shared.
+constexpr unsigned kMinSharedWork = 200, kMinPart = 6;
+
+void add(dxBodyVector &sum, const dxBodyVector &other) {
+    for (unsigned lane = 0; lane < kBodyLanes; ++lane) sum.lane[lane] += other.lane[lane];
+}
+
+}  // namespace
+
+void dxBlockFactor::shape(const dxEliminationOrder &order, unsigned threads) {
     m_order = &order;
+    m_plan.make(order);
     m_diagonal.resize(order.bodyCount());
     m_below.resize(order.blockCount());
     m_inverses.assign(order.bodyCount(), dxPivotInverse{});
-    m_slotOf.resize(order.bodyCount());
+    if (m_slotOf.size() < threads) m_slotOf.resize(threads);
+    for (unsigned share = 0; share < threads; ++share) m_slotOf[share].resize(order.bodyCount());
+    m_spills.resize(m_plan.spillRows().size());
 }
 
-bool dxBlockFactor::factorise() {
-    return HWY_DYNAMIC_DISPATCH(dxDirect::factorise)(*m_order, m_diagonal, m_below, m_inverses, m_slotOf.data());
+dxFactorArrays dxBlockFactor::arrays() {
+    return {*m_order, m_diagonal.data(), m_below.data(), m_inverses.data(), m_plan.targets().data()};
 }
 
-void dxBlockFactor::solve(dxBodyVectors &y) const {
-    HWY_DYNAMIC_DISPATCH(dxDirect::solve)(*m_order, m_below, m_inverses, y);
+void dxBlockFactor::factoriseColumns(unsigned begin, unsigned end, unsigned share) {
+    if (!HWY_DYNAMIC_DISPATCH(dxDirect::factoriseColumns)(arrays(), begin, end, m_slotOf[share].data()))
+        m_isRegular.store(false, std::memory_order_relaxed);
+}
+
+void dxBlockFactor::factoriseTop(dxPhaseRunner &phases) {
+    for (std::size_t i = 0; i < m_plan.top().size() && m_isRegular.load(std::memory_order_relaxed); ++i) {
+        const unsigned column = m_plan.top()[i], blocks = m_order->firstBlock(column + 1) - m_order->firstBlock(column);
+        const unsigned parts = m_plan.topWork()[i] < kMinSharedWork ? 1 : std::clamp(blocks / kMinPart, 1u, phases.threads());
+        phases.forChunks(parts, [&](unsigned part, unsigned share) {
+            if (!HWY_DYNAMIC_DISPATCH(dxDirect::factorisePart)(arrays(), column, part, parts, m_slotOf[share].data()))
+                m_isRegular.store(false, std::memory_order_relaxed);
+        });
+    }
+}
+
+void dxBlockFactor::solve(dxPhaseRunner &phases, dxBodyVectors &y) {
+    const std::vector<dxFactorPlan::Chunk> &chunks = m_plan.chunks();
+    const std::vector<unsigned> &top = m_plan.top();
+    const dxFactorArrays arrays = this->arrays();
+    phases.forChunks(static_cast<unsigned>(chunks.size()), [&](unsigned chunk, unsigned) {
+        std::fill(m_spills.begin() + chunks[chunk].firstSpill, m_spills.begin() + chunks[chunk].endSpill, dxBodyVector{});
+        HWY_DYNAMIC_DISPATCH(dxDirect::solveForward)(arrays, chunks[chunk].begin, chunks[chunk].end, y, m_spills.data());
+    });
+    for (std::size_t i = 0; i < m_spills.size(); ++i) add(y[m_plan.spillRows()[i]], m_spills[i]);
+    for (const unsigned column : top) HWY_DYNAMIC_DISPATCH(dxDirect::solveForward)(arrays, column, column + 1, y, m_spills.data());
+    for (std::size_t i = top.size(); i-- > 0;) HWY_DYNAMIC_DISPATCH(dxDirect::solveBackward)(arrays, top[i], top[i] + 1, y);
+    phases.forChunks(static_cast<unsigned>(chunks.size()), [&](unsigned chunk, unsigned) {
+        HWY_DYNAMIC_DISPATCH(dxDirect::solveBackward)(arrays, chunks[chunk].begin, chunks[chunk].end, y);
+    });
 }
 #endif

@@ -14,15 +14,20 @@ constexpr double kMaxResidual = 1e-9, kMaxRounding = 64 * std::numeric_limits<do
 
 }  // namespace
 
-bool dxDirectSolver::solve(const dxExactProblem &rows, double stepSize) {
+bool dxDirectSolver::solve(const dxExactProblem &rows, double stepSize, dxTaskRunner &runner) {
     m_residual = kInfinity;
     if (!m_rows.gather(rows, stepSize)) return false;
-    m_interior.begin(m_rows.problem(), m_rows.order());
+    m_phases.reserve(runner.workers());
+    m_interior.begin(m_rows.problem(), m_rows.order(), m_phases, runner.workers());
+    m_phases.run(dxParallelStage::BodySpace, runner, [this] { solveBoth(); });
+    if (m_residual == kInfinity) return false;
+    return m_residual <= kMaxResidual * scale().b + kMaxRounding * scale().sum;
+}
+
+void dxDirectSolver::solveBoth() {
     limitRows();
     m_residual = m_interior.solve();
     if (m_residual < kInfinity && limitFriction()) m_residual = std::max(m_residual, m_interior.solve());
-    if (m_residual == kInfinity) return false;
-    return m_residual <= kMaxResidual * scale().b + kMaxRounding * scale().sum;
 }
 
 // Friction rows may not move yet.

@@ -90,7 +90,7 @@ enum class Outcome { Solved, LeftToDantzig, Unsolved };
 
 // A solution that is not good is compared with that of Dantzig's algorithm.
 Outcome solveBest(const dxIslandStep &step, const dxExactProblem &problem, dxDirectSolver &solver) {
-    if (!solver.solve(problem, step.stepSize)) {
+    if (!solver.solve(problem, step.stepSize, step.runner())) {
         countFallback(problem, solver.residual());
         if (solver.residual() == kInfinity) return Outcome::Unsolved;
         if (problem.rowCount <= kMaxDenseRows && solveDensely(step, problem) && solver.residualOf(problem) <= solver.residual())

@@ -1,7 +1,7 @@
 // The solver "fast" (docs/direct-solver.md): solves large problems in body space, without a matrix of rows by rows, and leaves the others
 // to Dantzig's algorithm.
 //
-// Threading: islands may be solved by several threads at the same time.
+// Threading: islands may be solved by several threads at the same time. The workers of a large island share what is done in body space.
 #pragma once
 
 #include "dynamics/exactstep/dxExactSolver.h"

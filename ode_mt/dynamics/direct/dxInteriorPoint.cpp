@@ -10,9 +10,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// The distance to a limit that there is not: nothing compares with it, and 0 times it is 0.
-constexpr double kFar = 1e300;
-
 constexpr unsigned kMaxSteps = 100;
 
 // Between 0.3 and 3 the number of steps is the same within a tenth; below, it grows.
@@ -35,14 +32,16 @@ constexpr double kRounding = 2 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
-void dxInteriorPoint::begin(const dxDirectProblem &problem, const dxEliminationOrder &order) {
+void dxInteriorPoint::begin(const dxDirectProblem &problem, const dxEliminationOrder &order, dxPhaseRunner &phases, unsigned threads) {
     m_problem = &problem;
-    m_system.begin(problem, order);
+    m_system.begin(problem, order, phases, threads);
     m_refinement.begin(problem);
-    for (std::vector<double> *array : {&m_low, &m_high, &m_x, &m_best, &m_toLow, &m_toHigh, &m_pullLow, &m_pullHigh, &m_dx,
-                                       &m_dPullLow, &m_dPullHigh, &m_s, &m_d, &m_q})
-        array->resize(problem.rowCount);
-    m_state.resize(problem.rowCount);
+    m_best.resize(m_system.paddedRows());
+    m_state.resize(m_system.paddedRows());
+    m_sums.resize(m_system.rowChunks());
+    m_steps.resize(m_system.rowChunks());
+    low().resize(problem.rowCount);
+    high().resize(problem.rowCount);
 }
 
 // Rows start as far from their limits as the largest b would push one, and in the middle between two.
@@ -53,87 +52,52 @@ void dxInteriorPoint::start() {
         if (problem.diagonal[i] > 0) scale = std::max(scale, std::fabs(problem.b[i]) / std::sqrt(problem.diagonal[i]));
     scale = scale > 0 ? kStart * scale : 1;
     m_limits = 0;
+    m_rows.resize(problem.rowCount, m_system.paddedRows());
     for (unsigned i = 0; i < problem.rowCount; ++i) start(i, scale);
 }
 
 // `scale`: in units in which each row's diagonal is 1.
 void dxInteriorPoint::start(unsigned i, double scale) {
     const double root = std::sqrt(m_problem->diagonal[i] > 0 ? m_problem->diagonal[i] : 1.0);
-    const double low = m_low[i], high = m_high[i];
+    const double low = m_rows.low[i], high = m_rows.high[i];
     const bool isFixed = low == high, hasLow = low > -kInfinity, hasHigh = high < kInfinity;
-    m_x[i] = isFixed             ? low
-             : hasLow && hasHigh ? low + (high - low) / 2
-             : hasLow            ? low + scale / root
-             : hasHigh           ? high - scale / root
-                                 : 0;
-    m_toLow[i] = hasLow && !isFixed ? m_x[i] - low : kFar;
-    m_toHigh[i] = hasHigh && !isFixed ? high - m_x[i] : kFar;
-    m_pullLow[i] = hasLow && !isFixed ? std::min(scale * scale / m_toLow[i], scale * root) : 0;
-    m_pullHigh[i] = hasHigh && !isFixed ? std::min(scale * scale / m_toHigh[i], scale * root) : 0;
-    m_limits += (m_pullLow[i] > 0) + (m_pullHigh[i] > 0);
+    m_rows.x[i] = isFixed             ? low
+                  : hasLow && hasHigh ? low + (high - low) / 2
+                  : hasLow            ? low + scale / root
+                  : hasHigh           ? high - scale / root
+                                      : 0;
+    m_rows.toLow[i] = hasLow && !isFixed ? m_rows.x[i] - low : kFarLimit;
+    m_rows.toHigh[i] = hasHigh && !isFixed ? high - m_rows.x[i] : kFarLimit;
+    m_rows.pullLow[i] = hasLow && !isFixed ? std::min(scale * scale / m_rows.toLow[i], scale * root) : 0;
+    m_rows.pullHigh[i] = hasHigh && !isFixed ? std::min(scale * scale / m_rows.toHigh[i], scale * root) : 0;
+    m_limits += (m_rows.pullLow[i] > 0) + (m_rows.pullHigh[i] > 0);
+    m_rows.dx[i] = m_rows.dPullLow[i] = m_rows.dPullHigh[i] = 0;
+    m_rows.b[i] = m_problem->b[i];
+    m_rows.c[i] = m_problem->c[i];
+    m_rows.softness[i] = m_problem->softnessOf(i);
 }
 
-// The gap of x and the multipliers after a part of the step.
-double dxInteriorPoint::gapAfter(double length) const {
-    double sum = 0;
-    for (unsigned i = 0; i < m_problem->rowCount; ++i)
-        sum += (m_pullLow[i] + length * m_dPullLow[i]) * (m_toLow[i] + length * m_dx[i]) +
-               (m_pullHigh[i] + length * m_dPullHigh[i]) * (m_toHigh[i] - length * m_dx[i]);
-    return m_limits > 0 ? sum / m_limits : 0;
-}
-
-// Only a new largest part is divided: those are few.
-double dxInteriorPoint::findStepLength() const {
-    double inverse = 0;  // the largest part of a distance or multiplier that the step takes
-    const auto take = [&inverse](double loss, double of) {
-        if (loss > inverse * of) inverse = loss / of;
-    };
-    for (unsigned i = 0; i < m_problem->rowCount; ++i) {
-        take(-m_dx[i], m_toLow[i]);
-        take(m_dx[i], m_toHigh[i]);
-        if (m_pullLow[i] > 0) take(-m_dPullLow[i], m_pullLow[i]);
-        if (m_pullHigh[i] > 0) take(-m_dPullHigh[i], m_pullHigh[i]);
-    }
-    return inverse > 1 ? 1 / inverse : 1;
-}
-
-// The step to a target of 0.
-void dxInteriorPoint::predict() {
-    m_system.solve(m_s, m_dx);
-    for (unsigned i = 0; i < m_problem->rowCount; ++i) {
-        m_dPullLow[i] = -m_pullLow[i] - m_pullLow[i] / m_toLow[i] * m_dx[i];
-        m_dPullHigh[i] = -m_pullHigh[i] + m_pullHigh[i] / m_toHigh[i] * m_dx[i];
-    }
-}
-
-// The step to `target`, corrected by the products that the predicted one left out.
-void dxInteriorPoint::correct(double target) {
-    for (unsigned i = 0; i < m_problem->rowCount; ++i) {
-        m_dPullLow[i] = m_pullLow[i] > 0 ? target - m_dx[i] * m_dPullLow[i] : 0;
-        m_dPullHigh[i] = m_pullHigh[i] > 0 ? target + m_dx[i] * m_dPullHigh[i] : 0;
-        m_q[i] = m_s[i] + m_dPullLow[i] / m_toLow[i] - m_dPullHigh[i] / m_toHigh[i];
-    }
-    m_system.solve(m_q, m_dx);
-    for (unsigned i = 0; i < m_problem->rowCount; ++i) {
-        m_dPullLow[i] = (m_dPullLow[i] - m_pullLow[i] * m_dx[i]) / m_toLow[i] - m_pullLow[i];
-        m_dPullHigh[i] = (m_dPullHigh[i] + m_pullHigh[i] * m_dx[i]) / m_toHigh[i] - m_pullHigh[i];
-    }
-}
-
+// Goes so far along the step, and finds the gap there.
 void dxInteriorPoint::advance(double length) {
-    for (unsigned i = 0; i < m_problem->rowCount; ++i) {
-        const double dx = length * m_dx[i];
-        m_x[i] += dx;
-        if (m_pullLow[i] > 0) {
-            m_toLow[i] += dx;
-            m_pullLow[i] += length * m_dPullLow[i];
-        }
-        if (m_pullHigh[i] > 0) {
-            m_toHigh[i] -= dx;
-            m_pullHigh[i] += length * m_dPullHigh[i];
-        }
-    }
+    m_system.forRows([&](const Rows &rows, unsigned chunk) {
+        m_sums[chunk] = dxInteriorLoops::advance(m_rows, rows.begin, rows.end, length);
+    });
+    double sum = 0;
+    for (const double part : m_sums) sum += part;
+    m_gap = m_limits > 0 ? sum / m_limits : 0;
 }
+
+// Calls findPart(rows) for all chunks of rows.
+template <class FindPart>
+dxInteriorLoops::Step dxInteriorPoint::findStep(const FindPart &findPart) {
+    m_system.forRows([&](const Rows &rows, unsigned chunk) { m_steps[chunk] = findPart(rows); });
+    dxInteriorLoops::Step step;
+    for (const dxInteriorLoops::Step &part : m_steps) step.add(part);
+    return step;
+}
+
+// How much of a step may be taken.
+double dxInteriorPoint::lengthOf(const dxInteriorLoops::Step &step) { return step.largestLoss > 1 ? 1 / step.largestLoss : 1; }
 
 // A row ends at a limit if its distance is small beside the multiplier, in units of its diagonal, and away from it if the multiplier
 // is small beside the distance, in units of its c. In between, the last step decides: it brings a row that ends there
@@ -148,40 +112,53 @@ void dxInteriorPoint::guessStates() {
             return change / distance < pullChange / pull;
         };
         m_state[i] = dxRowState::Free;
-        m_best[i] = std::clamp(m_x[i], m_low[i], m_high[i]);
-        if (m_low[i] == m_high[i] || isAt(m_toLow[i], m_dx[i], m_pullLow[i], m_dPullLow[i])) {
+        m_best[i] = std::clamp(m_rows.x[i], m_rows.low[i], m_rows.high[i]);
+        if (m_rows.low[i] == m_rows.high[i] || isAt(m_rows.toLow[i], m_rows.dx[i], m_rows.pullLow[i], m_rows.dPullLow[i])) {
             m_state[i] = dxRowState::AtLow;
-            m_best[i] = m_low[i];
-        } else if (isAt(m_toHigh[i], -m_dx[i], m_pullHigh[i], m_dPullHigh[i])) {
+            m_best[i] = m_rows.low[i];
+        } else if (isAt(m_rows.toHigh[i], -m_rows.dx[i], m_rows.pullHigh[i], m_rows.dPullHigh[i])) {
             m_state[i] = dxRowState::AtHigh;
-            m_best[i] = m_high[i];
+            m_best[i] = m_rows.high[i];
         }
     }
 }
 
 bool dxInteriorPoint::iterate() {
-    const dxDirectProblem &problem = *m_problem;
-    m_system.findResidual(m_x, m_s);
-    for (unsigned i = 0; i < problem.rowCount; ++i)
-        m_d[i] = m_low[i] == m_high[i] ? kInfinity
-                                       : problem.softnessOf(i) + m_pullLow[i] / m_toLow[i] +
-                                             m_pullHigh[i] / m_toHigh[i];
-    if (!m_system.factorise(m_d)) return false;
-    predict();
-    const double aff = findStepLength();
-    const double part = m_gap > 0 ? gapAfter(aff) / m_gap : 0;
-    correct(part * part * part * m_gap);
-    const double full = findStepLength();
+    m_system.findMotion(m_rows.x);
+    m_system.forRows([&](const Rows &rows, unsigned) {
+        dxInteriorLoops::prepare(m_rows, rows.begin, rows.end, m_system.changeByMotion(rows), m_system.weight(), m_system.scaled());
+    });
+    if (!m_system.factorise()) return false;
+    const double target = predict();
+    m_system.forRows([&](const Rows &rows, unsigned) {
+        dxInteriorLoops::correct(m_rows, rows.begin, rows.end, target, m_system.weight(), m_system.scaled());
+    });
+    m_system.solveBodies();
+    const double full = lengthOf(findStep([&](const Rows &rows) {
+        return dxInteriorLoops::finish(m_rows, rows.begin, rows.end, m_system.changeBySolution(rows), m_system.weight());
+    }));
     const double length = full < 1 ? kMaxAdvance * full : kMaxAdvance;
     if (!std::isfinite(length)) return false;
     advance(length);
     return true;
 }
 
+// The step to a target of 0. Returns the target of the corrected one. The gap after a part of this step is (1 - part) of the gap, and the
+// square of the part times the mean energy.
+double dxInteriorPoint::predict() {
+    m_system.solveBodies();
+    const dxInteriorLoops::Step step = findStep([&](const Rows &rows) {
+        return dxInteriorLoops::predict(m_rows, rows.begin, rows.end, m_system.changeBySolution(rows), m_system.weight());
+    });
+    if (!(m_gap > 0)) return 0;
+    const double length = lengthOf(step), after = (1 - length) * m_gap + length * length * step.energy / m_limits;
+    const double part = std::max(after / m_gap, 0.0);
+    return part * part * part * m_gap;
+}
+
 double dxInteriorPoint::solve() {
     start();
-    for (double *d : {m_dx.data(), m_dPullLow.data(), m_dPullHigh.data()}) std::fill_n(d, m_problem->rowCount, 0.0);
-    m_gap = gapAfter(0);
+    advance(0);
     const double firstGap = m_gap;
     double residual = kInfinity;
     m_found.clear();
@@ -191,7 +168,7 @@ double dxInteriorPoint::solve() {
             guessStates();
             const Scale expected = scaleOf(m_best);
             const double rounding = kRounding * (expected.b + expected.sum);
-            const double now = m_refinement.refine(m_system, m_low, m_high, rounding, m_state, m_best);
+            const double now = m_refinement.refine(m_system, m_rows.low, m_rows.high, rounding, m_state, m_best);
             if (now < residual) {
                 residual = now;
                 m_found = m_best;
@@ -201,9 +178,8 @@ double dxInteriorPoint::solve() {
             guess = std::min(guess, m_gap / firstGap) * kNextGuess;
         }
         if (!iterate()) break;
-        m_gap = gapAfter(0);
     }
-    if (residual < kInfinity) m_x = m_found;
+    if (residual < kInfinity) m_rows.x = m_found;
     return residual;
 }
 
@@ -217,7 +193,7 @@ dxInteriorPoint::Scale dxInteriorPoint::scaleOf(const std::vector<double> &x) co
 }
 
 double dxInteriorPoint::residualOf(std::vector<double> &x) {
-    for (unsigned i = 0; i < m_problem->rowCount; ++i) x[i] = dxSnapToLimit(x[i], m_low[i], m_high[i]);
-    m_system.findResidual(x, m_s);
-    return dxWorstKktResidual(x, m_s, m_low, m_high);
+    for (unsigned i = 0; i < m_problem->rowCount; ++i) x[i] = dxSnapToLimit(x[i], m_rows.low[i], m_rows.high[i]);
+    m_system.findResidual(x, m_rows.s);
+    return dxWorstKktResidual(x, m_rows.s, m_rows.low, m_rows.high);
 }

@@ -22,22 +22,23 @@
 #include <vector>
 
 #include "dynamics/direct/dxDirectProblem.h"
+#include "dynamics/direct/dxInteriorRows.h"
 #include "dynamics/direct/dxReducedSystem.h"
 #include "dynamics/direct/dxRefinement.h"
 
 class dxInteriorPoint {
 public:
-    // `order`: of the problem's bodies. Both outlive what follows.
-    void begin(const dxDirectProblem &problem, const dxEliminationOrder &order);
+    // `order`: of the problem's bodies. All outlive what follows. At most so many threads share the phases. Throws std::bad_alloc.
+    void begin(const dxDirectProblem &problem, const dxEliminationOrder &order, dxPhaseRunner &phases, unsigned threads);
 
     // The limits of this problem, to be written before solve; low <= high.
-    std::vector<double> &low() { return m_low; }
-    std::vector<double> &high() { return m_high; }
+    std::vector<double> &low() { return m_rows.low; }
+    std::vector<double> &high() { return m_rows.high; }
 
     // Writes x. Returns its residual (dxKktResidual.h); infinity if numbers left the range of doubles.
     double solve();
 
-    const std::vector<double> &x() const { return m_x; }
+    const std::vector<double> &x() const { return m_rows.x; }
 
     // What rounding makes of a residual: the largest b, and the largest sum that w is the rest of.
     struct Scale {
@@ -52,25 +53,26 @@ public:
     unsigned factorisations() const { return m_system.factorisations(); }
 
 private:
+    using Rows = dxProblemChunks::Rows;
+
     void start();
     void start(unsigned row, double scale);
     bool iterate();
-    void predict();
-    void correct(double target);
-    double findStepLength() const;
-    double gapAfter(double length) const;
+    double predict();
+    template <class FindPart>
+    dxInteriorLoops::Step findStep(const FindPart &findPart);
+    static double lengthOf(const dxInteriorLoops::Step &step);
     void advance(double length);
     void guessStates();
 
     const dxDirectProblem *m_problem = nullptr;
     dxReducedSystem m_system;
     dxRefinement m_refinement;
-    std::vector<double> m_low, m_high, m_x, m_best, m_found;
-    std::vector<double> m_toLow, m_toHigh;              // distances; kFar where there is no limit
-    std::vector<double> m_pullLow, m_pullHigh;          // multipliers; 0 where there is no limit
-    std::vector<double> m_dx, m_dPullLow, m_dPullHigh;  // of a step
-    std::vector<double> m_s, m_d, m_q;
+    dxInteriorRows m_rows;
+    std::vector<double> m_best, m_found;         // x, refined: the last one, the best one
     std::vector<dxRowState> m_state;
-    double m_gap = 0;      // mean of zl l and zh h
+    std::vector<double> m_sums;                  // by chunk of rows
+    std::vector<dxInteriorLoops::Step> m_steps;  // by chunk of rows
+    double m_gap = 0;       // mean of zl l and zh h
     unsigned m_limits = 0;  // of all rows
 };

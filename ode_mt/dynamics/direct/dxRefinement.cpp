@@ -25,7 +25,9 @@ constexpr double kReleaseTolerance = 1e-3;
 
 void dxRefinement::begin(const dxDirectProblem &problem) {
     m_problem = &problem;
-    for (std::vector<double> *array : {&m_s, &m_d, &m_dx, &m_best}) array->resize(problem.rowCount);
+    const unsigned rows = dxProblemChunks::padded(problem.rowCount);
+    for (std::vector<double> *array : {&m_s, &m_dx, &m_best}) array->assign(rows, 0);
+    m_d.assign(rows, kInfinity);
 }
 
 unsigned dxRefinement::updateStates(const std::vector<double> &low, const std::vector<double> &high, const std::vector<double> &x,

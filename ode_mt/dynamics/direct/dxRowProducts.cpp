@@ -9,6 +9,8 @@
 #include "dynamics/direct/dxDirectProblem.h"
 #include "dynamics/direct/dxRowProducts.h"
 
+#include <algorithm>
+
 HWY_BEFORE_NAMESPACE();
 namespace dxDirect {
 namespace HWY_NAMESPACE {
@@ -16,15 +18,17 @@ namespace HWY_NAMESPACE {
 // What a manifold reads of a body that it does not have.
 constexpr dxBodyVector kNoMotion = {};
 
-void multiply(const dxDirectProblem &problem, const dxBodyVectors &u, std::vector<double> &result) {
+void multiply(const dxDirectProblem &problem, const dxProblemChunks::Rows &chunk, const dxBodyVectors &u, double *result) {
     const BodyTag d;
     const dxBodyVector *const jacobian = problem.jacobian.data();
-    for (const dxManifold &manifold : problem.manifolds) {
+    for (std::size_t i = chunk.firstManifold; i < problem.manifolds.size() && problem.manifolds[i].firstRow < chunk.end; ++i) {
+        const dxManifold &manifold = problem.manifolds[i];
         const bool hasFirst = manifold.body[0] != dxManifold::kNoBody, hasSecond = manifold.body[1] != dxManifold::kNoBody;
         const dxBodyVector &first = hasFirst ? u[manifold.body[0]] : kNoMotion;
         const dxBodyVector &second = hasSecond ? u[manifold.body[1]] : kNoMotion;
-        for (unsigned row = manifold.firstRow; row < manifold.endRow; ++row) {
-            const dxBodyVector *const sides = jacobian + 2 * row;
+        const unsigned begin = std::max(manifold.firstRow, chunk.begin), end = std::min(manifold.endRow, chunk.end);
+        for (unsigned row = begin; row < end; ++row) {
+            const dxBodyVector *const sides = jacobian + 2 * std::size_t(row);
             dxBodyVector products;
             for (unsigned lane = 0; lane < kBodyLanes; lane += hn::Lanes(d)) {
                 const auto a = hn::Mul(hn::Load(d, sides[0].lane + lane), hn::Load(d, first.lane + lane));
@@ -36,26 +40,25 @@ void multiply(const dxDirectProblem &problem, const dxBodyVectors &u, std::vecto
     }
 }
 
-void multiplyTransposed(const dxDirectProblem &problem, const std::vector<double> &x, dxBodyVectors &result) {
+void multiplyTransposed(const dxDirectProblem &problem, const dxProblemChunks &chunks, const dxProblemChunks::Bodies &chunk,
+                        const double *x, dxBodyVectors &result) {
     const BodyTag d;
-    const dxBodyVector *const jacobian = problem.jacobian.data();
-    for (dxBodyVector &sum : result) sum = {};
-    for (const dxManifold &manifold : problem.manifolds)
-        for (unsigned side = 0; side < 2; ++side) {
-            if (manifold.body[side] == dxManifold::kNoBody) continue;
-            dxBodyVector &target = result[manifold.body[side]];
-            for (unsigned lane = 0; lane < kBodyLanes; lane += hn::Lanes(d)) {
-                auto sum = hn::Load(d, target.lane + lane);
+    for (unsigned body = chunk.begin; body < chunk.end; ++body)
+        for (unsigned lane = 0; lane < kBodyLanes; lane += hn::Lanes(d)) {
+            auto sum = hn::Zero(d);
+            for (unsigned i = chunks.firstSide(body); i < chunks.firstSide(body + 1); ++i) {
+                const dxManifold &manifold = problem.manifolds[chunks.side(i).manifold];
+                const dxBodyVector *const jacobian = problem.jacobian.data() + chunks.side(i).side;
                 for (unsigned row = manifold.firstRow; row < manifold.endRow; ++row)
-                    sum = hn::Add(sum, hn::Mul(hn::Load(d, jacobian[2 * row + side].lane + lane), hn::Set(d, x[row])));
-                hn::Store(sum, d, target.lane + lane);
+                    sum = hn::Add(sum, hn::Mul(hn::Load(d, jacobian[2 * std::size_t(row)].lane + lane), hn::Set(d, x[row])));
             }
+            hn::Store(sum, d, result[body].lane + lane);
         }
 }
 
-void multiplyBodies(const dxBodyBlocks &blocks, const dxBodyVectors &u, dxBodyVectors &result) {
+void multiplyBodies(const dxBodyBlocks &blocks, const dxProblemChunks::Bodies &chunk, const dxBodyVectors &u, dxBodyVectors &result) {
     const BodyTag d;
-    for (std::size_t body = 0; body < blocks.size(); ++body)
+    for (unsigned body = chunk.begin; body < chunk.end; ++body)
         for (unsigned lane = 0; lane < kBodyLanes; lane += hn::Lanes(d)) {
             auto sum = hn::Zero(d);
             for (unsigned c = 0; c < kBodyAxes; ++c)
@@ -81,17 +84,17 @@ HWY_INLINE void addProducts(dxBodyBlock &target, const dxBodyVector *left, const
     }
 }
 
-void makeMatrix(const dxDirectProblem &problem, const std::vector<double> &weight, dxBodyBlocks &diagonal, dxBodyBlocks &below) {
-    std::copy(problem.mass.begin(), problem.mass.end(), diagonal.begin());
-    std::fill(below.begin(), below.end(), dxBodyBlock{});
-    for (const dxManifold &manifold : problem.manifolds) {
+void makeColumn(const dxDirectProblem &problem, const dxProblemChunks &chunks, unsigned body, const double *weight,
+                dxBodyBlock &diagonal, dxBodyBlock *below) {
+    diagonal = problem.mass[body];
+    for (unsigned i = chunks.firstSide(body); i < chunks.firstSide(body + 1); ++i) {
+        const unsigned side = chunks.side(i).side;
+        const dxManifold &manifold = problem.manifolds[chunks.side(i).manifold];
         const unsigned rows = manifold.endRow - manifold.firstRow;
         const dxBodyVector *const first = problem.jacobian.data() + 2 * std::size_t(manifold.firstRow), *const second = first + 1;
-        const double *const weights = weight.data() + manifold.firstRow;
-        const bool hasFirst = manifold.body[0] != dxManifold::kNoBody, hasSecond = manifold.body[1] != dxManifold::kNoBody;
-        if (hasFirst) addProducts(diagonal[manifold.body[0]], first, first, weights, rows);
-        if (hasSecond) addProducts(diagonal[manifold.body[1]], second, second, weights, rows);
-        if (hasFirst && hasSecond) addProducts(below[manifold.block], second, first, weights, rows);
+        const double *const weights = weight + manifold.firstRow;
+        addProducts(diagonal, first + side, first + side, weights, rows);
+        if (side == 0 && manifold.body[1] != dxManifold::kNoBody) addProducts(below[manifold.block], second, first, weights, rows);
     }
 }
 
@@ -104,25 +107,29 @@ namespace dxDirect {
 HWY_EXPORT(multiply);
 HWY_EXPORT(multiplyTransposed);
 HWY_EXPORT(multiplyBodies);
-HWY_EXPORT(makeMatrix);
+HWY_EXPORT(makeColumn);
 }  // namespace dxDirect
 
 namespace dxRowProducts {
 
-void multiply(const dxDirectProblem &problem, const dxBodyVectors &u, std::vector<double> &result) {
-    HWY_DYNAMIC_DISPATCH(dxDirect::multiply)(problem, u, result);
+void multiply(const dxDirectProblem &problem, const dxProblemChunks::Rows &chunk, const dxBodyVectors &u, double *result) {
+    HWY_DYNAMIC_DISPATCH(dxDirect::multiply)(problem, chunk, u, result);
 }
 
-void multiplyTransposed(const dxDirectProblem &problem, const std::vector<double> &x, dxBodyVectors &result) {
-    HWY_DYNAMIC_DISPATCH(dxDirect::multiplyTransposed)(problem, x, result);
+void multiplyTransposed(const dxDirectProblem &problem, const dxProblemChunks &chunks, const dxProblemChunks::Bodies &chunk,
+                        const double *x, dxBodyVectors &result) {
+    HWY_DYNAMIC_DISPATCH(dxDirect::multiplyTransposed)(problem, chunks, chunk, x, result);
 }
 
-void multiplyBodies(const dxBodyBlocks &blocks, const dxBodyVectors &u, dxBodyVectors &result) {
-    HWY_DYNAMIC_DISPATCH(dxDirect::multiplyBodies)(blocks, u, result);
+void multiplyBodies(const dxBodyBlocks &blocks, const dxProblemChunks::Bodies &chunk, const dxBodyVectors &u, dxBodyVectors &result) {
+    HWY_DYNAMIC_DISPATCH(dxDirect::multiplyBodies)(blocks, chunk, u, result);
 }
 
-void makeMatrix(const dxDirectProblem &problem, const std::vector<double> &weight, dxBlockFactor &factor) {
-    HWY_DYNAMIC_DISPATCH(dxDirect::makeMatrix)(problem, weight, factor.diagonal(), factor.below());
+void makeColumns(const dxDirectProblem &problem, const dxProblemChunks &chunks, const dxEliminationOrder &order, unsigned begin,
+                 unsigned end, const double *weight, dxBlockFactor &factor) {
+    std::fill(factor.below().begin() + order.firstBlock(begin), factor.below().begin() + order.firstBlock(end), dxBodyBlock{});
+    for (unsigned body = begin; body < end; ++body)
+        HWY_DYNAMIC_DISPATCH(dxDirect::makeColumn)(problem, chunks, body, weight, factor.diagonal()[body], factor.below().data());
 }
 
 }  // namespace dxRowProducts
