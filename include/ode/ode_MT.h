@@ -41,7 +41,7 @@ extern "C" {
  *   ODE_MT_LOG=error|warning|info|debug
  *   ODE_MT_PERTURB=n
  * @endcode
- * An empty variable counts as unset; a program with another user's rights (set-user-ID) reads none. A number out
+ * An empty variable counts as unset; a program with another user's rights (set-user-ID) reads none. A whole number out
  * of range is replaced by the nearest valid one, any other invalid value by the default, and a line on stderr reports it. A
  * call below overrides the environment.
  *

@@ -286,4 +286,21 @@ TEST_F(IterativeStep, EndsWorldsAndTheLibraryWithNothingKept) {
     SUCCEED();
 }
 
+dBodyID pushed = nullptr;
+
+// Islands that are solved together otherwise are solved one by one: the second body's has yet to be stepped when it is pushed.
+TEST_F(IterativeStep, AForceFromAMovedCallbackActsInTheSameStep) {
+    for (const bool isFirst : {true, false}) {
+        const dWorldID world = dWorldCreate();
+        dODE_MT_SetSolver(world, "fast");
+        const dBodyID earlier = dBodyCreate(world), later = dBodyCreate(world);  // upstream begins with the one made last
+        pushed = isFirst ? earlier : later;
+        dBodySetMovedCallback(isFirst ? later : earlier, [](dBodyID) { dBodyAddForce(pushed, 1000, 0, 0); });
+        dWorldQuickStep(world, kStepSize);
+        EXPECT_EQ(dBodyGetLinearVel(pushed)[0], isFirst ? 10 : 0);
+        EXPECT_EQ(dBodyGetForce(pushed)[0], isFirst ? 0 : 1000);
+        dWorldDestroy(world);
+    }
+}
+
 }  // namespace

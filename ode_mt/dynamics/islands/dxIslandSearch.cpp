@@ -27,6 +27,15 @@ void prefetchAhead(const Object *object, const Member &member) {
     dxPrefetch::line(reinterpret_cast<const void *>(predictedAddress(object) + offset));
 }
 
+// Whether a callback hears that some body has moved.
+bool hasMovedCallback(const dxWorld *world) {
+    for (const dxBody *body = world->firstbody; body != nullptr; body = static_cast<const dxBody *>(body->next)) {
+        prefetchAhead(body, body->moved_callback);
+        if (body->moved_callback != nullptr) return true;
+    }
+    return false;
+}
+
 // What the search reads of bodies and joints fits L2, and is prefetched.
 void untagBodies(dxWorld *world) {
     for (dxBody *body = world->firstbody; body != nullptr; body = static_cast<dxBody *>(body->next)) {
@@ -104,6 +113,8 @@ sizeint dxFindIslands(dxWorldProcessIslandsInfo &info, dxWorldProcessMemArena *a
                       dmemestimate_fn_t estimate, unsigned minGroup) {
     untagBodies(world);
     dInternalHandleAutoDisabling(world, stepSize);
+    // A callback may push bodies of islands that have yet to be stepped.
+    if (minGroup > 1 && hasMovedCallback(world)) minGroup = 0;
     untagJoints(world);
 
     const auto bodyCount = static_cast<unsigned>(world->nb), jointCount = static_cast<unsigned>(world->nj);
