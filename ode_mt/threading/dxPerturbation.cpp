@@ -3,6 +3,7 @@
 #include <sched.h>
 #include <time.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 
@@ -16,8 +17,9 @@ std::atomic<std::uint64_t> seed{0};
 std::atomic<std::uint64_t> drawn{0};
 std::atomic<std::uint64_t> timesReached[kSchedulePoints];
 
-// One point in eight sleeps at first, later one in sixty-four: a long run would sleep for most of its time.
-constexpr std::uint64_t kSleepyPoints = 20000;
+// One point in eight sleeps at first, later fewer and fewer: a long run, which comes to millions of points, would do nothing else. After n
+// points there have been about 1000 (1 + ln(n / 8000)) sleeps.
+constexpr std::uint64_t kLeastPeriod = 8, kSleeps = 1000;
 
 // SplitMix64 (Steele, Lea, Flood 2014): its state only counts up, so threads can share it.
 std::uint64_t randomAt(std::uint64_t place) {
@@ -36,10 +38,9 @@ void sleepUpTo50us(std::uint64_t random) {
 void disturbAtRandom() {
     const std::uint64_t place = drawn.fetch_add(1, std::memory_order_relaxed);
     const std::uint64_t random = randomAt(place);
-    const unsigned kind = random % 64;
-    if (kind == 0 || (kind % 8 == 0 && place < kSleepyPoints)) {
-        sleepUpTo50us(random >> 8);
-    } else if (kind % 8 == 1 || kind % 8 == 2) {
+    if (random % std::max(kLeastPeriod, place / kSleeps) == 0) {
+        sleepUpTo50us(random >> 32);
+    } else if ((random >> 32) % 4 == 0) {
         sched_yield();
     }
 }
