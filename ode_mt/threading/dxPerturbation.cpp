@@ -17,8 +17,8 @@ std::atomic<std::uint64_t> seed{0};
 std::atomic<std::uint64_t> drawn{0};
 std::atomic<std::uint64_t> timesReached[kSchedulePoints];
 
-// One point in eight sleeps at first, later fewer and fewer: a long run, which comes to millions of points, would do nothing else. After n
-// points there have been about 1000 (1 + ln(n / 8000)) sleeps.
+// One point in eight sleeps at first and two yield, later fewer and fewer: a long run, which comes to millions of points, would do
+// nothing else. After n points there have been about 1000 (1 + ln(n / 8000)) sleeps.
 constexpr std::uint64_t kLeastPeriod = 8, kSleeps = 1000;
 
 // SplitMix64 (Steele, Lea, Flood 2014): its state only counts up, so threads can share it.
@@ -38,9 +38,10 @@ void sleepUpTo50us(std::uint64_t random) {
 void disturbAtRandom() {
     const std::uint64_t place = drawn.fetch_add(1, std::memory_order_relaxed);
     const std::uint64_t random = randomAt(place);
-    if (random % std::max(kLeastPeriod, place / kSleeps) == 0) {
+    const std::uint64_t kind = random % std::max(kLeastPeriod, place / kSleeps);
+    if (kind == 0) {
         sleepUpTo50us(random >> 32);
-    } else if ((random >> 32) % 4 == 0) {
+    } else if (kind <= 2) {
         sched_yield();
     }
 }
