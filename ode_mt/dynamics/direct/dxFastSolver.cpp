@@ -33,9 +33,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // A solution that is not good is kept for islands of more rows: Dantzig's algorithm would need minutes for them.
 constexpr unsigned kMaxDenseRows = 3000;
 
-// With fewer rows without limits there is too little to eliminate (docs/direct-solver.md has the figures). Where few rows have limits,
-// Dantzig's algorithm carries the others through few pivots.
-constexpr unsigned kMinEliminatedRows = 40, kFewLimitedRows = 30, kMinEliminatedRowsOfFew = 100;
+// With fewer rows without limits there is too little to eliminate (docs/direct-solver.md has the figures).
+constexpr unsigned kMinEliminatedRows = 40;
 
 // Of a chain there are 4, of a tree whose bodies have three joints 6.
 constexpr std::size_t kMaxBlocksPerJoint = 16;
@@ -65,8 +64,7 @@ Method chooseMethod(const dxExactProblem &problem) {
     const unsigned limited = countLimited(problem);
     if (limited >= kMinDirectLimitedRows) return Method::BodySpace;
     const bool isLarge = problem.rowCount >= kMinDirectRows;
-    const unsigned least = limited < kFewLimitedRows ? kMinEliminatedRowsOfFew : kMinEliminatedRows;
-    if (problem.rowCount - limited >= least && (!isLarge || isSparse(problem))) return Method::Elimination;
+    if (problem.rowCount - limited >= kMinEliminatedRows && (!isLarge || isSparse(problem))) return Method::Elimination;
     return isLarge ? Method::BodySpace : Method::Dantzig;
 }
 
