@@ -1,7 +1,5 @@
 #include "dynamics/dxIslandParallelStep.h"
 
-#include <ode/error.h>
-
 #include <algorithm>
 #include <new>
 
@@ -12,6 +10,7 @@
 #include "dynamics/dxWorldArena.h"
 #include "dynamics/islands/dxBodyIntegration.h"
 #include "dynamics/islands/dxIslandSearch.h"
+#include "dynamics/islands/dxUserHandlers.h"
 #include "dynamics/islands/dxWorkingMemory.h"
 #include "dynamics/iterative/dxIterativeWorld.h"
 #include "dynamics/random/dxRandom.h"
@@ -23,7 +22,7 @@
 dxIslandParallelStep::dxIslandParallelStep(const dxStepCall &call, const dxStepPlan &plan)
     : m_call(call),
       m_plan(plan),
-      m_userHandlers(dGetErrorHandler() || dGetDebugHandler() || dGetMessageHandler()),
+      m_userHandlers(dxHasUserHandlers()),
       m_interrupted(call.count) {}
 
 void dxIslandParallelStep::run() {

@@ -5,11 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <thread>
 
 #include "dynamics/direct/dxReducedSystem.h"
 #include "dynamics/direct/dxRowProducts.h"
 #include "instruction_sets.h"
+#include "own_threads.h"
 #include "random_direct_problem.h"
 
 namespace {
@@ -147,21 +147,6 @@ TEST(BlockFactor, HasTheSameBitsOnEveryInstructionSet) {
     EXPECT_FALSE(first.empty());
 }
 
-// Threads of the test's own, one for each block of a run.
-class Threads final : public dxTaskRunner {
-public:
-    explicit Threads(unsigned count) : m_count(count) {}
-    unsigned workers() const override { return m_count; }
-    void run(dxParallelStage, unsigned blocks, dxThreadManager::Task task, void *context) override {
-        std::vector<std::thread> threads;
-        for (unsigned block = 0; block < blocks; ++block) threads.emplace_back([=] { task(context, block, block); });
-        for (std::thread &thread : threads) thread.join();
-    }
-
-private:
-    const unsigned m_count;
-};
-
 // A factorisation with a top: its columns are shared, and so are the chunks of columns below it.
 TEST(BlockFactor, HasTheSameBitsForEveryNumberOfThreads) {
     RandomDirectProblem random({300, 900, 3, 1e-8}, 3);
@@ -176,7 +161,7 @@ TEST(BlockFactor, HasTheSameBitsForEveryNumberOfThreads) {
         dxBlockFactor factor;
         dxPhaseRunner phases;
         phases.reserve(threads);
-        Threads runner(threads);
+        OwnThreads runner(threads);
         phases.run(dxParallelStage::Count, runner, [&] {
             ASSERT_TRUE(factorise(random, weight, factor, phases));
             dxBodyVectors y = right;

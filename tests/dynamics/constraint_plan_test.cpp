@@ -8,7 +8,6 @@
 #include <atomic>
 #include <cstdint>
 #include <set>
-#include <thread>
 #include <vector>
 
 #include "config.h"
@@ -17,6 +16,7 @@
 
 #include "dynamics/iterative/dxColoredSweeps.h"
 #include "dynamics/iterative/dxConstraintPlan.h"
+#include "own_threads.h"
 #include "random_world.h"
 
 namespace {
@@ -178,21 +178,6 @@ TEST_F(ConstraintPlan, PutsContactsOfTwoBodiesTogether) {
     dWorldDestroy(world);
 }
 
-// So many threads of its own, all of which take part.
-class Threads final : public dxTaskRunner {
-public:
-    explicit Threads(unsigned count) : m_count(count) {}
-    unsigned workers() const override { return m_count; }
-    void run(dxParallelStage, unsigned blocks, dxThreadManager::Task task, void *context) override {
-        std::vector<std::thread> threads;
-        for (unsigned block = 0; block < blocks; ++block) threads.emplace_back([=] { task(context, block, block); });
-        for (std::thread &thread : threads) thread.join();
-    }
-
-private:
-    const unsigned m_count;
-};
-
 TEST_F(ConstraintPlan, IsSweptOnceASweepByAnyNumberOfThreads) {
     RandomWorld world({500, 4000}, 2);
     const Group group(world.world());
@@ -208,7 +193,7 @@ TEST_F(ConstraintPlan, IsSweptOnceASweepByAnyNumberOfThreads) {
     for (const unsigned workers : {1u, 2u, 5u}) {
         dxColoredSweeps sweeps;
         sweeps.begin(plan, kMost);
-        Threads threads(workers);
+        OwnThreads threads(workers);
         std::vector<std::atomic<unsigned>> times(plan.chunks().size());
         std::atomic<std::uint64_t> phasesBegun{0};
         std::atomic<bool> isInOrder{true};

@@ -19,6 +19,20 @@ std::vector<dxBody *> bodiesOf(dWorldID world) {
     return bodies;
 }
 
+// What dxFindFreeMotion finds for all bodies of a world.
+struct FreeMotionOf {
+    explicit FreeMotionOf(dWorldID world) : bodies(bodiesOf(world)), masses(bodies.size()), velocities(bodies.size()) {
+        dxIslandStep step{world, kStepSize, {}, nullptr};
+        step.island.bodies = const_cast<dxBody *const *>(bodies.data());
+        step.island.bodyCount = static_cast<unsigned>(bodies.size());
+        dxFindFreeMotion(step, masses.data(), velocities.data());
+    }
+
+    const std::vector<dxBody *> bodies;
+    std::vector<dxIslandBody> masses;
+    std::vector<dxVelocity> velocities;
+};
+
 // v + h inv(M) f, by the functions that the exact steppers use. Leaves gravity and torque in the accumulators.
 std::vector<double> expectedMotion(const dWorldID world, dxBody &body) {
     dxAddGravity(body, world->gravity);
@@ -40,21 +54,15 @@ TEST(FreeMotion, IsThatOfTheExactSteppers) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
         RandomWorld world({40, 0}, seed);
         world.push();
-        const std::vector<dxBody *> bodies = bodiesOf(world.world());
-        for (dxBody *const body : bodies) dBodySetAngularVel(body, 3 * body->avel[0] + 20, -7, 11);
-        dxIslandStep step{world.world(), kStepSize, {}, nullptr};
-        step.island.bodies = const_cast<dxBody *const *>(bodies.data());
-        step.island.bodyCount = static_cast<unsigned>(bodies.size());
-        std::vector<dxIslandBody> masses(bodies.size());
-        std::vector<dxVelocity> velocities(bodies.size());
-        dxFindFreeMotion(step, masses.data(), velocities.data());
-        for (std::size_t i = 0; i < bodies.size(); ++i) {
-            const bool isTurning = (bodies[i]->flags & dxBodyGyroscopic) != 0 && bodies[i]->invMass > 0;
-            const std::vector<double> expected = expectedMotion(world.world(), *bodies[i]);
-            turning += isTurning;
-            EXPECT_EQ(masses[i].invMass, bodies[i]->invMass);
+        for (dxBody *const body : bodiesOf(world.world())) dBodySetAngularVel(body, 3 * body->avel[0] + 20, -7, 11);
+        const FreeMotionOf found(world.world());
+        for (std::size_t i = 0; i < found.bodies.size(); ++i) {
+            dxBody &body = *found.bodies[i];
+            turning += (body.flags & dxBodyGyroscopic) != 0 && body.invMass > 0;
+            const std::vector<double> expected = expectedMotion(world.world(), body);
+            EXPECT_EQ(found.masses[i].invMass, body.invMass);
             for (std::size_t k = 0; k < 6; ++k)
-                EXPECT_NEAR(velocities[i].columns[k], expected[k], 1e-9 * (1 + std::abs(expected[k])));
+                EXPECT_NEAR(found.velocities[i].columns[k], expected[k], 1e-9 * (1 + std::abs(expected[k])));
         }
     }
     EXPECT_GT(turning, 100u);
@@ -67,13 +75,7 @@ TEST(FreeMotion, LeavesTheBodiesAlone) {
     RandomWorld world({40, 0}, 3), same({40, 0}, 3);
     world.push();
     same.push();
-    const std::vector<dxBody *> bodies = bodiesOf(world.world());
-    dxIslandStep step{world.world(), kStepSize, {}, nullptr};
-    step.island.bodies = const_cast<dxBody *const *>(bodies.data());
-    step.island.bodyCount = static_cast<unsigned>(bodies.size());
-    std::vector<dxIslandBody> masses(bodies.size());
-    std::vector<dxVelocity> velocities(bodies.size());
-    dxFindFreeMotion(step, masses.data(), velocities.data());
+    const FreeMotionOf found(world.world());
     EXPECT_EQ(world.state(), same.state());
     dCloseODE();
 }

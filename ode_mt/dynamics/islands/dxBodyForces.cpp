@@ -3,6 +3,8 @@
 #include <ode/odemath.h>
 #include <ode/rotation.h>
 
+#include <algorithm>
+
 namespace {
 
 // rotation * tensor * rotation'
@@ -21,6 +23,13 @@ void dxAddGravity(dxBody &body, const dReal *gravity) {
 }
 
 void dxFindInvInertia(const dxBody &body, dReal *inverse) { rotateTensor(body.invI, body.posr.R, inverse); }
+
+void dxFindMasses(const dxBody &body, dxIslandBody &masses) {
+    dMatrix3 inverse;
+    dxFindInvInertia(body, inverse);
+    for (int row = 0; row < 3; ++row) std::copy_n(inverse + 4 * row, 3, masses.invInertia + 3 * row);
+    masses.invMass = body.invMass;
+}
 
 // With the angular momentum L = I w, the implicit step solves (I - h [L]) w' = I w, so that the torque is
 // (I inv(I - h [L]) - 1) L / h.

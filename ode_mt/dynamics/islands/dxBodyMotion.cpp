@@ -1,10 +1,10 @@
 #include "dynamics/islands/dxBodyMotion.h"
 
-#include <ode/error.h>
 #include <ode/odemath.h>
 
 #include "dynamics/islands/dxBodyIntegration.h"
 #include "dynamics/islands/dxForBodies.h"
+#include "dynamics/islands/dxUserHandlers.h"
 
 namespace {
 
@@ -13,12 +13,10 @@ void clearForces(dxBody &body) {
     dZeroVector3(body.tacc);
 }
 
-bool hasHandlers() { return dGetErrorHandler() != nullptr || dGetDebugHandler() != nullptr || dGetMessageHandler() != nullptr; }
-
 }  // namespace
 
 dxQuietMotion::dxQuietMotion(const dxIslandStep &step)
-    : m_isQuiet(step.islandWorkers != nullptr && !(hasHandlers() && dxTouchesLockedSpace(step.island))) {}
+    : m_isQuiet(step.islandWorkers != nullptr && !(dxHasUserHandlers() && dxTouchesLockedSpace(step.island))) {}
 
 void dxQuietMotion::see(const dxBody &body) {
     if (isQuiet() && !dxMovesQuietly(body)) m_isQuiet.store(false, std::memory_order_relaxed);

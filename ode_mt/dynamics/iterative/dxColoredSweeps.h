@@ -8,7 +8,6 @@
 
 #include <atomic>
 #include <memory>
-#include <thread>
 #include <vector>
 
 #include "dynamics/iterative/dxConstraintPlan.h"
@@ -38,7 +37,6 @@ public:
 private:
     // Fewer chunks are done before another worker could begin.
     static constexpr unsigned kMinChunks = 8;
-    static constexpr int kPolls = 512;
 
     void reserve(unsigned chunks);
 
@@ -86,13 +84,7 @@ private:
 
     void await(unsigned position) const {
         if (m_position.load(std::memory_order_acquire) == position) dxPerturb(dxSchedulePoint::AwaitPhase);
-        for (int polls = kPolls; m_position.load(std::memory_order_acquire) == position; --polls) {
-            if (polls > 0) {
-                dxPause();
-            } else {
-                std::this_thread::yield();
-            }
-        }
+        dxAwait([&] { return m_position.load(std::memory_order_acquire) != position; });
     }
 
     // In the order of the chunks, whoever solved them.

@@ -159,6 +159,24 @@ HWY_INLINE Lane limitOf(const dxContactLanes &contact, int tangent, Lane pressur
     return hn::Add(hn::Mul(loadLanes(contact.friction[tangent], first), pressure), loadLanes(contact.limit[tangent], first));
 }
 
+// Calls work(pack, first lane, bodies of both sides) for kLanes manifolds at a time.
+template <class Work>
+HWY_INLINE void forPacks(const dxContactPacks &contacts, unsigned begin, unsigned end, const dxVelocity *velocities,
+                         const Work &work) {
+    for (unsigned i = begin; i < end; ++i) {
+        const dxContactPack &pack = contacts.packs[i];
+        for (unsigned first = 0; first < dxLanes::kCount; first += kLanes) {
+            Bodies body1 = Bodies::load(pack, 0, first, velocities), body2 = Bodies::load(pack, 1, first, velocities);
+            work(pack, first, body1, body2);
+        }
+    }
+}
+
+// Of a manifold that has more than one contact, if there is room for responses.
+HWY_INLINE dxContactResponse *responsesOf(const dxContactPacks &contacts, const dxContactPack &pack) {
+    return contacts.responses != nullptr && pack.contactCount > 1 ? contacts.responses + pack.firstContact : nullptr;
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace dxIterative
 HWY_AFTER_NAMESPACE();

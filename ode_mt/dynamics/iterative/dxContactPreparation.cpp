@@ -113,17 +113,14 @@ HWY_INLINE Lane prepareContact(const dxContactPack &pack, dxContactLanes &contac
 
 double prepare(const dxContactPacks &contacts, unsigned begin, unsigned end, const dxVelocity *velocities) {
     Energy energy;
-    for (unsigned i = begin; i < end; ++i) {
-        const dxContactPack &pack = contacts.packs[i];
-        const bool hasResponses = contacts.responses != nullptr && pack.contactCount > 1;
-        for (unsigned first = 0; first < dxLanes::kCount; first += kLanes) {
-            const Bodies body1 = Bodies::load(pack, 0, first, velocities), body2 = Bodies::load(pack, 1, first, velocities);
-            for (unsigned k = pack.firstContact; k < pack.firstContact + pack.contactCount; ++k)
-                energy.add(prepareContact(pack, contacts.contacts[k], hasResponses ? contacts.responses + k : nullptr, first, body1,
-                                          body2),
-                           first);
-        }
-    }
+    forPacks(contacts, begin, end, velocities,
+             [&](const dxContactPack &pack, unsigned first, const Bodies &body1, const Bodies &body2) HWY_ATTR {
+                 dxContactLanes *const own = contacts.contacts + pack.firstContact;
+                 dxContactResponse *const responses = responsesOf(contacts, pack);
+                 for (unsigned k = 0; k < pack.contactCount; ++k)
+                     energy.add(prepareContact(pack, own[k], responses != nullptr ? responses + k : nullptr, first, body1, body2),
+                                first);
+             });
     return energy.sum();
 }
 

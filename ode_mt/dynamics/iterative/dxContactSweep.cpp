@@ -37,30 +37,27 @@ struct Wrench {
     }
 };
 
-// Calls work(pack, first lane, bodies of both sides) for kLanes manifolds at a time, and stores the bodies as it leaves them.
+// As forPacks, and stores the bodies as work leaves them.
 template <class Work>
-HWY_INLINE void forManifolds(const dxContactPacks &contacts, unsigned begin, unsigned end, dxVelocity *velocities,
-                             const Work &work) {
+HWY_INLINE void forMovingPacks(const dxContactPacks &contacts, unsigned begin, unsigned end, dxVelocity *velocities,
+                               const Work &work) {
     dxVelocity elsewhere;
-    for (unsigned i = begin; i < end; ++i) {
-        const dxContactPack &pack = contacts.packs[i];
-        for (unsigned first = 0; first < dxLanes::kCount; first += kLanes) {
-            Bodies body1 = Bodies::load(pack, 0, first, velocities), body2 = Bodies::load(pack, 1, first, velocities);
-            work(pack, first, body1, body2);
-            body1.store(pack, 0, first, velocities, elsewhere);
-            body2.store(pack, 1, first, velocities, elsewhere);
-        }
-    }
+    forPacks(contacts, begin, end, velocities,
+             [&](const dxContactPack &pack, unsigned first, Bodies &body1, Bodies &body2) HWY_ATTR {
+                 work(pack, first, body1, body2);
+                 body1.store(pack, 0, first, velocities, elsewhere);
+                 body2.store(pack, 1, first, velocities, elsewhere);
+             });
 }
 
 void apply(const dxContactPacks &contacts, unsigned begin, unsigned end, dxVelocity *velocities) {
-    forManifolds(contacts, begin, end, velocities,
-                 [&](const dxContactPack &pack, unsigned first, Bodies &body1, Bodies &body2) HWY_ATTR {
-                     const dxContactLanes *const own = contacts.contacts + pack.firstContact;
-                     Wrench wrench = Wrench::none();
-                     for (unsigned k = 0; k < pack.contactCount; ++k) wrench.add(own[k], loadVector(own[k].impulse, first), first);
-                     wrench.actOn(pack, first, body1, body2);
-                 });
+    forMovingPacks(contacts, begin, end, velocities,
+                   [&](const dxContactPack &pack, unsigned first, Bodies &body1, Bodies &body2) HWY_ATTR {
+                       const dxContactLanes *const own = contacts.contacts + pack.firstContact;
+                       Wrench wrench = Wrench::none();
+                       for (unsigned k = 0; k < pack.contactCount; ++k) wrench.add(own[k], loadVector(own[k].impulse, first), first);
+                       wrench.actOn(pack, first, body1, body2);
+                   });
 }
 
 struct Change {
@@ -153,15 +150,14 @@ HWY_INLINE Lane relaxManifold(const dxContactPack &pack, dxContactLanes *contact
 double sweep(const dxContactPacks &contacts, unsigned begin, unsigned end, dReal relaxation, dxVelocity *velocities) {
     const Lane factor = hn::Set(LaneTag(), relaxation);
     Energy energy;
-    forManifolds(contacts, begin, end, velocities,
-                 [&](const dxContactPack &pack, unsigned first, Bodies &body1, Bodies &body2) HWY_ATTR {
-                     dxContactLanes *const own = contacts.contacts + pack.firstContact;
-                     const bool hasResponses = contacts.responses != nullptr && pack.contactCount > 1;
-                     energy.add(hasResponses ? relaxManifold(pack, own, contacts.responses + pack.firstContact, first, factor, body1,
-                                                             body2)
-                                             : relaxManifold(pack, own, first, factor, body1, body2),
-                                first);
-                 });
+    forMovingPacks(contacts, begin, end, velocities,
+                   [&](const dxContactPack &pack, unsigned first, Bodies &body1, Bodies &body2) HWY_ATTR {
+                       dxContactLanes *const own = contacts.contacts + pack.firstContact;
+                       const dxContactResponse *const responses = responsesOf(contacts, pack);
+                       energy.add(responses != nullptr ? relaxManifold(pack, own, responses, first, factor, body1, body2)
+                                                       : relaxManifold(pack, own, first, factor, body1, body2),
+                                  first);
+                   });
     return energy.sum();
 }
 

@@ -3,8 +3,6 @@
 #include <ode/odemath.h>
 #include <ode/rotation.h>
 
-#include <algorithm>
-
 #include "dynamics/islands/dxBodyForces.h"
 #include "dynamics/islands/dxForBodies.h"
 
@@ -40,13 +38,6 @@ void addGyroscopicTorque(const dxBody &body, dReal stepSize, dReal *torque) {
     dAddVectors3(torque, torque, turned);
 }
 
-void findMasses(const dxBody &body, dxIslandBody &masses) {
-    dMatrix3 inverse;
-    dxFindInvInertia(body, inverse);
-    for (int row = 0; row < 3; ++row) std::copy_n(inverse + 4 * row, 3, masses.invInertia + 3 * row);
-    masses.invMass = body.invMass;
-}
-
 // v + h inv(M) f
 void findVelocity(const dxIslandStep &step, const dxBody &body, const dxIslandBody &masses, dReal *velocity) {
     const dReal h = step.stepSize, perForce = h * masses.invMass;
@@ -64,7 +55,7 @@ void findVelocity(const dxIslandStep &step, const dxBody &body, const dxIslandBo
 
 void findMotion(const dxIslandStep &step, std::size_t i, dxIslandBody *masses, dxVelocity *velocities) {
     const dxBody &body = *step.island.bodies[i];
-    findMasses(body, masses[i]);
+    dxFindMasses(body, masses[i]);
     findVelocity(step, body, masses[i], velocities[i].columns);
 }
 

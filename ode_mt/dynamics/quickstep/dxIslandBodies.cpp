@@ -21,11 +21,7 @@ void dxGatherBodies(const dxIslandStep &step, dxIslandBody *bodies) {
         dxBody &body = *step.island.bodies[i];
         body.tag = static_cast<int>(i);
         dxAddGravity(body, gravity);
-        dMatrix3 invInertia;
-        dxFindInvInertia(body, invInertia);
-        for (int row = 0; row < 3; ++row)
-            for (int column = 0; column < 3; ++column) bodies[i].invInertia[3 * row + column] = invInertia[4 * row + column];
-        bodies[i].invMass = body.invMass;
+        dxFindMasses(body, bodies[i]);
         dxAddGyroscopicTorque(body, step.stepSize);
     });
 }

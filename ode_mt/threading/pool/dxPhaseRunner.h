@@ -12,7 +12,6 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
-#include <thread>
 
 #include "core/dxCacheLine.h"
 #include "threading/dxPerturbation.h"
@@ -82,8 +81,6 @@ private:
         std::atomic<bool> &m_isOver;
     };
 
-    static constexpr int kPolls = 512;
-
     // A ticket: the phase, the end of the share's chunks, the next one.
     static constexpr unsigned kChunkBits = 20, kPhaseBits = 64 - 2 * kChunkBits;
     static constexpr std::uint64_t kChunkMask = (std::uint64_t(1) << kChunkBits) - 1;
@@ -136,25 +133,14 @@ private:
             if (now != phase) takeChunks(share, now);
             phase = now;
             dxPerturb(dxSchedulePoint::AwaitPublishedPhase);
-            await([&] { return m_phase.load(std::memory_order_acquire) != phase || m_isOver.load(std::memory_order_acquire); });
+            dxAwait([&] { return m_phase.load(std::memory_order_acquire) != phase || m_isOver.load(std::memory_order_acquire); });
         }
     }
 
     void awaitOthers(unsigned chunks) const {
         if (m_finished.load(std::memory_order_acquire) == chunks) return;
         dxPerturb(dxSchedulePoint::AwaitPhaseChunks);
-        await([&] { return m_finished.load(std::memory_order_acquire) == chunks; });
-    }
-
-    template <class Condition>
-    static void await(const Condition &condition) {
-        for (int polls = kPolls; !condition(); --polls) {
-            if (polls > 0) {
-                dxPause();
-            } else {
-                std::this_thread::yield();
-            }
-        }
+        dxAwait([&] { return m_finished.load(std::memory_order_acquire) == chunks; });
     }
 
     std::unique_ptr<Share[]> m_shares;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <chrono>
+#include <thread>
 
 #include "threading/process/dxProcessors.h"
 
@@ -19,6 +20,18 @@ inline void dxPause() {
 #if defined(__x86_64__) || defined(__i386__)
     __builtin_ia32_pause();
 #endif
+}
+
+// Waits until condition() holds, which a running thread is about to make true: spins at first, then lets others run.
+template <typename Condition>
+void dxAwait(const Condition &condition) {
+    constexpr int kSpinPolls = 512;
+    for (int polls = 0; !condition(); ++polls) {
+        if (polls < kSpinPolls)
+            dxPause();
+        else
+            std::this_thread::yield();
+    }
 }
 
 // Spins until condition() holds or `time` is over; returns whether it holds.
