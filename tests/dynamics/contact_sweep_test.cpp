@@ -30,6 +30,7 @@ public:
         : m_random(seed),
           m_hasResponses(hasResponses),
           m_velocities(kBodies + 1),
+          m_energies(1),
           m_contacts(kContacts),
           m_responses(kContacts) {
         m_packs.resize(1);
@@ -41,11 +42,11 @@ public:
     }
 
     dxContactPacks packs() {
-        return {m_packs.data(), m_contacts.data(), m_hasResponses ? m_responses.data() : nullptr};
+        return {m_packs.data(), m_contacts.data(), m_energies.data(), m_hasResponses ? m_responses.data() : nullptr};
     }
     double prepare() { return dxPrepareContacts(packs(), 0, 1, m_velocities.data()); }
-    void apply() { dxApplyImpulses(packs(), 0, 1, m_velocities.data()); }
-    double sweep(dReal factor = 1) { return dxSweepContacts(packs(), 0, 1, factor, m_velocities.data()); }
+    double apply() { return dxApplyImpulses(packs(), 0, 1, m_velocities.data()); }
+    double sweep(dReal factor = 1) { return dxSweepContacts(packs(), 0, 1, {factor, factor}, m_velocities.data()); }
 
     const std::vector<dxVelocity> &velocities() const { return m_velocities; }
     dxContactLanes &contact(unsigned i) { return m_contacts[i]; }
@@ -148,6 +149,7 @@ private:
     std::mt19937 m_random;
     bool m_hasResponses;
     std::vector<dxVelocity> m_velocities, m_free;
+    std::vector<dxLaneNumbers> m_energies;
     std::vector<dxContactPack> m_packs;
     std::vector<dxContactLanes> m_contacts;
     std::vector<dxContactResponse> m_responses;

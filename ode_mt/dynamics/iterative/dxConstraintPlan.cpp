@@ -32,7 +32,10 @@ void dxConstraintPlan::make(const dxIsland &group) {
     m_used.assign(group.bodyCount, 0);
     m_moves.resize(group.bodyCount);
     for (unsigned i = 0; i < group.bodyCount; ++i) m_moves[i] = group.bodies[i]->invMass > 0;
+    m_reach.resize(group.bodyCount);
+    std::iota(m_reach.begin(), m_reach.end(), 0u);
     findManifolds(group);
+    findIslands(group.bodyCount);
     placeManifolds();
     placeOthers();
     cutChunks();
@@ -41,6 +44,9 @@ void dxConstraintPlan::make(const dxIsland &group) {
 void dxConstraintPlan::reserveAs(const dxConstraintPlan &other) {
     m_used.reserve(other.m_used.capacity());
     m_moves.reserve(other.m_moves.capacity());
+    m_reach.reserve(other.m_reach.capacity());
+    m_islands.reserve(other.m_islands.capacity());
+    m_islandOfBody.reserve(other.m_islandOfBody.capacity());
     m_manifolds.reserve(other.m_manifolds.capacity());
     m_others.reserve(other.m_others.capacity());
     m_othersByColor.reserve(other.m_othersByColor.capacity());
@@ -70,6 +76,7 @@ void dxConstraintPlan::findManifolds(const dxIsland &group) {
             const dxJoint &joint = *group.joints[i];
             const int body[2] = {tagOf(joint.node[0].body), tagOf(joint.node[1].body)};
             if (!isPacked(joint)) {
+                connect(body);
                 m_others.push_back({static_cast<unsigned>(i), static_cast<std::uint8_t>(colorOf(body))});
                 continue;
             }
@@ -81,6 +88,7 @@ void dxConstraintPlan::findManifolds(const dxIsland &group) {
                     continue;
                 }
             }
+            connect(body);
             m_manifolds.push_back(
                 {static_cast<unsigned>(i), 1, static_cast<std::uint8_t>(colorOf(body)), 0, false, 0, {body[0], body[1]}});
         }
@@ -88,6 +96,33 @@ void dxConstraintPlan::findManifolds(const dxIsland &group) {
     if (group.bodyCount < dxIslandPrefetch::kMinBodies) return read(0, group.jointCount);
     dxIslandPrefetch::forChunks(
         0, group.jointCount, group.jointCount, [&group](std::size_t i) { dxIslandPrefetch::joint(group.joints[i]); }, read);
+}
+
+void dxConstraintPlan::connect(const int (&body)[2]) {
+    if (body[0] == kNoBody || body[1] == kNoBody) return;
+    const auto [first, last] = std::minmax(body[0], body[1]);
+    unsigned &reach = m_reach[static_cast<unsigned>(first)];
+    reach = std::max(reach, static_cast<unsigned>(last));
+}
+
+// Islands follow one another in the group.
+void dxConstraintPlan::findIslands(unsigned bodyCount) {
+    m_islands.clear();
+    m_islandOfBody.resize(bodyCount);
+    unsigned first = 0, last = 0;
+    for (unsigned i = 0; i < bodyCount; ++i) {
+        m_islandOfBody[i] = static_cast<unsigned>(m_islands.size());
+        last = std::max(last, m_reach[i]);
+        if (last != i) continue;
+        m_islands.push_back({first, i + 1});
+        first = last = i + 1;
+    }
+}
+
+unsigned dxConstraintPlan::islandOf(const OtherJoint &other) const {
+    const dxJoint &joint = *jointOf(other);
+    const dxBody *const body = joint.node[0].body != nullptr ? joint.node[0].body : joint.node[1].body;
+    return m_islandOfBody[static_cast<unsigned>(body->tag)];
 }
 
 // By colour, those with many contacts first, so that packs have little to fill up.

@@ -46,6 +46,11 @@ public:
         unsigned firstChunk, endChunk;
     };
 
+    // Bodies [firstBody, endBody) that the joints of the group connect with no others.
+    struct Island {
+        unsigned firstBody, endBody;
+    };
+
     // Requires bodies with tags. Throws std::bad_alloc.
     void make(const dxIsland &group);
 
@@ -54,6 +59,10 @@ public:
 
     const std::vector<Manifold> &manifolds() const { return m_manifolds; }
     std::vector<Manifold> &manifolds() { return m_manifolds; }
+    // At least one.
+    const std::vector<Island> &islands() const { return m_islands; }
+    unsigned islandOf(const Manifold &manifold) const { return m_islandOfBody[static_cast<unsigned>(manifold.body[0])]; }
+    unsigned islandOf(const OtherJoint &other) const;
     // In the order of the group.
     const std::vector<OtherJoint> &otherJoints() const { return m_others; }
     const dxJoint *jointOf(const OtherJoint &other) const { return m_joints[other.joint]; }
@@ -70,6 +79,8 @@ private:
 
     unsigned colorOf(const int (&body)[2]);
     void findManifolds(const dxIsland &group);
+    void connect(const int (&body)[2]);
+    void findIslands(unsigned bodyCount);
     void placeManifolds();
     void placeOthers();
     void cutChunks();
@@ -77,6 +88,9 @@ private:
     dxJoint *const *m_joints = nullptr;
     std::vector<std::uint64_t> m_used;  // by body: a bit for each colour
     std::vector<std::uint8_t> m_moves;
+    std::vector<unsigned> m_reach;  // by body: the last one that is connected with it, or with one before it
+    std::vector<Island> m_islands;
+    std::vector<unsigned> m_islandOfBody;
     std::vector<Manifold> m_manifolds;
     std::vector<OtherJoint> m_others;
     std::vector<unsigned> m_othersByColor;

@@ -133,6 +133,8 @@ struct RelativeMotion {
 
     HWY_INLINE Vector velocityAt(const Vector &arm) const { return add(v, cross(w, arm)); }
 
+    HWY_INLINE RelativeMotion plus(const RelativeMotion &other) const { return {add(v, other.v), add(w, other.w)}; }
+
     // row: of a dxContactResponse
     HWY_INLINE void respond(const dxContactResponse::Numbers *row, Lane impulse, unsigned first) {
         v = add(v, scale({loadFloats(row[0], first), loadFloats(row[1], first), loadFloats(row[2], first)}, impulse));
@@ -140,18 +142,24 @@ struct RelativeMotion {
     }
 };
 
-// A sum for each lane, whatever the width of vectors.
-struct Energy {
-    HWY_ALIGN dReal lane[dxLanes::kCount] = {};
+// Writes what belongs to each manifold, and adds it up for each lane, whatever the width of vectors.
+class Energy {
+public:
+    explicit Energy(const dxContactPacks &contacts) : m_contacts(contacts) {}
 
-    HWY_INLINE void add(Lane energy, unsigned first) {
-        hn::Store(hn::Add(hn::Load(LaneTag(), lane + first), energy), LaneTag(), lane + first);
+    HWY_INLINE void add(const dxContactPack &pack, Lane energy, unsigned first) {
+        storeLanes(energy, m_contacts.energies[&pack - m_contacts.packs], first);
+        hn::Store(hn::Add(hn::Load(LaneTag(), m_sum + first), energy), LaneTag(), m_sum + first);
     }
     HWY_INLINE double sum() const {
         double sum = 0;
-        for (const dReal energy : lane) sum += energy;
+        for (const dReal energy : m_sum) sum += energy;
         return sum;
     }
+
+private:
+    const dxContactPacks &m_contacts;
+    HWY_ALIGN dReal m_sum[dxLanes::kCount] = {};
 };
 
 // What a friction row may have at the most, where the normal has the impulse `pressure`.

@@ -58,5 +58,6 @@ struct dxContactPack {
 struct dxContactPacks {
     dxContactPack *packs;
     dxContactLanes *contacts;
+    dxLaneNumbers *energies;       // by pack: what a kernel has found of each manifold
     dxContactResponse *responses;  // by contact; or none
 };

@@ -112,14 +112,17 @@ HWY_INLINE Lane prepareContact(const dxContactPack &pack, dxContactLanes &contac
 }
 
 double prepare(const dxContactPacks &contacts, unsigned begin, unsigned end, const dxVelocity *velocities) {
-    Energy energy;
+    Energy energy(contacts);
     forPacks(contacts, begin, end, velocities,
              [&](const dxContactPack &pack, unsigned first, const Bodies &body1, const Bodies &body2) HWY_ATTR {
                  dxContactLanes *const own = contacts.contacts + pack.firstContact;
                  dxContactResponse *const responses = responsesOf(contacts, pack);
-                 for (unsigned k = 0; k < pack.contactCount; ++k)
-                     energy.add(prepareContact(pack, own[k], responses != nullptr ? responses + k : nullptr, first, body1, body2),
-                                first);
+                 Lane sum = hn::Zero(LaneTag());
+                 for (unsigned k = 0; k < pack.contactCount; ++k) {
+                     dxContactResponse *const response = responses != nullptr ? responses + k : nullptr;
+                     sum = hn::Add(sum, prepareContact(pack, own[k], response, first, body1, body2));
+                 }
+                 energy.add(pack, sum, first);
              });
     return energy.sum();
 }

@@ -19,7 +19,8 @@ using Manifold = dxConstraintPlan::Manifold;
 
 constexpr unsigned kPrefetchDistance = 3;  // manifolds
 
-// Stands for an infinite coefficient: any force, as long as the normal has one.
+// Stands for an infinite coefficient. That allows any force, even if the normal has none: upstream's limit is then 0 times infinity,
+// which bounds nothing.
 constexpr dReal kLargeFriction = dReal(1e30);
 
 // Normals of one contact in two steps are no farther apart.
@@ -52,9 +53,11 @@ dReal pushOut(const dxIslandStep &step, const dxJointContact &joint, const dReal
 
 // The limits of one friction row. None: the row has no force.
 void readFriction(dReal coefficient, bool isOfNormal, dReal stepSize, unsigned tangent, unsigned lane, dxContactLanes &contact) {
-    const dReal finite = std::min(coefficient > 0 ? coefficient : dReal(0), kLargeFriction);
-    contact.friction[tangent].lane[lane] = isOfNormal ? finite : 0;
-    contact.limit[tangent].lane[lane] = isOfNormal ? 0 : finite * stepSize;
+    const bool isInfinite = coefficient >= kLargeFriction;
+    const dReal finite = isInfinite ? kLargeFriction : coefficient > 0 ? coefficient : dReal(0);
+    const bool follows = isOfNormal && !isInfinite;
+    contact.friction[tangent].lane[lane] = follows ? finite : 0;
+    contact.limit[tangent].lane[lane] = follows ? 0 : finite * stepSize;
 }
 
 // From the centre of one of the bodies to a contact.

@@ -50,15 +50,48 @@ HWY_INLINE void forMovingPacks(const dxContactPacks &contacts, unsigned begin, u
              });
 }
 
-void apply(const dxContactPacks &contacts, unsigned begin, unsigned end, dxVelocity *velocities) {
+// 1/2 p' softness p - wanted' p
+HWY_INLINE Lane energyOf(const dxContactLanes &contact, unsigned first) {
+    const Lane half = hn::Set(LaneTag(), dReal(0.5));
+    Lane energy = hn::Zero(LaneTag());
+    for (unsigned row = 0; row < dxContactLanes::kRows; ++row) {
+        const Lane impulse = loadLanes(contact.impulse[row], first);
+        const Lane yielding = hn::Mul(half, hn::Mul(loadLanes(contact.softness[row], first), impulse));
+        energy = hn::Add(energy, hn::Mul(impulse, hn::Sub(yielding, loadLanes(contact.wanted[row], first))));
+    }
+    return energy;
+}
+
+// The kinetic energy changes by the wrench's work on the mean of the motions before and after it.
+double apply(const dxContactPacks &contacts, unsigned begin, unsigned end, dxVelocity *velocities) {
+    Energy energy(contacts);
     forMovingPacks(contacts, begin, end, velocities,
                    [&](const dxContactPack &pack, unsigned first, Bodies &body1, Bodies &body2) HWY_ATTR {
                        const dxContactLanes *const own = contacts.contacts + pack.firstContact;
                        Wrench wrench = Wrench::none();
-                       for (unsigned k = 0; k < pack.contactCount; ++k) wrench.add(own[k], loadVector(own[k].impulse, first), first);
+                       Lane sum = hn::Zero(LaneTag());
+                       for (unsigned k = 0; k < pack.contactCount; ++k) {
+                           wrench.add(own[k], loadVector(own[k].impulse, first), first);
+                           sum = hn::Add(sum, energyOf(own[k], first));
+                       }
+                       const Vector between = loadVector(pack.between, first);
+                       const RelativeMotion before = RelativeMotion::of(body1, body2, between);
                        wrench.actOn(pack, first, body1, body2);
+                       const RelativeMotion twice = RelativeMotion::of(body1, body2, between).plus(before);
+                       const Lane work = hn::Add(dot(wrench.impulse, twice.v), dot(wrench.turning, twice.w));
+                       energy.add(pack, hn::Add(sum, hn::Mul(hn::Set(LaneTag(), dReal(0.5)), work)), first);
                    });
+    return energy.sum();
 }
+
+struct Factors {
+    Lane row[dxContactLanes::kRows];
+
+    explicit HWY_INLINE Factors(const dxOverRelaxation &factor) {
+        row[0] = hn::Set(LaneTag(), factor.pressure);
+        row[1] = row[2] = hn::Set(LaneTag(), factor.friction);
+    }
+};
 
 struct Change {
     Lane row[dxContactLanes::kRows], energy;
@@ -66,14 +99,14 @@ struct Change {
 
 // The normal first, then friction against its new impulse. What does not wait for the motion or for an earlier row is apart from
 // what does: a contact takes as long as its longest chain of operations.
-HWY_INLINE Change relax(dxContactLanes &contact, unsigned first, Lane factor, const Vector &relative) {
+HWY_INLINE Change relax(dxContactLanes &contact, unsigned first, const Factors &factor, const Vector &relative) {
     Lane old[3], residual[3], step[3];
     for (unsigned row = 0; row < 3; ++row) {
         old[row] = loadLanes(contact.impulse[row], first);
         const Lane wanted =
             hn::Sub(loadLanes(contact.wanted[row], first), hn::Mul(loadLanes(contact.softness[row], first), old[row]));
         residual[row] = hn::Sub(wanted, dot(loadVector(contact.direction[row], first), relative));
-        step[row] = hn::Mul(factor, loadLanes(contact.inverse[row], first));
+        step[row] = hn::Mul(factor.row[row], loadLanes(contact.inverse[row], first));
     }
     const auto coupled = [&](Lane value, unsigned coupling, Lane change) HWY_ATTR {
         return hn::Sub(value, hn::Mul(loadLanes(contact.coupling[coupling], first), change));
@@ -100,7 +133,7 @@ HWY_INLINE Change relax(dxContactLanes &contact, unsigned first, Lane factor, co
     return change;
 }
 
-HWY_INLINE Lane relaxBodies(const dxContactPack &pack, dxContactLanes &contact, unsigned first, Lane factor, Bodies &body1,
+HWY_INLINE Lane relaxBodies(const dxContactPack &pack, dxContactLanes &contact, unsigned first, const Factors &factor, Bodies &body1,
                             Bodies &body2) {
     const RelativeMotion motion = RelativeMotion::of(body1, body2, loadVector(pack.between, first));
     const Change change = relax(contact, first, factor, motion.velocityAt(loadVector(contact.arm, first)));
@@ -111,7 +144,7 @@ HWY_INLINE Lane relaxBodies(const dxContactPack &pack, dxContactLanes &contact, 
 }
 
 // Twice, while the bodies are in registers: contacts between the same bodies depend on one another more than on others.
-HWY_INLINE Lane relaxManifold(const dxContactPack &pack, dxContactLanes *contacts, unsigned first, Lane factor, Bodies &body1,
+HWY_INLINE Lane relaxManifold(const dxContactPack &pack, dxContactLanes *contacts, unsigned first, const Factors &factor, Bodies &body1,
                               Bodies &body2) {
     if (pack.contactCount > 1)
         for (unsigned k = 0; k < pack.contactCount; ++k) relaxBodies(pack, contacts[k], first, factor, body1, body2);
@@ -123,7 +156,7 @@ HWY_INLINE Lane relaxManifold(const dxContactPack &pack, dxContactLanes *contact
 
 // The same, but that the bodies move when the last contact is done. Until then their relative motion tells all.
 HWY_INLINE Lane relaxManifold(const dxContactPack &pack, dxContactLanes *contacts, const dxContactResponse *responses,
-                              unsigned first, Lane factor, Bodies &body1, Bodies &body2) {
+                              unsigned first, const Factors &factor, Bodies &body1, Bodies &body2) {
     const LaneTag d;
     HWY_ALIGN dReal before[dxContactPack::kMaxContacts][3][dxLanes::kCount];
     RelativeMotion motion = RelativeMotion::of(body1, body2, loadVector(pack.between, first));
@@ -147,14 +180,16 @@ HWY_INLINE Lane relaxManifold(const dxContactPack &pack, dxContactLanes *contact
     return energy;
 }
 
-double sweep(const dxContactPacks &contacts, unsigned begin, unsigned end, dReal relaxation, dxVelocity *velocities) {
-    const Lane factor = hn::Set(LaneTag(), relaxation);
-    Energy energy;
+double sweep(const dxContactPacks &contacts, unsigned begin, unsigned end, const dxOverRelaxation &relaxation,
+             dxVelocity *velocities) {
+    const Factors factor(relaxation);
+    Energy energy(contacts);
     forMovingPacks(contacts, begin, end, velocities,
                    [&](const dxContactPack &pack, unsigned first, Bodies &body1, Bodies &body2) HWY_ATTR {
                        dxContactLanes *const own = contacts.contacts + pack.firstContact;
                        const dxContactResponse *const responses = responsesOf(contacts, pack);
-                       energy.add(responses != nullptr ? relaxManifold(pack, own, responses, first, factor, body1, body2)
+                       energy.add(pack,
+                                  responses != nullptr ? relaxManifold(pack, own, responses, first, factor, body1, body2)
                                                        : relaxManifold(pack, own, first, factor, body1, body2),
                                   first);
                    });
@@ -171,12 +206,13 @@ HWY_EXPORT(apply);
 HWY_EXPORT(sweep);
 }  // namespace dxIterative
 
-void dxApplyImpulses(const dxContactPacks &contacts, unsigned begin, unsigned end, dxVelocity *velocities) {
+double dxApplyImpulses(const dxContactPacks &contacts, unsigned begin, unsigned end, dxVelocity *velocities) {
     using namespace dxIterative;
-    HWY_DYNAMIC_DISPATCH(apply)(contacts, begin, end, velocities);
+    return HWY_DYNAMIC_DISPATCH(apply)(contacts, begin, end, velocities);
 }
 
-double dxSweepContacts(const dxContactPacks &contacts, unsigned begin, unsigned end, dReal factor, dxVelocity *velocities) {
+double dxSweepContacts(const dxContactPacks &contacts, unsigned begin, unsigned end, const dxOverRelaxation &factor,
+                       dxVelocity *velocities) {
     using namespace dxIterative;
     return HWY_DYNAMIC_DISPATCH(sweep)(contacts, begin, end, factor, velocities);
 }

@@ -13,6 +13,13 @@ namespace {
 constexpr double kLeastPart = 0.4;
 constexpr unsigned kSmoothing = 3;
 
+// Kept forces may be so much worse than none: what they have wrong nearby, where bodies have hit one another, sweeps mend at once, and the
+// rest of them is worth more than that (docs/iterative-solver.md).
+constexpr double kMostHarm = 100;
+
+// A sweep that changes so much more than another one before it does not lead to the solution.
+constexpr double kGrowth = 3;
+
 // More contacts fit no cache, and a sweep takes as long as it takes to read them: a response is 72 bytes beside 248.
 constexpr unsigned kMaxResponses = 4096;
 
@@ -39,7 +46,10 @@ void dxIterativeSolver::makePlan(const dxIslandStep &step) {
     if (m_contacts.size() < contacts) m_contacts.resize(contacts);
     m_hasResponses = contacts <= kMaxResponses;
     if (m_hasResponses && m_responses.size() < contacts) m_responses.resize(contacts);
-    m_energies.resize(m_plan.chunks().size());
+    m_packEnergies.resize(m_plan.packs().size());
+    m_chunkEnergies.resize(m_plan.chunks().size());
+    m_firstEnergies.resize(m_plan.islands().size());
+    m_islandEnergies.resize(m_plan.islands().size());
     m_others.reserve(m_plan);
     placeLanes();
     m_sweeps.begin(m_plan, iterationsOf(step) + 1);
@@ -53,7 +63,10 @@ void dxIterativeSolver::reserveAs(const dxIterativeSolver &other) {
     m_responses.reserve(other.m_responses.capacity());
     m_lanes.reserve(other.m_lanes.capacity());
     m_velocities.reserve(other.m_velocities.capacity());
-    m_energies.reserve(other.m_energies.capacity());
+    m_packEnergies.reserve(other.m_packEnergies.capacity());
+    m_chunkEnergies.reserve(other.m_chunkEnergies.capacity());
+    m_firstEnergies.reserve(other.m_firstEnergies.capacity());
+    m_islandEnergies.reserve(other.m_islandEnergies.capacity());
 }
 
 void dxIterativeSolver::placeLanes() {
@@ -66,9 +79,9 @@ void dxIterativeSolver::solve(const dxIslandStep &step, dxIslandBody *bodies, co
     // Joints other than contacts may have pushed their bodies when they were asked for their rows.
     if (step.islandWorkers == nullptr || !m_plan.otherJoints().empty())
         dxFindFreeMotion(step, bodies, m_velocities.data());  // parallel
-    const double energy = prepare(step, bodies, joints);  // parallel
-    sweep(step, energy);                                  // parallel
-    writeVelocities(step, motion);                        // parallel
+    prepare(step, bodies, joints);  // parallel
+    sweep(step, bodies);            // parallel
+    writeVelocities(step, motion);  // parallel
     const dxContactReader reader(step, bodies);
     reader.list(m_plan.manifolds());
     forChunks(step, [&](const dxConstraintPlan::Chunk &chunk, unsigned) {
@@ -79,27 +92,35 @@ void dxIterativeSolver::solve(const dxIslandStep &step, dxIslandBody *bodies, co
     joints.giveFeedback();
 }
 
-// Returns the energy of the residual without impulses.
-double dxIterativeSolver::prepare(const dxIslandStep &step, const dxIslandBody *bodies, const dxOtherJoints &joints) {
+void dxIterativeSolver::prepare(const dxIslandStep &step, const dxIslandBody *bodies, const dxOtherJoints &joints) {
     const dxContactReader reader(step, bodies);
     forChunks(step, [&](const dxConstraintPlan::Chunk &chunk, unsigned i) {
         reader.read(packs(), m_lanes.data(), chunk.firstPack, chunk.endPack);
-        m_energies[i] = dxPrepareContacts(packs(), chunk.firstPack, chunk.endPack, m_velocities.data());
+        m_chunkEnergies[i] = dxPrepareContacts(packs(), chunk.firstPack, chunk.endPack, m_velocities.data());
     });
-    double energy = m_others.prepare(joints, m_plan, bodies, m_velocities.data(), step.stepSize, step.world->qs.w,
+    m_firstEnergy = m_others.prepare(joints, m_plan, bodies, m_velocities.data(), step.stepSize, step.world->qs.w,
                                      step.iterativeWorld->isWarm());
-    for (const double part : m_energies) energy += part;
-    return energy;
+    for (const double part : m_chunkEnergies) m_firstEnergy += part;
+    m_firstEnergies[0] = m_firstEnergy;  // if there is one island
+    sumByIsland(m_firstEnergies);
 }
 
-void dxIterativeSolver::sweep(const dxIslandStep &step, double energy) {
-    const double tolerance = step.iterativeWorld->tolerance(), enough = energy * tolerance * tolerance;
+void dxIterativeSolver::sweep(const dxIslandStep &step, dxIslandBody *bodies) {
+    const double tolerance = step.iterativeWorld->tolerance();
     const unsigned most = iterationsOf(step), least = static_cast<unsigned>(std::ceil(kLeastPart * most));
-    m_factor = step.world->qs.w;
+    m_factor = {step.world->qs.w, step.world->qs.w};
     m_smoothFrom = most > kSmoothing ? most - kSmoothing : 0;
+    m_leastEnergy = HUGE_VAL;
     m_sweeps.run(
         step.runner(), [this](unsigned chunk, unsigned sweep) { return solveChunk(chunk, sweep); },
-        [=](unsigned sweep, double change) { return sweep >= least && change <= enough; });
+        [&](unsigned sweep, double energy) {
+            if (sweep == 0) {
+                if (step.iterativeWorld->isWarm()) startColdWhereWorse(step, bodies, energy);
+                return false;
+            }
+            watchGrowth(energy);
+            return sweep >= least && energy <= m_firstEnergy * tolerance * tolerance && isSmallEverywhere(tolerance);
+        });
 }
 
 // Sweep 0 applies the impulses that the last step has left.
@@ -108,18 +129,71 @@ double dxIterativeSolver::solveChunk(unsigned index, unsigned sweep) {
     double energy = 0;
     if (chunk.firstPack != chunk.endPack) {
         if (sweep == 0)
-            dxApplyImpulses(packs(), chunk.firstPack, chunk.endPack, m_velocities.data());
+            energy += dxApplyImpulses(packs(), chunk.firstPack, chunk.endPack, m_velocities.data());
         else
-            energy += dxSweepContacts(packs(), chunk.firstPack, chunk.endPack, sweep > m_smoothFrom ? 1 : m_factor,
-                                      m_velocities.data());
+            energy += dxSweepContacts(packs(), chunk.firstPack, chunk.endPack,
+                                      sweep > m_smoothFrom ? dxOverRelaxation{1, 1} : m_factor, m_velocities.data());
     }
     if (chunk.firstOther != chunk.endOther) {
         if (sweep == 0)
-            m_others.apply(chunk.firstOther, chunk.endOther, m_velocities.data());
+            energy += m_others.apply(chunk.firstOther, chunk.endOther, m_velocities.data());
         else
             energy += m_others.sweep(chunk.firstOther, chunk.endOther, m_velocities.data());
     }
     return energy;
+}
+
+// Of a single island the sum is known anyway.
+void dxIterativeSolver::sumByIsland(std::vector<double> &energies) const {
+    if (energies.size() == 1) return;
+    std::fill(energies.begin(), energies.end(), 0.0);
+    for (const dxConstraintPlan::Manifold &manifold : m_plan.manifolds())
+        energies[m_plan.islandOf(manifold)] += static_cast<double>(m_packEnergies[manifold.pack].lane[manifold.lane]);
+    for (std::size_t i = 0; i < m_plan.otherJoints().size(); ++i)
+        energies[m_plan.islandOf(m_plan.otherJoints()[i])] += m_others.energies()[i];
+}
+
+// The last step's forces may be those of another scene: a program has set bodies back, or changed their masses. Such an island begins
+// without any. `energy`: what kept forces add to the energy that the solution makes least.
+void dxIterativeSolver::startColdWhereWorse(const dxIslandStep &step, dxIslandBody *bodies, double energy) {
+    const std::vector<dxConstraintPlan::Island> &islands = m_plan.islands();
+    m_islandEnergies[0] = energy;  // if there is one island
+    sumByIsland(m_islandEnergies);
+    const auto isWorse = [this](unsigned island) {
+        return !(m_islandEnergies[island] <= kMostHarm * m_firstEnergies[island]);  // NaN is
+    };
+    bool isAny = false;
+    for (unsigned i = 0; i < islands.size(); ++i) {
+        if (!isWorse(i)) continue;
+        isAny = true;
+        dxFindFreeMotion(step, islands[i].firstBody, islands[i].endBody, bodies, m_velocities.data());
+    }
+    if (!isAny) return;
+    for (const dxConstraintPlan::Manifold &manifold : m_plan.manifolds()) {
+        if (!isWorse(m_plan.islandOf(manifold))) continue;
+        dxContactLanes *const contacts = m_contacts.data() + m_plan.packs()[manifold.pack].firstContact;
+        for (unsigned k = 0; k < manifold.contactCount; ++k)
+            for (dxLaneNumbers &impulse : contacts[k].impulse) impulse.lane[manifold.lane] = 0;
+    }
+    for (unsigned i = 0; i < m_plan.otherJoints().size(); ++i)
+        if (isWorse(m_plan.islandOf(m_plan.otherJoints()[i]))) m_others.startCold(i);
+}
+
+// With friction that follows the normal's force, over-relaxation need not converge.
+void dxIterativeSolver::watchGrowth(double energy) {
+    if (m_factor.friction != 1 && energy > kGrowth * m_leastEnergy) {
+        m_factor.friction = 1;
+        m_others.relaxFriction();
+    }
+    m_leastEnergy = std::min(m_leastEnergy, energy);
+}
+
+bool dxIterativeSolver::isSmallEverywhere(double tolerance) {
+    if (m_islandEnergies.size() == 1) return true;
+    sumByIsland(m_islandEnergies);
+    for (std::size_t i = 0; i < m_islandEnergies.size(); ++i)
+        if (m_islandEnergies[i] > m_firstEnergies[i] * tolerance * tolerance) return false;
+    return true;
 }
 
 void dxIterativeSolver::writeVelocities(const dxIslandStep &step, dxQuietMotion &motion) {

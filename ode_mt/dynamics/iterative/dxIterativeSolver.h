@@ -38,13 +38,17 @@ private:
 
     void makePlan(const dxIslandStep &step);
     void placeLanes();
-    double prepare(const dxIslandStep &step, const dxIslandBody *bodies, const dxOtherJoints &joints);
-    void sweep(const dxIslandStep &step, double energy);
+    void prepare(const dxIslandStep &step, const dxIslandBody *bodies, const dxOtherJoints &joints);
+    void sweep(const dxIslandStep &step, dxIslandBody *bodies);
     double solveChunk(unsigned chunk, unsigned sweep);
+    void sumByIsland(std::vector<double> &energies) const;
+    void startColdWhereWorse(const dxIslandStep &step, dxIslandBody *bodies, double energy);
+    void watchGrowth(double energy);
+    bool isSmallEverywhere(double tolerance);
     void writeVelocities(const dxIslandStep &step, dxQuietMotion &motion);
 
     dxContactPacks packs() {
-        return {m_plan.packs().data(), m_contacts.data(), m_hasResponses ? m_responses.data() : nullptr};
+        return {m_plan.packs().data(), m_contacts.data(), m_packEnergies.data(), m_hasResponses ? m_responses.data() : nullptr};
     }
 
     dxConstraintPlan m_plan;
@@ -54,8 +58,11 @@ private:
     std::vector<dxContactResponse> m_responses;               // by contact, where there are not too many
     std::vector<const dxConstraintPlan::Manifold *> m_lanes;  // by pack and lane
     std::vector<dxVelocity> m_velocities;                     // by body, and one of a body at rest
-    std::vector<double> m_energies;                           // by chunk
+    std::vector<dxLaneNumbers> m_packEnergies;                // what the last sweep found
+    std::vector<double> m_chunkEnergies;
+    std::vector<double> m_firstEnergies, m_islandEnergies;  // by island: of the residual without impulses; of the last sweep
     bool m_hasResponses = false;
-    dReal m_factor = 1;
+    dxOverRelaxation m_factor = {1, 1};
     unsigned m_smoothFrom = 0;  // the sweep after which none is over-relaxed
+    double m_firstEnergy = 0, m_leastEnergy = 0;
 };

@@ -51,7 +51,7 @@ void leaveOutUnmoved(Row &row, const dxIslandBody *bodies, const dxVelocity *vel
 
 }  // namespace
 
-double dxOtherRows::prepareRow(Row &row, const dxIslandBody *bodies, const dxVelocity *velocities, dReal stepSize, dReal factor,
+double dxOtherRows::prepareRow(Row &row, const dxIslandBody *bodies, const dxVelocity *velocities, dReal stepSize,
                                dReal &diagonal) const {
     row.jacobian[Row::kRhs] *= stepSize;
     if (!row.isBounded()) {
@@ -69,7 +69,7 @@ double dxOtherRows::prepareRow(Row &row, const dxIslandBody *bodies, const dxVel
         velocity += dot6(jacobian, velocities[row.body[side]].columns);
         diagonal += dot6(impulse, jacobian);
     }
-    const dReal inverse = diagonal > 0 ? 1 / diagonal : 0, scale = factor * inverse;
+    const dReal inverse = diagonal > 0 ? 1 / diagonal : 0, scale = m_factor * inverse;
     const dReal impulse = (row.jacobian[Row::kRhs] - velocity) * inverse;
     const dReal allowed = row.isBounded() ? 0 : std::max(row.jacobian[Row::kLow], std::min(row.jacobian[Row::kHigh], impulse));
     for (int side = 0; side < sides; ++side)
@@ -84,6 +84,7 @@ void dxOtherRows::reserve(const dxConstraintPlan &plan) {
     m_order.reserve(rows);
     m_firstInOrder.reserve(joints + 1);
     m_firstRow.reserve(joints + 1);
+    m_energies.reserve(joints);
     m_diagonal.reserve(rows);
     m_last.reserve(rows);
 }
@@ -92,25 +93,32 @@ void dxOtherRows::reserveAs(const dxOtherRows &other) {
     m_order.reserve(other.m_order.capacity());
     m_firstInOrder.reserve(other.m_firstInOrder.capacity());
     m_firstRow.reserve(other.m_firstRow.capacity());
+    m_energies.reserve(other.m_energies.capacity());
     m_diagonal.reserve(other.m_diagonal.capacity());
     m_last.reserve(other.m_last.capacity());
 }
 
 double dxOtherRows::prepare(const dxOtherJoints &joints, const dxConstraintPlan &plan, const dxIslandBody *bodies,
                             const dxVelocity *velocities, dReal stepSize, dReal factor, bool isWarm) {
+    m_plan = &plan;
+    m_factor = factor;
     orderRows(joints, plan);
     m_rows = joints.rows();
     m_diagonal.resize(joints.rowCount());
     m_last.resize(joints.rowCount());
+    m_energies.assign(plan.otherJoints().size(), 0);
     double energy = 0;
+    std::size_t index = 0;
     joints.forJoints([&](const dxJoint *joint, unsigned first, unsigned count) {
+        while (m_firstRow[index + 1] <= first) ++index;
         for (unsigned i = 0; i < count; ++i) {
             Row &row = m_rows[first + i];
-            energy += prepareRow(row, bodies, velocities, stepSize, factor, m_diagonal[first + i]);
+            m_energies[index] += prepareRow(row, bodies, velocities, stepSize, m_diagonal[first + i]);
             if (!isWarm || !hasForces(*joint, count)) continue;
             const dReal impulse = joint->lambda[i] * stepSize * dxWarmStart::kPart;
             if (std::isfinite(impulse)) row.lambda = limited(impulse, row, row.isBounded() ? m_rows[row.boundingRow].lambda : 0);
         }
+        energy += m_energies[index];
     });
     return energy;
 }
@@ -134,15 +142,38 @@ void dxOtherRows::orderRows(const dxOtherJoints &joints, const dxConstraintPlan 
     m_firstInOrder.push_back(static_cast<unsigned>(m_order.size()));
 }
 
-void dxOtherRows::apply(unsigned begin, unsigned end, dxVelocity *velocities) const {
-    for (unsigned i = m_firstInOrder[begin]; i < m_firstInOrder[end]; ++i) {
-        const Row &row = m_rows[m_order[i]];
-        for (int side = 0; side < 2; ++side) {
-            if (row.body[side] == Row::kNone) continue;
-            const dReal *const impulse = side == 0 ? row.impulseOn1 : row.impulseOn2;
-            for (int k = 0; k < Row::kBodyColumns; ++k) velocities[row.body[side]].columns[k] += impulse[k] * row.lambda;
-        }
+// Returns by how much the row's impulse raises the energy. Rows are scaled by factor / diagonal.
+double dxOtherRows::push(int index, dxVelocity *velocities) const {
+    const Row &row = m_rows[index];
+    dReal motion = 0;  // before and after, along the row
+    for (int side = 0; side < 2; ++side) {
+        if (row.body[side] == Row::kNone) continue;
+        const dReal *const impulse = side == 0 ? row.impulseOn1 : row.impulseOn2, *const jacobian = row.jacobian + kJacobianOf[side];
+        dReal *const velocity = velocities[row.body[side]].columns;
+        motion += dot6(jacobian, velocity);
+        for (int k = 0; k < Row::kBodyColumns; ++k) velocity[k] += impulse[k] * row.lambda;
+        motion += dot6(jacobian, velocity);
     }
+    if (row.lambda == 0 || m_factor == 0) return 0;
+    const dReal scaled = (motion + row.jacobian[Row::kCfm] * row.lambda) / 2 - row.jacobian[Row::kRhs];
+    return static_cast<double>(row.lambda * scaled * m_diagonal[static_cast<std::size_t>(index)] / m_factor);
+}
+
+// energyOf(place in the order): of a row
+template <class EnergyOf>
+double dxOtherRows::forJoints(unsigned begin, unsigned end, const EnergyOf &energyOf) {
+    double sum = 0;
+    for (unsigned joint = begin; joint < end; ++joint) {
+        double energy = 0;
+        for (unsigned i = m_firstInOrder[joint]; i < m_firstInOrder[joint + 1]; ++i) energy += energyOf(i);
+        m_energies[m_plan->othersByColor()[joint]] = energy;
+        sum += energy;
+    }
+    return sum;
+}
+
+double dxOtherRows::apply(unsigned begin, unsigned end, dxVelocity *velocities) {
+    return forJoints(begin, end, [&](unsigned i) { return push(m_order[i], velocities); });
 }
 
 double dxOtherRows::sweep(unsigned begin, unsigned end, dxVelocity *velocities) {
@@ -153,12 +184,26 @@ double dxOtherRows::sweep(unsigned begin, unsigned end, dxVelocity *velocities) 
     problem.rows = m_rows;
     problem.accelerations = velocities;
     dxSorSweep(problem, m_order.data() + first);
-    double energy = 0;
-    for (unsigned i = first; i < last; ++i) {
+    return forJoints(begin, end, [&](unsigned i) {
         const dReal change = m_rows[m_order[i]].lambda - m_last[i];
-        energy += static_cast<double>(change * change * m_diagonal[m_order[i]]);
+        return static_cast<double>(change * change * m_diagonal[m_order[i]]);
+    });
+}
+
+void dxOtherRows::startCold(unsigned joint) {
+    for (unsigned row = m_firstRow[joint]; row < m_firstRow[joint + 1]; ++row) m_rows[row].lambda = 0;
+}
+
+void dxOtherRows::relaxFriction() {
+    if (m_factor == 0) return;
+    for (const int index : m_order) {
+        Row &row = m_rows[index];
+        if (!row.isBounded()) continue;
+        for (const int column : kJacobianOf)
+            for (int i = 0; i < Row::kBodyColumns; ++i) row.jacobian[column + i] /= m_factor;
+        row.jacobian[Row::kRhs] /= m_factor;
+        row.jacobian[Row::kCfm] /= m_factor;
     }
-    return energy;
 }
 
 void dxOtherRows::finish(const dxOtherJoints &joints, dReal stepSize) {
