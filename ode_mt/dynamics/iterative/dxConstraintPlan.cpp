@@ -14,13 +14,16 @@ namespace {
 // Some ten microseconds of a sweep.
 constexpr unsigned kPacksPerChunk = 16, kOthersPerChunk = 64;
 
-// Up to so many are solved in their order, by one thread: along a chain a sweep then carries a force from one end to the other.
-constexpr std::size_t kMaxInOrder = 1000;
+// Up to so many are solved by one thread, before contacts.
+constexpr std::size_t kMaxSerial = 1000;
 
-// Whether a joint is solved as a lane.
-bool isPacked(const dxJoint &joint) {
-    return joint.type() == dJointTypeContact &&
-           (static_cast<const dxJointContact &>(joint).contact.surface.mode & dContactRolling) == 0;
+// A pack takes as long for one manifold as for eight, about four times as long as their rows.
+constexpr unsigned kLeastLanes = 2;
+
+bool isContact(const dxJoint &joint) { return joint.type() == dJointTypeContact; }
+
+bool isRolling(const dxJoint &contact) {
+    return (static_cast<const dxJointContact &>(contact).contact.surface.mode & dContactRolling) != 0;
 }
 
 int tagOf(const dxBody *body) { return body != nullptr ? body->tag : dxConstraintPlan::kNoBody; }
@@ -34,9 +37,14 @@ void dxConstraintPlan::make(const dxIsland &group) {
     for (unsigned i = 0; i < group.bodyCount; ++i) m_moves[i] = group.bodies[i]->invMass > 0;
     m_reach.resize(group.bodyCount);
     std::iota(m_reach.begin(), m_reach.end(), 0u);
-    findManifolds(group);
+    findManifolds(group, true);
     findIslands(group.bodyCount);
     placeManifolds();
+    if (!fillsLanes()) {
+        std::fill(m_used.begin(), m_used.end(), 0);
+        findManifolds(group, false);
+        placeManifolds();
+    }
     placeOthers();
     cutChunks();
 }
@@ -48,6 +56,7 @@ void dxConstraintPlan::reserveAs(const dxConstraintPlan &other) {
     m_islands.reserve(other.m_islands.capacity());
     m_islandOfBody.reserve(other.m_islandOfBody.capacity());
     m_manifolds.reserve(other.m_manifolds.capacity());
+    m_rowManifolds.reserve(other.m_rowManifolds.capacity());
     m_others.reserve(other.m_others.capacity());
     m_othersByColor.reserve(other.m_othersByColor.capacity());
     m_packs.reserve(other.m_packs.capacity());
@@ -67,30 +76,44 @@ unsigned dxConstraintPlan::colorOf(const int (&body)[2]) {
     return color;
 }
 
-// Contacts of two bodies follow one another, since they were attached one after the other.
-void dxConstraintPlan::findManifolds(const dxIsland &group) {
+void dxConstraintPlan::addOther(unsigned joint, const int (&body)[2]) {
+    m_others.push_back({joint, static_cast<std::uint8_t>(colorOf(body))});
+}
+
+// Contacts of two bodies follow one another, since they were attached one after the other. `last`: the list that the joint before
+// this one has gone to, if that is a contact.
+void dxConstraintPlan::addContact(unsigned joint, const int (&body)[2], bool isPacked, std::vector<Manifold> *&last) {
+    const auto continues = [&](const Manifold &manifold) {
+        return manifold.body[0] == body[0] && manifold.body[1] == body[1] &&
+               manifold.contactCount < dxContactPack::kMaxContacts;
+    };
+    if (last != nullptr && (isPacked || last == &m_rowManifolds) && continues(last->back())) {
+        ++last->back().contactCount;
+    } else {
+        connect(body);
+        const unsigned color = isPacked ? colorOf(body) : kLeftOver;
+        last = color == kLeftOver ? &m_rowManifolds : &m_manifolds;
+        last->push_back({joint, 1, static_cast<std::uint8_t>(color), 0, false, static_cast<unsigned>(m_others.size()), {body[0], body[1]}});
+    }
+    if (last == &m_rowManifolds) addOther(joint, body);
+}
+
+void dxConstraintPlan::findManifolds(const dxIsland &group, bool packsContacts) {
     m_manifolds.clear();
+    m_rowManifolds.clear();
     m_others.clear();
+    std::vector<Manifold> *last = nullptr;
     const auto read = [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const dxJoint &joint = *group.joints[i];
             const int body[2] = {tagOf(joint.node[0].body), tagOf(joint.node[1].body)};
-            if (!isPacked(joint)) {
-                connect(body);
-                m_others.push_back({static_cast<unsigned>(i), static_cast<std::uint8_t>(colorOf(body))});
+            if (isContact(joint)) {
+                addContact(static_cast<unsigned>(i), body, packsContacts && !isRolling(joint), last);
                 continue;
             }
-            if (!m_manifolds.empty()) {
-                Manifold &last = m_manifolds.back();
-                if (last.firstJoint + last.contactCount == i && last.body[0] == body[0] && last.body[1] == body[1] &&
-                    last.contactCount < dxContactPack::kMaxContacts) {
-                    ++last.contactCount;
-                    continue;
-                }
-            }
+            last = nullptr;
             connect(body);
-            m_manifolds.push_back(
-                {static_cast<unsigned>(i), 1, static_cast<std::uint8_t>(colorOf(body)), 0, false, 0, {body[0], body[1]}});
+            addOther(static_cast<unsigned>(i), body);
         }
     };
     if (group.bodyCount < dxIslandPrefetch::kMinBodies) return read(0, group.jointCount);
@@ -125,31 +148,35 @@ unsigned dxConstraintPlan::islandOf(const OtherJoint &other) const {
     return m_islandOfBody[static_cast<unsigned>(body->tag)];
 }
 
+bool dxConstraintPlan::fillsLanes() const {
+    std::size_t contacts = 0;
+    for (const Manifold &manifold : m_manifolds) contacts += manifold.contactCount;
+    return contacts == 0 || contacts > std::size_t(kLeastLanes) * m_packedContacts;
+}
+
 // By colour, those with many contacts first, so that packs have little to fill up.
 void dxConstraintPlan::placeManifolds() {
     constexpr unsigned kMost = dxContactPack::kMaxContacts;
-    unsigned place[(kColors + 1) * kMost] = {};
+    unsigned place[kColors * kMost] = {};
     const auto placeOf = [&place](const Manifold &manifold) -> unsigned & {
         return place[manifold.color * kMost + (kMost - manifold.contactCount)];
     };
     for (const Manifold &manifold : m_manifolds) ++placeOf(manifold);
     unsigned packs = 0;
-    for (unsigned color = 0; color <= kColors; ++color) {
-        // Those left over are each a pack of their own.
-        const unsigned lanes = color == kLeftOver ? 1 : dxLanes::kCount;
+    constexpr unsigned kLanes = dxLanes::kCount;
+    for (unsigned color = 0; color < kColors; ++color) {
         m_firstPack[color] = packs;
         unsigned count = 0;
-        for (unsigned i = 0; i < kMost; ++i) count += std::exchange(place[color * kMost + i], packs * lanes + count);
-        packs += (count + lanes - 1) / lanes;
+        for (unsigned i = 0; i < kMost; ++i) count += std::exchange(place[color * kMost + i], packs * kLanes + count);
+        packs += (count + kLanes - 1) / kLanes;
     }
-    m_firstPack[kColors + 1] = packs;
+    m_firstPack[kColors] = packs;
     m_packs.clear();
     m_packs.resize(packs);
     for (Manifold &manifold : m_manifolds) {
-        const unsigned lanes = manifold.color == kLeftOver ? 1 : dxLanes::kCount;
         const unsigned number = placeOf(manifold)++;
-        manifold.pack = number / lanes;
-        manifold.lane = static_cast<std::uint8_t>(number % lanes);
+        manifold.pack = number / kLanes;
+        manifold.lane = static_cast<std::uint8_t>(number % kLanes);
         dxContactPack &pack = m_packs[manifold.pack];
         pack.contactCount = std::max<unsigned>(pack.contactCount, manifold.contactCount);
     }
@@ -162,13 +189,8 @@ void dxConstraintPlan::placeManifolds() {
 
 void dxConstraintPlan::placeOthers() {
     unsigned count[kColors + 2] = {};
-    m_isSerial = m_others.size() <= kMaxInOrder;
+    m_isSerial = m_others.size() <= kMaxSerial;
     m_othersByColor.resize(m_others.size());
-    if (m_isSerial) {
-        std::iota(m_othersByColor.begin(), m_othersByColor.end(), 0u);
-        std::fill(std::begin(m_firstOther), std::end(m_firstOther), 0u);
-        return;
-    }
     for (const OtherJoint &other : m_others) ++count[other.color + 1];
     for (unsigned color = 0; color <= kColors; ++color) {
         m_firstOther[color] = count[color];
@@ -176,6 +198,7 @@ void dxConstraintPlan::placeOthers() {
     }
     m_firstOther[kColors + 1] = count[kColors + 1];
     for (unsigned i = 0; i < m_others.size(); ++i) m_othersByColor[count[m_others[i].color]++] = i;
+    if (m_isSerial) std::fill(std::begin(m_firstOther), std::end(m_firstOther), 0u);  // of no phase of theirs
 }
 
 void dxConstraintPlan::cutChunks() {
@@ -187,11 +210,11 @@ void dxConstraintPlan::cutChunks() {
     }
     for (unsigned color = 0; color <= kColors; ++color) {
         const unsigned firstChunk = static_cast<unsigned>(m_chunks.size());
-        const unsigned pack = m_firstPack[color], endPack = m_firstPack[color + 1], other = m_firstOther[color],
-                       endOther = m_firstOther[color + 1];
+        const unsigned other = m_firstOther[color], endOther = m_firstOther[color + 1];
         if (color == kLeftOver) {
-            if (pack != endPack || other != endOther) m_chunks.push_back({pack, endPack, other, endOther});
+            if (other != endOther) m_chunks.push_back({0, 0, other, endOther});
         } else {
+            const unsigned pack = m_firstPack[color], endPack = m_firstPack[color + 1];
             for (unsigned i = pack; i < endPack; i += kPacksPerChunk)
                 m_chunks.push_back({i, std::min(i + kPacksPerChunk, endPack), other, other});
             for (unsigned i = other; i < endOther; i += kOthersPerChunk)

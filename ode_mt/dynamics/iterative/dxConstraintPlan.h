@@ -6,6 +6,9 @@
 // free on both of its bodies. Bodies with more edges than there are colours have some left over, which are solved one by one at
 // the end of a sweep.
 //
+// Contacts become lanes where that fills vectors. Those left over, those with rolling friction, and all of a group whose
+// vectors would be nearly empty are solved as rows, like other joints.
+//
 // Source of the method: Saad, "Iterative Methods for Sparse Linear Systems", 12.4 (multicolour orderings).
 #pragma once
 
@@ -25,8 +28,10 @@ public:
         std::uint8_t contactCount, color;
         std::uint8_t lane;
         bool firstOwns;  // of dxContactForces: the first body keeps the forces for the next step
-        unsigned pack;
+        unsigned pack;   // of a manifold in rows: its first one of otherJoints(); its contacts follow one another there
         int body[2];
+
+        unsigned firstOther() const { return pack; }
     };
 
     // A joint that is not solved as a lane: its rows are generic.
@@ -59,6 +64,8 @@ public:
 
     const std::vector<Manifold> &manifolds() const { return m_manifolds; }
     std::vector<Manifold> &manifolds() { return m_manifolds; }
+    const std::vector<Manifold> &rowManifolds() const { return m_rowManifolds; }
+    std::vector<Manifold> &rowManifolds() { return m_rowManifolds; }
     // At least one.
     const std::vector<Island> &islands() const { return m_islands; }
     unsigned islandOf(const Manifold &manifold) const { return m_islandOfBody[static_cast<unsigned>(manifold.body[0])]; }
@@ -78,7 +85,10 @@ private:
     static constexpr unsigned kColors = 63, kLeftOver = kColors;
 
     unsigned colorOf(const int (&body)[2]);
-    void findManifolds(const dxIsland &group);
+    void findManifolds(const dxIsland &group, bool packsContacts);
+    void addContact(unsigned joint, const int (&body)[2], bool isPacked, std::vector<Manifold> *&last);
+    void addOther(unsigned joint, const int (&body)[2]);
+    bool fillsLanes() const;
     void connect(const int (&body)[2]);
     void findIslands(unsigned bodyCount);
     void placeManifolds();
@@ -91,7 +101,7 @@ private:
     std::vector<unsigned> m_reach;  // by body: the last one that is connected with it, or with one before it
     std::vector<Island> m_islands;
     std::vector<unsigned> m_islandOfBody;
-    std::vector<Manifold> m_manifolds;
+    std::vector<Manifold> m_manifolds, m_rowManifolds;
     std::vector<OtherJoint> m_others;
     std::vector<unsigned> m_othersByColor;
     std::vector<dxContactPack> m_packs;
@@ -99,5 +109,5 @@ private:
     std::vector<Phase> m_phases;
     unsigned m_packedContacts = 0;
     bool m_isSerial = false;  // other joints
-    unsigned m_firstPack[kColors + 2] = {}, m_firstOther[kColors + 2] = {};
+    unsigned m_firstPack[kColors + 1] = {}, m_firstOther[kColors + 2] = {};
 };

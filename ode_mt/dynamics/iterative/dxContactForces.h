@@ -50,6 +50,11 @@ public:
     unsigned firstBody(const dxIsland &group) const { return static_cast<unsigned>(group.bodies - m_bodies); }
     unsigned firstJoint(const dxIsland &group) const { return static_cast<unsigned>(group.joints - m_joints); }
 
+    // `tag`: of a body of the group, or dxContactPack::kNoBody.
+    unsigned numberOf(const dxIsland &group, int tag) const {
+        return tag < 0 ? kNone : firstBody(group) + static_cast<unsigned>(tag);
+    }
+
     // Nothing is kept of this step for a group any more. A group may be stepped twice: what an interruption leaves is taken back.
     void clear(const dxIsland &group);
 

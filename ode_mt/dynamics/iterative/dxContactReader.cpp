@@ -10,6 +10,7 @@
 
 #include "core/dxPrefetch.h"
 #include "dynamics/islands/dxIslandPrefetch.h"
+#include "dynamics/iterative/dxContactMatch.h"
 #include "dynamics/iterative/dxIterativeWorld.h"
 #include "dynamics/iterative/dxWarmStart.h"
 
@@ -22,9 +23,6 @@ constexpr unsigned kPrefetchDistance = 3;  // manifolds
 // Stands for an infinite coefficient. That allows any force, even if the normal has none: upstream's limit is then 0 times infinity,
 // which bounds nothing.
 constexpr dReal kLargeFriction = dReal(1e30);
-
-// Normals of one contact in two steps are no farther apart.
-constexpr float kAlike = 0.9f;
 
 void write(const dReal *vector, dxLaneNumbers *numbers, unsigned lane) {
     for (int i = 0; i < 3; ++i) numbers[i].lane[lane] = vector[i];
@@ -79,11 +77,6 @@ dReal impulseAlong(const dxContactLanes &contact, int axis, unsigned lane) {
 dxContactReader::dxContactReader(const dxIslandStep &step, const dxIslandBody *bodies)
     : m_step(step), m_bodies(bodies), m_forces(step.iterativeWorld->forces()) {}
 
-unsigned dxContactReader::numberOf(int tag) const {
-    return tag == dxConstraintPlan::kNoBody ? dxContactForces::kNone
-                                            : m_forces.firstBody(m_step.island) + static_cast<unsigned>(tag);
-}
-
 // Joints of a manifold that comes next.
 void dxContactReader::prefetchJoints(const Manifold *manifold) const {
     if (manifold == nullptr) return;
@@ -95,9 +88,11 @@ void dxContactReader::prefetchJoints(const Manifold *manifold) const {
 void dxContactReader::prefetchForces(const Manifold *const *lanes) const {
     for (unsigned lane = 0; lane < dxLanes::kCount; ++lane)
         if (lanes[lane] != nullptr)
-            forLast(*lanes[lane], [this](const dxContactForces::Manifold &last, bool) {
-                dxPrefetch::lines(m_forces.lastContacts(last), last.contactCount * sizeof(dxContactForces::Contact));
-            });
+            m_forces.forLast(numberOf(lanes[lane]->body[0]), numberOf(lanes[lane]->body[1]),
+                             [this](const dxContactForces::Manifold &last, bool) {
+                                 dxPrefetch::lines(m_forces.lastContacts(last),
+                                                   last.contactCount * sizeof(dxContactForces::Contact));
+                             });
 }
 
 void dxContactReader::read(const dxContactPacks &contacts, const Manifold *const *lanes, unsigned begin, unsigned end) const {
@@ -166,46 +161,20 @@ void dxContactReader::readContact(dxContactLanes &contact, unsigned lane, const 
     readFriction(mu2, (mode & dContactApprox1_2) != 0, m_step.stepSize, 1, lane, contact);
 }
 
-// Each contact of the last step is used once: by the contact that is nearest to it of those that have none yet.
 void dxContactReader::startWarm(const dxContactPacks &contacts, const dxContactPack &pack, unsigned lane,
                                 const Manifold &manifold) const {
-    struct Candidate {
-        const dxContactForces::Contact *contact;
-        bool firstOwns;
-    };
-    constexpr unsigned kMaxCandidates = 32;
-    Candidate candidates[kMaxCandidates];
-    unsigned count = 0;
-    forLast(manifold, [&](const dxContactForces::Manifold &last, bool firstOwns) {
-        const dxContactForces::Contact *const own = m_forces.lastContacts(last);
-        for (unsigned i = 0; i < last.contactCount && count < kMaxCandidates; ++i) candidates[count++] = {own + i, firstOwns};
-    });
-    for (unsigned k = 0; k < manifold.contactCount && count != 0; ++k) {
-        dxContactLanes &contact = contacts.contacts[pack.firstContact + k];
-        unsigned best = count;
-        float nearest = HUGE_VALF;
-        for (unsigned i = 0; i < count; ++i) {
-            const Candidate &candidate = candidates[i];
-            const float sign = candidate.firstOwns ? 1.0f : -1.0f;
-            float distance = 0, cosine = 0;
+    dxContactLanes *const own = contacts.contacts + pack.firstContact;
+    dxMatchContacts(
+        m_forces, m_step.island, manifold,
+        [&](unsigned k, bool isOfFirst, int axis) { return armOf(pack, own[k], isOfFirst, axis, lane); },
+        [&](unsigned k, int axis) { return own[k].direction[0][axis].lane[lane]; },
+        [&](unsigned k, const dxContactForces::Contact &last, bool firstOwns) {
+            const dReal scale = dxWarmStart::kPart * (firstOwns ? m_step.stepSize : -m_step.stepSize);
             for (int axis = 0; axis < 3; ++axis) {
-                const auto arm = static_cast<float>(armOf(pack, contact, candidate.firstOwns, axis, lane));
-                const float difference = arm - candidate.contact->arm[axis];
-                distance += difference * difference;
-                cosine += sign * static_cast<float>(contact.direction[0][axis].lane[lane]) * candidate.contact->normal[axis];
+                const dReal impulse = scale * static_cast<dReal>(last.force[axis]);
+                own[k].impulse[axis].lane[lane] = std::isfinite(impulse) ? impulse : 0;
             }
-            if (!(cosine > kAlike) || !(distance < nearest)) continue;
-            nearest = distance;
-            best = i;
-        }
-        if (best == count) continue;
-        const dReal sign = dxWarmStart::kPart * (candidates[best].firstOwns ? m_step.stepSize : -m_step.stepSize);
-        for (int axis = 0; axis < 3; ++axis) {
-            const dReal impulse = sign * static_cast<dReal>(candidates[best].contact->force[axis]);
-            contact.impulse[axis].lane[lane] = std::isfinite(impulse) ? impulse : 0;
-        }
-        candidates[best] = candidates[--count];
-    }
+        });
 }
 
 void dxContactReader::list(std::vector<Manifold> &manifolds) const {

@@ -30,12 +30,7 @@ public:
     void giveFeedback(const dxContactPacks &contacts, const std::vector<dxConstraintPlan::Manifold> &manifolds) const;
 
 private:
-    unsigned numberOf(int tag) const;
-    // Calls visit(manifold of the last step, whether its owner is the first body).
-    template <class Visit>
-    void forLast(const dxConstraintPlan::Manifold &manifold, const Visit &visit) const {
-        m_forces.forLast(numberOf(manifold.body[0]), numberOf(manifold.body[1]), visit);
-    }
+    unsigned numberOf(int tag) const { return m_forces.numberOf(m_step.island, tag); }
     void prefetchJoints(const dxConstraintPlan::Manifold *manifold) const;
     void prefetchForces(const dxConstraintPlan::Manifold *const *lanes) const;
     void readBodies(dxContactPack &pack, unsigned lane, const dxConstraintPlan::Manifold &manifold) const;

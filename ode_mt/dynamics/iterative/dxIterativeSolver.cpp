@@ -6,6 +6,7 @@
 #include "dynamics/islands/dxForBodies.h"
 #include "dynamics/iterative/dxFreeMotion.h"
 #include "dynamics/iterative/dxIterativeWorld.h"
+#include "dynamics/iterative/dxRowContacts.h"
 
 namespace {
 
@@ -16,6 +17,9 @@ constexpr unsigned kSmoothing = 3;
 // Kept forces may be so much worse than none: what they have wrong nearby, where bodies have hit one another, sweeps mend at once, and the
 // rest of them is worth more than that (docs/iterative-solver.md).
 constexpr double kMostHarm = 100;
+
+// Energies of other joints' rows are found in every so many sweeps.
+constexpr unsigned kMeasured = 5;
 
 // A sweep that changes so much more than another one before it does not lead to the solution.
 constexpr double kGrowth = 3;
@@ -88,6 +92,7 @@ void dxIterativeSolver::solve(const dxIslandStep &step, dxIslandBody *bodies, co
         reader.keep(packs(), m_lanes.data(), chunk.firstPack, chunk.endPack);
     });
     reader.giveFeedback(packs(), m_plan.manifolds());
+    dxRowContacts(step, m_plan).keep(m_others);
     m_others.finish(joints, step.stepSize);
     joints.giveFeedback();
 }
@@ -98,8 +103,10 @@ void dxIterativeSolver::prepare(const dxIslandStep &step, const dxIslandBody *bo
         reader.read(packs(), m_lanes.data(), chunk.firstPack, chunk.endPack);
         m_chunkEnergies[i] = dxPrepareContacts(packs(), chunk.firstPack, chunk.endPack, m_velocities.data());
     });
-    m_firstEnergy = m_others.prepare(joints, m_plan, bodies, m_velocities.data(), step.stepSize, step.world->qs.w,
-                                     step.iterativeWorld->isWarm());
+    const bool isWarm = step.iterativeWorld->isWarm();
+    m_others.begin(joints, m_plan);
+    if (isWarm) dxRowContacts(step, m_plan).start(m_others);
+    m_firstEnergy = m_others.prepare(joints, bodies, m_velocities.data(), step.stepSize, step.world->qs.w, isWarm);
     for (const double part : m_chunkEnergies) m_firstEnergy += part;
     m_firstEnergies[0] = m_firstEnergy;  // if there is one island
     sumByIsland(m_firstEnergies);
@@ -118,10 +125,13 @@ void dxIterativeSolver::sweep(const dxIslandStep &step, dxIslandBody *bodies) {
                 if (step.iterativeWorld->isWarm()) startColdWhereWorse(step, bodies, energy);
                 return false;
             }
-            watchGrowth(energy);
+            if (!isMeasured(sweep)) return false;
+            watchGrowth(energy, sweep >= m_smoothFrom);
             return sweep >= least && energy <= m_firstEnergy * tolerance * tolerance && isSmallEverywhere(tolerance);
         });
 }
+
+bool dxIterativeSolver::isMeasured(unsigned sweep) const { return m_plan.otherJoints().empty() || sweep % kMeasured == 0; }
 
 // Sweep 0 applies the impulses that the last step has left.
 double dxIterativeSolver::solveChunk(unsigned index, unsigned sweep) {
@@ -135,10 +145,11 @@ double dxIterativeSolver::solveChunk(unsigned index, unsigned sweep) {
                                       sweep > m_smoothFrom ? dxOverRelaxation{1, 1} : m_factor, m_velocities.data());
     }
     if (chunk.firstOther != chunk.endOther) {
+        if (sweep == m_smoothFrom + 1) m_others.relax(chunk.firstOther, chunk.endOther);
         if (sweep == 0)
             energy += m_others.apply(chunk.firstOther, chunk.endOther, m_velocities.data());
         else
-            energy += m_others.sweep(chunk.firstOther, chunk.endOther, m_velocities.data());
+            energy += m_others.sweep(chunk.firstOther, chunk.endOther, m_velocities.data(), isMeasured(sweep));
     }
     return energy;
 }
@@ -175,13 +186,12 @@ void dxIterativeSolver::startColdWhereWorse(const dxIslandStep &step, dxIslandBo
         for (unsigned k = 0; k < manifold.contactCount; ++k)
             for (dxLaneNumbers &impulse : contacts[k].impulse) impulse.lane[manifold.lane] = 0;
     }
-    for (unsigned i = 0; i < m_plan.otherJoints().size(); ++i)
-        if (isWorse(m_plan.islandOf(m_plan.otherJoints()[i]))) m_others.startCold(i);
+    m_others.startCold([&](unsigned joint) { return isWorse(m_plan.islandOf(m_plan.otherJoints()[joint])); });
 }
 
 // With friction that follows the normal's force, over-relaxation need not converge.
-void dxIterativeSolver::watchGrowth(double energy) {
-    if (m_factor.friction != 1 && energy > kGrowth * m_leastEnergy) {
+void dxIterativeSolver::watchGrowth(double energy, bool isSmoothing) {
+    if (!isSmoothing && m_factor.friction != 1 && energy > kGrowth * m_leastEnergy) {
         m_factor.friction = 1;
         m_others.relaxFriction();
     }

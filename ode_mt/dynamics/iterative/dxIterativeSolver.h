@@ -41,9 +41,10 @@ private:
     void prepare(const dxIslandStep &step, const dxIslandBody *bodies, const dxOtherJoints &joints);
     void sweep(const dxIslandStep &step, dxIslandBody *bodies);
     double solveChunk(unsigned chunk, unsigned sweep);
+    bool isMeasured(unsigned sweep) const;
     void sumByIsland(std::vector<double> &energies) const;
     void startColdWhereWorse(const dxIslandStep &step, dxIslandBody *bodies, double energy);
-    void watchGrowth(double energy);
+    void watchGrowth(double energy, bool isSmoothing);
     bool isSmallEverywhere(double tolerance);
     void writeVelocities(const dxIslandStep &step, dxQuietMotion &motion);
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include <ode/odemath.h>
 
 #include "dynamics/iterative/dxWarmStart.h"
 #include "dynamics/quickstep/sor/dxSorPlain.h"
@@ -85,6 +88,7 @@ void dxOtherRows::reserve(const dxConstraintPlan &plan) {
     m_firstInOrder.reserve(joints + 1);
     m_firstRow.reserve(joints + 1);
     m_energies.reserve(joints);
+    m_directions.reserve(rows);
     m_diagonal.reserve(rows);
     m_last.reserve(rows);
 }
@@ -94,19 +98,50 @@ void dxOtherRows::reserveAs(const dxOtherRows &other) {
     m_firstInOrder.reserve(other.m_firstInOrder.capacity());
     m_firstRow.reserve(other.m_firstRow.capacity());
     m_energies.reserve(other.m_energies.capacity());
+    m_directions.reserve(other.m_directions.capacity());
     m_diagonal.reserve(other.m_diagonal.capacity());
     m_last.reserve(other.m_last.capacity());
 }
 
-double dxOtherRows::prepare(const dxOtherJoints &joints, const dxConstraintPlan &plan, const dxIslandBody *bodies,
-                            const dxVelocity *velocities, dReal stepSize, dReal factor, bool isWarm) {
+void dxOtherRows::begin(const dxOtherJoints &joints, const dxConstraintPlan &plan) {
     m_plan = &plan;
-    m_factor = factor;
     orderRows(joints, plan);
     m_rows = joints.rows();
+    m_directions.resize(joints.rowCount());
     m_diagonal.resize(joints.rowCount());
     m_last.resize(joints.rowCount());
     m_energies.assign(plan.otherJoints().size(), 0);
+    for (const dxConstraintPlan::Manifold &manifold : plan.rowManifolds())
+        noteDirections(m_firstRow[manifold.firstOther()], m_firstRow[manifold.firstOther() + manifold.contactCount]);
+}
+
+// Rows will be scaled, and lose bodies that do not move.
+void dxOtherRows::noteDirections(unsigned begin, unsigned end) {
+    for (unsigned i = begin; i < end; ++i) std::copy_n(m_rows[i].jacobian + Row::kBody1, 3, m_directions[i].axis);
+}
+
+void dxOtherRows::startContact(unsigned joint, const dReal *impulse) {
+    for (unsigned i = m_firstRow[joint]; i < m_firstRow[joint + 1]; ++i)
+        m_rows[i].lambda = dCalcVectorDot3(m_directions[i].axis, impulse);
+}
+
+void dxOtherRows::findContactImpulse(unsigned joint, dReal *impulse) const {
+    std::fill_n(impulse, 3, dReal(0));
+    for (unsigned i = m_firstRow[joint]; i < m_firstRow[joint + 1]; ++i)
+        for (int axis = 0; axis < 3; ++axis) impulse[axis] += m_directions[i].axis[axis] * m_rows[i].lambda;
+}
+
+// The impulse of a row to begin with, contacts' being there.
+dReal dxOtherRows::startOf(const dxJoint &joint, unsigned row, unsigned number, unsigned count, dReal stepSize, bool isWarm) const {
+    if (!isWarm) return 0;
+    if (joint.type() == dJointTypeContact) return m_rows[row].lambda;
+    return hasForces(joint, count) ? joint.lambda[number] * stepSize * dxWarmStart::kPart : 0;
+}
+
+double dxOtherRows::prepare(const dxOtherJoints &joints, const dxIslandBody *bodies, const dxVelocity *velocities, dReal stepSize,
+                            dReal factor, bool isWarm) {
+    m_factor = factor;
+    m_isFrictionRelaxed = false;
     double energy = 0;
     std::size_t index = 0;
     joints.forJoints([&](const dxJoint *joint, unsigned first, unsigned count) {
@@ -114,9 +149,8 @@ double dxOtherRows::prepare(const dxOtherJoints &joints, const dxConstraintPlan 
         for (unsigned i = 0; i < count; ++i) {
             Row &row = m_rows[first + i];
             m_energies[index] += prepareRow(row, bodies, velocities, stepSize, m_diagonal[first + i]);
-            if (!isWarm || !hasForces(*joint, count)) continue;
-            const dReal impulse = joint->lambda[i] * stepSize * dxWarmStart::kPart;
-            if (std::isfinite(impulse)) row.lambda = limited(impulse, row, row.isBounded() ? m_rows[row.boundingRow].lambda : 0);
+            const dReal impulse = startOf(*joint, first + i, i, count, stepSize, isWarm);
+            row.lambda = std::isfinite(impulse) ? limited(impulse, row, row.isBounded() ? m_rows[row.boundingRow].lambda : 0) : 0;
         }
         energy += m_energies[index];
     });
@@ -173,37 +207,48 @@ double dxOtherRows::forJoints(unsigned begin, unsigned end, const EnergyOf &ener
 }
 
 double dxOtherRows::apply(unsigned begin, unsigned end, dxVelocity *velocities) {
-    return forJoints(begin, end, [&](unsigned i) { return push(m_order[i], velocities); });
+    return forJoints(begin, end, [&](unsigned i) {
+        m_last[i] = m_rows[m_order[i]].lambda;
+        return push(m_order[i], velocities);
+    });
 }
 
-double dxOtherRows::sweep(unsigned begin, unsigned end, dxVelocity *velocities) {
+double dxOtherRows::sweep(unsigned begin, unsigned end, dxVelocity *velocities, bool isMeasured) {
     const unsigned first = m_firstInOrder[begin], last = m_firstInOrder[end];
-    for (unsigned i = first; i < last; ++i) m_last[i] = m_rows[m_order[i]].lambda;
     dxIslandProblem problem = {};
     problem.rowCount = last - first;
     problem.rows = m_rows;
     problem.accelerations = velocities;
     dxSorSweep(problem, m_order.data() + first);
+    if (!isMeasured) return 0;
     return forJoints(begin, end, [&](unsigned i) {
-        const dReal change = m_rows[m_order[i]].lambda - m_last[i];
+        const dReal now = m_rows[m_order[i]].lambda, change = now - std::exchange(m_last[i], now);
         return static_cast<double>(change * change * m_diagonal[m_order[i]]);
     });
 }
 
-void dxOtherRows::startCold(unsigned joint) {
-    for (unsigned row = m_firstRow[joint]; row < m_firstRow[joint + 1]; ++row) m_rows[row].lambda = 0;
+void dxOtherRows::forgetForces(unsigned begin, unsigned end) {
+    for (unsigned i = begin; i < end; ++i) m_rows[m_order[i]].lambda = m_last[i] = 0;
+}
+
+void dxOtherRows::relaxRow(Row &row) {
+    for (const int column : kJacobianOf)
+        for (int i = 0; i < Row::kBodyColumns; ++i) row.jacobian[column + i] /= m_factor;
+    row.jacobian[Row::kRhs] /= m_factor;
+    row.jacobian[Row::kCfm] /= m_factor;
+}
+
+void dxOtherRows::relax(unsigned begin, unsigned end) {
+    if (m_factor == 0) return;
+    for (unsigned i = m_firstInOrder[begin]; i < m_firstInOrder[end]; ++i)
+        if (!m_isFrictionRelaxed || !m_rows[m_order[i]].isBounded()) relaxRow(m_rows[m_order[i]]);
 }
 
 void dxOtherRows::relaxFriction() {
     if (m_factor == 0) return;
-    for (const int index : m_order) {
-        Row &row = m_rows[index];
-        if (!row.isBounded()) continue;
-        for (const int column : kJacobianOf)
-            for (int i = 0; i < Row::kBodyColumns; ++i) row.jacobian[column + i] /= m_factor;
-        row.jacobian[Row::kRhs] /= m_factor;
-        row.jacobian[Row::kCfm] /= m_factor;
-    }
+    m_isFrictionRelaxed = true;
+    for (const int index : m_order)
+        if (m_rows[index].isBounded()) relaxRow(m_rows[index]);
 }
 
 void dxOtherRows::finish(const dxOtherJoints &joints, dReal stepSize) {

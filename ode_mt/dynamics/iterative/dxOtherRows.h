@@ -21,30 +21,54 @@ public:
     // All that follow write an energy for each joint, and return the sum of them: the one that kernels over contacts write
     // (dxContactSweep.h).
 
-    // Completes the rows of `joints`, `velocities` being the free ones; sweeps over-relax by `factor`.
-    double prepare(const dxOtherJoints &joints, const dxConstraintPlan &plan, const dxIslandBody *bodies,
-                   const dxVelocity *velocities, dReal stepSize, dReal factor, bool isWarm);
+    // Takes the rows of `joints` as they have written them.
+    void begin(const dxOtherJoints &joints, const dxConstraintPlan &plan);
+
+    // A contact, by its number in the order of the group, starts with an impulse along the world's axes. After begin().
+    void startContact(unsigned joint, const dReal *impulse);
+
+    // Completes the rows, `velocities` being the free ones; sweeps over-relax by `factor`.
+    double prepare(const dxOtherJoints &joints, const dxIslandBody *bodies, const dxVelocity *velocities, dReal stepSize,
+                   dReal factor, bool isWarm);
 
     // Joints [begin, end) of the plan's by colour. Reads and writes the velocities of their bodies.
     double apply(unsigned begin, unsigned end, dxVelocity *velocities);
-    double sweep(unsigned begin, unsigned end, dxVelocity *velocities);
+    // `isMeasured`: finds energies, of the change since the last sweep in which they were found. That takes a look at each row.
+    double sweep(unsigned begin, unsigned end, dxVelocity *velocities, bool isMeasured);
 
     // By joint in the order of the group.
     const std::vector<double> &energies() const { return m_energies; }
 
-    // A joint, in the order of the group, starts without forces. Requires that its bodies move freely.
-    void startCold(unsigned joint);
+    // Joints for which isCold(number in the order of the group) begin without forces. Requires that their bodies move freely.
+    template <class IsCold>
+    void startCold(const IsCold &isCold) {
+        for (std::size_t place = 0; place + 1 < m_firstInOrder.size(); ++place)
+            if (isCold(m_plan->othersByColor()[place])) forgetForces(m_firstInOrder[place], m_firstInOrder[place + 1]);
+    }
 
-    // From now on friction is not over-relaxed.
+    // From now on rows are not over-relaxed; of the second kind those that others bound.
+    void relax(unsigned begin, unsigned end);
     void relaxFriction();
+
+    // What a contact's rows have found, along the world's axes.
+    void findContactImpulse(unsigned joint, dReal *impulse) const;
 
     // Keeps the forces in the joints and in the rows' lambda.
     void finish(const dxOtherJoints &joints, dReal stepSize);
 
 private:
+    // Of the force on the first body.
+    struct Direction {
+        dReal axis[3];
+    };
+
     void orderRows(const dxOtherJoints &joints, const dxConstraintPlan &plan);
+    void noteDirections(unsigned begin, unsigned end);
+    dReal startOf(const dxJoint &joint, unsigned row, unsigned number, unsigned count, dReal stepSize, bool isWarm) const;
     double prepareRow(dxConstraintRow &row, const dxIslandBody *bodies, const dxVelocity *velocities, dReal stepSize,
                       dReal &diagonal) const;
+    void relaxRow(dxConstraintRow &row);
+    void forgetForces(unsigned begin, unsigned end);
     double push(int index, dxVelocity *velocities) const;
     template <class EnergyOf>
     double forJoints(unsigned begin, unsigned end, const EnergyOf &energyOf);
@@ -52,10 +76,12 @@ private:
     const dxConstraintPlan *m_plan = nullptr;
     dxConstraintRow *m_rows = nullptr;
     dReal m_factor = 1;
+    bool m_isFrictionRelaxed = false;
     std::vector<int> m_order;              // of rows, by colour
     std::vector<unsigned> m_firstInOrder;  // by joint by colour, and the end
     std::vector<unsigned> m_firstRow;      // by joint in the order of the group, and the end
     std::vector<double> m_energies;
+    std::vector<Direction> m_directions;   // by row, of contacts
     std::vector<dReal> m_diagonal;         // by row: J inv(M) J' + softness
-    std::vector<dReal> m_last;             // by place in the order: the impulse before a sweep
+    std::vector<dReal> m_last;             // by place in the order: the impulse when energies were found last
 };

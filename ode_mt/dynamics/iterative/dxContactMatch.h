@@ -1,0 +1,63 @@
+// Which contact of the last step is which one of this step.
+//
+// Threading: reads what the last step has left; any thread.
+#pragma once
+
+#include <cmath>
+
+#include "dynamics/iterative/dxConstraintPlan.h"
+#include "dynamics/iterative/dxContactForces.h"
+
+namespace dxContactMatch {
+
+// Normals of one contact in two steps are no farther apart.
+constexpr float kAlike = 0.9f;
+
+// Of a pair's contacts in the last step no more are looked at.
+constexpr unsigned kMaxCandidates = 32;
+
+struct Candidate {
+    const dxContactForces::Contact *contact;
+    bool firstOwns;
+};
+
+}  // namespace dxContactMatch
+
+// Calls give(number, contact of the last step, whether its owner is the first body) for the manifold's contacts. Each of the last
+// step's is used once: by the contact that is nearest to it of those that have none yet.
+//
+// armOf(number, whether from the first body's centre, axis), normalOf(number, axis): of the manifold's contacts.
+template <class ArmOf, class NormalOf, class Give>
+void dxMatchContacts(const dxContactForces &forces, const dxIsland &group, const dxConstraintPlan::Manifold &manifold,
+                     const ArmOf &armOf, const NormalOf &normalOf, const Give &give) {
+    using namespace dxContactMatch;
+    Candidate candidates[kMaxCandidates];
+    unsigned count = 0;
+    forces.forLast(forces.numberOf(group, manifold.body[0]), forces.numberOf(group, manifold.body[1]),
+                   [&](const dxContactForces::Manifold &last, bool firstOwns) {
+                       const dxContactForces::Contact *const own = forces.lastContacts(last);
+                       for (unsigned i = 0; i < last.contactCount && count < kMaxCandidates; ++i)
+                           candidates[count++] = {own + i, firstOwns};
+                   });
+    for (unsigned k = 0; k < manifold.contactCount && count != 0; ++k) {
+        unsigned best = count;
+        float nearest = HUGE_VALF;
+        for (unsigned i = 0; i < count; ++i) {
+            const Candidate &candidate = candidates[i];
+            const float sign = candidate.firstOwns ? 1.0f : -1.0f;
+            float distance = 0, cosine = 0;
+            for (int axis = 0; axis < 3; ++axis) {
+                const auto arm = static_cast<float>(armOf(k, candidate.firstOwns, axis));
+                const float difference = arm - candidate.contact->arm[axis];
+                distance += difference * difference;
+                cosine += sign * static_cast<float>(normalOf(k, axis)) * candidate.contact->normal[axis];
+            }
+            if (!(cosine > kAlike) || !(distance < nearest)) continue;
+            nearest = distance;
+            best = i;
+        }
+        if (best == count) continue;
+        give(k, *candidates[best].contact, candidates[best].firstOwns);
+        candidates[best] = candidates[--count];
+    }
+}
