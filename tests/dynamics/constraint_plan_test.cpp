@@ -78,6 +78,9 @@ protected:
             }
         }
         for (const dxConstraintPlan::OtherJoint &other : plan.otherJoints()) ++times.at(other.joint);
+        for (const dxConstraintPlan::Manifold &manifold : plan.rowManifolds())
+            for (unsigned i = 0; i < manifold.contactCount; ++i)
+                EXPECT_EQ(plan.otherJoints().at(manifold.firstOther() + i).joint, manifold.firstJoint + i);
         EXPECT_EQ(std::count(times.begin(), times.end(), 1u), static_cast<std::ptrdiff_t>(times.size()));
         return all;
     }
@@ -123,7 +126,7 @@ TEST_F(ConstraintPlan, ColorsRandomWorlds) {
         dxConstraintPlan plan;
         plan.make(group.island());
         expectNoneShared(plan, group);
-        EXPECT_GT(plan.phases().size(), 1u);
+        EXPECT_GT(plan.phases().size(), group.island().jointCount > 12 ? 1u : 0u);
     }
 }
 
@@ -146,35 +149,90 @@ TEST_F(ConstraintPlan, FillsPacks) {
     dWorldDestroy(world);
 }
 
-// More edges on a body than there are colours: the rest is solved one by one. A body that does not move has no colours.
-TEST_F(ConstraintPlan, SolvesTheRestOfAHubOneByOne) {
+// More edges on a body than there are colours: the rest is solved as rows, one by one. A body that does not move has no colours.
+TEST_F(ConstraintPlan, SolvesTheRestOfAHubAsRows) {
+    constexpr int kPairs = 1000, kTouching = 200, kColors = 63;
     for (const bool moves : {true, false}) {
         const dWorldID world = dWorldCreate();
         const dBodyID hub = dBodyCreate(world);
         if (!moves) dBodySetKinematic(hub);
-        for (int i = 0; i < 200; ++i) touch(world, dBodyCreate(world), hub);
+        for (int i = 0; i < kPairs; ++i) touch(world, dBodyCreate(world), dBodyCreate(world));
+        for (int i = 0; i < kTouching; ++i) touch(world, dBodyCreate(world), hub);
         const Group group(world);
         dxConstraintPlan plan;
         plan.make(group.island());
         expectNoneShared(plan, group);
-        EXPECT_EQ(plan.phases().size(), moves ? 64u : 1u);
+        EXPECT_EQ(plan.rowManifolds().size(), moves ? kTouching - kColors : 0u);
+        EXPECT_EQ(plan.otherJoints().size(), moves ? kTouching - kColors : 0u);
+        EXPECT_EQ(plan.phases().size(), moves ? kColors + 1u : 1u);
+        dWorldDestroy(world);
+    }
+}
+
+// Vectors that would be nearly empty are not worth it.
+TEST_F(ConstraintPlan, SolvesContactsAsRowsWhereLanesWouldBeEmpty) {
+    for (const unsigned pairs : {1u, 2u, 3u, 8u}) {
+        const dWorldID world = dWorldCreate();
+        for (unsigned i = 0; i < pairs; ++i) touch(world, dBodyCreate(world), dBodyCreate(world));
+        const Group group(world);
+        dxConstraintPlan plan;
+        plan.make(group.island());
+        expectNoneShared(plan, group);
+        EXPECT_EQ(plan.manifolds().size(), pairs > 2 ? pairs : 0);
+        EXPECT_EQ(plan.rowManifolds().size(), pairs > 2 ? 0 : pairs);
         dWorldDestroy(world);
     }
 }
 
 // Contacts between two bodies are a manifold; the ninth begins another one.
 TEST_F(ConstraintPlan, PutsContactsOfTwoBodiesTogether) {
+    for (const int pairs : {1, 8}) {
+        const dWorldID world = dWorldCreate();
+        for (int pair = 0; pair < pairs; ++pair) {
+            const dBodyID first = dBodyCreate(world), second = dBodyCreate(world);
+            for (int i = 0; i < 9; ++i) touch(world, first, second);
+            for (int i = 0; i < 3; ++i) touch(world, first, nullptr);
+        }
+        const Group group(world);
+        dxConstraintPlan plan;
+        plan.make(group.island());
+        EXPECT_EQ(plan.manifolds().empty(), pairs == 1);
+        EXPECT_EQ(plan.rowManifolds().empty(), pairs != 1);
+        std::vector<unsigned> counts, expected;
+        for (const dxConstraintPlan::Manifold &manifold : plan.manifolds()) counts.push_back(manifold.contactCount);
+        for (const dxConstraintPlan::Manifold &manifold : plan.rowManifolds()) counts.push_back(manifold.contactCount);
+        for (int pair = 0; pair < pairs; ++pair) expected.insert(expected.end(), {1, 3, 8});
+        std::sort(counts.begin(), counts.end());
+        std::sort(expected.begin(), expected.end());
+        EXPECT_EQ(counts, expected);
+        dWorldDestroy(world);
+    }
+}
+
+// Islands that follow one another in a group are told apart by what connects their bodies.
+TEST_F(ConstraintPlan, FindsIslands) {
     const dWorldID world = dWorldCreate();
-    const dBodyID first = dBodyCreate(world), second = dBodyCreate(world);
-    for (int i = 0; i < 9; ++i) touch(world, first, second);
-    for (int i = 0; i < 3; ++i) touch(world, first, nullptr);
+    std::vector<dBodyID> bodies;
+    for (int i = 0; i < 8; ++i) bodies.push_back(dBodyCreate(world));  // tags from the last one on
+    const auto body = [&](int tag) { return bodies[static_cast<std::size_t>(7 - tag)]; };
+    touch(world, body(0), body(2));
+    touch(world, body(1), body(2));
+    touch(world, body(3), nullptr);
+    const dJointID joint = dJointCreateBall(world, nullptr);
+    dJointAttach(joint, body(5), body(7));
+    touch(world, body(6), body(7));
     const Group group(world);
     dxConstraintPlan plan;
     plan.make(group.island());
-    std::vector<unsigned> counts;
-    for (const dxConstraintPlan::Manifold &manifold : plan.manifolds()) counts.push_back(manifold.contactCount);
-    std::sort(counts.begin(), counts.end());
-    EXPECT_EQ(counts, (std::vector<unsigned>{1, 3, 8}));
+    std::vector<std::pair<unsigned, unsigned>> islands;
+    for (const dxConstraintPlan::Island &island : plan.islands()) islands.emplace_back(island.firstBody, island.endBody);
+    EXPECT_EQ(islands, (std::vector<std::pair<unsigned, unsigned>>{{0, 3}, {3, 4}, {4, 5}, {5, 8}}));
+    for (const dxConstraintPlan::OtherJoint &other : plan.otherJoints()) {
+        const dxBody *const first = plan.jointOf(other)->node[0].body;
+        const dxConstraintPlan::Island &island = plan.islands().at(plan.islandOf(other));
+        EXPECT_LE(island.firstBody, static_cast<unsigned>(first->tag));
+        EXPECT_GT(island.endBody, static_cast<unsigned>(first->tag));
+    }
     dWorldDestroy(world);
 }
 

@@ -50,6 +50,7 @@ public:
 
     const std::vector<dxVelocity> &velocities() const { return m_velocities; }
     dxContactLanes &contact(unsigned i) { return m_contacts[i]; }
+    double energyOf(unsigned lane) const { return m_energies[0].lane[lane]; }
 
     bool has(unsigned lane, unsigned contact) const { return lane < 6 || (lane == 6 && contact + 1 < kContacts); }
 
@@ -232,6 +233,41 @@ TEST(ContactSweep, LeavesTheVelocitiesThatTheForcesGive) {
             const std::vector<dxVelocity> expected = pack.expectedVelocities();
             for (unsigned body = 0; body < Pack::kBodies; ++body)
                 for (int k = 0; k < 6; ++k) EXPECT_NEAR(pack.velocities()[body].columns[k], expected[body].columns[k], 1e-11);
+        }
+    });
+}
+
+// What impulses add to 1/2 u' M u + 1/2 p' softness p - wanted' p: their work on the mean of the velocities before and after them, less
+// what is wanted.
+TEST(ContactSweep, FindsTheEnergyOfAppliedImpulses) {
+    onAllInstructionSets([] {
+        for (unsigned seed = 0; seed < 20; ++seed) {
+            Pack pack(seed);
+            for (unsigned i = 0; i < Pack::kContacts; ++i)
+                for (int axis = 0; axis < 3; ++axis)
+                    for (unsigned lane = 0; lane < 7; ++lane)
+                        if (pack.has(lane, i)) pack.contact(i).impulse[axis].lane[lane] = 0.3 * axis - 0.05 * lane;
+            pack.prepare();
+            const std::vector<dxVelocity> before = pack.velocities();
+            const double found = pack.apply();
+            double sum = 0;
+            for (unsigned lane = 0; lane < 7; ++lane) {
+                double expected = 0;
+                for (unsigned i = 0; i < Pack::kContacts; ++i) {
+                    if (!pack.has(lane, i)) continue;
+                    const dxContactLanes &contact = pack.contact(i);
+                    for (unsigned row = 0; row < 3; ++row) {
+                        const double impulse = contact.impulse[row].lane[lane];
+                        const double mean = (pack.velocityAlong(before, lane, i, row) +
+                                             pack.velocityAlong(pack.velocities(), lane, i, row)) / 2;
+                        expected += impulse * (mean - contact.wanted[row].lane[lane] +
+                                               contact.softness[row].lane[lane] * impulse / 2);
+                    }
+                }
+                EXPECT_NEAR(pack.energyOf(lane), expected, 1e-11) << "lane " << lane;
+                sum += expected;
+            }
+            EXPECT_NEAR(found, sum, 1e-10);
         }
     });
 }

@@ -5,12 +5,17 @@
 
 #include <ode/ode.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <random>
 #include <vector>
+
+#include "config.h"
+#include "objects.h"
 
 #include "../frame/OdeSession.h"
 #include "instruction_sets.h"
@@ -300,6 +305,224 @@ TEST_F(IterativeStep, AForceFromAMovedCallbackActsInTheSameStep) {
         EXPECT_EQ(dBodyGetLinearVel(pushed)[0], isFirst ? 10 : 0);
         EXPECT_EQ(dBodyGetForce(pushed)[0], isFirst ? 0 : 1000);
         dWorldDestroy(world);
+    }
+}
+
+// Boxes over one another whose contacts do not depend on collision: the same in every world that is in the same state.
+class Tower {
+public:
+    Tower(dWorldID world, dJointGroupID contacts, int boxes, dReal x) : m_world(world), m_contacts(contacts), m_x(x) {
+        for (int i = 0; i < boxes; ++i) {
+            m_bodies.push_back(dBodyCreate(world));
+            dMass mass;
+            dMassSetBoxTotal(&mass, 1, 1, 1, 1);
+            dBodySetMass(m_bodies.back(), &mass);
+        }
+        setBack();
+    }
+
+    void setBack() {
+        for (std::size_t i = 0; i < m_bodies.size(); ++i) {
+            const dQuaternion upright = {1, 0, 0, 0};
+            dBodySetPosition(m_bodies[i], m_x, 0, dReal(0.5) + dReal(0.999) * dReal(i));
+            dBodySetQuaternion(m_bodies[i], upright);
+            dBodySetLinearVel(m_bodies[i], 0, 0, 0);
+            dBodySetAngularVel(m_bodies[i], 0, 0, 0);
+        }
+    }
+
+    void touch() const {
+        for (std::size_t i = 0; i < m_bodies.size(); ++i)
+            for (int corner = 0; corner < 4; ++corner) {
+                const dReal *const at = dBodyGetPosition(m_bodies[i]);
+                dContact contact = {};
+                contact.surface.mode = dContactApprox1;
+                contact.surface.mu = dReal(0.5);
+                contact.geom.normal[2] = 1;
+                contact.geom.depth = dReal(0.001);
+                contact.geom.pos[0] = at[0] + ((corner & 1) != 0 ? dReal(0.5) : dReal(-0.5));
+                contact.geom.pos[1] = at[1] + ((corner & 2) != 0 ? dReal(0.5) : dReal(-0.5));
+                contact.geom.pos[2] = at[2] - dReal(0.5);
+                dJointAttach(dJointCreateContact(m_world, m_contacts, &contact), m_bodies[i], i == 0 ? nullptr : m_bodies[i - 1]);
+            }
+    }
+
+    dBodyID top() const { return m_bodies.back(); }
+
+    std::vector<dReal> velocities() const {
+        std::vector<dReal> all;
+        for (const dBodyID body : m_bodies) {
+            all.insert(all.end(), dBodyGetLinearVel(body), dBodyGetLinearVel(body) + 3);
+            all.insert(all.end(), dBodyGetAngularVel(body), dBodyGetAngularVel(body) + 3);
+        }
+        return all;
+    }
+
+private:
+    dWorldID m_world;
+    dJointGroupID m_contacts;
+    dReal m_x;
+    std::vector<dBodyID> m_bodies;
+};
+
+// Two towers, which are solved together.
+class Towers {
+public:
+    explicit Towers(int boxes, const char *solver = "fast")
+        : m_world(dWorldCreate()),
+          m_contacts(dJointGroupCreate(0)),
+          first(m_world, m_contacts, boxes, 0),
+          second(m_world, m_contacts, boxes, 5) {
+        dODE_MT_SetSolver(m_world, solver);
+        dWorldSetGravity(m_world, 0, 0, -10);
+    }
+    ~Towers() {
+        dJointGroupDestroy(m_contacts);
+        dWorldDestroy(m_world);
+    }
+    Towers(const Towers &) = delete;
+    Towers &operator=(const Towers &) = delete;
+
+    void step(int count = 1) {
+        for (int i = 0; i < count; ++i) {
+            first.touch();
+            second.touch();
+            dWorldQuickStep(m_world, kStepSize);
+            dJointGroupEmpty(m_contacts);
+        }
+    }
+
+    dWorldID world() const { return m_world; }
+
+private:
+    dWorldID m_world;
+    dJointGroupID m_contacts;
+
+public:
+    Tower first, second;
+};
+
+// The forces of a blow are of no use after it. Another tower keeps its own. In lanes, and as rows.
+TEST_F(IterativeStep, ATowerThatIsSetBackStartsWithoutForces) {
+    for (const int boxes : {1, 10}) {
+        Towers fresh(boxes), used(boxes);
+        fresh.step();
+        used.step(40);
+        dBodySetLinearVel(used.first.top(), 0, 0, -100);
+        used.step();
+        used.first.setBack();
+        used.second.setBack();
+        used.step();
+        EXPECT_EQ(used.first.velocities(), fresh.first.velocities());
+        EXPECT_NE(used.second.velocities(), fresh.second.velocities());
+    }
+}
+
+// Contacts as rows begin with the last step's forces, too.
+TEST_F(IterativeStep, ContactsAsRowsStartWarm) {
+    std::vector<std::vector<dReal>> after;
+    for (const bool isWarm : {true, false}) {
+        Towers towers(1);
+        dODE_MT_SetWarmStart(towers.world(), isWarm);
+        towers.step(3);
+        towers.first.setBack();
+        towers.step();
+        after.push_back(towers.first.velocities());
+    }
+    EXPECT_NE(after[0], after[1]);
+}
+
+// However much energy another island of the group has.
+TEST_F(IterativeStep, AnIslandIsSolvedToItsOwnTolerance) {
+    std::vector<std::vector<dReal>> after;
+    for (const dReal blow : {0, -1000}) {
+        Towers towers(10);
+        dODE_MT_SetSolverTolerance(towers.world(), 1e-4);
+        dWorldSetQuickStepNumIterations(towers.world(), 500);
+        dBodySetLinearVel(towers.second.top(), 0, 0, blow);
+        towers.step();
+        after.push_back(towers.first.velocities());
+    }
+    // Both are within the tolerance of the solution.
+    for (std::size_t i = 0; i < after[0].size(); ++i) EXPECT_NEAR(after[0][i], after[1][i], 2e-4);
+}
+
+// Upstream multiplies infinity with no force, and finds no limit.
+TEST_F(IterativeStep, InfiniteFrictionHoldsWithoutPressure) {
+    for (const char *const solver : {"exact", "fast"}) {
+        const dWorldID world = dWorldCreate();
+        dODE_MT_SetSolver(world, solver);
+        dWorldSetQuickStepNumIterations(world, 100);
+        for (int i = 0; i < 8; ++i) {  // as many as lanes
+            const dBodyID body = dBodyCreate(world);
+            dBodySetLinearVel(body, 1, 0, 1);
+            dContact contact = {};
+            contact.surface.mode = dContactApprox1;
+            contact.surface.mu = dInfinity;
+            contact.geom.normal[2] = 1;
+            dJointAttach(dJointCreateContact(world, nullptr, &contact), body, nullptr);
+        }
+        dWorldQuickStep(world, kStepSize);
+        for (const dxBody *body = world->firstbody; body != nullptr; body = static_cast<const dxBody *>(body->next)) {
+            EXPECT_NEAR(body->lvel[0], 0, 1e-6) << solver;
+            EXPECT_NEAR(body->lvel[2], 1, 1e-6) << solver;
+        }
+        dWorldDestroy(world);
+    }
+}
+
+// Bodies with contacts on all sides and much friction: what over-relaxed sweeps may make grow without end.
+std::vector<dReal> clusterAfterStep(const char *solver, unsigned seed, int bodies, int contacts, dReal friction) {
+    std::mt19937 random(seed);
+    const auto number = [&random](double low, double high) {
+        return dReal(low + (high - low) * (static_cast<double>(random()) / 4294967296.0));
+    };
+    const dWorldID world = dWorldCreate();
+    dODE_MT_SetSolver(world, solver);
+    dWorldSetGravity(world, 0, 0, -10);
+    dWorldSetQuickStepNumIterations(world, 100);
+    std::vector<dBodyID> all;
+    for (int i = 0; i < bodies; ++i) {
+        all.push_back(dBodyCreate(world));
+        dMass mass;
+        dMassSetBoxTotal(&mass, 1, 1, 1, 1);
+        dBodySetMass(all.back(), &mass);
+        dBodySetPosition(all.back(), number(-0.7, 0.7), number(-0.7, 0.7), number(-0.7, 0.7));
+    }
+    for (int i = 0; i < contacts; ++i) {
+        const auto first = static_cast<std::size_t>(random() % static_cast<unsigned>(bodies)),
+                   second = static_cast<std::size_t>(random() % static_cast<unsigned>(bodies + 1));
+        const bool isOfTwo = second < all.size() && second != first;
+        dVector3 normal, arm;
+        for (int axis = 0; axis < 3; ++axis) {
+            arm[axis] = number(-0.6, 0.6);
+            normal[axis] = isOfTwo ? dBodyGetPosition(all[first])[axis] - dBodyGetPosition(all[second])[axis] : number(-1, 1);
+        }
+        dNormalize3(normal);
+        dContact contact = {};
+        contact.surface.mode = dContactApprox1 | dContactSoftCFM;
+        contact.surface.soft_cfm = dReal(1e-5);
+        contact.surface.mu = friction;
+        contact.geom.depth = dReal(0.005);
+        for (int axis = 0; axis < 3; ++axis) {
+            contact.geom.pos[axis] = dBodyGetPosition(all[first])[axis] + arm[axis];
+            contact.geom.normal[axis] = normal[axis];
+        }
+        dJointAttach(dJointCreateContact(world, nullptr, &contact), all[first], isOfTwo ? all[second] : nullptr);
+    }
+    dWorldQuickStep(world, kStepSize);
+    std::vector<dReal> speeds;
+    for (const dBodyID body : all)
+        for (int axis = 0; axis < 3; ++axis) speeds.push_back(std::fabs(dBodyGetLinearVel(body)[axis]));
+    dWorldDestroy(world);
+    return speeds;
+}
+
+TEST_F(IterativeStep, SweepsOfMuchFrictionDoNotGrow) {
+    for (unsigned seed = 0; seed < 1000; ++seed) {
+        const std::vector<dReal> fast = clusterAfterStep("fast", seed, 8, 50, 20), exact = clusterAfterStep("exact", seed, 8, 50, 20);
+        const dReal usual = *std::max_element(exact.begin(), exact.end());
+        for (const dReal speed : fast) ASSERT_LT(speed, 100 * (usual + 1)) << "seed " << seed;
     }
 }
 

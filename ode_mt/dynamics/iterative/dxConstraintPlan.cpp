@@ -71,6 +71,7 @@ unsigned dxConstraintPlan::colorOf(const int (&body)[2]) {
     const std::uint64_t free = ~used;
     const unsigned color = std::min(static_cast<unsigned>(__builtin_ctzll(free | std::uint64_t(1) << kLeftOver)), kLeftOver);
     if (color == kLeftOver) return color;
+    m_colorCount = std::max(m_colorCount, color + 1);
     for (const int end : body)
         if (end != kNoBody) m_used[static_cast<unsigned>(end)] |= std::uint64_t(1) << color;
     return color;
@@ -102,6 +103,7 @@ void dxConstraintPlan::findManifolds(const dxIsland &group, bool packsContacts) 
     m_manifolds.clear();
     m_rowManifolds.clear();
     m_others.clear();
+    m_colorCount = 0;
     std::vector<Manifold> *last = nullptr;
     const auto read = [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -157,20 +159,21 @@ bool dxConstraintPlan::fillsLanes() const {
 // By colour, those with many contacts first, so that packs have little to fill up.
 void dxConstraintPlan::placeManifolds() {
     constexpr unsigned kMost = dxContactPack::kMaxContacts;
-    unsigned place[kColors * kMost] = {};
+    unsigned place[kColors * kMost];
+    std::fill_n(place, m_colorCount * kMost, 0u);
     const auto placeOf = [&place](const Manifold &manifold) -> unsigned & {
         return place[manifold.color * kMost + (kMost - manifold.contactCount)];
     };
     for (const Manifold &manifold : m_manifolds) ++placeOf(manifold);
     unsigned packs = 0;
     constexpr unsigned kLanes = dxLanes::kCount;
-    for (unsigned color = 0; color < kColors; ++color) {
+    for (unsigned color = 0; color < m_colorCount; ++color) {
         m_firstPack[color] = packs;
         unsigned count = 0;
         for (unsigned i = 0; i < kMost; ++i) count += std::exchange(place[color * kMost + i], packs * kLanes + count);
         packs += (count + kLanes - 1) / kLanes;
     }
-    m_firstPack[kColors] = packs;
+    m_firstPack[m_colorCount] = packs;
     m_packs.clear();
     m_packs.resize(packs);
     for (Manifold &manifold : m_manifolds) {
@@ -188,17 +191,15 @@ void dxConstraintPlan::placeManifolds() {
 }
 
 void dxConstraintPlan::placeOthers() {
-    unsigned count[kColors + 2] = {};
     m_isSerial = m_others.size() <= kMaxSerial;
     m_othersByColor.resize(m_others.size());
-    for (const OtherJoint &other : m_others) ++count[other.color + 1];
-    for (unsigned color = 0; color <= kColors; ++color) {
-        m_firstOther[color] = count[color];
-        count[color + 1] += count[color];
-    }
-    m_firstOther[kColors + 1] = count[kColors + 1];
-    for (unsigned i = 0; i < m_others.size(); ++i) m_othersByColor[count[m_others[i].color]++] = i;
-    if (m_isSerial) std::fill(std::begin(m_firstOther), std::end(m_firstOther), 0u);  // of no phase of theirs
+    const auto placeOf = [this](unsigned color) { return color == kLeftOver ? m_colorCount : color; };
+    std::fill_n(m_firstOther, m_colorCount + 2, 0u);
+    for (const OtherJoint &other : m_others) ++m_firstOther[placeOf(other.color) + 1];
+    for (unsigned place = 0; place <= m_colorCount; ++place) m_firstOther[place + 1] += m_firstOther[place];
+    unsigned next[kColors + 1];
+    std::copy_n(m_firstOther, m_colorCount + 1, next);
+    for (unsigned i = 0; i < m_others.size(); ++i) m_othersByColor[next[placeOf(m_others[i].color)]++] = i;
 }
 
 void dxConstraintPlan::cutChunks() {
@@ -208,18 +209,17 @@ void dxConstraintPlan::cutChunks() {
         m_chunks.push_back({0, 0, 0, static_cast<unsigned>(m_others.size())});
         m_phases.push_back({0, 1});
     }
-    for (unsigned color = 0; color <= kColors; ++color) {
-        const unsigned firstChunk = static_cast<unsigned>(m_chunks.size());
-        const unsigned other = m_firstOther[color], endOther = m_firstOther[color + 1];
-        if (color == kLeftOver) {
-            if (other != endOther) m_chunks.push_back({0, 0, other, endOther});
-        } else {
-            const unsigned pack = m_firstPack[color], endPack = m_firstPack[color + 1];
-            for (unsigned i = pack; i < endPack; i += kPacksPerChunk)
-                m_chunks.push_back({i, std::min(i + kPacksPerChunk, endPack), other, other});
-            for (unsigned i = other; i < endOther; i += kOthersPerChunk)
-                m_chunks.push_back({endPack, endPack, i, std::min(i + kOthersPerChunk, endOther)});
-        }
+    for (unsigned color = 0; color < m_colorCount; ++color) {
+        const unsigned firstChunk = static_cast<unsigned>(m_chunks.size()), pack = m_firstPack[color],
+                       endPack = m_firstPack[color + 1], endOther = m_isSerial ? 0 : m_firstOther[color + 1];
+        for (unsigned i = pack; i < endPack; i += kPacksPerChunk)
+            m_chunks.push_back({i, std::min(i + kPacksPerChunk, endPack), 0, 0});
+        for (unsigned i = m_firstOther[color]; i < endOther; i += kOthersPerChunk)
+            m_chunks.push_back({0, 0, i, std::min(i + kOthersPerChunk, endOther)});
         if (m_chunks.size() != firstChunk) m_phases.push_back({firstChunk, static_cast<unsigned>(m_chunks.size())});
     }
+    const unsigned leftOver = m_firstOther[m_colorCount], count = static_cast<unsigned>(m_others.size());
+    if (m_isSerial || leftOver == count) return;
+    m_phases.push_back({static_cast<unsigned>(m_chunks.size()), static_cast<unsigned>(m_chunks.size()) + 1});
+    m_chunks.push_back({0, 0, leftOver, count});
 }

@@ -107,7 +107,8 @@ private:
     std::vector<dxContactPack> m_packs;
     std::vector<Chunk> m_chunks;
     std::vector<Phase> m_phases;
-    unsigned m_packedContacts = 0;
+    unsigned m_packedContacts = 0, m_colorCount = 0;
     bool m_isSerial = false;  // other joints
-    unsigned m_firstPack[kColors + 1] = {}, m_firstOther[kColors + 2] = {};
+    // By colour, and the end; of other joints, those left over come last.
+    unsigned m_firstPack[kColors + 1], m_firstOther[kColors + 2];
 };
