@@ -1,6 +1,7 @@
 #include "options.h"
 
 #include "error_output.h"
+#include "library_folders.h"
 #include "number_range.h"
 #include "result_file.h"
 #include "world_source.h"
@@ -57,21 +58,6 @@ std::string defaultThreads() {
     const unsigned cores = std::thread::hardware_concurrency();
     for (unsigned threads = 2; threads < cores; threads *= 2) list += "," + std::to_string(threads);
     return cores > 1 ? list + "," + std::to_string(cores) : list;
-}
-
-std::string folderOfThisProgram() { return std::filesystem::read_symlink("/proc/self/exe").parent_path(); }
-
-// Of this program's neighbours, in an installed tree as in a build folder; else the one it was built with.
-std::string folderOfOurLibrary() {
-    const std::filesystem::path above = std::filesystem::path(folderOfThisProgram()).parent_path();
-    for (const std::filesystem::path &folder : {above / "lib", above / ODEMT_SYSTEM_LIBRARIES})
-        if (std::filesystem::exists(folder / "libode.so.8")) return folder;
-    return ODEMT_OUR_FOLDER;
-}
-
-void checkFolder(const std::string &option, const std::string &folder) {
-    if (!std::filesystem::exists(std::filesystem::path(folder) / "libode.so.8"))
-        throw std::invalid_argument(option + ": no libode.so.8 in '" + folder + "'");
 }
 
 // The words of the command line that need more than conversion.
@@ -143,9 +129,9 @@ void interpret(const Words &words, Options &options) {
     options.engines = readEngines(split(words.engines), split(words.threads), words.manager);
     for (const Engine &engine : options.engines)
         if (engine.isOurs())
-            checkFolder("--our-library", options.child.oursFolder);
+            checkLibraryFolder("--our-library", options.child.oursFolder);
         else
-            checkFolder("--stock-library", options.child.stockFolder);
+            checkLibraryFolder("--stock-library", options.child.stockFolder);
     std::vector<std::string> files = {options.jsonFile, options.csvFile};
     if (!options.samplesFile.empty()) files.push_back(options.samplesFile);
     for (const std::string &world : options.worlds)
@@ -162,7 +148,7 @@ void interpret(const Words &words, Options &options) {
 std::optional<Options> readOptions(int argc, const char *const *argv, int &exitCode) {
     Options options;
     options.child.program = folderOfThisProgram() + "/odemt_bench_child";
-    options.child.stockFolder = ODEMT_STOCK_FOLDER;
+    options.child.stockFolder = folderOfStockLibrary();
     options.child.oursFolder = folderOfOurLibrary();
     options.jsonFile = "results/bench.json";
     options.csvFile = "results/bench.csv";

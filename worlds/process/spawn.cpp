@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstring>
 #include <stdexcept>
 
@@ -31,9 +32,22 @@ std::vector<char *> pointers(std::vector<std::string> &strings) {
     return result;
 }
 
+void leadGroup(posix_spawnattr_t &attributes) {
+    sigset_t all, none;
+    sigfillset(&all);
+    sigemptyset(&none);
+    posix_spawnattr_setpgroup(&attributes, 0);
+    posix_spawnattr_setsigdefault(&attributes, &all);
+    posix_spawnattr_setsigmask(&attributes, &none);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
+}
+
 }  // namespace
 
-pid_t spawn(const std::vector<std::string> &command, const Environment &changes, const StandardFiles &files) {
+pid_t spawn(const std::vector<std::string> &command, const Environment &changes, const StandardFiles &files, Group group) {
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    if (group == Group::Own) leadGroup(attributes);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     const auto give = [&](int file, int standardFile) {
@@ -44,9 +58,10 @@ pid_t spawn(const std::vector<std::string> &command, const Environment &changes,
     give(files.errors, STDERR_FILENO);
     std::vector<std::string> arguments = command, environment = changedEnvironment(changes);
     pid_t child = -1;
-    const int error = posix_spawn(&child, command[0].c_str(), &actions, nullptr, pointers(arguments).data(),
-                                  pointers(environment).data());
+    const int error = posix_spawnp(&child, command[0].c_str(), &actions, &attributes, pointers(arguments).data(),
+                                   pointers(environment).data());
     posix_spawn_file_actions_destroy(&actions);
+    posix_spawnattr_destroy(&attributes);
     if (error != 0) throw std::runtime_error("cannot start " + command[0] + ": " + std::strerror(error));
     return child;
 }

@@ -16,8 +16,12 @@ struct StandardFiles {
     int input = -1, output = -1, errors = -1;  // -1: this process's
 };
 
-// The program, by its path, and its arguments. Throws std::runtime_error, which names the program, if it cannot be started.
-pid_t spawn(const std::vector<std::string> &command, const Environment &changes, const StandardFiles &files);
+// Own: the process leads a process group, so that signals reach whatever it starts, and its signals are as a shell gives them.
+enum class Group { Ours, Own };
+
+// The program, by its path or by its name in PATH, and its arguments. Throws std::runtime_error, which names the program, if it cannot
+// be started.
+pid_t spawn(const std::vector<std::string> &command, const Environment &changes, const StandardFiles &files, Group group = Group::Ours);
 
 // "exit code 2", "signal 11 (Segmentation fault)". `status`: as waitpid gives it.
 std::string endingOf(int status);

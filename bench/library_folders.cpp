@@ -1,0 +1,24 @@
+#include "library_folders.h"
+
+#include <filesystem>
+#include <stdexcept>
+
+namespace bench {
+
+std::string folderOfThisProgram() { return std::filesystem::read_symlink("/proc/self/exe").parent_path(); }
+
+std::string folderOfStockLibrary() { return ODEMT_STOCK_FOLDER; }
+
+std::string folderOfOurLibrary() {
+    const std::filesystem::path above = std::filesystem::path(folderOfThisProgram()).parent_path();
+    for (const std::filesystem::path &folder : {above / "lib", above / ODEMT_SYSTEM_LIBRARIES})
+        if (std::filesystem::exists(folder / "libode.so.8")) return folder;
+    return ODEMT_OUR_FOLDER;
+}
+
+void checkLibraryFolder(const std::string &option, const std::string &folder) {
+    if (!std::filesystem::exists(std::filesystem::path(folder) / "libode.so.8"))
+        throw std::invalid_argument(option + ": no libode.so.8 in '" + folder + "'");
+}
+
+}  // namespace bench

@@ -1,0 +1,17 @@
+// Where the two libode.so.8 are that are compared.
+#pragma once
+
+#include <string>
+
+namespace bench {
+
+std::string folderOfThisProgram();
+
+std::string folderOfStockLibrary();
+// Of this program's neighbours, in an installed tree as in a build folder; else the one it was built with.
+std::string folderOfOurLibrary();
+
+// Throws std::invalid_argument, naming the option, if there is no libode.so.8 in its folder.
+void checkLibraryFolder(const std::string &option, const std::string &folder);
+
+}  // namespace bench
