@@ -1,0 +1,125 @@
+#include "check/check_options.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "comma_list.h"
+#include "error_output.h"
+#include "library_folders.h"
+#include "loader/load_error.h"
+#include "number_range.h"
+
+namespace check {
+
+namespace {
+
+const char *const kDescription =
+    "Runs a program on Debian's libode8 and on ODE_MT, unchanged, and says whether it computes the same: after each\n"
+    "step of each world the states of all bodies are compared, bit by bit.\n"
+    "\n"
+    "odemt_check [OPTIONS] -- PROGRAM [ARGUMENT...]\n";
+
+const char *const kFooter =
+    "\nThe program runs once on libode8 and once for each of --threads; if something differs, up to three times more,\n"
+    "to see whether it differs on libode8 as well, and in which values. Its standard input is read once and given to\n"
+    "all runs (a terminal is not: programs find its end there); what it prints is kept and compared, not shown.\n"
+    "Ctrl-C ends the run, and what was compared by then is told. Variables ODE_MT_... of the environment hold for the\n"
+    "runs on ODE_MT, but for ODE_MT_THREADS and ODE_MT_SOLVER.\n"
+    "\nExamples:\n"
+    "  odemt_check -- ./simulation --frames 500\n"
+    "  odemt_check --threads 0,2,auto -- /usr/bin/python3 script.py\n"
+    "  odemt_check --steps 1000 -- ./simulator-that-never-ends\n"
+    "\nThe exit code is 0 if all runs are equal, 1 if one differs, 2 if they could not be compared (the program makes no\n"
+    "step, does not use libode.so.8, is not reproducible itself, was interrupted) or for a wrong option.\n";
+
+const char *const kDebianPackage = "apt-get download libode8 && dpkg-deb -x libode8_*.deb stock";
+
+bool isThreadCount(const std::string &word) {
+    if (word == "auto") return true;
+    int number = -1;
+    const char *const end = word.data() + word.size();
+    const auto read = std::from_chars(word.data(), end, number);
+    return read.ec == std::errc() && read.ptr == end && number >= 0 && number <= 1024;
+}
+
+std::vector<std::string> readThreads(const std::string &list) {
+    std::vector<std::string> threads;
+    for (const std::string &word : bench::splitAtCommas(list)) {
+        if (!isThreadCount(word))
+            throw std::invalid_argument("--threads: " + worlds::quote(word) + " is neither a number from 0 to 1024 nor auto");
+        if (std::find(threads.begin(), threads.end(), word) == threads.end()) threads.push_back(word);
+    }
+    if (threads.empty()) throw std::invalid_argument("--threads: no numbers given");
+    return threads;
+}
+
+// Of the function's name, which programs that call it do not define.
+bool isOurs(const std::string &library) {
+    std::ifstream stream(library, std::ios::binary);
+    const std::string text((std::istreambuf_iterator<char>(stream)), {});
+    return text.find("dToggleODE_MT") != std::string::npos;
+}
+
+void checkLibraries(const CheckOptions &options) {
+    bench::checkLibraryFolder("--stock-library", options.stockFolder);
+    bench::checkLibraryFolder("--our-library", options.ourFolder);
+    const std::string stock = options.stockFolder + "/libode.so.8", ours = options.ourFolder + "/libode.so.8";
+    if (isOurs(stock))
+        throw std::invalid_argument("--stock-library: '" + stock +
+                                    "' is ODE_MT, as where the package libode8-mt is installed. For Debian's: " + kDebianPackage);
+    if (!isOurs(ours)) throw std::invalid_argument("--our-library: '" + ours + "' is not ODE_MT");
+}
+
+// Beside this program in a build folder, in a folder of its own beside the library in an installed tree.
+std::string findObserver(const CheckOptions &options) {
+    constexpr const char *kName = "libodemt_observer.so";
+    const std::string beside = bench::folderOfThisProgram() + '/' + kName, installed = options.ourFolder + "/ode_mt/" + kName;
+    for (const std::string &file : {beside, bench::folderOfOurLibrary() + "/ode_mt/" + kName, installed})
+        if (std::filesystem::exists(file)) return file;
+    throw std::invalid_argument(std::string(kName) + " is missing: neither '" + beside + "' nor '" + installed + "' exists");
+}
+
+}  // namespace
+
+std::optional<CheckOptions> readCheckOptions(int argc, const char *const *argv, int &exitCode) {
+    CheckOptions options;
+    options.stockFolder = bench::folderOfStockLibrary();
+    options.ourFolder = bench::folderOfOurLibrary();
+    std::string threads = "0,auto";
+    double seconds = 0;
+    CLI::App app(kDescription, "odemt_check");
+    app.footer(kFooter);
+    app.add_option("--threads", threads, "threads of the runs on ODE_MT: numbers from 0 to 1024, or auto")->capture_default_str();
+    app.add_option("--steps", options.steps, "end the program when a world has made so many steps")
+        ->check(bench::wholeNumberIn(1, 1'000'000'000));
+    app.add_option("--seconds", seconds, "end each run after so many seconds; steps that both runs made are compared")
+        ->check(bench::numberIn(1e-3, 1e6));
+    app.add_flag("--show-output", options.showOutput, "show what the program prints, on standard error, instead of comparing it");
+    app.add_flag("--json", options.isJson, "print a JSON object");
+    app.add_option("--stock-library", options.stockFolder, "folder of Debian's libode.so.8")->capture_default_str();
+    app.add_option("--our-library", options.ourFolder, "folder of ODE_MT's libode.so.8")->capture_default_str();
+    const char *const *const end = argv + argc;
+    const char *const *const dashes = std::find_if(argv + 1, end, [](const char *word) { return std::strcmp(word, "--") == 0; });
+    try {
+        app.parse(static_cast<int>(dashes - argv), argv);
+        if (dashes != end) options.command.assign(dashes + 1, end);
+        if (options.command.empty() || options.command[0].empty())
+            throw std::invalid_argument("no program given: odemt_check [OPTIONS] -- PROGRAM [ARGUMENT...]");
+        options.threads = readThreads(threads);
+        options.limit = std::chrono::milliseconds(static_cast<long>(1000 * seconds));
+        checkLibraries(options);
+        options.observer = findObserver(options);
+        return options;
+    } catch (const CLI::ParseError &error) {
+        exitCode = bench::exitCodeOf(app, error);
+    } catch (const std::exception &error) {
+        exitCode = bench::printOptionError(error.what());
+    }
+    return std::nullopt;
+}
+
+}  // namespace check

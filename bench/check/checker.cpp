@@ -1,0 +1,194 @@
+#include "check/checker.h"
+
+#include "check/comparison.h"
+#include "check/unseen.h"
+#include "number_text.h"
+
+namespace check {
+
+namespace {
+
+using Verdict = CheckResult::Verdict;
+
+std::string counted(std::uint64_t number, const char *thing) {
+    return std::to_string(number) + ' ' + thing + (number == 1 ? "" : "s");
+}
+
+Engine ours(const std::string &threads) {
+    return {"ODE_MT, " + (threads == "auto" ? "all cores" : threads + (threads == "1" ? " thread" : " threads")), threads};
+}
+
+// What a difference of steps looks like from outside.
+std::string textOf(const FirstDifference &first, const Play &left, const Play &right) {
+    const WorldRecord *const leftWorld = first.worlds.left, *const rightWorld = first.worlds.right;
+    const std::string world = leftWorld != nullptr ? nameOfWorld(left, leftWorld->name) : nameOfWorld(right, rightWorld->name);
+    if (leftWorld == nullptr || rightWorld == nullptr)
+        return "only " + (leftWorld != nullptr ? left : right).engine.name + " steps " + world;
+    if (first.kind == FirstDifference::Kind::State)
+        return world + " differs at step " + std::to_string(first.step) + (first.step == 1 ? ", its first" : " for the first time");
+    return world + " makes " + counted(leftWorld->lastStep(), "step") + " on " + left.engine.name + ", " +
+           std::to_string(rightWorld->lastStep()) + " on " + right.engine.name;
+}
+
+class Checker {
+public:
+    explicit Checker(const CheckOptions &options) : m_options(options), m_player(options) {}
+
+    CheckResult check() {
+        const Play stock = play({"libode8", ""});
+        addEngine(stock, "");
+        if (m_wasInterrupted) return notCompared("Interrupted during the first run: there is nothing to compare it with.");
+        if (const auto reason = whyNoSteps(stock, m_options.command[0])) return notCompared(*reason);
+        if (const auto reason = whyWrongLibrary(stock)) return notCompared(*reason);
+        for (const std::string &threads : m_options.threads) {
+            const Play other = play(ours(threads));
+            if (const auto reason = whyWrongLibrary(other)) return notCompared(*reason);
+            compare(stock, other);
+            if (m_isOver || m_wasInterrupted) return m_result;
+        }
+        conclude(stock);
+        return m_result;
+    }
+
+private:
+    Play play(const Engine &engine, std::uint64_t dumpStep = 0) {
+        Play play = m_player.play(engine, dumpStep);
+        if (play.run.end == ProgramRun::End::Interrupt) m_wasInterrupted = true;
+        return play;
+    }
+
+    void addEngine(const Play &play, const std::string &result) {
+        const RunRecord &record = play.record;
+        m_result.engines.push_back({play.engine.name, record.processes.empty() ? "" : record.processes[0].library, play.ending(),
+                                    play.run.seconds, record.stepSeconds(), record.observerSeconds(), record.steps(), result});
+    }
+
+    CheckResult notCompared(const std::string &sentence) {
+        m_result.verdict = Verdict::NotCompared;
+        m_result.sentence = sentence;
+        m_isOver = true;
+        return m_result;
+    }
+
+    void remark(const std::optional<std::string> &sentence) {
+        if (sentence) m_result.remarks.push_back(*sentence);
+    }
+
+    // The first number of threads with a difference is looked into.
+    void compare(const Play &stock, const Play &other) {
+        const PlayComparison comparison = comparePlays(stock, other, m_options.steps);
+        addEngine(other, resultOf(comparison));
+        const std::uint64_t equalSteps = comparison.steps.equalSteps;
+        if (m_result.engines.size() == 2 || equalSteps < m_result.steps) m_result.steps = equalSteps;
+        m_result.worlds = comparison.steps.worlds;
+        m_result.bodies = comparison.steps.bodies;
+        if (m_result.verdict == Verdict::Different) return;
+        if (!comparison.isEqual()) return investigate(stock, other, comparison);
+        remark(comparison.output);
+        if (m_wasInterrupted)
+            notCompared("Interrupted: equal for the " + counted(equalSteps, "step") + " that both libode8 and " +
+                        other.engine.name + " had made by then.");
+    }
+
+    static std::string resultOf(const PlayComparison &comparison) {
+        const auto &first = comparison.steps.first;
+        if (first && first->kind == FirstDifference::Kind::State) return "differs at step " + std::to_string(first->step);
+        if (first) return "other steps";
+        return comparison.ending ? "ends differently" : comparison.messages ? "other messages" : "equal";
+    }
+
+    // Whether the program differs from itself, or else in which values from libode8.
+    void investigate(const Play &stock, const Play &other, const PlayComparison &comparison) {
+        const auto &first = comparison.steps.first;
+        const bool hasStates = first && first->kind == FirstDifference::Kind::State;
+        const std::uint64_t step = hasStates ? first->step : 0;
+        if (m_wasInterrupted) return differ(stock, other, comparison, std::nullopt);
+        const Play again = play(stock.engine, step);
+        if (m_wasInterrupted) return differ(stock, other, comparison, std::nullopt);
+        const PlayComparison itself = comparePlays(stock, again, m_options.steps);
+        if (!itself.isEqual()) return notReproducible(stock, again, itself, hasStates ? 0 : comparison.steps.equalSteps);
+        if (!hasStates) return differ(stock, other, comparison, std::nullopt);
+        const Play repeated = play(other.engine, step);
+        const auto values = findValues(again, repeated, step);
+        if (!values && !m_wasInterrupted)
+            remark("Another run on " + other.engine.name + " did not differ in the same way" + otherStep(again, repeated) +
+                   ": what differs depends on time or chance.");
+        differ(stock, other, comparison, values);
+    }
+
+    std::string otherStep(const Play &left, const Play &right) const {
+        const auto first = comparePlays(left, right, m_options.steps).steps.first;
+        return first ? ", but at step " + std::to_string(first->step) : "";
+    }
+
+    void differ(const Play &stock, const Play &other, const PlayComparison &comparison,
+                const std::optional<StateDifference> &values) {
+        m_result.verdict = Verdict::Different;
+        const auto &first = comparison.steps.first;
+        m_result.sentence = "Different on " + other.engine.name + ": " +
+                            (first               ? textOf(*first, stock, other) + '.'
+                             : comparison.ending ? *comparison.ending
+                                                 : *comparison.messages) +
+                            " Equal before: " + counted(comparison.steps.equalSteps, "step") + '.';
+        if (first) remark(comparison.ending);
+        if (first || comparison.ending) remark(comparison.messages);
+        const std::string words = other.run.errors.lastLines(3);
+        if (comparison.ending && !words.empty()) remark(other.engine.name + " says at the end: " + words);
+        if (!comparison.ending) remark(comparison.output);
+        if (first) setFinding(other.engine.name, *first, stock, other, values);
+    }
+
+    void setFinding(const std::string &engine, const FirstDifference &first, const Play &left, const Play &right,
+                    const std::optional<StateDifference> &values) {
+        const bool isLeft = first.worlds.left != nullptr;
+        const WorldRecord *const world = isLeft ? first.worlds.left : first.worlds.right;
+        m_result.finding = Finding{engine, first.step, nameOfWorld(isLeft ? left : right, world->name), values};
+    }
+
+    // Two plays that both keep the states behind the step say in which values. `equalSteps`: which ODE_MT has made as well, and no
+    // other.
+    void notReproducible(const Play &stock, const Play &again, const PlayComparison &itself, std::uint64_t equalSteps) {
+        const auto &first = itself.steps.first;
+        const std::string what = first ? "a second run on libode8 is not like the first: " + textOf(*first, stock, again) + '.'
+                                 : itself.ending ? "two runs on libode8 end in different ways: " + *itself.ending
+                                                 : "two runs on libode8 differ. " + *itself.messages;
+        notCompared("The program itself is not reproducible: " + what);
+        if (!first || first->kind != FirstDifference::Kind::State) {
+            if (equalSteps > 0)
+                remark("The states are the same on ODE_MT as far as its run and the first one go: " + counted(equalSteps, "step") +
+                       '.');
+            return;
+        }
+        remark(
+            "Nothing can be said about ODE_MT then. Usual reasons: step sizes measured with a clock, random numbers without a "
+            "seed.");
+        std::optional<StateDifference> values;
+        const Play left = play(stock.engine, first->step);
+        if (!m_wasInterrupted) values = findValues(left, play(stock.engine, first->step), first->step);
+        setFinding("libode8", *first, stock, again, values);
+    }
+
+    void conclude(const Play &stock) {
+        if (m_result.verdict == Verdict::Different) return;
+        m_result.verdict = Verdict::Equal;
+        m_result.sentence = "Equal for " + counted(m_result.steps, "step") + ": the states of " +
+                            (m_result.bodies == 1 ? "1 body" : std::to_string(m_result.bodies) + " bodies") + " in " +
+                            counted(m_result.worlds, "world") + " are the same in every bit.";
+        if (stock.wasEnded())
+            remark("Runs were ended after " + bench::numberText(1e-3 * static_cast<double>(m_options.limit.count())) +
+                   " s: steps that both had made were compared.");
+        else if (stock.run.status != 0)
+            remark("The program ends with " + stock.ending() + ", on both libraries.");
+    }
+
+    const CheckOptions &m_options;
+    Player m_player;
+    CheckResult m_result;
+    bool m_isOver = false, m_wasInterrupted = false;
+};
+
+}  // namespace
+
+CheckResult check(const CheckOptions &options) { return Checker(options).check(); }
+
+}  // namespace check

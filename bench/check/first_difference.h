@@ -1,0 +1,42 @@
+// Where two runs of a program differ first.
+//
+// Worlds are paired by what they did, as threads and processes may make them in another order each time: those whose steps are all
+// the same first, the others with the world of the same number, or else with the one that agrees with them for most steps.
+#pragma once
+
+#include <optional>
+
+#include "check/run_record.h"
+
+namespace check {
+
+struct WorldPair {
+    const WorldRecord *left = nullptr, *right = nullptr;  // null: only the other run has it
+};
+
+std::vector<WorldPair> pairWorlds(const RunRecord &left, const RunRecord &right);
+
+struct FirstDifference {
+    enum class Kind {
+        State,    // behind this step
+        LeftEnd,  // the left run has no such step
+        RightEnd
+    };
+
+    Kind kind;
+    std::uint64_t step;
+    WorldPair worlds;
+};
+
+struct Comparison {
+    std::uint64_t equalSteps = 0;  // of all worlds, each up to where it differs
+    std::uint64_t worlds = 0, bodies = 0;
+    std::optional<FirstDifference> first;  // with the lowest step
+};
+
+// Ends::ignored: runs that were ended from outside; only steps that both made are compared.
+enum class Ends { compared, ignored };
+
+Comparison compareRuns(const RunRecord &left, const RunRecord &right, Ends ends);
+
+}  // namespace check

@@ -1,0 +1,58 @@
+// Plays of a program: runs of it on one library, under the observer, with what was recorded of each.
+#pragma once
+
+#include "check/check_options.h"
+#include "check/program_run.h"
+#include "check/run_record.h"
+
+namespace check {
+
+struct Engine {
+    std::string name;     // "libode8", "ODE_MT, 2 threads"
+    std::string threads;  // of ODE_MT; empty: Debian's libode8
+
+    bool isOurs() const { return !threads.empty(); }
+};
+
+struct Play {
+    Engine engine;
+    std::string folder;  // of the record
+    ProgramRun run;
+    RunRecord record;
+
+    std::string ending() const { return process::endingOf(run.status); }
+    bool wasEnded() const { return run.end != ProgramRun::End::Itself; }
+};
+
+// A folder of its own that goes away with its contents. Its path has no character that separates paths for the loader.
+class RunFolder {
+public:
+    RunFolder();
+    ~RunFolder();
+    RunFolder(const RunFolder &) = delete;
+    RunFolder &operator=(const RunFolder &) = delete;
+
+    const std::string &path() const { return m_path; }
+
+private:
+    std::string m_path;
+};
+
+class Player {
+public:
+    explicit Player(const CheckOptions &options);
+
+    // `dumpStep`: the step behind which states are kept; 0: none. Throws std::runtime_error if the program cannot be started.
+    Play play(const Engine &engine, std::uint64_t dumpStep = 0);
+
+private:
+    process::Environment environment(const Engine &engine, const std::string &recordFolder, std::uint64_t dumpStep) const;
+    std::string libraryFolder(const Engine &engine) const { return m_folder.path() + (engine.isOurs() ? "/ours" : "/stock"); }
+
+    const CheckOptions &m_options;
+    RunFolder m_folder;
+    ProgramInput m_input;
+    int m_plays = 0;
+};
+
+}  // namespace check

@@ -1,0 +1,172 @@
+#include "check/program_run.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+#include "check/interrupt.h"
+
+namespace check {
+
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+class File {
+public:
+    explicit File(int number = -1) : m_number(number) {}
+    File(File &&other) noexcept : m_number(other.m_number) { other.m_number = -1; }
+    File &operator=(File &&other) noexcept {
+        std::swap(m_number, other.m_number);
+        return *this;
+    }
+    ~File() { close(); }
+
+    int number() const { return m_number; }
+    void close() {
+        if (m_number >= 0) ::close(m_number);
+        m_number = -1;
+    }
+
+private:
+    int m_number;  // -1: none
+};
+
+struct Pipe {
+    File reading, writing;
+
+    Pipe() {
+        int ends[2];
+        if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error(std::string("cannot make a pipe: ") + std::strerror(errno));
+        reading = File(ends[0]);
+        writing = File(ends[1]);
+    }
+};
+
+void neverWait(const File &file) { fcntl(file.number(), F_SETFL, fcntl(file.number(), F_GETFL) | O_NONBLOCK); }
+
+class Runner {
+public:
+    Runner(const RunSettings &settings, ProgramInput &input) : m_settings(settings), m_input(input) {}
+
+    ProgramRun run() {
+        start();
+        while (!hasEnded()) {
+            askToEnd();
+            exchange(waitingTime());
+        }
+        m_run.seconds = std::chrono::duration<double>(m_end - m_start).count();
+        endGroup();
+        for (const Clock::time_point limit = Clock::now() + 1s; isListening() && Clock::now() < limit;) exchange(50ms);
+        m_input.end();
+        return std::move(m_run);
+    }
+
+private:
+    void start() {
+        Pipe in, out, errors;
+        File nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
+        const bool isShown = m_settings.showOutput;
+        const process::StandardFiles files = {m_input.isEmpty() ? nothing.number() : in.reading.number(),
+                                              isShown ? STDERR_FILENO : out.writing.number(),
+                                              isShown ? -1 : errors.writing.number()};
+        m_interruptsBefore = interrupts();
+        m_start = Clock::now();
+        m_child = process::spawn(m_settings.command, m_settings.environment, files, process::Group::Own);
+        if (!m_input.isEmpty()) m_toChild = std::move(in.writing);
+        m_output = std::move(out.reading);
+        m_errors = std::move(errors.reading);
+        for (const File *const file : {&m_toChild, &m_output, &m_errors})
+            if (file->number() >= 0) neverWait(*file);
+    }
+
+    bool hasEnded() {
+        if (waitpid(m_child, &m_run.status, WNOHANG) != m_child) return false;
+        m_end = Clock::now();
+        return true;
+    }
+
+    // First politely; whoever asks twice, or does not want to wait, is obeyed at once.
+    void askToEnd() {
+        const int asked = interrupts() - m_interruptsBefore;
+        const bool isLate = m_settings.limit.count() > 0 && Clock::now() - m_start > m_settings.limit;
+        if (asked == 0 && !isLate) return;
+        if (m_run.end == ProgramRun::End::Itself) {
+            m_run.end = asked > 0 ? ProgramRun::End::Interrupt : ProgramRun::End::Limit;
+            m_asked = Clock::now();
+            kill(-m_child, asked > 0 ? SIGINT : SIGTERM);
+        } else if (asked > 1 || (m_run.end == ProgramRun::End::Limit && Clock::now() - m_asked > 2s)) {
+            kill(-m_child, SIGKILL);
+        }
+    }
+
+    // Signals end the wait, a child's end among them.
+    std::chrono::milliseconds waitingTime() const {
+        if (m_run.end != ProgramRun::End::Itself) return 50ms;
+        if (m_settings.limit.count() == 0) return 1h;
+        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(m_settings.limit - (Clock::now() - m_start));
+        return std::clamp<std::chrono::milliseconds>(left + 1ms, 0ms, 1h);
+    }
+
+    bool isListening() const { return m_output.number() >= 0 || m_errors.number() >= 0; }
+
+    void exchange(std::chrono::milliseconds most) {
+        const bool isGiving = m_toChild.number() >= 0, hasMore = m_given < m_input.text().size();
+        if (isGiving && !hasMore && m_input.isEnded()) m_toChild.close();
+        pollfd files[] = {{m_output.number(), POLLIN, 0},
+                          {m_errors.number(), POLLIN, 0},
+                          {hasMore ? m_toChild.number() : -1, POLLOUT, 0},
+                          {isGiving && !hasMore ? m_input.source() : -1, POLLIN, 0}};
+        const timespec limit = {most.count() / 1000, most.count() % 1000 * 1'000'000};
+        if (ppoll(files, 4, &limit, &waitingMask()) <= 0) return;
+        if (files[0].revents != 0) listen(m_output, m_run.output);
+        if (files[1].revents != 0) listen(m_errors, m_run.errors);
+        if (files[2].revents != 0) give();
+        if (files[3].revents != 0) m_input.readSource();
+    }
+
+    static void listen(File &file, ProgramOutput &to) {
+        char bytes[1 << 16];
+        const ssize_t count = read(file.number(), bytes, sizeof bytes);
+        if (count > 0)
+            to.append(bytes, static_cast<std::size_t>(count));
+        else if (count == 0 || (errno != EINTR && errno != EAGAIN))
+            file.close();
+    }
+
+    void give() {
+        const ssize_t count = write(m_toChild.number(), m_input.text().data() + m_given, m_input.text().size() - m_given);
+        if (count > 0)
+            m_given += static_cast<std::size_t>(count);
+        else if (errno != EINTR && errno != EAGAIN)
+            m_toChild.close();  // it reads no more
+    }
+
+    void endGroup() {
+        if (kill(-m_child, SIGTERM) != 0) return;
+        for (const Clock::time_point limit = Clock::now() + 1s; Clock::now() < limit && kill(-m_child, 0) == 0;) exchange(20ms);
+        kill(-m_child, SIGKILL);
+    }
+
+    const RunSettings &m_settings;
+    ProgramInput &m_input;
+    std::size_t m_given = 0;  // bytes of the input
+    ProgramRun m_run;
+    pid_t m_child = -1;
+    int m_interruptsBefore = 0;
+    Clock::time_point m_start, m_end, m_asked;
+    File m_toChild, m_output, m_errors;
+};
+
+}  // namespace
+
+ProgramRun runProgram(const RunSettings &settings, ProgramInput &input) { return Runner(settings, input).run(); }
+
+}  // namespace check

@@ -1,0 +1,94 @@
+// How the worlds of two runs are paired, and which difference is the first.
+#include "check/first_difference.h"
+
+#include <gtest/gtest.h>
+
+namespace check {
+
+namespace {
+
+using Kind = FirstDifference::Kind;
+
+WorldRecord world(WorldName name, std::vector<std::uint64_t> hashes, std::uint64_t firstStep = 1) {
+    return {name, firstStep, std::move(hashes), 3};
+}
+
+RunRecord run(std::vector<WorldRecord> worlds) {
+    RunRecord record;
+    record.worlds = std::move(worlds);
+    return record;
+}
+
+TEST(FirstDifference, RunsThatAreTheSameHaveNone) {
+    const RunRecord a = run({world({0, 0}, {1, 2, 3}), world({1, 0}, {7})});
+    const Comparison comparison = compareRuns(a, a, Ends::compared);
+    EXPECT_FALSE(comparison.first);
+    EXPECT_EQ(comparison.equalSteps, 4u);
+    EXPECT_EQ(comparison.worlds, 2u);
+    EXPECT_EQ(comparison.bodies, 6u);
+}
+
+TEST(FirstDifference, IsTheLowestStepOfAllWorlds) {
+    const Comparison comparison = compareRuns(run({world({0, 0}, {1, 2, 3}), world({0, 1}, {5, 6, 7})}),
+                                              run({world({0, 0}, {1, 2, 9}), world({0, 1}, {5, 8, 7})}), Ends::compared);
+    ASSERT_TRUE(comparison.first);
+    EXPECT_EQ(comparison.first->kind, Kind::State);
+    EXPECT_EQ(comparison.first->step, 2u);
+    EXPECT_EQ(comparison.first->worlds.left->name.world, 1u);
+    EXPECT_EQ(comparison.equalSteps, 3u);
+}
+
+TEST(FirstDifference, WorldsInAnotherOrderAreTheSame) {
+    const RunRecord left = run({world({0, 0}, {1, 2}), world({0, 1}, {3, 4})}),
+                    right = run({world({0, 0}, {3, 4}), world({0, 1}, {1, 2})});
+    EXPECT_FALSE(compareRuns(left, right, Ends::compared).first);
+}
+
+TEST(FirstDifference, WorldsInAnotherOrderArePairedByWhatTheyShare) {
+    const RunRecord left = run({world({0, 0}, {1, 2, 3}), world({0, 1}, {4, 5, 6})}),
+                    right = run({world({0, 0}, {4, 5, 60}), world({0, 1}, {1, 20, 30})});
+    const Comparison comparison = compareRuns(left, right, Ends::compared);
+    ASSERT_TRUE(comparison.first);
+    EXPECT_EQ(comparison.first->step, 2u);
+    EXPECT_EQ(comparison.first->worlds.left->name.world, 0u);
+    EXPECT_EQ(comparison.first->worlds.right->name.world, 1u);
+    EXPECT_EQ(comparison.equalSteps, 3u);
+}
+
+TEST(FirstDifference, OfTwoWorldsThatDoTheSameEachHasAPartner) {
+    const RunRecord left = run({world({0, 0}, {1}), world({0, 1}, {1})}), right = run({world({0, 0}, {1}), world({0, 1}, {2})});
+    const Comparison comparison = compareRuns(left, right, Ends::compared);
+    ASSERT_TRUE(comparison.first);
+    EXPECT_EQ(comparison.first->worlds.left->name.world, 1u);
+    EXPECT_EQ(comparison.first->worlds.right->name.world, 1u);
+}
+
+TEST(FirstDifference, AnEndIsOneUnlessItCameFromOutside) {
+    const RunRecord left = run({world({0, 0}, {1, 2, 3})}), right = run({world({0, 0}, {1, 2})});
+    const Comparison comparison = compareRuns(left, right, Ends::compared);
+    ASSERT_TRUE(comparison.first);
+    EXPECT_EQ(comparison.first->kind, Kind::RightEnd);
+    EXPECT_EQ(comparison.first->step, 3u);
+    EXPECT_EQ(compareRuns(right, left, Ends::compared).first->kind, Kind::LeftEnd);
+    EXPECT_FALSE(compareRuns(left, right, Ends::ignored).first);
+}
+
+TEST(FirstDifference, AWorldOfOneRunAloneIsOne) {
+    const RunRecord left = run({world({0, 0}, {1})}), right = run({world({0, 0}, {1}), world({0, 1}, {2})});
+    const Comparison comparison = compareRuns(left, right, Ends::compared);
+    ASSERT_TRUE(comparison.first);
+    EXPECT_EQ(comparison.first->worlds.left, nullptr);
+    EXPECT_EQ(comparison.first->worlds.right->name.world, 1u);
+    EXPECT_FALSE(compareRuns(left, right, Ends::ignored).first);
+}
+
+// In the child of a fork they begin behind those of its parent.
+TEST(FirstDifference, StepsKeepTheirNumbersInAnotherProcess) {
+    const RunRecord left = run({world({0, 0}, {1, 2}), world({1, 0}, {3, 4}, 3)}),
+                    right = run({world({0, 0}, {1, 2}), world({1, 0}, {3, 5}, 3)});
+    EXPECT_EQ(compareRuns(left, right, Ends::compared).first->step, 4u);
+}
+
+}  // namespace
+
+}  // namespace check

@@ -1,0 +1,2 @@
+/* A program without ODE. */
+int main(void) { return 0; }
