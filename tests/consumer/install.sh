@@ -41,5 +41,7 @@ fi
 if [ -x "$prefix/bin/odemt_info" ]; then
     "$prefix/bin/odemt_info" | grep -q "^library  *$(readlink -f "$lib/libode.so.8")$" || fail "odemt_info: $("$prefix/bin/odemt_info")"
     "$prefix/bin/odemt_info" --json | "$PYTHON" -c 'import json, sys; assert json.load(sys.stdin)["precision"] == "'"${PRECISION#d}"'".lower()'
+    [ -f "$lib/ode_mt/libodemt_observer.so" ] || fail "odemt_check has no observer"
+    "$prefix/bin/odemt_check" -- sh -c true | grep -q "^No process of 'sh' uses libode.so.8" || fail "odemt_check does not observe"
     "$prefix/bin/odemt_bench" --list | grep -q "^SDF worlds in $(readlink -f "$prefix")/share/ode_mt/worlds" || fail "odemt_bench finds other worlds"
 fi

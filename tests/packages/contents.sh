@@ -28,5 +28,6 @@ expect "flags" "$(PKG_CONFIG_PATH=$headers/$LIB/pkgconfig pkg-config --libs --de
 if [ "$PRECISION" = double ]; then
     if readelf -d "$(unpacked libode-mt-tools)"/usr/bin/* | grep -E 'R(UN)?PATH'; then fail "a tool looks for libraries in a folder of its own"; fi
     [ -f "$(unpacked libode-mt-tools)/usr/share/ode_mt/worlds/create.sdf" ] || fail "no worlds"
+    [ -f "$(unpacked libode-mt-tools)/$LIB/ode_mt/libodemt_observer.so" ] || fail "no observer for odemt_check"
     [ -f "$(unpacked libode-mt-doc)/usr/share/doc/libode-mt-doc/docs/README.md" ] || fail "no documentation"
 fi
