@@ -30,6 +30,13 @@ std::string textOf(const FirstDifference &first, const Play &left, const Play &r
            std::to_string(rightWorld->lastStep()) + " on " + right.engine.name;
 }
 
+// Where a difference of states is seen first; empty: it was not seen again.
+std::string placeOf(const std::optional<StateDifference> &values) {
+    if (!values) return "";
+    const ValueDifference &value = values->values.front();
+    return ", in " + value.field + (value.body ? " of body " + std::to_string(*value.body) : "");
+}
+
 class Checker {
 public:
     explicit Checker(const CheckOptions &options) : m_options(options), m_player(options) {}
@@ -60,7 +67,8 @@ private:
     void addEngine(const Play &play, const std::string &result) {
         const RunRecord &record = play.record;
         m_result.engines.push_back({play.engine.name, record.processes.empty() ? "" : record.processes[0].library, play.ending(),
-                                    play.run.seconds, record.stepSeconds(), record.observerSeconds(), record.steps(), result});
+                                    play.run.seconds, play.run.cpuSeconds, record.stepSeconds(), record.observerSeconds(),
+                                    record.steps(), result});
     }
 
     CheckResult notCompared(const std::string &sentence) {
@@ -103,7 +111,7 @@ private:
         const bool hasStates = first && first->kind == FirstDifference::Kind::State;
         const std::uint64_t step = hasStates ? first->step : 0;
         if (m_wasInterrupted) return differ(stock, other, comparison, std::nullopt);
-        const Play again = play(stock.engine, step);
+        const Play again = play({"libode8 again", ""}, step);
         if (m_wasInterrupted) return differ(stock, other, comparison, std::nullopt);
         const PlayComparison itself = comparePlays(stock, again, m_options.steps);
         if (!itself.isEqual()) return notReproducible(stock, again, itself, hasStates ? 0 : comparison.steps.equalSteps);
@@ -126,7 +134,7 @@ private:
         m_result.verdict = Verdict::Different;
         const auto &first = comparison.steps.first;
         m_result.sentence = "Different on " + other.engine.name + ": " +
-                            (first               ? textOf(*first, stock, other) + '.'
+                            (first               ? textOf(*first, stock, other) + placeOf(values) + '.'
                              : comparison.ending ? *comparison.ending
                                                  : *comparison.messages) +
                             " Equal before: " + counted(comparison.steps.equalSteps, "step") + '.';
@@ -149,22 +157,24 @@ private:
     // other.
     void notReproducible(const Play &stock, const Play &again, const PlayComparison &itself, std::uint64_t equalSteps) {
         const auto &first = itself.steps.first;
-        const std::string what = first ? "a second run on libode8 is not like the first: " + textOf(*first, stock, again) + '.'
-                                 : itself.ending ? "two runs on libode8 end in different ways: " + *itself.ending
-                                                 : "two runs on libode8 differ. " + *itself.messages;
-        notCompared("The program itself is not reproducible: " + what);
+        notCompared("The program itself is not reproducible: two runs on libode8 " +
+                    (first           ? "differ: " + textOf(*first, stock, again)
+                     : itself.ending ? "end in different ways: " + *itself.ending
+                                     : "differ: " + *itself.messages));
         if (!first || first->kind != FirstDifference::Kind::State) {
+            if (first) m_result.sentence += '.';
             if (equalSteps > 0)
                 remark("The states are the same on ODE_MT as far as its run and the first one go: " + counted(equalSteps, "step") +
                        '.');
             return;
         }
-        remark(
-            "Nothing can be said about ODE_MT then. Usual reasons: step sizes measured with a clock, random numbers without a "
-            "seed.");
         std::optional<StateDifference> values;
         const Play left = play(stock.engine, first->step);
         if (!m_wasInterrupted) values = findValues(left, play(stock.engine, first->step), first->step);
+        m_result.sentence += placeOf(values) + '.';
+        remark(
+            "Nothing can be said about ODE_MT then. Usual reasons: step sizes measured with a clock, random numbers without a "
+            "seed.");
         setFinding("libode8", *first, stock, again, values);
     }
 

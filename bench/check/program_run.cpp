@@ -2,6 +2,8 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/resource.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -50,6 +52,8 @@ struct Pipe {
     }
 };
 
+double seconds(const timeval &time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); }
+
 void neverWait(const File &file) { fcntl(file.number(), F_SETFL, fcntl(file.number(), F_GETFL) | O_NONBLOCK); }
 
 class Runner {
@@ -88,8 +92,10 @@ private:
     }
 
     bool hasEnded() {
-        if (waitpid(m_child, &m_run.status, WNOHANG) != m_child) return false;
+        rusage usage{};
+        if (wait4(m_child, &m_run.status, WNOHANG, &usage) != m_child) return false;
         m_end = Clock::now();
+        m_run.cpuSeconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
         return true;
     }
 

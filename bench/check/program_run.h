@@ -24,8 +24,8 @@ struct ProgramRun {
     enum class End { Itself, Limit, Interrupt };
 
     End end = End::Itself;
-    int status = 0;  // as waitpid gives it
-    double seconds = 0;
+    int status = 0;                      // as waitpid gives it
+    double seconds = 0, cpuSeconds = 0;  // the latter of all processes that were waited for
     ProgramOutput output, errors;
 };
 

@@ -18,11 +18,12 @@ std::string ratioText(double first, double second) { return second > 0 ? bench::
 std::string enginesText(const std::vector<EngineResult> &engines) {
     using Align = bench::Table::Align;
     bench::Table table(
-        {{"", Align::Left}, {"steps"}, {"seconds"}, {"in steps"}, {"times as fast"}, {"in steps"}, {"", Align::Left}});
+        {{"", Align::Left}, {"steps"}, {"seconds"}, {"of CPU"}, {"in steps"}, {"times as fast"}, {"in steps"}, {"", Align::Left}});
     for (const EngineResult &engine : engines) {
         const bool isFirst = &engine == &engines.front();
         table.addRow({engine.name, std::to_string(engine.steps), bench::numberText(engine.seconds),
-                      bench::numberText(engine.stepSeconds), isFirst ? "" : ratioText(engines[0].seconds, engine.seconds),
+                      bench::numberText(engine.cpuSeconds), bench::numberText(engine.stepSeconds),
+                      isFirst ? "" : ratioText(engines[0].seconds, engine.seconds),
                       isFirst ? "" : ratioText(engines[0].stepSeconds, engine.stepSeconds), engine.result});
     }
     return table.text();
@@ -84,6 +85,7 @@ std::string reportJson(const CheckResult &result) {
                                    {"ending", engine.ending},
                                    {"steps", engine.steps},
                                    {"seconds", engine.seconds},
+                                   {"cpuSeconds", engine.cpuSeconds},
                                    {"stepSeconds", engine.stepSeconds},
                                    {"observerSeconds", engine.observerSeconds}});
     json["difference"] = result.finding ? asJson(*result.finding) : Json();

@@ -67,6 +67,7 @@ TEST_F(OdemtCheck, APlainProgramIsEqual) {
     EXPECT_EQ(json["engines"][4]["library"], std::filesystem::canonical(OUR_FOLDER "/libode.so.8").string());
     EXPECT_GT(json["engines"][4]["seconds"], json["engines"][4]["stepSeconds"]);
     EXPECT_GT(json["engines"][4]["stepSeconds"], 0);
+    EXPECT_GT(json["engines"][4]["cpuSeconds"], 0);
 }
 
 TEST_F(OdemtCheck, TheTextSaysSo) {
@@ -92,8 +93,27 @@ TEST_F(OdemtCheck, TheFirstStepBodyAndFieldThatDifferAreNamed) {
     const Outcome outcome = check("--threads 0", kSubject + " push");
     EXPECT_EQ(outcome.exitCode, 1);
     expectWords(outcome.output,
-                "Different on ODE_MT, 0 threads: world 0 differs at step 37 for the first time. Equal before: 36 steps.");
+                "Different on ODE_MT, 0 threads: world 0 differs at step 37 for the first time, in position x of body 5. Equal "
+                "before: 36 steps.");
     expectWords(outcome.output, "body 5, linear velocity x");
+}
+
+// By then more bodies have been destroyed than are there.
+TEST_F(OdemtCheck, BodiesKeepTheirNumbers) {
+    const Json json = checkJson(kSubject + " push-late", 1), &difference = json["difference"];
+    EXPECT_EQ(difference["step"], 57);
+    EXPECT_EQ(difference["values"][0]["body"], 5);
+    EXPECT_EQ(difference["bodies"], 8);
+}
+
+TEST_F(OdemtCheck, EachFieldIsCompared) {
+    for (const std::string field :
+         {"position x", "quaternion w", "linear velocity y", "angular velocity z", "force x", "torque y"}) {
+        const Json json = checkJson(kSubject + " 'field-" + field + "'", 1);
+        expectWords(json["sentence"],
+                    "world 0 differs at step 6 for the first time, in " + field + " of body 8. Equal before: 5 steps.");
+    }
+    expectWords(checkJson(kSubject + " field-enabled", 1)["difference"]["values"].dump(), "\"enabled flag\"");
 }
 
 TEST_F(OdemtCheck, TheNumberOfThreadsThatDiffersIsNamed) {
@@ -114,9 +134,9 @@ TEST_F(OdemtCheck, ADifferenceThatComesAndGoesIsOne) {
 TEST_F(OdemtCheck, AProgramThatIsNotReproducibleIsSaidToBe) {
     const Json json = checkJson(kSubject + " clock", 2);
     EXPECT_EQ(json["verdict"], "not compared");
-    expectWords(json["sentence"],
-                "The program itself is not reproducible: a second run on libode8 is not like the first: world 0 differs at step 1, "
-                "its first.");
+    expectWords(
+        json["sentence"],
+        "The program itself is not reproducible: two runs on libode8 differ: world 0 differs at step 1, its first, in step size.");
     EXPECT_EQ(json["difference"]["engine"], "libode8");
     EXPECT_EQ(json["difference"]["values"][0]["field"], "step size");
 }
@@ -124,8 +144,8 @@ TEST_F(OdemtCheck, AProgramThatIsNotReproducibleIsSaidToBe) {
 TEST_F(OdemtCheck, AnEndThatIsNotReproducibleIsNone) {
     const Json json = checkJson(kSubject + " more-each-run " + m_runs, 2);
     expectWords(json["sentence"],
-                "The program itself is not reproducible: a second run on libode8 is not like the first: world 0 makes 60 steps on "
-                "libode8, 62");
+                "The program itself is not reproducible: two runs on libode8 differ: world 0 makes 60 steps on libode8, 62 on "
+                "libode8 again.");
     expectWords(json["remarks"].dump(), "as far as its run and the first one go: 60 steps.");
 }
 
@@ -214,17 +234,18 @@ TEST_F(OdemtCheck, StandardInputIsGivenToAllRuns) {
 
 TEST_F(OdemtCheck, ProgramsWithoutAnEndAreEnded) {
     EXPECT_EQ(checkJson(kSubject + " endless", 0, "--threads 2 --steps 20")["steps"], 20);
-    const Json json = checkJson(kSubject + " endless", 0, "--threads 2 --seconds 0.3");
+    const Json json = checkJson(kSubject + " endless", 0, "--threads 2 --seconds 2");
     EXPECT_GT(json["steps"], 5);
+    EXPECT_EQ(checkJson(kSubject + " slow-on-libode8", 0, "--threads 2 --seconds 5")["steps"], 30);
     EXPECT_EQ(checkJson(kSubject + " push", 1, "--threads 2 --steps 40")["difference"]["step"], 37);
     EXPECT_EQ(checkJson(kSubject + " push", 0, "--threads 2 --steps 36")["steps"], 36);
     EXPECT_EQ(checkJson(kSubject + " more-steps", 1, "--threads 2 --steps 62")["verdict"], "different");
 }
 
 TEST_F(OdemtCheck, AHangOnOneLibraryIsADifference) {
-    const Json json = checkJson(kSubject + " hang", 1, "--threads 2 --seconds 0.5");
+    const Json json = checkJson(kSubject + " hang", 1, "--threads 2 --seconds 5");
     expectWords(json["sentence"], "libode8 ends after ");
-    expectWords(json["sentence"], "ODE_MT, 2 threads had not ended after 0.5");
+    expectWords(json["sentence"], "ODE_MT, 2 threads had not ended after ");
 }
 
 TEST_F(OdemtCheck, AnInterruptGivesWhatWasComparedByThen) {
@@ -262,6 +283,16 @@ TEST_F(OdemtCheck, WrongOptionsAreNamed) {
     expect("--stock-library " OUR_FOLDER " -- " + kSubject, "is ODE_MT");
     expect("--our-library $(dirname " STOCK_LIBRARY ") -- " + kSubject, "is not ODE_MT");
     expect("-- /nowhere/program", "cannot start /nowhere/program: No such file or directory");
+}
+
+TEST_F(OdemtCheck, WhatAProgramLeavesRunningIsEnded) {
+    const Outcome outcome = check("--threads 0", "sh -c 'sleep 100 & echo $! >>" + m_runs + "; exec " + kSubject + "'");
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
+    std::ifstream stream(m_runs);
+    int count = 0;
+    for (std::string process; std::getline(stream, process); ++count)
+        EXPECT_NE(runShell("kill -0 " + process + " && ! grep -q '^State:.Z' /proc/" + process + "/status").exitCode, 0) << process;
+    EXPECT_EQ(count, 2);
 }
 
 TEST_F(OdemtCheck, NothingIsLeftBehind) {

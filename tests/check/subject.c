@@ -58,12 +58,14 @@ static Scene makeScene(dReal height) {
     return scene;
 }
 
+static void replaceBox(Scene *scene, int i) {
+    dGeomDestroy(dBodyGetFirstGeom(scene->boxes[i]));
+    dBodyDestroy(scene->boxes[i]);
+    addBox(scene, i, 1);
+}
+
 static void step(Scene *scene, int number) {
-    if (number % 20 == 0) { /* bodies come and go */
-        dGeomDestroy(dBodyGetFirstGeom(scene->boxes[2]));
-        dBodyDestroy(scene->boxes[2]);
-        addBox(scene, 2, 1);
-    }
+    if (number % 2 == 0) replaceBox(scene, number == 54 ? 4 : 2); /* bodies come and go */
     dSpaceCollide(scene->space, scene, collide);
     if (number % 2 == 0 || scene->isExact)
         dWorldStep(scene->world, scene->stepSize);
@@ -147,13 +149,36 @@ static void stepWithPush(Scene *scene, int at) {
     steps(scene, at, kSteps);
 }
 
+static void setField(dBodyID body, char field) {
+    const dQuaternion quaternion = {0, 1, 0, 0};
+    if (field == 'p') dBodySetPosition(body, 101, 0, 0);
+    if (field == 'q') dBodySetQuaternion(body, quaternion);
+    if (field == 'l') dBodySetLinearVel(body, 0, 1, 0);
+    if (field == 'a') dBodySetAngularVel(body, 0, 0, 1);
+    if (field == 'f') dBodySetForce(body, 1, 0, 0);
+    if (field == 't') dBodySetTorque(body, 0, 1, 0);
+    if (field == 'e') dBodyEnable(body);
+}
+
+/* A body that the steps leave alone, as it is disabled and far away. */
+static void stepWithField(Scene *scene, char field) {
+    const dBodyID body = dBodyCreate(scene->world);
+    dBodyDisable(body);
+    dBodySetPosition(body, 100, 0, 0);
+    steps(scene, 1, 5);
+    if (isOurs()) setField(body, field);
+    steps(scene, 6, 6);
+}
+
 static int play(Scene *scene, int runs) {
     const char *const threads = getenv("ODE_MT_THREADS");
     if (is("push")) return stepWithPush(scene, 37), 0;
+    if (is("push-late")) return stepWithPush(scene, 57), 0;
     if (is("push-two-threads"))
         return threads != NULL && strcmp(threads, "2") == 0 ? stepWithPush(scene, 37) : steps(scene, 1, kSteps), 0;
     if (is("push-sometimes")) return stepWithPush(scene, 20 + runs), 0;
     if (is("fork") || is("fork-differs")) return stepInTwoProcesses(scene);
+    if (strncmp(mode, "field-", 6) == 0) return stepWithField(scene, mode[6]), 0;
     if (is("clock")) scene->stepSize = 0.01 + 1e-12 * nanoseconds();
     if (is("crash-everywhere") || (is("crash") && isOurs())) {
         steps(scene, 1, 20);
@@ -171,6 +196,10 @@ static int play(Scene *scene, int runs) {
     }
     if (is("endless") || (is("interrupt") && isOurs()))
         for (int number = 31;; ++number) usleep(1000), step(scene, number);
+    if (is("slow-on-libode8") && !isOurs()) {
+        steps(scene, 1, 30);
+        for (;;) pause();
+    }
     if (is("more-each-run")) return steps(scene, 1, kSteps + runs), 0;
     steps(scene, 1, is("more-steps") && isOurs() ? kSteps + 5 : kSteps);
     while (is("hang") && isOurs()) pause();
