@@ -44,6 +44,13 @@ TEST(FirstDifference, WorldsInAnotherOrderAreTheSame) {
     EXPECT_FALSE(compareRuns(left, right, Ends::compared).first);
 }
 
+// The world of the same number, which begins alike, is another one's.
+TEST(FirstDifference, WorldsThatAreTheSameArePairedFirst) {
+    const RunRecord left = run({world({0, 0}, {1, 2, 3}), world({0, 1}, {1, 5})}),
+                    right = run({world({0, 0}, {1, 5}), world({0, 1}, {1, 2, 3})});
+    EXPECT_FALSE(compareRuns(left, right, Ends::compared).first);
+}
+
 TEST(FirstDifference, WorldsInAnotherOrderArePairedByWhatTheyShare) {
     const RunRecord left = run({world({0, 0}, {1, 2, 3}), world({0, 1}, {4, 5, 6})}),
                     right = run({world({0, 0}, {4, 5, 60}), world({0, 1}, {1, 20, 30})});
