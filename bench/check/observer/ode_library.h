@@ -1,7 +1,6 @@
 // The libode.so.8 that the program would call without the observer. It is found at the first call, and stays loaded from then on.
 #pragma once
 
-#include <atomic>
 #include <string>
 
 struct dxWorld;
