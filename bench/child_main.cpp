@@ -68,7 +68,11 @@ bench::Batch runBatch(scenes::Scene &scene, const bench::LibraryProbe &library, 
     batch.frames = frames;
     messageCount = 0;
     const unsigned sharedBefore = library.sharedSteps();
-    for (int i = 0; i < frames; ++i) batch.seconds += timedFrame(scene);
+    for (int i = 0; i < frames; ++i) {
+        const bench::StageTimes times = timedFrame(scene);
+        batch.seconds += times;
+        batch.frameTimes.add(bench::secondsOf(times, bench::Part::Frame));
+    }
     batch.sharedSteps = library.sharedSteps() - sharedBefore;
     batch.messages = messageCount;
     batch.contacts = scene.contactCount();

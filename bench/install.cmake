@@ -6,7 +6,7 @@
 include(GNUInstallDirs)
 
 function(ode_mt_install_tools component libdir)
-    set(tools odemt_bench odemt_bench_child odemt_check odemt_info odemt_record odemt_render)
+    set(tools odemt_bench odemt_bench_child odemt_check odemt_info odemt_record odemt_report)
     set(tools_without_library odemt_bench_child odemt_check)  # of their own: they find it in another way, or start what does
     foreach(tool IN LISTS tools)
         set(file "\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/bin/${tool}")

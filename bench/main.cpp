@@ -1,8 +1,10 @@
 // odemt_bench: worlds × engines, interleaved, as a table. docs/bench.md explains the method.
+#include "comparison.h"
 #include "error_output.h"
 #include "options.h"
 #include "progress.h"
 #include "report.h"
+#include "report/page.h"
 #include "result_file.h"
 #include "loader/load_error.h"
 #include "standard_output.h"
@@ -12,10 +14,12 @@ namespace {
 
 // Saves the results of all worlds measured so far, so that an interrupt keeps them.
 void save(const std::vector<bench::WorldResult> &results, const bench::Options &options) {
-    bench::writeResultFile(options.jsonFile, bench::reportJson(results, options.withAverages));
+    const std::string json = bench::reportJson(results, options.withAverages);
+    bench::writeResultFile(options.jsonFile, json);
     bench::writeResultFile(options.csvFile, bench::reportCsv(results));
     if (!options.samplesFile.empty())
         bench::writeResultFile(options.samplesFile, bench::reportSamples(results));
+    if (!options.htmlFile.empty()) bench::writeResultFile(options.htmlFile, report::page(json, {}));
 }
 
 bench::WorldResult measure(const std::string &world, const bench::Options &options,
@@ -29,11 +33,13 @@ bench::WorldResult measure(const std::string &world, const bench::Options &optio
 bool compare(const bench::Options &options) {
     std::vector<std::string> files = {options.jsonFile, options.csvFile};
     if (!options.samplesFile.empty()) files.push_back(options.samplesFile);
+    if (!options.htmlFile.empty()) files.push_back(options.htmlFile);
     for (const std::string &file : files) bench::checkWritable(file);
 
     bool isClean = true;
     std::vector<bench::WorldResult> results;
     bench::Progress progress(options.worlds.size(), options.race.stop);
+    progress.announce(options.engines.size());
     for (std::size_t i = 0; i < options.worlds.size(); ++i) {
         results.push_back(measure(options.worlds[i], options,
                                   [&](const bench::WorldResult &result) { progress.show(i, result); }));
@@ -43,7 +49,7 @@ bool compare(const bench::Options &options) {
         bench::print(bench::reportText(results.back()));
     }
     bench::print(bench::reportCurves(results) + bench::reportScaling(results) + "Figures: " +
-                 worlds::printable(options.jsonFile + ", " + options.csvFile) + "\n");
+                 worlds::printable(options.jsonFile + ", " + options.csvFile) + "\n" + bench::reportSentence(results));
     if (!isClean) bench::print("AN ENGINE FAILED OR GAVE OTHER RESULTS: see above.\n");
     return isClean;
 }
@@ -56,8 +62,12 @@ int main(int argc, char **argv) {
     const std::optional<bench::Options> options = bench::readOptions(argc, argv, exitCode);
     if (!options) return bench::exitCodeAfterOutput(exitCode);
     try {
-        if (!options->list) return compare(*options) ? 0 : 1;
-        bench::print(bench::listWorlds());
+        if (!options->compared.empty())
+            bench::print(bench::compareResults(options->compared[0], options->compared[1]));
+        else if (options->list)
+            bench::print(bench::listWorlds());
+        else
+            return compare(*options) ? 0 : 1;
         return 0;
     } catch (const std::exception &error) {
         bench::printError(error.what());

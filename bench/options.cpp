@@ -67,6 +67,7 @@ struct Words {
     std::string threads = defaultThreads();
     std::string manager;
     double limitSeconds = 120;
+    bool isQuick = false;
 };
 
 void addOptions(CLI::App &app, Words &words, Options &options) {
@@ -109,6 +110,7 @@ void addOptions(CLI::App &app, Words &words, Options &options) {
     app.add_option("--samples", options.samplesFile,
                    "file for the real-time factor of each second that each engine ran;\n"
                    "measuring then does not end before --seconds or --frames");
+    app.add_option("--html", options.htmlFile, "file for a page with tables and plots of all figures (docs/report.md)");
     app.add_flag("!--no-averages", options.withAverages,
                  "leave the kept running averages out of the JSON file");
     app.add_option("--stock-library", options.child.stockFolder, "folder of Debian's libode.so.8")
@@ -119,7 +121,19 @@ void addOptions(CLI::App &app, Words &words, Options &options) {
                  "leave out elements of an SDF world that the loader does not know");
     app.add_flag("--time-callbacks", options.child.timeCallbacks,
                  "time near-callbacks separately; the time of reading the clock is subtracted");
+    app.add_flag("--quick", words.isQuick, "a first impression of the four benchmark worlds in half a minute: stock, and ours on all cores");
+    app.add_option("--compare", options.compared, "compare two JSON files of earlier runs, the older one first, and measure nothing")
+        ->expected(2)
+        ->check(CLI::ExistingFile);
     app.add_flag("--list", options.list, "list worlds, scenes and modifiers");
+}
+
+// What the user has set stays.
+void makeQuick(const CLI::App &app, Words &words, Options &options) {
+    if (app.count("--engines") == 0) words.engines = "stock,ours";
+    if (app.count("--threads") == 0) words.threads = "auto";
+    if (app.count("--seconds") == 0) options.race.stop.maximumSeconds = 4;
+    if (app.count("--warm-up-seconds") == 0) options.race.warmUpSeconds = 0.5;
 }
 
 void interpret(const Words &words, Options &options) {
@@ -134,6 +148,7 @@ void interpret(const Words &words, Options &options) {
             checkLibraryFolder("--stock-library", options.child.stockFolder);
     std::vector<std::string> files = {options.jsonFile, options.csvFile};
     if (!options.samplesFile.empty()) files.push_back(options.samplesFile);
+    if (!options.htmlFile.empty()) files.push_back(options.htmlFile);
     for (const std::string &world : options.worlds)
         if (const std::string file = readWorldSpec(world).name; std::filesystem::is_regular_file(file)) files.push_back(file);
     if (options.jsonFile.empty()) throw std::invalid_argument("--json: a file of results has no name");
@@ -158,7 +173,8 @@ std::optional<Options> readOptions(int argc, const char *const *argv, int &exitC
     addOptions(app, words, options);
     try {
         app.parse(argc, argv);
-        if (!options.list) interpret(words, options);
+        if (words.isQuick) makeQuick(app, words, options);
+        if (!options.list && options.compared.empty()) interpret(words, options);
         return options;
     } catch (const CLI::ParseError &error) {
         exitCode = exitCodeOf(app, error);

@@ -17,8 +17,10 @@ struct Options {
     ChildSettings child;
     std::string jsonFile, csvFile;
     std::string samplesFile;   // empty: none is written
+    std::string htmlFile;      // empty: none is written
     bool withAverages = true;  // in the JSON file
     bool list = false;         // print the worlds and end
+    std::vector<std::string> compared;  // two files of results: compare them and end; empty: measure
 };
 
 // Empty: the program ends with `exitCode` (help was asked for or an option was wrong; what there is to

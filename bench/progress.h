@@ -13,6 +13,9 @@ public:
     Progress(std::size_t worlds, const StoppingRule &rule);
     ~Progress() { clear(); }
 
+    // What will be measured, and how long that takes at most.
+    void announce(std::size_t engines) const;
+
     void show(std::size_t world, const WorldResult &result);
     void clear();  // before other output, so that it starts on an empty line
 

@@ -19,6 +19,13 @@ std::uint64_t readHash(const std::string &text) { return std::stoull(text, nullp
 // Bytes that are no UTF-8 (file names may be anything) become U+FFFD instead of an exception.
 std::string dump(const json &value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
 
+// Pairs of a bin and its number of frames.
+json toJson(const FrameTimes &times) {
+    json bins = json::array();
+    for (const auto &[bin, frames] : times.counts()) bins.push_back(json::array({bin, frames}));
+    return bins;
+}
+
 // Reads the member `key` of the object in `line` with `read`.
 template <class Reader>
 auto parse(const std::string &line, const char *key, Reader read) -> decltype(read(json())) {
@@ -89,6 +96,7 @@ std::string writeBatch(const Batch &b) {
                    {"step", b.seconds.step},
                    {"finish", b.seconds.finish},
                    {"callbacks", b.seconds.callbacks},
+                   {"frameTimes", toJson(b.frameTimes)},
                    {"hash", hashText(b.hash)},
                    {"contacts", b.contacts},
                    {"messages", b.messages},
@@ -104,6 +112,7 @@ Batch readBatch(const std::string &line) {
         from.at("step").get_to(b.seconds.step);
         from.at("finish").get_to(b.seconds.finish);
         from.at("callbacks").get_to(b.seconds.callbacks);
+        for (const json &bin : from.at("frameTimes")) b.frameTimes.add(bin.at(0).get<int>(), bin.at(1).get<long>());
         b.hash = readHash(from.at("hash").get<std::string>());
         from.at("contacts").get_to(b.contacts);
         from.at("messages").get_to(b.messages);

@@ -8,6 +8,7 @@
 // The child ends when its standard input does.
 #pragma once
 
+#include "frame_times.h"
 #include "stage.h"
 
 #include <cstdint>
@@ -31,6 +32,7 @@ struct Ready {
 struct Batch {
     int frames = 0;
     StageTimes seconds;
+    FrameTimes frameTimes;
     std::uint64_t hash = 0;    // of the state after the last frame
     std::size_t contacts = 0;  // in the last frame
     unsigned messages = 0;     // of ODE, in this batch

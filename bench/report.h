@@ -18,6 +18,10 @@ std::string reportCurves(const std::vector<WorldResult> &results);
 // if there are none.
 std::string reportScaling(const std::vector<WorldResult> &results);
 
+// One sentence for all worlds: how fast the fastest engine of ours is, and whether all results are the same. Empty if none
+// of ours was compared.
+std::string reportSentence(const std::vector<WorldResult> &results);
+
 // Everything, the machine and the libraries' files included; the kept running averages, which are most of it,
 // if asked for.
 std::string reportJson(const std::vector<WorldResult> &results, bool withAverages = true);

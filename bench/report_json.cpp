@@ -30,6 +30,18 @@ json samplesToJson(const std::vector<double> &samples) {
             {"quantiles", toJson(spreadOf(samples))}};
 }
 
+// Bins that hold frames, by rising time.
+json frameTimesToJson(const EngineResult &engine) {
+    FrameTimes times;
+    for (const Batch &batch : engine.batches) times += batch.frameTimes;
+    json seconds = json::array(), frames = json::array();
+    for (const auto &[bin, count] : times.counts()) {
+        seconds.push_back(FrameTimes::lowerBound(bin));
+        frames.push_back(count);
+    }
+    return {{"binsPerDoubling", FrameTimes::kBinsPerDoubling}, {"seconds", seconds}, {"frames", frames}};
+}
+
 json toJson(const EngineResult &engine, const EngineSummary &summary, bool withAverages) {
     json parts;
     for (Part part : partsToReport(engine.callbacksTimed())) {
@@ -47,6 +59,7 @@ json toJson(const EngineResult &engine, const EngineSummary &summary, bool withA
             {"callbacks", engine.ready.callbacks},
             {"gridCells", engine.ready.gridCells},
             {"parts", parts},
+            {"frameTimes", frameTimesToJson(engine)},
             {"realTimeFactor", summary.realTimeFactor},
             {"realTimeSamples", samplesToJson(realTimeSamples(engine))},
             {"sharedSteps", summary.sharedSteps},

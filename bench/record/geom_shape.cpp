@@ -122,6 +122,13 @@ Pose poseOf(dGeomID geom) {
     }
 }
 
+Velocity velocityOf(dBodyID body) {
+    Velocity velocity;
+    std::copy_n(dBodyGetLinearVel(body), 3, velocity.linear.begin());
+    std::copy_n(dBodyGetAngularVel(body), 3, velocity.angular.begin());
+    return velocity;
+}
+
 Pose poseOf(dBodyID body) { return pose(dBodyGetPosition(body), dBodyGetQuaternion(body)); }
 
 }  // namespace record

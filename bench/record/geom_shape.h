@@ -10,5 +10,6 @@ namespace record {
 Shape shapeOf(dGeomID geom);
 Pose poseOf(dGeomID geom);  // of a plane, which has none: that of the world
 Pose poseOf(dBodyID body);
+Velocity velocityOf(dBodyID body);
 
 }  // namespace record

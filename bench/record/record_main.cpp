@@ -10,9 +10,14 @@
 
 #include <ode/ode.h>
 
+#include <unistd.h>
+
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <functional>
+#include <stdexcept>
 
 namespace {
 
@@ -30,13 +35,24 @@ record::Header describe(const record::RecordOptions &options, const scenes::Scen
             recorder.geoms()};
 }
 
+// Debian's library takes part in this process from its start only: the program is started again, with that library first.
+void startOnStock(char **argv) {
+    if (!bench::probeLibrary().isOurs) return;
+    const char *const kStarted = "ODEMT_RECORD_STOCK";
+    if (getenv(kStarted)) throw std::runtime_error(std::string("no libode.so.8 of Debian's in ") + ODEMT_STOCK_FOLDER);
+    setenv(kStarted, "1", 1);
+    setenv("LD_LIBRARY_PATH", ODEMT_STOCK_FOLDER, 1);
+    execv("/proc/self/exe", argv);
+    throw std::runtime_error(std::string("cannot start again: ") + std::strerror(errno));
+}
+
 using Line = std::function<void(const std::string &)>;
 
 void recordScene(const record::RecordOptions &options, const Line &write) {
     std::vector<std::string> warnings;
     const auto scene = bench::openWorld(options.world, options.ignoreUnsupported, warnings);
     for (const std::string &warning : warnings) bench::printError(warning);
-    record::Recorder recorder(*scene);
+    record::Recorder recorder(*scene, {!options.onStock, options.contacts});
     write(writeHeader(describe(options, *scene, recorder)) + "\n");
     for (long frame = 1; frame <= options.frames; ++frame) {
         recorder.runFrame();
@@ -63,6 +79,7 @@ int main(int argc, char **argv) {
     chooseAlgorithm(*options);
     dInitODE2(0);
     try {
+        if (options->onStock) startOnStock(argv);
         if (options->file.empty())
             recordScene(*options, bench::print);
         else

@@ -28,6 +28,8 @@ void addOptions(CLI::App &app, RecordOptions &options) {
         ->capture_default_str()
         ->check(bench::wholeNumberIn(1, 1'000'000'000));
     app.add_option("--output", options.file, "file; standard output if it is not given");
+    app.add_flag("--contacts", options.contacts, "record contacts and their forces, too: several times as much");
+    app.add_flag("--stock", options.onStock, "run Debian's libode8 instead, and record no clusters");
     app.add_flag("--ignore-unsupported", options.ignoreUnsupported,
                  "leave out elements of an SDF world that the loader does not know");
 }

@@ -13,6 +13,8 @@ struct RecordOptions {
     long frames = 500;  // that are run
     long every = 10;    // frames between those that are kept
     std::string file;   // empty: standard output
+    bool contacts = false;  // and their forces
+    bool onStock = false;   // run Debian's libode8, and record no clusters
     bool ignoreUnsupported = false;
 };
 

@@ -1,11 +1,17 @@
 #include "record/recorder.h"
 
 #include "record/geom_shape.h"
+#include "record/islands.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace record {
+
+Recorder::Recorder(scenes::Scene &scene, const RecorderSettings &settings) : m_scene(scene) {
+    if (settings.clusters) m_overlay.emplace();
+    if (settings.contacts) m_contacts.emplace();
+}
 
 std::vector<Geom> Recorder::geoms() const {
     const std::vector<dBodyID> &bodies = m_scene.inventory().bodies;
@@ -18,33 +24,54 @@ std::vector<Geom> Recorder::geoms() const {
     return geoms;
 }
 
+// As Scene::frame, with looks at what finish() empties.
 void Recorder::runFrame() {
-    m_scene.frame();
+    m_scene.control();
+    if (m_contacts) m_contacts->clear();
+    m_scene.collide();
+    m_scene.step();
+    m_islands = islandsOf(m_scene.inventory().bodies);
+    m_scene.finish();
     ++m_frames;
+    if (!m_overlay) return;
     const scenes::Inventory &inventory = m_scene.inventory();
-    const std::vector<Event> events = m_overlay.events(inventory.worlds.front(), inventory.spaces.front());
+    const std::vector<Event> events = m_overlay->events(inventory.worlds.front(), inventory.spaces.front());
     m_events.insert(m_events.end(), events.begin(), events.end());
+}
+
+void Recorder::addClusters(Frame &frame) const {
+    const scenes::Inventory &inventory = m_scene.inventory();
+    const dWorldID world = inventory.worlds.front();
+    const dSpaceID space = inventory.spaces.front();
+    frame.clusters = m_overlay->clusters(world, space);
+    frame.grid = m_overlay->grid(world, space);
+    frame.cells = m_overlay->cells(world, space);
+    for (std::size_t i = 0; i < inventory.bodies.size(); ++i) frame.bodyClusters[i] = m_overlay->of(inventory.bodies[i]);
+    for (std::size_t i = 0; i < inventory.geoms.size(); ++i) frame.memberships[i] = m_overlay->of(inventory.geoms[i]);
+}
+
+void Recorder::addBodies(Frame &frame) const {
+    for (dBodyID body : m_scene.inventory().bodies) {
+        frame.bodies.push_back(poseOf(body));
+        frame.velocities.push_back(velocityOf(body));
+        frame.awake.push_back(dBodyIsEnabled(body) != 0);
+    }
+    frame.islands = m_islands;
+    frame.islands.resize(frame.bodies.size(), kNoIsland);  // finish() may have made bodies
 }
 
 Frame Recorder::frame() {
     const scenes::Inventory &inventory = m_scene.inventory();
-    const dWorldID world = inventory.worlds.front();
-    const dSpaceID space = inventory.spaces.front();
     Frame frame;
     frame.number = m_frames;
     frame.time = m_scene.time();
-    frame.clusters = m_overlay.clusters(world, space);
-    frame.grid = m_overlay.grid(world, space);
-    frame.cells = m_overlay.cells(world, space);
     frame.events = std::exchange(m_events, {});
-    for (dBodyID body : inventory.bodies) {
-        frame.bodies.push_back(poseOf(body));
-        frame.bodyClusters.push_back(m_overlay.of(body));
-    }
-    for (dGeomID geom : inventory.geoms) {
-        frame.geoms.push_back(poseOf(geom));
-        frame.memberships.push_back(m_overlay.of(geom));
-    }
+    addBodies(frame);
+    for (dGeomID geom : inventory.geoms) frame.geoms.push_back(poseOf(geom));
+    frame.bodyClusters.resize(inventory.bodies.size());
+    frame.memberships.resize(inventory.geoms.size());
+    if (m_overlay) addClusters(frame);
+    if (m_contacts) frame.contacts = m_contacts->contacts(inventory.geoms);
     return frame;
 }
 

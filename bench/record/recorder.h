@@ -3,21 +3,34 @@
 #pragma once
 
 #include "record/cluster_overlay.h"
+#include "record/contact_log.h"
 #include "scenes/scene.h"
+
+#include <optional>
 
 namespace record {
 
+struct RecorderSettings {
+    bool clusters = true;   // requires ODE_MT
+    bool contacts = false;  // with their forces
+};
+
 class Recorder {
 public:
-    explicit Recorder(scenes::Scene &scene) : m_scene(scene) {}
+    Recorder(scenes::Scene &scene, const RecorderSettings &settings);
 
     std::vector<Geom> geoms() const;
     void runFrame();
     Frame frame();  // as it is now; events are returned once
 
 private:
+    void addClusters(Frame &frame) const;
+    void addBodies(Frame &frame) const;
+
     scenes::Scene &m_scene;
-    ClusterOverlay m_overlay;
+    std::optional<ClusterOverlay> m_overlay;
+    std::optional<ContactLog> m_contacts;
+    std::vector<int> m_islands;  // in the last step
     std::vector<Event> m_events;
     long m_frames = 0;
 };

@@ -1,14 +1,15 @@
 #include "record/recording.h"
 
 #include "loader/load_error.h"
+#include "record/recording_check.h"
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <istream>
 #include <limits>
-#include <map>
 #include <stdexcept>
 #include <type_traits>
 
@@ -39,6 +40,13 @@ template <typename Number>
 void getWhole(const json &from, std::vector<Number> &to) {
     to.clear();
     for (const json &number : from) getWhole(number, to.emplace_back());
+}
+
+// Returns the number with six digits.
+double rounded(double number) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", number);
+    return std::strtod(text, nullptr);
 }
 
 }  // namespace
@@ -81,6 +89,33 @@ void from_json(const json &from, Header &h) {
     from.at("library").get_to(h.library);
     from.at("stepSize").get_to(h.stepSize);
     from.at("geoms").get_to(h.geoms);
+}
+
+void to_json(json &to, const Velocity &v) { to = {v.linear[0], v.linear[1], v.linear[2], v.angular[0], v.angular[1], v.angular[2]}; }
+
+void from_json(const json &from, Velocity &v) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        from.at(i).get_to(v.linear[i]);
+        from.at(3 + i).get_to(v.angular[i]);
+    }
+}
+
+void to_json(json &to, const Contact &c) {
+    to = {c.geom1, c.geom2};
+    for (const Vector *vector : {&c.position, &c.normal, &c.force})
+        for (const double number : *vector) to.push_back(rounded(number));
+    to.push_back(rounded(c.depth));
+}
+
+void from_json(const json &from, Contact &c) {
+    getWhole(from.at(0), c.geom1);
+    getWhole(from.at(1), c.geom2);
+    for (std::size_t i = 0; i < 3; ++i) {
+        from.at(2 + i).get_to(c.position[i]);
+        from.at(5 + i).get_to(c.normal[i]);
+        from.at(8 + i).get_to(c.force[i]);
+    }
+    from.at(11).get_to(c.depth);
 }
 
 void to_json(json &to, const Grid &g) { to = {{"cells", g.cells}, {"edge", g.edge}, {"centre", g.centre}}; }
@@ -126,6 +161,10 @@ void to_json(json &to, const Frame &f) {
           {"cells", f.cells},       {"events", f.events},
           {"bodies", f.bodies},     {"bodyClusters", f.bodyClusters},
           {"geoms", f.geoms},       {"memberships", f.memberships}};
+    if (!f.velocities.empty()) to["velocities"] = f.velocities;
+    if (!f.awake.empty()) to["awake"] = f.awake;
+    if (!f.islands.empty()) to["islands"] = f.islands;
+    if (f.contacts) to["contacts"] = *f.contacts;
 }
 
 void from_json(const json &from, Frame &f) {
@@ -139,78 +178,16 @@ void from_json(const json &from, Frame &f) {
     getWhole(from.at("bodyClusters"), f.bodyClusters);
     from.at("geoms").get_to(f.geoms);
     from.at("memberships").get_to(f.memberships);
+    if (from.contains("velocities")) from.at("velocities").get_to(f.velocities);
+    if (from.contains("awake")) from.at("awake").get_to(f.awake);
+    if (from.contains("islands")) getWhole(from.at("islands"), f.islands);
+    if (from.contains("contacts")) f.contacts = from.at("contacts").get<std::vector<Contact>>();
 }
 
 namespace {
 
 // Bytes that are no UTF-8 (file names may be anything) become U+FFFD instead of an exception.
 std::string dump(const json &value) { return value.dump(-1, ' ', false, json::error_handler_t::replace); }
-
-// Returns how many numbers recording.h specifies for a kind.
-std::size_t numbersOf(const std::string &kind) {
-    static const std::map<std::string, std::size_t> kNumbers = {
-        {"box", 3}, {"sphere", 1}, {"capsule", 2}, {"cylinder", 2}, {"plane", 4}, {"mesh", 6}, {"bounds", 3}};
-    const auto found = kNumbers.find(kind);
-    if (found == kNumbers.end()) throw std::runtime_error("unknown shape " + worlds::quote(kind));
-    return found->second;
-}
-
-// Neither nan nor so large that it cannot be drawn.
-void checkNumber(double number, const std::string &what) {
-    constexpr double kLargest = 1e16;  // as in the worlds that are recorded
-    if (!(std::abs(number) <= kLargest))
-        throw std::runtime_error(what + " holds a number that is not from -1e16 to 1e16");
-}
-
-void checkPose(const Pose &pose, const std::string &what) {
-    for (const double number : pose.position) checkNumber(number, what);
-    for (const double number : pose.quaternion) checkNumber(number, what);
-}
-
-void checkHeader(const Header &header) {
-    for (std::size_t i = 0; i < header.geoms.size(); ++i) {
-        const Shape &shape = header.geoms[i].shape;
-        const std::size_t expected = numbersOf(shape.kind);
-        if (shape.size.size() != expected)
-            throw std::runtime_error("geom " + std::to_string(i) + ": the size of a " + shape.kind + " has " +
-                                     std::to_string(expected) + " numbers, not " +
-                                     std::to_string(shape.size.size()));
-        for (const double number : shape.size) {
-            if (number < 0 && shape.kind != "plane" && shape.kind != "mesh")
-                throw std::runtime_error("geom " + std::to_string(i) + ": a size below 0");
-            checkNumber(number, "geom " + std::to_string(i));
-        }
-        for (const Triangle &triangle : shape.triangles)
-            for (const auto &corner : triangle)
-                for (const double number : corner) checkNumber(number, "geom " + std::to_string(i));
-    }
-}
-
-constexpr int kMaxCells = 1000;  // on each axis; the library has at most 20
-
-// Poses and memberships of all geoms, and a grid that can be drawn.
-void checkFrame(const Frame &frame, const Header &header) {
-    if (frame.grid.cells < 0 || frame.grid.cells > kMaxCells)
-        throw std::runtime_error("its grid has " + std::to_string(frame.grid.cells) +
-                                 " cells on each axis; known: 0 to " + std::to_string(kMaxCells));
-    checkNumber(frame.grid.edge, "its grid");
-    for (const double number : frame.grid.centre) checkNumber(number, "its grid");
-    for (const Cell &cell : frame.cells)
-        for (const int place : {cell.x, cell.y, cell.z})
-            if (place < 0 || place >= frame.grid.cells)
-                throw std::runtime_error("a cell is not in its grid: " + std::to_string(place));
-    if (frame.bodyClusters.size() != frame.bodies.size())
-        throw std::runtime_error("it has not one cluster for each of its " + std::to_string(frame.bodies.size()) +
-                                 " bodies");
-    for (const Geom &geom : header.geoms)
-        if (geom.body < Geom::kStatic || geom.body >= static_cast<long>(frame.bodies.size()))
-            throw std::runtime_error("it has no body " + std::to_string(geom.body) + ", which a geom is said to have");
-    for (const Pose &pose : frame.bodies) checkPose(pose, "the pose of a body");
-    for (const Pose &pose : frame.geoms) checkPose(pose, "the pose of a geom");
-    if (frame.geoms.size() != header.geoms.size() || frame.memberships.size() != header.geoms.size())
-        throw std::runtime_error("it has not one pose and one membership for each of the " +
-                                 std::to_string(header.geoms.size()) + " geoms");
-}
 
 }  // namespace
 

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,10 @@ using Triangle = std::array<Vector, 3>;
 struct Pose {
     Vector position{};
     std::array<double, 4> quaternion{1, 0, 0, 0};
+};
+
+struct Velocity {
+    Vector linear{}, angular{};  // m/s, rad/s
 };
 
 // kind and size: "box" (edges), "sphere" (radius), "capsule" and "cylinder" (radius, length along z),
@@ -67,6 +72,16 @@ struct Membership {
     std::vector<unsigned> testedWith;  // names
 };
 
+// A contact joint. What is shown only, so that six digits are kept.
+struct Contact {
+    static constexpr int kUnknown = -1;
+
+    int geom1 = kUnknown, geom2 = kUnknown;
+    Vector position{}, normal{};  // normal: into geom1
+    double depth = 0;
+    Vector force{};  // N, on geom1
+};
+
 struct Frame {
     long number = 0;  // frames that had run
     double time = 0;
@@ -78,6 +93,12 @@ struct Frame {
     std::vector<unsigned> bodyClusters;
     std::vector<Pose> geoms;
     std::vector<Membership> memberships;  // of the geoms
+
+    // Of the bodies; empty in recordings of earlier versions, which have none of these members.
+    std::vector<Velocity> velocities;
+    std::vector<bool> awake;
+    std::vector<int> islands;                      // numbers in this frame; -1: asleep
+    std::optional<std::vector<Contact>> contacts;  // if they were asked for
 };
 
 struct Recording {

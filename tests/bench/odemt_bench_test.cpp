@@ -95,6 +95,15 @@ TEST_F(OdemtBench, SavesSamplesOfTheRealTimeFactor) {
     EXPECT_GT(std::stod(line.substr(16)), 0);
 }
 
+TEST_F(OdemtBench, ThePageIsWrittenWithTheResults) {
+    const Outcome outcome = run("--worlds rover:3 --engines stock,ours:2 --frames 100 --html " + folder + "/b.html" + files());
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
+    std::ifstream file(folder + "/b.html");
+    const std::string page{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_EQ(page.compare(0, 15, "<!DOCTYPE html>"), 0);
+    EXPECT_NE(page.find("\"world\": \"rover:3\""), std::string::npos);
+}
+
 TEST_F(OdemtBench, AFailingEngineMakesTheExitCodeOneAndIsNamed) {
     // Debian's library in place of ours.
     const Outcome outcome = run("--worlds rover:3 --engines stock,ours:1 --frames 20 --our-library " +

@@ -1,4 +1,4 @@
-// odemt_record and odemt_render as a user runs them.
+// odemt_record as a user runs it.
 #include "record/recording.h"
 
 #include <gtest/gtest.h>
@@ -98,6 +98,52 @@ TEST_F(OdemtRecord, TellsMergesAndSplitsBetweenTheFramesItKeeps) {
     EXPECT_GT(splits, 0);
 }
 
+TEST_F(OdemtRecord, TellsIslandsAndWhoIsAwake) {
+    ASSERT_EQ(record("stacks:3 --frames 60 --every 60").exitCode, 0);
+    const record::Frame frame = read().frames.back();
+    ASSERT_EQ(frame.islands.size(), frame.bodies.size());
+    std::set<int> islands(frame.islands.begin(), frame.islands.end());
+    EXPECT_EQ(islands, (std::set<int>{0, 1, 2}));  // the boxes of a stack lie on each other
+    EXPECT_EQ(frame.awake, std::vector<bool>(frame.bodies.size(), true));
+    EXPECT_EQ(frame.velocities.size(), frame.bodies.size());
+    EXPECT_FALSE(frame.contacts);
+}
+
+// What rests is held by the ground: forces of the contacts with it are the weight.
+TEST_F(OdemtRecord, TellsContactsAndTheirForces) {
+    ASSERT_EQ(record("stacks:1 --frames 200 --every 200 --contacts").exitCode, 0);
+    const record::Recording recording = read();
+    const record::Frame &frame = recording.frames.back();
+    ASSERT_TRUE(frame.contacts);
+    double onGround = 0, onBoxes = 0;
+    for (const record::Contact &contact : *frame.contacts) {
+        const auto isStatic = [&](int geom) { return recording.header.geoms[static_cast<std::size_t>(geom)].body == record::Geom::kStatic; };
+        if (isStatic(contact.geom1)) onGround += contact.force[2];
+        if (isStatic(contact.geom2)) onBoxes += contact.force[2];
+    }
+    EXPECT_GT(onBoxes - onGround, 0);
+    EXPECT_LE(onGround, 0);
+    EXPECT_GE(onBoxes, 0);
+}
+
+TEST_F(OdemtRecord, StockAndOursMoveEverythingAlike) {
+    ASSERT_EQ(record("pile:20 --frames 60 --stock --contacts").exitCode, 0);
+    const record::Recording stock = read();
+    ASSERT_EQ(record("pile:20 --frames 60").exitCode, 0);
+    const record::Recording ours = read();
+    EXPECT_EQ(stock.header.library.find(ODEMT_OUR_FOLDER), std::string::npos);
+    EXPECT_EQ(stock.frames.back().grid.cells, 0);
+    ASSERT_EQ(stock.frames.size(), ours.frames.size());
+    for (std::size_t i = 0; i < ours.frames.size(); ++i) {
+        for (std::size_t body = 0; body < ours.frames[i].bodies.size(); ++body) {
+            EXPECT_EQ(stock.frames[i].bodies[body].position, ours.frames[i].bodies[body].position);
+            EXPECT_EQ(stock.frames[i].bodies[body].quaternion, ours.frames[i].bodies[body].quaternion);
+            EXPECT_EQ(stock.frames[i].velocities[body].angular, ours.frames[i].velocities[body].angular);
+        }
+        EXPECT_EQ(stock.frames[i].islands, ours.frames[i].islands);
+    }
+}
+
 TEST_F(OdemtRecord, IsTheSameEveryTime) {
     ASSERT_EQ(record("bioloid --frames 20 --cells 10").exitCode, 0);
     const std::string first = text(file);
@@ -129,44 +175,4 @@ TEST_F(OdemtRecord, AFileThatCannotBeWrittenIsNamed) {
     const Outcome outcome = run(std::string(ODEMT_RECORD) + " soccer --frames 1 --output /proc/r.jsonl");
     EXPECT_EQ(outcome.exitCode, 1);
     EXPECT_NE(outcome.output.find("/proc/r.jsonl"), std::string::npos) << outcome.output;
-}
-
-TEST_F(OdemtRecord, ARecordingIsDrawn) {
-    ASSERT_EQ(record("soccer --frames 10").exitCode, 0);
-    const Outcome outcome =
-        run(std::string(ODEMT_RENDER) + " " + file + " --frame 10 --output " + folder + "/p.svg");
-    EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
-    EXPECT_EQ(text(folder + "/p.svg").compare(0, 4, "<svg"), 0);
-}
-
-TEST_F(OdemtRecord, TheRendererNamesWhatIsWrong) {
-    std::ofstream(file) << "no JSON\n";
-    const std::string render = std::string(ODEMT_RENDER) + " ";
-    for (const auto &[arguments, code, word] :
-         std::vector<std::tuple<std::string, int, std::string>>{{file, 1, "line 1"},
-                                                                {folder + "/missing", 2, "missing"},
-                                                                {file + " --width 0", 2, "--width"},
-                                                                {file + " --elevation 100", 2, "--elevation"},
-                                                                {file + " --radius -1", 2, "--radius"}}) {
-        const Outcome outcome = run(render + arguments);
-        EXPECT_EQ(outcome.exitCode, code) << arguments;
-        EXPECT_NE(outcome.output.find(word), std::string::npos) << outcome.output;
-    }
-    ASSERT_EQ(record("soccer --frames 10").exitCode, 0);
-    const Outcome outcome = run(render + file + " --frame 11");
-    EXPECT_EQ(outcome.exitCode, 2);
-    EXPECT_NE(outcome.output.find("'11'"), std::string::npos) << outcome.output;
-}
-
-TEST_F(OdemtRecord, ARecordingWithoutFramesAndAPictureWithoutANameAreNamed) {
-    ASSERT_EQ(record("rover --frames 1").exitCode, 0);
-    const std::string whole = text(file);
-    std::ofstream(file) << whole.substr(0, whole.find('\n') + 1);
-    const Outcome empty = run(std::string(ODEMT_RENDER) + " " + file);
-    EXPECT_EQ(empty.exitCode, 1);
-    EXPECT_NE(empty.output.find(file), std::string::npos) << empty.output;
-    EXPECT_NE(empty.output.find("no frames"), std::string::npos) << empty.output;
-    const Outcome nameless = run(std::string(ODEMT_RENDER) + " " + file + " --output ''");
-    EXPECT_EQ(nameless.exitCode, 2);
-    EXPECT_NE(nameless.output.find("--output"), std::string::npos) << nameless.output;
 }

@@ -56,6 +56,24 @@ TEST(Options, ARangeOfSizesIsSeveralWorlds) {
     expectComplaint({"--worlds", "stacks:9..2"}, "'9..2'");
 }
 
+TEST(Options, QuickIsADefaultAndNothingMore) {
+    const Outcome quick = read({"--quick"});
+    ASSERT_TRUE(quick.options) << quick.errors;
+    EXPECT_EQ(quick.options->worlds.size(), 4u);
+    EXPECT_EQ(quick.options->engines.size(), 2u);
+    EXPECT_LE(static_cast<double>(quick.options->worlds.size()) * quick.options->race.stop.maximumSeconds, 20);
+    const Outcome set = read({"--quick", "--seconds", "9", "--threads", "1,2"});
+    ASSERT_TRUE(set.options) << set.errors;
+    EXPECT_EQ(set.options->engines.size(), 3u);
+    EXPECT_EQ(set.options->race.stop.maximumSeconds, 9);
+}
+
+TEST(Options, TwoFilesAreCompared) {
+    EXPECT_EQ(read({"--compare", "/dev/null", "/dev/zero"}).options->compared, (std::vector<std::string>{"/dev/null", "/dev/zero"}));
+    expectComplaint({"--compare", "/dev/null"}, "--compare");
+    expectComplaint({"--compare", "/dev/null", "/none"}, "/none");
+}
+
 TEST(Options, WithSamplesMeasuringDoesNotEndEarly) {
     const Outcome outcome = read(
         {"--worlds", "rover", "--engines", "stock", "--seconds", "7", "--samples", "s.csv", "--no-averages"});

@@ -10,6 +10,8 @@ TEST(Protocol, ABatchArrivesAsItWasSent) {
     Batch sent;
     sent.frames = 7;
     sent.seconds = {0.1, 1.0 / 3, 3e-9, 2, 0.25};
+    sent.frameTimes.add(0.25);
+    sent.frameTimes.add(0.5);
     sent.hash = 0xfedcba9876543210;
     sent.contacts = 12;
     sent.messages = 3;
@@ -21,6 +23,7 @@ TEST(Protocol, ABatchArrivesAsItWasSent) {
     EXPECT_EQ(got.seconds.step, sent.seconds.step);
     EXPECT_EQ(got.seconds.finish, sent.seconds.finish);
     EXPECT_EQ(got.seconds.callbacks, sent.seconds.callbacks);
+    EXPECT_EQ(got.frameTimes.counts(), sent.frameTimes.counts());
     EXPECT_EQ(got.hash, sent.hash);
     EXPECT_EQ(got.contacts, 12u);
     EXPECT_EQ(got.messages, 3u);

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
+#include <functional>
 #include <sstream>
 
 using namespace record;
@@ -91,6 +93,49 @@ TEST(Recording, AFrameIsReadAsItWasWritten) {
     EXPECT_EQ(got.memberships[0].cluster, 9u);
     EXPECT_EQ(got.memberships[1].staticCluster, 3u);
     EXPECT_EQ(got.memberships[1].testedWith, (std::vector<unsigned>{4, 9}));
+}
+
+TEST(Recording, WhatBodiesDoIsReadAsItWasWritten) {
+    Frame sent = frame();
+    sent.velocities = {{{1.0 / 3, -2, 3}, {0, -0.0, 1e-300}}};
+    sent.awake = {false};
+    sent.islands = {-1};
+    sent.contacts = {{1, Contact::kUnknown, {1, 2, 3}, {0, 0, 1}, 0.123456789, {4, 5, 1e-7}}};
+    const Recording recording = read(writeHeader(header()) + "\n" + writeFrame(sent));
+    const Frame &got = recording.frames.at(0);
+    ASSERT_EQ(got.velocities.size(), 1u);
+    EXPECT_EQ(got.velocities[0].linear, sent.velocities[0].linear);
+    EXPECT_TRUE(std::signbit(got.velocities[0].angular[1]));
+    EXPECT_EQ(got.velocities[0].angular[2], 1e-300);
+    EXPECT_EQ(got.awake, sent.awake);
+    EXPECT_EQ(got.islands, sent.islands);
+    ASSERT_TRUE(got.contacts && got.contacts->size() == 1);
+    EXPECT_EQ(got.contacts->at(0).geom1, 1);
+    EXPECT_EQ(got.contacts->at(0).geom2, Contact::kUnknown);
+    EXPECT_EQ(got.contacts->at(0).normal, (Vector{0, 0, 1}));
+    EXPECT_EQ(got.contacts->at(0).force, (Vector{4, 5, 1e-7}));
+    EXPECT_EQ(got.contacts->at(0).depth, 0.123457);
+}
+
+TEST(Recording, EarlierVersionsRecordedLess) {
+    const Recording recording = read(writeHeader(header()) + "\n" + writeFrame(frame()));
+    EXPECT_TRUE(recording.frames.at(0).velocities.empty() && recording.frames[0].awake.empty() && recording.frames[0].islands.empty());
+    EXPECT_FALSE(recording.frames[0].contacts);
+}
+
+TEST(Recording, WhatBodiesDoMustFitThem) {
+    const auto said = [](const std::function<void(Frame &)> &change) {
+        Frame wrong = frame();
+        change(wrong);
+        return complaint(writeHeader(header()) + "\n" + writeFrame(wrong));
+    };
+    EXPECT_NE(said([](Frame &f) { f.velocities.resize(2); }).find("velocity for each"), std::string::npos);
+    EXPECT_NE(said([](Frame &f) { f.velocities = {{{1e17, 0, 0}, {}}}; }).find("velocity of a body"), std::string::npos);
+    EXPECT_NE(said([](Frame &f) { f.awake.resize(3); }).find("state of sleep"), std::string::npos);
+    EXPECT_NE(said([](Frame &f) { f.islands = {0, 0}; }).find("island"), std::string::npos);
+    EXPECT_NE(said([](Frame &f) { f.islands = {-2}; }).find("island is -2"), std::string::npos);
+    EXPECT_NE(said([](Frame &f) { f.contacts = {{2, 0, {}, {}, 0, {}}}; }).find("no geom 2"), std::string::npos);
+    EXPECT_NE(said([](Frame &f) { f.contacts = {{0, 1, {}, {}, 1e17, {}}}; }).find("a contact"), std::string::npos);
 }
 
 TEST(Recording, HeaderAndFrameAreOneLineEach) {

@@ -150,6 +150,29 @@ TEST(Report, JsonHasTheDistributionOfTheSamples) {
     EXPECT_DOUBLE_EQ(samples["quantiles"]["percentile5"], 0.5 + 0.05 * 0.5);
 }
 
+TEST(Report, OneSentenceSaysHowFastAndWhetherTheSame) {
+    WorldResult result = worldResult();
+    EXPECT_EQ(reportSentence({result}),
+              "ODE_MT runs at 2.00 times the speed of stock on pile:4,sap (ours:2), with the same results in every bit.\n");
+    EXPECT_EQ(reportSentence({result, result}),
+              "ODE_MT runs at 2.00 times the speed of stock on pile:4,sap (ours:2), at 2.00 times on pile:4,sap (ours:2), with the same "
+              "results in every bit.\n");
+    result.engines[1].firstDifference = 100;
+    EXPECT_EQ(reportSentence({result}), "");
+    result.engines.pop_back();
+    EXPECT_EQ(reportSentence({result}), "");
+}
+
+TEST(Report, JsonHasTheDistributionOfFrameTimes) {
+    WorldResult result = worldResult();
+    for (Batch &batch : result.engines[1].batches) batch.frameTimes.add(1e-3);
+    result.engines[1].batches[0].frameTimes.add(2e-3);
+    const auto json = nlohmann::json::parse(reportJson({result}));
+    const auto &times = json["worlds"][0]["engines"][1]["frameTimes"];
+    EXPECT_EQ(times["frames"], (std::vector<long>{3, 1}));
+    EXPECT_NEAR(times["seconds"][1], 2 * times["seconds"][0].get<double>(), 1e-9);
+}
+
 TEST(Report, SamplesAreOneLineForEachSecondOfEachEngine) {
     WorldResult result = worldResult();
     result.engines[0] = engineResult("stock", {2});

@@ -53,14 +53,14 @@ protected:
     const std::string bench = std::string(ODEMT_BENCH) + " --worlds rover:3 --engines ours:0 --frames 20";
     const std::string benchFiles = " --json " + folder + "/x.json --csv " + folder + "/x.csv";
     const std::string record = std::string(ODEMT_RECORD) + " rover:2 --frames 5";
-    const std::string render = std::string(ODEMT_RENDER) + " " + recording;
+    const std::string report = std::string(ODEMT_REPORT) + " --recording " + recording;
 };
 
 TEST_F(ToolOutput, AStandardOutputThatIsFullOrClosedIsAnError) {
     for (const std::string &command : {std::string(ODEMT_BENCH) + " --list", std::string(ODEMT_BENCH) + " --help",
                                        bench + benchFiles, std::string(ODEMT_RECORD) + " --help", record,
                                        std::string(ODEMT_RECORD) + " epuck --frames 5",
-                                       std::string(ODEMT_RENDER) + " --help", render}) {
+                                       std::string(ODEMT_REPORT) + " --help"}) {
         EXPECT_EQ(runShell(command + " >/dev/null").exitCode, 0) << command;
         for (const char *const where : {" >/dev/full", " >&-"}) {
             const Outcome outcome = runShell(command + where);
@@ -84,7 +84,7 @@ TEST_F(ToolOutput, AFileThatCannotBeWrittenIsNamedWithTheReason) {
     symlink(loop.c_str(), loop.c_str());
     for (const std::string &command :
          {bench + " --csv /dev/null --json ", bench + " --json /dev/null --csv ", record + " --output ",
-          render + " --output "})
+          report + " --output "})
         for (const auto &[file, reason] : files) {
             const Outcome outcome = runShell(command + file);
             EXPECT_TRUE(outcome.exitCode == 1 || outcome.exitCode == 2) << command << file << ": " << outcome.output;
@@ -98,8 +98,8 @@ TEST_F(ToolOutput, WhatFailsLeavesTheOldFile) {
                       csv = " --csv " + folder + "/x.csv --json ";
     for (const std::string &command :
          {badBench + "/none.sdf" + csv, "ulimit -f 0; " + bench + csv, std::string(ODEMT_RECORD) + " /none.sdf --output ",
-          "ulimit -f 0; " + record + " --output ", std::string(ODEMT_RENDER) + " /dev/null --output ",
-          render + " --frame 77 --output ", "ulimit -f 0; " + render + " --output "}) {
+          "ulimit -f 0; " + record + " --output ", std::string(ODEMT_REPORT) + " /dev/null --output ",
+          "ulimit -f 0; " + report + " --output "}) {
         writeKept();
         const Outcome outcome = runShell(command + kept);
         EXPECT_NE(outcome.exitCode, 0) << command << ": " << outcome.output;
@@ -118,7 +118,7 @@ TEST_F(ToolOutput, WhatIsReadIsNotWrittenTo) {
          {std::string(ODEMT_RECORD) + " " + world + " --frames 5 --output " + world,
           std::string(ODEMT_RECORD) + " " + world + " --frames 5 --output " + link,
           std::string(ODEMT_BENCH) + " --engines ours:0 --frames 5 --worlds " + world + " --csv /dev/null --json " + link,
-          render + " --output " + recording}) {
+          report + " --output " + recording}) {
         const Outcome outcome = runShell(command);
         EXPECT_NE(outcome.exitCode, 0) << command;
         EXPECT_NE(outcome.output.find("are one file"), std::string::npos) << command << ": " << outcome.output;
@@ -132,7 +132,7 @@ TEST_F(ToolOutput, ControlCharactersAreShownAndNotSent) {
     for (const std::string &command :
          {std::string(ODEMT_BENCH) + " --frames " + name, std::string(ODEMT_BENCH) + " --manager " + name,
           std::string(ODEMT_BENCH) + " --worlds " + name, std::string(ODEMT_BENCH_CHILD) + " --pool " + name,
-          std::string(ODEMT_RECORD) + " " + name, record + " --cells " + name, render + " --frame " + name, render + " --width " + name}) {
+          std::string(ODEMT_RECORD) + " " + name, record + " --cells " + name, std::string(ODEMT_REPORT) + " --output x " + name}) {
         const Outcome outcome = runShell(command);
         EXPECT_EQ(outcome.exitCode, 2) << command;
         EXPECT_NE(outcome.output.find("\\x1b[31m\\x07"), std::string::npos) << outcome.output;
@@ -157,10 +157,10 @@ TEST_F(ToolOutput, TheChildEndsAsTheOthersDo) {
 
 TEST_F(ToolOutput, LongNamesAndDevicesAreWrittenTo) {
     const std::string longName = folder + "/" + std::string(250, 'a');
-    EXPECT_EQ(runShell(render + " --output " + longName).exitCode, 0);
+    EXPECT_EQ(runShell(report + " --output " + longName).exitCode, 0);
     EXPECT_TRUE(std::filesystem::exists(longName));
-    const Outcome outcome = runShell(render + " --output /dev/stdout | cat");
-    EXPECT_NE(outcome.output.find("<svg"), std::string::npos) << outcome.output.substr(0, 200);
+    const Outcome outcome = runShell(report + " --output /dev/stdout | cat");
+    EXPECT_NE(outcome.output.find("<!DOCTYPE html>"), std::string::npos) << outcome.output.substr(0, 200);
     const Outcome unnamed = runShell(bench + " --json '' --csv /dev/null");
     EXPECT_EQ(unnamed.exitCode, 2);
     EXPECT_NE(unnamed.output.find("--json: "), std::string::npos) << unnamed.output;

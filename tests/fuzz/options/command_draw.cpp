@@ -92,8 +92,8 @@ const std::map<std::string, Values> &knownValues() {
         {"--algorithm",
          {"original", "static", "static-unmerged", "duplication", "decluster", "lcp", "auto", ""}},
         {"--cells", {"0", "4", "5", "20", "21", "-5", "5.0"}},
-        {"--frame", {"last", "1", "2", "3", "0", "-1", "first", "LAST", "1.0"}},
-        {"recording",
+        {"results", {kResultsFile, kResultsFile, kResultsFile, kRecordingFile, "nosuch.json", ".", "world.sdf", "/dev/null", ""}},
+        {"--recording",
          {kRecordingFile, kRecordingFile, kRecordingFile, kRecordingFile, kRecordingFile, kRecordingFile,
           "nosuch.json", "new", ".", "world.sdf", "/dev/null", ""}},
         {"--pool", {"0", "1", "2", "-1", "4294967295", "4294967296", "100000"}}};
@@ -101,7 +101,7 @@ const std::map<std::string, Values> &knownValues() {
 }
 
 bool isOutput(const std::string &option) {
-    return option == "--json" || option == "--csv" || option == "--samples" || option == "--output";
+    return option == "--json" || option == "--csv" || option == "--samples" || option == "--html" || option == "--output";
 }
 
 // Those that say how long a run takes: what they may be at most.

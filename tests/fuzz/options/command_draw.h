@@ -15,7 +15,7 @@ struct Program {
     std::vector<Option> options;
 };
 
-const char *const kRecordingFile = "recording.json";  // in the folder of the command
+const char *const kRecordingFile = "recording.json", *const kResultsFile = "results.json";  // in the folder of the command
 
 // Values that take long are excluded: runs measure little, and end soon.
 Command drawCommand(const Program &program, fuzz_driver::Random &random);

@@ -1,4 +1,4 @@
-// Draws command lines of the bench's programs, recordings for odemt_render among them, and checks how they
+// Draws command lines of the bench's programs, results and recordings for odemt_report among them, and checks how they
 // end.
 //
 //   odemt_fuzz_options --seconds 300 --seed 1 --keep found
@@ -9,7 +9,6 @@
 #include "options/recording_mutation.h"
 
 #include <sys/stat.h>
-#include <tinyxml2.h>
 #include <nlohmann/json.hpp>
 
 #include <iostream>
@@ -30,6 +29,9 @@ const char *const kWorld =
     "name=\"c\"><geometry>"
     "<sphere><radius>1</radius></sphere></geometry></collision></link></model></world></sdf>\n";
 
+const std::string kResults = R"({"machine":{"cores":2,"processor":"p"},"curves":[],"worlds":[{"world":"w","engines":[]}]})"
+                             "\n";
+
 class Fuzzer {
 public:
     explicit Fuzzer(const fuzz_driver::CampaignOptions &options) : m_options(options) {
@@ -38,7 +40,7 @@ public:
              {std::pair<std::string, std::string>{"odemt_bench", ODE_MT_FUZZ_BENCH},
               {"odemt_bench_child", ODE_MT_FUZZ_BENCH_CHILD},
               {"odemt_record", ODE_MT_FUZZ_RECORD},
-              {"odemt_render", ODE_MT_FUZZ_RENDER}})
+              {"odemt_report", ODE_MT_FUZZ_REPORT}})
             m_programs.push_back({name, file, readOptionTable(execute(file, {"--help"}).output)});
         m_recording = execute(ODE_MT_FUZZ_RECORD, {"rover:1", "--frames", "3", "--every", "1"}).output;
         m_meshRecording =
@@ -91,6 +93,7 @@ private:
         fs::create_symlink("nowhere", work() / "dangling");
         mkfifo((work() / "fifo.sdf").c_str(), 0600);
         const std::string &recording = random.oneIn(4) ? m_meshRecording : m_recording;
+        fuzz_driver::writeFile(work() / kResultsFile, random.oneIn(5) ? kResults : mutatedLines(kResults, random));
         fuzz_driver::writeFile(work() / kRecordingFile,
                                random.oneIn(5) ? recording : mutatedLines(recording, random));
     }
@@ -98,23 +101,20 @@ private:
     void keep(std::uint64_t seed, const Command &command) const {
         const fs::path folder = fs::path(m_options.keep) / std::to_string(seed);
         fs::create_directories(folder);
-        fs::copy_file(work() / kRecordingFile, folder / kRecordingFile, fs::copy_options::overwrite_existing);
+        for (const char *const file : {kRecordingFile, kResultsFile})
+            fs::copy_file(work() / file, folder / file, fs::copy_options::overwrite_existing);
         fuzz_driver::writeFile(folder / "command", command.text() + "\n");
     }
 
-    // A picture is XML with finite numbers, an answer of the child JSON.
+    // A page has its end, an answer of the child is JSON.
     static std::string wrongOutput(const Program &program, const Command &command, const Ending &ending) {
         if (command.output != StandardFile::Kept || ending.output.empty()) return {};
         if (program.name == "odemt_bench_child" && ending.exitCode() < 2 && !isHelp(command))
             return wrongAnswers(ending.output);
-        if (program.name != "odemt_render" || ending.output.compare(0, 4, "<svg") != 0) return {};
-        tinyxml2::XMLDocument xml;
-        if (xml.Parse(ending.output.data(), ending.output.size()) != tinyxml2::XML_SUCCESS)
-            return "a picture that is no XML: " + fuzz_driver::shown(ending.output);
-        for (const char *const number : {"nan", "inf"})
-            if (ending.output.find(number) != std::string::npos)
-                return std::string("a picture with ") + number + ": " + fuzz_driver::shown(ending.output);
-        return {};
+        if (program.name != "odemt_report" || ending.output.compare(0, 9, "<!DOCTYPE") != 0) return {};
+        const std::string end = "</html>\n";
+        const bool isWhole = ending.output.size() > end.size() && ending.output.compare(ending.output.size() - end.size(), end.size(), end) == 0;
+        return isWhole ? "" : "a page without its end";
     }
 
     static bool isHelp(const Command &command) {

@@ -1,0 +1,102 @@
+#include "comparison.h"
+
+#include "loader/load_error.h"
+#include "number_text.h"
+#include "statistics.h"
+#include "table.h"
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <map>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace bench {
+
+using nlohmann::json;
+
+namespace {
+
+struct Figures {
+    double seconds;  // of a frame
+    Spread speedUp;
+    bool isReference;
+};
+
+using Key = std::pair<std::string, std::string>;  // world, engine
+
+struct Run {
+    std::vector<Key> order;
+    std::map<Key, Figures> figures;
+};
+
+Figures figuresOf(const json &engine, bool isReference) {
+    const json &frame = engine.at("parts").at("frame"), &speedUp = frame.at("speedUp");
+    Spread spread{};
+    speedUp.at("median").get_to(spread.median);
+    speedUp.at("lowerQuartile").get_to(spread.lowerQuartile);
+    speedUp.at("upperQuartile").get_to(spread.upperQuartile);
+    return {frame.at("meanSeconds").get<double>(), spread, isReference};
+}
+
+Run readRun(const std::string &file) {
+    std::ifstream stream(file);
+    if (!stream) throw std::runtime_error("cannot read " + worlds::quote(file));
+    Run run;
+    try {
+        const json results = json::parse(stream);
+        for (const json &world : results.at("worlds")) {
+            bool isReference = true;
+            for (const json &engine : world.at("engines")) {
+                const Key key = {world.at("world").get<std::string>(), engine.at("engine").get<std::string>()};
+                if (engine.at("failure").get<std::string>().empty()) {
+                    run.figures[key] = figuresOf(engine, isReference);
+                    run.order.push_back(key);
+                }
+                isReference = false;
+            }
+        }
+    } catch (const json::exception &) {  // its words are of the library's inside
+        throw std::runtime_error(worlds::quote(file) + " holds no results of odemt_bench");
+    }
+    return run;
+}
+
+std::string spreadText(const Spread &spread) {
+    return numberText(spread.median) + " [" + numberText(spread.lowerQuartile) + ", " + numberText(spread.upperQuartile) + "]";
+}
+
+std::string verdict(const Figures &before, const Figures &after) {
+    if (before.isReference && after.isReference) return "reference";
+    if (after.speedUp.lowerQuartile > before.speedUp.upperQuartile) return "faster";
+    if (after.speedUp.upperQuartile < before.speedUp.lowerQuartile) return "slower";
+    return "no difference";
+}
+
+}  // namespace
+
+std::string compareResults(const std::string &before, const std::string &after) {
+    const Run one = readRun(before), other = readRun(after);
+    Table table({{"world", Table::Align::Left},
+                 {"engine", Table::Align::Left},
+                 {"ms before"},
+                 {"after"},
+                 {"speed-up before"},
+                 {"after"},
+                 {"", Table::Align::Left}});
+    bool areCommon = false;
+    for (const Key &key : one.order) {
+        const auto found = other.figures.find(key);
+        if (found == other.figures.end()) continue;
+        areCommon = true;
+        const Figures &was = one.figures.at(key), &is = found->second;
+        table.addRow({worlds::printable(key.first), worlds::printable(key.second), millisecondsText(was.seconds), millisecondsText(is.seconds),
+                      spreadText(was.speedUp), spreadText(is.speedUp), verdict(was, is)});
+    }
+    if (!areCommon) throw std::runtime_error(worlds::quote(before) + " and " + worlds::quote(after) + " have no world and engine in common");
+    return table.text() + "\nfaster, slower: quartiles of the speed-ups over the first engine of the same run do not overlap.\n";
+}
+
+}  // namespace bench

@@ -1,0 +1,20 @@
+// The page that shows what was measured and recorded: HTML, complete in itself.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace report {
+
+// The page without data, written by bundle.py: sources in page/, three.js, Chart.js, their licences.
+extern const char *const kEmptyPage;
+
+struct NamedRecording {
+    std::string name;   // as the page shows it
+    std::string lines;  // as odemt_record has written it
+};
+
+// `results`: the text of the bench's JSON file; empty: none. Throws std::runtime_error if it is no such file.
+std::string page(const std::string &results, const std::vector<NamedRecording> &recordings);
+
+}  // namespace report

@@ -1,0 +1,65 @@
+// odemt_report: results and recordings as one HTML page (page.h).
+#include "error_output.h"
+#include "loader/load_error.h"
+#include "record/recording.h"
+#include "report/page.h"
+#include "report/report_options.h"
+#include "result_file.h"
+#include "standard_output.h"
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace {
+
+std::string contentOf(const std::string &file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream content;
+    content << stream.rdbuf();
+    if (!stream) throw std::runtime_error("cannot read " + worlds::quote(file));
+    return content.str();
+}
+
+// Checked here, so that the page need not.
+report::NamedRecording recordingOf(const std::string &file) {
+    std::string content = contentOf(file);
+    try {
+        std::istringstream lines(content);
+        if (record::readRecording(lines).frames.empty()) throw std::runtime_error("no frames");
+    } catch (const std::runtime_error &error) {
+        throw std::runtime_error(worlds::quote(file) + ": " + error.what());
+    }
+    return {file, std::move(content)};
+}
+
+void writePage(const report::ReportOptions &options) {
+    bench::checkWritable(options.file);
+    std::vector<report::NamedRecording> recordings;
+    for (const std::string &file : options.recordings) recordings.push_back(recordingOf(file));
+    const std::string results = options.results.empty() ? "" : contentOf(options.results);
+    if (!options.results.empty() && results.empty()) throw std::runtime_error(worlds::quote(options.results) + ": empty");
+    std::string page;
+    try {
+        page = report::page(results, recordings);
+    } catch (const std::runtime_error &error) {
+        throw std::runtime_error(worlds::quote(options.results) + ": " + error.what());
+    }
+    bench::writeResultFile(options.file, page);
+}
+
+}  // namespace
+
+int main(int argc, char **argv) {
+    bench::keepStandardFiles();
+    int exitCode = 0;
+    const auto options = report::readReportOptions(argc, argv, exitCode);
+    if (!options) return bench::exitCodeAfterOutput(exitCode);
+    try {
+        writePage(*options);
+        return 0;
+    } catch (const std::exception &error) {
+        bench::printError(error.what());
+        return 1;
+    }
+}

@@ -1,0 +1,193 @@
+#!/usr/bin/env python3
+"""The replay in a browser: two recordings of one world, by libode8 and by ODE_MT, and a third that differs in one number.
+
+    replay_test.py ODEMT_REPORT ODEMT_RECORD
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "bench/report"))
+from browser import Browser  # noqa: E402
+
+REPORT, RECORD = sys.argv[1:3]
+CHANGED_FRAME, CHANGED_BODY, CHANGED_FIELD = 4, 3, 1  # place of the frame in the file, body, y
+
+# Number of colours in a picture, and in how many of a hundred points two pictures differ.
+COLOURS = """const copy = document.createElement('canvas'), canvas = document.getElementById(arguments[0]);
+[copy.width, copy.height] = [canvas.width, canvas.height];
+const context = copy.getContext('2d');
+context.drawImage(canvas, 0, 0);
+const pixels = new Uint32Array(context.getImageData(0, 0, copy.width, copy.height).data.buffer);
+return [new Set(pixels).size, pixels.reduce((sum, pixel) => (31 * sum + pixel) % 4294967291, 7)];"""
+
+
+def record(file, *options):
+    subprocess.run([RECORD, "pile:20", "--frames", "60", "--every", "6", "--contacts", "--cells", "8", *options, "--output", str(file)], check=True)
+
+
+def write_changed(original, changed):
+    lines = original.read_text().splitlines()
+    frame = json.loads(lines[1 + CHANGED_FRAME])
+    frame["frame"]["bodies"][CHANGED_BODY][CHANGED_FIELD] += 1e-12
+    lines[1 + CHANGED_FRAME] = json.dumps(frame)
+    changed.write_text("\n".join(lines) + "\n")
+
+
+class ReplayTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.browser = Browser(width=800, height=800)
+        cls.folder = tempfile.TemporaryDirectory()
+        folder = pathlib.Path(cls.folder.name)
+        cls.stock, cls.ours, cls.changed = (folder / name for name in ("stock.jsonl", "ours.jsonl", "changed.jsonl"))
+        record(cls.stock, "--stock")
+        record(cls.ours)
+        write_changed(cls.ours, cls.changed)
+        cls.frames = [json.loads(line)["frame"] for line in cls.ours.read_text().splitlines()[1:]]
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.close()
+        cls.folder.cleanup()
+
+    def open(self, *recordings, view=""):
+        page = pathlib.Path(self.folder.name) / "page.html"
+        subprocess.run([REPORT, *(word for file in recordings for word in ("--recording", str(file))), "--output", str(page)], check=True)
+        self.browser.open(page, view)
+        self.browser.wait("return document.getElementById('replay')?.dataset.drawn !== undefined")
+        return self.browser
+
+    def state(self, name):
+        return self.browser.run("return document.getElementById('replay').dataset[arguments[0]]", name)
+
+    def wait_for(self, name, value):
+        self.browser.wait(f"return document.getElementById('replay')?.dataset.{name} === '{value}'")
+
+    def press(self, *keys):
+        self.browser.driver.switch_to.active_element.send_keys(*keys)
+
+    def text(self, selector):
+        return self.browser.run("return document.querySelector(arguments[0]).innerText", selector)
+
+    def choose(self, name, value):
+        self.browser.run("""const control = document.getElementById(arguments[0]);
+            control.value = arguments[1]; for (const kind of ['input', 'change']) control.dispatchEvent(new Event(kind));""", name, value)
+
+    def picture(self, canvas=0):
+        self.browser.settle()
+        return self.browser.run(COLOURS, f"replay-canvas-{canvas}")
+
+    def test_one_recording(self):
+        browser = self.open(self.ours)
+        numbers = [frame["number"] for frame in self.frames]
+
+        with self.subTest("a picture is drawn, and another one of another frame"):
+            colours, first = self.picture()
+            self.assertGreater(colours, 20)
+            self.choose("replay-frame", 5)
+            self.wait_for("drawn", numbers[5])
+            self.assertNotEqual(self.picture()[1], first)
+            self.assertIn(f"frame {numbers[5]},", browser.run("return document.getElementById('replay-frame').getAttribute('aria-valuetext')"))
+
+        with self.subTest("the keyboard steps, jumps, plays, turns, comes nearer"):
+            browser.run("document.getElementById('replay-canvas-0').focus()")
+            self.press(Keys.ARROW_RIGHT)
+            self.wait_for("frame", numbers[6])
+            self.press(Keys.ARROW_LEFT, Keys.ARROW_LEFT)
+            self.wait_for("frame", numbers[4])
+            for key in ("d", "w", "+", "-"):
+                before = self.picture()[1]
+                self.press(key)
+                self.assertNotEqual(self.picture()[1], before, key)
+            self.press(Keys.END)
+            self.wait_for("frame", numbers[-1])
+            self.press(Keys.HOME)
+            self.wait_for("frame", numbers[0])
+            self.choose("replay-speed", "10")
+            browser.run("document.getElementById('replay-canvas-0').focus()")
+            self.press(Keys.SPACE)
+            self.wait_for("frame", numbers[-1])
+            self.wait_for("playing", "false")
+
+        with self.subTest("a picked body is described"):
+            self.press("n", "n")
+            self.wait_for("picked", 1)
+            x, y, z = self.frames[-1]["bodies"][1][:3]
+            shown = browser.run("return document.querySelector('.inspector').innerText.replace(/[^0-9.e, -]/g, '')")
+            for value in (x, y, z, *self.frames[-1]["velocities"][1]):
+                self.assertIn(browser.run("return arguments[0].toPrecision(9)", value), shown)
+
+        with self.subTest("a body is picked by its number"):
+            self.choose("replay-body", "4")
+            self.wait_for("picked", 4)
+            self.choose("replay-body", "400")
+            self.wait_for("picked", "")
+
+        with self.subTest("a click picks what is under it, or nothing"):
+            canvas = browser.driver.find_element(By.ID, "replay-canvas-0")
+            picked = set()
+            for x in range(-120, 121, 40):
+                ActionChains(browser.driver).move_to_element_with_offset(canvas, x, 60).click().perform()
+                picked.add(self.state("picked"))
+            self.assertGreater(len(picked), 2)
+            ActionChains(browser.driver).move_to_element_with_offset(canvas, -300, -210).click().perform()
+            self.wait_for("picked", "")
+
+        with self.subTest("colours and overlays change the picture"):
+            pictures = set()
+            for colouring in ("cluster", "body", "island", "sleep"):
+                self.choose("replay-colour", colouring)
+                pictures.add(self.picture()[1])
+            self.assertGreater(len(pictures), 2)  # one island or one cluster looks as all awake bodies do
+            for overlay in ("cells", "contacts", "forces"):
+                before = self.picture()[1]
+                browser.run("document.getElementById(arguments[0]).click()", f"replay-{overlay}")
+                self.assertNotEqual(self.picture()[1], before, overlay)
+
+        self.assertIn("which thread", self.text("#replay"))
+        self.assertEqual(browser.errors(), [])
+
+    def test_an_address_is_a_view(self):
+        number = self.frames[3]["number"]
+        browser = self.open(self.ours, view=f"frame={number}&colour=island&show=contacts,nothing&pick=2&azimuth=10&elevation=80&distance=4")
+        self.wait_for("drawn", number)
+        self.wait_for("picked", 2)
+        self.assertEqual(browser.run("return document.getElementById('replay-colour').value"), "island")
+        self.assertTrue(browser.run("return document.getElementById('replay-contacts').checked"))
+        self.assertFalse(browser.run("return document.getElementById('replay-cells').checked"))
+        self.assertEqual(browser.errors(), [])
+
+    def test_stock_and_ours_are_equal(self):
+        browser = self.open(self.stock, self.ours)
+        self.assertIn(f"Equal in all {len(self.frames)} frames", self.text("#replay-difference"))
+        self.assertGreater(self.picture(0)[0], 20)
+        self.assertEqual(self.picture(0)[1], self.picture(1)[1])
+        self.assertIn("clusters and grid", self.text("#replay"))
+        self.assertEqual(browser.errors(), [])
+
+    def test_the_first_difference_is_found(self):
+        browser = self.open(self.ours, self.changed)
+        number = self.frames[CHANGED_FRAME]["number"]
+        value = self.frames[CHANGED_FRAME]["bodies"][CHANGED_BODY][CHANGED_FIELD]
+        told = self.text("#replay-difference")
+        self.assertIn(f"First difference in frame {number}: position y of body {CHANGED_BODY} is", told)
+        self.assertIn(browser.run("return String(arguments[0])", value), told)
+        browser.run("document.getElementById('replay-canvas-1').focus()")
+        self.press("f")
+        self.wait_for("frame", number)
+        self.wait_for("picked", CHANGED_BODY)
+        self.choose("replay-colour", "difference")
+        self.assertNotEqual(self.picture(0)[0], 1)
+        self.assertEqual(browser.errors(), [])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+"""Results on the page, in a browser: the figures of results.json, plots that are not empty, labels, the keyboard.
+
+    results_test.py ODEMT_REPORT
+"""
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from selenium.webdriver.common.keys import Keys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "bench/report"))
+from browser import Browser  # noqa: E402
+
+RESULTS = pathlib.Path(__file__).with_name("results.json")
+DRAWN = """return [...document.querySelectorAll('.plot canvas')].map(canvas => {
+    const pixels = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+    return new Set(new Uint32Array(pixels.buffer)).size;
+});"""
+
+
+class ResultsTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        page = pathlib.Path(cls.folder.name) / "page.html"
+        subprocess.run([sys.argv[1], str(RESULTS), "--output", str(page)], check=True)
+        cls.browser = Browser(dark=True)
+        cls.browser.open(page)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.close()
+        cls.folder.cleanup()
+
+    def text(self, selector):
+        return self.browser.run("return document.querySelector(arguments[0]).innerText", selector)
+
+    def test_nothing_is_wrong_or_loaded(self):
+        self.assertEqual(self.browser.errors(), [])
+        self.assertEqual(self.browser.run("return performance.getEntriesByType('resource').length"), 0)
+
+    def test_tables_show_the_figures(self):
+        self.assertIn("Processor <of> the test & more, 2 cores", self.text("#machine"))
+        self.assertIn("2.25 [2.14, 2.36]", self.text("#speed-ups"))
+        self.assertIn("4.21", self.text("#speed-ups"))
+        self.assertIn("1.41 [1.33, 1.52]", self.text("#threads"))
+        self.assertIn("9.13", self.text("#sizes"))
+        self.assertIn("1.12", self.text("#sizes"))
+        self.assertIn("5.35 (5.29 [5.10, 5.50])", self.text("#real-time"))
+        self.assertIn("0123456789abcdef", self.text("#summary"))
+
+    def test_frame_times_have_their_quantiles(self):
+        middle = 2 ** (0.5 / 8)
+        self.assertIn(f"{4 * middle:.2f}", self.text("#frame-times"))
+        self.assertIn(f"{5 * middle:.2f}", self.text("#frame-times"))
+
+    def test_other_results_are_a_warning(self):
+        self.assertIn("ours:2 gave other results, found after frame 150", self.text("#summary .warning"))
+
+    def test_plots_are_drawn_and_described(self):
+        colours = self.browser.run(DRAWN)
+        self.assertEqual(len(colours), 6)
+        self.assertTrue(all(count > 10 for count in colours), colours)
+        labels = self.browser.run("return [...document.querySelectorAll('.plot canvas')].map(c => c.getAttribute('aria-label'))")
+        self.assertTrue(all(len(label) > 40 for label in labels), labels)
+
+    def test_every_control_has_a_label_and_every_table_a_caption(self):
+        self.assertEqual(self.browser.run("""return [...document.querySelectorAll('select, input, button')].filter(control =>
+            !control.labels?.length && !control.getAttribute('aria-label') && !control.innerText).length"""), 0)
+        self.assertEqual(self.browser.run("return [...document.querySelectorAll('table')].filter(t => !t.caption?.innerText).length"), 0)
+
+    def test_the_keyboard_chooses(self):
+        self.browser.run("document.getElementById('frame-times-world').focus()")
+        self.assertEqual(self.browser.driver.switch_to.active_element.get_attribute("id"), "frame-times-world")
+        self.browser.driver.switch_to.active_element.send_keys(Keys.TAB)
+        self.assertEqual(self.browser.driver.switch_to.active_element.get_attribute("role"), "region")  # a table that scrolls
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
