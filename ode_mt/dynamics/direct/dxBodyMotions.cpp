@@ -1,5 +1,8 @@
 #include "dynamics/direct/dxBodyMotions.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "dynamics/exactstep/dxExactProblem.h"
 
 void dxFindBodyMotions(const dxExactProblem &problem, double stepSize, dxBodyVectors &motions) {
@@ -15,4 +18,21 @@ void dxFindBodyMotions(const dxExactProblem &problem, double stepSize, dxBodyVec
                                     double(tensor[4 * axis + 2]) * body.tacc[2] + body.avel[axis] / stepSize;
         }
     }
+}
+
+double dxLargestMotion(const dxExactProblem &problem, const dxBodyVectors &motions) {
+    double largest = 0;
+    for (unsigned i = 0; i < problem.jointCount; ++i) {
+        const dxExactJoint &joint = problem.joints[i];
+        for (unsigned row = 0; row < joint.rows; ++row) {
+            double sum = 0;
+            for (unsigned side = 0; side < dxExactProblem::kSides && joint.joint->node[side].body != nullptr; ++side) {
+                const dReal *const elements = problem.rowsOf(joint, side) + std::size_t(row) * dxExactProblem::kElements;
+                const dxBodyVector &motion = motions[joint.joint->node[side].body->tag];
+                for (unsigned k = 0; k < kBodyAxes; ++k) sum += std::fabs(elements[k] * motion.lane[k]);
+            }
+            largest = std::max(largest, sum);
+        }
+    }
+    return largest;
 }

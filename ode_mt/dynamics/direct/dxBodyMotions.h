@@ -7,3 +7,7 @@ struct dxExactProblem;
 
 // By tag.
 void dxFindBodyMotions(const dxExactProblem &problem, double stepSize, dxBodyVectors &motions);
+
+// The largest sum of |J| |u| in a row: b is the rest of c/h and J u, and has their rounding. Where bodies fall together, that is more than a
+// part of b.
+double dxLargestMotion(const dxExactProblem &problem, const dxBodyVectors &motions);

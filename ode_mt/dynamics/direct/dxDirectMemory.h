@@ -7,9 +7,8 @@
 #include "objects.h"
 #include "joints/joint.h"
 
-// Islands that have both fewer rows with limits and fewer rows in all may be solved by Dantzig's algorithm, with or without their rows
-// without limits: it is faster there (docs/direct-solver.md has the figures).
-constexpr unsigned kMinDirectLimitedRows = 110, kMinDirectRows = 700;
+// Islands of so many rows or more are never solved by Dantzig's algorithm alone, which is slower there (docs/direct-solver.md).
+constexpr unsigned kMinDirectRows = 700;
 
 // In place of upstream's dxEstimateStepMemoryRequirements, and never more than that: there is no matrix of kMinDirectRows rows
 // or more.

@@ -17,6 +17,7 @@ public:
 
     const dxDirectProblem &problem() const { return m_problem; }
     const dxEliminationOrder &order() const { return m_order; }
+    const dxBodyVectors &motions() const { return m_motions; }  // v/h + inv(M) f, by tag
 
     // x, in the order of the rows here, in the places where dxApplyResults reads it.
     void writeForces(const std::vector<double> &x, const dxExactProblem &rows) const;
@@ -45,5 +46,5 @@ private:
     std::vector<std::pair<unsigned, unsigned>> m_edges;
     std::vector<Pair> m_pairs;
     std::vector<unsigned> m_sourceOf, m_rowOf;           // rows here and there
-    dxBodyVectors m_motions;                             // v/h + inv(M) f, by tag
+    dxBodyVectors m_motions;
 };

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "dynamics/direct/dxBodyMotions.h"
+
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -21,7 +23,9 @@ bool dxDirectSolver::solve(const dxExactProblem &rows, double stepSize, dxTaskRu
     m_interior.begin(m_rows.problem(), m_rows.order(), m_phases, runner.workers());
     m_phases.run(dxParallelStage::BodySpace, runner, [this] { solveBoth(); });
     if (m_residual == kInfinity) return false;
-    return m_residual <= kMaxResidual * scale().b + kMaxRounding * scale().sum;
+    const dxInteriorPoint::Scale found = scale();
+    const auto isGoodBeside = [&](double sum) { return m_residual <= kMaxResidual * found.b + kMaxRounding * sum; };
+    return isGoodBeside(found.sum) || isGoodBeside(found.sum + dxLargestMotion(rows, m_rows.motions()));
 }
 
 void dxDirectSolver::solveBoth() {

@@ -12,6 +12,8 @@
 #include "dynamics/direct/dxDirectMemory.h"
 #include "dynamics/direct/dxDirectSolver.h"
 #include "dynamics/direct/dxHeldMessage.h"
+#include "dynamics/direct/dxIslandShape.h"
+#include "dynamics/direct/dxMethodCosts.h"
 #include "dynamics/direct/dxReducedLcp.h"
 #include "dynamics/exactstep/dxDantzigSolver.h"
 #include "dynamics/exactstep/dxExactProblem.h"
@@ -33,39 +35,19 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // A solution that is not good is kept for islands of more rows: Dantzig's algorithm would need minutes for them.
 constexpr unsigned kMaxDenseRows = 3000;
 
-// With fewer rows without limits there is too little to eliminate (docs/direct-solver.md has the figures).
-constexpr unsigned kMinEliminatedRows = 40;
+// Below so many rows Dantzig's algorithm is as fast as any method, and choosing would take a part of its time.
+constexpr unsigned kMinChoiceRows = 48;
 
-// Of a chain there are 4, of a tree whose bodies have three joints 6.
-constexpr std::size_t kMaxBlocksPerJoint = 16;
+// Costs are estimates, and exact's method is never to be left for a slower one: the part of its cost that another may have.
+constexpr double kEliminationPart = 0.8, kBodySpacePart = 0.85;
 
 enum class Method { Dantzig, Elimination, BodySpace };
 
-unsigned countLimited(const dxExactProblem &problem) {
-    unsigned limited = 0;
-    for (std::size_t i = 0; i < problem.rowCount; ++i)
-        limited += problem.pairsLoHi[i * kPair + dxJoint::GI2_LO] > -dInfinity || problem.pairsLoHi[i * kPair + dxJoint::GI2_HI] < dInfinity;
-    return limited;
-}
-
-// Whether joints share bodies with few others, as in a chain or a tree: those of one body have blocks with one another.
-bool isSparse(const dxExactProblem &problem) {
-    std::size_t blocks = 0;
-    for (unsigned i = 0; i < problem.bodyCount; ++i) {
-        std::size_t joints = 0;
-        for (unsigned link = problem.links.first[i]; link != dxBodyLinks::kNone; link = problem.links.after(link)) ++joints;
-        blocks += joints * joints;
-    }
-    return blocks <= kMaxBlocksPerJoint * problem.jointCount;
-}
-
-// Requires rows, read.
-Method chooseMethod(const dxExactProblem &problem) {
-    const unsigned limited = countLimited(problem);
-    if (limited >= kMinDirectLimitedRows) return Method::BodySpace;
-    const bool isLarge = problem.rowCount >= kMinDirectRows;
-    if (problem.rowCount - limited >= kMinEliminatedRows && (!isLarge || isSparse(problem))) return Method::Elimination;
-    return isLarge ? Method::BodySpace : Method::Dantzig;
+// By what they would cost.
+Method chooseMethod(const dxMethodCosts &costs) {
+    const double elimination = costs.elimination / kEliminationPart, bodySpace = costs.bodySpace / kBodySpacePart;
+    if (costs.dantzig <= std::min(elimination, bodySpace)) return Method::Dantzig;
+    return elimination < bodySpace ? Method::Elimination : Method::BodySpace;
 }
 
 // By Dantzig's algorithm, in memory from the pool. Returns false where there is none.
@@ -131,10 +113,10 @@ bool eliminate(const dxIslandStep &step, const dxExactProblem &problem) try {
     return false;
 }
 
-// The step's arena has no room for the matrix of a large problem.
-void solveByElimination(const dxIslandStep &step, const dxExactProblem &problem) {
+// What cannot be eliminated has another method.
+void solveByElimination(const dxIslandStep &step, const dxExactProblem &problem, const dxMethodCosts &costs) {
     if (eliminate(step, problem)) return;
-    if (problem.rowCount >= kMinDirectRows) return findForces(step, problem);
+    if (costs.bodySpace < costs.dantzig) return findForces(step, problem);
     countFallback(problem, kInfinity);
     dxDantzigSolver().solve(step, problem);
 }
@@ -142,10 +124,12 @@ void solveByElimination(const dxIslandStep &step, const dxExactProblem &problem)
 }  // namespace
 
 void dxFastSolver::solve(const dxIslandStep &step, const dxExactProblem &problem) {
-    const Method method = chooseMethod(problem);
+    if (problem.rowCount < kMinChoiceRows) return dxDantzigSolver().solve(step, problem);
+    const dxMethodCosts costs = dxMethodCosts::of(dxIslandShape::of(problem, *step.arena));
+    const Method method = chooseMethod(costs);
     if (method == Method::Dantzig) return dxDantzigSolver().solve(step, problem);
     dxStepStatistics::instance().directIslands.fetch_add(1, std::memory_order_relaxed);
-    method == Method::BodySpace ? findForces(step, problem) : solveByElimination(step, problem);
+    method == Method::BodySpace ? findForces(step, problem) : solveByElimination(step, problem, costs);
 }
 
 void dxFastSolver::release() {
