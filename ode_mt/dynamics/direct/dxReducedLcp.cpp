@@ -20,9 +20,10 @@ constexpr unsigned kMatrixAlignment = 64;  // bytes
 // The residual that is good enough, as part of the largest b and of the largest sum.
 constexpr double kGoodResidual = 1e-12, kGoodRounding = 8 * std::numeric_limits<double>::epsilon();
 
-// The largest sum, as part of the largest b, of rows with limits: those that contradict one another have forces of b/c, and which of
-// them end at a limit is a matter of rounding. A robot of twenty modules on its knees has 1e4 to 1e5, contradictory contacts 1e7.
-constexpr double kMaxSum = 1e6;
+// The largest sum, as part of the largest b, where there are rows with limits: those that contradict one another have forces of b/c, and which
+// of them end at a limit is a matter of rounding. Up to the second one, forces tell whether they do: by what part of b/c they are. A robot of
+// twenty modules has 2e4 and 2e-4.
+constexpr double kMaxSum = 1e4, kMaxHarmlessSum = 1e5, kMaxPart = 1e-3;
 
 bool isWithoutLimits(const dxExactProblem &problem, std::size_t row) {
     return problem.pairsLoHi[row * kPair + dxJoint::GI2_LO] == -dInfinity && problem.pairsLoHi[row * kPair + dxJoint::GI2_HI] == dInfinity &&
@@ -219,6 +220,14 @@ void dxReducedLcp::findForces() {
                 part.isLimited ? dxElement(m_limitedForces.data(), part.place + i) : m_otherForces[part.place].lane[i];
 }
 
+bool dxReducedLcp::isContradictory(const dxExactProblem &problem, double largestB, double largestSum) const {
+    if (largestSum <= kMaxSum * largestB) return false;
+    double softness = 1;
+    for (unsigned row = 0; row < problem.rowCount; ++row)
+        softness = std::min(softness, problem.pairsBX[std::size_t(row) * kPair + dxJoint::GI2_CFM] / m_diagonal[row]);
+    return largestSum > std::min(kMaxHarmlessSum, kMaxPart / softness) * largestB;
+}
+
 bool dxReducedLcp::isGood(const dxExactProblem &problem) {
     m_residual.find(problem, m_inverseMasses.data(), m_motions, m_forces);
     double worst = 0, largestB = 0, largestSum = 0;
@@ -229,7 +238,7 @@ bool dxReducedLcp::isGood(const dxExactProblem &problem) {
         largestB = std::max(largestB, std::fabs(m_b[row]));
         largestSum = std::max(largestSum, m_diagonal[row] * std::fabs(m_forces[row]));
     }
-    if (!std::isfinite(largestSum) || (m_blocks.limited > 0 && largestSum > kMaxSum * largestB)) return false;
+    if (!std::isfinite(largestSum) || (m_blocks.limited > 0 && isContradictory(problem, largestB, largestSum))) return false;
     const auto isGoodBeside = [&](double sum) { return worst <= kGoodResidual * largestB + kGoodRounding * sum; };
     // Bodies that fall together have a b that is a small difference of large numbers.
     return isGoodBeside(largestSum) || isGoodBeside(largestSum + dxLargestMotion(problem, m_motions));

@@ -32,6 +32,7 @@ private:
     void makeMatrix(const dxExactProblem &problem, double stepSize);
     bool solveLimitedRows(const dxIslandStep &step, const dxExactProblem &problem);
     void findForces();
+    bool isContradictory(const dxExactProblem &problem, double largestB, double largestSum) const;
     bool isGood(const dxExactProblem &problem);
     void writeForces(const dxExactProblem &problem) const;
 
