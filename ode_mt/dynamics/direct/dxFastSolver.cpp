@@ -38,16 +38,12 @@ constexpr unsigned kMaxDenseRows = 3000;
 // Below so many rows Dantzig's algorithm is as fast as any method, and choosing would take a part of its time.
 constexpr unsigned kMinChoiceRows = 48;
 
-// Costs are estimates, and exact's method is never to be left for a slower one: the part of its cost that another may have.
-constexpr double kEliminationPart = 0.8, kBodySpacePart = 0.85;
-
-enum class Method { Dantzig, Elimination, BodySpace };
-
-// By what they would cost.
-Method chooseMethod(const dxMethodCosts &costs) {
-    const double elimination = costs.elimination / kEliminationPart, bodySpace = costs.bodySpace / kBodySpacePart;
-    if (costs.dantzig <= std::min(elimination, bodySpace)) return Method::Dantzig;
-    return elimination < bodySpace ? Method::Elimination : Method::BodySpace;
+// Contacts without pressure are no work for Dantzig's algorithm, so they are looked at where it would be left because of rows with limits.
+dxMethodCosts findCosts(const dxIslandStep &step, const dxExactProblem &problem) {
+    const dxIslandShape shape = dxIslandShape::of(problem, *step.arena);
+    const dxMethodCosts costs = dxMethodCosts::of(shape);
+    if (shape.limited == 0 || costs.cheapest() != dxDirectMethod::BodySpace) return costs;
+    return dxMethodCosts::of(shape, dxFindActiveShare(problem, step.stepSize));
 }
 
 // By Dantzig's algorithm, in memory from the pool. Returns false where there is none.
@@ -125,11 +121,11 @@ void solveByElimination(const dxIslandStep &step, const dxExactProblem &problem,
 
 void dxFastSolver::solve(const dxIslandStep &step, const dxExactProblem &problem) {
     if (problem.rowCount < kMinChoiceRows) return dxDantzigSolver().solve(step, problem);
-    const dxMethodCosts costs = dxMethodCosts::of(dxIslandShape::of(problem, *step.arena));
-    const Method method = chooseMethod(costs);
-    if (method == Method::Dantzig) return dxDantzigSolver().solve(step, problem);
+    const dxMethodCosts costs = findCosts(step, problem);
+    const dxDirectMethod method = costs.cheapest();
+    if (method == dxDirectMethod::Dantzig) return dxDantzigSolver().solve(step, problem);
     dxStepStatistics::instance().directIslands.fetch_add(1, std::memory_order_relaxed);
-    method == Method::BodySpace ? findForces(step, problem) : solveByElimination(step, problem, costs);
+    method == dxDirectMethod::BodySpace ? findForces(step, problem) : solveByElimination(step, problem, costs);
 }
 
 void dxFastSolver::release() {

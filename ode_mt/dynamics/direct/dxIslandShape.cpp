@@ -25,6 +25,23 @@ bool isWithoutLimits(const dxExactProblem &problem, std::size_t row) {
     return limits[dxJoint::GI2_LO] == -dInfinity && limits[dxJoint::GI2_HI] == dInfinity && problem.normalOf[row] == -1;
 }
 
+// J (v/h + inv(M) f) of one row.
+double findMotion(const dxExactProblem &problem, const dxExactJoint &joint, unsigned row, double stepSize) {
+    double sum = 0;
+    for (unsigned side = 0; side < dxExactProblem::kSides && joint.joint->node[side].body != nullptr; ++side) {
+        const dReal *const elements = problem.rowsOf(joint, side) + std::size_t(row) * dxExactProblem::kElements;
+        const dxBody &body = *joint.joint->node[side].body;
+        const dReal *const tensor = problem.inverseInertia[body.tag].tensor;
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            const dReal *const inertia = tensor + 4 * axis;
+            const double turn = double(inertia[0]) * body.tacc[0] + double(inertia[1]) * body.tacc[1] + double(inertia[2]) * body.tacc[2];
+            sum += elements[axis] * (double(body.facc[axis]) * body.invMass + body.lvel[axis] / stepSize);
+            sum += elements[3 + axis] * (turn + body.avel[axis] / stepSize);
+        }
+    }
+    return sum;
+}
+
 }  // namespace
 
 dxIslandShape dxIslandShape::of(const dxExactProblem &problem, dxWorldProcessMemArena &arena) {
@@ -64,4 +81,30 @@ dxIslandShape dxIslandShape::of(const dxExactProblem &problem, dxWorldProcessMem
     }
     arena.RestoreState(state);
     return shape;
+}
+
+double dxFindActiveShare(const dxExactProblem &problem, double stepSize) {
+    unsigned limited = 0, active = 0;
+    int lastRow = -1;  // of those that push or pull only
+    bool isLastActive = true;
+    for (unsigned i = 0; i < problem.jointCount; ++i) {
+        const dxExactJoint &joint = problem.joints[i];
+        for (unsigned row = 0; row < joint.rows; ++row) {
+            const std::size_t index = std::size_t(joint.firstRow) + row;
+            if (isWithoutLimits(problem, index)) continue;
+            ++limited;
+            const double low = problem.pairsLoHi[index * kPair + dxJoint::GI2_LO], high = problem.pairsLoHi[index * kPair + dxJoint::GI2_HI];
+            bool isActive = true;
+            if (problem.normalOf[index] != -1) {
+                isActive = problem.normalOf[index] != lastRow || isLastActive;
+            } else if ((low == 0) != (high == 0)) {
+                const double b = problem.pairsBX[index * kPair + dxJoint::GI2_RHS] - findMotion(problem, joint, row, stepSize);
+                isActive = low == 0 ? b > 0 : b < 0;
+                lastRow = static_cast<int>(index);
+                isLastActive = isActive;
+            }
+            active += isActive;
+        }
+    }
+    return limited > 0 ? double(active) / limited : 0;
 }

@@ -2,7 +2,7 @@
 // rows, which rows have limits, and which joints share bodies. Found in one pass over the joints, in less time than they take to write their
 // rows.
 //
-// Deterministic: neither forces and velocities nor addresses count.
+// Deterministic: addresses do not count.
 #pragma once
 
 class dxWorldProcessMemArena;
@@ -28,3 +28,7 @@ struct dxIslandShape {
     // Requires rows, read. What is taken of the arena is given back.
     static dxIslandShape of(const dxExactProblem &problem, dxWorldProcessMemArena &arena);
 };
+
+// The part of an island's rows with limits that are not satisfied without any force, as far as that is known before the problem is solved: all
+// but those that push only, or pull only, and need not, and friction beside them. (Bodies that part, or fall together.)
+double dxFindActiveShare(const dxExactProblem &problem, double stepSize);
