@@ -15,6 +15,7 @@
 #include "brick_wall.h"
 #include "../frame/OdeSession.h"
 #include "instruction_sets.h"
+#include "joint_world.h"
 #include "kept_messages.h"
 #include "random_world.h"
 #include "robot_world.h"
@@ -130,6 +131,69 @@ TEST_F(DirectStep, MovesAChainAsTheExactStep) {
     expectSameChain(400);
 }
 
+// One step by each solver. Returns the velocities of both.
+template <class Add>
+std::vector<std::vector<dReal>> velocitiesOfBoth(const Add &add) {
+    std::vector<std::vector<dReal>> velocities;
+    for (const char *solver : {"exact", "fast"}) {
+        JointWorld world(solver);
+        add(world);
+        dWorldStep(world.world(), kStepSize);
+        velocities.push_back(world.velocities());
+    }
+    return velocities;
+}
+
+// Rays of a small star are dense rows for Dantzig's algorithm: nothing is to be gained, and bits are those of "exact".
+TEST_F(DirectStep, LeavesSmallStarsToTheExactStep) {
+    for (const unsigned rays : {5u, 14u, 30u}) {
+        const Counts counts;
+        const auto velocities = velocitiesOfBoth([&](JointWorld &world) { world.addStar(rays); });
+        EXPECT_EQ(counts.newIslands(), 0u) << rays;
+        EXPECT_EQ(velocities[0], velocities[1]) << rays;
+    }
+}
+
+// In the space of bodies a hub is one block.
+TEST_F(DirectStep, MovesLargeStarsAndWheelsAsTheExactStep) {
+    for (const unsigned rays : {100u, 250u}) {
+        const Counts counts;
+        const auto star = velocitiesOfBoth([&](JointWorld &world) { world.addStar(rays); });
+        expectSame(star[0], star[1]);
+        const auto wheel = velocitiesOfBoth([&](JointWorld &world) { world.addWheel(rays); });
+        expectSame(wheel[0], wheel[1]);
+        EXPECT_EQ(counts.newIslands(), 2u) << rays;
+        EXPECT_EQ(counts.newFallbacks(), 0u) << rays;
+    }
+}
+
+TEST_F(DirectStep, MovesANetAsTheExactStep) {
+    const Counts counts;
+    const auto velocities = velocitiesOfBoth([](JointWorld &world) { world.addNet(8); });
+    EXPECT_EQ(counts.newIslands(), 1u);
+    EXPECT_EQ(counts.newFallbacks(), 0u);
+    expectSame(velocities[0], velocities[1]);
+}
+
+// Bodies that fall together have a b that is the small rest of large velocities, and no larger error than rounding leaves in these.
+TEST_F(DirectStep, SolvesWhatFalls) {
+    const Counts counts;
+    for (const dReal velocity : {dReal(-1), dReal(-30), dReal(-1000)}) {
+        const auto net = velocitiesOfBoth([&](JointWorld &world) {
+            world.addNet(8);
+            world.push(velocity);
+        });
+        expectSame(net[0], net[1]);
+        const auto star = velocitiesOfBoth([&](JointWorld &world) {
+            world.addStar(250);
+            world.push(velocity);
+        });
+        expectSame(star[0], star[1]);
+    }
+    EXPECT_EQ(counts.newIslands(), 6u);
+    EXPECT_EQ(counts.newFallbacks(), 0u);
+}
+
 // Where forces are not unique, the residual is what counts: nothing is left to the exact solver.
 TEST_F(DirectStep, SolvesHardContacts) {
     BrickWall::Shape shape;
@@ -205,12 +269,22 @@ std::vector<std::uint64_t> stateAfterSteps(unsigned threads, const char *solver,
     }
     RobotWorld robots({8, 17, 8}, 3);
     dODE_MT_SetSolver(robots.world(), solver);
-    for (int i = 0; i < 5; ++i) dWorldStep(robots.world(), kStepSize);
-    for (const dReal velocity : robots.velocities()) {
-        std::uint64_t bits = 0;
-        std::memcpy(&bits, &velocity, sizeof velocity);
-        all.push_back(bits);
+    JointWorld others(solver);
+    for (const unsigned rays : {14u, 120u}) {
+        others.addStar(rays);
+        others.addWheel(rays);
     }
+    others.addNet(6);
+    for (int i = 0; i < 5; ++i) {
+        dWorldStep(robots.world(), kStepSize);
+        dWorldStep(others.world(), kStepSize);
+    }
+    for (const std::vector<dReal> &velocities : {robots.velocities(), others.velocities()})
+        for (const dReal velocity : velocities) {
+            std::uint64_t bits = 0;
+            std::memcpy(&bits, &velocity, sizeof velocity);
+            all.push_back(bits);
+        }
     return all;
 }
 
@@ -276,7 +350,7 @@ TEST_F(DirectStep, HasTheSameBitsForEveryNumberOfThreads) {
     const Counts counts;
     const std::vector<std::uint64_t> serial = stateAfterSteps(0, "fast", "serial");
     EXPECT_GE(counts.newIslands(), 5u);
-    EXPECT_GE(counts.newIslands() - counts.newFallbacks(), 40u);  // all robots
+    EXPECT_GE(counts.newIslands() - counts.newFallbacks(), 40u + 15u);  // all robots, the large star and wheel, the net
     for (const unsigned threads : {1u, 2u, 3u, 8u}) EXPECT_EQ(stateAfterSteps(threads, "fast"), serial) << threads << " threads";
     EXPECT_NE(stateAfterSteps(0, "exact"), serial);
 }
