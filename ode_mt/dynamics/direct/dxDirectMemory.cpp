@@ -25,6 +25,9 @@ sizeint sizeOfRows(sizeint bodies, sizeint joints, sizeint rows) {
            sizeOf<unsigned>(bodies) + sizeOf<unsigned>(joints * dxExactProblem::kSides);
 }
 
+// Of the matrix alone: small islands need not know more.
+constexpr sizeint kLeastMatrix = sizeint(kMinDirectRows) * kMinDirectRows * sizeof(dReal);
+
 // The matrix, and what makes and solves it.
 sizeint sizeOfMatrix(sizeint bodies, sizeint joints, unsigned rows) {
     const sizeint making = sizeOf<dxConstraintJoint>(joints) + sizeOf<dReal>(bodies * dxExactProblem::kElements) +
@@ -36,6 +39,7 @@ sizeint sizeOfMatrix(sizeint bodies, sizeint joints, unsigned rows) {
 
 sizeint dxEstimateDirectStepMemory(dxBody *const *bodies, unsigned bodyCount, dxJoint *const *joints, unsigned jointCount) {
     const sizeint upstreams = dxEstimateStepMemoryRequirements(bodies, bodyCount, joints, jointCount);
+    if (upstreams <= kLeastMatrix) return upstreams;
     const sizeint matrix = sizeOfMatrix(bodyCount, jointCount, kMinDirectRows);
     if (upstreams <= matrix) return upstreams;
     sizeint rows = 0;
