@@ -85,6 +85,15 @@ TEST_F(MethodCosts, ARobotHasRowsWithLimits) {
     EXPECT_EQ(island.method(), dxDirectMethod::Elimination);
 }
 
+// More rows with limits than bodies have freedoms contradict one another: neither elimination nor an interior point is of use.
+TEST_F(MethodCosts, ARobotInACrowdOfContactsIsLeftToDantzig) {
+    RobotWorld robot({1, 9, 30}, 3);
+    const Island island = lookAt(robot.world());
+    EXPECT_EQ(island.shape.unlimited(), 40u);
+    EXPECT_EQ(island.shape.limited, 8 + 30 * 3);
+    EXPECT_EQ(island.method(), dxDirectMethod::Dantzig);
+}
+
 template <class Add>
 dxDirectMethod methodFor(const Add &add) {
     JointWorld world;

@@ -38,6 +38,9 @@ constexpr unsigned kMaxDenseRows = 3000;
 // Below so many rows Dantzig's algorithm is as fast as any method, and choosing would take a part of its time.
 constexpr unsigned kMinChoiceRows = 48;
 
+// How many times as many factorisations are expected where elimination has failed.
+constexpr double kFactorisationsOfFailed = 3;
+
 // Contacts without pressure are no work for Dantzig's algorithm, so they are looked at where it would be left because of rows with limits.
 dxMethodCosts findCosts(const dxIslandStep &step, const dxExactProblem &problem) {
     const dxIslandShape shape = dxIslandShape::of(problem, *step.arena);
@@ -109,10 +112,10 @@ bool eliminate(const dxIslandStep &step, const dxExactProblem &problem) try {
     return false;
 }
 
-// What cannot be eliminated has another method.
+// What cannot be eliminated has another method. Rows may contradict one another then, which is many factorisations for body space.
 void solveByElimination(const dxIslandStep &step, const dxExactProblem &problem, const dxMethodCosts &costs) {
     if (eliminate(step, problem)) return;
-    if (costs.bodySpace < costs.dantzig) return findForces(step, problem);
+    if (kFactorisationsOfFailed * costs.bodySpace < costs.dantzig) return findForces(step, problem);
     countFallback(problem, kInfinity);
     dxDantzigSolver().solve(step, problem);
 }

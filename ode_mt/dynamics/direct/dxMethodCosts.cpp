@@ -17,8 +17,17 @@ constexpr double kEliminationPart = 0.8, kBodySpacePart = 0.92;
 // Below so many rows Dantzig's algorithm knows no skyline.
 constexpr unsigned kSkylineRows = 64;
 
-// Of an interior point: motors take 8, contacts 13 to 26, those of high stacks up to 60.
-constexpr double kFactorisations = 15;
+// Of an interior point: motors take 8, contacts 13 to 26, those of high stacks and of crowded joints up to 60.
+constexpr double kFactorisations = 15, kFactorisationsOfCrowd = 45;
+
+// Rows with limits for each freedom that the others leave to the bodies: walls have 3.4, robots 1 to 2.6, and with 6 rows contradict
+// one another.
+constexpr double kCrowd = 4;
+
+bool isCrowded(const dxIslandShape &shape) {
+    const double freedoms = double(kBodyAxes) * shape.bodies - shape.unlimited();
+    return shape.limited > 0 && shape.unlimited() > 0 && shape.limited > kCrowd * freedoms;
+}
 
 double makeMatrix(double rows) { return 3e-4 * rows * rows; }
 
@@ -40,7 +49,7 @@ double costOfDantzig(const dxIslandShape &shape, double activeShare) {
 // Blocks are as large as the mean joint's. Rows of A_ul have as many lines as rows with limits fill, since these spread in the elimination.
 double costOfElimination(const dxIslandShape &shape) {
     const double limited = shape.rows - shape.eliminatedRows;
-    if (shape.eliminatedJoints == 0 || limited >= dxRowBlocks::kMaxLines * kBodyLanes) return kInfinity;
+    if (shape.eliminatedJoints == 0 || limited >= dxRowBlocks::kMaxLines * kBodyLanes || isCrowded(shape)) return kInfinity;
     const double size = double(shape.eliminatedRows) / shape.eliminatedJoints, block = size * size, lines = limited / kBodyLanes + 1;
     const double rows = 0.3 + 0.045 * shape.joints + 0.055 * shape.rows;
     const double ordering = 0.0125 * shape.blocks + 0.003 * shape.products;  // a quarter of it: the last island's order may do
@@ -52,7 +61,7 @@ double costOfElimination(const dxIslandShape &shape) {
 // Without limits, one factorisation and its refinement.
 double costOfBodySpace(const dxIslandShape &shape) {
     if (shape.limited == 0) return 0.5 * shape.bodies + 0.4 * shape.joints + 0.16 * shape.rows;
-    return 0.11 * shape.rows + kFactorisations * (0.33 * shape.bodies + 0.021 * shape.rows);
+    return 0.11 * shape.rows + (isCrowded(shape) ? kFactorisationsOfCrowd : kFactorisations) * (0.33 * shape.bodies + 0.021 * shape.rows);
 }
 
 }  // namespace
