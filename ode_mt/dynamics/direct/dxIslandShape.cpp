@@ -8,6 +8,7 @@
 #include "util.h"
 
 #include "core/dxNoIndex.h"
+#include "dynamics/direct/dxRowLimits.h"
 #include "dynamics/exactstep/dxExactProblem.h"
 
 namespace {
@@ -19,11 +20,6 @@ struct Share {
     unsigned firstRow;  // among rows without limits; kNoIndex: none
     unsigned joints;
 };
-
-bool isWithoutLimits(const dxExactProblem &problem, std::size_t row) {
-    const dReal *const limits = problem.pairsLoHi + row * kPair;
-    return limits[dxJoint::GI2_LO] == -dInfinity && limits[dxJoint::GI2_HI] == dInfinity && problem.normalOf[row] == -1;
-}
 
 // J (v/h + inv(M) f) of one row.
 double findMotion(const dxExactProblem &problem, const dxExactJoint &joint, unsigned row, double stepSize) {
@@ -57,7 +53,7 @@ dxIslandShape dxIslandShape::of(const dxExactProblem &problem, dxWorldProcessMem
         const dxExactJoint &joint = problem.joints[i];
         unsigned first = i < problem.unboundedJoints ? joint.rows : 0u, unlimited = first;
         for (unsigned row = first; row < joint.rows; ++row) {
-            const bool isUnlimited = isWithoutLimits(problem, std::size_t(joint.firstRow) + row);
+            const bool isUnlimited = dxIsWithoutLimits(problem, std::size_t(joint.firstRow) + row);
             first += isUnlimited && unlimited == row;
             unlimited += isUnlimited;
         }
@@ -91,7 +87,7 @@ double dxFindActiveShare(const dxExactProblem &problem, double stepSize) {
         const dxExactJoint &joint = problem.joints[i];
         for (unsigned row = 0; row < joint.rows; ++row) {
             const std::size_t index = std::size_t(joint.firstRow) + row;
-            if (isWithoutLimits(problem, index)) continue;
+            if (dxIsWithoutLimits(problem, index)) continue;
             ++limited;
             const double low = problem.pairsLoHi[index * kPair + dxJoint::GI2_LO], high = problem.pairsLoHi[index * kPair + dxJoint::GI2_HI];
             bool isActive = true;

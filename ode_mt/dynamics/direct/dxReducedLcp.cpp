@@ -8,6 +8,7 @@
 #include "dynamics/direct/dxBodyMotions.h"
 #include "dynamics/direct/dxKktResidual.h"
 #include "dynamics/direct/dxRowElimination.h"
+#include "dynamics/direct/dxRowLimits.h"
 #include "dynamics/exactstep/dantzig/dxDantzig.h"
 #include "dynamics/exactstep/dxExactProblem.h"
 #include "dynamics/islands/dxIslandStep.h"
@@ -24,11 +25,6 @@ constexpr double kGoodResidual = 1e-12, kGoodRounding = 8 * std::numeric_limits<
 // of them end at a limit is a matter of rounding. Up to the second one, forces tell whether they do: by what part of b/c they are. A robot of
 // twenty modules has 2e4 and 2e-4.
 constexpr double kMaxSum = 1e4, kMaxHarmlessSum = 1e5, kMaxPart = 1e-3;
-
-bool isWithoutLimits(const dxExactProblem &problem, std::size_t row) {
-    return problem.pairsLoHi[row * kPair + dxJoint::GI2_LO] == -dInfinity && problem.pairsLoHi[row * kPair + dxJoint::GI2_HI] == dInfinity &&
-           problem.normalOf[row] == -1;
-}
 
 }  // namespace
 
@@ -55,7 +51,7 @@ bool dxReducedLcp::listParts(const dxExactProblem &problem) {
     for (unsigned i = 0; i < problem.jointCount; ++i) {
         const dxExactJoint &joint = problem.joints[i];
         unsigned without = 0;
-        while (without < joint.rows && isWithoutLimits(problem, joint.firstRow + without)) ++without;
+        while (without < joint.rows && dxIsWithoutLimits(problem, joint.firstRow + without)) ++without;
         if (without > 0) addPart(problem, i, 0, without, false);
         if (without < joint.rows) addPart(problem, i, without, joint.rows, true);
     }
