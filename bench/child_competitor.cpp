@@ -1,5 +1,6 @@
 #include "child_competitor.h"
 
+#include "error_output.h"
 #include "library_variables.h"
 
 namespace bench {
@@ -38,8 +39,20 @@ process::Environment ChildCompetitor::environment() const {
     process::Environment changes;
     for (const std::string &name : libraryVariables()) changes[name] = "";
     for (const auto &[name, value] : engine().environment()) changes[name] = value;
+    if (engine().isOurs() && !m_settings.traceFile.empty()) changes["ODE_MT_TRACE"] = m_settings.traceFile;
     changes["LD_LIBRARY_PATH"] = engine().isOurs() ? m_settings.oursFolder : m_settings.stockFolder;
     return changes;
+}
+
+// Its library writes the file when the child ends, which is killed otherwise.
+void ChildCompetitor::endTrace() {
+    if (m_process == nullptr || !engine().isOurs() || m_settings.traceFile.empty()) return;
+    try {
+        m_process->writeEnd();
+        m_process->waitForExit();
+    } catch (const process::LineProcessError &error) {
+        printError("no trace of " + engine().name() + ": " + error.what());
+    }
 }
 
 // The child says which library and settings it really got.

@@ -17,12 +17,14 @@ struct ChildSettings {
     std::chrono::milliseconds limit = std::chrono::minutes(2);  // for one answer
     bool ignoreUnsupported = false;                             // elements of an SDF world
     bool timeCallbacks = false;
+    std::string traceFile;  // of ours; empty: none
 };
 
 class ChildCompetitor final : public Competitor {
 public:
     ChildCompetitor(const Engine &engine, const std::string &world, const ChildSettings &settings)
         : Competitor(engine), m_world(world), m_settings(settings) {}
+    ~ChildCompetitor() override { endTrace(); }
 
     Ready start() override;
     Batch run(int frames) override;
@@ -32,6 +34,7 @@ private:
     std::vector<std::string> command() const;
     process::Environment environment() const;
     void check(const Ready &ready) const;
+    void endTrace();
 
     std::string m_world;
     ChildSettings m_settings;

@@ -8,7 +8,10 @@
 #include "result_file.h"
 #include "loader/load_error.h"
 #include "standard_output.h"
+#include "trace_file.h"
 #include "world_source.h"
+
+#include <algorithm>
 
 namespace {
 
@@ -25,8 +28,13 @@ void save(const std::vector<bench::WorldResult> &results, const bench::Options &
 bench::WorldResult measure(const std::string &world, const bench::Options &options,
                            const std::function<void(const bench::WorldResult &)> &onRound) {
     bench::Competitors competitors;
-    for (const bench::Engine &engine : options.engines)
-        competitors.push_back(std::make_unique<bench::ChildCompetitor>(engine, world, options.child));
+    const auto ours = std::count_if(options.engines.begin(), options.engines.end(), [](const bench::Engine &engine) { return engine.isOurs(); });
+    const std::size_t traces = options.worlds.size() * static_cast<std::size_t>(ours);
+    for (const bench::Engine &engine : options.engines) {
+        bench::ChildSettings child = options.child;
+        child.traceFile = bench::traceFileOf(options.traceFile, world, engine.name(), traces);
+        competitors.push_back(std::make_unique<bench::ChildCompetitor>(engine, world, child));
+    }
     return bench::race(world, competitors, options.race, onRound);
 }
 
@@ -34,6 +42,7 @@ bool compare(const bench::Options &options) {
     std::vector<std::string> files = {options.jsonFile, options.csvFile};
     if (!options.samplesFile.empty()) files.push_back(options.samplesFile);
     if (!options.htmlFile.empty()) files.push_back(options.htmlFile);
+    if (!options.traceFile.empty()) files.push_back(options.traceFile);
     for (const std::string &file : files) bench::checkWritable(file);
 
     bool isClean = true;

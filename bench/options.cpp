@@ -111,6 +111,9 @@ void addOptions(CLI::App &app, Words &words, Options &options) {
                    "file for the real-time factor of each second that each engine ran;\n"
                    "measuring then does not end before --seconds or --frames");
     app.add_option("--html", options.htmlFile, "file for a page with tables and plots of all figures (docs/report.md)");
+    app.add_option("--trace", options.traceFile,
+                   "file for what each thread of ours does, to be opened in ui.perfetto.dev; of several\n"
+                   "worlds or engines each has a file with its name in it");
     app.add_flag("!--no-averages", options.withAverages,
                  "leave the kept running averages out of the JSON file");
     app.add_option("--stock-library", options.child.stockFolder, "folder of Debian's libode.so.8")
@@ -149,6 +152,7 @@ void interpret(const Words &words, Options &options) {
     std::vector<std::string> files = {options.jsonFile, options.csvFile};
     if (!options.samplesFile.empty()) files.push_back(options.samplesFile);
     if (!options.htmlFile.empty()) files.push_back(options.htmlFile);
+    if (!options.traceFile.empty()) files.push_back(options.traceFile);
     for (const std::string &world : options.worlds)
         if (const std::string file = readWorldSpec(world).name; std::filesystem::is_regular_file(file)) files.push_back(file);
     if (options.jsonFile.empty()) throw std::invalid_argument("--json: a file of results has no name");

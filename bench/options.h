@@ -18,6 +18,7 @@ struct Options {
     std::string jsonFile, csvFile;
     std::string samplesFile;   // empty: none is written
     std::string htmlFile;      // empty: none is written
+    std::string traceFile;     // of ours, what each thread does; empty: none is written
     bool withAverages = true;  // in the JSON file
     bool list = false;         // print the worlds and end
     std::vector<std::string> compared;  // two files of results: compare them and end; empty: measure

@@ -39,6 +39,7 @@ extern "C" {
  *   ODE_MT_GRID_CELLS=n|auto
  *   ODE_MT_THREAD_MANAGER=pthread|openmp
  *   ODE_MT_LOG=error|warning|info|debug
+ *   ODE_MT_TRACE=file
  *   ODE_MT_PERTURB=n
  * @endcode
  * An empty variable counts as unset; a program with another user's rights (set-user-ID) reads none. A whole number out
@@ -407,6 +408,45 @@ ODE_API unsigned dODE_MT_GetDirectFallbacks(void);
  * @ingroup ode_mt
  */
 ODE_API unsigned dODE_MT_GetMaxWorkersUsed(void);
+
+/**
+ * Starts to record what each thread does in steps and collisions, for a file that https://ui.perfetto.dev and chrome://tracing
+ * open (docs/timeline.md). ODE_MT_TRACE does the same from the first step or collision on. No result changes.
+ *
+ * The last 8192 events of each thread are kept in memory, half a MiB a thread. The file is written by dODE_MT_FlushTrace, dODE_MT_StopTrace
+ * and dCloseODE, when the process ends by exit, or when the library is unloaded; each time anew, with all events that are kept. A process that
+ * ends in another way leaves what was written before. A trace that is being recorded is stopped first, as by dODE_MT_StopTrace. After fork the
+ * child records nothing until it starts a trace of its own. The call waits while the file is written.
+ *
+ * @param path of the file, relative to the folder that is the process's own now; it is replaced. "%p" in it stands for the number of the process
+ * @return 1, or 0 and a dMessage with the reason if the file cannot be written; nothing is recorded then.
+ * @ingroup ode_mt
+ */
+ODE_API int dODE_MT_StartTrace(const char *path);
+
+/**
+ * Writes the file of the trace with all that has been recorded, and goes on recording. The call waits until the file is written.
+ *
+ * @return 1, or 0 if nothing is recorded, or if the file cannot be written, which a dMessage reports.
+ * @ingroup ode_mt
+ */
+ODE_API int dODE_MT_FlushTrace(void);
+
+/**
+ * Asks for the same. The file is written at the beginning of the next step, on the thread that makes it. May be called by a handler of
+ * a signal (it is async-signal-safe). Nothing happens if nothing is recorded then.
+ *
+ * @ingroup ode_mt
+ */
+ODE_API void dODE_MT_RequestTraceFlush(void);
+
+/**
+ * Writes the file of the trace and ends the recording; what was recorded is forgotten. The call waits until the file is written.
+ *
+ * @return 1, or 0 if nothing was recorded, or if the file cannot be written, which a dMessage reports.
+ * @ingroup ode_mt
+ */
+ODE_API int dODE_MT_StopTrace(void);
 
 /* ------------------------------------------------------------------------------------------------
  * Calls that programs written for the multithreaded ODE of Webots make. ODE_MT works on the user's

@@ -2,6 +2,7 @@
 #include <ode/error.h>
 #include <ode/ode_MT.h>
 
+#include <cstring>
 #include <new>
 
 #include "config.h"
@@ -11,6 +12,7 @@
 #include "settings/dxStepStatistics.h"
 #include "settings/dxWorkers.h"
 #include "settings/dxWorldSolver.h"
+#include "threading/timeline/dxTimeline.h"
 
 namespace {
 
@@ -28,6 +30,20 @@ bool noteSolver(const Note &note) {
     }
     dMessage(0, "ODE_MT: no memory to note the solver of a world");
     return false;
+}
+
+// Returns whether there is no error.
+int reportTrace(int error, const char *path) {
+    if (error > 0) dMessage(0, "ODE_MT: the trace '%.800s' cannot be written: %s", path, std::strerror(error));
+    return error == 0;
+}
+
+// The same for write(), which writes the file of the trace.
+template <class Write>
+int writeTrace(const Write &write) {
+    char path[800];
+    dxTimeline::copyPath(path, sizeof path);
+    return reportTrace(write(), path);
 }
 
 }  // namespace
@@ -140,6 +156,20 @@ void dODE_MT_GetStatistics(dODE_MT_Statistics *statistics) {
     statistics->contactsAhead = counted.contactsAhead;
     statistics->contactsAheadUnused = counted.contactsAheadUnused;
 }
+
+int dODE_MT_StartTrace(const char *path) {
+    if (path == nullptr || *path == '\0') {
+        dMessage(0, "ODE_MT: dODE_MT_StartTrace was given no file (%s)", path == nullptr ? "NULL" : "an empty name");
+        return 0;
+    }
+    return reportTrace(dxTimeline::start(path), path);
+}
+
+int dODE_MT_FlushTrace() { return writeTrace(dxTimeline::flush); }
+
+void dODE_MT_RequestTraceFlush() { dxTimeline::requestFlush(); }
+
+int dODE_MT_StopTrace() { return writeTrace(dxTimeline::stop); }
 
 unsigned dODE_MT_GetMaxWorkersUsed() { return dxStepStatistics::instance().maxWorkersUsed; }
 

@@ -21,6 +21,7 @@
 #include "seams/upstream.h"
 #include "settings/dxWorkers.h"
 #include "threading/process/dxForkLocks.h"
+#include "threading/timeline/dxTimeline.h"
 
 namespace {
 
@@ -52,6 +53,7 @@ void releaseWorkers() {
 __attribute__((destructor)) void unload() {
     releaseWorkers();
     dxThreadTrimeshCache::unload();
+    dxTimeline::unload();
 }
 
 }  // namespace
@@ -88,6 +90,7 @@ void dCloseODE() {
         dxColliderTable::forgetClasses();
         dxThreadTrimeshCache::release();
         releaseWorkers();
+        dxTimeline::flushAtClose();
     }
 }
 

@@ -10,6 +10,7 @@
 #include "dynamics/dxWorldArena.h"
 #include "dynamics/islands/dxBodyIntegration.h"
 #include "dynamics/islands/dxIslandSearch.h"
+#include "dynamics/islands/dxStepTimeline.h"
 #include "dynamics/islands/dxUserHandlers.h"
 #include "dynamics/islands/dxWorkingMemory.h"
 #include "dynamics/iterative/dxIterativeWorld.h"
@@ -49,6 +50,7 @@ void dxIslandParallelStep::run() {
 
 // Changes nothing of the world's. Returns false if there is no memory for it.
 bool dxIslandParallelStep::prepare() try {
+    const dxTimelineSpan preparation(dxStepEvents::kIslandPreparation);
     m_records = dxStepRecords::borrow();
     dxPrepareIslands(m_call, m_plan.workers, *m_records);
     if (m_call.iterativeWorld != nullptr) m_call.iterativeWorld->provideSolvers(m_plan.workers);
@@ -108,6 +110,7 @@ void dxIslandParallelStep::stepRemainingIslands() {
 // that has to be stepped in order, was interrupted, or has a geom in a space that is being collided.
 // Returns that one.
 unsigned dxIslandParallelStep::commit() {
+    const dxTimelineSpan span(dxStepEvents::kCommit);
     dxPerturb(dxSchedulePoint::CommitIslands);
     unsigned end = std::min(m_records->inOrderFrom, m_interrupted.load(std::memory_order_relaxed));
     if (m_userHandlers) {

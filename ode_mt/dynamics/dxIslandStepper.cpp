@@ -7,6 +7,7 @@
 #include "dynamics/direct/dxFastSolver.h"
 #include "dynamics/exactstep/dxDantzigSolver.h"
 #include "dynamics/exactstep/dxExactStep.h"
+#include "dynamics/islands/dxStepTimeline.h"
 #include "dynamics/islands/dxWorkingMemory.h"
 #include "dynamics/iterative/dxIterativeStep.h"
 #include "dynamics/quickstep/dxQuickStep.h"
@@ -65,6 +66,7 @@ dxStepperKind dxIslandStepper::kindOf(const dxWorld *world, dstepper_fn_t steppe
 
 void dxIslandStepper::step(const dxStepCall &call, const dxIsland &island, dxWorldProcessMemArena *arena,
                            dxLargeIslandWorkers *islandWorkers) {
+    const dxIslandSpan span(island);
     arena->ResetState();
     const dxIslandStep step{call.world, call.stepSize, island, arena, islandWorkers, call.iterativeWorld};
     if (isChanged(island, call.kind)) {
@@ -93,5 +95,7 @@ bool dxIslandStepper::drawsRandomNumbers(const dxStepCall &call) { return drawsO
 bool dxIslandStepper::stepByPosting(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize,
                                     dstepper_fn_t stepper, dmaxcallcountestimate_fn_t estimate) {
     const dxSingleStepper inTurn;
+    dxTimelineSpan span(dxStepEvents::kIslandsInOrder);
+    span.set(0, static_cast<std::uint64_t>(info.GetIslandsCount()));
     return dxProcessIslands(world, info, stepSize, stepper, estimate);
 }

@@ -5,6 +5,7 @@
 #include "dynamics/dxIslandStepper.h"
 #include "dynamics/dxWorldArena.h"
 #include "dynamics/islands/dxIslandSurvey.h"
+#include "dynamics/islands/dxStepTimeline.h"
 #include "dynamics/random/dxSingleStepper.h"
 #include "dynamics/random/dxRandom.h"
 #include "dynamics/random/dxReservedDraws.h"
@@ -46,6 +47,8 @@ void dxSerialStep::runReserving() const {
 
 void dxSerialStep::stepIslands(dxIslandCursor cursor, unsigned count) const {
     if (count == 0) return;
+    dxTimelineSpan inOrder(dxStepEvents::kIslandsInOrder);
+    inOrder.set(0, count);
     const dxWorldArena arena(m_call.world);
     for (unsigned i = 0; i < count; ++i) {
         const dxIsland island = cursor.next();

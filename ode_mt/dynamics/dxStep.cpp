@@ -10,6 +10,7 @@
 #include "dynamics/dxStepStrategy.h"
 #include "dynamics/direct/dxDirectMemory.h"
 #include "dynamics/islands/dxStepPreparation.h"
+#include "dynamics/islands/dxStepTimeline.h"
 #include "dynamics/iterative/dxIterativeWorld.h"
 #include "quickstep.h"
 #include "settings/dxWorldSolver.h"
@@ -49,6 +50,8 @@ dxIterativeWorld *beginIteratively(const dxWorld *world, const dxWorldProcessIsl
 }  // namespace
 
 bool dxPrepareStepIslands(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate) {
+    dxStepSpan::beginSearch();
+    const dxTimelineSpan search(dxStepEvents::kIslandSearch, true, dxTimelineSpan::Begin::Adjoining);
     if (!isSolvedFast(world)) return dxPrepareStep(world, info, stepSize, estimate);
     if (estimate == &dxEstimateQuickStepMemoryRequirements)
         return dxPrepareGroups(world, info, stepSize, estimate, kMinIterativeGroup);
@@ -57,6 +60,7 @@ bool dxPrepareStepIslands(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal
 
 bool dxStepIslands(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper,
                    dmaxcallcountestimate_fn_t maxCallCountEstimator) {
+    const dxStepSpan span(world, static_cast<unsigned>(info.GetIslandsCount()));
     if (dxWorldWorkers::haveToBeAsked(world))
         return dxIslandStepper::stepByPosting(world, info, stepSize, stepper, maxCallCountEstimator);
     if (!dxWorldWorkers::prepare(world)) return false;

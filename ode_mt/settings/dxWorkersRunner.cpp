@@ -2,19 +2,23 @@
 
 #include <algorithm>
 
+#include "settings/dxStageTimeline.h"
 #include "settings/dxWorkers.h"
 #include "settings/dxWorldWorkers.h"
 
 void dxWorkersRunner::run(dxParallelStage stage, unsigned blocks, dxThreadManager::Task task, void *context) {
+    dxStageTimeline timeline(*this, stage, blocks);
     struct Job {
         dxThreadManager::Task task;
         void *context;
         bool *ranABlock;
         dxStageWatch watch;
-    } job{task, context, m_ranABlock, dxStageWatch(stage)};
+        dxStageTimeline &timeline;
+    } job{task, context, m_ranABlock, dxStageWatch(stage), timeline};
     const auto watched = [](void *of, unsigned block, unsigned worker) {
         Job &running = *static_cast<Job *>(of);
         running.watch.see(worker);
+        const dxStageTimeline::Block recorded(running.timeline, worker);
         running.task(running.context, block, worker);
         if (!running.ranABlock[worker]) running.ranABlock[worker] = true;  // bytes of other workers are beside it
     };

@@ -69,6 +69,7 @@ const std::map<std::string, std::string> kNullAnswers{
     {"dWorldStepAndSpaceCollide(space0, ones, function, world0, 0.5, function, NULL)", " returns"},
     {"dODE_MT_GetStatistics(NULL)",
      " message 0 \"ODE_MT: dODE_MT_GetStatistics was given no place for them (NULL)\" returns"},
+    {"dODE_MT_StartTrace(NULL)", " message 0 \"ODE_MT: dODE_MT_StartTrace was given no file (NULL)\" returns"},
     {"dODE_MT_SetSolver(NULL, text)", " debug 2 \"bad world argument in dODE_MT_SetSolver()\""},
     {"dODE_MT_SetSolverTolerance(NULL, 0.5)", " debug 2 \"bad world argument in dODE_MT_SetSolverTolerance()\""},
     {"dODE_MT_SetWarmStart(NULL, 1)", " debug 2 \"bad world argument in dODE_MT_SetWarmStart()\""},

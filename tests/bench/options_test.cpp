@@ -74,6 +74,13 @@ TEST(Options, TwoFilesAreCompared) {
     expectComplaint({"--compare", "/dev/null", "/none"}, "/none");
 }
 
+TEST(Options, ATraceHasAFileOfItsOwn) {
+    const Outcome outcome = read({"--worlds", "rover", "--engines", "ours:0", "--trace", "t.json"});
+    ASSERT_TRUE(outcome.options) << outcome.errors;
+    EXPECT_EQ(outcome.options->traceFile, "t.json");
+    expectComplaint({"--worlds", "rover", "--engines", "ours:0", "--json", "X", "--trace", "X"}, "X");
+}
+
 TEST(Options, WithSamplesMeasuringDoesNotEndEarly) {
     const Outcome outcome = read(
         {"--worlds", "rover", "--engines", "stock", "--seconds", "7", "--samples", "s.csv", "--no-averages"});

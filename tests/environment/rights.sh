@@ -13,13 +13,13 @@ cp "$PROGRAM" "$SCRATCH/set_user_id"
 chown nobody "$SCRATCH/set_user_id"
 chmod u+s "$SCRATCH/set_user_id"
 
-variables=$(sed -n 's/^ *{"\(ODE_MT_[A-Z_]*\)", ".*"},$/\1/p' "$(dirname "$0")/../../ode_mt/core/dxEnvironment.cpp")
+variables=$(sed -n 's/^ *{"\(ODE_MT_[A-Z_]*\)", ".*"},$/\1/p' "$(dirname "$0")/../../ode_mt/core/dxEnvironment.cpp" | grep -v ODE_MT_TRACE)  # a file may have any name
 # run PROGRAM KIND: without variables (none), with values other than the defaults (set), with nonsense (wrong).
 run() {
     case $2 in
         none) values= ;;
         set) values="ODE_MT_THREADS=3 ODE_MT_ALGORITHM=static ODE_MT_CALLBACKS=concurrent ODE_MT_HEURISTICS=cells
-                     ODE_MT_GRID_CELLS=7 ODE_MT_THREAD_MANAGER=openmp ODE_MT_LOG=debug ODE_MT_PERTURB=1" ;;
+                     ODE_MT_GRID_CELLS=7 ODE_MT_THREAD_MANAGER=openmp ODE_MT_LOG=debug ODE_MT_TRACE=$SCRATCH/$1.trace ODE_MT_PERTURB=1" ;;
         wrong) values=$(for name in $variables; do echo "$name=nonsense"; done) ;;
     esac
     # shellcheck disable=SC2086  # values are words
@@ -39,6 +39,9 @@ for name in $variables; do
     grep -q "^.*$name is 'nonsense'" "$SCRATCH/own.wrong.reported" || fail "as itself it does not report $name"
 done
 [ -s "$SCRATCH/own.set.reported" ] || fail "ODE_MT_LOG=debug reports nothing"
+
+[ -s "$SCRATCH/own.trace" ] || fail "ODE_MT_TRACE writes nothing"
+[ ! -e "$SCRATCH/set_user_id.trace" ] || fail "with another user's rights it writes a file that its caller has named"
 
 for kind in set wrong; do
     [ "$(settings set_user_id.$kind)" = "$(settings own.none)" ] ||

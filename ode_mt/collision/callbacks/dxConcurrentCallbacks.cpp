@@ -22,6 +22,7 @@
 #include "threading/dxTaskRunner.h"
 #include "threading/process/dxObjectPool.h"
 #include "threading/process/dxProcessObject.h"
+#include "threading/timeline/dxTimelineSpan.h"
 
 namespace {
 
@@ -29,6 +30,8 @@ namespace {
 constexpr unsigned kTasksPerWorker = 8;
 
 constexpr std::size_t kMinPairs = 2;
+
+constexpr dxTimelineEvent kCommitContacts{"commit contacts", "collision", {"pairs"}};
 
 // Records the range of a pair's operations in a log, also for a callback that ends its thread.
 class Recording {
@@ -111,6 +114,8 @@ void Run::deliver(const dxOrderedPair &pair) {
 }
 
 void Run::commit() {
+    dxTimelineSpan span(kCommitContacts);
+    span.set(0, pairs->size());
     dxPerturb(dxSchedulePoint::CommitContacts);
     for (std::uint32_t pair = 0; pair < pairs->size(); ++pair) logs[taskOfPair[pair]]->commit(spans[pair]);
     for (const std::unique_ptr<dxContactLog> &log : logs) log->finish();

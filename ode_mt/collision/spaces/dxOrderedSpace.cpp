@@ -9,6 +9,7 @@
 #include "collision/narrowphase/dxTransformedGeom.h"
 #include "collision/pairs/dxPairPrefetch.h"
 #include "threading/dxInterruptingScope.h"
+#include "threading/timeline/dxTimelineSpan.h"
 
 #include "collision_space_internal.h"
 #include "util.h"
@@ -20,6 +21,11 @@ constexpr std::size_t kBoxesPerChunk = 128;
 
 // Geoms between asking the memory for one's place and computing its box.
 constexpr std::size_t kBoxPrefetchDistance = 4;
+
+// On the timeline; with fewer geoms they would take longer to record than to do.
+constexpr dxTimelineEvent kBroadPhase{"broad phase", "collision", {"pairs"}};
+constexpr dxTimelineEvent kNearCallbacks{"near-callbacks", "collision", {"pairs"}};
+constexpr int kMinRecorded = 8;  // geoms
 
 // Its box follows from data or arrays that the program may change while other boxes are computed, without a word to the space.
 bool hasBoxOfData(const dxGeom *geom) {
@@ -102,11 +108,24 @@ void dxOrderedSpace::collide(void *data, dNearCallback *callback) {
     lock_count++;
     m_isPrefetching = false;
     if (m_prefetch != nullptr) m_prefetch->forgetPair();
-    if (makeReady())
+    callBack(makeReadyRecorded(), data, callback);
+    lock_count--;
+}
+
+bool dxOrderedSpace::makeReadyRecorded() {
+    dxTimelineSpan span(kBroadPhase, count >= kMinRecorded, dxTimelineSpan::Begin::Adjoining);
+    const bool isReady = makeReady();
+    span.set(0, m_pairs.size());
+    return isReady;
+}
+
+void dxOrderedSpace::callBack(bool isReady, void *data, dNearCallback *callback) {
+    dxTimelineSpan span(kNearCallbacks, count >= kMinRecorded, dxTimelineSpan::Begin::Adjoining);
+    span.set(0, m_pairs.size());
+    if (isReady)
         deliver(data, callback);
     else
         walk(data, callback, nullptr);
-    lock_count--;
 }
 
 void dxOrderedSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback) {
@@ -186,13 +205,8 @@ bool dxOrderedSpace::collideShared(dxTaskRunner &runner, bool arraysStay, void *
     const dxNarrowphasePrefetch::Scope scope(*m_prefetch, runner, arraysStay);
     dxTransformedGeom::noticeLeft();
     lock_count++;
-    if (makeReadyShared(runner)) {
-        m_isPrefetching = true;
-        deliver(data, callback);
-    } else {
-        m_isPrefetching = false;
-        walk(data, callback, nullptr);
-    }
+    m_isPrefetching = makeReadyShared(runner);
+    callBack(m_isPrefetching, data, callback);
     lock_count--;
     return true;
 }
@@ -215,7 +229,7 @@ bool dxOrderedSpace::makeReadyShared(dxTaskRunner &runner) {
     };
     m_runner = &runner;
     const Borrowed borrowed{m_runner};
-    return makeReady();
+    return makeReadyRecorded();
 }
 
 // Only of the built-in classes whose boxes depend on nothing but themselves and their bodies.

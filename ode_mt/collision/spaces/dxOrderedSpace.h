@@ -208,6 +208,10 @@ protected:
     virtual void deliver(void *data, dNearCallback *callback) { deliverInOrder(m_pairs, data, callback); }
     // Calls the callbacks of pairs that are ordered by their first geom. Callbacks may enable and disable geoms.
     void deliverInOrder(const std::vector<dxOrderedPair> &pairs, void *data, dNearCallback *callback);
+    // makeReady(), on the timeline.
+    bool makeReadyRecorded();
+    // deliver() or walk(), on the timeline.
+    void callBack(bool isReady, void *data, dNearCallback *callback);
     // Executes upstream's whole call after makeReady() has returned false, or the rest of it after a pair in whose
     // callback an assertion failed.
     virtual void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) = 0;

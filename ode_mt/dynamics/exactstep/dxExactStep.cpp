@@ -6,6 +6,7 @@
 #include "dynamics/exactstep/dxExactRows.h"
 #include "dynamics/exactstep/dxExactSolver.h"
 #include "dynamics/exactstep/dxJointOrder.h"
+#include "dynamics/islands/dxStepTimeline.h"
 
 // All stages but the solver are serial. Each reads what those before it have written.
 void dxExactStep(const dxIslandStep &step, dxExactSolver &solver) {
@@ -24,6 +25,7 @@ void dxExactStep(const dxIslandStep &step, dxExactSolver &solver) {
 
         // Reads velocities, accumulators, inertia, rows, limits. Writes x. Dantzig's algorithm is parallel for large problems, if the
         // island has workers.
+        const dxSolverSpan span(problem.rowCount);
         solver.solve(step, problem);
     }
 

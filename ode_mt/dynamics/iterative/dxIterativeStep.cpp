@@ -2,6 +2,7 @@
 
 #include <new>
 
+#include "dynamics/islands/dxStepTimeline.h"
 #include "dynamics/iterative/dxIterativeWorld.h"
 #include "dynamics/iterative/dxOtherJoints.h"
 #include "dynamics/quickstep/dxQuickStep.h"
@@ -12,6 +13,11 @@ void numberBodies(const dxIsland &group) {
     for (unsigned i = 0; i < group.bodyCount; ++i) group.bodies[i]->tag = static_cast<int>(i);
 }
 
+// Units: rows. A contact counts as three, also where it has no friction.
+unsigned countRows(const dxIsland &group, const dxConstraintPlan &plan, const dxOtherJoints &joints) {
+    return 3 * (group.jointCount - static_cast<unsigned>(plan.otherJoints().size())) + joints.rowCount();
+}
+
 // Returns false if there is no memory; nothing of the bodies has changed then.
 bool solve(const dxIslandStep &step, dxQuietMotion &motion) try {
     numberBodies(step.island);
@@ -19,6 +25,7 @@ bool solve(const dxIslandStep &step, dxQuietMotion &motion) try {
     auto *const masses = step.arena->AllocateArray<dxIslandBody>(step.island.bodyCount);
     solver->begin(step, masses);                       // parallel: the plan beside the bodies' free motion
     const dxOtherJoints joints(step, solver->plan());  // serial
+    const dxSolverSpan span(countRows(step.island, solver->plan(), joints));
     solver->solve(step, masses, joints, motion);       // parallel
     return true;
 } catch (const std::bad_alloc &) {

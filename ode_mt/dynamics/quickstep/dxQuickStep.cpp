@@ -1,6 +1,7 @@
 #include "dynamics/quickstep/dxQuickStep.h"
 
 #include "dynamics/islands/dxIslandProblem.h"
+#include "dynamics/islands/dxStepTimeline.h"
 #include "dynamics/quickstep/dxIslandBodies.h"
 #include "dynamics/quickstep/dxJointRows.h"
 #include "dynamics/quickstep/sor/dxSorSolver.h"
@@ -37,7 +38,10 @@ void dxQuickStep(const dxIslandStep &step) {
         const dxIslandProblem problem = makeProblem(step, bodies, joints.rowCount());
         joints.read(problem.rows);                                             // parallel, if there are contacts alone
         dxFindFreeAccelerations(step, problem);                                // parallel
-        dxSorSolver(step).solve(problem);                                      // parallel
+        {
+            const dxSolverSpan span(problem.rowCount);
+            dxSorSolver(step).solve(problem);                                  // parallel
+        }
         joints.giveFeedback(problem.rows);                                     // serial
         dxIntegrateVelocities(step, bodies, problem.accelerations, motion);    // parallel
     }

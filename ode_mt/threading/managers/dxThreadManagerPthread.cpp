@@ -8,6 +8,14 @@
 #include "core/dxNoCancellation.h"
 #include "threading/pool/dxLastThreads.h"
 #include "threading/pool/dxSpin.h"
+#include "threading/timeline/dxTimelineSpan.h"
+
+namespace {
+
+constexpr dxTimelineEvent kSpins{"spins", "idle", {}, dxTimelineEvent::Kind::Idle};
+constexpr dxTimelineEvent kSleeps{"sleeps", "idle", {}, dxTimelineEvent::Kind::Idle};
+
+}  // namespace
 
 dxThreadManagerPthread::dxThreadManagerPthread(dxCreateThread creation) : create(creation) {
     listenToForks();
@@ -110,7 +118,10 @@ void dxThreadManagerPthread::serve() {
     dxAdaptiveSpin spin;
     while (!stopping.load()) {
         workUntilIdle(spin);
-        parking.park([this] { return shouldStayAwake(); }, [this] { endWithTheProcess(); });
+        {
+            const dxTimelineSpan sleeping(kSleeps);
+            parking.park([this] { return shouldStayAwake(); }, [this] { endWithTheProcess(); });
+        }
         spin.endWait();
     }
     parking.endSearch();
@@ -122,7 +133,10 @@ void dxThreadManagerPthread::workUntilIdle(dxAdaptiveSpin &spin) {
         spin.beginWait();
         const auto mayStop = [this] { return shouldStayAwake(); };
         const bool maySpin = parking.searching() < dxProcessorCount();
-        if (maySpin ? !dxSpinUntil(mayStop, spin.spinTime()) : !shouldStayAwake()) return;
+        {
+            const dxTimelineSpan spinning(kSpins);
+            if (maySpin ? !dxSpinUntil(mayStop, spin.spinTime()) : !shouldStayAwake()) return;
+        }
         spin.endWait();
         if (stopping.load()) return;
         if (board.work([this] { passOnWakeUp(); })) parking.beginSearch();

@@ -86,6 +86,7 @@ const std::map<std::string, Values> &knownValues() {
         {"--json", files},
         {"--csv", files},
         {"--samples", files},
+        {"--trace", files},
         {"--output", files},
         {"--stock-library", {"/usr/lib/x86_64-linux-gnu", "/nowhere", "", ".", "kept", "/dev/null"}},
         {"--our-library", {"/nowhere", "", ".", "kept"}},
@@ -101,7 +102,8 @@ const std::map<std::string, Values> &knownValues() {
 }
 
 bool isOutput(const std::string &option) {
-    return option == "--json" || option == "--csv" || option == "--samples" || option == "--html" || option == "--output";
+    return option == "--json" || option == "--csv" || option == "--samples" || option == "--html" || option == "--trace" ||
+           option == "--output";
 }
 
 // Those that say how long a run takes: what they may be at most.

@@ -1,0 +1,37 @@
+#include "dynamics/islands/dxStepTimeline.h"
+
+namespace {
+
+constexpr dxTimelineEvent kStep{"step", "step", {"bodies", "islands", "rows", "threads"}};
+constexpr dxTimelineEvent kCounters{"of a step", "counter", {"islands", "contacts", "rows", "threads"}, dxTimelineEvent::Kind::Counter};
+
+unsigned countContacts(const dxWorld &world) {
+    unsigned contacts = 0;
+    for (const dxJoint *joint = world.firstjoint; joint != nullptr; joint = static_cast<const dxJoint *>(joint->next))
+        contacts += joint->type() == dJointTypeContact;
+    return contacts;
+}
+
+}  // namespace
+
+void dxStepSpan::beginSearch() {
+    dxTimeline::honourRequest();
+    if (dxTimelineRing *const ring = dxTimeline::ofThisThread()) ring->stepBegin = ring->readClock();
+}
+
+void dxStepSpan::begin(const dxWorld *world, unsigned islands) {
+    m_islands = islands;
+    m_bodies = static_cast<unsigned>(world->nb);
+    m_contacts = countContacts(*world);
+    m_ring->takeRowsOfStep();
+    m_ring->takeThreads();
+}
+
+// It ends with the last of its events.
+void dxStepSpan::end() {
+    const std::uint64_t now = m_ring->lastReading(), rows = m_ring->takeRowsOfStep();
+    const unsigned threads = m_ring->takeThreads();
+    m_ring->add(kCounters, now, now, {m_islands, m_contacts, rows, threads});
+    m_ring->add(kStep, m_ring->stepBegin, now, {m_bodies, m_islands, rows, threads});
+    m_ring->nextFrame();
+}

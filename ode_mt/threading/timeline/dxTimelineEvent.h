@@ -1,0 +1,17 @@
+// What kinds of events a timeline has: each is a constant, which a record names by its address.
+#pragma once
+
+struct dxTimelineEvent {
+    static constexpr unsigned kMaxArguments = 4;
+
+    enum class Kind : unsigned char {
+        Span,     // from one time to another, of a frame
+        Idle,     // the same, between frames; without arguments
+        Counter,  // its arguments are quantities of which each has a curve
+    };
+
+    const char *name;
+    const char *category;                      // the room that it is in; a viewer filters by it
+    const char *arguments[kMaxArguments] = {};  // names; null: none
+    Kind kind = Kind::Span;
+};

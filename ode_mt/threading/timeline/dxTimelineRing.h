@@ -1,0 +1,110 @@
+// The events of one thread: a ring of fixed size, in which a new record takes the place of the oldest.
+//
+// Invariants: record i lies at i modulo kCapacity; records from m_head - kCapacity on are whole, but for the one that is being
+// written. A record is a cache line of atomic words. The words are released after the head that the record before it has published, so
+// whoever reads a word of a newer record than it looked for also sees that the head has come so far, and drops what it has read
+// (H.-J. Boehm, "Can seqlocks get along with programming language memory models?", 2012).
+//
+// Threading: the owner alone writes; any thread may read. A ring is never freed while a thread may write to it.
+//
+// Dropped: a lock for each ring (a reader would hold up the owner); one ring for all threads (its head would be a cache line that all wait
+// for).
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+#include "core/dxCacheLine.h"
+#include "threading/timeline/dxTimelineClock.h"
+#include "threading/timeline/dxTimelineEvent.h"
+
+// A record as it is read.
+struct dxTimelineRecord {
+    std::uint64_t begin, end;  // ticks
+    const dxTimelineEvent *event;
+    std::uint32_t frame;   // number of steps that the caller had made
+    std::uint32_t caller;  // the system's number of the thread that called the step or collision
+    std::array<std::uint64_t, dxTimelineEvent::kMaxArguments> arguments;
+};
+
+class dxTimelineRing {
+public:
+    static constexpr std::uint64_t kCapacity = 8192;  // records: 512 KiB
+    using Arguments = std::array<std::uint64_t, dxTimelineEvent::kMaxArguments>;
+
+    // The thread that a stage is run for, and its frame.
+    struct Caller {
+        dxTimelineRing *ring;
+        std::uint32_t frame;
+    };
+
+    // For the owner.
+
+    // The clock, and what it has told last: of two events that adjoin one another one has to read it.
+    std::uint64_t readClock() { return m_lastReading = dxTimelineClock::ticks(); }
+    std::uint64_t lastReading() const { return m_lastReading; }
+
+    void add(const dxTimelineEvent &event, std::uint64_t begin, std::uint64_t end, const Arguments &arguments = {});
+
+    // The blocks of one run that this thread takes one after the other are one event, with the number of blocks and of the run as arguments.
+    std::uint64_t beginBlock(const dxTimelineEvent &event, std::uint64_t run) const;
+    void endBlock(const dxTimelineEvent &event, std::uint64_t run, std::uint64_t begin);
+
+    Caller caller() const { return m_caller; }
+    void setCaller(const Caller &caller) { m_caller = caller; }
+    void nextFrame() { m_caller = {this, ++m_frames}; }
+
+    // Of islands that this thread has solved, for its caller. No locked instruction for the caller's own: it would wait for all stores before.
+    void countRows(std::uint64_t rows) {
+        m_rows += rows;
+        if (m_caller.ring != this) m_caller.ring->m_rowsOfWorkers.fetch_add(rows, std::memory_order_relaxed);
+    }
+    std::uint64_t rows() const { return m_rows; }  // of this thread since it has the ring
+    // Since they were asked for last. Requires that no worker solves islands for this thread.
+    std::uint64_t takeRowsOfStep() {
+        const std::uint64_t rows = m_rows - m_rowsBefore + m_rowsOfWorkers.load(std::memory_order_relaxed);
+        m_rowsBefore = m_rows;
+        m_rowsOfWorkers.store(0, std::memory_order_relaxed);
+        return rows;
+    }
+
+    void noteThreads(unsigned threads) { m_threads = threads > m_threads ? threads : m_threads; }
+    unsigned takeThreads();  // most that took part in a run since it was asked last; at least 1
+
+    std::uint64_t stepBegin = 0;  // of the step that the owner makes
+
+    // For whoever holds the lock of the timeline.
+
+    // Another thread, or the same one anew: its events begin here.
+    void own(std::uint32_t thread);
+    void forget() { m_first = m_head.load(std::memory_order_acquire); }
+    std::uint32_t thread() const { return m_thread.load(std::memory_order_relaxed); }
+    std::uint64_t size() const { return m_head.load(std::memory_order_acquire) - m_first; }  // dropped ones included
+
+    // Writes the records that are whole, oldest first. Returns how many older ones have been dropped.
+    std::uint64_t read(std::vector<dxTimelineRecord> &records) const;
+
+private:
+    enum Word { kBegin, kEnd, kEvent, kFrame, kArguments, kWords = kArguments + dxTimelineEvent::kMaxArguments };
+    struct alignas(kCacheLine) Record {
+        std::atomic<std::uint64_t> words[kWords];
+    };
+    static_assert(sizeof(Record) == kCacheLine, "a record is a cache line");
+
+    static void set(std::atomic<std::uint64_t> &word, std::uint64_t value) { word.store(value, std::memory_order_release); }
+    bool isLast(const dxTimelineEvent &event, std::uint64_t run) const;
+    const Record &last() const { return m_records[(m_head.load(std::memory_order_relaxed) - 1) % kCapacity]; }
+
+    alignas(kCacheLine) std::atomic<std::uint64_t> m_head{0};  // number of records ever written
+    Caller m_caller{this, 0};
+    std::uint64_t m_lastReading = 0;
+    std::uint32_t m_frames = 0;
+    unsigned m_threads = 1;
+    std::uint64_t m_rows = 0, m_rowsBefore = 0;
+    alignas(kCacheLine) std::atomic<std::uint64_t> m_rowsOfWorkers{0};
+    std::uint64_t m_first = 0;  // the oldest record that belongs to the trace and the thread
+    std::atomic<std::uint32_t> m_thread{0};
+    Record m_records[kCapacity];  // not initialised, so that memory is touched as it is used
+};
