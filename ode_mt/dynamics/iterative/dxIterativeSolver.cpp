@@ -93,7 +93,7 @@ void dxIterativeSolver::solve(const dxIslandStep &step, dxIslandBody *bodies, co
     });
     reader.giveFeedback(packs(), m_plan.manifolds());
     dxRowContacts(step, m_plan).keep(m_others);
-    m_others.finish(joints, step.stepSize);
+    m_others.finish(step.stepSize);
     joints.giveFeedback();
 }
 
@@ -106,7 +106,7 @@ void dxIterativeSolver::prepare(const dxIslandStep &step, const dxIslandBody *bo
     const bool isWarm = step.iterativeWorld->isWarm();
     m_others.begin(joints, m_plan);
     if (isWarm) dxRowContacts(step, m_plan).start(m_others);
-    m_firstEnergy = m_others.prepare(joints, bodies, m_velocities.data(), step.stepSize, step.world->qs.w, isWarm);
+    m_firstEnergy = m_others.prepare(joints, bodies, m_velocities.data(), step.stepSize, step.world->qs.w);
     for (const double part : m_chunkEnergies) m_firstEnergy += part;
     m_firstEnergies[0] = m_firstEnergy;  // if there is one island
     sumByIsland(m_firstEnergies);
@@ -136,20 +136,21 @@ bool dxIterativeSolver::isMeasured(unsigned sweep) const { return m_plan.otherJo
 // Sweep 0 applies the impulses that the last step has left.
 double dxIterativeSolver::solveChunk(unsigned index, unsigned sweep) {
     const dxConstraintPlan::Chunk &chunk = m_plan.chunks()[index];
+    const dxOverRelaxation smooth = {std::min(m_factor.pressure, dReal(1)), std::min(m_factor.friction, dReal(1))};
     double energy = 0;
     if (chunk.firstPack != chunk.endPack) {
         if (sweep == 0)
             energy += dxApplyImpulses(packs(), chunk.firstPack, chunk.endPack, m_velocities.data());
         else
             energy += dxSweepContacts(packs(), chunk.firstPack, chunk.endPack,
-                                      sweep > m_smoothFrom ? dxOverRelaxation{1, 1} : m_factor, m_velocities.data());
+                                      sweep > m_smoothFrom ? smooth : m_factor, m_velocities.data());
     }
     if (chunk.firstOther != chunk.endOther) {
         if (sweep == m_smoothFrom + 1) m_others.relax(chunk.firstOther, chunk.endOther);
         if (sweep == 0)
             energy += m_others.apply(chunk.firstOther, chunk.endOther, m_velocities.data());
         else
-            energy += m_others.sweep(chunk.firstOther, chunk.endOther, m_velocities.data(), isMeasured(sweep));
+            energy += m_others.sweep(chunk.firstOther, chunk.endOther, m_velocities.data(), sweep, isMeasured(sweep));
     }
     return energy;
 }
@@ -186,12 +187,13 @@ void dxIterativeSolver::startColdWhereWorse(const dxIslandStep &step, dxIslandBo
         for (unsigned k = 0; k < manifold.contactCount; ++k)
             for (dxLaneNumbers &impulse : contacts[k].impulse) impulse.lane[manifold.lane] = 0;
     }
-    m_others.startCold([&](unsigned joint) { return isWorse(m_plan.islandOf(m_plan.otherJoints()[joint])); });
+    for (unsigned i = 0; i < m_plan.otherJoints().size(); ++i)
+        if (isWorse(m_plan.islandOf(m_plan.otherJoints()[i]))) m_others.startCold(i);
 }
 
 // With friction that follows the normal's force, over-relaxation need not converge.
 void dxIterativeSolver::watchGrowth(double energy, bool isSmoothing) {
-    if (!isSmoothing && m_factor.friction != 1 && energy > kGrowth * m_leastEnergy) {
+    if (!isSmoothing && m_factor.friction > 1 && energy > kGrowth * m_leastEnergy) {
         m_factor.friction = 1;
         m_others.relaxFriction();
     }

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <utility>
 
 #include <ode/odemath.h>
 
-#include "dynamics/iterative/dxWarmStart.h"
 #include "dynamics/quickstep/sor/dxSorPlain.h"
 #include "dynamics/quickstep/sor/dxSorSweep.h"
 
@@ -19,17 +20,21 @@ constexpr std::size_t kMaxRows = 6;  // of a joint
 
 constexpr int kJacobianOf[2] = {Row::kBody1, Row::kBody2};
 
-// Bits of dxJoint::flags that upstream does not use: how many rows the joint had when it kept their forces in dxJoint::lambda,
-// and one more.
-constexpr unsigned kCountShift = 27, kCountMask = 15u << kCountShift;
+// Upstream's eight make a chain of motors sag by 5 % more than this.
+constexpr unsigned kSweepsPerOrder = 20;
 
-void keepForces(dxJoint &joint, const Row *rows, unsigned count) {
-    for (unsigned i = 0; i < count; ++i) joint.lambda[i] = rows[i].lambda;
-    joint.flags = (joint.flags & ~kCountMask) | (count + 1) << kCountShift;
+// The finaliser of SplitMix64 (G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators", 2014).
+std::uint64_t mixed(std::uint64_t bits) {
+    bits = (bits ^ bits >> 30) * 0xbf58476d1ce4e5b9u;
+    bits = (bits ^ bits >> 27) * 0x94d049bb133111ebu;
+    return bits ^ bits >> 31;
 }
 
-// A joint at a limit has other rows than one between them.
-bool hasForces(const dxJoint &joint, unsigned count) { return (joint.flags & kCountMask) >> kCountShift == count + 1; }
+std::uint64_t bitsOf(double number) {
+    std::uint64_t bits;
+    std::memcpy(&bits, &number, sizeof bits);
+    return bits;
+}
 
 // An infinite coefficient allows any force, as long as the row that bounds this one has one.
 dReal limited(dReal impulse, const Row &row, dReal bounding) {
@@ -55,7 +60,7 @@ void leaveOutUnmoved(Row &row, const dxIslandBody *bodies, const dxVelocity *vel
 }  // namespace
 
 double dxOtherRows::prepareRow(Row &row, const dxIslandBody *bodies, const dxVelocity *velocities, dReal stepSize,
-                               dReal &diagonal) const {
+                               dReal &diagonal) {
     row.jacobian[Row::kRhs] *= stepSize;
     if (!row.isBounded()) {
         row.jacobian[Row::kLow] *= stepSize;
@@ -74,6 +79,7 @@ double dxOtherRows::prepareRow(Row &row, const dxIslandBody *bodies, const dxVel
     }
     const dReal inverse = diagonal > 0 ? 1 / diagonal : 0, scale = m_factor * inverse;
     const dReal impulse = (row.jacobian[Row::kRhs] - velocity) * inverse;
+    m_seed = mixed(m_seed ^ bitsOf(static_cast<double>(impulse)));
     const dReal allowed = row.isBounded() ? 0 : std::max(row.jacobian[Row::kLow], std::min(row.jacobian[Row::kHigh], impulse));
     for (int side = 0; side < sides; ++side)
         for (int i = 0; i < Row::kBodyColumns; ++i) row.jacobian[kJacobianOf[side] + i] *= scale;
@@ -111,8 +117,12 @@ void dxOtherRows::begin(const dxOtherJoints &joints, const dxConstraintPlan &pla
     m_diagonal.resize(joints.rowCount());
     m_last.resize(joints.rowCount());
     m_energies.assign(plan.otherJoints().size(), 0);
-    for (const dxConstraintPlan::Manifold &manifold : plan.rowManifolds())
+    std::size_t contacts = 0;
+    for (const dxConstraintPlan::Manifold &manifold : plan.rowManifolds()) {
         noteDirections(m_firstRow[manifold.firstOther()], m_firstRow[manifold.firstOther() + manifold.contactCount]);
+        contacts += manifold.contactCount;
+    }
+    m_hasOnlyContacts = contacts == plan.otherJoints().size();
 }
 
 // Rows will be scaled, and lose bodies that do not move.
@@ -131,25 +141,19 @@ void dxOtherRows::findContactImpulse(unsigned joint, dReal *impulse) const {
         for (int axis = 0; axis < 3; ++axis) impulse[axis] += m_directions[i].axis[axis] * m_rows[i].lambda;
 }
 
-// The impulse of a row to begin with, contacts' being there.
-dReal dxOtherRows::startOf(const dxJoint &joint, unsigned row, unsigned number, unsigned count, dReal stepSize, bool isWarm) const {
-    if (!isWarm) return 0;
-    if (joint.type() == dJointTypeContact) return m_rows[row].lambda;
-    return hasForces(joint, count) ? joint.lambda[number] * stepSize * dxWarmStart::kPart : 0;
-}
-
 double dxOtherRows::prepare(const dxOtherJoints &joints, const dxIslandBody *bodies, const dxVelocity *velocities, dReal stepSize,
-                            dReal factor, bool isWarm) {
+                            dReal factor) {
     m_factor = factor;
     m_isFrictionRelaxed = false;
+    m_seed = 0;
     double energy = 0;
     std::size_t index = 0;
-    joints.forJoints([&](const dxJoint *joint, unsigned first, unsigned count) {
+    joints.forJoints([&](const dxJoint *, unsigned first, unsigned count) {
         while (m_firstRow[index + 1] <= first) ++index;
         for (unsigned i = 0; i < count; ++i) {
             Row &row = m_rows[first + i];
             m_energies[index] += prepareRow(row, bodies, velocities, stepSize, m_diagonal[first + i]);
-            const dReal impulse = startOf(*joint, first + i, i, count, stepSize, isWarm);
+            const dReal impulse = row.lambda;
             row.lambda = std::isfinite(impulse) ? limited(impulse, row, row.isBounded() ? m_rows[row.boundingRow].lambda : 0) : 0;
         }
         energy += m_energies[index];
@@ -177,7 +181,7 @@ void dxOtherRows::orderRows(const dxOtherJoints &joints, const dxConstraintPlan 
 }
 
 // Returns by how much the row's impulse raises the energy. Rows are scaled by factor / diagonal.
-double dxOtherRows::push(int index, dxVelocity *velocities) const {
+double dxOtherRows::push(unsigned index, dxVelocity *velocities) const {
     const Row &row = m_rows[index];
     dReal motion = 0;  // before and after, along the row
     for (int side = 0; side < 2; ++side) {
@@ -190,45 +194,56 @@ double dxOtherRows::push(int index, dxVelocity *velocities) const {
     }
     if (row.lambda == 0 || m_factor == 0) return 0;
     const dReal scaled = (motion + row.jacobian[Row::kCfm] * row.lambda) / 2 - row.jacobian[Row::kRhs];
-    return static_cast<double>(row.lambda * scaled * m_diagonal[static_cast<std::size_t>(index)] / m_factor);
+    return static_cast<double>(row.lambda * scaled * m_diagonal[index] / m_factor);
 }
 
-// energyOf(place in the order): of a row
+// energyOf(row)
 template <class EnergyOf>
 double dxOtherRows::forJoints(unsigned begin, unsigned end, const EnergyOf &energyOf) {
     double sum = 0;
-    for (unsigned joint = begin; joint < end; ++joint) {
+    for (unsigned place = begin; place < end; ++place) {
+        const unsigned joint = m_plan->othersByColor()[place];
         double energy = 0;
-        for (unsigned i = m_firstInOrder[joint]; i < m_firstInOrder[joint + 1]; ++i) energy += energyOf(i);
-        m_energies[m_plan->othersByColor()[joint]] = energy;
+        for (unsigned row = m_firstRow[joint]; row < m_firstRow[joint + 1]; ++row) energy += energyOf(row);
+        m_energies[joint] = energy;
         sum += energy;
     }
     return sum;
 }
 
 double dxOtherRows::apply(unsigned begin, unsigned end, dxVelocity *velocities) {
-    return forJoints(begin, end, [&](unsigned i) {
-        m_last[i] = m_rows[m_order[i]].lambda;
-        return push(m_order[i], velocities);
+    return forJoints(begin, end, [&](unsigned row) {
+        m_last[row] = m_rows[row].lambda;
+        return push(row, velocities);
     });
 }
 
-double dxOtherRows::sweep(unsigned begin, unsigned end, dxVelocity *velocities, bool isMeasured) {
+// The order does not depend on who solves the joints, and is another one in each step.
+void dxOtherRows::shuffle(unsigned first, unsigned last, unsigned sweep) {
+    std::uint64_t bits = m_seed ^ first ^ std::uint64_t(sweep) << 32;
+    for (unsigned i = last; i > first + 1; --i) {
+        bits = mixed(bits + 0x9e3779b97f4a7c15u);
+        std::swap(m_order[i - 1], m_order[first + static_cast<unsigned>(bits % (i - first))]);
+    }
+}
+
+double dxOtherRows::sweep(unsigned begin, unsigned end, dxVelocity *velocities, unsigned sweep, bool isMeasured) {
     const unsigned first = m_firstInOrder[begin], last = m_firstInOrder[end];
+    if (!m_hasOnlyContacts && sweep % kSweepsPerOrder == 1) shuffle(first, last, sweep);
     dxIslandProblem problem = {};
     problem.rowCount = last - first;
     problem.rows = m_rows;
     problem.accelerations = velocities;
     dxSorSweep(problem, m_order.data() + first);
     if (!isMeasured) return 0;
-    return forJoints(begin, end, [&](unsigned i) {
-        const dReal now = m_rows[m_order[i]].lambda, change = now - std::exchange(m_last[i], now);
-        return static_cast<double>(change * change * m_diagonal[m_order[i]]);
+    return forJoints(begin, end, [&](unsigned row) {
+        const dReal now = m_rows[row].lambda, change = now - std::exchange(m_last[row], now);
+        return static_cast<double>(change * change * m_diagonal[row]);
     });
 }
 
-void dxOtherRows::forgetForces(unsigned begin, unsigned end) {
-    for (unsigned i = begin; i < end; ++i) m_rows[m_order[i]].lambda = m_last[i] = 0;
+void dxOtherRows::startCold(unsigned joint) {
+    for (unsigned row = m_firstRow[joint]; row < m_firstRow[joint + 1]; ++row) m_rows[row].lambda = m_last[row] = 0;
 }
 
 void dxOtherRows::relaxRow(Row &row) {
@@ -239,20 +254,18 @@ void dxOtherRows::relaxRow(Row &row) {
 }
 
 void dxOtherRows::relax(unsigned begin, unsigned end) {
-    if (m_factor == 0) return;
+    if (m_factor <= 1) return;
     for (unsigned i = m_firstInOrder[begin]; i < m_firstInOrder[end]; ++i)
         if (!m_isFrictionRelaxed || !m_rows[m_order[i]].isBounded()) relaxRow(m_rows[m_order[i]]);
 }
 
 void dxOtherRows::relaxFriction() {
-    if (m_factor == 0) return;
     m_isFrictionRelaxed = true;
     for (const int index : m_order)
         if (m_rows[index].isBounded()) relaxRow(m_rows[index]);
 }
 
-void dxOtherRows::finish(const dxOtherJoints &joints, dReal stepSize) {
+void dxOtherRows::finish(dReal stepSize) {
     const dReal perStep = 1 / stepSize;
-    for (unsigned i = 0; i < joints.rowCount(); ++i) m_rows[i].lambda *= perStep;
-    joints.forJoints([this](dxJoint *joint, unsigned first, unsigned count) { keepForces(*joint, m_rows + first, count); });
+    for (std::size_t i = 0; i < m_diagonal.size(); ++i) m_rows[i].lambda *= perStep;
 }

@@ -1,7 +1,11 @@
 // Rows of joints that are not solved as lanes: as QuickStep's (dxConstraintRow), but with velocities and impulses for
-// accelerations and forces. One block is the rows of a joint, which are solved one after the other.
+// accelerations and forces.
+//
+// Where there are other joints than contacts, rows are taken at random, as by upstream's solver, and begin without forces
+// (docs/iterative-solver.md, "Other joints").
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "dynamics/iterative/dxConstraintPlan.h"
@@ -29,32 +33,29 @@ public:
 
     // Completes the rows, `velocities` being the free ones; sweeps over-relax by `factor`.
     double prepare(const dxOtherJoints &joints, const dxIslandBody *bodies, const dxVelocity *velocities, dReal stepSize,
-                   dReal factor, bool isWarm);
+                   dReal factor);
 
     // Joints [begin, end) of the plan's by colour. Reads and writes the velocities of their bodies.
     double apply(unsigned begin, unsigned end, dxVelocity *velocities);
-    // `isMeasured`: finds energies, of the change since the last sweep in which they were found. That takes a look at each row.
-    double sweep(unsigned begin, unsigned end, dxVelocity *velocities, bool isMeasured);
+    // `sweep`: its number, from 1. `isMeasured`: finds energies, of the change since the last sweep in which they were found. That takes
+    // a look at each row.
+    double sweep(unsigned begin, unsigned end, dxVelocity *velocities, unsigned sweep, bool isMeasured);
 
     // By joint in the order of the group.
     const std::vector<double> &energies() const { return m_energies; }
 
-    // Joints for which isCold(number in the order of the group) begin without forces. Requires that their bodies move freely.
-    template <class IsCold>
-    void startCold(const IsCold &isCold) {
-        for (std::size_t place = 0; place + 1 < m_firstInOrder.size(); ++place)
-            if (isCold(m_plan->othersByColor()[place])) forgetForces(m_firstInOrder[place], m_firstInOrder[place + 1]);
-    }
+    // A joint, in the order of the group, begins without forces. Requires that its bodies move freely.
+    void startCold(unsigned joint);
 
-    // From now on rows are not over-relaxed; of the second kind those that others bound.
+    // From now on rows are not over-relaxed; of the second kind those that others bound, which requires a factor above 1.
     void relax(unsigned begin, unsigned end);
     void relaxFriction();
 
     // What a contact's rows have found, along the world's axes.
     void findContactImpulse(unsigned joint, dReal *impulse) const;
 
-    // Keeps the forces in the joints and in the rows' lambda.
-    void finish(const dxOtherJoints &joints, dReal stepSize);
+    // Leaves forces in the rows' lambda.
+    void finish(dReal stepSize);
 
 private:
     // Of the force on the first body.
@@ -64,24 +65,24 @@ private:
 
     void orderRows(const dxOtherJoints &joints, const dxConstraintPlan &plan);
     void noteDirections(unsigned begin, unsigned end);
-    dReal startOf(const dxJoint &joint, unsigned row, unsigned number, unsigned count, dReal stepSize, bool isWarm) const;
     double prepareRow(dxConstraintRow &row, const dxIslandBody *bodies, const dxVelocity *velocities, dReal stepSize,
-                      dReal &diagonal) const;
+                      dReal &diagonal);
     void relaxRow(dxConstraintRow &row);
-    void forgetForces(unsigned begin, unsigned end);
-    double push(int index, dxVelocity *velocities) const;
+    void shuffle(unsigned first, unsigned last, unsigned sweep);
+    double push(unsigned index, dxVelocity *velocities) const;
     template <class EnergyOf>
     double forJoints(unsigned begin, unsigned end, const EnergyOf &energyOf);
 
     const dxConstraintPlan *m_plan = nullptr;
     dxConstraintRow *m_rows = nullptr;
     dReal m_factor = 1;
-    bool m_isFrictionRelaxed = false;
+    bool m_isFrictionRelaxed = false, m_hasOnlyContacts = false;
+    std::uint64_t m_seed = 0;              // of the step's orders: of what the rows ask for
     std::vector<int> m_order;              // of rows, by colour
     std::vector<unsigned> m_firstInOrder;  // by joint by colour, and the end
     std::vector<unsigned> m_firstRow;      // by joint in the order of the group, and the end
     std::vector<double> m_energies;
     std::vector<Direction> m_directions;   // by row, of contacts
     std::vector<dReal> m_diagonal;         // by row: J inv(M) J' + softness
-    std::vector<dReal> m_last;             // by place in the order: the impulse when energies were found last
+    std::vector<dReal> m_last;             // by row: the impulse when energies were found last
 };

@@ -38,7 +38,7 @@ struct Microseconds {
 
 dxTimelineFile::dxTimelineFile(const char *path, const dxTimelineScale &scale) : m_scale(scale), m_process(getpid()) {
     m_buffer.reserve(kBufferSize + kMaxAppended);
-    m_file = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOCTTY, 0666);
+    m_file = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOCTTY | O_NONBLOCK, 0666);
     if (m_file < 0) m_error = errno;
     append("{\"displayTimeUnit\":\"ns\",\"traceEvents\":[");
 }
