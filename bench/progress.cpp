@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace bench {
@@ -26,7 +27,7 @@ void Progress::show(std::size_t world, const WorldResult &result) {
     const Clock::time_point now = Clock::now();
     if (now < m_next) return;
     m_next = now + (m_isTerminal ? kTerminalInterval : kLogInterval);
-    const double left = static_cast<double>(m_worlds - world) * m_rule.maximumSeconds - result.seconds;
+    const double left = std::max(0.0, static_cast<double>(m_worlds - world) * m_rule.maximumSeconds - result.seconds);
     std::fprintf(stderr, "%sworld %zu of %zu: %s: %ld frames, %d rounds, %.0f of at most %.0f s; at most %.0f s left%s",
                  m_isTerminal ? "\r\033[K" : "", world + 1, m_worlds, result.world.c_str(), result.frames,
                  result.rounds, result.seconds, m_rule.maximumSeconds, left, m_isTerminal ? "" : "\n");
