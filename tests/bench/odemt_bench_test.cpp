@@ -2,27 +2,17 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 
+#include "shell_run.h"
+
 namespace {
 
-struct Outcome {
-    int exitCode;
-    std::string output;
-};
-
-Outcome run(const std::string &arguments) {
-    FILE *pipe = popen((std::string(ODEMT_BENCH) + " " + arguments + " 2>&1").c_str(), "r");
-    std::string output;
-    char bytes[4096];
-    while (const std::size_t count = std::fread(bytes, 1, sizeof bytes, pipe)) output.append(bytes, count);
-    return {WEXITSTATUS(pclose(pipe)), output};
-}
+Outcome run(const std::string &arguments) { return runShell(std::string(ODEMT_BENCH) + " " + arguments); }
 
 class OdemtBench : public testing::Test {
 protected:
@@ -134,13 +124,9 @@ TEST_F(OdemtBench, AFileThatCannotBeWrittenIsNamed) {
 // The old file stays where the new one does not fit, and no temporary file is left.
 TEST_F(OdemtBench, AFullDiskLeavesTheOldFile) {
     std::ofstream(folder + "/b.json") << "old";
-    FILE *pipe = popen(("bash -c 'ulimit -f 1; " + std::string(ODEMT_BENCH) +
-                        " --worlds rover:3 --engines ours:0 --frames 2000" + files() + "' 2>&1")
-                           .c_str(),
-                       "r");
-    std::string output;
-    for (int c; (c = std::fgetc(pipe)) != EOF;) output += static_cast<char>(c);
-    EXPECT_NE(pclose(pipe), 0);
+    const auto [exitCode, output] = runShell("bash -c 'ulimit -f 1; " + std::string(ODEMT_BENCH) +
+                                             " --worlds rover:3 --engines ours:0 --frames 2000" + files() + "'");
+    EXPECT_NE(exitCode, 0);
     EXPECT_NE(output.find("cannot write '" + folder + "/b.json': File too large"), std::string::npos)
         << output;
     std::string text;
@@ -162,9 +148,6 @@ TEST_F(OdemtBench, AKillLeavesTheWorldsThatWereMeasured) {
 
 TEST_F(OdemtBench, StartsOnOurLibraryWhereDebiansIsMissing) {
     const std::string command = "LD_TRACE_LOADED_OBJECTS=1 " + std::string(ODEMT_BENCH);
-    FILE *pipe = popen(command.c_str(), "r");
-    std::string output;
-    for (int c; (c = std::fgetc(pipe)) != EOF;) output += static_cast<char>(c);
-    pclose(pipe);
+    const std::string output = runShell(command).output;
     EXPECT_NE(output.find("libode.so.8 => " + std::string(ODEMT_OUR_FOLDER)), std::string::npos) << output;
 }

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -11,20 +10,9 @@
 #include <fstream>
 #include <set>
 
+#include "shell_run.h"
+
 namespace {
-
-struct Outcome {
-    int exitCode;
-    std::string output;
-};
-
-Outcome run(const std::string &command) {
-    FILE *pipe = popen((command + " 2>&1").c_str(), "r");
-    std::string output;
-    char bytes[4096];
-    while (const std::size_t count = std::fread(bytes, 1, sizeof bytes, pipe)) output.append(bytes, count);
-    return {WEXITSTATUS(pclose(pipe)), output};
-}
 
 class OdemtRecord : public testing::Test {
 protected:
@@ -32,7 +20,7 @@ protected:
     void TearDown() override { std::filesystem::remove_all(folder); }
 
     Outcome record(const std::string &arguments) const {
-        return run(std::string(ODEMT_RECORD) + " " + arguments + " --output " + file);
+        return runShell(std::string(ODEMT_RECORD) + " " + arguments + " --output " + file);
     }
 
     record::Recording read() const {
@@ -166,13 +154,13 @@ TEST_F(OdemtRecord, WrongOptionsAreAnsweredByName) {
 
 TEST_F(OdemtRecord, TheWrongLibraryIsNamed) {
     const Outcome outcome =
-        run("LD_LIBRARY_PATH=" + std::string(ODEMT_STOCK_FOLDER) + " " + ODEMT_RECORD + " soccer");
+        runShell("LD_LIBRARY_PATH=" + std::string(ODEMT_STOCK_FOLDER) + " " + ODEMT_RECORD + " soccer");
     EXPECT_EQ(outcome.exitCode, 1);
     EXPECT_NE(outcome.output.find("it is not ODE_MT"), std::string::npos) << outcome.output;
 }
 
 TEST_F(OdemtRecord, AFileThatCannotBeWrittenIsNamed) {
-    const Outcome outcome = run(std::string(ODEMT_RECORD) + " soccer --frames 1 --output /proc/r.jsonl");
+    const Outcome outcome = runShell(std::string(ODEMT_RECORD) + " soccer --frames 1 --output /proc/r.jsonl");
     EXPECT_EQ(outcome.exitCode, 1);
     EXPECT_NE(outcome.output.find("/proc/r.jsonl"), std::string::npos) << outcome.output;
 }

@@ -1,7 +1,6 @@
 // odemt_report as a user runs it. What a browser makes of its pages is tested in tests/report.
 #include <gtest/gtest.h>
 
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -12,20 +11,9 @@
 #include <tuple>
 #include <vector>
 
+#include "shell_run.h"
+
 namespace {
-
-struct Outcome {
-    int exitCode;
-    std::string output;
-};
-
-Outcome run(const std::string &command) {
-    FILE *pipe = popen((command + " 2>&1").c_str(), "r");
-    std::string output;
-    char bytes[4096];
-    while (const std::size_t count = std::fread(bytes, 1, sizeof bytes, pipe)) output.append(bytes, count);
-    return {WEXITSTATUS(pclose(pipe)), output};
-}
 
 class OdemtReport : public testing::Test {
 protected:
@@ -35,7 +23,7 @@ protected:
     }
     void TearDown() override { std::filesystem::remove_all(folder); }
 
-    Outcome report(const std::string &arguments) const { return run(std::string(ODEMT_REPORT) + " " + arguments); }
+    Outcome report(const std::string &arguments) const { return runShell(std::string(ODEMT_REPORT) + " " + arguments); }
     std::string text() const {
         std::ifstream stream(page);
         return {std::istreambuf_iterator<char>(stream), {}};
@@ -48,7 +36,7 @@ protected:
 }  // namespace
 
 TEST_F(OdemtReport, WritesResultsAndRecordings) {
-    ASSERT_EQ(run(std::string(ODEMT_RECORD) + " rover:2 --frames 20 --output " + recording).exitCode, 0);
+    ASSERT_EQ(runShell(std::string(ODEMT_RECORD) + " rover:2 --frames 20 --output " + recording).exitCode, 0);
     const Outcome outcome = report(results + " --recording " + recording + " --recording " + recording + " --output " + page);
     EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
     const std::string text = this->text();

@@ -2,7 +2,6 @@
 // writing, for all three tools.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -12,20 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "shell_run.h"
+
 namespace {
-
-struct Outcome {
-    int exitCode;
-    std::string output;
-};
-
-Outcome runShell(const std::string &command) {
-    FILE *pipe = popen(("(" + command + ") 2>&1").c_str(), "r");
-    std::string output;
-    char bytes[4096];
-    while (const std::size_t count = std::fread(bytes, 1, sizeof bytes, pipe)) output.append(bytes, count);
-    return {WEXITSTATUS(pclose(pipe)), output};
-}
 
 class ToolOutput : public testing::Test {
 protected:

@@ -1,7 +1,6 @@
 // odemt_check as users call it: its verdict on programs that are the same on both libraries, and on others that are not, or that
 // cannot be compared. subject.c says what each mode does.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -10,22 +9,11 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "../bench/shell_run.h"
+
 namespace {
 
 using Json = nlohmann::json;
-
-struct Outcome {
-    int exitCode;
-    std::string output;
-};
-
-Outcome runShell(const std::string &command) {
-    FILE *const pipe = popen(("(" + command + ") 2>&1 </dev/null").c_str(), "r");
-    std::string output;
-    char bytes[4096];
-    while (const std::size_t count = std::fread(bytes, 1, sizeof bytes, pipe)) output.append(bytes, count);
-    return {WEXITSTATUS(pclose(pipe)), output};
-}
 
 const std::string kSubject = SUBJECT;
 

@@ -18,6 +18,7 @@
 #include "objects.h"
 
 #include "../frame/OdeSession.h"
+#include "body_velocities.h"
 #include "instruction_sets.h"
 #include "random_world.h"
 
@@ -349,14 +350,7 @@ public:
 
     dBodyID top() const { return m_bodies.back(); }
 
-    std::vector<dReal> velocities() const {
-        std::vector<dReal> all;
-        for (const dBodyID body : m_bodies) {
-            all.insert(all.end(), dBodyGetLinearVel(body), dBodyGetLinearVel(body) + 3);
-            all.insert(all.end(), dBodyGetAngularVel(body), dBodyGetAngularVel(body) + 3);
-        }
-        return all;
-    }
+    std::vector<dReal> velocities() const { return velocitiesOf(m_bodies); }
 
 private:
     dWorldID m_world;

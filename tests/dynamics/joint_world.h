@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "body_velocities.h"
+
 class JointWorld {
 public:
     explicit JointWorld(const char *solver = "exact") : m_world(dWorldCreate()) {
@@ -55,14 +57,7 @@ public:
         for (const dBodyID body : m_bodies) dBodySetLinearVel(body, 0, 0, velocity);
     }
 
-    std::vector<dReal> velocities() const {
-        std::vector<dReal> all;
-        for (const dBodyID body : m_bodies) {
-            all.insert(all.end(), dBodyGetLinearVel(body), dBodyGetLinearVel(body) + 3);
-            all.insert(all.end(), dBodyGetAngularVel(body), dBodyGetAngularVel(body) + 3);
-        }
-        return all;
-    }
+    std::vector<dReal> velocities() const { return velocitiesOf(m_bodies); }
 
 private:
     dBodyID addBody(dReal x, dReal y, dReal z) {
