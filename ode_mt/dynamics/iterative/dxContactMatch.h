@@ -5,8 +5,10 @@
 
 #include <cmath>
 
+#include "dynamics/islands/dxIslandStep.h"
 #include "dynamics/iterative/dxConstraintPlan.h"
 #include "dynamics/iterative/dxContactForces.h"
+#include "dynamics/iterative/dxWarmStart.h"
 
 namespace dxContactMatch {
 
@@ -23,17 +25,18 @@ struct Candidate {
 
 }  // namespace dxContactMatch
 
-// Calls give(number, contact of the last step, whether its owner is the first body) for the manifold's contacts. Each of the last
-// step's is used once: by the contact that is nearest to it of those that have none yet.
+// Calls give(number, impulse on the first body) for the manifold's contacts: that part of the last step's forces, in the world's axes,
+// with which this one begins. Each contact of the last step is used once: by the contact that is nearest to it of those that have none
+// yet.
 //
 // armOf(number, whether from the first body's centre, axis), normalOf(number, axis): of the manifold's contacts.
 template <class ArmOf, class NormalOf, class Give>
-void dxMatchContacts(const dxContactForces &forces, const dxIsland &group, const dxConstraintPlan::Manifold &manifold,
+void dxMatchContacts(const dxContactForces &forces, const dxIslandStep &step, const dxConstraintPlan::Manifold &manifold,
                      const ArmOf &armOf, const NormalOf &normalOf, const Give &give) {
     using namespace dxContactMatch;
     Candidate candidates[kMaxCandidates];
     unsigned count = 0;
-    forces.forLast(forces.numberOf(group, manifold.body[0]), forces.numberOf(group, manifold.body[1]),
+    forces.forLast(forces.numberOf(step.island, manifold.body[0]), forces.numberOf(step.island, manifold.body[1]),
                    [&](const dxContactForces::Manifold &last, bool firstOwns) {
                        const dxContactForces::Contact *const own = forces.lastContacts(last);
                        for (unsigned i = 0; i < last.contactCount && count < kMaxCandidates; ++i)
@@ -57,7 +60,10 @@ void dxMatchContacts(const dxContactForces &forces, const dxIsland &group, const
             best = i;
         }
         if (best == count) continue;
-        give(k, *candidates[best].contact, candidates[best].firstOwns);
+        const dReal scale = dxWarmStart::kPart * (candidates[best].firstOwns ? step.stepSize : -step.stepSize);
+        dReal impulse[3];
+        for (int axis = 0; axis < 3; ++axis) impulse[axis] = scale * static_cast<dReal>(candidates[best].contact->force[axis]);
+        give(k, impulse);
         candidates[best] = candidates[--count];
     }
 }

@@ -12,7 +12,6 @@
 #include "dynamics/islands/dxIslandPrefetch.h"
 #include "dynamics/iterative/dxContactMatch.h"
 #include "dynamics/iterative/dxIterativeWorld.h"
-#include "dynamics/iterative/dxWarmStart.h"
 
 namespace {
 
@@ -165,15 +164,12 @@ void dxContactReader::startWarm(const dxContactPacks &contacts, const dxContactP
                                 const Manifold &manifold) const {
     dxContactLanes *const own = contacts.contacts + pack.firstContact;
     dxMatchContacts(
-        m_forces, m_step.island, manifold,
+        m_forces, m_step, manifold,
         [&](unsigned k, bool isOfFirst, int axis) { return armOf(pack, own[k], isOfFirst, axis, lane); },
         [&](unsigned k, int axis) { return own[k].direction[0][axis].lane[lane]; },
-        [&](unsigned k, const dxContactForces::Contact &last, bool firstOwns) {
-            const dReal scale = dxWarmStart::kPart * (firstOwns ? m_step.stepSize : -m_step.stepSize);
-            for (int axis = 0; axis < 3; ++axis) {
-                const dReal impulse = scale * static_cast<dReal>(last.force[axis]);
-                own[k].impulse[axis].lane[lane] = std::isfinite(impulse) ? impulse : 0;
-            }
+        [&](unsigned k, const dReal *impulse) {
+            for (int axis = 0; axis < 3; ++axis)
+                own[k].impulse[axis].lane[lane] = std::isfinite(impulse[axis]) ? impulse[axis] : 0;
         });
 }
 

@@ -5,7 +5,6 @@
 #include "dynamics/iterative/dxContactMatch.h"
 #include "dynamics/iterative/dxIterativeWorld.h"
 #include "dynamics/iterative/dxOtherRows.h"
-#include "dynamics/iterative/dxWarmStart.h"
 
 using Manifold = dxConstraintPlan::Manifold;
 
@@ -26,15 +25,10 @@ dReal dxRowContacts::normalOf(unsigned joint, int axis) const {
 void dxRowContacts::start(dxOtherRows &rows) const {
     for (const Manifold &manifold : m_manifolds)
         dxMatchContacts(
-            m_forces, m_step.island, manifold,
+            m_forces, m_step, manifold,
             [&](unsigned k, bool isOfFirst, int axis) { return armOf(manifold.firstJoint + k, isOfFirst, axis); },
             [&](unsigned k, int axis) { return normalOf(manifold.firstJoint + k, axis); },
-            [&](unsigned k, const dxContactForces::Contact &last, bool firstOwns) {
-                const dReal scale = dxWarmStart::kPart * (firstOwns ? m_step.stepSize : -m_step.stepSize);
-                dVector3 impulse;
-                for (int axis = 0; axis < 3; ++axis) impulse[axis] = scale * static_cast<dReal>(last.force[axis]);
-                rows.startContact(manifold.firstOther() + k, impulse);
-            });
+            [&](unsigned k, const dReal *impulse) { rows.startContact(manifold.firstOther() + k, impulse); });
 }
 
 void dxRowContacts::keep(const dxOtherRows &rows) const {
