@@ -107,7 +107,7 @@ protected:
                         for (const int body : manifold->body) take(body, isOneByOne);
                 }
                 for (unsigned o = chunk.firstOther; o < chunk.endOther; ++o) {
-                    const unsigned other = plan.othersByColor().at(o);
+                    const unsigned other = plan.othersInOrder().at(o);
                     ++timesOfOther.at(other);
                     for (int side = 0; side < 2; ++side) take(group.bodyOf(plan.otherJoints()[other].joint, side), isAlone);
                 }
@@ -205,6 +205,23 @@ TEST_F(ConstraintPlan, PutsContactsOfTwoBodiesTogether) {
         std::sort(counts.begin(), counts.end());
         std::sort(expected.begin(), expected.end());
         EXPECT_EQ(counts, expected);
+        dWorldDestroy(world);
+    }
+}
+
+// Contacts one after the other by colour, so that neighbours do not follow one another; the order of the group where there are other joints.
+TEST_F(ConstraintPlan, OrdersRows) {
+    for (const bool hasBall : {false, true}) {
+        const dWorldID world = dWorldCreate();
+        std::vector<dBodyID> row(4);
+        for (dBodyID &body : row) body = dBodyCreate(world);
+        for (std::size_t i = 1; i < row.size(); ++i) touch(world, row[i - 1], row[i]);
+        if (hasBall) dJointAttach(dJointCreateBall(world, nullptr), row[0], nullptr);
+        const Group group(world);
+        dxConstraintPlan plan;
+        plan.make(group.island());
+        EXPECT_EQ(plan.hasContactsOnly(), !hasBall);
+        EXPECT_EQ(plan.othersInOrder(), hasBall ? std::vector<unsigned>({0, 1, 2, 3}) : std::vector<unsigned>({0, 2, 1}));
         dWorldDestroy(world);
     }
 }

@@ -139,6 +139,22 @@ void furnishBridge(Lab &lab) {
     for (int i = 0; i < 6; ++i) lab.addBox({REAL(0.5) * static_cast<dReal>(i + 1), 0, REAL(3.3)}, {REAL(0.3), REAL(0.3), REAL(0.3)}, 20);
 }
 
+// A movable body that dozens of contacts and four joints share.
+void addDeck(Lab &lab, dReal mass, int side) {
+    constexpr dReal kHalf = 10;  // m
+    const dBodyID deck = lab.addBox({0, 0, REAL(-0.5)}, {2 * kHalf, 2 * kHalf, 1}, mass);
+    for (const dReal x : {-kHalf, kHalf})
+        for (const dReal y : {-kHalf, kHalf}) lab.addBall(deck, nullptr, {x, y, REAL(-0.5)});
+    const dReal cell = 2 * kHalf / static_cast<dReal>(side);
+    const auto place = [&](int i) { return cell * (static_cast<dReal>(i) + REAL(0.5)) - kHalf; };
+    for (int i = 0; i < side * side; ++i)
+        lab.addBox({place(i % side), place(i / side), REAL(0.499)}, {REAL(0.7) * cell, REAL(0.7) * cell, 1}, 1);
+}
+
+void furnishDeck(Lab &lab) { addDeck(lab, 10, 10); }
+
+void furnishHeavyDeck(Lab &lab) { addDeck(lab, 100, 6); }
+
 struct OwnScene {
     const char *name, *meaning;
     dReal stepSize;  // s
@@ -156,6 +172,8 @@ constexpr OwnScene kOwnScenes[] = {
     {"resting_hub", "98 boxes on one kinematic body", REAL(0.01), furnishRestingHub},
     {"mass_ratio", "four boxes of 1 kg under one of 20 to 120 kg", REAL(0.01), furnishMassRatio},
     {"bouncing", "60 balls that bounce between walls", REAL(0.005), furnishBouncing},
+    {"deck", "100 boxes of 1 kg on a deck of 10 kg that four ball joints hold", REAL(0.01), furnishDeck},
+    {"heavy_deck", "36 boxes of 1 kg on a deck of 100 kg that four ball joints hold", REAL(0.01), furnishHeavyDeck},
     {"bridge", "planks on hinges with boxes on them", REAL(0.005), furnishBridge},
 };
 

@@ -58,7 +58,7 @@ void dxConstraintPlan::reserveAs(const dxConstraintPlan &other) {
     m_manifolds.reserve(other.m_manifolds.capacity());
     m_rowManifolds.reserve(other.m_rowManifolds.capacity());
     m_others.reserve(other.m_others.capacity());
-    m_othersByColor.reserve(other.m_othersByColor.capacity());
+    m_othersInOrder.reserve(other.m_othersInOrder.capacity());
     m_packs.reserve(other.m_packs.capacity());
     m_chunks.reserve(other.m_chunks.capacity());
     m_phases.reserve(other.m_phases.capacity());
@@ -191,15 +191,19 @@ void dxConstraintPlan::placeManifolds() {
 }
 
 void dxConstraintPlan::placeOthers() {
+    std::size_t contacts = 0;
+    for (const Manifold &manifold : m_rowManifolds) contacts += manifold.contactCount;
+    m_hasContactsOnly = contacts == m_others.size();
     m_isSerial = m_others.size() <= kMaxSerial;
-    m_othersByColor.resize(m_others.size());
+    m_othersInOrder.resize(m_others.size());
     const auto placeOf = [this](unsigned color) { return color == kLeftOver ? m_colorCount : color; };
     std::fill_n(m_firstOther, m_colorCount + 2, 0u);
     for (const OtherJoint &other : m_others) ++m_firstOther[placeOf(other.color) + 1];
     for (unsigned place = 0; place <= m_colorCount; ++place) m_firstOther[place + 1] += m_firstOther[place];
+    if (m_isSerial && !m_hasContactsOnly) return std::iota(m_othersInOrder.begin(), m_othersInOrder.end(), 0u);
     unsigned next[kColors + 1];
     std::copy_n(m_firstOther, m_colorCount + 1, next);
-    for (unsigned i = 0; i < m_others.size(); ++i) m_othersByColor[next[placeOf(m_others[i].color)]++] = i;
+    for (unsigned i = 0; i < m_others.size(); ++i) m_othersInOrder[next[placeOf(m_others[i].color)]++] = i;
 }
 
 void dxConstraintPlan::cutChunks() {

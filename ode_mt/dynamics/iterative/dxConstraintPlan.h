@@ -43,7 +43,7 @@ public:
     // What one thread takes at once of a colour.
     struct Chunk {
         unsigned firstPack, endPack;
-        unsigned firstOther, endOther;  // of otherJoints() by colour
+        unsigned firstOther, endOther;  // of othersInOrder()
     };
 
     // Chunks that may be solved at the same time.
@@ -73,8 +73,10 @@ public:
     // In the order of the group.
     const std::vector<OtherJoint> &otherJoints() const { return m_others; }
     const dxJoint *jointOf(const OtherJoint &other) const { return m_joints[other.joint]; }
-    // Indices of otherJoints(), by colour.
-    const std::vector<unsigned> &othersByColor() const { return m_othersByColor; }
+    // Indices of otherJoints(), in the order in which they are solved first: by colour, so that neighbours need not wait for one another, or,
+    // if one thread solves them and they are not contacts alone, that of the group.
+    const std::vector<unsigned> &othersInOrder() const { return m_othersInOrder; }
+    bool hasContactsOnly() const { return m_hasContactsOnly; }
     const std::vector<Chunk> &chunks() const { return m_chunks; }
     const std::vector<Phase> &phases() const { return m_phases; }
 
@@ -103,12 +105,13 @@ private:
     std::vector<unsigned> m_islandOfBody;
     std::vector<Manifold> m_manifolds, m_rowManifolds;
     std::vector<OtherJoint> m_others;
-    std::vector<unsigned> m_othersByColor;
+    std::vector<unsigned> m_othersInOrder;
     std::vector<dxContactPack> m_packs;
     std::vector<Chunk> m_chunks;
     std::vector<Phase> m_phases;
     unsigned m_packedContacts = 0, m_colorCount = 0;
     bool m_isSerial = false;  // other joints
+    bool m_hasContactsOnly = true;
     // By colour, and the end; of other joints, those left over come last.
     unsigned m_firstPack[kColors + 1], m_firstOther[kColors + 2];
 };

@@ -1,7 +1,7 @@
 // Rows of joints that are not solved as lanes: as QuickStep's (dxConstraintRow), but with velocities and impulses for
 // accelerations and forces.
 //
-// Where there are other joints than contacts, rows are taken at random, as by upstream's solver, and begin without forces
+// Where there are other joints than contacts, rows are taken in upstream's order, later at random, and joints begin without forces
 // (docs/iterative-solver.md, "Other joints").
 #pragma once
 
@@ -35,7 +35,7 @@ public:
     double prepare(const dxOtherJoints &joints, const dxIslandBody *bodies, const dxVelocity *velocities, dReal stepSize,
                    dReal factor);
 
-    // Joints [begin, end) of the plan's by colour. Reads and writes the velocities of their bodies.
+    // Joints [begin, end) of a chunk of the plan, or of several. Reads and writes the velocities of their bodies.
     double apply(unsigned begin, unsigned end, dxVelocity *velocities);
     // `sweep`: its number, from 1. `isMeasured`: finds energies, of the change since the last sweep in which they were found. That takes
     // a look at each row.
@@ -76,10 +76,10 @@ private:
     const dxConstraintPlan *m_plan = nullptr;
     dxConstraintRow *m_rows = nullptr;
     dReal m_factor = 1;
-    bool m_isFrictionRelaxed = false, m_hasOnlyContacts = false;
+    bool m_isFrictionRelaxed = false;
     std::uint64_t m_seed = 0;              // of the step's orders: of what the rows ask for
-    std::vector<int> m_order;              // of rows, by colour
-    std::vector<unsigned> m_firstInOrder;  // by joint by colour, and the end
+    std::vector<int> m_order;              // of rows, by chunk of the plan
+    std::vector<unsigned> m_firstInOrder;  // by joint in the plan's order, and the end
     std::vector<unsigned> m_firstRow;      // by joint in the order of the group, and the end
     std::vector<double> m_energies;
     std::vector<Direction> m_directions;   // by row, of contacts
