@@ -18,7 +18,7 @@ constexpr unsigned kSmoothing = 3;
 // rest of them is worth more than that (docs/iterative-solver.md).
 constexpr double kMostHarm = 100;
 
-// Energies of other joints' rows are found in every so many sweeps.
+// Energies of other joints' rows are found in every so many sweeps, but not in the last ones, which they could hardly save.
 constexpr unsigned kMeasured = 5;
 
 // A sweep that changes so much more than another one before it does not lead to the solution.
@@ -131,7 +131,9 @@ void dxIterativeSolver::sweep(const dxIslandStep &step, dxIslandBody *bodies) {
         });
 }
 
-bool dxIterativeSolver::isMeasured(unsigned sweep) const { return m_plan.otherJoints().empty() || sweep % kMeasured == 0; }
+bool dxIterativeSolver::isMeasured(unsigned sweep) const {
+    return m_plan.otherJoints().empty() || (sweep % kMeasured == 0 && sweep <= m_smoothFrom);
+}
 
 // Sweep 0 applies the impulses that the last step has left.
 double dxIterativeSolver::solveChunk(unsigned index, unsigned sweep) {

@@ -191,21 +191,20 @@ void dxOtherRows::orderRows(const dxOtherJoints &joints, const dxConstraintPlan 
     }
 }
 
-// Returns by how much the row's impulse raises the energy. Rows are scaled by factor / diagonal.
+// Returns by how much the row's impulse raises the energy. Rows are scaled by factor / diagonal, so that the impulse itself moves the row by
+// factor times the impulse, half of which counts.
 double dxOtherRows::push(unsigned index, dxVelocity *velocities) const {
     const Row &row = m_rows[index];
-    dReal motion = 0;  // before and after, along the row
+    if (row.lambda == 0) return 0;
+    dReal motion = -row.jacobian[Row::kRhs];
     for (int side = 0; side < 2; ++side) {
         if (row.body[side] == Row::kNone) continue;
-        const dReal *const impulse = side == 0 ? row.impulseOn1 : row.impulseOn2, *const jacobian = row.jacobian + kJacobianOf[side];
+        const dReal *const impulse = side == 0 ? row.impulseOn1 : row.impulseOn2;
         dReal *const velocity = velocities[row.body[side]].columns;
-        motion += dot6(jacobian, velocity);
+        motion += dot6(row.jacobian + kJacobianOf[side], velocity);
         for (int k = 0; k < Row::kBodyColumns; ++k) velocity[k] += impulse[k] * row.lambda;
-        motion += dot6(jacobian, velocity);
     }
-    if (row.lambda == 0 || m_factor == 0) return 0;
-    const dReal scaled = (motion + row.jacobian[Row::kCfm] * row.lambda) / 2 - row.jacobian[Row::kRhs];
-    return static_cast<double>(row.lambda * scaled * m_diagonal[index] / m_factor);
+    return m_factor != 0 ? static_cast<double>(row.lambda * (motion / m_factor + row.lambda / 2) * m_diagonal[index]) : 0;
 }
 
 // energyOf(row)
@@ -258,10 +257,11 @@ void dxOtherRows::startCold(unsigned joint) {
 }
 
 void dxOtherRows::relaxRow(Row &row) {
+    const dReal scale = 1 / m_factor;
     for (const int column : kJacobianOf)
-        for (int i = 0; i < Row::kBodyColumns; ++i) row.jacobian[column + i] /= m_factor;
-    row.jacobian[Row::kRhs] /= m_factor;
-    row.jacobian[Row::kCfm] /= m_factor;
+        for (int i = 0; i < Row::kBodyColumns; ++i) row.jacobian[column + i] *= scale;
+    row.jacobian[Row::kRhs] *= scale;
+    row.jacobian[Row::kCfm] *= scale;
 }
 
 void dxOtherRows::relax(unsigned begin, unsigned end) {
