@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <utility>
 
 #include <ode/odemath.h>
@@ -19,23 +17,6 @@ using Row = dxConstraintRow;
 constexpr std::size_t kMaxRows = 6;  // of a joint
 
 constexpr int kJacobianOf[2] = {Row::kBody1, Row::kBody2};
-
-// With upstream's eight, and the last sweeps not over-relaxed, a chain of motors sags by 2 % more. Twelve leave a deck on joints with residuals
-// that are a third larger.
-constexpr unsigned kSweepsPerOrder = 9;
-
-// The finaliser of SplitMix64 (G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators", 2014).
-std::uint64_t mixed(std::uint64_t bits) {
-    bits = (bits ^ bits >> 30) * 0xbf58476d1ce4e5b9u;
-    bits = (bits ^ bits >> 27) * 0x94d049bb133111ebu;
-    return bits ^ bits >> 31;
-}
-
-std::uint64_t bitsOf(double number) {
-    std::uint64_t bits;
-    std::memcpy(&bits, &number, sizeof bits);
-    return bits;
-}
 
 // An infinite coefficient allows any force, as long as the row that bounds this one has one.
 dReal limited(dReal impulse, const Row &row, dReal bounding) {
@@ -80,7 +61,7 @@ double dxOtherRows::prepareRow(Row &row, const dxIslandBody *bodies, const dxVel
     }
     const dReal inverse = diagonal > 0 ? 1 / diagonal : 0, scale = m_factor * inverse;
     const dReal impulse = (row.jacobian[Row::kRhs] - velocity) * inverse;
-    m_seed = mixed(m_seed ^ bitsOf(static_cast<double>(impulse)));
+    m_order.mix(static_cast<double>(impulse));
     const dReal allowed = row.isBounded() ? 0 : std::max(row.jacobian[Row::kLow], std::min(row.jacobian[Row::kHigh], impulse));
     for (int side = 0; side < sides; ++side)
         for (int i = 0; i < Row::kBodyColumns; ++i) row.jacobian[kJacobianOf[side] + i] *= scale;
@@ -91,8 +72,7 @@ double dxOtherRows::prepareRow(Row &row, const dxIslandBody *bodies, const dxVel
 
 void dxOtherRows::reserve(const dxConstraintPlan &plan) {
     const std::size_t joints = plan.otherJoints().size(), rows = kMaxRows * joints;
-    m_order.reserve(rows);
-    m_firstInOrder.reserve(joints + 1);
+    m_order.reserve(joints, rows);
     m_firstRow.reserve(joints + 1);
     m_energies.reserve(joints);
     m_directions.reserve(rows);
@@ -101,8 +81,7 @@ void dxOtherRows::reserve(const dxConstraintPlan &plan) {
 }
 
 void dxOtherRows::reserveAs(const dxOtherRows &other) {
-    m_order.reserve(other.m_order.capacity());
-    m_firstInOrder.reserve(other.m_firstInOrder.capacity());
+    m_order.reserveAs(other.m_order);
     m_firstRow.reserve(other.m_firstRow.capacity());
     m_energies.reserve(other.m_energies.capacity());
     m_directions.reserve(other.m_directions.capacity());
@@ -113,7 +92,8 @@ void dxOtherRows::reserveAs(const dxOtherRows &other) {
 void dxOtherRows::begin(const dxOtherJoints &joints, const dxConstraintPlan &plan) {
     m_plan = &plan;
     m_rows = joints.rows();
-    orderRows(joints, plan);
+    findRows(joints);
+    m_order.make(plan, m_firstRow, m_rows);
     m_directions.resize(joints.rowCount());
     m_diagonal.resize(joints.rowCount());
     m_last.resize(joints.rowCount());
@@ -142,7 +122,6 @@ double dxOtherRows::prepare(const dxOtherJoints &joints, const dxIslandBody *bod
                             dReal factor) {
     m_factor = factor;
     m_isFrictionRelaxed = false;
-    m_seed = 0;
     double energy = 0;
     std::size_t index = 0;
     joints.forJoints([&](const dxJoint *, unsigned first, unsigned count) {
@@ -158,37 +137,16 @@ double dxOtherRows::prepare(const dxOtherJoints &joints, const dxIslandBody *bod
     return energy;
 }
 
-// Joints without rows have a place in the plan, too. As by upstream, where there are other joints than contacts, rows that others bound are
-// last in the first sweeps.
-void dxOtherRows::orderRows(const dxOtherJoints &joints, const dxConstraintPlan &plan) {
-    const std::vector<dxConstraintPlan::OtherJoint> &others = plan.otherJoints();
+// Joints without rows have a place in the plan, too.
+void dxOtherRows::findRows(const dxOtherJoints &joints) {
+    const std::vector<dxConstraintPlan::OtherJoint> &others = m_plan->otherJoints();
     m_firstRow.assign(others.size() + 1, 0);
     std::size_t next = 0;
     joints.forJoints([&](const dxJoint *joint, unsigned first, unsigned count) {
-        while (plan.jointOf(others[next]) != joint) m_firstRow[++next] = first;
+        while (m_plan->jointOf(others[next]) != joint) m_firstRow[++next] = first;
         m_firstRow[++next] = first + count;
     });
     while (next < others.size()) m_firstRow[++next] = joints.rowCount();
-    const std::vector<unsigned> &places = plan.othersInOrder();
-    m_firstInOrder.assign(places.size() + 1, 0);
-    for (std::size_t place = 0; place < places.size(); ++place)
-        m_firstInOrder[place + 1] = m_firstInOrder[place] + m_firstRow[places[place] + 1] - m_firstRow[places[place]];
-    m_order.clear();
-    const auto take = [this](unsigned first, unsigned end, const auto &takes) {
-        for (unsigned place = first; place < end; ++place) {
-            const unsigned other = m_plan->othersInOrder()[place];
-            for (unsigned row = m_firstRow[other]; row < m_firstRow[other + 1]; ++row)
-                if (takes(m_rows[row])) m_order.push_back(static_cast<int>(row));
-        }
-    };
-    for (const dxConstraintPlan::Chunk &chunk : plan.chunks()) {
-        if (plan.hasContactsOnly()) {
-            take(chunk.firstOther, chunk.endOther, [](const Row &) { return true; });
-        } else {
-            take(chunk.firstOther, chunk.endOther, [](const Row &row) { return !row.isBounded(); });
-            take(chunk.firstOther, chunk.endOther, [](const Row &row) { return row.isBounded(); });
-        }
-    }
 }
 
 // Returns by how much the row's impulse raises the energy. Rows are scaled by factor / diagonal, so that the impulse itself moves the row by
@@ -228,23 +186,13 @@ double dxOtherRows::apply(unsigned begin, unsigned end, dxVelocity *velocities) 
     });
 }
 
-// The order does not depend on who solves the joints, and is another one in each step.
-void dxOtherRows::shuffle(unsigned first, unsigned last, unsigned sweep) {
-    std::uint64_t bits = m_seed ^ first ^ std::uint64_t(sweep) << 32;
-    for (unsigned i = last; i > first + 1; --i) {
-        bits = mixed(bits + 0x9e3779b97f4a7c15u);
-        std::swap(m_order[i - 1], m_order[first + static_cast<unsigned>(bits % (i - first))]);
-    }
-}
-
 double dxOtherRows::sweep(unsigned begin, unsigned end, dxVelocity *velocities, unsigned sweep, bool isMeasured) {
-    const unsigned first = m_firstInOrder[begin], last = m_firstInOrder[end];
-    if (!m_plan->hasContactsOnly() && sweep > 1 && sweep % kSweepsPerOrder == 1) shuffle(first, last, sweep);
+    const dxRowOrder::Rows order = m_order.inSweep(begin, end, sweep);
     dxIslandProblem problem = {};
-    problem.rowCount = last - first;
+    problem.rowCount = order.count();
     problem.rows = m_rows;
     problem.accelerations = velocities;
-    dxSorSweep(problem, m_order.data() + first);
+    dxSorSweep(problem, order.first);
     if (!isMeasured) return 0;
     return forJoints(begin, end, [&](unsigned row) {
         const dReal now = m_rows[row].lambda, change = now - std::exchange(m_last[row], now);
@@ -266,13 +214,13 @@ void dxOtherRows::relaxRow(Row &row) {
 
 void dxOtherRows::relax(unsigned begin, unsigned end) {
     if (m_factor <= 1) return;
-    for (unsigned i = m_firstInOrder[begin]; i < m_firstInOrder[end]; ++i)
-        if (!m_isFrictionRelaxed || !m_rows[m_order[i]].isBounded()) relaxRow(m_rows[m_order[i]]);
+    for (const int index : m_order.of(begin, end))
+        if (!m_isFrictionRelaxed || !m_rows[index].isBounded()) relaxRow(m_rows[index]);
 }
 
 void dxOtherRows::relaxFriction() {
     m_isFrictionRelaxed = true;
-    for (const int index : m_order)
+    for (const int index : m_order.all())
         if (m_rows[index].isBounded()) relaxRow(m_rows[index]);
 }
 

@@ -1,15 +1,14 @@
 // Rows of joints that are not solved as lanes: as QuickStep's (dxConstraintRow), but with velocities and impulses for
 // accelerations and forces.
 //
-// Where there are other joints than contacts, rows are taken in upstream's order, later at random, and joints begin without forces
-// (docs/iterative-solver.md, "Other joints").
+// Joints begin without forces, contacts with those of the last step (docs/iterative-solver.md, "Other joints").
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "dynamics/iterative/dxConstraintPlan.h"
 #include "dynamics/iterative/dxOtherJoints.h"
+#include "dynamics/iterative/dxRowOrder.h"
 #include "dynamics/iterative/dxVelocities.h"
 
 struct dxIslandBody;
@@ -63,12 +62,11 @@ private:
         dReal axis[3];
     };
 
-    void orderRows(const dxOtherJoints &joints, const dxConstraintPlan &plan);
+    void findRows(const dxOtherJoints &joints);
     void noteDirections(unsigned begin, unsigned end);
     double prepareRow(dxConstraintRow &row, const dxIslandBody *bodies, const dxVelocity *velocities, dReal stepSize,
                       dReal &diagonal);
     void relaxRow(dxConstraintRow &row);
-    void shuffle(unsigned first, unsigned last, unsigned sweep);
     double push(unsigned index, dxVelocity *velocities) const;
     template <class EnergyOf>
     double forJoints(unsigned begin, unsigned end, const EnergyOf &energyOf);
@@ -77,9 +75,7 @@ private:
     dxConstraintRow *m_rows = nullptr;
     dReal m_factor = 1;
     bool m_isFrictionRelaxed = false;
-    std::uint64_t m_seed = 0;              // of the step's orders: of what the rows ask for
-    std::vector<int> m_order;              // of rows, by chunk of the plan
-    std::vector<unsigned> m_firstInOrder;  // by joint in the plan's order, and the end
+    dxRowOrder m_order;
     std::vector<unsigned> m_firstRow;      // by joint in the order of the group, and the end
     std::vector<double> m_energies;
     std::vector<Direction> m_directions;   // by row, of contacts

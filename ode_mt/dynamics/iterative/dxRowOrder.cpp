@@ -1,0 +1,79 @@
+#include "dynamics/iterative/dxRowOrder.h"
+
+#include <cstring>
+#include <utility>
+
+namespace {
+
+using Row = dxConstraintRow;
+
+// With upstream's eight, and the last sweeps not over-relaxed, a chain of motors sags by 2 % more. Twelve leave a deck on joints with
+// residuals that are a third larger.
+constexpr unsigned kSweepsPerOrder = 9;
+
+// The finaliser of SplitMix64 (G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators", 2014).
+std::uint64_t mixed(std::uint64_t bits) {
+    bits = (bits ^ bits >> 30) * 0xbf58476d1ce4e5b9u;
+    bits = (bits ^ bits >> 27) * 0x94d049bb133111ebu;
+    return bits ^ bits >> 31;
+}
+
+std::uint64_t bitsOf(double number) {
+    std::uint64_t bits;
+    std::memcpy(&bits, &number, sizeof bits);
+    return bits;
+}
+
+}  // namespace
+
+void dxRowOrder::reserve(std::size_t joints, std::size_t rows) {
+    m_rows.reserve(rows);
+    m_first.reserve(joints + 1);
+}
+
+void dxRowOrder::reserveAs(const dxRowOrder &other) {
+    m_rows.reserve(other.m_rows.capacity());
+    m_first.reserve(other.m_first.capacity());
+}
+
+void dxRowOrder::make(const dxConstraintPlan &plan, const std::vector<unsigned> &firstRow, const Row *rows) {
+    m_isShuffled = !plan.hasContactsOnly();
+    m_seed = 0;
+    const std::vector<unsigned> &joints = plan.othersInOrder();
+    m_first.assign(joints.size() + 1, 0);
+    for (std::size_t i = 0; i < joints.size(); ++i) m_first[i + 1] = m_first[i] + firstRow[joints[i] + 1] - firstRow[joints[i]];
+    m_rows.clear();
+    const auto take = [&](const dxConstraintPlan::Chunk &chunk, const auto &takes) {
+        for (unsigned i = chunk.firstOther; i < chunk.endOther; ++i)
+            for (unsigned row = firstRow[joints[i]]; row < firstRow[joints[i] + 1]; ++row)
+                if (takes(rows[row])) m_rows.push_back(static_cast<int>(row));
+    };
+    for (const dxConstraintPlan::Chunk &chunk : plan.chunks()) {
+        if (m_isShuffled) {
+            take(chunk, [](const Row &row) { return !row.isBounded(); });
+            take(chunk, [](const Row &row) { return row.isBounded(); });
+        } else {
+            take(chunk, [](const Row &) { return true; });
+        }
+    }
+}
+
+void dxRowOrder::mix(double number) { m_seed = mixed(m_seed ^ bitsOf(number)); }
+
+dxRowOrder::Rows dxRowOrder::of(unsigned begin, unsigned end) const {
+    return {m_rows.data() + m_first[begin], m_rows.data() + m_first[end]};
+}
+
+dxRowOrder::Rows dxRowOrder::inSweep(unsigned begin, unsigned end, unsigned sweep) {
+    if (m_isShuffled && sweep > 1 && sweep % kSweepsPerOrder == 1) shuffle(m_first[begin], m_first[end], sweep);
+    return of(begin, end);
+}
+
+// Chunks are shuffled apart, so that the order does not depend on who solves them.
+void dxRowOrder::shuffle(unsigned first, unsigned last, unsigned sweep) {
+    std::uint64_t bits = m_seed ^ first ^ std::uint64_t(sweep) << 32;
+    for (unsigned i = last; i > first + 1; --i) {
+        bits = mixed(bits + 0x9e3779b97f4a7c15u);
+        std::swap(m_rows[i - 1], m_rows[first + static_cast<unsigned>(bits % (i - first))]);
+    }
+}

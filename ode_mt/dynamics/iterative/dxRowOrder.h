@@ -1,0 +1,46 @@
+// The order in which the rows of joints that are no lanes are taken (docs/iterative-solver.md, "Other joints"): that of the plan where
+// there are contacts alone; otherwise upstream's, those that other rows bound last, and after some sweeps a random one. It follows from
+// what the rows ask for, so that a step from the same state has the same order, and other steps have others.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dynamics/islands/dxIslandProblem.h"
+#include "dynamics/iterative/dxConstraintPlan.h"
+
+class dxRowOrder {
+public:
+    // Throws std::bad_alloc, as reserveAs().
+    void reserve(std::size_t joints, std::size_t rows);
+    // Takes as much memory as another one has.
+    void reserveAs(const dxRowOrder &other);
+
+    // `firstRow`: by joint of the plan, and the end.
+    void make(const dxConstraintPlan &plan, const std::vector<unsigned> &firstRow, const dxConstraintRow *rows);
+
+    // Random orders follow from all numbers that are given since make().
+    void mix(double number);
+
+    // Rows of joints [begin, end) of plan.othersInOrder(), which are a chunk of the plan or all.
+    struct Rows {
+        const int *first, *last;
+
+        const int *begin() const { return first; }
+        const int *end() const { return last; }
+        unsigned count() const { return static_cast<unsigned>(last - first); }
+    };
+    Rows of(unsigned begin, unsigned end) const;
+    Rows all() const { return {m_rows.data(), m_rows.data() + m_rows.size()}; }
+
+    // The same in the sweep with this number, from 1.
+    Rows inSweep(unsigned begin, unsigned end, unsigned sweep);
+
+private:
+    void shuffle(unsigned first, unsigned last, unsigned sweep);
+
+    bool m_isShuffled = false;
+    std::uint64_t m_seed = 0;
+    std::vector<int> m_rows;        // by chunk
+    std::vector<unsigned> m_first;  // in m_rows: by joint in the plan's order, and the end
+};
