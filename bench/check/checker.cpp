@@ -143,6 +143,9 @@ private:
         const std::string words = other.run.errors.lastLines(3);
         if (comparison.ending && !words.empty()) remark(other.engine.name + " says at the end: " + words);
         if (!comparison.ending) remark(comparison.output);
+        if (first && areEqualInAnotherOrder(stock.record, other.record, Ends::ignored))
+            remark("Each world does what one of another number does on the other library: either they have exchanged their states, or the "
+                   "program makes them in an order that depends on time or chance.");
         if (first) setFinding(other.engine.name, *first, stock, other, values);
     }
 

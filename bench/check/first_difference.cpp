@@ -17,6 +17,11 @@ bool areSame(const WorldRecord &left, const WorldRecord &right) {
     return left.firstStep == right.firstStep && left.hashes == right.hashes;
 }
 
+// Worlds that are numbered in both runs have one partner in each process at most, whatever they do.
+bool mayBePartners(const WorldRecord &left, const WorldRecord &right) {
+    return !left.isNumbered || !right.isNumbered || left.name.world == right.name.world;
+}
+
 // Of the worlds of both runs, those that have no partner yet.
 class Pairing {
 public:
@@ -30,8 +35,10 @@ public:
     void pairThat(Fits fits) {
         for (auto &left : m_left) {
             const WorldRecord **best = nullptr;
-            for (auto &right : m_right)
-                if (right != nullptr && fits(*left, *right) && (best == nullptr || left->name == right->name)) best = &right;
+            for (auto &right : m_right) {
+                if (right == nullptr || !mayBePartners(*left, *right) || !fits(*left, *right)) continue;
+                if (best == nullptr || left->name == right->name) best = &right;
+            }
             if (best != nullptr) take(left, *best);
         }
         forgetTaken();
@@ -42,7 +49,7 @@ public:
             const WorldRecord **best = nullptr;
             std::uint64_t most = 0;
             for (auto &right : m_right) {
-                if (right == nullptr) continue;
+                if (right == nullptr || !mayBePartners(*left, *right)) continue;
                 const std::uint64_t steps = agreement(*left, *right);
                 if (best == nullptr || steps > most) best = &right, most = steps;
             }
@@ -89,6 +96,12 @@ std::vector<WorldPair> pairWorlds(const RunRecord &left, const RunRecord &right)
     pairing.pairThat([](const WorldRecord &a, const WorldRecord &b) { return a.name == b.name && agreement(a, b) > 0; });
     pairing.pairByAgreement();
     return pairing.finish();
+}
+
+bool areEqualInAnotherOrder(RunRecord left, RunRecord right, Ends ends) {
+    for (RunRecord *const run : {&left, &right})
+        for (WorldRecord &world : run->worlds) world.isNumbered = false;
+    return !compareRuns(left, right, ends).first;
 }
 
 Comparison compareRuns(const RunRecord &left, const RunRecord &right, Ends ends) {

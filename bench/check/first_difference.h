@@ -1,7 +1,8 @@
 // Where two runs of a program differ first.
 //
-// Worlds are paired by what they did, as threads and processes may make them in another order each time: those whose steps are all
-// the same first, the others with the world of the same number, or else with the one that agrees with them for most steps.
+// Worlds that one thread has made are paired by their numbers. All others are paired by what they did, as threads may make them in
+// another order each time, and so are processes: those whose steps are all the same first, the others with the world of the same
+// number, or else with the one that agrees with them for most steps.
 #pragma once
 
 #include <optional>
@@ -38,5 +39,8 @@ struct Comparison {
 enum class Ends { compared, ignored };
 
 Comparison compareRuns(const RunRecord &left, const RunRecord &right, Ends ends);
+
+// Whether runs that differ would not if their worlds had other numbers.
+bool areEqualInAnotherOrder(RunRecord left, RunRecord right, Ends ends);
 
 }  // namespace check

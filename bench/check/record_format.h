@@ -34,6 +34,7 @@ struct ProcessHeader {
     std::uint32_t isOurs;               // its library is ODE_MT
     std::uint32_t isDouble;             // and has double precision; else no step is recorded
     std::uint32_t isFull;               // a step was lost: no room, or no rights, for the file
+    std::uint32_t hasOneMaker;          // all its worlds were made by one thread: they have their numbers in each run
     char library[1024], program[1024];  // paths
 };
 static_assert(sizeof(ProcessHeader) <= kHeaderBytes);

@@ -43,6 +43,7 @@ void readProcess(std::istream &stream, const std::string &path, std::uint32_t nu
         if (world.hashes.empty()) {
             world.name = {number, step.world};
             world.firstStep = step.number;
+            world.isNumbered = header.hasOneMaker != 0;
         }
         if (step.number != world.lastStep() + 1) failAt(path);
         world.hashes.push_back(step.hash);

@@ -21,6 +21,7 @@ struct WorldRecord {
     std::uint64_t firstStep = 1;        // in this process; later ones than 1 in a child of a fork
     std::vector<std::uint64_t> hashes;  // of the states behind each step
     std::uint32_t mostBodies = 0;
+    bool isNumbered = false;  // all worlds of its process were made by one thread: it has its number in each run
 
     std::uint64_t lastStep() const { return firstStep + hashes.size() - 1; }
 };

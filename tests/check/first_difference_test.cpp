@@ -44,6 +44,28 @@ TEST(FirstDifference, WorldsInAnotherOrderAreTheSame) {
     EXPECT_FALSE(compareRuns(left, right, Ends::compared).first);
 }
 
+// Worlds that one thread has made have their numbers in each run.
+TEST(FirstDifference, WorldsOfOneThreadThatHaveExchangedEverythingDiffer) {
+    RunRecord left = run({world({0, 0}, {1, 2}), world({0, 1}, {3, 4})}), right = run({world({0, 0}, {3, 4}), world({0, 1}, {1, 2})});
+    for (WorldRecord &record : left.worlds) record.isNumbered = true;
+    EXPECT_FALSE(compareRuns(left, right, Ends::compared).first);  // another thread has made one of the right run's
+    for (WorldRecord &record : right.worlds) record.isNumbered = true;
+    const Comparison comparison = compareRuns(left, right, Ends::compared);
+    ASSERT_TRUE(comparison.first);
+    EXPECT_EQ(comparison.first->step, 1u);
+    EXPECT_EQ(comparison.first->worlds.left->name.world, 0u);
+    EXPECT_EQ(comparison.first->worlds.right->name.world, 0u);
+    EXPECT_EQ(comparison.equalSteps, 0u);
+    EXPECT_TRUE(areEqualInAnotherOrder(left, right, Ends::compared));
+}
+
+TEST(FirstDifference, WorldsOfOneThreadMayBeInAnotherProcess) {
+    RunRecord left = run({world({0, 0}, {1, 2}), world({1, 0}, {3, 4})}), right = run({world({0, 0}, {3, 4}), world({1, 0}, {1, 2})});
+    for (RunRecord *const record : {&left, &right})
+        for (WorldRecord &world : record->worlds) world.isNumbered = true;
+    EXPECT_FALSE(compareRuns(left, right, Ends::compared).first);
+}
+
 // The world of the same number, which begins alike, is another one's.
 TEST(FirstDifference, WorldsThatAreTheSameArePairedFirst) {
     const RunRecord left = run({world({0, 0}, {1, 2, 3}), world({0, 1}, {1, 5})}),

@@ -173,6 +173,15 @@ TEST_F(OdemtCheck, WorldsOfTwoThreadsMayBeMadeInAnyOrder) {
     EXPECT_EQ(other["difference"]["values"][0]["body"], 1);
 }
 
+// Of one thread's worlds each has its number.
+TEST_F(OdemtCheck, WorldsThatHaveExchangedEverythingDiffer) {
+    const Json json = checkJson(kSubject + " exchange", 1);
+    EXPECT_EQ(json["steps"], 0);
+    EXPECT_EQ(json["difference"]["step"], 1);
+    EXPECT_EQ(json["difference"]["world"], "world 0");
+    expectWords(json["remarks"].dump(), "exchanged");
+}
+
 TEST_F(OdemtCheck, ProcessesThatForkHaveARecordEach) {
     const Json json = checkJson(kSubject + " fork", 0);
     EXPECT_EQ(json["steps"], 60 + 20 + 15);

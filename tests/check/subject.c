@@ -50,8 +50,8 @@ static void addBox(Scene *scene, int i, dReal height) {
 }
 
 static Scene makeScene(dReal height) {
-    Scene scene = {
-        dWorldCreate(), dHashSpaceCreate(NULL), dJointGroupCreate(0), {NULL}, 0.01, is("threads") || is("threads-differ")};
+    Scene scene = {dWorldCreate(), dHashSpaceCreate(NULL), dJointGroupCreate(0), {NULL}, 0.01,
+                   is("threads") || is("threads-differ") || is("exchange")};
     dWorldSetGravity(scene.world, 0, 0, -9.81);
     dCreatePlane(scene.space, 0, 0, 1, 0);
     for (int i = 0; i < kBoxes; ++i) addBox(&scene, i, height + 0.1 * i);
@@ -115,10 +115,27 @@ static void *stepOnThread(void *data) {
     return NULL;
 }
 
-/* The order in which worlds are made changes from run to run, as it may where threads make their own. */
+static void *makeOnThread(void *scene) {
+    *(Scene *)scene = makeScene(3);
+    return NULL;
+}
+
+/* Threads make a world each, in an order that changes from run to run. */
+static void makeTwoWorlds(Scene scenes[2], int runs) {
+    pthread_t thread;
+    if (runs % 2 == 0) scenes[0] = makeScene(0.5);
+    pthread_create(&thread, NULL, makeOnThread, &scenes[1]);
+    pthread_join(thread, NULL);
+    if (runs % 2 != 0) scenes[0] = makeScene(0.5);
+}
+
 static void stepTwoWorlds(int runs) {
     Scene scenes[2];
-    for (int i = 0; i < 2; ++i) scenes[i] = makeScene((runs + i) % 2 == 0 ? 0.5 : 3);
+    if (is("exchange")) { /* all on this thread */
+        for (int i = 0; i < 2; ++i) scenes[i] = makeScene(i == isOurs() ? 0.5 : 3);
+    } else {
+        makeTwoWorlds(scenes, runs);
+    }
     pthread_t threads[2];
     for (int i = 0; i < 2; ++i) pthread_create(&threads[i], NULL, stepOnThread, &scenes[i]);
     for (int i = 0; i < 2; ++i) pthread_join(threads[i], NULL);
@@ -215,7 +232,7 @@ int main(int argc, char **argv) {
     int result = 0;
     if (is("no-steps")) {
         dWorldDestroy(dWorldCreate());
-    } else if (is("threads") || is("threads-differ")) {
+    } else if (is("threads") || is("threads-differ") || is("exchange")) {
         stepTwoWorlds(runs);
     } else {
         Scene scene = makeScene(0.5);

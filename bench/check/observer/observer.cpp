@@ -31,8 +31,15 @@ const std::uint64_t g_dumpStep = stepNamed(check::kDumpVariable), g_lastStep = s
 
 }  // namespace
 
-Observer::World &Observer::add(const OdeLibrary &library, dxWorld *world) {
+void Observer::openFile(const OdeLibrary &library) {
     m_file.open(library);
+    m_file.setHasOneMaker(m_hasOneMaker);
+}
+
+Observer::World &Observer::add(const OdeLibrary &library, dxWorld *world) {
+    if (m_worldsCreated == 0) m_maker = pthread_self();
+    if (pthread_equal(m_maker, pthread_self()) == 0) m_hasOneMaker = false;
+    openFile(library);
     std::unique_ptr<World> &place = m_worlds[world];
     place = std::make_unique<World>();
     place->number = m_worldsCreated++;
@@ -107,7 +114,7 @@ void Observer::stepped(const OdeLibrary &library, dxWorld *id, const StepCall &c
     {
         const Lock lock(m_mutex);
         world = &find(library, id);
-        m_file.open(library);  // the first step behind a fork
+        openFile(library);  // the first step behind a fork
     }
     record(library, *world, call);
     const bool isLast = world->steps == g_lastStep;

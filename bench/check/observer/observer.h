@@ -4,6 +4,8 @@
 // a step is written, not while states are read: during a call that changes a world nobody else may use it (ODE's own rule).
 #pragma once
 
+#include <pthread.h>
+
 #include <chrono>
 #include <memory>
 #include <mutex>
@@ -48,6 +50,7 @@ private:
         std::unordered_map<dxBody *, std::size_t> places;  // in `bodies`, of those that are not destroyed
     };
 
+    void openFile(const OdeLibrary &library);
     World &add(const OdeLibrary &library, dxWorld *world);
     World &find(const OdeLibrary &library, dxWorld *world);
     void record(const OdeLibrary &library, World &world, const StepCall &call);
@@ -56,6 +59,8 @@ private:
     std::mutex m_mutex;
     std::unordered_map<dxWorld *, std::unique_ptr<World>> m_worlds;
     std::uint32_t m_worldsCreated = 0;
+    pthread_t m_maker{};  // of the first world
+    bool m_hasOneMaker = true;
     RecordFile m_file;
 };
 

@@ -88,6 +88,10 @@ void RecordFile::open(const OdeLibrary &library) {
     m_header->magic = check::kMagic;
 }
 
+void RecordFile::setHasOneMaker(bool hasOneMaker) {
+    if (m_header != nullptr) m_header->hasOneMaker = hasOneMaker;
+}
+
 void RecordFile::mapNext() {
     if (m_chunk != nullptr) munmap(m_chunk, kChunkBytes);
     const int file = ::open(m_path.c_str(), O_RDWR | O_CLOEXEC);

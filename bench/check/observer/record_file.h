@@ -16,6 +16,7 @@ class RecordFile {
 public:
     // Does nothing if it is open. Without a folder, or rights or room in it, nothing is recorded.
     void open(const OdeLibrary &library);
+    void setHasOneMaker(bool hasOneMaker);
     void write(const check::Step &step);
     void writeStates(const std::vector<unsigned char> &states);
     void addTimes(std::chrono::nanoseconds step, std::chrono::nanoseconds observer);
