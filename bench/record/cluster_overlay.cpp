@@ -1,19 +1,10 @@
 #include "record/cluster_overlay.h"
 
-#include <dlfcn.h>
-
-#include <stdexcept>
+#include "record/own_function.h"
 
 namespace record {
 
 namespace {
-
-template <class Function>
-void find(const char *name, Function &function) {
-    function = reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, name));
-    if (!function)
-        throw std::runtime_error(std::string("this libode.so.8 has no ") + name + ": it is not ODE_MT");
-}
 
 // All of what `get(values, capacity)` writes, which returns how many there are.
 template <class Value, class Get>
@@ -26,16 +17,16 @@ std::vector<Value> all(Get get) {
 }  // namespace
 
 ClusterOverlay::ClusterOverlay() {
-    find("dClusterGetCount", m_count);
-    find("dClusterGetGridCells", m_gridCells);
-    find("dClusterGetGridStep", m_gridStep);
-    find("dClusterGetCenter", m_center);
-    find("dClusterGetCells", m_cells);
-    find("dClusterGetEvents", m_events);
-    find("dClusterGetOfBody", m_ofBody);
-    find("dClusterGetOfGeom", m_ofGeom);
-    find("dClusterGetStaticOfGeom", m_staticOfGeom);
-    find("dClusterGetTestedWith", m_testedWith);
+    findOwn("dClusterGetCount", m_count);
+    findOwn("dClusterGetGridCells", m_gridCells);
+    findOwn("dClusterGetGridStep", m_gridStep);
+    findOwn("dClusterGetCenter", m_center);
+    findOwn("dClusterGetCells", m_cells);
+    findOwn("dClusterGetEvents", m_events);
+    findOwn("dClusterGetOfBody", m_ofBody);
+    findOwn("dClusterGetOfGeom", m_ofGeom);
+    findOwn("dClusterGetStaticOfGeom", m_staticOfGeom);
+    findOwn("dClusterGetTestedWith", m_testedWith);
 }
 
 Grid ClusterOverlay::grid(dWorldID world, dSpaceID space) const {

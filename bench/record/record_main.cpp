@@ -25,6 +25,7 @@ namespace {
 void chooseAlgorithm(const record::RecordOptions &options) {
     for (const std::string &name : bench::libraryVariables()) unsetenv(name.c_str());
     setenv("ODE_MT_ALGORITHM", options.algorithm.c_str(), 1);
+    setenv("ODE_MT_THREADS", std::to_string(options.threads).c_str(), 1);
     setenv("ODE_MT_GRID_CELLS", options.gridCells ? std::to_string(options.gridCells).c_str() : "auto", 1);
 }
 
@@ -32,7 +33,7 @@ record::Header describe(const record::RecordOptions &options, const scenes::Scen
                         const record::Recorder &recorder) {
     const bench::LibraryProbe library = bench::probeLibrary();
     return {options.world, library.algorithm(), library.file, static_cast<double>(scene.stepSize()),
-            recorder.geoms()};
+            recorder.geoms(), recorder.bodyNames()};
 }
 
 // Debian's library takes part in this process from its start only: the program is started again, with that library first.
@@ -52,7 +53,7 @@ void recordScene(const record::RecordOptions &options, const Line &write) {
     std::vector<std::string> warnings;
     const auto scene = bench::openWorld(options.world, options.ignoreUnsupported, warnings);
     for (const std::string &warning : warnings) bench::printError(warning);
-    record::Recorder recorder(*scene, {!options.onStock, options.contacts});
+    record::Recorder recorder(*scene, {!options.onStock, options.contacts, options.threads > 0});
     write(writeHeader(describe(options, *scene, recorder)) + "\n");
     for (long frame = 1; frame <= options.frames; ++frame) {
         recorder.runFrame();

@@ -28,6 +28,11 @@ void addOptions(CLI::App &app, RecordOptions &options) {
         ->capture_default_str()
         ->check(bench::wholeNumberIn(1, 1'000'000'000));
     app.add_option("--output", options.file, "file; standard output if it is not given");
+    app.add_option("--threads", options.threads,
+                   "threads that step the world; which of them steps a body is recorded, too, and may differ from run to run. "
+                   "0: one, which is not recorded")
+        ->capture_default_str()
+        ->check(bench::wholeNumberIn(0, 1024));
     app.add_flag("--contacts", options.contacts, "record contacts and their forces, too: several times as much");
     app.add_flag("--stock", options.onStock, "run Debian's libode8 instead, and record no clusters");
     app.add_flag("--ignore-unsupported", options.ignoreUnsupported,
@@ -39,6 +44,7 @@ void check(const RecordOptions &options) {
     if (options.gridCells != 0 && (options.gridCells < 5 || options.gridCells > 20))
         throw std::invalid_argument("--cells: " + std::to_string(options.gridCells) +
                                     " is not a number from 5 to 20, nor 0");
+    if (options.threads != 0 && options.onStock) throw std::invalid_argument("--threads: with --stock there are none of ODE_MT's");
 }
 
 }  // namespace

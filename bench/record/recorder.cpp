@@ -1,5 +1,6 @@
 #include "record/recorder.h"
 
+#include "loader/scene/sdf_scene.h"
 #include "record/geom_shape.h"
 #include "record/islands.h"
 
@@ -11,6 +12,7 @@ namespace record {
 Recorder::Recorder(scenes::Scene &scene, const RecorderSettings &settings) : m_scene(scene) {
     if (settings.clusters) m_overlay.emplace();
     if (settings.contacts) m_contacts.emplace();
+    if (settings.workers) m_workers.emplace();
 }
 
 std::vector<Geom> Recorder::geoms() const {
@@ -24,6 +26,12 @@ std::vector<Geom> Recorder::geoms() const {
     return geoms;
 }
 
+// The scenes of the catalogue have no names.
+std::vector<std::string> Recorder::bodyNames() const {
+    const auto *const world = dynamic_cast<const worlds::SdfScene *>(&m_scene);
+    return world != nullptr ? world->bodyNames() : std::vector<std::string>();
+}
+
 // As Scene::frame, with looks at what finish() empties.
 void Recorder::runFrame() {
     m_scene.control();
@@ -31,6 +39,7 @@ void Recorder::runFrame() {
     m_scene.collide();
     m_scene.step();
     m_islands = islandsOf(m_scene.inventory().bodies);
+    if (m_workers) m_stepped = m_workers->of(m_scene.inventory().bodies);
     m_scene.finish();
     ++m_frames;
     if (!m_overlay) return;
@@ -58,6 +67,9 @@ void Recorder::addBodies(Frame &frame) const {
     }
     frame.islands = m_islands;
     frame.islands.resize(frame.bodies.size(), kNoIsland);  // finish() may have made bodies
+    if (!m_workers) return;
+    frame.workers = m_stepped;
+    frame.workers.resize(frame.bodies.size(), -1);
 }
 
 Frame Recorder::frame() {

@@ -2,6 +2,7 @@
 // cells and the events are those of the first.
 #pragma once
 
+#include "record/body_workers.h"
 #include "record/cluster_overlay.h"
 #include "record/contact_log.h"
 #include "scenes/scene.h"
@@ -13,6 +14,7 @@ namespace record {
 struct RecorderSettings {
     bool clusters = true;   // requires ODE_MT
     bool contacts = false;  // with their forces
+    bool workers = false;   // requires ODE_MT
 };
 
 class Recorder {
@@ -20,6 +22,7 @@ public:
     Recorder(scenes::Scene &scene, const RecorderSettings &settings);
 
     std::vector<Geom> geoms() const;
+    std::vector<std::string> bodyNames() const;
     void runFrame();
     Frame frame();  // as it is now; events are returned once
 
@@ -30,7 +33,8 @@ private:
     scenes::Scene &m_scene;
     std::optional<ClusterOverlay> m_overlay;
     std::optional<ContactLog> m_contacts;
-    std::vector<int> m_islands;  // in the last step
+    std::optional<BodyWorkers> m_workers;
+    std::vector<int> m_islands, m_stepped;  // in the last step: which island, by which worker
     std::vector<Event> m_events;
     long m_frames = 0;
 };

@@ -81,6 +81,7 @@ void to_json(json &to, const Header &h) {
           {"library", h.library},
           {"stepSize", h.stepSize},
           {"geoms", h.geoms}};
+    if (!h.bodyNames.empty()) to["bodyNames"] = h.bodyNames;
 }
 
 void from_json(const json &from, Header &h) {
@@ -89,6 +90,7 @@ void from_json(const json &from, Header &h) {
     from.at("library").get_to(h.library);
     from.at("stepSize").get_to(h.stepSize);
     from.at("geoms").get_to(h.geoms);
+    if (from.contains("bodyNames")) from.at("bodyNames").get_to(h.bodyNames);
 }
 
 void to_json(json &to, const Velocity &v) { to = {v.linear[0], v.linear[1], v.linear[2], v.angular[0], v.angular[1], v.angular[2]}; }
@@ -164,6 +166,7 @@ void to_json(json &to, const Frame &f) {
     if (!f.velocities.empty()) to["velocities"] = f.velocities;
     if (!f.awake.empty()) to["awake"] = f.awake;
     if (!f.islands.empty()) to["islands"] = f.islands;
+    if (!f.workers.empty()) to["workers"] = f.workers;
     if (f.contacts) to["contacts"] = *f.contacts;
 }
 
@@ -181,6 +184,7 @@ void from_json(const json &from, Frame &f) {
     if (from.contains("velocities")) from.at("velocities").get_to(f.velocities);
     if (from.contains("awake")) from.at("awake").get_to(f.awake);
     if (from.contains("islands")) getWhole(from.at("islands"), f.islands);
+    if (from.contains("workers")) getWhole(from.at("workers"), f.workers);
     if (from.contains("contacts")) f.contacts = from.at("contacts").get<std::vector<Contact>>();
 }
 

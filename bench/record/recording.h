@@ -47,6 +47,7 @@ struct Header {
     std::string world, algorithm, library;
     double stepSize = 0;
     std::vector<Geom> geoms;
+    std::vector<std::string> bodyNames;  // of the bodies; empty: they have none
 };
 
 struct Grid {
@@ -98,6 +99,7 @@ struct Frame {
     std::vector<Velocity> velocities;
     std::vector<bool> awake;
     std::vector<int> islands;                      // numbers in this frame; -1: asleep
+    std::vector<int> workers;                      // that stepped them, 0: the caller; -1: none; empty: was not asked for
     std::optional<std::vector<Contact>> contacts;  // if they were asked for
 };
 

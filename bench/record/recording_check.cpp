@@ -67,7 +67,7 @@ void checkContact(const Contact &contact, const Header &header) {
 // What is not recorded is empty.
 void checkBodies(const Frame &frame) {
     for (const auto &[what, count] : {std::pair{"velocity", frame.velocities.size()}, {"state of sleep", frame.awake.size()},
-                                      {"island", frame.islands.size()}})
+                                      {"island", frame.islands.size()}, {"worker", frame.workers.size()}})
         if (count != 0 && count != frame.bodies.size())
             throw std::runtime_error("it has not one " + std::string(what) + " for each of its " + std::to_string(frame.bodies.size()) +
                                      " bodies");
@@ -76,6 +76,8 @@ void checkBodies(const Frame &frame) {
             for (const double number : vector) checkNumber(number, "the velocity of a body");
     for (const int island : frame.islands)
         if (island < -1) throw std::runtime_error("a body's island is " + std::to_string(island));
+    for (const int worker : frame.workers)
+        if (worker < -1) throw std::runtime_error("a body's worker is " + std::to_string(worker));
 }
 
 constexpr int kMaxCells = 1000;  // on each axis; the library has at most 20
@@ -96,6 +98,9 @@ void checkFrame(const Frame &frame, const Header &header) {
     if (frame.bodyClusters.size() != frame.bodies.size())
         throw std::runtime_error("it has not one cluster for each of its " + std::to_string(frame.bodies.size()) +
                                  " bodies");
+    if (header.bodyNames.size() > frame.bodies.size())
+        throw std::runtime_error("it has " + std::to_string(frame.bodies.size()) + " bodies, and there are " +
+                                 std::to_string(header.bodyNames.size()) + " names of bodies");
     for (const Geom &geom : header.geoms)
         if (geom.body < Geom::kStatic || geom.body >= static_cast<long>(frame.bodies.size()))
             throw std::runtime_error("it has no body " + std::to_string(geom.body) + ", which a geom is said to have");

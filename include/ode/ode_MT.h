@@ -410,6 +410,26 @@ ODE_API unsigned dODE_MT_GetDirectFallbacks(void);
 ODE_API unsigned dODE_MT_GetMaxWorkersUsed(void);
 
 /**
+ * Says whether steps note which thread steps each body, for dODE_MT_GetBodyWorker, as a replay shows it (docs/report.md). It costs a write to each
+ * body in a step. No result changes.
+ *
+ * @param isNoted 1, or 0 (the default)
+ * @ingroup ode_mt
+ */
+ODE_API void dODE_MT_NoteBodyWorkers(int isNoted);
+
+/**
+ * Tells which thread has stepped a body in the last step of its world, if that was noted. Which one it is may differ from run to run, unlike all
+ * results.
+ *
+ * @param body must exist. A call while its world is stepped tells nothing
+ * @return 0: the thread that called the step, also for an island that several threads have stepped together; n: worker n, below
+ *         dODE_MT_GetThreads(); -1: none, as the body slept or was made after the step, or as nothing was noted.
+ * @ingroup ode_mt
+ */
+ODE_API int dODE_MT_GetBodyWorker(dBodyID body);
+
+/**
  * Starts to record what each thread does in steps and collisions, for a file that https://ui.perfetto.dev and chrome://tracing
  * open (docs/timeline.md). ODE_MT_TRACE does the same from the first step or collision on. No result changes.
  *

@@ -8,6 +8,7 @@
 #include "config.h"
 #include "error.h"
 
+#include "dynamics/islands/dxBodyWorkers.h"
 #include "settings/dxSettings.h"
 #include "settings/dxStepStatistics.h"
 #include "settings/dxWorkers.h"
@@ -172,5 +173,12 @@ void dODE_MT_RequestTraceFlush() { dxTimeline::requestFlush(); }
 int dODE_MT_StopTrace() { return writeTrace(dxTimeline::stop); }
 
 unsigned dODE_MT_GetMaxWorkersUsed() { return dxStepStatistics::instance().maxWorkersUsed; }
+
+void dODE_MT_NoteBodyWorkers(int isNoted) { dxBodyWorkers::setNoted(isNoted != 0); }
+
+int dODE_MT_GetBodyWorker(dBodyID body) {
+    dUASSERT(body, "bad body argument");
+    return dxBodyWorkers::of(*body);
+}
 
 }  // extern "C"

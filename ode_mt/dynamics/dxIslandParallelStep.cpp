@@ -9,6 +9,7 @@
 #include "dynamics/dxSerialStep.h"
 #include "dynamics/dxWorldArena.h"
 #include "dynamics/islands/dxBodyIntegration.h"
+#include "dynamics/islands/dxBodyWorkers.h"
 #include "dynamics/islands/dxIslandSearch.h"
 #include "dynamics/islands/dxStepTimeline.h"
 #include "dynamics/islands/dxUserHandlers.h"
@@ -88,6 +89,7 @@ void dxIslandParallelStep::stepDeferred(unsigned index, unsigned worker) {
     try {
         dxDeferredIsland scope(index, record.seed, m_userHandlers, own.reports);
         dxIslandStepper::step(m_call, record.island, own.arena);
+        dxBodyWorkers::note(record.island, worker);
     } catch (const dxUpstreamInterrupted &) {
         dxPerturb(dxSchedulePoint::InterruptIsland);
         interruptAt(index);

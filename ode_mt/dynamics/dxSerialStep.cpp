@@ -4,6 +4,7 @@
 
 #include "dynamics/dxIslandStepper.h"
 #include "dynamics/dxWorldArena.h"
+#include "dynamics/islands/dxBodyWorkers.h"
 #include "dynamics/islands/dxIslandSurvey.h"
 #include "dynamics/islands/dxStepTimeline.h"
 #include "dynamics/random/dxSingleStepper.h"
@@ -54,5 +55,6 @@ void dxSerialStep::stepIslands(dxIslandCursor cursor, unsigned count) const {
         const dxIsland island = cursor.next();
         const bool isLarge = m_islandWorkers != nullptr && island.jointCount >= m_minLargeJoints;
         dxIslandStepper::step(m_call, island, arena.get(), isLarge ? m_islandWorkers : nullptr);
+        dxBodyWorkers::note(island, 0);
     }
 }

@@ -5,6 +5,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -114,6 +115,33 @@ TEST_F(OdemtRecord, TellsContactsAndTheirForces) {
     EXPECT_GE(onBoxes, 0);
 }
 
+// Which thread takes an island is up to the moment, but steps are long enough for a worker to come.
+TEST_F(OdemtRecord, TellsWhichThreadHasSteppedEachBody) {
+    ASSERT_EQ(record("humanoids:22 --frames 60 --every 2 --threads 2").exitCode, 0);
+    std::set<int> seen;
+    for (const record::Frame &frame : read().frames) {
+        ASSERT_EQ(frame.workers.size(), frame.bodies.size());
+        for (std::size_t body = 0; body < frame.workers.size(); ++body) {
+            EXPECT_EQ(frame.workers[body], frame.workers[static_cast<std::size_t>(
+                                               std::find(frame.islands.begin(), frame.islands.end(), frame.islands[body]) -
+                                               frame.islands.begin())]);
+            seen.insert(frame.workers[body]);
+        }
+    }
+    EXPECT_EQ(seen, (std::set<int>{0, 1}));
+    ASSERT_EQ(record("stacks:6 --frames 1").exitCode, 0);
+    EXPECT_TRUE(read().frames.back().workers.empty());
+}
+
+TEST_F(OdemtRecord, TellsTheNamesOfAnSdfWorldsBodies) {
+    ASSERT_EQ(record("create --frames 1").exitCode, 0);
+    const record::Recording create = read();
+    ASSERT_EQ(create.header.bodyNames.size(), create.frames.back().bodies.size());
+    EXPECT_NE(create.header.bodyNames[0].find("::"), std::string::npos) << create.header.bodyNames[0];
+    ASSERT_EQ(record("stacks:1 --frames 1").exitCode, 0);
+    EXPECT_TRUE(read().header.bodyNames.empty());
+}
+
 TEST_F(OdemtRecord, StockAndOursMoveEverythingAlike) {
     ASSERT_EQ(record("pile:20 --frames 60 --stock --contacts").exitCode, 0);
     const record::Recording stock = read();
@@ -145,6 +173,8 @@ TEST_F(OdemtRecord, WrongOptionsAreAnsweredByName) {
                                                           {"soccer --algorithm lcp", "--algorithm"},
                                                           {"soccer --cells 4", "--cells: 4"},
                                                           {"soccer --every 0", "--every"},
+                                                          {"soccer --threads 2 --stock", "--threads"},
+                                                          {"soccer --threads 1025", "--threads"},
                                                           {"soccer --wurld", "--wurld"}}) {
         const Outcome outcome = record(arguments);
         EXPECT_EQ(outcome.exitCode, 2) << arguments;

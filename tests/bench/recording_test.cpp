@@ -17,6 +17,7 @@ Header header() {
     header.algorithm = "decluster";
     header.library = "/lib/libode.so.8";
     header.stepSize = 0.008;
+    header.bodyNames = {"one \"box\""};
     header.geoms = {{{"box", {1, 2, 3}, {}}, 0},
                     {{"mesh", {0, 0, 0, 1, 1, 1}, {{{{0, 0, 0}, {1, 0, 0}, {0, 1, 1}}}}}}};
     return header;
@@ -59,6 +60,7 @@ TEST(Recording, TheHeaderIsReadAsItWasWritten) {
     EXPECT_EQ(got.algorithm, "decluster");
     EXPECT_EQ(got.library, "/lib/libode.so.8");
     EXPECT_EQ(got.stepSize, 0.008);
+    EXPECT_EQ(got.bodyNames, header().bodyNames);
     ASSERT_EQ(got.geoms.size(), 2u);
     EXPECT_EQ(got.geoms[0].shape.kind, "box");
     EXPECT_EQ(got.geoms[0].shape.size, (std::vector<double>{1, 2, 3}));
@@ -100,6 +102,7 @@ TEST(Recording, WhatBodiesDoIsReadAsItWasWritten) {
     sent.velocities = {{{1.0 / 3, -2, 3}, {0, -0.0, 1e-300}}};
     sent.awake = {false};
     sent.islands = {-1};
+    sent.workers = {3};
     sent.contacts = {{1, Contact::kUnknown, {1, 2, 3}, {0, 0, 1}, 0.123456789, {4, 5, 1e-7}}};
     const Recording recording = read(writeHeader(header()) + "\n" + writeFrame(sent));
     const Frame &got = recording.frames.at(0);
@@ -109,6 +112,7 @@ TEST(Recording, WhatBodiesDoIsReadAsItWasWritten) {
     EXPECT_EQ(got.velocities[0].angular[2], 1e-300);
     EXPECT_EQ(got.awake, sent.awake);
     EXPECT_EQ(got.islands, sent.islands);
+    EXPECT_EQ(got.workers, sent.workers);
     ASSERT_TRUE(got.contacts && got.contacts->size() == 1);
     EXPECT_EQ(got.contacts->at(0).geom1, 1);
     EXPECT_EQ(got.contacts->at(0).geom2, Contact::kUnknown);
@@ -134,6 +138,8 @@ TEST(Recording, WhatBodiesDoMustFitThem) {
     EXPECT_NE(said([](Frame &f) { f.awake.resize(3); }).find("state of sleep"), std::string::npos);
     EXPECT_NE(said([](Frame &f) { f.islands = {0, 0}; }).find("island"), std::string::npos);
     EXPECT_NE(said([](Frame &f) { f.islands = {-2}; }).find("island is -2"), std::string::npos);
+    EXPECT_NE(said([](Frame &f) { f.workers = {0, 0}; }).find("worker"), std::string::npos);
+    EXPECT_NE(said([](Frame &f) { f.workers = {-2}; }).find("worker is -2"), std::string::npos);
     EXPECT_NE(said([](Frame &f) { f.contacts = {{2, 0, {}, {}, 0, {}}}; }).find("no geom 2"), std::string::npos);
     EXPECT_NE(said([](Frame &f) { f.contacts = {{0, 1, {}, {}, 1e17, {}}}; }).find("a contact"), std::string::npos);
 }

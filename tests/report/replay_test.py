@@ -10,6 +10,7 @@ import sys
 import tempfile
 import unittest
 
+import accessibility
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
@@ -29,8 +30,8 @@ const pixels = new Uint32Array(context.getImageData(0, 0, copy.width, copy.heigh
 return [new Set(pixels).size, pixels.reduce((sum, pixel) => (31 * sum + pixel) % 4294967291, 7)];"""
 
 
-def record(file, *options):
-    subprocess.run([RECORD, "pile:20", "--frames", "60", "--every", "6", "--contacts", "--cells", "8", *options, "--output", str(file)], check=True)
+def record(file, *options, world="pile:20"):
+    subprocess.run([RECORD, world, "--frames", "60", "--every", "6", "--contacts", "--cells", "8", *options, "--output", str(file)], check=True)
 
 
 def write_changed(original, changed):
@@ -51,6 +52,8 @@ class ReplayTest(unittest.TestCase):
         record(cls.stock, "--stock")
         record(cls.ours)
         write_changed(cls.ours, cls.changed)
+        cls.soccer = folder / "soccer.jsonl"
+        record(cls.soccer, "--threads", "2", world="soccer")
         cls.frames = [json.loads(line)["frame"] for line in cls.ours.read_text().splitlines()[1:]]
 
     @classmethod
@@ -153,6 +156,27 @@ class ReplayTest(unittest.TestCase):
                 self.assertNotEqual(self.picture()[1], before, overlay)
 
         self.assertIn("which thread", self.text("#replay"))
+        self.assertEqual(browser.errors(), [])
+
+        with self.subTest("a screen reader has a name for everything, and the keyboard reaches it"):
+            self.assertEqual(accessibility.without_names(browser), [])
+            self.assertEqual(accessibility.not_reached_by_tab(browser), [])
+
+    def test_threads_and_names(self):
+        lines = [json.loads(line) for line in self.soccer.read_text().splitlines()]
+        names, workers = lines[0]["recording"]["bodyNames"], lines[-1]["frame"]["workers"]
+        body = max(range(len(names)), key=lambda i: workers[i])
+        browser = self.open(self.soccer, view=f"frame=last&colour=thread&pick={body}")
+        self.wait_for("picked", body)
+        inspector = self.text(".inspector")
+        self.assertIn(f"Body {body} ({names[body]})", inspector)
+        self.assertRegex(inspector, rf"thread\s+{workers[body]}")
+        self.assertIn(names[body], self.text("[role=status]"))
+        self.assertNotIn("which thread", self.text("#replay"))
+        colours, threads = self.picture()
+        self.assertGreater(colours, 20)
+        self.choose("replay-colour", "body")
+        self.assertNotEqual(self.picture()[1], threads)
         self.assertEqual(browser.errors(), [])
 
     def test_an_address_is_a_view(self):

@@ -21,6 +21,11 @@ export const kColourings = {
         text: 'island', needs: 'islands', meaning: 'one colour for each island of the step; grey: asleep, or static',
         of: (recording, frame, i, body) => body < 0 || frame.islands[body] < 0 ? neutral : colourOf(frame.islands[body]),
     },
+    thread: {
+        text: 'thread', needs: 'threads',
+        meaning: 'one colour for each thread that stepped the body; blue: the one that called the step, also for islands that several step together; grey: asleep, or static',
+        of: (recording, frame, i, body) => body < 0 || frame.workers[body] < 0 ? neutral : colourOf(frame.workers[body]),
+    },
     sleep: {
         text: 'sleep', needs: 'sleep', meaning: 'orange: awake; blue: asleep (disabled); grey: static',
         of: (recording, frame, i, body) => body < 0 ? neutral : new Color(frame.awake[body] ? kAwake : kAsleep),

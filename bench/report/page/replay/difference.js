@@ -1,4 +1,5 @@
 // Where two recordings of one world differ first: in which frame, body and number.
+import { bodyText } from './recording.js';
 
 const kPose = ['position x', 'position y', 'position z', 'quaternion w', 'quaternion x', 'quaternion y', 'quaternion z'];
 const kVelocity = ['velocity x', 'velocity y', 'velocity z', 'angular velocity x', 'angular velocity y', 'angular velocity z'];
@@ -40,10 +41,11 @@ export function bodyDiffers(one, other, body) {
         differingField(one.velocities[body], other.velocities[body] ?? [], kVelocity)));
 }
 
-export function differenceText({ compared, first }) {
+// `recording`: one of the two, with the names of the bodies.
+export function differenceText({ compared, first }, recording) {
     if (compared === 0) return 'The recordings have no frames in common.';
     if (!first) return `Equal in all ${compared} frames that both have: every position, orientation and velocity, in every bit.`;
-    const where = first.body === null ? '' : ` of body ${first.body}`;
+    const where = first.body === null ? '' : ` of ${bodyText(recording, first.body)}`;
     const [left, right] = first.values;
     return `First difference in frame ${first.frame}: ${first.field}${where} is ${left} on the left, ${right} on the right.`;
 }

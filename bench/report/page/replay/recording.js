@@ -5,6 +5,7 @@ function parts(frames) {
     return {
         clusters: frames.some(frame => frame.grid.cells > 0),
         islands: frames.every(frame => frame.islands),
+        threads: frames.every(frame => frame.workers),
         sleep: frames.every(frame => frame.awake),
         velocities: frames.every(frame => frame.velocities),
         contacts: frames.every(frame => frame.contacts),
@@ -34,10 +35,16 @@ export function titleOf({ name, header, has }) {
     return `${library} (${name.split('/').pop()})`;
 }
 
+// "body 3", "body 3 (create::left wheel)".
+export function bodyText({ header }, body) {
+    const name = header.bodyNames?.[body];
+    return name ? `body ${body} (${name})` : `body ${body}`;
+}
+
 export function missingParts({ has }) {
     const words = {
         clusters: 'clusters and grid', islands: 'islands', sleep: 'which bodies sleep', velocities: 'velocities',
-        contacts: 'contacts and forces (odemt_record --contacts)',
+        contacts: 'contacts and forces (odemt_record --contacts)', threads: 'which thread stepped which body (odemt_record --threads)',
     };
-    return [...Object.keys(words).filter(part => !has[part]).map(part => words[part]), 'which thread stepped which body'];
+    return Object.keys(words).filter(part => !has[part]).map(part => words[part]);
 }

@@ -10,7 +10,7 @@ import { Inspector } from './inspector.js';
 import { listen } from './keyboard.js';
 import { kOverlays } from './overlays.js';
 import { Player } from './player.js';
-import { missingParts, titleOf } from './recording.js';
+import { bodyText, missingParts, titleOf } from './recording.js';
 import { Stage } from './stage.js';
 import { Timeline } from './timeline.js';
 import { Viewpoint } from './viewpoint.js';
@@ -31,7 +31,7 @@ export class Replay {
         this.viewpoint = new Viewpoint(this.bounds, canvases, () => this.redraw());
         this.timeline = new Timeline(recordings[0], this.comparison?.first, place => this.player.go(place));
         this.controls = new Controls(this, recordings, Boolean(this.comparison?.first));
-        this.inspector = new Inspector(titles);
+        this.inspector = new Inspector(recordings);
         this.status = element('p', { role: 'status', class: 'note' });
         this.region = this.addTo(section('replay', `Replay: ${recordings[0].header.world}`), titles, canvases);
         document.getElementById('replay-colour').value = this.colouring;
@@ -45,7 +45,7 @@ export class Replay {
     addTo(parent, titles, canvases) {
         if (this.comparison)
             parent.append(element('p', { class: this.comparison.first ? 'warning' : 'summary', id: 'replay-difference' },
-                differenceText(this.comparison)));
+                differenceText(this.comparison, this.recordings[0])));
         const pictures = element('div', { class: 'pictures' }, ...canvases.map((canvas, i) => element('figure', {},
             canvas, element('figcaption', {}, titles[i]))));
         parent.append(pictures, this.timeline.element, this.controls.element, this.status, this.inspector.element, listen(parent, this),
@@ -132,7 +132,7 @@ export class Replay {
         const { number, time } = this.player.frame, { playing } = this.player;
         Object.assign(this.region.dataset, { frame: number, playing, picked: this.picked ?? '' });
         this.status.textContent = playing ? 'Playing.' : `Frame ${number}, ${time.toFixed(3)} s` +
-            (this.picked === null ? '.' : `; body ${this.picked} is picked.`);
+            (this.picked === null ? '.' : `; ${bodyText(this.recordings[0], this.picked)} is picked.`);
     }
 
     redraw() {
