@@ -104,16 +104,12 @@ int main(int argc, char **argv) {
     app.add_option("--pool", poolThreads, "threads of upstream's own pool; 0: none")->check(bench::wholeNumberIn(0, 1024));
     app.add_flag("--ignore-unsupported", ignoreUnsupported, "leave out what the SDF loader does not know");
     app.add_flag("--time-callbacks", timeCallbacks, "time near-callbacks apart");
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError &error) {
-        return bench::exitCodeAfterOutput(bench::exitCodeOf(app, error));
-    }
+    int code = 0;
+    if (!bench::readCommandLine(app, [&] { app.parse(argc, argv); }, code)) return bench::exitCodeAfterOutput(code);
 
     bench::setCallbackTiming(timeCallbacks);
     dInitODE2(0);
     dSetMessageHandler(countMessage);
-    int code = 0;
     try {
         serve(world, poolThreads, ignoreUnsupported);
     } catch (const std::exception &error) {

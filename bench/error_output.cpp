@@ -14,9 +14,17 @@ int printOptionError(const std::string &message) {
     return kWrongOption;
 }
 
-int exitCodeOf(const CLI::App &app, const CLI::ParseError &error) {
-    const bool isHelp = error.get_exit_code() == 0;
-    return isHelp ? app.exit(error) : printOptionError(error.what());
+bool readCommandLine(const CLI::App &app, const std::function<void()> &read, int &exitCode) {
+    try {
+        read();
+        return true;
+    } catch (const CLI::ParseError &error) {
+        const bool isHelp = error.get_exit_code() == 0;
+        exitCode = isHelp ? app.exit(error) : printOptionError(error.what());
+    } catch (const std::exception &error) {
+        exitCode = printOptionError(error.what());
+    }
+    return false;
 }
 
 }  // namespace bench

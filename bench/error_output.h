@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <functional>
 #include <string>
 
 namespace bench {
@@ -15,7 +16,8 @@ void printError(const std::string &message);
 // The same for an option, with a second line that refers to --help. Returns kWrongOption.
 int printOptionError(const std::string &message);
 
-// Prints what the parser ended with. Returns the exit code: 0 for --help.
-int exitCodeOf(const CLI::App &app, const CLI::ParseError &error);
+// Calls `read`, which parses a command line by `app` and throws where it is wrong, and prints what that says. Returns false if the program
+// ends with `exitCode`: 0 for --help.
+bool readCommandLine(const CLI::App &app, const std::function<void()> &read, int &exitCode);
 
 }  // namespace bench

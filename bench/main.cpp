@@ -48,7 +48,7 @@ bool compare(const bench::Options &options) {
     bool isClean = true;
     std::vector<bench::WorldResult> results;
     bench::Progress progress(options.worlds.size(), options.race.stop);
-    progress.announce(options.engines.size());
+    progress.announce(options.worlds, options.engines);
     for (std::size_t i = 0; i < options.worlds.size(); ++i) {
         results.push_back(measure(options.worlds[i], options,
                                   [&](const bench::WorldResult &result) { progress.show(i, result); }));

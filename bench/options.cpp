@@ -175,17 +175,13 @@ std::optional<Options> readOptions(int argc, const char *const *argv, int &exitC
     CLI::App app(kDescription, "odemt_bench");
     app.footer(kFooter);
     addOptions(app, words, options);
-    try {
+    const auto read = [&] {
         app.parse(argc, argv);
         if (words.isQuick) makeQuick(app, words, options);
         if (!options.list && options.compared.empty()) interpret(words, options);
-        return options;
-    } catch (const CLI::ParseError &error) {
-        exitCode = exitCodeOf(app, error);
-    } catch (const std::exception &error) {
-        exitCode = printOptionError(error.what());
-    }
-    return std::nullopt;
+    };
+    if (!readCommandLine(app, read, exitCode)) return std::nullopt;
+    return options;
 }
 
 }  // namespace bench

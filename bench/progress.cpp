@@ -1,15 +1,33 @@
 #include "progress.h"
 
+#include "loader/load_error.h"
+
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <string>
+#include <vector>
 
 namespace bench {
 
 namespace {
 
 constexpr std::chrono::milliseconds kTerminalInterval{200}, kLogInterval{5000};
+
+// "4 worlds (a, b, c, d)".
+std::string counted(const std::vector<std::string> &names, const char *thing) {
+    std::string list;
+    for (const std::string &name : names) list += (list.empty() ? "" : ", ") + worlds::printable(name);
+    return std::to_string(names.size()) + ' ' + thing + (names.size() == 1 ? " (" : "s (") + list + ')';
+}
+
+// Of a part from 0 to 1.
+std::string bar(double part) {
+    constexpr int kWidth = 24;
+    const int full = static_cast<int>(std::clamp(part, 0.0, 1.0) * kWidth);
+    return '[' + std::string(static_cast<std::size_t>(full), '#') + std::string(static_cast<std::size_t>(kWidth - full), '-') + ']';
+}
 
 }  // namespace
 
@@ -18,9 +36,11 @@ Progress::Progress(std::size_t worlds, const StoppingRule &rule)
     if (!m_isTerminal) m_next += kLogInterval;
 }
 
-void Progress::announce(std::size_t engines) const {
-    std::fprintf(stderr, "%zu world%s on %zu engine%s: at most %.0f s, warm-up not counted\n", m_worlds, m_worlds == 1 ? "" : "s", engines,
-                 engines == 1 ? "" : "s", static_cast<double>(m_worlds) * m_rule.maximumSeconds);
+void Progress::announce(const std::vector<std::string> &worlds, const std::vector<Engine> &engines) const {
+    std::vector<std::string> names;
+    for (const Engine &engine : engines) names.push_back(engine.name());
+    std::fprintf(stderr, "%s on %s: at most %.0f s, warm-up not counted\n", counted(worlds, "world").c_str(), counted(names, "engine").c_str(),
+                 static_cast<double>(m_worlds) * m_rule.maximumSeconds);
 }
 
 void Progress::show(std::size_t world, const WorldResult &result) {
@@ -28,9 +48,10 @@ void Progress::show(std::size_t world, const WorldResult &result) {
     if (now < m_next) return;
     m_next = now + (m_isTerminal ? kTerminalInterval : kLogInterval);
     const double left = std::max(0.0, static_cast<double>(m_worlds - world) * m_rule.maximumSeconds - result.seconds);
-    std::fprintf(stderr, "%sworld %zu of %zu: %s: %ld frames, %d rounds, %.0f of at most %.0f s; at most %.0f s left%s",
-                 m_isTerminal ? "\r\033[K" : "", world + 1, m_worlds, result.world.c_str(), result.frames,
-                 result.rounds, result.seconds, m_rule.maximumSeconds, left, m_isTerminal ? "" : "\n");
+    const double part = 1 - left / (static_cast<double>(m_worlds) * m_rule.maximumSeconds);
+    const std::string begin = m_isTerminal ? "\r\033[K" + bar(part) + ' ' : "";
+    std::fprintf(stderr, "%sat most %.0f s left; world %zu of %zu: %s: %ld frames, %d rounds%s", begin.c_str(), left, world + 1, m_worlds,
+                 worlds::printable(result.world).c_str(), result.frames, result.rounds, m_isTerminal ? "" : "\n");
     std::fflush(stderr);
     m_isShown = m_isTerminal;
 }

@@ -1,5 +1,5 @@
-// One line on standard error that says how far a long run is: rewritten in place on a terminal, a
-// new line every few seconds elsewhere.
+// One line on standard error that says how far a long run is: a bar that is drawn anew in its place on a terminal, a new line
+// every few seconds elsewhere.
 #pragma once
 
 #include "race.h"
@@ -14,7 +14,7 @@ public:
     ~Progress() { clear(); }
 
     // What will be measured, and how long that takes at most.
-    void announce(std::size_t engines) const;
+    void announce(const std::vector<std::string> &worlds, const std::vector<Engine> &engines) const;
 
     void show(std::size_t world, const WorldResult &result);
     void clear();  // before other output, so that it starts on an empty line

@@ -24,6 +24,9 @@ long fastestOfOurs(const WorldResult &result, const std::vector<EngineSummary> &
     return fastest;
 }
 
+// What the first engine is, for people who have not chosen it.
+std::string inPlainWords(const std::string &engine) { return engine == "stock" ? "libode8" : engine; }
+
 }  // namespace
 
 std::string reportSentence(const std::vector<WorldResult> &results) {
@@ -36,7 +39,7 @@ std::string reportSentence(const std::vector<WorldResult> &results) {
         if (fastest < 0) continue;
         const EngineSummary &engine = summaries[static_cast<std::size_t>(fastest)];
         const std::string factor = numberText(engine.part(Part::Frame).speedUp.median) + " times";
-        text += text.empty() ? "ODE_MT runs at " + factor + " the speed of " + summaries[0].engine : ", at " + factor;
+        text += text.empty() ? "ODE_MT runs at " + factor + " the speed of " + inPlainWords(summaries[0].engine) : ", at " + factor;
         text += " on " + worlds::printable(result.world) + " (" + engine.engine + ")";
     }
     if (text.empty()) return text;

@@ -9,6 +9,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "error_output.h"
 #include "info/vector_width.h"
 #include "library_probe.h"
 #include "machine.h"
@@ -98,7 +99,8 @@ int main(int argc, char **argv) {
     CLI::App app("Prints which libode.so.8 programs get that are started as this one, and how it is set up.", "odemt_info");
     bool isJson = false;
     app.add_flag("--json", isJson, "as a JSON object");
-    CLI11_PARSE(app, argc, argv);
+    int exitCode = 0;
+    if (!bench::readCommandLine(app, [&] { app.parse(argc, argv); }, exitCode)) return exitCode;
 
     dInitODE2(0);
     const Facts facts = gather();

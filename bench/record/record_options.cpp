@@ -55,16 +55,12 @@ std::optional<RecordOptions> readRecordOptions(int argc, const char *const *argv
         "Runs a world on ODE_MT and records the clusters and all that moves, one JSON object a line.",
         "odemt_record");
     addOptions(app, options);
-    try {
+    const auto read = [&] {
         app.parse(argc, argv);
         check(options);
-        return options;
-    } catch (const CLI::ParseError &error) {
-        exitCode = bench::exitCodeOf(app, error);
-    } catch (const std::invalid_argument &error) {
-        exitCode = bench::printOptionError(error.what());
-    }
-    return std::nullopt;
+    };
+    if (!bench::readCommandLine(app, read, exitCode)) return std::nullopt;
+    return options;
 }
 
 }  // namespace record

@@ -37,18 +37,12 @@ std::optional<ReportOptions> readReportOptions(int argc, const char *const *argv
     CLI::App app("Writes what odemt_bench has measured and odemt_record recorded as one HTML page, which needs no network.",
                  "odemt_report");
     addOptions(app, options);
-    try {
+    const auto read = [&] {
         app.parse(argc, argv);
         check(options);
-        return options;
-    } catch (const CLI::ParseError &error) {
-        exitCode = bench::exitCodeOf(app, error);
-    } catch (const std::invalid_argument &error) {
-        exitCode = bench::printOptionError(error.what());
-    } catch (const std::runtime_error &error) {
-        exitCode = bench::printOptionError(error.what());
-    }
-    return std::nullopt;
+    };
+    if (!bench::readCommandLine(app, read, exitCode)) return std::nullopt;
+    return options;
 }
 
 }  // namespace report

@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
@@ -32,6 +35,8 @@ TEST_F(OdemtBench, ComparesEnginesAndSavesTheFigures) {
     EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
     EXPECT_NE(outcome.output.find("== rover:3 =="), std::string::npos) << outcome.output;
     EXPECT_EQ(outcome.output.find("WRONG"), std::string::npos);
+    EXPECT_EQ(outcome.output.find("2 worlds (rover:3, stacks:2) on 3 engines (stock, ours:0, ours:2): at most "), 0u) << outcome.output;
+    EXPECT_NE(outcome.output.find("times the speed of libode8 on rover:3"), std::string::npos) << outcome.output;
 
     std::ifstream file(folder + "/b.json");
     const auto json = nlohmann::json::parse(file);
@@ -42,6 +47,23 @@ TEST_F(OdemtBench, ComparesEnginesAndSavesTheFigures) {
         for (const auto &engine : world["engines"]) EXPECT_EQ(engine["hash"], world["engines"][0]["hash"]);
     }
     EXPECT_TRUE(std::filesystem::exists(folder + "/b.csv"));
+}
+
+// What is printed fits into the terminal's buffer, so that it can be read in the end.
+TEST_F(OdemtBench, ABarGrowsOnATerminal) {
+    const int terminal = posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK);
+    ASSERT_TRUE(terminal >= 0 && grantpt(terminal) == 0 && unlockpt(terminal) == 0);
+    const int other = open(ptsname(terminal), O_RDWR | O_NOCTTY);  // until it is read, or the text would be gone
+    const Outcome outcome = run("--worlds pile:100 --engines ours:0 --seconds 1.5" + files() + " 2>" + ptsname(terminal));
+    std::string shown(1 << 16, '\0');
+    shown.resize(static_cast<std::size_t>(std::max<ssize_t>(0, read(terminal, shown.data(), shown.size()))));
+    close(other);
+    close(terminal);
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
+    const std::size_t first = shown.find("\r\033[K["), last = shown.rfind("\r\033[K[");
+    ASSERT_LT(first, last) << shown;
+    EXPECT_LT(shown.find('-', first), shown.find('-', last) - (last - first)) << shown;
+    EXPECT_NE(shown.find(" s left; world 1 of 1: pile:100: "), std::string::npos) << shown;
 }
 
 TEST_F(OdemtBench, TimesCallbacksApart) {

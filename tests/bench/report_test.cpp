@@ -153,9 +153,9 @@ TEST(Report, JsonHasTheDistributionOfTheSamples) {
 TEST(Report, OneSentenceSaysHowFastAndWhetherTheSame) {
     WorldResult result = worldResult();
     EXPECT_EQ(reportSentence({result}),
-              "ODE_MT runs at 2.00 times the speed of stock on pile:4,sap (ours:2), with the same results in every bit.\n");
+              "ODE_MT runs at 2.00 times the speed of libode8 on pile:4,sap (ours:2), with the same results in every bit.\n");
     EXPECT_EQ(reportSentence({result, result}),
-              "ODE_MT runs at 2.00 times the speed of stock on pile:4,sap (ours:2), at 2.00 times on pile:4,sap (ours:2), with the same "
+              "ODE_MT runs at 2.00 times the speed of libode8 on pile:4,sap (ours:2), at 2.00 times on pile:4,sap (ours:2), with the same "
               "results in every bit.\n");
     result.engines[1].firstDifference = 100;
     EXPECT_EQ(reportSentence({result}), "");

@@ -40,7 +40,13 @@ fi
 # The programs find the library and the worlds from their own place.
 if [ -x "$prefix/bin/odemt_info" ]; then
     "$prefix/bin/odemt_info" | grep -q "^library  *$(readlink -f "$lib/libode.so.8")$" || fail "odemt_info: $("$prefix/bin/odemt_info")"
-    "$prefix/bin/odemt_info" --json | "$PYTHON" -c 'import json, sys; assert json.load(sys.stdin)["precision"] == "'"${PRECISION#d}"'".lower()'
+    ODE_MT_THREADS=3 "$prefix/bin/odemt_info" --json | "$PYTHON" -c '
+import json, sys
+facts = json.load(sys.stdin)
+assert facts["precision"] == "'"${PRECISION#d}"'".lower(), facts
+assert facts["threads"] == 3 and facts["environment"] == {"ODE_MT_THREADS": "3"}, facts
+for name in ("ODE_MT", "ODE", "upstream", "upstream sha256", "vectors", "cores", "thread manager", "algorithm", "solver"): assert facts[name], name'
+    if "$prefix/bin/odemt_info" moon 2>/dev/null; then fail "odemt_info takes any option"; else expect "exit code" $? 2; fi
     [ -f "$lib/ode_mt/libodemt_observer.so" ] || fail "odemt_check has no observer"
     "$prefix/bin/odemt_check" -- sh -c true | grep -q "^No process of 'sh' uses libode.so.8" || fail "odemt_check does not observe"
     "$prefix/bin/odemt_bench" --list | grep -q "^SDF worlds in $(readlink -f "$prefix")/share/ode_mt/worlds" || fail "odemt_bench finds other worlds"
