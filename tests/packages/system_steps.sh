@@ -62,3 +62,12 @@ diff "$SCRATCH/before" "$SCRATCH/after" || fail "the system is not as it was"
 expect "result with Debian's again" "$(pendulums)" "$expected"
 left=$(inside find / -xdev \( -name '*ode_mt*' -o -name '*ode_MT*' -o -name 'libode*-mt*' \) -not -path '/proc/*' -not -path '/packages/*')
 [ -z "$left" ] || fail "left behind: $left"
+
+say "a new user's commands, without either library at first"
+inside apt-get -y purge python3-pyode libode8 libode-dev >/dev/null 2>&1
+cp "$(dirname "$0")/new_user.sh" "$(dirname "$0")/../docs/samples/pile.py" "$root/packages/"
+rm -f "$root"/packages/later-*.deb
+inside sh -c 'cd /packages && exec bash new_user.sh' >"$SCRATCH/user.log" 2>&1 || { cat "$SCRATCH/user.log"; fail "a command"; }
+grep -E '^real|^user|^[0-9a-f]{64}$' "$SCRATCH/user.log"
+expect "runs with the same result" "$(grep -E '^[0-9a-f]{64}$' "$SCRATCH/user.log" | sort | uniq -c | sed 's/^ *\([0-9]*\) .*/\1/')" 2
+expect "state of libode8-mt" "$(inside dpkg-query -W -f '${db:Status-Abbrev}' libode8-mt)" "ii "
