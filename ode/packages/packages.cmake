@@ -1,6 +1,7 @@
 # Packages (docs/packages.md), made by CPack in a build folder:
 #
-#   cpack -G DEB   Debian packages that take the place of Debian's libode8 and libode-dev
+#   cpack -G DEB   Debian packages that take the place of Debian's libode8 and libode-dev; the target debian_packages builds what they hold
+#                  before
 #   cpack -G TXZ   an archive of what `cmake --install` installs, to be unpacked in any folder
 if(NOT EXISTS "${PROJECT_SOURCE_DIR}/docs/changelog.md")
     return()  # a part of the repository, as for tests/mutation
@@ -26,3 +27,9 @@ endif()
 # Archives hold what is installed without naming components, so the one list is that of the Debian packages.
 set(CPACK_COMPONENTS_ALL ${ODE_MT_DEBIAN_COMPONENTS})
 include(CPack)
+
+if(ODE_MT_DPKG AND CMAKE_LIBRARY_ARCHITECTURE)
+    get_property(ode_mt_tools GLOBAL PROPERTY ODE_MT_TOOLS)
+    add_custom_target(debian_packages COMMAND ${CMAKE_CPACK_COMMAND} -G DEB WORKING_DIRECTORY "${PROJECT_BINARY_DIR}" VERBATIM)
+    add_dependencies(debian_packages ode ode_static ${ode_mt_tools})
+endif()
