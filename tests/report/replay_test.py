@@ -30,6 +30,14 @@ const pixels = new Uint32Array(context.getImageData(0, 0, copy.width, copy.heigh
 return [new Set(pixels).size, pixels.reduce((sum, pixel) => (31 * sum + pixel) % 4294967291, 7)];"""
 
 
+# Where on the time line (0 to 1) the colour of a difference is seen.
+DIFFERENCE_MARKS = """const canvas = document.querySelector('.timeline canvas'), probe = document.createElement('canvas').getContext('2d');
+probe.fillStyle = getComputedStyle(document.documentElement).getPropertyValue('--warning').trim();
+probe.fillRect(0, 0, 1, 1);
+const row = (context, width) => new Uint32Array(context.getImageData(0, 0, width, 1).data.buffer), [sought] = row(probe, 1);
+return [...row(canvas.getContext('2d'), canvas.width).entries()].filter(([x, pixel]) => pixel === sought).map(([x]) => x / canvas.width);"""
+
+
 def record(file, *options, world="pile:20"):
     subprocess.run([RECORD, world, "--frames", "60", "--every", "6", "--contacts", "--cells", "8", *options, "--output", str(file)], check=True)
 
@@ -194,6 +202,7 @@ class ReplayTest(unittest.TestCase):
         self.assertIn(f"Equal in all {len(self.frames)} frames", self.text("#replay-difference"))
         self.assertGreater(self.picture(0)[0], 20)
         self.assertEqual(self.picture(0)[1], self.picture(1)[1])
+        self.assertEqual(browser.run(DIFFERENCE_MARKS), [])
         self.assertIn("clusters and grid", self.text("#replay"))
         self.assertEqual(browser.errors(), [])
 
@@ -204,6 +213,10 @@ class ReplayTest(unittest.TestCase):
         told = self.text("#replay-difference")
         self.assertIn(f"First difference in frame {number}: position y of body {CHANGED_BODY} is", told)
         self.assertIn(browser.run("return String(arguments[0])", value), told)
+        marks = browser.run(DIFFERENCE_MARKS)
+        self.assertGreater(len(marks), 1)
+        for mark in marks:
+            self.assertAlmostEqual(mark, CHANGED_FRAME / (len(self.frames) - 1), delta=0.03)
         browser.run("document.getElementById('replay-canvas-1').focus()")
         self.press("f")
         self.wait_for("frame", number)
