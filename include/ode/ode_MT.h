@@ -15,6 +15,8 @@
 #include <ode/common.h>
 #include <ode/odeconfig.h>
 
+#include <stddef.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -40,6 +42,7 @@ extern "C" {
  *   ODE_MT_THREAD_MANAGER=pthread|openmp
  *   ODE_MT_LOG=error|warning|info|debug
  *   ODE_MT_TRACE=file
+ *   ODE_MT_STATISTICS=file
  *   ODE_MT_PERTURB=n
  * @endcode
  * An empty variable counts as unset; a program with another user's rights (set-user-ID) reads none. A whole number out
@@ -428,6 +431,104 @@ ODE_API void dODE_MT_NoteBodyWorkers(int isNoted);
  * @ingroup ode_mt
  */
 ODE_API int dODE_MT_GetBodyWorker(dBodyID body);
+
+/**
+ * Why a part of a frame ran on one thread. Later versions may have more reasons; numbers do not change.
+ * @ingroup ode_mt
+ */
+typedef enum dODE_MT_Reason {
+    dODE_MT_REASON_PARALLEL = 0,         /**< it did not: several threads took part */
+    dODE_MT_REASON_NOTHING = 1,          /**< there was nothing to do: no collision, or no body that moves */
+    dODE_MT_REASON_THREADS = 2,          /**< the number of threads is 0 or 1 (dToggleODE_MT, ODE_MT_THREADS) */
+    dODE_MT_REASON_ALGORITHM = 3,        /**< the algorithm is "serial" */
+    dODE_MT_REASON_CORES = 4,            /**< the process may use one core */
+    dODE_MT_REASON_WORLD_LIMIT = 5,      /**< dWorldSetStepIslandsProcessingMaxThreadCount allows one thread */
+    dODE_MT_REASON_USER_THREADING = 6,   /**< the world's own threading implementation has one thread */
+    dODE_MT_REASON_FLOAT_TRAPS = 7,      /**< the program has floating-point errors trapped (feenableexcept) */
+    dODE_MT_REASON_SMALL_ISLAND = 8,     /**< there is one island, too small for several threads */
+    dODE_MT_REASON_ITERATIONS = 9,       /**< the number of iterations is above 100000 */
+    dODE_MT_REASON_COST = 10,            /**< several threads are predicted to take longer */
+    dODE_MT_REASON_LARGE_ISLAND = 11,    /**< one island is nearly all there is, and several threads take longer for it */
+    dODE_MT_REASON_MOVED_CALLBACK = 12,  /**< a body with a moved-callback is in one of the first islands */
+    dODE_MT_REASON_LATE_WORKERS = 13,    /**< the calling thread was done before another one came */
+    dODE_MT_REASON_MEMORY = 14,          /**< there was no memory for more */
+    dODE_MT_REASON_FEW_GEOMS = 15,       /**< the space has too few geoms */
+    dODE_MT_REASON_MEASURED = 16,        /**< several threads have not been measured to be faster */
+    dODE_MT_REASON_IN_CALLBACK = 17,     /**< the collision was called by a near-callback of another one */
+    dODE_MT_REASON_CALLBACK_POLICY = 18, /**< the callback policy is "serial" (dODE_MT_SetCallbackPolicy) */
+    dODE_MT_REASON_FEW_TASKS = 19        /**< few pairs, or most of them share bodies, so that their callbacks may not run at once */
+} dODE_MT_Reason;
+
+/**
+ * Says what a reason means.
+ *
+ * @param reason a dODE_MT_Reason
+ * @return half a sentence in English, as "the number of threads is 0 or 1", in memory of the library's that is never freed; "unknown
+ * reason" for any other number.
+ * @ingroup ode_mt
+ */
+ODE_API const char *dODE_MT_GetReasonText(int reason);
+
+/**
+ * The last frame of a world. A frame is what happens from the end of one step of the world to the end of the next: a step, and the
+ * collisions before it. A collision is a call of dSpaceCollide that no near-callback makes; it belongs to the world of the first body
+ * found in the space, and is the calls that near-callbacks make in it. dSpaceCollide2 and dCollide by themselves are not seen.
+ *
+ * Units: seconds of the clock, as the thread sees them that calls collision and step. Later versions may add members at the end.
+ * @ingroup ode_mt
+ */
+typedef struct dODE_MT_WorldStatistics {
+    size_t size;           /**< in: sizeof(dODE_MT_WorldStatistics); out: how many bytes have been written */
+    unsigned number;       /**< of the world, in the order of their first recorded steps, from 1 */
+    unsigned threads;      /**< that may be used (dODE_MT_GetThreads) */
+    unsigned bodies;       /**< of the world, those that sleep included */
+    unsigned contacts;     /**< contact joints of the world */
+    unsigned islands;      /**< that were stepped; "fast" counts small ones of dWorldQuickStep together */
+    unsigned collisions;   /**< in the frame */
+    unsigned collisionThreads;  /**< most that took part in one of the stages of one of the collisions; 0: no collision */
+    unsigned stepThreads;       /**< most that took part in one of the stages of the step */
+    int collisionReason;   /**< dODE_MT_Reason: why pairs were found, and contacts computed, on one thread (the last collision) */
+    int callbackReason;    /**< dODE_MT_Reason: why near-callbacks ran on one thread (the same) */
+    int stepReason;        /**< dODE_MT_Reason: why the step ran on one thread */
+    unsigned reserved;     /**< 0 */
+    unsigned long long rows;   /**< of the constraints; 0 where functions of the user's step the world; "fast": three a contact */
+    unsigned long long pairs;  /**< of geoms for which near-callbacks were called */
+    unsigned long long contactsAhead;        /**< those of them whose contacts were computed before (narrow-phase prefetch) */
+    unsigned long long contactsAheadUnused;  /**< those of these that were not asked for, or changed */
+    double hitRate;         /**< part of these that was asked for, from 0 to 1; 0 if there were none */
+    double frameTime;       /**< the whole frame, the program's own code included; 0 for the first */
+    double collisionTime;   /**< all collisions */
+    double broadPhaseTime;  /**< of these: boxes, pairs and their order */
+    double callbackTime;    /**< of these: near-callbacks, with contacts computed before them */
+    double prefetchTime;    /**< of these: contacts computed before them */
+    double stepTime;        /**< the step */
+    double islandSearchTime;       /**< of this: bodies fall asleep, islands are found */
+    double islandPreparationTime;  /**< of this: before islands are stepped side by side */
+    double islandsTime;            /**< of this: islands */
+    double commitTime;             /**< of this: after islands were stepped side by side */
+    double waitTime;        /**< of the frame: the calling thread has nothing to do but to wait for others */
+    unsigned long long frames;              /**< since the world has been recorded, as all that follows */
+    unsigned long long parallelSteps;       /**< steps in which several threads took part */
+    unsigned long long parallelCollisions;  /**< collisions in which several threads took part */
+    unsigned long long allCollisions;       /**< collisions */
+    double allFrameTime;      /**< sum of frameTime */
+    double allCollisionTime;  /**< sum of collisionTime */
+    double allStepTime;       /**< sum of stepTime */
+} dODE_MT_WorldStatistics;
+
+/**
+ * Tells how the last frame of a world went. The first call makes the library record frames, of all worlds, from then on; ODE_MT_LOG=info or
+ * debug and ODE_MT_STATISTICS do so from the beginning. Until then nothing is recorded, so that a first call is answered by 0. No result changes.
+ *
+ * May be called from any thread. It does not wait for a step in progress.
+ *
+ * @param world the world
+ * @param statistics where they are written; its member size says how much room there is
+ * @return 1, or 0 if no frame of the world has been recorded; the rest of the members is 0 then. A size below that of the first two members is
+ * reported with dMessage, and answered by 0.
+ * @ingroup ode_mt
+ */
+ODE_API int dODE_MT_GetWorldStatistics(dWorldID world, dODE_MT_WorldStatistics *statistics);
 
 /**
  * Starts to record what each thread does in steps and collisions, for a file that https://ui.perfetto.dev and chrome://tracing

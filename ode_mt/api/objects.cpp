@@ -9,6 +9,7 @@
 #include "seams/upstream.h"
 #include "dynamics/iterative/dxIterativeWorld.h"
 #include "settings/dxWorldSolver.h"
+#include "settings/dxWorldStatistics.h"
 #include "settings/dxWorldWorkers.h"
 
 extern "C" {
@@ -25,6 +26,7 @@ void dWorldDestroy(dWorldID world) {
     if (world != nullptr) {
         dxWorldWorkers::giveBack(world);
         dxWorldSolver::forget(world);
+        dxWorldStatistics::forget(world);
         dxIterativeWorld::forget(world);
     }
     dxUpstreamWorldDestroy(world);

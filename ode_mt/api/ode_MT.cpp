@@ -2,6 +2,8 @@
 #include <ode/error.h>
 #include <ode/ode_MT.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstring>
 #include <new>
 
@@ -9,10 +11,12 @@
 #include "error.h"
 
 #include "dynamics/islands/dxBodyWorkers.h"
+#include "settings/dxSerialReason.h"
 #include "settings/dxSettings.h"
 #include "settings/dxStepStatistics.h"
 #include "settings/dxWorkers.h"
 #include "settings/dxWorldSolver.h"
+#include "settings/dxWorldStatistics.h"
 #include "threading/timeline/dxTimeline.h"
 
 namespace {
@@ -156,6 +160,26 @@ void dODE_MT_GetStatistics(dODE_MT_Statistics *statistics) {
     statistics->sharedCollisions = counted.sharedCollisions;
     statistics->contactsAhead = counted.contactsAhead;
     statistics->contactsAheadUnused = counted.contactsAheadUnused;
+}
+
+const char *dODE_MT_GetReasonText(int reason) { return dxTextOfReason(reason); }
+
+// A program that was compiled with an older header has a smaller structure, one with a newer header a larger one.
+int dODE_MT_GetWorldStatistics(dWorldID world, dODE_MT_WorldStatistics *statistics) {
+    dUASSERT(world, "bad world argument");
+    dUASSERT(statistics, "bad statistics argument");
+    const std::size_t size = std::min(statistics->size, sizeof *statistics);
+    if (size < offsetof(dODE_MT_WorldStatistics, threads)) {
+        dMessage(0, "ODE_MT: dODE_MT_GetWorldStatistics was given a size of %lu bytes, which is too small",
+                 static_cast<unsigned long>(size));
+        return 0;
+    }
+    dxTimeline::startCounting();
+    dODE_MT_WorldStatistics last{};
+    const bool isKnown = dxWorldStatistics::read(world, last);
+    last.size = size;
+    std::memcpy(statistics, &last, size);
+    return isKnown;
 }
 
 int dODE_MT_StartTrace(const char *path) {

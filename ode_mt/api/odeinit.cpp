@@ -20,6 +20,7 @@
 #include "dynamics/quickstep/sor/dxParallelSor.h"
 #include "seams/upstream.h"
 #include "settings/dxWorkers.h"
+#include "settings/dxWorldStatistics.h"
 #include "threading/process/dxForkLocks.h"
 #include "threading/timeline/dxTimeline.h"
 
@@ -53,6 +54,7 @@ void releaseWorkers() {
 __attribute__((destructor)) void unload() {
     releaseWorkers();
     dxThreadTrimeshCache::unload();
+    dxWorldStatistics::unload();
     dxTimeline::unload();
 }
 

@@ -10,6 +10,7 @@
 #include "settings/dxSettings.h"
 #include "settings/dxStepStatistics.h"
 #include "settings/dxWorkersRunner.h"
+#include "settings/dxWorldStatistics.h"
 #include "threading/dxFloatEnvironment.h"
 #include "threading/timeline/dxTimelineSpan.h"
 
@@ -23,69 +24,135 @@ constexpr int kMinRecorded = 8;
 constexpr dxTimelineEvent kCollide{"collide", "collision", {"geoms", "pairs", "threads"}};
 constexpr dxTimelineEvent kCounters{"of a collision", "counter", {"pairs", "threads of collide"}, dxTimelineEvent::Kind::Counter};
 
+// The body's world of the first geom with one, in nested spaces too; null: there is none.
+const dxWorld *worldOf(const dxSpace &space) {
+    for (const dxGeom *geom = space.first; geom != nullptr; geom = geom->next) {
+        if (geom->body != nullptr) return geom->body->world;
+        const dxWorld *const world = IS_SPACE(geom) ? worldOf(*static_cast<const dxSpace *>(geom)) : nullptr;
+        if (world != nullptr) return world;
+    }
+    return nullptr;
+}
+
+// A collision on the timeline and for its world's statistics, to which those within its near-callbacks belong; on the thread that calls
+// dSpaceCollide, or on a worker that runs a callback. A callback that leaves by longjmp leaves the depth too large: until the thread's next step its
+// collisions are not counted then.
 class CollideSpan {
 public:
-    explicit CollideSpan(const dxOrderedSpace &space) : m_space(space), m_span(kCollide, space.count >= kMinRecorded) {}
+    explicit CollideSpan(const dxOrderedSpace &space)
+        : m_space(space), m_span(kCollide, space.count >= kMinRecorded || dxTimeline::isCounted()) {
+        if (m_span.ring() != nullptr) begin(*m_span.ring());
+    }
     ~CollideSpan() {
         if (m_span.ring() != nullptr) end(*m_span.ring());
     }
 
+    // Why pairs, and callbacks, stay on the calling thread.
+    void setReasons(dODE_MT_Reason reason, dODE_MT_Reason ofCallbacks) {
+        m_record.reason = reason;
+        m_record.callbackReason = ofCallbacks;
+    }
+    void setContactsAhead(std::uint64_t computed, std::uint64_t used) {
+        m_record.contactsAhead = computed;
+        m_record.contactsAheadUsed = used;
+    }
+
 private:
+    void begin(dxTimelineRing &ring) {
+        m_begin = ring.lastReading();
+        m_outerTimes = ring.times();
+        m_outerDepth = ring.collisionDepth++;
+        m_pairsBefore = ring.pairs;
+        ring.setTimes({});
+    }
+
     void end(dxTimelineRing &ring) {
-        const std::uint64_t now = ring.lastReading(), pairs = m_space.pairs().size(), threads = ring.takeThreads();
+        const std::uint64_t now = ring.lastReading(), pairs = ring.pairs - m_pairsBefore, threads = ring.takeThreads();
         ring.add(kCounters, now, now, {pairs, threads});
         m_span.set(0, static_cast<std::uint64_t>(m_space.count));
         m_span.set(1, pairs);
         m_span.set(2, threads);
         m_span.endAdjoining();
+        if (m_outerDepth == 0 && ring.caller().ring == &ring && dxTimeline::isCounted()) count(ring, pairs, static_cast<unsigned>(threads));
+        ring.setTimes(m_outerTimes);
+        ring.collisionDepth = m_outerDepth;
+    }
+
+    void count(const dxTimelineRing &ring, std::uint64_t pairs, unsigned threads) {
+        const dxWorld *const world = worldOf(m_space);
+        if (world == nullptr) return;
+        m_record.ticks = ring.lastReading() - m_begin;
+        m_record.times = ring.times();
+        m_record.pairs = pairs;
+        m_record.threads = threads;
+        if (threads < 2 && m_record.reason == dODE_MT_REASON_PARALLEL) m_record.reason = dODE_MT_REASON_LATE_WORKERS;
+        dxWorldStatistics::add(world, m_record);
     }
 
     const dxOrderedSpace &m_space;
     dxTimelineSpan m_span;
+    dxCollisionRecord m_record;
+    dxFrameTimes m_outerTimes;  // as the following, of the collision around this one
+    std::uint64_t m_begin = 0, m_pairsBefore = 0;
+    unsigned m_outerDepth = 0;
 };
 
 // From inside a callback of a call that is shared, whether of this space or of another one, everything stays
 // on its thread. That the space is locked says nothing: a callback may have left it so by longjmp or an
 // exception.
-bool mayShare(const dxOrderedSpace &space, dNearCallback *callback) {
+// PARALLEL: it may be shared.
+dODE_MT_Reason whyAlone(const dxOrderedSpace &space, dNearCallback *callback) {
     const dxSettings &settings = dxSettings::instance();
-    return settings.threads() > 1 && settings.algorithm() != dxAlgorithm::Serial && callback != nullptr &&
-           space.count > 1 && dxContactLog::current() == nullptr && dxNarrowphasePrefetch::current() == nullptr &&
-           !dxTrapsFloatingPoint();
+    if (settings.threads() <= 1) return dODE_MT_REASON_THREADS;
+    if (settings.algorithm() == dxAlgorithm::Serial) return dODE_MT_REASON_ALGORITHM;
+    if (callback == nullptr || space.count <= 1) return dODE_MT_REASON_FEW_GEOMS;
+    if (dxContactLog::current() != nullptr || dxNarrowphasePrefetch::current() != nullptr) return dODE_MT_REASON_IN_CALLBACK;
+    return dxTrapsFloatingPoint() ? dODE_MT_REASON_FLOAT_TRAPS : dODE_MT_REASON_PARALLEL;
 }
 
-void collideOnWorkers(dxOrderedSpace &space, unsigned workers, void *data, dNearCallback *callback) {
+void collideAlone(CollideSpan &span, dODE_MT_Reason reason, dxOrderedSpace &space, void *data, dNearCallback *callback) {
+    span.setReasons(reason, reason);
+    space.collide(data, callback);
+}
+
+void collideOnWorkers(CollideSpan &span, dxOrderedSpace &space, unsigned workers, void *data, dNearCallback *callback) {
     dxWorkersRunner runner(workers);
     const bool mayBeConcurrent = dxSettings::instance().callbackPolicy() != dxCallbackPolicy::Serial;
     if (mayBeConcurrent && dxCollideConcurrently(space, runner, data, callback)) return;
-    if (!space.collideShared(runner, mayBeConcurrent, data, callback)) return;
+    span.setReasons(dODE_MT_REASON_PARALLEL, mayBeConcurrent ? dODE_MT_REASON_FEW_TASKS : dODE_MT_REASON_CALLBACK_POLICY);
+    if (!space.collideShared(runner, mayBeConcurrent, data, callback)) {
+        span.setReasons(dODE_MT_REASON_MEMORY, dODE_MT_REASON_MEMORY);
+        return;
+    }
     const dxNarrowphasePrefetch &ahead = *space.narrowphasePrefetch();
+    span.setContactsAhead(ahead.computed(), ahead.used());
     dxStepStatistics::instance().countSharedCollision(runner.tookPart(), ahead.computed(), ahead.used());
 }
 
-void collideMeasured(dxOrderedSpace &space, void *data, dNearCallback *callback) {
+void collideMeasured(CollideSpan &span, dxOrderedSpace &space, void *data, dNearCallback *callback) {
     const dxSettings &settings = dxSettings::instance();
     const unsigned workers = std::min(settings.threads(), settings.cores());
     const bool shared = workers > 1 && space.sharing().shouldShare();
     const dxStopwatch stopwatch;
     if (shared)
-        collideOnWorkers(space, workers, data, callback);
+        collideOnWorkers(span, space, workers, data, callback);
     else
-        space.collide(data, callback);
+        collideAlone(span, workers > 1 ? dODE_MT_REASON_MEASURED : dODE_MT_REASON_CORES, space, data, callback);
     space.sharing().record(shared, stopwatch.ns());
 }
 
 }  // namespace
 
 void dxCollideSpace(dxOrderedSpace &space, void *data, dNearCallback *callback) {
-    const CollideSpan span(space);
+    CollideSpan span(space);
     const dxSettings &settings = dxSettings::instance();
-    if (!mayShare(space, callback))
-        space.collide(data, callback);
+    const dODE_MT_Reason reason = whyAlone(space, callback);
+    if (reason != dODE_MT_REASON_PARALLEL)
+        collideAlone(span, reason, space, data, callback);
     else if (settings.algorithm() != dxAlgorithm::Auto)
-        collideOnWorkers(space, settings.threads(), data, callback);
+        collideOnWorkers(span, space, settings.threads(), data, callback);
     else if (space.count < kMinGeoms)
-        space.collide(data, callback);
+        collideAlone(span, dODE_MT_REASON_FEW_GEOMS, space, data, callback);
     else
-        collideMeasured(space, data, callback);
+        collideMeasured(span, space, data, callback);
 }

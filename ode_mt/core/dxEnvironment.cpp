@@ -28,6 +28,7 @@ constexpr Variable kVariables[] = {
     {"ODE_MT_THREAD_MANAGER", "pthread|openmp"},
     {"ODE_MT_LOG", "error|warning|info|debug"},
     {"ODE_MT_TRACE", "file"},
+    {"ODE_MT_STATISTICS", "file"},
     {"ODE_MT_PERTURB", "n"},
 };
 

@@ -6,7 +6,7 @@
 // (tests/environment). Any thread may call.
 #pragma once
 
-enum class dxVariable { Threads, Algorithm, Solver, SolverTolerance, WarmStart, Callbacks, Heuristics, GridCells, ThreadManager, Log, Trace, Perturb };
+enum class dxVariable { Threads, Algorithm, Solver, SolverTolerance, WarmStart, Callbacks, Heuristics, GridCells, ThreadManager, Log, Trace, Statistics, Perturb };
 
 // Returns its value; NULL: unset or empty.
 const char *dxEnvironment(dxVariable variable);

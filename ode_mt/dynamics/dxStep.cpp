@@ -60,9 +60,11 @@ bool dxPrepareStepIslands(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal
 
 bool dxStepIslands(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper,
                    dmaxcallcountestimate_fn_t maxCallCountEstimator) {
-    const dxStepSpan span(world, static_cast<unsigned>(info.GetIslandsCount()));
-    if (dxWorldWorkers::haveToBeAsked(world))
+    dxStepSpan span(world, static_cast<unsigned>(info.GetIslandsCount()));
+    if (dxWorldWorkers::haveToBeAsked(world)) {
+        span.setReason([](unsigned) { return dODE_MT_REASON_USER_THREADING; });
         return dxIslandStepper::stepByPosting(world, info, stepSize, stepper, maxCallCountEstimator);
+    }
     if (!dxWorldWorkers::prepare(world)) return false;
     dxStepCall call{world, info, stepSize, dxIslandStepper::kindOf(world, stepper), static_cast<unsigned>(info.GetIslandsCount())};
     if (call.kind == dxStepperKind::Iterative) call.iterativeWorld = beginIteratively(world, info);
@@ -71,5 +73,6 @@ bool dxStepIslands(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal 
         followAndLearn(plan, call);
     else
         follow(plan, call);
+    span.setReason([&](unsigned threads) { return dxReasonOf(call, plan, threads); });
     return true;
 }

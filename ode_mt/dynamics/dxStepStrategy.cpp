@@ -52,21 +52,31 @@ unsigned minLargeJoints(dxStepperKind kind) {
 
 // The steps of most small worlds are over before a clock could be read: they cost one look at their only
 // island.
-bool mayUseWorkers(const dxStepCall &call) {
+bool mayUseWorkers(const dxStepCall &call, dODE_MT_Reason &reason) {
+    reason = dODE_MT_REASON_ITERATIONS;
     if (mayBeEndless(call)) return false;
+    reason = call.count == 0 ? dODE_MT_REASON_NOTHING : dODE_MT_REASON_SMALL_ISLAND;
     if (call.count != 1) return call.count > 1;
     return dxIslandCursor(call.info).next().jointCount >= minLargeJoints(call.kind);
 }
 
-// Workers that the settings, the world and the machine allow.
-unsigned workerLimit(const dxWorld *world) {
+// Workers that the settings, the world and the machine allow, and what does not allow a second one.
+unsigned workerLimit(const dxWorld *world, dODE_MT_Reason &reason) {
     const dxAlgorithm algorithm = dxSettings::instance().algorithm();
+    reason = dODE_MT_REASON_ALGORITHM;
     if (algorithm == dxAlgorithm::Serial) return 1;
-    unsigned limit = dxWorldWorkers::given(world) ? dxWorldWorkers::count(world) : dxSettings::instance().threads();
+    const bool isLent = dxWorldWorkers::given(world);
+    reason = isLent ? dODE_MT_REASON_USER_THREADING : dODE_MT_REASON_THREADS;
+    unsigned limit = isLent ? dxWorldWorkers::count(world) : dxSettings::instance().threads();
+    const auto lower = [&limit, &reason](unsigned bound, dODE_MT_Reason why) {
+        if (limit >= 2 && bound < 2) reason = why;
+        limit = std::min(limit, bound);
+    };
     const unsigned asked = world->islands_max_threads;
-    if (asked != dWORLDSTEP_THREADCOUNT_UNLIMITED) limit = std::min(limit, asked);
-    if (algorithm == dxAlgorithm::Auto) limit = std::min(limit, dxSettings::instance().cores());
-    return limit >= 2 && dxTrapsFloatingPoint() ? 1 : limit;
+    if (asked != dWORLDSTEP_THREADCOUNT_UNLIMITED) lower(asked, dODE_MT_REASON_WORLD_LIMIT);
+    if (algorithm == dxAlgorithm::Auto) lower(dxSettings::instance().cores(), dODE_MT_REASON_CORES);
+    if (limit >= 2 && dxTrapsFloatingPoint()) lower(1, dODE_MT_REASON_FLOAT_TRAPS);
+    return limit;
 }
 
 dxIslandCosts estimateCosts(const dxStepCall &call) {
@@ -122,7 +132,7 @@ unsigned chooseWorkers(const dxStepCall &call, const dxIslandCosts &costs, unsig
 
 dxStepPlan dxPlanStep(const dxStepCall &call) {
     dxStepPlan plan;
-    const unsigned limit = mayUseWorkers(call) ? workerLimit(call.world) : 1;
+    const unsigned limit = mayUseWorkers(call, plan.reason) ? workerLimit(call.world, plan.reason) : 1;
     if (limit < 2) return plan;
     plan.isMeasured = true;
     plan.minLargeJoints = minLargeJoints(call.kind);
@@ -135,7 +145,21 @@ dxStepPlan dxPlanStep(const dxStepCall &call) {
     }
     plan.workers = chooseWorkers(call, plan.costs, limit);
     if (plan.workers >= 2) plan.strategy = dxStepStrategy::IslandParallel;
+    plan.reason = plan.hasLargeIsland ? dODE_MT_REASON_LARGE_ISLAND : plan.costs.areOfAll ? dODE_MT_REASON_COST : dODE_MT_REASON_MOVED_CALLBACK;
     return plan;
+}
+
+// Who allows one thread alone comes to know that first, though the islands were looked at before.
+dODE_MT_Reason dxReasonOf(const dxStepCall &call, const dxStepPlan &plan, unsigned threads) {
+    if (threads >= 2) return dODE_MT_REASON_PARALLEL;
+    dODE_MT_Reason limit;
+    if (workerLimit(call.world, limit) < 2) return limit;
+    switch (plan.strategy) {
+        case dxStepStrategy::Serial: return plan.reason;
+        case dxStepStrategy::IslandParallel: return plan.costs.areOfAll ? dODE_MT_REASON_LATE_WORKERS : dODE_MT_REASON_MOVED_CALLBACK;
+        case dxStepStrategy::LargeIsland: return dODE_MT_REASON_LARGE_ISLAND;
+    }
+    return plan.reason;
 }
 
 // Island-parallel steps measure their parallel part themselves.

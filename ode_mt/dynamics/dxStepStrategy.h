@@ -7,6 +7,8 @@
 // Results never depend on the strategy, only speed does. A step stays serial where dxPlanStep says why.
 #pragma once
 
+#include <ode/ode.h>
+
 #include "dynamics/dxStepCall.h"
 
 enum class dxStepStrategy { Serial, IslandParallel, LargeIsland };
@@ -23,11 +25,15 @@ struct dxStepPlan {
     unsigned workers = 1;  // the caller included
     unsigned minLargeJoints = 0;
     dxIslandCosts costs;
+    dODE_MT_Reason reason = dODE_MT_REASON_PARALLEL;  // why it is Serial
     bool isMeasured = false;      // its time is worth reading a clock
     bool hasLargeIsland = false;  // both LargeIsland and another strategy are possible
 };
 
 dxStepPlan dxPlanStep(const dxStepCall &call);
+
+// Why no more threads took part in a step of this plan than did.
+dODE_MT_Reason dxReasonOf(const dxStepCall &call, const dxStepPlan &plan, unsigned threads);
 
 // A step that was measured took `ns`.
 void dxLearnFromStep(const dxStepCall &call, const dxStepPlan &plan, double ns);

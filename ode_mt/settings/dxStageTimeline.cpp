@@ -13,16 +13,27 @@ struct Events {
     dxTimelineEvent run, blocks;
 };
 
+// Other stages are parts of these.
+constexpr dxFrameStage frameStageOf(dxParallelStage stage) {
+    switch (stage) {
+        case dxParallelStage::Islands: return dxFrameStage::Islands;
+        case dxParallelStage::NarrowphasePrefetch: return dxFrameStage::NarrowphasePrefetch;
+        case dxParallelStage::Callbacks: return dxFrameStage::NearCallbacks;
+        default: return dxFrameStage::None;
+    }
+}
+
 constexpr std::array<Events, dxParallelStages::kCount> eventsOfStages() {
     std::array<Events, dxParallelStages::kCount> events{};
     for (std::size_t i = 0; i < events.size(); ++i)
-        events[i] = {{dxParallelStages::kNames[i], "stage", {"blocks", "run", "workers"}},
+        events[i] = {{dxParallelStages::kNames[i], "stage", {"blocks", "run", "workers"}, dxTimelineEvent::Kind::Span,
+                      frameStageOf(static_cast<dxParallelStage>(i))},
                      {dxParallelStages::kNames[i], "worker", {"blocks", "run"}}};
     return events;
 }
 
 constexpr std::array<Events, dxParallelStages::kCount> kEvents = eventsOfStages();
-constexpr dxTimelineEvent kWait{"wait for workers", "wait", {"run"}};
+constexpr dxTimelineEvent kWait{"wait for workers", "wait", {"run"}, dxTimelineEvent::Kind::Span, dxFrameStage::Wait};
 constexpr std::uint64_t kMinWait = 1000;  // ticks: less than a microsecond
 
 std::atomic<std::uint64_t> runs{0};

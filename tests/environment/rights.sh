@@ -19,7 +19,7 @@ run() {
     case $2 in
         none) values= ;;
         set) values="ODE_MT_THREADS=3 ODE_MT_ALGORITHM=static ODE_MT_CALLBACKS=concurrent ODE_MT_HEURISTICS=cells
-                     ODE_MT_GRID_CELLS=7 ODE_MT_THREAD_MANAGER=openmp ODE_MT_LOG=debug ODE_MT_TRACE=$SCRATCH/$1.trace ODE_MT_PERTURB=1" ;;
+                     ODE_MT_GRID_CELLS=7 ODE_MT_THREAD_MANAGER=openmp ODE_MT_LOG=debug ODE_MT_TRACE=$SCRATCH/$1.trace ODE_MT_STATISTICS=$SCRATCH/none ODE_MT_PERTURB=1" ;;
         wrong) values=$(for name in $variables; do echo "$name=nonsense"; done) ;;
     esac
     # shellcheck disable=SC2086  # values are words

@@ -41,6 +41,31 @@ TEST_F(LogLevels, InfoNamesSettingsAndThreads) {
                 "ODE_MT info: 2 threads, 3 before");
 }
 
+TEST_F(LogLevels, InfoSaysHowAWorldRuns) {
+    const std::string line = "ODE_MT info: world 1, frame 1: 500 bodies, 0 pairs, 100 islands, [0-9]+ rows, 3 threads at most; no collision; step on one "
+                             "thread, as the algorithm is \"serial\"\n";
+    EXPECT_EXIT(step("info", "serial", 200), testing::ExitedWithCode(0), "heuristics [^\n]*\n" + line + "ODE_MT info: 2 threads, 3 before[^\n]*\n$")
+        << "once for all frames";
+}
+
+// A change that does not last is not told.
+TEST_F(LogLevels, InfoSaysWhenThatHasChanged) {
+    const auto run = [] {
+        setenv("ODE_MT_LOG", "info", 1);
+        dInitODE2(0);
+        ChainWorld world(4, 2);
+        for (const char *const algorithm : {"lcp", "serial", "lcp", "serial"}) {
+            dODE_MT_SetAlgorithm(algorithm);
+            world.step(30);
+        }
+        world.step(30);
+        std::_Exit(0);
+    };
+    EXPECT_EXIT(run(), testing::ExitedWithCode(0),
+                "world 1, frame 1: [^\n]* as the number of threads is 0 or 1\n(ODE_MT info: [0-9][^\n]*\n)*"
+                "ODE_MT info: world 1, frame 150: [^\n]* as the algorithm is \"serial\"\n$");
+}
+
 // Whoever asks for less does not pay for it.
 TEST_F(LogLevels, InfoKeepsDebugBack) {
     const auto run = [] { step("info", "auto", 300); };

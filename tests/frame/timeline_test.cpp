@@ -183,6 +183,7 @@ TEST_F(Timeline, ChangesNoBit) {
 }
 
 TEST_F(Timeline, AFullRingTellsWhatItHasDropped) {
+    ASSERT_EQ(dODE_MT_StartTrace(path.c_str()), 1);
     const auto ring = std::make_unique<dxTimelineRing>();
     ring->own(1);
     constexpr dxTimelineEvent kEvent{"event", "test", {"number"}};
@@ -192,7 +193,6 @@ TEST_F(Timeline, AFullRingTellsWhatItHasDropped) {
     ASSERT_EQ(records.size(), dxTimelineRing::kCapacity - 1);
     for (std::uint64_t i = 0; i < records.size(); ++i) ASSERT_EQ(records[i].arguments[0], i + 11);
 
-    ASSERT_EQ(dODE_MT_StartTrace(path.c_str()), 1);
     ChainWorld chain(1, 2);
     chain.step(dxTimelineRing::kCapacity / 2);
     ASSERT_EQ(dODE_MT_FlushTrace(), 1);

@@ -116,6 +116,7 @@ void Run::deliver(const dxOrderedPair &pair) {
 void Run::commit() {
     dxTimelineSpan span(kCommitContacts);
     span.set(0, pairs->size());
+    if (span.ring() != nullptr) span.ring()->pairs += pairs->size();
     dxPerturb(dxSchedulePoint::CommitContacts);
     for (std::uint32_t pair = 0; pair < pairs->size(); ++pair) logs[taskOfPair[pair]]->commit(spans[pair]);
     for (const std::unique_ptr<dxContactLog> &log : logs) log->finish();

@@ -23,9 +23,22 @@ constexpr std::size_t kBoxesPerChunk = 128;
 constexpr std::size_t kBoxPrefetchDistance = 4;
 
 // On the timeline; with fewer geoms they would take longer to record than to do.
-constexpr dxTimelineEvent kBroadPhase{"broad phase", "collision", {"pairs"}};
-constexpr dxTimelineEvent kNearCallbacks{"near-callbacks", "collision", {"pairs"}};
+constexpr dxTimelineEvent kBroadPhase{"broad phase", "collision", {"pairs"}, dxTimelineEvent::Kind::Span, dxFrameStage::BroadPhase};
+constexpr dxTimelineEvent kNearCallbacks{"near-callbacks", "collision", {"pairs"}, dxTimelineEvent::Kind::Span, dxFrameStage::NearCallbacks};
 constexpr int kMinRecorded = 8;  // geoms
+
+// A near-callback whose calls are counted, as the pairs of a walk are known by nothing else.
+struct CountedCallback {
+    void *data;
+    dNearCallback *callback;
+    std::uint64_t &calls;
+
+    static void call(void *counted, dGeomID geom1, dGeomID geom2) {
+        const CountedCallback &self = *static_cast<const CountedCallback *>(counted);
+        ++self.calls;
+        self.callback(self.data, geom1, geom2);
+    }
+};
 
 // Its box follows from data or arrays that the program may change while other boxes are computed, without a word to the space.
 bool hasBoxOfData(const dxGeom *geom) {
@@ -113,19 +126,26 @@ void dxOrderedSpace::collide(void *data, dNearCallback *callback) {
 }
 
 bool dxOrderedSpace::makeReadyRecorded() {
-    dxTimelineSpan span(kBroadPhase, count >= kMinRecorded, dxTimelineSpan::Begin::Adjoining);
+    dxTimelineSpan span(kBroadPhase, count >= kMinRecorded || dxTimeline::isCounted(), dxTimelineSpan::Begin::Adjoining);
     const bool isReady = makeReady();
     span.set(0, m_pairs.size());
     return isReady;
 }
 
 void dxOrderedSpace::callBack(bool isReady, void *data, dNearCallback *callback) {
-    dxTimelineSpan span(kNearCallbacks, count >= kMinRecorded, dxTimelineSpan::Begin::Adjoining);
-    span.set(0, m_pairs.size());
-    if (isReady)
+    dxTimelineSpan span(kNearCallbacks, count >= kMinRecorded || dxTimeline::isCounted(), dxTimelineSpan::Begin::Adjoining);
+    dxTimelineRing *const ring = span.ring();
+    const std::uint64_t before = ring != nullptr ? ring->pairs : 0;
+    if (isReady) {
+        if (ring != nullptr) ring->pairs += m_pairs.size();
         deliver(data, callback);
-    else
+    } else if (ring == nullptr) {
         walk(data, callback, nullptr);
+    } else {
+        CountedCallback counted{data, callback, ring->pairs};
+        walk(&counted, CountedCallback::call, nullptr);
+    }
+    if (ring != nullptr) span.set(0, ring->pairs - before);
 }
 
 void dxOrderedSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback) {

@@ -1,5 +1,7 @@
 #include "dynamics/islands/dxStepTimeline.h"
 
+#include "settings/dxWorldStatistics.h"
+
 namespace {
 
 constexpr dxTimelineEvent kStep{"step", "step", {"bodies", "islands", "rows", "threads"}};
@@ -16,7 +18,11 @@ unsigned countContacts(const dxWorld &world) {
 
 void dxStepSpan::beginSearch() {
     dxTimeline::honourRequest();
-    if (dxTimelineRing *const ring = dxTimeline::ofThisThread()) ring->stepBegin = ring->readClock();
+    dxTimelineRing *const ring = dxTimeline::ofThisThread();
+    if (ring == nullptr) return;
+    ring->stepBegin = ring->readClock();
+    ring->setTimes({});
+    ring->collisionDepth = 0;
 }
 
 void dxStepSpan::begin(const dxWorld *world, unsigned islands) {
@@ -34,4 +40,7 @@ void dxStepSpan::end() {
     m_ring->add(kCounters, now, now, {m_islands, m_contacts, rows, threads});
     m_ring->add(kStep, m_ring->stepBegin, now, {m_bodies, m_islands, rows, threads});
     m_ring->nextFrame();
+    if (dxTimeline::isCounted() && m_ring->stepBegin != 0)
+        dxWorldStatistics::add(m_world, {m_ring->stepBegin, now, m_ring->times(), rows, threads, m_bodies, m_contacts, m_islands, m_reason});
+    m_ring->stepBegin = 0;
 }

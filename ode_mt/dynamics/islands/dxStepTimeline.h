@@ -11,24 +11,26 @@
 
 #include <cstdint>
 
+#include <ode/ode.h>
+
 #include "dynamics/islands/dxIsland.h"
 #include "threading/timeline/dxTimelineSpan.h"
 
 namespace dxStepEvents {
 
-inline constexpr dxTimelineEvent kIslandSearch{"island search", "step"};
-inline constexpr dxTimelineEvent kIslandPreparation{"island preparation", "step"};
-inline constexpr dxTimelineEvent kIslandsInOrder{"islands in order", "step", {"islands"}};
-inline constexpr dxTimelineEvent kCommit{"commit", "step"};
+inline constexpr dxTimelineEvent kIslandSearch{"island search", "step", {}, dxTimelineEvent::Kind::Span, dxFrameStage::IslandSearch};
+inline constexpr dxTimelineEvent kIslandPreparation{"island preparation", "step", {}, dxTimelineEvent::Kind::Span, dxFrameStage::IslandPreparation};
+inline constexpr dxTimelineEvent kIslandsInOrder{"islands in order", "step", {"islands"}, dxTimelineEvent::Kind::Span, dxFrameStage::Islands};
+inline constexpr dxTimelineEvent kCommit{"commit", "step", {}, dxTimelineEvent::Kind::Span, dxFrameStage::Commit};
 inline constexpr dxTimelineEvent kIsland{"island", "island", {"bodies", "joints", "rows"}};
 inline constexpr dxTimelineEvent kSolver{"solver", "island", {"rows"}};
 
 }  // namespace dxStepEvents
 
-// The whole step, of which the search for islands is over. Its counters are written at its end.
+// The whole step, of which the search for islands is over. Its counters are written at its end, and it is counted for its world's statistics.
 class dxStepSpan {
 public:
-    dxStepSpan(const dxWorld *world, unsigned islands) : m_ring(dxTimeline::ofThisThread()) {
+    dxStepSpan(const dxWorld *world, unsigned islands) : m_ring(dxTimeline::ofThisThread()), m_world(world) {
         if (m_ring != nullptr) begin(world, islands);
     }
     ~dxStepSpan() {
@@ -40,12 +42,20 @@ public:
     // A step begins, with the search for islands.
     static void beginSearch();
 
+    // Returns reasonOf(threads): why so many threads, which took part, were no more. It is asked for if it is counted.
+    template <class Reason>
+    void setReason(const Reason &reasonOf) {
+        if (m_ring != nullptr) m_reason = reasonOf(m_ring->threads());
+    }
+
 private:
     void begin(const dxWorld *world, unsigned islands);
     void end();
 
     dxTimelineRing *const m_ring;
+    const dxWorld *const m_world;
     unsigned m_islands = 0, m_bodies = 0, m_contacts = 0;
+    dODE_MT_Reason m_reason = dODE_MT_REASON_PARALLEL;
 };
 
 class dxIslandSpan {

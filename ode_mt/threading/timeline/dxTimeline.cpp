@@ -29,13 +29,13 @@ void flushAndReport() {
 
 }  // namespace
 
-std::atomic<dxTimeline::State> dxTimeline::s_state{State::Unread};
+std::atomic<unsigned char> dxTimeline::s_state{kUnread};
 std::atomic<bool> dxTimeline::s_flushIsRequested{false};
 
 // A ring that a thread has got stays its own, also while nothing is recorded.
 dxTimelineRing *dxTimeline::findRing() try {
-    if (s_state.load(std::memory_order_relaxed) == State::Unread) readEnvironment();
-    if (s_state.load(std::memory_order_acquire) != State::On || t_isRefused) return nullptr;
+    if (s_state.load(std::memory_order_relaxed) == kUnread) readEnvironment();
+    if (s_state.load(std::memory_order_acquire) == kOff || t_isRefused) return nullptr;
     if (t_ring == nullptr) t_ring = rings->give();
     t_isRefused = t_ring == nullptr;
     return t_ring;
@@ -46,15 +46,25 @@ dxTimelineRing *dxTimeline::findRing() try {
 // Of threads that come first at the same time one starts the trace. The others record nothing until it has.
 void dxTimeline::readEnvironment() {
     const char *const path = dxEnvironment(dxVariable::Trace);
-    State unread = State::Unread;
-    if (s_state.compare_exchange_strong(unread, State::Off) && path != nullptr) report(start(path), path);
+    unsigned char unread = kUnread;
+    if (!s_state.compare_exchange_strong(unread, kOff)) return;
+    if (path != nullptr) report(start(path), path);
+    if (dxGetLogLevel() >= dxLogLevel::info || dxEnvironment(dxVariable::Statistics) != nullptr) startCounting();
+}
+
+// What the environment says comes first.
+void dxTimeline::startCounting() {
+    if (isCounted()) return;
+    if (s_state.load(std::memory_order_relaxed) == kUnread) readEnvironment();
+    rings->startCounting();
+    s_state.fetch_or(kCounted, std::memory_order_release);
 }
 
 int dxTimeline::start(const char *path) try {
     flushAtClose();
     end();
     const int error = rings->start(path);
-    if (error == 0) s_state.store(State::On, std::memory_order_release);
+    if (error == 0) s_state.fetch_or(kTraced, std::memory_order_release);
     return error;
 } catch (const std::bad_alloc &) {
     return ENOMEM;
@@ -69,7 +79,7 @@ int dxTimeline::stop() {
 }
 
 void dxTimeline::end() {
-    s_state.store(State::Off, std::memory_order_relaxed);
+    s_state.fetch_and(kCounted, std::memory_order_relaxed);
     s_flushIsRequested.store(false, std::memory_order_relaxed);
     rings->stop();
 }
@@ -78,16 +88,16 @@ void dxTimeline::copyPath(char *text, std::size_t size) { rings->copyPath(text, 
 
 void dxTimeline::flushAsRequested() {
     s_flushIsRequested.store(false, std::memory_order_relaxed);
-    if (s_state.load(std::memory_order_relaxed) == State::On) flushAndReport();
+    if (isTraced()) flushAndReport();
 }
 
 void dxTimeline::flushAtClose() {
-    if (s_state.load(std::memory_order_relaxed) == State::On) flushAndReport();
+    if (isTraced()) flushAndReport();
 }
 
 void dxTimeline::unload() {
     flushAtClose();
-    s_state.store(State::Off, std::memory_order_relaxed);
+    s_state.store(kOff, std::memory_order_relaxed);
     rings->unload();
     t_ring = nullptr;
 }
@@ -100,7 +110,7 @@ void dxTimeline::threadEnds(dxTimelineRing *ring) {
 }
 
 void dxTimeline::inForkedChild() {
-    if (s_state.load(std::memory_order_relaxed) == State::On) s_state.store(State::Off, std::memory_order_relaxed);
+    s_state.fetch_and(static_cast<unsigned char>(~kTraced), std::memory_order_relaxed);
     s_flushIsRequested.store(false, std::memory_order_relaxed);
     t_isRefused = false;
 }

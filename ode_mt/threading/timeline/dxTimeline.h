@@ -1,10 +1,11 @@
-// The recording of what each thread does, for a viewer (docs/timeline.md): ODE_MT_TRACE, dODE_MT_StartTrace.
+// The recording of what each thread does, for a viewer (docs/timeline.md): ODE_MT_TRACE, dODE_MT_StartTrace. And of the same for statistics of
+// frames (settings/dxWorldStatistics.h), which need sums alone: it is on where either is wanted.
 //
 // Each thread has a ring of events (dxTimelineRing), which it gets with its first event and keeps until it ends; the file is written from
 // all rings (dxTimelineFile). While nothing is recorded, a place where something would be costs one load and a branch.
 //
 // Threading: any thread may call any function at any time; start, flush and stop wait for one another, and so does a thread that has its first
-// event. After fork the child records nothing, and its parent's file is left alone.
+// event. After fork the child's trace is over, and its parent's file is left alone; its statistics go on.
 #pragma once
 
 #include <atomic>
@@ -16,8 +17,14 @@ class dxTimeline {
 public:
     // Null: nothing is recorded, or there is no memory for a ring.
     static dxTimelineRing *ofThisThread() {
-        return __builtin_expect(s_state.load(std::memory_order_acquire) == State::Off, 1) ? nullptr : findRing();
+        return __builtin_expect(s_state.load(std::memory_order_acquire) == kOff, 1) ? nullptr : findRing();
     }
+
+    static bool isTraced() { return (s_state.load(std::memory_order_relaxed) & kTraced) != 0; }
+    static bool isCounted() { return (s_state.load(std::memory_order_relaxed) & kCounted) != 0; }
+
+    // Statistics are wanted from here on. ODE_MT_LOG and ODE_MT_STATISTICS ask for them, too.
+    static void startCounting();
 
     // These return 0 or an error number of the system.
     static constexpr int kNotRecording = -1;
@@ -48,13 +55,13 @@ public:
     static void inForkedChild();
 
 private:
-    enum class State : unsigned char { Unread, Off, On };  // unread: the environment
+    static constexpr unsigned char kOff = 0, kTraced = 1, kCounted = 2, kUnread = 4;  // unread: the environment
 
     static dxTimelineRing *findRing();
     static void readEnvironment();
     static void end();
     static void flushAsRequested();
 
-    static std::atomic<State> s_state;
+    static std::atomic<unsigned char> s_state;  // bits
     static std::atomic<bool> s_flushIsRequested;
 };

@@ -50,6 +50,9 @@ public:
         return isBefore(ticks) ? 0 : static_cast<std::uint64_t>(static_cast<double>(ticks - m_startTicks) * m_nsPerTick);
     }
 
+    // Of a span. Units: ns.
+    double nsOf(std::uint64_t ticks) const { return static_cast<double>(ticks) * m_nsPerTick; }
+
     bool isBefore(std::uint64_t ticks) const { return ticks < m_startTicks; }
 
 private:

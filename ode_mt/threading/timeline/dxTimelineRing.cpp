@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "core/dxPrefetch.h"
+#include "threading/timeline/dxTimeline.h"
 
 namespace {
 
@@ -13,6 +14,8 @@ constexpr std::uint64_t kPrefetchDistance = 4;
 }  // namespace
 
 void dxTimelineRing::add(const dxTimelineEvent &event, std::uint64_t begin, std::uint64_t end, const Arguments &arguments) {
+    m_times[event.stage] += end - begin;
+    if (!dxTimeline::isTraced()) return;
     const std::uint64_t head = m_head.load(std::memory_order_relaxed);
     std::atomic<std::uint64_t> *const words = m_records[head % kCapacity].words;
     set(words[kBegin], begin);
@@ -53,6 +56,9 @@ void dxTimelineRing::own(std::uint32_t thread) {
     m_frames = 0;
     m_caller = {this, 0};
     m_threads = 1;
+    m_times = {};
+    collisionDepth = 0;
+    stepBegin = 0;
     takeRowsOfStep();
     forget();
 }

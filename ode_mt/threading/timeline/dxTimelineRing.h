@@ -1,4 +1,5 @@
-// The events of one thread: a ring of fixed size, in which a new record takes the place of the oldest.
+// The events of one thread: a ring of fixed size, in which a new record takes the place of the oldest. And sums of their times by stage of a
+// frame, which are all that is kept while statistics are recorded and no trace is.
 //
 // Invariants: record i lies at i modulo kCapacity; records from m_head - kCapacity on are whole, but for the one that is being
 // written. A record is a cache line of atomic words. The words are released after the head that the record before it has published, so
@@ -71,9 +72,18 @@ public:
     }
 
     void noteThreads(unsigned threads) { m_threads = threads > m_threads ? threads : m_threads; }
+    unsigned threads() const { return m_threads; }
     unsigned takeThreads();  // most that took part in a run since it was asked last; at least 1
 
-    std::uint64_t stepBegin = 0;  // of the step that the owner makes
+    // Sums of the events since they were set.
+    const dxFrameTimes &times() const { return m_times; }
+    void setTimes(const dxFrameTimes &times) { m_times = times; }
+
+    // Collisions of the owner's that are under way, one within a near-callback of the other.
+    unsigned collisionDepth = 0;
+    std::uint64_t pairs = 0;  // that they have brought to callbacks
+
+    std::uint64_t stepBegin = 0;  // of the step that the owner makes; 0: it is not known
 
     // For whoever holds the lock of the timeline.
 
@@ -102,6 +112,7 @@ private:
     std::uint64_t m_lastReading = 0;
     std::uint32_t m_frames = 0;
     unsigned m_threads = 1;
+    dxFrameTimes m_times{};
     std::uint64_t m_rows = 0, m_rowsBefore = 0;
     alignas(kCacheLine) std::atomic<std::uint64_t> m_rowsOfWorkers{0};
     std::uint64_t m_first = 0;  // the oldest record that belongs to the trace and the thread

@@ -69,6 +69,12 @@ void dxTimelineRings::stop() {
     m_path.clear();
 }
 
+void dxTimelineRings::startCounting() {
+    const Hold hold(*this);
+    m_isCounting = true;
+    if (!m_key) createKey();
+}
+
 void dxTimelineRings::forget() {
     for (const Owned &owned : m_rings) owned.ring->forget();
     m_lost = 0;
@@ -77,7 +83,7 @@ void dxTimelineRings::forget() {
 
 dxTimelineRing *dxTimelineRings::give() {
     const Hold hold(*this);
-    if (m_path.empty()) return nullptr;
+    if (m_path.empty() && !m_isCounting) return nullptr;
     Owned *owned = m_rings.size() < kKeptRings ? nullptr : findEnded();
     if (owned == nullptr) owned = add();
     if (owned == nullptr) {

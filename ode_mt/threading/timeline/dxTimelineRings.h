@@ -25,6 +25,9 @@ public:
     int flush();
     void stop();
 
+    // Threads get rings from here on, whether there is a file or not.
+    void startCounting();
+
     // Null: nothing is recorded, no memory, or too many threads.
     dxTimelineRing *give();
 
@@ -62,7 +65,8 @@ private:
     dxForkSafeMutex m_mutex;
     std::vector<Owned> m_rings;
     std::vector<dxTimelineRecord> m_records;  // of one thread, while the file is written
-    std::string m_path;                       // empty: nothing is recorded
+    std::string m_path;                       // empty: there is no trace
+    bool m_isCounting = false;
     dxTimelineScale m_scale;
     std::uint64_t m_given = 0;
     std::uint64_t m_lost = 0;  // events of threads whose rings others have got

@@ -100,7 +100,7 @@ private:
     // Words of the table, numbers about the ends of the range, and anything.
     std::string drawValue(const Variable &variable, Random &random) const {
         static const std::vector<std::string> files = {"", "/dev/null", "/dev/full", "/nonexistent/trace.json"};
-        if (variable.name == "ODE_MT_TRACE") return random.of(files);  // any name is one
+        if (variable.name == "ODE_MT_TRACE" || variable.name == "ODE_MT_STATISTICS") return random.of(files);  // any name is one
         std::string value;
         switch (random.below(variable.takesNumber || variable.takesList ? 6 : 3)) {
             case 0:

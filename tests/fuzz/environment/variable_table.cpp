@@ -114,7 +114,7 @@ std::vector<std::string> readHeuristicNames(const std::string &document) {
 Meaning meaningOf(const Variable &variable, const std::string &value,
                   const std::vector<std::string> &heuristics) {
     if (value.empty()) return {Understanding::Unset, variable.standard};
-    if (variable.name == "ODE_MT_TRACE") return {Understanding::Untold, ""};  // any name of a file
+    if (variable.name == "ODE_MT_TRACE" || variable.name == "ODE_MT_STATISTICS") return {Understanding::Untold, ""};  // any name of a file
     if (contains(variable.words, value)) return {Understanding::Understood, value};
     if (variable.takesNumber && isNumber(value)) return meaningOfNumber(variable, value);
     if (variable.takesFraction && isFraction(value)) return {Understanding::Understood, value};

@@ -1,0 +1,40 @@
+#include "settings/dxSerialReason.h"
+
+#include <array>
+#include <cstddef>
+
+#include <ode/ode.h>
+
+namespace {
+
+// In the order of the enumeration.
+constexpr std::array<const char *, 20> kTexts = {
+    "several threads took part",
+    "there was nothing to do",
+    "the number of threads is 0 or 1",
+    "the algorithm is \"serial\"",
+    "the process may use one core",
+    "the world is limited to one thread",
+    "the world's threading implementation has one thread",
+    "floating-point errors are trapped",
+    "there is one island, too small for several threads",
+    "the number of iterations is above 100000",
+    "several threads are predicted to take longer",
+    "one island is nearly all there is, and several threads take longer for it",
+    "a body with a moved-callback is in one of the first islands",
+    "the calling thread was done before another one came",
+    "there was no memory for more",
+    "the space has too few geoms",
+    "several threads have not been measured to be faster",
+    "it was called by a near-callback of another collision",
+    "the callback policy is \"serial\"",
+    "few pairs, or most of them share bodies",
+};
+static_assert(kTexts.size() == dODE_MT_REASON_FEW_TASKS + 1, "a text for each reason");
+
+}  // namespace
+
+const char *dxTextOfReason(int reason) {
+    const auto index = static_cast<std::size_t>(reason);
+    return index < kTexts.size() ? kTexts[index] : "unknown reason";
+}
