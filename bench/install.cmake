@@ -6,8 +6,8 @@
 include(GNUInstallDirs)
 
 function(ode_mt_install_tools component libdir)
-    set(tools odemt_bench odemt_bench_child odemt_check odemt_info odemt_record odemt_report)
-    set(tools_without_library odemt_bench_child odemt_check)  # of their own: they find it in another way, or start what does
+    set(tools odemt_bench odemt_bench_child odemt_check odemt_info odemt_record odemt_report odemt_top)
+    set(tools_without_library odemt_bench_child odemt_check odemt_top)  # of their own: they find it in another way, or start what does
     foreach(tool IN LISTS tools)
         set(file "\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/bin/${tool}")
         set(change "file(RPATH_REMOVE FILE \"${file}\")")

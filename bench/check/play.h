@@ -4,6 +4,7 @@
 #include "check/check_options.h"
 #include "check/program_run.h"
 #include "check/run_record.h"
+#include "run_folder.h"
 
 namespace check {
 
@@ -24,20 +25,6 @@ struct Play {
     bool wasEnded() const { return run.end != ProgramRun::End::Itself; }
 };
 
-// A folder of its own that goes away with its contents. Its path has no character that separates paths for the loader.
-class RunFolder {
-public:
-    RunFolder();
-    ~RunFolder();
-    RunFolder(const RunFolder &) = delete;
-    RunFolder &operator=(const RunFolder &) = delete;
-
-    const std::string &path() const { return m_path; }
-
-private:
-    std::string m_path;
-};
-
 class Player {
 public:
     explicit Player(const CheckOptions &options);
@@ -50,7 +37,7 @@ private:
     std::string libraryFolder(const Engine &engine) const { return m_folder.path() + (engine.isOurs() ? "/ours" : "/stock"); }
 
     const CheckOptions &m_options;
-    RunFolder m_folder;
+    bench::RunFolder m_folder{"odemt_check"};
     ProgramInput m_input;
     int m_plays = 0;
 };

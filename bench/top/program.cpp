@@ -1,0 +1,66 @@
+#include "top/program.h"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+
+#include "process/spawn.h"
+
+namespace top {
+
+// -1: standard error.
+int Program::openOutput(const TopOptions &options) {
+    int file = -1;
+    if (!options.output.empty()) {
+        m_output = options.output;
+        file = open(m_output.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
+    } else if (options.mode == Mode::Screen) {
+        m_output = std::filesystem::temp_directory_path() / "odemt_top_XXXXXX.log";
+        file = mkostemps(m_output.data(), 4, O_APPEND | O_CLOEXEC);
+    } else {
+        return -1;
+    }
+    if (file < 0) throw std::runtime_error("cannot write " + m_output + ": " + std::strerror(errno));
+    return file;
+}
+
+Program::Program(const TopOptions &options, const bench::RunFolder &folder, const FrameBoard &board) {
+    const std::string library = folder.addLibrary("ours", options.ourFolder + "/libode.so.8");
+    const int output = openOutput(options), nothing = isatty(STDIN_FILENO) != 0 ? open("/dev/null", O_RDONLY | O_CLOEXEC) : -1;
+    const int to = output >= 0 ? output : STDERR_FILENO;
+    const process::Environment environment = {{"LD_LIBRARY_PATH", bench::inFront(library, "LD_LIBRARY_PATH")},
+                                              {"ODE_MT_THREADS", options.threads},
+                                              {"ODE_MT_STATISTICS", board.path()}};
+    const auto closeFiles = [=] {
+        if (output >= 0) close(output);
+        if (nothing >= 0) close(nothing);
+    };
+    try {
+        m_child = process::spawn(options.command, environment, {nothing, to, to}, process::Group::Own);
+    } catch (...) {
+        closeFiles();
+        throw;
+    }
+    closeFiles();
+}
+
+bool Program::hasEnded() {
+    if (!m_hasEnded) m_hasEnded = waitpid(m_child, &m_status, WNOHANG) == m_child;
+    return m_hasEnded;
+}
+
+int Program::exitCode() const { return WIFEXITED(m_status) ? WEXITSTATUS(m_status) : 128 + WTERMSIG(m_status); }
+
+void Program::askToEnd(int signal) {
+    kill(-m_child, m_isAsked ? SIGKILL : signal);
+    m_isAsked = true;
+}
+
+}  // namespace top

@@ -1,0 +1,28 @@
+/* Asks for the last frame of a world, for docs/top.md. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "towers.h"
+
+/* [live] */
+/* Prints how the last frame of the world went, and returns whether there was one. */
+static int tellOfFrame(void) {
+    dODE_MT_WorldStatistics last;
+    last.size = sizeof last;
+    if (!dODE_MT_GetWorldStatistics(world, &last)) return 0; /* frames are recorded from the first call on */
+    printf("collision %.3f ms, step %.3f ms, %u islands, %llu rows\n", 1e3 * last.collisionTime, 1e3 * last.stepTime, last.islands, last.rows);
+    printf("the step: %s\n", dODE_MT_GetReasonText(last.stepReason));
+    return 1;
+}
+/* [live] */
+
+int main(void) {
+    dInitODE2(0);
+    setUpTowers();
+    const int isEarly = tellOfFrame();
+    runFrames(3);
+    const int isTold = tellOfFrame();
+    destroyTowers();
+    dCloseODE();
+    return !isEarly && isTold ? EXIT_SUCCESS : EXIT_FAILURE;
+}
