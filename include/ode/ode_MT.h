@@ -14,6 +14,7 @@
 #include <ode/collision_space.h>
 #include <ode/common.h>
 #include <ode/odeconfig.h>
+#include <ode/threading.h>
 
 #include <stddef.h>
 
@@ -32,26 +33,30 @@ extern "C" {
  * first use of what it is for.
  * @code{.unparsed}
  *   ODE_MT_THREADS=n|auto
- *   ODE_MT_ALGORITHM=auto|serial|lcp|original|static|static-unmerged|duplication|decluster
+ *   ODE_MT_CALLBACKS=serial|concurrent|independent
  *   ODE_MT_SOLVER=exact|fast
  *   ODE_MT_SOLVER_TOLERANCE=x
  *   ODE_MT_WARM_START=0|1
- *   ODE_MT_CALLBACKS=serial|concurrent|independent
- *   ODE_MT_HEURISTICS=default|none|NAME,NAME...
- *   ODE_MT_GRID_CELLS=n|auto
- *   ODE_MT_THREAD_MANAGER=pthread|openmp
  *   ODE_MT_LOG=error|warning|info|debug
  *   ODE_MT_TRACE=file
  *   ODE_MT_STATISTICS=file
+ *   ODE_MT_THREAD_MANAGER=pthread|openmp
  *   ODE_MT_PERTURB=n
+ *   ODE_MT_ALGORITHM=auto|serial|lcp|original|static|static-unmerged|duplication|decluster
+ *   ODE_MT_HEURISTICS=default|none|NAME,NAME...
+ *   ODE_MT_GRID_CELLS=n|auto
  * @endcode
+ * What a user needs first comes first: ODE_MT_THREADS=auto is enough for most programs. docs/settings.md has the table of all
+ * settings.
+ *
  * An empty variable counts as unset; a program with another user's rights (set-user-ID) reads none. A whole number out
  * of range is replaced by the nearest valid one, any other invalid value by the default, and a line on stderr reports it. A
  * call below overrides the environment.
  *
  * A threading implementation given to dWorldSetStepThreadingImplementation lends its threads to that
  * world's steps instead of the process's own, whatever the number set here; one that has a single thread, or none,
- * keeps the world's steps on one thread, and functions of the user's in it get all calls that ODE itself would make.
+ * keeps the world's steps on one thread, and functions of the user's in it get all calls that ODE itself would make. For collisions, and for
+ * all worlds at once, a program lends its threads with dODE_MT_SetExecutor or dODE_MT_SetThreadingImplementation.
  *
  * A NULL for a geom, body, space or world, or for the place of results, ends in dDebug, as elsewhere in ODE, unless a
  * function says otherwise.
@@ -114,6 +119,51 @@ ODE_API void dToggleODE_MT(int numThreads);
  * @ingroup ode_mt
  */
 ODE_API int dODE_MT_GetThreads(void);
+
+/**
+ * Sets how many threads the steps of a world may use, in place of the process's number (dToggleODE_MT). A limit of the world's
+ * (dWorldSetStepIslandsProcessingMaxThreadCount) holds as well, and where a threading implementation serves the world, there are no more
+ * than its threads.
+ *
+ * May be called from any thread, but not while the world is stepped. The number ends with the world.
+ *
+ * @param world the world
+ * @param numThreads 0: as the process (the default); 1: the calling thread alone; n, dODE_MT_AUTO, and numbers out of range as with
+ *        dToggleODE_MT
+ * @return 1, or 0 and a dMessage if there is no memory.
+ * @ingroup ode_mt
+ */
+ODE_API int dODE_MT_SetWorldThreads(dWorldID world, int numThreads);
+
+/**
+ * Tells how many threads the steps of a world may use: its own number, or else the process's.
+ *
+ * @param world the world
+ * @return the number in force, from 0 to dODE_MT_MAX_THREADS, dODE_MT_AUTO resolved.
+ * @ingroup ode_mt
+ */
+ODE_API int dODE_MT_GetWorldThreads(dWorldID world);
+
+/**
+ * Sets how many threads dSpaceCollide of a space may use, in place of the process's number (dToggleODE_MT). Spaces in it have numbers of
+ * their own.
+ *
+ * May be called from any thread, but not while the space collides. The number ends with the space.
+ *
+ * @param space the space
+ * @param numThreads as with dODE_MT_SetWorldThreads
+ * @ingroup ode_mt
+ */
+ODE_API void dODE_MT_SetSpaceThreads(dSpaceID space, int numThreads);
+
+/**
+ * Tells how many threads dSpaceCollide of a space may use: its own number, or else the process's.
+ *
+ * @param space the space
+ * @return the number in force, from 0 to dODE_MT_MAX_THREADS, dODE_MT_AUTO resolved.
+ * @ingroup ode_mt
+ */
+ODE_API int dODE_MT_GetSpaceThreads(dSpaceID space);
 
 /**
  * Chooses the algorithm by its name: "auto" (islands in parallel where that pays), "serial" (all
@@ -250,6 +300,28 @@ ODE_API int dODE_MT_SetCallbackPolicy(const char *name);
 ODE_API const char *dODE_MT_GetCallbackPolicy(void);
 
 /**
+ * Tells which of the workers calls: the index of a buffer that a near-callback has for itself, whatever the policy and the thread manager.
+ *
+ * Callbacks of one dSpaceCollide that run at the same time have different indices, from 0 to dODE_MT_GetWorkerCount - 1. The thread that
+ * called dSpaceCollide has 0. Another thread may have another index in the next call, as workers count in the order in which they
+ * come. Two calls of dSpaceCollide at the same time both count from 0.
+ *
+ * @return the index; 0 also with the policy "serial", and outside of near-callbacks.
+ * @ingroup ode_mt
+ */
+ODE_API int dODE_MT_GetWorkerIndex(void);
+
+/**
+ * Tells how many buffers the near-callbacks of a space need: an upper bound for dODE_MT_GetWorkerIndex in the next dSpaceCollide, as
+ * long as no setting changes until then. dODE_MT_MAX_THREADS is one for all spaces and settings.
+ *
+ * @param space the space
+ * @return the number, from 1 on.
+ * @ingroup ode_mt
+ */
+ODE_API int dODE_MT_GetWorkerCount(dSpaceID space);
+
+/**
  * Chooses the heuristics that tune clusters (docs/heuristics.md), for measuring: "default", "none", or names with
  * commas between them: "cells" (number of cells), "centre" (of the grid), "crossover" and "declustering" (checks
  * that are skipped where nothing can have collided or separated), "threads" (no more threads for concurrent
@@ -306,6 +378,126 @@ ODE_API int dODE_MT_SetThreadManager(const char *name);
  * @ingroup ode_mt
  */
 ODE_API const char *dODE_MT_GetThreadManager(void);
+
+/** Work that a program's executor is given. @param data as given to the executor @ingroup ode_mt */
+typedef void dODE_MT_Work(void *data);
+
+/**
+ * An executor: has another thread of the program call work(data), once, and returns without waiting for that. Workers call it too, several
+ * of them at the same time perhaps. It must not throw.
+ *
+ * @param context as given to dODE_MT_SetExecutor
+ * @param work the function to be called; it does not throw
+ * @param data its argument
+ * @ingroup ode_mt
+ */
+typedef void dODE_MT_PostFunction(void *context, dODE_MT_Work *work, void *data);
+
+/**
+ * Has threads of the program's own serve as workers, in place of those of a thread manager: in collisions, and in steps of all worlds but
+ * those that have a threading implementation of their own. How many work at the same time is said as before, by dToggleODE_MT and its
+ * like; as many threads should be free. No bit changes.
+ *
+ * Nothing waits for a thread that has not come: the calling thread does what is left. A thread that comes works for a step or a collision,
+ * and for those that follow within 50 microseconds, and returns. At most one piece of work waits to be called at any time. Callbacks of the
+ * policies "concurrent" and "independent" run on these threads too, in their stacks.
+ *
+ * May be called from any thread. A step or collision in progress may continue with the old threads. Otherwise they have left the library
+ * when this function, dODE_MT_SetThreadManager or dCloseODE returns; it waits up to a second for work that was not called yet, which
+ * finds nothing to do when it is called later. A child of fork works alone until it calls this function itself.
+ *
+ * @param post the executor; NULL: the thread manager of before
+ * @param context given to it
+ * @ingroup ode_mt
+ */
+ODE_API void dODE_MT_SetExecutor(dODE_MT_PostFunction *post, void *context);
+
+/**
+ * The same with a threading implementation of ODE's, as dWorldSetStepThreadingImplementation has it, for the process: no more of its threads
+ * work at the same time than serve it, the calling one counted as one of them. It must be taken back before it is freed.
+ *
+ * @param functions the functions of the implementation; NULL: the thread manager of before
+ * @param implementation the implementation; NULL if functions is NULL
+ * @return 1, or 0 and a dMessage if only one of the two is NULL.
+ * @ingroup ode_mt
+ */
+ODE_API int dODE_MT_SetThreadingImplementation(const dThreadingFunctionsInfo *functions, dThreadingImplementationID implementation);
+
+/**
+ * Names the threads of the manager "pthread", as debuggers, top and the time line show them: NAME-1, NAME-2 and so on.
+ *
+ * This and the functions that follow say how workers are started. They end the present ones; the next step or collision that needs
+ * workers starts new ones. Threads of the program's own (dODE_MT_SetExecutor) stay as they are, and so do those of "openmp", which belong to
+ * its runtime: while that is in force these functions are refused, and it is refused after one of them. OMP_PROC_BIND, OMP_PLACES and
+ * OMP_STACKSIZE are its settings.
+ *
+ * @param name 1 to 10 characters; NULL: "ode_mt", the default
+ * @return 1, or 0 and a dMessage if the name is too long or empty, or if the manager is "openmp".
+ * @ingroup ode_mt
+ */
+ODE_API int dODE_MT_SetWorkerName(const char *name);
+
+/**
+ * Says on which processors workers may run. The number of threads stays as it is: dODE_MT_AUTO counts the processors of the process. A hook
+ * (dODE_MT_SetWorkerHooks) can bind each worker to a processor of its own.
+ *
+ * @param processors their numbers, as sched_setaffinity has them
+ * @param count how many; 0: all that the process may use, the default
+ * @return 1, or 0 and a dMessage with the reason if the system does not allow it, or if the manager is "openmp".
+ * @ingroup ode_mt
+ */
+ODE_API int dODE_MT_SetWorkerAffinity(const int *processors, int count);
+
+/**
+ * Says how the system schedules workers. The thread that calls a step works too and stays as it is.
+ *
+ * @param scheduling "normal" or "batch", where priority is the niceness, from -20 to 19; "idle", where it is 0; "fifo" or "round-robin",
+ *        where it is from 1 to 99; NULL: the default, "normal" with the niceness of the process's first thread
+ * @param priority see there; ignored if scheduling is NULL
+ * @return 1, or 0 and a dMessage with the reason if the system does not allow it (most of it needs a privilege), or if the manager is
+ * "openmp".
+ * @ingroup ode_mt
+ */
+ODE_API int dODE_MT_SetWorkerPriority(const char *scheduling, int priority);
+
+/** Least size of a worker's stack, in bytes. @ingroup ode_mt */
+#define dODE_MT_MIN_STACK_SIZE 65536
+
+/**
+ * Sets the size of the workers' stacks. The library itself takes about 20 KB of them; what concurrent near-callbacks take comes on top. Memory
+ * is used as far as it is written.
+ *
+ * @param bytes at least dODE_MT_MIN_STACK_SIZE, rounded up to whole pages; 0: 8 MiB, or the system's default where that is larger
+ * @return 1, or 0 and a dMessage with the reason if the system does not allow it, or if the manager is "openmp".
+ * @ingroup ode_mt
+ */
+ODE_API int dODE_MT_SetWorkerStackSize(size_t bytes);
+
+/**
+ * A function that a worker calls when it starts or ends. It must not throw, leave by longjmp, or wait for a thread that ends workers. It may
+ * call any function of ODE but those that end workers, which are refused then; steps and collisions in it run on one thread.
+ *
+ * @param data as given to dODE_MT_SetWorkerHooks
+ * @param worker the number of the thread, from 1 on, as in its name; dODE_MT_GetWorkerIndex is another one
+ * @ingroup ode_mt
+ */
+typedef void dODE_MT_WorkerHook(void *data, int worker);
+
+/**
+ * Sets what each worker calls on its own thread: before its first work, and after its last one. So a program can register its threads with a
+ * profiler, bind them, or keep something for each of them.
+ *
+ * Workers end by dCloseODE, when their number or the way they start changes, and when the library is unloaded; not where the process ends
+ * before, and not in a child of fork, in which there are none until it starts some of its own. Until they have ended the functions must
+ * stay loaded.
+ *
+ * @param start called first; NULL: nothing
+ * @param end called last; NULL: nothing
+ * @param data given to both
+ * @return 1, or 0 and a dMessage if the manager is "openmp".
+ * @ingroup ode_mt
+ */
+ODE_API int dODE_MT_SetWorkerHooks(dODE_MT_WorkerHook *start, dODE_MT_WorkerHook *end, void *data);
 
 /**
  * Counters of parallel work since the process started. Each call below returns the low 32 bits of a member, which

@@ -8,6 +8,7 @@
 #include "dynamics/dxJointRemoval.h"
 #include "seams/upstream.h"
 #include "dynamics/iterative/dxIterativeWorld.h"
+#include "settings/dxOwnThreads.h"
 #include "settings/dxWorldSolver.h"
 #include "settings/dxWorldStatistics.h"
 #include "settings/dxWorldWorkers.h"
@@ -27,6 +28,7 @@ void dWorldDestroy(dWorldID world) {
         dxWorldWorkers::giveBack(world);
         dxWorldSolver::forget(world);
         dxWorldStatistics::forget(world);
+        dxOwnThreads::forget(world);
         dxIterativeWorld::forget(world);
     }
     dxUpstreamWorldDestroy(world);

@@ -85,7 +85,9 @@ void dCleanupODEAllDataForThread() {
     dxUpstreamCleanupODEAllDataForThread();
 }
 
+// A worker's hook may want the lock while it is waited for: the workers end before it is taken.
 void dCloseODE() {
+    if (initialisations == 1) dxWorkers::instance().stop();
     const std::unique_lock<std::recursive_mutex> lock = lockIfInitialised();
     dxUpstreamCloseODE();
     if (--initialisations == 0) {

@@ -45,7 +45,7 @@ void dxTunedClusters::alertCallback(const dxHeuristic &heuristic, const dxHeuris
           &heuristic == m_cellSize ? "grid cells an axis" : "threads for callbacks", alert.before, alert.now);
 }
 
-void dxTunedClusters::findOverlaps(const dxMembers &members, dxTaskRunner &, std::vector<Match> &matches) {
+void dxTunedClusters::findOverlaps(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) {
     follow(dxSettings::instance().heuristics());
     const int fixedCells = dxSettings::instance().gridCells();
     m_clusters.setCells(fixedCells != 0 ? fixedCells : m_cellSize->cells());
@@ -53,7 +53,7 @@ void dxTunedClusters::findOverlaps(const dxMembers &members, dxTaskRunner &, std
     ++m_searches;
     if (mustCheck(members)) check(members);
     m_clusters.findPairs(members, matches);
-    tune(stopwatch.ns());
+    tune(stopwatch.ns(), runner.workers());
 }
 
 void dxTunedClusters::follow(unsigned choice) {
@@ -106,11 +106,10 @@ void dxTunedClusters::measureGaps() {
     m_declustering->checked(skips && m_clusters.splits() ? m_clusters.gapBeforeCut() : 0);
 }
 
-void dxTunedClusters::tune(double ns) {
+void dxTunedClusters::tune(double ns, unsigned threads) {
     tuneCells(ns);
     observeCentre(ns);
-    m_threadCount->observe(static_cast<unsigned>(m_clusters.clusters().dynamicCount()),
-                           dxSettings::instance().threads());
+    m_threadCount->observe(static_cast<unsigned>(m_clusters.clusters().dynamicCount()), threads);
     m_heuristics.tick();
     placeCentre();
 }

@@ -38,7 +38,7 @@ private:
     bool mustCheck(const dxMembers &members);
     void check(const dxMembers &members);
     void measureGaps();
-    void tune(double ns);
+    void tune(double ns, unsigned threads);
     void tuneCells(double ns);
     void observeCentre(double ns);
     void placeCentre();

@@ -103,7 +103,7 @@ private:
 // PARALLEL: it may be shared.
 dODE_MT_Reason whyAlone(const dxOrderedSpace &space, dNearCallback *callback) {
     const dxSettings &settings = dxSettings::instance();
-    if (settings.threads() <= 1) return dODE_MT_REASON_THREADS;
+    if (space.ownThreads().inForce() <= 1) return dODE_MT_REASON_THREADS;
     if (settings.algorithm() == dxAlgorithm::Serial) return dODE_MT_REASON_ALGORITHM;
     if (callback == nullptr || space.count <= 1) return dODE_MT_REASON_FEW_GEOMS;
     if (dxContactLog::current() != nullptr || dxNarrowphasePrefetch::current() != nullptr) return dODE_MT_REASON_IN_CALLBACK;
@@ -130,8 +130,7 @@ void collideOnWorkers(CollideSpan &span, dxOrderedSpace &space, unsigned workers
 }
 
 void collideMeasured(CollideSpan &span, dxOrderedSpace &space, void *data, dNearCallback *callback) {
-    const dxSettings &settings = dxSettings::instance();
-    const unsigned workers = std::min(settings.threads(), settings.cores());
+    const unsigned workers = dxMaxCollisionThreads(space);
     const bool shared = workers > 1 && space.sharing().shouldShare();
     const dxStopwatch stopwatch;
     if (shared)
@@ -143,6 +142,13 @@ void collideMeasured(CollideSpan &span, dxOrderedSpace &space, void *data, dNear
 
 }  // namespace
 
+unsigned dxMaxCollisionThreads(const dxOrderedSpace &space) {
+    const dxSettings &settings = dxSettings::instance();
+    if (settings.algorithm() == dxAlgorithm::Serial) return 1;
+    const unsigned allowed = std::max(space.ownThreads().inForce(), 1u);
+    return settings.algorithm() == dxAlgorithm::Auto ? std::min(allowed, settings.cores()) : allowed;
+}
+
 void dxCollideSpace(dxOrderedSpace &space, void *data, dNearCallback *callback) {
     CollideSpan span(space);
     const dxSettings &settings = dxSettings::instance();
@@ -150,7 +156,7 @@ void dxCollideSpace(dxOrderedSpace &space, void *data, dNearCallback *callback) 
     if (reason != dODE_MT_REASON_PARALLEL)
         collideAlone(span, reason, space, data, callback);
     else if (settings.algorithm() != dxAlgorithm::Auto)
-        collideOnWorkers(span, space, settings.threads(), data, callback);
+        collideOnWorkers(span, space, dxMaxCollisionThreads(space), data, callback);
     else if (space.count < kMinGeoms)
         collideAlone(span, dODE_MT_REASON_FEW_GEOMS, space, data, callback);
     else

@@ -12,4 +12,7 @@
 
 class dxOrderedSpace;
 
+// Number of threads that a call may use, the calling one included; at least 1.
+unsigned dxMaxCollisionThreads(const dxOrderedSpace &space);
+
 void dxCollideSpace(dxOrderedSpace &space, void *data, dNearCallback *callback);

@@ -18,18 +18,18 @@ struct Variable {
 // In the order of dxVariable.
 constexpr Variable kVariables[] = {
     {"ODE_MT_THREADS", "n|auto"},
-    {"ODE_MT_ALGORITHM", "auto|serial|lcp|original|static|static-unmerged|duplication|decluster"},
+    {"ODE_MT_CALLBACKS", "serial|concurrent|independent"},
     {"ODE_MT_SOLVER", "exact|fast"},
     {"ODE_MT_SOLVER_TOLERANCE", "x"},
     {"ODE_MT_WARM_START", "0|1"},
-    {"ODE_MT_CALLBACKS", "serial|concurrent|independent"},
-    {"ODE_MT_HEURISTICS", "default|none|NAME,NAME..."},
-    {"ODE_MT_GRID_CELLS", "n|auto"},
-    {"ODE_MT_THREAD_MANAGER", "pthread|openmp"},
     {"ODE_MT_LOG", "error|warning|info|debug"},
     {"ODE_MT_TRACE", "file"},
     {"ODE_MT_STATISTICS", "file"},
+    {"ODE_MT_THREAD_MANAGER", "pthread|openmp"},
     {"ODE_MT_PERTURB", "n"},
+    {"ODE_MT_ALGORITHM", "auto|serial|lcp|original|static|static-unmerged|duplication|decluster"},
+    {"ODE_MT_HEURISTICS", "default|none|NAME,NAME..."},
+    {"ODE_MT_GRID_CELLS", "n|auto"},
 };
 
 }  // namespace

@@ -2,11 +2,12 @@
 // numbers.
 //
 // A variable that is empty counts as unset. A program that runs with the rights of another user
-// (secure_getenv) sees none. README.md, docs/linking.md and ode_MT.h repeat the table; a test compares them
+// (secure_getenv) sees none. docs/settings.md and ode_MT.h repeat the table; a test compares them
 // (tests/environment). Any thread may call.
 #pragma once
 
-enum class dxVariable { Threads, Algorithm, Solver, SolverTolerance, WarmStart, Callbacks, Heuristics, GridCells, ThreadManager, Log, Trace, Statistics, Perturb };
+// In the order of need: what most users set comes first, what is for measuring and tests last.
+enum class dxVariable { Threads, Callbacks, Solver, SolverTolerance, WarmStart, Log, Trace, Statistics, ThreadManager, Perturb, Algorithm, Heuristics, GridCells };
 
 // Returns its value; NULL: unset or empty.
 const char *dxEnvironment(dxVariable variable);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <mutex>
 
+#include "settings/dxOwnThreads.h"
 #include "settings/dxSettings.h"
 #include "settings/dxWorldWorkers.h"
 #include "threading/dxFloatEnvironment.h"
@@ -66,12 +67,14 @@ unsigned workerLimit(const dxWorld *world, dODE_MT_Reason &reason) {
     reason = dODE_MT_REASON_ALGORITHM;
     if (algorithm == dxAlgorithm::Serial) return 1;
     const bool isLent = dxWorldWorkers::given(world);
+    const unsigned own = dxOwnThreads::of(world);
     reason = isLent ? dODE_MT_REASON_USER_THREADING : dODE_MT_REASON_THREADS;
-    unsigned limit = isLent ? dxWorldWorkers::count(world) : dxSettings::instance().threads();
+    unsigned limit = isLent ? dxWorldWorkers::count(world) : own != 0 ? own : dxSettings::instance().threads();
     const auto lower = [&limit, &reason](unsigned bound, dODE_MT_Reason why) {
         if (limit >= 2 && bound < 2) reason = why;
         limit = std::min(limit, bound);
     };
+    if (own != 0) lower(own, dODE_MT_REASON_THREADS);
     const unsigned asked = world->islands_max_threads;
     if (asked != dWORLDSTEP_THREADCOUNT_UNLIMITED) lower(asked, dODE_MT_REASON_WORLD_LIMIT);
     if (algorithm == dxAlgorithm::Auto) lower(dxSettings::instance().cores(), dODE_MT_REASON_CORES);

@@ -209,7 +209,7 @@ bool dxSettings::chooseGridCells(int cells) {
     return true;
 }
 
-void dxSettings::setThreads(int threads) {
+unsigned dxSettings::resolveThreads(int threads) {
     m_cores.store(dxCountProcessors(), std::memory_order_relaxed);
     if (threads == dODE_MT_AUTO) {
         threads = static_cast<int>(cores());
@@ -222,7 +222,11 @@ void dxSettings::setThreads(int threads) {
                  dODE_MT_MAX_THREADS);
         threads = dODE_MT_MAX_THREADS;
     }
-    const auto now = static_cast<unsigned>(threads), before = m_threads.exchange(now, std::memory_order_relaxed);
+    return static_cast<unsigned>(threads);
+}
+
+void dxSettings::setThreads(int threads) {
+    const unsigned now = resolveThreads(threads), before = m_threads.exchange(now, std::memory_order_relaxed);
     if (now != before) dxLog(dxLogLevel::info, "%u threads, %u before; %u cores", now, before, cores());
 }
 

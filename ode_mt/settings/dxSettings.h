@@ -48,9 +48,11 @@ class dxSettings {
 public:
     static dxSettings &instance();
 
-    // Threads a step may use, the caller included; 0 and 1: the caller alone.
+    // Threads a step may use, the caller included, unless its world has a number of its own (dxOwnThreads.h); 0 and 1: the caller alone.
     unsigned threads() const { return m_threads.load(std::memory_order_relaxed); }
     void setThreads(int threads);
+    // The number that is meant, as dToggleODE_MT takes it; counts the cores anew.
+    unsigned resolveThreads(int threads);
 
     dxAlgorithm algorithm() const { return m_algorithm.load(std::memory_order_relaxed); }
     const char *algorithmName() const;
@@ -78,7 +80,7 @@ public:
     int gridCells() const { return m_gridCells.load(std::memory_order_relaxed); }
     bool setGridCells(int cells);  // false: too few or too many
 
-    // Cores that this process may use, as of the last time that the number of threads was set.
+    // Cores that this process may use, as of the last time that a number of threads was set.
     unsigned cores() const { return m_cores.load(std::memory_order_relaxed); }
 
 private:

@@ -3,12 +3,15 @@
 #include <ode/error.h>
 
 #include <algorithm>
+#include <cstring>
 #include <mutex>
 #include <new>
 #include <utility>
 
 #include "core/dxEnvironment.h"
 #include "core/dxLog.h"
+#include "settings/dxLentThreads.h"
+#include "settings/dxOwnThreads.h"
 #include "settings/dxSettings.h"
 #include "threading/managers/dxThreadManagerFactory.h"
 #include "threading/pool/dxJobBoard.h"
@@ -16,6 +19,8 @@
 namespace {
 
 dxProcessObject<dxWorkers> workers;
+
+constexpr const char *kLentName = "user";  // while threads are lent
 
 // The factory's own text for the name, which lives as long as the library; null: unknown.
 const char *findName(const std::string &name) {
@@ -31,17 +36,24 @@ std::string knownNames() {
     return list;
 }
 
-unsigned wantedSize() { return std::max(dxSettings::instance().threads(), 1u); }
+unsigned wantedSize() { return std::max({dxSettings::instance().threads(), dxOwnThreads::largest(), 1u}); }
 
 // The default manager, and its name, where the one asked for cannot be made.
-std::unique_ptr<dxThreadManager> make(const char *&name) {
-    std::unique_ptr<dxThreadManager> manager = dxThreadManagerFactory::create(name);
+std::unique_ptr<dxThreadManager> make(const char *&name, const dxWorkerOptions &options) {
+    std::unique_ptr<dxThreadManager> manager = dxThreadManagerFactory::create(name, options);
     if (manager == nullptr) {
         name = dxThreadManagerFactory::defaultName();
-        manager = dxThreadManagerFactory::create(name);
+        manager = dxThreadManagerFactory::create(name, options);
     }
     manager->resize(wantedSize());
     dxLog(dxLogLevel::info, "thread manager %s: up to %u threads, the caller included", name, wantedSize());
+    return manager;
+}
+
+// An implementation has as many as it has.
+std::shared_ptr<dxThreadManager> makeBorrowing(const dxThreadLender &lender) {
+    const std::shared_ptr<dxThreadManagerUser> manager = dxLentThreads::managerOf(lender);
+    if (lender.executor != nullptr && manager->limit() != wantedSize()) manager->resize(wantedSize());
     return manager;
 }
 
@@ -61,8 +73,9 @@ dxWorkers::dxWorkers() : m_name(dxThreadManagerFactory::defaultName()) {
           m_name);
 }
 
-// Without memory for a manager the caller works alone.
+// Without memory for a manager the caller works alone, and so does a worker in its hook.
 void dxWorkers::run(unsigned blocks, unsigned workers, dxThreadManager::Task task, void *context) {
+    if (dxWorkerHooks::isInside()) return dxRunAlone(blocks, task, context);
     Manager manager;
     try {
         manager = current();
@@ -75,16 +88,23 @@ void dxWorkers::run(unsigned blocks, unsigned workers, dxThreadManager::Task tas
 // Of two threads that make a manager at the same time one has its own for this run alone.
 dxWorkers::Manager dxWorkers::current() {
     const char *wanted;
+    dxThreadLender lender;
+    dxWorkerOptions options;
+    unsigned choice;
     {
         const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
         if (m_manager != nullptr) return m_manager;
         wanted = m_name;
+        lender = m_lender;
+        options = m_options;
+        choice = m_choice;
     }
+    if (!lender.isNone()) return makeBorrowing(lender);
     const char *name = wanted;
-    Manager made = make(name);
+    Manager made = make(name, options);
     {
         const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
-        if (m_manager != nullptr || m_name != wanted) return made;
+        if (m_manager != nullptr || m_choice != choice) return made;
         m_name = name;
         m_manager = made;
     }
@@ -101,10 +121,11 @@ void dxWorkers::resize() {
         now = m_manager;
     }
     if (now == nullptr) return;
-    if (now->workers() == wantedSize())
-        now->resize(now->workers());
-    else
+    if (now->workers() == wantedSize()) {
+        if (!dxWorkerHooks::isInside()) now->resize(now->workers());
+    } else if (mayEndWorkers()) {
         stop();
+    }
 }
 
 bool dxWorkers::choose(const std::string &name) {
@@ -117,20 +138,78 @@ bool dxWorkers::choose(const std::string &name) {
         dMessage(0, "ODE_MT: thread manager '%s' needs %s, which cannot be loaded", known, missing);
         return false;
     }
-    Manager before;  // ends after the lock
+    if (!mayEndWorkers()) return false;
+    if (!dxThreadManagerFactory::takesOptions(known) && hasOptions()) {
+        dMessage(0, "ODE_MT: thread manager '%s' has threads of its runtime, which start in its own way: options of workers are set", known);
+        return false;
+    }
+    exchange([this, known] {
+        m_name = known;
+        m_lender = {};
+    });
+    return true;
+}
+
+bool dxWorkers::hasOptions() {
     const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
-    m_name = known;
-    m_manager.swap(before);
+    return !m_options.areDefault();
+}
+
+bool dxWorkers::borrow(const dxThreadLender &lender) {
+    if (!mayEndWorkers()) return false;
+    exchange([this, &lender] { m_lender = lender; });
+    return true;
+}
+
+bool dxWorkers::changeOptions(const char *what, const std::function<void(dxWorkerOptions &)> &change) {
+    if (!mayEndWorkers()) return false;
+    dxWorkerOptions wanted;
+    const char *name;
+    {
+        const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
+        wanted = m_options;
+        name = m_name;
+    }
+    if (!dxThreadManagerFactory::takesOptions(name)) {
+        dMessage(0, "ODE_MT: %s cannot be set: thread manager '%s' has threads of its runtime, which start in its own way", what, name);
+        return false;
+    }
+    change(wanted);
+    if (const int refusal = dxTryWorker(wanted)) {
+        dMessage(0, "ODE_MT: %s cannot be set: %s", what, std::strerror(refusal));
+        return false;
+    }
+    exchange([this, &change] { change(m_options); });
     return true;
 }
 
 const char *dxWorkers::name() {
     const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
-    return m_name;
+    return m_lender.isNone() ? m_name : kLentName;
 }
 
 void dxWorkers::stop() {
-    Manager before;  // ends after the lock
-    const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
-    m_manager.swap(before);
+    if (!mayEndWorkers()) return;
+    exchange([] {});
+}
+
+// What is given up ends after the lock.
+void dxWorkers::exchange(const std::function<void()> &change) {
+    Manager before;
+    dxThreadLender lender;
+    {
+        const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
+        lender = m_lender;
+        change();
+        ++m_choice;
+        m_manager.swap(before);
+    }
+    before.reset();
+    if (!lender.isNone()) dxLentThreads::giveBack(lender);
+}
+
+bool dxWorkers::mayEndWorkers() const {
+    if (!dxWorkerHooks::isInside()) return true;
+    dMessage(0, "ODE_MT: a hook of a worker cannot end workers; they go on as they are");
+    return false;
 }

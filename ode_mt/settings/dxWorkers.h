@@ -1,5 +1,6 @@
-// The process's thread manager: exchanged by name and by dToggleODE_MT, its threads ended by dCloseODE and when the
-// library is unloaded. A manager starts threads only for runs that use them.
+// The process's thread manager: exchanged by name, by dToggleODE_MT, and where workers are to start in another way; its threads ended by
+// dCloseODE and when the library is unloaded. A manager starts threads only for runs that use them. Threads of the program's own take its
+// place while they are lent (dxThreadLender).
 //
 // Process-wide, because threads are a property of the process: steps of several worlds at the same time
 // borrow the same workers.
@@ -9,14 +10,19 @@
 // So neither a run that never ends (a callback that ends the process, or waits for the caller) nor continuous runs
 // block any other call.
 //
+// A worker's hook (dxWorkerHooks) runs outside of runs: in it threads are neither ended nor used.
+//
 // Dropped: a shared lock for runs and an exclusive one for changes. A change inside a callback deadlocked, and so did
 // the end of the process.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
 #include "threading/dxThreadManager.h"
+#include "threading/pool/dxThreadLender.h"
+#include "threading/pool/dxWorkerOptions.h"
 #include "threading/process/dxForkLocks.h"
 #include "threading/process/dxProcessObject.h"
 
@@ -26,11 +32,18 @@ public:
 
     void run(unsigned blocks, unsigned workers, dxThreadManager::Task task, void *context);
 
-    // Makes the pool as large as dxSettings says, for runs from now on.
+    // Makes the pool as large as dxSettings and dxOwnThreads say, for runs from now on.
     void resize();
 
-    bool choose(const std::string &name);  // false: unknown, reported with dMessage
+    bool choose(const std::string &name);  // false: not possible, reported with dMessage
     const char *name();
+
+    // Threads of the program's from now on; none: those of the manager that was chosen. False: reported with dMessage.
+    bool borrow(const dxThreadLender &lender);
+
+    // Workers that start from now on start with what change(options) leaves, for which `what` stands in messages. False: not
+    // possible, reported with dMessage.
+    bool changeOptions(const char *what, const std::function<void(dxWorkerOptions &)> &change);
 
     // Ends all threads, those that are in use with the last run; the next run starts new ones.
     void stop();
@@ -43,8 +56,14 @@ private:
     ~dxWorkers() = default;
 
     Manager current();
+    bool hasOptions();
+    bool mayEndWorkers() const;
+    void exchange(const std::function<void()> &change);
 
     dxForkSafeMutex m_mutex;  // guards what follows, for moments: managers are made and ended without it
-    Manager m_manager;        // null until the next run needs one
+    Manager m_manager;        // null until the next run needs one, and while threads are lent
     const char *m_name;
+    dxThreadLender m_lender;
+    dxWorkerOptions m_options;
+    unsigned m_choice = 0;      // counts changes of the above
 };

@@ -2,8 +2,7 @@
 // dWorldSetStepThreadingImplementation. They step that world's islands instead of the process's own
 // workers, and change no bits.
 //
-// A manager belongs to an implementation, which several worlds may share, so the managers are kept beside
-// the worlds; a step looks its own up in a list that is as short as there are implementations.
+// A manager belongs to an implementation, which several worlds may share (dxLentThreads).
 #pragma once
 
 #include <ode/ode.h>

@@ -17,6 +17,8 @@ public:
     }
     static void takeFrom(dWorldID world) { dWorldSetStepThreadingImplementation(world, nullptr, nullptr); }
 
+    dThreadingImplementationID threading() const { return m_threading; }
+
     void shutDown() const { dThreadingImplementationShutdownProcessing(m_threading); }
     void freePool() const { dThreadingFreeThreadPool(m_pool); }
     void freeThreading() const { dThreadingFreeImplementation(m_threading); }

@@ -35,16 +35,25 @@ void addGetters(std::vector<Function> &all) {
                                    "dODE_MT_GetDirectIslands", "dODE_MT_GetGridCells", "dODE_MT_GetHeuristics",
                                    "dODE_MT_GetMaxWorkersUsed", "dODE_MT_GetParallelCollisions", "dODE_MT_GetParallelIslands",
                                    "dODE_MT_GetParallelSteps", "dODE_MT_GetSharedCollisions", "dODE_MT_GetTeamSteps",
-                                   "dODE_MT_GetThreadManager", "dODE_MT_GetThreads", "dODE_MT_GetVersion"})
+                                   "dODE_MT_GetThreadManager", "dODE_MT_GetThreads", "dODE_MT_GetVersion",
+                                   "dODE_MT_GetWorkerIndex"})
         byHand(all, name, {}, [name](Player &, const Arguments &, Reference &) {
             callIfThere(name);
             return true;
         }, 1);
-    for (const char *const name : {"dODE_MT_GetSolver", "dODE_MT_GetSolverTolerance", "dODE_MT_GetWarmStart", "dWorldRefreshParameters"})
+    for (const char *const name : {"dODE_MT_GetSolver", "dODE_MT_GetSolverTolerance", "dODE_MT_GetWarmStart", "dODE_MT_GetWorldThreads",
+                                   "dWorldRefreshParameters"})
         byHand(all, name, {object(ObjectKind::world)}, [name](Player &player, const Arguments &arguments, Reference &) {
             const auto world = get<dWorldID>(player, arguments[0]);
             if (world == nullptr) return false;
             callIfThere(name, world);
+            return true;
+        }, 1);
+    for (const char *const name : {"dODE_MT_GetSpaceThreads", "dODE_MT_GetWorkerCount"})
+        byHand(all, name, {object(ObjectKind::space)}, [name](Player &player, const Arguments &arguments, Reference &) {
+            const auto space = get<dSpaceID>(player, arguments[0]);
+            if (space == nullptr) return false;
+            callIfThere(name, space);
             return true;
         }, 1);
     for (const char *const name : {"dClusterGetCount", "dClusterGetGridCells", "dClusterGetGridStep"})
@@ -70,6 +79,17 @@ void addGetters(std::vector<Function> &all) {
     }, 1);
 }
 
+// Numbers of threads that worlds and spaces have of their own.
+template <class Object>
+void addOwnThreads(std::vector<Function> &all, const char *name, ObjectKind kind) {
+    byHand(all, name, {object(kind), number(Meaning::choice)}, [name](Player &player, const Arguments &arguments, Reference &) {
+        const auto owner = get<Object>(player, arguments[0]);
+        if (owner == nullptr) return false;
+        if (!player.isInCallback()) callIfThere(name, owner, whole(arguments[1]));
+        return true;
+    }, 2);
+}
+
 // On the other library they are replaced by the calls that they stand for.
 void addFrames(std::vector<Function> &all) {
     for (const bool stepsFirst : {false, true})
@@ -91,6 +111,8 @@ void addSettingFunctions(std::vector<Function> &all) {
         callIfThere("dToggleODE_MT", whole(arguments[0]));
         return true;
     }, 3);
+    addOwnThreads<dWorldID>(all, "dODE_MT_SetWorldThreads", ObjectKind::world);
+    addOwnThreads<dSpaceID>(all, "dODE_MT_SetSpaceThreads", ObjectKind::space);
     byHand(all, "dODE_MT_SetGridCells", {number(Meaning::choice)}, [](Player &, const Arguments &arguments, Reference &) {
         const int cells = whole(arguments[0]);
         callIfThere("dODE_MT_SetGridCells", cells >= 1 && cells <= 7 ? 4 + 2 * cells : 0);

@@ -5,6 +5,7 @@
 
 #include <thread>
 
+#include "ExecutorPool.h"
 #include "threading/managers/dxThreadManagerFactory.h"
 #include "threading/managers/dxThreadManagerUser.h"
 #include "threadSanitizer.h"
@@ -53,6 +54,21 @@ std::shared_ptr<dxThreadManager> makeUser(unsigned workers) {
     return {pool, pool->manager.get()};
 }
 
+// An executor with a thread less than workers, for the caller is one.
+struct LentPool {
+    explicit LentPool(unsigned workers) : pool(workers - 1), manager(dxThreadLender{nullptr, nullptr, ExecutorPool::post, &pool}) {
+        manager.resize(workers);
+    }
+
+    ExecutorPool pool;
+    dxThreadManagerUser manager;
+};
+
+std::shared_ptr<dxThreadManager> makeExecutor(unsigned workers) {
+    const auto pool = std::make_shared<LentPool>(workers);
+    return {pool, &pool->manager};
+}
+
 std::vector<ManagerKind> managerKinds() {
     std::vector<ManagerKind> kinds;
     for (const std::string name : dxThreadManagerFactory::names()) {
@@ -64,6 +80,7 @@ std::vector<ManagerKind> managerKinds() {
     }
     // ODE's pool wakes all its idle threads for every call posted.
     kinds.push_back({"user", makeUser, 64, false, false, false, true, false});
+    kinds.push_back({"executor", makeExecutor, 64, false, false, false, true, false});
     return kinds;
 }
 

@@ -65,7 +65,7 @@ struct Run {
     dNearCallback *callback = nullptr;
 
     void start(const dxOrderedSpace &space, unsigned workers);
-    void runTask(unsigned task);
+    void runTask(unsigned task, unsigned worker);
     void deliver(const dxOrderedPair &pair);
     void commit();
 };
@@ -83,9 +83,9 @@ void Run::start(const dxOrderedSpace &space, unsigned workers) {
     taskOfPair.assign(pairs->size(), 0);
 }
 
-void Run::runTask(unsigned task) {
+void Run::runTask(unsigned task, unsigned worker) {
     dxContactLog &log = *logs[task];
-    const dxContactLog::Scope scope(log);
+    const dxContactLog::Scope scope(log, worker);
     const dxPairTasks::Task &range = cut.tasks()[task];
     for (std::uint32_t i = range.begin; i != range.end; ++i) {
         const std::uint32_t pair = cut.order()[i];
@@ -177,7 +177,7 @@ bool collideLocked(dxOrderedSpace &space, dxTaskRunner &runner, void *data, dNea
     dxWorkersRunner workersRunner(workers);
     {
         const Commit commit{run};
-        workersRunner.forBlocks(dxParallelStage::Callbacks, tasks, [&run](unsigned task, unsigned) { run.runTask(task); });
+        workersRunner.forBlocks(dxParallelStage::Callbacks, tasks, [&run](unsigned task, unsigned worker) { run.runTask(task, worker); });
     }
     dxStepStatistics::instance().countParallelCollision(workersRunner.tookPart());
     if (run.threadEnded.load()) endThread();

@@ -36,7 +36,7 @@ __attribute__((tls_model("initial-exec"))) thread_local dxContactLog *t_current 
 
 dxContactLog *dxContactLog::current() { return t_current; }
 
-dxContactLog::Scope::Scope(dxContactLog &log) : m_outer(std::exchange(t_current, &log)) {}
+dxContactLog::Scope::Scope(dxContactLog &log, unsigned worker) : m_outer(std::exchange(t_current, &log)) { log.m_worker = worker; }
 dxContactLog::Scope::~Scope() { t_current = m_outer; }
 
 void dxContactLog::start(std::mutex &groups) {

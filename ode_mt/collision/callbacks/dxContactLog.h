@@ -4,8 +4,8 @@
 // That order decides the order of joints in islands, and with it of rows and bits. Until a joint is committed it refers
 // to its bodies, but is in no list of the world or the bodies.
 //
-// One log for each task. While a task runs callbacks its log is the current one of its thread, and
-// dJointCreateContact and dJointAttach (ode_mt/api/objects.cpp) write into it.
+// One log for each task. While a task runs callbacks its log is the current one of its thread: dJointCreateContact and
+// dJointAttach (ode_mt/api/objects.cpp) write into it, and dODE_MT_GetWorkerIndex tells its worker.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,7 @@ public:
     // Makes a log current during its lifetime.
     class Scope {
     public:
-        explicit Scope(dxContactLog &log);
+        Scope(dxContactLog &log, unsigned worker);
         ~Scope();
         Scope(const Scope &) = delete;
         Scope &operator=(const Scope &) = delete;
@@ -49,6 +49,9 @@ public:
 
     dJointID create(dWorldID world, dJointGroupID group, const dContact *contact);
     void attach(dJointID joint, dBodyID body1, dBodyID body2);
+
+    // Returns the number of the worker that runs the task.
+    unsigned worker() const { return m_worker; }
 
     // Returns the copies with which dCollide in this task's callbacks avoids writes to geoms that other tasks read.
     dxColliderCopies &copies() { return m_copies; }
@@ -68,6 +71,7 @@ private:
     dxJointContact *construct(dxJointGroup *group);
     void *takeJointMemory(dxJointGroup &group);
 
+    unsigned m_worker = 0;
     std::vector<Operation> m_operations;
     dxColliderCopies m_copies;
     std::mutex *m_groups = nullptr;

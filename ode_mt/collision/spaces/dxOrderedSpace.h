@@ -56,6 +56,7 @@
 #include "collision_kernel.h"
 #include "config.h"
 #include "objects.h"
+#include "settings/dxOwnThreads.h"
 #include "threading/dxSharingPolicy.h"
 
 class dxOrderedSpace : public dxSpace, protected dxPairKeys {
@@ -86,6 +87,9 @@ public:
     // Returns NULL until the first narrow-phase prefetch.
     const dxNarrowphasePrefetch *narrowphasePrefetch() const { return m_prefetch.get(); }
     dxSharingPolicy &sharing() { return m_sharing; }
+
+    dxOwnThreadNumber &ownThreads() { return m_ownThreads; }
+    const dxOwnThreadNumber &ownThreads() const { return m_ownThreads; }
 
     // Cleans the geoms and updates pairs(). Requires a locked space. Returns false if ranks do not represent upstream's
     // list, or pairs() is in use; the geoms must then be walked as upstream does.
@@ -270,6 +274,7 @@ private:
     bool m_isPrefetching = false;            // the call whose callbacks begin is a parallel one
     dxNarrowphasePrefetch::Owner m_prefetch;
     dxSharingPolicy m_sharing;
+    dxOwnThreadNumber m_ownThreads;
 };
 
 inline bool dxGeomIsEnabled(const dxGeom *geom) {

@@ -10,12 +10,17 @@ namespace {
 struct Kind {
     const char *name;
     const char *library;  // file name of the one that make() loads; null: none
-    std::unique_ptr<dxThreadManager> (*make)();
+    bool takesOptions;
+    std::unique_ptr<dxThreadManager> (*make)(const dxWorkerOptions &options);
 };
 
 const Kind kinds[] = {
-    {"pthread", nullptr, []() -> std::unique_ptr<dxThreadManager> { return std::make_unique<dxThreadManagerPthread>(); }},
-    {"openmp", dxOpenMPRuntime::fileName(), []() -> std::unique_ptr<dxThreadManager> { return dxThreadManagerOpenMP::make(); }},
+    {"pthread", nullptr, true,
+     [](const dxWorkerOptions &options) -> std::unique_ptr<dxThreadManager> {
+         return std::make_unique<dxThreadManagerPthread>(pthread_create, options);
+     }},
+    {"openmp", dxOpenMPRuntime::fileName(), false,
+     [](const dxWorkerOptions &) -> std::unique_ptr<dxThreadManager> { return dxThreadManagerOpenMP::make(); }},
 };
 
 std::string knownNames() {
@@ -44,10 +49,17 @@ const char *missingLibrary(const std::string &name) {
     return nullptr;
 }
 
-std::unique_ptr<dxThreadManager> create(const std::string &name) {
+bool takesOptions(const std::string &name) {
+    for (const Kind &kind : kinds) {
+        if (name == kind.name) return kind.takesOptions;
+    }
+    return false;
+}
+
+std::unique_ptr<dxThreadManager> create(const std::string &name, const dxWorkerOptions &options) {
     for (const Kind &kind : kinds) {
         if (name != kind.name) continue;
-        std::unique_ptr<dxThreadManager> manager = kind.make();
+        std::unique_ptr<dxThreadManager> manager = kind.make(options);
         if (manager == nullptr)
             dxLog(dxLogLevel::warning, "thread manager '%s' needs %s, which cannot be loaded", kind.name, kind.library);
         return manager;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "threading/dxThreadManager.h"
+#include "threading/pool/dxWorkerOptions.h"
 
 namespace dxThreadManagerFactory {
 
@@ -19,7 +20,10 @@ std::vector<const char *> names();
 // File name of a library that this manager needs and the dynamic loader does not find; null if there is none. Loads it.
 const char *missingLibrary(const std::string &name);
 
+// Whether its threads are started as dxWorkerOptions say. Those of a runtime are not the library's to start.
+bool takesOptions(const std::string &name);
+
 // Null for a name that is not in names() and where a library is missing; the reason is logged.
-std::unique_ptr<dxThreadManager> create(const std::string &name);
+std::unique_ptr<dxThreadManager> create(const std::string &name, const dxWorkerOptions &options = {});
 
 }  // namespace dxThreadManagerFactory

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstring>
 #include <new>
 
 #include "core/dxLog.h"
@@ -17,7 +18,8 @@ constexpr dxTimelineEvent kSleeps{"sleeps", "idle", {}, dxTimelineEvent::Kind::I
 
 }  // namespace
 
-dxThreadManagerPthread::dxThreadManagerPthread(dxCreateThread creation) : create(creation) {
+dxThreadManagerPthread::dxThreadManagerPthread(dxCreateThread creation, const dxWorkerOptions &workerOptions)
+    : create(creation), options(workerOptions) {
     listenToForks();
 }
 
@@ -54,6 +56,7 @@ void dxThreadManagerPthread::inForkedChild() {
     new (&lifecycle) std::mutex;
     new (&creation) std::mutex;
     started.store(0);
+    numbered.store(0);
     stopping.store(false);
     parking.reset();
     board.abandon();
@@ -78,13 +81,10 @@ bool dxThreadManagerPthread::startThread() {
     if (stopping.load() || !mayStartThread()) return false;
     const unsigned index = started.load();
     parking.beginSearch();
-    const int refusal = dxStartThread(create, threads[index], threadBody, this);
+    const int refusal = dxStartThread(create, threads[index], threadBody, this, options);
     if (refusal == 0) {
-        char name[16];  // the kernel's limit
-        std::snprintf(name, sizeof name, "ode_mt-%u", index + 1);
-        pthread_setname_np(threads[index], name);
         started.store(index + 1);
-        dxLog(dxLogLevel::info, "thread manager %s: started %s", this->name(), name);
+        dxLog(dxLogLevel::info, "thread manager %s: started %s-%u", this->name(), options.name, index + 1);
         return true;
     }
     parking.endSearch();
@@ -100,6 +100,7 @@ void dxThreadManagerPthread::joinThreads() {
     parking.wakeAll();
     for (unsigned i = 0; i < started.load(); ++i) pthread_join(threads[i], nullptr);
     started.store(0);
+    numbered.store(0);
     setStopping(false);
 }
 
@@ -109,12 +110,24 @@ void dxThreadManagerPthread::setStopping(bool value) {
 }
 
 void *dxThreadManagerPthread::threadBody(void *manager) {
-    static_cast<dxThreadManagerPthread *>(manager)->serve();
+    dxThreadManagerPthread &own = *static_cast<dxThreadManagerPthread *>(manager);
+    const unsigned number = ++own.numbered;
+    own.becomeWorker(number);
+    const dxWorkerHookScope hooks(own.options.hooks, number);
+    own.serve();
     return nullptr;
 }
 
+void dxThreadManagerPthread::becomeWorker(unsigned number) {
+    char threadName[dxWorkerOptions::kMaxName + 6];  // the kernel's limit
+    std::snprintf(threadName, sizeof threadName, "%s-%u", options.name, number);
+    pthread_setname_np(pthread_self(), threadName);
+    if (!options.scheduling) return dxTakeProcessNiceness();
+    if (const int refusal = options.scheduling->apply())
+        dxLog(dxLogLevel::warning, "thread manager %s: %s has ordinary scheduling (%s)", name(), threadName, std::strerror(refusal));
+}
+
 void dxThreadManagerPthread::serve() {
-    dxTakeProcessNiceness();
     dxAdaptiveSpin spin;
     while (!stopping.load()) {
         workUntilIdle(spin);

@@ -31,11 +31,12 @@
 #include "threading/pool/dxParking.h"
 #include "threading/pool/dxAdaptiveSpin.h"
 #include "threading/pool/dxThreadCreation.h"
+#include "threading/pool/dxWorkerOptions.h"
 #include "threading/process/dxForkListener.h"
 
 class dxThreadManagerPthread final : public dxThreadManager, private dxForkListener, private dxWorkerSource {
 public:
-    explicit dxThreadManagerPthread(dxCreateThread create = pthread_create);
+    explicit dxThreadManagerPthread(dxCreateThread create = pthread_create, const dxWorkerOptions &options = {});
     ~dxThreadManagerPthread() override;
 
     const char *name() const override { return "pthread"; }
@@ -53,7 +54,8 @@ private:
     void joinThreads();
     void setStopping(bool value);
 
-    static void *threadBody(void *start);
+    static void *threadBody(void *manager);
+    void becomeWorker(unsigned number);
     void serve();
     void workUntilIdle(dxAdaptiveSpin &spin);
     bool shouldStayAwake();
@@ -61,12 +63,14 @@ private:
     void passOnWakeUp();
 
     const dxCreateThread create;
+    const dxWorkerOptions options;
     dxJobBoard board;
     dxParking parking;
     std::atomic<bool> stopping{false};
     std::atomic<unsigned> size{1};                // workers wanted, the caller included
     std::atomic<unsigned> allowed{dxMaxWorkers};  // workers the system gives, the caller included
     std::atomic<unsigned> started{0};
+    std::atomic<unsigned> numbered{0};            // threads that have taken their number
     bool reported = false;
     std::mutex lifecycle;  // held by stop and resize
     std::mutex creation;   // held while one thread is started; never while one is waited for

@@ -10,9 +10,9 @@
 
 dxThreadManagerUser::dxThreadManagerUser(const dThreadingFunctionsInfo *functions,
                                          dThreadingImplementationID implementation)
-    : borrowed(new dxBorrowedThreads(functions, implementation)) {
-    listenToForks();
-}
+    : dxThreadManagerUser(dxThreadLender{functions, implementation}) {}
+
+dxThreadManagerUser::dxThreadManagerUser(const dxThreadLender &lender) : borrowed(new dxBorrowedThreads(lender)) { listenToForks(); }
 
 dxThreadManagerUser::~dxThreadManagerUser() {
     ignoreForks();
@@ -25,6 +25,8 @@ unsigned dxThreadManagerUser::workers() const {
 }
 
 void dxThreadManagerUser::resize(unsigned workers) { borrowed->most.store(dxClampWorkers(workers)); }
+
+unsigned dxThreadManagerUser::limit() const { return borrowed->most.load(); }
 
 void dxThreadManagerUser::run(unsigned blocks, unsigned maxWorkers, Task task, void *context) {
     const unsigned most = std::min({maxWorkers, blocks, workers()});

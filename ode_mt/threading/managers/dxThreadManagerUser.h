@@ -1,4 +1,5 @@
-// Borrows the threads of a dThreadingImplementation that the user gave to a world.
+// Borrows threads of the user's: of a dThreadingImplementation that the user gave to a world or to the process, or of an executor
+// (dxThreadLender).
 //
 // A thread is borrowed by posting a call. The call is not bound to a run: when a thread of the user's pool
 // takes it up, it joins whatever run has seats, keeps looking for dxSpinTime after its last one, and goes
@@ -12,7 +13,7 @@
 //    from inside a threaded call.
 //  - Calls refer to dxBorrowedThreads, which lives until the last of them has returned.
 //
-// workers() is the number of threads that serve the implementation, for the caller takes the place of
+// workers() is the number of threads that serve an implementation, or that an executor is to lend (resize), for the caller takes the place of
 // one of them: the user meant that many to be busy. With ODE's self-threaded implementation (0 threads)
 // and with a pool of one, the caller works alone.
 //
@@ -24,14 +25,16 @@
 #include <ode/threading.h>
 
 #include "threading/dxThreadManager.h"
+#include "threading/pool/dxThreadLender.h"
 #include "threading/process/dxForkListener.h"
 
 class dxBorrowedThreads;
 
 class dxThreadManagerUser final : public dxThreadManager, private dxForkListener {
 public:
-    // Both must live until the manager is destroyed or stopped for good.
+    // What lends must live until the manager is destroyed or stopped for good.
     dxThreadManagerUser(const dThreadingFunctionsInfo *functions, dThreadingImplementationID implementation);
+    explicit dxThreadManagerUser(const dxThreadLender &lender);
     ~dxThreadManagerUser() override;
 
     const char *name() const override { return "user"; }
@@ -39,6 +42,7 @@ public:
 
     // An upper bound; the number of threads is the user's.
     void resize(unsigned workers) override;
+    unsigned limit() const;
     void run(unsigned blocks, unsigned maxWorkers, Task task, void *context) override;
 
     // Waits until no thread of the user's is inside this library and no call is waiting; for at most a

@@ -1,16 +1,9 @@
 #include "threading/pool/dxBorrowedThreads.h"
 
-#include <algorithm>
-
 #include "threading/pool/dxSpin.h"
 #include "threading/pool/dxThreadCreation.h"
 
-dxBorrowedThreads::dxBorrowedThreads(const dThreadingFunctionsInfo *info, dThreadingImplementationID impl)
-    : most(dxMaxWorkers), functions(info), implementation(impl) {
-    functions->preallocate_resources_for_calls(implementation, std::max(threads(), 1u));
-}
-
-unsigned dxBorrowedThreads::threads() const { return functions->retrieve_thread_count(implementation); }
+dxBorrowedThreads::dxBorrowedThreads(const dxThreadLender &lends) : most(dxMaxWorkers), lender(lends) { lender.prepare(); }
 
 void dxBorrowedThreads::requestWorkers(unsigned wanted) {
     if (searching.load() < wanted) post();
@@ -27,18 +20,30 @@ void dxBorrowedThreads::abandon() {
     waiting.store(true);
 }
 
+// Calls that are inside look at the board before they return.
 void dxBorrowedThreads::post() {
     if (waiting.exchange(true)) return;
+    if (references.load() >= most.load()) {
+        waiting.store(false);
+        return;
+    }
     ++references;
-    functions->post_call(implementation, nullptr, nullptr, 0, nullptr, nullptr, call, this, 0,
-                         "ODE_MT worker");
+    lender.post(call, work, this);
 }
 
-int dxBorrowedThreads::call(void *context, dcallindex_t, dCallReleaseeID) {
-    dxBorrowedThreads *borrowed = static_cast<dxBorrowedThreads *>(context);
-    borrowed->serve();
-    borrowed->release();
+int dxBorrowedThreads::call(void *borrowed, dcallindex_t, dCallReleaseeID) {
+    work(borrowed);
     return 1;
+}
+
+// Also where a callback ends the thread.
+void dxBorrowedThreads::work(void *context) {
+    struct Return {
+        dxBorrowedThreads *borrowed;
+        ~Return() { borrowed->release(); }
+    };
+    const Return atEnd{static_cast<dxBorrowedThreads *>(context)};
+    atEnd.borrowed->serve();
 }
 
 // A call counts as searching before `waiting` falls, and stops counting before its last look at the

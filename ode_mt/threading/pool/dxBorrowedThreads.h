@@ -4,12 +4,13 @@
 #include <ode/threading.h>
 
 #include "threading/pool/dxJobBoard.h"
+#include "threading/pool/dxThreadLender.h"
 
 class dxBorrowedThreads final : public dxWorkerSource {
 public:
-    dxBorrowedThreads(const dThreadingFunctionsInfo *functions, dThreadingImplementationID implementation);
+    explicit dxBorrowedThreads(const dxThreadLender &lender);
 
-    unsigned threads() const;
+    unsigned threads() const { return lender.threads(); }
     void requestWorkers(unsigned wanted) override;
 
     // Calls posted that have not returned yet.
@@ -22,17 +23,17 @@ public:
     void abandon();
 
     dxJobBoard board;
-    std::atomic<unsigned> most;  // upper bound for the workers of a run
+    std::atomic<unsigned> most;  // upper bound for the workers of a run, and for those of all runs
 
 private:
     ~dxBorrowedThreads() = default;
 
     void post();
     static int call(void *borrowed, dcallindex_t, dCallReleaseeID);
+    static void work(void *borrowed);
     void serve();
 
-    const dThreadingFunctionsInfo *const functions;
-    const dThreadingImplementationID implementation;
+    const dxThreadLender lender;
     std::atomic<unsigned> references{1};  // the manager, and every call not yet returned
     std::atomic<unsigned> searching{0};   // calls that will look at the board before they return
     std::atomic<bool> waiting{false};     // a posted call has not been taken up

@@ -14,24 +14,28 @@
 
 #include "core/dxLog.h"
 #include "core/dxNoCancellation.h"
+#include "threading/pool/dxWorkerOptions.h"
 #include "threading/process/dxProcessors.h"
 
 namespace {
 
 class Attributes {
 public:
-    Attributes() {
+    explicit Attributes(const dxWorkerOptions &options) {
         pthread_attr_init(&attributes);
         std::size_t size = 0;
         pthread_attr_getstacksize(&attributes, &size);
-        pthread_attr_setstacksize(&attributes, std::max(size, std::size_t{8} << 20));
+        pthread_attr_setstacksize(&attributes, options.stack != 0 ? options.stack : std::max(size, dxWorkerOptions::kDefaultStack));
     }
     ~Attributes() { pthread_attr_destroy(&attributes); }
 
-    // Instead of what the starting thread has: the processors of the process, and ordinary scheduling.
-    void becomeOrdinary() {
+    // Instead of what the starting thread has: the processors of the options, or of the process, and ordinary scheduling.
+    void becomeOrdinary(const dxWorkerOptions &options) {
         cpu_set_t processors;
-        if (dxProcessorsOfProcess(processors)) pthread_attr_setaffinity_np(&attributes, sizeof processors, &processors);
+        if (options.processors)
+            pthread_attr_setaffinity_np(&attributes, sizeof processors, &*options.processors);
+        else if (dxProcessorsOfProcess(processors))
+            pthread_attr_setaffinity_np(&attributes, sizeof processors, &processors);
         const sched_param priority{};
         pthread_attr_setinheritsched(&attributes, PTHREAD_EXPLICIT_SCHED);
         pthread_attr_setschedpolicy(&attributes, SCHED_OTHER);
@@ -70,14 +74,15 @@ void *waitForGate(void *gate) {
 
 }  // namespace
 
-int dxStartThread(dxCreateThread create, pthread_t &thread, void *(*body)(void *), void *context) {
+int dxStartThread(dxCreateThread create, pthread_t &thread, void *(*body)(void *), void *context, const dxWorkerOptions &options,
+                  dxIfRefused ifRefused) {
     const BlockedSignals blocked;
-    Attributes attributes;
-    attributes.becomeOrdinary();
+    Attributes attributes(options);
+    attributes.becomeOrdinary(options);
     const int refusal = create(&thread, attributes.get(), body, context);
-    if (refusal != EPERM && refusal != EINVAL) return refusal;
+    if (ifRefused == dxIfRefused::Fail || (refusal != EPERM && refusal != EINVAL)) return refusal;
     dxLog(dxLogLevel::info, "a worker thread inherits processors and scheduling (%s)", std::strerror(refusal));
-    const Attributes inherited;
+    const Attributes inherited(options);
     return create(&thread, inherited.get(), body, context);
 }
 
@@ -96,7 +101,7 @@ unsigned dxProbeThreads(dxCreateThread create, unsigned wanted, int &refusal) {
         refusal = 0;
         while (threads.size() < wanted) {
             pthread_t thread;
-            refusal = dxStartThread(create, thread, waitForGate, &gate);
+            refusal = dxStartThread(create, thread, waitForGate, &gate, dxWorkerOptions());
             if (refusal != 0) break;
             threads.push_back(thread);
         }

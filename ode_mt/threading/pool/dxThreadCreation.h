@@ -13,12 +13,16 @@ inline unsigned dxClampWorkers(unsigned workers) {
     return workers < 1 ? 1 : workers > dxMaxWorkers ? dxMaxWorkers : workers;
 }
 
-// Starts one worker thread: joinable, a stack of 8 MiB or the system's default where that is larger
-// (ODE's solvers use alloca), and all signals blocked but those a fault raises on the thread itself,
-// which must reach the host's crash handler. It may use the processors of the process and has ordinary
-// scheduling, as far as the system allows, whatever the starting thread has bound itself to. Returns an error
-// number.
-int dxStartThread(dxCreateThread create, pthread_t &thread, void *(*body)(void *), void *context);
+struct dxWorkerOptions;
+
+enum class dxIfRefused { Inherit, Fail };
+
+// Starts one worker thread: joinable, with all signals blocked but those a fault raises on the thread itself, which must reach the
+// host's crash handler. Its stack and its processors are those of the options; it has ordinary scheduling, whatever the
+// starting thread has bound itself to. Where the system refuses that, the thread inherits processors and scheduling, or is not
+// started. Returns an error number.
+int dxStartThread(dxCreateThread create, pthread_t &thread, void *(*body)(void *), void *context, const dxWorkerOptions &options,
+                  dxIfRefused ifRefused = dxIfRefused::Inherit);
 
 // Gives the calling thread, which inherited its niceness from the one that started it, that of the process's first
 // thread, as far as the system allows: to lower it needs a privilege.

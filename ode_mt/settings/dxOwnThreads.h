@@ -1,0 +1,53 @@
+// How many threads worlds and spaces may use that have a number of their own (dODE_MT_SetWorldThreads, dODE_MT_SetSpaceThreads), in place of
+// the process's (dxSettings).
+//
+// A world's number is kept in a list beside the worlds, since a world is upstream's structure; a space keeps its own
+// (dxOwnThreadNumber). Of all of them the largest is known: there are as many workers as it says. A step looks at one size as long as
+// no world has a number. Any thread may call.
+#pragma once
+
+#include <ode/ode.h>
+
+#include "settings/dxSettings.h"
+
+namespace dxOwnThreads {
+
+// The world's own number; 0: it has none.
+unsigned of(const dxWorld *world);
+
+// 0: the process's number. Throws std::bad_alloc, and changes nothing then.
+void choose(const dxWorld *world, unsigned threads);
+
+// The world is about to be destroyed.
+void forget(const dxWorld *world);
+
+// The largest of all; 0: there is none.
+unsigned largest();
+
+// Somebody has another number than before; 0: none.
+void exchange(unsigned before, unsigned now);
+
+}  // namespace dxOwnThreads
+
+// The number of a space, as long as the space lives.
+class dxOwnThreadNumber {
+public:
+    dxOwnThreadNumber() = default;
+    ~dxOwnThreadNumber() {
+        if (m_own != 0) dxOwnThreads::exchange(m_own, 0);
+    }
+    dxOwnThreadNumber(const dxOwnThreadNumber &) = delete;
+    dxOwnThreadNumber &operator=(const dxOwnThreadNumber &) = delete;
+
+    // Its own, or else the process's.
+    unsigned inForce() const { return m_own != 0 ? m_own : dxSettings::instance().threads(); }
+
+    // 0: the process's.
+    void choose(unsigned threads) {
+        dxOwnThreads::exchange(m_own, threads);
+        m_own = threads;
+    }
+
+private:
+    unsigned m_own = 0;
+};
