@@ -118,8 +118,8 @@ int dODE_MT_SetWorkerName(const char *name) {
 }
 
 int dODE_MT_SetWorkerAffinity(const int *processors, int count) {
-    if (count < 0 || (count > 0 && processors == nullptr)) {
-        dMessage(0, "ODE_MT: dODE_MT_SetWorkerAffinity was given %d processors%s", count, processors == nullptr ? " (NULL)" : "");
+    if (count < 0 || count > CPU_SETSIZE || (count > 0 && processors == nullptr)) {
+        dMessage(0, "ODE_MT: no list of %d processors%s; known: 0 to %d", count, processors == nullptr ? " (NULL)" : "", CPU_SETSIZE);
         return 0;
     }
     cpu_set_t set;

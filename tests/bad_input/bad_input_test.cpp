@@ -73,6 +73,20 @@ const std::map<std::string, std::string> kNullAnswers{
     {"dODE_MT_SetSolver(NULL, text)", " debug 2 \"bad world argument in dODE_MT_SetSolver()\""},
     {"dODE_MT_SetSolverTolerance(NULL, 0.5)", " debug 2 \"bad world argument in dODE_MT_SetSolverTolerance()\""},
     {"dODE_MT_SetWarmStart(NULL, 1)", " debug 2 \"bad world argument in dODE_MT_SetWarmStart()\""},
+    {"dODE_MT_SetWorldThreads(NULL, 1)", " debug 2 \"bad world argument in dODE_MT_SetWorldThreads()\""},
+    {"dODE_MT_SetSpaceThreads(NULL, 1)", " debug 2 \"bad space argument in dODE_MT_SetSpaceThreads()\""},
+    {"dODE_MT_SetExecutor(NULL, ones)", " returns"},
+    {"dODE_MT_SetExecutor(function, NULL)", " returns"},
+    {"dODE_MT_SetThreadingImplementation(NULL, ones)",
+     " message 0 \"ODE_MT: a threading implementation without functions (NULL)\" returns"},
+    {"dODE_MT_SetThreadingImplementation(ones, NULL)",
+     " message 0 \"ODE_MT: a threading implementation without implementation (NULL)\" returns"},
+    {"dODE_MT_SetWorkerName(NULL)", " returns"},
+    {"dODE_MT_SetWorkerAffinity(NULL, 1)", " message 0 \"ODE_MT: no list of 1 processors (NULL); known: 0 to 1024\" returns"},
+    {"dODE_MT_SetWorkerPriority(NULL, 1)", " returns"},
+    {"dODE_MT_SetWorkerHooks(NULL, function, ones)", " returns"},
+    {"dODE_MT_SetWorkerHooks(function, NULL, ones)", " returns"},
+    {"dODE_MT_SetWorkerHooks(function, function, NULL)", " returns"},
 };
 
 void expectAnswerToNull(const std::string &call, const std::string &answer) {
@@ -104,17 +118,23 @@ TEST(BadInput, OwnFunctionsAnswerAsTheirHeaderSays) {
     EXPECT_GT(messages, 15);
 }
 
-// Any number says whether steps begin warm.
+// Any number says whether steps begin warm. Numbers of threads are brought into range, as those of dToggleODE_MT. The first processor is there.
 constexpr const char *kGoodCalls[] = {"dODE_MT_SetGridCells(0)", "dODE_MT_SetGridCells(7)", "dODE_MT_SetSolverTolerance(world0, 0.5)",
                                       "dODE_MT_SetSolverTolerance(world0, 0)", "dODE_MT_SetSolverTolerance(world0, denormal)",
-                                      "dODE_MT_SetWarmStart("};
+                                      "dODE_MT_SetWarmStart(", "dODE_MT_SetWorldThreads(", "dODE_MT_SetSpaceThreads(",
+                                      "dODE_MT_SetExecutor(", "dODE_MT_SetThreadingImplementation(", "dODE_MT_SetWorkerName(NULL)",
+                                      "dODE_MT_SetWorkerName(text)", "dODE_MT_SetWorkerName(format)", "dODE_MT_SetWorkerAffinity(ones, 1)",
+                                      "dODE_MT_SetWorkerAffinity(ones, 0)", "dODE_MT_SetWorkerAffinity(zeros, 1)",
+                                      "dODE_MT_SetWorkerAffinity(infs, 1)", "dODE_MT_SetWorkerAffinity(NaNs, 1)",
+                                      "dODE_MT_SetWorkerStackSize(0)", "dODE_MT_SetWorkerStackSize(smallest)",
+                                      "dODE_MT_SetWorkerHooks("};
 
 // Numbers that are none, and names of nothing, are named, and the answer says what is known.
 TEST(BadInput, OwnSettingsNameWhatTheyWereGiven) {
     const Lines lines = linesOn(Library::Ours, {ODE_MT_OWN_BAD_INPUT_PROGRAM, "dODE_MT_Set"}, "0");
     int refused = 0;
     for (std::size_t i = 1; i < lines.size(); ++i) {
-        if (callOf(lines[i]).find("(NULL, ") != std::string::npos) continue;  // no world
+        if (callOf(lines[i]).find("(NULL, ") != std::string::npos) continue;  // kNullAnswers
         const std::string call = callOf(lines[i]);
         const bool isGood = std::any_of(std::begin(kGoodCalls), std::end(kGoodCalls),
                                         [&call](const char *good) { return call.rfind(good, 0) == 0; });

@@ -1,6 +1,7 @@
 #!/bin/sh
-# The names and values of the library's variables are the same where they are read (dxEnvironment.cpp), in README.md,
-# in docs/linking.md and in ode_MT.h, and nothing in ode_mt/ reads the environment by another way.
+# The names and values of the library's variables are the same, in the same order, where they are read (dxEnvironment.cpp), in the table of
+# docs/settings.md and in ode_MT.h; no other page has a table of them; nothing in ode_mt/ reads the environment by another way; and each
+# setter of ode_MT.h is in that table.
 set -eu
 cd "$(dirname "$0")/../.."
 fail() { echo "FAILED: $*" >&2; exit 1; }
@@ -11,14 +12,14 @@ header=$(sed -n 's/^ \*   \(ODE_MT_[A-Z_]*=.*\)$/\1/p' include/ode/ode_MT.h)
 $header
 and dxEnvironment.cpp
 $code"
-for file in README.md docs/linking.md; do
-    table=$(sed -n 's/^| `\(ODE_MT_[A-Z_]*=[^`]*\)` |.*/\1/p' "$file" | tr -d '\\')
-    [ "$table" = "$code" ] || fail "$file has
+table=$(sed -n 's/^| `\(ODE_MT_[A-Z_]*=[^`]*\)` |.*/\1/p' docs/settings.md | tr -d '\\')
+[ "$table" = "$code" ] || fail "docs/settings.md has
 $table
 and dxEnvironment.cpp
 $code"
+if grep -lE '^\| `ODE_MT_[A-Z_]*=' README.md CONTRIBUTING.md docs/*.md | grep -v '^docs/settings.md$'; then fail "a second table of variables"; fi
+for setter in $(sed -n 's/^ODE_API .*\b\(dODE_MT_Set[A-Za-z]*\)(.*/\1/p' include/ode/ode_MT.h); do
+    grep -q "^|.*\`$setter\`" docs/settings.md || fail "docs/settings.md has no $setter"
 done
-rows() { grep '^| `ODE_MT_' "$1" | sed 's,(docs/,(,g'; }
-[ "$(rows README.md)" = "$(rows docs/linking.md)" ] || fail "the tables of README.md and docs/linking.md differ"
 if grep -rnE '\bgetenv *\(' ode_mt; then fail "read past the table"; fi
 [ "$(grep -rlE 'secure_getenv *\(' ode_mt)" = ode_mt/core/dxEnvironment.cpp ] || fail "read past the table"

@@ -1,4 +1,4 @@
-// What ODE_MT_LOG shows of a program's frames at each level, as docs/linking.md says. (At debug: cost_model_test.cpp.)
+// What ODE_MT_LOG shows of a program's frames at each level, as docs/settings.md says. (At debug: cost_model_test.cpp.)
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 

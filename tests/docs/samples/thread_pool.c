@@ -23,6 +23,14 @@ int main(void) {
     dWorldSetStepThreadingImplementation(world, dThreadingImplementationGetFunctions(threading), threading);
     /* [pool] */
     const unsigned long long pooled = run();
+    /* [process] */
+    dODE_MT_SetThreadingImplementation(dThreadingImplementationGetFunctions(threading), threading); /* collisions, and steps of all worlds */
+    dToggleODE_MT(2);
+    /* [process] */
+    destroyTowers();
+    setUpTowers();
+    const unsigned long long shared = run();
+    dODE_MT_SetThreadingImplementation(NULL, NULL);
     /* [end] */
     dWorldSetStepThreadingImplementation(world, NULL, NULL);
     dThreadingImplementationShutdownProcessing(threading);
@@ -38,6 +46,6 @@ int main(void) {
     const unsigned long long own = run();
     destroyTowers();
     dCloseODE();
-    printf("serial %016llx, pool %016llx, own threads %016llx\n", serial, pooled, own);
-    return serial == pooled && serial == own ? EXIT_SUCCESS : EXIT_FAILURE;
+    printf("serial %016llx, pool %016llx, pool of the process %016llx, own threads %016llx\n", serial, pooled, shared, own);
+    return serial == pooled && serial == shared && serial == own ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,5 +1,5 @@
-// Draws values of all environment variables that README.md lists, runs a small scene with them on ODE_MT, and
-// compares with what README.md promises: the same results, what is taken, and what is reported.
+// Draws values of all environment variables that docs/settings.md lists, runs a small scene with them on ODE_MT, and
+// compares with what that page promises: the same results, what is taken, and what is reported.
 //
 //   odemt_fuzz_environment --seconds 300 --seed 1
 #include "driver/campaign.h"
@@ -69,7 +69,7 @@ class Fuzzer {
 public:
     explicit Fuzzer(const fuzz_driver::CampaignOptions &options)
         : m_options(options),
-          m_table(readVariableTable(fuzz_driver::readFile(ODE_MT_FUZZ_README))),
+          m_table(readVariableTable(fuzz_driver::readFile(ODE_MT_FUZZ_SETTINGS))),
           m_heuristics(readHeuristicNames(fuzz_driver::readFile(ODE_MT_FUZZ_HEURISTICS))) {
         for (const Variable &variable : m_table) unsetenv(variable.name.c_str());
     }

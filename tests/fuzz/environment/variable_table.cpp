@@ -85,17 +85,17 @@ Meaning meaningOfNumber(const Variable &variable, const std::string &value) {
 
 }  // namespace
 
-std::vector<Variable> readVariableTable(const std::string &readme) {
-    static const std::regex row(R"(\| `(ODE_MT_[A-Z_]+)=([^`]*)` \| (.*) \| (.*) \|)");
+std::vector<Variable> readVariableTable(const std::string &document) {
+    static const std::regex row(R"(\| `(ODE_MT_[A-Z_]+)=([^`]*)` \|[^|]*\| (.*) \| (.*) \|)");  // the second column: calls
     std::vector<Variable> table;
-    std::istringstream lines(readme);
+    std::istringstream lines(document);
     for (std::string line; std::getline(lines, line);) {
         std::smatch found;
         std::string plain;
         std::remove_copy(line.begin(), line.end(), std::back_inserter(plain), '\\');
         if (std::regex_match(plain, found, row)) table.push_back(readRow(found));
     }
-    if (table.size() < 8) throw std::runtime_error("README.md has no table of variables");
+    if (table.size() < 8) throw std::runtime_error("docs/settings.md has no table of variables");
     return table;
 }
 

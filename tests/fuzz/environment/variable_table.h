@@ -1,4 +1,4 @@
-// The library's variables as README.md promises them, and what it says of a value.
+// The library's variables as docs/settings.md promises them, and what it says of a value.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ struct Variable {
 };
 
 // Throws std::runtime_error when the document has no table.
-std::vector<Variable> readVariableTable(const std::string &readme);
+std::vector<Variable> readVariableTable(const std::string &document);
 
 // The names of heuristics, from the table of docs/heuristics.md.
 std::vector<std::string> readHeuristicNames(const std::string &document);
@@ -27,7 +27,7 @@ enum class Understanding {
     Understood,
     OutOfRange,     // reported, and the nearest number taken
     NotUnderstood,  // reported, and the standard taken
-    Untold          // README does not say
+    Untold          // the page does not say
 };
 
 struct Meaning {
