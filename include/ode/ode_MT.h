@@ -648,7 +648,8 @@ typedef enum dODE_MT_Reason {
     dODE_MT_REASON_MEASURED = 16,        /**< several threads have not been measured to be faster */
     dODE_MT_REASON_IN_CALLBACK = 17,     /**< the collision was called by a near-callback of another one */
     dODE_MT_REASON_CALLBACK_POLICY = 18, /**< the callback policy is "serial" (dODE_MT_SetCallbackPolicy) */
-    dODE_MT_REASON_FEW_TASKS = 19        /**< few pairs, or most of them share bodies, so that their callbacks may not run at once */
+    dODE_MT_REASON_FEW_TASKS = 19,       /**< few pairs, or most of them share bodies, so that their callbacks may not run at once */
+    dODE_MT_REASON_FEEDBACK = 20         /**< joints of one of the first islands share a dJointFeedback with those of another */
 } dODE_MT_Reason;
 
 /**

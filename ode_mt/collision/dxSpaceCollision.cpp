@@ -85,7 +85,9 @@ private:
         m_record.times = ring.times();
         m_record.pairs = pairs;
         m_record.threads = threads;
-        if (threads < 2 && m_record.reason == dODE_MT_REASON_PARALLEL) m_record.reason = dODE_MT_REASON_LATE_WORKERS;
+        if (threads < 2)
+            for (dODE_MT_Reason *const reason : {&m_record.reason, &m_record.callbackReason})
+                if (*reason == dODE_MT_REASON_PARALLEL) *reason = dODE_MT_REASON_LATE_WORKERS;
         dxWorldStatistics::add(world, m_record);
     }
 

@@ -21,7 +21,7 @@
 #include "settings/dxWorkersRunner.h"
 #include "threading/dxPerturbation.h"
 
-dxIslandParallelStep::dxIslandParallelStep(const dxStepCall &call, const dxStepPlan &plan)
+dxIslandParallelStep::dxIslandParallelStep(const dxStepCall &call, dxStepPlan &plan)
     : m_call(call),
       m_plan(plan),
       m_userHandlers(dxHasUserHandlers()),
@@ -30,6 +30,7 @@ dxIslandParallelStep::dxIslandParallelStep(const dxStepCall &call, const dxStepP
 void dxIslandParallelStep::run() {
     const dxStopwatch stopwatch;
     if (!prepare()) {
+        m_plan.reason = dODE_MT_REASON_MEMORY;
         m_records.reset();
         dxSerialStep(m_call).run();
         return;
@@ -49,11 +50,19 @@ void dxIslandParallelStep::run() {
     finishInOrder(rest);
 }
 
+// Where no two islands come before the first that has to be stepped in order.
+void dxIslandParallelStep::noteOrder() {
+    if (m_records->inOrderFrom >= 2 || m_records->inOrderFrom == m_call.count) return;
+    const dxIsland &first = m_records->islands[m_records->inOrderFrom].island;
+    m_plan.reason = dxHasMovedCallback(first) ? dODE_MT_REASON_MOVED_CALLBACK : dODE_MT_REASON_FEEDBACK;
+}
+
 // Changes nothing of the world's. Returns false if there is no memory for it.
 bool dxIslandParallelStep::prepare() try {
     const dxTimelineSpan preparation(dxStepEvents::kIslandPreparation);
     m_records = dxStepRecords::borrow();
     dxPrepareIslands(m_call, m_plan.workers, *m_records);
+    noteOrder();
     if (m_call.iterativeWorld != nullptr) m_call.iterativeWorld->provideSolvers(m_plan.workers);
     return true;
 } catch (const std::bad_alloc &) {

@@ -21,12 +21,14 @@
 
 class dxIslandParallelStep {
 public:
-    dxIslandParallelStep(const dxStepCall &call, const dxStepPlan &plan);
+    // The reason of the plan becomes the step's own, if there is one for which a single thread carries it out.
+    dxIslandParallelStep(const dxStepCall &call, dxStepPlan &plan);
 
     void run();
 
 private:
     bool prepare();
+    void noteOrder();
     void stepBlock(unsigned block, unsigned worker);  // workers
     void stepDeferred(unsigned index, unsigned worker);
     void interruptAt(unsigned island);
@@ -39,7 +41,7 @@ private:
     void learn(double wallNs) const;
 
     const dxStepCall &m_call;
-    const dxStepPlan &m_plan;
+    dxStepPlan &m_plan;
     const bool m_userHandlers;  // an error, debug or message handler is installed
     dxStepRecords::Lease m_records;
     std::atomic<unsigned> m_interrupted;  // first island that has to be stepped again in order

@@ -18,7 +18,7 @@
 
 namespace {
 
-void follow(const dxStepPlan &plan, const dxStepCall &call) {
+void follow(dxStepPlan &plan, const dxStepCall &call) {
     switch (plan.strategy) {
         case dxStepStrategy::Serial: return dxSerialStep(call).run();
         case dxStepStrategy::IslandParallel: return dxIslandParallelStep(call, plan).run();
@@ -26,7 +26,7 @@ void follow(const dxStepPlan &plan, const dxStepCall &call) {
     }
 }
 
-void followAndLearn(const dxStepPlan &plan, const dxStepCall &call) {
+void followAndLearn(dxStepPlan &plan, const dxStepCall &call) {
     const dxStopwatch stopwatch;
     follow(plan, call);
     dxLearnFromStep(call, plan, stopwatch.ns());
@@ -68,7 +68,7 @@ bool dxStepIslands(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal 
     if (!dxWorldWorkers::prepare(world)) return false;
     dxStepCall call{world, info, stepSize, dxIslandStepper::kindOf(world, stepper), static_cast<unsigned>(info.GetIslandsCount())};
     if (call.kind == dxStepperKind::Iterative) call.iterativeWorld = beginIteratively(world, info);
-    const dxStepPlan plan = dxPlanStep(call);
+    dxStepPlan plan = dxPlanStep(call);
     if (plan.isMeasured)
         followAndLearn(plan, call);
     else

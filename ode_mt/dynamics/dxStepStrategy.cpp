@@ -143,26 +143,29 @@ dxStepPlan dxPlanStep(const dxStepCall &call) {
     plan.hasLargeIsland = hasLargeIsland(call, plan, limit);
     if (plan.hasLargeIsland && isLargeIslandStepFaster(call.kind)) {
         plan.strategy = dxStepStrategy::LargeIsland;
+        plan.reason = dODE_MT_REASON_LARGE_ISLAND;
         plan.workers = limit;
         return plan;
     }
     plan.workers = chooseWorkers(call, plan.costs, limit);
-    if (plan.workers >= 2) plan.strategy = dxStepStrategy::IslandParallel;
-    plan.reason = plan.hasLargeIsland ? dODE_MT_REASON_LARGE_ISLAND : plan.costs.areOfAll ? dODE_MT_REASON_COST : dODE_MT_REASON_MOVED_CALLBACK;
+    if (plan.workers >= 2) {
+        plan.strategy = dxStepStrategy::IslandParallel;
+        plan.reason = dODE_MT_REASON_LATE_WORKERS;
+    } else {
+        plan.reason = plan.hasLargeIsland     ? dODE_MT_REASON_LARGE_ISLAND
+                      : plan.costs.areOfAll ? dODE_MT_REASON_COST
+                                            : dODE_MT_REASON_MOVED_CALLBACK;
+    }
     return plan;
 }
 
-// Who allows one thread alone comes to know that first, though the islands were looked at before.
+// Who allows one thread alone comes to know that first, though the islands were looked at before. Several threads may have looked at islands
+// that one then had to step in order.
 dODE_MT_Reason dxReasonOf(const dxStepCall &call, const dxStepPlan &plan, unsigned threads) {
-    if (threads >= 2) return dODE_MT_REASON_PARALLEL;
+    const bool isInOrder = plan.reason == dODE_MT_REASON_MOVED_CALLBACK || plan.reason == dODE_MT_REASON_FEEDBACK;
+    if (threads >= 2 && !isInOrder) return dODE_MT_REASON_PARALLEL;
     dODE_MT_Reason limit;
-    if (workerLimit(call.world, limit) < 2) return limit;
-    switch (plan.strategy) {
-        case dxStepStrategy::Serial: return plan.reason;
-        case dxStepStrategy::IslandParallel: return plan.costs.areOfAll ? dODE_MT_REASON_LATE_WORKERS : dODE_MT_REASON_MOVED_CALLBACK;
-        case dxStepStrategy::LargeIsland: return dODE_MT_REASON_LARGE_ISLAND;
-    }
-    return plan.reason;
+    return workerLimit(call.world, limit) < 2 ? limit : plan.reason;
 }
 
 // Island-parallel steps measure their parallel part themselves.

@@ -25,7 +25,7 @@ struct dxStepPlan {
     unsigned workers = 1;  // the caller included
     unsigned minLargeJoints = 0;
     dxIslandCosts costs;
-    dODE_MT_Reason reason = dODE_MT_REASON_PARALLEL;  // why it is Serial
+    dODE_MT_Reason reason = dODE_MT_REASON_PARALLEL;  // why it is Serial, or else is carried out by one thread if it is
     bool isMeasured = false;      // its time is worth reading a clock
     bool hasLargeIsland = false;  // both LargeIsland and another strategy are possible
 };

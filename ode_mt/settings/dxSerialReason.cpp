@@ -8,7 +8,7 @@
 namespace {
 
 // In the order of the enumeration.
-constexpr std::array<const char *, 20> kTexts = {
+constexpr std::array<const char *, 21> kTexts = {
     "several threads took part",
     "there was nothing to do",
     "the number of threads is 0 or 1",
@@ -29,8 +29,9 @@ constexpr std::array<const char *, 20> kTexts = {
     "it was called by a near-callback of another collision",
     "the callback policy is \"serial\"",
     "few pairs, or most of them share bodies",
+    "joints of one of the first islands share a feedback structure with those of another",
 };
-static_assert(kTexts.size() == dODE_MT_REASON_FEW_TASKS + 1, "a text for each reason");
+static_assert(kTexts.size() == dODE_MT_REASON_FEEDBACK + 1, "a text for each reason");
 
 }  // namespace
 
