@@ -85,22 +85,28 @@ void dxWorkers::run(unsigned blocks, unsigned workers, dxThreadManager::Task tas
     manager->run(blocks, workers, task, context);
 }
 
-// Of two threads that make a manager at the same time one has its own for this run alone.
 dxWorkers::Manager dxWorkers::current() {
-    const char *wanted;
+    {
+        const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
+        if (m_manager != nullptr) return m_manager;
+    }
+    return makeCurrent();
+}
+
+// Of two threads that make a manager at the same time one has its own for this run alone.
+dxWorkers::Manager dxWorkers::makeCurrent() {
+    const char *name;
     dxThreadLender lender;
     dxWorkerOptions options;
     unsigned choice;
     {
         const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
-        if (m_manager != nullptr) return m_manager;
-        wanted = m_name;
+        name = m_name;
         lender = m_lender;
         options = m_options;
         choice = m_choice;
     }
     if (!lender.isNone()) return makeBorrowing(lender);
-    const char *name = wanted;
     Manager made = make(name, options);
     {
         const std::lock_guard<dxForkSafeMutex> hold(m_mutex);

@@ -56,6 +56,7 @@ private:
     ~dxWorkers() = default;
 
     Manager current();
+    Manager makeCurrent();
     bool hasOptions();
     bool mayEndWorkers() const;
     void exchange(const std::function<void()> &change);
