@@ -66,7 +66,8 @@ TEST(WorkerOptions, NameAndStack) {
     EXPECT_EQ(dxTryWorker(options), 0);
     const Look look = workerWith(options);
     EXPECT_EQ(look.name, "abcdefghij-1");
-    EXPECT_EQ(look.stack, options.stack);
+    EXPECT_GE(look.stack, options.stack);  // a sanitizer takes some of it
+    EXPECT_LT(look.stack, dxWorkerOptions::kDefaultStack);
 }
 
 TEST(WorkerOptions, NamesAreNumbered) {
