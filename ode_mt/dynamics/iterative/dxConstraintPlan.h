@@ -77,6 +77,7 @@ public:
     // if one thread solves them and they are not contacts alone, that of the group.
     const std::vector<unsigned> &othersInOrder() const { return m_othersInOrder; }
     bool hasContactsOnly() const { return m_hasContactsOnly; }
+    bool hasSerialRows() const { return m_isSerial; }  // one chunk
     const std::vector<Chunk> &chunks() const { return m_chunks; }
     const std::vector<Phase> &phases() const { return m_phases; }
 

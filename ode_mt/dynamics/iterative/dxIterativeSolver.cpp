@@ -18,7 +18,8 @@ constexpr unsigned kSmoothing = 3;
 // rest of them is worth more than that (docs/iterative-solver.md).
 constexpr double kMostHarm = 100;
 
-// Energies of other joints' rows are found in every so many sweeps, but not in the last ones, which they could hardly save.
+// Energies of other joints' rows are found in every so many sweeps, but not where no use is made of them, and not in the last ones, which they
+// could hardly save.
 constexpr unsigned kMeasured = 5;
 
 // A sweep that changes so much more than another one before it does not lead to the solution.
@@ -106,7 +107,7 @@ void dxIterativeSolver::prepare(const dxIslandStep &step, const dxIslandBody *bo
     const bool isWarm = step.iterativeWorld->isWarm();
     m_others.begin(joints, m_plan);
     if (isWarm) dxRowContacts(step, m_plan).start(m_others);
-    m_firstEnergy = m_others.prepare(joints, bodies, m_velocities.data(), step.stepSize, step.world->qs.w);
+    m_firstEnergy = m_others.prepare(joints, bodies, step.island.bodyCount, m_velocities.data(), step.stepSize, step.world->qs.w);
     for (const double part : m_chunkEnergies) m_firstEnergy += part;
     m_firstEnergies[0] = m_firstEnergy;  // if there is one island
     sumByIsland(m_firstEnergies);
@@ -114,8 +115,10 @@ void dxIterativeSolver::prepare(const dxIslandStep &step, const dxIslandBody *bo
 
 void dxIterativeSolver::sweep(const dxIslandStep &step, dxIslandBody *bodies) {
     const double tolerance = step.iterativeWorld->tolerance();
-    const unsigned most = iterationsOf(step), least = static_cast<unsigned>(std::ceil(kLeastPart * most));
-    m_factor = {step.world->qs.w, step.world->qs.w};
+    const unsigned most = iterationsOf(step);
+    m_leastSweeps = static_cast<unsigned>(std::ceil(kLeastPart * most));
+    const bool hasFriction = !m_plan.manifolds().empty() || m_others.hasFriction();
+    m_factor = {step.world->qs.w, hasFriction ? step.world->qs.w : std::min(step.world->qs.w, dReal(1))};
     m_smoothFrom = most > kSmoothing ? most - kSmoothing : 0;
     m_leastEnergy = HUGE_VAL;
     m_sweeps.run(
@@ -127,12 +130,13 @@ void dxIterativeSolver::sweep(const dxIslandStep &step, dxIslandBody *bodies) {
             }
             if (!isMeasured(sweep)) return false;
             watchGrowth(energy, sweep >= m_smoothFrom);
-            return sweep >= least && energy <= m_firstEnergy * tolerance * tolerance && isSmallEverywhere(tolerance);
+            return sweep >= m_leastSweeps && energy <= m_firstEnergy * tolerance * tolerance && isSmallEverywhere(tolerance);
         });
 }
 
 bool dxIterativeSolver::isMeasured(unsigned sweep) const {
-    return m_plan.otherJoints().empty() || (sweep % kMeasured == 0 && sweep <= m_smoothFrom);
+    if (m_plan.otherJoints().empty()) return true;
+    return sweep % kMeasured == 0 && sweep <= m_smoothFrom && (sweep >= m_leastSweeps || m_factor.friction > 1);
 }
 
 // Sweep 0 applies the impulses that the last step has left.

@@ -64,6 +64,7 @@ private:
     std::vector<double> m_firstEnergies, m_islandEnergies;  // by island: of the residual without impulses; of the last sweep
     bool m_hasResponses = false;
     dxOverRelaxation m_factor = {1, 1};
+    unsigned m_leastSweeps = 0;  // in any case
     unsigned m_smoothFrom = 0;  // the sweep after which none is over-relaxed
     double m_firstEnergy = 0, m_leastEnergy = 0;
 };

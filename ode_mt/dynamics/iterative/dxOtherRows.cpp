@@ -62,6 +62,7 @@ double dxOtherRows::prepareRow(Row &row, const dxIslandBody *bodies, const dxVel
     const dReal inverse = diagonal > 0 ? 1 / diagonal : 0, scale = m_factor * inverse;
     const dReal impulse = (row.jacobian[Row::kRhs] - velocity) * inverse;
     m_order.mix(static_cast<double>(impulse));
+    m_hasFriction |= row.isBounded();
     const dReal allowed = row.isBounded() ? 0 : std::max(row.jacobian[Row::kLow], std::min(row.jacobian[Row::kHigh], impulse));
     for (int side = 0; side < sides; ++side)
         for (int i = 0; i < Row::kBodyColumns; ++i) row.jacobian[kJacobianOf[side] + i] *= scale;
@@ -118,10 +119,10 @@ void dxOtherRows::findContactImpulse(unsigned joint, dReal *impulse) const {
         for (int axis = 0; axis < 3; ++axis) impulse[axis] += m_directions[i].axis[axis] * m_rows[i].lambda;
 }
 
-double dxOtherRows::prepare(const dxOtherJoints &joints, const dxIslandBody *bodies, const dxVelocity *velocities, dReal stepSize,
-                            dReal factor) {
+double dxOtherRows::prepare(const dxOtherJoints &joints, const dxIslandBody *bodies, unsigned bodyCount, dxVelocity *velocities,
+                            dReal stepSize, dReal factor) {
     m_factor = factor;
-    m_isFrictionRelaxed = false;
+    m_isFrictionRelaxed = m_hasFriction = false;
     double energy = 0;
     std::size_t index = 0;
     joints.forJoints([&](const dxJoint *, unsigned first, unsigned count) {
@@ -134,6 +135,11 @@ double dxOtherRows::prepare(const dxOtherJoints &joints, const dxIslandBody *bod
         }
         energy += m_energies[index];
     });
+    dxIslandProblem problem = {};
+    problem.bodyCount = bodyCount;
+    problem.rows = m_rows;
+    problem.accelerations = velocities;
+    m_order.schedule(problem);
     return energy;
 }
 
@@ -180,6 +186,8 @@ double dxOtherRows::forJoints(unsigned begin, unsigned end, const EnergyOf &ener
 }
 
 double dxOtherRows::apply(unsigned begin, unsigned end, dxVelocity *velocities) {
+    if (m_plan->rowManifolds().empty())  // joints have no forces yet
+        return forJoints(begin, end, [&](unsigned row) { return m_last[row] = 0; });
     return forJoints(begin, end, [&](unsigned row) {
         m_last[row] = m_rows[row].lambda;
         return push(row, velocities);

@@ -31,7 +31,7 @@ public:
     void startContact(unsigned joint, const dReal *impulse);
 
     // Completes the rows, `velocities` being the free ones; sweeps over-relax by `factor`.
-    double prepare(const dxOtherJoints &joints, const dxIslandBody *bodies, const dxVelocity *velocities, dReal stepSize,
+    double prepare(const dxOtherJoints &joints, const dxIslandBody *bodies, unsigned bodyCount, dxVelocity *velocities, dReal stepSize,
                    dReal factor);
 
     // Joints [begin, end) of a chunk of the plan, or of several. Reads and writes the velocities of their bodies.
@@ -39,6 +39,9 @@ public:
     // `sweep`: its number, from 1. `isMeasured`: finds energies, of the change since the last sweep in which they were found. That takes
     // a look at each row.
     double sweep(unsigned begin, unsigned end, dxVelocity *velocities, unsigned sweep, bool isMeasured);
+
+    // Whether rows bound others. After prepare().
+    bool hasFriction() const { return m_hasFriction; }
 
     // By joint in the order of the group.
     const std::vector<double> &energies() const { return m_energies; }
@@ -74,7 +77,7 @@ private:
     const dxConstraintPlan *m_plan = nullptr;
     dxConstraintRow *m_rows = nullptr;
     dReal m_factor = 1;
-    bool m_isFrictionRelaxed = false;
+    bool m_isFrictionRelaxed = false, m_hasFriction = false;
     dxRowOrder m_order;
     std::vector<unsigned> m_firstRow;      // by joint in the order of the group, and the end
     std::vector<double> m_energies;

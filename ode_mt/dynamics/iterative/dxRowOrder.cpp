@@ -3,6 +3,8 @@
 #include <cstring>
 #include <utility>
 
+#include "dynamics/quickstep/sor/dxSorSweep.h"
+
 namespace {
 
 using Row = dxConstraintRow;
@@ -11,7 +13,7 @@ using Row = dxConstraintRow;
 // residuals that are a third larger.
 constexpr unsigned kSweepsPerOrder = 9;
 
-// The finaliser of SplitMix64 (G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators", 2014).
+// SplitMix64 (G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators", 2014).
 std::uint64_t mixed(std::uint64_t bits) {
     bits = (bits ^ bits >> 30) * 0xbf58476d1ce4e5b9u;
     bits = (bits ^ bits >> 27) * 0x94d049bb133111ebu;
@@ -38,6 +40,7 @@ void dxRowOrder::reserveAs(const dxRowOrder &other) {
 
 void dxRowOrder::make(const dxConstraintPlan &plan, const std::vector<unsigned> &firstRow, const Row *rows) {
     m_isShuffled = !plan.hasContactsOnly();
+    m_isSerial = plan.hasSerialRows();
     m_seed = 0;
     const std::vector<unsigned> &joints = plan.othersInOrder();
     m_first.assign(joints.size() + 1, 0);
@@ -58,7 +61,15 @@ void dxRowOrder::make(const dxConstraintPlan &plan, const std::vector<unsigned> 
     }
 }
 
-void dxRowOrder::mix(double number) { m_seed = mixed(m_seed ^ bitsOf(number)); }
+// As FNV-1a mixes bytes (G. Fowler, L. C. Noll, K.-P. Vo); shuffle() makes random numbers of it.
+void dxRowOrder::mix(double number) { m_seed = (m_seed ^ bitsOf(number)) * 0x100000001b3u; }
+
+void dxRowOrder::schedule(dxIslandProblem problem) {
+    if (!m_isShuffled || !m_isSerial) return;
+    problem.rowCount = static_cast<unsigned>(m_rows.size());
+    problem.order = m_rows.data();
+    dxScheduleSor(problem);
+}
 
 dxRowOrder::Rows dxRowOrder::of(unsigned begin, unsigned end) const {
     return {m_rows.data() + m_first[begin], m_rows.data() + m_first[end]};
@@ -71,9 +82,10 @@ dxRowOrder::Rows dxRowOrder::inSweep(unsigned begin, unsigned end, unsigned swee
 
 // Chunks are shuffled apart, so that the order does not depend on who solves them.
 void dxRowOrder::shuffle(unsigned first, unsigned last, unsigned sweep) {
-    std::uint64_t bits = m_seed ^ first ^ std::uint64_t(sweep) << 32;
+    std::uint64_t bits = mixed(m_seed ^ first ^ std::uint64_t(sweep) << 32);
     for (unsigned i = last; i > first + 1; --i) {
-        bits = mixed(bits + 0x9e3779b97f4a7c15u);
-        std::swap(m_rows[i - 1], m_rows[first + static_cast<unsigned>(bits % (i - first))]);
+        bits += 0x9e3779b97f4a7c15u;
+        const std::uint64_t drawn = mixed(bits) >> 32, chosen = drawn * (i - first) >> 32;
+        std::swap(m_rows[i - 1], m_rows[first + static_cast<unsigned>(chosen)]);
     }
 }
