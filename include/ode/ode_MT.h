@@ -106,8 +106,9 @@ ODE_API const char *dODE_MT_GetVersion(void);
  * in progress may continue with the old number. dODE_MT_AUTO counts the cores anew at each call: those that the process was
  * given when it loaded the library and those that its first thread or the calling one may use now, not only those in
  * the affinity mask of the calling thread. Threads start with the first step or collision that uses them and end with dCloseODE. Those
- * of the manager "pthread" may use all of these cores, with ordinary scheduling; the runtime of "openmp" has rules of its
- * own (OMP_PROC_BIND), by default those of the thread that starts them.
+ * of the manager "pthread" may use all of these cores, with ordinary scheduling, unless dODE_MT_SetWorkerAffinity and
+ * dODE_MT_SetWorkerPriority say otherwise; the runtime of "openmp" has rules of its own (OMP_PROC_BIND), by default those of the thread that
+ * starts them.
  * @ingroup ode_mt
  */
 ODE_API void dToggleODE_MT(int numThreads);
@@ -279,7 +280,8 @@ ODE_API int dODE_MT_GetWarmStart(dWorldID world);
  * vertices, points or height samples that geoms use, make other joints, destroy joints, or leave by longjmp; an exception
  * is passed on after all callbacks have ended, and so is pthread_exit, which then ends the thread that called
  * dSpaceCollide (with the manager "pthread"; the runtime of "openmp" does not allow it). It may end the process. A
- * callback has the stack of its thread: at least 8 MiB with "pthread", what the runtime gives with "openmp".
+ * callback has the stack of its thread: at least 8 MiB with "pthread" (unless dODE_MT_SetWorkerStackSize says otherwise), what the
+ * runtime gives with "openmp".
  *
  * With "serial" a callback may write to such arrays, as with upstream: contacts with meshes and with height fields that
  * were built without a copy of their samples are then computed in the callback, not before it by several threads. If
@@ -362,10 +364,11 @@ ODE_API int dODE_MT_GetGridCells(void);
 /**
  * Chooses the thread manager by its name, "pthread" or "openmp". May be called at any time, as dToggleODE_MT; a step or
  * collision in progress may continue with the old one. "openmp" loads the OpenMP runtime of the compiler (libgomp.so.1; libomp.so.5 in
- * a build by clang), which stays in memory until the process ends.
+ * a build by clang), which stays in memory until the process ends. Threads of the program's own (dODE_MT_SetExecutor) are given back.
  *
  * @param name "pthread" or "openmp" (known where the build found OpenMP); NULL counts as unknown
- * @return 1, or 0 and a dMessage naming the known ones if there is no such manager, or the runtime if it cannot be loaded.
+ * @return 1, or 0 and a dMessage naming the known ones if there is no such manager, or the runtime if it cannot be loaded, or saying that
+ * "openmp" cannot start workers as dODE_MT_SetWorkerName and its like ask for.
  * @ingroup ode_mt
  */
 ODE_API int dODE_MT_SetThreadManager(const char *name);
@@ -374,7 +377,7 @@ ODE_API int dODE_MT_SetThreadManager(const char *name);
  * Tells which thread manager is in force. Where ODE_MT_THREAD_MANAGER asks for "openmp", the runtime is loaded when the first workers are
  * needed; if it cannot be, that is reported, and from then on "pthread" is in force.
  *
- * @return its name, in memory of the library's that is never freed.
+ * @return its name, or "user" while threads of the program's own are lent, in memory of the library's that is never freed.
  * @ingroup ode_mt
  */
 ODE_API const char *dODE_MT_GetThreadManager(void);

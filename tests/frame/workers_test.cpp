@@ -175,6 +175,7 @@ TEST_F(Workers, HooksDoNotEndWorkers) {
 
 // The last close waits for workers, also for one that is in its hook, which wants the library's lock.
 TEST_F(Workers, CloseWaitsForHooksThatAllocateData) {
+    if (kThreadSanitizer) GTEST_SKIP() << "ThreadSanitizer cannot start threads in the child";
     EXPECT_TRUE(trueInChild([] {
         Hooked hooked;
         for (int i = 0; i < 200; ++i) {
