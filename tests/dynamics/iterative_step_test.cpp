@@ -399,7 +399,8 @@ public:
 // The forces of a blow are of no use after it. Another tower keeps its own. In lanes, and as rows.
 TEST_F(IterativeStep, ATowerThatIsSetBackStartsWithoutForces) {
     for (const int boxes : {1, 10}) {
-        Towers fresh(boxes, boxes), used(boxes, boxes);
+        const int others = boxes == 1 ? 0 : boxes;  // rows, in an order that follows from all rows of the group
+        Towers fresh(boxes, others), used(boxes, others);
         fresh.step();
         used.step(40);
         dBodySetLinearVel(used.first.top(), 0, 0, -100);
@@ -408,7 +409,7 @@ TEST_F(IterativeStep, ATowerThatIsSetBackStartsWithoutForces) {
         used.second.setBack();
         used.step();
         EXPECT_EQ(used.first.velocities(), fresh.first.velocities());
-        EXPECT_NE(used.second.velocities(), fresh.second.velocities());
+        EXPECT_EQ(used.second.velocities() == fresh.second.velocities(), others == 0);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 
 #include <ode/odemath.h>
@@ -12,6 +13,7 @@
 #include "dynamics/islands/dxIslandPrefetch.h"
 #include "dynamics/iterative/dxContactMatch.h"
 #include "dynamics/iterative/dxIterativeWorld.h"
+#include "dynamics/iterative/dxStateNumbers.h"
 
 namespace {
 
@@ -110,11 +112,22 @@ void dxContactReader::read(const dxContactPacks &contacts, const Manifold *const
                 prefetchJoints(own[lane + kPrefetchDistance]);
             if (own[lane] == nullptr) continue;
             readBodies(pack, lane, *own[lane]);
+            const ContactOrder order = orderOf(*own[lane]);
             for (unsigned k = 0; k < own[lane]->contactCount; ++k)
-                readContact(contacts.contacts[pack.firstContact + k], lane, *m_step.island.joints[own[lane]->firstJoint + k]);
+                readContact(contacts.contacts[pack.firstContact + k], lane, *m_step.island.joints[order.joint(k)]);
             startWarm(contacts, pack, lane, *own[lane]);
         }
     }
+}
+
+// Another one in each step, as long as bodies move. What sweeps have not found would otherwise point the same way each time, and a column of
+// boxes tilt until it falls.
+dxContactReader::ContactOrder dxContactReader::orderOf(const Manifold &manifold) const {
+    const dReal *const position = m_step.island.bodies[manifold.body[0]]->posr.pos;
+    std::uint64_t bits = 0;
+    for (int axis = 0; axis < 3; ++axis)
+        bits = dxStateNumbers::mixed(bits ^ dxStateNumbers::bitsOf(static_cast<double>(position[axis])));
+    return {manifold.firstJoint, manifold.contactCount, dxStateNumbers::below(bits, manifold.contactCount), (bits & 1) != 0};
 }
 
 void dxContactReader::readBodies(dxContactPack &pack, unsigned lane, const Manifold &manifold) const {
@@ -206,9 +219,10 @@ void dxContactReader::keep(const dxContactPacks &contacts, const Manifold *const
 
 void dxContactReader::giveFeedback(const dxContactPacks &contacts, const std::vector<Manifold> &manifolds) const {
     const dReal perStep = dRecip(m_step.stepSize);
-    for (const Manifold &manifold : manifolds)
+    for (const Manifold &manifold : manifolds) {
+        const ContactOrder order = orderOf(manifold);
         for (unsigned k = 0; k < manifold.contactCount; ++k) {
-            const dxJoint &joint = *m_step.island.joints[manifold.firstJoint + k];
+            const dxJoint &joint = *m_step.island.joints[order.joint(k)];
             if (joint.feedback == nullptr) continue;
             const dxContactPack &pack = contacts.packs[manifold.pack];
             const dxContactLanes &contact = contacts.contacts[pack.firstContact + k];
@@ -225,4 +239,5 @@ void dxContactReader::giveFeedback(const dxContactPacks &contacts, const std::ve
             dCopyNegatedVector3(feedback.f2, force);
             dCalcVectorCross3(feedback.t2, force, arm[1]);
         }
+    }
 }

@@ -30,6 +30,15 @@ public:
     void giveFeedback(const dxContactPacks &contacts, const std::vector<dxConstraintPlan::Manifold> &manifolds) const;
 
 private:
+    // Joints of a manifold from any of them on, forth or back.
+    struct ContactOrder {
+        unsigned first, count, start;
+        bool isReversed;
+
+        unsigned joint(unsigned k) const { return first + (isReversed ? start + count - k : start + k) % count; }
+    };
+
+    ContactOrder orderOf(const dxConstraintPlan::Manifold &manifold) const;
     unsigned numberOf(int tag) const { return m_forces.numberOf(m_step.island, tag); }
     void prefetchJoints(const dxConstraintPlan::Manifold *manifold) const;
     void prefetchForces(const dxConstraintPlan::Manifold *const *lanes) const;

@@ -1,8 +1,8 @@
 #include "dynamics/iterative/dxRowOrder.h"
 
-#include <cstring>
 #include <utility>
 
+#include "dynamics/iterative/dxStateNumbers.h"
 #include "dynamics/quickstep/sor/dxSorSweep.h"
 
 namespace {
@@ -12,19 +12,6 @@ using Row = dxConstraintRow;
 // With upstream's eight, and the last sweeps not over-relaxed, a chain of motors sags by 2 % more. Twelve leave a deck on joints with
 // residuals that are a third larger.
 constexpr unsigned kSweepsPerOrder = 9;
-
-// SplitMix64 (G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators", 2014).
-std::uint64_t mixed(std::uint64_t bits) {
-    bits = (bits ^ bits >> 30) * 0xbf58476d1ce4e5b9u;
-    bits = (bits ^ bits >> 27) * 0x94d049bb133111ebu;
-    return bits ^ bits >> 31;
-}
-
-std::uint64_t bitsOf(double number) {
-    std::uint64_t bits;
-    std::memcpy(&bits, &number, sizeof bits);
-    return bits;
-}
 
 }  // namespace
 
@@ -39,7 +26,7 @@ void dxRowOrder::reserveAs(const dxRowOrder &other) {
 }
 
 void dxRowOrder::make(const dxConstraintPlan &plan, const std::vector<unsigned> &firstRow, const Row *rows) {
-    m_isShuffled = !plan.hasContactsOnly();
+    m_isUpstreams = !plan.hasContactsOnly();
     m_isSerial = plan.hasSerialRows();
     m_seed = 0;
     const std::vector<unsigned> &joints = plan.othersInOrder();
@@ -52,7 +39,7 @@ void dxRowOrder::make(const dxConstraintPlan &plan, const std::vector<unsigned> 
                 if (takes(rows[row])) m_rows.push_back(static_cast<int>(row));
     };
     for (const dxConstraintPlan::Chunk &chunk : plan.chunks()) {
-        if (m_isShuffled) {
+        if (m_isUpstreams) {
             take(chunk, [](const Row &row) { return !row.isBounded(); });
             take(chunk, [](const Row &row) { return row.isBounded(); });
         } else {
@@ -62,10 +49,10 @@ void dxRowOrder::make(const dxConstraintPlan &plan, const std::vector<unsigned> 
 }
 
 // As FNV-1a mixes bytes (G. Fowler, L. C. Noll, K.-P. Vo); shuffle() makes random numbers of it.
-void dxRowOrder::mix(double number) { m_seed = (m_seed ^ bitsOf(number)) * 0x100000001b3u; }
+void dxRowOrder::mix(double number) { m_seed = (m_seed ^ dxStateNumbers::bitsOf(number)) * 0x100000001b3u; }
 
 void dxRowOrder::schedule(dxIslandProblem problem) {
-    if (!m_isShuffled || !m_isSerial) return;
+    if (!m_isUpstreams || !m_isSerial) return;
     problem.rowCount = static_cast<unsigned>(m_rows.size());
     problem.order = m_rows.data();
     dxScheduleSor(problem);
@@ -76,16 +63,15 @@ dxRowOrder::Rows dxRowOrder::of(unsigned begin, unsigned end) const {
 }
 
 dxRowOrder::Rows dxRowOrder::inSweep(unsigned begin, unsigned end, unsigned sweep) {
-    if (m_isShuffled && sweep > 1 && sweep % kSweepsPerOrder == 1) shuffle(m_first[begin], m_first[end], sweep);
+    if (sweep > 1 && sweep % kSweepsPerOrder == 1) shuffle(m_first[begin], m_first[end], sweep);
     return of(begin, end);
 }
 
 // Chunks are shuffled apart, so that the order does not depend on who solves them.
 void dxRowOrder::shuffle(unsigned first, unsigned last, unsigned sweep) {
-    std::uint64_t bits = mixed(m_seed ^ first ^ std::uint64_t(sweep) << 32);
+    std::uint64_t bits = dxStateNumbers::mixed(m_seed ^ first ^ std::uint64_t(sweep) << 32);
     for (unsigned i = last; i > first + 1; --i) {
         bits += 0x9e3779b97f4a7c15u;
-        const std::uint64_t drawn = mixed(bits) >> 32, chosen = drawn * (i - first) >> 32;
-        std::swap(m_rows[i - 1], m_rows[first + static_cast<unsigned>(chosen)]);
+        std::swap(m_rows[i - 1], m_rows[first + dxStateNumbers::below(dxStateNumbers::mixed(bits), i - first)]);
     }
 }

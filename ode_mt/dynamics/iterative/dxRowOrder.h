@@ -1,6 +1,6 @@
 // The order in which the rows of joints that are no lanes are taken (docs/iterative-solver.md, "Other joints"): that of the plan where
-// there are contacts alone; otherwise upstream's, those that other rows bound last, and after some sweeps a random one. It follows from
-// what the rows ask for, so that a step from the same state has the same order, and other steps have others.
+// there are contacts alone, otherwise upstream's, those that other rows bound last; after some sweeps a random one. It follows from what
+// the rows ask for (dxStateNumbers.h).
 #pragma once
 
 #include <cstdint>
@@ -43,7 +43,7 @@ public:
 private:
     void shuffle(unsigned first, unsigned last, unsigned sweep);
 
-    bool m_isShuffled = false, m_isSerial = false;
+    bool m_isUpstreams = false, m_isSerial = false;
     std::uint64_t m_seed = 0;
     std::vector<int> m_rows;        // by chunk
     std::vector<unsigned> m_first;  // in m_rows: by joint in the plan's order, and the end
