@@ -72,7 +72,7 @@ std::optional<TopOptions> readTopOptions(int argc, const char *const *argv, int 
     app.add_option("--our-library", options.ourFolder, "folder of ODE_MT's libode.so.8")->capture_default_str();
     const char *const *const end = argv + argc;
     const char *const *const dashes = std::find_if(argv + 1, end, [](const char *word) { return std::strcmp(word, "--") == 0; });
-    try {
+    const auto read = [&] {
         app.parse(static_cast<int>(dashes - argv), argv);
         if (dashes != end) options.command.assign(dashes + 1, end);
         if (options.command.empty() || options.command[0].empty())
@@ -81,13 +81,9 @@ std::optional<TopOptions> readTopOptions(int argc, const char *const *argv, int 
         options.interval = std::chrono::milliseconds(static_cast<long>(1000 * seconds));
         options.mode = modeOf(isOnce, isBatch);
         bench::checkLibraryFolder("--our-library", options.ourFolder);
-        return options;
-    } catch (const CLI::ParseError &error) {
-        exitCode = bench::exitCodeOf(app, error);
-    } catch (const std::exception &error) {
-        exitCode = bench::printOptionError(error.what());
-    }
-    return std::nullopt;
+    };
+    if (!bench::readCommandLine(app, read, exitCode)) return std::nullopt;
+    return options;
 }
 
 }  // namespace top
