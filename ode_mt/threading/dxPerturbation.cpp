@@ -9,6 +9,7 @@
 
 #include "core/dxEnvironment.h"
 #include "core/dxLog.h"
+#include "core/dxMixedBits.h"
 #include "core/dxNoCancellation.h"
 
 namespace {
@@ -21,12 +22,9 @@ std::atomic<std::uint64_t> timesReached[kSchedulePoints];
 // nothing else. After n points there have been about 1000 (1 + ln(n / 8000)) sleeps.
 constexpr std::uint64_t kLeastPeriod = 8, kSleeps = 1000;
 
-// SplitMix64 (Steele, Lea, Flood 2014): its state only counts up, so threads can share it.
+// SplitMix64: its state only counts up, so threads can share it.
 std::uint64_t randomAt(std::uint64_t place) {
-    std::uint64_t z = seed.load(std::memory_order_relaxed) + place * 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
+    return dxMixedBits(seed.load(std::memory_order_relaxed) + place * kMixedBitsStep);
 }
 
 void sleepUpTo50us(std::uint64_t random) {

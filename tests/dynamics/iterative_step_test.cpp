@@ -427,6 +427,50 @@ TEST_F(IterativeStep, AnotherTowerKeepsItsForces) {
     EXPECT_NE(after[0], after[1]);
 }
 
+// Ten boxes on four contacts each, which become lanes. With one feedback structure for all contacts of a box, or one for each contact.
+constexpr std::size_t kBoxes = 10, kCorners = 4;
+std::array<dJointFeedback, kBoxes * kCorners> feedbackOf(const char *solver, bool isShared) {
+    std::array<dJointFeedback, kBoxes * kCorners> feedback{};
+    const dWorldID world = dWorldCreate();
+    dODE_MT_SetSolver(world, solver);
+    dWorldSetGravity(world, 0, 0, -10);
+    for (std::size_t i = 0; i < kBoxes; ++i) {
+        const dBodyID box = dBodyCreate(world);
+        dBodySetPosition(box, dReal(0.3) * dReal(i), 0, 0);
+        for (std::size_t corner = 0; corner < kCorners; ++corner) {
+            dContact contact = {};
+            contact.geom.normal[2] = 1;
+            contact.geom.depth = dReal(0.001) * dReal(corner + 1);
+            contact.geom.pos[0] = dReal(0.3) * dReal(i) + ((corner & 1) != 0 ? dReal(0.5) : dReal(-0.5));
+            contact.geom.pos[1] = (corner & 2) != 0 ? dReal(0.5) : dReal(-0.5);
+            const dJointID joint = dJointCreateContact(world, nullptr, &contact);
+            dJointAttach(joint, box, nullptr);
+            dJointSetFeedback(joint, &feedback[kCorners * i + (isShared ? 0 : corner)]);
+        }
+    }
+    dRandSetSeed(1);  // exact draws numbers
+    dWorldQuickStep(world, kStepSize);
+    dWorldDestroy(world);
+    return feedback;
+}
+
+// Whose force the structure that a box's contacts share has.
+std::vector<std::size_t> lastWriters(const char *solver) {
+    const auto own = feedbackOf(solver, false), shared = feedbackOf(solver, true);
+    std::vector<std::size_t> corners;
+    for (std::size_t i = 0; i < kBoxes; ++i)
+        for (std::size_t corner = 0; corner < kCorners; ++corner)
+            if (shared[kCorners * i].f1[2] == own[kCorners * i + corner].f1[2]) corners.push_back(corner);
+    return corners;
+}
+
+// Joints that share a feedback structure write it in their order, in whatever order contacts are solved.
+TEST_F(IterativeStep, ASharedFeedbackIsThatOfTheLastJoint) {
+    const std::vector<std::size_t> expected = lastWriters("exact");
+    EXPECT_EQ(expected, std::vector<std::size_t>(kBoxes, expected.at(0)));
+    EXPECT_EQ(lastWriters("fast"), expected);
+}
+
 // Contacts as rows begin with the last step's forces, too.
 TEST_F(IterativeStep, ContactsAsRowsStartWarm) {
     std::vector<std::vector<dReal>> after;

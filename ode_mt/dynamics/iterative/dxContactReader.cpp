@@ -9,6 +9,7 @@
 
 #include "joints/contact.h"
 
+#include "core/dxMixedBits.h"
 #include "core/dxPrefetch.h"
 #include "dynamics/islands/dxIslandPrefetch.h"
 #include "dynamics/iterative/dxContactMatch.h"
@@ -113,8 +114,8 @@ void dxContactReader::read(const dxContactPacks &contacts, const Manifold *const
             if (own[lane] == nullptr) continue;
             readBodies(pack, lane, *own[lane]);
             const ContactOrder order = orderOf(*own[lane]);
-            for (unsigned k = 0; k < own[lane]->contactCount; ++k)
-                readContact(contacts.contacts[pack.firstContact + k], lane, *m_step.island.joints[order.joint(k)]);
+            for (unsigned i = 0; i < own[lane]->contactCount; ++i)
+                readContact(contacts.contacts[pack.firstContact + order.placeOf(i)], lane, *m_step.island.joints[own[lane]->firstJoint + i]);
             startWarm(contacts, pack, lane, *own[lane]);
         }
     }
@@ -126,8 +127,8 @@ dxContactReader::ContactOrder dxContactReader::orderOf(const Manifold &manifold)
     const dReal *const position = m_step.island.bodies[manifold.body[0]]->posr.pos;
     std::uint64_t bits = 0;
     for (int axis = 0; axis < 3; ++axis)
-        bits = dxStateNumbers::mixed(bits ^ dxStateNumbers::bitsOf(static_cast<double>(position[axis])));
-    return {manifold.firstJoint, manifold.contactCount, dxStateNumbers::below(bits, manifold.contactCount), (bits & 1) != 0};
+        bits = dxMixedBits(bits ^ dxStateNumbers::bitsOf(static_cast<double>(position[axis])));
+    return {manifold.contactCount, dxStateNumbers::below(bits, manifold.contactCount), (bits & 1) != 0};
 }
 
 void dxContactReader::readBodies(dxContactPack &pack, unsigned lane, const Manifold &manifold) const {
@@ -217,15 +218,21 @@ void dxContactReader::keep(const dxContactPacks &contacts, const Manifold *const
         }
 }
 
+bool dxContactReader::hasFeedback(const Manifold &manifold) const {
+    const dxJoint *const *const first = m_step.island.joints + manifold.firstJoint;
+    return std::any_of(first, first + manifold.contactCount, [](const dxJoint *joint) { return joint->feedback != nullptr; });
+}
+
 void dxContactReader::giveFeedback(const dxContactPacks &contacts, const std::vector<Manifold> &manifolds) const {
     const dReal perStep = dRecip(m_step.stepSize);
     for (const Manifold &manifold : manifolds) {
+        if (!hasFeedback(manifold)) continue;
         const ContactOrder order = orderOf(manifold);
-        for (unsigned k = 0; k < manifold.contactCount; ++k) {
-            const dxJoint &joint = *m_step.island.joints[order.joint(k)];
+        for (unsigned i = 0; i < manifold.contactCount; ++i) {
+            const dxJoint &joint = *m_step.island.joints[manifold.firstJoint + i];
             if (joint.feedback == nullptr) continue;
             const dxContactPack &pack = contacts.packs[manifold.pack];
-            const dxContactLanes &contact = contacts.contacts[pack.firstContact + k];
+            const dxContactLanes &contact = contacts.contacts[pack.firstContact + order.placeOf(i)];
             dVector3 force = {}, arm[2] = {};
             for (int axis = 0; axis < 3; ++axis) {
                 force[axis] = impulseAlong(contact, axis, manifold.lane) * perStep;

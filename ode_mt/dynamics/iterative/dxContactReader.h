@@ -30,15 +30,17 @@ public:
     void giveFeedback(const dxContactPacks &contacts, const std::vector<dxConstraintPlan::Manifold> &manifolds) const;
 
 private:
-    // Joints of a manifold from any of them on, forth or back.
+    // The contacts of a manifold from any of them on, forth or back.
     struct ContactOrder {
-        unsigned first, count, start;
+        unsigned count, start;
         bool isReversed;
 
-        unsigned joint(unsigned k) const { return first + (isReversed ? start + count - k : start + k) % count; }
+        // Of its joint i.
+        unsigned placeOf(unsigned i) const { return (count + (isReversed ? start - i : i - start)) % count; }
     };
 
     ContactOrder orderOf(const dxConstraintPlan::Manifold &manifold) const;
+    bool hasFeedback(const dxConstraintPlan::Manifold &manifold) const;
     unsigned numberOf(int tag) const { return m_forces.numberOf(m_step.island, tag); }
     void prefetchJoints(const dxConstraintPlan::Manifold *manifold) const;
     void prefetchForces(const dxConstraintPlan::Manifold *const *lanes) const;

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/dxMixedBits.h"
 #include "dynamics/iterative/dxStateNumbers.h"
 #include "dynamics/quickstep/sor/dxSorSweep.h"
 
@@ -69,9 +70,9 @@ dxRowOrder::Rows dxRowOrder::inSweep(unsigned begin, unsigned end, unsigned swee
 
 // Chunks are shuffled apart, so that the order does not depend on who solves them.
 void dxRowOrder::shuffle(unsigned first, unsigned last, unsigned sweep) {
-    std::uint64_t bits = dxStateNumbers::mixed(m_seed ^ first ^ std::uint64_t(sweep) << 32);
+    std::uint64_t bits = dxMixedBits(m_seed ^ first ^ std::uint64_t(sweep) << 32);
     for (unsigned i = last; i > first + 1; --i) {
-        bits += 0x9e3779b97f4a7c15u;
-        std::swap(m_rows[i - 1], m_rows[first + dxStateNumbers::below(dxStateNumbers::mixed(bits), i - first)]);
+        bits += kMixedBitsStep;
+        std::swap(m_rows[i - 1], m_rows[first + dxStateNumbers::below(dxMixedBits(bits), i - first)]);
     }
 }

@@ -13,13 +13,6 @@ inline std::uint64_t bitsOf(double number) {
     return bits;
 }
 
-// The finaliser of SplitMix64 (G. Steele, D. Lea, C. Flood, "Fast splittable pseudorandom number generators", 2014).
-inline std::uint64_t mixed(std::uint64_t bits) {
-    bits = (bits ^ bits >> 30) * 0xbf58476d1ce4e5b9u;
-    bits = (bits ^ bits >> 27) * 0x94d049bb133111ebu;
-    return bits ^ bits >> 31;
-}
-
 // Of mixed bits, a number in [0, count).
 inline unsigned below(std::uint64_t bits, unsigned count) { return static_cast<unsigned>((bits >> 32) * count >> 32); }
 
