@@ -1,8 +1,6 @@
 #include "check/check_options.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -10,8 +8,8 @@
 #include "comma_list.h"
 #include "error_output.h"
 #include "library_folders.h"
-#include "loader/load_error.h"
 #include "number_range.h"
+#include "program_line.h"
 
 namespace check {
 
@@ -38,19 +36,10 @@ const char *const kFooter =
 
 const char *const kDebianPackage = "apt-get download libode8 && dpkg-deb -x libode8_*.deb stock";
 
-bool isThreadCount(const std::string &word) {
-    if (word == "auto") return true;
-    int number = -1;
-    const char *const end = word.data() + word.size();
-    const auto read = std::from_chars(word.data(), end, number);
-    return read.ec == std::errc() && read.ptr == end && number >= 0 && number <= 1024;
-}
-
 std::vector<std::string> readThreads(const std::string &list) {
     std::vector<std::string> threads;
     for (const std::string &word : bench::splitAtCommas(list)) {
-        if (!isThreadCount(word))
-            throw std::invalid_argument("--threads: " + worlds::quote(word) + " is neither a number from 0 to 1024 nor auto");
+        bench::checkThreadCount(word);
         if (std::find(threads.begin(), threads.end(), word) == threads.end()) threads.push_back(word);
     }
     if (threads.empty()) throw std::invalid_argument("--threads: no numbers given");
@@ -102,13 +91,8 @@ std::optional<CheckOptions> readCheckOptions(int argc, const char *const *argv, 
     app.add_flag("--json", options.isJson, "print a JSON object");
     app.add_option("--stock-library", options.stockFolder, "folder of Debian's libode.so.8")->capture_default_str();
     app.add_option("--our-library", options.ourFolder, "folder of ODE_MT's libode.so.8")->capture_default_str();
-    const char *const *const end = argv + argc;
-    const char *const *const dashes = std::find_if(argv + 1, end, [](const char *word) { return std::strcmp(word, "--") == 0; });
     const auto read = [&] {
-        app.parse(static_cast<int>(dashes - argv), argv);
-        if (dashes != end) options.command.assign(dashes + 1, end);
-        if (options.command.empty() || options.command[0].empty())
-            throw std::invalid_argument("no program given: odemt_check [OPTIONS] -- PROGRAM [ARGUMENT...]");
+        options.command = bench::parseProgramLine(app, argc, argv);
         options.threads = readThreads(threads);
         options.limit = std::chrono::milliseconds(static_cast<long>(1000 * seconds));
         checkLibraries(options);

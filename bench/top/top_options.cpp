@@ -2,15 +2,12 @@
 
 #include <unistd.h>
 
-#include <algorithm>
-#include <charconv>
 #include <cstdlib>
-#include <cstring>
 
 #include "error_output.h"
 #include "library_folders.h"
-#include "loader/load_error.h"
 #include "number_range.h"
+#include "program_line.h"
 
 namespace top {
 
@@ -32,20 +29,11 @@ const char *const kFooter =
     "\nThe exit code is the program's, 128 and the number of the signal that ended it, 127 if it could not be started, 2 for a wrong\n"
     "option.\n";
 
-bool isThreadCount(const std::string &word) {
-    if (word == "auto") return true;
-    int number = -1;
-    const char *const end = word.data() + word.size();
-    const auto read = std::from_chars(word.data(), end, number);
-    return read.ec == std::errc() && read.ptr == end && number >= 0 && number <= 1024;
-}
-
 // What the environment says is left as it is; else all cores.
 std::string threadsOf(const std::string &option) {
     const char *const variable = std::getenv("ODE_MT_THREADS");
     if (option.empty()) return variable != nullptr && *variable != '\0' ? variable : "auto";
-    if (!isThreadCount(option))
-        throw std::invalid_argument("--threads: " + worlds::quote(option) + " is neither a number from 0 to 1024 nor auto");
+    bench::checkThreadCount(option);
     return option;
 }
 
@@ -70,13 +58,8 @@ std::optional<TopOptions> readTopOptions(int argc, const char *const *argv, int 
     app.add_flag("--once", isOnce, "print one table, when the program has ended");
     app.add_option("--output", options.output, "file for what the program prints");
     app.add_option("--our-library", options.ourFolder, "folder of ODE_MT's libode.so.8")->capture_default_str();
-    const char *const *const end = argv + argc;
-    const char *const *const dashes = std::find_if(argv + 1, end, [](const char *word) { return std::strcmp(word, "--") == 0; });
     const auto read = [&] {
-        app.parse(static_cast<int>(dashes - argv), argv);
-        if (dashes != end) options.command.assign(dashes + 1, end);
-        if (options.command.empty() || options.command[0].empty())
-            throw std::invalid_argument("no program given: odemt_top [OPTIONS] -- PROGRAM [ARGUMENT...]");
+        options.command = bench::parseProgramLine(app, argc, argv);
         options.threads = threadsOf(threads);
         options.interval = std::chrono::milliseconds(static_cast<long>(1000 * seconds));
         options.mode = modeOf(isOnce, isBatch);

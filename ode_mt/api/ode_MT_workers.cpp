@@ -64,8 +64,7 @@ int dODE_MT_SetWorldThreads(dWorldID world, int numThreads) {
 
 int dODE_MT_GetWorldThreads(dWorldID world) {
     dUASSERT(world, "bad world argument");
-    const unsigned own = dxOwnThreads::of(world);
-    return static_cast<int>(own != 0 ? own : dxSettings::instance().threads());
+    return static_cast<int>(dxOwnThreads::inForce(dxOwnThreads::of(world)));
 }
 
 void dODE_MT_SetSpaceThreads(dSpaceID space, int numThreads) {

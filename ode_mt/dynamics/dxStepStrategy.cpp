@@ -69,7 +69,7 @@ unsigned workerLimit(const dxWorld *world, dODE_MT_Reason &reason) {
     const bool isLent = dxWorldWorkers::given(world);
     const unsigned own = dxOwnThreads::of(world);
     reason = isLent ? dODE_MT_REASON_USER_THREADING : dODE_MT_REASON_THREADS;
-    unsigned limit = isLent ? dxWorldWorkers::count(world) : own != 0 ? own : dxSettings::instance().threads();
+    unsigned limit = isLent ? dxWorldWorkers::count(world) : dxOwnThreads::inForce(own);
     const auto lower = [&limit, &reason](unsigned bound, dODE_MT_Reason why) {
         if (limit >= 2 && bound < 2) reason = why;
         limit = std::min(limit, bound);

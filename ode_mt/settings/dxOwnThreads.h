@@ -21,6 +21,9 @@ void choose(const dxWorld *world, unsigned threads);
 // The world is about to be destroyed.
 void forget(const dxWorld *world);
 
+// Of an own number, the one in force: 0 is the process's.
+inline unsigned inForce(unsigned own) { return own != 0 ? own : dxSettings::instance().threads(); }
+
 // The largest of all; 0: there is none.
 unsigned largest();
 
@@ -40,7 +43,7 @@ public:
     dxOwnThreadNumber &operator=(const dxOwnThreadNumber &) = delete;
 
     // Its own, or else the process's.
-    unsigned inForce() const { return m_own != 0 ? m_own : dxSettings::instance().threads(); }
+    unsigned inForce() const { return dxOwnThreads::inForce(m_own); }
 
     // 0: the process's.
     void choose(unsigned threads) {

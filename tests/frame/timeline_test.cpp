@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <map>
@@ -22,6 +20,7 @@
 #include "ChildProcess.h"
 #include "HeapWorld.h"
 #include "OdeSession.h"
+#include "last_message.h"
 #include "threading/timeline/dxTimelineRing.h"
 
 namespace {
@@ -88,13 +87,6 @@ void play(HeapWorld &heap, int frames) {
         heap.collide();
         heap.step();
     }
-}
-
-std::string message;
-void keepMessage(int, const char *format, va_list arguments) {
-    char text[2000];
-    std::vsnprintf(text, sizeof text, format, arguments);
-    message = text;
 }
 
 class Timeline : public testing::Test {
@@ -281,21 +273,21 @@ TEST_F(Timeline, AForkedChildLeavesTheFileOfItsParentAlone) {
 }
 
 TEST_F(Timeline, AFileThatCannotBeWrittenIsReported) {
-    dSetMessageHandler(keepMessage);
+    dSetMessageHandler(keepLastMessage);
     ChainWorld chains(2, 3);
     EXPECT_EQ(dODE_MT_StartTrace("/nonexistent/trace.json"), 0);
-    EXPECT_EQ(message, "ODE_MT: the trace '/nonexistent/trace.json' cannot be written: No such file or directory");
+    EXPECT_EQ(lastMessage, "ODE_MT: the trace '/nonexistent/trace.json' cannot be written: No such file or directory");
     EXPECT_EQ(dODE_MT_StartTrace("/dev/full"), 0);
-    EXPECT_EQ(message, "ODE_MT: the trace '/dev/full' cannot be written: No space left on device");
+    EXPECT_EQ(lastMessage, "ODE_MT: the trace '/dev/full' cannot be written: No space left on device");
     EXPECT_EQ(dODE_MT_StartTrace(nullptr), 0);
-    EXPECT_EQ(message, "ODE_MT: dODE_MT_StartTrace was given no file (NULL)");
+    EXPECT_EQ(lastMessage, "ODE_MT: dODE_MT_StartTrace was given no file (NULL)");
     EXPECT_EQ(dODE_MT_StartTrace(""), 0);
-    EXPECT_EQ(message, "ODE_MT: dODE_MT_StartTrace was given no file (an empty name)");
-    message.clear();
+    EXPECT_EQ(lastMessage, "ODE_MT: dODE_MT_StartTrace was given no file (an empty name)");
+    lastMessage.clear();
     chains.step();
     EXPECT_EQ(dODE_MT_FlushTrace(), 0);
     EXPECT_EQ(dODE_MT_StopTrace(), 0);
-    EXPECT_EQ(message, "");
+    EXPECT_EQ(lastMessage, "");
 
     const std::string folder = path + ".folder";
     std::string command = "mkdir '" + folder + "'";
@@ -305,7 +297,7 @@ TEST_F(Timeline, AFileThatCannotBeWrittenIsReported) {
     ASSERT_EQ(std::system(command.c_str()), 0);
     chains.step();
     EXPECT_EQ(dODE_MT_FlushTrace(), 0);
-    EXPECT_EQ(message, "ODE_MT: the trace '" + folder + "/trace' cannot be written: No such file or directory");
+    EXPECT_EQ(lastMessage, "ODE_MT: the trace '" + folder + "/trace' cannot be written: No such file or directory");
 }
 
 TEST_F(Timeline, EventsOfAThreadThatHasEndedAreKept) {

@@ -4,9 +4,7 @@
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 
-#include <cstdarg>
 #include <cstddef>
-#include <cstdio>
 #include <cstring>
 #include <functional>
 #include <set>
@@ -20,6 +18,7 @@
 #include "HeapWorld.h"
 #include "OdeSession.h"
 #include "SphereRows.h"
+#include "last_message.h"
 #include "settings/dxSettings.h"
 
 namespace {
@@ -50,13 +49,6 @@ void play(HeapWorld &heap, int frames) {
 }
 
 void makeNothing(void *, dGeomID, dGeomID) {}
-
-std::string message;
-void keepMessage(int, const char *format, va_list arguments) {
-    char text[2000];
-    std::vsnprintf(text, sizeof text, format, arguments);
-    message = text;
-}
 
 class WorldStatistics : public testing::Test {
 protected:
@@ -129,11 +121,11 @@ TEST_F(WorldStatistics, TheSizeSaysHowMuchIsWritten) {
     EXPECT_EQ(small.bodies, 4u);
     EXPECT_EQ(std::memcmp(reinterpret_cast<char *>(&small) + size, reinterpret_cast<const char *>(&untouched) + size, sizeof small - size), 0);
 
-    dSetMessageHandler(keepMessage);
+    dSetMessageHandler(keepLastMessage);
     small.size = sizeof small.size;
     EXPECT_EQ(dODE_MT_GetWorldStatistics(chains.world(), &small), 0);
     dSetMessageHandler(nullptr);
-    EXPECT_EQ(message, "ODE_MT: dODE_MT_GetWorldStatistics was given a size of 8 bytes, which is too small");
+    EXPECT_EQ(lastMessage, "ODE_MT: dODE_MT_GetWorldStatistics was given a size of 8 bytes, which is too small");
 }
 
 TEST_F(WorldStatistics, WorldsHaveTheirOwn) {

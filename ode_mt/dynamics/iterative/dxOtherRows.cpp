@@ -186,8 +186,6 @@ double dxOtherRows::forJoints(unsigned begin, unsigned end, const EnergyOf &ener
 }
 
 double dxOtherRows::apply(unsigned begin, unsigned end, dxVelocity *velocities) {
-    if (m_plan->rowManifolds().empty())  // joints have no forces yet
-        return forJoints(begin, end, [&](unsigned row) { return m_last[row] = 0; });
     return forJoints(begin, end, [&](unsigned row) {
         m_last[row] = m_rows[row].lambda;
         return push(row, velocities);
