@@ -39,9 +39,9 @@ bool isSolvedFast(const dxWorld *world) { return dxWorldSolver::isFast(world) &&
 constexpr unsigned kMinIterativeGroup = 600;
 
 // Without memory each step begins from zero forces, by SOR.
-dxIterativeWorld *beginIteratively(const dxWorld *world, const dxWorldProcessIslandsInfo &info) try {
+dxIterativeWorld *beginIteratively(const dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize) try {
     dxIterativeWorld &own = dxIterativeWorld::of(world);
-    own.begin(info, dxWorldSolver::of(world));
+    own.begin(info, dxWorldSolver::of(world), stepSize);
     return &own;
 } catch (const std::bad_alloc &) {
     return nullptr;
@@ -67,7 +67,7 @@ bool dxStepIslands(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal 
     }
     if (!dxWorldWorkers::prepare(world)) return false;
     dxStepCall call{world, info, stepSize, dxIslandStepper::kindOf(world, stepper), static_cast<unsigned>(info.GetIslandsCount())};
-    if (call.kind == dxStepperKind::Iterative) call.iterativeWorld = beginIteratively(world, info);
+    if (call.kind == dxStepperKind::Iterative) call.iterativeWorld = beginIteratively(world, info, stepSize);
     dxStepPlan plan = dxPlanStep(call);
     if (plan.isMeasured)
         followAndLearn(plan, call);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <deque>
 #include <memory>
 #include <random>
 #include <vector>
@@ -387,6 +388,7 @@ public:
     }
 
     dWorldID world() const { return m_world; }
+    dJointGroupID contacts() const { return m_contacts; }
 
 private:
     dWorldID m_world;
@@ -490,8 +492,11 @@ TEST_F(IterativeStep, AnIslandIsSolvedToItsOwnTolerance) {
     std::vector<std::vector<dReal>> after;
     for (const dReal blow : {dReal(0), dReal(-1e6)}) {
         Towers towers(10, 1);
+        std::deque<Tower> others;  // that fill lanes
+        for (int i = 2; i < 8; ++i) others.emplace_back(towers.world(), towers.contacts(), 10, 5 * i);
         dODE_MT_SetSolverTolerance(towers.world(), 1e-3);
         dBodySetLinearVel(towers.second.top(), 0, 0, blow);
+        for (Tower &other : others) other.touch();
         towers.step();
         after.push_back(towers.first.velocities());
     }

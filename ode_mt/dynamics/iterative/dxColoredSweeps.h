@@ -28,15 +28,15 @@ public:
     template <class Solve, class IsLast>
     unsigned run(dxTaskRunner &runner, const Solve &solve, const IsLast &isLast) {
         const unsigned workers = runner.workers();
-        if (workers < 2 || m_chunkCount < kMinChunks) return runAlone(solve, isLast);
+        if (workers < 2 || m_chunkCount < m_phaseCount + kMinBeside) return runAlone(solve, isLast);
         runner.forBlocks(dxParallelStage::ColoredSweeps, workers,
                          [&](unsigned share, unsigned) { takePart(share, workers, solve, isLast); });
         return m_end.load(std::memory_order_relaxed) / m_phaseCount;
     }
 
 private:
-    // Fewer chunks are done before another worker could begin.
-    static constexpr unsigned kMinChunks = 8;
+    // Where phases have fewer chunks beside their first ones, a sweep is done before another worker could begin.
+    static constexpr unsigned kMinBeside = 4;
 
     void reserve(unsigned chunks);
 

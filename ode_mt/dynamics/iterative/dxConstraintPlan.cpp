@@ -8,6 +8,7 @@
 #include "joints/contact.h"
 
 #include "dynamics/islands/dxIslandPrefetch.h"
+#include "dynamics/iterative/dxStateNumbers.h"
 
 namespace {
 
@@ -16,6 +17,9 @@ constexpr unsigned kPacksPerChunk = 16, kOthersPerChunk = 64;
 
 // Up to so many are solved by one thread, before contacts.
 constexpr std::size_t kMaxSerial = 1000;
+
+// So many manifolds are one thread's, too: their sweep takes some twenty microseconds.
+constexpr std::size_t kMaxSequence = 1024;
 
 // A pack takes as long for one manifold as for eight, about four times as long as their rows.
 constexpr unsigned kLeastLanes = 2;
@@ -26,31 +30,34 @@ bool isRolling(const dxJoint &contact) {
     return (static_cast<const dxJointContact &>(contact).contact.surface.mode & dContactRolling) != 0;
 }
 
+std::size_t contactsOf(const std::vector<dxContactManifold> &manifolds) {
+    std::size_t count = 0;
+    for (const dxContactManifold &manifold : manifolds) count += manifold.contactCount;
+    return count;
+}
+
+// Drawn anew in each step, as long as the body moves.
+bool goesBack(const dxBody &body) { return (dxStateNumbers::bitsOf(body.posr.pos) & 2) != 0; }
+
 int tagOf(const dxBody *body) { return body != nullptr ? body->tag : dxConstraintPlan::kNoBody; }
 
 }  // namespace
 
 void dxConstraintPlan::make(const dxIsland &group) {
     m_joints = group.joints;
-    m_used.assign(group.bodyCount, 0);
     m_moves.resize(group.bodyCount);
     for (unsigned i = 0; i < group.bodyCount; ++i) m_moves[i] = group.bodies[i]->invMass > 0;
     m_reach.resize(group.bodyCount);
     std::iota(m_reach.begin(), m_reach.end(), 0u);
-    findManifolds(group, true);
+    readJoints(group);
     findIslands(group.bodyCount);
-    placeManifolds();
-    if (!fillsLanes()) {
-        std::fill(m_used.begin(), m_used.end(), 0);
-        findManifolds(group, false);
-        placeManifolds();
-    }
+    placeManifolds(group);
     placeOthers();
     cutChunks();
 }
 
 void dxConstraintPlan::reserveAs(const dxConstraintPlan &other) {
-    m_used.reserve(other.m_used.capacity());
+    m_colors.reserveAs(other.m_colors);
     m_moves.reserve(other.m_moves.capacity());
     m_reach.reserve(other.m_reach.capacity());
     m_islands.reserve(other.m_islands.capacity());
@@ -59,26 +66,11 @@ void dxConstraintPlan::reserveAs(const dxConstraintPlan &other) {
     m_rowManifolds.reserve(other.m_rowManifolds.capacity());
     m_others.reserve(other.m_others.capacity());
     m_othersInOrder.reserve(other.m_othersInOrder.capacity());
+    m_turns.reserve(other.m_turns.capacity());
+    m_packOrder.reserveAs(other.m_packOrder);
     m_packs.reserve(other.m_packs.capacity());
     m_chunks.reserve(other.m_chunks.capacity());
     m_phases.reserve(other.m_phases.capacity());
-}
-
-unsigned dxConstraintPlan::colorOf(const int (&body)[2]) {
-    std::uint64_t used = 0;
-    for (const int end : body)
-        if (end != kNoBody && m_moves[static_cast<unsigned>(end)]) used |= m_used[static_cast<unsigned>(end)];
-    const std::uint64_t free = ~used;
-    const unsigned color = std::min(static_cast<unsigned>(__builtin_ctzll(free | std::uint64_t(1) << kLeftOver)), kLeftOver);
-    if (color == kLeftOver) return color;
-    m_colorCount = std::max(m_colorCount, color + 1);
-    for (const int end : body)
-        if (end != kNoBody) m_used[static_cast<unsigned>(end)] |= std::uint64_t(1) << color;
-    return color;
-}
-
-void dxConstraintPlan::addOther(unsigned joint, const int (&body)[2]) {
-    m_others.push_back({joint, static_cast<std::uint8_t>(colorOf(body))});
 }
 
 // Contacts of two bodies follow one another, since they were attached one after the other. `last`: the list that the joint before
@@ -92,30 +84,28 @@ void dxConstraintPlan::addContact(unsigned joint, const int (&body)[2], bool isP
         ++last->back().contactCount;
     } else {
         connect(body);
-        const unsigned color = isPacked ? colorOf(body) : kLeftOver;
-        last = color == kLeftOver ? &m_rowManifolds : &m_manifolds;
-        last->push_back({joint, 1, static_cast<std::uint8_t>(color), 0, false, static_cast<unsigned>(m_others.size()), {body[0], body[1]}});
+        last = isPacked ? &m_manifolds : &m_rowManifolds;
+        last->push_back({joint, 1, dxEdgeColors::kLeftOver, 0, false, static_cast<unsigned>(m_others.size()), {body[0], body[1]}});
     }
-    if (last == &m_rowManifolds) addOther(joint, body);
+    if (last == &m_rowManifolds) m_others.push_back({joint, dxEdgeColors::kLeftOver});
 }
 
-void dxConstraintPlan::findManifolds(const dxIsland &group, bool packsContacts) {
+void dxConstraintPlan::readJoints(const dxIsland &group) {
     m_manifolds.clear();
     m_rowManifolds.clear();
     m_others.clear();
-    m_colorCount = 0;
     std::vector<Manifold> *last = nullptr;
     const auto read = [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const dxJoint &joint = *group.joints[i];
             const int body[2] = {tagOf(joint.node[0].body), tagOf(joint.node[1].body)};
             if (isContact(joint)) {
-                addContact(static_cast<unsigned>(i), body, packsContacts && !isRolling(joint), last);
+                addContact(static_cast<unsigned>(i), body, !isRolling(joint), last);
                 continue;
             }
             last = nullptr;
             connect(body);
-            addOther(static_cast<unsigned>(i), body);
+            m_others.push_back({static_cast<unsigned>(i), dxEdgeColors::kLeftOver});
         }
     };
     if (group.bodyCount < dxIslandPrefetch::kMinBodies) return read(0, group.jointCount);
@@ -150,36 +140,75 @@ unsigned dxConstraintPlan::islandOf(const OtherJoint &other) const {
     return m_islandOfBody[static_cast<unsigned>(body->tag)];
 }
 
-bool dxConstraintPlan::fillsLanes() const {
-    std::size_t contacts = 0;
-    for (const Manifold &manifold : m_manifolds) contacts += manifold.contactCount;
-    return contacts == 0 || contacts > std::size_t(kLeastLanes) * m_packedContacts;
+void dxConstraintPlan::placeManifolds(const dxIsland &group) {
+    m_colors.begin(m_moves);
+    m_isSequence = m_manifolds.size() <= kMaxSequence && placeInSequence(group);
+    if (!m_isSequence) placeByColor();
+    m_packColors = m_colors.count();
 }
 
-// By colour, those with many contacts first, so that packs have little to fill up.
-void dxConstraintPlan::placeManifolds() {
-    constexpr unsigned kMost = dxContactPack::kMaxContacts;
-    unsigned place[kColors * kMost];
-    std::fill_n(place, m_colorCount * kMost, 0u);
+// Returns whether that is done: vectors are filled, or so few contacts remain that they are rows.
+bool dxConstraintPlan::placeInSequence(const dxIsland &group) {
+    takeTurns(group);
+    makePacks(m_packOrder.place(m_manifolds, m_turns, m_moves));
+    if (fillsLanes()) return true;
+    if (contactsOf(m_manifolds) + m_others.size() > kMaxSerial) return false;
+    moveToRows([](const Manifold &) { return true; });
+    return true;
+}
+
+// An island's manifolds go forth or back. Forth alone, columns of eight or ten boxes lean further with each step until they fall; back alone, they
+// move more and fall sooner.
+void dxConstraintPlan::takeTurns(const dxIsland &group) {
+    m_turns.resize(m_manifolds.size());
+    std::iota(m_turns.begin(), m_turns.end(), 0u);
+    for (std::size_t first = 0, end; first < m_manifolds.size(); first = end) {
+        const unsigned island = islandOf(m_manifolds[first]);
+        for (end = first + 1; end < m_manifolds.size() && islandOf(m_manifolds[end]) == island;) ++end;
+        if (!goesBack(*group.bodies[m_islands[island].firstBody])) continue;
+        std::reverse(m_turns.begin() + static_cast<std::ptrdiff_t>(first), m_turns.begin() + static_cast<std::ptrdiff_t>(end));
+    }
+}
+
+void dxConstraintPlan::placeByColor() {
+    for (Manifold &manifold : m_manifolds) manifold.color = static_cast<std::uint8_t>(m_colors.take(manifold.body));
+    moveToRows([](const Manifold &manifold) { return manifold.color == dxEdgeColors::kLeftOver; });
+    sortByColor();
+    if (fillsLanes()) return;
+    m_colors.begin(m_moves);
+    moveToRows([](const Manifold &) { return true; });
+}
+
+// Those with many contacts first, so that packs have little to fill up.
+void dxConstraintPlan::sortByColor() {
+    constexpr unsigned kMost = dxContactPack::kMaxContacts, kLanes = dxLanes::kCount;
+    const unsigned colors = m_colors.count();
+    unsigned place[dxEdgeColors::kMost * kMost];
+    std::fill_n(place, colors * kMost, 0u);
     const auto placeOf = [&place](const Manifold &manifold) -> unsigned & {
         return place[manifold.color * kMost + (kMost - manifold.contactCount)];
     };
     for (const Manifold &manifold : m_manifolds) ++placeOf(manifold);
     unsigned packs = 0;
-    constexpr unsigned kLanes = dxLanes::kCount;
-    for (unsigned color = 0; color < m_colorCount; ++color) {
+    for (unsigned color = 0; color < colors; ++color) {
         m_firstPack[color] = packs;
         unsigned count = 0;
         for (unsigned i = 0; i < kMost; ++i) count += std::exchange(place[color * kMost + i], packs * kLanes + count);
         packs += (count + kLanes - 1) / kLanes;
     }
-    m_firstPack[m_colorCount] = packs;
-    m_packs.clear();
-    m_packs.resize(packs);
+    m_firstPack[colors] = packs;
     for (Manifold &manifold : m_manifolds) {
         const unsigned number = placeOf(manifold)++;
         manifold.pack = number / kLanes;
         manifold.lane = static_cast<std::uint8_t>(number % kLanes);
+    }
+    makePacks(packs);
+}
+
+void dxConstraintPlan::makePacks(unsigned count) {
+    m_packs.clear();
+    m_packs.resize(count);
+    for (const Manifold &manifold : m_manifolds) {
         dxContactPack &pack = m_packs[manifold.pack];
         pack.contactCount = std::max<unsigned>(pack.contactCount, manifold.contactCount);
     }
@@ -190,40 +219,83 @@ void dxConstraintPlan::placeManifolds() {
     }
 }
 
+bool dxConstraintPlan::fillsLanes() const {
+    const std::size_t contacts = contactsOf(m_manifolds);
+    return contacts == 0 || contacts > std::size_t(kLeastLanes) * m_packedContacts;
+}
+
+// Joints stay in the order of the group. If no manifold remains, neither does a pack.
+template <class IsRow>
+void dxConstraintPlan::moveToRows(const IsRow &isRow) {
+    std::size_t kept = 0;
+    for (const Manifold manifold : m_manifolds) {
+        if (!isRow(manifold)) {
+            m_manifolds[kept++] = manifold;
+            continue;
+        }
+        m_rowManifolds.push_back(manifold);
+        for (unsigned i = 0; i < manifold.contactCount; ++i) m_others.push_back({manifold.firstJoint + i, dxEdgeColors::kLeftOver});
+    }
+    if (kept == m_manifolds.size()) return;
+    m_manifolds.resize(kept);
+    if (kept == 0) makePacks(0);
+    std::sort(m_others.begin(), m_others.end(), [](const OtherJoint &a, const OtherJoint &b) { return a.joint < b.joint; });
+    std::sort(m_rowManifolds.begin(), m_rowManifolds.end(),
+              [](const Manifold &a, const Manifold &b) { return a.firstJoint < b.firstJoint; });
+    unsigned next = 0;
+    for (Manifold &manifold : m_rowManifolds) {
+        while (m_others[next].joint != manifold.firstJoint) ++next;
+        manifold.pack = next;
+    }
+}
+
 void dxConstraintPlan::placeOthers() {
-    std::size_t contacts = 0;
-    for (const Manifold &manifold : m_rowManifolds) contacts += manifold.contactCount;
-    m_hasContactsOnly = contacts == m_others.size();
+    m_hasContactsOnly = contactsOf(m_rowManifolds) == m_others.size();
     m_isSerial = m_others.size() <= kMaxSerial;
     m_othersInOrder.resize(m_others.size());
-    const auto placeOf = [this](unsigned color) { return color == kLeftOver ? m_colorCount : color; };
-    std::fill_n(m_firstOther, m_colorCount + 2, 0u);
+    if (m_isSerial) return std::iota(m_othersInOrder.begin(), m_othersInOrder.end(), 0u);
+    for (OtherJoint &other : m_others) {
+        const dxJoint &joint = *jointOf(other);
+        other.color = static_cast<std::uint8_t>(m_colors.take({tagOf(joint.node[0].body), tagOf(joint.node[1].body)}));
+    }
+    const unsigned colors = m_colors.count();
+    const auto placeOf = [colors](unsigned color) { return std::min(color, colors); };
+    std::fill_n(m_firstOther, colors + 2, 0u);
     for (const OtherJoint &other : m_others) ++m_firstOther[placeOf(other.color) + 1];
-    for (unsigned place = 0; place <= m_colorCount; ++place) m_firstOther[place + 1] += m_firstOther[place];
-    if (m_isSerial && !m_hasContactsOnly) return std::iota(m_othersInOrder.begin(), m_othersInOrder.end(), 0u);
-    unsigned next[kColors + 1];
-    std::copy_n(m_firstOther, m_colorCount + 1, next);
+    for (unsigned place = 0; place <= colors; ++place) m_firstOther[place + 1] += m_firstOther[place];
+    unsigned next[dxEdgeColors::kMost + 1];
+    std::copy_n(m_firstOther, colors + 1, next);
     for (unsigned i = 0; i < m_others.size(); ++i) m_othersInOrder[next[placeOf(m_others[i].color)]++] = i;
 }
 
 void dxConstraintPlan::cutChunks() {
     m_chunks.clear();
     m_phases.clear();
-    if (m_isSerial && !m_others.empty()) {
-        m_chunks.push_back({0, 0, 0, static_cast<unsigned>(m_others.size())});
-        m_phases.push_back({0, 1});
-    }
-    for (unsigned color = 0; color < m_colorCount; ++color) {
-        const unsigned firstChunk = static_cast<unsigned>(m_chunks.size()), pack = m_firstPack[color],
-                       endPack = m_firstPack[color + 1], endOther = m_isSerial ? 0 : m_firstOther[color + 1];
-        for (unsigned i = pack; i < endPack; i += kPacksPerChunk)
-            m_chunks.push_back({i, std::min(i + kPacksPerChunk, endPack), 0, 0});
-        for (unsigned i = m_firstOther[color]; i < endOther; i += kOthersPerChunk)
-            m_chunks.push_back({0, 0, i, std::min(i + kOthersPerChunk, endOther)});
-        if (m_chunks.size() != firstChunk) m_phases.push_back({firstChunk, static_cast<unsigned>(m_chunks.size())});
-    }
-    const unsigned leftOver = m_firstOther[m_colorCount], count = static_cast<unsigned>(m_others.size());
-    if (m_isSerial || leftOver == count) return;
-    m_phases.push_back({static_cast<unsigned>(m_chunks.size()), static_cast<unsigned>(m_chunks.size()) + 1});
-    m_chunks.push_back({0, 0, leftOver, count});
+    const auto count = static_cast<unsigned>(m_others.size());
+    if (m_isSerial && count != 0) addPhase([&] { m_chunks.push_back({0, 0, 0, count}); });
+    for (unsigned color = 0; color < m_colors.count(); ++color)
+        addPhase([&] {
+            if (color < m_packColors) cutPacks(m_firstPack[color], m_firstPack[color + 1]);
+            if (!m_isSerial) cutOthers(m_firstOther[color], m_firstOther[color + 1]);
+        });
+    const unsigned packs = m_isSequence ? static_cast<unsigned>(m_packs.size()) : 0;
+    for (unsigned i = 0; i < packs; i += kPacksPerChunk) addPhase([&] { cutPacks(i, std::min(i + kPacksPerChunk, packs)); });
+    const unsigned leftOver = m_isSerial ? count : m_firstOther[m_colors.count()];
+    if (leftOver != count) addPhase([&] { m_chunks.push_back({0, 0, leftOver, count}); });
+}
+
+template <class AddChunks>
+void dxConstraintPlan::addPhase(const AddChunks &addChunks) {
+    const auto first = static_cast<unsigned>(m_chunks.size());
+    addChunks();
+    const auto end = static_cast<unsigned>(m_chunks.size());
+    if (end != first) m_phases.push_back({first, end});
+}
+
+void dxConstraintPlan::cutPacks(unsigned begin, unsigned end) {
+    for (unsigned i = begin; i < end; i += kPacksPerChunk) m_chunks.push_back({i, std::min(i + kPacksPerChunk, end), 0, 0});
+}
+
+void dxConstraintPlan::cutOthers(unsigned begin, unsigned end) {
+    for (unsigned i = begin; i < end; i += kOthersPerChunk) m_chunks.push_back({0, 0, i, std::min(i + kOthersPerChunk, end)});
 }

@@ -9,7 +9,6 @@
 
 #include "joints/contact.h"
 
-#include "core/dxMixedBits.h"
 #include "core/dxPrefetch.h"
 #include "dynamics/islands/dxIslandPrefetch.h"
 #include "dynamics/iterative/dxContactMatch.h"
@@ -124,10 +123,7 @@ void dxContactReader::read(const dxContactPacks &contacts, const Manifold *const
 // Another one in each step, as long as bodies move. What sweeps have not found would otherwise point the same way each time, and a column of
 // boxes tilt until it falls.
 dxContactReader::ContactOrder dxContactReader::orderOf(const Manifold &manifold) const {
-    const dReal *const position = m_step.island.bodies[manifold.body[0]]->posr.pos;
-    std::uint64_t bits = 0;
-    for (int axis = 0; axis < 3; ++axis)
-        bits = dxMixedBits(bits ^ dxStateNumbers::bitsOf(static_cast<double>(position[axis])));
+    const std::uint64_t bits = dxStateNumbers::bitsOf(m_step.island.bodies[manifold.body[0]]->posr.pos);
     return {manifold.contactCount, dxStateNumbers::below(bits, manifold.contactCount), (bits & 1) != 0};
 }
 

@@ -1,5 +1,8 @@
 #include "dynamics/iterative/dxIterativeWorld.h"
 
+#include <utility>
+
+#include "dynamics/iterative/dxWarmStart.h"
 #include "threading/process/dxPerWorld.h"
 #include "threading/process/dxProcessObject.h"
 
@@ -20,11 +23,12 @@ void dxIterativeWorld::forget(const dxWorld *world) { worlds->forget(world); }
 
 void dxIterativeWorld::release() { worlds->clear(); }
 
-void dxIterativeWorld::begin(const dxWorldProcessIslandsInfo &info, const dxSolverChoice &choice) {
+void dxIterativeWorld::begin(const dxWorldProcessIslandsInfo &info, const dxSolverChoice &choice, dReal stepSize) {
     m_choice = choice;
+    m_choice.isWarm &= dxWarmStart::isLike(stepSize, std::exchange(m_stepSize, stepSize));
     m_idle.clear();
     for (const std::unique_ptr<dxIterativeSolver> &solver : m_solvers) m_idle.push_back(solver.get());
-    m_forces.begin(info, choice.isWarm);
+    m_forces.begin(info, m_choice.isWarm);
 }
 
 void dxIterativeWorld::provideSolvers(unsigned count) {

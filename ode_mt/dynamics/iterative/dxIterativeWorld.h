@@ -23,8 +23,8 @@ public:
     static void release();
 
     // A step begins. Solvers that the last one did not give back, since user code left it, are there again. Throws
-    // std::bad_alloc.
-    void begin(const dxWorldProcessIslandsInfo &info, const dxSolverChoice &choice);
+    // std::bad_alloc. Forces of a step of quite another size are not used.
+    void begin(const dxWorldProcessIslandsInfo &info, const dxSolverChoice &choice, dReal stepSize);
 
     // So many solvers may be taken at once. Each has memory for what any of them has solved: which of them gets which group is the
     // schedule's. Throws std::bad_alloc.
@@ -56,6 +56,7 @@ private:
 
     dxContactForces m_forces;
     dxSolverChoice m_choice;
+    dReal m_stepSize = 0;
     std::mutex m_mutex;  // of the rest
     std::vector<std::unique_ptr<dxIterativeSolver>> m_solvers;
     std::vector<dxIterativeSolver *> m_idle;  // has room for all

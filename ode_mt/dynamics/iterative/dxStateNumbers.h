@@ -5,11 +5,22 @@
 #include <cstdint>
 #include <cstring>
 
+#include <ode/common.h>
+
+#include "core/dxMixedBits.h"
+
 namespace dxStateNumbers {
 
 inline std::uint64_t bitsOf(double number) {
     std::uint64_t bits;
     std::memcpy(&bits, &number, sizeof bits);
+    return bits;
+}
+
+// Mixed, of a place.
+inline std::uint64_t bitsOf(const dVector3 place) {
+    std::uint64_t bits = 0;
+    for (int axis = 0; axis < 3; ++axis) bits = dxMixedBits(bits ^ bitsOf(static_cast<double>(place[axis])));
     return bits;
 }
 
