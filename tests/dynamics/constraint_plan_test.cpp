@@ -1,5 +1,5 @@
 // The plan of a group's constraints: each joint is in one place, packs that may be solved at once share no moving body, bodies with many edges
-// have some left over; in small groups a manifold comes after those before it. And its sweeps: each chunk once a sweep, phases one after the other, whatever threads take part.
+// have some left over; small groups are solved from the ground up or down. And its sweeps: each chunk once a sweep, phases one after the other, whatever threads take part.
 #include <gtest/gtest.h>
 
 #include <ode/ode.h>
@@ -56,13 +56,14 @@ dJointID touch(dWorldID world, dBodyID first, dBodyID second) {
 }
 
 // side x side bodies, each of which touches its neighbours.
-void touchInGrid(dWorldID world, int side) {
+std::vector<dBodyID> touchInGrid(dWorldID world, int side) {
     std::vector<dBodyID> bodies;
     for (int i = 0; i < side * side; ++i) bodies.push_back(dBodyCreate(world));
     for (int i = 0; i < side * side; ++i) {
         if (i % side != 0) touch(world, bodies[static_cast<std::size_t>(i)], bodies[static_cast<std::size_t>(i - 1)]);
         if (i >= side) touch(world, bodies[static_cast<std::size_t>(i)], bodies[static_cast<std::size_t>(i - side)]);
     }
+    return bodies;
 }
 
 class ConstraintPlan : public testing::Test {
@@ -159,34 +160,58 @@ TEST_F(ConstraintPlan, FillsPacks) {
     dWorldDestroy(world);
 }
 
-// A smaller one is solved in the order of the group, from its first manifold or from its last one, as drawn from where its first body is.
-TEST_F(ConstraintPlan, KeepsTheOrderOfSmallGroups) {
+// A smaller one that stands on the ground is solved from there up, or down to it, as drawn from where its first body is.
+TEST_F(ConstraintPlan, SolvesSmallGroupsUpOrDown) {
     constexpr int kSide = 20;
     const dWorldID world = dWorldCreate();
-    touchInGrid(world, kSide);
+    const std::vector<dBodyID> bodies = touchInGrid(world, kSide);
+    for (int i = 0; i < kSide; ++i) touch(world, bodies[static_cast<std::size_t>(i)], nullptr);
     const Group group(world);
-    unsigned forth = 0, back = 0;
+    const auto heightOf = [&](int tag) { return (kSide * kSide - 1 - tag) / kSide; };  // the last body is the first of the world
+    unsigned up = 0, down = 0;
     for (int place = 0; place < 20; ++place) {
         dBodySetPosition(group.island().bodies[0], 0.1 * place, 0, 0);
         dxConstraintPlan plan;
         plan.make(group.island());
         expectNoneShared(plan, group);
-        EXPECT_LE(plan.packs().size(), plan.manifolds().size() / 8 + 2 * kSide);
-        std::vector<int> last(group.island().bodyCount, -1);
-        bool isForth = true, isBack = true;
-        for (const dxConstraintPlan::Manifold &manifold : plan.manifolds())
-            for (const int body : manifold.body) {
-                int &before = last.at(static_cast<std::size_t>(body));
-                const int pack = static_cast<int>(manifold.pack);
-                if (before >= 0) (pack > before ? isBack : isForth) = false;
-                before = pack;
-            }
-        EXPECT_NE(isForth, isBack);
-        forth += isForth;
-        back += isBack;
+        EXPECT_LE(plan.packs().size(), plan.manifolds().size() / 8 + kSide);
+        unsigned lowest[kSide], highest[kSide] = {};  // packs of contacts with what is below
+        std::fill_n(lowest, kSide, ~0u);
+        for (const dxConstraintPlan::Manifold &manifold : plan.manifolds()) {
+            const int height = heightOf(manifold.body[0]);
+            if (manifold.body[1] >= 0 && heightOf(manifold.body[1]) == height) continue;
+            lowest[height] = std::min(lowest[height], manifold.pack);
+            highest[height] = std::max(highest[height], manifold.pack);
+        }
+        const bool isUp = lowest[0] < lowest[kSide - 1];
+        for (int height = 1; height < kSide; ++height)
+            EXPECT_LT(isUp ? highest[height - 1] : highest[height], isUp ? lowest[height] + 8 : lowest[height - 1] + 8) << height;
+        ++(isUp ? up : down);
     }
-    EXPECT_EQ(forth + back, 20u);
-    EXPECT_GE(std::min(forth, back), 3u);
+    EXPECT_GE(std::min(up, down), 3u);
+    dWorldDestroy(world);
+}
+
+// A column is a chain in which each contact waits for the one before it.
+TEST_F(ConstraintPlan, KeepsColumnsInOrder) {
+    constexpr std::size_t kColumns = 8, kHeight = 10;
+    const dWorldID world = dWorldCreate();
+    std::vector<dBodyID> bodies;
+    for (std::size_t i = 0; i < kColumns * kHeight; ++i) bodies.push_back(dBodyCreate(world));
+    for (std::size_t i = 0; i < kColumns * kHeight; ++i) touch(world, bodies[i], i % kHeight == 0 ? nullptr : bodies[i - 1]);
+    const Group group(world);
+    dxConstraintPlan plan;
+    plan.make(group.island());
+    expectNoneShared(plan, group);
+    ASSERT_EQ(plan.manifolds().size(), kColumns * kHeight);
+    EXPECT_EQ(plan.packs().size(), kHeight);  // eight columns are eight lanes, whichever way they go
+    std::vector<unsigned> packOf(bodies.size());
+    for (const dxConstraintPlan::Manifold &manifold : plan.manifolds()) packOf.at(static_cast<std::size_t>(manifold.body[0])) = manifold.pack;
+    for (std::size_t column = 0; column < kColumns; ++column) {
+        const unsigned first = packOf[column * kHeight];
+        for (std::size_t i = 0; i < kHeight; ++i)
+            EXPECT_EQ(packOf[column * kHeight + i], first == 0 ? i : kHeight - 1 - i) << column;
+    }
     dWorldDestroy(world);
 }
 

@@ -38,8 +38,9 @@ struct Exception {
     Limits limits;
 };
 constexpr Exception kExceptions[] = {
-    {"bouncing", false, 20, {1.35, 1.35}},  {"heavy_deck", false, 10, {1.25, 1.5}}, {"stacks:4", true, 150, {1.4, 1.5}},        {"rover:4", true, 50, {1.1, 1.7}},
-    {"conveyor", true, 10, {1.45, 1.5}},    {"conveyor", true, 20, {1.55, 1.6}}, {"fixed_friction", true, 50, {1.55, 1.5}}};
+    {"bouncing", false, 50, {3.4, 3.4}},   {"heavy_deck", false, 10, {1.25, 1.5}}, {"pile:200", true, 50, {1.35, 1.65}},
+    {"stacks:4", true, 150, {1.4, 1.5}},   {"wall:6", true, 50, {1.5, 1.6}},       {"rover:4", true, 50, {1.1, 1.7}},
+    {"conveyor", true, 10, {1.45, 1.5}},   {"conveyor", true, 20, {1.55, 1.6}},    {"fixed_friction", true, 50, {1.55, 1.6}}};
 
 Limits limitsOf(const std::string &scene, bool isCold, int iterations) {
     for (const Exception &exception : kExceptions)

@@ -37,7 +37,7 @@ std::size_t contactsOf(const std::vector<dxContactManifold> &manifolds) {
 }
 
 // Drawn anew in each step, as long as the body moves.
-bool goesBack(const dxBody &body) { return (dxStateNumbers::bitsOf(body.posr.pos) & 2) != 0; }
+bool goesDown(const dxBody &body) { return (dxStateNumbers::bitsOf(body.posr.pos) & 2) != 0; }
 
 int tagOf(const dxBody *body) { return body != nullptr ? body->tag : dxConstraintPlan::kNoBody; }
 
@@ -66,7 +66,7 @@ void dxConstraintPlan::reserveAs(const dxConstraintPlan &other) {
     m_rowManifolds.reserve(other.m_rowManifolds.capacity());
     m_others.reserve(other.m_others.capacity());
     m_othersInOrder.reserve(other.m_othersInOrder.capacity());
-    m_turns.reserve(other.m_turns.capacity());
+    m_goesDown.reserve(other.m_goesDown.capacity());
     m_packOrder.reserveAs(other.m_packOrder);
     m_packs.reserve(other.m_packs.capacity());
     m_chunks.reserve(other.m_chunks.capacity());
@@ -149,25 +149,20 @@ void dxConstraintPlan::placeManifolds(const dxIsland &group) {
 
 // Returns whether that is done: vectors are filled, or so few contacts remain that they are rows.
 bool dxConstraintPlan::placeInSequence(const dxIsland &group) {
-    takeTurns(group);
-    makePacks(m_packOrder.place(m_manifolds, m_turns, m_moves));
+    drawDirections(group);
+    makePacks(m_packOrder.place(m_manifolds, m_moves, m_goesDown));
     if (fillsLanes()) return true;
     if (contactsOf(m_manifolds) + m_others.size() > kMaxSerial) return false;
     moveToRows([](const Manifold &) { return true; });
     return true;
 }
 
-// An island's manifolds go forth or back. Forth alone, columns of eight or ten boxes lean further with each step until they fall; back alone, they
-// move more and fall sooner.
-void dxConstraintPlan::takeTurns(const dxIsland &group) {
-    m_turns.resize(m_manifolds.size());
-    std::iota(m_turns.begin(), m_turns.end(), 0u);
-    for (std::size_t first = 0, end; first < m_manifolds.size(); first = end) {
-        const unsigned island = islandOf(m_manifolds[first]);
-        for (end = first + 1; end < m_manifolds.size() && islandOf(m_manifolds[end]) == island;) ++end;
-        if (!goesBack(*group.bodies[m_islands[island].firstBody])) continue;
-        std::reverse(m_turns.begin() + static_cast<std::ptrdiff_t>(first), m_turns.begin() + static_cast<std::ptrdiff_t>(end));
-    }
+// An island is solved from the ground up, or down. Up alone, columns of eight or ten boxes lean further with each step until they fall; down
+// alone, they move more and fall sooner.
+void dxConstraintPlan::drawDirections(const dxIsland &group) {
+    m_goesDown.resize(group.bodyCount);
+    for (const Island &island : m_islands)
+        std::fill(m_goesDown.begin() + island.firstBody, m_goesDown.begin() + island.endBody, goesDown(*group.bodies[island.firstBody]));
 }
 
 void dxConstraintPlan::placeByColor() {

@@ -81,7 +81,7 @@ private:
     void findIslands(unsigned bodyCount);
     void placeManifolds(const dxIsland &group);
     bool placeInSequence(const dxIsland &group);
-    void takeTurns(const dxIsland &group);
+    void drawDirections(const dxIsland &group);
     void placeByColor();
     void sortByColor();
     void makePacks(unsigned count);
@@ -103,7 +103,7 @@ private:
     std::vector<Manifold> m_manifolds, m_rowManifolds;
     std::vector<OtherJoint> m_others;
     std::vector<unsigned> m_othersInOrder;
-    std::vector<unsigned> m_turns;  // manifolds
+    std::vector<std::uint8_t> m_goesDown;  // by body
     dxPackOrder m_packOrder;
     dxEdgeColors m_colors;
     std::vector<dxContactPack> m_packs;
