@@ -6,6 +6,7 @@
 #include "dynamics/direct/dxDirectMemory.h"
 #include "dynamics/direct/dxFastSolver.h"
 #include "dynamics/exactstep/dxDantzigSolver.h"
+#include "dynamics/exactstep/dxExactBodies.h"
 #include "dynamics/exactstep/dxExactStep.h"
 #include "dynamics/islands/dxStepTimeline.h"
 #include "dynamics/islands/dxWorkingMemory.h"
@@ -78,7 +79,8 @@ void dxIslandStepper::step(const dxStepCall &call, const dxIsland &island, dxWor
     } else {
         dxFastSolver fast;
         dxDantzigSolver dantzig;
-        dxExactStep(step, call.kind == dxStepperKind::Direct ? static_cast<dxExactSolver &>(fast) : dantzig);
+        const bool isDirect = call.kind == dxStepperKind::Direct;
+        dxExactStep(step, isDirect ? static_cast<dxExactSolver &>(fast) : dantzig, isDirect && dxAreBodiesForLanes(island));
     }
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <random>
 #include <vector>
 
 #include "island_rows.h"
@@ -16,6 +17,7 @@
 
 #include "dynamics/direct/dxDirectSolver.h"
 #include "dynamics/direct/dxReducedLcp.h"
+#include "dynamics/direct/dxUnlimitedRows.h"
 #include "dynamics/exactstep/dxDantzigSolver.h"
 
 namespace {
@@ -118,6 +120,9 @@ protected:
             return true;
         });
         const std::optional<Solution> reduced = solveAside(problem, m_solver, [&] { return m_reduced.solve(step, problem); });
+        std::optional<Solution> unlimited;
+        const bool isUnlimited = countRowsWithoutLimits(problem) == problem.rowCount;
+        if (isUnlimited) unlimited = solveAside(problem, m_solver, [&] { return m_unlimited.solve(step, problem); });
         dxDantzigSolver().solve(step, problem);
         if (!direct) {
             ++m_direct.unsolved;
@@ -125,19 +130,83 @@ protected:
         }
         const Solution upstreams{m_solver.residualOf(problem), accelerationsOf(problem)};
         expectAsExact(direct, upstreams, m_solver.scale(), 1, m_direct);
-        if (hasRowsWithoutLimits(problem)) expectAsExact(reduced, upstreams, m_solver.scale(), kOtherLimits, m_eliminated);
+        if (countRowsWithoutLimits(problem) > 0) expectAsExact(reduced, upstreams, m_solver.scale(), kOtherLimits, m_eliminated);
+        if (isUnlimited) expectAsExact(unlimited, upstreams, m_solver.scale(), 1, m_alone);
     }
 
-    static bool hasRowsWithoutLimits(const dxExactProblem &problem) {
+    static unsigned countRowsWithoutLimits(const dxExactProblem &problem) {
+        unsigned count = 0;
         for (unsigned i = 0; i < problem.rowCount; ++i)
-            if (problem.pairsLoHi[2 * i] == -dInfinity && problem.pairsLoHi[2 * i + 1] == dInfinity) return true;
-        return false;
+            count += problem.pairsLoHi[2 * i] == -dInfinity && problem.pairsLoHi[2 * i + 1] == dInfinity;
+        return count;
     }
 
     dxDirectSolver m_solver;
     dxReducedLcp m_reduced;
-    Tally m_direct, m_eliminated;
+    dxUnlimitedRows m_unlimited;
+    Tally m_direct, m_eliminated, m_alone;
 };
+
+// Bodies in a tree with rings, held by joints whose rows have no limits.
+class UnlimitedWorld {
+public:
+    // `kinds`: of joints, from few rows to many.
+    UnlimitedWorld(unsigned bodies, unsigned kinds, unsigned seed) : m_random(seed), m_world(dWorldCreate()) {
+        dWorldSetGravity(m_world, 0, 0, -10);
+        for (unsigned i = 0; i < bodies; ++i) {
+            m_bodies.push_back(dBodyCreate(m_world));
+            dMass mass;
+            dMassSetBoxTotal(&mass, dReal(1 + i % 3), dReal(0.3), dReal(0.5), dReal(0.9));
+            dBodySetMass(m_bodies.back(), &mass);
+            dBodySetPosition(m_bodies.back(), dReal(i), number(), number());
+            dBodySetAngularVel(m_bodies.back(), number(), number(), number());
+            addJoint(i, i > 0 ? static_cast<int>(i - 1 - m_random() % std::min(i, 4u)) : -1, kinds);
+            if (i > 4 && i % 5 == 0) addJoint(i, static_cast<int>(m_random() % (i - 3)), 2);
+        }
+    }
+    ~UnlimitedWorld() { dWorldDestroy(m_world); }
+    UnlimitedWorld(const UnlimitedWorld &) = delete;
+    UnlimitedWorld &operator=(const UnlimitedWorld &) = delete;
+
+    dWorldID world() const { return m_world; }
+
+private:
+    dReal number() { return dReal(std::uniform_real_distribution<double>(-1, 1)(m_random)); }
+
+    // `other`: -1 is the world.
+    void addJoint(unsigned body, int other, unsigned kinds) {
+        static dJointID (*const create[])(dWorldID, dJointGroupID) = {&dJointCreateDBall,  &dJointCreateBall,   &dJointCreateUniversal,
+                                                                      &dJointCreateHinge, &dJointCreateSlider, &dJointCreateFixed};
+        const unsigned kind = m_random() % kinds;
+        const dJointID joint = create[kind](m_world, nullptr);
+        dJointAttach(joint, m_bodies[body], other >= 0 ? m_bodies[static_cast<unsigned>(other)] : nullptr);
+        const dReal *const here = dBodyGetPosition(m_bodies[body]);
+        const dReal x = here[0] - dReal(0.4), y = here[1] + number() / 2, z = here[2] + number() / 2;
+        if (kind == 0) dJointSetDBallAnchor1(joint, x, y, z);
+        if (kind == 1) dJointSetBallAnchor(joint, x, y, z);
+        if (kind == 2) dJointSetUniversalAnchor(joint, x, y, z);
+        if (kind == 3) dJointSetHingeAnchor(joint, x, y, z);
+        if (kind == 5) dJointSetFixed(joint);
+    }
+
+    std::mt19937 m_random;
+    const dWorldID m_world;
+    std::vector<dBodyID> m_bodies;
+};
+
+TEST_F(DirectSolver, SolvesRowsWithoutLimitsAloneAsExactlyAsUpstreams) {
+    for (const unsigned kinds : {1u, 2u, 3u, 6u})
+        for (const unsigned bodies : {2u, 9u, 30u})
+            for (unsigned seed = 0; seed < 8; ++seed) {
+                const UnlimitedWorld world(bodies, kinds, seed);
+                for (int i = 0; i < 3; ++i)
+                    solveIslands(world.world(), kStepSize,
+                                 [&](const dxIslandStep &step, const dxExactProblem &problem) { compareSolutions(step, problem); });
+            }
+    EXPECT_GE(m_alone.islands, 280u);
+    EXPECT_LT(m_alone.unsolved, m_alone.islands / 10);
+    EXPECT_GT(m_alone.compared, m_alone.islands / 2);
+}
 
 const RandomWorld::Shape kShapes[] = {{2, 1}, {2, 6}, {5, 6}, {9, 20}, {20, 30}, {12, 60}, {60, 120}};
 

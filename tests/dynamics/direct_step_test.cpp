@@ -131,6 +131,48 @@ TEST_F(DirectStep, MovesAChainAsTheExactStep) {
     expectSameChain(400);
 }
 
+// What is told of a chain, and who hears of it, changes nothing: forces of joints with feedback are those of the exact step, and a body
+// with a callback, by which others are moved one by one, has the bits that it has without.
+TEST_F(DirectStep, TellsOfAChain) {
+    const auto step = [](const char *solver, dJointFeedback *feedback, void (*callback)(dBodyID)) {
+        JointWorld world(solver);
+        world.addChain(100);
+        dJointSetFeedback(dBodyGetJoint(world.bodies()[40], 0), feedback);
+        dBodySetMovedCallback(world.bodies()[60], callback);
+        for (int i = 0; i < 3; ++i) dWorldStep(world.world(), kStepSize);
+        return world.velocities();
+    };
+    static unsigned calls;
+    calls = 0;
+    dJointFeedback exact{}, fast{};
+    const std::vector<dReal> expected = step("exact", &exact, nullptr), found = step("fast", &fast, nullptr);
+    expectSame(expected, found);
+    EXPECT_NE(exact.f1[2], 0);
+    for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(exact.f1[axis], fast.f1[axis], 1e-6 * std::fabs(exact.f1[2]));
+    const std::vector<dReal> plain = step("fast", nullptr, nullptr);
+    expectSame(expected, plain);
+    EXPECT_EQ(step("fast", nullptr, [](dBodyID) { ++calls; }), plain);
+    EXPECT_EQ(calls, 3u);
+}
+
+// A structure that is kept is another island's: chains and trees of as many joints, one after another.
+TEST_F(DirectStep, ForgetsTheStructureOfTheLastIsland) {
+    const auto stepAfter = [](unsigned nets) {
+        for (unsigned i = 0; i < nets; ++i) {
+            JointWorld other("fast");
+            other.addNet(7);
+            dWorldStep(other.world(), kStepSize);
+        }
+        JointWorld world("fast");
+        world.addChain(84);  // as many joints as the net has
+        for (int i = 0; i < 2; ++i) dWorldStep(world.world(), kStepSize);
+        return world.velocities();
+    };
+    const std::vector<dReal> first = stepAfter(0);
+    EXPECT_EQ(stepAfter(1), first);
+    EXPECT_EQ(stepAfter(0), first);
+}
+
 // One step by each solver. Returns the velocities of both.
 template <class Add>
 std::vector<std::vector<dReal>> velocitiesOfBoth(const Add &add) {

@@ -16,6 +16,7 @@
 #include "util.h"
 
 #include "dynamics/exactstep/dxDantzigSolver.h"
+#include "dynamics/exactstep/dxExactBodies.h"
 #include "dynamics/exactstep/dxExactMatrix.h"
 #include "dynamics/exactstep/dxExactProblem.h"
 #include "dynamics/exactstep/dxExactStep.h"
@@ -34,12 +35,13 @@ class RecordingSolver final : public dxExactSolver {
 public:
     explicit RecordingSolver(RecordedProblem &recorded) : m_recorded(recorded) {}
 
-    void solve(const dxIslandStep &step, const dxExactProblem &problem) override {
+    bool solve(const dxIslandStep &step, const dxExactProblem &problem) override {
         dReal *const matrix = dxMakeMatrix(step, problem);
         m_recorded.recordProblem(problem.rowCount, matrix, problem.pairsBX, problem.unboundedJoints, problem.pairsLoHi,
                                  problem.normalOf);
         dxDantzigSolver::solve(step, problem, matrix);
         m_recorded.recordSolution(problem.pairsBX);
+        return false;
     }
 
 private:
@@ -50,6 +52,13 @@ void stepIslandAsOurs(const dxStepperProcessingCallContext &call, RecordedProble
     RecordingSolver solver(problem);
     const dxIsland island{call.m_islandBodiesStart, call.m_islandJointsStart, call.m_islandBodiesCount, call.m_islandJointsCount};
     dxExactStep({call.m_world, call.m_stepSize, island, call.m_stepperArena}, solver);
+}
+
+// Large islands with bodies in lanes.
+void stepIslandInLanes(const dxStepperProcessingCallContext &call, RecordedProblem &problem) {
+    RecordingSolver solver(problem);
+    const dxIsland island{call.m_islandBodiesStart, call.m_islandJointsStart, call.m_islandBodiesCount, call.m_islandJointsCount};
+    dxExactStep({call.m_world, call.m_stepSize, island, call.m_stepperArena}, solver, dxAreBodiesForLanes(island));
 }
 
 struct StepResult {
@@ -98,7 +107,7 @@ void expectSame(const RecordedProblem &upstream, const RecordedProblem &ours) {
 }
 
 // Returns the number of rows that were compared.
-unsigned expectSameSteps(const RandomWorld::Shape &shape, unsigned seed, int steps) {
+unsigned expectSameSteps(const RandomWorld::Shape &shape, unsigned seed, int steps, IslandStepper stepIsland = &stepIslandAsOurs) {
     SCOPED_TRACE(std::to_string(shape.joints) + " joints, seed " + std::to_string(seed));
     RandomWorld upstreams(shape, seed), ours(shape, seed);
     unsigned rows = 0;
@@ -108,7 +117,7 @@ unsigned expectSameSteps(const RandomWorld::Shape &shape, unsigned seed, int ste
         upstreams.push();
         ours.push();
         const StepResult a = step(upstreams.world(), &dxReallocateWorldProcessContext, &stepIslandAsUpstream);
-        const StepResult b = step(ours.world(), &dxPrepareStep, &stepIslandAsOurs);
+        const StepResult b = step(ours.world(), &dxPrepareStep, stepIsland);
         isLeft = a.isLeft;
         EXPECT_EQ(a.isLeft, b.isLeft);
         EXPECT_EQ(a.islands, b.islands);
@@ -158,6 +167,21 @@ TEST_F(ExactStep, HasUpstreamsBitsBeyondTheRangeOfNumbers) {
                 shape.isExtreme = true;
                 for (unsigned seed = 0; seed < 10; ++seed) expectSameSteps(shape, seed, 3);
             }
+        });
+    }
+}
+
+const RandomWorld::Shape kLaneShapes[] = {{9, 20}, {20, 30}, {12, 60}, {60, 40}};
+
+TEST_F(ExactStep, HasUpstreamsBitsWithBodiesInLanes) {
+    for (const std::int64_t set : instructionSets()) {
+        onInstructionSet(set, [&] {
+            for (RandomWorld::Shape shape : kLaneShapes)
+                for (unsigned seed = 300; seed < 308; ++seed) {
+                    shape.isExtreme = seed % 2 != 0;
+                    shape.isQuiet = seed % 4 < 3;
+                    expectSameSteps(shape, seed, 4, &stepIslandInLanes);
+                }
         });
     }
 }

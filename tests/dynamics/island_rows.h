@@ -22,7 +22,10 @@ using IslandSolve = std::function<void(const dxIslandStep &step, const dxExactPr
 inline void solveIslands(dWorldID world, dReal stepSize, const IslandSolve &solve) {
     struct Solver final : dxExactSolver {
         explicit Solver(const IslandSolve &solve) : m_solve(solve) {}
-        void solve(const dxIslandStep &step, const dxExactProblem &problem) override { m_solve(step, problem); }
+        bool solve(const dxIslandStep &step, const dxExactProblem &problem) override {
+            m_solve(step, problem);
+            return false;
+        }
         const IslandSolve &m_solve;
     } solver(solve);
     forIslands(world, stepSize, &dxEstimateStepMemoryRequirements, [&](const dxIsland &island, dxWorldProcessMemArena *arena) {

@@ -50,7 +50,7 @@ void RandomWorld::addBody() {
     dBodySetGyroscopicMode(body, !chance(3));
     dBodySetGravityMode(body, !chance(5));
     if (chance(6)) dBodySetKinematic(body);
-    if (chance(5)) dBodySetFiniteRotationMode(body, 1);
+    if (!m_shape.isQuiet && chance(5)) dBodySetFiniteRotationMode(body, 1);
     if (chance(5)) dBodySetMaxAngularSpeed(body, 3);
     if (chance(5)) dBodySetDamping(body, dReal(0.1), dReal(0.2));
     m_bodies.push_back(body);

@@ -14,6 +14,7 @@ public:
     struct Shape {
         unsigned bodies, joints;
         bool isExtreme = false;  // forces beyond the range of numbers, and none at all
+        bool isQuiet = false;    // no finite rotation
     };
 
     RandomWorld(const Shape &shape, unsigned seed);

@@ -15,6 +15,7 @@
 #include "dynamics/direct/dxIslandShape.h"
 #include "dynamics/direct/dxMethodCosts.h"
 #include "dynamics/direct/dxReducedLcp.h"
+#include "dynamics/direct/dxUnlimitedRows.h"
 #include "dynamics/exactstep/dxDantzigSolver.h"
 #include "dynamics/exactstep/dxExactProblem.h"
 #include "dynamics/islands/dxIslandStep.h"
@@ -27,6 +28,7 @@ namespace {
 
 dxProcessObject<dxObjectPool<dxDirectSolver>> solvers;
 dxProcessObject<dxObjectPool<dxReducedLcp>> eliminations;
+dxProcessObject<dxObjectPool<dxUnlimitedRows>> unlimitedSystems;
 
 constexpr int kPair = dxJoint::GI2__RHS_CFM_MAX, kForce = dxJoint::GI2_CFM;
 
@@ -42,8 +44,7 @@ constexpr unsigned kMinChoiceRows = 48;
 constexpr double kFactorisationsOfFailed = 3;
 
 // Contacts without pressure are no work for Dantzig's algorithm, so they are looked at where it would be left because of rows with limits.
-dxMethodCosts findCosts(const dxIslandStep &step, const dxExactProblem &problem) {
-    const dxIslandShape shape = dxIslandShape::of(problem, *step.arena);
+dxMethodCosts findCosts(const dxIslandStep &step, const dxExactProblem &problem, const dxIslandShape &shape) {
     const dxMethodCosts costs = dxMethodCosts::of(shape);
     if (shape.limited == 0 || costs.cheapest() != dxDirectMethod::BodySpace) return costs;
     return dxMethodCosts::of(shape, dxFindActiveShare(problem, step.stepSize));
@@ -59,6 +60,8 @@ bool solveDensely(const dxIslandStep &step, const dxExactProblem &problem) {
     dxDantzigSolver().solve(dense, problem);
     return true;
 }
+
+void countIsland() { dxStepStatistics::instance().directIslands.fetch_add(1, std::memory_order_relaxed); }
 
 // Counts an island that another algorithm is asked to solve. `residual`: of what was found; infinity: nothing was.
 void countFallback(const dxExactProblem &problem, double residual) {
@@ -105,33 +108,68 @@ void findForces(const dxIslandStep &step, const dxExactProblem &problem) {
     if (outcome == Outcome::LeftToDantzig) message.deliver();
 }
 
-bool eliminate(const dxIslandStep &step, const dxExactProblem &problem) try {
+enum class Elimination { Failed, Solved, Pushed };  // the last one with forces on the bodies
+
+Elimination eliminateReduced(const dxIslandStep &step, const dxExactProblem &problem) {
     const dxPooledObject<dxReducedLcp> elimination(*eliminations);
-    return elimination->solve(step, problem);
+    return elimination->solve(step, problem) ? Elimination::Solved : Elimination::Failed;
+}
+
+// `solve`: of dxUnlimitedRows.
+Elimination eliminateUnlimited(const dxIslandStep &step, const dxExactProblem &problem, decltype(&dxUnlimitedRows::solve) solve) {
+    const dxPooledObject<dxUnlimitedRows> system(*unlimitedSystems);
+    if (!((*system).*solve)(step, problem)) return Elimination::Failed;
+    return system->push(problem) ? Elimination::Pushed : Elimination::Solved;
+}
+
+Elimination eliminate(const dxIslandStep &step, const dxExactProblem &problem, bool hasLimits) try {
+    return hasLimits ? eliminateReduced(step, problem) : eliminateUnlimited(step, problem, &dxUnlimitedRows::solve);
 } catch (const std::bad_alloc &) {
-    return false;
+    return Elimination::Failed;
+}
+
+// Nothing is chosen again for an island without limits that looks as the last one did.
+Elimination eliminateKnown(const dxIslandStep &step, const dxExactProblem &problem) try {
+    if (problem.unboundedJoints != problem.jointCount) return Elimination::Failed;
+    return eliminateUnlimited(step, problem, &dxUnlimitedRows::solveKnown);
+} catch (const std::bad_alloc &) {
+    return Elimination::Failed;
 }
 
 // What cannot be eliminated has another method. Rows may contradict one another then, which is many factorisations for body space.
-void solveByElimination(const dxIslandStep &step, const dxExactProblem &problem, const dxMethodCosts &costs) {
-    if (eliminate(step, problem)) return;
-    if (kFactorisationsOfFailed * costs.bodySpace < costs.dantzig) return findForces(step, problem);
+// Returns whether forces are on the bodies.
+bool solveByElimination(const dxIslandStep &step, const dxExactProblem &problem, const dxMethodCosts &costs, bool hasLimits) {
+    const Elimination elimination = eliminate(step, problem, hasLimits);
+    if (elimination != Elimination::Failed) return elimination == Elimination::Pushed;
+    if (kFactorisationsOfFailed * costs.bodySpace < costs.dantzig) {
+        findForces(step, problem);
+        return false;
+    }
     countFallback(problem, kInfinity);
-    dxDantzigSolver().solve(step, problem);
+    return dxDantzigSolver().solve(step, problem);
 }
 
 }  // namespace
 
-void dxFastSolver::solve(const dxIslandStep &step, const dxExactProblem &problem) {
+bool dxFastSolver::solve(const dxIslandStep &step, const dxExactProblem &problem) {
     if (problem.rowCount < kMinChoiceRows) return dxDantzigSolver().solve(step, problem);
-    const dxMethodCosts costs = findCosts(step, problem);
+    const Elimination known = eliminateKnown(step, problem);
+    if (known != Elimination::Failed) {
+        countIsland();
+        return known == Elimination::Pushed;
+    }
+    const dxIslandShape shape = dxIslandShape::of(problem, *step.arena);
+    const dxMethodCosts costs = findCosts(step, problem, shape);
     const dxDirectMethod method = costs.cheapest();
     if (method == dxDirectMethod::Dantzig) return dxDantzigSolver().solve(step, problem);
-    dxStepStatistics::instance().directIslands.fetch_add(1, std::memory_order_relaxed);
-    method == dxDirectMethod::BodySpace ? findForces(step, problem) : solveByElimination(step, problem, costs);
+    countIsland();
+    if (method == dxDirectMethod::Elimination) return solveByElimination(step, problem, costs, shape.limited > 0);
+    findForces(step, problem);
+    return false;
 }
 
 void dxFastSolver::release() {
     solvers->clear([](dxDirectSolver *solver) { delete solver; });
     eliminations->clear([](dxReducedLcp *elimination) { delete elimination; });
+    unlimitedSystems->clear([](dxUnlimitedRows *system) { delete system; });
 }

@@ -9,7 +9,7 @@
 class dxFastSolver final : public dxExactSolver {
 public:
     // The step's arena is as large as dxEstimateDirectStepMemory says.
-    void solve(const dxIslandStep &step, const dxExactProblem &problem) override;
+    bool solve(const dxIslandStep &step, const dxExactProblem &problem) override;
 
     // Frees what is kept from island to island and is not in use (dCloseODE, unloading).
     static void release();

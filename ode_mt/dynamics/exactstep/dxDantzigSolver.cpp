@@ -13,10 +13,11 @@ static_assert(int(dxJoint::GI2_LO) == int(PLH_LO) && int(dxJoint::GI2_HI) == int
                   int(dxJoint::GI2__LO_HI_MAX) == int(PLH__MAX),
               "joints write limits where the solver reads them");
 
-void dxDantzigSolver::solve(const dxIslandStep &step, const dxExactProblem &problem) {
+bool dxDantzigSolver::solve(const dxIslandStep &step, const dxExactProblem &problem) {
     void *const state = step.arena->SaveState();
     solve(step, problem, dxMakeMatrix(step, problem));
     step.arena->RestoreState(state);
+    return false;
 }
 
 // Upstream tells its solver of as many rows without limits as there are joints of such rows; the solver finds the others by

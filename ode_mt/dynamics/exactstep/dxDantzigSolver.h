@@ -9,7 +9,7 @@
 class dxDantzigSolver final : public dxExactSolver {
 public:
     // Makes the matrix in the step's arena, and solves.
-    void solve(const dxIslandStep &step, const dxExactProblem &problem) override;
+    bool solve(const dxIslandStep &step, const dxExactProblem &problem) override;
 
     // Solves with the matrix, made (dxMakeMatrix).
     static void solve(const dxIslandStep &step, const dxExactProblem &problem, dReal *matrix);

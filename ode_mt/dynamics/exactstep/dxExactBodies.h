@@ -6,5 +6,8 @@
 
 struct dxExactProblem;
 
-// Fills in the problem's bodies. Adds to facc and tacc, writes tags.
-void dxGatherBodies(const dxIslandStep &step, dxExactProblem &problem);
+// Whether lanes pay for the island's bodies, and may be used.
+bool dxAreBodiesForLanes(const dxIsland &island);
+
+// Fills in the problem's bodies. Adds to facc and tacc, writes tags. `inLanes`: requires dxAreBodiesForLanes.
+void dxGatherBodies(const dxIslandStep &step, dxExactProblem &problem, bool inLanes = false);

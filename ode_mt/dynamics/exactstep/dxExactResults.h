@@ -6,5 +6,6 @@
 struct dxExactProblem;
 
 // Requires x, if there are rows. Body by body, in the island's order: writes feedback of the body's joints, velocities and pose,
-// tells spaces and the user that it has moved, clears facc and tacc.
-void dxApplyResults(const dxIslandStep &step, const dxExactProblem &problem);
+// tells spaces and the user that it has moved, clears facc and tacc. `isPushed`: J' x is in facc and tacc already. `inLanes`: bodies
+// that move quietly (dxMovesQuietly) are moved some at a time, and spaces are told afterwards; the bits are the same.
+void dxApplyResults(const dxIslandStep &step, const dxExactProblem &problem, bool isPushed = false, bool inLanes = false);

@@ -7,8 +7,9 @@ struct dxIslandStep;
 class dxExactSolver {
 public:
     // Requires rows, read. Writes x into problem.pairsBX; b and the limits of friction rows may be written over. What is taken of
-    // the step's arena is given back.
-    virtual void solve(const dxIslandStep &step, const dxExactProblem &problem) = 0;
+    // the step's arena is given back. Returns whether J' x has been added to the bodies' accumulators, too, which is left to
+    // dxApplyResults otherwise, as it always is where a joint has feedback.
+    virtual bool solve(const dxIslandStep &step, const dxExactProblem &problem) = 0;
 
 protected:
     ~dxExactSolver() = default;

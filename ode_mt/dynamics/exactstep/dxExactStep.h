@@ -9,5 +9,6 @@
 
 class dxExactSolver;
 
-// Steps the island, with upstream's bits if the solver has them.
-void dxExactStep(const dxIslandStep &step, dxExactSolver &solver);
+// Steps the island, with upstream's bits if the solver has them. `inLanes`: bodies are gathered and moved some at a time, with the same bits;
+// for islands of which dxAreBodiesForLanes holds.
+void dxExactStep(const dxIslandStep &step, dxExactSolver &solver, bool inLanes = false);
