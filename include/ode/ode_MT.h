@@ -676,7 +676,7 @@ ODE_API const char *dODE_MT_GetReasonText(int reason);
 typedef struct dODE_MT_WorldStatistics {
     size_t size;           /**< in: sizeof(dODE_MT_WorldStatistics); out: how many bytes have been written */
     unsigned number;       /**< of the world, in the order of their first recorded steps, from 1 */
-    unsigned threads;      /**< that may be used (dODE_MT_GetThreads) */
+    unsigned threads;      /**< that steps of the world may use (dODE_MT_GetWorldThreads) */
     unsigned bodies;       /**< of the world, those that sleep included */
     unsigned contacts;     /**< contact joints of the world */
     unsigned islands;      /**< that were stepped; "fast" counts small ones of dWorldQuickStep together */

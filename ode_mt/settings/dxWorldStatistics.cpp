@@ -8,7 +8,6 @@
 
 #include "core/dxLog.h"
 #include "settings/dxSerialReason.h"
-#include "settings/dxSettings.h"
 #include "settings/dxStatisticsFile.h"
 #include "settings/dxStatisticsSharing.h"
 #include "threading/process/dxForkListener.h"
@@ -97,7 +96,7 @@ void setTimes(dODE_MT_WorldStatistics &frame, const Entry &entry, const dxStepRe
 
 void setCounts(dODE_MT_WorldStatistics &frame, const Entry &entry, const dxStepRecord &step) {
     const dxCollisionRecord &collision = entry.collision;
-    frame.threads = dxSettings::instance().threads();
+    frame.threads = step.threadsInForce;
     frame.bodies = step.bodies;
     frame.contacts = step.contacts;
     frame.islands = step.islands;

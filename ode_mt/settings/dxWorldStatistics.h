@@ -27,7 +27,8 @@ struct dxStepRecord {
     std::uint64_t begin = 0, end = 0;  // ticks
     dxFrameTimes times{};
     std::uint64_t rows = 0;
-    unsigned threads = 1, bodies = 0, contacts = 0, islands = 0;
+    unsigned threads = 1, threadsInForce = 0;  // that took part; that might have (dxOwnThreads)
+    unsigned bodies = 0, contacts = 0, islands = 0;
     dODE_MT_Reason reason = dODE_MT_REASON_PARALLEL;
 };
 

@@ -201,6 +201,27 @@ TEST_F(WorldStatistics, ThreadsAndThePrefetchAreCounted) {
     EXPECT_EQ(frame.callbackReason, dODE_MT_REASON_CALLBACK_POLICY);
 }
 
+// Its own, or else the process's. Both are read after the step.
+TEST_F(WorldStatistics, ThreadsAreThoseInForceForTheWorld) {
+    OdeSession::use(2, "lcp");
+    ChainWorld own(4, 2), other(4, 2);
+    const auto threadsOf = [](ChainWorld &chains) {
+        chains.step();
+        return statisticsOf(chains.world()).threads;
+    };
+    ASSERT_EQ(dODE_MT_SetWorldThreads(own.world(), 3), 1);
+    EXPECT_EQ(threadsOf(own), 3u);
+    EXPECT_EQ(threadsOf(other), 2u);
+    ASSERT_EQ(dODE_MT_SetWorldThreads(own.world(), 1), 1);
+    EXPECT_EQ(threadsOf(own), 1u);
+    ASSERT_EQ(dODE_MT_SetWorldThreads(own.world(), 0), 1);
+    EXPECT_EQ(threadsOf(own), 2u);
+    dToggleODE_MT(0);
+    EXPECT_EQ(threadsOf(own), 0u);
+    ASSERT_EQ(dODE_MT_SetWorldThreads(own.world(), dODE_MT_AUTO), 1);
+    EXPECT_EQ(threadsOf(own), static_cast<unsigned>(dODE_MT_GetWorldThreads(own.world())));
+}
+
 TEST_F(WorldStatistics, ReasonsOfTheStep) {
     EXPECT_EQ(stepReason(20, 3), dODE_MT_REASON_THREADS);
     OdeSession::use(2, "serial");

@@ -1,5 +1,6 @@
 #include "dynamics/islands/dxStepTimeline.h"
 
+#include "settings/dxOwnThreads.h"
 #include "settings/dxWorldStatistics.h"
 
 namespace {
@@ -41,6 +42,7 @@ void dxStepSpan::end() {
     m_ring->add(kStep, m_ring->stepBegin, now, {m_bodies, m_islands, rows, threads});
     m_ring->nextFrame();
     if (dxTimeline::isCounted() && m_ring->stepBegin != 0)
-        dxWorldStatistics::add(m_world, {m_ring->stepBegin, now, m_ring->times(), rows, threads, m_bodies, m_contacts, m_islands, m_reason});
+        dxWorldStatistics::add(m_world, {m_ring->stepBegin, now, m_ring->times(), rows, threads, dxOwnThreads::inForce(dxOwnThreads::of(m_world)),
+                                         m_bodies, m_contacts, m_islands, m_reason});
     m_ring->stepBegin = 0;
 }
