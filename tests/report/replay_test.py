@@ -37,6 +37,20 @@ probe.fillRect(0, 0, 1, 1);
 const row = (context, width) => new Uint32Array(context.getImageData(0, 0, width, 1).data.buffer), [sought] = row(probe, 1);
 return [...row(canvas.getContext('2d'), canvas.width).entries()].filter(([x, pixel]) => pixel === sought).map(([x]) => x / canvas.width);"""
 
+# How many pixels of a colour stand above the middle of the time line, and below it: for each place on it (0 to 1).
+EVENT_MARKS = """const [colour, places] = arguments, canvas = document.querySelector('.timeline canvas'), { width, height } = canvas;
+const channels = [1, 3, 5].map(i => parseInt(colour.slice(i, i + 2), 16)), inset = 8;
+const copy = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
+copy.drawImage(canvas, 0, 0);
+const pixels = copy.getImageData(0, 0, width, height).data;
+const isSought = (x, y) => [...channels, 255].every((channel, i) => pixels[4 * (y * width + x) + i] === channel);
+const count = (x, from, to) => Array.from({ length: to - from }, (_, i) => from + i).filter(y => isSought(x, y)).length;
+return places.map(place => {
+    const columns = [-1, 0, 1].map(offset => Math.round(inset + (width - 2 * inset) * place) + offset);
+    return [Math.max(...columns.map(x => count(x, 0, height / 2))), Math.max(...columns.map(x => count(x, height / 2, height)))];
+});"""
+MERGE, SPLIT, HALF_HEIGHT = "#0072b2", "#e69f00", 13  # pixels
+
 
 def record(file, *options, world="pile:20"):
     subprocess.run([RECORD, world, "--frames", "60", "--every", "6", "--contacts", "--cells", "8", *options, "--output", str(file)], check=True)
@@ -186,6 +200,38 @@ class ReplayTest(unittest.TestCase):
         self.choose("replay-colour", "body")
         self.assertNotEqual(self.picture()[1], threads)
         self.assertEqual(browser.errors(), [])
+
+    def event_marks(self, browser, colour, frames):
+        return browser.run(EVENT_MARKS, colour, [i / (len(frames) - 1) for i in range(len(frames))])
+
+    # Each frame has the marks of its own merges and splits, as high as there are many, and no others.
+    def test_merges_and_splits_stand_on_the_time_line(self):
+        frames = [json.loads(line)["frame"] for line in self.soccer.read_text().splitlines()[1:]]
+        merges, splits = ([sum(event["kind"] == kind for event in frame["events"]) for frame in frames] for kind in ("merge", "split"))
+        for kind in (merges, splits):
+            self.assertGreater(sum(kind), 0, "the recording has none")
+            self.assertIn(0, kind, "every frame has one")
+        most = max(merges + splits)
+        browser = self.open(self.soccer)
+        for colour, numbers, side in ((MERGE, merges, 0), (SPLIT, splits, 1)):
+            for frame, number, pixels in zip(frames, numbers, self.event_marks(browser, colour, frames)):
+                with self.subTest(colour=colour, frame=frame["number"], number=number):
+                    self.assertAlmostEqual(pixels[side], HALF_HEIGHT * number / most, delta=1)
+                    self.assertEqual(pixels[1 - side], 0)
+        rows = browser.run("return [...document.querySelectorAll('.timeline tbody tr')].map(row => [...row.cells].map(cell => Number(cell.textContent)))")
+        self.assertEqual(rows, [[frame["number"], m, s] for frame, m, s in zip(frames, merges, splits) if m + s > 0])
+        self.assertEqual(browser.errors(), [])
+
+    def test_a_recording_without_merges_and_splits_has_no_marks(self):
+        lines = [json.loads(line) for line in self.soccer.read_text().splitlines()]
+        for line in lines[1:]:
+            line["frame"]["events"] = []
+        quiet = pathlib.Path(self.folder.name) / "quiet.jsonl"
+        quiet.write_text("\n".join(map(json.dumps, lines)) + "\n")
+        browser = self.open(quiet)
+        for colour in (MERGE, SPLIT):
+            self.assertEqual(self.event_marks(browser, colour, lines[1:]), [[0, 0]] * (len(lines) - 1))
+        self.assertIn("No merges or splits of clusters are recorded.", self.text(".timeline"))
 
     def test_an_address_is_a_view(self):
         number = self.frames[3]["number"]
