@@ -62,6 +62,7 @@ private:
         m_begin = ring.lastReading();
         m_outerTimes = ring.times();
         m_outerDepth = ring.collisionDepth++;
+        m_outerThreads = ring.takeThreads();
         m_pairsBefore = ring.pairs;
         ring.setTimes({});
     }
@@ -76,6 +77,7 @@ private:
         if (m_outerDepth == 0 && ring.caller().ring == &ring && dxTimeline::isCounted()) count(ring, pairs, static_cast<unsigned>(threads));
         ring.setTimes(m_outerTimes);
         ring.collisionDepth = m_outerDepth;
+        ring.noteThreads(m_outerThreads);
     }
 
     void count(const dxTimelineRing &ring, std::uint64_t pairs, unsigned threads) {
@@ -94,9 +96,9 @@ private:
     const dxOrderedSpace &m_space;
     dxTimelineSpan m_span;
     dxCollisionRecord m_record;
-    dxFrameTimes m_outerTimes;  // as the following, of the collision around this one
+    dxFrameTimes m_outerTimes;  // as the following, of the collision or step around this one
     std::uint64_t m_begin = 0, m_pairsBefore = 0;
-    unsigned m_outerDepth = 0;
+    unsigned m_outerDepth = 0, m_outerThreads = 1;
 };
 
 // From inside a callback of a call that is shared, whether of this space or of another one, everything stays

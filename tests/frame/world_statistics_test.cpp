@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstring>
 #include <functional>
+#include <mutex>
 #include <set>
 #include <string>
 #include <thread>
@@ -180,6 +181,73 @@ TEST_F(WorldStatistics, CollisionsInCallbacksAreAPartOfTheOneAroundThem) {
     EXPECT_LE(frame.broadPhaseTime + frame.callbackTime, 1.001 * frame.collisionTime);
     dSpaceDestroy(outer);
     dWorldDestroy(world);
+}
+
+// A near-callback collides two balls of another space, which may take no part of what is known of the collision around it.
+void collideTwoBalls(HeapWorld &heap, dGeomID geom1, dGeomID geom2) {
+    static const dSpaceID balls = [] {
+        const dSpaceID space = dSimpleSpaceCreate(nullptr);
+        for (int i = 0; i < 2; ++i) dCreateSphere(space, 1);
+        return space;
+    }();
+    dSpaceCollide(balls, nullptr, makeNothing);
+    heap.makeContacts(geom1, geom2);
+}
+
+TEST_F(WorldStatistics, CollisionsInCallbacksLeaveTheThreadsOfTheOneAroundThem) {
+    OdeSession::use(2, "lcp");
+    HeapWorld heap(dHashSpaceCreate(nullptr));
+    heap.setCallback(collideTwoBalls);
+    dODE_MT_WorldStatistics frame{};
+    for (int i = 0; i < 200 && frame.collisionThreads < 2; ++i) {
+        play(heap, 1);
+        frame = statisticsOf(heap.world());
+    }
+    EXPECT_EQ(frame.collisionThreads, 2u);
+}
+
+ChainWorld *steppedInCallbacks = nullptr;
+
+TEST_F(WorldStatistics, AStepInACallbackOfAStepIsAFrameOfItsOwn) {
+    ChainWorld outer(20, 4), inner(3, 2);
+    steppedInCallbacks = &inner;
+    dBodySetMovedCallback(dBodyCreate(outer.world()), [](dBodyID) { steppedInCallbacks->step(2); });
+    outer.step(5);
+    const dODE_MT_WorldStatistics frame = statisticsOf(outer.world()), within = statisticsOf(inner.world());
+    EXPECT_EQ(frame.frames, 5u);
+    EXPECT_EQ(frame.bodies, 81u);
+    EXPECT_EQ(within.frames, 10u);
+    EXPECT_EQ(within.bodies, 6u);
+    ChainWorld alone(20, 4);
+    alone.step(5);
+    EXPECT_EQ(frame.rows, statisticsOf(alone.world()).rows);
+    EXPECT_GT(frame.islandSearchTime, 0);
+    EXPECT_GE(frame.stepTime, within.stepTime);
+    EXPECT_LE(frame.islandSearchTime + frame.islandsTime, 1.001 * frame.stepTime);
+}
+
+TEST_F(WorldStatistics, AStepInANearCallbackLeavesTheCollisionAroundIt) {
+    for (const char *policy : {"serial", "concurrent"}) {
+        OdeSession::use(policy[0] == 's' ? 0 : 2, "lcp");
+        dODE_MT_SetCallbackPolicy(policy);
+        SphereRows rows(dHashSpaceCreate(nullptr));
+        ChainWorld inner(3, 2);
+        const auto stepOnce = [](void *data, dGeomID, dGeomID) {
+            static std::mutex mutex;
+            const std::lock_guard<std::mutex> hold(mutex);
+            static_cast<ChainWorld *>(data)->step();
+        };
+        dSpaceCollide(rows.space(), &inner, stepOnce);
+        dWorldStep(rows.world(), dReal(0.01));
+        const dODE_MT_WorldStatistics frame = statisticsOf(rows.world());
+        EXPECT_EQ(statisticsOf(inner.world()).frames, static_cast<unsigned>(SphereRows::kPairs)) << policy;
+        EXPECT_EQ(frame.frames, 1u) << policy;
+        EXPECT_EQ(frame.collisions, 1u) << policy;
+        EXPECT_EQ(frame.pairs, static_cast<unsigned>(SphereRows::kPairs)) << policy;
+        EXPECT_GT(frame.broadPhaseTime, 0) << policy;
+        EXPECT_GT(frame.callbackTime, 0) << policy;
+        EXPECT_LE(frame.broadPhaseTime + frame.callbackTime, 1.001 * frame.collisionTime) << policy;
+    }
 }
 
 TEST_F(WorldStatistics, ThreadsAndThePrefetchAreCounted) {

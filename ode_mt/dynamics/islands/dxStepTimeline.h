@@ -28,6 +28,9 @@ inline constexpr dxTimelineEvent kSolver{"solver", "island", {"rows"}};
 }  // namespace dxStepEvents
 
 // The whole step, of which the search for islands is over. Its counters are written at its end, and it is counted for its world's statistics.
+//
+// A callback may step another world: what belongs to the step or collision around it is kept, and given back at the end. Not so the depth of
+// collisions: one that a callback has left by longjmp would never end.
 class dxStepSpan {
 public:
     dxStepSpan(const dxWorld *world, unsigned islands) : m_ring(dxTimeline::ofThisThread()), m_world(world) {
@@ -51,11 +54,19 @@ public:
 private:
     void begin(const dxWorld *world, unsigned islands);
     void end();
+    void goOnWithOuter();
 
     dxTimelineRing *const m_ring;
     const dxWorld *const m_world;
     unsigned m_islands = 0, m_bodies = 0, m_contacts = 0;
     dODE_MT_Reason m_reason = dODE_MT_REASON_PARALLEL;
+    std::uint64_t m_begin = 0;  // ticks; 0: it is not known
+    struct Outer {
+        dxFrameTimes times;
+        std::uint64_t rows;
+        dxTimelineRing::Caller caller;
+        unsigned threads;
+    } m_outer;  // is set if something is recorded
 };
 
 class dxIslandSpan {

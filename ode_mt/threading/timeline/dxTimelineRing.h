@@ -55,6 +55,7 @@ public:
 
     Caller caller() const { return m_caller; }
     void setCaller(const Caller &caller) { m_caller = caller; }
+    void becomeCaller() { m_caller = {this, m_frames}; }
     void nextFrame() { m_caller = {this, ++m_frames}; }
 
     // Of islands that this thread has solved, for its caller. No locked instruction for the caller's own: it would wait for all stores before.
@@ -71,6 +72,9 @@ public:
         return rows;
     }
 
+    // They belong to the step around the one that took them.
+    void giveRowsBack(std::uint64_t rows) { m_rowsBefore -= rows; }
+
     void noteThreads(unsigned threads) { m_threads = threads > m_threads ? threads : m_threads; }
     unsigned threads() const { return m_threads; }
     unsigned takeThreads();  // most that took part in a run since it was asked last; at least 1
@@ -83,7 +87,9 @@ public:
     unsigned collisionDepth = 0;
     std::uint64_t pairs = 0;  // that they have brought to callbacks
 
-    std::uint64_t stepBegin = 0;  // of the step that the owner makes; 0: it is not known
+    // Of a step that the owner begins, until its dxStepSpan takes it.
+    std::uint64_t stepBegin = 0;  // 0: it is not known
+    dxFrameTimes outerTimes{};    // of the step or collision around it, if there is one
 
     // For whoever holds the lock of the timeline.
 
