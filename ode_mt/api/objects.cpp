@@ -21,6 +21,7 @@ void dWorldSetStepThreadingImplementation(dWorldID world, const dThreadingFuncti
                                           dThreadingImplementationID implementation) {
     if (world != nullptr) dxWorldWorkers::giveBack(world);
     dxUpstreamWorldSetStepThreadingImplementation(world, functions, implementation);
+    dxWorldWorkers::lend(world);
 }
 
 void dWorldDestroy(dWorldID world) {

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <mutex>
+#include <new>
 #include <vector>
 
+#include "threading/process/dxForkListener.h"
 #include "threading/process/dxForkLocks.h"
 #include "threading/process/dxProcessObject.h"
 
@@ -18,8 +20,23 @@ struct Entry {
     Manager manager;
 };
 
-class Managers {
+class Managers final : private dxForkListener {
 public:
+    Managers() { listenToForks(); }
+    ~Managers() { ignoreForks(); }
+
+    // Without memory for it a child goes on working alone.
+    void lend(const dxThreadLender &lender) try {
+        const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
+        if (m_isChild && !isLentHere(lender)) m_lentHere.push_back(lender);
+    } catch (const std::bad_alloc &) {
+    }
+
+    bool isServed(const dxThreadLender &lender) {
+        const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
+        return !m_isChild || isLentHere(lender);
+    }
+
     // Keeps `entry` unless there is one for its lender; returns the one that is kept.
     Manager keep(const Entry &entry) {
         const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
@@ -45,21 +62,32 @@ public:
     }
 
 private:
+    void inForkedChild() override {
+        m_isChild = true;
+        m_lentHere.clear();
+    }
+
+    bool isLentHere(const dxThreadLender &lender) const { return std::find(m_lentHere.begin(), m_lentHere.end(), lender) != m_lentHere.end(); }
+
     std::vector<Entry>::iterator find(const dxThreadLender &lender) {
         return std::find_if(m_entries.begin(), m_entries.end(), [&](const Entry &entry) { return entry.lender == lender; });
     }
 
     dxForkSafeMutex m_mutex;
     std::vector<Entry> m_entries;
+    bool m_isChild = false;                  // of a fork
+    std::vector<dxThreadLender> m_lentHere;  // by a child, each once
 };
 
 dxProcessObject<Managers> managers;
 
 }  // namespace
 
+void lend(const dxThreadLender &lender) { managers->lend(lender); }
+
 Manager managerOf(const dxThreadLender &lender) {
     if (Manager manager = managers->look(lender)) return manager;
-    return managers->keep({lender, std::make_shared<dxThreadManagerUser>(lender)});
+    return managers->keep({lender, std::make_shared<dxThreadManagerUser>(lender, managers->isServed(lender))});
 }
 
 // The end of the manager, outside of all locks, waits for the threads that it has borrowed.

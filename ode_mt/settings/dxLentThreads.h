@@ -1,6 +1,8 @@
 // The managers of threads that the program lends (dxThreadManagerUser): one for each lender, whoever uses it. Several worlds may share an
 // implementation, and the process may have it too; two managers would have two calls waiting in its pool.
 //
+// In a forked child the threads are gone: whoever was lent them works alone there, until the child lends some itself.
+//
 // A run looks its manager up in a list that is as short as there are lenders. Any thread may call.
 #pragma once
 
@@ -9,6 +11,9 @@
 #include "threading/managers/dxThreadManagerUser.h"
 
 namespace dxLentThreads {
+
+// The program lends these threads now.
+void lend(const dxThreadLender &lender);
 
 // Throws std::bad_alloc.
 std::shared_ptr<dxThreadManagerUser> managerOf(const dxThreadLender &lender);

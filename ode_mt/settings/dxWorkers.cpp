@@ -106,7 +106,11 @@ dxWorkers::Manager dxWorkers::makeCurrent() {
         options = m_options;
         choice = m_choice;
     }
-    if (!lender.isNone()) return makeBorrowing(lender);
+    if (!lender.isNone()) {
+        Manager borrowing = makeBorrowing(lender);
+        if (m_choice != choice) dxLentThreads::giveBack(lender);  // it was taken back before it was borrowed
+        return borrowing;
+    }
     Manager made = make(name, options);
     {
         const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
@@ -163,6 +167,7 @@ bool dxWorkers::hasOptions() {
 
 bool dxWorkers::borrow(const dxThreadLender &lender) {
     if (!mayEndWorkers()) return false;
+    if (!lender.isNone()) dxLentThreads::lend(lender);
     exchange([this, &lender] { m_lender = lender; });
     return true;
 }

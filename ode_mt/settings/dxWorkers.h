@@ -16,6 +16,7 @@
 // the end of the process.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
@@ -45,6 +46,9 @@ public:
     // possible, reported with dMessage.
     bool changeOptions(const char *what, const std::function<void(dxWorkerOptions &)> &change);
 
+    // Whether the calling thread may set another number of threads, or whatever else ends workers: not in a hook, which is reported with dMessage.
+    bool mayEndWorkers() const;
+
     // Ends all threads, those that are in use with the last run; the next run starts new ones.
     void stop();
 
@@ -58,7 +62,6 @@ private:
     Manager current();
     Manager makeCurrent();
     bool hasOptions();
-    bool mayEndWorkers() const;
     void exchange(const std::function<void()> &change);
 
     dxForkSafeMutex m_mutex;  // guards what follows, for moments: managers are made and ended without it
@@ -66,5 +69,5 @@ private:
     const char *m_name;
     dxThreadLender m_lender;
     dxWorkerOptions m_options;
-    unsigned m_choice = 0;      // counts changes of the above
+    std::atomic<unsigned> m_choice{0};  // counts changes of the above
 };

@@ -50,6 +50,10 @@ void run(const dxWorld *world, unsigned blocks, unsigned workers, dxThreadManage
     manager->run(blocks, workers, task, context);
 }
 
+void lend(const dxWorld *world) {
+    if (given(world)) dxLentThreads::lend(Access::of(*world));
+}
+
 void giveBack(const dxWorld *world) { dxLentThreads::giveBack(Access::of(*world)); }
 
 }  // namespace dxWorldWorkers

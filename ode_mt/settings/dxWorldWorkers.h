@@ -29,6 +29,9 @@ bool prepare(const dxWorld *world);
 
 void run(const dxWorld *world, unsigned blocks, unsigned workers, dxThreadManager::Task task, void *context);
 
+// The user has just given the world an implementation.
+void lend(const dxWorld *world);
+
 // Gives the workers of the world's implementation back: it is about to be exchanged or freed. Other
 // worlds that use it borrow them anew.
 void giveBack(const dxWorld *world);

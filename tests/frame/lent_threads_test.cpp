@@ -11,6 +11,8 @@
 #include <set>
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "ChainWorld.h"
 #include "ChildProcess.h"
@@ -151,6 +153,81 @@ TEST_F(Executor, WhoseThreadsDoNotCome) {
     EXPECT_LT(watch.seconds(), 5);
     waiting.work(waiting.data);  // late: finds nothing
     world.step();
+}
+
+// An executor that keeps what it is given, for whoever calls it.
+struct Kept {
+    struct Piece {
+        dODE_MT_Work *work;
+        void *data;
+    };
+
+    static void post(void *kept, dODE_MT_Work *work, void *data) { static_cast<Kept *>(kept)->pieces.push_back({work, data}); }
+
+    void call() {
+        const std::vector<Piece> all = std::exchange(pieces, {});
+        for (const Piece &piece : all) piece.work(piece.data);
+    }
+
+    std::vector<Piece> pieces;
+};
+
+// The program's mistake; the threads that are lent are counted right all the same.
+TEST_F(Executor, ThatCallsTwice) {
+    Kept kept;
+    dODE_MT_SetExecutor(Kept::post, &kept);
+    ChainWorld world(40, 4);
+    world.step();
+    ASSERT_EQ(kept.pieces.size(), 1u);
+    kept.pieces.push_back(kept.pieces.front());
+    kept.call();
+    world.step();
+    EXPECT_EQ(kept.pieces.size(), 1u);
+    kept.call();
+    const Stopwatch watch;
+    dODE_MT_SetExecutor(nullptr, nullptr);
+    EXPECT_LT(watch.seconds(), 0.5) << "nothing waits to be called";
+}
+
+// The queue is a part of the memory that the child has, too.
+TEST_F(Executor, WhoseQueueIsCalledInAForkedChild) {
+    Kept kept;
+    dODE_MT_SetExecutor(Kept::post, &kept);
+    ChainWorld world(40, 4);
+    world.step();
+    ASSERT_EQ(kept.pieces.size(), 1u);
+    EXPECT_TRUE(trueInChild([&] {
+        world.step();
+        kept.call();
+        world.step(5);
+        const bool isAlone = kept.pieces.empty();
+        const Stopwatch watch;
+        dODE_MT_SetExecutor(Kept::post, &kept);
+        const bool isWaited = watch.seconds() > 0.5;
+        world.step();
+        const bool isServed = kept.pieces.size() == 1;
+        kept.call();
+        dODE_MT_SetExecutor(nullptr, nullptr);
+        return isAlone && isServed && !isWaited;
+    }));
+    kept.call();
+    world.step();
+    EXPECT_EQ(kept.pieces.size(), 1u);
+    kept.call();
+}
+
+// Lent before the fork, used for the first time after it.
+TEST_F(Executor, InAForkedChildIsNotAskedForWhatItWasLentToTheParentFor) {
+    Kept kept;
+    dODE_MT_SetExecutor(Kept::post, &kept);
+    ChainWorld world(40, 4);
+    EXPECT_TRUE(trueInChild([&] {
+        world.step(5);
+        return kept.pieces.empty();
+    }));
+    world.step();
+    EXPECT_EQ(kept.pieces.size(), 1u);
+    kept.call();
 }
 
 // One that calls at once, on the posting thread.

@@ -12,7 +12,9 @@ dxThreadManagerUser::dxThreadManagerUser(const dThreadingFunctionsInfo *function
                                          dThreadingImplementationID implementation)
     : dxThreadManagerUser(dxThreadLender{functions, implementation}) {}
 
-dxThreadManagerUser::dxThreadManagerUser(const dxThreadLender &lender) : borrowed(new dxBorrowedThreads(lender)) { listenToForks(); }
+dxThreadManagerUser::dxThreadManagerUser(const dxThreadLender &lender, bool isServed) : borrowed(new dxBorrowedThreads(lender, isServed)) {
+    listenToForks();
+}
 
 dxThreadManagerUser::~dxThreadManagerUser() {
     ignoreForks();

@@ -34,7 +34,7 @@ class dxThreadManagerUser final : public dxThreadManager, private dxForkListener
 public:
     // What lends must live until the manager is destroyed or stopped for good.
     dxThreadManagerUser(const dThreadingFunctionsInfo *functions, dThreadingImplementationID implementation);
-    explicit dxThreadManagerUser(const dxThreadLender &lender);
+    explicit dxThreadManagerUser(const dxThreadLender &lender, bool isServed = true);  // as dxBorrowedThreads
     ~dxThreadManagerUser() override;
 
     const char *name() const override { return "user"; }

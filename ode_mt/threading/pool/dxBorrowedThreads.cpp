@@ -3,7 +3,9 @@
 #include "threading/pool/dxSpin.h"
 #include "threading/pool/dxThreadCreation.h"
 
-dxBorrowedThreads::dxBorrowedThreads(const dxThreadLender &lends) : most(dxMaxWorkers), lender(lends) { lender.prepare(); }
+dxBorrowedThreads::dxBorrowedThreads(const dxThreadLender &lends, bool isServed) : most(dxMaxWorkers), lender(lends), isAbandoned(!isServed) {
+    if (isServed) lender.prepare();
+}
 
 void dxBorrowedThreads::requestWorkers(unsigned wanted) {
     if (searching.load() < wanted) post();
@@ -15,14 +17,14 @@ void dxBorrowedThreads::release() {
 
 void dxBorrowedThreads::abandon() {
     board.abandon();
-    references.store(1);
+    references.store(waiting.load() ? 2 : 1);
     searching.store(0);
-    waiting.store(true);
+    isAbandoned.store(true);
 }
 
 // Calls that are inside look at the board before they return.
 void dxBorrowedThreads::post() {
-    if (waiting.exchange(true)) return;
+    if (isAbandoned.load() || waiting.exchange(true)) return;
     if (references.load() >= most.load()) {
         waiting.store(false);
         return;
@@ -36,25 +38,29 @@ int dxBorrowedThreads::call(void *borrowed, dcallindex_t, dCallReleaseeID) {
     return 1;
 }
 
-// Also where a callback ends the thread.
+// Also where a callback ends the thread. A call counts as searching before `waiting` falls. One that is made once too often finds that it has
+// fallen, and has no reference to give back.
 void dxBorrowedThreads::work(void *context) {
+    dxBorrowedThreads &own = *static_cast<dxBorrowedThreads *>(context);
+    ++own.searching;
+    if (!own.waiting.exchange(false)) {
+        --own.searching;
+        return;
+    }
     struct Return {
-        dxBorrowedThreads *borrowed;
-        ~Return() { borrowed->release(); }
+        dxBorrowedThreads &borrowed;
+        ~Return() { borrowed.release(); }
     };
-    const Return atEnd{static_cast<dxBorrowedThreads *>(context)};
-    atEnd.borrowed->serve();
+    const Return atEnd{own};
+    own.serve();
 }
 
-// A call counts as searching before `waiting` falls, and stops counting before its last look at the
-// board, so a run that relies on it is seen by it.
+// A call stops counting as searching before its last look at the board, so a run that relies on it is seen by it.
 void dxBorrowedThreads::serve() {
     const auto hasWork = [this] { return board.hasWork(); };
     const auto joined = [this] {
         if (--searching == 0 && board.hasWork()) post();
     };
-    ++searching;
-    waiting.store(false);
     for (;;) {
         const bool maySpin = searching.load() < dxProcessorCount();
         if (maySpin ? dxSpinUntil(hasWork) : hasWork()) {

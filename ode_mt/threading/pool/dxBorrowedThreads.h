@@ -8,18 +8,19 @@
 
 class dxBorrowedThreads final : public dxWorkerSource {
 public:
-    explicit dxBorrowedThreads(const dxThreadLender &lender);
+    // Unless the lender serves (a child of fork has no threads of its parent's), every run is done by its caller.
+    dxBorrowedThreads(const dxThreadLender &lender, bool isServed);
 
     unsigned threads() const { return lender.threads(); }
     void requestWorkers(unsigned wanted) override;
 
     // Calls posted that have not returned yet.
-    unsigned outstanding() const { return references.load() - 1; }
+    unsigned outstanding() const { return isAbandoned.load() ? 0 : references.load() - 1; }
 
     // The manager's end of use; the last reference deletes the object.
     void release();
 
-    // Requires a forked child, in which no thread is inside and no call will be executed.
+    // Requires a forked child, in which no thread is inside. The waiting call is a part of the program's memory, which may still call it.
     void abandon();
 
     dxJobBoard board;
@@ -37,4 +38,5 @@ private:
     std::atomic<unsigned> references{1};  // the manager, and every call not yet returned
     std::atomic<unsigned> searching{0};   // calls that will look at the board before they return
     std::atomic<bool> waiting{false};     // a posted call has not been taken up
+    std::atomic<bool> isAbandoned;        // calls are not posted, and not waited for
 };
