@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <mutex>
+#include <utility>
 
 #include "threading/process/dxForkLocks.h"
 #include "threading/process/dxPerWorld.h"
@@ -20,7 +21,7 @@ public:
         if (before != 0) --m_owners[before];
         if (now != 0) ++m_owners[now];
         unsigned largest = dODE_MT_MAX_THREADS;
-        while (largest != 0 && m_owners[largest] == 0) --largest;
+        while (largest != 0 && m_owners[largest] <= 0) --largest;
         m_largest.store(largest, std::memory_order_relaxed);
     }
 
@@ -28,7 +29,7 @@ public:
 
 private:
     dxForkSafeMutex m_mutex;
-    unsigned m_owners[dODE_MT_MAX_THREADS + 1] = {};  // by their number
+    int m_owners[dODE_MT_MAX_THREADS + 1] = {};  // by their number; below 0 for a moment, where two threads set one number
     std::atomic<unsigned> m_largest{0};
 };
 
@@ -44,11 +45,11 @@ unsigned of(const dxWorld *world) {
 }
 
 void choose(const dxWorld *world, unsigned threads) {
-    const unsigned before = of(world);
+    unsigned before = 0;
     if (threads == 0)
-        ofWorlds->forget(world);
+        ofWorlds->forget(world, [&before](unsigned own) { before = own; });
     else
-        ofWorlds->visitOrMake(world, [] { return 0u; }, [threads](unsigned &own) { own = threads; });
+        ofWorlds->visitOrMake(world, [] { return 0u; }, [&before, threads](unsigned &own) { before = std::exchange(own, threads); });
     numbers->exchange(before, threads);
 }
 

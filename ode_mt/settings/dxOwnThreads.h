@@ -8,6 +8,8 @@
 
 #include <ode/ode.h>
 
+#include <atomic>
+
 #include "settings/dxSettings.h"
 
 namespace dxOwnThreads {
@@ -43,14 +45,13 @@ public:
     dxOwnThreadNumber &operator=(const dxOwnThreadNumber &) = delete;
 
     // Its own, or else the process's.
-    unsigned inForce() const { return dxOwnThreads::inForce(m_own); }
+    unsigned inForce() const { return dxOwnThreads::inForce(own()); }
 
     // 0: the process's.
-    void choose(unsigned threads) {
-        dxOwnThreads::exchange(m_own, threads);
-        m_own = threads;
-    }
+    void choose(unsigned threads) { dxOwnThreads::exchange(m_own.exchange(threads), threads); }
+
+    unsigned own() const { return m_own.load(std::memory_order_relaxed); }
 
 private:
-    unsigned m_own = 0;
+    std::atomic<unsigned> m_own{0};
 };

@@ -200,6 +200,26 @@ TEST(OwnThreads, OfWorldsInManyThreads) {
     EXPECT_EQ(wrong, 0);
 }
 
+// Two threads that set the number of one world, or of one space: whichever is last, no number is left when there is none.
+TEST(OwnThreads, SetByTwoThreadsAtOnce) {
+    const OdeSession session;
+    const ChainWorld world(1, 1);
+    const dSpaceID space = dSimpleSpaceCreate(nullptr);
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 2; ++i)
+        threads.emplace_back([&world, space, i] {
+            for (int round = 0; round < 20000; ++round) {
+                dODE_MT_SetWorldThreads(world.world(), (i + round) % 3);
+                dODE_MT_SetSpaceThreads(space, (i + round) % 4);
+            }
+        });
+    for (std::thread &thread : threads) thread.join();
+    dODE_MT_SetWorldThreads(world.world(), 0);
+    dODE_MT_SetSpaceThreads(space, 0);
+    EXPECT_EQ(dxOwnThreads::largest(), 0u);
+    dSpaceDestroy(space);
+}
+
 TEST(OwnThreads, InAForkedChild) {
     if (kThreadSanitizer) GTEST_SKIP() << "ThreadSanitizer cannot start threads in the child";
     const OdeSession session(0, "lcp");

@@ -44,10 +44,17 @@ public:
 
     // The world is about to be destroyed.
     void forget(const dxWorld *world) {
+        forget(world, [](const Value &) {});
+    }
+
+    // The same, with visit(value) before if the world has one.
+    template <class Visit>
+    void forget(const dxWorld *world, const Visit &visit) {
         if (isEmpty()) return;
         const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
         const auto found = find(world);
         if (found == m_list.end()) return;
+        visit(found->second);
         m_list.erase(found);
         count();
     }
