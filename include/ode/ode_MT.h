@@ -131,7 +131,7 @@ ODE_API int dODE_MT_GetThreads(void);
  * @param world the world
  * @param numThreads 0: as the process (the default); 1: the calling thread alone; n, dODE_MT_AUTO, and numbers out of range as with
  *        dToggleODE_MT
- * @return 1, or 0 and a dMessage if there is no memory.
+ * @return 1, or 0 and a dMessage if there is no memory, or if a worker's hook asks for another number.
  * @ingroup ode_mt
  */
 ODE_API int dODE_MT_SetWorldThreads(dWorldID world, int numThreads);
@@ -314,8 +314,8 @@ ODE_API const char *dODE_MT_GetCallbackPolicy(void);
 ODE_API int dODE_MT_GetWorkerIndex(void);
 
 /**
- * Tells how many buffers the near-callbacks of a space need: an upper bound for dODE_MT_GetWorkerIndex in the next dSpaceCollide, as
- * long as no setting changes until then. dODE_MT_MAX_THREADS is one for all spaces and settings.
+ * Tells how many buffers the near-callbacks of a space need: an upper bound for dODE_MT_GetWorkerIndex in the next dSpaceCollide, unless
+ * a near-callback of another space makes that call (the other space's number holds then), as long as no setting changes until then. dODE_MT_MAX_THREADS is one for all spaces and settings.
  *
  * @param space the space
  * @return the number, from 1 on.
@@ -477,8 +477,9 @@ ODE_API int dODE_MT_SetWorkerPriority(const char *scheduling, int priority);
 ODE_API int dODE_MT_SetWorkerStackSize(size_t bytes);
 
 /**
- * A function that a worker calls when it starts or ends. It must not throw, leave by longjmp, or wait for a thread that ends workers. It may
- * call any function of ODE but those that end workers, which are refused then; steps and collisions in it run on one thread.
+ * A function that a worker calls when it starts or ends. It must not throw, leave by longjmp, end its thread, or wait for a thread that ends
+ * workers. It may call any function of ODE but those that end workers, which are refused then with a dMessage, those that set another number
+ * of threads among them; steps and collisions in it run on one thread.
  *
  * @param data as given to dODE_MT_SetWorkerHooks
  * @param worker the number of the thread, from 1 on, as in its name; dODE_MT_GetWorkerIndex is another one

@@ -58,7 +58,10 @@ extern "C" {
 const char *dODE_MT_GetVersion() { return dODE_MT_VERSION; }
 
 void dToggleODE_MT(int numThreads) {
-    dxSettings::instance().setThreads(numThreads);
+    dxSettings &settings = dxSettings::instance();
+    const unsigned threads = settings.resolveThreads(numThreads);
+    if (threads != settings.threads() && !dxWorkers::instance().mayEndWorkers()) return;
+    settings.setThreads(threads);
     dxWorkers::instance().resize();
 }
 

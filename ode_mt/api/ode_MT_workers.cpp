@@ -27,6 +27,9 @@ bool choose(const dxWorld *world, unsigned threads) try {
     return false;
 }
 
+// A hook sets no other number: that would end workers.
+bool maySet(unsigned threads, unsigned before) { return threads == before || dxWorkers::instance().mayEndWorkers(); }
+
 int change(const char *what, const std::function<void(dxWorkerOptions &)> &change) {
     return dxWorkers::instance().changeOptions(what, change) ? 1 : 0;
 }
@@ -56,7 +59,9 @@ extern "C" {
 
 int dODE_MT_SetWorldThreads(dWorldID world, int numThreads) {
     dUASSERT(world, "bad world argument");
-    const bool isChosen = choose(world, dxSettings::instance().resolveThreads(numThreads));
+    const unsigned threads = dxSettings::instance().resolveThreads(numThreads);
+    if (!maySet(threads, dxOwnThreads::of(world))) return 0;
+    const bool isChosen = choose(world, threads);
     if (!isChosen) dMessage(0, "ODE_MT: no memory to note the number of threads of a world");
     dxWorkers::instance().resize();
     return isChosen ? 1 : 0;
@@ -70,7 +75,10 @@ int dODE_MT_GetWorldThreads(dWorldID world) {
 void dODE_MT_SetSpaceThreads(dSpaceID space, int numThreads) {
     dUASSERT(space && dGeomIsSpace(space), "bad space argument");
     const unsigned threads = dxSettings::instance().resolveThreads(numThreads);
-    if (dxOrderedSpace *const own = dxOrderedSpace::from(space)) own->ownThreads().choose(threads);
+    if (dxOrderedSpace *const own = dxOrderedSpace::from(space)) {
+        if (!maySet(threads, own->ownThreads().own())) return;
+        own->ownThreads().choose(threads);
+    }
     dxWorkers::instance().resize();
 }
 

@@ -86,7 +86,7 @@ dxSettings::dxSettings() : m_cores(dxCountProcessors()) {
 
 void dxSettings::readThreads(const char *text) {
     if (std::strcmp(text, "auto") == 0) {
-        setThreads(dODE_MT_AUTO);
+        setThreads(resolveThreads(dODE_MT_AUTO));
         return;
     }
     long long number = 0;
@@ -97,7 +97,7 @@ void dxSettings::readThreads(const char *text) {
               "ODE_MT_THREADS is '%.100s'; known: auto, or a number from 0 to %d; %d is taken", text,
               dODE_MT_MAX_THREADS, taken);
     }
-    setThreads(taken);
+    setThreads(resolveThreads(taken));
 }
 
 void dxSettings::readAlgorithm(const char *text) {
@@ -225,9 +225,9 @@ unsigned dxSettings::resolveThreads(int threads) {
     return static_cast<unsigned>(threads);
 }
 
-void dxSettings::setThreads(int threads) {
-    const unsigned now = resolveThreads(threads), before = m_threads.exchange(now, std::memory_order_relaxed);
-    if (now != before) dxLog(dxLogLevel::info, "%u threads, %u before; %u cores", now, before, cores());
+void dxSettings::setThreads(unsigned threads) {
+    const unsigned before = m_threads.exchange(threads, std::memory_order_relaxed);
+    if (threads != before) dxLog(dxLogLevel::info, "%u threads, %u before; %u cores", threads, before, cores());
 }
 
 const char *dxSettings::algorithmName() const { return nameOf(kAlgorithms, algorithm()); }

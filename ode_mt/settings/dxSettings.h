@@ -50,7 +50,7 @@ public:
 
     // Threads a step may use, the caller included, unless its world has a number of its own (dxOwnThreads.h); 0 and 1: the caller alone.
     unsigned threads() const { return m_threads.load(std::memory_order_relaxed); }
-    void setThreads(int threads);
+    void setThreads(unsigned threads);  // resolved
     // The number that is meant, as dToggleODE_MT takes it; counts the cores anew.
     unsigned resolveThreads(int threads);
 

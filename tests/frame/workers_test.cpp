@@ -173,6 +173,37 @@ TEST_F(Workers, HooksDoNotEndWorkers) {
     EXPECT_EQ(hooked.wrong, 0);
 }
 
+// They would end workers: each is refused whole, as the number in force tells.
+TEST_F(Workers, HooksSetNoOtherNumberOfThreads) {
+    struct Asked : Hooked {
+        ChainWorld own{2, 1};
+        dSpaceID space = dSimpleSpaceCreate(nullptr);
+    } asked;
+    testing::internal::CaptureStderr();
+    const auto start = [](void *data, int) {
+        Asked &own = *static_cast<Asked *>(data);
+        dToggleODE_MT(5);
+        own.wrong += dODE_MT_GetThreads() != 3;
+        own.wrong += dODE_MT_SetWorldThreads(own.own.world(), 6) != 0;
+        own.wrong += dODE_MT_GetWorldThreads(own.own.world()) != 3;
+        own.wrong += dODE_MT_SetWorldThreads(own.own.world(), 0) != 1;  // as it is
+        dODE_MT_SetSpaceThreads(own.space, 7);
+        own.wrong += dODE_MT_GetSpaceThreads(own.space) != 3;
+        ++own.starts;
+    };
+    EXPECT_EQ(dODE_MT_SetWorkerHooks(start, nullptr, &asked), 1);
+    EXPECT_TRUE(waitUntil(
+        [&] {
+            world.step();
+            return asked.starts > 0;
+        },
+        30));
+    EXPECT_EQ(dODE_MT_SetWorkerHooks(nullptr, nullptr, nullptr), 1);
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("a hook of a worker cannot end workers"), std::string::npos);
+    EXPECT_EQ(asked.wrong, 0);
+    dSpaceDestroy(asked.space);
+}
+
 // The last close waits for workers, also for one that is in its hook, which wants the library's lock.
 TEST_F(Workers, CloseWaitsForHooksThatAllocateData) {
     if (kThreadSanitizer) GTEST_SKIP() << "ThreadSanitizer cannot start threads in the child";
