@@ -4,7 +4,7 @@
 rm -rf "$SCRATCH"
 mkdir -p "$SCRATCH"
 # Quickly compressed: what is compressed does not depend on how well.
-(cd "$BUILD" && "$CPACK" -G DEB -B "$SCRATCH/packages" -D CPACK_DEBIAN_COMPRESSION_TYPE=gzip) >"$SCRATCH/log" 2>&1 || { cat "$SCRATCH/log"; fail cpack; }
+(cd "$BUILD" && "$CPACK" -G DEB ${CPACK_OPTIONS:-} -B "$SCRATCH/packages" -D CPACK_DEBIAN_COMPRESSION_TYPE=gzip) >"$SCRATCH/log" 2>&1 || { cat "$SCRATCH/log"; fail cpack; }
 for package in $packages; do
     [ -f "$(deb "$package")" ] || fail "no $package"
     mkdir -p "$(unpacked "$package")"

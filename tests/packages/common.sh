@@ -2,7 +2,8 @@
 #   BUILD      the build folder             SCRATCH  folder of these tests; SCRATCH/packages holds the packages
 #   EXAMPLES   folder of the examples       LIB      folder of the system's libraries, without the leading slash
 #   PRECISION  double or single             VERSION  of the packages
-#   CPACK CC CXX   the tools of this build
+#   SOURCE     the repository
+#   CMAKE CPACK CC CXX   the tools of this build
 set -eu
 fail() { echo "FAILED: $*" >&2; exit 1; }
 skip() { echo "SKIPPED: $*"; exit 77; }
