@@ -16,8 +16,25 @@ std::uint64_t bitsThatVary(const std::vector<dxSortItem> &items) {
     return varying;
 }
 
-void sortByDigit(const std::vector<dxSortItem> &from, std::vector<dxSortItem> &to, int shift) {
-    const auto digitOf = [shift](const dxSortItem &item) { return item.key >> shift & (kDigits - 1); };
+// Consecutive bits of a key.
+struct Bits {
+    int shift = 0, count = 0;
+
+    std::uint64_t of(std::uint64_t key) const { return key >> shift & ((std::uint64_t{1} << count) - 1); }
+};
+
+// The lowest `most` bits at most of those that vary, which are taken from `varying`.
+Bits takeBits(std::uint64_t &varying, int most) {
+    Bits bits;
+    if (varying == 0) return bits;
+    while ((varying >> bits.shift & 1) == 0) ++bits.shift;
+    while (bits.count < most && bits.shift + bits.count < 64 && (varying >> (bits.shift + bits.count) & 1) != 0) ++bits.count;
+    varying &= ~(((std::uint64_t{1} << bits.count) - 1) << bits.shift);
+    return bits;
+}
+
+void sortByDigit(const std::vector<dxSortItem> &from, std::vector<dxSortItem> &to, Bits low, Bits high) {
+    const auto digitOf = [low, high](const dxSortItem &item) { return low.of(item.key) | high.of(item.key) << low.count; };
     std::array<std::uint32_t, kDigits> next{};
     for (const dxSortItem &item : from) ++next[digitOf(item)];
     std::uint32_t begin = 0;
@@ -40,10 +57,10 @@ void dxRadixSort(std::vector<dxSortItem> &items, std::vector<dxSortItem> &spare)
         return;
     }
     spare.resize(items.size());
-    const std::uint64_t varying = bitsThatVary(items);
-    for (int shift = 0; shift < 64; shift += kDigitBits) {
-        if ((varying >> shift & (kDigits - 1)) == 0) continue;
-        sortByDigit(items, spare, shift);
+    std::uint64_t varying = bitsThatVary(items);
+    while (varying != 0) {
+        const Bits low = takeBits(varying, kDigitBits), high = takeBits(varying, kDigitBits - low.count);
+        sortByDigit(items, spare, low, high);
         items.swap(spare);
     }
 }

@@ -1,7 +1,7 @@
 // Radix sort by integer keys, linear in the number of items.
 //
-// Digits of eight bits from the lowest up; digits in which all keys agree are skipped, so keys of a narrow range cost
-// few passes. Items with equal keys keep the order of their indices. Requires items in the order of their indices.
+// Digits of eight bits from the lowest up, from one or two places of the key; bits in which all keys agree are left out, so keys
+// of a narrow range cost few passes. Items with equal keys keep the order of their indices. Requires items in the order of their indices.
 #pragma once
 
 #include <cstdint>

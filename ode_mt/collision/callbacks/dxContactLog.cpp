@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/dxJointAttachment.h"
+#include "core/dxPrefetch.h"
 #include "core/dxReserve.h"
 #include "joints/contact.h"
 #include "threading/pool/dxSpin.h"
@@ -100,8 +101,24 @@ void dxContactLog::attach(dJointID joint, dBodyID body1, dBodyID body2) {
     joint->node[1].body = isReversed ? nullptr : body2;
 }
 
+// Joints were written by the task's worker, and bodies by whoever moved them last.
+void dxContactLog::prefetch(std::size_t index) const {
+    constexpr std::size_t kJointPrefetchDistance = 16, kBodyPrefetchDistance = 10;  // operations
+    if (index + kJointPrefetchDistance < m_operations.size()) {
+        const Operation &operation = m_operations[index + kJointPrefetchDistance];
+        const auto begin = reinterpret_cast<const char *>(operation.joint);
+        if (operation.isCreation)
+            dxPrefetch::linesForWrite(begin, static_cast<std::size_t>(reinterpret_cast<const char *>(operation.joint->node + 2) - begin));
+    }
+    if (index + kBodyPrefetchDistance >= m_operations.size()) return;
+    const Operation &operation = m_operations[index + kBodyPrefetchDistance];
+    if (operation.body1 != nullptr) dxPrefetch::lineForWrite(&operation.body1->firstjoint);
+    if (operation.body2 != nullptr) dxPrefetch::lineForWrite(&operation.body2->firstjoint);
+}
+
 void dxContactLog::commit(Span span) {
     for (std::uint32_t i = span.begin; i != span.end; ++i) {
+        prefetch(i);
         const Operation &operation = m_operations[i];
         dxJoint *const joint = operation.joint;
         if (operation.isCreation) {

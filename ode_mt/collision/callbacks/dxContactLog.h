@@ -70,6 +70,7 @@ private:
 
     dxJointContact *construct(dxJointGroup *group);
     void *takeJointMemory(dxJointGroup &group);
+    void prefetch(std::size_t index) const;
 
     unsigned m_worker = 0;
     std::vector<Operation> m_operations;

@@ -134,7 +134,9 @@ void dxKeptPairs::merge(const dxMembers &members, std::vector<dxOrderedPair> &pa
     };
     m_keptKeys.clear();
     m_keptPairs.clear();
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
+    // Of fewer than two members that have not changed there is no pair.
+    const std::size_t looked = members.end() - members.changed().size() < 2 ? 0 : pairs.size();
+    for (std::size_t i = 0; i < looked; ++i) {
         if (!isKept(pairs[i])) continue;
         m_keptKeys.push_back(m_keys[i]);
         m_keptPairs.push_back(pairs[i]);

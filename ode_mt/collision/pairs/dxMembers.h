@@ -83,6 +83,19 @@ public:
         member.bounds = bounds;
         member.filter = filter;
     }
+    // Sets rank, bounds and filter of a member. Returns false, and sets nothing, if more than those changes: if it is absent, has had no
+    // rank, or its geom is disabled. Several threads may do so for different members; moved() has to follow, on one thread.
+    bool place(Slot slot, dxRank rank, const dxBounds &bounds, const dxPairFilter &filter, bool isEnabled) {
+        Member &member = m_members[slot];
+        if (member.geom == nullptr || member.rank == 0 || !isEnabled) return false;
+        member = {member.geom, rank, bounds, filter};
+        return true;
+    }
+    // place() has returned true.
+    void moved(Slot slot) {
+        ++m_orderings;
+        note(slot, m_isChanged, m_changed);
+    }
     void setFilter(Slot slot, const dxPairFilter &filter) { m_members[slot].filter = filter; }
     void forgetChanges();
 

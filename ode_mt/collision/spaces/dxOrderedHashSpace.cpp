@@ -1,6 +1,7 @@
 #include "collision/spaces/dxOrderedHashSpace.h"
 
 #include <algorithm>
+#include <atomic>
 #include <climits>
 
 #include "collision/pairs/dxMissedNotifications.h"
@@ -65,6 +66,9 @@ bool secondaryKeysOf(const Element &searcher, const Element &found, dxPairKey &k
 // Changes of enabled flags in one call that are noted, beside one for each geom.
 constexpr std::size_t kMaxSwitched = 4096;
 
+// What one worker takes at once: some ten microseconds.
+constexpr std::size_t kCellsPerChunk = 512, kCellPrefetchDistance = 8;
+
 // With upstream's text.
 void reportOutOfRange() {
     dDebug(d_ERR_IASSERT,
@@ -103,13 +107,26 @@ void dxOrderedHashSpace::update(std::vector<dxOrderedPair> &pairs) {
 
 void dxOrderedHashSpace::updateCells() {
     m_cells.resize(members().end());
-    for (const Slot slot : members().changed()) {
-        dxHashCells &cells = m_cells[slot];
-        m_outOfRange -= cells.kind() == Kind::outOfRange;
-        const dxMembers::Member &member = members()[slot];
-        cells = member.geom != nullptr ? dxHashCells(member.bounds.v, m_levels) : dxHashCells();
-        m_outOfRange += cells.kind() == Kind::outOfRange;
-    }
+    const std::vector<Slot> &changed = members().changed();
+    std::atomic<int> more{0};  // out of range
+    runner().forChunks(dxParallelStage::Boxes, changed.size(), kCellsPerChunk, [&](std::size_t begin, std::size_t end, unsigned) {
+        int moreHere = 0;
+        for (std::size_t i = begin; i < end; ++i) {
+            if (i + kCellPrefetchDistance < end) prefetch(changed[i + kCellPrefetchDistance]);
+            moreHere += updateCellsOf(changed[i]);
+        }
+        if (moreHere != 0) more.fetch_add(moreHere, std::memory_order_relaxed);
+    });
+    m_outOfRange += more.load(std::memory_order_relaxed);
+}
+
+// Returns by how many more members are out of range.
+int dxOrderedHashSpace::updateCellsOf(Slot slot) {
+    dxHashCells &cells = m_cells[slot];
+    const bool wasOut = cells.kind() == Kind::outOfRange;
+    const dxMembers::Member &member = members()[slot];
+    cells = member.geom != nullptr ? dxHashCells(member.bounds.v, m_levels) : dxHashCells();
+    return (cells.kind() == Kind::outOfRange) - wasOut;
 }
 
 bool dxOrderedHashSpace::primaryKey(Slot a, Slot b, std::uint64_t &word, bool &swapped) const {

@@ -36,6 +36,7 @@ private:
     void walkFrom(std::size_t switched, void *data, dNearCallback *callback, const dxOrderedPair *after);
     bool wasEnabled(const dxGeom *geom, std::size_t switched) const;
     void updateCells();
+    int updateCellsOf(Slot slot);
     void requireInRange() const;
 
     dxHashLevels m_levels{-3, 10};              // upstream's defaults

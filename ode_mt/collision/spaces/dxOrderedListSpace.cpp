@@ -80,8 +80,12 @@ void dxOrderedListSpace::cleanDirty() {
     const std::uint64_t cleaning = ++m_cleanings;
     const bool givesRanks = !m_isWalked;
     dxRank next = givesRanks ? members().firstOf(count) : 0;
-    if (givesRanks) computeBoxes(m_dirty);
-    for (std::size_t i = 0; i < m_dirty.size(); ++i) {
+    const bool areComputed = givesRanks && computeBoxes(m_dirty);
+    if (areComputed) {
+        cleanComputed(m_dirty, next, m_dirtySlots);
+        next -= static_cast<dxRank>(m_dirty.size());
+    }
+    for (std::size_t i = areComputed ? m_dirty.size() : 0; i < m_dirty.size(); ++i) {
         dxGeom *const geom = m_dirty[i];
         if (givesRanks && i + kGeomPrefetchDistance < m_dirty.size())
             members().prefetch(slotOf(m_dirty[i + kGeomPrefetchDistance]));
@@ -164,7 +168,10 @@ void dxOrderedListSpace::gatherDirty() {
     m_dirty.resize(gathered);
 }
 
-void dxOrderedListSpace::reserveMemory(Slot slots) { dxReserveCapacity(m_dirty, slots); }
+void dxOrderedListSpace::reserveMemory(Slot slots) {
+    dxReserveCapacity(m_dirty, slots);
+    dxReserveCapacity(m_dirtySlots, slots);
+}
 
 // Upstream puts a clean one in front, too. Those behind it that have changed are then cleaned no more.
 void dxOrderedListSpace::comes(dxGeom *geom, Slot /*slot*/) {

@@ -47,6 +47,7 @@ private:
     void rankBehindClean(dxGeom *geom, dxRank rank);
 
     std::vector<dxGeom *> m_dirty;  // front first; those of the last call, until others are gathered, some of which may be gone
+    std::vector<Slot> m_dirtySlots;  // of a cleaning on workers
     std::uint64_t m_cleanings = 0;
     int m_moved = 0;  // number of geoms that were cleaned since ranks were last used, at most all
     std::atomic<int> m_walks{0};          // of collide2 since a geom moved

@@ -1,6 +1,7 @@
 #include "collision/spaces/dxOrderedSpace.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include "collision/pairs/dxMissedNotifications.h"
 #include "collision/narrowphase/dxTransformedGeom.h"
 #include "collision/pairs/dxPairPrefetch.h"
+#include "core/dxNoIndex.h"
 #include "threading/dxInterruptingScope.h"
 #include "threading/timeline/dxTimelineSpan.h"
 
@@ -253,20 +255,49 @@ bool dxOrderedSpace::makeReadyShared(dxTaskRunner &runner) {
 }
 
 // Only of the built-in classes whose boxes depend on nothing but themselves and their bodies.
-void dxOrderedSpace::computeBoxes(const std::vector<dxGeom *> &geoms) {
-    if (m_runner == nullptr || geoms.size() < kBoxesPerChunk) return;
+bool dxOrderedSpace::computeBoxes(const std::vector<dxGeom *> &geoms) {
+    if (m_runner == nullptr || geoms.size() < kBoxesPerChunk) return false;
+    std::atomic<bool> areAll{true};
     const bool dataMayChange = std::any_of(geoms.begin(), geoms.end(), mayRunUserCode);
     m_runner->forChunks(dxParallelStage::Boxes, geoms.size(), kBoxesPerChunk, [&](std::size_t begin, std::size_t end, unsigned) {
         for (std::size_t i = begin; i < end; ++i) {
             if (i + kBoxPrefetchDistance < end) dxPairPrefetch::pose(geoms[i + kBoxPrefetchDistance]);
-            if (!hasBoxOfItsOwn(geoms[i]) || (dataMayChange && hasBoxOfData(geoms[i]))) continue;
+            if (!hasBoxOfItsOwn(geoms[i]) || (dataMayChange && hasBoxOfData(geoms[i]))) {
+                areAll.store(false, std::memory_order_relaxed);
+                continue;
+            }
             try {
                 const dxInterruptingScope scope;
                 geoms[i]->recomputeAABB();
             } catch (const dxUpstreamInterrupted &) {  // an assertion, which clean() comes to in its turn
+                areAll.store(false, std::memory_order_relaxed);
             }
         }
     });
+    return areAll.load(std::memory_order_relaxed);
+}
+
+void dxOrderedSpace::cleanComputed(const std::vector<dxGeom *> &geoms, dxRank first, std::vector<Slot> &slots) {
+    slots.resize(geoms.size());
+    m_runner->forChunks(dxParallelStage::Boxes, geoms.size(), kBoxesPerChunk, [&](std::size_t begin, std::size_t end, unsigned) {
+        for (std::size_t i = begin; i < end; ++i) {
+            if (i + kBoxPrefetchDistance < end) m_members.prefetch(slotOf(geoms[i + kBoxPrefetchDistance]));
+            dxGeom *const geom = geoms[i];
+            const Slot slot = slotOf(geom);
+            geom->gflags &= ~GEOM_DIRTY;
+            const bool isPlaced =
+                m_members.place(slot, first - static_cast<dxRank>(i), dxBounds(geom->aabb), dxFilterOf(geom), dxGeomIsEnabled(geom));
+            slots[i] = isPlaced ? slot : kNoIndex;
+        }
+    });
+    for (std::size_t i = 0; i < geoms.size(); ++i) {
+        if (slots[i] == kNoIndex) {
+            rank(geoms[i], first - static_cast<dxRank>(i));
+        } else {
+            m_members.moved(slots[i]);
+            m_index.loosen(slots[i]);
+        }
+    }
 }
 
 void dxOrderedSpace::clean(const std::vector<dxGeom *> &geoms, std::size_t index) {

@@ -162,7 +162,11 @@ protected:
     virtual bool requireRanks() { return true; }
     // cleanGeoms() in a call that no call of another thread may overlap.
     virtual void cleanToCollide() { cleanGeoms(); }
-    void computeBoxes(const std::vector<dxGeom *> &geoms);
+    // Returns whether nothing but clean() and rank() remains to be done for all of them, so that they may be cleaned in any order.
+    bool computeBoxes(const std::vector<dxGeom *> &geoms);
+    // clean() and rank() for all, on workers. Requires that computeBoxes() has returned true. Ranks fall from `first`; `slots` has room
+    // for one of each.
+    void cleanComputed(const std::vector<dxGeom *> &geoms, dxRank first, std::vector<Slot> &slots);
     static void clean(const std::vector<dxGeom *> &geoms, std::size_t index);
     static void clean(dxGeom *geom);
     void rank(dxGeom *geom, dxRank rank) { this->rank(geom, rank, dxBounds(geom->aabb)); }
