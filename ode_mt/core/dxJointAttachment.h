@@ -6,6 +6,9 @@
 // a body of another island for one of their own that has the same number. What follows from that is left to them: the mark
 // tells a step of such islands.
 //
+// Most steps have none. So that these need not look at all their joints, the world is marked as well: in the fourth number of
+// its gravity, which upstream sets to zero and never reads.
+//
 // Threading: that of upstream's dJointAttach.
 #pragma once
 
@@ -22,8 +25,16 @@ constexpr unsigned kMark = 1u << 31;
 
 inline void attach(dxJoint *joint, dxBody *body1, dxBody *body2) {
     dxUpstreamJointAttach(joint, body1, body2);
-    if (joint != nullptr) joint->flags |= kMark;
+    if (joint == nullptr) return;
+    joint->flags |= kMark;
+    if (joint->world != nullptr && joint->world->gravity[3] == 0) joint->world->gravity[3] = 1;
 }
+
+// Whether any joint of the world has been attached since forgetAll().
+inline bool hasAny(const dxWorld &world) { return world.gravity[3] != 0; }
+
+// Requires forget() for all joints of the world.
+inline void forgetAll(dxWorld &world) { world.gravity[3] = 0; }
 
 inline void forget(dxJoint &joint) { joint.flags &= ~kMark; }
 

@@ -32,7 +32,8 @@ bool hasJoinedBodies(const dxIsland &island) {
 
 // Whether joints have been attached since the island was found in a way that the stepper meets: such islands are upstream's.
 // The exact step also goes through all joints of its bodies.
-bool isChanged(const dxIsland &island, dxStepperKind kind) {
+bool isChanged(const dxWorld &world, const dxIsland &island, dxStepperKind kind) {
+    if (!dxJointAttachment::hasAny(world)) return false;
     return hasRecentJoints(island) || (!dxIsQuick(kind) && hasJoinedBodies(island));
 }
 
@@ -70,7 +71,7 @@ void dxIslandStepper::step(const dxStepCall &call, const dxIsland &island, dxWor
     const dxIslandSpan span(island);
     arena->ResetState();
     const dxIslandStep step{call.world, call.stepSize, island, arena, islandWorkers, call.iterativeWorld};
-    if (isChanged(island, call.kind)) {
+    if (isChanged(*call.world, island, call.kind)) {
         call.kind == dxStepperKind::Direct ? stepAsUpstreamInOwnMemory(step) : stepAsUpstream(step, call.kind);
     } else if (call.kind == dxStepperKind::Quick) {
         dxQuickStep(step);

@@ -7,6 +7,7 @@
 
 #include "collision_kernel.h"
 #include "collision_space_internal.h"
+#include "core/dxPrefetch.h"
 #include "dynamics/random/dxSingleStepper.h"
 #include "threading/dxUpstreamScope.h"
 
@@ -19,6 +20,13 @@ void stepBody(dxBody *body, dReal stepSize) {
     }
     const dxSingleStepper::UserCode userCode;
     dxStepBody(body, stepSize);
+}
+
+// What dGeomMoved reads and writes.
+void prefetchMove(const dxGeom *geom) {
+    if (geom == nullptr) return;
+    dxPrefetch::lineForWrite(&geom->gflags);
+    dxPrefetch::lineForWrite(&geom->next);
 }
 
 }  // namespace
@@ -52,7 +60,10 @@ bool dxMovesQuietly(const dxBody &body) {
 }
 
 void dxNotifyMoved(const dxIsland &island) {
+    constexpr unsigned kBodyPrefetchDistance = 16, kGeomPrefetchDistance = 8;
     for (unsigned i = 0; i < island.bodyCount; ++i) {
+        if (i + kBodyPrefetchDistance < island.bodyCount) dxPrefetch::line(&island.bodies[i + kBodyPrefetchDistance]->geom);
+        if (i + kGeomPrefetchDistance < island.bodyCount) prefetchMove(island.bodies[i + kGeomPrefetchDistance]->geom);
         for (dxGeom *geom = island.bodies[i]->geom; geom; geom = geom->body_next) dGeomMoved(geom);
     }
 }

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "contact.h"
+#include "core/dxPrefetch.h"
 #include "threading/dxUpstreamInterrupted.h"
 #include "threading/dxUpstreamScope.h"
 
@@ -66,8 +67,12 @@ unsigned rowsOf(dxJoint &joint) {
 }  // namespace
 
 bool dxHasMovedCallback(const dxIsland &island) {
-    return std::any_of(island.bodies, island.bodies + island.bodyCount,
-                       [](const dxBody *body) { return body->moved_callback != nullptr; });
+    constexpr unsigned kPrefetchDistance = 16;
+    for (unsigned i = 0; i < island.bodyCount; ++i) {
+        if (i + kPrefetchDistance < island.bodyCount) dxPrefetch::line(&island.bodies[i + kPrefetchDistance]->moved_callback);
+        if (island.bodies[i]->moved_callback != nullptr) return true;
+    }
+    return false;
 }
 
 std::optional<unsigned> dxCountRows(const dxIsland &island) {

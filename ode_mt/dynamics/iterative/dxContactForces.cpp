@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "core/dxPrefetch.h"
+
 namespace {
 
 // Upstream's flags end at 256.
@@ -30,7 +32,9 @@ void dxContactForces::begin(const dxWorldProcessIslandsInfo &info, bool isWarm) 
 
 // A body that was not stepped last time has an older number, under which the last step knows another body.
 void dxContactForces::numberBodies(unsigned bodyCount) {
+    constexpr unsigned kPrefetchDistance = 16;
     for (unsigned i = 0; i < bodyCount; ++i) {
+        if (i + kPrefetchDistance < bodyCount) dxPrefetch::lineForWrite(&m_bodies[i + kPrefetchDistance]->flags);
         dxBody &body = *m_bodies[i];
         const unsigned number = body.flags >> kNumberShift;  // and one more; 0: none
         const bool isKnown = number != 0 && number <= m_last.bodies.size() && m_last.bodies[number - 1].body == &body;

@@ -96,7 +96,8 @@ void dxContactReader::prefetchForces(const Manifold *const *lanes) const {
                              });
 }
 
-void dxContactReader::read(const dxContactPacks &contacts, const Manifold *const *lanes, unsigned begin, unsigned end) const {
+bool dxContactReader::read(const dxContactPacks &contacts, const Manifold *const *lanes, unsigned begin, unsigned end) const {
+    bool hasFeedback = false;
     const bool isLarge = m_step.island.bodyCount >= dxIslandPrefetch::kMinBodies;
     for (unsigned i = begin; i < end; ++i) {
         dxContactPack &pack = contacts.packs[i];
@@ -113,11 +114,15 @@ void dxContactReader::read(const dxContactPacks &contacts, const Manifold *const
             if (own[lane] == nullptr) continue;
             readBodies(pack, lane, *own[lane]);
             const ContactOrder order = orderOf(*own[lane]);
-            for (unsigned i = 0; i < own[lane]->contactCount; ++i)
-                readContact(contacts.contacts[pack.firstContact + order.placeOf(i)], lane, *m_step.island.joints[own[lane]->firstJoint + i]);
+            for (unsigned i = 0; i < own[lane]->contactCount; ++i) {
+                const dxJoint &joint = *m_step.island.joints[own[lane]->firstJoint + i];
+                readContact(contacts.contacts[pack.firstContact + order.placeOf(i)], lane, joint);
+                hasFeedback |= joint.feedback != nullptr;
+            }
             startWarm(contacts, pack, lane, *own[lane]);
         }
     }
+    return hasFeedback;
 }
 
 // Another one in each step, as long as bodies move. What sweeps have not found would otherwise point the same way each time, and a column of

@@ -19,8 +19,9 @@ public:
     // `bodies`: masses, by tag.
     dxContactReader(const dxIslandStep &step, const dxIslandBody *bodies);
 
-    // Writes packs [begin, end) and their contacts. `lanes`: manifolds by pack and lane; null: none.
-    void read(const dxContactPacks &contacts, const dxConstraintPlan::Manifold *const *lanes, unsigned begin, unsigned end) const;
+    // Writes packs [begin, end) and their contacts. `lanes`: manifolds by pack and lane; null: none. Returns whether a joint asks for
+    // feedback.
+    bool read(const dxContactPacks &contacts, const dxConstraintPlan::Manifold *const *lanes, unsigned begin, unsigned end) const;
 
     // Makes places for the forces that the next step begins with, and then keeps them there, of packs [begin, end).
     void list(std::vector<dxConstraintPlan::Manifold> &manifolds) const;

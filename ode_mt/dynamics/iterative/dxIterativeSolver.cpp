@@ -92,7 +92,7 @@ void dxIterativeSolver::solve(const dxIslandStep &step, dxIslandBody *bodies, co
     forChunks(step, [&](const dxConstraintPlan::Chunk &chunk, unsigned) {
         reader.keep(packs(), m_lanes.data(), chunk.firstPack, chunk.endPack);
     });
-    reader.giveFeedback(packs(), m_plan.manifolds());
+    if (m_hasFeedback.load(std::memory_order_relaxed)) reader.giveFeedback(packs(), m_plan.manifolds());
     dxRowContacts(step, m_plan).keep(m_others);
     m_others.finish(step.stepSize);
     joints.giveFeedback();
@@ -100,8 +100,9 @@ void dxIterativeSolver::solve(const dxIslandStep &step, dxIslandBody *bodies, co
 
 void dxIterativeSolver::prepare(const dxIslandStep &step, const dxIslandBody *bodies, const dxOtherJoints &joints) {
     const dxContactReader reader(step, bodies);
+    m_hasFeedback.store(false, std::memory_order_relaxed);
     forChunks(step, [&](const dxConstraintPlan::Chunk &chunk, unsigned i) {
-        reader.read(packs(), m_lanes.data(), chunk.firstPack, chunk.endPack);
+        if (reader.read(packs(), m_lanes.data(), chunk.firstPack, chunk.endPack)) m_hasFeedback.store(true, std::memory_order_relaxed);
         m_chunkEnergies[i] = dxPrepareContacts(packs(), chunk.firstPack, chunk.endPack, m_velocities.data());
     });
     const bool isWarm = step.iterativeWorld->isWarm();

@@ -4,6 +4,7 @@
 // groups of it are solved at the same time (dxIterativeWorld).
 #pragma once
 
+#include <atomic>
 #include <vector>
 
 #include "dynamics/islands/dxBodyMotion.h"
@@ -63,6 +64,7 @@ private:
     std::vector<double> m_chunkEnergies;
     std::vector<double> m_firstEnergies, m_islandEnergies;  // by island: of the residual without impulses; of the last sweep
     bool m_hasResponses = false;
+    std::atomic<bool> m_hasFeedback{false};  // of contacts that are lanes
     dxOverRelaxation m_factor = {1, 1};
     unsigned m_leastSweeps = 0;  // in any case
     unsigned m_smoothFrom = 0;  // the sweep after which none is over-relaxed
