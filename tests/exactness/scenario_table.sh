@@ -1,5 +1,6 @@
 #!/bin/sh
-# The table of scenarios in docs/exactness.md, and their numbers in its first paragraph, are those of the program.
+# The table of scenarios in docs/exactness.md, and their numbers in its first paragraph, are those of the program
+# odemt_scenario and of odemt_world_scenario beside it.
 #
 #   scenario_table.sh PROGRAM DOCUMENT          compares, and shows the difference
 #   scenario_table.sh PROGRAM DOCUMENT --write  rewrites the document
@@ -10,6 +11,7 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
 "$program" --list >"$folder/list"
+"$(dirname "$program")/odemt_world_scenario" --list >>"$folder/list"
 awk -F '\t' '
     {
         name = $1; sub("/[^/]*$", "", name)

@@ -82,6 +82,59 @@ TEST(VelocitySchedule, MotorTakesThePlaceOfFriction) {
     EXPECT_NEAR(spin(body(*scene, "m::wheel")).Z(), 3, 1e-6);
 }
 
+std::string positions(const std::string &phases) {
+    return driven("odemt-position-schedule", "<gain>10</gain><joints>w s</joints>" + phases);
+}
+
+// The wheel's and the slider's commands in the frame to come are gain · (target - position): returns the targets.
+std::pair<double, double> nextTargets(worlds::SdfScene &scene) {
+    const dJointID wheel = joint(scene, "m::w"), slide = joint(scene, "m::s");
+    const double angle = dJointGetHingeAngle(wheel), place = dJointGetSliderPosition(slide);
+    scene.frame();
+    return {angle + dJointGetHingeParam(wheel, dParamVel) / 10, place + dJointGetSliderParam(slide, dParamVel) / 10};
+}
+
+TEST(PositionSchedule, HoldsAndGlides) {
+    const auto scene = load(positions(R"(<hold duration="0.02">0.1 0.2</hold><glide duration="0.04">0.3 -0.2</glide>
+        <hold duration="0.01">0 0</hold>)"));
+    const double wheel[] = {0.1, 0.1, 0.15, 0.2, 0.25, 0.3, 0, 0}, slide[] = {0.2, 0.2, 0.1, 0, -0.1, -0.2, 0, 0};
+    for (int i = 0; i < 8; ++i) {
+        const auto targets = nextTargets(*scene);
+        EXPECT_NEAR(targets.first, wheel[i], 1e-9) << i;
+        EXPECT_NEAR(targets.second, slide[i], 1e-9) << i;
+    }
+}
+
+TEST(PositionSchedule, GlidesOnceAndFromTheEndOfARoundToItsBeginning) {
+    const auto once = load(positions("<glide duration=\"0.02\">0.2 0</glide>"));
+    for (double target : {0.1, 0.2, 0.2, 0.2}) EXPECT_NEAR(nextTargets(*once).first, target, 1e-9);
+    const auto round = load(positions(
+        "<repeat><glide duration=\"0.02\">0.2 0</glide><hold duration=\"0.01\">0.4 0</hold></repeat>"));
+    for (double target : {0.1, 0.2, 0.4, 0.3, 0.2, 0.4}) EXPECT_NEAR(nextTargets(*round).first, target, 1e-9);
+}
+
+TEST(PositionSchedule, SwingsFromTheStartOfThePhase) {
+    const auto scene = load(positions(R"(<hold duration="0.03">0 0</hold><swing duration="0.1" frequency="5">
+        <center>0.05 0</center><amplitude>0.1 0.2</amplitude><phase>0 0.25</phase><growth>0.5 1.5</growth></swing>)"));
+    run(*scene, 3);
+    for (int i = 0; i < 12; ++i) {
+        const double phase = 2 * 3.14159265358979323846 * 5 * 0.01 * i;
+        const double growth = 0.5 + std::min((i + 1) / 10.0, 1.0);
+        const auto targets = nextTargets(*scene);
+        EXPECT_NEAR(targets.first, 0.05 + growth * 0.1 * std::sin(phase), 1e-9) << i;
+        EXPECT_NEAR(targets.second, growth * 0.2 * std::cos(phase), 1e-9) << i;
+    }
+}
+
+TEST(PositionSchedule, ReachesItsTargetsNoFasterThanTheJoint) {
+    const auto scene = load(positions("<hold duration=\"1\">3 0.5</hold>"));
+    run(*scene, 10);
+    EXPECT_NEAR(spin(body(*scene, "m::wheel")).Z(), 5, 1e-6);
+    runFor(*scene, 3);
+    EXPECT_NEAR(dJointGetHingeAngle(joint(*scene, "m::w")), 3, 1e-6);
+    EXPECT_NEAR(dJointGetSliderPosition(joint(*scene, "m::s")), 0.5, 1e-6);
+}
+
 TEST(RandomCycle, FollowsTheGeneratorOfTheStandard) {
     constexpr int cycle = 10, least = 2, most = 8, seed = 42;
     const std::string sdf =
@@ -166,6 +219,20 @@ TEST(Controller, ParametersAreChecked) {
         joints +
             "<repeat count=\"1e6\"><repeat count=\"1e6\"><phase duration=\"1\">1</phase></repeat></repeat>",
         "/repeat/repeat/phase", "more than 1000000 phases");
+    const std::string positions = "odemt-position-schedule", gain = "<gain>1</gain>";
+    expect(positions, joints + "<hold duration=\"1\">1</hold>", "", "needs an element <gain>");
+    expect(positions, gain + joints, "", "has no phases");
+    expect(positions, gain + joints + "<hold duration=\"1\">1 2</hold>", "/hold", "2 numbers for 1 joints");
+    expect(positions, gain + joints + "<phase duration=\"1\">1</phase>", "/phase", "not known");
+    expect(positions, gain + joints + "<glide>1</glide>", "/glide", "needs an attribute 'duration'");
+    expect(positions, gain + joints + "<swing duration=\"1\" frequency=\"1\"/>", "/swing",
+           "needs an element <amplitude>");
+    expect(positions,
+           gain + joints + "<swing duration=\"1\" frequency=\"1\"><amplitude>1</amplitude><growth>1</growth></swing>",
+           "/swing/growth", "two numbers");
+    expect(positions,
+           gain + joints + "<repeat><hold duration=\"1\">1</hold></repeat><glide duration=\"1\">1</glide>", "/glide",
+           "after a repeat without end");
     expect("odemt-random-cycle",
            joints +
                "<first_part start=\"1\" least=\"5\" most=\"3\">1</first_part>"

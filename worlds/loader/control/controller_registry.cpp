@@ -1,6 +1,7 @@
 #include "loader/control/controller_registry.h"
 
 #include "loader/control/fourier_gait.h"
+#include "loader/control/position_schedule.h"
 #include "loader/control/random_cycle.h"
 #include "loader/control/velocity_schedule.h"
 
@@ -24,6 +25,7 @@ std::unique_ptr<Controller> create(const Parameters &parameters, const FindMotor
 const std::map<std::string, Create> &registry() {
     static const std::map<std::string, Create> controllers = {
         {"odemt-fourier-gait", create<FourierGait>},
+        {"odemt-position-schedule", create<PositionSchedule>},
         {"odemt-random-cycle", create<RandomCycle>},
         {"odemt-velocity-schedule", create<VelocitySchedule>},
     };

@@ -1,0 +1,42 @@
+// The catalogue of odemt_world_scenario: sample worlds of worlds/, as the bench plays them. They are a program of their own,
+// because the libraries that read SDF take longer to load than most scenarios take to run.
+#include "catalogue.h"
+
+#include "loader/load_world.h"
+#include "loader/world_folder.h"
+
+namespace exactness {
+
+namespace {
+
+struct SampleWorld {
+    const char *name;
+    const char *meaning;
+    int steps;
+};
+
+constexpr SampleWorld sampleWorlds[] = {
+    {"ghostdog", "a quadruped runs: springs as soft stops, feet that measure forces", 200},
+    {"hexapod", "six legs of a hinge and a slider each walk", 200},
+};
+
+}  // namespace
+
+const Catalogue &catalogue() {
+    static const Catalogue scenarios = [] {
+        Catalogue all;
+        for (const SampleWorld &world : sampleWorlds) {
+            const std::string name = world.name;
+            // The file names the stepper.
+            Scenario scenario{"sdf_worlds/" + name, world.meaning, world.steps,
+                              [name](scenes::Stepper) { return worlds::loadWorld(worlds::findWorld(name)); }};
+            scenario.serialBecause = "there may be one island";
+            scenario.steppers = {scenes::Stepper::World};
+            all.push_back(scenario);
+        }
+        return all;
+    }();
+    return scenarios;
+}
+
+}  // namespace exactness
