@@ -9,8 +9,9 @@ namespace {
 
 TEST(WorldFolder, HoldsTheWorlds) {
     EXPECT_EQ(worlds::availableWorlds(),
-              (std::vector<std::string>{"bioloid", "create", "epuck", "epucks", "ghostdog", "hexapod",
-                                        "humanoid", "humanoids", "pioneer3at", "soccer"}));
+              (std::vector<std::string>{"bioloid", "create", "darwin_op", "epuck", "epucks", "ghostdog",
+                                        "hexapod", "hoap2_sumo", "hoap2_walk", "humanoid", "humanoids", "nao_demo",
+                                        "pioneer3at", "salamander", "soccer", "stewart_platform", "yamor"}));
 }
 
 TEST(WorldFolder, FindsWorldsByNameAndByFile) {
@@ -26,7 +27,7 @@ TEST(WorldFolder, NamesWhatExistsWhenThereIsNoSuchWorld) {
     } catch (const std::invalid_argument &error) {
         const std::string message = error.what();
         EXPECT_NE(message.find("'rugby'"), std::string::npos) << message;
-        EXPECT_NE(message.find("bioloid create epuck epucks ghostdog hexapod humanoid"), std::string::npos)
+        EXPECT_NE(message.find("bioloid create darwin_op epuck epucks ghostdog"), std::string::npos)
             << message;
     }
 }

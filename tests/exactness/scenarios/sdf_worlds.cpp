@@ -16,8 +16,15 @@ struct SampleWorld {
 };
 
 constexpr SampleWorld sampleWorlds[] = {
+    {"darwin_op", "a humanoid on a table moves its head, and a ball", 200},
     {"ghostdog", "a quadruped runs: springs as soft stops, feet that measure forces", 200},
     {"hexapod", "six legs of a hinge and a slider each walk", 200},
+    {"hoap2_sumo", "a humanoid squats on a stage: feet that measure forces", 200},
+    {"hoap2_walk", "a humanoid walks: feet that measure forces", 200},
+    {"nao_demo", "a humanoid stands and waves", 200},
+    {"salamander", "a jointed trunk on four legs that turn, walls and thin boxes", 200},
+    {"stewart_platform", "six closed loops of universal joints, sliders and ball joints, and boxes on them", 200},
+    {"yamor", "a chain of modules on hinges and fixed joints crawls", 200},
 };
 
 }  // namespace

@@ -60,6 +60,11 @@ const char *const kEverything = R"(<?xml version="1.0"?>
         <physics><ode><suspension><cfm>0.01</cfm><erp>0.4</erp></suspension></ode></physics></joint>
       <joint name="u" type="universal"><parent>d</parent><child>e</child><axis><xyz>0 0 1</xyz></axis>
         <axis2><xyz expressed_in="inner">0 1 0</xyz></axis2></joint>
+      <plugin name="water" filename="odemt-fluid"><surface>1</surface><density>900</density><immersed link="b">
+        <size>0.2 0.2 1</size><center>0 0 0.1</center><drag>1 1 2</drag><spin_drag>0.01</spin_drag></immersed></plugin>
+      <plugin name="q" filename="odemt-position-schedule"><gain>5</gain><joints>u</joints><hold duration="0.1">0.2</hold>
+        <repeat><glide duration="0.2">-0.1</glide><swing duration="0.2" frequency="3"><center>0.1</center>
+        <amplitude>0.3</amplitude><phase>0.25</phase><growth>0 1</growth></swing></repeat></plugin>
       <plugin name="p" filename="odemt-velocity-schedule"><joints>j u/axis2</joints><phase duration="1">0.5 0.1</phase>
         <repeat count="3"><phase duration="0.1">0.1 0.2</phase></repeat><repeat><phase duration="0.1">-0.1 0</phase></repeat></plugin>
       <model name="nested"><pose>0 0 2 0 0 0</pose><link name="x"/><link name="y"><pose>0 0 1 0 0 0</pose></link>

@@ -1,5 +1,6 @@
 #include "loader/control/controller_registry.h"
 
+#include "loader/control/fluid.h"
 #include "loader/control/fourier_gait.h"
 #include "loader/control/position_schedule.h"
 #include "loader/control/random_cycle.h"
@@ -14,16 +15,23 @@ namespace {
 // ODE stays finite with speeds, angles and gains up to here.
 constexpr double largestControllerNumber = 1e10;
 
-using Create = std::unique_ptr<Controller> (*)(const Parameters &, const FindMotor &, double stepSize);
+using Create = std::unique_ptr<Controller> (*)(const Parameters &, const FindMotor &, const FindBody &,
+                                               double stepSize);
 
 template <class Kind>
-std::unique_ptr<Controller> create(const Parameters &parameters, const FindMotor &findMotor,
+std::unique_ptr<Controller> create(const Parameters &parameters, const FindMotor &findMotor, const FindBody &,
                                    double stepSize) {
     return std::make_unique<Kind>(parameters, findMotor, stepSize);
 }
 
+std::unique_ptr<Controller> createFluid(const Parameters &parameters, const FindMotor &, const FindBody &findBody,
+                                        double stepSize) {
+    return std::make_unique<Fluid>(parameters, findBody, stepSize);
+}
+
 const std::map<std::string, Create> &registry() {
     static const std::map<std::string, Create> controllers = {
+        {"odemt-fluid", createFluid},
         {"odemt-fourier-gait", create<FourierGait>},
         {"odemt-position-schedule", create<PositionSchedule>},
         {"odemt-random-cycle", create<RandomCycle>},
@@ -43,9 +51,10 @@ std::vector<std::string> controllerTypes() {
 bool isControllerType(const std::string &type) { return registry().count(type) > 0; }
 
 std::unique_ptr<Controller> createController(const ControllerDescription &description,
-                                             const FindMotor &findMotor, double stepSize) {
+                                             const FindMotor &findMotor, const FindBody &findBody,
+                                             double stepSize) {
     description.parameters.expectWithin(largestControllerNumber);
-    return registry().at(description.type)(description.parameters, findMotor, stepSize);
+    return registry().at(description.type)(description.parameters, findMotor, findBody, stepSize);
 }
 
 std::vector<JointMotor> findMotors(const Parameters &joints, const FindMotor &findMotor) {

@@ -15,13 +15,17 @@ namespace worlds {
 // The motor of a joint of the model, "joint" or "joint/axis2"; fails at `namedBy` when there is none.
 using FindMotor = std::function<JointMotor(const std::string &joint, const Parameters &namedBy)>;
 
+// The body of a link of the model; fails at `namedBy` when there is none.
+using FindBody = std::function<dBodyID(const std::string &link, const Parameters &namedBy)>;
+
 // Values of a plugin's filename.
 std::vector<std::string> controllerTypes();
 bool isControllerType(const std::string &type);
 
 // Throws LoadError for parameters that make no sense.
 std::unique_ptr<Controller> createController(const ControllerDescription &description,
-                                             const FindMotor &findMotor, double stepSize);
+                                             const FindMotor &findMotor, const FindBody &findBody,
+                                             double stepSize);
 
 // For controllers: the motors named by the words of <joints>.
 std::vector<JointMotor> findMotors(const Parameters &joints, const FindMotor &findMotor);

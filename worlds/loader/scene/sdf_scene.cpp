@@ -37,6 +37,7 @@ struct SdfScene::Parts {
 
     std::vector<dBodyID> linkBodies;                     // by number of the link; null for static links
     std::unordered_map<std::string, JointMotor> motors;  // by joint, a second axis by "joint/axis2"
+    std::unordered_map<std::string, dBodyID> bodies;     // by link
     std::vector<std::unique_ptr<dJointFeedback>> feedback;
     std::vector<std::unique_ptr<Controller>> controllers;
     long frame = 0;  // number of the coming one
@@ -61,6 +62,7 @@ void SdfScene::addLinks(const WorldDescription &world) {
         if (body) {
             m_inventory.bodies.push_back(body);
             m_bodyNames.push_back(link.name);
+            m_parts->bodies.emplace(link.name, body);
         }
         for (const Collision &collision : link.collisions) {
             const dGeomID geom = withMemoryFor(collision.place, [&] {
@@ -104,7 +106,13 @@ void SdfScene::addControllers(const WorldDescription &world) {
                 namedBy.fail("joint " + quote(joint) + " is driven already");
             return found->second;
         };
-        m_parts->controllers.push_back(createController(description, findMotor, world.physics.stepSize));
+        const FindBody findBody = [&](const std::string &link, const Parameters &namedBy) {
+            const auto found = m_parts->bodies.find(description.model + "::" + link);
+            if (found == m_parts->bodies.end()) namedBy.fail("model has no link " + quote(link));
+            return found->second;
+        };
+        m_parts->controllers.push_back(
+            createController(description, findMotor, findBody, world.physics.stepSize));
     }
 }
 
