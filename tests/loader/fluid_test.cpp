@@ -8,36 +8,42 @@ namespace {
 using namespace small_world;
 
 // A link of 1 kg at `pose` in a fluid of 1000 kg/m³ up to z = 0, with a step of 1 ms.
-std::string inFluid(const std::string &pose, const std::string &immersed, const std::string &gravity = "0 0 -10") {
-    return worldWith("<gravity>" + gravity +
-                         "</gravity><physics type=\"ode\"><max_step_size>0.001</max_step_size><ode><solver>"
-                         "<type>world</type></solver></ode></physics>",
-                     "<model name=\"m\">" + linkOf1kg("boat", pose) +
-                         R"(<plugin name="p" filename="odemt-fluid"><surface>0</surface><density>1000</density>
+std::string inFluid(const std::string &pose, const std::string &immersed,
+                    const std::string &gravity = "0 0 -10") {
+    return worldWith(
+        "<gravity>" + gravity +
+            "</gravity><physics type=\"ode\"><max_step_size>0.001</max_step_size><ode><solver>"
+            "<type>world</type></solver></ode></physics>",
+        "<model name=\"m\">" + linkOf1kg("boat", pose) +
+            R"(<plugin name="p" filename="odemt-fluid"><surface>0</surface><density>1000</density>
                          <immersed link="boat">)" +
-                         immersed + "</immersed></plugin></model>");
+            immersed + "</immersed></plugin></model>");
 }
 
 const std::string liter2 = "<size>0.1 0.1 0.2</size>";  // displaces 2 kg
 
 TEST(Fluid, LiftsWhatIsImmersedByTheWeightOfTheFluid) {
     const auto below = load(inFluid("0 0 -1 0 0 0", liter2)), above = load(inFluid("0 0 1 0 0 0", liter2)),
-               half = load(inFluid("0 0 0 0 0 0", liter2)), lying = load(inFluid("0 0 0.05 0 1.5707963267948966 0", liter2));
+               half = load(inFluid("0 0 0 0 0 0", liter2)),
+               lying = load(inFluid("0 0 0.05 0 1.5707963267948966 0", liter2));
     for (const auto &scene : {below.get(), above.get(), half.get(), lying.get()}) scene->frame();
     EXPECT_NEAR(velocity(body(*below, "m::boat")).Z(), 0.01, 1e-9);
     EXPECT_NEAR(velocity(body(*above, "m::boat")).Z(), -0.01, 1e-9);
     EXPECT_NEAR(velocity(body(*half, "m::boat")).Z(), 0, 1e-9);
-    EXPECT_NEAR(velocity(body(*lying, "m::boat")).Z(), -0.01, 1e-9);  // 0.1 m high now, and so out of the fluid
+    // 0.1 m high now, and so out of the fluid.
+    EXPECT_NEAR(velocity(body(*lying, "m::boat")).Z(), -0.01, 1e-9);
 }
 
 TEST(Fluid, LiftsAtTheCenterOfTheBox) {
     const auto scene = load(inFluid("0 0 -1 0 0 0", liter2 + "<center>0.1 0 0</center>"));
     scene->frame();
-    EXPECT_NEAR(spin(body(*scene, "m::boat")).Y(), -20 * 0.1 / 0.1 * 0.001, 1e-9);  // torque through inertia, 1 ms
+    // Torque through inertia, for 1 ms.
+    EXPECT_NEAR(spin(body(*scene, "m::boat")).Y(), -20 * 0.1 / 0.1 * 0.001, 1e-9);
 }
 
 TEST(Fluid, DragGrowsWithTheSquareOfTheSpeedAlongEachAxis) {
-    const auto scene = load(inFluid("0 0 -1 0 0 1.5707963267948966", liter2 + "<drag>0.5 2 0</drag>", "0 0 0"));
+    const auto scene =
+        load(inFluid("0 0 -1 0 0 1.5707963267948966", liter2 + "<drag>0.5 2 0</drag>", "0 0 0"));
     const dBodyID boat = body(*scene, "m::boat");
     dBodySetLinearVel(boat, 0.4, 0, 0);  // along -y of the link, whose side is 0.02 m²
     scene->frame();
@@ -47,8 +53,9 @@ TEST(Fluid, DragGrowsWithTheSquareOfTheSpeedAlongEachAxis) {
     EXPECT_NEAR(velocity(boat).Z(), 0.4, 1e-9);
 }
 
-TEST(Fluid, DragStopsALinkAndTurnsItRoundNever) {
-    const auto scene = load(inFluid("0 0 -1 0 0 0", liter2 + "<drag>1 1 1</drag><spin_drag>1e6</spin_drag>", "0 0 0"));
+TEST(Fluid, DragNeverTurnsAMotionRound) {
+    const auto scene =
+        load(inFluid("0 0 -1 0 0 0", liter2 + "<drag>1 1 1</drag><spin_drag>1e6</spin_drag>", "0 0 0"));
     const dBodyID boat = body(*scene, "m::boat");
     dBodySetLinearVel(boat, 1000, 0, 0);
     dBodySetAngularVel(boat, 0, 0, 5);
@@ -68,8 +75,8 @@ TEST(Fluid, ParametersAreChecked) {
     expect("<size>1 1 1</size><drag>1 -1 1</drag>", "/immersed/drag", "negative");
     expect("<size>1 1 1</size><spin_drag>-1</spin_drag>", "/immersed", "negative");
     expect("<size>1 1 1</size><sail/>", "/immersed/sail", "not known");
-    expectError(inFluid("0 0 0 0 0 0", "</immersed><immersed link=\"mast\">" + liter2), worlds::LoadError::Kind::Value,
-                {"needs an element <size>"});
+    expectError(inFluid("0 0 0 0 0 0", "</immersed><immersed link=\"mast\">" + liter2),
+                worlds::LoadError::Kind::Value, {"needs an element <size>"});
     expectError(inFluid("0 0 0 0 0 0", liter2 + "</immersed><immersed link=\"mast\">" + liter2),
                 worlds::LoadError::Kind::Value, {"no link 'mast'"});
 }

@@ -22,7 +22,8 @@ TEST_F(GhostDog, HasTheObjectsOfTheFacts) {
     EXPECT_EQ(scene->inventory().bodies.size(), 21u);
     EXPECT_EQ(scene->inventory().joints.size(), 20u);
     // Body, pelvis, neck and head; legs.
-    EXPECT_NEAR(totalMass(*scene, "dog"), 4.2 + 4 + 0.075 + 0.06 + 1.28 + 4 * (0.201062 + 0.01 + 0.2 + 0.01), 1e-9);
+    EXPECT_NEAR(totalMass(*scene, "dog"), 4.2 + 4 + 0.075 + 0.06 + 1.28 + 4 * (0.201062 + 0.01 + 0.2 + 0.01),
+                1e-9);
     EXPECT_DOUBLE_EQ(scene->stepSize(), 0.004);
     EXPECT_DOUBLE_EQ(dWorldGetCFM(scene->inventory().worlds[0]), 1e-4);
 }

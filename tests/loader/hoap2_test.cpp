@@ -53,13 +53,10 @@ TEST(Hoap2, StampsWithBothFeetInTurn) {
     while (scene->time() < 14) {
         scene->frame();
         lowest = std::min(lowest, position(trunk).Z());
-        (scene->time() < 7 ? highestLeft : highestRight) =
-            std::max(scene->time() < 7 ? highestLeft : highestRight,
-                     position(scene->time() < 7 ? left : right).Z());
-        if (scene->time() < 7)
-            ASSERT_LT(position(right).Z(), 0.22);
-        else
-            ASSERT_LT(position(left).Z(), 0.22);
+        const bool isLeftsTurn = scene->time() < 7;
+        double &highest = isLeftsTurn ? highestLeft : highestRight;
+        highest = std::max(highest, position(isLeftsTurn ? left : right).Z());
+        ASSERT_LT(position(isLeftsTurn ? right : left).Z(), 0.22) << scene->time();  // on the stage
         ASSERT_GT(upright(trunk), 0.98) << scene->time();
     }
     EXPECT_LT(lowest, 0.515);  // squats from 0.55

@@ -32,7 +32,9 @@ TEST_F(NaoDemo, StandsAndWavesThreeTimes) {
     int waves = 0;
     double least = 10, most = -10;
     for (int i = 0; i < 120; ++i) {  // 2.4 s
-        const auto angle = [&] { return dJointGetHingeAngle(joint(*scene, "robot::right_elbow_roll_joint")); };
+        const auto angle = [&] {
+            return dJointGetHingeAngle(joint(*scene, "robot::right_elbow_roll_joint"));
+        };
         const double before = angle();
         scene->frame();
         waves += before < 0.9 && angle() >= 0.9;

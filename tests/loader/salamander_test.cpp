@@ -19,7 +19,8 @@ TEST_F(Salamander, HasTheObjectsOfTheFacts) {
     EXPECT_EQ(staticGeoms(*scene), 9u);
     EXPECT_EQ(scene->inventory().bodies.size(), 9u + 4u);
     EXPECT_EQ(scene->inventory().joints.size(), 12u);
-    EXPECT_NEAR(totalMass(*scene, "salamander"), 7 * 0.180281 + 2 * 0.279137 + 4 * (0.00242371 + 0.0045704), 1e-6);
+    EXPECT_NEAR(totalMass(*scene, "salamander"), 7 * 0.180281 + 2 * 0.279137 + 4 * (0.00242371 + 0.0045704),
+                1e-6);
     EXPECT_DOUBLE_EQ(scene->stepSize(), 0.004);
 }
 

@@ -1,5 +1,6 @@
-// The catalogue of odemt_world_scenario: sample worlds of worlds/, as the bench plays them. They are a program of their own,
-// because the libraries that read SDF take longer to load than most scenarios take to run.
+// The catalogue of odemt_world_scenario: sample worlds of worlds/, as the bench plays them. They are a
+// program of their own, because the libraries that read SDF take longer to load than most scenarios take to
+// run.
 #include "catalogue.h"
 
 #include "loader/load_world.h"
@@ -23,7 +24,8 @@ constexpr SampleWorld sampleWorlds[] = {
     {"hoap2_walk", "a humanoid walks: feet that measure forces", 200},
     {"nao_demo", "a humanoid stands and waves", 200},
     {"salamander", "a jointed trunk on four legs that turn, walls and thin boxes", 200},
-    {"stewart_platform", "six closed loops of universal joints, sliders and ball joints, and boxes on them", 200},
+    {"stewart_platform", "six closed loops of universal joints, sliders and ball joints, and boxes on them",
+     200},
     {"yamor", "a chain of modules on hinges and fixed joints crawls", 200},
 };
 

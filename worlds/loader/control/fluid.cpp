@@ -58,7 +58,8 @@ Fluid::Immersed Fluid::readImmersed(const Parameters &element, const FindBody &f
 // Returns the share of the box below the surface.
 double Fluid::share(const Immersed &link) const {
     dVector3 middle;
-    dBodyGetRelPointPos(link.body, toReal(link.center[0]), toReal(link.center[1]), toReal(link.center[2]), middle);
+    dBodyGetRelPointPos(link.body, toReal(link.center[0]), toReal(link.center[1]), toReal(link.center[2]),
+                        middle);
     const dReal *rotation = dBodyGetRotation(link.body);
     double height = 0;
     for (int i = 0; i < 3; ++i) height += std::fabs(rotation[8 + i]) * link.size[i];
@@ -89,7 +90,8 @@ void Fluid::push(const Immersed &link) const {
     dBodyVectorFromWorld(link.body, turning[0], turning[1], turning[2], spin);
     Vector force, torque;
     for (int i = 0; i < 3; ++i) {
-        force[i] = -std::min(immersed * link.drag[i] * std::fabs(speed[i]), link.mass / m_stepSize) * speed[i];
+        force[i] =
+            -std::min(immersed * link.drag[i] * std::fabs(speed[i]), link.mass / m_stepSize) * speed[i];
         torque[i] = -std::min(immersed * link.spinDrag, link.inertia[i] / m_stepSize) * spin[i];
     }
     dBodyAddRelForceAtRelPos(link.body, toReal(force[0]), toReal(force[1]), toReal(force[2]), x, y, z);

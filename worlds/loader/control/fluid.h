@@ -5,16 +5,16 @@
 //     <density>1000</density>                     kg/m³
 //     <immersed link="tail">
 //       <size>0.09 0.04 0.06</size>               m; the box that the link displaces, along its axes
-//       <center>0.01 0 0.014</center>             m; of the box, seen from the centre of mass; 0 0 0 unless given
-//       <drag>0 3.1 1.3</drag>                    drag coefficients along the axes, 0 unless given
+//       <center>0.01 0 0.014</center>             m; of the box, seen from the centre of mass; 0 0 0 unless
+//       given <drag>0 3.1 1.3</drag>                    drag coefficients along the axes, 0 unless given
 //       <spin_drag>1e-4</spin_drag>               N·m·s, 0 unless given
 //     </immersed>
 //   </plugin>
 //
-// Lift is the weight of the fluid in the share of the box that is below the surface: that of its height, as if
-// the box were upright. It acts at the box's centre, and so does drag, ½ · density · coefficient · side · speed²
-// along each axis, times the share. Drag is taken from the speeds before the step, and cut to what stops the
-// link within it.
+// Lift is the weight of the fluid in the share of the box that is below the surface: that of its height, as
+// if the box were upright. It acts at the box's centre, and so does drag, ½ · density · coefficient · side ·
+// speed² along each axis, times the share. Drag is taken from the speeds before the step, and cut to what
+// stops the link within it.
 #pragma once
 
 #include "loader/control/controller_registry.h"

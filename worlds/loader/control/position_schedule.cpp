@@ -17,7 +17,8 @@ const Parameters &checked(const Parameters &parameters) {
 std::vector<double> readOfEachJoint(const Parameters &element, std::size_t joints) {
     std::vector<double> numbers = element.numbers();
     if (numbers.size() != joints)
-        element.fail("has " + std::to_string(numbers.size()) + " numbers for " + std::to_string(joints) + " joints");
+        element.fail("has " + std::to_string(numbers.size()) + " numbers for " + std::to_string(joints) +
+                     " joints");
     return numbers;
 }
 
@@ -70,7 +71,8 @@ double PositionSchedule::target(const Phase &phase, std::size_t joint, const Tim
         case Phase::Kind::Hold:
             return phase.center[joint];
         case Phase::Kind::Glide:
-            if (moment.frame >= moment.frames) return phase.center[joint];  // time has gone on in the last phase
+            if (moment.frame >= moment.frames)
+                return phase.center[joint];  // time has gone on in the last phase
             return m_phaseStarts[joint] + share * (phase.center[joint] - m_phaseStarts[joint]);
         case Phase::Kind::Swing:
             break;

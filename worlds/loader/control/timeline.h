@@ -1,4 +1,5 @@
-// The phases of a schedule in time: each lasts so many frames, some are repeated, the last ones perhaps for ever.
+// The phases of a schedule in time: each lasts so many frames, some are repeated, the last ones perhaps for
+// ever.
 //
 //   <PHASE duration="0.5"/>                 s, rounded to whole steps
 //   <repeat count="3"> … </repeat>          phases and repeats, so many times
@@ -17,7 +18,8 @@ public:
     using AddPhase = std::function<void(const Parameters &phase)>;
 
     // Reads the children of `schedule` that have one of the names, and the repeats.
-    Timeline(const Parameters &schedule, std::vector<std::string> phaseNames, double stepSize, const AddPhase &addPhase);
+    Timeline(const Parameters &schedule, std::vector<std::string> phaseNames, double stepSize,
+             const AddPhase &addPhase);
 
     struct Moment {
         std::size_t phase;  // its number, counted as AddPhase is told of them
