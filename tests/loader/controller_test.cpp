@@ -175,6 +175,78 @@ TEST(FourierGait, SpeedIsCutToTheLimit) {
     EXPECT_NEAR(spin(body(*scene, "m::wheel")).Z(), 5, 1e-6);
 }
 
+// One link of 1 kg and 0.1 kg·m² without gravity, and forces on it.
+std::string pushed(const std::string &inside) {
+    return worldWith(
+        "<gravity>0 0 0</gravity><physics type=\"ode\"><max_step_size>0.01</max_step_size><ode><solver>"
+        "<type>world</type></solver></ode></physics>",
+        "<model name=\"m\">" + linkOf1kg("hull", "0 0 0 0 0 1.5707963267948966") +
+            "<plugin name=\"p\" filename=\"odemt-body-forces\">" + inside + "</plugin></model>");
+}
+
+TEST(BodyForces, PushAlongTheAxesOfTheLinkInPhases) {
+    const auto scene = load(pushed("<link>hull</link><phase duration=\"1\">2 0 0 0 0 0</phase>"
+                                   "<phase duration=\"1\">0 0 0 0 0 0.1</phase>"));
+    const dBodyID hull = body(*scene, "m::hull");
+    runFor(*scene, 1);
+    EXPECT_LT((velocity(hull) - Vector3d(0, 2, 0)).Length(), 1e-9);  // the link's x is the world's y
+    EXPECT_EQ(spin(hull).Length(), 0);
+    runFor(*scene, 1);
+    EXPECT_LT((velocity(hull) - Vector3d(0, 2, 0)).Length(), 1e-9);
+    EXPECT_NEAR(spin(hull).Z(), 1, 1e-9);
+}
+
+TEST(BodyForces, DragSlowsDownToItsBalanceWithThrust) {
+    const auto scene = load(pushed("<link>hull</link><linear_drag>0 0 0 0 0 2</linear_drag>"
+                                   "<quadratic_drag>0.5 1e9 0 0 0 0</quadratic_drag>"
+                                   "<phase duration=\"1\">2 0 0 0 0 3</phase>"));
+    const dBodyID hull = body(*scene, "m::hull");
+    dBodySetLinearVel(hull, 5, 0, 0);
+    scene->frame();
+    EXPECT_NEAR(velocity(hull).X(), 0, 1e-9);  // no drag reverses a motion
+    runFor(*scene, 10);
+    EXPECT_NEAR(spin(hull).Z(), 1.5, 1e-6);
+    EXPECT_NEAR(velocity(hull).Length(), 2, 0.05);  // 0.5 · 2² is the thrust; it goes where it heads
+}
+
+TEST(BodyForces, RightingMomentSwingsTheLinkUpright) {
+    const auto scene = load(pushed("<link>hull</link><righting_moment>1</righting_moment>"
+                                   "<linear_drag>0 0 0 0.3 0.3 0.3</linear_drag><phase duration=\"1\">0 0 0 0 0 0</phase>"));
+    const dBodyID hull = body(*scene, "m::hull");
+    dQuaternion tilted;
+    dQFromAxisAndAngle(tilted, 1, 1, 0, 1.5);
+    dBodySetQuaternion(hull, tilted);
+    runFor(*scene, 0.1);
+    EXPECT_NEAR(spin(hull).Length(), 1 / 0.1 * 0.1, 0.2);
+    runFor(*scene, 20);
+    EXPECT_GT(dBodyGetRotation(hull)[10], 0.9999);
+}
+
+TEST(BodyForces, ParametersAreChecked) {
+    const auto expect = [](const std::string &inside, const std::string &path, const std::string &message) {
+        expectError(pushed(inside), worlds::LoadError::Kind::Value,
+                    {"test.sdf: /sdf/world/model[m]/plugin[p]" + path + ": ", message});
+    };
+    const std::string phase = "<phase duration=\"1\">0 0 0 0 0 0</phase>";
+    expect(phase, "", "needs an element <link>");
+    expect("<link/>" + phase, "/link", "names no link");
+    expect("<link>nose</link>" + phase, "/link", "no link 'nose'");
+    expect("<link>hull</link>", "", "has no phases");
+    expect("<link>hull</link><phase duration=\"1\">1 2 3</phase>", "/phase", "3 numbers instead of 6");
+    expect("<link>hull</link><linear_drag>0 0 0 0 0 -1</linear_drag>" + phase, "/linear_drag", "negative");
+    expect("<link>hull</link><wind>1</wind>" + phase, "/wind", "not known");
+}
+
+TEST(PositionSchedule, CountsOnBeyondHalfATurn) {
+    const auto scene = load(driven("odemt-position-schedule", "<gain>10</gain><joints>w s</joints>"
+                                                              "<hold duration=\"5\">10 0</hold><hold duration=\"5\">-7 0</hold>"));
+    runFor(*scene, 5);
+    EXPECT_NEAR(dJointGetHingeAngle(joint(*scene, "m::w")), 10 - 4 * M_PI, 1e-3);
+    EXPECT_NEAR(spin(body(*scene, "m::wheel")).Z(), 0, 1e-3);
+    runFor(*scene, 5);
+    EXPECT_NEAR(dJointGetHingeAngle(joint(*scene, "m::w")), -7 + 2 * M_PI, 1e-3);
+}
+
 TEST(Controller, ReachesTheSecondAxis) {
     const auto scene = load(world("<gravity>0 0 0</gravity><model name=\"m\">" +
                                   linkOf1kg("a", "0 0 0 0 0 0") + linkOf1kg("b", "0 1 0 0 0 0") + R"(

@@ -72,6 +72,32 @@ TEST(Surface, SecondFrictionDirectionAndSlip) {
     EXPECT_NEAR(contact.fdir1[2], 0, 1e-12);
 }
 
+// A ball on an axle that is fixed to a frame; both spin by a quarter turn before the ball is asked.
+std::string ballInFrame(const std::string &expressedIn) {
+    return world(ground + "<model name=\"m\">" + linkOf1kg("frame", "0 0 0.0999 0 0 0") +
+                 linkOf1kg("ball", "0 0 0.0999 0 0 0",
+                           "<collision name=\"shape\"><geometry>" + sphere(0.1) + "</geometry>" +
+                               friction("<mu>1</mu><mu2>0</mu2><fdir1" + expressedIn + ">1 0 0</fdir1>") +
+                               "</collision>") +
+                 "<joint name=\"j\" type=\"revolute\"><parent>frame</parent><child>ball</child><axis><xyz>0 0 1</xyz>"
+                 "</axis></joint></model>");
+}
+
+TEST(Surface, FrictionDirectionTurnsWithTheLinkThatItIsExpressedIn) {
+    for (const auto &[attribute, turned] : {std::pair("", "m::ball"), std::pair(" gz:expressed_in=\"frame\"", "m::frame"),
+                                            std::pair(" ignition:expressed_in=\"frame\"", "m::frame")}) {
+        const auto scene = load(ballInFrame(attribute));
+        const dQuaternion quarter = {std::sqrt(0.5), 0, 0, std::sqrt(0.5)};
+        dBodySetQuaternion(body(*scene, turned), quarter);
+        LastContact watch;
+        scene->observe(&watch);
+        scene->frame();
+        EXPECT_NEAR(std::fabs(watch.last.fdir1[1]), 1, 1e-6) << attribute;
+        EXPECT_NEAR(watch.last.fdir1[0], 0, 1e-6) << attribute;
+    }
+    expectError(ballInFrame(" gz:expressed_in=\"nose\""), worlds::LoadError::Kind::Value, {"no link 'nose'"});
+}
+
 TEST(Surface, FrictionDirectionAlongTheNormalIsLeftOut) {
     const dContact contact = contactOf(restingBall(friction("<mu>1</mu><fdir1>0 0 1</fdir1>")));
     EXPECT_EQ(contact.surface.mode & dContactFDir1, 0);

@@ -9,9 +9,11 @@ namespace {
 
 TEST(WorldFolder, HoldsTheWorlds) {
     EXPECT_EQ(worlds::availableWorlds(),
-              (std::vector<std::string>{"bioloid", "create", "darwin_op", "epuck", "epucks", "ghostdog",
-                                        "hexapod", "hoap2_sumo", "hoap2_walk", "humanoid", "humanoids", "nao_demo",
-                                        "pioneer3at", "salamander", "soccer", "stewart_platform", "yamor"}));
+              (std::vector<std::string>{"autonomous_vehicle", "bioloid", "blimp", "create", "darwin_op",
+                                        "epuck", "epuck_line", "epucks", "gantry", "ghostdog", "hexapod",
+                                        "hoap2_sumo", "hoap2_walk", "humanoid", "humanoids", "ipr_factory",
+                                        "nao_demo", "pioneer3at", "salamander", "shrimp", "soccer", "sojourner",
+                                        "stewart_platform", "surveyor", "uneven_terrain", "yamor", "youbot"}));
 }
 
 TEST(WorldFolder, FindsWorldsByNameAndByFile) {
@@ -27,7 +29,7 @@ TEST(WorldFolder, NamesWhatExistsWhenThereIsNoSuchWorld) {
     } catch (const std::invalid_argument &error) {
         const std::string message = error.what();
         EXPECT_NE(message.find("'rugby'"), std::string::npos) << message;
-        EXPECT_NE(message.find("bioloid create darwin_op epuck epucks ghostdog"), std::string::npos)
+        EXPECT_NE(message.find("bioloid blimp create darwin_op epuck epuck_line epucks gantry"), std::string::npos)
             << message;
     }
 }

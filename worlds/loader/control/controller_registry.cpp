@@ -1,5 +1,6 @@
 #include "loader/control/controller_registry.h"
 
+#include "loader/control/body_forces.h"
 #include "loader/control/fluid.h"
 #include "loader/control/fourier_gait.h"
 #include "loader/control/position_schedule.h"
@@ -24,6 +25,11 @@ std::unique_ptr<Controller> create(const Parameters &parameters, const FindMotor
     return std::make_unique<Kind>(parameters, findMotor, stepSize);
 }
 
+std::unique_ptr<Controller> createBodyForces(const Parameters &parameters, const FindMotor &,
+                                             const FindBody &findBody, double stepSize) {
+    return std::make_unique<BodyForces>(parameters, findBody, stepSize);
+}
+
 std::unique_ptr<Controller> createFluid(const Parameters &parameters, const FindMotor &, const FindBody &findBody,
                                         double stepSize) {
     return std::make_unique<Fluid>(parameters, findBody, stepSize);
@@ -31,6 +37,7 @@ std::unique_ptr<Controller> createFluid(const Parameters &parameters, const Find
 
 const std::map<std::string, Create> &registry() {
     static const std::map<std::string, Create> controllers = {
+        {"odemt-body-forces", createBodyForces},
         {"odemt-fluid", createFluid},
         {"odemt-fourier-gait", create<FourierGait>},
         {"odemt-position-schedule", create<PositionSchedule>},

@@ -3,6 +3,7 @@
 #include "loader/scene/ode_types.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace worlds {
 
@@ -14,6 +15,13 @@ void JointMotor::setSpeed(double speed) {
     m_axis.set(dParamVel, toReal(cut));
     m_axis.set(dParamFMax, toReal(m_maxForce));
     if (cut != 0) m_axis.wake();
+}
+
+double JointMotor::position() {
+    constexpr double turn = 2 * 3.14159265358979323846;
+    const double measured = m_axis.position();
+    m_position = m_axis.isAngular() ? measured + turn * std::round((m_position - measured) / turn) : measured;
+    return m_position;
 }
 
 }  // namespace worlds

@@ -15,11 +15,14 @@ public:
     // rad/s or m/s, clamped to the motor's largest speed. A motor that should move enables its bodies.
     void setSpeed(double speed);
 
-    double position() const { return m_axis.position(); }  // rad or m, 0 at the start
+    // rad or m, 0 at the start. ODE's angles end at half a turn; this one counts on, if it is asked for at least
+    // once in half a turn.
+    double position();
 
 private:
     JointAxisHandle m_axis;
     double m_maxForce, m_maxSpeed;
+    double m_position = 0;  // of the last call
 };
 
 }  // namespace worlds

@@ -4,13 +4,15 @@
 #include <ignition/math/Vector3.hh>
 
 #include <optional>
+#include <string>
 
 namespace worlds {
 
 struct Surface {
     double mu = 1, mu2 = 1;       // Coulomb friction along the first and second friction direction
     double slip1 = 0, slip2 = 0;  // m/(N·s), force-dependent slip
-    std::optional<ignition::math::Vector3d> frictionDirection;  // the first one, in the shape's frame
+    std::optional<ignition::math::Vector3d> frictionDirection;  // the first one, in the shape's frame,
+    std::string frictionFrame;                                  // or in that of this link of the same model
 
     double restitution = 0;
     double bounceThreshold = 100000;  // m/s, SDF's default: no bounce

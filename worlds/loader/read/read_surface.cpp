@@ -20,6 +20,9 @@ void readFriction(const Parameters &ode, Surface &surface) {
         const ignition::math::Vector3d vector(numbers[0], numbers[1], numbers[2]);
         surface.frictionDirection.reset();
         if (vector.Length() > 0) surface.frictionDirection = vector.Normalized();
+        surface.frictionFrame.clear();
+        for (const char *const attribute : {"ignition:expressed_in", "gz:expressed_in"})  // Gazebo's names for it
+            if (direction->attributes.count(attribute)) surface.frictionFrame = direction->attribute(attribute);
     }
 }
 

@@ -27,22 +27,33 @@ std::optional<Value> choose(const std::optional<Value> &a, const std::optional<V
     return better(*a, *b);
 }
 
-Vector3d rotate(dGeomID geom, const Vector3d &vector) {
-    dQuaternion q;
-    dGeomGetQuaternion(geom, q);
+Vector3d rotate(const dReal *q, const Vector3d &vector) {
     return ignition::math::Quaterniond(q[0], q[1], q[2], q[3]).RotateVector(vector);
 }
 
 }  // namespace
 
 void ContactRules::add(dGeomID geom, const Link &link, const Collision &collision) {
-    m_properties.push_back({collision.surface, collision.maxContacts, link.model, link.selfCollide});
+    m_properties.push_back({collision.surface, collision.maxContacts, link.model, link.selfCollide, nullptr});
     dGeomSetData(geom, &m_properties.back());
     setBits(geom, collision.surface, link.isStatic, !link.isStatic || m_staticMeetsStatic);
 }
 
 const ContactRules::Properties &ContactRules::of(dGeomID geom) {
     return *static_cast<const Properties *>(dGeomGetData(geom));
+}
+
+void ContactRules::setFrictionFrame(dGeomID geom, dBodyID body) {
+    static_cast<Properties *>(dGeomGetData(geom))->frictionFrame = body;
+}
+
+Vector3d ContactRules::frictionDirection(dGeomID geom) {
+    const Properties &properties = of(geom);
+    const Vector3d &direction = *properties.surface.frictionDirection;
+    if (properties.frictionFrame) return rotate(dBodyGetQuaternion(properties.frictionFrame), direction);
+    dQuaternion q;
+    dGeomGetQuaternion(geom, q);
+    return rotate(q, direction);
 }
 
 bool ContactRules::mayTouch(dGeomID geom1, dGeomID geom2) {
@@ -86,10 +97,9 @@ dSurfaceParameters ContactRules::surface(dGeomID geom1, dGeomID geom2) const {
 }
 
 void ContactRules::setDirection(dContact &contact) {
-    const std::optional<Vector3d> &first = of(contact.geom.g1).surface.frictionDirection;
-    const std::optional<Vector3d> &second = of(contact.geom.g2).surface.frictionDirection;
-    if (!first && !second) return;
-    const Vector3d direction = first ? rotate(contact.geom.g1, *first) : rotate(contact.geom.g2, *second);
+    const bool first = of(contact.geom.g1).surface.frictionDirection.has_value();
+    if (!first && !of(contact.geom.g2).surface.frictionDirection) return;
+    const Vector3d direction = frictionDirection(first ? contact.geom.g1 : contact.geom.g2);
     const Vector3d normal(contact.geom.normal[0], contact.geom.normal[1], contact.geom.normal[2]);
     Vector3d tangent = direction - normal * normal.Dot(direction);
     if (tangent.Length() < 1e-6) return;  // along the normal: ODE takes a direction of its own

@@ -18,6 +18,9 @@ public:
     // Makes the geom known: its data pointer, category and collide bits are set.
     void add(dGeomID geom, const Link &link, const Collision &collision);
 
+    // The geom's friction direction turns with that body instead. Requires a geom that was added.
+    static void setFrictionFrame(dGeomID geom, dBodyID body);
+
     // False for bodies joined by a joint, for bodies of one model unless one of them wants to touch the
     // rest of it, and for two static geoms. Those do not even get here, by their bits, unless the world
     // says staticMeetsStatic.
@@ -39,8 +42,10 @@ private:
         int maxContacts;
         int model;
         bool selfCollide;
+        dBodyID frictionFrame = nullptr;  // null: the geom itself
     };
     static const Properties &of(dGeomID geom);
+    static ignition::math::Vector3d frictionDirection(dGeomID geom);  // in the world; it has to have one
 
     bool m_frictionPyramid, m_staticMeetsStatic;
     std::deque<Properties> m_properties;  // the geoms point here

@@ -14,9 +14,11 @@ public:
     JointAxisHandle(dJointID joint, int axis) : m_joint(joint), m_axis(axis) {}
 
     void set(int parameter, dReal value) const;  // dParamVel and the like
-    dReal position() const;                      // m or rad, 0 at the start
+    dReal position() const;                      // m or rad, 0 at the start; angles between -π and π
     dReal rate() const;                          // m/s or rad/s
     void addForce(dReal force) const;            // N or N·m, for the coming step
+
+    bool isAngular() const { return dJointGetType(m_joint) != dJointTypeSlider; }
 
     // A joint is awake when one of its bodies is.
     bool isAwake() const;

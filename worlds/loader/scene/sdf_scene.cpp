@@ -10,6 +10,7 @@
 #include "loader/scene/ode_joint.h"
 #include "loader/scene/ode_world.h"
 
+#include <algorithm>
 #include <set>
 #include <unordered_map>
 
@@ -48,6 +49,7 @@ SdfScene::SdfScene(const WorldDescription &world)
     m_inventory.worlds.push_back(m_parts->world.get());
     m_inventory.spaces.push_back(m_parts->space.get());
     addLinks(world);
+    setFrictionFrames(world);
     addJoints(world);
     addControllers(world);
 }
@@ -72,6 +74,27 @@ void SdfScene::addLinks(const WorldDescription &world) {
             m_parts->rules.add(geom, link, collision);
             m_inventory.geoms.push_back(geom);
             m_geomNames.push_back(link.name + "::" + collision.name);
+        }
+    }
+}
+
+// The link may come later in the file than the shapes that name it.
+void SdfScene::setFrictionFrames(const WorldDescription &world) {
+    std::size_t geom = 0;
+    for (const Link &link : world.links) {
+        const std::string model = link.name.substr(0, link.name.rfind("::") + 2);
+        for (const Collision &collision : link.collisions) {
+            const dGeomID of = m_inventory.geoms[geom++];
+            if (collision.surface.frictionFrame.empty()) continue;
+            const std::string &name = collision.surface.frictionFrame;
+            const auto found = std::find_if(world.links.begin(), world.links.end(),
+                                            [&](const Link &other) { return other.name == model + name; });
+            if (found == world.links.end())
+                throw LoadError(LoadError::Kind::Value, collision.place, "model has no link " + quote(name));
+            // A static link is turned for good: the direction of its shapes is not asked for otherwise.
+            if (found->isStatic)
+                throw LoadError(LoadError::Kind::Unsupported, collision.place, "fdir1 expressed in a static link");
+            ContactRules::setFrictionFrame(of, m_parts->linkBodies[found - world.links.begin()]);
         }
     }
 }

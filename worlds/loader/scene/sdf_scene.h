@@ -34,6 +34,7 @@ private:
     void meet(dGeomID geom1, dGeomID geom2);
 
     void addLinks(const WorldDescription &world);
+    void setFrictionFrames(const WorldDescription &world);
     void addJoints(const WorldDescription &world);
     void addControllers(const WorldDescription &world);
 
