@@ -9,7 +9,8 @@ array deviation[count]
 set samples 120
 unset ytics
 set border 1
-set multiplot layout 2,2 title title . "  (" . note . ")" font ",14"
+columns = words(worlds) > 4 ? 4 : 2
+set multiplot layout (words(worlds) + columns - 1) / columns,columns title title . "  (" . note . ")" font ",14"
 do for [w=1:words(worlds)] {
     world = word(worlds, w)
     set xrange [*:*]  # stats looks at what is in range only
