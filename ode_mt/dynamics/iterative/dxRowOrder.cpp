@@ -53,7 +53,7 @@ void dxRowOrder::make(const dxConstraintPlan &plan, const std::vector<unsigned> 
 void dxRowOrder::mix(double number) { m_seed = (m_seed ^ dxStateNumbers::bitsOf(number)) * 0x100000001b3u; }
 
 void dxRowOrder::schedule(dxIslandProblem problem) {
-    if (!m_isUpstreams || !m_isSerial) return;
+    if (!m_isSerial) return;
     problem.rowCount = static_cast<unsigned>(m_rows.size());
     problem.order = m_rows.data();
     dxScheduleSor(problem);

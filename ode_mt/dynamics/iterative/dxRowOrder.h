@@ -22,8 +22,7 @@ public:
     // Random orders follow from all numbers that are given since make().
     void mix(double number);
 
-    // Before the first sweep: if one thread takes all rows in upstream's order, neighbours wait for one another less often from now on, with the
-    // same results. Of `problem` rows, accelerations and bodyCount are needed; rows act on bodies that move.
+    // Before the first sweep: if one thread takes all rows, neighbours wait for one another less often from now on, with the same results. Of `problem` rows, accelerations and bodyCount are needed; rows act on bodies that move.
     void schedule(dxIslandProblem problem);
 
     // Rows of joints [begin, end) of plan.othersInOrder(), which are a chunk of the plan or all.
