@@ -36,3 +36,9 @@ double dxLargestMotion(const dxExactProblem &problem, const dxBodyVectors &motio
     }
     return largest;
 }
+
+bool dxIsGoodResidual(const dxResidualBound &bound, double residual, double b, double sum, const dxExactProblem &problem,
+                      const dxBodyVectors &motions) {
+    const auto isGoodBeside = [&](double all) { return residual <= bound.ofB * b + bound.ofSum * all; };
+    return isGoodBeside(sum) || isGoodBeside(sum + dxLargestMotion(problem, motions));
+}

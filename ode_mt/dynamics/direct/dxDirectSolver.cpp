@@ -12,7 +12,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The residual from which on another solver is asked, as part of the largest b and of the largest sum: rows that contradict one another
 // have forces of b/c, whose sums are rounded to more than the rest.
-constexpr double kMaxResidual = 1e-9, kMaxRounding = 64 * std::numeric_limits<double>::epsilon();
+constexpr dxResidualBound kMaxResidual = {1e-9, 64 * std::numeric_limits<double>::epsilon()};
 
 }  // namespace
 
@@ -24,8 +24,7 @@ bool dxDirectSolver::solve(const dxExactProblem &rows, double stepSize, dxTaskRu
     m_phases.run(dxParallelStage::BodySpace, runner, [this] { solveBoth(); });
     if (m_residual == kInfinity) return false;
     const dxInteriorPoint::Scale found = scale();
-    const auto isGoodBeside = [&](double sum) { return m_residual <= kMaxResidual * found.b + kMaxRounding * sum; };
-    return isGoodBeside(found.sum) || isGoodBeside(found.sum + dxLargestMotion(rows, m_rows.motions()));
+    return dxIsGoodResidual(kMaxResidual, m_residual, found.b, found.sum, rows, m_rows.motions());
 }
 
 void dxDirectSolver::solveBoth() {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/dxNoIndex.h"
 #include "dynamics/direct/dxBodyMotions.h"
@@ -17,9 +16,6 @@ namespace {
 
 constexpr int kPair = dxJoint::GI2__RHS_CFM_MAX;
 constexpr unsigned kMatrixAlignment = 64;  // bytes
-
-// The residual that is good enough, as part of the largest b and of the largest sum.
-constexpr double kGoodResidual = 1e-12, kGoodRounding = 8 * std::numeric_limits<double>::epsilon();
 
 // The largest sum, as part of the largest b, where there are rows with limits: those that contradict one another have forces of b/c, and which
 // of them end at a limit is a matter of rounding. Up to the second one, forces tell whether they do: by what part of b/c they are. A robot of
@@ -235,9 +231,7 @@ bool dxReducedLcp::isGood(const dxExactProblem &problem) {
         largestSum = std::max(largestSum, m_diagonal[row] * std::fabs(m_forces[row]));
     }
     if (!std::isfinite(largestSum) || (m_blocks.limited > 0 && isContradictory(problem, largestB, largestSum))) return false;
-    const auto isGoodBeside = [&](double sum) { return worst <= kGoodResidual * largestB + kGoodRounding * sum; };
-    // Bodies that fall together have a b that is a small difference of large numbers.
-    return isGoodBeside(largestSum) || isGoodBeside(largestSum + dxLargestMotion(problem, m_motions));
+    return dxIsGoodResidual(kEliminationBound, worst, largestB, largestSum, problem, m_motions);
 }
 
 void dxReducedLcp::writeForces(const dxExactProblem &problem) const {

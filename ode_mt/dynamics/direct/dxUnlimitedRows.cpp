@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <type_traits>
 
 #include "core/dxNoIndex.h"
@@ -15,9 +14,6 @@
 namespace {
 
 constexpr int kPair = dxJoint::GI2__RHS_CFM_MAX;
-
-// As dxReducedLcp's: the residual that is good enough, as part of the largest b and of the largest sum.
-constexpr double kGoodResidual = 1e-12, kGoodRounding = 8 * std::numeric_limits<double>::epsilon();
 
 dxUnlimitedJoint describe(const dxExactJoint &joint) {
     const dxBody *const second = joint.joint->node[dJCB_SECOND_BODY].body;
@@ -247,12 +243,8 @@ void dxUnlimitedRows::findAccelerations(const dxExactProblem &problem) {
 
 bool dxUnlimitedRows::isGood(const dxExactProblem &problem) {
     const dxUnlimitedSizes sizes = dxFindUnlimitedResidual(m_system, m_accelerations.data());
-    if (!std::isfinite(sizes.residual)) return false;
-    const auto isGoodBeside = [&](double sum) {
-        return sizes.residual <= kGoodResidual * m_system.largestB + kGoodRounding * sum;
-    };
-    // Bodies that fall together have a b that is a small difference of large numbers.
-    return isGoodBeside(sizes.sum) || isGoodBeside(sizes.sum + dxLargestMotion(problem, m_motions));
+    return std::isfinite(sizes.residual) &&
+           dxIsGoodResidual(kEliminationBound, sizes.residual, m_system.largestB, sizes.sum, problem, m_motions);
 }
 
 void dxUnlimitedRows::writeForces(const dxExactProblem &problem) {

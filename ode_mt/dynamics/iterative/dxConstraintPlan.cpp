@@ -142,8 +142,7 @@ unsigned dxConstraintPlan::islandOf(const OtherJoint &other) const {
 
 void dxConstraintPlan::placeManifolds(const dxIsland &group) {
     m_colors.begin(m_moves);
-    m_isSequence = m_manifolds.size() <= kMaxSequence && placeInSequence(group);
-    if (!m_isSequence) placeByColor();
+    if (m_manifolds.size() > kMaxSequence || !placeInSequence(group)) placeByColor();
     m_packColors = m_colors.count();
 }
 
@@ -273,7 +272,7 @@ void dxConstraintPlan::cutChunks() {
             if (color < m_packColors) cutPacks(m_firstPack[color], m_firstPack[color + 1]);
             if (!m_isSerial) cutOthers(m_firstOther[color], m_firstOther[color + 1]);
         });
-    const unsigned packs = m_isSequence ? static_cast<unsigned>(m_packs.size()) : 0;
+    const unsigned packs = m_packColors == 0 ? static_cast<unsigned>(m_packs.size()) : 0;
     for (unsigned i = 0; i < packs; i += kPacksPerChunk) addPhase([&] { cutPacks(i, std::min(i + kPacksPerChunk, packs)); });
     const unsigned leftOver = m_isSerial ? count : m_firstOther[m_colors.count()];
     if (leftOver != count) addPhase([&] { m_chunks.push_back({0, 0, leftOver, count}); });

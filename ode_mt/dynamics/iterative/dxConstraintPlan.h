@@ -109,9 +109,8 @@ private:
     std::vector<dxContactPack> m_packs;
     std::vector<Chunk> m_chunks;
     std::vector<Phase> m_phases;
-    unsigned m_packedContacts = 0, m_packColors = 0;
-    bool m_isSequence = false;  // packs
-    bool m_isSerial = false;    // other joints
+    unsigned m_packedContacts = 0, m_packColors = 0;  // without colours, packs follow one another
+    bool m_isSerial = false;  // other joints
     bool m_hasContactsOnly = true;
     // By colour, and the end; of other joints, those left over come last.
     unsigned m_firstPack[dxEdgeColors::kMost + 1], m_firstOther[dxEdgeColors::kMost + 2];

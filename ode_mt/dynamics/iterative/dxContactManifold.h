@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
+
+#include "dynamics/iterative/dxContactPack.h"
 
 struct dxContactManifold {
     unsigned firstJoint;
@@ -13,3 +16,8 @@ struct dxContactManifold {
 
     unsigned firstOther() const { return pack; }
 };
+
+// `body`: a tag, or dxContactPack::kNoBody; `moves`: by tag.
+inline bool dxDoesMove(int body, const std::vector<std::uint8_t> &moves) {
+    return body != dxContactPack::kNoBody && moves[static_cast<unsigned>(body)] != 0;
+}

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "dynamics/iterative/dxContactPack.h"
+#include "dynamics/iterative/dxContactManifold.h"
 
 class dxEdgeColors {
 public:
@@ -15,7 +15,7 @@ public:
 
     // `moves`: by body; it has to remain. Throws std::bad_alloc.
     void begin(const std::vector<std::uint8_t> &moves) {
-        m_moves = moves.data();
+        m_moves = &moves;
         m_used.assign(moves.size(), 0);
         m_count = 0;
     }
@@ -37,9 +37,9 @@ public:
     unsigned count() const { return m_count; }
 
 private:
-    bool moves(int body) const { return body != dxContactPack::kNoBody && m_moves[static_cast<unsigned>(body)] != 0; }
+    bool moves(int body) const { return dxDoesMove(body, *m_moves); }
 
-    const std::uint8_t *m_moves = nullptr;
+    const std::vector<std::uint8_t> *m_moves = nullptr;
     std::vector<std::uint64_t> m_used;  // by body: a bit for each colour
     unsigned m_count = 0;
 };

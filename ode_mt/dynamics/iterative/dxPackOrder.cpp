@@ -11,18 +11,14 @@ namespace {
 constexpr unsigned kMost = dxContactPack::kMaxContacts;
 constexpr unsigned kUnreached = ~0u;
 
-bool doesMove(int body, const std::vector<std::uint8_t> &moves) {
-    return body != dxContactPack::kNoBody && moves[static_cast<unsigned>(body)] != 0;
-}
-
 template <class Visit>
 void forMoving(const dxContactManifold &manifold, const std::vector<std::uint8_t> &moves, const Visit &visit) {
     for (const int body : manifold.body)
-        if (doesMove(body, moves)) visit(static_cast<unsigned>(body));
+        if (dxDoesMove(body, moves)) visit(static_cast<unsigned>(body));
 }
 
 bool areBothMoving(const dxContactManifold &manifold, const std::vector<std::uint8_t> &moves) {
-    return doesMove(manifold.body[0], moves) && doesMove(manifold.body[1], moves);
+    return dxDoesMove(manifold.body[0], moves) && dxDoesMove(manifold.body[1], moves);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ void dxRowOrder::reserveAs(const dxRowOrder &other) {
 }
 
 void dxRowOrder::make(const dxConstraintPlan &plan, const std::vector<unsigned> &firstRow, const Row *rows) {
-    m_isUpstreams = !plan.hasContactsOnly();
+    const bool isUpstreams = !plan.hasContactsOnly();
     m_isSerial = plan.hasSerialRows();
     m_seed = 0;
     const std::vector<unsigned> &joints = plan.othersInOrder();
@@ -40,7 +40,7 @@ void dxRowOrder::make(const dxConstraintPlan &plan, const std::vector<unsigned> 
                 if (takes(rows[row])) m_rows.push_back(static_cast<int>(row));
     };
     for (const dxConstraintPlan::Chunk &chunk : plan.chunks()) {
-        if (m_isUpstreams) {
+        if (isUpstreams) {
             take(chunk, [](const Row &row) { return !row.isBounded(); });
             take(chunk, [](const Row &row) { return row.isBounded(); });
         } else {

@@ -22,7 +22,8 @@ public:
     // Random orders follow from all numbers that are given since make().
     void mix(double number);
 
-    // Before the first sweep: if one thread takes all rows, neighbours wait for one another less often from now on, with the same results. Of `problem` rows, accelerations and bodyCount are needed; rows act on bodies that move.
+    // Before the first sweep: if one thread takes all rows, neighbours wait for one another less often from now on, with the same results. Of
+    // `problem` rows, accelerations and bodyCount are needed; rows act on bodies that move.
     void schedule(dxIslandProblem problem);
 
     // Rows of joints [begin, end) of plan.othersInOrder(), which are a chunk of the plan or all.
@@ -42,7 +43,7 @@ public:
 private:
     void shuffle(unsigned first, unsigned last, unsigned sweep);
 
-    bool m_isUpstreams = false, m_isSerial = false;
+    bool m_isSerial = false;
     std::uint64_t m_seed = 0;
     std::vector<int> m_rows;        // by chunk
     std::vector<unsigned> m_first;  // in m_rows: by joint in the plan's order, and the end

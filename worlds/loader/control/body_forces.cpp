@@ -32,24 +32,18 @@ BodyForces::BodyForces(const Parameters &parameters, const FindBody &findBody, d
       m_stopping(largestDrag()),
       m_timeline(parameters, {"phase"}, stepSize, [this](const Parameters &phase) {
           phase.expectOnly({"duration"}, {});
-          m_thrusts.push_back(readWrench(phase));
+          m_thrusts.push_back(toWrench(phase.numbers(Wrench().size())));
       }) {}
 
-BodyForces::Wrench BodyForces::readWrench(const Parameters &element) {
-    const std::vector<double> numbers = element.numbers();
+BodyForces::Wrench BodyForces::toWrench(const std::vector<double> &numbers) {
     Wrench wrench{};
-    if (numbers.size() != wrench.size())
-        element.fail("has " + std::to_string(numbers.size()) + " numbers instead of 6");
-    std::copy(numbers.begin(), numbers.end(), wrench.begin());
+    std::copy_n(numbers.begin(), wrench.size(), wrench.begin());
     return wrench;
 }
 
 BodyForces::Wrench BodyForces::readDrag(const Parameters &parameters, const std::string &name) {
     if (!parameters.child(name)) return Wrench{};
-    const Parameters &element = parameters.requiredValue(name);
-    const Wrench drag = readWrench(element);
-    if (*std::min_element(drag.begin(), drag.end()) < 0) element.fail("has a negative number");
-    return drag;
+    return toWrench(parameters.requiredValue(name).notNegativeNumbers(Wrench().size()));
 }
 
 // The inertia about one axis alone is a bound: products of inertia only make a body harder to turn.

@@ -29,7 +29,7 @@ public:
 private:
     using Wrench = std::array<double, 6>;
 
-    static Wrench readWrench(const Parameters &element);
+    static Wrench toWrench(const std::vector<double> &numbers);
     static Wrench readDrag(const Parameters &parameters, const std::string &name);
     Wrench largestDrag() const;
 

@@ -9,13 +9,10 @@ namespace worlds {
 
 namespace {
 
-// Throws LoadError for a number below `least`.
-std::array<double, 3> readVector(const Parameters &element, const std::string &name, double least) {
+std::array<double, 3> readVector(const Parameters &element, const std::string &name, bool mayBeNegative) {
     if (!element.child(name)) return {};
     const Parameters &child = element.requiredValue(name);
-    const std::vector<double> numbers = child.numbers();
-    if (numbers.size() != 3) child.fail("has " + std::to_string(numbers.size()) + " numbers instead of 3");
-    if (*std::min_element(numbers.begin(), numbers.end()) < least) child.fail("has a negative number");
+    const std::vector<double> numbers = mayBeNegative ? child.numbers(3) : child.notNegativeNumbers(3);
     return {numbers[0], numbers[1], numbers[2]};
 }
 
@@ -41,9 +38,9 @@ Fluid::Immersed Fluid::readImmersed(const Parameters &element, const FindBody &f
     element.requiredValue("size");
     Immersed link;
     link.body = findBody(element.attribute("link"), element);
-    link.size = readVector(element, "size", 0);
-    link.center = readVector(element, "center", -HUGE_VAL);
-    const Vector coefficients = readVector(element, "drag", 0);
+    link.size = readVector(element, "size", false);
+    link.center = readVector(element, "center", true);
+    const Vector coefficients = readVector(element, "drag", false);
     for (int i = 0; i < 3; ++i)
         link.drag[i] = 0.5 * m_density * coefficients[i] * link.size[(i + 1) % 3] * link.size[(i + 2) % 3];
     link.spinDrag = notNegative(element, element.childNumber("spin_drag", 0));

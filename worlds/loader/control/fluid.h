@@ -5,8 +5,8 @@
 //     <density>1000</density>                     kg/m³
 //     <immersed link="tail">
 //       <size>0.09 0.04 0.06</size>               m; the box that the link displaces, along its axes
-//       <center>0.01 0 0.014</center>             m; of the box, seen from the centre of mass; 0 0 0 unless
-//       given <drag>0 3.1 1.3</drag>                    drag coefficients along the axes, 0 unless given
+//       <center>0.01 0 0.014</center>             m; of the box, from the centre of mass; 0 unless given
+//       <drag>0 3.1 1.3</drag>                    drag coefficients along the axes, 0 unless given
 //       <spin_drag>1e-4</spin_drag>               N·m·s, 0 unless given
 //     </immersed>
 //   </plugin>

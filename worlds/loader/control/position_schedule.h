@@ -5,14 +5,12 @@
 //     <joints>left right</joints>                    for which the phases give numbers, in this order
 //     <hold duration="0.5">0.3 -0.3</hold>           s; rad or m: targets that stay
 //     <glide duration="1">0 0</glide>                targets that move evenly from the last ones to these
-//     <swing duration="7" frequency="1">             Hz; center + amplitude · sin(2π (frequency · t +
-//     phase)),
+//     <swing duration="7" frequency="1">             Hz; center + amplitude · sin(2π (frequency · t + phase)),
 //       <center>0 0</center>                         t from the start of the phase; rad or m, 0 unless given
 //       <amplitude>0.9 0.9</amplitude>
 //       <phase>0 0.125</phase>                       turns, 0 unless given
-//       <growth>0 1</growth>                         the amplitude's share at the start and at the end,
-//       between
-//     </swing>                                       which it changes evenly; 1 1 unless given
+//       <growth>0 1</growth>                         the amplitude's share at the start and at the end, evenly
+//     </swing>                                       between; 1 1 unless given
 //     <repeat> … </repeat>                           timeline.h
 //   </plugin>
 //

@@ -107,6 +107,19 @@ std::vector<double> Parameters::numbers() const {
     return values;
 }
 
+std::vector<double> Parameters::numbers(std::size_t count) const {
+    std::vector<double> values = numbers();
+    if (values.size() != count)
+        fail("has " + std::to_string(values.size()) + " numbers instead of " + std::to_string(count));
+    return values;
+}
+
+std::vector<double> Parameters::notNegativeNumbers(std::size_t count) const {
+    std::vector<double> values = numbers(count);
+    if (std::any_of(values.begin(), values.end(), [](double value) { return value < 0; })) fail("has a negative number");
+    return values;
+}
+
 std::vector<std::string> Parameters::words() const { return split(text); }
 
 double Parameters::number() const {

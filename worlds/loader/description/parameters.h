@@ -38,6 +38,9 @@ struct Parameters {
 
     // The text, read as numbers or words parted by white space. Every number is finite.
     std::vector<double> numbers() const;
+    // The same, exactly so many.
+    std::vector<double> numbers(std::size_t count) const;
+    std::vector<double> notNegativeNumbers(std::size_t count) const;
     std::vector<std::string> words() const;
     double number() const;  // exactly one
 
