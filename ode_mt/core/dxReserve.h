@@ -1,11 +1,20 @@
 // Memory that is reserved beforehand: every list of the members of a space has capacity for each member once it is
-// added, so that cleaning and changes of geoms never allocate, and cannot fail half way.
+// added, so that cleaning and changes of geoms never allocate, and cannot fail half way. Lists of a step whose length
+// changes from step to step grow as if by push_back, so that a scene at rest soon allocates no more.
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 
 // Reserves capacity for `count` items, with geometric growth.
 template <class Vector>
 void dxReserveCapacity(Vector &vector, std::size_t count) {
     if (vector.capacity() < count) vector.reserve(std::max(count, 2 * vector.capacity()));
+}
+
+// Gives the vector `count` copies of a value. std::vector::assign would take what is needed just now, and more a step later.
+template <class Vector>
+void dxFill(Vector &vector, std::size_t count, const typename Vector::value_type &value) {
+    dxReserveCapacity(vector, count);
+    vector.assign(count, value);
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/dxReserve.h"
 #include "dynamics/iterative/dxContactManifold.h"
 
 class dxEdgeColors {
@@ -16,7 +17,7 @@ public:
     // `moves`: by body; it has to remain. Throws std::bad_alloc.
     void begin(const std::vector<std::uint8_t> &moves) {
         m_moves = &moves;
-        m_used.assign(moves.size(), 0);
+        dxFill(m_used, moves.size(), 0);
         m_count = 0;
     }
     void reserveAs(const dxEdgeColors &other) { m_used.reserve(other.m_used.capacity()); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/dxReserve.h"
 #include "dynamics/islands/dxForBodies.h"
 #include "dynamics/iterative/dxFreeMotion.h"
 #include "dynamics/iterative/dxIterativeWorld.h"
@@ -75,7 +76,7 @@ void dxIterativeSolver::reserveAs(const dxIterativeSolver &other) {
 }
 
 void dxIterativeSolver::placeLanes() {
-    m_lanes.assign(m_plan.packs().size() * dxLanes::kCount, nullptr);
+    dxFill(m_lanes, m_plan.packs().size() * dxLanes::kCount, nullptr);
     for (const dxConstraintPlan::Manifold &manifold : m_plan.manifolds())
         m_lanes[std::size_t(manifold.pack) * dxLanes::kCount + manifold.lane] = &manifold;
 }

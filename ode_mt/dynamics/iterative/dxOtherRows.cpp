@@ -6,6 +6,7 @@
 
 #include <ode/odemath.h>
 
+#include "core/dxReserve.h"
 #include "dynamics/quickstep/sor/dxSorPlain.h"
 #include "dynamics/quickstep/sor/dxSorSweep.h"
 
@@ -98,7 +99,7 @@ void dxOtherRows::begin(const dxOtherJoints &joints, const dxConstraintPlan &pla
     m_directions.resize(joints.rowCount());
     m_diagonal.resize(joints.rowCount());
     m_last.resize(joints.rowCount());
-    m_energies.assign(plan.otherJoints().size(), 0);
+    dxFill(m_energies, plan.otherJoints().size(), 0);
     for (const dxConstraintPlan::Manifold &manifold : plan.rowManifolds())
         noteDirections(m_firstRow[manifold.firstOther()], m_firstRow[manifold.firstOther() + manifold.contactCount]);
 }
@@ -146,7 +147,7 @@ double dxOtherRows::prepare(const dxOtherJoints &joints, const dxIslandBody *bod
 // Joints without rows have a place in the plan, too.
 void dxOtherRows::findRows(const dxOtherJoints &joints) {
     const std::vector<dxConstraintPlan::OtherJoint> &others = m_plan->otherJoints();
-    m_firstRow.assign(others.size() + 1, 0);
+    dxFill(m_firstRow, others.size() + 1, 0);
     std::size_t next = 0;
     joints.forJoints([&](const dxJoint *joint, unsigned first, unsigned count) {
         while (m_plan->jointOf(others[next]) != joint) m_firstRow[++next] = first;

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/dxReserve.h"
 #include "dynamics/iterative/dxContactPack.h"
 
 namespace {
@@ -44,7 +45,7 @@ unsigned dxPackOrder::place(std::vector<dxContactManifold> &manifolds, const std
     linkBodies(manifolds, moves);
     findDepths(manifolds, moves);
     sortByLevel(manifolds, findLevels(manifolds, moves, goesDown));
-    m_bodies.assign(moves.size(), Body{0, ~0u, 0, 0});
+    dxFill(m_bodies, moves.size(), Body{0, ~0u, 0, 0});
     m_lanes.clear();
     unsigned firstOpen = 0;
     for (const unsigned index : m_sequence) {
@@ -84,7 +85,7 @@ unsigned dxPackOrder::findPack(unsigned firstOpen, const IsUsed &isUsed) {
 }
 
 void dxPackOrder::linkBodies(const std::vector<dxContactManifold> &manifolds, const std::vector<std::uint8_t> &moves) {
-    m_firstLink.assign(moves.size() + 1, 0);
+    dxFill(m_firstLink, moves.size() + 1, 0);
     const auto forPairs = [&](const auto &visit) {
         for (const dxContactManifold &manifold : manifolds) {
             if (!areBothMoving(manifold, moves)) continue;
@@ -100,7 +101,7 @@ void dxPackOrder::linkBodies(const std::vector<dxContactManifold> &manifolds, co
 
 // What touches the ground, or another body that does not move, is at 0. Where nothing does, the first body is.
 void dxPackOrder::findDepths(const std::vector<dxContactManifold> &manifolds, const std::vector<std::uint8_t> &moves) {
-    m_depth.assign(moves.size(), kUnreached);
+    dxFill(m_depth, moves.size(), kUnreached);
     m_reached.clear();
     for (const dxContactManifold &manifold : manifolds)
         if (!areBothMoving(manifold, moves)) forMoving(manifold, moves, [&](unsigned body) {
@@ -150,7 +151,8 @@ void dxPackOrder::sortByLevel(const std::vector<dxContactManifold> &manifolds, u
     const auto placeOf = [&](std::size_t i) -> unsigned & {
         return m_firstOf[m_level[i] * kMost + (kMost - manifolds[i].contactCount)];
     };
-    m_firstOf.assign(std::size_t(levels) * kMost, 0);
+    dxReserveCapacity(m_firstOf, manifolds.capacity());  // a heap that gets higher has more levels of as many manifolds
+    dxFill(m_firstOf, std::size_t(levels) * kMost, 0);
     for (std::size_t i = 0; i < manifolds.size(); ++i) ++placeOf(i);
     unsigned count = 0;
     for (unsigned &first : m_firstOf) count += std::exchange(first, count);

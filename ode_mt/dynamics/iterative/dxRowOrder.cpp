@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/dxMixedBits.h"
+#include "core/dxReserve.h"
 #include "dynamics/iterative/dxStateNumbers.h"
 #include "dynamics/quickstep/sor/dxSorSweep.h"
 
@@ -31,7 +32,7 @@ void dxRowOrder::make(const dxConstraintPlan &plan, const std::vector<unsigned> 
     m_isSerial = plan.hasSerialRows();
     m_seed = 0;
     const std::vector<unsigned> &joints = plan.othersInOrder();
-    m_first.assign(joints.size() + 1, 0);
+    dxFill(m_first, joints.size() + 1, 0);
     for (std::size_t i = 0; i < joints.size(); ++i) m_first[i + 1] = m_first[i] + firstRow[joints[i] + 1] - firstRow[joints[i]];
     m_rows.clear();
     const auto take = [&](const dxConstraintPlan::Chunk &chunk, const auto &takes) {
