@@ -62,6 +62,9 @@ const char *const kEverything = R"(<?xml version="1.0"?>
         <axis2><xyz expressed_in="inner">0 1 0</xyz></axis2></joint>
       <plugin name="water" filename="odemt-fluid"><surface>1</surface><density>900</density><immersed link="b">
         <size>0.2 0.2 1</size><center>0 0 0.1</center><drag>1 1 2</drag><spin_drag>0.01</spin_drag></immersed></plugin>
+      <plugin name="flight" filename="odemt-body-forces"><link>e</link><linear_drag>0.1 0 0 0 0.01 0</linear_drag>
+        <quadratic_drag>0 0.2 0 0.01 0 0</quadratic_drag><righting_moment>0.3</righting_moment><phase duration="0.1">0 0 1 0 0.1 0</phase>
+        <repeat count="2"><phase duration="0.05">1 0 0 0 0 -0.1</phase></repeat></plugin>
       <plugin name="q" filename="odemt-position-schedule"><gain>5</gain><joints>u</joints><hold duration="0.1">0.2</hold>
         <repeat><glide duration="0.2">-0.1</glide><swing duration="0.2" frequency="3"><center>0.1</center>
         <amplitude>0.3</amplitude><phase>0.25</phase><growth>0 1</growth></swing></repeat></plugin>
