@@ -222,6 +222,25 @@ TEST(BodyForces, RightingMomentSwingsTheLinkUpright) {
     EXPECT_GT(dBodyGetRotation(hull)[10], 0.9999);
 }
 
+// A body with products of inertia is easier to turn about one axis than its moment about that axis says.
+TEST(BodyForces, DragNeverAddsEnergy) {
+    std::string sdf = pushed("<link>hull</link><linear_drag>0 0 0 1e3 1e3 1e3</linear_drag><phase duration=\"1\">0 0 0 0 0 0</phase>");
+    const std::string round = "<ixx>0.1</ixx><iyy>0.1</iyy><izz>0.1</izz>";
+    sdf.replace(sdf.find(round), round.size(), "<ixx>1</ixx><iyy>1</iyy><izz>1.9</izz><ixy>0.9</ixy>");
+    const auto scene = load(sdf);
+    const dBodyID hull = body(*scene, "m::hull");
+    dBodySetAngularVel(hull, 0.1, -0.1, 0.1);
+    runFor(*scene, 1);
+    EXPECT_LT(spin(hull).Length(), 1e-6);
+}
+
+TEST(Controller, NamesMayBeNumbers) {
+    std::string sdf = pushed("<link>hull</link><phase duration=\"1\">1 0 0 0 0 0</phase>");
+    for (std::size_t at; (at = sdf.find("hull")) != std::string::npos;) sdf.replace(at, 4, "1e11");
+    sdf.replace(sdf.find("name=\"p\""), 8, "name=\"2e11\"");
+    EXPECT_NO_THROW(load(sdf));
+}
+
 TEST(BodyForces, ParametersAreChecked) {
     const auto expect = [](const std::string &inside, const std::string &path, const std::string &message) {
         expectError(pushed(inside), worlds::LoadError::Kind::Value,
@@ -317,6 +336,9 @@ TEST(Controller, ParametersAreChecked) {
            "/seed", "between 1 and 2147483646");
     expect("odemt-fourier-gait", "<hold joint=\"w\">1</hold>", "", "needs an element <gain>");
     expect("odemt-fourier-gait", "<gain unit=\"1\">1</gain>", "/gain", "no attribute 'unit'");
+    expect("odemt-fourier-gait", "<gain>1</gain>", "", "drives no joints");
+    expect("odemt-fourier-gait", "<gain>-1</gain>", "/gain", "negative");
+    expect(positions, joints + "<gain>1001</gain><hold duration=\"1\">1</hold>", "/gain", "beyond the target within a step");
     expect("odemt-fourier-gait", "<gain>1</gain><start unit=\"s\">1</start>", "/start", "no attribute 'unit'");
     expect("odemt-fourier-gait", "<gain>1</gain><wave name=\"w\"><cos first=\"1\">1</cos></wave>", "/wave[w]/cos",
            "no attribute 'first'");

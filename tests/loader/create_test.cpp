@@ -22,7 +22,7 @@ protected:
     double doorAngle() const { return dJointGetHingeAngle(joint(*scene, "door::hinge")); }
 };
 
-TEST_F(Create, HasTheObjectsOfTheFacts) {
+TEST_F(Create, HasTheObjectsOfTheFile) {
     EXPECT_EQ(staticGeoms(*scene), 44u);
     EXPECT_EQ(scene->inventory().bodies.size(), 5u);  // robot 3, door, virtual wall
     EXPECT_EQ(scene->inventory().joints.size(), 3u);
@@ -32,7 +32,7 @@ TEST_F(Create, HasTheObjectsOfTheFacts) {
     EXPECT_NEAR(totalMass(*scene, "virtual_wall"), 0.2, 1e-12);
 }
 
-TEST_F(Create, PutsTheFurnitureWhereTheFactsHaveIt) {
+TEST_F(Create, PutsTheFurnitureWhereTheFileHasIt) {
     const BoxSums sums = sumOfStaticBoxes(*scene);
     EXPECT_EQ(sums.count, 40);
     EXPECT_LT((sums.center - Vector3d(11.4259, -29.4137, 25.175)).Length(), 1e-9);

@@ -14,7 +14,7 @@ protected:
     std::unique_ptr<worlds::SdfScene> scene = worlds::loadWorld(worlds::findWorld("darwin_op"));
 };
 
-TEST_F(DarwinOp, HasTheObjectsOfTheFacts) {
+TEST_F(DarwinOp, HasTheObjectsOfTheFile) {
     EXPECT_EQ(staticGeoms(*scene), 1u + 5u);
     EXPECT_EQ(scene->inventory().bodies.size(), 21u + 1u);
     EXPECT_EQ(scene->inventory().joints.size(), 20u);

@@ -17,7 +17,7 @@ protected:
     dBodyID robot = body(*scene, "robot::body");
 };
 
-TEST_F(Epuck, HasTheObjectsOfTheFacts) {
+TEST_F(Epuck, HasTheObjectsOfTheFile) {
     EXPECT_EQ(staticGeoms(*scene), 10u);  // floor, 4 walls, 5 boxes
     EXPECT_EQ(scene->inventory().bodies.size(), 3u);
     EXPECT_EQ(scene->inventory().joints.size(), 2u);

@@ -64,6 +64,35 @@ TEST(Fluid, DragNeverTurnsAMotionRound) {
     EXPECT_NEAR(spin(boat).Z(), 0, 1e-9);
 }
 
+// Off the centre of mass a force meets less than the link's mass, and drag may be any.
+TEST(Fluid, DragNeverAddsEnergy) {
+    const auto scene = load(inFluid("0 0 -1 0 0 0", liter2 + "<center>1 0.5 0.2</center><drag>1e6 1e6 1e6</drag><spin_drag>1e6</spin_drag>",
+                                    "0 0 0"));
+    const dBodyID boat = body(*scene, "m::boat");
+    dBodySetLinearVel(boat, 1, 2, 3);
+    dBodySetAngularVel(boat, 3, 2, 1);
+    const auto energy = [&] {
+        dMass mass;
+        dBodyGetMass(boat, &mass);
+        const Vector3d turning = spin(boat);
+        dVector3 along;
+        dBodyVectorFromWorld(boat, static_cast<dReal>(turning.X()), static_cast<dReal>(turning.Y()),
+                             static_cast<dReal>(turning.Z()), along);
+        double sum = mass.mass * velocity(boat).SquaredLength();
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) sum += along[i] * mass.I[4 * i + j] * along[j];
+        return sum / 2;
+    };
+    const double first = energy();
+    double last = first;
+    for (int i = 0; i < 200; ++i) {
+        scene->frame();
+        ASSERT_LE(energy(), last * (1 + 1e-6)) << i;
+        last = energy();
+    }
+    EXPECT_LT(last, 1e-3 * first);
+}
+
 TEST(Fluid, ParametersAreChecked) {
     const auto expect = [](const std::string &immersed, const std::string &path, const std::string &message) {
         expectError(inFluid("0 0 0 0 0 0", immersed), worlds::LoadError::Kind::Value,
@@ -75,8 +104,8 @@ TEST(Fluid, ParametersAreChecked) {
     expect("<size>1 1 1</size><drag>1 -1 1</drag>", "/immersed/drag", "negative");
     expect("<size>1 1 1</size><spin_drag>-1</spin_drag>", "/immersed", "negative");
     expect("<size>1 1 1</size><sail/>", "/immersed/sail", "not known");
-    expectError(inFluid("0 0 0 0 0 0", "</immersed><immersed link=\"mast\">" + liter2),
-                worlds::LoadError::Kind::Value, {"needs an element <size>"});
+    expectError(inFluid("0 0 0 0 0 0", liter2 + "</immersed><immersed link=\"boat\">" + liter2),
+                worlds::LoadError::Kind::Value, {"link 'boat' is pushed already"});
     expectError(inFluid("0 0 0 0 0 0", liter2 + "</immersed><immersed link=\"mast\">" + liter2),
                 worlds::LoadError::Kind::Value, {"no link 'mast'"});
 }

@@ -17,7 +17,7 @@ protected:
     double angle(const std::string &name) const { return dJointGetHingeAngle(joint(*scene, "dog::" + name)); }
 };
 
-TEST_F(GhostDog, HasTheObjectsOfTheFacts) {
+TEST_F(GhostDog, HasTheObjectsOfTheFile) {
     EXPECT_EQ(staticGeoms(*scene), 1u);
     EXPECT_EQ(scene->inventory().bodies.size(), 21u);
     EXPECT_EQ(scene->inventory().joints.size(), 20u);

@@ -15,7 +15,7 @@ protected:
     dBodyID trunk = body(*scene, "hexapod::body");
 };
 
-TEST_F(Hexapod, HasTheObjectsOfTheFacts) {
+TEST_F(Hexapod, HasTheObjectsOfTheFile) {
     EXPECT_EQ(staticGeoms(*scene), 1u);
     EXPECT_EQ(scene->inventory().bodies.size(), 13u);
     EXPECT_EQ(scene->inventory().joints.size(), 12u);

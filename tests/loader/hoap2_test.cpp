@@ -15,7 +15,7 @@ std::unique_ptr<worlds::SdfScene> loadNamed(const std::string &name) {
 
 double upright(dBodyID body) { return dBodyGetRotation(body)[10]; }
 
-TEST(Hoap2, HasTheObjectsOfTheFacts) {
+TEST(Hoap2, HasTheObjectsOfTheFile) {
     const auto walk = loadNamed("hoap2_walk"), sumo = loadNamed("hoap2_sumo");
     EXPECT_EQ(staticGeoms(*walk), 1u);
     EXPECT_EQ(staticGeoms(*sumo), 2u);

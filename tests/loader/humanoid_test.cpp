@@ -26,7 +26,7 @@ protected:
     }
 };
 
-TEST_F(Humanoid, HasTheObjectsOfTheFacts) {
+TEST_F(Humanoid, HasTheObjectsOfTheFile) {
     EXPECT_EQ(staticGeoms(*scene), 5u);
     EXPECT_EQ(scene->inventory().bodies.size(), 18u);
     EXPECT_EQ(scene->inventory().joints.size(), 17u);
@@ -37,7 +37,7 @@ TEST_F(Humanoid, HasTheObjectsOfTheFacts) {
     EXPECT_DOUBLE_EQ(dWorldGetAutoDisableLinearThreshold(scene->inventory().worlds[0]), 0.05);
 }
 
-TEST_F(Humanoid, IsAsTallAsTheFactsHaveIt) {
+TEST_F(Humanoid, IsAsTallAsTheFileHasIt) {
     dReal head[6], foot[6];
     dGeomGetAABB(geom(*scene, "robot::head::box_1"), head);
     dGeomGetAABB(geom(*scene, "robot::left_foot::box_1"), foot);

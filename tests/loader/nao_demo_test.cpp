@@ -16,7 +16,7 @@ protected:
     Vector3d center(const std::string &part) const { return position(body(*scene, "robot::" + part)); }
 };
 
-TEST_F(NaoDemo, HasTheObjectsOfTheFacts) {
+TEST_F(NaoDemo, HasTheObjectsOfTheFile) {
     EXPECT_EQ(staticGeoms(*scene), 1u);
     EXPECT_EQ(scene->inventory().bodies.size(), 25u);
     EXPECT_EQ(scene->inventory().joints.size(), 24u);

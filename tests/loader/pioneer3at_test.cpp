@@ -15,7 +15,7 @@ protected:
     std::unique_ptr<worlds::SdfScene> scene = worlds::loadWorld(worlds::findWorld("pioneer3at"));
 };
 
-TEST_F(Pioneer3at, HasTheObjectsOfTheFacts) {
+TEST_F(Pioneer3at, HasTheObjectsOfTheFile) {
     EXPECT_EQ(staticGeoms(*scene), 45u);  // 40 posts, 4 walls, the floor
     EXPECT_EQ(scene->inventory().bodies.size(), 5u);
     EXPECT_EQ(scene->inventory().joints.size(), 4u);
@@ -24,7 +24,7 @@ TEST_F(Pioneer3at, HasTheObjectsOfTheFacts) {
     EXPECT_DOUBLE_EQ(scene->stepSize(), 0.032);
 }
 
-TEST_F(Pioneer3at, PutsThePostsWhereTheFactsHaveThem) {
+TEST_F(Pioneer3at, PutsThePostsWhereTheFileHasThem) {
     const auto at = [&](const char *name) { return dGeomGetPosition(geom(*scene, name)); };
     const dReal *first = at("obstacles::posts::obstacle_1"), *last = at("obstacles::posts::obstacle_40");
     EXPECT_DOUBLE_EQ(first[0], 15.7489);
@@ -43,7 +43,7 @@ TEST_F(Pioneer3at, PutsThePostsWhereTheFactsHaveThem) {
         sumX += dGeomGetPosition(post)[0];
         sumY += dGeomGetPosition(post)[1];
     }
-    EXPECT_NEAR(sumX, -0.62037, 1e-9);  // of the columns of the facts
+    EXPECT_NEAR(sumX, -0.62037, 1e-9);  // sums of the places in the Webots file
     EXPECT_NEAR(sumY, 70.12729, 1e-9);
 }
 

@@ -15,7 +15,7 @@ protected:
     dBodyID head = body(*scene, "salamander::head"), pelvis = body(*scene, "salamander::pelvis");
 };
 
-TEST_F(Salamander, HasTheObjectsOfTheFacts) {
+TEST_F(Salamander, HasTheObjectsOfTheFile) {
     EXPECT_EQ(staticGeoms(*scene), 9u);
     EXPECT_EQ(scene->inventory().bodies.size(), 9u + 4u);
     EXPECT_EQ(scene->inventory().joints.size(), 12u);

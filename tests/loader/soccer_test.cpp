@@ -22,7 +22,7 @@ protected:
 
 const char *const players[] = {"blue_1", "blue_2", "blue_3", "yellow_1", "yellow_2", "yellow_3"};
 
-TEST_F(Soccer, HasTheObjectsOfTheFacts) {
+TEST_F(Soccer, HasTheObjectsOfTheFile) {
     EXPECT_EQ(staticGeoms(*scene), 17u);
     EXPECT_EQ(scene->inventory().bodies.size(), 19u);
     EXPECT_EQ(scene->inventory().joints.size(), 12u);
@@ -31,7 +31,7 @@ TEST_F(Soccer, HasTheObjectsOfTheFacts) {
     EXPECT_NEAR(totalMass(*scene, "ball"), 0.05, 1e-12);
 }
 
-TEST_F(Soccer, PutsEverythingWhereTheFactsHaveIt) {
+TEST_F(Soccer, PutsEverythingWhereTheFileHasIt) {
     const BoxSums sums = sumOfStaticBoxes(*scene);
     EXPECT_EQ(sums.count, 16);
     EXPECT_LT((sums.center - Vector3d(0, 0, 0.6171)).Length(), 1e-9);

@@ -18,7 +18,7 @@ protected:
     double upright() const { return dBodyGetRotation(disc)[10]; }
 };
 
-TEST_F(StewartPlatform, HasTheObjectsOfTheFacts) {
+TEST_F(StewartPlatform, HasTheObjectsOfTheFile) {
     EXPECT_EQ(staticGeoms(*scene), 1u + 48u);
     EXPECT_EQ(scene->inventory().bodies.size(), 14u + 5u);
     EXPECT_EQ(scene->inventory().joints.size(), 18u);

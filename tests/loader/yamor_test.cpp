@@ -16,7 +16,7 @@ protected:
     dBodyID module(int i) const { return body(*scene, "chain::module_" + std::to_string(i) + "_body"); }
 };
 
-TEST_F(Yamor, HasTheObjectsOfTheFacts) {
+TEST_F(Yamor, HasTheObjectsOfTheFile) {
     EXPECT_EQ(staticGeoms(*scene), 1u);
     EXPECT_EQ(scene->inventory().bodies.size(), 16u);
     EXPECT_EQ(scene->inventory().joints.size(), 8u + 7u);

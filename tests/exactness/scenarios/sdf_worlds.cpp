@@ -13,12 +13,14 @@ namespace {
 struct SampleWorld {
     const char *name;
     const char *meaning;
-    int steps;
+    int steps;  // 200, or until what moves it does
 };
 
 constexpr SampleWorld sampleWorlds[] = {
     {"autonomous_vehicle", "a car on four suspended wheels, two of which steer, from standstill to 28 km/h", 200},
+    {"bioloid", "a quadruped of eighteen servos walks", 200},
     {"blimp", "thrust, drag and a righting moment on one body, among 129 static shapes", 200},
+    {"create", "a robot on two wheels in a furnished apartment", 200},
     {"darwin_op", "a humanoid on a table moves its head, and a ball", 200},
     {"epuck_line", "a small robot on two wheels among boxes", 200},
     {"gantry", "a crane on rails, and a stack of boxes that falls by 10 mm", 200},
@@ -26,17 +28,20 @@ constexpr SampleWorld sampleWorlds[] = {
     {"hexapod", "six legs of a hinge and a slider each walk", 200},
     {"hoap2_sumo", "a humanoid squats on a stage: feet that measure forces", 200},
     {"hoap2_walk", "a humanoid walks: feet that measure forces", 200},
+    {"humanoid", "a humanoid of box feet dances", 200},
     {"ipr_factory", "two arms, and objects on a belt that moves", 200},
     {"nao_demo", "a humanoid stands and waves", 200},
-    {"salamander", "a jointed trunk on four legs that turn, walls and thin boxes", 200},
+    {"pioneer3at", "a robot on four wheels, barrels and boxes", 200},
+    {"salamander", "a jointed trunk on four legs that turn walks down a ramp and swims", 3500},
     {"shrimp", "six closed loops of hinges, and a spring as a soft stop", 200},
+    {"soccer", "six robots on two wheels each, and a ball", 200},
     {"sojourner", "rockers and bogies at springs, on six wheels, over a ball", 200},
     {"stewart_platform", "six closed loops of universal joints, sliders and ball joints, and boxes on them",
      200},
     {"surveyor", "ten wheels of different friction that turn on the spot", 200},
-    {"uneven_terrain", "a robot on six sprung wheels, balls and boxes on a height field", 200},
+    {"uneven_terrain", "a robot on six sprung wheels, balls and boxes on a height field", 600},
     {"yamor", "a chain of modules on hinges and fixed joints crawls", 200},
-    {"youbot", "rollers as a friction direction of another link, an arm with a gripper", 200},
+    {"youbot", "rollers as a friction direction of another link, an arm with a gripper", 1100},
 };
 
 }  // namespace

@@ -24,12 +24,10 @@ dBodyID findLink(const Parameters &link, const FindBody &findBody) {
 }  // namespace
 
 BodyForces::BodyForces(const Parameters &parameters, const FindBody &findBody, double stepSize)
-    : m_body(findLink(checked(parameters).requiredValue("link"), findBody)),
-      m_stepSize(stepSize),
+    : m_body(findLink(checked(parameters).requiredValue("link"), findBody), stepSize),
       m_linearDrag(readDrag(parameters, "linear_drag")),
       m_quadraticDrag(readDrag(parameters, "quadratic_drag")),
       m_rightingMoment(parameters.childNumber("righting_moment", 0)),
-      m_stopping(largestDrag()),
       m_timeline(parameters, {"phase"}, stepSize, [this](const Parameters &phase) {
           phase.expectOnly({"duration"}, {});
           m_thrusts.push_back(toWrench(phase.numbers(Wrench().size())));
@@ -46,35 +44,23 @@ BodyForces::Wrench BodyForces::readDrag(const Parameters &parameters, const std:
     return toWrench(parameters.requiredValue(name).notNegativeNumbers(Wrench().size()));
 }
 
-// The inertia about one axis alone is a bound: products of inertia only make a body harder to turn.
-BodyForces::Wrench BodyForces::largestDrag() const {
-    dMass mass;
-    dBodyGetMass(m_body, &mass);
-    const double linear = mass.mass / m_stepSize;
-    return {linear, linear, linear, mass.I[0] / m_stepSize, mass.I[5] / m_stepSize, mass.I[10] / m_stepSize};
-}
-
 void BodyForces::update(long frame) {
+    const dBodyID body = m_body.body();
     const Wrench &thrust = m_thrusts[m_timeline.at(frame).phase];
     const bool pushes = std::any_of(thrust.begin(), thrust.end(), [](double part) { return part != 0; });
-    if (pushes) dBodyEnable(m_body);
-    if (!dBodyIsEnabled(m_body)) return;  // ODE would keep the forces for the day it wakes
+    if (pushes) dBodyEnable(body);
+    if (!dBodyIsEnabled(body)) return;  // ODE would keep the forces for the day it wakes
 
-    dVector3 linear, angular, up;
-    dBodyVectorFromWorld(m_body, dBodyGetLinearVel(m_body)[0], dBodyGetLinearVel(m_body)[1],
-                         dBodyGetLinearVel(m_body)[2], linear);
-    dBodyVectorFromWorld(m_body, dBodyGetAngularVel(m_body)[0], dBodyGetAngularVel(m_body)[1],
-                         dBodyGetAngularVel(m_body)[2], angular);
-    dBodyVectorFromWorld(m_body, 0, 0, 1, up);
+    dVector3 up;
+    dBodyVectorFromWorld(body, 0, 0, 1, up);
+    dBodyAddRelForce(body, toReal(thrust[0]), toReal(thrust[1]), toReal(thrust[2]));
+    dBodyAddRelTorque(body, toReal(thrust[3] - m_rightingMoment * up[1]),  // z × up
+                      toReal(thrust[4] + m_rightingMoment * up[0]), toReal(thrust[5]));
 
-    const Wrench speed = {linear[0], linear[1], linear[2], angular[0], angular[1], angular[2]};
-    Wrench total = thrust;
-    for (std::size_t i = 0; i < total.size(); ++i)
-        total[i] -= std::min(m_linearDrag[i] + m_quadraticDrag[i] * std::fabs(speed[i]), m_stopping[i]) * speed[i];
-    total[3] -= m_rightingMoment * up[1];  // z × up
-    total[4] += m_rightingMoment * up[0];
-    dBodyAddRelForce(m_body, toReal(total[0]), toReal(total[1]), toReal(total[2]));
-    dBodyAddRelTorque(m_body, toReal(total[3]), toReal(total[4]), toReal(total[5]));
+    m_body.begin();
+    for (int axis = 0; axis < 3; ++axis) m_body.dragAlong(axis, {}, m_linearDrag[axis], m_quadraticDrag[axis]);
+    for (int axis = 0; axis < 3; ++axis) m_body.dragAbout(axis, m_linearDrag[3 + axis], m_quadraticDrag[3 + axis]);
+    m_body.apply();
 }
 
 }  // namespace worlds

@@ -11,10 +11,11 @@
 //   </plugin>
 //
 // Six numbers are those along the link's x, y and z axes and those about them; forces act at the centre of mass.
-// Drag is taken from the speeds before the step, and cut to what stops the body within it. It is 0 unless given,
-// and so is the righting moment, which turns the link's z axis upwards.
+// Drag is never more than what stops the link within the step (damped_body.h). It is 0 unless given, and so is
+// the righting moment, which turns the link's z axis upwards. No other controller pushes the link.
 #pragma once
 
+#include "loader/control/damped_body.h"
 #include "loader/control/timeline.h"
 
 #include <array>
@@ -31,13 +32,10 @@ private:
 
     static Wrench toWrench(const std::vector<double> &numbers);
     static Wrench readDrag(const Parameters &parameters, const std::string &name);
-    Wrench largestDrag() const;
 
-    dBodyID m_body;
-    double m_stepSize;
+    DampedBody m_body;
     Wrench m_linearDrag, m_quadraticDrag;
     double m_rightingMoment;
-    Wrench m_stopping;  // what stops a speed of 1 within a step
     std::vector<Wrench> m_thrusts;  // of each phase
     Timeline m_timeline;
 };

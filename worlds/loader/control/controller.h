@@ -1,4 +1,4 @@
-// Drives motors of a model, frame by frame. Open loop: it reads only joint positions.
+// Acts before each step: drives motors of a model, or pushes its links. Open loop: it reads the state of its own model only.
 #pragma once
 
 namespace worlds {

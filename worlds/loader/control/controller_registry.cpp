@@ -13,8 +13,8 @@ namespace worlds {
 
 namespace {
 
-// ODE stays finite with speeds, angles and gains up to here.
-constexpr double largestControllerNumber = 1e10;
+// ODE stays finite with speeds and angles up to here.
+constexpr double kMaxControllerNumber = 1e10;
 
 using Create = std::unique_ptr<Controller> (*)(const Parameters &, const FindMotor &, const FindBody &,
                                                double stepSize);
@@ -60,8 +60,9 @@ bool isControllerType(const std::string &type) { return registry().count(type) >
 std::unique_ptr<Controller> createController(const ControllerDescription &description,
                                              const FindMotor &findMotor, const FindBody &findBody,
                                              double stepSize) {
-    description.parameters.expectWithin(largestControllerNumber);
-    return registry().at(description.type)(description.parameters, findMotor, findBody, stepSize);
+    Parameters parameters = description.parameters;
+    parameters.limitNumbers(kMaxControllerNumber);
+    return registry().at(description.type)(parameters, findMotor, findBody, stepSize);
 }
 
 std::vector<JointMotor> findMotors(const Parameters &joints, const FindMotor &findMotor) {
@@ -77,6 +78,14 @@ std::vector<double> readSpeeds(const Parameters &element, std::size_t count) {
         element.fail("has " + std::to_string(speeds.size()) + " speeds for " + std::to_string(count) +
                      " joints");
     return speeds;
+}
+
+double readGain(const Parameters &parameters, double stepSize) {
+    const Parameters &element = parameters.requiredValue("gain");
+    const double gain = element.number();
+    if (gain < 0) element.fail("is negative");
+    if (gain * stepSize > 1) element.fail("goes beyond the target within a step: it is more than 1 / max_step_size");
+    return gain;
 }
 
 long toSteps(double duration, double stepSize, const Parameters &writtenIn) {

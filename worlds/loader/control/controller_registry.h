@@ -33,6 +33,9 @@ std::vector<JointMotor> findMotors(const Parameters &joints, const FindMotor &fi
 // For controllers: one speed for each of `count` motors.
 std::vector<double> readSpeeds(const Parameters &element, std::size_t count);
 
+// For controllers: the <gain> of those that follow positions, in 1/s: not negative, and at most what reaches the target within a step.
+double readGain(const Parameters &parameters, double stepSize);
+
 // For controllers: a duration in whole steps, at least one.
 long toSteps(double duration, double stepSize, const Parameters &writtenIn);
 

@@ -13,11 +13,12 @@
 //
 // Lift is the weight of the fluid in the share of the box that is below the surface: that of its height, as
 // if the box were upright. It acts at the box's centre, and so does drag, ½ · density · coefficient · side ·
-// speed² along each axis, times the share. Drag is taken from the speeds before the step, and cut to what
-// stops the link within it.
+// speed² along each axis, times the share, and never more than what stops the link within the step (damped_body.h).
+// A link is immersed once, and no other controller pushes it.
 #pragma once
 
 #include "loader/control/controller_registry.h"
+#include "loader/control/damped_body.h"
 
 #include <array>
 
@@ -31,16 +32,14 @@ public:
 private:
     using Vector = std::array<double, 3>;
     struct Immersed {
-        dBodyID body;
+        DampedBody body;
         Vector size, center, drag;  // drag in N·s²/m², of the whole box
         double spinDrag;
-        double mass;
-        Vector inertia;
     };
 
     Immersed readImmersed(const Parameters &element, const FindBody &findBody) const;
     double share(const Immersed &link) const;
-    void push(const Immersed &link) const;
+    void push(Immersed &link) const;
 
     double m_stepSize, m_surface, m_density;
     std::vector<Immersed> m_links;

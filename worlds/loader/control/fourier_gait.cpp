@@ -22,7 +22,7 @@ FourierGait::FourierGait(const Parameters &parameters, const FindMotor &findMoto
     : m_stepSize(stepSize) {
     parameters.expectOnly({"name", "filename"}, {"gain", "start", "frequency"},
                           {"hold", "wave", "swing"});
-    m_gain = parameters.requiredValue("gain").number();
+    m_gain = readGain(parameters, stepSize);
     m_start = parameters.childNumber("start", 0);
     m_frequency = parameters.childNumber("frequency", 0);
     for (const Parameters &element : parameters.children)
@@ -36,6 +36,7 @@ FourierGait::FourierGait(const Parameters &parameters, const FindMotor &findMoto
             readSwing(element, findMotor);
         }
     }
+    if (m_holds.empty() && m_swings.empty()) parameters.fail("drives no joints");
 }
 
 FourierGait::Wave FourierGait::readWave(const Parameters &element) {

@@ -31,7 +31,7 @@ std::vector<double> readChild(const Parameters &element, const std::string &name
 
 PositionSchedule::PositionSchedule(const Parameters &parameters, const FindMotor &findMotor, double stepSize)
     : m_stepSize(stepSize),
-      m_gain(checked(parameters).requiredValue("gain").number()),
+      m_gain(readGain(checked(parameters), stepSize)),
       m_motors(findMotors(parameters.requiredValue("joints"), findMotor)),
       m_timeline(parameters, {"hold", "glide", "swing"}, stepSize,
                  [this](const Parameters &element) { m_phases.push_back(readPhase(element)); }),

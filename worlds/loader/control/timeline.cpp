@@ -7,7 +7,7 @@ namespace worlds {
 
 namespace {
 
-constexpr std::size_t maxPhases = 1000000;  // a schedule is kept written out
+constexpr std::size_t kMaxPhases = 1000000;  // a schedule is kept written out
 
 }  // namespace
 
@@ -28,7 +28,7 @@ void Timeline::append(const Parameters &list, bool outermost, const AddPhase &ad
             appendRepeat(element, outermost, addPhase);
             continue;
         }
-        if (m_ends.size() == maxPhases) element.fail("makes more than 1000000 phases");
+        if (m_ends.size() == kMaxPhases) element.fail("makes more than 1000000 phases");
         const long steps = toSteps(element.attributeNumber("duration"), m_stepSize, element);
         m_ends.push_back(startOf(m_ends.size()) + steps);
         addPhase(element);
@@ -42,7 +42,7 @@ void Timeline::appendRepeat(const Parameters &repeat, bool outermost, const AddP
     if (repeat.children.empty()) repeat.fail("repeats nothing");
     if (repeat.attributes.count("count")) {
         const double count = repeat.attributeNumber("count");
-        if (!(count >= 1 && count <= maxPhases) || count != std::floor(count))
+        if (!(count >= 1 && count <= kMaxPhases) || count != std::floor(count))
             repeat.fail("count is not a whole number between 1 and 1000000");
         for (long i = 0; i < static_cast<long>(count); ++i) append(repeat, false, addPhase);
         return;

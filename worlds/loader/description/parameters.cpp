@@ -48,19 +48,20 @@ void Parameters::expectOnly(const std::vector<std::string> &knownAttributes,
     }
 }
 
-void Parameters::expectWithin(double most) const {
-    const auto check = [&](const std::string &list) {
-        for (const std::string &word : split(list)) {
-            std::vector<double> values;
-            if (!readNumbers(word, values) || !(std::fabs(values[0]) > most)) continue;
-            std::ostringstream range;
-            range << "between -" << most << " and " << most;
-            fail("'" + word + "' is not " + range.str());
-        }
-    };
-    check(text);
-    for (const auto &[key, value] : attributes) check(value);
-    for (const Parameters &element : children) element.expectWithin(most);
+void Parameters::limitNumbers(double limit) {
+    most = limit;
+    for (Parameters &element : children) element.limitNumbers(limit);
+}
+
+// Throws LoadError for the first word that is a number beyond the limit.
+void Parameters::expectWithinMost(const std::string &list) const {
+    for (const std::string &word : split(list)) {
+        std::vector<double> values;
+        if (!readNumbers(word, values) || !(std::fabs(values[0]) > most)) continue;
+        std::ostringstream range;
+        range << "between -" << most << " and " << most;
+        fail("'" + word + "' is not " + range.str());
+    }
 }
 
 const Parameters *Parameters::child(const std::string &childName) const {
@@ -90,6 +91,7 @@ const std::string &Parameters::attribute(const std::string &key) const {
 double Parameters::attributeNumber(const std::string &key) const {
     std::vector<double> values;
     const std::string &value = attribute(key);
+    expectWithinMost(value);
     if (!readNumbers(value, values) || values.size() != 1 || !std::isfinite(values[0]))
         fail("attribute '" + key + "' is " + quote(value) + ", not a number");
     return values[0];
@@ -101,6 +103,7 @@ double Parameters::attributeNumber(const std::string &key, double otherwise) con
 
 std::vector<double> Parameters::numbers() const {
     std::vector<double> values;
+    expectWithinMost(text);
     if (!readNumbers(text, values) ||
         !std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
         fail(quote(text) + " is not a list of numbers");

@@ -4,6 +4,7 @@
 
 #include "loader/load_error.h"
 
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -16,14 +17,15 @@ struct Parameters {
     std::string text;
     std::map<std::string, std::string> attributes;
     std::vector<Parameters> children;
+    double most = std::numeric_limits<double>::infinity();  // of the magnitude of a number that is read
 
     // Throws LoadError for the first attribute or child that is not listed, and for a second child of a
     // name that is not among `repeated`.
     void expectOnly(const std::vector<std::string> &knownAttributes, const std::vector<std::string> &once,
                     const std::vector<std::string> &repeated = {}) const;
 
-    // Throws LoadError for the first number, in texts and attributes here and inside, beyond ±most.
-    void expectWithin(double most) const;
+    // Numbers beyond ±limit are refused where they are read, here and inside.
+    void limitNumbers(double limit);
 
     // Null when there is no child of that name.
     const Parameters *child(const std::string &childName) const;
@@ -49,6 +51,7 @@ struct Parameters {
     // The same, where infinite means "no limit".
     double childLimit(const std::string &childName, double otherwise) const;
 
+    void expectWithinMost(const std::string &list) const;
     [[noreturn]] void fail(const std::string &what) const;
 };
 

@@ -120,6 +120,7 @@ void SdfScene::addJoints(const WorldDescription &world) {
 
 void SdfScene::addControllers(const WorldDescription &world) {
     std::set<std::string> driven;  // a second controller would undo what the first one does
+    std::set<dBodyID> pushed;      // drag of two, each of which stops the link, would turn its motion round
     for (const ControllerDescription &description : world.controllers) {
         const FindMotor findMotor = [&](const std::string &joint, const Parameters &namedBy) {
             const auto found = m_parts->motors.find(description.model + "::" + joint);
@@ -132,6 +133,7 @@ void SdfScene::addControllers(const WorldDescription &world) {
         const FindBody findBody = [&](const std::string &link, const Parameters &namedBy) {
             const auto found = m_parts->bodies.find(description.model + "::" + link);
             if (found == m_parts->bodies.end()) namedBy.fail("model has no link " + quote(link));
+            if (!pushed.insert(found->second).second) namedBy.fail("link " + quote(link) + " is pushed already");
             return found->second;
         };
         m_parts->controllers.push_back(
