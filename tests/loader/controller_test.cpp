@@ -234,6 +234,19 @@ TEST(BodyForces, DragNeverAddsEnergy) {
     EXPECT_LT(spin(hull).Length(), 1e-6);
 }
 
+TEST(Controller, SchedulesTakeNoMoreMemoryThanTheyMay) {
+    std::string links, joints, zeros;
+    for (const std::string name : {"a", "b", "c", "d", "e"}) {
+        links += linkOf1kg(name, "0 0 0 0 0 0") + "<joint name=\"j" + name + "\" type=\"revolute\"><parent>world</parent><child>" + name +
+                 "</child><axis><xyz>0 0 1</xyz></axis></joint>";
+        joints += " j" + name;
+        zeros += " 0";
+    }
+    expectError(worldWith("", "<model name=\"m\">" + links + "<plugin name=\"p\" filename=\"odemt-velocity-schedule\"><joints>" + joints +
+                                  "</joints><repeat count=\"1e6\"><phase duration=\"1\">" + zeros + "</phase></repeat></plugin></model>"),
+                worlds::LoadError::Kind::Value, {"plugin[p]/repeat/phase", "makes more than 4000000 numbers"});
+}
+
 TEST(Controller, NamesMayBeNumbers) {
     std::string sdf = pushed("<link>hull</link><phase duration=\"1\">1 0 0 0 0 0</phase>");
     for (std::size_t at; (at = sdf.find("hull")) != std::string::npos;) sdf.replace(at, 4, "1e11");

@@ -7,7 +7,15 @@ namespace worlds {
 
 namespace {
 
-constexpr std::size_t kMaxPhases = 1000000;  // a schedule is kept written out
+// A schedule is kept written out.
+constexpr std::size_t kMaxPhases = 1000000, kMaxNumbers = 4000000;
+
+// Numbers of a phase, in its text or in its elements' texts.
+std::size_t countNumbers(const Parameters &phase) {
+    std::size_t count = phase.words().size();
+    for (const Parameters &element : phase.children) count += element.words().size();
+    return count;
+}
 
 }  // namespace
 
@@ -29,6 +37,8 @@ void Timeline::append(const Parameters &list, bool outermost, const AddPhase &ad
             continue;
         }
         if (m_ends.size() == kMaxPhases) element.fail("makes more than 1000000 phases");
+        m_numbers += countNumbers(element);
+        if (m_numbers > kMaxNumbers) element.fail("makes more than 4000000 numbers");
         const long steps = toSteps(element.attributeNumber("duration"), m_stepSize, element);
         m_ends.push_back(startOf(m_ends.size()) + steps);
         addPhase(element);

@@ -5,7 +5,8 @@
 //   <repeat count="3"> … </repeat>          phases and repeats, so many times
 //   <repeat> … </repeat>                    without count: endless, so it comes last
 //
-// After the last phase time goes on in it. Names of phases are the controller's.
+// After the last phase time goes on in it. Names of phases are the controller's. Repeats with a count make at most
+// a million phases with four million numbers.
 #pragma once
 
 #include "loader/control/controller_registry.h"
@@ -37,6 +38,7 @@ private:
 
     std::vector<std::string> m_phaseNames;
     double m_stepSize;
+    std::size_t m_numbers = 0;    // of all phases
     std::vector<long> m_ends;     // first frame after each phase
     std::size_t m_loopStart = 0;  // the phases from here on are repeated endlessly,
     bool m_loops = false;         // if this is set
