@@ -49,10 +49,10 @@ protected:
         dBodySetLinearVel(body, 1, 0, 0);
     }
     ~Webots() override {
-        for (const dGeomID ball : balls) dGeomDestroy(ball);
         dBodyDestroy(body);
-        dSpaceDestroy(space);
+        for (const dGeomID ball : balls) dGeomDestroy(ball);
         dWorldDestroy(world);
+        dSpaceDestroy(space);
     }
 
     OdeSession session;

@@ -37,9 +37,9 @@ int main(void) {
     }
     printf("height %a m\n", dBodyGetPosition(body)[2]);
 
-    dJointGroupDestroy(contacts);
-    dSpaceDestroy(space);
     dWorldDestroy(world);
+    dSpaceDestroy(space);
+    dJointGroupDestroy(contacts);
     dCloseODE();
     return 0;
 }

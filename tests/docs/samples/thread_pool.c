@@ -34,6 +34,7 @@ int main(void) {
     /* [end] */
     dWorldSetStepThreadingImplementation(world, NULL, NULL);
     dThreadingImplementationShutdownProcessing(threading);
+    dThreadingThreadPoolWaitIdleState(pool);
     dThreadingFreeThreadPool(pool);
     dThreadingFreeImplementation(threading);
     /* [end] */
