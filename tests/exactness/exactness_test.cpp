@@ -2,10 +2,10 @@
 // Debian's libode8 on one thread (contract C2).
 #include "instruction_set.h"
 #include "scenario_run.h"
+#include "thorough.h"
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <iterator>
 #include <map>
 
@@ -134,33 +134,28 @@ void addInstructionSetTest(const ScenarioName &scenario, const std::string &set,
     addTest(scenario, set + '_' + std::to_string(threads.count), Player{setting});
 }
 
-// Scenarios take every other algorithm and instruction set with one number of threads, cyclically, so that all of them
-// together have every combination many times. ODE_MT_EXACTNESS=thorough: each has every one.
-bool everyCombination() {
-    const char *const wanted = std::getenv("ODE_MT_EXACTNESS");
-    return wanted != nullptr && wanted == std::string("thorough");
-}
-
 void addManagerTest(const ScenarioName &scenario, const char *manager, const Threads &threads) {
     addTest(scenario, manager + ('_' + std::to_string(threads.count)), Player{ThreadSetting{manager, threads.count, threads.disturbed}});
 }
 
+// Scenarios take every other algorithm and instruction set with one number of threads, cyclically, so that all of them
+// together have every combination many times. ODE_MT_EXACTNESS=thorough: each has every one.
 void addTests(const ScenarioName &scenario) {
     static std::size_t turn = 0;
     static const std::vector<std::string> sets = instructionSets();
     const auto isTurnOf = [](std::size_t place, std::size_t threads) {
-        return everyCombination() || threads == (turn + place) % (2 * std::size(fewerThreadCounts));
+        return isThorough() || threads == (turn + place) % (2 * std::size(fewerThreadCounts));
     };
     addTest(scenario, "libode8_again", libode8Again);  // is the scenario itself repeatable?
     for (Threads threads : threadCounts) {
         const bool isLarge = threads.count > 2, isTurnOfThis = turn % 2 == (threads.count == 16 ? 1 : 0);
-        threads.disturbed = threads.disturbed && (!isLarge || isTurnOfThis || everyCombination());
+        threads.disturbed = threads.disturbed && (!isLarge || isTurnOfThis || isThorough());
         addManagerTest(scenario, managers[0], threads);
     }
     // Below two threads no manager has anything to do: pthread stands for both.
     addManagerTest(scenario, managers[1], {2, true});
     for (std::size_t t = 0; t < std::size(threadCountsOfOpenmp); ++t)
-        if (everyCombination() || turn % std::size(threadCountsOfOpenmp) == t) addManagerTest(scenario, managers[1], threadCountsOfOpenmp[t]);
+        if (isThorough() || turn % std::size(threadCountsOfOpenmp) == t) addManagerTest(scenario, managers[1], threadCountsOfOpenmp[t]);
     for (std::size_t a = 0; a < std::size(algorithms); ++a)
         for (std::size_t t = 0; t < std::size(fewerThreadCounts); ++t)
             addAlgorithmTests(scenario, algorithms[a], fewerThreadCounts[t], isTurnOf(a, t));

@@ -10,12 +10,11 @@
 #include <unistd.h>
 
 #include <cstdint>
-#include <cstdlib>
-#include <string>
 
 #include "ChurnWorld.h"
 #include "OdeSession.h"
 #include "sanitizers.h"
+#include "thorough.h"
 #include "threading/dxPerturbation.h"
 
 namespace {
@@ -24,8 +23,7 @@ constexpr int kFrames = 50;
 
 int numberOfRuns() {
     if (kAddressSanitizer || kThreadSanitizer) return 20;
-    const char *const wanted = std::getenv("ODE_MT_EXACTNESS");
-    return wanted != nullptr && wanted == std::string("thorough") ? 1000 : 300;
+    return exactness::isThorough() ? 1000 : 300;
 }
 
 struct Result {

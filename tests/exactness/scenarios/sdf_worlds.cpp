@@ -18,9 +18,9 @@ struct SampleWorld {
 
 constexpr SampleWorld sampleWorlds[] = {
     {"autonomous_vehicle", "a car on four suspended wheels, two of which steer, from standstill to 28 km/h", 200},
-    {"bioloid", "a quadruped of eighteen servos walks", 200},
+    {"bioloid", "a quadruped of 17 bodies walks among balls", 200},
     {"blimp", "thrust, drag and a righting moment on one body, among 129 static shapes", 200},
-    {"create", "a robot on two wheels in a furnished apartment", 200},
+    {"create", "a robot on two wheels in a flat with furniture and a door", 200},
     {"darwin_op", "a humanoid on a table moves its head, and a ball", 200},
     {"epuck_line", "a small robot on two wheels among boxes", 200},
     {"gantry", "a crane on rails, and a stack of boxes that falls by 10 mm", 200},
@@ -31,7 +31,7 @@ constexpr SampleWorld sampleWorlds[] = {
     {"humanoid", "a humanoid of box feet dances", 200},
     {"ipr_factory", "two arms, and objects on a belt that moves", 200},
     {"nao_demo", "a humanoid stands and waves", 200},
-    {"pioneer3at", "a robot on four wheels, barrels and boxes", 200},
+    {"pioneer3at", "a robot on four wheels among 40 posts", 200},
     {"salamander", "a jointed trunk on four legs that turn walks down a ramp and swims", 3500},
     {"shrimp", "six closed loops of hinges, and a spring as a soft stop", 200},
     {"soccer", "six robots on two wheels each, and a ball", 200},

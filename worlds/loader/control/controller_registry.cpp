@@ -13,9 +13,6 @@ namespace worlds {
 
 namespace {
 
-// ODE stays finite with speeds and angles up to here.
-constexpr double kMaxControllerNumber = 1e10;
-
 using Create = std::unique_ptr<Controller> (*)(const Parameters &, const FindMotor &, const FindBody &,
                                                double stepSize);
 
@@ -60,9 +57,7 @@ bool isControllerType(const std::string &type) { return registry().count(type) >
 std::unique_ptr<Controller> createController(const ControllerDescription &description,
                                              const FindMotor &findMotor, const FindBody &findBody,
                                              double stepSize) {
-    Parameters parameters = description.parameters;
-    parameters.limitNumbers(kMaxControllerNumber);
-    return registry().at(description.type)(parameters, findMotor, findBody, stepSize);
+    return registry().at(description.type)(description.parameters, findMotor, findBody, stepSize);
 }
 
 std::vector<JointMotor> findMotors(const Parameters &joints, const FindMotor &findMotor) {

@@ -18,6 +18,9 @@ using FindMotor = std::function<JointMotor(const std::string &joint, const Param
 // The body of a link of the model; fails at `namedBy` when there is none.
 using FindBody = std::function<dBodyID(const std::string &link, const Parameters &namedBy)>;
 
+// Numbers of controllers' parameters are no larger: ODE stays finite with such speeds and angles.
+constexpr double kMaxControllerNumber = 1e10;
+
 // Values of a plugin's filename.
 std::vector<std::string> controllerTypes();
 bool isControllerType(const std::string &type);

@@ -74,8 +74,9 @@ void Fluid::push(Immersed &link) const {
     dBodyAddForceAtRelPos(body, toReal(-displaced * gravity[0]), toReal(-displaced * gravity[1]), toReal(-displaced * gravity[2]),
                           toReal(link.center[0]), toReal(link.center[1]), toReal(link.center[2]));
 
+    const ignition::math::Vector3d center(link.center[0], link.center[1], link.center[2]);
     link.body.begin();
-    for (int axis = 0; axis < 3; ++axis) link.body.dragAlong(axis, link.center, 0, immersed * link.drag[axis]);
+    for (int axis = 0; axis < 3; ++axis) link.body.dragAlong(axis, center, 0, immersed * link.drag[axis]);
     for (int axis = 0; axis < 3; ++axis) link.body.dragAbout(axis, immersed * link.spinDrag, 0);
     link.body.apply();
 }

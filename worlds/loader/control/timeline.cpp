@@ -36,9 +36,9 @@ void Timeline::append(const Parameters &list, bool outermost, const AddPhase &ad
             appendRepeat(element, outermost, addPhase);
             continue;
         }
-        if (m_ends.size() == kMaxPhases) element.fail("makes more than 1000000 phases");
+        if (m_ends.size() == kMaxPhases) element.fail("makes more than " + std::to_string(kMaxPhases) + " phases");
         m_numbers += countNumbers(element);
-        if (m_numbers > kMaxNumbers) element.fail("makes more than 4000000 numbers");
+        if (m_numbers > kMaxNumbers) element.fail("makes more than " + std::to_string(kMaxNumbers) + " numbers");
         const long steps = toSteps(element.attributeNumber("duration"), m_stepSize, element);
         m_ends.push_back(startOf(m_ends.size()) + steps);
         addPhase(element);
@@ -53,7 +53,7 @@ void Timeline::appendRepeat(const Parameters &repeat, bool outermost, const AddP
     if (repeat.attributes.count("count")) {
         const double count = repeat.attributeNumber("count");
         if (!(count >= 1 && count <= kMaxPhases) || count != std::floor(count))
-            repeat.fail("count is not a whole number between 1 and 1000000");
+            repeat.fail("count is not a whole number between 1 and " + std::to_string(kMaxPhases));
         for (long i = 0; i < static_cast<long>(count); ++i) append(repeat, false, addPhase);
         return;
     }

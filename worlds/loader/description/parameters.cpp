@@ -53,6 +53,11 @@ void Parameters::limitNumbers(double limit) {
     for (Parameters &element : children) element.limitNumbers(limit);
 }
 
+// Finite, too.
+bool Parameters::isWithinMost(const std::vector<double> &numbers) const {
+    return std::all_of(numbers.begin(), numbers.end(), [&](double number) { return std::isfinite(number) && std::fabs(number) <= most; });
+}
+
 // Throws LoadError for the first word that is a number beyond the limit.
 void Parameters::expectWithinMost(const std::string &list) const {
     for (const std::string &word : split(list)) {
@@ -91,9 +96,10 @@ const std::string &Parameters::attribute(const std::string &key) const {
 double Parameters::attributeNumber(const std::string &key) const {
     std::vector<double> values;
     const std::string &value = attribute(key);
-    expectWithinMost(value);
-    if (!readNumbers(value, values) || values.size() != 1 || !std::isfinite(values[0]))
+    if (!readNumbers(value, values) || values.size() != 1 || !isWithinMost(values)) {
+        expectWithinMost(value);
         fail("attribute '" + key + "' is " + quote(value) + ", not a number");
+    }
     return values[0];
 }
 
@@ -103,10 +109,10 @@ double Parameters::attributeNumber(const std::string &key, double otherwise) con
 
 std::vector<double> Parameters::numbers() const {
     std::vector<double> values;
-    expectWithinMost(text);
-    if (!readNumbers(text, values) ||
-        !std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); }))
+    if (!readNumbers(text, values) || !isWithinMost(values)) {
+        expectWithinMost(text);
         fail(quote(text) + " is not a list of numbers");
+    }
     return values;
 }
 

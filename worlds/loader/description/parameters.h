@@ -51,8 +51,11 @@ struct Parameters {
     // The same, where infinite means "no limit".
     double childLimit(const std::string &childName, double otherwise) const;
 
-    void expectWithinMost(const std::string &list) const;
     [[noreturn]] void fail(const std::string &what) const;
+
+private:
+    bool isWithinMost(const std::vector<double> &numbers) const;
+    void expectWithinMost(const std::string &list) const;
 };
 
 // Numbers parted by white space; false when a word is none. "inf" and "nan" are numbers.

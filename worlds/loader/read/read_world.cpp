@@ -59,9 +59,11 @@ private:
     void controllers(const sdf::Model &model, const std::string &name) {
         forEachWritten(model.Element(), [&](const sdf::ElementPtr &element) {
             if (element->GetName() != "plugin") return;
-            const Parameters parameters = toParameters(element, m_reading.worldFile);
-            const std::string &type = parameters.attribute("filename");
-            if (isControllerType(type)) m_world.controllers.push_back({type, name, parameters});
+            Parameters parameters = toParameters(element, m_reading.worldFile);
+            const std::string type = parameters.attribute("filename");
+            if (!isControllerType(type)) return;
+            parameters.limitNumbers(kMaxControllerNumber);
+            m_world.controllers.push_back({type, name, std::move(parameters)});
         });
     }
 
