@@ -136,11 +136,13 @@ void collideOnWorkers(CollideSpan &span, dxOrderedSpace &space, unsigned workers
 void collideMeasured(CollideSpan &span, dxOrderedSpace &space, void *data, dNearCallback *callback) {
     const unsigned workers = dxMaxCollisionThreads(space);
     const bool shared = workers > 1 && space.sharing().shouldShare();
+    const dODE_MT_Reason reason = workers > 1 ? dODE_MT_REASON_MEASURED : dODE_MT_REASON_CORES;
+    if (!shared && !space.sharing().shouldTimeAlone()) return collideAlone(span, reason, space, data, callback);
     const dxStopwatch stopwatch;
     if (shared)
         collideOnWorkers(span, space, workers, data, callback);
     else
-        collideAlone(span, workers > 1 ? dODE_MT_REASON_MEASURED : dODE_MT_REASON_CORES, space, data, callback);
+        collideAlone(span, reason, space, data, callback);
     space.sharing().record(shared, stopwatch.ns());
 }
 

@@ -10,6 +10,11 @@ namespace {
 // Below, waking a worker may take longer than the whole call.
 constexpr double kMinShared = 30e3;  // ns
 
+// Two readings of a clock take up to 0.1 us, some of a hundred of a call below this. One that is timed in so many notices
+// within a moment that a scene has grown.
+constexpr double kMinTimed = 8e3;  // ns
+constexpr int kUntimedCalls = 15;
+
 constexpr int kMinCallsInRow = 2;  // alone, before the first probe
 constexpr int kProbeCalls = 3;     // of which the first is cold
 constexpr dxRetryLimits<int> kRetry{48, 768};  // calls
@@ -43,6 +48,12 @@ bool dxSharingPolicy::shouldShare() const {
     return m_isSharing && m_alone.ns >= kMinShared;
 }
 
+bool dxSharingPolicy::shouldTimeAlone() {
+    if (m_untimedCalls == 0) return true;
+    --m_untimedCalls;
+    return false;
+}
+
 // The first call after a change of ways is cold, the second one begins the average anew.
 void dxSharingPolicy::average(Way &way, double ns) {
     countUp(way.callsInRow);
@@ -55,6 +66,7 @@ void dxSharingPolicy::record(bool shared, double ns) {
     Way &way = shared ? m_shared : m_alone, &other = shared ? m_alone : m_shared;
     other.callsInRow = 0;
     average(way, ns);
+    m_untimedCalls = m_alone.callsInRow >= kMinCallsInRow && m_alone.ns < kMinTimed ? kUntimedCalls : 0;
     account(shared, ns);
     if (shared != m_isSharing) return;  // too small to be shared
     if (m_isProbe) {

@@ -8,6 +8,8 @@
 // time that is worked alone; until then there is no probe. So where workers come late, because other programs have the
 // processors, the loss is bounded however long a call takes that waits for them.
 //
+// Of calls so short that reading a clock would be felt, only a few are timed.
+//
 // It decides about speed alone; results are the same either way. One thread at a time.
 #pragma once
 
@@ -15,6 +17,9 @@ class dxSharingPolicy {
 public:
     // Whether the next call should be shared.
     bool shouldShare() const;
+
+    // Whether the time of the next call, which is not shared, should be recorded. To be asked once a call.
+    bool shouldTimeAlone();
 
     // How long the call took, and whether it was shared.
     void record(bool shared, double ns);
@@ -43,5 +48,6 @@ private:
     int m_retryInterval = 0;   // calls
     int m_earlyRetryInterval = kMinEarlyRetry;  // if calls have become slower
     int m_slowCalls = 0;       // in a row, the last ones
+    int m_untimedCalls = 0;    // still to come
     double m_savedNs = 0;      // by sharing; below zero: a debt
 };

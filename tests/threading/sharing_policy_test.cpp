@@ -77,6 +77,25 @@ TEST_F(SharingPolicy, StaysAloneWhenTheSpaceHasBecomeSmall) {
     EXPECT_EQ(shared(1000, 5e3, 30e3), 0);
 }
 
+// How many of the calls, all alone, are timed.
+int timedCalls(dxSharingPolicy &policy, int calls, double ns) {
+    int count = 0;
+    for (int i = 0; i < calls; ++i) {
+        if (!policy.shouldTimeAlone()) continue;
+        ++count;
+        policy.record(false, ns);
+    }
+    return count;
+}
+
+TEST_F(SharingPolicy, TimesFewOfTheShortestCalls) {
+    const int calls = 1600;
+    EXPECT_LT(timedCalls(policy, calls, 1e3), calls / 15);
+    EXPECT_GT(timedCalls(policy, calls, 1e3), calls / 20);
+    EXPECT_GT(timedCalls(policy, calls, 12e3), calls - 50) << "a scene that has grown is noticed";
+    EXPECT_GT(shared(100, 400e3, 250e3), 85);
+}
+
 TEST_F(SharingPolicy, LosesLittleWhereWorkersComeLate) {
     EXPECT_LT(timeWithLateWorkers(5000, 100e3, 60e3, 1), 1.10);
     EXPECT_LT(timeWithLateWorkers(50000, 100e3, 60e3, 1), 1.06);
