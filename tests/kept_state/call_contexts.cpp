@@ -1,10 +1,10 @@
 #include "call_contexts.h"
 
 #include "call_shapes.h"
+#include "thorough.h"
 #include "user_code.h"
 
 #include <cstdlib>
-#include <cstring>
 #include <thread>
 
 #include <pthread.h>
@@ -241,8 +241,7 @@ std::string Case::name() const {
 }
 
 void forEachCase(const CallRecipe &recipe, int number, const std::function<void(const Case &)> &visit) {
-    const char *const wanted = std::getenv("ODE_MT_EXACTNESS");
-    const bool thorough = wanted != nullptr && std::strcmp(wanted, "thorough") == 0;
+    const bool thorough = exactness::isThorough();
     for (int w = static_cast<int>(kFirst); w <= static_cast<int>(kLast); ++w) {
         const auto when = static_cast<When>(w);
         if (!isPossible(recipe, when)) continue;
