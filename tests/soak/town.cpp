@@ -31,8 +31,8 @@ constexpr const char *kGuests[] = {"stacks:12",
                                    "churn:200,sap,autodisable",
                                    "stacks:4,world,simple"};
 
-constexpr int kFramesOfATurn = 30;
-constexpr int kFramesOfAGuest = 60;
+constexpr int kFramesOfATurn = 50;
+constexpr int kFramesOfAGuest = 100;
 constexpr int kFramesOfASetting = 5;
 constexpr int kFramesOfAnEvening = 20;
 
