@@ -504,6 +504,30 @@ typedef void dODE_MT_WorkerHook(void *data, int worker);
 ODE_API int dODE_MT_SetWorkerHooks(dODE_MT_WorkerHook *start, dODE_MT_WorkerHook *end, void *data);
 
 /**
+ * Steps many worlds, with the bits that calls of dWorldStep or dWorldQuickStep for one after the other would give, random numbers and the
+ * order in which spaces hear of moved geoms included. Threads share the worlds out, each of them stepped as a whole by one thread; the number
+ * of threads is the process's (dToggleODE_MT), and threads are used where they pay.
+ *
+ * On the calling thread alone, in their place among the others, are stepped: a world with a moved-callback, with memory functions of the
+ * program's, with a threading implementation or a number of threads of its own; and one that takes so long that its islands are better shared out. All
+ * worlds are while the program has a handler of errors or messages or an allocator of its own. Worlds that share working memory
+ * are stepped one after the other.
+ *
+ * May be called from any thread, also at the same time for other worlds. As with dWorldStep, no other thread may use one of these worlds, or a
+ * space that holds their geoms, meanwhile. A joint cannot connect bodies of two worlds (dJointAttach). An error in one of the worlds ends in
+ * dError or dDebug when all before it have been stepped.
+ *
+ * @param worlds the worlds, each of them once
+ * @param count how many; 0: nothing happens
+ * @param stepper "step" (dWorldStep) or "quick" (dWorldQuickStep); NULL counts as unknown
+ * @param stepSize as with these functions; above 0
+ * @return 1, or 0: with a dMessage, and no world has been stepped, if there is no such stepper, if the count is below 0, if a world stands in the
+ * list twice, or if there is no memory for the list; or if there was no memory to step a world, and all others have been stepped.
+ * @ingroup ode_mt
+ */
+ODE_API int dODE_MT_StepWorlds(const dWorldID *worlds, int count, const char *stepper, dReal stepSize);
+
+/**
  * Counters of parallel work since the process started. Each call below returns the low 32 bits of a member, which
  * wrap (a scene of thousands of bodies has a million pairs in a second); differences of two readings remain correct.
  * @ingroup ode_mt
@@ -653,7 +677,8 @@ typedef enum dODE_MT_Reason {
     dODE_MT_REASON_IN_CALLBACK = 17,     /**< the collision was called by a near-callback of another one */
     dODE_MT_REASON_CALLBACK_POLICY = 18, /**< the callback policy is "serial" (dODE_MT_SetCallbackPolicy) */
     dODE_MT_REASON_FEW_TASKS = 19,       /**< few pairs, or most of them share bodies, so that their callbacks may not run at once */
-    dODE_MT_REASON_FEEDBACK = 20         /**< joints of one of the first islands share a dJointFeedback with those of another */
+    dODE_MT_REASON_FEEDBACK = 20,        /**< joints of one of the first islands share a dJointFeedback with those of another */
+    dODE_MT_REASON_WORLDS = 21           /**< it was stepped beside other worlds, as a whole by one thread (dODE_MT_StepWorlds) */
 } dODE_MT_Reason;
 
 /**

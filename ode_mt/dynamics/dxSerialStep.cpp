@@ -55,6 +55,6 @@ void dxSerialStep::stepIslands(dxIslandCursor cursor, unsigned count) const {
         const dxIsland island = cursor.next();
         const bool isLarge = m_islandWorkers != nullptr && island.jointCount >= m_minLargeJoints;
         dxIslandStepper::step(m_call, island, arena.get(), isLarge ? m_islandWorkers : nullptr);
-        dxBodyWorkers::note(island, 0);
+        dxBodyWorkers::note(island, m_worker);
     }
 }

@@ -16,6 +16,9 @@ public:
     dxSerialStep(const dxStepCall &call, dxLargeIslandWorkers *islandWorkers, unsigned minLargeJoints)
         : m_call(call), m_islandWorkers(islandWorkers), m_minLargeJoints(minLargeJoints) {}
 
+    // On a worker, which is noted as the one that has stepped the bodies.
+    dxSerialStep(const dxStepCall &call, unsigned worker) : m_call(call), m_worker(worker) {}
+
     void run() const;
 
     // Some islands in a row, whose random numbers are drawn from the scope in force.
@@ -27,4 +30,5 @@ private:
     const dxStepCall &m_call;
     dxLargeIslandWorkers *const m_islandWorkers = nullptr;
     const unsigned m_minLargeJoints = 0;
+    const unsigned m_worker = 0;
 };

@@ -47,15 +47,32 @@ dxIterativeWorld *beginIteratively(const dxWorld *world, const dxWorldProcessIsl
     return nullptr;
 }
 
+dxStepCall makeCall(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper) {
+    return {world, info, stepSize, dxIslandStepper::kindOf(world, stepper), static_cast<unsigned>(info.GetIslandsCount())};
+}
+
 }  // namespace
 
 bool dxPrepareStepIslands(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate) {
     dxStepSpan::beginSearch();
     const dxTimelineSpan search(dxStepEvents::kIslandSearch, true, dxTimelineSpan::Begin::Adjoining);
+    return dxPrepareWorldIslands(world, info, stepSize, estimate);
+}
+
+bool dxPrepareWorldIslands(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate) {
     if (!isSolvedFast(world)) return dxPrepareStep(world, info, stepSize, estimate);
     if (estimate == &dxEstimateQuickStepMemoryRequirements)
         return dxPrepareGroups(world, info, stepSize, estimate, kMinIterativeGroup);
     return dxPrepareStep(world, info, stepSize, &dxEstimateDirectStepMemory);  // no matrix of rows by rows
+}
+
+void dxStepOnThisThread(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper, unsigned worker) {
+    dxStepSpan::beginSearch();  // which is over: what follows is the step that is seen
+    dxStepCall call = makeCall(world, info, stepSize, stepper);
+    dxStepSpan span(world, call.count);
+    if (call.kind == dxStepperKind::Iterative) call.iterativeWorld = beginIteratively(world, info, stepSize);
+    dxSerialStep(call, worker).stepIslands(dxIslandCursor(info), call.count);
+    span.setReason([](unsigned) { return dODE_MT_REASON_WORLDS; });
 }
 
 bool dxStepIslands(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper,
@@ -66,7 +83,7 @@ bool dxStepIslands(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal 
         return dxIslandStepper::stepByPosting(world, info, stepSize, stepper, maxCallCountEstimator);
     }
     if (!dxWorldWorkers::prepare(world)) return false;
-    dxStepCall call{world, info, stepSize, dxIslandStepper::kindOf(world, stepper), static_cast<unsigned>(info.GetIslandsCount())};
+    dxStepCall call = makeCall(world, info, stepSize, stepper);
     if (call.kind == dxStepperKind::Iterative) call.iterativeWorld = beginIteratively(world, info, stepSize);
     dxStepPlan plan = dxPlanStep(call);
     if (plan.isMeasured)

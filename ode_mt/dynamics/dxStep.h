@@ -14,6 +14,11 @@
 // the stepper that the world's solver comes to.
 bool dxPrepareStepIslands(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate);
 
+// One of many worlds (dxStepWorlds): the islands are searched for, and then stepped, on the calling thread, which may be a worker. Random
+// numbers come from the scope in force. Requires a world in whose step no code of the user's runs.
+bool dxPrepareWorldIslands(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate);
+void dxStepOnThisThread(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper, unsigned worker);
+
 // Seam: upstream's dWorldStep and dWorldQuickStep call this instead of dxProcessIslands. Returns false if a threading
 // implementation of the user's refuses its resources; no body has moved then.
 bool dxStepIslands(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper,

@@ -8,7 +8,7 @@
 namespace {
 
 // In the order of the enumeration.
-constexpr std::array<const char *, 21> kTexts = {
+constexpr std::array<const char *, 22> kTexts = {
     "several threads took part",
     "there was nothing to do",
     "the number of threads is 0 or 1",
@@ -30,8 +30,9 @@ constexpr std::array<const char *, 21> kTexts = {
     "the callback policy is \"serial\"",
     "few pairs, or most of them share bodies",
     "joints of one of the first islands share a feedback structure with those of another",
+    "it was stepped beside other worlds, as a whole by one thread",
 };
-static_assert(kTexts.size() == dODE_MT_REASON_FEEDBACK + 1, "a text for each reason");
+static_assert(kTexts.size() == dODE_MT_REASON_WORLDS + 1, "a text for each reason");
 
 }  // namespace
 

@@ -14,6 +14,9 @@
 #include "core/dxNoIndex.h"
 
 enum class dxParallelStage : unsigned char {
+    WorldSurvey,       // code of the user's in each of many worlds: dxWorldRuns
+    WorldPreparation,  // their islands: dxStepWorlds
+    Worlds,            // worlds side by side
     IslandSurvey,      // what a step looks at in each island first: dxStep
     Islands,           // islands side by side
     Boxes,             // bounding boxes of a space that is made ready: dxOrderedSpace
@@ -45,7 +48,7 @@ public:
 
     // In the order of the enumeration.
     static constexpr std::array<const char *, kCount> kNames = {
-        "island survey", "islands", "boxes", "cell-grid pairs", "Verlet changes", "Verlet candidates", "pair keys",
+        "world survey", "world preparation", "worlds", "island survey", "islands", "boxes", "cell-grid pairs", "Verlet changes", "Verlet candidates", "pair keys",
         "kept pair keys", "narrow-phase prefetch", "callbacks", "bodies", "joints", "right-hand sides", "rows",
         "SOR plan", "SOR sweep", "colored sweeps", "motion", "body space", "panel solve", "transposed solve",
         "sparse products"};

@@ -1,7 +1,10 @@
 #include "additions.h"
 #include "scenario_scene.h"
 
+#include <dlfcn.h>
+
 #include <cstdlib>
+#include <vector>
 
 namespace exactness {
 
@@ -21,7 +24,7 @@ public:
         addParts([&](int part, Vector3 origin) { addStack(worlds[part % worlds.size()], origin); }, 24);
     }
 
-private:
+protected:
     void addStack(dWorldID where, Vector3 origin) {
         for (int i = 0; i < 5; ++i) {
             const dBodyID body =
@@ -30,6 +33,25 @@ private:
             dGeomSetBody(box, body);
             add(box);
         }
+    }
+};
+
+// More of them, which ODE_MT steps in one call.
+class Together : public SeveralWorlds {
+public:
+    explicit Together(Stepper stepper) : SeveralWorlds(stepper) {
+        for (int i = 0; i < 9; ++i) {
+            dWorldSetQuickStepNumIterations(addWorld(), 9 + i);
+            addStack(m_inventory.worlds.back(), {dReal(30) + 3 * i, 0, 0});
+        }
+    }
+
+    void step() override {
+        using StepWorlds = int(const dWorldID *, int, const char *, dReal);
+        const auto together = reinterpret_cast<StepWorlds *>(dlsym(RTLD_DEFAULT, "dODE_MT_StepWorlds"));
+        if (together == nullptr) return SeveralWorlds::step();
+        const std::vector<dWorldID> &worlds = m_inventory.worlds;
+        together(worlds.data(), static_cast<int>(worlds.size()), stepper() == Stepper::World ? "step" : "quick", m_stepSize);
     }
 };
 
@@ -103,6 +125,8 @@ int UserMemory::blocksInUse = 0;
 
 void addSeveralWorlds(Catalogue &catalogue) {
     catalogue.push_back({"several_worlds", "three worlds in one space", 70, make<SeveralWorlds>()});
+    catalogue.push_back({"several_worlds/together", "twelve worlds in one space, stepped in one call", 70, make<Together>(),
+                         "each world is stepped by one thread"});
     catalogue.push_back(
         {"several_worlds/shared_memory", "three worlds that share working memory", 70, make<SharedMemory>()});
     catalogue.push_back({"several_worlds/user_memory", "working memory from the user, calls in order", 70,
