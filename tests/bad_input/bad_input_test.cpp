@@ -81,6 +81,7 @@ const std::map<std::string, std::string> kNullAnswers{
      " message 0 \"ODE_MT: a threading implementation without functions (NULL)\" returns"},
     {"dODE_MT_SetThreadingImplementation(ones, NULL)",
      " message 0 \"ODE_MT: a threading implementation without implementation (NULL)\" returns"},
+    {"dODE_MT_StepWorlds(worlds, 1, NULL, 0.5)", " message 0 \"ODE_MT: no stepper '(null)'; known: step, quick\" returns"},
     {"dODE_MT_SetWorkerName(NULL)", " returns"},
     {"dODE_MT_SetWorkerAffinity(NULL, 1)", " message 0 \"ODE_MT: no list of 1 processors (NULL); known: 0 to 1024\" returns"},
     {"dODE_MT_SetWorkerPriority(NULL, 1)", " returns"},

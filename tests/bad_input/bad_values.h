@@ -112,9 +112,18 @@ struct Values<const dMass *> {
 };
 template <>
 struct Values<const char *> {
+    static auto all(const std::string &function) {
+        std::vector<Value<const char *>> values{{"text", "x"}, {"NULL", nullptr}, {"nothing", ""}, {"format", "%s%n"}};
+        if (function == "dODE_MT_StepWorlds") values.insert(values.begin(), {"quick", "quick"});
+        return values;
+    }
+};
+// A list of one world; in a longer one it stands twice.
+template <>
+struct Values<const dWorldID *> {
     static auto all(const std::string &) {
-        return std::vector<Value<const char *>>{
-            {"text", "x"}, {"NULL", nullptr}, {"nothing", ""}, {"format", "%s%n"}};
+        static const dWorldID worlds[] = {scene->world, scene->world}, none[] = {nullptr, nullptr};
+        return std::vector<Value<const dWorldID *>>{{"worlds", worlds}, {"NULL", nullptr}, {"zeros", none}};
     }
 };
 

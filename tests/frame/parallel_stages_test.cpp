@@ -4,6 +4,7 @@
 #include <ode/ode.h>
 
 #include <chrono>
+#include <memory>
 #include <ostream>
 #include <string>
 #include <thread>
@@ -35,6 +36,16 @@ struct Scene {
 
 void playChains() { ChainWorld(64, 8).step(3); }
 
+void playWorlds() {
+    std::vector<std::unique_ptr<ChainWorld>> chains;
+    std::vector<dWorldID> worlds;
+    for (int i = 0; i < 100; ++i) {
+        chains.push_back(std::make_unique<ChainWorld>(2, 3));
+        worlds.push_back(chains.back()->world());
+    }
+    for (int frame = 0; frame < 3; ++frame) dODE_MT_StepWorlds(worlds.data(), 100, "quick", REAL(0.01));
+}
+
 void playHeap() {
     HeapWorld heap(dHashSpaceCreate(nullptr));
     for (int frame = 0; frame < 3; ++frame) {
@@ -62,6 +73,7 @@ void playPacked(int columns, int rows, dWorldStepFunction *stepper, const char *
 
 const Scene kScenes[] = {
     {"Chains", playChains, {Stage::IslandSurvey, Stage::Islands}},
+    {"Worlds", playWorlds, {Stage::WorldSurvey, Stage::WorldPreparation, Stage::Worlds}},
     {"Heap",
      playHeap,
      {Stage::Boxes, Stage::CellGridPairs, Stage::VerletChanges, Stage::VerletCandidates}},

@@ -356,10 +356,10 @@ TEST_F(WorldStatistics, ReasonsOfTheCollision) {
 
 TEST_F(WorldStatistics, EachReasonHasATextOfItsOwn) {
     std::set<std::string> texts;
-    for (int reason = 0; reason <= dODE_MT_REASON_FEEDBACK; ++reason) texts.insert(dODE_MT_GetReasonText(reason));
-    EXPECT_EQ(texts.size(), dODE_MT_REASON_FEEDBACK + 1u);
+    for (int reason = 0; reason <= dODE_MT_REASON_WORLDS; ++reason) texts.insert(dODE_MT_GetReasonText(reason));
+    EXPECT_EQ(texts.size(), dODE_MT_REASON_WORLDS + 1u);
     EXPECT_EQ(texts.count("unknown reason"), 0u);
-    for (const int reason : {-1, dODE_MT_REASON_FEEDBACK + 1, 0x7fffffff}) EXPECT_STREQ(dODE_MT_GetReasonText(reason), "unknown reason");
+    for (const int reason : {-1, dODE_MT_REASON_WORLDS + 1, 0x7fffffff}) EXPECT_STREQ(dODE_MT_GetReasonText(reason), "unknown reason");
 }
 
 TEST_F(WorldStatistics, ANewWorldInTheSamePlaceBeginsAnew) {

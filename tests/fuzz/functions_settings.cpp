@@ -92,6 +92,14 @@ void addOwnThreads(std::vector<Function> &all, const char *name, ObjectKind kind
 
 // On the other library they are replaced by the calls that they stand for.
 void addFrames(std::vector<Function> &all) {
+    byHand(all, "dODE_MT_StepWorlds",
+           {object(ObjectKind::world), object(ObjectKind::world), number(Meaning::time), number(Meaning::flag)},
+           [](Player &player, const Arguments &arguments, Reference &) {
+               const auto first = get<dWorldID>(player, arguments[0]), second = get<dWorldID>(player, arguments[1]);
+               if (first == nullptr || second == nullptr || first == second) return false;
+               player.stepTogether(first, second, real(arguments[2]), whole(arguments[3]) != 0);
+               return true;
+           }, 4);
     for (const bool stepsFirst : {false, true})
         byHand(all, stepsFirst ? "dWorldStepAndSpaceCollide" : "dSpaceCollideAndWorldStep",
                {object(ObjectKind::space), object(ObjectKind::world), number(Meaning::time), number(Meaning::flag)},

@@ -422,6 +422,16 @@ void Player::playFrame(dSpaceID space, dWorldID world, dReal size, bool quick, b
     look(false);
 }
 
+// Two worlds in one call; on the other library by the calls that it stands for.
+void Player::stepTogether(dWorldID first, dWorldID second, dReal size, bool quick) {
+    const dWorldID worlds[] = {first, second};
+    if (const auto together = functionOfOurs<int, const dWorldID *, int, const char *, dReal>("dODE_MT_StepWorlds"))
+        together(worlds, 2, quick ? "quick" : "step", size);
+    else
+        for (const dWorldID world : worlds) (quick ? dWorldQuickStep : dWorldStep)(world, size);
+    look(false);
+}
+
 void Player::moved(dBodyID body) {
     s_player->m_trace.word("moved");
     s_player->m_trace.object(body);

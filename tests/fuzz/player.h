@@ -65,6 +65,7 @@ public:
     void collide2(dGeomID a, dGeomID b);
     void step(dWorldID world, dReal size, bool quick);
     // A call of ODE_MT's for both.
+    void stepTogether(dWorldID first, dWorldID second, dReal size, bool quick);
     void playFrame(dSpaceID space, dWorldID world, dReal size, bool quick, bool stepsFirst);
     void emptyContacts();
     void tellContacts(dGeomID a, dGeomID b, int most, bool unimportant);

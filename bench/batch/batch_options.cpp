@@ -1,0 +1,54 @@
+#include "batch/batch_options.h"
+
+#include "error_output.h"
+#include "number_range.h"
+
+#include <sched.h>
+
+#include <CLI/CLI.hpp>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace batch {
+
+namespace {
+
+// Those that this process may use.
+unsigned processors() {
+    cpu_set_t set;
+    return sched_getaffinity(0, sizeof set, &set) == 0 ? static_cast<unsigned>(CPU_COUNT(&set)) : 1;
+}
+
+}  // namespace
+
+std::string readFile(const std::string &file) {
+    errno = 0;
+    std::ifstream stream(file, std::ios::binary);
+    std::string text(std::istreambuf_iterator<char>(stream), {});
+    if (!stream || stream.bad()) throw std::runtime_error(file + ": " + (errno != 0 ? std::strerror(errno) : "cannot be read"));
+    return text;
+}
+
+std::optional<BatchOptions> readBatchOptions(int argc, const char *const *argv, int &exitCode) {
+    BatchOptions options;
+    CLI::App app("Runs the worlds of a plan, and writes what comes out into an SQLite file, one row a run.", "odemt_batch");
+    app.add_option("plan", options.planFile, "JSON file (docs/batch.md)")->required();
+    app.add_option("-o,--output", options.output, "SQLite file; the plan's name with .sqlite if it is not given");
+    app.add_option("-j,--workers,--threads", options.workers, "worlds that run at the same time, on each rank of MPI; 0: one for each processor that the process may use")
+        ->capture_default_str()
+        ->check(bench::wholeNumberIn(0, 1024));
+    app.add_flag("--resume", options.isResumed, "go on with the output of a batch that has ended early, if there is one");
+    app.add_flag("--list", options.lists, "print the runs, one JSON object a line, and run nothing");
+    app.add_flag("--quiet", options.isQuiet, "say nothing while it runs");
+    if (!bench::readCommandLine(app, [&] { app.parse(argc, argv); }, exitCode)) return std::nullopt;
+    if (options.output.empty()) options.output = std::filesystem::path(options.planFile).replace_extension(".sqlite").string();
+    if (options.workers == 0) options.workers = processors();
+    return options;
+}
+
+}  // namespace batch

@@ -1,0 +1,189 @@
+#include "batch/store.h"
+
+#include <fcntl.h>
+#include <sqlite3.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+
+namespace batch {
+
+namespace {
+
+enum StatementIndex { kRuns, kSeries, kStates, kTimes };
+
+// Tables of another layout are not gone on with.
+constexpr const char *kLayout = "1";
+
+std::string quoted(const std::string &name) {
+    std::string text = "\"";
+    for (const char letter : name) text += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+    return text + "\"";
+}
+
+void bind(sqlite3_stmt *statement, int place, const Json &value) {
+    if (value.is_number_integer())
+        sqlite3_bind_int64(statement, place, value.get<sqlite3_int64>());
+    else if (value.is_number())
+        sqlite3_bind_double(statement, place, value.get<double>());
+    else if (value.is_boolean())
+        sqlite3_bind_int64(statement, place, value.get<bool>() ? 1 : 0);
+    else if (value == "inf" || value == "-inf")
+        sqlite3_bind_double(statement, place, value == "inf" ? HUGE_VAL : -HUGE_VAL);
+    else if (value.is_string())
+        sqlite3_bind_text(statement, place, value.get_ref<const std::string &>().c_str(), -1, SQLITE_TRANSIENT);
+    else
+        sqlite3_bind_null(statement, place);
+}
+
+std::string places(std::size_t count) {
+    std::string text = "?";
+    for (std::size_t i = 1; i < count; ++i) text += ",?";
+    return "(" + text + ")";
+}
+
+}  // namespace
+
+// FILE-lock: locked, not merely there, so that it hinders nobody after a kill.
+class Store::Lock {
+public:
+    explicit Lock(const std::string &file) : m_name(file + "-lock"), m_file(open(m_name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+        if (m_file < 0) throw std::runtime_error(m_name + ": " + std::strerror(errno));
+        if (flock(m_file, LOCK_EX | LOCK_NB) == 0) return;
+        ::close(m_file);
+        throw std::runtime_error(file + ": another odemt_batch writes to it");
+    }
+    ~Lock() {
+        unlink(m_name.c_str());
+        ::close(m_file);
+    }
+    Lock(const Lock &) = delete;
+    Lock &operator=(const Lock &) = delete;
+
+private:
+    std::string m_name;
+    int m_file;
+};
+
+Store::Store(const std::string &file, const Plan &plan, Begin begin) : m_file(file), m_plan(plan) {
+    m_lock = std::make_unique<Lock>(file);
+    const bool isThere = access(file.c_str(), F_OK) == 0;
+    if (isThere && begin == Begin::New) throw std::runtime_error(file + ": exists; --resume goes on with it");
+    if (sqlite3_open_v2(file.c_str(), &m_database, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr) != SQLITE_OK) fail();
+    sqlite3_busy_timeout(m_database, 60000);  // ms: a reader may hold a lock for a moment
+    // What a kill leaves is whole with NORMAL, too; a power cut may cost the last transactions.
+    execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
+    createTables();
+    checkPlan();
+    m_statements.push_back(prepare("INSERT OR IGNORE INTO runs VALUES " + places(8 + plan.parameters.size() + plan.observables.size())));
+    m_statements.push_back(prepare("INSERT OR IGNORE INTO series VALUES " + places(4 + plan.series.size())));
+    m_statements.push_back(prepare("INSERT OR IGNORE INTO states VALUES " + places(16)));
+    m_statements.push_back(prepare("INSERT OR REPLACE INTO times VALUES " + places(6)));
+}
+
+Store::~Store() {
+    m_statements.clear();
+    if (m_database != nullptr) sqlite3_close(m_database);
+}
+
+void Store::close() {
+    m_statements.clear();
+    if (sqlite3_close(m_database) != SQLITE_OK) fail();
+    m_database = nullptr;
+}
+
+void Store::fail() const {
+    throw std::runtime_error(m_file + ": " + (m_database != nullptr ? sqlite3_errmsg(m_database) : "too little memory"));
+}
+
+void Store::execute(const std::string &sql) const {
+    if (sqlite3_exec(m_database, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) fail();
+}
+
+Store::Statement Store::prepare(const std::string &sql) const {
+    sqlite3_stmt *statement = nullptr;
+    if (sqlite3_prepare_v2(m_database, sql.c_str(), -1, &statement, nullptr) != SQLITE_OK) fail();
+    return {statement, sqlite3_finalize};
+}
+
+void Store::step(sqlite3_stmt *statement) const {
+    if (sqlite3_step(statement) != SQLITE_DONE) fail();
+    sqlite3_reset(statement);
+}
+
+void Store::createTables() {
+    std::string parameters, observables, series;
+    for (const Parameter &parameter : m_plan.parameters) parameters += ", " + quoted(parameter.name);
+    for (const Observable &observable : m_plan.observables) observables += ", " + quoted(observable.name);
+    for (const Observable &observable : m_plan.series) series += ", " + quoted(observable.name);
+    execute("BEGIN IMMEDIATE;"
+            "CREATE TABLE IF NOT EXISTS plan (key TEXT PRIMARY KEY, value TEXT);"
+            "CREATE TABLE IF NOT EXISTS runs (run INTEGER PRIMARY KEY, world TEXT" + parameters +
+            ", seed INTEGER, status TEXT, message TEXT, frames INTEGER, time REAL, hash TEXT" + observables + ");"
+            "CREATE TABLE IF NOT EXISTS series (run INTEGER, frame INTEGER, time REAL, hash TEXT" + series + ", PRIMARY KEY (run, frame)) WITHOUT ROWID;"
+            "CREATE TABLE IF NOT EXISTS states (run INTEGER, frame INTEGER, body INTEGER, x REAL, y REAL, z REAL, qw REAL, qx REAL, qy REAL, qz REAL,"
+            " vx REAL, vy REAL, vz REAL, wx REAL, wy REAL, wz REAL, PRIMARY KEY (run, frame, body)) WITHOUT ROWID;"
+            "CREATE TABLE IF NOT EXISTS times (run INTEGER PRIMARY KEY, seconds REAL, mean_ms REAL, max_ms REAL, rank INTEGER, worker INTEGER);"
+            "INSERT OR IGNORE INTO plan VALUES ('layout', '" + std::string(kLayout) + "'), ('fingerprint', '" + m_plan.fingerprint + "');"
+            "COMMIT");
+    const Statement text = prepare("INSERT OR IGNORE INTO plan VALUES ('plan', ?)");
+    sqlite3_bind_text(text.get(), 1, m_plan.text.c_str(), -1, SQLITE_STATIC);
+    step(text.get());
+}
+
+void Store::checkPlan() const {
+    const Statement statement = prepare("SELECT value FROM plan WHERE key IN ('layout', 'fingerprint') ORDER BY key");
+    std::vector<std::string> values;
+    while (sqlite3_step(statement.get()) == SQLITE_ROW) values.emplace_back(reinterpret_cast<const char *>(sqlite3_column_text(statement.get(), 0)));
+    if (values != std::vector<std::string>{m_plan.fingerprint, kLayout})
+        throw std::runtime_error(m_file + ": is the table of another plan, or worlds of the plan have changed");
+}
+
+std::vector<bool> Store::done() const {
+    std::vector<bool> done(static_cast<std::size_t>(m_plan.count()));
+    const Statement statement = prepare("SELECT run FROM runs");
+    while (sqlite3_step(statement.get()) == SQLITE_ROW) {
+        const auto run = static_cast<std::size_t>(sqlite3_column_int64(statement.get(), 0));
+        if (run < done.size()) done[run] = true;
+    }
+    return done;
+}
+
+void Store::writeRows(sqlite3_stmt *statement, long run, const Json &rows) {
+    for (const Json &row : rows) {
+        sqlite3_bind_int64(statement, 1, run);
+        for (std::size_t i = 0; i < row.size(); ++i) bind(statement, static_cast<int>(i) + 2, row[i]);
+        step(statement);
+    }
+}
+
+void Store::writeLine(const Json &line) {
+    const Run run = m_plan.run(line.at("run").get<long>());
+    std::vector<Json> values{run.number, run.world};
+    for (const auto &[name, value] : run.values) values.push_back(value);
+    values.insert(values.end(), {run.seed, line.at("status"), line.value("message", Json()), line.value("frames", Json()), line.value("time", Json()),
+                                 line.value("hash", Json())});
+    const Json observed = line.value("values", Json::array());
+    for (std::size_t i = 0; i < m_plan.observables.size(); ++i) values.push_back(i < observed.size() ? observed[i] : Json());
+    sqlite3_stmt *const runs = m_statements[kRuns].get();
+    for (std::size_t i = 0; i < values.size(); ++i) bind(runs, static_cast<int>(i) + 1, values[i]);
+    step(runs);
+    writeRows(m_statements[kSeries].get(), run.number, line.value("series", Json::array()));
+    writeRows(m_statements[kStates].get(), run.number, line.value("states", Json::array()));
+    const Json times = {{line.value("seconds", Json()), line.value("mean_ms", Json()), line.value("max_ms", Json()), line.value("rank", Json(0)),
+                         line.value("worker", Json())}};
+    writeRows(m_statements[kTimes].get(), run.number, times);
+}
+
+void Store::write(const std::vector<Json> &lines) {
+    if (lines.empty()) return;
+    execute("BEGIN IMMEDIATE");
+    for (const Json &line : lines) writeLine(line);
+    execute("COMMIT");
+}
+
+}  // namespace batch

@@ -1,0 +1,195 @@
+#include "batch/workers.h"
+
+#include "batch/world_run.h"
+
+#include <fcntl.h>
+#include <ode/ode.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdarg>
+#include <cstdio>
+#include <cstring>
+#include <iostream>
+#include <stdexcept>
+
+namespace batch {
+
+namespace {
+
+// One in progress and one that waits, so that a worker never waits for its parent.
+constexpr std::size_t kRunsAtWorker = 2;
+
+// A run during which so many workers were killed is not given to another.
+constexpr unsigned kMaxKills = 5;
+
+bool writeAll(int file, const std::string &text) {
+    for (std::size_t done = 0; done < text.size();) {
+        const ssize_t count = write(file, text.data() + done, text.size() - done);
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) return false;
+        done += static_cast<std::size_t>(count);
+    }
+    return true;
+}
+
+// --- in the worker -----------------------------------------------------------------------------------------------
+
+int answerFile = -1;
+long runInProgress = -1;
+
+void answer(Json line) {
+    if (!writeAll(answerFile, line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n")) _exit(0);  // the parent is gone
+}
+
+// Of ODE: what it was in the midst of cannot be left in another way.
+void endByError(int, const char *format, va_list arguments) {
+    char text[1000];
+    std::vsnprintf(text, sizeof text, format, arguments);
+    answer(failedRun(runInProgress, text));
+    _exit(1);
+}
+
+void ignoreMessage(int, const char *, va_list) {}
+
+[[noreturn]] void work(const Plan &plan, int commands) {
+    dInitODE2(0);
+    dSetErrorHandler(endByError);
+    dSetDebugHandler(endByError);
+    dSetMessageHandler(ignoreMessage);
+    std::FILE *const input = fdopen(commands, "r");
+    for (long number; input != nullptr && std::fscanf(input, "%ld", &number) == 1;) {
+        runInProgress = number;
+        using Clock = std::chrono::steady_clock;
+        const Clock::time_point begin = Clock::now();
+        Json line = runWorld(plan, plan.run(number));
+        line["seconds"] = std::chrono::duration<double>(Clock::now() - begin).count();
+        answer(std::move(line));
+    }
+    _exit(0);
+}
+
+}  // namespace
+
+Workers::Workers(const Plan &plan, unsigned count) : m_plan(plan), m_workers(count) {
+    for (Worker &worker : m_workers) start(worker);
+}
+
+Workers::~Workers() {
+    for (Worker &worker : m_workers) {
+        if (worker.process < 0) continue;
+        close(worker.commands);
+        close(worker.answers);
+        kill(worker.process, SIGKILL);
+        waitpid(worker.process, nullptr, 0);
+    }
+}
+
+void Workers::start(Worker &worker) {
+    int commands[2], answers[2];
+    if (pipe2(commands, O_CLOEXEC) != 0) throw std::runtime_error(std::string("cannot start a worker: ") + std::strerror(errno));
+    if (pipe2(answers, O_CLOEXEC) != 0) {
+        close(commands[0]);
+        close(commands[1]);
+        throw std::runtime_error(std::string("cannot start a worker: ") + std::strerror(errno));
+    }
+    const pid_t parent = getpid();
+    worker.process = fork();
+    if (worker.process == 0) {
+        prctl(PR_SET_PDEATHSIG, SIGKILL);
+        if (getppid() != parent) _exit(0);
+        for (const Worker &other : m_workers) {
+            if (other.commands >= 0) close(other.commands);
+            if (other.answers >= 0) close(other.answers);
+        }
+        close(commands[1]);
+        close(answers[0]);
+        answerFile = answers[1];
+        work(m_plan, commands[0]);
+    }
+    const int error = errno;
+    close(commands[0]);
+    close(answers[1]);
+    worker.commands = commands[1];
+    worker.answers = answers[0];
+    if (worker.process < 0) throw std::runtime_error(std::string("cannot start a worker: ") + std::strerror(error));
+}
+
+std::size_t Workers::outstanding() const {
+    std::size_t count = m_queue.size();
+    for (const Worker &worker : m_workers) count += worker.runs.size();
+    return count;
+}
+
+void Workers::give(const std::vector<long> &runs) {
+    m_queue.insert(m_queue.end(), runs.begin(), runs.end());
+    feed();
+}
+
+// First one each, then one that waits.
+void Workers::feed() {
+    for (std::size_t most = 1; most <= kRunsAtWorker; ++most)
+        for (Worker &worker : m_workers) {
+            if (m_queue.empty()) return;
+            if (worker.runs.size() >= most) continue;
+            worker.runs.push_back(m_queue.front());
+            m_queue.pop_front();
+            writeAll(worker.commands, std::to_string(worker.runs.back()) + "\n");  // a worker that is gone is seen by its answers' end
+        }
+}
+
+std::vector<Json> Workers::takeAnswers(int milliseconds) {
+    std::vector<pollfd> files;
+    for (const Worker &worker : m_workers) files.push_back({worker.answers, POLLIN, 0});
+    std::vector<Json> answers;
+    if (poll(files.data(), files.size(), milliseconds) <= 0) return answers;
+    for (unsigned i = 0; i < count(); ++i)
+        if (files[i].revents != 0) read(i, answers);
+    feed();
+    return answers;
+}
+
+void Workers::read(unsigned index, std::vector<Json> &answers) {
+    Worker &worker = m_workers[index];
+    char bytes[65536];
+    const ssize_t count = ::read(worker.answers, bytes, sizeof bytes);
+    if (count < 0 && errno == EINTR) return;
+    if (count <= 0) return replace(index, answers);
+    worker.text.append(bytes, static_cast<std::size_t>(count));
+    std::size_t begin = 0;
+    for (std::size_t end; (end = worker.text.find('\n', begin)) != std::string::npos; begin = end + 1) {
+        Json line = Json::parse(worker.text.begin() + static_cast<long>(begin), worker.text.begin() + static_cast<long>(end));
+        line["worker"] = index;
+        answers.push_back(std::move(line));
+        worker.runs.pop_front();
+        worker.kills = 0;
+    }
+    worker.text.erase(0, begin);
+}
+
+void Workers::replace(unsigned index, std::vector<Json> &answers) {
+    Worker &worker = m_workers[index];
+    close(worker.commands);
+    close(worker.answers);
+    int status = 0;
+    waitpid(worker.process, &status, 0);
+    worker.text.clear();
+    const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    const bool wasKilled = signal == SIGKILL || signal == SIGTERM;
+    const bool isFault = (signal != 0 && !wasKilled) || ++worker.kills >= kMaxKills;
+    if (isFault && !worker.runs.empty()) {
+        answers.push_back(failedRun(worker.runs.front(), "the worker ended by signal " + std::to_string(signal)));
+        worker.runs.pop_front();
+        worker.kills = 0;
+    }
+    start(worker);
+    for (const long run : worker.runs) writeAll(worker.commands, std::to_string(run) + "\n");
+}
+
+}  // namespace batch

@@ -1,0 +1,17 @@
+// Runs one world of a plan, on the calling thread, from its making to its end.
+//
+// The random sequence of ODE is set to the run's seed when the world has been made and perturbed, so that a run depends on nothing but the plan:
+// no other world may be stepped in the process meanwhile.
+#pragma once
+
+#include "batch/plan.h"
+
+namespace batch {
+
+// One line of JSON, as it goes from workers to the table (store.h). A run whose world cannot be made has the status "error" and says why.
+Json runWorld(const Plan &plan, const Run &run);
+
+// That of a run that has ended before it could answer.
+Json failedRun(long number, const std::string &message);
+
+}  // namespace batch
