@@ -73,6 +73,7 @@ private:
 
     std::vector<Json> takeAnswers() {
         std::vector<Json> answers = m_workers.takeAnswers(m_ranks != nullptr ? kPollRanks : kPollAlone);
+        for (Json &answer : answers) answer["rank"] = 0;
         m_sites[0].outstanding -= answers.size();
         if (m_ranks == nullptr) return answers;
         for (auto &[index, answer] : m_ranks->takeAnswers()) {

@@ -25,7 +25,7 @@ std::string quoted(const std::string &name) {
     return text + "\"";
 }
 
-void bind(sqlite3_stmt *statement, int place, const Json &value) {
+void bindValue(sqlite3_stmt *statement, int place, const Json &value) {
     if (value.is_number_integer())
         sqlite3_bind_int64(statement, place, value.get<sqlite3_int64>());
     else if (value.is_number())
@@ -156,27 +156,29 @@ std::vector<bool> Store::done() const {
 void Store::writeRows(sqlite3_stmt *statement, long run, const Json &rows) {
     for (const Json &row : rows) {
         sqlite3_bind_int64(statement, 1, run);
-        for (std::size_t i = 0; i < row.size(); ++i) bind(statement, static_cast<int>(i) + 2, row[i]);
+        for (std::size_t i = 0; i < row.size(); ++i) bindValue(statement, static_cast<int>(i) + 2, row[i]);
         step(statement);
     }
 }
 
 void Store::writeLine(const Json &line) {
     const Run run = m_plan.run(line.at("run").get<long>());
-    std::vector<Json> values{run.number, run.world};
+    Json values = Json::array();
+    values.push_back(run.number);
+    values.push_back(run.world);
     for (const auto &[name, value] : run.values) values.push_back(value);
-    values.insert(values.end(), {run.seed, line.at("status"), line.value("message", Json()), line.value("frames", Json()), line.value("time", Json()),
-                                 line.value("hash", Json())});
+    values.push_back(run.seed);
+    for (const char *const key : {"status", "message", "frames", "time", "hash"}) values.push_back(line.value(key, Json()));
     const Json observed = line.value("values", Json::array());
     for (std::size_t i = 0; i < m_plan.observables.size(); ++i) values.push_back(i < observed.size() ? observed[i] : Json());
     sqlite3_stmt *const runs = m_statements[kRuns].get();
-    for (std::size_t i = 0; i < values.size(); ++i) bind(runs, static_cast<int>(i) + 1, values[i]);
+    for (std::size_t i = 0; i < values.size(); ++i) bindValue(runs, static_cast<int>(i) + 1, values[i]);
     step(runs);
     writeRows(m_statements[kSeries].get(), run.number, line.value("series", Json::array()));
     writeRows(m_statements[kStates].get(), run.number, line.value("states", Json::array()));
-    const Json times = {{line.value("seconds", Json()), line.value("mean_ms", Json()), line.value("max_ms", Json()), line.value("rank", Json(0)),
-                         line.value("worker", Json())}};
-    writeRows(m_statements[kTimes].get(), run.number, times);
+    Json times = Json::array();
+    for (const char *const key : {"seconds", "mean_ms", "max_ms", "rank", "worker"}) times.push_back(line.value(key, Json()));
+    writeRows(m_statements[kTimes].get(), run.number, Json::array({times}));
 }
 
 void Store::write(const std::vector<Json> &lines) {
