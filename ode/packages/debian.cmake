@@ -163,7 +163,7 @@ endif()
 # --- programs, worlds, documentation ---------------------------------------------------------------
 if(_tools IN_LIST ODE_MT_DEBIAN_COMPONENTS)
     ode_mt_install_tools(${_tools} "${_lib}" EXCLUDE_FROM_ALL)
-    foreach(tool odemt_bench odemt_bench_child odemt_check odemt_info odemt_record odemt_report odemt_top)
+    foreach(tool odemt_batch odemt_bench odemt_bench_child odemt_check odemt_info odemt_record odemt_report odemt_top)
         install(FILES "${_out}/${tool}.1.gz" COMPONENT ${_tools} EXCLUDE_FROM_ALL DESTINATION share/man/man1)
     endforeach()
     ode_mt_describe(${_tools} SECTION science SHLIBDEPS ON DEPENDS "${_library} (= ${CPACK_PACKAGE_VERSION})"
@@ -174,7 +174,8 @@ scenes, odemt_record records what moves in them, odemt_report shows results and
 recordings as a page for a browser, and odemt_info shows which libode.so.8
 programs get and how it is set up. odemt_check runs a program on libode8 and on
 ODE_MT, and says whether it computes the same. odemt_top shows on a terminal how
-the frames of a running program go. The worlds of the bench are included.")
+the frames of a running program go. odemt_batch runs thousands of worlds into one
+table. The worlds of the bench are included.")
     foreach(folder docs examples)
         install(DIRECTORY "${PROJECT_SOURCE_DIR}/${folder}" COMPONENT ${_documentation} EXCLUDE_FROM_ALL
                 DESTINATION "share/doc/${_documentation}" PATTERN "docs/figures/data" EXCLUDE)
