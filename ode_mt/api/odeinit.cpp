@@ -17,6 +17,7 @@
 #include "dynamics/dxStepRecords.h"
 #include "dynamics/islands/dxLargeIslandWorkers.h"
 #include "dynamics/islands/dxWorkingMemory.h"
+#include "dynamics/remote/dxRemoteIslands.h"
 #include "dynamics/quickstep/sor/dxParallelSor.h"
 #include "seams/upstream.h"
 #include "settings/dxWorkers.h"
@@ -37,6 +38,7 @@ std::unique_lock<std::recursive_mutex> lockIfInitialised() {
 
 void countInitialisation() {
     if (++initialisations == 1) dxColliderTable::forget();
+    dxRemoteIslands::open();
 }
 
 void releaseWorkers() {
@@ -52,6 +54,7 @@ void releaseWorkers() {
 }
 
 __attribute__((destructor)) void unload() {
+    dxRemoteIslands::close();
     releaseWorkers();
     dxThreadTrimeshCache::unload();
     dxWorldStatistics::unload();

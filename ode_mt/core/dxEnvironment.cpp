@@ -30,6 +30,7 @@ constexpr Variable kVariables[] = {
     {"ODE_MT_ALGORITHM", "auto|serial|lcp|original|static|static-unmerged|duplication|decluster"},
     {"ODE_MT_HEURISTICS", "default|none|NAME,NAME..."},
     {"ODE_MT_GRID_CELLS", "n|auto"},
+    {"ODE_MT_WORKERS", "none|mpi|mpi:n"},
 };
 
 }  // namespace

@@ -5,10 +5,11 @@
 
 class dxStopwatch {
 public:
+    void restart() { m_start = Clock::now(); }
     double ns() const { return std::chrono::duration<double, std::nano>(Clock::now() - m_start).count(); }
 
 private:
     using Clock = std::chrono::steady_clock;
 
-    const Clock::time_point m_start = Clock::now();
+    Clock::time_point m_start = Clock::now();
 };

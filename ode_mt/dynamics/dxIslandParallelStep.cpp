@@ -40,10 +40,10 @@ void dxIslandParallelStep::run() {
         const dxWorldArena arena(m_call.world);
         m_records->workers[0].arena = arena.get();
         dxReserveRandomNumbers(m_call, *m_records);
-        dxWorkersRunner(m_plan.workers, m_call.world)
-            .forBlocks(dxParallelStage::Islands, static_cast<unsigned>(m_records->blocks.size()),
-                       [this](unsigned block, unsigned worker) { stepBlock(block, worker); });
+        runBlocks();
         stepRemainingIslands();
+        finishPostponed();
+        m_remote.reset();
         learn(stopwatch.ns());
         rest = commit();
     }
@@ -63,16 +63,32 @@ bool dxIslandParallelStep::prepare() try {
     m_records = dxStepRecords::borrow();
     dxPrepareIslands(m_call, m_plan.workers, *m_records);
     noteOrder();
+    if (m_plan.remoteShare > 0)
+        m_remote = std::make_unique<dxRemoteIslands>(m_call, *m_records, m_plan.remoteShare, m_plan.isRemoteForced);
     if (m_call.iterativeWorld != nullptr) m_call.iterativeWorld->provideSolvers(m_plan.workers);
     return true;
 } catch (const std::bad_alloc &) {
     return false;
 }
 
+// Blocks are begun in their order: first the problems that remote workers solve are made, then come the islands that stay, then what
+// the remote workers have to say.
+void dxIslandParallelStep::runBlocks() {
+    const unsigned made = m_remote ? m_remote->count() : 0, stepped = static_cast<unsigned>(m_records->blocks.size());
+    const unsigned finished = m_remote ? m_plan.workers : 0;
+    dxWorkersRunner(m_plan.workers, m_call.world)
+        .forBlocks(dxParallelStage::Islands, made + stepped + finished, [this, made, stepped](unsigned block, unsigned worker) {
+            if (block < made) return makeRemote(block, worker);
+            if (block < made + stepped) return stepBlock(block - made, worker);
+            finishRemote(worker);
+        });
+}
+
 void dxIslandParallelStep::stepBlock(unsigned block, unsigned worker) {
     const dxStopwatch stopwatch;
     const dxIslandBlock range = m_records->blocks[block];
-    for (unsigned i = range.begin; i < range.end; ++i) stepDeferred(m_records->order[i], worker);
+    for (unsigned i = range.begin; i < range.end; ++i)
+        if (!m_records->islands[m_records->order[i]].isRemote) stepDeferred(m_records->order[i], worker);
     m_records->workers[worker].busyNs += stopwatch.ns();
 }
 
@@ -81,20 +97,7 @@ void dxIslandParallelStep::stepDeferred(unsigned index, unsigned worker) {
     if (index > m_interrupted.load(std::memory_order_relaxed)) return;  // would be taken back
     dxIslandRecord &record = m_records->islands[index];
     dxWorkerRecord &own = m_records->workers[worker];
-    if (own.arena == nullptr) {
-        own.arena = dxWorkingMemory::take(m_records->workers[0].arena->GetMemorySize());
-        if (own.arena == nullptr) return;
-    }
-    record.worker = worker;
-    record.undoBegin = own.undo.mark();
-    try {
-        if (m_userHandlers) own.undo.save(record.island);
-    } catch (const std::bad_alloc &) {
-        return interruptAt(index);
-    }
-    record.undoEnd = own.undo.mark();
-    record.stepped = true;
-    ++own.islands;
+    if (!hasArena(worker) || !beginIsland(index, worker)) return;
     try {
         dxDeferredIsland scope(index, record.seed, m_userHandlers, own.reports);
         dxIslandStepper::step(m_call, record.island, own.arena);
@@ -103,6 +106,80 @@ void dxIslandParallelStep::stepDeferred(unsigned index, unsigned worker) {
         dxPerturb(dxSchedulePoint::InterruptIsland);
         interruptAt(index);
     }
+}
+
+// Returns false if there is no memory.
+bool dxIslandParallelStep::hasArena(unsigned worker) {
+    dxWorkerRecord &own = m_records->workers[worker];
+    if (own.arena == nullptr) own.arena = dxWorkingMemory::take(m_records->workers[0].arena->GetMemorySize());
+    return own.arena != nullptr;
+}
+
+// Saves what is needed to take the island back. Returns false, and interrupts the step there, without memory for it.
+bool dxIslandParallelStep::beginIsland(unsigned index, unsigned worker) {
+    dxIslandRecord &record = m_records->islands[index];
+    dxWorkerRecord &own = m_records->workers[worker];
+    record.worker = record.finisher = worker;
+    record.undoBegin = own.undo.mark();
+    try {
+        if (m_userHandlers) own.undo.save(record.island);
+    } catch (const std::bad_alloc &) {
+        interruptAt(index);
+        return false;
+    }
+    record.undoEnd = own.undo.mark();
+    record.stepped = true;
+    ++own.islands;
+    return true;
+}
+
+// --- islands that remote workers solve ------------------------------------------------------------------------
+
+void dxIslandParallelStep::makeRemote(unsigned entry, unsigned worker) {
+    const unsigned index = m_remote->islandOf(entry);
+    if (index > m_interrupted.load(std::memory_order_relaxed)) return m_remote->drop(entry);
+    if (!m_remote->prepare(entry)) {
+        m_remote->drop(entry);
+        return stepDeferred(index, worker);
+    }
+    if (!beginIsland(index, worker)) return m_remote->drop(entry);
+    try {
+        const dxDeferredIsland scope(index, m_records->islands[index].seed, m_userHandlers, m_records->workers[worker].reports);
+        m_remote->make(entry);
+    } catch (const dxUpstreamInterrupted &) {
+        interruptAt(index);
+    }
+}
+
+void dxIslandParallelStep::finishRemote(unsigned worker) {
+    unsigned entry = 0;
+    bool hasResult = false;
+    for (dxRemoteBytes result; m_remote->next(entry, result, hasResult);) {
+        if (hasResult || hasArena(worker))
+            finishRemote(entry, worker, result, hasResult);
+        else
+            m_remote->postpone(entry);
+    }
+}
+
+void dxIslandParallelStep::finishRemote(unsigned entry, unsigned worker, const dxRemoteBytes &result, bool hasResult) {
+    const unsigned index = m_remote->islandOf(entry);
+    if (index > m_interrupted.load(std::memory_order_relaxed)) return;  // would be taken back
+    dxIslandRecord &record = m_records->islands[index];
+    dxWorkerRecord &own = m_records->workers[worker];
+    record.finisher = worker;
+    try {
+        const dxDeferredIsland scope(index, record.seed, m_userHandlers, own.reports);
+        m_remote->finish(entry, result, hasResult, own.arena);
+        dxBodyWorkers::note(record.island, worker);
+    } catch (const dxUpstreamInterrupted &) {
+        interruptAt(index);
+    }
+}
+
+void dxIslandParallelStep::finishPostponed() {
+    for (unsigned entry = 0; m_remote && entry < m_remote->count(); ++entry)
+        if (m_remote->isPostponed(entry)) finishRemote(entry, 0, {}, false);
 }
 
 void dxIslandParallelStep::interruptAt(unsigned island) {
@@ -153,8 +230,13 @@ void dxIslandParallelStep::takeBack(unsigned begin) {
 // islands have any.
 void dxIslandParallelStep::deliverReports(unsigned island) const {
     if (island == m_call.count) return;
-    for (const dxKeptReport &report : m_records->workers[m_records->islands[island].worker].reports)
-        if (report.island == island) report.deliver();
+    const dxIslandRecord &record = m_records->islands[island];
+    const auto deliver = [this, island](unsigned worker) {
+        for (const dxKeptReport &report : m_records->workers[worker].reports)
+            if (report.island == island) report.deliver();
+    };
+    deliver(record.worker);
+    if (record.finisher != record.worker) deliver(record.finisher);
 }
 
 void dxIslandParallelStep::giveArenasBack() {
@@ -188,6 +270,7 @@ void dxIslandParallelStep::finishInOrder(unsigned begin) {
 }
 
 void dxIslandParallelStep::learn(double wallNs) const {
+    if (m_plan.remoteShare > 0) return;  // other processes were busy, too
     if (m_records->inOrderFrom != m_call.count || m_interrupted.load(std::memory_order_relaxed) != m_call.count) return;
     double busyNs = 0;
     for (const dxWorkerRecord &worker : m_records->workers) busyNs += worker.busyNs;

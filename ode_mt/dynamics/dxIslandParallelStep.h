@@ -3,8 +3,10 @@
 //
 //   dxPrepareIslands         WORKERS  callbacks of the user, rows, feedback; blocks for workers
 //   dxReserveRandomNumbers   caller   the block of the step, cut up among the islands
-//   stepBlock                WORKERS  each island, its messages and moved-notifications put off
-//   stepRemainingIslands            caller   islands for which a worker had no memory
+//   makeRemote               WORKERS  problems of islands that remote workers solve (dxRemoteIslands), if there are any
+//   stepBlock                WORKERS  each other island, its messages and moved-notifications put off
+//   finishRemote             WORKERS  results of remote workers, in the order in which they come
+//   stepRemainingIslands     caller   islands for which a worker had no memory
 //   commit                   caller   messages and notifications in upstream's order, up to the first island that cannot be
 //   finishInOrder            caller   the islands from that one on, as the serial strategy
 //
@@ -15,9 +17,11 @@
 #pragma once
 
 #include <atomic>
+#include <memory>
 
 #include "dynamics/dxStepRecords.h"
 #include "dynamics/dxStepStrategy.h"
+#include "dynamics/remote/dxRemoteIslands.h"
 
 class dxIslandParallelStep {
 public:
@@ -30,7 +34,14 @@ private:
     bool prepare();
     void noteOrder();
     void stepBlock(unsigned block, unsigned worker);  // workers
+    void runBlocks();
     void stepDeferred(unsigned index, unsigned worker);
+    bool hasArena(unsigned worker);
+    bool beginIsland(unsigned index, unsigned worker);
+    void makeRemote(unsigned entry, unsigned worker);  // workers
+    void finishRemote(unsigned worker);                // workers
+    void finishRemote(unsigned entry, unsigned worker, const dxRemoteBytes &result, bool hasResult);
+    void finishPostponed();
     void interruptAt(unsigned island);
     void stepRemainingIslands();
     unsigned commit();
@@ -44,5 +55,6 @@ private:
     dxStepPlan &m_plan;
     const bool m_userHandlers;  // an error, debug or message handler is installed
     dxStepRecords::Lease m_records;
+    std::unique_ptr<dxRemoteIslands> m_remote;  // null: all islands stay at home
     std::atomic<unsigned> m_interrupted;  // first island that has to be stepped again in order
 };

@@ -21,7 +21,9 @@ struct dxIslandRecord {
     std::uint32_t seed;  // the random sequence before the island's first draw
     bool inOrder;        // must be stepped on the calling thread, after all islands before it
     bool stepped;
-    unsigned worker;  // who stepped it
+    bool isRemote;      // dxRemoteIslands steps it
+    unsigned worker;    // who stepped it, or has made its problem
+    unsigned finisher;  // who applied the results
     dxUndoLog::Mark undoBegin, undoEnd;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <mutex>
 
+#include "dynamics/remote/dxRemoteIslands.h"
+#include "dynamics/remote/dxRemoteShare.h"
 #include "settings/dxOwnThreads.h"
 #include "settings/dxSettings.h"
 #include "settings/dxWorldWorkers.h"
@@ -24,6 +26,9 @@ constexpr double kMinExactShare = 0.9;
 // The direct solver's: its phases take some ten microseconds each.
 constexpr unsigned kMinDirectJoints = 250;
 
+// More islands are made ready than remote workers are predicted to solve: home takes what they do not.
+constexpr double kRemoteReserve = 1.25;
+
 // For a time per cost to be remembered like the time of a call: that of a step of one millisecond.
 constexpr double kCostOfReference = 1e6;
 
@@ -36,6 +41,13 @@ struct LargeIslandPolicy {
     dxSharingPolicy &of(dxStepperKind kind) { return policies[static_cast<int>(kind)]; }
 };
 dxProcessObject<LargeIslandPolicy> largeIslandPolicy;
+
+// Whether remote workers that are predicted to pay do, under auto.
+struct RemotePolicy {
+    std::mutex mutex;
+    dxSharingPolicy policy;
+};
+dxProcessObject<RemotePolicy> remotePolicy;
 
 // Upstream takes a negative number of iterations for one above two thousand million, and never returns from an island with
 // rows. It may never come to that island, though: one before it may report an error to a handler that leaves the step.
@@ -91,6 +103,9 @@ dxIslandCosts estimateCosts(const dxStepCall &call) {
         const double cost =
             dxCostModel::islandCost(call.kind, call.world->qs.num_iterations, island.bodyCount, island.jointCount);
         costs.total += cost;
+        costs.joints += island.jointCount;
+        costs.bodies += island.bodyCount;
+        ++costs.islands;
         costs.largest = std::max(costs.largest, cost);
         costs.maxJoints = std::max(costs.maxJoints, island.jointCount);
         costs.areOfAll = i + 1 == call.count;
@@ -131,21 +146,14 @@ unsigned chooseWorkers(const dxStepCall &call, const dxIslandCosts &costs, unsig
     return dxCostModel::instance().chooseWorkers(call.kind, costs.total, costs.largest, most);
 }
 
-}  // namespace
-
-dxStepPlan dxPlanStep(const dxStepCall &call) {
-    dxStepPlan plan;
-    const unsigned limit = mayUseWorkers(call, plan.reason) ? workerLimit(call.world, plan.reason) : 1;
-    if (limit < 2) return plan;
-    plan.isMeasured = true;
+void planThreads(const dxStepCall &call, dxStepPlan &plan, unsigned limit) {
     plan.minLargeJoints = minLargeJoints(call.kind);
-    plan.costs = estimateCosts(call);
     plan.hasLargeIsland = hasLargeIsland(call, plan, limit);
     if (plan.hasLargeIsland && isLargeIslandStepFaster(call.kind)) {
         plan.strategy = dxStepStrategy::LargeIsland;
         plan.reason = dODE_MT_REASON_LARGE_ISLAND;
         plan.workers = limit;
-        return plan;
+        return;
     }
     plan.workers = chooseWorkers(call, plan.costs, limit);
     if (plan.workers >= 2) {
@@ -156,6 +164,43 @@ dxStepPlan dxPlanStep(const dxStepCall &call) {
                       : plan.costs.areOfAll ? dODE_MT_REASON_COST
                                             : dODE_MT_REASON_MOVED_CALLBACK;
     }
+}
+
+// Requires remote workers.
+void planRemote(const dxStepCall &call, dxStepPlan &plan) {
+    if (dxSettings::instance().algorithm() != dxAlgorithm::Auto) {
+        plan.remoteShare = 1;
+        plan.isRemoteForced = true;
+    } else {
+        const double scale = dxCostModel::instance().scale(call.kind);
+        const dxRemoteWork work{plan.costs.total * scale, plan.costs.largest * scale, plan.costs.bodies, plan.costs.joints, plan.costs.islands};
+        const double share = dxPredictRemoteShare(work, plan.workers, dxRemoteWorkers::instance().capacity());
+        if (!(share > 0)) return;
+        const std::unique_lock<std::mutex> hold(remotePolicy->mutex, std::try_to_lock);
+        if (!hold) return;
+        plan.mayBeRemote = true;
+        if (!remotePolicy->policy.shouldShare()) return;
+        plan.remoteShare = std::min(kRemoteReserve * share, 1.0);
+    }
+    plan.strategy = dxStepStrategy::IslandParallel;
+}
+
+void recordRemoteTime(const dxStepPlan &plan, double ns) {
+    const std::unique_lock<std::mutex> hold(remotePolicy->mutex, std::try_to_lock);
+    if (hold) remotePolicy->policy.record(plan.remoteShare > 0, ns * kCostOfReference / plan.costs.total);
+}
+
+}  // namespace
+
+dxStepPlan dxPlanStep(const dxStepCall &call) {
+    dxStepPlan plan;
+    const unsigned limit = mayUseWorkers(call, plan.reason) ? workerLimit(call.world, plan.reason) : 1;
+    const bool mayBeRemote = dxRemoteIslands::mayHelp(call);
+    if (limit < 2 && !mayBeRemote) return plan;
+    plan.isMeasured = true;
+    plan.costs = estimateCosts(call);
+    if (limit >= 2) planThreads(call, plan, limit);
+    if (mayBeRemote && plan.strategy != dxStepStrategy::LargeIsland) planRemote(call, plan);
     return plan;
 }
 
@@ -173,4 +218,5 @@ void dxLearnFromStep(const dxStepCall &call, const dxStepPlan &plan, double ns) 
     if (plan.strategy == dxStepStrategy::Serial && plan.costs.areOfAll)
         dxCostModel::instance().learnSerial(call.kind, plan.costs.total, ns);
     if (plan.hasLargeIsland) recordLargeIslandTime(call, plan, ns);
+    if (plan.mayBeRemote) recordRemoteTime(plan, ns);
 }

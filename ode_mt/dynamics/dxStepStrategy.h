@@ -16,6 +16,7 @@ enum class dxStepStrategy { Serial, IslandParallel, LargeIsland };
 // Costs (dxCostModel) of the islands before the first one with a moved-callback.
 struct dxIslandCosts {
     double total = 0, largest = 0;
+    double joints = 0, bodies = 0, islands = 0;
     unsigned maxJoints = 0;
     bool areOfAll = false;  // there is no such callback
 };
@@ -26,6 +27,9 @@ struct dxStepPlan {
     unsigned minLargeJoints = 0;
     dxIslandCosts costs;
     dODE_MT_Reason reason = dODE_MT_REASON_PARALLEL;  // why it is Serial, or else is carried out by one thread if it is
+    double remoteShare = 0;       // of the cost, that remote workers are given; above 0 with IslandParallel only
+    bool isRemoteForced = false;  // by an algorithm that is asked for by name
+    bool mayBeRemote = false;     // both ways are possible
     bool isMeasured = false;      // its time is worth reading a clock
     bool hasLargeIsland = false;  // both LargeIsland and another strategy are possible
 };

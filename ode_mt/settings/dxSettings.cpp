@@ -80,6 +80,7 @@ dxSettings::dxSettings() : m_cores(dxCountProcessors()) {
     if (const char *text = dxEnvironment(dxVariable::Callbacks)) readCallbackPolicy(text);
     if (const char *text = dxEnvironment(dxVariable::Heuristics)) readHeuristics(text);
     if (const char *text = dxEnvironment(dxVariable::GridCells)) readGridCells(text);
+    if (const char *text = dxEnvironment(dxVariable::Workers)) readRemoteWorkers(text);
     dxLog(dxLogLevel::info, "threads %u of %u cores, algorithm %s, solver %s, callbacks %s, heuristics %s", threads(), cores(),
           algorithmName(), nameOfSolver(solver().solver), callbackPolicyName(), dxNamesOfHeuristics(heuristics()));
 }
@@ -193,6 +194,22 @@ void dxSettings::readGridCells(const char *text) {
     dxLog(dxLogLevel::warning,
           "ODE_MT_GRID_CELLS is '%.100s'; known: auto, or a number from %d to %d; %s is taken", text,
           dxMinGridCells, dxMaxGridCells, number == kTunedCells ? "auto" : std::to_string(number).c_str());
+}
+
+// The library of the transport "loopback" is not installed: its workers are threads of the process, for tests.
+void dxSettings::readRemoteWorkers(const char *text) {
+    if (std::strcmp(text, "none") == 0) return;
+    for (const char *const transport : {"mpi", "loopback"}) {
+        const std::size_t length = std::strlen(transport);
+        if (std::strncmp(text, transport, length) != 0) continue;
+        long long wanted = 0;
+        const bool isNumbered = text[length] == ':' && dxReadNumber(text + length + 1, 1, dxRemoteChoice::kMaxWorkers, wanted) == dxNumberText::InRange;
+        if (text[length] != '\0' && !isNumbered) continue;
+        m_remoteWorkers = {transport, static_cast<unsigned>(wanted)};
+        return;
+    }
+    dxLog(dxLogLevel::warning, "ODE_MT_WORKERS is '%.100s'; known: none, mpi, mpi:n with a number from 1 to %u; none is taken", text,
+          dxRemoteChoice::kMaxWorkers);
 }
 
 bool dxSettings::setGridCells(int cells) {

@@ -44,6 +44,14 @@ struct dxSolverChoice {
     bool isWarm = true;                    // steps begin with the forces of the last one
 };
 
+// What carries problems to workers that are other processes.
+struct dxRemoteChoice {
+    static constexpr unsigned kMaxWorkers = 1024;
+
+    const char *transport = nullptr;  // null: none
+    unsigned wanted = 0;              // workers to start; 0: those that are there
+};
+
 class dxSettings {
 public:
     static dxSettings &instance();
@@ -80,6 +88,9 @@ public:
     int gridCells() const { return m_gridCells.load(std::memory_order_relaxed); }
     bool setGridCells(int cells);  // false: too few or too many
 
+    // Only the environment says it, as processes are started before the program can.
+    const dxRemoteChoice &remoteWorkers() const { return m_remoteWorkers; }
+
     // Cores that this process may use, as of the last time that a number of threads was set.
     unsigned cores() const { return m_cores.load(std::memory_order_relaxed); }
 
@@ -98,6 +109,7 @@ private:
     bool chooseHeuristics(const std::string &names);
     void readGridCells(const char *text);
     bool chooseGridCells(int cells);
+    void readRemoteWorkers(const char *text);
 
     std::atomic<unsigned> m_threads{0};
     std::atomic<dxAlgorithm> m_algorithm{dxAlgorithm::Auto};
@@ -106,5 +118,6 @@ private:
     std::atomic<dxCallbackPolicy> m_callbackPolicy{dxCallbackPolicy::Serial};
     std::atomic<unsigned> m_heuristics{dxDefaultHeuristics};
     std::atomic<int> m_gridCells{0};
+    dxRemoteChoice m_remoteWorkers;
     std::atomic<unsigned> m_cores;
 };

@@ -19,8 +19,10 @@ MAY_INCLUDE = {
     "threading": ("core",),
     "settings": ("core", "threading"),
     "collision": ("core", "threading", "settings"),
-    "dynamics": ("core", "threading", "settings"),
+    "remote": ("core", "threading", "settings"),
+    "dynamics": ("core", "threading", "settings", "remote"),
     "clusters": ("core", "threading", "settings", "collision"),
+    "worker": ("core", "remote", "dynamics"),
     "api": ("core", "threading", "settings", "collision", "dynamics", "clusters"),
 }
 INCLUDE = re.compile(r'\s*#\s*include\s*"([^"]+)"')

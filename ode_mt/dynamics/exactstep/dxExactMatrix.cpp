@@ -18,10 +18,10 @@ static_assert(dxConstraintMatrixTask::kInverseMass == dV3E_PAD && sizeof(dxInver
 static_assert(int(dxJoint::GI2_RHS) == 0 && int(dxJoint::GI2_CFM) == 1 && int(dxJoint::GI2__RHS_CFM_MAX) == 2,
               "the kernel reads c/h and cfm/h");
 
-// v/h + inv(M) f of each body.
-const dReal *findMotions(const dxExactProblem &problem, dReal stepSize, dxWorldProcessMemArena &arena) {
+}  // namespace
+
+void dxFindMotions(const dxExactProblem &problem, dReal stepSize, dReal *motions) {
     const dReal framesPerSecond = dRecip(stepSize);
-    dReal *const motions = arena.AllocateArray<dReal>(std::size_t(problem.bodyCount) * kElements);
     dReal *motion = motions;
     for (unsigned i = 0; i < problem.bodyCount; ++i, motion += kElements) {
         const dxBody &body = *problem.bodies[i];
@@ -33,12 +33,9 @@ const dReal *findMotions(const dxExactProblem &problem, dReal stepSize, dxWorldP
             motion[dDA__A_MIN + axis] += body.avel[axis] * framesPerSecond;
         inverseInertia[dxConstraintMatrixTask::kInverseMass] = body.invMass;
     }
-    return motions;
 }
 
-// The joints, by numbers of bodies.
-const dxConstraintJoint *listJoints(const dxExactProblem &problem, dxWorldProcessMemArena &arena) {
-    dxConstraintJoint *const list = arena.AllocateArray<dxConstraintJoint>(problem.jointCount);
+void dxListConstraintJoints(const dxExactProblem &problem, dxConstraintJoint *list) {
     for (unsigned i = 0; i < problem.jointCount; ++i) {
         const dxExactJoint &joint = problem.joints[i];
         const dxBody *const second = joint.joint->node[dJCB_SECOND_BODY].body;
@@ -46,22 +43,23 @@ const dxConstraintJoint *listJoints(const dxExactProblem &problem, dxWorldProces
                    {static_cast<unsigned>(joint.joint->node[dJCB_FIRST_BODY].body->tag),
                     second != nullptr ? static_cast<unsigned>(second->tag) : dxConstraintJoint::kNoBody}};
     }
-    return list;
 }
-
-}  // namespace
 
 dReal *dxMakeMatrix(const dxIslandStep &step, const dxExactProblem &problem) {
     dxWorldProcessMemArena &arena = *step.arena;
     const std::size_t rows = problem.rowCount;
     dReal *const matrix = arena.AllocateOveralignedArray<dReal>(rows * dPAD(rows), kMatrixAlignment);
     void *const state = arena.SaveState();
+    dxConstraintJoint *const joints = arena.AllocateArray<dxConstraintJoint>(problem.jointCount);
+    dxListConstraintJoints(problem, joints);
+    dReal *const motions = arena.AllocateArray<dReal>(std::size_t(problem.bodyCount) * kElements);
+    dxFindMotions(problem, step.stepSize, motions);
     dxConstraintMatrixTask task;
-    task.joints = listJoints(problem, arena);
+    task.joints = joints;
     task.jointCount = problem.jointCount;
     task.jacobian = problem.jacobian;
     task.inverseInertia = problem.inverseInertia->tensor;
-    task.motions = findMotions(problem, step.stepSize, arena);
+    task.motions = motions;
     task.pairs = problem.pairsBX;
     task.matrix = matrix;
     task.rowSkip = dPAD(rows);

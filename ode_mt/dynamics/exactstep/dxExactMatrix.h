@@ -5,8 +5,14 @@
 
 #include "dynamics/islands/dxIslandStep.h"
 
+struct dxConstraintJoint;
 struct dxExactProblem;
 
 // Requires rows, read. Returns A, in the step's arena: its lower triangle, rows dPAD(rowCount) elements apart. Writes b into
 // problem.pairsBX.
 dReal *dxMakeMatrix(const dxIslandStep &step, const dxExactProblem &problem);
+
+// What the matrix is made of beside the rows. Motions: v/h + inv(M) f, six numbers a body; puts inverse masses beside the inverse tensors. Joints: by
+// numbers of bodies.
+void dxFindMotions(const dxExactProblem &problem, dReal stepSize, dReal *motions);
+void dxListConstraintJoints(const dxExactProblem &problem, dxConstraintJoint *list);

@@ -11,19 +11,10 @@
 // All stages but the solver are serial. Each reads what those before it have written.
 void dxExactStep(const dxIslandStep &step, dxExactSolver &solver, bool inLanes) {
     dxExactProblem problem;
-
-    // Reads bodies and gravity. Writes tags and inertia, adds gravity and gyroscopic torque to the bodies' accumulators.
-    dxGatherBodies(step, problem, inLanes);
-
-    // Asks joints how many rows they have (getInfo1). Writes the list of joints, and how many rows there are.
-    dxOrderJoints(step, problem);
+    dxMakeExactProblem(step, problem, inLanes);
 
     bool isPushed = false;
     if (problem.rowCount > 0) {
-        // Asks joints for their rows (getInfo2), which may add to accumulators. Writes the Jacobian, c, cfm, limits,
-        // and the links from bodies to joints.
-        dxReadRows(step, problem);
-
         // Reads velocities, accumulators, inertia, rows, limits. Writes x. Dantzig's algorithm is parallel for large problems, if the
         // island has workers.
         const dxSolverSpan span(problem.rowCount);
@@ -33,4 +24,16 @@ void dxExactStep(const dxIslandStep &step, dxExactSolver &solver, bool inLanes) 
     // Reads x, rows, inertia, accumulators. Writes feedback, velocities and poses, clears accumulators; tells spaces and the
     // user of each body that has moved before it goes on to the next one.
     dxApplyResults(step, problem, isPushed, inLanes);
+}
+
+void dxMakeExactProblem(const dxIslandStep &step, dxExactProblem &problem, bool inLanes) {
+    // Reads bodies and gravity. Writes tags and inertia, adds gravity and gyroscopic torque to the bodies' accumulators.
+    dxGatherBodies(step, problem, inLanes);
+
+    // Asks joints how many rows they have (getInfo1). Writes the list of joints, and how many rows there are.
+    dxOrderJoints(step, problem);
+
+    // Asks joints for their rows (getInfo2), which may add to accumulators. Writes the Jacobian, c, cfm, limits, and the links from
+    // bodies to joints.
+    if (problem.rowCount > 0) dxReadRows(step, problem);
 }

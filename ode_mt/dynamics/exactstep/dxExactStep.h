@@ -8,7 +8,11 @@
 #include "dynamics/islands/dxIslandStep.h"
 
 class dxExactSolver;
+struct dxExactProblem;
 
 // Steps the island, with upstream's bits if the solver has them. `inLanes`: bodies are gathered and moved some at a time, with the same bits;
 // for islands of which dxAreBodiesForLanes holds.
 void dxExactStep(const dxIslandStep &step, dxExactSolver &solver, bool inLanes = false);
+
+// The stages before the solver, for problems that are solved elsewhere (docs/remote-islands.md); dxApplyResults is the one after it.
+void dxMakeExactProblem(const dxIslandStep &step, dxExactProblem &problem, bool inLanes = false);

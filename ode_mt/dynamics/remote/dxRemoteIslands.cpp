@@ -1,0 +1,127 @@
+#include "dynamics/remote/dxRemoteIslands.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <numeric>
+
+#include "core/dxJointAttachment.h"
+#include "dynamics/exactstep/dxDantzigSolver.h"
+#include "dynamics/exactstep/dxExactResults.h"
+#include "dynamics/exactstep/dxExactStep.h"
+#include "dynamics/islands/dxWorkingMemory.h"
+#include "dynamics/remote/dxPackedProblem.h"
+#include "dynamics/remote/dxPackedSolver.h"
+#include "dynamics/remote/dxRemoteShare.h"
+#include "remote/dxRemoteLoader.h"
+#include "settings/dxSettings.h"
+#include "threading/dxFloatEnvironment.h"
+
+namespace {
+
+// Upper bounds of what dxMakeExactProblem takes from its arena.
+std::size_t memoryFor(const dxIsland &island) {
+    constexpr std::size_t kSlack = 1024, kRowBytes = sizeof(dReal) * (dxExactProblem::kSides * dxExactProblem::kElements + 4) + sizeof(int);
+    return island.bodyCount * (sizeof(dxInverseInertia) + sizeof(unsigned)) +
+           island.jointCount * (2 * sizeof(dxExactJoint) + dxExactProblem::kSides * sizeof(unsigned) + kMaxJointRows * kRowBytes) + kSlack;
+}
+
+void closeAtExit() { dxRemoteIslands::close(); }
+
+}  // namespace
+
+void dxRemoteIslands::open() {
+    const dxRemoteChoice choice = dxSettings::instance().remoteWorkers();
+    if (choice.transport == nullptr) return;
+    static std::atomic<bool> isOpened{false};
+    if (isOpened.exchange(true)) return;
+    dxRemoteWorkers::instance().open(choice.transport, dxDescribeSolver(), [choice](std::string &reason) {
+        return dxLoadRemoteTransport(choice.transport, choice.wanted, reason);
+    });
+    std::atexit(closeAtExit);  // before the handlers of what was loaded for it
+}
+
+void dxRemoteIslands::close() { dxRemoteWorkers::instance().close(); }
+
+bool dxRemoteIslands::mayHelp(const dxStepCall &call) {
+    return dxRemoteWorkers::instance().areThere() && call.kind == dxStepperKind::World && call.count > 0 &&
+           dxSettings::instance().algorithm() != dxAlgorithm::Serial && !dxTrapsFloatingPoint() && !dxJointAttachment::hasAny(*call.world);
+}
+
+dxRemoteIslands::dxRemoteIslands(const dxStepCall &call, dxStepRecords &records, double share, bool isForced)
+    : m_call(call), m_records(records), m_scale(dxCostModel::instance().scale(call.kind) * kRemoteSolverPart) {
+    std::vector<unsigned> order(records.inOrderFrom);
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(), [&records](unsigned a, unsigned b) { return records.islands[a].cost > records.islands[b].cost; });
+    double left = 0;
+    for (const unsigned island : order) left += share * records.islands[island].cost;
+    for (const unsigned island : order) {
+        if (!isForced && left <= 0) break;
+        dxIslandRecord &record = records.islands[island];
+        if (record.island.jointCount == 0) continue;
+        left -= record.cost;
+        record.isRemote = true;
+        m_entries.push_back({island, false, nullptr, {}});
+    }
+    m_batch = std::make_unique<dxRemoteBatch>(dxRemoteWorkers::instance(), count(), !isForced);
+}
+
+dxRemoteIslands::~dxRemoteIslands() {
+    for (const Entry &entry : m_entries)
+        if (entry.arena != nullptr) dxWorkingMemory::giveBack(entry.arena);
+}
+
+dxIslandStep dxRemoteIslands::stepOf(const Entry &entry, dxWorldProcessMemArena *arena) const {
+    return {m_call.world, m_call.stepSize, m_records.islands[entry.island].island, arena};
+}
+
+bool dxRemoteIslands::prepare(unsigned entry) {
+    Entry &one = m_entries[entry];
+    one.arena = dxWorkingMemory::take(memoryFor(m_records.islands[one.island].island));
+    return one.arena != nullptr;
+}
+
+// Without memory for the bytes the problem is solved at home.
+void dxRemoteIslands::make(unsigned entry) {
+    Entry &one = m_entries[entry];
+    try {
+        dxMakeExactProblem(stepOf(one, one.arena), one.problem);
+    } catch (...) {
+        m_batch->drop(entry);
+        throw;
+    }
+    if (one.problem.rowCount == 0) return m_batch->keep(entry);
+    dxRemoteBytes bytes;
+    try {
+        dxPackProblem(one.problem, m_call.stepSize, bytes);
+    } catch (const std::bad_alloc &) {
+        return m_batch->keep(entry);
+    }
+    m_batch->submit(entry, std::move(bytes), m_records.islands[one.island].cost * m_scale);
+}
+
+bool dxRemoteIslands::next(unsigned &entry, dxRemoteBytes &result, bool &hasResult) {
+    for (;;) {
+        const dxRemoteBatch::Next next = m_batch->next(entry, result);
+        if (next == dxRemoteBatch::Next::None) return false;
+        hasResult = next == dxRemoteBatch::Next::Result;
+        if (!hasResult) return true;
+        switch (dxReadPackedResult(result, m_entries[entry].problem)) {
+            case dxPackedAnswer::Solved: return true;
+            case dxPackedAnswer::GivenBack: hasResult = false; return true;
+            case dxPackedAnswer::Wrong: m_batch->reject(entry); break;
+        }
+    }
+}
+
+void dxRemoteIslands::finish(unsigned entry, const dxRemoteBytes &result, bool hasResult, dxWorldProcessMemArena *arena) {
+    Entry &one = m_entries[entry];
+    if (arena != nullptr) arena->ResetState();
+    const dxIslandStep step = stepOf(one, arena);
+    if (hasResult)
+        dxReportPackedMessages(result);
+    else if (one.problem.rowCount > 0)
+        dxDantzigSolver().solve(step, one.problem);
+    dxApplyResults(step, one.problem);
+    dxWorkingMemory::giveBack(one.arena);
+    one.arena = nullptr;
+}

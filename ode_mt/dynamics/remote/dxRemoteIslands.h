@@ -1,0 +1,77 @@
+// The islands of one step that remote workers may solve. Each goes through three parts, the first and the last at home:
+//
+//   make      gather bodies, order joints, read rows, pack, submit         in blocks, by home's threads
+//   solve     by a worker, or at home
+//   finish    apply results                                                by home's threads, in the order in which results come
+//
+// The islands' problems are kept until they are finished, in arenas of their own. The scopes in which islands are stepped
+// (dxDeferredIsland) and what is saved to undo them are for dxIslandParallelStep.
+//
+// Threading: make() of different islands and next() on any of home's threads; next() waits for make() of all islands, which must be
+// running or done.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "dynamics/dxStepCall.h"
+#include "dynamics/dxStepRecords.h"
+#include "dynamics/exactstep/dxExactProblem.h"
+#include "dynamics/islands/dxIslandStep.h"
+#include "remote/dxRemoteWorkers.h"
+
+class dxRemoteIslands {
+public:
+    // --- the process -----------------------------------------------------------------------------------------
+
+    // Begins to use the workers that the settings name, if they name any. Once in a process.
+    static void open();
+
+    // Ends that.
+    static void close();
+
+    // Whether islands of this step may go out at all. Costs one look where there are no workers.
+    static bool mayHelp(const dxStepCall &call);
+
+    // --- one step --------------------------------------------------------------------------------------------
+
+    // Chooses islands, the most expensive first, until they are `share` of the cost of all; marks their records. `isForced`: home does not take
+    // them back from workers that work. Throws std::bad_alloc.
+    dxRemoteIslands(const dxStepCall &call, dxStepRecords &records, double share, bool isForced);
+    ~dxRemoteIslands();
+    dxRemoteIslands(const dxRemoteIslands &) = delete;
+    dxRemoteIslands &operator=(const dxRemoteIslands &) = delete;
+
+    unsigned count() const { return static_cast<unsigned>(m_entries.size()); }
+    unsigned islandOf(unsigned entry) const { return m_entries[entry].island; }
+
+    // Memory for the problem; false: there is none, and the island has to be stepped as any other one, after drop().
+    bool prepare(unsigned entry);
+    void make(unsigned entry);
+    void drop(unsigned entry) { m_batch->drop(entry); }
+
+    // Waits for an entry that can be finished; false: there is none left.
+    bool next(unsigned &entry, dxRemoteBytes &result, bool &hasResult);
+    // Solves it in the arena if there is no result, and applies the results. Reports messages, and so may throw dxUpstreamInterrupted.
+    void finish(unsigned entry, const dxRemoteBytes &result, bool hasResult, dxWorldProcessMemArena *arena);
+
+    // For the thread that has no memory to solve: another one finishes it later.
+    void postpone(unsigned entry) { m_entries[entry].isPostponed = true; }
+    bool isPostponed(unsigned entry) const { return m_entries[entry].isPostponed; }
+
+private:
+    struct Entry {
+        unsigned island;
+        bool isPostponed = false;
+        dxWorldProcessMemArena *arena = nullptr;
+        dxExactProblem problem;
+    };
+
+    dxIslandStep stepOf(const Entry &entry, dxWorldProcessMemArena *arena) const;
+
+    const dxStepCall &m_call;
+    const dxStepRecords &m_records;
+    const double m_scale;
+    std::vector<Entry> m_entries;
+    std::unique_ptr<dxRemoteBatch> m_batch;
+};

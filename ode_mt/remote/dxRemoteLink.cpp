@@ -1,0 +1,85 @@
+#include "remote/dxRemoteLink.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace {
+
+// A deadline is so much after what is expected: predictions of single problems are rough, and systems take processes off their cores for
+// a moment.
+constexpr double kLateFactor = 2, kLateNs = 2e6;
+
+constexpr double kFirstPauseNs = 10e6, kMaxPauseNs = 10e9;
+constexpr unsigned kOnTimeToForget = 100;  // messages in a row that let the next pause be the first one's again
+
+constexpr double kLearning = 0.125;  // weight of a new value
+constexpr double kMinSlowness = 0.05, kMaxSlowness = 50;
+
+}  // namespace
+
+bool dxRemoteLink::isFree(double now) const { return isUsable(now) && m_inFlight.size() < kMaxInFlight; }
+
+void dxRemoteLink::setMeasured(double latencyNs, double nsPerByte) {
+    m_latencyNs = latencyNs;
+    m_nsPerByte = nsPerByte;
+    if (m_state == State::Measured) m_state = State::Open;
+}
+
+// When each of them should be back, if the first one is begun at that time.
+void dxRemoteLink::foresee(double from) {
+    for (dxRemoteInFlight &problems : m_inFlight) {
+        const double length = problems.cost * m_slowness + problems.transferNs;
+        problems.expected = std::max(from, problems.sent) + length;
+        problems.deadline = std::max(problems.deadline, std::max(from, problems.sent) + kLateFactor * length + kLateNs);
+        from = problems.expected;
+    }
+}
+
+void dxRemoteLink::send(dxRemoteInFlight &&problems, std::size_t bytes, double now) {
+    problems.sent = now;
+    problems.transferNs = m_latencyNs + static_cast<double>(bytes) * m_nsPerByte;
+    m_inFlight.push_back(std::move(problems));
+    foresee(m_inFlight.front().sent);
+}
+
+void dxRemoteLink::withdraw(std::uint64_t number) {
+    for (dxRemoteInFlight &problems : m_inFlight)
+        if (problems.number == number) problems.isWithdrawn = true;
+}
+
+bool dxRemoteLink::takeBack(std::uint64_t number, double now, dxRemoteInFlight &problems) {
+    const auto found = std::find_if(m_inFlight.begin(), m_inFlight.end(), [number](const dxRemoteInFlight &one) { return one.number == number; });
+    if (found == m_inFlight.end()) return false;
+    const bool wasFirst = found == m_inFlight.begin();
+    problems = std::move(*found);
+    m_inFlight.erase(found);
+    if (wasFirst && !problems.isWithdrawn && !m_isLate && problems.cost > 0) {
+        // From when it could be begun: what was sent after it was begun waits for it.
+        const double begin = problems.expected - problems.cost * m_slowness - problems.transferNs;
+        const double took = std::max(now - std::max(begin, problems.sent) - problems.transferNs, 0.0);
+        m_slowness += kLearning * (std::clamp(took / problems.cost, kMinSlowness, kMaxSlowness) - m_slowness);
+    }
+    if (wasFirst) foresee(now);
+    if (m_isLate && m_inFlight.empty()) {
+        m_isLate = false;
+        m_pausedUntil = now + m_pauseNs;
+    } else if (!m_isLate && ++m_onTime == kOnTimeToForget) {
+        m_pauseNs = 0;
+    }
+    return true;
+}
+
+// What is withdrawn is nobody's to wait for, but its worker is not there until it has answered.
+double dxRemoteLink::deadline() const {
+    if (m_isLate || m_state != State::Open) return std::numeric_limits<double>::infinity();
+    return m_inFlight.empty() ? std::numeric_limits<double>::infinity() : m_inFlight.front().deadline;
+}
+
+bool dxRemoteLink::noticeLate(double now) {
+    if (now < deadline()) return false;
+    m_isLate = true;
+    m_onTime = 0;
+    m_pauseNs = std::clamp(2 * m_pauseNs, kFirstPauseNs, kMaxPauseNs);
+    return true;
+}

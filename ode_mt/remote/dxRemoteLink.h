@@ -1,0 +1,72 @@
+// What home knows of one worker: whether it may be given problems, how fast it is, what it has to do, and when that should be back.
+//
+// A link is New until its worker has said hello, Measured in between, Open when it may be given problems, and Lost for ever when it
+// disconnected, was refused, or sent what cannot be. An open link of which something is late gets nothing until all is back, and then not for
+// a pause that doubles each time, up to ten seconds.
+//
+// Units: times in ns of one clock, costs in ns of work at home. Threading: under the lock of dxRemoteWorkers.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+// Problems that were sent in one message and are not back.
+struct dxRemoteInFlight {
+    std::uint64_t number;
+    std::vector<std::uint64_t> problems;
+    double cost;
+    double transferNs;    // there and back
+    double sent;
+    double expected = 0;  // when they should be back
+    double deadline = 0;  // after which home solves them
+    bool isWithdrawn = false;
+};
+
+class dxRemoteLink {
+public:
+    enum class State { New, Measured, Open, Lost };
+
+    State state() const { return m_state; }
+    bool isLate() const { return m_isLate; }
+
+    // May be given problems now.
+    bool isFree(double now) const;
+    // Will be given some when what it has to do is back in time.
+    bool isUsable(double now) const { return m_state == State::Open && !m_isLate && now >= m_pausedUntil; }
+
+    void welcome() { m_state = State::Measured; }
+    // Echoes of the two sizes came back after so long. Opens the link.
+    void setMeasured(double latencyNs, double nsPerByte);
+    void lose() { m_state = State::Lost; }
+
+    // --- problems ------------------------------------------------------------------------------------------
+    const std::deque<dxRemoteInFlight> &inFlight() const { return m_inFlight; }
+    void send(dxRemoteInFlight &&problems, std::size_t bytes, double now);
+    void withdraw(std::uint64_t number);
+
+    // A message with results has arrived. Returns false if none is expected of this number; else what it should be about.
+    bool takeBack(std::uint64_t number, double now, dxRemoteInFlight &problems);
+
+    // The first deadline; infinite: there is none.
+    double deadline() const;
+    // Notes it if the deadline has gone by. Returns whether that is news.
+    bool noticeLate(double now);
+
+    // --- what was measured ---------------------------------------------------------------------------------
+    double latencyNs() const { return m_latencyNs; }   // there and back
+    double nsPerByte() const { return m_nsPerByte; }
+    double slowness() const { return m_slowness; }     // time of a problem there, of that at home
+
+private:
+    static constexpr std::size_t kMaxInFlight = 2;  // one that is solved, and one that waits
+
+    void foresee(double from);
+
+    State m_state = State::New;
+    bool m_isLate = false;
+    double m_pausedUntil = 0, m_pauseNs = 0;
+    unsigned m_onTime = 0;
+    double m_latencyNs = 0, m_nsPerByte = 0, m_slowness = 1;
+    std::deque<dxRemoteInFlight> m_inFlight;  // in the order in which they were sent
+};

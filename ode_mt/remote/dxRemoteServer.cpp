@@ -1,0 +1,97 @@
+#include "remote/dxRemoteServer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include "core/dxStopwatch.h"
+#include "remote/dxPollPause.h"
+
+dxRemoteServer::dxRemoteServer(dxRemoteTransport &transport, const dxRemoteHello &hello, Solve solve)
+    : m_transport(transport), m_hello(hello), m_solve(std::move(solve)) {}
+
+bool dxRemoteServer::send(const dxRemoteBytes &message) {
+    if (m_transport.send(0, message.data(), message.size())) return true;
+    m_hasEnded = true;
+    m_end = End::Lost;
+    return false;
+}
+
+dxRemoteServer::End dxRemoteServer::run(double maxSilence) {
+    dxRemoteFrame hello;
+    hello.add(&m_hello, sizeof m_hello);
+    send(hello.seal(dxRemoteKind::Hello));
+    dxPollPause pause;
+    dxStopwatch silence;
+    while (!m_hasEnded) {
+        if (receiveAll() || !m_problems.empty()) {
+            pause.reset();
+            silence.restart();
+        } else if (silence.ns() > maxSilence * 1e9) {
+            return End::Silence;
+        } else {
+            std::this_thread::sleep_for(pause.next());
+        }
+        if (!m_hasEnded && !m_problems.empty()) solveFirst();
+    }
+    return m_end;
+}
+
+// Returns whether there was anything. Messages that are not whole are home's to miss.
+bool dxRemoteServer::receiveAll() {
+    bool hasReceived = false;
+    unsigned link = 0;
+    for (std::size_t bytes; !m_hasEnded && (bytes = m_transport.waiting(link)) != 0; hasReceived = true) {
+        dxRemoteBytes message(bytes);
+        if (!m_transport.receive(message.data())) {
+            m_hasEnded = true;
+            m_end = End::Lost;
+            break;
+        }
+        if (dxFindFrameFault(message) != nullptr) continue;
+        const dxRemoteHeader header = dxReadHeader(message);
+        const char *const body = reinterpret_cast<const char *>(message.data()) + sizeof header;
+        const std::size_t bodySize = message.size() - sizeof header;
+        switch (static_cast<dxRemoteKind>(header.kind)) {
+            case dxRemoteKind::Problems:
+                m_problems.push_back(std::move(message));
+                break;
+            case dxRemoteKind::Echo:
+                send(message);
+                break;
+            case dxRemoteKind::Withdraw: {
+                const auto found = std::find_if(m_problems.begin(), m_problems.end(),
+                                                [&header](const dxRemoteBytes &kept) { return dxReadHeader(kept).number == header.number; });
+                if (found == m_problems.end()) break;
+                m_problems.erase(found);
+                send(dxRemoteFrame().seal(dxRemoteKind::Results, header.number));
+                break;
+            }
+            case dxRemoteKind::Refusal:
+                m_refusal.assign(body, bodySize);
+                m_hasEnded = true;
+                m_end = End::Refused;
+                break;
+            case dxRemoteKind::Quit:
+                m_hasEnded = true;
+                m_end = bodySize == 1 && body[0] != 0 ? End::Orderly : End::Disorderly;
+                break;
+            default:
+                break;
+        }
+    }
+    return hasReceived;
+}
+
+void dxRemoteServer::solveFirst() {
+    const dxRemoteBytes problems = std::move(m_problems.front());
+    m_problems.erase(m_problems.begin());
+    dxRemoteFrame results;
+    for (dxRemoteItems items(problems); items.next();) {
+        m_result.clear();
+        m_solve(items.data(), items.size(), m_result);
+        results.addItem(items.number(), m_result.data(), m_result.size());
+    }
+    send(results.seal(dxRemoteKind::Results, dxReadHeader(problems).number));
+}

@@ -1,0 +1,40 @@
+// A worker: solves the problems that home sends, until home says that it may end or is not heard of any more.
+//
+// Threading: one thread, that of the transport.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "remote/dxRemoteFrame.h"
+#include "remote/dxRemoteTransport.h"
+
+class dxRemoteServer {
+public:
+    // Solves one problem; the result is always made, if only to say that there is none.
+    using Solve = std::function<void(const std::byte *problem, std::size_t bytes, dxRemoteBytes &result)>;
+
+    enum class End { Orderly, Disorderly, Refused, Silence, Lost };
+
+    dxRemoteServer(dxRemoteTransport &transport, const dxRemoteHello &hello, Solve solve);
+
+    // `maxSilence` (s): without a message for so long, home is taken to be gone.
+    End run(double maxSilence);
+
+    // Why it was refused.
+    const std::string &refusal() const { return m_refusal; }
+
+private:
+    bool receiveAll();
+    void solveFirst();
+    bool send(const dxRemoteBytes &message);
+
+    dxRemoteTransport &m_transport;
+    const dxRemoteHello m_hello;
+    const Solve m_solve;
+    std::vector<dxRemoteBytes> m_problems;  // received, the oldest first
+    dxRemoteBytes m_result;
+    std::string m_refusal;
+    bool m_hasEnded = false;
+    End m_end = End::Orderly;
+};

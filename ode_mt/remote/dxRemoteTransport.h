@@ -1,0 +1,37 @@
+// What carries messages between the program's process and its workers: MPI (remote/mpi/, loaded by dxRemoteLoader), threads in tests.
+//
+// A transport has links: home one to each worker, a worker one (link 0) to home. Messages are whole, and those of one link arrive in the
+// order in which they were sent. They may be lost or damaged with a worker, which is found out by others (dxRemoteLink).
+//
+// Threading: one thread makes all calls, that which made the transport. Nothing is waited for but in open and close.
+#pragma once
+
+#include <cstddef>
+
+class dxRemoteTransport {
+public:
+    // What a library must know to give a transport to this one.
+    static constexpr unsigned kInterfaceVersion = 1;
+
+    virtual ~dxRemoteTransport() = default;
+
+    virtual unsigned links() const = 0;
+
+    // Takes a copy. False: the link is lost. To a worker that does not receive messages are kept.
+    virtual bool send(unsigned link, const void *message, std::size_t bytes) = 0;
+
+    // Size of the next message that has arrived, and its link; 0: none has. Messages have at least one byte.
+    virtual std::size_t waiting(unsigned &link) = 0;
+
+    // Receives the message that `waiting` has just found. False: the link is lost.
+    virtual bool receive(void *message) = 0;
+
+    // The last call. `isOrderly`: all others close as well, and may be waited for.
+    virtual void close(bool isOrderly) = 0;
+};
+
+// What a library with a transport exports, by the name dxOpenRemoteTransport. `wanted`: workers to start; 0: those that are there. Returns null
+// and writes why if there is no transport.
+extern "C" {
+using dxOpenRemoteTransportFunction = dxRemoteTransport *(unsigned interfaceVersion, unsigned wanted, char *reason, std::size_t reasonSize);
+}

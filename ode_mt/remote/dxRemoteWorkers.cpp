@@ -1,0 +1,543 @@
+#include "remote/dxRemoteWorkers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <utility>
+
+#include "core/dxLog.h"
+#include "threading/pool/dxWorkerOptions.h"
+
+namespace {
+
+constexpr unsigned kNumberShift = 32;  // of a problem's number: the batch's above, the index below
+
+// To be measured, a link carries small messages, of which the fastest counts, and then a large one.
+constexpr unsigned kSmallEchoes = 4;
+constexpr std::size_t kLargeEcho = std::size_t{256} << 10;  // bytes
+
+constexpr double kBatchNs = 400e3;      // problems go out together up to so much work
+constexpr double kHeartbeatNs = 5e9;    // home says that it is there
+constexpr double kSettleNs = 2e9;       // open() waits so long for workers
+constexpr double kDrainNs = 1e9;        // close() waits so long for results that nobody needs, so that all can end in good order
+constexpr double kSooner = 0.8;         // home takes a problem back if it needs less than this part of the time until it is expected
+
+dxProcessObject<dxRemoteWorkers> remoteWorkers;
+
+std::chrono::nanoseconds duration(double ns) { return std::chrono::nanoseconds(static_cast<std::int64_t>(ns)); }
+
+}  // namespace
+
+dxRemoteWorkers &dxRemoteWorkers::instance() { return *remoteWorkers; }
+
+double dxRemoteWorkers::now() const {
+    return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - m_start).count();
+}
+
+void dxRemoteWorkers::open(const char *name, const dxRemoteHello &hello, Open open) {
+    Lock lock(m_mutex);
+    if (m_isRunning) return;
+    m_name = name;
+    m_hello = hello;
+    m_open = std::move(open);
+    m_isClosing = m_hasBegun = false;
+    const auto body = [](void *self) -> void * {
+        static_cast<dxRemoteWorkers *>(self)->communicate();
+        return nullptr;
+    };
+    const int error = dxStartThread(pthread_create, m_thread, body, this, dxWorkerOptions());
+    if (error != 0) {
+        dxLog(dxLogLevel::warning, "remote workers: no thread to communicate (error %d); islands stay at home", error);
+        return;
+    }
+    m_isRunning = true;
+    m_done.wait(lock, [this] { return m_hasBegun; });
+    m_done.wait_for(lock, duration(kSettleNs), [this] { return isSettled(); });
+    if (m_links.empty()) return;
+    lock.unlock();
+    const dxRemoteCapacity all = capacity();
+    dxLog(all.workers == 0 ? dxLogLevel::warning : dxLogLevel::info,
+          "remote workers: %u of %zu by %s; latency %.0f us, %.2f GB/s", all.workers, m_links.size(), name, all.latencyNs / 1e3,
+          all.nsPerByte > 0 ? 1 / all.nsPerByte : 0);
+}
+
+void dxRemoteWorkers::close() {
+    {
+        const Lock lock(m_mutex);
+        if (!m_isRunning) return;
+        m_isRunning = false;
+        m_isClosing = true;
+    }
+    m_wake.notify_all();
+    pthread_join(m_thread, nullptr);
+    const Counts all = counts();
+    dxLog(dxLogLevel::info, "remote workers: %llu islands sent, %llu solved there, %llu taken back; late %u times, %u workers lost",
+          static_cast<unsigned long long>(all.sent), static_cast<unsigned long long>(all.solved),
+          static_cast<unsigned long long>(all.takenBack), all.late, all.lost);
+}
+
+// The thread is the parent's, and so are the workers; it may have held the lock.
+void dxRemoteWorkers::inForkedChild() {
+    m_areThere.store(false, std::memory_order_relaxed);
+    m_isRunning = false;
+    new (&m_mutex) std::mutex;
+    new (&m_wake) std::condition_variable;
+    new (&m_done) std::condition_variable;
+}
+
+dxRemoteCapacity dxRemoteWorkers::capacity() {
+    const Lock lock(m_mutex);
+    dxRemoteCapacity sum;
+    const double time = now();
+    for (const Link &one : m_links) {
+        if (!one.link.isUsable(time)) continue;
+        ++sum.workers;
+        sum.speed += 1 / one.link.slowness();
+        sum.latencyNs = std::max(sum.latencyNs, one.link.latencyNs());
+        sum.nsPerByte = std::max(sum.nsPerByte, one.link.nsPerByte());
+    }
+    return sum;
+}
+
+dxRemoteWorkers::Counts dxRemoteWorkers::counts() {
+    const Lock lock(m_mutex);
+    return m_counts;
+}
+
+// --- on the communication thread ----------------------------------------------------------------------------
+
+void dxRemoteWorkers::communicate() {
+    begin();
+    Lock lock(m_mutex);
+    while (!m_isClosing) {
+        const bool hasWithdrawn = sendWithdrawals(lock), hasSent = sendNext(lock), hasReceived = receiveNext(lock);
+        noticeLate(now());
+        if (hasWithdrawn || hasSent || hasReceived)
+            m_pause.reset();
+        else
+            sleep(lock);
+    }
+    takeQueueHome();
+    lock.unlock();
+    end();
+}
+
+void dxRemoteWorkers::begin() {
+    std::string reason;
+    m_transport = m_open(reason);
+    if (!m_transport)
+        dxLog(dxLogLevel::warning, "remote workers: none by %s: %s; islands stay at home", m_name.c_str(), reason.c_str());
+    const Lock lock(m_mutex);
+    m_links.clear();
+    m_links.resize(m_transport ? m_transport->links() : 0);
+    m_hasBegun = true;
+    m_done.notify_all();
+}
+
+bool dxRemoteWorkers::sendTo(unsigned link, const dxRemoteBytes &message, Lock &lock) {
+    lock.unlock();
+    const bool isSent = m_transport->send(link, message.data(), message.size());
+    lock.lock();
+    if (!isSent) lose(link, "cannot be reached");
+    return isSent;
+}
+
+bool dxRemoteWorkers::sendWithdrawals(Lock &lock) {
+    if (m_withdrawals.empty()) return false;
+    const std::vector<std::pair<unsigned, std::uint64_t>> all = std::exchange(m_withdrawals, {});
+    for (const auto &[link, number] : all)
+        if (m_links[link].link.state() == dxRemoteLink::State::Open) sendTo(link, dxRemoteFrame().seal(dxRemoteKind::Withdraw, number), lock);
+    return true;
+}
+
+// The most expensive problems of the queue, to the first link that is free. Towards the end messages become small, so that all workers end at
+// the same time.
+bool dxRemoteWorkers::sendNext(Lock &lock) {
+    const double time = now();
+    if (time - m_lastAlive > kHeartbeatNs) {
+        m_lastAlive = time;
+        for (unsigned i = 0; i < m_links.size(); ++i)
+            if (m_links[i].link.state() == dxRemoteLink::State::Open && !m_links[i].link.isLate())
+                sendTo(i, dxRemoteFrame().seal(dxRemoteKind::Alive), lock);
+    }
+    if (m_queue.empty()) return false;
+    // The link with the least to do.
+    Link *best = nullptr;
+    for (Link &one : m_links) {
+        if (!one.link.isFree(time)) continue;
+        if (best == nullptr || one.link.inFlight().size() < best->link.inFlight().size()) best = &one;
+    }
+    if (best == nullptr) return false;
+    const unsigned link = static_cast<unsigned>(best - m_links.data());
+    double queued = 0;
+    for (const dxRemoteProblem *problem : m_queue) queued += problem->cost;
+    const double most = std::min(kBatchNs, queued / (2.0 * static_cast<double>(m_links.size())));
+
+    dxRemoteInFlight sent{m_nextFrame++, {}, 0, 0, 0};
+    std::vector<dxRemoteBytes> problems;
+    std::size_t bytes = 0;
+    do {
+        dxRemoteProblem &problem = *m_queue.front();
+        m_queue.pop_front();
+        problem.state = dxRemoteProblem::State::Sent;
+        problem.link = link;
+        sent.problems.push_back(problem.number);
+        sent.cost += problem.cost;
+        bytes += problem.bytes.size();
+        problems.push_back(std::move(problem.bytes));
+        ++m_counts.sent;
+    } while (!m_queue.empty() && sent.cost + m_queue.front()->cost <= most);
+    const std::vector<std::uint64_t> numbers = sent.problems;
+    const std::uint64_t number = sent.number;
+    best->link.send(std::move(sent), bytes, time);
+
+    lock.unlock();
+    dxRemoteFrame frame;
+    for (std::size_t i = 0; i < problems.size(); ++i) frame.addItem(numbers[i], problems[i].data(), problems[i].size());
+    const dxRemoteBytes &message = frame.seal(dxRemoteKind::Problems, number);
+    const bool isSent = m_transport->send(link, message.data(), message.size());
+    lock.lock();
+    if (!isSent) lose(link, "cannot be reached");
+    return true;
+}
+
+bool dxRemoteWorkers::receiveNext(Lock &lock) {
+    if (!m_transport) return false;
+    lock.unlock();
+    unsigned link = 0;
+    const std::size_t bytes = m_transport->waiting(link);
+    dxRemoteBytes message(bytes);
+    const bool isReceived = bytes != 0 && m_transport->receive(message.data());
+    const char *const fault = isReceived ? dxFindFrameFault(message) : nullptr;
+    lock.lock();
+    if (bytes == 0 || link >= m_links.size()) return false;
+    if (m_links[link].link.state() == dxRemoteLink::State::Lost) return true;  // is not read
+    if (!isReceived)
+        lose(link, "is disconnected");
+    else if (fault != nullptr)
+        lose(link, (std::string("sent a message that is ") + fault).c_str());
+    else
+        handle(link, message, lock);
+    return true;
+}
+
+void dxRemoteWorkers::handle(unsigned link, const dxRemoteBytes &message, Lock &lock) {
+    switch (static_cast<dxRemoteKind>(dxReadHeader(message).kind)) {
+        case dxRemoteKind::Hello: return handleHello(link, message, lock);
+        case dxRemoteKind::Echo: return handleEcho(link, message, lock);
+        case dxRemoteKind::Results: return handleResults(link, message);
+        default: return lose(link, "sent a message that a worker has no reason to send");
+    }
+}
+
+void dxRemoteWorkers::handleHello(unsigned link, const dxRemoteBytes &message, Lock &lock) {
+    dxRemoteHello hello;
+    if (message.size() != sizeof(dxRemoteHeader) + sizeof hello) return lose(link, "sent a greeting of another size");
+    std::memcpy(&hello, message.data() + sizeof(dxRemoteHeader), sizeof hello);
+    hello.version[sizeof hello.version - 1] = '\0';
+    std::string why;
+    if (std::strcmp(hello.version, m_hello.version) != 0)
+        why = "is version " + std::string(hello.version) + " of ODE_MT, not " + m_hello.version;
+    else if (hello.realSize != m_hello.realSize)
+        why = "computes with numbers of " + std::to_string(hello.realSize) + " bytes, not " + std::to_string(m_hello.realSize);
+    else if (hello.digest != m_hello.digest)
+        why = "computes other bits for the problems of the self-test";
+    if (!why.empty()) {
+        dxRemoteFrame refusal;
+        refusal.add(why.data(), why.size());
+        sendTo(link, refusal.seal(dxRemoteKind::Refusal), lock);
+        return lose(link, why.c_str());
+    }
+    m_links[link].link.welcome();
+    if (sendTo(link, dxRemoteFrame().seal(dxRemoteKind::Welcome), lock)) sendEcho(link, lock);
+}
+
+void dxRemoteWorkers::sendEcho(unsigned link, Lock &lock) {
+    dxRemoteFrame echo;
+    if (m_links[link].echoes == kSmallEchoes) {
+        const dxRemoteBytes content(kLargeEcho);
+        echo.add(content.data(), content.size());
+    }
+    const dxRemoteBytes &message = echo.seal(dxRemoteKind::Echo, m_links[link].echoes);
+    m_links[link].echoSent = now();
+    sendTo(link, message, lock);
+}
+
+void dxRemoteWorkers::handleEcho(unsigned link, const dxRemoteBytes &message, Lock &lock) {
+    Link &one = m_links[link];
+    if (one.link.state() != dxRemoteLink::State::Measured || dxReadHeader(message).number != one.echoes) return lose(link, "sent an echo of nothing");
+    const double took = now() - one.echoSent;
+    if (one.echoes < kSmallEchoes) {
+        one.latencyNs = one.echoes == 0 ? took : std::min(one.latencyNs, took);
+        ++one.echoes;
+        return sendEcho(link, lock);
+    }
+    one.link.setMeasured(one.latencyNs, std::max(took - one.latencyNs, 0.0) / (2.0 * kLargeEcho));
+    noteAvailable();
+    m_done.notify_all();
+}
+
+// Of a message that is not what it should be nothing is used.
+void dxRemoteWorkers::handleResults(unsigned link, const dxRemoteBytes &message) {
+    dxRemoteInFlight expected;
+    if (!m_links[link].link.takeBack(dxReadHeader(message).number, now(), expected)) return lose(link, "sent results of nothing");
+    dxRemoteItems all(message);
+    std::size_t count = 0;
+    while (all.next()) ++count;
+    bool isSound = all.isAtEnd() && (count == expected.problems.size() || (count == 0 && expected.isWithdrawn));
+    dxRemoteItems items(message);
+    for (std::size_t i = 0; i < count && isSound; ++i) {
+        items.next();
+        isSound = items.number() == expected.problems[i];
+    }
+    if (!isSound) {
+        takeHome(expected.problems);
+        return lose(link, "sent results of other problems");
+    }
+    for (dxRemoteItems item(message); item.next();) {
+        const auto found = m_batches.find(item.number() >> kNumberShift);
+        if (found == m_batches.end()) continue;  // the step has ended
+        dxRemoteBatch &batch = *found->second;
+        const unsigned index = static_cast<unsigned>(item.number() & 0xffffffffu);
+        dxRemoteProblem &problem = batch.m_problems[index];
+        if (problem.state != dxRemoteProblem::State::Sent && problem.state != dxRemoteProblem::State::AtHome) continue;  // home was faster
+        problem.bytes.assign(item.data(), item.data() + item.size());
+        problem.state = dxRemoteProblem::State::Returned;
+        batch.m_returned.push_back(index);
+        ++m_counts.solved;
+    }
+    if (count == 0) takeHome(expected.problems);
+    m_done.notify_all();
+}
+
+// A late worker is looked for less and less often; one that has gone for good costs nothing that matters.
+void dxRemoteWorkers::sleep(Lock &lock) {
+    const bool isPolled = std::any_of(m_links.begin(), m_links.end(), [](const Link &one) {
+        const dxRemoteLink::State state = one.link.state();
+        return state == dxRemoteLink::State::New || state == dxRemoteLink::State::Measured || !one.link.inFlight().empty();
+    });
+    if (isPolled)
+        m_wake.wait_for(lock, m_pause.next());
+    else
+        m_wake.wait_for(lock, duration(kHeartbeatNs), [this] { return m_isClosing || !m_queue.empty() || !m_withdrawals.empty(); });
+}
+
+void dxRemoteWorkers::end() {
+    if (!m_transport) return;
+    Lock lock(m_mutex);
+    m_areThere.store(false, std::memory_order_relaxed);
+    const double begin = now();
+    const auto isIdle = [this] {
+        return std::all_of(m_links.begin(), m_links.end(), [](const Link &one) { return one.link.inFlight().empty(); });
+    };
+    while (!isIdle() && now() - begin < kDrainNs) {
+        if (!receiveNext(lock)) m_wake.wait_for(lock, std::chrono::milliseconds(1));
+    }
+    // All of them answer, so none is waited for in vain.
+    const bool isOrderly = isIdle() && std::all_of(m_links.begin(), m_links.end(), [](const Link &one) {
+        return one.link.state() == dxRemoteLink::State::Open;
+    });
+    const std::byte body{isOrderly};
+    for (unsigned i = 0; i < m_links.size(); ++i) {
+        if (m_links[i].link.state() == dxRemoteLink::State::Lost) continue;
+        dxRemoteFrame quit;
+        quit.add(&body, 1);
+        sendTo(i, quit.seal(dxRemoteKind::Quit), lock);
+    }
+    m_links.clear();
+    lock.unlock();
+    m_transport->close(isOrderly);
+    m_transport.reset();
+}
+
+// --- under the lock -----------------------------------------------------------------------------------------
+
+bool dxRemoteWorkers::isSettled() const {
+    return std::all_of(m_links.begin(), m_links.end(), [](const Link &one) {
+        return one.link.state() == dxRemoteLink::State::Open || one.link.state() == dxRemoteLink::State::Lost;
+    });
+}
+
+void dxRemoteWorkers::noteAvailable() {
+    m_areThere.store(std::any_of(m_links.begin(), m_links.end(), [](const Link &one) { return one.link.state() == dxRemoteLink::State::Open; }),
+                     std::memory_order_relaxed);
+}
+
+void dxRemoteWorkers::lose(unsigned link, const char *why) {
+    if (m_links[link].link.state() == dxRemoteLink::State::Lost) return;
+    dxLog(dxLogLevel::warning, "remote worker %u %s; it is left out", link + 1, why);
+    m_links[link].link.lose();
+    ++m_counts.lost;
+    for (const dxRemoteInFlight &lost : m_links[link].link.inFlight()) takeHome(lost.problems);
+    noteAvailable();
+    const double time = now();
+    if (std::none_of(m_links.begin(), m_links.end(), [time](const Link &one) { return one.link.isUsable(time); })) takeQueueHome();
+    m_done.notify_all();
+}
+
+void dxRemoteWorkers::takeHome(dxRemoteProblem &problem) {
+    if (problem.state != dxRemoteProblem::State::Queued && problem.state != dxRemoteProblem::State::Sent) return;
+    if (problem.state == dxRemoteProblem::State::Sent) ++m_counts.takenBack;
+    problem.state = dxRemoteProblem::State::AtHome;
+    m_batches[problem.number >> kNumberShift]->m_atHome.push_back(static_cast<unsigned>(problem.number & 0xffffffffu));
+}
+
+void dxRemoteWorkers::takeHome(const std::vector<std::uint64_t> &problems) {
+    for (const std::uint64_t number : problems) {
+        const auto found = m_batches.find(number >> kNumberShift);
+        if (found != m_batches.end()) takeHome(found->second->m_problems[number & 0xffffffffu]);
+    }
+}
+
+void dxRemoteWorkers::takeQueueHome() {
+    for (dxRemoteProblem *problem : m_queue) takeHome(*problem);
+    m_queue.clear();
+    m_done.notify_all();
+}
+
+void dxRemoteWorkers::noticeLate(double time) {
+    bool isAnyUsable = false;
+    for (Link &one : m_links) {
+        if (one.link.noticeLate(time)) {
+            ++m_counts.late;
+            dxLog(dxLogLevel::debug, "remote worker %zu is late", static_cast<std::size_t>(&one - m_links.data()) + 1);
+            for (const dxRemoteInFlight &late : one.link.inFlight()) takeHome(late.problems);
+            m_done.notify_all();
+        }
+        isAnyUsable |= one.link.isUsable(time);
+    }
+    if (!isAnyUsable && !m_queue.empty()) takeQueueHome();
+}
+
+// --- batches ------------------------------------------------------------------------------------------------
+
+dxRemoteBatch::dxRemoteBatch(dxRemoteWorkers &workers, unsigned count, bool mayHurry)
+    : m_workers(workers), m_mayHurry(mayHurry), m_problems(count), m_left(count) {
+    m_returned.reserve(count);
+    m_atHome.reserve(count);
+    const dxRemoteWorkers::Lock lock(workers.m_mutex);
+    m_number = workers.m_nextBatch++;
+    for (unsigned i = 0; i < count; ++i) m_problems[i].number = m_number << kNumberShift | i;
+    workers.m_batches[m_number] = this;
+}
+
+dxRemoteBatch::~dxRemoteBatch() {
+    const dxRemoteWorkers::Lock lock(m_workers.m_mutex);
+    m_workers.m_batches.erase(m_number);
+    std::deque<dxRemoteProblem *> &queue = m_workers.m_queue;
+    queue.erase(std::remove_if(queue.begin(), queue.end(), [this](const dxRemoteProblem *one) { return one->number >> kNumberShift == m_number; }),
+                queue.end());
+}
+
+void dxRemoteBatch::submit(unsigned index, dxRemoteBytes &&bytes, double cost) {
+    const dxRemoteWorkers::Lock lock(m_workers.m_mutex);
+    dxRemoteProblem &problem = m_problems[index];
+    problem.bytes = std::move(bytes);
+    problem.cost = cost;
+    problem.state = State::Queued;
+    if (!m_workers.areThere() || m_workers.m_isClosing) return m_workers.takeHome(problem);
+    std::deque<dxRemoteProblem *> &queue = m_workers.m_queue;
+    queue.insert(std::upper_bound(queue.begin(), queue.end(), &problem,
+                                  [](const dxRemoteProblem *a, const dxRemoteProblem *b) { return a->cost > b->cost; }),
+                 &problem);
+    m_workers.m_wake.notify_one();
+}
+
+void dxRemoteBatch::keep(unsigned index) {
+    const dxRemoteWorkers::Lock lock(m_workers.m_mutex);
+    m_problems[index].state = State::AtHome;
+    m_atHome.push_back(index);
+    m_workers.m_done.notify_all();
+}
+
+void dxRemoteBatch::drop(unsigned index) {
+    const dxRemoteWorkers::Lock lock(m_workers.m_mutex);
+    m_problems[index].state = State::Done;
+    --m_left;
+    m_workers.m_done.notify_all();
+}
+
+void dxRemoteBatch::reject(unsigned index) {
+    const dxRemoteWorkers::Lock lock(m_workers.m_mutex);
+    m_workers.lose(m_problems[index].link, "sent a result that is none");
+    ++m_left;
+    m_problems[index].state = State::AtHome;
+    m_atHome.push_back(index);
+}
+
+// What has been answered twice in the meantime is in both lists.
+bool dxRemoteBatch::takeReady(State state, unsigned &index, dxRemoteBytes *result) {
+    std::vector<unsigned> &list = state == State::Returned ? m_returned : m_atHome;
+    while (!list.empty()) {
+        index = list.back();
+        list.pop_back();
+        dxRemoteProblem &problem = m_problems[index];
+        if (problem.state != state) continue;
+        problem.state = State::Done;
+        if (result != nullptr) *result = std::move(problem.bytes);
+        --m_left;
+        return true;
+    }
+    return false;
+}
+
+bool dxRemoteBatch::takeUnsent(unsigned &index) {
+    std::deque<dxRemoteProblem *> &queue = m_workers.m_queue;
+    const auto found = std::find_if(queue.rbegin(), queue.rend(), [this](const dxRemoteProblem *one) { return one->number >> kNumberShift == m_number; });
+    if (found == queue.rend()) return false;
+    dxRemoteProblem &problem = **found;
+    queue.erase(std::next(found).base());
+    problem.state = State::Done;
+    index = static_cast<unsigned>(problem.number & 0xffffffffu);
+    --m_left;
+    return true;
+}
+
+// Takes the problems home that are expected last, if home would have solved them before.
+bool dxRemoteBatch::withdrawLast(double now) {
+    unsigned link = 0;
+    const dxRemoteInFlight *last = nullptr;
+    for (unsigned i = 0; i < m_workers.m_links.size(); ++i) {
+        for (const dxRemoteInFlight &sent : m_workers.m_links[i].link.inFlight()) {
+            if (sent.isWithdrawn || sent.problems.front() >> kNumberShift != m_number) continue;
+            if (last != nullptr && sent.expected <= last->expected) continue;
+            last = &sent;
+            link = i;
+        }
+    }
+    if (last == nullptr || last->cost > kSooner * (last->expected - now)) return false;
+    m_workers.m_withdrawals.emplace_back(link, last->number);
+    const std::vector<std::uint64_t> problems = last->problems;
+    m_workers.m_links[link].link.withdraw(last->number);
+    m_workers.takeHome(problems);
+    m_workers.m_wake.notify_one();
+    return true;
+}
+
+double dxRemoteBatch::nextDeadline() const {
+    double first = std::numeric_limits<double>::infinity();
+    for (const dxRemoteWorkers::Link &one : m_workers.m_links) first = std::min(first, one.link.deadline());
+    return first;
+}
+
+dxRemoteBatch::Next dxRemoteBatch::next(unsigned &index, dxRemoteBytes &result) {
+    dxRemoteWorkers::Lock lock(m_workers.m_mutex);
+    for (;;) {
+        if (takeReady(State::Returned, index, &result)) return Next::Result;
+        if (takeReady(State::AtHome, index, nullptr)) return Next::AtHome;
+        if (m_left == 0) {
+            m_workers.m_done.notify_all();  // others that wait for the last one
+            return Next::None;
+        }
+        if (m_mayHurry && takeUnsent(index)) return Next::AtHome;
+        const double time = m_workers.now();
+        m_workers.noticeLate(time);
+        if (!m_atHome.empty() || (m_mayHurry && withdrawLast(time))) continue;
+        const double deadline = nextDeadline();
+        if (std::isinf(deadline))
+            m_workers.m_done.wait(lock);
+        else
+            m_workers.m_done.wait_for(lock, duration(std::max(deadline - time, 1e3)));
+    }
+}

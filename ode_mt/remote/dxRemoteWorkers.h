@@ -1,0 +1,181 @@
+// The process's remote workers: links to them, the queue of problems, and the thread that communicates.
+//
+// A step makes a batch (dxRemoteBatch), submits problems as they are made, and then asks what is next until nothing is left: a result, or a
+// problem to be solved at home, because no worker has had it yet, because its worker is late, lost or wrong, or because home is faster.
+// A problem is answered once, whatever happens to workers.
+//
+// The communication thread makes the transport, uses it and closes it; it sleeps while nothing is under way. A child of fork() has
+// no remote workers; neither has a process after close().
+//
+// Threading: any thread; one lock, held for moments. Never waits for a worker but in open().
+#pragma once
+
+#include <pthread.h>
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "remote/dxPollPause.h"
+#include "remote/dxRemoteFrame.h"
+#include "remote/dxRemoteLink.h"
+#include "remote/dxRemoteTransport.h"
+#include "threading/process/dxForkListener.h"
+#include "threading/process/dxProcessObject.h"
+
+class dxRemoteBatch;
+
+// What all usable workers together are to a step.
+struct dxRemoteCapacity {
+    unsigned workers = 0;
+    double speed = 0;      // problems that they solve while home's thread solves one
+    double latencyNs = 0;  // of the slowest link, there and back
+    double nsPerByte = 0;
+};
+
+struct dxRemoteProblem {
+    enum class State { Expected, Queued, Sent, Returned, AtHome, Done };
+
+    std::uint64_t number = 0;
+    double cost = 0;
+    State state = State::Expected;
+    unsigned link = 0;
+    dxRemoteBytes bytes;  // the problem, until it is sent; then the result
+};
+
+class dxRemoteWorkers final : private dxForkListener {
+public:
+    static dxRemoteWorkers &instance();
+
+    // Makes a transport on the communication thread; null: `reason` says why not.
+    using Open = std::function<std::unique_ptr<dxRemoteTransport>(std::string &reason)>;
+
+    // Waits until the workers have been welcomed or refused, or for two seconds. Once in a process, but for tests, which close in between.
+    void open(const char *name, const dxRemoteHello &hello, Open open);
+
+    // Ends the communication thread, and the workers.
+    void close();
+
+    // Whether there are any, at the cost of one look.
+    bool areThere() const { return m_areThere.load(std::memory_order_relaxed); }
+
+    dxRemoteCapacity capacity();
+
+    struct Counts {
+        std::uint64_t sent = 0, solved = 0, takenBack = 0;  // problems; those taken back were sent, and solved at home nevertheless
+        unsigned late = 0, lost = 0;                        // times, links
+    };
+    Counts counts();
+
+private:
+    friend class dxProcessObject<dxRemoteWorkers>;
+    friend class dxRemoteBatch;
+    using Lock = std::unique_lock<std::mutex>;
+
+    struct Link {
+        dxRemoteLink link;
+        double echoSent = 0, latencyNs = 0;
+        unsigned echoes = 0;  // that have come back
+    };
+
+    dxRemoteWorkers() { listenToForks(); }
+    ~dxRemoteWorkers() = default;
+    void inForkedChild() override;
+
+    double now() const;
+
+    // --- on the communication thread ------------------------------------------------------------------------
+    void communicate();
+    void begin();
+    bool sendNext(Lock &lock);
+    bool sendWithdrawals(Lock &lock);
+    bool receiveNext(Lock &lock);
+    void handle(unsigned link, const dxRemoteBytes &message, Lock &lock);
+    void handleHello(unsigned link, const dxRemoteBytes &message, Lock &lock);
+    void handleEcho(unsigned link, const dxRemoteBytes &message, Lock &lock);
+    void sendEcho(unsigned link, Lock &lock);
+    void handleResults(unsigned link, const dxRemoteBytes &message);
+    bool sendTo(unsigned link, const dxRemoteBytes &message, Lock &lock);
+    void sleep(Lock &lock);
+    void end();
+
+    // --- under the lock -------------------------------------------------------------------------------------
+    void lose(unsigned link, const char *why);
+    void takeHome(const std::vector<std::uint64_t> &problems);
+    void takeHome(dxRemoteProblem &problem);
+    void takeQueueHome();
+    void noticeLate(double now);
+    void noteAvailable();
+    bool isSettled() const;
+
+    std::mutex m_mutex;
+    std::condition_variable m_wake;  // of the communication thread
+    std::condition_variable m_done;  // of threads that wait for results
+    pthread_t m_thread{};
+    bool m_isRunning = false, m_isClosing = false, m_hasBegun = false;
+    std::atomic<bool> m_areThere{false};
+
+    std::string m_name;
+    dxRemoteHello m_hello;
+    Open m_open;
+    std::unique_ptr<dxRemoteTransport> m_transport;  // the communication thread's
+    dxPollPause m_pause;
+    double m_lastAlive = 0;
+
+    std::vector<Link> m_links;
+    std::deque<dxRemoteProblem *> m_queue;                         // the most expensive first
+    std::unordered_map<std::uint64_t, dxRemoteBatch *> m_batches;  // by the upper half of a problem's number
+    std::vector<std::pair<unsigned, std::uint64_t>> m_withdrawals;
+    std::uint64_t m_nextFrame = 1, m_nextBatch = 1;
+    Counts m_counts;
+
+    const std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+};
+
+// The problems of one step. One that ends early forgets those that are not back.
+class dxRemoteBatch {
+public:
+    enum class Next { Result, AtHome, None };
+
+    // `mayHurry`: home takes what no worker has had yet, or what it would solve sooner; otherwise it waits for workers that work. Throws
+    // std::bad_alloc.
+    dxRemoteBatch(dxRemoteWorkers &workers, unsigned count, bool mayHurry);
+    ~dxRemoteBatch();
+    dxRemoteBatch(const dxRemoteBatch &) = delete;
+    dxRemoteBatch &operator=(const dxRemoteBatch &) = delete;
+
+    // Each of the `count` problems is either submitted, kept (home has to solve it) or dropped (nobody has to).
+    void submit(unsigned index, dxRemoteBytes &&problem, double cost);
+    void keep(unsigned index);
+    void drop(unsigned index);
+
+    // Waits until there is something to do. None: all problems have been answered.
+    Next next(unsigned &index, dxRemoteBytes &result);
+
+    // The result is none: its worker is not trusted any more, and home solves the problem.
+    void reject(unsigned index);
+
+private:
+    friend class dxRemoteWorkers;
+    using State = dxRemoteProblem::State;
+
+    bool takeReady(State state, unsigned &index, dxRemoteBytes *result);
+    bool takeUnsent(unsigned &index);
+    bool withdrawLast(double now);
+    double nextDeadline() const;
+
+    dxRemoteWorkers &m_workers;
+    const bool m_mayHurry;
+    std::uint64_t m_number = 0;  // the upper half of its problems'
+    std::vector<dxRemoteProblem> m_problems;
+    std::vector<unsigned> m_returned, m_atHome;
+    unsigned m_left;
+};

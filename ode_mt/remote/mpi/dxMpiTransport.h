@@ -1,0 +1,58 @@
+// Messages by MPI. Home and its workers are processes of one job (MPMD: mpirun -np 1 program : -np 15 odemt_worker), home the one of rank
+// 0; or each worker is a job of its own that home has spawned, one after the other, so that none is in another one's.
+//
+// All calls are non-blocking but those of the beginning and the end, since blocking ones of Open MPI keep a core busy. Errors are returned
+// (MPI_ERRORS_RETURN); the first one loses the link.
+//
+// Threading: the thread that makes the transport initialises MPI, unless the program has, makes all calls, and ends it:
+// MPI_THREAD_FUNNELED, as that thread is MPI's main thread. Where the program has initialised MPI, it must have asked for MPI_THREAD_MULTIPLE.
+#pragma once
+
+#include <mpi.h>
+
+#include <cstddef>
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "remote/dxRemoteTransport.h"
+
+class dxMpiTransport final : public dxRemoteTransport {
+public:
+    // Home's. `wanted`: workers to spawn; 0: the other processes of the job. Null: `reason` says why.
+    static std::unique_ptr<dxMpiTransport> openHome(unsigned wanted, std::string &reason);
+
+    // A worker's, with one link: to the process that has spawned it, else to that of rank 0.
+    static std::unique_ptr<dxMpiTransport> openWorker(std::string &reason);
+
+    unsigned links() const override { return static_cast<unsigned>(m_links.size()); }
+    bool send(unsigned link, const void *message, std::size_t bytes) override;
+    std::size_t waiting(unsigned &link) override;
+    bool receive(void *message) override;
+    void close(bool isOrderly) override;
+
+private:
+    struct Link {
+        MPI_Comm communicator;
+        int rank;
+    };
+    struct Sending {
+        std::vector<char> bytes;  // MPI reads them until the request is complete
+        MPI_Request request;
+    };
+
+    bool initialise(std::string &reason);
+    bool spawn(unsigned wanted, std::string &reason);
+    bool probe(unsigned link);
+    void forgetSent();
+
+    bool m_isOwn = false;      // MPI was initialised by this transport
+    bool m_isSpawned = false;  // communicators are intercommunicators, one for each link
+    std::vector<Link> m_links;
+    std::vector<MPI_Comm> m_probed;  // each communicator once
+    std::deque<Sending> m_sending;
+    unsigned m_next = 0;  // link or communicator that is looked at first
+    MPI_Message m_message = MPI_MESSAGE_NULL;
+    int m_bytes = 0;
+};
