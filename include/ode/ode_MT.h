@@ -45,6 +45,7 @@ extern "C" {
  *   ODE_MT_ALGORITHM=auto|serial|lcp|original|static|static-unmerged|duplication|decluster
  *   ODE_MT_HEURISTICS=default|none|NAME,NAME...
  *   ODE_MT_GRID_CELLS=n|auto
+ *   ODE_MT_WORKERS=none|mpi|mpi:n
  * @endcode
  * What a user needs first comes first: ODE_MT_THREADS=auto is enough for most programs. docs/settings.md has the table of all
  * settings.

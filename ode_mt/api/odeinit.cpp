@@ -17,7 +17,7 @@
 #include "dynamics/dxStepRecords.h"
 #include "dynamics/islands/dxLargeIslandWorkers.h"
 #include "dynamics/islands/dxWorkingMemory.h"
-#include "dynamics/remote/dxRemoteIslands.h"
+#include "dynamics/dxRemoteIslands.h"
 #include "dynamics/quickstep/sor/dxParallelSor.h"
 #include "seams/upstream.h"
 #include "settings/dxWorkers.h"

@@ -21,7 +21,7 @@
 
 #include "dynamics/dxStepRecords.h"
 #include "dynamics/dxStepStrategy.h"
-#include "dynamics/remote/dxRemoteIslands.h"
+#include "dynamics/dxRemoteIslands.h"
 
 class dxIslandParallelStep {
 public:

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <mutex>
 
-#include "dynamics/remote/dxRemoteIslands.h"
+#include "dynamics/dxRemoteIslands.h"
 #include "dynamics/remote/dxRemoteShare.h"
 #include "settings/dxOwnThreads.h"
 #include "settings/dxSettings.h"

@@ -8,7 +8,7 @@ namespace {
 
 // A deadline is so much after what is expected: predictions of single problems are rough, and systems take processes off their cores for
 // a moment.
-constexpr double kLateFactor = 2, kLateNs = 2e6;
+constexpr double kLateFactor = 2, kLateNs = 2e6, kPatienceNs = 2e9;
 
 constexpr double kFirstPauseNs = 10e6, kMaxPauseNs = 10e9;
 constexpr unsigned kOnTimeToForget = 100;  // messages in a row that let the next pause be the first one's again
@@ -31,7 +31,7 @@ void dxRemoteLink::foresee(double from) {
     for (dxRemoteInFlight &problems : m_inFlight) {
         const double length = problems.cost * m_slowness + problems.transferNs;
         problems.expected = std::max(from, problems.sent) + length;
-        problems.deadline = std::max(problems.deadline, std::max(from, problems.sent) + kLateFactor * length + kLateNs);
+        problems.deadline = std::max(problems.deadline, std::max(from, problems.sent) + kLateFactor * length + (problems.isPatient ? kPatienceNs : kLateNs));
         from = problems.expected;
     }
 }

@@ -21,6 +21,7 @@ struct dxRemoteInFlight {
     double expected = 0;  // when they should be back
     double deadline = 0;  // after which home solves them
     bool isWithdrawn = false;
+    bool isPatient = false;  // home has nothing better to do: it waits for seconds
 };
 
 class dxRemoteLink {

@@ -184,6 +184,7 @@ bool dxRemoteWorkers::sendNext(Lock &lock) {
         problem.link = link;
         sent.problems.push_back(problem.number);
         sent.cost += problem.cost;
+        sent.isPatient |= problem.isPatient;
         bytes += problem.bytes.size();
         problems.push_back(std::move(problem.bytes));
         ++m_counts.sent;
@@ -329,14 +330,16 @@ void dxRemoteWorkers::end() {
     m_areThere.store(false, std::memory_order_relaxed);
     const double begin = now();
     const auto isIdle = [this] {
-        return std::all_of(m_links.begin(), m_links.end(), [](const Link &one) { return one.link.inFlight().empty(); });
+        return std::all_of(m_links.begin(), m_links.end(), [](const Link &one) {
+            return one.link.inFlight().empty() || one.link.isLate() || one.link.state() == dxRemoteLink::State::Lost;
+        });
     };
     while (!isIdle() && now() - begin < kDrainNs) {
         if (!receiveNext(lock)) m_wake.wait_for(lock, std::chrono::milliseconds(1));
     }
     // All of them answer, so none is waited for in vain.
-    const bool isOrderly = isIdle() && std::all_of(m_links.begin(), m_links.end(), [](const Link &one) {
-        return one.link.state() == dxRemoteLink::State::Open;
+    const bool isOrderly = std::all_of(m_links.begin(), m_links.end(), [](const Link &one) {
+        return one.link.state() == dxRemoteLink::State::Open && one.link.inFlight().empty();
     });
     const std::byte body{isOrderly};
     for (unsigned i = 0; i < m_links.size(); ++i) {
@@ -435,6 +438,7 @@ void dxRemoteBatch::submit(unsigned index, dxRemoteBytes &&bytes, double cost) {
     dxRemoteProblem &problem = m_problems[index];
     problem.bytes = std::move(bytes);
     problem.cost = cost;
+    problem.isPatient = !m_mayHurry;
     problem.state = State::Queued;
     if (!m_workers.areThere() || m_workers.m_isClosing) return m_workers.takeHome(problem);
     std::deque<dxRemoteProblem *> &queue = m_workers.m_queue;

@@ -48,6 +48,7 @@ struct dxRemoteProblem {
     double cost = 0;
     State state = State::Expected;
     unsigned link = 0;
+    bool isPatient = false;
     dxRemoteBytes bytes;  // the problem, until it is sent; then the result
 };
 

@@ -48,11 +48,12 @@ bool areJointsSound(const dxPackedProblem &problem) {
     return row == problem.counts.rows;
 }
 
+// A row of friction comes after that of its normal.
 bool areNormalsSound(const dxPackedProblem &problem) {
     for (unsigned i = 0; i < problem.counts.rows; ++i) {
         int normal = 0;
         std::memcpy(&normal, problem.normalOf + i * sizeof normal, sizeof normal);
-        if (normal < -1 || normal >= static_cast<int>(problem.counts.rows)) return false;
+        if (normal < -1 || normal >= static_cast<int>(i)) return false;
     }
     return true;
 }

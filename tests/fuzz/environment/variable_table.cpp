@@ -93,7 +93,8 @@ std::vector<Variable> readVariableTable(const std::string &document) {
         std::smatch found;
         std::string plain;
         std::remove_copy(line.begin(), line.end(), std::back_inserter(plain), '\\');
-        if (std::regex_match(plain, found, row)) table.push_back(readRow(found));
+        // Not workers, which would be processes of their own.
+        if (std::regex_match(plain, found, row) && found[1] != "ODE_MT_WORKERS") table.push_back(readRow(found));
     }
     if (table.size() < 8) throw std::runtime_error("docs/settings.md has no table of variables");
     return table;

@@ -1,4 +1,4 @@
-#include "dynamics/remote/dxRemoteIslands.h"
+#include "dynamics/dxRemoteIslands.h"
 
 #include <algorithm>
 #include <cstdlib>

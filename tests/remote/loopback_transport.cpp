@@ -1,0 +1,98 @@
+#include "loopback_transport.h"
+
+#include <cstring>
+#include <utility>
+
+struct LoopbackTransport::Worker final : dxRemoteTransport {
+    unsigned links() const override { return 1; }
+
+    bool send(unsigned, const void *message, std::size_t bytes) override {
+        dxRemoteBytes copy(bytes);
+        std::memcpy(copy.data(), message, bytes);
+        const LoopbackFate one = fate ? fate(index, count++, static_cast<dxRemoteKind>(dxReadHeader(copy).kind)) : LoopbackFate();
+        if (one.delay.count() > 0) std::this_thread::sleep_for(one.delay);
+        if (one.kind == LoopbackFate::Kind::Dies) isDead = true;
+        if (one.kind == LoopbackFate::Kind::Stopped) {
+            while (!isClosed) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        if (isDead) return false;
+        if (one.kind == LoopbackFate::Kind::Flipped) copy[one.bit / 8 % bytes] ^= std::byte{1} << one.bit % 8;
+        const std::lock_guard<std::mutex> hold(toHome.mutex);
+        toHome.messages.push_back(std::move(copy));
+        return true;
+    }
+    std::size_t waiting(unsigned &link) override {
+        const std::lock_guard<std::mutex> hold(toWorker.mutex);
+        link = 0;
+        if (!toWorker.messages.empty()) return toWorker.messages.front().size();
+        return 0;
+    }
+    bool receive(void *message) override {
+        const std::lock_guard<std::mutex> hold(toWorker.mutex);
+        std::memcpy(message, toWorker.messages.front().data(), toWorker.messages.front().size());
+        toWorker.messages.pop_front();
+        return true;
+    }
+    void close(bool) override {}
+
+    unsigned index = 0, count = 0;
+    Fate fate;
+    Queue toHome, toWorker;
+    std::atomic<bool> isDead{false}, isClosed{false};
+    std::thread thread;
+};
+
+LoopbackTransport::LoopbackTransport(unsigned workers, const dxRemoteHello &hello, dxRemoteServer::Solve solve, Fate fate) {
+    for (unsigned i = 0; i < workers; ++i) {
+        m_workers.push_back(std::make_unique<Worker>());
+        Worker &worker = *m_workers.back();
+        worker.index = i;
+        worker.fate = fate;
+        worker.thread = std::thread([&worker, hello, solve] {
+            constexpr double kMaxSilence = 5;
+            dxRemoteServer(worker, hello, solve).run(kMaxSilence);
+        });
+    }
+}
+
+LoopbackTransport::~LoopbackTransport() {
+    for (const std::unique_ptr<Worker> &worker : m_workers) {
+        worker->isClosed = true;
+        const std::lock_guard<std::mutex> hold(worker->toWorker.mutex);
+        worker->toWorker.messages.push_back(dxRemoteFrame().seal(dxRemoteKind::Quit));
+    }
+    for (const std::unique_ptr<Worker> &worker : m_workers) worker->thread.join();
+}
+
+bool LoopbackTransport::send(unsigned link, const void *message, std::size_t bytes) {
+    Worker &worker = *m_workers[link];
+    if (worker.isDead) return false;
+    dxRemoteBytes copy(bytes);
+    std::memcpy(copy.data(), message, bytes);
+    const std::lock_guard<std::mutex> hold(worker.toWorker.mutex);
+    worker.toWorker.messages.push_back(std::move(copy));
+    return true;
+}
+
+std::size_t LoopbackTransport::waiting(unsigned &link) {
+    for (unsigned i = 0; i < links(); ++i) {
+        const unsigned one = (m_next + i) % links();
+        Queue &queue = m_workers[one]->toHome;
+        const std::lock_guard<std::mutex> hold(queue.mutex);
+        if (queue.messages.empty()) continue;
+        m_message = std::move(queue.messages.front());
+        queue.messages.pop_front();
+        m_next = one + 1;
+        link = one;
+        return m_message.size();
+    }
+    return 0;
+}
+
+bool LoopbackTransport::receive(void *message) {
+    std::memcpy(message, m_message.data(), m_message.size());
+    return true;
+}
+
+// The destructor ends workers, those that are held back, too.
+void LoopbackTransport::close(bool) {}

@@ -1,0 +1,51 @@
+// Remote workers that are threads of this process: each runs a dxRemoteServer at its end of a link of two queues. What workers send can be
+// delayed, damaged, held back or cut off, message by message.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "remote/dxRemoteFrame.h"
+#include "remote/dxRemoteServer.h"
+#include "remote/dxRemoteTransport.h"
+
+struct LoopbackFate {
+    enum class Kind { Arrives, Flipped, Stopped, Dies };
+
+    Kind kind = Kind::Arrives;
+    std::chrono::microseconds delay{0};
+    unsigned bit = 0;  // which one is flipped, modulo the size
+};
+
+class LoopbackTransport final : public dxRemoteTransport {
+public:
+    // What becomes of a message that the worker sends; `count`: how many it has sent before. On the worker's thread.
+    using Fate = std::function<LoopbackFate(unsigned worker, unsigned count, dxRemoteKind kind)>;
+
+    LoopbackTransport(unsigned workers, const dxRemoteHello &hello, dxRemoteServer::Solve solve, Fate fate = nullptr);
+    ~LoopbackTransport() override;
+
+    unsigned links() const override { return static_cast<unsigned>(m_workers.size()); }
+    bool send(unsigned link, const void *message, std::size_t bytes) override;
+    std::size_t waiting(unsigned &link) override;
+    bool receive(void *message) override;
+    void close(bool isOrderly) override;
+
+private:
+    struct Queue {
+        std::mutex mutex;
+        std::deque<dxRemoteBytes> messages;
+    };
+    struct Worker;
+
+    std::vector<std::unique_ptr<Worker>> m_workers;
+    dxRemoteBytes m_message;
+    unsigned m_next = 0;
+};

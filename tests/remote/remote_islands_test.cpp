@@ -1,0 +1,124 @@
+// Whole steps with remote workers have the bits of steps without: random worlds of many islands, with one thread at home and with several, while workers
+// are well and while they send flipped bits. And a problem's bytes are solved as the problem is.
+#include "dynamics/dxRemoteIslands.h"
+
+#include <gtest/gtest.h>
+#include <ode/ode_MT.h>
+
+#include <random>
+
+#include "../dynamics/random_world.h"
+#include "dynamics/remote/dxPackedProblem.h"
+#include "dynamics/remote/dxPackedSolver.h"
+#include "loopback_transport.h"
+
+namespace {
+
+using Kind = LoopbackFate::Kind;
+using States = std::vector<std::vector<std::uint64_t>>;
+
+constexpr RandomWorld::Shape kManyIslands{60, 55};
+
+class RemoteIslands : public testing::TestWithParam<int> {
+protected:
+    RemoteIslands() {
+        dInitODE2(0);
+        dODE_MT_SetAlgorithm("lcp");
+    }
+    ~RemoteIslands() override {
+        dxRemoteWorkers::instance().close();
+        dToggleODE_MT(0);
+        dODE_MT_SetAlgorithm("auto");
+        dCloseODE();
+    }
+
+    static void open(unsigned workers, LoopbackTransport::Fate fate = nullptr) {
+        dxRemoteWorkers::instance().open("loopback", dxDescribeSolver(), [=](std::string &) {
+            return std::make_unique<LoopbackTransport>(workers, dxDescribeSolver(), dxSolvePacked, fate);
+        });
+    }
+
+    static States run(const RandomWorld::Shape &shape, unsigned seed, int steps = 12) {
+        dRandSetSeed(seed);
+        RandomWorld world(shape, seed);
+        States states;
+        for (int i = 0; i < steps; ++i) {
+            world.push();
+            dWorldStep(world.world(), dReal(0.01));
+            states.push_back(world.state());
+        }
+        return states;
+    }
+
+    static void compare(const RandomWorld::Shape &shape, unsigned seed, unsigned workers, LoopbackTransport::Fate fate = nullptr) {
+        const States expected = run(shape, seed);
+        open(workers, fate);
+        EXPECT_EQ(run(shape, seed), expected) << "seed " << seed;
+        dxRemoteWorkers::instance().close();
+    }
+};
+
+TEST_P(RemoteIslands, HaveTheBitsOfHome) {
+    const std::uint64_t before = dxRemoteWorkers::instance().counts().solved;
+    dToggleODE_MT(GetParam());
+    for (unsigned seed = 1; seed <= 8; ++seed) compare(kManyIslands, seed, 1 + seed % 3);
+    EXPECT_GT(dxRemoteWorkers::instance().counts().solved, before + 100) << "of islands, there";
+}
+
+TEST_P(RemoteIslands, HaveTheBitsOfHomeWhateverBecomesOfWorkers) {
+    dToggleODE_MT(GetParam());
+    for (unsigned seed = 1; seed <= 12; ++seed) {
+        // What is forced waits for seconds for workers that are not heard of: they are for remote_workers_test.
+        compare(kManyIslands, seed, 2, [seed](unsigned worker, unsigned count, dxRemoteKind kind) {
+            std::mt19937 random(seed * 1000 + worker * 100 + count);
+            if (kind != dxRemoteKind::Results || random() % 6 != 0) return LoopbackFate();
+            return LoopbackFate{Kind::Flipped, {}, static_cast<unsigned>(random())};
+        });
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(, RemoteIslands, testing::Values(0, 2, 5), [](const testing::TestParamInfo<int> &info) {
+    return "Threads" + std::to_string(info.param);
+});
+
+TEST(PackedProblem, ShorterOrDamagedBytesAreSolvedOrGivenBack) {
+    // What a worker that is sent nonsense does: the bytes are the first problem of the self-test's kind, taken from a link.
+    std::vector<dxRemoteBytes> problems;
+    dInitODE2(0);
+    dODE_MT_SetAlgorithm("lcp");
+    dxRemoteWorkers::instance().open("loopback", dxDescribeSolver(), [&problems](std::string &) {
+        return std::make_unique<LoopbackTransport>(1, dxDescribeSolver(), [&problems](const std::byte *data, std::size_t size, dxRemoteBytes &result) {
+            problems.emplace_back(data, data + size);
+            dxSolvePacked(data, size, result);
+        });
+    });
+    {
+        RandomWorld world(kManyIslands, 3);
+        dWorldStep(world.world(), dReal(0.01));
+    }
+    dxRemoteWorkers::instance().close();
+    dODE_MT_SetAlgorithm("auto");
+    dCloseODE();
+    ASSERT_FALSE(problems.empty());
+    const dxRemoteBytes &whole = problems.front();
+    dxRemoteBytes result;
+    const auto outcome = [&result] {
+        dxPackedResult::Head head;
+        std::memcpy(&head, result.data(), sizeof head);
+        return head.outcome;
+    };
+    for (std::size_t size = 0; size < whole.size(); size += 7) {
+        dxSolvePacked(whole.data(), size, result);
+        EXPECT_EQ(outcome(), dxPackedResult::Outcome::GivenBack) << size;
+    }
+    std::mt19937 random(1);
+    for (int i = 0; i < 500; ++i) {
+        dxRemoteBytes damaged = whole;
+        damaged[random() % damaged.size()] = std::byte(random());
+        damaged[random() % 200] = std::byte(random());
+        dxSolvePacked(damaged.data(), damaged.size(), result);
+        EXPECT_GE(result.size(), sizeof(dxPackedResult::Head));
+    }
+}
+
+}  // namespace

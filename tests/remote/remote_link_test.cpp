@@ -1,0 +1,82 @@
+// What is believed of a worker: when its problems should be back, when it is late, and when it is given problems again.
+#include "remote/dxRemoteLink.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+constexpr double kMs = 1e6;
+
+dxRemoteLink openLink() {
+    dxRemoteLink link;
+    link.welcome();
+    link.setMeasured(0.1 * kMs, 0);
+    return link;
+}
+
+void send(dxRemoteLink &link, std::uint64_t number, double cost, double now) { link.send({number, {number}, cost, 0, 0}, 1000, now); }
+
+TEST(RemoteLink, IsFreeOnceItIsMeasured) {
+    dxRemoteLink link;
+    EXPECT_FALSE(link.isFree(0));
+    link.welcome();
+    EXPECT_FALSE(link.isFree(0));
+    link.setMeasured(1000, 0.1);
+    EXPECT_TRUE(link.isFree(0));
+    link.lose();
+    EXPECT_FALSE(link.isFree(0));
+}
+
+TEST(RemoteLink, HasTwoMessagesUnderWay) {
+    dxRemoteLink link = openLink();
+    send(link, 1, kMs, 0);
+    EXPECT_TRUE(link.isFree(0));
+    send(link, 2, kMs, 0);
+    EXPECT_FALSE(link.isFree(0));
+    EXPECT_DOUBLE_EQ(link.inFlight()[0].expected, 1.1 * kMs);
+    EXPECT_DOUBLE_EQ(link.inFlight()[1].expected, 2.2 * kMs);
+}
+
+TEST(RemoteLink, LearnsHowSlowTheWorkerIs) {
+    dxRemoteLink link = openLink();
+    double now = 0;
+    for (std::uint64_t i = 0; i < 100; ++i) {
+        send(link, i, kMs, now);
+        now += 3.1 * kMs;
+        dxRemoteInFlight problems;
+        ASSERT_TRUE(link.takeBack(i, now, problems));
+    }
+    EXPECT_NEAR(link.slowness(), 3, 0.1);
+}
+
+TEST(RemoteLink, IsLateUntilAllIsBackAndThenPauses) {
+    dxRemoteLink link = openLink();
+    double now = 0;
+    double pause = 0;
+    for (std::uint64_t i = 0; i < 4; ++i) {
+        send(link, i, kMs, now);
+        now = link.deadline();
+        EXPECT_FALSE(link.noticeLate(now - 1));
+        EXPECT_TRUE(link.noticeLate(now));
+        EXPECT_FALSE(link.noticeLate(now)) << "only once";
+        EXPECT_FALSE(link.isUsable(now + 1000 * kMs));
+        dxRemoteInFlight problems;
+        ASSERT_TRUE(link.takeBack(i, now, problems));
+        EXPECT_FALSE(link.isUsable(now));
+        const double before = now;
+        while (!link.isUsable(now)) now += kMs;
+        EXPECT_GT(now - before, 1.9 * pause);
+        pause = now - before;
+    }
+}
+
+TEST(RemoteLink, KnowsWhatItHasSent) {
+    dxRemoteLink link = openLink();
+    send(link, 5, kMs, 0);
+    dxRemoteInFlight problems;
+    EXPECT_FALSE(link.takeBack(6, 1, problems));
+    EXPECT_TRUE(link.takeBack(5, 1, problems));
+    EXPECT_FALSE(link.takeBack(5, 1, problems));
+}
+
+}  // namespace

@@ -1,0 +1,182 @@
+// Batches come back whole and right, whatever becomes of workers: a thousand times one dies, stops, or sends flipped bits.
+#include "remote/dxRemoteWorkers.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+
+#include "core/dxStopwatch.h"
+#include "loopback_transport.h"
+
+namespace {
+
+using Kind = LoopbackFate::Kind;
+constexpr double kProblemNs = 100e3;
+
+// What stands for a solver: the sum of the bytes, after a while.
+std::uint64_t sumOf(const std::byte *data, std::size_t size) {
+    std::uint64_t sum = size;
+    for (std::size_t i = 0; i < size; ++i) sum = sum * 31 + static_cast<std::uint64_t>(data[i]);
+    return sum;
+}
+
+void solve(const std::byte *problem, std::size_t size, dxRemoteBytes &result) {
+    std::this_thread::sleep_for(std::chrono::microseconds(100));
+    const std::uint64_t sum = sumOf(problem, size);
+    result.resize(sizeof sum);
+    std::memcpy(result.data(), &sum, sizeof sum);
+}
+
+dxRemoteBytes problemOf(unsigned index) { return dxRemoteBytes(1000 + 37 * index, std::byte(index)); }
+
+dxRemoteHello helloOf(const char *version) {
+    dxRemoteHello hello;
+    std::snprintf(hello.version, sizeof hello.version, "%s", version);
+    hello.realSize = 8;
+    return hello;
+}
+
+class RemoteWorkers : public testing::Test {
+protected:
+    void open(unsigned workers, LoopbackTransport::Fate fate = nullptr, const char *version = "1") {
+        m_workers.open("loopback", helloOf("1"), [=](std::string &) {
+            return std::make_unique<LoopbackTransport>(workers, helloOf(version), solve, fate);
+        });
+    }
+    ~RemoteWorkers() override { m_workers.close(); }
+
+    // Returns how many of the problems were solved at home. Waits for workers, unless home `mayHurry`.
+    unsigned runBatch(unsigned count, bool mayHurry = true) {
+        dxRemoteBatch batch(m_workers, count, mayHurry);
+        for (unsigned i = 0; i < count; ++i) batch.submit(i, problemOf(i), kProblemNs);
+        unsigned index = 0, atHome = 0, answered = 0;
+        std::vector<bool> isAnswered(count);
+        dxRemoteBytes result;
+        for (dxRemoteBatch::Next next; (next = batch.next(index, result)) != dxRemoteBatch::Next::None; ++answered) {
+            EXPECT_FALSE(isAnswered[index]) << index;
+            isAnswered[index] = true;
+            const dxRemoteBytes problem = problemOf(index);
+            if (next == dxRemoteBatch::Next::AtHome) {
+                ++atHome;
+                solve(problem.data(), problem.size(), result);
+                continue;
+            }
+            std::uint64_t sum = 0;
+            EXPECT_EQ(result.size(), sizeof sum);
+            std::memcpy(&sum, result.data(), std::min(result.size(), sizeof sum));
+            EXPECT_EQ(sum, sumOf(problem.data(), problem.size()));
+        }
+        EXPECT_EQ(answered, count);
+        return atHome;
+    }
+
+    // Whether so many workers are usable within a second.
+    bool hasSoon(unsigned workers) {
+        for (int attempt = 0; attempt < 200 && m_workers.capacity().workers != workers; ++attempt)
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        return m_workers.capacity().workers == workers;
+    }
+
+    dxRemoteWorkers &m_workers = dxRemoteWorkers::instance();
+};
+
+TEST_F(RemoteWorkers, SolveAllThatHomeWaitsFor) {
+    open(3);
+    ASSERT_TRUE(m_workers.areThere());
+    EXPECT_EQ(m_workers.capacity().workers, 3u);
+    EXPECT_EQ(runBatch(100, false), 0u);
+}
+
+TEST_F(RemoteWorkers, ShareWithHome) {
+    open(1);
+    const unsigned atHome = runBatch(200);
+    EXPECT_GT(atHome, 0u);
+    EXPECT_LT(atHome, 200u);
+}
+
+TEST_F(RemoteWorkers, OfAnotherVersionAreRefused) {
+    open(2, nullptr, "2");
+    EXPECT_FALSE(m_workers.areThere());
+    EXPECT_EQ(runBatch(10), 10u);
+}
+
+TEST_F(RemoteWorkers, ThatStopDelayAStepByAFewMilliseconds) {
+    open(1, [](unsigned, unsigned, dxRemoteKind kind) { return LoopbackFate{kind == dxRemoteKind::Results ? Kind::Stopped : Kind::Arrives}; });
+    const dxStopwatch stopwatch;
+    EXPECT_EQ(runBatch(40), 40u);
+    EXPECT_LT(stopwatch.ns(), 1e9);
+    EXPECT_TRUE(hasSoon(0));
+    EXPECT_EQ(runBatch(4), 4u) << "nothing is sent to a worker that does not answer";
+}
+
+TEST_F(RemoteWorkers, ThatWereLateAreUsedAgain) {
+    std::atomic<unsigned> slow{1};
+    open(1, [&slow](unsigned, unsigned, dxRemoteKind kind) {
+        LoopbackFate fate;
+        if (kind == dxRemoteKind::Results && slow.exchange(0) == 1) fate.delay = std::chrono::milliseconds(50);
+        return fate;
+    });
+    runBatch(4);
+    EXPECT_TRUE(hasSoon(1));
+    EXPECT_EQ(runBatch(20, false), 0u);
+}
+
+TEST_F(RemoteWorkers, SeveralStepsShareThem) {
+    open(2);
+    std::vector<std::thread> steps;
+    for (int i = 0; i < 4; ++i)
+        steps.emplace_back([this] {
+            for (int batch = 0; batch < 10; ++batch) runBatch(20, batch % 2 == 0);
+        });
+    for (std::thread &step : steps) step.join();
+}
+
+TEST_F(RemoteWorkers, AStepThatEndsEarlyIsForgotten) {
+    open(2);
+    for (int i = 0; i < 50; ++i) {
+        dxRemoteBatch batch(m_workers, 20, true);
+        for (unsigned k = 0; k < 10; ++k) batch.submit(k, problemOf(k), kProblemNs);
+    }
+    EXPECT_EQ(runBatch(20, false), 0u);
+}
+
+// Each of four workers has one fault, at one of its first messages with results.
+TEST_F(RemoteWorkers, AThousandFaultsChangeNothing) {
+    constexpr unsigned kWorkers = 4, kRounds = 250;
+    unsigned faults = 0;
+    double longest = 0;
+    for (unsigned round = 0; round < kRounds; ++round) {
+        std::atomic<unsigned> happened{0};
+        std::mt19937 random(round);
+        LoopbackFate fates[kWorkers];
+        unsigned at[kWorkers];
+        for (unsigned i = 0; i < kWorkers; ++i) {
+            constexpr Kind kinds[] = {Kind::Flipped, Kind::Dies, Kind::Stopped};
+            fates[i].kind = kinds[random() % 3];
+            fates[i].bit = random();
+            at[i] = random() % 3;
+        }
+        constexpr unsigned kBefore = 6;  // hello and echoes
+        open(kWorkers, [&](unsigned worker, unsigned count, dxRemoteKind) {
+            if (count != kBefore + at[worker]) return LoopbackFate();
+            ++happened;
+            return fates[worker];
+        });
+        for (int step = 0; step < 20 && happened < kWorkers; ++step) {
+            const dxStopwatch stopwatch;
+            runBatch(24);
+            longest = std::max(longest, stopwatch.ns());
+        }
+        m_workers.close();
+        faults += happened;
+        if (HasFailure()) FAIL() << "round " << round;
+    }
+    RecordProperty("faults", std::to_string(faults));
+    RecordProperty("longest step (ms)", std::to_string(longest / 1e6));
+    std::printf("%u faults, longest step %.1f ms\n", faults, longest / 1e6);
+    EXPECT_GE(faults, 900u);
+}
+
+}  // namespace

@@ -1,0 +1,60 @@
+#!/bin/sh
+# Scenarios of the exactness suite with workers by MPI: what libode8 computes, step by step, is computed with 1, 2 and 4 of them, and with ones that
+# this script kills, stops and continues while islands are sent.
+#
+#   MPIRUN, SCENARIO (odemt_scenario), LIBRARY (folder of libode.so.8), WORKER, STOCK (folder of libode8), SCRATCH
+set -eu
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none
+rm -rf "$SCRATCH"; mkdir -p "$SCRATCH"; cd "$SCRATCH"
+
+# States of all stages; the line before them names the library.
+states() { sed 's/.*"stages"://' "$1"; }
+
+of_stock() {  # SCENARIO
+    [ -f stock.json.$(echo "$1" | tr / _) ] && return
+    LD_LIBRARY_PATH=$STOCK "$SCENARIO" "$1" --record stock.json.$(echo "$1" | tr / _) > /dev/null
+}
+
+# SCENARIO WORKERS ALGORITHM [what to do meanwhile, a function that is given the workers' processes]
+compare() {
+    of_stock "$1"
+    rm -f ours.json
+    ODE_MT_WORKERS=mpi ODE_MT_LOG=info ODE_MT_ALGORITHM=$3 LD_LIBRARY_PATH=$LIBRARY timeout -k 5 100 "$MPIRUN" --enable-recovery \
+        -np 1 "$SCENARIO" "$1" --record ours.json : -np "$2" "$WORKER" > output 2>&1 &
+    job=$!
+    if [ $# -ge 4 ]; then "$4" $job; fi
+    wait $job || { echo "$1 with $2 workers: mpirun ended with $?"; cat output; exit 1; }
+    states ours.json > ours; states stock.json.$(echo "$1" | tr / _) > stock
+    cmp ours stock || { echo "$1 with $2 workers has other bits"; cat output; exit 1; }
+    echo "$1, $2 workers: $(grep -o '[0-9]* islands sent.*' output)"
+    if [ $# -lt 4 ] && ! grep -q '[1-9][0-9]* islands sent, [1-9]' output; then echo "nothing was solved elsewhere"; cat output; exit 1; fi
+}
+
+workers_of() { pgrep -P "$1" -f "^$WORKER" || true; }
+
+kill_one() {
+    for i in $(seq 200); do [ -n "$(workers_of "$1")" ] && break; sleep 0.02; done
+    sleep 0.6
+    victim=$(workers_of "$1" | head -1)
+    [ -z "$victim" ] || kill -9 "$victim" || true
+}
+
+stop_one() {
+    for i in $(seq 200); do [ -n "$(workers_of "$1")" ] && break; sleep 0.02; done
+    sleep 0.6
+    victim=$(workers_of "$1" | head -1)
+    [ -z "$victim" ] && return
+    kill -STOP "$victim" || true
+    sleep 1.5
+    kill -CONT "$victim" 2> /dev/null || true
+}
+
+for workers in 1 2 4; do
+    compare shared_scenes/humanoids/world $workers lcp
+done
+compare many_rows/figures/world 2 lcp
+compare messages/printed/world 2 lcp
+compare float_environment/rounding/world 2 lcp
+compare joint_feedback/world 2 lcp
+compare many_rows/walls/world 2 lcp kill_one
+compare many_rows/walls/world 2 auto stop_one
