@@ -125,7 +125,7 @@ int UserMemory::blocksInUse = 0;
 
 void addSeveralWorlds(Catalogue &catalogue) {
     catalogue.push_back({"several_worlds", "three worlds in one space", 70, make<SeveralWorlds>()});
-    catalogue.push_back({"several_worlds/together", "twelve worlds in one space, stepped in one call", 70, make<Together>(),
+    catalogue.push_back({"several_worlds/together", "twelve worlds in one space, stepped in one call", 25, make<Together>(),
                          "each world is stepped by one thread"});
     catalogue.push_back(
         {"several_worlds/shared_memory", "three worlds that share working memory", 70, make<SharedMemory>()});
