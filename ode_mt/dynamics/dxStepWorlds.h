@@ -9,9 +9,6 @@
 //   commit            caller   messages and notifications in the order of the worlds
 //
 // A run is as good as the loop since nothing that a world of it writes is read by another: docs/batch.md has the table.
-//
-// Tried and dropped: worlds in groups that fit a cache, prepared and stepped before the next group. Workers then wait for one another after
-// each group.
 #pragma once
 
 #include <ode/ode.h>
