@@ -43,8 +43,10 @@ void dxRemoteIslands::open() {
 void dxRemoteIslands::close() { dxRemoteWorkers::instance().close(); }
 
 bool dxRemoteIslands::mayHelp(const dxStepCall &call) {
-    return dxRemoteWorkers::instance().areThere() && call.kind == dxStepperKind::World && call.count > 0 &&
-           dxSettings::instance().algorithm() != dxAlgorithm::Serial && !dxTrapsFloatingPoint() && !dxJointAttachment::hasAny(*call.world);
+    if (!dxRemoteWorkers::instance().areThere() || call.kind != dxStepperKind::World) return false;
+    const dxAlgorithm algorithm = dxSettings::instance().algorithm();
+    const unsigned least = algorithm == dxAlgorithm::Auto ? 2 : 1;  // one island alone gains nothing
+    return call.count >= least && algorithm != dxAlgorithm::Serial && !dxTrapsFloatingPoint() && !dxJointAttachment::hasAny(*call.world);
 }
 
 dxRemoteIslands::dxRemoteIslands(const dxStepCall &call, dxStepRecords &records, double share, bool isForced)

@@ -166,6 +166,12 @@ void planThreads(const dxStepCall &call, dxStepPlan &plan, unsigned limit) {
     }
 }
 
+// A step that is over before a message could be there and back is not worth reading a clock.
+bool isLongEnoughForMessages(const dxStepCall &call, const dxIslandCosts &costs) {
+    constexpr double kMinRemoteNs = 150e3;
+    return dxSettings::instance().algorithm() != dxAlgorithm::Auto || costs.total * dxCostModel::instance().scale(call.kind) >= kMinRemoteNs;
+}
+
 // Requires remote workers.
 void planRemote(const dxStepCall &call, dxStepPlan &plan) {
     if (dxSettings::instance().algorithm() != dxAlgorithm::Auto) {
@@ -195,10 +201,12 @@ void recordRemoteTime(const dxStepPlan &plan, double ns) {
 dxStepPlan dxPlanStep(const dxStepCall &call) {
     dxStepPlan plan;
     const unsigned limit = mayUseWorkers(call, plan.reason) ? workerLimit(call.world, plan.reason) : 1;
-    const bool mayBeRemote = dxRemoteIslands::mayHelp(call);
+    bool mayBeRemote = dxRemoteIslands::mayHelp(call);
+    if (limit < 2 && !mayBeRemote) return plan;
+    plan.costs = estimateCosts(call);
+    mayBeRemote = mayBeRemote && isLongEnoughForMessages(call, plan.costs);
     if (limit < 2 && !mayBeRemote) return plan;
     plan.isMeasured = true;
-    plan.costs = estimateCosts(call);
     if (limit >= 2) planThreads(call, plan, limit);
     if (mayBeRemote && plan.strategy != dxStepStrategy::LargeIsland) planRemote(call, plan);
     return plan;
