@@ -155,6 +155,23 @@ void furnishDeck(Lab &lab) { addDeck(lab, 10, 10); }
 
 void furnishHeavyDeck(Lab &lab) { addDeck(lab, 100, 6); }
 
+// Columns of pairs of boxes, each pair on a fixed joint: what joints and contacts have not found tilts a column.
+void furnishFixedPairs(Lab &lab) {
+    constexpr int kColumns = 8, kHeight = 6;
+    constexpr dReal kSide = REAL(0.2), kGap = REAL(0.01);  // m
+    lab.surfaceOfAll().mode = dContactApprox1;
+    lab.addGround();
+    for (int column = 0; column < kColumns; ++column)
+        for (int i = 0; i < kHeight; ++i) {
+            dBodyID pair[2];
+            for (int half = 0; half < 2; ++half)
+                pair[half] = lab.addBox({3 * kSide * static_cast<dReal>(column) + (kSide + kGap) * static_cast<dReal>(half), 0,
+                                         kSide * (static_cast<dReal>(i) + REAL(0.5))},
+                                        {kSide, kSide, kSide}, 1);
+            lab.addFixed(pair[0], pair[1]);
+        }
+}
+
 struct OwnScene {
     const char *name, *meaning;
     dReal stepSize;  // s
@@ -174,6 +191,7 @@ constexpr OwnScene kOwnScenes[] = {
     {"bouncing", "60 balls that bounce between walls", REAL(0.005), furnishBouncing},
     {"deck", "100 boxes of 1 kg on a deck of 10 kg that four ball joints hold", REAL(0.01), furnishDeck},
     {"heavy_deck", "36 boxes of 1 kg on a deck of 100 kg that four ball joints hold", REAL(0.01), furnishHeavyDeck},
+    {"fixed_pairs", "eight columns of six pairs of boxes on fixed joints", REAL(0.01), furnishFixedPairs},
     {"bridge", "planks on hinges with boxes on them", REAL(0.005), furnishBridge},
 };
 

@@ -55,6 +55,7 @@ std::vector<Quantity> hub(const Stepping &stepping) { return shared(stepping, "r
 std::vector<Quantity> massRatio(const Stepping &stepping) { return shared(stepping, "mass_ratio", 50, 300); }
 std::vector<Quantity> infiniteFriction(const Stepping &stepping) { return shared(stepping, "infinite_friction", 300, 100); }
 std::vector<Quantity> fixedFriction(const Stepping &stepping) { return shared(stepping, "fixed_friction", 300, 100); }
+std::vector<Quantity> fixedPairs(const Stepping &stepping) { return shared(stepping, "fixed_pairs", 600, 200); }
 std::vector<Quantity> hardContacts(const Stepping &stepping) { return shared(stepping, "hard_contacts", 300, 100); }
 
 }  // namespace
@@ -69,7 +70,8 @@ std::vector<Experiment> restingExperiments() {
             {"mass_ratio", "four boxes of 1 kg under one of 20 to 120 kg", massRatio},
             {"infinite_friction", "heap of 50 boxes that do not slide", infiniteFriction},
             {"fixed_friction", "heap of 50 boxes, friction without dContactApprox1", fixedFriction},
-            {"hard_contacts", "heap of 50 boxes with the world's erp and cfm", hardContacts}};
+            {"hard_contacts", "heap of 50 boxes with the world's erp and cfm", hardContacts},
+            {"fixed_pairs", "eight columns of six pairs of boxes on fixed joints", fixedPairs}};
 }
 
 }  // namespace quality

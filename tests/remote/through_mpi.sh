@@ -9,6 +9,9 @@ export MALLOC_PERTURB_=165  # as in the exactness suite
 STEPS=  # as many as the scenario has
 rm -rf "$SCRATCH"; mkdir -p "$SCRATCH"; cd "$SCRATCH"
 
+# Where mpirun cannot start two processes (no network interface, no shared memory) there is nothing to compare.
+if ! timeout 60 "$MPIRUN" -np 2 true > output 2>&1; then cat output; echo "skipped: mpirun does not work here"; exit 77; fi
+
 # States of all stages; the line before them names the library.
 states() { sed 's/.*"stages"://' "$1"; }
 
@@ -61,7 +64,7 @@ compare many_rows/figures/world 2 lcp
 compare messages/printed/world 2 lcp
 compare float_environment/rounding/world 2 lcp
 compare joint_feedback/world 2 lcp
-STEPS="--steps 400"
+STEPS="--steps 1000"
 compare shared_scenes/humanoids/world 2 lcp kill_one
 grep -q ', 1 workers lost' output || { echo "no worker was lost"; cat output; exit 1; }
 compare shared_scenes/humanoids/world 2 lcp stop_one

@@ -146,12 +146,17 @@ void dxConstraintPlan::placeManifolds(const dxIsland &group) {
     m_packColors = m_colors.count();
 }
 
-// Returns whether that is done: vectors are filled, or so few contacts remain that they are rows.
+// Returns whether that is done: vectors are filled, or so few contacts remain that they are rows. Beside joints contacts are rows in any case:
+// swept after all joints, what those have not found would tilt columns that stand on both.
 bool dxConstraintPlan::placeInSequence(const dxIsland &group) {
-    drawDirections(group);
-    makePacks(m_packOrder.place(m_manifolds, m_moves, m_goesDown));
-    if (fillsLanes()) return true;
-    if (contactsOf(m_manifolds) + m_others.size() > kMaxSerial) return false;
+    const bool haveJoints = m_others.size() != contactsOf(m_rowManifolds);
+    const bool mayBeRows = contactsOf(m_manifolds) + m_others.size() <= kMaxSerial;
+    if (!haveJoints || !mayBeRows) {
+        drawDirections(group);
+        makePacks(m_packOrder.place(m_manifolds, m_moves, m_goesDown));
+        if (fillsLanes()) return true;
+        if (!mayBeRows) return false;
+    }
     moveToRows([](const Manifold &) { return true; });
     return true;
 }
