@@ -64,7 +64,8 @@ compare many_rows/figures/world 2 lcp
 compare messages/printed/world 2 lcp
 compare float_environment/rounding/world 2 lcp
 compare joint_feedback/world 2 lcp
-STEPS="--steps 1000"
+STEPS="--steps 400"
 compare shared_scenes/humanoids/world 2 lcp kill_one
-grep -q ', 1 workers lost' output || { echo "no worker was lost"; cat output; exit 1; }
+# Open MPI does not tell that a process is gone: it is late.
+grep -q 'late [1-9]\|[1-9] workers lost' output || { echo "no worker was missed"; cat output; exit 1; }
 compare shared_scenes/humanoids/world 2 lcp stop_one

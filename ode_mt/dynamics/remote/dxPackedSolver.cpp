@@ -138,8 +138,8 @@ void append(std::vector<std::byte> &bytes, const void *data, std::size_t size) {
 
 void giveBack(std::vector<std::byte> &result) {
     const dxPackedResult::Head head{dxPackedResult::Outcome::GivenBack, 0, 0, 0};
-    result.clear();
-    append(result, &head, sizeof head);
+    const auto *const bytes = reinterpret_cast<const std::byte *>(&head);
+    result.assign(bytes, bytes + sizeof head);
 }
 
 }  // namespace
