@@ -142,7 +142,10 @@ TEST_F(ConstraintPlan, ColorsRandomWorlds) {
         dxConstraintPlan plan;
         plan.make(group.island());
         expectNoneShared(plan, group);
-        EXPECT_GT(plan.phases().size(), group.island().jointCount > 12 ? 1u : 0u);
+        // They have joints of all types: few contacts beside them are rows, all in one phase.
+        const bool areRows = group.island().jointCount <= 1000;
+        EXPECT_EQ(plan.packs().empty(), areRows);
+        EXPECT_EQ(plan.phases().size() == 1, areRows);
     }
 }
 
