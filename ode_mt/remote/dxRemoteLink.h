@@ -8,7 +8,7 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
+#include <list>
 #include <vector>
 
 // Problems that were sent in one message and are not back.
@@ -42,7 +42,7 @@ public:
     void lose() { m_state = State::Lost; }
 
     // --- problems ------------------------------------------------------------------------------------------
-    const std::deque<dxRemoteInFlight> &inFlight() const { return m_inFlight; }
+    const std::list<dxRemoteInFlight> &inFlight() const { return m_inFlight; }
     void send(dxRemoteInFlight &&problems, std::size_t bytes, double now);
     void withdraw(std::uint64_t number);
 
@@ -69,5 +69,5 @@ private:
     double m_pausedUntil = 0, m_pauseNs = 0;
     unsigned m_onTime = 0;
     double m_latencyNs = 0, m_nsPerByte = 0, m_slowness = 1;
-    std::deque<dxRemoteInFlight> m_inFlight;  // in the order in which they were sent
+    std::list<dxRemoteInFlight> m_inFlight;  // in the order in which they were sent
 };

@@ -428,7 +428,7 @@ dxRemoteBatch::dxRemoteBatch(dxRemoteWorkers &workers, unsigned count, bool mayH
 dxRemoteBatch::~dxRemoteBatch() {
     const dxRemoteWorkers::Lock lock(m_workers.m_mutex);
     m_workers.m_batches.erase(m_number);
-    std::deque<dxRemoteProblem *> &queue = m_workers.m_queue;
+    std::list<dxRemoteProblem *> &queue = m_workers.m_queue;
     queue.erase(std::remove_if(queue.begin(), queue.end(), [this](const dxRemoteProblem *one) { return one->number >> kNumberShift == m_number; }),
                 queue.end());
 }
@@ -441,7 +441,7 @@ void dxRemoteBatch::submit(unsigned index, dxRemoteBytes &&bytes, double cost) {
     problem.isPatient = !m_mayHurry;
     problem.state = State::Queued;
     if (!m_workers.areThere() || m_workers.m_isClosing) return m_workers.takeHome(problem);
-    std::deque<dxRemoteProblem *> &queue = m_workers.m_queue;
+    std::list<dxRemoteProblem *> &queue = m_workers.m_queue;
     queue.insert(std::upper_bound(queue.begin(), queue.end(), &problem,
                                   [](const dxRemoteProblem *a, const dxRemoteProblem *b) { return a->cost > b->cost; }),
                  &problem);
@@ -487,7 +487,7 @@ bool dxRemoteBatch::takeReady(State state, unsigned &index, dxRemoteBytes *resul
 }
 
 bool dxRemoteBatch::takeUnsent(unsigned &index) {
-    std::deque<dxRemoteProblem *> &queue = m_workers.m_queue;
+    std::list<dxRemoteProblem *> &queue = m_workers.m_queue;
     const auto found = std::find_if(queue.rbegin(), queue.rend(), [this](const dxRemoteProblem *one) { return one->number >> kNumberShift == m_number; });
     if (found == queue.rend()) return false;
     dxRemoteProblem &problem = **found;

@@ -16,7 +16,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
-#include <deque>
+#include <list>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -132,7 +132,7 @@ private:
     double m_lastAlive = 0;
 
     std::vector<Link> m_links;
-    std::deque<dxRemoteProblem *> m_queue;                         // the most expensive first
+    std::list<dxRemoteProblem *> m_queue;                         // the most expensive first
     std::unordered_map<std::uint64_t, dxRemoteBatch *> m_batches;  // by the upper half of a problem's number
     std::vector<std::pair<unsigned, std::uint64_t>> m_withdrawals;
     std::uint64_t m_nextFrame = 1, m_nextBatch = 1;

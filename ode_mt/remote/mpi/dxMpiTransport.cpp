@@ -166,7 +166,7 @@ void dxMpiTransport::close(bool isOrderly) {
     }
     if (!isOrderly && m_links.empty()) isOrderly = m_isOwn;  // nothing has been agreed upon with anybody
     if (!isOrderly) {
-        new std::deque<Sending>(std::move(m_sending));  // MPI may read them until the process ends
+        new std::list<Sending>(std::move(m_sending));  // MPI may read them until the process ends
         return;
     }
     if (m_isSpawned)

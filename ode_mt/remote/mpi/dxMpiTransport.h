@@ -11,7 +11,7 @@
 #include <mpi.h>
 
 #include <cstddef>
-#include <deque>
+#include <list>
 #include <memory>
 #include <string>
 #include <vector>
@@ -51,7 +51,7 @@ private:
     bool m_isSpawned = false;  // communicators are intercommunicators, one for each link
     std::vector<Link> m_links;
     std::vector<MPI_Comm> m_probed;  // each communicator once
-    std::deque<Sending> m_sending;
+    std::list<Sending> m_sending;
     unsigned m_next = 0;  // link or communicator that is looked at first
     MPI_Message m_message = MPI_MESSAGE_NULL;
     int m_bytes = 0;
