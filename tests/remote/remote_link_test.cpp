@@ -33,8 +33,8 @@ TEST(RemoteLink, HasTwoMessagesUnderWay) {
     EXPECT_TRUE(link.isFree(0));
     send(link, 2, kMs, 0);
     EXPECT_FALSE(link.isFree(0));
-    EXPECT_DOUBLE_EQ(link.inFlight()[0].expected, 1.1 * kMs);
-    EXPECT_DOUBLE_EQ(link.inFlight()[1].expected, 2.2 * kMs);
+    EXPECT_DOUBLE_EQ(link.inFlight().front().expected, 1.1 * kMs);
+    EXPECT_DOUBLE_EQ(link.inFlight().back().expected, 2.2 * kMs);
 }
 
 TEST(RemoteLink, LearnsHowSlowTheWorkerIs) {
