@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <new>
 
+#include "core/dxAtomicLeast.h"
 #include "core/dxStopwatch.h"
 #include "dynamics/dxIslandPreparation.h"
 #include "dynamics/dxIslandStepper.h"
@@ -182,11 +183,7 @@ void dxIslandParallelStep::finishPostponed() {
         if (m_remote->isPostponed(entry)) finishRemote(entry, 0, {}, false);
 }
 
-void dxIslandParallelStep::interruptAt(unsigned island) {
-    unsigned first = m_interrupted.load(std::memory_order_relaxed);
-    while (island < first && !m_interrupted.compare_exchange_weak(first, island, std::memory_order_relaxed)) {
-    }
-}
+void dxIslandParallelStep::interruptAt(unsigned island) { dxLowerTo(m_interrupted, island); }
 
 void dxIslandParallelStep::stepRemainingIslands() {
     for (unsigned i = 0; i < m_records->inOrderFrom; ++i) {

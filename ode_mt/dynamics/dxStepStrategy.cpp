@@ -49,14 +49,6 @@ struct RemotePolicy {
 };
 dxProcessObject<RemotePolicy> remotePolicy;
 
-// Upstream takes a negative number of iterations for one above two thousand million, and never returns from an island with
-// rows. It may never come to that island, though: one before it may report an error to a handler that leaves the step.
-bool mayBeEndless(const dxStepCall &call) {
-    constexpr unsigned kMaxIterations = 100000;
-    return dxIsQuick(call.kind) &&
-           static_cast<unsigned>(call.world->qs.num_iterations) > kMaxIterations;
-}
-
 unsigned minLargeJoints(dxStepperKind kind) {
     if (dxIsQuick(kind)) return kMinJoints;
     if (kind == dxStepperKind::Direct) return kMinDirectJoints;
@@ -67,7 +59,7 @@ unsigned minLargeJoints(dxStepperKind kind) {
 // island.
 bool mayUseWorkers(const dxStepCall &call, dODE_MT_Reason &reason) {
     reason = dODE_MT_REASON_ITERATIONS;
-    if (mayBeEndless(call)) return false;
+    if (dxIsQuick(call.kind) && dxMayBeEndless(*call.world)) return false;
     reason = call.count == 0 ? dODE_MT_REASON_NOTHING : dODE_MT_REASON_SMALL_ISLAND;
     if (call.count != 1) return call.count > 1;
     return dxIslandCursor(call.info).next().jointCount >= minLargeJoints(call.kind);
@@ -197,6 +189,11 @@ void recordRemoteTime(const dxStepPlan &plan, double ns) {
 }
 
 }  // namespace
+
+bool dxMayBeEndless(const dxWorld &world) {
+    constexpr unsigned kMaxIterations = 100000;
+    return static_cast<unsigned>(world.qs.num_iterations) > kMaxIterations;
+}
 
 dxStepPlan dxPlanStep(const dxStepCall &call) {
     dxStepPlan plan;

@@ -34,6 +34,10 @@ struct dxStepPlan {
     bool hasLargeIsland = false;  // both LargeIsland and another strategy are possible
 };
 
+// Upstream takes a negative number of iterations for one above two thousand million, and never returns from an island with rows then. It
+// may never come to that island, though: one before it, or a world before this one, may report an error.
+bool dxMayBeEndless(const dxWorld &world);
+
 dxStepPlan dxPlanStep(const dxStepCall &call);
 
 // Why no more threads took part in a step of this plan than did.

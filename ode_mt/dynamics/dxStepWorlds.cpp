@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/dxAtomicLeast.h"
+#include "core/dxCacheLine.h"
 #include "core/dxStopwatch.h"
 #include "dynamics/dxIslandStepper.h"
 #include "dynamics/dxStep.h"
@@ -45,7 +47,7 @@ struct World {
     bool isPrepared;
 };
 
-struct alignas(64) Worker {
+struct alignas(kCacheLine) Worker {
     std::vector<dxKeptReport> reports;
     std::vector<dxFeedbackUse> feedbacks;
     double busyNs = 0;
@@ -155,9 +157,7 @@ private:
             dxDeferredIsland scope(index, world.seed, false, m_workers[worker].reports);
             dxStepOnThisThread(world.world, world.islands, m_stepSize, m_stepper.island, worker);
         } catch (const dxUpstreamInterrupted &) {
-            unsigned first = m_interrupted.load(std::memory_order_relaxed);
-            while (index < first && !m_interrupted.compare_exchange_weak(first, index, std::memory_order_relaxed)) {
-            }
+            dxLowerTo(m_interrupted, index);
         }
     }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/dxPointerSet.h"
+#include "dynamics/dxStepStrategy.h"
 #include "dynamics/islands/dxUserHandlers.h"
 #include "settings/dxOwnThreads.h"
 #include "settings/dxSettings.h"
@@ -32,16 +33,10 @@ bool hasMovedCallback(const dxWorld &world) {
     return false;
 }
 
-// Upstream never returns from a step of so many iterations, or fewer than none; a world before it may end the process, though.
-bool mayBeEndless(const dxWorld &world) {
-    constexpr unsigned kMaxIterations = 100000;
-    return static_cast<unsigned>(world.qs.num_iterations) > kMaxIterations;
-}
-
 // On a worker.
 bool goesAlone(const dxWorld &world) {
     const bool hasOwnMemory = world.wmem != nullptr && world.wmem->GetMemoryManager() != nullptr;
-    return hasOwnMemory || mayBeEndless(world) || dxWorldWorkers::given(&world) || dxOwnThreads::of(&world) != 0 || hasMovedCallback(world);
+    return hasOwnMemory || dxMayBeEndless(world) || dxWorldWorkers::given(&world) || dxOwnThreads::of(&world) != 0 || hasMovedCallback(world);
 }
 
 // As if all of it were one island.

@@ -5,6 +5,7 @@
 #include <cfenv>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "dynamics/exactstep/dxExactMatrix.h"
 #include "dynamics/exactstep/dxExactProblem.h"
@@ -12,27 +13,9 @@
 
 namespace {
 
-constexpr std::size_t kAlignment = 8;
 constexpr unsigned kSides = dxExactProblem::kSides, kPair = 2;
 static_assert(dxExactProblem::kElements == kRowElements && sizeof(dxInverseInertia) == dxPackedProblem::kInertiaElements * sizeof(dReal),
               "arrays are packed as they lie");
-
-std::size_t aligned(std::size_t bytes) { return (bytes + kAlignment - 1) / kAlignment * kAlignment; }
-
-// Sizes of the arrays, in their order, in 64 bits: counts of 32 cannot overflow them.
-struct Layout {
-    explicit Layout(const dxPackedCounts &counts)
-        : joints(aligned(counts.joints * sizeof(dxConstraintJoint))),
-          jacobian(aligned(std::size_t(counts.rows) * kSides * kRowElements * sizeof(dReal))),
-          inverseInertia(aligned(std::size_t(counts.bodies) * dxPackedProblem::kInertiaElements * sizeof(dReal))),
-          motions(aligned(std::size_t(counts.bodies) * kRowElements * sizeof(dReal))),
-          pairs(aligned(std::size_t(counts.rows) * kPair * sizeof(dReal))),
-          normals(aligned(std::size_t(counts.rows) * sizeof(int))) {}
-
-    std::size_t total() const { return sizeof(dxPackedCounts) + joints + jacobian + inverseInertia + motions + 2 * pairs + normals; }
-
-    std::size_t joints, jacobian, inverseInertia, motions, pairs, normals;
-};
 
 // Joints have rows one after the other, of bodies that there are.
 bool areJointsSound(const dxPackedProblem &problem) {
@@ -60,46 +43,50 @@ bool areNormalsSound(const dxPackedProblem &problem) {
 
 }  // namespace
 
+dxPackedLayout::dxPackedLayout(const dxPackedCounts &counts) : total(sizeof counts) {
+    const auto add = [this](std::size_t count, std::size_t size) { return std::exchange(total, total + dxPackedRoom(count * size)); };
+    const std::size_t rows = counts.rows, bodies = counts.bodies;
+    joints = add(counts.joints, sizeof(dxConstraintJoint));
+    jacobian = add(rows * kSides * kRowElements, sizeof(dReal));
+    inverseInertia = add(bodies * dxPackedProblem::kInertiaElements, sizeof(dReal));
+    motions = add(bodies * kRowElements, sizeof(dReal));
+    pairsBX = add(rows * kPair, sizeof(dReal));
+    pairsLoHi = add(rows * kPair, sizeof(dReal));
+    normalOf = add(rows, sizeof(int));
+}
+
 bool dxPackedProblem::read(const std::byte *bytes, std::size_t size) {
     constexpr std::uint32_t kMaxRows = 1u << 20;
     if (size < sizeof counts) return false;
     std::memcpy(&counts, bytes, sizeof counts);
     if (counts.rows == 0 || counts.rows > kMaxRows || counts.unboundedJoints > counts.joints) return false;
-    const Layout layout(counts);
-    if (layout.total() != size) return false;
-    joints = bytes + sizeof counts;
-    jacobian = joints + layout.joints;
-    inverseInertia = jacobian + layout.jacobian;
-    motions = inverseInertia + layout.inverseInertia;
-    pairsBX = motions + layout.motions;
-    pairsLoHi = pairsBX + layout.pairs;
-    normalOf = pairsLoHi + layout.pairs;
+    const dxPackedLayout layout(counts);
+    if (layout.total != size) return false;
+    joints = bytes + layout.joints;
+    jacobian = bytes + layout.jacobian;
+    inverseInertia = bytes + layout.inverseInertia;
+    motions = bytes + layout.motions;
+    pairsBX = bytes + layout.pairsBX;
+    pairsLoHi = bytes + layout.pairsLoHi;
+    normalOf = bytes + layout.normalOf;
     return areJointsSound(*this) && areNormalsSound(*this);
 }
 
 void dxPackProblem(const dxExactProblem &problem, dReal stepSize, std::vector<std::byte> &bytes) {
     const dxPackedCounts counts{dxFloatMode(),  problem.bodyCount, problem.jointCount, problem.rowCount, problem.unboundedJoints, 0};
-    const Layout layout(counts);
-    bytes.resize(layout.total());
-    std::byte *to = bytes.data();
-    const auto add = [&to](const void *array, std::size_t size, std::size_t room) {
-        std::memcpy(to, array, size);
-        std::memset(to + size, 0, room - size);
-        to += room;
-    };
-    add(&counts, sizeof counts, sizeof counts);
+    const dxPackedLayout layout(counts);
+    bytes.assign(layout.total, std::byte{0});
+    const auto put = [&bytes](std::size_t at, const void *array, std::size_t size) { std::memcpy(bytes.data() + at, array, size); };
+    put(0, &counts, sizeof counts);
     // Where they lie in the bytes they are aligned for their own type: all sizes before them are multiples of eight.
-    dxListConstraintJoints(problem, reinterpret_cast<dxConstraintJoint *>(to));
-    to += layout.joints;
-    add(problem.jacobian, std::size_t(counts.rows) * kSides * kRowElements * sizeof(dReal), layout.jacobian);
-    std::byte *const inertia = to;
-    to += layout.inverseInertia;
-    dxFindMotions(problem, stepSize, reinterpret_cast<dReal *>(to));
-    to += layout.motions;
-    std::memcpy(inertia, problem.inverseInertia, std::size_t(counts.bodies) * sizeof(dxInverseInertia));
-    add(problem.pairsBX, std::size_t(counts.rows) * kPair * sizeof(dReal), layout.pairs);
-    add(problem.pairsLoHi, std::size_t(counts.rows) * kPair * sizeof(dReal), layout.pairs);
-    add(problem.normalOf, std::size_t(counts.rows) * sizeof(int), layout.normals);
+    dxListConstraintJoints(problem, reinterpret_cast<dxConstraintJoint *>(bytes.data() + layout.joints));
+    dxFindMotions(problem, stepSize, reinterpret_cast<dReal *>(bytes.data() + layout.motions));  // completes the tensors
+    const std::size_t rows = counts.rows, bodies = counts.bodies;
+    put(layout.jacobian, problem.jacobian, rows * kSides * kRowElements * sizeof(dReal));
+    put(layout.inverseInertia, problem.inverseInertia, bodies * sizeof(dxInverseInertia));
+    put(layout.pairsBX, problem.pairsBX, rows * kPair * sizeof(dReal));
+    put(layout.pairsLoHi, problem.pairsLoHi, rows * kPair * sizeof(dReal));
+    put(layout.normalOf, problem.normalOf, rows * sizeof(int));
 }
 
 dxPackedAnswer dxReadPackedResult(const std::vector<std::byte> &bytes, const dxExactProblem &problem) {
@@ -108,7 +95,7 @@ dxPackedAnswer dxReadPackedResult(const std::vector<std::byte> &bytes, const dxE
     std::memcpy(&head, bytes.data(), sizeof head);
     if (head.outcome == dxPackedResult::Outcome::GivenBack) return dxPackedAnswer::GivenBack;
     const std::size_t size = std::size_t(problem.rowCount) * sizeof(dReal);
-    if (head.outcome != dxPackedResult::Outcome::Solved || head.rows != problem.rowCount || bytes.size() < sizeof head + aligned(size) ||
+    if (head.outcome != dxPackedResult::Outcome::Solved || head.rows != problem.rowCount || bytes.size() < sizeof head + dxPackedRoom(size) ||
         (head.exceptions & ~unsigned{FE_ALL_EXCEPT}) != 0)
         return dxPackedAnswer::Wrong;
     const std::byte *from = bytes.data() + sizeof head;
@@ -124,7 +111,7 @@ dxPackedAnswer dxReadPackedResult(const std::vector<std::byte> &bytes, const dxE
 void dxReportPackedMessages(const std::vector<std::byte> &bytes) {
     dxPackedResult::Head head;
     std::memcpy(&head, bytes.data(), sizeof head);
-    std::size_t at = sizeof head + aligned(head.rows * sizeof(dReal));
+    std::size_t at = sizeof head + dxPackedRoom(head.rows * sizeof(dReal));
     for (unsigned i = 0; i < head.messages; ++i) {
         dxPackedResult::Message message;
         if (bytes.size() - at < sizeof message) return;

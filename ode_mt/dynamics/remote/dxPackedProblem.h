@@ -22,6 +22,16 @@ struct dxPackedCounts {
     std::uint32_t padding;
 };
 
+// What follows in the bytes begins on eight.
+constexpr std::size_t dxPackedRoom(std::size_t bytes) { return (bytes + 7) / 8 * 8; }
+
+// Where the arrays of a problem begin, in their order, and what all of it takes. In 64 bits: counts of 32 cannot overflow them.
+struct dxPackedLayout {
+    explicit dxPackedLayout(const dxPackedCounts &counts);
+
+    std::size_t joints, jacobian, inverseInertia, motions, pairsBX, pairsLoHi, normalOf, total;
+};
+
 // A problem in its bytes.
 struct dxPackedProblem {
     dxPackedCounts counts;

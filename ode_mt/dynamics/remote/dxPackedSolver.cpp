@@ -97,7 +97,6 @@ Element *copy(dxWorldProcessMemArena &arena, const std::byte *from, std::size_t 
     return array;
 }
 
-
 // May throw dxUpstreamInterrupted.
 const dReal *solve(const dxPackedProblem &problem, dxWorldProcessMemArena &arena) {
     const dxPackedCounts &counts = problem.counts;
@@ -162,7 +161,7 @@ void dxSolvePacked(const std::byte *bytes, std::size_t size, std::vector<std::by
         result.clear();
         append(result, &head, sizeof head);
         for (unsigned i = 0; i < problem.counts.rows; ++i) append(result, pairsBX + std::size_t(i) * kPair + PBX_X, sizeof(dReal));
-        result.resize((result.size() + 7) / 8 * 8);
+        result.resize(dxPackedRoom(result.size()));
         append(result, messages.bytes().data(), messages.bytes().size());
     } catch (const dxUpstreamInterrupted &) {
         giveBack(result);
@@ -189,41 +188,31 @@ private:
 std::vector<std::byte> makeProblem(Numbers &numbers, unsigned bodies, std::uint32_t floatMode) {
     constexpr unsigned kRows = 3;
     const dxPackedCounts counts{floatMode, bodies, bodies, kRows * bodies, bodies / 3, 0};
-    std::vector<std::byte> bytes;
-    append(bytes, &counts, sizeof counts);
-    const auto align = [&bytes] { bytes.resize((bytes.size() + 7) / 8 * 8); };
-    const auto addReal = [&bytes](dReal number) { append(bytes, &number, sizeof number); };
-    for (unsigned i = 0; i < bodies; ++i) {
-        const dxConstraintJoint joint{kRows * i, kRows, {i, i > 0 ? i - 1 : dxConstraintJoint::kNoBody}};
-        append(bytes, &joint, sizeof joint);
-    }
-    align();
-    for (unsigned i = 0; i < counts.rows * dxBodyLinks::kSides * kRowElements; ++i) addReal(numbers.next());
-    align();
+    const dxPackedLayout layout(counts);
+    std::vector<std::byte> bytes(layout.total);
+    std::memcpy(bytes.data(), &counts, sizeof counts);
+    // Aligned, as in dxPackProblem.
+    auto *const joints = reinterpret_cast<dxConstraintJoint *>(bytes.data() + layout.joints);
+    for (unsigned i = 0; i < bodies; ++i) joints[i] = {kRows * i, kRows, {i, i > 0 ? i - 1 : dxConstraintJoint::kNoBody}};
+    const auto reals = [&bytes](std::size_t at) { return reinterpret_cast<dReal *>(bytes.data() + at); };
+    std::generate_n(reals(layout.jacobian), counts.rows * dxBodyLinks::kSides * kRowElements, [&numbers] { return numbers.next(); });
+    dReal *inertia = reals(layout.inverseInertia);
     for (unsigned i = 0; i < bodies; ++i) {
         const dReal mass = 2 + numbers.next();
         for (unsigned k = 0; k < dxPackedProblem::kInertiaElements; ++k)
-            addReal(k == dxConstraintMatrixTask::kInverseMass || k % 5 == 0 ? mass : k % 4 == 3 ? dReal(0) : numbers.next() / 8);
+            *inertia++ = k == dxConstraintMatrixTask::kInverseMass || k % 5 == 0 ? mass : k % 4 == 3 ? dReal(0) : numbers.next() / 8;
     }
-    align();
-    for (unsigned i = 0; i < bodies * kRowElements; ++i) addReal(10 * numbers.next());
-    align();
-    for (unsigned i = 0; i < counts.rows; ++i) {
-        addReal(numbers.next());
-        addReal(dReal(0.5));
-    }
-    align();
+    std::generate_n(reals(layout.motions), bodies * kRowElements, [&numbers] { return 10 * numbers.next(); });
+    dReal *const pairsBX = reals(layout.pairsBX), *const pairsLoHi = reals(layout.pairsLoHi);
+    int *const normalOf = reinterpret_cast<int *>(bytes.data() + layout.normalOf);
     for (unsigned i = 0; i < counts.rows; ++i) {
         const bool isLimited = i / kRows >= counts.unboundedJoints, isNormal = i % kRows == 0;
-        addReal(!isLimited ? -dInfinity : isNormal ? dReal(0) : dReal(-0.5));
-        addReal(!isLimited || isNormal ? dInfinity : dReal(0.5));
+        pairsBX[kPair * i] = numbers.next();
+        pairsBX[kPair * i + 1] = dReal(0.5);
+        pairsLoHi[kPair * i] = !isLimited ? -dInfinity : isNormal ? dReal(0) : dReal(-0.5);
+        pairsLoHi[kPair * i + 1] = !isLimited || isNormal ? dInfinity : dReal(0.5);
+        normalOf[i] = isLimited && !isNormal ? static_cast<int>(i - i % kRows) : -1;
     }
-    align();
-    for (unsigned i = 0; i < counts.rows; ++i) {
-        const int normal = i / kRows >= counts.unboundedJoints && i % kRows != 0 ? static_cast<int>(i - i % kRows) : -1;
-        append(bytes, &normal, sizeof normal);
-    }
-    align();
     return bytes;
 }
 

@@ -44,7 +44,6 @@ private:
 
     bool initialise(std::string &reason);
     bool spawn(unsigned wanted, std::string &reason);
-    bool probe(unsigned link);
     void forgetSent();
 
     bool m_isOwn = false;      // MPI was initialised by this transport
