@@ -27,4 +27,10 @@ std::string withoutEscapes(const std::string &word) {
     return text;
 }
 
+std::string joinWords(const std::vector<std::string> &words) {
+    std::string text;
+    for (const std::string &word : words) text += (text.empty() ? "" : ", ") + word;
+    return text;
+}
+
 }  // namespace bench

@@ -2,8 +2,6 @@
 
 #include "loader/load_error.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <string>
@@ -12,8 +10,6 @@
 namespace bench {
 
 namespace {
-
-constexpr std::chrono::milliseconds kTerminalInterval{200}, kLogInterval{5000};
 
 // "4 worlds (a, b, c, d)".
 std::string counted(const std::vector<std::string> &names, const char *thing) {
@@ -31,10 +27,7 @@ std::string bar(double part) {
 
 }  // namespace
 
-Progress::Progress(std::size_t worlds, const StoppingRule &rule)
-    : m_worlds(worlds), m_rule(rule), m_isTerminal(isatty(STDERR_FILENO) != 0) {
-    if (!m_isTerminal) m_next += kLogInterval;
-}
+Progress::Progress(std::size_t worlds, const StoppingRule &rule) : m_worlds(worlds), m_rule(rule) {}
 
 void Progress::announce(const std::vector<std::string> &worlds, const std::vector<Engine> &engines) const {
     std::vector<std::string> names;
@@ -44,23 +37,14 @@ void Progress::announce(const std::vector<std::string> &worlds, const std::vecto
 }
 
 void Progress::show(std::size_t world, const WorldResult &result) {
-    const Clock::time_point now = Clock::now();
-    if (now < m_next) return;
-    m_next = now + (m_isTerminal ? kTerminalInterval : kLogInterval);
+    if (!m_line.isDue()) return;
     const double left = std::max(0.0, static_cast<double>(m_worlds - world) * m_rule.maximumSeconds - result.seconds);
     const double part = 1 - left / (static_cast<double>(m_worlds) * m_rule.maximumSeconds);
-    const std::string begin = m_isTerminal ? "\r\033[K" + bar(part) + ' ' : "";
-    std::fprintf(stderr, "%sat most %.0f s left; world %zu of %zu: %s: %ld frames, %d rounds%s", begin.c_str(), left, world + 1, m_worlds,
-                 worlds::printable(result.world).c_str(), result.frames, result.rounds, m_isTerminal ? "" : "\n");
-    std::fflush(stderr);
-    m_isShown = m_isTerminal;
-}
-
-void Progress::clear() {
-    if (!m_isShown) return;
-    std::fputs("\r\033[K", stderr);
-    std::fflush(stderr);
-    m_isShown = false;
+    char seconds[32];
+    std::snprintf(seconds, sizeof seconds, "%.0f", left);
+    m_line.show((m_line.isOnTerminal() ? bar(part) + ' ' : "") + "at most " + seconds + " s left; world " + std::to_string(world + 1) + " of " +
+                std::to_string(m_worlds) + ": " + worlds::printable(result.world) + ": " + std::to_string(result.frames) + " frames, " +
+                std::to_string(result.rounds) + " rounds");
 }
 
 }  // namespace bench

@@ -1,5 +1,7 @@
 #include "result_file.h"
 
+#include "write_all.h"
+
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -84,16 +86,6 @@ private:
     int m_file = kNone;
     bool m_renamed = false;
 };
-
-bool writeAll(int file, const std::string &text) {
-    for (std::size_t done = 0; done < text.size();) {
-        const ssize_t count = write(file, text.data() + done, text.size() - done);
-        if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) return false;
-        done += static_cast<std::size_t>(count);
-    }
-    return true;
-}
 
 // What has no name to take.
 class SpecialFile {

@@ -23,12 +23,6 @@ bool isModifier(const std::string &word) {
                        [&](const scenes::SceneDescription &modifier) { return modifier.name == word; });
 }
 
-std::string join(const std::vector<std::string> &words) {
-    std::string text;
-    for (const std::string &word : words) text += (text.empty() ? "" : ", ") + word;
-    return text;
-}
-
 std::string nameAndMeaning(const scenes::SceneDescription &description) {
     std::string name = "  " + description.name;
     name.resize(std::max<std::size_t>(name.size() + 1, 24), ' ');
@@ -78,7 +72,7 @@ void checkWorld(const std::string &world) {
         for (const scenes::SceneDescription &scene : scenes) names.push_back(scene.name);
         throw std::invalid_argument(
             "unknown world '" + world + "'; SDF worlds: " + worlds::worldsInFolder() +
-            ", or the path of an .sdf file; scenes: " + join(names) + " (:N for their size)");
+            ", or the path of an .sdf file; scenes: " + joinWords(names) + " (:N for their size)");
     }
     scenes::checkScene(world);
 }
@@ -99,7 +93,7 @@ std::string listWorlds() {
     const std::vector<std::string> inFolder = worlds::availableWorlds();
     if (inFolder.empty()) text += "  none: " + worlds::worldsInFolder() + "\n";
     for (const std::string &world : inFolder) text += "  " + world + "\n";
-    text += nameAndMeaning({"thesis", join(kWorldsOfTheThesis)});
+    text += nameAndMeaning({"thesis", joinWords(kWorldsOfTheThesis)});
     text += "\nWith N static shapes, as NAME:N. Modifier of an SDF world, as NAME,MODIFIER:\n";
     text +=
         nameAndMeaning({kStaticMeetsStatic, "ODE reports pairs of static shapes, which then are dropped"});

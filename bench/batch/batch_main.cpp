@@ -4,6 +4,7 @@
 #include "error_output.h"
 #include "library_variables.h"
 #include "standard_output.h"
+#include "text_file.h"
 
 #include <unistd.h>
 
@@ -40,7 +41,7 @@ void list(const batch::Plan &plan) {
 
 // Returns the exit code: 1 if a run has failed.
 int runBatch(const batch::BatchOptions &options) {
-    const batch::Plan plan = batch::readPlan(batch::readFile(options.planFile));
+    const batch::Plan plan = batch::readPlan(bench::readTextFile(options.planFile));
     if (options.lists) {
         list(plan);
         return 0;
@@ -49,8 +50,7 @@ int runBatch(const batch::BatchOptions &options) {
     batch::Workers workers(plan, options.workers);
     const long failed = batch::runPlan(plan, store, workers, nullptr, options.isQuiet);
     store.close();
-    if (failed > 0) bench::printError(std::to_string(failed) + " runs have failed: see the column message of those whose status is error");
-    return failed > 0 ? 1 : 0;
+    return batch::exitCodeOf(failed);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "error_output.h"
 #include "library_variables.h"
 #include "standard_output.h"
+#include "text_file.h"
 
 #include <mpi.h>
 
@@ -119,8 +120,7 @@ int beMaster(const batch::BatchOptions &options, const batch::Plan &plan, batch:
     const long failed = batch::runPlan(plan, store, workers, &others, options.isQuiet);
     others.end();
     store.close();
-    if (failed > 0) bench::printError(std::to_string(failed) + " runs have failed: see the column message of those whose status is error");
-    return failed > 0 ? 1 : 0;
+    return batch::exitCodeOf(failed);
 }
 
 void serve(const batch::Plan &plan, batch::Workers &workers) {
@@ -146,7 +146,7 @@ int main(int argc, char **argv) {
     if (!options) return bench::exitCodeAfterOutput(exitCode);
     for (const std::string &name : bench::libraryVariables()) unsetenv(name.c_str());
     try {
-        const batch::Plan plan = batch::readPlan(batch::readFile(options->planFile));
+        const batch::Plan plan = batch::readPlan(bench::readTextFile(options->planFile));
         const auto workers = std::make_unique<batch::Workers>(plan, options->workers);
         MPI_Init(&argc, &argv);
         int rank = 0, ranks = 1;

@@ -1,38 +1,15 @@
 #include "batch/batch_options.h"
 
 #include "error_output.h"
+#include "machine.h"
 #include "number_range.h"
-
-#include <sched.h>
 
 #include <CLI/CLI.hpp>
 
-#include <cerrno>
-#include <cstring>
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <stdexcept>
 
 namespace batch {
-
-namespace {
-
-// Those that this process may use.
-unsigned processors() {
-    cpu_set_t set;
-    return sched_getaffinity(0, sizeof set, &set) == 0 ? static_cast<unsigned>(CPU_COUNT(&set)) : 1;
-}
-
-}  // namespace
-
-std::string readFile(const std::string &file) {
-    errno = 0;
-    std::ifstream stream(file, std::ios::binary);
-    std::string text(std::istreambuf_iterator<char>(stream), {});
-    if (!stream || stream.bad()) throw std::runtime_error(file + ": " + (errno != 0 ? std::strerror(errno) : "cannot be read"));
-    return text;
-}
 
 std::optional<BatchOptions> readBatchOptions(int argc, const char *const *argv, int &exitCode) {
     BatchOptions options;
@@ -47,7 +24,7 @@ std::optional<BatchOptions> readBatchOptions(int argc, const char *const *argv, 
     app.add_flag("--quiet", options.isQuiet, "say nothing while it runs");
     if (!bench::readCommandLine(app, [&] { app.parse(argc, argv); }, exitCode)) return std::nullopt;
     if (options.output.empty()) options.output = std::filesystem::path(options.planFile).replace_extension(".sqlite").string();
-    if (options.workers == 0) options.workers = processors();
+    if (options.workers == 0) options.workers = std::max(1u, bench::thisMachine().cores);
     return options;
 }
 

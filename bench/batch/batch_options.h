@@ -16,7 +16,4 @@ struct BatchOptions {
 // None if the program ends with `exitCode`.
 std::optional<BatchOptions> readBatchOptions(int argc, const char *const *argv, int &exitCode);
 
-// The text of a file. Throws std::runtime_error.
-std::string readFile(const std::string &file);
-
 }  // namespace batch

@@ -1,6 +1,7 @@
 #include "batch/master.h"
 
 #include "batch/run_progress.h"
+#include "error_output.h"
 
 #include <algorithm>
 
@@ -106,6 +107,12 @@ private:
 
 long runPlan(const Plan &plan, Store &store, Workers &workers, Ranks *ranks, bool isQuiet) {
     return Master(plan, store, workers, ranks, isQuiet).run();
+}
+
+int exitCodeOf(long failedRuns) {
+    if (failedRuns == 0) return 0;
+    bench::printError(std::to_string(failedRuns) + " runs have failed: see the column message of those whose status is error");
+    return 1;
 }
 
 }  // namespace batch

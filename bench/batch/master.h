@@ -25,4 +25,7 @@ public:
 // that have failed. Throws std::runtime_error.
 long runPlan(const Plan &plan, Store &store, Workers &workers, Ranks *ranks, bool isQuiet);
 
+// What the program ends with. Says it on standard error if runs have failed.
+int exitCodeOf(long failedRuns);
+
 }  // namespace batch

@@ -1,8 +1,12 @@
 #include "batch/plan.h"
 
 #include "batch/parameter.h"
+#include "comma_list.h"
 #include "loader/load_error.h"
 #include "loader/world_folder.h"
+#include "protocol.h"
+#include "scenes/fnv1a.h"
+#include "text_file.h"
 #include "world_source.h"
 #include "world_spec.h"
 
@@ -10,8 +14,6 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <stdexcept>
 
@@ -27,16 +29,10 @@ const std::array<const char *, 8> kColumns = {"run", "world", "seed", "status", 
 
 [[noreturn]] void fail(const std::string &key, const std::string &what) { throw std::invalid_argument("plan: " + key + ": " + what); }
 
-std::string join(const std::vector<std::string> &words) {
-    std::string text;
-    for (const std::string &word : words) text += (text.empty() ? "" : ", ") + word;
-    return text;
-}
-
 void checkKeys(const Json &object, const std::string &where, const std::vector<std::string> &known) {
     for (const auto &[key, value] : object.items())
         if (std::find(known.begin(), known.end(), key) == known.end())
-            fail(where.empty() ? key : where + "." + key, "unknown key; known: " + join(known));
+            fail(where.empty() ? key : where + "." + key, "unknown key; known: " + bench::joinWords(known));
 }
 
 double numberOf(const Json &value, const std::string &key) {
@@ -55,6 +51,11 @@ long wholeOf(const Json &value, const std::string &key, long least, long most) {
 std::string textOf(const Json &value, const std::string &key) {
     if (!value.is_string() || value.get<std::string>().empty()) fail(key, "'" + value.dump() + "' is not a text");
     return value.get<std::string>();
+}
+
+bool switchOf(const Json &value, const std::string &key) {
+    if (!value.is_boolean()) fail(key, "is not true or false");
+    return value.get<bool>();
 }
 
 // A list as it stands, or one value.
@@ -149,10 +150,7 @@ void readSeries(const Json &value, Plan &plan) {
     checkKeys(value, "series", {"every", "observables", "states"});
     if (!value.contains("every")) fail("series", "there is no 'every'");
     plan.every = wholeOf(value["every"], "series.every", 1, kMaxFrames);
-    if (value.contains("states")) {
-        if (!value["states"].is_boolean()) fail("series.states", "is not true or false");
-        plan.hasStates = value["states"].get<bool>();
-    }
+    if (value.contains("states")) plan.hasStates = switchOf(value["states"], "series.states");
     if (!value.contains("observables")) return;
     for (const Json &name : listOf(value["observables"], "series.observables")) {
         const std::string wanted = textOf(name, "series.observables");
@@ -192,17 +190,24 @@ void checkCounts(const Plan &plan) {
     if (count > kMaxRuns) fail("parameters", "more than " + std::to_string(kMaxRuns) + " runs");
 }
 
+// Worlds with the values of parameters in their names, each once.
+std::vector<std::string> worldsOfRunsOf(const Plan &plan) {
+    std::vector<std::string> list;
+    std::set<std::string> known;
+    for (long i = 0; i < plan.count(); i += static_cast<long>(plan.seeds.size())) {
+        const std::string world = plan.run(i).world;
+        if (known.insert(world).second) list.push_back(world);
+    }
+    return list;
+}
+
 // Each name must mean something in each world, and each value must be one that it can have.
-void checkParameters(const Plan &plan) {
+void checkParameters(const Plan &plan, const std::vector<std::string> &worldsOfRuns) {
     for (const std::string &world : plan.worlds)
         for (const Parameter &parameter : plan.parameters)
             for (const Json &value : parameter.values) checkParameter(parameter.name, value, world);
-    const long each = static_cast<long>(plan.seeds.size());
-    std::set<std::string> checked;
-    for (long i = 0; i < plan.count(); i += each) {
-        const std::string world = plan.run(i).world;
+    for (const std::string &world : worldsOfRuns) {
         if (world.find("${") != std::string::npos) fail("worlds", "'" + world + "' names a parameter that there is not");
-        if (!checked.insert(world).second) continue;
         try {
             bench::checkWorld(world);
         } catch (const std::exception &error) {
@@ -211,34 +216,19 @@ void checkParameters(const Plan &plan) {
     }
 }
 
-// FNV-1a.
-class Fingerprint {
-public:
-    void add(const std::string &bytes) {
-        for (const char byte : bytes) m_hash = (m_hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
-        m_hash = (m_hash ^ 0xff) * 0x100000001b3;
-    }
-    std::string text() const {
-        char digits[17];
-        std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(m_hash));
-        return digits;
-    }
-
-private:
-    std::uint64_t m_hash = 0xcbf29ce484222325;
-};
-
-std::string fingerprintOf(const Plan &plan) {
-    Fingerprint fingerprint;
-    fingerprint.add(plan.text);
+std::string fingerprintOf(const Plan &plan, const std::vector<std::string> &worldsOfRuns) {
+    scenes::Fnv1a hash;
+    const auto add = [&hash](const std::string &text) {
+        hash.add(text.data(), text.size());
+        hash.add("\xff", 1);  // ends it
+    };
+    add(plan.text);
     std::set<std::string> files;
-    for (long i = 0; i < plan.count(); i += static_cast<long>(plan.seeds.size())) {
-        const bench::WorldSpec spec = bench::readWorldSpec(plan.run(i).world);
-        if (!spec.isSdf || !files.insert(spec.name).second) continue;
-        std::ifstream file(worlds::findWorld(spec.name), std::ios::binary);
-        fingerprint.add(std::string(std::istreambuf_iterator<char>(file), {}));
+    for (const std::string &world : worldsOfRuns) {
+        const bench::WorldSpec spec = bench::readWorldSpec(world);
+        if (spec.isSdf && files.insert(spec.name).second) add(bench::readTextFile(worlds::findWorld(spec.name)));
     }
-    return fingerprint.text();
+    return bench::hashText(hash.value());
 }
 
 Json parse(const std::string &text) {
@@ -295,14 +285,12 @@ Plan readPlan(const std::string &text) {
     if (json.contains("perturbation")) readPerturbation(json["perturbation"], plan);
     if (json.contains("observables")) readObservables(json["observables"], plan);
     if (json.contains("series")) readSeries(json["series"], plan);
-    if (json.contains("ignore_unsupported")) {
-        if (!json["ignore_unsupported"].is_boolean()) fail("ignore_unsupported", "is not true or false");
-        plan.ignoreUnsupported = json["ignore_unsupported"].get<bool>();
-    }
+    if (json.contains("ignore_unsupported")) plan.ignoreUnsupported = switchOf(json["ignore_unsupported"], "ignore_unsupported");
     checkColumns(plan);
     checkCounts(plan);
-    checkParameters(plan);
-    plan.fingerprint = fingerprintOf(plan);
+    const std::vector<std::string> worldsOfRuns = worldsOfRunsOf(plan);
+    checkParameters(plan, worldsOfRuns);
+    plan.fingerprint = fingerprintOf(plan, worldsOfRuns);
     return plan;
 }
 

@@ -1,7 +1,5 @@
 #include "batch/run_progress.h"
 
-#include <unistd.h>
-
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -9,8 +7,6 @@
 namespace batch {
 
 namespace {
-
-constexpr std::chrono::milliseconds kTerminalInterval{200}, kLogInterval{5000};
 
 std::string duration(double seconds) {
     const long whole = std::lround(seconds);
@@ -26,30 +22,24 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-RunProgress::RunProgress(long runs, long doneBefore, bool isQuiet)
-    : m_runs(runs), m_isQuiet(isQuiet), m_isTerminal(isatty(STDERR_FILENO) != 0), m_done(doneBefore), m_doneBefore(doneBefore) {
-    if (!m_isTerminal) m_next += kLogInterval;
-}
+RunProgress::RunProgress(long runs, long doneBefore, bool isQuiet) : m_runs(runs), m_isQuiet(isQuiet), m_done(doneBefore), m_doneBefore(doneBefore) {}
 
-void RunProgress::print(const char *end) const {
-    const double elapsed = std::chrono::duration<double>(Clock::now() - m_begin).count();
-    const double rate = static_cast<double>(m_done - m_doneBefore) / elapsed;
-    const std::string left = rate > 0 ? duration(static_cast<double>(m_runs - m_done) / rate) + " left" : "time left unknown";
-    std::fprintf(stderr, "%s%ld of %ld runs, %.1f a second, %s%s", m_isTerminal ? "\r\033[K" : "", m_done, m_runs, rate, left.c_str(), end);
-    std::fflush(stderr);
-}
+double RunProgress::elapsed() const { return std::chrono::duration<double>(Clock::now() - m_begin).count(); }
 
 void RunProgress::show(std::size_t more) {
     m_done += static_cast<long>(more);
-    if (m_isQuiet || Clock::now() < m_next) return;
-    m_next = Clock::now() + (m_isTerminal ? kTerminalInterval : kLogInterval);
-    print(m_isTerminal ? "" : "\n");
+    if (m_isQuiet || !m_line.isDue()) return;
+    const double rate = static_cast<double>(m_done - m_doneBefore) / elapsed();
+    char aSecond[32];
+    std::snprintf(aSecond, sizeof aSecond, "%.1f", rate);
+    m_line.show(std::to_string(m_done) + " of " + std::to_string(m_runs) + " runs, " + aSecond + " a second, " +
+                (rate > 0 ? duration(static_cast<double>(m_runs - m_done) / rate) + " left" : "time left unknown"));
 }
 
 void RunProgress::end() {
     if (m_isQuiet) return;
-    const double elapsed = std::chrono::duration<double>(Clock::now() - m_begin).count();
-    std::fprintf(stderr, "%s%ld runs in %s\n", m_isTerminal ? "\r\033[K" : "", m_done - m_doneBefore, duration(elapsed).c_str());
+    m_line.clear();
+    std::fprintf(stderr, "%ld runs in %s\n", m_done - m_doneBefore, duration(elapsed()).c_str());
 }
 
 }  // namespace batch

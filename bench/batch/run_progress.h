@@ -1,6 +1,7 @@
-// One line on standard error that says how many runs are done and how long the rest takes: drawn anew in its place on a terminal, a new line
-// every few seconds elsewhere.
+// How many runs are done, and how long the rest takes.
 #pragma once
+
+#include "progress_line.h"
 
 #include <chrono>
 #include <cstddef>
@@ -17,13 +18,13 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
-    void print(const char *end) const;
+    double elapsed() const;  // s
 
     const long m_runs;
-    const bool m_isQuiet, m_isTerminal;
+    const bool m_isQuiet;
     long m_done, m_doneBefore;
     const Clock::time_point m_begin = Clock::now();
-    Clock::time_point m_next = m_begin;
+    bench::ProgressLine m_line;
 };
 
 }  // namespace batch

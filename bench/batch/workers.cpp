@@ -1,6 +1,7 @@
 #include "batch/workers.h"
 
 #include "batch/world_run.h"
+#include "write_all.h"
 
 #include <fcntl.h>
 #include <ode/ode.h>
@@ -29,23 +30,13 @@ constexpr std::size_t kRunsAtWorker = 2;
 // A run during which so many workers were killed is not given to another.
 constexpr unsigned kMaxKills = 5;
 
-bool writeAll(int file, const std::string &text) {
-    for (std::size_t done = 0; done < text.size();) {
-        const ssize_t count = write(file, text.data() + done, text.size() - done);
-        if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) return false;
-        done += static_cast<std::size_t>(count);
-    }
-    return true;
-}
-
 // --- in the worker -----------------------------------------------------------------------------------------------
 
 int answerFile = -1;
 long runInProgress = -1;
 
 void answer(Json line) {
-    if (!writeAll(answerFile, line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n")) _exit(0);  // the parent is gone
+    if (!bench::writeAll(answerFile, line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n")) _exit(0);  // the parent is gone
 }
 
 // Of ODE: what it was in the midst of cannot be left in another way.
@@ -140,7 +131,7 @@ void Workers::feed() {
             if (worker.runs.size() >= most) continue;
             worker.runs.push_back(m_queue.front());
             m_queue.pop_front();
-            writeAll(worker.commands, std::to_string(worker.runs.back()) + "\n");  // a worker that is gone is seen by its answers' end
+            bench::writeAll(worker.commands, std::to_string(worker.runs.back()) + "\n");  // a worker that is gone is seen by its answers' end
         }
 }
 
@@ -189,7 +180,7 @@ void Workers::replace(unsigned index, std::vector<Json> &answers) {
         worker.kills = 0;
     }
     start(worker);
-    for (const long run : worker.runs) writeAll(worker.commands, std::to_string(run) + "\n");
+    for (const long run : worker.runs) bench::writeAll(worker.commands, std::to_string(run) + "\n");
 }
 
 }  // namespace batch

@@ -3,17 +3,16 @@
 #include "batch/parameter.h"
 #include "loader/load_world.h"
 #include "loader/world_folder.h"
+#include "protocol.h"
 #include "scenes/generator.h"
 #include "scenes/state_hash.h"
+#include "text_file.h"
 #include "world_source.h"
 #include "world_spec.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <memory>
 
@@ -29,11 +28,9 @@ std::unique_ptr<scenes::Scene> openChanged(const Plan &plan, const Run &run, std
     options.ignoreUnsupported = plan.ignoreUnsupported;
     options.warnings = &warnings;
     const std::string name = worlds::findWorld(spec.name);
-    std::ifstream file(name, std::ios::binary);
-    const std::string text(std::istreambuf_iterator<char>(file), {});
     Values values = run.values;
     values.emplace_back("seed", run.seed);
-    return worlds::loadWorldText(changeElements(text, name, values), name, options);
+    return worlds::loadWorldText(changeElements(bench::readTextFile(name), name, values), name, options);
 }
 
 std::unique_ptr<scenes::Scene> open(const Plan &plan, const Run &run) {
@@ -89,11 +86,7 @@ Json numberOf(double value) {
     return std::isnan(value) ? Json() : Json(value > 0 ? "inf" : "-inf");
 }
 
-std::string hashOf(const scenes::Scene &scene) {
-    char text[17];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(scenes::stateHash(scene.inventory())));
-    return text;
-}
+std::string hashOf(const scenes::Scene &scene) { return bench::hashText(scenes::stateHash(scene.inventory())); }
 
 long framesOf(const Plan &plan, const scenes::Scene &scene) {
     if (plan.frames > 0) return plan.frames;

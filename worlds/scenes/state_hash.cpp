@@ -1,15 +1,15 @@
 #include "scenes/state_hash.h"
 
+#include "scenes/fnv1a.h"
+
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace scenes {
 
 namespace {
 
-// Fowler, Noll and Vo, 64 bits, taken a byte at a time (draft-eastlake-fnv).
-class Fnv1a {
+class StateHash {
 public:
     void add(const dReal *values, int count) {
         for (int i = 0; i < count; ++i) add(values[i]);
@@ -17,21 +17,19 @@ public:
 
     void add(dReal value) {
         if (std::isnan(value)) value = std::numeric_limits<dReal>::quiet_NaN();
-        unsigned char bytes[sizeof value];
-        std::memcpy(bytes, &value, sizeof value);
-        for (unsigned char byte : bytes) m_hash = (m_hash ^ byte) * 0x100000001b3;
+        m_hash.add(&value, sizeof value);
     }
 
-    std::uint64_t value() const { return m_hash; }
+    std::uint64_t value() const { return m_hash.value(); }
 
 private:
-    std::uint64_t m_hash = 0xcbf29ce484222325;
+    Fnv1a m_hash;
 };
 
 }  // namespace
 
 std::uint64_t stateHash(const Inventory &inventory) {
-    Fnv1a hash;
+    StateHash hash;
     for (dBodyID body : inventory.bodies) {
         hash.add(dBodyGetPosition(body), 3);
         hash.add(dBodyGetQuaternion(body), 4);

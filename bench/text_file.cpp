@@ -1,0 +1,19 @@
+#include "text_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace bench {
+
+std::string readTextFile(const std::string &file) {
+    errno = 0;
+    std::ifstream stream(file, std::ios::binary);
+    std::string text(std::istreambuf_iterator<char>(stream), {});
+    if (!stream || stream.bad()) throw std::runtime_error(file + ": " + (errno != 0 ? std::strerror(errno) : "cannot be read"));
+    return text;
+}
+
+}  // namespace bench

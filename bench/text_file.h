@@ -1,0 +1,11 @@
+// Files that are read as a whole.
+#pragma once
+
+#include <string>
+
+namespace bench {
+
+// Throws std::runtime_error with the file and the reason.
+std::string readTextFile(const std::string &file);
+
+}  // namespace bench
