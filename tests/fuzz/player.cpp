@@ -427,8 +427,10 @@ void Player::stepTogether(dWorldID first, dWorldID second, dReal size, bool quic
     const dWorldID worlds[] = {first, second};
     if (const auto together = functionOfOurs<int, const dWorldID *, int, const char *, dReal>("dODE_MT_StepWorlds"))
         together(worlds, 2, quick ? "quick" : "step", size);
-    else
+    else {
+        if (!(size > 0)) dDebug(d_ERR_UASSERT, "stepsize must be > 0 in dODE_MT_StepWorlds()");
         for (const dWorldID world : worlds) (quick ? dWorldQuickStep : dWorldStep)(world, size);
+    }
     look(false);
 }
 
