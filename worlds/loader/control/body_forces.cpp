@@ -9,7 +9,7 @@ namespace worlds {
 
 namespace {
 
-const Parameters &checked(const Parameters &parameters) {
+const Parameters &checkedForces(const Parameters &parameters) {
     parameters.expectOnly({"name", "filename"}, {"link", "linear_drag", "quadratic_drag", "righting_moment"},
                           {"phase", "repeat"});
     return parameters;
@@ -24,7 +24,7 @@ dBodyID findLink(const Parameters &link, const FindBody &findBody) {
 }  // namespace
 
 BodyForces::BodyForces(const Parameters &parameters, const FindBody &findBody, double stepSize)
-    : m_body(findLink(checked(parameters).requiredValue("link"), findBody), stepSize),
+    : m_body(findLink(checkedForces(parameters).requiredValue("link"), findBody), stepSize),
       m_linearDrag(readDrag(parameters, "linear_drag")),
       m_quadraticDrag(readDrag(parameters, "quadratic_drag")),
       m_rightingMoment(parameters.childNumber("righting_moment", 0)),

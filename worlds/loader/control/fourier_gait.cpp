@@ -1,12 +1,12 @@
 #include "loader/control/fourier_gait.h"
 
+#include "loader/control/turn.h"
+
 #include <cmath>
 
 namespace worlds {
 
 namespace {
-
-constexpr double turn = 2 * 3.14159265358979323846;
 
 std::vector<double> childNumbers(const Parameters &element, const std::string &name) {
     const Parameters *child = element.child(name);
@@ -69,7 +69,7 @@ void FourierGait::update(long frame) {
     for (Hold &hold : m_holds) approach(hold.motor, hold.angle);
     const double time = static_cast<double>(frame) * m_stepSize - m_start;
     for (Swing &swing : m_swings)
-        approach(swing.motor, time < 0 ? 0 : swing.wave->at(turn * (m_frequency * time + swing.phase)));
+        approach(swing.motor, time < 0 ? 0 : swing.wave->at(kTurn * (m_frequency * time + swing.phase)));
 }
 
 }  // namespace worlds

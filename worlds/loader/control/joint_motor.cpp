@@ -1,5 +1,6 @@
 #include "loader/control/joint_motor.h"
 
+#include "loader/control/turn.h"
 #include "loader/scene/ode_types.h"
 
 #include <algorithm>
@@ -18,9 +19,8 @@ void JointMotor::setSpeed(double speed) {
 }
 
 double JointMotor::position() {
-    constexpr double turn = 2 * 3.14159265358979323846;
     const double measured = m_axis.position();
-    m_position = m_axis.isAngular() ? measured + turn * std::round((m_position - measured) / turn) : measured;
+    m_position = m_axis.isAngular() ? measured + kTurn * std::round((m_position - measured) / kTurn) : measured;
     return m_position;
 }
 

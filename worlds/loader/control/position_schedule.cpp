@@ -1,5 +1,7 @@
 #include "loader/control/position_schedule.h"
 
+#include "loader/control/turn.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,9 +9,7 @@ namespace worlds {
 
 namespace {
 
-constexpr double turn = 2 * 3.14159265358979323846;
-
-const Parameters &checked(const Parameters &parameters) {
+const Parameters &checkedPositions(const Parameters &parameters) {
     parameters.expectOnly({"name", "filename"}, {"gain", "joints"}, {"hold", "glide", "swing", "repeat"});
     return parameters;
 }
@@ -31,7 +31,7 @@ std::vector<double> readChild(const Parameters &element, const std::string &name
 
 PositionSchedule::PositionSchedule(const Parameters &parameters, const FindMotor &findMotor, double stepSize)
     : m_stepSize(stepSize),
-      m_gain(readGain(checked(parameters), stepSize)),
+      m_gain(readGain(checkedPositions(parameters), stepSize)),
       m_motors(findMotors(parameters.requiredValue("joints"), findMotor)),
       m_timeline(parameters, {"hold", "glide", "swing"}, stepSize,
                  [this](const Parameters &element) { m_phases.push_back(readPhase(element)); }),
@@ -80,7 +80,7 @@ double PositionSchedule::target(const Phase &phase, std::size_t joint, const Tim
     const double time = static_cast<double>(moment.frame) * m_stepSize;
     const double growth = phase.startGrowth + std::min(share, 1.0) * (phase.endGrowth - phase.startGrowth);
     return phase.center[joint] +
-           growth * phase.amplitude[joint] * std::sin(turn * (phase.frequency * time + phase.turns[joint]));
+           growth * phase.amplitude[joint] * std::sin(kTurn * (phase.frequency * time + phase.turns[joint]));
 }
 
 void PositionSchedule::update(long frame) {

@@ -4,7 +4,7 @@ namespace worlds {
 
 namespace {
 
-const Parameters &checked(const Parameters &parameters) {
+const Parameters &checkedVelocities(const Parameters &parameters) {
     parameters.expectOnly({"name", "filename"}, {"joints"}, {"phase", "repeat"});
     return parameters;
 }
@@ -12,7 +12,7 @@ const Parameters &checked(const Parameters &parameters) {
 }  // namespace
 
 VelocitySchedule::VelocitySchedule(const Parameters &parameters, const FindMotor &findMotor, double stepSize)
-    : m_motors(findMotors(checked(parameters).requiredValue("joints"), findMotor)),
+    : m_motors(findMotors(checkedVelocities(parameters).requiredValue("joints"), findMotor)),
       m_timeline(parameters, {"phase"}, stepSize, [this](const Parameters &phase) {
           phase.expectOnly({"duration"}, {});
           m_speeds.push_back(readSpeeds(phase, m_motors.size()));

@@ -19,10 +19,6 @@ using tinyxml2::XMLElement;
 constexpr int deepestNode = 100;
 constexpr std::size_t maxNodes = 100000, maxInstanceCorners = 100000000;  // instances written out
 
-[[noreturn]] void fail(const XMLElement &element, const std::string &what) {
-    throw MeshFault(shownElement(element) + " " + what);
-}
-
 // How many numbers the elements hold that move what is in a node.
 const std::map<std::string, int> &transforms() {
     static const std::map<std::string, int> numbers = {{"lookat", 9}, {"matrix", 16}, {"rotate", 4},

@@ -17,10 +17,6 @@ using tinyxml2::XMLElement;
 // The largest count whose sums and products do not overflow.
 constexpr std::int64_t largestCount = 1 << 30;
 
-[[noreturn]] void fail(const XMLElement &element, const std::string &what) {
-    throw MeshFault(shownElement(element) + " " + what);
-}
-
 const XMLElement &childWithId(const XMLElement &mesh, const char *name, const std::string &id) {
     const XMLElement *found = nullptr;
     for (const XMLElement *child = mesh.FirstChildElement(name); child;
@@ -189,6 +185,8 @@ bool isPolygonal(const std::string &kind) {
 }
 
 }  // namespace
+
+void fail(const XMLElement &element, const std::string &what) { throw MeshFault(shownElement(element) + " " + what); }
 
 std::string shownElement(const XMLElement &element) {
     return "<" + std::string(element.Name()) + "> in line " + std::to_string(element.GetLineNum());

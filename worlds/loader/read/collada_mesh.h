@@ -21,6 +21,7 @@ ColladaMesh readColladaMesh(const tinyxml2::XMLElement &mesh);
 
 // For readers of COLLADA. All of them throw MeshFault.
 std::string shownElement(const tinyxml2::XMLElement &element);
+[[noreturn]] void fail(const tinyxml2::XMLElement &element, const std::string &what);
 const tinyxml2::XMLElement &requiredChild(const tinyxml2::XMLElement &element, const char *name);
 // A whole number that is not negative.
 std::size_t countOf(const tinyxml2::XMLElement &element, const char *attribute);
