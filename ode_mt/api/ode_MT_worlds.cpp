@@ -41,7 +41,8 @@ int dODE_MT_StepWorlds(const dWorldID *worlds, int count, const char *stepper, d
         dMessage(0, "ODE_MT: no list of %d worlds; known: 0 and more", count);
         return 0;
     }
-    dUASSERT(worlds || count == 0, "bad worlds argument");
+    if (count == 0) return 1;
+    dUASSERT(worlds, "bad worlds argument");
     dUASSERT(stepSize > 0, "stepsize must be > 0");
     int index = 0;
     const Check check = checkWorlds(worlds, count, index);

@@ -38,7 +38,6 @@ std::unique_lock<std::recursive_mutex> lockIfInitialised() {
 
 void countInitialisation() {
     if (++initialisations == 1) dxColliderTable::forget();
-    dxRemoteIslands::open();
 }
 
 void releaseWorkers() {
@@ -65,17 +64,24 @@ __attribute__((destructor)) void unload() {
 
 extern "C" {
 
+// MPI may fork on the communication thread, which takes the lock: remote workers are waited for without it.
 void dInitODE() {
-    std::lock_guard<std::recursive_mutex> lock(dxForkLocks::initialisation);
-    dxUpstreamInitODE();
-    countInitialisation();
+    {
+        const std::lock_guard<std::recursive_mutex> lock(dxForkLocks::initialisation);
+        dxUpstreamInitODE();
+        countInitialisation();
+    }
+    dxRemoteIslands::open();
 }
 
 int dInitODE2(unsigned flags) {
-    std::lock_guard<std::recursive_mutex> lock(dxForkLocks::initialisation);
-    const int done = dxUpstreamInitODE2(flags);
-    if (done) countInitialisation();
-    return done;
+    {
+        const std::lock_guard<std::recursive_mutex> lock(dxForkLocks::initialisation);
+        if (!dxUpstreamInitODE2(flags)) return 0;
+        countInitialisation();
+    }
+    dxRemoteIslands::open();
+    return 1;
 }
 
 int dAllocateODEDataForThread(unsigned flags) {

@@ -22,8 +22,10 @@
 #include "quickstep.h"
 #include "settings/dxSettings.h"
 #include "settings/dxWorkersRunner.h"
+#include "settings/dxWorldStatistics.h"
 #include "step.h"
 #include "threading/process/dxProcessObject.h"
+#include "threading/timeline/dxTimeline.h"
 
 namespace {
 
@@ -64,6 +66,8 @@ public:
     bool step() {
         forChunks(dxParallelStage::WorldPreparation, workers(), [this](unsigned index, unsigned worker) { prepare(index, worker); });
         reserve();
+        if (dxTimeline::isCounted())
+            for (const World &world : m_worlds) dxWorldStatistics::enrol(world.world);
         const unsigned together = shareFeedback() ? 1 : workers();
         forChunks(dxParallelStage::Worlds, together, [this](unsigned index, unsigned worker) { stepWorld(index, worker); });
         commit();

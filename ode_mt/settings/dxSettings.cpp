@@ -127,11 +127,10 @@ void dxSettings::readTolerance(const char *text) {
 }
 
 void dxSettings::readWarmStart(const char *text) {
-    long long number = 0;
-    if (dxReadNumber(text, 0, 1, number) == dxNumberText::InRange) {
-        m_solver.isWarm = number != 0;
-        return;
-    }
+    long long number = m_solver.isWarm ? 1 : 0;
+    const dxNumberText found = dxReadNumber(text, 0, 1, number);
+    m_solver.isWarm = number != 0;
+    if (found == dxNumberText::InRange) return;
     dxLog(dxLogLevel::warning, "ODE_MT_WARM_START is '%.100s'; known: 0, 1; %d is taken", text, m_solver.isWarm ? 1 : 0);
 }
 

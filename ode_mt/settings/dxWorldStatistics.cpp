@@ -125,13 +125,17 @@ void addToSums(dODE_MT_WorldStatistics &frame, const Entry &entry) {
     frame.allStepTime += frame.stepTime;
 }
 
+void setNumber(dODE_MT_WorldStatistics &frame) {
+    if (frame.number == 0) frame.number = ++keeper->worlds;
+}
+
 void finishFrame(Entry &entry, const dxStepRecord &step) {
     dODE_MT_WorldStatistics &frame = entry.last;
     keeper->measure();
     setTimes(frame, entry, step);
     setCounts(frame, entry, step);
     addToSums(frame, entry);
-    if (frame.number == 0) frame.number = ++keeper->worlds;
+    setNumber(frame);
     frame.size = sizeof frame;
     entry.lastStepEnd = step.end;
     entry.collision = {};
@@ -205,6 +209,10 @@ void add(const dxWorld *world, const dxStepRecord &step) {
     });
     if (*complaint != '\0') dxLog(dxLogLevel::warning, "%s", complaint);
     if (said.number != 0) announce(said);
+}
+
+void enrol(const dxWorld *world) {
+    change(world, [](Entry &entry) { setNumber(entry.last); });
 }
 
 bool read(const dxWorld *world, dODE_MT_WorldStatistics &statistics) {

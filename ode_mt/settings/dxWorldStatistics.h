@@ -38,6 +38,9 @@ namespace dxWorldStatistics {
 void add(const dxWorld *world, const dxCollisionRecord &collision);
 void add(const dxWorld *world, const dxStepRecord &step);
 
+// Gives the world its number, if it has none yet: worlds that are about to be stepped at the same time get theirs in order.
+void enrol(const dxWorld *world);
+
 // Of the last frame. Returns false, and leaves them as they are, if there is none.
 bool read(const dxWorld *world, dODE_MT_WorldStatistics &statistics);
 

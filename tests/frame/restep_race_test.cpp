@@ -1,4 +1,4 @@
-// The same 50 frames, 300 times from one state in the middle of churn (1000 times with ODE_MT_EXACTNESS=thorough), on 2, 3 and 8
+// The same 50 frames, 100 times from one state in the middle of churn (1000 times with ODE_MT_EXACTNESS=thorough), on 2, 3 and 8
 // workers, must have the same bits.
 //
 // Each run is a fork of the process that holds the state, so that everything is as it was, also what the library keeps from
@@ -23,7 +23,7 @@ constexpr int kFrames = 50;
 
 int numberOfRuns() {
     if (kAddressSanitizer || kThreadSanitizer) return 20;
-    return exactness::isThorough() ? 1000 : 300;
+    return exactness::isThorough() ? 1000 : 100;
 }
 
 struct Result {

@@ -266,6 +266,7 @@ TEST(SettingsDeathTest, SettingsOfTheIterativeSolverAreReadFromTheEnvironment) {
     EXPECT_EXIT(run("2", "", -1, 1), testing::ExitedWithCode(0), "ODE_MT_SOLVER_TOLERANCE is '2'; known: a number from 0 to 1; 1e-09 is taken");
     EXPECT_EXIT(run("0.5x", "", -1, 1), testing::ExitedWithCode(0), "ODE_MT_SOLVER_TOLERANCE is '0.5x'");
     EXPECT_EXIT(run("", "yes", -1, 1), testing::ExitedWithCode(0), "ODE_MT_WARM_START is 'yes'; known: 0, 1; 1 is taken");
+    EXPECT_EXIT(run("", "-1", -1, 0), testing::ExitedWithCode(0), "ODE_MT_WARM_START is '-1'; known: 0, 1; 0 is taken");
 }
 
 TEST_F(Settings, HeuristicsAreTakenByName) {

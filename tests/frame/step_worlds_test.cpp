@@ -223,6 +223,12 @@ TEST(StepWorldsAlone, AreCounted) {
     EXPECT_EQ(statistics.stepReason, dODE_MT_REASON_WORLDS);
     EXPECT_EQ(statistics.stepThreads, 1u);
     EXPECT_GT(statistics.stepTime, 0);
+    // Numbers are in the order of the list, whoever was first.
+    const unsigned number = statistics.number;
+    for (int i = 0; i < 10; ++i) {
+        ASSERT_EQ(dODE_MT_GetWorldStatistics(worlds.world(i), &statistics), 1);
+        EXPECT_EQ(statistics.number, number - 3 + i);
+    }
 }
 
 TEST(StepWorldsAlone, NothingIsSteppedWhereAWorldStandsTwice) {
@@ -238,6 +244,7 @@ TEST(StepWorldsAlone, NothingIsSteppedWhereAWorldStandsTwice) {
     EXPECT_EQ(dODE_MT_StepWorlds(twice, 2, "Quick", REAL(0.01)), 0);
     EXPECT_EQ(lastMessage, "ODE_MT: no stepper 'Quick'; known: step, quick");
     EXPECT_EQ(dODE_MT_StepWorlds(nullptr, 0, "step", REAL(0.01)), 1);
+    EXPECT_EQ(dODE_MT_StepWorlds(nullptr, 0, "step", -1), 1);
     dSetMessageHandler(nullptr);
     EXPECT_EQ(one.state(), before);
 }

@@ -39,6 +39,7 @@ private:
     const long m_process;
     std::string m_buffer;
     int m_file = -1;
+    std::uint64_t m_left = 0;  // bytes that may be written
     int m_error = 0;
     bool m_isFirst = true;
 };
