@@ -26,9 +26,6 @@ constexpr double kMinExactShare = 0.9;
 // The direct solver's: its phases take some ten microseconds each.
 constexpr unsigned kMinDirectJoints = 250;
 
-// More islands are made ready than remote workers are predicted to solve: home takes what they do not.
-constexpr double kRemoteReserve = 1.25;
-
 // For a time per cost to be remembered like the time of a call: that of a step of one millisecond.
 constexpr double kCostOfReference = 1e6;
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/dxLog.h"
+#include "remote/dxRemoteSchedule.h"
 #include "threading/pool/dxWorkerOptions.h"
 
 namespace {
@@ -17,11 +18,9 @@ constexpr unsigned kNumberShift = 32;  // of a problem's number: the batch's abo
 constexpr unsigned kSmallEchoes = 4;
 constexpr std::size_t kLargeEcho = std::size_t{256} << 10;  // bytes
 
-constexpr double kBatchNs = 400e3;      // problems go out together up to so much work
 constexpr double kHeartbeatNs = 5e9;    // home says that it is there
 constexpr double kSettleNs = 2e9;       // open() waits so long for workers
 constexpr double kDrainNs = 1e9;        // close() waits so long for results that nobody needs, so that all can end in good order
-constexpr double kSooner = 0.8;         // home takes a problem back if it needs less than this part of the time until it is expected
 
 dxProcessObject<dxRemoteWorkers> remoteWorkers;
 
@@ -172,7 +171,7 @@ bool dxRemoteWorkers::sendNext(Lock &lock) {
     const unsigned link = static_cast<unsigned>(best - m_links.data());
     double queued = 0;
     for (const dxRemoteProblem *problem : m_queue) queued += problem->cost;
-    const double most = std::min(kBatchNs, queued / (2.0 * static_cast<double>(m_links.size())));
+    const double most = dxMaxMessageCost(queued, m_links.size());
 
     dxRemoteInFlight sent{m_nextFrame++, {}, 0, 0, 0};
     std::vector<dxRemoteBytes> problems;
@@ -510,7 +509,7 @@ bool dxRemoteBatch::withdrawLast(double now) {
             link = i;
         }
     }
-    if (last == nullptr || last->cost > kSooner * (last->expected - now)) return false;
+    if (last == nullptr || !dxIsSoonerAtHome(last->cost, last->expected, now)) return false;
     m_workers.m_withdrawals.emplace_back(link, last->number);
     const std::vector<std::uint64_t> problems = last->problems;
     m_workers.m_links[link].link.withdraw(last->number);

@@ -2,9 +2,11 @@
 //
 //   mpirun -np 1 PROGRAM : -np 15 odemt_worker        with ODE_MT_WORKERS=mpi in PROGRAM's environment
 //
-// It ends with the program, or when it has not heard of it for a minute.
+// It ends with the program, or when it has not heard of it for a minute. The options (--help) are for measurements: a slower network, a record.
 #include <cstdio>
 #include <cstring>
+#include <string>
+#include <vector>
 
 #include <ode/ode_MT.h>
 
@@ -12,23 +14,38 @@
 #include "dynamics/remote/dxPackedSolver.h"
 #include "remote/dxRemoteServer.h"
 #include "remote/mpi/dxMpiTransport.h"
+#include "worker/dxSimulatedNetwork.h"
+#include "worker/dxWorkRecord.h"
+#include "worker/dxWorkerArguments.h"
 
 namespace {
 
 constexpr double kMaxSilence = 60;  // s; home is heard of every few seconds
 
-int run() {
+std::unique_ptr<dxRemoteTransport> openTransport(const dxSimulatedLink &link, std::string &reason) {
+    const auto openMpi = [](std::string &why) -> std::unique_ptr<dxRemoteTransport> { return dxMpiTransport::openWorker(why); };
+    if (link.isThere()) return dxSimulatedNetwork::open(link, openMpi, reason);
+    return openMpi(reason);
+}
+
+int run(const dxWorkerArguments &arguments) {
     std::string reason;
-    const std::unique_ptr<dxMpiTransport> transport = dxMpiTransport::openWorker(reason);
-    if (!transport) {
+    const std::unique_ptr<dxRemoteTransport> transport = openTransport(arguments.link, reason);
+    std::unique_ptr<dxWorkRecord> record;
+    if (transport && !arguments.record.empty()) {
+        record = dxWorkRecord::open(arguments.record, *transport, reason);
+        if (!record) transport->close(false);
+    }
+    if (!transport || (!arguments.record.empty() && !record)) {
         std::fprintf(stderr, "odemt_worker: %s\n", reason.c_str());
         return 1;
     }
-    dxRemoteServer server(*transport, dxDescribeSolver(), dxSolvePacked);
+    dxRemoteTransport &used = record ? *record : *transport;
+    dxRemoteServer server(used, dxDescribeSolver(), record ? record->timed(dxSolvePacked) : dxRemoteServer::Solve(dxSolvePacked));
     const dxRemoteServer::End end = server.run(kMaxSilence);
     if (end == dxRemoteServer::End::Refused) std::fprintf(stderr, "odemt_worker: refused, since this worker %s\n", server.refusal().c_str());
     const bool isOrderly = end == dxRemoteServer::End::Orderly;
-    transport->close(isOrderly);
+    used.close(isOrderly);
     std::fflush(nullptr);
     if (!isOrderly) std::_Exit(0);  // MPI's own handlers would wait for the others
     return 0;
@@ -41,9 +58,17 @@ int main(int count, char **arguments) {
         std::printf("odemt_worker %s\n", dODE_MT_VERSION);
         return 0;
     }
-    if (count > 1) {
-        std::fprintf(stderr, "odemt_worker: takes no arguments; usage: mpirun -np 1 PROGRAM : -np N odemt_worker\n");
+    if (count == 2 && std::strcmp(arguments[1], "--help") == 0) {
+        std::printf("usage: mpirun -np 1 PROGRAM : -np N odemt_worker [OPTIONS]\n%s", dxWorkerArguments::kHelp);
+        return 0;
+    }
+    std::vector<std::string> words = dxWorkerArgumentsOfEnvironment();
+    words.insert(words.end(), arguments + 1, arguments + count);
+    dxWorkerArguments read;
+    const std::string complaint = dxReadWorkerArguments(words, read);
+    if (!complaint.empty()) {
+        std::fprintf(stderr, "odemt_worker: %s; --help lists the options\n", complaint.c_str());
         return 2;
     }
-    return run();
+    return run(read);
 }

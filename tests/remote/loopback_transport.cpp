@@ -3,6 +3,8 @@
 #include <cstring>
 #include <utility>
 
+#include "worker/dxWorkRecord.h"
+
 struct LoopbackTransport::Worker final : dxRemoteTransport {
     unsigned links() const override { return 1; }
 
@@ -42,16 +44,46 @@ struct LoopbackTransport::Worker final : dxRemoteTransport {
     std::thread thread;
 };
 
-LoopbackTransport::LoopbackTransport(unsigned workers, const dxRemoteHello &hello, dxRemoteServer::Solve solve, Fate fate) {
+namespace {
+
+// For whoever owns what it uses.
+struct Borrowed final : dxRemoteTransport {
+    explicit Borrowed(dxRemoteTransport &used) : transport(used) {}
+    unsigned links() const override { return transport.links(); }
+    bool send(unsigned link, const void *message, std::size_t bytes) override { return transport.send(link, message, bytes); }
+    std::size_t waiting(unsigned &link) override { return transport.waiting(link); }
+    bool receive(void *message) override { return transport.receive(message); }
+    void close(bool isOrderly) override { transport.close(isOrderly); }
+
+    dxRemoteTransport &transport;
+};
+
+void serve(dxRemoteTransport &end, const dxRemoteHello &hello, const dxRemoteServer::Solve &solve, const dxWorkerArguments &arguments) {
+    constexpr double kMaxSilence = 5;
+    std::string reason;
+    std::unique_ptr<dxRemoteTransport> network;
+    if (arguments.link.isThere())
+        network = dxSimulatedNetwork::open(arguments.link, [&end](std::string &) { return std::make_unique<Borrowed>(end); }, reason);
+    dxRemoteTransport &used = network ? *network : end;
+    std::unique_ptr<dxWorkRecord> record;
+    if (!arguments.record.empty()) record = dxWorkRecord::open(arguments.record, used, reason);
+    if (record)
+        dxRemoteServer(*record, hello, record->timed(solve)).run(kMaxSilence);
+    else
+        dxRemoteServer(used, hello, solve).run(kMaxSilence);
+    used.close(true);
+}
+
+}  // namespace
+
+LoopbackTransport::LoopbackTransport(unsigned workers, const dxRemoteHello &hello, dxRemoteServer::Solve solve, Fate fate,
+                                     const dxWorkerArguments &arguments) {
     for (unsigned i = 0; i < workers; ++i) {
         m_workers.push_back(std::make_unique<Worker>());
         Worker &worker = *m_workers.back();
         worker.index = i;
         worker.fate = fate;
-        worker.thread = std::thread([&worker, hello, solve] {
-            constexpr double kMaxSilence = 5;
-            dxRemoteServer(worker, hello, solve).run(kMaxSilence);
-        });
+        worker.thread = std::thread([&worker, hello, solve, arguments] { serve(worker, hello, solve, arguments); });
     }
 }
 

@@ -1,5 +1,5 @@
 // Remote workers that are threads of this process: each runs a dxRemoteServer at its end of a link of two queues. What workers send can be
-// delayed, damaged, held back or cut off, message by message.
+// delayed, damaged, held back or cut off, message by message. The link can be a simulated one, and what workers do recorded.
 #pragma once
 
 #include <atomic>
@@ -15,6 +15,7 @@
 #include "remote/dxRemoteFrame.h"
 #include "remote/dxRemoteServer.h"
 #include "remote/dxRemoteTransport.h"
+#include "worker/dxWorkerArguments.h"
 
 struct LoopbackFate {
     enum class Kind { Arrives, Flipped, Stopped, Dies };
@@ -29,7 +30,8 @@ public:
     // What becomes of a message that the worker sends; `count`: how many it has sent before. On the worker's thread.
     using Fate = std::function<LoopbackFate(unsigned worker, unsigned count, dxRemoteKind kind)>;
 
-    LoopbackTransport(unsigned workers, const dxRemoteHello &hello, dxRemoteServer::Solve solve, Fate fate = nullptr);
+    LoopbackTransport(unsigned workers, const dxRemoteHello &hello, dxRemoteServer::Solve solve, Fate fate = nullptr,
+                      const dxWorkerArguments &arguments = {});
     ~LoopbackTransport() override;
 
     unsigned links() const override { return static_cast<unsigned>(m_workers.size()); }

@@ -21,3 +21,6 @@ double dxPredictRemoteShare(const dxRemoteWork &work, unsigned homeThreads, cons
 
 // Of an island that goes out, at home and at the worker.
 constexpr double kRemoteSolverPart = 0.85;
+
+// More islands are made ready than remote workers are predicted to solve: home takes what they do not.
+constexpr double kRemoteReserve = 1.25;

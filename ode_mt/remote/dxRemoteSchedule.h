@@ -1,0 +1,20 @@
+// Two rules by which problems are given to workers: dxRemoteWorkers keeps them, and bench/scale/ predicts from them how long a step takes.
+//
+// Units: costs in ns of work at home, times in ns of one clock.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+
+// Problems go out together up to so much work: small ones share the price of a message. Towards the end of a step messages become small, so that
+// all workers end at the same time. One problem goes out whatever it costs.
+inline double dxMaxMessageCost(double queuedCost, std::size_t links) {
+    constexpr double kMaxNs = 400e3;
+    return std::min(kMaxNs, queuedCost / (2.0 * static_cast<double>(links)));
+}
+
+// Home, which has nothing left to do, takes problems back if it needs less than this part of the time until they are expected.
+inline bool dxIsSoonerAtHome(double cost, double expected, double now) {
+    constexpr double kSooner = 0.8;
+    return cost <= kSooner * (expected - now);
+}

@@ -1,0 +1,144 @@
+#include "worker/dxSimulatedNetwork.h"
+
+#include <algorithm>
+#include <cstring>
+#include <new>
+#include <utility>
+
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+namespace {
+
+std::chrono::nanoseconds duration(double ns) { return std::chrono::nanoseconds(static_cast<std::int64_t>(ns)); }
+
+// Linux lets a thread sleep 50 us longer than it asked for, to save wake-ups.
+void sleepExactly() {
+#ifdef __linux__
+    constexpr unsigned long kSlackNs = 1000;
+    prctl(PR_SET_TIMERSLACK, kSlackNs);
+#endif
+}
+
+}  // namespace
+
+std::unique_ptr<dxSimulatedNetwork> dxSimulatedNetwork::open(const dxSimulatedLink &link, const Open &open, std::string &reason) {
+    std::unique_ptr<dxSimulatedNetwork> network(new dxSimulatedNetwork(link));
+    network->m_thread = std::thread([network = network.get(), open] { network->run(open); });
+    {
+        Lock lock(network->m_mutex);
+        network->m_changed.wait(lock, [&network] { return network->m_state != State::Opening; });
+        if (network->m_state == State::Open) return network;
+        reason = network->m_reason;
+    }
+    return nullptr;
+}
+
+dxSimulatedNetwork::~dxSimulatedNetwork() {
+    if (m_thread.joinable()) close(false);
+}
+
+// The direction is free again when the last byte has left; the message is there a delay later.
+void dxSimulatedNetwork::put(Direction &direction, dxRemoteBytes &&bytes, Clock::time_point sent) const {
+    direction.busyUntil = std::max(direction.busyUntil, sent) + duration(static_cast<double>(bytes.size()) * m_link.nsPerByte);
+    direction.messages.push_back({std::move(bytes), direction.busyUntil + duration(m_link.delayNs)});
+}
+
+bool dxSimulatedNetwork::send(unsigned, const void *message, std::size_t bytes) {
+    const auto *const from = static_cast<const std::byte *>(message);
+    dxRemoteBytes copy(from, from + bytes);
+    const Lock lock(m_mutex);
+    if (m_isLost) return false;
+    put(m_toHome, std::move(copy), Clock::now());
+    m_wake.notify_one();
+    return true;
+}
+
+std::size_t dxSimulatedNetwork::waiting(unsigned &link) {
+    const Lock lock(m_mutex);
+    link = 0;
+    const std::deque<Message> &messages = m_toWorker.messages;
+    return messages.empty() || messages.front().due > Clock::now() ? 0 : messages.front().bytes.size();
+}
+
+bool dxSimulatedNetwork::receive(void *message) {
+    const Lock lock(m_mutex);
+    const dxRemoteBytes &bytes = m_toWorker.messages.front().bytes;
+    std::memcpy(message, bytes.data(), bytes.size());
+    m_toWorker.messages.pop_front();
+    return true;
+}
+
+void dxSimulatedNetwork::close(bool isOrderly) {
+    {
+        const Lock lock(m_mutex);
+        if (m_state == State::Open) m_state = State::Closing;
+        m_isOrderly = isOrderly;
+    }
+    m_wake.notify_one();
+    if (m_thread.joinable()) m_thread.join();
+}
+
+// --- on the thread of the transport below -------------------------------------------------------------------------
+
+void dxSimulatedNetwork::run(const Open &open) {
+    sleepExactly();
+    m_below = open(m_reason);
+    Lock lock(m_mutex);
+    m_state = m_below ? State::Open : State::Closed;
+    m_changed.notify_all();
+    if (!m_below) return;
+    m_lastLook = Clock::now();
+    try {
+        carry(lock);
+    } catch (const std::bad_alloc &) {  // home takes the worker to be late
+        if (!lock.owns_lock()) lock.lock();
+        m_isLost = true;
+        m_wake.wait(lock, [this] { return m_state == State::Closing; });
+    }
+    lock.unlock();
+    m_below->close(m_isOrderly);
+    m_below.reset();
+}
+
+void dxSimulatedNetwork::carry(Lock &lock) {
+    while (m_state == State::Open || !(m_isLost || m_toHome.messages.empty())) {
+        const bool hasPassed = passOn(lock), hasTaken = takeIn(lock);
+        if (hasPassed || hasTaken) {
+            m_pause.reset();
+            continue;
+        }
+        // A message may be sent while this thread sleeps: it is due later than what is under way.
+        Clock::time_point until = Clock::now() + m_pause.next();
+        if (!m_toHome.messages.empty()) until = std::min(until, m_toHome.messages.front().due);
+        m_wake.wait_until(lock, until);
+    }
+}
+
+bool dxSimulatedNetwork::passOn(Lock &lock) {
+    if (m_toHome.messages.empty() || m_toHome.messages.front().due > Clock::now()) return false;
+    const dxRemoteBytes message = std::move(m_toHome.messages.front().bytes);
+    m_toHome.messages.pop_front();
+    lock.unlock();
+    const bool isSent = m_below->send(0, message.data(), message.size());
+    lock.lock();
+    if (!isSent) m_isLost = true;
+    return true;
+}
+
+bool dxSimulatedNetwork::takeIn(Lock &lock) {
+    lock.unlock();
+    unsigned link = 0;
+    const Clock::time_point now = Clock::now(), sent = m_lastLook + (now - m_lastLook) / 2;
+    dxRemoteBytes message(m_below->waiting(link));
+    const bool isReceived = !message.empty() && m_below->receive(message.data());
+    lock.lock();
+    m_lastLook = now;
+    if (message.empty()) return false;
+    if (isReceived)
+        put(m_toWorker, std::move(message), sent);
+    else
+        m_isLost = true;
+    return true;
+}

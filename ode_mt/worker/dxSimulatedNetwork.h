@@ -1,0 +1,84 @@
+// A network between a worker and home that is slower than the one that is there: what a transport carries arrives
+//
+//   delay + bytes / bandwidth          after it was sent, in both directions, each of which is busy for bytes / bandwidth,
+//
+// so that what a step costs on a cluster can be tried on one machine. A message that comes from home is taken to have been sent between the two
+// looks of which the second one found it.
+//
+// The transport below is made, used and closed by a thread of this object's, which sleeps until something is due: the worker's own thread
+// solves meanwhile, and no core is kept busy. Sleeps are as exact as the system's timers.
+//
+// Tried and dropped: delays in the worker's own thread, between two problems: a result would wait for the next problem to be solved.
+//
+// Units: ns. Threading: that of a transport; the thread below is internal.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "remote/dxPollPause.h"
+#include "remote/dxRemoteFrame.h"
+#include "remote/dxRemoteTransport.h"
+
+struct dxSimulatedLink {
+    double delayNs = 0;    // one way
+    double nsPerByte = 0;  // 0: as many bytes at a time as are wanted
+
+    bool isThere() const { return delayNs > 0 || nsPerByte > 0; }
+};
+
+class dxSimulatedNetwork final : public dxRemoteTransport {
+public:
+    using Open = std::function<std::unique_ptr<dxRemoteTransport>(std::string &reason)>;
+
+    // For a worker, which has one link. Null: there is no transport, `reason` says why.
+    static std::unique_ptr<dxSimulatedNetwork> open(const dxSimulatedLink &link, const Open &open, std::string &reason);
+    ~dxSimulatedNetwork() override;
+
+    unsigned links() const override { return 1; }
+    bool send(unsigned link, const void *message, std::size_t bytes) override;
+    std::size_t waiting(unsigned &link) override;
+    bool receive(void *message) override;
+    // Passes on what has been sent when it is due, and closes the transport below.
+    void close(bool isOrderly) override;
+
+private:
+    using Clock = std::chrono::steady_clock;
+    using Lock = std::unique_lock<std::mutex>;
+    struct Message {
+        dxRemoteBytes bytes;
+        Clock::time_point due;
+    };
+    // One direction: what is under way on it, the oldest first.
+    struct Direction {
+        std::deque<Message> messages;
+        Clock::time_point busyUntil;
+    };
+    enum class State { Opening, Open, Closing, Closed };
+
+    explicit dxSimulatedNetwork(const dxSimulatedLink &link) : m_link(link) {}
+
+    void put(Direction &direction, dxRemoteBytes &&bytes, Clock::time_point sent) const;
+    void run(const Open &open);
+    void carry(Lock &lock);
+    bool passOn(Lock &lock);
+    bool takeIn(Lock &lock);
+
+    const dxSimulatedLink m_link;
+    mutable std::mutex m_mutex;
+    std::condition_variable m_wake, m_changed;
+    Direction m_toHome, m_toWorker;
+    State m_state = State::Opening;
+    bool m_isOrderly = false, m_isLost = false;
+    std::string m_reason;
+    std::unique_ptr<dxRemoteTransport> m_below;  // the thread's own
+    dxPollPause m_pause;
+    Clock::time_point m_lastLook;
+    std::thread m_thread;
+};

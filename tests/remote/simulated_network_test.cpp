@@ -1,0 +1,196 @@
+// The simulated network delays as it is told: one message, several on a busy link, both directions at a time, and while its worker does something else.
+#include "worker/dxSimulatedNetwork.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <atomic>
+#include <vector>
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using namespace std::chrono_literals;
+
+double msSince(Clock::time_point begin) { return std::chrono::duration<double, std::milli>(Clock::now() - begin).count(); }
+
+// Home, as the transport below sees it.
+struct Home {
+    struct Arrived {
+        dxRemoteBytes bytes;
+        Clock::time_point time;
+    };
+
+    void send(std::size_t bytes, int first = 0) {
+        const std::lock_guard<std::mutex> hold(mutex);
+        dxRemoteBytes message(bytes);
+        message[0] = std::byte(first);
+        toWorker.push_back(std::move(message));
+    }
+    std::size_t count() {
+        const std::lock_guard<std::mutex> hold(mutex);
+        return arrived.size();
+    }
+    void waitFor(std::size_t messages) {
+        while (count() < messages) std::this_thread::sleep_for(100us);
+    }
+    double msOf(std::size_t message, Clock::time_point begin) { return std::chrono::duration<double, std::milli>(arrived[message].time - begin).count(); }
+
+    std::mutex mutex;
+    std::deque<dxRemoteBytes> toWorker;
+    std::vector<Arrived> arrived;
+    std::thread::id thread;
+    bool isOneThread = true;
+    std::atomic<int> closed{0};  // 1: in good order, 2: not
+    std::atomic<bool> isLost{false};
+};
+
+struct Below final : dxRemoteTransport {
+    explicit Below(Home &other) : home(other) { home.thread = std::this_thread::get_id(); }
+    unsigned links() const override { return 1; }
+    bool send(unsigned, const void *message, std::size_t bytes) override {
+        const auto *const from = static_cast<const std::byte *>(message);
+        const std::lock_guard<std::mutex> hold(home.mutex);
+        noteThread();
+        home.arrived.push_back({{from, from + bytes}, Clock::now()});
+        return !home.isLost;
+    }
+    std::size_t waiting(unsigned &) override {
+        const std::lock_guard<std::mutex> hold(home.mutex);
+        noteThread();
+        return home.toWorker.empty() ? 0 : home.toWorker.front().size();
+    }
+    bool receive(void *message) override {
+        const std::lock_guard<std::mutex> hold(home.mutex);
+        std::copy(home.toWorker.front().begin(), home.toWorker.front().end(), static_cast<std::byte *>(message));
+        home.toWorker.pop_front();
+        return true;
+    }
+    void close(bool isOrderly) override {
+        noteThread();
+        home.closed = isOrderly ? 1 : 2;
+    }
+    void noteThread() { home.isOneThread &= home.thread == std::this_thread::get_id(); }
+
+    Home &home;
+};
+
+std::unique_ptr<dxSimulatedNetwork> openTo(Home &home, double delayMs, double nsPerByte) {
+    std::string reason;
+    return dxSimulatedNetwork::open({delayMs * 1e6, nsPerByte}, [&home](std::string &) { return std::make_unique<Below>(home); }, reason);
+}
+
+int receive(dxSimulatedNetwork &network) {
+    unsigned link = 1;
+    std::size_t bytes;
+    while ((bytes = network.waiting(link)) == 0) std::this_thread::sleep_for(20us);
+    EXPECT_EQ(link, 0u);
+    dxRemoteBytes message(bytes);
+    EXPECT_TRUE(network.receive(message.data()));
+    return static_cast<int>(message[0]);
+}
+
+// What a loaded machine adds: the shortest of several tries is compared.
+constexpr double kLateMs = 3;
+constexpr int kTries = 5;
+
+TEST(SimulatedNetwork, AMessageArrivesAfterItsDelay) {
+    Home home;
+    const auto network = openTo(home, 20, 0);
+    double toHome = 1e9, toWorker = 1e9;
+    for (int i = 0; i < kTries; ++i) {
+        Clock::time_point begin = Clock::now();
+        network->send(0, "x", 1);
+        home.waitFor(static_cast<std::size_t>(i) + 1);
+        EXPECT_GE(home.msOf(static_cast<std::size_t>(i), begin), 20);
+        toHome = std::min(toHome, home.msOf(static_cast<std::size_t>(i), begin));
+        begin = Clock::now();
+        home.send(1);
+        receive(*network);
+        EXPECT_GE(msSince(begin), 19);  // it is not known when it was sent, but for some microseconds
+        toWorker = std::min(toWorker, msSince(begin));
+    }
+    EXPECT_LE(toHome, 20 + kLateMs);
+    EXPECT_LE(toWorker, 20 + kLateMs);
+}
+
+// Three messages of 10 ms: the delay is waited for once, the link three times.
+TEST(SimulatedNetwork, ALinkIsBusyForTheBytes) {
+    constexpr std::size_t kBytes = 10000;
+    Home home;
+    const auto network = openTo(home, 20, 1000);
+    const std::vector<char> message(kBytes);
+    double last = 1e9;
+    for (int i = 0; i < kTries; ++i) {
+        const Clock::time_point begin = Clock::now();
+        for (int k = 0; k < 3; ++k) network->send(0, message.data(), message.size());
+        EXPECT_LT(msSince(begin), 10) << "a worker does not wait for what it sends";
+        home.waitFor(3 * static_cast<std::size_t>(i) + 3);
+        for (std::size_t k = 0; k < 3; ++k) EXPECT_GE(home.msOf(home.arrived.size() - 3 + k, begin), 30 + 10 * static_cast<double>(k));
+        last = std::min(last, home.msOf(home.arrived.size() - 1, begin));
+    }
+    EXPECT_LE(last, 50 + kLateMs);
+}
+
+// What goes the other way does not wait, nor what arrives while the worker's thread is elsewhere; messages keep their order.
+TEST(SimulatedNetwork, DirectionsDoNotWaitForOneAnother) {
+    Home home;
+    const auto network = openTo(home, 1, 1000);
+    const std::vector<char> message(100000);  // 100 ms
+    const Clock::time_point begin = Clock::now();
+    network->send(0, message.data(), message.size());
+    for (int i = 0; i < 10; ++i) home.send(1000, i);
+    std::this_thread::sleep_for(30ms);
+    for (int i = 0; i < 10; ++i) EXPECT_EQ(receive(*network), i);
+    EXPECT_EQ(home.count(), 0u);
+    EXPECT_LT(msSince(begin), 100);
+    home.waitFor(1);
+    EXPECT_GE(home.msOf(0, begin), 101);
+}
+
+TEST(SimulatedNetwork, KeepsNoCoreBusy) {
+    Home home;
+    const auto network = openTo(home, 300, 0);
+    rusage before{}, after{};
+    getrusage(RUSAGE_SELF, &before);
+    network->send(0, "x", 1);
+    std::this_thread::sleep_for(290ms);
+    getrusage(RUSAGE_SELF, &after);
+    const auto ms = [](const rusage &usage) {
+        return 1e3 * static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) + 1e-3 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+    };
+    EXPECT_LT(ms(after) - ms(before), 100);
+    home.waitFor(1);
+}
+
+TEST(SimulatedNetwork, WhatWasSentIsPassedOnBeforeItCloses) {
+    Home home;
+    auto network = openTo(home, 30, 0);
+    network->send(0, "x", 1);
+    network->close(true);
+    EXPECT_EQ(home.count(), 1u);
+    EXPECT_EQ(home.closed, 1);
+    EXPECT_TRUE(home.isOneThread);
+}
+
+TEST(SimulatedNetwork, ALostLinkIsReported) {
+    Home home;
+    home.isLost = true;
+    auto network = openTo(home, 1, 0);
+    EXPECT_TRUE(network->send(0, "x", 1));
+    home.waitFor(1);
+    const Clock::time_point begin = Clock::now();
+    while (network->send(0, "x", 1) && msSince(begin) < 5000) std::this_thread::sleep_for(1ms);
+    EXPECT_FALSE(network->send(0, "x", 1));
+    network.reset();
+    EXPECT_EQ(home.closed, 2);
+}
+
+TEST(SimulatedNetwork, WithoutATransportThereIsNone) {
+    std::string reason;
+    EXPECT_EQ(dxSimulatedNetwork::open({1, 0}, [](std::string &why) { why = "none"; return std::unique_ptr<dxRemoteTransport>(); }, reason), nullptr);
+    EXPECT_EQ(reason, "none");
+}
+
+}  // namespace
