@@ -19,6 +19,7 @@ const CatalogueEntry kCatalogue[] = {
     {"stacks", "N stacks of ten boxes, far apart", "stacks", 100, 100'000, Stepper::Quick, makeStacks},
     {"pile", "N boxes dropped on one another", "boxes", 1000, 1'000'000, Stepper::Quick, makePile},
     {"wall", "a wall of N by N bricks", "bricks a side", 10, 1000, Stepper::Quick, makeWall},
+    {"walls", "sixteen walls of N by N bricks, far apart", "bricks a side", 6, 100, Stepper::Quick, makeWalls},
     {"spheres", "N balls poured into a box with four walls", "balls", 500, 1'000'000, Stepper::Quick,
      makeSpheres},
     {"chain", "a hanging chain of N links that swings", "links", 50, 100'000, Stepper::World, makeChain},

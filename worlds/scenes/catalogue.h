@@ -24,6 +24,7 @@ std::unique_ptr<Scene> makeThingsOnHeightField(const SceneOptions &options);
 std::unique_ptr<Scene> makeVehiclesOnMesh(const SceneOptions &options);
 std::unique_ptr<Scene> makeVehiclesOnHeightField(const SceneOptions &options);
 std::unique_ptr<Scene> makeWall(const SceneOptions &options);
+std::unique_ptr<Scene> makeWalls(const SceneOptions &options);
 
 // One scene as the user sees it.
 struct CatalogueEntry {
