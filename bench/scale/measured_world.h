@@ -1,0 +1,45 @@
+// What is measured of a world, from which frames with remote workers are predicted. Kept as JSON, so that a prediction can be made again.
+//
+// Units: ns; of frames and steps the mean of the middle half.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace scale {
+
+// An island's problem, as it was sent to a worker.
+struct Problem {
+    double bodies = 0, joints = 0;
+    double bytes = 0, resultBytes = 0;
+    double solveNs = 0;  // the worker's processor
+};
+
+using Step = std::vector<Problem>;
+
+struct MeasuredWorld {
+    std::string world;
+    int warmUp = 0, frames = 0;              // after so many frames so many were measured
+    double homeFrameNs = 0, homeStepNs = 0;  // all islands at home, one thread
+    double awayStepNs = 0;                   // processor time of home's thread in a step of which all islands are solved by a worker
+    double latencyNs = 0, nsPerByte = 0;     // there and back; what the library measured of the link to the worker beside it
+    std::vector<Step> steps;
+
+    double solveNs() const;  // of a step
+    double restNs() const { return homeFrameNs - homeStepNs; }
+};
+
+// The same on a machine that takes `factor` times as long for everything but for sleeping.
+MeasuredWorld slowedDown(MeasuredWorld measured, double factor);
+
+std::string writeMeasuredWorld(const MeasuredWorld &measured);
+// Throws std::runtime_error.
+MeasuredWorld readMeasuredWorld(const std::string &json);
+
+// Steps of a worker's record (ode_mt/worker/dxWorkRecord.h), in their order. Throws std::runtime_error.
+std::vector<Step> readWorkRecord(const std::string &text);
+
+// Mean of the middle half: of values that come in two heaps, it does not jump from one to the other.
+double typical(std::vector<double> values);
+
+}  // namespace scale

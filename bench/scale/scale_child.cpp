@@ -1,0 +1,75 @@
+// odemt_scale_child: runs frames of one world on the libode.so.8 that the loader finds, as the environment says, for odemt_scale:
+//
+//   odemt_scale_child WORLD LOG        LOG: file for standard error, where the library says what its workers are
+//
+// For each line with a number of frames it prints one with their times: {"frame": [ns …], "step": [ns …], "processor": [ns …], "hash": …}. The
+// processor's time is that of this thread in the step.
+#include "error_output.h"
+#include "protocol.h"
+#include "scenes/state_hash.h"
+#include "standard_output.h"
+#include "world_source.h"
+
+#include <fcntl.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+#include <iostream>
+#include <stdexcept>
+
+namespace {
+
+double nsOf(clockid_t clock) {
+    timespec time{};
+    clock_gettime(clock, &time);
+    return 1e9 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec);
+}
+
+void countNothing(int, const char *, va_list) {}  // messages of a world would be timed as well
+
+void run(scenes::Scene &scene, int frames) {
+    std::vector<double> frameNs, stepNs, processorNs;
+    for (int i = 0; i < frames; ++i) {
+        const double start = nsOf(CLOCK_MONOTONIC);
+        scene.control();
+        scene.collide();
+        const double processor = nsOf(CLOCK_THREAD_CPUTIME_ID), collided = nsOf(CLOCK_MONOTONIC);
+        scene.step();
+        const double stepped = nsOf(CLOCK_MONOTONIC), processorStepped = nsOf(CLOCK_THREAD_CPUTIME_ID);
+        scene.finish();
+        frameNs.push_back(nsOf(CLOCK_MONOTONIC) - start);
+        stepNs.push_back(stepped - collided);
+        processorNs.push_back(processorStepped - processor);
+    }
+    const nlohmann::json answer = {{"frame", frameNs}, {"step", stepNs}, {"processor", processorNs}, {"hash", scenes::stateHash(scene.inventory())}};
+    bench::print(answer.dump() + "\n");
+}
+
+void serve(const std::string &world) {
+    std::vector<std::string> warnings;
+    const std::unique_ptr<scenes::Scene> scene = bench::openWorld(world, false, warnings);
+    for (std::string line; std::getline(std::cin, line);) run(*scene, std::stoi(line));
+}
+
+}  // namespace
+
+int main(int argc, char **argv) {
+    bench::keepStandardFiles();
+    if (argc != 3) return bench::printOptionError("odemt_scale_child is started by odemt_scale");
+    constexpr mode_t kReadableByAll = 0644;
+    const int log = open(argv[2], O_WRONLY | O_CREAT | O_TRUNC, kReadableByAll);
+    if (log >= 0) dup2(log, STDERR_FILENO);
+    dInitODE2(0);
+    dSetMessageHandler(countNothing);
+    int code = 0;
+    try {
+        serve(argv[1]);
+    } catch (const std::exception &error) {
+        bench::printError(error.what());
+        code = 1;
+    }
+    dCloseODE();
+    return code;
+}

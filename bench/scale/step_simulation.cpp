@@ -1,0 +1,526 @@
+#include "scale/step_simulation.h"
+
+#include "dynamics/dxCostModel.h"
+#include "dynamics/remote/dxRemoteShare.h"
+#include "remote/dxRemoteLink.h"
+#include "remote/dxRemoteSchedule.h"
+
+#include <algorithm>
+#include <deque>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <utility>
+
+namespace scale {
+
+namespace {
+
+// Of a message, besides its bytes, at each end: to make it, hand it to MPI or take it from there.
+constexpr double kMessageNs = 5e3;
+constexpr double kFrameBytes = 32, kItemBytes = 16;  // headers
+
+// A thread that looks for messages sleeps between two looks, the longer the longer nothing has come (dxPollPause). How long a message waits
+// for a look after one that has just been is in the measured latency; later ones wait for half of what pauses have grown.
+constexpr double kPausePart = 8, kMinPauseNs = 20e3, kMaxPauseNs = 100e3;
+
+constexpr double kWakeNs = 20e3;  // until a thread runs that another one has woken
+
+// Of what is done at home for an island that goes out: to make its problem; the rest applies results.
+constexpr double kMakePart = 0.7;
+
+// Of that, for each island however small: locks, waking the other thread; at most half of it. The rest goes by bytes.
+constexpr double kIslandNs = 8e3;
+
+constexpr unsigned kStepShift = 32;  // of a problem's number
+
+double growthOfPause(double idleNs) { return (std::clamp(idleNs / kPausePart, kMinPauseNs, kMaxPauseNs) - kMinPauseNs) / 2; }
+
+double costOf(const Problem &problem) {
+    return dxCostModel::islandCost(dxStepperKind::World, 0, static_cast<unsigned>(problem.bodies), static_cast<unsigned>(problem.joints));
+}
+
+}  // namespace
+
+class StepSimulation::Play {
+public:
+    Play(const MeasuredWorld &measured, const Cluster &cluster);
+    double run(const Step &step);
+
+    Counts counts;
+
+private:
+    enum class State { Expected, Queued, Sent, Returned, AtHome, Done };
+    struct Island {
+        double solveNs, homeNs, makeNs, finishNs;  // homeNs: all of it, if it stays
+        double bytes, resultBytes;
+        double costNs;  // what the library thinks that all of it takes at home
+        State state = State::Expected;
+    };
+    struct Message {
+        std::uint64_t number = 0;
+        std::vector<unsigned> islands;
+        double bytes = 0, solveNs = 0, resultBytes = 0;
+    };
+    struct Worker {
+        dxRemoteLink link;
+        std::deque<Message> received;
+        bool isBusy = false;
+        double idleSince = 0;
+        double outBusyUntil = 0, inBusyUntil = 0;  // of the wires, if they are its own
+    };
+    using Action = std::function<void()>;
+    struct Event {
+        double time;
+        std::uint64_t order;
+        Action action;
+        bool operator<(const Event &other) const { return std::pair(time, order) > std::pair(other.time, other.order); }
+    };
+
+    void at(double time, Action action) { m_events.push({std::max(time, m_now), m_order++, std::move(action)}); }
+    void makeIslands(const Step &step);
+    double shareOf() const;
+    double costOf(unsigned island) const { return m_islands[island].costNs * kRemoteSolverPart; }
+    double lookNs(double idleNs) const { return m_lookNs + growthOfPause(idleNs); }
+
+    // --- home's thread ----------------------------------------------------------------------------------------
+    void goOn();
+    bool takeUnsent(unsigned &island);
+    bool withdrawLast();
+    void noticeLate();
+    void takeHome(const std::vector<std::uint64_t> &problems);
+    void solveAtHome(unsigned island);
+    void finish(double ns) {
+        m_busyNs += ns;
+        at(m_now + ns, [this] { goOn(); });
+    }
+    void wakeHome();
+
+    // --- its communication --------------------------------------------------------------------------------------
+    void communicate();
+    bool sendNext();
+    void work(double ns, Action then);
+    void transmit(bool isOut, unsigned worker, double bytes, Action then);
+    void arriveHome(Action handle);
+    void handleResults(unsigned worker, const Message &message, bool isWithdrawn);
+
+    // --- a worker ------------------------------------------------------------------------------------------------
+    void arriveAtWorker(unsigned worker, Message message);
+    void solveNext(unsigned worker);
+    void withdraw(unsigned worker, std::uint64_t number);
+
+    const MeasuredWorld m_measured;
+    const Cluster m_cluster;
+    double m_copyNsPerByte;  // at one end
+    double m_lookNs;         // that a message waits for one that looks for it
+    double m_restPerByte, m_awayPerByte, m_awayPerIsland, m_homeSolver;
+    double m_costScale = 1;  // without steps at home the library has nothing to learn from
+
+    double m_now = 0;
+    std::uint64_t m_order = 0, m_step = 0, m_nextMessage = 1;
+    std::priority_queue<Event> m_events;
+    std::vector<Worker> m_workers;
+    double m_outBusyUntil = 0, m_inBusyUntil = 0;
+
+    std::vector<Island> m_islands;
+    std::vector<unsigned> m_away;  // in the order in which they are made
+    std::vector<unsigned> m_queue;  // the most expensive first
+    std::vector<unsigned> m_returned, m_atHome;
+    double m_stayingNs = 0, m_end = 0;
+    double m_busyNs = 0;  // of all processors
+    std::size_t m_made = 0, m_left = 0;
+    bool m_hasStepped = false, m_isWaiting = false, m_isDone = false;
+
+    bool m_isCommunicating = false;
+    double m_lastLook = 0;
+    std::deque<Action> m_arrived;
+    std::vector<std::pair<unsigned, std::uint64_t>> m_withdrawals;
+    bool m_receivesNext = false;
+};
+
+StepSimulation::Play::Play(const MeasuredWorld &measured, const Cluster &cluster) : m_measured(measured), m_cluster(cluster), m_workers(cluster.workers) {
+    std::vector<double> bytes, costs, islandCounts;
+    for (const Step &step : measured.steps) {
+        islandCounts.push_back(static_cast<double>(step.size()));
+        bytes.push_back(0);
+        costs.push_back(0);
+        for (const Problem &problem : step) {
+            bytes.back() += problem.bytes;
+            costs.back() += scale::costOf(problem);
+        }
+    }
+    if (!cluster.sendsAll) m_costScale = measured.homeStepNs / std::max(typical(costs), 1.0);
+    const double perStep = std::max(typical(bytes), 1.0), solve = std::max(measured.solveNs(), 1.0);
+    // What a step takes at home besides its solver. Where the worker was slower than home is, at least a part.
+    constexpr double kMinRest = 0.05;
+    const double rest = std::max(measured.homeStepNs - solve, kMinRest * measured.homeStepNs);
+    m_restPerByte = rest / perStep;
+    const double islands = std::max(typical(islandCounts), 1.0);
+    m_awayPerIsland = std::min(kIslandNs, measured.awayStepNs / islands / 2);
+    m_awayPerByte = (measured.awayStepNs - islands * m_awayPerIsland) / perStep;
+    m_homeSolver = (measured.homeStepNs - rest) / solve;
+    m_copyNsPerByte = measured.nsPerByte / 2;
+    constexpr double kMessagesOfEcho = 4, kLooksOfEcho = 2;
+    m_lookNs = std::max(measured.latencyNs - kMessagesOfEcho * kMessageNs, 0.0) / kLooksOfEcho;
+    for (Worker &worker : m_workers) {
+        worker.link.welcome();
+        worker.link.setMeasured(measured.latencyNs + 2 * cluster.network.delayNs, measured.nsPerByte + cluster.network.nsPerByte());
+    }
+}
+
+void StepSimulation::Play::makeIslands(const Step &step) {
+    m_islands.clear();
+    for (const Problem &problem : step) {
+        const double away = m_awayPerIsland + m_awayPerByte * problem.bytes;
+        m_islands.push_back({problem.solveNs, m_homeSolver * problem.solveNs + m_restPerByte * problem.bytes, kMakePart * away, (1 - kMakePart) * away,
+                             problem.bytes, problem.resultBytes, m_costScale * scale::costOf(problem)});
+    }
+}
+
+double StepSimulation::Play::shareOf() const {
+    if (m_cluster.workers == 0 || m_islands.empty()) return 0;
+    if (m_cluster.sendsAll) return 1;
+    dxRemoteWork work;
+    for (const Island &island : m_islands) {
+        work.totalNs += island.costNs;
+        work.largestNs = std::max(work.largestNs, island.costNs);
+    }
+    for (const Problem &problem : m_measured.steps.front()) {
+        work.bodies += problem.bodies;
+        work.joints += problem.joints;
+    }
+    work.islands = static_cast<double>(m_islands.size());
+    dxRemoteCapacity capacity;
+    for (const Worker &worker : m_workers) {
+        if (!worker.link.isUsable(m_now)) continue;
+        ++capacity.workers;
+        capacity.speed += 1 / worker.link.slowness();
+        capacity.latencyNs = std::max(capacity.latencyNs, worker.link.latencyNs());
+        capacity.nsPerByte = std::max(capacity.nsPerByte, worker.link.nsPerByte());
+    }
+    return std::min(kRemoteReserve * dxPredictRemoteShare(work, 1, capacity), 1.0);
+}
+
+double StepSimulation::Play::run(const Step &step) {
+    makeIslands(step);
+    double total = 0, cost = 0;
+    for (const Island &island : m_islands) {
+        total += island.homeNs;
+        cost += island.costNs;
+    }
+    const double share = shareOf();
+    if (!(share > 0)) {
+        m_now += total + m_measured.restNs();
+        return total;
+    }
+    std::vector<unsigned> order(m_islands.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(), [this](unsigned a, unsigned b) { return m_islands[a].costNs > m_islands[b].costNs; });
+    m_away.clear();
+    m_stayingNs = 0;
+    double left = share * cost;
+    for (const unsigned island : order) {
+        if (m_cluster.sendsAll || left > 0)
+            m_away.push_back(island);
+        else
+            m_stayingNs += m_islands[island].homeNs;
+        left -= m_islands[island].costNs;
+    }
+    ++m_step;
+    m_queue.clear();
+    m_returned.clear();
+    m_atHome.clear();
+    m_made = 0;
+    m_left = m_away.size();
+    m_hasStepped = m_isWaiting = m_isDone = false;
+    m_busyNs = 0;
+    const double begin = m_now;
+    goOn();
+    while (!m_events.empty()) {  // also what comes too late
+        const Event event = m_events.top();
+        m_events.pop();
+        m_now = event.time;
+        event.action();
+    }
+    if (m_cluster.cores > 0) m_end = std::max(m_end, begin + m_busyNs / m_cluster.cores);
+    m_now = std::max(m_now, m_end + m_measured.restNs());
+    return m_end - begin;
+}
+
+// --- home's thread --------------------------------------------------------------------------------------------------
+
+// The next thing that home's thread does, as dxIslandParallelStep::runBlocks and dxRemoteBatch::next have it.
+void StepSimulation::Play::goOn() {
+    if (m_isDone) return;
+    if (m_made < m_away.size()) {
+        const unsigned island = m_away[m_made++];
+        m_busyNs += m_islands[island].makeNs;
+        at(m_now + m_islands[island].makeNs, [this, island] {
+            m_islands[island].state = State::Queued;
+            m_queue.insert(std::upper_bound(m_queue.begin(), m_queue.end(), island, [this](unsigned a, unsigned b) { return costOf(a) > costOf(b); }), island);
+            communicate();
+            goOn();
+        });
+        return;
+    }
+    if (!std::exchange(m_hasStepped, true) && m_stayingNs > 0) return finish(m_stayingNs);
+    for (;;) {
+        if (!m_returned.empty()) {
+            const unsigned island = m_returned.back();
+            m_returned.pop_back();
+            if (m_islands[island].state != State::Returned) continue;
+            m_islands[island].state = State::Done;
+            --m_left;
+            return finish(m_islands[island].finishNs);
+        }
+        unsigned island = 0;
+        if (!m_atHome.empty()) {
+            island = m_atHome.back();
+            m_atHome.pop_back();
+            if (m_islands[island].state == State::AtHome) return solveAtHome(island);
+            continue;
+        }
+        if (m_left == 0) {
+            m_isDone = true;
+            m_end = m_now;
+            return;
+        }
+        if (!m_cluster.sendsAll && takeUnsent(island)) return solveAtHome(island);
+        noticeLate();
+        if (m_atHome.empty() && (m_cluster.sendsAll || !withdrawLast())) break;
+    }
+    m_isWaiting = true;
+    double deadline = std::numeric_limits<double>::infinity();
+    for (const Worker &worker : m_workers) deadline = std::min(deadline, worker.link.deadline());
+    if (deadline < std::numeric_limits<double>::infinity()) at(deadline, [this, step = m_step] { if (step == m_step) wakeHome(); });
+}
+
+void StepSimulation::Play::solveAtHome(unsigned island) {
+    Island &one = m_islands[island];
+    one.state = State::Done;
+    --m_left;
+    finish(m_homeSolver * one.solveNs + one.finishNs);
+}
+
+bool StepSimulation::Play::takeUnsent(unsigned &island) {
+    if (m_queue.empty()) return false;
+    island = m_queue.back();
+    m_queue.pop_back();
+    return true;
+}
+
+bool StepSimulation::Play::withdrawLast() {
+    unsigned worker = 0;
+    const dxRemoteInFlight *last = nullptr;
+    for (unsigned i = 0; i < m_workers.size(); ++i) {
+        for (const dxRemoteInFlight &sent : m_workers[i].link.inFlight()) {
+            if (sent.isWithdrawn || (last != nullptr && sent.expected <= last->expected)) continue;
+            last = &sent;
+            worker = i;
+        }
+    }
+    if (last == nullptr || !dxIsSoonerAtHome(last->cost, last->expected, m_now)) return false;
+    m_withdrawals.emplace_back(worker, last->number);
+    const std::vector<std::uint64_t> problems = last->problems;
+    m_workers[worker].link.withdraw(last->number);
+    takeHome(problems);
+    communicate();
+    return true;
+}
+
+void StepSimulation::Play::takeHome(const std::vector<std::uint64_t> &problems) {
+    for (const std::uint64_t number : problems) {
+        const unsigned island = static_cast<unsigned>(number & 0xffffffffu);
+        if (number >> kStepShift != m_step || m_islands[island].state != State::Sent) continue;
+        ++counts.takenBack;
+        m_islands[island].state = State::AtHome;
+        m_atHome.push_back(island);
+    }
+}
+
+void StepSimulation::Play::noticeLate() {
+    bool isAnyUsable = false;
+    for (Worker &worker : m_workers) {
+        if (worker.link.noticeLate(m_now))
+            for (const dxRemoteInFlight &late : worker.link.inFlight()) takeHome(late.problems);
+        isAnyUsable |= worker.link.isUsable(m_now);
+    }
+    if (isAnyUsable) return;
+    for (const unsigned island : std::exchange(m_queue, {})) {
+        m_islands[island].state = State::AtHome;
+        m_atHome.push_back(island);
+    }
+}
+
+void StepSimulation::Play::wakeHome() {
+    if (std::exchange(m_isWaiting, false)) at(m_now + kWakeNs, [this] { goOn(); });
+}
+
+// --- its communication ----------------------------------------------------------------------------------------------
+
+void StepSimulation::Play::work(double ns, Action then) {
+    m_isCommunicating = true;
+    m_busyNs += ns;
+    at(m_now + ns, [this, then = std::move(then)] {
+        m_isCommunicating = false;
+        m_lastLook = m_now;
+        then();
+        communicate();
+    });
+}
+
+// Sends and receives in turns; withdrawals first.
+void StepSimulation::Play::communicate() {
+    if (m_isCommunicating) return;
+    if (!m_withdrawals.empty()) {
+        const auto [worker, number] = m_withdrawals.back();
+        m_withdrawals.pop_back();
+        return work(kMessageNs, [this, worker = worker, number = number] {
+            transmit(true, worker, kFrameBytes, [this, worker, number] { withdraw(worker, number); });
+        });
+    }
+    m_receivesNext = !m_receivesNext;
+    if (m_receivesNext || !sendNext()) {
+        if (!m_arrived.empty()) {
+            const Action handle = std::move(m_arrived.front());
+            m_arrived.pop_front();
+            return handle();
+        }
+        if (m_receivesNext) sendNext();
+    }
+}
+
+bool StepSimulation::Play::sendNext() {
+    if (m_queue.empty()) return false;
+    Worker *best = nullptr;
+    for (Worker &one : m_workers)
+        if (one.link.isFree(m_now) && (best == nullptr || one.link.inFlight().size() < best->link.inFlight().size())) best = &one;
+    if (best == nullptr) return false;
+    double queued = 0;
+    for (const unsigned island : m_queue) queued += costOf(island);
+    const double most = dxMaxMessageCost(queued, m_workers.size());
+
+    Message message;
+    message.number = m_nextMessage++;
+    message.bytes = message.resultBytes = kFrameBytes;
+    dxRemoteInFlight sent{message.number, {}, 0, 0, 0};
+    std::size_t bytes = 0, taken = 0;
+    do {
+        const unsigned island = m_queue[taken++];
+        Island &one = m_islands[island];
+        one.state = State::Sent;
+        sent.problems.push_back(m_step << kStepShift | island);
+        sent.cost += costOf(island);
+        sent.isPatient |= m_cluster.sendsAll;
+        bytes += static_cast<std::size_t>(one.bytes);
+        message.islands.push_back(island);
+        message.bytes += one.bytes + kItemBytes;
+        message.resultBytes += one.resultBytes + kItemBytes;
+        message.solveNs += one.solveNs;
+    } while (taken < m_queue.size() && sent.cost + costOf(m_queue[taken]) <= most);
+    m_queue.erase(m_queue.begin(), m_queue.begin() + static_cast<std::ptrdiff_t>(taken));
+    best->link.send(std::move(sent), bytes, m_now);
+    ++counts.messages;
+    counts.sent += message.islands.size();
+    counts.bytes += message.bytes + message.resultBytes;
+
+    const unsigned worker = static_cast<unsigned>(best - m_workers.data());
+    work(kMessageNs + message.bytes * m_copyNsPerByte, [this, worker, message] {
+        transmit(true, worker, message.bytes, [this, worker, message] { arriveAtWorker(worker, message); });
+    });
+    return true;
+}
+
+void StepSimulation::Play::transmit(bool isOut, unsigned worker, double bytes, Action then) {
+    Worker &own = m_workers[worker];
+    double &busyUntil = m_cluster.sharesWire ? (isOut ? m_outBusyUntil : m_inBusyUntil) : (isOut ? own.outBusyUntil : own.inBusyUntil);
+    busyUntil = std::max(busyUntil, m_now) + bytes * m_cluster.network.nsPerByte();
+    at(busyUntil + m_cluster.network.delayNs, std::move(then));
+}
+
+void StepSimulation::Play::arriveHome(Action handle) {
+    const double found = m_isCommunicating ? m_now : m_now + lookNs(m_now - m_lastLook);
+    at(found, [this, handle = std::move(handle)] {
+        m_arrived.push_back(handle);
+        communicate();
+    });
+}
+
+void StepSimulation::Play::handleResults(unsigned worker, const Message &message, bool isWithdrawn) {
+    dxRemoteInFlight expected;
+    m_workers[worker].link.takeBack(message.number, m_now, expected);
+    if (isWithdrawn) return takeHome(expected.problems);
+    for (const std::uint64_t number : expected.problems) {
+        if (number >> kStepShift != m_step || m_isDone) continue;
+        Island &island = m_islands[number & 0xffffffffu];
+        if (island.state != State::Sent && island.state != State::AtHome) continue;  // home was faster
+        island.state = State::Returned;
+        m_returned.push_back(static_cast<unsigned>(number & 0xffffffffu));
+    }
+    wakeHome();
+}
+
+// --- a worker -------------------------------------------------------------------------------------------------------
+
+void StepSimulation::Play::arriveAtWorker(unsigned worker, Message message) {
+    Worker &own = m_workers[worker];
+    own.received.push_back(std::move(message));
+    if (own.isBusy) return;
+    own.isBusy = true;
+    at(m_now + lookNs(m_now - own.idleSince), [this, worker] { solveNext(worker); });
+}
+
+void StepSimulation::Play::solveNext(unsigned worker) {
+    Worker &own = m_workers[worker];
+    if (own.received.empty()) {
+        own.isBusy = false;
+        own.idleSince = m_now;
+        return;
+    }
+    const Message message = std::move(own.received.front());
+    own.received.pop_front();
+    const double took = 2 * kMessageNs + (message.bytes + message.resultBytes) * m_copyNsPerByte + message.solveNs;
+    m_busyNs += took;
+    at(m_now + took, [this, worker, message] {
+        transmit(false, worker, message.resultBytes, [this, worker, message] {
+            arriveHome([this, worker, message] {
+                work(kMessageNs + message.resultBytes * m_copyNsPerByte, [this, worker, message] { handleResults(worker, message, false); });
+            });
+        });
+        solveNext(worker);
+    });
+}
+
+// What it has not begun to solve it gives back, in a message without results.
+void StepSimulation::Play::withdraw(unsigned worker, std::uint64_t number) {
+    std::deque<Message> &received = m_workers[worker].received;
+    const auto found = std::find_if(received.begin(), received.end(), [number](const Message &one) { return one.number == number; });
+    if (found == received.end()) return;
+    const Message message = std::move(*found);
+    received.erase(found);
+    transmit(false, worker, kFrameBytes, [this, worker, message] {
+        arriveHome([this, worker, message] { work(kMessageNs, [this, worker, message] { handleResults(worker, message, true); }); });
+    });
+}
+
+// --------------------------------------------------------------------------------------------------------------------
+
+StepSimulation::StepSimulation(const MeasuredWorld &measured, const Cluster &cluster) : m_play(std::make_unique<Play>(measured, cluster)) {}
+StepSimulation::~StepSimulation() = default;
+double StepSimulation::run(const Step &step) { return m_play->run(step); }
+StepSimulation::Counts StepSimulation::counts() const { return m_play->counts; }
+
+double predictFrame(const MeasuredWorld &measured, const Cluster &cluster) {
+    if (measured.steps.empty()) return measured.homeFrameNs;
+    StepSimulation simulation(measured, cluster);
+    // The first steps teach links how fast their workers are.
+    constexpr std::size_t kLearning = 20;
+    for (std::size_t i = 0; i < kLearning; ++i) simulation.run(measured.steps[i % measured.steps.size()]);
+    std::vector<double> steps;
+    for (const Step &step : measured.steps) steps.push_back(simulation.run(step));
+    const double step = typical(steps);
+    return measured.restNs() + (cluster.sendsAll ? step : std::min(step, measured.homeStepNs));
+}
+
+}  // namespace scale

@@ -1,0 +1,198 @@
+#include "scale/world_measure.h"
+
+#include "library_variables.h"
+#include "text_file.h"
+
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+
+#include "process/line_process.h"
+
+namespace scale {
+
+namespace {
+
+constexpr std::chrono::milliseconds kLimit = std::chrono::minutes(5);  // for one batch of frames
+
+// Files of one measurement.
+class ScratchFolder {
+public:
+    ScratchFolder() {
+        std::string name = (std::filesystem::temp_directory_path() / "odemt_scale_XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder for temporary files");
+        m_name = name;
+    }
+    ~ScratchFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(m_name, ignored);
+    }
+    ScratchFolder(const ScratchFolder &) = delete;
+    ScratchFolder &operator=(const ScratchFolder &) = delete;
+    std::string file(const std::string &name) const { return m_name + "/" + name; }
+
+private:
+    std::string m_name;
+};
+
+struct FrameTimes {
+    std::vector<double> frame, step, processor;
+    std::uint64_t hash = 0;
+};
+
+// A world in a process of its own, and its workers.
+struct Party {
+    std::string workers = "none";  // ODE_MT_WORKERS
+    unsigned count = 0;
+    bool sendsAll = false;
+    std::string arguments;  // of workers
+};
+
+class Player {
+public:
+    Player(const std::string &world, const MeasureSettings &settings, const Party &party, const std::string &log)
+        : m_log(log), m_process(command(world, settings, party, log), environment(settings, party)) {}
+
+    FrameTimes run(int frames) {
+        m_process.writeLine(std::to_string(frames));
+        try {
+            const nlohmann::json answer = nlohmann::json::parse(m_process.readLine(kLimit));
+            return {answer.at("frame"), answer.at("step"), answer.at("processor"), answer.at("hash")};
+        } catch (const std::exception &error) {
+            throw std::runtime_error(std::string(error.what()) + "\n" + bench::readTextFile(m_log));
+        }
+    }
+    void end() {
+        m_process.writeEnd();
+        m_process.waitForExit();
+    }
+
+private:
+    // Workers by MPI are processes of the same job.
+    static std::vector<std::string> command(const std::string &world, const MeasureSettings &settings, const Party &party, const std::string &log) {
+        std::vector<std::string> words;
+        if (party.workers == "mpi") words = {"mpirun", "--enable-recovery", "-np", "1"};
+        words.insert(words.end(), {settings.program, world, log});
+        if (party.workers == "mpi") words.insert(words.end(), {":", "-np", std::to_string(party.count), settings.library + "/odemt_worker"});
+        return words;
+    }
+
+    static process::Environment environment(const MeasureSettings &settings, const Party &party) {
+        process::Environment changes;
+        for (const std::string &name : bench::libraryVariables()) changes[name] = "";
+        changes["ODE_MT_THREADS"] = "0";
+        changes["ODE_MT_WORKERS"] = party.workers == "loopback" ? "loopback:" + std::to_string(party.count) : party.workers;
+        changes["ODE_MT_LOG"] = "info";
+        if (party.sendsAll) changes["ODE_MT_ALGORITHM"] = "lcp";
+        changes["ODEMT_WORKER_ARGUMENTS"] = party.arguments;
+        changes["LD_LIBRARY_PATH"] = settings.library;
+        return changes;
+    }
+
+    const std::string m_log;
+    process::LineProcess m_process;
+};
+
+// Two players in turns, on the same frames.
+class Race {
+public:
+    Race(Player &home, Player &other) : m_home(home), m_other(other) {}
+
+    // Throws if the worlds differ afterwards.
+    void run(int frames) {
+        if (frames <= 0) return;
+        const FrameTimes atHome = m_home.run(frames), of = m_other.run(frames);
+        if (atHome.hash != of.hash) throw std::runtime_error("results with workers differ from those at home");
+        append(home, atHome);
+        append(other, of);
+    }
+    void runBatches(int frames) {
+        constexpr int kInTurn = 4;  // frames; machines change their speed within seconds
+        for (int left = frames; left > 0; left -= kInTurn) run(std::min(left, kInTurn));
+    }
+    void forget() { home = other = {}; }
+
+    FrameTimes home, other;
+
+private:
+    static void append(FrameTimes &to, const FrameTimes &from) {
+        to.frame.insert(to.frame.end(), from.frame.begin(), from.frame.end());
+        to.step.insert(to.step.end(), from.step.begin(), from.step.end());
+        to.processor.insert(to.processor.end(), from.processor.begin(), from.processor.end());
+    }
+
+    Player &m_home, &m_other;
+};
+
+// "remote workers: 1 of 1 by mpi; latency 97 us, 3.21 GB/s"
+void readLink(const std::string &log, MeasuredWorld &measured) {
+    const std::size_t line = log.find("remote workers: ");
+    unsigned usable = 0, all = 0;
+    double us = 0, gigabytes = 0;
+    char name[32];
+    if (line == std::string::npos ||
+        std::sscanf(log.c_str() + line, "remote workers: %u of %u by %31[^;]; latency %lf us, %lf GB/s", &usable, &all, name, &us, &gigabytes) != 5 ||
+        usable == 0)
+        throw std::runtime_error("no worker:\n" + log);
+    measured.latencyNs = us * 1e3;
+    measured.nsPerByte = gigabytes > 0 ? 1 / gigabytes : 0;
+}
+
+}  // namespace
+
+MeasuredWorld measureWorld(const std::string &world, const MeasureSettings &settings) {
+    const ScratchFolder scratch;
+    const std::string record = scratch.file("record"), log = scratch.file("away");
+    Player home(world, settings, {}, scratch.file("home"));
+    Player away(world, settings, {settings.transport, 1, true, "--record " + record}, log);
+    Race race(home, away);
+    MeasuredWorld measured;
+    measured.world = world;
+    // The first frames say how many there are time for: in the last of them things lie on one another.
+    constexpr int kProbed = 4, kMinFrames = 4, kMaxFrames = 2000, kMaxWarmUp = 100;
+    race.run(kProbed);
+    measured.frames = static_cast<int>(
+        std::clamp(settings.seconds * 1e9 / (race.home.frame.back() + race.other.frame.back()), double{kMinFrames}, double{kMaxFrames}));
+    measured.warmUp = std::min(measured.frames, kMaxWarmUp);
+    race.run(measured.warmUp - kProbed);
+    race.forget();
+    if (truncate(record.c_str(), 0) != 0) throw std::runtime_error("no worker has written " + record);
+    race.runBatches(measured.frames);
+    away.end();
+    home.end();
+    measured.homeFrameNs = typical(race.home.frame);
+    measured.homeStepNs = typical(race.home.step);
+    measured.awayStepNs = typical(race.other.processor);
+    readLink(bench::readTextFile(log), measured);
+    measured.steps = readWorkRecord(bench::readTextFile(record));
+    return measured;
+}
+
+MeasuredFrames measureFrames(const MeasuredWorld &measured, const Cluster &cluster, const MeasureSettings &settings) {
+    const ScratchFolder scratch;
+    Player home(measured.world, settings, {}, scratch.file("home"));
+    Player other(measured.world, settings, {settings.transport, cluster.workers, cluster.sendsAll, cluster.network.workerArguments()}, scratch.file("other"));
+    Race race(home, other);
+    race.run(measured.warmUp);
+    race.forget();
+    race.runBatches(measured.frames);
+    other.end();
+    home.end();
+    const std::string log = bench::readTextFile(scratch.file("other"));
+    unsigned long long sent = 0, solved = 0, taken = 0;
+    unsigned late = 0;
+    const std::size_t counts = log.rfind("remote workers: ");
+    if (std::sscanf(log.c_str() + counts, "remote workers: %llu islands sent, %llu solved there, %llu taken back; late %u times", &sent, &solved, &taken,
+                    &late) != 4)
+        throw std::runtime_error("the library has not counted islands:\n" + log);
+    return {typical(race.home.frame), typical(race.other.frame), static_cast<double>(sent) / (measured.warmUp + measured.frames), late};
+}
+
+}  // namespace scale
