@@ -12,6 +12,7 @@ struct Network {
     double bytesPerSecond;  // 0: as many as the software can copy
 
     double nsPerByte() const { return bytesPerSecond > 0 ? 1e9 / bytesPerSecond : 0; }
+    bool isSlowed() const { return delayNs > 0 || bytesPerSecond > 0; }
     // As odemt_worker reads it; empty: no network is simulated.
     std::string workerArguments() const;
 };

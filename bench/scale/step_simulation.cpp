@@ -436,6 +436,8 @@ void StepSimulation::Play::transmit(bool isOut, unsigned worker, double bytes, A
     Worker &own = m_workers[worker];
     double &busyUntil = m_cluster.sharesWire ? (isOut ? m_outBusyUntil : m_inBusyUntil) : (isOut ? own.outBusyUntil : own.inBusyUntil);
     busyUntil = std::max(busyUntil, m_now) + bytes * m_cluster.network.nsPerByte();
+    // On one machine a simulated network copies messages, too.
+    if (m_cluster.cores > 0 && m_cluster.network.isSlowed()) m_busyNs += kMessageNs + bytes * m_copyNsPerByte;
     at(busyUntil + m_cluster.network.delayNs, std::move(then));
 }
 

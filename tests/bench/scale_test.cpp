@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -110,6 +111,7 @@ TEST(Scale, PredictsRecordedScenarios) {
         const MeasuredWorld measured = readMeasuredWorld(read(ODEMT_SCALE_DATA "/" + world + ".json"));
         const MeasuredWorld now = slowedDown(measured, homeMs * kMs / measured.homeFrameNs);
         const double frame = predictFrame(now, {workers, readNetwork(network), true, false, 2}) / kMs;
+        std::printf("%s %s %u %g %g %g\n", world.c_str(), network.c_str(), workers, homeMs, frame, measuredMs);  // the table of docs/scale.md
         EXPECT_NEAR(frame / measuredMs, 1, 0.2) << world << " behind " << network << ", " << workers << " workers: " << frame << " ms";
     }
     EXPECT_GE(count, 10u);
