@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/dxJointAttachment.h"
+#include "core/dxLog.h"
 #include "dynamics/exactstep/dxDantzigSolver.h"
 #include "dynamics/exactstep/dxExactResults.h"
 #include "dynamics/exactstep/dxExactStep.h"
@@ -29,7 +30,7 @@ void closeAtExit() { dxRemoteIslands::close(); }
 
 }  // namespace
 
-void dxRemoteIslands::open() {
+void dxRemoteIslands::open() try {
     const dxRemoteChoice choice = dxSettings::instance().remoteWorkers();
     if (choice.transport == nullptr) return;
     static std::atomic<bool> isOpened{false};
@@ -38,6 +39,8 @@ void dxRemoteIslands::open() {
         return dxLoadRemoteTransport(choice.transport, choice.wanted, reason);
     });
     std::atexit(closeAtExit);  // before the handlers of what was loaded for it
+} catch (const std::bad_alloc &) {
+    dxLog(dxLogLevel::warning, "remote workers: no memory; islands stay at home");
 }
 
 void dxRemoteIslands::close() { dxRemoteWorkers::instance().close(); }

@@ -11,18 +11,23 @@ namespace {
 constexpr double kLateFactor = 2, kLateNs = 2e6, kPatienceNs = 2e9;
 
 constexpr double kFirstPauseNs = 10e6, kMaxPauseNs = 10e9;
-constexpr unsigned kOnTimeToForget = 100;  // messages in a row that let the next pause be the first one's again
+constexpr double kGoneNs = 2e9;
+
+// A worker that is stopped while it is measured seems to be as far away as nobody is; deadlines follow from that.
+constexpr double kMaxLatencyNs = 100e6, kMaxNsPerByte = 1000;
 
 constexpr double kLearning = 0.125;  // weight of a new value
 constexpr double kMinSlowness = 0.05, kMaxSlowness = 50;
 
 }  // namespace
 
+bool dxRemoteLink::isGone(double now) const { return m_state == State::Open && m_isLate && now - m_lateSince > kGoneNs; }
+
 bool dxRemoteLink::isFree(double now) const { return isUsable(now) && m_inFlight.size() < kMaxInFlight; }
 
 void dxRemoteLink::setMeasured(double latencyNs, double nsPerByte) {
-    m_latencyNs = latencyNs;
-    m_nsPerByte = nsPerByte;
+    m_latencyNs = std::min(latencyNs, kMaxLatencyNs);
+    m_nsPerByte = std::min(nsPerByte, kMaxNsPerByte);
     if (m_state == State::Measured) m_state = State::Open;
 }
 
@@ -48,12 +53,21 @@ void dxRemoteLink::withdraw(std::uint64_t number) {
         if (problems.number == number) problems.isWithdrawn = true;
 }
 
+bool dxRemoteLink::takeWithdrawal(std::uint64_t &number) {
+    const auto found = std::find_if(m_inFlight.begin(), m_inFlight.end(), [](const dxRemoteInFlight &one) { return one.isWithdrawn && !one.isWithdrawalSent; });
+    if (found == m_inFlight.end()) return false;
+    found->isWithdrawalSent = true;
+    number = found->number;
+    return true;
+}
+
 bool dxRemoteLink::takeBack(std::uint64_t number, double now, dxRemoteInFlight &problems) {
     const auto found = std::find_if(m_inFlight.begin(), m_inFlight.end(), [number](const dxRemoteInFlight &one) { return one.number == number; });
     if (found == m_inFlight.end()) return false;
     const bool wasFirst = found == m_inFlight.begin();
     problems = std::move(*found);
     m_inFlight.erase(found);
+    if (!problems.isWithdrawn) ++m_answers;
     if (wasFirst && !problems.isWithdrawn && !m_isLate && problems.cost > 0) {
         // From when it could be begun: what was sent after it was begun waits for it.
         const double begin = problems.expected - problems.cost * m_slowness - problems.transferNs;
@@ -79,6 +93,7 @@ double dxRemoteLink::deadline() const {
 bool dxRemoteLink::noticeLate(double now) {
     if (now < deadline()) return false;
     m_isLate = true;
+    m_lateSince = now;
     m_onTime = 0;
     m_pauseNs = std::clamp(2 * m_pauseNs, kFirstPauseNs, kMaxPauseNs);
     return true;

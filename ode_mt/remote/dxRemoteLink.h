@@ -4,6 +4,8 @@
 // disconnected, was refused, or sent what cannot be. An open link of which something is late gets nothing until all is back, and then not for
 // a pause that doubles each time, up to ten seconds.
 //
+// Only send() takes memory, and changes nothing where there is none.
+//
 // Units: times in ns of one clock, costs in ns of work at home. Threading: under the lock of dxRemoteWorkers.
 #pragma once
 
@@ -20,7 +22,7 @@ struct dxRemoteInFlight {
     double sent;
     double expected = 0;  // when they should be back
     double deadline = 0;  // after which home solves them
-    bool isWithdrawn = false;
+    bool isWithdrawn = false, isWithdrawalSent = false;
     bool isPatient = false;  // home has nothing better to do: it waits for seconds
 };
 
@@ -30,6 +32,10 @@ public:
 
     State state() const { return m_state; }
     bool isLate() const { return m_isLate; }
+    // Has been late for so long that it had better be replaced, if that is possible.
+    bool isGone(double now) const;
+    // Has answered often.
+    bool hasProved() const { return m_answers >= kOnTimeToForget; }
 
     // May be given problems now.
     bool isFree(double now) const;
@@ -45,6 +51,8 @@ public:
     const std::list<dxRemoteInFlight> &inFlight() const { return m_inFlight; }
     void send(dxRemoteInFlight &&problems, std::size_t bytes, double now);
     void withdraw(std::uint64_t number);
+    // Returns whether there is a withdrawal of which the worker has not been told; from now on it has.
+    bool takeWithdrawal(std::uint64_t &number);
 
     // A message with results has arrived. Returns false if none is expected of this number; else what it should be about.
     bool takeBack(std::uint64_t number, double now, dxRemoteInFlight &problems);
@@ -60,14 +68,15 @@ public:
     double slowness() const { return m_slowness; }     // time of a problem there, of that at home
 
 private:
+    static constexpr unsigned kOnTimeToForget = 100;  // messages in a row that let the next pause be the first one's again
     static constexpr std::size_t kMaxInFlight = 2;  // one that is solved, and one that waits
 
     void foresee(double from);
 
     State m_state = State::New;
     bool m_isLate = false;
-    double m_pausedUntil = 0, m_pauseNs = 0;
-    unsigned m_onTime = 0;
+    double m_lateSince = 0, m_pausedUntil = 0, m_pauseNs = 0;
+    unsigned m_onTime = 0, m_answers = 0;
     double m_latencyNs = 0, m_nsPerByte = 0, m_slowness = 1;
     std::list<dxRemoteInFlight> m_inFlight;  // in the order in which they were sent
 };

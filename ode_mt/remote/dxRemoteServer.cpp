@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <new>
 #include <thread>
 #include <utility>
 
@@ -18,7 +19,13 @@ bool dxRemoteServer::send(const dxRemoteBytes &message) {
     return false;
 }
 
-dxRemoteServer::End dxRemoteServer::run(double maxSilence) {
+dxRemoteServer::End dxRemoteServer::run(double maxSilence) try {
+    return serve(maxSilence);
+} catch (const std::bad_alloc &) {
+    return End::NoMemory;
+}
+
+dxRemoteServer::End dxRemoteServer::serve(double maxSilence) {
     dxRemoteFrame hello;
     hello.add(&m_hello, sizeof m_hello);
     send(hello.seal(dxRemoteKind::Hello));
@@ -65,7 +72,7 @@ bool dxRemoteServer::receiveAll() {
                                                 [&header](const dxRemoteBytes &kept) { return dxReadHeader(kept).number == header.number; });
                 if (found == m_problems.end()) break;
                 m_problems.erase(found);
-                send(dxRemoteFrame().seal(dxRemoteKind::Results, header.number));
+                send(m_none.seal(dxRemoteKind::Results, header.number));
                 break;
             }
             case dxRemoteKind::Refusal:
@@ -84,14 +91,32 @@ bool dxRemoteServer::receiveAll() {
     return hasReceived;
 }
 
+// Returns false without memory for the results.
+bool dxRemoteServer::solveAll(const dxRemoteBytes &problems, dxRemoteFrame &results) try {
+    for (dxRemoteItems items(problems); items.next();) {
+        m_result.clear();
+        try {
+            m_solve(items.data(), items.size(), m_result);
+        } catch (const std::bad_alloc &) {
+            m_result.clear();
+        }
+        results.addItem(items.number(), m_result.data(), m_result.size());
+    }
+    return true;
+} catch (const std::bad_alloc &) {
+    return false;
+}
+
 void dxRemoteServer::solveFirst() {
     const dxRemoteBytes problems = std::move(m_problems.front());
     m_problems.erase(m_problems.begin());
-    dxRemoteFrame results;
-    for (dxRemoteItems items(problems); items.next();) {
-        m_result.clear();
-        m_solve(items.data(), items.size(), m_result);
-        results.addItem(items.number(), m_result.data(), m_result.size());
+    const std::uint64_t number = dxReadHeader(problems).number;
+    {
+        dxRemoteFrame results;
+        if (solveAll(problems, results)) {
+            send(results.seal(dxRemoteKind::Results, number));
+            return;
+        }
     }
-    send(results.seal(dxRemoteKind::Results, dxReadHeader(problems).number));
+    send(m_none.seal(dxRemoteKind::Results, number));
 }

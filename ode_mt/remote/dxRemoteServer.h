@@ -1,5 +1,8 @@
 // A worker: solves the problems that home sends, until home says that it may end or is not heard of any more.
 //
+// Memory: a problem for which there is none is given back, by a result without bytes, or all of a message by one without results. A worker that cannot
+// even receive or answer ends.
+//
 // Threading: one thread, that of the transport.
 #pragma once
 
@@ -11,10 +14,10 @@
 
 class dxRemoteServer {
 public:
-    // Solves one problem; the result is always made, if only to say that there is none.
+    // Solves one problem; the result is always made, if only to say that there is none. No bytes say so, too, as does std::bad_alloc.
     using Solve = std::function<void(const std::byte *problem, std::size_t bytes, dxRemoteBytes &result)>;
 
-    enum class End { Orderly, Disorderly, Refused, Silence, Lost };
+    enum class End { Orderly, Disorderly, Refused, Silence, Lost, NoMemory };
 
     dxRemoteServer(dxRemoteTransport &transport, const dxRemoteHello &hello, Solve solve);
 
@@ -25,8 +28,10 @@ public:
     const std::string &refusal() const { return m_refusal; }
 
 private:
+    End serve(double maxSilence);
     bool receiveAll();
     void solveFirst();
+    bool solveAll(const dxRemoteBytes &problems, dxRemoteFrame &results);
     bool send(const dxRemoteBytes &message);
 
     dxRemoteTransport &m_transport;
@@ -34,6 +39,7 @@ private:
     const Solve m_solve;
     std::vector<dxRemoteBytes> m_problems;  // received, the oldest first
     dxRemoteBytes m_result;
+    dxRemoteFrame m_none;  // results, of nothing
     std::string m_refusal;
     bool m_hasEnded = false;
     End m_end = End::Orderly;

@@ -3,6 +3,8 @@
 // A transport has links: home one to each worker, a worker one (link 0) to home. Messages are whole, and those of one link arrive in the
 // order in which they were sent. They may be lost or damaged with a worker, which is found out by others (dxRemoteLink).
 //
+// Home's may be able to replace a lost worker by a new one, of which the link is then.
+//
 // Threading: one thread makes all calls, that which made the transport. Nothing is waited for but in open and close.
 #pragma once
 
@@ -11,7 +13,7 @@
 class dxRemoteTransport {
 public:
     // What a library must know to give a transport to this one.
-    static constexpr unsigned kInterfaceVersion = 1;
+    static constexpr unsigned kInterfaceVersion = 2;
 
     virtual ~dxRemoteTransport() = default;
 
@@ -25,6 +27,17 @@ public:
 
     // Receives the message that `waiting` has just found. False: the link is lost.
     virtual bool receive(void *message) = 0;
+
+    // --- workers in the place of lost ones ---------------------------------------------------------------
+    enum class Replacement { Expected, Here, Failed };
+
+    virtual bool canReplace() const { return false; }
+
+    // Begins to start one, if none is being started. From now on the link has no worker, and what the lost one sends is not received.
+    virtual void replace(unsigned /*link*/) {}
+
+    // What has become of it. Here: its messages can be sent and received.
+    virtual Replacement replacement() { return Replacement::Failed; }
 
     // The last call. `isOrderly`: all others close as well, and may be waited for.
     virtual void close(bool isOrderly) = 0;

@@ -20,13 +20,36 @@ constexpr std::size_t kLargeEcho = std::size_t{256} << 10;  // bytes
 
 constexpr double kHeartbeatNs = 5e9;    // home says that it is there
 constexpr double kSettleNs = 2e9;       // open() waits so long for workers
+constexpr double kGreetingNs = 10e9;    // a worker in the place of another one is usable in so long, or lost
+constexpr double kRestartPollNs = 20e6; // between two looks at whether a worker has started
+constexpr double kMaxStartNs = 3e9;     // close() waits so long for a worker that is being started
 constexpr double kDrainNs = 1e9;        // close() waits so long for results that nobody needs, so that all can end in good order
+constexpr double kPatienceNs = 3e9;     // a step that waits for workers takes home what has not been sent when nothing has happened for so long
 
 dxProcessObject<dxRemoteWorkers> remoteWorkers;
+
+// Lets others have the lock in between, however that ends.
+class Unlocked {
+public:
+    explicit Unlocked(std::unique_lock<std::mutex> &lock) : m_lock(lock) { m_lock.unlock(); }
+    ~Unlocked() { m_lock.lock(); }
+    Unlocked(const Unlocked &) = delete;
+    Unlocked &operator=(const Unlocked &) = delete;
+
+private:
+    std::unique_lock<std::mutex> &m_lock;
+};
 
 std::chrono::nanoseconds duration(double ns) { return std::chrono::nanoseconds(static_cast<std::int64_t>(ns)); }
 
 }  // namespace
+
+// Problems of one message, and their bytes.
+struct dxRemoteSending {
+    std::uint64_t number = 0;
+    std::vector<std::uint64_t> problems;
+    std::vector<dxRemoteBytes> bytes;
+};
 
 dxRemoteWorkers &dxRemoteWorkers::instance() { return *remoteWorkers; }
 
@@ -71,9 +94,9 @@ void dxRemoteWorkers::close() {
     m_wake.notify_all();
     pthread_join(m_thread, nullptr);
     const Counts all = counts();
-    dxLog(dxLogLevel::info, "remote workers: %llu islands sent, %llu solved there, %llu taken back; late %u times, %u workers lost",
+    dxLog(dxLogLevel::info, "remote workers: %llu islands sent, %llu solved there, %llu taken back; late %u times, %u workers lost, %u replaced",
           static_cast<unsigned long long>(all.sent), static_cast<unsigned long long>(all.solved),
-          static_cast<unsigned long long>(all.takenBack), all.late, all.lost);
+          static_cast<unsigned long long>(all.takenBack), all.late, all.lost, all.replaced);
 }
 
 // The thread is the parent's, and so are the workers; it may have held the lock.
@@ -110,9 +133,16 @@ void dxRemoteWorkers::communicate() {
     begin();
     Lock lock(m_mutex);
     while (!m_isClosing) {
-        const bool hasWithdrawn = sendWithdrawals(lock), hasSent = sendNext(lock), hasReceived = receiveNext(lock);
+        bool hasDone = false;
+        try {
+            hasDone = communicateOnce(lock);
+        } catch (const std::exception &fault) {
+            loseAll(fault.what());
+        } catch (...) {
+            loseAll("an exception");
+        }
         noticeLate(now());
-        if (hasWithdrawn || hasSent || hasReceived)
+        if (hasDone)
             m_pause.reset();
         else
             sleep(lock);
@@ -122,44 +152,87 @@ void dxRemoteWorkers::communicate() {
     end();
 }
 
+bool dxRemoteWorkers::communicateOnce(Lock &lock) {
+    const bool hasWithdrawn = sendWithdrawals(lock), hasSent = sendNext(lock), hasReceived = receiveNext(lock);
+    const bool hasReplaced = m_canReplace && replaceLost(lock);
+    return hasWithdrawn || hasSent || hasReceived || hasReplaced;
+}
+
 void dxRemoteWorkers::begin() {
-    std::string reason;
-    m_transport = m_open(reason);
-    if (!m_transport)
-        dxLog(dxLogLevel::warning, "remote workers: none by %s: %s; islands stay at home", m_name.c_str(), reason.c_str());
+    std::vector<Link> links;
+    const auto haveNone = [this](const char *why) {
+        dxLog(dxLogLevel::warning, "remote workers: none by %s: %s; islands stay at home", m_name.c_str(), why);
+        if (m_transport) m_transport->close(false);
+        m_transport.reset();
+    };
+    try {
+        std::string reason;
+        m_transport = m_open(reason);
+        if (m_transport)
+            links.resize(m_transport->links());
+        else
+            haveNone(reason.c_str());
+    } catch (const std::exception &fault) {
+        haveNone(fault.what());
+    } catch (...) {
+        haveNone("an exception");
+    }
     const Lock lock(m_mutex);
-    m_links.clear();
-    m_links.resize(m_transport ? m_transport->links() : 0);
+    for (Link &one : links) one.since = now();
+    m_links.swap(links);
+    m_canReplace = m_transport && m_transport->canReplace();
+    m_isReplacing = m_hasLost = false;
     m_hasBegun = true;
     m_done.notify_all();
 }
 
 bool dxRemoteWorkers::sendTo(unsigned link, const dxRemoteBytes &message, Lock &lock) {
-    lock.unlock();
-    const bool isSent = m_transport->send(link, message.data(), message.size());
-    lock.lock();
-    if (!isSent) lose(link, "cannot be reached");
+    bool isSent = false;
+    {
+        const Unlocked others(lock);
+        isSent = m_transport->send(link, message.data(), message.size());
+    }
+    if (!isSent) loseUnreachable(link, "cannot be reached");
     return isSent;
 }
 
+// Without memory for the message the worker solves in vain.
 bool dxRemoteWorkers::sendWithdrawals(Lock &lock) {
-    if (m_withdrawals.empty()) return false;
-    const std::vector<std::pair<unsigned, std::uint64_t>> all = std::exchange(m_withdrawals, {});
-    for (const auto &[link, number] : all)
-        if (m_links[link].link.state() == dxRemoteLink::State::Open) sendTo(link, dxRemoteFrame().seal(dxRemoteKind::Withdraw, number), lock);
+    if (!m_hasWithdrawals) return false;
+    m_hasWithdrawals = false;
+    for (unsigned i = 0; i < m_links.size(); ++i) {
+        for (std::uint64_t number = 0; m_links[i].link.takeWithdrawal(number);) {
+            if (m_links[i].link.state() != dxRemoteLink::State::Open) continue;
+            try {
+                sendTo(i, dxRemoteFrame().seal(dxRemoteKind::Withdraw, number), lock);
+            } catch (const std::bad_alloc &) {
+                warnOfMemory();
+            }
+        }
+    }
     return true;
+}
+
+void dxRemoteWorkers::sendHeartbeat(double time, Lock &lock) {
+    if (time - m_lastAlive <= kHeartbeatNs) return;
+    m_lastAlive = time;
+    for (unsigned i = 0; i < m_links.size(); ++i) {
+        const dxRemoteLink::State state = m_links[i].link.state();
+        const bool isHeard = state == dxRemoteLink::State::Open ? !m_links[i].link.isLate() : state == dxRemoteLink::State::Lost && !m_canReplace;
+        if (!isHeard || m_links[i].isUnreachable) continue;
+        try {
+            sendTo(i, dxRemoteFrame().seal(dxRemoteKind::Alive), lock);
+        } catch (const std::bad_alloc &) {
+            warnOfMemory();
+        }
+    }
 }
 
 // The most expensive problems of the queue, to the first link that is free. Towards the end messages become small, so that all workers end at
 // the same time.
 bool dxRemoteWorkers::sendNext(Lock &lock) {
     const double time = now();
-    if (time - m_lastAlive > kHeartbeatNs) {
-        m_lastAlive = time;
-        for (unsigned i = 0; i < m_links.size(); ++i)
-            if (m_links[i].link.state() == dxRemoteLink::State::Open && !m_links[i].link.isLate())
-                sendTo(i, dxRemoteFrame().seal(dxRemoteKind::Alive), lock);
-    }
+    sendHeartbeat(time, lock);
     if (m_queue.empty()) return false;
     // The link with the least to do.
     Link *best = nullptr;
@@ -169,56 +242,89 @@ bool dxRemoteWorkers::sendNext(Lock &lock) {
     }
     if (best == nullptr) return false;
     const unsigned link = static_cast<unsigned>(best - m_links.data());
+    dxRemoteSending sending;
+    if (!takeNext(link, time, sending)) return true;
+    bool isSent = false;
+    try {
+        const Unlocked others(lock);
+        dxRemoteFrame frame;
+        for (std::size_t i = 0; i < sending.problems.size(); ++i) frame.addItem(sending.problems[i], sending.bytes[i].data(), sending.bytes[i].size());
+        const dxRemoteBytes &message = frame.seal(dxRemoteKind::Problems, sending.number);
+        isSent = m_transport->send(link, message.data(), message.size());
+    } catch (const std::bad_alloc &) {
+        warnOfMemory();
+        dxRemoteInFlight unsent;
+        m_links[link].link.withdraw(sending.number);
+        if (m_links[link].link.takeBack(sending.number, now(), unsent)) takeHome(unsent.problems);
+        m_done.notify_all();
+        return true;
+    }
+    if (!isSent) loseUnreachable(link, "cannot be reached");
+    return true;
+}
+
+// From the queue to the link. Returns false without memory: then the queue has gone home, and the link has nothing more to do than before.
+bool dxRemoteWorkers::takeNext(unsigned link, double time, dxRemoteSending &sending) {
     double queued = 0;
     for (const dxRemoteProblem *problem : m_queue) queued += problem->cost;
     const double most = dxMaxMessageCost(queued, m_links.size());
-
     dxRemoteInFlight sent{m_nextFrame++, {}, 0, 0, 0};
-    std::vector<dxRemoteBytes> problems;
     std::size_t bytes = 0;
-    do {
-        dxRemoteProblem &problem = *m_queue.front();
-        m_queue.pop_front();
+    auto end = m_queue.begin();
+    try {
+        do {
+            const dxRemoteProblem &problem = **end;
+            sent.problems.push_back(problem.number);
+            sent.cost += problem.cost;
+            sent.isPatient |= problem.isPatient;
+            bytes += problem.bytes.size();
+        } while (++end != m_queue.end() && sent.cost + (*end)->cost <= most);
+        sending.number = sent.number;
+        sending.problems = sent.problems;
+        sending.bytes.reserve(sent.problems.size());
+        m_links[link].link.send(std::move(sent), bytes, time);
+    } catch (const std::bad_alloc &) {
+        warnOfMemory();
+        takeQueueHome();
+        return false;
+    }
+    for (auto taken = m_queue.begin(); taken != end; taken = m_queue.erase(taken)) {
+        dxRemoteProblem &problem = **taken;
         problem.state = dxRemoteProblem::State::Sent;
         problem.link = link;
-        sent.problems.push_back(problem.number);
-        sent.cost += problem.cost;
-        sent.isPatient |= problem.isPatient;
-        bytes += problem.bytes.size();
-        problems.push_back(std::move(problem.bytes));
+        sending.bytes.push_back(std::move(problem.bytes));
         ++m_counts.sent;
-    } while (!m_queue.empty() && sent.cost + m_queue.front()->cost <= most);
-    const std::vector<std::uint64_t> numbers = sent.problems;
-    const std::uint64_t number = sent.number;
-    best->link.send(std::move(sent), bytes, time);
-
-    lock.unlock();
-    dxRemoteFrame frame;
-    for (std::size_t i = 0; i < problems.size(); ++i) frame.addItem(numbers[i], problems[i].data(), problems[i].size());
-    const dxRemoteBytes &message = frame.seal(dxRemoteKind::Problems, number);
-    const bool isSent = m_transport->send(link, message.data(), message.size());
-    lock.lock();
-    if (!isSent) lose(link, "cannot be reached");
+    }
     return true;
 }
 
 bool dxRemoteWorkers::receiveNext(Lock &lock) {
     if (!m_transport) return false;
-    lock.unlock();
     unsigned link = 0;
-    const std::size_t bytes = m_transport->waiting(link);
-    dxRemoteBytes message(bytes);
-    const bool isReceived = bytes != 0 && m_transport->receive(message.data());
-    const char *const fault = isReceived ? dxFindFrameFault(message) : nullptr;
-    lock.lock();
-    if (bytes == 0 || link >= m_links.size()) return false;
-    if (m_links[link].link.state() == dxRemoteLink::State::Lost) return true;  // is not read
-    if (!isReceived)
-        lose(link, "is disconnected");
-    else if (fault != nullptr)
-        lose(link, (std::string("sent a message that is ") + fault).c_str());
-    else
-        handle(link, message, lock);
+    std::size_t bytes = 0;
+    dxRemoteBytes message;
+    bool isReceived = false;
+    const char *fault = nullptr;
+    try {
+        {
+            const Unlocked others(lock);
+            bytes = m_transport->waiting(link);
+            message.resize(bytes);
+            isReceived = bytes != 0 && m_transport->receive(message.data());
+            fault = isReceived ? dxFindFrameFault(message) : nullptr;
+        }
+        if (bytes == 0 || link >= m_links.size()) return false;
+        if (m_links[link].link.state() == dxRemoteLink::State::Lost) return true;  // is not read
+        if (!isReceived)
+            loseUnreachable(link, "is disconnected");
+        else if (fault != nullptr)
+            lose(link, "sent a message that is ", fault);
+        else
+            handle(link, message, lock);
+    } catch (const std::bad_alloc &) {
+        if (bytes == 0 || link >= m_links.size()) throw;
+        lose(link, "sent a message for which home has no memory");
+    }
     return true;
 }
 
@@ -244,10 +350,11 @@ void dxRemoteWorkers::handleHello(unsigned link, const dxRemoteBytes &message, L
     else if (hello.digest != m_hello.digest)
         why = "computes other bits for the problems of the self-test";
     if (!why.empty()) {
+        m_links[link].isRefused = true;
         dxRemoteFrame refusal;
         refusal.add(why.data(), why.size());
         sendTo(link, refusal.seal(dxRemoteKind::Refusal), lock);
-        return lose(link, why.c_str());
+        return lose(link, "", why.c_str());
     }
     m_links[link].link.welcome();
     if (sendTo(link, dxRemoteFrame().seal(dxRemoteKind::Welcome), lock)) sendEcho(link, lock);
@@ -274,18 +381,23 @@ void dxRemoteWorkers::handleEcho(unsigned link, const dxRemoteBytes &message, Lo
         return sendEcho(link, lock);
     }
     one.link.setMeasured(one.latencyNs, std::max(took - one.latencyNs, 0.0) / (2.0 * kLargeEcho));
+    if (one.isReplacement)
+        dxLog(dxLogLevel::info, "remote worker %u is replaced; latency %.0f us, %.2f GB/s", link + 1, one.latencyNs / 1e3, 1 / one.link.nsPerByte());
     noteAvailable();
     m_done.notify_all();
 }
 
-// Of a message that is not what it should be nothing is used.
+// Of a message that is not what it should be nothing is used. One without results says that its worker could solve none, or was told in time not
+// to.
 void dxRemoteWorkers::handleResults(unsigned link, const dxRemoteBytes &message) {
-    dxRemoteInFlight expected;
-    if (!m_links[link].link.takeBack(dxReadHeader(message).number, now(), expected)) return lose(link, "sent results of nothing");
+    const std::uint64_t number = dxReadHeader(message).number;
     dxRemoteItems all(message);
     std::size_t count = 0;
     while (all.next()) ++count;
-    bool isSound = all.isAtEnd() && (count == expected.problems.size() || (count == 0 && expected.isWithdrawn));
+    if (count == 0) m_links[link].link.withdraw(number);  // tells nothing of its speed
+    dxRemoteInFlight expected;
+    if (!m_links[link].link.takeBack(number, now(), expected)) return lose(link, "sent results of nothing");
+    bool isSound = all.isAtEnd() && (count == expected.problems.size() || count == 0);
     dxRemoteItems items(message);
     for (std::size_t i = 0; i < count && isSound; ++i) {
         items.next();
@@ -295,20 +407,72 @@ void dxRemoteWorkers::handleResults(unsigned link, const dxRemoteBytes &message)
         takeHome(expected.problems);
         return lose(link, "sent results of other problems");
     }
-    for (dxRemoteItems item(message); item.next();) {
-        const auto found = m_batches.find(item.number() >> kNumberShift);
-        if (found == m_batches.end()) continue;  // the step has ended
-        dxRemoteBatch &batch = *found->second;
-        const unsigned index = static_cast<unsigned>(item.number() & 0xffffffffu);
-        dxRemoteProblem &problem = batch.m_problems[index];
-        if (problem.state != dxRemoteProblem::State::Sent && problem.state != dxRemoteProblem::State::AtHome) continue;  // home was faster
-        problem.bytes.assign(item.data(), item.data() + item.size());
-        problem.state = dxRemoteProblem::State::Returned;
-        batch.m_returned.push_back(index);
-        ++m_counts.solved;
+    try {
+        for (dxRemoteItems item(message); item.next();) {
+            const auto found = m_batches.find(item.number() >> kNumberShift);
+            if (found == m_batches.end()) continue;  // the step has ended
+            dxRemoteBatch &batch = *found->second;
+            const unsigned index = static_cast<unsigned>(item.number() & 0xffffffffu);
+            dxRemoteProblem &problem = batch.m_problems[index];
+            if (problem.state != dxRemoteProblem::State::Sent && problem.state != dxRemoteProblem::State::AtHome) continue;  // home was faster
+            problem.bytes.assign(item.data(), item.data() + item.size());
+            problem.state = dxRemoteProblem::State::Returned;
+            batch.m_returned.push_back(index);
+            ++m_counts.solved;
+        }
+    } catch (const std::bad_alloc &) {
+        warnOfMemory();
+        takeHome(expected.problems);
     }
     if (count == 0) takeHome(expected.problems);
     m_done.notify_all();
+}
+
+// --- workers in the place of lost ones ---
+
+// Returns whether there is news.
+bool dxRemoteWorkers::replaceLost(Lock &lock) {
+    const double time = now();
+    for (unsigned i = 0; i < m_links.size(); ++i) {
+        const Link &one = m_links[i];
+        const bool isGreeted = one.link.state() == dxRemoteLink::State::Open || one.link.state() == dxRemoteLink::State::Lost;
+        if (one.link.isGone(time)) lose(i, "has not answered for seconds");
+        if (!isGreeted && time - one.since > kGreetingNs) lose(i, "has not said what it is");
+    }
+    return m_isReplacing ? takeReplacement() : beginReplacement(time, lock);
+}
+
+bool dxRemoteWorkers::takeReplacement() {
+    const dxRemoteTransport::Replacement replacement = m_transport->replacement();
+    if (replacement == dxRemoteTransport::Replacement::Expected) return false;
+    m_isReplacing = false;
+    Link &one = m_links[m_replacedLink];
+    if (replacement == dxRemoteTransport::Replacement::Failed) {
+        dxLog(dxLogLevel::warning, "remote worker %u cannot be replaced", m_replacedLink + 1);
+        one.restart.begin(now(), false);
+        m_canReplace = m_transport->canReplace();
+        return true;
+    }
+    ++m_counts.replaced;
+    one.link = dxRemoteLink();
+    one.isUnreachable = false;
+    one.echoes = 0;
+    one.since = now();
+    one.isReplacement = true;
+    return true;
+}
+
+// The lost worker may be alive.
+bool dxRemoteWorkers::beginReplacement(double time, Lock &lock) {
+    const auto found = std::find_if(m_links.begin(), m_links.end(), [time](const Link &one) {
+        return one.link.state() == dxRemoteLink::State::Lost && !one.isRefused && one.restart.isOver(time);
+    });
+    if (found == m_links.end()) return false;
+    m_replacedLink = static_cast<unsigned>(found - m_links.begin());
+    m_isReplacing = true;
+    sendQuit(m_replacedLink, false, lock);
+    m_transport->replace(m_replacedLink);
+    return true;
 }
 
 // A late worker is looked for less and less often; one that has gone for good costs nothing that matters.
@@ -317,10 +481,15 @@ void dxRemoteWorkers::sleep(Lock &lock) {
         const dxRemoteLink::State state = one.link.state();
         return state == dxRemoteLink::State::New || state == dxRemoteLink::State::Measured || !one.link.inFlight().empty();
     });
+    const bool isReplaced = m_canReplace && std::any_of(m_links.begin(), m_links.end(), [](const Link &one) {
+        return one.link.state() == dxRemoteLink::State::Lost && !one.isRefused;
+    });
     if (isPolled)
         m_wake.wait_for(lock, m_pause.next());
+    else if (isReplaced)
+        m_wake.wait_for(lock, duration(kRestartPollNs), [this] { return m_isClosing || !m_queue.empty() || m_hasWithdrawals; });
     else
-        m_wake.wait_for(lock, duration(kHeartbeatNs), [this] { return m_isClosing || !m_queue.empty() || !m_withdrawals.empty(); });
+        m_wake.wait_for(lock, duration(kHeartbeatNs), [this] { return m_isClosing || !m_queue.empty() || m_hasWithdrawals; });
 }
 
 void dxRemoteWorkers::end() {
@@ -333,24 +502,43 @@ void dxRemoteWorkers::end() {
             return one.link.inFlight().empty() || one.link.isLate() || one.link.state() == dxRemoteLink::State::Lost;
         });
     };
-    while (!isIdle() && now() - begin < kDrainNs) {
-        if (!receiveNext(lock)) m_wake.wait_for(lock, std::chrono::milliseconds(1));
+    try {
+        while (!isIdle() && now() - begin < kDrainNs) {
+            if (!receiveNext(lock)) m_wake.wait_for(lock, std::chrono::milliseconds(1));
+        }
+    } catch (...) {
+        loseAll("an exception");
     }
+    while (m_isReplacing && !takeReplacement() && now() - begin < kMaxStartNs) m_wake.wait_for(lock, duration(kRestartPollNs));
     // All of them answer, so none is waited for in vain.
-    const bool isOrderly = std::all_of(m_links.begin(), m_links.end(), [](const Link &one) {
+    bool isOrderly = !m_isReplacing && !m_hasLost && std::all_of(m_links.begin(), m_links.end(), [](const Link &one) {
         return one.link.state() == dxRemoteLink::State::Open && one.link.inFlight().empty();
     });
-    const std::byte body{isOrderly};
     for (unsigned i = 0; i < m_links.size(); ++i) {
-        if (m_links[i].link.state() == dxRemoteLink::State::Lost) continue;
-        dxRemoteFrame quit;
-        quit.add(&body, 1);
-        sendTo(i, quit.seal(dxRemoteKind::Quit), lock);
+        if (m_links[i].isUnreachable) continue;
+        sendQuit(i, isOrderly, lock);
+        if (m_links[i].link.state() == dxRemoteLink::State::Lost) isOrderly = false;
     }
     m_links.clear();
     lock.unlock();
-    m_transport->close(isOrderly);
+    try {
+        m_transport->close(isOrderly);
+    } catch (...) {
+        dxLog(dxLogLevel::warning, "remote workers: an exception at their end");
+    }
     m_transport.reset();
+}
+
+// A worker that cannot be told ends when it has not heard of home for a while.
+void dxRemoteWorkers::sendQuit(unsigned link, bool isOrderly, Lock &lock) {
+    const std::byte body{isOrderly};
+    try {
+        dxRemoteFrame quit;
+        quit.add(&body, 1);
+        sendTo(link, quit.seal(dxRemoteKind::Quit), lock);
+    } catch (...) {
+        lose(link, "cannot be told to end");
+    }
 }
 
 // --- under the lock -----------------------------------------------------------------------------------------
@@ -366,16 +554,34 @@ void dxRemoteWorkers::noteAvailable() {
                      std::memory_order_relaxed);
 }
 
-void dxRemoteWorkers::lose(unsigned link, const char *why) {
+void dxRemoteWorkers::lose(unsigned link, const char *why, const char *detail) {
     if (m_links[link].link.state() == dxRemoteLink::State::Lost) return;
-    dxLog(dxLogLevel::warning, "remote worker %u %s; it is left out", link + 1, why);
+    dxLog(dxLogLevel::warning, "remote worker %u %s%s; it is left out", link + 1, why, detail);
+    m_links[link].restart.begin(now(), m_links[link].link.hasProved());
     m_links[link].link.lose();
     ++m_counts.lost;
+    m_hasLost = true;
     for (const dxRemoteInFlight &lost : m_links[link].link.inFlight()) takeHome(lost.problems);
     noteAvailable();
     const double time = now();
     if (std::none_of(m_links.begin(), m_links.end(), [time](const Link &one) { return one.link.isUsable(time); })) takeQueueHome();
     m_done.notify_all();
+}
+
+void dxRemoteWorkers::loseUnreachable(unsigned link, const char *why) {
+    m_links[link].isUnreachable = true;
+    lose(link, why);
+}
+
+void dxRemoteWorkers::loseAll(const char *why) {
+    dxLog(dxLogLevel::warning, "remote workers: %s; islands stay at home", why);
+    for (unsigned i = 0; i < m_links.size(); ++i) lose(i, "cannot be talked to");
+    takeQueueHome();
+}
+
+void dxRemoteWorkers::warnOfMemory() {
+    if (std::exchange(m_hasWarnedOfMemory, true)) return;
+    dxLog(dxLogLevel::warning, "remote workers: no memory for a message; its islands stay at home");
 }
 
 void dxRemoteWorkers::takeHome(dxRemoteProblem &problem) {
@@ -417,7 +623,8 @@ void dxRemoteWorkers::noticeLate(double time) {
 dxRemoteBatch::dxRemoteBatch(dxRemoteWorkers &workers, unsigned count, bool mayHurry)
     : m_workers(workers), m_mayHurry(mayHurry), m_problems(count), m_left(count) {
     m_returned.reserve(count);
-    m_atHome.reserve(count);
+    m_atHome.reserve(2 * std::size_t(count));  // once when its worker is late or lost, and again if what then came back was no result
+    for (dxRemoteProblem &problem : m_problems) m_nodes.push_back(&problem);
     const dxRemoteWorkers::Lock lock(workers.m_mutex);
     m_number = workers.m_nextBatch++;
     for (unsigned i = 0; i < count; ++i) m_problems[i].number = m_number << kNumberShift | i;
@@ -441,9 +648,10 @@ void dxRemoteBatch::submit(unsigned index, dxRemoteBytes &&bytes, double cost) {
     problem.state = State::Queued;
     if (!m_workers.areThere() || m_workers.m_isClosing) return m_workers.takeHome(problem);
     std::list<dxRemoteProblem *> &queue = m_workers.m_queue;
-    queue.insert(std::upper_bound(queue.begin(), queue.end(), &problem,
+    m_nodes.front() = &problem;
+    queue.splice(std::upper_bound(queue.begin(), queue.end(), &problem,
                                   [](const dxRemoteProblem *a, const dxRemoteProblem *b) { return a->cost > b->cost; }),
-                 &problem);
+                 m_nodes, m_nodes.begin());
     m_workers.m_wake.notify_one();
 }
 
@@ -510,10 +718,9 @@ bool dxRemoteBatch::withdrawLast(double now) {
         }
     }
     if (last == nullptr || !dxIsSoonerAtHome(last->cost, last->expected, now)) return false;
-    m_workers.m_withdrawals.emplace_back(link, last->number);
-    const std::vector<std::uint64_t> problems = last->problems;
+    m_workers.m_hasWithdrawals = true;
     m_workers.m_links[link].link.withdraw(last->number);
-    m_workers.takeHome(problems);
+    m_workers.takeHome(last->problems);
     m_workers.m_wake.notify_one();
     return true;
 }
@@ -526,6 +733,7 @@ double dxRemoteBatch::nextDeadline() const {
 
 dxRemoteBatch::Next dxRemoteBatch::next(unsigned &index, dxRemoteBytes &result) {
     dxRemoteWorkers::Lock lock(m_workers.m_mutex);
+    const double begin = m_workers.now();
     for (;;) {
         if (takeReady(State::Returned, index, &result)) return Next::Result;
         if (takeReady(State::AtHome, index, nullptr)) return Next::AtHome;
@@ -533,11 +741,12 @@ dxRemoteBatch::Next dxRemoteBatch::next(unsigned &index, dxRemoteBytes &result) 
             m_workers.m_done.notify_all();  // others that wait for the last one
             return Next::None;
         }
-        if (m_mayHurry && takeUnsent(index)) return Next::AtHome;
         const double time = m_workers.now();
+        const bool hurries = m_mayHurry || time - begin > kPatienceNs;
+        if (hurries && takeUnsent(index)) return Next::AtHome;
         m_workers.noticeLate(time);
         if (!m_atHome.empty() || (m_mayHurry && withdrawLast(time))) continue;
-        const double deadline = nextDeadline();
+        const double deadline = std::min(nextDeadline(), hurries ? std::numeric_limits<double>::infinity() : begin + 1.01 * kPatienceNs);
         if (std::isinf(deadline))
             m_workers.m_done.wait(lock);
         else

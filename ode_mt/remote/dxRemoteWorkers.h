@@ -4,8 +4,13 @@
 // problem to be solved at home, because no worker has had it yet, because its worker is late, lost or wrong, or because home is faster.
 // A problem is answered once, whatever happens to workers.
 //
+// Where the transport can, a worker that is lost or has been late for seconds is replaced, one at a time.
+//
 // The communication thread makes the transport, uses it and closes it; it sleeps while nothing is under way. A child of fork() has
 // no remote workers; neither has a process after close().
+//
+// Memory: whatever is refused to the communication thread, it goes on. Problems that cannot be sent go home; a worker whose message cannot be
+// read is left out. What else is thrown there leaves out all workers. Under the lock nothing takes memory where home's threads call.
 //
 // Threading: any thread; one lock, held for moments. Never waits for a worker but in open().
 #pragma once
@@ -28,10 +33,12 @@
 #include "remote/dxRemoteFrame.h"
 #include "remote/dxRemoteLink.h"
 #include "remote/dxRemoteTransport.h"
+#include "remote/dxRestartPause.h"
 #include "threading/process/dxForkListener.h"
 #include "threading/process/dxProcessObject.h"
 
 class dxRemoteBatch;
+struct dxRemoteSending;
 
 // What all usable workers together are to a step.
 struct dxRemoteCapacity {
@@ -72,7 +79,7 @@ public:
 
     struct Counts {
         std::uint64_t sent = 0, solved = 0, takenBack = 0;  // problems; those taken back were sent, and solved at home nevertheless
-        unsigned late = 0, lost = 0;                        // times, links
+        unsigned late = 0, lost = 0, replaced = 0;          // times, workers
     };
     Counts counts();
 
@@ -85,6 +92,11 @@ private:
         dxRemoteLink link;
         double echoSent = 0, latencyNs = 0;
         unsigned echoes = 0;  // that have come back
+        double since = 0;     // when its worker was started
+        bool isReplacement = false;
+        bool isRefused = false;
+        bool isUnreachable = false;  // else one that is lost may live, and has to hear of home: the end of a process may be that of its job
+        dxRestartPause restart;
     };
 
     dxRemoteWorkers() { listenToForks(); }
@@ -95,8 +107,11 @@ private:
 
     // --- on the communication thread ------------------------------------------------------------------------
     void communicate();
+    bool communicateOnce(Lock &lock);
     void begin();
     bool sendNext(Lock &lock);
+    bool takeNext(unsigned link, double time, dxRemoteSending &sending);
+    void sendHeartbeat(double time, Lock &lock);
     bool sendWithdrawals(Lock &lock);
     bool receiveNext(Lock &lock);
     void handle(unsigned link, const dxRemoteBytes &message, Lock &lock);
@@ -105,11 +120,18 @@ private:
     void sendEcho(unsigned link, Lock &lock);
     void handleResults(unsigned link, const dxRemoteBytes &message);
     bool sendTo(unsigned link, const dxRemoteBytes &message, Lock &lock);
+    bool replaceLost(Lock &lock);
+    bool takeReplacement();
+    bool beginReplacement(double time, Lock &lock);
     void sleep(Lock &lock);
+    void sendQuit(unsigned link, bool isOrderly, Lock &lock);
     void end();
 
     // --- under the lock -------------------------------------------------------------------------------------
-    void lose(unsigned link, const char *why);
+    void lose(unsigned link, const char *why, const char *detail = "");
+    void loseUnreachable(unsigned link, const char *why);
+    void loseAll(const char *why);
+    void warnOfMemory();
     void takeHome(const std::vector<std::uint64_t> &problems);
     void takeHome(dxRemoteProblem &problem);
     void takeQueueHome();
@@ -128,13 +150,15 @@ private:
     dxRemoteHello m_hello;
     Open m_open;
     std::unique_ptr<dxRemoteTransport> m_transport;  // the communication thread's
+    bool m_canReplace = false, m_isReplacing = false, m_hasLost = false;
+    unsigned m_replacedLink = 0;
     dxPollPause m_pause;
     double m_lastAlive = 0;
 
     std::vector<Link> m_links;
     std::list<dxRemoteProblem *> m_queue;                         // the most expensive first
     std::unordered_map<std::uint64_t, dxRemoteBatch *> m_batches;  // by the upper half of a problem's number
-    std::vector<std::pair<unsigned, std::uint64_t>> m_withdrawals;
+    bool m_hasWithdrawals = false, m_hasWarnedOfMemory = false;
     std::uint64_t m_nextFrame = 1, m_nextBatch = 1;
     Counts m_counts;
 
@@ -153,7 +177,7 @@ public:
     dxRemoteBatch(const dxRemoteBatch &) = delete;
     dxRemoteBatch &operator=(const dxRemoteBatch &) = delete;
 
-    // Each of the `count` problems is either submitted, kept (home has to solve it) or dropped (nobody has to).
+    // Each of the `count` problems is either submitted, kept (home has to solve it) or dropped (nobody has to). Nothing from here on takes memory.
     void submit(unsigned index, dxRemoteBytes &&problem, double cost);
     void keep(unsigned index);
     void drop(unsigned index);
@@ -177,6 +201,7 @@ private:
     const bool m_mayHurry;
     std::uint64_t m_number = 0;  // the upper half of its problems'
     std::vector<dxRemoteProblem> m_problems;
-    std::vector<unsigned> m_returned, m_atHome;
+    std::list<dxRemoteProblem *> m_nodes;         // of the queue, for problems that are not submitted yet
+    std::vector<unsigned> m_returned, m_atHome;  // with room for all that may come
     unsigned m_left;
 };

@@ -4,7 +4,9 @@
 //
 // It ends with the program, or when it has not heard of it for a minute. The options (--help) are for measurements: a slower network, a record.
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -43,6 +45,7 @@ int run(const dxWorkerArguments &arguments) {
     dxRemoteTransport &used = record ? *record : *transport;
     dxRemoteServer server(used, dxDescribeSolver(), record ? record->timed(dxSolvePacked) : dxRemoteServer::Solve(dxSolvePacked));
     const dxRemoteServer::End end = server.run(kMaxSilence);
+    if (end == dxRemoteServer::End::NoMemory) std::fprintf(stderr, "odemt_worker: no memory; it ends\n");
     if (end == dxRemoteServer::End::Refused) std::fprintf(stderr, "odemt_worker: refused, since this worker %s\n", server.refusal().c_str());
     const bool isOrderly = end == dxRemoteServer::End::Orderly;
     used.close(isOrderly);
@@ -70,5 +73,10 @@ int main(int count, char **arguments) {
         std::fprintf(stderr, "odemt_worker: %s; --help lists the options\n", complaint.c_str());
         return 2;
     }
-    return run(read);
+    try {
+        return run(read);
+    } catch (const std::bad_alloc &) {
+        std::fprintf(stderr, "odemt_worker: no memory; it ends\n");
+        std::_Exit(1);  // MPI's own handlers would wait for the others
+    }
 }

@@ -1,9 +1,16 @@
 #include "loopback_transport.h"
 
 #include <cstring>
+#include <new>
 #include <utility>
 
 #include "worker/dxWorkRecord.h"
+
+namespace {
+
+constexpr std::size_t kDisconnected = 1;  // stands for the message that cannot be received
+
+}  // namespace
 
 struct LoopbackTransport::Worker final : dxRemoteTransport {
     unsigned links() const override { return 1; }
@@ -27,10 +34,11 @@ struct LoopbackTransport::Worker final : dxRemoteTransport {
         const std::lock_guard<std::mutex> hold(toWorker.mutex);
         link = 0;
         if (!toWorker.messages.empty()) return toWorker.messages.front().size();
-        return 0;
+        return isClosed ? kDisconnected : 0;
     }
     bool receive(void *message) override {
         const std::lock_guard<std::mutex> hold(toWorker.mutex);
+        if (toWorker.messages.empty()) return false;
         std::memcpy(message, toWorker.messages.front().data(), toWorker.messages.front().size());
         toWorker.messages.pop_front();
         return true;
@@ -40,7 +48,8 @@ struct LoopbackTransport::Worker final : dxRemoteTransport {
     unsigned index = 0, count = 0;
     Fate fate;
     Queue toHome, toWorker;
-    std::atomic<bool> isDead{false}, isClosed{false};
+    std::atomic<bool> isDead{false}, isClosed{false}, hasNoMemory{false};
+    bool isReported = false;
     std::thread thread;
 };
 
@@ -58,7 +67,7 @@ struct Borrowed final : dxRemoteTransport {
     dxRemoteTransport &transport;
 };
 
-void serve(dxRemoteTransport &end, const dxRemoteHello &hello, const dxRemoteServer::Solve &solve, const dxWorkerArguments &arguments) {
+dxRemoteServer::End serve(dxRemoteTransport &end, const dxRemoteHello &hello, const dxRemoteServer::Solve &solve, const dxWorkerArguments &arguments) {
     constexpr double kMaxSilence = 5;
     std::string reason;
     std::unique_ptr<dxRemoteTransport> network;
@@ -67,33 +76,53 @@ void serve(dxRemoteTransport &end, const dxRemoteHello &hello, const dxRemoteSer
     dxRemoteTransport &used = network ? *network : end;
     std::unique_ptr<dxWorkRecord> record;
     if (!arguments.record.empty()) record = dxWorkRecord::open(arguments.record, used, reason);
-    if (record)
-        dxRemoteServer(*record, hello, record->timed(solve)).run(kMaxSilence);
-    else
-        dxRemoteServer(used, hello, solve).run(kMaxSilence);
+    const dxRemoteServer::End how = record ? dxRemoteServer(*record, hello, record->timed(solve)).run(kMaxSilence)
+                                           : dxRemoteServer(used, hello, solve).run(kMaxSilence);
     used.close(true);
+    return how;
 }
 
 }  // namespace
 
 LoopbackTransport::LoopbackTransport(unsigned workers, const dxRemoteHello &hello, dxRemoteServer::Solve solve, Fate fate,
-                                     const dxWorkerArguments &arguments) {
-    for (unsigned i = 0; i < workers; ++i) {
-        m_workers.push_back(std::make_unique<Worker>());
-        Worker &worker = *m_workers.back();
-        worker.index = i;
-        worker.fate = fate;
-        worker.thread = std::thread([&worker, hello, solve, arguments] { serve(worker, hello, solve, arguments); });
+                                     const dxWorkerArguments &arguments)
+    : m_hello(hello), m_solve(std::move(solve)), m_fate(std::move(fate)), m_arguments(arguments) {
+    try {
+        for (unsigned i = 0; i < workers; ++i) {
+            m_workers.push_back(std::make_unique<Worker>());
+            start(*m_workers.back(), i);
+        }
+    } catch (...) {
+        endWorkers();
+        throw;
     }
 }
 
-LoopbackTransport::~LoopbackTransport() {
-    for (const std::unique_ptr<Worker> &worker : m_workers) {
-        worker->isClosed = true;
-        const std::lock_guard<std::mutex> hold(worker->toWorker.mutex);
-        worker->toWorker.messages.push_back(dxRemoteFrame().seal(dxRemoteKind::Quit));
-    }
-    for (const std::unique_ptr<Worker> &worker : m_workers) worker->thread.join();
+void LoopbackTransport::start(Worker &worker, unsigned index) {
+    worker.index = index;
+    worker.fate = m_fate;
+    worker.thread = std::thread([this, &worker] {
+        try {
+            worker.hasNoMemory = serve(worker, m_hello, m_solve, m_arguments) == dxRemoteServer::End::NoMemory;
+        } catch (const std::bad_alloc &) {
+            worker.hasNoMemory = true;
+        }
+    });
+}
+
+LoopbackTransport::~LoopbackTransport() { endWorkers(); }
+
+void LoopbackTransport::replace(unsigned link) {
+    m_replaced.push_back(std::exchange(m_workers[link], std::make_unique<Worker>()));
+    start(*m_workers[link], link);
+}
+
+void LoopbackTransport::endWorkers() {
+    for (const auto *workers : {&m_workers, &m_replaced})
+        for (const std::unique_ptr<Worker> &worker : *workers) worker->isClosed = true;
+    for (const auto *workers : {&m_workers, &m_replaced})
+        for (const std::unique_ptr<Worker> &worker : *workers)
+            if (worker->thread.joinable()) worker->thread.join();
 }
 
 bool LoopbackTransport::send(unsigned link, const void *message, std::size_t bytes) {
@@ -109,19 +138,24 @@ bool LoopbackTransport::send(unsigned link, const void *message, std::size_t byt
 std::size_t LoopbackTransport::waiting(unsigned &link) {
     for (unsigned i = 0; i < links(); ++i) {
         const unsigned one = (m_next + i) % links();
-        Queue &queue = m_workers[one]->toHome;
-        const std::lock_guard<std::mutex> hold(queue.mutex);
-        if (queue.messages.empty()) continue;
-        m_message = std::move(queue.messages.front());
-        queue.messages.pop_front();
+        Worker &worker = *m_workers[one];
+        const std::lock_guard<std::mutex> hold(worker.toHome.mutex);
+        const bool isGone = worker.toHome.messages.empty();
+        if (isGone && (!worker.hasNoMemory || std::exchange(worker.isReported, true))) continue;
+        m_message.clear();
+        if (!isGone) {
+            m_message = std::move(worker.toHome.messages.front());
+            worker.toHome.messages.pop_front();
+        }
         m_next = one + 1;
         link = one;
-        return m_message.size();
+        return isGone ? kDisconnected : m_message.size();
     }
     return 0;
 }
 
 bool LoopbackTransport::receive(void *message) {
+    if (m_message.empty()) return false;
     std::memcpy(message, m_message.data(), m_message.size());
     return true;
 }

@@ -1,5 +1,6 @@
 // Remote workers that are threads of this process: each runs a dxRemoteServer at its end of a link of two queues. What workers send can be
-// delayed, damaged, held back or cut off, message by message. The link can be a simulated one, and what workers do recorded.
+// delayed, damaged, held back or cut off, message by message. A worker that ends without memory is reported as a link that is lost. The link can be
+// a simulated one, and what workers do recorded.
 #pragma once
 
 #include <atomic>
@@ -40,6 +41,12 @@ public:
     bool receive(void *message) override;
     void close(bool isOrderly) override;
 
+    // Lost workers are replaced from now on.
+    void setReplacing() { m_isReplacing = true; }
+    bool canReplace() const override { return m_isReplacing; }
+    void replace(unsigned link) override;
+    Replacement replacement() override { return Replacement::Here; }
+
 private:
     struct Queue {
         std::mutex mutex;
@@ -47,7 +54,15 @@ private:
     };
     struct Worker;
 
-    std::vector<std::unique_ptr<Worker>> m_workers;
+    void start(Worker &worker, unsigned index);
+    void endWorkers();
+
+    const dxRemoteHello m_hello;
+    const dxRemoteServer::Solve m_solve;
+    const Fate m_fate;
+    const dxWorkerArguments m_arguments;
+    bool m_isReplacing = false;
+    std::vector<std::unique_ptr<Worker>> m_workers, m_replaced;
     dxRemoteBytes m_message;
     unsigned m_next = 0;
 };

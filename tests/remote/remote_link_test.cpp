@@ -79,4 +79,15 @@ TEST(RemoteLink, KnowsWhatItHasSent) {
     EXPECT_FALSE(link.takeBack(5, 1, problems));
 }
 
+// A worker that was stopped while it was measured: what it does not bring back is late after seconds all the same.
+TEST(RemoteLink, AnAbsurdMeasurementIsNotBelieved) {
+    dxRemoteLink link;
+    link.welcome();
+    link.setMeasured(60e9, 1e6);
+    dxRemoteInFlight problems{1, {1}, 1e6, 0, 0};
+    problems.isPatient = true;
+    link.send(std::move(problems), 100000, 0);
+    EXPECT_LT(link.deadline(), 5e9);
+}
+
 }  // namespace

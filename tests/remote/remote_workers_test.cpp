@@ -12,6 +12,7 @@
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
 using Kind = LoopbackFate::Kind;
 constexpr double kProblemNs = 100e3;
 
@@ -140,6 +141,30 @@ TEST_F(RemoteWorkers, AStepThatEndsEarlyIsForgotten) {
         for (unsigned k = 0; k < 10; ++k) batch.submit(k, problemOf(k), kProblemNs);
     }
     EXPECT_EQ(runBatch(20, false), 0u);
+}
+
+// Has found, in a process of more than ten seconds: workers were lost before they could greet.
+TEST_F(RemoteWorkers, ThatAreLostAreReplaced) {
+    for (const Kind kind : {Kind::Flipped, Kind::Dies, Kind::Stopped}) {
+        std::atomic<bool> hasFailed[2]{};
+        m_workers.open("loopback", helloOf("1"), [&hasFailed, kind](std::string &) {
+            auto transport = std::make_unique<LoopbackTransport>(2, helloOf("1"), solve, [&hasFailed, kind](unsigned worker, unsigned, dxRemoteKind message) {
+                if (message != dxRemoteKind::Results || hasFailed[worker].exchange(true)) return LoopbackFate();
+                return LoopbackFate{kind};
+            });
+            transport->setReplacing();
+            return transport;
+        });
+        const unsigned before = m_workers.counts().replaced;
+        const Clock::time_point begin = Clock::now();
+        // One that stopped is taken for lost after seconds.
+        while (m_workers.counts().replaced < before + 2 && Clock::now() - begin < std::chrono::seconds(20)) runBatch(40);
+        EXPECT_GE(m_workers.counts().replaced, before + 2);
+        unsigned atHome = 20;
+        while (atHome > 0 && Clock::now() - begin < std::chrono::seconds(40)) atHome = runBatch(20, false);
+        EXPECT_EQ(atHome, 0u);
+        m_workers.close();
+    }
 }
 
 // Each of four workers has one fault, at one of its first messages with results.

@@ -1,8 +1,9 @@
 #!/bin/sh
 # Scenarios of the exactness suite with workers by MPI: what libode8 computes, step by step, is computed with 1, 2 and 4 of them, and with ones that
-# this script kills, stops and continues while islands are sent.
+# this script kills, stops and continues while islands are sent; then workers that the program itself harms, and that are replaced (Open MPI).
 #
-#   MPIRUN, SCENARIO (odemt_scenario), LIBRARY (folder of libode.so.8), WORKER, STOCK (folder of libode8), SCRATCH
+#   MPIRUN, SCENARIO (odemt_scenario), LIBRARY (folder of libode.so.8), WORKER, STOCK (folder of libode8), FAULTS (odemt_worker_faults),
+#   FLIPS (libodemt_flipped_bits.so), SCRATCH
 set -eu
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none
 export MALLOC_PERTURB_=165  # as in the exactness suite
@@ -11,6 +12,12 @@ rm -rf "$SCRATCH"; mkdir -p "$SCRATCH"; cd "$SCRATCH"
 
 # Where mpirun cannot start two processes (no network interface, no shared memory) there is nothing to compare.
 if ! timeout 60 "$MPIRUN" -np 2 true > output 2>&1; then cat output; echo "skipped: mpirun does not work here"; exit 77; fi
+
+# A job that goes on without a process that is killed: MPICH's mpiexec has an option for that, but ends all the same.
+case $("$MPIRUN" --version 2>&1) in
+*"Open MPI"* | *OpenRTE*) ALONE=--enable-recovery ;;
+*) ALONE=-disable-auto-cleanup ;;
+esac
 
 # States of all stages; the line before them names the library.
 states() { sed 's/.*"stages"://' "$1"; }
@@ -25,7 +32,7 @@ of_stock() {  # SCENARIO
 compare() {
     of_stock "$1"
     rm -f ours.json
-    ODE_MT_WORKERS=mpi ODE_MT_LOG=info ODE_MT_ALGORITHM=$3 LD_LIBRARY_PATH=$LIBRARY timeout -k 5 100 "$MPIRUN" --enable-recovery \
+    ODE_MT_WORKERS=mpi ODE_MT_LOG=info ODE_MT_ALGORITHM=$3 LD_LIBRARY_PATH=$LIBRARY timeout -k 5 100 "$MPIRUN" $ALONE \
         -np 1 "$SCENARIO" "$1" $STEPS --record ours.json : -np "$2" "$WORKER" > output 2>&1 &
     job=$!
     if [ $# -ge 4 ]; then "$4" $job; fi
@@ -37,8 +44,12 @@ compare() {
     if [ $# -lt 4 ] && ! grep -q '[1-9][0-9]* islands sent, [1-9]' output; then echo "nothing was solved elsewhere"; cat output; exit 1; fi
 }
 
-# Of the job, which is timeout, whose child is mpirun.
-workers_of() { pgrep -P "$(pgrep -P "$1" | head -1)" -f "^$WORKER" 2> /dev/null || true; }
+# Of the job, which is timeout, whose child is mpirun, which has a proxy in between if it is MPICH's.
+workers_of() {
+    for child in $(pgrep -P "$1"); do
+        if [ "$(readlink "/proc/$child/exe")" = "$(realpath "$WORKER")" ]; then echo "$child"; else workers_of "$child"; fi
+    done
+}
 
 kill_one() {
     for i in $(seq 200); do [ -n "$(workers_of "$1")" ] && break; sleep 0.02; done
@@ -57,6 +68,24 @@ stop_one() {
     kill -CONT "$victim" 2> /dev/null || true
 }
 
+# Without mpirun MPI begins by a fork. Workers that the program starts are there, and without their program it stays at home.
+alone() {  # SCENARIO LIBRARY WORKERS EXPECTED
+    of_stock "$1"
+    rm -f ours.json
+    ODE_MT_WORKERS=$3 ODE_MT_LOG=info ODE_MT_ALGORITHM=lcp LD_LIBRARY_PATH=$2 timeout -k 5 100 "$SCENARIO" "$1" $STEPS --record ours.json > output 2>&1 ||
+        { echo "$1 without mpirun has not ended"; cat output; exit 1; }
+    states ours.json > ours; states "$name.json" > stock
+    cmp ours stock || { echo "$1 without mpirun has other bits"; cat output; exit 1; }
+    grep -aq "$4" output || { echo "without mpirun, $3: no '$4'"; cat output; exit 1; }
+}
+
+if [ "$ALONE" = --enable-recovery ]; then
+    alone joint_feedback/world "$LIBRARY" mpi "none by mpi: there is no other process in its job"
+    alone joint_feedback/world "$LIBRARY" mpi:1 "[1-9][0-9]* islands sent, [1-9]"
+    mkdir bare; cp "$LIBRARY/libode.so.8" "$LIBRARY/libode_mt_mpi.so" bare
+    alone joint_feedback/world "$SCRATCH/bare" mpi:1 "none by mpi: there is no odemt_worker"
+fi
+
 for workers in 1 2 4; do
     compare shared_scenes/humanoids/world $workers lcp
 done
@@ -65,7 +94,17 @@ compare messages/printed/world 2 lcp
 compare float_environment/rounding/world 2 lcp
 compare joint_feedback/world 2 lcp
 STEPS="--steps 400"
-compare shared_scenes/humanoids/world 2 lcp kill_one
-# Open MPI does not tell that a process is gone: it is late.
-grep -q 'late [1-9]\|[1-9] workers lost' output || { echo "no worker was missed"; cat output; exit 1; }
+if [ "$ALONE" = --enable-recovery ]; then
+    compare shared_scenes/humanoids/world 2 lcp kill_one
+    # Open MPI does not tell that a process is gone: it is late.
+    grep -q 'late [1-9]\|[1-9] workers lost' output || { echo "no worker was missed"; cat output; exit 1; }
+fi
 compare shared_scenes/humanoids/world 2 lcp stop_one
+
+# The program says how many steps had another hash; mpirun's status is 0 whatever becomes of it.
+if [ "$ALONE" = --enable-recovery ]; then
+    ODE_MT_WORKERS=mpi:2 ODE_MT_LOG=info ODE_MT_ALGORITHM=lcp LD_PRELOAD=$FLIPS ODEMT_FAULT_TABLE=$SCRATCH/table LD_LIBRARY_PATH=$LIBRARY \
+        timeout -k 5 60 "$MPIRUN" $ALONE -np 1 "$FAULTS" 8 1 20 > output 2>&1 || true
+    grep -a 'faults (' output || { echo "the program that harms its workers has not ended"; cat output; exit 1; }
+    grep -aq '^[1-9].* faults (.*, 0 with another hash' output || { echo "workers that are harmed change bits, or none was harmed"; cat output; exit 1; }
+fi

@@ -4,7 +4,6 @@
 
 #include <cfenv>
 #include <cstring>
-#include <string>
 #include <utility>
 
 #include "dynamics/exactstep/dxExactMatrix.h"
@@ -91,6 +90,7 @@ void dxPackProblem(const dxExactProblem &problem, dReal stepSize, std::vector<st
 
 dxPackedAnswer dxReadPackedResult(const std::vector<std::byte> &bytes, const dxExactProblem &problem) {
     dxPackedResult::Head head;
+    if (bytes.empty()) return dxPackedAnswer::GivenBack;
     if (bytes.size() < sizeof head) return dxPackedAnswer::Wrong;
     std::memcpy(&head, bytes.data(), sizeof head);
     if (head.outcome == dxPackedResult::Outcome::GivenBack) return dxPackedAnswer::GivenBack;
@@ -118,8 +118,8 @@ void dxReportPackedMessages(const std::vector<std::byte> &bytes) {
         std::memcpy(&message, bytes.data() + at, sizeof message);
         at += sizeof message;
         if (bytes.size() - at < message.length) return;
-        const std::string text(reinterpret_cast<const char *>(bytes.data() + at), message.length);
+        const auto *const text = reinterpret_cast<const char *>(bytes.data() + at);
         at += message.length;
-        dMessage(message.number, "%s", text.c_str());
+        dMessage(message.number, "%.*s", static_cast<int>(message.length), text);
     }
 }

@@ -9,8 +9,10 @@
 
 #include "remote/dxRemoteFrame.h"
 
-// A problem that cannot be solved (no memory, no problem, an error that upstream reports otherwise than by a message) is given back.
+// A problem that cannot be solved (no memory, no problem, an error that upstream reports otherwise than by a message) is given back. Throws
+// std::bad_alloc where not even that can be said.
 void dxSolvePacked(const std::byte *problem, std::size_t size, std::vector<std::byte> &result);
 
-// What this process says of itself to others: its version, its numbers, and the bits of its solutions of known problems.
+// What this process says of itself to others: its version, its numbers, and the bits of its solutions of known problems. Throws
+// std::bad_alloc.
 dxRemoteHello dxDescribeSolver();

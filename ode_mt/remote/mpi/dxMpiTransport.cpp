@@ -3,18 +3,41 @@
 #include <dlfcn.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <chrono>
 #include <climits>
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <thread>
+#include <utility>
 
 namespace {
 
 constexpr int kTag = 20773;  // of all messages; a program that uses MPI itself has others
 
-// The worker's program: beside this library, as in the build's folder, or in bin/ beside the library's folder, else wherever the system finds it.
+constexpr const char *kWorker = "odemt_worker";
+
+// In a folder of PATH; empty: in none.
+std::string findOnPath(const char *name) {
+    const char *const path = std::getenv("PATH");
+    for (std::string folders = path != nullptr ? path : ""; !folders.empty();) {
+        const std::size_t end = folders.find(':');
+        const std::string program = folders.substr(0, end) + "/" + name;
+        if (access(program.c_str(), X_OK) == 0) return program;
+        folders = end == std::string::npos ? "" : folders.substr(end + 1);
+    }
+    return "";
+}
+
+// The worker's program: beside this library, as in the build's folder, or in bin/ beside the library's folder, else on the PATH. Empty: it is in
+// none of these. MPI would end the program, or wait for ever.
 std::string findWorkerProgram() {
-    const std::string name = "odemt_worker";
+    const std::string name = kWorker;
     Dl_info info;
-    if (dladdr(reinterpret_cast<void *>(&findWorkerProgram), &info) == 0 || info.dli_fname == nullptr) return name;
+    if (dladdr(reinterpret_cast<void *>(&findWorkerProgram), &info) == 0 || info.dli_fname == nullptr) return findOnPath(kWorker);
     const std::string file = info.dli_fname;
     for (std::size_t slash = file.rfind('/'); slash != std::string::npos && slash > 0; slash = file.rfind('/', slash - 1)) {
         for (const char *const place : {"/", "/bin/"}) {
@@ -22,7 +45,31 @@ std::string findWorkerProgram() {
             if (access(program.c_str(), X_OK) == 0) return program;
         }
     }
-    return name;
+    return findOnPath(kWorker);
+}
+
+// Whether mpirun lets the others live when one process ends. Open MPI tells processes by their environment.
+bool doesJobSurvive() {
+    const char *const recovery = std::getenv("OMPI_MCA_orte_enable_recovery");
+    return recovery != nullptr && std::strcmp(recovery, "0") != 0;
+}
+
+// Open MPI's processes listen at the first port that is free from 1024 on, so that a new worker would have a lost one's, to which home may still
+// try to connect: both then wait for ever. Each gets ports of its own, unless the user has chosen.
+void listenElsewhere() {
+    constexpr unsigned kFirst = 20000, kCount = 12000;
+    char port[16];
+    std::snprintf(port, sizeof port, "%u", kFirst + static_cast<unsigned>(getpid()) % kCount);
+    setenv("OMPI_MCA_btl_tcp_port_min_v4", port, 0);
+    setenv("OMPI_MCA_btl_tcp_port_min_v6", port, 0);
+}
+
+int spawnOne(const std::string &program, MPI_Comm &worker) {
+    worker = MPI_COMM_NULL;
+    int error = MPI_SUCCESS;
+    const int result = MPI_Comm_spawn(program.c_str(), MPI_ARGV_NULL, 1, MPI_INFO_NULL, 0, MPI_COMM_SELF, &worker, &error);
+    if (worker != MPI_COMM_NULL) MPI_Comm_set_errhandler(worker, MPI_ERRORS_RETURN);
+    return result;
 }
 
 std::string textOf(int error) {
@@ -34,7 +81,14 @@ std::string textOf(int error) {
 
 }  // namespace
 
-bool dxMpiTransport::initialise(std::string &reason) {
+struct dxMpiTransport::Start {
+    unsigned link = 0;
+    std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+    std::atomic<bool> hasEnded{false};
+    MPI_Comm worker = MPI_COMM_NULL;  // null at the end: it could not be started
+};
+
+bool dxMpiTransport::initialise(int wantedLevel, std::string &reason) {
     int isInitialised = 0, isFinalised = 0, level = 0;
     MPI_Initialized(&isInitialised);
     MPI_Finalized(&isFinalised);
@@ -44,25 +98,28 @@ bool dxMpiTransport::initialise(std::string &reason) {
     }
     if (isInitialised) {
         MPI_Query_thread(&level);
+        m_canReplace = level == MPI_THREAD_MULTIPLE && doesJobSurvive();
         if (level == MPI_THREAD_MULTIPLE) return true;
         reason = "the program uses MPI itself, without MPI_THREAD_MULTIPLE";
         return false;
     }
-    if (MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &level) != MPI_SUCCESS || level < MPI_THREAD_FUNNELED) {
+    if (MPI_Init_thread(nullptr, nullptr, wantedLevel, &level) != MPI_SUCCESS || level < MPI_THREAD_FUNNELED) {
         reason = "MPI cannot be initialised for a program with threads";
         return false;
     }
     m_isOwn = true;
+    m_canReplace = level == MPI_THREAD_MULTIPLE && doesJobSurvive();
     return true;
 }
 
 std::unique_ptr<dxMpiTransport> dxMpiTransport::openHome(unsigned wanted, std::string &reason) {
     std::unique_ptr<dxMpiTransport> transport(new dxMpiTransport);
-    if (!transport->initialise(reason)) return nullptr;
+    if (!transport->initialise(wanted > 0 ? MPI_THREAD_MULTIPLE : MPI_THREAD_FUNNELED, reason)) return nullptr;
     if (wanted > 0) {
         if (!transport->spawn(wanted, reason)) return nullptr;
         return transport;
     }
+    transport->m_canReplace = false;
     int rank = 0, size = 0;
     MPI_Comm_rank(MPI_COMM_WORLD, &rank);
     MPI_Comm_size(MPI_COMM_WORLD, &size);
@@ -83,15 +140,18 @@ bool dxMpiTransport::spawn(unsigned wanted, std::string &reason) {
     MPI_Comm_set_errhandler(MPI_COMM_SELF, MPI_ERRORS_RETURN);
     MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);
     const std::string program = findWorkerProgram();
+    if (program.empty()) {
+        reason = std::string("there is no ") + kWorker + " beside libode_mt_mpi.so, in bin/ beside its folder, or on the PATH";
+        close(false);
+        return false;
+    }
     for (unsigned i = 0; i < wanted; ++i) {
         MPI_Comm worker = MPI_COMM_NULL;
-        int error = MPI_SUCCESS;
-        const int result = MPI_Comm_spawn(program.c_str(), MPI_ARGV_NULL, 1, MPI_INFO_NULL, 0, MPI_COMM_SELF, &worker, &error);
+        const int result = spawnOne(program, worker);
         if (result != MPI_SUCCESS || worker == MPI_COMM_NULL) {
             reason = program + " cannot be started: " + textOf(result);
             break;
         }
-        MPI_Comm_set_errhandler(worker, MPI_ERRORS_RETURN);
         m_links.push_back({worker, 0});
         m_probed.push_back(worker);
     }
@@ -100,7 +160,8 @@ bool dxMpiTransport::spawn(unsigned wanted, std::string &reason) {
 
 std::unique_ptr<dxMpiTransport> dxMpiTransport::openWorker(std::string &reason) {
     std::unique_ptr<dxMpiTransport> transport(new dxMpiTransport);
-    if (!transport->initialise(reason)) return nullptr;
+    if (doesJobSurvive()) listenElsewhere();
+    if (!transport->initialise(MPI_THREAD_FUNNELED, reason)) return nullptr;
     MPI_Comm parent = MPI_COMM_NULL;
     MPI_Comm_get_parent(&parent);
     int rank = 0;
@@ -130,7 +191,7 @@ void dxMpiTransport::forgetSent() {
 
 bool dxMpiTransport::send(unsigned link, const void *message, std::size_t bytes) {
     forgetSent();
-    if (bytes > INT_MAX) return false;
+    if (bytes > INT_MAX || m_links[link].communicator == MPI_COMM_NULL) return false;
     const char *const from = static_cast<const char *>(message);
     m_sending.push_back({std::vector<char>(from, from + bytes), MPI_REQUEST_NULL});
     Sending &sending = m_sending.back();
@@ -145,6 +206,7 @@ std::size_t dxMpiTransport::waiting(unsigned &link) {
     const unsigned count = static_cast<unsigned>(m_probed.size());
     for (unsigned i = 0; i < count; ++i) {
         const unsigned one = (m_next + i) % count;
+        if (m_probed[one] == MPI_COMM_NULL) continue;
         int isThere = 0;
         MPI_Status status;
         if (MPI_Improbe(MPI_ANY_SOURCE, kTag, m_probed[one], &isThere, &m_message, &status) != MPI_SUCCESS || !isThere) continue;
@@ -158,12 +220,49 @@ std::size_t dxMpiTransport::waiting(unsigned &link) {
 
 bool dxMpiTransport::receive(void *message) { return MPI_Mrecv(message, m_bytes, MPI_BYTE, &m_message, MPI_STATUS_IGNORE) == MPI_SUCCESS; }
 
+// The lost worker's communicator is left as it is: without that process nothing can be agreed upon.
+void dxMpiTransport::replace(unsigned link) {
+    if (m_start) return;
+    m_hasReplaced = true;
+    auto start = std::make_shared<Start>();
+    start->link = link;
+    m_links[link].communicator = m_probed[link] = MPI_COMM_NULL;
+    sigset_t all, own;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &own);  // signals are the program's
+    try {
+        std::thread([start, program = findWorkerProgram()] {
+            spawnOne(program, start->worker);
+            start->hasEnded = true;
+        }).detach();
+        m_start = std::move(start);
+    } catch (const std::exception &) {  // no thread: the replacement has failed
+    }
+    pthread_sigmask(SIG_SETMASK, &own, nullptr);
+}
+
+dxRemoteTransport::Replacement dxMpiTransport::replacement() {
+    constexpr std::chrono::seconds kMaxStart{150};  // Open MPI itself gives up after 60
+    if (!m_start) return Replacement::Failed;
+    if (!m_start->hasEnded) {
+        if (std::chrono::steady_clock::now() - m_start->begin < kMaxStart) return Replacement::Expected;
+        m_canReplace = false;
+        m_start.reset();
+        return Replacement::Failed;
+    }
+    const std::shared_ptr<Start> start = std::move(m_start);
+    if (start->worker == MPI_COMM_NULL) return Replacement::Failed;
+    m_links[start->link].communicator = m_probed[start->link] = start->worker;
+    return Replacement::Here;
+}
+
 // Without the others MPI_Finalize would wait for them for ever.
 void dxMpiTransport::close(bool isOrderly) {
     for (int attempt = 0; attempt < 100 && !m_sending.empty(); ++attempt) {
         forgetSent();
         if (!m_sending.empty()) usleep(1000);
     }
+    if (m_hasReplaced) isOrderly = false;
     if (!isOrderly && m_links.empty()) isOrderly = m_isOwn;  // nothing has been agreed upon with anybody
     if (!isOrderly) {
         new std::list<Sending>(std::move(m_sending));  // MPI may read them until the process ends

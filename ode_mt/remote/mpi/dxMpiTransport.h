@@ -1,11 +1,18 @@
 // Messages by MPI. Home and its workers are processes of one job (MPMD: mpirun -np 1 program : -np 15 odemt_worker), home the one of rank
 // 0; or each worker is a job of its own that home has spawned, one after the other, so that none is in another one's.
 //
+// A lost worker of the second kind is replaced where mpirun lets the job live without it (--enable-recovery of Open MPI): a thread of its own calls
+// MPI_Comm_spawn, which takes a fraction of a second. If the new process dies before it has greeted, that call may take a minute, or never return: then
+// the thread is left alone, and no other worker is replaced.
+//
+// Tried and dropped: MPI_Comm_accept, by which workers would join when they like (docs/remote-islands.md).
+//
 // All calls are non-blocking but those of the beginning and the end, since blocking ones of Open MPI keep a core busy. Errors are returned
 // (MPI_ERRORS_RETURN); the first one loses the link.
 //
-// Threading: the thread that makes the transport initialises MPI, unless the program has, makes all calls, and ends it:
-// MPI_THREAD_FUNNELED, as that thread is MPI's main thread. Where the program has initialised MPI, it must have asked for MPI_THREAD_MULTIPLE.
+// Threading: the thread that makes the transport initialises MPI, unless the program has, makes all other calls, and ends it:
+// MPI_THREAD_FUNNELED suffices where no worker is spawned, as that thread is MPI's main thread. Where the program has initialised MPI, it must have
+// asked for MPI_THREAD_MULTIPLE.
 #pragma once
 
 #include <mpi.h>
@@ -30,6 +37,9 @@ public:
     bool send(unsigned link, const void *message, std::size_t bytes) override;
     std::size_t waiting(unsigned &link) override;
     bool receive(void *message) override;
+    bool canReplace() const override { return m_canReplace; }
+    void replace(unsigned link) override;
+    Replacement replacement() override;
     void close(bool isOrderly) override;
 
 private:
@@ -42,11 +52,15 @@ private:
         MPI_Request request;
     };
 
-    bool initialise(std::string &reason);
+    struct Start;  // of a worker, shared with the thread that waits for it
+
+    bool initialise(int wantedLevel, std::string &reason);
     bool spawn(unsigned wanted, std::string &reason);
     void forgetSent();
 
     bool m_isOwn = false;      // MPI was initialised by this transport
+    bool m_canReplace = false, m_hasReplaced = false;
+    std::shared_ptr<Start> m_start;
     bool m_isSpawned = false;  // communicators are intercommunicators, one for each link
     std::vector<Link> m_links;
     std::vector<MPI_Comm> m_probed;  // each communicator once
