@@ -1,5 +1,9 @@
 #include "check/checker.h"
 
+#include <sys/wait.h>
+
+#include <algorithm>
+
 #include "check/comparison.h"
 #include "check/unseen.h"
 #include "number_text.h"
@@ -42,6 +46,13 @@ public:
     explicit Checker(const CheckOptions &options) : m_options(options), m_player(options) {}
 
     CheckResult check() {
+        compareAll();
+        tellEndings();
+        return m_result;
+    }
+
+private:
+    void compareAll() {
         const Play stock = play({"libode8", ""});
         addEngine(stock, "");
         if (m_wasInterrupted) return notCompared("Interrupted during the first run: there is nothing to compare it with.");
@@ -51,16 +62,19 @@ public:
             const Play other = play(ours(threads));
             if (const auto reason = whyWrongLibrary(other)) return notCompared(*reason);
             compare(stock, other);
-            if (m_isOver || m_wasInterrupted) return m_result;
+            if (m_isOver || m_wasInterrupted) return;
         }
         conclude(stock);
-        return m_result;
     }
 
-private:
     Play play(const Engine &engine, std::uint64_t dumpStep = 0) {
         Play play = m_player.play(engine, dumpStep);
-        if (play.run.end == ProgramRun::End::Interrupt) m_wasInterrupted = true;
+        if (play.run.end == ProgramRun::End::Interrupt)
+            m_wasInterrupted = true;
+        else
+            m_ends.push_back({engine.name, play.run.status, play.run.end == ProgramRun::End::Limit, play.run.errors.lastLines(3)});
+        if (!play.wasEnded() && play.run.orphans.wereThere) m_hasLeftProcesses = true;
+        if (play.run.orphans.areLeft) m_couldNotEndAll = true;
         return play;
     }
 
@@ -71,11 +85,10 @@ private:
                                     record.steps(), result});
     }
 
-    CheckResult notCompared(const std::string &sentence) {
+    void notCompared(const std::string &sentence) {
         m_result.verdict = Verdict::NotCompared;
         m_result.sentence = sentence;
         m_isOver = true;
-        return m_result;
     }
 
     void remark(const std::optional<std::string> &sentence) {
@@ -116,7 +129,7 @@ private:
         const PlayComparison itself = comparePlays(stock, again, m_options.steps);
         if (!itself.isEqual()) return notReproducible(stock, again, itself, hasStates ? 0 : comparison.steps.equalSteps);
         if (!hasStates) return differ(stock, other, comparison, std::nullopt);
-        const Play repeated = play(other.engine, step);
+        const Play repeated = play({other.engine.name + " again", other.engine.threads}, step);
         const auto values = findValues(again, repeated, step);
         if (!values && !m_wasInterrupted)
             remark("Another run on " + other.engine.name + " did not differ in the same way" + otherStep(again, repeated) +
@@ -138,12 +151,11 @@ private:
                              : comparison.ending ? *comparison.ending
                                                  : *comparison.messages) +
                             " Equal before: " + counted(comparison.steps.equalSteps, "step") + '.';
-        if (first) remark(comparison.ending);
         if (first || comparison.ending) remark(comparison.messages);
         const std::string words = other.run.errors.lastLines(3);
-        if (comparison.ending && !words.empty()) remark(other.engine.name + " says at the end: " + words);
+        if (comparison.ending && !WIFSIGNALED(other.run.status) && !words.empty()) remark(wordsOf(other.engine.name, words));
         if (!comparison.ending) remark(comparison.output);
-        if (first && areEqualInAnotherOrder(stock.record, other.record, Ends::ignored))
+        if (first && areEqualInAnotherOrder(stock.record, other.record, comparison.ends))
             remark("Each world does what one of another number does on the other library: either they have exchanged their states, or the "
                    "program makes them in an order that depends on time or chance.");
         if (first) setFinding(other.engine.name, *first, stock, other, values);
@@ -172,8 +184,8 @@ private:
             return;
         }
         std::optional<StateDifference> values;
-        const Play left = play(stock.engine, first->step);
-        if (!m_wasInterrupted) values = findValues(left, play(stock.engine, first->step), first->step);
+        const Play left = play({"libode8, third run", ""}, first->step);
+        if (!m_wasInterrupted) values = findValues(left, play({"libode8, fourth run", ""}, first->step), first->step);
         m_result.sentence += placeOf(values) + '.';
         remark(
             "Nothing can be said about ODE_MT then. Usual reasons: step sizes measured with a clock, random numbers without a "
@@ -190,14 +202,55 @@ private:
         if (stock.wasEnded())
             remark("Runs were ended after " + bench::numberText(1e-3 * static_cast<double>(m_options.limit.count())) +
                    " s: steps that both had made were compared.");
-        else if (stock.run.status != 0)
+        else if (stock.run.status != 0 && std::all_of(m_ends.begin(), m_ends.end(), [&](const End &end) { return end == m_ends[0]; }))
             remark("The program ends with " + stock.ending() + ", on both libraries.");
+    }
+
+    // How a play has ended.
+    struct End {
+        std::string name;
+        int status;
+        bool isLimit;  // --seconds were over
+        std::string words;
+
+        bool operator==(const End &other) const { return isLimit == other.isLimit && (isLimit || status == other.status); }
+        bool isFault() const { return !isLimit && WIFSIGNALED(status); }
+    };
+
+    static std::string wordsOf(const std::string &name, const std::string &words) { return name + " says at the end: " + words; }
+
+    // Of a program of which nothing was seen.
+    bool isSaid(const End &end) const { return m_result.sentence.find("ended with " + process::endingOf(end.status)) != std::string::npos; }
+
+    std::string textOfEnds() const {
+        std::string text;
+        for (const End &end : m_ends)
+            text += (text.empty() ? "" : ", ") + end.name + (text.empty() ? " ends with " : " with ") + process::endingOf(end.status) +
+                    (end.isLimit ? " after --seconds" : "");
+        return text + '.';
+    }
+
+    // Of all plays, where one has ended otherwise than another, or by a signal.
+    void tellEndings() {
+        if (m_couldNotEndAll) remark("Some processes that the program has left running could not be ended.");
+        const bool isDifferent = std::any_of(m_ends.begin(), m_ends.end(), [&](const End &end) { return !(end == m_ends[0]); });
+        const bool hasFault = std::any_of(m_ends.begin(), m_ends.end(), [](const End &end) { return end.isFault(); });
+        if (isDifferent || (hasFault && m_result.verdict != Verdict::Equal && !isSaid(m_ends[0]))) remark(textOfEnds());
+        std::vector<std::string> told;
+        for (const End &end : m_ends)
+            if (isDifferent && end.isFault() && !end.words.empty() && std::find(told.begin(), told.end(), end.words) == told.end()) {
+                remark(wordsOf(end.name, end.words));
+                told.push_back(end.words);
+            }
+        if (m_hasLeftProcesses && m_result.verdict != Verdict::Equal)
+            remark("The program leaves processes running when it ends itself, which are ended then: how far they get depends on time.");
     }
 
     const CheckOptions &m_options;
     Player m_player;
     CheckResult m_result;
-    bool m_isOver = false, m_wasInterrupted = false;
+    std::vector<End> m_ends;  // of plays that were not interrupted
+    bool m_isOver = false, m_wasInterrupted = false, m_hasLeftProcesses = false, m_couldNotEndAll = false;
 };
 
 }  // namespace

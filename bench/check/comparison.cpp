@@ -36,7 +36,8 @@ const StoredState *stateOf(const std::vector<StoredState> &states, std::uint32_t
 PlayComparison comparePlays(const Play &left, const Play &right, std::uint64_t lastStep) {
     PlayComparison comparison;
     const bool areCut = left.wasEnded() || right.wasEnded() || (wasCut(left, lastStep) && wasCut(right, lastStep));
-    comparison.steps = compareRuns(left.record, right.record, areCut ? Ends::ignored : Ends::compared);
+    if (areCut) comparison.ends = Ends::ignored;
+    comparison.steps = compareRuns(left.record, right.record, comparison.ends);
     if (!left.wasEnded() && right.run.end == ProgramRun::End::Limit)
         comparison.ending = left.engine.name + " ends after " + bench::numberText(left.run.seconds) + " s, " + right.engine.name +
                             " had not ended after " + bench::numberText(right.run.seconds) + " s.";

@@ -12,6 +12,7 @@ namespace check {
 
 struct PlayComparison {
     Comparison steps;
+    Ends ends = Ends::compared;           // which were compared
     std::optional<std::string> ending;    // how they end differently: "killed by …", in words
     std::optional<std::string> messages;  // of ODE's own that differ
     std::optional<std::string> output;    // what else they print differently; no difference of results

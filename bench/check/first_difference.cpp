@@ -99,6 +99,7 @@ std::vector<WorldPair> pairWorlds(const RunRecord &left, const RunRecord &right)
 }
 
 bool areEqualInAnotherOrder(RunRecord left, RunRecord right, Ends ends) {
+    if (left.worlds.size() != right.worlds.size()) return false;  // of runs that were ended, one that only one has made is left out
     for (RunRecord *const run : {&left, &right})
         for (WorldRecord &world : run->worlds) world.isNumbered = false;
     return !compareRuns(left, right, ends).first;

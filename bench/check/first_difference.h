@@ -40,7 +40,7 @@ enum class Ends { compared, ignored };
 
 Comparison compareRuns(const RunRecord &left, const RunRecord &right, Ends ends);
 
-// Whether runs that differ would not if their worlds had other numbers.
+// Whether runs that differ would not if their worlds had other numbers: each world does what one of the other run does.
 bool areEqualInAnotherOrder(RunRecord left, RunRecord right, Ends ends);
 
 }  // namespace check

@@ -23,14 +23,14 @@ void handle(int signal, void (*handler)(int)) {
 void deferSignals() {
     sigset_t deferred;
     sigemptyset(&deferred);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
         handle(signal, onInterrupt);
         sigaddset(&deferred, signal);
     }
     handle(SIGCHLD, onChild);
     sigaddset(&deferred, SIGCHLD);
     sigprocmask(SIG_BLOCK, &deferred, &g_waitingMask);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) sigdelset(&g_waitingMask, signal);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGCHLD}) sigdelset(&g_waitingMask, signal);
 }
 
 const sigset_t &waitingMask() { return g_waitingMask; }

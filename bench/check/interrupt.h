@@ -5,7 +5,7 @@
 
 namespace check {
 
-// From then on SIGINT, SIGTERM, SIGHUP and SIGCHLD arrive only while this process waits with waitingMask(). To be called once.
+// From then on SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGCHLD arrive only while this process waits with waitingMask(). To be called once.
 void deferSignals();
 const sigset_t &waitingMask();
 

@@ -67,7 +67,7 @@ public:
             exchange(waitingTime());
         }
         m_run.seconds = std::chrono::duration<double>(m_end - m_start).count();
-        endGroup();
+        endRest();
         for (const Clock::time_point limit = Clock::now() + 1s; isListening() && Clock::now() < limit;) exchange(50ms);
         m_input.end();
         return std::move(m_run);
@@ -93,10 +93,15 @@ private:
 
     bool hasEnded() {
         rusage usage{};
-        if (wait4(m_child, &m_run.status, WNOHANG, &usage) != m_child) return false;
-        m_end = Clock::now();
-        m_run.cpuSeconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
-        return true;
+        for (int status = 0; const pid_t ended = wait4(-1, &status, WNOHANG, &usage);) {
+            if (ended < 0) return false;
+            if (ended != m_child) continue;  // an orphan of the program's
+            m_run.status = status;
+            m_end = Clock::now();
+            m_run.cpuSeconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+            return true;
+        }
+        return false;
     }
 
     // First politely; whoever asks twice, or does not want to wait, is obeyed at once.
@@ -155,10 +160,10 @@ private:
             m_toChild.close();  // it reads no more
     }
 
-    void endGroup() {
-        if (kill(-m_child, SIGTERM) != 0) return;
-        for (const Clock::time_point limit = Clock::now() + 1s; Clock::now() < limit && kill(-m_child, 0) == 0;) exchange(20ms);
-        kill(-m_child, SIGKILL);
+    // Of its process group also those whose parents are still there.
+    void endRest() {
+        kill(-m_child, SIGTERM);
+        m_run.orphans = endOrphans([this](std::chrono::milliseconds most) { exchange(most); });
     }
 
     const RunSettings &m_settings;

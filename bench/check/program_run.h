@@ -1,12 +1,14 @@
 // One run of a program: started, given its input, listened to, and ended if it lasts too long.
 //
-// It ends when the process that was started ends; what that leaves running in its process group is ended then.
+// It ends when the process that was started ends; what that leaves running is ended then. Requires that this process has no other
+// children, and has adopted orphans (orphans.h).
 #pragma once
 
 #include <chrono>
 #include <string>
 #include <vector>
 
+#include "check/orphans.h"
 #include "check/program_input.h"
 #include "check/program_output.h"
 #include "process/spawn.h"
@@ -26,6 +28,7 @@ struct ProgramRun {
     End end = End::Itself;
     int status = 0;                      // as waitpid gives it
     double seconds = 0, cpuSeconds = 0;  // the latter of all processes that were waited for
+    EndedOrphans orphans;                // what it has left running
     ProgramOutput output, errors;
 };
 

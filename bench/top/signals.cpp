@@ -10,7 +10,7 @@ namespace {
 sigset_t deferred() {
     sigset_t set;
     sigemptyset(&set);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) sigaddset(&set, signal);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGCHLD}) sigaddset(&set, signal);
     return set;
 }
 
@@ -22,7 +22,7 @@ void deferSignals() {
     // A signal that is ignored does not wait.
     struct sigaction action {};
     action.sa_handler = ignoreNothing;
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) sigaction(signal, &action, nullptr);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGCHLD}) sigaction(signal, &action, nullptr);
     const sigset_t set = deferred();
     sigprocmask(SIG_BLOCK, &set, nullptr);
 }

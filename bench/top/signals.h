@@ -5,7 +5,7 @@
 
 namespace top {
 
-// First of all. From here on SIGINT, SIGTERM, SIGHUP and SIGCHLD wait until they are asked for.
+// First of all. From here on SIGINT, SIGTERM, SIGHUP, SIGQUIT and SIGCHLD wait until they are asked for.
 void deferSignals();
 
 // The next of them within the time; 0: none.

@@ -59,6 +59,13 @@ TEST(FirstDifference, WorldsOfOneThreadThatHaveExchangedEverythingDiffer) {
     EXPECT_TRUE(areEqualInAnotherOrder(left, right, Ends::compared));
 }
 
+// An end is no exchange, and one world has none to exchange with.
+TEST(FirstDifference, OtherEndsAreNoExchange) {
+    const RunRecord left = run({world({0, 0}, {1, 2}), world({0, 1}, {3, 4})}), right = run({world({0, 0}, {1, 2}), world({0, 1}, {3})});
+    EXPECT_FALSE(areEqualInAnotherOrder(left, right, Ends::compared));
+    EXPECT_FALSE(areEqualInAnotherOrder(run({world({0, 0}, {1, 2})}), run({world({0, 0}, {5, 2}), world({0, 1}, {1})}), Ends::ignored));
+}
+
 TEST(FirstDifference, WorldsOfOneThreadMayBeInAnotherProcess) {
     RunRecord left = run({world({0, 0}, {1, 2}), world({1, 0}, {3, 4})}), right = run({world({0, 0}, {3, 4}), world({1, 0}, {1, 2})});
     for (RunRecord *const record : {&left, &right})

@@ -140,12 +140,22 @@ TEST_F(OdemtCheck, AnEndThatIsNotReproducibleIsNone) {
 TEST_F(OdemtCheck, OtherEndsAreDifferences) {
     const Json crash = checkJson(kSubject + " crash", 1);
     expectWords(crash["sentence"], "world 0 makes 60 steps on libode8, 20 on ODE_MT, 2 threads. Equal before: 20 steps.");
-    expectWords(crash["remarks"].dump(), "libode8 ends with exit code 0, ODE_MT, 2 threads with signal 6 (Aborted).");
+    expectWords(crash["remarks"].dump(), "libode8 ends with exit code 0, ODE_MT, 2 threads with signal 6 (Aborted), libode8 again with exit code 0.");
     expectWords(crash["remarks"].dump(), "last words");
-    expectWords(checkJson(kSubject + " more-steps", 1)["sentence"], "world 0 makes 60 steps on libode8, 65 on ODE_MT, 2 threads.");
+    const Json more = checkJson(kSubject + " more-steps", 1);
+    expectWords(more["sentence"], "world 0 makes 60 steps on libode8, 65 on ODE_MT, 2 threads.");
+    EXPECT_TRUE(more["remarks"].empty()) << more["remarks"];
     expectWords(checkJson(kSubject + " exit-code", 1)["sentence"], "ODE_MT, 2 threads with exit code 4");
     expectWords(checkJson(kSubject + " message", 1)["sentence"],
                 "Messages of ODE differ: 'nothing' (libode8), 'ODE Message 7: a message of ODE's'");
+}
+
+TEST_F(OdemtCheck, ACrashThatIsNotReproducibleIsTold) {
+    const Json json = checkJson(kSubject + " crash-once " + m_runs, 2);
+    expectWords(json["sentence"], "world 0 makes 20 steps on libode8, 60 on libode8 again.");
+    expectWords(json["remarks"].dump(),
+                "libode8 ends with signal 6 (Aborted), ODE_MT, 2 threads with exit code 0, libode8 again with exit code 0.");
+    expectWords(json["remarks"].dump(), "libode8 says at the end: last words");
 }
 
 TEST_F(OdemtCheck, TheSameCrashOnBothIsEqual) {
@@ -283,13 +293,27 @@ TEST_F(OdemtCheck, WrongOptionsAreNamed) {
 }
 
 TEST_F(OdemtCheck, WhatAProgramLeavesRunningIsEnded) {
-    const Outcome outcome = check("--threads 0", "sh -c 'sleep 100 & echo $! >>" + m_runs + "; exec " + kSubject + "'");
+    const std::string kept = " & echo $! >>" + m_runs + ";";
+    // In the program's process group, in a session of its own, there with another parent, and deaf to SIGTERM.
+    const Outcome outcome = check("--threads 0", "sh -c 'sleep 100" + kept + " setsid sleep 100" + kept + " (setsid sleep 100" + kept +
+                                                     "); setsid sh -c \"trap true TERM; sleep 100; sleep 100\"" + kept + " exec " + kSubject + "'");
     EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
     std::ifstream stream(m_runs);
     int count = 0;
     for (std::string process; std::getline(stream, process); ++count)
         EXPECT_NE(runShell("kill -0 " + process + " && ! grep -q '^State:.Z' /proc/" + process + "/status").exitCode, 0) << process;
-    EXPECT_EQ(count, 2);
+    EXPECT_EQ(count, 8);
+}
+
+TEST_F(OdemtCheck, NothingIsLeftBehindBySIGQUIT) {
+    const std::string folder = testing::TempDir() + "/odemt_check_quit_" + std::to_string(getpid());
+    std::filesystem::create_directory(folder);
+    const Outcome outcome = runShell("TMPDIR=" + folder + " " ODEMT_CHECK " --threads 0 -- " SUBJECT " endless & check=$!; until ls " + folder +
+                                     "/odemt_check_*/run-1/record-0000 2>/dev/null; do sleep 0.05; done; kill -QUIT $check; wait $check");
+    EXPECT_EQ(outcome.exitCode, 2) << outcome.output;
+    expectWords(outcome.output, "Interrupted during the first run");
+    EXPECT_TRUE(std::filesystem::is_empty(folder));
+    std::filesystem::remove_all(folder);
 }
 
 TEST_F(OdemtCheck, NothingIsLeftBehind) {

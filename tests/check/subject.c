@@ -197,7 +197,7 @@ static int play(Scene *scene, int runs) {
     if (is("fork") || is("fork-differs")) return stepInTwoProcesses(scene);
     if (strncmp(mode, "field-", 6) == 0) return stepWithField(scene, mode[6]), 0;
     if (is("clock")) scene->stepSize = 0.01 + 1e-12 * nanoseconds();
-    if (is("crash-everywhere") || (is("crash") && isOurs())) {
+    if (is("crash-everywhere") || (is("crash") && isOurs()) || (is("crash-once") && runs == 0)) {
         steps(scene, 1, 20);
         fprintf(stderr, "last words\n");
         abort();

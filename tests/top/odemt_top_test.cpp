@@ -92,6 +92,19 @@ TEST_F(OdemtTop, ATableForEachInterval) {
     expectWords(read(output), "ends with");
 }
 
+TEST_F(OdemtTop, SIGQUITLeavesNothing) {
+    const Outcome outcome = runShell("ulimit -c 0; " ODEMT_TOP " --once --output " + output + " -- " STEPPER " 1 0 & top=$!; until grep -qs begins " + output +
+                                     "; do sleep 0.05; done; kill -QUIT $top; wait $top");
+    EXPECT_EQ(outcome.exitCode, 128 + SIGQUIT) << outcome.output;
+    expectWords(outcome.output, "all frames on average");
+    std::smatch found;
+    const std::string text = read(output);
+    ASSERT_TRUE(std::regex_search(text, found, std::regex("file (/dev/shm/[^\n]+)\n"))) << text;
+    EXPECT_FALSE(std::filesystem::exists(found[1].str()));
+    std::filesystem::remove(output);
+    EXPECT_TRUE(std::filesystem::is_empty(folder));
+}
+
 TEST_F(OdemtTop, EndsAsTheProgramDoes) {
     EXPECT_EQ(run("--once", STEPPER " 1 5 code").exitCode, 7);
     const Outcome killed = run("--once", STEPPER " 1 5 kill");
