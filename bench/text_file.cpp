@@ -1,5 +1,7 @@
 #include "text_file.h"
 
+#include <sys/stat.h>
+
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -9,6 +11,8 @@
 namespace bench {
 
 std::string readTextFile(const std::string &file) {
+    struct stat status {};
+    if (stat(file.c_str(), &status) == 0 && S_ISDIR(status.st_mode)) throw std::runtime_error(file + ": is a folder");
     errno = 0;
     std::ifstream stream(file, std::ios::binary);
     std::string text(std::istreambuf_iterator<char>(stream), {});

@@ -1,6 +1,7 @@
 // odemt_batch: many worlds into one table (docs/batch.md). Under mpirun it becomes odemt_batch_mpi, which lies beside it: this program needs no MPI.
 #include "batch/batch_options.h"
 #include "batch/master.h"
+#include "batch/world_check.h"
 #include "error_output.h"
 #include "library_variables.h"
 #include "standard_output.h"
@@ -46,11 +47,13 @@ int runBatch(const batch::BatchOptions &options) {
         list(plan);
         return 0;
     }
-    batch::Store store(options.output, plan, options.isResumed ? batch::Store::Begin::Resumed : batch::Store::Begin::New);
+    batch::checkWorlds(plan);
     batch::Workers workers(plan, options.workers);
-    const long failed = batch::runPlan(plan, store, workers, nullptr, options.isQuiet);
+    batch::Store store(options.output, plan, options.isResumed ? batch::Store::Begin::Resumed : batch::Store::Begin::New);
+    batch::runPlan(plan, store, workers, nullptr, options.isQuiet);
+    const int exitCode = batch::exitCodeOf(store);
     store.close();
-    return batch::exitCodeOf(failed);
+    return exitCode;
 }
 
 }  // namespace

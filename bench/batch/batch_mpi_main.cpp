@@ -4,6 +4,7 @@
 // blocking call of OpenMPI would take a processor from the workers.
 #include "batch/batch_options.h"
 #include "batch/master.h"
+#include "batch/world_check.h"
 #include "error_output.h"
 #include "library_variables.h"
 #include "standard_output.h"
@@ -115,12 +116,13 @@ private:
 };
 
 int beMaster(const batch::BatchOptions &options, const batch::Plan &plan, batch::Workers &workers, int ranks) {
+    OtherRanks others(ranks - 1, plan);  // before the file: another plan leaves none
     batch::Store store(options.output, plan, options.isResumed ? batch::Store::Begin::Resumed : batch::Store::Begin::New);
-    OtherRanks others(ranks - 1, plan);
-    const long failed = batch::runPlan(plan, store, workers, &others, options.isQuiet);
+    batch::runPlan(plan, store, workers, &others, options.isQuiet);
     others.end();
+    const int exitCode = batch::exitCodeOf(store);
     store.close();
-    return batch::exitCodeOf(failed);
+    return exitCode;
 }
 
 void serve(const batch::Plan &plan, batch::Workers &workers) {
@@ -147,6 +149,7 @@ int main(int argc, char **argv) {
     for (const std::string &name : bench::libraryVariables()) unsetenv(name.c_str());
     try {
         const batch::Plan plan = batch::readPlan(bench::readTextFile(options->planFile));
+        batch::checkWorlds(plan);
         const auto workers = std::make_unique<batch::Workers>(plan, options->workers);
         MPI_Init(&argc, &argv);
         int rank = 0, ranks = 1;

@@ -23,7 +23,7 @@ public:
         m_left = static_cast<std::size_t>(plan.count() - countDone());
     }
 
-    long run() {
+    void run() {
         while (m_left > 0 || outstanding() > 0) {
             for (std::size_t site = 0; site < m_sites.size(); ++site) fill(site);
             const std::vector<Json> answers = takeAnswers();
@@ -32,7 +32,6 @@ public:
             m_progress.show(answers.size());
         }
         m_progress.end();
-        return m_failed;
     }
 
 private:
@@ -86,7 +85,6 @@ private:
     }
 
     void note(const Json &answer) {
-        m_failed += answer.at("status") != "done";
         const double seconds = answer.value("seconds", 0.0);
         m_seconds = m_seconds > 0 ? (1 - kWeight) * m_seconds + kWeight * seconds : seconds;
     }
@@ -100,18 +98,19 @@ private:
     std::size_t m_allWorkers = 0;
     std::size_t m_next = 0, m_left = 0;
     double m_seconds = 0;  // of a run
-    long m_failed = 0;
 };
 
 }  // namespace
 
-long runPlan(const Plan &plan, Store &store, Workers &workers, Ranks *ranks, bool isQuiet) {
-    return Master(plan, store, workers, ranks, isQuiet).run();
+void runPlan(const Plan &plan, Store &store, Workers &workers, Ranks *ranks, bool isQuiet) {
+    Master(plan, store, workers, ranks, isQuiet).run();
 }
 
-int exitCodeOf(long failedRuns) {
-    if (failedRuns == 0) return 0;
-    bench::printError(std::to_string(failedRuns) + " runs have failed: see the column message of those whose status is error");
+int exitCodeOf(const Store &store) {
+    const Store::Failed failed = store.failed();
+    if (failed.count == 0) return 0;
+    bench::printError((failed.count == 1 ? "1 run has failed, run " : std::to_string(failed.count) + " runs have failed, the first of them run ") +
+                      std::to_string(failed.first) + ": " + failed.message + " (column message of the rows whose status is error)");
     return 1;
 }
 

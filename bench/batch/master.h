@@ -21,11 +21,11 @@ public:
     virtual std::vector<std::pair<unsigned, Json>> takeAnswers() = 0;  // of which index; does not wait
 };
 
-// Runs what the store has not. `ranks`: null if there are none. `isQuiet`: no line on standard error says how far it is. Returns the number of runs
-// that have failed. Throws std::runtime_error.
-long runPlan(const Plan &plan, Store &store, Workers &workers, Ranks *ranks, bool isQuiet);
+// Runs what the store has not. `ranks`: null if there are none. `isQuiet`: no line on standard error says how far it is. Throws
+// std::runtime_error.
+void runPlan(const Plan &plan, Store &store, Workers &workers, Ranks *ranks, bool isQuiet);
 
-// What the program ends with. Says it on standard error if runs have failed.
-int exitCodeOf(long failedRuns);
+// What the program ends with: 1 if runs in the table have failed, by this call or one before, which is said on standard error.
+int exitCodeOf(const Store &store);
 
 }  // namespace batch

@@ -151,8 +151,10 @@ Reading findReading(const Observable &observable, const scenes::Scene &scene) {
     const auto world = kOfWorld.find(observable.what);
     if (world != kOfWorld.end()) return [&scene, read = world->second] { return read(scene); };
     const scenes::Inventory &inventory = scene.inventory();
-    if (const auto index = indexIn(observable.what, "reading"))
-        return [&inventory, index = *index] { return index < inventory.readings.size() ? static_cast<double>(inventory.readings[index]) : NAN; };
+    if (const auto index = indexIn(observable.what, "reading")) {
+        if (*index < inventory.readings.size()) return [&inventory, index = *index] { return static_cast<double>(inventory.readings[index]); };
+        throw ObservableError("there is no " + observable.what + ": the world has " + std::to_string(inventory.readings.size()));
+    }
     const Words words = *split(observable.what);
     const auto *const sdf = dynamic_cast<const worlds::SdfScene *>(&scene);
     const bool isJoint = std::count(kOfJoint.begin(), kOfJoint.end(), words.quantity) != 0;

@@ -187,6 +187,7 @@ std::string changeElements(const std::string &sdf, const std::string &file, cons
         if (!isPath(path)) continue;
         std::string text = spelled(value);
         for (const auto &[name, other] : values) insertValue(text, name, other);
+        if (text.find("${") != std::string::npos) fail(path, "'" + text + "' names a parameter that there is not");
         changeElement(document, file, path, text);
     }
     tinyxml2::XMLPrinter printer;

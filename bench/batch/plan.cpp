@@ -14,6 +14,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <stdexcept>
 
@@ -26,6 +27,7 @@ constexpr long kMaxFrames = 1'000'000'000;
 
 // Columns of the table that are always there.
 const std::array<const char *, 8> kColumns = {"run", "world", "seed", "status", "message", "frames", "time", "hash"};
+const std::set<std::string> kSeriesColumns = {"run", "frame", "time", "hash"};
 
 [[noreturn]] void fail(const std::string &key, const std::string &what) { throw std::invalid_argument("plan: " + key + ": " + what); }
 
@@ -158,6 +160,8 @@ void readSeries(const Json &value, Plan &plan) {
                                         [&](const Observable &observable) { return observable.name == wanted; });
         if (found == plan.observables.end()) fail("series.observables", "there is no observable '" + wanted + "'");
         if (found->over != Observable::Over::End) fail("series.observables", "'" + wanted + "' is one value for all frames");
+        const bool isThere = std::any_of(plan.series.begin(), plan.series.end(), [&](const Observable &other) { return other.name == wanted; });
+        if (isThere) fail("series.observables", "'" + wanted + "' is there twice");
         plan.series.push_back(*found);
     }
 }
@@ -172,10 +176,13 @@ void checkColumns(const Plan &plan) {
     std::set<std::string> columns(kColumns.begin(), kColumns.end());
     const auto add = [&](const std::string &key, const std::string &name) {
         if (name.empty()) fail(key, "a column has no name");
+        if (name.find('\0') != std::string::npos) fail(key, "the name of a column has a null character");
         if (!columns.insert(lowered(name)).second) fail(key + "." + name, "there is a column of this name already");
     };
     for (const Parameter &parameter : plan.parameters) add("parameters", parameter.name);
     for (const Observable &observable : plan.observables) add("observables", observable.name);
+    for (const Observable &observable : plan.series)
+        if (kSeriesColumns.count(lowered(observable.name)) != 0) fail("series.observables", "'" + observable.name + "' is the name of another column of the series");
 }
 
 void checkCounts(const Plan &plan) {
@@ -231,9 +238,45 @@ std::string fingerprintOf(const Plan &plan, const std::vector<std::string> &worl
     return bench::hashText(hash.value());
 }
 
+// Throws for what the parser lets pass: of a key that is there twice it would take the last value.
+class Keys {
+public:
+    bool operator()(int, Json::parse_event_t event, const Json &parsed) {
+        using Event = Json::parse_event_t;
+        if (event == Event::object_start || event == Event::array_start) {
+            if (m_open.size() >= kMaxDepth) fail(path(), "is nested more than " + std::to_string(kMaxDepth) + " deep");
+            m_open.emplace_back();
+        } else if (event == Event::object_end || event == Event::array_end) {
+            m_open.pop_back();
+        } else if (event == Event::key) {
+            m_open.back().last = parsed.get<std::string>();
+            if (!m_open.back().all.insert(m_open.back().last).second) fail(worlds::printable(path()), "the key is there twice");
+        }
+        return true;
+    }
+
+private:
+    static constexpr std::size_t kMaxDepth = 100;  // no plan needs more than four; what is written with recursion bears it
+
+    struct Open {
+        std::set<std::string> all;
+        std::string last;  // empty in a list
+    };
+
+    std::string path() const {
+        std::string path;
+        for (const Open &open : m_open)
+            if (!open.last.empty()) path += (path.empty() ? "" : ".") + open.last;
+        return path.empty() ? "plan" : path;
+    }
+
+    std::vector<Open> m_open;  // objects and lists, the outer one first
+};
+
 Json parse(const std::string &text) {
+    Keys keys;
     try {
-        return Json::parse(text);
+        return Json::parse(text, std::ref(keys));
     } catch (const Json::exception &error) {
         throw std::invalid_argument("plan: not JSON: " + worlds::printable(error.what()));
     }

@@ -69,44 +69,64 @@ private:
     int m_file;
 };
 
-Store::Store(const std::string &file, const Plan &plan, Begin begin) : m_file(file), m_plan(plan) {
+namespace {
+
+// Beside the file while it is open.
+void removeDatabase(const std::string &file) {
+    for (const char *const end : {"", "-wal", "-shm", "-journal"}) unlink((file + end).c_str());
+}
+
+}  // namespace
+
+Store::Store(const std::string &file, const Plan &plan, Begin begin) : m_file(file), m_plan(plan), m_database(nullptr, sqlite3_close) {
     m_lock = std::make_unique<Lock>(file);
     const bool isThere = access(file.c_str(), F_OK) == 0;
     if (isThere && begin == Begin::New) throw std::runtime_error(file + ": exists; --resume goes on with it");
-    if (sqlite3_open_v2(file.c_str(), &m_database, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr) != SQLITE_OK) fail();
-    sqlite3_busy_timeout(m_database, 60000);  // ms: a reader may hold a lock for a moment
+    try {
+        this->begin();
+    } catch (...) {
+        m_statements.clear();
+        m_database.reset();
+        if (!isThere) removeDatabase(file);
+        throw;
+    }
+}
+
+void Store::begin() {
+    sqlite3 *database = nullptr;
+    const int opened = sqlite3_open_v2(m_file.c_str(), &database, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
+    m_database.reset(database);
+    if (opened != SQLITE_OK) fail();
+    sqlite3_busy_timeout(database, 60000);  // ms: a reader may hold a lock for a moment
     // What a kill leaves is whole with NORMAL, too; a power cut may cost the last transactions.
     execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
     createTables();
     checkPlan();
-    m_statements.push_back(prepare("INSERT OR IGNORE INTO runs VALUES " + places(8 + plan.parameters.size() + plan.observables.size())));
-    m_statements.push_back(prepare("INSERT OR IGNORE INTO series VALUES " + places(4 + plan.series.size())));
+    m_statements.push_back(prepare("INSERT OR IGNORE INTO runs VALUES " + places(8 + m_plan.parameters.size() + m_plan.observables.size())));
+    m_statements.push_back(prepare("INSERT OR IGNORE INTO series VALUES " + places(4 + m_plan.series.size())));
     m_statements.push_back(prepare("INSERT OR IGNORE INTO states VALUES " + places(16)));
     m_statements.push_back(prepare("INSERT OR REPLACE INTO times VALUES " + places(6)));
 }
 
-Store::~Store() {
-    m_statements.clear();
-    if (m_database != nullptr) sqlite3_close(m_database);
-}
+Store::~Store() = default;
 
 void Store::close() {
     m_statements.clear();
-    if (sqlite3_close(m_database) != SQLITE_OK) fail();
-    m_database = nullptr;
+    if (sqlite3_close(m_database.get()) != SQLITE_OK) fail();
+    static_cast<void>(m_database.release());
 }
 
 void Store::fail() const {
-    throw std::runtime_error(m_file + ": " + (m_database != nullptr ? sqlite3_errmsg(m_database) : "too little memory"));
+    throw std::runtime_error(m_file + ": " + (m_database != nullptr ? sqlite3_errmsg(m_database.get()) : "too little memory"));
 }
 
 void Store::execute(const std::string &sql) const {
-    if (sqlite3_exec(m_database, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) fail();
+    if (sqlite3_exec(m_database.get(), sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) fail();
 }
 
 Store::Statement Store::prepare(const std::string &sql) const {
     sqlite3_stmt *statement = nullptr;
-    if (sqlite3_prepare_v2(m_database, sql.c_str(), -1, &statement, nullptr) != SQLITE_OK) fail();
+    if (sqlite3_prepare_v2(m_database.get(), sql.c_str(), -1, &statement, nullptr) != SQLITE_OK) fail();
     return {statement, sqlite3_finalize};
 }
 
@@ -151,6 +171,14 @@ std::vector<bool> Store::done() const {
         if (run < done.size()) done[run] = true;
     }
     return done;
+}
+
+Store::Failed Store::failed() const {
+    const Statement statement = prepare("SELECT count(*) OVER (), run, message FROM runs WHERE status = 'error' ORDER BY run LIMIT 1");
+    if (sqlite3_step(statement.get()) != SQLITE_ROW) return {};
+    const auto *const message = reinterpret_cast<const char *>(sqlite3_column_text(statement.get(), 2));
+    return {static_cast<long>(sqlite3_column_int64(statement.get(), 0)), static_cast<long>(sqlite3_column_int64(statement.get(), 1)),
+            message != nullptr ? message : ""};
 }
 
 void Store::writeRows(sqlite3_stmt *statement, long run, const Json &rows) {

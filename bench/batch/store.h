@@ -19,14 +19,20 @@ class Store {
 public:
     enum class Begin { New, Resumed };
 
-    // Throws std::runtime_error that names the file: New, and it exists; it is of another plan; another process writes to it. Resumed: there need not be one.
+    // Throws std::runtime_error that names the file, and leaves none that was not there: New, and it exists; it is of another plan; another process writes to it. Resumed: there need not be one.
     Store(const std::string &file, const Plan &plan, Begin begin);
-    ~Store();
+    ~Store();  // as it is without close(), but that no error is told
     Store(const Store &) = delete;
     Store &operator=(const Store &) = delete;
 
     // By the numbers of runs.
     std::vector<bool> done() const;
+
+    struct Failed {
+        long count = 0, first = 0;  // of runs whose status is error; the number of the first one
+        std::string message;        // its
+    };
+    Failed failed() const;
 
     // Lines of runWorld(), in any order. A run that is there already is left as it is.
     void write(const std::vector<Json> &lines);
@@ -41,6 +47,7 @@ private:
     Statement prepare(const std::string &sql) const;
     void step(sqlite3_stmt *statement) const;
     [[noreturn]] void fail() const;
+    void begin();
     void createTables();
     void checkPlan() const;
     void writeLine(const Json &line);
@@ -50,7 +57,7 @@ private:
     const std::string m_file;
     const Plan &m_plan;
     std::unique_ptr<Lock> m_lock;
-    sqlite3 *m_database = nullptr;
+    std::unique_ptr<sqlite3, int (*)(sqlite3 *)> m_database;
     std::vector<Statement> m_statements;  // of runs, series, states, times
 };
 

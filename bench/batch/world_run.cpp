@@ -144,6 +144,16 @@ Json play(const Plan &plan, const Run &run, scenes::Scene &scene) {
 
 Json failedRun(long number, const std::string &message) { return {{"run", number}, {"status", "error"}, {"message", message}}; }
 
+void tryWorld(const Plan &plan, const Run &run) {
+    const std::unique_ptr<scenes::Scene> scene = open(plan, run);
+    setProperties(*scene, run.values);
+    for (const Observable &observable : plan.observables) try {
+            findReading(observable, *scene);
+        } catch (const ObservableError &error) {
+            throw ObservableError("plan: observables." + observable.name + ": " + error.what());
+        }
+}
+
 Json runWorld(const Plan &plan, const Run &run) try {
     const std::unique_ptr<scenes::Scene> scene = open(plan, run);
     setProperties(*scene, run.values);

@@ -11,6 +11,9 @@ namespace batch {
 // One line of JSON, as it goes from workers to the table (store.h). A run whose world cannot be made has the status "error" and says why.
 Json runWorld(const Plan &plan, const Run &run);
 
+// Makes the world of a run, and looks for all that the plan names in it. Throws std::exception with what is wrong.
+void tryWorld(const Plan &plan, const Run &run);
+
 // That of a run that has ended before it could answer.
 Json failedRun(long number, const std::string &message);
 

@@ -3,9 +3,10 @@
 
     batch_test.py PROGRAM SCRATCH CASE...
 
-CASE: expansion, bad_plans, parameters, same_table, kills, faults, sample PAGE; ranks and ranks_kills MPIEXEC need MPI. KILLS=20 in the environment: so many
+CASE: expansion, bad_plans, unknown_names, parameters, same_table, kills, faults, sample PAGE; ranks and ranks_kills MPIEXEC need MPI. KILLS=20 in the environment: so many
 kills instead of the few that take seconds.
 """
+import glob
 import json
 import os
 import pathlib
@@ -90,6 +91,12 @@ def bad_plans():
         ({**good, 'expand': 'list', 'parameters': {'erp': [0.1, 0.2], 'cfm': 1}}, 'parameters.cfm:'),
         ({**good, 'observables': {'a': 'hight'}}, 'observables.a:'), ({**good, 'observables': {'time': 'energy'}}, 'observables.time:'),
         ({**good, 'series': {'every': 1, 'observables': 'a'}}, 'series.observables:'), ({**good, 'perturbation': {'velocity': -1}}, 'perturbation.velocity:'),
+        ({**good, 'observables': {'a': 'energy'}, 'series': {'every': 1, 'observables': ['a', 'a']}}, "series.observables: 'a' is there twice"),
+        ({**good, 'observables': {'Frame': 'energy'}, 'series': {'every': 1, 'observables': 'Frame'}}, "series.observables: 'Frame' is the name"),
+        ({**good, 'observables': {'a': 'energy', 'A': 'energy'}}, 'observables.A: there is a column'), ({**good, 'observables': {'a\0b': 'energy'}}, 'null character'),
+        ('{"worlds": "chain:3", "frames": 1, "frames": 2}', 'frames: the key is there twice'),
+        ('{"worlds": "chain:3", "frames": 1, "observables": {"a": "energy", "a": "awake"}}', 'observables.a: the key is there twice'),
+        ('{"worlds": ' + 100000 * '[' + 100000 * ']' + '}', 'worlds: is nested more than'),
     ]
     for plan, words in cases:
         done = run(write_plan(plan), '--list')
@@ -97,6 +104,31 @@ def bad_plans():
     done = run(SCRATCH / 'none.json')
     assert done.returncode == 1 and 'none.json' in done.stderr, done.stderr
     assert run(write_plan(good), '--wrong').returncode == 2
+    done = run('.', '-o', fresh('folder'))
+    assert done.returncode == 1 and '.: is a folder' in done.stderr, done.stderr
+
+
+def unknown_names():
+    """What the first run's world has not ends the batch before that run, and leaves no file."""
+    good = {'worlds': ['chain:3'], 'frames': 1, 'seeds': [1, 2]}
+    cases = [(good['worlds'], name, 'plan: observables.o: there is no ' + words) for name, words in (
+        ('body[99].position.x', 'body[99]: the world has'), ('body[-1].height', "body 'body[-1]'"), ('nosuch::link.height', "body 'nosuch::link'"),
+        ('reading[0]', 'reading[0]: the world has 0'), ('max reading[999]', 'reading[999]: the world has 0'))]
+    cases += [(['stacks:1'], 'joint[0].angle', 'joint[0]: the world has 0'), (['stacks:1'], 'a::b.rate', "joint 'a::b'"),
+              (['chain:30', 'chain:3'], 'body[20].height', "body[20]: the world has"), (['epuck'], 'reading[0]', 'reading[0]')]
+    for worlds, observable, words in cases:
+        file = fresh('unknown')
+        done = run(write_plan({**good, 'worlds': worlds, 'observables': {'o': observable}}, 'unknown'), '-o', file, '--quiet')
+        assert done.returncode == 1 and words in done.stderr, (worlds, observable, done.returncode, done.stderr)
+        assert not list(SCRATCH.glob('unknown.sqlite*')), list(SCRATCH.glob('unknown.sqlite*'))
+    for path, value, words in (('/sdf/world/model[nobody]/pose', '0', 'there is no /sdf/world/model[nobody]'), ('/sdf/world/gravity', '0 0 ${none}', 'names a parameter')):
+        file = fresh('unknown')
+        done = run(write_plan({'worlds': 'epuck', 'frames': 1, 'parameters': {path: value}}, 'unknown'), '-o', file, '--quiet')
+        assert done.returncode == 1 and words in done.stderr and not os.path.exists(file), done.stderr
+    # More columns than SQLite has: the file is refused by it, and not left.
+    many = {**good, 'observables': {f'o{i}': 'energy' for i in range(3000)}}
+    done = run(write_plan(many, 'unknown'), '-o', file, '--quiet')
+    assert done.returncode == 1 and 'too many columns' in done.stderr and not list(SCRATCH.glob('unknown.sqlite*')), done.stderr
 
 
 def parameters():
@@ -106,10 +138,6 @@ def parameters():
     rows = batch({'worlds': 'epuck', 'frames': 50, 'parameters': {'/sdf/world/gravity': ['0 0 -9.81', '0 0 -1']},
                   'observables': {'e': 'energy'}}, 'elements')['runs']
     assert [row[4] for row in rows] == ['done', 'done'] and rows[0][-1] > 5 * rows[1][-1], rows
-    file = fresh('no_element')
-    done = run(write_plan({'worlds': 'epuck', 'frames': 1, 'parameters': {'/sdf/world/model[nobody]/pose': '0'}}), '-o', file, '--quiet')
-    assert done.returncode == 1, done.stderr
-    assert 'there is no /sdf/world/model[nobody]' in str(table(file)['runs']), table(file)['runs']
 
 
 def same_table():
@@ -203,11 +231,15 @@ def faults():
     assert done.returncode == 1 and 'another plan' in done.stderr, done.stderr
     done = run(plan, '-o', SCRATCH / 'nowhere' / 'a.sqlite')
     assert done.returncode == 1 and 'nowhere' in done.stderr, done.stderr
-    # A world without the body that is asked for costs its row.
+    assert not glob.glob(file + '-*'), 'what is refused leaves something beside the table'
+    # A world without the body that is asked for costs its row, if others with it have it.
     file = fresh('no_body')
-    done = run(write_plan({'worlds': ['chain:3', 'chain:30'], 'frames': 1, 'observables': {'z': 'body[20].height'}}), '-o', file, '--quiet')
+    done = run(write_plan({'worlds': 'chain:${n}', 'parameters': {'n': [30, 4, 3]}, 'frames': 1, 'observables': {'z': 'body[20].height'}}, 'no_body'), '-o', file, '--quiet')
     rows = table(file)['runs']
-    assert done.returncode == 1 and [row[3] for row in rows] == ['error', 'done'] and 'body[20]' in rows[0][4], rows
+    assert done.returncode == 1 and [row[4] for row in rows] == ['done', 'error', 'error'] and 'body[20]' in rows[1][5], rows
+    assert '2 runs have failed, the first of them run 1: there is no body[20]' in done.stderr, done.stderr
+    again = run(SCRATCH / 'no_body.json', '-o', file, '--quiet', '--resume')
+    assert (again.returncode, again.stderr) == (done.returncode, done.stderr), (again.returncode, again.stderr)
     # Two that write to one file at a time.
     file = fresh('locked')
     long = write_plan({**SMALL, 'seeds': {'count': 300}}, 'locked')
