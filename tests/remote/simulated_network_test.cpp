@@ -91,62 +91,71 @@ int receive(dxSimulatedNetwork &network) {
     return static_cast<int>(message[0]);
 }
 
-// What a loaded machine adds: the shortest of several tries is compared.
+// A loaded machine delays as well: what has an upper bound has to be seen once.
 constexpr double kLateMs = 3;
-constexpr int kTries = 5;
+
+template <class Try>
+bool comesTrue(const Try &isTrue) {
+    const Clock::time_point end = Clock::now() + 60s;
+    while (Clock::now() < end)
+        if (isTrue()) return true;
+    return false;
+}
 
 TEST(SimulatedNetwork, AMessageArrivesAfterItsDelay) {
     Home home;
     const auto network = openTo(home, 20, 0);
-    double toHome = 1e9, toWorker = 1e9;
-    for (int i = 0; i < kTries; ++i) {
-        Clock::time_point begin = Clock::now();
+    EXPECT_TRUE(comesTrue([&] {
+        const std::size_t number = home.count();
+        const Clock::time_point begin = Clock::now();
         network->send(0, "x", 1);
-        home.waitFor(static_cast<std::size_t>(i) + 1);
-        EXPECT_GE(home.msOf(static_cast<std::size_t>(i), begin), 20);
-        toHome = std::min(toHome, home.msOf(static_cast<std::size_t>(i), begin));
-        begin = Clock::now();
+        home.waitFor(number + 1);
+        EXPECT_GE(home.msOf(number, begin), 20);
+        return home.msOf(number, begin) <= 20 + kLateMs;
+    }));
+    // It is not known when it was sent, but for some microseconds where the network's thread looks in time.
+    EXPECT_TRUE(comesTrue([&] {
+        const Clock::time_point begin = Clock::now();
         home.send(1);
         receive(*network);
-        EXPECT_GE(msSince(begin), 19);  // it is not known when it was sent, but for some microseconds
-        toWorker = std::min(toWorker, msSince(begin));
-    }
-    EXPECT_LE(toHome, 20 + kLateMs);
-    EXPECT_LE(toWorker, 20 + kLateMs);
+        const double passed = msSince(begin);
+        return passed >= 19 && passed <= 20 + kLateMs;
+    }));
 }
 
-// Three messages of 10 ms: the delay is waited for once, the link three times.
+// Three messages of 10 ms: the delay is waited for once, the link three times, and by the link, not by the worker.
 TEST(SimulatedNetwork, ALinkIsBusyForTheBytes) {
     constexpr std::size_t kBytes = 10000;
     Home home;
     const auto network = openTo(home, 20, 1000);
     const std::vector<char> message(kBytes);
-    double last = 1e9;
-    for (int i = 0; i < kTries; ++i) {
+    EXPECT_TRUE(comesTrue([&] {
+        const std::size_t first = home.count();
         const Clock::time_point begin = Clock::now();
         for (int k = 0; k < 3; ++k) network->send(0, message.data(), message.size());
-        EXPECT_LT(msSince(begin), 10) << "a worker does not wait for what it sends";
-        home.waitFor(3 * static_cast<std::size_t>(i) + 3);
-        for (std::size_t k = 0; k < 3; ++k) EXPECT_GE(home.msOf(home.arrived.size() - 3 + k, begin), 30 + 10 * static_cast<double>(k));
-        last = std::min(last, home.msOf(home.arrived.size() - 1, begin));
-    }
-    EXPECT_LE(last, 50 + kLateMs);
+        const bool isSentAtOnce = msSince(begin) < 10;
+        home.waitFor(first + 3);
+        for (std::size_t k = 0; k < 3; ++k) EXPECT_GE(home.msOf(first + k, begin), 30 + 10 * static_cast<double>(k));
+        return isSentAtOnce && home.msOf(first + 2, begin) <= 50 + kLateMs;
+    }));
 }
 
 // What goes the other way does not wait, nor what arrives while the worker's thread is elsewhere; messages keep their order.
 TEST(SimulatedNetwork, DirectionsDoNotWaitForOneAnother) {
-    Home home;
-    const auto network = openTo(home, 1, 1000);
     const std::vector<char> message(100000);  // 100 ms
-    const Clock::time_point begin = Clock::now();
-    network->send(0, message.data(), message.size());
-    for (int i = 0; i < 10; ++i) home.send(1000, i);
-    std::this_thread::sleep_for(30ms);
-    for (int i = 0; i < 10; ++i) EXPECT_EQ(receive(*network), i);
-    EXPECT_EQ(home.count(), 0u);
-    EXPECT_LT(msSince(begin), 100);
-    home.waitFor(1);
-    EXPECT_GE(home.msOf(0, begin), 101);
+    EXPECT_TRUE(comesTrue([&] {
+        Home home;
+        const auto network = openTo(home, 1, 1000);
+        const Clock::time_point begin = Clock::now();
+        network->send(0, message.data(), message.size());
+        for (int i = 0; i < 10; ++i) home.send(1000, i);
+        std::this_thread::sleep_for(30ms);
+        for (int i = 0; i < 10; ++i) EXPECT_EQ(receive(*network), i);
+        const bool isFirst = home.count() == 0 && msSince(begin) < 100;
+        home.waitFor(1);
+        EXPECT_GE(home.msOf(0, begin), 101);
+        return isFirst;
+    }));
 }
 
 TEST(SimulatedNetwork, KeepsNoCoreBusy) {
