@@ -76,8 +76,9 @@ stop_one() {
 alone() {  # SCENARIO LIBRARY WORKERS EXPECTED
     of_stock "$1"
     rm -f ours.json
-    ODE_MT_WORKERS=$3 ODE_MT_LOG=info ODE_MT_ALGORITHM=lcp LD_LIBRARY_PATH=$2 timeout -k 5 100 "$SCENARIO" "$1" $STEPS --record ours.json > output 2>&1 ||
-        { echo "$1 without mpirun has not ended"; cat output; exit 1; }
+    { ODE_MT_WORKERS=$3 ODE_MT_LOG=info ODE_MT_ALGORITHM=lcp LD_LIBRARY_PATH=$2 timeout -k 5 100 "$SCENARIO" "$1" $STEPS --record ours.json
+      echo $? > status; } 2>&1 | cat > output  # a pipe, as for the other library
+    [ "$(cat status)" = 0 ] || { echo "$1 without mpirun has not ended: $(cat status)"; cat output; exit 1; }
     states ours.json > ours; states "$name.json" > stock
     cmp ours stock || { echo "$1 without mpirun has other bits"; cat output; exit 1; }
     grep -aq "$4" output || { echo "without mpirun, $3: no '$4'"; cat output; exit 1; }
