@@ -1,10 +1,10 @@
 #include "scale/network.h"
 
-#include "number_text.h"
-
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
+
+#include "worker/dxSimulatedNetwork.h"
 
 namespace scale {
 
@@ -40,8 +40,7 @@ Network readNetwork(const std::string &text) {
     double delay = -1, rate = -1;
     char end = 0;
     const bool isRead = std::sscanf(text.c_str(), "%lf/%lf%c", &delay, &rate, &end) == 2;
-    constexpr double kMaxDelayNs = 1e9;
-    if (!isRead || !(delay >= 0) || delay > kMaxDelayNs || !(rate >= 0) || !std::isfinite(rate))
+    if (!isRead || !(delay >= 0) || delay > dxSimulatedLink::kMaxDelayNs || !(rate >= 0) || !std::isfinite(rate))
         throw std::invalid_argument("network '" + text + "' is unknown; known: " + names + ", or DELAY/RATE in ns and bytes a second");
     return {text, delay, rate};
 }

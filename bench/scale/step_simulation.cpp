@@ -192,13 +192,8 @@ double StepSimulation::Play::shareOf() const {
     }
     work.islands = static_cast<double>(m_islands.size());
     dxRemoteCapacity capacity;
-    for (const Worker &worker : m_workers) {
-        if (!worker.link.isUsable(m_now)) continue;
-        ++capacity.workers;
-        capacity.speed += 1 / worker.link.slowness();
-        capacity.latencyNs = std::max(capacity.latencyNs, worker.link.latencyNs());
-        capacity.nsPerByte = std::max(capacity.nsPerByte, worker.link.nsPerByte());
-    }
+    for (const Worker &worker : m_workers)
+        if (worker.link.isUsable(m_now)) capacity.add(worker.link);
     return std::min(kRemoteReserve * dxPredictRemoteShare(work, 1, capacity), 1.0);
 }
 
@@ -393,9 +388,7 @@ void StepSimulation::Play::communicate() {
 
 bool StepSimulation::Play::sendNext() {
     if (m_queue.empty()) return false;
-    Worker *best = nullptr;
-    for (Worker &one : m_workers)
-        if (one.link.isFree(m_now) && (best == nullptr || one.link.inFlight().size() < best->link.inFlight().size())) best = &one;
+    Worker *const best = dxFindFreestLink(m_workers, m_now);
     if (best == nullptr) return false;
     double queued = 0;
     for (const unsigned island : m_queue) queued += costOf(island);

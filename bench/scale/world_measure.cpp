@@ -1,6 +1,7 @@
 #include "scale/world_measure.h"
 
 #include "library_variables.h"
+#include "run_folder.h"
 #include "text_file.h"
 
 #include <unistd.h>
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <stdexcept>
 
@@ -22,25 +22,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kLimit = std::chrono::minutes(5);  // for one batch of frames
 
-// Files of one measurement.
-class ScratchFolder {
-public:
-    ScratchFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "odemt_scale_XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder for temporary files");
-        m_name = name;
-    }
-    ~ScratchFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(m_name, ignored);
-    }
-    ScratchFolder(const ScratchFolder &) = delete;
-    ScratchFolder &operator=(const ScratchFolder &) = delete;
-    std::string file(const std::string &name) const { return m_name + "/" + name; }
-
-private:
-    std::string m_name;
-};
+constexpr const char *kTool = "odemt_scale";  // names folders for files of a measurement
 
 struct FrameTimes {
     std::vector<double> frame, step, processor;
@@ -149,11 +131,11 @@ Link readLink(const std::string &log) {
 }
 
 // What a handshake measures while processes start varies by a factor of two: the least latency of several is that of a link in use.
-Link measureLink(const std::string &world, const MeasureSettings &settings, const ScratchFolder &scratch) {
+Link measureLink(const std::string &world, const MeasureSettings &settings, const bench::RunFolder &scratch) {
     constexpr int kHandshakes = 5;
     std::vector<double> latencies, nsPerByte;
     for (int i = 0; i < kHandshakes; ++i) {
-        const std::string log = scratch.file("link");
+        const std::string log = scratch.path() + "/link";
         Player(world, settings, {settings.transport, 1, true, ""}, log).end();
         const Link link = readLink(bench::readTextFile(log));
         latencies.push_back(link.latencyNs);
@@ -165,9 +147,9 @@ Link measureLink(const std::string &world, const MeasureSettings &settings, cons
 }  // namespace
 
 MeasuredWorld measureWorld(const std::string &world, const MeasureSettings &settings) {
-    const ScratchFolder scratch;
-    const std::string record = scratch.file("record"), log = scratch.file("away");
-    Player home(world, settings, {}, scratch.file("home"));
+    const bench::RunFolder scratch(kTool);
+    const std::string record = scratch.path() + "/record", log = scratch.path() + "/away";
+    Player home(world, settings, {}, scratch.path() + "/home");
     Player away(world, settings, {settings.transport, 1, true, "--record " + record}, log);
     Race race(home, away);
     MeasuredWorld measured;
@@ -195,16 +177,16 @@ MeasuredWorld measureWorld(const std::string &world, const MeasureSettings &sett
 }
 
 MeasuredFrames measureFrames(const MeasuredWorld &measured, const Cluster &cluster, const MeasureSettings &settings) {
-    const ScratchFolder scratch;
-    Player home(measured.world, settings, {}, scratch.file("home"));
-    Player other(measured.world, settings, {settings.transport, cluster.workers, cluster.sendsAll, cluster.network.workerArguments()}, scratch.file("other"));
+    const bench::RunFolder scratch(kTool);
+    Player home(measured.world, settings, {}, scratch.path() + "/home");
+    Player other(measured.world, settings, {settings.transport, cluster.workers, cluster.sendsAll, cluster.network.workerArguments()}, scratch.path() + "/other");
     Race race(home, other);
     race.run(measured.warmUp);
     race.forget();
     race.runBatches(measured.frames);
     other.end();
     home.end();
-    const std::string log = bench::readTextFile(scratch.file("other"));
+    const std::string log = bench::readTextFile(scratch.path() + "/other");
     unsigned long long sent = 0, solved = 0, taken = 0;
     unsigned late = 0;
     const std::size_t counts = log.rfind("remote workers: ");

@@ -1,10 +1,19 @@
-// Two rules by which problems are given to workers: dxRemoteWorkers keeps them, and bench/scale/ predicts from them how long a step takes.
+// Rules by which problems are given to workers: dxRemoteWorkers keeps them, and bench/scale/ predicts from them how long a step takes.
 //
 // Units: costs in ns of work at home, times in ns of one clock.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
+
+// Problems go to the link with the least to do. Of elements with a dxRemoteLink `link`; null: none is free.
+template <class Links>
+auto dxFindFreestLink(Links &links, double now) -> decltype(links.data()) {
+    decltype(links.data()) freest = nullptr;
+    for (auto &one : links)
+        if (one.link.isFree(now) && (freest == nullptr || one.link.inFlight().size() < freest->link.inFlight().size())) freest = &one;
+    return freest;
+}
 
 // Problems go out together up to so much work: small ones share the price of a message. Towards the end of a step messages become small, so that
 // all workers end at the same time. One problem goes out whatever it costs.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/dxLog.h"
+#include "core/dxUnlocked.h"
 #include "remote/dxRemoteSchedule.h"
 #include "threading/pool/dxWorkerOptions.h"
 
@@ -27,18 +28,6 @@ constexpr double kDrainNs = 1e9;        // close() waits so long for results tha
 constexpr double kPatienceNs = 3e9;     // a step that waits for workers takes home what has not been sent when nothing has happened for so long
 
 dxProcessObject<dxRemoteWorkers> remoteWorkers;
-
-// Lets others have the lock in between, however that ends.
-class Unlocked {
-public:
-    explicit Unlocked(std::unique_lock<std::mutex> &lock) : m_lock(lock) { m_lock.unlock(); }
-    ~Unlocked() { m_lock.lock(); }
-    Unlocked(const Unlocked &) = delete;
-    Unlocked &operator=(const Unlocked &) = delete;
-
-private:
-    std::unique_lock<std::mutex> &m_lock;
-};
 
 std::chrono::nanoseconds duration(double ns) { return std::chrono::nanoseconds(static_cast<std::int64_t>(ns)); }
 
@@ -112,13 +101,8 @@ dxRemoteCapacity dxRemoteWorkers::capacity() {
     const Lock lock(m_mutex);
     dxRemoteCapacity sum;
     const double time = now();
-    for (const Link &one : m_links) {
-        if (!one.link.isUsable(time)) continue;
-        ++sum.workers;
-        sum.speed += 1 / one.link.slowness();
-        sum.latencyNs = std::max(sum.latencyNs, one.link.latencyNs());
-        sum.nsPerByte = std::max(sum.nsPerByte, one.link.nsPerByte());
-    }
+    for (const Link &one : m_links)
+        if (one.link.isUsable(time)) sum.add(one.link);
     return sum;
 }
 
@@ -189,7 +173,7 @@ void dxRemoteWorkers::begin() {
 bool dxRemoteWorkers::sendTo(unsigned link, const dxRemoteBytes &message, Lock &lock) {
     bool isSent = false;
     {
-        const Unlocked others(lock);
+        const dxUnlocked others(lock);
         isSent = m_transport->send(link, message.data(), message.size());
     }
     if (!isSent) loseUnreachable(link, "cannot be reached");
@@ -234,19 +218,14 @@ bool dxRemoteWorkers::sendNext(Lock &lock) {
     const double time = now();
     sendHeartbeat(time, lock);
     if (m_queue.empty()) return false;
-    // The link with the least to do.
-    Link *best = nullptr;
-    for (Link &one : m_links) {
-        if (!one.link.isFree(time)) continue;
-        if (best == nullptr || one.link.inFlight().size() < best->link.inFlight().size()) best = &one;
-    }
+    const Link *const best = dxFindFreestLink(m_links, time);
     if (best == nullptr) return false;
     const unsigned link = static_cast<unsigned>(best - m_links.data());
     dxRemoteSending sending;
     if (!takeNext(link, time, sending)) return true;
     bool isSent = false;
     try {
-        const Unlocked others(lock);
+        const dxUnlocked others(lock);
         dxRemoteFrame frame;
         for (std::size_t i = 0; i < sending.problems.size(); ++i) frame.addItem(sending.problems[i], sending.bytes[i].data(), sending.bytes[i].size());
         const dxRemoteBytes &message = frame.seal(dxRemoteKind::Problems, sending.number);
@@ -307,7 +286,7 @@ bool dxRemoteWorkers::receiveNext(Lock &lock) {
     const char *fault = nullptr;
     try {
         {
-            const Unlocked others(lock);
+            const dxUnlocked others(lock);
             bytes = m_transport->waiting(link);
             message.resize(bytes);
             isReceived = bytes != 0 && m_transport->receive(message.data());

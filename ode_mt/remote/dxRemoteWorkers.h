@@ -17,6 +17,7 @@
 
 #include <pthread.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -46,6 +47,13 @@ struct dxRemoteCapacity {
     double speed = 0;      // problems that they solve while home's thread solves one
     double latencyNs = 0;  // of the slowest link, there and back
     double nsPerByte = 0;
+
+    void add(const dxRemoteLink &link) {
+        ++workers;
+        speed += 1 / link.slowness();
+        latencyNs = std::max(latencyNs, link.latencyNs());
+        nsPerByte = std::max(nsPerByte, link.nsPerByte());
+    }
 };
 
 struct dxRemoteProblem {

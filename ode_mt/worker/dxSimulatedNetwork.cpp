@@ -5,6 +5,8 @@
 #include <new>
 #include <utility>
 
+#include "core/dxUnlocked.h"
+
 #ifdef __linux__
 #include <sys/prctl.h>
 #endif
@@ -93,7 +95,6 @@ void dxSimulatedNetwork::run(const Open &open) {
     try {
         carry(lock);
     } catch (const std::bad_alloc &) {  // home takes the worker to be late
-        if (!lock.owns_lock()) lock.lock();
         m_isLost = true;
         m_wake.wait(lock, [this] { return m_state == State::Closing; });
     }
@@ -120,20 +121,24 @@ bool dxSimulatedNetwork::passOn(Lock &lock) {
     if (m_toHome.messages.empty() || m_toHome.messages.front().due > Clock::now()) return false;
     const dxRemoteBytes message = std::move(m_toHome.messages.front().bytes);
     m_toHome.messages.pop_front();
-    lock.unlock();
-    const bool isSent = m_below->send(0, message.data(), message.size());
-    lock.lock();
-    if (!isSent) m_isLost = true;
+    const auto send = [&] {
+        const dxUnlocked others(lock);
+        return m_below->send(0, message.data(), message.size());
+    };
+    if (!send()) m_isLost = true;
     return true;
 }
 
 bool dxSimulatedNetwork::takeIn(Lock &lock) {
-    lock.unlock();
-    unsigned link = 0;
     const Clock::time_point now = Clock::now(), sent = m_lastLook + (now - m_lastLook) / 2;
-    dxRemoteBytes message(m_below->waiting(link));
-    const bool isReceived = !message.empty() && m_below->receive(message.data());
-    lock.lock();
+    dxRemoteBytes message;
+    bool isReceived = false;
+    {
+        const dxUnlocked others(lock);
+        unsigned link = 0;
+        message.resize(m_below->waiting(link));
+        isReceived = !message.empty() && m_below->receive(message.data());
+    }
     m_lastLook = now;
     if (message.empty()) return false;
     if (isReceived)

@@ -27,6 +27,8 @@
 #include "remote/dxRemoteTransport.h"
 
 struct dxSimulatedLink {
+    static constexpr double kMaxDelayNs = 1e9;  // what takes longer is lost for the handshake
+
     double delayNs = 0;    // one way
     double nsPerByte = 0;  // 0: as many bytes at a time as are wanted
 

@@ -40,7 +40,6 @@ std::vector<std::string> dxWorkerArgumentsOfEnvironment() {
 }
 
 std::string dxReadWorkerArguments(const std::vector<std::string> &words, dxWorkerArguments &arguments) {
-    constexpr double kMaxDelayNs = 1e9;  // what takes longer is lost for the handshake
     for (std::size_t i = 0; i < words.size(); ++i) {
         const std::string &option = words[i];
         if (option != "--delay" && option != "--bandwidth" && option != "--record") return "unknown option '" + option + "'";
@@ -50,7 +49,7 @@ std::string dxReadWorkerArguments(const std::vector<std::string> &words, dxWorke
         if (option == "--record") {
             arguments.record = text;
         } else if (option == "--delay") {
-            if (!read(text, kTimes, value) || value > kMaxDelayNs) return option + ": '" + text + "' is no time up to 1s, as 50us or 1ms";
+            if (!read(text, kTimes, value) || value > dxSimulatedLink::kMaxDelayNs) return option + ": '" + text + "' is no time up to 1s, as 50us or 1ms";
             arguments.link.delayNs = value;
         } else {
             if (!read(text, kRates, value)) return option + ": '" + text + "' is no rate, as 117MB/s or 1Gbit/s";

@@ -139,17 +139,17 @@ bool dxMpiTransport::spawn(unsigned wanted, std::string &reason) {
     m_isSpawned = true;
     MPI_Comm_set_errhandler(MPI_COMM_SELF, MPI_ERRORS_RETURN);
     MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN);
-    const std::string program = findWorkerProgram();
-    if (program.empty()) {
+    m_program = findWorkerProgram();
+    if (m_program.empty()) {
         reason = std::string("there is no ") + kWorker + " beside libode_mt_mpi.so, in bin/ beside its folder, or on the PATH";
         close(false);
         return false;
     }
     for (unsigned i = 0; i < wanted; ++i) {
         MPI_Comm worker = MPI_COMM_NULL;
-        const int result = spawnOne(program, worker);
+        const int result = spawnOne(m_program, worker);
         if (result != MPI_SUCCESS || worker == MPI_COMM_NULL) {
-            reason = program + " cannot be started: " + textOf(result);
+            reason = m_program + " cannot be started: " + textOf(result);
             break;
         }
         m_links.push_back({worker, 0});
@@ -231,7 +231,7 @@ void dxMpiTransport::replace(unsigned link) {
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &own);  // signals are the program's
     try {
-        std::thread([start, program = findWorkerProgram()] {
+        std::thread([start, program = m_program] {
             spawnOne(program, start->worker);
             start->hasEnded = true;
         }).detach();

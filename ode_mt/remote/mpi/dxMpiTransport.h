@@ -60,6 +60,7 @@ private:
 
     bool m_isOwn = false;      // MPI was initialised by this transport
     bool m_canReplace = false, m_hasReplaced = false;
+    std::string m_program;  // the worker's, of the second kind
     std::shared_ptr<Start> m_start;
     bool m_isSpawned = false;  // communicators are intercommunicators, one for each link
     std::vector<Link> m_links;
