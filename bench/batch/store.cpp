@@ -83,7 +83,7 @@ Store::Store(const std::string &file, const Plan &plan, Begin begin) : m_file(fi
     const bool isThere = access(file.c_str(), F_OK) == 0;
     if (isThere && begin == Begin::New) throw std::runtime_error(file + ": exists; --resume goes on with it");
     try {
-        this->begin();
+        openDatabase();
     } catch (...) {
         m_statements.clear();
         m_database.reset();
@@ -92,7 +92,7 @@ Store::Store(const std::string &file, const Plan &plan, Begin begin) : m_file(fi
     }
 }
 
-void Store::begin() {
+void Store::openDatabase() {
     sqlite3 *database = nullptr;
     const int opened = sqlite3_open_v2(m_file.c_str(), &database, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
     m_database.reset(database);

@@ -47,7 +47,7 @@ private:
     Statement prepare(const std::string &sql) const;
     void step(sqlite3_stmt *statement) const;
     [[noreturn]] void fail() const;
-    void begin();
+    void openDatabase();
     void createTables();
     void checkPlan() const;
     void writeLine(const Json &line);

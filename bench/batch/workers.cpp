@@ -1,12 +1,11 @@
 #include "batch/workers.h"
 
+#include "batch/child.h"
 #include "batch/world_run.h"
 #include "write_all.h"
 
 #include <fcntl.h>
-#include <ode/ode.h>
 #include <poll.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -47,13 +46,8 @@ void endByError(int, const char *format, va_list arguments) {
     _exit(1);
 }
 
-void ignoreMessage(int, const char *, va_list) {}
-
 [[noreturn]] void work(const Plan &plan, int commands) {
-    dInitODE2(0);
-    dSetErrorHandler(endByError);
-    dSetDebugHandler(endByError);
-    dSetMessageHandler(ignoreMessage);
+    initialiseOde(endByError);
     std::FILE *const input = fdopen(commands, "r");
     for (long number; input != nullptr && std::fscanf(input, "%ld", &number) == 1;) {
         runInProgress = number;
@@ -90,11 +84,8 @@ void Workers::start(Worker &worker) {
         close(commands[1]);
         throw std::runtime_error(std::string("cannot start a worker: ") + std::strerror(errno));
     }
-    const pid_t parent = getpid();
-    worker.process = fork();
+    worker.process = forkChild();
     if (worker.process == 0) {
-        prctl(PR_SET_PDEATHSIG, SIGKILL);
-        if (getppid() != parent) _exit(0);
         for (const Worker &other : m_workers) {
             if (other.commands >= 0) close(other.commands);
             if (other.answers >= 0) close(other.answers);

@@ -1,18 +1,15 @@
 #include "batch/world_check.h"
 
+#include "batch/child.h"
 #include "batch/world_run.h"
 #include "write_all.h"
 
-#include <ode/ode.h>
-
 #include <fcntl.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <csignal>
 #include <cstdarg>
 #include <cstring>
 #include <stdexcept>
@@ -24,13 +21,9 @@ namespace {
 constexpr int kIsWrong = 1;  // exit code of the process that has written why
 
 void endByError(int, const char *, va_list) { _exit(0); }  // the run says it
-void ignoreMessage(int, const char *, va_list) {}
 
 [[noreturn]] void tryWorlds(const Plan &plan, std::size_t first, int answer) {
-    dInitODE2(0);
-    dSetErrorHandler(endByError);
-    dSetDebugHandler(endByError);
-    dSetMessageHandler(ignoreMessage);
+    initialiseOde(endByError);
     const long runsOfAWorld = plan.count() / static_cast<long>(plan.worlds.size());
     for (std::size_t world = first; world < plan.worlds.size(); ++world) {
         const Run run = plan.run(static_cast<long>(world) * runsOfAWorld);
@@ -59,10 +52,8 @@ void checkWorlds(const Plan &plan) {
     for (std::size_t first = 0; first < plan.worlds.size();) {
         int ends[2];
         if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error(std::string("cannot make a pipe: ") + std::strerror(errno));
-        const pid_t parent = getpid(), child = fork();
+        const pid_t child = forkChild();
         if (child == 0) {
-            prctl(PR_SET_PDEATHSIG, SIGKILL);
-            if (getppid() != parent) _exit(0);
             close(ends[0]);
             tryWorlds(plan, first, ends[1]);
         }

@@ -1,6 +1,6 @@
 #include "check/interrupt.h"
 
-#include <initializer_list>
+#include "deferred_signals.h"
 
 namespace check {
 
@@ -23,14 +23,14 @@ void handle(int signal, void (*handler)(int)) {
 void deferSignals() {
     sigset_t deferred;
     sigemptyset(&deferred);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
+    for (const int signal : bench::kEndingSignals) {
         handle(signal, onInterrupt);
         sigaddset(&deferred, signal);
     }
     handle(SIGCHLD, onChild);
     sigaddset(&deferred, SIGCHLD);
     sigprocmask(SIG_BLOCK, &deferred, &g_waitingMask);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGCHLD}) sigdelset(&g_waitingMask, signal);
+    for (const int signal : bench::kDeferredSignals) sigdelset(&g_waitingMask, signal);
 }
 
 const sigset_t &waitingMask() { return g_waitingMask; }

@@ -1,7 +1,8 @@
 #include "top/signals.h"
 
 #include <algorithm>
-#include <csignal>
+
+#include "deferred_signals.h"
 
 namespace top {
 
@@ -10,7 +11,7 @@ namespace {
 sigset_t deferred() {
     sigset_t set;
     sigemptyset(&set);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGCHLD}) sigaddset(&set, signal);
+    for (const int signal : bench::kDeferredSignals) sigaddset(&set, signal);
     return set;
 }
 
@@ -22,7 +23,7 @@ void deferSignals() {
     // A signal that is ignored does not wait.
     struct sigaction action {};
     action.sa_handler = ignoreNothing;
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGCHLD}) sigaction(signal, &action, nullptr);
+    for (const int signal : bench::kDeferredSignals) sigaction(signal, &action, nullptr);
     const sigset_t set = deferred();
     sigprocmask(SIG_BLOCK, &set, nullptr);
 }
