@@ -2,7 +2,6 @@
 // program that is tested asks for that (FaultTable). In other programs it does nothing.
 #include <fcntl.h>
 #include <mpi.h>
-#include <sys/mman.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -22,13 +21,11 @@ __attribute__((constructor)) void begin() {
     if (file == nullptr || name == nullptr || std::strcmp(name, "/odemt_worker") != 0) return;
     const int descriptor = open(file, O_RDWR);
     if (descriptor < 0) return;
-    void *const map = mmap(nullptr, sizeof(FaultTable), PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
-    close(descriptor);
-    if (map == MAP_FAILED) return;
-    auto &table = *static_cast<FaultTable *>(map);
-    const unsigned index = table.count++;
+    FaultTable *const table = FaultTable::map(descriptor);
+    if (table == nullptr) return;
+    const unsigned index = table->count++;
     if (index >= FaultTable::kMaxWorkers) return;
-    own = &table.workers[index];
+    own = &table->workers[index];
     own->process = getpid();
 }
 

@@ -6,7 +6,6 @@
 // FAULTS, or after SECONDS (600), with status 1 if there have been fewer.
 #include <fcntl.h>
 #include <ode/ode.h>
-#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -17,7 +16,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <mutex>
 #include <random>
 #include <thread>
@@ -25,6 +23,7 @@
 #include <vector>
 
 #include "fault_table.h"
+#include "scenes/fnv1a.h"
 
 namespace {
 
@@ -65,22 +64,14 @@ public:
     void step() { dWorldStep(m_world, dReal(0.005)); }
 
     std::uint64_t hash() const {
-        std::uint64_t hash = 14695981039346656037u;
-        const auto add = [&hash](const dReal *values, int count) {
-            for (int i = 0; i < count; ++i) {
-                std::uint64_t bits = 0;
-                std::memcpy(&bits, &values[i], sizeof(dReal));
-                hash = (hash ^ bits) * 1099511628211u;
-                hash ^= hash >> 29;
-            }
-        };
+        scenes::Fnv1a hash;
         for (const dBodyID body : m_bodies) {
-            add(dBodyGetPosition(body), 3);
-            add(dBodyGetQuaternion(body), 4);
-            add(dBodyGetLinearVel(body), 3);
-            add(dBodyGetAngularVel(body), 3);
+            hash.add(dBodyGetPosition(body), 3 * sizeof(dReal));
+            hash.add(dBodyGetQuaternion(body), 4 * sizeof(dReal));
+            hash.add(dBodyGetLinearVel(body), 3 * sizeof(dReal));
+            hash.add(dBodyGetAngularVel(body), 3 * sizeof(dReal));
         }
-        return hash;
+        return hash.value();
     }
 
 private:
@@ -122,9 +113,7 @@ FaultTable *openTable() {
     const char *const file = std::getenv(FaultTable::kVariable);
     const int descriptor = file != nullptr ? open(file, O_RDWR | O_CREAT | O_TRUNC, 0600) : -1;
     if (descriptor < 0 || ftruncate(descriptor, sizeof(FaultTable)) != 0) return nullptr;
-    void *const map = mmap(nullptr, sizeof(FaultTable), PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
-    close(descriptor);
-    return map == MAP_FAILED ? nullptr : static_cast<FaultTable *>(map);
+    return FaultTable::map(descriptor);
 }
 
 // Harms workers that have been welcomed and are given problems, one after the other.

@@ -31,6 +31,13 @@ of_stock() {  # SCENARIO
     [ -f "$name.json" ] || LD_LIBRARY_PATH=$STOCK "$SCENARIO" "$1" $STEPS --record "$name.json" 2>&1 | grep -a '^ODE Message' > "$name.messages" || true
 }
 
+# What has just been run, as it is called, has left the states and messages of of_stock's scenario.
+expect_same() {
+    states ours.json > ours; states "$name.json" > stock
+    cmp ours stock || { echo "$1 has other bits"; cat output; exit 1; }
+    grep -a '^ODE Message' output | cmp - "$name.messages" || { echo "$1 has other messages"; cat output; exit 1; }
+}
+
 # SCENARIO WORKERS ALGORITHM [what to do meanwhile, a function that is given the workers' processes]
 compare() {
     of_stock "$1"
@@ -41,9 +48,7 @@ compare() {
     if [ $# -ge 4 ]; then "$4" $job; fi
     # Some scenarios end in an error, and so does mpirun then: what they have recorded is compared.
     wait $job || [ -n "${WHOLE:-}" ] || { echo "$1 with $2 workers: mpirun ended with $?"; cat output; exit 1; }
-    states ours.json > ours; states "$name.json" > stock
-    cmp ours stock || { echo "$1 with $2 workers has other bits"; cat output; exit 1; }
-    grep -a '^ODE Message' output | cmp - "$name.messages" || { echo "$1 with $2 workers has other messages"; cat output; exit 1; }
+    expect_same "$1 with $2 workers"
     echo "$1, $2 workers: $(grep -o '[0-9]* islands sent.*' output)"
     if [ $# -lt 4 ] && ! grep -q '[1-9][0-9]* islands sent, [1-9]' output; then echo "nothing was solved elsewhere"; cat output; exit 1; fi
 }
@@ -79,8 +84,7 @@ alone() {  # SCENARIO LIBRARY WORKERS EXPECTED
     { ODE_MT_WORKERS=$3 ODE_MT_LOG=info ODE_MT_ALGORITHM=lcp LD_LIBRARY_PATH=$2 timeout -k 5 100 "$SCENARIO" "$1" $STEPS --record ours.json
       echo $? > status; } 2>&1 | cat > output  # a pipe, as for the other library
     [ "$(cat status)" = 0 ] || { echo "$1 without mpirun has not ended: $(cat status)"; cat output; exit 1; }
-    states ours.json > ours; states "$name.json" > stock
-    cmp ours stock || { echo "$1 without mpirun has other bits"; cat output; exit 1; }
+    expect_same "$1 without mpirun"
     grep -aq "$4" output || { echo "without mpirun, $3: no '$4'"; cat output; exit 1; }
 }
 
