@@ -76,6 +76,12 @@ double Places::largestHorizontalMove() const { return quantileOf(moves(2), 1); }
 double Places::largestMove() const { return quantileOf(moves(3), 1); }
 double Places::medianMove() const { return quantileOf(moves(3), 0.5); }
 
+int Places::countLower(double height) const {
+    return static_cast<int>(std::count_if(m_places.begin(), m_places.end(), [height](const Place &place) {
+        return dBodyGetPosition(place.body)[2] < place.position[2] - height;
+    }));
+}
+
 void run(scenes::Scene &scene, int frames) {
     for (int i = 0; i < frames; ++i) scene.frame();
 }

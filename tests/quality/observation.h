@@ -41,6 +41,8 @@ public:
     double largestHorizontalMove() const;  // m, since then
     double largestMove() const;
     double medianMove() const;
+    // Bodies that are lower by more than `height` (m).
+    int countLower(double height) const;
 
 private:
     std::vector<double> moves(int axes) const;

@@ -5,8 +5,11 @@
 
 #include <cmath>
 
+#include "joints/contact.h"
+
 #include "dynamics/islands/dxIslandStep.h"
 #include "dynamics/iterative/dxConstraintPlan.h"
+#include "dynamics/iterative/dxContactErp.h"
 #include "dynamics/iterative/dxContactForces.h"
 #include "dynamics/iterative/dxWarmStart.h"
 
@@ -60,7 +63,9 @@ void dxMatchContacts(const dxContactForces &forces, const dxIslandStep &step, co
             best = i;
         }
         if (best == count) continue;
-        const dReal scale = dxWarmStart::kPart * (candidates[best].firstOwns ? step.stepSize : -step.stepSize);
+        const auto &joint = static_cast<const dxJointContact &>(*step.island.joints[manifold.firstJoint + k]);
+        const dReal part = dxWarmStart::partFor(dxContactErp(*step.world, joint.contact.surface));
+        const dReal scale = part * (candidates[best].firstOwns ? step.stepSize : -step.stepSize);
         dReal impulse[3];
         for (int axis = 0; axis < 3; ++axis) impulse[axis] = scale * static_cast<dReal>(candidates[best].contact->force[axis]);
         give(k, impulse);

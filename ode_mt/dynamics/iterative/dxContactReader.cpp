@@ -11,6 +11,7 @@
 
 #include "core/dxPrefetch.h"
 #include "dynamics/islands/dxIslandPrefetch.h"
+#include "dynamics/iterative/dxContactErp.h"
 #include "dynamics/iterative/dxContactMatch.h"
 #include "dynamics/iterative/dxIterativeWorld.h"
 #include "dynamics/iterative/dxStateNumbers.h"
@@ -39,10 +40,9 @@ dReal velocityAlong(const dxBody &body, const dReal *direction, const dReal *arm
 dReal pushOut(const dxIslandStep &step, const dxJointContact &joint, const dReal *normal, const dReal (&arm)[2][3]) {
     const dxWorld &world = *step.world;
     const dSurfaceParameters &surface = joint.contact.surface;
-    const dReal erp = (surface.mode & dContactSoftERP) != 0 ? surface.soft_erp : world.global_erp;
     const dReal depth = std::max(joint.contact.geom.depth - world.contactp.min_depth, dReal(0));
     const dReal motion = (surface.mode & dContactMotionN) != 0 ? surface.motionN : dReal(0);
-    const dReal wanted = std::min(dRecip(step.stepSize) * erp * depth + motion, world.contactp.max_vel);
+    const dReal wanted = std::min(dRecip(step.stepSize) * dxContactErp(world, surface) * depth + motion, world.contactp.max_vel);
     if ((surface.mode & dContactBounce) == 0 || !(surface.bounce_vel >= 0)) return wanted;
     dReal outgoing = velocityAlong(*joint.node[0].body, normal, arm[0]);
     if (joint.node[1].body != nullptr) outgoing -= velocityAlong(*joint.node[1].body, normal, arm[1]);
