@@ -35,8 +35,9 @@ void followAndLearn(dxStepPlan &plan, const dxStepCall &call) {
 // Where the user's functions step the world, upstream's stepper does.
 bool isSolvedFast(const dxWorld *world) { return dxWorldSolver::isFast(world) && !dxWorldWorkers::haveToBeAsked(world); }
 
-// Small islands of a fast dWorldQuickStep are solved together: a lane of a vector each. So many bodies and joints still fit L2.
-constexpr unsigned kMinIterativeGroup = 600;
+// Small islands of a fast dWorldQuickStep are solved together. Contacts: a lane of a vector each; so many bodies and joints still fit L2. Beside
+// other joints contacts are rows, and sweeps are shorter where they fit L1: groups save preparations of tiny islands alone.
+constexpr dxGroupSizes kIterativeGroups = {600, 40};
 
 // Without memory each step begins from zero forces, by SOR.
 dxIterativeWorld *beginIteratively(const dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize) try {
@@ -62,7 +63,7 @@ bool dxPrepareStepIslands(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal
 bool dxPrepareWorldIslands(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate) {
     if (!isSolvedFast(world)) return dxPrepareStep(world, info, stepSize, estimate);
     if (estimate == &dxEstimateQuickStepMemoryRequirements)
-        return dxPrepareGroups(world, info, stepSize, estimate, kMinIterativeGroup);
+        return dxPrepareGroups(world, info, stepSize, estimate, kIterativeGroups);
     return dxPrepareStep(world, info, stepSize, &dxEstimateDirectStepMemory);  // no matrix of rows by rows
 }
 

@@ -1,7 +1,8 @@
-// What comes before a step asks for the memory that upstream asks for, in the same order.
+// What comes before a step asks for the memory that upstream asks for, in the same order, and finds islands, or groups of them.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <ostream>
 #include <vector>
 
 #include "config.h"
@@ -47,7 +48,77 @@ std::vector<std::size_t> requestsOf(Preparation prepare, dmemestimate_fn_t estim
     return requests;
 }
 
+// Of each island or group.
+struct Size {
+    unsigned bodies, joints;
+
+    bool operator==(const Size &other) const { return bodies == other.bodies && joints == other.joints; }
+};
+
+std::ostream &operator<<(std::ostream &stream, const Size &size) { return stream << size.bodies << " bodies, " << size.joints << " joints"; }
+
+// A world of columns, each an island of bodies that contacts hold together, or ball joints.
+class Columns {
+public:
+    Columns() { dInitODE2(0), m_world = dWorldCreate(); }
+    ~Columns() { dWorldDestroy(m_world), dCloseODE(); }
+    Columns(const Columns &) = delete;
+    Columns &operator=(const Columns &) = delete;
+
+    dBodyID add(int bodies, bool hasBalls) const {
+        const dContact contact = {};
+        dBodyID last = dBodyCreate(m_world);
+        for (int i = 1; i < bodies; ++i) {
+            const dBodyID next = dBodyCreate(m_world);
+            dJointAttach(hasBalls ? dJointCreateBall(m_world, nullptr) : dJointCreateContact(m_world, nullptr, &contact), last, next);
+            last = next;
+        }
+        return last;
+    }
+
+    std::vector<Size> groups(const dxGroupSizes &sizes) const {
+        dxWorldProcessIslandsInfo info;
+        EXPECT_TRUE(dxPrepareGroups(m_world, info, dReal(0.01), &dxEstimateQuickStepMemoryRequirements, sizes));
+        std::vector<Size> all;
+        const unsigned *size = info.GetIslandSizes();
+        for (std::size_t i = 0; i < info.GetIslandsCount(); ++i, size += 2) all.push_back({size[0], size[1]});
+        return all;
+    }
+
+private:
+    dWorldID m_world;
+};
+
 }  // namespace
+
+// Upstream begins with the body that was made last.
+TEST(StepPreparation, JoinsIslandsToGroups) {
+    const Columns columns;
+    for (const int bodies : {3, 3, 2, 3, 3}) columns.add(bodies, false);
+    EXPECT_EQ(columns.groups({}), (std::vector<Size>{{3, 2}, {3, 2}, {2, 1}, {3, 2}, {3, 2}}));
+    EXPECT_EQ(columns.groups({10, 1}), (std::vector<Size>{{6, 4}, {8, 5}}));
+    EXPECT_EQ(columns.groups({100, 1}), (std::vector<Size>{{14, 9}}));
+}
+
+TEST(StepPreparation, DoesNotMixContactsAndOtherJointsInAGroup) {
+    const Columns columns;
+    for (const bool hasBalls : {false, false, true, true, true, false, false}) columns.add(2, hasBalls);
+    EXPECT_EQ(columns.groups({100, 6}), (std::vector<Size>{{4, 2}, {4, 2}, {2, 1}, {4, 2}}));
+}
+
+TEST(StepPreparation, LeavesAnIslandAloneThatFillsAGroup) {
+    const Columns columns;
+    for (const int bodies : {2, 60, 2, 2}) columns.add(bodies, false);
+    EXPECT_EQ(columns.groups({100, 1}), (std::vector<Size>{{4, 2}, {60, 59}, {2, 1}}));
+}
+
+// A callback may push bodies of islands that have yet to be stepped.
+TEST(StepPreparation, JoinsNoIslandsWhereABodyHasAMovedCallback) {
+    const Columns columns;
+    columns.add(2, false);
+    dBodySetMovedCallback(columns.add(2, false), [](dBodyID) {});
+    EXPECT_EQ(columns.groups({100, 1}), (std::vector<Size>{{2, 1}, {2, 1}}));
+}
 
 TEST(StepPreparation, AsksForUpstreamsMemory) {
     dInitODE2(0);

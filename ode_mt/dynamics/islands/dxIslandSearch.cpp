@@ -76,8 +76,7 @@ public:
         }
     }
 
-    dxBody **bodies() const { return m_bodies; }
-    dxJoint **joints() const { return m_joints; }
+    dxIslandGroups::Lists lists() const { return {m_bodies, m_joints}; }
 
 private:
     void follow(const dxBody &body) {
@@ -116,9 +115,8 @@ private:
 }  // namespace
 
 sizeint dxFindIslands(dxWorldProcessIslandsInfo &info, dxWorldProcessMemArena *arena, dxWorld *world, dReal stepSize,
-                      dmemestimate_fn_t estimate, unsigned minGroup) {
-    // A callback may push bodies of islands that have yet to be stepped.
-    if (untagBodies(world, minGroup > 1)) minGroup = 0;
+                      dmemestimate_fn_t estimate, const dxGroupSizes &groupSizes) {
+    const bool hasCallback = untagBodies(world, groupSizes.ofContacts != 0);
     dInternalHandleAutoDisabling(world, stepSize);
     untagJoints(world);
 
@@ -132,14 +130,13 @@ sizeint dxFindIslands(dxWorldProcessIslandsInfo &info, dxWorldProcessMemArena *a
 
     sizeint most = 0;
     unsigned *size = sizes;
-    dxBody **groupBodies = bodies;
-    dxJoint **groupJoints = joints;
-    const auto endGroup = [&] {
-        *size++ = static_cast<unsigned>(search.bodies() - groupBodies);
-        *size++ = static_cast<unsigned>(search.joints() - groupJoints);
-        most = std::max(most, estimate(groupBodies, size[-2], groupJoints, size[-1]));
-        groupBodies = search.bodies();
-        groupJoints = search.joints();
+    using Lists = dxIslandGroups::Lists;
+    // A callback may push bodies of islands that have yet to be stepped.
+    dxIslandGroups groups(hasCallback ? dxGroupSizes() : groupSizes, search.lists());
+    const auto endGroup = [&](const Lists &begin, const Lists &end) {
+        *size++ = static_cast<unsigned>(end.bodies - begin.bodies);
+        *size++ = static_cast<unsigned>(end.joints - begin.joints);
+        most = std::max(most, estimate(begin.bodies, size[-2], begin.joints, size[-1]));
     };
     for (dxBody *body = world->firstbody; body != nullptr; body = static_cast<dxBody *>(body->next)) {
         if (body->tag != kUnseen) continue;
@@ -147,10 +144,11 @@ sizeint dxFindIslands(dxWorldProcessIslandsInfo &info, dxWorldProcessMemArena *a
             body->tag = kUnfit;
             continue;
         }
+        const Lists first = search.lists();
         search.findIslandOf(body);
-        if (search.bodies() - groupBodies + (search.joints() - groupJoints) >= minGroup) endGroup();
+        groups.take(first, search.lists(), endGroup);
     }
-    if (search.bodies() != groupBodies) endGroup();
+    groups.finish(search.lists(), endGroup);
     arena->RestoreState(state);
     info.AssignInfo(static_cast<sizeint>(size - sizes) / 2, sizes, bodies, joints);
     return most;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "dynamics/islands/dxIsland.h"
+#include "dynamics/islands/dxIslandGroups.h"
 
 constexpr int dxFoundTag = 1;  // of bodies and joints in islands
 
@@ -11,9 +12,9 @@ constexpr int dxFoundTag = 1;  // of bodies and joints in islands
 //
 //   info      gets the islands, which lie in the arena
 //   estimate  the stepper's own estimate, called for each island
-//   minGroup  islands are joined to groups of at least so many bodies and joints, which then stand for islands
+//   groupSizes  of groups, which then stand for islands
 //
 // Requires the thread that steps the world. Afterwards a body or joint in an island has dxFoundTag, all others a tag of 0 or
 // below.
 sizeint dxFindIslands(dxWorldProcessIslandsInfo &info, dxWorldProcessMemArena *arena, dxWorld *world, dReal stepSize,
-                      dmemestimate_fn_t estimate, unsigned minGroup);
+                      dmemestimate_fn_t estimate, const dxGroupSizes &groupSizes);

@@ -23,11 +23,10 @@ constexpr float kNoReserve = 1;
 }  // namespace
 
 bool dxPrepareStep(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate) {
-    constexpr unsigned kEachIsland = 0;
-    return dxPrepareGroups(world, info, stepSize, estimate, kEachIsland);
+    return dxPrepareGroups(world, info, stepSize, estimate, {});
 }
 
-bool dxPrepareGroups(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate, unsigned minGroup) {
+bool dxPrepareGroups(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate, const dxGroupSizes &groupSizes) {
     dxStepWorkingMemory *const memory = AllocateOnDemand(world->wmem);
     if (memory == nullptr) return false;
     dxWorldProcessContext *const context = memory->SureGetWorldProcessingContext();
@@ -39,7 +38,7 @@ bool dxPrepareGroups(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal step
         context->ReallocateIslandsMemArena(searchMemory(*world), manager, kNoReserve, reserve.m_uiReserveMinimum);
     if (islands == nullptr) return false;
 
-    const sizeint stepper = dxFindIslands(info, islands, world, stepSize, estimate, minGroup);
+    const sizeint stepper = dxFindIslands(info, islands, world, stepSize, estimate, groupSizes);
     return context->ReallocateStepperMemArenas(world, world->calculateIslandProcessingMaxThreadCount(),
                                                stepper + kIslandCallSize, manager, reserve.m_fReserveFactor,
                                                reserve.m_uiReserveMinimum);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "dynamics/islands/dxIsland.h"
+#include "dynamics/islands/dxIslandGroups.h"
 
 // In place of dxReallocateWorldProcessContext (util.cpp), and with the same effect (the seam is dxPrepareStepIslands):
 // the user's memory manager is asked for blocks of the same sizes in the same order, and `info` gets upstream's islands.
@@ -11,5 +12,5 @@
 // Returns false where there is no memory. On the thread that steps the world.
 bool dxPrepareStep(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate);
 
-// The same for groups of islands of at least so many bodies and joints, which are then stepped as if each were one island.
-bool dxPrepareGroups(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate, unsigned minGroup);
+// The same for groups of islands, which are then stepped as if each were one island.
+bool dxPrepareGroups(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate, const dxGroupSizes &groupSizes);
