@@ -23,7 +23,6 @@ namespace batch {
 namespace {
 
 constexpr long kMaxRuns = 1'000'000'000;
-constexpr long kMaxFrames = 1'000'000'000;
 
 // Columns of the table that are always there.
 const std::array<const char *, 8> kColumns = {"run", "world", "seed", "status", "message", "frames", "time", "hash"};
@@ -45,7 +44,8 @@ double numberOf(const Json &value, const std::string &key) {
 }
 
 long wholeOf(const Json &value, const std::string &key, long least, long most) {
-    if (!value.is_number_integer() || value < least || value > most)
+    const bool isWhole = value.is_number() && std::trunc(value.get<double>()) == value.get<double>();  // 1e3 is
+    if (!isWhole || value < least || value > most)
         fail(key, "'" + value.dump() + "' is not a whole number from " + std::to_string(least) + " to " + std::to_string(most));
     return value.get<long>();
 }
@@ -117,7 +117,7 @@ void readSeeds(const Json &value, Plan &plan) {
 
 void readLength(const Json &plan, Plan &into) {
     if (plan.contains("frames") == plan.contains("seconds")) fail("frames", "one of 'frames' and 'seconds' says how long a run is");
-    if (plan.contains("frames")) into.frames = wholeOf(plan["frames"], "frames", 1, kMaxFrames);
+    if (plan.contains("frames")) into.frames = wholeOf(plan["frames"], "frames", 1, Plan::kMaxFrames);
     if (!plan.contains("seconds")) return;
     into.seconds = numberOf(plan["seconds"], "seconds");
     if (!(into.seconds > 0)) fail("seconds", "'" + plan["seconds"].dump() + "' is not above 0");
@@ -151,7 +151,7 @@ void readSeries(const Json &value, Plan &plan) {
     if (!value.is_object()) fail("series", "is not an object");
     checkKeys(value, "series", {"every", "observables", "states"});
     if (!value.contains("every")) fail("series", "there is no 'every'");
-    plan.every = wholeOf(value["every"], "series.every", 1, kMaxFrames);
+    plan.every = wholeOf(value["every"], "series.every", 1, Plan::kMaxFrames);
     if (value.contains("states")) plan.hasStates = switchOf(value["states"], "series.states");
     if (!value.contains("observables")) return;
     for (const Json &name : listOf(value["observables"], "series.observables")) {

@@ -36,6 +36,8 @@ struct Perturbation {
 };
 
 struct Plan {
+    static constexpr long kMaxFrames = 1'000'000'000;  // of a run
+
     std::vector<std::string> worlds;
     std::vector<Parameter> parameters;
     bool isGrid = true;  // else the n-th values of all parameters belong together

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <stdexcept>
 
 namespace batch {
@@ -48,24 +49,21 @@ std::string places(std::size_t count) {
 
 }  // namespace
 
-// FILE-lock: locked, not merely there, so that it hinders nobody after a kill.
+// Of the file itself, so that its names by links are one, and it hinders nobody after a kill. SQLite's own locks are of another kind (fcntl), but end
+// when the process closes the file: the database is closed first.
 class Store::Lock {
 public:
-    explicit Lock(const std::string &file) : m_name(file + "-lock"), m_file(open(m_name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
-        if (m_file < 0) throw std::runtime_error(m_name + ": " + std::strerror(errno));
+    explicit Lock(const std::string &file) : m_file(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+        if (m_file < 0) throw std::runtime_error(file + ": " + std::strerror(errno));
         if (flock(m_file, LOCK_EX | LOCK_NB) == 0) return;
         ::close(m_file);
         throw std::runtime_error(file + ": another odemt_batch writes to it");
     }
-    ~Lock() {
-        unlink(m_name.c_str());
-        ::close(m_file);
-    }
+    ~Lock() { ::close(m_file); }
     Lock(const Lock &) = delete;
     Lock &operator=(const Lock &) = delete;
 
 private:
-    std::string m_name;
     int m_file;
 };
 
@@ -79,9 +77,9 @@ void removeDatabase(const std::string &file) {
 }  // namespace
 
 Store::Store(const std::string &file, const Plan &plan, Begin begin) : m_file(file), m_plan(plan), m_database(nullptr, sqlite3_close) {
-    m_lock = std::make_unique<Lock>(file);
     const bool isThere = access(file.c_str(), F_OK) == 0;
     if (isThere && begin == Begin::New) throw std::runtime_error(file + ": exists; --resume goes on with it");
+    m_lock = std::make_unique<Lock>(file);
     try {
         openDatabase();
     } catch (...) {
@@ -94,7 +92,8 @@ Store::Store(const std::string &file, const Plan &plan, Begin begin) : m_file(fi
 
 void Store::openDatabase() {
     sqlite3 *database = nullptr;
-    const int opened = sqlite3_open_v2(m_file.c_str(), &database, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
+    const std::string path = std::filesystem::absolute(m_file);  // some names mean no file to SQLite: ':memory:', 'file:…'
+    const int opened = sqlite3_open_v2(path.c_str(), &database, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
     m_database.reset(database);
     if (opened != SQLITE_OK) fail();
     sqlite3_busy_timeout(database, 60000);  // ms: a reader may hold a lock for a moment

@@ -17,6 +17,7 @@
 #include <cstdio>
 #include <cstring>
 #include <iostream>
+#include <iterator>
 #include <stdexcept>
 
 namespace batch {
@@ -28,6 +29,12 @@ constexpr std::size_t kRunsAtWorker = 2;
 
 // A run during which so many workers were killed is not given to another.
 constexpr unsigned kMaxKills = 5;
+
+// A run that ends its worker so would do it again. Other signals come from outside.
+bool isOwnFault(int signal) {
+    constexpr int kFaults[] = {SIGILL, SIGTRAP, SIGABRT, SIGBUS, SIGFPE, SIGSEGV, SIGSYS, SIGXCPU, SIGXFSZ};
+    return std::find(std::begin(kFaults), std::end(kFaults), signal) != std::end(kFaults);
+}
 
 // --- in the worker -----------------------------------------------------------------------------------------------
 
@@ -163,8 +170,7 @@ void Workers::replace(unsigned index, std::vector<Json> &answers) {
     waitpid(worker.process, &status, 0);
     worker.text.clear();
     const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-    const bool wasKilled = signal == SIGKILL || signal == SIGTERM;
-    const bool isFault = (signal != 0 && !wasKilled) || ++worker.kills >= kMaxKills;
+    const bool isFault = isOwnFault(signal) || ++worker.kills >= kMaxKills;
     if (isFault && !worker.runs.empty()) {
         answers.push_back(failedRun(worker.runs.front(), "the worker ended by signal " + std::to_string(signal)));
         worker.runs.pop_front();

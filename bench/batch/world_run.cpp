@@ -90,7 +90,10 @@ std::string hashOf(const scenes::Scene &scene) { return bench::hashText(scenes::
 
 long framesOf(const Plan &plan, const scenes::Scene &scene) {
     if (plan.frames > 0) return plan.frames;
-    return std::max(1L, std::lround(plan.seconds / static_cast<double>(scene.stepSize())));
+    const double frames = plan.seconds / static_cast<double>(scene.stepSize());
+    if (!(frames <= static_cast<double>(Plan::kMaxFrames)))
+        throw std::invalid_argument("plan: seconds: are more than " + std::to_string(Plan::kMaxFrames) + " frames");
+    return std::max(1L, std::lround(frames));
 }
 
 struct FrameTimes {
@@ -152,6 +155,7 @@ void tryWorld(const Plan &plan, const Run &run) {
         } catch (const ObservableError &error) {
             throw ObservableError("plan: observables." + observable.name + ": " + error.what());
         }
+    framesOf(plan, *scene);
 }
 
 Json runWorld(const Plan &plan, const Run &run) try {

@@ -21,12 +21,21 @@ std::string fileName(const std::string &world) {
     return name + ".json";
 }
 
+std::string savedFile(const ScaleOptions &options, const std::string &world) { return options.saveFolder + "/" + fileName(world); }
+
+// Before anything is measured.
+void checkFiles(const ScaleOptions &options) {
+    if (!options.csvFile.empty()) bench::checkWritable(options.csvFile);
+    if (options.saveFolder.empty()) return;
+    for (const std::string &world : options.worlds) bench::checkWritable(savedFile(options, world));
+}
+
 std::vector<MeasuredWorld> measureAll(const ScaleOptions &options) {
     std::vector<MeasuredWorld> all;
     for (const std::string &file : options.measuredFiles) all.push_back(readMeasuredWorld(bench::readTextFile(file)));
     for (const std::string &world : options.worlds) {
         all.push_back(measureWorld(world, options.measure));
-        if (!options.saveFolder.empty()) bench::writeResultFile(options.saveFolder + "/" + fileName(world), writeMeasuredWorld(all.back()));
+        if (!options.saveFolder.empty()) bench::writeResultFile(savedFile(options, world), writeMeasuredWorld(all.back()));
     }
     return all;
 }
@@ -72,6 +81,7 @@ int main(int argc, char **argv) {
     try {
         const auto options = readScaleOptions(argc, argv, exitCode);
         if (!options) return bench::exitCodeAfterOutput(exitCode);
+        checkFiles(*options);
         if (options->validates) return validate(*options) ? 0 : 1;
         predict(*options);
         return 0;

@@ -32,6 +32,6 @@ std::unique_ptr<dxRemoteTransport> dxLoadRemoteTransport(const char *name, unsig
     }
     char text[512] = "";
     std::unique_ptr<dxRemoteTransport> transport(open(dxRemoteTransport::kInterfaceVersion, wanted, text, sizeof text));
-    if (!transport) reason = text;
+    reason = text;  // also where there are fewer workers than wanted
     return transport;
 }

@@ -46,7 +46,7 @@ double dxRemoteWorkers::now() const {
     return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - m_start).count();
 }
 
-void dxRemoteWorkers::open(const char *name, const dxRemoteHello &hello, Open open) {
+void dxRemoteWorkers::open(const char *name, const dxRemoteHello &hello, Open open, std::chrono::nanoseconds most) {
     Lock lock(m_mutex);
     if (m_isRunning) return;
     m_name = name;
@@ -62,8 +62,8 @@ void dxRemoteWorkers::open(const char *name, const dxRemoteHello &hello, Open op
         dxLog(dxLogLevel::warning, "remote workers: no thread to communicate (error %d); islands stay at home", error);
         return;
     }
+    if (!m_done.wait_for(lock, most, [this] { return m_hasBegun; })) return leaveAlone(lock);
     m_isRunning = true;
-    m_done.wait(lock, [this] { return m_hasBegun; });
     m_done.wait_for(lock, duration(kSettleNs), [this] { return isSettled(); });
     if (m_links.empty()) return;
     lock.unlock();
@@ -71,6 +71,14 @@ void dxRemoteWorkers::open(const char *name, const dxRemoteHello &hello, Open op
     dxLog(all.workers == 0 ? dxLogLevel::warning : dxLogLevel::info,
           "remote workers: %u of %zu by %s; latency %.0f us, %.2f GB/s", all.workers, m_links.size(), name, all.latencyNs / 1e3,
           all.nsPerByte > 0 ? 1 / all.nsPerByte : 0);
+}
+
+// What the transport waits for may never come: a worker that has ended before it could join. If it does, the thread ends what has begun.
+void dxRemoteWorkers::leaveAlone(Lock &lock) {
+    m_isClosing = true;
+    pthread_detach(m_thread);
+    lock.unlock();
+    dxLog(dxLogLevel::warning, "remote workers: none by %s: it does not begin; islands stay at home", m_name.c_str());
 }
 
 void dxRemoteWorkers::close() {
@@ -152,10 +160,10 @@ void dxRemoteWorkers::begin() {
     try {
         std::string reason;
         m_transport = m_open(reason);
-        if (m_transport)
-            links.resize(m_transport->links());
-        else
+        if (!m_transport)
             haveNone(reason.c_str());
+        else if (links.resize(m_transport->links()); !reason.empty())
+            dxLog(dxLogLevel::warning, "remote workers: %zu by %s, fewer than wanted: %s", links.size(), m_name.c_str(), reason.c_str());
     } catch (const std::exception &fault) {
         haveNone(fault.what());
     } catch (...) {

@@ -74,8 +74,9 @@ public:
     // Makes a transport on the communication thread; null: `reason` says why not.
     using Open = std::function<std::unique_ptr<dxRemoteTransport>(std::string &reason)>;
 
-    // Waits until the workers have been welcomed or refused, or for two seconds. Once in a process, but for tests, which close in between.
-    void open(const char *name, const dxRemoteHello &hello, Open open);
+    // Waits until the workers have been welcomed or refused, or for two seconds after the transport has been made; there are none if that takes more
+    // than `most`. Once in a process, but for tests, which close in between.
+    void open(const char *name, const dxRemoteHello &hello, Open open, std::chrono::nanoseconds most = kMostToBegin);
 
     // Ends the communication thread, and the workers.
     void close();
@@ -107,11 +108,14 @@ private:
         dxRestartPause restart;
     };
 
+    static constexpr std::chrono::seconds kMostToBegin{100};  // Open MPI itself gives up after 60
+
     dxRemoteWorkers() { listenToForks(); }
     ~dxRemoteWorkers() = default;
     void inForkedChild() override;
 
     double now() const;
+    void leaveAlone(Lock &lock);
 
     // --- on the communication thread ------------------------------------------------------------------------
     void communicate();

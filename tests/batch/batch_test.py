@@ -82,7 +82,7 @@ def bad_plans():
     cases = [
         ('{', 'not JSON'), ('[]', 'not a JSON object'), ({'frames': 1}, 'worlds: there are none'), ({**good, 'seed': 1}, 'seed: unknown key'),
         ({**good, 'worlds': 'chian:3'}, "'chian:3'"), ({**good, 'worlds': []}, 'worlds: the list is empty'), ({**good, 'frames': 0}, 'frames:'),
-        ({**good, 'seconds': 1}, 'frames: one of'), ({**good, 'parameters': {'gravty': 1}}, 'parameters.gravty: unknown'),
+        ({**good, 'seconds': 1}, 'frames: one of'), ({**good, 'frames': 1.5}, "'1.5' is not a whole number"), ({**good, 'frames': 1e10}, 'frames:'), ({**good, 'parameters': {'gravty': 1}}, 'parameters.gravty: unknown'),
         ({**good, 'parameters': {'erp': 2}}, 'parameters.erp:'), ({**good, 'parameters': {'iterations': 1.5}}, 'parameters.iterations:'),
         ({**good, 'parameters': {'erp': {'from': 0, 'to': 1}}}, "parameters.erp: a range has no 'step'"),
         ({**good, 'parameters': {'erp': {'from': 0, 'to': 1, 'step': -1}}}, 'parameters.erp: a step'),
@@ -121,6 +121,10 @@ def unknown_names():
         done = run(write_plan({**good, 'worlds': worlds, 'observables': {'o': observable}}, 'unknown'), '-o', file, '--quiet')
         assert done.returncode == 1 and words in done.stderr, (worlds, observable, done.returncode, done.stderr)
         assert not list(SCRATCH.glob('unknown.sqlite*')), list(SCRATCH.glob('unknown.sqlite*'))
+    for seconds in (1e12, 9.2233720368547758e16, 1e300):
+        file = fresh('unknown')
+        done = run(write_plan({'worlds': 'chain:3', 'seconds': seconds}, 'unknown'), '-o', file, '--quiet')
+        assert done.returncode == 1 and 'seconds: are more than 1000000000 frames' in done.stderr and not os.path.exists(file), done.stderr
     for path, value, words in (('/sdf/world/model[nobody]/pose', '0', 'there is no /sdf/world/model[nobody]'), ('/sdf/world/gravity', '0 0 ${none}', 'names a parameter')):
         file = fresh('unknown')
         done = run(write_plan({'worlds': 'epuck', 'frames': 1, 'parameters': {path: value}}, 'unknown'), '-o', file, '--quiet')
@@ -246,10 +250,19 @@ def faults():
     program = subprocess.Popen([PROGRAM, long, '-o', file, '--quiet'])
     while not os.path.exists(file):
         time.sleep(0.01)
-    done = run(long, '-o', file, '--quiet', '--resume')
+    names = [file, fresh('locked_symbolic'), fresh('locked_hard')]
+    os.symlink(file, names[1])
+    os.link(file, names[2])
+    others = [run(long, '-o', name, '--quiet', '--resume') for name in names]
     program.kill()
     program.wait()
-    assert done.returncode == 1 and 'another odemt_batch' in done.stderr, done.stderr
+    for done in others:
+        assert done.returncode == 1 and 'another odemt_batch' in done.stderr, done.stderr
+    # A name that SQLite takes for something else than a file.
+    for name in (':memory:', 'file:a?mode=memory'):
+        assert subprocess.run([PROGRAM, plan, '-o', name, '--quiet'], cwd=SCRATCH, timeout=100).returncode == 0
+        assert len(table(os.path.join(SCRATCH, name))['runs']) == 1, name
+        os.unlink(os.path.join(SCRATCH, name))
 
 
 def sample(page):

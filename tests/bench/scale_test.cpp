@@ -4,9 +4,12 @@
 #include "scale/scale_table.h"
 #include "scale/step_simulation.h"
 
+#include <unistd.h>
+
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -144,8 +147,12 @@ TEST(Scale, NetworksAreNamedOrGiven) {
 }
 
 TEST(Scale, TheToolMeasuresAndPredicts) {
-    const Outcome outcome = runShell(ODEMT_SCALE " --worlds humanoids:3 --transport loopback --seconds 0.2 --networks none,1GbE --workers 1,2");
+    const std::filesystem::path folder = testing::TempDir() + "scale_" + std::to_string(getpid());  // made by the tool
+    const Outcome outcome =
+        runShell(ODEMT_SCALE " --worlds humanoids:3 --transport loopback --seconds 0.2 --networks none,1GbE --workers 1,2 --save " + folder.string());
     EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
+    EXPECT_TRUE(std::filesystem::exists(folder / "humanoids_3.json"));
+    std::filesystem::remove_all(folder);
     for (const char *const word : {"humanoids:3: a frame takes", "3 islands of", "1GbE", "enough"})
         EXPECT_NE(outcome.output.find(word), std::string::npos) << word << ": " << outcome.output;
 }
@@ -157,4 +164,6 @@ TEST(Scale, TheToolNamesWhatIsWrong) {
         EXPECT_NE(outcome.output.find("Run with --help"), std::string::npos) << outcome.output;
     }
     EXPECT_EQ(runShell(ODEMT_SCALE " --measured /no/such/file").exitCode, 1);
+    // Before anything is measured.
+    EXPECT_NE(runShell(ODEMT_SCALE " --worlds humanoids:3 --seconds 600 --save /proc/none").output.find("/proc/none"), std::string::npos);
 }

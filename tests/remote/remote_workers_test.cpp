@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <future>
+#include <memory>
 #include <numeric>
 #include <random>
 
@@ -101,6 +103,37 @@ TEST_F(RemoteWorkers, OfAnotherVersionAreRefused) {
     open(2, nullptr, "2");
     EXPECT_FALSE(m_workers.areThere());
     EXPECT_EQ(runBatch(10), 10u);
+}
+
+// As a worker that ends before it joins may make MPI wait for ever. What begins too late is ended by the communication thread.
+TEST_F(RemoteWorkers, ThatDoNotBeginAreNotWaitedFor) {
+    std::promise<void> begin;
+    auto owned = std::make_shared<int>(0);
+    const std::weak_ptr<int> transport = owned;
+    auto open = [owned = std::move(owned), gate = begin.get_future().share()](std::string &) mutable {
+        gate.wait();
+        return std::make_unique<LoopbackTransport>(1, helloOf("1"), solve, [owned = std::move(owned)](unsigned, unsigned, dxRemoteKind) {
+            return LoopbackFate{Kind::Arrives};
+        });
+    };
+    testing::internal::CaptureStderr();
+    m_workers.open("loopback", helloOf("1"), std::move(open), std::chrono::milliseconds(20));
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("none by loopback: it does not begin"), std::string::npos);
+    EXPECT_FALSE(m_workers.areThere());
+    EXPECT_EQ(runBatch(10), 10u);
+    begin.set_value();
+    for (int i = 0; i < 2000 && !transport.expired(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_TRUE(transport.expired());
+    EXPECT_FALSE(m_workers.areThere());
+}
+
+TEST_F(RemoteWorkers, FewerThanWantedAreTold) {
+    testing::internal::CaptureStderr();
+    m_workers.open("loopback", helloOf("1"), [](std::string &reason) {
+        reason = "the second cannot be started";
+        return std::make_unique<LoopbackTransport>(1, helloOf("1"), solve);
+    });
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("1 by loopback, fewer than wanted: the second cannot be started"), std::string::npos);
 }
 
 TEST_F(RemoteWorkers, ThatStopDelayAStepByAFewMilliseconds) {

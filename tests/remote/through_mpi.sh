@@ -91,6 +91,10 @@ alone() {  # SCENARIO LIBRARY WORKERS EXPECTED
 if [ "$ALONE" = --enable-recovery ]; then
     alone joint_feedback/world "$LIBRARY" mpi "none by mpi: there is no other process in its job"
     alone joint_feedback/world "$LIBRARY" mpi:1 "[1-9][0-9]* islands sent, [1-9]"
+    # Open MPI's own process must not read what the program's standard input holds, and may start more workers than there are cores.
+    printf 'one\ntwo\n' | { alone joint_feedback/world "$LIBRARY" mpi:1 "[1-9][0-9]* islands sent, [1-9]"; cat > input; }
+    printf 'one\ntwo\n' | cmp - input || { echo "the program's input is lost"; exit 1; }
+    OMPI_MCA_rmaps_base_oversubscribe=0 alone joint_feedback/world "$LIBRARY" mpi:5 "remote workers: 5 of 5"
     mkdir bare; cp "$LIBRARY/libode.so.8" "$LIBRARY/libode_mt_mpi.so" bare
     alone joint_feedback/world "$SCRATCH/bare" mpi:1 "none by mpi: there is no odemt_worker"
 fi

@@ -1,6 +1,8 @@
 #include "remote/mpi/dxMpiTransport.h"
 
 #include <dlfcn.h>
+#include <fcntl.h>
+#include <pthread.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -64,10 +66,20 @@ void listenElsewhere() {
     setenv("OMPI_MCA_btl_tcp_port_min_v6", port, 0);
 }
 
+// Open MPI would start no more workers than there are cores, however many the user wants. Other MPIs do not know the key.
+MPI_Info howToSpawn() {
+    MPI_Info info = MPI_INFO_NULL;
+    MPI_Info_create(&info);
+    MPI_Info_set(info, "map_by", "slot:OVERSUBSCRIBE");
+    return info;
+}
+
 int spawnOne(const std::string &program, MPI_Comm &worker) {
     worker = MPI_COMM_NULL;
     int error = MPI_SUCCESS;
-    const int result = MPI_Comm_spawn(program.c_str(), MPI_ARGV_NULL, 1, MPI_INFO_NULL, 0, MPI_COMM_SELF, &worker, &error);
+    MPI_Info info = howToSpawn();
+    const int result = MPI_Comm_spawn(program.c_str(), MPI_ARGV_NULL, 1, info, 0, MPI_COMM_SELF, &worker, &error);
+    MPI_Info_free(&info);
     if (worker != MPI_COMM_NULL) MPI_Comm_set_errhandler(worker, MPI_ERRORS_RETURN);
     return result;
 }
@@ -78,6 +90,35 @@ std::string textOf(int error) {
     MPI_Error_string(error, text, &length);
     return text;
 }
+
+}  // namespace
+
+namespace {
+
+// While MPI begins on this thread: a process that it starts has no standard input. Without mpirun Open MPI starts one (orted) that would read
+// the program's own for the workers, and what it has read is lost to the program. (Its key ompi_stdin_target ends Open MPI 4.1's server.)
+class NoInputForChildren {
+public:
+    NoInputForChildren() {
+        static const int isListening = pthread_atfork(nullptr, nullptr, takeInput);
+        static_cast<void>(isListening);
+        s_isActive = true;
+    }
+    ~NoInputForChildren() { s_isActive = false; }
+    NoInputForChildren(const NoInputForChildren &) = delete;
+    NoInputForChildren &operator=(const NoInputForChildren &) = delete;
+
+private:
+    static void takeInput() {
+        if (!s_isActive) return;
+        const int none = open("/dev/null", O_RDONLY);
+        if (none <= STDIN_FILENO) return;
+        dup2(none, STDIN_FILENO);
+        ::close(none);
+    }
+
+    static inline thread_local bool s_isActive = false;
+};
 
 }  // namespace
 
@@ -103,6 +144,7 @@ bool dxMpiTransport::initialise(int wantedLevel, std::string &reason) {
         reason = "the program uses MPI itself, without MPI_THREAD_MULTIPLE";
         return false;
     }
+    const NoInputForChildren noInput;
     if (MPI_Init_thread(nullptr, nullptr, wantedLevel, &level) != MPI_SUCCESS || level < MPI_THREAD_FUNNELED) {
         reason = "MPI cannot be initialised for a program with threads";
         return false;
