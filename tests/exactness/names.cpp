@@ -6,13 +6,13 @@ template <class Handle>
 long Names::Table<Handle>::find(const std::vector<Handle> &listed, Handle handle) const {
     const auto holds = [&](std::size_t place) { return place < listed.size() && listed[place] == handle; };
     auto found = m_places.find(handle);
-    if (found == m_places.end() || !holds(found->second)) {
+    if ((found == m_places.end() || !holds(found->second)) && listed != m_counted) {
         m_places.clear();
         for (std::size_t i = 0; i < listed.size(); ++i) m_places[listed[i]] = i;
+        m_counted = listed;
         found = m_places.find(handle);
-        if (found == m_places.end()) return unlisted;
     }
-    return static_cast<long>(found->second);
+    return found == m_places.end() ? unlisted : static_cast<long>(found->second);
 }
 
 long Names::of(dGeomID geom) const {

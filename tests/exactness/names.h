@@ -4,6 +4,7 @@
 #include "scenes/scene.h"
 
 #include <unordered_map>
+#include <vector>
 
 namespace exactness {
 
@@ -20,8 +21,8 @@ public:
     long of(dJointID joint) const;
 
 private:
-    // Objects are created and destroyed, and addresses are reused, so a number found is checked against the
-    // inventory before it is believed.
+    // Objects are created and destroyed, and addresses are reused, so a number found is checked against the inventory before it is
+    // believed, and one that is not found is unlisted only if the inventory is the one that was counted. Most are: contact joints.
     template <class Handle>
     class Table {
     public:
@@ -29,6 +30,7 @@ private:
 
     private:
         mutable std::unordered_map<Handle, std::size_t> m_places;
+        mutable std::vector<Handle> m_counted;
     };
 
     const scenes::Inventory &m_inventory;

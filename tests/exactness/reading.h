@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace exactness {
 
 struct Word {
     enum class Kind { Real, Integer };
+    static constexpr std::uint64_t kNaN = 0x7ff8000000000000;
 
     Kind kind;
     std::uint64_t bits;  // of a double, or of a two's complement integer
@@ -23,18 +25,28 @@ struct Word {
     bool operator!=(const Word &other) const { return !(*this == other); }
 };
 
-bool isNaN(const Word &word);
+inline bool isNaN(const Word &word) { return word.kind == Word::Kind::Real && word.bits == Word::kNaN; }
 
 // "0.1 (3fb999999999999a)" or "42": enough digits to distinguish two doubles, and the bits.
 std::string toString(const Word &word);
 
+// Inline: a run of a scenario reads millions of them.
 class Reading {
 public:
-    void real(double value);
-    void reals(const dReal *values, std::size_t count);
-    void integer(std::int64_t value);
+    void real(double value) {
+        std::uint64_t bits;
+        std::memcpy(&bits, &value, sizeof(bits));
+        m_words.push_back({Word::Kind::Real, value == value ? bits : Word::kNaN});
+    }
+    void reals(const dReal *values, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) real(values[i]);
+    }
+    void integer(std::int64_t value) { m_words.push_back({Word::Kind::Integer, static_cast<std::uint64_t>(value)}); }
     void text(const std::string &text) { m_text = text; }
-    void clear();
+    void clear() {
+        m_words.clear();
+        m_text.clear();
+    }
 
     const std::vector<Word> &words() const { return m_words; }
     const std::string &text() const { return m_text; }

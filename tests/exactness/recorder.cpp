@@ -50,7 +50,8 @@ void Recorder::endStage(const char *stage) {
 
 void Recorder::nearPair(dGeomID o1, dGeomID o2) {
     const std::lock_guard<std::mutex> lock(m_mutex);
-    Reading reading;
+    Reading &reading = m_collision;
+    reading.clear();
     reading.integer(m_names.of(o1));
     reading.integer(m_names.of(o2));
     collisionEvent("near pair", reading);
@@ -59,7 +60,8 @@ void Recorder::nearPair(dGeomID o1, dGeomID o2) {
 // The fourth numbers of position and normal are read too: colliders leave them alone, and so must ours.
 void Recorder::contact(const dContact &contact) {
     const std::lock_guard<std::mutex> lock(m_mutex);
-    Reading reading;
+    Reading &reading = m_collision;
+    reading.clear();
     reading.integer(m_names.of(contact.geom.g1));
     reading.integer(m_names.of(contact.geom.g2));
     reading.integer(contact.geom.side1);

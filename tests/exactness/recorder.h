@@ -55,6 +55,7 @@ private:
     std::uint64_t m_hash = 0;
     Order m_order;
     std::mutex m_mutex;                // near pairs and contacts may come on several threads
+    Reading m_collision;               // the near pair or contact at hand; its memory is kept
     std::uint64_t m_sumOfEvents = 0;   // of this stage, with Order::ignored
     Record m_record;
 };
