@@ -261,7 +261,8 @@ void prepare(CallScene &scene, const Case &c) {
     if (c.when == When::colliderGetter)
         for (const Place place : allPlaces) dGeomDisable(scene.setAt(place).custom);
     if (c.when == When::messageHandler) addContradiction(scene);
-    scene.stepsExactly = c.when == When::messageHandler || c.turn % 8 == 0;
+    // Few, as libode8's exact steps are slow.
+    scene.stepsExactly = c.when == When::messageHandler || c.turn % (exactness::isThorough() ? 8 : 16) == 0;
 }
 
 void makeCall(CallScene &scene, const Case &c) {
