@@ -6,7 +6,7 @@
 include(GNUInstallDirs)
 
 function(ode_mt_install_tools component libdir)
-    set(tools odemt_batch odemt_bench odemt_bench_child odemt_check odemt_info odemt_record odemt_report odemt_top)
+    set(tools odemt_batch odemt_bench odemt_bench_child odemt_check odemt_info odemt_record odemt_report odemt_scale odemt_scale_child odemt_top)
     set(tools_without_library odemt_bench_child odemt_check odemt_top)  # of their own: they find it in another way, or start what does
     foreach(tool IN LISTS tools)
         set(file "\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/bin/${tool}")
@@ -31,9 +31,10 @@ function(ode_mt_install_tools component libdir)
     install(DIRECTORY "${worlds}/models" DESTINATION share/ode_mt/worlds COMPONENT ${component} ${ARGN})
 endfunction()
 
-# The one program that needs MPI: `cmake --install BUILD --component mpi`, beside odemt_batch, which starts it. No package has it.
+# The one tool that needs MPI, beside odemt_batch, which starts it. No Debian package has it.
 if(TARGET odemt_batch_mpi)
     set(_file "\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/bin/odemt_batch_mpi")
-    install(PROGRAMS $<TARGET_FILE:odemt_batch_mpi> COMPONENT mpi EXCLUDE_FROM_ALL DESTINATION bin)
-    install(CODE "file(RPATH_SET FILE \"${_file}\" NEW_RPATH \"\\$ORIGIN/../${CMAKE_INSTALL_LIBDIR}\")" COMPONENT mpi EXCLUDE_FROM_ALL)
+    install(PROGRAMS $<TARGET_FILE:odemt_batch_mpi> COMPONENT mpi DESTINATION bin)
+    install(CODE "file(RPATH_SET FILE \"${_file}\" NEW_RPATH \"\\$ORIGIN/../${CMAKE_INSTALL_LIBDIR}\")" COMPONENT mpi)
+    ode_mt_strip_installed(mpi bin odemt_batch_mpi)
 endif()

@@ -7,6 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <unistd.h>
+
 #include <stdexcept>
 
 namespace scale {
@@ -27,6 +29,15 @@ unsigned readWorkers(const std::string &text) {
     if (end == 0 || end != text.size() || count < 1 || count > kMaxWorkers)
         throw std::invalid_argument("--workers: '" + text + "' is not a number from 1 to " + std::to_string(kMaxWorkers));
     return static_cast<unsigned>(count);
+}
+
+// In a build folder it is beside the library, in an installed tree beside this program. Empty: in neither.
+std::string findWorker(const std::string &library) {
+    for (const std::string &folder : {library, bench::folderOfThisProgram()}) {
+        const std::string program = folder + "/odemt_worker";
+        if (access(program.c_str(), X_OK) == 0) return program;
+    }
+    return "";
 }
 
 }  // namespace
@@ -61,6 +72,7 @@ std::optional<ScaleOptions> readScaleOptions(int argc, const char *const *argv, 
     };
     if (!bench::readCommandLine(app, read, exitCode)) return std::nullopt;
     options.measure.program = bench::folderOfThisProgram() + "/odemt_scale_child";
+    options.measure.worker = findWorker(options.measure.library);
     return options;
 }
 

@@ -60,10 +60,10 @@ private:
     // Workers by MPI are processes of the same job.
     static std::vector<std::string> command(const std::string &world, const MeasureSettings &settings, const Party &party, const std::string &log) {
         std::vector<std::string> words;
-        if (party.workers == "mpi") words = {"mpirun", "--enable-recovery", "-np", "1"};
-        words.insert(words.end(), {settings.program, world, log});
-        if (party.workers == "mpi") words.insert(words.end(), {":", "-np", std::to_string(party.count), settings.library + "/odemt_worker"});
-        return words;
+        if (party.workers != "mpi") return {settings.program, world, log};
+        if (settings.worker.empty())
+            throw std::runtime_error("there is no odemt_worker beside libode.so.8 in '" + settings.library + "' or beside this program (docs/packages.md)");
+        return {"mpirun", "--enable-recovery", "-np", "1", settings.program, world, log, ":", "-np", std::to_string(party.count), settings.worker};
     }
 
     static process::Environment environment(const MeasureSettings &settings, const Party &party) {

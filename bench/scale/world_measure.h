@@ -11,6 +11,7 @@ namespace scale {
 struct MeasureSettings {
     std::string program;              // odemt_scale_child
     std::string library;              // folder of ODE_MT's libode.so.8
+    std::string worker;               // odemt_worker of the same build; empty: there is none, and no MPI
     std::string transport = "mpi";    // or loopback: workers that are threads of the process
     double seconds = 10;              // for all frames of a measurement, about; never fewer than four of each kind
 };

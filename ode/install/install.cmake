@@ -1,7 +1,8 @@
 # Installs what Debian's libode8 and libode-dev install, and a CMake package. Everything in the installed
 # tree finds its neighbours from its own place, so that the tree may be moved.
 #
-# Components: runtime (the shared library), development, debug (its debug symbols), tools. `cmake --install` installs all of them.
+# Components: runtime (the shared library), development, debug (its debug symbols), tools, mpi (if MPI was found). `cmake --install` installs all
+# of them.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -106,6 +107,8 @@ endfunction()
 ode_mt_strip_installed(runtime "${CMAKE_INSTALL_LIBDIR}" ode)
 ode_mt_strip_installed(development "${CMAKE_INSTALL_LIBDIR}" ode_static)
 ode_mt_install_debug_symbols(debug "${CMAKE_INSTALL_LIBDIR}")
+include(${CMAKE_CURRENT_LIST_DIR}/mpi.cmake)
+ode_mt_install_mpi(mpi "${CMAKE_INSTALL_LIBDIR}")
 
 # --- uninstall ------------------------------------------------------------------------------------
 if(PROJECT_IS_TOP_LEVEL)

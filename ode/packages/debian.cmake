@@ -13,11 +13,23 @@ set(_library "libode8${_single}-mt")
 set(_development "libode${_single_flavour}-mt-dev")
 set(_tools libode-mt-tools)
 set(_documentation libode-mt-doc)
+set(_mpi libode-mt-mpi)
 # CPack clears a folder that it would name after a component ...-dbgsym.
 set(_debug "${_library}-debug")
 set(ODE_MT_DEBIAN_COMPONENTS ${_library} ${_debug} ${_development})
 if(TARGET odemt_bench AND NOT _single)
     list(APPEND ODE_MT_DEBIAN_COMPONENTS ${_tools} ${_documentation})
+endif()
+# Its programs are started by the mpirun of the MPI that they are linked to.
+if(TARGET ode_mt_mpi AND MPIEXEC_EXECUTABLE AND NOT _single)
+    file(REAL_PATH "${MPIEXEC_EXECUTABLE}" _mpirun)
+    execute_process(COMMAND "${ODE_MT_DPKG}" --search "${_mpirun}" OUTPUT_VARIABLE _mpi_launcher ERROR_QUIET)
+    string(REGEX MATCH "^[^:, ]+" _mpi_launcher "${_mpi_launcher}")
+    if(_mpi_launcher)
+        list(APPEND ODE_MT_DEBIAN_COMPONENTS ${_mpi})
+    else()
+        message(STATUS "No package ${_mpi}: ${_mpirun} is not of a Debian package")
+    endif()
 endif()
 
 # ode_mt_describe(COMPONENT FIELD VALUE...): CPack's names of fields, and values without semicolons. DESCRIPTION begins with a line of
@@ -116,7 +128,7 @@ that are compiled with single precision (dSINGLE). It cannot be installed
 beside libode8, which has the same file name and double precision.")
 else()
     set(CPACK_ODE_MT_SYMBOLS_UPSTREAM "libode8 2:${PROJECT_VERSION}")
-    ode_mt_describe(${_library} SECTION libs SHLIBDEPS ON SUGGESTS libgomp1
+    ode_mt_describe(${_library} SECTION libs SHLIBDEPS ON SUGGESTS "libgomp1, ${_mpi}"
         PROVIDES "libode8 (= ${ODE_MT_DEBIAN_VERSION})" CONFLICTS "libode8" REPLACES "libode8"
         DESCRIPTION "Open Dynamics Engine on every core - runtime library
 This is the Open Dynamics Engine 0.16.2 with parallel stepping. It takes the
@@ -160,14 +172,27 @@ else()
         PROVIDES "libode-dev (= ${ODE_MT_DEBIAN_VERSION}), libode8-dev")
 endif()
 
+# --- islands that other processes solve -----------------------------------------------------------
+if(_mpi IN_LIST ODE_MT_DEBIAN_COMPONENTS)
+    ode_mt_install_mpi(${_mpi} "${_lib}" EXCLUDE_FROM_ALL)
+    install(FILES "${_out}/odemt_worker.1.gz" COMPONENT ${_mpi} EXCLUDE_FROM_ALL DESTINATION share/man/man1)
+    ode_mt_describe(${_mpi} SECTION science SHLIBDEPS ON DEPENDS "${_library} (= ${CPACK_PACKAGE_VERSION}), ${_mpi_launcher}"
+        SUGGESTS "${_documentation}"
+        DESCRIPTION "Open Dynamics Engine on every core - workers on other machines
+With ODE_MT_WORKERS=mpi in the environment of a program, dWorldStep has islands
+solved by processes odemt_worker, also on other machines, with the same results:
+mpirun -np 1 program : -np 15 odemt_worker. All machines need this package in the
+same version.")
+endif()
+
 # --- programs, worlds, documentation ---------------------------------------------------------------
 if(_tools IN_LIST ODE_MT_DEBIAN_COMPONENTS)
     ode_mt_install_tools(${_tools} "${_lib}" EXCLUDE_FROM_ALL)
-    foreach(tool odemt_batch odemt_bench odemt_bench_child odemt_check odemt_info odemt_record odemt_report odemt_top)
+    foreach(tool odemt_batch odemt_bench odemt_bench_child odemt_check odemt_info odemt_record odemt_report odemt_scale odemt_scale_child odemt_top)
         install(FILES "${_out}/${tool}.1.gz" COMPONENT ${_tools} EXCLUDE_FROM_ALL DESTINATION share/man/man1)
     endforeach()
     ode_mt_describe(${_tools} SECTION science SHLIBDEPS ON DEPENDS "${_library} (= ${CPACK_PACKAGE_VERSION})"
-        SUGGESTS "${_documentation}"
+        SUGGESTS "${_documentation}, ${_mpi}"
         DESCRIPTION "Open Dynamics Engine on every core - bench, recorder, viewer, worlds
 odemt_bench measures the speed of libode.so.8 in SDF worlds and procedural
 scenes, odemt_record records what moves in them, odemt_report shows results and
@@ -175,7 +200,8 @@ recordings as a page for a browser, and odemt_info shows which libode.so.8
 programs get and how it is set up. odemt_check runs a program on libode8 and on
 ODE_MT, and says whether it computes the same. odemt_top shows on a terminal how
 the frames of a running program go. odemt_batch runs thousands of worlds into one
-table. The worlds of the bench are included.")
+table. odemt_scale predicts how fast a world is on many machines. The worlds of
+the bench are included.")
     foreach(folder docs examples)
         install(DIRECTORY "${PROJECT_SOURCE_DIR}/${folder}" COMPONENT ${_documentation} EXCLUDE_FROM_ALL
                 DESTINATION "share/doc/${_documentation}" PATTERN "docs/figures/data" EXCLUDE)

@@ -1,25 +1,37 @@
 #include "remote/dxRemoteLoader.h"
 
 #include <dlfcn.h>
+#include <unistd.h>
+
+#include <cstdlib>
 
 namespace {
 
+constexpr const char *kOwnFolder = "ode_mt/";  // of an installed tree, below that of libraries (ode/install/mpi.cmake)
+
+// Without symbolic links: odemt_top and odemt_check give programs a folder with a link to the library alone.
 std::string folderOfThisLibrary() {
     Dl_info info;
     if (dladdr(reinterpret_cast<void *>(&folderOfThisLibrary), &info) == 0 || info.dli_fname == nullptr) return {};
-    const std::string file = info.dli_fname;
+    const std::unique_ptr<char, decltype(&std::free)> path(realpath(info.dli_fname, nullptr), &std::free);
+    const std::string file = path != nullptr ? path.get() : info.dli_fname;
     const std::size_t slash = file.rfind('/');
     return slash == std::string::npos ? std::string() : file.substr(0, slash + 1);
 }
 
-void *load(const std::string &file) { return dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE); }
+// Its path, or the name alone, which the system's loader looks for. One that is there and cannot be loaded, as for want of MPI, says so.
+std::string find(const std::string &file) {
+    const std::string folder = folderOfThisLibrary();
+    for (const char *const place : {"", kOwnFolder})
+        if (!folder.empty() && access((folder + place + file).c_str(), F_OK) == 0) return folder + place + file;
+    return file;
+}
 
 }  // namespace
 
 std::unique_ptr<dxRemoteTransport> dxLoadRemoteTransport(const char *name, unsigned wanted, std::string &reason) {
-    const std::string file = std::string("libode_mt_") + name + ".so", folder = folderOfThisLibrary();
-    void *library = folder.empty() ? nullptr : load(folder + file);
-    if (library == nullptr) library = load(file);
+    const std::string file = std::string("libode_mt_") + name + ".so";
+    void *const library = dlopen(find(file).c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
     if (library == nullptr) {
         const char *const error = dlerror();
         reason = error != nullptr ? error : file + " cannot be loaded";

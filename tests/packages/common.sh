@@ -2,7 +2,7 @@
 #   BUILD      the build folder             SCRATCH  folder of these tests; SCRATCH/packages holds the packages
 #   EXAMPLES   folder of the examples       LIB      folder of the system's libraries, without the leading slash
 #   PRECISION  double or single             VERSION  of the packages
-#   SOURCE     the repository
+#   SOURCE     the repository               MPIRUN   that of the MPI for which there is a package; empty: there is none
 #   CMAKE CPACK CC CXX   the tools of this build
 set -eu
 fail() { echo "FAILED: $*" >&2; exit 1; }
@@ -11,7 +11,7 @@ expect() { [ "$2" = "$3" ] || fail "$1 is '$2', expected '$3'"; }
 
 if [ "$PRECISION" = double ]; then
     library=libode8-mt development=libode-mt-dev
-    packages="$library $library-dbgsym $development libode-mt-tools libode-mt-doc"
+    packages="$library $library-dbgsym $development libode-mt-tools libode-mt-doc${MPIRUN:+ libode-mt-mpi}"
 else
     library=libode8sp-mt development=libode-sp-mt-dev
     packages="$library $library-dbgsym $development"
@@ -20,4 +20,11 @@ fi
 deb() { echo "$SCRATCH/packages/$1_${VERSION}"_*.deb; }
 # unpacked PACKAGE: the folder of its files.
 unpacked() { echo "$SCRATCH/unpacked/$1"; }
+# tree NAME PACKAGE...: a folder with the files of these, as a system has them.
+tree() {
+    rm -rf "$SCRATCH.$1"
+    mkdir -p "$SCRATCH.$1"
+    for package in $(shift; echo "$@"); do cp -a "$(unpacked "$package")/usr" "$SCRATCH.$1/"; done
+    echo "$SCRATCH.$1"
+}
 field() { dpkg-deb --field "$(deb "$1")" "$2"; }

@@ -29,5 +29,12 @@ if [ "$PRECISION" = double ]; then
     if readelf -d "$(unpacked libode-mt-tools)"/usr/bin/* | grep -E 'R(UN)?PATH'; then fail "a tool looks for libraries in a folder of its own"; fi
     [ -f "$(unpacked libode-mt-tools)/usr/share/ode_mt/worlds/create.sdf" ] || fail "no worlds"
     [ -f "$(unpacked libode-mt-tools)/$LIB/ode_mt/libodemt_observer.so" ] || fail "no observer for odemt_check"
+    for program in odemt_scale odemt_scale_child; do [ -x "$(unpacked libode-mt-tools)/usr/bin/$program" ] || fail "no $program"; done
     [ -f "$(unpacked libode-mt-doc)/usr/share/doc/libode-mt-doc/docs/README.md" ] || fail "no documentation"
+fi
+if [ -n "${MPIRUN:-}" ]; then
+    expect "files of libode-mt-mpi" "$(echo $(ours libode-mt-mpi))" "usr/bin/odemt_worker $LIB/ode_mt/libode_mt_mpi.so"
+    for file in usr/bin/odemt_worker "$LIB/ode_mt/libode_mt_mpi.so"; do
+        if readelf -d "$(unpacked libode-mt-mpi)/$file" | grep -E 'R(UN)?PATH'; then fail "$file looks for libraries in a folder of its own"; fi
+    done
 fi

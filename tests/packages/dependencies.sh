@@ -5,6 +5,9 @@
 expect "dependency of $development" "$(field "$development" Depends)" "$library (= $VERSION)"
 expect "conflicts of $library" "$(field "$library" Conflicts)" libode8
 case $(field "$library" Depends) in *gomp* | *libomp*) fail "the library depends on an OpenMP runtime" ;; esac
+for package in $packages; do
+    if [ $package != libode-mt-mpi ] && field $package Depends | grep mpi; then fail "$package depends on MPI"; fi
+done
 dpkg-deb --ctrl-tarfile "$(deb "$library")" | tar -tf - | grep -q triggers || fail "$library has no trigger"
 
 # dependencies PROGRAM: what dpkg-shlibdeps says, with our package in the place of Debian's.
@@ -31,3 +34,14 @@ debian=$(dpkg-query -W -f '${Version}' libode8)
 expect "provides of $library" "$(field "$library" Provides)" "libode8 (= $debian)"
 expect "dependencies of a program that calls ODE alone" "$(dependencies "$SCRATCH/plain")" "libode8 (>= 2:0.16.2)"
 expect "dependencies of one that calls ODE_MT" "$(dependencies "$SCRATCH/parallel" | sort | tr '\n' ' ')" "libode8 (>= 2:0.16.2) $library (>= $VERSION) "
+[ -n "${MPIRUN:-}" ] || exit 0
+# The library that odemt_worker is linked to, and the mpirun that belongs to it; and the version of the library that welcomes it.
+case ", $(field libode-mt-mpi Depends)," in
+*", $library (= $VERSION),"*) ;;
+*) fail "libode-mt-mpi may be of another version than $library" ;;
+esac
+case ", $(field libode-mt-mpi Depends)" in
+*", libopenmpi"*) field libode-mt-mpi Depends | grep -q openmpi-bin || fail "libode-mt-mpi has no mpirun of Open MPI" ;;
+*", libmpich"*) field libode-mt-mpi Depends | grep -q '\bmpich' || fail "libode-mt-mpi has no mpiexec of MPICH" ;;
+*) fail "libode-mt-mpi depends on no MPI" ;;
+esac

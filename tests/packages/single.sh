@@ -13,7 +13,7 @@ mkdir -p "$single/build/lib"
 cp -P "$BUILD"/lib/libode* "$single/build/lib/"
 # CPack builds nothing first where the generator is another one.
 for script in build contents dependencies; do
-    BUILD=$single/build SCRATCH=$single/scratch PRECISION=single CPACK_OPTIONS="-D CPACK_CMAKE_GENERATOR=Ninja" sh "$here/$script.sh" || fail "$script.sh"
+    BUILD=$single/build SCRATCH=$single/scratch PRECISION=single MPIRUN= CPACK_OPTIONS="-D CPACK_CMAKE_GENERATOR=Ninja" sh "$here/$script.sh" || fail "$script.sh"
 done
 
 # refused FIRST SECOND: dpkg unpacks the one, and not the other beside it.

@@ -30,6 +30,17 @@ expect "result with one thread" "$(pendulums)" "$expected"
 case $(pendulums ODE_MT_LOG=info 2>&1) in *ODE_MT*) ;; *) fail "python3-pyode does not run on our library" ;; esac
 echo "$expected"
 
+if [ -n "${MPIRUN:-}" ]; then
+    say "islands solved by workers, with MPI from Debian's packages alone"
+    install "/packages/$(basename "$(deb libode-mt-mpi)")"
+    job() { inside env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 ODE_MT_WORKERS=mpi ODE_MT_ALGORITHM=lcp "$@"; }
+    job ODE_MT_LOG=info timeout 100 mpirun --oversubscribe -np 1 python3 /root/pendulums.py : -np 2 odemt_worker >"$SCRATCH/job.out" 2>"$SCRATCH/job.log" ||
+        { cat "$SCRATCH/job.out" "$SCRATCH/job.log"; fail "mpirun"; }
+    expect "result with workers" "$(cat "$SCRATCH/job.out")" "$expected"
+    grep '[1-9][0-9]* islands sent, [1-9]' "$SCRATCH/job.log" || { cat "$SCRATCH/job.log"; fail "nothing was solved elsewhere"; }
+    inside apt-get -y purge --auto-remove libode-mt-mpi >/dev/null 2>&1
+fi
+
 say "Debian's programs that depend on libode8 accept ours"
 users=$(inside apt-cache rdepends --no-recommends --no-suggests libode8 | sed -n 's/^  *//p' | grep -vx 'libode8.*\|libode-.*' | sort -u)
 [ "$(echo "$users" | wc -l)" -ge 5 ] || fail "few programs depend on libode8: $users"

@@ -34,13 +34,18 @@ std::string findOnPath(const char *name) {
     return "";
 }
 
-// The worker's program: beside this library, as in the build's folder, or in bin/ beside the library's folder, else on the PATH. Empty: it is in
-// none of these. MPI would end the program, or wait for ever.
-std::string findWorkerProgram() {
-    const std::string name = kWorker;
+// The file of this library without symbolic links, as /lib is one to /usr/lib; empty: it is not known.
+std::string fileOfThisLibrary() {
     Dl_info info;
-    if (dladdr(reinterpret_cast<void *>(&findWorkerProgram), &info) == 0 || info.dli_fname == nullptr) return findOnPath(kWorker);
-    const std::string file = info.dli_fname;
+    if (dladdr(reinterpret_cast<void *>(&fileOfThisLibrary), &info) == 0 || info.dli_fname == nullptr) return "";
+    const std::unique_ptr<char, decltype(&std::free)> path(realpath(info.dli_fname, nullptr), &std::free);
+    return path != nullptr ? path.get() : info.dli_fname;
+}
+
+// The worker's program: beside this library, as in the build's folder, or in bin/ beside one of the folders around it, as installed, else on the
+// PATH. Empty: it is in none of these. MPI would end the program, or wait for ever.
+std::string findWorkerProgram() {
+    const std::string name = kWorker, file = fileOfThisLibrary();
     for (std::size_t slash = file.rfind('/'); slash != std::string::npos && slash > 0; slash = file.rfind('/', slash - 1)) {
         for (const char *const place : {"/", "/bin/"}) {
             const std::string program = file.substr(0, slash) + place + name;
