@@ -43,6 +43,13 @@ std::string why(const char *what, unsigned threads, int reason, double parallel)
     return print("%s: one thread, as %s", what, dxTextOfReason(reason)) + often;
 }
 
+// Of the islands: those that workers in other processes have solved, or should have.
+std::string elsewhere(const dODE_MT_WorldStatistics &last) {
+    const std::string lost = last.remoteWorkersLost != 0 ? print(", %u lost", last.remoteWorkersLost) : "";
+    return print("remote workers: %u%s; solved %u islands, %u more at home after all (of all frames %llu, %llu)", last.remoteWorkers, lost.c_str(),
+                 last.remoteIslands, last.returnedIslands, last.allRemoteIslands, last.allReturnedIslands);
+}
+
 }  // namespace
 
 const char *const kNoWorld = "No world has been stepped: programs that are linked to libode.so.8 are seen, unless they look for it elsewhere (RPATH)";
@@ -84,6 +91,7 @@ std::vector<std::string> detailsOf(const FrameRates &rates) {
                                                          {"islands", last.islandsTime},
                                                          {"commit", last.commitTime}}));
     lines.push_back("           " + why("islands", last.stepThreads, last.stepReason, rates.parallelSteps));
+    if (last.remoteWorkers + last.remoteWorkersLost > 0 || last.allRemoteIslands + last.allReturnedIslands > 0) lines.push_back("           " + elsewhere(last));
     if (last.waitTime > 0) lines.push_back("  waiting  " + milliseconds(last.waitTime) + " ms for other threads");
     return lines;
 }

@@ -737,6 +737,12 @@ typedef struct dODE_MT_WorldStatistics {
     double allFrameTime;      /**< sum of frameTime */
     double allCollisionTime;  /**< sum of collisionTime */
     double allStepTime;       /**< sum of stepTime */
+    unsigned remoteWorkers;      /**< of the process, at the end of the step: as dODE_MT_RemoteStatistics has it */
+    unsigned remoteWorkersLost;  /**< the same */
+    unsigned remoteIslands;      /**< of the islands: solved by workers in other processes */
+    unsigned returnedIslands;    /**< of the islands: sent to such workers, and solved at home after all */
+    unsigned long long allRemoteIslands;    /**< sum of remoteIslands */
+    unsigned long long allReturnedIslands;  /**< sum of returnedIslands */
 } dODE_MT_WorldStatistics;
 
 /**
@@ -752,6 +758,36 @@ typedef struct dODE_MT_WorldStatistics {
  * @ingroup ode_mt
  */
 ODE_API int dODE_MT_GetWorldStatistics(dWorldID world, dODE_MT_WorldStatistics *statistics);
+
+/**
+ * Workers in other processes (ODE_MT_WORKERS), and the islands of dWorldStep that were sent to them, since the process started; what is sent and not
+ * counted below that is under way, or of a step that ended early. Later versions may add members at the end.
+ * @ingroup ode_mt
+ */
+typedef struct dODE_MT_RemoteStatistics {
+    size_t size;               /**< in: sizeof(dODE_MT_RemoteStatistics); out: how many bytes have been written */
+    unsigned workers;          /**< that take part now */
+    unsigned workersLate;      /**< of these: get nothing for the moment, as they are late, or were just now */
+    unsigned workersRefused;   /**< at their start: their version, precision or arithmetic is another one */
+    unsigned workersLost;      /**< were disconnected, or sent what cannot be */
+    unsigned workersReplaced;  /**< of these: by new ones */
+    unsigned timesLate;        /**< how often a worker was late */
+    unsigned long long islandsSent;       /**< to workers */
+    unsigned long long islandsSolved;     /**< by them */
+    unsigned long long islandsSooner;     /**< at home after all: it had nothing left to do, and was predicted to be sooner */
+    unsigned long long islandsLate;       /**< at home after all: their worker was late */
+    unsigned long long islandsLost;       /**< at home after all: their worker was lost */
+    unsigned long long islandsGivenBack;  /**< at home after all: their worker reported an error, or had no memory, or there was none for a message */
+} dODE_MT_RemoteStatistics;
+
+/**
+ * Tells what workers in other processes have done. May be called from any thread at any time; a process that has none gets zeros.
+ *
+ * @param statistics where they are written; its member size says how much room there is
+ * @return 1, or 0 with a dMessage if the size is below that of the first two members.
+ * @ingroup ode_mt
+ */
+ODE_API int dODE_MT_GetRemoteStatistics(dODE_MT_RemoteStatistics *statistics);
 
 /**
  * Starts to record what each thread does in steps and collisions, for a file that https://ui.perfetto.dev and chrome://tracing

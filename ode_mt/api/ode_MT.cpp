@@ -10,6 +10,7 @@
 #include "config.h"
 #include "error.h"
 
+#include "dynamics/dxRemoteIslands.h"
 #include "dynamics/islands/dxBodyWorkers.h"
 #include "settings/dxSerialReason.h"
 #include "settings/dxSettings.h"
@@ -35,6 +36,21 @@ bool noteSolver(const Note &note) {
     }
     dMessage(0, "ODE_MT: no memory to note the solver of a world");
     return false;
+}
+
+// Structures begin with their size: a program that was compiled with an older header has a smaller one, one with a newer header a larger one.
+// Returns whether it has room for what has to be there.
+bool hasRoom(const char *function, std::size_t size, std::size_t least) {
+    if (size >= least) return true;
+    dMessage(0, "ODE_MT: %s was given a size of %lu bytes, which is too small", function, static_cast<unsigned long>(size));
+    return false;
+}
+
+// As much as the caller has room for.
+template <class Statistics>
+void copyKnown(Statistics from, Statistics &to) {
+    from.size = std::min(to.size, sizeof to);
+    std::memcpy(&to, &from, from.size);
 }
 
 // Returns whether there is no error.
@@ -167,22 +183,22 @@ void dODE_MT_GetStatistics(dODE_MT_Statistics *statistics) {
 
 const char *dODE_MT_GetReasonText(int reason) { return dxTextOfReason(reason); }
 
-// A program that was compiled with an older header has a smaller structure, one with a newer header a larger one.
 int dODE_MT_GetWorldStatistics(dWorldID world, dODE_MT_WorldStatistics *statistics) {
     dUASSERT(world, "bad world argument");
     dUASSERT(statistics, "bad statistics argument");
-    const std::size_t size = std::min(statistics->size, sizeof *statistics);
-    if (size < offsetof(dODE_MT_WorldStatistics, threads)) {
-        dMessage(0, "ODE_MT: dODE_MT_GetWorldStatistics was given a size of %lu bytes, which is too small",
-                 static_cast<unsigned long>(size));
-        return 0;
-    }
+    if (!hasRoom("dODE_MT_GetWorldStatistics", statistics->size, offsetof(dODE_MT_WorldStatistics, threads))) return 0;
     dxTimeline::startCounting();
     dODE_MT_WorldStatistics last{};
     const bool isKnown = dxWorldStatistics::read(world, last);
-    last.size = size;
-    std::memcpy(statistics, &last, size);
+    copyKnown(last, *statistics);
     return isKnown;
+}
+
+int dODE_MT_GetRemoteStatistics(dODE_MT_RemoteStatistics *statistics) {
+    dUASSERT(statistics, "bad statistics argument");
+    if (!hasRoom("dODE_MT_GetRemoteStatistics", statistics->size, offsetof(dODE_MT_RemoteStatistics, workersLate))) return 0;
+    copyKnown(dxRemoteIslands::statistics(), *statistics);
+    return 1;
 }
 
 int dODE_MT_StartTrace(const char *path) {

@@ -44,6 +44,7 @@ void dxIslandParallelStep::run() {
         runBlocks();
         stepRemainingIslands();
         finishPostponed();
+        if (m_remote) m_plan.outcomes = m_remote->outcomes();
         m_remote.reset();
         learn(stopwatch.ns());
         rest = commit();

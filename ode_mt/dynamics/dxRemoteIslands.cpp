@@ -52,6 +52,29 @@ bool dxRemoteIslands::mayHelp(const dxStepCall &call) {
     return call.count >= least && algorithm != dxAlgorithm::Serial && !dxTrapsFloatingPoint() && !dxJointAttachment::hasAny(*call.world);
 }
 
+dODE_MT_RemoteStatistics dxRemoteIslands::statistics() {
+    const dxRemoteWorkers::Counts counts = dxRemoteWorkers::instance().counts();
+    dODE_MT_RemoteStatistics now{};
+    now.workers = counts.open;
+    now.workersLate = counts.openLate;
+    now.workersRefused = counts.refused;
+    now.workersLost = counts.lost;
+    now.workersReplaced = counts.replaced;
+    now.timesLate = counts.late;
+    now.islandsSent = counts.sent;
+    now.islandsSolved = counts.outcomes[dxRemoteOutcome::Solved];
+    now.islandsSooner = counts.outcomes[dxRemoteOutcome::Sooner];
+    now.islandsLate = counts.outcomes[dxRemoteOutcome::Late];
+    now.islandsLost = counts.outcomes[dxRemoteOutcome::Lost];
+    now.islandsGivenBack = counts.outcomes[dxRemoteOutcome::NoResult];
+    return now;
+}
+
+dxRemoteRecord dxRemoteIslands::recordOf(const dxRemoteOutcomes &outcomes) {
+    const dxRemoteWorkers::Counts counts = dxRemoteWorkers::instance().counts();
+    return {counts.open, counts.lost, static_cast<unsigned>(outcomes.solved()), static_cast<unsigned>(outcomes.returned())};
+}
+
 dxRemoteIslands::dxRemoteIslands(const dxStepCall &call, dxStepRecords &records, double share, bool isForced)
     : m_call(call), m_records(records), m_scale(dxCostModel::instance().scale(call.kind) * kRemoteSolverPart) {
     std::vector<unsigned> order(records.inOrderFrom);
@@ -112,7 +135,7 @@ bool dxRemoteIslands::next(unsigned &entry, dxRemoteBytes &result, bool &hasResu
         if (!hasResult) return true;
         switch (dxReadPackedResult(result, m_entries[entry].problem)) {
             case dxPackedAnswer::Solved: return true;
-            case dxPackedAnswer::GivenBack: hasResult = false; return true;
+            case dxPackedAnswer::GivenBack: m_batch->noteGivenBack(); hasResult = false; return true;
             case dxPackedAnswer::Wrong: m_batch->reject(entry); break;
         }
     }

@@ -19,6 +19,7 @@
 #include "dynamics/exactstep/dxExactProblem.h"
 #include "dynamics/islands/dxIslandStep.h"
 #include "remote/dxRemoteWorkers.h"
+#include "settings/dxWorldStatistics.h"
 
 class dxRemoteIslands {
 public:
@@ -32,6 +33,12 @@ public:
 
     // Whether islands of this step may go out at all. Costs one look where there are no workers.
     static bool mayHelp(const dxStepCall &call);
+
+    // dODE_MT_GetRemoteStatistics; the size is the caller's.
+    static dODE_MT_RemoteStatistics statistics();
+
+    // For the statistics of a step that went so.
+    static dxRemoteRecord recordOf(const dxRemoteOutcomes &outcomes);
 
     // --- one step --------------------------------------------------------------------------------------------
 
@@ -54,6 +61,9 @@ public:
     bool next(unsigned &entry, dxRemoteBytes &result, bool &hasResult);
     // Solves it in the arena if there is no result, and applies the results. Reports messages, and so may throw dxUpstreamInterrupted.
     void finish(unsigned entry, const dxRemoteBytes &result, bool hasResult, dxWorldProcessMemArena *arena);
+
+    // Of those that went out, when next() has told of all.
+    dxRemoteOutcomes outcomes() const { return m_batch->outcomes(); }
 
     // For the thread that has no memory to solve: another one finishes it later.
     void postpone(unsigned entry) { m_entries[entry].isPostponed = true; }

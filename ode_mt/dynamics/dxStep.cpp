@@ -6,6 +6,7 @@
 #include "dynamics/dxIslandParallelStep.h"
 #include "dynamics/dxIslandStepper.h"
 #include "dynamics/dxLargeIslandStep.h"
+#include "dynamics/dxRemoteIslands.h"
 #include "dynamics/dxSerialStep.h"
 #include "dynamics/dxStepStrategy.h"
 #include "dynamics/direct/dxDirectMemory.h"
@@ -74,6 +75,7 @@ void dxStepOnThisThread(dxWorld *world, const dxWorldProcessIslandsInfo &info, d
     if (call.kind == dxStepperKind::Iterative) call.iterativeWorld = beginIteratively(world, info, stepSize);
     dxSerialStep(call, worker).stepIslands(dxIslandCursor(info), call.count);
     span.setReason([](unsigned) { return dODE_MT_REASON_WORLDS; });
+    span.setRemote([] { return dxRemoteIslands::recordOf({}); });
 }
 
 bool dxStepIslands(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper,
@@ -92,5 +94,6 @@ bool dxStepIslands(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal 
     else
         follow(plan, call);
     span.setReason([&](unsigned threads) { return dxReasonOf(call, plan, threads); });
+    span.setRemote([&plan] { return dxRemoteIslands::recordOf(plan.outcomes); });
     return true;
 }

@@ -92,8 +92,8 @@ void dxRemoteWorkers::close() {
     pthread_join(m_thread, nullptr);
     const Counts all = counts();
     dxLog(dxLogLevel::info, "remote workers: %llu islands sent, %llu solved there, %llu taken back; late %u times, %u workers lost, %u replaced",
-          static_cast<unsigned long long>(all.sent), static_cast<unsigned long long>(all.solved),
-          static_cast<unsigned long long>(all.takenBack), all.late, all.lost, all.replaced);
+          static_cast<unsigned long long>(all.sent), static_cast<unsigned long long>(all.outcomes.solved()),
+          static_cast<unsigned long long>(all.outcomes.returned()), all.late, all.lost, all.replaced);
 }
 
 // The thread is the parent's, and so are the workers; it may have held the lock.
@@ -116,7 +116,14 @@ dxRemoteCapacity dxRemoteWorkers::capacity() {
 
 dxRemoteWorkers::Counts dxRemoteWorkers::counts() {
     const Lock lock(m_mutex);
-    return m_counts;
+    Counts counts = m_counts;
+    const double time = now();
+    for (const Link &one : m_links) {
+        if (one.link.state() != dxRemoteLink::State::Open) continue;
+        ++counts.open;
+        counts.openLate += !one.link.isUsable(time);
+    }
+    return counts;
 }
 
 // --- on the communication thread ----------------------------------------------------------------------------
@@ -242,7 +249,7 @@ bool dxRemoteWorkers::sendNext(Lock &lock) {
         warnOfMemory();
         dxRemoteInFlight unsent;
         m_links[link].link.withdraw(sending.number);
-        if (m_links[link].link.takeBack(sending.number, now(), unsent)) takeHome(unsent.problems);
+        if (m_links[link].link.takeBack(sending.number, now(), unsent)) takeHome(unsent.problems, dxRemoteOutcome::NoResult);
         m_done.notify_all();
         return true;
     }
@@ -278,6 +285,7 @@ bool dxRemoteWorkers::takeNext(unsigned link, double time, dxRemoteSending &send
     for (auto taken = m_queue.begin(); taken != end; taken = m_queue.erase(taken)) {
         dxRemoteProblem &problem = **taken;
         problem.state = dxRemoteProblem::State::Sent;
+        problem.isSent = true;
         problem.link = link;
         sending.bytes.push_back(std::move(problem.bytes));
         ++m_counts.sent;
@@ -391,7 +399,7 @@ void dxRemoteWorkers::handleResults(unsigned link, const dxRemoteBytes &message)
         isSound = items.number() == expected.problems[i];
     }
     if (!isSound) {
-        takeHome(expected.problems);
+        takeHome(expected.problems, dxRemoteOutcome::Lost);
         return lose(link, "sent results of other problems");
     }
     try {
@@ -405,13 +413,12 @@ void dxRemoteWorkers::handleResults(unsigned link, const dxRemoteBytes &message)
             problem.bytes.assign(item.data(), item.data() + item.size());
             problem.state = dxRemoteProblem::State::Returned;
             batch.m_returned.push_back(index);
-            ++m_counts.solved;
         }
     } catch (const std::bad_alloc &) {
         warnOfMemory();
-        takeHome(expected.problems);
+        takeHome(expected.problems, dxRemoteOutcome::NoResult);
     }
-    if (count == 0) takeHome(expected.problems);
+    if (count == 0) takeHome(expected.problems, dxRemoteOutcome::NoResult);
     m_done.notify_all();
 }
 
@@ -546,9 +553,9 @@ void dxRemoteWorkers::lose(unsigned link, const char *why, const char *detail) {
     dxLog(dxLogLevel::warning, "remote worker %u %s%s; it is left out", link + 1, why, detail);
     m_links[link].restart.begin(now(), m_links[link].link.hasProved());
     m_links[link].link.lose();
-    ++m_counts.lost;
+    ++(m_links[link].isRefused ? m_counts.refused : m_counts.lost);
     m_hasLost = true;
-    for (const dxRemoteInFlight &lost : m_links[link].link.inFlight()) takeHome(lost.problems);
+    for (const dxRemoteInFlight &lost : m_links[link].link.inFlight()) takeHome(lost.problems, dxRemoteOutcome::Lost);
     noteAvailable();
     const double time = now();
     if (std::none_of(m_links.begin(), m_links.end(), [time](const Link &one) { return one.link.isUsable(time); })) takeQueueHome();
@@ -571,22 +578,23 @@ void dxRemoteWorkers::warnOfMemory() {
     dxLog(dxLogLevel::warning, "remote workers: no memory for a message; its islands stay at home");
 }
 
-void dxRemoteWorkers::takeHome(dxRemoteProblem &problem) {
+// `why`: if it was sent.
+void dxRemoteWorkers::takeHome(dxRemoteProblem &problem, dxRemoteOutcome why) {
     if (problem.state != dxRemoteProblem::State::Queued && problem.state != dxRemoteProblem::State::Sent) return;
-    if (problem.state == dxRemoteProblem::State::Sent) ++m_counts.takenBack;
     problem.state = dxRemoteProblem::State::AtHome;
+    problem.outcome = why;
     m_batches[problem.number >> kNumberShift]->m_atHome.push_back(static_cast<unsigned>(problem.number & 0xffffffffu));
 }
 
-void dxRemoteWorkers::takeHome(const std::vector<std::uint64_t> &problems) {
+void dxRemoteWorkers::takeHome(const std::vector<std::uint64_t> &problems, dxRemoteOutcome why) {
     for (const std::uint64_t number : problems) {
         const auto found = m_batches.find(number >> kNumberShift);
-        if (found != m_batches.end()) takeHome(found->second->m_problems[number & 0xffffffffu]);
+        if (found != m_batches.end()) takeHome(found->second->m_problems[number & 0xffffffffu], why);
     }
 }
 
 void dxRemoteWorkers::takeQueueHome() {
-    for (dxRemoteProblem *problem : m_queue) takeHome(*problem);
+    for (dxRemoteProblem *problem : m_queue) takeHome(*problem, dxRemoteOutcome::Late);
     m_queue.clear();
     m_done.notify_all();
 }
@@ -597,7 +605,7 @@ void dxRemoteWorkers::noticeLate(double time) {
         if (one.link.noticeLate(time)) {
             ++m_counts.late;
             dxLog(dxLogLevel::debug, "remote worker %zu is late", static_cast<std::size_t>(&one - m_links.data()) + 1);
-            for (const dxRemoteInFlight &late : one.link.inFlight()) takeHome(late.problems);
+            for (const dxRemoteInFlight &late : one.link.inFlight()) takeHome(late.problems, dxRemoteOutcome::Late);
             m_done.notify_all();
         }
         isAnyUsable |= one.link.isUsable(time);
@@ -633,7 +641,7 @@ void dxRemoteBatch::submit(unsigned index, dxRemoteBytes &&bytes, double cost) {
     problem.cost = cost;
     problem.isPatient = !m_mayHurry;
     problem.state = State::Queued;
-    if (!m_workers.areThere() || m_workers.m_isClosing) return m_workers.takeHome(problem);
+    if (!m_workers.areThere() || m_workers.m_isClosing) return m_workers.takeHome(problem, dxRemoteOutcome::Lost);
     std::list<dxRemoteProblem *> &queue = m_workers.m_queue;
     m_nodes.front() = &problem;
     queue.splice(std::upper_bound(queue.begin(), queue.end(), &problem,
@@ -661,7 +669,30 @@ void dxRemoteBatch::reject(unsigned index) {
     m_workers.lose(m_problems[index].link, "sent a result that is none");
     ++m_left;
     m_problems[index].state = State::AtHome;
+    m_problems[index].outcome = dxRemoteOutcome::Lost;
     m_atHome.push_back(index);
+    discount(dxRemoteOutcome::Solved);
+}
+
+void dxRemoteBatch::noteGivenBack() {
+    const dxRemoteWorkers::Lock lock(m_workers.m_mutex);
+    discount(dxRemoteOutcome::Solved);
+    count(dxRemoteOutcome::NoResult);
+}
+
+dxRemoteOutcomes dxRemoteBatch::outcomes() const {
+    const dxRemoteWorkers::Lock lock(m_workers.m_mutex);
+    return m_outcomes;
+}
+
+void dxRemoteBatch::count(dxRemoteOutcome outcome) {
+    ++m_outcomes[outcome];
+    ++m_workers.m_counts.outcomes[outcome];
+}
+
+void dxRemoteBatch::discount(dxRemoteOutcome outcome) {
+    --m_outcomes[outcome];
+    --m_workers.m_counts.outcomes[outcome];
 }
 
 // What has been answered twice in the meantime is in both lists.
@@ -673,6 +704,7 @@ bool dxRemoteBatch::takeReady(State state, unsigned &index, dxRemoteBytes *resul
         dxRemoteProblem &problem = m_problems[index];
         if (problem.state != state) continue;
         problem.state = State::Done;
+        if (problem.isSent) count(state == State::Returned ? dxRemoteOutcome::Solved : problem.outcome);
         if (result != nullptr) *result = std::move(problem.bytes);
         --m_left;
         return true;
@@ -707,7 +739,7 @@ bool dxRemoteBatch::withdrawLast(double now) {
     if (last == nullptr || !dxIsSoonerAtHome(last->cost, last->expected, now)) return false;
     m_workers.m_hasWithdrawals = true;
     m_workers.m_links[link].link.withdraw(last->number);
-    m_workers.takeHome(last->problems);
+    m_workers.takeHome(last->problems, dxRemoteOutcome::Sooner);
     m_workers.m_wake.notify_one();
     return true;
 }

@@ -33,6 +33,7 @@
 #include "remote/dxPollPause.h"
 #include "remote/dxRemoteFrame.h"
 #include "remote/dxRemoteLink.h"
+#include "remote/dxRemoteOutcomes.h"
 #include "remote/dxRemoteTransport.h"
 #include "remote/dxRestartPause.h"
 #include "threading/process/dxForkListener.h"
@@ -64,6 +65,8 @@ struct dxRemoteProblem {
     State state = State::Expected;
     unsigned link = 0;
     bool isPatient = false;
+    bool isSent = false;
+    dxRemoteOutcome outcome = dxRemoteOutcome::Solved;  // of one that was sent and is at home again: why
     dxRemoteBytes bytes;  // the problem, until it is sent; then the result
 };
 
@@ -87,8 +90,10 @@ public:
     dxRemoteCapacity capacity();
 
     struct Counts {
-        std::uint64_t sent = 0, solved = 0, takenBack = 0;  // problems; those taken back were sent, and solved at home nevertheless
-        unsigned late = 0, lost = 0, replaced = 0;          // times, workers
+        std::uint64_t sent = 0;  // problems
+        dxRemoteOutcomes outcomes;
+        unsigned late = 0, refused = 0, lost = 0, replaced = 0;  // times, workers
+        unsigned open = 0, openLate = 0;  // workers now: may be given problems; of these, get none for the moment, as they are late or were
     };
     Counts counts();
 
@@ -144,8 +149,8 @@ private:
     void loseUnreachable(unsigned link, const char *why);
     void loseAll(const char *why);
     void warnOfMemory();
-    void takeHome(const std::vector<std::uint64_t> &problems);
-    void takeHome(dxRemoteProblem &problem);
+    void takeHome(const std::vector<std::uint64_t> &problems, dxRemoteOutcome why);
+    void takeHome(dxRemoteProblem &problem, dxRemoteOutcome why);
     void takeQueueHome();
     void noticeLate(double now);
     void noteAvailable();
@@ -197,13 +202,20 @@ public:
     // Waits until there is something to do. None: all problems have been answered.
     Next next(unsigned &index, dxRemoteBytes &result);
 
-    // The result is none: its worker is not trusted any more, and home solves the problem.
+    // The result that next() gave is none: its worker is not trusted any more, and home solves the problem.
     void reject(unsigned index);
+    // It says that the worker could not solve the problem; whoever calls does.
+    void noteGivenBack();
+
+    // Of those that next() has given so far.
+    dxRemoteOutcomes outcomes() const;
 
 private:
     friend class dxRemoteWorkers;
     using State = dxRemoteProblem::State;
 
+    void count(dxRemoteOutcome outcome);
+    void discount(dxRemoteOutcome outcome);
     bool takeReady(State state, unsigned &index, dxRemoteBytes *result);
     bool takeUnsent(unsigned &index);
     bool withdrawLast(double now);
@@ -216,4 +228,5 @@ private:
     std::list<dxRemoteProblem *> m_nodes;         // of the queue, for problems that are not submitted yet
     std::vector<unsigned> m_returned, m_atHome;  // with room for all that may come
     unsigned m_left;
+    dxRemoteOutcomes m_outcomes;
 };

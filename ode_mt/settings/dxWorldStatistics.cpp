@@ -110,6 +110,10 @@ void setCounts(dODE_MT_WorldStatistics &frame, const Entry &entry, const dxStepR
                         : 0;
     frame.stepThreads = step.threads;
     frame.stepReason = step.reason;
+    frame.remoteWorkers = step.remote.workers;
+    frame.remoteWorkersLost = step.remote.lostWorkers;
+    frame.remoteIslands = step.remote.solved;
+    frame.returnedIslands = step.remote.returned;
     frame.collisionThreads = entry.collisions != 0 ? collision.threads : 0;
     frame.collisionReason = entry.collisions != 0 ? collision.reason : dODE_MT_REASON_NOTHING;
     frame.callbackReason = entry.collisions != 0 ? collision.callbackReason : dODE_MT_REASON_NOTHING;
@@ -123,6 +127,8 @@ void addToSums(dODE_MT_WorldStatistics &frame, const Entry &entry) {
     frame.allFrameTime += frame.frameTime;
     frame.allCollisionTime += frame.collisionTime;
     frame.allStepTime += frame.stepTime;
+    frame.allRemoteIslands += frame.remoteIslands;
+    frame.allReturnedIslands += frame.returnedIslands;
 }
 
 void setNumber(dODE_MT_WorldStatistics &frame) {

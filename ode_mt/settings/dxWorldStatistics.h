@@ -23,6 +23,12 @@ struct dxCollisionRecord {
     dODE_MT_Reason reason = dODE_MT_REASON_PARALLEL, callbackReason = dODE_MT_REASON_PARALLEL;
 };
 
+// Of a step: what workers in other processes (ODE_MT_WORKERS) did for it.
+struct dxRemoteRecord {
+    unsigned workers = 0, lostWorkers = 0;  // of the process, at its end
+    unsigned solved = 0, returned = 0;      // islands: solved by them; sent to them, and solved at home after all
+};
+
 struct dxStepRecord {
     std::uint64_t begin = 0, end = 0;  // ticks
     dxFrameTimes times{};
@@ -30,6 +36,7 @@ struct dxStepRecord {
     unsigned threads = 1, threadsInForce = 0;  // that took part; that might have (dxOwnThreads)
     unsigned bodies = 0, contacts = 0, islands = 0;
     dODE_MT_Reason reason = dODE_MT_REASON_PARALLEL;
+    dxRemoteRecord remote;
 };
 
 namespace dxWorldStatistics {

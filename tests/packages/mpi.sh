@@ -31,6 +31,12 @@ esac
     { cat "$SCRATCH/mpi.out"; fail odemt_scale; }
 grep -q '^humanoids:3: a frame takes' "$SCRATCH/mpi.out" || { cat "$SCRATCH/mpi.out"; fail "odemt_scale measures nothing"; }
 
+# Gives programs a link to the library.
+(unset ODE_MT_LOG
+ LD_LIBRARY_PATH=$files/$LIB PATH=$system/bin:$PATH ODE_MT_WORKERS=mpi timeout -k 5 100 odemt_top --once -- \
+     "$MPIRUN" -np 1 "$SCRATCH/stacks" : -np 2 odemt_worker) >"$SCRATCH/mpi.out" 2>&1 || { cat "$SCRATCH/mpi.out"; fail odemt_top; }
+grep -q 'remote workers: 2; solved' "$SCRATCH/mpi.out" || { cat "$SCRATCH/mpi.out"; fail "odemt_top shows no workers"; }
+
 "$CMAKE" --install "$BUILD" --prefix "$SCRATCH.system/opt" >/dev/null
 mv "$SCRATCH.system/opt" "$SCRATCH.system/moved"
 moved=$SCRATCH.system/moved

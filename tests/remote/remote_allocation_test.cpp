@@ -132,12 +132,12 @@ TEST_P(RemoteAllocation, RefusedOnceOrUntilTheEnd) {
     std::printf("%d requests refused\n", reached);
     EXPECT_GT(reached, GetParam().phase == Phase::Close ? 2 : 30);
 
-    const std::uint64_t before = dxRemoteWorkers::instance().counts().solved;
+    const std::uint64_t before = dxRemoteWorkers::instance().counts().outcomes.solved();
     open(-1);
     EXPECT_EQ(dxRemoteWorkers::instance().capacity().workers, 2u);
     run(-1, states);
     EXPECT_EQ(states, expected);
-    EXPECT_GT(dxRemoteWorkers::instance().counts().solved, before);
+    EXPECT_GT(dxRemoteWorkers::instance().counts().outcomes.solved(), before);
 }
 
 INSTANTIATE_TEST_SUITE_P(, RemoteAllocation,

@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 #include <ode/ode_MT.h>
 
+#include <cstddef>
+#include <cstring>
+#include <new>
 #include <random>
 
 #include "../dynamics/random_world.h"
@@ -38,6 +41,21 @@ protected:
         });
     }
 
+    static dODE_MT_RemoteStatistics statistics() {
+        dODE_MT_RemoteStatistics statistics;
+        statistics.size = sizeof statistics;
+        EXPECT_EQ(dODE_MT_GetRemoteStatistics(&statistics), 1);
+        EXPECT_EQ(statistics.size, sizeof statistics);
+        return statistics;
+    }
+
+    static dODE_MT_WorldStatistics statisticsOf(dWorldID world) {
+        dODE_MT_WorldStatistics statistics;
+        statistics.size = sizeof statistics;
+        dODE_MT_GetWorldStatistics(world, &statistics);
+        return statistics;
+    }
+
     static States run(const RandomWorld::Shape &shape, unsigned seed, int steps = 12) {
         dRandSetSeed(seed);
         RandomWorld world(shape, seed);
@@ -59,10 +77,10 @@ protected:
 };
 
 TEST_P(RemoteIslands, HaveTheBitsOfHome) {
-    const std::uint64_t before = dxRemoteWorkers::instance().counts().solved;
+    const std::uint64_t before = dxRemoteWorkers::instance().counts().outcomes.solved();
     dToggleODE_MT(GetParam());
     for (unsigned seed = 1; seed <= 8; ++seed) compare(kManyIslands, seed, 1 + seed % 3);
-    EXPECT_GT(dxRemoteWorkers::instance().counts().solved, before + 100) << "of islands, there";
+    EXPECT_GT(dxRemoteWorkers::instance().counts().outcomes.solved(), before + 100) << "of islands, there";
 }
 
 TEST_P(RemoteIslands, HaveTheBitsOfHomeWhateverBecomesOfWorkers) {
@@ -75,6 +93,78 @@ TEST_P(RemoteIslands, HaveTheBitsOfHomeWhateverBecomesOfWorkers) {
             return LoopbackFate{Kind::Flipped, {}, static_cast<unsigned>(random())};
         });
     }
+}
+
+// The process's counts are those of its worlds.
+TEST_P(RemoteIslands, AreCounted) {
+    dToggleODE_MT(GetParam());
+    open(2);
+    const dODE_MT_RemoteStatistics before = statistics();
+    EXPECT_EQ(before.workers, 2u);
+    RandomWorld world(kManyIslands, 3);
+    statisticsOf(world.world());  // begins to record
+    unsigned long long solved = 0;
+    for (int i = 0; i < 5; ++i) {
+        dWorldStep(world.world(), dReal(0.01));
+        const dODE_MT_WorldStatistics last = statisticsOf(world.world());
+        EXPECT_EQ(last.remoteWorkers, 2u);
+        EXPECT_EQ(last.returnedIslands, 0u);
+        solved += last.remoteIslands;
+        EXPECT_EQ(last.allRemoteIslands, solved);
+    }
+    const dODE_MT_RemoteStatistics after = statistics();
+    EXPECT_GT(solved, 0u);
+    EXPECT_EQ(after.islandsSolved - before.islandsSolved, solved);
+    EXPECT_EQ(after.islandsSent - before.islandsSent, solved);
+
+    dWorldQuickStep(world.world(), dReal(0.01));
+    EXPECT_EQ(statisticsOf(world.world()).remoteIslands, 0u) << "which stays at home";
+    EXPECT_EQ(statisticsOf(world.world()).allRemoteIslands, solved);
+}
+
+TEST_P(RemoteIslands, AreCountedWhenWorkersGiveThemBack) {
+    dToggleODE_MT(GetParam());
+    const States expected = run(kManyIslands, 4);
+    dxRemoteWorkers::instance().open("loopback", dxDescribeSolver(), [](std::string &) {
+        return std::make_unique<LoopbackTransport>(1, dxDescribeSolver(), [](const std::byte *, std::size_t, dxRemoteBytes &) { throw std::bad_alloc(); });
+    });
+    const dODE_MT_RemoteStatistics before = statistics();
+    EXPECT_EQ(run(kManyIslands, 4), expected);
+    const dODE_MT_RemoteStatistics after = statistics();
+    EXPECT_GT(after.islandsSent, before.islandsSent);
+    EXPECT_EQ(after.islandsSolved, before.islandsSolved);
+    EXPECT_EQ(after.islandsGivenBack - before.islandsGivenBack, after.islandsSent - before.islandsSent);
+    EXPECT_EQ(after.workersLost, before.workersLost);
+}
+
+TEST_P(RemoteIslands, AreCountedWhenWorkersAreLost) {
+    dToggleODE_MT(GetParam());
+    open(1, [](unsigned, unsigned, dxRemoteKind kind) { return LoopbackFate{kind == dxRemoteKind::Results ? Kind::Flipped : Kind::Arrives, {}, 300}; });
+    const dODE_MT_RemoteStatistics before = statistics();
+    RandomWorld world(kManyIslands, 5);
+    statisticsOf(world.world());
+    dWorldStep(world.world(), dReal(0.01));
+    const dODE_MT_RemoteStatistics after = statistics();
+    const dODE_MT_WorldStatistics last = statisticsOf(world.world());
+    EXPECT_EQ(after.workers, 0u);
+    EXPECT_EQ(after.workersLost, before.workersLost + 1);
+    EXPECT_EQ(last.remoteWorkersLost, after.workersLost);
+    EXPECT_GT(last.returnedIslands, 0u);
+    EXPECT_EQ(after.islandsLost - before.islandsLost, last.returnedIslands);
+    EXPECT_EQ(last.remoteIslands, 0u);
+}
+
+TEST(RemoteStatistics, TheSizeSaysHowMuchIsWritten) {
+    dODE_MT_RemoteStatistics small;
+    std::memset(&small, 0xaa, sizeof small);
+    const dODE_MT_RemoteStatistics untouched = small;
+    small.size = offsetof(dODE_MT_RemoteStatistics, islandsSent);
+    EXPECT_EQ(dODE_MT_GetRemoteStatistics(&small), 1);
+    EXPECT_EQ(small.size, offsetof(dODE_MT_RemoteStatistics, islandsSent));
+    EXPECT_EQ(small.workers, 0u);
+    EXPECT_EQ(small.islandsSent, untouched.islandsSent);
+    small.size = sizeof small.size;
+    EXPECT_EQ(dODE_MT_GetRemoteStatistics(&small), 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(, RemoteIslands, testing::Values(0, 2, 5), [](const testing::TestParamInfo<int> &info) {

@@ -51,9 +51,9 @@ protected:
     ~RemoteWorkers() override { m_workers.close(); }
 
     // Returns how many of the problems were solved at home. Waits for workers, unless home `mayHurry`.
-    unsigned runBatch(unsigned count, bool mayHurry = true) {
+    unsigned runBatch(unsigned count, bool mayHurry = true, double cost = kProblemNs) {
         dxRemoteBatch batch(m_workers, count, mayHurry);
-        for (unsigned i = 0; i < count; ++i) batch.submit(i, problemOf(i), kProblemNs);
+        for (unsigned i = 0; i < count; ++i) batch.submit(i, problemOf(i), cost);
         unsigned index = 0, atHome = 0, answered = 0;
         std::vector<bool> isAnswered(count);
         dxRemoteBytes result;
@@ -72,7 +72,21 @@ protected:
             EXPECT_EQ(sum, sumOf(problem.data(), problem.size()));
         }
         EXPECT_EQ(answered, count);
+        EXPECT_EQ(batch.outcomes().solved(), count - atHome);
+        EXPECT_LE(batch.outcomes().returned(), atHome);
         return atHome;
+    }
+
+    // What has happened since.
+    dxRemoteWorkers::Counts countsSince(const dxRemoteWorkers::Counts &before) {
+        dxRemoteWorkers::Counts counts = m_workers.counts();
+        counts.sent -= before.sent;
+        counts.late -= before.late;
+        counts.refused -= before.refused;
+        counts.lost -= before.lost;
+        for (int i = 0; i < static_cast<int>(dxRemoteOutcome::Count); ++i)
+            counts.outcomes[static_cast<dxRemoteOutcome>(i)] -= before.outcomes[static_cast<dxRemoteOutcome>(i)];
+        return counts;
     }
 
     // Whether so many workers are usable within a second.
@@ -83,6 +97,7 @@ protected:
     }
 
     dxRemoteWorkers &m_workers = dxRemoteWorkers::instance();
+    const dxRemoteWorkers::Counts m_before = m_workers.counts();
 };
 
 TEST_F(RemoteWorkers, SolveAllThatHomeWaitsFor) {
@@ -103,6 +118,9 @@ TEST_F(RemoteWorkers, OfAnotherVersionAreRefused) {
     open(2, nullptr, "2");
     EXPECT_FALSE(m_workers.areThere());
     EXPECT_EQ(runBatch(10), 10u);
+    EXPECT_EQ(countsSince(m_before).refused, 2u);
+    EXPECT_EQ(countsSince(m_before).lost, 0u);
+    EXPECT_EQ(countsSince(m_before).sent, 0u);
 }
 
 // As a worker that ends before it joins may make MPI wait for ever. What begins too late is ended by the communication thread.
@@ -155,6 +173,58 @@ TEST_F(RemoteWorkers, ThatWereLateAreUsedAgain) {
     runBatch(4);
     EXPECT_TRUE(hasSoon(1));
     EXPECT_EQ(runBatch(20, false), 0u);
+}
+
+TEST_F(RemoteWorkers, CountWhatTheySolve) {
+    open(3);
+    runBatch(100, false);
+    const dxRemoteWorkers::Counts counts = countsSince(m_before);
+    EXPECT_EQ(counts.open, 3u);
+    EXPECT_EQ(counts.openLate, 0u);
+    EXPECT_EQ(counts.sent, 100u);
+    EXPECT_EQ(counts.outcomes.solved(), 100u);
+    EXPECT_EQ(counts.outcomes.returned(), 0u);
+    m_workers.close();
+    EXPECT_EQ(m_workers.counts().open, 0u);
+}
+
+// Home waits for the first problem until its worker is late, and takes a second one, which is under way behind that, back before.
+TEST_F(RemoteWorkers, CountWhatIsLate) {
+    open(1, [](unsigned, unsigned, dxRemoteKind kind) { return LoopbackFate{kind == dxRemoteKind::Results ? Kind::Stopped : Kind::Arrives}; });
+    constexpr double kLongNs = 100 * kProblemNs;
+    for (int attempt = 0; attempt < 20 && countsSince(m_before).sent == 0; ++attempt) EXPECT_EQ(runBatch(20, true, kLongNs), 20u);
+    const dxRemoteWorkers::Counts counts = countsSince(m_before);
+    EXPECT_GT(counts.outcomes[dxRemoteOutcome::Late], 0u);
+    EXPECT_EQ(counts.outcomes[dxRemoteOutcome::Late] + counts.outcomes[dxRemoteOutcome::Sooner], counts.sent);
+    EXPECT_EQ(counts.outcomes.solved(), 0u);
+    EXPECT_EQ(counts.late, 1u);
+    EXPECT_EQ(counts.lost, 0u);
+    EXPECT_EQ(counts.open, 1u);
+    EXPECT_EQ(counts.openLate, 1u);
+}
+
+// A message that takes so long to be answered is not worth waiting for.
+TEST_F(RemoteWorkers, CountWhatHomeSolvesSooner) {
+    open(1, [](unsigned, unsigned, dxRemoteKind kind) {
+        LoopbackFate fate;
+        if (kind == dxRemoteKind::Echo) fate.delay = std::chrono::milliseconds(50);
+        return fate;
+    });
+    for (int attempt = 0; attempt < 20 && countsSince(m_before).outcomes[dxRemoteOutcome::Sooner] == 0; ++attempt) runBatch(20);
+    const dxRemoteWorkers::Counts counts = countsSince(m_before);
+    EXPECT_GT(counts.outcomes[dxRemoteOutcome::Sooner], 0u);
+    EXPECT_EQ(counts.outcomes.solved() + counts.outcomes.returned(), counts.sent);
+}
+
+TEST_F(RemoteWorkers, CountWhatIsLostWithThem) {
+    open(1, [](unsigned, unsigned, dxRemoteKind kind) { return LoopbackFate{kind == dxRemoteKind::Results ? Kind::Flipped : Kind::Arrives, {}, 300}; });
+    EXPECT_EQ(runBatch(4, false), 4u);
+    const dxRemoteWorkers::Counts counts = countsSince(m_before);
+    EXPECT_GT(counts.sent, 0u);
+    EXPECT_EQ(counts.outcomes[dxRemoteOutcome::Lost], counts.sent);
+    EXPECT_EQ(counts.outcomes.solved(), 0u);
+    EXPECT_EQ(counts.lost, 1u);
+    EXPECT_EQ(counts.open, 0u);
 }
 
 TEST_F(RemoteWorkers, SeveralStepsShareThem) {
@@ -235,6 +305,8 @@ TEST_F(RemoteWorkers, AThousandFaultsChangeNothing) {
     RecordProperty("longest step (ms)", std::to_string(longest / 1e6));
     std::printf("%u faults, longest step %.1f ms\n", faults, longest / 1e6);
     EXPECT_GE(faults, 900u);
+    const dxRemoteWorkers::Counts counts = countsSince(m_before);
+    EXPECT_EQ(counts.outcomes.solved() + counts.outcomes.returned(), counts.sent);
 }
 
 }  // namespace

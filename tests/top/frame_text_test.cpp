@@ -51,6 +51,22 @@ TEST(FrameText, SaysWhyItIsOneThread) {
               std::string::npos);
 }
 
+TEST(FrameText, SaysWhatWorkersInOtherProcessesDo) {
+    top::WorldFrames world = worldFrames(0, 1, 1, 4);
+    EXPECT_EQ(join(top::detailsOf(top::ratesOfAll({world})[0])).find("remote"), std::string::npos);
+    world.statistics.remoteWorkers = 3;
+    world.statistics.remoteIslands = 40;
+    world.statistics.allRemoteIslands = 150;
+    EXPECT_NE(join(top::detailsOf(top::ratesOfAll({world})[0])).find("remote workers: 3; solved 40 islands, 0 more at home after all (of all frames 150, 0)\n"),
+              std::string::npos);
+    world.statistics.remoteWorkers = 0;
+    world.statistics.remoteWorkersLost = 3;
+    world.statistics.returnedIslands = 7;
+    world.statistics.allReturnedIslands = 9;
+    EXPECT_NE(join(top::detailsOf(top::ratesOfAll({world})[0])).find("remote workers: 0, 3 lost; solved 40 islands, 7 more at home after all (of all frames 150, 9)\n"),
+              std::string::npos);
+}
+
 TEST(FrameText, SaysThatThereIsNoWorldOrNoRoomForMore) {
     EXPECT_EQ(top::textOf({}, 0), std::string(top::kNoWorld) + '\n');
     const std::string text = top::textOf(top::ratesOfAll({worldFrames(0, 1, 1, 4)}), 5);

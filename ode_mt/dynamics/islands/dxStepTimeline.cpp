@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "settings/dxOwnThreads.h"
-#include "settings/dxWorldStatistics.h"
 
 namespace {
 
@@ -47,7 +46,7 @@ void dxStepSpan::end() {
     m_ring->nextFrame();
     if (dxTimeline::isCounted() && m_begin != 0)
         dxWorldStatistics::add(m_world, {m_begin, now, m_ring->times(), rows, threads, dxOwnThreads::inForce(dxOwnThreads::of(m_world)),
-                                         m_bodies, m_contacts, m_islands, m_reason});
+                                         m_bodies, m_contacts, m_islands, m_reason, m_remote});
     goOnWithOuter();
 }
 

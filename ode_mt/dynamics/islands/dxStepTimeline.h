@@ -14,6 +14,7 @@
 #include <ode/ode.h>
 
 #include "dynamics/islands/dxIsland.h"
+#include "settings/dxWorldStatistics.h"
 #include "threading/timeline/dxTimelineSpan.h"
 
 namespace dxStepEvents {
@@ -51,6 +52,12 @@ public:
         if (m_ring != nullptr) m_reason = reasonOf(m_ring->threads());
     }
 
+    // Returns recordOf(): what remote workers did. It is asked for if it is counted.
+    template <class Record>
+    void setRemote(const Record &recordOf) {
+        if (m_ring != nullptr && dxTimeline::isCounted()) m_remote = recordOf();
+    }
+
 private:
     void begin(const dxWorld *world, unsigned islands);
     void end();
@@ -60,6 +67,7 @@ private:
     const dxWorld *const m_world;
     unsigned m_islands = 0, m_bodies = 0, m_contacts = 0;
     dODE_MT_Reason m_reason = dODE_MT_REASON_PARALLEL;
+    dxRemoteRecord m_remote;
     std::uint64_t m_begin = 0;  // ticks; 0: it is not known
     struct Outer {
         dxFrameTimes times;

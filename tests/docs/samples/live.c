@@ -1,4 +1,4 @@
-/* Asks for the last frame of a world, for docs/top.md. */
+/* Asks for the last frame of a world, for docs/top.md, and for what workers have done, for docs/remote-islands.md. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -16,12 +16,24 @@ static int tellOfFrame(void) {
 }
 /* [live] */
 
+/* [remote] */
+/* Prints what workers in other processes have done for all worlds. */
+static void tellOfWorkers(void) {
+    dODE_MT_RemoteStatistics remote;
+    remote.size = sizeof remote;
+    dODE_MT_GetRemoteStatistics(&remote);
+    printf("%u workers, %u lost: %llu islands solved of %llu sent, %llu late\n", remote.workers, remote.workersLost, remote.islandsSolved,
+           remote.islandsSent, remote.islandsLate);
+}
+/* [remote] */
+
 int main(void) {
     dInitODE2(0);
     setUpTowers();
     const int isEarly = tellOfFrame();
     runFrames(3);
     const int isTold = tellOfFrame();
+    tellOfWorkers();
     destroyTowers();
     dCloseODE();
     return !isEarly && isTold ? EXIT_SUCCESS : EXIT_FAILURE;
