@@ -182,7 +182,10 @@ void planRemote(const dxStepCall &call, dxStepPlan &plan) {
 
 void recordRemoteTime(const dxStepPlan &plan, double ns) {
     const std::unique_lock<std::mutex> hold(remotePolicy->mutex, std::try_to_lock);
-    if (hold) remotePolicy->policy.record(plan.remoteShare > 0, ns * kCostOfReference / plan.costs.total);
+    if (!hold) return;
+    dxSharingPolicy &policy = remotePolicy->policy;
+    policy.record(plan.remoteShare > 0, ns * kCostOfReference / plan.costs.total);
+    if (plan.remoteShare == 0 && policy.shouldShare()) dxRemoteWorkers::instance().wake();
 }
 
 }  // namespace

@@ -18,8 +18,9 @@ enum class dxRemoteKind : std::uint16_t {
     Problems,  // home: items
     Results,   // worker: items; the number is that of the problems
     Withdraw,  // home: the problems of this number are no longer wanted
-    Alive,     // home: nothing but that
+    Alive,     // home: nothing but that, for a worker that may go on sleeping
     Quit,      // home: the worker ends; body: one byte, whether all end in good order
+    Wake,      // home: problems are about to come
 };
 
 struct dxRemoteHeader {

@@ -42,10 +42,24 @@ void dxRemoteLink::foresee(double from) {
 }
 
 void dxRemoteLink::send(dxRemoteInFlight &&problems, std::size_t bytes, double now) {
+    const double sleep = sleepNs(now);
     problems.sent = now;
-    problems.transferNs = m_latencyNs + static_cast<double>(bytes) * m_nsPerByte;
+    problems.meetsSleep = sleep > 0;
+    problems.transferNs = m_latencyNs + static_cast<double>(bytes) * m_nsPerByte + sleep;
+    noteContact(now);
     m_inFlight.push_back(std::move(problems));
     foresee(m_inFlight.front().sent);
+}
+
+// It has looked for the message when the pause in which it is now is over.
+void dxRemoteLink::noteContact(double now) {
+    if (isAsleep(now)) m_looksBy = now + dxPollPause::longestNs(now - m_lastContact);
+    m_lastContact = now;
+}
+
+// How long a message may wait until the worker looks for it; 0: no longer than those of which the latency was measured.
+double dxRemoteLink::sleepNs(double now) const {
+    return isAsleep(now) ? dxPollPause::longestNs(now - m_lastContact) : std::max(m_looksBy - now, 0.0);
 }
 
 void dxRemoteLink::withdraw(std::uint64_t number) {
@@ -64,11 +78,12 @@ bool dxRemoteLink::takeWithdrawal(std::uint64_t &number) {
 bool dxRemoteLink::takeBack(std::uint64_t number, double now, dxRemoteInFlight &problems) {
     const auto found = std::find_if(m_inFlight.begin(), m_inFlight.end(), [number](const dxRemoteInFlight &one) { return one.number == number; });
     if (found == m_inFlight.end()) return false;
+    noteContact(now);
     const bool wasFirst = found == m_inFlight.begin();
     problems = std::move(*found);
     m_inFlight.erase(found);
     if (!problems.isWithdrawn) ++m_answers;
-    if (wasFirst && !problems.isWithdrawn && !m_isLate && problems.cost > 0) {
+    if (wasFirst && !problems.isWithdrawn && !problems.meetsSleep && !m_isLate && problems.cost > 0) {
         // From when it could be begun: what was sent after it was begun waits for it.
         const double begin = problems.expected - problems.cost * m_slowness - problems.transferNs;
         const double took = std::max(now - std::max(begin, problems.sent) - problems.transferNs, 0.0);

@@ -4,6 +4,9 @@
 // disconnected, was refused, or sent what cannot be. An open link of which something is late gets nothing until all is back, and then not for
 // a pause that doubles each time, up to ten seconds.
 //
+// A worker that has heard nothing for a second looks for messages less often (dxPollPause). The link knows when it was sent something last, so
+// that a message which finds it asleep is expected later, and tells nothing of its speed.
+//
 // Only send() takes memory, and changes nothing where there is none.
 //
 // Units: times in ns of one clock, costs in ns of work at home. Threading: under the lock of dxRemoteWorkers.
@@ -13,17 +16,20 @@
 #include <list>
 #include <vector>
 
+#include "remote/dxPollPause.h"
+
 // Problems that were sent in one message and are not back.
 struct dxRemoteInFlight {
     std::uint64_t number;
     std::vector<std::uint64_t> problems;
     double cost;
-    double transferNs;    // there and back
+    double transferNs;    // there and back, the worker's sleep included
     double sent;
     double expected = 0;  // when they should be back
     double deadline = 0;  // after which home solves them
     bool isWithdrawn = false, isWithdrawalSent = false;
-    bool isPatient = false;  // home has nothing better to do: it waits for seconds
+    bool meetsSleep = false;  // the worker may have been asleep
+    bool isPatient = false;   // home has nothing better to do: it waits for seconds
 };
 
 class dxRemoteLink {
@@ -46,6 +52,11 @@ public:
     // Echoes of the two sizes came back after so long. Opens the link.
     void setMeasured(double latencyNs, double nsPerByte);
     void lose() { m_state = State::Lost; }
+
+    // The worker was heard, or is sent what it wakes up for.
+    void noteContact(double now);
+    // Has heard nothing for long.
+    bool isAsleep(double now) const { return dxPollPause::isLong(now - m_lastContact); }
 
     // --- problems ------------------------------------------------------------------------------------------
     const std::list<dxRemoteInFlight> &inFlight() const { return m_inFlight; }
@@ -72,11 +83,13 @@ private:
     static constexpr std::size_t kMaxInFlight = 2;  // one that is solved, and one that waits
 
     void foresee(double from);
+    double sleepNs(double now) const;
 
     State m_state = State::New;
     bool m_isLate = false;
     double m_lateSince = 0, m_pausedUntil = 0, m_pauseNs = 0;
     unsigned m_onTime = 0, m_answers = 0;
+    double m_lastContact = 0, m_looksBy = 0;
     double m_latencyNs = 0, m_nsPerByte = 0, m_slowness = 1;
     std::list<dxRemoteInFlight> m_inFlight;  // in the order in which they were sent
 };

@@ -32,9 +32,10 @@ dxRemoteServer::End dxRemoteServer::serve(double maxSilence) {
     dxPollPause pause;
     dxStopwatch silence;
     while (!m_hasEnded) {
-        if (receiveAll() || !m_problems.empty()) {
+        const Received received = receiveAll();
+        if (received != Received::Nothing) silence.restart();
+        if (received == Received::Work || !m_problems.empty()) {
             pause.reset();
-            silence.restart();
         } else if (silence.ns() > maxSilence * 1e9) {
             return End::Silence;
         } else {
@@ -45,11 +46,12 @@ dxRemoteServer::End dxRemoteServer::serve(double maxSilence) {
     return m_end;
 }
 
-// Returns whether there was anything. Messages that are not whole are home's to miss.
-bool dxRemoteServer::receiveAll() {
-    bool hasReceived = false;
+// Messages that are not whole are home's to miss.
+dxRemoteServer::Received dxRemoteServer::receiveAll() {
+    Received received = Received::Nothing;
     unsigned link = 0;
-    for (std::size_t bytes; !m_hasEnded && (bytes = m_transport.waiting(link)) != 0; hasReceived = true) {
+    for (std::size_t bytes; !m_hasEnded && (bytes = m_transport.waiting(link)) != 0;) {
+        received = std::max(received, Received::Sign);
         dxRemoteBytes message(bytes);
         if (!m_transport.receive(message.data())) {
             m_hasEnded = true;
@@ -58,6 +60,7 @@ bool dxRemoteServer::receiveAll() {
         }
         if (dxFindFrameFault(message) != nullptr) continue;
         const dxRemoteHeader header = dxReadHeader(message);
+        if (static_cast<dxRemoteKind>(header.kind) != dxRemoteKind::Alive) received = Received::Work;
         const char *const body = reinterpret_cast<const char *>(message.data()) + sizeof header;
         const std::size_t bodySize = message.size() - sizeof header;
         switch (static_cast<dxRemoteKind>(header.kind)) {
@@ -88,7 +91,7 @@ bool dxRemoteServer::receiveAll() {
                 break;
         }
     }
-    return hasReceived;
+    return received;
 }
 
 // Returns false without memory for the results.

@@ -29,7 +29,9 @@ public:
 
 private:
     End serve(double maxSilence);
-    bool receiveAll();
+    // What was there: a sign of life, or what others may follow soon.
+    enum class Received { Nothing, Sign, Work };
+    Received receiveAll();
     void solveFirst();
     bool solveAll(const dxRemoteBytes &problems, dxRemoteFrame &results);
     bool send(const dxRemoteBytes &message);

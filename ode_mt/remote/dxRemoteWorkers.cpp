@@ -52,7 +52,7 @@ void dxRemoteWorkers::open(const char *name, const dxRemoteHello &hello, Open op
     m_name = name;
     m_hello = hello;
     m_open = std::move(open);
-    m_isClosing = m_hasBegun = false;
+    m_isClosing = m_hasBegun = m_isWaking = false;
     const auto body = [](void *self) -> void * {
         static_cast<dxRemoteWorkers *>(self)->communicate();
         return nullptr;
@@ -114,6 +114,12 @@ dxRemoteCapacity dxRemoteWorkers::capacity() {
     return sum;
 }
 
+void dxRemoteWorkers::wake() {
+    const Lock lock(m_mutex);
+    m_isWaking = true;
+    m_wake.notify_one();
+}
+
 dxRemoteWorkers::Counts dxRemoteWorkers::counts() {
     const Lock lock(m_mutex);
     Counts counts = m_counts;
@@ -152,9 +158,9 @@ void dxRemoteWorkers::communicate() {
 }
 
 bool dxRemoteWorkers::communicateOnce(Lock &lock) {
-    const bool hasWithdrawn = sendWithdrawals(lock), hasSent = sendNext(lock), hasReceived = receiveNext(lock);
+    const bool hasWoken = sendWakeUps(lock), hasWithdrawn = sendWithdrawals(lock), hasSent = sendNext(lock), hasReceived = receiveNext(lock);
     const bool hasReplaced = m_canReplace && replaceLost(lock);
-    return hasWithdrawn || hasSent || hasReceived || hasReplaced;
+    return hasWoken || hasWithdrawn || hasSent || hasReceived || hasReplaced;
 }
 
 void dxRemoteWorkers::begin() {
@@ -192,7 +198,22 @@ bool dxRemoteWorkers::sendTo(unsigned link, const dxRemoteBytes &message, Lock &
         isSent = m_transport->send(link, message.data(), message.size());
     }
     if (!isSent) loseUnreachable(link, "cannot be reached");
+    if (static_cast<dxRemoteKind>(dxReadHeader(message).kind) != dxRemoteKind::Alive) m_links[link].link.noteContact(now());
     return isSent;
+}
+
+// Without memory for the message the worker sleeps on.
+bool dxRemoteWorkers::sendWakeUps(Lock &lock) {
+    if (!std::exchange(m_isWaking, false)) return false;
+    for (unsigned i = 0; i < m_links.size(); ++i) {
+        if (!m_links[i].link.isUsable(now()) || !m_links[i].link.isAsleep(now())) continue;
+        try {
+            sendTo(i, dxRemoteFrame().seal(dxRemoteKind::Wake), lock);
+        } catch (const std::bad_alloc &) {
+            warnOfMemory();
+        }
+    }
+    return true;
 }
 
 // Without memory for the message the worker solves in vain.
@@ -481,9 +502,9 @@ void dxRemoteWorkers::sleep(Lock &lock) {
     if (isPolled)
         m_wake.wait_for(lock, m_pause.next());
     else if (isReplaced)
-        m_wake.wait_for(lock, duration(kRestartPollNs), [this] { return m_isClosing || !m_queue.empty() || m_hasWithdrawals; });
+        m_wake.wait_for(lock, duration(kRestartPollNs), [this] { return hasSomethingToSay(); });
     else
-        m_wake.wait_for(lock, duration(kHeartbeatNs), [this] { return m_isClosing || !m_queue.empty() || m_hasWithdrawals; });
+        m_wake.wait_for(lock, duration(kHeartbeatNs), [this] { return hasSomethingToSay(); });
 }
 
 void dxRemoteWorkers::end() {

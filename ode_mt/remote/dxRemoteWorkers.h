@@ -89,6 +89,9 @@ public:
 
     dxRemoteCapacity capacity();
 
+    // Problems are about to come: workers that sleep look for them again as often as they can.
+    void wake();
+
     struct Counts {
         std::uint64_t sent = 0;  // problems
         dxRemoteOutcomes outcomes;
@@ -130,6 +133,8 @@ private:
     bool takeNext(unsigned link, double time, dxRemoteSending &sending);
     void sendHeartbeat(double time, Lock &lock);
     bool sendWithdrawals(Lock &lock);
+    bool sendWakeUps(Lock &lock);
+    bool hasSomethingToSay() const { return m_isClosing || !m_queue.empty() || m_hasWithdrawals || m_isWaking; }
     bool receiveNext(Lock &lock);
     void handle(unsigned link, const dxRemoteBytes &message, Lock &lock);
     void handleHello(unsigned link, const dxRemoteBytes &message, Lock &lock);
@@ -175,7 +180,7 @@ private:
     std::vector<Link> m_links;
     std::list<dxRemoteProblem *> m_queue;                         // the most expensive first
     std::unordered_map<std::uint64_t, dxRemoteBatch *> m_batches;  // by the upper half of a problem's number
-    bool m_hasWithdrawals = false, m_hasWarnedOfMemory = false;
+    bool m_hasWithdrawals = false, m_isWaking = false, m_hasWarnedOfMemory = false;
     std::uint64_t m_nextFrame = 1, m_nextBatch = 1;
     Counts m_counts;
 

@@ -70,6 +70,36 @@ TEST(RemoteLink, IsLateUntilAllIsBackAndThenPauses) {
     }
 }
 
+// A worker that has heard nothing for seconds is not late, nor slow, as it sleeps.
+TEST(RemoteLink, ExpectsWhatMeetsASleepingWorkerLater) {
+    dxRemoteLink link = openLink();
+    link.noteContact(0);
+    EXPECT_FALSE(link.isAsleep(100 * kMs));
+    double now = 5000 * kMs;
+    EXPECT_TRUE(link.isAsleep(now));
+    const double sleep = dxPollPause::longestNs(now);
+    send(link, 1, kMs, now);
+    EXPECT_FALSE(link.isAsleep(now));
+    EXPECT_DOUBLE_EQ(link.inFlight().front().expected, now + 1.1 * kMs + sleep);
+    EXPECT_GE(link.deadline(), now + 2 * (1.1 * kMs + sleep));
+    dxRemoteInFlight problems;
+    now += 1.1 * kMs + sleep;
+    ASSERT_TRUE(link.takeBack(1, now, problems));
+    EXPECT_DOUBLE_EQ(link.slowness(), 1);
+    send(link, 2, kMs, now);
+    EXPECT_DOUBLE_EQ(link.inFlight().front().expected, now + 1.1 * kMs);
+}
+
+// One that is woken in time looks again as often as ever.
+TEST(RemoteLink, KnowsWhenAWorkerIsAwake) {
+    dxRemoteLink link = openLink();
+    const double woken = 5000 * kMs, sleep = dxPollPause::longestNs(woken);
+    link.noteContact(woken);
+    EXPECT_FALSE(link.isAsleep(woken));
+    send(link, 1, kMs, woken + sleep);
+    EXPECT_DOUBLE_EQ(link.inFlight().front().expected, woken + sleep + 1.1 * kMs);
+}
+
 TEST(RemoteLink, KnowsWhatItHasSent) {
     dxRemoteLink link = openLink();
     send(link, 5, kMs, 0);
