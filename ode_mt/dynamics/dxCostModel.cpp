@@ -111,14 +111,19 @@ void dxCostModel::fadeOverhead(double serial) {
     m_hasFaded.store(true, std::memory_order_relaxed);
 }
 
+void dxCostModel::learnScale(dxStepperKind stepper, double scale) {
+    m_scale[index(stepper)].add(scale);
+    m_lastScale[index(stepper)].store(scale, std::memory_order_relaxed);
+}
+
 void dxCostModel::learnSerial(dxStepperKind stepper, double total, double ns) {
-    if (total > 0) m_scale[index(stepper)].add(ns / total);
+    if (total > 0) learnScale(stepper, ns / total);
 }
 
 void dxCostModel::learnParallel(dxStepperKind stepper, double total, double largest, unsigned workers,
                                 double busyNs, double wallNs) {
     if (total <= 0) return;
-    m_scale[index(stepper)].add(busyNs / total);
+    learnScale(stepper, busyNs / total);
     const double ideal = std::max(busyNs / workers, largest * scale(stepper));
     const double overhead = std::max(wallNs - ideal, kMinOverhead);
     const double serial = total * scale(stepper);

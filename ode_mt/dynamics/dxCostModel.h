@@ -25,6 +25,7 @@
 // update only delays learning.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 
 // dWorldStep, dWorldQuickStep, and the same of a fast world.
@@ -68,6 +69,11 @@ public:
                        double wallNs);
 
     double scale(dxStepperKind stepper) const { return m_scale[index(stepper)].mean(); }
+    // The same, or that of the last step, if it was larger: where others have to be given time, and what settles may take four times as long
+    // from one step to the next.
+    double cautiousScale(dxStepperKind stepper) const {
+        return std::max(scale(stepper), m_lastScale[index(stepper)].load(std::memory_order_relaxed));
+    }
     double overhead() const { return m_overhead.mean(); }  // ns
 
 private:
@@ -82,6 +88,7 @@ private:
 
     static int index(dxStepperKind stepper) { return static_cast<int>(stepper); }
 
+    void learnScale(dxStepperKind stepper, double scale);
     bool isProbed(double serial) const;
     void beginProbe(double serial, unsigned workers);
     void learnFromProbe(double overhead, double ideal, double serial);
@@ -89,6 +96,7 @@ private:
     void fadeOverhead(double serial);
 
     dxSteadyAverage m_scale[kStepperKinds] = {dxSteadyAverage(1), dxSteadyAverage(1), dxSteadyAverage(1), dxSteadyAverage(1)};
+    std::atomic<double> m_lastScale[kStepperKinds] = {};
     dxSteadyAverage m_overhead{10e3};        // before the first measurement: two thread wake-ups
     std::atomic<double> m_retryInterval{1};  // part of the longest
     std::atomic<bool> m_hasFaded{false};     // not measured since: the next step that is shared out begins a probe

@@ -76,7 +76,7 @@ dxRemoteRecord dxRemoteIslands::recordOf(const dxRemoteOutcomes &outcomes) {
 }
 
 dxRemoteIslands::dxRemoteIslands(const dxStepCall &call, dxStepRecords &records, double share, bool isForced)
-    : m_call(call), m_records(records), m_scale(dxCostModel::instance().scale(call.kind) * kRemoteSolverPart) {
+    : m_call(call), m_records(records), m_scale(dxCostModel::instance().cautiousScale(call.kind) * kRemoteSolverPart) {
     std::vector<unsigned> order(records.inOrderFrom);
     std::iota(order.begin(), order.end(), 0u);
     std::stable_sort(order.begin(), order.end(), [&records](unsigned a, unsigned b) { return records.islands[a].cost > records.islands[b].cost; });
