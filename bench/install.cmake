@@ -21,7 +21,7 @@ function(ode_mt_install_tools component libdir)
         install(CODE "${change}" COMPONENT ${component} ${ARGN})
     endforeach()
     ode_mt_strip_installed(${component} bin ${tools})
-    set_property(GLOBAL PROPERTY ODE_MT_TOOLS ${tools} odemt_observer)  # for packages
+    set_property(GLOBAL PROPERTY ODE_MT_TOOLS ${tools} odemt_observer)  # for packages and tests
     # What odemt_check loads into programs, beside the library that it compares them on (check/check_options.cpp).
     install(FILES $<TARGET_FILE:odemt_observer> DESTINATION "${libdir}/ode_mt" COMPONENT ${component} ${ARGN})
     ode_mt_strip_installed(${component} "${libdir}/ode_mt" odemt_observer)

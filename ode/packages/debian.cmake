@@ -188,7 +188,9 @@ endif()
 # --- programs, worlds, documentation ---------------------------------------------------------------
 if(_tools IN_LIST ODE_MT_DEBIAN_COMPONENTS)
     ode_mt_install_tools(${_tools} "${_lib}" EXCLUDE_FROM_ALL)
-    foreach(tool odemt_batch odemt_bench odemt_bench_child odemt_check odemt_info odemt_record odemt_report odemt_scale odemt_scale_child odemt_top)
+    get_property(_programs GLOBAL PROPERTY ODE_MT_TOOLS)
+    list(REMOVE_ITEM _programs odemt_observer)  # a library
+    foreach(tool IN LISTS _programs)
         install(FILES "${_out}/${tool}.1.gz" COMPONENT ${_tools} EXCLUDE_FROM_ALL DESTINATION share/man/man1)
     endforeach()
     ode_mt_describe(${_tools} SECTION science SHLIBDEPS ON DEPENDS "${_library} (= ${CPACK_PACKAGE_VERSION})"

@@ -3,18 +3,14 @@
 #include <dlfcn.h>
 #include <unistd.h>
 
-#include <cstdlib>
+#include "remote/dxLibraryFile.h"
 
 namespace {
 
 constexpr const char *kOwnFolder = "ode_mt/";  // of an installed tree, below that of libraries (ode/install/mpi.cmake)
 
-// Without symbolic links: odemt_top and odemt_check give programs a folder with a link to the library alone.
 std::string folderOfThisLibrary() {
-    Dl_info info;
-    if (dladdr(reinterpret_cast<void *>(&folderOfThisLibrary), &info) == 0 || info.dli_fname == nullptr) return {};
-    const std::unique_ptr<char, decltype(&std::free)> path(realpath(info.dli_fname, nullptr), &std::free);
-    const std::string file = path != nullptr ? path.get() : info.dli_fname;
+    const std::string file = dxFindLibraryFile(reinterpret_cast<void *>(&folderOfThisLibrary));
     const std::size_t slash = file.rfind('/');
     return slash == std::string::npos ? std::string() : file.substr(0, slash + 1);
 }

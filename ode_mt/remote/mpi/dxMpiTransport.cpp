@@ -1,6 +1,5 @@
 #include "remote/mpi/dxMpiTransport.h"
 
-#include <dlfcn.h>
 #include <fcntl.h>
 #include <pthread.h>
 #include <unistd.h>
@@ -15,6 +14,8 @@
 #include <exception>
 #include <thread>
 #include <utility>
+
+#include "remote/dxLibraryFile.h"
 
 namespace {
 
@@ -34,18 +35,10 @@ std::string findOnPath(const char *name) {
     return "";
 }
 
-// The file of this library without symbolic links, as /lib is one to /usr/lib; empty: it is not known.
-std::string fileOfThisLibrary() {
-    Dl_info info;
-    if (dladdr(reinterpret_cast<void *>(&fileOfThisLibrary), &info) == 0 || info.dli_fname == nullptr) return "";
-    const std::unique_ptr<char, decltype(&std::free)> path(realpath(info.dli_fname, nullptr), &std::free);
-    return path != nullptr ? path.get() : info.dli_fname;
-}
-
 // The worker's program: beside this library, as in the build's folder, or in bin/ beside one of the folders around it, as installed, else on the
 // PATH. Empty: it is in none of these. MPI would end the program, or wait for ever.
 std::string findWorkerProgram() {
-    const std::string name = kWorker, file = fileOfThisLibrary();
+    const std::string name = kWorker, file = dxFindLibraryFile(reinterpret_cast<void *>(&findWorkerProgram));
     for (std::size_t slash = file.rfind('/'); slash != std::string::npos && slash > 0; slash = file.rfind('/', slash - 1)) {
         for (const char *const place : {"/", "/bin/"}) {
             const std::string program = file.substr(0, slash) + place + name;
@@ -95,10 +88,6 @@ std::string textOf(int error) {
     MPI_Error_string(error, text, &length);
     return text;
 }
-
-}  // namespace
-
-namespace {
 
 // While MPI begins on this thread: a process that it starts has no standard input. Without mpirun Open MPI starts one (orted) that would read
 // the program's own for the workers, and what it has read is lost to the program. (Its key ompi_stdin_target ends Open MPI 4.1's server.)
