@@ -49,11 +49,15 @@ take_in() {
     build "$1" $programs
 }
 
-# options FILE BUILD SOURCE: what a target's files are compiled with, or linked, a line each, without the folders' names. How many maps of names there
-# are depends on where the folders lie.
+# options FILE BUILD SOURCE: what a target's files are compiled with, or linked, a line each, without the folders' names. How many maps of names
+# there are depends on where the folders lie, and whether objects stand on the command line or, where their names are long, in a file.
 options() {
-    sed -e "s|$2|BUILD|g" -e "s|$3|SOURCE|g" -e 's|prefix-map=[^ ]*=|prefix-map=FOLDER=|g' \
-        -e 's|^# Custom \([a-z]*\): .*/CMakeFiles/|# \1: CMakeFiles/|' "$1" | tr ' ' '\n' | awk '!seen[$0]++'
+    sed -e 's|^# Custom \([a-z]*\): .*/CMakeFiles/|# \1: CMakeFiles/|' "$1" | tr ' ' '\n' | while IFS= read -r word; do
+        case $word in
+            @*) tr ' ' '\n' < "${1%/CMakeFiles/*}/${word#@}" ;;
+            *) printf '%s\n' "$word" ;;
+        esac
+    done | sed -e "s|$2|BUILD|g" -e "s|$3|SOURCE|g" -e 's|prefix-map=[^ ]*=|prefix-map=FOLDER=|g' | awk '!seen[$0]++'
 }
 
 # lend_objects BUILD SOURCE OTHER_BUILD OTHER_SOURCE: of each target's objects all but every tenth, of small targets all but one.
