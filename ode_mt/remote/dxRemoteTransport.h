@@ -33,7 +33,8 @@ public:
 
     virtual bool canReplace() const { return false; }
 
-    // Begins to start one, if none is being started. From now on the link has no worker, and what the lost one sends is not received.
+    // Begins to start one, if none is being started. The link has no worker until that is here: nothing of the lost one is received, nor of the
+    // new one, whose greeting would be taken for the lost one's.
     virtual void replace(unsigned /*link*/) {}
 
     // What has become of it. Here: its messages can be sent and received.

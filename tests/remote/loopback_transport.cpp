@@ -114,7 +114,12 @@ LoopbackTransport::~LoopbackTransport() { endWorkers(); }
 
 void LoopbackTransport::replace(unsigned link) {
     m_replaced.push_back(std::exchange(m_workers[link], std::make_unique<Worker>()));
-    start(*m_workers[link], link);
+    m_replacedLink = link;
+}
+
+dxRemoteTransport::Replacement LoopbackTransport::replacement() {
+    start(*m_workers[m_replacedLink], m_replacedLink);
+    return Replacement::Here;
 }
 
 void LoopbackTransport::endWorkers() {

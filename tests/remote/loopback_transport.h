@@ -45,7 +45,7 @@ public:
     void setReplacing() { m_isReplacing = true; }
     bool canReplace() const override { return m_isReplacing; }
     void replace(unsigned link) override;
-    Replacement replacement() override { return Replacement::Here; }
+    Replacement replacement() override;
 
 private:
     struct Queue {
@@ -62,6 +62,7 @@ private:
     const Fate m_fate;
     const dxWorkerArguments m_arguments;
     bool m_isReplacing = false;
+    unsigned m_replacedLink = 0;
     std::vector<std::unique_ptr<Worker>> m_workers, m_replaced;
     dxRemoteBytes m_message;
     unsigned m_next = 0;

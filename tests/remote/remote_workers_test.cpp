@@ -243,7 +243,10 @@ TEST_F(RemoteWorkers, AStepThatEndsEarlyIsForgotten) {
         dxRemoteBatch batch(m_workers, 20, true);
         for (unsigned k = 0; k < 10; ++k) batch.submit(k, problemOf(k), kProblemNs);
     }
-    EXPECT_EQ(runBatch(20, false), 0u);
+    // On a slow machine workers may be late with what was forgotten.
+    unsigned atHome = 20;
+    for (int attempt = 0; attempt < 10 && atHome > 0 && hasSoon(2); ++attempt) atHome = runBatch(20, false);
+    EXPECT_EQ(atHome, 0u);
 }
 
 // Has found, in a process of more than ten seconds: workers were lost before they could greet.
