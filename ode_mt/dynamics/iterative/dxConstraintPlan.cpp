@@ -87,7 +87,7 @@ void dxConstraintPlan::addContact(unsigned joint, const int (&body)[2], bool isP
         last = isPacked ? &m_manifolds : &m_rowManifolds;
         last->push_back({joint, 1, dxEdgeColors::kLeftOver, 0, false, static_cast<unsigned>(m_others.size()), {body[0], body[1]}});
     }
-    if (last == &m_rowManifolds) m_others.push_back({joint, dxEdgeColors::kLeftOver});
+    if (last == &m_rowManifolds) m_others.push_back({joint, body[0], dxEdgeColors::kLeftOver});
 }
 
 void dxConstraintPlan::readJoints(const dxIsland &group) {
@@ -105,7 +105,7 @@ void dxConstraintPlan::readJoints(const dxIsland &group) {
             }
             last = nullptr;
             connect(body);
-            m_others.push_back({static_cast<unsigned>(i), dxEdgeColors::kLeftOver});
+            m_others.push_back({static_cast<unsigned>(i), body[0] != kNoBody ? body[0] : body[1], dxEdgeColors::kLeftOver});
         }
     };
     if (group.bodyCount < dxIslandPrefetch::kMinBodies) return read(0, group.jointCount);
@@ -132,12 +132,6 @@ void dxConstraintPlan::findIslands(unsigned bodyCount) {
         m_islands.push_back({first, i + 1});
         first = last = i + 1;
     }
-}
-
-unsigned dxConstraintPlan::islandOf(const OtherJoint &other) const {
-    const dxJoint &joint = *jointOf(other);
-    const dxBody *const body = joint.node[0].body != nullptr ? joint.node[0].body : joint.node[1].body;
-    return m_islandOfBody[static_cast<unsigned>(body->tag)];
 }
 
 void dxConstraintPlan::placeManifolds(const dxIsland &group) {
@@ -223,24 +217,30 @@ bool dxConstraintPlan::fillsLanes() const {
     return contacts == 0 || contacts > std::size_t(kLeastLanes) * m_packedContacts;
 }
 
-// Joints stay in the order of the group. If no manifold remains, neither does a pack.
+// All lists are in the order of the group: they are merged from the back. If no manifold remains, neither does a pack.
 template <class IsRow>
 void dxConstraintPlan::moveToRows(const IsRow &isRow) {
-    std::size_t kept = 0;
-    for (const Manifold manifold : m_manifolds) {
-        if (!isRow(manifold)) {
-            m_manifolds[kept++] = manifold;
-            continue;
-        }
-        m_rowManifolds.push_back(manifold);
-        for (unsigned i = 0; i < manifold.contactCount; ++i) m_others.push_back({manifold.firstJoint + i, dxEdgeColors::kLeftOver});
+    std::size_t moved = 0, contacts = 0, manifolds = m_rowManifolds.size(), others = m_others.size();
+    for (const Manifold &manifold : m_manifolds) {
+        if (!isRow(manifold)) continue;
+        ++moved;
+        contacts += manifold.contactCount;
     }
-    if (kept == m_manifolds.size()) return;
-    m_manifolds.resize(kept);
-    if (kept == 0) makePacks(0);
-    std::sort(m_others.begin(), m_others.end(), [](const OtherJoint &a, const OtherJoint &b) { return a.joint < b.joint; });
-    std::sort(m_rowManifolds.begin(), m_rowManifolds.end(),
-              [](const Manifold &a, const Manifold &b) { return a.firstJoint < b.firstJoint; });
+    if (moved == 0) return;
+    m_rowManifolds.resize(manifolds + moved);
+    m_others.resize(others + contacts);
+    auto rowManifold = m_rowManifolds.rbegin();
+    auto other = m_others.rbegin();
+    for (auto manifold = m_manifolds.rbegin(); manifold != m_manifolds.rend(); ++manifold) {
+        if (!isRow(*manifold)) continue;
+        const unsigned first = manifold->firstJoint;
+        while (manifolds > 0 && m_rowManifolds[manifolds - 1].firstJoint > first) *rowManifold++ = m_rowManifolds[--manifolds];
+        *rowManifold++ = *manifold;
+        while (others > 0 && m_others[others - 1].joint > first) *other++ = m_others[--others];
+        for (unsigned i = manifold->contactCount; i > 0; --i) *other++ = {first + i - 1, manifold->body[0], dxEdgeColors::kLeftOver};
+    }
+    m_manifolds.erase(std::remove_if(m_manifolds.begin(), m_manifolds.end(), isRow), m_manifolds.end());
+    if (m_manifolds.empty()) makePacks(0);
     unsigned next = 0;
     for (Manifold &manifold : m_rowManifolds) {
         while (m_others[next].joint != manifold.firstJoint) ++next;

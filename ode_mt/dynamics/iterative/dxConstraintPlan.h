@@ -28,6 +28,7 @@ public:
     // A joint that is not solved as a lane: its rows are generic.
     struct OtherJoint {
         unsigned joint;
+        int body;  // the tag of one of its bodies
         std::uint8_t color;
     };
 
@@ -60,7 +61,7 @@ public:
     // At least one.
     const std::vector<Island> &islands() const { return m_islands; }
     unsigned islandOf(const Manifold &manifold) const { return m_islandOfBody[static_cast<unsigned>(manifold.body[0])]; }
-    unsigned islandOf(const OtherJoint &other) const;
+    unsigned islandOf(const OtherJoint &other) const { return m_islandOfBody[static_cast<unsigned>(other.body)]; }
     // In the order of the group.
     const std::vector<OtherJoint> &otherJoints() const { return m_others; }
     const dxJoint *jointOf(const OtherJoint &other) const { return m_joints[other.joint]; }
