@@ -15,7 +15,10 @@
 #include "dynamics/remote/dxRemoteShare.h"
 #include "remote/dxRemoteLoader.h"
 #include "settings/dxSettings.h"
+#include "settings/dxWorkers.h"
 #include "threading/dxFloatEnvironment.h"
+#include "threading/pool/dxLastThreads.h"
+#include "threading/timeline/dxTimeline.h"
 
 namespace {
 
@@ -35,6 +38,7 @@ void dxRemoteIslands::open() try {
     if (choice.transport == nullptr) return;
     static std::atomic<bool> isOpened{false};
     if (isOpened.exchange(true)) return;
+    dxRemoteWorkers::instance().endProcessWhen([] { return dxAreLastThreads({dxRemoteWorkers::kThreadName, dxWorkers::instance().threadName() + "-"}); });
     dxRemoteWorkers::instance().open(choice.transport, dxDescribeSolver(), [choice](std::string &reason) {
         return dxLoadRemoteTransport(choice.transport, choice.wanted, reason);
     });
@@ -117,6 +121,7 @@ void dxRemoteIslands::make(unsigned entry) {
         m_batch->drop(entry);
         throw;
     }
+    if (dxTimelineRing *const ring = dxTimeline::ofThisThread()) ring->countRows(one.problem.rowCount);  // whoever solves them
     if (one.problem.rowCount == 0) return m_batch->keep(entry);
     dxRemoteBytes bytes;
     try {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <new>
 #include <utility>
@@ -20,6 +21,7 @@ constexpr unsigned kSmallEchoes = 4;
 constexpr std::size_t kLargeEcho = std::size_t{256} << 10;  // bytes
 
 constexpr double kHeartbeatNs = 5e9;    // home says that it is there
+constexpr double kLookNs = 1e9;         // between two looks at whether the program's threads have ended
 constexpr double kSettleNs = 2e9;       // open() waits so long for workers
 constexpr double kGreetingNs = 10e9;    // a worker in the place of another one is usable in so long, or lost
 constexpr double kRestartPollNs = 20e6; // between two looks at whether a worker has started
@@ -135,9 +137,11 @@ dxRemoteWorkers::Counts dxRemoteWorkers::counts() {
 // --- on the communication thread ----------------------------------------------------------------------------
 
 void dxRemoteWorkers::communicate() {
+    pthread_setname_np(pthread_self(), kThreadName);
     begin();
     Lock lock(m_mutex);
-    while (!m_isClosing) {
+    bool isOver = false;
+    while (!m_isClosing && !(isOver = isProcessOver(lock))) {
         bool hasDone = false;
         try {
             hasDone = communicateOnce(lock);
@@ -153,8 +157,22 @@ void dxRemoteWorkers::communicate() {
             sleep(lock);
     }
     takeQueueHome();
+    if (isOver) m_isRunning = false;  // handlers at the exit need not close what is closed here
     lock.unlock();
     end();
+    if (isOver) std::exit(0);
+}
+
+// Threads of MPI's may go on, so that this one's end would not end the process.
+bool dxRemoteWorkers::isProcessOver(Lock &lock) {
+    if (!m_isOver || now() - m_lastLook < kLookNs) return false;
+    m_lastLook = now();
+    const dxUnlocked others(lock);
+    try {
+        return m_isOver();
+    } catch (const std::bad_alloc &) {
+        return false;
+    }
 }
 
 bool dxRemoteWorkers::communicateOnce(Lock &lock) {
@@ -504,7 +522,7 @@ void dxRemoteWorkers::sleep(Lock &lock) {
     else if (isReplaced)
         m_wake.wait_for(lock, duration(kRestartPollNs), [this] { return hasSomethingToSay(); });
     else
-        m_wake.wait_for(lock, duration(kHeartbeatNs), [this] { return hasSomethingToSay(); });
+        m_wake.wait_for(lock, duration(kLookNs), [this] { return hasSomethingToSay(); });
 }
 
 void dxRemoteWorkers::end() {

@@ -84,6 +84,14 @@ public:
     // Ends the communication thread, and the workers.
     void close();
 
+    // Of threads that the communication thread makes, as MPI does, and its own.
+    static constexpr const char *kThreadName = "ode_mt-remote";
+
+    // Before open(): tells whether no threads of the program's are left. It is asked each second; the process ends then as it does with its last
+    // thread, with status 0.
+    using IsOver = std::function<bool()>;
+    void endProcessWhen(IsOver isOver) { m_isOver = std::move(isOver); }
+
     // Whether there are any, at the cost of one look.
     bool areThere() const { return m_areThere.load(std::memory_order_relaxed); }
 
@@ -146,6 +154,7 @@ private:
     bool takeReplacement();
     bool beginReplacement(double time, Lock &lock);
     void sleep(Lock &lock);
+    bool isProcessOver(Lock &lock);
     void sendQuit(unsigned link, bool isOrderly, Lock &lock);
     void end();
 
@@ -171,6 +180,8 @@ private:
     std::string m_name;
     dxRemoteHello m_hello;
     Open m_open;
+    IsOver m_isOver;
+    double m_lastLook = 0;  // at that
     std::unique_ptr<dxRemoteTransport> m_transport;  // the communication thread's
     bool m_canReplace = false, m_isReplacing = false, m_hasLost = false;
     unsigned m_replacedLink = 0;

@@ -194,6 +194,11 @@ bool dxWorkers::changeOptions(const char *what, const std::function<void(dxWorke
     return true;
 }
 
+std::string dxWorkers::threadName() {
+    const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
+    return m_options.name;
+}
+
 const char *dxWorkers::name() {
     const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
     return m_lender.isNone() ? m_name : kLentName;

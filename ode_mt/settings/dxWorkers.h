@@ -38,6 +38,7 @@ public:
 
     bool choose(const std::string &name);  // false: not possible, reported with dMessage
     const char *name();
+    std::string threadName();  // with which those of its own threads' names begin that start from now on
 
     // Threads of the program's from now on; none: those of the manager that was chosen. False: reported with dMessage.
     bool borrow(const dxThreadLender &lender);

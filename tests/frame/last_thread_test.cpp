@@ -1,5 +1,5 @@
-// A process ends with its last thread, although workers sleep: the main thread has ended by pthread_exit, no thread calls
-// dCloseODE. A program of its own, because pthread_exit unwinds the stack, which a test runner does not survive.
+// A process ends with its last thread, although workers sleep, remote ones and the thread that talks to them, too: the main thread has ended by
+// pthread_exit, no thread calls dCloseODE. A program of its own, because pthread_exit unwinds the stack, which a test runner does not survive.
 //
 // The program plays one of these processes if it is given its name.
 #include <gtest/gtest.h>
@@ -24,6 +24,7 @@ using std::chrono::milliseconds;
 constexpr int kStatus = 7;    // of a process that ends as it should
 constexpr int kTooEarly = 3;  // of one that does not wait for its threads
 constexpr int kSerial = 4;    // of one in which no worker took part
+constexpr int kAlone = 5;     // of one without the remote workers that it asks for
 bool isOver = false;
 
 // Unconnected bodies are islands of one body each. On a busy machine a worker may come too late for many steps.
@@ -57,6 +58,12 @@ void goOn() {
 
 void play(const char *name) {
     begin();
+    if (std::strstr(name, "with_remote_workers") != nullptr) {
+        dODE_MT_RemoteStatistics remote{};
+        remote.size = sizeof remote;
+        dODE_MT_GetRemoteStatistics(&remote);
+        if (remote.workers != 2) std::_Exit(kAlone);
+    }
     if (std::strstr(name, "without_files") != nullptr) {
         const rlimit none{3, 3};
         setrlimit(RLIMIT_NOFILE, &none);
@@ -72,6 +79,10 @@ void play(const char *name) {
 int statusOf(const char *name) {
     const pid_t child = fork();
     if (child == 0) {
+        if (std::strstr(name, "with_remote_workers") != nullptr) {
+            setenv("ODE_MT_WORKERS", "loopback:2", 1);
+            setenv("LD_LIBRARY_PATH", LOOPBACK_FOLDER, 1);
+        }
         execl("/proc/self/exe", "last_thread_test", name, nullptr);
         std::_Exit(127);
     }
@@ -93,7 +104,8 @@ TEST_P(LastThread, EndsTheProcess) {
 }
 
 INSTANTIATE_TEST_SUITE_P(After, LastThread, testing::Values("main_thread_ends", "other_thread_goes_on", "main_thread_ends_without_files",
-                                         "other_thread_goes_on_without_files"),
+                                         "other_thread_goes_on_without_files", "main_thread_ends_with_remote_workers",
+                                         "other_thread_goes_on_with_remote_workers"),
                          [](const auto &info) { return info.param; });
 
 }  // namespace

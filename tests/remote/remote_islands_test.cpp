@@ -122,6 +122,22 @@ TEST_P(RemoteIslands, AreCounted) {
     EXPECT_EQ(statisticsOf(world.world()).allRemoteIslands, solved);
 }
 
+TEST_P(RemoteIslands, HaveTheirRowsCounted) {
+    dToggleODE_MT(GetParam());
+    const auto rows = [] {
+        RandomWorld world(kManyIslands, 3);
+        statisticsOf(world.world());  // begins to record
+        dWorldStep(world.world(), dReal(0.01));
+        return statisticsOf(world.world()).rows;
+    };
+    const unsigned long long atHome = rows();
+    EXPECT_GT(atHome, 0u);
+    open(2);
+    const unsigned long long sent = statistics().islandsSent;
+    EXPECT_EQ(rows(), atHome);
+    EXPECT_GT(statistics().islandsSent, sent);
+}
+
 TEST_P(RemoteIslands, AreCountedWhenWorkersGiveThemBack) {
     dToggleODE_MT(GetParam());
     const States expected = run(kManyIslands, 4);

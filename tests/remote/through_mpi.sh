@@ -3,7 +3,7 @@
 # this script kills, stops and continues while islands are sent; then workers that the program itself harms, and that are replaced (Open MPI).
 #
 #   MPIRUN, SCENARIO (odemt_scenario), LIBRARY (folder of libode.so.8), WORKER, STOCK (folder of libode8), FAULTS (odemt_worker_faults),
-#   FLIPS (libodemt_flipped_bits.so), SCRATCH
+#   FLIPS (libodemt_flipped_bits.so), LAST_THREAD (last_thread_test), SCRATCH
 #
 # By hand: WHOLE=1 compares every scenario of dWorldStep with 1, 2 and 4 workers, which takes an hour.
 set -eu
@@ -95,6 +95,10 @@ if [ "$ALONE" = --enable-recovery ]; then
     printf 'one\ntwo\n' | { alone joint_feedback/world "$LIBRARY" mpi:1 "[1-9][0-9]* islands sent, [1-9]"; cat > input; }
     printf 'one\ntwo\n' | cmp - input || { echo "the program's input is lost"; exit 1; }
     OMPI_MCA_rmaps_base_oversubscribe=0 alone joint_feedback/world "$LIBRARY" mpi:5 "remote workers: 5 of 5"
+    # MPI has threads of its own, which do not keep the process.
+    status=0
+    ODE_MT_WORKERS=mpi:2 LD_LIBRARY_PATH=$LIBRARY timeout -k 5 60 "$LAST_THREAD" main_thread_ends_with_remote_workers > output 2>&1 || status=$?
+    [ "$status" = 7 ] || { echo "without mpirun and main thread, the process ends with $status"; cat output; exit 1; }
     mkdir bare; cp "$LIBRARY/libode.so.8" "$LIBRARY/libode_mt_mpi.so" bare
     alone joint_feedback/world "$SCRATCH/bare" mpi:1 "none by mpi: there is no odemt_worker"
 fi
