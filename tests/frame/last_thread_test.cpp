@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -47,6 +48,13 @@ void begin() {
     stepInParallel();
 }
 
+void limitDescriptors(rlim_t count) {
+    rlimit limit;
+    getrlimit(RLIMIT_NOFILE, &limit);
+    limit.rlim_cur = std::min(count, limit.rlim_max);
+    setrlimit(RLIMIT_NOFILE, &limit);
+}
+
 // Longer than the workers wait before they look around, and once more after a pause as long.
 void goOn() {
     for (int i = 0; i < 2; ++i) {
@@ -54,6 +62,14 @@ void goOn() {
         stepInParallel();
     }
     isOver = true;
+    limitDescriptors(RLIM_INFINITY);  // where there was a lower limit that can be raised
+}
+
+// The list of threads can be opened then, and what it lists cannot.
+void leaveOneDescriptor() {
+    const int lowest = dup(STDERR_FILENO);
+    close(lowest);
+    limitDescriptors(static_cast<rlim_t>(lowest) + 1);
 }
 
 void play(const char *name) {
@@ -68,6 +84,7 @@ void play(const char *name) {
         const rlimit none{3, 3};
         setrlimit(RLIMIT_NOFILE, &none);
     }
+    if (std::strstr(name, "and_one_file") != nullptr) leaveOneDescriptor();
     if (std::strstr(name, "other_thread_goes_on") != nullptr)
         std::thread(goOn).detach();
     else
@@ -105,7 +122,8 @@ TEST_P(LastThread, EndsTheProcess) {
 
 INSTANTIATE_TEST_SUITE_P(After, LastThread, testing::Values("main_thread_ends", "other_thread_goes_on", "main_thread_ends_without_files",
                                          "other_thread_goes_on_without_files", "main_thread_ends_with_remote_workers",
-                                         "other_thread_goes_on_with_remote_workers"),
+                                         "other_thread_goes_on_with_remote_workers",
+                                         "other_thread_goes_on_with_remote_workers_and_one_file"),
                          [](const auto &info) { return info.param; });
 
 }  // namespace

@@ -12,6 +12,8 @@
 #include <cstring>
 #include <memory>
 
+#include "threading/process/dxThreadName.h"
+
 namespace {
 
 // A thread that has ended has no memory any more, its own process may look into which.
@@ -21,47 +23,42 @@ bool hasFirstThreadEnded() {
     return process_vm_readv(getpid(), &target, 1, &source, 1, 0) < 0 && errno == ESRCH;
 }
 
-// A short file of the system's. Returns its length; 0: it tells nothing.
-std::size_t readFile(const char *name, char (&text)[1024]) {
-    const int file = open(name, O_RDONLY | O_CLOEXEC);
-    if (file < 0) return 0;
+// proc(5): the state of the process is that of its first thread, Z once that has ended; it counts as a thread until the
+// process ends. The name in parentheses may hold anything. Returns false if the system does not tell.
+bool readProcess(char &state, unsigned &threads) {
+    char text[1024];
+    const int file = open("/proc/self/stat", O_RDONLY | O_CLOEXEC);
+    if (file < 0) return false;
     const ssize_t length = read(file, text, sizeof text - 1);
     close(file);
-    text[std::max<ssize_t>(length, 0)] = '\0';
-    return static_cast<std::size_t>(std::max<ssize_t>(length, 0));
-}
-
-// proc(5): the state of the process is that of its first thread, Z once that has ended; it counts as a thread until the
-// process ends. The name in parentheses may hold anything.
-bool hasFirstThreadEnded(const char *stat, unsigned &threads) {
-    const char *const afterName = std::strrchr(stat, ')');
-    char state = 0;
+    if (length <= 0) return false;
+    text[length] = '\0';
+    const char *const afterName = std::strrchr(text, ')');
     return afterName != nullptr &&
            std::sscanf(afterName + 1, " %c %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %u", &state,
-                       &threads) == 2 &&
-           state == 'Z';
+                       &threads) == 2;
 }
 
-// One that has just ended is none of others.
+// One whose name is not told, as it has just ended or no descriptor is free, is not.
 bool isOneOf(const char *thread, const std::vector<std::string> &names) {
-    char text[1024];
-    if (readFile((std::string("/proc/self/task/") + thread + "/comm").c_str(), text) == 0) return true;
-    return std::any_of(names.begin(), names.end(), [&text](const std::string &name) { return std::strncmp(text, name.c_str(), name.size()) == 0; });
+    std::string own;
+    return dxReadThreadName(static_cast<std::uint32_t>(std::atoi(thread)), own) &&
+           std::any_of(names.begin(), names.end(), [&own](const std::string &name) { return own.compare(0, name.size(), name) == 0; });
 }
 
 }  // namespace
 
 bool dxMayBeLastThreads(unsigned threads) {
-    char text[1024];
-    if (readFile("/proc/self/stat", text) == 0) return hasFirstThreadEnded();
+    char state = 0;
     unsigned count = 0;
-    return hasFirstThreadEnded(text, count) && count == threads + 1;
+    if (!readProcess(state, count)) return hasFirstThreadEnded();
+    return state == 'Z' && count == threads + 1;
 }
 
 bool dxAreLastThreads(const std::vector<std::string> &names) {
-    char text[1024];
+    char state = 0;
     unsigned count = 0;
-    if (readFile("/proc/self/stat", text) == 0 || !hasFirstThreadEnded(text, count)) return false;
+    if (!readProcess(state, count) || state != 'Z') return false;
     const std::unique_ptr<DIR, int (*)(DIR *)> threads(opendir("/proc/self/task"), closedir);
     if (!threads) return false;
     while (const dirent *const entry = readdir(threads.get())) {

@@ -5,35 +5,20 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <mutex>
 #include <new>
 
 #include "core/dxNoCancellation.h"
+#include "threading/process/dxThreadName.h"
 #include "threading/timeline/dxTimeline.h"
 #include "threading/timeline/dxTimelineFile.h"
 
 namespace {
 
-constexpr std::size_t kNameSize = 16;  // the kernel's limit, the end included
-
 std::string nameOfThisThread() {
-    char name[kNameSize] = "";
+    char name[kThreadNameSize] = "";
     pthread_getname_np(pthread_self(), name, sizeof name);
     return name;
-}
-
-// A thread is named by the one that starts it, which may come after its first event. Returns false if the system does not tell.
-bool readName(std::uint32_t thread, std::string &name) {
-    char path[64], line[kNameSize + 1] = "";
-    std::snprintf(path, sizeof path, "/proc/self/task/%u/comm", thread);
-    std::FILE *const file = std::fopen(path, "re");
-    if (file == nullptr) return false;
-    const std::size_t length = std::fread(line, 1, kNameSize, file);
-    std::fclose(file);
-    name.assign(line, length);
-    if (!name.empty() && name.back() == '\n') name.pop_back();
-    return true;
 }
 
 }  // namespace
@@ -139,7 +124,8 @@ int dxTimelineRings::write() try {
     std::uint64_t dropped = m_lost;
     for (Owned &owned : m_rings) {
         if (owned.ring->size() == 0) continue;
-        if (!owned.hasEnded) readName(owned.ring->thread(), owned.name);
+        // A thread is named by the one that starts it, which may come after its first event.
+        if (!owned.hasEnded) dxReadThreadName(owned.ring->thread(), owned.name);
         const std::uint64_t ofThread = owned.ring->read(m_records);
         file.writeThread(owned.ring->thread(), owned.name, m_records, ofThread);
         dropped += ofThread;
