@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "remote/dxLibraryFile.h"
+#include "remote/mpi/dxMpiHelp.h"
 
 namespace {
 
@@ -134,7 +135,10 @@ bool dxMpiTransport::initialise(int wantedLevel, std::string &reason) {
     if (isInitialised) {
         MPI_Query_thread(&level);
         m_canReplace = level == MPI_THREAD_MULTIPLE && doesJobSurvive();
-        if (level == MPI_THREAD_MULTIPLE) return true;
+        if (level == MPI_THREAD_MULTIPLE) {
+            dxWriteMpiHelpHere();
+            return true;
+        }
         reason = "the program uses MPI itself, without MPI_THREAD_MULTIPLE";
         return false;
     }
@@ -143,6 +147,7 @@ bool dxMpiTransport::initialise(int wantedLevel, std::string &reason) {
         reason = "MPI cannot be initialised for a program with threads";
         return false;
     }
+    dxWriteMpiHelpHere();
     m_isOwn = true;
     m_canReplace = level == MPI_THREAD_MULTIPLE && doesJobSurvive();
     return true;
