@@ -33,8 +33,6 @@ constexpr double kMakePart = 0.7;
 // Of that, for each island however small: locks, waking the other thread; at most half of it. The rest goes by bytes.
 constexpr double kIslandNs = 8e3;
 
-constexpr unsigned kStepShift = 32;  // of a problem's number
-
 double growthOfPause(double idleNs) { return (std::clamp(idleNs / kPausePart, kMinPauseNs, kMaxPauseNs) - kMinPauseNs) / 2; }
 
 double costOf(const Problem &problem) {
@@ -193,7 +191,7 @@ double StepSimulation::Play::shareOf() const {
     work.islands = static_cast<double>(m_islands.size());
     dxRemoteCapacity capacity;
     for (const Worker &worker : m_workers)
-        if (worker.link.isUsable(m_now)) capacity.add(worker.link);
+        if (worker.link.isUsable(m_now)) capacity.add(worker.link, m_now);
     return std::min(kRemoteReserve * dxPredictRemoteShare(work, 1, capacity), 1.0);
 }
 
@@ -327,7 +325,7 @@ bool StepSimulation::Play::withdrawLast() {
 void StepSimulation::Play::takeHome(const std::vector<std::uint64_t> &problems) {
     for (const std::uint64_t number : problems) {
         const unsigned island = static_cast<unsigned>(number & 0xffffffffu);
-        if (number >> kStepShift != m_step || m_islands[island].state != State::Sent) continue;
+        if (number >> kRemoteNumberShift != m_step || m_islands[island].state != State::Sent) continue;
         ++counts.takenBack;
         m_islands[island].state = State::AtHome;
         m_atHome.push_back(island);
@@ -403,7 +401,7 @@ bool StepSimulation::Play::sendNext() {
         const unsigned island = m_queue[taken++];
         Island &one = m_islands[island];
         one.state = State::Sent;
-        sent.problems.push_back(m_step << kStepShift | island);
+        sent.problems.push_back(m_step << kRemoteNumberShift | island);
         sent.cost += costOf(island);
         sent.isPatient |= m_cluster.sendsAll;
         bytes += static_cast<std::size_t>(one.bytes);
@@ -447,7 +445,7 @@ void StepSimulation::Play::handleResults(unsigned worker, const Message &message
     m_workers[worker].link.takeBack(message.number, m_now, expected);
     if (isWithdrawn) return takeHome(expected.problems);
     for (const std::uint64_t number : expected.problems) {
-        if (number >> kStepShift != m_step || m_isDone) continue;
+        if (number >> kRemoteNumberShift != m_step || m_isDone) continue;
         Island &island = m_islands[number & 0xffffffffu];
         if (island.state != State::Sent && island.state != State::AtHome) continue;  // home was faster
         island.state = State::Returned;

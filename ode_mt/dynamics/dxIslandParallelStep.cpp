@@ -89,9 +89,17 @@ void dxIslandParallelStep::runBlocks() {
 void dxIslandParallelStep::stepBlock(unsigned block, unsigned worker) {
     const dxStopwatch stopwatch;
     const dxIslandBlock range = m_records->blocks[block];
-    for (unsigned i = range.begin; i < range.end; ++i)
-        if (!m_records->islands[m_records->order[i]].isRemote) stepDeferred(m_records->order[i], worker);
-    m_records->workers[worker].busyNs += stopwatch.ns();
+    double cost = 0;
+    for (unsigned i = range.begin; i < range.end; ++i) {
+        const dxIslandRecord &record = m_records->islands[m_records->order[i]];
+        if (record.isRemote) continue;
+        cost += record.cost;
+        stepDeferred(m_records->order[i], worker);
+    }
+    const double ns = stopwatch.ns();
+    m_records->workers[worker].busyNs += ns;
+    m_records->workers[worker].cost += cost;
+    if (m_remote) m_remote->noteStepped(cost, ns);
 }
 
 void dxIslandParallelStep::stepDeferred(unsigned index, unsigned worker) {
@@ -268,10 +276,14 @@ void dxIslandParallelStep::finishInOrder(unsigned begin) {
 }
 
 void dxIslandParallelStep::learn(double wallNs) const {
-    if (m_plan.remoteShare > 0) return;  // other processes were busy, too
     if (m_records->inOrderFrom != m_call.count || m_interrupted.load(std::memory_order_relaxed) != m_call.count) return;
-    double busyNs = 0;
-    for (const dxWorkerRecord &worker : m_records->workers) busyNs += worker.busyNs;
+    double busyNs = 0, cost = 0;
+    for (const dxWorkerRecord &worker : m_records->workers) {
+        busyNs += worker.busyNs;
+        cost += worker.cost;
+    }
+    // Other processes were busy, too: the step tells nothing of what sharing it out costs here.
+    if (m_plan.remoteShare > 0) return dxCostModel::instance().learnSerial(m_call.kind, cost, busyNs);
     dxCostModel::instance().learnParallel(m_call.kind, m_plan.costs.total, m_plan.costs.largest, m_plan.workers, busyNs,
                                           wallNs);
 }

@@ -6,6 +6,7 @@
 
 #include "core/dxJointAttachment.h"
 #include "core/dxLog.h"
+#include "core/dxStopwatch.h"
 #include "dynamics/exactstep/dxDantzigSolver.h"
 #include "dynamics/exactstep/dxExactResults.h"
 #include "dynamics/exactstep/dxExactStep.h"
@@ -80,7 +81,7 @@ dxRemoteRecord dxRemoteIslands::recordOf(const dxRemoteOutcomes &outcomes) {
 }
 
 dxRemoteIslands::dxRemoteIslands(const dxStepCall &call, dxStepRecords &records, double share, bool isForced)
-    : m_call(call), m_records(records), m_scale(dxCostModel::instance().cautiousScale(call.kind) * kRemoteSolverPart) {
+    : m_call(call), m_records(records), m_scale(dxCostModel::instance().cautiousScale(call.kind)) {
     std::vector<unsigned> order(records.inOrderFrom);
     std::iota(order.begin(), order.end(), 0u);
     std::stable_sort(order.begin(), order.end(), [&records](unsigned a, unsigned b) { return records.islands[a].cost > records.islands[b].cost; });
@@ -123,13 +124,21 @@ void dxRemoteIslands::make(unsigned entry) {
     }
     if (dxTimelineRing *const ring = dxTimeline::ofThisThread()) ring->countRows(one.problem.rowCount);  // whoever solves them
     if (one.problem.rowCount == 0) return m_batch->keep(entry);
-    dxRemoteBytes bytes;
+    dxRemoteBytes bytes = m_batch->room();
     try {
         dxPackProblem(one.problem, m_call.stepSize, bytes);
     } catch (const std::bad_alloc &) {
         return m_batch->keep(entry);
     }
-    m_batch->submit(entry, std::move(bytes), m_records.islands[one.island].cost * m_scale);
+    m_batch->submit(entry, std::move(bytes), solverCost(one));
+}
+
+double dxRemoteIslands::solverCost(const Entry &entry) const { return kRemoteSolverPart * m_scale * m_records.islands[entry.island].cost; }
+
+void dxRemoteIslands::solve(const dxIslandStep &step, Entry &entry) {
+    const dxStopwatch stopwatch;
+    dxDantzigSolver().solve(step, entry.problem);
+    m_batch->noteHome(solverCost(entry), stopwatch.ns());
 }
 
 bool dxRemoteIslands::next(unsigned &entry, dxRemoteBytes &result, bool &hasResult) {
@@ -153,7 +162,7 @@ void dxRemoteIslands::finish(unsigned entry, const dxRemoteBytes &result, bool h
     if (hasResult)
         dxReportPackedMessages(result);
     else if (one.problem.rowCount > 0)
-        dxDantzigSolver().solve(step, one.problem);
+        solve(step, one);
     dxApplyResults(step, one.problem);
     dxWorkingMemory::giveBack(one.arena);
     one.arena = nullptr;

@@ -57,6 +57,9 @@ public:
     void make(unsigned entry);
     void drop(unsigned entry) { m_batch->drop(entry); }
 
+    // Islands of this cost, which stay, have been stepped in so long: problems that are away take as many times what was predicted.
+    void noteStepped(double cost, double ns) { m_batch->noteHome(cost * m_scale, ns); }
+
     // Waits for an entry that can be finished; false: there is none left.
     bool next(unsigned &entry, dxRemoteBytes &result, bool &hasResult);
     // Solves it in the arena if there is no result, and applies the results. Reports messages, and so may throw dxUpstreamInterrupted.
@@ -78,6 +81,8 @@ private:
     };
 
     dxIslandStep stepOf(const Entry &entry, dxWorldProcessMemArena *arena) const;
+    double solverCost(const Entry &entry) const;  // ns at home, predicted
+    void solve(const dxIslandStep &step, Entry &entry);
 
     const dxStepCall &m_call;
     const dxStepRecords &m_records;

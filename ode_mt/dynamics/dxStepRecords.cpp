@@ -14,7 +14,7 @@ void dxWorkerRecord::reset() {
     undo.clear();
     reports.clear();
     feedbacks.clear();
-    busyNs = 0;
+    busyNs = cost = 0;
     islands = 0;
 }
 

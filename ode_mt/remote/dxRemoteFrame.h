@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 using dxRemoteBytes = std::vector<std::byte>;
@@ -49,7 +50,8 @@ struct dxRemoteHello {
 // A message under construction: the header's room, then what is added. Items begin on 8 bytes.
 class dxRemoteFrame {
 public:
-    dxRemoteFrame() : m_bytes(sizeof(dxRemoteHeader)) {}
+    dxRemoteFrame() : dxRemoteFrame(dxRemoteBytes()) {}
+    explicit dxRemoteFrame(dxRemoteBytes &&room) : m_bytes(std::move(room)) { m_bytes.assign(sizeof(dxRemoteHeader), std::byte{0}); }
 
     void add(const void *data, std::size_t bytes);
     void addItem(std::uint64_t number, const void *data, std::size_t bytes);
@@ -57,6 +59,9 @@ public:
 
     // Completes the header. Returns the message.
     const dxRemoteBytes &seal(dxRemoteKind kind, std::uint64_t number = 0);
+
+    // The last call: its memory, for another one.
+    dxRemoteBytes release() { return std::move(m_bytes); }
 
 private:
     dxRemoteBytes m_bytes;

@@ -1,6 +1,7 @@
 #include "remote/dxRemoteLink.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -16,7 +17,11 @@ constexpr double kGoneNs = 2e9;
 // A worker that is stopped while it is measured seems to be as far away as nobody is; deadlines follow from that.
 constexpr double kMaxLatencyNs = 100e6, kMaxNsPerByte = 1000;
 
+constexpr double kMinNsPerByte = 0.1;  // memory is not faster
+
 constexpr double kLearning = 0.125;  // weight of a new value
+constexpr double kFullCost = 400e3;  // ns; less counts for less: what it took is mostly how long messages waited to be seen
+constexpr double kForgetNs = 2e9;    // after which half of it is forgotten
 constexpr double kMinSlowness = 0.05, kMaxSlowness = 50;
 
 }  // namespace
@@ -27,8 +32,16 @@ bool dxRemoteLink::isFree(double now) const { return isUsable(now) && m_inFlight
 
 void dxRemoteLink::setMeasured(double latencyNs, double nsPerByte) {
     m_latencyNs = std::min(latencyNs, kMaxLatencyNs);
-    m_nsPerByte = std::min(nsPerByte, kMaxNsPerByte);
+    m_nsPerByte = std::clamp(nsPerByte, kMinNsPerByte, kMaxNsPerByte);
     if (m_state == State::Measured) m_state = State::Open;
+}
+
+// A worker that seems slow gets nothing, of which it could be learnt that it is not: what disturbs one passes.
+double dxRemoteLink::slowness(double now) const { return 1 + (m_slowness - 1) * std::exp2(-std::max(now - m_learntAt, 0.0) / kForgetNs); }
+
+// From when they could be begun: what was sent after they were begun waits for them.
+double dxRemoteLink::begin(const dxRemoteInFlight &problems) const {
+    return std::max(problems.expected - problems.cost * m_slowness - problems.transferNs, problems.sent);
 }
 
 // When each of them should be back, if the first one is begun at that time.
@@ -43,6 +56,8 @@ void dxRemoteLink::foresee(double from) {
 
 void dxRemoteLink::send(dxRemoteInFlight &&problems, std::size_t bytes, double now) {
     const double sleep = sleepNs(now);
+    m_slowness = slowness(now);
+    m_learntAt = now;
     problems.sent = now;
     problems.meetsSleep = sleep > 0;
     problems.transferNs = m_latencyNs + static_cast<double>(bytes) * m_nsPerByte + sleep;
@@ -75,6 +90,14 @@ bool dxRemoteLink::takeWithdrawal(std::uint64_t &number) {
     return true;
 }
 
+void dxRemoteLink::rescale(std::uint64_t batch, double factor) {
+    if (m_inFlight.empty()) return;
+    const double from = begin(m_inFlight.front());
+    for (dxRemoteInFlight &problems : m_inFlight)
+        if (problems.problems.front() >> kRemoteNumberShift == batch) problems.cost *= factor;
+    foresee(from);
+}
+
 bool dxRemoteLink::takeBack(std::uint64_t number, double now, dxRemoteInFlight &problems) {
     const auto found = std::find_if(m_inFlight.begin(), m_inFlight.end(), [number](const dxRemoteInFlight &one) { return one.number == number; });
     if (found == m_inFlight.end()) return false;
@@ -84,10 +107,10 @@ bool dxRemoteLink::takeBack(std::uint64_t number, double now, dxRemoteInFlight &
     m_inFlight.erase(found);
     if (!problems.isWithdrawn) ++m_answers;
     if (wasFirst && !problems.isWithdrawn && !problems.meetsSleep && !m_isLate && problems.cost > 0) {
-        // From when it could be begun: what was sent after it was begun waits for it.
-        const double begin = problems.expected - problems.cost * m_slowness - problems.transferNs;
-        const double took = std::max(now - std::max(begin, problems.sent) - problems.transferNs, 0.0);
-        m_slowness += kLearning * (std::clamp(took / problems.cost, kMinSlowness, kMaxSlowness) - m_slowness);
+        const double took = std::max(now - begin(problems) - problems.transferNs, 0.0);
+        const double weight = kLearning * std::min(problems.cost / kFullCost, 1.0);
+        m_learntAt = now;
+        m_slowness += weight * (std::clamp(took / problems.cost, kMinSlowness, kMaxSlowness) - m_slowness);
     }
     if (wasFirst) foresee(now);
     if (m_isLate && m_inFlight.empty()) {

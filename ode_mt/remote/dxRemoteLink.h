@@ -18,6 +18,8 @@
 
 #include "remote/dxPollPause.h"
 
+constexpr unsigned kRemoteNumberShift = 32;  // of a problem's number: the batch's above, the index below
+
 // Problems that were sent in one message and are not back.
 struct dxRemoteInFlight {
     std::uint64_t number;
@@ -65,6 +67,9 @@ public:
     // Returns whether there is a withdrawal of which the worker has not been told; from now on it has.
     bool takeWithdrawal(std::uint64_t &number);
 
+    // The problems of this batch, of those that are not back, are found to take so many times what was thought.
+    void rescale(std::uint64_t batch, double factor);
+
     // A message with results has arrived. Returns false if none is expected of this number; else what it should be about.
     bool takeBack(std::uint64_t number, double now, dxRemoteInFlight &problems);
 
@@ -76,12 +81,13 @@ public:
     // --- what was measured ---------------------------------------------------------------------------------
     double latencyNs() const { return m_latencyNs; }   // there and back
     double nsPerByte() const { return m_nsPerByte; }
-    double slowness() const { return m_slowness; }     // time of a problem there, of that at home
+    double slowness(double now) const;                 // time of a problem there, of that at home
 
 private:
     static constexpr unsigned kOnTimeToForget = 100;  // messages in a row that let the next pause be the first one's again
     static constexpr std::size_t kMaxInFlight = 2;  // one that is solved, and one that waits
 
+    double begin(const dxRemoteInFlight &problems) const;
     void foresee(double from);
     double sleepNs(double now) const;
 
@@ -90,6 +96,7 @@ private:
     double m_lateSince = 0, m_pausedUntil = 0, m_pauseNs = 0;
     unsigned m_onTime = 0, m_answers = 0;
     double m_lastContact = 0, m_looksBy = 0;
-    double m_latencyNs = 0, m_nsPerByte = 0, m_slowness = 1;
+    double m_latencyNs = 0, m_nsPerByte = 0;
+    double m_slowness = 1, m_learntAt = 0;
     std::list<dxRemoteInFlight> m_inFlight;  // in the order in which they were sent
 };

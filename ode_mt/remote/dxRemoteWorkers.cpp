@@ -14,11 +14,11 @@
 
 namespace {
 
-constexpr unsigned kNumberShift = 32;  // of a problem's number: the batch's above, the index below
-
-// To be measured, a link carries small messages, of which the fastest counts, and then a large one.
-constexpr unsigned kSmallEchoes = 4;
+// To be measured, a link carries small messages, and then large ones; the fastest of them count.
+constexpr unsigned kSmallEchoes = 4, kLargeEchoes = 3;
 constexpr std::size_t kLargeEcho = std::size_t{256} << 10;  // bytes
+
+constexpr std::size_t kMaxReceived = std::size_t{8} << 20;  // bytes, for the next message
 
 constexpr double kHeartbeatNs = 5e9;    // home says that it is there
 constexpr double kLookNs = 1e9;         // between two looks at whether the program's threads have ended
@@ -32,6 +32,17 @@ constexpr double kPatienceNs = 3e9;     // a step that waits for workers takes h
 dxProcessObject<dxRemoteWorkers> remoteWorkers;
 
 std::chrono::nanoseconds duration(double ns) { return std::chrono::nanoseconds(static_cast<std::int64_t>(ns)); }
+
+class CountedWait {
+public:
+    explicit CountedWait(unsigned &count) : m_count(count) { ++m_count; }
+    ~CountedWait() { --m_count; }
+    CountedWait(const CountedWait &) = delete;
+    CountedWait &operator=(const CountedWait &) = delete;
+
+private:
+    unsigned &m_count;
+};
 
 }  // namespace
 
@@ -112,7 +123,7 @@ dxRemoteCapacity dxRemoteWorkers::capacity() {
     dxRemoteCapacity sum;
     const double time = now();
     for (const Link &one : m_links)
-        if (one.link.isUsable(time)) sum.add(one.link);
+        if (one.link.isUsable(time)) sum.add(one.link, time);
     return sum;
 }
 
@@ -279,11 +290,15 @@ bool dxRemoteWorkers::sendNext(Lock &lock) {
     if (!takeNext(link, time, sending)) return true;
     bool isSent = false;
     try {
-        const dxUnlocked others(lock);
-        dxRemoteFrame frame;
-        for (std::size_t i = 0; i < sending.problems.size(); ++i) frame.addItem(sending.problems[i], sending.bytes[i].data(), sending.bytes[i].size());
-        const dxRemoteBytes &message = frame.seal(dxRemoteKind::Problems, sending.number);
-        isSent = m_transport->send(link, message.data(), message.size());
+        dxRemoteFrame frame(m_spareMessages.take());
+        {
+            const dxUnlocked others(lock);
+            for (std::size_t i = 0; i < sending.problems.size(); ++i) frame.addItem(sending.problems[i], sending.bytes[i].data(), sending.bytes[i].size());
+            const dxRemoteBytes &message = frame.seal(dxRemoteKind::Problems, sending.number);
+            isSent = m_transport->send(link, message.data(), message.size());
+        }
+        m_spareMessages.giveBack(frame.release());
+        for (dxRemoteBytes &bytes : sending.bytes) m_spareProblems.giveBack(std::move(bytes));
     } catch (const std::bad_alloc &) {
         warnOfMemory();
         dxRemoteInFlight unsent;
@@ -336,16 +351,16 @@ bool dxRemoteWorkers::receiveNext(Lock &lock) {
     if (!m_transport) return false;
     unsigned link = 0;
     std::size_t bytes = 0;
-    dxRemoteBytes message;
     bool isReceived = false;
     const char *fault = nullptr;
     try {
         {
             const dxUnlocked others(lock);
             bytes = m_transport->waiting(link);
-            message.resize(bytes);
-            isReceived = bytes != 0 && m_transport->receive(message.data());
-            fault = isReceived ? dxFindFrameFault(message) : nullptr;
+            if (m_received.capacity() > kMaxReceived) dxRemoteBytes().swap(m_received);
+            m_received.resize(bytes);
+            isReceived = bytes != 0 && m_transport->receive(m_received.data());
+            fault = isReceived ? dxFindFrameFault(m_received) : nullptr;
         }
         if (bytes == 0 || link >= m_links.size()) return false;
         if (m_links[link].link.state() == dxRemoteLink::State::Lost) return true;  // is not read
@@ -354,7 +369,7 @@ bool dxRemoteWorkers::receiveNext(Lock &lock) {
         else if (fault != nullptr)
             lose(link, "sent a message that is ", fault);
         else
-            handle(link, message, lock);
+            handle(link, m_received, lock);
     } catch (const std::bad_alloc &) {
         if (bytes == 0 || link >= m_links.size()) throw;
         lose(link, "sent a message for which home has no memory");
@@ -395,14 +410,15 @@ void dxRemoteWorkers::handleHello(unsigned link, const dxRemoteBytes &message, L
 }
 
 void dxRemoteWorkers::sendEcho(unsigned link, Lock &lock) {
-    dxRemoteFrame echo;
-    if (m_links[link].echoes == kSmallEchoes) {
+    dxRemoteFrame echo(m_spareMessages.take());
+    if (m_links[link].echoes >= kSmallEchoes) {
         const dxRemoteBytes content(kLargeEcho);
         echo.add(content.data(), content.size());
     }
     const dxRemoteBytes &message = echo.seal(dxRemoteKind::Echo, m_links[link].echoes);
     m_links[link].echoSent = now();
     sendTo(link, message, lock);
+    m_spareMessages.giveBack(echo.release());
 }
 
 void dxRemoteWorkers::handleEcho(unsigned link, const dxRemoteBytes &message, Lock &lock) {
@@ -414,7 +430,9 @@ void dxRemoteWorkers::handleEcho(unsigned link, const dxRemoteBytes &message, Lo
         ++one.echoes;
         return sendEcho(link, lock);
     }
-    one.link.setMeasured(one.latencyNs, std::max(took - one.latencyNs, 0.0) / (2.0 * kLargeEcho));
+    one.largeNs = one.echoes == kSmallEchoes ? took : std::min(one.largeNs, took);
+    if (++one.echoes < kSmallEchoes + kLargeEchoes) return sendEcho(link, lock);
+    one.link.setMeasured(one.latencyNs, std::max(one.largeNs - one.latencyNs, 0.0) / (2.0 * kLargeEcho));
     if (one.isReplacement)
         dxLog(dxLogLevel::info, "remote worker %u is replaced; latency %.0f us, %.2f GB/s", link + 1, one.latencyNs / 1e3, 1 / one.link.nsPerByte());
     noteAvailable();
@@ -443,7 +461,7 @@ void dxRemoteWorkers::handleResults(unsigned link, const dxRemoteBytes &message)
     }
     try {
         for (dxRemoteItems item(message); item.next();) {
-            const auto found = m_batches.find(item.number() >> kNumberShift);
+            const auto found = m_batches.find(item.number() >> kRemoteNumberShift);
             if (found == m_batches.end()) continue;  // the step has ended
             dxRemoteBatch &batch = *found->second;
             const unsigned index = static_cast<unsigned>(item.number() & 0xffffffffu);
@@ -538,6 +556,7 @@ void dxRemoteWorkers::end() {
     try {
         while (!isIdle() && now() - begin < kDrainNs) {
             if (!receiveNext(lock)) m_wake.wait_for(lock, std::chrono::milliseconds(1));
+            noticeLate(now());
         }
     } catch (...) {
         loseAll("an exception");
@@ -622,12 +641,12 @@ void dxRemoteWorkers::takeHome(dxRemoteProblem &problem, dxRemoteOutcome why) {
     if (problem.state != dxRemoteProblem::State::Queued && problem.state != dxRemoteProblem::State::Sent) return;
     problem.state = dxRemoteProblem::State::AtHome;
     problem.outcome = why;
-    m_batches[problem.number >> kNumberShift]->m_atHome.push_back(static_cast<unsigned>(problem.number & 0xffffffffu));
+    m_batches[problem.number >> kRemoteNumberShift]->m_atHome.push_back(static_cast<unsigned>(problem.number & 0xffffffffu));
 }
 
 void dxRemoteWorkers::takeHome(const std::vector<std::uint64_t> &problems, dxRemoteOutcome why) {
     for (const std::uint64_t number : problems) {
-        const auto found = m_batches.find(number >> kNumberShift);
+        const auto found = m_batches.find(number >> kRemoteNumberShift);
         if (found != m_batches.end()) takeHome(found->second->m_problems[number & 0xffffffffu], why);
     }
 }
@@ -638,10 +657,17 @@ void dxRemoteWorkers::takeQueueHome() {
     m_done.notify_all();
 }
 
+// Of a step that is under way.
+bool dxRemoteWorkers::isSolving(const dxRemoteLink &link) const {
+    return !link.inFlight().empty() && m_batches.count(link.inFlight().front().problems.front() >> kRemoteNumberShift) != 0;
+}
+
+// What is late while home has enough to do costs nothing, and home comes to know how long problems take.
 void dxRemoteWorkers::noticeLate(double time) {
     bool isAnyUsable = false;
     for (Link &one : m_links) {
-        if (one.link.noticeLate(time)) {
+        const bool isAwaited = m_waiting != 0 || !isSolving(one.link);
+        if (isAwaited && one.link.noticeLate(time)) {
             ++m_counts.late;
             dxLog(dxLogLevel::debug, "remote worker %zu is late", static_cast<std::size_t>(&one - m_links.data()) + 1);
             for (const dxRemoteInFlight &late : one.link.inFlight()) takeHome(late.problems, dxRemoteOutcome::Late);
@@ -661,7 +687,7 @@ dxRemoteBatch::dxRemoteBatch(dxRemoteWorkers &workers, unsigned count, bool mayH
     for (dxRemoteProblem &problem : m_problems) m_nodes.push_back(&problem);
     const dxRemoteWorkers::Lock lock(workers.m_mutex);
     m_number = workers.m_nextBatch++;
-    for (unsigned i = 0; i < count; ++i) m_problems[i].number = m_number << kNumberShift | i;
+    for (unsigned i = 0; i < count; ++i) m_problems[i].number = m_number << kRemoteNumberShift | i;
     workers.m_batches[m_number] = this;
 }
 
@@ -669,7 +695,7 @@ dxRemoteBatch::~dxRemoteBatch() {
     const dxRemoteWorkers::Lock lock(m_workers.m_mutex);
     m_workers.m_batches.erase(m_number);
     std::list<dxRemoteProblem *> &queue = m_workers.m_queue;
-    queue.erase(std::remove_if(queue.begin(), queue.end(), [this](const dxRemoteProblem *one) { return one->number >> kNumberShift == m_number; }),
+    queue.erase(std::remove_if(queue.begin(), queue.end(), [this](const dxRemoteProblem *one) { return one->number >> kRemoteNumberShift == m_number; }),
                 queue.end());
 }
 
@@ -677,7 +703,7 @@ void dxRemoteBatch::submit(unsigned index, dxRemoteBytes &&bytes, double cost) {
     const dxRemoteWorkers::Lock lock(m_workers.m_mutex);
     dxRemoteProblem &problem = m_problems[index];
     problem.bytes = std::move(bytes);
-    problem.cost = cost;
+    problem.cost = m_pace * cost;
     problem.isPatient = !m_mayHurry;
     problem.state = State::Queued;
     if (!m_workers.areThere() || m_workers.m_isClosing) return m_workers.takeHome(problem, dxRemoteOutcome::Lost);
@@ -687,6 +713,11 @@ void dxRemoteBatch::submit(unsigned index, dxRemoteBytes &&bytes, double cost) {
                                   [](const dxRemoteProblem *a, const dxRemoteProblem *b) { return a->cost > b->cost; }),
                  m_nodes, m_nodes.begin());
     m_workers.m_wake.notify_one();
+}
+
+dxRemoteBytes dxRemoteBatch::room() {
+    const dxRemoteWorkers::Lock lock(m_workers.m_mutex);
+    return m_workers.m_spareProblems.take();
 }
 
 void dxRemoteBatch::keep(unsigned index) {
@@ -717,6 +748,20 @@ void dxRemoteBatch::noteGivenBack() {
     const dxRemoteWorkers::Lock lock(m_workers.m_mutex);
     discount(dxRemoteOutcome::Solved);
     count(dxRemoteOutcome::NoResult);
+}
+
+// Costs are predicted, and in a scene that settles problems may take many times as long from one step to the next: those of one step are alike.
+void dxRemoteBatch::noteHome(double cost, double ns) {
+    constexpr double kChange = 1.1, kMost = 1e4;
+    if (!(cost > 0)) return;
+    const dxRemoteWorkers::Lock lock(m_workers.m_mutex);
+    m_homeCost += cost;
+    m_homeNs += ns;
+    const double factor = std::clamp(m_homeNs / m_homeCost, 1 / kMost, kMost) / m_pace;
+    if (factor < kChange && factor > 1 / kChange) return;
+    m_pace *= factor;
+    for (dxRemoteProblem &problem : m_problems) problem.cost *= factor;
+    for (dxRemoteWorkers::Link &one : m_workers.m_links) one.link.rescale(m_number, factor);
 }
 
 dxRemoteOutcomes dxRemoteBatch::outcomes() const {
@@ -753,7 +798,7 @@ bool dxRemoteBatch::takeReady(State state, unsigned &index, dxRemoteBytes *resul
 
 bool dxRemoteBatch::takeUnsent(unsigned &index) {
     std::list<dxRemoteProblem *> &queue = m_workers.m_queue;
-    const auto found = std::find_if(queue.rbegin(), queue.rend(), [this](const dxRemoteProblem *one) { return one->number >> kNumberShift == m_number; });
+    const auto found = std::find_if(queue.rbegin(), queue.rend(), [this](const dxRemoteProblem *one) { return one->number >> kRemoteNumberShift == m_number; });
     if (found == queue.rend()) return false;
     dxRemoteProblem &problem = **found;
     queue.erase(std::next(found).base());
@@ -769,7 +814,7 @@ bool dxRemoteBatch::withdrawLast(double now) {
     const dxRemoteInFlight *last = nullptr;
     for (unsigned i = 0; i < m_workers.m_links.size(); ++i) {
         for (const dxRemoteInFlight &sent : m_workers.m_links[i].link.inFlight()) {
-            if (sent.isWithdrawn || sent.problems.front() >> kNumberShift != m_number) continue;
+            if (sent.isWithdrawn || sent.problems.front() >> kRemoteNumberShift != m_number) continue;
             if (last != nullptr && sent.expected <= last->expected) continue;
             last = &sent;
             link = i;
@@ -802,6 +847,7 @@ dxRemoteBatch::Next dxRemoteBatch::next(unsigned &index, dxRemoteBytes &result) 
         const double time = m_workers.now();
         const bool hurries = m_mayHurry || time - begin > kPatienceNs;
         if (hurries && takeUnsent(index)) return Next::AtHome;
+        const CountedWait wait(m_workers.m_waiting);
         m_workers.noticeLate(time);
         if (!m_atHome.empty() || (m_mayHurry && withdrawLast(time))) continue;
         const double deadline = std::min(nextDeadline(), hurries ? std::numeric_limits<double>::infinity() : begin + 1.01 * kPatienceNs);

@@ -36,6 +36,7 @@
 #include "remote/dxRemoteOutcomes.h"
 #include "remote/dxRemoteTransport.h"
 #include "remote/dxRestartPause.h"
+#include "remote/dxSpareBytes.h"
 #include "threading/process/dxForkListener.h"
 #include "threading/process/dxProcessObject.h"
 
@@ -49,9 +50,9 @@ struct dxRemoteCapacity {
     double latencyNs = 0;  // of the slowest link, there and back
     double nsPerByte = 0;
 
-    void add(const dxRemoteLink &link) {
+    void add(const dxRemoteLink &link, double now) {
         ++workers;
-        speed += 1 / link.slowness();
+        speed += 1 / link.slowness(now);
         latencyNs = std::max(latencyNs, link.latencyNs());
         nsPerByte = std::max(nsPerByte, link.nsPerByte());
     }
@@ -115,7 +116,7 @@ private:
 
     struct Link {
         dxRemoteLink link;
-        double echoSent = 0, latencyNs = 0;
+        double echoSent = 0, latencyNs = 0, largeNs = 0;
         unsigned echoes = 0;  // that have come back
         double since = 0;     // when its worker was started
         bool isReplacement = false;
@@ -166,6 +167,7 @@ private:
     void takeHome(const std::vector<std::uint64_t> &problems, dxRemoteOutcome why);
     void takeHome(dxRemoteProblem &problem, dxRemoteOutcome why);
     void takeQueueHome();
+    bool isSolving(const dxRemoteLink &link) const;
     void noticeLate(double now);
     void noteAvailable();
     bool isSettled() const;
@@ -189,8 +191,11 @@ private:
     double m_lastAlive = 0;
 
     std::vector<Link> m_links;
+    dxSpareBytes m_spareProblems, m_spareMessages;  // those that home sends
+    dxRemoteBytes m_received;  // the communication thread's
     std::list<dxRemoteProblem *> m_queue;                         // the most expensive first
     std::unordered_map<std::uint64_t, dxRemoteBatch *> m_batches;  // by the upper half of a problem's number
+    unsigned m_waiting = 0;  // threads of home's that have nothing else to do
     bool m_hasWithdrawals = false, m_isWaking = false, m_hasWarnedOfMemory = false;
     std::uint64_t m_nextFrame = 1, m_nextBatch = 1;
     Counts m_counts;
@@ -215,6 +220,9 @@ public:
     void keep(unsigned index);
     void drop(unsigned index);
 
+    // Home has solved problems of this step, or islands that were not to go out, whose costs were predicted; the others take as many times theirs.
+    void noteHome(double cost, double ns);
+
     // Waits until there is something to do. None: all problems have been answered.
     Next next(unsigned &index, dxRemoteBytes &result);
 
@@ -222,6 +230,9 @@ public:
     void reject(unsigned index);
     // It says that the worker could not solve the problem; whoever calls does.
     void noteGivenBack();
+
+    // Memory for a problem that is to be submitted.
+    dxRemoteBytes room();
 
     // Of those that next() has given so far.
     dxRemoteOutcomes outcomes() const;
@@ -244,5 +255,6 @@ private:
     std::list<dxRemoteProblem *> m_nodes;         // of the queue, for problems that are not submitted yet
     std::vector<unsigned> m_returned, m_atHome;  // with room for all that may come
     unsigned m_left;
+    double m_homeCost = 0, m_homeNs = 0, m_pace = 1;  // ns at home, of what was predicted so
     dxRemoteOutcomes m_outcomes;
 };

@@ -74,6 +74,14 @@ void dxSharingPolicy::record(bool shared, double ns) {
         return;
     }
     countUp(m_calls);
+    if (m_doubtedNs > 0 && way.callsInRow >= kProbeCalls) {
+        if (hasGrownSince(way)) {
+            m_isSharing = !m_isSharing;
+            beginUse(m_doubtedNs);
+            return;
+        }
+        m_doubtedNs = 0;
+    }
     m_slowCalls = ns > kSlower * m_judgedNs ? std::min(m_slowCalls + 1, kMany) : 0;
     if (isTimeForProbe(way)) {
         m_isProbe = true;
@@ -104,21 +112,35 @@ void dxSharingPolicy::judgeProbe() {
     const bool isBrokenOff = m_isSharing && isDebtTooHigh();
     if (probed.callsInRow < kProbeCalls && !isBrokenOff) return;
     const bool pays = !isBrokenOff && dxPaysClearly(probed.ns, usual.ns, kMargin);
-    constexpr dxRetryLimits<int> kEarlyRetry{kMinEarlyRetry, kRetry.longest};
-    if (pays) {
-        m_retryInterval = kRetry.shortest;
-        m_earlyRetryInterval = kEarlyRetry.shortest;
-    } else {
-        m_isSharing = !m_isSharing;
-        if (isEarly())
-            m_earlyRetryInterval = kEarlyRetry.afterFailure(m_earlyRetryInterval);
-        else
-            m_retryInterval = kRetry.afterFailure(m_retryInterval);
-    }
     dxLog(dxLogLevel::debug, "a call of %.0f us takes %.0f us when the way in use is exchanged: %s from now on",
-          usual.ns / 1e3, probed.ns / 1e3, m_isSharing ? "shared" : "alone");
-    m_judgedNs = pays ? probed.ns : usual.ns;
-    if (m_isSharing) m_savedNs = std::max(m_savedNs, 0.0);  // it pays
+          usual.ns / 1e3, probed.ns / 1e3, m_isSharing == pays ? "shared" : "alone");
+    if (pays) return beginUse(probed.ns);
+    m_isSharing = !m_isSharing;
+    if (isEarly())
+        m_earlyRetryInterval = dxRetryLimits<int>{kMinEarlyRetry, kRetry.longest}.afterFailure(m_earlyRetryInterval);
+    else
+        m_retryInterval = kRetry.afterFailure(m_retryInterval);
+    m_doubtedNs = probed.ns;
+    endProbe(usual.ns);
+}
+
+// The way that is in use from now on has turned out to pay.
+void dxSharingPolicy::beginUse(double ns) {
+    m_retryInterval = kRetry.shortest;
+    m_earlyRetryInterval = kMinEarlyRetry;
+    if (m_isSharing) m_savedNs = std::max(m_savedNs, 0.0);
+    m_doubtedNs = 0;
+    endProbe(ns);
+}
+
+void dxSharingPolicy::endProbe(double ns) {
+    m_judgedNs = ns;
     m_isProbe = false;
     m_calls = m_slowCalls = 0;
+}
+
+// The calls after a probe that did not pay: they would have been the faster ones.
+bool dxSharingPolicy::hasGrownSince(const Way &way) const {
+    const bool isSlower = way.ns > kSlower * m_judgedNs;
+    return isSlower && dxPaysClearly(m_doubtedNs, way.ns, kMargin) && (m_isSharing || isPaidBack());
 }

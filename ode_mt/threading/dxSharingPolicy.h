@@ -2,7 +2,8 @@
 // thread: whichever of the two took less time of late. The words are those of dxParallelPayoff.h.
 //
 // Both times are measured, of whole calls, with all that belongs to them. If several calls in a row take longer than
-// after the last probe, as in a scene that grows, the next probe comes early.
+// after the last probe, as in a scene that grows, the next probe comes early. A probe whose calls were slower than those before it
+// is doubted: the scene may have grown during it. If the calls after it are slower still, it has paid.
 //
 // What sharing costs more than working alone is taken from what it has saved. A debt is paid back by a small part of the
 // time that is worked alone; until then there is no probe. So where workers come late, because other programs have the
@@ -39,10 +40,14 @@ private:
     bool isDebtTooHigh() const;
     void account(bool shared, double ns);
     void judgeProbe();
+    void beginUse(double ns);
+    void endProbe(double ns);
+    bool hasGrownSince(const Way &way) const;
 
     Way m_alone, m_shared;
     bool m_isSharing = false;  // the way in use; during a probe the other one
     bool m_isProbe = false;
+    double m_doubtedNs = 0;    // of the last probe, which did not pay, until calls after it have been timed; 0: there is none
     int m_calls = 0;           // since the last probe ended
     double m_judgedNs = 0;     // of the way in use, when it ended
     int m_retryInterval = 0;   // calls

@@ -3,6 +3,8 @@
 //   mpirun -np 1 PROGRAM : -np 15 odemt_worker        with ODE_MT_WORKERS=mpi in PROGRAM's environment
 //
 // It ends with the program, or when it has not heard of it for a minute. The options (--help) are for measurements: a slower network, a record.
+#include <malloc.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -28,6 +30,13 @@ std::unique_ptr<dxRemoteTransport> openTransport(const dxSimulatedLink &link, st
     const auto openMpi = [](std::string &why) -> std::unique_ptr<dxRemoteTransport> { return dxMpiTransport::openWorker(why); };
     if (link.isThere()) return dxSimulatedNetwork::open(link, openMpi, reason);
     return openMpi(reason);
+}
+
+// Messages come and go: memory that is given back to the system after each costs more than all else that is done to it (dxSpareBytes.h).
+void keepFreedMemory() {
+    constexpr int kMostMapped = 32 << 20, kMostKept = 64 << 20;  // bytes
+    mallopt(M_MMAP_THRESHOLD, kMostMapped);
+    mallopt(M_TRIM_THRESHOLD, kMostKept);
 }
 
 int run(const dxWorkerArguments &arguments) {
@@ -73,6 +82,7 @@ int main(int count, char **arguments) {
         std::fprintf(stderr, "odemt_worker: %s; --help lists the options\n", complaint.c_str());
         return 2;
     }
+    keepFreedMemory();
     try {
         return run(read);
     } catch (const std::bad_alloc &) {

@@ -134,7 +134,7 @@ public:
         for (unsigned i = 0; i < count; ++i) {
             FaultTable::Worker &worker = m_table.workers[i];
             if (m_isHarmed[i]) continue;
-            constexpr unsigned kGreetings = 8;  // hello and echoes
+            constexpr unsigned kGreetings = 10;  // hello and echoes
             const unsigned sent = worker.sent;
             if (sent > kGreetings && sent != std::exchange(m_seen[i], sent)) able.push_back(i);
         }

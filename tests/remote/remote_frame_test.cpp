@@ -1,5 +1,6 @@
 // Messages arrive as they were sent, or are recognised as something else: whichever bit is flipped, wherever they are cut off.
 #include "remote/dxRemoteFrame.h"
+#include "remote/dxSpareBytes.h"
 
 #include <gtest/gtest.h>
 
@@ -27,6 +28,30 @@ TEST(RemoteFrame, ItemsComeBack) {
     }
     EXPECT_TRUE(items.isAtEnd());
     EXPECT_FALSE(items.next());
+}
+
+TEST(RemoteFrame, UsesRoomThatIsToSpare) {
+    dxSpareBytes spare;
+    spare.giveBack(dxRemoteBytes(1000, std::byte{7}));
+    EXPECT_GE(spare.room(), 1000u);
+    dxRemoteFrame frame(spare.take());
+    EXPECT_EQ(spare.room(), 0u);
+    const char text[] = "as in a new one";
+    frame.addItem(7, text, sizeof text);
+    const std::byte *const at = frame.seal(dxRemoteKind::Problems).data();
+    EXPECT_EQ(dxFindFrameFault(frame.seal(dxRemoteKind::Problems)), nullptr);
+    spare.giveBack(frame.release());
+    EXPECT_EQ(dxRemoteFrame(spare.take()).seal(dxRemoteKind::Wake).data(), at);
+}
+
+TEST(RemoteFrame, RoomToSpareIsBounded) {
+    dxSpareBytes spare;
+    for (int i = 0; i < 100; ++i) spare.giveBack(dxRemoteBytes(1 << 20));
+    EXPECT_LE(spare.room(), dxSpareBytes::kMaxRoom);
+    EXPECT_GT(spare.room(), dxSpareBytes::kMaxRoom / 2);
+    spare.giveBack(dxRemoteBytes(2 * dxSpareBytes::kMaxRoom));
+    while (spare.room() > 0) spare.take();
+    EXPECT_EQ(spare.take().capacity(), 0u);
 }
 
 TEST(RemoteFrame, EachFlippedBitIsSeen) {

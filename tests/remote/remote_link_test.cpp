@@ -14,7 +14,7 @@ dxRemoteLink openLink() {
     return link;
 }
 
-void send(dxRemoteLink &link, std::uint64_t number, double cost, double now) { link.send({number, {number}, cost, 0, 0}, 1000, now); }
+void send(dxRemoteLink &link, std::uint64_t number, double cost, double now) { link.send({number, {number}, cost, 0, 0}, 0, now); }
 
 TEST(RemoteLink, IsFreeOnceItIsMeasured) {
     dxRemoteLink link;
@@ -46,7 +46,60 @@ TEST(RemoteLink, LearnsHowSlowTheWorkerIs) {
         dxRemoteInFlight problems;
         ASSERT_TRUE(link.takeBack(i, now, problems));
     }
-    EXPECT_NEAR(link.slowness(), 3, 0.1);
+    EXPECT_NEAR(link.slowness(now), 3, 0.1);
+}
+
+// Most of what they take is how long they wait until somebody looks.
+TEST(RemoteLink, SmallMessagesTellLittleOfTheWorker) {
+    dxRemoteLink link = openLink();
+    double now = 0;
+    for (std::uint64_t i = 0; i < 100; ++i) {
+        const bool isSmall = i % 2 == 0;
+        const double cost = isSmall ? 0.02 * kMs : kMs;
+        send(link, i, cost, now);
+        now += 0.1 * kMs + cost + (isSmall ? 0.3 * kMs : 0);
+        dxRemoteInFlight problems;
+        ASSERT_TRUE(link.takeBack(i, now, problems));
+    }
+    EXPECT_LT(link.slowness(now), 2);
+}
+
+// One that seems slow is given nothing, so that nothing would tell that it is not.
+TEST(RemoteLink, ForgetsThatAWorkerWasSlow) {
+    dxRemoteLink link = openLink();
+    double now = 0;
+    for (std::uint64_t i = 0; i < 100; ++i) {
+        send(link, i, kMs, now);
+        now += 20 * kMs;
+        dxRemoteInFlight problems;
+        ASSERT_TRUE(link.takeBack(i, now, problems));
+    }
+    EXPECT_GT(link.slowness(now), 10);
+    EXPECT_GT(link.slowness(now + 500 * kMs), 5);
+    EXPECT_LT(link.slowness(now + 20e3 * kMs), 1.1);
+    send(link, 100, kMs, now + 20e3 * kMs);
+    EXPECT_LT(link.inFlight().front().expected, now + 20e3 * kMs + 2 * kMs + dxPollPause::longestNs(20e9));
+}
+
+TEST(RemoteLink, ExpectsLaterWhatHomeFindsToTakeLonger) {
+    dxRemoteLink link = openLink();
+    constexpr std::uint64_t kOther = std::uint64_t{1} << kRemoteNumberShift;
+    send(link, 1, kMs, 0);
+    link.send({2, {kOther}, kMs, 0, 0}, 0, 0);
+    const double deadline = link.deadline();
+    link.rescale(0, 10);
+    EXPECT_DOUBLE_EQ(link.inFlight().front().expected, 10.1 * kMs);
+    EXPECT_DOUBLE_EQ(link.inFlight().back().expected, 11.2 * kMs) << "this step's problems alone";
+    EXPECT_GT(link.deadline(), deadline + 17 * kMs);
+    const double later = link.deadline();
+    link.rescale(0, 0.1);
+    EXPECT_DOUBLE_EQ(link.inFlight().front().expected, 1.1 * kMs);
+    EXPECT_DOUBLE_EQ(link.deadline(), later) << "no deadline comes nearer";
+    double now = 10.1 * kMs;
+    link.rescale(0, 10);
+    dxRemoteInFlight problems;
+    ASSERT_TRUE(link.takeBack(1, now, problems));
+    EXPECT_NEAR(link.slowness(now), 1, 1e-9) << "the worker is as fast as home";
 }
 
 TEST(RemoteLink, IsLateUntilAllIsBackAndThenPauses) {
@@ -85,7 +138,7 @@ TEST(RemoteLink, ExpectsWhatMeetsASleepingWorkerLater) {
     dxRemoteInFlight problems;
     now += 1.1 * kMs + sleep;
     ASSERT_TRUE(link.takeBack(1, now, problems));
-    EXPECT_DOUBLE_EQ(link.slowness(), 1);
+    EXPECT_DOUBLE_EQ(link.slowness(now), 1);
     send(link, 2, kMs, now);
     EXPECT_DOUBLE_EQ(link.inFlight().front().expected, now + 1.1 * kMs);
 }

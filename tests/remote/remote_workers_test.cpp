@@ -170,7 +170,11 @@ TEST_F(RemoteWorkers, ThatWereLateAreUsedAgain) {
         if (kind == dxRemoteKind::Results && slow.exchange(0) == 1) fate.delay = std::chrono::milliseconds(50);
         return fate;
     });
-    runBatch(4);
+    for (int attempt = 0; attempt < 20 && countsSince(m_before).late == 0; ++attempt) {
+        runBatch(4);
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    EXPECT_EQ(countsSince(m_before).late, 1u);
     EXPECT_TRUE(hasSoon(1));
     EXPECT_EQ(runBatch(20, false), 0u);
 }
@@ -201,6 +205,51 @@ TEST_F(RemoteWorkers, CountWhatIsLate) {
     EXPECT_EQ(counts.lost, 0u);
     EXPECT_EQ(counts.open, 1u);
     EXPECT_EQ(counts.openLate, 1u);
+}
+
+// Home has other things to do for longer than the worker was predicted to need.
+TEST_F(RemoteWorkers, AreNotLateWhileHomeIsBusy) {
+    open(1, [](unsigned, unsigned, dxRemoteKind kind) {
+        LoopbackFate fate;
+        if (kind == dxRemoteKind::Results) fate.delay = std::chrono::milliseconds(30);
+        return fate;
+    });
+    dxRemoteBatch batch(m_workers, 2, true);
+    for (unsigned i = 0; i < 2; ++i) batch.submit(i, problemOf(i), kProblemNs);
+    for (int attempt = 0; attempt < 400 && countsSince(m_before).sent == 0; ++attempt) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    EXPECT_EQ(countsSince(m_before).late, 0u);
+    EXPECT_EQ(m_workers.capacity().workers, 1u);
+    unsigned index = 0;
+    dxRemoteBytes result;
+    while (batch.next(index, result) != dxRemoteBatch::Next::None) {}
+    EXPECT_EQ(countsSince(m_before).late, 0u);
+    EXPECT_GT(batch.outcomes().solved(), 0u);
+}
+
+// Home finds that its own problems take a thousand times what was predicted, and waits for the worker.
+TEST_F(RemoteWorkers, AreGivenTheTimeThatProblemsTakeAtHome) {
+    std::atomic<bool> isSlow{true};
+    open(1, [&isSlow](unsigned, unsigned, dxRemoteKind kind) {
+        LoopbackFate fate;
+        if (kind == dxRemoteKind::Results && isSlow) fate.delay = std::chrono::milliseconds(40);
+        return fate;
+    });
+    for (const bool isTold : {true, false}) {
+        SCOPED_TRACE(isTold);
+        dxRemoteBatch batch(m_workers, 1, true);
+        batch.submit(0, problemOf(0), kProblemNs);
+        for (int attempt = 0; attempt < 400 && m_workers.counts().sent == m_before.sent + !isTold; ++attempt)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        if (isTold) batch.noteHome(kProblemNs, 1000 * kProblemNs);
+        unsigned index = 0;
+        dxRemoteBytes result;
+        while (batch.next(index, result) != dxRemoteBatch::Next::None) {}
+        EXPECT_EQ(batch.outcomes().solved(), isTold ? 1u : 0u);
+        if (isTold) {
+            EXPECT_EQ(countsSince(m_before).late, 0u);
+        }
+    }
 }
 
 // A message that takes so long to be answered is not worth waiting for.
@@ -289,7 +338,7 @@ TEST_F(RemoteWorkers, AThousandFaultsChangeNothing) {
             fates[i].bit = random();
             at[i] = random() % 3;
         }
-        constexpr unsigned kBefore = 6;  // hello and echoes
+        constexpr unsigned kBefore = 8;  // hello and echoes
         open(kWorkers, [&](unsigned worker, unsigned count, dxRemoteKind) {
             if (count != kBefore + at[worker]) return LoopbackFate();
             ++happened;

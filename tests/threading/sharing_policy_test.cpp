@@ -62,6 +62,27 @@ TEST_F(SharingPolicy, FollowsASceneThatGrows) {
     EXPECT_GT(count, 10) << "from the twelfth call on it pays, and the next probe would come after the fortieth";
 }
 
+// As a wall that has been dropped: each call of its first dozens takes longer than the one before.
+TEST_F(SharingPolicy, DoubtsAProbeDuringWhichTheSceneHasGrown) {
+    for (const double growth : {1.2, 1.5, 2.0, 3.0}) {
+        SCOPED_TRACE(growth);
+        policy = {};
+        double aloneNs = 20e3;
+        for (; aloneNs < 20e6; aloneNs *= growth) shared(1, aloneNs, 0.6 * aloneNs);
+        EXPECT_GT(shared(40, aloneNs, 0.6 * aloneNs), 28);
+    }
+}
+
+TEST_F(SharingPolicy, DoubtsNothingInASceneThatGrowsIfSharingDoesNotPay) {
+    for (const double growth : {1.2, 1.5, 2.0, 3.0}) {
+        SCOPED_TRACE(growth);
+        policy = {};
+        double aloneNs = 20e3;
+        for (; aloneNs < 20e6; aloneNs *= growth) shared(1, aloneNs, 1.05 * aloneNs);
+        EXPECT_LT(shared(40, aloneNs, 1.05 * aloneNs), 12);
+    }
+}
+
 TEST_F(SharingPolicy, CallsThatWereHeldUpSayNothing) {
     int count = 0;
     for (int i = 0; i < 5000; ++i) {

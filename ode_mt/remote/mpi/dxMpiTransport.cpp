@@ -223,19 +223,27 @@ std::unique_ptr<dxMpiTransport> dxMpiTransport::openWorker(std::string &reason) 
 void dxMpiTransport::forgetSent() {
     for (auto sending = m_sending.begin(); sending != m_sending.end();) {
         int isComplete = 0;
-        if (MPI_Test(&sending->request, &isComplete, MPI_STATUS_IGNORE) == MPI_SUCCESS && !isComplete)
+        if (MPI_Test(&sending->request, &isComplete, MPI_STATUS_IGNORE) == MPI_SUCCESS && !isComplete) {
             ++sending;
-        else
+        } else {
+            m_spare.giveBack(std::move(sending->bytes));
             sending = m_sending.erase(sending);
+        }
     }
 }
 
 bool dxMpiTransport::send(unsigned link, const void *message, std::size_t bytes) {
     forgetSent();
     if (bytes > INT_MAX || m_links[link].communicator == MPI_COMM_NULL) return false;
-    const char *const from = static_cast<const char *>(message);
-    m_sending.push_back({std::vector<char>(from, from + bytes), MPI_REQUEST_NULL});
+    const auto *const from = static_cast<const std::byte *>(message);
+    m_sending.push_back({m_spare.take(), MPI_REQUEST_NULL});
     Sending &sending = m_sending.back();
+    try {
+        sending.bytes.assign(from, from + bytes);
+    } catch (...) {
+        m_sending.pop_back();
+        throw;
+    }
     const Link &to = m_links[link];
     if (MPI_Isend(sending.bytes.data(), static_cast<int>(bytes), MPI_BYTE, to.rank, kTag, to.communicator, &sending.request) == MPI_SUCCESS) return true;
     m_sending.pop_back();

@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "remote/dxRemoteTransport.h"
+#include "remote/dxSpareBytes.h"
 
 class dxMpiTransport final : public dxRemoteTransport {
 public:
@@ -48,7 +49,7 @@ private:
         int rank;
     };
     struct Sending {
-        std::vector<char> bytes;  // MPI reads them until the request is complete
+        dxSpareBytes::Bytes bytes;  // MPI reads them until the request is complete
         MPI_Request request;
     };
 
@@ -66,6 +67,7 @@ private:
     std::vector<Link> m_links;
     std::vector<MPI_Comm> m_probed;  // each communicator once
     std::list<Sending> m_sending;
+    dxSpareBytes m_spare;
     unsigned m_next = 0;  // link or communicator that is looked at first
     MPI_Message m_message = MPI_MESSAGE_NULL;
     int m_bytes = 0;
