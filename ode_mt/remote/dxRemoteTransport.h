@@ -13,7 +13,7 @@
 class dxRemoteTransport {
 public:
     // What a library must know to give a transport to this one.
-    static constexpr unsigned kInterfaceVersion = 2;
+    static constexpr unsigned kInterfaceVersion = 3;
 
     virtual ~dxRemoteTransport() = default;
 
@@ -39,6 +39,10 @@ public:
 
     // What has become of it. Here: its messages can be sent and received.
     virtual Replacement replacement() { return Replacement::Failed; }
+
+    // Home's, once: `end` closes the transport, on the thread that the transport needs for its calls, and returns when that is done. It is called before
+    // what carries the messages ends, if the program and not the transport ends it, on the thread that does.
+    virtual void setEnd(void (* /*end*/)()) {}
 
     // The last call. `isOrderly`: all others close as well, and may be waited for.
     virtual void close(bool isOrderly) = 0;

@@ -211,6 +211,7 @@ void dxRemoteWorkers::begin() {
     } catch (...) {
         haveNone("an exception");
     }
+    if (m_transport) m_transport->setEnd([] { instance().close(); });
     const Lock lock(m_mutex);
     for (Link &one : links) one.since = now();
     m_links.swap(links);

@@ -3,7 +3,7 @@
 # this script kills, stops and continues while islands are sent; then workers that the program itself harms, and that are replaced (Open MPI).
 #
 #   MPIRUN, SCENARIO (odemt_scenario), LIBRARY (folder of libode.so.8), WORKER, STOCK (folder of libode8), FAULTS (odemt_worker_faults),
-#   FLIPS (libodemt_flipped_bits.so), LAST_THREAD (last_thread_test), SCRATCH
+#   FLIPS (libodemt_flipped_bits.so), LAST_THREAD (last_thread_test), OWN_MPI (odemt_own_mpi), PIPE_END (odemt_pipe_end), SCRATCH
 #
 # By hand: WHOLE=1 compares every scenario of dWorldStep with 1, 2 and 4 workers, which takes an hour.
 set -eu
@@ -99,6 +99,16 @@ if [ "$ALONE" = --enable-recovery ]; then
     status=0
     ODE_MT_WORKERS=mpi:2 LD_LIBRARY_PATH=$LIBRARY timeout -k 5 60 "$LAST_THREAD" main_thread_ends_with_remote_workers > output 2>&1 || status=$?
     [ "$status" = 7 ] || { echo "without mpirun and main thread, the process ends with $status"; cat output; exit 1; }
+    ODE_MT_WORKERS=mpi:1 LD_LIBRARY_PATH=$LIBRARY timeout -k 5 60 "$PIPE_END" > output 2>&1 ||
+        { echo "a pipe of the program's is held open: $?"; cat output; exit 1; }
+    # Workers end before the program ends MPI.
+    LD_LIBRARY_PATH=$STOCK timeout -k 5 60 "$OWN_MPI" close > stock
+    for order in close leave finalise; do
+        ODE_MT_WORKERS=mpi:1 ODE_MT_ALGORITHM=lcp ODE_MT_LOG=info LD_LIBRARY_PATH=$LIBRARY timeout -k 5 60 "$OWN_MPI" $order > ours 2> output ||
+            { echo "a program with an MPI of its own, $order: $?"; cat output; exit 1; }
+        cmp ours stock || { echo "a program with an MPI of its own, $order, has other bits"; exit 1; }
+        grep -q '[1-9][0-9]* islands sent, [1-9]' output || { echo "a program with an MPI of its own, $order: nothing was solved elsewhere"; cat output; exit 1; }
+    done
     mkdir bare; cp "$LIBRARY/libode.so.8" "$LIBRARY/libode_mt_mpi.so" bare
     alone joint_feedback/world "$SCRATCH/bare" mpi:1 "none by mpi: there is no odemt_worker"
 fi

@@ -1,5 +1,6 @@
 #include "remote/mpi/dxMpiTransport.h"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <pthread.h>
 #include <unistd.h>
@@ -90,22 +91,38 @@ std::string textOf(int error) {
     return text;
 }
 
-// While MPI begins on this thread: a process that it starts has no standard input. Without mpirun Open MPI starts one (orted) that would read
-// the program's own for the workers, and what it has read is lost to the program. (Its key ompi_stdin_target ends Open MPI 4.1's server.)
-class NoInputForChildren {
+// While MPI begins on this thread: a process that it starts has no files of the program's but standard output and error. Without mpirun Open MPI
+// starts one (orted) that would read the program's standard input for the workers, and what it has read is lost to the program (its key
+// ompi_stdin_target ends Open MPI 4.1's server); and it would hold the program's pipes open, whose other ends would never see their end.
+class NoFilesForChildren {
 public:
-    NoInputForChildren() {
-        static const int isListening = pthread_atfork(nullptr, nullptr, takeInput);
+    NoFilesForChildren() {
+        static const int isListening = pthread_atfork(nullptr, nullptr, closeFiles);
         static_cast<void>(isListening);
+        noteFiles();
         s_isActive = true;
     }
-    ~NoInputForChildren() { s_isActive = false; }
-    NoInputForChildren(const NoInputForChildren &) = delete;
-    NoInputForChildren &operator=(const NoInputForChildren &) = delete;
+    ~NoFilesForChildren() {
+        s_isActive = false;
+        s_files = {};
+    }
+    NoFilesForChildren(const NoFilesForChildren &) = delete;
+    NoFilesForChildren &operator=(const NoFilesForChildren &) = delete;
 
 private:
-    static void takeInput() {
+    static void noteFiles() {
+        const std::unique_ptr<DIR, int (*)(DIR *)> folder(opendir("/proc/self/fd"), closedir);
+        if (folder == nullptr) return;
+        while (const dirent *const entry = readdir(folder.get())) {
+            const int file = std::atoi(entry->d_name);
+            if (file > STDERR_FILENO && file != dirfd(folder.get())) s_files.push_back(file);
+        }
+    }
+
+    // In the child, which goes on to execute another program.
+    static void closeFiles() {
         if (!s_isActive) return;
+        for (const int file : s_files) fcntl(file, F_SETFD, FD_CLOEXEC);
         const int none = open("/dev/null", O_RDONLY);
         if (none <= STDIN_FILENO) return;
         dup2(none, STDIN_FILENO);
@@ -113,6 +130,7 @@ private:
     }
 
     static inline thread_local bool s_isActive = false;
+    static inline thread_local std::vector<int> s_files;
 };
 
 }  // namespace
@@ -142,7 +160,7 @@ bool dxMpiTransport::initialise(int wantedLevel, std::string &reason) {
         reason = "the program uses MPI itself, without MPI_THREAD_MULTIPLE";
         return false;
     }
-    const NoInputForChildren noInput;
+    const NoFilesForChildren noFiles;
     if (MPI_Init_thread(nullptr, nullptr, wantedLevel, &level) != MPI_SUCCESS || level < MPI_THREAD_FUNNELED) {
         reason = "MPI cannot be initialised for a program with threads";
         return false;
@@ -303,6 +321,19 @@ dxRemoteTransport::Replacement dxMpiTransport::replacement() {
     if (start->worker == MPI_COMM_NULL) return Replacement::Failed;
     m_links[start->link].communicator = m_probed[start->link] = start->worker;
     return Replacement::Here;
+}
+
+// MPI_Finalize first deletes what is attached to MPI_COMM_SELF (MPI 3.1, 8.7.1).
+void dxMpiTransport::setEnd(void (*end)()) {
+    if (m_isOwn) return;
+    static void (*s_end)() = nullptr;
+    s_end = end;
+    int key = MPI_KEYVAL_INVALID;
+    const auto atEnd = [](MPI_Comm, int, void *, void *) {
+        s_end();
+        return MPI_SUCCESS;
+    };
+    if (MPI_Comm_create_keyval(MPI_COMM_NULL_COPY_FN, atEnd, &key, nullptr) == MPI_SUCCESS) MPI_Comm_set_attr(MPI_COMM_SELF, key, nullptr);
 }
 
 // Without the others MPI_Finalize would wait for them for ever.

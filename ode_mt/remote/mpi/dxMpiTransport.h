@@ -41,6 +41,7 @@ public:
     bool canReplace() const override { return m_canReplace; }
     void replace(unsigned link) override;
     Replacement replacement() override;
+    void setEnd(void (*end)()) override;
     void close(bool isOrderly) override;
 
 private:
