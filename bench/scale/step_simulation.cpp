@@ -3,6 +3,7 @@
 #include "dynamics/dxCostModel.h"
 #include "dynamics/remote/dxRemoteShare.h"
 #include "remote/dxRemoteLink.h"
+#include "remote/dxRemoteNumber.h"
 #include "remote/dxRemoteSchedule.h"
 
 #include <algorithm>
@@ -324,8 +325,8 @@ bool StepSimulation::Play::withdrawLast() {
 
 void StepSimulation::Play::takeHome(const std::vector<std::uint64_t> &problems) {
     for (const std::uint64_t number : problems) {
-        const unsigned island = static_cast<unsigned>(number & 0xffffffffu);
-        if (number >> kRemoteNumberShift != m_step || m_islands[island].state != State::Sent) continue;
+        const unsigned island = dxRemoteIndexOf(number);
+        if (dxRemoteBatchOf(number) != m_step || m_islands[island].state != State::Sent) continue;
         ++counts.takenBack;
         m_islands[island].state = State::AtHome;
         m_atHome.push_back(island);
@@ -401,7 +402,7 @@ bool StepSimulation::Play::sendNext() {
         const unsigned island = m_queue[taken++];
         Island &one = m_islands[island];
         one.state = State::Sent;
-        sent.problems.push_back(m_step << kRemoteNumberShift | island);
+        sent.problems.push_back(dxRemoteNumber(m_step, island));
         sent.cost += costOf(island);
         sent.isPatient |= m_cluster.sendsAll;
         bytes += static_cast<std::size_t>(one.bytes);
@@ -445,11 +446,11 @@ void StepSimulation::Play::handleResults(unsigned worker, const Message &message
     m_workers[worker].link.takeBack(message.number, m_now, expected);
     if (isWithdrawn) return takeHome(expected.problems);
     for (const std::uint64_t number : expected.problems) {
-        if (number >> kRemoteNumberShift != m_step || m_isDone) continue;
-        Island &island = m_islands[number & 0xffffffffu];
+        if (dxRemoteBatchOf(number) != m_step || m_isDone) continue;
+        Island &island = m_islands[dxRemoteIndexOf(number)];
         if (island.state != State::Sent && island.state != State::AtHome) continue;  // home was faster
         island.state = State::Returned;
-        m_returned.push_back(static_cast<unsigned>(number & 0xffffffffu));
+        m_returned.push_back(dxRemoteIndexOf(number));
     }
     wakeHome();
 }

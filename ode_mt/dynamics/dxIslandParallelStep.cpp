@@ -98,7 +98,6 @@ void dxIslandParallelStep::stepBlock(unsigned block, unsigned worker) {
     }
     const double ns = stopwatch.ns();
     m_records->workers[worker].busyNs += ns;
-    m_records->workers[worker].cost += cost;
     if (m_remote) m_remote->noteStepped(cost, ns);
 }
 
@@ -277,13 +276,17 @@ void dxIslandParallelStep::finishInOrder(unsigned begin) {
 
 void dxIslandParallelStep::learn(double wallNs) const {
     if (m_records->inOrderFrom != m_call.count || m_interrupted.load(std::memory_order_relaxed) != m_call.count) return;
-    double busyNs = 0, cost = 0;
-    for (const dxWorkerRecord &worker : m_records->workers) {
-        busyNs += worker.busyNs;
-        cost += worker.cost;
-    }
-    // Other processes were busy, too: the step tells nothing of what sharing it out costs here.
-    if (m_plan.remoteShare > 0) return dxCostModel::instance().learnSerial(m_call.kind, cost, busyNs);
+    double busyNs = 0;
+    for (const dxWorkerRecord &worker : m_records->workers) busyNs += worker.busyNs;
+    if (m_plan.remoteShare > 0) return learnFromHome(busyNs);
     dxCostModel::instance().learnParallel(m_call.kind, m_plan.costs.total, m_plan.costs.largest, m_plan.workers, busyNs,
                                           wallNs);
+}
+
+// Other processes were busy, too, so the step tells nothing of what sharing it out costs here: of the islands that stayed alone.
+void dxIslandParallelStep::learnFromHome(double busyNs) const {
+    double cost = 0;
+    for (const dxIslandRecord &record : m_records->islands)
+        if (!record.isRemote) cost += record.cost;
+    dxCostModel::instance().learnSerial(m_call.kind, cost, busyNs);
 }

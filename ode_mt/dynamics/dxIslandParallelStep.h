@@ -50,6 +50,7 @@ private:
     void giveArenasBack();
     void finishInOrder(unsigned begin);
     void learn(double wallNs) const;
+    void learnFromHome(double busyNs) const;
 
     const dxStepCall &m_call;
     dxStepPlan &m_plan;

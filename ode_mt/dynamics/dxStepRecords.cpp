@@ -14,7 +14,7 @@ void dxWorkerRecord::reset() {
     undo.clear();
     reports.clear();
     feedbacks.clear();
-    busyNs = cost = 0;
+    busyNs = 0;
     islands = 0;
 }
 

@@ -32,7 +32,7 @@ struct alignas(64) dxWorkerRecord {
     dxUndoLog undo;
     std::vector<dxKeptReport> reports;
     std::vector<dxFeedbackUse> feedbacks;
-    double busyNs = 0, cost = 0;  // of blocks; scale 1
+    double busyNs = 0;
     unsigned islands = 0;  // stepped
 
     void reset();  // keeps the memory

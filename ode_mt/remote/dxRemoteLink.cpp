@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "remote/dxRemoteNumber.h"
+
 namespace {
 
 // A deadline is so much after what is expected: predictions of single problems are rough, and systems take processes off their cores for
@@ -94,7 +96,7 @@ void dxRemoteLink::rescale(std::uint64_t batch, double factor) {
     if (m_inFlight.empty()) return;
     const double from = begin(m_inFlight.front());
     for (dxRemoteInFlight &problems : m_inFlight)
-        if (problems.problems.front() >> kRemoteNumberShift == batch) problems.cost *= factor;
+        if (dxRemoteBatchOf(problems.problems.front()) == batch) problems.cost *= factor;
     foresee(from);
 }
 

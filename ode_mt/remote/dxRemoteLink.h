@@ -18,8 +18,6 @@
 
 #include "remote/dxPollPause.h"
 
-constexpr unsigned kRemoteNumberShift = 32;  // of a problem's number: the batch's above, the index below
-
 // Problems that were sent in one message and are not back.
 struct dxRemoteInFlight {
     std::uint64_t number;

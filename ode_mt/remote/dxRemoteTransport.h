@@ -40,8 +40,8 @@ public:
     // What has become of it. Here: its messages can be sent and received.
     virtual Replacement replacement() { return Replacement::Failed; }
 
-    // Home's, once: `end` closes the transport, on the thread that the transport needs for its calls, and returns when that is done. It is called before
-    // what carries the messages ends, if the program and not the transport ends it, on the thread that does.
+    // Home's, once. Where the program ends what carries the messages, and not the transport, `end` is called before, on the program's thread: it has this
+    // transport closed on the thread of its calls, and returns when that is done.
     virtual void setEnd(void (* /*end*/)()) {}
 
     // The last call. `isOrderly`: all others close as well, and may be waited for.

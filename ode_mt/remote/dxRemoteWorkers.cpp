@@ -9,6 +9,7 @@
 
 #include "core/dxLog.h"
 #include "core/dxUnlocked.h"
+#include "remote/dxRemoteNumber.h"
 #include "remote/dxRemoteSchedule.h"
 #include "threading/pool/dxWorkerOptions.h"
 
@@ -17,8 +18,6 @@ namespace {
 // To be measured, a link carries small messages, and then large ones; the fastest of them count.
 constexpr unsigned kSmallEchoes = 4, kLargeEchoes = 3;
 constexpr std::size_t kLargeEcho = std::size_t{256} << 10;  // bytes
-
-constexpr std::size_t kMaxReceived = std::size_t{8} << 20;  // bytes, for the next message
 
 constexpr double kHeartbeatNs = 5e9;    // home says that it is there
 constexpr double kLookNs = 1e9;         // between two looks at whether the program's threads have ended
@@ -358,7 +357,7 @@ bool dxRemoteWorkers::receiveNext(Lock &lock) {
         {
             const dxUnlocked others(lock);
             bytes = m_transport->waiting(link);
-            if (m_received.capacity() > kMaxReceived) dxRemoteBytes().swap(m_received);
+            if (m_received.capacity() > dxSpareBytes::kMaxRoom) dxRemoteBytes().swap(m_received);
             m_received.resize(bytes);
             isReceived = bytes != 0 && m_transport->receive(m_received.data());
             fault = isReceived ? dxFindFrameFault(m_received) : nullptr;
@@ -462,10 +461,10 @@ void dxRemoteWorkers::handleResults(unsigned link, const dxRemoteBytes &message)
     }
     try {
         for (dxRemoteItems item(message); item.next();) {
-            const auto found = m_batches.find(item.number() >> kRemoteNumberShift);
+            const auto found = m_batches.find(dxRemoteBatchOf(item.number()));
             if (found == m_batches.end()) continue;  // the step has ended
             dxRemoteBatch &batch = *found->second;
-            const unsigned index = static_cast<unsigned>(item.number() & 0xffffffffu);
+            const unsigned index = dxRemoteIndexOf(item.number());
             dxRemoteProblem &problem = batch.m_problems[index];
             if (problem.state != dxRemoteProblem::State::Sent && problem.state != dxRemoteProblem::State::AtHome) continue;  // home was faster
             problem.bytes.assign(item.data(), item.data() + item.size());
@@ -642,13 +641,13 @@ void dxRemoteWorkers::takeHome(dxRemoteProblem &problem, dxRemoteOutcome why) {
     if (problem.state != dxRemoteProblem::State::Queued && problem.state != dxRemoteProblem::State::Sent) return;
     problem.state = dxRemoteProblem::State::AtHome;
     problem.outcome = why;
-    m_batches[problem.number >> kRemoteNumberShift]->m_atHome.push_back(static_cast<unsigned>(problem.number & 0xffffffffu));
+    m_batches[dxRemoteBatchOf(problem.number)]->m_atHome.push_back(dxRemoteIndexOf(problem.number));
 }
 
 void dxRemoteWorkers::takeHome(const std::vector<std::uint64_t> &problems, dxRemoteOutcome why) {
     for (const std::uint64_t number : problems) {
-        const auto found = m_batches.find(number >> kRemoteNumberShift);
-        if (found != m_batches.end()) takeHome(found->second->m_problems[number & 0xffffffffu], why);
+        const auto found = m_batches.find(dxRemoteBatchOf(number));
+        if (found != m_batches.end()) takeHome(found->second->m_problems[dxRemoteIndexOf(number)], why);
     }
 }
 
@@ -660,7 +659,7 @@ void dxRemoteWorkers::takeQueueHome() {
 
 // Of a step that is under way.
 bool dxRemoteWorkers::isSolving(const dxRemoteLink &link) const {
-    return !link.inFlight().empty() && m_batches.count(link.inFlight().front().problems.front() >> kRemoteNumberShift) != 0;
+    return !link.inFlight().empty() && m_batches.count(dxRemoteBatchOf(link.inFlight().front().problems.front())) != 0;
 }
 
 // What is late while home has enough to do costs nothing, and home comes to know how long problems take.
@@ -688,7 +687,7 @@ dxRemoteBatch::dxRemoteBatch(dxRemoteWorkers &workers, unsigned count, bool mayH
     for (dxRemoteProblem &problem : m_problems) m_nodes.push_back(&problem);
     const dxRemoteWorkers::Lock lock(workers.m_mutex);
     m_number = workers.m_nextBatch++;
-    for (unsigned i = 0; i < count; ++i) m_problems[i].number = m_number << kRemoteNumberShift | i;
+    for (unsigned i = 0; i < count; ++i) m_problems[i].number = dxRemoteNumber(m_number, i);
     workers.m_batches[m_number] = this;
 }
 
@@ -696,7 +695,7 @@ dxRemoteBatch::~dxRemoteBatch() {
     const dxRemoteWorkers::Lock lock(m_workers.m_mutex);
     m_workers.m_batches.erase(m_number);
     std::list<dxRemoteProblem *> &queue = m_workers.m_queue;
-    queue.erase(std::remove_if(queue.begin(), queue.end(), [this](const dxRemoteProblem *one) { return one->number >> kRemoteNumberShift == m_number; }),
+    queue.erase(std::remove_if(queue.begin(), queue.end(), [this](const dxRemoteProblem *one) { return dxRemoteBatchOf(one->number) == m_number; }),
                 queue.end());
 }
 
@@ -799,12 +798,12 @@ bool dxRemoteBatch::takeReady(State state, unsigned &index, dxRemoteBytes *resul
 
 bool dxRemoteBatch::takeUnsent(unsigned &index) {
     std::list<dxRemoteProblem *> &queue = m_workers.m_queue;
-    const auto found = std::find_if(queue.rbegin(), queue.rend(), [this](const dxRemoteProblem *one) { return one->number >> kRemoteNumberShift == m_number; });
+    const auto found = std::find_if(queue.rbegin(), queue.rend(), [this](const dxRemoteProblem *one) { return dxRemoteBatchOf(one->number) == m_number; });
     if (found == queue.rend()) return false;
     dxRemoteProblem &problem = **found;
     queue.erase(std::next(found).base());
     problem.state = State::Done;
-    index = static_cast<unsigned>(problem.number & 0xffffffffu);
+    index = dxRemoteIndexOf(problem.number);
     --m_left;
     return true;
 }
@@ -815,7 +814,7 @@ bool dxRemoteBatch::withdrawLast(double now) {
     const dxRemoteInFlight *last = nullptr;
     for (unsigned i = 0; i < m_workers.m_links.size(); ++i) {
         for (const dxRemoteInFlight &sent : m_workers.m_links[i].link.inFlight()) {
-            if (sent.isWithdrawn || sent.problems.front() >> kRemoteNumberShift != m_number) continue;
+            if (sent.isWithdrawn || dxRemoteBatchOf(sent.problems.front()) != m_number) continue;
             if (last != nullptr && sent.expected <= last->expected) continue;
             last = &sent;
             link = i;

@@ -9,21 +9,21 @@
 #include <utility>
 #include <vector>
 
+#include "remote/dxRemoteFrame.h"
+
 class dxSpareBytes {
 public:
-    using Bytes = std::vector<std::byte>;
-
     // Empty, with room if there is any to spare.
-    Bytes take() {
+    dxRemoteBytes take() {
         if (m_spare.empty()) return {};
-        Bytes bytes = std::move(m_spare.back());
+        dxRemoteBytes bytes = std::move(m_spare.back());
         m_spare.pop_back();
         m_room -= bytes.capacity();
         return bytes;
     }
 
-    void giveBack(Bytes &&bytes) noexcept {
-        if (m_room + bytes.capacity() > kMaxRoom) return Bytes().swap(bytes);
+    void giveBack(dxRemoteBytes &&bytes) noexcept {
+        if (m_room + bytes.capacity() > kMaxRoom) return dxRemoteBytes().swap(bytes);
         bytes.clear();
         try {
             const std::size_t room = bytes.capacity();
@@ -38,6 +38,6 @@ public:
     static constexpr std::size_t kMaxRoom = std::size_t{8} << 20;
 
 private:
-    std::vector<Bytes> m_spare;
+    std::vector<dxRemoteBytes> m_spare;
     std::size_t m_room = 0;
 };

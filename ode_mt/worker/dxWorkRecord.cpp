@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "dynamics/remote/dxPackedProblem.h"
+#include "remote/dxRemoteNumber.h"
 
 namespace {
 
@@ -61,8 +62,8 @@ void dxWorkRecord::note(const dxRemoteBytes &results) {
     for (dxRemoteItems item(results); index < m_solved.size() && item.next(); ++index) {
         const Solved &one = m_solved[index];
         char line[200];
-        std::snprintf(line, sizeof line, "%llu %llu %u %u %u %zu %.0f %zu\n", static_cast<unsigned long long>(item.number() >> 32),
-                      static_cast<unsigned long long>(item.number() & 0xffffffffu), one.bodies, one.joints, one.rows, one.bytes, one.ns, one.resultBytes);
+        std::snprintf(line, sizeof line, "%llu %u %u %u %u %zu %.0f %zu\n", static_cast<unsigned long long>(dxRemoteBatchOf(item.number())),
+                      dxRemoteIndexOf(item.number()), one.bodies, one.joints, one.rows, one.bytes, one.ns, one.resultBytes);
         text += line;
     }
     m_solved.clear();

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "remote/dxRemoteNumber.h"
+
 namespace {
 
 constexpr double kMs = 1e6;
@@ -15,6 +17,14 @@ dxRemoteLink openLink() {
 }
 
 void send(dxRemoteLink &link, std::uint64_t number, double cost, double now) { link.send({number, {number}, cost, 0, 0}, 0, now); }
+
+// Sent, and back after so long.
+void exchange(dxRemoteLink &link, std::uint64_t number, double cost, double took, double &now) {
+    send(link, number, cost, now);
+    now += took;
+    dxRemoteInFlight problems;
+    ASSERT_TRUE(link.takeBack(number, now, problems));
+}
 
 TEST(RemoteLink, IsFreeOnceItIsMeasured) {
     dxRemoteLink link;
@@ -40,12 +50,7 @@ TEST(RemoteLink, HasTwoMessagesUnderWay) {
 TEST(RemoteLink, LearnsHowSlowTheWorkerIs) {
     dxRemoteLink link = openLink();
     double now = 0;
-    for (std::uint64_t i = 0; i < 100; ++i) {
-        send(link, i, kMs, now);
-        now += 3.1 * kMs;
-        dxRemoteInFlight problems;
-        ASSERT_TRUE(link.takeBack(i, now, problems));
-    }
+    for (std::uint64_t i = 0; i < 100; ++i) ASSERT_NO_FATAL_FAILURE(exchange(link, i, kMs, 3.1 * kMs, now));
     EXPECT_NEAR(link.slowness(now), 3, 0.1);
 }
 
@@ -56,10 +61,7 @@ TEST(RemoteLink, SmallMessagesTellLittleOfTheWorker) {
     for (std::uint64_t i = 0; i < 100; ++i) {
         const bool isSmall = i % 2 == 0;
         const double cost = isSmall ? 0.02 * kMs : kMs;
-        send(link, i, cost, now);
-        now += 0.1 * kMs + cost + (isSmall ? 0.3 * kMs : 0);
-        dxRemoteInFlight problems;
-        ASSERT_TRUE(link.takeBack(i, now, problems));
+        ASSERT_NO_FATAL_FAILURE(exchange(link, i, cost, 0.1 * kMs + cost + (isSmall ? 0.3 * kMs : 0), now));
     }
     EXPECT_LT(link.slowness(now), 2);
 }
@@ -68,12 +70,7 @@ TEST(RemoteLink, SmallMessagesTellLittleOfTheWorker) {
 TEST(RemoteLink, ForgetsThatAWorkerWasSlow) {
     dxRemoteLink link = openLink();
     double now = 0;
-    for (std::uint64_t i = 0; i < 100; ++i) {
-        send(link, i, kMs, now);
-        now += 20 * kMs;
-        dxRemoteInFlight problems;
-        ASSERT_TRUE(link.takeBack(i, now, problems));
-    }
+    for (std::uint64_t i = 0; i < 100; ++i) ASSERT_NO_FATAL_FAILURE(exchange(link, i, kMs, 20 * kMs, now));
     EXPECT_GT(link.slowness(now), 10);
     EXPECT_GT(link.slowness(now + 500 * kMs), 5);
     EXPECT_LT(link.slowness(now + 20e3 * kMs), 1.1);
@@ -83,7 +80,7 @@ TEST(RemoteLink, ForgetsThatAWorkerWasSlow) {
 
 TEST(RemoteLink, ExpectsLaterWhatHomeFindsToTakeLonger) {
     dxRemoteLink link = openLink();
-    constexpr std::uint64_t kOther = std::uint64_t{1} << kRemoteNumberShift;
+    constexpr std::uint64_t kOther = dxRemoteNumber(1, 0);
     send(link, 1, kMs, 0);
     link.send({2, {kOther}, kMs, 0, 0}, 0, 0);
     const double deadline = link.deadline();

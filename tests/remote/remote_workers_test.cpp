@@ -50,6 +50,27 @@ protected:
     }
     ~RemoteWorkers() override { m_workers.close(); }
 
+    // A worker whose results come so much later.
+    void openDelayed(std::chrono::milliseconds delay) {
+        open(1, [delay](unsigned, unsigned, dxRemoteKind kind) {
+            LoopbackFate fate;
+            if (kind == dxRemoteKind::Results) fate.delay = delay;
+            return fate;
+        });
+    }
+
+    // Until as many problems have been sent since the beginning, or for two seconds.
+    void waitUntilSent(std::uint64_t count) {
+        for (int attempt = 0; attempt < 400 && countsSince(m_before).sent < count; ++attempt) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+
+    // Takes whatever comes, home's problems unsolved.
+    static void drain(dxRemoteBatch &batch) {
+        unsigned index = 0;
+        dxRemoteBytes result;
+        while (batch.next(index, result) != dxRemoteBatch::Next::None) {}
+    }
+
     // Returns how many of the problems were solved at home. Waits for workers, unless home `mayHurry`.
     unsigned runBatch(unsigned count, bool mayHurry = true, double cost = kProblemNs) {
         dxRemoteBatch batch(m_workers, count, mayHurry);
@@ -209,42 +230,28 @@ TEST_F(RemoteWorkers, CountWhatIsLate) {
 
 // Home has other things to do for longer than the worker was predicted to need.
 TEST_F(RemoteWorkers, AreNotLateWhileHomeIsBusy) {
-    open(1, [](unsigned, unsigned, dxRemoteKind kind) {
-        LoopbackFate fate;
-        if (kind == dxRemoteKind::Results) fate.delay = std::chrono::milliseconds(30);
-        return fate;
-    });
+    openDelayed(std::chrono::milliseconds(30));
     dxRemoteBatch batch(m_workers, 2, true);
     for (unsigned i = 0; i < 2; ++i) batch.submit(i, problemOf(i), kProblemNs);
-    for (int attempt = 0; attempt < 400 && countsSince(m_before).sent == 0; ++attempt) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    waitUntilSent(1);
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
     EXPECT_EQ(countsSince(m_before).late, 0u);
     EXPECT_EQ(m_workers.capacity().workers, 1u);
-    unsigned index = 0;
-    dxRemoteBytes result;
-    while (batch.next(index, result) != dxRemoteBatch::Next::None) {}
+    drain(batch);
     EXPECT_EQ(countsSince(m_before).late, 0u);
     EXPECT_GT(batch.outcomes().solved(), 0u);
 }
 
 // Home finds that its own problems take a thousand times what was predicted, and waits for the worker.
 TEST_F(RemoteWorkers, AreGivenTheTimeThatProblemsTakeAtHome) {
-    std::atomic<bool> isSlow{true};
-    open(1, [&isSlow](unsigned, unsigned, dxRemoteKind kind) {
-        LoopbackFate fate;
-        if (kind == dxRemoteKind::Results && isSlow) fate.delay = std::chrono::milliseconds(40);
-        return fate;
-    });
+    openDelayed(std::chrono::milliseconds(40));
     for (const bool isTold : {true, false}) {
         SCOPED_TRACE(isTold);
         dxRemoteBatch batch(m_workers, 1, true);
         batch.submit(0, problemOf(0), kProblemNs);
-        for (int attempt = 0; attempt < 400 && m_workers.counts().sent == m_before.sent + !isTold; ++attempt)
-            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        waitUntilSent(isTold ? 1 : 2);
         if (isTold) batch.noteHome(kProblemNs, 1000 * kProblemNs);
-        unsigned index = 0;
-        dxRemoteBytes result;
-        while (batch.next(index, result) != dxRemoteBatch::Next::None) {}
+        drain(batch);
         EXPECT_EQ(batch.outcomes().solved(), isTold ? 1u : 0u);
         if (isTold) {
             EXPECT_EQ(countsSince(m_before).late, 0u);

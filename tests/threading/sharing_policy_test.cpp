@@ -18,6 +18,14 @@ protected:
         return count;
     }
 
+    // How many of forty calls are shared in a scene that has grown until then, by so much from call to call; `part`: of the time alone that a shared
+    // call takes.
+    int sharedAfterGrowing(double growth, double part) {
+        double aloneNs = 20e3;
+        for (; aloneNs < 20e6; aloneNs *= growth) shared(1, aloneNs, part * aloneNs);
+        return shared(40, aloneNs, part * aloneNs);
+    }
+
     // The same, where one shared call in so many takes longer by a time slice of the scheduler's, for which a worker waits. Returns the time
     // of all calls in parts of the time alone.
     double timeWithLateWorkers(int calls, double aloneNs, double sharedNs, int oneIn) {
@@ -67,9 +75,7 @@ TEST_F(SharingPolicy, DoubtsAProbeDuringWhichTheSceneHasGrown) {
     for (const double growth : {1.2, 1.5, 2.0, 3.0}) {
         SCOPED_TRACE(growth);
         policy = {};
-        double aloneNs = 20e3;
-        for (; aloneNs < 20e6; aloneNs *= growth) shared(1, aloneNs, 0.6 * aloneNs);
-        EXPECT_GT(shared(40, aloneNs, 0.6 * aloneNs), 28);
+        EXPECT_GT(sharedAfterGrowing(growth, 0.6), 28);
     }
 }
 
@@ -77,9 +83,7 @@ TEST_F(SharingPolicy, DoubtsNothingInASceneThatGrowsIfSharingDoesNotPay) {
     for (const double growth : {1.2, 1.5, 2.0, 3.0}) {
         SCOPED_TRACE(growth);
         policy = {};
-        double aloneNs = 20e3;
-        for (; aloneNs < 20e6; aloneNs *= growth) shared(1, aloneNs, 1.05 * aloneNs);
-        EXPECT_LT(shared(40, aloneNs, 1.05 * aloneNs), 12);
+        EXPECT_LT(sharedAfterGrowing(growth, 1.05), 12);
     }
 }
 

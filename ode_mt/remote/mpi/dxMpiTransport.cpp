@@ -152,21 +152,19 @@ bool dxMpiTransport::initialise(int wantedLevel, std::string &reason) {
     }
     if (isInitialised) {
         MPI_Query_thread(&level);
-        m_canReplace = level == MPI_THREAD_MULTIPLE && doesJobSurvive();
-        if (level == MPI_THREAD_MULTIPLE) {
-            dxWriteMpiHelpHere();
-            return true;
+        if (level != MPI_THREAD_MULTIPLE) {
+            reason = "the program uses MPI itself, without MPI_THREAD_MULTIPLE";
+            return false;
         }
-        reason = "the program uses MPI itself, without MPI_THREAD_MULTIPLE";
-        return false;
-    }
-    const NoFilesForChildren noFiles;
-    if (MPI_Init_thread(nullptr, nullptr, wantedLevel, &level) != MPI_SUCCESS || level < MPI_THREAD_FUNNELED) {
-        reason = "MPI cannot be initialised for a program with threads";
-        return false;
+    } else {
+        const NoFilesForChildren noFiles;
+        if (MPI_Init_thread(nullptr, nullptr, wantedLevel, &level) != MPI_SUCCESS || level < MPI_THREAD_FUNNELED) {
+            reason = "MPI cannot be initialised for a program with threads";
+            return false;
+        }
+        m_isOwn = true;
     }
     dxWriteMpiHelpHere();
-    m_isOwn = true;
     m_canReplace = level == MPI_THREAD_MULTIPLE && doesJobSurvive();
     return true;
 }
@@ -254,14 +252,10 @@ bool dxMpiTransport::send(unsigned link, const void *message, std::size_t bytes)
     forgetSent();
     if (bytes > INT_MAX || m_links[link].communicator == MPI_COMM_NULL) return false;
     const auto *const from = static_cast<const std::byte *>(message);
-    m_sending.push_back({m_spare.take(), MPI_REQUEST_NULL});
+    dxRemoteBytes copy = m_spare.take();
+    copy.assign(from, from + bytes);
+    m_sending.push_back({std::move(copy), MPI_REQUEST_NULL});
     Sending &sending = m_sending.back();
-    try {
-        sending.bytes.assign(from, from + bytes);
-    } catch (...) {
-        m_sending.pop_back();
-        throw;
-    }
     const Link &to = m_links[link];
     if (MPI_Isend(sending.bytes.data(), static_cast<int>(bytes), MPI_BYTE, to.rank, kTag, to.communicator, &sending.request) == MPI_SUCCESS) return true;
     m_sending.pop_back();
@@ -326,14 +320,13 @@ dxRemoteTransport::Replacement dxMpiTransport::replacement() {
 // MPI_Finalize first deletes what is attached to MPI_COMM_SELF (MPI 3.1, 8.7.1).
 void dxMpiTransport::setEnd(void (*end)()) {
     if (m_isOwn) return;
-    static void (*s_end)() = nullptr;
-    s_end = end;
     int key = MPI_KEYVAL_INVALID;
-    const auto atEnd = [](MPI_Comm, int, void *, void *) {
-        s_end();
+    const auto atEnd = [](MPI_Comm, int, void *attached, void *) {
+        reinterpret_cast<void (*)()>(attached)();
         return MPI_SUCCESS;
     };
-    if (MPI_Comm_create_keyval(MPI_COMM_NULL_COPY_FN, atEnd, &key, nullptr) == MPI_SUCCESS) MPI_Comm_set_attr(MPI_COMM_SELF, key, nullptr);
+    if (MPI_Comm_create_keyval(MPI_COMM_NULL_COPY_FN, atEnd, &key, nullptr) == MPI_SUCCESS)
+        MPI_Comm_set_attr(MPI_COMM_SELF, key, reinterpret_cast<void *>(end));
 }
 
 // Without the others MPI_Finalize would wait for them for ever.

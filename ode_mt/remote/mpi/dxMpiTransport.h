@@ -50,7 +50,7 @@ private:
         int rank;
     };
     struct Sending {
-        dxSpareBytes::Bytes bytes;  // MPI reads them until the request is complete
+        dxRemoteBytes bytes;  // MPI reads them until the request is complete
         MPI_Request request;
     };
 
