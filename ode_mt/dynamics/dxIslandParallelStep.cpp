@@ -95,6 +95,7 @@ void dxIslandParallelStep::stepBlock(unsigned block, unsigned worker) {
         if (record.isRemote) continue;
         cost += record.cost;
         stepDeferred(m_records->order[i], worker);
+        if (m_remote) m_remote->help();
     }
     const double ns = stopwatch.ns();
     m_records->workers[worker].busyNs += ns;
@@ -168,6 +169,7 @@ void dxIslandParallelStep::finishRemote(unsigned worker) {
             finishRemote(entry, worker, result, hasResult);
         else
             m_remote->postpone(entry);
+        m_remote->help();
     }
 }
 

@@ -60,6 +60,9 @@ public:
     // Islands of this cost, which stay, have been stepped in so long: problems that are away take as many times what was predicted.
     void noteStepped(double cost, double ns) { m_batch->noteHome(cost * m_scale, ns); }
 
+    // Between two islands: messages.
+    void help() { dxRemoteWorkers::instance().help(); }
+
     // Waits for an entry that can be finished; false: there is none left.
     bool next(unsigned &entry, dxRemoteBytes &result, bool &hasResult);
     // Solves it in the arena if there is no result, and applies the results. Reports messages, and so may throw dxUpstreamInterrupted.

@@ -1,11 +1,15 @@
 // How long a thread sleeps between two looks at what it cannot be woken by. The pause grows while nothing comes: a message that is expected is
 // seen at once, and a process that waits for minutes takes next to nothing from the others of its machine (docs/remote-islands.md has figures).
 //
+// A thread that has nothing else to do looks at once again for a moment, before its first pause: to fall asleep and wake up takes a core longer than
+// most answers take to come.
+//
 // Units: ns.
 #pragma once
 
 #include <algorithm>
 #include <chrono>
+#include <thread>
 
 class dxPollPause {
 public:
@@ -18,16 +22,32 @@ public:
 
     void reset() { *this = dxPollPause(); }
 
-    Duration next() {
-        const double ns = std::clamp(m_waited / kPart, kMinNs, longestNs(m_waited));
+    // Whether the moment has not gone by in which a pause is not worth while.
+    bool isAtOnce(Duration moment = kAtOnce) const { return Clock::now() - m_since < moment; }
+
+    // Lets others have the core, for as long as it is time for.
+    void wait() {
+        if (isAtOnce())
+            std::this_thread::yield();
+        else
+            std::this_thread::sleep_for(next());
+    }
+
+    Duration next() { return next(longestNs(m_waited)); }
+    Duration next(double mostNs) {
+        const double ns = std::clamp(m_waited / kPart, kMinNs, mostNs);
         m_waited += ns;
         return Duration(static_cast<Duration::rep>(ns));
     }
 
 private:
+    using Clock = std::chrono::steady_clock;
+
+    static constexpr std::chrono::microseconds kAtOnce{100};
     static constexpr double kPart = 8;  // a pause is an eighth of the time waited so far
     static constexpr double kMinNs = 20e3, kMaxNs = 100e3;
     static constexpr double kLongWaitNs = 1e9, kMaxLongNs = 10e6;
 
+    Clock::time_point m_since = Clock::now();
     double m_waited = 0;
 };

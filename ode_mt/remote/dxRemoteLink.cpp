@@ -39,7 +39,10 @@ void dxRemoteLink::setMeasured(double latencyNs, double nsPerByte) {
 }
 
 // A worker that seems slow gets nothing, of which it could be learnt that it is not: what disturbs one passes.
-double dxRemoteLink::slowness(double now) const { return 1 + (m_slowness - 1) * std::exp2(-std::max(now - m_learntAt, 0.0) / kForgetNs); }
+double dxRemoteLink::slowness(double now) const {
+    constexpr double kAll = 60;  // half-lives; more would underflow, of which the program could be told by a floating-point exception
+    return 1 + (m_slowness - 1) * std::exp2(-std::clamp((now - m_learntAt) / kForgetNs, 0.0, kAll));
+}
 
 // From when they could be begun: what was sent after they were begun waits for them.
 double dxRemoteLink::begin(const dxRemoteInFlight &problems) const {

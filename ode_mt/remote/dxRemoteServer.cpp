@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <new>
-#include <thread>
 #include <utility>
 
 #include "core/dxStopwatch.h"
@@ -39,7 +38,7 @@ dxRemoteServer::End dxRemoteServer::serve(double maxSilence) {
         } else if (silence.ns() > maxSilence * 1e9) {
             return End::Silence;
         } else {
-            std::this_thread::sleep_for(pause.next());
+            pause.wait();
         }
         if (!m_hasEnded && !m_problems.empty()) solveFirst();
     }

@@ -5,7 +5,8 @@
 //
 // Home's may be able to replace a lost worker by a new one, of which the link is then.
 //
-// Threading: one thread makes all calls, that which made the transport. Nothing is waited for but in open and close.
+// Threading: one call at a time. The thread that made the transport replaces workers and closes it; others may send and receive where it says so.
+// Nothing is waited for but in open and close.
 #pragma once
 
 #include <cstddef>
@@ -13,11 +14,14 @@
 class dxRemoteTransport {
 public:
     // What a library must know to give a transport to this one.
-    static constexpr unsigned kInterfaceVersion = 3;
+    static constexpr unsigned kInterfaceVersion = 4;
 
     virtual ~dxRemoteTransport() = default;
 
     virtual unsigned links() const = 0;
+
+    // Whether other threads than that which made it may send and receive, one at a time.
+    virtual bool isForAllThreads() const { return false; }
 
     // Takes a copy. False: the link is lost. To a worker that does not receive messages are kept.
     virtual bool send(unsigned link, const void *message, std::size_t bytes) = 0;

@@ -5,9 +5,11 @@
 #include <cstdlib>
 #include <limits>
 #include <new>
+#include <thread>
 #include <utility>
 
 #include "core/dxLog.h"
+#include "core/dxNoCancellation.h"
 #include "core/dxUnlocked.h"
 #include "remote/dxRemoteNumber.h"
 #include "remote/dxRemoteSchedule.h"
@@ -16,6 +18,7 @@
 namespace {
 
 // To be measured, a link carries small messages, and then large ones; the fastest of them count.
+constexpr std::chrono::milliseconds kEchoMoment{1};  // for which an echo is looked for without pauses
 constexpr unsigned kSmallEchoes = 4, kLargeEchoes = 3;
 constexpr std::size_t kLargeEcho = std::size_t{256} << 10;  // bytes
 
@@ -26,6 +29,9 @@ constexpr double kGreetingNs = 10e9;    // a worker in the place of another one 
 constexpr double kRestartPollNs = 20e6; // between two looks at whether a worker has started
 constexpr double kMaxStartNs = 3e9;     // close() waits so long for a worker that is being started
 constexpr double kDrainNs = 1e9;        // close() waits so long for results that nobody needs, so that all can end in good order
+constexpr double kBetweenLooksNs = 10e3;  // a thread of home's that has other work looks no more often
+constexpr double kHelpedNs = 400e3;       // nor does the communication thread, when home has looked within that time
+constexpr double kMostBesideHomeNs = 2e6; // between two looks of that thread's, while home's may look: it takes cores from those that solve
 constexpr double kPatienceNs = 3e9;     // a step that waits for workers takes home what has not been sent when nothing has happened for so long
 
 dxProcessObject<dxRemoteWorkers> remoteWorkers;
@@ -59,12 +65,13 @@ double dxRemoteWorkers::now() const {
 }
 
 void dxRemoteWorkers::open(const char *name, const dxRemoteHello &hello, Open open, std::chrono::nanoseconds most) {
+    const dxNoCancellation whole;
     Lock lock(m_mutex);
     if (m_isRunning) return;
     m_name = name;
     m_hello = hello;
     m_open = std::move(open);
-    m_isClosing = m_hasBegun = m_isWaking = false;
+    m_isClosing = m_hasBegun = m_isWaking = m_isCommunicating = m_isForAllThreads = m_isAsleep = false;
     const auto body = [](void *self) -> void * {
         static_cast<dxRemoteWorkers *>(self)->communicate();
         return nullptr;
@@ -94,6 +101,7 @@ void dxRemoteWorkers::leaveAlone(Lock &lock) {
 }
 
 void dxRemoteWorkers::close() {
+    const dxNoCancellation whole;
     {
         const Lock lock(m_mutex);
         if (!m_isRunning) return;
@@ -115,6 +123,7 @@ void dxRemoteWorkers::inForkedChild() {
     new (&m_mutex) std::mutex;
     new (&m_wake) std::condition_variable;
     new (&m_done) std::condition_variable;
+    new (&m_turn) std::condition_variable;
 }
 
 dxRemoteCapacity dxRemoteWorkers::capacity() {
@@ -152,20 +161,18 @@ void dxRemoteWorkers::communicate() {
     Lock lock(m_mutex);
     bool isOver = false;
     while (!m_isClosing && !(isOver = isProcessOver(lock))) {
-        bool hasDone = false;
-        try {
-            hasDone = communicateOnce(lock);
-        } catch (const std::exception &fault) {
-            loseAll(fault.what());
-        } catch (...) {
-            loseAll("an exception");
-        }
+        awaitTurn(lock);
+        m_isCommunicating = true;
+        bool hasDone = communicateOnce(lock);
+        m_isCommunicating = false;
+        if (m_canReplace) hasDone |= replaceLost(lock);
         noticeLate(now());
         if (hasDone)
             m_pause.reset();
         else
             sleep(lock);
     }
+    awaitTurn(lock);
     takeQueueHome();
     if (isOver) m_isRunning = false;  // handlers at the exit need not close what is closed here
     lock.unlock();
@@ -185,10 +192,8 @@ bool dxRemoteWorkers::isProcessOver(Lock &lock) {
     }
 }
 
-bool dxRemoteWorkers::communicateOnce(Lock &lock) {
-    const bool hasWoken = sendWakeUps(lock), hasWithdrawn = sendWithdrawals(lock), hasSent = sendNext(lock), hasReceived = receiveNext(lock);
-    const bool hasReplaced = m_canReplace && replaceLost(lock);
-    return hasWoken || hasWithdrawn || hasSent || hasReceived || hasReplaced;
+void dxRemoteWorkers::awaitTurn(Lock &lock) {
+    m_turn.wait(lock, [this] { return !m_isCommunicating; });
 }
 
 void dxRemoteWorkers::begin() {
@@ -215,9 +220,23 @@ void dxRemoteWorkers::begin() {
     for (Link &one : links) one.since = now();
     m_links.swap(links);
     m_canReplace = m_transport && m_transport->canReplace();
+    m_isForAllThreads = m_transport && m_transport->isForAllThreads();
     m_isReplacing = m_hasLost = false;
     m_hasBegun = true;
     m_done.notify_all();
+}
+
+// --- by whoever has the turn --------------------------------------------------------------------------------
+
+bool dxRemoteWorkers::communicateOnce(Lock &lock) try {
+    const bool hasWoken = sendWakeUps(lock), hasWithdrawn = sendWithdrawals(lock), hasSent = sendNext(lock), hasReceived = receiveNext(lock);
+    return hasWoken || hasWithdrawn || hasSent || hasReceived;
+} catch (const std::exception &fault) {
+    loseAll(fault.what());
+    return false;
+} catch (...) {
+    loseAll("an exception");
+    return false;
 }
 
 bool dxRemoteWorkers::sendTo(unsigned link, const dxRemoteBytes &message, Lock &lock) {
@@ -526,21 +545,31 @@ bool dxRemoteWorkers::beginReplacement(double time, Lock &lock) {
     return true;
 }
 
-// A late worker is looked for less and less often; one that has gone for good costs nothing that matters.
+// A late worker is looked for less and less often; one that has gone for good costs nothing that matters. While home's threads look, this one
+// is there in case they have long islands to solve.
 void dxRemoteWorkers::sleep(Lock &lock) {
-    const bool isPolled = std::any_of(m_links.begin(), m_links.end(), [](const Link &one) {
-        const dxRemoteLink::State state = one.link.state();
-        return state == dxRemoteLink::State::New || state == dxRemoteLink::State::Measured || !one.link.inFlight().empty();
-    });
+    const auto isPolled = [this] {
+        return std::any_of(m_links.begin(), m_links.end(), [](const Link &one) {
+            const dxRemoteLink::State state = one.link.state();
+            return state == dxRemoteLink::State::New || state == dxRemoteLink::State::Measured || !one.link.inFlight().empty();
+        });
+    };
+    const bool isMeasured = std::any_of(m_links.begin(), m_links.end(), [](const Link &one) { return one.link.state() == dxRemoteLink::State::Measured; });
     const bool isReplaced = m_canReplace && std::any_of(m_links.begin(), m_links.end(), [](const Link &one) {
         return one.link.state() == dxRemoteLink::State::Lost && !one.isRefused;
     });
-    if (isPolled)
-        m_wake.wait_for(lock, m_pause.next());
-    else if (isReplaced)
-        m_wake.wait_for(lock, duration(kRestartPollNs), [this] { return hasSomethingToSay(); });
-    else
-        m_wake.wait_for(lock, duration(kLookNs), [this] { return hasSomethingToSay(); });
+    if (isPolled() && now() - m_helpedAt < kHelpedNs) {
+        m_wake.wait_for(lock, duration(kHelpedNs));
+    } else if (isMeasured && m_pause.isAtOnce(kEchoMoment)) {
+        const dxUnlocked others(lock);
+        std::this_thread::yield();
+    } else if (isPolled()) {
+        m_wake.wait_for(lock, m_isForAllThreads ? m_pause.next(kMostBesideHomeNs) : m_pause.next());
+    } else {
+        m_isAsleep = true;
+        m_wake.wait_for(lock, duration(isReplaced ? kRestartPollNs : kLookNs), [&] { return hasSomethingToSay() || isPolled(); });
+        m_isAsleep = false;
+    }
 }
 
 void dxRemoteWorkers::end() {
@@ -678,6 +707,49 @@ void dxRemoteWorkers::noticeLate(double time) {
     if (!isAnyUsable && !m_queue.empty()) takeQueueHome();
 }
 
+// --- on home's threads --------------------------------------------------------------------------------------
+
+void dxRemoteWorkers::help() {
+    if (now() - m_helpedAt.load(std::memory_order_relaxed) < kBetweenLooksNs) return;
+    Lock lock(m_mutex);
+    help(lock);
+}
+
+// Returns whether there was anything to do. Calls of a transport may be cancellation points, as waiting is, and a step has none.
+bool dxRemoteWorkers::help(Lock &lock) {
+    if (!m_isForAllThreads || m_isCommunicating || m_isClosing) return false;
+    const dxNoCancellation whole;
+    m_isCommunicating = true;
+    const bool hasDone = communicateOnce(lock);
+    m_isCommunicating = false;
+    if (hasDone) m_pause.reset();
+    m_helpedAt.store(now(), std::memory_order_relaxed);
+    m_turn.notify_one();
+    return hasDone;
+}
+
+// That there is something to say or to be looked for.
+void dxRemoteWorkers::tell() {
+    if (!m_isForAllThreads || m_isAsleep) m_wake.notify_one();
+}
+
+// For so long at most. One that may look itself does, the others are told.
+void dxRemoteWorkers::waitForNews(Lock &lock, dxPollPause &pause, double ns) {
+    if (m_isForAllThreads && m_waiting == 1) {
+        if (help(lock)) return pause.reset();
+        if (pause.isAtOnce()) {
+            const dxUnlocked others(lock);
+            return std::this_thread::yield();
+        }
+        ns = std::min(ns, static_cast<double>(pause.next().count()));
+    }
+    const dxNoCancellation whole;
+    if (std::isinf(ns))
+        m_done.wait(lock);
+    else
+        m_done.wait_for(lock, duration(std::max(ns, 1e3)));
+}
+
 // --- batches ------------------------------------------------------------------------------------------------
 
 dxRemoteBatch::dxRemoteBatch(dxRemoteWorkers &workers, unsigned count, bool mayHurry)
@@ -700,7 +772,7 @@ dxRemoteBatch::~dxRemoteBatch() {
 }
 
 void dxRemoteBatch::submit(unsigned index, dxRemoteBytes &&bytes, double cost) {
-    const dxRemoteWorkers::Lock lock(m_workers.m_mutex);
+    dxRemoteWorkers::Lock lock(m_workers.m_mutex);
     dxRemoteProblem &problem = m_problems[index];
     problem.bytes = std::move(bytes);
     problem.cost = m_pace * cost;
@@ -712,7 +784,8 @@ void dxRemoteBatch::submit(unsigned index, dxRemoteBytes &&bytes, double cost) {
     queue.splice(std::upper_bound(queue.begin(), queue.end(), &problem,
                                   [](const dxRemoteProblem *a, const dxRemoteProblem *b) { return a->cost > b->cost; }),
                  m_nodes, m_nodes.begin());
-    m_workers.m_wake.notify_one();
+    m_workers.help(lock);
+    m_workers.tell();
 }
 
 dxRemoteBytes dxRemoteBatch::room() {
@@ -824,7 +897,7 @@ bool dxRemoteBatch::withdrawLast(double now) {
     m_workers.m_hasWithdrawals = true;
     m_workers.m_links[link].link.withdraw(last->number);
     m_workers.takeHome(last->problems, dxRemoteOutcome::Sooner);
-    m_workers.m_wake.notify_one();
+    m_workers.tell();
     return true;
 }
 
@@ -837,6 +910,7 @@ double dxRemoteBatch::nextDeadline() const {
 dxRemoteBatch::Next dxRemoteBatch::next(unsigned &index, dxRemoteBytes &result) {
     dxRemoteWorkers::Lock lock(m_workers.m_mutex);
     const double begin = m_workers.now();
+    dxPollPause pause;
     for (;;) {
         if (takeReady(State::Returned, index, &result)) return Next::Result;
         if (takeReady(State::AtHome, index, nullptr)) return Next::AtHome;
@@ -851,9 +925,6 @@ dxRemoteBatch::Next dxRemoteBatch::next(unsigned &index, dxRemoteBytes &result) 
         m_workers.noticeLate(time);
         if (!m_atHome.empty() || (m_mayHurry && withdrawLast(time))) continue;
         const double deadline = std::min(nextDeadline(), hurries ? std::numeric_limits<double>::infinity() : begin + 1.01 * kPatienceNs);
-        if (std::isinf(deadline))
-            m_workers.m_done.wait(lock);
-        else
-            m_workers.m_done.wait_for(lock, duration(std::max(deadline - time, 1e3)));
+        m_workers.waitForNews(lock, pause, deadline - time);
     }
 }

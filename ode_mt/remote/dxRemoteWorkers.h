@@ -6,13 +6,15 @@
 //
 // Where the transport can, a worker that is lost or has been late for seconds is replaced, one at a time.
 //
-// The communication thread makes the transport, uses it and closes it; it sleeps while nothing is under way. A child of fork() has
-// no remote workers; neither has a process after close().
+// The communication thread makes the transport, uses it and closes it; it sleeps while nothing is under way. Where the transport allows it, home's
+// threads do in between what that thread would have to be woken for (help()), and it looks less often. A child of fork() has no remote workers;
+// neither has a process after close().
 //
 // Memory: whatever is refused to the communication thread, it goes on. Problems that cannot be sent go home; a worker whose message cannot be
 // read is left out. What else is thrown there leaves out all workers. Under the lock nothing takes memory where home's threads call.
 //
-// Threading: any thread; one lock, held for moments. Never waits for a worker but in open().
+// Threading: any thread; one lock, held for moments. Never waits for a worker but in open(). The transport is used without the lock, by whoever has
+// the turn (m_isCommunicating).
 #pragma once
 
 #include <pthread.h>
@@ -101,6 +103,9 @@ public:
     // Problems are about to come: workers that sleep look for them again as often as they can.
     void wake();
 
+    // Between two islands: sends and receives what there is, if nobody else does.
+    void help();
+
     struct Counts {
         std::uint64_t sent = 0;  // problems
         dxRemoteOutcomes outcomes;
@@ -134,10 +139,8 @@ private:
     double now() const;
     void leaveAlone(Lock &lock);
 
-    // --- on the communication thread ------------------------------------------------------------------------
-    void communicate();
+    // --- by whoever has the turn ----------------------------------------------------------------------------
     bool communicateOnce(Lock &lock);
-    void begin();
     bool sendNext(Lock &lock);
     bool takeNext(unsigned link, double time, dxRemoteSending &sending);
     void sendHeartbeat(double time, Lock &lock);
@@ -151,6 +154,11 @@ private:
     void sendEcho(unsigned link, Lock &lock);
     void handleResults(unsigned link, const dxRemoteBytes &message);
     bool sendTo(unsigned link, const dxRemoteBytes &message, Lock &lock);
+
+    // --- on the communication thread ------------------------------------------------------------------------
+    void communicate();
+    void begin();
+    void awaitTurn(Lock &lock);
     bool replaceLost(Lock &lock);
     bool takeReplacement();
     bool beginReplacement(double time, Lock &lock);
@@ -158,6 +166,11 @@ private:
     bool isProcessOver(Lock &lock);
     void sendQuit(unsigned link, bool isOrderly, Lock &lock);
     void end();
+
+    // --- on home's threads ----------------------------------------------------------------------------------
+    bool help(Lock &lock);
+    void tell();
+    void waitForNews(Lock &lock, dxPollPause &pause, double ns);
 
     // --- under the lock -------------------------------------------------------------------------------------
     void lose(unsigned link, const char *why, const char *detail = "");
@@ -175,6 +188,9 @@ private:
     std::mutex m_mutex;
     std::condition_variable m_wake;  // of the communication thread
     std::condition_variable m_done;  // of threads that wait for results
+    std::condition_variable m_turn;  // of the communication thread, while one of home's has it
+    bool m_isCommunicating = false, m_isForAllThreads = false, m_isAsleep = false;
+    std::atomic<double> m_helpedAt{0};
     pthread_t m_thread{};
     bool m_isRunning = false, m_isClosing = false, m_hasBegun = false;
     std::atomic<bool> m_areThere{false};
@@ -184,7 +200,7 @@ private:
     Open m_open;
     IsOver m_isOver;
     double m_lastLook = 0;  // at that
-    std::unique_ptr<dxRemoteTransport> m_transport;  // the communication thread's
+    std::unique_ptr<dxRemoteTransport> m_transport;
     bool m_canReplace = false, m_isReplacing = false, m_hasLost = false;
     unsigned m_replacedLink = 0;
     dxPollPause m_pause;
@@ -192,7 +208,7 @@ private:
 
     std::vector<Link> m_links;
     dxSpareBytes m_spareProblems, m_spareMessages;  // those that home sends
-    dxRemoteBytes m_received;  // the communication thread's
+    dxRemoteBytes m_received;
     std::list<dxRemoteProblem *> m_queue;                         // the most expensive first
     std::unordered_map<std::uint64_t, dxRemoteBatch *> m_batches;  // by the upper half of a problem's number
     unsigned m_waiting = 0;  // threads of home's that have nothing else to do

@@ -17,6 +17,7 @@ constexpr int kUntimedCalls = 15;
 
 constexpr int kMinCallsInRow = 2;  // alone, before the first probe
 constexpr int kProbeCalls = 3;     // of which the first is cold
+constexpr double kHopeless = 1.5;  // a call alone that takes so many times as long as shared ones ends its probe: the caller has no cold workers
 constexpr dxRetryLimits<int> kRetry{48, 768};  // calls
 
 // In use, a way is compared anew if so many calls in a row were slower by this than after the last probe, each of them: one
@@ -70,7 +71,7 @@ void dxSharingPolicy::record(bool shared, double ns) {
     account(shared, ns);
     if (shared != m_isSharing) return;  // too small to be shared
     if (m_isProbe) {
-        judgeProbe();
+        judgeProbe(ns);
         return;
     }
     countUp(m_calls);
@@ -107,9 +108,11 @@ void dxSharingPolicy::account(bool shared, double ns) {
     else if (m_savedNs < 0) m_savedNs = std::min(m_savedNs + kLossLimit * ns, 0.0);
 }
 
-void dxSharingPolicy::judgeProbe() {
+// `ns`: of its last call.
+void dxSharingPolicy::judgeProbe(double ns) {
     const Way &probed = m_isSharing ? m_shared : m_alone, &usual = m_isSharing ? m_alone : m_shared;
-    const bool isBrokenOff = m_isSharing && isDebtTooHigh();
+    const bool isHopeless = !m_isSharing && ns > kHopeless * usual.ns, isBrokenOff = isHopeless || (m_isSharing && isDebtTooHigh());
+    if (isHopeless) m_alone.ns = ns;
     if (probed.callsInRow < kProbeCalls && !isBrokenOff) return;
     const bool pays = !isBrokenOff && dxPaysClearly(probed.ns, usual.ns, kMargin);
     dxLog(dxLogLevel::debug, "a call of %.0f us takes %.0f us when the way in use is exchanged: %s from now on",

@@ -39,7 +39,7 @@ private:
     bool isPaidBack() const;
     bool isDebtTooHigh() const;
     void account(bool shared, double ns);
-    void judgeProbe();
+    void judgeProbe(double ns);
     void beginUse(double ns);
     void endProbe(double ns);
     bool hasGrownSince(const Way &way) const;

@@ -36,6 +36,7 @@ public:
     ~LoopbackTransport() override;
 
     unsigned links() const override { return static_cast<unsigned>(m_workers.size()); }
+    bool isForAllThreads() const override { return true; }
     bool send(unsigned link, const void *message, std::size_t bytes) override;
     std::size_t waiting(unsigned &link) override;
     bool receive(void *message) override;

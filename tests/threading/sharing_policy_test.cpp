@@ -87,6 +87,13 @@ TEST_F(SharingPolicy, DoubtsNothingInASceneThatGrowsIfSharingDoesNotPay) {
     }
 }
 
+TEST_F(SharingPolicy, EndsAProbeAloneThatIsHopeless) {
+    shared(1000, 400e3, 200e3);
+    EXPECT_GE(shared(2000, 400e3, 200e3), 1997) << "one call for each of two or three probes";
+    shared(1000, 400e3, 300e3);
+    EXPECT_LE(shared(2000, 400e3, 300e3), 1994) << "three calls each";
+}
+
 TEST_F(SharingPolicy, CallsThatWereHeldUpSayNothing) {
     int count = 0;
     for (int i = 0; i < 5000; ++i) {

@@ -165,13 +165,14 @@ bool dxMpiTransport::initialise(int wantedLevel, std::string &reason) {
         m_isOwn = true;
     }
     dxWriteMpiHelpHere();
+    m_isForAllThreads = level >= MPI_THREAD_SERIALIZED;
     m_canReplace = level == MPI_THREAD_MULTIPLE && doesJobSurvive();
     return true;
 }
 
 std::unique_ptr<dxMpiTransport> dxMpiTransport::openHome(unsigned wanted, std::string &reason) {
     std::unique_ptr<dxMpiTransport> transport(new dxMpiTransport);
-    if (!transport->initialise(wanted > 0 ? MPI_THREAD_MULTIPLE : MPI_THREAD_FUNNELED, reason)) return nullptr;
+    if (!transport->initialise(wanted > 0 ? MPI_THREAD_MULTIPLE : MPI_THREAD_SERIALIZED, reason)) return nullptr;
     if (wanted > 0) {
         if (!transport->spawn(wanted, reason)) return nullptr;
         return transport;

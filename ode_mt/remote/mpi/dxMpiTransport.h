@@ -10,8 +10,8 @@
 // All calls are non-blocking but those of the beginning and the end, since blocking ones of Open MPI keep a core busy. Errors are returned
 // (MPI_ERRORS_RETURN); the first one loses the link.
 //
-// Threading: the thread that makes the transport initialises MPI, unless the program has, makes all other calls, and ends it:
-// MPI_THREAD_FUNNELED suffices where no worker is spawned, as that thread is MPI's main thread. Where the program has initialised MPI, it must have
+// Threading: the thread that makes the transport initialises MPI, unless the program has, and ends it. Others may send and receive where MPI gives
+// MPI_THREAD_SERIALIZED; MPI_THREAD_FUNNELED suffices for the first one alone, which is MPI's main thread, where no worker is spawned. Where the program has initialised MPI, it must have
 // asked for MPI_THREAD_MULTIPLE.
 #pragma once
 
@@ -35,6 +35,7 @@ public:
     static std::unique_ptr<dxMpiTransport> openWorker(std::string &reason);
 
     unsigned links() const override { return static_cast<unsigned>(m_links.size()); }
+    bool isForAllThreads() const override { return m_isForAllThreads; }
     bool send(unsigned link, const void *message, std::size_t bytes) override;
     std::size_t waiting(unsigned &link) override;
     bool receive(void *message) override;
@@ -60,6 +61,7 @@ private:
     bool spawn(unsigned wanted, std::string &reason);
     void forgetSent();
 
+    bool m_isForAllThreads = false;
     bool m_isOwn = false;      // MPI was initialised by this transport
     bool m_canReplace = false, m_hasReplaced = false;
     std::string m_program;  // the worker's, of the second kind
