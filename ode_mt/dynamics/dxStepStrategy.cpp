@@ -41,8 +41,11 @@ dxProcessObject<LargeIslandPolicy> largeIslandPolicy;
 
 // Whether remote workers that are predicted to pay do, under auto.
 struct RemotePolicy {
+    // Both ends take memory for the first problems, and the worker may be asleep.
+    static constexpr int kProbe = 8, kCold = 3;
+
     std::mutex mutex;
-    dxSharingPolicy policy;
+    dxSharingPolicy policy{kProbe, kCold};
 };
 dxProcessObject<RemotePolicy> remotePolicy;
 

@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <limits>
 #include <new>
-#include <thread>
 #include <utility>
 
 #include "core/dxLog.h"
@@ -18,7 +17,8 @@
 namespace {
 
 // To be measured, a link carries small messages, and then large ones; the fastest of them count.
-constexpr std::chrono::milliseconds kEchoMoment{1};  // for which an echo is looked for without pauses
+// While one is awaited this thread keeps its core, so that a worker on the same core is moved to another one, as soon as the scheduler looks (4 ms).
+constexpr std::chrono::milliseconds kEchoMoment{20};
 constexpr unsigned kSmallEchoes = 4, kLargeEchoes = 3;
 constexpr std::size_t kLargeEcho = std::size_t{256} << 10;  // bytes
 
@@ -562,7 +562,6 @@ void dxRemoteWorkers::sleep(Lock &lock) {
         m_wake.wait_for(lock, duration(kHelpedNs));
     } else if (isMeasured && m_pause.isAtOnce(kEchoMoment)) {
         const dxUnlocked others(lock);
-        std::this_thread::yield();
     } else if (isPolled()) {
         m_wake.wait_for(lock, m_isForAllThreads ? m_pause.next(kMostBesideHomeNs) : m_pause.next());
     } else {
@@ -739,7 +738,7 @@ void dxRemoteWorkers::waitForNews(Lock &lock, dxPollPause &pause, double ns) {
         if (help(lock)) return pause.reset();
         if (pause.isAtOnce()) {
             const dxUnlocked others(lock);
-            return std::this_thread::yield();
+            return;
         }
         ns = std::min(ns, static_cast<double>(pause.next().count()));
     }

@@ -16,7 +16,8 @@
 //   question         how many workers?                         shared or alone?
 //   answer from      a model of the islands' costs, with the   the average times of both ways
 //                    averages of scale and overhead
-//   probe            8 steps, 2 cold; the median counts        3 calls, 1 cold; the average counts
+//   probe            8 steps, 2 cold; the median counts        3 calls, 1 cold; the average counts. Of what is new to
+//                                                              other processes 8, 3 cold
 //   retry interval   time on the caller: the overhead fades    48 to 768 calls; 8 and more if calls become slower
 //   loss limit       0.4 %                                     1/32, by a debt that is paid back
 //

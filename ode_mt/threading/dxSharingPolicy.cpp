@@ -16,7 +16,6 @@ constexpr double kMinTimed = 8e3;  // ns
 constexpr int kUntimedCalls = 15;
 
 constexpr int kMinCallsInRow = 2;  // alone, before the first probe
-constexpr int kProbeCalls = 3;     // of which the first is cold
 constexpr double kHopeless = 1.5;  // a call alone that takes so many times as long as shared ones ends its probe: the caller has no cold workers
 constexpr dxRetryLimits<int> kRetry{48, 768};  // calls
 
@@ -55,18 +54,18 @@ bool dxSharingPolicy::shouldTimeAlone() {
     return false;
 }
 
-// The first call after a change of ways is cold, the second one begins the average anew.
-void dxSharingPolicy::average(Way &way, double ns) {
+// The first calls after a change of ways are cold, the next one begins the average anew.
+void dxSharingPolicy::average(Way &way, int cold, double ns) {
     countUp(way.callsInRow);
-    if (way.callsInRow == 1 && way.ns != 0) return;
-    const bool isFirst = way.callsInRow == 2 || way.ns == 0;
+    if (way.callsInRow <= cold && way.ns != 0) return;
+    const bool isFirst = way.callsInRow == cold + 1 || way.ns == 0;
     way.ns = isFirst ? ns : dxMovingAverage(way.ns, ns, kWeight);
 }
 
 void dxSharingPolicy::record(bool shared, double ns) {
     Way &way = shared ? m_shared : m_alone, &other = shared ? m_alone : m_shared;
     other.callsInRow = 0;
-    average(way, ns);
+    average(way, shared ? m_sharedCold : kCold, ns);
     m_untimedCalls = m_alone.callsInRow >= kMinCallsInRow && m_alone.ns < kMinTimed ? kUntimedCalls : 0;
     account(shared, ns);
     if (shared != m_isSharing) return;  // too small to be shared
@@ -75,7 +74,7 @@ void dxSharingPolicy::record(bool shared, double ns) {
         return;
     }
     countUp(m_calls);
-    if (m_doubtedNs > 0 && way.callsInRow >= kProbeCalls) {
+    if (m_doubtedNs > 0 && way.callsInRow >= (shared ? m_sharedProbe : kProbe)) {
         if (hasGrownSince(way)) {
             m_isSharing = !m_isSharing;
             beginUse(m_doubtedNs);
@@ -113,7 +112,7 @@ void dxSharingPolicy::judgeProbe(double ns) {
     const Way &probed = m_isSharing ? m_shared : m_alone, &usual = m_isSharing ? m_alone : m_shared;
     const bool isHopeless = !m_isSharing && ns > kHopeless * usual.ns, isBrokenOff = isHopeless || (m_isSharing && isDebtTooHigh());
     if (isHopeless) m_alone.ns = ns;
-    if (probed.callsInRow < kProbeCalls && !isBrokenOff) return;
+    if (probed.callsInRow < (m_isSharing ? m_sharedProbe : kProbe) && !isBrokenOff) return;
     const bool pays = !isBrokenOff && dxPaysClearly(probed.ns, usual.ns, kMargin);
     dxLog(dxLogLevel::debug, "a call of %.0f us takes %.0f us when the way in use is exchanged: %s from now on",
           usual.ns / 1e3, probed.ns / 1e3, m_isSharing == pays ? "shared" : "alone");

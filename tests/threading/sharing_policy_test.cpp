@@ -94,6 +94,22 @@ TEST_F(SharingPolicy, EndsAProbeAloneThatIsHopeless) {
     EXPECT_LE(shared(2000, 400e3, 300e3), 1994) << "three calls each";
 }
 
+TEST_F(SharingPolicy, IsToldHowManyCallsAreCold) {
+    const auto sharedOf = [this](int cold, int calls) {
+        int count = 0, inRow = 0;
+        for (int i = 0; i < calls; ++i) {
+            inRow = policy.shouldShare() ? inRow + 1 : 0;
+            count += shared(1, 400e3, inRow <= cold ? 800e3 : 250e3);
+        }
+        return count;
+    };
+    EXPECT_LT(sharedOf(3, 40), 10);
+    policy = {8, 3};
+    EXPECT_GT(sharedOf(3, 40), 30);
+    policy = {8, 3};
+    EXPECT_LT(sharedOf(10, 2000), 100) << "what is slow for longer is not worth while";
+}
+
 TEST_F(SharingPolicy, CallsThatWereHeldUpSayNothing) {
     int count = 0;
     for (int i = 0; i < 5000; ++i) {

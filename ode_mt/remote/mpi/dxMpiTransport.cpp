@@ -66,11 +66,13 @@ void listenElsewhere() {
     setenv("OMPI_MCA_btl_tcp_port_min_v6", port, 0);
 }
 
-// Open MPI would start no more workers than there are cores, however many the user wants. Other MPIs do not know the key.
+// Open MPI would start no more workers than there are cores, however many the user wants, and bind each of them, a job of its own, to the first
+// core. Other MPIs do not know the keys.
 MPI_Info howToSpawn() {
     MPI_Info info = MPI_INFO_NULL;
     MPI_Info_create(&info);
     MPI_Info_set(info, "map_by", "slot:OVERSUBSCRIBE");
+    MPI_Info_set(info, "bind_to", "none");
     return info;
 }
 
@@ -263,8 +265,15 @@ bool dxMpiTransport::send(unsigned link, const void *message, std::size_t bytes)
     return false;
 }
 
+// Open MPI first looks for the message, and then takes in what has arrived: that is found by the next call, which must not come after a pause.
 std::size_t dxMpiTransport::waiting(unsigned &link) {
     if (!m_sending.empty()) forgetSent();
+    std::size_t bytes = 0;
+    for (int looks = 0; looks < 2 && bytes == 0; ++looks) bytes = probe(link);
+    return bytes;
+}
+
+std::size_t dxMpiTransport::probe(unsigned &link) {
     const unsigned count = static_cast<unsigned>(m_probed.size());
     for (unsigned i = 0; i < count; ++i) {
         const unsigned one = (m_next + i) % count;

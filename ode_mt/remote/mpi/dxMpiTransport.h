@@ -60,6 +60,7 @@ private:
     bool initialise(int wantedLevel, std::string &reason);
     bool spawn(unsigned wanted, std::string &reason);
     void forgetSent();
+    std::size_t probe(unsigned &link);
 
     bool m_isForAllThreads = false;
     bool m_isOwn = false;      // MPI was initialised by this transport
