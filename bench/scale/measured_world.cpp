@@ -50,6 +50,7 @@ std::string writeMeasuredWorld(const MeasuredWorld &measured) {
                        {"away_step_ns", measured.awayStepNs},
                        {"latency_ns", measured.latencyNs},
                        {"ns_per_byte", measured.nsPerByte},
+                       {"sleep_ns", measured.sleepNs},
                        {"problem", {"bodies", "joints", "bytes", "result_bytes", "solve_ns"}},
                        {"steps", steps}};
     return json.dump() + "\n";
@@ -67,6 +68,7 @@ MeasuredWorld readMeasuredWorld(const std::string &text) {
         measured.awayStepNs = json.at("away_step_ns");
         measured.latencyNs = json.at("latency_ns");
         measured.nsPerByte = json.at("ns_per_byte");
+        measured.sleepNs = json.at("sleep_ns");
         for (const Json &step : json.at("steps")) {
             measured.steps.emplace_back();
             for (const Json &one : step) measured.steps.back().push_back({one.at(0), one.at(1), one.at(2), one.at(3), one.at(4)});

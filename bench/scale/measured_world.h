@@ -21,8 +21,9 @@ struct MeasuredWorld {
     std::string world;
     int warmUp = 0, frames = 0;              // after so many frames so many were measured
     double homeFrameNs = 0, homeStepNs = 0;  // all islands at home, one thread
-    double awayStepNs = 0;                   // processor time of home's thread in a step of which all islands are solved by a worker
+    double awayStepNs = 0;                   // home's thread, without waiting, in a step of which all islands are solved by a worker
     double latencyNs = 0, nsPerByte = 0;     // there and back; what the library measured of the link to the worker beside it
+    double sleepNs = 0;                      // that a thread sleeps longer than it wants to
     std::vector<Step> steps;
 
     double solveNs() const;  // of a step

@@ -22,19 +22,18 @@ namespace {
 constexpr double kMessageNs = 5e3;
 constexpr double kFrameBytes = 32, kItemBytes = 16;  // headers
 
-// A thread that looks for messages sleeps between two looks, the longer the longer nothing has come (dxPollPause). How long a message waits
-// for a look after one that has just been is in the measured latency; later ones wait for half of what pauses have grown.
-constexpr double kPausePart = 8, kMinPauseNs = 20e3, kMaxPauseNs = 100e3;
+// A thread that has nothing else to do looks for messages at once for a moment; then it sleeps between two looks, the longer the longer nothing
+// has come (dxPollPause). What comes meanwhile waits for half a pause.
+constexpr double kAtOnceNs = 100e3, kPausePart = 8, kMinPauseNs = 20e3, kMaxPauseNs = 100e3;
 
-constexpr double kWakeNs = 20e3;  // until a thread runs that another one has woken
+// While home's thread has a long island, another one looks for messages so much later.
+constexpr double kBesideHomeNs = 1e6;
 
 // Of what is done at home for an island that goes out: to make its problem; the rest applies results.
 constexpr double kMakePart = 0.7;
 
-// Of that, for each island however small: locks, waking the other thread; at most half of it. The rest goes by bytes.
+// Of that, for each island however small: locks; at most half of it. The rest goes by bytes.
 constexpr double kIslandNs = 8e3;
-
-double growthOfPause(double idleNs) { return (std::clamp(idleNs / kPausePart, kMinPauseNs, kMaxPauseNs) - kMinPauseNs) / 2; }
 
 double costOf(const Problem &problem) {
     return dxCostModel::islandCost(dxStepperKind::World, 0, static_cast<unsigned>(problem.bodies), static_cast<unsigned>(problem.joints));
@@ -81,7 +80,7 @@ private:
     void makeIslands(const Step &step);
     double shareOf() const;
     double costOf(unsigned island) const { return m_islands[island].costNs * kRemoteSolverPart; }
-    double lookNs(double idleNs) const { return m_lookNs + growthOfPause(idleNs); }
+    double lookNs(double idleNs) const;
 
     // --- home's thread ----------------------------------------------------------------------------------------
     void goOn();
@@ -96,12 +95,16 @@ private:
     }
     void wakeHome();
 
-    // --- its communication --------------------------------------------------------------------------------------
-    void communicate();
-    bool sendNext();
-    void work(double ns, Action then);
+    // --- messages at home: by its thread between two islands, or by another one if these are long -------------------
+    struct Arrived {
+        double ns;  // to receive it
+        Action handle;
+    };
+    double look();
+    double sendNext();
+    void lookBesideHome();
     void transmit(bool isOut, unsigned worker, double bytes, Action then);
-    void arriveHome(Action handle);
+    void arriveHome(double ns, Action handle);
     void handleResults(unsigned worker, const Message &message, bool isWithdrawn);
 
     // --- a worker ------------------------------------------------------------------------------------------------
@@ -112,7 +115,6 @@ private:
     const MeasuredWorld m_measured;
     const Cluster m_cluster;
     double m_copyNsPerByte;  // at one end
-    double m_lookNs;         // that a message waits for one that looks for it
     double m_restPerByte, m_awayPerByte, m_awayPerIsland, m_homeSolver;
     double m_costScale = 1;  // without steps at home the library has nothing to learn from
 
@@ -123,19 +125,16 @@ private:
     double m_outBusyUntil = 0, m_inBusyUntil = 0;
 
     std::vector<Island> m_islands;
-    std::vector<unsigned> m_away;  // in the order in which they are made
+    std::vector<unsigned> m_away, m_staying;  // in the order in which they are made, stepped
     std::vector<unsigned> m_queue;  // the most expensive first
     std::vector<unsigned> m_returned, m_atHome;
-    double m_stayingNs = 0, m_end = 0;
+    double m_end = 0;
     double m_busyNs = 0;  // of all processors
-    std::size_t m_made = 0, m_left = 0;
-    bool m_hasStepped = false, m_isWaiting = false, m_isDone = false;
-
-    bool m_isCommunicating = false;
-    double m_lastLook = 0;
-    std::deque<Action> m_arrived;
+    std::size_t m_made = 0, m_stepped = 0, m_left = 0;
+    bool m_isWaiting = false, m_isDone = false;
+    double m_lastNews = 0;  // when home's thread last had something to do
+    std::deque<Arrived> m_arrived;
     std::vector<std::pair<unsigned, std::uint64_t>> m_withdrawals;
-    bool m_receivesNext = false;
 };
 
 StepSimulation::Play::Play(const MeasuredWorld &measured, const Cluster &cluster) : m_measured(measured), m_cluster(cluster), m_workers(cluster.workers) {
@@ -160,8 +159,6 @@ StepSimulation::Play::Play(const MeasuredWorld &measured, const Cluster &cluster
     m_awayPerByte = (measured.awayStepNs - islands * m_awayPerIsland) / perStep;
     m_homeSolver = (measured.homeStepNs - rest) / solve;
     m_copyNsPerByte = measured.nsPerByte / 2;
-    constexpr double kMessagesOfEcho = 4, kLooksOfEcho = 2;
-    m_lookNs = std::max(measured.latencyNs - kMessagesOfEcho * kMessageNs, 0.0) / kLooksOfEcho;
     for (Worker &worker : m_workers) {
         worker.link.welcome();
         worker.link.setMeasured(measured.latencyNs + 2 * cluster.network.delayNs, measured.nsPerByte + cluster.network.nsPerByte());
@@ -212,22 +209,19 @@ double StepSimulation::Play::run(const Step &step) {
     std::iota(order.begin(), order.end(), 0u);
     std::stable_sort(order.begin(), order.end(), [this](unsigned a, unsigned b) { return m_islands[a].costNs > m_islands[b].costNs; });
     m_away.clear();
-    m_stayingNs = 0;
+    m_staying.clear();
     double left = share * cost;
     for (const unsigned island : order) {
-        if (m_cluster.sendsAll || left > 0)
-            m_away.push_back(island);
-        else
-            m_stayingNs += m_islands[island].homeNs;
+        (m_cluster.sendsAll || left > 0 ? m_away : m_staying).push_back(island);
         left -= m_islands[island].costNs;
     }
     ++m_step;
     m_queue.clear();
     m_returned.clear();
     m_atHome.clear();
-    m_made = 0;
+    m_made = m_stepped = 0;
     m_left = m_away.size();
-    m_hasStepped = m_isWaiting = m_isDone = false;
+    m_isWaiting = m_isDone = false;
     m_busyNs = 0;
     const double begin = m_now;
     goOn();
@@ -247,18 +241,19 @@ double StepSimulation::Play::run(const Step &step) {
 // The next thing that home's thread does, as dxIslandParallelStep::runBlocks and dxRemoteBatch::next have it.
 void StepSimulation::Play::goOn() {
     if (m_isDone) return;
+    m_lastNews = m_now;
+    if (const double ns = look(); ns > 0) return finish(ns);
     if (m_made < m_away.size()) {
         const unsigned island = m_away[m_made++];
         m_busyNs += m_islands[island].makeNs;
         at(m_now + m_islands[island].makeNs, [this, island] {
             m_islands[island].state = State::Queued;
             m_queue.insert(std::upper_bound(m_queue.begin(), m_queue.end(), island, [this](unsigned a, unsigned b) { return costOf(a) > costOf(b); }), island);
-            communicate();
             goOn();
         });
         return;
     }
-    if (!std::exchange(m_hasStepped, true) && m_stayingNs > 0) return finish(m_stayingNs);
+    if (m_stepped < m_staying.size()) return finish(m_islands[m_staying[m_stepped++]].homeNs);
     for (;;) {
         if (!m_returned.empty()) {
             const unsigned island = m_returned.back();
@@ -319,7 +314,6 @@ bool StepSimulation::Play::withdrawLast() {
     const std::vector<std::uint64_t> problems = last->problems;
     m_workers[worker].link.withdraw(last->number);
     takeHome(problems);
-    communicate();
     return true;
 }
 
@@ -348,47 +342,45 @@ void StepSimulation::Play::noticeLate() {
 }
 
 void StepSimulation::Play::wakeHome() {
-    if (std::exchange(m_isWaiting, false)) at(m_now + kWakeNs, [this] { goOn(); });
+    if (std::exchange(m_isWaiting, false)) at(m_now + lookNs(m_now - m_lastNews), [this] { goOn(); });
 }
 
-// --- its communication ----------------------------------------------------------------------------------------------
+// --- messages at home -----------------------------------------------------------------------------------------------
 
-void StepSimulation::Play::work(double ns, Action then) {
-    m_isCommunicating = true;
-    m_busyNs += ns;
-    at(m_now + ns, [this, then = std::move(then)] {
-        m_isCommunicating = false;
-        m_lastLook = m_now;
-        then();
-        communicate();
-    });
+// Half of the pause in which a message finds one that has nothing to do.
+double StepSimulation::Play::lookNs(double idleNs) const {
+    const double waited = idleNs - kAtOnceNs;
+    return waited <= 0 ? 0 : (std::clamp(waited / kPausePart, kMinPauseNs, kMaxPauseNs) + m_measured.sleepNs) / 2;
 }
 
-// Sends and receives in turns; withdrawals first.
-void StepSimulation::Play::communicate() {
-    if (m_isCommunicating) return;
+// One message. Returns how long that takes; 0: there is none to send or to receive.
+double StepSimulation::Play::look() {
     if (!m_withdrawals.empty()) {
         const auto [worker, number] = m_withdrawals.back();
         m_withdrawals.pop_back();
-        return work(kMessageNs, [this, worker = worker, number = number] {
+        at(m_now + kMessageNs, [this, worker = worker, number = number] {
             transmit(true, worker, kFrameBytes, [this, worker, number] { withdraw(worker, number); });
         });
+        return kMessageNs;
     }
-    m_receivesNext = !m_receivesNext;
-    if (m_receivesNext || !sendNext()) {
-        if (!m_arrived.empty()) {
-            const Action handle = std::move(m_arrived.front());
-            m_arrived.pop_front();
-            return handle();
-        }
-        if (m_receivesNext) sendNext();
-    }
+    if (const double ns = sendNext(); ns > 0) return ns;
+    if (m_arrived.empty()) return 0;
+    const Arrived one = std::move(m_arrived.front());
+    m_arrived.pop_front();
+    one.handle();
+    return one.ns;
 }
 
-bool StepSimulation::Play::sendNext() {
-    if (m_queue.empty()) return false;
+void StepSimulation::Play::lookBesideHome() {
+    if (m_arrived.empty()) return;
+    if (const double ns = look(); ns > 0) at(m_now + ns, [this] { lookBesideHome(); });
+    while (sendNext() > 0) {}
+}
+
+double StepSimulation::Play::sendNext() {
+    if (m_queue.empty()) return 0;
     Worker *const best = dxFindFreestLink(m_workers, m_now);
-    if (best == nullptr) return false;
+    if (best == nullptr) return 0;
     double queued = 0;
     for (const unsigned island : m_queue) queued += costOf(island);
     const double most = dxMaxMessageCost(queued, m_workers.size());
@@ -418,27 +410,27 @@ bool StepSimulation::Play::sendNext() {
     counts.bytes += message.bytes + message.resultBytes;
 
     const unsigned worker = static_cast<unsigned>(best - m_workers.data());
-    work(kMessageNs + message.bytes * m_copyNsPerByte, [this, worker, message] {
+    const double ns = kMessageNs + message.bytes * m_copyNsPerByte;
+    at(m_now + ns, [this, worker, message] {
         transmit(true, worker, message.bytes, [this, worker, message] { arriveAtWorker(worker, message); });
     });
-    return true;
+    return ns;
 }
 
 void StepSimulation::Play::transmit(bool isOut, unsigned worker, double bytes, Action then) {
     Worker &own = m_workers[worker];
     double &busyUntil = m_cluster.sharesWire ? (isOut ? m_outBusyUntil : m_inBusyUntil) : (isOut ? own.outBusyUntil : own.inBusyUntil);
     busyUntil = std::max(busyUntil, m_now) + bytes * m_cluster.network.nsPerByte();
-    // On one machine a simulated network copies messages, too.
-    if (m_cluster.cores > 0 && m_cluster.network.isSlowed()) m_busyNs += kMessageNs + bytes * m_copyNsPerByte;
-    at(busyUntil + m_cluster.network.delayNs, std::move(then));
+    // On one machine a simulated network's thread copies messages, too, and sleeps between two looks.
+    const bool isSimulated = m_cluster.cores > 0 && m_cluster.network.isSlowed();
+    if (isSimulated) m_busyNs += kMessageNs + bytes * m_copyNsPerByte;
+    at(busyUntil + m_cluster.network.delayNs + (isSimulated ? (kMinPauseNs + m_measured.sleepNs) / 2 : 0), std::move(then));
 }
 
-void StepSimulation::Play::arriveHome(Action handle) {
-    const double found = m_isCommunicating ? m_now : m_now + lookNs(m_now - m_lastLook);
-    at(found, [this, handle = std::move(handle)] {
-        m_arrived.push_back(handle);
-        communicate();
-    });
+void StepSimulation::Play::arriveHome(double ns, Action handle) {
+    m_arrived.push_back({ns, std::move(handle)});
+    if (m_isWaiting) return wakeHome();
+    at(m_now + kBesideHomeNs, [this] { lookBesideHome(); });
 }
 
 void StepSimulation::Play::handleResults(unsigned worker, const Message &message, bool isWithdrawn) {
@@ -452,7 +444,6 @@ void StepSimulation::Play::handleResults(unsigned worker, const Message &message
         island.state = State::Returned;
         m_returned.push_back(dxRemoteIndexOf(number));
     }
-    wakeHome();
 }
 
 // --- a worker -------------------------------------------------------------------------------------------------------
@@ -478,9 +469,7 @@ void StepSimulation::Play::solveNext(unsigned worker) {
     m_busyNs += took;
     at(m_now + took, [this, worker, message] {
         transmit(false, worker, message.resultBytes, [this, worker, message] {
-            arriveHome([this, worker, message] {
-                work(kMessageNs + message.resultBytes * m_copyNsPerByte, [this, worker, message] { handleResults(worker, message, false); });
-            });
+            arriveHome(kMessageNs + message.resultBytes * m_copyNsPerByte, [this, worker, message] { handleResults(worker, message, false); });
         });
         solveNext(worker);
     });
@@ -494,7 +483,7 @@ void StepSimulation::Play::withdraw(unsigned worker, std::uint64_t number) {
     const Message message = std::move(*found);
     received.erase(found);
     transmit(false, worker, kFrameBytes, [this, worker, message] {
-        arriveHome([this, worker, message] { work(kMessageNs, [this, worker, message] { handleResults(worker, message, true); }); });
+        arriveHome(kMessageNs, [this, worker, message] { handleResults(worker, message, true); });
     });
 }
 

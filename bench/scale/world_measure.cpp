@@ -12,7 +12,9 @@
 #include <chrono>
 #include <cstdio>
 #include <memory>
+#include <numeric>
 #include <stdexcept>
+#include <thread>
 
 #include "process/line_process.h"
 
@@ -25,7 +27,7 @@ constexpr std::chrono::milliseconds kLimit = std::chrono::minutes(5);  // for on
 constexpr const char *kTool = "odemt_scale";  // names folders for files of a measurement
 
 struct FrameTimes {
-    std::vector<double> frame, step, processor;
+    std::vector<double> frame, step;
     std::uint64_t hash = 0;
 };
 
@@ -46,7 +48,7 @@ public:
         m_process.writeLine(std::to_string(frames));
         try {
             const nlohmann::json answer = nlohmann::json::parse(m_process.readLine(kLimit));
-            return {answer.at("frame"), answer.at("step"), answer.at("processor"), answer.at("hash")};
+            return {answer.at("frame"), answer.at("step"), answer.at("hash")};
         } catch (const std::exception &error) {
             throw std::runtime_error(std::string(error.what()) + "\n" + bench::readTextFile(m_log));
         }
@@ -94,6 +96,7 @@ public:
         if (atHome.hash != of.hash) throw std::runtime_error("results with workers differ from those at home");
         append(home, atHome);
         append(other, of);
+        m_steppedNs = std::accumulate(of.step.begin(), of.step.end(), m_steppedNs);
     }
     void runBatches(int frames) {
         constexpr int kInTurn = 4;  // frames; machines change their speed within seconds
@@ -101,16 +104,19 @@ public:
     }
     void forget() { home = other = {}; }
 
+    // All steps of the other one, those that are forgotten, too.
+    double steppedNs() const { return m_steppedNs; }
+
     FrameTimes home, other;
 
 private:
     static void append(FrameTimes &to, const FrameTimes &from) {
         to.frame.insert(to.frame.end(), from.frame.begin(), from.frame.end());
         to.step.insert(to.step.end(), from.step.begin(), from.step.end());
-        to.processor.insert(to.processor.end(), from.processor.begin(), from.processor.end());
     }
 
     Player &m_home, &m_other;
+    double m_steppedNs = 0;
 };
 
 struct Link {
@@ -128,6 +134,27 @@ Link readLink(const std::string &log) {
         usable == 0)
         throw std::runtime_error("no worker:\n" + log);
     return {us * 1e3, gigabytes > 0 ? 1 / gigabytes : 0};
+}
+
+// Of all steps: how long home's threads have waited for workers.
+double readWaitedNs(const std::string &log) {
+    const std::size_t at = log.rfind("home waited ");
+    double ms = 0;
+    if (at == std::string::npos || std::sscanf(log.c_str() + at, "home waited %lf ms", &ms) != 1)
+        throw std::runtime_error("the library has not told how long it waited:\n" + log);
+    return ms * 1e6;
+}
+
+double measureSleep() {
+    constexpr int kSleeps = 200;
+    constexpr std::chrono::microseconds kAsked{20};
+    std::vector<double> longer;
+    for (int i = 0; i < kSleeps; ++i) {
+        const auto begin = std::chrono::steady_clock::now();
+        std::this_thread::sleep_for(kAsked);
+        longer.push_back(std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin - kAsked).count());
+    }
+    return typical(longer);
 }
 
 // What a handshake measures while processes start varies by a factor of two: the least latency of several is that of a link in use.
@@ -168,7 +195,8 @@ MeasuredWorld measureWorld(const std::string &world, const MeasureSettings &sett
     home.end();
     measured.homeFrameNs = typical(race.home.frame);
     measured.homeStepNs = typical(race.home.step);
-    measured.awayStepNs = typical(race.other.processor);
+    measured.awayStepNs = std::max(race.steppedNs() - readWaitedNs(bench::readTextFile(log)), 0.0) / (measured.warmUp + measured.frames);
+    measured.sleepNs = measureSleep();
     const Link link = measureLink(world, settings, scratch);
     measured.latencyNs = link.latencyNs;
     measured.nsPerByte = link.nsPerByte;

@@ -1,6 +1,7 @@
 #include "remote/dxRemoteWorkers.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -9,6 +10,7 @@
 
 #include "core/dxLog.h"
 #include "core/dxNoCancellation.h"
+#include "core/dxNoSignals.h"
 #include "core/dxUnlocked.h"
 #include "remote/dxRemoteNumber.h"
 #include "remote/dxRemoteSchedule.h"
@@ -37,6 +39,20 @@ constexpr double kPatienceNs = 3e9;     // a step that waits for workers takes h
 dxProcessObject<dxRemoteWorkers> remoteWorkers;
 
 std::chrono::nanoseconds duration(double ns) { return std::chrono::nanoseconds(static_cast<std::int64_t>(ns)); }
+
+// Around what a step has none of: points where a thread is cancelled, signals, whose handlers would run in the middle of it, changes of errno.
+class Undisturbed {
+public:
+    Undisturbed() = default;
+    ~Undisturbed() { errno = m_error; }
+    Undisturbed(const Undisturbed &) = delete;
+    Undisturbed &operator=(const Undisturbed &) = delete;
+
+private:
+    const int m_error = errno;
+    const dxNoCancellation m_whole;
+    const dxNoSignals m_none;
+};
 
 class CountedWait {
 public:
@@ -111,15 +127,20 @@ void dxRemoteWorkers::close() {
     m_wake.notify_all();
     pthread_join(m_thread, nullptr);
     const Counts all = counts();
-    dxLog(dxLogLevel::info, "remote workers: %llu islands sent, %llu solved there, %llu taken back; late %u times, %u workers lost, %u replaced",
+    dxLog(dxLogLevel::info, "remote workers: %llu islands sent, %llu solved there, %llu taken back; late %u times, %u workers lost, %u replaced; home waited %.3f ms",
           static_cast<unsigned long long>(all.sent), static_cast<unsigned long long>(all.outcomes.solved()),
-          static_cast<unsigned long long>(all.outcomes.returned()), all.late, all.lost, all.replaced);
+          static_cast<unsigned long long>(all.outcomes.returned()), all.late, all.lost, all.replaced, all.waitedNs / 1e6);
 }
 
-// The thread is the parent's, and so are the workers; it may have held the lock.
+// The thread is the parent's, and so are the workers; it may have held the lock. A signal handler may have forked in the middle of a step, which the
+// child goes on with, at home.
 void dxRemoteWorkers::inForkedChild() {
     m_areThere.store(false, std::memory_order_relaxed);
-    m_isRunning = false;
+    m_isRunning = m_isForAllThreads = m_isCommunicating = false;
+    for (Link &one : m_links) one.link.lose();
+    for (const auto &[number, batch] : m_batches)
+        for (dxRemoteProblem &problem : batch->m_problems) takeHome(problem, dxRemoteOutcome::Lost);
+    m_queue.clear();
     new (&m_mutex) std::mutex;
     new (&m_wake) std::condition_variable;
     new (&m_done) std::condition_variable;
@@ -164,14 +185,15 @@ void dxRemoteWorkers::communicate() {
         awaitTurn(lock);
         m_isCommunicating = true;
         bool hasDone = communicateOnce(lock);
-        m_isCommunicating = false;
         if (m_canReplace) hasDone |= replaceLost(lock);
+        m_isCommunicating = false;
         noticeLate(now());
         if (hasDone)
             m_pause.reset();
         else
             sleep(lock);
     }
+    m_isClosing = true;
     awaitTurn(lock);
     takeQueueHome();
     if (isOver) m_isRunning = false;  // handlers at the exit need not close what is closed here
@@ -710,14 +732,14 @@ void dxRemoteWorkers::noticeLate(double time) {
 
 void dxRemoteWorkers::help() {
     if (now() - m_helpedAt.load(std::memory_order_relaxed) < kBetweenLooksNs) return;
+    const Undisturbed whole;
     Lock lock(m_mutex);
     help(lock);
 }
 
-// Returns whether there was anything to do. Calls of a transport may be cancellation points, as waiting is, and a step has none.
+// Under Undisturbed. Returns whether there was anything to do.
 bool dxRemoteWorkers::help(Lock &lock) {
     if (!m_isForAllThreads || m_isCommunicating || m_isClosing) return false;
-    const dxNoCancellation whole;
     m_isCommunicating = true;
     const bool hasDone = communicateOnce(lock);
     m_isCommunicating = false;
@@ -732,14 +754,22 @@ void dxRemoteWorkers::tell() {
     if (!m_isForAllThreads || m_isAsleep) m_wake.notify_one();
 }
 
+// At once, for a moment. The lock is not held when signals that have come meanwhile are handled.
+bool dxRemoteWorkers::lookForNews(Lock &lock, const dxPollPause &pause) {
+    const dxUnlocked handlers(lock);
+    const Undisturbed whole;
+    Lock again(m_mutex);
+    while (!help(again)) {
+        if (!pause.isAtOnce()) return false;
+        const dxUnlocked others(again);
+    }
+    return true;
+}
+
 // For so long at most. One that may look itself does, the others are told.
 void dxRemoteWorkers::waitForNews(Lock &lock, dxPollPause &pause, double ns) {
     if (m_isForAllThreads && m_waiting == 1) {
-        if (help(lock)) return pause.reset();
-        if (pause.isAtOnce()) {
-            const dxUnlocked others(lock);
-            return;
-        }
+        if (lookForNews(lock, pause)) return pause.reset();
         ns = std::min(ns, static_cast<double>(pause.next().count()));
     }
     const dxNoCancellation whole;
@@ -771,6 +801,7 @@ dxRemoteBatch::~dxRemoteBatch() {
 }
 
 void dxRemoteBatch::submit(unsigned index, dxRemoteBytes &&bytes, double cost) {
+    const Undisturbed whole;
     dxRemoteWorkers::Lock lock(m_workers.m_mutex);
     dxRemoteProblem &problem = m_problems[index];
     problem.bytes = std::move(bytes);
@@ -925,5 +956,6 @@ dxRemoteBatch::Next dxRemoteBatch::next(unsigned &index, dxRemoteBytes &result) 
         if (!m_atHome.empty() || (m_mayHurry && withdrawLast(time))) continue;
         const double deadline = std::min(nextDeadline(), hurries ? std::numeric_limits<double>::infinity() : begin + 1.01 * kPatienceNs);
         m_workers.waitForNews(lock, pause, deadline - time);
+        m_workers.m_counts.waitedNs += m_workers.now() - time;
     }
 }

@@ -10,8 +10,9 @@
 // threads do in between what that thread would have to be woken for (help()), and it looks less often. A child of fork() has no remote workers;
 // neither has a process after close().
 //
-// Memory: whatever is refused to the communication thread, it goes on. Problems that cannot be sent go home; a worker whose message cannot be
-// read is left out. What else is thrown there leaves out all workers. Under the lock nothing takes memory where home's threads call.
+// Memory: whatever is refused to who communicates, it goes on. Problems that cannot be sent go home; a worker whose message cannot be
+// read is left out. What else is thrown there leaves out all workers. The same holds where home's threads communicate; their other calls take no
+// memory.
 //
 // Threading: any thread; one lock, held for moments. Never waits for a worker but in open(). The transport is used without the lock, by whoever has
 // the turn (m_isCommunicating).
@@ -110,6 +111,7 @@ public:
         std::uint64_t sent = 0;  // problems
         dxRemoteOutcomes outcomes;
         unsigned late = 0, refused = 0, lost = 0, replaced = 0;  // times, workers
+        double waitedNs = 0;  // by home's threads, one after the other
         unsigned open = 0, openLate = 0;  // workers now: may be given problems; of these, get none for the moment, as they are late or were
     };
     Counts counts();
@@ -170,6 +172,7 @@ private:
     // --- on home's threads ----------------------------------------------------------------------------------
     bool help(Lock &lock);
     void tell();
+    bool lookForNews(Lock &lock, const dxPollPause &pause);
     void waitForNews(Lock &lock, dxPollPause &pause, double ns);
 
     // --- under the lock -------------------------------------------------------------------------------------

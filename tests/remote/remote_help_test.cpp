@@ -3,8 +3,13 @@
 
 #include <gtest/gtest.h>
 #include <pthread.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <cstring>
 #include <functional>
 #include <memory>
@@ -29,6 +34,7 @@ dxRemoteHello hello() {
 // What a transport was told, by whom.
 struct Calls {
     std::atomic<int> now{0}, mostAtATime{0};
+    std::function<void()> disturb;  // in each of them that sends; before there are any
     std::mutex mutex;
     std::set<std::thread::id> threads;
 
@@ -58,14 +64,17 @@ private:
 
 class WatchedTransport final : public dxRemoteTransport {
 public:
-    WatchedTransport(unsigned workers, Calls &calls, bool isForAllThreads, std::thread::id faulty)
-        : m_below(workers, hello(), solve), m_calls(calls), m_isForAllThreads(isForAllThreads), m_faulty(faulty) {}
+    WatchedTransport(unsigned workers, Calls &calls, bool isForAllThreads, std::thread::id faulty, LoopbackTransport::Fate fate)
+        : m_below(workers, hello(), solve, fate), m_calls(calls), m_isForAllThreads(isForAllThreads), m_faulty(faulty) {
+        if (fate) m_below.setReplacing();
+    }
 
     unsigned links() const override { return m_below.links(); }
     bool isForAllThreads() const override { return m_isForAllThreads; }
     bool send(unsigned link, const void *message, std::size_t bytes) override {
         const Call call(m_calls);
         pthread_testcancel();
+        if (m_calls.disturb) m_calls.disturb();
         if (std::this_thread::get_id() == m_faulty) throw std::runtime_error("a fault");
         return m_below.send(link, message, bytes);
     }
@@ -76,6 +85,15 @@ public:
     bool receive(void *message) override {
         const Call call(m_calls);
         return m_below.receive(message);
+    }
+    bool canReplace() const override { return m_below.canReplace(); }
+    void replace(unsigned link) override {
+        const Call call(m_calls);
+        m_below.replace(link);
+    }
+    Replacement replacement() override {
+        const Call call(m_calls);
+        return m_below.replacement();
     }
     void close(bool isOrderly) override { m_below.close(isOrderly); }
 
@@ -90,9 +108,9 @@ class RemoteHelp : public testing::Test {
 protected:
     ~RemoteHelp() override { m_workers.close(); }
 
-    // `faulty`: a thread whose calls throw.
-    void open(bool isForAllThreads, std::thread::id faulty = {}) {
-        m_workers.open("loopback", hello(), [=](std::string &) { return std::make_unique<WatchedTransport>(2, m_calls, isForAllThreads, faulty); });
+    // `faulty`: a thread whose calls throw. `fate`: of workers, which are replaced.
+    void open(bool isForAllThreads, std::thread::id faulty = {}, const LoopbackTransport::Fate &fate = nullptr) {
+        m_workers.open("loopback", hello(), [=](std::string &) { return std::make_unique<WatchedTransport>(2, m_calls, isForAllThreads, faulty, fate); });
         ASSERT_EQ(m_workers.capacity().workers, 2u);
     }
 
@@ -105,6 +123,20 @@ protected:
         for (dxRemoteBatch::Next next; (next = batch.next(index, result)) != dxRemoteBatch::Next::None; m_workers.help())
             right += next == dxRemoteBatch::Next::AtHome || result == problemOf(index);
         return right;
+    }
+
+    // Of calls, while four threads make so many steps each.
+    void expectOneAtATime(unsigned steps) {
+        constexpr unsigned kThreads = 4, kProblems = 30;
+        std::atomic<unsigned> right{0};
+        std::vector<std::thread> threads;
+        for (unsigned i = 0; i < kThreads; ++i)
+            threads.emplace_back([&] {
+                for (unsigned k = 0; k < steps; ++k) right += step(kProblems, k % 2 == 0);
+            });
+        for (std::thread &one : threads) one.join();
+        EXPECT_EQ(right, kThreads * steps * kProblems);
+        EXPECT_EQ(m_calls.mostAtATime, 1);
     }
 
     static dxRemoteBytes problemOf(unsigned index) { return dxRemoteBytes(500 + index, std::byte(index)); }
@@ -127,18 +159,21 @@ TEST_F(RemoteHelp, IsNotGivenWhereOneThreadHasToMakeAllCalls) {
 }
 
 TEST_F(RemoteHelp, IsGivenByOneThreadAtATime) {
-    constexpr unsigned kThreads = 4, kSteps = 50, kProblems = 30;
     open(true);
-    std::atomic<unsigned> right{0};
-    std::vector<std::thread> threads;
-    for (unsigned i = 0; i < kThreads; ++i)
-        threads.emplace_back([&] {
-            for (unsigned k = 0; k < kSteps; ++k) right += step(kProblems, k % 2 == 0);
-        });
-    for (std::thread &one : threads) one.join();
-    EXPECT_EQ(right, kThreads * kSteps * kProblems);
-    EXPECT_EQ(m_calls.mostAtATime, 1);
+    expectOneAtATime(50);
     EXPECT_GE(m_calls.countThreads(), 2u);
+}
+
+TEST_F(RemoteHelp, WaitsWhileWorkersAreReplaced) {
+    m_calls.disturb = [] { std::this_thread::sleep_for(std::chrono::microseconds(200)); };
+    const unsigned replaced = m_workers.counts().replaced;
+    open(true, {}, [](unsigned worker, unsigned count, dxRemoteKind) {
+        LoopbackFate fate;
+        if (worker == 0 && count == 10) fate.kind = LoopbackFate::Kind::Dies;
+        return fate;
+    });
+    for (int rounds = 0; rounds < 50 && m_workers.counts().replaced < replaced + 2; ++rounds) expectOneAtATime(5);
+    EXPECT_GE(m_workers.counts().replaced, replaced + 2);
 }
 
 TEST_F(RemoteHelp, IsNoPlaceWhereAThreadIsCancelled) {
@@ -164,9 +199,91 @@ TEST_F(RemoteHelp, IsNoPlaceWhereAThreadIsCancelled) {
     EXPECT_TRUE(isThere);
 }
 
+// As a call that writes to a worker which has ended.
+TEST_F(RemoteHelp, RaisesNoSignal) {
+    static std::atomic<int> signals{0};
+    const auto handle = [](int) { ++signals; };
+    struct sigaction handler {}, before;
+    handler.sa_handler = handle;
+    sigaction(SIGPIPE, &handler, &before);
+    m_calls.disturb = [] { pthread_kill(pthread_self(), SIGPIPE); };
+    open(true);
+    errno = 0;
+    EXPECT_EQ(step(50, false), 50u);
+    EXPECT_TRUE(m_calls.areOf(std::this_thread::get_id()));
+    EXPECT_EQ(signals, 0);
+    m_workers.close();
+    raise(SIGPIPE);
+    EXPECT_EQ(signals, 1) << "the program's own arrives";
+    sigaction(SIGPIPE, &before, nullptr);
+}
+
+TEST_F(RemoteHelp, LeavesErrnoAndTheSignalMaskAsTheyAre) {
+    m_calls.disturb = [] { errno = EPIPE; };
+    open(true);
+    sigset_t before, after;
+    pthread_sigmask(SIG_SETMASK, nullptr, &before);
+    errno = 0;
+    EXPECT_EQ(step(50, false), 50u);
+    EXPECT_EQ(errno, 0);
+    pthread_sigmask(SIG_SETMASK, nullptr, &after);
+    for (int signal = 1; signal < NSIG; ++signal) EXPECT_EQ(sigismember(&before, signal), sigismember(&after, signal)) << signal;
+}
+
+// One that was blocked and pending before stays so.
+TEST_F(RemoteHelp, LeavesTheProgramItsPendingSignal) {
+    sigset_t pipe, pending;
+    sigemptyset(&pipe);
+    sigaddset(&pipe, SIGPIPE);
+    pthread_sigmask(SIG_BLOCK, &pipe, nullptr);
+    raise(SIGPIPE);
+    open(true);
+    EXPECT_EQ(step(50, false), 50u);
+    sigpending(&pending);
+    EXPECT_EQ(sigismember(&pending, SIGPIPE), 1);
+    const timespec now{};
+    EXPECT_EQ(sigtimedwait(&pipe, nullptr, &now), SIGPIPE);
+    pthread_sigmask(SIG_UNBLOCK, &pipe, nullptr);
+}
+
+// Calls `handle` on each signal that a call of the transport's sends to its own thread, home's or the other one, which has signals blocked.
+void handleSignals(Calls &calls, void (*handle)(int)) {
+    struct sigaction handler {};
+    handler.sa_handler = handle;
+    sigaction(SIGUSR1, &handler, nullptr);
+    calls.disturb = [] { pthread_kill(pthread_self(), SIGUSR1); };
+}
+
+// As exit() does, which closes them.
+TEST_F(RemoteHelp, LetsHandlersUseTheWorkers) {
+    static std::atomic<unsigned> handled{0};
+    handleSignals(m_calls, [](int) { handled += dxRemoteWorkers::instance().capacity().workers; });
+    open(true);
+    for (int steps = 0; steps < 200 && handled == 0; ++steps) EXPECT_EQ(step(50, false), 50u);
+    EXPECT_GE(handled, 2u);
+}
+
+// The child goes on with the step, at home.
+TEST_F(RemoteHelp, IsNotGivenByTheChildOfAHandlerThatForks) {
+    static pid_t child;
+    child = -1;
+    handleSignals(m_calls, [](int) {
+        if (child < 0) child = fork();
+    });
+    open(true);
+    unsigned right = 50;
+    for (int steps = 0; steps < 200 && child < 0; ++steps) right = std::min(right, step(50, false));
+    if (child == 0) _exit(right == 50 && step(50) == 50 && !m_workers.areThere() ? 0 : 1);
+    ASSERT_GT(child, 0);
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+    EXPECT_EQ(right, 50u);
+}
+
 TEST_F(RemoteHelp, ThatThrowsLeavesTheStepAtHome) {
     open(true, std::this_thread::get_id());
-    EXPECT_EQ(step(50), 50u);
+    for (int steps = 0; steps < 200 && m_workers.areThere(); ++steps) EXPECT_EQ(step(50), 50u);  // the other thread may be faster
     EXPECT_FALSE(m_workers.areThere());
     EXPECT_EQ(step(50), 50u);
 }

@@ -95,6 +95,15 @@ if [ "$ALONE" = --enable-recovery ]; then
     printf 'one\ntwo\n' | { alone joint_feedback/world "$LIBRARY" mpi:1 "[1-9][0-9]* islands sent, [1-9]"; cat > input; }
     printf 'one\ntwo\n' | cmp - input || { echo "the program's input is lost"; exit 1; }
     OMPI_MCA_rmaps_base_oversubscribe=0 alone joint_feedback/world "$LIBRARY" mpi:5 "remote workers: 5 of 5"
+    # Each worker is a job of its own, which Open MPI would bind to the first core.
+    ODE_MT_WORKERS=mpi:2 LD_LIBRARY_PATH=$LIBRARY timeout -k 5 60 "$SCENARIO" shared_scenes/humanoids/world --steps 100000 > output 2>&1 &
+    job=$!
+    for i in $(seq 300); do [ "$(workers_of $job | wc -l)" = 2 ] && break; sleep 0.05; done
+    sleep 0.5  # some time after MPI has begun in them
+    processors=$(for worker in $(workers_of $job); do grep Cpus_allowed_list "/proc/$worker/status"; done | sort | uniq -c)
+    kill $job; wait $job 2> /dev/null || true
+    expected=$(printf '%7d %s' 2 "$(grep Cpus_allowed_list /proc/self/status)")
+    [ "$processors" = "$expected" ] || { echo "workers have the processors '$processors', not '$expected'"; cat output; exit 1; }
     # MPI has threads of its own, which do not keep the process.
     status=0
     ODE_MT_WORKERS=mpi:2 LD_LIBRARY_PATH=$LIBRARY timeout -k 5 60 "$LAST_THREAD" main_thread_ends_with_remote_workers > output 2>&1 || status=$?
