@@ -19,11 +19,11 @@ namespace scale {
 namespace {
 
 // Of a message, besides its bytes, at each end: to make it, hand it to MPI or take it from there.
-constexpr double kMessageNs = 5e3;
+constexpr double kMessageNs = 2e3;
 constexpr double kFrameBytes = 32, kItemBytes = 16;  // headers
 
 // A thread that has nothing else to do looks for messages at once for a moment; then it sleeps between two looks, the longer the longer nothing
-// has come (dxPollPause). What comes meanwhile waits for half a pause.
+// has come (dxPollPause).
 constexpr double kAtOnceNs = 100e3, kPausePart = 8, kMinPauseNs = 20e3, kMaxPauseNs = 100e3;
 
 // While home's thread has a long island, another one looks for messages so much later.
@@ -79,6 +79,7 @@ private:
     void at(double time, Action action) { m_events.push({std::max(time, m_now), m_order++, std::move(action)}); }
     void makeIslands(const Step &step);
     double shareOf() const;
+    bool isOver() const;
     double costOf(unsigned island) const { return m_islands[island].costNs * kRemoteSolverPart; }
     double lookNs(double idleNs) const;
 
@@ -133,6 +134,7 @@ private:
     std::size_t m_made = 0, m_stepped = 0, m_left = 0;
     bool m_isWaiting = false, m_isDone = false;
     double m_lastNews = 0;  // when home's thread last had something to do
+    double m_deadline = 0;  // of what it waits for
     std::deque<Arrived> m_arrived;
     std::vector<std::pair<unsigned, std::uint64_t>> m_withdrawals;
 };
@@ -225,15 +227,27 @@ double StepSimulation::Play::run(const Step &step) {
     m_busyNs = 0;
     const double begin = m_now;
     goOn();
-    while (!m_events.empty()) {  // also what comes too late
+    while (!isOver()) {
+        if (m_isWaiting && (m_events.empty() || m_events.top().time > m_deadline)) {
+            m_now = m_deadline;
+            wakeHome();
+            continue;
+        }
+        if (m_events.empty()) break;
         const Event event = m_events.top();
         m_events.pop();
         m_now = event.time;
         event.action();
     }
+    m_events = {};
     if (m_cluster.cores > 0) m_end = std::max(m_end, begin + m_busyNs / m_cluster.cores);
     m_now = std::max(m_now, m_end + m_measured.restNs());
     return m_end - begin;
+}
+
+// Also what comes too late has come.
+bool StepSimulation::Play::isOver() const {
+    return m_isDone && std::all_of(m_workers.begin(), m_workers.end(), [](const Worker &one) { return one.link.inFlight().empty(); });
 }
 
 // --- home's thread --------------------------------------------------------------------------------------------------
@@ -280,9 +294,8 @@ void StepSimulation::Play::goOn() {
         if (m_atHome.empty() && (m_cluster.sendsAll || !withdrawLast())) break;
     }
     m_isWaiting = true;
-    double deadline = std::numeric_limits<double>::infinity();
-    for (const Worker &worker : m_workers) deadline = std::min(deadline, worker.link.deadline());
-    if (deadline < std::numeric_limits<double>::infinity()) at(deadline, [this, step = m_step] { if (step == m_step) wakeHome(); });
+    m_deadline = std::numeric_limits<double>::infinity();
+    for (const Worker &worker : m_workers) m_deadline = std::min(m_deadline, worker.link.deadline());
 }
 
 void StepSimulation::Play::solveAtHome(unsigned island) {
@@ -347,7 +360,7 @@ void StepSimulation::Play::wakeHome() {
 
 // --- messages at home -----------------------------------------------------------------------------------------------
 
-// Half of the pause in which a message finds one that has nothing to do.
+// Half of the pause in which a message finds one that has had nothing to do for so long.
 double StepSimulation::Play::lookNs(double idleNs) const {
     const double waited = idleNs - kAtOnceNs;
     return waited <= 0 ? 0 : (std::clamp(waited / kPausePart, kMinPauseNs, kMaxPauseNs) + m_measured.sleepNs) / 2;
@@ -421,10 +434,13 @@ void StepSimulation::Play::transmit(bool isOut, unsigned worker, double bytes, A
     Worker &own = m_workers[worker];
     double &busyUntil = m_cluster.sharesWire ? (isOut ? m_outBusyUntil : m_inBusyUntil) : (isOut ? own.outBusyUntil : own.inBusyUntil);
     busyUntil = std::max(busyUntil, m_now) + bytes * m_cluster.network.nsPerByte();
-    // On one machine a simulated network's thread copies messages, too, and sleeps between two looks.
-    const bool isSimulated = m_cluster.cores > 0 && m_cluster.network.isSlowed();
-    if (isSimulated) m_busyNs += kMessageNs + bytes * m_copyNsPerByte;
-    at(busyUntil + m_cluster.network.delayNs + (isSimulated ? (kMinPauseNs + m_measured.sleepNs) / 2 : 0), std::move(then));
+    // On one machine a simulated network's thread copies messages, too, and is asleep when one comes.
+    double late = 0;
+    if (m_cluster.cores > 0 && m_cluster.network.isSlowed()) {
+        m_busyNs += kMessageNs + bytes * m_copyNsPerByte;
+        late = (kMinPauseNs + m_measured.sleepNs) / 2;
+    }
+    at(busyUntil + m_cluster.network.delayNs + late, std::move(then));
 }
 
 void StepSimulation::Play::arriveHome(double ns, Action handle) {
