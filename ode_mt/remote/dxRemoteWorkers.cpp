@@ -31,7 +31,7 @@ constexpr double kGreetingNs = 10e9;    // a worker in the place of another one 
 constexpr double kRestartPollNs = 20e6; // between two looks at whether a worker has started
 constexpr double kMaxStartNs = 3e9;     // close() waits so long for a worker that is being started
 constexpr double kDrainNs = 1e9;        // close() waits so long for results that nobody needs, so that all can end in good order
-constexpr double kBetweenLooksNs = 10e3;  // a thread of home's that has other work looks no more often
+constexpr double kBetweenLooksNs = 60e3;  // a thread of home's that has other work looks no more often
 constexpr double kHelpedNs = 400e3;       // nor does the communication thread, when home has looked within that time
 constexpr double kMostBesideHomeNs = 2e6; // between two looks of that thread's, while home's may look: it takes cores from those that solve
 constexpr double kPatienceNs = 3e9;     // a step that waits for workers takes home what has not been sent when nothing has happened for so long
@@ -801,8 +801,12 @@ dxRemoteBatch::~dxRemoteBatch() {
 }
 
 void dxRemoteBatch::submit(unsigned index, dxRemoteBytes &&bytes, double cost) {
-    const Undisturbed whole;
-    dxRemoteWorkers::Lock lock(m_workers.m_mutex);
+    queue(index, std::move(bytes), cost);
+    m_workers.help();
+}
+
+void dxRemoteBatch::queue(unsigned index, dxRemoteBytes &&bytes, double cost) {
+    const dxRemoteWorkers::Lock lock(m_workers.m_mutex);
     dxRemoteProblem &problem = m_problems[index];
     problem.bytes = std::move(bytes);
     problem.cost = m_pace * cost;
@@ -814,7 +818,6 @@ void dxRemoteBatch::submit(unsigned index, dxRemoteBytes &&bytes, double cost) {
     queue.splice(std::upper_bound(queue.begin(), queue.end(), &problem,
                                   [](const dxRemoteProblem *a, const dxRemoteProblem *b) { return a->cost > b->cost; }),
                  m_nodes, m_nodes.begin());
-    m_workers.help(lock);
     m_workers.tell();
 }
 

@@ -260,6 +260,7 @@ private:
     friend class dxRemoteWorkers;
     using State = dxRemoteProblem::State;
 
+    void queue(unsigned index, dxRemoteBytes &&problem, double cost);
     void count(dxRemoteOutcome outcome);
     void discount(dxRemoteOutcome outcome);
     bool takeReady(State state, unsigned &index, dxRemoteBytes *result);
