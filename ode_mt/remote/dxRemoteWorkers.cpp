@@ -87,7 +87,7 @@ void dxRemoteWorkers::open(const char *name, const dxRemoteHello &hello, Open op
     m_name = name;
     m_hello = hello;
     m_open = std::move(open);
-    m_isClosing = m_hasBegun = m_isWaking = m_isCommunicating = m_isForAllThreads = m_isAsleep = false;
+    m_isClosing = m_hasBegun = m_isWaking = m_isCommunicating = m_isTurnAwaited = m_isForAllThreads = m_isAsleep = false;
     const auto body = [](void *self) -> void * {
         static_cast<dxRemoteWorkers *>(self)->communicate();
         return nullptr;
@@ -132,15 +132,17 @@ void dxRemoteWorkers::close() {
           static_cast<unsigned long long>(all.outcomes.returned()), all.late, all.lost, all.replaced, all.waitedNs / 1e6);
 }
 
-// The thread is the parent's, and so are the workers; it may have held the lock. A signal handler may have forked in the middle of a step, which the
-// child goes on with, at home.
+// The thread is the parent's, and so are the workers. A signal handler may have forked in the middle of a step, which the child goes on with, at home.
+// Where another thread held the lock, none that steps is in the child, and lists may be half changed.
 void dxRemoteWorkers::inForkedChild() {
     m_areThere.store(false, std::memory_order_relaxed);
     m_isRunning = m_isForAllThreads = m_isCommunicating = false;
-    for (Link &one : m_links) one.link.lose();
-    for (const auto &[number, batch] : m_batches)
-        for (dxRemoteProblem &problem : batch->m_problems) takeHome(problem, dxRemoteOutcome::Lost);
-    m_queue.clear();
+    if (m_mutex.try_lock()) {
+        for (Link &one : m_links) one.link.lose();
+        for (const auto &[number, batch] : m_batches)
+            for (dxRemoteProblem &problem : batch->m_problems) takeHome(problem, dxRemoteOutcome::Lost);
+        m_queue.clear();
+    }
     new (&m_mutex) std::mutex;
     new (&m_wake) std::condition_variable;
     new (&m_done) std::condition_variable;
@@ -214,8 +216,11 @@ bool dxRemoteWorkers::isProcessOver(Lock &lock) {
     }
 }
 
+// The next turn: several threads of home's would go on taking it from each other.
 void dxRemoteWorkers::awaitTurn(Lock &lock) {
+    m_isTurnAwaited = true;
     m_turn.wait(lock, [this] { return !m_isCommunicating; });
+    m_isTurnAwaited = false;
 }
 
 void dxRemoteWorkers::begin() {
@@ -739,7 +744,7 @@ void dxRemoteWorkers::help() {
 
 // Under Undisturbed. Returns whether there was anything to do.
 bool dxRemoteWorkers::help(Lock &lock) {
-    if (!m_isForAllThreads || m_isCommunicating || m_isClosing) return false;
+    if (!m_isForAllThreads || m_isCommunicating || m_isTurnAwaited || m_isClosing) return false;
     m_isCommunicating = true;
     const bool hasDone = communicateOnce(lock);
     m_isCommunicating = false;

@@ -192,7 +192,7 @@ private:
     std::condition_variable m_wake;  // of the communication thread
     std::condition_variable m_done;  // of threads that wait for results
     std::condition_variable m_turn;  // of the communication thread, while one of home's has it
-    bool m_isCommunicating = false, m_isForAllThreads = false, m_isAsleep = false;
+    bool m_isCommunicating = false, m_isTurnAwaited = false, m_isForAllThreads = false, m_isAsleep = false;
     std::atomic<double> m_helpedAt{0};
     pthread_t m_thread{};
     bool m_isRunning = false, m_isClosing = false, m_hasBegun = false;

@@ -18,6 +18,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "../frame/sanitizers.h"
 #include "loopback_transport.h"
 
 namespace {
@@ -172,11 +173,12 @@ TEST_F(RemoteHelp, WaitsWhileWorkersAreReplaced) {
         if (worker == 0 && count == 10) fate.kind = LoopbackFate::Kind::Dies;
         return fate;
     });
-    for (int rounds = 0; rounds < 50 && m_workers.counts().replaced < replaced + 2; ++rounds) expectOneAtATime(5);
-    EXPECT_GE(m_workers.counts().replaced, replaced + 2);
+    for (int rounds = 0; rounds < 500 && m_workers.counts().replaced == replaced; ++rounds) expectOneAtATime(5);
+    EXPECT_GT(m_workers.counts().replaced, replaced);
 }
 
 TEST_F(RemoteHelp, IsNoPlaceWhereAThreadIsCancelled) {
+    if (kAddressSanitizer) GTEST_SKIP() << "AddressSanitizer does not bear the end of a cancelled thread";
     open(true);
     unsigned right = 0;
     bool isThere = false;
@@ -265,6 +267,7 @@ TEST_F(RemoteHelp, LetsHandlersUseTheWorkers) {
 
 // The child goes on with the step, at home.
 TEST_F(RemoteHelp, IsNotGivenByTheChildOfAHandlerThatForks) {
+    if (kAddressSanitizer) GTEST_SKIP() << "another thread may hold a lock of AddressSanitizer's, which the child would wait for";
     static pid_t child;
     child = -1;
     handleSignals(m_calls, [](int) {
@@ -279,6 +282,25 @@ TEST_F(RemoteHelp, IsNotGivenByTheChildOfAHandlerThatForks) {
     waitpid(child, &status, 0);
     EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
     EXPECT_EQ(right, 50u);
+}
+
+// Whoever holds the lock at that moment is not in the child.
+TEST_F(RemoteHelp, DoesNotDisturbChildrenOfOtherThreads) {
+    if (kAddressSanitizer) GTEST_SKIP() << "another thread may hold a lock of AddressSanitizer's, which the child would wait for";
+    open(true);
+    std::atomic<bool> isOver{false};
+    std::thread stepping([&] {
+        while (!isOver) EXPECT_EQ(step(50), 50u);
+    });
+    for (int i = 0; i < 200; ++i) {
+        const pid_t child = fork();
+        if (child == 0) _exit(m_workers.areThere() ? 1 : 0);
+        int status = 0;
+        waitpid(child, &status, 0);
+        EXPECT_EQ(status, 0);
+    }
+    isOver = true;
+    stepping.join();
 }
 
 TEST_F(RemoteHelp, ThatThrowsLeavesTheStepAtHome) {

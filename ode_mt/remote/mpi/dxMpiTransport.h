@@ -11,8 +11,8 @@
 // (MPI_ERRORS_RETURN); the first one loses the link.
 //
 // Threading: the thread that makes the transport initialises MPI, unless the program has, and ends it. Others may send and receive where MPI gives
-// MPI_THREAD_SERIALIZED; MPI_THREAD_FUNNELED suffices for the first one alone, which is MPI's main thread, where no worker is spawned. Where the program has initialised MPI, it must have
-// asked for MPI_THREAD_MULTIPLE.
+// MPI_THREAD_SERIALIZED; MPI_THREAD_FUNNELED suffices for the first one alone, which is MPI's main thread, where no worker is spawned. Where the
+// program has initialised MPI, it must have asked for MPI_THREAD_MULTIPLE.
 #pragma once
 
 #include <mpi.h>
