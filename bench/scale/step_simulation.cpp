@@ -2,11 +2,13 @@
 
 #include "dynamics/dxCostModel.h"
 #include "dynamics/remote/dxRemoteShare.h"
+#include "remote/dxPollPause.h"
 #include "remote/dxRemoteLink.h"
 #include "remote/dxRemoteNumber.h"
 #include "remote/dxRemoteSchedule.h"
 
 #include <algorithm>
+#include <chrono>
 #include <deque>
 #include <functional>
 #include <limits>
@@ -21,10 +23,6 @@ namespace {
 // Of a message, besides its bytes, at each end: to make it, hand it to MPI or take it from there.
 constexpr double kMessageNs = 2e3;
 constexpr double kFrameBytes = 32, kItemBytes = 16;  // headers
-
-// A thread that has nothing else to do looks for messages at once for a moment; then it sleeps between two looks, the longer the longer nothing
-// has come (dxPollPause).
-constexpr double kAtOnceNs = 100e3, kPausePart = 8, kMinPauseNs = 20e3, kMaxPauseNs = 100e3;
 
 // While home's thread has a long island, another one looks for messages so much later.
 constexpr double kBesideHomeNs = 1e6;
@@ -362,8 +360,8 @@ void StepSimulation::Play::wakeHome() {
 
 // Half of the pause in which a message finds one that has had nothing to do for so long.
 double StepSimulation::Play::lookNs(double idleNs) const {
-    const double waited = idleNs - kAtOnceNs;
-    return waited <= 0 ? 0 : (std::clamp(waited / kPausePart, kMinPauseNs, kMaxPauseNs) + m_measured.sleepNs) / 2;
+    const double waited = idleNs - std::chrono::duration<double, std::nano>(dxPollPause::kAtOnce).count();
+    return waited <= 0 ? 0 : (dxPollPause::pauseNs(waited, dxPollPause::longestNs(waited)) + m_measured.sleepNs) / 2;
 }
 
 // One message. Returns how long that takes; 0: there is none to send or to receive.
@@ -438,7 +436,7 @@ void StepSimulation::Play::transmit(bool isOut, unsigned worker, double bytes, A
     double late = 0;
     if (m_cluster.cores > 0 && m_cluster.network.isSlowed()) {
         m_busyNs += kMessageNs + bytes * m_copyNsPerByte;
-        late = (kMinPauseNs + m_measured.sleepNs) / 2;
+        late = (dxPollPause::pauseNs(0, dxPollPause::longestNs(0)) + m_measured.sleepNs) / 2;
     }
     at(busyUntil + m_cluster.network.delayNs + late, std::move(then));
 }

@@ -3,13 +3,13 @@
 // takes problems back and when a worker is late is decided by the library's own code (dxCostModel, dxRemoteShare, dxRemoteLink, dxRemoteSchedule), for
 // which time is a number.
 //
-//   home's thread     makes problems, steps the islands that stay, applies results, solves what nobody has
-//   communication     one message at a time: a price each, and a price a byte (checksum, copies)
+//   home's thread     makes problems, steps the islands that stay, applies results, solves what nobody has; in between sends and receives, one
+//                     message at a time: a price each, and a price a byte (checksum, copies)
 //   home's wire       bytes one after the other in each direction, whoever they are for; then the delay
 //   each worker       a wire, a thread: one message at a time
 //
-// Assumed: home has one thread for islands and another core for its communication; workers solve as fast as the one that was measured; a message
-// makes progress while both ends compute.
+// Assumed: home has one thread for islands, and another core for the thread that communicates while these are long; workers solve as fast as the one
+// that was measured; a message makes progress while both ends compute.
 //
 // Units: ns.
 #pragma once

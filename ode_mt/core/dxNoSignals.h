@@ -7,27 +7,21 @@
 // Three calls of the system: 3 us on a virtual machine. Not to be held while user code runs.
 #pragma once
 
-#include <pthread.h>
 #include <signal.h>
 #include <time.h>
 
+#include "core/dxBlockedSignals.h"
+
 class dxNoSignals {
 public:
-    dxNoSignals() {
-        sigset_t all;
-        sigfillset(&all);
-        pthread_sigmask(SIG_SETMASK, &all, &m_before);
-        m_wasPending = sigismember(&m_before, SIGPIPE) == 1 && isPending();
-    }
+    dxNoSignals() : m_wasPending(m_blocked.wasBlocked(SIGPIPE) && isPending()) {}
     ~dxNoSignals() {
-        if (!m_wasPending && isPending()) {
-            sigset_t pipe;
-            sigemptyset(&pipe);
-            sigaddset(&pipe, SIGPIPE);
-            const timespec now{};
-            sigtimedwait(&pipe, nullptr, &now);
-        }
-        pthread_sigmask(SIG_SETMASK, &m_before, nullptr);
+        if (m_wasPending || !isPending()) return;
+        sigset_t pipe;
+        sigemptyset(&pipe);
+        sigaddset(&pipe, SIGPIPE);
+        const timespec now{};
+        sigtimedwait(&pipe, nullptr, &now);
     }
     dxNoSignals(const dxNoSignals &) = delete;
     dxNoSignals &operator=(const dxNoSignals &) = delete;
@@ -40,6 +34,6 @@ private:
         return sigismember(&pending, SIGPIPE) == 1;
     }
 
-    sigset_t m_before;
-    bool m_wasPending;
+    const dxBlockedSignals m_blocked;
+    const bool m_wasPending;
 };

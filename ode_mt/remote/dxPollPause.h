@@ -23,6 +23,12 @@ public:
     static double longestNs(double waited) { return waited < kLongWaitNs ? kMaxNs : kMaxLongNs; }
     static bool isLong(double waited) { return waited >= kLongWaitNs; }
 
+    // What a thread sleeps that has slept so long.
+    static double pauseNs(double waited, double mostNs) { return std::clamp(waited / kPart, kMinNs, mostNs); }
+
+    // For which it looks at once.
+    static constexpr std::chrono::microseconds kAtOnce{100};
+
     void reset() { *this = dxPollPause(); }
 
     // Whether the moment has not gone by in which a pause is not worth while.
@@ -34,7 +40,7 @@ public:
 
     Duration next() { return next(longestNs(m_waited)); }
     Duration next(double mostNs) {
-        const double ns = std::clamp(m_waited / kPart, kMinNs, mostNs);
+        const double ns = pauseNs(m_waited, mostNs);
         m_waited += ns;
         return Duration(static_cast<Duration::rep>(ns));
     }
@@ -42,7 +48,6 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
-    static constexpr std::chrono::microseconds kAtOnce{100};
     static constexpr double kPart = 8;  // a pause is an eighth of the time waited so far
     static constexpr double kMinNs = 20e3, kMaxNs = 100e3;
     static constexpr double kLongWaitNs = 1e9, kMaxLongNs = 10e6;

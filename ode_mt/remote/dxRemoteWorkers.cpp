@@ -87,7 +87,8 @@ void dxRemoteWorkers::open(const char *name, const dxRemoteHello &hello, Open op
     m_name = name;
     m_hello = hello;
     m_open = std::move(open);
-    m_isClosing = m_hasBegun = m_isWaking = m_isCommunicating = m_isTurnAwaited = m_isForAllThreads = m_isAsleep = false;
+    m_isClosing = m_hasBegun = m_isWaking = m_isCommunicating = m_isTurnAwaited = m_isAsleep = false;
+    m_isForAllThreads = false;
     const auto body = [](void *self) -> void * {
         static_cast<dxRemoteWorkers *>(self)->communicate();
         return nullptr;
@@ -136,7 +137,8 @@ void dxRemoteWorkers::close() {
 // Where another thread held the lock, none that steps is in the child, and lists may be half changed.
 void dxRemoteWorkers::inForkedChild() {
     m_areThere.store(false, std::memory_order_relaxed);
-    m_isRunning = m_isForAllThreads = m_isCommunicating = false;
+    m_isRunning = m_isCommunicating = false;
+    m_isForAllThreads = false;
     if (m_mutex.try_lock()) {
         for (Link &one : m_links) one.link.lose();
         for (const auto &[number, batch] : m_batches)
@@ -581,17 +583,19 @@ void dxRemoteWorkers::sleep(Lock &lock) {
             return state == dxRemoteLink::State::New || state == dxRemoteLink::State::Measured || !one.link.inFlight().empty();
         });
     };
-    const bool isMeasured = std::any_of(m_links.begin(), m_links.end(), [](const Link &one) { return one.link.state() == dxRemoteLink::State::Measured; });
-    const bool isReplaced = m_canReplace && std::any_of(m_links.begin(), m_links.end(), [](const Link &one) {
-        return one.link.state() == dxRemoteLink::State::Lost && !one.isRefused;
-    });
-    if (isPolled() && now() - m_helpedAt < kHelpedNs) {
-        m_wake.wait_for(lock, duration(kHelpedNs));
-    } else if (isMeasured && m_pause.isAtOnce(kEchoMoment)) {
-        const dxUnlocked others(lock);
-    } else if (isPolled()) {
-        m_wake.wait_for(lock, m_isForAllThreads ? m_pause.next(kMostBesideHomeNs) : m_pause.next());
+    if (isPolled()) {
+        const bool isMeasured = std::any_of(m_links.begin(), m_links.end(), [](const Link &one) { return one.link.state() == dxRemoteLink::State::Measured; });
+        if (now() - m_helpedAt < kHelpedNs) {
+            m_wake.wait_for(lock, duration(kHelpedNs));
+        } else if (isMeasured && m_pause.isAtOnce(kEchoMoment)) {
+            const dxUnlocked others(lock);
+        } else {
+            m_wake.wait_for(lock, m_isForAllThreads ? m_pause.next(kMostBesideHomeNs) : m_pause.next());
+        }
     } else {
+        const bool isReplaced = m_canReplace && std::any_of(m_links.begin(), m_links.end(), [](const Link &one) {
+            return one.link.state() == dxRemoteLink::State::Lost && !one.isRefused;
+        });
         m_isAsleep = true;
         m_wake.wait_for(lock, duration(isReplaced ? kRestartPollNs : kLookNs), [&] { return hasSomethingToSay() || isPolled(); });
         m_isAsleep = false;
@@ -736,7 +740,7 @@ void dxRemoteWorkers::noticeLate(double time) {
 // --- on home's threads --------------------------------------------------------------------------------------
 
 void dxRemoteWorkers::help() {
-    if (now() - m_helpedAt.load(std::memory_order_relaxed) < kBetweenLooksNs) return;
+    if (!m_isForAllThreads || now() - m_helpedAt < kBetweenLooksNs) return;
     const Undisturbed whole;
     Lock lock(m_mutex);
     help(lock);
@@ -749,7 +753,7 @@ bool dxRemoteWorkers::help(Lock &lock) {
     const bool hasDone = communicateOnce(lock);
     m_isCommunicating = false;
     if (hasDone) m_pause.reset();
-    m_helpedAt.store(now(), std::memory_order_relaxed);
+    m_helpedAt = now();
     m_turn.notify_one();
     return hasDone;
 }

@@ -192,8 +192,9 @@ private:
     std::condition_variable m_wake;  // of the communication thread
     std::condition_variable m_done;  // of threads that wait for results
     std::condition_variable m_turn;  // of the communication thread, while one of home's has it
-    bool m_isCommunicating = false, m_isTurnAwaited = false, m_isForAllThreads = false, m_isAsleep = false;
-    std::atomic<double> m_helpedAt{0};
+    bool m_isCommunicating = false, m_isTurnAwaited = false, m_isAsleep = false;
+    std::atomic<bool> m_isForAllThreads{false};  // the transport
+    std::atomic<double> m_helpedAt{0};           // when one of home's last looked
     pthread_t m_thread{};
     bool m_isRunning = false, m_isClosing = false, m_hasBegun = false;
     std::atomic<bool> m_areThere{false};

@@ -55,17 +55,17 @@ bool dxSharingPolicy::shouldTimeAlone() {
 }
 
 // The first calls after a change of ways are cold, the next one begins the average anew.
-void dxSharingPolicy::average(Way &way, int cold, double ns) {
+void dxSharingPolicy::average(Way &way, double ns) {
     countUp(way.callsInRow);
-    if (way.callsInRow <= cold && way.ns != 0) return;
-    const bool isFirst = way.callsInRow == cold + 1 || way.ns == 0;
+    if (way.callsInRow <= way.cold && way.ns != 0) return;
+    const bool isFirst = way.callsInRow == way.cold + 1 || way.ns == 0;
     way.ns = isFirst ? ns : dxMovingAverage(way.ns, ns, kWeight);
 }
 
 void dxSharingPolicy::record(bool shared, double ns) {
     Way &way = shared ? m_shared : m_alone, &other = shared ? m_alone : m_shared;
     other.callsInRow = 0;
-    average(way, shared ? m_sharedCold : kCold, ns);
+    average(way, ns);
     m_untimedCalls = m_alone.callsInRow >= kMinCallsInRow && m_alone.ns < kMinTimed ? kUntimedCalls : 0;
     account(shared, ns);
     if (shared != m_isSharing) return;  // too small to be shared
@@ -74,7 +74,7 @@ void dxSharingPolicy::record(bool shared, double ns) {
         return;
     }
     countUp(m_calls);
-    if (m_doubtedNs > 0 && way.callsInRow >= (shared ? m_sharedProbe : kProbe)) {
+    if (m_doubtedNs > 0 && way.callsInRow >= way.probe) {
         if (hasGrownSince(way)) {
             m_isSharing = !m_isSharing;
             beginUse(m_doubtedNs);
@@ -112,7 +112,7 @@ void dxSharingPolicy::judgeProbe(double ns) {
     const Way &probed = m_isSharing ? m_shared : m_alone, &usual = m_isSharing ? m_alone : m_shared;
     const bool isHopeless = !m_isSharing && ns > kHopeless * usual.ns, isBrokenOff = isHopeless || (m_isSharing && isDebtTooHigh());
     if (isHopeless) m_alone.ns = ns;
-    if (probed.callsInRow < (m_isSharing ? m_sharedProbe : kProbe) && !isBrokenOff) return;
+    if (probed.callsInRow < probed.probe && !isBrokenOff) return;
     const bool pays = !isBrokenOff && dxPaysClearly(probed.ns, usual.ns, kMargin);
     dxLog(dxLogLevel::debug, "a call of %.0f us takes %.0f us when the way in use is exchanged: %s from now on",
           usual.ns / 1e3, probed.ns / 1e3, m_isSharing == pays ? "shared" : "alone");

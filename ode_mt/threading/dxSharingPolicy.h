@@ -19,7 +19,7 @@ public:
     dxSharingPolicy() = default;
 
     // For work that is slow when it is shared for the first times: so many calls make a probe of sharing, of which the first ones are cold.
-    dxSharingPolicy(int sharedProbe, int sharedCold) : m_sharedProbe(sharedProbe), m_sharedCold(sharedCold) {}
+    dxSharingPolicy(int sharedProbe, int sharedCold) : m_shared{sharedProbe, sharedCold} {}
 
     // Whether the next call should be shared.
     bool shouldShare() const;
@@ -32,14 +32,14 @@ public:
 
 private:
     struct Way {
+        int probe = 3, cold = 1;  // calls that make a probe, and the first of them that do not count
         double ns = 0;      // moving average of a call; 0: never measured
         int callsInRow = 0;
     };
 
     static constexpr int kMinEarlyRetry = 8;  // calls
-    static constexpr int kProbe = 3, kCold = 1;
 
-    void average(Way &way, int cold, double ns);
+    void average(Way &way, double ns);
     bool isTimeForProbe(const Way &way) const;
     bool isEarly() const;
     bool isPaidBack() const;
@@ -50,7 +50,6 @@ private:
     void endProbe(double ns);
     bool hasGrownSince(const Way &way) const;
 
-    int m_sharedProbe = kProbe, m_sharedCold = kCold;
     Way m_alone, m_shared;
     bool m_isSharing = false;  // the way in use; during a probe the other one
     bool m_isProbe = false;

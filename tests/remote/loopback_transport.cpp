@@ -1,5 +1,6 @@
 #include "loopback_transport.h"
 
+#include <cstdio>
 #include <cstring>
 #include <new>
 #include <utility>
@@ -11,6 +12,13 @@ namespace {
 constexpr std::size_t kDisconnected = 1;  // stands for the message that cannot be received
 
 }  // namespace
+
+dxRemoteHello helloOf(const char *version) {
+    dxRemoteHello hello;
+    std::snprintf(hello.version, sizeof hello.version, "%s", version);
+    hello.realSize = 8;
+    return hello;
+}
 
 struct LoopbackTransport::Worker final : dxRemoteTransport {
     unsigned links() const override { return 1; }

@@ -26,6 +26,9 @@ struct LoopbackFate {
     unsigned bit = 0;  // which one is flipped, modulo the size
 };
 
+// Of workers for tests.
+dxRemoteHello helloOf(const char *version);
+
 class LoopbackTransport final : public dxRemoteTransport {
 public:
     // What becomes of a message that the worker sends; `count`: how many it has sent before. On the worker's thread.

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
-#include <cstring>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -24,13 +23,6 @@
 namespace {
 
 void solve(const std::byte *problem, std::size_t size, dxRemoteBytes &result) { result.assign(problem, problem + size); }
-
-dxRemoteHello hello() {
-    dxRemoteHello hello;
-    std::strcpy(hello.version, "1");
-    hello.realSize = 8;
-    return hello;
-}
 
 // What a transport was told, by whom.
 struct Calls {
@@ -66,7 +58,7 @@ private:
 class WatchedTransport final : public dxRemoteTransport {
 public:
     WatchedTransport(unsigned workers, Calls &calls, bool isForAllThreads, std::thread::id faulty, LoopbackTransport::Fate fate)
-        : m_below(workers, hello(), solve, fate), m_calls(calls), m_isForAllThreads(isForAllThreads), m_faulty(faulty) {
+        : m_below(workers, helloOf("1"), solve, fate), m_calls(calls), m_isForAllThreads(isForAllThreads), m_faulty(faulty) {
         if (fate) m_below.setReplacing();
     }
 
@@ -111,7 +103,7 @@ protected:
 
     // `faulty`: a thread whose calls throw. `fate`: of workers, which are replaced.
     void open(bool isForAllThreads, std::thread::id faulty = {}, const LoopbackTransport::Fate &fate = nullptr) {
-        m_workers.open("loopback", hello(), [=](std::string &) { return std::make_unique<WatchedTransport>(2, m_calls, isForAllThreads, faulty, fate); });
+        m_workers.open("loopback", helloOf("1"), [=](std::string &) { return std::make_unique<WatchedTransport>(2, m_calls, isForAllThreads, faulty, fate); });
         ASSERT_EQ(m_workers.capacity().workers, 2u);
     }
 
@@ -201,14 +193,26 @@ TEST_F(RemoteHelp, IsNoPlaceWhereAThreadIsCancelled) {
     EXPECT_TRUE(isThere);
 }
 
+// Each call of the transport's that sends raises this signal for its own thread: home's, or the other one, which has signals blocked.
+class RaisedSignal {
+public:
+    RaisedSignal(Calls &calls, int signal, void (*handle)(int)) : m_signal(signal) {
+        struct sigaction handler {};
+        handler.sa_handler = handle;
+        sigaction(signal, &handler, &m_before);
+        calls.disturb = [signal] { pthread_kill(pthread_self(), signal); };
+    }
+    ~RaisedSignal() { sigaction(m_signal, &m_before, nullptr); }
+
+private:
+    const int m_signal;
+    struct sigaction m_before;
+};
+
 // As a call that writes to a worker which has ended.
 TEST_F(RemoteHelp, RaisesNoSignal) {
     static std::atomic<int> signals{0};
-    const auto handle = [](int) { ++signals; };
-    struct sigaction handler {}, before;
-    handler.sa_handler = handle;
-    sigaction(SIGPIPE, &handler, &before);
-    m_calls.disturb = [] { pthread_kill(pthread_self(), SIGPIPE); };
+    const RaisedSignal raised(m_calls, SIGPIPE, [](int) { ++signals; });
     open(true);
     errno = 0;
     EXPECT_EQ(step(50, false), 50u);
@@ -217,7 +221,6 @@ TEST_F(RemoteHelp, RaisesNoSignal) {
     m_workers.close();
     raise(SIGPIPE);
     EXPECT_EQ(signals, 1) << "the program's own arrives";
-    sigaction(SIGPIPE, &before, nullptr);
 }
 
 TEST_F(RemoteHelp, LeavesErrnoAndTheSignalMaskAsTheyAre) {
@@ -248,18 +251,10 @@ TEST_F(RemoteHelp, LeavesTheProgramItsPendingSignal) {
     pthread_sigmask(SIG_UNBLOCK, &pipe, nullptr);
 }
 
-// Calls `handle` on each signal that a call of the transport's sends to its own thread, home's or the other one, which has signals blocked.
-void handleSignals(Calls &calls, void (*handle)(int)) {
-    struct sigaction handler {};
-    handler.sa_handler = handle;
-    sigaction(SIGUSR1, &handler, nullptr);
-    calls.disturb = [] { pthread_kill(pthread_self(), SIGUSR1); };
-}
-
 // As exit() does, which closes them.
 TEST_F(RemoteHelp, LetsHandlersUseTheWorkers) {
     static std::atomic<unsigned> handled{0};
-    handleSignals(m_calls, [](int) { handled += dxRemoteWorkers::instance().capacity().workers; });
+    const RaisedSignal raised(m_calls, SIGUSR1, [](int) { handled += dxRemoteWorkers::instance().capacity().workers; });
     open(true);
     for (int steps = 0; steps < 200 && handled == 0; ++steps) EXPECT_EQ(step(50, false), 50u);
     EXPECT_GE(handled, 2u);
@@ -270,7 +265,7 @@ TEST_F(RemoteHelp, IsNotGivenByTheChildOfAHandlerThatForks) {
     if (kAddressSanitizer) GTEST_SKIP() << "another thread may hold a lock of AddressSanitizer's, which the child would wait for";
     static pid_t child;
     child = -1;
-    handleSignals(m_calls, [](int) {
+    const RaisedSignal raised(m_calls, SIGUSR1, [](int) {
         if (child < 0) child = fork();
     });
     open(true);

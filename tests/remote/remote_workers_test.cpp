@@ -34,13 +34,6 @@ void solve(const std::byte *problem, std::size_t size, dxRemoteBytes &result) {
 
 dxRemoteBytes problemOf(unsigned index) { return dxRemoteBytes(1000 + 37 * index, std::byte(index)); }
 
-dxRemoteHello helloOf(const char *version) {
-    dxRemoteHello hello;
-    std::snprintf(hello.version, sizeof hello.version, "%s", version);
-    hello.realSize = 8;
-    return hello;
-}
-
 class RemoteWorkers : public testing::Test {
 protected:
     void open(unsigned workers, LoopbackTransport::Fate fate = nullptr, const char *version = "1") {

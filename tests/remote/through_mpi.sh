@@ -60,15 +60,20 @@ workers_of() {
     done
 }
 
+# At most some seconds.
+await_workers() {  # JOB COUNT
+    for i in $(seq 200); do [ "$(workers_of "$1" | wc -l)" -ge "$2" ] && break; sleep 0.02; done
+}
+
 kill_one() {
-    for i in $(seq 200); do [ -n "$(workers_of "$1")" ] && break; sleep 0.02; done
+    await_workers "$1" 1
     sleep 0.6
     victim=$(workers_of "$1" | head -1)
     [ -z "$victim" ] || kill -9 "$victim" || true
 }
 
 stop_one() {
-    for i in $(seq 200); do [ -n "$(workers_of "$1")" ] && break; sleep 0.02; done
+    await_workers "$1" 1
     sleep 0.6
     victim=$(workers_of "$1" | head -1)
     [ -z "$victim" ] && return
@@ -98,7 +103,7 @@ if [ "$ALONE" = --enable-recovery ]; then
     # Each worker is a job of its own, which Open MPI would bind to the first core.
     ODE_MT_WORKERS=mpi:2 LD_LIBRARY_PATH=$LIBRARY timeout -k 5 60 "$SCENARIO" shared_scenes/humanoids/world --steps 100000 > output 2>&1 &
     job=$!
-    for i in $(seq 300); do [ "$(workers_of $job | wc -l)" = 2 ] && break; sleep 0.05; done
+    await_workers $job 2
     sleep 0.5  # some time after MPI has begun in them
     processors=$(for worker in $(workers_of $job); do grep Cpus_allowed_list "/proc/$worker/status"; done | sort | uniq -c)
     kill $job; wait $job 2> /dev/null || true

@@ -8,7 +8,6 @@
 #include <atomic>
 #include <chrono>
 #include <climits>
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -16,6 +15,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/dxBlockedSignals.h"
 #include "remote/dxLibraryFile.h"
 #include "remote/mpi/dxMpiHelp.h"
 
@@ -298,9 +298,7 @@ void dxMpiTransport::replace(unsigned link) {
     auto start = std::make_shared<Start>();
     start->link = link;
     m_links[link].communicator = m_probed[link] = MPI_COMM_NULL;
-    sigset_t all, own;
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &own);  // signals are the program's
+    const dxBlockedSignals blocked;
     try {
         std::thread([start, program = m_program] {
             spawnOne(program, start->worker);
@@ -309,7 +307,6 @@ void dxMpiTransport::replace(unsigned link) {
         m_start = std::move(start);
     } catch (const std::exception &) {  // no thread: the replacement has failed
     }
-    pthread_sigmask(SIG_SETMASK, &own, nullptr);
 }
 
 dxRemoteTransport::Replacement dxMpiTransport::replacement() {

@@ -1,7 +1,6 @@
 #include "threading/pool/dxThreadCreation.h"
 
 #include <sched.h>
-#include <signal.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -12,6 +11,7 @@
 #include <mutex>
 #include <vector>
 
+#include "core/dxBlockedSignals.h"
 #include "core/dxLog.h"
 #include "core/dxNoCancellation.h"
 #include "threading/pool/dxWorkerOptions.h"
@@ -48,22 +48,6 @@ private:
     pthread_attr_t attributes;
 };
 
-// A new thread inherits the signal mask of its creator.
-class BlockedSignals {
-public:
-    BlockedSignals() {
-        sigset_t blocked;
-        sigfillset(&blocked);
-        for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT})
-            sigdelset(&blocked, fault);
-        pthread_sigmask(SIG_SETMASK, &blocked, &before);
-    }
-    ~BlockedSignals() { pthread_sigmask(SIG_SETMASK, &before, nullptr); }
-
-private:
-    sigset_t before;
-};
-
 // Of one thread; 0: the calling one. The first thread of a process has its number.
 int nicenessOf(id_t thread) { return getpriority(PRIO_PROCESS, thread); }
 
@@ -76,7 +60,7 @@ void *waitForGate(void *gate) {
 
 int dxStartThread(dxCreateThread create, pthread_t &thread, void *(*body)(void *), void *context, const dxWorkerOptions &options,
                   dxIfRefused ifRefused) {
-    const BlockedSignals blocked;
+    const dxBlockedSignals blocked;
     Attributes attributes(options);
     attributes.becomeOrdinary(options);
     const int refusal = create(&thread, attributes.get(), body, context);
