@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "comma_list.h"
 #include "error_output.h"
 #include "library_folders.h"
 #include "number_range.h"
 #include "program_line.h"
+#include "text_file.h"
 
 namespace check {
 
@@ -47,11 +46,7 @@ std::vector<std::string> readThreads(const std::string &list) {
 }
 
 // Of the function's name, which programs that call it do not define.
-bool isOurs(const std::string &library) {
-    std::ifstream stream(library, std::ios::binary);
-    const std::string text((std::istreambuf_iterator<char>(stream)), {});
-    return text.find("dToggleODE_MT") != std::string::npos;
-}
+bool isOurs(const std::string &library) { return bench::readWhatIsThere(library).find("dToggleODE_MT") != std::string::npos; }
 
 void checkLibraries(const CheckOptions &options) {
     bench::checkLibraryFolder("--stock-library", options.stockFolder);

@@ -7,12 +7,12 @@
 
 #include <csignal>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <sstream>
 #include <string>
 #include <vector>
+
+#include "text_file.h"
 
 namespace check {
 
@@ -31,8 +31,7 @@ struct Status {
 };
 
 Status statusOf(const std::string &process) {
-    std::ifstream stream("/proc/" + process + "/stat");
-    const std::string text((std::istreambuf_iterator<char>(stream)), {});
+    const std::string text = bench::readWhatIsThere("/proc/" + process + "/stat");
     Status status;
     if (const std::size_t name = text.rfind(')'); name != std::string::npos)
         std::istringstream(text.substr(name + 1)) >> status.state >> status.parent;

@@ -7,8 +7,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <sstream>
+
+#include "text_file.h"
 
 namespace check {
 
@@ -25,11 +26,6 @@ std::string inPath(const std::string &program) {
     for (std::string folder; std::getline(folders, folder, ':');)
         if (const std::string file = folder + '/' + program; access(file.c_str(), X_OK) == 0) return file;
     return "";
-}
-
-std::string contents(const std::string &file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 // Programs for this machine that name no loader (PT_INTERP).
@@ -55,7 +51,7 @@ bool hasOtherRights(const std::string &file) {
 // The list of its features, in which names follow one another, is in every build of ODE. Programs that ask for one have its name
 // alone.
 bool containsOde(const std::string &file) {
-    const std::string text = contents(file);
+    const std::string text = bench::readWhatIsThere(file);
     return text.find(" ODE_double_precision") != std::string::npos || text.find(" ODE_single_precision") != std::string::npos;
 }
 
