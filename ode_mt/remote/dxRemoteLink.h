@@ -46,6 +46,7 @@ public:
     // May be given problems now.
     bool isFree(double now) const;
     // Will be given some when what it has to do is back in time.
+    bool isIdle(double now) const { return isUsable(now) && m_inFlight.empty(); }
     bool isUsable(double now) const { return m_state == State::Open && !m_isLate && now >= m_pausedUntil; }
 
     void welcome() { m_state = State::Measured; }
@@ -55,6 +56,8 @@ public:
 
     // The worker was heard, or is sent what it wakes up for.
     void noteContact(double now);
+    // It has just answered.
+    void noteAwake(double now) { m_lastContact = m_looksBy = now; }
     // Has heard nothing for long.
     bool isAsleep(double now) const { return dxPollPause::isLong(now - m_lastContact); }
 

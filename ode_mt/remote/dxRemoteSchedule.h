@@ -6,6 +6,10 @@
 #include <algorithm>
 #include <cstddef>
 
+// A thread of home's that has other work looks for messages no more often, as each look costs it system calls (dxNoSignals.h), but for when a problem
+// is new and a worker has nothing to do.
+constexpr double kRemoteBetweenLooksNs = 60e3;
+
 // Problems go to the link with the least to do. Of elements with a dxRemoteLink `link`; null: none is free.
 template <class Links>
 auto dxFindFreestLink(Links &links, double now) -> decltype(links.data()) {
@@ -13,6 +17,11 @@ auto dxFindFreestLink(Links &links, double now) -> decltype(links.data()) {
     for (auto &one : links)
         if (one.link.isFree(now) && (freest == nullptr || one.link.inFlight().size() < freest->link.inFlight().size())) freest = &one;
     return freest;
+}
+
+template <class Links>
+bool dxIsAnyIdle(const Links &links, double now) {
+    return std::any_of(links.begin(), links.end(), [now](const auto &one) { return one.link.isIdle(now); });
 }
 
 // Problems go out together up to so much work: small ones share the price of a message. Towards the end of a step messages become small, so that

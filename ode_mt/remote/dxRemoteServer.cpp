@@ -40,7 +40,10 @@ dxRemoteServer::End dxRemoteServer::serve(double maxSilence) {
         } else {
             pause.wait();
         }
-        if (!m_hasEnded && !m_problems.empty()) solveFirst();
+        if (!m_hasEnded && !m_problems.empty()) {
+            solveFirst();
+            pause.reset();
+        }
     }
     return m_end;
 }

@@ -31,8 +31,8 @@ constexpr double kGreetingNs = 10e9;    // a worker in the place of another one 
 constexpr double kRestartPollNs = 20e6; // between two looks at whether a worker has started
 constexpr double kMaxStartNs = 3e9;     // close() waits so long for a worker that is being started
 constexpr double kDrainNs = 1e9;        // close() waits so long for results that nobody needs, so that all can end in good order
-constexpr double kBetweenLooksNs = 60e3;  // a thread of home's that has other work looks no more often
 constexpr double kHelpedNs = 400e3;       // nor does the communication thread, when home has looked within that time
+constexpr double kMostAtOnceNs = 100e3;   // a look of home's ends, though there is more to do
 constexpr double kMostBesideHomeNs = 2e6; // between two looks of that thread's, while home's may look: it takes cores from those that solve
 constexpr double kPatienceNs = 3e9;     // a step that waits for workers takes home what has not been sent when nothing has happened for so long
 
@@ -472,7 +472,8 @@ void dxRemoteWorkers::sendEcho(unsigned link, Lock &lock) {
 void dxRemoteWorkers::handleEcho(unsigned link, const dxRemoteBytes &message, Lock &lock) {
     Link &one = m_links[link];
     if (one.link.state() != dxRemoteLink::State::Measured || dxReadHeader(message).number != one.echoes) return lose(link, "sent an echo of nothing");
-    const double took = now() - one.echoSent;
+    const double time = now(), took = time - one.echoSent;
+    one.link.noteAwake(time);
     if (one.echoes < kSmallEchoes) {
         one.latencyNs = one.echoes == 0 ? took : std::min(one.latencyNs, took);
         ++one.echoes;
@@ -740,17 +741,26 @@ void dxRemoteWorkers::noticeLate(double time) {
 // --- on home's threads --------------------------------------------------------------------------------------
 
 void dxRemoteWorkers::help() {
-    if (!m_isForAllThreads || now() - m_helpedAt < kBetweenLooksNs) return;
+    if (now() - m_helpedAt >= kRemoteBetweenLooksNs) helpNow();
+}
+
+void dxRemoteWorkers::helpNow() {
+    if (!m_isForAllThreads) return;
     const Undisturbed whole;
     Lock lock(m_mutex);
     help(lock);
 }
 
-// Under Undisturbed. Returns whether there was anything to do.
+// Under Undisturbed. All that there is to do, but for what would hold up signals. Returns whether there was anything.
 bool dxRemoteWorkers::help(Lock &lock) {
     if (!m_isForAllThreads || m_isCommunicating || m_isTurnAwaited || m_isClosing) return false;
     m_isCommunicating = true;
-    const bool hasDone = communicateOnce(lock);
+    const double end = now() + kMostAtOnceNs;
+    bool hasDone = false;
+    while (communicateOnce(lock)) {
+        hasDone = true;
+        if (now() >= end) break;
+    }
     m_isCommunicating = false;
     if (hasDone) m_pause.reset();
     m_helpedAt = now();
@@ -810,24 +820,30 @@ dxRemoteBatch::~dxRemoteBatch() {
 }
 
 void dxRemoteBatch::submit(unsigned index, dxRemoteBytes &&bytes, double cost) {
-    queue(index, std::move(bytes), cost);
-    m_workers.help();
+    if (queue(index, std::move(bytes), cost))
+        m_workers.helpNow();
+    else
+        m_workers.help();
 }
 
-void dxRemoteBatch::queue(unsigned index, dxRemoteBytes &&bytes, double cost) {
+bool dxRemoteBatch::queue(unsigned index, dxRemoteBytes &&bytes, double cost) {
     const dxRemoteWorkers::Lock lock(m_workers.m_mutex);
     dxRemoteProblem &problem = m_problems[index];
     problem.bytes = std::move(bytes);
     problem.cost = m_pace * cost;
     problem.isPatient = !m_mayHurry;
     problem.state = State::Queued;
-    if (!m_workers.areThere() || m_workers.m_isClosing) return m_workers.takeHome(problem, dxRemoteOutcome::Lost);
+    if (!m_workers.areThere() || m_workers.m_isClosing) {
+        m_workers.takeHome(problem, dxRemoteOutcome::Lost);
+        return false;
+    }
     std::list<dxRemoteProblem *> &queue = m_workers.m_queue;
     m_nodes.front() = &problem;
     queue.splice(std::upper_bound(queue.begin(), queue.end(), &problem,
                                   [](const dxRemoteProblem *a, const dxRemoteProblem *b) { return a->cost > b->cost; }),
                  m_nodes, m_nodes.begin());
     m_workers.tell();
+    return dxIsAnyIdle(m_workers.m_links, m_workers.now());
 }
 
 dxRemoteBytes dxRemoteBatch::room() {

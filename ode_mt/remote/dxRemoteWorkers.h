@@ -104,7 +104,7 @@ public:
     // Problems are about to come: workers that sleep look for them again as often as they can.
     void wake();
 
-    // Between two islands: sends and receives what there is, if nobody else does.
+    // Between two islands: sends and receives what there is, if nobody else does, and nobody has for a while.
     void help();
 
     struct Counts {
@@ -170,6 +170,7 @@ private:
     void end();
 
     // --- on home's threads ----------------------------------------------------------------------------------
+    void helpNow();
     bool help(Lock &lock);
     void tell();
     bool lookForNews(Lock &lock, const dxPollPause &pause);
@@ -261,7 +262,8 @@ private:
     friend class dxRemoteWorkers;
     using State = dxRemoteProblem::State;
 
-    void queue(unsigned index, dxRemoteBytes &&problem, double cost);
+    // Returns whether a worker has nothing to do.
+    bool queue(unsigned index, dxRemoteBytes &&problem, double cost);
     void count(dxRemoteOutcome outcome);
     void discount(dxRemoteOutcome outcome);
     bool takeReady(State state, unsigned &index, dxRemoteBytes *result);

@@ -138,6 +138,24 @@ protected:
     Calls m_calls;
 };
 
+// Both workers have one when the second problem has been submitted, and none waits for the next look of home's. Now and then the communication thread has
+// the turn at that moment.
+TEST_F(RemoteHelp, AWorkerWithNothingToDoGetsAProblemAtOnce) {
+    constexpr unsigned kSteps = 100;
+    open(true);
+    unsigned atOnce = 0;
+    for (unsigned i = 0; i < kSteps; ++i) {
+        const std::uint64_t before = m_workers.counts().sent;
+        dxRemoteBatch batch(m_workers, 2, false);
+        for (unsigned k = 0; k < 2; ++k) batch.submit(k, problemOf(k), 100e3);
+        atOnce += m_workers.counts().sent == before + 2;
+        unsigned index = 0;
+        dxRemoteBytes result;
+        while (batch.next(index, result) != dxRemoteBatch::Next::None) continue;
+    }
+    EXPECT_GT(atOnce, kSteps / 2);
+}
+
 TEST_F(RemoteHelp, IsGivenByTheThreadThatSteps) {
     open(true);
     EXPECT_EQ(step(100, false), 100u);
