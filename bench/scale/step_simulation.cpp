@@ -21,7 +21,7 @@ namespace scale {
 namespace {
 
 // Of a message, besides its bytes, at each end: to make it, hand it to MPI or take it from there.
-constexpr double kMessageNs = 2e3;
+constexpr double kMessageNs = 1e3;
 constexpr double kFrameBytes = 32, kItemBytes = 16;  // headers
 
 // While home's thread has a long island, another one looks for messages so much later.
@@ -63,6 +63,7 @@ private:
         dxRemoteLink link;
         std::deque<Message> received;
         bool isBusy = false;
+        double problemNs = 0;  // of those that it solves
         double idleSince = 0;
         double outBusyUntil = 0, inBusyUntil = 0;  // of the wires, if they are its own
     };
@@ -80,6 +81,8 @@ private:
     bool isOver() const;
     double costOf(unsigned island) const { return m_islands[island].costNs * kRemoteSolverPart; }
     double lookNs(double idleNs) const;
+    // By the worker, which carries all messages a second time.
+    bool isSimulated() const { return m_cluster.cores > 0 && m_cluster.network.isSlowed(); }
 
     // --- home's thread ----------------------------------------------------------------------------------------
     void goOn();
@@ -100,8 +103,10 @@ private:
         Action handle;
     };
     double look();
+    double lookForAll();
     double sendNext();
     void lookBesideHome();
+    double carryNs(const Worker &worker) const;
     void transmit(bool isOut, unsigned worker, double bytes, Action then);
     void arriveHome(double ns, Action handle);
     void handleResults(unsigned worker, const Message &message, bool isWithdrawn);
@@ -131,6 +136,8 @@ private:
     double m_busyNs = 0;  // of all processors
     std::size_t m_made = 0, m_stepped = 0, m_left = 0;
     bool m_isWaiting = false, m_isDone = false;
+    bool m_isNew = false;  // the last problem in the queue
+    double m_lookedAt = -kRemoteBetweenLooksNs;
     double m_lastNews = 0;  // when home's thread last had something to do
     double m_deadline = 0;  // of what it waits for
     std::deque<Arrived> m_arrived;
@@ -254,13 +261,17 @@ bool StepSimulation::Play::isOver() const {
 void StepSimulation::Play::goOn() {
     if (m_isDone) return;
     m_lastNews = m_now;
-    if (const double ns = look(); ns > 0) return finish(ns);
+    const bool isUrgent = std::exchange(m_isNew, false) && dxIsAnyIdle(m_workers, m_now);
+    if (isUrgent || (m_made > 0 && m_now - m_lookedAt >= kRemoteBetweenLooksNs)) {
+        if (const double ns = lookForAll(); ns > 0) return finish(ns);
+    }
     if (m_made < m_away.size()) {
         const unsigned island = m_away[m_made++];
         m_busyNs += m_islands[island].makeNs;
         at(m_now + m_islands[island].makeNs, [this, island] {
             m_islands[island].state = State::Queued;
             m_queue.insert(std::upper_bound(m_queue.begin(), m_queue.end(), island, [this](unsigned a, unsigned b) { return costOf(a) > costOf(b); }), island);
+            m_isNew = true;
             goOn();
         });
         return;
@@ -291,6 +302,7 @@ void StepSimulation::Play::goOn() {
         noticeLate();
         if (m_atHome.empty() && (m_cluster.sendsAll || !withdrawLast())) break;
     }
+    if (const double ns = lookForAll(); ns > 0) return finish(ns);
     m_isWaiting = true;
     m_deadline = std::numeric_limits<double>::infinity();
     for (const Worker &worker : m_workers) m_deadline = std::min(m_deadline, worker.link.deadline());
@@ -382,6 +394,16 @@ double StepSimulation::Play::look() {
     return one.ns;
 }
 
+// Messages are sent when they are made, one after the other.
+double StepSimulation::Play::lookForAll() {
+    m_lookedAt = m_now;
+    double all = 0;
+    const double begin = m_now;
+    for (double ns; (ns = look()) > 0; m_now = begin + all) all += ns;
+    m_now = begin;
+    return all;
+}
+
 void StepSimulation::Play::lookBesideHome() {
     if (m_arrived.empty()) return;
     if (const double ns = look(); ns > 0) at(m_now + ns, [this] { lookBesideHome(); });
@@ -432,13 +454,15 @@ void StepSimulation::Play::transmit(bool isOut, unsigned worker, double bytes, A
     Worker &own = m_workers[worker];
     double &busyUntil = m_cluster.sharesWire ? (isOut ? m_outBusyUntil : m_inBusyUntil) : (isOut ? own.outBusyUntil : own.inBusyUntil);
     busyUntil = std::max(busyUntil, m_now) + bytes * m_cluster.network.nsPerByte();
-    // On one machine a simulated network's thread copies messages, too, and is asleep when one comes.
-    double late = 0;
-    if (m_cluster.cores > 0 && m_cluster.network.isSlowed()) {
-        m_busyNs += kMessageNs + bytes * m_copyNsPerByte;
-        late = (dxPollPause::pauseNs(0, dxPollPause::longestNs(0)) + m_measured.sleepNs) / 2;
-    }
-    at(busyUntil + m_cluster.network.delayNs + late, std::move(then));
+    const double arrives = busyUntil + m_cluster.network.delayNs;
+    if (isOut || !isSimulated()) return at(arrives, std::move(then));
+    at(arrives, [this, &own, then = std::move(then)] { at(m_now + carryNs(own), then); });
+}
+
+// A simulated network passes on what is due between two problems, and, if these take long, when its thread looks.
+double StepSimulation::Play::carryNs(const Worker &worker) const {
+    constexpr double kBesideWorkerNs = 400e3;
+    return worker.isBusy ? std::min(worker.problemNs, kBesideWorkerNs) / 2 : lookNs(m_now - worker.idleSince);
 }
 
 void StepSimulation::Play::arriveHome(double ns, Action handle) {
@@ -479,8 +503,10 @@ void StepSimulation::Play::solveNext(unsigned worker) {
     }
     const Message message = std::move(own.received.front());
     own.received.pop_front();
-    const double took = 2 * kMessageNs + (message.bytes + message.resultBytes) * m_copyNsPerByte + message.solveNs;
+    const double carriedNs = 2 * kMessageNs + (message.bytes + message.resultBytes) * m_copyNsPerByte;
+    const double took = (isSimulated() ? 2 : 1) * carriedNs + message.solveNs;
     m_busyNs += took;
+    own.problemNs = message.solveNs / static_cast<double>(message.islands.size());
     at(m_now + took, [this, worker, message] {
         transmit(false, worker, message.resultBytes, [this, worker, message] {
             arriveHome(kMessageNs + message.resultBytes * m_copyNsPerByte, [this, worker, message] { handleResults(worker, message, false); });

@@ -13,6 +13,9 @@
 
 namespace {
 
+// A worker that has looked so lately is going to again. Meanwhile the thread looks so seldom, in case it does not.
+constexpr std::chrono::microseconds kLately{200}, kBesideWorker{400};
+
 std::chrono::nanoseconds duration(double ns) { return std::chrono::nanoseconds(static_cast<std::int64_t>(ns)); }
 
 // Linux lets a thread sleep 50 us longer than it asked for, to save wake-ups.
@@ -47,18 +50,27 @@ void dxSimulatedNetwork::put(Direction &direction, dxRemoteBytes &&bytes, Clock:
     direction.messages.push_back({std::move(bytes), direction.busyUntil + duration(m_link.delayNs)});
 }
 
+dxRemoteServer::Solve dxSimulatedNetwork::carrying(dxRemoteServer::Solve solve) {
+    return [this, solve = std::move(solve)](const std::byte *problem, std::size_t bytes, dxRemoteBytes &result) {
+        solve(problem, bytes, result);
+        Lock lock(m_mutex);
+        lookFromWorker(lock);
+    };
+}
+
 bool dxSimulatedNetwork::send(unsigned, const void *message, std::size_t bytes) {
     const auto *const from = static_cast<const std::byte *>(message);
     dxRemoteBytes copy(from, from + bytes);
     const Lock lock(m_mutex);
     if (m_isLost) return false;
     put(m_toHome, std::move(copy), Clock::now());
-    m_wake.notify_one();
+    if (!m_isForAllThreads) m_wake.notify_one();
     return true;
 }
 
 std::size_t dxSimulatedNetwork::waiting(unsigned &link) {
-    const Lock lock(m_mutex);
+    Lock lock(m_mutex);
+    lookFromWorker(lock);
     link = 0;
     const std::deque<Message> &messages = m_toWorker.messages;
     return messages.empty() || messages.front().due > Clock::now() ? 0 : messages.front().bytes.size();
@@ -82,39 +94,24 @@ void dxSimulatedNetwork::close(bool isOrderly) {
     if (m_thread.joinable()) m_thread.join();
 }
 
-// --- on the thread of the transport below -------------------------------------------------------------------------
+// --- by whoever looks ---------------------------------------------------------------------------------------------
 
-void dxSimulatedNetwork::run(const Open &open) {
-    sleepExactly();
-    m_below = open(m_reason);
-    Lock lock(m_mutex);
-    m_state = m_below ? State::Open : State::Closed;
-    m_changed.notify_all();
-    if (!m_below) return;
-    m_lastLook = Clock::now();
-    try {
-        carry(lock);
-    } catch (const std::bad_alloc &) {  // home takes the worker to be late
-        m_isLost = true;
-        m_wake.wait(lock, [this] { return m_state == State::Closing; });
-    }
-    lock.unlock();
-    m_below->close(m_isOrderly);
-    m_below.reset();
+void dxSimulatedNetwork::lookFromWorker(Lock &lock) {
+    if (!m_isForAllThreads || m_state != State::Open) return;
+    look(lock);
+    m_workerLooked = Clock::now();
 }
 
-void dxSimulatedNetwork::carry(Lock &lock) {
-    while (m_state == State::Open || !(m_isLost || m_toHome.messages.empty())) {
-        const bool hasPassed = passOn(lock), hasTaken = takeIn(lock);
-        if (hasPassed || hasTaken) {
-            m_pause.reset();
-            continue;
-        }
-        // A message may be sent while this thread sleeps: it is due later than what is under way.
-        Clock::time_point until = Clock::now() + m_pause.next();
-        if (!m_toHome.messages.empty()) until = std::min(until, m_toHome.messages.front().due);
-        m_wake.wait_until(lock, until);
-    }
+// Returns whether there was anything to carry. If somebody else looks, that suffices.
+bool dxSimulatedNetwork::look(Lock &lock) {
+    if (m_isLost || m_isLooking) return false;
+    struct Turn {
+        explicit Turn(bool &taken) : isTaken(taken) { isTaken = true; }
+        ~Turn() { isTaken = false; }
+        bool &isTaken;
+    } const turn(m_isLooking);
+    const bool hasPassed = passOn(lock), hasTaken = takeIn(lock);
+    return hasPassed || hasTaken;
 }
 
 bool dxSimulatedNetwork::passOn(Lock &lock) {
@@ -146,4 +143,43 @@ bool dxSimulatedNetwork::takeIn(Lock &lock) {
     else
         m_isLost = true;
     return true;
+}
+
+// --- on the thread of the transport below -------------------------------------------------------------------------
+
+void dxSimulatedNetwork::run(const Open &open) {
+    sleepExactly();
+    m_below = open(m_reason);
+    Lock lock(m_mutex);
+    m_state = m_below ? State::Open : State::Closed;
+    m_isForAllThreads = m_below && m_below->isForAllThreads();
+    m_lastLook = Clock::now();
+    m_changed.notify_all();
+    if (!m_below) return;
+    try {
+        carry(lock);
+    } catch (const std::bad_alloc &) {  // home takes the worker to be late
+        m_isLost = true;
+        m_wake.wait(lock, [this] { return m_state == State::Closing; });
+    }
+    lock.unlock();
+    m_below->close(m_isOrderly);
+    m_below.reset();
+}
+
+void dxSimulatedNetwork::carry(Lock &lock) {
+    while (m_state == State::Open || !(m_isLost || m_toHome.messages.empty())) {
+        if (look(lock))
+            m_pause.reset();
+        else
+            m_wake.wait_until(lock, nextLook());
+    }
+}
+
+// A message may be sent while this thread sleeps: it is due later than what is under way.
+dxSimulatedNetwork::Clock::time_point dxSimulatedNetwork::nextLook() {
+    const Clock::time_point now = Clock::now();
+    if (m_state == State::Open && now - m_workerLooked < kLately) return now + kBesideWorker;
+    const Clock::time_point next = now + m_pause.next();
+    return m_isLost || m_toHome.messages.empty() ? next : std::min(next, m_toHome.messages.front().due);
 }

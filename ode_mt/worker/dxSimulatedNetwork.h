@@ -5,10 +5,12 @@
 // so that what a step costs on a cluster can be tried on one machine. A message that comes from home is taken to have been sent between the two
 // looks of which the second one found it.
 //
-// The transport below is made, used and closed by a thread of this object's, which sleeps until something is due: the worker's own thread
-// solves meanwhile, and no core is kept busy. Sleeps are as exact as the system's timers.
+// Messages are carried by whoever looks, one at a time: the worker's own thread whenever it asks what is waiting and between two problems (carrying()),
+// and a thread of this object's, which makes the transport below and closes it, sleeps until something is due, and looks seldom while the worker's
+// does. Where the transport below is for one thread only, that thread carries all. Sleeps are as exact as the system's timers.
 //
-// Tried and dropped: delays in the worker's own thread, between two problems: a result would wait for the next problem to be solved.
+// Why two: one of its own alone found no core where home and the worker keep one each busy, and was milliseconds late (docs/scale.md); the worker's alone
+// would let a result wait for the next problem, which may take 0.1 s.
 //
 // Units: ns. Threading: that of a transport; the thread below is internal.
 #pragma once
@@ -24,6 +26,7 @@
 
 #include "remote/dxPollPause.h"
 #include "remote/dxRemoteFrame.h"
+#include "remote/dxRemoteServer.h"
 #include "remote/dxRemoteTransport.h"
 
 struct dxSimulatedLink {
@@ -42,6 +45,9 @@ public:
     // For a worker, which has one link. Null: there is no transport, `reason` says why.
     static std::unique_ptr<dxSimulatedNetwork> open(const dxSimulatedLink &link, const Open &open, std::string &reason);
     ~dxSimulatedNetwork() override;
+
+    // For the server: solves by `solve`, and carries messages afterwards.
+    dxRemoteServer::Solve carrying(dxRemoteServer::Solve solve);
 
     unsigned links() const override { return 1; }
     bool send(unsigned link, const void *message, std::size_t bytes) override;
@@ -67,10 +73,14 @@ private:
     explicit dxSimulatedNetwork(const dxSimulatedLink &link) : m_link(link) {}
 
     void put(Direction &direction, dxRemoteBytes &&bytes, Clock::time_point sent) const;
-    void run(const Open &open);
-    void carry(Lock &lock);
+    void lookFromWorker(Lock &lock);
+    bool look(Lock &lock);
     bool passOn(Lock &lock);
     bool takeIn(Lock &lock);
+
+    void run(const Open &open);
+    void carry(Lock &lock);
+    Clock::time_point nextLook();
 
     const dxSimulatedLink m_link;
     mutable std::mutex m_mutex;
@@ -78,8 +88,11 @@ private:
     Direction m_toHome, m_toWorker;
     State m_state = State::Opening;
     bool m_isOrderly = false, m_isLost = false;
+    bool m_isForAllThreads = false;  // the transport below
+    bool m_isLooking = false;        // somebody
+    Clock::time_point m_workerLooked;
     std::string m_reason;
-    std::unique_ptr<dxRemoteTransport> m_below;  // the thread's own
+    std::unique_ptr<dxRemoteTransport> m_below;
     dxPollPause m_pause;
     Clock::time_point m_lastLook;
     std::thread m_thread;

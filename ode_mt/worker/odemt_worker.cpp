@@ -10,6 +10,7 @@
 #include <cstring>
 #include <new>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <ode/ode_MT.h>
@@ -26,10 +27,12 @@ namespace {
 
 constexpr double kMaxSilence = 60;  // s; home is heard of every few seconds
 
-std::unique_ptr<dxRemoteTransport> openTransport(const dxSimulatedLink &link, std::string &reason) {
+std::unique_ptr<dxRemoteTransport> openTransport(const dxSimulatedLink &link, dxRemoteServer::Solve &solve, std::string &reason) {
     const auto openMpi = [](std::string &why) -> std::unique_ptr<dxRemoteTransport> { return dxMpiTransport::openWorker(why); };
-    if (link.isThere()) return dxSimulatedNetwork::open(link, openMpi, reason);
-    return openMpi(reason);
+    if (!link.isThere()) return openMpi(reason);
+    std::unique_ptr<dxSimulatedNetwork> network = dxSimulatedNetwork::open(link, openMpi, reason);
+    if (network) solve = network->carrying(std::move(solve));
+    return network;
 }
 
 // Messages come and go: memory that is given back to the system after each costs more than all else that is done to it (dxSpareBytes.h).
@@ -41,18 +44,22 @@ void keepFreedMemory() {
 
 int run(const dxWorkerArguments &arguments) {
     std::string reason;
-    const std::unique_ptr<dxRemoteTransport> transport = openTransport(arguments.link, reason);
+    dxRemoteServer::Solve solve = dxSolvePacked;
+    const std::unique_ptr<dxRemoteTransport> transport = openTransport(arguments.link, solve, reason);
     std::unique_ptr<dxWorkRecord> record;
     if (transport && !arguments.record.empty()) {
         record = dxWorkRecord::open(arguments.record, *transport, reason);
-        if (!record) transport->close(false);
+        if (record)
+            solve = record->timed(std::move(solve));
+        else
+            transport->close(false);
     }
     if (!transport || (!arguments.record.empty() && !record)) {
         std::fprintf(stderr, "odemt_worker: %s\n", reason.c_str());
         return 1;
     }
     dxRemoteTransport &used = record ? *record : *transport;
-    dxRemoteServer server(used, dxDescribeSolver(), record ? record->timed(dxSolvePacked) : dxRemoteServer::Solve(dxSolvePacked));
+    dxRemoteServer server(used, dxDescribeSolver(), std::move(solve));
     const dxRemoteServer::End end = server.run(kMaxSilence);
     if (end == dxRemoteServer::End::NoMemory) std::fprintf(stderr, "odemt_worker: no memory; it ends\n");
     if (end == dxRemoteServer::End::Refused) std::fprintf(stderr, "odemt_worker: refused, since this worker %s\n", server.refusal().c_str());

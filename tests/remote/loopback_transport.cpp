@@ -67,6 +67,7 @@ namespace {
 struct Borrowed final : dxRemoteTransport {
     explicit Borrowed(dxRemoteTransport &used) : transport(used) {}
     unsigned links() const override { return transport.links(); }
+    bool isForAllThreads() const override { return true; }
     bool send(unsigned link, const void *message, std::size_t bytes) override { return transport.send(link, message, bytes); }
     std::size_t waiting(unsigned &link) override { return transport.waiting(link); }
     bool receive(void *message) override { return transport.receive(message); }
@@ -75,17 +76,19 @@ struct Borrowed final : dxRemoteTransport {
     dxRemoteTransport &transport;
 };
 
-dxRemoteServer::End serve(dxRemoteTransport &end, const dxRemoteHello &hello, const dxRemoteServer::Solve &solve, const dxWorkerArguments &arguments) {
+dxRemoteServer::End serve(dxRemoteTransport &end, const dxRemoteHello &hello, dxRemoteServer::Solve solve, const dxWorkerArguments &arguments) {
     constexpr double kMaxSilence = 5;
     std::string reason;
-    std::unique_ptr<dxRemoteTransport> network;
-    if (arguments.link.isThere())
+    std::unique_ptr<dxSimulatedNetwork> network;
+    if (arguments.link.isThere()) {
         network = dxSimulatedNetwork::open(arguments.link, [&end](std::string &) { return std::make_unique<Borrowed>(end); }, reason);
+        solve = network->carrying(std::move(solve));
+    }
     dxRemoteTransport &used = network ? *network : end;
     std::unique_ptr<dxWorkRecord> record;
     if (!arguments.record.empty()) record = dxWorkRecord::open(arguments.record, used, reason);
-    const dxRemoteServer::End how = record ? dxRemoteServer(*record, hello, record->timed(solve)).run(kMaxSilence)
-                                           : dxRemoteServer(used, hello, solve).run(kMaxSilence);
+    const dxRemoteServer::End how = record ? dxRemoteServer(*record, hello, record->timed(std::move(solve))).run(kMaxSilence)
+                                           : dxRemoteServer(used, hello, std::move(solve)).run(kMaxSilence);
     used.close(true);
     return how;
 }

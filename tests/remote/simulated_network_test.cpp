@@ -1,4 +1,5 @@
-// The simulated network delays as it is told: one message, several on a busy link, both directions at a time, and while its worker does something else.
+// The simulated network delays as it is told: one message, several on a busy link, both directions at a time, and while its worker does something else;
+// over a transport that one thread uses, and over one that all may use.
 #include "worker/dxSimulatedNetwork.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +21,10 @@ struct Home {
     struct Arrived {
         dxRemoteBytes bytes;
         Clock::time_point time;
+        std::thread::id thread;
     };
+
+    explicit Home(bool forAllThreads) : isForAllThreads(forAllThreads) {}
 
     void send(std::size_t bytes, int first = 0) {
         const std::lock_guard<std::mutex> hold(mutex);
@@ -35,8 +39,13 @@ struct Home {
     void waitFor(std::size_t messages) {
         while (count() < messages) std::this_thread::sleep_for(100us);
     }
+    bool isUsedByOneThread() {
+        const std::lock_guard<std::mutex> hold(mutex);
+        return isOneThread;
+    }
     double msOf(std::size_t message, Clock::time_point begin) { return std::chrono::duration<double, std::milli>(arrived[message].time - begin).count(); }
 
+    const bool isForAllThreads;
     std::mutex mutex;
     std::deque<dxRemoteBytes> toWorker;
     std::vector<Arrived> arrived;
@@ -49,11 +58,12 @@ struct Home {
 struct Below final : dxRemoteTransport {
     explicit Below(Home &other) : home(other) { home.thread = std::this_thread::get_id(); }
     unsigned links() const override { return 1; }
+    bool isForAllThreads() const override { return home.isForAllThreads; }
     bool send(unsigned, const void *message, std::size_t bytes) override {
         const auto *const from = static_cast<const std::byte *>(message);
         const std::lock_guard<std::mutex> hold(home.mutex);
         noteThread();
-        home.arrived.push_back({{from, from + bytes}, Clock::now()});
+        home.arrived.push_back({{from, from + bytes}, Clock::now(), std::this_thread::get_id()});
         return !home.isLost;
     }
     std::size_t waiting(unsigned &) override {
@@ -102,8 +112,12 @@ bool comesTrue(const Try &isTrue) {
     return false;
 }
 
-TEST(SimulatedNetwork, AMessageArrivesAfterItsDelay) {
-    Home home;
+class SimulatedNetwork : public testing::TestWithParam<bool> {};
+
+INSTANTIATE_TEST_SUITE_P(Transport, SimulatedNetwork, testing::Bool(), [](const auto &info) { return info.param ? "ForAllThreads" : "ForOneThread"; });
+
+TEST_P(SimulatedNetwork, AMessageArrivesAfterItsDelay) {
+    Home home(GetParam());
     const auto network = openTo(home, 20, 0);
     EXPECT_TRUE(comesTrue([&] {
         const std::size_t number = home.count();
@@ -124,9 +138,9 @@ TEST(SimulatedNetwork, AMessageArrivesAfterItsDelay) {
 }
 
 // Three messages of 10 ms: the delay is waited for once, the link three times, and by the link, not by the worker.
-TEST(SimulatedNetwork, ALinkIsBusyForTheBytes) {
+TEST_P(SimulatedNetwork, ALinkIsBusyForTheBytes) {
     constexpr std::size_t kBytes = 10000;
-    Home home;
+    Home home(GetParam());
     const auto network = openTo(home, 20, 1000);
     const std::vector<char> message(kBytes);
     EXPECT_TRUE(comesTrue([&] {
@@ -141,10 +155,10 @@ TEST(SimulatedNetwork, ALinkIsBusyForTheBytes) {
 }
 
 // What goes the other way does not wait, nor what arrives while the worker's thread is elsewhere; messages keep their order.
-TEST(SimulatedNetwork, DirectionsDoNotWaitForOneAnother) {
+TEST_P(SimulatedNetwork, DirectionsDoNotWaitForOneAnother) {
     const std::vector<char> message(100000);  // 100 ms
     EXPECT_TRUE(comesTrue([&] {
-        Home home;
+        Home home(GetParam());
         const auto network = openTo(home, 1, 1000);
         const Clock::time_point begin = Clock::now();
         network->send(0, message.data(), message.size());
@@ -158,8 +172,39 @@ TEST(SimulatedNetwork, DirectionsDoNotWaitForOneAnother) {
     }));
 }
 
-TEST(SimulatedNetwork, KeepsNoCoreBusy) {
-    Home home;
+// What is due goes out while the worker solves, and right after it, by the worker's thread where that may.
+TEST_P(SimulatedNetwork, NoMessageWaitsForAProblem) {
+    Home home(GetParam());
+    const auto network = openTo(home, 20, 0);
+    const auto solve = network->carrying([](const std::byte *, std::size_t bytes, dxRemoteBytes &) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(bytes));
+    });
+    dxRemoteBytes result;
+    const auto sendAndSolve = [&](std::size_t ms) {
+        const Clock::time_point begin = Clock::now();
+        network->send(0, "x", 1);
+        solve(nullptr, ms, result);
+        return begin;
+    };
+    EXPECT_TRUE(comesTrue([&] {
+        const std::size_t number = home.count();
+        const Clock::time_point begin = sendAndSolve(100);
+        home.waitFor(number + 1);
+        EXPECT_GE(home.msOf(number, begin), 20);
+        return home.msOf(number, begin) <= 20 + kLateMs;
+    }));
+    EXPECT_TRUE(comesTrue([&] {
+        const std::size_t number = home.count();
+        const Clock::time_point begin = Clock::now();
+        network->send(0, "x", 1);
+        while (home.count() == number && msSince(begin) < 1000) solve(nullptr, 0, result);
+        return !home.isForAllThreads || home.arrived[number].thread == std::this_thread::get_id();
+    }));
+    EXPECT_EQ(home.isUsedByOneThread(), !home.isForAllThreads);
+}
+
+TEST_P(SimulatedNetwork, KeepsNoCoreBusy) {
+    Home home(GetParam());
     const auto network = openTo(home, 300, 0);
     rusage before{}, after{};
     getrusage(RUSAGE_SELF, &before);
@@ -173,8 +218,8 @@ TEST(SimulatedNetwork, KeepsNoCoreBusy) {
     home.waitFor(1);
 }
 
-TEST(SimulatedNetwork, WhatWasSentIsPassedOnBeforeItCloses) {
-    Home home;
+TEST_P(SimulatedNetwork, WhatWasSentIsPassedOnBeforeItCloses) {
+    Home home(GetParam());
     auto network = openTo(home, 30, 0);
     network->send(0, "x", 1);
     network->close(true);
@@ -183,8 +228,8 @@ TEST(SimulatedNetwork, WhatWasSentIsPassedOnBeforeItCloses) {
     EXPECT_TRUE(home.isOneThread);
 }
 
-TEST(SimulatedNetwork, ALostLinkIsReported) {
-    Home home;
+TEST_P(SimulatedNetwork, ALostLinkIsReported) {
+    Home home(GetParam());
     home.isLost = true;
     auto network = openTo(home, 1, 0);
     EXPECT_TRUE(network->send(0, "x", 1));
@@ -196,7 +241,7 @@ TEST(SimulatedNetwork, ALostLinkIsReported) {
     EXPECT_EQ(home.closed, 2);
 }
 
-TEST(SimulatedNetwork, WithoutATransportThereIsNone) {
+TEST(SimulatedNetworkTest, WithoutATransportThereIsNone) {
     std::string reason;
     EXPECT_EQ(dxSimulatedNetwork::open({1, 0}, [](std::string &why) { why = "none"; return std::unique_ptr<dxRemoteTransport>(); }, reason), nullptr);
     EXPECT_EQ(reason, "none");

@@ -221,7 +221,7 @@ bool dxMpiTransport::spawn(unsigned wanted, std::string &reason) {
 std::unique_ptr<dxMpiTransport> dxMpiTransport::openWorker(std::string &reason) {
     std::unique_ptr<dxMpiTransport> transport(new dxMpiTransport);
     if (doesJobSurvive()) listenElsewhere();
-    if (!transport->initialise(MPI_THREAD_FUNNELED, reason)) return nullptr;
+    if (!transport->initialise(MPI_THREAD_SERIALIZED, reason)) return nullptr;
     MPI_Comm parent = MPI_COMM_NULL;
     MPI_Comm_get_parent(&parent);
     int rank = 0;
