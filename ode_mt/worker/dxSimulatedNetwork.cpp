@@ -63,8 +63,9 @@ bool dxSimulatedNetwork::send(unsigned, const void *message, std::size_t bytes) 
     dxRemoteBytes copy(from, from + bytes);
     const Lock lock(m_mutex);
     if (m_isLost) return false;
-    put(m_toHome, std::move(copy), Clock::now());
-    if (!m_isForAllThreads) m_wake.notify_one();
+    const Clock::time_point now = Clock::now();
+    put(m_toHome, std::move(copy), now);
+    if (!m_isForAllThreads || m_sleepsUntil > now + kBesideWorker) m_wake.notify_one();
     return true;
 }
 
@@ -98,8 +99,16 @@ void dxSimulatedNetwork::close(bool isOrderly) {
 
 void dxSimulatedNetwork::lookFromWorker(Lock &lock) {
     if (!m_isForAllThreads || m_state != State::Open) return;
-    look(lock);
+    bool hasCarried = false;
+    try {
+        hasCarried = look(lock);
+    } catch (const std::bad_alloc &) {  // the message is gone
+        m_isLost = true;
+    }
     m_workerLooked = Clock::now();
+    if (!hasCarried) return;
+    m_pause.reset();
+    if (m_sleepsUntil > m_workerLooked + kBesideWorker) m_wake.notify_one();  // what comes next may be a long problem
 }
 
 // Returns whether there was anything to carry. If somebody else looks, that suffices.
@@ -172,14 +181,14 @@ void dxSimulatedNetwork::carry(Lock &lock) {
         if (look(lock))
             m_pause.reset();
         else
-            m_wake.wait_until(lock, nextLook());
+            m_wake.wait_until(lock, m_sleepsUntil = nextLook());
     }
 }
 
 // A message may be sent while this thread sleeps: it is due later than what is under way.
 dxSimulatedNetwork::Clock::time_point dxSimulatedNetwork::nextLook() {
     const Clock::time_point now = Clock::now();
-    if (m_state == State::Open && now - m_workerLooked < kLately) return now + kBesideWorker;
+    if (m_isLooking || (m_state == State::Open && now - m_workerLooked < kLately)) return now + kBesideWorker;
     const Clock::time_point next = now + m_pause.next();
     return m_isLost || m_toHome.messages.empty() ? next : std::min(next, m_toHome.messages.front().due);
 }

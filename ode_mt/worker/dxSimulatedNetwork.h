@@ -90,7 +90,7 @@ private:
     bool m_isOrderly = false, m_isLost = false;
     bool m_isForAllThreads = false;  // the transport below
     bool m_isLooking = false;        // somebody
-    Clock::time_point m_workerLooked;
+    Clock::time_point m_workerLooked, m_sleepsUntil;  // the latter: the thread
     std::string m_reason;
     std::unique_ptr<dxRemoteTransport> m_below;
     dxPollPause m_pause;

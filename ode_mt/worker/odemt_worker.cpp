@@ -27,12 +27,12 @@ namespace {
 
 constexpr double kMaxSilence = 60;  // s; home is heard of every few seconds
 
-std::unique_ptr<dxRemoteTransport> openTransport(const dxSimulatedLink &link, dxRemoteServer::Solve &solve, std::string &reason) {
+std::unique_ptr<dxRemoteTransport> openTransport(const dxSimulatedLink &link, dxSimulatedNetwork *&network, std::string &reason) {
     const auto openMpi = [](std::string &why) -> std::unique_ptr<dxRemoteTransport> { return dxMpiTransport::openWorker(why); };
     if (!link.isThere()) return openMpi(reason);
-    std::unique_ptr<dxSimulatedNetwork> network = dxSimulatedNetwork::open(link, openMpi, reason);
-    if (network) solve = network->carrying(std::move(solve));
-    return network;
+    std::unique_ptr<dxSimulatedNetwork> opened = dxSimulatedNetwork::open(link, openMpi, reason);
+    network = opened.get();
+    return opened;
 }
 
 // Messages come and go: memory that is given back to the system after each costs more than all else that is done to it (dxSpareBytes.h).
@@ -44,20 +44,20 @@ void keepFreedMemory() {
 
 int run(const dxWorkerArguments &arguments) {
     std::string reason;
-    dxRemoteServer::Solve solve = dxSolvePacked;
-    const std::unique_ptr<dxRemoteTransport> transport = openTransport(arguments.link, solve, reason);
+    dxSimulatedNetwork *network = nullptr;
+    const std::unique_ptr<dxRemoteTransport> transport = openTransport(arguments.link, network, reason);
     std::unique_ptr<dxWorkRecord> record;
     if (transport && !arguments.record.empty()) {
         record = dxWorkRecord::open(arguments.record, *transport, reason);
-        if (record)
-            solve = record->timed(std::move(solve));
-        else
-            transport->close(false);
+        if (!record) transport->close(false);
     }
     if (!transport || (!arguments.record.empty() && !record)) {
         std::fprintf(stderr, "odemt_worker: %s\n", reason.c_str());
         return 1;
     }
+    dxRemoteServer::Solve solve = dxSolvePacked;
+    if (record) solve = record->timed(std::move(solve));
+    if (network != nullptr) solve = network->carrying(std::move(solve));
     dxRemoteTransport &used = record ? *record : *transport;
     dxRemoteServer server(used, dxDescribeSolver(), std::move(solve));
     const dxRemoteServer::End end = server.run(kMaxSilence);

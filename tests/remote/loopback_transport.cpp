@@ -80,15 +80,14 @@ dxRemoteServer::End serve(dxRemoteTransport &end, const dxRemoteHello &hello, dx
     constexpr double kMaxSilence = 5;
     std::string reason;
     std::unique_ptr<dxSimulatedNetwork> network;
-    if (arguments.link.isThere()) {
+    if (arguments.link.isThere())
         network = dxSimulatedNetwork::open(arguments.link, [&end](std::string &) { return std::make_unique<Borrowed>(end); }, reason);
-        solve = network->carrying(std::move(solve));
-    }
     dxRemoteTransport &used = network ? *network : end;
     std::unique_ptr<dxWorkRecord> record;
     if (!arguments.record.empty()) record = dxWorkRecord::open(arguments.record, used, reason);
-    const dxRemoteServer::End how = record ? dxRemoteServer(*record, hello, record->timed(std::move(solve))).run(kMaxSilence)
-                                           : dxRemoteServer(used, hello, std::move(solve)).run(kMaxSilence);
+    if (record) solve = record->timed(std::move(solve));
+    if (network) solve = network->carrying(std::move(solve));
+    const dxRemoteServer::End how = dxRemoteServer(record ? *record : used, hello, std::move(solve)).run(kMaxSilence);
     used.close(true);
     return how;
 }
