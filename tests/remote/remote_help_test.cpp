@@ -284,7 +284,9 @@ TEST_F(RemoteHelp, IsNotGivenByTheChildOfAHandlerThatForks) {
     static pid_t child;
     child = -1;
     const RaisedSignal raised(m_calls, SIGUSR1, [](int) {
+        const int error = errno;
         if (child < 0) child = fork();
+        errno = error;
     });
     open(true);
     unsigned right = 50;
