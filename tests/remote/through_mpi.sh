@@ -145,7 +145,7 @@ compare many_rows/figures/world 2 lcp
 compare messages/printed/world 2 lcp
 compare float_environment/rounding/world 2 lcp
 compare joint_feedback/world 2 lcp
-STEPS="--steps 400"
+STEPS="--steps 3000"  # still under way when a worker is harmed
 if [ "$ALONE" = --enable-recovery ]; then
     compare shared_scenes/humanoids/world 2 lcp kill_one
     # Open MPI does not tell that a process is gone: it is late.
