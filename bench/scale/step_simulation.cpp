@@ -6,6 +6,7 @@
 #include "remote/dxRemoteLink.h"
 #include "remote/dxRemoteNumber.h"
 #include "remote/dxRemoteSchedule.h"
+#include "worker/dxSimulatedNetwork.h"
 
 #include <algorithm>
 #include <chrono>
@@ -85,7 +86,7 @@ private:
     bool isSimulated() const { return m_cluster.cores > 0 && m_cluster.network.isSlowed(); }
 
     // --- home's thread ----------------------------------------------------------------------------------------
-    void goOn();
+    void goOn(bool hasNew = false);  // a problem in the queue
     bool takeUnsent(unsigned &island);
     bool withdrawLast();
     void noticeLate();
@@ -136,7 +137,6 @@ private:
     double m_busyNs = 0;  // of all processors
     std::size_t m_made = 0, m_stepped = 0, m_left = 0;
     bool m_isWaiting = false, m_isDone = false;
-    bool m_isNew = false;  // the last problem in the queue
     double m_lookedAt = -kRemoteBetweenLooksNs;
     double m_lastNews = 0;  // when home's thread last had something to do
     double m_deadline = 0;  // of what it waits for
@@ -258,10 +258,10 @@ bool StepSimulation::Play::isOver() const {
 // --- home's thread --------------------------------------------------------------------------------------------------
 
 // The next thing that home's thread does, as dxIslandParallelStep::runBlocks and dxRemoteBatch::next have it.
-void StepSimulation::Play::goOn() {
+void StepSimulation::Play::goOn(bool hasNew) {
     if (m_isDone) return;
     m_lastNews = m_now;
-    const bool isUrgent = std::exchange(m_isNew, false) && dxIsAnyIdle(m_workers, m_now);
+    const bool isUrgent = hasNew && dxIsAnyIdle(m_workers, m_now);
     if (isUrgent || (m_made > 0 && m_now - m_lookedAt >= kRemoteBetweenLooksNs)) {
         if (const double ns = lookForAll(); ns > 0) return finish(ns);
     }
@@ -271,8 +271,7 @@ void StepSimulation::Play::goOn() {
         at(m_now + m_islands[island].makeNs, [this, island] {
             m_islands[island].state = State::Queued;
             m_queue.insert(std::upper_bound(m_queue.begin(), m_queue.end(), island, [this](unsigned a, unsigned b) { return costOf(a) > costOf(b); }), island);
-            m_isNew = true;
-            goOn();
+            goOn(true);
         });
         return;
     }
@@ -461,7 +460,7 @@ void StepSimulation::Play::transmit(bool isOut, unsigned worker, double bytes, A
 
 // A simulated network passes on what is due between two problems, and, if these take long, when its thread looks.
 double StepSimulation::Play::carryNs(const Worker &worker) const {
-    constexpr double kBesideWorkerNs = 400e3;
+    constexpr double kBesideWorkerNs = std::chrono::duration<double, std::nano>(dxSimulatedNetwork::kBesideWorker).count();
     return worker.isBusy ? std::min(worker.problemNs, kBesideWorkerNs) / 2 : lookNs(m_now - worker.idleSince);
 }
 

@@ -740,12 +740,8 @@ void dxRemoteWorkers::noticeLate(double time) {
 
 // --- on home's threads --------------------------------------------------------------------------------------
 
-void dxRemoteWorkers::help() {
-    if (now() - m_helpedAt >= kRemoteBetweenLooksNs) helpNow();
-}
-
-void dxRemoteWorkers::helpNow() {
-    if (!m_isForAllThreads) return;
+void dxRemoteWorkers::help(bool isUrgent) {
+    if (!m_isForAllThreads || (!isUrgent && now() - m_helpedAt < kRemoteBetweenLooksNs)) return;
     const Undisturbed whole;
     Lock lock(m_mutex);
     help(lock);
@@ -820,10 +816,8 @@ dxRemoteBatch::~dxRemoteBatch() {
 }
 
 void dxRemoteBatch::submit(unsigned index, dxRemoteBytes &&bytes, double cost) {
-    if (queue(index, std::move(bytes), cost))
-        m_workers.helpNow();
-    else
-        m_workers.help();
+    const bool isAnyIdle = queue(index, std::move(bytes), cost);
+    m_workers.help(isAnyIdle);
 }
 
 bool dxRemoteBatch::queue(unsigned index, dxRemoteBytes &&bytes, double cost) {

@@ -104,8 +104,8 @@ public:
     // Problems are about to come: workers that sleep look for them again as often as they can.
     void wake();
 
-    // Between two islands: sends and receives what there is, if nobody else does, and nobody has for a while.
-    void help();
+    // Between two islands: sends and receives what there is, if nobody else does, and, unless it is urgent, nobody has for a while.
+    void help(bool isUrgent = false);
 
     struct Counts {
         std::uint64_t sent = 0;  // problems
@@ -170,7 +170,6 @@ private:
     void end();
 
     // --- on home's threads ----------------------------------------------------------------------------------
-    void helpNow();
     bool help(Lock &lock);
     void tell();
     bool lookForNews(Lock &lock, const dxPollPause &pause);

@@ -13,8 +13,8 @@
 
 namespace {
 
-// A worker that has looked so lately is going to again. Meanwhile the thread looks so seldom, in case it does not.
-constexpr std::chrono::microseconds kLately{200}, kBesideWorker{400};
+// A worker that has looked so lately is going to again.
+constexpr std::chrono::microseconds kLately{200};
 
 std::chrono::nanoseconds duration(double ns) { return std::chrono::nanoseconds(static_cast<std::int64_t>(ns)); }
 
@@ -99,12 +99,7 @@ void dxSimulatedNetwork::close(bool isOrderly) {
 
 void dxSimulatedNetwork::lookFromWorker(Lock &lock) {
     if (!m_isForAllThreads || m_state != State::Open) return;
-    bool hasCarried = false;
-    try {
-        hasCarried = look(lock);
-    } catch (const std::bad_alloc &) {  // the message is gone
-        m_isLost = true;
-    }
+    const bool hasCarried = look(lock);
     m_workerLooked = Clock::now();
     if (!hasCarried) return;
     m_pause.reset();
@@ -119,8 +114,13 @@ bool dxSimulatedNetwork::look(Lock &lock) {
         ~Turn() { isTaken = false; }
         bool &isTaken;
     } const turn(m_isLooking);
-    const bool hasPassed = passOn(lock), hasTaken = takeIn(lock);
-    return hasPassed || hasTaken;
+    try {
+        const bool hasPassed = passOn(lock), hasTaken = takeIn(lock);
+        return hasPassed || hasTaken;
+    } catch (const std::bad_alloc &) {  // the message is gone; home takes the worker to be late
+        m_isLost = true;
+        return false;
+    }
 }
 
 bool dxSimulatedNetwork::passOn(Lock &lock) {
@@ -165,12 +165,7 @@ void dxSimulatedNetwork::run(const Open &open) {
     m_lastLook = Clock::now();
     m_changed.notify_all();
     if (!m_below) return;
-    try {
-        carry(lock);
-    } catch (const std::bad_alloc &) {  // home takes the worker to be late
-        m_isLost = true;
-        m_wake.wait(lock, [this] { return m_state == State::Closing; });
-    }
+    carry(lock);
     lock.unlock();
     m_below->close(m_isOrderly);
     m_below.reset();

@@ -40,6 +40,9 @@ struct dxSimulatedLink {
 
 class dxSimulatedNetwork final : public dxRemoteTransport {
 public:
+    // While the worker looks, the thread does so seldom, in case it does not any more.
+    static constexpr std::chrono::microseconds kBesideWorker{400};
+
     using Open = std::function<std::unique_ptr<dxRemoteTransport>(std::string &reason)>;
 
     // For a worker, which has one link. Null: there is no transport, `reason` says why.

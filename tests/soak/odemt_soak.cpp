@@ -44,11 +44,13 @@ public:
         const Clock::time_point begin = Clock::now();
         do playDay();
         while (m_days.size() < kMinDays || std::chrono::duration<double>(Clock::now() - begin).count() < m_options.seconds);
-        for (int doubling = 0; doubling < kMaxDoublings && !whatHasGrown().empty(); ++doubling) {
-            std::printf("%s: as many days again\n", whatHasGrown().c_str());
+        std::string grown = whatHasGrown();
+        for (int doubling = 0; doubling < kMaxDoublings && !grown.empty(); ++doubling) {
+            std::printf("%s: as many days again\n", grown.c_str());
             for (std::size_t left = m_days.size(); left > 0; --left) playDay();
+            grown = whatHasGrown();
         }
-        if (!whatHasGrown().empty()) throw std::runtime_error(whatHasGrown());
+        if (!grown.empty()) throw std::runtime_error(grown);
         end();
     }
 
