@@ -1,32 +1,18 @@
 #!/bin/sh
-# fetch-debian-source.sh ARCHIVE FILE: downloads the original archive of the Debian source package `ode`,
-# which there has the name ARCHIVE, as FILE.
-#
-# Needs neither root nor a deb-src entry on the machine: it copies the system's package sources into a
-# private folder, turns `deb` into `deb-src` there and points apt at that folder.
+# fetch-debian-source.sh SUITE ARCHIVE FILE: downloads the original archive of the Debian source package `ode`, which there has the name
+# ARCHIVE, as FILE: from the system's own release of Debian, or else from SUITE.
 set -eu
-archive=$1
-file=$2
-command -v apt-get >/dev/null || { echo "apt-get is not installed" >&2; exit 1; }
+suite=$1 archive=$2 file=$3
+. "$(dirname "$0")/debian-apt.sh"
 
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-mkdir -p "$work/sources" "$work/lists/partial"
-
-for list in /etc/apt/sources.list.d/*.sources; do
-    [ -f "$list" ] || continue
-    sed 's/^Types:.*/Types: deb-src/' "$list" >"$work/sources/${list##*/}"
+for release in "" "$suite"; do
+    open_archive "$release"
+    # What Debian adds to the archive may be missing on a mirror: the archive alone counts.
+    (cd "$archive_folder" && in_archive apt-get source --download-only ode) || true
+    if [ -f "$archive_folder/$archive" ]; then
+        cp "$archive_folder/$archive" "$file"
+        exit
+    fi
 done
-for list in /etc/apt/sources.list /etc/apt/sources.list.d/*.list; do
-    [ -f "$list" ] || continue
-    sed -n 's/^deb[[:space:]]/deb-src /p' "$list" >"$work/sources/system-${list##*/}"
-done
-
-apt() {
-    apt-get -qq -o Dir::Etc::sourcelist=/dev/null -o Dir::Etc::sourceparts="$work/sources" \
-        -o Dir::State::lists="$work/lists" -o Dir::Cache::pkgcache= -o Dir::Cache::srcpkgcache= "$@"
-}
-apt update
-cd "$work"
-apt -o APT::Sandbox::User=root source --download-only ode
-cp "$archive" "$file"
+echo "no $archive there" >&2
+exit 1

@@ -3,7 +3,7 @@
 # The archive is looked for, in this order: ODE_MT_UPSTREAM_TARBALL (a path given by the user), the
 # cache folder (ODE_MT_CACHE_DIR), the Debian source package, upstream's release page. After the first
 # success the cache serves, so that later builds need no network.
-include(${CMAKE_CURRENT_LIST_DIR}/pin.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/release.cmake)
 
 set(ODE_MT_UPSTREAM_TARBALL "" CACHE FILEPATH "Path of ${ODE_MT_UPSTREAM_ARCHIVE}; empty: look for it")
 if(DEFINED ENV{XDG_CACHE_HOME})
@@ -11,13 +11,13 @@ if(DEFINED ENV{XDG_CACHE_HOME})
 else()
     set(_cache_root "$ENV{HOME}/.cache")
 endif()
-set(ODE_MT_CACHE_DIR "${_cache_root}/ode_mt" CACHE PATH "Folder that keeps the upstream archive")
+set(ODE_MT_CACHE_DIR "${_cache_root}/ode_mt" CACHE PATH "Folder that keeps what was fetched")
 
 set(_tried "")
 
 # Stops, since a wrong archive under the right name is never what the user wants.
 function(_ode_mt_refuse what hash)
-    message(FATAL_ERROR "${what} is not ODE ${ODE_MT_UPSTREAM_VERSION}: its SHA-256 is\n  ${hash}\n"
+    message(FATAL_ERROR "${what} is not ODE ${ODE_MT_UPSTREAM}: its SHA-256 is\n  ${hash}\n"
         "the pinned one is\n  ${ODE_MT_UPSTREAM_SHA256}")
 endfunction()
 
@@ -75,10 +75,10 @@ function(_ode_mt_find_archive out)
     file(MAKE_DIRECTORY "${ODE_MT_CACHE_DIR}")
     set(fetched "${cached}.part")
     set(source "Debian source package `ode` (apt-get source)")
-    message(STATUS "Fetching ODE ${ODE_MT_UPSTREAM_VERSION} from the ${source}")
+    message(STATUS "Fetching ODE ${ODE_MT_UPSTREAM} from the ${source}")
     execute_process(
-        COMMAND "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/fetch-debian-source.sh" "${ODE_MT_UPSTREAM_ARCHIVE}"
-                "${fetched}"
+        COMMAND "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/fetch-debian-source.sh" "${ODE_MT_DEBIAN_SUITE}"
+                "${ODE_MT_UPSTREAM_ARCHIVE}" "${fetched}"
         OUTPUT_QUIET ERROR_VARIABLE error)
     _ode_mt_accept_fetched("${source}" "${fetched}" "${cached}" good)
     if(good)
@@ -88,7 +88,7 @@ function(_ode_mt_find_archive out)
     string(STRIP "${error}" error)
     list(APPEND _tried "${source}: ${error}")
 
-    message(STATUS "Fetching ODE ${ODE_MT_UPSTREAM_VERSION} from ${ODE_MT_UPSTREAM_URL}")
+    message(STATUS "Fetching ODE ${ODE_MT_UPSTREAM} from ${ODE_MT_UPSTREAM_URL}")
     file(DOWNLOAD "${ODE_MT_UPSTREAM_URL}" "${fetched}" STATUS status TIMEOUT 300)
     list(GET status 0 code)
     list(GET status 1 reason)
@@ -101,7 +101,7 @@ function(_ode_mt_find_archive out)
     list(APPEND _tried "${ODE_MT_UPSTREAM_URL}: ${reason}")
 
     list(JOIN _tried "\n  - " report)
-    message(FATAL_ERROR "The sources of ODE ${ODE_MT_UPSTREAM_VERSION} were not found. Tried:\n  - ${report}\n"
+    message(FATAL_ERROR "The sources of ODE ${ODE_MT_UPSTREAM} were not found. Tried:\n  - ${report}\n"
         "Give the archive with -DODE_MT_UPSTREAM_TARBALL=/path/to/${ODE_MT_UPSTREAM_ARCHIVE}")
 endfunction()
 
@@ -122,8 +122,8 @@ endfunction()
 # the same time wait for one another (file cmake.lock in ode/upstream/).
 function(ode_mt_unpack_upstream out)
     set(folder "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/upstream")
-    set(sources "${folder}/ode-${ODE_MT_UPSTREAM_VERSION}")
-    set(stamp "${folder}/fingerprint")
+    set(sources "${folder}/ode-${ODE_MT_UPSTREAM}")
+    set(stamp "${sources}.fingerprint")
     set(${out} "${sources}" PARENT_SCOPE)
     file(LOCK "${folder}" DIRECTORY GUARD FUNCTION TIMEOUT 600)
     if(EXISTS "${stamp}")

@@ -133,4 +133,10 @@ ode_mt_compile_after("lcp.cpp" lcp.h)
 set_property(SOURCE "${ODE_MT_UPSTREAM_DIR}/ode/src/lcp.cpp" APPEND PROPERTY
     COMPILE_OPTIONS $<$<CXX_COMPILER_ID:GNU>:-fno-tree-loop-vectorize>)
 
+# Those that this release alone needs, and the files that implement them.
+set(ODE_MT_RELEASE_SOURCES "")
+include("${ODE_MT_RELEASE_DIR}/seams.cmake" OPTIONAL)
+list(TRANSFORM ODE_MT_RELEASE_SOURCES PREPEND "${ODE_MT_RELEASE_DIR}/")
+set(ODE_MT_RELEASE_SOURCES "${ODE_MT_RELEASE_SOURCES}" PARENT_SCOPE)
+
 configure_file(seams/upstream.h.in seams/upstream.h @ONLY)

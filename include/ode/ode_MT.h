@@ -1,7 +1,7 @@
 /*************************************************************************
  * ODE_MT: libode that uses every core.                                  *
  *                                                                       *
- * What ODE_MT adds to the API of the Open Dynamics Engine 0.16.2.       *
+ * What ODE_MT adds to the API of the Open Dynamics Engine.              *
  * <ode/ode.h> includes this file. A program that calls nothing of it    *
  * gets the same bits as with upstream's library, on one thread, until   *
  * the environment says otherwise (ODE_MT_THREADS).                      *

@@ -41,7 +41,7 @@ function(ode_mt_generate_development_files out prefix libdir includedir bindir)
     configure_file("${here}/ode-config.in" "${out}/ode-config" @ONLY)
     configure_package_config_file("${here}/ode-config.cmake.in" "${out}/ode-config.cmake" INSTALL_PREFIX "${prefix}"
         INSTALL_DESTINATION "${libdir}/cmake/ode" PATH_VARS CMAKE_INSTALL_LIBDIR CMAKE_INSTALL_INCLUDEDIR)
-    write_basic_package_version_file("${out}/ode-config-version.cmake" VERSION ${PROJECT_VERSION} COMPATIBILITY SameMinorVersion)
+    write_basic_package_version_file("${out}/ode-config-version.cmake" VERSION ${ODE_MT_UPSTREAM} COMPATIBILITY SameMinorVersion)
 endfunction()
 
 set(_generated "${PROJECT_BINARY_DIR}/install")

@@ -55,7 +55,7 @@ function(ode_mt_write_debian_changelog file)
     set(end "")
     foreach(line IN LISTS lines)
         if(line MATCHES "^## ([^,]*), (.*)$")
-            set(version "${PROJECT_VERSION}+mt${CMAKE_MATCH_1}")
+            set(version "${ODE_MT_UPSTREAM}+mt${CMAKE_MATCH_1}")
             execute_process(COMMAND date --utc --rfc-email "--date=${CMAKE_MATCH_2}" OUTPUT_VARIABLE date
                 OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
             string(APPEND text "${end}ode-mt (${version}) unstable; urgency=medium\n\n")
@@ -127,7 +127,7 @@ This is the Open Dynamics Engine 0.16.2 with parallel stepping, for programs
 that are compiled with single precision (dSINGLE). It cannot be installed
 beside libode8, which has the same file name and double precision.")
 else()
-    set(CPACK_ODE_MT_SYMBOLS_UPSTREAM "libode8 2:${PROJECT_VERSION}")
+    set(CPACK_ODE_MT_SYMBOLS_UPSTREAM "libode8 2:${ODE_MT_UPSTREAM}")
     ode_mt_describe(${_library} SECTION libs SHLIBDEPS ON SUGGESTS "libgomp1, ${_mpi}"
         PROVIDES "libode8 (= ${ODE_MT_DEBIAN_VERSION})" CONFLICTS "libode8" REPLACES "libode8"
         DESCRIPTION "Open Dynamics Engine on every core - runtime library

@@ -17,6 +17,7 @@
 #include "quickstep.h"
 #include "settings/dxWorldSolver.h"
 #include "step.h"
+#include "upstream_facts.h"
 
 namespace {
 
@@ -40,7 +41,7 @@ bool isChanged(const dxWorld &world, const dxIsland &island, dxStepperKind kind)
 // On the calling thread alone.
 void stepAsUpstream(const dxIslandStep &step, dxStepperKind kind) {
     const dxIsland &island = step.island;
-    dxStepperProcessingCallContext context(step.world, step.stepSize, 1, step.arena, island.bodies, island.joints);
+    dxStepperProcessingCallContext context = dxSerialStepperCall(step.world, step.stepSize, step.arena, island.bodies, island.joints);
     context.AssignIslandSelection(island.bodies, island.joints, island.bodyCount, island.jointCount);
     dxIsQuick(kind) ? dxQuickStepIsland(&context) : dxStepIsland(&context);
 }

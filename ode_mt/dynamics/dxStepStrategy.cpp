@@ -11,6 +11,7 @@
 #include "threading/dxFloatEnvironment.h"
 #include "threading/dxSharingPolicy.h"
 #include "threading/process/dxProcessObject.h"
+#include "upstream_facts.h"
 
 namespace {
 
@@ -138,13 +139,22 @@ unsigned chooseWorkers(const dxStepCall &call, const dxIslandCosts &costs, unsig
     return dxCostModel::instance().chooseWorkers(call.kind, costs.total, costs.largest, most);
 }
 
+// Returns how many of `limit` workers may step one island together: those that prepare it are those that solve it.
+unsigned islandLimit(const dxWorld &world, unsigned limit) {
+    for (const unsigned bound : {dxIslandSteppingLimit(world), dxOwnThreads::solvingLimit(&world)})
+        if (bound != dWORLDSTEP_THREADCOUNT_UNLIMITED) limit = std::min(limit, bound);
+    return limit;
+}
+
 void planThreads(const dxStepCall &call, dxStepPlan &plan, unsigned limit) {
     plan.minLargeJoints = minLargeJoints(call.kind);
-    plan.hasLargeIsland = hasLargeIsland(call, plan, limit);
+    const unsigned workers = islandLimit(*call.world, limit);
+    const bool isLarge = hasLargeIsland(call, plan, limit);
+    plan.hasLargeIsland = isLarge && workers >= 2;
     if (plan.hasLargeIsland && isLargeIslandStepFaster(call.kind)) {
         plan.strategy = dxStepStrategy::LargeIsland;
         plan.reason = dODE_MT_REASON_LARGE_ISLAND;
-        plan.workers = limit;
+        plan.workers = workers;
         return;
     }
     plan.workers = chooseWorkers(call, plan.costs, limit);
@@ -152,7 +162,8 @@ void planThreads(const dxStepCall &call, dxStepPlan &plan, unsigned limit) {
         plan.strategy = dxStepStrategy::IslandParallel;
         plan.reason = dODE_MT_REASON_LATE_WORKERS;
     } else {
-        plan.reason = plan.hasLargeIsland     ? dODE_MT_REASON_LARGE_ISLAND
+        plan.reason = isLarge && workers < 2  ? dODE_MT_REASON_WORLD_LIMIT
+                      : plan.hasLargeIsland   ? dODE_MT_REASON_LARGE_ISLAND
                       : plan.costs.areOfAll ? dODE_MT_REASON_COST
                                             : dODE_MT_REASON_MOVED_CALLBACK;
     }

@@ -35,6 +35,7 @@ private:
 
 dxProcessObject<Numbers> numbers;
 dxProcessObject<dxPerWorld<unsigned>> ofWorlds;
+dxProcessObject<dxPerWorld<unsigned>> solvingLimits;
 
 }  // namespace
 
@@ -53,7 +54,21 @@ void choose(const dxWorld *world, unsigned threads) {
     numbers->exchange(before, threads);
 }
 
+unsigned solvingLimit(const dxWorld *world) {
+    unsigned limit = dWORLDSTEP_THREADCOUNT_UNLIMITED;
+    solvingLimits->visit(world, [&limit](unsigned threads) { limit = threads; });
+    return limit;
+}
+
+void limitSolving(const dxWorld *world, unsigned threads) {
+    if (threads == dWORLDSTEP_THREADCOUNT_UNLIMITED)
+        solvingLimits->forget(world);
+    else
+        solvingLimits->visitOrMake(world, [] { return 0u; }, [threads](unsigned &limit) { limit = threads; });
+}
+
 void forget(const dxWorld *world) {
+    solvingLimits->forget(world);
     if (!ofWorlds->isEmpty()) choose(world, 0);
 }
 

@@ -2,7 +2,7 @@
 // the process's (dxSettings).
 //
 // A world's number is kept in a list beside the worlds, since a world is upstream's structure; a space keeps its own
-// (dxOwnThreadNumber). Of all of them the largest is known: there are as many workers as it says. A step looks at one size as long as
+// (dxOwnThreadNumber). Limits for solving are kept likewise. Of all numbers of threads the largest is known: there are as many workers as it says. A step looks at one size as long as
 // no world has a number. Any thread may call.
 #pragma once
 
@@ -19,6 +19,13 @@ unsigned of(const dxWorld *world);
 
 // 0: the process's number. Throws std::bad_alloc, and changes nothing then.
 void choose(const dxWorld *world, unsigned threads);
+
+// The limit of threads that solve one island of the world, where the program has set one (dWSTP_LCPSolvingMaxThreads);
+// dWORLDSTEP_THREADCOUNT_UNLIMITED: it has not, or has set none.
+unsigned solvingLimit(const dxWorld *world);
+
+// Throws std::bad_alloc, and changes nothing then.
+void limitSolving(const dxWorld *world, unsigned threads);
 
 // The world is about to be destroyed.
 void forget(const dxWorld *world);

@@ -25,6 +25,7 @@
 #include "instruction_sets.h"
 #include "kept_messages.h"
 #include "random_world.h"
+#include "upstream_facts.h"
 #include "upstream_exact_step.h"
 
 namespace {
@@ -82,7 +83,7 @@ StepResult step(dxWorld *world, Preparation prepare, IslandStepper stepIsland) {
     for (sizeint i = 0; i < info.GetIslandsCount() && !result.isLeft; ++i) {
         const dxIsland island = cursor.next();
         arena->ResetState();
-        dxStepperProcessingCallContext call(world, kStepSize, 1, arena, island.bodies, island.joints);
+        dxStepperProcessingCallContext call = dxSerialStepperCall(world, kStepSize, arena, island.bodies, island.joints);
         call.AssignIslandSelection(island.bodies, island.joints, island.bodyCount, island.jointCount);
         result.islands.insert(result.islands.end(), {island.bodyCount, island.jointCount});
         try {

@@ -1,5 +1,6 @@
 #include "quickstep.cpp"  // upstream's: its stages are static functions
 
+#include "upstream_facts.h"
 #include "upstream_quickstep.h"
 
 namespace {
@@ -18,7 +19,7 @@ std::vector<dReal> forcesOf(const dxIsland &island) {
 
 UpstreamQuickStep stepByUpstream(dxWorld *world, dReal stepSize, const dxIsland &island) {
     UpstreamQuickStep seen;
-    dxStepperProcessingCallContext step(world, stepSize, 1, nullptr, island.bodies, island.joints);
+    dxStepperProcessingCallContext step = dxSerialStepperCall(world, stepSize, nullptr, island.bodies, island.joints);
     const unsigned bodyCount = island.bodyCount;
     step.AssignIslandSelection(island.bodies, island.joints, bodyCount, island.jointCount);
 

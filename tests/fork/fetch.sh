@@ -9,7 +9,8 @@ fail() { echo "FAILED: $*" >&2; exit 1; }
 
 rm -rf "$SCRATCH"
 mkdir -p "$SCRATCH/ode" "$SCRATCH/bin"
-cp "$ODE"/*.cmake "$ODE"/*.sh "$SCRATCH/ode"
+cp -r "$ODE"/*.cmake "$ODE"/*.sh "$ODE/releases" "$SCRATCH/ode"
+pin=$SCRATCH/ode/releases/$VERSION/pin.cmake
 archive=$CACHE/$NAME
 cache=$SCRATCH/cache
 unpacked=$SCRATCH/ode/upstream/ode-$VERSION
@@ -20,13 +21,13 @@ message(STATUS "unpacked in ${folder}")
 SCRIPT
 
 # No package source and no address answers: apt-get is not in PATH and the address is that of no server.
-for tool in sh sed mktemp rm mkdir cp tar gzip; do ln -s "$(command -v $tool)" "$SCRATCH/bin/"; done
-sed -i 's,https://.*\.tar\.gz,https://no-such-server.invalid/ode.tar.gz,' "$SCRATCH/ode/pin.cmake"
-grep -q no-such-server "$SCRATCH/ode/pin.cmake" || fail "pin.cmake has no address to replace"
+for tool in sh sed mktemp dirname rm mkdir cp tar gzip; do ln -s "$(command -v $tool)" "$SCRATCH/bin/"; done
+sed -i 's,https://.*\.tar\.gz,https://no-such-server.invalid/ode.tar.gz,' "$pin"
+grep -q no-such-server "$pin" || fail "$pin has no address to replace"
 
 # unpack OPTION...: runs the script without network; its output goes to SCRATCH/output.
 unpack() {
-    PATH=$SCRATCH/bin "$CMAKE" -DODE_MT_CACHE_DIR="$cache" "$@" -P "$SCRATCH/unpack.cmake" >"$SCRATCH/output" 2>&1
+    PATH=$SCRATCH/bin "$CMAKE" -DODE_MT_UPSTREAM="$VERSION" -DODE_MT_CACHE_DIR="$cache" "$@" -P "$SCRATCH/unpack.cmake" >"$SCRATCH/output" 2>&1
 }
 must_unpack() { unpack "$@" || fail "not unpacked: $(cat "$SCRATCH/output")"; }
 must_stop() { if unpack "$@"; then fail "unpacked in spite of an error"; fi; }
@@ -62,7 +63,7 @@ wrong_cached)
 wrong_download)
     # Nothing wrong may stay in the cache, or every later try would fail on it.
     echo "another archive" >"$SCRATCH/$NAME"
-    sed -i "s,https://no-such-server.*,file://$SCRATCH/$NAME),"  "$SCRATCH/ode/pin.cmake"
+    sed -i "s,https://no-such-server.*,file://$SCRATCH/$NAME)," "$pin"
     must_stop
     must_say "is not ODE $VERSION"
     [ -z "$(ls "$cache")" ] || fail "something was left in the cache: $(ls "$cache")"
@@ -70,7 +71,7 @@ wrong_download)
     must_unpack
     ;;
 downloaded)
-    sed -i "s,https://no-such-server.*,file://$archive)," "$SCRATCH/ode/pin.cmake"
+    sed -i "s,https://no-such-server.*,file://$archive)," "$pin"
     must_unpack
     cmp "$archive" "$cache/$NAME" || fail "the cache does not keep the archive"
     ;;
@@ -105,9 +106,9 @@ edited_sources)
     ;;
 no_network)
     # The unchanged pin, in a network namespace without any interface, with apt-get in PATH.
-    cp "$ODE/pin.cmake" "$SCRATCH/ode"
+    cp "$ODE/releases/$VERSION/pin.cmake" "$pin"
     unshare -rn true 2>/dev/null || { echo "this machine does not let unshare take the network away"; exit 77; }
-    run() { unshare -rn "$CMAKE" -DODE_MT_CACHE_DIR="$cache" -P "$SCRATCH/unpack.cmake" >"$SCRATCH/output" 2>&1; }
+    run() { unshare -rn "$CMAKE" -DODE_MT_UPSTREAM="$VERSION" -DODE_MT_CACHE_DIR="$cache" -P "$SCRATCH/unpack.cmake" >"$SCRATCH/output" 2>&1; }
     if run; then fail "unpacked from nowhere"; fi
     must_say "ODE_MT_UPSTREAM_TARBALL: not given"
     must_say "$cache/$NAME: no such file"
@@ -115,6 +116,11 @@ no_network)
     must_say "bitbucket.org"
     fill_cache
     run || fail "not unpacked from the cache: $(cat "$SCRATCH/output")"
+    ;;
+unknown_release)
+    must_stop -DODE_MT_UPSTREAM=0.15
+    must_say "ODE_MT_UPSTREAM is '0.15'; known:"
+    must_say "$VERSION"
     ;;
 *) fail "no case '$1'" ;;
 esac

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "dynamics/islands/dxIslandSearch.h"
+#include "upstream_facts.h"
 
 namespace {
 
@@ -39,7 +40,7 @@ bool dxPrepareGroups(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal step
     if (islands == nullptr) return false;
 
     const sizeint stepper = dxFindIslands(info, islands, world, stepSize, estimate, groupSizes);
-    return context->ReallocateStepperMemArenas(world, world->calculateIslandProcessingMaxThreadCount(),
+    return context->ReallocateStepperMemArenas(world, dxIslandThreads(*world),
                                                stepper + kIslandCallSize, manager, reserve.m_fReserveFactor,
                                                reserve.m_uiReserveMinimum);
 }

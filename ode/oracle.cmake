@@ -1,0 +1,47 @@
+# The library that results are compared with, bit by bit: the libode.so.8 of the Debian release that has the same release of ODE. It is
+# the system's own where that is this release; another Debian release's is fetched into the cache, and runs with the system's C
+# library, libm and libccd, as ours does.
+set(ODE_MT_ORACLE "" CACHE STRING
+    "The libode.so.8 to compare with: a path, or the name of a Debian release (bookworm, trixie); empty: the release that has ODE ${ODE_MT_UPSTREAM}")
+
+function(_ode_mt_find_oracle out)
+    if(ODE_MT_ORACLE MATCHES "/")
+        if(NOT EXISTS "${ODE_MT_ORACLE}")
+            message(FATAL_ERROR "ODE_MT_ORACLE=${ODE_MT_ORACLE}: no such file")
+        endif()
+        set(${out} "${ODE_MT_ORACLE}" PARENT_SCOPE)
+        return()
+    endif()
+    set(suite "${ODE_MT_ORACLE}")
+    if(NOT suite)
+        if(ODE_MT_SYSTEM_RELEASE STREQUAL ODE_MT_UPSTREAM)
+            set(${out} "${ODE_MT_SYSTEM_LIBRARY}" PARENT_SCOPE)
+            return()
+        endif()
+        set(suite ${ODE_MT_DEBIAN_SUITE})
+    endif()
+    set(package "")
+    foreach(release IN LISTS ODE_MT_UPSTREAM_RELEASES)
+        include("${CMAKE_CURRENT_FUNCTION_LIST_DIR}/releases/${release}/pin.cmake")
+        if(ODE_MT_DEBIAN_SUITE STREQUAL suite)
+            set(package ${ODE_MT_DEBIAN_PACKAGE})
+        endif()
+    endforeach()
+    if(NOT package)
+        message(FATAL_ERROR "ODE_MT_ORACLE is '${ODE_MT_ORACLE}', neither a path nor a Debian release of ode/releases/")
+    endif()
+    set(folder "${ODE_MT_CACHE_DIR}/${package}-${suite}")
+    if(NOT EXISTS "${folder}/libode.so.8")
+        message(STATUS "Fetching ${package} of Debian ${suite}, which results are compared with")
+        execute_process(COMMAND "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/fetch-debian-library.sh" ${suite} ${package} "${folder}"
+                        OUTPUT_QUIET ERROR_VARIABLE error)
+        if(NOT EXISTS "${folder}/libode.so.8")
+            message(FATAL_ERROR "${package} of Debian ${suite} cannot be fetched:\n${error}\n"
+                "Give a library to compare with by -DODE_MT_ORACLE=/path/to/libode.so.8")
+        endif()
+    endif()
+    set(${out} "${folder}/libode.so.8" PARENT_SCOPE)
+endfunction()
+
+_ode_mt_find_oracle(ODE_MT_ORACLE_LIBRARY)
+message(STATUS "ODE ${ODE_MT_UPSTREAM}, compared with ${ODE_MT_ORACLE_LIBRARY}")

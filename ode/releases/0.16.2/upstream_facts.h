@@ -1,0 +1,18 @@
+// What ode_mt/ has to know of this release's internal structures, under one name in each release.
+#pragma once
+
+#include "config.h"
+#include "objects.h"
+#include "util.h"
+
+// Returns how many threads step islands at the same time, as the world's limits and its threading implementation allow.
+inline unsigned dxIslandThreads(const dxWorld &world) { return world.calculateIslandProcessingMaxThreadCount(); }
+
+// Returns the call of a stepper that steps an island on the calling thread alone.
+inline dxStepperProcessingCallContext dxSerialStepperCall(dxWorld *world, dReal stepSize, dxWorldProcessMemArena *arena,
+                                                          dxBody *const *bodies, dxJoint *const *joints) {
+    return {world, stepSize, 1, arena, bodies, joints};
+}
+
+// Returns the world's limit of threads that step one island; dWORLDSTEP_THREADCOUNT_UNLIMITED: none. This release has none of its own.
+inline unsigned dxIslandSteppingLimit(const dxWorld &) { return dWORLDSTEP_THREADCOUNT_UNLIMITED; }
