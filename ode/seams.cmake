@@ -137,6 +137,6 @@ set_property(SOURCE "${ODE_MT_UPSTREAM_DIR}/ode/src/lcp.cpp" APPEND PROPERTY
 set(ODE_MT_RELEASE_SOURCES "")
 include("${ODE_MT_RELEASE_DIR}/seams.cmake" OPTIONAL)
 list(TRANSFORM ODE_MT_RELEASE_SOURCES PREPEND "${ODE_MT_RELEASE_DIR}/")
-set(ODE_MT_RELEASE_SOURCES "${ODE_MT_RELEASE_SOURCES}" PARENT_SCOPE)
+set(ODE_MT_RELEASE_SOURCES "${ODE_MT_RELEASE_SOURCES}" CACHE INTERNAL "Files of the release's own seams")
 
 configure_file(seams/upstream.h.in seams/upstream.h @ONLY)

@@ -158,9 +158,10 @@ class Report:
                 texts = ([token.text for token in tokens_of(tree.text(path))] for tree in (self.old, self.new))
                 if next(texts) == next(texts):
                     continue
-            counts[next((folder for folder in OTHER_FOLDERS if path.startswith(folder + "/")), path.split("/")[0])] += 1
+            folder = "/".join(path.split("/")[:-1][:2 if path.startswith("ode/") else 1]) or path
+            counts[next((other for other in OTHER_FOLDERS if path.startswith(other + "/")), folder)] += 1
         for folder, count in sorted(counts.items()):
-            note = f": {count} files" if (self.new.folder / folder).is_dir() else ""
+            note = f", files: {count}" if (self.new.folder / folder).is_dir() else ""
             self.add(NOT_COMPILED, False, folder + note + (f" ({OTHER_FOLDERS[folder]})" if folder in OTHER_FOLDERS else ""))
 
     # ---- symbols

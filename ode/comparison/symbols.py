@@ -112,7 +112,7 @@ def lines_of(tokens):
         if index == 0 or token.line != tokens[index - 1].line:
             lines.append(token.text)
         else:
-            lines[-1] += ("" if re.match(r"[;,)\]]|\(\Z|::|\.", token.text) or lines[-1].endswith(("(", "[", "::", ".", "!", "->"))
+            lines[-1] += ("" if re.match(r"[;,()\[\]]|::|\.", token.text) or lines[-1].endswith(("(", "[", "::", ".", "!", "->"))
                           or token.text == "->" else " ") + token.text
     return lines
 

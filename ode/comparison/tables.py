@@ -13,7 +13,7 @@ from comparison.symbols import Unreadable
 READER = r"""
 cmake_minimum_required(VERSION 3.25)
 set(ODE_MT_UPSTREAM_DIR "/upstream")
-set(ODE_MT_UPSTREAM_VERSION "@VERSION@")
+set(ODE_MT_RELEASE_DIR "@RELEASE@")
 function(set_property)
     list(JOIN ARGN "\t" line)
     file(APPEND "@OUTPUT@" "property\t${line}\n")
@@ -31,12 +31,20 @@ Seams = collections.namedtuple("Seams", "renamed replaced compiled_after compile
 Follow = collections.namedtuple("Follow", "what ours tests upstream")
 
 
+def release_folder(repository, release):
+    """Its folder in ode/releases/, with the seams that it alone needs; of a release that has none yet, the newest one's."""
+    own = repository / "ode" / "releases" / release
+    if own.is_dir():
+        return own
+    return max(own.parent.iterdir(), key=lambda folder: [int(number) for number in re.findall(r"\d+", folder.name)], default=own)
+
+
 def read_seams(repository, release):
     """renamed: (file, function); replaced: {(function, replacement): files}; compiled_after: (file, header); compiled: all source files."""
     seams = Seams([], collections.OrderedDict(), [], [])
     with tempfile.TemporaryDirectory() as scratch:
         script, output = pathlib.Path(scratch) / "read.cmake", pathlib.Path(scratch) / "output"
-        script.write_text(READER.replace("@OUTPUT@", str(output)).replace("@ODE@", str(repository / "ode")).replace("@VERSION@", release))
+        script.write_text(READER.replace("@OUTPUT@", str(output)).replace("@ODE@", str(repository / "ode")).replace("@RELEASE@", str(release_folder(repository, release))))
         try:
             run = subprocess.run(["cmake", "-P", str(script)], cwd=scratch, capture_output=True, text=True, check=False)
         except OSError as error:
