@@ -170,14 +170,13 @@ class Report:
         """Puts a change into its group."""
         if change.kind == "declaration" and (change.path, change.name) in self.changed_functions:
             return  # its definition is listed
-        entries = self.entries_of(change)
-        if entries:
+        if is_export(change):
+            lost = "" if any(tree.by_key.get(("function", change.name)) for tree in (self.old, self.new)) else ", declared and never defined"
+            self.add_change(EXPORTS, True, change, lost)
+        elif entries := self.entries_of(change):
             for entry in entries:
                 heading = f"{entry.what}\n      ours: {', '.join(entry.ours)}\n      tests: {', '.join(entry.tests)}"
                 self.add_change(FOLLOWED, change.state != "moved", change, heading=heading)
-        elif is_export(change):
-            lost = "" if any(tree.by_key.get(("function", change.name)) for tree in (self.old, self.new)) else ", declared and never defined"
-            self.add_change(EXPORTS, True, change, lost)
         elif change.path in self.lone:
             pass  # the file is listed
         elif change.path.startswith("include/ode/"):
