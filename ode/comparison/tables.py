@@ -36,7 +36,7 @@ def release_folder(repository, release):
     own = repository / "ode" / "releases" / release
     if own.is_dir():
         return own
-    return max(own.parent.iterdir(), key=lambda folder: [int(number) for number in re.findall(r"\d+", folder.name)], default=own)
+    return max(own.parent.glob("*"), key=lambda folder: [int(number) for number in re.findall(r"\d+", folder.name)], default=own)
 
 
 def read_seams(repository, release):
