@@ -4,6 +4,7 @@
 #   pin.cmake         its archive, and Debian's package of it
 #   upstream_facts.h  what ode_mt/ has to know of its internal structures
 #   seams.cmake       seams that it alone needs (ode/seams.cmake has the others)
+#   new_functions.txt, gone_functions.txt   what its public headers declare that earlier ones did not, and the other way round
 #
 # A further release is a further folder (docs/next-release.md).
 file(GLOB _pins RELATIVE "${CMAKE_CURRENT_LIST_DIR}/releases" "${CMAKE_CURRENT_LIST_DIR}/releases/*/pin.cmake")
@@ -48,3 +49,14 @@ endif()
 set(ODE_MT_RELEASE_DIR "${CMAKE_CURRENT_LIST_DIR}/releases/${ODE_MT_UPSTREAM}")
 set(ODE_MT_UPSTREAM_ARCHIVE ode_${ODE_MT_UPSTREAM}.orig.tar.gz)  # as Debian calls it
 include("${ODE_MT_RELEASE_DIR}/pin.cmake")
+
+# Public functions that this release has and the oldest one here has not: tests call these where they are there.
+set(ODE_MT_UPSTREAM_ADDED "")
+foreach(release IN LISTS ODE_MT_UPSTREAM_RELEASES)
+    set(_list "${CMAKE_CURRENT_LIST_DIR}/releases/${release}/new_functions.txt")
+    if(release VERSION_LESS_EQUAL ODE_MT_UPSTREAM AND EXISTS "${_list}")
+        file(STRINGS "${_list}" _functions REGEX "^[^#]")
+        list(TRANSFORM _functions REPLACE "^[^ ]+ +" "")
+        list(APPEND ODE_MT_UPSTREAM_ADDED ${_functions})
+    endif()
+endforeach()

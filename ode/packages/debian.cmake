@@ -122,17 +122,23 @@ if(_single)
     # The same file name with another ABI: never beside Debian's, never in its place.
     set(CPACK_ODE_MT_SYMBOLS_UPSTREAM "${_library} ${CPACK_PACKAGE_VERSION}")
     ode_mt_describe(${_library} SECTION libs SHLIBDEPS ON SUGGESTS libgomp1
-        CONFLICTS "libode8" DESCRIPTION "Open Dynamics Engine on every core - runtime library (single precision)
-This is the Open Dynamics Engine 0.16.2 with parallel stepping, for programs
+        CONFLICTS "${ODE_MT_DEBIAN_PACKAGE}" DESCRIPTION "Open Dynamics Engine on every core - runtime library (single precision)
+This is the Open Dynamics Engine ${ODE_MT_UPSTREAM} with parallel stepping, for programs
 that are compiled with single precision (dSINGLE). It cannot be installed
-beside libode8, which has the same file name and double precision.")
+beside ${ODE_MT_DEBIAN_PACKAGE}, which has the same file name and double precision.")
 else()
-    set(CPACK_ODE_MT_SYMBOLS_UPSTREAM "libode8 2:${ODE_MT_UPSTREAM}")
+    set(CPACK_ODE_MT_SYMBOLS_UPSTREAM "${ODE_MT_DEBIAN_PACKAGE} 2:${ODE_MT_UPSTREAM}")
+    # Where Debian's package has another name, it provides libode8, too.
+    set(_theirs ${ODE_MT_DEBIAN_PACKAGE} libode8)
+    list(REMOVE_DUPLICATES _theirs)
+    list(TRANSFORM _theirs APPEND " (= ${ODE_MT_DEBIAN_VERSION})" OUTPUT_VARIABLE _provided)
+    list(JOIN _theirs ", " _theirs)
+    list(JOIN _provided ", " _provided)
     ode_mt_describe(${_library} SECTION libs SHLIBDEPS ON SUGGESTS "libgomp1, ${_mpi}"
-        PROVIDES "libode8 (= ${ODE_MT_DEBIAN_VERSION})" CONFLICTS "libode8" REPLACES "libode8"
+        PROVIDES "${_provided}" CONFLICTS "${_theirs}" REPLACES "${_theirs}"
         DESCRIPTION "Open Dynamics Engine on every core - runtime library
-This is the Open Dynamics Engine 0.16.2 with parallel stepping. It takes the
-place of libode8: programs run unchanged and compute the same results, bit for
+This is the Open Dynamics Engine ${ODE_MT_UPSTREAM} with parallel stepping. It takes the
+place of ${ODE_MT_DEBIAN_PACKAGE}: programs run unchanged and compute the same results, bit for
 bit. ODE_MT_THREADS=auto in the environment makes them use all cores where that
 is faster.")
 endif()
@@ -159,7 +165,7 @@ ode_mt_describe(${_development} SECTION libdevel DEPENDS "${_library} (= ${CPACK
     SUGGESTS "libccd-dev, libhwy-dev, ${_documentation}" CONFLICTS "${_others}"
     DESCRIPTION "Open Dynamics Engine on every core - development files
 Headers, static library, and files for pkg-config and CMake. They take the
-place of libode-dev: what libode8 offers is declared as there, and ode_MT.h
+place of libode-dev: what ${ODE_MT_DEBIAN_PACKAGE} offers is declared as there, and ode_MT.h
 declares what ODE_MT adds.
 A program that is linked to the static library also needs libccd-dev and
 libhwy-dev.")

@@ -30,3 +30,4 @@ assert not list(complaints({"dOne", "dTwo"}, {"a": ["dOne"], "b": ["dTwo"]}))
 assert list(complaints({"dOne", "dTwo"}, {"a": ["dOne"]})) == ["dTwo is in no group"]
 assert len(list(complaints({"dOne", "dTwo"}, {"a": ["dOne", "dTwo"], "b": ["dTwo"]}))) == 1
 assert len(list(complaints({"dOne"}, {"a": ["dOne", "dThree"]}))) == 1
+assert not list(complaints({"dOne"}, {"a": ["dOne", "dThree"]}, {"dThree"}))

@@ -57,6 +57,7 @@ std::vector<Function> makeFunctions() {
     addJointFunctions(all);
     addSpaceFunctions(all);
     addWorldFunctions(all);
+    addNewFunctions(all);
     addProgramFunctions(all);
     addSettingFunctions(all);
     addAdjustments(all);

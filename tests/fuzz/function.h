@@ -57,6 +57,7 @@ void addGeomFunctions(std::vector<Function> &all);
 void addJointFunctions(std::vector<Function> &all);
 void addSpaceFunctions(std::vector<Function> &all);
 void addWorldFunctions(std::vector<Function> &all);
+void addNewFunctions(std::vector<Function> &all);  // of newer releases of ODE, where the release has them
 void addProgramFunctions(std::vector<Function> &all);
 void addSettingFunctions(std::vector<Function> &all);
 

@@ -155,6 +155,7 @@ int main(int argc, char **argv) {
     app.add_flag("--fast", options.libraries.isFast, "compare the solver fast with its own run on one thread without vectors");
     app.add_option("--player", options.libraries.player, "odemt_fuzz_player to play with");
     app.add_option("--ours", options.libraries.ours, "folder of ODE_MT's library");
+    app.add_option("--oracle", options.libraries.debian, "folder of the libode.so.8 to compare with");
     CLI11_PARSE(app, argc, argv);
     try {
         if (!options.write.empty()) return writeInputs(options);

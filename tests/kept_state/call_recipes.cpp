@@ -13,6 +13,7 @@ const CallRecipes &callRecipes() {
         addWorldCalls(all);
         addBodyCalls(all);
         addJointCalls(all);
+        addNewCalls(all);
         addNumberCalls(all);
         addOtherCalls(all);
         return all;

@@ -37,6 +37,7 @@ void addWorldCalls(CallRecipes &recipes);
 void addBodyCalls(CallRecipes &recipes);
 void addJointCalls(CallRecipes &recipes);
 void addJointTypeCalls(CallRecipes &recipes);
+void addNewCalls(CallRecipes &recipes);  // of newer releases of ODE, where the release has them
 void addNumberCalls(CallRecipes &recipes);
 void addOtherCalls(CallRecipes &recipes);
 

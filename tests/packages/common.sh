@@ -2,6 +2,7 @@
 #   BUILD      the build folder             SCRATCH  folder of these tests; SCRATCH/packages holds the packages
 #   EXAMPLES   folder of the examples       LIB      folder of the system's libraries, without the leading slash
 #   PRECISION  double or single             VERSION  of the packages
+#   UPSTREAM   release of ODE               THEIRS   Debian's package of it
 #   SOURCE     the repository               MPIRUN   that of the MPI for which there is a package; empty: there is none
 #   CMAKE CPACK CC CXX   the tools of this build
 set -eu

@@ -8,7 +8,7 @@ headers=$(unpacked "$development")
 files() { dpkg-query --listfiles "$1" | while read -r file; do [ -d "$file" ] || echo "${file#/}"; done | grep -v ^usr/share | sort; }
 ours() { (cd "$(unpacked "$1")" && find usr -not -type d) | grep -v ^usr/share | sort; }
 if [ "$PRECISION" = double ]; then
-    expect "files of $library" "$(ours "$library")" "$(files libode8)"
+    expect "files of $library" "$(ours "$library")" "$(files "$THEIRS")"
     added=$(files libode-dev >"$SCRATCH/debian"; ours "$development" | comm -3 "$SCRATCH/debian" - | sed 's/^[[:space:]]*//')
     expect "files of $development beside Debian's" "$(echo $added)" \
         "usr/include/ode/ode_MT.h $LIB/cmake/ode/ode-config-version.cmake $LIB/cmake/ode/ode-config.cmake"

@@ -3,7 +3,9 @@
 # depends on what it calls.
 . "$(dirname "$0")/common.sh"
 expect "dependency of $development" "$(field "$development" Depends)" "$library (= $VERSION)"
-expect "conflicts of $library" "$(field "$library" Conflicts)" libode8
+theirs=$THEIRS  # and libode8, where Debian's package has another name
+[ "$THEIRS" = libode8 ] || [ "$PRECISION" = single ] || theirs="$THEIRS, libode8"
+expect "conflicts of $library" "$(field "$library" Conflicts)" "$theirs"
 case $(field "$library" Depends) in *gomp* | *libomp*) fail "the library depends on an OpenMP runtime" ;; esac
 for package in $packages; do
     if [ $package != libode-mt-mpi ] && field $package Depends | grep mpi; then fail "$package depends on MPI"; fi
@@ -30,10 +32,10 @@ if [ "$PRECISION" = single ]; then
     expect "dependencies of a program" "$(dependencies "$SCRATCH/plain")" "$library (>= $VERSION)"
     exit 0
 fi
-debian=$(dpkg-query -W -f '${Version}' libode8)
-expect "provides of $library" "$(field "$library" Provides)" "libode8 (= $debian)"
-expect "dependencies of a program that calls ODE alone" "$(dependencies "$SCRATCH/plain")" "libode8 (>= 2:0.16.2)"
-expect "dependencies of one that calls ODE_MT" "$(dependencies "$SCRATCH/parallel" | sort | tr '\n' ' ')" "libode8 (>= 2:0.16.2) $library (>= $VERSION) "
+debian=$(dpkg-query -W -f '${Version}' "$THEIRS")
+expect "provides of $library" "$(field "$library" Provides)" "$(echo "$theirs" | sed "s/,/ (= $debian),/; s/\$/ (= $debian)/")"
+expect "dependencies of a program that calls ODE alone" "$(dependencies "$SCRATCH/plain")" "$THEIRS (>= 2:$UPSTREAM)"
+expect "dependencies of one that calls ODE_MT" "$(dependencies "$SCRATCH/parallel" | sort | tr '\n' ' ')" "$THEIRS (>= 2:$UPSTREAM) $library (>= $VERSION) "
 [ -n "${MPIRUN:-}" ] || exit 0
 # The library that odemt_worker is linked to, and the mpirun that belongs to it; and the version of the library that welcomes it.
 case ", $(field libode-mt-mpi Depends)," in

@@ -8,7 +8,7 @@ root=$SCRATCH/root
 rm -rf "$root"
 # apt's archive and lists are the system's own; a machine without network or rights has none.
 suite=$(. /etc/os-release && echo "$VERSION_CODENAME")
-mmdebstrap --quiet --variant=apt --include=libode8,libode-dev,python3-pyode \
+mmdebstrap --quiet --variant=apt --include="$THEIRS",libode-dev,python3-pyode \
     --customize-hook='cp "$EXAMPLES/pendulums.py" "$1/root/"' --customize-hook='mkdir "$1/packages" && cp "$SCRATCH"/packages/libode*.deb "$1/packages/"' \
     --customize-hook="sh '$(cd "$(dirname "$0")" && pwd)/system_steps.sh' \"\$1\"" --skip=cleanup/apt \
     "$suite" "$root.tar" >"$SCRATCH/system.log" 2>&1 && status=0 || status=$?

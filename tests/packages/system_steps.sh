@@ -8,7 +8,7 @@ install() { inside apt-get -y --no-install-recommends --allow-downgrades install
 # What the packages of ODE have put into the system, and the loader's table.
 state() {
     inside dpkg-query -W -f '${Package} ${Version} ${db:Status-Abbrev}\n' | grep -v '^libhwy1\|^libgomp1'
-    inside sh -c 'for package in libode8 libode-dev; do dpkg -L $package | while read -r file; do [ -f "$file" ] && sha256sum "$file"; done; done'
+    inside sh -c 'for package in '"$THEIRS"' libode-dev; do dpkg -L $package | while read -r file; do [ -f "$file" ] && sha256sum "$file"; done; done'
     inside ldconfig -p | grep libode
 }
 pendulums() { inside env "$@" python3 /root/pendulums.py; }
@@ -41,12 +41,12 @@ if [ -n "${MPIRUN:-}" ]; then
     inside apt-get -y purge --auto-remove libode-mt-mpi >/dev/null 2>&1
 fi
 
-say "Debian's programs that depend on libode8 accept ours"
-users=$(inside apt-cache rdepends --no-recommends --no-suggests libode8 | sed -n 's/^  *//p' | grep -vx 'libode8.*\|libode-.*' | sort -u)
-[ "$(echo "$users" | wc -l)" -ge 5 ] || fail "few programs depend on libode8: $users"
+say "Debian's programs that depend on $THEIRS accept ours"
+users=$(inside apt-cache rdepends --no-recommends --no-suggests "$THEIRS" | sed -n 's/^  *//p' | grep -vx 'libode8.*\|libode-.*' | sort -u)
+[ "$(echo "$users" | wc -l)" -ge 5 ] || fail "few programs depend on $THEIRS: $users"
 # shellcheck disable=SC2086  # names are words
 plan=$(inside apt-get --simulate --no-install-recommends install $users) || fail "$users cannot be installed with ours"
-if echo "$plan" | grep -E '^(Remv|Inst libode8 )'; then fail "they want Debian's library"; fi
+if echo "$plan" | grep -E "^(Remv|Inst $THEIRS )"; then fail "they want Debian's library"; fi
 echo $users
 
 say "our development package in the place of Debian's"
@@ -66,7 +66,7 @@ expect "version" "$(inside dpkg-query -W -f '${Version}' libode8-mt)" "$VERSION.
 expect "result after the upgrade" "$(pendulums ODE_MT_THREADS=2)" "$expected"
 
 say "Debian's own again"
-install libode8 libode-dev
+install "$THEIRS" libode-dev
 inside apt-get -y purge 'libode*-mt*' >/dev/null 2>&1 || true
 state >"$SCRATCH/after"
 diff "$SCRATCH/before" "$SCRATCH/after" || fail "the system is not as it was"
@@ -75,7 +75,7 @@ left=$(inside find / -xdev \( -name '*ode_mt*' -o -name '*ode_MT*' -o -name 'lib
 [ -z "$left" ] || fail "left behind: $left"
 
 say "a new user's commands, without either library at first"
-inside apt-get -y purge python3-pyode libode8 libode-dev >/dev/null 2>&1
+inside apt-get -y purge python3-pyode "$THEIRS" libode-dev >/dev/null 2>&1
 cp "$(dirname "$0")/new_user.sh" "$(dirname "$0")/../docs/samples/pile.py" "$root/packages/"
 rm -f "$root"/packages/later-*.deb
 inside sh -c 'cd /packages && exec bash new_user.sh' >"$SCRATCH/user.log" 2>&1 || { cat "$SCRATCH/user.log"; fail "a command"; }
