@@ -7,7 +7,7 @@
 #                                                    __FUNCTION__ stays, and with it the text of messages
 #   ode_mt_call_instead(FILES FUNCTION REPLACEMENT)  calls of FUNCTION in FILES go to REPLACEMENT, which
 #                                                    ode_mt/ defines; upstream's own function stays
-#   ode_mt_compile_after(FILE HEADER)                FILE sees ode/seams/HEADER first
+#   ode_mt_compile_after(FILE HEADER)                FILE sees ode/seams/HEADER, or HEADER at its path, first
 #   left out (ode/sources.cmake)                     ode_mt/ implements the interface of the whole file
 #   set_property(... COMPILE_OPTIONS ...)            an option of the compiler for one file
 
@@ -32,8 +32,9 @@ function(ode_mt_call_instead files function replacement)
 endfunction()
 
 function(ode_mt_compile_after file header)
+    cmake_path(ABSOLUTE_PATH header BASE_DIRECTORY "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/seams")
     set_property(SOURCE "${ODE_MT_UPSTREAM_DIR}/ode/src/${file}" APPEND PROPERTY
-        COMPILE_OPTIONS -include "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/seams/${header}"
+        COMPILE_OPTIONS -include "${header}"
                         -iquote "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../ode_mt")
 endfunction()
 
@@ -112,8 +113,8 @@ ode_mt_rename(joints/pu.cpp dJointSetPUAnchorDelta dJointSetPUAnchorOffset)
 # without end (ode_mt/collision/narrowphase/dxCcdQuery.h).
 ode_mt_compile_after("collision_libccd.cpp" collision_libccd.h)
 
-# The sign of a zero depth follows from the order of the arguments in fmax(0.0, x). g++ takes the order to be free and changes
-# it; Debian's binary has it as it is written. Elsewhere upstream calls neither fmax nor fmin (docs/same-bits.md).
+# The sign of a zero depth follows from the order of the arguments in fmax(0.0, x). g++ takes the order to be free and may change
+# it; Debian 12's binary has it as it is written, and that of a release whose compiler changed it has a seam of its own. Elsewhere upstream calls neither fmax nor fmin (docs/same-bits.md).
 set_property(SOURCE "${ODE_MT_UPSTREAM_DIR}/ode/src/collision_libccd.cpp" APPEND PROPERTY
     COMPILE_OPTIONS -fno-builtin-fmax)
 
