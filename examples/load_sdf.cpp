@@ -1,14 +1,17 @@
-// Loads the boxes, spheres and planes of an SDF world with libsdformat, and drops them. (The loader of worlds/ in the repository knows
-// joints, meshes, surfaces and controllers, too.) Usage: load_sdf WORLD.sdf. Prints where each model is after a second, in metres.
+// Loads the boxes, spheres and planes of an SDF world with TinyXML-2, and drops them. (The loader of worlds/ in the repository knows
+// joints, frames, meshes, surfaces and controllers, too.) Usage: load_sdf WORLD.sdf. Prints where each model is after a second, in metres.
 #include <ode/ode.h>
+#include <tinyxml2.h>
 
+#include <array>
 #include <cstdio>
-#include <ignition/math/Pose3.hh>
 #include <map>
-#include <sdf/sdf.hh>
+#include <sstream>
 #include <string>
 
 namespace {
+
+using tinyxml2::XMLElement;
 
 struct Scene {
     dWorldID world = dWorldCreate();
@@ -17,42 +20,62 @@ struct Scene {
     std::map<std::string, dBodyID> bodies;  // by the names of models
 };
 
+// The numbers of the element at the end of a path; `otherwise` where there is none.
+template <std::size_t count>
+std::array<double, count> numbers(const XMLElement *from, std::initializer_list<const char *> path, std::array<double, count> otherwise) {
+    for (const char *name : path) from = from != nullptr ? from->FirstChildElement(name) : nullptr;
+    if (from == nullptr || from->GetText() == nullptr) return otherwise;
+    std::istringstream text(from->GetText());
+    for (double &number : otherwise) text >> number;
+    return otherwise;
+}
+
 // Null: of another shape than this program knows.
-dGeomID makeGeom(dSpaceID space, const sdf::Geometry &shape) {
-    if (const auto *const box = shape.BoxShape()) return dCreateBox(space, box->Size().X(), box->Size().Y(), box->Size().Z());
-    if (const auto *const sphere = shape.SphereShape()) return dCreateSphere(space, sphere->Radius());
-    if (const auto *const plane = shape.PlaneShape()) {
-        const auto &normal = plane->Normal();
-        return dCreatePlane(space, normal.X(), normal.Y(), normal.Z(), 0);
+dGeomID makeGeom(dSpaceID space, const XMLElement &geometry) {
+    if (geometry.FirstChildElement("box") != nullptr) {
+        const auto size = numbers<3>(&geometry, {"box", "size"}, {1, 1, 1});
+        return dCreateBox(space, size[0], size[1], size[2]);
+    }
+    if (geometry.FirstChildElement("sphere") != nullptr) return dCreateSphere(space, numbers<1>(&geometry, {"sphere", "radius"}, {1})[0]);
+    if (geometry.FirstChildElement("plane") != nullptr) {
+        const auto normal = numbers<3>(&geometry, {"plane", "normal"}, {0, 0, 1});
+        return dCreatePlane(space, normal[0], normal[1], normal[2], 0);
     }
     return nullptr;
 }
 
-void place(dGeomID geom, const ignition::math::Pose3d &pose) {
+// Roll, pitch and yaw turn about the fixed axes x, y and z, in this order.
+void place(dGeomID geom, const std::array<double, 6> &pose) {
     if (dGeomGetClass(geom) == dPlaneClass) return;  // through the origin
-    const dQuaternion rotation = {pose.Rot().W(), pose.Rot().X(), pose.Rot().Y(), pose.Rot().Z()};
-    dGeomSetPosition(geom, pose.Pos().X(), pose.Pos().Y(), pose.Pos().Z());
-    dGeomSetQuaternion(geom, rotation);
+    dQuaternion roll, pitch, yaw, both, all;
+    dQFromAxisAndAngle(roll, 1, 0, 0, pose[3]);
+    dQFromAxisAndAngle(pitch, 0, 1, 0, pose[4]);
+    dQFromAxisAndAngle(yaw, 0, 0, 1, pose[5]);
+    dQMultiply0(both, pitch, roll);
+    dQMultiply0(all, yaw, both);
+    dGeomSetPosition(geom, pose[0], pose[1], pose[2]);
+    dGeomSetQuaternion(geom, all);
 }
 
 // A model of one link, with the pose of the model.
-void addModel(Scene &scene, const sdf::Model &model) {
-    const sdf::Link &link = *model.LinkByIndex(0);
+void addModel(Scene &scene, const XMLElement &model) {
+    const XMLElement *const link = model.FirstChildElement("link");
+    bool isStatic = false;
+    if (const XMLElement *const flag = model.FirstChildElement("static")) flag->QueryBoolText(&isStatic);
     dBodyID body = nullptr;
-    if (!model.Static()) {
-        body = scene.bodies[model.Name()] = dBodyCreate(scene.world);
-        const auto &inertia = link.Inertial().MassMatrix();
+    if (!isStatic) {
+        body = scene.bodies[model.Attribute("name")] = dBodyCreate(scene.world);
+        const auto moment = [&](const char *name, double otherwise) { return numbers<1>(link, {"inertial", "inertia", name}, {otherwise})[0]; };
         dMass mass;
-        dMassSetParameters(&mass, inertia.Mass(), 0, 0, 0, inertia.DiagonalMoments().X(), inertia.DiagonalMoments().Y(),
-                           inertia.DiagonalMoments().Z(), inertia.OffDiagonalMoments().X(), inertia.OffDiagonalMoments().Y(),
-                           inertia.OffDiagonalMoments().Z());
+        dMassSetParameters(&mass, numbers<1>(link, {"inertial", "mass"}, {1})[0], 0, 0, 0, moment("ixx", 1), moment("iyy", 1), moment("izz", 1),
+                           moment("ixy", 0), moment("ixz", 0), moment("iyz", 0));
         dBodySetMass(body, &mass);
     }
-    for (std::uint64_t i = 0; i < link.CollisionCount(); ++i) {
-        const dGeomID geom = makeGeom(scene.space, *link.CollisionByIndex(i)->Geom());
+    for (const XMLElement *shape = link->FirstChildElement("collision"); shape != nullptr; shape = shape->NextSiblingElement("collision")) {
+        const dGeomID geom = makeGeom(scene.space, *shape->FirstChildElement("geometry"));
         if (geom == nullptr) continue;
         if (body != nullptr) dGeomSetBody(geom, body);
-        place(geom, model.RawPose());
+        place(geom, numbers<6>(&model, {"pose"}, {}));
     }
 }
 
@@ -70,17 +93,17 @@ void collide(void *data, dGeomID geom1, dGeomID geom2) {
 }  // namespace
 
 int main(int argc, char **argv) {
-    sdf::Root root;
-    const sdf::Errors errors = argc == 2 ? root.Load(argv[1]) : sdf::Errors{{sdf::ErrorCode::FILE_READ, "usage: load_sdf WORLD.sdf"}};
-    for (const sdf::Error &error : errors) std::fprintf(stderr, "%s\n", error.Message().c_str());
-    const sdf::World *const world = errors.empty() ? root.WorldByIndex(0) : nullptr;
-    if (world == nullptr) return 1;
+    tinyxml2::XMLDocument document;
+    if (argc == 2) document.LoadFile(argv[1]);
+    const XMLElement *const sdf = document.FirstChildElement("sdf"), *const world = sdf != nullptr ? sdf->FirstChildElement("world") : nullptr;
+    if (world == nullptr) return std::fprintf(stderr, "%s\n", document.Error() ? document.ErrorStr() : "usage: load_sdf WORLD.sdf"), 1;
 
     dInitODE2(0);
     dToggleODE_MT(dODE_MT_AUTO);
     Scene scene;
-    dWorldSetGravity(scene.world, world->Gravity().X(), world->Gravity().Y(), world->Gravity().Z());
-    for (std::uint64_t i = 0; i < world->ModelCount(); ++i) addModel(scene, *world->ModelByIndex(i));
+    const auto gravity = numbers<3>(world, {"gravity"}, {0, 0, -9.8});
+    dWorldSetGravity(scene.world, gravity[0], gravity[1], gravity[2]);
+    for (const XMLElement *model = world->FirstChildElement("model"); model != nullptr; model = model->NextSiblingElement("model")) addModel(scene, *model);
     for (int step = 0; step < 200; ++step) {
         dSpaceCollide(scene.space, &scene, collide);
         dWorldQuickStep(scene.world, 0.005);

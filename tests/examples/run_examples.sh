@@ -40,7 +40,7 @@ compare() {
 for program in $(cd "$EXAMPLES" && ls ./*.c ./*.cpp | sed 's,^\./,,; s/\.[a-z]*$//'); do
     case $program in
         load_sdf)
-            [ -x "$SCRATCH/build/load_sdf" ] || fail "libsdformat was not found"
+            [ -x "$SCRATCH/build/load_sdf" ] || fail "TinyXML-2 was not found"
             compare "$SCRATCH/build/load_sdf" "$EXAMPLES/three_balls.sdf"
             if "$SCRATCH/build/load_sdf" /nowhere.sdf >/dev/null 2>&1; then fail "load_sdf succeeds without a world"; fi ;;
         *) compare "$SCRATCH/build/$program" ;;

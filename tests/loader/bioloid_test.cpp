@@ -13,8 +13,8 @@ class Bioloid : public testing::Test {
 protected:
     std::unique_ptr<worlds::SdfScene> scene = worlds::loadWorld(worlds::findWorld("bioloid"));
 
-    Vector3d center(const std::string &part) const { return position(body(*scene, "robot::" + part)); }
-    double height() const { return center("base").Z(); }
+    Vector3 center(const std::string &part) const { return position(body(*scene, "robot::" + part)); }
+    double height() const { return center("base").z; }
 };
 
 TEST_F(Bioloid, HasTheObjectsOfTheFile) {
@@ -36,7 +36,7 @@ TEST_F(Bioloid, HasTheObjectsOfTheFile) {
 
 struct Hinge {
     const char *name;
-    Vector3d anchor, axis;  // at the start, in the world
+    Vector3 anchor, axis;  // at the start, in the world
 };
 
 TEST_F(Bioloid, HasItsHingesWhereTheFileHasThem) {
@@ -64,17 +64,17 @@ TEST_F(Bioloid, HasItsHingesWhereTheFileHasThem) {
         dJointGetHingeAnchor(found, anchor);
         dJointGetHingeAxis(found, axis);
         // The file rounds the place of the front left leg by 0.015 mm.
-        EXPECT_LT((Vector3d(anchor[0], anchor[1], anchor[2]) - hinge.anchor).Length(), 2e-5) << hinge.name;
-        EXPECT_LT((Vector3d(axis[0], axis[1], axis[2]) - hinge.axis).Length(), 1e-9) << hinge.name;
+        EXPECT_LT((Vector3{anchor[0], anchor[1], anchor[2]} - hinge.anchor).length(), 2e-5) << hinge.name;
+        EXPECT_LT((Vector3{axis[0], axis[1], axis[2]} - hinge.axis).length(), 1e-9) << hinge.name;
     }
 }
 
 TEST_F(Bioloid, HasItsCentresOfMassWhereTheFileHasThem) {
-    EXPECT_LT((center("base") - Vector3d(0, 0, 0.102)).Length(), 1e-9);
-    EXPECT_LT((center("pelvis") - Vector3d(-0.1085, 0, 0.091)).Length(), 1e-9);
+    EXPECT_LT((center("base") - Vector3{0, 0, 0.102}).length(), 1e-9);
+    EXPECT_LT((center("pelvis") - Vector3{-0.1085, 0, 0.091}).length(), 1e-9);
     // Half a turn about x: y and z are negated.
-    EXPECT_LT((center("front_right_2") - Vector3d(0.0585, -0.1335, 0.097)).Length(), 1e-9);
-    EXPECT_LT((center("head") - Vector3d(0.1935, 0, 0.0685)).Length(), 1e-9);
+    EXPECT_LT((center("front_right_2") - Vector3{0.0585, -0.1335, 0.097}).length(), 1e-9);
+    EXPECT_LT((center("head") - Vector3{0.1935, 0, 0.0685}).length(), 1e-9);
 }
 
 TEST_F(Bioloid, StandsUp) {
@@ -89,7 +89,7 @@ TEST_F(Bioloid, StandsUp) {
 
 TEST_F(Bioloid, WalksForwardUpright) {
     runFor(*scene, 2);
-    const Vector3d start = center("base");
+    const Vector3 start = center("base");
     for (int i = 0; i < 500; ++i) {
         scene->frame();
         ASSERT_TRUE(isFinite(*scene));
@@ -97,7 +97,7 @@ TEST_F(Bioloid, WalksForwardUpright) {
         ASSERT_LT(height(), 0.25);
         ASSERT_GT(dBodyGetRotation(body(*scene, "robot::base"))[10], 0.9);  // z of its z axis
     }
-    EXPECT_GT((center("base") - start).X(), 0.5);
+    EXPECT_GT((center("base") - start).x, 0.5);
 }
 
 // The motors cannot follow their targets; an ideal motor without load would swing as far as they ask.

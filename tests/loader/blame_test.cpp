@@ -20,34 +20,34 @@ const std::string badInertia =
 // The second of two models with the same names inside.
 void expectSecond(const std::string &inside, const std::string &place) {
     const std::string good = model("good", two + joint("a", "b"));
-    expectError(world(good + model("bad", inside)), worlds::LoadError::Kind::Syntax,
+    expectError(world(good + model("bad", inside)), worlds::LoadError::Kind::Value,
                 {"test.sdf: /sdf/world/model[bad]" + place + ": "});
-    expectError(world(model("outer", good + model("bad", inside))), worlds::LoadError::Kind::Syntax,
+    expectError(world(model("outer", good + model("bad", inside))), worlds::LoadError::Kind::Value,
                 {"test.sdf: /sdf/world/model[outer]/model[bad]" + place + ": "});
 }
 
 TEST(Blame, IsOnTheModelThatIsMeant) {
-    expectSecond(badInertia, "/link[a]");
+    expectSecond(badInertia, "/link[a]/inertial/inertia");
     expectSecond(two + joint("a", "a"), "/joint[j]");
-    expectSecond(two + joint("a", "world"), "/joint[j]");
+    expectSecond(two + joint("a", "world"), "/joint[j]/child");
     expectSecond(two + joint("a", "q"), "/joint[j]/child");
     expectSecond("<link name=\"a\"/><link name=\"b\"><pose relative_to=\"b\"/></link>", "/link[b]");
 }
 
 TEST(Blame, IsOnTheJointThatReachesIntoAnotherModel) {
     expectError(world(model("good", two) + model("bad", two + joint("good::a", "b"))),
-                worlds::LoadError::Kind::Syntax, {"test.sdf: /sdf/world/model[bad]/joint[j]/parent: "});
+                worlds::LoadError::Kind::Value, {"test.sdf: /sdf/world/model[bad]/joint[j]/parent: "});
 }
 
 TEST(Blame, IsOnTheModelWhoseNamesAreNotUnique) {
     expectError(world(model("good", two) + model("bad", two + "<frame name=\"a\"/>")),
-                worlds::LoadError::Kind::Syntax, {"test.sdf: /sdf/world/model[bad]/link[a]: "});
+                worlds::LoadError::Kind::Value, {"test.sdf: /sdf/world/model[bad]/frame[a]: a <link> is called 'a', too"});
 }
 
 TEST(Blame, IsOnTheFrameThatIsMeant) {
     const std::string good = model("good", two + "<frame name=\"f\" attached_to=\"a\"/>");
     expectError(world(good + model("bad", two + "<frame name=\"f\" attached_to=\"f\"/>")),
-                worlds::LoadError::Kind::Syntax, {"test.sdf: /sdf/world/model[bad]/frame[f]: "});
+                worlds::LoadError::Kind::Value, {"test.sdf: /sdf/world/model[bad]/frame[f]: "});
 }
 
 TEST(Blame, IsOnTheFileThatIsMeant) {
@@ -69,7 +69,7 @@ TEST(Blame, IsOnTheFileThatIsMeant) {
                 << error.what();
         }
     };
-    expectIn("heavy", badInertia, "/link[a]");
+    expectIn("heavy", badInertia, "/link[a]/inertial/inertia");
     expectIn("joined", two + joint("b", "b"), "/joint[j]");
     expectIn("lost", two + joint("a", "q"), "/joint[j]/child");
 }

@@ -7,7 +7,7 @@ namespace small_world {
 
 struct BoxSums {
     int count = 0;
-    Vector3d center;    // sum of the centres
+    Vector3 center;    // sum of the centres
     double volume = 0;  // sum of the volumes
 };
 
@@ -19,7 +19,7 @@ inline BoxSums sumOfStaticBoxes(const worlds::SdfScene &scene) {
         dGeomBoxGetLengths(geom, sides);
         const dReal *center = dGeomGetPosition(geom);
         ++sums.count;
-        sums.center += Vector3d(center[0], center[1], center[2]);
+        sums.center += Vector3{center[0], center[1], center[2]};
         sums.volume += sides[0] * sides[1] * sides[2];
     }
     return sums;

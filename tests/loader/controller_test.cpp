@@ -32,7 +32,7 @@ std::vector<long> wheelSpeeds(const std::string &sdf, int frames) {
     std::vector<long> speeds;
     for (int i = 0; i < frames; ++i) {
         scene->frame();
-        speeds.push_back(std::lround(spin(body(*scene, "m::wheel")).Z()));
+        speeds.push_back(std::lround(spin(body(*scene, "m::wheel")).z));
     }
     return speeds;
 }
@@ -60,8 +60,8 @@ TEST(VelocitySchedule, RepeatsCountedNestedAndForEver) {
 TEST(VelocitySchedule, DrivesEveryJointUpToItsLimit) {
     const auto scene = load(schedule("<phase duration=\"1\">9 -3</phase>"));
     run(*scene, 10);
-    EXPECT_NEAR(spin(body(*scene, "m::wheel")).Z(), 5, 1e-6);
-    EXPECT_NEAR(velocity(body(*scene, "m::slide")).X(), -3, 1e-6);
+    EXPECT_NEAR(spin(body(*scene, "m::wheel")).z, 5, 1e-6);
+    EXPECT_NEAR(velocity(body(*scene, "m::slide")).x, -3, 1e-6);
 }
 
 TEST(VelocitySchedule, WakesItsBodies) {
@@ -71,7 +71,7 @@ TEST(VelocitySchedule, WakesItsBodies) {
     runFor(*scene, 1.9);
     EXPECT_FALSE(dBodyIsEnabled(body(*scene, "m::wheel")));
     runFor(*scene, 0.3);
-    EXPECT_NEAR(spin(body(*scene, "m::wheel")).Z(), 1, 1e-6);
+    EXPECT_NEAR(spin(body(*scene, "m::wheel")).z, 1, 1e-6);
 }
 
 TEST(VelocitySchedule, MotorTakesThePlaceOfFriction) {
@@ -79,7 +79,7 @@ TEST(VelocitySchedule, MotorTakesThePlaceOfFriction) {
         load(driven("odemt-velocity-schedule", "<joints>w</joints><phase duration=\"1\">3</phase>",
                     "<dynamics><friction>0.001</friction></dynamics>"));
     run(*scene, 10);
-    EXPECT_NEAR(spin(body(*scene, "m::wheel")).Z(), 3, 1e-6);
+    EXPECT_NEAR(spin(body(*scene, "m::wheel")).z, 3, 1e-6);
 }
 
 std::string positions(const std::string &phases) {
@@ -129,7 +129,7 @@ TEST(PositionSchedule, SwingsFromTheStartOfThePhase) {
 TEST(PositionSchedule, ReachesItsTargetsNoFasterThanTheJoint) {
     const auto scene = load(positions("<hold duration=\"1\">3 0.5</hold>"));
     run(*scene, 10);
-    EXPECT_NEAR(spin(body(*scene, "m::wheel")).Z(), 5, 1e-6);
+    EXPECT_NEAR(spin(body(*scene, "m::wheel")).z, 5, 1e-6);
     runFor(*scene, 3);
     EXPECT_NEAR(dJointGetHingeAngle(joint(*scene, "m::w")), 3, 1e-6);
     EXPECT_NEAR(dJointGetSliderPosition(joint(*scene, "m::s")), 0.5, 1e-6);
@@ -172,7 +172,7 @@ TEST(FourierGait, HoldsAndSwings) {
 TEST(FourierGait, SpeedIsCutToTheLimit) {
     const auto scene = load(driven("odemt-fourier-gait", "<gain>10</gain><hold joint=\"w\">3</hold>"));
     runFor(*scene, 0.2);
-    EXPECT_NEAR(spin(body(*scene, "m::wheel")).Z(), 5, 1e-6);
+    EXPECT_NEAR(spin(body(*scene, "m::wheel")).z, 5, 1e-6);
 }
 
 // One link of 1 kg and 0.1 kg·m² without gravity, and forces on it.
@@ -189,11 +189,11 @@ TEST(BodyForces, PushAlongTheAxesOfTheLinkInPhases) {
                                    "<phase duration=\"1\">0 0 0 0 0 0.1</phase>"));
     const dBodyID hull = body(*scene, "m::hull");
     runFor(*scene, 1);
-    EXPECT_LT((velocity(hull) - Vector3d(0, 2, 0)).Length(), 1e-9);  // the link's x is the world's y
-    EXPECT_EQ(spin(hull).Length(), 0);
+    EXPECT_LT((velocity(hull) - Vector3{0, 2, 0}).length(), 1e-9);  // the link's x is the world's y
+    EXPECT_EQ(spin(hull).length(), 0);
     runFor(*scene, 1);
-    EXPECT_LT((velocity(hull) - Vector3d(0, 2, 0)).Length(), 1e-9);
-    EXPECT_NEAR(spin(hull).Z(), 1, 1e-9);
+    EXPECT_LT((velocity(hull) - Vector3{0, 2, 0}).length(), 1e-9);
+    EXPECT_NEAR(spin(hull).z, 1, 1e-9);
 }
 
 TEST(BodyForces, DragSlowsDownToItsBalanceWithThrust) {
@@ -203,10 +203,10 @@ TEST(BodyForces, DragSlowsDownToItsBalanceWithThrust) {
     const dBodyID hull = body(*scene, "m::hull");
     dBodySetLinearVel(hull, 5, 0, 0);
     scene->frame();
-    EXPECT_NEAR(velocity(hull).X(), 0, 1e-9);  // no drag reverses a motion
+    EXPECT_NEAR(velocity(hull).x, 0, 1e-9);  // no drag reverses a motion
     runFor(*scene, 10);
-    EXPECT_NEAR(spin(hull).Z(), 1.5, 1e-6);
-    EXPECT_NEAR(velocity(hull).Length(), 2, 0.05);  // 0.5 · 2² is the thrust; it goes where it heads
+    EXPECT_NEAR(spin(hull).z, 1.5, 1e-6);
+    EXPECT_NEAR(velocity(hull).length(), 2, 0.05);  // 0.5 · 2² is the thrust; it goes where it heads
 }
 
 TEST(BodyForces, RightingMomentSwingsTheLinkUpright) {
@@ -217,7 +217,7 @@ TEST(BodyForces, RightingMomentSwingsTheLinkUpright) {
     dQFromAxisAndAngle(tilted, 1, 1, 0, 1.5);
     dBodySetQuaternion(hull, tilted);
     runFor(*scene, 0.1);
-    EXPECT_NEAR(spin(hull).Length(), 1 / 0.1 * 0.1, 0.2);
+    EXPECT_NEAR(spin(hull).length(), 1 / 0.1 * 0.1, 0.2);
     runFor(*scene, 20);
     EXPECT_GT(dBodyGetRotation(hull)[10], 0.9999);
 }
@@ -231,7 +231,7 @@ TEST(BodyForces, DragNeverAddsEnergy) {
     const dBodyID hull = body(*scene, "m::hull");
     dBodySetAngularVel(hull, 0.1, -0.1, 0.1);
     runFor(*scene, 1);
-    EXPECT_LT(spin(hull).Length(), 1e-6);
+    EXPECT_LT(spin(hull).length(), 1e-6);
 }
 
 TEST(Controller, SchedulesTakeNoMoreMemoryThanTheyMay) {
@@ -274,7 +274,7 @@ TEST(PositionSchedule, CountsOnBeyondHalfATurn) {
                                                               "<hold duration=\"5\">10 0</hold><hold duration=\"5\">-7 0</hold>"));
     runFor(*scene, 5);
     EXPECT_NEAR(dJointGetHingeAngle(joint(*scene, "m::w")), 10 - 4 * M_PI, 1e-3);
-    EXPECT_NEAR(spin(body(*scene, "m::wheel")).Z(), 0, 1e-3);
+    EXPECT_NEAR(spin(body(*scene, "m::wheel")).z, 0, 1e-3);
     runFor(*scene, 5);
     EXPECT_NEAR(dJointGetHingeAngle(joint(*scene, "m::w")), -7 + 2 * M_PI, 1e-3);
 }
@@ -287,7 +287,7 @@ TEST(Controller, ReachesTheSecondAxis) {
         <plugin name="p" filename="odemt-velocity-schedule"><joints>j/axis2</joints><phase duration="1">2</phase>
         </plugin></model>)"));
     run(*scene, 20);
-    EXPECT_NEAR(spin(body(*scene, "m::b")).Y() - spin(body(*scene, "m::a")).Y(), 2, 1e-3);
+    EXPECT_NEAR(spin(body(*scene, "m::b")).y - spin(body(*scene, "m::a")).y, 2, 1e-3);
 }
 
 TEST(Controller, ParametersAreChecked) {

@@ -14,10 +14,10 @@ protected:
     std::unique_ptr<worlds::SdfScene> scene = worlds::loadWorld(worlds::findWorld("create"));
 
     // The robot's origin; its centre of mass is 16.8 mm in front and 1.4 mm below.
-    Vector3d origin() const {
+    Vector3 origin() const {
         dVector3 point;
         dBodyGetRelPointPos(body(*scene, "robot::base"), -0.0168, 0, 0.0014, point);
-        return Vector3d(point[0], point[1], point[2]);
+        return Vector3{point[0], point[1], point[2]};
     }
     double doorAngle() const { return dJointGetHingeAngle(joint(*scene, "door::hinge")); }
 };
@@ -35,7 +35,7 @@ TEST_F(Create, HasTheObjectsOfTheFile) {
 TEST_F(Create, PutsTheFurnitureWhereTheFileHasIt) {
     const BoxSums sums = sumOfStaticBoxes(*scene);
     EXPECT_EQ(sums.count, 40);
-    EXPECT_LT((sums.center - Vector3d(11.4259, -29.4137, 25.175)).Length(), 1e-9);
+    EXPECT_LT((sums.center - Vector3{11.4259, -29.4137, 25.175}).length(), 1e-9);
     EXPECT_NEAR(sums.volume, 35.99939, 1e-5);
     const dReal *shade = dGeomGetPosition(geom(*scene, "floor_lamp::floor_lamp::shade"));
     EXPECT_DOUBLE_EQ(shade[2], 1.524);
@@ -45,7 +45,7 @@ TEST_F(Create, PutsTheFurnitureWhereTheFileHasIt) {
 
 TEST_F(Create, DoorIsOneBodyOfLeafAndHandle) {
     const dBodyID leaf = body(*scene, "door::leaf");
-    EXPECT_LT((position(leaf) - Vector3d(-1.424, 0.0139, 1)).Length(), 1e-9);
+    EXPECT_LT((position(leaf) - Vector3{-1.424, 0.0139, 1}).length(), 1e-9);
     dMass mass;
     dBodyGetMass(leaf, &mass);
     EXPECT_NEAR(mass.I[0], 7.611, 1e-9);
@@ -56,11 +56,11 @@ TEST_F(Create, DoorIsOneBodyOfLeafAndHandle) {
 }
 
 TEST_F(Create, RobotDropsAndRests) {
-    EXPECT_NEAR(origin().Z(), 0.0899546, 1e-9);
+    EXPECT_NEAR(origin().z, 0.0899546, 1e-9);
     runFor(*scene, 0.512);  // the controller starts to drive after 0.5 s
     runFor(*scene, 2);
-    EXPECT_NEAR(origin().Z(), 0.045, 0.002);  // contacts are soft
-    EXPECT_NEAR(velocity(body(*scene, "robot::base")).X(), 0.496, 0.005);
+    EXPECT_NEAR(origin().z, 0.045, 0.002);  // contacts are soft
+    EXPECT_NEAR(velocity(body(*scene, "robot::base")).x, 0.496, 0.005);
 }
 
 class FirstTouch : public scenes::Observer {
@@ -104,9 +104,9 @@ TEST_F(Create, DoorSlowsDownByItsDamping) {
 TEST_F(Create, RunsOn) {
     for (int i = 0; i < 2000; ++i) scene->frame();
     EXPECT_TRUE(isFinite(*scene));
-    EXPECT_GT(origin().Z(), 0);
-    EXPECT_LT(std::fabs(origin().X()), 5);  // within the flat
-    EXPECT_LT(std::fabs(origin().Y()), 5);
+    EXPECT_GT(origin().z, 0);
+    EXPECT_LT(std::fabs(origin().x), 5);  // within the flat
+    EXPECT_LT(std::fabs(origin().y), 5);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ TEST_F(DarwinOp, StandsOnTheTableAndLooksAround) {
     EXPECT_NEAR(pan[1], 0.79, 0.02);
     EXPECT_NEAR(tilt[0], -0.29, 0.02);
     EXPECT_NEAR(tilt[1], 0.29, 0.02);
-    EXPECT_NEAR(position(trunk).Z(), 1.046, 0.002);
+    EXPECT_NEAR(position(trunk).z, 1.046, 0.002);
     EXPECT_EQ(watch.pairs,
               (std::set<std::pair<std::string, std::string>>{{"ball", "table"}, {"robot", "table"}}));
 }

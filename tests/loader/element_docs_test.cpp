@@ -1,5 +1,5 @@
 // worlds/elements.md says what the table of elements says.
-#include "loader/read/element_docs.h"
+#include "loader/read/element_rules.h"
 
 #include <gtest/gtest.h>
 

@@ -25,7 +25,7 @@ struct Violation {
 };
 
 bool isNumber(Type type) {
-    return type == Type::Numbers || type == Type::Whole || type == Type::Limit || type == Type::Direction;
+    return type == Type::Numbers || type == Type::Whole || type == Type::Mask || type == Type::Limit || type == Type::Direction;
 }
 bool isValue(Type type) { return type != Type::Group && type != Type::Any; }
 
@@ -50,7 +50,9 @@ void addNumbers(const NamedRule &named, std::vector<Violation> &list) {
     const std::string good = rule_world::sample(named);
     const ElementRule &rule = named.rule;
     list.push_back(withText("a word", replaceFirst(good, "heavy"), "is not a number"));
-    list.push_back(withText("hexadecimal", replaceFirst(good, "0x1"), "is not a number"));
+    if (rule.type != Type::Mask) list.push_back(withText("hexadecimal", replaceFirst(good, "0x1"), "is not a number"));
+    if (rule.type == Type::Mask) list.push_back(withText("too large", "0x10000", "is not between"));
+    if (rule.type == Type::Mask) list.push_back(withText("no digits", "0xg", "is not a number"));
     list.push_back(withText("overflow", replaceFirst(good, "1e400"), "is not a number"));
     list.push_back(withText("NaN", replaceFirst(good, "nan"), "not a number"));
     list.push_back(withText("surplus", good + " 1", "numbers instead of"));
@@ -69,7 +71,7 @@ void addNumbers(const NamedRule &named, std::vector<Violation> &list) {
         list.push_back(withText("below",
                                 replaceFirst(good, write(rule.least - 1e-3 * std::fabs(rule.least) - 1e-3)),
                                 rule.type == Type::Limit ? "or more" : "between"));
-    if (rule.type == Type::Whole) {
+    if (rule.type == Type::Whole || rule.type == Type::Mask) {
         list.push_back(withText("a fraction", "1.5", rule.most < 1.5 ? "between" : "is not a whole number"));
         list.push_back(withText("an exponent", "1e0", "is not a whole number"));
     }
@@ -146,9 +148,10 @@ std::vector<Violation> violationsOf(const NamedRule &named) {
     std::vector<Violation> list;
     const ElementRule &rule = named.rule;
     if (isValue(rule.type)) {
-        list.push_back(
-            {"empty", [](tinyxml2::XMLElement &element) { element.DeleteChildren(); }, "is empty"});
-        list.push_back(withText("blank", " \n ", "is empty"));
+        if (rule.type != Type::Pose) {  // an empty one is that of the frame that it is relative to
+            list.push_back({"empty", [](tinyxml2::XMLElement &element) { element.DeleteChildren(); }, "is empty"});
+            list.push_back(withText("blank", " \n ", "is empty"));
+        }
         list.push_back({"holding an element",
                         [](tinyxml2::XMLElement &element) { element.InsertNewChildElement("extra"); },
                         "holds an element, <extra>"});

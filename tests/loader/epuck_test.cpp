@@ -24,33 +24,33 @@ TEST_F(Epuck, HasTheObjectsOfTheFile) {
     EXPECT_EQ(scene->inventory().geoms.size(), 10u + 4u);
     EXPECT_NEAR(totalMass(*scene, "robot"), 0.16, 1e-12);
     EXPECT_DOUBLE_EQ(scene->stepSize(), 0.032);
-    const Vector3d axle =
+    const Vector3 axle =
         position(body(*scene, "robot::left_wheel")) - position(body(*scene, "robot::right_wheel"));
-    EXPECT_NEAR(axle.Length(), 0.052, 1e-12);
-    EXPECT_NEAR(position(robot).Z(), 0.015, 1e-12);  // its centre of mass
+    EXPECT_NEAR(axle.length(), 0.052, 1e-12);
+    EXPECT_NEAR(position(robot).z, 0.015, 1e-12);  // its centre of mass
 }
 
 TEST_F(Epuck, DrivesFiguresOfEightInTheMiddle) {
     runFor(*scene, 2);
-    EXPECT_NEAR(velocity(robot).Length(), 0.107, 0.002);
-    EXPECT_GT(spin(robot).Z(), 0.6);  // to the left at first
+    EXPECT_NEAR(velocity(robot).length(), 0.107, 0.002);
+    EXPECT_GT(spin(robot).z, 0.6);  // to the left at first
     runFor(*scene, 9.6);
-    EXPECT_LT(spin(robot).Z(), -0.6);
+    EXPECT_LT(spin(robot).z, -0.6);
 
-    Vector3d least = position(robot), most = least;
+    Vector3 least = position(robot), most = least;
     TouchedModels watch(*scene);
     scene->observe(&watch);
     for (int i = 0; i < 1900; ++i) {  // 61 s
         scene->frame();
-        least.Min(position(robot));
-        most.Max(position(robot));
+        least = minOf(least, position(robot));
+        most = maxOf(most, position(robot));
     }
     EXPECT_TRUE(isFinite(*scene));
-    EXPECT_NEAR(most.Y() - least.Y(), 0.65, 0.05);  // two circles side by side
-    EXPECT_LT(least.Length() + bodyRadius, 0.42);
-    EXPECT_LT(most.Length() + bodyRadius, 0.42);
+    EXPECT_NEAR(most.y - least.y, 0.65, 0.05);  // two circles side by side
+    EXPECT_LT(least.length() + bodyRadius, 0.42);
+    EXPECT_LT(most.length() + bodyRadius, 0.42);
     EXPECT_EQ(watch.pairs.size(), 1u);  // the robot and the arena
-    EXPECT_NEAR(position(robot).Z(), 0.015, 5e-4);
+    EXPECT_NEAR(position(robot).z, 0.015, 5e-4);
 }
 
 class Epucks : public testing::Test {
@@ -71,19 +71,19 @@ TEST_F(Epucks, AreSixteenOnAFieldForSoccer) {
 }
 
 TEST_F(Epucks, CircleInStepAndTouchNothingButTheField) {
-    const Vector3d apart = position(robot("blue_", 1)) - position(robot("blue_", 8));
-    const Vector3d start = position(robot("blue_", 1));
+    const Vector3 apart = position(robot("blue_", 1)) - position(robot("blue_", 8));
+    const Vector3 start = position(robot("blue_", 1));
     TouchedModels watch(*scene);
     scene->observe(&watch);
     double farthest = 0;
     for (int i = 0; i < 1875; ++i) {  // 60 s
         scene->frame();
-        farthest = std::max(farthest, (position(robot("blue_", 1)) - start).Length());
-        ASSERT_LT((position(robot("blue_", 1)) - position(robot("blue_", 8)) - apart).Length(), 1e-6);
+        farthest = std::max(farthest, (position(robot("blue_", 1)) - start).length());
+        ASSERT_LT((position(robot("blue_", 1)) - position(robot("blue_", 8)) - apart).length(), 1e-6);
     }
     EXPECT_TRUE(isFinite(*scene));
     EXPECT_NEAR(farthest, 0.16, 0.02);  // the width of the circle
-    EXPECT_NEAR(velocity(robot("yellow_", 3)).Length(), 0.093, 0.002);
+    EXPECT_NEAR(velocity(robot("yellow_", 3)).length(), 0.093, 0.002);
     EXPECT_EQ(watch.pairs.size(), 16u);
     for (const auto &[first, second] : watch.pairs) EXPECT_TRUE(first == "field" || second == "field");
 }

@@ -121,10 +121,10 @@ TEST(Error, StructureIsChecked) {
     expectError(
         world("<model name=\"m\">" + linkOf1kg("a", "0 0 0 0 0 0") +
               "<joint name=\"j\" type=\"fixed\"><parent>a</parent><child>nobody</child></joint></model>"),
-        Kind::Syntax, {"nobody"});
+        Kind::Value, {"test.sdf: /sdf/world/model[m]/joint[j]/child: no frame 'nobody' in the model 'm'"});
     expectError(
         world("<model name=\"m\"><pose relative_to=\"nowhere\">0 0 0 0 0 0</pose><link name=\"l\"/></model>"),
-        Kind::Syntax, {"nowhere"});
+        Kind::Value, {"test.sdf: /sdf/world/model[m]/pose: relative_to: no frame 'nowhere' in the world"});
     expectError(world("<include><uri>model://nobody</uri></include>"), Kind::Resource,
                 {"test.sdf: /sdf/world/include/uri: no model 'model://nobody'"});
 }

@@ -27,18 +27,18 @@ TEST(Fluid, LiftsWhatIsImmersedByTheWeightOfTheFluid) {
                half = load(inFluid("0 0 0 0 0 0", liter2)),
                lying = load(inFluid("0 0 0.05 0 1.5707963267948966 0", liter2));
     for (const auto &scene : {below.get(), above.get(), half.get(), lying.get()}) scene->frame();
-    EXPECT_NEAR(velocity(body(*below, "m::boat")).Z(), 0.01, 1e-9);
-    EXPECT_NEAR(velocity(body(*above, "m::boat")).Z(), -0.01, 1e-9);
-    EXPECT_NEAR(velocity(body(*half, "m::boat")).Z(), 0, 1e-9);
+    EXPECT_NEAR(velocity(body(*below, "m::boat")).z, 0.01, 1e-9);
+    EXPECT_NEAR(velocity(body(*above, "m::boat")).z, -0.01, 1e-9);
+    EXPECT_NEAR(velocity(body(*half, "m::boat")).z, 0, 1e-9);
     // 0.1 m high now, and so out of the fluid.
-    EXPECT_NEAR(velocity(body(*lying, "m::boat")).Z(), -0.01, 1e-9);
+    EXPECT_NEAR(velocity(body(*lying, "m::boat")).z, -0.01, 1e-9);
 }
 
 TEST(Fluid, LiftsAtTheCenterOfTheBox) {
     const auto scene = load(inFluid("0 0 -1 0 0 0", liter2 + "<center>0.1 0 0</center>"));
     scene->frame();
     // Torque through inertia, for 1 ms.
-    EXPECT_NEAR(spin(body(*scene, "m::boat")).Y(), -20 * 0.1 / 0.1 * 0.001, 1e-9);
+    EXPECT_NEAR(spin(body(*scene, "m::boat")).y, -20 * 0.1 / 0.1 * 0.001, 1e-9);
 }
 
 TEST(Fluid, DragGrowsWithTheSquareOfTheSpeedAlongEachAxis) {
@@ -47,10 +47,10 @@ TEST(Fluid, DragGrowsWithTheSquareOfTheSpeedAlongEachAxis) {
     const dBodyID boat = body(*scene, "m::boat");
     dBodySetLinearVel(boat, 0.4, 0, 0);  // along -y of the link, whose side is 0.02 m²
     scene->frame();
-    EXPECT_NEAR(velocity(boat).X(), 0.4 - 0.5 * 1000 * 2 * 0.02 * 0.4 * 0.4 * 0.001, 1e-9);
+    EXPECT_NEAR(velocity(boat).x, 0.4 - 0.5 * 1000 * 2 * 0.02 * 0.4 * 0.4 * 0.001, 1e-9);
     dBodySetLinearVel(boat, 0, 0, 0.4);
     scene->frame();
-    EXPECT_NEAR(velocity(boat).Z(), 0.4, 1e-9);
+    EXPECT_NEAR(velocity(boat).z, 0.4, 1e-9);
 }
 
 TEST(Fluid, DragNeverTurnsAMotionRound) {
@@ -60,8 +60,8 @@ TEST(Fluid, DragNeverTurnsAMotionRound) {
     dBodySetLinearVel(boat, 1000, 0, 0);
     dBodySetAngularVel(boat, 0, 0, 5);
     scene->frame();
-    EXPECT_NEAR(velocity(boat).X(), 0, 1e-9);
-    EXPECT_NEAR(spin(boat).Z(), 0, 1e-9);
+    EXPECT_NEAR(velocity(boat).x, 0, 1e-9);
+    EXPECT_NEAR(spin(boat).z, 0, 1e-9);
 }
 
 // Off the centre of mass a force meets less than the link's mass, and drag may be any.
@@ -74,11 +74,11 @@ TEST(Fluid, DragNeverAddsEnergy) {
     const auto energy = [&] {
         dMass mass;
         dBodyGetMass(boat, &mass);
-        const Vector3d turning = spin(boat);
+        const Vector3 turning = spin(boat);
         dVector3 along;
-        dBodyVectorFromWorld(boat, static_cast<dReal>(turning.X()), static_cast<dReal>(turning.Y()),
-                             static_cast<dReal>(turning.Z()), along);
-        double sum = mass.mass * velocity(boat).SquaredLength();
+        dBodyVectorFromWorld(boat, static_cast<dReal>(turning.x), static_cast<dReal>(turning.y),
+                             static_cast<dReal>(turning.z), along);
+        double sum = mass.mass * velocity(boat).squaredLength();
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) sum += along[i] * mass.I[4 * i + j] * along[j];
         return sum / 2;

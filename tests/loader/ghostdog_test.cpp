@@ -30,14 +30,14 @@ TEST_F(GhostDog, HasTheObjectsOfTheFile) {
 
 TEST_F(GhostDog, RunsForwardUpright) {
     runFor(*scene, 3);
-    const double start = position(trunk).X();
+    const double start = position(trunk).x;
     for (int i = 0; i < 1250; ++i) {  // 5 s
         scene->frame();
         ASSERT_GT(dBodyGetRotation(trunk)[10], 0.7) << scene->time();
-        ASSERT_GT(position(trunk).Z(), 0.15) << scene->time();
+        ASSERT_GT(position(trunk).z, 0.15) << scene->time();
     }
-    EXPECT_GT(position(trunk).X() - start, 6);  // m; 1.7 m/s
-    EXPECT_NEAR(position(trunk).Y(), 0, 0.01);
+    EXPECT_GT(position(trunk).x - start, 6);  // m; 1.7 m/s
+    EXPECT_NEAR(position(trunk).y, 0, 0.01);
 }
 
 // A shank turns against the knee that its motor holds, and is pushed back.

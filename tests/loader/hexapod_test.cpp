@@ -26,13 +26,13 @@ TEST_F(Hexapod, HasTheObjectsOfTheFile) {
 
 TEST_F(Hexapod, WalksForwardOnThreeLegsAtATime) {
     runFor(*scene, 2.4);
-    const Vector3d start = position(trunk);
+    const Vector3 start = position(trunk);
     for (int i = 0; i < 900; ++i) {  // 7.2 s, three strides
         scene->frame();
-        ASSERT_GT(position(trunk).Z(), 0.07);
+        ASSERT_GT(position(trunk).z, 0.07);
         ASSERT_GT(dBodyGetRotation(trunk)[10], 0.97);
     }
-    EXPECT_NEAR((position(trunk) - start).X(), 0.72, 0.1);  // 0.24 m a stride
+    EXPECT_NEAR((position(trunk) - start).x, 0.72, 0.1);  // 0.24 m a stride
 }
 
 TEST_F(Hexapod, SweepsItsJointsFromStopToStop) {

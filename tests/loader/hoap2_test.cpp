@@ -32,17 +32,17 @@ TEST(Hoap2, WalksStraightAhead) {
     const auto scene = loadNamed("hoap2_walk");
     const dBodyID trunk = body(*scene, "robot::body"), sole = body(*scene, "robot::left_sole");
     runFor(*scene, 3);
-    const Vector3d start = position(trunk);
+    const Vector3 start = position(trunk);
     int steps = 0;
     for (int i = 0; i < 400; ++i) {  // 10 s, 7 strides
-        const bool before = position(sole).Z() > 0.0135;
+        const bool before = position(sole).z > 0.0135;
         scene->frame();
-        steps += !before && position(sole).Z() > 0.0135;
+        steps += !before && position(sole).z > 0.0135;
         ASSERT_GT(upright(trunk), 0.97) << scene->time();
     }
     EXPECT_EQ(steps, 7);
-    EXPECT_NEAR((position(trunk) - start).X(), 0.56, 0.1);  // 8 cm a stride
-    EXPECT_NEAR((position(trunk) - start).Y(), 0, 0.1);
+    EXPECT_NEAR((position(trunk) - start).x, 0.56, 0.1);  // 8 cm a stride
+    EXPECT_NEAR((position(trunk) - start).y, 0, 0.1);
 }
 
 TEST(Hoap2, StampsWithBothFeetInTurn) {
@@ -52,17 +52,17 @@ TEST(Hoap2, StampsWithBothFeetInTurn) {
     double lowest = 1, highestLeft = 0, highestRight = 0;
     while (scene->time() < 14) {
         scene->frame();
-        lowest = std::min(lowest, position(trunk).Z());
+        lowest = std::min(lowest, position(trunk).z);
         const bool isLeftsTurn = scene->time() < 7;
         double &highest = isLeftsTurn ? highestLeft : highestRight;
-        highest = std::max(highest, position(isLeftsTurn ? left : right).Z());
-        ASSERT_LT(position(isLeftsTurn ? right : left).Z(), 0.22) << scene->time();  // on the stage
+        highest = std::max(highest, position(isLeftsTurn ? left : right).z);
+        ASSERT_LT(position(isLeftsTurn ? right : left).z, 0.22) << scene->time();  // on the stage
         ASSERT_GT(upright(trunk), 0.98) << scene->time();
     }
     EXPECT_LT(lowest, 0.515);  // squats from 0.55
     EXPECT_GT(highestLeft, 0.235);
     EXPECT_GT(highestRight, 0.235);
-    EXPECT_LT((position(trunk) - Vector3d(-0.53, 0, 0.55)).Length(), 0.05);
+    EXPECT_LT((position(trunk) - Vector3{-0.53, 0, 0.55}).length(), 0.05);
 }
 
 }  // namespace

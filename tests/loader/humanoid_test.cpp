@@ -47,16 +47,16 @@ TEST_F(Humanoid, IsAsTallAsTheFileHasIt) {
 
 TEST_F(Humanoid, BothSidesMirrorEachOther) {
     for (const char *part : {"hip", "thigh", "shank", "ankle", "foot", "shoulder", "arm", "hand"}) {
-        const Vector3d left = position(body(*scene, std::string("robot::left_") + part));
-        const Vector3d right = position(body(*scene, std::string("robot::right_") + part));
-        EXPECT_LT((left - Vector3d(right.X(), -right.Y(), right.Z())).Length(), 1e-12) << part;
+        const Vector3 left = position(body(*scene, std::string("robot::left_") + part));
+        const Vector3 right = position(body(*scene, std::string("robot::right_") + part));
+        EXPECT_LT((left - Vector3{right.x, -right.y, right.z}).length(), 1e-12) << part;
     }
 }
 
 TEST_F(Humanoid, BendsItsKneesOnceASecondAndMovesItsArms) {
     runFor(*scene, 1);
     EXPECT_NEAR(angle("left_shank"), 0, 0.02);
-    const double standing = position(trunk).Z();
+    const double standing = position(trunk).z;
     double lowest = standing, maxKnee = 0, minReach = 0, maxReach = 0;
     int bends = 0;
     for (int i = 0; i < 250; ++i) {  // 8 s, two bars
@@ -65,7 +65,7 @@ TEST_F(Humanoid, BendsItsKneesOnceASecondAndMovesItsArms) {
         const double after = angle("left_shank");
         bends += before < 0.8 && after >= 0.8;
         maxKnee = std::max(maxKnee, after);
-        lowest = std::min(lowest, position(trunk).Z());
+        lowest = std::min(lowest, position(trunk).z);
         minReach = std::min(minReach, angle("left_shoulder"));
         maxReach = std::max(maxReach, angle("left_arm"));
     }
@@ -85,7 +85,7 @@ TEST_F(Humanoid, StaysUprightOnItsFeet) {
     }
     EXPECT_TRUE(isFinite(*scene));
     EXPECT_EQ(watch.pairs.size(), 1u);
-    EXPECT_LT(std::hypot(position(trunk).X(), position(trunk).Y()), 0.05);
+    EXPECT_LT(std::hypot(position(trunk).x, position(trunk).y), 0.05);
     for (const char *foot : {"robot::left_foot", "robot::right_foot"})
         EXPECT_NEAR(upright(body(*scene, foot)), 1, 0.02);
 }
@@ -102,12 +102,12 @@ TEST(Humanoids, AreEight) {
 TEST(Humanoids, DanceInStepAndNeverTouchEachOther) {
     const auto scene = loadNamed("humanoids");
     const dBodyID first = body(*scene, "robot_1::left_hand"), last = body(*scene, "robot_8::left_hand");
-    const Vector3d apart = position(first) - position(last);
+    const Vector3 apart = position(first) - position(last);
     TouchedModels watch(*scene);
     scene->observe(&watch);
     for (int i = 0; i < 1875; ++i) {  // 60 s
         scene->frame();
-        ASSERT_LT((position(first) - position(last) - apart).Length(), 1e-6) << scene->time();
+        ASSERT_LT((position(first) - position(last) - apart).length(), 1e-6) << scene->time();
     }
     EXPECT_TRUE(isFinite(*scene));
     EXPECT_EQ(watch.pairs.size(), 8u);  // each with the arena

@@ -40,7 +40,7 @@ TEST(Inertial, TurnsItsFrameIntoTheLinks) {
     EXPECT_NEAR(mass.I[0], 0.5, 1e-12);
     EXPECT_NEAR(mass.I[5], 0.4, 1e-12);
     EXPECT_NEAR(mass.I[1], -0.05, 1e-12);
-    EXPECT_LT((position(body(*scene, "m::link")) - Vector3d(1.1, 0.2, 0.3)).Length(), 1e-12);
+    EXPECT_LT((position(body(*scene, "m::link")) - Vector3{1.1, 0.2, 0.3}).length(), 1e-12);
     EXPECT_DOUBLE_EQ(dBodyGetQuaternion(body(*scene, "m::link"))[0], 1);  // axes are the link's
 }
 
@@ -56,7 +56,7 @@ TEST(Inertial, DecidesHowABodySpins) {
         <inertia><ixx>0.2</ixx><iyy>0.3</iyy><izz>0.4</izz></inertia></inertial>)"));
     dBodyAddTorque(body(*scene, "m::link"), 0, 0, 4);
     scene->frame();
-    EXPECT_NEAR(spin(body(*scene, "m::link")).Z(), 4 / 0.4 * 0.001, 1e-9);
+    EXPECT_NEAR(spin(body(*scene, "m::link")).z, 4 / 0.4 * 0.001, 1e-9);
 }
 
 TEST(Inertial, MatrixHasToBePossible) {

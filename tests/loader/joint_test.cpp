@@ -43,7 +43,7 @@ std::string motor(double force, double speed) {
 }
 
 dJointID jointOf(const worlds::SdfScene &scene) { return joint(scene, "m::j"); }
-Vector3d spinOfBAgainstA(const worlds::SdfScene &scene) {
+Vector3 spinOfBAgainstA(const worlds::SdfScene &scene) {
     return spin(body(scene, "m::b")) - spin(body(scene, "m::a"));
 }
 
@@ -62,9 +62,9 @@ TEST_P(JointType, IsTheOneOfOdeAndHoldsTogether) {
     dBodyAddForce(body(*scene, "m::b"), 10, 20, 30);
     runFor(*scene, 0.5);
     EXPECT_TRUE(isFinite(*scene));
-    const Vector3d b = position(body(*scene, "m::b"));
+    const Vector3 b = position(body(*scene, "m::b"));
     dVector3 seenFromA;
-    dBodyGetPosRelPoint(body(*scene, "m::a"), b.X(), b.Y(), b.Z(), seenFromA);
+    dBodyGetPosRelPoint(body(*scene, "m::a"), b.x, b.y, b.z, seenFromA);
     if (GetParam().ode == dJointTypeSlider)
         EXPECT_GT(seenFromA[0], 1.001);  // has slid along x
     else
@@ -89,7 +89,7 @@ struct Turning {
     const char *name, *type;
     std::string axes;
     int axis;
-    Vector3d direction;
+    Vector3 direction;
 };
 void PrintTo(const Turning &turning, std::ostream *out) { *out << turning.name; }
 
@@ -101,7 +101,7 @@ TEST_P(JointMotion, IsTheChildsAgainstTheParent) {
     handle.set(dParamVel, 2);
     handle.set(dParamFMax, 100);
     run(*scene, 50);
-    EXPECT_LT((spinOfBAgainstA(*scene) - 2 * GetParam().direction).Length(), 0.05);
+    EXPECT_LT((spinOfBAgainstA(*scene) - 2 * GetParam().direction).length(), 0.05);
     EXPECT_NEAR(handle.rate(), 2, 0.02);
     EXPECT_NEAR(handle.position(), 2 * 0.05, 0.01);
 }
@@ -112,7 +112,7 @@ TEST_P(JointMotion, IsPushedByForcesInTheSameSense) {
     handle.addForce(1);
     scene->frame();
     EXPECT_GT(handle.rate(), 0);
-    EXPECT_GT(spinOfBAgainstA(*scene).Dot(GetParam().direction), 0);
+    EXPECT_GT(spinOfBAgainstA(*scene).dot(GetParam().direction), 0);
 }
 
 class LimitedMotion : public JointMotion {};
@@ -154,8 +154,8 @@ TEST(Joint, PrismaticSlidesTheChildAlongTheAxisToItsLimit) {
         const auto scene = load(sdf);
         run(*scene, 50);
         EXPECT_NEAR(dJointGetSliderPositionRate(jointOf(*scene)), 1, 0.02);
-        const double speedOfA = velocity(body(*scene, "m::a")).X();
-        EXPECT_NEAR(velocity(body(*scene, "m::b")).X() - speedOfA, 1, 0.02);
+        const double speedOfA = velocity(body(*scene, "m::a")).x;
+        EXPECT_NEAR(velocity(body(*scene, "m::b")).x - speedOfA, 1, 0.02);
         EXPECT_NEAR(dJointGetSliderPosition(jointOf(*scene)), 0.05, 0.01);
         runFor(*scene, 1);
         EXPECT_NEAR(dJointGetSliderPosition(jointOf(*scene)), 0.1, 0.01);
@@ -165,7 +165,7 @@ TEST(Joint, PrismaticSlidesTheChildAlongTheAxisToItsLimit) {
 TEST(Joint, TurnsOnTheWorldInTheSameSense) {
     const auto scene = load(onWorld("revolute", axis("0 0 1") + motor(100, 1)));
     run(*scene, 20);
-    EXPECT_NEAR(spin(body(*scene, "m::b")).Z(), 1, 1e-6);
+    EXPECT_NEAR(spin(body(*scene, "m::b")).z, 1, 1e-6);
     EXPECT_GT(dJointGetHingeAngle(jointOf(*scene)), 0);
 }
 
@@ -200,7 +200,7 @@ TEST(Joint, FrictionHoldsUntilItIsOvercome) {
             dBodyAddTorque(body(*scene, "m::b"), 0, 0, torque);
             scene->frame();
         }
-        EXPECT_NEAR(spin(body(*scene, "m::b")).Z(), turns ? 0.1 / 0.1 * 0.5 : 0, 0.02);
+        EXPECT_NEAR(spin(body(*scene, "m::b")).z, turns ? 0.1 / 0.1 * 0.5 : 0, 0.02);
     }
 }
 
@@ -208,7 +208,7 @@ TEST(Joint, DampingSlowsDown) {
     const auto scene = load(onWorld("revolute", axis("0 0 1", "", "<damping>0.2</damping>")));
     dBodySetAngularVel(body(*scene, "m::b"), 0, 0, 1);
     runFor(*scene, 1);
-    EXPECT_NEAR(spin(body(*scene, "m::b")).Z(), std::exp(-0.2 / 0.1), 1e-3);
+    EXPECT_NEAR(spin(body(*scene, "m::b")).z, std::exp(-0.2 / 0.1), 1e-3);
 }
 
 TEST(Joint, DampingBeyondWhatAStepBearsJustStops) {
@@ -237,7 +237,7 @@ TEST(Joint, SpringSwingsAtItsFrequency) {
     dBodySetLinearVel(body(*scene, "m::b"), 0, 0, 1);
     runFor(*scene, 3.14159265 / 2 / 10);  // a quarter of the period, ω = √(100 / 1)
     EXPECT_NEAR(dJointGetSliderPosition(jointOf(*scene)), 0.1, 1e-3);
-    EXPECT_NEAR(velocity(body(*scene, "m::b")).Z(), 0, 0.02);
+    EXPECT_NEAR(velocity(body(*scene, "m::b")).z, 0, 0.02);
 }
 
 TEST(Joint, OdeParametersArriveAtOde) {
@@ -303,7 +303,7 @@ TEST(Joint, StopsBeyondAFullTurnAreNone) {
     const auto scene =
         load(onWorld("revolute", axis("0 0 1", "<lower>-6.3</lower><upper>6.3</upper>") + motor(10, 9)));
     runFor(*scene, 2);
-    EXPECT_NEAR(spin(body(*scene, "m::b")).Z(), 9, 1e-6);
+    EXPECT_NEAR(spin(body(*scene, "m::b")).z, 9, 1e-6);
 }
 
 TEST(Joint, BetweenStaticLinksIsNone) {

@@ -1,5 +1,4 @@
-// Every message names file, element and reason, those of libsdformat among them, and shows no control
-// characters.
+// Every message names file, element and reason, and shows no control characters.
 #include "small_world.h"
 
 namespace {
@@ -43,26 +42,26 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"frameCycle",
              robot("<frame name=\"f\" attached_to=\"g\"/><frame name=\"g\" attached_to=\"f\"/>"),
              m + "/frame[f]", "cycle"},
-        Case{"frameOfALinksName", robot("<frame name=\"a\"/>"), m + "/link[a]", "non-unique name"},
+        Case{"frameOfALinksName", robot("<frame name=\"a\"/>"), m + "/frame[a]", "a <link> is called 'a', too"},
         Case{"frameThatIsNot", robot("<frame name=\"f\"><pose relative_to=\"q\">0 0 0 0 0 0</pose></frame>"),
-             m + "/frame[f]/pose", "q"},
+             m + "/frame[f]/pose", "relative_to: no frame 'q' in the model 'm'"},
         Case{"jointTwice",
              robot("<joint name=\"j\" type=\"fixed\"><parent>a</parent><child>b</child></joint>"
                    "<joint name=\"j\" type=\"fixed\"><parent>a</parent><child>b</child></joint>"),
              m + "/joint[j]", "a second <joint>"},
         Case{"childThatIsNot", joint("<child>q</child><axis><xyz>0 0 1</xyz></axis>"), m + "/joint[j]/child",
-             "[q]"},
+             "no frame 'q' in the model 'm'"},
         Case{"jointWithoutAxis", joint("<child>b</child>"), m + "/joint[j]", "needs <axis>"},
         Case{"linkWithoutName", world("<model name=\"m\"><link/></model>"), m + "/link",
-             "Required attribute[name]"},
+             "needs an attribute 'name'"},
         Case{"reservedName", world("<model name=\"m\"><link name=\"__a__\"/></model>"), m + "/link[__a__]",
-             "reserved"},
+             "the name '__a__' is reserved"},
         Case{"partedName", world("<model name=\"m\"><link name=\"a::b\"/></model>"), m + "/link[a::b]",
              "'::'"},
         Case{"inertia",
              robot("<link name=\"c\"><inertial><inertia><ixx>1</ixx><iyy>1</iyy><izz>9</izz></inertia>"
                    "</inertial></link>"),
-             m + "/link[c]", "invalid inertia"},
+             m + "/link[c]/inertial/inertia", "no body has such an inertia matrix"},
         Case{"attribute", world("<model name=\"m\" weight=\"2\"><link name=\"l\"/></model>"), m,
              "attribute 'weight'"},
         Case{
@@ -70,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(
             world(
                 "<model name=\"m&#127;[31m&#10;\xe2\x80\xae\"><link name=\"l\"/><pose>&#x85;</pose></model>"),
             "/sdf/world/model[m\\x7f[31m\\x0a\\xe2\\x80\\xae]/pose", "'\\xc2\\x85'"},
-        Case{"version99", versioned("99.0"), "/sdf", "version '99.0': not supported; 1.2 to 1.9 are"},
+        Case{"version99", versioned("99.0"), "/sdf", "version '99.0': not supported; 1.2 to 1.12 are"},
         Case{"versionBelow0", versioned("-1"), "/sdf", "version '-1'"},
         Case{"versionEmpty", versioned(""), "/sdf", "version ''"},
         Case{"longName", world("<model name=\"" + std::string(30000, 'x') + "\"><link name=\"l\"/></model>"),

@@ -19,7 +19,7 @@ TEST(Model, PosesAddUpThroughModelsAndLinks) {
                                   linkOf1kg("tip", "0 0 1 0 0 0") + R"(</model>
         <joint name="j" type="fixed"><parent>base</parent><child>inner::tip</child></joint>
       </model>)"));
-    EXPECT_LT((position(body(*scene, "outer::inner::tip")) - Vector3d(1, 1, 1)).Length(), 1e-9);
+    EXPECT_LT((position(body(*scene, "outer::inner::tip")) - Vector3{1, 1, 1}).length(), 1e-9);
     EXPECT_EQ(dJointGetBody(joint(*scene, "outer::j"), 0), body(*scene, "outer::inner::tip"));
 }
 
@@ -30,14 +30,14 @@ TEST(Model, PosesMayBeRelativeToFrames) {
         <frame name="shelf"><pose degrees="true">0 0 0.5 0 0 90</pose></frame>
         <link name="link"><pose relative_to="shelf">1 0 0 0 0 0</pose></link>
       </model>)"));
-    EXPECT_LT((position(body(*scene, "m::link")) - Vector3d(1, 1, 1.25)).Length(), 1e-9);
+    EXPECT_LT((position(body(*scene, "m::link")) - Vector3{1, 1, 1.25}).length(), 1e-9);
 }
 
 TEST(Model, PlacementFrameIsTheOneThatIsPlaced) {
     const auto scene =
         load(world("<model name=\"m\" placement_frame=\"tip\"><pose>0 0 1 0 0 0</pose>" +
                    linkOf1kg("base", "0 0 0 0 0 0") + linkOf1kg("tip", "0 0 3 0 0 0") + "</model>"));
-    EXPECT_NEAR(position(body(*scene, "m::base")).Z(), -2, 1e-9);
+    EXPECT_NEAR(position(body(*scene, "m::base")).z, -2, 1e-9);
 }
 
 TEST(Model, StaticModelsHaveNoBodies) {
@@ -60,9 +60,9 @@ TEST(Model, LinksMayFloatAndBeKinematic) {
                    linkOf1kg("usual", "0 0 0 0 0 0") + "</model>"));
     EXPECT_TRUE(dBodyIsKinematic(body(*scene, "m::fixed")));
     runFor(*scene, 0.1);
-    EXPECT_EQ(velocity(body(*scene, "m::light")).Z(), 0);
-    EXPECT_EQ(velocity(body(*scene, "m::fixed")).Z(), 0);
-    EXPECT_NEAR(velocity(body(*scene, "m::usual")).Z(), -0.98, 1e-9);
+    EXPECT_EQ(velocity(body(*scene, "m::light")).z, 0);
+    EXPECT_EQ(velocity(body(*scene, "m::fixed")).z, 0);
+    EXPECT_NEAR(velocity(body(*scene, "m::usual")).z, -0.98, 1e-9);
 }
 
 class Included : public testing::Test {
@@ -93,8 +93,8 @@ TEST_F(Included, IsFoundBesideTheWorld) {
     const auto scene = loadBeside(
         "<include><uri>model://ball</uri><name>first</name></include>"
         "<include><uri>model://ball</uri><name>second</name><pose>0 2 0 0 0 0</pose></include>");
-    EXPECT_LT((position(body(*scene, "second::link")) - Vector3d(0, 2, 1)).Length(), 1e-9);
-    EXPECT_LT((position(body(*scene, "first::link")) - Vector3d(0, 0, 1)).Length(), 1e-9);
+    EXPECT_LT((position(body(*scene, "second::link")) - Vector3{0, 2, 1}).length(), 1e-9);
+    EXPECT_LT((position(body(*scene, "first::link")) - Vector3{0, 0, 1}).length(), 1e-9);
 }
 
 TEST_F(Included, IsFoundInTheFoldersOfTheOptions) {

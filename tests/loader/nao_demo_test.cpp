@@ -13,7 +13,7 @@ class NaoDemo : public testing::Test {
 protected:
     std::unique_ptr<worlds::SdfScene> scene = worlds::loadWorld(worlds::findWorld("nao_demo"));
 
-    Vector3d center(const std::string &part) const { return position(body(*scene, "robot::" + part)); }
+    Vector3 center(const std::string &part) const { return position(body(*scene, "robot::" + part)); }
 };
 
 TEST_F(NaoDemo, HasTheObjectsOfTheFile) {
@@ -27,8 +27,8 @@ TEST_F(NaoDemo, HasTheObjectsOfTheFile) {
 TEST_F(NaoDemo, StandsAndWavesThreeTimes) {
     const dBodyID torso = body(*scene, "robot::torso");
     runFor(*scene, 2.2);
-    EXPECT_GT(center("right_hand").Z(), center("head").Z());
-    EXPECT_LT(center("left_hand").Z(), center("torso").Z());
+    EXPECT_GT(center("right_hand").z, center("head").z);
+    EXPECT_LT(center("left_hand").z, center("torso").z);
     int waves = 0;
     double least = 10, most = -10;
     for (int i = 0; i < 120; ++i) {  // 2.4 s
@@ -46,8 +46,8 @@ TEST_F(NaoDemo, StandsAndWavesThreeTimes) {
     EXPECT_LT(least, 0.6);
     EXPECT_GT(most, 1.2);
     runFor(*scene, 1.5);
-    EXPECT_LT(center("right_hand").Z(), center("torso").Z());
-    EXPECT_LT(std::hypot(center("torso").X() + 0.004, center("torso").Y()), 0.01);
+    EXPECT_LT(center("right_hand").z, center("torso").z);
+    EXPECT_LT(std::hypot(center("torso").x + 0.004, center("torso").y), 0.01);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ TEST(Physics, TakesEveryOdeParameter) {
     EXPECT_DOUBLE_EQ(dWorldGetContactSurfaceLayer(world), 0.002);
     dVector3 gravity;
     dWorldGetGravity(world, gravity);
-    EXPECT_EQ(Vector3d(gravity[0], gravity[1], gravity[2]), Vector3d(1, 2, 3));
+    EXPECT_EQ((Vector3{gravity[0], gravity[1], gravity[2]}), (Vector3{1, 2, 3}));
     EXPECT_EQ(dWorldGetAutoDisableFlag(world), 0);
 }
 
@@ -66,7 +66,7 @@ TEST(Physics, SolverTypeChoosesTheStepper) {
               <joint name="k" type="ball"><parent>a</parent><child>b</child><pose>-0.5 0 0 0 0 0</pose></joint>
             </model>)"));
         run(*scene, 10);
-        return position(body(*scene, "m::b")).Z();
+        return position(body(*scene, "m::b")).z;
     };
     EXPECT_NE(run10("world"), run10("quick"));
     EXPECT_DOUBLE_EQ(run10("world"), run10("world"));
@@ -105,10 +105,10 @@ TEST(Physics, DampingTakesAShareOfTheSpeedAtEveryStep) {
         dBodySetAngularVel(body(*scene, name), 1, 0, 0);
     }
     run(*scene, 3);
-    EXPECT_NEAR(velocity(body(*scene, "m::link")).X(), std::pow(0.9, 3), 1e-12);
-    EXPECT_NEAR(spin(body(*scene, "m::link")).X(), std::pow(0.8, 3), 1e-12);
-    EXPECT_NEAR(velocity(body(*scene, "own::link")).X(), std::pow(0.5, 3), 1e-12);
-    EXPECT_NEAR(spin(body(*scene, "own::link")).X(), 1, 1e-12);
+    EXPECT_NEAR(velocity(body(*scene, "m::link")).x, std::pow(0.9, 3), 1e-12);
+    EXPECT_NEAR(spin(body(*scene, "m::link")).x, std::pow(0.8, 3), 1e-12);
+    EXPECT_NEAR(velocity(body(*scene, "own::link")).x, std::pow(0.5, 3), 1e-12);
+    EXPECT_NEAR(spin(body(*scene, "own::link")).x, 1, 1e-12);
 }
 
 TEST(Physics, EverySpaceFindsTheSameContacts) {

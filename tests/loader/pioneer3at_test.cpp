@@ -50,10 +50,10 @@ TEST_F(Pioneer3at, PutsThePostsWhereTheFileHasThem) {
 TEST_F(Pioneer3at, DrivesStraightAtFirst) {
     const dBodyID base = body(*scene, "robot::base");
     runFor(*scene, 2);
-    const Vector3d start = position(base);
+    const Vector3 start = position(base);
     runFor(*scene, 2);
-    EXPECT_NEAR((position(base) - start).Length() / 2, 0.55, 0.01);
-    EXPECT_NEAR(std::atan2(velocity(base).Y(), velocity(base).X()), -1.09355, 0.01);
+    EXPECT_NEAR((position(base) - start).length() / 2, 0.55, 0.01);
+    EXPECT_NEAR(std::atan2(velocity(base).y, velocity(base).x), -1.09355, 0.01);
 }
 
 class TouchedGeoms : public scenes::Observer {

@@ -129,11 +129,11 @@ TEST_F(Resource, BallRestsOnAMeshAndAMeshOnTheFloor) {
     const auto onMesh = loadBeside(staticModel("m", "0 0 0 0 0 0", mesh("cube.stl", "2 2 2")) +
                                    model("ball", "0.2 0.3 1.2 0 0 0", sphere(0.1)));
     runFor(*onMesh, 1);
-    EXPECT_NEAR(position(body(*onMesh, "ball::link")).Z(), 1.1, 1e-3);
+    EXPECT_NEAR(position(body(*onMesh, "ball::link")).z, 1.1, 1e-3);
 
     const auto moving = loadBeside(ground + model("m", "0 0 0.6 0 0 0", mesh("cube.stl")));
     runFor(*moving, 1);
-    EXPECT_NEAR(position(body(*moving, "m::link")).Z(), 0.5, 1e-3);
+    EXPECT_NEAR(position(body(*moving, "m::link")).z, 0.5, 1e-3);
 }
 
 std::string heightmap(const std::string &uri, const std::string &extra = "") {
@@ -143,7 +143,7 @@ std::string heightmap(const std::string &uri, const std::string &extra = "") {
 // The height of a ball of 0.1 m that was dropped on the map.
 double restingHeight(worlds::SdfScene &scene) {
     runFor(scene, 1.5);
-    return position(body(scene, "ball::link")).Z() - 0.1;
+    return position(body(scene, "ball::link")).z - 0.1;
 }
 
 TEST_F(Resource, HeightMapHasItsTopEdgeAtTheLargestY) {

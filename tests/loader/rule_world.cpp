@@ -40,12 +40,13 @@ std::string jointType(const std::string &path) {
     return path == "joint/physics/ode/erp" ? "ball" : "revolute";
 }
 
-void setAttributes(XMLElement &element, const std::string &path) {
+void setAttributes(XMLElement &element, const NamedRule &rule) {
+    const std::string &path = rule.path;
     const std::string name = element.Name();
     static const std::map<std::string, std::string> names = {
         {"world", "w"}, {"model", "m"}, {"link", "l"}, {"collision", "c"}, {"frame", "f"}, {"joint", "j"}};
     if (names.count(name)) element.SetAttribute("name", names.at(name).c_str());
-    if (name == "sdf") element.SetAttribute("version", "1.9");
+    if (name == "sdf") element.SetAttribute("version", worlds::versionName(std::min(rule.rule.until, 9)).c_str());
     if (name == "physics" && contains(path, "world/")) element.SetAttribute("type", "ode");
     if (name == "joint") element.SetAttribute("type", jointType(path).c_str());
     if (name == "odemt:space") element.SetAttribute("type", contains(path, "level") ? "hash" : "quadtree");
@@ -117,7 +118,7 @@ RuleWorld::RuleWorld(const NamedRule &rule) {
         else
             xml.InsertEndChild(inner);
         element = inner;
-        setAttributes(*element, rule.path);
+        setAttributes(*element, rule);
         complete(*element, i + 1 < chain.size() ? chain[i + 1] : "", rule.path);
         const char *name = element->Attribute("name");
         path += "/" + chain[i] + (name && chain[i] != "world" ? "[" + std::string(name) + "]" : "");
@@ -149,7 +150,7 @@ bool RuleWorld::moveModelTo(const std::string &modelFile) {
     if (!model) return false;
     tinyxml2::XMLDocument included;
     XMLElement *root = included.NewElement("sdf");
-    root->SetAttribute("version", "1.9");
+    root->SetAttribute("version", xml.RootElement()->Attribute("version"));
     included.InsertEndChild(root);
     root->InsertEndChild(model->DeepClone(&included));
     included.SaveFile(modelFile.c_str());
@@ -185,6 +186,7 @@ std::string sample(const NamedRule &named) {
         case Type::Direction:
             return "0 0 1";
         case Type::Whole:
+        case Type::Mask:
         case Type::Limit:
         case Type::Numbers:
             return numbers(rule);

@@ -26,20 +26,20 @@ TEST_F(Salamander, HasTheObjectsOfTheFile) {
 
 TEST_F(Salamander, WalksDownTheRampAndThenSwims) {
     runFor(*scene, 1);
-    const double start = position(head).Y();
+    const double start = position(head).y;
     runFor(*scene, 5);
-    EXPECT_NEAR(position(head).Y() - start, 2.1, 0.3);  // 0.42 m/s
-    EXPECT_LT(position(head).Z(), 0.16);
+    EXPECT_NEAR(position(head).y - start, 2.1, 0.3);  // 0.42 m/s
+    EXPECT_LT(position(head).z, 0.16);
 
     // The water carries it, between the surface and the ground, which is 0.16 m below it and more.
     runFor(*scene, 11);
-    const double afloat = position(head).Y();
+    const double afloat = position(head).y;
     for (int i = 0; i < 1000; ++i) {  // 4 s
         scene->frame();
-        ASSERT_GT(position(pelvis).Z(), -0.14) << scene->time();
-        ASSERT_LT(position(pelvis).Z(), 0) << scene->time();
+        ASSERT_GT(position(pelvis).z, -0.14) << scene->time();
+        ASSERT_LT(position(pelvis).z, 0) << scene->time();
     }
-    EXPECT_GT(position(head).Y() - afloat, 0.9);
+    EXPECT_GT(position(head).y - afloat, 0.9);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ protected:
 
 double yaw(dBodyID body) { return std::atan2(dBodyGetRotation(body)[4], dBodyGetRotation(body)[0]); }
 double upright(dBodyID body) { return dBodyGetRotation(body)[10]; }
-double distance(const Vector3d &a, const Vector3d &b) { return std::hypot(a.X() - b.X(), a.Y() - b.Y()); }
+double distance(const Vector3 &a, const Vector3 &b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 class EpuckLine : public SampleWorld {
 protected:
@@ -50,7 +50,7 @@ TEST_F(EpuckLine, DrivesARoundBetweenBoxesAndWalls) {
         ASSERT_NEAR(distance(position(robot), {0, 0, 0}), 0.33, 0.03) << scene->time();
     }
     EXPECT_NEAR(turned, -2 * M_PI, 0.5);
-    EXPECT_NEAR(velocity(robot).Length(), 0.025, 0.001);
+    EXPECT_NEAR(velocity(robot).length(), 0.025, 0.001);
     EXPECT_EQ(watch.pairs.size(), 1u);  // the robot and the arena's floor
 }
 
@@ -63,13 +63,13 @@ protected:
 TEST_F(Gantry, TakesTheFirstBoxesToTheirPlaces) {
     expectObjects(13, 9, 7, 0.004);
     EXPECT_NEAR(totalMass(*scene, "crane"), 106 + 4 * 0.8042 + 1 + 3.217 + 11.054 + 2 * 0.64, 0.01);
-    const Vector3d start(0, -0.8, 0), middle(-0.4, 0, 0), goal(-0.8, 0.8, 0);
+    const Vector3 start{0, -0.8, 0}, middle{-0.4, 0, 0}, goal{-0.8, 0.8, 0};
     const auto box = [&](const char *name) { return position(body(*scene, name)); };
     runFor(*scene, 16 * 2.3);
     EXPECT_LT(distance(box("box_a::box"), goal), 0.03);
-    EXPECT_NEAR(box("box_a::box").Z(), 0.14, 0.01);  // on the other platform
+    EXPECT_NEAR(box("box_a::box").z, 0.14, 0.01);  // on the other platform
     EXPECT_LT(distance(box("box_b::box"), middle), 0.03);
-    EXPECT_NEAR(box("box_b::box").Z(), 0.1, 0.01);  // on the floor
+    EXPECT_NEAR(box("box_b::box").z, 0.1, 0.01);  // on the floor
     EXPECT_LT(distance(box("box_c::box"), start), 0.03);
 }
 
@@ -83,16 +83,16 @@ TEST_F(Youbot, CarriesTheBoxAwayAndPutsItOnTheFloor) {
     const dBodyID base = body(*scene, "robot::base"), box = body(*scene, "kuka_box::box");
     runFor(*scene, 8);
     EXPECT_NEAR(angle("robot::arm_3_joint"), -0.77, 0.01);
-    EXPECT_NEAR(position(box).Z(), 0.4125, 0.001);  // on the larger box
+    EXPECT_NEAR(position(box).z, 0.4125, 0.001);  // on the larger box
     runFor(*scene, 5);
-    EXPECT_NEAR(position(box).Z(), 0.163, 0.005);  // on the robot
+    EXPECT_NEAR(position(box).z, 0.163, 0.005);  // on the robot
     runFor(*scene, 5);
-    EXPECT_NEAR(position(base).Y(), 1, 0.01);  // strafed by its rollers
-    EXPECT_NEAR(position(base).X(), 0, 0.01);
-    EXPECT_NEAR(position(box).Y(), 1, 0.01);
+    EXPECT_NEAR(position(base).y, 1, 0.01);  // strafed by its rollers
+    EXPECT_NEAR(position(base).x, 0, 0.01);
+    EXPECT_NEAR(position(box).y, 1, 0.01);
     runFor(*scene, 21);
     EXPECT_NEAR(yaw(base), -0.48, 0.05);
-    EXPECT_NEAR(position(box).Z(), 0.0125, 0.001);
+    EXPECT_NEAR(position(box).z, 0.0125, 0.001);
     EXPECT_NEAR(distance(position(box), position(base)), 0.29, 0.05);
 }
 
@@ -108,9 +108,9 @@ TEST_F(Surveyor, WandersAmongTheBoxes) {
     TouchedModels watch(*scene);
     scene->observe(&watch);
     runFor(*scene, 1);
-    EXPECT_NEAR(velocity(robot).X(), 0.3, 0.005);
+    EXPECT_NEAR(velocity(robot).x, 0.3, 0.005);
     double turned = 0, last = yaw(robot), driven = 0;
-    Vector3d lastPlace = position(robot);
+    Vector3 lastPlace = position(robot);
     for (int i = 0; i < 3000; ++i) {  // 48 s
         scene->frame();
         turned += std::remainder(yaw(robot) - last, 2 * M_PI);
@@ -121,7 +121,7 @@ TEST_F(Surveyor, WandersAmongTheBoxes) {
     EXPECT_GT(turned, 20);  // to the left
     EXPECT_GT(driven, 9);
     EXPECT_EQ(watch.pairs.size(), 1u);  // the robot and the arena's floor
-    EXPECT_NEAR(position(robot).Z(), 0.028, 1e-3);
+    EXPECT_NEAR(position(robot).z, 0.028, 1e-3);
 }
 
 class Shrimp : public SampleWorld {
@@ -136,7 +136,7 @@ TEST_F(Shrimp, ClimbsOverTheBallsAndTurnsOnTheSpot) {
     double highest = 0, shortest = 0, fork = 0;
     for (int i = 0; i < 1078; ++i) {  // 17.25 s
         scene->frame();
-        highest = std::max(highest, position(robot).Z());
+        highest = std::max(highest, position(robot).z);
         shortest = std::min(shortest, dJointGetSliderPosition(spring));
         fork = std::max(fork, angle("robot::upper_fork_pivot"));
         ASSERT_GT(upright(robot), 0.7) << scene->time();
@@ -144,15 +144,15 @@ TEST_F(Shrimp, ClimbsOverTheBallsAndTurnsOnTheSpot) {
     EXPECT_GT(highest, 0.137 + 0.03);  // the balls are up to 0.1 m high
     EXPECT_LT(shortest, -0.005);
     EXPECT_GT(fork, 0.5);
-    EXPECT_NEAR(position(robot).X(), -0.25, 0.3);  // driven by 4.3 m
-    const Vector3d place = position(robot);
+    EXPECT_NEAR(position(robot).x, -0.25, 0.3);  // driven by 4.3 m
+    const Vector3 place = position(robot);
     const double heading = yaw(robot);
     runFor(*scene, 1);
     EXPECT_NEAR(angle("robot::front_steering"), 1.336, 0.01);
     EXPECT_GT(std::remainder(yaw(robot) - heading, 2 * M_PI), 0.8);
     EXPECT_LT(distance(position(robot), place), 0.3);
     runFor(*scene, 5);
-    EXPECT_LT(velocity(robot).Length(), 0.01);
+    EXPECT_LT(velocity(robot).length(), 0.01);
 }
 
 class Sojourner : public SampleWorld {
@@ -164,7 +164,7 @@ TEST_F(Sojourner, ClimbsOverRocks) {
     expectObjects(15, 14, 7, 0.016);
     EXPECT_NEAR(totalMass(*scene, "robot"), 10.5, 1e-9);
     const dBodyID hull = body(*scene, "robot::hull");
-    const Vector3d start = position(hull);
+    const Vector3 start = position(hull);
     double least = 0, most = 0;
     for (int i = 0; i < 3750; ++i) {  // 60 s
         scene->frame();
@@ -172,7 +172,7 @@ TEST_F(Sojourner, ClimbsOverRocks) {
         most = std::max(most, angle("robot::left_bogie_pivot"));
         ASSERT_GT(upright(hull), 0.9) << scene->time();
     }
-    EXPECT_NEAR(start.Y() - position(hull).Y(), 0.039 * 60, 0.15);  // 0.6 rad/s on wheels of 65 mm
+    EXPECT_NEAR(start.y - position(hull).y, 0.039 * 60, 0.15);  // 0.6 rad/s on wheels of 65 mm
     EXPECT_GT(most, 0.3);
     EXPECT_LT(least, -0.1);
 }
@@ -189,7 +189,7 @@ TEST_F(AutonomousVehicle, DrivesOnTheRingRoad) {
     TouchedModels watch(*scene);
     scene->observe(&watch);
     runFor(*scene, 10);
-    EXPECT_NEAR(velocity(car).Length() * 3.6, 50, 1);
+    EXPECT_NEAR(velocity(car).length() * 3.6, 50, 1);
     for (int i = 0; i < 4000; ++i) {  // a round takes 26 s
         scene->frame();
         ASSERT_NEAR(distance(position(car), {50.6, 57.2, 0}), 57.1, 0.5) << scene->time();
@@ -214,16 +214,16 @@ TEST_F(UnevenTerrain, DrivesOverTheHills) {
     expectObjects(19, 12, 2, 0.004);
     const dBodyID chassis = body(*scene, "robot::chassis");
     double lowest = 100, highest = 0, driven = 0, leastAngle = 10, mostAngle = -10;
-    Vector3d last = position(chassis);
+    Vector3 last = position(chassis);
     for (int i = 0; i < 7000; ++i) {  // 28 s
         scene->frame();
-        const Vector3d place = position(chassis);
+        const Vector3 place = position(chassis);
         driven += distance(place, last);
         last = place;
         if (i < 500) continue;
-        ASSERT_NEAR(place.Z(), height(place.X(), place.Y()) + 0.1, 0.1) << scene->time();
-        lowest = std::min(lowest, place.Z());
-        highest = std::max(highest, place.Z());
+        ASSERT_NEAR(place.z, height(place.x, place.y) + 0.1, 0.1) << scene->time();
+        lowest = std::min(lowest, place.z);
+        highest = std::max(highest, place.z);
         leastAngle = std::min(leastAngle, angle("robot::front_left_suspension"));
         mostAngle = std::max(mostAngle, angle("robot::front_left_suspension"));
     }
@@ -243,14 +243,14 @@ TEST_F(IprFactory, ArmsTakeObjectsFromTheBeltToTheRacks) {
         return position(body(*scene, "object_" + std::to_string(number) + "::object"));
     };
     runFor(*scene, 5);
-    EXPECT_NEAR(object(4).Y(), 4 - 0.15 * 5, 0.01);  // with the belt
+    EXPECT_NEAR(object(4).y, 4 - 0.15 * 5, 0.01);  // with the belt
     runFor(*scene, 6);
-    EXPECT_NEAR(object(1).X(), 0.42, 0.03);  // the first one is put down
+    EXPECT_NEAR(object(1).x, 0.42, 0.03);  // the first one is put down
     runFor(*scene, 59);
     int inRacks = 0;
     for (int i = 1; i <= 8; ++i) {
-        EXPECT_GT(object(i).X(), 0.1) << i;  // none is left on the belt
-        inRacks += object(i).X() > 0.2 && object(i).Z() > 0.66;
+        EXPECT_GT(object(i).x, 0.1) << i;  // none is left on the belt
+        inRacks += object(i).x > 0.2 && object(i).z > 0.66;
     }
     EXPECT_GE(inRacks, 6);
 }
@@ -265,19 +265,19 @@ TEST_F(Blimp, FliesCirclesAboveTheTables) {
     const dBodyID hull = body(*scene, "blimp::hull");
     runFor(*scene, 20);
     double turned = 0, last = yaw(hull);
-    Vector3d least = position(hull), most = least;
+    Vector3 least = position(hull), most = least;
     for (int i = 0; i < 1875; ++i) {  // 60 s
         scene->frame();
         turned += std::remainder(yaw(hull) - last, 2 * M_PI);
         last = yaw(hull);
-        least.Min(position(hull));
-        most.Max(position(hull));
+        least = minOf(least, position(hull));
+        most = maxOf(most, position(hull));
     }
     EXPECT_NEAR(turned / 60, 0.367, 0.02);  // rad/s: 0.0029 N·m against a drag of 0.0079 N·m·s
-    EXPECT_NEAR(velocity(hull).Length(), 0.18, 0.02);
-    EXPECT_NEAR(most.X() - least.X(), 1, 0.2);
-    EXPECT_GT(least.Z(), 1.7);
-    EXPECT_LT(most.Z(), 2.3);
+    EXPECT_NEAR(velocity(hull).length(), 0.18, 0.02);
+    EXPECT_NEAR(most.x - least.x, 1, 0.2);
+    EXPECT_GT(least.z, 1.7);
+    EXPECT_LT(most.z, 2.3);
     EXPECT_GT(upright(hull), 0.999);
 }
 

@@ -24,7 +24,7 @@ TEST_P(Resting, OnTheFloor) {
     const RestingShape &shape = GetParam();
     const auto scene = load(world(ground + model("m", "0 0 0.35 " + shape.rotation, shape.geometry)));
     runFor(*scene, 1);
-    EXPECT_NEAR(position(body(*scene, "m::link")).Z(), shape.height, 1e-3);
+    EXPECT_NEAR(position(body(*scene, "m::link")).z, shape.height, 1e-3);
     EXPECT_GT(scene->contactCount(), 0u);
 }
 
@@ -60,7 +60,7 @@ TEST(Shape, CollisionPoseCountsFromTheLinkNotFromTheCentreOfMass) {
     EXPECT_NEAR(at[0], 1, 1e-9);  // turned by a quarter, x is y
     EXPECT_NEAR(at[1], 2.1, 1e-9);
     EXPECT_NEAR(at[2], 3, 1e-9);
-    EXPECT_NEAR(position(body(*scene, "m::link")).Y(), 2.5, 1e-9);
+    EXPECT_NEAR(position(body(*scene, "m::link")).y, 2.5, 1e-9);
     EXPECT_NEAR(dGeomGetRotation(geom(*scene, "m::link::shape"))[0], std::cos(1.5707963267948966 + 0.3),
                 1e-9);
 }

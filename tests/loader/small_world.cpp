@@ -77,7 +77,7 @@ Handle find(const std::vector<Handle> &handles, const std::vector<std::string> &
     return handles.at(static_cast<std::size_t>(found - names.begin()));
 }
 
-Vector3d toVector(const dReal *v) { return Vector3d(v[0], v[1], v[2]); }
+Vector3 toVector(const dReal *v) { return Vector3{v[0], v[1], v[2]}; }
 
 }  // namespace
 
@@ -91,9 +91,9 @@ dGeomID geom(const worlds::SdfScene &scene, const std::string &name) {
     return find(scene.inventory().geoms, scene.geomNames(), name);
 }
 
-Vector3d position(dBodyID body) { return toVector(dBodyGetPosition(body)); }
-Vector3d velocity(dBodyID body) { return toVector(dBodyGetLinearVel(body)); }
-Vector3d spin(dBodyID body) { return toVector(dBodyGetAngularVel(body)); }
+Vector3 position(dBodyID body) { return toVector(dBodyGetPosition(body)); }
+Vector3 velocity(dBodyID body) { return toVector(dBodyGetLinearVel(body)); }
+Vector3 spin(dBodyID body) { return toVector(dBodyGetAngularVel(body)); }
 
 void run(worlds::SdfScene &scene, int frames) {
     for (int i = 0; i < frames; ++i) scene.frame();
@@ -105,7 +105,7 @@ void runFor(worlds::SdfScene &scene, double seconds) {
 
 bool isFinite(const worlds::SdfScene &scene) {
     return std::all_of(scene.inventory().bodies.begin(), scene.inventory().bodies.end(), [](dBodyID body) {
-        return position(body).IsFinite() && velocity(body).IsFinite() && spin(body).IsFinite();
+        return position(body).isFinite() && velocity(body).isFinite() && spin(body).isFinite();
     });
 }
 

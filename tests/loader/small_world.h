@@ -1,17 +1,17 @@
 // Worlds written in a test, and ways to look into a scene.
 #pragma once
 
+#include "loader/description/geometry.h"
 #include "loader/load_world.h"
 
 #include <gtest/gtest.h>
-#include <ignition/math/Vector3.hh>
 
 #include <string>
 #include <vector>
 
 namespace small_world {
 
-using ignition::math::Vector3d;
+using worlds::Vector3;
 
 // A physics with a step of 1 ms and the full stepper, and ODE's own contact parameters.
 extern const std::string physics;
@@ -39,9 +39,9 @@ dBodyID body(const worlds::SdfScene &scene, const std::string &name);
 dJointID joint(const worlds::SdfScene &scene, const std::string &name);
 dGeomID geom(const worlds::SdfScene &scene, const std::string &name);
 
-Vector3d position(dBodyID body);
-Vector3d velocity(dBodyID body);
-Vector3d spin(dBodyID body);
+Vector3 position(dBodyID body);
+Vector3 velocity(dBodyID body);
+Vector3 spin(dBodyID body);
 
 void run(worlds::SdfScene &scene, int frames);
 void runFor(worlds::SdfScene &scene, double seconds);

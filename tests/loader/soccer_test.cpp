@@ -14,7 +14,7 @@ class Soccer : public testing::Test {
 protected:
     std::unique_ptr<worlds::SdfScene> scene = worlds::loadWorld(worlds::findWorld("soccer"));
 
-    Vector3d player(const std::string &name) const { return position(body(*scene, name + "::body")); }
+    Vector3 player(const std::string &name) const { return position(body(*scene, name + "::body")); }
     double wheelSpeed(const std::string &player, const std::string &wheel) const {
         return dJointGetHingeParam(joint(*scene, player + "::" + wheel + "_wheel_joint"), dParamVel);
     }
@@ -34,24 +34,24 @@ TEST_F(Soccer, HasTheObjectsOfTheFile) {
 TEST_F(Soccer, PutsEverythingWhereTheFileHasIt) {
     const BoxSums sums = sumOfStaticBoxes(*scene);
     EXPECT_EQ(sums.count, 16);
-    EXPECT_LT((sums.center - Vector3d(0, 0, 0.6171)).Length(), 1e-9);
+    EXPECT_LT((sums.center - Vector3{0, 0, 0.6171}).length(), 1e-9);
     EXPECT_NEAR(sums.volume, 0.004038, 1e-9);
-    EXPECT_LT((position(body(*scene, "ball::ball")) - Vector3d(-0.182283, 0.297774, 0.05)).Length(), 1e-9);
-    EXPECT_LT((player("yellow_2") - Vector3d(-0.392446, -0.0946615, 0.0381772)).Length(), 1e-9);
+    EXPECT_LT((position(body(*scene, "ball::ball")) - Vector3{-0.182283, 0.297774, 0.05}).length(), 1e-9);
+    EXPECT_LT((player("yellow_2") - Vector3{-0.392446, -0.0946615, 0.0381772}).length(), 1e-9);
     // Yaw -1.53192: its left side is towards +x.
-    const Vector3d left = position(body(*scene, "blue_3::left_wheel")) - player("blue_3");
-    EXPECT_NEAR(left.X(), 0.045 * std::sin(1.53192), 1e-9);
-    EXPECT_NEAR(left.Z(), -0.0176, 1e-9);
+    const Vector3 left = position(body(*scene, "blue_3::left_wheel")) - player("blue_3");
+    EXPECT_NEAR(left.x, 0.045 * std::sin(1.53192), 1e-9);
+    EXPECT_NEAR(left.z, -0.0176, 1e-9);
 }
 
 TEST_F(Soccer, PlayersDriveAtFullSpeedAndKeepersToAndFro) {
     runFor(*scene, 0.64);
     for (const char *name : {"blue_2", "yellow_1", "yellow_2"})
-        EXPECT_NEAR(velocity(body(*scene, std::string(name) + "::body")).Length(), 0.2, 0.02) << name;
-    const double stroke = player("blue_3").Y() - 0.0459804;
+        EXPECT_NEAR(velocity(body(*scene, std::string(name) + "::body")).length(), 0.2, 0.02) << name;
+    const double stroke = player("blue_3").y - 0.0459804;
     EXPECT_NEAR(stroke, -0.2 * 0.64, 0.02);
     runFor(*scene, 2.4 - 0.64);
-    EXPECT_NEAR(player("blue_3").Y(), 0.0459804, 0.03);
+    EXPECT_NEAR(player("blue_3").y, 0.0459804, 0.03);
 }
 
 TEST_F(Soccer, FirstCycleTurnsAfter49ControlSteps) {
@@ -85,11 +85,11 @@ TEST_F(Soccer, StaysOnTheField) {
     runFor(*scene, 60);
     EXPECT_TRUE(isFinite(*scene));
     for (const char *name : players) {
-        EXPECT_NEAR(player(name).Z(), 0.0375, 0.002) << name;
-        EXPECT_LT(std::fabs(player(name).X()), 0.86) << name;
-        EXPECT_LT(std::fabs(player(name).Y()), 0.66) << name;
+        EXPECT_NEAR(player(name).z, 0.0375, 0.002) << name;
+        EXPECT_LT(std::fabs(player(name).x), 0.86) << name;
+        EXPECT_LT(std::fabs(player(name).y), 0.66) << name;
     }
-    EXPECT_GT((position(body(*scene, "ball::ball")) - Vector3d(-0.182283, 0.297774, 0.05)).Length(), 0.1);
+    EXPECT_GT((position(body(*scene, "ball::ball")) - Vector3{-0.182283, 0.297774, 0.05}).length(), 0.1);
 }
 
 }  // namespace

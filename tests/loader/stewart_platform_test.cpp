@@ -25,14 +25,14 @@ TEST_F(StewartPlatform, HasTheObjectsOfTheFile) {
     // Base, platform, six pistons.
     EXPECT_NEAR(totalMass(*scene, "platform"), 415.4756 + 5.3093 + 6 * (0.502655 + 0.278345), 1e-3);
     EXPECT_DOUBLE_EQ(scene->stepSize(), 0.004);
-    EXPECT_NEAR(position(disc).Z(), 2.75, 1e-6);
+    EXPECT_NEAR(position(disc).z, 2.75, 1e-6);
 }
 
 // The six loops stay closed: the ends of each rod and the platform do not come apart.
 TEST_F(StewartPlatform, TwistsToBothSides) {
     runFor(*scene, 0.9);
     EXPECT_NEAR(yaw(), 1.05, 0.03);
-    EXPECT_NEAR(position(disc).Z(), 2.43, 0.01);
+    EXPECT_NEAR(position(disc).z, 2.43, 0.01);
     runFor(*scene, 1);
     EXPECT_NEAR(yaw(), -1.05, 0.03);
     EXPECT_NEAR(dJointGetSliderPosition(joint(*scene, "platform::piston_1")), 0.4, 0.01);
@@ -49,11 +49,11 @@ TEST_F(StewartPlatform, TwistsToBothSides) {
 TEST_F(StewartPlatform, TiltsMoreAndMoreUntilABoxFalls) {
     runFor(*scene, 4);
     EXPECT_GT(upright(), 0.995);
-    EXPECT_GT(position(body(*scene, "box_5::box")).Z(), 3);
+    EXPECT_GT(position(body(*scene, "box_5::box")).z, 3);
     runFor(*scene, 6);
     EXPECT_LT(upright(), 0.985);
-    EXPECT_LT(position(body(*scene, "box_5::box")).Z(), 1);
-    EXPECT_GT(position(body(*scene, "box_1::box")).Z(), 2.5);
+    EXPECT_LT(position(body(*scene, "box_5::box")).z, 1);
+    EXPECT_GT(position(body(*scene, "box_1::box")).z, 2.5);
 }
 
 }  // namespace

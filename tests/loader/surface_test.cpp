@@ -41,9 +41,9 @@ TEST(Surface, LowFrictionSlidesAndHighFrictionHolds) {
         }
         // The floor's friction is SDF's default of 1: the weaker of the two counts.
         if (held)
-            EXPECT_NEAR(position(body(*scene, "m::link")).X(), 0, 1e-3);
+            EXPECT_NEAR(position(body(*scene, "m::link")).x, 0, 1e-3);
         else
-            EXPECT_NEAR(velocity(body(*scene, "m::link")).X(), 0.7 * 9.8 * 0.5, 0.05);
+            EXPECT_NEAR(velocity(body(*scene, "m::link")).x, 0.7 * 9.8 * 0.5, 0.05);
     }
 }
 
@@ -117,7 +117,7 @@ TEST(Surface, StiffnessHoldsAWeightAsASpringDoes) {
     const auto scene =
         load(restingBall("<surface><contact><ode><kp>1000</kp><kd>100</kd></ode></contact></surface>"));
     runFor(*scene, 3);
-    EXPECT_NEAR(position(body(*scene, "m::link")).Z(), 0.1 - 9.8 / 1000, 1e-4);
+    EXPECT_NEAR(position(body(*scene, "m::link")).z, 0.1 - 9.8 / 1000, 1e-4);
 }
 
 TEST(Surface, BouncesAboveTheThresholdAlone) {
@@ -137,11 +137,11 @@ TEST(Surface, BouncesAboveTheThresholdAlone) {
     for (int i = 0; i < 700; ++i) {
         scene->frame();
         fallen = fallen || scene->contactCount() > 0;
-        if (fallen) highest = std::max(highest, position(body(*scene, "m::link")).Z());
+        if (fallen) highest = std::max(highest, position(body(*scene, "m::link")).z);
     }
     EXPECT_NEAR(highest, 0.1 + 0.25 * 0.5, 0.01);  // half the speed, a quarter of the height
     runFor(*scene, 3);
-    EXPECT_NEAR(velocity(body(*scene, "m::link")).Z(), 0, 1e-6);
+    EXPECT_NEAR(velocity(body(*scene, "m::link")).z, 0, 1e-6);
 }
 
 TEST(Surface, MasksDecideWhoMeetsWhom) {

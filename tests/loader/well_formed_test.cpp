@@ -24,7 +24,7 @@ TEST(WellFormed, WhatStandsBeforeTheRootIsRead) {
     EXPECT_NO_THROW(
         load(with(sdf, declaration, "<?xml version='1.0' encoding=\"utf-8\" standalone='yes'?>")));
     for (const std::string &wrong :
-         {"text " + declaration, " " + declaration, declaration + "text", declaration + declaration,
+         {"text " + declaration, declaration + "text", declaration + declaration,
           std::string("<?xml?>"), std::string("<?xml?>junk")})
         expectError(with(sdf, declaration, wrong), Kind::Syntax, {"test.sdf: not well-formed XML, line "});
     expectError(with(sdf, "1.0", "9.9"), Kind::Syntax, {"line 1: XML of version '9.9', not 1.0"});
@@ -82,8 +82,8 @@ TEST(WellFormed, TextIsReadWholeAcrossCommentsAndCdata) {
     expectError(driven("j<![CDATA[k]]>", "0"), Kind::Value, {"/plugin[p]/joints", "'jk'"});
     expectError(driven("j", "0<!-- --> 1"), Kind::Value, {"/plugin[p]/phase", "2 speeds"});
     expectError(driven("j", "0<![CDATA[ 1]]>"), Kind::Value, {"/plugin[p]/phase", "2 speeds"});
-    expectError(with(driven("j", "0"), "<parent>a</parent>", "<parent>a<!-- -->x</parent>"), Kind::Syntax,
-                {"/joint[j]/parent", "[a x]"});
+    expectError(with(driven("j", "0"), "<parent>a</parent>", "<parent>a<!-- -->x</parent>"), Kind::Value,
+                {"/joint[j]/parent", "no frame 'a x'"});
     const std::string mesh = staticModel("s", "0 0 0 0 0 0", "<mesh><uri>a.obj<![CDATA[.nix]]></uri></mesh>");
     expectError(world(mesh), Kind::Resource, {"no file 'a.obj.nix'"});
 }

@@ -26,16 +26,16 @@ TEST_F(Yamor, HasTheObjectsOfTheFile) {
 
 TEST_F(Yamor, CrawlsForwardInOnePiece) {
     runFor(*scene, 2);
-    const double start = position(module(4)).X();
+    const double start = position(module(4)).x;
     double highest = 0;
     for (int i = 0; i < 625; ++i) {  // 5 s
         scene->frame();
-        highest = std::max(highest, position(module(4)).Z());
+        highest = std::max(highest, position(module(4)).z);
         for (int m = 1; m < 8; ++m)
-            ASSERT_LT((position(module(m)) - position(module(m + 1))).Length(), 0.13) << scene->time();
+            ASSERT_LT((position(module(m)) - position(module(m + 1))).length(), 0.13) << scene->time();
     }
-    EXPECT_GT(position(module(4)).X() - start, 1);
-    EXPECT_NEAR(position(module(4)).Y(), 0, 0.01);
+    EXPECT_GT(position(module(4)).x - start, 1);
+    EXPECT_NEAR(position(module(4)).y, 0, 0.01);
     EXPECT_GT(highest, 0.06);  // the wave lifts it off the floor
 }
 

@@ -2,10 +2,8 @@
 
 #include "loader/description/repeat_obstacles.h"
 #include "loader/read/document.h"
-#include "loader/read/issues.h"
 #include "loader/read/read_world.h"
 #include "loader/read/regular_file.h"
-#include "loader/read/resource_finder.h"
 
 namespace worlds {
 
@@ -14,8 +12,8 @@ namespace {
 std::unique_ptr<SdfScene> build(const std::string &sdf, const std::string &name, const LoadOptions &options) {
     const Issues issues(options);
     const ResourceFinder resources(name, options.modelFolders);
-    const Document document(sdf, name, resources, issues);
-    WorldDescription world = readWorld(document.world(), name, resources, issues);
+    const Reading reading{resources, issues};
+    WorldDescription world = readWorld(readDocument(sdf, name, reading), reading);
     world.staticMeetsStatic = options.staticMeetsStatic;
     if (options.staticShapes > 0) repeatObstacles(world, options.staticShapes, {name, "/sdf/world"});
     return std::make_unique<SdfScene>(world);

@@ -40,8 +40,6 @@ std::string wrongPlace(const Loading &loading, const WorldCase &world, const fs:
     if (found == world.files.end()) return "names " + loading.placeFile + ", which is no file of the world";
     if (loading.placePath.empty()) return mayHaveNoPath(loading) ? "" : "names no element";
     if (!startsWith(loading.placePath, "/sdf")) return "has a path that does not begin at /sdf";
-    // libsdformat does not report that an <include> adds a controller to the model of another file.
-    if (loading.placePath.find("/plugin") != std::string::npos) return {};
     const std::string type = lastOf(loading.placePath).substr(0, lastOf(loading.placePath).find('['));
     if (found->second.find("<" + type) == std::string::npos)
         return "names an element <" + type + "> that is not in the file";

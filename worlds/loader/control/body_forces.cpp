@@ -9,13 +9,13 @@ namespace worlds {
 
 namespace {
 
-const Parameters &checkedForces(const Parameters &parameters) {
+const Element &checkedForces(const Element &parameters) {
     parameters.expectOnly({"name", "filename"}, {"link", "linear_drag", "quadratic_drag", "righting_moment"},
                           {"phase", "repeat"});
     return parameters;
 }
 
-dBodyID findLink(const Parameters &link, const FindBody &findBody) {
+dBodyID findLink(const Element &link, const FindBody &findBody) {
     const std::vector<std::string> words = link.words();
     if (words.size() != 1) link.fail("names no link");
     return findBody(words[0], link);
@@ -23,12 +23,12 @@ dBodyID findLink(const Parameters &link, const FindBody &findBody) {
 
 }  // namespace
 
-BodyForces::BodyForces(const Parameters &parameters, const FindBody &findBody, double stepSize)
+BodyForces::BodyForces(const Element &parameters, const FindBody &findBody, double stepSize)
     : m_body(findLink(checkedForces(parameters).requiredValue("link"), findBody), stepSize),
       m_linearDrag(readDrag(parameters, "linear_drag")),
       m_quadraticDrag(readDrag(parameters, "quadratic_drag")),
       m_rightingMoment(parameters.childNumber("righting_moment", 0)),
-      m_timeline(parameters, {"phase"}, stepSize, [this](const Parameters &phase) {
+      m_timeline(parameters, {"phase"}, stepSize, [this](const Element &phase) {
           phase.expectOnly({"duration"}, {});
           m_thrusts.push_back(toWrench(phase.numbers(Wrench().size())));
       }) {}
@@ -39,7 +39,7 @@ BodyForces::Wrench BodyForces::toWrench(const std::vector<double> &numbers) {
     return wrench;
 }
 
-BodyForces::Wrench BodyForces::readDrag(const Parameters &parameters, const std::string &name) {
+BodyForces::Wrench BodyForces::readDrag(const Element &parameters, const std::string &name) {
     if (!parameters.child(name)) return Wrench{};
     return toWrench(parameters.requiredValue(name).notNegativeNumbers(Wrench().size()));
 }

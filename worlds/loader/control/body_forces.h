@@ -24,14 +24,14 @@ namespace worlds {
 
 class BodyForces : public Controller {
 public:
-    BodyForces(const Parameters &parameters, const FindBody &findBody, double stepSize);
+    BodyForces(const Element &parameters, const FindBody &findBody, double stepSize);
     void update(long frame) override;
 
 private:
     using Wrench = std::array<double, 6>;
 
     static Wrench toWrench(const std::vector<double> &numbers);
-    static Wrench readDrag(const Parameters &parameters, const std::string &name);
+    static Wrench readDrag(const Element &parameters, const std::string &name);
 
     DampedBody m_body;
     Wrench m_linearDrag, m_quadraticDrag;

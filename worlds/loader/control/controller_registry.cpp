@@ -8,26 +8,27 @@
 #include "loader/control/velocity_schedule.h"
 
 #include <cmath>
+#include <map>
 
 namespace worlds {
 
 namespace {
 
-using Create = std::unique_ptr<Controller> (*)(const Parameters &, const FindMotor &, const FindBody &,
+using Create = std::unique_ptr<Controller> (*)(const Element &, const FindMotor &, const FindBody &,
                                                double stepSize);
 
 template <class Kind>
-std::unique_ptr<Controller> create(const Parameters &parameters, const FindMotor &findMotor, const FindBody &,
+std::unique_ptr<Controller> create(const Element &parameters, const FindMotor &findMotor, const FindBody &,
                                    double stepSize) {
     return std::make_unique<Kind>(parameters, findMotor, stepSize);
 }
 
-std::unique_ptr<Controller> createBodyForces(const Parameters &parameters, const FindMotor &,
+std::unique_ptr<Controller> createBodyForces(const Element &parameters, const FindMotor &,
                                              const FindBody &findBody, double stepSize) {
     return std::make_unique<BodyForces>(parameters, findBody, stepSize);
 }
 
-std::unique_ptr<Controller> createFluid(const Parameters &parameters, const FindMotor &, const FindBody &findBody,
+std::unique_ptr<Controller> createFluid(const Element &parameters, const FindMotor &, const FindBody &findBody,
                                         double stepSize) {
     return std::make_unique<Fluid>(parameters, findBody, stepSize);
 }
@@ -57,17 +58,17 @@ bool isControllerType(const std::string &type) { return registry().count(type) >
 std::unique_ptr<Controller> createController(const ControllerDescription &description,
                                              const FindMotor &findMotor, const FindBody &findBody,
                                              double stepSize) {
-    return registry().at(description.type)(description.parameters, findMotor, findBody, stepSize);
+    return registry().at(description.type)(*description.parameters, findMotor, findBody, stepSize);
 }
 
-std::vector<JointMotor> findMotors(const Parameters &joints, const FindMotor &findMotor) {
+std::vector<JointMotor> findMotors(const Element &joints, const FindMotor &findMotor) {
     std::vector<JointMotor> motors;
     for (const std::string &name : joints.words()) motors.push_back(findMotor(name, joints));
     if (motors.empty()) joints.fail("names no joints");
     return motors;
 }
 
-std::vector<double> readSpeeds(const Parameters &element, std::size_t count) {
+std::vector<double> readSpeeds(const Element &element, std::size_t count) {
     const std::vector<double> speeds = element.numbers();
     if (speeds.size() != count)
         element.fail("has " + std::to_string(speeds.size()) + " speeds for " + std::to_string(count) +
@@ -75,15 +76,15 @@ std::vector<double> readSpeeds(const Parameters &element, std::size_t count) {
     return speeds;
 }
 
-double readGain(const Parameters &parameters, double stepSize) {
-    const Parameters &element = parameters.requiredValue("gain");
+double readGain(const Element &parameters, double stepSize) {
+    const Element &element = parameters.requiredValue("gain");
     const double gain = element.number();
     if (gain < 0) element.fail("is negative");
     if (gain * stepSize > 1) element.fail("goes beyond the target within a step: it is more than 1 / max_step_size");
     return gain;
 }
 
-long toSteps(double duration, double stepSize, const Parameters &writtenIn) {
+long toSteps(double duration, double stepSize, const Element &writtenIn) {
     const double steps = std::round(duration / stepSize);
     if (steps < 1) writtenIn.fail("lasts less than half a step");
     if (steps > 1e9) writtenIn.fail("lasts more than 1e9 steps");

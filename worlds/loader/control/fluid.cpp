@@ -9,31 +9,31 @@ namespace worlds {
 
 namespace {
 
-std::array<double, 3> readVector(const Parameters &element, const std::string &name, bool mayBeNegative) {
+std::array<double, 3> readVector(const Element &element, const std::string &name, bool mayBeNegative) {
     if (!element.child(name)) return {};
-    const Parameters &child = element.requiredValue(name);
+    const Element &child = element.requiredValue(name);
     const std::vector<double> numbers = mayBeNegative ? child.numbers(3) : child.notNegativeNumbers(3);
     return {numbers[0], numbers[1], numbers[2]};
 }
 
-double notNegative(const Parameters &element, double number) {
+double notNegative(const Element &element, double number) {
     if (number < 0) element.fail("is negative");
     return number;
 }
 
 }  // namespace
 
-Fluid::Fluid(const Parameters &parameters, const FindBody &findBody, double stepSize) : m_stepSize(stepSize) {
+Fluid::Fluid(const Element &parameters, const FindBody &findBody, double stepSize) : m_stepSize(stepSize) {
     parameters.expectOnly({"name", "filename"}, {"surface", "density"}, {"immersed"});
     m_surface = parameters.requiredValue("surface").number();
-    const Parameters &density = parameters.requiredValue("density");
+    const Element &density = parameters.requiredValue("density");
     m_density = notNegative(density, density.number());
-    for (const Parameters &element : parameters.children)
+    for (const Element &element : parameters.children)
         if (element.name == "immersed") m_links.push_back(readImmersed(element, findBody));
     if (m_links.empty()) parameters.fail("immerses no link");
 }
 
-Fluid::Immersed Fluid::readImmersed(const Parameters &element, const FindBody &findBody) const {
+Fluid::Immersed Fluid::readImmersed(const Element &element, const FindBody &findBody) const {
     element.expectOnly({"link"}, {"size", "center", "drag", "spin_drag"});
     element.requiredValue("size");
     Immersed link{{findBody(element.attribute("link"), element), m_stepSize}, {}, {}, {}, 0};
@@ -74,7 +74,7 @@ void Fluid::push(Immersed &link) const {
     dBodyAddForceAtRelPos(body, toReal(-displaced * gravity[0]), toReal(-displaced * gravity[1]), toReal(-displaced * gravity[2]),
                           toReal(link.center[0]), toReal(link.center[1]), toReal(link.center[2]));
 
-    const ignition::math::Vector3d center(link.center[0], link.center[1], link.center[2]);
+    const Vector3 center{link.center[0], link.center[1], link.center[2]};
     link.body.begin();
     for (int axis = 0; axis < 3; ++axis) link.body.dragAlong(axis, center, 0, immersed * link.drag[axis]);
     for (int axis = 0; axis < 3; ++axis) link.body.dragAbout(axis, immersed * link.spinDrag, 0);

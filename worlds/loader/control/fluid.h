@@ -26,7 +26,7 @@ namespace worlds {
 
 class Fluid : public Controller {
 public:
-    Fluid(const Parameters &parameters, const FindBody &findBody, double stepSize);
+    Fluid(const Element &parameters, const FindBody &findBody, double stepSize);
     void update(long frame) override;
 
 private:
@@ -37,7 +37,7 @@ private:
         double spinDrag;
     };
 
-    Immersed readImmersed(const Parameters &element, const FindBody &findBody) const;
+    Immersed readImmersed(const Element &element, const FindBody &findBody) const;
     double share(const Immersed &link) const;
     void push(Immersed &link) const;
 

@@ -8,8 +8,8 @@ namespace worlds {
 
 namespace {
 
-std::vector<double> childNumbers(const Parameters &element, const std::string &name) {
-    const Parameters *child = element.child(name);
+std::vector<double> childNumbers(const Element &element, const std::string &name) {
+    const Element *child = element.child(name);
     if (!child) return {};
     child->expectOnly({}, {});
     if (child->words().empty()) child->fail("is empty");
@@ -18,17 +18,17 @@ std::vector<double> childNumbers(const Parameters &element, const std::string &n
 
 }  // namespace
 
-FourierGait::FourierGait(const Parameters &parameters, const FindMotor &findMotor, double stepSize)
+FourierGait::FourierGait(const Element &parameters, const FindMotor &findMotor, double stepSize)
     : m_stepSize(stepSize) {
     parameters.expectOnly({"name", "filename"}, {"gain", "start", "frequency"},
                           {"hold", "wave", "swing"});
     m_gain = readGain(parameters, stepSize);
     m_start = parameters.childNumber("start", 0);
     m_frequency = parameters.childNumber("frequency", 0);
-    for (const Parameters &element : parameters.children)
+    for (const Element &element : parameters.children)
         if (element.name == "wave" && !m_waves.emplace(element.attribute("name"), readWave(element)).second)
             element.fail("a second wave is called " + quote(element.attribute("name")));
-    for (const Parameters &element : parameters.children) {
+    for (const Element &element : parameters.children) {
         if (element.name == "hold") {
             element.expectOnly({"joint"}, {});
             m_holds.push_back({findMotor(element.attribute("joint"), element), element.number()});
@@ -39,12 +39,12 @@ FourierGait::FourierGait(const Parameters &parameters, const FindMotor &findMoto
     if (m_holds.empty() && m_swings.empty()) parameters.fail("drives no joints");
 }
 
-FourierGait::Wave FourierGait::readWave(const Parameters &element) {
+FourierGait::Wave FourierGait::readWave(const Element &element) {
     element.expectOnly({"name"}, {"constant", "cos", "sin"});
     return {element.childNumber("constant", 0), childNumbers(element, "cos"), childNumbers(element, "sin")};
 }
 
-void FourierGait::readSwing(const Parameters &element, const FindMotor &findMotor) {
+void FourierGait::readSwing(const Element &element, const FindMotor &findMotor) {
     element.expectOnly({"joint", "wave", "phase"}, {});
     const auto wave = m_waves.find(element.attribute("wave"));
     if (wave == m_waves.end()) element.fail("there is no wave " + quote(element.attribute("wave")));

@@ -17,11 +17,13 @@
 
 #include "loader/control/controller_registry.h"
 
+#include <map>
+
 namespace worlds {
 
 class FourierGait : public Controller {
 public:
-    FourierGait(const Parameters &parameters, const FindMotor &findMotor, double stepSize);
+    FourierGait(const Element &parameters, const FindMotor &findMotor, double stepSize);
     void update(long frame) override;
 
 private:
@@ -40,8 +42,8 @@ private:
         double phase;  // turns
     };
 
-    static Wave readWave(const Parameters &element);
-    void readSwing(const Parameters &element, const FindMotor &findMotor);
+    static Wave readWave(const Element &element);
+    void readSwing(const Element &element, const FindMotor &findMotor);
     void approach(JointMotor &motor, double angle) const;
 
     double m_stepSize, m_gain, m_start, m_frequency;

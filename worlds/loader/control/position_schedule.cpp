@@ -9,12 +9,12 @@ namespace worlds {
 
 namespace {
 
-const Parameters &checkedPositions(const Parameters &parameters) {
+const Element &checkedPositions(const Element &parameters) {
     parameters.expectOnly({"name", "filename"}, {"gain", "joints"}, {"hold", "glide", "swing", "repeat"});
     return parameters;
 }
 
-std::vector<double> readOfEachJoint(const Parameters &element, std::size_t joints) {
+std::vector<double> readOfEachJoint(const Element &element, std::size_t joints) {
     std::vector<double> numbers = element.numbers();
     if (numbers.size() != joints)
         element.fail("has " + std::to_string(numbers.size()) + " numbers for " + std::to_string(joints) +
@@ -22,23 +22,23 @@ std::vector<double> readOfEachJoint(const Parameters &element, std::size_t joint
     return numbers;
 }
 
-std::vector<double> readChild(const Parameters &element, const std::string &name, std::size_t joints) {
+std::vector<double> readChild(const Element &element, const std::string &name, std::size_t joints) {
     if (!element.child(name)) return std::vector<double>(joints, 0);
     return readOfEachJoint(element.requiredValue(name), joints);
 }
 
 }  // namespace
 
-PositionSchedule::PositionSchedule(const Parameters &parameters, const FindMotor &findMotor, double stepSize)
+PositionSchedule::PositionSchedule(const Element &parameters, const FindMotor &findMotor, double stepSize)
     : m_stepSize(stepSize),
       m_gain(readGain(checkedPositions(parameters), stepSize)),
       m_motors(findMotors(parameters.requiredValue("joints"), findMotor)),
       m_timeline(parameters, {"hold", "glide", "swing"}, stepSize,
-                 [this](const Parameters &element) { m_phases.push_back(readPhase(element)); }),
+                 [this](const Element &element) { m_phases.push_back(readPhase(element)); }),
       m_targets(m_motors.size(), 0),
       m_phaseStarts(m_motors.size(), 0) {}
 
-PositionSchedule::Phase PositionSchedule::readPhase(const Parameters &element) const {
+PositionSchedule::Phase PositionSchedule::readPhase(const Element &element) const {
     Phase phase;
     if (element.name == "swing") {
         phase.kind = Phase::Kind::Swing;
@@ -51,14 +51,14 @@ PositionSchedule::Phase PositionSchedule::readPhase(const Parameters &element) c
     return phase;
 }
 
-void PositionSchedule::readSwing(const Parameters &element, Phase &phase) const {
+void PositionSchedule::readSwing(const Element &element, Phase &phase) const {
     element.expectOnly({"duration", "frequency"}, {"center", "amplitude", "phase", "growth"});
     phase.frequency = element.attributeNumber("frequency");
     phase.center = readChild(element, "center", m_motors.size());
     phase.amplitude = readOfEachJoint(element.requiredValue("amplitude"), m_motors.size());
     phase.turns = readChild(element, "phase", m_motors.size());
     if (!element.child("growth")) return;
-    const Parameters &growth = element.requiredValue("growth");
+    const Element &growth = element.requiredValue("growth");
     const std::vector<double> shares = growth.numbers();
     if (shares.size() != 2) growth.fail("needs two numbers");
     phase.startGrowth = shares[0];

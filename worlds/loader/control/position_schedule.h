@@ -23,7 +23,7 @@ namespace worlds {
 
 class PositionSchedule : public Controller {
 public:
-    PositionSchedule(const Parameters &parameters, const FindMotor &findMotor, double stepSize);
+    PositionSchedule(const Element &parameters, const FindMotor &findMotor, double stepSize);
     void update(long frame) override;
 
 private:
@@ -36,8 +36,8 @@ private:
         double startGrowth = 1, endGrowth = 1;
     };
 
-    Phase readPhase(const Parameters &element) const;
-    void readSwing(const Parameters &element, Phase &phase) const;
+    Phase readPhase(const Element &element) const;
+    void readSwing(const Element &element, Phase &phase) const;
     double target(const Phase &phase, std::size_t joint, const Timeline::Moment &moment) const;
 
     double m_stepSize, m_gain;

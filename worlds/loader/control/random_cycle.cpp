@@ -6,7 +6,7 @@ namespace worlds {
 
 namespace {
 
-long whole(const Parameters &element, double number, double least, double most) {
+long whole(const Element &element, double number, double least, double most) {
     if (number != std::floor(number) || number < least || number > most)
         element.fail("needs whole numbers between " + std::to_string(static_cast<long>(least)) + " and " +
                      std::to_string(static_cast<long>(most)));
@@ -15,17 +15,17 @@ long whole(const Parameters &element, double number, double least, double most) 
 
 }  // namespace
 
-RandomCycle::RandomCycle(const Parameters &parameters, const FindMotor &findMotor, double stepSize) {
+RandomCycle::RandomCycle(const Element &parameters, const FindMotor &findMotor, double stepSize) {
     parameters.expectOnly({"name", "filename"},
                           {"joints", "control_step", "cycle", "first_part", "second_part", "seed"});
     m_motors = findMotors(parameters.requiredValue("joints"), findMotor);
 
-    const Parameters &first = parameters.required("first_part"), &second = parameters.requiredValue("second_part");
+    const Element &first = parameters.required("first_part"), &second = parameters.requiredValue("second_part");
     first.expectOnly({"start", "least", "most"}, {});
     m_firstSpeeds = readSpeeds(first, m_motors.size());
     m_secondSpeeds = readSpeeds(second, m_motors.size());
 
-    const Parameters &controlStep = parameters.requiredValue("control_step"),
+    const Element &controlStep = parameters.requiredValue("control_step"),
                      &cycle = parameters.requiredValue("cycle");
     m_framesPerStep = toSteps(controlStep.number(), stepSize, controlStep);
     m_cycle = whole(cycle, cycle.number(), 1, 1e6);
@@ -34,7 +34,7 @@ RandomCycle::RandomCycle(const Parameters &parameters, const FindMotor &findMoto
                    static_cast<double>(m_cycle));
     m_firstPart = whole(first, first.attributeNumber("start"), 0, static_cast<double>(m_cycle));
 
-    const Parameters &seed = parameters.requiredValue("seed");
+    const Element &seed = parameters.requiredValue("seed");
     m_random.seed(static_cast<std::minstd_rand::result_type>(whole(seed, seed.number(), 1, 2147483646)));
 }
 

@@ -23,7 +23,7 @@ namespace worlds {
 
 class RandomCycle : public Controller {
 public:
-    RandomCycle(const Parameters &parameters, const FindMotor &findMotor, double stepSize);
+    RandomCycle(const Element &parameters, const FindMotor &findMotor, double stepSize);
     void update(long frame) override;
 
 private:

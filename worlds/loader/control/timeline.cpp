@@ -11,23 +11,23 @@ namespace {
 constexpr std::size_t kMaxPhases = 1000000, kMaxNumbers = 4000000;
 
 // Numbers of a phase, in its text or in its elements' texts.
-std::size_t countNumbers(const Parameters &phase) {
+std::size_t countNumbers(const Element &phase) {
     std::size_t count = phase.words().size();
-    for (const Parameters &element : phase.children) count += element.words().size();
+    for (const Element &element : phase.children) count += element.words().size();
     return count;
 }
 
 }  // namespace
 
-Timeline::Timeline(const Parameters &schedule, std::vector<std::string> phaseNames, double stepSize,
+Timeline::Timeline(const Element &schedule, std::vector<std::string> phaseNames, double stepSize,
                    const AddPhase &addPhase)
     : m_phaseNames(std::move(phaseNames)), m_stepSize(stepSize) {
     append(schedule, true, addPhase);
     if (m_ends.empty()) schedule.fail("has no phases");
 }
 
-void Timeline::append(const Parameters &list, bool outermost, const AddPhase &addPhase) {
-    for (const Parameters &element : list.children) {
+void Timeline::append(const Element &list, bool outermost, const AddPhase &addPhase) {
+    for (const Element &element : list.children) {
         const bool isPhase =
             std::find(m_phaseNames.begin(), m_phaseNames.end(), element.name) != m_phaseNames.end();
         if (!isPhase && element.name != "repeat") continue;
@@ -45,12 +45,12 @@ void Timeline::append(const Parameters &list, bool outermost, const AddPhase &ad
     }
 }
 
-void Timeline::appendRepeat(const Parameters &repeat, bool outermost, const AddPhase &addPhase) {
+void Timeline::appendRepeat(const Element &repeat, bool outermost, const AddPhase &addPhase) {
     std::vector<std::string> known = m_phaseNames;
     known.emplace_back("repeat");
     repeat.expectOnly({"count"}, {}, known);
     if (repeat.children.empty()) repeat.fail("repeats nothing");
-    if (repeat.attributes.count("count")) {
+    if (repeat.findAttribute("count")) {
         const double count = repeat.attributeNumber("count");
         if (!(count >= 1 && count <= kMaxPhases) || count != std::floor(count))
             repeat.fail("count is not a whole number between 1 and " + std::to_string(kMaxPhases));

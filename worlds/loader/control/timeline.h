@@ -16,10 +16,10 @@ namespace worlds {
 class Timeline {
 public:
     // Is told of each phase in the order of time, as often as it is repeated by a count.
-    using AddPhase = std::function<void(const Parameters &phase)>;
+    using AddPhase = std::function<void(const Element &phase)>;
 
     // Reads the children of `schedule` that have one of the names, and the repeats.
-    Timeline(const Parameters &schedule, std::vector<std::string> phaseNames, double stepSize,
+    Timeline(const Element &schedule, std::vector<std::string> phaseNames, double stepSize,
              const AddPhase &addPhase);
 
     struct Moment {
@@ -32,8 +32,8 @@ public:
     Moment at(long frame);
 
 private:
-    void append(const Parameters &list, bool outermost, const AddPhase &addPhase);
-    void appendRepeat(const Parameters &repeat, bool outermost, const AddPhase &addPhase);
+    void append(const Element &list, bool outermost, const AddPhase &addPhase);
+    void appendRepeat(const Element &repeat, bool outermost, const AddPhase &addPhase);
     long startOf(std::size_t phase) const { return phase == 0 ? 0 : m_ends[phase - 1]; }
 
     std::vector<std::string> m_phaseNames;

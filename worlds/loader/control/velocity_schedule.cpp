@@ -4,16 +4,16 @@ namespace worlds {
 
 namespace {
 
-const Parameters &checkedVelocities(const Parameters &parameters) {
+const Element &checkedVelocities(const Element &parameters) {
     parameters.expectOnly({"name", "filename"}, {"joints"}, {"phase", "repeat"});
     return parameters;
 }
 
 }  // namespace
 
-VelocitySchedule::VelocitySchedule(const Parameters &parameters, const FindMotor &findMotor, double stepSize)
+VelocitySchedule::VelocitySchedule(const Element &parameters, const FindMotor &findMotor, double stepSize)
     : m_motors(findMotors(checkedVelocities(parameters).requiredValue("joints"), findMotor)),
-      m_timeline(parameters, {"phase"}, stepSize, [this](const Parameters &phase) {
+      m_timeline(parameters, {"phase"}, stepSize, [this](const Element &phase) {
           phase.expectOnly({"duration"}, {});
           m_speeds.push_back(readSpeeds(phase, m_motors.size()));
       }) {}

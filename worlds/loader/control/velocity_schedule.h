@@ -13,7 +13,7 @@ namespace worlds {
 
 class VelocitySchedule : public Controller {
 public:
-    VelocitySchedule(const Parameters &parameters, const FindMotor &findMotor, double stepSize);
+    VelocitySchedule(const Element &parameters, const FindMotor &findMotor, double stepSize);
     void update(long frame) override;
 
 private:

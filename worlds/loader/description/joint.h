@@ -1,9 +1,8 @@
 // A joint between two links, or between a link and the world.
 #pragma once
 
+#include "loader/description/geometry.h"
 #include "loader/load_error.h"
-
-#include <ignition/math/Vector3.hh>
 
 #include <limits>
 #include <optional>
@@ -16,7 +15,7 @@ enum class JointType { Revolute, Prismatic, Ball, Universal, Revolute2, Fixed };
 
 // Lengths in m and angles in rad; forces in N or N·m accordingly.
 struct JointAxis {
-    ignition::math::Vector3d direction;  // in the world, at the start
+    Vector3 direction;  // in the world, at the start
     double lower = -std::numeric_limits<double>::infinity();
     double upper = std::numeric_limits<double>::infinity();
     double maxForce = std::numeric_limits<double>::infinity();  // of a motor
@@ -33,7 +32,7 @@ struct Joint {
     Place place;
     JointType type = JointType::Fixed;
     int parent = world, child = world;  // numbers of links
-    ignition::math::Vector3d anchor;    // in the world, at the start
+    Vector3 anchor;    // in the world, at the start
     std::vector<JointAxis> axes;        // 0, 1 or 2, as the type has degrees of freedom with an axis
     bool feedback = false;              // ODE keeps the joint's forces
 

@@ -1,12 +1,10 @@
 // A link: a body with its collision shapes, or shapes that do not move.
 #pragma once
 
+#include "loader/description/geometry.h"
 #include "loader/description/shape.h"
 #include "loader/description/surface.h"
 #include "loader/load_error.h"
-
-#include <ignition/math/Matrix3.hh>
-#include <ignition/math/Pose3.hh>
 
 #include <optional>
 #include <string>
@@ -18,21 +16,21 @@ struct Collision {
     std::string name;
     Place place;
     Shape shape;
-    ignition::math::Pose3d pose;  // in the link's frame
+    Pose pose;  // in the link's frame
     Surface surface;
     int maxContacts = 0;  // contact joints for one pair at most
 };
 
 struct Mass {
     double mass = 1;                   // kg
-    ignition::math::Vector3d center;   // of mass, in the link's frame
-    ignition::math::Matrix3d inertia;  // kg·m² about the centre of mass, along the link's axes
+    Vector3 center;   // of mass, in the link's frame
+    Matrix3 inertia;  // kg·m² about the centre of mass, along the link's axes
 };
 
 struct Link {
     std::string name;             // "model::link", with every enclosing model
     int model = 0;                // number of the model that holds it
-    ignition::math::Pose3d pose;  // of the link's frame, in the world
+    Pose pose;  // of the link's frame, in the world
     bool isStatic = false;        // the rest is then without meaning, collisions excepted
     bool kinematic = false;
     bool gravity = true;

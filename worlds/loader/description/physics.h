@@ -1,10 +1,9 @@
 // Parameters of the world as a whole. SDF's defaults are the initial values here.
 #pragma once
 
+#include "loader/description/geometry.h"
 #include "loader/description/surface.h"
 #include "scenes/scene_options.h"
-
-#include <ignition/math/Vector3.hh>
 
 #include <optional>
 
@@ -28,13 +27,13 @@ struct Damping {
 struct Space {
     scenes::SpaceKind kind = scenes::SpaceKind::Simple;
     int minLevel = -3, maxLevel = 10;                         // hash: cells of 2^level m
-    ignition::math::Vector3d center, extents{100, 100, 100};  // quadtree, m
+    Vector3 center, extents{100, 100, 100};  // quadtree, m
     int depth = 5;                                            // quadtree
 };
 
 struct Physics {
     double stepSize = 0.001;  // s
-    ignition::math::Vector3d gravity{0, 0, -9.8};
+    Vector3 gravity{0, 0, -9.8};
     scenes::Stepper stepper = scenes::Stepper::Quick;
     int iterations = 50;  // of the quick stepper
     double sor = 1.3;     // its over-relaxation

@@ -8,32 +8,29 @@ namespace worlds {
 
 namespace {
 
-using ignition::math::Pose3d;
-using ignition::math::Vector3d;
-
 constexpr double touching = 1e-3;  // m, from the border
 
 struct Rectangle {  // along x and y
-    Vector3d least{HUGE_VAL, HUGE_VAL, 0}, most{-HUGE_VAL, -HUGE_VAL, 0};
+    Vector3 least{HUGE_VAL, HUGE_VAL, 0}, most{-HUGE_VAL, -HUGE_VAL, 0};
 
-    double width() const { return most.X() - least.X(); }
-    double depth() const { return most.Y() - least.Y(); }
+    double width() const { return most.x - least.x; }
+    double depth() const { return most.y - least.y; }
 
     void include(const Rectangle &other) {
-        least.Min(other.least);
-        most.Max(other.most);
+        least = minOf(least, other.least);
+        most = maxOf(most, other.most);
     }
 };
 
 // Half the sides of the box around a shape; none for infinite shapes and for surfaces of triangles.
-std::optional<Vector3d> halfSize(const Shape &shape) {
+std::optional<Vector3> halfSize(const Shape &shape) {
     if (const Box *box = std::get_if<Box>(&shape)) return box->size / 2;
     if (const Sphere *sphere = std::get_if<Sphere>(&shape))
-        return Vector3d(sphere->radius, sphere->radius, sphere->radius);
+        return Vector3{sphere->radius, sphere->radius, sphere->radius};
     if (const Cylinder *cylinder = std::get_if<Cylinder>(&shape))
-        return Vector3d(cylinder->radius, cylinder->radius, cylinder->length / 2);
+        return Vector3{cylinder->radius, cylinder->radius, cylinder->length / 2};
     if (const Capsule *capsule = std::get_if<Capsule>(&shape))
-        return Vector3d(capsule->radius, capsule->radius, capsule->length / 2 + capsule->radius);
+        return Vector3{capsule->radius, capsule->radius, capsule->length / 2 + capsule->radius};
     return std::nullopt;
 }
 
@@ -42,13 +39,13 @@ struct Obstacle {
     Rectangle extent;
 };
 
-Rectangle extent(const Vector3d &half, const Pose3d &pose) {
-    const ignition::math::Matrix3d turn(pose.Rot());
+Rectangle extent(const Vector3 &half, const Pose &pose) {
+    const Matrix3 turn = Matrix3::rotation(pose.rotation);
     const auto reach = [&](int row) {
-        return std::fabs(turn(row, 0)) * half.X() + std::fabs(turn(row, 1)) * half.Y() +
-               std::fabs(turn(row, 2)) * half.Z();
+        return std::fabs(turn(row, 0)) * half.x + std::fabs(turn(row, 1)) * half.y +
+               std::fabs(turn(row, 2)) * half.z;
     };
-    const Vector3d sides(reach(0), reach(1), 0), center(pose.Pos().X(), pose.Pos().Y(), 0);
+    const Vector3 sides{reach(0), reach(1), 0}, center{pose.position.x, pose.position.y, 0};
     return {center - sides, center + sides};
 }
 
@@ -57,7 +54,7 @@ std::vector<Obstacle> boundedStaticShapes(const WorldDescription &world) {
     for (const Link &link : world.links) {
         if (!link.isStatic) continue;
         for (const Collision &collision : link.collisions) {
-            const std::optional<Vector3d> half = halfSize(collision.shape);
+            const std::optional<Vector3> half = halfSize(collision.shape);
             if (!half) continue;
             Obstacle obstacle{collision, extent(*half, link.pose * collision.pose)};
             obstacle.collision.name = link.name + "::" + collision.name;
@@ -69,10 +66,10 @@ std::vector<Obstacle> boundedStaticShapes(const WorldDescription &world) {
 }
 
 bool isOuterWall(const Rectangle &shape, const Rectangle &area) {
-    const bool alongY = shape.depth() > area.depth() / 2 && (shape.least.X() - area.least.X() < touching ||
-                                                             area.most.X() - shape.most.X() < touching);
-    const bool alongX = shape.width() > area.width() / 2 && (shape.least.Y() - area.least.Y() < touching ||
-                                                             area.most.Y() - shape.most.Y() < touching);
+    const bool alongY = shape.depth() > area.depth() / 2 && (shape.least.x - area.least.x < touching ||
+                                                             area.most.x - shape.most.x < touching);
+    const bool alongX = shape.width() > area.width() / 2 && (shape.least.y - area.least.y < touching ||
+                                                             area.most.y - shape.most.y < touching);
     return alongX || alongY;
 }
 
@@ -83,11 +80,11 @@ std::size_t countStaticShapes(const WorldDescription &world) {
     return count;
 }
 
-Link copyAt(const Vector3d &shift, const std::vector<Obstacle> &obstacles, std::size_t count, int number) {
+Link copyAt(const Vector3 &shift, const std::vector<Obstacle> &obstacles, std::size_t count, int number) {
     Link copy;
     copy.name = "repeated::copy_" + std::to_string(number);
     copy.isStatic = true;
-    copy.pose.Pos() = shift;
+    copy.pose.position = shift;
     for (std::size_t i = 0; i < count; ++i) copy.collisions.push_back(obstacles[i].collision);
     return copy;
 }
@@ -115,7 +112,7 @@ void repeatObstacles(WorldDescription &world, std::size_t staticShapes, const Pl
             for (int column = -ring; column <= ring && missing > 0; ++column) {
                 if (std::max(std::abs(row), std::abs(column)) < ring) continue;
                 const std::size_t count = std::min(missing, obstacles.size());
-                const Vector3d shift(column * area.width(), row * area.depth(), 0);
+                const Vector3 shift{column * area.width(), row * area.depth(), 0};
                 world.links.push_back(copyAt(shift, obstacles, count, ++number));
                 missing -= count;
             }

@@ -1,7 +1,7 @@
 // Collision shapes, SI units, each in its own frame with z up.
 #pragma once
 
-#include <ignition/math/Vector3.hh>
+#include "loader/description/geometry.h"
 
 #include <cstdint>
 #include <variant>
@@ -10,7 +10,7 @@
 namespace worlds {
 
 struct Box {
-    ignition::math::Vector3d size;
+    Vector3 size;
 };
 struct Sphere {
     double radius;
@@ -22,7 +22,7 @@ struct Capsule {  // along z; the length goes without the caps
     double radius, length;
 };
 struct Plane {
-    ignition::math::Vector3d normal;
+    Vector3 normal;
 };
 struct TriangleMesh {
     std::vector<float> vertices;           // x y z of each

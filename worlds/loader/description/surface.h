@@ -1,7 +1,7 @@
 // How a collision shape behaves in contact: SDF's <surface>, in the terms of ODE.
 #pragma once
 
-#include <ignition/math/Vector3.hh>
+#include "loader/description/geometry.h"
 
 #include <optional>
 #include <string>
@@ -11,7 +11,7 @@ namespace worlds {
 struct Surface {
     double mu = 1, mu2 = 1;       // Coulomb friction along the first and second friction direction
     double slip1 = 0, slip2 = 0;  // m/(N·s), force-dependent slip
-    std::optional<ignition::math::Vector3d> frictionDirection;  // the first one, in the shape's frame,
+    std::optional<Vector3> frictionDirection;  // the first one, in the shape's frame,
     std::string frictionFrame;                                  // or in that of this link of the same model
 
     double restitution = 0;

@@ -1,12 +1,13 @@
 // Everything the loader takes from an SDF file, resolved to world coordinates: the data between
-// reading (read/, libsdformat) and building (scene/, ODE).
+// reading (read/) and building (scene/, ODE).
 #pragma once
 
+#include "loader/description/element.h"
 #include "loader/description/joint.h"
 #include "loader/description/link.h"
-#include "loader/description/parameters.h"
 #include "loader/description/physics.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace worlds {
 struct ControllerDescription {
     std::string type;   // the plugin's filename
     std::string model;  // "outer::inner"
-    Parameters parameters;
+    std::shared_ptr<const Element> parameters;  // with all that is around it
 };
 
 struct WorldDescription {

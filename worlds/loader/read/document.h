@@ -1,25 +1,16 @@
-// An SDF document: read, checked element by element, and resolved by libsdformat.
+// A world's file and all files that it includes, as one tree of elements.
 #pragma once
 
-#include "loader/read/issues.h"
-#include "loader/read/resource_finder.h"
+#include "loader/description/element.h"
+#include "loader/read/reading.h"
 
-#include <sdf/Root.hh>
-
+#include <memory>
 #include <string>
 
 namespace worlds {
 
-class Document {
-public:
-    // `file` names the text in messages. Throws LoadError.
-    Document(const std::string &text, const std::string &file, const ResourceFinder &resources,
-             const Issues &issues);
-
-    const sdf::World &world() const { return *m_root.WorldByIndex(0); }
-
-private:
-    sdf::Root m_root;
-};
+// Returns the <sdf> element, checked: it holds one <world> and only what is read. In place of every <include> is the model that
+// it includes, with the name, pose and so on that the <include> gives it. `file` names the text in messages. Throws LoadError.
+std::shared_ptr<Element> readDocument(const std::string &text, const std::string &file, const Reading &reading);
 
 }  // namespace worlds

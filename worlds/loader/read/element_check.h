@@ -1,16 +1,17 @@
-// Traverses a document as libsdformat parsed it, old versions converted: names what is not supported
-// and checks numbers that a conversion has made. source_check.h has checked what was written.
+// Checks elements as they were written, by the table of elements, and leaves in the tree those alone that are read.
 #pragma once
 
-#include "loader/read/issues.h"
+#include "loader/description/element.h"
+#include "loader/read/reading.h"
 
-#include <sdf/Element.hh>
-
-#include <string>
+#include <functional>
 
 namespace worlds {
 
-// `root` is the <sdf> element. Throws LoadError as element_rules.h demands.
-void checkElements(const sdf::ElementPtr &root, const std::string &worldFile, const Issues &issues);
+// Called for every <include>, in order and once it is checked. Returns the model that takes its place, with its name: one, or none.
+using OnInclude = std::function<std::list<Element>(Element &include)>;
+
+// `root` is the <sdf> element of a world. Throws LoadError as element_rules.h demands.
+void checkElements(Element &root, const Issues &issues, const OnInclude &onInclude);
 
 }  // namespace worlds

@@ -1,7 +1,9 @@
 #include "loader/read/element_rules.h"
 
 #include "loader/control/controller_registry.h"
+#include "loader/read/value_check.h"
 
+#include <algorithm>
 #include <limits>
 #include <unordered_map>
 
@@ -34,10 +36,19 @@ ElementRule needing(const std::vector<std::string> &children, Often often = Ofte
     return {Use::Read, Type::Group, 0, 0, 0, often, {}, children};
 }
 
+ElementRule defaultOnly(const std::string &usual) {
+    ElementRule rule{Use::DefaultOnly, Type::Any};
+    rule.usual = usual;
+    return rule;
+}
+ElementRule until(int version, ElementRule rule) {
+    rule.until = version;
+    return rule;
+}
+
 const ElementRule group, many{Use::Read, Type::Group, 0, 0, 0, Often::Any};
 const ElementRule noPhysics{Use::NoPhysics, Type::Any, 0, 0, 0, Often::Any};
 const ElementRule bySelf{Use::ReadBySelf, Type::Any, 0, 0, 0, Often::Any};
-const ElementRule defaultOnly{Use::DefaultOnly, Type::Any};
 const ElementRule text{Use::Read, Type::Text}, flag{Use::Read, Type::Flag}, pose{Use::Read, Type::Pose};
 const ElementRule finite = numbers(1, -largestNumber, largestNumber);
 const ElementRule vector = numbers(3, -largestNumber, largestNumber);
@@ -46,8 +57,9 @@ const ElementRule notNegative = numbers(1, 0, largestNumber);
 const ElementRule positive = numbers(1, smallestPositive, largestNumber);
 const ElementRule length = numbers(1, 1e-9, largestNumber), size = numbers(3, 1e-9, largestNumber);
 const ElementRule share = numbers(1, 0, 1);
+const ElementRule stepSize = numbers(1, 1e-9, 1e3);
 const ElementRule count = whole(1, 0xffff);  // ODE counts contacts in 16 bits
-const ElementRule mask = whole(0, 0xffff);
+const ElementRule mask{Use::Read, Type::Mask, 1, 0, 0xffff};
 const ElementRule hashLevel = whole(-30, 30);  // cells of 2^level m
 
 const Rules worldRules = {
@@ -70,7 +82,10 @@ const Rules worldRules = {
 };
 
 const Rules physicsRules = {
-    {"world/physics/max_step_size", numbers(1, 1e-9, 1e3)},
+    {"world/physics/max_step_size", stepSize},
+    {"world/physics/gravity", until(5, vector)},
+    {"world/physics/magnetic_field", until(5, noPhysics)},
+    {"world/physics/update_rate", until(3, noPhysics)},
     {"world/physics/real_time_factor", noPhysics},
     {"world/physics/real_time_update_rate", noPhysics},
     {"world/physics/max_contacts", count},
@@ -80,14 +95,15 @@ const Rules physicsRules = {
     {"world/physics/ode", group},
     {"world/physics/ode/solver", group},
     {"world/physics/ode/solver/type", choice({"world", "quick"})},
+    {"world/physics/ode/solver/dt", until(3, stepSize)},
     {"world/physics/ode/solver/iters", whole(1, 1e6)},
     {"world/physics/ode/solver/sor", positive},
     {"world/physics/ode/solver/friction_model", choice({"pyramid_model", "box_model"})},
     {"world/physics/ode/solver/min_step_size", noPhysics},   // steps have one size
     {"world/physics/ode/solver/island_threads", noPhysics},  // threads are the library's affair
-    {"world/physics/ode/solver/precon_iters", defaultOnly},  // the rest is in Gazebo's own ODE alone
-    {"world/physics/ode/solver/thread_position_correction", defaultOnly},
-    {"world/physics/ode/solver/use_dynamic_moi_rescaling", defaultOnly},
+    {"world/physics/ode/solver/precon_iters", defaultOnly("0")},  // the rest is in Gazebo's own ODE alone
+    {"world/physics/ode/solver/thread_position_correction", defaultOnly("false")},
+    {"world/physics/ode/solver/use_dynamic_moi_rescaling", defaultOnly("false")},
     {"world/physics/ode/constraints", group},
     {"world/physics/ode/constraints/cfm", notNegative},
     {"world/physics/ode/constraints/erp", share},
@@ -131,7 +147,7 @@ const Rules modelRules = {
     {"model/static", flag},
     {"model/self_collide", flag},
     {"model/allow_auto_disable", flag},
-    {"model/enable_wind", defaultOnly},
+    {"model/enable_wind", defaultOnly("false")},
     {"model/frame", many},
     {"model/frame/pose", pose},
     {"model/link", many},
@@ -145,8 +161,8 @@ const Rules linkRules = {
     {"link/gravity", flag},
     {"link/self_collide", flag},
     {"link/kinematic", flag},
-    {"link/enable_wind", defaultOnly},
-    {"link/must_be_base_link", defaultOnly},
+    {"link/enable_wind", defaultOnly("false")},
+    {"link/must_be_base_link", defaultOnly("false")},
     {"link/velocity_decay", group},
     {"link/velocity_decay/linear", share},
     {"link/velocity_decay/angular", share},
@@ -174,7 +190,7 @@ const Rules linkRules = {
 const Rules collisionRules = {
     {"collision/pose", pose},
     {"collision/laser_retro", noPhysics},
-    {"collision/max_contacts", count},
+    {"collision/max_contacts", whole(0, 0xffff)},
     {"collision/geometry", {Use::Read, Type::Group, 0, 0, 0, Often::Once, {}, {}, true}},
     {"collision/geometry/empty", group},
     {"collision/geometry/box", needing({"size"})},
@@ -200,7 +216,7 @@ const Rules collisionRules = {
     {"collision/geometry/heightmap/texture", noPhysics},
     {"collision/geometry/heightmap/blend", noPhysics},
     {"collision/geometry/heightmap/use_terrain_paging", noPhysics},
-    {"collision/geometry/heightmap/sampling", defaultOnly},
+    {"collision/geometry/heightmap/sampling", defaultOnly("1")},
 };
 
 const Rules surfaceRules = {
@@ -216,18 +232,27 @@ const Rules surfaceRules = {
     {"collision/surface/friction/ode/slip2", notNegative},
     {"collision/surface/friction/ode/fdir1", vector},
     {"collision/surface/friction/bullet", noPhysics},
+    {"collision/surface/friction/torsional", group},  // ODE has none; without a radius it does nothing
+    {"collision/surface/friction/torsional/coefficient", notNegative},
+    {"collision/surface/friction/torsional/use_patch_radius", flag},
+    {"collision/surface/friction/torsional/patch_radius", defaultOnly("0")},
+    {"collision/surface/friction/torsional/surface_radius", defaultOnly("0")},
+    {"collision/surface/friction/torsional/ode", group},
+    {"collision/surface/friction/torsional/ode/slip", defaultOnly("0")},
     {"collision/surface/contact", group},
-    {"collision/surface/contact/collide_without_contact", defaultOnly},
+    {"collision/surface/contact/collide_without_contact", defaultOnly("false")},
     {"collision/surface/contact/collide_without_contact_bitmask", noPhysics},
     {"collision/surface/contact/collide_bitmask", mask},
     {"collision/surface/contact/category_bitmask", mask},
-    {"collision/surface/contact/poissons_ratio", defaultOnly},
-    {"collision/surface/contact/elastic_modulus", defaultOnly},
+    {"collision/surface/contact/poissons_ratio", defaultOnly("0.3")},
+    {"collision/surface/contact/elastic_modulus", defaultOnly("-1")},
     {"collision/surface/contact/ode", group},
     {"collision/surface/contact/ode/soft_cfm", notNegative},
     {"collision/surface/contact/ode/soft_erp", share},
     {"collision/surface/contact/ode/kp", positive},
     {"collision/surface/contact/ode/kd", notNegative},
+    {"collision/surface/contact/ode/max_vel", defaultOnly("0.01")},
+    {"collision/surface/contact/ode/min_depth", defaultOnly("0")},
     {"collision/surface/contact/bullet", noPhysics},
     {"collision/surface/soft_contact", noPhysics},  // holds parameters of DART alone
 };
@@ -236,6 +261,8 @@ Rules axisRules(const std::string &axis) {
     return {
         {axis, group},
         {axis + "/xyz", direction},
+        {axis + "/use_parent_model_frame", until(6, flag)},
+        {axis + "/initial_position", until(8, defaultOnly("0"))},
         {axis + "/dynamics", group},
         {axis + "/dynamics/damping", notNegative},
         {axis + "/dynamics/friction", notNegative},
@@ -246,8 +273,8 @@ Rules axisRules(const std::string &axis) {
         {axis + "/limit/upper", limit(-farthestStop)},
         {axis + "/limit/effort", limit(-infinity)},  // negative: no limit
         {axis + "/limit/velocity", limit(-infinity)},
-        {axis + "/limit/stiffness", defaultOnly},
-        {axis + "/limit/dissipation", defaultOnly},
+        {axis + "/limit/stiffness", defaultOnly("1e8")},
+        {axis + "/limit/dissipation", defaultOnly("1")},
     };
 }
 
@@ -261,8 +288,8 @@ const Rules jointRules = {
     {"joint/physics/provide_feedback", flag},
     {"joint/physics/ode", group},
     {"joint/physics/ode/provide_feedback", flag},
-    {"joint/physics/ode/cfm_damping", defaultOnly},
-    {"joint/physics/ode/implicit_spring_damper", defaultOnly},
+    {"joint/physics/ode/cfm_damping", defaultOnly("false")},
+    {"joint/physics/ode/implicit_spring_damper", defaultOnly("false")},
     {"joint/physics/ode/fudge_factor", notNegative},
     {"joint/physics/ode/cfm", notNegative},
     {"joint/physics/ode/erp", share},
@@ -304,6 +331,12 @@ const std::vector<std::string> gazeboSystems = {
     "ignition-gazebo-imu-system",
 };
 
+std::vector<std::string> versionNames() {
+    std::vector<std::string> names;
+    for (int version = oldestVersion; version <= newestVersion; ++version) names.push_back(versionName(version));
+    return names;
+}
+
 }  // namespace
 
 const std::vector<NamedRule> &elementRules() {
@@ -311,14 +344,14 @@ const std::vector<NamedRule> &elementRules() {
     return rules;
 }
 
-const ElementRule *findElementRule(const std::string &path) {
+const ElementRule *findElementRule(const std::string &path, int version) {
     static const std::unordered_map<std::string, const ElementRule *> byPath = [] {
         std::unordered_map<std::string, const ElementRule *> all;
         for (const NamedRule &named : elementRules()) all.emplace(named.path, &named.rule);
         return all;
     }();
     const auto found = byPath.find(path);
-    return found == byPath.end() ? nullptr : found->second;
+    return found == byPath.end() || found->second->until < version ? nullptr : found->second;
 }
 
 std::string elementContext(const std::string &path) {
@@ -332,20 +365,102 @@ std::string elementContext(const std::string &path) {
 
 const std::vector<AttributeRule> &attributeRules() {
     static const std::vector<AttributeRule> rules = {
-        {"world/physics", "type", {"ode"}},
-        {"model/joint",
-         "type",
+        {"/sdf", "version", true, versionNames()},
+        {"/sdf/world", "name", true},
+        {"world/physics", "name"},
+        {"world/physics", "default"},
+        // Gazebo takes its own choice for an engine that it does not know.
+        {"world/physics", "type", true, {"ode", "ignored", "ignore", "none"}},
+        {"world/physics/odemt:space", "type", true, {"simple", "hash", "sap", "quadtree"}},
+        {"world/frame", "name", true},
+        {"world/frame", "attached_to"},
+        {"world/model", "name", true},
+        {"world/model", "canonical_link"},
+        {"world/model", "placement_frame"},
+        {"world/plugin", "name"},
+        {"world/plugin", "filename", true, gazeboSystems},
+        {"model/frame", "name", true},
+        {"model/frame", "attached_to"},
+        {"model/model", "name", true},
+        {"model/model", "canonical_link"},
+        {"model/model", "placement_frame"},
+        {"model/include", "merge"},
+        {"model/link", "name", true},
+        {"model/joint", "name", true},
+        {"model/joint", "type", true,
          {"revolute", "continuous", "prismatic", "ball", "universal", "revolute2", "fixed"}},
-        {"model/plugin", "filename", controllerTypes()},
-        {"world/plugin", "filename", gazeboSystems},
-        {"world/physics/odemt:space", "type", {"simple", "hash", "sap", "quadtree"}},
+        {"model/plugin", "name", true},
+        {"model/plugin", "filename", true, controllerTypes()},
+        {"link/collision", "name", true},
+        {"collision/surface/friction/ode/fdir1", "gz:expressed_in"},
+        {"collision/surface/friction/ode/fdir1", "ignition:expressed_in"},
+        {"joint/axis/xyz", "expressed_in", false, {}, 7},
+        {"joint/axis2/xyz", "expressed_in", false, {}, 7},
     };
     return rules;
 }
 
-const std::vector<std::string> &sdfVersions() {
-    static const std::vector<std::string> versions = {"1.2", "1.3", "1.4", "1.5", "1.6", "1.7", "1.8", "1.9"};
-    return versions;
+std::vector<const AttributeRule *> attributeRulesOf(const std::string &path) {
+    static const std::unordered_map<std::string, std::vector<const AttributeRule *>> byPath = [] {
+        std::unordered_map<std::string, std::vector<const AttributeRule *>> all;
+        for (const AttributeRule &rule : attributeRules()) all[rule.path].push_back(&rule);
+        return all;
+    }();
+    const auto found = byPath.find(path);
+    return found == byPath.end() ? std::vector<const AttributeRule *>() : found->second;
+}
+
+std::string versionName(int version) { return "1." + std::to_string(version); }
+
+std::optional<int> versionNamed(const std::string &name) {
+    for (int version = oldestVersion; version <= newestVersion; ++version)
+        if (name == versionName(version)) return version;
+    return std::nullopt;
+}
+
+namespace {
+
+std::string holds(const ElementRule &rule) {
+    switch (rule.use) {
+        case Use::Read:
+            return describe(rule);
+        case Use::ReadBySelf:
+            return "a controller (README.md)";
+        case Use::NoPhysics:
+            return "left aside";
+        case Use::DefaultOnly:
+            break;
+    }
+    return rule.usual + ", SDF's default, only";
+}
+
+std::string code(const std::string &text) { return "`" + text + "`"; }
+
+}  // namespace
+
+std::string elementDocs() {
+    std::string text =
+        "# Elements\n\n"
+        "Made from the table in `loader/read/element_rules.cpp`, by which worlds are checked; a test "
+        "compares.\n"
+        "Any other element or attribute is an error, and so is any other value, text beside elements, and a second "
+        "element\n"
+        "where one may be. An element that is missing has SDF's default. Versions " +
+        versionName(oldestVersion) + " to " + versionName(newestVersion) +
+        ".\n\nPaths begin at the innermost world, model, link, joint or collision.\n\n"
+        "| Element | Times | Holds |\n|---|---|---|\n";
+    for (const NamedRule &named : elementRules())
+        text += "| " + code(named.path) + " | " + (named.rule.often == Often::Once ? "0..1" : "0..n") + " | " +
+                holds(named.rule) +
+                (named.rule.until < newestVersion ? "; up to version " + versionName(named.rule.until) : "") + " |\n";
+    text += "\n| Attribute | Times | One of |\n|---|---|---|\n";
+    for (const AttributeRule &rule : attributeRules())
+        text += "| " + code(rule.path + " " + rule.attribute) + " | " + (rule.isNeeded ? "1" : "0..1") + " | " +
+                (rule.values.empty() ? "any" : join(rule.values, ", ")) +
+                (rule.since > oldestVersion ? "; from version " + versionName(rule.since) : "") + " |\n";
+    return text + "\nPoses have `relative_to`, `rotation_format` (euler_rpy, quat_xyzw) and `degrees`; up to version 1.6 "
+                  "`frame` instead of `relative_to`.\n"
+                  "Attributes with a colon in their name are left aside.\n";
 }
 
 }  // namespace worlds

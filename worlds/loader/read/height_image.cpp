@@ -22,7 +22,7 @@ std::string reason() {
 
 }  // namespace
 
-HeightField readHeightImage(const std::string &file, const ignition::math::Vector3d &size,
+HeightField readHeightImage(const std::string &file, const Vector3 &size,
                             const Place &place) {
     const auto fail = [&](const std::string &what) {
         return LoadError(LoadError::Kind::Resource, place, "image file " + file + ": " + what);
@@ -45,9 +45,9 @@ HeightField readHeightImage(const std::string &file, const ignition::math::Vecto
     constexpr double white = 0xffff;
     const std::size_t count = static_cast<std::size_t>(field.columns) * field.rows;
     field.heights.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) field.heights.push_back(pixels.get()[i] / white * size.Z());
-    field.width = size.X();
-    field.depth = size.Y();
+    for (std::size_t i = 0; i < count; ++i) field.heights.push_back(pixels.get()[i] / white * size.z);
+    field.width = size.x;
+    field.depth = size.y;
     return field;
 }
 

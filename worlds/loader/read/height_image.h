@@ -4,15 +4,13 @@
 #include "loader/description/shape.h"
 #include "loader/load_error.h"
 
-#include <ignition/math/Vector3.hh>
-
 #include <string>
 
 namespace worlds {
 
-// Black is height 0 and white is size.Z(); the image's top edge is at +y. `place` is where the image
+// Black is height 0 and white is size.z; the image's top edge is at +y. `place` is where the image
 // is named. Throws LoadError.
-HeightField readHeightImage(const std::string &file, const ignition::math::Vector3d &size,
+HeightField readHeightImage(const std::string &file, const Vector3 &size,
                             const Place &place);
 
 }  // namespace worlds

@@ -72,13 +72,13 @@ void keepImporter(Assimp::Importer &importer, const std::string &format) {
     }
 }
 
-void append(const aiMesh &part, const ignition::math::Vector3d &scale, TriangleMesh &mesh) {
+void append(const aiMesh &part, const Vector3 &scale, TriangleMesh &mesh) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size() / 3);
     for (unsigned i = 0; i < part.mNumVertices; ++i) {
         const aiVector3D &vertex = part.mVertices[i];
-        mesh.vertices.push_back(static_cast<float>(vertex.x * scale.X()));
-        mesh.vertices.push_back(static_cast<float>(vertex.y * scale.Y()));
-        mesh.vertices.push_back(static_cast<float>(vertex.z * scale.Z()));
+        mesh.vertices.push_back(static_cast<float>(vertex.x * scale.x));
+        mesh.vertices.push_back(static_cast<float>(vertex.y * scale.y));
+        mesh.vertices.push_back(static_cast<float>(vertex.z * scale.z));
     }
     for (unsigned i = 0; i < part.mNumFaces; ++i) {
         const aiFace &face = part.mFaces[i];
@@ -91,7 +91,7 @@ void append(const aiMesh &part, const ignition::math::Vector3d &scale, TriangleM
     }
 }
 
-TriangleMesh readMesh(const std::string &file, const ignition::math::Vector3d &scale) {
+TriangleMesh readMesh(const std::string &file, const Vector3 &scale) {
     if (const std::string wrong = whyNotReadable(file, longestMeshFile); !wrong.empty())
         throw MeshFault(wrong);
     const std::string extension = extensionOf(file);
@@ -123,7 +123,7 @@ TriangleMesh readMesh(const std::string &file, const ignition::math::Vector3d &s
 
 }  // namespace
 
-TriangleMesh readMeshFile(const std::string &file, const ignition::math::Vector3d &scale,
+TriangleMesh readMeshFile(const std::string &file, const Vector3 &scale,
                           const Place &place) {
     try {
         return readMesh(file, scale);

@@ -4,13 +4,11 @@
 #include "loader/description/shape.h"
 #include "loader/load_error.h"
 
-#include <ignition/math/Vector3.hh>
-
 #include <string>
 
 namespace worlds {
 
 // `place` is where the mesh is named. Throws LoadError.
-TriangleMesh readMeshFile(const std::string &file, const ignition::math::Vector3d &scale, const Place &place);
+TriangleMesh readMeshFile(const std::string &file, const Vector3 &scale, const Place &place);
 
 }  // namespace worlds

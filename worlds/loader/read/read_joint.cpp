@@ -1,36 +1,25 @@
 #include "loader/read/read_joint.h"
 
 #include "loader/read/element_rules.h"
-#include "loader/read/semantic_pose.h"
-
-#include <ignition/math/Helpers.hh>
-#include <sdf/JointAxis.hh>
 
 #include <cmath>
+#include <unordered_map>
 
 namespace worlds {
 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-std::optional<JointType> toType(sdf::JointType type) {
-    switch (type) {
-        case sdf::JointType::REVOLUTE:
-        case sdf::JointType::CONTINUOUS:
-            return JointType::Revolute;
-        case sdf::JointType::PRISMATIC:
-            return JointType::Prismatic;
-        case sdf::JointType::BALL:
-            return JointType::Ball;
-        case sdf::JointType::UNIVERSAL:
-            return JointType::Universal;
-        case sdf::JointType::REVOLUTE2:
-            return JointType::Revolute2;
-        case sdf::JointType::FIXED:
-            return JointType::Fixed;
-        default:  // checkElements has named it
-            return std::nullopt;
-    }
+
+// The last version in which axes are written in the frame of the model instead of that of the joint.
+constexpr int kAxesOfModel = 4;
+
+JointType typeOf(const Element &joint) {
+    static const std::unordered_map<std::string, JointType> types = {
+        {"revolute", JointType::Revolute},   {"continuous", JointType::Revolute},   {"prismatic", JointType::Prismatic},
+        {"ball", JointType::Ball},           {"universal", JointType::Universal},   {"revolute2", JointType::Revolute2},
+        {"fixed", JointType::Fixed}};
+    return types.at(joint.attribute("type"));  // element_check.h lets no other pass
 }
 
 unsigned axisCount(JointType type) {
@@ -51,121 +40,127 @@ double limitOrNone(double value) { return value < 0 || value >= largestNumber ? 
 
 // ODE measures angles between -π and π: a single stop beyond that would be reached from the wrong side.
 void checkAngleLimits(const JointAxis &axis, const Place &place, const Reading &reading) {
-    const bool unreachable = axis.lower < -IGN_PI && axis.upper > IGN_PI;
-    const bool lowerTooFar = std::isfinite(axis.lower) && axis.lower < -IGN_PI;
-    const bool upperTooFar = std::isfinite(axis.upper) && axis.upper > IGN_PI;
+    const bool unreachable = axis.lower < -kPi && axis.upper > kPi;
+    const bool lowerTooFar = std::isfinite(axis.lower) && axis.lower < -kPi;
+    const bool upperTooFar = std::isfinite(axis.upper) && axis.upper > kPi;
     if (!unreachable && (lowerTooFar || upperTooFar))
         reading.issues.unsupported(place, "one of two stops beyond half a turn");
 }
 
-void readLimits(const sdf::JointAxis &source, JointAxis &axis, const Place &place) {
-    axis.lower = source.Lower() <= -largestNumber ? -infinity : source.Lower();
-    axis.upper = source.Upper() >= largestNumber ? infinity : source.Upper();
-    if (axis.lower > axis.upper)
-        throw LoadError(LoadError::Kind::Value, place, "lower limit above upper limit");
-    axis.maxForce = limitOrNone(source.Effort());
-    axis.maxSpeed = limitOrNone(source.MaxVelocity());
+void readLimits(const Element &source, JointAxis &axis) {
+    const Element *const limit = source.child("limit");
+    if (!limit) return;
+    axis.lower = limit->childLimit("lower", -infinity);
+    axis.upper = limit->childLimit("upper", infinity);
+    if (axis.lower <= -largestNumber) axis.lower = -infinity;
+    if (axis.upper >= largestNumber) axis.upper = infinity;
+    if (axis.lower > axis.upper) source.fail("lower limit above upper limit");
+    axis.maxForce = limitOrNone(limit->childLimit("effort", -1));
+    axis.maxSpeed = limitOrNone(limit->childLimit("velocity", -1));
 }
 
-JointAxis readAxis(const sdf::JointAxis &source, const ignition::math::Pose3d &modelPose,
-                   const Place &place) {
+// The rotation, in the model, of the frame in which an axis is written.
+Quaternion axisFrame(const Element &axis, const Element *xyz, const Scope &model, const Quaternion &joint) {
+    const std::string frame = xyz ? xyz->attributeOrEmpty("expressed_in") : std::string();
+    if (!frame.empty()) return model.pose(frame, *xyz, "expressed_in").rotation;
+    return axis.childFlag("use_parent_model_frame", axis.file().version <= kAxesOfModel) ? Quaternion() : joint;
+}
+
+// `modelPose` is in the world, `joint` is the joint's rotation in the model.
+JointAxis readAxis(const Element &source, const Scope &model, const Pose &modelPose, const Quaternion &joint) {
     JointAxis axis;
-    ignition::math::Vector3d inModel;
-    const sdf::Errors errors = source.ResolveXyz(inModel, "__model__");
-    if (!errors.empty()) throw LoadError(LoadError::Kind::Value, place, errors.front().Message());
-    axis.direction = modelPose.Rot() * inModel;
-    readLimits(source, axis, place);
-    axis.friction = source.Friction();
-    axis.damping = source.Damping();
-    axis.springStiffness = source.SpringStiffness();
-    axis.springReference = source.SpringReference();
+    const Element *const xyz = source.child("xyz");
+    const std::vector<double> numbers = xyz ? xyz->numbers(3) : std::vector<double>{0, 0, 1};
+    const Vector3 direction = Vector3{numbers[0], numbers[1], numbers[2]}.normalized();
+    axis.direction = modelPose.rotation * (axisFrame(source, xyz, model, joint) * direction);
+    readLimits(source, axis);
+    if (const Element *const dynamics = source.child("dynamics")) {
+        axis.friction = dynamics->childNumber("friction", 0);
+        axis.damping = dynamics->childNumber("damping", 0);
+        axis.springStiffness = dynamics->childNumber("spring_stiffness", 0);
+        axis.springReference = dynamics->childNumber("spring_reference", 0);
+    }
     return axis;
 }
 
-std::optional<double> optionalNumber(const Parameters *element, const std::string &child) {
+std::optional<double> optionalNumber(const Element *element, const std::string &child) {
     if (!element || !element->child(child)) return std::nullopt;
     return element->child(child)->number();
 }
 
-void readOde(const Parameters &ode, Joint &joint, const Reading &reading) {
+void readOde(const Element &ode, Joint &joint, const Reading &reading) {
     joint.cfm = optionalNumber(&ode, "cfm");
     joint.erp = optionalNumber(&ode, "erp");
     if (joint.erp && joint.type != JointType::Ball && joint.type != JointType::Fixed) {
-        reading.issues.unsupported(ode.child("erp")->place, "on a joint other than ball and fixed");
+        reading.issues.unsupported(ode.child("erp")->place(), "on a joint other than ball and fixed");
         joint.erp.reset();  // ODE takes it for these two alone
     }
     for (const char *const ofAnAxis : {"bounce", "fudge_factor", "max_force", "velocity", "limit"})
-        if (const Parameters *child = ode.child(ofAnAxis); child && axisCount(joint.type) == 0)
-            reading.issues.unsupported(child->place, "on a joint without an axis");
+        if (const Element *child = ode.child(ofAnAxis); child && axisCount(joint.type) == 0)
+            reading.issues.unsupported(child->place(), "on a joint without an axis");
     joint.bounce = optionalNumber(&ode, "bounce");
     joint.fudgeFactor = optionalNumber(&ode, "fudge_factor");
     joint.motorForce = optionalNumber(&ode, "max_force");
     joint.motorSpeed = optionalNumber(&ode, "velocity");
     joint.stopCfm = optionalNumber(ode.child("limit"), "cfm");
     joint.stopErp = optionalNumber(ode.child("limit"), "erp");
-    if (const Parameters *suspension = ode.child("suspension")) {
+    if (const Element *suspension = ode.child("suspension")) {
         if (joint.type != JointType::Revolute2)
-            return reading.issues.unsupported(suspension->place, "on a joint other than revolute2");
+            return reading.issues.unsupported(suspension->place(), "on a joint other than revolute2");
         joint.suspensionCfm = optionalNumber(suspension, "cfm");
         joint.suspensionErp = optionalNumber(suspension, "erp");
     }
 }
 
-void readPhysics(const sdf::ElementPtr &element, Joint &joint, const Reading &reading) {
-    if (!element->HasElement("physics")) return;
-    const Parameters physics = toParameters(element->GetElement("physics"), reading.worldFile);
-    const auto isTrue = [](const Parameters *flag) {
-        return flag && (flag->text == "true" || flag->text == "1");
-    };
-    joint.feedback = isTrue(physics.child("provide_feedback"));
-    if (const Parameters *ode = physics.child("ode")) {
-        joint.feedback = joint.feedback || isTrue(ode->child("provide_feedback"));
+void readPhysics(const Element &physics, Joint &joint, const Reading &reading) {
+    joint.feedback = physics.childFlag("provide_feedback", false);
+    if (const Element *ode = physics.child("ode")) {
+        joint.feedback = joint.feedback || ode->childFlag("provide_feedback", false);
         readOde(*ode, joint, reading);
     }
 }
 
-void readAxes(const sdf::Joint &source, const ignition::math::Pose3d &modelPose, Joint &joint,
-              const Reading &reading) {
+void readAxes(const Element &source, const Scope &model, const Pose &modelPose, Joint &joint, const Reading &reading) {
     const unsigned count = axisCount(joint.type);
+    const Quaternion inModel = model.pose(source).rotation;
+    const char *const names[] = {"axis", "axis2"};
     for (unsigned i = 0; i < 2; ++i) {
-        const sdf::JointAxis *axis = source.Axis(i);
-        const Place place = axis && axis->Element() ? reading.place(axis->Element()) : joint.place;
-        if (i < count && !axis)
-            throw LoadError(LoadError::Kind::Value, place, i ? "needs <axis2>" : "needs <axis>");
-        if (i >= count && axis) reading.issues.unsupported(place, "on this type of joint");
+        const Element *const axis = source.child(names[i]);
+        if (i < count && !axis) source.fail(std::string("needs <") + names[i] + ">");
+        if (i >= count && axis) reading.issues.unsupported(axis->place(), "on this type of joint");
         if (i >= count) continue;
-        joint.axes.push_back(readAxis(*axis, modelPose, place));
-        if (joint.type != JointType::Prismatic) checkAngleLimits(joint.axes.back(), place, reading);
+        joint.axes.push_back(readAxis(*axis, model, modelPose, inModel));
+        if (joint.type != JointType::Prismatic) checkAngleLimits(joint.axes.back(), axis->place(), reading);
     }
     if (joint.type == JointType::Revolute2 &&
         (std::isfinite(joint.axes[1].lower) || std::isfinite(joint.axes[1].upper)))
-        reading.issues.unsupported(reading.place(source.Axis(1)->Element()), "limits of the second axis");
-    if (count == 2 && joint.axes[0].direction.Cross(joint.axes[1].direction).Length() < 1e-6)
-        throw LoadError(LoadError::Kind::Value, joint.place, "the two axes are parallel");
+        reading.issues.unsupported(source.child("axis2")->place(), "limits of the second axis");
+    if (count == 2 && joint.axes[0].direction.cross(joint.axes[1].direction).length() < 1e-6)
+        source.fail("the two axes are parallel");
+}
+
+Body parentOf(const Element &joint, const Scope &model) {
+    const Element &parent = joint.required("parent");
+    return parent.text == "world" ? nullptr : model.body(parent.text, parent);
 }
 
 }  // namespace
 
-std::optional<Joint> readJoint(const sdf::Joint &source, const std::string &name,
-                               const ignition::math::Pose3d &modelPose, const LinkNumber &linkNumber,
-                               const Reading &reading) {
-    const std::optional<JointType> type = toType(source.Type());
-    if (!type) return std::nullopt;
+JointedBodies readJointedBodies(const Element &joint, const Scope &model) {
+    const JointedBodies bodies{parentOf(joint, model), model.body(joint.required("child").text, joint.required("child"))};
+    if (bodies.parent == bodies.child) joint.fail("joins " + quote(bodies.child->attribute("name")) + " to itself");
+    return bodies;
+}
 
+Joint readJoint(const Element &source, const Scope &model, const std::string &name, const Pose &modelPose,
+                const Reading &reading) {
     Joint joint;
     joint.name = name;
-    joint.place = reading.place(source.Element());
-    joint.type = *type;
-    std::string parent, child;
-    sdf::Errors errors = source.ResolveParentLink(parent);
-    const sdf::Errors childErrors = source.ResolveChildLink(child);
-    errors.insert(errors.end(), childErrors.begin(), childErrors.end());
-    if (!errors.empty()) throw LoadError(LoadError::Kind::Value, joint.place, errors.front().Message());
-    joint.parent = linkNumber(parent);
-    joint.child = linkNumber(child);
-    joint.anchor = (modelPose * resolvePose(source.SemanticPose(), joint.place, "__model__")).Pos();
-    readAxes(source, modelPose, joint, reading);
-    readPhysics(source.Element(), joint, reading);
+    joint.place = source.place();
+    joint.type = typeOf(source);
+    joint.anchor = (modelPose * model.pose(source)).position;
+    readAxes(source, model, modelPose, joint, reading);
+    if (const Element *const physics = source.child("physics")) readPhysics(*physics, joint, reading);
     return joint;
 }
 

@@ -2,21 +2,20 @@
 #pragma once
 
 #include "loader/description/joint.h"
+#include "loader/read/frames.h"
 #include "loader/read/reading.h"
-
-#include <sdf/Joint.hh>
-
-#include <functional>
-#include <optional>
 
 namespace worlds {
 
-// The number of a link, by its name within the joint's model.
-using LinkNumber = std::function<int(const std::string &name)>;
+// Null: the world.
+struct JointedBodies {
+    Body parent, child;
+};
+// Throws LoadError when a joint of `model` joins nothing, or a link to itself.
+JointedBodies readJointedBodies(const Element &joint, const Scope &model);
 
-// `name` is the joint's in the world, `modelPose` its model's. None when the type is not supported.
-std::optional<Joint> readJoint(const sdf::Joint &joint, const std::string &name,
-                               const ignition::math::Pose3d &modelPose, const LinkNumber &linkNumber,
-                               const Reading &reading);
+// `name` is the joint's in the world, `modelPose` its model's. Links are left to the caller.
+Joint readJoint(const Element &joint, const Scope &model, const std::string &name, const Pose &modelPose,
+                const Reading &reading);
 
 }  // namespace worlds

@@ -1,10 +1,7 @@
 #include "loader/read/read_physics.h"
 
-#include "loader/read/element_path.h"
 #include "loader/read/element_rules.h"
-#include "loader/read/read_surface.h"
-
-#include <sdf/Physics.hh>
+#include "loader/read/read_collision.h"
 
 #include <cmath>
 
@@ -14,37 +11,38 @@ namespace {
 
 // element_rules.h has checked what is read here: types, ranges and names.
 
-int wholeChild(const Parameters &element, const std::string &name, int otherwise) {
-    const Parameters *child = element.child(name);
+int wholeChild(const Element &element, const std::string &name, int otherwise) {
+    const Element *child = element.child(name);
     return child ? static_cast<int>(child->number()) : otherwise;
 }
 
-ignition::math::Vector3d vectorChild(const Parameters &element, const std::string &name,
-                                     const ignition::math::Vector3d &otherwise) {
-    const Parameters *child = element.child(name);
+Vector3 vectorChild(const Element &element, const std::string &name,
+                                     const Vector3 &otherwise) {
+    const Element *child = element.child(name);
     if (!child) return otherwise;
     const std::vector<double> numbers = child->numbers();
     return {numbers[0], numbers[1], numbers[2]};
 }
 
-scenes::Stepper readStepper(const Parameters &solver) {
-    const Parameters *type = solver.child("type");
+scenes::Stepper readStepper(const Element &solver) {
+    const Element *type = solver.child("type");
     return type && type->text == "world" ? scenes::Stepper::World : scenes::Stepper::Quick;
 }
 
-bool readFrictionPyramid(const Parameters &solver) {
-    const Parameters *model = solver.child("friction_model");
+bool readFrictionPyramid(const Element &solver) {
+    const Element *model = solver.child("friction_model");
     return !model || model->text == "pyramid_model";
 }
 
-void readOde(const Parameters &ode, Physics &physics) {
-    if (const Parameters *solver = ode.child("solver")) {
+void readOde(const Element &ode, Physics &physics) {
+    if (const Element *solver = ode.child("solver")) {
         physics.stepper = readStepper(*solver);
         physics.frictionPyramid = readFrictionPyramid(*solver);
         physics.iterations = wholeChild(*solver, "iters", physics.iterations);
         physics.sor = solver->childNumber("sor", physics.sor);
+        physics.stepSize = solver->childNumber("dt", physics.stepSize);  // where old versions have it
     }
-    if (const Parameters *constraints = ode.child("constraints")) {
+    if (const Element *constraints = ode.child("constraints")) {
         physics.cfm = constraints->childNumber("cfm", physics.cfm);
         physics.erp = constraints->childNumber("erp", physics.erp);
         physics.maxCorrectingSpeed =
@@ -55,7 +53,7 @@ void readOde(const Parameters &ode, Physics &physics) {
 }
 
 // What other kinds of spaces have would do nothing here.
-void refuseOfOthers(const Parameters &element, const std::string &type) {
+void refuseOfOthers(const Element &element, const std::string &type) {
     static const struct {
         const char *child, *type;
     } kOf[] = {{"min_level", "hash"},
@@ -64,11 +62,11 @@ void refuseOfOthers(const Parameters &element, const std::string &type) {
                {"extents", "quadtree"},
                {"depth", "quadtree"}};
     for (const auto &of : kOf)
-        if (const Parameters *child = element.child(of.child); child && type != of.type)
+        if (const Element *child = element.child(of.child); child && type != of.type)
             child->fail("is for spaces of type " + std::string(of.type) + " alone");
 }
 
-Space readSpace(const Parameters &element) {
+Space readSpace(const Element &element) {
     Space space;
     const std::string &type = element.attribute("type");
     if (type == "hash") space.kind = scenes::SpaceKind::Hash;
@@ -84,7 +82,7 @@ Space readSpace(const Parameters &element) {
     return space;
 }
 
-AutoDisable readAutoDisable(const Parameters &element) {
+AutoDisable readAutoDisable(const Element &element) {
     AutoDisable rest;
     rest.linearThreshold = element.childNumber("linear_threshold", rest.linearThreshold);
     rest.angularThreshold = element.childNumber("angular_threshold", rest.angularThreshold);
@@ -94,7 +92,7 @@ AutoDisable readAutoDisable(const Parameters &element) {
     return rest;
 }
 
-Damping readDamping(const Parameters &element) {
+Damping readDamping(const Element &element) {
     Damping damping;
     damping.linear = element.childNumber("linear", 0);
     damping.angular = element.childNumber("angular", 0);
@@ -103,24 +101,32 @@ Damping readDamping(const Parameters &element) {
     return damping;
 }
 
+// Several engines' may be there: the default one counts, or the first.
+const Element *profileOf(const Element &world) {
+    const Element *chosen = world.child("physics");
+    for (const Element &child : world.children)
+        if (child.name == "physics" && isTrue(child.attributeOrEmpty("default"))) chosen = &child;
+    return chosen;
+}
+
 }  // namespace
 
-Physics readPhysics(const sdf::World &world, const std::string &worldFile) {
+Physics readPhysics(const Element &world) {
     Physics physics;
-    physics.gravity = world.Gravity();
-    const sdf::Physics *profile = world.PhysicsDefault();
-    if (!profile || !profile->Element()) return physics;
+    physics.gravity = vectorChild(world, "gravity", physics.gravity);
+    const Element *profile = profileOf(world);
+    if (!profile) return physics;
 
-    const Parameters element = toParameters(profile->Element(), worldFile);
-    physics.stepSize = element.childNumber("max_step_size", physics.stepSize);
+    const Element &element = *profile;
+    physics.gravity = vectorChild(element, "gravity", physics.gravity);  // where old versions have it
     physics.maxContacts = wholeChild(element, "max_contacts", physics.maxContacts);
-    if (const Parameters *ode = element.child("ode")) readOde(*ode, physics);
-    if (const Parameters *surface = element.child("odemt:default_surface"))
+    if (const Element *ode = element.child("ode")) readOde(*ode, physics);
+    physics.stepSize = element.childNumber("max_step_size", physics.stepSize);
+    if (const Element *surface = element.child("odemt:default_surface"))
         physics.defaultSurface = readSurface(*surface, {}, physics.stepSize);
-    if (const Parameters *space = element.child("odemt:space")) physics.space = readSpace(*space);
-    if (const Parameters *rest = element.child("odemt:auto_disable"))
-        physics.autoDisable = readAutoDisable(*rest);
-    if (const Parameters *damping = element.child("odemt:damping")) physics.damping = readDamping(*damping);
+    if (const Element *space = element.child("odemt:space")) physics.space = readSpace(*space);
+    if (const Element *rest = element.child("odemt:auto_disable")) physics.autoDisable = readAutoDisable(*rest);
+    if (const Element *damping = element.child("odemt:damping")) physics.damping = readDamping(*damping);
     physics.contactCandidates = wholeChild(element, "odemt:contact_candidates", physics.contactCandidates);
     return physics;
 }

@@ -1,13 +1,12 @@
-// <gravity> and <physics> of a world.
+// <physics> and <gravity> of a world.
 #pragma once
 
+#include "loader/description/element.h"
 #include "loader/description/physics.h"
-#include "loader/read/issues.h"
-
-#include <sdf/World.hh>
 
 namespace worlds {
 
-Physics readPhysics(const sdf::World &world, const std::string &worldFile);
+// Requires a world whose elements are checked. Throws LoadError.
+Physics readPhysics(const Element &world);
 
 }  // namespace worlds

@@ -1,88 +1,166 @@
 #include "loader/read/read_world.h"
 
 #include "loader/control/controller_registry.h"
+#include "loader/read/frames.h"
+#include "loader/read/read_collision.h"
 #include "loader/read/read_joint.h"
-#include "loader/read/read_link.h"
 #include "loader/read/read_physics.h"
-#include "loader/read/semantic_pose.h"
 
+#include <algorithm>
 #include <unordered_map>
 
 namespace worlds {
 
 namespace {
 
+// What the links of a model share.
+struct Model {
+    std::string name;  // "outer::inner"
+    int number = 0;
+    bool isStatic = false, selfCollide = false, autoDisable = true;
+};
+
+// No body has other moments: one is at most the sum of the other two. That is so when half their sum less the matrix is
+// positive, but for rounding.
+bool isOfABody(const Matrix3 &inertia) {
+    const double half = (inertia(0, 0) + inertia(1, 1) + inertia(2, 2)) / 2;
+    Matrix3 spread;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) spread(i, j) = (i == j ? half * (1 + 1e-9) : 0) - inertia(i, j);
+    return isPositiveDefinite(spread);
+}
+
+// Along the link's axes, whatever the rotation of the inertial frame.
+Mass readMass(const Element &link, bool isStatic) {
+    Mass mass;
+    const Element *const inertial = link.child("inertial"), *const inertia = inertial ? inertial->child("inertia") : nullptr;
+    const auto moment = [&](const char *name, double otherwise) {
+        return inertia ? inertia->childNumber(name, otherwise) : otherwise;
+    };
+    Matrix3 &own = mass.inertia;
+    own(0, 0) = moment("ixx", 1);
+    own(1, 1) = moment("iyy", 1);
+    own(2, 2) = moment("izz", 1);
+    own(0, 1) = own(1, 0) = moment("ixy", 0);
+    own(0, 2) = own(2, 0) = moment("ixz", 0);
+    own(1, 2) = own(2, 1) = moment("iyz", 0);
+    if (!inertial) return mass;
+    mass.mass = inertial->childNumber("mass", 1);
+    const Pose pose = readPose(inertial->child("pose"));
+    mass.center = pose.position;
+    if (!isStatic && !isPositiveDefinite(own)) inertia->fail("the inertia matrix is not positive definite");
+    if (!isStatic && !isOfABody(own)) inertia->fail("no body has such an inertia matrix: a moment is above the sum of the others");
+    const Matrix3 turn = Matrix3::rotation(pose.rotation);
+    own = turn * own * turn.transposed();
+    return mass;
+}
+
 class WorldReader {
 public:
-    WorldReader(WorldDescription &world, const Reading &reading) : m_world(world), m_reading(reading) {}
+    WorldReader(WorldDescription &world, const std::shared_ptr<Element> &document, const Reading &reading)
+        : m_world(world), m_document(document), m_reading(reading) {}
 
-    // `outer` is "outer::" for a model within a model.
-    void model(const sdf::Model &model, const std::string &outer, const ignition::math::Pose3d &outerPose,
-               bool outerStatic) {
-        const std::string name = outer + model.Name();
-        const ignition::math::Pose3d pose =
-            outerPose * resolvePose(model.SemanticPose(), m_reading.place(model.Element()));
-        const bool isStatic = outerStatic || model.Static();
-        links(model, name, pose, isStatic);
-        for (uint64_t i = 0; i < model.ModelCount(); ++i)
-            this->model(*model.ModelByIndex(i), name + "::", pose, isStatic);
-        if (isStatic) return;  // nothing for joints and controllers to move
-        joints(model, name, pose);
-        controllers(model, name);
+    // Reads the models of a world, or in a model. `outer` is "outer::" for a model within a model.
+    void models(Element &element, const Scope &scope, const std::string &outer, const Pose &pose, bool isStatic) {
+        for (Element &child : element.children) {
+            if (child.name != "model" || child.isMerged) continue;
+            Model model;
+            model.name = outer + child.attribute("name");
+            model.number = m_modelCount++;
+            model.isStatic = isStatic || child.childFlag("static", false);
+            model.selfCollide = child.childFlag("self_collide", false);
+            model.autoDisable = child.childFlag("allow_auto_disable", true);
+            this->model(child, scope.inside(child), model, pose * scope.pose(child));
+        }
     }
 
 private:
-    void links(const sdf::Model &model, const std::string &name, const ignition::math::Pose3d &pose,
-               bool isStatic) {
-        const int number = m_modelCount++;
-        for (uint64_t i = 0; i < model.LinkCount(); ++i) {
-            const sdf::Link &source = *model.LinkByIndex(i);
-            Link link = readLink(source, model, name + "::" + source.Name(), pose, isStatic, m_reading);
-            link.model = number;
-            m_numbers[link.name] = static_cast<int>(m_world.links.size());
-            m_world.links.push_back(std::move(link));
+    // `element` is the model's own, or that of one that is merged into it.
+    void model(Element &element, const Scope &scope, const Model &model, const Pose &pose) {
+        for (Element &child : element.children) {
+            if (child.name == "link") link(child, scope, model, pose);
+            if (child.isMerged) this->model(child, scope.inside(child), model, pose * scope.pose(child));
+        }
+        models(element, scope, model.name + "::", pose, model.isStatic);
+        for (Element &child : element.children) {
+            if (child.name == "joint") joint(child, scope, model, pose);
+            if (child.name == "plugin") controller(child, model);
         }
     }
 
-    void joints(const sdf::Model &model, const std::string &name, const ignition::math::Pose3d &pose) {
-        const auto number = [&](const std::string &link) {
-            return link == "world" ? Joint::world : m_numbers.at(name + "::" + link);
-        };
-        for (uint64_t i = 0; i < model.JointCount(); ++i) {
-            const sdf::Joint &source = *model.JointByIndex(i);
-            const std::string jointName = name + "::" + source.Name();
-            if (std::optional<Joint> joint = readJoint(source, jointName, pose, number, m_reading))
-                m_world.joints.push_back(std::move(*joint));
+    void link(const Element &element, const Scope &scope, const Model &model, const Pose &modelPose) {
+        Link link;
+        link.name = model.name + "::" + element.attribute("name");
+        link.model = numberOf(link.name, model);
+        link.pose = modelPose * scope.pose(element);
+        link.isStatic = model.isStatic;
+        link.kinematic = element.childFlag("kinematic", false);
+        link.gravity = element.childFlag("gravity", true);
+        link.selfCollide = element.childFlag("self_collide", model.selfCollide);
+        link.autoDisable = model.autoDisable;
+        link.mass = readMass(element, model.isStatic);
+        if (const Element *const decay = element.child("velocity_decay")) {
+            if (const Element *const linear = decay->child("linear")) link.linearDamping = linear->number();
+            if (const Element *const angular = decay->child("angular")) link.angularDamping = angular->number();
         }
+        for (const Element &child : element.children)
+            if (child.name == "collision") collision(child, element, scope, link);
+        m_numbers[&element] = static_cast<int>(m_world.links.size());
+        m_world.links.push_back(std::move(link));
     }
 
-    void controllers(const sdf::Model &model, const std::string &name) {
-        forEachWritten(model.Element(), [&](const sdf::ElementPtr &element) {
-            if (element->GetName() != "plugin") return;
-            Parameters parameters = toParameters(element, m_reading.worldFile);
-            const std::string type = parameters.attribute("filename");
-            if (!isControllerType(type)) return;
-            parameters.limitNumbers(kMaxControllerNumber);
-            m_world.controllers.push_back({type, name, std::move(parameters)});
-        });
+    // Old versions write a model within a model as links "inner::link".
+    int numberOf(const std::string &link, const Model &model) {
+        const std::string inner = link.substr(0, link.rfind("::"));
+        if (inner == model.name) return model.number;
+        const auto [known, isNew] = m_innerNumbers.emplace(inner, m_modelCount);
+        if (isNew) ++m_modelCount;
+        return known->second;
+    }
+
+    void collision(const Element &element, const Element &link, const Scope &scope, Link &read) {
+        const Element *const pose = element.child("pose");
+        const std::string frame = pose ? pose->attributeOrEmpty("relative_to") : std::string();
+        Pose inLink = readPose(pose);
+        if (!frame.empty()) inLink = scope.pose(link).inverse() * scope.pose(frame, *pose, "relative_to") * inLink;
+        if (std::optional<Collision> collision =
+                readCollision(element, inLink, read.isStatic, m_world.physics, m_reading))
+            read.collisions.push_back(std::move(*collision));
+    }
+
+    void joint(const Element &element, const Scope &scope, const Model &model, const Pose &modelPose) {
+        const JointedBodies bodies = readJointedBodies(element, scope);
+        if (model.isStatic) return;  // nothing for it to move
+        Joint joint = readJoint(element, scope, model.name + "::" + element.attribute("name"), modelPose, m_reading);
+        joint.parent = bodies.parent ? m_numbers.at(bodies.parent) : Joint::world;
+        joint.child = m_numbers.at(bodies.child);
+        m_world.joints.push_back(std::move(joint));
+    }
+
+    void controller(Element &element, const Model &model) {
+        if (model.isStatic) return;  // nothing for it to move
+        element.limitNumbers(kMaxControllerNumber);
+        m_world.controllers.push_back(
+            {element.attribute("filename"), model.name, std::shared_ptr<const Element>(m_document, &element)});
     }
 
     WorldDescription &m_world;
+    const std::shared_ptr<Element> &m_document;
     const Reading &m_reading;
-    std::unordered_map<std::string, int> m_numbers;  // of links, by name in the world
+    std::unordered_map<const Element *, int> m_numbers;  // of links
+    std::unordered_map<std::string, int> m_innerNumbers;
     int m_modelCount = 0;
 };
 
 }  // namespace
 
-WorldDescription readWorld(const sdf::World &source, const std::string &worldFile,
-                           const ResourceFinder &resources, const Issues &issues) {
+WorldDescription readWorld(const std::shared_ptr<Element> &document, const Reading &reading) {
+    Element &element = document->children.front();  // the world
     WorldDescription world;
-    world.physics = readPhysics(source, worldFile);
-    const Reading reading{worldFile, resources, issues, world.physics};
-    WorldReader reader(world, reading);
-    for (uint64_t i = 0; i < source.ModelCount(); ++i)
-        reader.model(*source.ModelByIndex(i), "", ignition::math::Pose3d::Zero, false);
+    world.physics = readPhysics(element);
+    const Scope scope(element);
+    scope.resolve();
+    WorldReader(world, document, reading).models(element, scope, "", {}, false);
     return world;
 }
 

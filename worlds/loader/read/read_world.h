@@ -1,16 +1,12 @@
-// A whole world, from libsdformat's objects to plain data.
+// A whole world, from elements to plain data.
 #pragma once
 
 #include "loader/description/world_description.h"
-#include "loader/read/issues.h"
-#include "loader/read/resource_finder.h"
-
-#include <sdf/World.hh>
+#include "loader/read/reading.h"
 
 namespace worlds {
 
-// Throws LoadError.
-WorldDescription readWorld(const sdf::World &world, const std::string &worldFile,
-                           const ResourceFinder &resources, const Issues &issues);
+// Takes the <sdf> element of a checked document. Controllers keep it. Throws LoadError.
+WorldDescription readWorld(const std::shared_ptr<Element> &document, const Reading &reading);
 
 }  // namespace worlds

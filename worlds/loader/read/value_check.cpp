@@ -1,17 +1,18 @@
 #include "loader/read/value_check.h"
 
-#include "loader/description/parameters.h"
+#include "loader/description/element.h"
 #include "loader/load_error.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 namespace worlds {
 
 namespace {
 
-constexpr double smallestNumber = 1e-300;   // smaller ones are no numbers to libsdformat
+constexpr double smallestNumber = 1e-300;   // a smaller one has no finite inverse
 constexpr double shortestDirection = 1e-9;  // its square can be divided by
 
 std::string write(double number) {
@@ -54,8 +55,8 @@ std::string wrongNumbers(const ElementRule &rule, const std::string &text, std::
         const std::string wrong = wrongRange(rule, number);
         if (!wrong.empty()) return shown + " is " + wrong;
     }
-    if (rule.type == Type::Whole && text.find_first_not_of("+-0123456789") != std::string::npos)
-        return shown + " is not a whole number " + range(rule);  // libsdformat takes 1 for 1e3 and for 1.9
+    if ((rule.type == Type::Whole || rule.type == Type::Mask) && text.find_first_not_of("+-0123456789") != std::string::npos)
+        return shown + " is not a whole number " + range(rule);
     if (rule.type == Type::Direction && std::hypot(numbers[0], numbers[1], numbers[2]) < shortestDirection)
         return shown + " is no direction: shorter than " + write(shortestDirection);
     return {};
@@ -72,6 +73,13 @@ std::string wrongPose(const std::string &text, bool isQuaternion) {
     return {};
 }
 
+// The number of a mask that is written in hexadecimal digits; none when it is not.
+std::optional<unsigned long long> hexadecimal(const std::string &text) {
+    if (text.size() < 3 || text.size() > 18 || text[0] != '0' || (text[1] | 0x20) != 'x') return std::nullopt;
+    if (text.find_first_not_of("0123456789abcdefABCDEF", 2) != std::string::npos) return std::nullopt;
+    return std::stoull(text, nullptr, 16);
+}
+
 bool isOneOf(const std::vector<std::string> &words, const std::string &word) {
     return std::find(words.begin(), words.end(), word) != words.end();
 }
@@ -84,10 +92,15 @@ std::string join(const std::vector<std::string> &words, const std::string &betwe
     return list;
 }
 
+unsigned readMask(const std::string &text) {
+    const std::optional<unsigned long long> mask = hexadecimal(text);
+    return static_cast<unsigned>(mask ? *mask : std::stoull(text));
+}
+
 std::string complaint(const ElementRule &rule, const std::string &whole, bool isQuaternion) {
     if (rule.type == Type::Any || rule.type == Type::Group) return {};
     const std::string text = trim(whole);
-    if (text.empty()) return "is empty";
+    if (text.empty()) return rule.type == Type::Pose ? "" : "is empty";
     std::vector<double> numbers;
     switch (rule.type) {
         case Type::Text:
@@ -103,6 +116,9 @@ std::string complaint(const ElementRule &rule, const std::string &whole, bool is
                        : quote(text) + " is neither true nor false";
         case Type::Pose:
             return wrongPose(text, isQuaternion);
+        case Type::Mask:
+            if (const auto mask = hexadecimal(text)) return *mask <= rule.most ? "" : quote(text) + " is not " + range(rule);
+            return wrongNumbers(rule, text, numbers);
         default:
             return wrongNumbers(rule, text, numbers);
     }
@@ -124,7 +140,9 @@ std::string describe(const ElementRule &rule) {
             return "true or false";
         case Type::Pose:
             return "x y z roll pitch yaw, or x y z and a quaternion of length 1, up to " +
-                   write(largestNumber);
+                   write(largestNumber) + "; empty: zeros";
+        case Type::Mask:
+            return "a whole number " + range(rule) + ", also as 0x1f";
         case Type::Whole:
             return "a whole number " + range(rule);
         case Type::Limit:

@@ -58,7 +58,8 @@ void onElement(void *data, const char *name, const char **attributes) {
 
 void onElementEnd(void *data, const char *) { --static_cast<Limits *>(data)->depth; }
 
-std::string whyNotWellFormed(const std::string &text) {
+// The text begins behind `blankLines` others.
+std::string whyNotWellFormed(const std::string &text, std::ptrdiff_t blankLines) {
     const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(XML_ParserCreate("UTF-8"),
                                                                          XML_ParserFree);
     if (!parser) throw std::bad_alloc();
@@ -77,50 +78,43 @@ std::string whyNotWellFormed(const std::string &text) {
     }
     const XML_Error error = XML_GetErrorCode(parser.get());
     if (error == XML_ERROR_NO_MEMORY) throw std::bad_alloc();
-    const std::string line = "line " + std::to_string(XML_GetCurrentLineNumber(parser.get())) + ": ";
+    const std::string line = "line " + std::to_string(blankLines + static_cast<std::ptrdiff_t>(XML_GetCurrentLineNumber(parser.get()))) + ": ";
     if (!limits.wrong.empty()) return line + limits.wrong + ": not supported";
     return "not well-formed XML, " + line + XML_ErrorString(error);
 }
 
-// Children of an element, one text where several follow one another.
-void joinTexts(tinyxml2::XMLElement &element) {
-    tinyxml2::XMLText *text = nullptr;  // that continues
-    bool isParted = false;              // by a comment
-    for (tinyxml2::XMLNode *node = element.FirstChild(), *next = nullptr; node; node = next) {
-        next = node->NextSibling();
-        if (node->ToComment()) {
-            isParted = true;
-            element.DeleteChild(node);
-        } else if (tinyxml2::XMLText *const more = node->ToText(); more && text) {
-            text->SetValue((std::string(text->Value()) + (isParted ? " " : "") + more->Value()).c_str());
-            text->SetCData(false);
-            element.DeleteChild(more);
-            isParted = false;
-        } else {
-            text = more;
-            if (text) text->SetCData(false);
-            if (tinyxml2::XMLElement *const inner = node->ToElement()) joinTexts(*inner);
-            isParted = false;
-        }
+// Gazebo reads "--" within a comment, and blanks before the declaration, which are not well-formed. Lines stay what they are.
+std::string withoutHyphensInComments(std::string text) {
+    for (std::size_t at = text.find("<!"); at != std::string::npos; at = text.find("<!", at)) {
+        const bool isComment = text.compare(at, 4, "<!--") == 0, isCData = text.compare(at, 9, "<![CDATA[") == 0;
+        const std::size_t inside = at + (isComment ? 4 : 2);
+        const std::size_t end = isComment || isCData ? text.find(isComment ? "-->" : "]]>", inside) : inside;
+        if (end == std::string::npos) break;
+        if (isComment) std::replace(text.begin() + inside, text.begin() + end, '-', ' ');
+        at = end;
     }
+    return text;
 }
 
 }  // namespace
 
 std::string readXml(const std::string &text, tinyxml2::XMLDocument &xml) {
-    const std::string wrong = whyNotWellFormed(text);
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    const bool hasBlanks = first != std::string::npos && text.compare(first, 5, "<?xml") == 0;
+    const std::string readable = withoutHyphensInComments(hasBlanks ? text.substr(first) : text);
+    const auto blankLines = hasBlanks ? std::count(text.begin(), text.begin() + first, '\n') : 0;
+    const std::string wrong = whyNotWellFormed(readable, blankLines);
     if (!wrong.empty()) return wrong;
-    if (xml.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS)
-        return "not XML that can be read, line " + std::to_string(xml.ErrorLineNum()) + ": " +
+    if (xml.Parse(readable.data(), readable.size()) != tinyxml2::XML_SUCCESS)
+        return "not XML that can be read, line " + std::to_string(blankLines + xml.ErrorLineNum()) + ": " +
                xml.ErrorName();
-    joinTexts(*xml.RootElement());
     return {};
 }
 
 std::string wholeText(const tinyxml2::XMLElement &element) {
     std::string text;
     for (const tinyxml2::XMLNode *node = element.FirstChild(); node; node = node->NextSibling())
-        if (node->ToText()) text += node->Value();
+        text += node->ToText() ? node->Value() : " ";
     const std::size_t begin = text.find_first_not_of(" \t\r\n"), end = text.find_last_not_of(" \t\r\n");
     return begin == std::string::npos ? std::string() : text.substr(begin, end - begin + 1);
 }

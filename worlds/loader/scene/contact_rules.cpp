@@ -8,8 +8,6 @@ namespace worlds {
 
 namespace {
 
-using ignition::math::Vector3d;
-
 // SDF lets two shapes touch when the category of one matches the collide mask of the other, and so does ODE.
 // Masks have 16 bits; the 16 above them let static geoms keep that rule against moving ones while
 // they have no collide bits that match one another.
@@ -27,8 +25,8 @@ std::optional<Value> choose(const std::optional<Value> &a, const std::optional<V
     return better(*a, *b);
 }
 
-Vector3d rotate(const dReal *q, const Vector3d &vector) {
-    return ignition::math::Quaterniond(q[0], q[1], q[2], q[3]).RotateVector(vector);
+Vector3 rotate(const dReal *q, const Vector3 &vector) {
+    return toQuaternion(q) * vector;
 }
 
 }  // namespace
@@ -47,9 +45,9 @@ void ContactRules::setFrictionFrame(dGeomID geom, dBodyID body) {
     static_cast<Properties *>(dGeomGetData(geom))->frictionFrame = body;
 }
 
-Vector3d ContactRules::frictionDirection(dGeomID geom) {
+Vector3 ContactRules::frictionDirection(dGeomID geom) {
     const Properties &properties = of(geom);
-    const Vector3d &direction = *properties.surface.frictionDirection;
+    const Vector3 &direction = *properties.surface.frictionDirection;
     if (properties.frictionFrame) return rotate(dBodyGetQuaternion(properties.frictionFrame), direction);
     dQuaternion q;
     dGeomGetQuaternion(geom, q);
@@ -99,14 +97,14 @@ dSurfaceParameters ContactRules::surface(dGeomID geom1, dGeomID geom2) const {
 void ContactRules::setDirection(dContact &contact) {
     const bool first = of(contact.geom.g1).surface.frictionDirection.has_value();
     if (!first && !of(contact.geom.g2).surface.frictionDirection) return;
-    const Vector3d direction = frictionDirection(first ? contact.geom.g1 : contact.geom.g2);
-    const Vector3d normal(contact.geom.normal[0], contact.geom.normal[1], contact.geom.normal[2]);
-    Vector3d tangent = direction - normal * normal.Dot(direction);
-    if (tangent.Length() < 1e-6) return;  // along the normal: ODE takes a direction of its own
-    tangent.Normalize();
-    contact.fdir1[0] = toReal(tangent.X());
-    contact.fdir1[1] = toReal(tangent.Y());
-    contact.fdir1[2] = toReal(tangent.Z());
+    const Vector3 direction = frictionDirection(first ? contact.geom.g1 : contact.geom.g2);
+    const Vector3 normal = toVector(contact.geom.normal);
+    Vector3 tangent = direction - normal * normal.dot(direction);
+    if (tangent.length() < 1e-6) return;  // along the normal: ODE takes a direction of its own
+    tangent = tangent.normalized();
+    contact.fdir1[0] = toReal(tangent.x);
+    contact.fdir1[1] = toReal(tangent.y);
+    contact.fdir1[2] = toReal(tangent.z);
     contact.surface.mode |= dContactFDir1;
 }
 

@@ -45,7 +45,7 @@ private:
         dBodyID frictionFrame = nullptr;  // null: the geom itself
     };
     static const Properties &of(dGeomID geom);
-    static ignition::math::Vector3d frictionDirection(dGeomID geom);  // in the world; it has to have one
+    static Vector3 frictionDirection(dGeomID geom);  // in the world; it has to have one
 
     bool m_frictionPyramid, m_staticMeetsStatic;
     std::deque<Properties> m_properties;  // the geoms point here

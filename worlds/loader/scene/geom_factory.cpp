@@ -4,50 +4,46 @@ namespace worlds {
 
 namespace {
 
-using ignition::math::Pose3d;
-using ignition::math::Quaterniond;
-using ignition::math::Vector3d;
-
 // ODE's height fields lie in x and z with y up. This rotates y to z, and z to -y: ODE's first row is
 // then the one at the largest y, as the description has it.
-const Quaterniond yUpToZUp(IGN_PI / 2, 0, 0);
+const Quaternion yUpToZUp = Quaternion::fromRollPitchYaw(kPi / 2, 0, 0);
 
 // How far below its lowest sample ODE still takes a height field for solid, m.
 constexpr double heightFieldThickness = 1;
 
-Quaterniond rotationOf(const Shape &shape, const Pose3d &pose) {
-    return std::holds_alternative<HeightField>(shape) ? pose.Rot() * yUpToZUp : pose.Rot();
+Quaternion rotationOf(const Shape &shape, const Pose &pose) {
+    return std::holds_alternative<HeightField>(shape) ? pose.rotation * yUpToZUp : pose.rotation;
 }
 
-void placePlane(dGeomID geom, const Plane &plane, const Pose3d &pose) {
-    const Vector3d normal = pose.Rot() * plane.normal;
-    dGeomPlaneSetParams(geom, toReal(normal.X()), toReal(normal.Y()), toReal(normal.Z()),
-                        toReal(normal.Dot(pose.Pos())));
+void placePlane(dGeomID geom, const Plane &plane, const Pose &pose) {
+    const Vector3 normal = pose.rotation * plane.normal;
+    dGeomPlaneSetParams(geom, toReal(normal.x), toReal(normal.y), toReal(normal.z),
+                        toReal(normal.dot(pose.position)));
 }
 
 }  // namespace
 
-dGeomID GeomFactory::createStatic(dSpaceID space, const Collision &collision, const Pose3d &linkPose) {
-    const Pose3d pose = linkPose * collision.pose;
+dGeomID GeomFactory::createStatic(dSpaceID space, const Collision &collision, const Pose &linkPose) {
+    const Pose pose = linkPose * collision.pose;
     const dGeomID geom = create(space, collision.shape);
     if (const Plane *plane = std::get_if<Plane>(&collision.shape)) {
         placePlane(geom, *plane, pose);
         return geom;
     }
-    dGeomSetPosition(geom, toReal(pose.Pos().X()), toReal(pose.Pos().Y()), toReal(pose.Pos().Z()));
-    dGeomSetQuaternion(geom, Quaternion(rotationOf(collision.shape, pose)).value);
+    dGeomSetPosition(geom, toReal(pose.position.x), toReal(pose.position.y), toReal(pose.position.z));
+    dGeomSetQuaternion(geom, OdeQuaternion(rotationOf(collision.shape, pose)).value);
     return geom;
 }
 
 dGeomID GeomFactory::createOn(dBodyID body, dSpaceID space, const Collision &collision,
-                              const Vector3d &centerOfMass) {
+                              const Vector3 &centerOfMass) {
     const dGeomID geom = create(space, collision.shape);
     dGeomSetBody(geom, body);
-    const Vector3d offset = collision.pose.Pos() - centerOfMass;
-    if (offset != Vector3d::Zero)
-        dGeomSetOffsetPosition(geom, toReal(offset.X()), toReal(offset.Y()), toReal(offset.Z()));
-    if (collision.pose.Rot() != Quaterniond::Identity)
-        dGeomSetOffsetQuaternion(geom, Quaternion(collision.pose.Rot()).value);
+    const Vector3 offset = collision.pose.position - centerOfMass;
+    if (offset != Vector3())
+        dGeomSetOffsetPosition(geom, toReal(offset.x), toReal(offset.y), toReal(offset.z));
+    if (!(collision.pose.rotation == Quaternion()))
+        dGeomSetOffsetQuaternion(geom, OdeQuaternion(collision.pose.rotation).value);
     return geom;
 }
 
@@ -56,7 +52,7 @@ dGeomID GeomFactory::create(dSpaceID space, const Shape &shape) {
 }
 
 dGeomID GeomFactory::create(dSpaceID space, const Box &box) {
-    return dCreateBox(space, toReal(box.size.X()), toReal(box.size.Y()), toReal(box.size.Z()));
+    return dCreateBox(space, toReal(box.size.x), toReal(box.size.y), toReal(box.size.z));
 }
 
 dGeomID GeomFactory::create(dSpaceID space, const Sphere &sphere) {

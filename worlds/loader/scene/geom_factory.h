@@ -13,11 +13,11 @@ namespace worlds {
 class GeomFactory {
 public:
     // Makes a geom that does not move, of a link at `linkPose` in the world.
-    dGeomID createStatic(dSpaceID space, const Collision &collision, const ignition::math::Pose3d &linkPose);
+    dGeomID createStatic(dSpaceID space, const Collision &collision, const Pose &linkPose);
 
     // A geom that moves with a body, whose origin is the link's centre of mass.
     dGeomID createOn(dBodyID body, dSpaceID space, const Collision &collision,
-                     const ignition::math::Vector3d &centerOfMass);
+                     const Vector3 &centerOfMass);
 
 private:
     dGeomID create(dSpaceID space, const Shape &shape);

@@ -15,12 +15,11 @@ double compliance(dBodyID body, const JointAxis &axis, bool linear) {
     dMass mass;
     dBodyGetMass(body, &mass);
     if (linear) return 1 / mass.mass;
-    const ignition::math::Matrix3d inertia(mass.I[0], mass.I[1], mass.I[2], mass.I[4], mass.I[5], mass.I[6],
-                                           mass.I[8], mass.I[9], mass.I[10]);
-    const dReal *q = dBodyGetQuaternion(body);
-    const ignition::math::Quaterniond toWorld(q[0], q[1], q[2], q[3]);
-    const ignition::math::Vector3d inBody = toWorld.RotateVectorReverse(axis.direction);
-    return inBody.Dot(inertia.Inverse() * inBody);
+    dMatrix3 inverse;
+    dInvertPDMatrix(mass.I, inverse, 3);
+    const Vector3 inBody = toQuaternion(dBodyGetQuaternion(body)).inverse() * axis.direction;
+    const auto row = [&](int i) { return inverse[4 * i] * inBody.x + inverse[4 * i + 1] * inBody.y + inverse[4 * i + 2] * inBody.z; };
+    return inBody.dot({row(0), row(1), row(2)});
 }
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace worlds {
 namespace {
 
 void setMass(dBodyID body, const Mass &source) {
-    const ignition::math::Matrix3d &inertia = source.inertia;
+    const Matrix3 &inertia = source.inertia;
     dMass mass;
     dMassSetParameters(&mass, toReal(source.mass), 0, 0, 0, toReal(inertia(0, 0)), toReal(inertia(1, 1)),
                        toReal(inertia(2, 2)), toReal(inertia(0, 1)), toReal(inertia(0, 2)),
@@ -19,9 +19,9 @@ void setMass(dBodyID body, const Mass &source) {
 
 dBodyID createBody(dWorldID world, const Link &link) {
     const dBodyID body = dBodyCreate(world);
-    const ignition::math::Vector3d origin = link.pose.Pos() + link.pose.Rot() * link.mass.center;
-    dBodySetPosition(body, toReal(origin.X()), toReal(origin.Y()), toReal(origin.Z()));
-    dBodySetQuaternion(body, Quaternion(link.pose.Rot()).value);
+    const Vector3 origin = link.pose.position + link.pose.rotation * link.mass.center;
+    dBodySetPosition(body, toReal(origin.x), toReal(origin.y), toReal(origin.z));
+    dBodySetQuaternion(body, OdeQuaternion(link.pose.rotation).value);
     setMass(body, link.mass);
     if (link.linearDamping) dBodySetLinearDamping(body, toReal(*link.linearDamping));
     if (link.angularDamping) dBodySetAngularDamping(body, toReal(*link.angularDamping));

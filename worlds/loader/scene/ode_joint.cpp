@@ -7,11 +7,9 @@ namespace worlds {
 
 namespace {
 
-using ignition::math::Vector3d;
-
 template <class Set>
-void setVector(Set set, dJointID joint, const Vector3d &vector) {
-    set(joint, toReal(vector.X()), toReal(vector.Y()), toReal(vector.Z()));
+void setVector(Set set, dJointID joint, const Vector3 &vector) {
+    set(joint, toReal(vector.x), toReal(vector.y), toReal(vector.z));
 }
 
 // ODE counts the motion of the first body against the second: the child comes first.
@@ -39,19 +37,19 @@ dJointID createBall(dWorldID world, const Joint &source, dBodyID parent, dBodyID
     return joint;
 }
 
-bool isParallel(const Vector3d &a, const Vector3d &b) { return a.Cross(b).Length() < 1e-6; }
+bool isParallel(const Vector3 &a, const Vector3 &b) { return a.cross(b).length() < 1e-6; }
 
 // ODE's first axis moves with the first body, here the child; SDF's first axis with the parent.
 dJointID createUniversal(dWorldID world, const Joint &source, dBodyID parent, dBodyID child) {
     const dJointID joint = dJointCreateUniversal(world, nullptr);
     attach(joint, parent, child);
     setVector(dJointSetUniversalAnchor, joint, source.anchor);
-    const Vector3d &first = source.axes[1].direction, &second = source.axes[0].direction;
+    const Vector3 &first = source.axes[1].direction, &second = source.axes[0].direction;
     // ODE complains when its two axes are parallel, even in between.
     dVector3 current;
     dJointGetUniversalAxis2(joint, current);
-    if (isParallel(first, Vector3d(current[0], current[1], current[2])))
-        setVector(dJointSetUniversalAxis1, joint, first.Cross(second));
+    if (isParallel(first, toVector(current)))
+        setVector(dJointSetUniversalAxis1, joint, first.cross(second));
     else
         setVector(dJointSetUniversalAxis1, joint, first);
     setVector(dJointSetUniversalAxis2, joint, second);
@@ -68,9 +66,9 @@ dJointID createHinge2(dWorldID world, const Joint &source, dBodyID parent, dBody
     const dJointID joint = dJointCreateHinge2(world, nullptr);
     dJointAttach(joint, parent, child);
     setVector(dJointSetHinge2Anchor, joint, source.anchor);
-    const Vector3d first = -source.axes[0].direction, second = -source.axes[1].direction;
-    const dVector3 axis1 = {toReal(first.X()), toReal(first.Y()), toReal(first.Z())};
-    const dVector3 axis2 = {toReal(second.X()), toReal(second.Y()), toReal(second.Z())};
+    const Vector3 first = -source.axes[0].direction, second = -source.axes[1].direction;
+    const dVector3 axis1 = {toReal(first.x), toReal(first.y), toReal(first.z)};
+    const dVector3 axis2 = {toReal(second.x), toReal(second.y), toReal(second.z)};
     dJointSetHinge2Axes(joint, axis1, axis2);
     return joint;
 }

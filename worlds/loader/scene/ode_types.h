@@ -1,8 +1,9 @@
-// Between the types of ignition::math and ODE, and owners of ODE objects.
+// Between our types and those of ODE, and owners of ODE objects.
 #pragma once
 
+#include "loader/description/geometry.h"
+
 #include <ode/ode.h>
-#include <ignition/math/Pose3.hh>
 
 #include <cmath>
 #include <memory>
@@ -14,11 +15,12 @@ inline dReal toReal(double number) {
                               : static_cast<dReal>(number);
 }
 
-struct Quaternion {
+struct OdeQuaternion {
     dQuaternion value;
-    explicit Quaternion(const ignition::math::Quaterniond &q)
-        : value{toReal(q.W()), toReal(q.X()), toReal(q.Y()), toReal(q.Z())} {}
+    explicit OdeQuaternion(const Quaternion &q) : value{toReal(q.w), toReal(q.x), toReal(q.y), toReal(q.z)} {}
 };
+inline Quaternion toQuaternion(const dReal *q) { return {q[0], q[1], q[2], q[3]}; }
+inline Vector3 toVector(const dReal *v) { return {v[0], v[1], v[2]}; }
 
 struct WorldDeleter {
     void operator()(dWorldID world) const { dWorldDestroy(world); }

@@ -25,8 +25,8 @@ void setDamping(dWorldID world, const Damping &damping) {
 
 dWorldID createWorld(const Physics &physics) {
     const dWorldID world = dWorldCreate();
-    const ignition::math::Vector3d &g = physics.gravity;
-    dWorldSetGravity(world, toReal(g.X()), toReal(g.Y()), toReal(g.Z()));
+    const Vector3 &g = physics.gravity;
+    dWorldSetGravity(world, toReal(g.x), toReal(g.y), toReal(g.z));
     dWorldSetCFM(world, toReal(physics.cfm));
     dWorldSetERP(world, toReal(physics.erp));
     dWorldSetQuickStepNumIterations(world, physics.iterations);
@@ -52,9 +52,9 @@ dSpaceID createSpace(const Space &space) {
         case scenes::SpaceKind::QuadTree:
             break;
     }
-    const dVector3 center = {toReal(space.center.X()), toReal(space.center.Y()), toReal(space.center.Z())};
-    const dVector3 extents = {toReal(space.extents.X()), toReal(space.extents.Y()),
-                              toReal(space.extents.Z())};
+    const dVector3 center = {toReal(space.center.x), toReal(space.center.y), toReal(space.center.z)};
+    const dVector3 extents = {toReal(space.extents.x), toReal(space.extents.y),
+                              toReal(space.extents.z)};
     return dQuadTreeSpaceCreate(nullptr, center, extents, space.depth);
 }
 

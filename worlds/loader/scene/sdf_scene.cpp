@@ -122,7 +122,7 @@ void SdfScene::addControllers(const WorldDescription &world) {
     std::set<std::string> driven;  // a second controller would undo what the first one does
     std::set<dBodyID> pushed;      // drag of two, each of which stops the link, would turn its motion round
     for (const ControllerDescription &description : world.controllers) {
-        const FindMotor findMotor = [&](const std::string &joint, const Parameters &namedBy) {
+        const FindMotor findMotor = [&](const std::string &joint, const Element &namedBy) {
             const auto found = m_parts->motors.find(description.model + "::" + joint);
             if (found == m_parts->motors.end())
                 namedBy.fail("model has no joint " + quote(joint) + " with an axis");
@@ -130,7 +130,7 @@ void SdfScene::addControllers(const WorldDescription &world) {
                 namedBy.fail("joint " + quote(joint) + " is driven already");
             return found->second;
         };
-        const FindBody findBody = [&](const std::string &link, const Parameters &namedBy) {
+        const FindBody findBody = [&](const std::string &link, const Element &namedBy) {
             const auto found = m_parts->bodies.find(description.model + "::" + link);
             if (found == m_parts->bodies.end()) namedBy.fail("model has no link " + quote(link));
             if (!pushed.insert(found->second).second) namedBy.fail("link " + quote(link) + " is pushed already");
