@@ -25,7 +25,7 @@ public:
         if (m_version > 5) inside.push_back(gravity);
         for (std::size_t i = 1 + below(3); i > 0; --i) {
             if (m_version >= 7 && oneIn(2)) inside.push_back(frame(frames));
-            inside.push_back(m_version >= 7 && oneIn(3) ? include("model", frames) : model(0, frames));
+            inside.push_back(m_version >= 7 && oneIn(3) ? include("outermost", frames) : model(0, frames));
         }
         return version + "<world name=\"w\">" + shuffled(inside) + "</world></sdf>";
     }
@@ -121,7 +121,8 @@ private:
         return text + "</joint>";
     }
 
-    // Adds the model's name to `outer`, and names of frames inside it.
+    // Adds the model's name to `outer`, and names of frames inside it. Models within are not static: of those, libsdformat does not
+    // say what a joint is attached to.
     std::string model(int depth, std::vector<std::string> &outer, const std::string &given = {}) {
         const std::string name = given.empty() ? newName("m") : given;
         std::vector<std::string> inside, frames, bodies;
@@ -136,8 +137,11 @@ private:
         }
         if (depth < 2 && m_version >= 7 && oneIn(2)) {
             std::vector<std::string> nested = frames;
-            inside.push_back(oneIn(2) ? model(depth + 1, nested) : include("model", nested));
-            if (hasScopes) bodies.push_back(nested.back());
+            const std::size_t own = nested.size();  // where the model's name will be: it moves with its canonical link
+            const bool isWritten = oneIn(2);
+            inside.push_back(isWritten ? model(depth + 1, nested) : include("model", nested));
+            // (libsdformat does not find an included model, as a whole, that a joint names.)
+            if (hasScopes) bodies.push_back(isWritten && oneIn(2) ? nested[own] : nested.back());
             frames = hasScopes ? nested : frames;
         }
         if (m_version >= 9 && depth < 2 && oneIn(2)) inside.push_back(include("merged", frames));
@@ -147,7 +151,7 @@ private:
         if (hasScopes && oneIn(3)) attributes += " placement_frame=\"" + anyOf(frames) + "\"";
         if (m_version >= 7 && oneIn(3)) attributes += " canonical_link=\"" + bodies.front() + "\"";
         const std::string text = "<model name=\"" + name + "\"" + attributes + ">" + maybe(pose(outer)) +
-                                 (oneIn(5) ? "<static>true</static>" : "") + shuffled(inside) + "</model>";
+                                 (depth == 0 && oneIn(5) ? "<static>true</static>" : "") + shuffled(inside) + "</model>";
         if (m_version >= 7) outer.push_back(name);
         if (hasScopes) outer.push_back(name + "::" + anyOf(frames));
         if (hasScopes) outer.push_back(name + "::" + bodies.front());  // the last one moves with a link of its own
@@ -167,7 +171,7 @@ private:
             more += pose(isMerged ? std::vector<std::string>() : outer);
             if (m_version >= 8 && oneIn(2)) more += "<placement_frame>" + inside.back().substr(own.size() + 2) + "</placement_frame>";
         }
-        if (!isMerged && oneIn(4)) more += "<static>" + std::string(oneIn(2) ? "true" : "false") + "</static>";
+        if (kind == "outermost" && oneIn(4)) more += "<static>" + std::string(oneIn(2) ? "true" : "false") + "</static>";
         if (!isMerged) {
             outer.push_back(name);
             if (m_version >= 8) outer.push_back(name + inside.back().substr(own.size()));

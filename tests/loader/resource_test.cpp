@@ -71,8 +71,9 @@ std::string cubeObj() {
 
 std::string cubeStl() {
     std::string text = "solid cube\n";
+    const int halves[][3] = {{0, 1, 2}, {0, 2, 3}};
     for (const auto &face : faces)
-        for (const int *triangle : {(const int[]){0, 1, 2}, (const int[]){0, 2, 3}}) {
+        for (const auto &triangle : halves) {
             text += "facet normal 0 0 0\nouter loop\n";
             for (int i = 0; i < 3; ++i) text += "vertex " + cornerText(face[triangle[i]]) + "\n";
             text += "endloop\nendfacet\n";
