@@ -90,10 +90,19 @@ extern "C" {
  * A program that also runs on upstream's library asks dCheckConfiguration("ODE_EXT_mt"), which is 1 here and 0 there, and finds the
  * functions of this header by dlsym.
  *
- * @return dODE_MT_VERSION of its build, valid until the library is unloaded.
+ * @return dODE_MT_VERSION of its build, valid until the library is unloaded. dODE_MT_GetUpstreamVersion tells the release of ODE.
  * @ingroup ode_mt
  */
 ODE_API const char *dODE_MT_GetVersion(void);
+
+/**
+ * Tells which release of ODE the library that is loaded is made of. dODE_VERSION is that of the header that a program was compiled
+ * with: the two may differ, since libode.so.8 is the name of the library in several releases.
+ *
+ * @return dODE_VERSION of its build, such as "0.16.6", valid until the library is unloaded.
+ * @ingroup ode_mt
+ */
+ODE_API const char *dODE_MT_GetUpstreamVersion(void);
 
 /**
  * Sets how many threads a step may use, the calling thread included.

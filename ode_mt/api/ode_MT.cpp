@@ -1,6 +1,7 @@
 // Functions of ode/ode_MT.h that choose threads, algorithm, heuristics and thread manager, and read the counters.
 #include <ode/error.h>
 #include <ode/ode_MT.h>
+#include <ode/version.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -72,6 +73,8 @@ int writeTrace(const Write &write) {
 extern "C" {
 
 const char *dODE_MT_GetVersion() { return dODE_MT_VERSION; }
+
+const char *dODE_MT_GetUpstreamVersion() { return dODE_VERSION; }
 
 void dToggleODE_MT(int numThreads) {
     dxSettings &settings = dxSettings::instance();

@@ -2,6 +2,7 @@
 
 #include <ode/error.h>
 #include <ode/ode_MT.h>
+#include <ode/version.h>
 
 #include <algorithm>
 #include <cstring>
@@ -81,6 +82,8 @@ dxSettings::dxSettings() : m_cores(dxCountProcessors()) {
     if (const char *text = dxEnvironment(dxVariable::Heuristics)) readHeuristics(text);
     if (const char *text = dxEnvironment(dxVariable::GridCells)) readGridCells(text);
     if (const char *text = dxEnvironment(dxVariable::Workers)) readRemoteWorkers(text);
+    // One literal: bench/library_release.cpp finds the release in a library's file by it.
+    dxLog(dxLogLevel::info, "version " dODE_MT_VERSION ", made of ODE " dODE_VERSION);
     dxLog(dxLogLevel::info, "threads %u of %u cores, algorithm %s, solver %s, callbacks %s, heuristics %s", threads(), cores(),
           algorithmName(), nameOfSolver(solver().solver), callbackPolicyName(), dxNamesOfHeuristics(heuristics()));
 }

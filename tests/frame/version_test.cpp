@@ -8,6 +8,11 @@ namespace {
 
 TEST(Version, OfTheLibraryIsThatOfItsHeader) { EXPECT_STREQ(dODE_MT_GetVersion(), dODE_MT_VERSION); }
 
+TEST(Version, OfUpstreamIsTheReleaseThatTheBuildIsMadeOf) {
+    EXPECT_STREQ(dODE_MT_GetUpstreamVersion(), UPSTREAM);
+    EXPECT_STREQ(dODE_MT_GetUpstreamVersion(), dODE_VERSION) << "the header is of the same build";
+}
+
 TEST(Version, NumberIsThatOfTheText) {
     int first = 0, second = 0, third = 0;
     char rest = 0;

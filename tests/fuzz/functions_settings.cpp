@@ -35,8 +35,8 @@ void addGetters(std::vector<Function> &all) {
                                    "dODE_MT_GetDirectIslands", "dODE_MT_GetGridCells", "dODE_MT_GetHeuristics",
                                    "dODE_MT_GetMaxWorkersUsed", "dODE_MT_GetParallelCollisions", "dODE_MT_GetParallelIslands",
                                    "dODE_MT_GetParallelSteps", "dODE_MT_GetSharedCollisions", "dODE_MT_GetTeamSteps",
-                                   "dODE_MT_GetThreadManager", "dODE_MT_GetThreads", "dODE_MT_GetVersion",
-                                   "dODE_MT_GetWorkerIndex"})
+                                   "dODE_MT_GetThreadManager", "dODE_MT_GetThreads", "dODE_MT_GetUpstreamVersion",
+                                   "dODE_MT_GetVersion", "dODE_MT_GetWorkerIndex"})
         byHand(all, name, {}, [name](Player &, const Arguments &, Reference &) {
             callIfThere(name);
             return true;
