@@ -5,6 +5,8 @@
 #include <climits>
 #include <cstdlib>
 
+#include "library_release.h"
+
 namespace bench {
 
 namespace {
@@ -26,6 +28,11 @@ std::string resolved(const char *file) {
 }
 
 }  // namespace
+
+std::string LibraryProbe::release() const {
+    const std::string said = callText("dODE_MT_GetUpstreamVersion");
+    return said.empty() ? releaseByName(file) : said;
+}
 
 int LibraryProbe::threads() const { return call<int>("dODE_MT_GetThreads"); }
 std::string LibraryProbe::manager() const { return callText("dODE_MT_GetThreadManager"); }

@@ -10,6 +10,9 @@ struct LibraryProbe {
     std::string file;  // of the library that defines dWorldStep
     bool isOurs;       // it exports dToggleODE_MT
 
+    // Returns the release of ODE in it, "0.16.2"; kUnknownRelease (library_release.h) where neither it nor its file's name says so.
+    std::string release() const;
+
     // The settings of our library; 0 and empty with Debian's.
     int threads() const;
     std::string manager() const;

@@ -70,13 +70,16 @@ Facts gather() {
     Facts facts;
     facts["library"] = library.file;
     facts["ODE_MT"] = library.isOurs ? text("dODE_MT_GetVersion") : "no: another libode";
-    facts["ODE"] = dODE_VERSION;
+    facts["ODE"] = library.release();
     facts["precision"] = dCheckConfiguration("ODE_double_precision") != 0 ? "double" : "single";
     facts["processor"] = machine.processor;
     facts["cores"] = machine.cores;
     if (!library.isOurs) return facts;
-    facts["upstream"] = ODEMT_UPSTREAM_ARCHIVE;
-    facts["upstream sha256"] = ODEMT_UPSTREAM_SHA256;
+    // What this program's build was made of; the library that it finds may be another build's.
+    if (library.release() == ODEMT_UPSTREAM) {
+        facts["upstream"] = ODEMT_UPSTREAM_ARCHIVE;
+        facts["upstream sha256"] = ODEMT_UPSTREAM_SHA256;
+    }
     const info::VectorWidth vectors = info::vectorWidth();
     facts["vectors"] = std::string(vectors.instructionSet) + ", " + std::to_string(vectors.bits) + " bits";
     facts["threads of auto"] = coresOfAuto();
