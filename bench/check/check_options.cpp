@@ -6,16 +6,16 @@
 #include "comma_list.h"
 #include "error_output.h"
 #include "library_folders.h"
+#include "library_release.h"
 #include "number_range.h"
 #include "program_line.h"
-#include "text_file.h"
 
 namespace check {
 
 namespace {
 
 const char *const kDescription =
-    "Runs a program on Debian's libode8 and on ODE_MT, unchanged, and says whether it computes the same: after each\n"
+    "Runs a program on the system's libode8 and on ODE_MT, unchanged, and says whether it computes the same: after each\n"
     "step of each world the states of all bodies are compared, bit by bit.\n"
     "\n"
     "odemt_check [OPTIONS] -- PROGRAM [ARGUMENT...]\n";
@@ -45,17 +45,16 @@ std::vector<std::string> readThreads(const std::string &list) {
     return threads;
 }
 
-// Of the function's name, which programs that call it do not define.
-bool isOurs(const std::string &library) { return bench::readWhatIsThere(library).find("dToggleODE_MT") != std::string::npos; }
-
-void checkLibraries(const CheckOptions &options) {
+void checkLibraries(CheckOptions &options) {
     bench::checkLibraryFolder("--stock-library", options.stockFolder);
     bench::checkLibraryFolder("--our-library", options.ourFolder);
     const std::string stock = options.stockFolder + "/libode.so.8", ours = options.ourFolder + "/libode.so.8";
-    if (isOurs(stock))
+    if (bench::isOurLibrary(stock))
         throw std::invalid_argument("--stock-library: '" + stock +
                                     "' is ODE_MT, as where the package libode8-mt is installed. For Debian's: " + kDebianPackage);
-    if (!isOurs(ours)) throw std::invalid_argument("--our-library: '" + ours + "' is not ODE_MT");
+    if (!bench::isOurLibrary(ours)) throw std::invalid_argument("--our-library: '" + ours + "' is not ODE_MT");
+    options.stockRelease = bench::releaseOfLibrary(stock);
+    options.ourRelease = bench::releaseOfLibrary(ours);
 }
 
 // Beside this program in a build folder, in a folder of its own beside the library in an installed tree.
@@ -84,7 +83,7 @@ std::optional<CheckOptions> readCheckOptions(int argc, const char *const *argv, 
         ->check(bench::numberIn(1e-3, 1e6));
     app.add_flag("--show-output", options.showOutput, "show what the program prints, on standard error, instead of comparing it");
     app.add_flag("--json", options.isJson, "print a JSON object");
-    app.add_option("--stock-library", options.stockFolder, "folder of Debian's libode.so.8")->capture_default_str();
+    app.add_option("--stock-library", options.stockFolder, "folder of the system's libode.so.8, or of another to compare with")->capture_default_str();
     app.add_option("--our-library", options.ourFolder, "folder of ODE_MT's libode.so.8")->capture_default_str();
     const auto read = [&] {
         options.command = bench::parseProgramLine(app, argc, argv);

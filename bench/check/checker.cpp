@@ -6,6 +6,7 @@
 
 #include "check/comparison.h"
 #include "check/unseen.h"
+#include "library_release.h"
 #include "number_text.h"
 
 namespace check {
@@ -46,12 +47,19 @@ public:
     explicit Checker(const CheckOptions &options) : m_options(options), m_player(options) {}
 
     CheckResult check() {
+        compareReleases();
         compareAll();
         tellEndings();
         return m_result;
     }
 
 private:
+    void compareReleases() {
+        if (bench::areOtherReleases(m_options.stockRelease, m_options.ourRelease))
+            remark("libode8 here is ODE " + m_options.stockRelease + ", ours is made of " + m_options.ourRelease +
+                   ": results may differ, since the releases do (docs/check.md).");
+    }
+
     void compareAll() {
         const Play stock = play({"libode8", ""});
         addEngine(stock, "");
@@ -80,7 +88,8 @@ private:
 
     void addEngine(const Play &play, const std::string &result) {
         const RunRecord &record = play.record;
-        m_result.engines.push_back({play.engine.name, record.processes.empty() ? "" : record.processes[0].library, play.ending(),
+        m_result.engines.push_back({play.engine.name, record.processes.empty() ? "" : record.processes[0].library,
+                                    play.engine.isOurs() ? m_options.ourRelease : m_options.stockRelease, play.ending(),
                                     play.run.seconds, play.run.cpuSeconds, record.stepSeconds(), record.observerSeconds(),
                                     record.steps(), result});
     }

@@ -18,7 +18,7 @@ namespace check {
 
 // One play in figures.
 struct EngineResult {
-    std::string name, library, ending;
+    std::string name, library, release, ending;
     double seconds = 0, cpuSeconds = 0, stepSeconds = 0, observerSeconds = 0;
     std::uint64_t steps = 0;
     std::string result;  // "equal", "differs at step 38"; empty for libode8

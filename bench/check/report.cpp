@@ -81,6 +81,7 @@ std::string reportJson(const CheckResult &result) {
     for (const EngineResult &engine : result.engines)
         json["engines"].push_back({{"name", engine.name},
                                    {"library", engine.library},
+                                   {"release", engine.release},
                                    {"result", engine.result},
                                    {"ending", engine.ending},
                                    {"steps", engine.steps},

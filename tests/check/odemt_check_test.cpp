@@ -10,6 +10,7 @@
 #include <string>
 
 #include "../bench/shell_run.h"
+#include "library_release.h"
 
 namespace {
 
@@ -17,8 +18,10 @@ using Json = nlohmann::json;
 
 const std::string kSubject = SUBJECT;
 
+// Compared with the library that ours has the bits of, which need not be this system's own, unless the options name another.
 Outcome check(const std::string &options, const std::string &program) {
-    return runShell(ODEMT_CHECK " " + options + " -- " + program);
+    const bool isNamed = options.find("--stock-library") != std::string::npos;
+    return runShell(ODEMT_CHECK + std::string(isNamed ? " " : " --stock-library " STOCK_FOLDER " ") + options + " -- " + program);
 }
 
 // One run on ODE_MT, unless the options say otherwise.
@@ -63,6 +66,32 @@ TEST_F(OdemtCheck, TheTextSaysSo) {
     EXPECT_EQ(outcome.exitCode, 0);
     expectWords(outcome.output, "Equal for 60 steps: the states of 8 bodies in 1 world are the same in every bit.");
     expectWords(outcome.output, "ODE_MT, all cores");
+}
+
+TEST_F(OdemtCheck, LibrariesOfOneReleaseNeedNoRemark) {
+    const Json json = checkJson(kSubject + " equal", 0);
+    for (const Json &engine : json["engines"]) EXPECT_EQ(engine["release"], UPSTREAM);
+    EXPECT_EQ(json["remarks"].dump().find("release"), std::string::npos) << json["remarks"];
+}
+
+// A copy under the name of another release stands in for that release.
+TEST_F(OdemtCheck, ReleasesThatDifferAreSaidTo) {
+    const std::string folder = testing::TempDir() + "/odemt_check_release_" + std::to_string(getpid());
+    const std::string number = std::string(UPSTREAM) == "0.16.2" ? "8.2.0" : "8.0.2";
+    std::filesystem::create_directories(folder);
+    std::filesystem::copy_file(STOCK_LIBRARY, folder + "/libode.so." + number);
+    std::filesystem::create_symlink("libode.so." + number, folder + "/libode.so.8");
+    const std::string release = bench::releaseOfLibrary(folder + "/libode.so.8"), options = "--threads 2 --stock-library " + folder;
+    const std::string remark =
+        "libode8 here is ODE " + release + ", ours is made of " UPSTREAM ": results may differ, since the releases do (docs/check.md).";
+    const Json json = checkJson(kSubject + " equal", 0, options);
+    ASSERT_EQ(json["remarks"].size(), 1u) << json["remarks"];
+    EXPECT_EQ(json["remarks"][0], remark);
+    EXPECT_EQ(json["engines"][0]["release"], release);
+    EXPECT_EQ(json["engines"][1]["release"], UPSTREAM);
+    expectWords(check(options, kSubject).output, '\n' + remark + '\n');
+    expectWords(check(options, kSubject + " no-steps").output, remark);
+    std::filesystem::remove_all(folder);
 }
 
 TEST_F(OdemtCheck, TheFirstStepBodyAndFieldThatDifferAreNamed) {
@@ -225,18 +254,18 @@ TEST_F(OdemtCheck, DebiansPythonBindingIsObserved) {
 
 // It looks dWorldStep up behind itself: not behind the observer, where it would find itself.
 TEST_F(OdemtCheck, OtherLibrariesInFrontOfOdeStayThere) {
-    const Outcome outcome = runShell("LD_PRELOAD=" COUNTS_STEPS " " ODEMT_CHECK " --threads 0 --show-output -- " SUBJECT);
+    const Outcome outcome = runShell("LD_PRELOAD=" COUNTS_STEPS " " ODEMT_CHECK " --stock-library " STOCK_FOLDER " --threads 0 --show-output -- " SUBJECT);
     EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
     expectWords(outcome.output, "counted 30\ncounted 30\n");
     expectWords(outcome.output, "Equal for 60 steps");
 }
 
 TEST_F(OdemtCheck, StandardInputIsGivenToAllRuns) {
-    const Outcome outcome = runShell("echo 25 | " ODEMT_CHECK " --threads 0 -- " SUBJECT " input");
+    const Outcome outcome = runShell("echo 25 | " ODEMT_CHECK " --stock-library " STOCK_FOLDER " --threads 0 -- " SUBJECT " input");
     EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
     expectWords(outcome.output, "Equal for 25 steps");
     // More than fits into a pipe, of which no run reads anything.
-    EXPECT_EQ(runShell("head -c 1000000 /dev/zero | " ODEMT_CHECK " --threads 0 -- " SUBJECT).exitCode, 0);
+    EXPECT_EQ(runShell("head -c 1000000 /dev/zero | " ODEMT_CHECK " --stock-library " STOCK_FOLDER " --threads 0 -- " SUBJECT).exitCode, 0);
 }
 
 TEST_F(OdemtCheck, ProgramsWithoutAnEndAreEnded) {
@@ -308,7 +337,7 @@ TEST_F(OdemtCheck, WhatAProgramLeavesRunningIsEnded) {
 TEST_F(OdemtCheck, NothingIsLeftBehindBySIGQUIT) {
     const std::string folder = testing::TempDir() + "/odemt_check_quit_" + std::to_string(getpid());
     std::filesystem::create_directory(folder);
-    const Outcome outcome = runShell("TMPDIR=" + folder + " " ODEMT_CHECK " --threads 0 -- " SUBJECT " endless & check=$!; until ls " + folder +
+    const Outcome outcome = runShell("TMPDIR=" + folder + " " ODEMT_CHECK " --stock-library " STOCK_FOLDER " --threads 0 -- " SUBJECT " endless & check=$!; until ls " + folder +
                                      "/odemt_check_*/run-1/record-0000 2>/dev/null; do sleep 0.05; done; kill -QUIT $check; wait $check");
     EXPECT_EQ(outcome.exitCode, 2) << outcome.output;
     expectWords(outcome.output, "Interrupted during the first run");
@@ -319,7 +348,7 @@ TEST_F(OdemtCheck, NothingIsLeftBehindBySIGQUIT) {
 TEST_F(OdemtCheck, NothingIsLeftBehind) {
     const std::string folder = testing::TempDir() + "/odemt_check_temporary_" + std::to_string(getpid());
     std::filesystem::create_directory(folder);
-    EXPECT_EQ(runShell("TMPDIR=" + folder + " " ODEMT_CHECK " --threads 0 -- " SUBJECT " push").exitCode, 1);
+    EXPECT_EQ(runShell("TMPDIR=" + folder + " " ODEMT_CHECK " --stock-library " STOCK_FOLDER " --threads 0 -- " SUBJECT " push").exitCode, 1);
     EXPECT_TRUE(std::filesystem::is_empty(folder));
     std::filesystem::remove_all(folder);
 }
