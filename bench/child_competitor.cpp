@@ -1,12 +1,43 @@
 #include "child_competitor.h"
 
+#include <filesystem>
+#include <optional>
+
 #include "error_output.h"
+#include "library_folders.h"
 #include "library_variables.h"
+#include "run_folder.h"
 
 namespace bench {
 
+namespace {
+
+// A folder in which the loader finds an engine's library as libode.so.8: that of the library, or while this object lives one with a
+// link, where the file has another name or the loader would take the folder's for several.
+class LibraryFolder {
+public:
+    LibraryFolder(const Engine &engine, const ChildSettings &settings) : m_path(engine.isOurs() ? settings.oursFolder : settings.stockFolder) {
+        if (engine.path.empty()) return;
+        const std::filesystem::path file = std::filesystem::absolute(libraryAt(engine.path));
+        m_path = file.parent_path();
+        if (file.filename() == "libode.so.8" && m_path.find_first_of(":;$") == std::string::npos) return;
+        m_made.emplace("odemt_bench");
+        m_path = m_made->addLibrary("stock", file);
+    }
+
+    const std::string &path() const { return m_path; }
+
+private:
+    std::string m_path;
+    std::optional<RunFolder> m_made;
+};
+
+}  // namespace
+
+// The child has loaded its library when it answers.
 Ready ChildCompetitor::start() {
-    m_process = std::make_unique<process::LineProcess>(command(), environment());
+    const LibraryFolder folder(engine(), m_settings);
+    m_process = std::make_unique<process::LineProcess>(command(), environment(folder.path()));
     const Ready ready = readReady(answer());
     check(ready);
     return ready;
@@ -34,13 +65,13 @@ std::vector<std::string> ChildCompetitor::command() const {
     return command;
 }
 
-process::Environment ChildCompetitor::environment() const {
+process::Environment ChildCompetitor::environment(const std::string &libraryFolder) const {
     // Nothing that the user has set for other programs may reach one engine and not the other.
     process::Environment changes;
     for (const std::string &name : libraryVariables()) changes[name] = "";
     for (const auto &[name, value] : engine().environment()) changes[name] = value;
     if (engine().isOurs() && !m_settings.traceFile.empty()) changes["ODE_MT_TRACE"] = m_settings.traceFile;
-    changes["LD_LIBRARY_PATH"] = engine().isOurs() ? m_settings.oursFolder : m_settings.stockFolder;
+    changes["LD_LIBRARY_PATH"] = libraryFolder;
     return changes;
 }
 
@@ -60,6 +91,10 @@ void ChildCompetitor::check(const Ready &ready) const {
     if (ready.isOurs != engine().isOurs())
         throw std::runtime_error("runs on " + ready.library + ", which is " +
                                  (ready.isOurs ? "ODE_MT" : "not ODE_MT"));
+    // The loader passes over a library of another kind of processor, and takes the system's.
+    std::error_code ignored;
+    if (!engine().path.empty() && !std::filesystem::equivalent(ready.library, libraryAt(engine().path), ignored))
+        throw std::runtime_error("runs on " + ready.library + ", not on " + libraryAt(engine().path));
     if (!engine().isOurs()) return;
     if (engine().threads != "auto" && std::to_string(ready.threads) != engine().threads)
         throw std::runtime_error("the library uses " + std::to_string(ready.threads) + " threads");

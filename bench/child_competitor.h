@@ -12,7 +12,7 @@ namespace bench {
 
 struct ChildSettings {
     std::string program;                                        // odemt_bench_child
-    std::string stockFolder;                                    // of Debian's libode.so.8
+    std::string stockFolder;                                    // of the system's libode.so.8
     std::string oursFolder;                                     // of ours
     std::chrono::milliseconds limit = std::chrono::minutes(2);  // for one answer
     bool ignoreUnsupported = false;                             // elements of an SDF world
@@ -32,7 +32,7 @@ public:
 private:
     std::string answer();
     std::vector<std::string> command() const;
-    process::Environment environment() const;
+    process::Environment environment(const std::string &libraryFolder) const;
     void check(const Ready &ready) const;
     void endTrace();
 

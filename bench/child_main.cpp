@@ -31,6 +31,7 @@ bench::Ready describe(const bench::LibraryProbe &library, const scenes::Scene &s
     bench::Ready ready;
     ready.library = library.file;
     ready.isOurs = library.isOurs;
+    ready.release = library.release();
     ready.threads = library.threads();
     ready.manager = library.manager();
     ready.algorithm = library.algorithm();

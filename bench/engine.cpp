@@ -4,13 +4,15 @@
 #include <charconv>
 #include <stdexcept>
 
+#include "loader/load_error.h"
+
 namespace bench {
 
 namespace {
 
 constexpr int kMaxThreads = 1024;
 constexpr int kMinCells = 5, kMaxCells = 20;
-const std::string kCells = "cells=";
+const std::string kCells = "cells=", kStockPath = "stock:";
 // The names must be those of the library; it would use the default for any other, without a report where the child has no log.
 const std::vector<std::string> kAlgorithms = {"auto",   "serial",          "lcp",         "original",
                                               "static", "static-unmerged", "duplication", "decluster"};
@@ -100,7 +102,7 @@ std::string slash(const std::string &word) { return word.empty() ? "" : "/" + wo
 std::string Engine::name() const {
     switch (kind) {
         case Kind::Stock:
-            return "stock";
+            return path.empty() ? "stock" : kStockPath + worlds::printable(path);
         case Kind::StockPool:
             return "stock-pool:" + threads;
         case Kind::Ours:
@@ -125,6 +127,11 @@ std::map<std::string, std::string> Engine::environment() const {
 Engine readEngine(const std::string &name) {
     std::string rest = name;
     Engine engine;
+    if (name.compare(0, kStockPath.size(), kStockPath) == 0) {
+        engine.path = name.substr(kStockPath.size());
+        if (engine.path.empty()) throw std::invalid_argument("engine '" + name + "': no path of a libode.so.8 behind the colon");
+        return engine;
+    }
     const bool hasWords = rest.find('/') != std::string::npos;
     std::string words = takeSuffix(rest, '/');
     for (bool more = hasWords; more;) {
@@ -149,7 +156,7 @@ Engine readEngine(const std::string &name) {
     }
     throw std::invalid_argument(
         "unknown engine '" + name +
-        "'; known: stock, stock-pool:N, ours:N, ours:auto, ours:N/pthread, ours:N/openmp, "
+        "'; known: stock, stock:PATH, stock-pool:N, ours:N, ours:auto, ours:N/pthread, ours:N/openmp, "
         "ours:N/exact, ours:N/fast, ours:N/concurrent, ours:N/independent, ours:N/cells=K, ours:N/ALGORITHM");
 }
 

@@ -1,7 +1,8 @@
 // The engines that the bench compares, by the names that a user gives them.
 //
-//   stock           Debian's libode8, one thread
-//   stock-pool:N    Debian's libode8 with its own pool of N threads
+//   stock           the system's libode, one thread
+//   stock:PATH      another libode.so.8, one thread: a file of any name, or a folder that has one
+//   stock-pool:N    the system's libode with its own pool of N threads
 //   ours:N          ODE_MT with N threads (0: serial; auto: one for every core)
 //   ours:N/WORD     … with the thread manager pthread or openmp, with near-callbacks on several threads
 //                   (concurrent), with a grid of that many cells on each axis (cells=8), or with the
@@ -19,6 +20,7 @@ struct Engine {
     enum class Kind { Stock, StockPool, Ours };
 
     Kind kind = Kind::Stock;
+    std::string path;       // of another libode than the system's, or of its folder; empty: the system's, or ours
     std::string threads;    // "2", "auto"; empty for stock
     std::string manager;    // of ours; empty: the library's default
     std::string algorithm;  // of ours; empty: the library's default
@@ -26,6 +28,7 @@ struct Engine {
     std::string callbacks;  // of ours; empty: the library's default
     std::string gridCells;  // of ours; empty: the library's default
 
+    // As it is written on the command line; control characters of a path are shown as such.
     std::string name() const;
     bool isOurs() const { return kind == Kind::Ours; }
 

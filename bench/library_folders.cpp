@@ -16,6 +16,11 @@ std::string folderOfOurLibrary() {
     return ODEMT_OUR_FOLDER;
 }
 
+std::string libraryAt(const std::string &path) {
+    std::error_code ignored;
+    return std::filesystem::is_directory(path, ignored) ? (std::filesystem::path(path) / "libode.so.8").string() : path;
+}
+
 void checkLibraryFolder(const std::string &option, const std::string &folder) {
     if (!std::filesystem::exists(std::filesystem::path(folder) / "libode.so.8"))
         throw std::invalid_argument(option + ": no libode.so.8 in '" + folder + "'");

@@ -14,4 +14,7 @@ std::string folderOfOurLibrary();
 // Throws std::invalid_argument, naming the option, if there is no libode.so.8 in its folder.
 void checkLibraryFolder(const std::string &option, const std::string &folder);
 
+// Returns the file that a path names: itself, or the libode.so.8 in it if it is a folder. There may be none.
+std::string libraryAt(const std::string &path);
+
 }  // namespace bench

@@ -1,7 +1,9 @@
 #include "options.h"
 
+#include "comma_list.h"
 #include "error_output.h"
 #include "library_folders.h"
+#include "library_release.h"
 #include "number_range.h"
 #include "result_file.h"
 #include "world_source.h"
@@ -18,13 +20,14 @@ namespace bench {
 namespace {
 
 const char *const kDescription =
-    "Compares ODE_MT with Debian's libode8: runs worlds on both, in turns, and prints how long a frame\n"
+    "Compares ODE_MT with the system's libode: runs worlds on both, in turns, and prints how long a frame\n"
     "takes on each, how much faster that is than the first engine, and whether the results are the same.\n";
 
 const char *const kFooter =
     "Engines:\n"
-    "  stock         Debian's libode8 on one thread\n"
-    "  stock-pool:N  Debian's libode8 with its own pool of N threads\n"
+    "  stock         the system's libode on one thread\n"
+    "  stock:PATH    another libode.so.8 on one thread: a file of any name, or a folder that has one\n"
+    "  stock-pool:N  the system's libode with its own pool of N threads\n"
     "  ours:N        ODE_MT with N threads (0: serial, auto: every core)\n"
     "  ours:N/openmp ODE_MT with this thread manager (pthread, openmp); ours:N/lcp: this algorithm;\n"
     "                ours:N/concurrent, ours:N/independent: callbacks on several threads;\n"
@@ -39,6 +42,7 @@ const char *const kFooter =
     "  odemt_bench --worlds pile:1000..32000 --engines stock,ours:2\n"
     "                                                 time over size: 1000, 2000, 4000 …\n"
     "  odemt_bench --worlds my/world.sdf --threads 2,4,8\n"
+    "  odemt_bench --engines stock,stock:build/my/libode.so.8,ours:2\n"
     "\nThe exit code is 0 if all engines ran and agreed, 1 if one failed or differed, 2 for a wrong "
     "option.\n";
 
@@ -50,6 +54,24 @@ std::vector<std::string> split(const std::string &list) {
     std::istringstream stream(list);
     for (std::string word; std::getline(stream, word, ',');) words.push_back(word);
     return words;
+}
+
+std::vector<std::string> splitEngines(const std::string &list) {
+    std::vector<std::string> engines;
+    for (const std::string &word : splitAtCommas(list)) engines.push_back(withoutEscapes(word));
+    return engines;
+}
+
+// What the loader would find for an engine. Throws std::invalid_argument if that is missing or, for stock, ODE_MT itself.
+void checkLibrary(const Engine &engine, const ChildSettings &settings) {
+    if (engine.isOurs()) return checkLibraryFolder("--our-library", settings.oursFolder);
+    if (engine.path.empty()) checkLibraryFolder("--stock-library", settings.stockFolder);
+    const std::string file = libraryAt(engine.path.empty() ? settings.stockFolder : engine.path);
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(file, ignored))
+        throw std::invalid_argument("engine '" + engine.name() + "': no such file: '" + file + "'");
+    if (isOurLibrary(file))
+        throw std::invalid_argument("engine '" + engine.name() + "': '" + file + "' is ODE_MT itself, which is measured as ours:N (--our-library)");
 }
 
 // 0, 1, 2, 4, … up to the number of cores.
@@ -77,7 +99,7 @@ void addOptions(CLI::App &app, Words &words, Options &options) {
            "SDF worlds, .sdf files (a comma in a name: \\,) and scenes; 'thesis': the eight\n"
            "worlds of the thesis; --list shows all")
         ->capture_default_str();
-    app.add_option("--engines", words.engines, "engines; speed-ups refer to the first")
+    app.add_option("--engines", words.engines, "engines (a comma in a path: \\,); speed-ups refer to the first")
         ->capture_default_str();
     app.add_option("--threads", words.threads, "thread counts of 'ours'")->capture_default_str();
     app.add_option("--manager", words.manager, "thread manager of 'ours': pthread or openmp");
@@ -116,7 +138,7 @@ void addOptions(CLI::App &app, Words &words, Options &options) {
                    "worlds or engines each has a file with its name in it");
     app.add_flag("!--no-averages", options.withAverages,
                  "leave the kept running averages out of the JSON file");
-    app.add_option("--stock-library", options.child.stockFolder, "folder of Debian's libode.so.8")
+    app.add_option("--stock-library", options.child.stockFolder, "folder of the libode.so.8 of stock and stock-pool")
         ->capture_default_str();
     app.add_option("--our-library", options.child.oursFolder, "folder of ODE_MT's libode.so.8")
         ->capture_default_str();
@@ -143,12 +165,8 @@ void interpret(const Words &words, Options &options) {
     options.worlds = splitWorlds(words.worlds);
     if (options.worlds.empty()) throw std::invalid_argument("--worlds: no worlds given");
     for (const std::string &world : options.worlds) checkWorld(world);
-    options.engines = readEngines(split(words.engines), split(words.threads), words.manager);
-    for (const Engine &engine : options.engines)
-        if (engine.isOurs())
-            checkLibraryFolder("--our-library", options.child.oursFolder);
-        else
-            checkLibraryFolder("--stock-library", options.child.stockFolder);
+    options.engines = readEngines(splitEngines(words.engines), split(words.threads), words.manager);
+    for (const Engine &engine : options.engines) checkLibrary(engine, options.child);
     std::vector<std::string> files = {options.jsonFile, options.csvFile};
     if (!options.samplesFile.empty()) files.push_back(options.samplesFile);
     if (!options.htmlFile.empty()) files.push_back(options.htmlFile);

@@ -51,6 +51,7 @@ std::string writeReady(const Ready &r) {
     return dump({{"ready",
                   {{"library", r.library},
                    {"isOurs", r.isOurs},
+                   {"release", r.release},
                    {"threads", r.threads},
                    {"manager", r.manager},
                    {"algorithm", r.algorithm},
@@ -68,6 +69,7 @@ Ready readReady(const std::string &line) {
         Ready r;
         from.at("library").get_to(r.library);
         from.at("isOurs").get_to(r.isOurs);
+        from.at("release").get_to(r.release);
         from.at("threads").get_to(r.threads);
         from.at("manager").get_to(r.manager);
         from.at("algorithm").get_to(r.algorithm);

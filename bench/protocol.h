@@ -9,6 +9,7 @@
 #pragma once
 
 #include "frame_times.h"
+#include "library_release.h"
 #include "stage.h"
 
 #include <cstdint>
@@ -21,6 +22,7 @@ namespace bench {
 struct Ready {
     std::string library;  // file of the libode.so.8 that it runs on
     bool isOurs = false;  // that library exports dToggleODE_MT
+    std::string release = kUnknownRelease;  // of ODE, in that library
     int threads = 0;      // in force, of ours
     std::string manager, algorithm, callbacks;
     int gridCells = 0;  // 0: tuned

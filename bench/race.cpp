@@ -8,10 +8,10 @@ namespace bench {
 
 namespace {
 
-// The first engine whose states are reproducible: the others' states must equal its own.
-const EngineResult *hashReference(const WorldResult &result) {
-    for (const EngineResult &engine : result.engines)
-        if (engine.engine.hasUpstreamsBits() && !engine.failed()) return &engine;
+// The first engine that works and has the bits that `engine` has: its states must equal that one's own. Null: none has.
+const EngineResult *hashReference(const WorldResult &result, const EngineResult &engine) {
+    for (const EngineResult &other : result.engines)
+        if (engine.sharesBitsWith(other) && !other.failed()) return &other;
     return nullptr;
 }
 
@@ -123,11 +123,10 @@ private:
     }
 
     void compareStates() {
-        const EngineResult *reference = hashReference(m_result);
-        if (!reference) return;
         for (EngineResult &engine : m_result.engines) {
-            if (!engine.engine.hasUpstreamsBits() || engine.failed() || engine.firstDifference >= 0) continue;
-            if (engine.batches.back().hash != reference->batches.back().hash)
+            if (engine.failed() || engine.firstDifference >= 0) continue;
+            const EngineResult *reference = hashReference(m_result, engine);
+            if (reference && engine.batches.back().hash != reference->batches.back().hash)
                 engine.firstDifference = m_result.warmUpFrames + m_result.frames;
         }
     }
@@ -149,6 +148,17 @@ std::vector<double> EngineResult::seconds(Part part) const {
 bool EngineResult::callbacksTimed() const {
     return std::any_of(batches.begin(), batches.end(),
                        [](const Batch &batch) { return batch.seconds.callbacks > 0; });
+}
+
+bool EngineResult::sharesBitsWith(const EngineResult &other) const {
+    return engine.hasUpstreamsBits() && other.engine.hasUpstreamsBits() && !areOtherReleases(ready.release, other.ready.release);
+}
+
+bool WorldResult::hasSeveralReleases() const {
+    for (const EngineResult &one : engines)
+        for (const EngineResult &other : engines)
+            if (areOtherReleases(one.ready.release, other.ready.release)) return true;
+    return false;
 }
 
 bool WorldResult::callbacksTimed() const {

@@ -29,6 +29,9 @@ struct EngineResult {
     std::vector<double> seconds(Part part) const;  // one value a batch
     bool failed() const { return !failure.empty(); }
     bool callbacksTimed() const;
+
+    // Returns whether its states should be those of another engine: both have upstream's bits, and not of releases known to differ.
+    bool sharesBitsWith(const EngineResult &other) const;
 };
 
 struct WorldResult {
@@ -41,8 +44,9 @@ struct WorldResult {
     StoppingRule::Verdict verdict = StoppingRule::Verdict::GoOn;
 
     bool callbacksTimed() const;  // of any engine
+    bool hasSeveralReleases() const;  // of ODE, known ones, in the libraries of its engines
 
-    // All engines ran to the end with the same states, but for those that are not reproducible.
+    // All engines ran to the end with the same states, but for those that are not reproducible or of another release.
     bool isClean() const;
 };
 

@@ -53,6 +53,7 @@ json toJson(const EngineResult &engine, const EngineSummary &summary, bool withA
     }
     return {{"engine", summary.engine},
             {"library", engine.ready.library},
+            {"release", engine.ready.release},
             {"threads", engine.ready.threads},
             {"threadManager", engine.ready.manager},
             {"algorithm", engine.ready.algorithm},

@@ -16,7 +16,8 @@ long fastestOfOurs(const WorldResult &result, const std::vector<EngineSummary> &
     double most = 0;
     for (std::size_t i = 1; i < summaries.size(); ++i) {
         const double speedUp = summaries[i].part(Part::Frame).speedUp.median;
-        const bool isComparable = summaries[i].failure.empty() && summaries[i].check == StateCheck::Same;
+        const bool hasBits = summaries[i].check == StateCheck::Same || summaries[i].check == StateCheck::OtherRelease;
+        const bool isComparable = summaries[i].failure.empty() && hasBits;
         if (!result.engines[i].engine.isOurs() || !isComparable || !(speedUp > most)) continue;
         most = speedUp;
         fastest = static_cast<long>(i);
@@ -31,18 +32,21 @@ std::string inPlainWords(const std::string &engine) { return engine == "stock" ?
 
 std::string reportSentence(const std::vector<WorldResult> &results) {
     std::string text;
-    bool areClean = true;
+    bool areClean = true, areOfOneRelease = true;
     for (const WorldResult &result : results) {
         areClean = result.isClean() && areClean;
         const std::vector<EngineSummary> summaries = summarize(result);
         const long fastest = fastestOfOurs(result, summaries);
         if (fastest < 0) continue;
         const EngineSummary &engine = summaries[static_cast<std::size_t>(fastest)];
+        const std::string &release = result.engines[static_cast<std::size_t>(fastest)].ready.release;
+        areOfOneRelease = !areOtherReleases(result.engines[0].ready.release, release) && areOfOneRelease;
         const std::string factor = numberText(engine.part(Part::Frame).speedUp.median) + " times";
         text += text.empty() ? "ODE_MT runs at " + factor + " the speed of " + inPlainWords(summaries[0].engine) : ", at " + factor;
         text += " on " + worlds::printable(result.world) + " (" + engine.engine + ")";
     }
     if (text.empty()) return text;
+    if (areClean && !areOfOneRelease) return text + "; the releases of ODE differ, so results may.\n";
     return text + (areClean ? ", with the same results in every bit.\n" : "; an engine failed or gave other results.\n");
 }
 

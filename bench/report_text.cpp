@@ -4,8 +4,11 @@
 #include "summary.h"
 #include "table.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
+#include <vector>
 
 namespace bench {
 
@@ -32,11 +35,31 @@ std::string state(const EngineSummary &summary) {
             return hashText(summary.hash) + " not reproducible";
         case StateCheck::OwnBits:
             return hashText(summary.hash) + " own bits";
+        case StateCheck::OtherRelease:
+            return hashText(summary.hash) + " other release";
         case StateCheck::Unknown:
             return "-";
         default:
             return hashText(summary.hash);
     }
+}
+
+// One line for each release of ODE, with the engines that have it; those that did not start are not known to have one.
+std::string releases(const WorldResult &result) {
+    std::vector<std::pair<std::string, std::string>> lines;
+    for (const EngineResult &engine : result.engines) {
+        if (engine.ready.library.empty()) continue;
+        const std::string &release = engine.ready.release;
+        const auto line = std::find_if(lines.begin(), lines.end(), [&](const auto &known) { return known.first == release; });
+        if (line == lines.end())
+            lines.emplace_back(release, engine.engine.name());
+        else
+            line->second += ", " + engine.engine.name();
+    }
+    std::string text;
+    for (const auto &[release, engines] : lines)
+        text += (release == kUnknownRelease ? "a release of ODE that is not known: " : "ODE " + release + ": ") + engines + '\n';
+    return text;
 }
 
 std::string title(const WorldResult &result) {
@@ -49,7 +72,7 @@ std::string title(const WorldResult &result) {
         break;
     }
     text += format("%ld + %ld frames in %d rounds; ", result.warmUpFrames, result.frames, result.rounds);
-    return text + toString(result.verdict) + "\n\n";
+    return text + toString(result.verdict) + "\n" + releases(result) + "\n";
 }
 
 std::vector<std::string> cells(const EngineSummary &summary, bool isOurs, bool callbacksTimed) {
@@ -88,6 +111,8 @@ std::string notes(const WorldResult &result, const std::vector<EngineSummary> &s
         if (summaries[i].messages)
             text += format("note: %s: %u messages of ODE\n", name.c_str(), summaries[i].messages);
     }
+    if (result.hasSeveralReleases())
+        text += "note: the releases of ODE differ, so results may: states are compared within each release alone\n";
     for (const std::string &warning : result.engines.front().ready.warnings)
         text += "note: " + warning + "\n";
     return text;

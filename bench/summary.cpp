@@ -4,15 +4,17 @@ namespace bench {
 
 namespace {
 
-StateCheck stateCheck(const WorldResult &result, const EngineResult &engine, bool &referenceSeen) {
+// `references`: of the engines before, one of each release.
+StateCheck stateCheck(const WorldResult &result, const EngineResult &engine, std::vector<const EngineResult *> &references) {
     if (engine.batches.empty()) return StateCheck::Unknown;
     if (!engine.engine.isReproducible()) return StateCheck::NotReproducible;
     if (!engine.engine.hasUpstreamsBits()) return StateCheck::OwnBits;
     if (engine.firstDifference >= 0) return StateCheck::Differs;
     if (engine.batches.size() < static_cast<std::size_t>(result.rounds)) return StateCheck::Unknown;
-    if (referenceSeen) return StateCheck::Same;
-    referenceSeen = true;
-    return StateCheck::Reference;
+    for (const EngineResult *reference : references)
+        if (engine.sharesBitsWith(*reference)) return StateCheck::Same;
+    references.push_back(&engine);
+    return references.size() == 1 ? StateCheck::Reference : StateCheck::OtherRelease;
 }
 
 void addTotals(const EngineResult &engine, EngineSummary &summary) {
@@ -44,6 +46,8 @@ const char *nameOf(StateCheck check) {
             return "not reproducible";
         case StateCheck::OwnBits:
             return "own bits";
+        case StateCheck::OtherRelease:
+            return "other release";
         case StateCheck::Unknown:
             return "unknown";
     }
@@ -52,7 +56,7 @@ const char *nameOf(StateCheck check) {
 
 std::vector<EngineSummary> summarize(const WorldResult &result) {
     std::vector<EngineSummary> summaries;
-    bool referenceSeen = false;
+    std::vector<const EngineResult *> references;
     const EngineResult &first = result.engines.front();
     for (const EngineResult &engine : result.engines) {
         EngineSummary summary;
@@ -63,7 +67,7 @@ std::vector<EngineSummary> summarize(const WorldResult &result) {
                 engine.average(part).summary(),
                 spreadOf(pairedRatios(first.seconds(part), engine.seconds(part)))};
         addTotals(engine, summary);
-        summary.check = stateCheck(result, engine, referenceSeen);
+        summary.check = stateCheck(result, engine, references);
         summaries.push_back(summary);
     }
     return summaries;

@@ -8,7 +8,8 @@
 
 namespace bench {
 
-enum class StateCheck { Reference, Same, Differs, NotReproducible, OwnBits, Unknown };
+// OtherRelease: the first engine of another release of ODE than the reference's; those of its release are compared with it.
+enum class StateCheck { Reference, Same, Differs, NotReproducible, OwnBits, OtherRelease, Unknown };
 const char *nameOf(StateCheck check);
 
 struct PartSummary {

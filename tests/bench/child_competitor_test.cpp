@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include <sys/stat.h>
@@ -103,6 +104,41 @@ TEST(ChildCompetitor, TheWrongLibraryIsNoticed) {
     EXPECT_NE(complaint([&] { stock.start(); }).find("which is ODE_MT"), std::string::npos);
     ChildCompetitor ours(readEngine("ours:1"), "stacks:2", swapped);
     EXPECT_NE(complaint([&] { ours.start(); }).find("which is not ODE_MT"), std::string::npos);
+}
+
+// Of any name, in any folder, also one that the loader would take for two.
+TEST(ChildCompetitor, AnotherLibraryIsRunByItsPath) {
+    const std::string folder = testing::TempDir() + "/bench other:" + std::to_string(getpid());
+    std::filesystem::create_directories(folder);
+    std::filesystem::copy_file(ODEMT_ORACLE, folder + "/mine.so");
+    std::filesystem::create_symlink("mine.so", folder + "/libode.so.8");
+    ChildCompetitor ours(readEngine("ours:0"), "stacks:2", settings());
+    ours.start();
+    const std::uint64_t hash = ours.run(20).hash;
+    for (const std::string &path : {folder + "/mine.so", folder + "/libode.so.8", folder}) {
+        ChildCompetitor other(readEngine("stock:" + path), "stacks:2", settings());
+        const Ready ready = other.start();
+        EXPECT_EQ(ready.library, std::filesystem::canonical(folder + "/mine.so"));
+        EXPECT_FALSE(ready.isOurs);
+        EXPECT_EQ(ready.release, kUnknownRelease);
+        EXPECT_EQ(other.run(20).hash, hash);
+    }
+    std::filesystem::remove_all(folder);
+}
+
+TEST(ChildCompetitor, TheReleasesAreTold) {
+    ChildCompetitor ours(readEngine("ours:0"), "stacks:2", settings()), oracle(readEngine("stock:" ODEMT_ORACLE), "stacks:2", settings());
+    EXPECT_EQ(ours.start().release, ODEMT_UPSTREAM);
+    EXPECT_EQ(oracle.start().release, releaseOfLibrary(ODEMT_ORACLE));
+}
+
+// The loader looks further without a word; the system's library would be measured in its place.
+TEST(ChildCompetitor, ALibraryThatTheLoaderPassesOverIsNoticed) {
+    const std::string file = testing::TempDir() + "/bench_32_bits_" + std::to_string(getpid());
+    std::ofstream(file) << std::string("\x7f" "ELF\x01\x01\x01", 7) << std::string(500, '\0');
+    ChildCompetitor other(readEngine("stock:" + file), "stacks:2", settings());
+    EXPECT_NE(complaint([&] { other.start(); }).find(", not on " + file), std::string::npos);
+    std::remove(file.c_str());
 }
 
 TEST(ChildCompetitor, AnUnknownWorldIsReportedInTheChildsWords) {

@@ -24,7 +24,7 @@ std::string complaint(const std::string &engine) {
 }  // namespace
 
 TEST(Engine, NamesAreReadAndWrittenBack) {
-    for (const char *name : {"stock", "stock-pool:2", "ours:0", "ours:1024", "ours:auto", "ours:2/openmp",
+    for (const char *name : {"stock", "stock:/usr/lib/libode.so.8", "stock:a/b:c", "stock:2", "stock-pool:2", "ours:0", "ours:1024", "ours:auto", "ours:2/openmp",
                              "ours:2/lcp", "ours:2/pthread/lcp", "ours:2/concurrent", "ours:2/independent",
                              "ours:2/cells=5", "ours:0/fast", "ours:2/lcp/exact", "ours:auto/openmp/decluster/concurrent/cells=20"})
         EXPECT_EQ(readEngine(name).name(), name);
@@ -33,7 +33,7 @@ TEST(Engine, NamesAreReadAndWrittenBack) {
 TEST(Engine, UnknownOnesAreNamedWithThoseThatExist) {
     EXPECT_NE(complaint("bullet").find("'bullet'"), std::string::npos);
     EXPECT_NE(complaint("bullet").find("stock-pool:N"), std::string::npos);
-    EXPECT_NE(complaint("stock:2").find("'stock:2'"), std::string::npos);
+    EXPECT_NE(complaint("stock:").find("'stock:': no path"), std::string::npos);
     EXPECT_NE(complaint("stock/openmp").find("'stock/openmp'"), std::string::npos);
 }
 
@@ -99,6 +99,19 @@ TEST(Engine, ListsMustNameEachOnceAndAtLeastOne) {
     EXPECT_THROW(readEngines({"stock", "ours:1", "stock"}, {}, ""), std::invalid_argument);
     EXPECT_THROW(readEngines({}, {}, ""), std::invalid_argument);
     EXPECT_THROW(readEngines({"ours"}, {"many"}, ""), std::invalid_argument);
+}
+
+TEST(Engine, AnotherLibraryHasItsPathAndUpstreamsBits) {
+    const Engine other = readEngine("stock:/a/b/libode.so.8.2.0");
+    EXPECT_EQ(other.kind, Engine::Kind::Stock);
+    EXPECT_EQ(other.path, "/a/b/libode.so.8.2.0");
+    EXPECT_TRUE(other.hasUpstreamsBits());
+    EXPECT_TRUE(other.environment().empty());
+    EXPECT_EQ(readEngine("stock").path, "");
+    EXPECT_EQ(names(readEngines({"stock", "stock:/a", "stock:/b", "ours:2"}, {}, "openmp")),
+              (std::vector<std::string>{"stock", "stock:/a", "stock:/b", "ours:2/openmp"}));
+    EXPECT_THROW(readEngines({"stock:/a", "stock:/a"}, {}, ""), std::invalid_argument);
+    EXPECT_EQ(readEngine("stock:/a\x1b[31m").name(), "stock:/a\\x1b[31m");
 }
 
 TEST(Engine, UnknownAndDoubledWordsAreRefused) {

@@ -11,11 +11,15 @@
 #include <filesystem>
 #include <fstream>
 
+#include "library_release.h"
 #include "shell_run.h"
 
 namespace {
 
-Outcome run(const std::string &arguments) { return runShell(std::string(ODEMT_BENCH) + " " + arguments); }
+// Stock is the library that ours has the bits of, which need not be this system's own.
+Outcome run(const std::string &arguments) {
+    return runShell(std::string(ODEMT_BENCH) + " --stock-library " ODEMT_STOCK_FOLDER " " + arguments);
+}
 
 class OdemtBench : public testing::Test {
 protected:
@@ -47,6 +51,25 @@ TEST_F(OdemtBench, ComparesEnginesAndSavesTheFigures) {
         for (const auto &engine : world["engines"]) EXPECT_EQ(engine["hash"], world["engines"][0]["hash"]);
     }
     EXPECT_TRUE(std::filesystem::exists(folder + "/b.csv"));
+}
+
+// A copy under the name of another release stands in for that release.
+TEST_F(OdemtBench, ReleasesThatDifferAreToldBesideTheFigures) {
+    const std::string release = bench::releaseOfLibrary(ODEMT_ORACLE), number = release == "0.16.2" ? "8.2.0" : "8.0.2";
+    const std::string other = folder + "/libode.so." + number;
+    std::filesystem::copy_file(ODEMT_ORACLE, other);
+    const Outcome outcome = run("--worlds rover:3 --engines stock,stock:" + other + ",ours:2 --frames 100" + files());
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
+    EXPECT_NE(outcome.output.find("\nODE " + release + ": stock, ours:2\nODE " + bench::releaseOfLibrary(other) + ": stock:" + other + "\n"),
+              std::string::npos) << outcome.output;
+    EXPECT_NE(outcome.output.find("note: the releases of ODE differ"), std::string::npos) << outcome.output;
+    std::ifstream file(folder + "/b.json");
+    const auto engines = nlohmann::json::parse(file)["worlds"][0]["engines"];
+    EXPECT_EQ(engines[1]["engine"], "stock:" + other);
+    EXPECT_EQ(engines[1]["library"], std::filesystem::canonical(other).string());
+    EXPECT_EQ(engines[1]["release"], bench::releaseOfLibrary(other));
+    EXPECT_EQ(engines[1]["state"], "other release");
+    EXPECT_EQ(engines[2]["release"], ODEMT_UPSTREAM);
 }
 
 // What is printed fits into the terminal's buffer, so that it can be read in the end.

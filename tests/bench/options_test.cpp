@@ -81,6 +81,23 @@ TEST(Options, ATraceHasAFileOfItsOwn) {
     expectComplaint({"--worlds", "rover", "--engines", "ours:0", "--json", "X", "--trace", "X"}, "X");
 }
 
+TEST(Options, OtherLibrariesAreEngines) {
+    const Outcome outcome = read({"--worlds", "rover", "--engines", "stock,stock:" ODEMT_ORACLE ",stock:" ODEMT_STOCK_FOLDER ",ours:2"});
+    ASSERT_TRUE(outcome.options) << outcome.errors;
+    EXPECT_EQ(outcome.options->engines.size(), 4u);
+    EXPECT_EQ(outcome.options->engines[1].path, ODEMT_ORACLE);
+}
+
+TEST(Options, LibrariesThatAreMissingOrOursAreNamed) {
+    expectComplaint({"--worlds", "rover", "--engines", "stock:/nowhere/libode.so.8"}, "no such file: '/nowhere/libode.so.8'");
+    expectComplaint({"--worlds", "rover", "--engines", "stock:/a\\,b"}, "no such file: '/a,b'");
+    expectComplaint({"--worlds", "rover", "--engines", "stock:/proc"}, "no such file: '/proc/libode.so.8'");
+    expectComplaint({"--worlds", "rover", "--engines", "stock:/dev/null"}, "no such file: '/dev/null'");
+    expectComplaint({"--worlds", "rover", "--engines", "stock:"}, "no path of a libode.so.8");
+    expectComplaint({"--worlds", "rover", "--engines", "stock:" ODEMT_OUR_FOLDER}, "is ODE_MT itself");
+    expectComplaint({"--worlds", "rover", "--engines", "stock", "--stock-library", ODEMT_OUR_FOLDER}, "is ODE_MT itself");
+}
+
 TEST(Options, WithSamplesMeasuringDoesNotEndEarly) {
     const Outcome outcome = read(
         {"--worlds", "rover", "--engines", "stock", "--seconds", "7", "--samples", "s.csv", "--no-averages"});

@@ -34,6 +34,7 @@ TEST(Protocol, AReadyArrivesAsItWasSent) {
     Ready sent;
     sent.library = "/a folder/libode.so.8";
     sent.isOurs = true;
+    sent.release = "0.16.6";
     sent.threads = 3;
     sent.manager = "pthread";
     sent.algorithm = "auto";
@@ -47,6 +48,7 @@ TEST(Protocol, AReadyArrivesAsItWasSent) {
     const Ready got = readReady(writeReady(sent));
     EXPECT_EQ(got.library, sent.library);
     EXPECT_TRUE(got.isOurs);
+    EXPECT_EQ(got.release, "0.16.6");
     EXPECT_EQ(got.threads, 3);
     EXPECT_EQ(got.manager, "pthread");
     EXPECT_EQ(got.algorithm, "auto");

@@ -102,6 +102,29 @@ TEST(Report, TheDirectSolverIsMarkedAsHavingItsOwnBits) {
     EXPECT_NE(reportText(result).find("own bits"), std::string::npos);
 }
 
+TEST(Report, EachReleaseHasItsEngines) {
+    WorldResult result = worldResult();
+    for (EngineResult &engine : result.engines) engine.ready.library = "libode.so.8", engine.ready.release = "0.16.6";
+    EXPECT_NE(reportText(result).find("\nODE 0.16.6: stock, ours:2\n\n"), std::string::npos) << reportText(result);
+    EXPECT_EQ(reportText(result).find("releases of ODE differ"), std::string::npos);
+    EXPECT_EQ(nlohmann::json::parse(reportJson({result}))["worlds"][0]["engines"][1]["release"], "0.16.6");
+    result.engines[0].ready.release = kUnknownRelease;
+    EXPECT_NE(reportText(result).find("\na release of ODE that is not known: stock\nODE 0.16.6: ours:2\n\n"), std::string::npos) << reportText(result);
+    EXPECT_EQ(reportText(result).find("releases of ODE differ"), std::string::npos);
+}
+
+TEST(Report, ReleasesThatDifferAreSaidTo) {
+    WorldResult result = worldResult();
+    result.engines[0].ready.release = "0.16.2";
+    result.engines[1].ready.release = "0.16.6";
+    const std::string text = reportText(result);
+    EXPECT_NE(text.find("note: the releases of ODE differ, so results may"), std::string::npos) << text;
+    EXPECT_NE(text.find("other release"), std::string::npos) << text;
+    EXPECT_EQ(nlohmann::json::parse(reportJson({result}))["worlds"][0]["engines"][1]["state"], "other release");
+    EXPECT_EQ(reportSentence({result}),
+              "ODE_MT runs at 2.00 times the speed of libode8 on pile:4,sap (ours:2); the releases of ODE differ, so results may.\n");
+}
+
 TEST(Report, JsonHoldsTheFigures) {
     const auto json = nlohmann::json::parse(reportJson({worldResult()}));
     const auto &world = json["worlds"][0];

@@ -12,7 +12,14 @@ function fastest(world) {
         .sort(([, a], [, b]) => b - a)[0];
 }
 
-function equality(engine) {
+// Files of older benches do not tell the release.
+function isOfOtherRelease(engine, first) {
+    const isKnown = release => release && release !== 'unknown';
+    return isKnown(engine.release) && isKnown(first.release) && engine.release !== first.release;
+}
+
+function equality(engine, first) {
+    if (isOfOtherRelease(engine, first)) return `made of ODE ${engine.release}, not ${first.release}, so results may differ`;
     if (kSame.includes(engine.state)) return 'the same results in every bit';
     if (engine.state === 'own bits') return 'with bits of its own';
     if (engine.state === 'not reproducible') return 'with other bits in every run';
@@ -23,7 +30,7 @@ function sentence(world) {
     const best = fastest(world);
     if (!best) return `${world.world}: only ${world.engines[0].engine} was measured.`;
     const [engine, factor] = best;
-    return `${engine.engine} runs ${world.world} at ${number(factor)} times the speed of ${world.engines[0].engine}, ${equality(engine)}.`;
+    return `${engine.engine} runs ${world.world} at ${number(factor)} times the speed of ${world.engines[0].engine}, ${equality(engine, world.engines[0])}.`;
 }
 
 function problems(world) {
@@ -45,7 +52,7 @@ export function showSummary(results) {
         table('What was run', ['world', 'bodies', 'joints', 'geoms', 'step ms', 'frames', 'rounds', 'ended'],
             worlds.map(world => [world.world, ...[world.bodies, world.joints, world.geoms].map(String), number(1000 * world.stepSize),
                 String(world.frames), String(world.rounds), world.ended])),
-        table('Results and threads of the engines', ['world: engine', 'threads', 'state', 'hash', 'parallel steps', 'messages of ODE'],
-            worlds.flatMap(world => world.engines.map(engine => [`${world.world}: ${engine.engine}`, String(engine.threads || '–'),
+        table('Results and threads of the engines', ['world: engine', 'ODE', 'threads', 'state', 'hash', 'parallel steps', 'messages of ODE'],
+            worlds.flatMap(world => world.engines.map(engine => [`${world.world}: ${engine.engine}`, engine.release ?? '–', String(engine.threads || '–'),
                 engine.failure ? 'failed' : engine.state, engine.hash, percent(engine.sharedSteps), String(engine.odeMessages)]))));
 }
