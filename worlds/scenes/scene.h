@@ -8,8 +8,8 @@
 //   step()     dWorldStep or dWorldQuickStep of every world          (dynamics)
 //   finish()   contact groups emptied, time advanced                 (overhead)
 //
-// Scenes use the public API of ODE 0.16.2 only: the same binary runs on Debian's libode8 and on
-// ODE_MT. Scenes are deterministic: no clock, no address, no std::random_device decides anything.
+// Scenes use only the public API that all releases of ODE here have (ode/releases/): the same binary runs on Debian's libode8 and
+// on ODE_MT. Scenes are deterministic: no clock, no address, no std::random_device decides anything.
 //
 // Threading: a scene is used from one thread at a time. dInitODE2 is the caller's job.
 #pragma once
