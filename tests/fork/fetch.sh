@@ -14,11 +14,6 @@ pin=$SCRATCH/ode/releases/$VERSION/pin.cmake
 archive=$CACHE/$NAME
 cache=$SCRATCH/cache
 unpacked=$SCRATCH/ode/upstream/ode-$VERSION
-cat >"$SCRATCH/unpack.cmake" <<'SCRIPT'
-include("${CMAKE_CURRENT_LIST_DIR}/ode/fetch.cmake")
-ode_mt_unpack_upstream(folder)
-message(STATUS "unpacked in ${folder}")
-SCRIPT
 
 # No package source and no address answers: apt-get is not in PATH and the address is that of no server.
 for tool in sh sed mktemp dirname rm mkdir cp tar gzip; do ln -s "$(command -v $tool)" "$SCRATCH/bin/"; done
@@ -27,7 +22,7 @@ grep -q no-such-server "$pin" || fail "$pin has no address to replace"
 
 # unpack OPTION...: runs the script without network; its output goes to SCRATCH/output.
 unpack() {
-    PATH=$SCRATCH/bin "$CMAKE" -DODE_MT_UPSTREAM="$VERSION" -DODE_MT_CACHE_DIR="$cache" "$@" -P "$SCRATCH/unpack.cmake" >"$SCRATCH/output" 2>&1
+    PATH=$SCRATCH/bin "$CMAKE" -DODE_MT_UPSTREAM="$VERSION" -DODE_MT_CACHE_DIR="$cache" "$@" -P "$SCRATCH/ode/unpack.cmake" >"$SCRATCH/output" 2>&1
 }
 must_unpack() { unpack "$@" || fail "not unpacked: $(cat "$SCRATCH/output")"; }
 must_stop() { if unpack "$@"; then fail "unpacked in spite of an error"; fi; }
@@ -108,7 +103,7 @@ no_network)
     # The unchanged pin, in a network namespace without any interface, with apt-get in PATH.
     cp "$ODE/releases/$VERSION/pin.cmake" "$pin"
     unshare -rn true 2>/dev/null || { echo "this machine does not let unshare take the network away"; exit 77; }
-    run() { unshare -rn "$CMAKE" -DODE_MT_UPSTREAM="$VERSION" -DODE_MT_CACHE_DIR="$cache" -P "$SCRATCH/unpack.cmake" >"$SCRATCH/output" 2>&1; }
+    run() { unshare -rn "$CMAKE" -DODE_MT_UPSTREAM="$VERSION" -DODE_MT_CACHE_DIR="$cache" -P "$SCRATCH/ode/unpack.cmake" >"$SCRATCH/output" 2>&1; }
     if run; then fail "unpacked from nowhere"; fi
     must_say "ODE_MT_UPSTREAM_TARBALL: not given"
     must_say "$cache/$NAME: no such file"
