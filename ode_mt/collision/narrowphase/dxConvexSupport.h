@@ -14,7 +14,7 @@
 #include "collision_std.h"
 
 // Upstream's ccd_convex_t, which is known in its file alone. That file is the one release that the fork is made of
-// (ode/pin.cmake), and every pair with a convex geom in the exactness suite depends on it.
+// (ode/releases/), and every pair with a convex geom in the exactness suite depends on it.
 struct dxCcdConvex {
     ccd_vec3_t position;
     ccd_quat_t rotation, inverseRotation;
