@@ -109,13 +109,15 @@ private:
                "</" + name + ">";
     }
 
-    // `bodies` are frames that move with different links each.
-    std::string joint(const std::vector<std::string> &bodies, const std::vector<std::string> &frames) {
+    // `bodies` and `models` are frames that move with different links each. (libsdformat does not find a model that is a parent.)
+    std::string joint(const std::vector<std::string> &bodies, const std::vector<std::string> &models,
+                      const std::vector<std::string> &frames) {
         static const char *const kTypes[] = {"revolute", "prismatic", "universal", "ball", "fixed", "continuous"};
         const std::size_t type = below(m_version >= 7 ? 6 : 4), child = below(bodies.size());
+        const bool isModel = !models.empty() && (bodies.size() < 2 || oneIn(2));
         const std::string parent = oneIn(3) ? "world" : bodies[(child + 1) % bodies.size()];
         std::string text = std::string("<joint name=\"") + newName("j") + "\" type=\"" + kTypes[type] + "\"><parent>" + parent +
-                           "</parent><child>" + bodies[child] + "</child>" + maybe(pose(frames));
+                           "</parent><child>" + (isModel ? models[0] : bodies[child]) + "</child>" + maybe(pose(frames));
         if (type < 3 || type == 5) text += axis("axis", frames);
         if (type == 2) text += "<axis2><xyz>-1 0.1 0.2</xyz></axis2>";
         return text + "</joint>";
@@ -125,9 +127,8 @@ private:
     // say what a joint is attached to.
     std::string model(int depth, std::vector<std::string> &outer, const std::string &given = {}) {
         const std::string name = given.empty() ? newName("m") : given;
-        std::vector<std::string> inside, frames, bodies;
+        std::vector<std::string> inside, frames, bodies, models;
         const bool hasScopes = m_version >= 8;
-        std::vector<std::string> known;  // to the model around
         for (std::size_t i = 1 + below(3); i > 0; --i) {
             const std::string own = newName("l");
             inside.push_back(link(own, frames));
@@ -138,15 +139,14 @@ private:
         if (depth < 2 && m_version >= 7 && oneIn(2)) {
             std::vector<std::string> nested = frames;
             const std::size_t own = nested.size();  // where the model's name will be: it moves with its canonical link
-            const bool isWritten = oneIn(2);
-            inside.push_back(isWritten ? model(depth + 1, nested) : include("model", nested));
-            // (libsdformat does not find an included model, as a whole, that a joint names.)
-            if (hasScopes) bodies.push_back(isWritten && oneIn(2) ? nested[own] : nested.back());
+            inside.push_back(oneIn(2) ? model(depth + 1, nested) : include("model", nested));
+            if (hasScopes && oneIn(2)) models.push_back(nested[own]);
+            if (hasScopes && models.empty()) bodies.push_back(nested.back());
             frames = hasScopes ? nested : frames;
         }
         if (m_version >= 9 && depth < 2 && oneIn(2)) inside.push_back(include("merged", frames));
-        if (bodies.size() > 1)
-            for (std::size_t i = below(3); i > 0; --i) inside.push_back(joint(bodies, frames));
+        if (bodies.size() > 1 || !models.empty())
+            for (std::size_t i = 1 + below(3); i > 0; --i) inside.push_back(joint(bodies, models, frames));
         std::string attributes;
         if (hasScopes && oneIn(3)) attributes += " placement_frame=\"" + anyOf(frames) + "\"";
         if (m_version >= 7 && oneIn(3)) attributes += " canonical_link=\"" + bodies.front() + "\"";
