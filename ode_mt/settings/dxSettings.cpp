@@ -73,6 +73,8 @@ dxProcessObject<dxSettings> settings;
 dxSettings &dxSettings::instance() { return *settings; }
 
 dxSettings::dxSettings() : m_cores(dxCountProcessors()) {
+    // One literal: bench/library_release.cpp finds the release in a library's file by it.
+    dxLog(dxLogLevel::info, "version " dODE_MT_VERSION ", made of ODE " dODE_VERSION);
     if (const char *text = dxEnvironment(dxVariable::Threads)) readThreads(text);
     if (const char *text = dxEnvironment(dxVariable::Algorithm)) readAlgorithm(text);
     if (const char *text = dxEnvironment(dxVariable::Solver)) readSolver(text);
@@ -82,8 +84,6 @@ dxSettings::dxSettings() : m_cores(dxCountProcessors()) {
     if (const char *text = dxEnvironment(dxVariable::Heuristics)) readHeuristics(text);
     if (const char *text = dxEnvironment(dxVariable::GridCells)) readGridCells(text);
     if (const char *text = dxEnvironment(dxVariable::Workers)) readRemoteWorkers(text);
-    // One literal: bench/library_release.cpp finds the release in a library's file by it.
-    dxLog(dxLogLevel::info, "version " dODE_MT_VERSION ", made of ODE " dODE_VERSION);
     dxLog(dxLogLevel::info, "threads %u of %u cores, algorithm %s, solver %s, callbacks %s, heuristics %s", threads(), cores(),
           algorithmName(), nameOfSolver(solver().solver), callbackPolicyName(), dxNamesOfHeuristics(heuristics()));
 }
