@@ -51,6 +51,16 @@ TEST(Error, MassesHaveToBePositiveAndFinite) {
                 Kind::Value, {path + "inertia/ixx"});
 }
 
+TEST(Error, MassesOfStaticLinksMayBeZero) {
+    const auto withMass = [](const std::string &isStatic, const std::string &mass) {
+        return world("<model name=\"m\"><static>" + isStatic + "</static><link name=\"link\"><inertial><mass>" + mass +
+                     "</mass><inertia><ixx>0</ixx><iyy>0</iyy><izz>0</izz></inertia></inertial></link></model>");
+    };
+    EXPECT_NO_THROW(load(withMass("true", "0")));
+    expectError(withMass("false", "0"), Kind::Value, {"inertial/mass: '0' is not positive"});
+    expectError(withMass("true", "-1"), Kind::Value, {"inertial/mass: '-1' is negative"});
+}
+
 TEST(Error, PosesHaveToBeFinite) {
     EXPECT_THROW(load(world("<model name=\"m\"><pose>0 0 nan 0 0 0</pose><link name=\"link\"/></model>")),
                  worlds::LoadError);

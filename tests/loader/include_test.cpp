@@ -114,6 +114,26 @@ TEST_F(Include, OfWhatIsNoModelIsAnError) {
     expectMessage(include("bare"), {"test.sdf: /sdf/world/include/uri: model 'bare': ", "model.config"});
 }
 
+TEST_F(Include, OfALightIsLeftAside) {
+    folder.write("sun.sdf", "<sdf version=\"1.6\"><light name=\"sun\" type=\"directional\"/></sdf>");
+    folder.write("ball.sdf", modelFile("ball", ballOf(1)));
+    EXPECT_EQ(loadInside(include("sun.sdf") + include("ball.sdf"))->bodyNames(), std::vector<std::string>{"ball::l"});
+}
+
+TEST_F(Include, OfAnActorIsLeftOutOnDemand) {
+    const std::string file = folder.write("walker.sdf", "<sdf version=\"1.6\"><actor name=\"walker\"/></sdf>");
+    expectMessage(include("walker.sdf"), {file + ": /sdf/actor[walker]: not supported"});
+    worlds::LoadOptions options;
+    options.ignoreUnsupported = true;
+    EXPECT_NO_THROW(worlds::loadWorldText(world(include("walker.sdf")), folder.path("test.sdf"), options));
+}
+
+TEST_F(Include, OfAPartThatIsPlacedNeedsAPose) {
+    folder.write("ball.sdf", modelFile("ball", ballOf(1)));
+    expectMessage(include("ball.sdf", "<placement_frame>l</placement_frame>"),
+                  {"test.sdf: /sdf/world/include/placement_frame: needs a <pose> beside it"});
+}
+
 TEST_F(Include, HoldsNothingElse) {
     folder.write("ball.sdf", modelFile("ball", ballOf(1)));
     expectMessage(include("ball.sdf", "<name>a::b</name>"), {"/sdf/world/include/name: a name may not hold '::'"});

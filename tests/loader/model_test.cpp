@@ -33,6 +33,12 @@ TEST(Model, PosesMayBeRelativeToFrames) {
     EXPECT_LT((position(body(*scene, "m::link")) - Vector3{1, 1, 1.25}).length(), 1e-9);
 }
 
+TEST(Model, AnEmptyPoseChangesNothing) {
+    for (const char *const pose : {"<pose/>", "<pose> </pose>", "<pose degrees=\"true\"></pose>"})
+        EXPECT_EQ(position(body(*load(world("<model name=\"m\">" + std::string(pose) + "<link name=\"l\"/></model>")), "m::l")),
+                  Vector3());
+}
+
 TEST(Model, PlacementFrameIsTheOneThatIsPlaced) {
     const auto scene =
         load(world("<model name=\"m\" placement_frame=\"tip\"><pose>0 0 1 0 0 0</pose>" +

@@ -158,6 +158,8 @@ TEST(Surface, MasksDecideWhoMeetsWhom) {
     EXPECT_FALSE(touches(one, two));
     EXPECT_TRUE(touches(one, two + "<category_bitmask>1</category_bitmask>"));
     EXPECT_TRUE(touches(one, "<collide_bitmask>3</collide_bitmask>"));
+    EXPECT_TRUE(touches(one, "<collide_bitmask>0x01</collide_bitmask>"));
+    EXPECT_FALSE(touches(one, "<collide_bitmask>0xfffe</collide_bitmask>"));
 }
 
 TEST(Surface, MasksHoldAgainstStaticShapesToo) {

@@ -103,6 +103,10 @@ INSTANTIATE_TEST_SUITE_P(
             world(
                 "<model name=\"m\"><link name=\"link\"/><plugin name=\"p\" filename=\"libros.so\"/></model>"),
             "/sdf/world/model[m]/plugin[p]: filename 'libros.so'"},
+        Case{"pluginOfGazebo",
+             world("<model name=\"m\"><link name=\"link\"/><plugin name=\"gz::sim::systems::Lift\" filename=\"gz-sim-lift\"/>"
+                   "</model>"),
+             "/sdf/world/model[m]/plugin[gz::sim::systems::Lift]: filename 'gz-sim-lift'"},
         Case{"worldPlugin", world("<plugin name=\"p\" filename=\"libwind.so\"/>"),
              "/sdf/world/plugin[p]: filename 'libwind.so'"},
         Case{"otherEngine", worldWith("<physics type=\"bullet\"/>", ""), "/sdf/world/physics: type 'bullet'"},
@@ -126,6 +130,16 @@ TEST(Supported, IsWhatChangesNoMotion) {
         <collision name="c"><laser_retro>1</laser_retro><geometry><sphere><radius>1</radius></sphere></geometry>
           <surface><friction><bullet><friction>1</friction></bullet></friction></surface></collision>
       </link></model>)")));
+}
+
+TEST(Supported, IsWhatDoesNothing) {
+    EXPECT_NO_THROW(load(withSurface(
+        "<friction><torsional><coefficient>0.7</coefficient><use_patch_radius>1</use_patch_radius><patch_radius>0</patch_radius>"
+        "<surface_radius>0.0</surface_radius><ode><slip>0</slip></ode></torsional></friction>"
+        "<contact><ode><max_vel>0.01</max_vel><min_depth>0</min_depth></ode></contact>")));
+    for (const char *const engine : {"ignored", "ignore", "none"})
+        EXPECT_EQ(load(worldWith("<physics type=\"" + std::string(engine) + "\"><max_step_size>0.25</max_step_size></physics>", ""))->stepSize(),
+                  0.25);
 }
 
 TEST(Supported, IsNeutralWhereItHoldsTheDefault) {

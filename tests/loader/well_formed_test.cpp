@@ -23,6 +23,8 @@ TEST(WellFormed, WhatStandsBeforeTheRootIsRead) {
     EXPECT_NO_THROW(load(with(sdf, declaration, "<!-- no declaration -->")));
     EXPECT_NO_THROW(
         load(with(sdf, declaration, "<?xml version='1.0' encoding=\"utf-8\" standalone='yes'?>")));
+    for (const char *const blank : {" ", "\n", "\r\n\t"}) EXPECT_NO_THROW(load(blank + sdf));
+    expectError("\n\n" + with(sdf, link, "<link name=\"a\">"), Kind::Syntax, {"not well-formed XML, line 5: mismatched tag"});
     for (const std::string &wrong :
          {"text " + declaration, declaration + "text", declaration + declaration,
           std::string("<?xml?>"), std::string("<?xml?>junk")})
@@ -33,6 +35,17 @@ TEST(WellFormed, WhatStandsBeforeTheRootIsRead) {
     expectError(with(sdf, declaration, "<!DOCTYPE sdf [<!ENTITY a 'b'>]>"), Kind::Syntax,
                 {"XML with a document type"});
     expectError(sdf + "text", Kind::Syntax, {"not well-formed XML"});
+}
+
+TEST(WellFormed, CommentsMayHoldHyphens) {
+    EXPECT_NO_THROW(load(with(sdf, link, "<!-- run with --levels --><link name=\"a\"/><!----- b --->")));
+    EXPECT_NO_THROW(load(with(sdf, link, "<link name=\"a--b\"/><![CDATA[ <!-- no --comment ]]>")));
+    expectError(with(sdf, link, "<!-- without -- end" + link), Kind::Syntax, {"not well-formed XML"});
+}
+
+TEST(WellFormed, CdataMayStandBesideElements) {
+    EXPECT_NO_THROW(load(with(sdf, link, "<![CDATA[ how to <run> this ]]>" + link)));
+    expectError(with(sdf, link, "<![CDATA[ a ]]> b " + link), Kind::Value, {"/sdf/world/model[m]: holds text: "});
 }
 
 TEST(WellFormed, CharactersThatXmlDoesNotKnowAreErrors) {
