@@ -1,6 +1,8 @@
 // What ode_mt/ has to know of this release's internal structures, under one name in each release.
 #pragma once
 
+#include <ode/objects.h>
+
 #include "config.h"
 #include "objects.h"
 #include "util.h"
