@@ -59,6 +59,18 @@ void stepAsUpstreamInOwnMemory(dxIslandStep step) {
     stepAsUpstream(step, dxStepperKind::World);
 }
 
+// Upstream's steppers for functions of the user's: an island is stepped by the thread that its call is given to. A world that is
+// limited to one thread for islands may allow more for one island; their order of additions is not repeatable.
+void worldStepAlone(const dxStepperProcessingCallContext *call) {
+    const dxStepperProcessingCallContext alone = dxOnThisThread(*call);
+    dxStepIsland(&alone);
+}
+
+void quickStepAlone(const dxStepperProcessingCallContext *call) {
+    const dxStepperProcessingCallContext alone = dxOnThisThread(*call);
+    dxQuickStepIsland(&alone);
+}
+
 }  // namespace
 
 dxStepperKind dxIslandStepper::kindOf(const dxWorld *world, dstepper_fn_t stepper) {
@@ -101,5 +113,6 @@ bool dxIslandStepper::stepByPosting(dxWorld *world, const dxWorldProcessIslandsI
     const dxSingleStepper inTurn;
     dxTimelineSpan span(dxStepEvents::kIslandsInOrder);
     span.set(0, static_cast<std::uint64_t>(info.GetIslandsCount()));
-    return dxProcessIslands(world, info, stepSize, stepper, estimate);
+    const dstepper_fn_t alone = stepper == &dxQuickStepIsland ? &quickStepAlone : &worldStepAlone;
+    return dxProcessIslands(world, info, stepSize, alone, estimate);
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 
+#include "OdePool.h"
 #include "OdeSession.h"
 #include "PackedWorld.h"
 
@@ -73,6 +74,29 @@ TEST_F(SteppingThreads, GoWithTheirWorld) {
     dWorldDestroy(world);
     EXPECT_TRUE(isSteppedTogether());
     EXPECT_TRUE(LargeIsland().isSteppedTogether());
+}
+
+// Functions of the user's own in a world that is limited to one thread for islands: upstream's stepper runs, and would step an island on
+// all threads that these limits allow, in another order of additions each time.
+TEST_F(SteppingThreads, DoNotLetThePoolStepAnIslandOfAWorldOfOneThread) {
+    LargeIsland serial;
+    dToggleODE_MT(0);
+    dRandSetSeed(3);
+    for (int i = 0; i < 10; ++i) serial.frame();
+
+    const OdePool pool;
+    dThreadingFunctionsInfo own = *dThreadingImplementationGetFunctions(pool.threading());
+    dWorldSetStepThreadingImplementation(m_world.world(), &own, pool.threading());
+    dWorldSetStepIslandsProcessingMaxThreadCount(m_world.world(), 1);
+    limit(m_world.world(), dWSTP_IslandSteppingMaxThreads | dWSTP_LCPSolvingMaxThreads, 4);
+    dRandSetSeed(3);
+    for (int i = 0; i < 10; ++i) m_world.frame();
+    EXPECT_EQ(m_world.state(), serial.state());
+
+    pool.shutDown();
+    pool.freePool();
+    OdePool::takeFrom(m_world.world());
+    pool.freeThreading();
 }
 
 }  // namespace

@@ -16,5 +16,12 @@ inline dxStepperProcessingCallContext dxSerialStepperCall(dxWorld *world, dReal 
     return {world, stepSize, 1, 1, arena, bodies, joints};
 }
 
+// Returns the same call for a stepper that is to use the thread that makes it, and no other.
+inline dxStepperProcessingCallContext dxOnThisThread(const dxStepperProcessingCallContext &call) {
+    dxStepperProcessingCallContext alone = call;
+    alone.m_stepperAllowedThreads = alone.m_lcpAllowedThreads = 1;
+    return alone;
+}
+
 // Returns the world's limit of threads that step one island; dWORLDSTEP_THREADCOUNT_UNLIMITED: none.
 inline unsigned dxIslandSteppingLimit(const dxWorld &world) { return world.stepping_max_threads; }
