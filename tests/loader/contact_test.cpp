@@ -1,7 +1,7 @@
 // Which contacts become joints.
 #include "small_world.h"
 
-#include "loader/scene/deepest_contacts.h"
+#include "loader/scene/contact_rules.h"
 
 namespace {
 

@@ -1,5 +1,6 @@
-// What the loader reads is what libsdformat reads, in the worlds of the repository and in many drawn ones: where links and
-// shapes are, their masses, joints and physics. Built where libsdformat is installed; nothing else uses it.
+// What the loader reads is what libsdformat reads, in the worlds of the repository and in many drawn ones:
+// where links and shapes are, their masses, joints and physics. Built where libsdformat is installed; nothing
+// else uses it.
 #include "random_sdf.h"
 
 #include "loader/read/document.h"
@@ -24,11 +25,14 @@ using Numbers = std::vector<double>;
 
 constexpr double kNone = 1e16;  // SDF's mark for no limit
 
-// Of any number: rounding alone; and that of libsdformat, which writes the pose of a merged model with six digits and reads it again.
+// Of any number: rounding alone; and that of libsdformat, which writes the pose of a merged model with six
+// digits and reads it again.
 constexpr double kTolerance = 1e-11, kMergedTolerance = 1e-4;
 
 void append(Numbers &numbers, const worlds::Vector3 &v) { numbers.insert(numbers.end(), {v.x, v.y, v.z}); }
-void append(Numbers &numbers, const ignition::math::Vector3d &v) { numbers.insert(numbers.end(), {v.X(), v.Y(), v.Z()}); }
+void append(Numbers &numbers, const ignition::math::Vector3d &v) {
+    numbers.insert(numbers.end(), {v.X(), v.Y(), v.Z()});
+}
 template <class Matrix>
 void appendMatrix(Numbers &numbers, const Matrix &matrix) {
     for (int i = 0; i < 3; ++i)
@@ -48,9 +52,13 @@ void append(Numbers &numbers, const ignition::math::Pose3d &pose) {
 struct ShapeNumbers {
     Numbers operator()(const worlds::Box &box) const { return {1, box.size.x, box.size.y, box.size.z}; }
     Numbers operator()(const worlds::Sphere &sphere) const { return {2, sphere.radius}; }
-    Numbers operator()(const worlds::Cylinder &cylinder) const { return {3, cylinder.radius, cylinder.length}; }
+    Numbers operator()(const worlds::Cylinder &cylinder) const {
+        return {3, cylinder.radius, cylinder.length};
+    }
     Numbers operator()(const worlds::Capsule &capsule) const { return {4, capsule.radius, capsule.length}; }
-    Numbers operator()(const worlds::Plane &plane) const { return {5, plane.normal.x, plane.normal.y, plane.normal.z}; }
+    Numbers operator()(const worlds::Plane &plane) const {
+        return {5, plane.normal.x, plane.normal.y, plane.normal.z};
+    }
     Numbers operator()(const worlds::TriangleMesh &) const { return {6}; }
     Numbers operator()(const worlds::HeightField &field) const { return {7, field.width, field.depth}; }
 };
@@ -60,8 +68,9 @@ double finite(double limit) { return std::isfinite(limit) ? limit : std::copysig
 void add(Facts &facts, const worlds::Physics &physics) {
     Numbers &numbers = facts["physics"];
     append(numbers, physics.gravity);
-    numbers.insert(numbers.end(), {physics.stepSize, double(physics.maxContacts), double(physics.iterations), physics.sor,
-                                   physics.cfm, physics.erp, physics.maxCorrectingSpeed, physics.surfaceLayer});
+    numbers.insert(numbers.end(),
+                   {physics.stepSize, double(physics.maxContacts), double(physics.iterations), physics.sor,
+                    physics.cfm, physics.erp, physics.maxCorrectingSpeed, physics.surfaceLayer});
 }
 
 void add(Facts &facts, const worlds::Link &link) {
@@ -69,7 +78,8 @@ void add(Facts &facts, const worlds::Link &link) {
     append(numbers, link.pose);
     numbers.push_back(link.isStatic);
     if (!link.isStatic) {
-        numbers.insert(numbers.end(), {link.mass.mass, double(link.gravity), double(link.kinematic), double(link.autoDisable)});
+        numbers.insert(numbers.end(), {link.mass.mass, double(link.gravity), double(link.kinematic),
+                                       double(link.autoDisable)});
         append(numbers, link.mass.center);
         appendMatrix(numbers, link.mass.inertia);
     }
@@ -82,14 +92,18 @@ void add(Facts &facts, const worlds::Link &link) {
 }
 
 void add(Facts &facts, const worlds::WorldDescription &world, const worlds::Joint &joint) {
-    const auto name = [&](int link) { return link == worlds::Joint::world ? "world" : world.links[link].name; };
-    Numbers &numbers = facts["joint " + joint.name + " from " + name(joint.parent) + " to " + name(joint.child)];
+    const auto name = [&](int link) {
+        return link == worlds::Joint::world ? "world" : world.links[link].name;
+    };
+    Numbers &numbers =
+        facts["joint " + joint.name + " from " + name(joint.parent) + " to " + name(joint.child)];
     numbers.push_back(static_cast<double>(joint.type));
     append(numbers, joint.anchor);
     for (const worlds::JointAxis &axis : joint.axes) {
         append(numbers, axis.direction);
-        numbers.insert(numbers.end(), {finite(axis.lower), finite(axis.upper), finite(axis.maxForce), finite(axis.maxSpeed),
-                                       axis.friction, axis.damping, axis.springStiffness, axis.springReference});
+        numbers.insert(numbers.end(),
+                       {finite(axis.lower), finite(axis.upper), finite(axis.maxForce), finite(axis.maxSpeed),
+                        axis.friction, axis.damping, axis.springStiffness, axis.springReference});
     }
 }
 
@@ -98,7 +112,8 @@ Facts readByLoader(const std::string &text, const std::string &file) {
     const worlds::ResourceFinder resources(file, {});
     const worlds::Issues issues(options);
     const worlds::Reading reading{resources, issues};
-    const worlds::WorldDescription world = worlds::readWorld(worlds::readDocument(text, file, reading), reading);
+    const worlds::WorldDescription world =
+        worlds::readWorld(worlds::readDocument(text, file, reading), reading);
     Facts facts;
     add(facts, world.physics);
     for (const worlds::Link &link : world.links) add(facts, link);
@@ -119,7 +134,8 @@ Numbers shapeNumbers(const sdf::Geometry &shape) {
     if (const auto *sphere = shape.SphereShape()) return {2, sphere->Radius()};
     if (const auto *cylinder = shape.CylinderShape()) return {3, cylinder->Radius(), cylinder->Length()};
     if (const auto *capsule = shape.CapsuleShape()) return {4, capsule->Radius(), capsule->Length()};
-    if (const auto *plane = shape.PlaneShape()) return {5, plane->Normal().X(), plane->Normal().Y(), plane->Normal().Z()};
+    if (const auto *plane = shape.PlaneShape())
+        return {5, plane->Normal().X(), plane->Normal().Y(), plane->Normal().Z()};
     if (shape.MeshShape()) return {6};
     return {7, shape.HeightmapShape()->Size().X(), shape.HeightmapShape()->Size().Y()};
 }
@@ -155,37 +171,45 @@ public:
         append(numbers, world.Gravity());
         const sdf::Physics &physics = *world.PhysicsDefault();
         numbers.push_back(physics.MaxStepSize());
-        const sdf::ElementPtr element = physics.Element(), ode = element ? element->GetElement("ode") : nullptr;
+        const sdf::ElementPtr element = physics.Element(),
+                              ode = element ? element->GetElement("ode") : nullptr;
         numbers.push_back(element ? element->Get<double>("max_contacts") : 20);
         const sdf::ElementPtr solver = ode ? ode->GetElement("solver") : nullptr;
         const sdf::ElementPtr constraints = ode ? ode->GetElement("constraints") : nullptr;
         for (const auto &[name, usual] : {std::pair("iters", 50.0), std::pair("sor", 1.3)})
             numbers.push_back(solver ? solver->Get<double>(name, usual).first : usual);
-        for (const auto &[name, usual] : {std::pair("cfm", 0.0), std::pair("erp", 0.2),
-                                          std::pair("contact_max_correcting_vel", 100.0), std::pair("contact_surface_layer", 0.001)})
+        for (const auto &[name, usual] :
+             {std::pair("cfm", 0.0), std::pair("erp", 0.2), std::pair("contact_max_correcting_vel", 100.0),
+              std::pair("contact_surface_layer", 0.001)})
             numbers.push_back(constraints ? constraints->Get<double>(name, usual).first : usual);
         for (std::uint64_t i = 0; i < world.ModelCount(); ++i) model(*world.ModelByIndex(i), "", {}, false);
     }
 
 private:
-    void model(const sdf::Model &model, const std::string &outer, const ignition::math::Pose3d &outerPose, bool isOuterStatic) {
+    void model(const sdf::Model &model, const std::string &outer, const ignition::math::Pose3d &outerPose,
+               bool isOuterStatic) {
         const std::string name = outer + model.Name() + "::";
         const ignition::math::Pose3d pose = outerPose * resolved(model.SemanticPose());
         const bool isStatic = isOuterStatic || model.Static();
-        for (std::uint64_t i = 0; i < model.LinkCount(); ++i) link(*model.LinkByIndex(i), model, name, pose, isStatic);
-        for (std::uint64_t i = 0; i < model.ModelCount(); ++i) this->model(*model.ModelByIndex(i), name, pose, isStatic);
-        for (std::uint64_t i = 0; !isStatic && i < model.JointCount(); ++i) joint(*model.JointByIndex(i), name, pose);
+        for (std::uint64_t i = 0; i < model.LinkCount(); ++i)
+            link(*model.LinkByIndex(i), model, name, pose, isStatic);
+        for (std::uint64_t i = 0; i < model.ModelCount(); ++i)
+            this->model(*model.ModelByIndex(i), name, pose, isStatic);
+        for (std::uint64_t i = 0; !isStatic && i < model.JointCount(); ++i)
+            joint(*model.JointByIndex(i), name, pose);
     }
 
-    void link(const sdf::Link &link, const sdf::Model &model, const std::string &outer, const ignition::math::Pose3d &modelPose,
-              bool isStatic) {
+    void link(const sdf::Link &link, const sdf::Model &model, const std::string &outer,
+              const ignition::math::Pose3d &modelPose, bool isStatic) {
         Numbers &numbers = facts["link " + outer + link.Name()];
         append(numbers, modelPose * resolved(link.SemanticPose()));
         numbers.push_back(isStatic);
         if (!isStatic) {
             const ignition::math::Inertiald &inertial = link.Inertial();
-            numbers.insert(numbers.end(), {inertial.MassMatrix().Mass(), double(flag(link.Element(), "gravity", true)),
-                                           double(flag(link.Element(), "kinematic", false)), double(model.AllowAutoDisable())});
+            numbers.insert(
+                numbers.end(),
+                {inertial.MassMatrix().Mass(), double(flag(link.Element(), "gravity", true)),
+                 double(flag(link.Element(), "kinematic", false)), double(model.AllowAutoDisable())});
             append(numbers, inertial.Pose().Pos());
             appendMatrix(numbers, inertial.Moi());
         }
@@ -202,15 +226,16 @@ private:
         std::string parent, child;
         for (const sdf::Error &error : joint.ResolveParentLink(parent)) ADD_FAILURE() << error.Message();
         for (const sdf::Error &error : joint.ResolveChildLink(child)) ADD_FAILURE() << error.Message();
-        Numbers &numbers = facts["joint " + outer + joint.Name() + " from " + (parent == "world" ? parent : outer + parent) +
-                                 " to " + outer + child];
+        Numbers &numbers = facts["joint " + outer + joint.Name() + " from " +
+                                 (parent == "world" ? parent : outer + parent) + " to " + outer + child];
         numbers.push_back(static_cast<double>(typeOf(joint.Type())));
         append(numbers, (modelPose * resolved(joint.SemanticPose(), "__model__")).Pos());
         for (unsigned i = 0; i < 2; ++i) {
             const sdf::JointAxis *const axis = joint.Axis(i);
             if (!axis) continue;
             ignition::math::Vector3d direction;
-            for (const sdf::Error &error : axis->ResolveXyz(direction, "__model__")) ADD_FAILURE() << error.Message();
+            for (const sdf::Error &error : axis->ResolveXyz(direction, "__model__"))
+                ADD_FAILURE() << error.Message();
             append(numbers, modelPose.Rot() * direction);
             const auto limit = [](double most) { return most < 0 || most > kNone ? kNone : most; };
             const auto stop = [](double at) { return std::clamp(at, -kNone, kNone); };
@@ -245,7 +270,8 @@ double compare(const Facts &ours, const Facts &theirs, double tolerance) {
             continue;
         }
         for (std::size_t i = 0; i < numbers.size(); ++i) {
-            const double other = found->second[i], difference = numbers[i] == other ? 0 : std::fabs(numbers[i] - other);
+            const double other = found->second[i],
+                         difference = numbers[i] == other ? 0 : std::fabs(numbers[i] - other);
             EXPECT_LT(difference, tolerance) << "number " << i << " of " << name;
             largest = std::max(largest, difference);
         }
@@ -275,13 +301,15 @@ TEST_P(DrawnWorlds, AreReadAlike) {
     std::size_t things = 0;
     for (std::uint32_t seed = 0; seed < 40; ++seed) {
         const TestFolder folder("sdformat_oracle");
-        const std::string file = folder.path("test.sdf"), text = small_world::randomSdf(seed, version, folder);
+        const std::string file = folder.path("test.sdf"),
+                          text = small_world::randomSdf(seed, version, folder);
         SCOPED_TRACE("seed " + std::to_string(seed) + ":\n" + text);
         try {
             const Facts ours = readByLoader(text, file);
             things += ours.size();
             const bool isMerged = text.find("merge=") != std::string::npos;
-            const double difference = compare(ours, readByLibrary(text, file), isMerged ? kMergedTolerance : kTolerance);
+            const double difference =
+                compare(ours, readByLibrary(text, file), isMerged ? kMergedTolerance : kTolerance);
             (isMerged ? largestMerged : largest) = std::max(isMerged ? largestMerged : largest, difference);
         } catch (const worlds::LoadError &error) {
             ADD_FAILURE() << error.what();
@@ -289,7 +317,8 @@ TEST_P(DrawnWorlds, AreReadAlike) {
         if (HasFailure()) break;
     }
     EXPECT_GT(things, 300u);
-    std::cout << things << " things, largest difference: " << largest << ", with merged models " << largestMerged << '\n';
+    std::cout << things << " things, largest difference: " << largest << ", with merged models "
+              << largestMerged << '\n';
 }
 
 INSTANTIATE_TEST_SUITE_P(OfVersion, DrawnWorlds, testing::Range(4, 10));

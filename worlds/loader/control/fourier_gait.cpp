@@ -1,6 +1,6 @@
 #include "loader/control/fourier_gait.h"
 
-#include "loader/control/turn.h"
+#include "loader/description/geometry.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "loader/control/joint_motor.h"
 
-#include "loader/control/turn.h"
+#include "loader/description/geometry.h"
 #include "loader/scene/ode_types.h"
 
 #include <algorithm>

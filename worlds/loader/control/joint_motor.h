@@ -1,7 +1,7 @@
 // The motor of one joint axis, as a controller sees it.
 #pragma once
 
-#include "loader/description/joint.h"
+#include "loader/description/world_description.h"
 #include "loader/scene/joint_axis_handle.h"
 
 namespace worlds {

@@ -1,6 +1,6 @@
 #include "loader/control/position_schedule.h"
 
-#include "loader/control/turn.h"
+#include "loader/description/geometry.h"
 
 #include <algorithm>
 #include <cmath>

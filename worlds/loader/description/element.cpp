@@ -34,7 +34,9 @@ bool readNumbers(const std::string &text, std::vector<double> &numbers) {
     return true;
 }
 
-bool isTrue(const std::string &text) { return text == "1" || text == "true" || text == "True" || text == "TRUE"; }
+bool isTrue(const std::string &text) {
+    return text == "1" || text == "true" || text == "True" || text == "TRUE";
+}
 
 Element &Element::add(const std::string &childName) {
     Element &child = children.emplace_back();
@@ -63,8 +65,8 @@ Place Element::place() const {
 void Element::fail(const std::string &what) const { throw LoadError(LoadError::Kind::Value, place(), what); }
 
 void Element::expectOnly(const std::vector<std::string> &knownAttributes,
-                            const std::vector<std::string> &once,
-                            const std::vector<std::string> &repeated) const {
+                         const std::vector<std::string> &once,
+                         const std::vector<std::string> &repeated) const {
     for (const auto &[key, value] : attributes)
         if (!contains(knownAttributes, key)) fail("has no attribute '" + key + "'");
     for (const Element &element : children) {
@@ -81,7 +83,8 @@ void Element::limitNumbers(double limit) {
 
 // Finite, too.
 bool Element::isWithinMost(const std::vector<double> &numbers) const {
-    return std::all_of(numbers.begin(), numbers.end(), [&](double number) { return std::isfinite(number) && std::fabs(number) <= most; });
+    return std::all_of(numbers.begin(), numbers.end(),
+                       [&](double number) { return std::isfinite(number) && std::fabs(number) <= most; });
 }
 
 // Throws LoadError for the first word that is a number beyond the limit.
@@ -171,7 +174,8 @@ std::vector<double> Element::numbers(std::size_t count) const {
 
 std::vector<double> Element::notNegativeNumbers(std::size_t count) const {
     std::vector<double> values = numbers(count);
-    if (std::any_of(values.begin(), values.end(), [](double value) { return value < 0; })) fail("has a negative number");
+    if (std::any_of(values.begin(), values.end(), [](double value) { return value < 0; }))
+        fail("has a negative number");
     return values;
 }
 

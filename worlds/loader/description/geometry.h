@@ -1,4 +1,5 @@
-// Vectors, rotations and poses. Plain structs, so that the many files that describe, build and drive worlds compile fast.
+// Vectors, rotations and poses. Plain structs, so that the many files that describe, build and drive worlds
+// compile fast.
 #pragma once
 
 #include <algorithm>
@@ -6,13 +7,15 @@
 
 namespace worlds {
 
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kPi = 3.14159265358979323846, kTurn = 2 * kPi;  // rad
 
 struct Vector3 {
     double x = 0, y = 0, z = 0;
 
     double dot(const Vector3 &b) const { return x * b.x + y * b.y + z * b.z; }
-    Vector3 cross(const Vector3 &b) const { return {y * b.z - z * b.y, z * b.x - x * b.z, x * b.y - y * b.x}; }
+    Vector3 cross(const Vector3 &b) const {
+        return {y * b.z - z * b.y, z * b.x - x * b.z, x * b.y - y * b.x};
+    }
     double squaredLength() const { return dot(*this); }
     double length() const { return std::sqrt(squaredLength()); }
     // Requires a length above 0.
@@ -31,8 +34,12 @@ inline bool operator==(const Vector3 &a, const Vector3 &b) { return a.x == b.x &
 inline bool operator!=(const Vector3 &a, const Vector3 &b) { return !(a == b); }
 
 // The lesser and the greater of each coordinate.
-inline Vector3 minOf(const Vector3 &a, const Vector3 &b) { return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)}; }
-inline Vector3 maxOf(const Vector3 &a, const Vector3 &b) { return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}; }
+inline Vector3 minOf(const Vector3 &a, const Vector3 &b) {
+    return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+}
+inline Vector3 maxOf(const Vector3 &a, const Vector3 &b) {
+    return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+}
 
 // A rotation, of length 1 where it is not a product in between.
 struct Quaternion {
@@ -70,8 +77,8 @@ inline Quaternion Quaternion::inverse() const {
 }
 
 inline Quaternion Quaternion::fromRollPitchYaw(double roll, double pitch, double yaw) {
-    const double cr = std::cos(roll / 2), sr = std::sin(roll / 2), cp = std::cos(pitch / 2), sp = std::sin(pitch / 2),
-                 cy = std::cos(yaw / 2), sy = std::sin(yaw / 2);
+    const double cr = std::cos(roll / 2), sr = std::sin(roll / 2), cp = std::cos(pitch / 2),
+                 sp = std::sin(pitch / 2), cy = std::cos(yaw / 2), sy = std::sin(yaw / 2);
     return Quaternion{cr * cp * cy + sr * sp * sy, sr * cp * cy - cr * sp * sy, cr * sp * cy + sr * cp * sy,
                       cr * cp * sy - sr * sp * cy}
         .normalized();
@@ -101,9 +108,12 @@ struct Matrix3 {
 
     static Matrix3 rotation(const Quaternion &rotation) {
         const Quaternion q = rotation.normalized();
-        return {{{1 - 2 * q.y * q.y - 2 * q.z * q.z, 2 * q.x * q.y - 2 * q.z * q.w, 2 * q.x * q.z + 2 * q.y * q.w},
-                 {2 * q.x * q.y + 2 * q.z * q.w, 1 - 2 * q.x * q.x - 2 * q.z * q.z, 2 * q.y * q.z - 2 * q.x * q.w},
-                 {2 * q.x * q.z - 2 * q.y * q.w, 2 * q.y * q.z + 2 * q.x * q.w, 1 - 2 * q.x * q.x - 2 * q.y * q.y}}};
+        return {{{1 - 2 * q.y * q.y - 2 * q.z * q.z, 2 * q.x * q.y - 2 * q.z * q.w,
+                  2 * q.x * q.z + 2 * q.y * q.w},
+                 {2 * q.x * q.y + 2 * q.z * q.w, 1 - 2 * q.x * q.x - 2 * q.z * q.z,
+                  2 * q.y * q.z - 2 * q.x * q.w},
+                 {2 * q.x * q.z - 2 * q.y * q.w, 2 * q.y * q.z + 2 * q.x * q.w,
+                  1 - 2 * q.x * q.x - 2 * q.y * q.y}}};
     }
     Matrix3 transposed() const {
         Matrix3 t;

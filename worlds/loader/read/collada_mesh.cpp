@@ -1,8 +1,7 @@
 #include "loader/read/collada_mesh.h"
 
 #include "loader/load_error.h"
-#include "loader/read/mesh_fault.h"
-#include "loader/read/obj_check.h"
+#include "loader/read/mesh_check.h"
 #include "loader/read/word_list.h"
 #include "loader/read/xml_text.h"
 

@@ -16,28 +16,33 @@ namespace worlds {
 namespace {
 
 constexpr std::size_t deepestInclude = 50;
-constexpr std::size_t maxModels = 20000;              // a model of 60 elements takes about 20 kB
-constexpr std::uintmax_t longestConfig = 1u << 20;    // bytes
-constexpr int kPoseFrames = 6;                        // the last version in which a pose names its frame in `frame`
+constexpr std::size_t maxModels = 20000;            // a model of 60 elements takes about 20 kB
+constexpr std::uintmax_t longestConfig = 1u << 20;  // bytes
+constexpr int kPoseFrames = 6;  // the last version in which a pose names its frame in `frame`
 
 void copy(const tinyxml2::XMLElement &source, Element &element, int version) {
     element.name = source.Name();
     element.text = wholeText(source);
     for (const tinyxml2::XMLAttribute *at = source.FirstAttribute(); at; at = at->Next()) {
-        const bool isFrame = version <= kPoseFrames && element.name == "pose" && std::string(at->Name()) == "frame";
+        const bool isFrame =
+            version <= kPoseFrames && element.name == "pose" && std::string(at->Name()) == "frame";
         element.attributes.emplace_back(isFrame ? "relative_to" : at->Name(), at->Value());
     }
     bool hasCData = false, hasPlain = false;
     for (const tinyxml2::XMLNode *node = source.FirstChild(); node; node = node->NextSibling()) {
-        if (const tinyxml2::XMLElement *const inner = node->ToElement()) copy(*inner, element.add(inner->Name()), version);
-        if (const tinyxml2::XMLText *const text = node->ToText()) (text->CData() ? hasCData : hasPlain) = true;
+        if (const tinyxml2::XMLElement *const inner = node->ToElement())
+            copy(*inner, element.add(inner->Name()), version);
+        if (const tinyxml2::XMLText *const text = node->ToText())
+            (text->CData() ? hasCData : hasPlain) = true;
     }
     element.isCData = hasCData && !hasPlain;
 }
 
 // Parses a file's text to `root`, which is its <sdf> element.
 void parse(const std::string &text, const std::string &file, Element &root) {
-    const auto broken = [&](const std::string &what) { return LoadError(LoadError::Kind::Syntax, {file, ""}, what); };
+    const auto broken = [&](const std::string &what) {
+        return LoadError(LoadError::Kind::Syntax, {file, ""}, what);
+    };
     tinyxml2::XMLDocument xml;
     if (const std::string wrong = readXml(text, xml); !wrong.empty()) throw broken(wrong);
     const tinyxml2::XMLElement &sdf = *xml.RootElement();
@@ -55,11 +60,13 @@ void parse(const std::string &text, const std::string &file, Element &root) {
     if (!root.text.empty() && !root.isCData) root.fail("holds text: " + quote(root.text));
 }
 
-// Returns the name, within a model's folder, of the file for the newest version of SDF that is supported: as model.config says.
+// Returns the name, within a model's folder, of the file for the newest version of SDF that is supported: as
+// model.config says.
 std::string readModelConfig(const std::string &folder, const Place &place, const std::string &model) {
     const std::string config = folder + "/model.config";
     const auto fail = [&](const std::string &what) {
-        return LoadError(LoadError::Kind::Resource, place, "model " + quote(model) + ": " + config + ": " + what);
+        return LoadError(LoadError::Kind::Resource, place,
+                         "model " + quote(model) + ": " + config + ": " + what);
     };
     if (const std::string wrong = whyNotReadable(config, longestConfig); !wrong.empty()) throw fail(wrong);
     tinyxml2::XMLDocument xml;
@@ -68,7 +75,8 @@ std::string readModelConfig(const std::string &folder, const Place &place, const
     if (std::string(root.Name()) != "model") throw fail("its root element is not <model>");
     std::string file;
     int newest = oldestVersion;
-    for (const tinyxml2::XMLElement *sdf = root.FirstChildElement("sdf"); sdf; sdf = sdf->NextSiblingElement("sdf")) {
+    for (const tinyxml2::XMLElement *sdf = root.FirstChildElement("sdf"); sdf;
+         sdf = sdf->NextSiblingElement("sdf")) {
         const char *const name = sdf->Attribute("version");
         const std::optional<int> version = name ? versionNamed(name) : std::nullopt;
         if (!version || *version < newest) continue;
@@ -136,7 +144,8 @@ private:
             if (m_canonical[at->source->name] == canonical)
                 throw LoadError(LoadError::Kind::Value, place, file + " includes itself");
         }
-        if (canonical == m_worldFile) throw LoadError(LoadError::Kind::Value, place, file + " includes itself");
+        if (canonical == m_worldFile)
+            throw LoadError(LoadError::Kind::Value, place, file + " includes itself");
         if (depth > deepestInclude)
             throw LoadError(LoadError::Kind::Value, place,
                             "includes are nested more than " + std::to_string(deepestInclude) + " deep");
@@ -199,7 +208,8 @@ private:
 
 }  // namespace
 
-std::shared_ptr<Element> readDocument(const std::string &text, const std::string &file, const Reading &reading) {
+std::shared_ptr<Element> readDocument(const std::string &text, const std::string &file,
+                                      const Reading &reading) {
     const auto root = std::make_shared<Element>();
     parse(text, file, *root);
     Includes includes(file, reading);

@@ -13,8 +13,8 @@ namespace {
 
 // From this version on the frames of a model have different names, whether they are links, joints or models.
 constexpr int kSharedNames = 7;
-// From this version on "::" separates the names of nested elements, and may not be within one. Before, Gazebo wrote nested
-// models as one model with such names.
+// From this version on "::" separates the names of nested elements, and may not be within one. Before, Gazebo
+// wrote nested models as one model with such names.
 constexpr int kPartedNames = 8;
 
 // Names of elements that have the same one around them, by set of names: the kind of each.
@@ -59,7 +59,8 @@ private:
             if (!rule) {
                 m_issues.unsupported(child.place());
             } else {
-                if (!written.insert(child.name).second && rule->often == Often::Once) child.fail("is written twice");
+                if (!written.insert(child.name).second && rule->often == Often::Once)
+                    child.fail("is written twice");
                 if (child.name == "physics" && isTrue(child.attributeOrEmpty("default"))) {
                     if (hasDefault) child.fail("is a second default");
                     hasDefault = true;
@@ -82,16 +83,18 @@ private:
         std::list<Element> included = m_onInclude(child);
         for (Element &model : included) {
             model.parent = &parent;
-            if (!model.isMerged) distinct(model, model.attributeOrEmpty("name"), child.place(), context, names);
+            if (!model.isMerged)
+                distinct(model, model.attributeOrEmpty("name"), child.place(), context, names);
             const std::string path = context + "/model";
             if (!element(model, path, *findElementRule(path, model.file().version), &names)) included.clear();
         }
         parent.children.splice(parent.children.end(), included);
     }
 
-    // Returns false for an element that is left out, as it is not supported or moves nothing. `outerNames` are those that a
-    // merged model shares.
-    bool element(Element &element, const std::string &path, const ElementRule &rule, Names *outerNames = nullptr) {
+    // Returns false for an element that is left out, as it is not supported or moves nothing. `outerNames`
+    // are those that a merged model shares.
+    bool element(Element &element, const std::string &path, const ElementRule &rule,
+                 Names *outerNames = nullptr) {
         if (!attributes(element, path, rule) || rule.use == Use::NoPhysics) return false;
         if (rule.use == Use::ReadBySelf) return textOrElements(element), true;
         if (rule.use == Use::DefaultOnly) return defaultOnly(element, rule), false;
@@ -137,8 +140,8 @@ private:
     static void lengths(const Element &element) {
         for (const auto &[key, value] : element.attributes)
             if (value.size() > longestText)
-                element.fail("attribute '" + key + "' has " + std::to_string(value.size()) + " characters, more than " +
-                             std::to_string(longestText));
+                element.fail("attribute '" + key + "' has " + std::to_string(value.size()) +
+                             " characters, more than " + std::to_string(longestText));
     }
 
     // Removes the attributes that are not read.
@@ -151,7 +154,8 @@ private:
             const bool isKnown = std::any_of(rules.begin(), rules.end(), [&](const AttributeRule *known) {
                 return known->attribute == key && known->since <= version;
             });
-            const bool isOfPose = rule.type == Type::Pose && (key == "relative_to" || key == "rotation_format" || key == "degrees");
+            const bool isOfPose = rule.type == Type::Pose &&
+                                  (key == "relative_to" || key == "rotation_format" || key == "degrees");
             if (isKnown || isOfPose) {
                 ++i;
                 continue;
@@ -172,8 +176,8 @@ private:
     }
 
     // Frames of a world share their names with its models.
-    static void distinct(const Element &element, const std::string &name, const Place &place, const std::string &context,
-                         Names &names) {
+    static void distinct(const Element &element, const std::string &name, const Place &place,
+                         const std::string &context, Names &names) {
         if (name.empty() || element.name == "plugin") return;
         const std::string &kind = element.name;
         const bool isFrame = kind == "frame" || kind == "model" || kind == "link" || kind == "joint";
@@ -182,16 +186,16 @@ private:
         if (isNew) return;
         const bool isSame = known->second == kind;
         throw LoadError(LoadError::Kind::Value, place,
-                        (isSame ? "a second <" + kind : "a <" + known->second) + "> is called " + quote(name) +
-                            (isSame ? "" : ", too"));
+                        (isSame ? "a second <" + kind : "a <" + known->second) + "> is called " +
+                            quote(name) + (isSame ? "" : ", too"));
     }
 
     void defaultOnly(const Element &element, const ElementRule &rule) const {
         if (element.text.empty() && element.children.empty()) element.fail("is empty");
         std::vector<double> given, usual;
         const bool isFlag = !readNumbers(rule.usual, usual);  // its default is false
-        const bool isUsual = isFlag ? element.text == "false" || element.text == "False" || element.text == "FALSE" ||
-                                          element.text == "0"
+        const bool isUsual = isFlag ? element.text == "false" || element.text == "False" ||
+                                          element.text == "FALSE" || element.text == "0"
                                     : readNumbers(element.text, given) && given == usual;
         if (!isUsual) m_issues.unsupported(element.place());
     }
@@ -201,7 +205,8 @@ private:
         ElementRule used = rule;
         // What does not move may be without mass.
         if (m_isStatic && path.rfind("link/inertial/", 0) == 0) used.least = std::min(used.least, 0.0);
-        const std::string wrong = complaint(used, element.text, element.attributeOrEmpty("rotation_format") == "quat_xyzw");
+        const std::string wrong =
+            complaint(used, element.text, element.attributeOrEmpty("rotation_format") == "quat_xyzw");
         if (!wrong.empty()) element.fail(wrong);
     }
 
@@ -246,8 +251,7 @@ private:
 }  // namespace
 
 void checkElements(Element &root, const Issues &issues, const OnInclude &onInclude) {
-    if (!root.child("world"))
-        throw LoadError(LoadError::Kind::Syntax, root.place(), "holds no <world>");
+    if (!root.child("world")) throw LoadError(LoadError::Kind::Syntax, root.place(), "holds no <world>");
     Check(issues, onInclude).document(root);
 }
 

@@ -1,4 +1,5 @@
-// Checks elements as they were written, by the table of elements, and leaves in the tree those alone that are read.
+// Checks elements as they were written, by the table of elements, and leaves in the tree those alone that are
+// read.
 #pragma once
 
 #include "loader/description/element.h"
@@ -8,7 +9,8 @@
 
 namespace worlds {
 
-// Called for every <include>, in order and once it is checked. Returns the model that takes its place, with its name: one, or none.
+// Called for every <include>, in order and once it is checked. Returns the model that takes its place, with
+// its name: one, or none.
 using OnInclude = std::function<std::list<Element>(Element &include)>;
 
 // `root` is the <sdf> element of a world. Throws LoadError as element_rules.h demands.

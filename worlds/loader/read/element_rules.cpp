@@ -20,9 +20,7 @@ constexpr double farthestStop = 1e9;  // m or rad, if it is on the other side
 ElementRule numbers(int count, double least, double most) {
     return {Use::Read, Type::Numbers, count, least, most, Often::Once};
 }
-ElementRule whole(double least, double most) {
-    return {Use::Read, Type::Whole, 1, least, most, Often::Once};
-}
+ElementRule whole(double least, double most) { return {Use::Read, Type::Whole, 1, least, most, Often::Once}; }
 ElementRule limit(double least, double most = infinity) {
     return {Use::Read, Type::Limit, 1, least, most, Often::Once};
 }
@@ -99,8 +97,8 @@ const Rules physicsRules = {
     {"world/physics/ode/solver/iters", whole(1, 1e6)},
     {"world/physics/ode/solver/sor", positive},
     {"world/physics/ode/solver/friction_model", choice({"pyramid_model", "box_model"})},
-    {"world/physics/ode/solver/min_step_size", noPhysics},   // steps have one size
-    {"world/physics/ode/solver/island_threads", noPhysics},  // threads are the library's affair
+    {"world/physics/ode/solver/min_step_size", noPhysics},        // steps have one size
+    {"world/physics/ode/solver/island_threads", noPhysics},       // threads are the library's affair
     {"world/physics/ode/solver/precon_iters", defaultOnly("0")},  // the rest is in Gazebo's own ODE alone
     {"world/physics/ode/solver/thread_position_correction", defaultOnly("false")},
     {"world/physics/ode/solver/use_dynamic_moi_rescaling", defaultOnly("false")},
@@ -306,10 +304,9 @@ const Rules jointRules = {
 
 Rules allRules() {
     Rules all;
-    for (const Rules &rules :
-         {worldRules, includeRules("world/include"), physicsRules, modelRules, includeRules("model/include"),
-          linkRules, collisionRules, surfaceRules, jointRules, axisRules("joint/axis"),
-          axisRules("joint/axis2")})
+    for (const Rules &rules : {worldRules, includeRules("world/include"), physicsRules, modelRules,
+                               includeRules("model/include"), linkRules, collisionRules, surfaceRules,
+                               jointRules, axisRules("joint/axis"), axisRules("joint/axis2")})
         all.insert(all.end(), rules.begin(), rules.end());
     return all;
 }
@@ -333,7 +330,8 @@ const std::vector<std::string> gazeboSystems = {
 
 std::vector<std::string> versionNames() {
     std::vector<std::string> names;
-    for (int version = oldestVersion; version <= newestVersion; ++version) names.push_back(versionName(version));
+    for (int version = oldestVersion; version <= newestVersion; ++version)
+        names.push_back(versionName(version));
     return names;
 }
 
@@ -387,7 +385,9 @@ const std::vector<AttributeRule> &attributeRules() {
         {"model/include", "merge"},
         {"model/link", "name", true},
         {"model/joint", "name", true},
-        {"model/joint", "type", true,
+        {"model/joint",
+         "type",
+         true,
          {"revolute", "continuous", "prismatic", "ball", "universal", "revolute2", "fixed"}},
         {"model/plugin", "name", true},
         {"model/plugin", "filename", true, controllerTypes()},
@@ -443,24 +443,28 @@ std::string elementDocs() {
         "# Elements\n\n"
         "Made from the table in `loader/read/element_rules.cpp`, by which worlds are checked; a test "
         "compares.\n"
-        "Any other element or attribute is an error, and so is any other value, text beside elements, and a second "
+        "Any other element or attribute is an error, and so is any other value, text beside elements, and a "
+        "second "
         "element\n"
         "where one may be. An element that is missing has SDF's default. Versions " +
         versionName(oldestVersion) + " to " + versionName(newestVersion) +
         ".\n\nPaths begin at the innermost world, model, link, joint or collision.\n\n"
         "| Element | Times | Holds |\n|---|---|---|\n";
     for (const NamedRule &named : elementRules())
-        text += "| " + code(named.path) + " | " + (named.rule.often == Often::Once ? "0..1" : "0..n") + " | " +
-                holds(named.rule) +
-                (named.rule.until < newestVersion ? "; up to version " + versionName(named.rule.until) : "") + " |\n";
+        text += "| " + code(named.path) + " | " + (named.rule.often == Often::Once ? "0..1" : "0..n") +
+                " | " + holds(named.rule) +
+                (named.rule.until < newestVersion ? "; up to version " + versionName(named.rule.until) : "") +
+                " |\n";
     text += "\n| Attribute | Times | One of |\n|---|---|---|\n";
     for (const AttributeRule &rule : attributeRules())
-        text += "| " + code(rule.path + " " + rule.attribute) + " | " + (rule.isNeeded ? "1" : "0..1") + " | " +
-                (rule.values.empty() ? "any" : join(rule.values, ", ")) +
+        text += "| " + code(rule.path + " " + rule.attribute) + " | " + (rule.isNeeded ? "1" : "0..1") +
+                " | " + (rule.values.empty() ? "any" : join(rule.values, ", ")) +
                 (rule.since > oldestVersion ? "; from version " + versionName(rule.since) : "") + " |\n";
-    return text + "\nPoses have `relative_to`, `rotation_format` (euler_rpy, quat_xyzw) and `degrees`; up to version 1.6 "
-                  "`frame` instead of `relative_to`.\n"
-                  "Attributes with a colon in their name are left aside.\n";
+    return text +
+           "\nPoses have `relative_to`, `rotation_format` (euler_rpy, quat_xyzw) and `degrees`; up to "
+           "version 1.6 "
+           "`frame` instead of `relative_to`.\n"
+           "Attributes with a colon in their name are left aside.\n";
 }
 
 }  // namespace worlds

@@ -1,6 +1,6 @@
 // The one table of SDF elements: what the loader does with each, what type of value it holds, how many
-// numbers, in which range, how often it may be written, and in which versions. Checks (element_check.h), messages
-// (value_check.h) and ../../elements.md are made from it.
+// numbers, in which range, how often it may be written, and in which versions. Checks (element_check.h),
+// messages (value_check.h) and ../../elements.md are made from it.
 #pragma once
 
 #include <optional>
@@ -17,17 +17,18 @@ enum class Use {
 };
 
 enum class Type {
-    Group,    // holds elements and no text
-    Any,      // not checked: of elements that are ignored or compared with a default
-    Text,     // a name or URI
-    Choice,   // one of `choices`
-    Flag,     // true, false, 1 or 0
-    Numbers,  // `count` of them
+    Group,      // holds elements and no text
+    Any,        // not checked: of elements that are ignored or compared with a default
+    Text,       // a name or URI
+    Choice,     // one of `choices`
+    Flag,       // true, false, 1 or 0
+    Numbers,    // `count` of them
     Direction,  // three numbers that are not all zero
-    Whole,    // one number, written in digits alone
-    Mask,     // the same, or hexadecimal as 0x1f
-    Limit,    // one number; infinite, or beyond largestNumber, means "no limit"
-    Pose,     // x y z and roll pitch yaw, or with rotation_format="quat_xyzw" a quaternion x y z w; empty: no change
+    Whole,      // one number, written in digits alone
+    Mask,       // the same, or hexadecimal as 0x1f
+    Limit,      // one number; infinite, or beyond largestNumber, means "no limit"
+    Pose,  // x y z and roll pitch yaw, or with rotation_format="quat_xyzw" a quaternion x y z w; empty: no
+           // change
 };
 
 enum class Often { Once, Any };
@@ -53,16 +54,16 @@ struct ElementRule {
     int count = 0;  // of numbers
     double least = 0, most = 0;
     Often often = Often::Once;
-    std::vector<std::string> choices = {};  // of a Choice
-    std::vector<std::string> needs = {};    // children of a Group that have to be there
-    bool needsOneChild = false;             // a Group with exactly one child
+    std::vector<std::string> choices = {};     // of a Choice
+    std::vector<std::string> needs = {};       // children of a Group that have to be there
+    bool needsOneChild = false;                // a Group with exactly one child
     std::vector<std::string> needsOneOf = {};  // children of a Group, one of which at least has to be there
     std::string usual = {};                    // SDF's default, of DefaultOnly
     int until = newestVersion;                 // the last version that has it
 };
 
-// The rule for an element, or null when it is not supported in that version. `path` starts at the innermost world,
-// model, link, collision or joint around it: "link/inertial/mass".
+// The rule for an element, or null when it is not supported in that version. `path` starts at the innermost
+// world, model, link, collision or joint around it: "link/inertial/mass".
 const ElementRule *findElementRule(const std::string &path, int version = oldestVersion);
 
 struct NamedRule {

@@ -9,7 +9,8 @@ namespace {
 const std::string kModelFrame = "__model__", kSeparator = "::";
 
 bool isFrame(const Element &element) {
-    return element.name == "link" || element.name == "joint" || element.name == "frame" || element.name == "model";
+    return element.name == "link" || element.name == "joint" || element.name == "frame" ||
+           element.name == "model";
 }
 
 [[noreturn]] void fail(const Element &namedBy, const std::string &what, const std::string &message) {
@@ -93,8 +94,9 @@ Scope::Found Scope::find(const Reference &reference) const {
     if (end != std::string::npos) {
         const auto outer = m_names.find(name.substr(0, end));
         if (outer != m_names.end() && outer->second.frame->inside)
-            return {outer->second.frame, (outer->second.inner.empty() ? "" : outer->second.inner + kSeparator) +
-                                             name.substr(end + kSeparator.size())};
+            return {outer->second.frame,
+                    (outer->second.inner.empty() ? "" : outer->second.inner + kSeparator) +
+                        name.substr(end + kSeparator.size())};
     }
     fail(*reference.namedBy, reference.what,
          "no frame " + quote(name) + " in the " + m_element.name +
@@ -133,10 +135,11 @@ void Scope::findPose(const Frame &frame) const {
         next.pose = readPose(next.element->child("pose"));
         const Found found = find(base);
         if (found.frame)  // which has its pose
-            next.pose = (found.inner.empty()
-                             ? found.frame->pose
-                             : found.frame->pose * found.frame->inside->pose(found.inner, *base.namedBy, base.what)) *
-                        next.pose;
+            next.pose =
+                (found.inner.empty()
+                     ? found.frame->pose
+                     : found.frame->pose * found.frame->inside->pose(found.inner, *base.namedBy, base.what)) *
+                next.pose;
         if (const std::string placed = next.element->attributeOrEmpty("placement_frame"); !placed.empty())
             next.pose = next.pose * next.inside->pose(placed, *next.element, "placement_frame").inverse();
         next.hasPose = true;
@@ -163,7 +166,8 @@ void Scope::findBody(const Frame &frame) const {
         const Reference base = bodyReference(*at);
         const Found found = find(base);
         if (!found.frame || !found.inner.empty()) {
-            body = found.frame ? found.frame->inside->body(found.inner, *base.namedBy, base.what) : ownBody(*at->element);
+            body = found.frame ? found.frame->inside->body(found.inner, *base.namedBy, base.what)
+                               : ownBody(*at->element);
             break;
         }
         at = found.frame;
@@ -180,7 +184,8 @@ void Scope::findBody(const Frame &frame) const {
 Body Scope::ownBody(const Element &namedBy) const {
     if (m_element.name != "model") return nullptr;
     const Element *const link = canonicalLink();
-    if (!link) fail(namedBy, {}, "the model " + quote(m_element.attribute("name")) + " has no link to move with");
+    if (!link)
+        fail(namedBy, {}, "the model " + quote(m_element.attribute("name")) + " has no link to move with");
     return link;
 }
 
@@ -188,8 +193,10 @@ Body Scope::ownBody(const Element &namedBy) const {
 const Element *Scope::canonicalLink() const {
     if (const std::string name = m_element.attributeOrEmpty("canonical_link"); !name.empty()) {
         Found found = find({name, &m_element, "canonical_link"});
-        while (!found.inner.empty()) found = found.frame->inside->find({found.inner, &m_element, "canonical_link"});
-        if (!found.frame || found.frame->element->name != "link") fail(m_element, "canonical_link", quote(name) + " is no link");
+        while (!found.inner.empty())
+            found = found.frame->inside->find({found.inner, &m_element, "canonical_link"});
+        if (!found.frame || found.frame->element->name != "link")
+            fail(m_element, "canonical_link", quote(name) + " is no link");
         return found.frame->element;
     }
     const Element *ofModels = nullptr;

@@ -1,5 +1,5 @@
-// Where everything is, and what it is attached to: SDF's frames. Every link, joint, model and <frame> is a frame with a pose
-// relative to another one, and so are the model itself (__model__) and the world.
+// Where everything is, and what it is attached to: SDF's frames. Every link, joint, model and <frame> is a
+// frame with a pose relative to another one, and so are the model itself (__model__) and the world.
 #pragma once
 
 #include "loader/description/element.h"
@@ -17,18 +17,22 @@ Pose readPose(const Element *pose);
 // The link that a frame moves with. A null link is the world.
 using Body = const Element *;
 
-// The frames of a world or of one model, by their names in it. Of a model within, "model::frame" names a frame.
+// The frames of a world or of one model, by their names in it. Of a model within, "model::frame" names a
+// frame.
 class Scope {
 public:
-    // Takes the frames of `element`, a checked <world> or <model>, and of the models inside. Keeps references to the elements.
+    // Takes the frames of `element`, a checked <world> or <model>, and of the models inside. Keeps references
+    // to the elements.
     explicit Scope(const Element &element);
 
-    // Finds every frame's pose and link, so that what cannot be found is an error, whether it is used or not. Throws LoadError.
+    // Finds every frame's pose and link, so that what cannot be found is an error, whether it is used or not.
+    // Throws LoadError.
     void resolve() const;
 
     // The pose of a link, joint, model or frame that is declared here, as it is seen from the model or world.
     const Pose &pose(const Element &declared) const;
-    // The pose of a frame by name. `namedBy` is the element to blame when there is none, and `what` the attribute of it, if any.
+    // The pose of a frame by name. `namedBy` is the element to blame when there is none, and `what` the
+    // attribute of it, if any.
     Pose pose(const std::string &name, const Element &namedBy, const std::string &what = {}) const;
     // The link of a frame by name.
     Body body(const std::string &name, const Element &namedBy, const std::string &what = {}) const;

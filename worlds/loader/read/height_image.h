@@ -1,7 +1,7 @@
 // Heights out of a grey image: whatever stb_image reads, PNG with 8 or 16 bits among it.
 #pragma once
 
-#include "loader/description/shape.h"
+#include "loader/description/world_description.h"
 #include "loader/load_error.h"
 
 #include <string>

@@ -1,10 +1,8 @@
 #include "loader/read/mesh_file.h"
 
 #include "loader/read/collada_file.h"
-#include "loader/read/mesh_fault.h"
-#include "loader/read/obj_check.h"
+#include "loader/read/mesh_check.h"
 #include "loader/read/regular_file.h"
-#include "loader/read/stl_check.h"
 
 #include <assimp/BaseImporter.h>
 #include <assimp/config.h>

@@ -1,7 +1,7 @@
 // Triangles out of a mesh file, STL, OBJ or COLLADA: looked through here, then imported by Assimp.
 #pragma once
 
-#include "loader/description/shape.h"
+#include "loader/description/world_description.h"
 #include "loader/load_error.h"
 
 #include <string>

@@ -33,14 +33,16 @@ std::optional<Shape> readShape(const Element &shape, bool isStatic, const Readin
     if (kind == "cylinder") return Cylinder{number("radius"), number("length")};
     if (kind == "capsule") return Capsule{number("radius"), number("length")};
     if (kind == "mesh")
-        return readMeshFile(findResource(shape, reading), vectorChild(shape, "scale", {1, 1, 1}), shape.place());
+        return readMeshFile(findResource(shape, reading), vectorChild(shape, "scale", {1, 1, 1}),
+                            shape.place());
     if (kind == "empty") return std::nullopt;
     if (!isStatic) {
         reading.issues.unsupported(shape.parent->place(), "a shape without end on a body that moves");
         return std::nullopt;
     }
     if (kind == "plane") return Plane{vectorChild(shape, "normal", {0, 0, 1}).normalized()};
-    return readHeightImage(findResource(shape, reading), vectorChild(shape, "size", {1, 1, 1}), shape.place());
+    return readHeightImage(findResource(shape, reading), vectorChild(shape, "size", {1, 1, 1}),
+                           shape.place());
 }
 
 void readBounce(const Element &bounce, Surface &surface) {
@@ -60,8 +62,10 @@ void readFriction(const Element &ode, Surface &surface) {
         surface.frictionDirection.reset();
         if (vector.length() > 0) surface.frictionDirection = vector.normalized();
         surface.frictionFrame.clear();
-        for (const char *const attribute : {"ignition:expressed_in", "gz:expressed_in"})  // Gazebo's names for it
-            if (const std::string *const frame = direction->findAttribute(attribute)) surface.frictionFrame = *frame;
+        for (const char *const attribute :
+             {"ignition:expressed_in", "gz:expressed_in"})  // Gazebo's names for it
+            if (const std::string *const frame = direction->findAttribute(attribute))
+                surface.frictionFrame = *frame;
     }
 }
 
@@ -100,15 +104,16 @@ Surface readSurface(const Element &element, Surface base, double stepSize) {
     return base;
 }
 
-std::optional<Collision> readCollision(const Element &element, const Pose &pose, bool isStatic, const Physics &physics,
-                                       const Reading &reading) {
+std::optional<Collision> readCollision(const Element &element, const Pose &pose, bool isStatic,
+                                       const Physics &physics, const Reading &reading) {
     const Element &geometry = element.required("geometry");
     if (geometry.children.empty()) return std::nullopt;  // what was there is not supported
     const Element &shape = geometry.children.front();
     Collision collision;
     collision.name = element.attribute("name");
     collision.place = element.place();
-    std::optional<Shape> read = withMemoryFor(collision.place, [&] { return readShape(shape, isStatic, reading); });
+    std::optional<Shape> read =
+        withMemoryFor(collision.place, [&] { return readShape(shape, isStatic, reading); });
     if (!read) return std::nullopt;
     collision.shape = std::move(*read);
     collision.pose = pose;

@@ -16,8 +16,9 @@ constexpr int kAxesOfModel = 4;
 
 JointType typeOf(const Element &joint) {
     static const std::unordered_map<std::string, JointType> types = {
-        {"revolute", JointType::Revolute},   {"continuous", JointType::Revolute},   {"prismatic", JointType::Prismatic},
-        {"ball", JointType::Ball},           {"universal", JointType::Universal},   {"revolute2", JointType::Revolute2},
+        {"revolute", JointType::Revolute},   {"continuous", JointType::Revolute},
+        {"prismatic", JointType::Prismatic}, {"ball", JointType::Ball},
+        {"universal", JointType::Universal}, {"revolute2", JointType::Revolute2},
         {"fixed", JointType::Fixed}};
     return types.at(joint.attribute("type"));  // element_check.h lets no other pass
 }
@@ -63,11 +64,13 @@ void readLimits(const Element &source, JointAxis &axis) {
 Quaternion axisFrame(const Element &axis, const Element *xyz, const Scope &model, const Quaternion &joint) {
     const std::string frame = xyz ? xyz->attributeOrEmpty("expressed_in") : std::string();
     if (!frame.empty()) return model.pose(frame, *xyz, "expressed_in").rotation;
-    return axis.childFlag("use_parent_model_frame", axis.file().version <= kAxesOfModel) ? Quaternion() : joint;
+    return axis.childFlag("use_parent_model_frame", axis.file().version <= kAxesOfModel) ? Quaternion()
+                                                                                         : joint;
 }
 
 // `modelPose` is in the world, `joint` is the joint's rotation in the model.
-JointAxis readAxis(const Element &source, const Scope &model, const Pose &modelPose, const Quaternion &joint) {
+JointAxis readAxis(const Element &source, const Scope &model, const Pose &modelPose,
+                   const Quaternion &joint) {
     JointAxis axis;
     const Element *const xyz = source.child("xyz");
     const std::vector<double> numbers = xyz ? xyz->numbers(3) : std::vector<double>{0, 0, 1};
@@ -120,7 +123,8 @@ void readPhysics(const Element &physics, Joint &joint, const Reading &reading) {
     }
 }
 
-void readAxes(const Element &source, const Scope &model, const Pose &modelPose, Joint &joint, const Reading &reading) {
+void readAxes(const Element &source, const Scope &model, const Pose &modelPose, Joint &joint,
+              const Reading &reading) {
     const unsigned count = axisCount(joint.type);
     const Quaternion inModel = model.pose(source).rotation;
     const char *const names[] = {"axis", "axis2"};
@@ -147,8 +151,10 @@ Body parentOf(const Element &joint, const Scope &model) {
 }  // namespace
 
 JointedBodies readJointedBodies(const Element &joint, const Scope &model) {
-    const JointedBodies bodies{parentOf(joint, model), model.body(joint.required("child").text, joint.required("child"))};
-    if (bodies.parent == bodies.child) joint.fail("joins " + quote(bodies.child->attribute("name")) + " to itself");
+    const JointedBodies bodies{parentOf(joint, model),
+                               model.body(joint.required("child").text, joint.required("child"))};
+    if (bodies.parent == bodies.child)
+        joint.fail("joins " + quote(bodies.child->attribute("name")) + " to itself");
     return bodies;
 }
 

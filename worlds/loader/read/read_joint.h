@@ -1,7 +1,7 @@
 // <joint> with its axes, limits and ODE parameters.
 #pragma once
 
-#include "loader/description/joint.h"
+#include "loader/description/world_description.h"
 #include "loader/read/frames.h"
 #include "loader/read/reading.h"
 

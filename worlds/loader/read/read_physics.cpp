@@ -16,8 +16,7 @@ int wholeChild(const Element &element, const std::string &name, int otherwise) {
     return child ? static_cast<int>(child->number()) : otherwise;
 }
 
-Vector3 vectorChild(const Element &element, const std::string &name,
-                                     const Vector3 &otherwise) {
+Vector3 vectorChild(const Element &element, const std::string &name, const Vector3 &otherwise) {
     const Element *child = element.child(name);
     if (!child) return otherwise;
     const std::vector<double> numbers = child->numbers();
@@ -125,7 +124,8 @@ Physics readPhysics(const Element &world) {
     if (const Element *surface = element.child("odemt:default_surface"))
         physics.defaultSurface = readSurface(*surface, {}, physics.stepSize);
     if (const Element *space = element.child("odemt:space")) physics.space = readSpace(*space);
-    if (const Element *rest = element.child("odemt:auto_disable")) physics.autoDisable = readAutoDisable(*rest);
+    if (const Element *rest = element.child("odemt:auto_disable"))
+        physics.autoDisable = readAutoDisable(*rest);
     if (const Element *damping = element.child("odemt:damping")) physics.damping = readDamping(*damping);
     physics.contactCandidates = wholeChild(element, "odemt:contact_candidates", physics.contactCandidates);
     return physics;

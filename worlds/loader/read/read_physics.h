@@ -2,7 +2,7 @@
 #pragma once
 
 #include "loader/description/element.h"
-#include "loader/description/physics.h"
+#include "loader/description/world_description.h"
 
 namespace worlds {
 

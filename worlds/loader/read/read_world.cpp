@@ -20,8 +20,8 @@ struct Model {
     bool isStatic = false, selfCollide = false, autoDisable = true;
 };
 
-// No body has other moments: one is at most the sum of the other two. That is so when half their sum less the matrix is
-// positive, but for rounding.
+// No body has other moments: one is at most the sum of the other two. That is so when half their sum less the
+// matrix is positive, but for rounding.
 bool isOfABody(const Matrix3 &inertia) {
     const double half = (inertia(0, 0) + inertia(1, 1) + inertia(2, 2)) / 2;
     Matrix3 spread;
@@ -33,7 +33,9 @@ bool isOfABody(const Matrix3 &inertia) {
 // Along the link's axes, whatever the rotation of the inertial frame.
 Mass readMass(const Element &link, bool isStatic) {
     Mass mass;
-    const Element *const inertial = link.child("inertial"), *const inertia = inertial ? inertial->child("inertia") : nullptr;
+    const Element *const inertial = link.child("inertial"), *const inertia = inertial
+                                                                                 ? inertial->child("inertia")
+                                                                                 : nullptr;
     const auto moment = [&](const char *name, double otherwise) {
         return inertia ? inertia->childNumber(name, otherwise) : otherwise;
     };
@@ -49,7 +51,8 @@ Mass readMass(const Element &link, bool isStatic) {
     const Pose pose = readPose(inertial->child("pose"));
     mass.center = pose.position;
     if (!isStatic && !isPositiveDefinite(own)) inertia->fail("the inertia matrix is not positive definite");
-    if (!isStatic && !isOfABody(own)) inertia->fail("no body has such an inertia matrix: a moment is above the sum of the others");
+    if (!isStatic && !isOfABody(own))
+        inertia->fail("no body has such an inertia matrix: a moment is above the sum of the others");
     const Matrix3 turn = Matrix3::rotation(pose.rotation);
     own = turn * own * turn.transposed();
     return mass;
@@ -61,7 +64,8 @@ public:
         : m_world(world), m_document(document), m_reading(reading) {}
 
     // Reads the models of a world, or in a model. `outer` is "outer::" for a model within a model.
-    void models(Element &element, const Scope &scope, const std::string &outer, const Pose &pose, bool isStatic) {
+    void models(Element &element, const Scope &scope, const std::string &outer, const Pose &pose,
+                bool isStatic) {
         for (Element &child : element.children) {
             if (child.name != "model" || child.isMerged) continue;
             Model model;
@@ -101,7 +105,8 @@ private:
         link.mass = readMass(element, model.isStatic);
         if (const Element *const decay = element.child("velocity_decay")) {
             if (const Element *const linear = decay->child("linear")) link.linearDamping = linear->number();
-            if (const Element *const angular = decay->child("angular")) link.angularDamping = angular->number();
+            if (const Element *const angular = decay->child("angular"))
+                link.angularDamping = angular->number();
         }
         for (const Element &child : element.children)
             if (child.name == "collision") collision(child, element, scope, link);
@@ -122,7 +127,8 @@ private:
         const Element *const pose = element.child("pose");
         const std::string frame = pose ? pose->attributeOrEmpty("relative_to") : std::string();
         Pose inLink = readPose(pose);
-        if (!frame.empty()) inLink = scope.pose(link).inverse() * scope.pose(frame, *pose, "relative_to") * inLink;
+        if (!frame.empty())
+            inLink = scope.pose(link).inverse() * scope.pose(frame, *pose, "relative_to") * inLink;
         if (std::optional<Collision> collision =
                 readCollision(element, inLink, read.isStatic, m_world.physics, m_reading))
             read.collisions.push_back(std::move(*collision));
@@ -131,7 +137,8 @@ private:
     void joint(const Element &element, const Scope &scope, const Model &model, const Pose &modelPose) {
         const JointedBodies bodies = readJointedBodies(element, scope);
         if (model.isStatic) return;  // nothing for it to move
-        Joint joint = readJoint(element, scope, model.name + "::" + element.attribute("name"), modelPose, m_reading);
+        Joint joint =
+            readJoint(element, scope, model.name + "::" + element.attribute("name"), modelPose, m_reading);
         joint.parent = bodies.parent ? m_numbers.at(bodies.parent) : Joint::world;
         joint.child = m_numbers.at(bodies.child);
         m_world.joints.push_back(std::move(joint));
@@ -140,8 +147,8 @@ private:
     void controller(Element &element, const Model &model) {
         if (model.isStatic) return;  // nothing for it to move
         element.limitNumbers(kMaxControllerNumber);
-        m_world.controllers.push_back(
-            {element.attribute("filename"), model.name, std::shared_ptr<const Element>(m_document, &element)});
+        m_world.controllers.push_back({element.attribute("filename"), model.name,
+                                       std::shared_ptr<const Element>(m_document, &element)});
     }
 
     WorldDescription &m_world;

@@ -55,7 +55,8 @@ std::string wrongNumbers(const ElementRule &rule, const std::string &text, std::
         const std::string wrong = wrongRange(rule, number);
         if (!wrong.empty()) return shown + " is " + wrong;
     }
-    if ((rule.type == Type::Whole || rule.type == Type::Mask) && text.find_first_not_of("+-0123456789") != std::string::npos)
+    if ((rule.type == Type::Whole || rule.type == Type::Mask) &&
+        text.find_first_not_of("+-0123456789") != std::string::npos)
         return shown + " is not a whole number " + range(rule);
     if (rule.type == Type::Direction && std::hypot(numbers[0], numbers[1], numbers[2]) < shortestDirection)
         return shown + " is no direction: shorter than " + write(shortestDirection);
@@ -117,7 +118,8 @@ std::string complaint(const ElementRule &rule, const std::string &whole, bool is
         case Type::Pose:
             return wrongPose(text, isQuaternion);
         case Type::Mask:
-            if (const auto mask = hexadecimal(text)) return *mask <= rule.most ? "" : quote(text) + " is not " + range(rule);
+            if (const auto mask = hexadecimal(text))
+                return *mask <= rule.most ? "" : quote(text) + " is not " + range(rule);
             return wrongNumbers(rule, text, numbers);
         default:
             return wrongNumbers(rule, text, numbers);

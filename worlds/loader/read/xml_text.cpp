@@ -78,15 +78,20 @@ std::string whyNotWellFormed(const std::string &text, std::ptrdiff_t blankLines)
     }
     const XML_Error error = XML_GetErrorCode(parser.get());
     if (error == XML_ERROR_NO_MEMORY) throw std::bad_alloc();
-    const std::string line = "line " + std::to_string(blankLines + static_cast<std::ptrdiff_t>(XML_GetCurrentLineNumber(parser.get()))) + ": ";
+    const std::string line =
+        "line " +
+        std::to_string(blankLines + static_cast<std::ptrdiff_t>(XML_GetCurrentLineNumber(parser.get()))) +
+        ": ";
     if (!limits.wrong.empty()) return line + limits.wrong + ": not supported";
     return "not well-formed XML, " + line + XML_ErrorString(error);
 }
 
-// Gazebo reads "--" within a comment, and blanks before the declaration, which are not well-formed. Lines stay what they are.
+// Gazebo reads "--" within a comment, and blanks before the declaration, which are not well-formed. Lines
+// stay what they are.
 std::string withoutHyphensInComments(std::string text) {
     for (std::size_t at = text.find("<!"); at != std::string::npos; at = text.find("<!", at)) {
-        const bool isComment = text.compare(at, 4, "<!--") == 0, isCData = text.compare(at, 9, "<![CDATA[") == 0;
+        const bool isComment = text.compare(at, 4, "<!--") == 0,
+                   isCData = text.compare(at, 9, "<![CDATA[") == 0;
         const std::size_t inside = at + (isComment ? 4 : 2);
         const std::size_t end = isComment || isCData ? text.find(isComment ? "-->" : "]]>", inside) : inside;
         if (end == std::string::npos) break;

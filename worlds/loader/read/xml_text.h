@@ -1,5 +1,5 @@
-// Reads XML as the standard has it, and a little beyond: tinyxml2 alone takes much that is not well-formed, and ends a text
-// at a character 0.
+// Reads XML as the standard has it, and a little beyond: tinyxml2 alone takes much that is not well-formed,
+// and ends a text at a character 0.
 #pragma once
 
 #include <tinyxml2.h>
@@ -9,7 +9,8 @@
 namespace worlds {
 
 // Empty, or why `text` is not XML that can be read: not well-formed, not in UTF-8, with a document type, with
-// names or lists of attributes beyond all measure. Comments may hold "--", and blanks may precede the declaration.
+// names or lists of attributes beyond all measure. Comments may hold "--", and blanks may precede the
+// declaration.
 std::string readXml(const std::string &text, tinyxml2::XMLDocument &xml);
 
 // All the text directly inside an element, without the blanks around it; comments and elements part it.

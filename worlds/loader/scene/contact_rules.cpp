@@ -3,6 +3,7 @@
 #include "loader/scene/ode_types.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace worlds {
 
@@ -106,6 +107,17 @@ void ContactRules::setDirection(dContact &contact) {
     contact.fdir1[1] = toReal(tangent.y);
     contact.fdir1[2] = toReal(tangent.z);
     contact.surface.mode |= dContactFDir1;
+}
+
+std::vector<int> deepestContacts(const std::vector<dContact> &contacts, int count, int limit) {
+    std::vector<int> chosen(static_cast<std::size_t>(count));
+    std::iota(chosen.begin(), chosen.end(), 0);
+    if (count <= limit) return chosen;
+    std::stable_sort(chosen.begin(), chosen.end(),
+                     [&](int a, int b) { return contacts[a].geom.depth > contacts[b].geom.depth; });
+    chosen.resize(static_cast<std::size_t>(limit));
+    std::sort(chosen.begin(), chosen.end());
+    return chosen;
 }
 
 }  // namespace worlds

@@ -1,12 +1,12 @@
 // Which pairs of geoms may touch, and how.
 #pragma once
 
-#include "loader/description/link.h"
 #include "loader/description/world_description.h"
 
 #include <ode/ode.h>
 
 #include <deque>
+#include <vector>
 
 namespace worlds {
 
@@ -50,5 +50,9 @@ private:
     bool m_frictionPyramid, m_staticMeetsStatic;
     std::deque<Properties> m_properties;  // the geoms point here
 };
+
+// Numbers of the `limit` deepest of the first `count` contacts, in their own order. Of equally deep
+// ones the earlier is taken.
+std::vector<int> deepestContacts(const std::vector<dContact> &contacts, int count, int limit);
 
 }  // namespace worlds

@@ -2,7 +2,7 @@
 // outlive the geoms.
 #pragma once
 
-#include "loader/description/link.h"
+#include "loader/description/world_description.h"
 #include "loader/scene/ode_types.h"
 
 #include <deque>

@@ -1,7 +1,7 @@
 // Damping and springs of joint axes: forces added before every step, since ODE's joints have neither.
 #pragma once
 
-#include "loader/description/joint.h"
+#include "loader/description/world_description.h"
 #include "loader/scene/joint_axis_handle.h"
 
 #include <vector>

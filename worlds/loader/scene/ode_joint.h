@@ -1,7 +1,7 @@
 // An ODE joint from a joint of a description.
 #pragma once
 
-#include "loader/description/joint.h"
+#include "loader/description/world_description.h"
 
 #include <ode/ode.h>
 

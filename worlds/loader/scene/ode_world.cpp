@@ -21,6 +21,15 @@ void setDamping(dWorldID world, const Damping &damping) {
     dWorldSetAngularDampingThreshold(world, toReal(damping.angularThreshold));
 }
 
+void setMass(dBodyID body, const Mass &source) {
+    const Matrix3 &inertia = source.inertia;
+    dMass mass;
+    dMassSetParameters(&mass, toReal(source.mass), 0, 0, 0, toReal(inertia(0, 0)), toReal(inertia(1, 1)),
+                       toReal(inertia(2, 2)), toReal(inertia(0, 1)), toReal(inertia(0, 2)),
+                       toReal(inertia(1, 2)));
+    dBodySetMass(body, &mass);
+}
+
 }  // namespace
 
 dWorldID createWorld(const Physics &physics) {
@@ -56,6 +65,20 @@ dSpaceID createSpace(const Space &space) {
     const dVector3 extents = {toReal(space.extents.x), toReal(space.extents.y),
                               toReal(space.extents.z)};
     return dQuadTreeSpaceCreate(nullptr, center, extents, space.depth);
+}
+
+dBodyID createBody(dWorldID world, const Link &link) {
+    const dBodyID body = dBodyCreate(world);
+    const Vector3 origin = link.pose.position + link.pose.rotation * link.mass.center;
+    dBodySetPosition(body, toReal(origin.x), toReal(origin.y), toReal(origin.z));
+    dBodySetQuaternion(body, OdeQuaternion(link.pose.rotation).value);
+    setMass(body, link.mass);
+    if (link.linearDamping) dBodySetLinearDamping(body, toReal(*link.linearDamping));
+    if (link.angularDamping) dBodySetAngularDamping(body, toReal(*link.angularDamping));
+    if (!link.gravity) dBodySetGravityMode(body, 0);
+    if (!link.autoDisable) dBodySetAutoDisableFlag(body, 0);
+    if (link.kinematic) dBodySetKinematic(body);
+    return body;
 }
 
 }  // namespace worlds

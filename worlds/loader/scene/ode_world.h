@@ -1,7 +1,7 @@
-// ODE's world and space from the physics of a description.
+// ODE's world, space and bodies from a description.
 #pragma once
 
-#include "loader/description/physics.h"
+#include "loader/description/world_description.h"
 
 #include <ode/ode.h>
 
@@ -9,5 +9,8 @@ namespace worlds {
 
 dWorldID createWorld(const Physics &physics);
 dSpaceID createSpace(const Space &space);
+
+// ODE wants a body's origin in its centre of mass; its axes are the link's.
+dBodyID createBody(dWorldID world, const Link &link);
 
 }  // namespace worlds

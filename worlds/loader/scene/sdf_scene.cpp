@@ -3,10 +3,8 @@
 #include "loader/control/controller_registry.h"
 #include "loader/description/world_description.h"
 #include "loader/scene/contact_rules.h"
-#include "loader/scene/deepest_contacts.h"
 #include "loader/scene/geom_factory.h"
 #include "loader/scene/joint_springs.h"
-#include "loader/scene/ode_body.h"
 #include "loader/scene/ode_joint.h"
 #include "loader/scene/ode_world.h"
 
