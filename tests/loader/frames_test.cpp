@@ -121,7 +121,7 @@ TEST(Frames, ManyModelsTakeLittleMemory) {
     EXPECT_EQ(load(world(models))->inventory().geoms.size(), 3000u);
     rusage used{};
     ::getrusage(RUSAGE_SELF, &used);
-    EXPECT_LT(used.ru_maxrss, 200 << 10);  // kB
+    EXPECT_LT(used.ru_maxrss, MOST_MEGABYTES << 10);  // kB
 }
 
 }  // namespace

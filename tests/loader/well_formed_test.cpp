@@ -24,7 +24,8 @@ TEST(WellFormed, WhatStandsBeforeTheRootIsRead) {
     EXPECT_NO_THROW(
         load(with(sdf, declaration, "<?xml version='1.0' encoding=\"utf-8\" standalone='yes'?>")));
     for (const char *const blank : {" ", "\n", "\r\n\t"}) EXPECT_NO_THROW(load(blank + sdf));
-    expectError("\n\n" + with(sdf, link, "<link name=\"a\">"), Kind::Syntax, {"not well-formed XML, line 5: mismatched tag"});
+    expectError("\n\n<?xml version=\"1.0\"?>\n<sdf version=\"1.9\">\n<world></sdf>", Kind::Syntax,
+                {"not well-formed XML, line 5: mismatched tag"});
     for (const std::string &wrong :
          {"text " + declaration, declaration + "text", declaration + declaration,
           std::string("<?xml?>"), std::string("<?xml?>junk")})
