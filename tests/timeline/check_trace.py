@@ -4,10 +4,11 @@
     check_trace.py FILE STEPS NAME...    valid JSON, with so many steps that nothing has dropped, and with events of these names
     check_trace.py --self-test           shows that files with defects are refused
 
-Each event of a thread lies within another or beside it, and the stages directly within the steps, and within the collisions, take
-nine tenths of their time at least (all together: one of them may have been interrupted).
+Each event of a thread lies within another or beside it, and the stages directly within a step, and within a collision, take nine
+tenths of its time at least. This holds for the median of them: on a busy machine some are interrupted between two stages.
 """
 import json
+import statistics
 import sys
 
 KINDS = {"X", "C", "M", "i"}
@@ -33,8 +34,7 @@ def complaints_of(trace, steps, names):
         yield f"{trace['otherData']['eventsDropped']} events are dropped"
     named = {event["tid"] for event in events if event["name"] == "thread_name"}
     yield from (f"a thread without a name: {thread}" for thread in {event["tid"] for event in spans} - named)
-    within = {"step": 0, "collide": 0}
-    whole = dict(within)
+    shares = {"step": [], "collide": []}
     for thread in {event["tid"] for event in spans}:
         around = []
         for event in sorted((e for e in spans if e["tid"] == thread), key=lambda e: (e["ts"], -e["dur"])):
@@ -43,14 +43,15 @@ def complaints_of(trace, steps, names):
                 around.pop()
             if around and end > around[-1][1]:
                 yield f"{event} reaches out of {around[-1][0]}"
-            if around and around[-1][0] in within:
-                within[around[-1][0]] += end - begin
-            if event["name"] in whole:
-                whole[event["name"]] += end - begin
-            around.append((event["name"], end))
-    for name in whole:
-        if within[name] < COVERED * whole[name]:
-            yield f"what is within {name} takes {within[name]} of its {whole[name]} us"
+            if around and around[-1][2]:
+                around[-1][2][-1] += (end - begin) / around[-1][3]
+            counted = shares.get(event["name"]) if end > begin else None
+            if counted is not None:
+                counted.append(0.0)
+            around.append((event["name"], end, counted, end - begin))
+    for name, values in shares.items():
+        if values and statistics.median(values) < COVERED:
+            yield f"what is within a {name} takes {statistics.median(values):.0%} of its time"
 
 
 def self_test():
@@ -61,12 +62,19 @@ def self_test():
         thread = {"name": "thread_name", "ph": "M", "tid": 1}
         return {"traceEvents": [thread, *events], "otherData": {"eventsDropped": dropped}}
 
+    def steps(interrupted):  # of three, 10 us each, so many with a gap of half their time
+        for k in range(3):
+            begin = 20 * k
+            yield from (span("step", begin, 10), span("islands", begin, 5 if k < interrupted else 10))
+
     step = [span("island search", 0, 1), span("islands", 1, 9), span("step", 0, 10)]
     cases = {
         "right": (trace(*step), []),
         "without a length": (trace(*step, {"name": "island", "ph": "X", "tid": 1, "ts": 2}), ["an event without a length"]),
         "across": (trace(*step, span("island", 2, 9)), ["reaches out of"]),
-        "a gap": (trace(step[0], step[2]), ["what is within step", "no islands"]),
+        "a gap": (trace(step[0], step[2]), ["what is within a step", "no islands"]),
+        "one interrupted": (trace(*steps(1)), ["3 steps instead of 1"]),
+        "two interrupted": (trace(*steps(2)), ["3 steps instead of 1", "what is within a step"]),
         "dropped": (trace(*step, dropped=2), ["2 events are dropped"]),
         "two steps": (trace(*step, span("step", 20, 0)), ["2 steps instead of 1"]),
         "without a name": (trace(*step, span("island", 2, 1, thread=2)), ["a thread without a name"]),
