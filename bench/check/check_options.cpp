@@ -33,7 +33,8 @@ const char *const kFooter =
     "\nThe exit code is 0 if all runs are equal, 1 if one differs, 2 if they could not be compared (the program makes no\n"
     "step, does not use libode.so.8, is not reproducible itself, was interrupted) or for a wrong option.\n";
 
-const char *const kDebianPackage = "apt-get download libode8 && dpkg-deb -x libode8_*.deb stock";
+const char *const kDebianPackage =
+    "apt-get download " ODE_MT_DEBIAN_PACKAGE " && dpkg-deb -x " ODE_MT_DEBIAN_PACKAGE "_*.deb stock";
 
 std::vector<std::string> readThreads(const std::string &list) {
     std::vector<std::string> threads;
