@@ -1,5 +1,7 @@
 #include "record/record_options.h"
 
+#include <stdexcept>
+
 #include "error_output.h"
 #include "number_range.h"
 #include "world_source.h"

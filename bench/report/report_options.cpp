@@ -1,5 +1,7 @@
 #include "report/report_options.h"
 
+#include <stdexcept>
+
 #include "error_output.h"
 #include "result_file.h"
 

@@ -2,6 +2,7 @@
 
 #include "bad_values.h"
 
+#include <cstdint>
 #include <cstring>
 #include <map>
 

@@ -1,6 +1,7 @@
 #include "random_world.h"
 
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 

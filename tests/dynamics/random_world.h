@@ -4,6 +4,7 @@
 
 #include <ode/ode.h>
 
+#include <cstdint>
 #include <memory>
 #include <random>
 #include <string>

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <csetjmp>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>

@@ -4,6 +4,7 @@
 #include <ode/ode.h>
 
 #include <atomic>
+#include <cstdio>
 #include <mutex>
 #include <string>
 #include <thread>

@@ -5,6 +5,7 @@
 #include <csetjmp>
 #include <csignal>
 #include <cstdarg>
+#include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <utility>

@@ -5,6 +5,7 @@
 
 #include <climits>
 #include <cstdarg>
+#include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <limits>

@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <iostream>
 #include <map>
 
 namespace {

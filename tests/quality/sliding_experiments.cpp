@@ -1,6 +1,7 @@
 // Friction with a known answer.
 #include "observation.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace quality {

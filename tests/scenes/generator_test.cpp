@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using scenes::Generator;
 
 // The first outputs for the seed 1234567 that the authors' own program prints.

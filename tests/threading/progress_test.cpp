@@ -2,6 +2,8 @@
 // what they catch (spin-only waits, waiting for a thread that does not run) takes many times longer.
 #include <time.h>
 
+#include <algorithm>
+
 #include "ManagerKinds.h"
 #include "Runs.h"
 #include "threading/dxPerturbation.h"

@@ -3,6 +3,7 @@
 #include "driver/drawn_text.h"
 #include "worlds/tree_mutation.h"
 
+#include <algorithm>
 #include <cctype>
 
 namespace fuzz_worlds {

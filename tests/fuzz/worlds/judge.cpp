@@ -3,6 +3,7 @@
 #include "driver/message_text.h"
 #include "worlds/message_rule.h"
 
+#include <algorithm>
 #include <cctype>
 
 namespace fuzz_worlds {

@@ -1,5 +1,6 @@
 #include "dynamics/exactstep/dantzig/dxLcpOrder.h"
 
+#include <cstddef>
 #include <utility>
 
 #include "dynamics/exactstep/dantzig/dxUpstreamLcp.h"
