@@ -9,6 +9,9 @@ namespace {
 
 constexpr std::uint32_t kSign = UINT32_C(1) << 31;
 
+// More take longer than a radix sort.
+constexpr std::size_t kShiftsPerKey = 4;
+
 std::uint32_t bitsOf(float key) {
     std::uint32_t bits;
     std::memcpy(&bits, &key, sizeof bits);
@@ -30,7 +33,7 @@ const std::vector<std::uint32_t> &dxSapSort::sort(const std::vector<float> &keys
         m_order.resize(keys.size());
         std::iota(m_order.begin(), m_order.end(), 0);
     }
-    if (isInOrder(keys)) return m_order;
+    if (isInOrder(keys) || insertFew(keys)) return m_order;
     takeTieOrder(keys);
     m_items.resize(m_tieOrder.size());
     for (std::uint32_t tie = 0; tie < m_tieOrder.size(); ++tie) m_items[tie] = {sortable(keys[m_tieOrder[tie]]), tie};
@@ -43,6 +46,33 @@ const std::vector<std::uint32_t> &dxSapSort::sort(const std::vector<float> &keys
 bool dxSapSort::isInOrder(const std::vector<float> &keys) const {
     for (std::size_t place = 1; place < m_order.size(); ++place)
         if (keys[m_order[place]] < keys[m_order[place - 1]]) return false;
+    return true;
+}
+
+// Insertion sort, for keys of which few have changed or all by little. Returns false, and changes nothing, if it would take long. Equal negative
+// numbers come to be in the reverse of their order, as by takeTieOrder().
+bool dxSapSort::insertFew(const std::vector<float> &keys) {
+    m_tieOrder = m_order;
+    m_sorted.resize(keys.size());
+    for (std::size_t place = 0; place < keys.size(); ++place) m_sorted[place] = sortable(keys[m_order[place]]);
+    std::size_t shifts = kShiftsPerKey * keys.size();
+    for (std::size_t place = 1; place < keys.size(); ++place) {
+        const std::uint32_t key = m_sorted[place], index = m_tieOrder[place];
+        std::size_t at = place;
+        for (; at > 0 && key < m_sorted[at - 1]; --at) {
+            if (shifts-- == 0) return false;
+            m_sorted[at] = m_sorted[at - 1];
+            m_tieOrder[at] = m_tieOrder[at - 1];
+        }
+        m_sorted[at] = key;
+        m_tieOrder[at] = index;
+    }
+    const std::uint32_t firstPositive = kSign;
+    for (std::size_t begin = 0, end; begin < keys.size() && m_sorted[begin] < firstPositive; begin = end) {
+        for (end = begin + 1; end < keys.size() && m_sorted[end] == m_sorted[begin];) ++end;
+        std::reverse(m_tieOrder.begin() + static_cast<std::ptrdiff_t>(begin), m_tieOrder.begin() + static_cast<std::ptrdiff_t>(end));
+    }
+    m_order.swap(m_tieOrder);
     return true;
 }
 

@@ -20,9 +20,11 @@ public:
 
 private:
     bool isInOrder(const std::vector<float> &keys) const;
+    bool insertFew(const std::vector<float> &keys);
     void takeTieOrder(const std::vector<float> &keys);
 
     std::vector<std::uint32_t> m_order;
     std::vector<std::uint32_t> m_tieOrder;  // indices in the order in which a stable sort must leave equal keys
     std::vector<dxSortItem> m_items, m_spare;
+    std::vector<std::uint32_t> m_sorted;  // keys, while few are inserted
 };

@@ -1,7 +1,8 @@
-// dxSapPairs against comparing each row with each.
+// dxKernelOfMeetBehind against comparing each row with each.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <random>
 #include <utility>
@@ -30,10 +31,12 @@ Pairs expected(const std::vector<Box> &boxes) {
 Pairs swept(const std::vector<Box> &boxes, dxSapColumns &rows) {
     rows.resize(boxes.size());
     for (std::size_t row = 0; row < boxes.size(); ++row) rows.set(row, boxes[row]);
-    std::vector<dxSlotPair> found;
-    dxSapPairs(rows, found);
+    std::vector<std::uint32_t> met(boxes.size());
     Pairs pairs;
-    for (const dxSlotPair &pair : found) pairs.emplace_back(pair.a, pair.b);
+    for (std::uint32_t row = 0; row < boxes.size(); ++row) {
+        const std::size_t count = dxKernelOfMeetBehind()(rows, row, met.data()).rows;
+        for (std::size_t i = 0; i < count; ++i) pairs.emplace_back(row, met[i]);
+    }
     return pairs;
 }
 

@@ -74,17 +74,6 @@ TEST_F(BroadphaseChoice, TablesInOrderOfRanksGiveWayToSearchesAndComeBackAtHalfT
     }
 }
 
-TEST_F(BroadphaseChoice, AnAxisIsSweptInSmallSpacesAndWhereItIsTheOnlyWay) {
-    facts.order = dxPairOrder::Axis;
-    EXPECT_EQ(follow(768), dxBroadphaseKind::AxisSap);
-    EXPECT_EQ(follow(1024), dxBroadphaseKind::AxisSap);
-    EXPECT_EQ(follow(1025), dxBroadphaseKind::NeighbourList);
-    EXPECT_EQ(follow(769), dxBroadphaseKind::NeighbourList);
-    EXPECT_EQ(follow(768), dxBroadphaseKind::AxisSap);
-    facts.comparesAllAxes = false;
-    EXPECT_EQ(follow(100000), dxBroadphaseKind::AxisSap);
-}
-
 TEST_F(BroadphaseChoice, ATableOfSlotsGivesWayToAListAndComesBackAtHalfTheSize) {
     EXPECT_EQ(follow(128), dxBroadphaseKind::SlotTable);
     EXPECT_EQ(follow(129), dxBroadphaseKind::NeighbourList);

@@ -1,4 +1,4 @@
-// Crowds: more pairs than a space keeps (dxPairOverflow). The callbacks are Debian's, and the memory is not that of all pairs.
+// More pairs than a space keeps (dxPairKeeping). The callbacks are Debian's, and the memory is not that of all pairs.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

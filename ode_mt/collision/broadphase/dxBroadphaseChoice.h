@@ -3,12 +3,11 @@
 //   broad phase     what a call does                                       done by
 //   ListWalk        tests all pairs as upstream does, keeps nothing        dxOrderedSimpleSpace
 //   OrderedTable    compares changed boxes with all; pairs come in order   dxBruteForcePairs
-//   AxisSap       sweeps all along an axis; pairs come in order          dxOrderedSapSpace, overlap/dxAxisSap
 //   SlotTable       compares changed boxes with all; pairs are sorted      dxBruteForceBroadphase
 //   NeighbourList   compares the candidates of a list; pairs are sorted    dxVerletBroadphase
 //   NeighbourSets   compares changed boxes with their neighbours; sorted   dxNeighbourBroadphase
 //
-// A crowd (dxPairOverflow) keeps no pairs at all and is walked. A neighbour list that serves too few calls gives way to a cell
+// Where keeping pairs costs more than finding all, none is kept (dxPairKeeping). A neighbour list that serves too few calls gives way to a cell
 // grid over all members (dxGridBroadphase) for a while. Rays and other single geoms against a space (dSpaceCollide2) walk
 // its list or ask its tree (dxRegionIndex).
 //
@@ -20,7 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 
-enum class dxBroadphaseKind { None, ListWalk, OrderedTable, AxisSap, SlotTable, NeighbourList, NeighbourSets };
+enum class dxBroadphaseKind { None, ListWalk, OrderedTable, SlotTable, NeighbourList, NeighbourSets };
 
 // What the order of a space's pairs follows from, which is given by the kind of the space.
 enum class dxPairOrder {
@@ -42,9 +41,6 @@ struct dxBroadphaseThresholds {
     // Up to so many geoms comparing boxes by vectors is faster than neighbours and sorting, whatever share of them
     // moves. A space that has grown beyond comes back at half of it (hysteresis).
     static constexpr int kMaxOrderedTable = 512;
-    // Up to so many geoms sweeping all along the axis is faster than neighbours and sorting, if most of them move: in
-    // a pile up to 2000, but then it is slower if one does. A space that has grown beyond comes back at the second.
-    static constexpr int kMaxAxisSweep = 1024, kMaxAxisSweepAgain = 768;
     // As kMaxOrderedTable, where the pairs have to be sorted anyway. Slots of members.
     static constexpr std::size_t kMaxSlotTable = 128;
 
@@ -63,9 +59,8 @@ struct dxBroadphaseThresholds {
     static constexpr std::size_t kMinCallsPerList = 4;
     static constexpr unsigned kMaxShortLists = 3, kCallsWithoutList = 32;
 
-    // A crowd is walked for so many calls before its pairs are counted again: counting ends when there are too many, and
-    // costs about a tenth of a walk.
-    static constexpr int kCallsOfCrowd = 32;
+    // Pairs are kept no more after what finding all anew would have saved comes to so many calls of that.
+    static constexpr double kCallsSavedBeforeAnew = 2;
 
     // From so many geoms on a tree may answer what a geom meets in a space; a smaller space is walked as fast.
     static constexpr int kMinIndexed = 16;
@@ -80,7 +75,6 @@ struct dxBroadphaseFacts {
     dxPairOrder order = dxPairOrder::Cells;
     dxBroadphaseKind current = dxBroadphaseKind::None;  // what the space has used so far
     bool mayWalk = false;         // ranks are not given yet, and neither workers nor a search of the caller's need them
-    bool comparesAllAxes = true;  // false: of a sweep-and-prune space two of whose axes are the same
     int geoms = 0;
     int moved = 0;                // geoms that are to be cleaned
     std::size_t slots = 0;        // of members
@@ -104,7 +98,21 @@ inline bool dxHaveFewMoved(int moved, int minMovedToWalk) { return 2 * moved < m
 // Comparing every two boxes is then faster than comparing each changed one with all.
 inline bool dxHaveMostChanged(std::size_t changed, std::size_t members) { return 2 * changed > members; }
 
-// The most pairs that are kept for so many geoms. A space with more is a crowd.
+// What a call did, or has to do, to find its pairs.
+struct dxPairWork {
+    std::size_t geoms = 0;
+    std::size_t changed = 0;   // geoms, since pairs were last found
+    std::size_t comparisons = 0;  // of boxes, where all pairs are found anew
+    std::size_t overlaps = 0;  // overlapping boxes of all geoms, whether or not their filters exclude each other
+    std::size_t found = 0;     // of these, those of changed geoms
+    std::size_t pairs = 0;     // of all, those of geoms whose filters do not exclude each other
+};
+
+// Estimates in nanoseconds of what it takes to bring kept pairs up to date, and to find all pairs anew, beside what callbacks take.
+double dxCostOfKeeping(dxPairOrder order, const dxPairWork &work);
+double dxCostOfFindingAnew(dxPairOrder order, const dxPairWork &work);
+
+// The most pairs that are kept for so many geoms.
 using dxPairLimit = std::size_t (*)(std::size_t geoms);
 std::size_t dxUnlimitedPairs(std::size_t geoms);
 // Where a walk tests every two boxes. Testing two boxes takes about a twentieth of the time that finding, sorting and

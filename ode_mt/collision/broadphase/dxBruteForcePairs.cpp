@@ -19,7 +19,7 @@ auto comesBefore(const dxMembers &members) {
 
 }  // namespace
 
-void dxBruteForcePairs::update(const dxMembers &members, std::vector<dxOrderedPair> &pairs) {
+std::size_t dxBruteForcePairs::update(const dxMembers &members, std::vector<dxOrderedPair> &pairs) {
     const bool stayInPlace = m_orderings == members.orderings();
     if (stayInPlace) {
         setBoxes(members);
@@ -29,20 +29,22 @@ void dxBruteForcePairs::update(const dxMembers &members, std::vector<dxOrderedPa
         m_orderings = members.orderings();
     }
     m_found.clear();
+    std::size_t overlaps;
     if (!stayInPlace && changedAreInFront()) {
-        findPairs(members, m_changed.size());
+        overlaps = findPairs(members, m_changed.size());
         keepUnchanged(members, pairs, m_found);
         pairs.swap(m_found);
     } else if (dxHaveMostChanged(members.changed().size(), m_order.size())) {
-        findPairs(members, m_order.size());
+        overlaps = findPairs(members, m_order.size());
         pairs.swap(m_found);
     } else {
         m_kept.clear();
         keepUnchanged(members, pairs, m_kept);
-        findAround(members);
+        overlaps = findAround(members);
         pairs.resize(m_found.size() + m_kept.size());
         std::merge(m_found.begin(), m_found.end(), m_kept.begin(), m_kept.end(), pairs.begin(), comesBefore(members));
     }
+    return overlaps;
 }
 
 void dxBruteForcePairs::keepUnchanged(const dxMembers &members, const std::vector<dxOrderedPair> &pairs,
@@ -109,13 +111,14 @@ bool dxBruteForcePairs::changedAreInFront() const {
     return m_changed.empty() || m_order[m_changed.size() - 1] == m_changed.back();
 }
 
-void dxBruteForcePairs::findPairs(const dxMembers &members, std::size_t rows) {
+std::size_t dxBruteForcePairs::findPairs(const dxMembers &members, std::size_t rows) {
     const std::size_t count = dxOverlappingPairs(m_boxes, rows, m_together);
     for (std::size_t i = 0; i < count; ++i) push(members, m_together[i].a, m_together[i].b);
+    return count;
 }
 
 // Finds the pairs of changed members, at any places, with all others.
-void dxBruteForcePairs::findAround(const dxMembers &members) {
+std::size_t dxBruteForcePairs::findAround(const dxMembers &members) {
     m_rows.resize(m_order.size());
     m_around.clear();
     for (std::uint32_t row = 0; row < m_order.size(); ++row) {
@@ -131,6 +134,7 @@ void dxBruteForcePairs::findAround(const dxMembers &members) {
     std::sort(m_around.begin(), m_around.end());
     for (const std::uint64_t rows : m_around)
         push(members, static_cast<std::uint32_t>(rows >> 32), static_cast<std::uint32_t>(rows));
+    return m_around.size();
 }
 
 void dxBruteForcePairs::push(const dxMembers &members, std::uint32_t row, std::uint32_t otherRow) {

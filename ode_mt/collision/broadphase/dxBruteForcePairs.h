@@ -14,8 +14,8 @@
 
 class dxBruteForcePairs {
 public:
-    // Updates `pairs`, which are in order for the members before their changes.
-    void update(const dxMembers &members, std::vector<dxOrderedPair> &pairs);
+    // Updates `pairs`, which are in order for the members before their changes. Returns the number of overlapping boxes that were found.
+    std::size_t update(const dxMembers &members, std::vector<dxOrderedPair> &pairs);
 
 private:
     using Slot = dxMembers::Slot;
@@ -25,8 +25,8 @@ private:
     void reorder(const dxMembers &members);
     void setBoxes(const dxMembers &members);
     bool changedAreInFront() const;
-    void findPairs(const dxMembers &members, std::size_t rows);
-    void findAround(const dxMembers &members);
+    std::size_t findPairs(const dxMembers &members, std::size_t rows);
+    std::size_t findAround(const dxMembers &members);
     void push(const dxMembers &members, std::uint32_t row, std::uint32_t otherRow);
     void keepUnchanged(const dxMembers &members, const std::vector<dxOrderedPair> &pairs,
                        std::vector<dxOrderedPair> &kept) const;

@@ -5,6 +5,7 @@
 namespace dxTransformedGeom {
 
 thread_local unsigned begun = 0;
+std::atomic<bool> hasEverBegun{false};
 
 void tell() {
     begun = 0;

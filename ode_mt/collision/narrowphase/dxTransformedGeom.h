@@ -10,9 +10,12 @@
 // Each thread has a count of its own: the worker reports an exception from its callback.
 #pragma once
 
+#include <atomic>
+
 namespace dxTransformedGeom {
 
-extern thread_local unsigned begun;  // neither ended nor reported
+extern thread_local unsigned begun;     // neither ended nor reported
+extern std::atomic<bool> hasEverBegun;  // on any thread: a program without height fields reads no variable of its thread
 
 void tell();
 void end(unsigned collision);
@@ -20,6 +23,7 @@ void end(unsigned collision);
 // Calls collide(), which collides a height field with something.
 template <class Collide>
 int whileTransformed(const Collide &collide) {
+    hasEverBegun.store(true, std::memory_order_relaxed);
     const unsigned collision = ++begun;
     try {
         const int count = collide();
@@ -33,7 +37,7 @@ int whileTransformed(const Collide &collide) {
 
 // Requires a call before a space reads the boxes of its members.
 inline void noticeLeft() {
-    if (begun != 0) tell();
+    if (hasEverBegun.load(std::memory_order_relaxed) && begun != 0) tell();
 }
 
 }  // namespace dxTransformedGeom

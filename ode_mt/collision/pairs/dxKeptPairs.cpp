@@ -91,17 +91,20 @@ bool dxKeptPairs::placeRuns(const dxMembers &members, const dxPairKeys &order, s
 
 // Runs are mostly short. A branch-free counting sort takes as long.
 void dxKeptPairs::sortRun(std::size_t begin, std::size_t end, LongRun &longRun) {
-    if (end - begin > kShortRun) return sortLongRun(begin, end, longRun);
-    for (std::size_t i = begin + 1; i < end; ++i) {
-        const dxPairKey key = m_nextKeys[i];
-        const dxOrderedPair pair = m_nextPairs[i];
+    const std::size_t count = end - begin;
+    if (count > kShortRun) return sortLongRun(begin, end, longRun);
+    dxPairKey *const keys = m_nextKeys.data() + begin;
+    dxOrderedPair *const pairs = m_nextPairs.data() + begin;
+    for (std::size_t i = 1; i < count; ++i) {
+        const dxPairKey key = keys[i];
+        const dxOrderedPair pair = pairs[i];
         std::size_t at = i;
-        for (; at > begin && key < m_nextKeys[at - 1]; --at) {
-            m_nextKeys[at] = m_nextKeys[at - 1];
-            m_nextPairs[at] = m_nextPairs[at - 1];
+        for (; at > 0 && key < keys[at - 1]; --at) {
+            keys[at] = keys[at - 1];
+            pairs[at] = pairs[at - 1];
         }
-        m_nextKeys[at] = key;
-        m_nextPairs[at] = pair;
+        keys[at] = key;
+        pairs[at] = pair;
     }
 }
 

@@ -7,9 +7,13 @@
 struct dxPairFilter {
     const dxBody *body = nullptr;
     unsigned long category = ~0ul, collide = ~0ul;
+
+    // Whether it may exclude a geom whose filter may exclude none.
+    bool mayExclude() const { return body != nullptr || (category & collide) != ~0ul; }
 };
 
+// Without branches, which would be mispredicted where about half of the pairs are excluded.
 inline bool dxFiltersAgree(const dxPairFilter &a, const dxPairFilter &b) {
-    if (a.body == b.body && a.body != nullptr) return false;
-    return (a.category & b.collide) != 0 || (b.category & a.collide) != 0;
+    const bool haveOneBody = (a.body == b.body) & (a.body != nullptr);
+    return !haveOneBody & (((a.category & b.collide) | (b.category & a.collide)) != 0);
 }

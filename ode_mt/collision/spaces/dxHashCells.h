@@ -48,6 +48,30 @@ public:
     // `found`. Returns false if upstream does not find this pair. Requires both in the table and searcher.level() <=
     // found.level().
     static bool firstSharedCell(const dxHashCells &searcher, const dxHashCells &found, Cell &cell);
+    // The same by the place of the cell among those that `searcher` covers, at most two along an axis: 4 for the upper one of x, plus 2
+    // for the upper one of y, plus 1 for the upper one of z. Upstream examines them in the order of these numbers.
+    static bool firstSharedCorner(const dxHashCells &searcher, const dxHashCells &found, unsigned &corner) {
+        const int shift = searcher.shiftTo(found.m_level);
+        int low[3];
+        bool isShared = true;
+        unsigned place = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            low[axis] = searcher.m_bounds[2 * axis] >> shift;
+            const int foundLow = found.m_bounds[2 * axis];
+            const int high = std::min(searcher.m_bounds[2 * axis + 1] >> shift, found.m_bounds[2 * axis + 1]);
+            isShared = isShared && std::max(low[axis], foundLow) <= high;
+            place = 2 * place + (foundLow > low[axis]);
+        }
+        corner = place;
+        // Columns that begin at the same cell, or not below zero, begin on the same side of it.
+        const int foundLowZ = found.m_bounds[4];
+        if (!isShared || low[2] == foundLowZ || (low[2] >= 0 && foundLowZ >= 0)) return isShared;
+        Cell cell;
+        if (!firstSharedCell(searcher, found, cell)) return false;
+        corner = 4 * static_cast<unsigned>(cell.x != low[0]) + 2 * static_cast<unsigned>(cell.y != low[1]) +
+                 static_cast<unsigned>(cell.z != low[2]);
+        return true;
+    }
 
 private:
     static bool beginsBelowZero(int level, int x, int y, int z);

@@ -100,9 +100,43 @@ bool dxOrderedHashSpace::findPairs() {
     return true;
 }
 
-void dxOrderedHashSpace::update(std::vector<dxOrderedPair> &pairs) {
+void dxOrderedHashSpace::update(std::vector<dxOrderedPair> &pairs, dxPairWork &work) {
     updateCells();
-    updateSorted(pairs);
+    work.comparisons = work.geoms * work.geoms / 2;
+    updateSorted(pairs, work);
+}
+
+// All members are marked as changed.
+dxPairRows &dxOrderedHashSpace::gatherRows() {
+    updateCells();
+    requireInRange();
+    m_rows.clear();
+    for (dxGeom *geom = first; geom != nullptr; geom = geom->next) {
+        const Slot slot = slotOf(geom);
+        const dxMembers::Member &member = members()[slot];
+        if (member.geom != nullptr) m_rows.push(geom, slot, member.filter, member.bounds, m_cells[slot]);
+    }
+    m_rows.finish();
+    return m_rows;
+}
+
+// As deliver().
+void dxOrderedHashSpace::deliverAnew(void *data, dNearCallback *callback) {
+    beforeCallbacks([this] { gatherRows(); });
+    const std::size_t switched = m_switched.size();
+    const std::uint64_t missed = dxMissedNotifications.count();
+    std::size_t pairs = 0;
+    for (std::size_t row = 0; row < m_rows.rows(); ++row) {
+        const std::size_t found = m_rows.find(row);
+        dxGeom *const searcher = m_rows.geom(m_rows.first(row));
+        pairs += found;
+        for (std::size_t i = 0; i < found; ++i) {
+            const dxOrderedPair pair{searcher, m_rows.geom(m_rows.second(i)), {}};
+            dxDeliver(pair, data, callback);
+            if (dxMissedNotifications.count() != missed) return walkFrom(switched, data, callback, &pair);
+        }
+    }
+    noteAnew(m_rows, pairs);
 }
 
 void dxOrderedHashSpace::updateCells() {

@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "collision/spaces/dxHashCells.h"
+#include "collision/spaces/dxHashRows.h"
 #include "collision/spaces/dxOrderedListSpace.h"
 
 class dxOrderedHashSpace final : public dxOrderedListSpace {
 public:
-    explicit dxOrderedHashSpace(dSpaceID parent) : dxOrderedListSpace(parent, dHashSpaceClass) {}
+    explicit dxOrderedHashSpace(dSpaceID parent) : dxOrderedListSpace(parent, dHashSpaceClass, dxPairOrder::Cells) {}
 
     void setLevels(const dxHashLevels &levels);
     const dxHashLevels &levels() const { return m_levels; }
@@ -25,8 +26,9 @@ private:
         bool wasEnabled;
     };
 
-    dxPairOrder pairOrder() const override { return dxPairOrder::Cells; }
-    void update(std::vector<dxOrderedPair> &pairs) override;
+    dxPairRows &gatherRows() override;
+    void deliverAnew(void *data, dNearCallback *callback) override;
+    void update(std::vector<dxOrderedPair> &pairs, dxPairWork &work) override;
     bool primaryKey(Slot a, Slot b, std::uint64_t &word, bool &swapped) const override;
     bool secondaryKey(Slot first, Slot second, dxPairKey &key) const override;
     void prefetch(Slot slot) const override;
@@ -43,5 +45,6 @@ private:
     bool m_levelsChanged = false;               // since pairs() was brought up to date
     std::vector<dxHashCells> m_cells;           // by slot
     int m_outOfRange = 0;                       // number of members of this kind
+    dxHashRows m_rows;
     std::vector<Switched> m_switched;           // in callbacks of the outermost call, in order
 };

@@ -9,6 +9,9 @@
 
 namespace {
 
+// Fewer are sorted by comparisons.
+constexpr std::size_t kFewItems = 64;
+
 // A callback with swapped arguments.
 struct Swapped {
     void *data;
@@ -24,7 +27,7 @@ struct Swapped {
 
 dxOrderedQuadTreeSpace::dxOrderedQuadTreeSpace(dSpaceID parent, const dReal *centre, const dReal *extents,
                                                int depth)
-    : dxOrderedSpace(parent, dQuadTreeSpaceClass), m_tree(centre, extents, depth), m_ranks(m_tree.size()) {
+    : dxOrderedSpace(parent, dQuadTreeSpaceClass, dxPairOrder::Blocks), m_tree(centre, extents, depth), m_ranks(m_tree.size()) {
     for (int axis = 0; axis < 3; ++axis) {
         aabb[2 * axis] = -dInfinity;
         aabb[2 * axis + 1] = dInfinity;
@@ -185,6 +188,29 @@ struct dxOrderedQuadTreeSpace::Visit {
         }
     }
 };
+
+// Present members, front first. Most calls leave the order as it is, and those that do not change little of it.
+void dxOrderedQuadTreeSpace::sortByRank() {
+    m_items.clear();
+    for (Slot slot = 0; slot < members().end(); ++slot)
+        if (members().isPresent(slot)) m_items.push_back({dxFrontFirst(members()[slot].rank), slot});
+    if (m_items.size() < kFewItems)
+        std::sort(m_items.begin(), m_items.end(), [](const dxSortItem &a, const dxSortItem &b) { return a.key < b.key; });
+    else
+        dxRadixSort(m_items, m_spare);
+    m_orderings = members().orderings();
+}
+
+dxPairRows &dxOrderedQuadTreeSpace::gatherRows() {
+    if (m_orderings != members().orderings()) sortByRank();
+    m_rows.clear();
+    for (const dxSortItem &item : m_items) {
+        const dxMembers::Member &member = members()[item.index];
+        m_rows.push(member.geom, item.index, member.filter, member.bounds);
+    }
+    m_rows.finish();
+    return m_rows;
+}
 
 void dxOrderedQuadTreeSpace::walk(void *data, dNearCallback *callback, const dxOrderedPair *after) {
     Visit visit = beforeCallbacks([&] { return Visit(*this, data, callback); });

@@ -5,10 +5,15 @@
 // insertion.
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
+#include "collision/broadphase/dxPairRows.h"
 #include "collision/spaces/dxBlockRanks.h"
 #include "collision/spaces/dxDirtyQueue.h"
 #include "collision/spaces/dxOrderedSpace.h"
 #include "collision/spaces/dxQuadTree.h"
+#include "core/dxRadixSort.h"
 
 class dxOrderedQuadTreeSpace final : public dxOrderedSpace {
 public:
@@ -25,7 +30,7 @@ private:
 
     struct Visit;
 
-    dxPairOrder pairOrder() const override { return dxPairOrder::Blocks; }
+    dxPairRows &gatherRows() override;
     bool requireRanks() override;
     bool hasStrayMembers() const override;
     bool mayCome(const dxGeom *geom) const override;
@@ -36,6 +41,7 @@ private:
     void collideWith(void *data, dxGeom *geom, dNearCallback *callback) override;
 
     Block blockOf(Slot slot) const { return m_ranks.blockOf(members()[slot].rank); }
+    void sortByRank();
     dxRank nextRank(Block block);
     void rankAnew();
     void collideMember(void *data, dxGeom *geom, dNearCallback *callback);
@@ -46,4 +52,7 @@ private:
     dxQuadTree m_tree;
     dxBlockRanks m_ranks;
     dxDirtyQueue m_dirty;
+    dxPairRows m_rows;
+    std::vector<dxSortItem> m_items, m_spare;  // the members by rank
+    std::uint64_t m_orderings = 0;             // dxMembers::orderings() when they were sorted
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "collision/pairs/dxPairPrefetch.h"
 #include "collision/spaces/dxSapWalk.h"
@@ -23,7 +24,7 @@ dxRank rankAt(std::size_t place) { return kFirstRank - place; }
 }  // namespace
 
 dxOrderedSapSpace::dxOrderedSapSpace(dSpaceID parent, int axes)
-    : dxOrderedSpace(parent, dSweepAndPruneSpaceClass), m_axes(axes) {
+    : dxOrderedSpace(parent, dSweepAndPruneSpaceClass, dxPairOrder::Axis), m_axes(axes) {
     dInfiniteAABB(this, aabb);
 }
 
@@ -91,6 +92,8 @@ void dxOrderedSapSpace::dirty(dxGeom *geom) {
     rankSuccessor(slot, place);
 }
 
+// A box is read one geom later than it is computed: at once its loads would wait for the stores, which are narrower.
+//
 // Where a bounding-box function has the space cleaned, upstream enters its geoms twice, and its next
 // collide() fails.
 void dxOrderedSapSpace::cleanGeoms() {
@@ -101,10 +104,10 @@ void dxOrderedSapSpace::cleanGeoms() {
     computeBoxes(m_toClean);
     const std::size_t cleanOnes = m_lists.clean().size();
     for (std::size_t i = 0; i < m_toClean.size(); ++i) {
-        dxGeom *const geom = m_toClean[i];
         clean(m_toClean, i);
-        takeBox(geom, rankAt(cleanOnes + i));
+        if (i != 0) takeBox(m_toClean[i - 1], rankAt(cleanOnes + i - 1));
     }
+    if (!m_toClean.empty()) takeBox(m_toClean.back(), rankAt(cleanOnes + m_toClean.size() - 1));
     m_isMessedUp = m_isMessedUp || m_lists.dirty().empty();
     m_lists.cleanAll();
     lock_count--;
@@ -143,7 +146,7 @@ bool dxOrderedSapSpace::makeReady() {
     cleanGeoms();
     if (m_isMessedUp) dDebug(d_ERR_UASSERT, "geom counts messed up in %s()", "collide");
     mayHaveStrays();  // a stray has the box of its last query, which is used again
-    if (hasUncleanBox() || !takeSwitches()) return false;
+    if ((!isSureOfMembers() && hasUncleanBox()) || !takeSwitches()) return false;
     if (m_hasWalked && lock_count == 1) {  // the sort continues the history of the walk's: equal keys may have another order
         m_hasWalked = false;
         startAnew();
@@ -170,7 +173,7 @@ void dxOrderedSapSpace::takeParts() {
     m_swept.clear();
     m_infinite.clear();
     m_keys.clear();
-    m_hasNaN = false;
+    m_hasNaN = m_isSorted = false;
     const std::vector<dxSapLists::Entry> &list = m_lists.clean();
     for (std::size_t i = 0; i < list.size(); ++i) {
         if (i + kPrefetchDistance < list.size()) dxPrefetch::line(&m_states[list[i + kPrefetchDistance].slot]);
@@ -189,50 +192,9 @@ void dxOrderedSapSpace::takeParts() {
     }
 }
 
-void dxOrderedSapSpace::update(std::vector<dxOrderedPair> &pairs) {
-    sortSwept();
-    chooseBroadphase();
-    if (m_isDense)
-        sweepAll(pairs);
-    else
-        placeAll(pairs);
-    m_sweptPairs = pairs.size();
-    pairInfinite(pairs);
-}
-
-// At the same calls as upstream's, for the sake of the sort's state.
-void dxOrderedSapSpace::sortSwept() {
-    m_inOrder.clear();
-    if (m_swept.empty()) return;
-    for (const std::uint32_t index : m_sort.sort(m_keys)) {
-        m_states[m_swept[index]].position = static_cast<std::uint32_t>(m_inOrder.size());
-        m_inOrder.push_back(m_swept[index]);
-    }
-}
-
-void dxOrderedSapSpace::chooseBroadphase() {
-    dxBroadphaseFacts facts;
-    facts.order = pairOrder();
-    facts.current = m_isDense ? dxBroadphaseKind::AxisSap : dxBroadphaseKind::None;
-    facts.comparesAllAxes = m_axes.areAll();
-    facts.geoms = count;
-    const bool isDense = (!m_axes.areAll() || !hasBroadphase()) && dxChooseBroadphase(facts) == dxBroadphaseKind::AxisSap;
-    if (isDense == m_isDense) return;
-    m_isDense = isDense;
-    startAnew();
-}
-
-void dxOrderedSapSpace::sweepAll(std::vector<dxOrderedPair> &pairs) {
-    m_rows.resize(m_inOrder.size());
-    for (std::size_t row = 0; row < m_inOrder.size(); ++row) m_rows.set(row, m_states[m_inOrder[row]].box);
-    m_found.clear();
-    dxSapPairs(m_rows, m_found);
-    pairs.clear();
-    for (const dxSlotPair &rows : m_found) pairIfMayMeet(m_inOrder[rows.a], m_inOrder[rows.b], pairs);
-}
-
 // The place of a pair depends on all sorted members: kept pairs get new places.
-void dxOrderedSapSpace::placeAll(std::vector<dxOrderedPair> &pairs) {
+void dxOrderedSapSpace::update(std::vector<dxOrderedPair> &pairs, dxPairWork &work) {
+    sortSwept();
     m_again.clear();
     for (std::size_t i = 0; i < std::min(m_sweptPairs, pairs.size()); ++i) {
         const Slot a = pairs[i].slots[0], b = pairs[i].slots[1];
@@ -240,6 +202,54 @@ void dxOrderedSapSpace::placeAll(std::vector<dxOrderedPair> &pairs) {
     }
     pairs.clear();
     findAndPlace(m_again, pairs);
+    work.found = m_again.size();
+    work.comparisons = m_comparisons;
+    m_sweptPairs = pairs.size();
+    pairInfinite(pairs);
+}
+
+dxPairRows &dxOrderedSapSpace::gatherRows() {
+    sortSwept();
+    m_rows.clear(m_inOrder.size());
+    for (const Slot slot : m_inOrder) {
+        const dxMembers::Member &member = members()[slot];
+        m_rows.pushSwept(member.geom, slot, member.filter, m_states[slot].box);
+    }
+    for (const Slot slot : m_infinite) m_rows.pushInfinite(members()[slot].geom, slot, members()[slot].filter);
+    m_places.clear();
+    if (!m_infinite.empty())
+        for (const Slot slot : m_swept) m_places.push_back(m_states[slot].position);
+    m_rows.finish(m_places);
+    return m_rows;
+}
+
+// As deliver().
+void dxOrderedSapSpace::deliverAnew(void *data, dNearCallback *callback) {
+    beforeCallbacks([this] { gatherRows(); });
+    std::size_t pairs = 0;
+    for (std::size_t row = 0; row < m_rows.rows(); ++row) {
+        const std::size_t found = m_rows.find(row);
+        dxGeom *const geom = m_rows.geom(m_rows.first(row));
+        pairs += found;
+        for (std::size_t i = 0; i < found; ++i) {
+            dxGeom *const other = m_rows.geom(m_rows.second(i));
+            dxSapWalk::requireCleanBoxes(geom, other);
+            dxDeliver({geom, other, {}}, data, callback);
+        }
+    }
+    m_comparisons = m_rows.comparisons();
+    noteAnew(m_rows, pairs);
+}
+
+// Once in the same calls as upstream, for the sake of the sort's state.
+void dxOrderedSapSpace::sortSwept() {
+    if (std::exchange(m_isSorted, true)) return;
+    m_inOrder.clear();
+    if (m_swept.empty()) return;
+    for (const std::uint32_t index : m_sort.sort(m_keys)) {
+        m_states[m_swept[index]].position = static_cast<std::uint32_t>(m_inOrder.size());
+        m_inOrder.push_back(m_swept[index]);
+    }
 }
 
 bool dxOrderedSapSpace::primaryKey(Slot a, Slot b, std::uint64_t &word, bool &swapped) const {

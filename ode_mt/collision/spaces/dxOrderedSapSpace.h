@@ -8,10 +8,10 @@
 
 #include <vector>
 
-#include "collision/broadphase/overlap/dxAxisSap.h"
 #include "collision/spaces/dxOrderedSpace.h"
 #include "collision/spaces/dxSapBox.h"
 #include "collision/spaces/dxSapLists.h"
+#include "collision/spaces/dxSapRows.h"
 #include "core/dxSapSort.h"
 
 class dxOrderedSapSpace final : public dxOrderedSpace {
@@ -35,8 +35,10 @@ private:
         Part part;
     };
 
-    dxPairOrder pairOrder() const override { return dxPairOrder::Axis; }
-    void update(std::vector<dxOrderedPair> &pairs) override;
+    void update(std::vector<dxOrderedPair> &pairs, dxPairWork &work) override;
+    dxPairRows &gatherRows() override;
+    bool mayKeep() const override { return m_axes.areAll(); }  // or else upstream's sweep meets pairs that do not overlap
+    void deliverAnew(void *data, dNearCallback *callback) override;
     bool primaryKey(Slot a, Slot b, std::uint64_t &word, bool &swapped) const override;
     bool secondaryKey(Slot first, Slot second, dxPairKey &key) const override;
     void prefetch(Slot slot) const override;
@@ -56,9 +58,6 @@ private:
     bool hasUncleanBox() const;
     void takeParts();
     void sortSwept();
-    void chooseBroadphase();
-    void sweepAll(std::vector<dxOrderedPair> &pairs);
-    void placeAll(std::vector<dxOrderedPair> &pairs);
     void pairInfinite(std::vector<dxOrderedPair> &pairs) const;
     void pairIfMayMeet(Slot a, Slot b, std::vector<dxOrderedPair> &pairs) const;
     void collideFrom(std::size_t place, void *data, dxGeom *geom, dNearCallback *callback);
@@ -71,13 +70,15 @@ private:
     std::vector<float> m_keys;              // of m_swept
     std::vector<Slot> m_inOrder;            // m_swept, sorted
     dxSapSort m_sort;
+    bool m_isSorted = false;    // since m_swept was taken
     bool m_hasNaN = false;
     bool m_isMessedUp = false;  // as in upstream's assertion: a cleaning was nested in a cleaning
 
     bool m_hasWalked = false;       // since pairs() was brought up to date
     std::size_t m_pairsWalked = 0;  // at the last walk
-    bool m_isDense = true;          // pairs are found by one sweep of all geoms
-    dxSapColumns m_rows;
-    std::vector<dxSlotPair> m_found, m_again;
-    std::size_t m_sweptPairs = 0;  // of pairs(), those in front
+    dxSapRows m_rows;
+    std::vector<std::uint32_t> m_places;  // by place in m_swept: that in m_inOrder
+    std::vector<dxSlotPair> m_again;
+    std::size_t m_sweptPairs = 0;   // of pairs(), those in front
+    std::size_t m_comparisons = 0;  // number of those of the last sweep of all geoms
 };

@@ -5,32 +5,24 @@
 #include "collision_space_internal.h"
 #include "util.h"
 
-// The memory is the outermost call's: one within it, in a callback, walks the list.
 void dxOrderedSimpleSpace::walk(void *data, dNearCallback *callback, const dxOrderedPair *after) {
-    if (after != nullptr) {
+    if (after != nullptr)
         walkFrom(after->first, after->second->next, data, callback);
-        return;
-    }
-    const bool isWorthATable = count >= dxBroadphaseThresholds::kMinWalkedByVectors;
-    if (!isWorthATable || hasPairOverflow() || lock_count > 1 || !findVectorised()) {
-        walkList(data, callback);
-        return;
-    }
-    deliverInOrder(m_walked, data, callback);
+    else if (!walkRows(data, callback) && first != nullptr)
+        walkFrom(nullptr, first, data, callback);  // with upstream's assertions where boxes are not up to date
 }
 
-// False: some boxes are not up to date, or there is no memory for it.
-bool dxOrderedSimpleSpace::findVectorised() try {
-    if (!listGeoms()) return false;
-    findListed();
+// Returns false if the list must be walked: it is short, or boxes are not up to date, or there is no memory for rows, or a call around
+// this one uses them.
+bool dxOrderedSimpleSpace::walkRows(void *data, dNearCallback *callback) {
+    if (count < dxBroadphaseThresholds::kMinWalkedByVectors || lock_count > 1 || !areBoxesUpToDate()) return false;
+    try {
+        gatherRows();
+    } catch (const std::bad_alloc &) {
+        return false;
+    }
+    deliverRows(m_rows, data, callback);
     return true;
-} catch (const std::bad_alloc &) {
-    return false;
-}
-
-// As upstream, with its assertions where boxes are not up to date.
-void dxOrderedSimpleSpace::walkList(void *data, dNearCallback *callback) {
-    if (first != nullptr) walkFrom(nullptr, first, data, callback);
 }
 
 // The first geom with the second and those behind it; then each behind the first. Whether the first is
@@ -45,24 +37,16 @@ void dxOrderedSimpleSpace::walkFrom(dxGeom *g1, dxGeom *g2, void *data, dNearCal
     }
 }
 
-// False: some boxes are not up to date.
-bool dxOrderedSimpleSpace::listGeoms() {
-    m_listed.clear();
-    m_boxes.clear();
-    for (dxGeom *geom = first; geom != nullptr; geom = geom->next) {
+bool dxOrderedSimpleSpace::areBoxesUpToDate() const {
+    for (const dxGeom *geom = first; geom != nullptr; geom = geom->next)
         if ((geom->gflags & GEOM_AABB_BAD) != 0) return false;
-        if (!dxGeomIsEnabled(geom)) continue;
-        m_listed.push_back(geom);
-        m_boxes.push(dxBounds(geom->aabb));
-    }
     return true;
 }
 
-void dxOrderedSimpleSpace::findListed() {
-    m_walked.clear();
-    const std::size_t overlaps = dxOverlappingPairs(m_boxes, m_boxes.size(), m_overlaps);
-    for (std::size_t i = 0; i < overlaps; ++i) {
-        dxGeom *const first = m_listed[m_overlaps[i].a], *const second = m_listed[m_overlaps[i].b];
-        if (dxFiltersAgree(dxFilterOf(first), dxFilterOf(second))) m_walked.push_back({first, second, {}});
-    }
+dxPairRows &dxOrderedSimpleSpace::gatherRows() {
+    m_rows.clear();
+    for (dxGeom *geom = first; geom != nullptr; geom = geom->next)
+        if (dxGeomIsEnabled(geom)) m_rows.push(geom, slotOf(geom), dxFilterOf(geom), dxBounds(geom->aabb));
+    m_rows.finish();
+    return m_rows;
 }

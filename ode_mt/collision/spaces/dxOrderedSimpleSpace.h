@@ -1,25 +1,19 @@
 // The simple space: pairs each geom with those behind it in the list, from the front on.
 #pragma once
 
-#include "collision/broadphase/overlap/dxBoxColumns.h"
+#include "collision/broadphase/dxPairRows.h"
 #include "collision/spaces/dxOrderedListSpace.h"
 
 class dxOrderedSimpleSpace final : public dxOrderedListSpace {
 public:
-    explicit dxOrderedSimpleSpace(dSpaceID parent) : dxOrderedListSpace(parent, dSimpleSpaceClass) {}
+    explicit dxOrderedSimpleSpace(dSpaceID parent) : dxOrderedListSpace(parent, dSimpleSpaceClass, dxPairOrder::List) {}
 
 private:
-    dxPairOrder pairOrder() const override { return dxPairOrder::List; }
+    dxPairRows &gatherRows() override;
     void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) override;
-    void walkList(void *data, dNearCallback *callback);
+    bool walkRows(void *data, dNearCallback *callback);
     void walkFrom(dxGeom *g1, dxGeom *g2, void *data, dNearCallback *callback);
-    bool findVectorised();
-    bool listGeoms();
-    void findListed();
+    bool areBoxesUpToDate() const;
 
-    // Scratch of a walk: the geoms in the order of the list, and the overlapping ones.
-    std::vector<dxGeom *> m_listed;
-    dxBoxColumns m_boxes;
-    std::vector<dxSlotPair> m_overlaps;
-    std::vector<dxOrderedPair> m_walked;
+    dxPairRows m_rows;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstring>
+#include <optional>
 #include <utility>
 
 #include "collision/broadphase/dxAdaptiveBroadphase.h"
@@ -10,6 +11,7 @@
 #include "collision/narrowphase/dxTransformedGeom.h"
 #include "collision/pairs/dxPairPrefetch.h"
 #include "core/dxNoIndex.h"
+#include "core/dxStopwatch.h"
 #include "threading/dxInterruptingScope.h"
 #include "threading/timeline/dxTimelineSpan.h"
 
@@ -28,6 +30,9 @@ constexpr std::size_t kBoxPrefetchDistance = 4;
 constexpr dxTimelineEvent kBroadPhase{"broad phase", "collision", {"pairs"}, dxTimelineEvent::Kind::Span, dxFrameStage::BroadPhase};
 constexpr dxTimelineEvent kNearCallbacks{"near-callbacks", "collision", {"pairs"}, dxTimelineEvent::Kind::Span, dxFrameStage::NearCallbacks};
 constexpr int kMinRecorded = 8;  // geoms
+
+// Geoms; with fewer, reading the clock would take longer than it tells.
+constexpr int kMinTimed = 200;
 
 // A near-callback whose calls are counted, as the pairs of a walk are known by nothing else.
 struct CountedCallback {
@@ -76,7 +81,7 @@ dxOrderedSpace *dxOrderedSpace::of(const dxGeom *geom) {
     return geom->tome_ex != nullptr ? from(geom->parent_space) : nullptr;
 }
 
-dxOrderedSpace::dxOrderedSpace(dSpaceID parent, int kind) : dxSpace(parent) { type = kind; }
+dxOrderedSpace::dxOrderedSpace(dSpaceID parent, int kind, dxPairOrder order) : dxSpace(parent), m_keeping(order) { type = kind; }
 
 // From here on the geoms are in a space of upstream's, whose destructor removes or destroys them.
 dxOrderedSpace::~dxOrderedSpace() {
@@ -128,6 +133,7 @@ void dxOrderedSpace::collide(void *data, dNearCallback *callback) {
 }
 
 bool dxOrderedSpace::makeReadyRecorded() {
+    m_isFoundAnew = false;
     dxTimelineSpan span(kBroadPhase, count >= kMinRecorded || dxTimeline::isCounted(), dxTimelineSpan::Begin::Adjoining);
     const bool isReady = makeReady();
     span.set(0, m_pairs.size());
@@ -142,12 +148,19 @@ void dxOrderedSpace::callBack(bool isReady, void *data, dNearCallback *callback)
         if (ring != nullptr) ring->pairs += m_pairs.size();
         deliver(data, callback);
     } else if (ring == nullptr) {
-        walk(data, callback, nullptr);
+        callBackUnkept(data, callback);
     } else {
         CountedCallback counted{data, callback, ring->pairs};
-        walk(&counted, CountedCallback::call, nullptr);
+        callBackUnkept(&counted, CountedCallback::call);
     }
     if (ring != nullptr) span.set(0, ring->pairs - before);
+}
+
+void dxOrderedSpace::callBackUnkept(void *data, dNearCallback *callback) {
+    if (m_isFoundAnew)
+        deliverAnew(data, callback);
+    else
+        walk(data, callback, nullptr);
 }
 
 void dxOrderedSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback) {
@@ -189,11 +202,13 @@ void dxOrderedSpace::filtersChanged(dxGeom *geom) {
     const Slot slot = slotOf(geom);
     m_members.setFilter(slot, dxFilterOf(geom));
     m_members.markChanged(slot);
+    ++m_touched;
 }
 
 void dxOrderedSpace::enabledChanges(dxGeom *geom) {
     const Slot slot = slotOf(geom);
     m_members.noteSwitch(slot);
+    ++m_touched;
     if (isLeftOut(slot)) ++m_comebacks;
 }
 
@@ -296,6 +311,7 @@ void dxOrderedSpace::cleanComputed(const std::vector<dxGeom *> &geoms, dxRank fi
         } else {
             m_members.moved(slots[i]);
             m_index.loosen(slots[i]);
+            ++m_touched;
         }
     }
 }
@@ -319,6 +335,7 @@ void dxOrderedSpace::rank(dxGeom *geom, dxRank rank, const dxBounds &bounds) {
     m_members.setBounds(slot, bounds, dxFilterOf(geom));
     m_members.markChanged(slot);
     m_index.loosen(slot);
+    ++m_touched;
 }
 
 bool dxOrderedSpace::makeReady() {
@@ -330,16 +347,64 @@ bool dxOrderedSpace::findPairs() {
     if (!requireRanks() || !takeSwitches()) return false;
     if (m_members.changed().empty()) return true;
     if (lock_count > 1) return false;  // a call around this one goes through pairs()
-    if (m_pairOverflow.isActive() && !m_pairOverflow.isTimeToCount()) return false;
-    return whereMemorySuffices([this] { return updatePairs(); });
+    return whereMemorySuffices([this] { return m_keeping.isKept() && mayKeep() ? updatePairs() : findAnew(); });
 }
 
 bool dxOrderedSpace::updatePairs() {
-    update(m_pairs);
-    if (isTooMany(m_pairs.size())) beginPairOverflow();
-    if (m_pairOverflow.isActive()) return false;
+    dxPairWork work;
+    work.geoms = static_cast<std::size_t>(count);
+    work.changed = m_members.changed().size();
+    const bool isTimed = count >= kMinTimed && !isShared();
+    std::optional<dxStopwatch> stopwatch;
+    if (isTimed) stopwatch.emplace();
+    update(m_pairs, work);
+    const double ns = isTimed ? stopwatch->ns() : 0;
+    if (isTooMany(m_pairs.size())) m_keeping.overflow();
+    if (!m_keeping.isKept()) return findAnew();
+    m_arePairsKept = true;
     m_members.forgetChanges();
+    m_touched = 0;
+    work.pairs = m_pairs.size();
+    work.overlaps = std::max(work.found, work.pairs);
+    if (isTimed) m_keeping.noteTime(work, ns);
+    m_keeping.note(work);
     return true;
+}
+
+// With a runner the pairs are wanted beforehand. They are those of this call alone: all members stay marked as changed.
+bool dxOrderedSpace::findAnew() {
+    if (m_arePairsKept) forgetPairs();
+    m_isFoundAnew = !isShared() || isTooMany(m_pairsAnew);
+    if (m_isFoundAnew) return false;
+    dxPairRows &rows = gatherRows();
+    m_pairs.clear();
+    collectRows(rows, m_pairs);
+    noteAnew(rows, m_pairs.size());
+    return true;
+}
+
+void dxOrderedSpace::collectRows(dxPairRows &rows, std::vector<dxOrderedPair> &pairs) {
+    for (std::size_t row = 0; row < rows.rows(); ++row) {
+        const std::size_t found = rows.find(row), before = pairs.size();
+        const std::size_t first = rows.first(row);
+        pairs.resize(before + found);
+        for (std::size_t i = 0; i < found; ++i) {
+            const std::size_t second = rows.second(i);
+            pairs[before + i] = {rows.geom(first), rows.geom(second), {rows.slot(first), rows.slot(second)}};
+        }
+    }
+}
+
+void dxOrderedSpace::noteAnew(const dxPairRows &rows, std::size_t pairs) {
+    m_pairsAnew = pairs;
+    if (m_keeping.isKept()) return;
+    dxPairWork work;
+    work.comparisons = rows.comparisons();
+    work.geoms = rows.geoms();
+    work.changed = std::min(std::exchange(m_touched, 0), work.geoms);
+    work.overlaps = rows.overlaps();
+    work.pairs = pairs;
+    m_keeping.note(work);
 }
 
 // Discards partial results. A broad phase that was set must be set again by its owner.
@@ -354,15 +419,15 @@ bool dxOrderedSpace::isTooMany(std::size_t pairs) const {
     return pairs > dxPairLimitOf(pairOrder())(m_members.end());
 }
 
-// The space has no pairs then. All are found again afterwards.
-void dxOrderedSpace::beginPairOverflow() {
-    m_pairOverflow.begin();
+// With their memory.
+void dxOrderedSpace::forgetPairs() {
+    m_arePairsKept = false;
     startAnew();
     m_pairs = {};
     m_matches = {};
 }
 
-void dxOrderedSpace::update(std::vector<dxOrderedPair> &pairs) {
+void dxOrderedSpace::update(std::vector<dxOrderedPair> &pairs, dxPairWork &work) {
     dxBroadphaseFacts facts;
     facts.order = pairOrder();
     facts.geoms = count;
@@ -372,15 +437,17 @@ void dxOrderedSpace::update(std::vector<dxOrderedPair> &pairs) {
         m_dense.reset(dense ? new dxBruteForcePairs : nullptr);
         startAnew();
     }
+    work.comparisons = work.geoms * work.geoms / 2;
     if (dense)
-        m_dense->update(m_members, pairs);
+        work.found = m_dense->update(m_members, pairs);
     else
-        updateSorted(pairs);
+        updateSorted(pairs, work);
 }
 
-void dxOrderedSpace::updateSorted(std::vector<dxOrderedPair> &pairs) {
+void dxOrderedSpace::updateSorted(std::vector<dxOrderedPair> &pairs, dxPairWork &work) {
     m_matches.clear();
     findAndPlace(m_matches, pairs);
+    work.found = m_matches.size();
 }
 
 void dxOrderedSpace::findAndPlace(std::vector<dxBroadphase::Match> &matches,
@@ -389,7 +456,11 @@ void dxOrderedSpace::findAndPlace(std::vector<dxBroadphase::Match> &matches,
         m_defaultBroadphase.reset(new dxAdaptiveBroadphase(dxPairLimitOf(pairOrder())));
     if (m_kept == nullptr) m_kept.reset(new dxKeptPairs);
     (m_broadphase != nullptr ? m_broadphase : m_defaultBroadphase)->findOverlaps(m_members, runner(), matches);
-    if (isTooMany(matches.size())) return beginPairOverflow();
+    if (isTooMany(matches.size())) {
+        m_keeping.overflow();
+        forgetPairs();
+        return;
+    }
     m_kept->update(m_members, matches, *this, runner(), pairs);
 }
 
@@ -427,6 +498,30 @@ void dxOrderedSpace::deliverInOrder(const std::vector<dxOrderedPair> &pairs, voi
         const dxOrderedPair last = pair;
         return walk(data, callback, &last);
     }
+}
+
+void dxOrderedSpace::deliverAnew(void *data, dNearCallback *callback) {
+    dxPairRows &rows = *beforeCallbacks([this] { return &gatherRows(); });
+    deliverRows(rows, data, callback);
+}
+
+void dxOrderedSpace::deliverRows(dxPairRows &rows, void *data, dNearCallback *callback) {
+    const std::uint64_t missed = dxMissedNotifications.count(), comebacks = m_comebacks;
+    std::size_t pairs = 0;
+    for (std::size_t row = 0; row < rows.rows(); ++row) {
+        dxGeom *const front = rows.geom(rows.first(row));
+        if (!dxGeomIsEnabled(front)) continue;
+        const std::size_t found = rows.find(row);
+        pairs += found;
+        for (std::size_t i = 0; i < found; ++i) {
+            const dxOrderedPair pair{front, rows.geom(rows.second(i)), {}};
+            if (!dxGeomIsEnabled(pair.second)) continue;
+            dxDeliver(pair, data, callback);
+            if (dxMissedNotifications.count() == missed && m_comebacks == comebacks) continue;
+            return walk(data, callback, &pair);
+        }
+    }
+    noteAnew(rows, pairs);
 }
 
 bool dxOrderedSpace::isStill(const dxGeom *geom, const dxBounds &box) {

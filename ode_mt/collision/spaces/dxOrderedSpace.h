@@ -4,7 +4,9 @@
 // Between two calls of dSpaceCollide it keeps the list of pairs whose boxes overlap, in order. The cost of a call is
 // proportional to the changes since the last one, plus one callback per pair.
 //
-// Invariants, after makeReady():
+// Where that costs more than to find all pairs anew, none is kept (dxPairKeeping), and they are found and delivered row by row (dxPairRows).
+//
+// Invariants, after makeReady() has returned true:
 //  - every geom of the space is a member with a rank, which gives its place in upstream's order. Only geoms that change
 //    move to another place, so old ranks remain comparable and only changed geoms may need new ones;
 //  - pairs() holds, in order, exactly the pairs for which upstream's collideAABBs passes its tests of body, bits and
@@ -41,12 +43,15 @@
 #include <new>
 #include <vector>
 
+#include <sys/single_threaded.h>
+
 #include <ode/ode.h>
 
 #include "collision/broadphase/dxBroadphaseChoice.h"
-#include "collision/broadphase/dxPairOverflow.h"
 #include "collision/broadphase/dxBruteForcePairs.h"
 #include "collision/broadphase/dxBroadphase.h"
+#include "collision/broadphase/dxPairKeeping.h"
+#include "collision/broadphase/dxPairRows.h"
 #include "collision/broadphase/dxRegionIndex.h"
 #include "collision/narrowphase/dxNarrowphasePrefetch.h"
 #include "collision/pairs/dxKeptPairs.h"
@@ -95,7 +100,7 @@ public:
     // list, or pairs() is in use; the geoms must then be walked as upstream does.
     virtual bool makeReady();
     // The second half of makeReady(). Requires clean geoms, and that the effects of bounding-box functions have been
-    // detected.
+    // detected. It also returns false if no pairs are kept and there is no runner: then isFoundAnew(), and deliverAnew() finds them.
     virtual bool findPairs();
     const std::vector<dxOrderedPair> &pairs() const { return m_pairs; }
 
@@ -115,7 +120,7 @@ public:
     virtual void enabledChanges(dxGeom *geom);
 
 protected:
-    explicit dxOrderedSpace(dSpaceID parent, int type);
+    dxOrderedSpace(dSpaceID parent, int type, dxPairOrder order);
 
     // Discards all pairs; they are found again at this update or at the next.
     void startAnew();
@@ -136,9 +141,16 @@ protected:
     void noteStrays();
     // Examines the members.
     virtual bool hasStrayMembers() const = 0;
-    // The counter is atomic: rays of several threads may query a space at once.
-    void lock() { __atomic_fetch_add(&lock_count, 1, __ATOMIC_RELAXED); }
-    void unlock() { __atomic_fetch_sub(&lock_count, 1, __ATOMIC_RELAXED); }
+    // The counter is atomic: rays of several threads may query a space at once. In a process of one thread, which the C library knows,
+    // that would only cost time.
+    void lock() { addToLock(1); }
+    void unlock() { addToLock(-1); }
+    void addToLock(int by) {
+        if (__libc_single_threaded != 0)
+            lock_count += by;
+        else
+            __atomic_fetch_add(&lock_count, by, __ATOMIC_RELAXED);
+    }
     bool hasBroadphase() const { return m_broadphase != nullptr; }
 
     // Applies changes of enabled flags to the members. Returns false if an outer call iterates over pairs().
@@ -199,13 +211,26 @@ protected:
     // Returns the object that must be notified of each pair before its callback, or NULL.
     dxNarrowphasePrefetch *ahead() const { return m_isPrefetching ? m_prefetch.get() : nullptr; }
 
-    virtual dxPairOrder pairOrder() const = 0;
-    // Updates `pairs` after members have changed. Requires their new ranks and boxes.
-    virtual void update(std::vector<dxOrderedPair> &pairs);
+    dxPairOrder pairOrder() const { return m_keeping.order(); }
+    // Updates `pairs` after members have changed, and tells what it took. Requires their new ranks and boxes.
+    virtual void update(std::vector<dxOrderedPair> &pairs, dxPairWork &work);
     // Updates the pairs by the broad phase and a sort.
-    void updateSorted(std::vector<dxOrderedPair> &pairs);
+    void updateSorted(std::vector<dxOrderedPair> &pairs, dxPairWork &work);
     // The same, with the additional pairs in `matches`.
     void findAndPlace(std::vector<dxBroadphase::Match> &matches, std::vector<dxOrderedPair> &pairs);
+    // Fills the rows in which a call finds all pairs anew, with the geoms that are enabled. Requires the outermost call.
+    virtual dxPairRows &gatherRows() = 0;
+    bool isFoundAnew() const { return m_isFoundAnew; }
+    // Returns whether a broad phase finds the pairs of this space.
+    virtual bool mayKeep() const { return true; }
+    // Finds all pairs anew and calls their callbacks, by default in the way of deliverInOrder(). Requires isFoundAnew().
+    virtual void deliverAnew(void *data, dNearCallback *callback);
+    // Calls the callbacks of pairs that are ordered by their first geom.
+    void deliverRows(dxPairRows &rows, void *data, dNearCallback *callback);
+    // Appends the pairs of all rows.
+    static void collectRows(dxPairRows &rows, std::vector<dxOrderedPair> &pairs);
+    // Tells what a call has found that found all pairs anew.
+    void noteAnew(const dxPairRows &rows, std::size_t pairs);
 
     // The default order: of two members the one further to the front is the first; pairs are ordered by the first, then
     // by the second.
@@ -218,12 +243,12 @@ protected:
     void deliverInOrder(const std::vector<dxOrderedPair> &pairs, void *data, dNearCallback *callback);
     // makeReady(), on the timeline.
     bool makeReadyRecorded();
-    // deliver() or walk(), on the timeline.
+    // deliver(), deliverAnew() or walk(), on the timeline.
     void callBack(bool isReady, void *data, dNearCallback *callback);
+    void callBackUnkept(void *data, dNearCallback *callback);
     // Executes upstream's whole call after makeReady() has returned false, or the rest of it after a pair in whose
     // callback an assertion failed.
     virtual void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) = 0;
-    bool hasPairOverflow() const { return m_pairOverflow.isActive(); }
     // Calls the callbacks of a geom with the members that it overlaps. Requires up-to-date boxes.
     virtual void collideWith(void *data, dxGeom *geom, dNearCallback *callback) = 0;
 
@@ -259,7 +284,8 @@ private:
     void giveUpPairs();
     bool preparePrefetch(const dxTaskRunner &runner);
     bool isTooMany(std::size_t pairs) const;
-    void beginPairOverflow();
+    bool findAnew();
+    void forgetPairs();
 
     dxMembers m_members;
     std::vector<dxOrderedPair> m_pairs;
@@ -272,7 +298,11 @@ private:
     std::atomic<std::uint64_t> m_notificationsMissed{0};
     std::atomic<bool> m_hasStrays{false};  // then
     std::mutex m_lookingForStrays;         // only ever tried
-    dxPairOverflow m_pairOverflow;
+    dxPairKeeping m_keeping;
+    std::size_t m_touched = 0;    // number of changes of members since pairs were last found
+    std::size_t m_pairsAnew = 0;  // number of pairs that the last call found which found all anew
+    bool m_arePairsKept = true;   // m_pairs are those of members that have not changed
+    bool m_isFoundAnew = false;
     std::uint64_t m_comebacks = 0;  // number of absent geoms that were enabled
     dxTaskRunner *m_runner = nullptr;  // during makeReady() of a parallel call, not in its callbacks
     bool m_isPrefetching = false;            // the call whose callbacks begin is a parallel one
@@ -289,9 +319,13 @@ inline dxPairFilter dxFilterOf(const dxGeom *geom) {
     return {geom->body, geom->category_bits, geom->collide_bits};
 }
 
+// Whether a user class says that the geom does not meet the other one's box. The classes of upstream's have no such test.
+inline bool dxRefusesBoxOf(dxGeom *geom, dxGeom *other) {
+    return geom->type >= dFirstUserClass && geom->AABBTest(other, other->aabb) == 0;
+}
+
 // The rest of upstream's collideAABBs, for a pair of dxOrderedSpace::pairs().
 inline void dxDeliver(const dxOrderedPair &pair, void *data, dNearCallback *callback) {
-    if (pair.first->AABBTest(pair.second, pair.second->aabb) == 0) return;
-    if (pair.second->AABBTest(pair.first, pair.first->aabb) == 0) return;
+    if (dxRefusesBoxOf(pair.first, pair.second) || dxRefusesBoxOf(pair.second, pair.first)) return;
     callback(data, pair.first, pair.second);
 }

@@ -6,6 +6,7 @@
 #include <strings.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <memory>
 
@@ -58,6 +59,15 @@ void onElement(void *data, const char *name, const char **attributes) {
 
 void onElementEnd(void *data, const char *) { --static_cast<Limits *>(data)->depth; }
 
+// Expat 2.9 deprecates the name that earlier ones have alone.
+std::uint64_t currentLine(XML_Parser parser) {
+#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9
+    return XML_GetCurrentLineNumber64(parser);
+#else
+    return XML_GetCurrentLineNumber(parser);
+#endif
+}
+
 // The text begins behind `blankLines` others.
 std::string whyNotWellFormed(const std::string &text, std::ptrdiff_t blankLines) {
     const std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser(XML_ParserCreate("UTF-8"),
@@ -79,9 +89,7 @@ std::string whyNotWellFormed(const std::string &text, std::ptrdiff_t blankLines)
     const XML_Error error = XML_GetErrorCode(parser.get());
     if (error == XML_ERROR_NO_MEMORY) throw std::bad_alloc();
     const std::string line =
-        "line " +
-        std::to_string(blankLines + static_cast<std::ptrdiff_t>(XML_GetCurrentLineNumber(parser.get()))) +
-        ": ";
+        "line " + std::to_string(static_cast<std::uint64_t>(blankLines) + currentLine(parser.get())) + ": ";
     if (!limits.wrong.empty()) return line + limits.wrong + ": not supported";
     return "not well-formed XML, " + line + XML_ErrorString(error);
 }

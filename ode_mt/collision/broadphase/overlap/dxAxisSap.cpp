@@ -45,17 +45,17 @@ private:
     hn::Vec<AxisLanes> m_own[dxSapColumns::kColumns];
 };
 
-void sweepAxis(const dxSapColumns &rows, std::vector<dxSlotPair> &pairs) {
+dxSapMeetings meetBehind(const dxSapColumns &rows, std::size_t row, std::uint32_t *HWY_RESTRICT met) {
     const std::size_t size = rows.size(), lanes = hn::Lanes(AxisLanes());
-    for (std::size_t row = 0; row < size; ++row) {
-        const AxisProbe probe(rows, row);
-        bool goesOn = true;
-        for (std::size_t first = row + 1; goesOn && first < size; first += lanes)
-            forLanes(probe.meet(first, std::min(lanes, size - first), goesOn), [&](std::size_t lane) HWY_ATTR {
-                pairs.push_back({static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(first + lane)});
-            });
-    }
+    const AxisProbe probe(rows, row);
+    std::size_t count = 0, first = row + 1;
+    for (bool goesOn = true; goesOn && first < size; first += lanes)
+        forLanes(probe.meet(first, std::min(lanes, size - first), goesOn),
+                 [&](std::size_t lane) HWY_ATTR { met[count++] = static_cast<std::uint32_t>(first + lane); });
+    return {count, first - row - 1};
 }
+
+dxMeetBehindKernel kernelOfMeetBehind() { return meetBehind; }
 
 }  // namespace HWY_NAMESPACE
 }  // namespace dxBroadphaseKernels
@@ -63,7 +63,7 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace dxBroadphaseKernels {
-HWY_EXPORT(sweepAxis);
+HWY_EXPORT(kernelOfMeetBehind);
 }  // namespace dxBroadphaseKernels
 
 void dxSapColumns::resize(std::size_t rows) {
@@ -73,7 +73,7 @@ void dxSapColumns::resize(std::size_t rows) {
     m_size = rows;
 }
 
-void dxSapPairs(const dxSapColumns &rows, std::vector<dxSlotPair> &pairs) {
-    HWY_DYNAMIC_DISPATCH(dxBroadphaseKernels::sweepAxis)(rows, pairs);
+dxMeetBehindKernel dxKernelOfMeetBehind() {
+    return HWY_DYNAMIC_DISPATCH(dxBroadphaseKernels::kernelOfMeetBehind)();
 }
 #endif

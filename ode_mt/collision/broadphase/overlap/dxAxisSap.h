@@ -1,4 +1,4 @@
-// Sweep and prune along one axis: all pairs of boxes that are sorted by their lower bounds, with SIMD, in order.
+// Sweep and prune along one axis: the pairs of boxes that are sorted by their lower bounds, row by row, with SIMD, in order.
 //
 // Each row is compared with those behind it until one begins above its upper bound. That is more work than a cell grid
 // (dxCellGridPairs.h) where many boxes overlap on the axis, but the pairs are found in order, only the columns are built
@@ -38,5 +38,14 @@ private:
     std::vector<double> m_columns[kColumns];  // longer than the table by a vector
 };
 
-// Appends the pairs of rows, by the earlier row and then by the later one. `a` is the earlier one.
-void dxSapPairs(const dxSapColumns &rows, std::vector<dxSlotPair> &pairs);
+// What one row meets behind it.
+struct dxSapMeetings {
+    std::size_t rows;      // number of rows that it meets
+    std::size_t compared;  // number of rows that it was compared with
+};
+
+// Writes the numbers of the rows behind `row` whose boxes overlap its own, in rising order. `met` has room for rows.size() numbers.
+using dxMeetBehindKernel = dxSapMeetings (*)(const dxSapColumns &rows, std::size_t row, std::uint32_t *met);
+
+// Returns the function for this machine's instruction set.
+dxMeetBehindKernel dxKernelOfMeetBehind();

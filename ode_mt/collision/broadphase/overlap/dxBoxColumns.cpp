@@ -40,11 +40,28 @@ HWY_INLINE void visitOverlapping(const Columns &columns, const BoxLanes<RealLane
 
 std::size_t overlappingRows(const dxBoxColumns &table, const dxBounds &box, std::size_t first,
                             std::uint32_t *HWY_RESTRICT rows) {
-    std::size_t count = 0;
-    visitOverlapping(Columns(table), BoxLanes<RealLanes>(box.v), first, table.size(),
-                     [&](std::uint32_t row) HWY_ATTR { rows[count++] = row; });
+    const RealLanes d;
+    const std::size_t lanes = hn::Lanes(d), end = table.size();
+    const std::uint32_t all = (std::uint32_t{1} << lanes) - 1;
+    const Columns columns(table);
+    const BoxLanes<RealLanes> probe(box.v);
+    std::size_t count = 0, row = first;
+    for (; row + lanes <= end; row += lanes) {
+        const std::uint32_t overlapping = lanesLeft(d, probe.apart(columns.bounds, row));
+        if (overlapping == all) {  // many boxes in one place
+            storeRows(static_cast<std::uint32_t>(row), lanes, rows + count);
+            count += lanes;
+        } else {
+            forLanes(overlapping, [&](std::size_t lane) HWY_ATTR { rows[count++] = static_cast<std::uint32_t>(row + lane); });
+        }
+    }
+    if (row < end)
+        forLanes(lanesLeft(d, probe.apart(columns.bounds, row), end - row),
+                 [&](std::size_t lane) HWY_ATTR { rows[count++] = static_cast<std::uint32_t>(row + lane); });
     return count;
 }
+
+dxOverlappingRowsKernel kernelOfOverlappingRows() { return overlappingRows; }
 
 // No call within the loops: it would push the box out of the registers.
 std::size_t overlappingPairs(const dxBoxColumns &table, std::size_t end, std::vector<dxSlotPair> &pairs) {
@@ -76,12 +93,17 @@ void dxBoxColumns::grow() {
 
 namespace dxBroadphaseKernels {
 HWY_EXPORT(overlappingRows);
+HWY_EXPORT(kernelOfOverlappingRows);
 HWY_EXPORT(overlappingPairs);
 }  // namespace dxBroadphaseKernels
 
 std::size_t dxOverlappingRows(const dxBoxColumns &table, const dxBounds &box, std::size_t first,
                               std::uint32_t *rows) {
     return HWY_DYNAMIC_DISPATCH(dxBroadphaseKernels::overlappingRows)(table, box, first, rows);
+}
+
+dxOverlappingRowsKernel dxKernelOfOverlappingRows() {
+    return HWY_DYNAMIC_DISPATCH(dxBroadphaseKernels::kernelOfOverlappingRows)();
 }
 
 std::size_t dxOverlappingPairs(const dxBoxColumns &table, std::size_t end, std::vector<dxSlotPair> &pairs) {

@@ -46,6 +46,11 @@ private:
 std::size_t dxOverlappingRows(const dxBoxColumns &table, const dxBounds &box, std::size_t first,
                               std::uint32_t *rows);
 
+// The same function for this machine's instruction set, for many calls.
+using dxOverlappingRowsKernel = std::size_t (*)(const dxBoxColumns &table, const dxBounds &box, std::size_t first,
+                                                std::uint32_t *rows);
+dxOverlappingRowsKernel dxKernelOfOverlappingRows();
+
 // Writes the pairs of rows whose boxes overlap: of each row before `end`, in order, with those behind it, in order; returns
 // how many. `a` is the earlier one. What `pairs` held is lost; it grows if there is no room.
 std::size_t dxOverlappingPairs(const dxBoxColumns &table, std::size_t end, std::vector<dxSlotPair> &pairs);

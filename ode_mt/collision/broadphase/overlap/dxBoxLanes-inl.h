@@ -57,6 +57,11 @@ HWY_INLINE std::uint32_t lanesLeft(Tag d, hn::Mask<Tag> mask, std::size_t valid 
     return ~static_cast<std::uint32_t>(bytes[0] | bytes[1] << 8) & ((std::uint32_t{1} << valid) - 1);
 }
 
+// Writes first, first + 1, ..., of all `lanes` lanes.
+HWY_INLINE void storeRows(std::uint32_t first, std::size_t lanes, std::uint32_t *HWY_RESTRICT rows) {
+    for (std::uint32_t lane = 0; lane < lanes; ++lane) rows[lane] = first + lane;
+}
+
 // Calls visit(lane) for each bit.
 template <class Visit>
 HWY_INLINE void forLanes(std::uint32_t lanes, Visit &&visit) {

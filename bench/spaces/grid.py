@@ -1,0 +1,99 @@
+#!/usr/bin/env python3
+"""Spaces of all kinds against libode8, over a grid of scenes: grid.py CELL_PROGRAM STOCK_FOLDER OUR_FOLDER [--csv FILE] [--quick]
+
+Each cell of the grid is a space with so many geoms that overlap so much, of which so many move before each call (space_cell.cpp). Both
+engines run its calls in turns, and the ratio is that of their median processor times: 2 means that ours takes half of the time. Prints the worst
+and the median ratio for each kind of space, and the cells below 0.9. Ends with 1 if callbacks differ.
+"""
+import argparse
+import csv
+import itertools
+import os
+import statistics
+import subprocess
+import sys
+
+KINDS = ["simple", "hash", "sweep and prune", "quad tree"]
+FIELDS = ["kind", "geoms", "crowding", "moved", "motion", "filter", "rays", "nested"]
+TURNS = 3
+TURN_US = 8000  # of calls in a turn, about
+MOST_PAIRS = 700_000
+
+
+class Engine:
+    def __init__(self, program, folder):
+        environment = dict(os.environ, LD_LIBRARY_PATH=folder, ODE_MT_THREADS="0")
+        self.process = subprocess.Popen([program], env=environment, text=True, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+
+    def run(self, cell, calls):
+        print(*cell, calls, file=self.process.stdin, flush=True)
+        time, callbacks, digest = self.process.stdout.readline().split()
+        return float(time), (int(callbacks), digest)
+
+
+def cells(quick):
+    for cell in itertools.product(range(4), (4, 12, 40, 120, 400, 1200, 3000), (0, 6, 40, -1), (0, -1, 100, 500, 1000), (0, 1), (0, 1), (0, 50, 90), (0, 4)):
+        kind, geoms, crowding, moved, motion, bits, rays, nested = cell
+        overlapping = geoms if crowding < 0 else min(crowding, geoms)
+        if geoms * overlapping / 2 > MOST_PAIRS or crowding > geoms // 2:
+            continue
+        if (moved == 0 and motion == 1) or (nested and (bits or rays)):
+            continue
+        if quick and hash(cell) % 16 != 0:
+            continue
+        yield cell
+
+
+def measure(engines, cell):
+    first = [engine.run(cell, 12) for engine in engines]
+    agree = first[0][1] == first[1][1]
+    calls = int(max(3, min(400, TURN_US / max(first[0][0], 0.1))))
+    calls = max(calls, 8)
+    for engine in engines:
+        engine.run(cell, calls)  # what is kept has settled
+    times = [[], []]
+    for turn in range(2 * TURNS):
+        which = (turn + turn // 2) % 2  # stock, ours, ours, stock, ...
+        times[which].append(engines[which].run(cell, calls)[0])
+    stock, ours = (min(values) for values in times)
+    return stock, ours, first[0][1][0], agree
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("program")
+    parser.add_argument("stock")
+    parser.add_argument("ours")
+    parser.add_argument("--csv")
+    parser.add_argument("--quick", action="store_true", help="one cell of sixteen")
+    parser.add_argument("--only", help="a Python expression of the fields, such as 'kind == 1 and geoms > 40'")
+    options = parser.parse_args()
+    engines = [Engine(options.program, options.stock), Engine(options.program, options.ours)]
+    rows, differing = [], []
+    for cell in cells(options.quick):
+        named = dict(zip(FIELDS, cell))
+        if options.only and not eval(options.only, {}, named):
+            continue
+        stock, ours, callbacks, agree = measure(engines, cell)
+        rows.append({**named, "callbacks": callbacks, "stock_us": stock, "ours_us": ours, "ratio": round(stock / ours, 3)})
+        if not agree:
+            differing.append(cell)
+    if options.csv:
+        with open(options.csv, "w", encoding="utf-8", newline="") as file:
+            writer = csv.DictWriter(file, rows[0])
+            writer.writeheader()
+            writer.writerows(rows)
+    for kind, name in enumerate(KINDS):
+        ratios = [row["ratio"] for row in rows if row["kind"] == kind]
+        if ratios:
+            print(f"{name}: {len(ratios)} cells, worst {min(ratios)}, median {statistics.median(ratios):.2f}, below 0.9: {sum(r < 0.9 for r in ratios)}")
+    for row in sorted(rows, key=lambda row: row["ratio"])[:40]:
+        if row["ratio"] < 0.9:
+            print(*(f"{name} {value}" for name, value in row.items()), sep=", ")
+    for cell in differing:
+        print("callbacks differ:", *(f"{name} {value}" for name, value in zip(FIELDS, cell)))
+    return 1 if differing else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,55 @@
+#include "collision/broadphase/dxPairKeeping.h"
+
+#include <algorithm>
+
+namespace {
+
+// A call that is interrupted takes any time. Its weight is that of one of so many calls.
+constexpr double kMaxFactor = 16, kCallsOfAverage = 8;
+
+}  // namespace
+
+void dxPairKeeping::note(const dxPairWork &work) {
+    if (m_isKept)
+        noteKept(work);
+    else
+        noteAnew(work);
+}
+
+void dxPairKeeping::noteTime(const dxPairWork &work, double ns) {
+    const double estimate = dxCostOfKeeping(m_order, work);
+    if (estimate <= 0) return;
+    const double factor = std::clamp(ns / estimate, 1.0, kMaxFactor);
+    m_factor += (factor - m_factor) / kCallsOfAverage;
+}
+
+void dxPairKeeping::overflow() {
+    if (m_isKept) change();
+}
+
+void dxPairKeeping::change() {
+    m_isKept = !m_isKept;
+    m_saved = 0;
+}
+
+// To forget the pairs costs nothing, so what the first calls that find all anew would save has to be proved by a few calls.
+void dxPairKeeping::noteKept(const dxPairWork &work) {
+    const double anew = dxCostOfFindingAnew(m_order, work);
+    m_saved = std::max(0.0, m_saved + m_factor * dxCostOfKeeping(m_order, work) - anew);
+    if (m_saved > dxBroadphaseThresholds::kCallsSavedBeforeAnew * anew) change();
+}
+
+// All pairs have to be found once, and put in order, before they can be kept.
+void dxPairKeeping::noteAnew(const dxPairWork &work) {
+    if (work.pairs > dxPairLimitOf(m_order)(work.geoms) / 2) {
+        m_saved = 0;
+        return;
+    }
+    const double rest = 1 - static_cast<double>(work.changed) / static_cast<double>(std::max<std::size_t>(work.geoms, 1));
+    dxPairWork kept = work, first = work;
+    kept.found = static_cast<std::size_t>((1 - rest * rest) * static_cast<double>(work.overlaps));
+    first.changed = work.geoms;
+    first.found = work.overlaps;
+    m_saved = std::max(0.0, m_saved + dxCostOfFindingAnew(m_order, work) - m_factor * dxCostOfKeeping(m_order, kept));
+    if (m_saved > m_factor * dxCostOfKeeping(m_order, first)) change();
+}

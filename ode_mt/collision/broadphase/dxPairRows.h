@@ -1,0 +1,84 @@
+// All pairs of a space, found anew row by row, with SIMD: what a call does that keeps no pairs.
+//
+// The pairs of a row are used before those of the next are looked for, so their memory is that of one row, however many there are. Filters
+// are read in the order of rows, so a pair that they exclude costs no cache miss. Threading: not thread-safe.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <ode/common.h>
+
+#include "collision/broadphase/overlap/dxBoxColumns.h"
+#include "collision/pairs/dxMembers.h"
+#include "collision/pairs/dxPairFilter.h"
+
+// Where each geom is paired with those behind it.
+class dxPairRows {
+public:
+    using Slot = dxMembers::Slot;
+
+    virtual ~dxPairRows() = default;
+
+    void clear();
+    // Adds a geom behind the others.
+    void push(dxGeom *geom, Slot slot, const dxPairFilter &filter, const dxBounds &box) {
+        pushElement(geom, slot, filter);
+        m_boxes.push(box);
+    }
+    // Requires a call after the last push(). Then nothing allocates memory.
+    void finish();
+
+    std::size_t geoms() const { return m_geoms.size(); }
+    // Number of rows: of groups of pairs with the same first geom.
+    virtual std::size_t rows() const { return m_geoms.size(); }
+    // Returns the element that is first in the pairs of a row.
+    virtual std::size_t first(std::size_t row) const { return row; }
+    // Finds the pairs of a row, in the order of callbacks; returns how many. Valid until the next call.
+    virtual std::size_t find(std::size_t row);
+    // Returns the element that is second in a pair of those found.
+    std::size_t second(std::size_t i) const { return m_found[i]; }
+
+    dxGeom *geom(std::size_t element) const { return m_geoms[element]; }
+    Slot slot(std::size_t element) const { return m_slots[element]; }
+
+    // Return the number of boxes that were compared, and of those that overlap, since the last clear().
+    std::size_t comparisons() const { return m_comparisons; }
+    std::size_t overlaps() const { return m_overlaps; }
+
+protected:
+    void pushElement(dxGeom *geom, Slot slot, const dxPairFilter &filter) {
+        m_geoms.push_back(geom);
+        m_slots.push_back(slot);
+        m_filters.push_back(filter);
+        m_mayExclude = m_mayExclude || filter.mayExclude();
+    }
+    // Finds the elements from `begin` on that overlap a box, and counts them.
+    std::size_t findFrom(std::size_t begin, const dxBoxColumns &boxes, const dxBounds &box) {
+        const std::size_t count = m_overlappingRows(boxes, box, begin, m_found.data());
+        countWork(boxes.size() - begin, count);
+        return count;
+    }
+    void countWork(std::size_t comparisons, std::size_t overlaps) {
+        m_comparisons += comparisons;
+        m_overlaps += overlaps;
+    }
+    // Leaves those out that the filters exclude; returns how many are left.
+    std::size_t keepAgreeing(std::size_t element, std::size_t count) {
+        return m_mayExclude ? keepOnlyAgreeing(m_filters[element], count) : count;
+    }
+
+    dxBoxColumns m_boxes;
+    std::vector<std::uint32_t> m_found;  // elements
+
+private:
+    std::size_t keepOnlyAgreeing(const dxPairFilter &filter, std::size_t count);
+
+    dxOverlappingRowsKernel m_overlappingRows = dxKernelOfOverlappingRows();
+    std::vector<dxGeom *> m_geoms;
+    std::vector<Slot> m_slots;
+    std::vector<dxPairFilter> m_filters;
+    bool m_mayExclude = false;
+    std::size_t m_comparisons = 0, m_overlaps = 0;
+};
