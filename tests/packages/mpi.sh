@@ -20,7 +20,9 @@ solved() {
     echo "$workers: $(grep -o '[0-9]* islands sent.*' "$SCRATCH/mpi.log")"
 }
 alone=$(LD_LIBRARY_PATH=$files/$LIB "$SCRATCH/stacks" 2>/dev/null | grep hash)
-solved "$files/$LIB" "$system/bin:$PATH" mpi "$MPIRUN" -np 1 "$SCRATCH/stacks" : -np 2 odemt_worker
+with_workers=$(dirname "$0")/../remote/with_workers.sh
+export MPIRUN
+solved "$files/$LIB" "$system/bin:$PATH" mpi sh "$with_workers" 2 odemt_worker "$SCRATCH/stacks"
 case $("$MPIRUN" --version) in
 *"Open MPI"* | *OpenRTE*) solved "$files/$LIB" "$PATH" mpi:2 "$MPIRUN" -np 1 "$SCRATCH/stacks" ;;
 esac
@@ -34,12 +36,12 @@ grep -q '^humanoids:3: a frame takes' "$SCRATCH/mpi.out" || { cat "$SCRATCH/mpi.
 # Gives programs a link to the library.
 (unset ODE_MT_LOG
  LD_LIBRARY_PATH=$files/$LIB PATH=$system/bin:$PATH ODE_MT_WORKERS=mpi timeout -k 5 100 odemt_top --once -- \
-     "$MPIRUN" -np 1 "$SCRATCH/stacks" : -np 2 odemt_worker) >"$SCRATCH/mpi.out" 2>&1 || { cat "$SCRATCH/mpi.out"; fail odemt_top; }
+     sh "$with_workers" 2 odemt_worker "$SCRATCH/stacks") >"$SCRATCH/mpi.out" 2>&1 || { cat "$SCRATCH/mpi.out"; fail odemt_top; }
 grep -q 'remote workers: 2; solved' "$SCRATCH/mpi.out" || { cat "$SCRATCH/mpi.out"; fail "odemt_top shows no workers"; }
 
 "$CMAKE" --install "$BUILD" --prefix "$SCRATCH.system/opt" >/dev/null
 mv "$SCRATCH.system/opt" "$SCRATCH.system/moved"
 moved=$SCRATCH.system/moved
 libraries=$(dirname "$(find "$moved" -name libode.so.8)")
-solved "$libraries" "$moved/bin:$PATH" mpi "$MPIRUN" -np 1 "$SCRATCH/stacks" : -np 2 odemt_worker
+solved "$libraries" "$moved/bin:$PATH" mpi sh "$with_workers" 2 odemt_worker "$SCRATCH/stacks"
 rm -rf "$SCRATCH.system"

@@ -34,7 +34,9 @@ if [ -n "${MPIRUN:-}" ]; then
     say "islands solved by workers, with MPI from Debian's packages alone"
     install "/packages/$(basename "$(deb libode-mt-mpi)")"
     job() { inside env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 ODE_MT_WORKERS=mpi ODE_MT_ALGORITHM=lcp "$@"; }
-    job ODE_MT_LOG=info timeout 100 mpirun --oversubscribe -np 1 python3 /root/pendulums.py : -np 2 odemt_worker >"$SCRATCH/job.out" 2>"$SCRATCH/job.log" ||
+    cp "$(dirname "$0")/../remote/with_workers.sh" "$root/root/"
+    job MPIRUN=mpirun JOB_OPTIONS=--oversubscribe ODE_MT_LOG=info timeout 100 \
+        sh /root/with_workers.sh 2 odemt_worker python3 /root/pendulums.py >"$SCRATCH/job.out" 2>"$SCRATCH/job.log" ||
         { cat "$SCRATCH/job.out" "$SCRATCH/job.log"; fail "mpirun"; }
     expect "result with workers" "$(cat "$SCRATCH/job.out")" "$expected"
     grep '[1-9][0-9]* islands sent, [1-9]' "$SCRATCH/job.log" || { cat "$SCRATCH/job.log"; fail "nothing was solved elsewhere"; }

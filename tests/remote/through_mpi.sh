@@ -9,6 +9,7 @@
 set -eu
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none
 export MALLOC_PERTURB_=165  # as in the exactness suite
+here=$(cd "$(dirname "$0")" && pwd)
 STEPS=  # as many as the scenario has
 LIMIT=100  # s
 rm -rf "$SCRATCH"; mkdir -p "$SCRATCH"; cd "$SCRATCH"
@@ -42,8 +43,8 @@ expect_same() {
 compare() {
     of_stock "$1"
     rm -f ours.json
-    ODE_MT_WORKERS=mpi ODE_MT_LOG=info ODE_MT_ALGORITHM=$3 LD_LIBRARY_PATH=$LIBRARY timeout -k 5 $LIMIT "$MPIRUN" $ALONE \
-        -np 1 "$SCENARIO" "$1" $STEPS --record ours.json : -np "$2" "$WORKER" > output 2>&1 &
+    ODE_MT_WORKERS=mpi ODE_MT_LOG=info ODE_MT_ALGORITHM=$3 LD_LIBRARY_PATH=$LIBRARY JOB_OPTIONS=$ALONE timeout -k 5 $LIMIT \
+        sh "$here/with_workers.sh" "$2" "$WORKER" "$SCENARIO" "$1" $STEPS --record ours.json > output 2>&1 &
     job=$!
     if [ $# -ge 4 ]; then "$4" $job; fi
     # Some scenarios end in an error, and so does mpirun then: what they have recorded is compared.
