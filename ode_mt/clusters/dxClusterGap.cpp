@@ -80,7 +80,7 @@ void dxClusterGap::gather(const dxClusterScene &scene, const dxClusters &cluster
 // where it could, the numbers are so large that their neighbours are further apart than that.
 double dxClusterGap::gapOf(int cluster, const dxClusters &clusters, double reach) {
     const dxBounds around = m_boxes[cluster].grown(dReal(reach));
-    const std::size_t found = dxOverlappingRows(m_table, around, 0, m_rows.data());
+    const std::size_t found = dxOverlappingRows(m_table, around, 0, m_table.size(), m_rows.data());
     std::size_t tested = 0;
     double gap = reach / 2;
     for (std::size_t i = 0; i < found && gap > 0; ++i) {

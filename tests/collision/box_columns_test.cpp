@@ -20,7 +20,7 @@ std::vector<std::uint32_t> bruteForce(const std::vector<dxBounds> &boxes, const 
 
 std::vector<std::uint32_t> overlapping(const dxBoxColumns &table, const dxBounds &box, std::size_t first) {
     std::vector<std::uint32_t> rows(table.size() + 1, 77777);
-    const std::size_t count = dxOverlappingRows(table, box, first, rows.data());
+    const std::size_t count = dxOverlappingRows(table, box, first, table.size(), rows.data());
     EXPECT_EQ(rows.back(), 77777u) << "written past the table's size";
     rows.resize(count);
     return rows;

@@ -15,10 +15,10 @@ using Slot = BroadphaseMembers::Slot;
 
 class RegionIndex : public testing::Test {
 protected:
-    void add(const dxBounds &box) { index.loosen(crowd.add(box)); }
+    void add(const dxBounds &box) { index.loosen(crowd.add(box), box); }
     void move(Slot slot, const dxBounds &box) {
         crowd.move(slot, box);
-        index.loosen(slot);
+        index.loosen(slot, box);
     }
     void remove(Slot slot) {
         crowd.remove(slot);

@@ -39,7 +39,7 @@ void dxBruteForceBroadphase::findPairsOfChanged(const dxMembers &members, std::v
     m_rows.resize(m_boxes.size());
     for (const Slot slot : members.changed()) {
         if (members[slot].geom == nullptr) continue;
-        const std::size_t count = dxOverlappingRows(m_boxes, members[slot].bounds, 0, m_rows.data());
+        const std::size_t count = dxOverlappingRows(m_boxes, members[slot].bounds, 0, m_boxes.size(), m_rows.data());
         for (std::size_t i = 0; i < count; ++i) {
             const Slot other = m_rows[i];
             const bool isFoundFromThere = members.isChanged(other) && other <= slot;

@@ -123,7 +123,7 @@ std::size_t dxBruteForcePairs::findAround(const dxMembers &members) {
     m_around.clear();
     for (std::uint32_t row = 0; row < m_order.size(); ++row) {
         if (!members.isChanged(m_order[row])) continue;
-        const std::size_t count = dxOverlappingRows(m_boxes, members[m_order[row]].bounds, 0, m_rows.data());
+        const std::size_t count = dxOverlappingRows(m_boxes, members[m_order[row]].bounds, 0, m_boxes.size(), m_rows.data());
         for (std::size_t i = 0; i < count; ++i) {
             const std::uint32_t other = m_rows[i];
             const bool isFoundFromThere = other <= row && members.isChanged(m_order[other]);

@@ -56,7 +56,7 @@ protected:
     }
     // Finds the elements from `begin` on that overlap a box, and counts them.
     std::size_t findFrom(std::size_t begin, const dxBoxColumns &boxes, const dxBounds &box) {
-        const std::size_t count = m_overlappingRows(boxes, box, begin, m_found.data());
+        const std::size_t count = m_overlappingRows(boxes, box, begin, boxes.size(), m_found.data());
         countWork(boxes.size() - begin, count);
         return count;
     }

@@ -5,13 +5,15 @@
 #include <new>
 
 #include "collision/broadphase/dxBroadphaseChoice.h"
-#include "core/dxReserve.h"
 
 namespace {
 
 // Cells an axis of the curve along which boxes are put into the tree.
 constexpr int kCurveBits = 16;
 constexpr double kCurveCells = 1 << kCurveBits;
+
+// Loose boxes that one comparison of a box outside the tree stands for, and those that are compared in one part.
+constexpr std::size_t kComparedAtOnce = 4, kRowsInPart = 256;
 
 // Spreads the bits of a number out, two empty ones between each.
 std::uint64_t spread(std::uint64_t bits) {
@@ -43,25 +45,23 @@ dxRegionIndex::Home &dxRegionIndex::homeOf(Slot slot) {
     return m_homes[slot];
 }
 
-void dxRegionIndex::loosen(Slot slot) noexcept {
+void dxRegionIndex::loosen(Slot slot, const dxBounds &box) noexcept {
     if (!m_isInUse) return;
     try {
-        dxReserveCapacity(m_loose, m_loose.size() + 1);
-        homeOf(slot);
+        Home &home = homeOf(slot);
+        if (home.loose != kNoIndex) return m_looseBoxes.set(home.loose, box);
+        if (home.row != kNoIndex) m_tree.erase(home.row);
+        home.row = kNoIndex;
+        joinLoose(slot, box);
     } catch (const std::bad_alloc &) {
         m_isInUse = false;
-        return;
     }
-    Home &home = homeOf(slot);
-    if (home.loose != kNoIndex) return;
-    if (home.row != kNoIndex) m_tree.erase(home.row);
-    home.row = kNoIndex;
-    joinLoose(slot);
 }
 
-void dxRegionIndex::joinLoose(Slot slot) {
+void dxRegionIndex::joinLoose(Slot slot, const dxBounds &box) {
     homeOf(slot).loose = static_cast<std::uint32_t>(m_loose.size());
     m_loose.push_back(slot);
+    m_looseBoxes.push(box);
 }
 
 void dxRegionIndex::drop(Slot slot) {
@@ -75,14 +75,16 @@ void dxRegionIndex::drop(Slot slot) {
 void dxRegionIndex::leaveLoose(Home &home) {
     if (home.loose == kNoIndex) return;
     m_loose[home.loose] = m_loose.back();
+    m_looseBoxes.set(home.loose, m_looseBoxes.row(m_loose.size() - 1));
     m_homes[m_loose.back()].loose = home.loose;
     m_loose.pop_back();
+    m_looseBoxes.pop();
     home.loose = kNoIndex;
 }
 
 void dxRegionIndex::find(const dxMembers &members, const dxBounds &box, std::pmr::vector<Slot> &found) {
     found.clear();
-    if (!query(members, box, found)) {
+    if (!query(box, found) && !(begin(members) && query(box, found))) {
         for (Slot slot = 0; slot < members.end(); ++slot)
             if (members.geomIn(slot) != nullptr && members[slot].bounds.overlaps(box)) found.push_back(slot);
         m_debt.fetch_add(members.end(), std::memory_order_relaxed);
@@ -92,14 +94,41 @@ void dxRegionIndex::find(const dxMembers &members, const dxBounds &box, std::pmr
 }
 
 // Returns false if the tree is not in use yet, or being built.
-bool dxRegionIndex::query(const dxMembers &members, const dxBounds &box, std::pmr::vector<Slot> &found) {
+bool dxRegionIndex::query(const dxBounds &box, std::pmr::vector<Slot> &found) {
     const std::shared_lock<std::shared_mutex> reading(m_mutex, std::try_to_lock);
     if (!reading || !m_isInUse) return false;
     m_tree.query(box, found);
     for (std::uint32_t &row : found) row = m_slotOfRow[row];
-    for (const Slot slot : m_loose)
-        if (members[slot].bounds.overlaps(box)) found.push_back(slot);
-    if (!m_loose.empty()) m_debt.fetch_add(m_loose.size(), std::memory_order_relaxed);
+    appendLoose(box, found);
+    if (!m_loose.empty()) m_debt.fetch_add(1 + m_loose.size() / kComparedAtOnce, std::memory_order_relaxed);
+    return true;
+}
+
+// In parts, whose results have room on the stack.
+void dxRegionIndex::appendLoose(const dxBounds &box, std::pmr::vector<Slot> &found) const {
+    std::uint32_t rows[kRowsInPart];
+    for (std::size_t begin = 0; begin < m_loose.size(); begin += kRowsInPart) {
+        const std::size_t end = std::min(begin + kRowsInPart, m_loose.size());
+        const std::size_t count = dxOverlappingRows(m_looseBoxes, box, begin, end, rows);
+        for (std::size_t i = 0; i < count; ++i) found.push_back(m_loose[rows[i]]);
+    }
+}
+
+// The first query. Returns false if another thread is about it, or without memory.
+bool dxRegionIndex::begin(const dxMembers &members) {
+    const std::unique_lock<std::shared_mutex> building(m_mutex, std::try_to_lock);
+    if (!building) return false;
+    if (m_isInUse) return true;
+    try {
+        m_homes.assign(members.end(), Home());
+        m_loose.clear();
+        m_looseBoxes.clear();
+        for (Slot slot = 0; slot < members.end(); ++slot)
+            if (members.geomIn(slot) != nullptr) joinLoose(slot, members[slot].bounds);
+    } catch (const std::bad_alloc &) {
+        return false;
+    }
+    m_isInUse = true;
     return true;
 }
 
@@ -121,6 +150,7 @@ void dxRegionIndex::build(const dxMembers &members) {
     sortAlongCurve(members);
     m_slotOfRow.clear();
     m_loose.clear();
+    m_looseBoxes.clear();
     m_tree.begin();
     for (Home &home : m_homes) home = Home();
     for (const dxSortItem &item : m_items) {
@@ -131,7 +161,7 @@ void dxRegionIndex::build(const dxMembers &members) {
     }
     m_tree.finish();
     for (Slot slot = 0; slot < members.end(); ++slot)
-        if (members.geomIn(slot) != nullptr && homeOf(slot).row == kNoIndex) joinLoose(slot);
+        if (members.geomIn(slot) != nullptr && homeOf(slot).row == kNoIndex) joinLoose(slot, members[slot].bounds);
     m_isInUse = true;
 }
 

@@ -2,7 +2,7 @@
 // against a whole space.
 //
 // Members at rest are in a BVH (overlap/dxBoxBvh.h). A member that changes becomes loose, and is compared with every
-// queried box. Loose members cost time at each query, building the tree costs it once: the tree is rebuilt when the
+// queried box, with SIMD. At first all are loose. Loose members cost time at each query, building the tree costs it once: the tree is rebuilt when the
 // comparisons since have cost as much. So a space without queries builds none, and in one with many queries, with or
 // without motion, a query has logarithmic cost.
 //
@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "collision/broadphase/overlap/dxBoxBvh.h"
+#include "collision/broadphase/overlap/dxBoxColumns.h"
 #include "collision/pairs/dxMembers.h"
 #include "core/dxNoIndex.h"
 #include "core/dxRadixSort.h"
@@ -25,9 +26,9 @@ class dxRegionIndex {
 public:
     using Slot = dxMembers::Slot;
 
-    // Requires a call when a member is new or has changed. Does nothing before the first query. Without memory the tree
+    // Requires a call when a member is new or has changed, with its box. Does nothing before the first query. Without memory the tree
     // is discarded until it is rebuilt.
-    void loosen(Slot slot) noexcept;
+    void loosen(Slot slot, const dxBounds &box) noexcept;
     // Requires a call when a member is removed. Does nothing before the first query.
     void drop(Slot slot);
 
@@ -42,9 +43,11 @@ private:
     };
 
     Home &homeOf(Slot slot);
-    void joinLoose(Slot slot);
+    void joinLoose(Slot slot, const dxBounds &box);
+    bool begin(const dxMembers &members);
+    void appendLoose(const dxBounds &box, std::pmr::vector<Slot> &found) const;
     void leaveLoose(Home &home);
-    bool query(const dxMembers &members, const dxBounds &box, std::pmr::vector<Slot> &found);
+    bool query(const dxBounds &box, std::pmr::vector<Slot> &found);
     void buildIfDue(const dxMembers &members);
     void build(const dxMembers &members);
     void sortAlongCurve(const dxMembers &members);
@@ -53,6 +56,7 @@ private:
     bool m_isInUse = false;     // since the first question all members are in the tree or loose
     std::vector<Home> m_homes;  // by slot
     std::vector<Slot> m_loose;
+    dxBoxColumns m_looseBoxes;  // of m_loose
     std::vector<Slot> m_slotOfRow;
     dxBoxBvh m_tree;
     std::atomic<std::size_t> m_debt{0};  // comparisons outside the tree since it was built

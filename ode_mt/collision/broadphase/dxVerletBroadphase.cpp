@@ -174,7 +174,7 @@ void dxVerletBroadphase::grow(const dxMembers &members, Slot slot) {
     dxBounds grown = boxToStore(members, slot);
     if (hadStored) grown.include(before);
     m_met.resize(m_storedTable.size());
-    const std::size_t met = dxOverlappingRows(m_storedTable, grown, 0, m_met.data());
+    const std::size_t met = dxOverlappingRows(m_storedTable, grown, 0, m_storedTable.size(), m_met.data());
     for (std::size_t i = 0; i < met; ++i) {
         const Slot other = m_met[i];
         if (other == slot || (m_boxes.marks(other) & kStored) == 0) continue;

@@ -310,7 +310,7 @@ void dxOrderedSpace::cleanComputed(const std::vector<dxGeom *> &geoms, dxRank fi
             rank(geoms[i], first - static_cast<dxRank>(i));
         } else {
             m_members.moved(slots[i]);
-            m_index.loosen(slots[i]);
+            m_index.loosen(slots[i], m_members[slots[i]].bounds);
             ++m_touched;
         }
     }
@@ -334,7 +334,7 @@ void dxOrderedSpace::rank(dxGeom *geom, dxRank rank, const dxBounds &bounds) {
     m_members.setPresence(slot, dxGeomIsEnabled(geom));  // without a size it counts as disabled
     m_members.setBounds(slot, bounds, dxFilterOf(geom));
     m_members.markChanged(slot);
-    m_index.loosen(slot);
+    m_index.loosen(slot, bounds);
     ++m_touched;
 }
 

@@ -38,10 +38,10 @@ HWY_INLINE void visitOverlapping(const Columns &columns, const BoxLanes<RealLane
                  [&](std::size_t lane) HWY_ATTR { visit(static_cast<std::uint32_t>(row + lane)); });
 }
 
-std::size_t overlappingRows(const dxBoxColumns &table, const dxBounds &box, std::size_t first,
+std::size_t overlappingRows(const dxBoxColumns &table, const dxBounds &box, std::size_t first, std::size_t end,
                             std::uint32_t *HWY_RESTRICT rows) {
     const RealLanes d;
-    const std::size_t lanes = hn::Lanes(d), end = table.size();
+    const std::size_t lanes = hn::Lanes(d);
     const std::uint32_t all = (std::uint32_t{1} << lanes) - 1;
     const Columns columns(table);
     const BoxLanes<RealLanes> probe(box.v);
@@ -97,9 +97,9 @@ HWY_EXPORT(kernelOfOverlappingRows);
 HWY_EXPORT(overlappingPairs);
 }  // namespace dxBroadphaseKernels
 
-std::size_t dxOverlappingRows(const dxBoxColumns &table, const dxBounds &box, std::size_t first,
+std::size_t dxOverlappingRows(const dxBoxColumns &table, const dxBounds &box, std::size_t first, std::size_t end,
                               std::uint32_t *rows) {
-    return HWY_DYNAMIC_DISPATCH(dxBroadphaseKernels::overlappingRows)(table, box, first, rows);
+    return HWY_DYNAMIC_DISPATCH(dxBroadphaseKernels::overlappingRows)(table, box, first, end, rows);
 }
 
 dxOverlappingRowsKernel dxKernelOfOverlappingRows() {

@@ -27,6 +27,8 @@ public:
         set(m_size++, box);
     }
 
+    void pop() { --m_size; }
+
     void set(std::size_t row, const dxBounds &box) {
         dReal *place = m_bounds.data() + row;
         for (int bound = 0; bound < 6; ++bound, place += m_capacity) *place = box.v[bound];
@@ -41,14 +43,14 @@ private:
     std::vector<dReal> m_bounds;         // the columns, one behind the other
 };
 
-// Writes the numbers of the rows from `first` on whose boxes overlap `box`, in rising order; returns how many.
-// `rows` has room for table.size() numbers. The comparison is dxBounds::overlaps.
-std::size_t dxOverlappingRows(const dxBoxColumns &table, const dxBounds &box, std::size_t first,
+// Writes the numbers of the rows from `first` to `end` whose boxes overlap `box`, in rising order; returns how many.
+// `rows` has room for as many numbers as there are rows. The comparison is dxBounds::overlaps.
+std::size_t dxOverlappingRows(const dxBoxColumns &table, const dxBounds &box, std::size_t first, std::size_t end,
                               std::uint32_t *rows);
 
 // The same function for this machine's instruction set, for many calls.
 using dxOverlappingRowsKernel = std::size_t (*)(const dxBoxColumns &table, const dxBounds &box, std::size_t first,
-                                                std::uint32_t *rows);
+                                                std::size_t end, std::uint32_t *rows);
 dxOverlappingRowsKernel dxKernelOfOverlappingRows();
 
 // Writes the pairs of rows whose boxes overlap: of each row before `end`, in order, with those behind it, in order; returns
