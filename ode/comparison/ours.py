@@ -6,7 +6,7 @@ from comparison.symbols import names_in, tokens_of
 from comparison.tables import INCLUDE, readable, upstream_header
 
 SUFFIXES = {".h", ".cpp", ".c", ".in"}
-ROOTS = ("ode_mt", "ode/seams", "tests")
+ROOTS = ("ode_mt", "ode/seams", "ode/releases", "tests")
 
 
 class Ours:

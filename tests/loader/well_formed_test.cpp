@@ -30,7 +30,7 @@ TEST(WellFormed, WhatStandsBeforeTheRootIsRead) {
          {"text " + declaration, declaration + "text", declaration + declaration,
           std::string("<?xml?>"), std::string("<?xml?>junk")})
         expectError(with(sdf, declaration, wrong), Kind::Syntax, {"test.sdf: not well-formed XML, line "});
-    expectError(with(sdf, "1.0", "9.9"), Kind::Syntax, {"line 1: XML of version '9.9', not 1.0"});
+    expectError(with(sdf, "1.0", "1.1"), Kind::Syntax, {"line 1: XML of version '1.1', not 1.0"});
     expectError(with(sdf, "\"1.0\"", "\"1.0\" encoding=\"UTF-16\""), Kind::Syntax,
                 {"line 1: XML in encoding 'UTF-16'"});
     expectError(with(sdf, declaration, "<!DOCTYPE sdf [<!ENTITY a 'b'>]>"), Kind::Syntax,

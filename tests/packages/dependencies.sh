@@ -35,7 +35,8 @@ fi
 debian=$(dpkg-query -W -f '${Version}' "$THEIRS")
 expect "provides of $library" "$(field "$library" Provides)" "$(echo "$theirs" | sed "s/,/ (= $debian),/; s/\$/ (= $debian)/")"
 expect "dependencies of a program that calls ODE alone" "$(dependencies "$SCRATCH/plain")" "$THEIRS (>= 2:$UPSTREAM)"
-expect "dependencies of one that calls ODE_MT" "$(dependencies "$SCRATCH/parallel" | sort | tr '\n' ' ')" "$THEIRS (>= 2:$UPSTREAM) $library (>= $VERSION) "
+expect "dependencies of one that calls ODE_MT" "$(dependencies "$SCRATCH/parallel" | sort)" \
+    "$(printf '%s\n' "$THEIRS (>= 2:$UPSTREAM)" "$library (>= $VERSION)" | sort)"
 [ -n "${MPIRUN:-}" ] || exit 0
 # The library that odemt_worker is linked to, and the mpirun that belongs to it; and the version of the library that welcomes it.
 case ", $(field libode-mt-mpi Depends)," in

@@ -20,7 +20,7 @@ solved() {
     echo "$workers: $(grep -o '[0-9]* islands sent.*' "$SCRATCH/mpi.log")"
 }
 alone=$(LD_LIBRARY_PATH=$files/$LIB "$SCRATCH/stacks" 2>/dev/null | grep hash)
-with_workers=$(dirname "$0")/../remote/with_workers.sh
+with_workers=$(dirname "$0")/../../bench/scale/with_workers.sh
 export MPIRUN
 solved "$files/$LIB" "$system/bin:$PATH" mpi sh "$with_workers" 2 odemt_worker "$SCRATCH/stacks"
 case $("$MPIRUN" --version) in

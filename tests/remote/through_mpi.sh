@@ -44,7 +44,7 @@ compare() {
     of_stock "$1"
     rm -f ours.json
     ODE_MT_WORKERS=mpi ODE_MT_LOG=info ODE_MT_ALGORITHM=$3 LD_LIBRARY_PATH=$LIBRARY JOB_OPTIONS=$ALONE timeout -k 5 $LIMIT \
-        sh "$here/with_workers.sh" "$2" "$WORKER" "$SCENARIO" "$1" $STEPS --record ours.json > output 2>&1 &
+        sh "$here/../../bench/scale/with_workers.sh" "$2" "$WORKER" "$SCENARIO" "$1" $STEPS --record ours.json > output 2>&1 &
     job=$!
     if [ $# -ge 4 ]; then "$4" $job; fi
     # Some scenarios end in an error, and so does mpirun then: what they have recorded is compared.
