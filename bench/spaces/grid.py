@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Spaces of all kinds against libode8, over a grid of scenes: grid.py CELL_PROGRAM STOCK_FOLDER OUR_FOLDER [--csv FILE] [--quick]
+"""Spaces of all kinds against libode8, over a grid of scenes: grid.py CELL_PROGRAM STOCK_FOLDER OUR_FOLDER [--csv FILE] [--quick] [--check]
 
 Each cell of the grid is a space with so many geoms that overlap so much, of which so many move before each call (space_cell.cpp). Both
 engines run its calls in turns, and the ratio is that of their median processor times: 2 means that ours takes half of the time. Prints the worst
@@ -44,9 +44,13 @@ def cells(quick):
         yield cell
 
 
-def measure(engines, cell):
+def compare(engines, cell):
     first = [engine.run(cell, 12) for engine in engines]
-    agree = first[0][1] == first[1][1]
+    return first, first[0][1] == first[1][1]
+
+
+def measure(engines, cell):
+    first, agree = compare(engines, cell)
     calls = int(max(3, min(400, TURN_US / max(first[0][0], 0.1))))
     calls = max(calls, 8)
     for engine in engines:
@@ -66,6 +70,7 @@ def main():
     parser.add_argument("ours")
     parser.add_argument("--csv")
     parser.add_argument("--quick", action="store_true", help="one cell of sixteen")
+    parser.add_argument("--check", action="store_true", help="compare callbacks alone")
     parser.add_argument("--only", help="a Python expression of the fields, such as 'kind == 1 and geoms > 40'")
     options = parser.parse_args()
     engines = [Engine(options.program, options.stock), Engine(options.program, options.ours)]
@@ -73,6 +78,12 @@ def main():
     for cell in cells(options.quick):
         named = dict(zip(FIELDS, cell))
         if options.only and not eval(options.only, {}, named):
+            continue
+        if options.check:
+            _, agree = compare(engines, cell)
+            rows.append({**named, "ratio": 1})
+            if not agree:
+                differing.append(cell)
             continue
         stock, ours, callbacks, agree = measure(engines, cell)
         rows.append({**named, "callbacks": callbacks, "stock_us": stock, "ours_us": ours, "ratio": round(stock / ours, 3)})
@@ -83,7 +94,9 @@ def main():
             writer = csv.DictWriter(file, rows[0])
             writer.writeheader()
             writer.writerows(rows)
-    for kind, name in enumerate(KINDS):
+    if options.check:
+        print(f"{len(rows)} cells, callbacks of {len(differing)} differ")
+    for kind, name in enumerate(KINDS if not options.check else []):
         ratios = [row["ratio"] for row in rows if row["kind"] == kind]
         if ratios:
             print(f"{name}: {len(ratios)} cells, worst {min(ratios)}, median {statistics.median(ratios):.2f}, below 0.9: {sum(r < 0.9 for r in ratios)}")
