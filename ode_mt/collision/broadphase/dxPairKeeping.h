@@ -33,7 +33,7 @@ private:
     void noteAnew(const dxPairWork &work);
     void change();
 
-    const dxPairOrder m_order;
+    dxPairOrder m_order;
     bool m_isKept = true;
     double m_factor = 1;  // by which keeping has cost more than was estimated, at least 1
     double m_saved = 0;   // ns that the other way would have saved, since it would have begun to

@@ -223,6 +223,7 @@ bool dxOrderedSpace::takeSwitches() {
 
 void dxOrderedSpace::setBroadphase(std::unique_ptr<dxBroadphase> broadphase) {
     m_broadphase = std::move(broadphase);
+    m_keeping = dxPairKeeping(pairOrder());
     startAnew();
 }
 
@@ -366,6 +367,7 @@ bool dxOrderedSpace::updatePairs() {
     m_touched = 0;
     work.pairs = m_pairs.size();
     work.overlaps = std::max(work.found, work.pairs);
+    if (hasBroadphase()) return true;  // which is not to be left for another way
     if (isTimed) m_keeping.noteTime(work, ns);
     m_keeping.note(work);
     return true;
