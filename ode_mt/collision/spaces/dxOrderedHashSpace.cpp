@@ -106,7 +106,6 @@ void dxOrderedHashSpace::update(std::vector<dxOrderedPair> &pairs, dxPairWork &w
     updateSorted(pairs, work);
 }
 
-// All members are marked as changed.
 dxPairRows &dxOrderedHashSpace::gatherRows() {
     updateCells();
     requireInRange();

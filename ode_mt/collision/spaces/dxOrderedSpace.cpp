@@ -353,6 +353,7 @@ bool dxOrderedSpace::findPairs() {
 
 bool dxOrderedSpace::updatePairs() {
     dxPairWork work;
+    if (!m_arePairsKept) startAnew();
     work.geoms = static_cast<std::size_t>(count);
     work.changed = m_members.changed().size();
     const bool isTimed = count >= kMinTimed && !isShared();
@@ -373,7 +374,7 @@ bool dxOrderedSpace::updatePairs() {
     return true;
 }
 
-// With a runner the pairs are wanted beforehand. They are those of this call alone: all members stay marked as changed.
+// With a runner the pairs are wanted beforehand. They are valid until a member changes, but nothing is known of their keys.
 bool dxOrderedSpace::findAnew() {
     if (m_arePairsKept) forgetPairs();
     m_isFoundAnew = !isShared() || isTooMany(m_pairsAnew);
@@ -381,6 +382,7 @@ bool dxOrderedSpace::findAnew() {
     dxPairRows &rows = gatherRows();
     m_pairs.clear();
     collectRows(rows, m_pairs);
+    m_members.forgetChanges();
     noteAnew(rows, m_pairs.size());
     return true;
 }
