@@ -12,11 +12,11 @@ using Threshold = dxBroadphaseThresholds;
 struct Costs {
     double geom, comparison, found, kept;
 };
-constexpr Costs kTable{30, 0.3, 8, 4};    // dxBruteForcePairs
+constexpr Costs kTable{30, 1.7, 8, 4};    // dxBruteForcePairs
 constexpr Costs kSorted{60, 0, 110, 30};  // dxAdaptiveBroadphase, dxKeptPairs
 constexpr Costs kPlaced{60, 0, 110, 60};   // the same, where kept pairs get new places (dxOrderedSapSpace)
-constexpr Costs kRows{10, 0.3, 2, 0};     // dxPairRows
-constexpr Costs kHashRows{30, 0.3, 8, 0};  // dxHashRows
+constexpr Costs kRows{20, 1.7, 3, 0};     // dxPairRows
+constexpr Costs kHashRows{60, 1.7, 10, 0};  // dxHashRows
 
 bool isListWalk(const dxBroadphaseFacts &facts) {
     if (!facts.mayWalk) return false;

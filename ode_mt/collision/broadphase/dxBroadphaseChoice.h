@@ -60,7 +60,7 @@ struct dxBroadphaseThresholds {
     static constexpr unsigned kMaxShortLists = 3, kCallsWithoutList = 32;
 
     // Pairs are kept no more after what finding all anew would have saved comes to so many calls of that.
-    static constexpr double kCallsSavedBeforeAnew = 2;
+    static constexpr double kCallsSavedBeforeAnew = 4;
 
     // From so many geoms on a tree may answer what a geom meets in a space; a smaller space is walked as fast.
     static constexpr int kMinIndexed = 16;

@@ -4,8 +4,14 @@
 
 namespace {
 
-// A call that is interrupted takes any time. Its weight is that of one of so many calls.
-constexpr double kMaxFactor = 16, kCallsOfAverage = 8;
+// A call that is interrupted takes any time: it counts as so many times the average at most, and as one of so many calls.
+constexpr double kMaxStep = 2, kCallsOfAverage = 8;
+constexpr double kMinFactor = 1.0 / 8, kMaxFactor = 16;
+
+// What finding all anew has to be cheaper by: the geoms of kept pairs are prefetched for their callbacks, those of a row are not.
+constexpr double kWorthOfKeeping = 2;
+
+double costAnew(dxPairOrder order, const dxPairWork &work) { return kWorthOfKeeping * dxCostOfFindingAnew(order, work); }
 
 }  // namespace
 
@@ -19,8 +25,8 @@ void dxPairKeeping::note(const dxPairWork &work) {
 void dxPairKeeping::noteTime(const dxPairWork &work, double ns) {
     const double estimate = dxCostOfKeeping(m_order, work);
     if (estimate <= 0) return;
-    const double factor = std::clamp(ns / estimate, 1.0, kMaxFactor);
-    m_factor += (factor - m_factor) / kCallsOfAverage;
+    const double factor = std::clamp(ns / estimate, m_factor / kMaxStep, m_factor * kMaxStep);
+    m_factor = std::clamp(m_factor + (factor - m_factor) / kCallsOfAverage, kMinFactor, kMaxFactor);
 }
 
 void dxPairKeeping::overflow() {
@@ -34,7 +40,7 @@ void dxPairKeeping::change() {
 
 // To forget the pairs costs nothing, so what the first calls that find all anew would save has to be proved by a few calls.
 void dxPairKeeping::noteKept(const dxPairWork &work) {
-    const double anew = dxCostOfFindingAnew(m_order, work);
+    const double anew = costAnew(m_order, work);
     m_saved = std::max(0.0, m_saved + m_factor * dxCostOfKeeping(m_order, work) - anew);
     if (m_saved > dxBroadphaseThresholds::kCallsSavedBeforeAnew * anew) change();
 }
@@ -50,6 +56,6 @@ void dxPairKeeping::noteAnew(const dxPairWork &work) {
     kept.found = static_cast<std::size_t>((1 - rest * rest) * static_cast<double>(work.overlaps));
     first.changed = work.geoms;
     first.found = work.overlaps;
-    m_saved = std::max(0.0, m_saved + dxCostOfFindingAnew(m_order, work) - m_factor * dxCostOfKeeping(m_order, kept));
+    m_saved = std::max(0.0, m_saved + costAnew(m_order, work) - m_factor * dxCostOfKeeping(m_order, kept));
     if (m_saved > m_factor * dxCostOfKeeping(m_order, first)) change();
 }

@@ -35,6 +35,6 @@ private:
 
     dxPairOrder m_order;
     bool m_isKept = true;
-    double m_factor = 1;  // by which keeping has cost more than was estimated, at least 1
+    double m_factor = 0.5;  // of what keeping costs to what is estimated; in doubt pairs are kept
     double m_saved = 0;   // ns that the other way would have saved, since it would have begun to
 };

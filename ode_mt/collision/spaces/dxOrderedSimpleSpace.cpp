@@ -13,16 +13,40 @@ void dxOrderedSimpleSpace::walk(void *data, dNearCallback *callback, const dxOrd
 }
 
 // Returns false if the list must be walked: it is short, or boxes are not up to date, or there is no memory for rows, or a call around
-// this one uses them.
+// this one uses them. In a small space it is quicker to find all pairs before the first is delivered.
 bool dxOrderedSimpleSpace::walkRows(void *data, dNearCallback *callback) {
-    if (count < dxBroadphaseThresholds::kMinWalkedByVectors || lock_count > 1 || !areBoxesUpToDate()) return false;
+    using Threshold = dxBroadphaseThresholds;
+    if (count < Threshold::kMinWalkedByVectors || lock_count > 1 || !areBoxesUpToDate()) return false;
+    const bool isSmall = count <= Threshold::kMaxWalked;
     try {
-        gatherRows();
+        if (isSmall)
+            findListed();
+        else
+            gatherRows();
     } catch (const std::bad_alloc &) {
         return false;
     }
-    deliverRows(m_rows, data, callback);
+    if (isSmall)
+        deliverInOrder(m_walked, data, callback);
+    else
+        deliverRows(m_rows, data, callback);
     return true;
+}
+
+void dxOrderedSimpleSpace::findListed() {
+    m_listed.clear();
+    m_boxes.clear();
+    for (dxGeom *geom = first; geom != nullptr; geom = geom->next) {
+        if (!dxGeomIsEnabled(geom)) continue;
+        m_listed.push_back(geom);
+        m_boxes.push(dxBounds(geom->aabb));
+    }
+    m_walked.clear();
+    const std::size_t overlaps = dxOverlappingPairs(m_boxes, m_boxes.size(), m_overlaps);
+    for (std::size_t i = 0; i < overlaps; ++i) {
+        dxGeom *const first = m_listed[m_overlaps[i].a], *const second = m_listed[m_overlaps[i].b];
+        if (dxFiltersAgree(dxFilterOf(first), dxFilterOf(second))) m_walked.push_back({first, second, {}});
+    }
 }
 
 // The first geom with the second and those behind it; then each behind the first. Whether the first is

@@ -32,7 +32,10 @@ constexpr dxTimelineEvent kNearCallbacks{"near-callbacks", "collision", {"pairs"
 constexpr int kMinRecorded = 8;  // geoms
 
 // Geoms; with fewer, reading the clock would take longer than it tells.
-constexpr int kMinTimed = 200;
+constexpr int kMinTimed = 48;
+
+// Of so many calls one is timed.
+constexpr unsigned kCallsPerTime = 4;
 
 // A near-callback whose calls are counted, as the pairs of a walk are known by nothing else.
 struct CountedCallback {
@@ -356,7 +359,7 @@ bool dxOrderedSpace::updatePairs() {
     if (!m_arePairsKept) startAnew();
     work.geoms = static_cast<std::size_t>(count);
     work.changed = m_members.changed().size();
-    const bool isTimed = count >= kMinTimed && !isShared();
+    const bool isTimed = count >= kMinTimed && !isShared() && ++m_updates % kCallsPerTime == 0;
     std::optional<dxStopwatch> stopwatch;
     if (isTimed) stopwatch.emplace();
     update(m_pairs, work);

@@ -301,6 +301,7 @@ private:
     dxPairKeeping m_keeping;
     std::size_t m_touched = 0;    // number of changes of members since pairs were last found
     std::size_t m_pairsAnew = 0;  // number of pairs that the last call found which found all anew
+    unsigned m_updates = 0;       // number of calls that have brought kept pairs up to date
     bool m_arePairsKept = true;   // what finds the pairs knows those of members that have not changed
     bool m_isFoundAnew = false;
     std::uint64_t m_comebacks = 0;  // number of absent geoms that were enabled
