@@ -102,7 +102,6 @@ bool dxOrderedHashSpace::findPairs() {
 
 void dxOrderedHashSpace::update(std::vector<dxOrderedPair> &pairs, dxPairWork &work) {
     updateCells();
-    work.comparisons = work.geoms * work.geoms / 2;
     updateSorted(pairs, work);
 }
 
@@ -124,18 +123,12 @@ void dxOrderedHashSpace::deliverAnew(void *data, dNearCallback *callback) {
     beforeCallbacks([this] { gatherRows(); });
     const std::size_t switched = m_switched.size();
     const std::uint64_t missed = dxMissedNotifications.count();
-    std::size_t pairs = 0;
-    for (std::size_t row = 0; row < m_rows.rows(); ++row) {
-        const std::size_t found = m_rows.find(row);
-        dxGeom *const searcher = m_rows.geom(m_rows.first(row));
-        pairs += found;
-        for (std::size_t i = 0; i < found; ++i) {
-            const dxOrderedPair pair{searcher, m_rows.geom(m_rows.second(i)), {}};
-            dxDeliver(pair, data, callback);
-            if (dxMissedNotifications.count() != missed) return walkFrom(switched, data, callback, &pair);
-        }
-    }
-    noteAnew(m_rows, pairs);
+    forPairsOf(m_rows, [](const dxGeom *) { return true; }, [&](const dxOrderedPair &pair) {
+        dxDeliver(pair, data, callback);
+        if (dxMissedNotifications.count() == missed) return true;
+        walkFrom(switched, data, callback, &pair);
+        return false;
+    });
 }
 
 void dxOrderedHashSpace::updateCells() {

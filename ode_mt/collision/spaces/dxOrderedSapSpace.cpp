@@ -226,19 +226,12 @@ dxPairRows &dxOrderedSapSpace::gatherRows() {
 // As deliver().
 void dxOrderedSapSpace::deliverAnew(void *data, dNearCallback *callback) {
     beforeCallbacks([this] { gatherRows(); });
-    std::size_t pairs = 0;
-    for (std::size_t row = 0; row < m_rows.rows(); ++row) {
-        const std::size_t found = m_rows.find(row);
-        dxGeom *const geom = m_rows.geom(m_rows.first(row));
-        pairs += found;
-        for (std::size_t i = 0; i < found; ++i) {
-            dxGeom *const other = m_rows.geom(m_rows.second(i));
-            dxSapWalk::requireCleanBoxes(geom, other);
-            dxDeliver({geom, other, {}}, data, callback);
-        }
-    }
+    forPairsOf(m_rows, [](const dxGeom *) { return true; }, [&](const dxOrderedPair &pair) {
+        dxSapWalk::requireCleanBoxes(pair.first, pair.second);
+        dxDeliver(pair, data, callback);
+        return true;
+    });
     m_comparisons = m_rows.comparisons();
-    noteAnew(m_rows, pairs);
 }
 
 // Once in the same calls as upstream, for the sake of the sort's state.

@@ -16,13 +16,11 @@ void dxOrderedSimpleSpace::walk(void *data, dNearCallback *callback, const dxOrd
 // this one uses them. In a small space it is quicker to find all pairs before the first is delivered.
 bool dxOrderedSimpleSpace::walkRows(void *data, dNearCallback *callback) {
     using Threshold = dxBroadphaseThresholds;
-    if (count < Threshold::kMinWalkedByVectors || lock_count > 1 || !areBoxesUpToDate()) return false;
+    if (count < Threshold::kMinWalkedByVectors || lock_count > 1) return false;
     const bool isSmall = count <= Threshold::kMaxWalked;
     try {
-        if (isSmall)
-            findListed();
-        else
-            gatherRows();
+        if (isSmall ? !findListed() : !areBoxesUpToDate()) return false;
+        if (!isSmall) gatherRows();
     } catch (const std::bad_alloc &) {
         return false;
     }
@@ -33,10 +31,12 @@ bool dxOrderedSimpleSpace::walkRows(void *data, dNearCallback *callback) {
     return true;
 }
 
-void dxOrderedSimpleSpace::findListed() {
+// Returns false if some boxes are not up to date.
+bool dxOrderedSimpleSpace::findListed() {
     m_listed.clear();
     m_boxes.clear();
     for (dxGeom *geom = first; geom != nullptr; geom = geom->next) {
+        if ((geom->gflags & GEOM_AABB_BAD) != 0) return false;
         if (!dxGeomIsEnabled(geom)) continue;
         m_listed.push_back(geom);
         m_boxes.push(dxBounds(geom->aabb));
@@ -47,6 +47,7 @@ void dxOrderedSimpleSpace::findListed() {
         dxGeom *const first = m_listed[m_overlaps[i].a], *const second = m_listed[m_overlaps[i].b];
         if (dxFiltersAgree(dxFilterOf(first), dxFilterOf(second))) m_walked.push_back({first, second, {}});
     }
+    return true;
 }
 
 // The first geom with the second and those behind it; then each behind the first. Whether the first is

@@ -16,7 +16,7 @@ private:
     void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) override;
     bool walkRows(void *data, dNearCallback *callback);
     void walkFrom(dxGeom *g1, dxGeom *g2, void *data, dNearCallback *callback);
-    void findListed();
+    bool findListed();
     bool areBoxesUpToDate() const;
 
     dxPairRows m_rows;

@@ -358,6 +358,7 @@ bool dxOrderedSpace::updatePairs() {
     dxPairWork work;
     if (!m_arePairsKept) startAnew();
     work.geoms = static_cast<std::size_t>(count);
+    work.comparisons = work.geoms * work.geoms / 2;
     work.changed = m_members.changed().size();
     const bool isTimed = count >= kMinTimed && !isShared() && ++m_updates % kCallsPerTime == 0;
     std::optional<dxStopwatch> stopwatch;
@@ -444,7 +445,6 @@ void dxOrderedSpace::update(std::vector<dxOrderedPair> &pairs, dxPairWork &work)
         m_dense.reset(dense ? new dxBruteForcePairs : nullptr);
         startAnew();
     }
-    work.comparisons = work.geoms * work.geoms / 2;
     if (dense)
         work.found = m_dense->update(m_members, pairs);
     else
@@ -514,21 +514,13 @@ void dxOrderedSpace::deliverAnew(void *data, dNearCallback *callback) {
 
 void dxOrderedSpace::deliverRows(dxPairRows &rows, void *data, dNearCallback *callback) {
     const std::uint64_t missed = dxMissedNotifications.count(), comebacks = m_comebacks;
-    std::size_t pairs = 0;
-    for (std::size_t row = 0; row < rows.rows(); ++row) {
-        dxGeom *const front = rows.geom(rows.first(row));
-        if (!dxGeomIsEnabled(front)) continue;
-        const std::size_t found = rows.find(row);
-        pairs += found;
-        for (std::size_t i = 0; i < found; ++i) {
-            const dxOrderedPair pair{front, rows.geom(rows.second(i)), {}};
-            if (!dxGeomIsEnabled(pair.second)) continue;
-            dxDeliver(pair, data, callback);
-            if (dxMissedNotifications.count() == missed && m_comebacks == comebacks) continue;
-            return walk(data, callback, &pair);
-        }
-    }
-    noteAnew(rows, pairs);
+    forPairsOf(rows, dxGeomIsEnabled, [&](const dxOrderedPair &pair) {
+        if (!dxGeomIsEnabled(pair.second)) return true;
+        dxDeliver(pair, data, callback);
+        if (dxMissedNotifications.count() == missed && m_comebacks == comebacks) return true;
+        walk(data, callback, &pair);
+        return false;
+    });
 }
 
 bool dxOrderedSpace::isStill(const dxGeom *geom, const dxBounds &box) {

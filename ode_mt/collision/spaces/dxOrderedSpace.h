@@ -100,7 +100,7 @@ public:
     // list, or pairs() is in use; the geoms must then be walked as upstream does.
     virtual bool makeReady();
     // The second half of makeReady(). Requires clean geoms, and that the effects of bounding-box functions have been
-    // detected. It also returns false if no pairs are kept and there is no runner: then isFoundAnew(), and deliverAnew() finds them.
+    // detected. It also returns false if no pairs are kept and there is no runner: then deliverAnew() finds them.
     virtual bool findPairs();
     const std::vector<dxOrderedPair> &pairs() const { return m_pairs; }
 
@@ -220,13 +220,26 @@ protected:
     void findAndPlace(std::vector<dxBroadphase::Match> &matches, std::vector<dxOrderedPair> &pairs);
     // Fills the rows in which a call finds all pairs anew, with the geoms that are enabled. Requires the outermost call.
     virtual dxPairRows &gatherRows() = 0;
-    bool isFoundAnew() const { return m_isFoundAnew; }
     // Returns whether a broad phase finds the pairs of this space.
     virtual bool mayKeep() const { return true; }
-    // Finds all pairs anew and calls their callbacks, by default in the way of deliverInOrder(). Requires isFoundAnew().
+    // Finds all pairs anew and calls their callbacks, by default in the way of deliverInOrder().
     virtual void deliverAnew(void *data, dNearCallback *callback);
     // Calls the callbacks of pairs that are ordered by their first geom.
     void deliverRows(dxPairRows &rows, void *data, dNearCallback *callback);
+    // Calls deliver(pair) for the pairs of the rows for whose first geom begin(geom) returns true, until it returns false.
+    template <class Begin, class Deliver>
+    void forPairsOf(dxPairRows &rows, Begin begin, Deliver deliver) {
+        std::size_t pairs = 0;
+        for (std::size_t row = 0; row < rows.rows(); ++row) {
+            dxGeom *const first = rows.geom(rows.first(row));
+            if (!begin(first)) continue;
+            const std::size_t found = rows.find(row);
+            pairs += found;
+            for (std::size_t i = 0; i < found; ++i)
+                if (!deliver(dxOrderedPair{first, rows.geom(rows.second(i)), {}})) return;
+        }
+        noteAnew(rows, pairs);
+    }
     // Appends the pairs of all rows.
     static void collectRows(dxPairRows &rows, std::vector<dxOrderedPair> &pairs);
     // Tells what a call has found that found all pairs anew.

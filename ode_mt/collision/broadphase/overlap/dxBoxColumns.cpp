@@ -23,7 +23,7 @@ struct Columns {
     }
 };
 
-// Calls visit(row) for the rows from `begin` to `end` that overlap the box.
+// Calls visit(row, lanes) for the rows from `begin` to `end`, a vector at a time, with a bit for each that overlaps the box.
 template <class Visit>
 HWY_INLINE void visitOverlapping(const Columns &columns, const BoxLanes<RealLanes> &box, std::size_t begin,
                                  std::size_t end, Visit &&visit) {
@@ -31,33 +31,24 @@ HWY_INLINE void visitOverlapping(const Columns &columns, const BoxLanes<RealLane
     const std::size_t lanes = hn::Lanes(d);
     std::size_t row = begin;
     for (; row + lanes <= end; row += lanes)
-        forLanes(lanesLeft(d, box.apart(columns.bounds, row)),
-                 [&](std::size_t lane) HWY_ATTR { visit(static_cast<std::uint32_t>(row + lane)); });
-    if (row < end)
-        forLanes(lanesLeft(d, box.apart(columns.bounds, row), end - row),
-                 [&](std::size_t lane) HWY_ATTR { visit(static_cast<std::uint32_t>(row + lane)); });
+        visit(static_cast<std::uint32_t>(row), lanesLeft(d, box.apart(columns.bounds, row)));
+    if (row < end) visit(static_cast<std::uint32_t>(row), lanesLeft(d, box.apart(columns.bounds, row), end - row));
 }
 
 std::size_t overlappingRows(const dxBoxColumns &table, const dxBounds &box, std::size_t first, std::size_t end,
                             std::uint32_t *HWY_RESTRICT rows) {
-    const RealLanes d;
-    const std::size_t lanes = hn::Lanes(d);
+    const std::size_t lanes = hn::Lanes(RealLanes());
     const std::uint32_t all = (std::uint32_t{1} << lanes) - 1;
-    const Columns columns(table);
-    const BoxLanes<RealLanes> probe(box.v);
-    std::size_t count = 0, row = first;
-    for (; row + lanes <= end; row += lanes) {
-        const std::uint32_t overlapping = lanesLeft(d, probe.apart(columns.bounds, row));
+    std::size_t count = 0;
+    visitOverlapping(Columns(table), BoxLanes<RealLanes>(box.v), first, end,
+                     [&](std::uint32_t row, std::uint32_t overlapping) HWY_ATTR {
         if (overlapping == all) {  // many boxes in one place
-            storeRows(static_cast<std::uint32_t>(row), lanes, rows + count);
+            storeRows(row, lanes, rows + count);
             count += lanes;
         } else {
-            forLanes(overlapping, [&](std::size_t lane) HWY_ATTR { rows[count++] = static_cast<std::uint32_t>(row + lane); });
+            forLanes(overlapping, [&](std::size_t lane) HWY_ATTR { rows[count++] = row + static_cast<std::uint32_t>(lane); });
         }
-    }
-    if (row < end)
-        forLanes(lanesLeft(d, probe.apart(columns.bounds, row), end - row),
-                 [&](std::size_t lane) HWY_ATTR { rows[count++] = static_cast<std::uint32_t>(row + lane); });
+    });
     return count;
 }
 
@@ -71,7 +62,10 @@ std::size_t overlappingPairs(const dxBoxColumns &table, std::size_t end, std::ve
         if (pairs.size() < count + table.size()) pairs.resize(2 * count + table.size());
         dxSlotPair *HWY_RESTRICT const found = pairs.data();
         visitOverlapping(columns, BoxLanes<RealLanes>(columns.bounds, row), row + 1, table.size(),
-                         [&](std::uint32_t other) HWY_ATTR { found[count++] = {row, other}; });
+                         [&](std::uint32_t other, std::uint32_t overlapping) HWY_ATTR {
+            forLanes(overlapping,
+                     [&](std::size_t lane) HWY_ATTR { found[count++] = {row, other + static_cast<std::uint32_t>(lane)}; });
+        });
     }
     return count;
 }
