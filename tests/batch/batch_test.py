@@ -276,7 +276,8 @@ def sample(page):
 
 
 def launcher(mpiexec, ranks):
-    os.environ.update(OMPI_ALLOW_RUN_AS_ROOT='1', OMPI_ALLOW_RUN_AS_ROOT_CONFIRM='1', OMPI_MCA_rmaps_base_oversubscribe='1')
+    settings = (pathlib.Path(__file__).resolve().parents[2] / 'bench/scale/mpi_environment').read_text().splitlines()
+    os.environ.update(line.split('=', 1) for line in settings if not line.startswith('#'))
     command = [mpiexec, '-n', str(ranks)]
     if subprocess.run(command + ['true'], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode != 0:
         print('skipped: processes of MPI cannot be started here')

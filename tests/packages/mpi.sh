@@ -2,9 +2,7 @@
 # Islands are solved by workers with the files of the packages alone: those of the job, and those that the program starts, which is found by the
 # library; also in the tree that `cmake --install` makes, at another place. The state is that of a run without workers.
 . "$(dirname "$0")/common.sh"
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none
-export PRTE_ALLOW_RUN_AS_ROOT=1 PRTE_ALLOW_RUN_AS_ROOT_CONFIRM=1  # Open MPI 5
-export PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe PRTE_MCA_hwloc_default_binding_policy=none
+set -a; . "$(dirname "$0")/../../bench/scale/mpi_environment"; set +a
 timeout 60 "$MPIRUN" -np 2 true >"$SCRATCH/mpi.log" 2>&1 || { cat "$SCRATCH/mpi.log"; skip "mpirun does not work here"; }
 files=$(tree system "$library" "$development" libode-mt-mpi libode-mt-tools)
 system=$files/usr

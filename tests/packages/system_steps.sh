@@ -33,9 +33,11 @@ echo "$expected"
 if [ -n "${MPIRUN:-}" ]; then
     say "islands solved by workers, with MPI from Debian's packages alone"
     install "/packages/$(basename "$(deb libode-mt-mpi)")"
-    job() { inside env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 ODE_MT_WORKERS=mpi ODE_MT_ALGORITHM=lcp "$@"; }
-    cp "$(dirname "$0")/../../bench/scale/with_workers.sh" "$root/root/"
-    job MPIRUN=mpirun JOB_OPTIONS=--oversubscribe ODE_MT_LOG=info timeout 100 \
+    scale=$(dirname "$0")/../../bench/scale
+    # shellcheck disable=SC2046  # variables without blanks
+    job() { inside env $(grep -v "^#" "$scale/mpi_environment") ODE_MT_WORKERS=mpi ODE_MT_ALGORITHM=lcp "$@"; }
+    cp "$scale/with_workers.sh" "$root/root/"
+    job MPIRUN=mpirun ODE_MT_LOG=info timeout 100 \
         sh /root/with_workers.sh 2 odemt_worker python3 /root/pendulums.py >"$SCRATCH/job.out" 2>"$SCRATCH/job.log" ||
         { cat "$SCRATCH/job.out" "$SCRATCH/job.log"; fail "mpirun"; }
     expect "result with workers" "$(cat "$SCRATCH/job.out")" "$expected"

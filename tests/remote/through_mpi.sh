@@ -7,11 +7,9 @@
 #
 # By hand: WHOLE=1 compares every scenario of dWorldStep with 1, 2 and 4 workers, which takes an hour.
 set -eu
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none
-export PRTE_ALLOW_RUN_AS_ROOT=1 PRTE_ALLOW_RUN_AS_ROOT_CONFIRM=1  # Open MPI 5
-export PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe PRTE_MCA_hwloc_default_binding_policy=none
 export MALLOC_PERTURB_=165  # as in the exactness suite
 here=$(cd "$(dirname "$0")" && pwd)
+set -a; . "$here/../../bench/scale/mpi_environment"; set +a
 STEPS=  # as many as the scenario has
 LIMIT=100  # s
 rm -rf "$SCRATCH"; mkdir -p "$SCRATCH"; cd "$SCRATCH"
