@@ -19,6 +19,9 @@ std::string counted(std::uint64_t number, const char *thing) {
     return std::to_string(number) + ' ' + thing + (number == 1 ? "" : "s");
 }
 
+// Of further plays on each library, where something differs.
+constexpr int kRounds = 4;
+
 Engine ours(const std::string &threads) {
     return {"ODE_MT, " + (threads == "auto" ? "all cores" : threads + (threads == "1" ? " thread" : " threads")), threads};
 }
@@ -132,18 +135,51 @@ private:
         const auto &first = comparison.steps.first;
         const bool hasStates = first && first->kind == FirstDifference::Kind::State;
         const std::uint64_t step = hasStates ? first->step : 0;
-        if (m_wasInterrupted) return differ(stock, other, comparison, std::nullopt);
-        const Play again = play({"libode8 again", ""}, step);
-        if (m_wasInterrupted) return differ(stock, other, comparison, std::nullopt);
-        const PlayComparison itself = comparePlays(stock, again, m_options.steps);
-        if (!itself.isEqual()) return notReproducible(stock, again, itself, hasStates ? 0 : comparison.steps.equalSteps);
-        if (!hasStates) return differ(stock, other, comparison, std::nullopt);
-        const Play repeated = play({other.engine.name + " again", other.engine.threads}, step);
-        const auto values = findValues(again, repeated, step);
-        if (!values && !m_wasInterrupted)
-            remark("Another run on " + other.engine.name + " did not differ in the same way" + otherStep(again, repeated) +
+        std::optional<StateDifference> values;
+        std::optional<std::string> otherWay;  // in which a further play has differed
+        int equal = 0, rounds = 0;
+        while (rounds < kRounds && !m_wasInterrupted) {
+            const Play again = play({"libode8 again", ""}, step);
+            if (m_wasInterrupted) break;
+            const PlayComparison itself = comparePlays(stock, again, m_options.steps);
+            if (!itself.isEqual()) return notReproducible(stock, again, itself, hasStates ? 0 : comparison.steps.equalSteps);
+            const Play repeated = play({other.engine.name + " again", other.engine.threads}, step);
+            if (m_wasInterrupted) break;
+            ++rounds;
+            if (comparePlays(again, repeated, m_options.steps).isEqual()) ++equal;
+            if (!hasStates) continue;
+            auto found = findValues(again, repeated, step);
+            if (!found && !otherWay) otherWay = otherStep(again, repeated);
+            if (!values) values = std::move(found);
+        }
+        if (equal > 0 && hasOwnSchedule(stock, other)) return undecided(stock, other, comparison, equal, rounds);
+        if (equal > 0)
+            remark(sometimesText(other, equal, rounds) + ": what differs depends on time or chance.");
+        else if (otherWay)
+            remark("Another run on " + other.engine.name + " did not differ in the same way" + *otherWay +
                    ": what differs depends on time or chance.");
         differ(stock, other, comparison, values);
+    }
+
+    // Whether time decides which thread or process makes which world.
+    static bool hasOwnSchedule(const Play &stock, const Play &other) {
+        return makesWorldsConcurrently(stock.record) || makesWorldsConcurrently(other.record);
+    }
+
+    static std::string sometimesText(const Play &other, int equal, int rounds) {
+        return counted(static_cast<std::uint64_t>(rounds + 1 - equal), "run") + " of " + std::to_string(rounds + 1) + " on " + other.engine.name + " differed, and none of " +
+               std::to_string(rounds + 1) + " on libode8";
+    }
+
+    // A difference that some runs on ODE_MT have, of a program whose own threads or processes may be the reason.
+    void undecided(const Play &stock, const Play &other, const PlayComparison &comparison, int equal, int rounds) {
+        const auto &first = comparison.steps.first;
+        notCompared("Not decided: " + sometimesText(other, equal, rounds) + ". Several threads or processes of the program make worlds, so its own order of " +
+                    "events may be the reason. The difference: " +
+                    (first                 ? textOf(*first, stock, other) + '.'
+                     : comparison.ending ? *comparison.ending
+                                         : *comparison.messages));
+        if (first) setFinding(other.engine.name, *first, stock, other, std::nullopt);
     }
 
     std::string otherStep(const Play &left, const Play &right) const {
@@ -233,9 +269,12 @@ private:
 
     std::string textOfEnds() const {
         std::string text;
-        for (const End &end : m_ends)
+        for (auto at = m_ends.begin(); at != m_ends.end(); ++at) {
+            const End &end = *at;
+            if (std::any_of(m_ends.begin(), at, [&](const End &earlier) { return earlier.name == end.name && earlier == end; })) continue;
             text += (text.empty() ? "" : ", ") + end.name + (text.empty() ? " ends with " : " with ") + process::endingOf(end.status) +
                     (end.isLimit ? " after --seconds" : "");
+        }
         return text + '.';
     }
 

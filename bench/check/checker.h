@@ -1,8 +1,10 @@
 // odemt_check's verdict: plays on both libraries, compared.
 //
 //   1. once on libode8, once on ODE_MT for each number of threads
-//   2. where something differs, once more on libode8: a program that differs from itself proves nothing
-//   3. where states differ, once more on ODE_MT: both plays of this round keep the states behind the step in question
+//   2. where something differs, several rounds of one more play on each; all keep the states behind the step in question
+//
+// A program that differs from itself on libode8, in any round, proves nothing. One that has two ways at random takes the same one in
+// all plays on libode8 and the other one in all on ODE_MT with a probability of 4 to the power of minus the plays on each, at most.
 #pragma once
 
 #include <optional>

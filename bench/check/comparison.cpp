@@ -25,6 +25,12 @@ std::optional<std::string> differentLine(const char *what, const Play &left, con
            right.engine.name + ").";
 }
 
+// ODE writes a message in pieces, between which other threads and processes write theirs.
+std::optional<LineDifference> firstDifferentMessage(const Play &left, const Play &right) {
+    if (makesWorldsConcurrently(left.record) || makesWorldsConcurrently(right.record)) return std::nullopt;
+    return firstDifferentLine(odeMessages(left.run.errors.text()), odeMessages(right.run.errors.text()));
+}
+
 const StoredState *stateOf(const std::vector<StoredState> &states, std::uint32_t world) {
     const auto found =
         std::find_if(states.begin(), states.end(), [&](const StoredState &state) { return state.world.world == world; });
@@ -45,7 +51,7 @@ PlayComparison comparePlays(const Play &left, const Play &right, std::uint64_t l
     if (left.run.status != right.run.status)
         comparison.ending =
             left.engine.name + " ends with " + left.ending() + ", " + right.engine.name + " with " + right.ending() + ".";
-    if (const auto difference = firstDifferentLine(odeMessages(left.run.errors.text()), odeMessages(right.run.errors.text())))
+    if (const auto difference = firstDifferentMessage(left, right))
         comparison.messages = "Messages of ODE differ: " + worlds::quote(difference->left) + " (" + left.engine.name + "), " +
                               worlds::quote(difference->right) + " (" + right.engine.name + ").";
     comparison.output = differentLine("Standard output", left, right, left.run.output, right.run.output);

@@ -1,6 +1,8 @@
 #include "check/first_difference.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 namespace check {
 
@@ -17,15 +19,47 @@ bool areSame(const WorldRecord &left, const WorldRecord &right) {
     return left.firstStep == right.firstStep && left.hashes == right.hashes;
 }
 
-// Worlds that are numbered in both runs have one partner in each process at most, whatever they do.
-bool mayBePartners(const WorldRecord &left, const WorldRecord &right) {
-    return !left.isNumbered || !right.isNumbered || left.name.world == right.name.world;
+// The worlds of each process of a run, by the process's number.
+using Processes = std::map<std::uint32_t, std::vector<const WorldRecord *>>;
+
+Processes processesOf(const RunRecord &run) {
+    Processes processes;
+    for (const WorldRecord &world : run.worlds) processes[world.name.process].push_back(&world);
+    return processes;
 }
+
+// Whether two processes make the same worlds, in whatever order.
+bool makeTheSame(const std::vector<const WorldRecord *> &left, const std::vector<const WorldRecord *> &right) {
+    return std::is_permutation(left.begin(), left.end(), right.begin(), right.end(),
+                               [](const WorldRecord *a, const WorldRecord *b) { return areSame(*a, *b); });
+}
+
+// Processes that share tasks may make a world in another process each time, where it has another number: several processes of
+// a run that make what no process of the other run makes.
+struct SharingProcesses {
+    std::set<std::uint32_t> left, right;
+
+    SharingProcesses(const RunRecord &leftRun, const RunRecord &rightRun) {
+        Processes ofLeft = processesOf(leftRun), ofRight = processesOf(rightRun);
+        for (auto process = ofLeft.begin(); process != ofLeft.end();) {
+            const auto same = std::find_if(ofRight.begin(), ofRight.end(), [&](const auto &other) { return makeTheSame(process->second, other.second); });
+            if (same == ofRight.end()) {
+                ++process;
+                continue;
+            }
+            ofRight.erase(same);
+            process = ofLeft.erase(process);
+        }
+        if (std::max(ofLeft.size(), ofRight.size()) < 2) return;
+        for (const auto &[process, worlds] : ofLeft) left.insert(process);
+        for (const auto &[process, worlds] : ofRight) right.insert(process);
+    }
+};
 
 // Of the worlds of both runs, those that have no partner yet.
 class Pairing {
 public:
-    Pairing(const RunRecord &left, const RunRecord &right) {
+    Pairing(const RunRecord &left, const RunRecord &right) : m_sharing(left, right) {
         for (const WorldRecord &world : left.worlds) m_left.push_back(&world);
         for (const WorldRecord &world : right.worlds) m_right.push_back(&world);
     }
@@ -65,6 +99,13 @@ public:
     }
 
 private:
+    // Worlds that are numbered in both runs have one partner in each process at most, whatever they do.
+    bool mayBePartners(const WorldRecord &left, const WorldRecord &right) const {
+        const bool areNumbered = left.isNumbered && m_sharing.left.count(left.name.process) == 0 && right.isNumbered &&
+                                 m_sharing.right.count(right.name.process) == 0;
+        return !areNumbered || left.name.world == right.name.world;
+    }
+
     void take(const WorldRecord *&left, const WorldRecord *&right) {
         m_pairs.push_back({left, right});
         left = right = nullptr;
@@ -74,6 +115,7 @@ private:
         for (auto *worlds : {&m_left, &m_right}) worlds->erase(std::remove(worlds->begin(), worlds->end(), nullptr), worlds->end());
     }
 
+    SharingProcesses m_sharing;
     std::vector<const WorldRecord *> m_left, m_right;
     std::vector<WorldPair> m_pairs;
 };

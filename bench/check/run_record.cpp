@@ -72,6 +72,11 @@ double RunRecord::observerSeconds() const {
     return sum;
 }
 
+bool makesWorldsConcurrently(const RunRecord &run) {
+    return std::any_of(run.worlds.begin(), run.worlds.end(),
+                       [&](const WorldRecord &world) { return !world.isNumbered || world.name.process != run.worlds[0].name.process; });
+}
+
 RunRecord readRunRecord(const std::string &folder) {
     RunRecord run;
     run.wasLoaded = std::filesystem::exists(folder + "/loaded");

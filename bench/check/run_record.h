@@ -43,6 +43,9 @@ struct RunRecord {
     double observerSeconds() const;
 };
 
+// Whether several processes make worlds, or several threads of one.
+bool makesWorldsConcurrently(const RunRecord &run);
+
 // Throws std::runtime_error if the files are not as the observer writes them.
 RunRecord readRunRecord(const std::string &folder);
 

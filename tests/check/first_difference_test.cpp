@@ -73,6 +73,25 @@ TEST(FirstDifference, WorldsOfOneThreadMayBeInAnotherProcess) {
     EXPECT_FALSE(compareRuns(left, right, Ends::compared).first);
 }
 
+// A pool's: tasks 1, 2 and 3 in the first process and 4 in the second one; in the other run it has the second task and so on.
+TEST(FirstDifference, WorldsOfProcessesThatShareTasksMayHaveAnyNumber) {
+    const auto numbered = [](RunRecord record) {
+        for (WorldRecord &world : record.worlds) world.isNumbered = true;
+        return record;
+    };
+    const RunRecord left = numbered(run({world({0, 0}, {1, 2}), world({0, 1}, {3, 4}), world({0, 2}, {5, 6}), world({1, 0}, {7, 8})})),
+                    right = numbered(run({world({0, 0}, {1, 2}), world({0, 1}, {5, 6}), world({1, 0}, {3, 4}), world({1, 1}, {7, 8})})),
+                    other = numbered(run({world({0, 0}, {1, 2}), world({0, 1}, {5, 60}), world({1, 0}, {3, 4}), world({1, 1}, {7, 8})})),
+                    exchanged = numbered(run({world({0, 0}, {3, 4}), world({0, 1}, {1, 2}), world({0, 2}, {5, 6}), world({1, 0}, {7, 8})}));
+    EXPECT_FALSE(compareRuns(left, right, Ends::compared).first);
+    const Comparison comparison = compareRuns(left, other, Ends::compared);
+    ASSERT_TRUE(comparison.first);
+    EXPECT_EQ(comparison.first->step, 2u);
+    EXPECT_EQ(comparison.first->worlds.left->name.world, 2u);
+    EXPECT_EQ(comparison.equalSteps, 7u);
+    EXPECT_TRUE(compareRuns(left, exchanged, Ends::compared).first) << "within a process";
+}
+
 // The world of the same number, which begins alike, is another one's.
 TEST(FirstDifference, WorldsThatAreTheSameArePairedFirst) {
     const RunRecord left = run({world({0, 0}, {1, 2, 3}), world({0, 1}, {1, 5})}),

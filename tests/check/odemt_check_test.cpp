@@ -159,6 +159,39 @@ TEST_F(OdemtCheck, AProgramThatIsNotReproducibleIsSaidToBe) {
     EXPECT_EQ(json["difference"]["values"][0]["field"], "step size");
 }
 
+// The first run on ODE_MT does what the third one on libode8 does.
+TEST_F(OdemtCheck, WhatRunsOnLibode8DoAtTimesIsNoDifference) {
+    const Json json = checkJson(kSubject + " push-by-chance " + m_runs, 2);
+    expectWords(json["sentence"], "The program itself is not reproducible: two runs on libode8 differ: world 0 differs at step 1, its first");
+}
+
+TEST_F(OdemtCheck, ADifferenceOfOneRunIsCounted) {
+    const Json json = checkJson(kSubject + " push-once " + m_runs, 1);
+    expectWords(json["remarks"].dump(), "1 run of 5 on ODE_MT, 2 threads differed, and none of 5 on libode8: what differs depends on time or chance.");
+}
+
+// Worlds are in another process each time, under another number, and messages come in another order.
+TEST_F(OdemtCheck, ProcessesOfAPoolMayShareTasksInAnyWay) {
+    const Json json = checkJson(kSubject + " pool " + m_runs, 0);
+    EXPECT_EQ(json["steps"], 80);
+    EXPECT_EQ(json["worlds"], 4);
+    expectWords(json["remarks"].dump(), "Standard error differs from line ");
+    const Json other = checkJson(kSubject + " pool-differs " + m_runs, 1);
+    EXPECT_EQ(other["steps"], 60 + 10);
+    EXPECT_EQ(other["difference"]["step"], 11);
+    ASSERT_TRUE(other["difference"].contains("values")) << other;
+    EXPECT_EQ(other["difference"]["values"][0]["body"], 3);
+}
+
+// What a task computes depends on the ones before it in its process.
+TEST_F(OdemtCheck, APoolThatIsNotReproducibleIsSaidToBe) {
+    const Json json = checkJson(kSubject + " pool-random " + m_runs, 2);
+    expectWords(json["sentence"], "The program itself is not reproducible: two runs on libode8 differ: world ");
+    const Json once = checkJson(kSubject + " pool-random-once " + (m_runs + "_once"), 2);
+    std::filesystem::remove(m_runs + "_once");
+    expectWords(once["sentence"], "Not decided: 1 run of 5 on ODE_MT, 2 threads differed, and none of 5 on libode8.");
+}
+
 TEST_F(OdemtCheck, AnEndThatIsNotReproducibleIsNone) {
     const Json json = checkJson(kSubject + " more-each-run " + m_runs, 2);
     expectWords(json["sentence"],
@@ -170,7 +203,7 @@ TEST_F(OdemtCheck, AnEndThatIsNotReproducibleIsNone) {
 TEST_F(OdemtCheck, OtherEndsAreDifferences) {
     const Json crash = checkJson(kSubject + " crash", 1);
     expectWords(crash["sentence"], "world 0 makes 60 steps on libode8, 20 on ODE_MT, 2 threads. Equal before: 20 steps.");
-    expectWords(crash["remarks"].dump(), "libode8 ends with exit code 0, ODE_MT, 2 threads with signal 6 (Aborted), libode8 again with exit code 0.");
+    expectWords(crash["remarks"].dump(), "libode8 ends with exit code 0, ODE_MT, 2 threads with signal 6 (Aborted), libode8 again with exit code 0, ODE_MT, 2 threads again with signal 6 (Aborted).");
     expectWords(crash["remarks"].dump(), "last words");
     const Json more = checkJson(kSubject + " more-steps", 1);
     expectWords(more["sentence"], "world 0 makes 60 steps on libode8, 65 on ODE_MT, 2 threads.");

@@ -51,7 +51,7 @@ static void addBox(Scene *scene, int i, dReal height) {
 
 static Scene makeScene(dReal height) {
     Scene scene = {dWorldCreate(), dHashSpaceCreate(NULL), dJointGroupCreate(0), {NULL}, 0.01,
-                   is("threads") || is("threads-differ") || is("exchange")};
+                   is("threads") || is("threads-differ") || is("exchange") || is("pool") || is("pool-differs")};
     dWorldSetGravity(scene.world, 0, 0, -9.81);
     dCreatePlane(scene.space, 0, 0, 1, 0);
     for (int i = 0; i < kBoxes; ++i) addBox(&scene, i, height + 0.1 * i);
@@ -159,6 +159,31 @@ static int stepInTwoProcesses(Scene *scene) {
     return status;
 }
 
+/* A task of a pool: a world of its own. */
+static void doTask(int task) {
+    Scene scene = makeScene(0.5 + task);
+    steps(&scene, 1, 10);
+    if (task == 2 && is("pool-differs") && isOurs()) dBodyAddForce(scene.boxes[3], 0, 0, 1);
+    steps(&scene, 11, 20);
+    end(&scene);
+}
+
+/* Two processes share four tasks, each time in one of two ways. In modes "pool-random..." a task draws random numbers, which go on
+ * from those of the process's task before. */
+static int stepInPool(int isOtherWay) {
+    int result = 0;
+    for (int process = 0; process < 2; ++process)
+        if (fork() == 0) {
+            for (int task = 0; task < 4; ++task)
+                if (process == (isOtherWay ? task == 1 : task >= 2)) doTask(task);
+            if (is("pool") && process != isOtherWay) usleep(100000);
+            dMessage(7, "of process %d", process);
+            _exit(0);
+        }
+    for (int process = 0, status = -1; process < 2; ++process) wait(&status), result |= status;
+    return result;
+}
+
 /* Pushed a little, before this step. */
 static void stepWithPush(Scene *scene, int at) {
     steps(scene, 1, at - 1);
@@ -194,6 +219,8 @@ static int play(Scene *scene, int runs) {
     if (is("push-two-threads"))
         return threads != NULL && strcmp(threads, "2") == 0 ? stepWithPush(scene, 37) : steps(scene, 1, kSteps), 0;
     if (is("push-sometimes")) return stepWithPush(scene, 20 + runs), 0;
+    if (is("push-by-chance") && (runs == 1 || runs == 4)) dBodyAddForce(scene->boxes[5], 0.001, 0, 0);
+    if (is("push-once")) return runs == 1 ? stepWithPush(scene, 37) : steps(scene, 1, kSteps), 0;
     if (is("fork") || is("fork-differs")) return stepInTwoProcesses(scene);
     if (strncmp(mode, "field-", 6) == 0) return stepWithField(scene, mode[6]), 0;
     if (is("clock")) scene->stepSize = 0.01 + 1e-12 * nanoseconds();
@@ -234,6 +261,8 @@ int main(int argc, char **argv) {
         dWorldDestroy(dWorldCreate());
     } else if (is("threads") || is("threads-differ") || is("exchange")) {
         stepTwoWorlds(runs);
+    } else if (strncmp(mode, "pool", 4) == 0) {
+        result = stepInPool(runs == 1 || (runs % 2 != 0 && !is("pool-random-once")) || (runs == 4 && is("pool-random")));
     } else {
         Scene scene = makeScene(0.5);
         result = play(&scene, runs);
