@@ -38,7 +38,7 @@ private:
 Ready ChildCompetitor::start() {
     const LibraryFolder folder(engine(), m_settings);
     m_process = std::make_unique<process::LineProcess>(command(), environment(folder.path()));
-    const Ready ready = readReady(answer());
+    const Ready ready = readReady(answer(m_settings.whileLoading));
     check(ready);
     return ready;
 }
@@ -48,9 +48,9 @@ Batch ChildCompetitor::run(int frames) {
     return readBatch(answer());
 }
 
-std::string ChildCompetitor::answer() {
+std::string ChildCompetitor::answer(const std::function<void()> &whileWaiting) {
     try {
-        return m_process->readLine(m_settings.limit);
+        return m_process->readLine(m_settings.limit, whileWaiting);
     } catch (const process::LineProcessError &) {
         m_process.reset();  // a child that hangs must not go on beside the others
         throw;

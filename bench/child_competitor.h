@@ -4,6 +4,7 @@
 
 #include "competitor.h"
 
+#include <functional>
 #include <memory>
 
 #include "process/line_process.h"
@@ -18,6 +19,7 @@ struct ChildSettings {
     bool ignoreUnsupported = false;                             // elements of an SDF world
     bool timeCallbacks = false;
     std::string traceFile;  // of ours; empty: none
+    std::function<void()> whileLoading;  // called some times a second
 };
 
 class ChildCompetitor final : public Competitor {
@@ -30,7 +32,7 @@ public:
     Batch run(int frames) override;
 
 private:
-    std::string answer();
+    std::string answer(const std::function<void()> &whileWaiting = {});
     std::vector<std::string> command() const;
     process::Environment environment(const std::string &libraryFolder) const;
     void check(const Ready &ready) const;

@@ -8,6 +8,7 @@
 #include "library_probe.h"
 #include "number_range.h"
 #include "protocol.h"
+#include "reader_watch.h"
 #include "scenes/state_hash.h"
 #include "standard_output.h"
 #include "stock_pool.h"
@@ -81,10 +82,15 @@ bench::Batch runBatch(scenes::Scene &scene, const bench::LibraryProbe &library, 
     return batch;
 }
 
+std::unique_ptr<scenes::Scene> load(const std::string &world, bool ignoreUnsupported, std::vector<std::string> &warnings) {
+    const bench::ReaderWatch watch;
+    return bench::openWorld(world, {ignoreUnsupported}, warnings);
+}
+
 void serve(const std::string &world, unsigned poolThreads, bool ignoreUnsupported) {
     const bench::LibraryProbe library = bench::probeLibrary();
     std::vector<std::string> warnings;
-    const std::unique_ptr<scenes::Scene> scene = bench::openWorld(world, ignoreUnsupported, warnings);
+    const std::unique_ptr<scenes::Scene> scene = load(world, ignoreUnsupported, warnings);
     std::optional<bench::StockPool> pool;
     if (poolThreads > 0) pool.emplace(scene->inventory(), poolThreads);
 

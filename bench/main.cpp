@@ -25,7 +25,7 @@ void save(const std::vector<bench::WorldResult> &results, const bench::Options &
     if (!options.htmlFile.empty()) bench::writeResultFile(options.htmlFile, report::page(json, {}));
 }
 
-bench::WorldResult measure(const std::string &world, const bench::Options &options,
+bench::WorldResult measure(const std::string &world, const bench::Options &options, bench::Progress &progress,
                            const std::function<void(const bench::WorldResult &)> &onRound) {
     bench::Competitors competitors;
     const auto ours = std::count_if(options.engines.begin(), options.engines.end(), [](const bench::Engine &engine) { return engine.isOurs(); });
@@ -33,6 +33,7 @@ bench::WorldResult measure(const std::string &world, const bench::Options &optio
     for (const bench::Engine &engine : options.engines) {
         bench::ChildSettings child = options.child;
         child.traceFile = bench::traceFileOf(options.traceFile, world, engine.name(), traces);
+        child.whileLoading = [&progress, world, engine] { progress.showLoading(world, engine); };
         competitors.push_back(std::make_unique<bench::ChildCompetitor>(engine, world, child));
     }
     return bench::race(world, competitors, options.race, onRound);
@@ -50,7 +51,7 @@ bool compare(const bench::Options &options) {
     bench::Progress progress(options.worlds.size(), options.race.stop);
     progress.announce(options.worlds, options.engines);
     for (std::size_t i = 0; i < options.worlds.size(); ++i) {
-        results.push_back(measure(options.worlds[i], options,
+        results.push_back(measure(options.worlds[i], options, progress,
                                   [&](const bench::WorldResult &result) { progress.show(i, result); }));
         progress.clear();
         save(results, options);  // before anything is printed, which may fail

@@ -36,6 +36,10 @@ void Progress::announce(const std::vector<std::string> &worlds, const std::vecto
                  static_cast<double>(m_worlds) * m_rule.maximumSeconds);
 }
 
+void Progress::showLoading(const std::string &world, const Engine &engine) {
+    if (m_line.isDue()) m_line.show("loading " + worlds::printable(world) + " for " + worlds::printable(engine.name()));
+}
+
 void Progress::show(std::size_t world, const WorldResult &result) {
     if (!m_line.isDue()) return;
     const double left = std::max(0.0, static_cast<double>(m_worlds - world) * m_rule.maximumSeconds - result.seconds);

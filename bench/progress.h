@@ -13,6 +13,7 @@ public:
     // What will be measured, and how long that takes at most.
     void announce(const std::vector<std::string> &worlds, const std::vector<Engine> &engines) const;
 
+    void showLoading(const std::string &world, const Engine &engine);
     void show(std::size_t world, const WorldResult &result);
     void clear() { m_line.clear(); }  // before other output, so that it starts on an empty line
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -98,13 +99,30 @@ std::vector<std::string> cells(const EngineSummary &summary, bool isOurs, bool c
     return cells;
 }
 
+// One line for all engines that failed in the same way, as at a world that none can load.
+std::string failures(const WorldResult &result, const std::vector<EngineSummary> &summaries) {
+    std::vector<std::pair<std::string, std::string>> namesByFailure;  // in order
+    for (std::size_t i = 0; i < summaries.size(); ++i) {
+        const EngineResult &engine = result.engines[i];
+        if (!engine.failed()) continue;
+        const auto known = std::find_if(namesByFailure.begin(), namesByFailure.end(),
+                                        [&](const auto &other) { return other.first == engine.failure; });
+        if (known == namesByFailure.end())
+            namesByFailure.emplace_back(engine.failure, summaries[i].engine);
+        else
+            known->second += ", " + summaries[i].engine;
+    }
+    std::string text;
+    for (const auto &[failure, names] : namesByFailure) text += "FAILED: " + names + ": " + failure + "\n";
+    return text;
+}
+
 // What a reader must not overlook, one line each.
 std::string notes(const WorldResult &result, const std::vector<EngineSummary> &summaries) {
-    std::string text;
+    std::string text = failures(result, summaries);
     for (std::size_t i = 0; i < summaries.size(); ++i) {
         const EngineResult &engine = result.engines[i];
         const std::string name = summaries[i].engine;
-        if (engine.failed()) text += "FAILED: " + name + ": " + engine.failure + "\n";
         if (engine.firstDifference >= 0)
             text += format("WRONG RESULT: %s: state differs after frame %ld or before\n", name.c_str(),
                            engine.firstDifference);
@@ -113,8 +131,10 @@ std::string notes(const WorldResult &result, const std::vector<EngineSummary> &s
     }
     if (result.hasSeveralReleases())
         text += "note: the releases of ODE differ, so results may: states are compared within each release alone\n";
-    for (const std::string &warning : result.engines.front().ready.warnings)
-        text += "note: " + warning + "\n";
+    std::set<std::string> known;  // engines load the same world
+    for (const EngineResult &engine : result.engines)
+        for (const std::string &warning : engine.ready.warnings)
+            if (known.insert(warning).second) text += "note: " + warning + "\n";
     return text;
 }
 

@@ -77,13 +77,14 @@ void checkWorld(const std::string &world) {
     scenes::checkScene(world);
 }
 
-std::unique_ptr<scenes::Scene> openWorld(const std::string &world, bool ignoreUnsupported,
+std::unique_ptr<scenes::Scene> openWorld(const std::string &world, const Unsupported &unsupported,
                                          std::vector<std::string> &warnings) {
     checkWorld(world);
     const WorldSpec spec = readWorldSpec(world);
     if (!spec.isSdf) return scenes::makeScene(world);
     worlds::LoadOptions options = loadOptions(spec);
-    options.ignoreUnsupported = ignoreUnsupported;
+    options.ignoreUnsupported = unsupported.isLeftOut;
+    options.ignoringOption = unsupported.option;
     options.warnings = &warnings;
     return worlds::loadWorld(worlds::findWorld(spec.name), options);
 }

@@ -24,9 +24,15 @@ std::vector<std::string> splitWorlds(const std::string &list);
 // Throws std::invalid_argument that names what is wrong and what exists; opens no file.
 void checkWorld(const std::string &world);
 
-// Throws what checkWorld throws and what the loader throws. `warnings`: elements of an SDF world
-// ignored because of `ignoreUnsupported`.
-std::unique_ptr<scenes::Scene> openWorld(const std::string &world, bool ignoreUnsupported,
+// What happens to elements of an SDF world that are not supported.
+struct Unsupported {
+    bool isLeftOut = false;
+    std::string option = "--ignore-unsupported";  // by which the user leaves them out, for messages; empty: by none
+};
+
+// Throws what checkWorld throws and what the loader throws. `warnings`: what the loader left out, or reads in another way
+// than it is written.
+std::unique_ptr<scenes::Scene> openWorld(const std::string &world, const Unsupported &unsupported,
                                          std::vector<std::string> &warnings);
 
 std::string listWorlds();  // for --list

@@ -22,10 +22,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+const char *const kIgnoreUnsupported = "\"ignore_unsupported\": true in the plan";
+
 std::unique_ptr<scenes::Scene> openChanged(const Plan &plan, const Run &run, std::vector<std::string> &warnings) {
     const bench::WorldSpec spec = bench::readWorldSpec(run.world);
     worlds::LoadOptions options = bench::loadOptions(spec);
     options.ignoreUnsupported = plan.ignoreUnsupported;
+    options.ignoringOption = kIgnoreUnsupported;
     options.warnings = &warnings;
     const std::string name = worlds::findWorld(spec.name);
     Values values = run.values;
@@ -35,7 +38,7 @@ std::unique_ptr<scenes::Scene> openChanged(const Plan &plan, const Run &run, std
 
 std::unique_ptr<scenes::Scene> open(const Plan &plan, const Run &run) {
     std::vector<std::string> warnings;
-    return changesElements(run.values) ? openChanged(plan, run, warnings) : bench::openWorld(run.world, plan.ignoreUnsupported, warnings);
+    return changesElements(run.values) ? openChanged(plan, run, warnings) : bench::openWorld(run.world, {plan.ignoreUnsupported, kIgnoreUnsupported}, warnings);
 }
 
 // Bodies that can be pushed.

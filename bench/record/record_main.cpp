@@ -51,7 +51,7 @@ using Line = std::function<void(const std::string &)>;
 
 void recordScene(const record::RecordOptions &options, const Line &write) {
     std::vector<std::string> warnings;
-    const auto scene = bench::openWorld(options.world, options.ignoreUnsupported, warnings);
+    const auto scene = bench::openWorld(options.world, {options.ignoreUnsupported}, warnings);
     for (const std::string &warning : warnings) bench::printError(warning);
     record::Recorder recorder(*scene, {!options.onStock, options.contacts, options.threads > 0});
     write(writeHeader(describe(options, *scene, recorder)) + "\n");

@@ -43,7 +43,7 @@ void run(scenes::Scene &scene, int frames) {
 
 void serve(const std::string &world) {
     std::vector<std::string> warnings;
-    const std::unique_ptr<scenes::Scene> scene = bench::openWorld(world, false, warnings);
+    const std::unique_ptr<scenes::Scene> scene = bench::openWorld(world, {false, ""}, warnings);
     for (std::string line; std::getline(std::cin, line);) run(*scene, std::stoi(line));
 }
 

@@ -29,6 +29,15 @@ TEST(LineProcess, AnswersLinesWithLines) {
     }
 }
 
+TEST(LineProcess, CallsBackWhileItWaits) {
+    LineProcess child(shell("sleep 1; echo a; echo b"), {});
+    int calls = 0;
+    EXPECT_EQ(child.readLine(10s, [&] { ++calls; }), "a");
+    EXPECT_GE(calls, 1);
+    EXPECT_LE(calls, 10);
+    EXPECT_THROW(LineProcess(shell("sleep 60"), {}).readLine(500ms, [] {}), LineProcessError);
+}
+
 TEST(LineProcess, KeepsLinesThatCameTogether) {
     LineProcess child(shell("printf 'a\\nb\\n'"), {});
     EXPECT_EQ(child.readLine(10s), "a");

@@ -191,6 +191,39 @@ TEST_F(OdemtBench, AKillLeavesTheWorldsThatWereMeasured) {
     EXPECT_EQ(nlohmann::json::parse(file)["worlds"].size(), 1u);
 }
 
+// A world of so many models that it loads for longer than the test waits.
+std::string slowWorld(const std::string &folder) {
+    std::ofstream part(folder + "/part.sdf"), world(folder + "/slow.sdf");
+    part << "<sdf version=\"1.6\"><model name=\"p\"><static>1</static>";
+    for (int i = 0; i < 40; ++i)
+        part << "<link name=\"l" << i << "\"><collision name=\"c\"><geometry><sphere/></geometry></collision></link>";
+    part << "</model></sdf>";
+    world << "<sdf version=\"1.6\"><world name=\"w\">";
+    for (int i = 0; i < 15000; ++i) world << "<include><uri>part.sdf</uri><name>m" << i << "</name></include>";
+    world << "</world></sdf>";
+    return folder + "/slow.sdf";
+}
+
+TEST_F(OdemtBench, AKillWhileItLoadsEndsTheChild) {
+    const std::string world = slowWorld(folder);
+    const std::string child = "$(cat /proc/$P/task/$P/children)";
+    const Outcome outcome = run("--worlds " + world + " --engines ours:0" + files() +
+                                " & P=$!; for i in $(seq 100); do C=" + child +
+                                "; C=${C% }; [ -n \"$C\" ] && break; sleep 0.1; done; sleep 1; [ -e /proc/$C/exe ] && echo loading; kill -TERM $P; "
+                                "sleep 1.5; [ -e /proc/$C/exe ] && echo goes on; echo done");
+    EXPECT_NE(outcome.output.find("loading\n"), std::string::npos) << outcome.output;
+    EXPECT_EQ(outcome.output.find("goes on"), std::string::npos) << outcome.output;
+    EXPECT_NE(outcome.output.find("done"), std::string::npos) << outcome.output;
+}
+
+// `script` draws its input on a terminal.
+TEST_F(OdemtBench, SaysOnATerminalWhatItLoads) {
+    const std::string world = slowWorld(folder);
+    const Outcome outcome = runShell("timeout -s KILL 4 script -qec '" + std::string(ODEMT_BENCH) + " --worlds " + world + " --engines ours:0 --frames 1" +
+                                     files() + "' /dev/null");
+    EXPECT_NE(outcome.output.find("loading " + world + " for ours:0"), std::string::npos) << outcome.output;
+}
+
 TEST_F(OdemtBench, StartsOnOurLibraryWhereDebiansIsMissing) {
     const std::string command = "LD_TRACE_LOADED_OBJECTS=1 " + std::string(ODEMT_BENCH);
     const std::string output = runShell(command).output;

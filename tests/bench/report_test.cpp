@@ -92,6 +92,26 @@ TEST(Report, TextNamesAFailedEngine) {
     EXPECT_NE(reportText(result).find("FAILED: ours:2: killed by signal 11"), std::string::npos);
 }
 
+TEST(Report, TextNamesAFailureOfSeveralEnginesOnce) {
+    WorldResult result = worldResult();
+    for (EngineResult &engine : result.engines) engine.failure = "world.sdf: /sdf/world/model[m]: not supported";
+    const std::string text = reportText(result);
+    const std::size_t at = text.find("FAILED: " + summarize(result)[0].engine + ", ours:2: world.sdf: /sdf/world/model[m]: not supported");
+    ASSERT_NE(at, std::string::npos) << text;
+    EXPECT_EQ(text.find("FAILED", at + 1), std::string::npos) << text;
+}
+
+// Whichever of the engines loaded it.
+TEST(Report, TextNamesAWarningOfTheLoaderOnce) {
+    WorldResult result = worldResult();
+    result.engines[0].failure = "killed by signal 11";
+    for (EngineResult &engine : result.engines) engine.ready.warnings = {"world.sdf: left out"};
+    const std::string text = reportText(result);
+    const std::size_t at = text.find("note: world.sdf: left out\n");
+    ASSERT_NE(at, std::string::npos) << text;
+    EXPECT_EQ(text.find("left out", at + 20), std::string::npos) << text;
+}
+
 TEST(Report, ThePoolIsMarkedAsNotReproducible) {
     WorldResult result = worldResult();
     result.engines[1].engine = readEngine("stock-pool:2");

@@ -47,7 +47,7 @@ TEST(WorldSource, SdfWorldsOpenWithTheStaticShapesAskedFor) {
     dInitODE2(0);
     std::vector<std::string> warnings;
     const auto count = [&](const std::string &world) {
-        return openWorld(world, false, warnings)->inventory().geoms.size();
+        return openWorld(world, {}, warnings)->inventory().geoms.size();
     };
     EXPECT_EQ(count("pioneer3at:100"), count("pioneer3at") - 45 + 100);
     EXPECT_EQ(count("pioneer3at,static_meets_static"), count("pioneer3at"));

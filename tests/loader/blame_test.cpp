@@ -15,7 +15,7 @@ std::string model(const std::string &name, const std::string &inside) {
     return "<model name=\"" + name + "\">" + inside + "</model>";
 }
 const std::string badInertia =
-    "<link name=\"a\"><inertial><inertia><ixx>1</ixx><iyy>1</iyy><izz>9</izz></inertia></inertial></link>";
+    "<link name=\"a\"><inertial><inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz><ixy>5</ixy></inertia></inertial></link>";
 
 // The second of two models with the same names inside.
 void expectSecond(const std::string &inside, const std::string &place) {

@@ -115,8 +115,8 @@ TEST(Error, BrokenXmlIsNamedWithItsLine) {
     expectError("", Kind::Syntax, {"test.sdf"});
     expectError("no XML at all", Kind::Syntax, {"test.sdf"});
     expectError("<robot name=\"urdf\"/>", Kind::Syntax, {"test.sdf: not SDF", "<sdf>"});
-    expectError("<sdf version=\"1.9\"><model name=\"m\"><link name=\"l\"/></model></sdf>", Kind::Syntax,
-                {"test.sdf: /sdf: holds no <world>"});
+    expectError("<sdf version=\"1.9\"><light name=\"l\" type=\"point\"/></sdf>", Kind::Syntax,
+                {"test.sdf: /sdf: holds neither a <world> nor one <model>"});
     expectError("<sdf><world name=\"w\"/></sdf>", Kind::Syntax, {"test.sdf", "version"});
     expectError("<sdf version=\"1.9\"><world name=\"a\"/><world name=\"b\"/></sdf>", Kind::Value,
                 {"test.sdf: /sdf/world: is written twice"});

@@ -103,7 +103,9 @@ TEST_F(Include, IsNestedFiftyDeepAtMostAndHasAnEnd) {
 
 TEST_F(Include, OfWhatIsNoModelIsAnError) {
     folder.write("world.sdf", world(""));
-    expectMessage(include("world.sdf"), {"world.sdf: /sdf: an included file has to hold one <model>"});
+    expectMessage(include("world.sdf"), {"world.sdf: /sdf/world: not supported"});
+    folder.write("two.sdf", "<sdf version=\"1.9\"><model name=\"a\"/><model name=\"b\"/></sdf>");
+    expectMessage(include("two.sdf"), {"two.sdf: /sdf: an included file that does not hold one <model>"});
     folder.write("broken.sdf", "<sdf version=\"1.9\"><model");
     expectMessage(include("broken.sdf"), {"broken.sdf: not well-formed XML, line 1"});
     folder.write("old.sdf", "<sdf version=\"99.0\"><model name=\"m\"><link name=\"l\"/></model></sdf>");
@@ -114,18 +116,11 @@ TEST_F(Include, OfWhatIsNoModelIsAnError) {
     expectMessage(include("bare"), {"test.sdf: /sdf/world/include/uri: model 'bare': ", "model.config"});
 }
 
-TEST_F(Include, OfALightIsLeftAside) {
+TEST_F(Include, OfALightOrAnActorIsLeftAside) {
+    folder.write("walker.sdf", "<sdf version=\"1.6\"><actor name=\"walker\"/></sdf>");
     folder.write("sun.sdf", "<sdf version=\"1.6\"><light name=\"sun\" type=\"directional\"/></sdf>");
     folder.write("ball.sdf", modelFile("ball", ballOf(1)));
-    EXPECT_EQ(loadInside(include("sun.sdf") + include("ball.sdf"))->bodyNames(), std::vector<std::string>{"ball::l"});
-}
-
-TEST_F(Include, OfAnActorIsLeftOutOnDemand) {
-    const std::string file = folder.write("walker.sdf", "<sdf version=\"1.6\"><actor name=\"walker\"/></sdf>");
-    expectMessage(include("walker.sdf"), {file + ": /sdf/actor[walker]: not supported"});
-    worlds::LoadOptions options;
-    options.ignoreUnsupported = true;
-    EXPECT_NO_THROW(worlds::loadWorldText(world(include("walker.sdf")), folder.path("test.sdf"), options));
+    EXPECT_EQ(loadInside(include("sun.sdf") + include("walker.sdf") + include("ball.sdf"))->bodyNames(), std::vector<std::string>{"ball::l"});
 }
 
 TEST_F(Include, OfAPartThatIsPlacedNeedsAPose) {
@@ -159,8 +154,10 @@ TEST_F(Include, TheModelsFolderNamesItsFile) {
     config("<model><sdf version=\"1.6\">old.sdf</sdf><sdf version=\"1.9\"> new.sdf\n</sdf><sdf "
            "version=\"1.5\">none.sdf</sdf><sdf version=\"9.9\">none.sdf</sdf></model>");
     EXPECT_EQ(loadInside(include("robot"))->bodyNames(), (std::vector<std::string>{"robot::l"}));
+    config("<model><sdf>new.sdf</sdf></model>");
+    EXPECT_EQ(loadInside(include("robot"))->bodyNames(), (std::vector<std::string>{"robot::l"}));
     for (const char *const inside :
-         {"<model/>", "<model><sdf/></model>", "<model><sdf>new.sdf</sdf></model>",
+         {"<model/>", "<model><sdf/></model>",
           "<model><sdf version=\"9.9\">new.sdf</sdf></model>", "<model><sdf version=\"abc\">new.sdf</sdf></model>",
           "<model><sdf version=\"1.9\"></sdf></model>", "<model><SDF version=\"1.9\">new.sdf</SDF></model>",
           "<sdf version=\"1.9\">new.sdf</sdf>", "<model>", ""}) {

@@ -67,8 +67,18 @@ TEST(Inertial, MatrixHasToBePossible) {
     expectError(inertia("<ixx>0</ixx><iyy>1</iyy><izz>1</izz>"), Kind::Value,
                 {"test.sdf: /sdf/world/model[m]/link[link]/inertial/inertia/ixx", "not positive"});
     EXPECT_THROW(load(inertia("<ixx>1</ixx><iyy>1</iyy><izz>1</izz><ixy>5</ixy>")), worlds::LoadError);
-    // One moment larger than the other two together belongs to no body.
-    EXPECT_THROW(load(inertia("<ixx>1</ixx><iyy>1</iyy><izz>5</izz>")), worlds::LoadError);
+}
+
+// One moment larger than the other two together belongs to no body. Gazebo says so, and takes it.
+TEST(Inertial, ThatNoBodyHasIsTakenWithAWarning) {
+    const Loaded loaded = loadWithWarnings(
+        modelWith("<inertial><mass>1</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>5</izz></inertia></inertial>"));
+    EXPECT_EQ(loaded.warnings,
+              std::vector<std::string>{"test.sdf: /sdf/world/model[m]/link[link]/inertial/inertia: no body has such an inertia "
+                                       "matrix: a moment is above the sum of the others"});
+    dMass mass;
+    dBodyGetMass(body(*loaded.scene, "m::link"), &mass);
+    EXPECT_EQ(mass.I[10], 5);
 }
 
 }  // namespace

@@ -67,6 +67,15 @@ std::unique_ptr<worlds::SdfScene> load(const std::string &sdf, const worlds::Loa
     return worlds::loadWorldText(sdf, "test.sdf", options);
 }
 
+Loaded loadWithWarnings(const std::string &sdf, bool ignoreUnsupported) {
+    Loaded loaded;
+    worlds::LoadOptions options;
+    options.ignoreUnsupported = ignoreUnsupported;
+    options.warnings = &loaded.warnings;
+    loaded.scene = load(sdf, options);
+    return loaded;
+}
+
 namespace {
 
 template <class Handle>

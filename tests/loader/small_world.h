@@ -34,6 +34,12 @@ std::string sphere(double radius);
 
 std::unique_ptr<worlds::SdfScene> load(const std::string &sdf, const worlds::LoadOptions &options = {});
 
+struct Loaded {
+    std::unique_ptr<worlds::SdfScene> scene;
+    std::vector<std::string> warnings;
+};
+Loaded loadWithWarnings(const std::string &sdf, bool ignoreUnsupported = false);
+
 // Return objects by the names of the scene; a test failure and an exception if there is none.
 dBodyID body(const worlds::SdfScene &scene, const std::string &name);
 dJointID joint(const worlds::SdfScene &scene, const std::string &name);

@@ -1,5 +1,6 @@
 // Friction, bounce and softness of contacts.
 #include "small_world.h"
+#include "test_folder.h"
 
 #include <cmath>
 
@@ -96,6 +97,22 @@ TEST(Surface, FrictionDirectionTurnsWithTheLinkThatItIsExpressedIn) {
         EXPECT_NEAR(watch.last.fdir1[0], 0, 1e-6) << attribute;
     }
     expectError(ballInFrame(" gz:expressed_in=\"nose\""), worlds::LoadError::Kind::Value, {"no link 'nose'"});
+}
+
+// A static shape of any kind has been turned for good; ODE knows no rotation of a plane, and another one of a height field.
+TEST(Surface, FrictionDirectionOfAStaticShapeTurnsWithIt) {
+    const TestFolder folder("surface");
+    const std::string image = folder.write("flat.pgm", "P5\n2 2\n255\n" + std::string(4, '\0'));
+    for (const std::string &geometry :
+         {std::string("<plane/>"), "<heightmap><uri>" + image + "</uri><size>4 4 1</size></heightmap>", box(4, 4, 1e-6)}) {
+        const dContact contact = contactOf(world(
+            "<model name=\"floor\"><static>true</static><pose>0 0 0 0 0 0.9</pose><link name=\"l\"><pose>0 0 0 0 0 0.4</pose>"
+            "<collision name=\"c\"><pose>0 0 0 0 0 0.2707963267948966</pose><geometry>" +
+            geometry + "</geometry>" + friction("<mu>1</mu><fdir1>1 0 0</fdir1>") + "</collision></link></model>" +
+            model("m", "0.2 0.3 0.0999 0 0 0", sphere(0.1), friction("<mu>1</mu>"))));
+        EXPECT_NEAR(contact.fdir1[0], 0, 1e-9) << geometry;
+        EXPECT_NEAR(std::fabs(contact.fdir1[1]), 1, 1e-9) << geometry;
+    }
 }
 
 TEST(Surface, FrictionDirectionAlongTheNormalIsLeftOut) {

@@ -60,10 +60,6 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"stopsOfAFixed", jointed("fixed", "<physics><ode><limit><cfm>0.1</cfm></limit></ode></physics>"),
              robot + "/physics/ode/limit"},
         Case{"screw", jointed("screw", axis + "<thread_pitch>1</thread_pitch>"), robot + ": type 'screw'"},
-        Case{"implicitSpring",
-             jointed("revolute", axis + "<physics><ode><implicit_spring_damper>true"
-                                        "</implicit_spring_damper></ode></physics>"),
-             robot + "/physics/ode/implicit_spring_damper"},
         Case{"limitStiffness",
              jointed("revolute",
                      "<axis><xyz>0 0 1</xyz><limit><lower>0</lower><upper>1</upper>"
@@ -80,12 +76,13 @@ INSTANTIATE_TEST_SUITE_P(
                          "<polyline><height>1</height><point>0 0</point><point>1 0"
                          "</point><point>0 1</point></polyline>")),
              shape + "/geometry/polyline"},
+        Case{"twoPolylines",
+             world(model("m", "0 0 0 0 0 0", "<polyline><height>1</height></polyline><polyline><height>2</height></polyline>")),
+             shape + "/geometry/polyline"},
         Case{"planeThatMoves", world(model("m", "0 0 0 0 0 0", "<plane/>")), shape + "/geometry"},
         Case{"torsionalFriction",
              withSurface("<friction><torsional><patch_radius>0.1</patch_radius></torsional></friction>"),
              shape + "/surface/friction/torsional/patch_radius"},
-        Case{"minDepth", withSurface("<contact><ode><min_depth>0.01</min_depth></ode></contact>"),
-             shape + "/surface/contact/ode/min_depth"},
         Case{"ghost",
              withSurface("<contact><collide_without_contact>true</collide_without_contact></contact>"),
              shape + "/surface/contact/collide_without_contact"},
@@ -109,13 +106,6 @@ INSTANTIATE_TEST_SUITE_P(
              "/sdf/world/model[m]/plugin[gz::sim::systems::Lift]: filename 'gz-sim-lift'"},
         Case{"worldPlugin", world("<plugin name=\"p\" filename=\"libwind.so\"/>"),
              "/sdf/world/plugin[p]: filename 'libwind.so'"},
-        Case{"otherEngine", worldWith("<physics type=\"bullet\"/>", ""), "/sdf/world/physics: type 'bullet'"},
-        Case{"rescaling",
-             worldWith("<physics type=\"ode\"><ode><solver><use_dynamic_moi_rescaling>true"
-                       "</use_dynamic_moi_rescaling></solver></ode></physics>",
-                       ""),
-             "/sdf/world/physics/ode/solver/use_dynamic_moi_rescaling"},
-        Case{"state", world("<state world_name=\"test\"/>"), "/sdf/world/state"},
         Case{"attribute", world("<model name=\"m\" weight=\"2\"><link name=\"link\"/></model>"),
              "/sdf/world/model[m]"}),
     [](const auto &info) { return info.param.name; });
@@ -147,8 +137,48 @@ TEST(Supported, IsNeutralWhereItHoldsTheDefault) {
         load(worldWith("<physics type=\"ode\"><ode><solver><use_dynamic_moi_rescaling>0"
                        "</use_dynamic_moi_rescaling><precon_iters>0</precon_iters></solver></ode></physics>",
                        "")));
-    EXPECT_NO_THROW(
-        load(jointed("revolute", axis + "<physics><ode><cfm_damping>false</cfm_damping></ode></physics>")));
+    // How Gazebo integrates damping and springs is not how they act.
+    for (const char *const way : {"cfm_damping", "implicit_spring_damper"})
+        for (const char *const flag : {"true", "false"}) {
+            const std::string element = std::string("<") + way + ">" + flag + "</" + way + ">";
+            EXPECT_TRUE(
+                loadWithWarnings(jointed("revolute", axis + "<physics><ode>" + element + "</ode></physics>")).warnings.empty());
+        }
+}
+
+void expectOneWarning(const std::string &sdf, const std::string &expected) {
+    const std::vector<std::string> warnings = loadWithWarnings(sdf).warnings;
+    ASSERT_EQ(warnings.size(), 1u) << sdf;
+    EXPECT_EQ(warnings[0], "test.sdf: " + expected);
+}
+
+TEST(LeftAside, WithAWarningIsWhatIsOfTheSolver) {
+    const std::string left = ": left aside: ", ofContacts = shape + "/surface/contact/ode/";
+    expectOneWarning(withSurface("<contact><ode><min_depth>0.01</min_depth></ode></contact>"),
+                     ofContacts + "min_depth" + left + "ODE has one for all contacts, <contact_surface_layer>");
+    expectOneWarning(withSurface("<contact><ode><max_vel>1</max_vel></ode></contact>"),
+                     ofContacts + "max_vel" + left + "ODE has one for all contacts, <contact_max_correcting_vel>");
+    for (const char *const of : {"use_dynamic_moi_rescaling", "precon_iters", "thread_position_correction"})
+        expectOneWarning(worldWith("<physics type=\"ode\"><ode><solver><" + std::string(of) + ">1</" + of +
+                                       "></solver></ode></physics>",
+                                   ""),
+                         "/sdf/world/physics/ode/solver/" + std::string(of) + left + "the solver of Gazebo's own ODE alone has it");
+}
+
+// Its steps and gravity are those of the file.
+TEST(LeftAside, WithAWarningIsAnotherEngine) {
+    for (const std::string engine : {"bullet", "dart", "simbody", "tpe"}) {
+        const std::string sdf = worldWith("<physics type=\"" + engine + "\"><max_step_size>0.25</max_step_size></physics>", "");
+        expectOneWarning(sdf, "/sdf/world/physics: type '" + engine + "': the engine is ODE nevertheless");
+        EXPECT_EQ(load(sdf)->stepSize(), 0.25);
+    }
+}
+
+// Worlds that Gazebo has saved hold it.
+TEST(LeftAside, WithAWarningIsTheState) {
+    const std::string state = "<state world_name=\"test\"><model name=\"m\"><pose>1 2 3 0 0 0</pose></model></state>";
+    expectOneWarning(world(model("m", "0 0 0 0 0 0", sphere(1)) + state),
+                     "/sdf/world/state: left aside: models start where <model> says, as in Gazebo Sim");
 }
 
 TEST(Unsupported, EveryOneIsInTheWarnings) {

@@ -37,14 +37,16 @@ public:
     };
 
     LoadError(Kind kind, const Place &place, const std::string &what)
-        : std::runtime_error(toString(place) + ": " + printable(what)), m_kind(kind), m_place(place) {}
+        : std::runtime_error(toString(place) + ": " + printable(what)), m_kind(kind), m_place(place), m_reason(what) {}
 
     Kind kind() const { return m_kind; }
     const Place &place() const { return m_place; }
+    const std::string &reason() const { return m_reason; }  // what() without the place
 
 private:
     Kind m_kind;
     Place m_place;
+    std::string m_reason;
 };
 
 // Calls `work`; too little memory within it is reported at `place`.

@@ -11,10 +11,13 @@
 namespace worlds {
 
 struct LoadOptions {
-    // false: an element that is not supported is a LoadError. true: it is ignored, and named in
+    // false: an element that is not supported is a LoadError. true: it is left out, and named in
     // `warnings`.
     bool ignoreUnsupported = false;
-    std::vector<std::string> *warnings = nullptr;  // not owned
+    // What the user writes for `ignoreUnsupported`, for messages: "--ignore-unsupported". Empty: there is no way.
+    std::string ignoringOption;
+    // Each once: what was left out, and what is read in another way than it is written. Not owned.
+    std::vector<std::string> *warnings = nullptr;
 
     // false: by their category and collide bits, static shapes never collide with one another: ODE's space does
     // not report such pairs. true: it does, and the near callback drops them, which moves nothing
@@ -26,7 +29,8 @@ struct LoadOptions {
     std::size_t staticShapes = 0;
 
     // Folders in which model:// URIs and relative file names are searched, besides the folder of the file that
-    // names them, its subfolder models/ and the folders in SDF_PATH and GZ_SIM_RESOURCE_PATH.
+    // names them, its subfolder models/, the folders in kModelFolderVariables (read/resource_finder.h) and, last, the
+    // models that come with the worlds.
     std::vector<std::string> modelFolders;
 };
 

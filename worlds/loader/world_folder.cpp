@@ -12,12 +12,23 @@ namespace fs = std::filesystem;
 
 namespace worlds {
 
-std::string worldFolder() {
-    if (const char *chosen = secure_getenv("ODE_MT_WORLDS"); chosen && *chosen) return chosen;
+namespace {
+
+// Of the tree that this program is installed in, else of the sources.
+std::string ownFolder() {
     std::error_code none;  // a path that cannot be examined does not exist
     const fs::path installed = fs::read_symlink("/proc/self/exe", none).parent_path().parent_path() / "share/ode_mt/worlds";
     return fs::is_directory(installed, none) ? installed.string() : ODE_MT_WORLDS_SOURCE_DIR;
 }
+
+}  // namespace
+
+std::string worldFolder() {
+    if (const char *chosen = secure_getenv("ODE_MT_WORLDS"); chosen && *chosen) return chosen;
+    return ownFolder();
+}
+
+std::string commonModelFolder() { return ownFolder() + "/models"; }
 
 std::vector<std::string> availableWorlds() {
     std::vector<std::string> names;

@@ -10,6 +10,9 @@ namespace worlds {
 // in, else the source folder.
 std::string worldFolder();
 
+// The folder of the models that come with the worlds, whatever ODE_MT_WORLDS is: Gazebo's sun and ground plane among them.
+std::string commonModelFolder();
+
 // "create", "pioneer3at", … in alphabetical order.
 std::vector<std::string> availableWorlds();
 

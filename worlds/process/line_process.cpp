@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <thread>
 
 namespace process {
@@ -36,7 +37,8 @@ void LineProcess::writeLine(const std::string &line) {
     if (written != static_cast<ssize_t>(text.size())) throw LineProcessError(ending());
 }
 
-std::string LineProcess::readLine(std::chrono::milliseconds limit) {
+std::string LineProcess::readLine(std::chrono::milliseconds limit, const std::function<void()> &whileWaiting) {
+    constexpr std::chrono::milliseconds kInterval{200};  // between two calls of whileWaiting
     const Clock::time_point deadline = Clock::now() + limit;
     for (;;) {
         const std::size_t end = m_buffer.find('\n');
@@ -47,8 +49,12 @@ std::string LineProcess::readLine(std::chrono::milliseconds limit) {
         }
         const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
         pollfd wait{m_process->output(), POLLIN, 0};
-        if (left.count() <= 0 || poll(&wait, 1, static_cast<int>(left.count())) == 0)
+        if (left.count() <= 0)
             throw LineProcessError("no answer within " + std::to_string(limit.count() / 1000) + " s" + lastErrors());
+        if (poll(&wait, 1, static_cast<int>((whileWaiting ? std::min(left, kInterval) : left).count())) == 0) {
+            if (whileWaiting) whileWaiting();
+            continue;
+        }
         char bytes[4096];
         const ssize_t count = read(m_process->output(), bytes, sizeof bytes);
         if (count == 0) throw LineProcessError(ending());

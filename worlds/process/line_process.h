@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -29,7 +30,8 @@ public:
     void writeLine(const std::string &line);
     // It will read that there are no more lines.
     void writeEnd() { m_process->closeInput(); }
-    std::string readLine(std::chrono::milliseconds limit);
+    // `whileWaiting`, if given, is called some times a second until the line is there.
+    std::string readLine(std::chrono::milliseconds limit, const std::function<void()> &whileWaiting = {});
     // Waits for the end of a process that comes to one. Throws LineProcessError unless it exits with 0.
     void waitForExit();
 

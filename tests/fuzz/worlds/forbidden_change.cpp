@@ -34,9 +34,8 @@ std::vector<Forbidden> kindsFor(const RuledElement &ruled) {
         return kinds;
     }
     std::vector<Forbidden> kinds = {Forbidden::UnknownAttribute};
-    // Shapes of one geometry are distinguished by another rule; the first of two is named.
-    if (rule.often == worlds::Often::Once && ruled.path.rfind("collision/geometry/", 0) != 0 &&
-        ruled.path != "/sdf/world")
+    // Of SDF's own elements the first one counts.
+    if (rule.often == worlds::Often::Once && ruled.path.find("/odemt:") != std::string::npos)
         kinds.push_back(Forbidden::Doubled);
     if (rule.type == Type::Group) {
         kinds.push_back(Forbidden::StrayText);
@@ -45,8 +44,7 @@ std::vector<Forbidden> kindsFor(const RuledElement &ruled) {
     }
     kinds.push_back(Forbidden::ElementInValue);
     if (!hasText) return kinds;  // a pose without numbers is that of its frame
-    if (rule.type != Type::Pose || !ruled.element->Attribute("relative_to"))
-        kinds.push_back(Forbidden::Emptied);
+    if (rule.type != Type::Pose) kinds.push_back(Forbidden::Emptied);  // an empty pose is no change
     if (isNumber(rule.type) || rule.type == Type::Pose)
         kinds.insert(kinds.end(), {Forbidden::ExtraNumber, Forbidden::NotANumber, Forbidden::Unit});
     if (rule.type == Type::Pose || rule.count > 1) kinds.push_back(Forbidden::MissingNumber);

@@ -55,6 +55,7 @@ const SourceFile &Element::file() const {
 Place Element::place() const {
     Place place{file().name, {}};
     for (const Element *at = this; at; at = at->parent) {
+        if (at->isImplied) continue;
         const bool isShownByName = at->name != "world" && at->name != "physics";
         const std::string *const ownName = isShownByName ? at->findAttribute("name") : nullptr;
         place.path = "/" + at->name + (ownName ? "[" + *ownName + "]" : "") + place.path;

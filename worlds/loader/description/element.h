@@ -26,6 +26,7 @@ struct Element {
     std::list<Element> children;  // stay where they are in memory, for `parent`
     Element *parent = nullptr;
     std::shared_ptr<const SourceFile> source;  // null: the parent's
+    bool isImplied = false;  // not written in the file: no place names it
     bool isMerged = false;  // an included model whose contents belong to the model around it
     double most = std::numeric_limits<double>::infinity();  // of the magnitude of a number that is read
 

@@ -38,30 +38,38 @@ void copy(const tinyxml2::XMLElement &source, Element &element, int version) {
     element.isCData = hasCData && !hasPlain;
 }
 
-// Parses a file's text to `root`, which is its <sdf> element.
-void parse(const std::string &text, const std::string &file, Element &root) {
+// Parses a file's text to `root`, which is its <sdf> element. Returns false for an included one that is left out: of a version
+// that is not supported.
+bool parse(const std::string &text, const std::string &file, bool isIncluded, const Issues &issues, Element &root) {
     const auto broken = [&](const std::string &what) {
         return LoadError(LoadError::Kind::Syntax, {file, ""}, what);
     };
     tinyxml2::XMLDocument xml;
-    if (const std::string wrong = readXml(text, xml); !wrong.empty()) throw broken(wrong);
+    std::vector<std::string> faults;
+    if (const std::string wrong = readXml(text, xml, &faults); !wrong.empty()) throw broken(wrong);
+    for (const std::string &fault : faults) issues.warn({file, ""}, fault + "; read as Gazebo reads it");
     const tinyxml2::XMLElement &sdf = *xml.RootElement();
     if (std::string(sdf.Name()) != "sdf") throw broken("not SDF: the root element is not <sdf>");
     const Place place{file, "/sdf"};
     const char *const name = sdf.Attribute("version");
     if (!name) throw LoadError(LoadError::Kind::Syntax, place, "not SDF: <sdf> has no version");
     const std::optional<int> version = versionNamed(name);
+    const std::string supported = versionName(oldestVersion) + " to " + versionName(newestVersion);
+    if (!version && isIncluded) {
+        issues.unsupported(place, "version " + quote(name) + ", none of " + supported);
+        return false;
+    }
     if (!version)
         throw LoadError(LoadError::Kind::Unsupported, place,
-                        "version " + quote(name) + ": not supported; " + versionName(oldestVersion) + " to " +
-                            versionName(newestVersion) + " are");
+                        "version " + quote(name) + ": not supported; " + supported + " are");
     root.source = std::make_shared<SourceFile>(SourceFile{file, *version});
     copy(sdf, root, *version);
     if (!root.text.empty() && !root.isCData) root.fail("holds text: " + quote(root.text));
+    return true;
 }
 
 // Returns the name, within a model's folder, of the file for the newest version of SDF that is supported: as
-// model.config says.
+// model.config says. One without a version counts as the oldest.
 std::string readModelConfig(const std::string &folder, const Place &place, const std::string &model) {
     const std::string config = folder + "/model.config";
     const auto fail = [&](const std::string &what) {
@@ -78,11 +86,11 @@ std::string readModelConfig(const std::string &folder, const Place &place, const
     for (const tinyxml2::XMLElement *sdf = root.FirstChildElement("sdf"); sdf;
          sdf = sdf->NextSiblingElement("sdf")) {
         const char *const name = sdf->Attribute("version");
-        const std::optional<int> version = name ? versionNamed(name) : std::nullopt;
+        const std::optional<int> version = name ? versionNamed(name) : oldestVersion;
         if (!version || *version < newest) continue;
         newest = *version;
         file = wholeText(*sdf);
-        if (file.empty()) throw fail("its <sdf version=\"" + std::string(name) + "\"> names no file");
+        if (file.empty()) throw fail("its <sdf> of version " + versionName(newest) + " names no file");
     }
     if (file.empty())
         throw fail("names no SDF file of a version from " + versionName(oldestVersion) + " to " +
@@ -117,16 +125,19 @@ public:
         const Element &uri = include.required("uri");
         const Place place = uri.place();
         const std::string found = m_reading.resources.find(uri.text, include.file().name);
-        if (found.empty()) throw LoadError(LoadError::Kind::Resource, place, "no model " + quote(uri.text));
+        std::list<Element> included;
+        if (found.empty()) {
+            m_reading.issues.missing(place, "no model " + quote(uri.text) + ": " +
+                                                m_reading.resources.whereSearched(uri.text, include.file().name));
+            return included;
+        }
         const std::string file = modelFile(found, place, uri.text);
         refuseCircles(include, file, place);
         if (++m_modelCount > maxModels)
             uri.fail("the world includes more than " + std::to_string(maxModels) + " models");
 
         Element root;
-        parse(textOf(file, place), file, root);
-        std::list<Element> included;
-        if (isLeftOut(root)) return included;
+        if (!parse(textOf(file, place), file, true, m_reading.issues, root) || isLeftOut(root)) return included;
         included.splice(included.end(), root.children);
         included.front().source = root.source;
         override(included.front(), include);
@@ -162,16 +173,15 @@ private:
         return m_texts[file] = readTextFile(file);
     }
 
-    // True of a light, which moves nothing, and of an actor, if the user wants to do without.
+    // True of a light and an actor, which move nothing, and of anything else but a model, if the user wants to do without.
     bool isLeftOut(const Element &root) const {
         const std::string kind = root.children.size() == 1 ? root.children.front().name : std::string();
-        if (kind == "model" || kind == "light") return kind == "light";
-        if (kind == "actor") {
+        if (kind == "model" || kind == "light" || kind == "actor") return kind != "model";
+        if (kind.empty())
+            m_reading.issues.unsupported(root.place(), "an included file that does not hold one <model> and nothing else");
+        else
             m_reading.issues.unsupported(root.children.front().place());
-            return true;
-        }
-        throw LoadError(LoadError::Kind::Unsupported, root.place(),
-                        "an included file has to hold one <model> and nothing else");
+        return true;
     }
 
     // Gives the model what the <include> says of it. What is moved is still in the file of the <include>.
@@ -208,10 +218,37 @@ private:
 
 }  // namespace
 
+namespace {
+
+// Makes a world around the one model of a file that holds no world, and a plane for it to stand on.
+void putOnAPlane(Element &root) {
+    if (root.child("world") || root.children.size() != 1 || root.children.front().name != "model") return;
+    std::list<Element> model;
+    model.swap(root.children);
+    Element &world = root.add("world");
+    world.isImplied = true;
+    world.setAttribute("name", "default");
+    model.front().parent = &world;
+    world.children.splice(world.children.end(), model);
+    const std::string name = "ground_plane";
+    if (world.children.front().attributeOrEmpty("name") == name) return;
+    Element &ground = world.add("model");
+    ground.setAttribute("name", name);
+    ground.add("static").text = "true";
+    Element &link = ground.add("link");
+    link.setAttribute("name", "link");
+    Element &collision = link.add("collision");
+    collision.setAttribute("name", "collision");
+    collision.add("geometry").add("plane");
+}
+
+}  // namespace
+
 std::shared_ptr<Element> readDocument(const std::string &text, const std::string &file,
                                       const Reading &reading) {
     const auto root = std::make_shared<Element>();
-    parse(text, file, *root);
+    parse(text, file, false, reading.issues, *root);
+    putOnAPlane(*root);
     Includes includes(file, reading);
     checkElements(*root, reading.issues, [&](Element &include) { return includes.modelOf(include); });
     return root;

@@ -1,6 +1,8 @@
 #include "loader/read/element_check.h"
 
+#include "loader/control/controller_registry.h"
 #include "loader/read/element_rules.h"
+#include "loader/read/gazebo_plugins.h"
 #include "loader/read/value_check.h"
 
 #include <algorithm>
@@ -59,16 +61,34 @@ private:
             if (!rule) {
                 m_issues.unsupported(child.place());
             } else {
-                if (!written.insert(child.name).second && rule->often == Often::Once)
-                    child.fail("is written twice");
+                if (!written.insert(child.name).second && rule->often == Often::Once) {
+                    if (!isReadOnce(path)) child.fail("is written twice");
+                    m_issues.warn(child.place(), "is written twice: the first one counts, as in Gazebo");
+                    left.pop_front();
+                    continue;
+                }
                 if (child.name == "physics" && isTrue(child.attributeOrEmpty("default"))) {
                     if (hasDefault) child.fail("is a second default");
                     hasDefault = true;
                 }
+                if (child.name == "physics") engine(child);
                 if (element(child, path, *rule)) keep(parent, left, context, names);
             }
             left.pop_front();
         }
+    }
+
+    // Whatever engine the file is for, what it says of steps and gravity holds for ours.
+    void engine(const Element &physics) const {
+        const std::string type = physics.attributeOrEmpty("type");
+        for (const char *const other : {"bullet", "dart", "simbody", "tpe"})
+            if (type == other) m_issues.warn(physics.place(), "type " + quote(type) + ": the engine is ODE nevertheless");
+    }
+
+    // Whether of several elements the first one counts, as libsdformat has it. Ours may not be doubled, and no file holds
+    // two worlds.
+    static bool isReadOnce(const std::string &path) {
+        return path != "/sdf/world" && path.find("/odemt:") == std::string::npos;
     }
 
     // Moves the first of `left` to the parent; what an <include> includes, in its place.
@@ -95,12 +115,17 @@ private:
     // are those that a merged model shares.
     bool element(Element &element, const std::string &path, const ElementRule &rule,
                  Names *outerNames = nullptr) {
-        if (!attributes(element, path, rule) || rule.use == Use::NoPhysics) return false;
+        if (element.name == "plugin" && !isController(element, path)) return false;
+        if (!attributes(element, path, rule)) return false;
+        if (rule.use == Use::NoPhysics) {
+            if (!rule.note.empty()) leaveAside(element, rule);
+            return false;
+        }
         if (rule.use == Use::ReadBySelf) return textOrElements(element), true;
         if (rule.use == Use::DefaultOnly) return defaultOnly(element, rule), false;
         if (rule.type == Type::Group) {
             if (!element.text.empty() && !element.isCData) element.fail("holds text: " + quote(element.text));
-            needs(element, rule);
+            needs(element, path, rule);
             const bool wasStatic = m_isStatic;
             if (element.name == "model") m_isStatic = m_isStatic || element.childFlag("static", false);
             if (outerNames && element.isMerged)
@@ -114,6 +139,26 @@ private:
             element.fail("holds an element, <" + element.children.front().name + ">, in place of a value");
         value(element, path, rule);
         return true;
+    }
+
+    // Whether a plugin is a controller of ours. Of any other one no program is run: it is left aside when it moves nothing
+    // by itself.
+    bool isController(const Element &plugin, const std::string &path) const {
+        lengths(plugin);
+        const std::string &file = plugin.attribute("filename");
+        if (path != "world/plugin" && isControllerType(file)) return true;
+        switch (pluginEffect(plugin)) {
+            case PluginEffect::MovesNothing:
+                break;
+            case PluginEffect::AwaitsMessages:
+                m_issues.warn(plugin.place(), "filename " + quote(file) + ": left aside: it moves something only when it is sent "
+                                                                          "messages, and nobody sends any here");
+                break;
+            case PluginEffect::Unknown:
+                m_issues.unsupported(plugin.place(), "filename " + quote(file) + ", which may move something, none of " +
+                                                         join(controllerTypes(), ", "));
+        }
+        return false;
     }
 
     // False when an attribute makes the element something that is not supported.
@@ -197,7 +242,15 @@ private:
         const bool isUsual = isFlag ? element.text == "false" || element.text == "False" ||
                                           element.text == "FALSE" || element.text == "0"
                                     : readNumbers(element.text, given) && given == usual;
-        if (!isUsual) m_issues.unsupported(element.place());
+        if (isUsual) return;
+        if (rule.note.empty())
+            m_issues.unsupported(element.place());
+        else
+            leaveAside(element, rule);
+    }
+
+    void leaveAside(const Element &element, const ElementRule &rule) const {
+        m_issues.warn(element.place(), "left aside: " + rule.note);
     }
 
     void value(const Element &element, const std::string &path, const ElementRule &rule) const {
@@ -229,7 +282,7 @@ private:
         }
     }
 
-    static void needs(const Element &element, const ElementRule &rule) {
+    static void needs(const Element &element, const std::string &path, const ElementRule &rule) {
         const auto isThere = [&](const std::string &name) { return element.child(name) != nullptr; };
         for (const std::string &name : rule.needs)
             if (!isThere(name)) element.fail("needs an element <" + name + ">");
@@ -238,9 +291,12 @@ private:
             element.fail("needs an element " + join(some, " or "));
         if (!rule.needsOneChild) return;
         if (element.children.empty()) element.fail("holds no element");
-        if (element.children.size() > 1)
-            element.fail("holds two elements, <" + element.children.front().name + "> and <" +
-                         std::next(element.children.begin())->name + ">, in place of one");
+        const Element *one = nullptr;
+        for (const Element &child : element.children) {
+            if (!findElementRule(path + "/" + child.name, child.file().version)) continue;  // is no shape that is supported
+            if (one) element.fail("holds two elements, <" + one->name + "> and <" + child.name + ">, in place of one");
+            one = &child;
+        }
     }
 
     const Issues &m_issues;
@@ -251,7 +307,7 @@ private:
 }  // namespace
 
 void checkElements(Element &root, const Issues &issues, const OnInclude &onInclude) {
-    if (!root.child("world")) throw LoadError(LoadError::Kind::Syntax, root.place(), "holds no <world>");
+    if (!root.child("world")) throw LoadError(LoadError::Kind::Syntax, root.place(), "holds neither a <world> nor one <model>");
     Check(issues, onInclude).document(root);
 }
 

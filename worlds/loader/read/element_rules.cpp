@@ -1,6 +1,6 @@
 #include "loader/read/element_rules.h"
 
-#include "loader/control/controller_registry.h"
+#include "loader/read/gazebo_plugins.h"
 #include "loader/read/value_check.h"
 
 #include <algorithm>
@@ -39,6 +39,17 @@ ElementRule defaultOnly(const std::string &usual) {
     rule.usual = usual;
     return rule;
 }
+// Another value than the default is left aside with a warning.
+ElementRule defaultBut(const std::string &usual, const std::string &note) {
+    ElementRule rule = defaultOnly(usual);
+    rule.note = note;
+    return rule;
+}
+ElementRule noPhysicsBut(const std::string &note) {
+    ElementRule rule{Use::NoPhysics, Type::Any, 0, 0, 0, Often::Any};
+    rule.note = note;
+    return rule;
+}
 ElementRule until(int version, ElementRule rule) {
     rule.until = version;
     return rule;
@@ -68,16 +79,22 @@ const Rules worldRules = {
     {"world/model", needingOneOf({"link", "model", "include"})},
     {"world/frame", many},
     {"world/frame/pose", pose},
-    {"world/plugin", noPhysics},  // attributeRules() lets pass those alone that move nothing
+    {"world/plugin", noPhysics},  // gazebo_plugins.h lets pass those alone that move nothing
     {"world/magnetic_field", noPhysics},
     {"world/atmosphere", noPhysics},
     {"world/wind", noPhysics},  // acts on links with <enable_wind> only
     {"world/gui", noPhysics},
     {"world/scene", noPhysics},
     {"world/light", noPhysics},
+    {"world/actor", noPhysics},  // animated; it touches nothing
     {"world/audio", noPhysics},
+    {"world/road", noPhysics},  // drawn; it has no collision
+    {"world/gz:policies", noPhysics},
+    {"world/state", noPhysicsBut("models start where <model> says, as in Gazebo Sim")},
     {"world/spherical_coordinates", noPhysics},
 };
+
+const std::string ofGazebosSolver = "the solver of Gazebo's own ODE alone has it";
 
 const Rules physicsRules = {
     {"world/physics/max_step_size", stepSize},
@@ -99,9 +116,9 @@ const Rules physicsRules = {
     {"world/physics/ode/solver/friction_model", choice({"pyramid_model", "box_model"})},
     {"world/physics/ode/solver/min_step_size", noPhysics},        // steps have one size
     {"world/physics/ode/solver/island_threads", noPhysics},       // threads are the library's affair
-    {"world/physics/ode/solver/precon_iters", defaultOnly("0")},  // the rest is in Gazebo's own ODE alone
-    {"world/physics/ode/solver/thread_position_correction", defaultOnly("false")},
-    {"world/physics/ode/solver/use_dynamic_moi_rescaling", defaultOnly("false")},
+    {"world/physics/ode/solver/precon_iters", defaultBut("0", ofGazebosSolver)},
+    {"world/physics/ode/solver/thread_position_correction", defaultBut("false", ofGazebosSolver)},
+    {"world/physics/ode/solver/use_dynamic_moi_rescaling", defaultBut("false", ofGazebosSolver)},
     {"world/physics/ode/constraints", group},
     {"world/physics/ode/constraints/cfm", notNegative},
     {"world/physics/ode/constraints/erp", share},
@@ -146,6 +163,7 @@ const Rules modelRules = {
     {"model/self_collide", flag},
     {"model/allow_auto_disable", flag},
     {"model/enable_wind", defaultOnly("false")},
+    {"model/gz:semantics", noPhysics},
     {"model/frame", many},
     {"model/frame/pose", pose},
     {"model/link", many},
@@ -185,20 +203,21 @@ const Rules linkRules = {
     {"link/particle_emitter", noPhysics},
 };
 
+// A size that is missing is SDF's default: 1 m, of a capsule's radius 0.5 m.
 const Rules collisionRules = {
     {"collision/pose", pose},
     {"collision/laser_retro", noPhysics},
     {"collision/max_contacts", whole(0, 0xffff)},
     {"collision/geometry", {Use::Read, Type::Group, 0, 0, 0, Often::Once, {}, {}, true}},
     {"collision/geometry/empty", group},
-    {"collision/geometry/box", needing({"size"})},
+    {"collision/geometry/box", group},
     {"collision/geometry/box/size", size},
-    {"collision/geometry/sphere", needing({"radius"})},
+    {"collision/geometry/sphere", group},
     {"collision/geometry/sphere/radius", length},
-    {"collision/geometry/cylinder", needing({"radius", "length"})},
+    {"collision/geometry/cylinder", group},
     {"collision/geometry/cylinder/radius", length},
     {"collision/geometry/cylinder/length", length},
-    {"collision/geometry/capsule", needing({"radius", "length"})},
+    {"collision/geometry/capsule", group},
     {"collision/geometry/capsule/radius", length},
     {"collision/geometry/capsule/length", length},
     {"collision/geometry/plane", group},
@@ -242,15 +261,16 @@ const Rules surfaceRules = {
     {"collision/surface/contact/collide_without_contact_bitmask", noPhysics},
     {"collision/surface/contact/collide_bitmask", mask},
     {"collision/surface/contact/category_bitmask", mask},
-    {"collision/surface/contact/poissons_ratio", defaultOnly("0.3")},
+    {"collision/surface/contact/poissons_ratio", noPhysics},  // used with an elastic modulus alone
     {"collision/surface/contact/elastic_modulus", defaultOnly("-1")},
     {"collision/surface/contact/ode", group},
     {"collision/surface/contact/ode/soft_cfm", notNegative},
     {"collision/surface/contact/ode/soft_erp", share},
     {"collision/surface/contact/ode/kp", positive},
     {"collision/surface/contact/ode/kd", notNegative},
-    {"collision/surface/contact/ode/max_vel", defaultOnly("0.01")},
-    {"collision/surface/contact/ode/min_depth", defaultOnly("0")},
+    {"collision/surface/contact/ode/max_vel",
+     defaultBut("0.01", "ODE has one for all contacts, <contact_max_correcting_vel>")},
+    {"collision/surface/contact/ode/min_depth", defaultBut("0", "ODE has one for all contacts, <contact_surface_layer>")},
     {"collision/surface/contact/bullet", noPhysics},
     {"collision/surface/soft_contact", noPhysics},  // holds parameters of DART alone
 };
@@ -286,8 +306,8 @@ const Rules jointRules = {
     {"joint/physics/provide_feedback", flag},
     {"joint/physics/ode", group},
     {"joint/physics/ode/provide_feedback", flag},
-    {"joint/physics/ode/cfm_damping", defaultOnly("false")},
-    {"joint/physics/ode/implicit_spring_damper", defaultOnly("false")},
+    {"joint/physics/ode/cfm_damping", noPhysics},  // how Gazebo integrates damping and springs, not what they are
+    {"joint/physics/ode/implicit_spring_damper", noPhysics},
     {"joint/physics/ode/fudge_factor", notNegative},
     {"joint/physics/ode/cfm", notNegative},
     {"joint/physics/ode/erp", share},
@@ -310,23 +330,6 @@ Rules allRules() {
         all.insert(all.end(), rules.begin(), rules.end());
     return all;
 }
-
-// Systems of Gazebo that draw, record or talk to the user: a world that names them moves the same
-// without them.
-const std::vector<std::string> gazeboSystems = {
-    "gz-sim-physics-system",
-    "ignition-gazebo-physics-system",
-    "gz-sim-user-commands-system",
-    "ignition-gazebo-user-commands-system",
-    "gz-sim-scene-broadcaster-system",
-    "ignition-gazebo-scene-broadcaster-system",
-    "gz-sim-sensors-system",
-    "ignition-gazebo-sensors-system",
-    "gz-sim-contact-system",
-    "ignition-gazebo-contact-system",
-    "gz-sim-imu-system",
-    "ignition-gazebo-imu-system",
-};
 
 std::vector<std::string> versionNames() {
     std::vector<std::string> names;
@@ -367,8 +370,8 @@ const std::vector<AttributeRule> &attributeRules() {
         {"/sdf/world", "name", true},
         {"world/physics", "name"},
         {"world/physics", "default"},
-        // Gazebo takes its own choice for an engine that it does not know.
-        {"world/physics", "type", true, {"ode", "ignored", "ignore", "none"}},
+        // Gazebo takes its own choice for an engine that it does not know, and we for every one.
+        {"world/physics", "type", true},
         {"world/physics/odemt:space", "type", true, {"simple", "hash", "sap", "quadtree"}},
         {"world/frame", "name", true},
         {"world/frame", "attached_to"},
@@ -376,7 +379,7 @@ const std::vector<AttributeRule> &attributeRules() {
         {"world/model", "canonical_link"},
         {"world/model", "placement_frame"},
         {"world/plugin", "name"},
-        {"world/plugin", "filename", true, gazeboSystems},
+        {"world/plugin", "filename", true},
         {"model/frame", "name", true},
         {"model/frame", "attached_to"},
         {"model/model", "name", true},
@@ -390,7 +393,7 @@ const std::vector<AttributeRule> &attributeRules() {
          true,
          {"revolute", "continuous", "prismatic", "ball", "universal", "revolute2", "fixed"}},
         {"model/plugin", "name", true},
-        {"model/plugin", "filename", true, controllerTypes()},
+        {"model/plugin", "filename", true},
         {"link/collision", "name", true},
         {"collision/surface/friction/ode/fdir1", "gz:expressed_in"},
         {"collision/surface/friction/ode/fdir1", "ignition:expressed_in"},
@@ -427,10 +430,11 @@ std::string holds(const ElementRule &rule) {
         case Use::ReadBySelf:
             return "a controller (README.md)";
         case Use::NoPhysics:
-            return "left aside";
+            return rule.note.empty() ? "left aside" : "left aside with a warning: " + rule.note;
         case Use::DefaultOnly:
             break;
     }
+    if (!rule.note.empty()) return rule.usual + ", SDF's default; else left aside with a warning: " + rule.note;
     return rule.usual + ", SDF's default, only";
 }
 
@@ -443,10 +447,11 @@ std::string elementDocs() {
         "# Elements\n\n"
         "Made from the table in `loader/read/element_rules.cpp`, by which worlds are checked; a test "
         "compares.\n"
-        "Any other element or attribute is an error, and so is any other value, text beside elements, and a "
-        "second "
-        "element\n"
-        "where one may be. An element that is missing has SDF's default. Versions " +
+        "Any other element or attribute is an error, and so is any other value, and text beside elements. Of several "
+        "elements\n"
+        "where one may be the first one counts, with a warning; of those in `odemt:` they are an error. An element that is "
+        "missing\n"
+        "has SDF's default. Versions " +
         versionName(oldestVersion) + " to " + versionName(newestVersion) +
         ".\n\nPaths begin at the innermost world, model, link, joint or collision.\n\n"
         "| Element | Times | Holds |\n|---|---|---|\n";
@@ -464,7 +469,18 @@ std::string elementDocs() {
            "\nPoses have `relative_to`, `rotation_format` (euler_rpy, quat_xyzw) and `degrees`; up to "
            "version 1.6 "
            "`frame` instead of `relative_to`.\n"
-           "Attributes with a colon in their name are left aside.\n";
+           "Attributes with a colon in their name are left aside.\n"
+           "\n## Plugins of Gazebo\n\n"
+           "No program of a plugin is run. Controllers of ours are in [README.md](README.md). Of others, by their file's "
+           "name "
+           "(`gz-sim-NAME-system`,\n"
+           "`ignition-gazebo-NAME-system`, both also as `lib….so`):\n\n"
+           "* They move nothing, and are left aside: " +
+           pluginsThat(PluginEffect::MovesNothing) +
+           ".\n* They move something only when they are sent messages, and are left aside with a warning, unless they are "
+           "told how to begin (`initial_…`, `persistent`). A drive of Gazebo holds its wheels until then; here they are "
+           "free: " +
+           pluginsThat(PluginEffect::AwaitsMessages) + ".\n* Any other one may move something, and is not supported.\n";
 }
 
 }  // namespace worlds

@@ -13,7 +13,7 @@ enum class Use {
     Read,
     ReadBySelf,   // with everything inside: its reader names what it does not know
     NoPhysics,    // left aside with everything inside: it changes no motion in ODE
-    DefaultOnly,  // accepted while it holds SDF's default, which asks for nothing
+    DefaultOnly,  // accepted while it holds SDF's default, which asks for nothing; else, with a note, left aside
 };
 
 enum class Type {
@@ -59,6 +59,7 @@ struct ElementRule {
     bool needsOneChild = false;                // a Group with exactly one child
     std::vector<std::string> needsOneOf = {};  // children of a Group, one of which at least has to be there
     std::string usual = {};                    // SDF's default, of DefaultOnly
+    std::string note = {};                     // for the warning where NoPhysics or DefaultOnly leave something aside
     int until = newestVersion;                 // the last version that has it
 };
 

@@ -10,11 +10,22 @@ namespace {
 
 // element_rules.h has checked what is read here: types, ranges and names.
 
-std::string findResource(const Element &shape, const Reading &reading) {
-    const std::string &uri = shape.required("uri").text;
-    const std::string file = reading.resources.find(uri, shape.file().name);
-    if (file.empty()) throw LoadError(LoadError::Kind::Resource, shape.place(), "no file " + quote(uri));
-    return file;
+// Calls `read` with the file that a shape names. None for one that is missing or broken, if the user wants to do without.
+template <class Read>
+std::optional<Shape> readFile(const Element &shape, const Reading &reading, Read read) {
+    const std::string &uri = shape.required("uri").text, &namedIn = shape.file().name;
+    const std::string file = reading.resources.find(uri, namedIn);
+    if (file.empty()) {
+        reading.issues.missing(shape.place(), "no file " + quote(uri) + ": " + reading.resources.whereSearched(uri, namedIn));
+        return std::nullopt;
+    }
+    try {
+        return read(file);
+    } catch (const LoadError &error) {
+        if (error.kind() != LoadError::Kind::Resource) throw;
+        reading.issues.missing(error);
+        return std::nullopt;
+    }
 }
 
 Vector3 vectorChild(const Element &element, const std::string &name, const Vector3 &otherwise) {
@@ -26,23 +37,24 @@ Vector3 vectorChild(const Element &element, const std::string &name, const Vecto
 
 // None for what is not supported on a body that moves, and for <empty/>.
 std::optional<Shape> readShape(const Element &shape, bool isStatic, const Reading &reading) {
-    const auto number = [&](const char *child) { return shape.required(child).number(); };
     const std::string &kind = shape.name;
-    if (kind == "box") return Box{vectorChild(shape, "size", {})};
-    if (kind == "sphere") return Sphere{number("radius")};
-    if (kind == "cylinder") return Cylinder{number("radius"), number("length")};
-    if (kind == "capsule") return Capsule{number("radius"), number("length")};
+    if (kind == "box") return Box{vectorChild(shape, "size", {1, 1, 1})};
+    if (kind == "sphere") return Sphere{shape.childNumber("radius", 1)};
+    if (kind == "cylinder") return Cylinder{shape.childNumber("radius", 1), shape.childNumber("length", 1)};
+    if (kind == "capsule") return Capsule{shape.childNumber("radius", 0.5), shape.childNumber("length", 1)};
     if (kind == "mesh")
-        return readMeshFile(findResource(shape, reading), vectorChild(shape, "scale", {1, 1, 1}),
-                            shape.place());
+        return readFile(shape, reading, [&](const std::string &file) {
+            return readMeshFile(file, vectorChild(shape, "scale", {1, 1, 1}), shape.place());
+        });
     if (kind == "empty") return std::nullopt;
     if (!isStatic) {
         reading.issues.unsupported(shape.parent->place(), "a shape without end on a body that moves");
         return std::nullopt;
     }
     if (kind == "plane") return Plane{vectorChild(shape, "normal", {0, 0, 1}).normalized()};
-    return readHeightImage(findResource(shape, reading), vectorChild(shape, "size", {1, 1, 1}),
-                           shape.place());
+    return readFile(shape, reading, [&](const std::string &file) {
+        return readHeightImage(file, vectorChild(shape, "size", {1, 1, 1}), shape.place());
+    });
 }
 
 void readBounce(const Element &bounce, Surface &surface) {

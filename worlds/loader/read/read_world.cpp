@@ -20,7 +20,7 @@ struct Model {
     bool isStatic = false, selfCollide = false, autoDisable = true;
 };
 
-// No body has other moments: one is at most the sum of the other two. That is so when half their sum less the
+// A body has no other moments: one is at most the sum of the other two. That is so when half their sum less the
 // matrix is positive, but for rounding.
 bool isOfABody(const Matrix3 &inertia) {
     const double half = (inertia(0, 0) + inertia(1, 1) + inertia(2, 2)) / 2;
@@ -31,7 +31,7 @@ bool isOfABody(const Matrix3 &inertia) {
 }
 
 // Along the link's axes, whatever the rotation of the inertial frame.
-Mass readMass(const Element &link, bool isStatic) {
+Mass readMass(const Element &link, bool isStatic, const Issues &issues) {
     Mass mass;
     const Element *const inertial = link.child("inertial"), *const inertia = inertial
                                                                                  ? inertial->child("inertia")
@@ -52,7 +52,7 @@ Mass readMass(const Element &link, bool isStatic) {
     mass.center = pose.position;
     if (!isStatic && !isPositiveDefinite(own)) inertia->fail("the inertia matrix is not positive definite");
     if (!isStatic && !isOfABody(own))
-        inertia->fail("no body has such an inertia matrix: a moment is above the sum of the others");
+        issues.warn(inertia->place(), "no body has such an inertia matrix: a moment is above the sum of the others");
     const Matrix3 turn = Matrix3::rotation(pose.rotation);
     own = turn * own * turn.transposed();
     return mass;
@@ -102,7 +102,7 @@ private:
         link.gravity = element.childFlag("gravity", true);
         link.selfCollide = element.childFlag("self_collide", model.selfCollide);
         link.autoDisable = model.autoDisable;
-        link.mass = readMass(element, model.isStatic);
+        link.mass = readMass(element, model.isStatic, m_reading.issues);
         if (const Element *const decay = element.child("velocity_decay")) {
             if (const Element *const linear = decay->child("linear")) link.linearDamping = linear->number();
             if (const Element *const angular = decay->child("angular"))

@@ -94,15 +94,34 @@ std::string whyNotWellFormed(const std::string &text, std::ptrdiff_t blankLines)
     return "not well-formed XML, " + line + XML_ErrorString(error);
 }
 
-// Gazebo reads "--" within a comment, and blanks before the declaration, which are not well-formed. Lines
-// stay what they are.
-std::string withoutHyphensInComments(std::string text) {
+std::string lineAt(const std::string &text, std::size_t at) {
+    return "line " + std::to_string(1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+}
+
+// Where the declaration begins when nothing but blanks and comments stands before it; else 0.
+std::size_t declarationIn(const std::string &text) {
+    std::size_t at = text.find_first_not_of(" \t\r\n");
+    while (at != std::string::npos && text.compare(at, 4, "<!--") == 0) {
+        const std::size_t end = text.find("-->", at + 4);
+        at = end == std::string::npos ? end : text.find_first_not_of(" \t\r\n", end + 3);
+    }
+    return at != std::string::npos && text.compare(at, 5, "<?xml") == 0 ? at : 0;
+}
+
+// Gazebo reads what stands before the declaration, and "--" within a comment, which are not well-formed. Lines stay what
+// they are. `faults` is told of the first such comment.
+std::string withoutHyphensInComments(std::string text, std::vector<std::string> &faults) {
+    bool isKnown = false;
     for (std::size_t at = text.find("<!"); at != std::string::npos; at = text.find("<!", at)) {
         const bool isComment = text.compare(at, 4, "<!--") == 0,
                    isCData = text.compare(at, 9, "<![CDATA[") == 0;
         const std::size_t inside = at + (isComment ? 4 : 2);
         const std::size_t end = isComment || isCData ? text.find(isComment ? "-->" : "]]>", inside) : inside;
         if (end == std::string::npos) break;
+        if (isComment && !isKnown && (text.find("--", inside) < end || (end > inside && text[end - 1] == '-'))) {
+            isKnown = true;
+            faults.push_back("not well-formed XML, " + lineAt(text, inside) + ": a comment holds '--'");
+        }
         if (isComment) std::replace(text.begin() + inside, text.begin() + end, '-', ' ');
         at = end;
     }
@@ -111,16 +130,21 @@ std::string withoutHyphensInComments(std::string text) {
 
 }  // namespace
 
-std::string readXml(const std::string &text, tinyxml2::XMLDocument &xml) {
-    const std::size_t first = text.find_first_not_of(" \t\r\n");
-    const bool hasBlanks = first != std::string::npos && text.compare(first, 5, "<?xml") == 0;
-    const std::string readable = withoutHyphensInComments(hasBlanks ? text.substr(first) : text);
-    const auto blankLines = hasBlanks ? std::count(text.begin(), text.begin() + first, '\n') : 0;
-    const std::string wrong = whyNotWellFormed(readable, blankLines);
+std::string readXml(const std::string &text, tinyxml2::XMLDocument &xml, std::vector<std::string> *faults) {
+    std::vector<std::string> found;
+    std::string readable = withoutHyphensInComments(text, found);
+    const std::size_t declaration = declarationIn(text);
+    const auto linesBefore = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(declaration), '\n');
+    if (declaration > 0) {
+        readable.erase(0, declaration);
+        found.push_back("not well-formed XML, " + lineAt(text, declaration) + ": the declaration <?xml is not at the very beginning");
+    }
+    const std::string wrong = whyNotWellFormed(readable, linesBefore);
     if (!wrong.empty()) return wrong;
     if (xml.Parse(readable.data(), readable.size()) != tinyxml2::XML_SUCCESS)
-        return "not XML that can be read, line " + std::to_string(blankLines + xml.ErrorLineNum()) + ": " +
+        return "not XML that can be read, line " + std::to_string(linesBefore + xml.ErrorLineNum()) + ": " +
                xml.ErrorName();
+    if (faults) faults->insert(faults->end(), found.begin(), found.end());
     return {};
 }
 

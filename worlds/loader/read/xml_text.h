@@ -5,13 +5,14 @@
 #include <tinyxml2.h>
 
 #include <string>
+#include <vector>
 
 namespace worlds {
 
 // Empty, or why `text` is not XML that can be read: not well-formed, not in UTF-8, with a document type, with
-// names or lists of attributes beyond all measure. Comments may hold "--", and blanks may precede the
-// declaration.
-std::string readXml(const std::string &text, tinyxml2::XMLDocument &xml);
+// names or lists of attributes beyond all measure. Comments may hold "--", and blanks and comments may
+// precede the declaration, as Gazebo reads them: `faults`, if given, is told.
+std::string readXml(const std::string &text, tinyxml2::XMLDocument &xml, std::vector<std::string> *faults = nullptr);
 
 // All the text directly inside an element, without the blanks around it; comments and elements part it.
 std::string wholeText(const tinyxml2::XMLElement &element);

@@ -33,7 +33,8 @@ Vector3 rotate(const dReal *q, const Vector3 &vector) {
 }  // namespace
 
 void ContactRules::add(dGeomID geom, const Link &link, const Collision &collision) {
-    m_properties.push_back({collision.surface, collision.maxContacts, link.model, link.selfCollide, nullptr});
+    m_properties.push_back({collision.surface, collision.maxContacts, link.model, link.selfCollide, std::nullopt, nullptr});
+    if (link.isStatic) m_properties.back().rotation = link.pose.rotation * collision.pose.rotation;
     dGeomSetData(geom, &m_properties.back());
     setBits(geom, collision.surface, link.isStatic, !link.isStatic || m_staticMeetsStatic);
 }
@@ -50,6 +51,7 @@ Vector3 ContactRules::frictionDirection(dGeomID geom) {
     const Properties &properties = of(geom);
     const Vector3 &direction = *properties.surface.frictionDirection;
     if (properties.frictionFrame) return rotate(dBodyGetQuaternion(properties.frictionFrame), direction);
+    if (properties.rotation) return *properties.rotation * direction;
     dQuaternion q;
     dGeomGetQuaternion(geom, q);
     return rotate(q, direction);

@@ -6,6 +6,7 @@
 #include <ode/ode.h>
 
 #include <deque>
+#include <optional>
 #include <vector>
 
 namespace worlds {
@@ -42,6 +43,7 @@ private:
         int maxContacts;
         int model;
         bool selfCollide;
+        std::optional<Quaternion> rotation;  // of a static shape; ODE has none of planes, and another one of height fields
         dBodyID frictionFrame = nullptr;  // null: the geom itself
     };
     static const Properties &of(dGeomID geom);
