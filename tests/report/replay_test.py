@@ -30,6 +30,14 @@ const pixels = new Uint32Array(context.getImageData(0, 0, copy.width, copy.heigh
 return [new Set(pixels).size, pixels.reduce((sum, pixel) => (31 * sum + pixel) % 4294967291, 7)];"""
 
 
+# Number of colours along the edge of a picture.
+COLOURS_OF_THE_EDGE = """const copy = document.createElement('canvas'), canvas = document.getElementById(arguments[0]);
+[copy.width, copy.height] = [canvas.width, canvas.height];
+const context = copy.getContext("2d", { willReadFrequently: true }), { width, height } = copy;
+context.drawImage(canvas, 0, 0);
+const strips = [[0, 0, width, 1], [0, height - 1, width, 1], [0, 0, 1, height], [width - 1, 0, 1, height]];
+return new Set(strips.flatMap(strip => [...new Uint32Array(context.getImageData(...strip).data.buffer)])).size;"""
+
 # Where on the time line (0 to 1) the colour of a difference is seen.
 DIFFERENCE_MARKS = """const canvas = document.querySelector('.timeline canvas'), probe = document.createElement('canvas').getContext('2d');
 probe.fillStyle = getComputedStyle(document.documentElement).getPropertyValue('--warning').trim();
@@ -242,6 +250,36 @@ class ReplayTest(unittest.TestCase):
         self.assertTrue(browser.run("return document.getElementById('replay-contacts').checked"))
         self.assertFalse(browser.run("return document.getElementById('replay-cells').checked"))
         self.assertEqual(browser.errors(), [])
+
+    # One recording of a body of a shape, which does not move: a tall one is seen whole, whatever it is and however the picture is cut.
+    def open_shape(self, shape, size, *, copies=1):
+        header = {"algorithm": "none", "geoms": [{"body": 0, "shape": shape, "size": size}], "library": "none", "stepSize": 0.01, "world": "one"}
+        pose = [0, 0, 5, 1, 0, 0, 0]
+        frame = {"awake": [True], "bodies": [pose], "bodyClusters": [0], "cells": [], "clusters": 0, "events": [], "geoms": [pose],
+                 "grid": {"cells": 0, "centre": [0, 0, 0], "edge": 0}, "islands": [0], "memberships": [{"cluster": 0, "static": 0, "testedWith": []}],
+                 "number": 1, "time": 0.01, "velocities": [[0] * 6]}
+        file = pathlib.Path(self.folder.name) / "shape.jsonl"
+        file.write_text(json.dumps({"recording": header}) + "\n" + json.dumps({"frame": frame}) + "\n")
+        return self.open(*[file] * copies)
+
+    def test_tall_bodies_are_seen_whole(self):
+        for shape, size in (("box", [1, 1, 10]), ("capsule", [0.5, 9]), ("cylinder", [0.5, 10]), ("sphere", [5]), ("mesh", [-1, -1, -5, 1, 1, 5])):
+            for copies in (1, 2):  # side by side they are narrow
+                with self.subTest(shape=shape, copies=copies):
+                    browser = self.open_shape(shape, size, copies=copies)
+                    self.assertGreater(self.picture()[0], 1)
+                    self.assertEqual(browser.run(COLOURS_OF_THE_EDGE, "replay-canvas-0"), 1)
+
+    def test_picked_bodies_are_marked_whatever_their_shape(self):
+        for shape, size in (("box", [1, 1, 1]), ("capsule", [0.5, 1]), ("cylinder", [0.5, 1]), ("sphere", [0.5]), ("mesh", [-1, -1, -1, 1, 1, 1]),
+                            ("bounds", [1, 1, 1])):
+            with self.subTest(shape=shape):
+                browser = self.open_shape(shape, size)
+                browser.run("document.getElementById('replay-canvas-0').focus()")
+                before = self.picture()[1]
+                self.press("n")
+                self.wait_for("picked", 0)
+                self.assertNotEqual(self.picture()[1], before)
 
     def test_stock_and_ours_are_equal(self):
         browser = self.open(self.stock, self.ours)

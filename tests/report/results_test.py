@@ -21,6 +21,28 @@ DRAWN = """return [...document.querySelectorAll('.plot canvas')].map(canvas => {
     return new Set(new Uint32Array(pixels.buffer)).size;
 });"""
 
+# Of the whisker of the bar of a colour against what is beside it (WCAG 2's contrast), 5 pixels above the end of the bar and 5 below.
+WHISKER_CONTRASTS = """const [bar] = arguments, canvas = document.querySelector('#speed-ups canvas'), { width, height } = canvas, kLegend = 40;
+const pixels = canvas.getContext('2d').getImageData(0, 0, width, height).data;
+const surface = getComputedStyle(document.documentElement).getPropertyValue('--background').trim();
+const ofPage = [1, 3, 5].map(i => parseInt(surface.slice(i, i + 2), 16));
+const at = (x, y) => {
+    const [r, g, b, a] = pixels.slice(4 * (y * width + x), 4 * (y * width + x) + 4);
+    return [r, g, b].map((channel, i) => Math.round((channel * a + ofPage[i] * (255 - a)) / 255));
+};
+const isBar = (x, y) => bar.every((channel, i) => at(x, y)[i] === channel);
+const rows = Array.from({ length: height - kLegend }, (_, i) => i + kLegend), columns = Array.from({ length: width }, (_, i) => i);
+const middleRow = Math.round(height / 2), inBar = columns.filter(x => isBar(x, middleRow));
+const top = rows.find(y => isBar(inBar[0] + 5, y)), centre = Math.round((inBar[0] + inBar[inBar.length - 1]) / 2);
+const linear = value => value / 255 <= 0.04045 ? value / 255 / 12.92 : ((value / 255 + 0.055) / 1.055) ** 2.4;
+const luminance = ([r, g, b]) => 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
+const contrast = (x, y, around) => {
+    const [one, other] = [luminance(at(x, y)), luminance(at(around, y))].sort();
+    return (other + 0.05) / (one + 0.05);
+};
+return [top - 5, top + 5].map(y => Math.max(...[-1, 0, 1].flatMap(offset => [-2, 2].map(beside =>
+    contrast(centre + offset, y, centre + offset + beside)))));"""
+
 
 class ResultsTest(unittest.TestCase):
     @classmethod
@@ -67,6 +89,10 @@ class ResultsTest(unittest.TestCase):
         self.assertTrue(all(count > 10 for count in colours), colours)
         labels = self.browser.run("return [...document.querySelectorAll('.plot canvas')].map(c => c.getAttribute('aria-label'))")
         self.assertTrue(all(len(label) > 40 for label in labels), labels)
+
+    def test_whiskers_are_seen_above_bars(self):
+        for contrast in self.browser.run(WHISKER_CONTRASTS, [0x00, 0x9E, 0x73]):  # of ours:2
+            self.assertGreater(contrast, 4.5)
 
     def test_a_screen_reader_has_a_name_for_everything(self):
         self.assertEqual(accessibility.without_names(self.browser), [])

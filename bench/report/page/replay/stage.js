@@ -5,11 +5,17 @@ import {
 } from 'three';
 import { themeColour } from '../palette.js';
 import { isOutline, Shapes } from './shapes.js';
+import { kDegree, kFieldOfView } from './viewpoint.js';
 
 const kGround = 6, kBeyond = 1.3;  // planes reach so many radii of what moves, and beyond everything
 const kGroundColour = '#cdd1d6';
 const kSharpEdge = 20;             // degrees between faces whose common edge is drawn
 const kSeeThrough = 0.25;          // opacity of shapes of which only the extent is known
+
+// In degrees, so that a narrow picture shows from side to side what a wide one shows from top to bottom.
+function verticalFieldOfView(aspect) {
+    return 2 * Math.atan(Math.tan(kFieldOfView / 2 * kDegree) / Math.min(1, aspect)) / kDegree;
+}
 
 export class Stage {
     // Throws where the browser has no WebGL.
@@ -69,11 +75,17 @@ export class Stage {
         this.overlays = this.replace(this.overlays, objects);
     }
 
+    // The edges that mark a geom. Round shapes have no sharp ones: of these all are drawn.
+    static edgesOf(geometry) {
+        const sharp = new EdgesGeometry(geometry, kSharpEdge);
+        return sharp.getAttribute('position').count > 0 ? sharp : new EdgesGeometry(geometry);
+    }
+
     // Marks the geoms of a body, or none (null).
     mark(body) {
         const marked = body === null ? [] : this.geoms.filter(mesh => mesh.userData.body === body);
         this.outlines = this.replace(this.outlines, marked.map(mesh => {
-            const edges = new LineSegments(new EdgesGeometry(mesh.geometry, kSharpEdge),
+            const edges = new LineSegments(Stage.edgesOf(mesh.geometry),
                 new LineBasicMaterial({ color: themeColour('--text'), depthTest: false }));
             edges.position.copy(mesh.position);
             edges.quaternion.copy(mesh.quaternion);
@@ -98,6 +110,7 @@ export class Stage {
         this.scene.background = new Color(themeColour('--surface'));
         this.light.position.copy(camera.position).add(camera.up);
         camera.aspect = width / height;
+        camera.fov = verticalFieldOfView(camera.aspect);
         camera.updateProjectionMatrix();
         this.renderer.render(this.scene, camera);
     }

@@ -2,9 +2,9 @@
 import { PerspectiveCamera, Spherical, Vector3 } from 'three';
 import { OrbitControls } from 'three-controls';
 
-const kDistance = 2.6;  // in radii of what moves
-const kDegree = Math.PI / 180;
-const kNearest = 0.01, kFarthest = 1000, kFieldOfView = 45;
+export const kDegree = Math.PI / 180, kFieldOfView = 45;  // degrees
+const kDistance = 2.7;  // in radii of what moves: a sphere of that radius is seen whole from 1 / sin(22.5 degrees) of them on
+const kNearest = 0.01, kFarthest = 1000;
 
 export class Viewpoint {
     constructor({ centre, radius }, canvases, onChange) {

@@ -3,6 +3,7 @@
 import { themeColour } from '../palette.js';
 
 const kHalfWidth = 4;  // of the caps, in pixels
+const kStrokes = [['--surface', 4], ['--text', 1.5]];  // the wider one sets them off from bars of any colour
 
 function draw(context, x, low, high) {
     context.beginPath();
@@ -20,15 +21,17 @@ export const whiskers = {
     afterDatasetsDraw(chart) {
         const context = chart.ctx;
         context.save();
-        context.strokeStyle = themeColour('--text');
-        context.lineWidth = 1.5;
         chart.data.datasets.forEach((set, index) => {
             if (!set.whiskers || !chart.isDatasetVisible(index)) return;
             const scale = chart.scales.y;
             chart.getDatasetMeta(index).data.forEach((point, i) => {
                 if (!set.whiskers[i]) return;
                 const [low, high] = set.whiskers[i].map(value => scale.getPixelForValue(value));
-                draw(context, point.x, low, high);
+                for (const [colour, width] of kStrokes) {
+                    context.strokeStyle = themeColour(colour);
+                    context.lineWidth = width;
+                    draw(context, point.x, low, high);
+                }
             });
         });
         context.restore();
