@@ -15,22 +15,25 @@ static_assert(kPair == 2 && int(dxJoint::GI2_RHS) == 0 && int(dxJoint::GI2_CFM) 
                   int(dxJoint::GI2_HI) == 1,
               "rows are cleared by pairs");
 
+// A hinge may write one row more than it has said: whose stop is taken away while the hinge rests on it keeps the stop's state (upstream's
+// dxJointHinge::getInfo1 does not look at stops that are infinite or crossed). That row goes where upstream's memory has it: into the joint's rows of
+// the second body and the next joint's, which is cleared after that; of the last joint the right side goes into the first row's limits, the limits into
+// the links, which are made later, and the Jacobian into what the arena has left for the matrix.
 void takeMemory(dxWorldProcessMemArena &arena, dxExactProblem &problem) {
     const std::size_t rows = problem.rowCount;
     problem.normalOf = arena.AllocateArray<int>(rows);
-    problem.jacobian = arena.AllocateArray<dReal>(rows * dxExactProblem::kSides * dxExactProblem::kElements);
     problem.pairsBX = arena.AllocateArray<dReal>(rows * kPair);
     problem.pairsLoHi = arena.AllocateArray<dReal>(rows * kPair);
     problem.links.first = arena.AllocateArray<unsigned>(problem.bodyCount);
     problem.links.next = arena.AllocateArray<unsigned>(std::size_t(problem.jointCount) * dxExactProblem::kSides);
+    problem.jacobian = arena.AllocateArray<dReal>(rows * dxExactProblem::kSides * dxExactProblem::kElements);
 }
 
-// What joints find before they write.
-void clearRows(const dxExactProblem &problem, dReal cfm) {
-    const std::size_t rows = problem.rowCount;
-    std::fill_n(problem.jacobian, rows * dxExactProblem::kSides * dxExactProblem::kElements, dReal(0));
+// What the joint finds before it writes.
+void clearRows(const dxExactProblem &problem, const dxExactJoint &joint, dReal cfm) {
+    std::fill_n(problem.rowsOf(joint, dJCB_FIRST_BODY), joint.rows * dxExactProblem::kSides * dxExactProblem::kElements, dReal(0));
     const dxPair rightSide = {0, cfm}, limits = {-dInfinity, dInfinity};
-    for (std::size_t i = 0; i < rows; ++i) {
+    for (std::size_t i = joint.firstRow; i < std::size_t(joint.firstRow) + joint.rows; ++i) {
         dxStorePair(rightSide, problem.pairsBX + i * kPair);
         dxStorePair(limits, problem.pairsLoHi + i * kPair);
         problem.normalOf[i] = -1;
@@ -45,12 +48,11 @@ void link(const dxExactProblem &problem, unsigned joint) {
 }
 
 void askJoints(const dxIslandStep &step, const dxExactProblem &problem) {
-    clearRows(problem, step.world->global_cfm);
-    std::fill_n(problem.links.first, problem.bodyCount, dxBodyLinks::kNone);
     const dReal framesPerSecond = dRecip(step.stepSize), erp = step.world->global_erp;
     for (unsigned i = 0; i < problem.jointCount; ++i) {
         const dxExactJoint &joint = problem.joints[i];
         const std::size_t row = joint.firstRow;
+        clearRows(problem, joint, step.world->global_cfm);
         int *const normalOf = problem.normalOf + row;
         joint.joint->getInfo2(framesPerSecond, erp, dxExactProblem::kElements, problem.rowsOf(joint, dJCB_FIRST_BODY),
                               problem.rowsOf(joint, dJCB_SECOND_BODY), kPair, problem.pairsBX + row * kPair,
@@ -58,8 +60,9 @@ void askJoints(const dxIslandStep &step, const dxExactProblem &problem) {
         // Joints count from their own first row.
         for (unsigned k = 0; k < joint.rows; ++k)
             if (normalOf[k] != -1) normalOf[k] += static_cast<int>(row);
-        link(problem, i);
     }
+    std::fill_n(problem.links.first, problem.bodyCount, dxBodyLinks::kNone);
+    for (unsigned i = 0; i < problem.jointCount; ++i) link(problem, i);
     for (dReal *pair = problem.pairsBX; pair != problem.pairsBX + std::size_t(problem.rowCount) * kPair; pair += kPair)
         dxStorePair(dxLoadPair(pair) * framesPerSecond, pair);
 }

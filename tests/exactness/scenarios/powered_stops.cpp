@@ -60,11 +60,40 @@ private:
     }
 };
 
+// Hinges that rest on a stop when it is taken away: made infinite, or crossed with the other one. Upstream's hinge then goes on writing the stop's
+// row, which it no longer counts: into rows of its own and of the next joint, and behind the last one's. What dWorldStep makes of that has bits, too.
+class StopsTakenAway : public ManyParts {
+public:
+    explicit StopsTakenAway(Stepper stepper) : ManyParts(stepper) {
+        addParts([this](int part, Vector3 origin) {
+            const dBodyID arm = addBox(origin + Vector3{0, 0, 1}, {0.3, 0.2, 0.2}, 1);
+            addFeedback(addHinge(arm, nullptr, origin + Vector3{-0.2, 0, 1}, {0, 1, 0}));  // it falls onto its high stop
+            if (part % 2 == 0) return;
+            const dBodyID weight = addBox(origin + Vector3{0.4, 0, 1}, {0.3, 0.2, 0.2}, 1);
+            addFeedback(part % 4 == 1 ? addBall(weight, arm, origin + Vector3{0.2, 0, 1}) : addBall(arm, weight, origin + Vector3{0.2, 0, 1}));
+        });
+    }
+
+    void control() override {
+        const int phase = frameNumber() % 24;
+        if (phase != 0 && phase != 16) return;
+        int number = 0;
+        for (dJointID joint : m_inventory.joints) {
+            if (dJointGetType(joint) != dJointTypeHinge) continue;
+            const bool isCrossed = ++number % 2 == 0;
+            dJointSetHingeParam(joint, dParamLoStop, phase == 0 ? -0.05 : isCrossed ? 0.1 : -dInfinity);
+            dJointSetHingeParam(joint, dParamHiStop, phase == 0 ? 0.05 : isCrossed ? -0.1 : dInfinity);
+        }
+    }
+};
+
 }  // namespace
 
 void addPoweredStops(Catalogue &catalogue) {
     catalogue.push_back(
         {"powered_stops", "motors that push against stops, with fudge factors", 80, make<PoweredStops>()});
+    catalogue.push_back({"powered_stops/taken_away", "hinges that rest on stops which are taken away", 80, make<StopsTakenAway>()});
+    catalogue.back().steppers = {Stepper::World};  // upstream's dWorldQuickStep writes behind its memory, and may crash
 }
 
 }  // namespace exactness
