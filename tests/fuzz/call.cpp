@@ -190,7 +190,7 @@ Script scriptOf(const std::string &text) {
     Script script;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);)
-        if (!line.empty() && line[0] != '#') script.push_back(callOf(line));
+        if (!line.empty() && line[0] != '#' && line.compare(0, 4, "    ") != 0) script.push_back(callOf(line));
     return script;
 }
 

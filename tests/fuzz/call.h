@@ -64,6 +64,6 @@ Call callOf(const std::string &line);
 
 using Script = std::vector<Call>;
 std::string textOf(const Script &script);
-Script scriptOf(const std::string &text);  // lines that begin with '#' and empty ones are skipped
+Script scriptOf(const std::string &text);  // skips comments (#), empty lines and what was seen (four spaces)
 
 }  // namespace fuzz
