@@ -147,8 +147,14 @@ class Energy {
 public:
     explicit Energy(const dxContactPacks &contacts) : m_contacts(contacts) {}
 
+    HWY_INLINE void set(const dxContactPack &pack, Lane energy, unsigned first) {
+        storeLanes(hn::Zero(LaneTag()), m_contacts.energies[&pack - m_contacts.packs], first);
+        add(pack, energy, first);
+    }
+    // To what another kernel has set.
     HWY_INLINE void add(const dxContactPack &pack, Lane energy, unsigned first) {
-        storeLanes(energy, m_contacts.energies[&pack - m_contacts.packs], first);
+        dxLaneNumbers &own = m_contacts.energies[&pack - m_contacts.packs];
+        storeLanes(hn::Add(loadLanes(own, first), energy), own, first);
         hn::Store(hn::Add(hn::Load(LaneTag(), m_sum + first), energy), LaneTag(), m_sum + first);
     }
     HWY_INLINE double sum() const {
@@ -167,12 +173,13 @@ HWY_INLINE Lane limitOf(const dxContactLanes &contact, int tangent, Lane pressur
     return hn::Add(hn::Mul(loadLanes(contact.friction[tangent], first), pressure), loadLanes(contact.limit[tangent], first));
 }
 
-// Calls work(pack, first lane, bodies of both sides) for kLanes manifolds at a time.
+// Calls work(pack, first lane, bodies of both sides) for kLanes manifolds at a time, of packs with more contacts than `least`.
 template <class Work>
-HWY_INLINE void forPacks(const dxContactPacks &contacts, unsigned begin, unsigned end, const dxVelocity *velocities,
+HWY_INLINE void forPacks(const dxContactPacks &contacts, unsigned begin, unsigned end, unsigned least, const dxVelocity *velocities,
                          const Work &work) {
     for (unsigned i = begin; i < end; ++i) {
         const dxContactPack &pack = contacts.packs[i];
+        if (pack.contactCount <= least) continue;
         for (unsigned first = 0; first < dxLanes::kCount; first += kLanes) {
             Bodies body1 = Bodies::load(pack, 0, first, velocities), body2 = Bodies::load(pack, 1, first, velocities);
             work(pack, first, body1, body2);

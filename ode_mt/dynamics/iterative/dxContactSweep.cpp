@@ -22,10 +22,12 @@ struct Wrench {
         return {{zero, zero, zero}, {zero, zero, zero}};
     }
 
-    // impulses: along the contact's three directions
-    HWY_INLINE void add(const dxContactLanes &contact, const Vector &impulses, unsigned first) {
-        const auto along = [&](unsigned row, Lane part) HWY_ATTR { return scale(loadVector(contact.direction[row], first), part); };
-        const Vector sum = HWY_NAMESPACE::add(HWY_NAMESPACE::add(along(0, impulses.x), along(1, impulses.y)), along(2, impulses.z));
+    // impulses: along the contact's directions from firstRow on
+    template <unsigned kCount>
+    HWY_INLINE void add(const dxContactLanes &contact, const Lane (&impulses)[kCount], unsigned firstRow, unsigned first) {
+        Vector sum = scale(loadVector(contact.direction[firstRow], first), impulses[0]);
+        for (unsigned i = 1; i < kCount; ++i)
+            sum = HWY_NAMESPACE::add(sum, scale(loadVector(contact.direction[firstRow + i], first), impulses[i]));
         impulse = HWY_NAMESPACE::add(impulse, sum);
         turning = HWY_NAMESPACE::add(turning, cross(loadVector(contact.arm, first), sum));
     }
@@ -37,12 +39,12 @@ struct Wrench {
     }
 };
 
-// As forPacks, and stores the bodies as work leaves them.
+// As forPacks, for packs with more than so many contacts, and stores the bodies as work leaves them.
 template <class Work>
-HWY_INLINE void forMovingPacks(const dxContactPacks &contacts, unsigned begin, unsigned end, dxVelocity *velocities,
+HWY_INLINE void forMovingPacks(const dxContactPacks &contacts, unsigned begin, unsigned end, unsigned least, dxVelocity *velocities,
                                const Work &work) {
     dxVelocity elsewhere;
-    forPacks(contacts, begin, end, velocities,
+    forPacks(contacts, begin, end, least, velocities,
              [&](const dxContactPack &pack, unsigned first, Bodies &body1, Bodies &body2) HWY_ATTR {
                  work(pack, first, body1, body2);
                  body1.store(pack, 0, first, velocities, elsewhere);
@@ -65,13 +67,15 @@ HWY_INLINE Lane energyOf(const dxContactLanes &contact, unsigned first) {
 // The kinetic energy changes by the wrench's work on the mean of the motions before and after it.
 double apply(const dxContactPacks &contacts, unsigned begin, unsigned end, dxVelocity *velocities) {
     Energy energy(contacts);
-    forMovingPacks(contacts, begin, end, velocities,
+    forMovingPacks(contacts, begin, end, 0, velocities,
                    [&](const dxContactPack &pack, unsigned first, Bodies &body1, Bodies &body2) HWY_ATTR {
                        const dxContactLanes *const own = contacts.contacts + pack.firstContact;
                        Wrench wrench = Wrench::none();
                        Lane sum = hn::Zero(LaneTag());
                        for (unsigned k = 0; k < pack.contactCount; ++k) {
-                           wrench.add(own[k], loadVector(own[k].impulse, first), first);
+                           const Lane impulses[] = {loadLanes(own[k].impulse[0], first), loadLanes(own[k].impulse[1], first),
+                                                    loadLanes(own[k].impulse[2], first)};
+                           wrench.add(own[k], impulses, 0, first);
                            sum = hn::Add(sum, energyOf(own[k], first));
                        }
                        const Vector between = loadVector(pack.between, first);
@@ -79,121 +83,142 @@ double apply(const dxContactPacks &contacts, unsigned begin, unsigned end, dxVel
                        wrench.actOn(pack, first, body1, body2);
                        const RelativeMotion twice = RelativeMotion::of(body1, body2, between).plus(before);
                        const Lane work = hn::Add(dot(wrench.impulse, twice.v), dot(wrench.turning, twice.w));
-                       energy.add(pack, hn::Add(sum, hn::Mul(hn::Set(LaneTag(), dReal(0.5)), work)), first);
+                       energy.set(pack, hn::Add(sum, hn::Mul(hn::Set(LaneTag(), dReal(0.5)), work)), first);
                    });
     return energy.sum();
 }
 
-struct Factors {
-    Lane row[dxContactLanes::kRows];
-
-    explicit HWY_INLINE Factors(const dxOverRelaxation &factor) {
-        row[0] = hn::Set(LaneTag(), factor.pressure);
-        row[1] = row[2] = hn::Set(LaneTag(), factor.friction);
-    }
-};
-
+template <unsigned kRows>
 struct Change {
-    Lane row[dxContactLanes::kRows], energy;
+    Lane row[kRows], energy;
 };
 
-// The normal first, then friction against its new impulse. What does not wait for the motion or for an earlier row is apart from
-// what does: a contact takes as long as its longest chain of operations.
-HWY_INLINE Change relax(dxContactLanes &contact, unsigned first, const Factors &factor, const Vector &relative) {
-    Lane old[3], residual[3], step[3];
-    for (unsigned row = 0; row < 3; ++row) {
-        old[row] = loadLanes(contact.impulse[row], first);
-        const Lane wanted =
-            hn::Sub(loadLanes(contact.wanted[row], first), hn::Mul(loadLanes(contact.softness[row], first), old[row]));
-        residual[row] = hn::Sub(wanted, dot(loadVector(contact.direction[row], first), relative));
-        step[row] = hn::Mul(factor.row[row], loadLanes(contact.inverse[row], first));
+// What a row lacks of what it asks for.
+HWY_INLINE Lane residualOf(const dxContactLanes &contact, unsigned row, Lane impulse, const Vector &relative, unsigned first) {
+    const Lane wanted = hn::Sub(loadLanes(contact.wanted[row], first), hn::Mul(loadLanes(contact.softness[row], first), impulse));
+    return hn::Sub(wanted, dot(loadVector(contact.direction[row], first), relative));
+}
+
+// What is not known before the residual is a single addition and product: a contact takes as long as its longest chain of operations.
+HWY_INLINE Lane moved(const dxContactLanes &contact, unsigned row, Lane impulse, Lane residual, Lane factor, unsigned first) {
+    return hn::Add(impulse, hn::Mul(residual, hn::Mul(factor, loadLanes(contact.inverse[row], first))));
+}
+
+struct Pressure {
+    static constexpr unsigned kFirstRow = 0, kRows = 1;
+
+    static HWY_INLINE Change<kRows> relax(dxContactLanes &contact, unsigned first, Lane factor, const Vector &relative) {
+        const Lane old = loadLanes(contact.impulse[0], first), residual = residualOf(contact, 0, old, relative, first);
+        const Lane pressure = atLeast(hn::Zero(LaneTag()), moved(contact, 0, old, residual, factor, first));
+        storeLanes(pressure, contact.impulse[0], first);
+        const Lane change = hn::Sub(pressure, old);
+        return {{change}, hn::Abs(hn::Mul(change, residual))};
     }
-    const auto coupled = [&](Lane value, unsigned coupling, Lane change) HWY_ATTR {
-        return hn::Sub(value, hn::Mul(loadLanes(contact.coupling[coupling], first), change));
-    };
-    const auto moved = [&](unsigned row) HWY_ATTR { return hn::Add(old[row], hn::Mul(residual[row], step[row])); };
-    Change change;
-    const Lane pressure = atLeast(hn::Zero(LaneTag()), moved(0));
-    storeLanes(pressure, contact.impulse[0], first);
-    change.row[0] = hn::Sub(pressure, old[0]);
+};
 
-    residual[1] = coupled(residual[1], 0, change.row[0]);
-    residual[2] = coupled(residual[2], 1, change.row[0]);
-    const Lane friction1 = clamp(limitOf(contact, 0, pressure, first), moved(1));
-    storeLanes(friction1, contact.impulse[1], first);
-    change.row[1] = hn::Sub(friction1, old[1]);
+struct Friction {
+    static constexpr unsigned kFirstRow = 1, kRows = 2;
 
-    residual[2] = coupled(residual[2], 2, change.row[1]);
-    const Lane friction2 = clamp(limitOf(contact, 1, pressure, first), moved(2));
-    storeLanes(friction2, contact.impulse[2], first);
-    change.row[2] = hn::Sub(friction2, old[2]);
+    static HWY_INLINE Change<kRows> relax(dxContactLanes &contact, unsigned first, Lane factor, const Vector &relative) {
+        const Lane pressure = loadLanes(contact.impulse[0], first);
+        Change<kRows> change = {{}, hn::Zero(LaneTag())};
+        for (unsigned i = 0; i < kRows; ++i) {
+            const Lane old = loadLanes(contact.impulse[1 + i], first);
+            Lane residual = residualOf(contact, 1 + i, old, relative, first);
+            if (i == 1) residual = hn::Sub(residual, hn::Mul(loadLanes(contact.coupling, first), change.row[0]));
+            const Lane friction =
+                clamp(limitOf(contact, static_cast<int>(i), pressure, first), moved(contact, 1 + i, old, residual, factor, first));
+            storeLanes(friction, contact.impulse[1 + i], first);
+            change.row[i] = hn::Sub(friction, old);
+            change.energy = hn::Add(change.energy, hn::Abs(hn::Mul(change.row[i], residual)));
+        }
+        return change;
+    }
+};
 
-    const auto energyOf = [&](unsigned row) HWY_ATTR { return hn::Abs(hn::Mul(change.row[row], residual[row])); };
-    change.energy = hn::Add(hn::Add(energyOf(0), energyOf(1)), energyOf(2));
-    return change;
-}
+// Contacts begin, begin + step, ... of each manifold, so many times in turn while the bodies are in registers.
+struct Visit {
+    unsigned begin, step, passes;
+};
 
-HWY_INLINE Lane relaxBodies(const dxContactPack &pack, dxContactLanes &contact, unsigned first, const Factors &factor, Bodies &body1,
-                            Bodies &body2) {
-    const RelativeMotion motion = RelativeMotion::of(body1, body2, loadVector(pack.between, first));
-    const Change change = relax(contact, first, factor, motion.velocityAt(loadVector(contact.arm, first)));
-    Wrench wrench = Wrench::none();
-    wrench.add(contact, {change.row[0], change.row[1], change.row[2]}, first);
-    wrench.actOn(pack, first, body1, body2);
-    return change.energy;
-}
-
-// Twice, while the bodies are in registers: contacts between the same bodies depend on one another more than on others.
-HWY_INLINE Lane relaxManifold(const dxContactPack &pack, dxContactLanes *contacts, unsigned first, const Factors &factor, Bodies &body1,
-                              Bodies &body2) {
-    if (pack.contactCount > 1)
-        for (unsigned k = 0; k < pack.contactCount; ++k) relaxBodies(pack, contacts[k], first, factor, body1, body2);
+// What the last pass changes.
+template <class Rows>
+HWY_INLINE Lane relaxManifold(const dxContactPack &pack, dxContactLanes *contacts, unsigned first, const Visit &visit, Lane factor,
+                              Bodies &body1, Bodies &body2) {
+    const Vector between = loadVector(pack.between, first);
     Lane energy = hn::Zero(LaneTag());
-    for (unsigned k = 0; k < pack.contactCount; ++k)
-        energy = hn::Add(energy, relaxBodies(pack, contacts[k], first, factor, body1, body2));
+    for (unsigned pass = 0; pass < visit.passes; ++pass) {
+        energy = hn::Zero(LaneTag());
+        for (unsigned k = visit.begin; k < pack.contactCount; k += visit.step) {
+            const RelativeMotion motion = RelativeMotion::of(body1, body2, between);
+            const auto change = Rows::relax(contacts[k], first, factor, motion.velocityAt(loadVector(contacts[k].arm, first)));
+            Wrench wrench = Wrench::none();
+            wrench.add(contacts[k], change.row, Rows::kFirstRow, first);
+            wrench.actOn(pack, first, body1, body2);
+            energy = hn::Add(energy, change.energy);
+        }
+    }
     return energy;
 }
 
 // The same, but that the bodies move when the last contact is done. Until then their relative motion tells all.
-HWY_INLINE Lane relaxManifold(const dxContactPack &pack, dxContactLanes *contacts, const dxContactResponse *responses,
-                              unsigned first, const Factors &factor, Bodies &body1, Bodies &body2) {
+template <class Rows>
+HWY_INLINE Lane relaxManifold(const dxContactPack &pack, dxContactLanes *contacts, const dxContactResponse *responses, unsigned first,
+                              const Visit &visit, Lane factor, Bodies &body1, Bodies &body2) {
     const LaneTag d;
-    HWY_ALIGN dReal before[dxContactPack::kMaxContacts][3][dxLanes::kCount];
+    HWY_ALIGN dReal before[dxContactPack::kMaxContacts][Rows::kRows][dxLanes::kCount];
+    for (unsigned k = visit.begin; k < pack.contactCount; k += visit.step)
+        for (unsigned i = 0; i < Rows::kRows; ++i)
+            hn::Store(loadLanes(contacts[k].impulse[Rows::kFirstRow + i], first), d, before[k][i]);
     RelativeMotion motion = RelativeMotion::of(body1, body2, loadVector(pack.between, first));
-    const auto relaxOne = [&](unsigned k) HWY_ATTR {
-        const Change change = relax(contacts[k], first, factor, motion.velocityAt(loadVector(contacts[k].arm, first)));
-        for (unsigned row = 0; row < 3; ++row) motion.respond(responses[k].row[row], change.row[row], first);
-        return change.energy;
-    };
-    for (unsigned k = 0; k < pack.contactCount; ++k) {
-        for (unsigned row = 0; row < 3; ++row) hn::Store(loadLanes(contacts[k].impulse[row], first), d, before[k][row]);
-        relaxOne(k);
-    }
     Lane energy = hn::Zero(d);
+    for (unsigned pass = 0; pass < visit.passes; ++pass) {
+        energy = hn::Zero(d);
+        for (unsigned k = visit.begin; k < pack.contactCount; k += visit.step) {
+            const auto change = Rows::relax(contacts[k], first, factor, motion.velocityAt(loadVector(contacts[k].arm, first)));
+            for (unsigned i = 0; i < Rows::kRows; ++i) motion.respond(responses[k].row[Rows::kFirstRow + i], change.row[i], first);
+            energy = hn::Add(energy, change.energy);
+        }
+    }
     Wrench wrench = Wrench::none();
-    for (unsigned k = 0; k < pack.contactCount; ++k) {
-        energy = hn::Add(energy, relaxOne(k));
-        const Vector old = {hn::Load(d, before[k][0]), hn::Load(d, before[k][1]), hn::Load(d, before[k][2])};
-        wrench.add(contacts[k], subtract(loadVector(contacts[k].impulse, first), old), first);
+    for (unsigned k = visit.begin; k < pack.contactCount; k += visit.step) {
+        Lane changes[Rows::kRows];
+        for (unsigned i = 0; i < Rows::kRows; ++i)
+            changes[i] = hn::Sub(loadLanes(contacts[k].impulse[Rows::kFirstRow + i], first), hn::Load(d, before[k][i]));
+        wrench.add(contacts[k], changes, Rows::kFirstRow, first);
     }
     wrench.actOn(pack, first, body1, body2);
     return energy;
 }
 
-double sweep(const dxContactPacks &contacts, unsigned begin, unsigned end, const dxOverRelaxation &relaxation,
-             dxVelocity *velocities) {
-    const Factors factor(relaxation);
+template <class Rows>
+HWY_INLINE double relaxPacks(const dxContactPacks &contacts, unsigned begin, unsigned end, const Visit &visit, dReal overRelaxation,
+                             dxVelocity *velocities) {
+    const Lane factor = hn::Set(LaneTag(), overRelaxation);
     Energy energy(contacts);
-    forMovingPacks(contacts, begin, end, velocities,
+    forMovingPacks(contacts, begin, end, visit.begin, velocities,
                    [&](const dxContactPack &pack, unsigned first, Bodies &body1, Bodies &body2) HWY_ATTR {
                        dxContactLanes *const own = contacts.contacts + pack.firstContact;
                        const dxContactResponse *const responses = responsesOf(contacts, pack);
-                       energy.add(pack,
-                                  responses != nullptr ? relaxManifold(pack, own, responses, first, factor, body1, body2)
-                                                       : relaxManifold(pack, own, first, factor, body1, body2),
-                                  first);
+                       const Visit turns = {visit.begin, visit.step, pack.contactCount > 1 ? visit.passes : 1};
+                       const Lane found = responses != nullptr
+                                              ? relaxManifold<Rows>(pack, own, responses, first, turns, factor, body1, body2)
+                                              : relaxManifold<Rows>(pack, own, first, turns, factor, body1, body2);
+                       if (Rows::kFirstRow == 0)
+                           energy.set(pack, found, first);
+                       else
+                           energy.add(pack, found, first);
                    });
     return energy.sum();
+}
+
+double sweep(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSweepPart part, dReal overRelaxation,
+             dxVelocity *velocities) {
+    switch (part) {
+    case dxSweepPart::Pressures: return relaxPacks<Pressure>(contacts, begin, end, {0, 1, 2}, overRelaxation, velocities);
+    case dxSweepPart::EvenFriction: return relaxPacks<Friction>(contacts, begin, end, {0, 2, 1}, overRelaxation, velocities);
+    default: return relaxPacks<Friction>(contacts, begin, end, {1, 2, 1}, overRelaxation, velocities);
+    }
 }
 
 }  // namespace HWY_NAMESPACE
@@ -211,9 +236,9 @@ double dxApplyImpulses(const dxContactPacks &contacts, unsigned begin, unsigned 
     return HWY_DYNAMIC_DISPATCH(apply)(contacts, begin, end, velocities);
 }
 
-double dxSweepContacts(const dxContactPacks &contacts, unsigned begin, unsigned end, const dxOverRelaxation &factor,
+double dxSweepContacts(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSweepPart part, dReal overRelaxation,
                        dxVelocity *velocities) {
     using namespace dxIterative;
-    return HWY_DYNAMIC_DISPATCH(sweep)(contacts, begin, end, factor, velocities);
+    return HWY_DYNAMIC_DISPATCH(sweep)(contacts, begin, end, part, overRelaxation, velocities);
 }
 #endif

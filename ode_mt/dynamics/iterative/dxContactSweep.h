@@ -1,7 +1,7 @@
 // Kernels over packs of contacts (dxContactPack.h), for every instruction set. A lane's numbers go through the same operations on
 // all of them, products and sums apart, so that results do not depend on the width of vectors.
 //
-// Each writes an energy for each manifold, and returns the sum of them.
+// Each writes an energy for each manifold, and returns the sum of them over manifolds.
 //
 // Threading: packs [begin, end) of one colour share no moving body with others of that colour.
 #pragma once
@@ -18,11 +18,14 @@ double dxPrepareContacts(const dxContactPacks &contacts, unsigned begin, unsigne
 // solution makes least.
 double dxApplyImpulses(const dxContactPacks &contacts, unsigned begin, unsigned end, dxVelocity *velocities);
 
-// By how much the change of an impulse exceeds what its own row asks for.
-struct dxOverRelaxation {
-    dReal pressure, friction;
+// A sweep of projected Gauss-Seidel is these parts, each of all packs before the next one (docs/iterative-solver.md, "Pressures first").
+enum class dxSweepPart : unsigned {
+    Pressures,     // normals, each manifold's twice in turn
+    EvenFriction,  // tangents of the contacts 0, 2, ... of each manifold
+    OddFriction,   // of 1, 3, ...
 };
 
-// One sweep of projected Gauss-Seidel. Energies: of the change, the sum of |change of an impulse times its residual|.
-double dxSweepContacts(const dxContactPacks &contacts, unsigned begin, unsigned end, const dxOverRelaxation &factor,
+// overRelaxation: by how much the change of an impulse exceeds what its own row asks for, 1: by nothing. Energies: of the change, the sum
+// of |change of an impulse times its residual|, added to those of the parts before.
+double dxSweepContacts(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSweepPart part, dReal overRelaxation,
                        dxVelocity *velocities);

@@ -29,6 +29,13 @@ constexpr double kGrowth = 3;
 // More contacts fit no cache, and a sweep takes as long as it takes to read them: a response is 72 bytes beside 248.
 constexpr unsigned kMaxResponses = 4096;
 
+// Of a sweep: those that find anything to do.
+unsigned partsOf(const std::vector<dxContactPack> &packs) {
+    if (packs.empty()) return 1;
+    const auto hasOdd = [](const dxContactPack &pack) { return pack.contactCount > 1; };
+    return std::any_of(packs.begin(), packs.end(), hasOdd) ? 3 : 2;
+}
+
 unsigned iterationsOf(const dxIslandStep &step) { return static_cast<unsigned>(std::max(step.world->qs.num_iterations, 0)); }
 
 }  // namespace
@@ -58,7 +65,8 @@ void dxIterativeSolver::makePlan(const dxIslandStep &step) {
     m_islandEnergies.resize(m_plan.islands().size());
     m_others.reserve(m_plan);
     placeLanes();
-    m_sweeps.begin(m_plan, iterationsOf(step) + 1);
+    m_parts = partsOf(m_plan.packs());
+    m_sweeps.begin(m_plan, 1 + iterationsOf(step) * m_parts);
 }
 
 void dxIterativeSolver::reserveAs(const dxIterativeSolver &other) {
@@ -123,14 +131,17 @@ void dxIterativeSolver::sweep(const dxIslandStep &step, dxIslandBody *bodies) {
     m_factor = {step.world->qs.w, hasFriction ? step.world->qs.w : std::min(step.world->qs.w, dReal(1))};
     m_smoothFrom = most > kSmoothing ? most - kSmoothing : 0;
     m_leastEnergy = HUGE_VAL;
+    double energy = 0;
     m_sweeps.run(
-        step.runner(), [this](unsigned chunk, unsigned sweep) { return solveChunk(chunk, sweep); },
-        [&](unsigned sweep, double energy) {
-            if (sweep == 0) {
-                if (step.iterativeWorld->isWarm()) startColdWhereWorse(step, bodies, energy);
+        step.runner(), [this](unsigned chunk, unsigned round) { return solveChunk(chunk, round); },
+        [&](unsigned round, double part) {
+            if (round == 0) {
+                if (step.iterativeWorld->isWarm()) startColdWhereWorse(step, bodies, part);
                 return false;
             }
-            if (!isMeasured(sweep)) return false;
+            energy = partOf(round) == 0 ? part : energy + part;
+            const unsigned sweep = sweepOf(round);
+            if (partOf(round) + 1 < m_parts || !isMeasured(sweep)) return false;
             watchGrowth(energy, sweep >= m_smoothFrom);
             return sweep >= m_leastSweeps && energy <= m_firstEnergy * tolerance * tolerance && isSmallEverywhere(tolerance);
         });
@@ -141,26 +152,30 @@ bool dxIterativeSolver::isMeasured(unsigned sweep) const {
     return sweep % kMeasured == 0 && sweep <= m_smoothFrom && (sweep >= m_leastSweeps || m_factor.friction > 1);
 }
 
-// Sweep 0 applies the impulses that the last step has left.
-double dxIterativeSolver::solveChunk(unsigned index, unsigned sweep) {
+// Round 0 applies the impulses that the last step has left; joints other than contacts are swept with the pressures.
+double dxIterativeSolver::solveChunk(unsigned index, unsigned round) {
     const dxConstraintPlan::Chunk &chunk = m_plan.chunks()[index];
-    const dxOverRelaxation smooth = {std::min(m_factor.pressure, dReal(1)), std::min(m_factor.friction, dReal(1))};
+    const unsigned sweep = sweepOf(round), part = partOf(round);
     double energy = 0;
     if (chunk.firstPack != chunk.endPack) {
-        if (sweep == 0)
+        if (round == 0)
             energy += dxApplyImpulses(packs(), chunk.firstPack, chunk.endPack, m_velocities.data());
         else
-            energy += dxSweepContacts(packs(), chunk.firstPack, chunk.endPack,
-                                      sweep > m_smoothFrom ? smooth : m_factor, m_velocities.data());
+            energy += dxSweepContacts(packs(), chunk.firstPack, chunk.endPack, dxSweepPart(part), factorOf(sweep, part), m_velocities.data());
     }
-    if (chunk.firstOther != chunk.endOther) {
+    if (chunk.firstOther != chunk.endOther && part == 0) {
         if (sweep == m_smoothFrom + 1) m_others.relax(chunk.firstOther, chunk.endOther);
-        if (sweep == 0)
+        if (round == 0)
             energy += m_others.apply(chunk.firstOther, chunk.endOther, m_velocities.data());
         else
             energy += m_others.sweep(chunk.firstOther, chunk.endOther, m_velocities.data(), sweep, isMeasured(sweep));
     }
     return energy;
+}
+
+dReal dxIterativeSolver::factorOf(unsigned sweep, unsigned part) const {
+    const dReal factor = part == 0 ? m_factor.pressure : m_factor.friction;
+    return sweep > m_smoothFrom ? std::min(factor, dReal(1)) : factor;
 }
 
 // Of a single island the sum is known anyway.

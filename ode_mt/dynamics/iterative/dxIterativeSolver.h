@@ -41,7 +41,10 @@ private:
     void placeLanes();
     void prepare(const dxIslandStep &step, const dxIslandBody *bodies, const dxOtherJoints &joints);
     void sweep(const dxIslandStep &step, dxIslandBody *bodies);
-    double solveChunk(unsigned chunk, unsigned sweep);
+    double solveChunk(unsigned chunk, unsigned round);
+    unsigned sweepOf(unsigned round) const { return round == 0 ? 0 : 1 + (round - 1) / m_parts; }
+    unsigned partOf(unsigned round) const { return round == 0 ? 0 : (round - 1) % m_parts; }
+    dReal factorOf(unsigned sweep, unsigned part) const;
     bool isMeasured(unsigned sweep) const;
     void sumByIsland(std::vector<double> &energies) const;
     void startColdWhereWorse(const dxIslandStep &step, dxIslandBody *bodies, double energy);
@@ -65,7 +68,10 @@ private:
     std::vector<double> m_firstEnergies, m_islandEnergies;  // by island: of the residual without impulses; of the last sweep
     bool m_hasResponses = false;
     std::atomic<bool> m_hasFeedback{false};  // of contacts that are lanes
-    dxOverRelaxation m_factor = {1, 1};
+    struct {
+        dReal pressure, friction;
+    } m_factor = {1, 1};  // of over-relaxation
+    unsigned m_parts = 1;  // of a sweep, each of which is a round
     unsigned m_leastSweeps = 0;  // in any case
     unsigned m_smoothFrom = 0;  // the sweep after which none is over-relaxed
     double m_firstEnergy = 0, m_leastEnergy = 0;
