@@ -46,7 +46,12 @@ public:
     }
     double prepare() { return dxPrepareContacts(packs(), 0, 1, m_velocities.data()); }
     double apply() { return dxApplyImpulses(packs(), 0, 1, m_velocities.data()); }
-    double sweep(dReal factor = 1) { return dxSweepContacts(packs(), 0, 1, {factor, factor}, m_velocities.data()); }
+    // One of all rows at once, and one of pressures first. Returns the energy of the latter.
+    double sweep(dReal factor = 1) {
+        const auto part = [&](dxSweepPart part) { return dxSweepContacts(packs(), 0, 1, part, {factor, factor}, m_velocities.data()); };
+        part(dxSweepPart::Contacts);
+        return part(dxSweepPart::Pressures) + part(dxSweepPart::EvenFriction) + part(dxSweepPart::OddFriction);
+    }
 
     const std::vector<dxVelocity> &velocities() const { return m_velocities; }
     dxContactLanes &contact(unsigned i) { return m_contacts[i]; }

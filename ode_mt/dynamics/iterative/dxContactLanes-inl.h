@@ -142,16 +142,11 @@ struct RelativeMotion {
     }
 };
 
-// Writes what belongs to each manifold, and adds it up for each lane, whatever the width of vectors.
+// Adds to what belongs to each manifold, and adds it up for each lane, whatever the width of vectors.
 class Energy {
 public:
     explicit Energy(const dxContactPacks &contacts) : m_contacts(contacts) {}
 
-    HWY_INLINE void set(const dxContactPack &pack, Lane energy, unsigned first) {
-        storeLanes(hn::Zero(LaneTag()), m_contacts.energies[&pack - m_contacts.packs], first);
-        add(pack, energy, first);
-    }
-    // To what another kernel has set.
     HWY_INLINE void add(const dxContactPack &pack, Lane energy, unsigned first) {
         dxLaneNumbers &own = m_contacts.energies[&pack - m_contacts.packs];
         storeLanes(hn::Add(loadLanes(own, first), energy), own, first);
@@ -168,18 +163,23 @@ private:
     HWY_ALIGN dReal m_sum[dxLanes::kCount] = {};
 };
 
+HWY_INLINE void clearEnergies(const dxContactPacks &contacts, unsigned begin, unsigned end) {
+    for (unsigned i = begin; i < end; ++i) contacts.energies[i] = dxLaneNumbers();
+}
+
 // What a friction row may have at the most, where the normal has the impulse `pressure`.
 HWY_INLINE Lane limitOf(const dxContactLanes &contact, int tangent, Lane pressure, unsigned first) {
     return hn::Add(hn::Mul(loadLanes(contact.friction[tangent], first), pressure), loadLanes(contact.limit[tangent], first));
 }
 
-// Calls work(pack, first lane, bodies of both sides) for kLanes manifolds at a time, of packs with more contacts than `least`.
+// Calls work(pack, first lane, bodies of both sides) for kLanes manifolds at a time, of packs with so many contacts at the
+// least.
 template <class Work>
 HWY_INLINE void forPacks(const dxContactPacks &contacts, unsigned begin, unsigned end, unsigned least, const dxVelocity *velocities,
                          const Work &work) {
     for (unsigned i = begin; i < end; ++i) {
         const dxContactPack &pack = contacts.packs[i];
-        if (pack.contactCount <= least) continue;
+        if (pack.contactCount < least) continue;
         for (unsigned first = 0; first < dxLanes::kCount; first += kLanes) {
             Bodies body1 = Bodies::load(pack, 0, first, velocities), body2 = Bodies::load(pack, 1, first, velocities);
             work(pack, first, body1, body2);

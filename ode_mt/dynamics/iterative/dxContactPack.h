@@ -29,7 +29,7 @@ struct dxContactLanes {
     dxLaneNumbers softness[kRows];      // cfm / step size
     dxLaneNumbers impulse[kRows];       // the answer
     dxLaneNumbers inverse[kRows];       // 1 / (J inv(M) J' + softness)
-    dxLaneNumbers coupling;             // of the tangents' rows: J inv(M) J'
+    dxLaneNumbers coupling[kRows];      // of rows 0 and 1, 0 and 2, 1 and 2: J inv(M) J'
     dxLaneNumbers friction[kTangents], limit[kTangents];
 };
 

@@ -95,7 +95,9 @@ HWY_INLINE Lane prepareContact(const dxContactPack &pack, dxContactLanes &contac
         return hn::Add(hn::Mul(inverseMass, dot(direction[i], direction[k])),
                        hn::Add(dot(turns1.axis[i], turns1.turned[k]), dot(turns2.axis[i], turns2.turned[k])));
     };
-    storeLanes(couple(1, 2), contact.coupling, first);
+    storeLanes(couple(0, 1), contact.coupling[0], first);
+    storeLanes(couple(0, 2), contact.coupling[1], first);
+    storeLanes(couple(1, 2), contact.coupling[2], first);
     for (int i = 0; i < 3; ++i) {
         storeLanes(inverseOf(hn::Add(couple(i, i), loadLanes(contact.softness[i], first))), contact.inverse[i], first);
         if (response == nullptr) continue;
@@ -110,8 +112,9 @@ HWY_INLINE Lane prepareContact(const dxContactPack &pack, dxContactLanes &contac
 }
 
 double prepare(const dxContactPacks &contacts, unsigned begin, unsigned end, const dxVelocity *velocities) {
+    clearEnergies(contacts, begin, end);
     Energy energy(contacts);
-    forPacks(contacts, begin, end, 0, velocities,
+    forPacks(contacts, begin, end, 1, velocities,
              [&](const dxContactPack &pack, unsigned first, const Bodies &body1, const Bodies &body2) HWY_ATTR {
                  dxContactLanes *const own = contacts.contacts + pack.firstContact;
                  dxContactResponse *const responses = responsesOf(contacts, pack);
@@ -120,7 +123,7 @@ double prepare(const dxContactPacks &contacts, unsigned begin, unsigned end, con
                      dxContactResponse *const response = responses != nullptr ? responses + k : nullptr;
                      sum = hn::Add(sum, prepareContact(pack, own[k], response, first, body1, body2));
                  }
-                 energy.set(pack, sum, first);
+                 energy.add(pack, sum, first);
              });
     return energy.sum();
 }

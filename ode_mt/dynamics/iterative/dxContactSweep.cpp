@@ -39,7 +39,7 @@ struct Wrench {
     }
 };
 
-// As forPacks, for packs with more than so many contacts, and stores the bodies as work leaves them.
+// As forPacks, and stores the bodies as work leaves them.
 template <class Work>
 HWY_INLINE void forMovingPacks(const dxContactPacks &contacts, unsigned begin, unsigned end, unsigned least, dxVelocity *velocities,
                                const Work &work) {
@@ -66,8 +66,9 @@ HWY_INLINE Lane energyOf(const dxContactLanes &contact, unsigned first) {
 
 // The kinetic energy changes by the wrench's work on the mean of the motions before and after it.
 double apply(const dxContactPacks &contacts, unsigned begin, unsigned end, dxVelocity *velocities) {
+    clearEnergies(contacts, begin, end);
     Energy energy(contacts);
-    forMovingPacks(contacts, begin, end, 0, velocities,
+    forMovingPacks(contacts, begin, end, 1, velocities,
                    [&](const dxContactPack &pack, unsigned first, Bodies &body1, Bodies &body2) HWY_ATTR {
                        const dxContactLanes *const own = contacts.contacts + pack.firstContact;
                        Wrench wrench = Wrench::none();
@@ -83,67 +84,110 @@ double apply(const dxContactPacks &contacts, unsigned begin, unsigned end, dxVel
                        wrench.actOn(pack, first, body1, body2);
                        const RelativeMotion twice = RelativeMotion::of(body1, body2, between).plus(before);
                        const Lane work = hn::Add(dot(wrench.impulse, twice.v), dot(wrench.turning, twice.w));
-                       energy.set(pack, hn::Add(sum, hn::Mul(hn::Set(LaneTag(), dReal(0.5)), work)), first);
+                       energy.add(pack, hn::Add(sum, hn::Mul(hn::Set(LaneTag(), dReal(0.5)), work)), first);
                    });
     return energy.sum();
 }
 
+struct Factors {
+    Lane pressure, friction;
+
+    explicit HWY_INLINE Factors(const dxOverRelaxation &factor)
+        : pressure(hn::Set(LaneTag(), factor.pressure)), friction(hn::Set(LaneTag(), factor.friction)) {}
+};
+
+// What a row lacks of what it asks for.
+HWY_INLINE Lane residualOf(const dxContactLanes &contact, unsigned row, const Vector &relative, unsigned first) {
+    const Lane yielding = hn::Mul(loadLanes(contact.softness[row], first), loadLanes(contact.impulse[row], first));
+    return hn::Sub(hn::Sub(loadLanes(contact.wanted[row], first), yielding), dot(loadVector(contact.direction[row], first), relative));
+}
+
+// What does not wait for the residual is apart from what does: a contact takes as long as its longest chain of operations.
+HWY_INLINE Lane moved(const dxContactLanes &contact, unsigned row, Lane residual, Lane factor, unsigned first) {
+    const Lane step = hn::Mul(factor, loadLanes(contact.inverse[row], first));
+    return hn::Add(loadLanes(contact.impulse[row], first), hn::Mul(residual, step));
+}
+
+struct Relaxed {
+    Lane impulse, change, energy;
+
+    static HWY_INLINE Relaxed to(Lane impulse, dxContactLanes &contact, unsigned row, Lane residual, unsigned first) {
+        const Lane change = hn::Sub(impulse, loadLanes(contact.impulse[row], first));
+        storeLanes(impulse, contact.impulse[row], first);
+        return {impulse, change, hn::Abs(hn::Mul(change, residual))};
+    }
+};
+
+HWY_INLINE Relaxed relaxNormal(dxContactLanes &contact, unsigned first, const Factors &factor, const Vector &relative) {
+    const Lane residual = residualOf(contact, 0, relative, first);
+    const Lane impulse = atLeast(hn::Zero(LaneTag()), moved(contact, 0, residual, factor.pressure, first));
+    return Relaxed::to(impulse, contact, 0, residual, first);
+}
+
+// pressure: the normal's impulse
+HWY_INLINE Relaxed relaxTangent(dxContactLanes &contact, int tangent, unsigned first, const Factors &factor, Lane residual, Lane pressure) {
+    const unsigned row = 1 + static_cast<unsigned>(tangent);
+    const Lane impulse = clamp(limitOf(contact, tangent, pressure, first), moved(contact, row, residual, factor.friction, first));
+    return Relaxed::to(impulse, contact, row, residual, first);
+}
+
+// The residual of a row after another one's change.
+HWY_INLINE Lane coupled(Lane residual, const dxContactLanes &contact, unsigned coupling, Lane change, unsigned first) {
+    return hn::Sub(residual, hn::Mul(loadLanes(contact.coupling[coupling], first), change));
+}
+
+// Of the impulses of some rows, and the energy of it.
 template <unsigned kRows>
 struct Change {
     Lane row[kRows], energy;
 };
 
-// What a row lacks of what it asks for.
-HWY_INLINE Lane residualOf(const dxContactLanes &contact, unsigned row, Lane impulse, const Vector &relative, unsigned first) {
-    const Lane wanted = hn::Sub(loadLanes(contact.wanted[row], first), hn::Mul(loadLanes(contact.softness[row], first), impulse));
-    return hn::Sub(wanted, dot(loadVector(contact.direction[row], first), relative));
-}
-
-// What is not known before the residual is a single addition and product: a contact takes as long as its longest chain of operations.
-HWY_INLINE Lane moved(const dxContactLanes &contact, unsigned row, Lane impulse, Lane residual, Lane factor, unsigned first) {
-    return hn::Add(impulse, hn::Mul(residual, hn::Mul(factor, loadLanes(contact.inverse[row], first))));
-}
-
+// Normals alone.
 struct Pressure {
-    static constexpr unsigned kFirstRow = 0, kRows = 1;
+    static constexpr unsigned kFirstRow = 0, kRows = 1, kLeastContacts = 1;
 
-    static HWY_INLINE Change<kRows> relax(dxContactLanes &contact, unsigned first, Lane factor, const Vector &relative) {
-        const Lane old = loadLanes(contact.impulse[0], first), residual = residualOf(contact, 0, old, relative, first);
-        const Lane pressure = atLeast(hn::Zero(LaneTag()), moved(contact, 0, old, residual, factor, first));
-        storeLanes(pressure, contact.impulse[0], first);
-        const Lane change = hn::Sub(pressure, old);
-        return {{change}, hn::Abs(hn::Mul(change, residual))};
+    static HWY_INLINE Change<kRows> relax(dxContactLanes &contact, unsigned first, const Factors &factor, const Vector &relative) {
+        const Relaxed normal = relaxNormal(contact, first, factor, relative);
+        return {{normal.change}, normal.energy};
     }
 };
 
+// Both tangents.
 struct Friction {
-    static constexpr unsigned kFirstRow = 1, kRows = 2;
+    static constexpr unsigned kFirstRow = 1, kRows = 2, kLeastContacts = 2;
 
-    static HWY_INLINE Change<kRows> relax(dxContactLanes &contact, unsigned first, Lane factor, const Vector &relative) {
-        const Lane pressure = loadLanes(contact.impulse[0], first);
-        Change<kRows> change = {{}, hn::Zero(LaneTag())};
-        for (unsigned i = 0; i < kRows; ++i) {
-            const Lane old = loadLanes(contact.impulse[1 + i], first);
-            Lane residual = residualOf(contact, 1 + i, old, relative, first);
-            if (i == 1) residual = hn::Sub(residual, hn::Mul(loadLanes(contact.coupling, first), change.row[0]));
-            const Lane friction =
-                clamp(limitOf(contact, static_cast<int>(i), pressure, first), moved(contact, 1 + i, old, residual, factor, first));
-            storeLanes(friction, contact.impulse[1 + i], first);
-            change.row[i] = hn::Sub(friction, old);
-            change.energy = hn::Add(change.energy, hn::Abs(hn::Mul(change.row[i], residual)));
-        }
-        return change;
+    static HWY_INLINE Change<kRows> relax(dxContactLanes &contact, unsigned first, const Factors &factor, const Vector &relative) {
+        const Lane pressure = loadLanes(contact.impulse[0], first), residual2 = residualOf(contact, 2, relative, first);
+        const Relaxed a = relaxTangent(contact, 0, first, factor, residualOf(contact, 1, relative, first), pressure);
+        const Relaxed b = relaxTangent(contact, 1, first, factor, coupled(residual2, contact, 2, a.change, first), pressure);
+        return {{a.change, b.change}, hn::Add(a.energy, b.energy)};
     }
 };
 
-// Contacts begin, begin + step, ... of each manifold, so many times in turn while the bodies are in registers.
+// The normal, then friction against its new impulse.
+struct Contact {
+    static constexpr unsigned kFirstRow = 0, kRows = 3, kLeastContacts = 1;
+
+    static HWY_INLINE Change<kRows> relax(dxContactLanes &contact, unsigned first, const Factors &factor, const Vector &relative) {
+        Lane residual1 = residualOf(contact, 1, relative, first), residual2 = residualOf(contact, 2, relative, first);
+        const Relaxed normal = relaxNormal(contact, first, factor, relative);
+        residual1 = coupled(residual1, contact, 0, normal.change, first);
+        residual2 = coupled(residual2, contact, 1, normal.change, first);
+        const Relaxed a = relaxTangent(contact, 0, first, factor, residual1, normal.impulse);
+        const Relaxed b = relaxTangent(contact, 1, first, factor, coupled(residual2, contact, 2, a.change, first), normal.impulse);
+        return {{normal.change, a.change, b.change}, hn::Add(hn::Add(normal.energy, a.energy), b.energy)};
+    }
+};
+
+// Contacts begin, begin + step, ... of each manifold. More than one are relaxed so many times while the bodies are in registers, since
+// contacts between the same bodies depend on one another more than on others.
 struct Visit {
     unsigned begin, step, passes;
 };
 
 // What the last pass changes.
 template <class Rows>
-HWY_INLINE Lane relaxManifold(const dxContactPack &pack, dxContactLanes *contacts, unsigned first, const Visit &visit, Lane factor,
+HWY_INLINE Lane relaxManifold(const dxContactPack &pack, dxContactLanes *contacts, unsigned first, const Visit &visit, const Factors &factor,
                               Bodies &body1, Bodies &body2) {
     const Vector between = loadVector(pack.between, first);
     Lane energy = hn::Zero(LaneTag());
@@ -164,7 +208,7 @@ HWY_INLINE Lane relaxManifold(const dxContactPack &pack, dxContactLanes *contact
 // The same, but that the bodies move when the last contact is done. Until then their relative motion tells all.
 template <class Rows>
 HWY_INLINE Lane relaxManifold(const dxContactPack &pack, dxContactLanes *contacts, const dxContactResponse *responses, unsigned first,
-                              const Visit &visit, Lane factor, Bodies &body1, Bodies &body2) {
+                              const Visit &visit, const Factors &factor, Bodies &body1, Bodies &body2) {
     const LaneTag d;
     HWY_ALIGN dReal before[dxContactPack::kMaxContacts][Rows::kRows][dxLanes::kCount];
     for (unsigned k = visit.begin; k < pack.contactCount; k += visit.step)
@@ -191,33 +235,36 @@ HWY_INLINE Lane relaxManifold(const dxContactPack &pack, dxContactLanes *contact
     return energy;
 }
 
+// A single contact has pressure and friction in the first part: it depends on no others of its manifold.
 template <class Rows>
-HWY_INLINE double relaxPacks(const dxContactPacks &contacts, unsigned begin, unsigned end, const Visit &visit, dReal overRelaxation,
-                             dxVelocity *velocities) {
-    const Lane factor = hn::Set(LaneTag(), overRelaxation);
+HWY_INLINE double relaxPacks(const dxContactPacks &contacts, unsigned begin, unsigned end, const Visit &visit,
+                             const dxOverRelaxation &relaxation, dxVelocity *velocities) {
+    const Factors factor(relaxation);
     Energy energy(contacts);
-    forMovingPacks(contacts, begin, end, visit.begin, velocities,
+    forMovingPacks(contacts, begin, end, Rows::kLeastContacts, velocities,
                    [&](const dxContactPack &pack, unsigned first, Bodies &body1, Bodies &body2) HWY_ATTR {
                        dxContactLanes *const own = contacts.contacts + pack.firstContact;
                        const dxContactResponse *const responses = responsesOf(contacts, pack);
-                       const Visit turns = {visit.begin, visit.step, pack.contactCount > 1 ? visit.passes : 1};
-                       const Lane found = responses != nullptr
-                                              ? relaxManifold<Rows>(pack, own, responses, first, turns, factor, body1, body2)
-                                              : relaxManifold<Rows>(pack, own, first, turns, factor, body1, body2);
-                       if (Rows::kFirstRow == 0)
-                           energy.set(pack, found, first);
+                       Lane found;
+                       if (pack.contactCount == 1)
+                           found = relaxManifold<Contact>(pack, own, first, {0, 1, 1}, factor, body1, body2);
+                       else if (responses != nullptr)
+                           found = relaxManifold<Rows>(pack, own, responses, first, visit, factor, body1, body2);
                        else
-                           energy.add(pack, found, first);
+                           found = relaxManifold<Rows>(pack, own, first, visit, factor, body1, body2);
+                       energy.add(pack, found, first);
                    });
     return energy.sum();
 }
 
-double sweep(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSweepPart part, dReal overRelaxation,
+double sweep(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSweepPart part, const dxOverRelaxation &factor,
              dxVelocity *velocities) {
+    if (part == dxSweepPart::Contacts || part == dxSweepPart::Pressures) clearEnergies(contacts, begin, end);
     switch (part) {
-    case dxSweepPart::Pressures: return relaxPacks<Pressure>(contacts, begin, end, {0, 1, 2}, overRelaxation, velocities);
-    case dxSweepPart::EvenFriction: return relaxPacks<Friction>(contacts, begin, end, {0, 2, 1}, overRelaxation, velocities);
-    default: return relaxPacks<Friction>(contacts, begin, end, {1, 2, 1}, overRelaxation, velocities);
+    case dxSweepPart::Contacts: return relaxPacks<Contact>(contacts, begin, end, {0, 1, 2}, factor, velocities);
+    case dxSweepPart::Pressures: return relaxPacks<Pressure>(contacts, begin, end, {0, 1, 2}, factor, velocities);
+    case dxSweepPart::EvenFriction: return relaxPacks<Friction>(contacts, begin, end, {0, 2, 1}, factor, velocities);
+    default: return relaxPacks<Friction>(contacts, begin, end, {1, 2, 1}, factor, velocities);
     }
 }
 
@@ -236,9 +283,9 @@ double dxApplyImpulses(const dxContactPacks &contacts, unsigned begin, unsigned 
     return HWY_DYNAMIC_DISPATCH(apply)(contacts, begin, end, velocities);
 }
 
-double dxSweepContacts(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSweepPart part, dReal overRelaxation,
+double dxSweepContacts(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSweepPart part, const dxOverRelaxation &factor,
                        dxVelocity *velocities) {
     using namespace dxIterative;
-    return HWY_DYNAMIC_DISPATCH(sweep)(contacts, begin, end, part, overRelaxation, velocities);
+    return HWY_DYNAMIC_DISPATCH(sweep)(contacts, begin, end, part, factor, velocities);
 }
 #endif

@@ -18,14 +18,19 @@ double dxPrepareContacts(const dxContactPacks &contacts, unsigned begin, unsigne
 // solution makes least.
 double dxApplyImpulses(const dxContactPacks &contacts, unsigned begin, unsigned end, dxVelocity *velocities);
 
-// A sweep of projected Gauss-Seidel is these parts, each of all packs before the next one (docs/iterative-solver.md, "Pressures first").
+// By how much the change of an impulse exceeds what its own row asks for.
+struct dxOverRelaxation {
+    dReal pressure, friction;
+};
+
+// A sweep of projected Gauss-Seidel goes over the packs once, or three times (docs/iterative-solver.md, "Pressures first").
 enum class dxSweepPart : unsigned {
-    Pressures,     // normals, each manifold's twice in turn
-    EvenFriction,  // tangents of the contacts 0, 2, ... of each manifold
+    Contacts,      // all rows: of each contact the normal, then friction; a manifold's contacts twice in turn
+    Pressures,     // normals alone, a manifold's twice in turn; all rows where a manifold has a single contact
+    EvenFriction,  // tangents of the contacts 0, 2, ... of each manifold with two or more
     OddFriction,   // of 1, 3, ...
 };
 
-// overRelaxation: by how much the change of an impulse exceeds what its own row asks for, 1: by nothing. Energies: of the change, the sum
-// of |change of an impulse times its residual|, added to those of the parts before.
-double dxSweepContacts(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSweepPart part, dReal overRelaxation,
+// Energies: of the change, the sum of |change of an impulse times its residual|; friction alone adds it to those of the pressures.
+double dxSweepContacts(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSweepPart part, const dxOverRelaxation &factor,
                        dxVelocity *velocities);

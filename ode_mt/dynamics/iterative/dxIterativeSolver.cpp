@@ -15,6 +15,14 @@ namespace {
 constexpr double kLeastPart = 0.4;
 constexpr unsigned kSmoothing = 3;
 
+// So many of the iterations take pressures and friction together, which heaps in motion need; the others pressures first, which what stands
+// needs (docs/iterative-solver.md, "Pressures first").
+constexpr double kWholePart = 0.4;
+constexpr unsigned kParts = 3;
+
+constexpr bool isFirst(dxSweepPart part) { return part == dxSweepPart::Contacts || part == dxSweepPart::Pressures; }
+constexpr bool isLast(dxSweepPart part) { return part == dxSweepPart::Contacts || part == dxSweepPart::OddFriction; }
+
 // Kept forces may be so much worse than none: what they have wrong nearby, where bodies have hit one another, sweeps mend at once, and the
 // rest of them is worth more than that (docs/iterative-solver.md).
 constexpr double kMostHarm = 100;
@@ -29,11 +37,10 @@ constexpr double kGrowth = 3;
 // More contacts fit no cache, and a sweep takes as long as it takes to read them: a response is 72 bytes beside 248.
 constexpr unsigned kMaxResponses = 4096;
 
-// Of a sweep: those that find anything to do.
-unsigned partsOf(const std::vector<dxContactPack> &packs) {
-    if (packs.empty()) return 1;
-    const auto hasOdd = [](const dxContactPack &pack) { return pack.contactCount > 1; };
-    return std::any_of(packs.begin(), packs.end(), hasOdd) ? 3 : 2;
+// So many take all rows of each contact at once. Those after them have three parts.
+unsigned wholeSweepsOf(unsigned most, const std::vector<dxContactPack> &packs) {
+    const auto hasSecond = [](const dxContactPack &pack) { return pack.contactCount > 1; };
+    return std::any_of(packs.begin(), packs.end(), hasSecond) ? static_cast<unsigned>(std::ceil(kWholePart * most)) : most;
 }
 
 unsigned iterationsOf(const dxIslandStep &step) { return static_cast<unsigned>(std::max(step.world->qs.num_iterations, 0)); }
@@ -65,8 +72,9 @@ void dxIterativeSolver::makePlan(const dxIslandStep &step) {
     m_islandEnergies.resize(m_plan.islands().size());
     m_others.reserve(m_plan);
     placeLanes();
-    m_parts = partsOf(m_plan.packs());
-    m_sweeps.begin(m_plan, 1 + iterationsOf(step) * m_parts);
+    const unsigned most = iterationsOf(step);
+    m_wholeSweeps = wholeSweepsOf(most, m_plan.packs());
+    m_sweeps.begin(m_plan, 1 + m_wholeSweeps + (most - m_wholeSweeps) * kParts);
 }
 
 void dxIterativeSolver::reserveAs(const dxIterativeSolver &other) {
@@ -139,9 +147,9 @@ void dxIterativeSolver::sweep(const dxIslandStep &step, dxIslandBody *bodies) {
                 if (step.iterativeWorld->isWarm()) startColdWhereWorse(step, bodies, part);
                 return false;
             }
-            energy = partOf(round) == 0 ? part : energy + part;
-            const unsigned sweep = sweepOf(round);
-            if (partOf(round) + 1 < m_parts || !isMeasured(sweep)) return false;
+            const auto [sweep, sweepPart] = sweepOf(round);
+            energy = isFirst(sweepPart) ? part : energy + part;
+            if (!isLast(sweepPart) || !isMeasured(sweep)) return false;
             watchGrowth(energy, sweep >= m_smoothFrom);
             return sweep >= m_leastSweeps && energy <= m_firstEnergy * tolerance * tolerance && isSmallEverywhere(tolerance);
         });
@@ -152,20 +160,23 @@ bool dxIterativeSolver::isMeasured(unsigned sweep) const {
     return sweep % kMeasured == 0 && sweep <= m_smoothFrom && (sweep >= m_leastSweeps || m_factor.friction > 1);
 }
 
-// Round 0 applies the impulses that the last step has left; joints other than contacts are swept with the pressures.
+// Round 0 applies the impulses that the last step has left, as if that were a sweep. Joints other than contacts have all their rows in the
+// first part.
 double dxIterativeSolver::solveChunk(unsigned index, unsigned round) {
     const dxConstraintPlan::Chunk &chunk = m_plan.chunks()[index];
-    const unsigned sweep = sweepOf(round), part = partOf(round);
+    const dxOverRelaxation smooth = {std::min(m_factor.pressure, dReal(1)), std::min(m_factor.friction, dReal(1))};
+    const auto [sweep, part] = sweepOf(round);
     double energy = 0;
     if (chunk.firstPack != chunk.endPack) {
-        if (round == 0)
+        if (sweep == 0)
             energy += dxApplyImpulses(packs(), chunk.firstPack, chunk.endPack, m_velocities.data());
         else
-            energy += dxSweepContacts(packs(), chunk.firstPack, chunk.endPack, dxSweepPart(part), factorOf(sweep, part), m_velocities.data());
+            energy += dxSweepContacts(packs(), chunk.firstPack, chunk.endPack, part, sweep > m_smoothFrom ? smooth : m_factor,
+                                      m_velocities.data());
     }
-    if (chunk.firstOther != chunk.endOther && part == 0) {
+    if (chunk.firstOther != chunk.endOther && isFirst(part)) {
         if (sweep == m_smoothFrom + 1) m_others.relax(chunk.firstOther, chunk.endOther);
-        if (round == 0)
+        if (sweep == 0)
             energy += m_others.apply(chunk.firstOther, chunk.endOther, m_velocities.data());
         else
             energy += m_others.sweep(chunk.firstOther, chunk.endOther, m_velocities.data(), sweep, isMeasured(sweep));
@@ -173,9 +184,11 @@ double dxIterativeSolver::solveChunk(unsigned index, unsigned round) {
     return energy;
 }
 
-dReal dxIterativeSolver::factorOf(unsigned sweep, unsigned part) const {
-    const dReal factor = part == 0 ? m_factor.pressure : m_factor.friction;
-    return sweep > m_smoothFrom ? std::min(factor, dReal(1)) : factor;
+dxIterativeSolver::Round dxIterativeSolver::sweepOf(unsigned round) const {
+    if (round <= m_wholeSweeps) return {round, dxSweepPart::Contacts};
+    constexpr dxSweepPart parts[kParts] = {dxSweepPart::Pressures, dxSweepPart::EvenFriction, dxSweepPart::OddFriction};
+    const unsigned beyond = round - m_wholeSweeps - 1;
+    return {m_wholeSweeps + 1 + beyond / kParts, parts[beyond % kParts]};
 }
 
 // Of a single island the sum is known anyway.

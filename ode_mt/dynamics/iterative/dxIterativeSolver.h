@@ -12,6 +12,7 @@
 #include "dynamics/iterative/dxColoredSweeps.h"
 #include "dynamics/iterative/dxConstraintPlan.h"
 #include "dynamics/iterative/dxContactReader.h"
+#include "dynamics/iterative/dxContactSweep.h"
 #include "dynamics/iterative/dxOtherRows.h"
 
 class dxIterativeSolver {
@@ -42,9 +43,11 @@ private:
     void prepare(const dxIslandStep &step, const dxIslandBody *bodies, const dxOtherJoints &joints);
     void sweep(const dxIslandStep &step, dxIslandBody *bodies);
     double solveChunk(unsigned chunk, unsigned round);
-    unsigned sweepOf(unsigned round) const { return round == 0 ? 0 : 1 + (round - 1) / m_parts; }
-    unsigned partOf(unsigned round) const { return round == 0 ? 0 : (round - 1) % m_parts; }
-    dReal factorOf(unsigned sweep, unsigned part) const;
+    struct Round {
+        unsigned sweep;
+        dxSweepPart part;
+    };
+    Round sweepOf(unsigned round) const;
     bool isMeasured(unsigned sweep) const;
     void sumByIsland(std::vector<double> &energies) const;
     void startColdWhereWorse(const dxIslandStep &step, dxIslandBody *bodies, double energy);
@@ -68,10 +71,8 @@ private:
     std::vector<double> m_firstEnergies, m_islandEnergies;  // by island: of the residual without impulses; of the last sweep
     bool m_hasResponses = false;
     std::atomic<bool> m_hasFeedback{false};  // of contacts that are lanes
-    struct {
-        dReal pressure, friction;
-    } m_factor = {1, 1};  // of over-relaxation
-    unsigned m_parts = 1;  // of a sweep, each of which is a round
+    dxOverRelaxation m_factor = {1, 1};
+    unsigned m_wholeSweeps = 0;  // that are one round each
     unsigned m_leastSweeps = 0;  // in any case
     unsigned m_smoothFrom = 0;  // the sweep after which none is over-relaxed
     double m_firstEnergy = 0, m_leastEnergy = 0;
