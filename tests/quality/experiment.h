@@ -37,6 +37,6 @@ struct Experiment {
 const std::vector<Experiment> &experiments();
 
 // The files' own, which experiments() joins.
-std::vector<Experiment> restingExperiments(), slidingExperiments(), jointExperiments(), movingExperiments();
+std::vector<Experiment> restingExperiments(), masonryExperiments(), slidingExperiments(), jointExperiments(), movingExperiments();
 
 }  // namespace quality

@@ -131,6 +131,11 @@ struct RelativeMotion {
         return {subtract(subtract(body1.v, body2.v), cross(body2.w, between)), subtract(body1.w, body2.w)};
     }
 
+    static HWY_INLINE RelativeMotion none() {
+        const Lane zero = hn::Zero(LaneTag());
+        return {{zero, zero, zero}, {zero, zero, zero}};
+    }
+
     HWY_INLINE Vector velocityAt(const Vector &arm) const { return add(v, cross(w, arm)); }
 
     HWY_INLINE RelativeMotion plus(const RelativeMotion &other) const { return {add(v, other.v), add(w, other.w)}; }

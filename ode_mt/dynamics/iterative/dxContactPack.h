@@ -33,15 +33,6 @@ struct dxContactLanes {
     dxLaneNumbers friction[kTangents], limit[kTangents];
 };
 
-// What an impulse of 1 along each of a contact's directions changes of the bodies' relative motion. Between the contacts of a
-// manifold alone, for which a float's digits suffice: the bodies' velocities come from the impulses.
-struct dxContactResponse {
-    struct alignas(dxLanes::kCount * sizeof(float)) Numbers {
-        float lane[dxLanes::kCount];
-    };
-    Numbers row[dxContactLanes::kRows][6];
-};
-
 struct dxContactPack {
     static constexpr unsigned kMaxContacts = 8;  // of a manifold; more are a manifold of their own
     static constexpr int kNoBody = -1;
@@ -53,6 +44,16 @@ struct dxContactPack {
     int target[2][dxLanes::kCount];      // where it is written; kNoBody for bodies that do not move
     unsigned firstContact;               // of the array of dxContactLanes
     unsigned contactCount;               // the most that a manifold of the pack has
+};
+
+// What an impulse of 1 along each of a contact's directions changes. Between the contacts of a manifold alone, for which a float's digits
+// suffice: the bodies' velocities come from the impulses.
+struct dxContactResponse {
+    struct alignas(dxLanes::kCount * sizeof(float)) Numbers {
+        float lane[dxLanes::kCount];
+    };
+    Numbers row[dxContactLanes::kRows][6];        // of the bodies' relative motion
+    Numbers normal[dxContactPack::kMaxContacts];  // along the normal: of what each normal of the pack lacks
 };
 
 struct dxContactPacks {

@@ -111,6 +111,21 @@ HWY_INLINE Lane prepareContact(const dxContactPack &pack, dxContactLanes &contac
     return hn::Mul(hn::Mul(residual, residual), loadLanes(contact.inverse[0], first));
 }
 
+// Of what an impulse along the normal changes, from the responses of the bodies' motion.
+HWY_INLINE void findNormalResponses(const dxContactPack &pack, const dxContactLanes *contacts, unsigned first,
+                                    dxContactResponse *responses) {
+    for (unsigned k = 0; k < pack.contactCount; ++k) {
+        const Vector normal = loadVector(contacts[k].direction[0], first), arm = loadVector(contacts[k].arm, first);
+        for (unsigned i = 0; i < pack.contactCount; ++i) {
+            RelativeMotion motion = RelativeMotion::none();
+            motion.respond(responses[i].row[0], hn::Set(LaneTag(), dReal(1)), first);
+            Lane change = dot(normal, motion.velocityAt(arm));
+            if (i == k) change = hn::Add(change, loadLanes(contacts[k].softness[0], first));
+            storeFloats(change, responses[i].normal[k], first);
+        }
+    }
+}
+
 double prepare(const dxContactPacks &contacts, unsigned begin, unsigned end, const dxVelocity *velocities) {
     clearEnergies(contacts, begin, end);
     Energy energy(contacts);
@@ -123,6 +138,7 @@ double prepare(const dxContactPacks &contacts, unsigned begin, unsigned end, con
                      dxContactResponse *const response = responses != nullptr ? responses + k : nullptr;
                      sum = hn::Add(sum, prepareContact(pack, own[k], response, first, body1, body2));
                  }
+                 if (responses != nullptr) findNormalResponses(pack, own, first, responses);
                  energy.add(pack, sum, first);
              });
     return energy.sum();

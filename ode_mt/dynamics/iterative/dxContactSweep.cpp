@@ -235,6 +235,39 @@ HWY_INLINE Lane relaxManifold(const dxContactPack &pack, dxContactLanes *contact
     return energy;
 }
 
+// The same for normals alone: each contact knows from the others' changes what it lacks.
+template <>
+HWY_INLINE Lane relaxManifold<Pressure>(const dxContactPack &pack, dxContactLanes *contacts, const dxContactResponse *responses,
+                                        unsigned first, const Visit &visit, const Factors &factor, Bodies &body1, Bodies &body2) {
+    const unsigned count = pack.contactCount;
+    Lane residual[dxContactPack::kMaxContacts], pressure[dxContactPack::kMaxContacts], energy = hn::Zero(LaneTag());
+    const RelativeMotion motion = RelativeMotion::of(body1, body2, loadVector(pack.between, first));
+    for (unsigned k = 0; k < count; ++k) {
+        residual[k] = residualOf(contacts[k], 0, motion.velocityAt(loadVector(contacts[k].arm, first)), first);
+        pressure[k] = loadLanes(contacts[k].impulse[0], first);
+    }
+    for (unsigned pass = 0; pass < visit.passes; ++pass) {
+        energy = hn::Zero(LaneTag());
+        for (unsigned k = 0; k < count; ++k) {
+            const Lane step = hn::Mul(factor.pressure, loadLanes(contacts[k].inverse[0], first));
+            const Lane next = atLeast(hn::Zero(LaneTag()), hn::Add(pressure[k], hn::Mul(residual[k], step)));
+            const Lane change = hn::Sub(next, pressure[k]);
+            pressure[k] = next;
+            energy = hn::Add(energy, hn::Abs(hn::Mul(change, residual[k])));
+            for (unsigned i = 0; i < count; ++i)
+                residual[i] = hn::Sub(residual[i], hn::Mul(loadFloats(responses[k].normal[i], first), change));
+        }
+    }
+    Wrench wrench = Wrench::none();
+    for (unsigned k = 0; k < count; ++k) {
+        const Lane change[1] = {hn::Sub(pressure[k], loadLanes(contacts[k].impulse[0], first))};
+        wrench.add(contacts[k], change, 0, first);
+        storeLanes(pressure[k], contacts[k].impulse[0], first);
+    }
+    wrench.actOn(pack, first, body1, body2);
+    return energy;
+}
+
 // A single contact has pressure and friction in the first part: it depends on no others of its manifold.
 template <class Rows>
 HWY_INLINE double relaxPacks(const dxContactPacks &contacts, unsigned begin, unsigned end, const Visit &visit,

@@ -17,7 +17,7 @@ constexpr unsigned kSmoothing = 3;
 
 // So many of the iterations take pressures and friction together, which heaps in motion need; the others pressures first, which what stands
 // needs (docs/iterative-solver.md, "Pressures first").
-constexpr double kWholePart = 0.4;
+constexpr double kWholePart = 0.5;
 constexpr unsigned kParts = 3;
 
 constexpr bool isFirst(dxSweepPart part) { return part == dxSweepPart::Contacts || part == dxSweepPart::Pressures; }
