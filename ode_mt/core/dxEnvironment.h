@@ -12,6 +12,11 @@ enum class dxVariable { Threads, Callbacks, Solver, SolverTolerance, WarmStart, 
 // Returns its value; NULL: unset or empty.
 const char *dxEnvironment(dxVariable variable);
 
+// Calls `tell` for each variable of the process that has a name like the library's, which the library does not read: ODE_MT_THREAD,
+// ODEMT_THREADS, ode_mt_threads. `nearest`: the library's name that is meant by the look of it; NULL: none. Those of the loader, the build and
+// the tests are not told, nor are empty ones.
+void dxTellUnknownVariables(void (*tell)(const char *name, const char *nearest));
+
 // A finite number as strtod reads it in the "C" locale, without blanks. Returns false for anything else.
 bool dxReadReal(const char *text, double &number);
 

@@ -66,6 +66,14 @@ bool choose(const Named<Choice> (&all)[N], const std::string &name, std::atomic<
 
 constexpr int kTunedCells = 0;
 
+// What is misspelt would be without effect, and nobody would know.
+void reportUnknownVariable(const char *name, const char *nearest) {
+    if (nearest != nullptr)
+        dxLog(dxLogLevel::warning, "%.100s is no variable of this library, and has no effect; is %s meant?", name, nearest);
+    else
+        dxLog(dxLogLevel::warning, "%.100s is no variable of this library, and has no effect", name);
+}
+
 dxProcessObject<dxSettings> settings;
 
 }  // namespace
@@ -75,6 +83,7 @@ dxSettings &dxSettings::instance() { return *settings; }
 dxSettings::dxSettings() : m_cores(dxCountProcessors()) {
     // One literal: bench/library_release.cpp finds the release in a library's file by it.
     dxLog(dxLogLevel::info, "version " dODE_MT_VERSION ", made of ODE " dODE_VERSION);
+    dxTellUnknownVariables(reportUnknownVariable);
     if (const char *text = dxEnvironment(dxVariable::Threads)) readThreads(text);
     if (const char *text = dxEnvironment(dxVariable::Algorithm)) readAlgorithm(text);
     if (const char *text = dxEnvironment(dxVariable::Solver)) readSolver(text);

@@ -20,7 +20,7 @@ run() {
         none) values= ;;
         set) values="ODE_MT_THREADS=3 ODE_MT_ALGORITHM=static ODE_MT_CALLBACKS=concurrent ODE_MT_HEURISTICS=cells
                      ODE_MT_GRID_CELLS=7 ODE_MT_THREAD_MANAGER=openmp ODE_MT_LOG=debug ODE_MT_TRACE=$SCRATCH/$1.trace ODE_MT_STATISTICS=$SCRATCH/none ODE_MT_PERTURB=1" ;;
-        wrong) values=$(for name in $variables; do echo "$name=nonsense"; done) ;;
+        wrong) values="$(for name in $variables; do echo "$name=nonsense"; done) ODE_MT_THREAD=2" ;;
     esac
     # shellcheck disable=SC2086  # values are words
     env $values "$SCRATCH/$1" >"$SCRATCH/$1.$2" 2>"$SCRATCH/$1.$2.reported" || fail "$1 $2: $(cat "$SCRATCH/$1.$2.reported")"
@@ -38,6 +38,7 @@ case $(settings own.set) in "$expected") ;; *) fail "as itself it has: $(setting
 for name in $variables; do
     grep -q "^.*$name is 'nonsense'" "$SCRATCH/own.wrong.reported" || fail "as itself it does not report $name"
 done
+grep -q "is ODE_MT_THREADS meant" "$SCRATCH/own.wrong.reported" || fail "as itself it does not report ODE_MT_THREAD"
 [ -s "$SCRATCH/own.set.reported" ] || fail "ODE_MT_LOG=debug reports nothing"
 
 [ -s "$SCRATCH/own.trace" ] || fail "ODE_MT_TRACE writes nothing"

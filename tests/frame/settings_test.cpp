@@ -411,6 +411,21 @@ const Case kCases[] = {
     {"ODE_MT_WORKERS", "", "^$", 0, "auto", "pthread"},
     {"ODE_MT_THREAD_MANAGER", "", "^$", 0, "auto", "pthread"},
     {"ODE_MT_LOG", "", "^$", 0, "auto", "pthread"},
+    // Names that are not the library's.
+    {"ODE_MT_THREAD", "2", "ODE_MT warning: ODE_MT_THREAD is no variable of this library.*is ODE_MT_THREADS meant", 0, "auto", "pthread"},
+    {"ODE_MT_THRAEDS", "2", "is ODE_MT_THREADS meant", 0, "auto", "pthread"},
+    {"ODEMT_THREADS", "2", "ODEMT_THREADS is no variable.*is ODE_MT_THREADS meant", 0, "auto", "pthread"},
+    {"ode_mt_threads", "2", "ode_mt_threads is no variable.*is ODE_MT_THREADS meant", 0, "auto", "pthread"},
+    {"ODE_MT_CALLBACK", "concurrent", "is ODE_MT_CALLBACKS meant", 0, "auto", "pthread"},
+    {"ODE_MT_THREADMANAGER", "openmp", "is ODE_MT_THREAD_MANAGER meant", 0, "auto", "pthread"},
+    {"ODE_MT_SOLVER_TOLERANZ", "1", "is ODE_MT_SOLVER_TOLERANCE meant", 0, "auto", "pthread"},
+    {"ODE_MT_LOGS", "info", "is ODE_MT_LOG meant", 0, "auto", "pthread"},
+    {"ODE_MT_COLOUR", "red", "ODE_MT_COLOUR is no variable of this library, and has no effect\n$", 0, "auto", "pthread"},
+    {"ODE_MT_", "1", "ODE_MT_ is no variable of this library, and has no effect\n$", 0, "auto", "pthread"},
+    {"ODE_MT_COLOUR", "", "^$", 0, "auto", "pthread"},
+    {"ODE_MT_WORLDS", "folder", "^$", 0, "auto", "pthread"},
+    {"ODEMT_COLOUR", "red", "^$", 0, "auto", "pthread"},
+    {"ODE_THREADS", "2", "^$", 0, "auto", "pthread"},
     {"ODE_MT_THREAD_MANAGER", "foo", "ODE_MT_THREAD_MANAGER.*'foo'.*pthread, openmp", 0, "auto", "pthread"},
 };
 

@@ -161,7 +161,23 @@ private:
             if (const std::string wrong = wrongChoice(variable, meaning, run.ready); !wrong.empty())
                 return wrong;
         }
+        if (const std::string wrong = wrongUnknown(environment, level, run.ending.errors); !wrong.empty()) return wrong;
         return wrongLines(run.ending.errors, level);
+    }
+
+    // A name that is not the library's is reported once, unless it is as good as unset.
+    std::string wrongUnknown(const Environment &environment, const std::string &level, const std::string &errors) const {
+        for (const auto &[name, value] : environment) {
+            const auto isIt = [&name = name](const Variable &variable) { return variable.name == name; };
+            if (name.compare(0, 7, "ODE_MT_") != 0 || std::any_of(m_table.begin(), m_table.end(), isIt)) continue;
+            const int expected = value.c_str()[0] != '\0' && level != "error" ? 1 : 0;
+            const std::string begin = "ODE_MT warning: " + name + " is no variable of this library";
+            int count = 0;
+            std::istringstream lines(errors);
+            for (std::string line; std::getline(lines, line);) count += line.compare(0, begin.size(), begin) == 0 ? 1 : 0;
+            if (count != expected) return "reports of the unknown " + name + ": " + std::to_string(count) + " instead of " + std::to_string(expected);
+        }
+        return {};
     }
 
     const json &hashOf(const std::string &scene, const Environment &solver) {
