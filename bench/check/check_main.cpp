@@ -2,9 +2,9 @@
 #include "check/check_options.h"
 #include "check/checker.h"
 #include "check/interrupt.h"
-#include "check/orphans.h"
 #include "check/report.h"
 #include "error_output.h"
+#include "orphans.h"
 #include "standard_output.h"
 
 namespace {
@@ -22,7 +22,7 @@ int main(int argc, char **argv) {
     const auto options = check::readCheckOptions(argc, argv, exitCode);
     if (!options) return bench::exitCodeAfterOutput(exitCode);
     check::deferSignals();
-    check::adoptOrphans();
+    bench::adoptOrphans();
     try {
         const check::CheckResult result = check::check(*options);
         bench::print(options->isJson ? reportJson(result) : reportText(result));

@@ -163,7 +163,7 @@ private:
     // Of its process group also those whose parents are still there.
     void endRest() {
         kill(-m_child, SIGTERM);
-        m_run.orphans = endOrphans([this](std::chrono::milliseconds most) { exchange(most); });
+        m_run.orphans = bench::endOrphans([this](std::chrono::milliseconds most) { exchange(most); });
     }
 
     const RunSettings &m_settings;

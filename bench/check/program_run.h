@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "check/orphans.h"
 #include "check/program_input.h"
 #include "check/program_output.h"
+#include "orphans.h"
 #include "process/spawn.h"
 
 namespace check {
@@ -28,7 +28,7 @@ struct ProgramRun {
     End end = End::Itself;
     int status = 0;                      // as waitpid gives it
     double seconds = 0, cpuSeconds = 0;  // the latter of all processes that were waited for
-    EndedOrphans orphans;                // what it has left running
+    bench::EndedOrphans orphans;         // what it has left running
     ProgramOutput output, errors;
 };
 

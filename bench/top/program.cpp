@@ -11,7 +11,9 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "orphans.h"
 #include "process/spawn.h"
+#include "top/signals.h"
 
 namespace top {
 
@@ -51,8 +53,19 @@ Program::Program(const TopOptions &options, const bench::RunFolder &folder, cons
     closeFiles();
 }
 
+Program::~Program() {
+    if (hasEnded()) return;
+    askToEnd(SIGTERM);
+    endRest();
+}
+
 bool Program::hasEnded() {
-    if (!m_hasEnded) m_hasEnded = waitpid(m_child, &m_status, WNOHANG) == m_child;
+    int status = 0;
+    for (pid_t ended; !m_hasEnded && (ended = waitpid(-1, &status, WNOHANG)) > 0;) {
+        if (ended != m_child) continue;  // an orphan of the program's
+        m_hasEnded = true;
+        m_status = status;
+    }
     return m_hasEnded;
 }
 
@@ -61,6 +74,13 @@ int Program::exitCode() const { return WIFEXITED(m_status) ? WEXITSTATUS(m_statu
 void Program::askToEnd(int signal) {
     kill(-m_child, m_isAsked ? SIGKILL : signal);
     m_isAsked = true;
+}
+
+// Of its process group also those whose parents are still there.
+bool Program::endRest() {
+    if (!m_isAsked) return true;
+    kill(-m_child, SIGTERM);
+    return !bench::endOrphans([](std::chrono::milliseconds most) { waitForSignal(most); }).areLeft;
 }
 
 }  // namespace top

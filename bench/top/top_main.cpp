@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "error_output.h"
+#include "orphans.h"
 #include "run_folder.h"
 #include "standard_output.h"
 #include "top/frame_board.h"
@@ -131,6 +132,7 @@ int run(const TopOptions &options) {
         watchOnScreen(options, program, board);
     else
         watchInText(options, program, board, out);
+    if (!program.endRest()) bench::printError("not all processes that the program has started could be ended");
     out.print(titleOf(options, secondsSince(start), ", all frames on average") + '\n' +
               top::textOf(top::ratesOfAll(board.read()), board.refused()));
     tellOfOutput(options, program, out);
@@ -145,6 +147,7 @@ int main(int argc, char **argv) {
     const auto options = top::readTopOptions(argc, argv, exitCode);
     if (!options) return bench::exitCodeAfterOutput(exitCode);
     top::deferSignals();
+    bench::adoptOrphans();
     try {
         return run(*options);
     } catch (const std::exception &error) {

@@ -47,6 +47,12 @@ bool hasWords(const std::string &file, const std::string &words) {
     return false;
 }
 
+// Not ended, nor waiting for its parent.
+bool isRunning(const std::string &process) {
+    const std::string number = std::to_string(std::stol(process));
+    return runShell("kill -0 " + number + " && ! grep -q '^State:.Z' /proc/" + number + "/status").exitCode == 0;
+}
+
 class OdemtTop : public testing::Test {
 protected:
     OdemtTop() {
@@ -103,6 +109,32 @@ TEST_F(OdemtTop, SIGQUITLeavesNothing) {
     EXPECT_FALSE(std::filesystem::exists(found[1].str()));
     std::filesystem::remove(output);
     EXPECT_TRUE(std::filesystem::is_empty(folder));
+}
+
+// Of a script, which runs them deaf to SIGINT: in its process group, with another parent, in a session of its own, and deaf to SIGTERM, too.
+TEST_F(OdemtTop, BackgroundJobsEndWithTheProgramThatIsAskedTo) {
+    for (const std::string signal : {"INT", "TERM", "HUP"}) {
+        const std::string jobs = folder + "/jobs", kept = " & echo $! >>" + jobs + ";";
+        const Outcome outcome = runShell(ODEMT_TOP " --once --threads 0 --output " + output + " -- sh -c '" STEPPER " 1 0" + kept + " (sleep 100" + kept + "); setsid sleep 100" +
+                                         kept + " sh -c \"trap true TERM; sleep 100; sleep 100\"" + kept + " echo all >>" + jobs +
+                                         "; wait' & top=$!; until grep -qs all " + jobs + "; do sleep 0.05; done; kill -" + signal + " $top; wait $top");
+        EXPECT_GT(outcome.exitCode, 128) << outcome.output;
+        expectWords(outcome.output, "all frames on average");
+        int count = 0;
+        std::ifstream stream(jobs);
+        for (std::string process; std::getline(stream, process) && process != "all"; ++count)
+            EXPECT_FALSE(isRunning(process)) << signal << ' ' << process;
+        EXPECT_EQ(count, 4);
+        std::filesystem::remove(jobs);
+    }
+}
+
+TEST_F(OdemtTop, BackgroundJobsOfAProgramThatEndsByItselfGoOn) {
+    const Outcome outcome = run("--once --threads 0 --output " + output, "sh -c '" STEPPER " 1 5; sleep 100 & echo $!'");
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
+    const std::string text = read(output), process = text.substr(text.rfind('\n', text.size() - 2) + 1);
+    EXPECT_TRUE(isRunning(process)) << text;
+    runShell("kill " + std::to_string(std::stol(process)));
 }
 
 TEST_F(OdemtTop, EndsAsTheProgramDoes) {
@@ -185,9 +217,12 @@ TEST_F(OdemtTop, ATerminalIsWrittenOverUntilAKeyEndsTheProgram) {
 }
 
 TEST_F(OdemtTop, ATerminalThatIsTooSimpleIsReported) {
-    const Outcome outcome = runShell("TERM=nonsense script -qec '" ODEMT_TOP " -- " STEPPER " 1 5' /dev/null");
+    const Outcome outcome = runShell("TERM=nonsense script -qec '" ODEMT_TOP " -- sh -c \"echo \\$\\$ >" + output + "; exec " STEPPER " 1 0\"' /dev/null");
     EXPECT_NE(outcome.exitCode, 0);
     expectWords(outcome.output, "--batch prints tables");
+    if (const std::string process = read(output); !process.empty()) {
+        EXPECT_FALSE(isRunning(process)) << "it was not watched";
+    }
 }
 
 }  // namespace

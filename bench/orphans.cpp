@@ -1,4 +1,4 @@
-#include "check/orphans.h"
+#include "orphans.h"
 
 #include <dirent.h>
 #include <sys/prctl.h>
@@ -14,7 +14,7 @@
 
 #include "text_file.h"
 
-namespace check {
+namespace bench {
 
 namespace {
 
@@ -31,7 +31,7 @@ struct Status {
 };
 
 Status statusOf(const std::string &process) {
-    const std::string text = bench::readWhatIsThere("/proc/" + process + "/stat");
+    const std::string text = readWhatIsThere("/proc/" + process + "/stat");
     Status status;
     if (const std::size_t name = text.rfind(')'); name != std::string::npos)
         std::istringstream(text.substr(name + 1)) >> status.state >> status.parent;
@@ -88,4 +88,4 @@ EndedOrphans endOrphans(const std::function<void(std::chrono::milliseconds)> &wa
     }
 }
 
-}  // namespace check
+}  // namespace bench

@@ -8,7 +8,7 @@
 #include <chrono>
 #include <functional>
 
-namespace check {
+namespace bench {
 
 // From then on what descends from this process becomes its child when its parent ends, and not that of the system's first process.
 void adoptOrphans();
@@ -24,4 +24,4 @@ struct EndedOrphans {
 // Ends all children, and theirs: by SIGTERM, and behind a second by SIGKILL; gives up after three more. `wait` passes a short time.
 EndedOrphans endOrphans(const std::function<void(std::chrono::milliseconds)> &wait);
 
-}  // namespace check
+}  // namespace bench
