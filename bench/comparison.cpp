@@ -9,6 +9,7 @@
 
 #include <fstream>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -29,7 +30,7 @@ using Key = std::pair<std::string, std::string>;  // world, engine
 
 struct Run {
     std::vector<Key> order;
-    std::map<Key, Figures> figures;
+    std::map<Key, std::optional<Figures>> figures;  // none: the engine failed
 };
 
 Figures figuresOf(const json &engine, bool isReference) {
@@ -51,10 +52,9 @@ Run readRun(const std::string &file) {
             bool isReference = true;
             for (const json &engine : world.at("engines")) {
                 const Key key = {world.at("world").get<std::string>(), engine.at("engine").get<std::string>()};
-                if (engine.at("failure").get<std::string>().empty()) {
-                    run.figures[key] = figuresOf(engine, isReference);
-                    run.order.push_back(key);
-                }
+                const bool hasFailed = !engine.at("failure").get<std::string>().empty();
+                run.figures[key] = hasFailed ? std::nullopt : std::optional(figuresOf(engine, isReference));
+                run.order.push_back(key);
                 isReference = false;
             }
         }
@@ -75,6 +75,26 @@ std::string verdict(const Figures &before, const Figures &after) {
     return "no difference";
 }
 
+// Returns what a file has of it; null: it is not in the file.
+const std::optional<Figures> *find(const Run &run, const Key &key) {
+    const auto found = run.figures.find(key);
+    return found != run.figures.end() ? &found->second : nullptr;
+}
+
+// Of what cannot be compared. Null: not in that file.
+std::string mark(const std::optional<Figures> *was, const std::optional<Figures> *is) {
+    if (was == nullptr) return *is ? "only after" : "only after, failed";
+    if (is == nullptr) return *was ? "only before" : "only before, failed";
+    return *was ? "failed after" : *is ? "failed before" : "failed in both";
+}
+
+void addRow(Table &table, const Key &key, const std::optional<Figures> *was, const std::optional<Figures> *is) {
+    const bool has = was != nullptr && *was, hasNow = is != nullptr && *is;
+    table.addRow({worlds::printable(key.first), worlds::printable(key.second), has ? millisecondsText((*was)->seconds) : "-",
+                  hasNow ? millisecondsText((*is)->seconds) : "-", has ? spreadText((*was)->speedUp) : "-",
+                  hasNow ? spreadText((*is)->speedUp) : "-", has && hasNow ? verdict(**was, **is) : mark(was, is)});
+}
+
 }  // namespace
 
 std::string compareResults(const std::string &before, const std::string &after) {
@@ -88,13 +108,12 @@ std::string compareResults(const std::string &before, const std::string &after) 
                  {"", Table::Align::Left}});
     bool areCommon = false;
     for (const Key &key : one.order) {
-        const auto found = other.figures.find(key);
-        if (found == other.figures.end()) continue;
-        areCommon = true;
-        const Figures &was = one.figures.at(key), &is = found->second;
-        table.addRow({worlds::printable(key.first), worlds::printable(key.second), millisecondsText(was.seconds), millisecondsText(is.seconds),
-                      spreadText(was.speedUp), spreadText(is.speedUp), verdict(was, is)});
+        const auto *const was = find(one, key), *const is = find(other, key);
+        areCommon = areCommon || (*was && is != nullptr && *is);
+        addRow(table, key, was, is);
     }
+    for (const Key &key : other.order)
+        if (find(one, key) == nullptr) addRow(table, key, nullptr, find(other, key));
     if (!areCommon) throw std::runtime_error(worlds::quote(before) + " and " + worlds::quote(after) + " have no world and engine in common");
     return table.text() + "\nfaster, slower: quartiles of the speed-ups over the first engine of the same run do not overlap.\n";
 }

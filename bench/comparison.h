@@ -7,8 +7,8 @@
 
 namespace bench {
 
-// Returns a table of the worlds and engines that both have. Throws std::runtime_error, with the file's name, if one is no
-// result of the bench, or if they have nothing in common.
+// Returns a table of the worlds and engines of both, in which those that one alone has, or that failed, are marked. Throws
+// std::runtime_error, with the file's name, if one is no result of the bench, or if there is nothing that both measured.
 std::string compareResults(const std::string &before, const std::string &after);
 
 }  // namespace bench

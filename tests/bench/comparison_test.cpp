@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <tuple>
 
 using namespace bench;
 
@@ -42,11 +44,34 @@ TEST_F(Comparison, WhatDoesNotOverlapIsFasterOrSlower) {
     EXPECT_NE(compareResults(slow, wide).find("reference"), std::string::npos);
 }
 
-TEST_F(Comparison, WhatOnlyOneHasIsLeftOut) {
-    const std::string one = file("one", engine("ours:2", "1.4", "1.5", "1.6")), failed = file("failed", engine("ours:2", "null", "null", "null", "died")),
-                      other = file("other", engine("ours:4", "1.4", "1.5", "1.6"));
-    EXPECT_EQ(compareResults(one, failed).find("ours:2"), std::string::npos);
-    EXPECT_EQ(compareResults(one, other).find("ours"), std::string::npos);
+// Returns the line of an engine in a table; empty: it has none.
+static std::string lineOf(const std::string &table, const std::string &words) {
+    const std::size_t at = table.find(words), begin = table.rfind('\n', at) + 1;
+    return at == std::string::npos ? "" : table.substr(begin, table.find('\n', at) - begin);
+}
+
+TEST_F(Comparison, WhatOnlyOneHasIsMarked) {
+    const std::string figures = engine("ours:2", "1.4", "1.5", "1.6"), one = file("one", figures), other = file("other", engine("ours:4", "1.6", "1.7", "1.8")),
+                      failed = file("failed", engine("ours:2", "null", "null", "null", "died")),
+                      otherFailed = file("other_failed", engine("ours:4", "null", "null", "null", "died"));
+    EXPECT_EQ(lineOf(compareResults(one, other), "ours:2"), "pile   ours:2       2.00      -  1.50 [1.40, 1.60]                  -  only before");
+    EXPECT_EQ(lineOf(compareResults(one, other), "ours:4"), "pile   ours:4          -   2.00                  -  1.70 [1.60, 1.80]  only after");
+    for (const auto &[before, after, engine, mark] : {std::tuple(one, failed, "ours:2", "  failed after"), {failed, one, "ours:2", "  failed before"},
+                                                      {failed, failed, "ours:2", "  failed in both"}, {one, otherFailed, "ours:4", "  only after, failed"},
+                                                      {otherFailed, one, "ours:4", "  only before, failed"}}) {
+        const std::string line = lineOf(compareResults(before, after), engine), words = mark;
+        EXPECT_EQ(line.substr(line.size() - std::min(line.size(), words.size())), words) << line;
+    }
+}
+
+// A world that was added, or named in another way.
+TEST_F(Comparison, WorldsThatOnlyOneHasAreMarked) {
+    const std::string one = file("one", engine("ours:2", "1.4", "1.5", "1.6")), two = folder + "/two";
+    std::ofstream(two) << R"({"worlds":[{"world":"wall","engines":[)" << engine("stock", "1", "1", "1") << R"(]},{"world":"pile","engines":[)"
+                       << engine("stock", "1", "1", "1") << "]}]}";
+    EXPECT_NE(lineOf(compareResults(one, two), "wall").find("only after"), std::string::npos);
+    EXPECT_NE(lineOf(compareResults(two, one), "wall").find("only before"), std::string::npos);
+    EXPECT_NE(lineOf(compareResults(two, one), "ours:2").find("only after"), std::string::npos);
 }
 
 TEST_F(Comparison, OtherFilesAreNamed) {
