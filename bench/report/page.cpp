@@ -37,7 +37,8 @@ std::string attribute(std::string text) {
 }
 
 std::string recordingElement(const NamedRecording &recording) {
-    return "<script class=\"recording\" type=\"text/plain\" data-name=\"" + attribute(recording.name) + "\">" +
+    return "<script class=\"recording\" type=\"text/plain\" data-name=\"" + attribute(recording.name) + "\" data-other-world=\"" +
+           attribute(recording.otherWorld) + "\">" +
            base64(gzip(recording.lines)) + "</script>\n";
 }
 

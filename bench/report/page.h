@@ -12,6 +12,7 @@ extern const char *const kEmptyPage;
 struct NamedRecording {
     std::string name;   // as the page shows it
     std::string lines;  // as odemt_record has written it
+    std::string otherWorld{};  // why it is not of the first recording's world, as a warning; empty: it is
 };
 
 // `results`: the text of the bench's JSON file; empty: none. Throws std::runtime_error if it is no such file.

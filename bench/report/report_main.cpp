@@ -1,7 +1,7 @@
 // odemt_report: results and recordings as one HTML page (page.h).
 #include "error_output.h"
 #include "loader/load_error.h"
-#include "record/recording.h"
+#include "record/other_world.h"
 #include "report/page.h"
 #include "report/report_options.h"
 #include "result_file.h"
@@ -22,21 +22,33 @@ std::string contentOf(const std::string &file) {
 }
 
 // Checked here, so that the page need not.
-report::NamedRecording recordingOf(const std::string &file) {
+report::NamedRecording recordingOf(const std::string &file, record::Header &header) {
     std::string content = contentOf(file);
     try {
         std::istringstream lines(content);
-        if (record::readRecording(lines).frames.empty()) throw std::runtime_error("no frames");
+        record::Recording recording = record::readRecording(lines);
+        if (recording.frames.empty()) throw std::runtime_error("no frames");
+        header = std::move(recording.header);
     } catch (const std::runtime_error &error) {
         throw std::runtime_error(worlds::quote(file) + ": " + error.what());
     }
     return {file, std::move(content)};
 }
 
+std::vector<report::NamedRecording> recordingsOf(const std::vector<std::string> &files) {
+    std::vector<report::NamedRecording> recordings;
+    std::vector<record::Header> headers(files.size());
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        recordings.push_back(recordingOf(files[i], headers[i]));
+        recordings[i].otherWorld = record::whyOtherWorld(headers[0], headers[i]);
+        if (!recordings[i].otherWorld.empty()) bench::printError(recordings[i].otherWorld);
+    }
+    return recordings;
+}
+
 void writePage(const report::ReportOptions &options) {
     bench::checkWritable(options.file);
-    std::vector<report::NamedRecording> recordings;
-    for (const std::string &file : options.recordings) recordings.push_back(recordingOf(file));
+    const std::vector<report::NamedRecording> recordings = recordingsOf(options.recordings);
     const std::string results = options.results.empty() ? "" : contentOf(options.results);
     if (!options.results.empty() && results.empty()) throw std::runtime_error(worlds::quote(options.results) + ": empty");
     std::string page;

@@ -45,6 +45,18 @@ TEST_F(OdemtReport, WritesResultsAndRecordings) {
     EXPECT_NE(text.find("class=\"recording\""), text.rfind("class=\"recording\""));
 }
 
+TEST_F(OdemtReport, RecordingsOfDifferentWorldsAreWarnedOf) {
+    const std::string other = folder + "/other.jsonl";
+    ASSERT_EQ(runShell(std::string(ODEMT_RECORD) + " rover:2 --frames 3 --output " + recording).exitCode, 0);
+    ASSERT_EQ(runShell(std::string(ODEMT_RECORD) + " rover:3 --frames 3 --output " + other).exitCode, 0);
+    const auto both = [&](const std::string &second) { return report("--recording " + recording + " --recording " + second + " --output " + page); };
+    EXPECT_EQ(both(recording).output, "");
+    const Outcome outcome = both(other);
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
+    EXPECT_NE(outcome.output.find("different worlds: 'rover:2' and 'rover:3'"), std::string::npos) << outcome.output;
+    EXPECT_NE(text().find("different worlds: 'rover:2' and 'rover:3'"), std::string::npos);
+}
+
 TEST_F(OdemtReport, WhatIsWrongIsNamed) {
     std::ofstream(recording) << "no JSON\n";
     const std::string empty = folder + "/empty", output = " --output " + page, twice = " --recording " + recording + " --recording " + recording;

@@ -1,5 +1,7 @@
 #include "record/recording.h"
 
+#include "record/other_world.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +9,8 @@
 #include <functional>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 using namespace record;
 
@@ -54,6 +58,26 @@ std::string complaint(const std::string &text) {
 }
 
 }  // namespace
+
+TEST(Recording, DifferentWorldsAreTold) {
+    const auto why = [](void (*change)(Header &)) {
+        Header other = header();
+        change(other);
+        return whyOtherWorld(header(), other);
+    };
+    EXPECT_EQ(why([](Header &same) { same.library = same.algorithm = "another"; }), "");
+    EXPECT_EQ(why([](Header &same) { same.world = "folder/" + same.world; }), "") << "the same file";
+    for (const auto &[change, word] : std::vector<std::pair<void (*)(Header &), std::string>>{
+             {[](Header &other) { other.world = "pile"; }, "'pile'"},
+             {[](Header &other) { other.geoms.pop_back(); }, "2 geoms in the first, 1 in the second"},
+             {[](Header &other) { other.geoms[1].shape.size[3] = 2; }, "geom 1"},
+             {[](Header &other) { other.geoms[1].shape.triangles[0][0][0] = 2; }, "geom 1"},
+             {[](Header &other) { other.geoms[0].shape.kind = "sphere"; }, "geom 0"},
+             {[](Header &other) { other.geoms[0].body = 1; }, "geom 0"},
+             {[](Header &other) { other.bodyNames[0] = "another"; }, "names"},
+             {[](Header &other) { other.stepSize = 0.016; }, "8.00 ms in the first, of 16.0 ms in the second"}})
+        EXPECT_NE(why(change).find(word), std::string::npos) << why(change);
+}
 
 TEST(Recording, TheHeaderIsReadAsItWasWritten) {
     const Header got = read(writeHeader(header())).header;

@@ -290,6 +290,13 @@ class ReplayTest(unittest.TestCase):
         self.assertIn("clusters and grid", self.text("#replay"))
         self.assertEqual(browser.errors(), [])
 
+    def test_different_worlds_are_warned_of(self):
+        browser = self.open(self.ours, self.soccer)
+        self.assertIn("different worlds: 'pile:20' and 'soccer'", self.text("#replay-worlds"))
+        self.assertEqual(browser.errors(), [])
+        browser = self.open(self.stock, self.changed)
+        self.assertEqual(browser.run("return document.getElementById('replay-worlds')"), None)
+
     def test_the_first_difference_is_found(self):
         browser = self.open(self.ours, self.changed)
         number = self.frames[CHANGED_FRAME]["number"]

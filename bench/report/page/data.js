@@ -6,11 +6,11 @@ export function embeddedResults() {
     return found && JSON.parse(found.textContent);
 }
 
-// Returns the recordings as { name, text }: JSON lines, compressed in the page.
+// Returns the recordings as { name, otherWorld, text }: JSON lines, compressed in the page; otherWorld: why it is not of the first one's world.
 export async function embeddedRecordings() {
     return Promise.all([...document.querySelectorAll('script.recording')].map(async found => {
         const bytes = Uint8Array.from(atob(found.textContent), character => character.charCodeAt(0));
         const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
-        return { name: found.dataset.name, text: await new Response(stream).text() };
+        return { name: found.dataset.name, otherWorld: found.dataset.otherWorld, text: await new Response(stream).text() };
     }));
 }

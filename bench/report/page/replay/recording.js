@@ -21,12 +21,12 @@ function numbersOfClusters(frames) {
     return numbers;
 }
 
-export function parseRecording({ name, text }) {
+export function parseRecording({ name, otherWorld, text }) {
     const lines = text.trimEnd().split('\n').map(line => JSON.parse(line));
     const { recording: header } = lines.shift();
     const frames = lines.map(line => line.frame);
     const byNumber = new Map(frames.map(frame => [frame.number, frame]));
-    return { name, header, frames, has: parts(frames), byNumber, clusterNumbers: numbersOfClusters(frames) };
+    return { name, otherWorld, header, frames, has: parts(frames), byNumber, clusterNumbers: numbersOfClusters(frames) };
 }
 
 // Returns how the recording is called above its picture.

@@ -43,6 +43,8 @@ export class Replay {
     }
 
     addTo(parent, titles, canvases) {
+        for (const { otherWorld } of this.recordings.filter(recording => recording.otherWorld))
+            parent.append(element('p', { class: 'warning', role: 'alert', id: 'replay-worlds' }, otherWorld));
         if (this.comparison)
             parent.append(element('p', { class: this.comparison.first ? 'warning' : 'summary', id: 'replay-difference' },
                 differenceText(this.comparison, this.recordings[0])));
