@@ -57,6 +57,16 @@ TEST_F(OdemtReport, RecordingsOfDifferentWorldsAreWarnedOf) {
     EXPECT_NE(text().find("different worlds: 'rover:2' and 'rover:3'"), std::string::npos);
 }
 
+// As docs/report.md says: 0.8 MB, and about half of each recording's file.
+TEST_F(OdemtReport, PagesAreAsLargeAsDocumented) {
+    ASSERT_EQ(runShell(std::string(ODEMT_RECORD) + " pile:100 --frames 60 --every 3 --output " + recording).exitCode, 0);
+    report(results + " --output " + page);
+    const auto without = std::filesystem::file_size(page), file = std::filesystem::file_size(recording);
+    EXPECT_NEAR(static_cast<double>(without), 0.8e6, 0.2e6);
+    report("--recording " + recording + " --output " + page);
+    EXPECT_LT(std::filesystem::file_size(page), without + file * 6 / 10);
+}
+
 TEST_F(OdemtReport, WhatIsWrongIsNamed) {
     std::ofstream(recording) << "no JSON\n";
     const std::string empty = folder + "/empty", output = " --output " + page, twice = " --recording " + recording + " --recording " + recording;
