@@ -1,6 +1,10 @@
 #include "library_folders.h"
 
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
+#include <iterator>
+#include <sstream>
 #include <stdexcept>
 
 namespace bench {
@@ -8,6 +12,10 @@ namespace bench {
 std::string folderOfThisProgram() { return std::filesystem::read_symlink("/proc/self/exe").parent_path(); }
 
 std::string folderOfStockLibrary() { return ODEMT_STOCK_FOLDER; }
+
+std::string commandsForStockLibrary() {
+    return "apt-get download " ODE_MT_DEBIAN_PACKAGE " && dpkg-deb -x " ODE_MT_DEBIAN_PACKAGE "_*.deb stock";
+}
 
 std::string folderOfOurLibrary() {
     const std::filesystem::path above = std::filesystem::path(folderOfThisProgram()).parent_path();
@@ -24,6 +32,14 @@ std::string libraryAt(const std::string &path) {
 void checkLibraryFolder(const std::string &option, const std::string &folder) {
     if (!std::filesystem::exists(std::filesystem::path(folder) / "libode.so.8"))
         throw std::invalid_argument(option + ": no libode.so.8 in '" + folder + "'");
+}
+
+std::vector<std::string> preloadedLibraries() {
+    const char *const text = std::getenv("LD_PRELOAD");
+    std::string names = text != nullptr ? text : "";
+    std::replace(names.begin(), names.end(), ':', ' ');
+    std::istringstream stream(names);
+    return {std::istream_iterator<std::string>(stream), {}};
 }
 
 }  // namespace bench

@@ -71,7 +71,16 @@ void checkLibrary(const Engine &engine, const ChildSettings &settings) {
     if (!std::filesystem::is_regular_file(file, ignored))
         throw std::invalid_argument("engine '" + engine.name() + "': no such file: '" + file + "'");
     if (isOurLibrary(file))
-        throw std::invalid_argument("engine '" + engine.name() + "': '" + file + "' is ODE_MT itself, which is measured as ours:N (--our-library)");
+        throw std::invalid_argument("engine '" + engine.name() + "': '" + file +
+                                    "' is ODE_MT itself, as where the package libode8-mt is installed: it would be measured against itself. For Debian's, as --stock-library: " +
+                                    commandsForStockLibrary());
+}
+
+// The loader would give it to all engines.
+void checkPreloaded() {
+    for (const std::string &library : preloadedLibraries())
+        if (isOurLibrary(library))
+            throw std::invalid_argument("LD_PRELOAD: '" + library + "' is ODE_MT itself, on which all engines would run: unset it");
 }
 
 // 0, 1, 2, 4, … up to the number of cores.
@@ -167,6 +176,7 @@ void interpret(const Words &words, Options &options) {
     for (const std::string &world : options.worlds) checkWorld(world);
     options.engines = readEngines(splitEngines(words.engines), split(words.threads), words.manager);
     for (const Engine &engine : options.engines) checkLibrary(engine, options.child);
+    checkPreloaded();
     std::vector<std::string> files = {options.jsonFile, options.csvFile};
     if (!options.samplesFile.empty()) files.push_back(options.samplesFile);
     if (!options.htmlFile.empty()) files.push_back(options.htmlFile);

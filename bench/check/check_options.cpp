@@ -34,9 +34,6 @@ const char *const kFooter =
     "\nThe exit code is 0 if all runs are equal, 1 if one differs, 2 if they could not be compared (the program makes no\n"
     "step, does not use libode.so.8, is not reproducible itself, was interrupted) or for a wrong option.\n";
 
-const char *const kDebianPackage =
-    "apt-get download " ODE_MT_DEBIAN_PACKAGE " && dpkg-deb -x " ODE_MT_DEBIAN_PACKAGE "_*.deb stock";
-
 std::vector<std::string> readThreads(const std::string &list) {
     std::vector<std::string> threads;
     for (const std::string &word : bench::splitAtCommas(list)) {
@@ -53,7 +50,7 @@ void checkLibraries(CheckOptions &options) {
     const std::string stock = options.stockFolder + "/libode.so.8", ours = options.ourFolder + "/libode.so.8";
     if (bench::isOurLibrary(stock))
         throw std::invalid_argument("--stock-library: '" + stock +
-                                    "' is ODE_MT, as where the package libode8-mt is installed. For Debian's: " + kDebianPackage);
+                                    "' is ODE_MT, as where the package libode8-mt is installed. For Debian's: " + bench::commandsForStockLibrary());
     if (!bench::isOurLibrary(ours)) throw std::invalid_argument("--our-library: '" + ours + "' is not ODE_MT");
     options.stockRelease = bench::releaseOfLibrary(stock);
     options.ourRelease = bench::releaseOfLibrary(ours);

@@ -1,6 +1,10 @@
 #include "options.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
 
 using namespace bench;
 
@@ -96,6 +100,21 @@ TEST(Options, LibrariesThatAreMissingOrOursAreNamed) {
     expectComplaint({"--worlds", "rover", "--engines", "stock:"}, "no path of a libode.so.8");
     expectComplaint({"--worlds", "rover", "--engines", "stock:" ODEMT_OUR_FOLDER}, "is ODE_MT itself");
     expectComplaint({"--worlds", "rover", "--engines", "stock", "--stock-library", ODEMT_OUR_FOLDER}, "is ODE_MT itself");
+    expectComplaint({"--worlds", "rover", "--engines", "stock-pool:2", "--stock-library", ODEMT_OUR_FOLDER}, "apt-get download libode8");
+}
+
+// By a link in the place of the system's, and before all libraries.
+TEST(Options, OursInThePlaceOfTheSystemsIsNamed) {
+    const std::string folder = testing::TempDir() + "/options_" + std::to_string(getpid());
+    std::filesystem::create_directories(folder);
+    std::filesystem::create_symlink(std::filesystem::canonical(ODEMT_OUR_FOLDER "/libode.so.8"), folder + "/libode.so.8");
+    expectComplaint({"--worlds", "rover", "--engines", "stock,ours:2", "--stock-library", folder.c_str()}, "it would be measured against itself");
+    setenv("LD_PRELOAD", (ODEMT_ORACLE " " + folder + "/libode.so.8").c_str(), 1);
+    expectComplaint({"--worlds", "rover", "--engines", "stock,ours:2"}, "LD_PRELOAD: '" + folder + "/libode.so.8' is ODE_MT itself");
+    setenv("LD_PRELOAD", "/nowhere/lib.so", 1);
+    EXPECT_TRUE(read({"--worlds", "rover", "--engines", "stock,ours:2"}).options);
+    unsetenv("LD_PRELOAD");
+    std::filesystem::remove_all(folder);
 }
 
 TEST(Options, WithSamplesMeasuringDoesNotEndEarly) {
