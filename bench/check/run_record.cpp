@@ -27,8 +27,11 @@ bool readValue(std::istream &stream, Value &value) {
 
 void readProcess(std::istream &stream, const std::string &path, std::uint32_t number, RunRecord &run) {
     ProcessHeader header{};
-    // A process that was killed while it made the file has made no step.
-    if (!readValue(stream, header) || header.magic == 0) return;
+    // There was no room for it, or the process was killed while it made the file.
+    if (!readValue(stream, header) || header.magic == 0) {
+        ++run.headless;
+        return;
+    }
     if (header.magic != kMagic) failAt(path);
     constexpr double kNanosecond = 1e-9;
     run.processes.push_back({header.program, header.library, header.isOurs != 0, header.isDouble != 0, header.isFull != 0,

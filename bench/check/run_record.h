@@ -34,6 +34,7 @@ struct ProcessRecord {
 
 struct RunRecord {
     bool wasLoaded = false;            // the observer, into any process
+    unsigned headless = 0;             // processes that made a world, of which nothing else could be written
     std::vector<std::string> objects;  // programs and libraries of processes that made no world, each once
     std::vector<ProcessRecord> processes;
     std::vector<WorldRecord> worlds;  // that made a step, by process and number

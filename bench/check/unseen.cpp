@@ -1,6 +1,7 @@
 #include "check/unseen.h"
 
 #include <elf.h>
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -9,6 +10,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "library_folders.h"
 #include "text_file.h"
 
 namespace check {
@@ -55,6 +57,22 @@ bool containsOde(const std::string &file) {
     return text.find(" ODE_double_precision") != std::string::npos || text.find(" ODE_single_precision") != std::string::npos;
 }
 
+// For the header of a record: also where the program has filled the folder, and left it so.
+bool hasRoom(const std::string &folder) {
+    std::string path = folder + "/room_XXXXXX";
+    const int file = mkstemp(path.data());
+    const bool has = file >= 0 && posix_fallocate(file, 0, static_cast<off_t>(kHeaderBytes)) == 0;
+    if (file >= 0) {
+        close(file);
+        unlink(path.c_str());
+    }
+    return has;
+}
+
+std::string noRoom(const Play &play, const std::string &program) {
+    return "Nothing of '" + program + "' can be told: there is no room for records in '" + play.folder + "' (TMPDIR names another folder).";
+}
+
 std::string whyNotLoaded(const Play &play, const std::string &program, const std::string &file) {
     if (isStaticallyLinked(file))
         return "'" + program + "' is statically linked: no library of it can be exchanged, and nothing of it observed.";
@@ -62,10 +80,12 @@ std::string whyNotLoaded(const Play &play, const std::string &program, const std
         return "'" + program +
                "' runs with another user's rights (set-user-ID): the loader ignores LD_LIBRARY_PATH and LD_PRELOAD.";
     const std::string words = play.run.errors.lastLines(3);
+    if (!hasRoom(play.folder)) return noRoom(play, program);
     return "The observer was not loaded into '" + program + "'" + (words.empty() ? "." : ": " + words);
 }
 
 std::string whyNoWorld(const Play &play, const std::string &program, const std::string &file) {
+    if (play.record.headless > 0 || !hasRoom(play.folder)) return noRoom(play, program);
     std::vector<std::string> objects = play.record.objects;
     objects.push_back(file);
     std::string library;
@@ -78,7 +98,9 @@ std::string whyNoWorld(const Play &play, const std::string &program, const std::
     }
     if (!library.empty())
         return "'" + program + "' loads libode.so.8, but no call of dWorldCreate, dWorldStep or dWorldQuickStep was seen.";
-    return "No process of '" + program + "' uses libode.so.8, or none did before its end.";
+    return "No process of '" + program +
+           "' was seen to use libode.so.8. Not seen are those that are started with an emptied environment (env -i), statically linked, or "
+           "with another user's rights, and what one had loaded that was killed.";
 }
 
 std::string whyNoStepOfWorlds(const Play &play, const std::string &program) {
@@ -89,6 +111,14 @@ std::string whyNoStepOfWorlds(const Play &play, const std::string &program) {
     for (const ProcessRecord &process : play.record.processes)
         if (process.isFull) return "No step could be recorded: there is no room in '" + play.folder + "'.";
     return "'" + program + "' makes worlds of ODE, but steps none: no call of dWorldStep or dWorldQuickStep was seen.";
+}
+
+// How a process comes to another library than the one that LD_LIBRARY_PATH names.
+std::string wayTo(const std::string &library) {
+    std::error_code ignored;
+    for (const std::string &preloaded : bench::preloadedLibraries())
+        if (std::filesystem::equivalent(preloaded, library, ignored)) return "LD_PRELOAD names it.";
+    return "it looks for libraries in a folder of its own (RPATH), or loads this one by its path.";
 }
 
 }  // namespace
@@ -109,11 +139,10 @@ std::optional<std::string> whyWrongLibrary(const Play &play) {
     for (const ProcessRecord &process : play.record.processes) {
         if (fileName(process.library).rfind("libode.so.8", 0) != 0)
             return "'" + process.program + "' uses '" + process.library +
-                   "': a copy of ODE under another name, which is not exchanged (docs/programs.md).";
+                   "': ODE under another name, which is not exchanged (docs/programs.md).";
         if (process.isOurs != play.engine.isOurs())
             return "'" + process.program + "' was to run on " + (play.engine.isOurs() ? "ODE_MT" : "libode8") + ", and uses '" +
-                   process.library +
-                   "' all the same: it looks for libraries in a folder of its own (RPATH), or loads this one by its path.";
+                   process.library + "' all the same: " + wayTo(process.library);
         if (process.isFull) return "Not all steps could be recorded: there is no room in '" + play.folder + "'.";
     }
     return std::nullopt;

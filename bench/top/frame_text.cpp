@@ -52,7 +52,9 @@ std::string elsewhere(const dODE_MT_WorldStatistics &last) {
 
 }  // namespace
 
-const char *const kNoWorld = "No world has been stepped: programs that are linked to libode.so.8 are seen, unless they look for it elsewhere (RPATH)";
+const char *const kNoWorld =
+    "No world was seen to be stepped. Not seen are programs that take another library than LD_LIBRARY_PATH names (RPATH, LD_PRELOAD, linked statically), or are started "
+    "with an emptied environment (env -i)";
 
 std::vector<std::string> tableOf(const std::vector<FrameRates> &worlds) {
     using Column = bench::Table::Column;

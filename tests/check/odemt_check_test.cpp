@@ -44,7 +44,7 @@ class OdemtCheck : public testing::Test {
 protected:
     void TearDown() override { std::filesystem::remove(m_runs); }
 
-    const std::string m_runs = testing::TempDir() + "/odemt_check_runs_" + std::to_string(getpid());
+    const std::string m_runs = testing::TempDir() + "odemt_check_runs_" + std::to_string(getpid());
 };
 
 TEST_F(OdemtCheck, APlainProgramIsEqual) {
@@ -328,13 +328,50 @@ TEST_F(OdemtCheck, ProgramsThatCannotBeComparedAreToldWhy) {
     const auto expect = [](const std::string &program, const std::string &words, const std::string &options = "--threads 0") {
         expectWords(checkJson(program, 2, options)["sentence"], words);
     };
-    expect(NO_ODE, "No process of '" NO_ODE "' uses libode.so.8");
+    expect(NO_ODE, "No process of '" NO_ODE "' was seen to use libode.so.8");
     expect(STATIC_PROGRAM, "'" STATIC_PROGRAM "' is statically linked");
     expect(SUBJECT_COPY, "'" SUBJECT_COPY "' has a copy of ODE inside");
     expect(SUBJECT_RPATH, "and uses '" + std::filesystem::canonical(STOCK_LIBRARY).string() + "' all the same");
     expect(LOADS_ODE " " STOCK_LIBRARY, "or loads this one by its path");
     expect(kSubject + " no-steps", "makes worlds of ODE, but steps none");
     expect(LOADS_ODE " libode.so.8", "has single precision", "--threads 0 --stock-library " SINGLE_FOLDER);
+}
+
+// A program that steps worlds all the same is told no untruth.
+TEST_F(OdemtCheck, WhatCannotBeSeenIsNotDenied) {
+    const std::string sentence = checkJson("env -i " + kSubject + " equal", 2, "--threads 0")["sentence"];
+    expectWords(sentence, "No process of 'env' was seen to use libode.so.8. Not seen are those that are started with an emptied environment (env -i)");
+}
+
+TEST_F(OdemtCheck, AnotherLibraryByLD_PRELOADIsNamed) {
+    const std::string library = std::filesystem::canonical(OUR_FOLDER "/libode.so.8"), copy = m_runs + "_mine.so";
+    const auto sentenceWith = [](const std::string &preloaded) {
+        setenv("LD_PRELOAD", preloaded.c_str(), 1);
+        const std::string sentence = checkJson(kSubject + " equal", 2, "--threads 0")["sentence"];
+        unsetenv("LD_PRELOAD");
+        return sentence;
+    };
+    expectWords(sentenceWith(library), "and uses '" + library + "' all the same: LD_PRELOAD names it.");
+    std::filesystem::copy_file(library, copy);
+    expectWords(sentenceWith(copy), "uses '" + copy + "': ODE under another name");
+    std::filesystem::remove(copy);
+}
+
+// Of the system's: no bytes, no files, and room for the first record alone.
+TEST_F(OdemtCheck, AFullTemporaryFolderIsNamed) {
+    if (runShell("unshare --mount true").exitCode != 0) GTEST_SKIP() << "no file system can be mounted here";
+    const std::string folder = testing::TempDir() + "/odemt_check_full_" + std::to_string(getpid());
+    std::filesystem::create_directory(folder);
+    for (const std::string &fill : {"size=64k tmpfs " + folder + " && head -c 1M /dev/zero >" + folder + "/filled",
+                                   "size=64k tmpfs " + folder + " && head -c 48k /dev/zero >" + folder + "/filled", "size=1m,nr_inodes=8 tmpfs " + folder + " && true"}) {
+        const Outcome outcome = runShell("unshare --mount sh -c 'mount -t tmpfs -o " + fill + "; TMPDIR=" + folder + " " ODEMT_CHECK " --stock-library " STOCK_FOLDER
+                                         " --threads 0 -- " SUBJECT " equal'");
+        EXPECT_EQ(outcome.exitCode, 2) << outcome.output;
+        EXPECT_TRUE(outcome.output.find("no room for records in '" + folder) != std::string::npos || outcome.output.find("there is no room in '" + folder) != std::string::npos)
+            << fill << '\n' << outcome.output;
+        EXPECT_EQ(outcome.output.find("No process"), std::string::npos) << outcome.output;
+    }
+    std::filesystem::remove(folder);
 }
 
 TEST_F(OdemtCheck, WrongOptionsAreNamed) {

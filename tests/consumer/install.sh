@@ -48,9 +48,9 @@ assert facts["threads"] == 3 and facts["environment"] == {"ODE_MT_THREADS": "3"}
 for name in ("ODE_MT", "ODE", "upstream", "upstream sha256", "vectors", "cores", "thread manager", "algorithm", "solver"): assert facts[name], name'
     if "$prefix/bin/odemt_info" moon 2>/dev/null; then fail "odemt_info takes any option"; else expect "exit code" $? 2; fi
     [ -f "$lib/ode_mt/libodemt_observer.so" ] || fail "odemt_check has no observer"
-    "$prefix/bin/odemt_check" -- sh -c true | grep -q "^No process of 'sh' uses libode.so.8" || fail "odemt_check does not observe"
+    "$prefix/bin/odemt_check" -- sh -c true | grep -q "^No process of 'sh' was seen to use libode.so.8" || fail "odemt_check does not observe"
     printf '{"worlds": "chain:3", "frames": 1}' >plan.json
     "$prefix/bin/odemt_batch" plan.json -j1 --list | grep -q '"world":"chain:3"' || fail "odemt_batch does not read a plan"
-    "$prefix/bin/odemt_top" --once -- true | grep -q "^No world has been stepped" || fail "odemt_top does not run a program"
+    "$prefix/bin/odemt_top" --once -- true | grep -q "^No world was seen to be stepped" || fail "odemt_top does not run a program"
     "$prefix/bin/odemt_bench" --list | grep -q "^SDF worlds in $(readlink -f "$prefix")/share/ode_mt/worlds" || fail "odemt_bench finds other worlds"
 fi

@@ -153,8 +153,21 @@ TEST_F(OdemtTop, WhatCannotBeStartedIsReported) {
     expectWords(outcome.output, "cannot start /nonexistent/program");
     const Outcome noOde = run("--once", "true");
     EXPECT_EQ(noOde.exitCode, 0);
-    expectWords(noOde.output, "No world has been stepped");
+    expectWords(noOde.output, "No world was seen to be stepped");
     EXPECT_TRUE(std::filesystem::is_empty(folder));
+}
+
+// What steps worlds and cannot be seen: the text says no more than is known.
+TEST_F(OdemtTop, WhatIsNotSeenIsNotDenied) {
+    for (const std::string program : {"env -i " STEPPER " 1 3", "env LD_PRELOAD=" DEBIANS_LIBRARY " " STEPPER " 1 3"}) {
+        const Outcome outcome = run("--once", program);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
+        expectWords(outcome.output, "ends with 0 bytes read");
+        expectWords(outcome.output, "No world was seen to be stepped. Not seen are programs that take another library");
+        expectWords(outcome.output, "LD_PRELOAD");
+        expectWords(outcome.output, "env -i");
+    }
+    expectLine(run("--once", "env LD_PRELOAD=" OUR_LIBRARY " " STEPPER " 1 3").output, "\n +1 +[0-9]+ +3 ");
 }
 
 TEST_F(OdemtTop, WrongOptionsAreRefused) {
