@@ -5,6 +5,7 @@
 // For each line with a number of frames it prints one with their times: {"frame": [ns …], "step": [ns …], "hash": …}.
 #include "error_output.h"
 #include "protocol.h"
+#include "reader_watch.h"
 #include "scenes/state_hash.h"
 #include "standard_output.h"
 #include "world_source.h"
@@ -41,9 +42,14 @@ void run(scenes::Scene &scene, int frames) {
     bench::print(answer.dump() + "\n");
 }
 
-void serve(const std::string &world) {
+std::unique_ptr<scenes::Scene> load(const std::string &world) {
+    const bench::ReaderWatch watch;
     std::vector<std::string> warnings;
-    const std::unique_ptr<scenes::Scene> scene = bench::openWorld(world, {false, ""}, warnings);
+    return bench::openWorld(world, {false, ""}, warnings);
+}
+
+void serve(const std::string &world) {
+    const std::unique_ptr<scenes::Scene> scene = load(world);
     for (std::string line; std::getline(std::cin, line);) run(*scene, std::stoi(line));
 }
 

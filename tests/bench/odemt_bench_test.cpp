@@ -13,6 +13,7 @@
 
 #include "library_release.h"
 #include "shell_run.h"
+#include "slow_world.h"
 
 namespace {
 
@@ -189,19 +190,6 @@ TEST_F(OdemtBench, AKillLeavesTheWorldsThatWereMeasured) {
     std::ifstream file(folder + "/b.json");
     ASSERT_TRUE(file) << outcome.output;
     EXPECT_EQ(nlohmann::json::parse(file)["worlds"].size(), 1u);
-}
-
-// A world of so many models that it loads for longer than the test waits.
-std::string slowWorld(const std::string &folder) {
-    std::ofstream part(folder + "/part.sdf"), world(folder + "/slow.sdf");
-    part << "<sdf version=\"1.6\"><model name=\"p\"><static>1</static>";
-    for (int i = 0; i < 40; ++i)
-        part << "<link name=\"l" << i << "\"><collision name=\"c\"><geometry><sphere/></geometry></collision></link>";
-    part << "</model></sdf>";
-    world << "<sdf version=\"1.6\"><world name=\"w\">";
-    for (int i = 0; i < 15000; ++i) world << "<include><uri>part.sdf</uri><name>m" << i << "</name></include>";
-    world << "</world></sdf>";
-    return folder + "/slow.sdf";
 }
 
 TEST_F(OdemtBench, AKillWhileItLoadsEndsTheChild) {

@@ -16,6 +16,7 @@
 #include <stdexcept>
 
 #include "shell_run.h"
+#include "slow_world.h"
 
 namespace {
 
@@ -155,6 +156,18 @@ TEST(Scale, TheToolMeasuresAndPredicts) {
     std::filesystem::remove_all(folder);
     for (const char *const word : {"humanoids:3: a frame takes", "3 islands of", "1GbE", "enough"})
         EXPECT_NE(outcome.output.find(word), std::string::npos) << word << ": " << outcome.output;
+}
+
+TEST(Scale, AKillWhileItLoadsEndsTheChild) {
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / ("scale_kill_" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder);
+    const Outcome outcome = runShell(ODEMT_SCALE " --worlds " + slowWorld(folder) + " --transport loopback --seconds 0.2 & P=$!; for i in $(seq 100); do "
+                                     "C=$(cat /proc/$P/task/$P/children); C=${C%% *}; [ -n \"$C\" ] && break; sleep 0.1; done; sleep 1; [ -e /proc/$C/exe ] && echo loading; "
+                                     "kill -TERM $P; sleep 1.5; [ -e /proc/$C/exe ] && echo goes on; echo done");
+    EXPECT_NE(outcome.output.find("loading\n"), std::string::npos) << outcome.output;
+    EXPECT_EQ(outcome.output.find("goes on"), std::string::npos) << outcome.output;
+    EXPECT_NE(outcome.output.find("done"), std::string::npos) << outcome.output;
+    std::filesystem::remove_all(folder);
 }
 
 TEST(Scale, TheToolNamesWhatIsWrong) {
