@@ -89,10 +89,10 @@ TEST(Error, SurfacesHaveToMakeSense) {
     expectError(surface("<friction><ode><slip1>-1</slip1></ode></friction>"), Kind::Value,
                 {collision + "surface/friction/ode/slip1"});
     expectError(
-        worldWith("<physics type=\"ode\"><odemt:default_surface><friction><ode><mu>-1</mu></ode></friction>"
+        worldWith("<physics type=\"ode\"><odemt:default_surface><friction><ode><slip1>-1</slip1></ode></friction>"
                   "</odemt:default_surface></physics>",
                   ""),
-        Kind::Value, {"/sdf/world/physics/odemt:default_surface/friction/ode/mu", "negative"});
+        Kind::Value, {"/sdf/world/physics/odemt:default_surface/friction/ode/slip1", "negative"});
     expectError(
         worldWith("<physics type=\"ode\"><odemt:default_surface><friction><ode><mu>slippery</mu></ode>"
                   "</friction></odemt:default_surface></physics>",

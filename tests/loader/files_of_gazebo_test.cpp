@@ -24,6 +24,7 @@ void PrintTo(const File &file, std::ostream *out) { *out << file.name; }
 
 const File kFiles[] = {
     {"actor.sdf"},
+    {"axis_of_ball_joint.sdf", "/joint[held]/axis: left aside: a joint of this type has none"},
     {"blank_lines_before_declaration.sdf", "not well-formed XML, line 3: the declaration <?xml is not at the very beginning"},
     {"cdata_in_world.sdf"},
     {"comment_before_declaration.sdf", "not well-formed XML, line 2: the declaration <?xml is not at the very beginning"},
@@ -46,6 +47,7 @@ const File kFiles[] = {
     {"shape_without_size.sdf"},
     {"static_without_mass.sdf"},
     {"torsional_defaults.sdf"},
+    {"unlimited_friction.sdf"},
     {"version_1.10.sdf"},
     {"version_1.11.sdf"},
     {"version_1.12.sdf"},

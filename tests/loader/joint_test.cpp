@@ -289,7 +289,6 @@ TEST(Joint, WhatCannotBeIsRefused) {
     expectError(pair("revolute", ""), Kind::Value, {path, "needs <axis>"});
     expectError(pair("universal", axis("0 0 1")), Kind::Value, {path, "needs <axis2>"});
     expectError(pair("universal", axis("0 0 1") + axis2("0 0 1")), Kind::Value, {path, "parallel"});
-    expectError(pair("ball", axis("0 0 1")), Kind::Unsupported, {path + "/axis"});
     expectError(onWorld("revolute2", axis("0 0 1") + axis2("0 1 0")), Kind::Unsupported,
                 {path, "static world"});
     expectError(pair("revolute2", axis("0 0 1") + axis2("0 1 0", "<lower>0</lower><upper>1</upper>")),

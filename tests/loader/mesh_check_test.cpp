@@ -102,6 +102,18 @@ TEST_F(MeshCheck, ColladaThatIsTrueLoads) {
     EXPECT_NEAR(box[3], 2 * 0.1, 1e-6);
 }
 
+// SketchUp writes such nodes. Nodes that show something have to be true nevertheless.
+TEST_F(MeshCheck, ColladaWithCamerasAnywhere) {
+    const std::string scene = "<visual_scene id=\"s\">", nowhere = "<matrix>NaN NaN NaN NaN NaN NaN NaN NaN NaN NaN NaN NaN NaN NaN NaN NaN</matrix>";
+    const auto camera = [&](const std::string &matrix) { return "<node>" + matrix + "<instance_camera url=\"#c\"/></node><node>" + matrix + "</node>"; };
+    EXPECT_EQ(triangles("m.dae", with(tetrahedron, scene, scene + camera(nowhere))), 4);
+    EXPECT_EQ(triangles("m.dae", with(tetrahedron, scene, scene + camera("<matrix>1e30 0 0 0</matrix>"))), 4);
+    EXPECT_EQ(triangles("m.dae", with(tetrahedron, "<node id=\"n\">", "<node id=\"n\">" + camera(nowhere))), 4);
+    expectFault("m.dae", with(tetrahedron, "<node id=\"n\">", "<node id=\"n\">" + nowhere), "holds 'NaN', not a number");
+    const std::string around = with(with(tetrahedron, scene, scene + "<node>" + nowhere), "</visual_scene>", "</node></visual_scene>");
+    expectFault("m.dae", around, "holds 'NaN', not a number");
+}
+
 TEST_F(MeshCheck, ColladaOfAllKindsOfPolygons) {
     const std::string triangleList =
         "<triangles count=\"4\"><input semantic=\"VERTEX\" source=\"#v\" offset=\"0\"/><p>0 2 1 0 1 3 1 2 3 "

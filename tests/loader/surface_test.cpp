@@ -48,6 +48,21 @@ TEST(Surface, LowFrictionSlidesAndHighFrictionHolds) {
     }
 }
 
+TEST(Surface, NegativeFrictionHasNoLimit) {
+    const auto floor = [](const std::string &surface) {
+        return "<model name=\"floor\"><static>true</static><link name=\"link\"><collision name=\"shape\"><geometry><plane/></geometry>" + surface +
+               "</collision></link></model>";
+    };
+    const auto between = [&](const std::string &one, const std::string &other) {
+        return contactOf(world(floor(friction(one)) + model("m", "0 0 0.0999 0 0 0", sphere(0.1), friction(other)))).surface;
+    };
+    EXPECT_EQ(between("<mu>-1</mu><mu2>-1</mu2>", "<mu>-1</mu>").mu, dInfinity);
+    EXPECT_EQ(between("<mu>-1</mu>", "<mu>0.75</mu>").mu, 0.75);
+    const dSurfaceParameters one = between("<mu>0.5</mu><mu2>-1</mu2>", "<mu>-1</mu>");
+    EXPECT_EQ(one.mu, 0.5);
+    EXPECT_EQ(one.mu2, dInfinity);
+}
+
 TEST(Surface, WeakerFrictionAndBounceCount) {
     const dContact contact = contactOf(world(
         "<model name=\"floor\"><static>true</static><link name=\"link\"><collision name=\"shape\"><geometry>"
@@ -177,6 +192,10 @@ TEST(Surface, MasksDecideWhoMeetsWhom) {
     EXPECT_TRUE(touches(one, "<collide_bitmask>3</collide_bitmask>"));
     EXPECT_TRUE(touches(one, "<collide_bitmask>0x01</collide_bitmask>"));
     EXPECT_FALSE(touches(one, "<collide_bitmask>0xfffe</collide_bitmask>"));
+    const std::string ghost = "<collide_without_contact>true</collide_without_contact>";
+    EXPECT_FALSE(touches(ghost, ""));
+    EXPECT_FALSE(touches("", ghost + one));
+    EXPECT_TRUE(touches("<collide_without_contact>false</collide_without_contact>", ""));
 }
 
 TEST(Surface, MasksHoldAgainstStaticShapesToo) {
@@ -196,6 +215,9 @@ TEST(Surface, MasksHoldAgainstStaticShapesToo) {
     EXPECT_FALSE(touches(one, two));
     EXPECT_TRUE(touches(one, two + "<category_bitmask>1</category_bitmask>"));
     EXPECT_TRUE(touches(two + "<category_bitmask>1</category_bitmask>", one));
+    const std::string ghost = "<collide_without_contact>true</collide_without_contact>";
+    EXPECT_FALSE(touches(ghost, ""));
+    EXPECT_FALSE(touches("", ghost));
 }
 
 }  // namespace

@@ -60,6 +60,7 @@ struct Surface {
 
     // Two shapes may touch when one's category matches the other's collide mask.
     unsigned short category = 0xffff, collide = 0xffff;
+    bool makesContacts = true;  // else it touches nothing, whatever the masks
 };
 
 struct Collision {

@@ -119,6 +119,7 @@ private:
             fail(source, "is nested more than " + std::to_string(deepestNode) + " deep, or within itself");
         if (++m_nodeCount > maxNodes)
             throw MeshFault("shows more than " + std::to_string(maxNodes) + " nodes");
+        if (isEmpty(source)) return;
         XMLElement &out = *outer.InsertNewChildElement("node");
         for (const XMLElement *child = source.FirstChildElement(); child;
              child = child->NextSiblingElement()) {
@@ -134,6 +135,13 @@ private:
             else if (!isLeftOut(kind))
                 fail(*child, "is not supported");
         }
+    }
+
+    // A node of a camera or the like, whose transforms place nothing: SketchUp writes such ones with numbers of any kind.
+    static bool isEmpty(const XMLElement &node) {
+        for (const XMLElement *child = node.FirstChildElement(); child; child = child->NextSiblingElement())
+            if (transforms().count(child->Name()) == 0 && !isLeftOut(child->Name())) return false;
+        return true;
     }
 
     static void transform(const XMLElement &source, XMLElement &outer) {

@@ -63,9 +63,9 @@ void readBounce(const Element &bounce, Surface &surface) {
 }
 
 void readFriction(const Element &ode, Surface &surface) {
-    surface.mu = ode.childLimit("mu", surface.mu);
+    surface.mu = limitOrNone(ode.childLimit("mu", surface.mu));
     // SDF gives mu2 a default of its own; who writes mu alone means both, as in ODE.
-    surface.mu2 = ode.childLimit("mu2", ode.child("mu") ? surface.mu : surface.mu2);
+    surface.mu2 = limitOrNone(ode.childLimit("mu2", ode.child("mu") ? surface.mu : surface.mu2));
     surface.slip1 = ode.childNumber("slip1", surface.slip1);
     surface.slip2 = ode.childNumber("slip2", surface.slip2);
     if (const Element *direction = ode.child("fdir1")) {
@@ -103,6 +103,7 @@ void readContact(const Element &contact, Surface &surface, double stepSize) {
         surface.category = surface.collide;  // SDF: the same unless given
     }
     surface.category = maskOf(contact, "category_bitmask", surface.category);
+    surface.makesContacts = !contact.childFlag("collide_without_contact", !surface.makesContacts);
     if (const Element *ode = contact.child("ode")) readSoftness(*ode, surface, stepSize);
 }
 

@@ -1,6 +1,7 @@
 #include "loader/read/read_joint.h"
 
 #include "loader/read/element_rules.h"
+#include "loader/read/value_check.h"
 
 #include <cmath>
 #include <unordered_map>
@@ -35,9 +36,6 @@ unsigned axisCount(JointType type) {
             return 0;
     }
 }
-
-// SDF: negative means "no limit".
-double limitOrNone(double value) { return value < 0 || value >= largestNumber ? infinity : value; }
 
 // ODE measures angles between -π and π: a single stop beyond that would be reached from the wrong side.
 void checkAngleLimits(const JointAxis &axis, const Place &place, const Reading &reading) {
@@ -131,7 +129,7 @@ void readAxes(const Element &source, const Scope &model, const Pose &modelPose, 
     for (unsigned i = 0; i < 2; ++i) {
         const Element *const axis = source.child(names[i]);
         if (i < count && !axis) source.fail(std::string("needs <") + names[i] + ">");
-        if (i >= count && axis) reading.issues.unsupported(axis->place(), "on this type of joint");
+        if (i >= count && axis) reading.issues.warn(axis->place(), "left aside: a joint of this type has none");
         if (i >= count) continue;
         joint.axes.push_back(readAxis(*axis, model, modelPose, inModel));
         if (joint.type != JointType::Prismatic) checkAngleLimits(joint.axes.back(), axis->place(), reading);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <sstream>
 
@@ -156,5 +157,7 @@ std::string describe(const ElementRule &rule) {
     }
     return (rule.count == 1 ? "a number " : std::to_string(rule.count) + " numbers ") + range(rule);
 }
+
+double limitOrNone(double value) { return value < 0 || value >= largestNumber ? std::numeric_limits<double>::infinity() : value; }
 
 }  // namespace worlds

@@ -19,4 +19,7 @@ std::string join(const std::vector<std::string> &words, const std::string &betwe
 // "3 numbers between 1e-09 and 1e+16", for documentation.
 std::string describe(const ElementRule &rule);
 
+// Of a limit that is negative where there is none, as SDF and Gazebo have it.
+double limitOrNone(double value);
+
 }  // namespace worlds

@@ -15,7 +15,7 @@ namespace {
 constexpr int upperMask = 16;
 
 void setBits(dGeomID geom, const Surface &surface, bool isStatic, bool meetsStatic) {
-    const unsigned long category = surface.category, collide = surface.collide;
+    const unsigned long category = surface.makesContacts ? surface.category : 0, collide = surface.makesContacts ? surface.collide : 0;
     dGeomSetCategoryBits(geom, isStatic ? category | collide << upperMask : category);
     dGeomSetCollideBits(geom, meetsStatic ? collide | category << upperMask : 0);
 }
