@@ -626,7 +626,8 @@ ODE_API unsigned dODE_MT_GetContactsAheadUnused(void);
 ODE_API unsigned dODE_MT_GetDirectIslands(void);
 
 /**
- * Counts those of these islands that it left to the algorithm of "exact", since it found no solution, or no good one.
+ * Counts those of these islands that it left to the algorithm of "exact", since it found no solution, or no good one, and those whose rows
+ * contradict one another or nearly repeat one another, for which it has forces that leave little of them.
  *
  * @return the number since the process started.
  * @ingroup ode_mt

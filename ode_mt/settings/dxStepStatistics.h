@@ -16,7 +16,7 @@ struct dxStepStatistics {
     Count contactsAhead{0};  // pairs
     Count contactsAheadUnused{0};
     Count directIslands{0};
-    Count directFallbacks{0};  // of those, left to Dantzig's algorithm
+    Count directFallbacks{0};  // of those, left to Dantzig's algorithm or regularised
 
     static dxStepStatistics &instance() {
         static dxStepStatistics statistics;

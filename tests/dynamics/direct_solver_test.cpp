@@ -115,7 +115,7 @@ protected:
     // Solves each island three times, and leaves upstream's forces.
     void compareSolutions(const dxIslandStep &step, const dxExactProblem &problem) {
         const std::optional<Solution> direct = solveAside(problem, m_solver, [&] {
-            if (!m_solver.solve(problem, step.stepSize, step.runner())) return false;
+            if (!m_solver.read(problem, step.stepSize, step.runner()) || !m_solver.solve(step.runner())) return false;
             m_solver.writeForces(problem);
             return true;
         });

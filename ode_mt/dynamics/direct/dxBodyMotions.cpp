@@ -3,10 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/direct/dxRowMatrix.h"
 #include "dynamics/exactstep/dxExactProblem.h"
 
-void dxFindBodyMotions(const dxExactProblem &problem, double stepSize, dxBodyVectors &motions) {
-    motions.resize(problem.bodyCount);
+namespace {
+
+// The residual of an answer, as part of the largest b and of sums.
+constexpr double kAnswerPart = sizeof(dReal) == sizeof(double) ? 1e-6 : 1e-2;
+constexpr double kRoundings = 64 * std::numeric_limits<dReal>::epsilon();
+
+}  // namespace
+
+void dxFindBodyMotions(const dxExactProblem &problem, double stepSize, dxBodyVector *motions) {
     for (unsigned i = 0; i < problem.bodyCount; ++i) {
         const dxBody &body = *problem.bodies[i];
         const dReal *const tensor = problem.inverseInertia[i].tensor;
@@ -20,7 +28,16 @@ void dxFindBodyMotions(const dxExactProblem &problem, double stepSize, dxBodyVec
     }
 }
 
-double dxLargestMotion(const dxExactProblem &problem, const dxBodyVectors &motions) {
+void dxFindInverseMasses(const dxExactProblem &problem, dxInverseMass *inverseMasses) {
+    for (unsigned i = 0; i < problem.bodyCount; ++i) {
+        inverseMasses[i].mass = problem.bodies[i]->invMass;
+        for (unsigned row = 0; row < 3; ++row)
+            for (unsigned column = 0; column < 3; ++column)
+                inverseMasses[i].inertia[row][column] = problem.inverseInertia[i].tensor[4 * row + column];
+    }
+}
+
+double dxLargestMotion(const dxExactProblem &problem, const dxBodyVector *motions) {
     double largest = 0;
     for (unsigned i = 0; i < problem.jointCount; ++i) {
         const dxExactJoint &joint = problem.joints[i];
@@ -37,8 +54,13 @@ double dxLargestMotion(const dxExactProblem &problem, const dxBodyVectors &motio
     return largest;
 }
 
+bool dxIsAnswer(double residual, double b, double softSum, const dxExactProblem &problem, const dxBodyVector *motions) {
+    const auto isAnswerBeside = [&](double all) { return residual <= kAnswerPart * b + kRoundings * all; };
+    return isAnswerBeside(softSum) || isAnswerBeside(softSum + dxLargestMotion(problem, motions));
+}
+
 bool dxIsGoodResidual(const dxResidualBound &bound, double residual, double b, double sum, const dxExactProblem &problem,
-                      const dxBodyVectors &motions) {
+                      const dxBodyVector *motions) {
     const auto isGoodBeside = [&](double all) { return residual <= bound.ofB * b + bound.ofSum * all; };
     return isGoodBeside(sum) || isGoodBeside(sum + dxLargestMotion(problem, motions));
 }

@@ -6,6 +6,7 @@
 #include "step.h"
 #include "util.h"
 
+#include "dynamics/direct/dxDantzigTrial.h"
 #include "dynamics/exactstep/dxExactProblem.h"
 #include "dynamics/exactstep/kernels/dxConstraintMatrix.h"
 
@@ -39,14 +40,15 @@ sizeint sizeOfMatrix(sizeint bodies, sizeint joints, unsigned rows) {
 
 sizeint dxEstimateDirectStepMemory(dxBody *const *bodies, unsigned bodyCount, dxJoint *const *joints, unsigned jointCount) {
     const sizeint upstreams = dxEstimateStepMemoryRequirements(bodies, bodyCount, joints, jointCount);
-    if (upstreams <= kLeastMatrix) return upstreams;
+    const sizeint trial = dxDantzigTrial::memory(bodyCount, std::min(kMaxJointRows * jointCount, kMinDirectRows));
+    if (upstreams <= kLeastMatrix) return upstreams + trial;
     const sizeint matrix = sizeOfMatrix(bodyCount, jointCount, kMinDirectRows);
-    if (upstreams <= matrix) return upstreams;
+    if (upstreams <= matrix) return upstreams + trial;
     sizeint rows = 0;
     for (unsigned i = 0; i < jointCount; ++i) {
         dxJoint::SureMaxInfo info;
         joints[i]->getSureMaxInfo(&info);
         rows += info.max_m;
     }
-    return std::min(upstreams, sizeOfRows(bodyCount, jointCount, rows) + matrix);
+    return std::min(upstreams, sizeOfRows(bodyCount, jointCount, rows) + matrix) + trial;
 }

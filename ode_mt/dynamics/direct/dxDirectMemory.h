@@ -10,6 +10,6 @@
 // Islands of so many rows or more are never solved by Dantzig's algorithm alone, which is slower there (docs/direct-solver.md).
 constexpr unsigned kMinDirectRows = 700;
 
-// In place of upstream's dxEstimateStepMemoryRequirements, and never more than that: there is no matrix of kMinDirectRows rows
-// or more.
+// In place of upstream's dxEstimateStepMemoryRequirements, and no more than that and a trial of Dantzig's algorithm (dxDantzigTrial.h) need: there
+// is no matrix of kMinDirectRows rows or more.
 sizeint dxEstimateDirectStepMemory(dxBody *const *bodies, unsigned bodyCount, dxJoint *const *joints, unsigned jointCount);

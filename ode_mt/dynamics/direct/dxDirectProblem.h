@@ -48,4 +48,7 @@ struct dxDirectProblem {
     // c, or the least of it, as part of the diagonal, with which rows are solved; corrections make up for the difference.
     double softnessOf(unsigned row) const { return std::max(c[row], kMinSoftness * diagonal[row]); }
     static constexpr double kMinSoftness = 1e-12;
+
+    // Whether c counts beside the diagonal.
+    static bool isSoft(double c, double diagonal) { return c > kMinSoftness * diagonal; }
 };

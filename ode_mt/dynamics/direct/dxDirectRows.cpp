@@ -44,7 +44,8 @@ bool dxDirectRows::gather(const dxExactProblem &rows, double stepSize) {
     if (!numberBodies(rows)) return false;
     orderBodies(rows);
     if (!fillMasses(rows)) return false;
-    dxFindBodyMotions(rows, stepSize, m_motions);
+    m_motions.resize(rows.bodyCount);
+    dxFindBodyMotions(rows, stepSize, m_motions.data());
     pairJoints(rows);
     if (!fillRows(rows)) return false;
     findDiagonal();

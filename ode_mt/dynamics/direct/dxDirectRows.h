@@ -16,6 +16,7 @@ public:
     bool gather(const dxExactProblem &rows, double stepSize);
 
     const dxDirectProblem &problem() const { return m_problem; }
+    dxDirectProblem &problem() { return m_problem; }
     const dxEliminationOrder &order() const { return m_order; }
     const dxBodyVectors &motions() const { return m_motions; }  // v/h + inv(M) f, by tag
 

@@ -9,7 +9,7 @@
 #include "step.h"
 
 #include "core/dxLog.h"
-#include "dynamics/direct/dxDirectMemory.h"
+#include "dynamics/direct/dxDantzigTrial.h"
 #include "dynamics/direct/dxDirectSolver.h"
 #include "dynamics/direct/dxHeldMessage.h"
 #include "dynamics/direct/dxIslandShape.h"
@@ -37,6 +37,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // A solution that is not good is kept for islands of more rows: Dantzig's algorithm would need minutes for them.
 constexpr unsigned kMaxDenseRows = 3000;
 
+// The energy of the residual, as part of that of regularised rows, below which other forces are taken: rows that are nearly the same have large
+// forces, for which regularised rows are too soft.
+constexpr double kFarLess = 0.01;
+
 // Below so many rows Dantzig's algorithm is as fast as any method, and choosing would take a part of its time.
 constexpr unsigned kMinChoiceRows = 48;
 
@@ -50,61 +54,107 @@ dxMethodCosts findCosts(const dxIslandStep &step, const dxExactProblem &problem,
     return dxMethodCosts::of(shape, dxFindActiveShare(problem, step.stepSize));
 }
 
-// By Dantzig's algorithm, in memory from the pool. Returns false where there is none.
-bool solveDensely(const dxIslandStep &step, const dxExactProblem &problem) {
-    const dxIsland &island = step.island;
-    const dxArenaLease arena(dxEstimateStepMemoryRequirements(island.bodies, island.bodyCount, island.joints, island.jointCount));
-    if (arena.get() == nullptr) return false;
-    dxIslandStep dense = step;
-    dense.arena = arena.get();
-    dxDantzigSolver().solve(dense, problem);
-    return true;
-}
-
 void countIsland() { dxStepStatistics::instance().directIslands.fetch_add(1, std::memory_order_relaxed); }
 
-// Counts an island that another algorithm is asked to solve. `residual`: of what was found; infinity: nothing was.
-void countFallback(const dxExactProblem &problem, double residual) {
-    dxStepStatistics::instance().directFallbacks.fetch_add(1, std::memory_order_relaxed);
+void countFallback() { dxStepStatistics::instance().directFallbacks.fetch_add(1, std::memory_order_relaxed); }
+
+// Counts an island that Dantzig's algorithm is asked to solve. `residual`: of what was found; infinity: nothing was.
+void leaveToDantzig(const dxExactProblem &problem, double residual) {
+    countFallback();
     dxLog(dxLogLevel::info, "an island of %u rows was left to Dantzig's algorithm: residual %g", problem.rowCount, residual);
 }
 
-// What became of an island.
-enum class Outcome { Solved, LeftToDantzig, Unsolved };
+// What became of an island. Where nothing of ours has forces for it, Dantzig's algorithm has the last word, and its message is told.
+enum class Outcome { Solved, Regularised, LeftToDantzig };
 
-// A solution that is not good is compared with that of Dantzig's algorithm.
-Outcome solveBest(const dxIslandStep &step, const dxExactProblem &problem, dxDirectSolver &solver) {
-    if (!solver.solve(problem, step.stepSize, step.runner())) {
-        countFallback(problem, solver.residual());
-        if (solver.residual() == kInfinity) return Outcome::Unsolved;
-        if (problem.rowCount <= kMaxDenseRows && solveDensely(step, problem) && solver.residualOf(problem) <= solver.residual())
-            return Outcome::LeftToDantzig;
-    }
-    solver.writeForces(problem);
-    return Outcome::Solved;
+// Writes forces of which least is left, unless those that are there leave far less. Returns false where there are none, or no memory.
+bool regularise(const dxIslandStep &step, const dxExactProblem &problem, dxDirectSolver &solver) try {
+    if (!solver.regularise(step.runner())) return false;
+    dxLog(dxLogLevel::info, "an island of %u rows was regularised: residual %g", problem.rowCount, solver.residual());
+    const bool isTooSoft = !solver.isAnswer(solver.residual()) && solver.energyOf(problem) < kFarLess * solver.energy();
+    if (!isTooSoft) solver.writeForces(problem);
+    return true;
+} catch (const std::bad_alloc &) {
+    return false;
 }
 
-Outcome solveInBodySpace(const dxIslandStep &step, const dxExactProblem &problem) {
-    try {
-        const dxPooledObject<dxDirectSolver> solver(*solvers);
-        return solveBest(step, problem, *solver);
-    } catch (const std::bad_alloc &) {
-        countFallback(problem, kInfinity);
-        return Outcome::Unsolved;
+// `unsolved`: the problem before it had forces.
+bool regularise(const dxIslandStep &step, const dxExactProblem &unsolved, const dxExactProblem &problem) try {
+    const dxPooledObject<dxDirectSolver> solver(*solvers);
+    return solver->read(unsolved, step.stepSize, step.runner()) && regularise(step, problem, *solver);
+} catch (const std::bad_alloc &) {
+    return false;
+}
+
+Outcome solveByDantzig(const dxIslandStep &step, const dxExactProblem &problem, const dxHeldMessage &message) {
+    const dxDantzigTrial trial(step, problem, message);
+    if (trial.isAnswer()) return Outcome::Solved;
+    return regularise(step, trial.unsolved(), problem) ? Outcome::Regularised : Outcome::LeftToDantzig;
+}
+
+Outcome solveByDantzig(const dxIslandStep &step, const dxExactProblem &problem) {
+    dxHeldMessage message;
+    const Outcome outcome = solveByDantzig(step, problem, message);
+    if (outcome == Outcome::LeftToDantzig) message.deliver();
+    return outcome;
+}
+
+// An island that no other method was asked to solve.
+void solveByDantzigAlone(const dxIslandStep &step, const dxExactProblem &problem) {
+    if (solveByDantzig(step, problem) != Outcome::Regularised) return;
+    countIsland();
+    countFallback();
+}
+
+// Calls solve(step) with memory from the pool. Returns false where there is none.
+template <class Solve>
+bool inDenseMemory(const dxIslandStep &step, const dxExactProblem &problem, const Solve &solve) {
+    const dxIsland &island = step.island;
+    const dxArenaLease arena(dxEstimateStepMemoryRequirements(island.bodies, island.bodyCount, island.joints, island.jointCount) +
+                             dxDantzigTrial::memory(problem.bodyCount, problem.rowCount));
+    if (arena.get() == nullptr) return false;
+    dxIslandStep dense = step;
+    dense.arena = arena.get();
+    solve(dense);
+    return true;
+}
+
+// Of two solutions that are not good the better one is taken, and of those that are no answer none.
+void improve(const dxIslandStep &step, const dxExactProblem &problem, dxDirectSolver &solver) {
+    const double own = solver.residual();
+    double dantzigs = kInfinity;
+    const auto solveDensely = [&](const dxIslandStep &dense) {
+        dxDantzigSolver().solve(dense, problem);
+        dantzigs = solver.residualOf(problem);
+    };
+    if (problem.rowCount <= kMaxDenseRows) inDenseMemory(step, problem, solveDensely);
+    if (dantzigs > own) solver.writeForces(problem);
+    if (!solver.isAnswer(std::min(own, dantzigs))) regularise(step, problem, solver);
+}
+
+// Returns false where there is no solution.
+bool solveInBodySpace(const dxIslandStep &step, const dxExactProblem &problem) try {
+    const dxPooledObject<dxDirectSolver> solver(*solvers);
+    if (solver->read(problem, step.stepSize, step.runner()) && solver->solve(step.runner())) {
+        solver->writeForces(problem);
+        return true;
     }
+    leaveToDantzig(problem, solver->residual());
+    if (solver->residual() == kInfinity) return false;
+    improve(step, problem, *solver);
+    return true;
+} catch (const std::bad_alloc &) {
+    leaveToDantzig(problem, kInfinity);
+    return false;
 }
 
 // Without memory for any solver, joints have no force.
-Outcome solveDenselyOrNot(const dxIslandStep &step, const dxExactProblem &problem) {
-    if (solveDensely(step, problem)) return Outcome::LeftToDantzig;
-    for (std::size_t i = 0; i < problem.rowCount; ++i) problem.pairsBX[i * kPair + kForce] = 0;
-    return Outcome::Unsolved;
-}
-
 void findForces(const dxIslandStep &step, const dxExactProblem &problem) {
     dxHeldMessage message;
-    Outcome outcome = solveInBodySpace(step, problem);
-    if (outcome == Outcome::Unsolved) outcome = solveDenselyOrNot(step, problem);
+    if (solveInBodySpace(step, problem)) return;
+    Outcome outcome = Outcome::Solved;
+    if (!inDenseMemory(step, problem, [&](const dxIslandStep &dense) { outcome = solveByDantzig(dense, problem, message); }))
+        for (std::size_t i = 0; i < problem.rowCount; ++i) problem.pairsBX[i * kPair + kForce] = 0;
     if (outcome == Outcome::LeftToDantzig) message.deliver();
 }
 
@@ -145,14 +195,18 @@ bool solveByElimination(const dxIslandStep &step, const dxExactProblem &problem,
         findForces(step, problem);
         return false;
     }
-    countFallback(problem, kInfinity);
-    return dxDantzigSolver().solve(step, problem);
+    leaveToDantzig(problem, kInfinity);
+    solveByDantzig(step, problem);
+    return false;
 }
 
 }  // namespace
 
 bool dxFastSolver::solve(const dxIslandStep &step, const dxExactProblem &problem) {
-    if (problem.rowCount < kMinChoiceRows) return dxDantzigSolver().solve(step, problem);
+    if (problem.rowCount < kMinChoiceRows) {
+        solveByDantzigAlone(step, problem);
+        return false;
+    }
     const Elimination known = eliminateKnown(step, problem);
     if (known != Elimination::Failed) {
         countIsland();
@@ -161,7 +215,10 @@ bool dxFastSolver::solve(const dxIslandStep &step, const dxExactProblem &problem
     const dxIslandShape shape = dxIslandShape::of(problem, *step.arena);
     const dxMethodCosts costs = findCosts(step, problem, shape);
     const dxDirectMethod method = costs.cheapest();
-    if (method == dxDirectMethod::Dantzig) return dxDantzigSolver().solve(step, problem);
+    if (method == dxDirectMethod::Dantzig) {
+        solveByDantzigAlone(step, problem);
+        return false;
+    }
     countIsland();
     if (method == dxDirectMethod::Elimination) return solveByElimination(step, problem, costs, shape.limited > 0);
     findForces(step, problem);

@@ -13,6 +13,8 @@ public:
     std::uint32_t takeBlock(std::uint64_t draws) override;
     bool defersMoved() const override;
 
+    bool isHeld() const { return m_isHeld; }
+
     // Ends the scope. Tells the first message, if there was one.
     void deliver();
 

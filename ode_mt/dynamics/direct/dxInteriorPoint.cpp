@@ -192,8 +192,25 @@ dxInteriorPoint::Scale dxInteriorPoint::scaleOf(const std::vector<double> &x) co
     return scale;
 }
 
-double dxInteriorPoint::residualOf(std::vector<double> &x) {
+// s of it, too.
+void dxInteriorPoint::snapToLimits(std::vector<double> &x) {
     for (unsigned i = 0; i < m_problem->rowCount; ++i) x[i] = dxSnapToLimit(x[i], m_rows.low[i], m_rows.high[i]);
     m_system.findResidual(x, m_rows.s);
+}
+
+double dxInteriorPoint::residualOf(std::vector<double> &x) {
+    snapToLimits(x);
     return dxWorstKktResidual(x, m_rows.s, m_rows.low, m_rows.high);
+}
+
+double dxInteriorPoint::energyOf(std::vector<double> &x) {
+    snapToLimits(x);
+    double energy = 0;
+    for (unsigned i = 0; i < m_problem->rowCount; ++i) {
+        const double unit = m_problem->diagonal[i] + m_problem->c[i];
+        if (unit == 0) continue;  // no force changes anything in this row
+        const double residual = dxKktResidual(x[i], -m_rows.s[i], m_rows.low[i], m_rows.high[i]);
+        energy += residual * residual / unit + m_rows.s[i] * 0;
+    }
+    return std::isfinite(energy) ? energy : kInfinity;
 }

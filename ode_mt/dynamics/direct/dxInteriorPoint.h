@@ -49,12 +49,19 @@ public:
     // The residual of any x under the limits in force. A force next to a limit, as rounding may leave it, is put there.
     double residualOf(std::vector<double> &x);
 
+    // The energy of the residual of x: the sum of its squares, each in units of its row's diagonal and c. Infinity if a number is not finite.
+    double energyOf(std::vector<double> &x);
+
+    // Takes back what solve has found before.
+    void take(const std::vector<double> &x) { m_rows.x = x; }
+
     // Since begin: factorisations.
     unsigned factorisations() const { return m_system.factorisations(); }
 
 private:
     using Rows = dxProblemChunks::Rows;
 
+    void snapToLimits(std::vector<double> &x);
     void start();
     void start(unsigned row, double scale);
     bool iterate();

@@ -23,13 +23,23 @@ inline double dxSnapToLimit(double x, double low, double high) {
     return x;
 }
 
-// Of the worst row, where `s` = -w; infinity if one is no number.
+// The residual of the worst row; infinity if a w is not finite, as it is where a force is not: a comparison may drop what is no number.
+class dxWorstResidual {
+public:
+    void add(double residual, double w) {
+        m_worst = std::max(m_worst, residual);
+        m_zero += w * 0;
+    }
+    double get() const { return m_zero == 0 ? m_worst : std::numeric_limits<double>::infinity(); }
+
+private:
+    double m_worst = 0, m_zero = 0;
+};
+
+// `s` = -w.
 inline double dxWorstKktResidual(const std::vector<double> &x, const std::vector<double> &s, const std::vector<double> &low,
                                  const std::vector<double> &high) {
-    double worst = 0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        const double residual = dxKktResidual(x[i], -s[i], low[i], high[i]);
-        if (!(residual <= worst)) worst = residual;
-    }
-    return std::isfinite(worst) ? worst : std::numeric_limits<double>::infinity();
+    dxWorstResidual worst;
+    for (std::size_t i = 0; i < x.size(); ++i) worst.add(dxKktResidual(x[i], -s[i], low[i], high[i]), s[i]);
+    return worst.get();
 }

@@ -8,6 +8,7 @@
 #include "dynamics/direct/dxKktResidual.h"
 #include "dynamics/direct/dxRowElimination.h"
 #include "dynamics/direct/dxRowLimits.h"
+#include "dynamics/direct/dxRowResidual.h"
 #include "dynamics/exactstep/dantzig/dxDantzig.h"
 #include "dynamics/exactstep/dxExactProblem.h"
 #include "dynamics/islands/dxIslandStep.h"
@@ -151,14 +152,10 @@ bool dxReducedLcp::fillRightSide(const dxExactProblem &problem) {
 }
 
 void dxReducedLcp::makeMatrix(const dxExactProblem &problem, double stepSize) {
-    dxFindBodyMotions(problem, stepSize, m_motions);
+    m_motions.resize(problem.bodyCount);
+    dxFindBodyMotions(problem, stepSize, m_motions.data());
     m_inverseMasses.resize(problem.bodyCount);
-    for (unsigned i = 0; i < problem.bodyCount; ++i) {
-        m_inverseMasses[i].mass = problem.bodies[i]->invMass;
-        for (unsigned row = 0; row < 3; ++row)
-            for (unsigned column = 0; column < 3; ++column)
-                m_inverseMasses[i].inertia[row][column] = problem.inverseInertia[i].tensor[4 * row + column];
-    }
+    dxFindInverseMasses(problem, m_inverseMasses.data());
     dxMakeRowMatrix(m_blocks, m_inverseMasses.data(), m_motions.data());
     for (std::vector<double> *array : {&m_forces, &m_low, &m_high, &m_b, &m_diagonal}) array->resize(problem.rowCount);
     for (const dxRowPart &part : m_blocks.parts)
@@ -221,17 +218,19 @@ bool dxReducedLcp::isContradictory(const dxExactProblem &problem, double largest
 }
 
 bool dxReducedLcp::isGood(const dxExactProblem &problem) {
-    m_residual.find(problem, m_inverseMasses.data(), m_motions, m_forces);
-    double worst = 0, largestB = 0, largestSum = 0;
+    m_w.resize(problem.rowCount);
+    m_accelerations.resize(problem.bodyCount);
+    dxFindRowResidual(problem, m_inverseMasses.data(), m_motions.data(), m_forces.data(), m_accelerations.data(), m_w.data());
+    dxWorstResidual worst;
+    double largestB = 0, largestSum = 0;
     for (unsigned row = 0; row < problem.rowCount; ++row) {
         const double x = dxSnapToLimit(m_forces[row], m_low[row], m_high[row]);
-        const double residual = dxKktResidual(x, m_residual.w()[row], m_low[row], m_high[row]);
-        if (!(residual <= worst)) worst = residual;
+        worst.add(dxKktResidual(x, m_w[row], m_low[row], m_high[row]), m_w[row]);
         largestB = std::max(largestB, std::fabs(m_b[row]));
         largestSum = std::max(largestSum, m_diagonal[row] * std::fabs(m_forces[row]));
     }
-    if (!std::isfinite(largestSum) || (m_blocks.limited > 0 && isContradictory(problem, largestB, largestSum))) return false;
-    return dxIsGoodResidual(kEliminationBound, worst, largestB, largestSum, problem, m_motions);
+    if (!std::isfinite(worst.get()) || (m_blocks.limited > 0 && isContradictory(problem, largestB, largestSum))) return false;
+    return dxIsGoodResidual(kEliminationBound, worst.get(), largestB, largestSum, problem, m_motions.data());
 }
 
 void dxReducedLcp::writeForces(const dxExactProblem &problem) const {

@@ -11,7 +11,6 @@
 
 #include "dynamics/direct/dxRowBlocks.h"
 #include "dynamics/direct/dxRowMatrix.h"
-#include "dynamics/direct/dxRowResidual.h"
 
 struct dxExactProblem;
 struct dxIslandStep;
@@ -46,5 +45,6 @@ private:
     dxBodyVectors m_motions, m_limitedForces, m_otherForces;
     std::vector<double> m_forces, m_low, m_high;          // by row
     std::vector<double> m_b, m_diagonal;                  // of the problem, by row
-    dxRowResidual m_residual;
+    std::vector<double> m_w;                              // by row
+    dxBodyVectors m_accelerations;                        // by body
 };

@@ -1,5 +1,7 @@
 #include "dynamics/direct/dxRowResidual.h"
 
+#include <algorithm>
+
 #include "dynamics/direct/dxRowMatrix.h"
 #include "dynamics/exactstep/dxExactProblem.h"
 
@@ -41,10 +43,9 @@ void addMotion(const dReal *rows, unsigned count, const dxBodyVector &motion, do
 
 }  // namespace
 
-void dxRowResidual::find(const dxExactProblem &problem, const dxInverseMass *inverseMasses, const dxBodyVectors &motions,
-                         const std::vector<double> &forces) {
-    m_bodies.assign(problem.bodyCount, dxBodyVector{});
-    m_w.resize(problem.rowCount);
+void dxFindRowResidual(const dxExactProblem &problem, const dxInverseMass *inverseMasses, const dxBodyVector *motions, const double *forces,
+                       dxBodyVector *bodies, double *w) {
+    std::fill_n(bodies, problem.bodyCount, dxBodyVector{});
     const auto forSides = [&problem](const auto &visit) {
         for (unsigned i = 0; i < problem.jointCount; ++i)
             for (unsigned side = 0; side < dxExactProblem::kSides; ++side) {
@@ -53,14 +54,14 @@ void dxRowResidual::find(const dxExactProblem &problem, const dxInverseMass *inv
             }
     };
     forSides([&](const dxExactJoint &joint, const dReal *rows, unsigned body) {
-        addForces(rows, joint.rows, forces.data() + joint.firstRow, m_bodies[body]);
+        addForces(rows, joint.rows, forces + joint.firstRow, bodies[body]);
     });
-    for (unsigned i = 0; i < problem.bodyCount; ++i) accelerate(inverseMasses[i], motions[i], m_bodies[i]);
+    for (unsigned i = 0; i < problem.bodyCount; ++i) accelerate(inverseMasses[i], motions[i], bodies[i]);
     for (unsigned row = 0; row < problem.rowCount; ++row) {
         const dReal *const pair = problem.pairsBX + std::size_t(row) * kPair;
-        m_w[row] = double(pair[dxJoint::GI2_CFM]) * forces[row] - pair[dxJoint::GI2_RHS];
+        w[row] = double(pair[dxJoint::GI2_CFM]) * forces[row] - pair[dxJoint::GI2_RHS];
     }
     forSides([&](const dxExactJoint &joint, const dReal *rows, unsigned body) {
-        addMotion(rows, joint.rows, m_bodies[body], m_w.data() + joint.firstRow);
+        addMotion(rows, joint.rows, bodies[body], w + joint.firstRow);
     });
 }

@@ -1,23 +1,12 @@
 // How far forces are from a solution of an island's problem, computed from its rows and not from a matrix that was made or factorised.
 #pragma once
 
-#include <vector>
-
 #include "dynamics/direct/dxBodyBlocks.h"
 
 struct dxExactProblem;
 struct dxInverseMass;
 
-class dxRowResidual {
-public:
-    // w = J (inv(M) J' x + u) + cfm/h x - c/h. `forces` (x) by row; `inverseMasses` and `motions` (u) by tag.
-    void find(const dxExactProblem &problem, const dxInverseMass *inverseMasses, const dxBodyVectors &motions,
-              const std::vector<double> &forces);
-
-    // By row.
-    const std::vector<double> &w() const { return m_w; }
-
-private:
-    dxBodyVectors m_bodies;  // forces, then accelerations
-    std::vector<double> m_w;
-};
+// w = J (inv(M) J' x + u) + cfm/h x - c/h, by row. `forces` (x) by row; `inverseMasses` and `motions` (u) by tag; c/h and cfm/h are those of
+// the problem. `bodies`: room for one vector for each body.
+void dxFindRowResidual(const dxExactProblem &problem, const dxInverseMass *inverseMasses, const dxBodyVector *motions, const double *forces,
+                       dxBodyVector *bodies, double *w);

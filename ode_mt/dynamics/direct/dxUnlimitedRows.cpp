@@ -244,7 +244,7 @@ void dxUnlimitedRows::findAccelerations(const dxExactProblem &problem) {
 bool dxUnlimitedRows::isGood(const dxExactProblem &problem) {
     const dxUnlimitedSizes sizes = dxFindUnlimitedResidual(m_system, m_accelerations.data());
     return std::isfinite(sizes.residual) &&
-           dxIsGoodResidual(kEliminationBound, sizes.residual, m_system.largestB, sizes.sum, problem, m_motions);
+           dxIsGoodResidual(kEliminationBound, sizes.residual, m_system.largestB, sizes.sum, problem, m_motions.data());
 }
 
 void dxUnlimitedRows::writeForces(const dxExactProblem &problem) {
