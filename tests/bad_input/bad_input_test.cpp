@@ -1,5 +1,5 @@
-// Bad arguments are answered as libode8 answers them, by number and text, in every function that its headers
-// declare; and in ODE_MT's own functions as ode_MT.h says.
+// Bad arguments are answered as libode8 answers them, by number and text (with an assertion's file and line), in every
+// function that its headers declare; and in ODE_MT's own functions as ode_MT.h says.
 //
 // Has found: dQuadTreeSpaceCreate did not end for a depth of two thousand million, where libode8
 // crashes.

@@ -35,8 +35,6 @@ void tell(const char *kind, int number, const char *format, va_list arguments) {
     char text[1024];
     std::vsnprintf(text, sizeof text, format, arguments);
     std::string line = text;
-    const std::size_t place = line.rfind(" [");  // file and line
-    if (place != std::string::npos && line.back() == ']') line.resize(place);
     for (char &c : line)
         if (c == '\n') c = ' ';
     const std::size_t used = std::strlen(told);

@@ -1,19 +1,10 @@
 #include "recorder.h"
 
-#include <regex>
 #include <utility>
 
 namespace exactness {
 
 namespace {
-
-// An assertion's text ends with its place in the library's source, which is the one thing
-// that may differ (contract C8).
-std::string withoutSourcePlace(const std::string &text) {
-    if (text.find('[') == std::string::npos) return text;  // most notes: there are many, and this is slow
-    static const std::regex place("\\[[^\\]]*:[0-9]+\\]");
-    return std::regex_replace(text, place, "[file:line]");
-}
 
 void readSurface(const dSurfaceParameters &surface, Reading &reading) {
     reading.integer(surface.mode);
@@ -33,7 +24,7 @@ void Recorder::endStage(const char *stage) {
     const std::string text = m_standardError.takeNew();
     if (!text.empty()) {
         Reading reading;
-        reading.text(withoutSourcePlace(text));
+        reading.text(text);
         event("standard error", reading);
     }
     mix(m_sumOfEvents);
@@ -84,7 +75,7 @@ void Recorder::bodyMoved(dBodyID body) {
 void Recorder::note(const char *what, double value) {
     Reading reading;
     reading.real(value);
-    reading.text(withoutSourcePlace(what));
+    reading.text(what);
     event("note", reading);
 }
 

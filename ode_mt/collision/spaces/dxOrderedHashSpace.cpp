@@ -7,8 +7,10 @@
 #include "collision/pairs/dxMissedNotifications.h"
 #include "collision/pairs/dxPairPrefetch.h"
 #include "collision/spaces/dxHashWalk.h"
+#include "collision/spaces/dxUpstreamAssertion.h"
 #include "collision_space_internal.h"
 #include "core/dxPrefetch.h"
+#include "seams/assertions.h"
 #include "util.h"
 
 namespace {
@@ -69,11 +71,8 @@ constexpr std::size_t kMaxSwitched = 4096;
 // What one worker takes at once: some ten microseconds.
 constexpr std::size_t kCellsPerChunk = 512, kCellPrefetchDistance = 8;
 
-// With upstream's text.
 void reportOutOfRange() {
-    dDebug(d_ERR_IASSERT,
-           "assertion \"aabbBound >= dMinIntExact && aabbBound < dMaxIntExact\" failed in collide() [%s:%u]",
-           __FILE__, __LINE__);
+    dxFailUpstreamAssertion("aabbBound >= dMinIntExact && aabbBound < dMaxIntExact", "collide", "collision_space.cpp", kHashSpaceRangeLine);
 }
 
 }  // namespace

@@ -328,7 +328,6 @@ void dxOrderedSpace::clean(const std::vector<dxGeom *> &geoms, std::size_t index
 void dxOrderedSpace::clean(dxGeom *geom) {
     if (IS_SPACE(geom)) static_cast<dxSpace *>(geom)->cleanGeoms();
     geom->recomputeAABB();
-    dIASSERT((geom->gflags & GEOM_AABB_BAD) == 0);
     geom->gflags &= ~GEOM_DIRTY;
 }
 

@@ -1,17 +1,14 @@
 #include "collision/spaces/dxQuadTree.h"
 
-#include <ode/error.h>
-
 #include <new>
 
-#include "config.h"
+#include "collision/spaces/dxUpstreamAssertion.h"
+#include "seams/assertions.h"
 
 namespace {
 
-// With upstream's text.
-void requireOrder(bool isInOrder, const char *assertion) {
-    if (!isInOrder)
-        dDebug(d_ERR_IASSERT, "assertion \"%s\" failed in Create() [%s:%u]", assertion, __FILE__, __LINE__);
+void requireOrder(bool isInOrder, const char *assertion, unsigned line) {
+    if (!isInOrder) dxFailUpstreamAssertion(assertion, "Create", "collision_quadtreespace.cpp", line);
 }
 
 // A tree of so many levels has more blocks than there are numbers for (dxQuadTree::Block), nor is there
@@ -37,8 +34,8 @@ dxQuadTree::dxQuadTree(const dReal *centre, const dReal *extents, int depth) {
 }
 
 void dxQuadTree::build(const Area &area, Block parent, int depth) {
-    requireOrder(area.lowX <= area.highX, "MinX <= MaxX");
-    requireOrder(area.lowY <= area.highY, "MinZ <= MaxZ");
+    requireOrder(area.lowX <= area.highX, "MinX <= MaxX", kQuadTreeOrderXLine);
+    requireOrder(area.lowY <= area.highY, "MinZ <= MaxZ", kQuadTreeOrderZLine);
     const Block block = size();
     m_nodes.push_back({area, parent, 0});
     if (depth > 0) {

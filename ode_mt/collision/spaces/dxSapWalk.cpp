@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "collision/spaces/dxOrderedSpace.h"
+#include "collision/spaces/dxUpstreamAssertion.h"
+#include "seams/assertions.h"
 
 namespace {
 
@@ -19,9 +21,9 @@ void dxSapWalk::requireUnlocked(const dxSpace &space) {
 }
 
 // Of the first of a pair's geoms, or of the second.
-void dxSapWalk::reportUncleanBox(int number) {
-    dDebug(d_ERR_IASSERT, "assertion \"(g%d->gflags & GEOM_AABB_BAD)==0\" failed in %s() [%s:%u]", number,
-           "collideGeomsNoAABBs", __FILE__, __LINE__);
+void dxSapWalk::reportUncleanBox(bool isFirst) {
+    dxFailUpstreamAssertion(isFirst ? "(g1->gflags & GEOM_AABB_BAD)==0" : "(g2->gflags & GEOM_AABB_BAD)==0", "collideGeomsNoAABBs",
+                            "collision_sapspace.cpp", isFirst ? kSapFirstBoxLine : kSapSecondBoxLine);
 }
 
 void dxSapWalk::add(dxGeom *geom) {

@@ -20,10 +20,10 @@ public:
     std::size_t pairs() const { return m_pairs.size(); }
     void deliver(void *data, dNearCallback *callback) const;
 
-    // Upstream's assertions, with its texts.
+    // Upstream's assertions.
     static void requireUnlocked(const dxSpace &space);
     static void requireCleanBoxes(const dxGeom *g1, const dxGeom *g2) {
-        if (((g1->gflags | g2->gflags) & GEOM_AABB_BAD) != 0) reportUncleanBox((g1->gflags & GEOM_AABB_BAD) != 0 ? 1 : 2);
+        if (((g1->gflags | g2->gflags) & GEOM_AABB_BAD) != 0) reportUncleanBox((g1->gflags & GEOM_AABB_BAD) != 0);
     }
 
 private:
@@ -31,7 +31,7 @@ private:
         std::uint32_t earlier, later;
     };
 
-    static void reportUncleanBox(int number);
+    static void reportUncleanBox(bool isFirst);
 
     void sweep(const std::vector<std::uint32_t> &order);
 
