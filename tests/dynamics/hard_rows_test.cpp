@@ -1,19 +1,19 @@
 // Steps of "fast" where joints are hard and repeat or contradict one another: the step has an answer, the same for every number of threads, and
 // what is left of the rows is as little as can be.
 //
-// ODE_MT_HARD_WORLDS: number of random worlds.
+// More random worlds with ODE_MT_EXACTNESS=thorough.
 #include <gtest/gtest.h>
 
 #include <ode/ode.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <numeric>
 #include <string>
 #include <vector>
 
+#include "../exactness/thorough.h"
 #include "../frame/OdeSession.h"
 #include "hard_world.h"
 #include "island_rows.h"
@@ -31,10 +31,7 @@ namespace {
 
 constexpr dReal kStepSize = dReal(0.01);
 
-unsigned countOfWorlds() {
-    const char *const wanted = std::getenv("ODE_MT_HARD_WORLDS");
-    return wanted != nullptr ? static_cast<unsigned>(std::atoi(wanted)) : 40;
-}
+unsigned countOfWorlds() { return exactness::isThorough() ? 400 : 40; }
 
 class HardRows : public testing::Test {
 protected:
