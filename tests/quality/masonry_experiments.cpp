@@ -59,9 +59,11 @@ public:
 
     static dReal heightOf(int row) { return kHeight * (REAL(0.5) + static_cast<dReal>(row)); }
 
+    void runOn() { run(m_lab, static_cast<int>((exactness::isThorough() ? 60 : 4) * m_framesPerSecond)); }
+
     std::vector<Quantity> watch() {
         const Places places(m_lab.inventory().bodies);
-        run(m_lab, static_cast<int>((exactness::isThorough() ? 60 : 4) * m_framesPerSecond));
+        runOn();
         return {{"fallen", "bodies", static_cast<double>(places.countLower(kHeight / 2)), 0},
                 {"median drift", "m", places.medianMove(), 5e-4},
                 {"largest drift", "m", places.largestMove(), 1e-3},
@@ -165,16 +167,15 @@ std::vector<Quantity> loadedBridge(const Stepping &stepping) {
     const dBodyID load = lab.addBox({kBeam / 2, 0, 5 * kHeight + kLoad / 2}, {kLoad, kLoad, kLoad}, 144);
     lab.setController([load](int) {
         const dReal x = dBodyGetPosition(load)[0], *const v = dBodyGetLinearVel(load);
-        const bool turns = x < kBeam / 2 || x > (kBeams - REAL(0.5)) * kBeam;
-        const dReal way = turns ? (x < kBeam / 2 ? 1 : -1) : (v[0] < 0 ? -1 : 1);
-        dBodySetLinearVel(load, way * kSpeed, 0, v[2]);
+        const bool isBack = x > (kBeams - REAL(0.5)) * kBeam || (x >= kBeam / 2 && v[0] < 0);
+        dBodySetLinearVel(load, isBack ? -kSpeed : kSpeed, 0, v[2]);
     });
     const Places bridge = [&] {
         std::vector<dBodyID> bodies = lab.inventory().bodies;
         bodies.pop_back();
         return Places(bodies);
     }();
-    run(lab, exactness::isThorough() ? 6000 : 400);
+    masonry.runOn();
     return {{"fallen", "bodies", static_cast<double>(bridge.countLower(kHeight / 2)), 0},
             {"median drift", "m", bridge.medianMove(), 1e-3},
             {"largest drift", "m", bridge.largestMove(), 5e-3}};

@@ -131,9 +131,10 @@ struct RelativeMotion {
         return {subtract(subtract(body1.v, body2.v), cross(body2.w, between)), subtract(body1.w, body2.w)};
     }
 
-    static HWY_INLINE RelativeMotion none() {
-        const Lane zero = hn::Zero(LaneTag());
-        return {{zero, zero, zero}, {zero, zero, zero}};
+    // row: of a dxContactResponse
+    static HWY_INLINE RelativeMotion of(const dxContactResponse::Numbers *row, unsigned first) {
+        return {{loadFloats(row[0], first), loadFloats(row[1], first), loadFloats(row[2], first)},
+                {loadFloats(row[3], first), loadFloats(row[4], first), loadFloats(row[5], first)}};
     }
 
     HWY_INLINE Vector velocityAt(const Vector &arm) const { return add(v, cross(w, arm)); }
@@ -142,8 +143,9 @@ struct RelativeMotion {
 
     // row: of a dxContactResponse
     HWY_INLINE void respond(const dxContactResponse::Numbers *row, Lane impulse, unsigned first) {
-        v = add(v, scale({loadFloats(row[0], first), loadFloats(row[1], first), loadFloats(row[2], first)}, impulse));
-        w = add(w, scale({loadFloats(row[3], first), loadFloats(row[4], first), loadFloats(row[5], first)}, impulse));
+        const RelativeMotion response = of(row, first);
+        v = add(v, scale(response.v, impulse));
+        w = add(w, scale(response.w, impulse));
     }
 };
 

@@ -117,9 +117,7 @@ HWY_INLINE void findNormalResponses(const dxContactPack &pack, const dxContactLa
     for (unsigned k = 0; k < pack.contactCount; ++k) {
         const Vector normal = loadVector(contacts[k].direction[0], first), arm = loadVector(contacts[k].arm, first);
         for (unsigned i = 0; i < pack.contactCount; ++i) {
-            RelativeMotion motion = RelativeMotion::none();
-            motion.respond(responses[i].row[0], hn::Set(LaneTag(), dReal(1)), first);
-            Lane change = dot(normal, motion.velocityAt(arm));
+            Lane change = dot(normal, RelativeMotion::of(responses[i].row[0], first).velocityAt(arm));
             if (i == k) change = hn::Add(change, loadLanes(contacts[k].softness[0], first));
             storeFloats(change, responses[i].normal[k], first);
         }

@@ -235,7 +235,7 @@ HWY_INLINE Lane relaxManifold(const dxContactPack &pack, dxContactLanes *contact
     return energy;
 }
 
-// The same for normals alone: each contact knows from the others' changes what it lacks.
+// The same for the normals of all contacts: each one knows from the others' changes what it lacks.
 template <>
 HWY_INLINE Lane relaxManifold<Pressure>(const dxContactPack &pack, dxContactLanes *contacts, const dxContactResponse *responses,
                                         unsigned first, const Visit &visit, const Factors &factor, Bodies &body1, Bodies &body2) {
@@ -292,7 +292,7 @@ HWY_INLINE double relaxPacks(const dxContactPacks &contacts, unsigned begin, uns
 
 double sweep(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSweepPart part, const dxOverRelaxation &factor,
              dxVelocity *velocities) {
-    if (part == dxSweepPart::Contacts || part == dxSweepPart::Pressures) clearEnergies(contacts, begin, end);
+    if (dxIsFirst(part)) clearEnergies(contacts, begin, end);
     switch (part) {
     case dxSweepPart::Contacts: return relaxPacks<Contact>(contacts, begin, end, {0, 1, 2}, factor, velocities);
     case dxSweepPart::Pressures: return relaxPacks<Pressure>(contacts, begin, end, {0, 1, 2}, factor, velocities);

@@ -31,6 +31,9 @@ enum class dxSweepPart : unsigned {
     OddFriction,   // of 1, 3, ...
 };
 
-// Energies: of the change, the sum of |change of an impulse times its residual|; friction alone adds it to those of the pressures.
+constexpr bool dxIsFirst(dxSweepPart part) { return part == dxSweepPart::Contacts || part == dxSweepPart::Pressures; }
+constexpr bool dxIsLast(dxSweepPart part) { return part == dxSweepPart::Contacts || part == dxSweepPart::OddFriction; }
+
+// Energies: of the change, the sum of |change of an impulse times its residual|; parts add theirs to those of the first one.
 double dxSweepContacts(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSweepPart part, const dxOverRelaxation &factor,
                        dxVelocity *velocities);

@@ -20,9 +20,6 @@ constexpr unsigned kSmoothing = 3;
 constexpr double kWholePart = 0.5;
 constexpr unsigned kParts = 3;
 
-constexpr bool isFirst(dxSweepPart part) { return part == dxSweepPart::Contacts || part == dxSweepPart::Pressures; }
-constexpr bool isLast(dxSweepPart part) { return part == dxSweepPart::Contacts || part == dxSweepPart::OddFriction; }
-
 // Kept forces may be so much worse than none: what they have wrong nearby, where bodies have hit one another, sweeps mend at once, and the
 // rest of them is worth more than that (docs/iterative-solver.md).
 constexpr double kMostHarm = 100;
@@ -34,7 +31,7 @@ constexpr unsigned kMeasured = 5;
 // A sweep that changes so much more than another one before it does not lead to the solution.
 constexpr double kGrowth = 3;
 
-// More contacts fit no cache, and a sweep takes as long as it takes to read them: a response is 72 bytes beside 248.
+// More contacts fit no cache, and a sweep takes as long as it takes to read them: a response is 104 bytes beside 248.
 constexpr unsigned kMaxResponses = 4096;
 
 // So many take all rows of each contact at once. Those after them have three parts.
@@ -148,8 +145,8 @@ void dxIterativeSolver::sweep(const dxIslandStep &step, dxIslandBody *bodies) {
                 return false;
             }
             const auto [sweep, sweepPart] = sweepOf(round);
-            energy = isFirst(sweepPart) ? part : energy + part;
-            if (!isLast(sweepPart) || !isMeasured(sweep)) return false;
+            energy = dxIsFirst(sweepPart) ? part : energy + part;
+            if (!dxIsLast(sweepPart) || !isMeasured(sweep)) return false;
             watchGrowth(energy, sweep >= m_smoothFrom);
             return sweep >= m_leastSweeps && energy <= m_firstEnergy * tolerance * tolerance && isSmallEverywhere(tolerance);
         });
@@ -174,7 +171,7 @@ double dxIterativeSolver::solveChunk(unsigned index, unsigned round) {
             energy += dxSweepContacts(packs(), chunk.firstPack, chunk.endPack, part, sweep > m_smoothFrom ? smooth : m_factor,
                                       m_velocities.data());
     }
-    if (chunk.firstOther != chunk.endOther && isFirst(part)) {
+    if (chunk.firstOther != chunk.endOther && dxIsFirst(part)) {
         if (sweep == m_smoothFrom + 1) m_others.relax(chunk.firstOther, chunk.endOther);
         if (sweep == 0)
             energy += m_others.apply(chunk.firstOther, chunk.endOther, m_velocities.data());
