@@ -3,6 +3,7 @@
 #include <dirent.h>
 #include <fcntl.h>
 #include <pthread.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -50,10 +51,14 @@ std::string findWorkerProgram() {
     return findOnPath(kWorker);
 }
 
-// Whether mpirun lets the others live when one process ends. Open MPI tells processes by their environment.
+// Whether mpirun lets the others live when one process ends: --enable-recovery of Open MPI 4, --with-ft ulfm of Open MPI 5. Both tell processes by
+// their environment.
 bool doesJobSurvive() {
-    const char *const recovery = std::getenv("OMPI_MCA_orte_enable_recovery");
-    return recovery != nullptr && std::strcmp(recovery, "0") != 0;
+    for (const char *const name : {"OMPI_MCA_orte_enable_recovery", "OMPI_MCA_mpi_ft_enable"}) {
+        const char *const value = std::getenv(name);
+        if (value != nullptr && std::strcmp(value, "0") != 0 && std::strcmp(value, "false") != 0) return true;
+    }
+    return false;
 }
 
 // Open MPI's processes listen at the first port that is free from 1024 on, so that a new worker would have a lost one's, to which home may still
@@ -93,9 +98,10 @@ std::string textOf(int error) {
     return text;
 }
 
-// While MPI begins on this thread: a process that it starts has no files of the program's but standard output and error. Without mpirun Open MPI
-// starts one (orted) that would read the program's standard input for the workers, and what it has read is lost to the program (its key
-// ompi_stdin_target ends Open MPI 4.1's server); and it would hold the program's pipes open, whose other ends would never see their end.
+// While MPI begins on this thread, and while it starts the first worker: a process that it forks has no files of the program's but standard output and
+// error. Without mpirun Open MPI starts one, in MPI_Init (4: orted) or in the first MPI_Comm_spawn (5: prte), that would read the program's standard
+// input for the workers, and what it has read is lost to the program (its key ompi_stdin_target ends Open MPI 4.1's server); and it would hold the
+// program's pipes open, whose other ends would never see their end.
 class NoFilesForChildren {
 public:
     NoFilesForChildren() {
@@ -112,19 +118,31 @@ public:
     NoFilesForChildren &operator=(const NoFilesForChildren &) = delete;
 
 private:
+    // Another thread may close a file, whose number Open MPI's own pipe to the child then has: that is another file.
+    struct File {
+        int number;
+        struct stat status;
+    };
+
     static void noteFiles() {
         const std::unique_ptr<DIR, int (*)(DIR *)> folder(opendir("/proc/self/fd"), closedir);
         if (folder == nullptr) return;
         while (const dirent *const entry = readdir(folder.get())) {
-            const int file = std::atoi(entry->d_name);
-            if (file > STDERR_FILENO && file != dirfd(folder.get())) s_files.push_back(file);
+            File file{std::atoi(entry->d_name), {}};
+            if (file.number > STDERR_FILENO && file.number != dirfd(folder.get()) && fstat(file.number, &file.status) == 0) s_files.push_back(file);
         }
+    }
+
+    static bool isOpen(const File &file) {
+        struct stat status;
+        return fstat(file.number, &status) == 0 && status.st_dev == file.status.st_dev && status.st_ino == file.status.st_ino;
     }
 
     // In the child, which goes on to execute another program.
     static void closeFiles() {
         if (!s_isActive) return;
-        for (const int file : s_files) fcntl(file, F_SETFD, FD_CLOEXEC);
+        for (const File &file : s_files)
+            if (isOpen(file)) fcntl(file.number, F_SETFD, FD_CLOEXEC);
         const int none = open("/dev/null", O_RDONLY);
         if (none <= STDIN_FILENO) return;
         dup2(none, STDIN_FILENO);
@@ -132,7 +150,7 @@ private:
     }
 
     static inline thread_local bool s_isActive = false;
-    static inline thread_local std::vector<int> s_files;
+    static inline thread_local std::vector<File> s_files;
 };
 
 }  // namespace
@@ -205,6 +223,7 @@ bool dxMpiTransport::spawn(unsigned wanted, std::string &reason) {
         close(false);
         return false;
     }
+    const NoFilesForChildren noFiles;
     for (unsigned i = 0; i < wanted; ++i) {
         MPI_Comm worker = MPI_COMM_NULL;
         const int result = spawnOne(m_program, worker);

@@ -1,9 +1,9 @@
 // Messages by MPI. Home and its workers are processes of one job (MPMD: mpirun -np 1 program : -np 15 odemt_worker), home the one of rank
 // 0; or each worker is a job of its own that home has spawned, one after the other, so that none is in another one's.
 //
-// A lost worker of the second kind is replaced where mpirun lets the job live without it (--enable-recovery of Open MPI): a thread of its own calls
-// MPI_Comm_spawn, which takes a fraction of a second. If the new process dies before it has greeted, that call may take a minute, or never return: then
-// the thread is left alone, and no other worker is replaced.
+// A lost worker of the second kind is replaced where mpirun lets the job live without it (--enable-recovery of Open MPI 4, --with-ft ulfm of 5): a
+// thread of its own calls MPI_Comm_spawn, which takes a fraction of a second. If the new process dies before it has greeted, that call may take a
+// minute, or never return: then the thread is left alone, and no other worker is replaced.
 //
 // Tried and dropped: MPI_Comm_accept, by which workers would join when they like (docs/remote-islands.md).
 //
