@@ -51,7 +51,7 @@ public:
             const nlohmann::json answer = nlohmann::json::parse(m_process.readLine(kLimit));
             return {answer.at("frame"), answer.at("step"), answer.at("hash")};
         } catch (const std::exception &error) {
-            throw std::runtime_error(std::string(error.what()) + "\n" + bench::readTextFile(m_log));
+            throw std::runtime_error(std::string(error.what()) + "\n" + bench::readWhatIsThere(m_log));  // the program may not have begun
         }
     }
     void end() {
@@ -60,13 +60,15 @@ public:
     }
 
 private:
-    // Workers by MPI are processes of the same job.
+    // Workers by MPI are processes of the same job. Each chooses by its rank which program it is: the mpirun of Open MPI 5.0.7 crashes when it is to
+    // start two (its issue 13303).
     static std::vector<std::string> command(const std::string &world, const MeasureSettings &settings, const Party &party, const std::string &log) {
         std::vector<std::string> words;
         if (party.workers != "mpi") return {settings.program, world, log};
         if (settings.worker.empty())
             throw std::runtime_error("there is no odemt_worker beside libode.so.8 in '" + settings.library + "' or beside this program (docs/packages.md)");
-        return {"mpirun", "--enable-recovery", "-np", "1", settings.program, world, log, ":", "-np", std::to_string(party.count), settings.worker};
+        return {"mpirun", "--enable-recovery", "-np", std::to_string(party.count + 1), "sh", "-c",
+                R"([ "$OMPI_COMM_WORLD_RANK" != 0 ] || exec "$@"; exec "$0")", settings.worker, settings.program, world, log};
     }
 
     static process::Environment environment(const MeasureSettings &settings, const Party &party) {
@@ -165,7 +167,7 @@ Link measureLink(const std::string &world, const MeasureSettings &settings, cons
     for (int i = 0; i < kHandshakes; ++i) {
         const std::string log = scratch.path() + "/link";
         Player(world, settings, {settings.transport, 1, true, ""}, log).end();
-        const Link link = readLink(bench::readTextFile(log));
+        const Link link = readLink(bench::readWhatIsThere(log));
         latencies.push_back(link.latencyNs);
         nsPerByte.push_back(link.nsPerByte);
     }

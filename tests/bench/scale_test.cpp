@@ -170,6 +170,18 @@ TEST(Scale, AKillWhileItLoadsEndsTheChild) {
     std::filesystem::remove_all(folder);
 }
 
+// The program's own log is not there then.
+TEST(Scale, AJobThatDoesNotBeginIsNamed) {
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / ("scale_job_" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "mpirun") << "#!/bin/sh\nexit 3\n";
+    std::filesystem::permissions(folder / "mpirun", std::filesystem::perms::owner_all);
+    const Outcome outcome = runShell("PATH=" + folder.string() + ":$PATH " ODEMT_SCALE " --worlds humanoids:3 --seconds 0.2");
+    std::filesystem::remove_all(folder);
+    EXPECT_EQ(outcome.exitCode, 1) << outcome.output;
+    EXPECT_EQ(outcome.output.find("No such file"), std::string::npos) << outcome.output;
+}
+
 TEST(Scale, TheToolNamesWhatIsWrong) {
     for (const char *const arguments : {"--workers 0", "--workers x", "--networks 2GbE", "--worlds moon", "--our-library /tmp"}) {
         const Outcome outcome = runShell(std::string(ODEMT_SCALE " ") + arguments);
