@@ -7,7 +7,21 @@
 // their joints.
 template <class Visit>
 void dxForRowsInOrder(const dxIslandProblem &problem, const Visit &visit) {
-    for (const bool bounded : {false, true})
-        for (unsigned row = 0; row < problem.rowCount; ++row)
-            if (problem.rows[row].isBounded() == bounded) visit(row);
+    unsigned bounded = 0;
+    for (unsigned row = 0; row < problem.rowCount; ++row)
+        if (problem.rows[row].isBounded())
+            ++bounded;
+        else
+            visit(row);
+    for (unsigned row = 0; bounded != 0; ++row) {
+        if (!problem.rows[row].isBounded()) continue;
+        visit(row);
+        --bounded;
+    }
+}
+
+// Sets `order` to that order.
+inline void dxOrderRows(const dxIslandProblem &problem) {
+    int *end = problem.order;
+    dxForRowsInOrder(problem, [&end](unsigned row) { *end++ = static_cast<int>(row); });
 }

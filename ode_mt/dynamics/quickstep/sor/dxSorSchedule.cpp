@@ -40,4 +40,11 @@ void sortByLevel(const dxIslandProblem &problem, unsigned levels) {
 
 }  // namespace
 
-void dxScheduleSor(const dxIslandProblem &problem) { sortByLevel(problem, findLevels(problem)); }
+// In a chain nearly every row waits for another one, in any order.
+void dxScheduleSor(const dxIslandProblem &problem) {
+    const unsigned levels = findLevels(problem);
+    if (2 * levels > problem.rowCount)
+        dxOrderRows(problem);
+    else
+        sortByLevel(problem, levels);
+}

@@ -33,11 +33,6 @@ void prepareRow(const dxIslandProblem &problem, Row &row, dReal factor) {
         for (int i = 0; i < 6; ++i) row.jacobian[kJacobianOf[which] + i] *= scale;
 }
 
-void orderRows(const dxIslandProblem &problem) {
-    int *end = problem.order;
-    dxForRowsInOrder(problem, [&end](unsigned row) { *end++ = static_cast<int>(row); });
-}
-
 }  // namespace
 
 void dxSorSolver::solve(const dxIslandProblem &problem) {
@@ -45,8 +40,8 @@ void dxSorSolver::solve(const dxIslandProblem &problem) {
     std::fill_n(problem.accelerations, problem.bodyCount, dxBodyAcceleration());
     unsigned left = static_cast<unsigned>(m_step.world->qs.num_iterations);
     for (unsigned shuffles = 0; left != 0; ++shuffles) {
-        if (shuffles == 0) dxScheduleSor(problem);  // the results of orderRows' order
-        if (shuffles == 1) orderRows(problem);
+        if (shuffles == 0) dxScheduleSor(problem);  // the results of dxOrderRows
+        if (shuffles == 1) dxOrderRows(problem);
         if (shuffles > 0) dxShuffleRows(problem.order, problem.rowCount);
         const unsigned times = std::min(left, kShuffleInterval);
         sweep(problem, times);
