@@ -156,12 +156,14 @@ unsigned dxMaxCollisionThreads(const dxOrderedSpace &space) {
 }
 
 void dxCollideSpace(dxOrderedSpace &space, void *data, dNearCallback *callback) {
-    CollideSpan span(space);
     const dxSettings &settings = dxSettings::instance();
+    const bool isAuto = settings.algorithm() == dxAlgorithm::Auto;
+    if (isAuto && space.count < kMinRecorded && !dxTimeline::isCounted()) return space.collide(data, callback);
+    CollideSpan span(space);
     const dODE_MT_Reason reason = whyAlone(space, callback);
     if (reason != dODE_MT_REASON_PARALLEL)
         collideAlone(span, reason, space, data, callback);
-    else if (settings.algorithm() != dxAlgorithm::Auto)
+    else if (!isAuto)
         collideOnWorkers(span, space, dxMaxCollisionThreads(space), data, callback);
     else if (space.count < kMinGeoms)
         collideAlone(span, dODE_MT_REASON_FEW_GEOMS, space, data, callback);

@@ -10,9 +10,16 @@ constexpr int kDigitBits = 8;
 constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
 constexpr std::size_t kFew = 64;
 
-std::uint64_t bitsThatVary(const std::vector<dxSortItem> &items) {
+std::uint64_t keyOf(const dxSortItem &item) { return item.key; }
+std::uint64_t keyOf(std::uint64_t number) { return number >> 32; }
+
+bool isBefore(const dxSortItem &a, const dxSortItem &b) { return a.key != b.key ? a.key < b.key : a.index < b.index; }
+bool isBefore(std::uint64_t a, std::uint64_t b) { return a < b; }
+
+template <class Item>
+std::uint64_t bitsThatVary(const std::vector<Item> &items) {
     std::uint64_t varying = 0;
-    for (const dxSortItem &item : items) varying |= item.key ^ items.front().key;
+    for (const Item &item : items) varying |= keyOf(item) ^ keyOf(items.front());
     return varying;
 }
 
@@ -33,34 +40,37 @@ Bits takeBits(std::uint64_t &varying, int most) {
     return bits;
 }
 
-void sortByDigit(const std::vector<dxSortItem> &from, std::vector<dxSortItem> &to, Bits low, Bits high) {
-    const auto digitOf = [low, high](const dxSortItem &item) { return low.of(item.key) | high.of(item.key) << low.count; };
+template <class Item, class DigitOf>
+void sortByDigit(const std::vector<Item> &from, std::vector<Item> &to, DigitOf digitOf) {
     std::array<std::uint32_t, kDigits> next{};
-    for (const dxSortItem &item : from) ++next[digitOf(item)];
+    for (const Item &item : from) ++next[digitOf(keyOf(item))];
     std::uint32_t begin = 0;
     for (std::uint32_t &count : next) {
         const std::uint32_t size = count;
         count = begin;
         begin += size;
     }
-    for (const dxSortItem &item : from) to[next[digitOf(item)]++] = item;
+    for (const Item &item : from) to[next[digitOf(keyOf(item))]++] = item;
 }
 
-}  // namespace
-
-void dxRadixSort(std::vector<dxSortItem> &items, std::vector<dxSortItem> &spare) {
-    if (items.size() < kFew) {
-        // Not std::stable_sort, which takes memory.
-        std::sort(items.begin(), items.end(), [&](const dxSortItem &a, const dxSortItem &b) {
-            return a.key != b.key ? a.key < b.key : a.index < b.index;
-        });
-        return;
-    }
+template <class Item>
+void sort(std::vector<Item> &items, std::vector<Item> &spare) {
+    // Not std::stable_sort, which takes memory.
+    if (items.size() < kFew) return std::sort(items.begin(), items.end(), [](const Item &a, const Item &b) { return isBefore(a, b); });
     spare.resize(items.size());
     std::uint64_t varying = bitsThatVary(items);
     while (varying != 0) {
         const Bits low = takeBits(varying, kDigitBits), high = takeBits(varying, kDigitBits - low.count);
-        sortByDigit(items, spare, low, high);
+        if (high.count == 0)
+            sortByDigit(items, spare, [low](std::uint64_t key) { return low.of(key); });
+        else
+            sortByDigit(items, spare, [low, high](std::uint64_t key) { return low.of(key) | high.of(key) << low.count; });
         items.swap(spare);
     }
 }
+
+}  // namespace
+
+void dxRadixSort(std::vector<dxSortItem> &items, std::vector<dxSortItem> &spare) { sort(items, spare); }
+
+void dxRadixSort(std::vector<std::uint64_t> &numbers, std::vector<std::uint64_t> &spare) { sort(numbers, spare); }

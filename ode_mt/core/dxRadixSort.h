@@ -15,3 +15,6 @@ struct dxSortItem {
 
 // `spare` is scratch for the passes, which the owner keeps from call to call.
 void dxRadixSort(std::vector<dxSortItem> &items, std::vector<dxSortItem> &spare);
+
+// The same for numbers whose upper 32 bits are the key, and whose lower ones are the index.
+void dxRadixSort(std::vector<std::uint64_t> &numbers, std::vector<std::uint64_t> &spare);

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <numeric>
 
+#include "core/dxRadixSort.h"
+
 namespace {
 
 constexpr std::uint32_t kSign = UINT32_C(1) << 31;
@@ -12,17 +14,17 @@ constexpr std::uint32_t kSign = UINT32_C(1) << 31;
 // More take longer than a radix sort.
 constexpr std::size_t kShiftsPerKey = 4;
 
+// Calls without a trial, after many trials in vain.
+constexpr unsigned kMaxPause = 15;
+
 std::uint32_t bitsOf(float key) {
     std::uint32_t bits;
     std::memcpy(&bits, &key, sizeof bits);
     return bits;
 }
 
-bool isNegative(float key) { return (bitsOf(key) & kSign) != 0; }
-
-// Sorts as the numbers do, and NaN beyond all others of its sign.
-std::uint32_t sortable(float key) {
-    const std::uint32_t bits = bitsOf(key);
+// Of the bits of a number: sorts as the numbers do, and NaN beyond all others of its sign.
+std::uint32_t sortable(std::uint32_t bits) {
     return (bits & kSign) != 0 ? ~bits : bits | kSign;
 }
 
@@ -33,12 +35,10 @@ const std::vector<std::uint32_t> &dxSapSort::sort(const std::vector<float> &keys
         m_order.resize(keys.size());
         std::iota(m_order.begin(), m_order.end(), 0);
     }
-    if (isInOrder(keys) || insertFew(keys)) return m_order;
+    if (isInOrder(keys) || tryInserting(keys)) return m_order;
     takeTieOrder(keys);
-    m_items.resize(m_tieOrder.size());
-    for (std::uint32_t tie = 0; tie < m_tieOrder.size(); ++tie) m_items[tie] = {sortable(keys[m_tieOrder[tie]]), tie};
     dxRadixSort(m_items, m_spare);
-    for (std::size_t place = 0; place < m_items.size(); ++place) m_order[place] = m_tieOrder[m_items[place].index];
+    for (std::size_t place = 0; place < m_items.size(); ++place) m_order[place] = m_tieOrder[static_cast<std::uint32_t>(m_items[place])];
     return m_order;
 }
 
@@ -49,12 +49,23 @@ bool dxSapSort::isInOrder(const std::vector<float> &keys) const {
     return true;
 }
 
+// Where keys move far they mostly do so at the next call, too.
+bool dxSapSort::tryInserting(const std::vector<float> &keys) {
+    if (m_untried != 0) {
+        --m_untried;
+        return false;
+    }
+    const bool isDone = insertFew(keys);
+    m_untried = m_pause = isDone ? 0 : std::min(2 * m_pause + 1, kMaxPause);
+    return isDone;
+}
+
 // Insertion sort, for keys of which few have changed or all by little. Returns false, and changes nothing, if it would take long. Equal negative
 // numbers come to be in the reverse of their order, as by takeTieOrder().
 bool dxSapSort::insertFew(const std::vector<float> &keys) {
     m_tieOrder = m_order;
     m_sorted.resize(keys.size());
-    for (std::size_t place = 0; place < keys.size(); ++place) m_sorted[place] = sortable(keys[m_order[place]]);
+    for (std::size_t place = 0; place < keys.size(); ++place) m_sorted[place] = sortable(bitsOf(keys[m_order[place]]));
     std::size_t shifts = kShiftsPerKey * keys.size();
     for (std::size_t place = 1; place < keys.size(); ++place) {
         const std::uint32_t key = m_sorted[place], index = m_tieOrder[place];
@@ -78,9 +89,22 @@ bool dxSapSort::insertFew(const std::vector<float> &keys) {
 
 // Negative numbers from the back, the others from the front.
 void dxSapSort::takeTieOrder(const std::vector<float> &keys) {
-    m_tieOrder.clear();
-    for (auto index = m_order.rbegin(); index != m_order.rend(); ++index)
-        if (isNegative(keys[*index])) m_tieOrder.push_back(*index);
-    for (const std::uint32_t index : m_order)
-        if (!isNegative(keys[index])) m_tieOrder.push_back(index);
+    const std::size_t count = m_order.size();
+    m_sorted.resize(count);
+    m_tieOrder.resize(count);
+    m_items.resize(count);
+    std::size_t negative = 0;
+    for (std::size_t place = 0; place < count; ++place) {
+        m_sorted[place] = bitsOf(keys[m_order[place]]);
+        negative += m_sorted[place] >> 31;
+    }
+    std::size_t left = negative, positive = negative;
+    for (std::size_t place = 0; place < count; ++place) {
+        const std::uint32_t bits = m_sorted[place], isNegative = bits >> 31;
+        left -= isNegative;
+        const std::size_t tie = isNegative != 0 ? left : positive;
+        positive += 1 - isNegative;
+        m_tieOrder[tie] = m_order[place];
+        m_items[tie] = std::uint64_t{sortable(bits)} << 32 | tie;
+    }
 }

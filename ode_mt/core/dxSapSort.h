@@ -11,8 +11,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/dxRadixSort.h"
-
 class dxSapSort {
 public:
     // Returns the indices of `keys` in order. NaN keys are ordered by their bits.
@@ -20,11 +18,13 @@ public:
 
 private:
     bool isInOrder(const std::vector<float> &keys) const;
+    bool tryInserting(const std::vector<float> &keys);
     bool insertFew(const std::vector<float> &keys);
     void takeTieOrder(const std::vector<float> &keys);
 
     std::vector<std::uint32_t> m_order;
     std::vector<std::uint32_t> m_tieOrder;  // indices in the order in which a stable sort must leave equal keys
-    std::vector<dxSortItem> m_items, m_spare;
-    std::vector<std::uint32_t> m_sorted;  // keys, while few are inserted
+    std::vector<std::uint64_t> m_items, m_spare;  // keys with places in m_tieOrder
+    std::vector<std::uint32_t> m_sorted;          // scratch: keys, in order
+    unsigned m_untried = 0, m_pause = 0;  // calls that do not try to insert few: still to come, and after the last that tried in vain
 };

@@ -53,11 +53,27 @@ TEST_F(BroadphaseChoice, AWalkEndsWhenHalfAsManyMove) {
     EXPECT_TRUE(dxHaveFewMoved(100, INT_MAX));
 }
 
+TEST_F(BroadphaseChoice, ASweepAndPruneSpaceIsWalkedWhereExtentsMeetFewOthers) {
+    facts.order = dxPairOrder::Axis;
+    facts.mayWalk = true;
+    facts.moved = 1;
+    EXPECT_EQ(chooseFor(Threshold::kMaxAlwaysSwept), dxBroadphaseKind::ListWalk);
+    EXPECT_NE(chooseFor(1000), dxBroadphaseKind::ListWalk);
+    facts.moved = 125;
+    EXPECT_EQ(chooseFor(1000), dxBroadphaseKind::ListWalk);
+    facts.comparisons = Threshold::kMaxComparisonsWalked * 1000 + 1;
+    EXPECT_NE(chooseFor(1000), dxBroadphaseKind::ListWalk);
+    facts.current = dxBroadphaseKind::ListWalk;
+    EXPECT_EQ(chooseFor(1000), dxBroadphaseKind::ListWalk) << "it is walked on";
+    facts.comparisons *= 2;
+    EXPECT_NE(chooseFor(1000), dxBroadphaseKind::ListWalk);
+}
+
 TEST_F(BroadphaseChoice, NothingIsWalkedWhoseRanksAreNeededOrWhoseOrderIsAnother) {
     facts.moved = facts.geoms = 10;
     for (const dxPairOrder order : {dxPairOrder::List, dxPairOrder::Blocks, dxPairOrder::Axis, dxPairOrder::Cells}) {
         facts.order = order;
-        facts.mayWalk = order != dxPairOrder::List;
+        facts.mayWalk = order == dxPairOrder::Blocks || order == dxPairOrder::Cells;
         EXPECT_NE(dxChooseBroadphase(facts), dxBroadphaseKind::ListWalk) << static_cast<int>(order);
     }
 }

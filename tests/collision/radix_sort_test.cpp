@@ -28,6 +28,19 @@ TEST_P(RadixSort, SortsAndKeepsTheOrderOfEqualKeys) {
     }
 }
 
+TEST_P(RadixSort, SortsNumbersByTheirUpperHalves) {
+    std::mt19937_64 random(2);
+    std::vector<std::uint64_t> spare;
+    for (const std::size_t size : {0, 1, 2, 63, 64, 65, 1000, 5000}) {
+        std::vector<std::uint64_t> numbers;
+        for (std::uint32_t i = 0; i < size; ++i) numbers.push_back((random() & GetParam()) >> 32 << 32 | i);
+        std::vector<std::uint64_t> expected = numbers;
+        std::sort(expected.begin(), expected.end());
+        dxRadixSort(numbers, spare);
+        ASSERT_EQ(numbers, expected);
+    }
+}
+
 // Which bits of a key vary.
 INSTANTIATE_TEST_SUITE_P(Keys, RadixSort,
                          testing::Values(UINT64_C(0), UINT64_C(0xff), UINT64_C(0x7f00), UINT64_C(0xff0000000000ff00),

@@ -7,21 +7,24 @@ namespace {
 
 using Threshold = dxBroadphaseThresholds;
 
-// Nanoseconds: of a geom that is looked up or put into a row, of comparing two boxes with SIMD, of a pair that is found, of a pair that
-// is kept while others change. On an AMD EPYC with AVX2; what matters is their relation.
+// Nanoseconds: of a call, of a geom that is looked up or put into a row, of comparing two boxes with SIMD, of a pair that is found, of a
+// pair that is kept while others change. On an AMD EPYC with AVX2; what matters is their relation.
 struct Costs {
-    double geom, comparison, found, kept;
+    double call, geom, comparison, found, kept;
 };
-constexpr Costs kTable{30, 1.7, 8, 4};    // dxBruteForcePairs
-constexpr Costs kSorted{60, 0, 110, 30};  // dxAdaptiveBroadphase, dxKeptPairs
-constexpr Costs kPlaced{60, 0, 110, 60};   // the same, where kept pairs get new places (dxOrderedSapSpace)
-constexpr Costs kRows{20, 1.7, 3, 0};     // dxPairRows
-constexpr Costs kHashRows{60, 1.7, 10, 0};  // dxHashRows
+constexpr Costs kTable{150, 30, 1.7, 8, 4};    // dxBruteForcePairs
+constexpr Costs kSorted{300, 60, 0, 110, 30};  // dxAdaptiveBroadphase, dxKeptPairs
+constexpr Costs kPlaced{300, 60, 0, 110, 60};  // the same, where kept pairs get new places (dxOrderedSapSpace)
+constexpr Costs kRows{20, 20, 1.7, 3, 0};      // dxPairRows
+constexpr Costs kHashRows{50, 60, 1.7, 10, 0};  // dxHashRows
 
 bool isListWalk(const dxBroadphaseFacts &facts) {
     if (!facts.mayWalk) return false;
     const int minMoved = dxMinMovedToWalk(facts.order, facts.geoms);
-    return minMoved != INT_MAX && (facts.moved >= minMoved || facts.current == dxBroadphaseKind::ListWalk);
+    const bool isNow = facts.current == dxBroadphaseKind::ListWalk;
+    const std::size_t mostComparisons = (isNow ? 2 : 1) * Threshold::kMaxComparisonsWalked * static_cast<std::size_t>(facts.geoms);
+    if (facts.order == dxPairOrder::Axis && facts.comparisons > mostComparisons) return false;
+    return minMoved != INT_MAX && (facts.moved >= minMoved || isNow);
 }
 
 bool isOrderedTable(const dxBroadphaseFacts &facts) {
@@ -63,6 +66,7 @@ bool dxSpeaksAgainst(const dxBroadphaseFacts &facts) {
 }
 
 int dxMinMovedToWalk(dxPairOrder order, int geoms) {
+    if (order == dxPairOrder::Axis) return geoms <= Threshold::kMaxAlwaysSwept ? 1 : geoms / 8;
     if (order != dxPairOrder::List || geoms > Threshold::kMaxWalked) return INT_MAX;
     return geoms <= Threshold::kMaxAlwaysWalked ? 1 : 3 * geoms / 4;
 }
@@ -74,13 +78,13 @@ double dxCostOfKeeping(dxPairOrder order, const dxPairWork &work) {
                          : order == dxPairOrder::Axis ? kPlaced
                                                        : kSorted;
     const double geoms = static_cast<double>(work.geoms), changed = static_cast<double>(work.changed);
-    return changed * costs.geom + costs.comparison * changed * geoms + costs.found * static_cast<double>(work.found) +
+    return costs.call + changed * costs.geom + costs.comparison * changed * geoms + costs.found * static_cast<double>(work.found) +
            costs.kept * static_cast<double>(work.pairs);
 }
 
 double dxCostOfFindingAnew(dxPairOrder order, const dxPairWork &work) {
     const Costs &costs = order == dxPairOrder::Cells ? kHashRows : kRows;
-    return costs.geom * static_cast<double>(work.geoms) + costs.comparison * static_cast<double>(work.comparisons) +
+    return costs.call + costs.geom * static_cast<double>(work.geoms) + costs.comparison * static_cast<double>(work.comparisons) +
            costs.found * static_cast<double>(work.overlaps);
 }
 

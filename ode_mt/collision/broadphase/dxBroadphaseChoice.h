@@ -1,7 +1,7 @@
 // Which broad phase a space uses now, and why: every threshold between one broad phase and another stands here.
 //
 //   broad phase     what a call does                                       done by
-//   ListWalk        tests all pairs as upstream does, keeps nothing        dxOrderedSimpleSpace
+//   ListWalk        walks the geoms as upstream does, keeps nothing        dxOrderedSimpleSpace, dxSapWalk
 //   OrderedTable    compares changed boxes with all; pairs come in order   dxBruteForcePairs
 //   SlotTable       compares changed boxes with all; pairs are sorted      dxBruteForceBroadphase
 //   NeighbourList   compares the candidates of a list; pairs are sorted    dxVerletBroadphase
@@ -35,8 +35,17 @@ struct dxBroadphaseThresholds {
     static constexpr int kMaxAlwaysWalked = 12;
     // A simple space of up to so many geoms is walked if three quarters of them move.
     static constexpr int kMaxWalked = 512;
+    // A sweep-and-prune space of up to so many geoms is walked if any geom moves, a larger one if one of eight does: the places of all its
+    // pairs change with each geom that moves.
+    static constexpr int kMaxAlwaysSwept = 256;
+    // But not if the extent of each geom is compared with more others than these; it is walked on up to twice as many.
+    static constexpr std::size_t kMaxComparisonsWalked = 48;
+    // Calls in a row in which few geoms move, after which ranks and kept pairs pay for what it takes to make them.
+    static constexpr int kMinCallsRested = 4;
     // From so many geoms on a walk compares boxes by vectors; below, filling the table costs more than it saves.
     static constexpr int kMinWalkedByVectors = 20;
+    // More pairs than these are found row by row as they are delivered: a list of them does not stay in the first cache.
+    static constexpr std::size_t kMaxListedPairs = 1024;
 
     // Up to so many geoms comparing boxes by vectors is faster than neighbours and sorting, whatever share of them
     // moves. A space that has grown beyond comes back at half of it (hysteresis).
@@ -77,6 +86,7 @@ struct dxBroadphaseFacts {
     bool mayWalk = false;         // ranks are not given yet, and neither workers nor a search of the caller's need them
     int geoms = 0;
     int moved = 0;                // geoms that are to be cleaned
+    std::size_t comparisons = 0;  // Axis: of the last sweep
     std::size_t slots = 0;        // of members
     std::size_t changed = 0;      // members, since pairs were last found
     std::size_t lookedUp = 0;     // boxes that left their neighbours at this call, in NeighbourSets
@@ -92,7 +102,7 @@ bool dxSpeaksAgainst(const dxBroadphaseFacts &facts);
 // Geoms that must move for a space to be walked; INT_MAX: it is never walked for that.
 int dxMinMovedToWalk(dxPairOrder order, int geoms);
 
-// A walked space is walked on until fewer than half as many geoms move as it took to begin (hysteresis).
+// A walked space is walked on until fewer than half as many geoms move as it took to begin (hysteresis), for kMinCallsRested.
 inline bool dxHaveFewMoved(int moved, int minMovedToWalk) { return 2 * moved < minMovedToWalk; }
 
 // Comparing every two boxes is then faster than comparing each changed one with all.

@@ -5,7 +5,8 @@
 namespace {
 
 // A call that is interrupted takes any time: it counts as so many times the average at most, and as one of so many calls.
-constexpr double kMaxStep = 2, kCallsOfAverage = 8;
+constexpr double kMaxStep = 2;
+constexpr unsigned kCallsOfAverage = 8;
 constexpr double kMinFactor = 1.0 / 8, kMaxFactor = 16;
 
 // What finding all anew has to be cheaper by: the geoms of kept pairs are prefetched for their callbacks, those of a row are not.
@@ -25,8 +26,10 @@ void dxPairKeeping::note(const dxPairWork &work) {
 void dxPairKeeping::noteTime(const dxPairWork &work, double ns) {
     const double estimate = dxCostOfKeeping(m_order, work);
     if (estimate <= 0) return;
-    const double factor = std::clamp(ns / estimate, m_factor / kMaxStep, m_factor * kMaxStep);
-    m_factor = std::clamp(m_factor + (factor - m_factor) / kCallsOfAverage, kMinFactor, kMaxFactor);
+    const bool isFirst = m_timed == 0;
+    m_timed = std::min(m_timed + 1, kCallsOfAverage);
+    const double factor = isFirst ? ns / estimate : std::clamp(ns / estimate, m_factor / kMaxStep, m_factor * kMaxStep);
+    m_factor = std::clamp(m_factor + (factor - m_factor) / m_timed, kMinFactor, kMaxFactor);
 }
 
 void dxPairKeeping::overflow() {

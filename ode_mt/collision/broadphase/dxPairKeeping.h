@@ -35,6 +35,7 @@ private:
 
     dxPairOrder m_order;
     bool m_isKept = true;
+    unsigned m_timed = 0;   // calls, no more than make an average
     double m_factor = 0.5;  // of what keeping costs to what is estimated; in doubt pairs are kept
     double m_saved = 0;   // ns that the other way would have saved, since it would have begun to
 };

@@ -54,11 +54,14 @@ protected:
         m_filters.push_back(filter);
         m_mayExclude = m_mayExclude || filter.mayExclude();
     }
-    // Finds the elements from `begin` on that overlap a box, and counts them.
-    std::size_t findFrom(std::size_t begin, const dxBoxColumns &boxes, const dxBounds &box) {
-        const std::size_t count = m_overlappingRows(boxes, box, begin, boxes.size(), m_found.data());
-        countWork(boxes.size() - begin, count);
+    // Finds the elements from `begin` on, up to `end`, that overlap a box, and counts them.
+    std::size_t findBetween(std::size_t begin, std::size_t end, const dxBoxColumns &boxes, const dxBounds &box) {
+        const std::size_t count = m_overlappingRows(boxes, box, begin, end, m_found.data());
+        countWork(end - begin, count);
         return count;
+    }
+    std::size_t findFrom(std::size_t begin, const dxBoxColumns &boxes, const dxBounds &box) {
+        return findBetween(begin, boxes.size(), boxes, box);
     }
     void countWork(std::size_t comparisons, std::size_t overlaps) {
         m_comparisons += comparisons;

@@ -114,6 +114,7 @@ private:
         noted.clear();
     }
 
+    int m_unranked = 0;  // first, as every query reads it
     std::vector<Member> m_members;
     std::vector<dxGeom *> m_geoms;          // by slot
     std::vector<std::uint64_t> m_arrivals;  // by slot: how many had come by then
@@ -123,5 +124,4 @@ private:
     Flags m_isChanged, m_isSwitched;  // by slot
     dxRank m_highest = 0;
     std::uint64_t m_orderings = 0;
-    int m_unranked = 0;
 };

@@ -41,7 +41,7 @@ void collideFrom(dxGeom *member, void *data, dxGeom *geom, dNearCallback *callba
 bool dxOrderedListSpace::isAtRest() const {
     if (first != nullptr && isDirty(first)) return false;
     if (m_isInterrupted || !isSureOfMembers()) return false;
-    return m_isWalked ? minMovedToWalk() != INT_MAX : !m_isIrregular && members().unranked() == 0;
+    return m_walking ? minMovedToWalk() != INT_MAX : !m_isIrregular && members().unranked() == 0;
 }
 
 // Upstream stops at the first geom that is clean, and so do we. Ranks are given from the front downwards, at
@@ -61,8 +61,26 @@ void dxOrderedListSpace::cleanToCollide() {
     m_cleaner.dismiss();
     if (isAtRest()) return;
     lock_count++;
-    cleanAlone();
+    if (isWalkedOnly())
+        cleanWalked();
+    else
+        cleanAlone();
     lock_count--;
+}
+
+// Nothing but upstream's list is needed: this call walks it, whatever moves.
+bool dxOrderedListSpace::isWalkedOnly() const {
+    return m_walking && count <= dxBroadphaseThresholds::kMaxAlwaysWalked && mayWalk() && !m_isInterrupted && isSureOfMembers();
+}
+
+// As upstream does.
+void dxOrderedListSpace::cleanWalked() {
+    m_isInterrupted = true;
+    ++m_cleanings;
+    int moved = 0;
+    for (dxGeom *geom = first; geom != nullptr && isDirty(geom); geom = geom->next, ++moved) clean(geom);
+    m_walking.noteMoved(moved, count);
+    m_isInterrupted = false;
 }
 
 void dxOrderedListSpace::cleanAlone() {
@@ -78,7 +96,7 @@ void dxOrderedListSpace::cleanAlone() {
 
 void dxOrderedListSpace::cleanDirty() {
     const std::uint64_t cleaning = ++m_cleanings;
-    const bool givesRanks = !m_isWalked;
+    const bool givesRanks = !m_walking;
     dxRank next = givesRanks ? members().firstOf(count) : 0;
     const bool areComputed = givesRanks && computeBoxes(m_dirty);
     if (areComputed) {
@@ -109,44 +127,36 @@ void dxOrderedListSpace::cleanBehind(dxGeom *geom) {
 // A bounding-box function has changed what was gathered, or made a stray.
 void dxOrderedListSpace::rankAll() {
     m_isIrregular = true;
-    if (!m_isWalked) rankBehindClean(first, members().firstOf(count));
+    if (!m_walking) rankBehindClean(first, members().firstOf(count));
 }
 
 void dxOrderedListSpace::chooseToWalk() {
     const auto moved = static_cast<int>(m_dirty.size());
-    m_moved = std::min(m_moved + moved, count);
-    if (moved != 0) m_walks.store(0, std::memory_order_relaxed);
+    m_walking.noteMoved(moved, count);
     dxBroadphaseFacts facts;
     facts.order = pairOrder();
-    facts.current = m_isWalked ? dxBroadphaseKind::ListWalk : dxBroadphaseKind::None;
+    facts.current = m_walking ? dxBroadphaseKind::ListWalk : dxBroadphaseKind::None;
     facts.mayWalk = mayWalk();
     facts.geoms = count;
     facts.moved = moved;
-    m_isWalked = dxChooseBroadphase(facts) == dxBroadphaseKind::ListWalk;
-    m_isIrregular = m_isIrregular || m_isWalked;
+    m_walking.set(dxChooseBroadphase(facts) == dxBroadphaseKind::ListWalk);
+    m_isIrregular = m_isIrregular || m_walking;
 }
 
 // The vectorised walk uses the current enabled flags.
 bool dxOrderedListSpace::isLeftOut(Slot slot) const {
-    return m_isWalked ? !dxGeomIsEnabled(members().geomIn(slot)) : dxOrderedSpace::isLeftOut(slot);
+    return m_walking ? !dxGeomIsEnabled(members().geomIn(slot)) : dxOrderedSpace::isLeftOut(slot);
 }
 
 // Until many move again.
 void dxOrderedListSpace::stopWalking() {
     rankBehindClean(first, members().firstOf(count));
-    m_isWalked = false;
-}
-
-// Of several threads that ask, one stops; the others walk once more.
-void dxOrderedListSpace::stopWalkingIfAskedOften() {
-    if (!m_isWalked || !isWorthAnIndex() || ++m_walks <= dxBroadphaseThresholds::kMaxWalksUnranked) return;
-    const std::unique_lock<std::mutex> alone(m_stopping, std::try_to_lock);
-    if (alone && m_isWalked) stopWalking();
+    m_walking.set(false);
 }
 
 bool dxOrderedListSpace::requireRanks() {
-    if (m_isWalked && dxHaveFewMoved(m_moved, minMovedToWalk())) stopWalking();
-    m_moved = 0;
+    const int moved = m_walking.takeMoved();
+    if (m_walking && m_walking.hasRested(moved, minMovedToWalk())) stopWalking();
     return ranksStand();
 }
 
@@ -201,7 +211,7 @@ void dxOrderedListSpace::rankBehindClean(dxGeom *geom, dxRank next) {
 }
 
 void dxOrderedListSpace::collideWith(void *data, dxGeom *geom, dNearCallback *callback) {
-    stopWalkingIfAskedOften();
+    if (m_walking && isWorthAnIndex()) m_walking.query([this] { stopWalking(); });
     if (!isWorthAnIndex() || !isAtRest() || !ranksStand())
         collideFrom(first, data, geom, callback);
     else if (const dxGeom *const last = collideRegion(data, geom, callback))

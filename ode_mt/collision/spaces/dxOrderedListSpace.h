@@ -4,14 +4,13 @@
 // higher rank is further to the front.
 #pragma once
 
-#include <atomic>
 #include <climits>
 #include <cstdint>
-#include <mutex>
 #include <vector>
 
 #include "collision/spaces/dxOrderedSpace.h"
 #include "collision/spaces/dxSoleCleaner.h"
+#include "collision/spaces/dxWalking.h"
 #include "core/dxPublished.h"
 
 class dxOrderedListSpace : public dxOrderedSpace {
@@ -31,9 +30,11 @@ protected:
 
 private:
     bool isAtRest() const;
+    bool isWalkedOnly() const;
+    void cleanWalked();
     void cleanAlone();
     // Returns whether ranks represent the list and all boxes that upstream would read are up to date.
-    bool ranksStand() const { return !m_isWalked && !m_hasBadBox; }
+    bool ranksStand() const { return !m_walking && !m_hasBadBox; }
     // Workers, and a search that was asked for, need the ranks and all pairs.
     bool mayWalk() const { return !isShared() && !hasBroadphase(); }
     int minMovedToWalk() const { return mayWalk() ? dxMinMovedToWalk(pairOrder(), count) : INT_MAX; }
@@ -43,20 +44,16 @@ private:
     void rankAll();
     void chooseToWalk();
     void stopWalking();
-    void stopWalkingIfAskedOften();
     void rankBehindClean(dxGeom *geom, dxRank rank);
 
-    std::vector<dxGeom *> m_dirty;  // front first; those of the last call, until others are gathered, some of which may be gone
-    std::vector<Slot> m_dirtySlots;  // of a cleaning on workers
-    std::uint64_t m_cleanings = 0;
-    int m_moved = 0;  // number of geoms that were cleaned since ranks were last used, at most all
-    std::atomic<int> m_walks{0};          // of collide2 since a geom moved
-    dxPublished<bool> m_isWalked{false};  // many geoms move, so the list is walked as in upstream; there are no ranks
-    std::mutex m_stopping;                // only try_lock is used
-    dxSoleCleaner m_cleaner;
+    dxWalking m_walking;
     // A cleaning has begun and not ended: it is in progress, or a jump left it.
     dxPublished<bool> m_isInterrupted{false};
     // There may be dirty geoms behind clean ones, or the list is walked.
     dxPublished<bool> m_isIrregular{false};
     bool m_hasBadBox = false;  // one of those dirty geoms has a box that is not up to date
+    std::vector<dxGeom *> m_dirty;  // front first; those of the last call, until others are gathered, some of which may be gone
+    std::vector<Slot> m_dirtySlots;  // of a cleaning on workers
+    std::uint64_t m_cleanings = 0;
+    dxSoleCleaner m_cleaner;
 };

@@ -27,7 +27,7 @@ struct Swapped {
 
 dxOrderedQuadTreeSpace::dxOrderedQuadTreeSpace(dSpaceID parent, const dReal *centre, const dReal *extents,
                                                int depth)
-    : dxOrderedSpace(parent, dQuadTreeSpaceClass, dxPairOrder::Blocks), m_tree(centre, extents, depth), m_ranks(m_tree.size()) {
+    : dxOrderedSpace(parent, dQuadTreeSpaceClass, dxPairOrder::Blocks), m_tree(centre, extents, depth), m_ranks(m_tree.size()), m_rows(m_tree) {
     for (int axis = 0; axis < 3; ++axis) {
         aabb[2 * axis] = -dInfinity;
         aabb[2 * axis + 1] = dInfinity;
@@ -201,12 +201,18 @@ void dxOrderedQuadTreeSpace::sortByRank() {
     m_orderings = members().orderings();
 }
 
+// How many boxes a call compares that finds all pairs anew follows from how geoms lie in the tree: it is taken for few until one has.
+void dxOrderedQuadTreeSpace::update(std::vector<dxOrderedPair> &pairs, dxPairWork &work) {
+    work.comparisons = m_rows.comparisons();
+    dxOrderedSpace::update(pairs, work);
+}
+
 dxPairRows &dxOrderedQuadTreeSpace::gatherRows() {
     if (m_orderings != members().orderings()) sortByRank();
     m_rows.clear();
     for (const dxSortItem &item : m_items) {
         const dxMembers::Member &member = members()[item.index];
-        m_rows.push(member.geom, item.index, member.filter, member.bounds);
+        m_rows.push(member.geom, item.index, member.filter, member.bounds, m_ranks.blockOf(member.rank));
     }
     m_rows.finish();
     return m_rows;

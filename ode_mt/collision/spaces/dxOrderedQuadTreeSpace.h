@@ -8,10 +8,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/broadphase/dxPairRows.h"
 #include "collision/spaces/dxBlockRanks.h"
 #include "collision/spaces/dxDirtyQueue.h"
 #include "collision/spaces/dxOrderedSpace.h"
+#include "collision/spaces/dxQuadRows.h"
 #include "collision/spaces/dxQuadTree.h"
 #include "core/dxRadixSort.h"
 
@@ -30,6 +30,7 @@ private:
 
     struct Visit;
 
+    void update(std::vector<dxOrderedPair> &pairs, dxPairWork &work) override;
     dxPairRows &gatherRows() override;
     bool requireRanks() override;
     bool hasStrayMembers() const override;
@@ -52,7 +53,7 @@ private:
     dxQuadTree m_tree;
     dxBlockRanks m_ranks;
     dxDirtyQueue m_dirty;
-    dxPairRows m_rows;
+    dxQuadRows m_rows;
     std::vector<dxSortItem> m_items, m_spare;  // the members by rank
     std::uint64_t m_orderings = 0;             // dxMembers::orderings() when they were sorted
 };

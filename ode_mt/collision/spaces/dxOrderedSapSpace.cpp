@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "collision/pairs/dxPairPrefetch.h"
-#include "collision/spaces/dxSapWalk.h"
 #include "collision_space_internal.h"
 #include "core/dxPrefetch.h"
 #include "core/dxReserve.h"
@@ -16,6 +15,12 @@ namespace {
 // Items between asking the memory for one and looking at it.
 constexpr std::size_t kPrefetchDistance = 8;
 
+// Geoms that are cleaned before their boxes are taken.
+constexpr std::size_t kBoxesAtOnce = 8;
+
+// More pairs of a walk are not left in memory.
+constexpr std::size_t kMaxPairsPerGeomKept = 2 * dxBroadphaseThresholds::kMaxComparisonsWalked;
+
 // Of the first of the clean members. Ranks fall from there on.
 constexpr dxRank kFirstRank = dxRank{1} << 40;
 
@@ -24,7 +29,7 @@ dxRank rankAt(std::size_t place) { return kFirstRank - place; }
 }  // namespace
 
 dxOrderedSapSpace::dxOrderedSapSpace(dSpaceID parent, int axes)
-    : dxOrderedSpace(parent, dSweepAndPruneSpaceClass, dxPairOrder::Axis), m_axes(axes) {
+    : dxOrderedSpace(parent, dSweepAndPruneSpaceClass, dxPairOrder::Axis), m_axes(axes), m_sweep(m_axes) {
     dInfiniteAABB(this, aabb);
 }
 
@@ -78,7 +83,7 @@ void dxOrderedSapSpace::goes(dxGeom * /*geom*/, Slot slot) {
 // The member that has taken the place of this one. If this one is absent, no other notification shows that the order
 // has changed.
 void dxOrderedSapSpace::rankSuccessor(Slot slot, std::size_t place) {
-    if (place >= m_lists.clean().size()) return;
+    if (m_walking || place >= m_lists.clean().size()) return;
     const Slot successor = m_lists.clean()[place].slot;
     members().setRank(successor, rankAt(place));
     if (!members().isPresent(slot)) members().markChanged(successor);
@@ -92,8 +97,6 @@ void dxOrderedSapSpace::dirty(dxGeom *geom) {
     rankSuccessor(slot, place);
 }
 
-// A box is read one geom later than it is computed: at once its loads would wait for the stores, which are narrower.
-//
 // Where a bounding-box function has the space cleaned, upstream enters its geoms twice, and its next
 // collide() fails.
 void dxOrderedSapSpace::cleanGeoms() {
@@ -101,16 +104,29 @@ void dxOrderedSapSpace::cleanGeoms() {
     lock_count++;
     m_toClean.clear();
     for (const dxSapLists::Entry &entry : m_lists.dirty()) m_toClean.push_back(entry.geom);
-    computeBoxes(m_toClean);
-    const std::size_t cleanOnes = m_lists.clean().size();
-    for (std::size_t i = 0; i < m_toClean.size(); ++i) {
-        clean(m_toClean, i);
-        if (i != 0) takeBox(m_toClean[i - 1], rankAt(cleanOnes + i - 1));
-    }
-    if (!m_toClean.empty()) takeBox(m_toClean.back(), rankAt(cleanOnes + m_toClean.size() - 1));
+    m_walking.noteMoved(static_cast<int>(m_toClean.size()), count);
+    if (m_walking)
+        for (std::size_t i = 0; i < m_toClean.size(); ++i) clean(m_toClean, i);
+    else
+        cleanAndRank();
     m_isMessedUp = m_isMessedUp || m_lists.dirty().empty();
     m_lists.cleanAll();
     lock_count--;
+}
+
+// A box is read some geoms later than it is computed: at once its loads would wait for the stores, which are narrower.
+void dxOrderedSapSpace::cleanAndRank() {
+    computeBoxes(m_toClean);
+    const std::size_t cleanOnes = m_lists.clean().size();
+    std::size_t taken = 0;
+    const auto takeUpTo = [&](std::size_t end) {
+        for (; taken < std::min(end, m_toClean.size()); ++taken) takeBox(m_toClean[taken], rankAt(cleanOnes + taken));
+    };
+    for (std::size_t i = 0; i < m_toClean.size(); ++i) {
+        clean(m_toClean, i);
+        if ((i + 1) % kBoxesAtOnce == 0) takeUpTo(i + 1 - kBoxesAtOnce / 2);
+    }
+    takeUpTo(m_toClean.size());
 }
 
 void dxOrderedSapSpace::takeBox(dxGeom *geom, dxRank itsRank) {
@@ -143,10 +159,11 @@ dxBounds dxOrderedSapSpace::boundsOf(const dxGeom *geom, const dxSapBox &box) co
 // at which it fails an assertion; and a change that a callback made and the call it makes now would see,
 // while the call around it has not done with pairs().
 bool dxOrderedSapSpace::makeReady() {
+    if (lock_count == 1) chooseToWalk();
     cleanGeoms();
     if (m_isMessedUp) dDebug(d_ERR_UASSERT, "geom counts messed up in %s()", "collide");
     mayHaveStrays();  // a stray has the box of its last query, which is used again
-    if ((!isSureOfMembers() && hasUncleanBox()) || !takeSwitches()) return false;
+    if ((!isSureOfMembers() && hasUncleanBox()) || !takeSwitches() || m_walking) return false;
     if (m_hasWalked && lock_count == 1) {  // the sort continues the history of the walk's: equal keys may have another order
         m_hasWalked = false;
         startAnew();
@@ -158,6 +175,31 @@ bool dxOrderedSapSpace::makeReady() {
         return true;
     });
     return areTaken && !m_hasNaN && dxOrderedSpace::makeReady();
+}
+
+// Workers, and a search that was asked for, need the ranks and all pairs.
+void dxOrderedSapSpace::chooseToWalk() {
+    dxBroadphaseFacts facts;
+    facts.order = pairOrder();
+    facts.current = m_walking ? dxBroadphaseKind::ListWalk : dxBroadphaseKind::None;
+    facts.mayWalk = !isShared() && !hasBroadphase();
+    facts.geoms = count;
+    facts.moved = std::min(m_walking.takeMoved() + static_cast<int>(m_lists.dirty().size()), count);
+    facts.comparisons = m_comparisons;
+    const bool hasRested = m_walking && m_walking.hasRested(facts.moved, dxMinMovedToWalk(facts.order, facts.geoms));
+    const bool isWalked = !hasRested && dxChooseBroadphase(facts) == dxBroadphaseKind::ListWalk;
+    if (m_walking && !isWalked) {
+        stopWalking();
+        m_sweep = dxSapWalk(m_axes);
+    }
+    m_walking.set(isWalked);
+}
+
+// The members that are dirty get ranks when they are cleaned.
+void dxOrderedSapSpace::stopWalking() {
+    const std::vector<dxSapLists::Entry> &list = m_lists.clean();
+    for (std::size_t place = 0; place < list.size(); ++place) takeBox(list[place].geom, rankAt(place));
+    m_walking.set(false);
 }
 
 bool dxOrderedSapSpace::hasUncleanBox() const {
@@ -291,19 +333,29 @@ void dxOrderedSapSpace::deliver(void *data, dNearCallback *callback) {
 // Upstream goes through a list of pairs, as deliver() does.
 void dxOrderedSapSpace::walk(void *data, dNearCallback *callback, const dxOrderedPair * /*after*/) {
     m_hasWalked = true;
-    dxSapWalk sweep(m_axes);
+    dxSapWalk once(m_axes);
+    const bool isKept = m_walking && lock_count == 1;
+    walkWith(isKept ? m_sweep : once, data, callback);
+    if (isKept && m_sweep.pairs() > kMaxPairsPerGeomKept * static_cast<std::size_t>(count)) m_sweep = dxSapWalk(m_axes);
+}
+
+void dxOrderedSapSpace::walkWith(dxSapWalk &sweep, void *data, dNearCallback *callback) {
     beforeCallbacks([&] {
-        for (const dxSapLists::Entry &entry : m_lists.clean())
-            if (dxGeomIsEnabled(entry.geom)) sweep.add(entry.geom);
-        sweep.reservePairs(m_pairsWalked);
+        const std::vector<dxSapLists::Entry> &list = m_lists.clean();
+        sweep.begin(list.size());
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            if (i + kPrefetchDistance < list.size()) dxPrefetch::line(list[i + kPrefetchDistance].geom->aabb);
+            if (dxGeomIsEnabled(list[i].geom)) sweep.add(list[i].geom);
+        }
         sweep.findPairs(m_sort);
     });
-    m_pairsWalked = sweep.pairs();
+    m_comparisons = sweep.comparisons();
     sweep.deliver(data, callback);
 }
 
 void dxOrderedSapSpace::collideWith(void *data, dxGeom *geom, dNearCallback *callback) {
-    if (!isWorthAnIndex() || hasStrays())
+    if (m_walking && isWorthAnIndex()) m_walking.query([this] { stopWalking(); });
+    if (!isWorthAnIndex() || hasStrays() || m_walking)
         collideFrom(0, data, geom, callback);
     else if (const dxGeom *const last = collideRegion(data, geom, callback))
         collideFrom(m_lists.placeOf(slotOf(last)) + 1, data, geom, callback);

@@ -12,6 +12,8 @@
 #include "collision/spaces/dxSapBox.h"
 #include "collision/spaces/dxSapLists.h"
 #include "collision/spaces/dxSapRows.h"
+#include "collision/spaces/dxSapWalk.h"
+#include "collision/spaces/dxWalking.h"
 #include "core/dxSapSort.h"
 
 class dxOrderedSapSpace final : public dxOrderedSpace {
@@ -52,6 +54,10 @@ private:
     bool hasStrayMembers() const override;
     void takeBoxAgain(dxGeom *geom) override;
 
+    void chooseToWalk();
+    void stopWalking();
+    void cleanAndRank();
+    void walkWith(dxSapWalk &sweep, void *data, dNearCallback *callback);
     dxBounds boundsOf(const dxGeom *geom, const dxSapBox &box) const;
     void takeBox(dxGeom *geom, dxRank rank);
     void rankSuccessor(Slot slot, std::size_t place);
@@ -74,8 +80,9 @@ private:
     bool m_hasNaN = false;
     bool m_isMessedUp = false;  // as in upstream's assertion: a cleaning was nested in a cleaning
 
-    bool m_hasWalked = false;       // since pairs() was brought up to date
-    std::size_t m_pairsWalked = 0;  // at the last walk
+    dxWalking m_walking;       // there are no boxes of members, either
+    dxSapWalk m_sweep;         // of the outermost call
+    bool m_hasWalked = false;  // since pairs() was brought up to date
     dxSapRows m_rows;
     std::vector<std::uint32_t> m_places;  // by place in m_swept: that in m_inOrder
     std::vector<dxSlotPair> m_again;

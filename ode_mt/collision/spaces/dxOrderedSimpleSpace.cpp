@@ -13,21 +13,23 @@ void dxOrderedSimpleSpace::walk(void *data, dNearCallback *callback, const dxOrd
 }
 
 // Returns false if the list must be walked: it is short, or boxes are not up to date, or there is no memory for rows, or a call around
-// this one uses them. In a small space it is quicker to find all pairs before the first is delivered.
+// this one uses them. In a small space it is quicker to find all pairs before the first is delivered, unless they are many.
 bool dxOrderedSimpleSpace::walkRows(void *data, dNearCallback *callback) {
     using Threshold = dxBroadphaseThresholds;
     if (count < Threshold::kMinWalkedByVectors || lock_count > 1) return false;
-    const bool isSmall = count <= Threshold::kMaxWalked;
+    const bool isSmall = count <= Threshold::kMaxWalked && m_overlapsWalked <= Threshold::kMaxListedPairs;
     try {
         if (isSmall ? !findListed() : !areBoxesUpToDate()) return false;
         if (!isSmall) gatherRows();
     } catch (const std::bad_alloc &) {
         return false;
     }
-    if (isSmall)
+    if (isSmall) {
         deliverInOrder(m_walked, data, callback);
-    else
+    } else {
         deliverRows(m_rows, data, callback);
+        m_overlapsWalked = m_rows.overlaps();
+    }
     return true;
 }
 
@@ -42,8 +44,8 @@ bool dxOrderedSimpleSpace::findListed() {
         m_boxes.push(dxBounds(geom->aabb));
     }
     m_walked.clear();
-    const std::size_t overlaps = dxOverlappingPairs(m_boxes, m_boxes.size(), m_overlaps);
-    for (std::size_t i = 0; i < overlaps; ++i) {
+    m_overlapsWalked = dxOverlappingPairs(m_boxes, m_boxes.size(), m_overlaps);
+    for (std::size_t i = 0; i < m_overlapsWalked; ++i) {
         dxGeom *const first = m_listed[m_overlaps[i].a], *const second = m_listed[m_overlaps[i].b];
         if (dxFiltersAgree(dxFilterOf(first), dxFilterOf(second))) m_walked.push_back({first, second, {}});
     }

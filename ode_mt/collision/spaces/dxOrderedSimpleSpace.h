@@ -25,4 +25,5 @@ private:
     dxBoxColumns m_boxes;
     std::vector<dxSlotPair> m_overlaps;
     std::vector<dxOrderedPair> m_walked;
+    std::size_t m_overlapsWalked = 0;  // at the last walk by vectors
 };

@@ -32,10 +32,12 @@ constexpr dxTimelineEvent kNearCallbacks{"near-callbacks", "collision", {"pairs"
 constexpr int kMinRecorded = 8;  // geoms
 
 // Geoms; with fewer, reading the clock would take longer than it tells.
-constexpr int kMinTimed = 48;
+constexpr int kMinTimed = 24;
 
-// Of so many calls one is timed.
-constexpr unsigned kCallsPerTime = 4;
+// All of the first calls that change pairs are timed but the very first, which takes memory; then one of so many.
+constexpr unsigned kCallsTimedFirst = 8, kCallsPerTime = 4;
+
+bool isTimedUpdate(unsigned update) { return (update != 1 && update <= kCallsTimedFirst) || update % kCallsPerTime == 0; }
 
 // A near-callback whose calls are counted, as the pairs of a walk are known by nothing else.
 struct CountedCallback {
@@ -131,20 +133,33 @@ void dxOrderedSpace::collide(void *data, dNearCallback *callback) {
     lock_count++;
     m_isPrefetching = false;
     if (m_prefetch != nullptr) m_prefetch->forgetPair();
-    callBack(makeReadyRecorded(), data, callback);
+    if (isRecorded())
+        callBack(makeReadyRecorded(), data, callback);
+    else
+        callBackUnrecorded(data, callback);
     lock_count--;
+}
+
+bool dxOrderedSpace::isRecorded() const { return count >= kMinRecorded || dxTimeline::isCounted(); }
+
+void dxOrderedSpace::callBackUnrecorded(void *data, dNearCallback *callback) {
+    m_isFoundAnew = false;
+    if (makeReady())
+        deliver(data, callback);
+    else
+        callBackUnkept(data, callback);
 }
 
 bool dxOrderedSpace::makeReadyRecorded() {
     m_isFoundAnew = false;
-    dxTimelineSpan span(kBroadPhase, count >= kMinRecorded || dxTimeline::isCounted(), dxTimelineSpan::Begin::Adjoining);
+    dxTimelineSpan span(kBroadPhase, isRecorded(), dxTimelineSpan::Begin::Adjoining);
     const bool isReady = makeReady();
     span.set(0, m_pairs.size());
     return isReady;
 }
 
 void dxOrderedSpace::callBack(bool isReady, void *data, dNearCallback *callback) {
-    dxTimelineSpan span(kNearCallbacks, count >= kMinRecorded || dxTimeline::isCounted(), dxTimelineSpan::Begin::Adjoining);
+    dxTimelineSpan span(kNearCallbacks, isRecorded(), dxTimelineSpan::Begin::Adjoining);
     dxTimelineRing *const ring = span.ring();
     const std::uint64_t before = ring != nullptr ? ring->pairs : 0;
     if (isReady) {
@@ -359,7 +374,7 @@ bool dxOrderedSpace::updatePairs() {
     work.geoms = static_cast<std::size_t>(count);
     work.comparisons = work.geoms * work.geoms / 2;
     work.changed = m_members.changed().size();
-    const bool isTimed = count >= kMinTimed && !isShared() && ++m_updates % kCallsPerTime == 0;
+    const bool isTimed = count >= kMinTimed && !isShared() && isTimedUpdate(++m_updates);
     std::optional<dxStopwatch> stopwatch;
     if (isTimed) stopwatch.emplace();
     update(m_pairs, work);

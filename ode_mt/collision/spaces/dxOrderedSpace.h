@@ -259,6 +259,9 @@ protected:
     // deliver(), deliverAnew() or walk(), on the timeline.
     void callBack(bool isReady, void *data, dNearCallback *callback);
     void callBackUnkept(void *data, dNearCallback *callback);
+    // Of a space with so few geoms that a place on the timeline would cost more than the call.
+    void callBackUnrecorded(void *data, dNearCallback *callback);
+    bool isRecorded() const;
     // Executes upstream's whole call after makeReady() has returned false, or the rest of it after a pair in whose
     // callback an assertion failed.
     virtual void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) = 0;
@@ -300,6 +303,10 @@ private:
     bool findAnew();
     void forgetPairs();
 
+    // What a query of a space at rest reads comes first, beside upstream's count, list and lock: a scene may have a space for each of a
+    // thousand robots, and each pair of them is a query.
+    std::atomic<std::uint64_t> m_notificationsMissed{0};  // the process's counter when the members were last examined
+    std::atomic<bool> m_hasStrays{false};                 // then
     dxMembers m_members;
     std::vector<dxOrderedPair> m_pairs;
     std::unique_ptr<dxBruteForcePairs> m_dense;  // while the space is small
@@ -307,9 +314,6 @@ private:
     std::vector<dxBroadphase::Match> m_matches;
     std::unique_ptr<dxKeptPairs> m_kept;
     dxRegionIndex m_index;
-    // The process's counter when the members were last examined.
-    std::atomic<std::uint64_t> m_notificationsMissed{0};
-    std::atomic<bool> m_hasStrays{false};  // then
     std::mutex m_lookingForStrays;         // only ever tried
     dxPairKeeping m_keeping;
     std::size_t m_touched = 0;    // number of changes of members since pairs were last found

@@ -34,23 +34,20 @@ public:
     bool areAll() const { return (1 << m_axes[0] | 1 << m_axes[1] | 1 << m_axes[2]) == 7; }
 
     dxSapBox boxOf(const dxGeom *geom) const {
-        dReal bounds[kBounds];
-        read(geom, bounds);
-        const auto low = [&](int i) { return bounds[2 * m_axes[i]]; };
-        const auto high = [&](int i) { return bounds[2 * m_axes[i] + 1]; };
-        return {static_cast<float>(low(0)), static_cast<float>(high(0)), low(1), high(1), low(2), high(2),
-                high(0) == dInfinity};
+        const dReal high0 = read(geom, 0, 1);
+        return {static_cast<float>(read(geom, 0, 0)), static_cast<float>(high0), read(geom, 1, 0), read(geom, 1, 1),
+                read(geom, 2, 0), read(geom, 2, 1), high0 == dInfinity};
     }
 
 private:
-    static constexpr int kBounds = 8;
-
-    static void read(const dxGeom *geom, dReal *bounds) {
-        constexpr std::size_t kBehind = 2 * sizeof(dReal);
+    // Numbers one by one: a wider load would wait for the stores of a box that has just been computed.
+    dReal read(const dxGeom *geom, int axis, int upper) const {
+        if (m_axes[axis] < 3) return geom->aabb[2 * m_axes[axis] + upper];
         const unsigned long bits[2] = {geom->category_bits, geom->collide_bits};
-        static_assert(sizeof bits >= kBehind, "");
-        std::memcpy(bounds, geom->aabb, sizeof geom->aabb);
-        std::memcpy(bounds + 6, bits, kBehind);
+        static_assert(sizeof bits >= 2 * sizeof(dReal), "");
+        dReal behind[2];
+        std::memcpy(behind, bits, sizeof behind);
+        return behind[upper];
     }
 
     int m_axes[3];

@@ -26,6 +26,18 @@ void dxSapWalk::reportUncleanBox(bool isFirst) {
                             "collision_sapspace.cpp", isFirst ? kSapFirstBoxLine : kSapSecondBoxLine);
 }
 
+void dxSapWalk::begin(std::size_t geoms) {
+    m_swept.clear();
+    m_infinite.clear();
+    m_boxes.clear();
+    m_keys.clear();
+    m_pairs.clear();
+    m_swept.reserve(geoms);
+    m_boxes.reserve(geoms);
+    m_keys.reserve(geoms);
+    m_comparisons = 0;
+}
+
 void dxSapWalk::add(dxGeom *geom) {
     const dxSapBox box = m_axes.boxOf(geom);
     if (box.isInfinite) {
@@ -50,8 +62,10 @@ void dxSapWalk::sweep(const std::vector<std::uint32_t> &order) {
         const float key = m_keys[earlier];
         next = std::find_if(next, order.end(), [&](std::uint32_t other) { return !(m_keys[other] < key); });
         if (next == order.end() || ++next == order.end()) return;
-        for (auto later = next; later != order.end() && m_keys[*later] <= m_boxes[earlier].high; ++later)
+        auto later = next;
+        for (; later != order.end() && m_keys[*later] <= m_boxes[earlier].high; ++later)
             if (m_boxes[earlier].meetsAcross(m_boxes[*later])) m_pairs.push_back({earlier, *later});
+        m_comparisons += static_cast<std::size_t>(later - next);
     }
 }
 

@@ -1,5 +1,5 @@
-// One call of a sweep-and-prune space, step by step as in upstream, for the cases in which pairs do not follow from
-// boxes alone: NaN among the numbers that are sorted, boxes that are not up to date.
+// One call of a sweep-and-prune space, step by step as in upstream: where most geoms move, and for the cases in which pairs do not follow
+// from boxes alone (NaN among the numbers that are sorted, boxes that are not up to date).
 #pragma once
 
 #include <cstdint>
@@ -12,12 +12,14 @@ class dxSapWalk {
 public:
     explicit dxSapWalk(const dxSapAxes &axes) : m_axes(axes) {}
 
+    // Forgets the geoms and pairs of the last call, and makes room for so many geoms.
+    void begin(std::size_t geoms);
     // Adds a geom. Requires the order of the list and enabled geoms.
     void add(dxGeom *geom);
-    // Reserves memory for the expected number of pairs, about that of the last call.
-    void reservePairs(std::size_t count) { m_pairs.reserve(count); }
     void findPairs(dxSapSort &sort);
     std::size_t pairs() const { return m_pairs.size(); }
+    // Returns how many geoms began within the extent of others.
+    std::size_t comparisons() const { return m_comparisons; }
     void deliver(void *data, dNearCallback *callback) const;
 
     // Upstream's assertions.
@@ -40,4 +42,5 @@ private:
     std::vector<dxSapBox> m_boxes;  // of m_swept
     std::vector<float> m_keys;
     std::vector<Pair> m_pairs;
+    std::size_t m_comparisons = 0;
 };

@@ -219,6 +219,72 @@ private:
     void put(dGeomID geom) { dGeomSetPosition(geom, m_dice.below(24) - 12, 0, 0); }
 };
 
+// So few geoms, and so far apart, that the space is swept anew while they move: all of them, none, or a few, each for some frames, and then some
+// come and go. Many have equal bounds, whose order depends on earlier calls. Rays query the space between calls, and in callbacks.
+class Restless : public Crowd {
+public:
+    explicit Restless(Stepper stepper) : Crowd(stepper, SpaceKind::SweepAndPrune, 38) {
+        for (int i = 0; i < kBoxes; ++i) {
+            const dGeomID box = add(dCreateBox(space(), 0.5, 0.5, 0.5));
+            dGeomSetCollideBits(box, ~0ul);
+            keepFromContacts(box);
+            put(box);
+        }
+        addMembers(40, 8, 0.4);
+        for (int i = 0; i < 12; ++i) m_rays.push_back(add(dCreateRay(nullptr, 12)));
+    }
+
+    void control() override {
+        const int phase = frameNumber() % 24;
+        const int moving = phase < 8 ? kBoxes : phase < 14 ? 0 : 2;
+        moveEvery(moving == kBoxes ? 1 : 0);
+        for (int i = 0; i < moving; ++i) put(some());
+        for (int i = 20; i < phase; ++i) {
+            const dGeomID geom = some();
+            dSpaceRemove(space(), geom);
+            if (i == 21) put(geom);
+            dSpaceAdd(space(), geom);
+            dGeomDisable(some());
+            dGeomEnable(some());
+        }
+    }
+
+    void collide() override {
+        Crowd::collide();
+        if (frameNumber() % 3 == 0) query(12);
+    }
+
+protected:
+    void onNearPair(dGeomID o1, dGeomID o2) override {
+        Crowd::onNearPair(o1, o2);
+        if (m_isWithin || ++m_pairs % 60 != 0) return;
+        m_isWithin = true;
+        query(m_pairs % 120 == 0 ? 12 : 2);
+        m_isWithin = false;
+    }
+
+private:
+    static constexpr int kBoxes = 160;
+
+    dGeomID some() { return m_inventory.geoms[m_dice.below(kBoxes)]; }
+
+    void put(dGeomID box) {
+        dGeomSetPosition(box, 0.5 * m_dice.below(32) - 8, 0.5 * m_dice.below(32) - 8, 0.5 * m_dice.below(32) - 8);
+    }
+
+    void query(int rays) {
+        for (int i = 0; i < rays; ++i) {
+            const Vector3 from = m_dice.within(8), along = m_dice.within(1);
+            dGeomRaySet(m_rays[i], from.x, from.y, from.z, along.x, along.y, along.z);
+            collideTwo(m_rays[i], reinterpret_cast<dGeomID>(space()));
+        }
+    }
+
+    std::vector<dGeomID> m_rays;
+    int m_pairs = 0;
+    bool m_isWithin = false;
+};
+
 }  // namespace
 
 void addSweepSpaces(Catalogue &catalogue) {
@@ -241,6 +307,7 @@ void addSweepSpaces(Catalogue &catalogue) {
         make<Switched>(1400));
     add("sweep_spaces/any_axes", "spaces whose axes are not all three", 24, make<AnyAxes>(), reentrant);
     add("sweep_spaces/inverted", "boxes that end before they begin, and others that begin there, added and removed", 30, make<Inverted>());
+    add("sweep_spaces/restless", "200 geoms that all move, rest, or move by few, for some frames each, with queries in callbacks", 60, make<Restless>());
     add("sweep_spaces/asked", "rays and boxes query 1300 geoms in a sweep-and-prune space", 20, make<Asked>());
 }
 

@@ -1,0 +1,19 @@
+#include "collision/spaces/dxQuadRows.h"
+
+// Blocks are numbered from the root on, each before those within it: those that an element ends are the innermost that are open.
+void dxQuadRows::finish() {
+    dxPairRows::finish();
+    m_ends.resize(geoms());
+    m_open.clear();
+    const auto close = [this](std::uint32_t end) {
+        const std::uint32_t first = m_open.back();
+        m_open.pop_back();
+        for (std::uint32_t row = first; row < end && m_blocks[row] == m_blocks[first]; ++row) m_ends[row] = end;
+    };
+    for (std::uint32_t row = 0; row < geoms(); ++row) {
+        if (row != 0 && m_blocks[row] == m_blocks[row - 1]) continue;
+        while (!m_open.empty() && m_tree.endOf(m_blocks[m_open.back()]) <= m_blocks[row]) close(row);
+        m_open.push_back(row);
+    }
+    while (!m_open.empty()) close(static_cast<std::uint32_t>(geoms()));
+}
