@@ -15,6 +15,7 @@ struct Scene {
     const char *name;
     int depth;
     double spread, size;  // of places, of boxes
+    bool isSpread = false;  // over many blocks
 };
 void PrintTo(const Scene &scene, std::ostream *out) { *out << scene.name; }
 
@@ -74,13 +75,11 @@ TEST_P(QuadRows, FindAllPairsInOrderAndCompareNoMoreThanTheBlocksAsk) {
         comparisons += within;
         all += count * count / 2;
     }
-    if (GetParam().depth > 0 && GetParam().spread < 12 && GetParam().size < 2) {
-        EXPECT_LT(comparisons, all / 2) << "blocks save comparisons";
-    }
+    if (GetParam().isSpread) EXPECT_LT(comparisons, all / 2) << "blocks save comparisons";
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, QuadRows,
-                         testing::Values(Scene{"OneBlock", 0, 8, 3}, Scene{"Deep", 5, 8, 1}, Scene{"LargeBoxes", 4, 8, 9},
+                         testing::Values(Scene{"OneBlock", 0, 8, 3}, Scene{"Deep", 5, 8, 1, true}, Scene{"LargeBoxes", 4, 8, 9},
                                          Scene{"BeyondTheTree", 3, 20, 4}, Scene{"InOnePlace", 3, 0.01, 1}),
                          [](const auto &info) { return std::string(info.param.name); });
 
