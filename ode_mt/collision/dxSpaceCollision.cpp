@@ -19,8 +19,6 @@ namespace {
 // Minimum number of geoms for workers, and even for reading the clock.
 constexpr int kMinGeoms = 48;
 
-// On the timeline; a call for fewer geoms takes longer to record than to do.
-constexpr int kMinRecorded = 8;
 constexpr dxTimelineEvent kCollide{"collide", "collision", {"geoms", "pairs", "threads"}};
 constexpr dxTimelineEvent kCounters{"of a collision", "counter", {"pairs", "threads of collide"}, dxTimelineEvent::Kind::Counter};
 
@@ -40,7 +38,7 @@ const dxWorld *worldOf(const dxSpace &space) {
 class CollideSpan {
 public:
     explicit CollideSpan(const dxOrderedSpace &space)
-        : m_space(space), m_span(kCollide, space.count >= kMinRecorded || dxTimeline::isCounted()) {
+        : m_space(space), m_span(kCollide, space.isRecorded()) {
         if (m_span.ring() != nullptr) begin(*m_span.ring());
     }
     ~CollideSpan() {
@@ -158,7 +156,7 @@ unsigned dxMaxCollisionThreads(const dxOrderedSpace &space) {
 void dxCollideSpace(dxOrderedSpace &space, void *data, dNearCallback *callback) {
     const dxSettings &settings = dxSettings::instance();
     const bool isAuto = settings.algorithm() == dxAlgorithm::Auto;
-    if (isAuto && space.count < kMinRecorded && !dxTimeline::isCounted()) return space.collide(data, callback);
+    if (isAuto && !space.isRecorded()) return space.collide(data, callback);
     CollideSpan span(space);
     const dODE_MT_Reason reason = whyAlone(space, callback);
     if (reason != dODE_MT_REASON_PARALLEL)

@@ -77,9 +77,7 @@ bool dxOrderedListSpace::isWalkedOnly() const {
 void dxOrderedListSpace::cleanWalked() {
     m_isInterrupted = true;
     ++m_cleanings;
-    int moved = 0;
-    for (dxGeom *geom = first; geom != nullptr && isDirty(geom); geom = geom->next, ++moved) clean(geom);
-    m_walking.noteMoved(moved, count);
+    m_walking.noteMoved(cleanFrom(first), count);
     m_isInterrupted = false;
 }
 
@@ -116,11 +114,18 @@ void dxOrderedListSpace::cleanDirty() {
     if (givesRanks && (members().unranked() != 0 || m_isIrregular)) rankBehindClean(behind, next);
 }
 
+// Up to the first that is clean. Returns how many.
+int dxOrderedListSpace::cleanFrom(dxGeom *geom) {
+    int cleaned = 0;
+    for (; geom != nullptr && isDirty(geom); geom = geom->next, ++cleaned) clean(geom);
+    return cleaned;
+}
+
 // The bounding-box function of this geom has had the space cleaned: what was gathered is gone, and ranks were
 // given by both. Or one has made a stray of the geom behind those that were gathered, which upstream then
 // cleans.
 void dxOrderedListSpace::cleanBehind(dxGeom *geom) {
-    for (geom = geom->next; geom != nullptr && isDirty(geom); geom = geom->next) clean(geom);
+    cleanFrom(geom->next);
     rankAll();
 }
 
@@ -133,13 +138,7 @@ void dxOrderedListSpace::rankAll() {
 void dxOrderedListSpace::chooseToWalk() {
     const auto moved = static_cast<int>(m_dirty.size());
     m_walking.noteMoved(moved, count);
-    dxBroadphaseFacts facts;
-    facts.order = pairOrder();
-    facts.current = m_walking ? dxBroadphaseKind::ListWalk : dxBroadphaseKind::None;
-    facts.mayWalk = mayWalk();
-    facts.geoms = count;
-    facts.moved = moved;
-    m_walking.set(dxChooseBroadphase(facts) == dxBroadphaseKind::ListWalk);
+    m_walking.set(isWorthWalking(m_walking, moved));
     m_isIrregular = m_isIrregular || m_walking;
 }
 

@@ -35,11 +35,10 @@ private:
     void cleanAlone();
     // Returns whether ranks represent the list and all boxes that upstream would read are up to date.
     bool ranksStand() const { return !m_walking && !m_hasBadBox; }
-    // Workers, and a search that was asked for, need the ranks and all pairs.
-    bool mayWalk() const { return !isShared() && !hasBroadphase(); }
     int minMovedToWalk() const { return mayWalk() ? dxMinMovedToWalk(pairOrder(), count) : INT_MAX; }
     void gatherDirty();
     void cleanDirty();
+    static int cleanFrom(dxGeom *geom);
     void cleanBehind(dxGeom *geom);
     void rankAll();
     void chooseToWalk();

@@ -177,17 +177,10 @@ bool dxOrderedSapSpace::makeReady() {
     return areTaken && !m_hasNaN && dxOrderedSpace::makeReady();
 }
 
-// Workers, and a search that was asked for, need the ranks and all pairs.
 void dxOrderedSapSpace::chooseToWalk() {
-    dxBroadphaseFacts facts;
-    facts.order = pairOrder();
-    facts.current = m_walking ? dxBroadphaseKind::ListWalk : dxBroadphaseKind::None;
-    facts.mayWalk = !isShared() && !hasBroadphase();
-    facts.geoms = count;
-    facts.moved = std::min(m_walking.takeMoved() + static_cast<int>(m_lists.dirty().size()), count);
-    facts.comparisons = m_comparisons;
-    const bool hasRested = m_walking && m_walking.hasRested(facts.moved, dxMinMovedToWalk(facts.order, facts.geoms));
-    const bool isWalked = !hasRested && dxChooseBroadphase(facts) == dxBroadphaseKind::ListWalk;
+    const int moved = std::min(m_walking.takeMoved() + static_cast<int>(m_lists.dirty().size()), count);
+    const bool hasRested = m_walking && m_walking.hasRested(moved, dxMinMovedToWalk(pairOrder(), count));
+    const bool isWalked = !hasRested && isWorthWalking(m_walking, moved, m_comparisons);
     if (m_walking && !isWalked) {
         stopWalking();
         m_sweep = dxSapWalk(m_axes);

@@ -26,10 +26,9 @@ constexpr std::size_t kBoxesPerChunk = 128;
 // Geoms between asking the memory for one's place and computing its box.
 constexpr std::size_t kBoxPrefetchDistance = 4;
 
-// On the timeline; with fewer geoms they would take longer to record than to do.
+// On the timeline.
 constexpr dxTimelineEvent kBroadPhase{"broad phase", "collision", {"pairs"}, dxTimelineEvent::Kind::Span, dxFrameStage::BroadPhase};
 constexpr dxTimelineEvent kNearCallbacks{"near-callbacks", "collision", {"pairs"}, dxTimelineEvent::Kind::Span, dxFrameStage::NearCallbacks};
-constexpr int kMinRecorded = 8;  // geoms
 
 // Geoms; with fewer, reading the clock would take longer than it tells.
 constexpr int kMinTimed = 24;
@@ -140,8 +139,6 @@ void dxOrderedSpace::collide(void *data, dNearCallback *callback) {
     lock_count--;
 }
 
-bool dxOrderedSpace::isRecorded() const { return count >= kMinRecorded || dxTimeline::isCounted(); }
-
 void dxOrderedSpace::callBackUnrecorded(void *data, dNearCallback *callback) {
     m_isFoundAnew = false;
     if (makeReady())
@@ -189,6 +186,17 @@ void dxOrderedSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback)
     geom->recomputeAABB();
     collideWith(data, geom, callback);
     unlock();
+}
+
+bool dxOrderedSpace::isWorthWalking(bool isWalked, int moved, std::size_t comparisons) const {
+    dxBroadphaseFacts facts;
+    facts.order = pairOrder();
+    facts.current = isWalked ? dxBroadphaseKind::ListWalk : dxBroadphaseKind::None;
+    facts.mayWalk = mayWalk();
+    facts.geoms = count;
+    facts.moved = moved;
+    facts.comparisons = comparisons;
+    return dxChooseBroadphase(facts) == dxBroadphaseKind::ListWalk;
 }
 
 bool dxOrderedSpace::lookForStrays() {

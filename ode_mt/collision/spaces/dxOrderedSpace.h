@@ -63,6 +63,7 @@
 #include "objects.h"
 #include "settings/dxOwnThreads.h"
 #include "threading/dxSharingPolicy.h"
+#include "threading/timeline/dxTimeline.h"
 
 class dxOrderedSpace : public dxSpace, protected dxPairKeys {
 public:
@@ -92,6 +93,8 @@ public:
     // Returns NULL until the first narrow-phase prefetch.
     const dxNarrowphasePrefetch *narrowphasePrefetch() const { return m_prefetch.get(); }
     dxSharingPolicy &sharing() { return m_sharing; }
+    // Returns whether calls get a place on the timeline: for fewer geoms they would take longer to record than to do.
+    bool isRecorded() const { return count >= kMinRecorded || dxTimeline::isCounted(); }
 
     dxOwnThreadNumber &ownThreads() { return m_ownThreads; }
     const dxOwnThreadNumber &ownThreads() const { return m_ownThreads; }
@@ -127,6 +130,11 @@ protected:
 
     // Updates the data of a member whose box may have changed without a notification.
     virtual void takeBoxAgain(dxGeom *geom) { rank(geom, m_members[slotOf(geom)].rank); }
+
+    // Whether the geoms may be walked instead. Workers, and a search that was asked for, need the ranks and all pairs.
+    bool mayWalk() const { return !isShared() && !hasBroadphase(); }
+    // Whether that pays after so many have moved. `comparisons`: as in dxBroadphaseFacts.
+    bool isWorthWalking(bool isWalked, int moved, std::size_t comparisons = 0) const;
 
     // Whether there are strays, or were when this was last asked: their boxes, and whether these are up to date, may
     // change without notice. Costs nothing while no notification has been missed. Only one of several threads examines
@@ -261,7 +269,6 @@ protected:
     void callBackUnkept(void *data, dNearCallback *callback);
     // Of a space with so few geoms that a place on the timeline would cost more than the call.
     void callBackUnrecorded(void *data, dNearCallback *callback);
-    bool isRecorded() const;
     // Executes upstream's whole call after makeReady() has returned false, or the rest of it after a pair in whose
     // callback an assertion failed.
     virtual void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) = 0;
@@ -295,6 +302,8 @@ protected:
     dxGeom *collideRegion(void *data, dxGeom *geom, dNearCallback *callback);
 
 private:
+    static constexpr int kMinRecorded = 8;  // geoms
+
     bool lookForStrays();
     bool updatePairs();
     void giveUpPairs();
