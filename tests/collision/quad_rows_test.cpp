@@ -72,6 +72,7 @@ TEST_P(QuadRows, FindAllPairsInOrderAndCompareNoMoreThanTheBlocksAsk) {
             }
         ASSERT_EQ(findAll(rows), expected) << count << " geoms";
         ASSERT_EQ(rows.comparisons(), within) << count << " geoms";
+        ASSERT_EQ(rows.candidates(), within) << count << " geoms";
         comparisons += within;
         all += count * count / 2;
     }

@@ -201,9 +201,11 @@ void dxOrderedQuadTreeSpace::sortByRank() {
     m_orderings = members().orderings();
 }
 
-// How many boxes a call compares that finds all pairs anew follows from how geoms lie in the tree: it is taken for few until one has.
+// How many boxes a call compares that finds all pairs anew follows from how geoms lie in the tree. The rows tell it; they are gathered for that where
+// there are none, or those of another number of geoms.
 void dxOrderedQuadTreeSpace::update(std::vector<dxOrderedPair> &pairs, dxPairWork &work) {
-    work.comparisons = m_rows.comparisons();
+    if (m_rows.geoms() > 2 * work.geoms || work.geoms > 2 * m_rows.geoms()) gatherRows();
+    work.comparisons = m_rows.candidates();
     dxOrderedSpace::update(pairs, work);
 }
 

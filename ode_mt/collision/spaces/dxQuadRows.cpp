@@ -5,10 +5,14 @@ void dxQuadRows::finish() {
     dxPairRows::finish();
     m_ends.resize(geoms());
     m_open.clear();
+    m_candidates = 0;
     const auto close = [this](std::uint32_t end) {
         const std::uint32_t first = m_open.back();
         m_open.pop_back();
-        for (std::uint32_t row = first; row < end && m_blocks[row] == m_blocks[first]; ++row) m_ends[row] = end;
+        for (std::uint32_t row = first; row < end && m_blocks[row] == m_blocks[first]; ++row) {
+            m_ends[row] = end;
+            m_candidates += end - row - 1;
+        }
     };
     for (std::uint32_t row = 0; row < geoms(); ++row) {
         if (row != 0 && m_blocks[row] == m_blocks[row - 1]) continue;

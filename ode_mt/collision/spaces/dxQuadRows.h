@@ -26,6 +26,8 @@ public:
     }
     // Requires a call after the last push().
     void finish();
+    // Returns how many boxes are compared to find all rows.
+    std::size_t candidates() const { return m_candidates; }
 
     std::size_t find(std::size_t row) override { return keepAgreeing(row, findBetween(row + 1, m_ends[row], m_boxes, m_boxes.row(row))); }
 
@@ -34,4 +36,5 @@ private:
     std::vector<Block> m_blocks;
     std::vector<std::uint32_t> m_ends;  // by row: behind the last element in its block and those within
     std::vector<std::uint32_t> m_open;  // scratch: the first rows of blocks around the one at hand
+    std::size_t m_candidates = 0;
 };
