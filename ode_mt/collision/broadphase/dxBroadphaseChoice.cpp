@@ -66,7 +66,7 @@ bool dxSpeaksAgainst(const dxBroadphaseFacts &facts) {
 }
 
 int dxMinMovedToWalk(dxPairOrder order, int geoms) {
-    if (order == dxPairOrder::Axis) return geoms <= Threshold::kMaxAlwaysSwept ? 1 : geoms / 8;
+    if (order == dxPairOrder::Axis) return geoms <= Threshold::kMaxAlwaysSwept ? 1 : geoms / 16;
     if (order != dxPairOrder::List || geoms > Threshold::kMaxWalked) return INT_MAX;
     return geoms <= Threshold::kMaxAlwaysWalked ? 1 : 3 * geoms / 4;
 }

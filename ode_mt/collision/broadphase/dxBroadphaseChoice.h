@@ -35,7 +35,7 @@ struct dxBroadphaseThresholds {
     static constexpr int kMaxAlwaysWalked = 12;
     // A simple space of up to so many geoms is walked if three quarters of them move.
     static constexpr int kMaxWalked = 512;
-    // A sweep-and-prune space of up to so many geoms is walked if any geom moves, a larger one if one of eight does: the places of all its
+    // A sweep-and-prune space of up to so many geoms is walked if any geom moves, a larger one if one of sixteen does: the places of all its
     // pairs change with each geom that moves.
     static constexpr int kMaxAlwaysSwept = 256;
     // But not if the extent of each geom is compared with more others than these; it is walked on up to twice as many.

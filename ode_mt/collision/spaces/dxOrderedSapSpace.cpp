@@ -161,6 +161,7 @@ dxBounds dxOrderedSapSpace::boundsOf(const dxGeom *geom, const dxSapBox &box) co
 bool dxOrderedSapSpace::makeReady() {
     if (lock_count == 1) chooseToWalk();
     cleanGeoms();
+    if (lock_count == 1) m_walking.takeMoved();  // has been chosen by
     if (m_isMessedUp) dDebug(d_ERR_UASSERT, "geom counts messed up in %s()", "collide");
     mayHaveStrays();  // a stray has the box of its last query, which is used again
     if ((!isSureOfMembers() && hasUncleanBox()) || !takeSwitches() || m_walking) return false;

@@ -17,7 +17,10 @@
 class dxWalking {
 public:
     operator bool() const { return m_isOn; }
-    void set(bool isOn) { m_isOn = isOn; }
+    void set(bool isOn) {
+        if (!isOn) m_restedCalls = 0;
+        m_isOn = isOn;
+    }
 
     // So many of `all` geoms have been cleaned.
     void noteMoved(int geoms, int all) {
