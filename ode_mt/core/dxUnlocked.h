@@ -3,13 +3,14 @@
 
 #include <mutex>
 
+template <typename Mutex>
 class dxUnlocked {
 public:
-    explicit dxUnlocked(std::unique_lock<std::mutex> &lock) : m_lock(lock) { m_lock.unlock(); }
+    explicit dxUnlocked(std::unique_lock<Mutex> &lock) : m_lock(lock) { m_lock.unlock(); }
     ~dxUnlocked() { m_lock.lock(); }
     dxUnlocked(const dxUnlocked &) = delete;
     dxUnlocked &operator=(const dxUnlocked &) = delete;
 
 private:
-    std::unique_lock<std::mutex> &m_lock;
+    std::unique_lock<Mutex> &m_lock;
 };

@@ -98,9 +98,9 @@ void dxRemoteWorkers::open(const char *name, const dxRemoteHello &hello, Open op
         dxLog(dxLogLevel::warning, "remote workers: no thread to communicate (error %d); islands stay at home", error);
         return;
     }
-    if (!m_done.wait_for(lock, most, [this] { return m_hasBegun; })) return leaveAlone(lock);
+    if (!m_done.waitFor(lock, most, [this] { return m_hasBegun; })) return leaveAlone(lock);
     m_isRunning = true;
-    m_done.wait_for(lock, duration(kSettleNs), [this] { return isSettled(); });
+    m_done.waitFor(lock, duration(kSettleNs), [this] { return isSettled(); });
     if (m_links.empty()) return;
     lock.unlock();
     const dxRemoteCapacity all = capacity();
@@ -125,7 +125,7 @@ void dxRemoteWorkers::close() {
         m_isRunning = false;
         m_isClosing = true;
     }
-    m_wake.notify_all();
+    m_wake.notify();
     pthread_join(m_thread, nullptr);
     const Counts all = counts();
     dxLog(dxLogLevel::info, "remote workers: %llu islands sent, %llu solved there, %llu taken back; late %u times, %u workers lost, %u replaced; home waited %.3f ms",
@@ -133,27 +133,22 @@ void dxRemoteWorkers::close() {
           static_cast<unsigned long long>(all.outcomes.returned()), all.late, all.lost, all.replaced, all.waitedNs / 1e6);
 }
 
-// The thread is the parent's, and so are the workers. A signal handler may have forked in the middle of a step, which the child goes on with, at home.
-// Where another thread held the lock, none that steps is in the child, and lists may be half changed.
+// The communication thread is the parent's, and so are the workers. A handler of a signal may have forked in the middle of a step, which the child goes on
+// with, at home (dxRemoteBatch::next()).
 void dxRemoteWorkers::inForkedChild() {
     m_areThere.store(false, std::memory_order_relaxed);
     m_isRunning = m_isCommunicating = false;
     m_isForAllThreads = false;
-    if (m_mutex.try_lock()) {
-        for (Link &one : m_links) one.link.lose();
-        for (const auto &[number, batch] : m_batches)
-            for (dxRemoteProblem &problem : batch->m_problems) takeHome(problem, dxRemoteOutcome::Lost);
-        m_queue.clear();
-    }
-    new (&m_mutex) std::mutex;
-    new (&m_wake) std::condition_variable;
-    new (&m_done) std::condition_variable;
-    new (&m_turn) std::condition_variable;
+    ++m_forks;
+    m_wake.inForkedChild();
+    m_done.inForkedChild();
+    m_turn.inForkedChild();
 }
 
 dxRemoteCapacity dxRemoteWorkers::capacity() {
     const Lock lock(m_mutex);
     dxRemoteCapacity sum;
+    if (!areThere()) return sum;
     const double time = now();
     for (const Link &one : m_links)
         if (one.link.isUsable(time)) sum.add(one.link, time);
@@ -163,12 +158,13 @@ dxRemoteCapacity dxRemoteWorkers::capacity() {
 void dxRemoteWorkers::wake() {
     const Lock lock(m_mutex);
     m_isWaking = true;
-    m_wake.notify_one();
+    m_wake.notify();
 }
 
 dxRemoteWorkers::Counts dxRemoteWorkers::counts() {
     const Lock lock(m_mutex);
     Counts counts = m_counts;
+    if (!areThere()) return counts;
     const double time = now();
     for (const Link &one : m_links) {
         if (one.link.state() != dxRemoteLink::State::Open) continue;
@@ -221,7 +217,7 @@ bool dxRemoteWorkers::isProcessOver(Lock &lock) {
 // The next turn: several threads of home's would go on taking it from each other.
 void dxRemoteWorkers::awaitTurn(Lock &lock) {
     m_isTurnAwaited = true;
-    m_turn.wait(lock, [this] { return !m_isCommunicating; });
+    while (m_isCommunicating) m_turn.wait(lock);
     m_isTurnAwaited = false;
 }
 
@@ -252,7 +248,7 @@ void dxRemoteWorkers::begin() {
     m_isForAllThreads = m_transport && m_transport->isForAllThreads();
     m_isReplacing = m_hasLost = false;
     m_hasBegun = true;
-    m_done.notify_all();
+    m_done.notify();
 }
 
 // --- by whoever has the turn --------------------------------------------------------------------------------
@@ -352,7 +348,7 @@ bool dxRemoteWorkers::sendNext(Lock &lock) {
         dxRemoteInFlight unsent;
         m_links[link].link.withdraw(sending.number);
         if (m_links[link].link.takeBack(sending.number, now(), unsent)) takeHome(unsent.problems, dxRemoteOutcome::NoResult);
-        m_done.notify_all();
+        m_done.notify();
         return true;
     }
     if (!isSent) loseUnreachable(link, "cannot be reached");
@@ -485,7 +481,7 @@ void dxRemoteWorkers::handleEcho(unsigned link, const dxRemoteBytes &message, Lo
     if (one.isReplacement)
         dxLog(dxLogLevel::info, "remote worker %u is replaced; latency %.0f us, %.2f GB/s", link + 1, one.latencyNs / 1e3, 1 / one.link.nsPerByte());
     noteAvailable();
-    m_done.notify_all();
+    m_done.notify();
 }
 
 // Of a message that is not what it should be nothing is used. One without results says that its worker could solve none, or was told in time not
@@ -525,7 +521,7 @@ void dxRemoteWorkers::handleResults(unsigned link, const dxRemoteBytes &message)
         takeHome(expected.problems, dxRemoteOutcome::NoResult);
     }
     if (count == 0) takeHome(expected.problems, dxRemoteOutcome::NoResult);
-    m_done.notify_all();
+    m_done.notify();
 }
 
 // --- workers in the place of lost ones ---
@@ -587,18 +583,18 @@ void dxRemoteWorkers::sleep(Lock &lock) {
     if (isPolled()) {
         const bool isMeasured = std::any_of(m_links.begin(), m_links.end(), [](const Link &one) { return one.link.state() == dxRemoteLink::State::Measured; });
         if (now() - m_helpedAt < kHelpedNs) {
-            m_wake.wait_for(lock, duration(kHelpedNs));
+            m_wake.waitFor(lock, duration(kHelpedNs));
         } else if (isMeasured && m_pause.isAtOnce(kEchoMoment)) {
             const dxUnlocked others(lock);
         } else {
-            m_wake.wait_for(lock, m_isForAllThreads ? m_pause.next(kMostBesideHomeNs) : m_pause.next());
+            m_wake.waitFor(lock, m_isForAllThreads ? m_pause.next(kMostBesideHomeNs) : m_pause.next());
         }
     } else {
         const bool isReplaced = m_canReplace && std::any_of(m_links.begin(), m_links.end(), [](const Link &one) {
             return one.link.state() == dxRemoteLink::State::Lost && !one.isRefused;
         });
         m_isAsleep = true;
-        m_wake.wait_for(lock, duration(isReplaced ? kRestartPollNs : kLookNs), [&] { return hasSomethingToSay() || isPolled(); });
+        m_wake.waitFor(lock, duration(isReplaced ? kRestartPollNs : kLookNs), [&] { return hasSomethingToSay() || isPolled(); });
         m_isAsleep = false;
     }
 }
@@ -615,13 +611,13 @@ void dxRemoteWorkers::end() {
     };
     try {
         while (!isIdle() && now() - begin < kDrainNs) {
-            if (!receiveNext(lock)) m_wake.wait_for(lock, std::chrono::milliseconds(1));
+            if (!receiveNext(lock)) m_wake.waitFor(lock, std::chrono::milliseconds(1));
             noticeLate(now());
         }
     } catch (...) {
         loseAll("an exception");
     }
-    while (m_isReplacing && !takeReplacement() && now() - begin < kMaxStartNs) m_wake.wait_for(lock, duration(kRestartPollNs));
+    while (m_isReplacing && !takeReplacement() && now() - begin < kMaxStartNs) m_wake.waitFor(lock, duration(kRestartPollNs));
     // All of them answer, so none is waited for in vain.
     bool isOrderly = !m_isReplacing && !m_hasLost && std::all_of(m_links.begin(), m_links.end(), [](const Link &one) {
         return one.link.state() == dxRemoteLink::State::Open && one.link.inFlight().empty();
@@ -677,7 +673,7 @@ void dxRemoteWorkers::lose(unsigned link, const char *why, const char *detail) {
     noteAvailable();
     const double time = now();
     if (std::none_of(m_links.begin(), m_links.end(), [time](const Link &one) { return one.link.isUsable(time); })) takeQueueHome();
-    m_done.notify_all();
+    m_done.notify();
 }
 
 void dxRemoteWorkers::loseUnreachable(unsigned link, const char *why) {
@@ -714,7 +710,7 @@ void dxRemoteWorkers::takeHome(const std::vector<std::uint64_t> &problems, dxRem
 void dxRemoteWorkers::takeQueueHome() {
     for (dxRemoteProblem *problem : m_queue) takeHome(*problem, dxRemoteOutcome::Late);
     m_queue.clear();
-    m_done.notify_all();
+    m_done.notify();
 }
 
 // Of a step that is under way.
@@ -731,7 +727,7 @@ void dxRemoteWorkers::noticeLate(double time) {
             ++m_counts.late;
             dxLog(dxLogLevel::debug, "remote worker %zu is late", static_cast<std::size_t>(&one - m_links.data()) + 1);
             for (const dxRemoteInFlight &late : one.link.inFlight()) takeHome(late.problems, dxRemoteOutcome::Late);
-            m_done.notify_all();
+            m_done.notify();
         }
         isAnyUsable |= one.link.isUsable(time);
     }
@@ -760,13 +756,13 @@ bool dxRemoteWorkers::help(Lock &lock) {
     m_isCommunicating = false;
     if (hasDone) m_pause.reset();
     m_helpedAt = now();
-    m_turn.notify_one();
+    m_turn.notify();
     return hasDone;
 }
 
 // That there is something to say or to be looked for.
 void dxRemoteWorkers::tell() {
-    if (!m_isForAllThreads || m_isAsleep) m_wake.notify_one();
+    if (!m_isForAllThreads || m_isAsleep) m_wake.notify();
 }
 
 // At once, for a moment. The lock is not held when signals that have come meanwhile are handled.
@@ -791,7 +787,7 @@ void dxRemoteWorkers::waitForNews(Lock &lock, dxPollPause &pause, double ns) {
     if (std::isinf(ns))
         m_done.wait(lock);
     else
-        m_done.wait_for(lock, duration(std::max(ns, 1e3)));
+        m_done.waitFor(lock, duration(std::max(ns, 1e3)));
 }
 
 // --- batches ------------------------------------------------------------------------------------------------
@@ -803,6 +799,7 @@ dxRemoteBatch::dxRemoteBatch(dxRemoteWorkers &workers, unsigned count, bool mayH
     for (dxRemoteProblem &problem : m_problems) m_nodes.push_back(&problem);
     const dxRemoteWorkers::Lock lock(workers.m_mutex);
     m_number = workers.m_nextBatch++;
+    m_forks = workers.m_forks;
     for (unsigned i = 0; i < count; ++i) m_problems[i].number = dxRemoteNumber(m_number, i);
     workers.m_batches[m_number] = this;
 }
@@ -849,14 +846,14 @@ void dxRemoteBatch::keep(unsigned index) {
     const dxRemoteWorkers::Lock lock(m_workers.m_mutex);
     m_problems[index].state = State::AtHome;
     m_atHome.push_back(index);
-    m_workers.m_done.notify_all();
+    m_workers.m_done.notify();
 }
 
 void dxRemoteBatch::drop(unsigned index) {
     const dxRemoteWorkers::Lock lock(m_workers.m_mutex);
     m_problems[index].state = State::Done;
     --m_left;
-    m_workers.m_done.notify_all();
+    m_workers.m_done.notify();
 }
 
 void dxRemoteBatch::reject(unsigned index) {
@@ -933,6 +930,12 @@ bool dxRemoteBatch::takeUnsent(unsigned &index) {
     return true;
 }
 
+// In a child of fork(), where there are no workers.
+void dxRemoteBatch::takeAllHome() {
+    m_forks = m_workers.m_forks;
+    for (dxRemoteProblem &problem : m_problems) m_workers.takeHome(problem, dxRemoteOutcome::Lost);
+}
+
 // Takes the problems home that are expected last, if home would have solved them before.
 bool dxRemoteBatch::withdrawLast(double now) {
     unsigned link = 0;
@@ -964,10 +967,11 @@ dxRemoteBatch::Next dxRemoteBatch::next(unsigned &index, dxRemoteBytes &result) 
     const double begin = m_workers.now();
     dxPollPause pause;
     for (;;) {
+        if (m_forks != m_workers.m_forks) takeAllHome();
         if (takeReady(State::Returned, index, &result)) return Next::Result;
         if (takeReady(State::AtHome, index, nullptr)) return Next::AtHome;
         if (m_left == 0) {
-            m_workers.m_done.notify_all();  // others that wait for the last one
+            m_workers.m_done.notify();  // others that wait for the last one
             return Next::None;
         }
         const double time = m_workers.now();

@@ -23,7 +23,6 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <list>
@@ -40,7 +39,9 @@
 #include "remote/dxRemoteTransport.h"
 #include "remote/dxRestartPause.h"
 #include "remote/dxSpareBytes.h"
+#include "threading/pool/dxEventCount.h"
 #include "threading/process/dxForkListener.h"
+#include "threading/process/dxForkLocks.h"
 #include "threading/process/dxProcessObject.h"
 
 class dxRemoteBatch;
@@ -119,7 +120,7 @@ public:
 private:
     friend class dxProcessObject<dxRemoteWorkers>;
     friend class dxRemoteBatch;
-    using Lock = std::unique_lock<std::mutex>;
+    using Lock = std::unique_lock<dxForkSafeMutex>;
 
     struct Link {
         dxRemoteLink link;
@@ -188,10 +189,11 @@ private:
     void noteAvailable();
     bool isSettled() const;
 
-    std::mutex m_mutex;
-    std::condition_variable m_wake;  // of the communication thread
-    std::condition_variable m_done;  // of threads that wait for results
-    std::condition_variable m_turn;  // of the communication thread, while one of home's has it
+    dxForkSafeMutex m_mutex;
+    dxEventCount m_wake;  // of the communication thread
+    dxEventCount m_done;  // of threads that wait for results
+    dxEventCount m_turn;  // of the communication thread, while one of home's has it
+    unsigned m_forks = 0;  // of which this process is the child
     bool m_isCommunicating = false, m_isTurnAwaited = false, m_isAsleep = false;
     std::atomic<bool> m_isForAllThreads{false};  // the transport
     std::atomic<double> m_helpedAt{0};           // when one of home's last looked
@@ -267,12 +269,14 @@ private:
     void discount(dxRemoteOutcome outcome);
     bool takeReady(State state, unsigned &index, dxRemoteBytes *result);
     bool takeUnsent(unsigned &index);
+    void takeAllHome();
     bool withdrawLast(double now);
     double nextDeadline() const;
 
     dxRemoteWorkers &m_workers;
     const bool m_mayHurry;
     std::uint64_t m_number = 0;  // the upper half of its problems'
+    unsigned m_forks = 0;        // when the step began
     std::vector<dxRemoteProblem> m_problems;
     std::list<dxRemoteProblem *> m_nodes;         // of the queue, for problems that are not submitted yet
     std::vector<unsigned> m_returned, m_atHome;  // with room for all that may come

@@ -118,6 +118,9 @@ protected:
         return right;
     }
 
+    // Until the handler of a signal has forked. Both go on, the child without workers.
+    void stepInBoth();
+
     // Of calls, while four threads make so many steps each.
     void expectOneAtATime(unsigned steps) {
         constexpr unsigned kThreads = 4, kProblems = 30;
@@ -278,25 +281,55 @@ TEST_F(RemoteHelp, LetsHandlersUseTheWorkers) {
     EXPECT_GE(handled, 2u);
 }
 
+pid_t childOfHandler;
+
+void forkInHandler(int) {
+    const int error = errno;
+    if (childOfHandler < 0) childOfHandler = fork();
+    if (childOfHandler == 0) alarm(60);
+    errno = error;
+}
+
+void RemoteHelp::stepInBoth() {
+    unsigned right = 50;
+    for (int steps = 0; steps < 200 && childOfHandler < 0; ++steps) right = std::min(right, step(50, false));
+    if (childOfHandler == 0) _exit(right == 50 && step(50) == 50 && !m_workers.areThere() && m_workers.capacity().workers == 0 ? 0 : 1);
+    ASSERT_GT(childOfHandler, 0);
+    int status = 0;
+    waitpid(childOfHandler, &status, 0);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+    EXPECT_EQ(right, 50u);
+}
+
 // The child goes on with the step, at home.
 TEST_F(RemoteHelp, IsNotGivenByTheChildOfAHandlerThatForks) {
     if (kAddressSanitizer) GTEST_SKIP() << "another thread may hold a lock of AddressSanitizer's, which the child would wait for";
-    static pid_t child;
-    child = -1;
-    const RaisedSignal raised(m_calls, SIGUSR1, [](int) {
-        const int error = errno;
-        if (child < 0) child = fork();
-        errno = error;
-    });
+    childOfHandler = -1;
+    const RaisedSignal raised(m_calls, SIGUSR1, forkInHandler);
     open(true);
-    unsigned right = 50;
-    for (int steps = 0; steps < 200 && child < 0; ++steps) right = std::min(right, step(50, false));
-    if (child == 0) _exit(right == 50 && step(50) == 50 && !m_workers.areThere() ? 0 : 1);
-    ASSERT_GT(child, 0);
-    int status = 0;
-    waitpid(child, &status, 0);
-    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
-    EXPECT_EQ(right, 50u);
+    stepInBoth();
+}
+
+TEST_F(RemoteHelp, IsNotWaitedForByTheChildOfAHandlerThatForks) {
+    if (kAddressSanitizer) GTEST_SKIP() << "another thread may hold a lock of AddressSanitizer's, which the child would wait for";
+    childOfHandler = -1;
+    const RaisedSignal raised(m_calls, SIGUSR1, forkInHandler);
+    std::atomic<bool> isOver{false}, isWaiting{false};
+    m_calls.disturb = [&] { isWaiting = true; };
+    open(false, {}, [&](unsigned, unsigned, dxRemoteKind kind) {
+        LoopbackFate fate;
+        if (kind == dxRemoteKind::Results) fate.delay = std::chrono::milliseconds(100);
+        return fate;
+    });
+    isWaiting = false;
+    std::thread other([&, home = pthread_self()] {
+        while (!isWaiting && !isOver) std::this_thread::yield();
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        pthread_kill(home, SIGUSR1);
+    });
+    stepInBoth();
+    isOver = true;
+    other.join();
 }
 
 // Whoever holds the lock at that moment is not in the child.

@@ -1,5 +1,7 @@
 // fork in the host program: the child has workers again where the manager can give them, the parent
 // notices nothing.
+#include <pthread.h>
+#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -9,7 +11,9 @@
 
 #include "ManagerKinds.h"
 #include "Runs.h"
+#include "threading/pool/dxEventCount.h"
 #include "threading/process/dxForkListener.h"
+#include "threading/process/dxForkLocks.h"
 
 namespace {
 
@@ -46,6 +50,119 @@ TEST(ForkListener, AnyOfThemMayEnd) {
         EXPECT_TRUE(trueInChild([] { return true; }));
         EXPECT_EQ(counters[(gone + 2) % 3]->forks, 2) << gone;
     }
+}
+
+bool canBeHeldByAll(dxForkSafeMutex &mutex) {
+    std::thread([&] { const std::lock_guard<dxForkSafeMutex> hold(mutex); }).join();
+    return true;
+}
+
+// Whoever holds it gives it back first, so that the child finds whole what it guards.
+TEST(ForkSafeMutex, IsGivenBackBeforeTheFork) {
+    dxForkSafeMutex mutex;
+    std::atomic<bool> isHeld{false};
+    int changes = 0;
+    std::thread other([&] {
+        const std::lock_guard<dxForkSafeMutex> hold(mutex);
+        ++changes;
+        isHeld = true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        ++changes;
+    });
+    while (!isHeld) std::this_thread::yield();
+    EXPECT_TRUE(trueInChild([&] {
+        const std::lock_guard<dxForkSafeMutex> hold(mutex);
+        return changes == 2;
+    }));
+    other.join();
+    EXPECT_TRUE(canBeHeldByAll(mutex));
+}
+
+// As in the handler of a signal.
+TEST(ForkSafeMutex, MayBeHeldByTheThreadThatForks) {
+    dxForkSafeMutex mutex;
+    mutex.lock();
+    const Stopwatch watch;
+    EXPECT_TRUE(trueInChild([&] {
+        mutex.unlock();
+        const std::lock_guard<dxForkSafeMutex> hold(mutex);
+        return true;
+    }));
+    EXPECT_LT(watch.seconds(), 0.5) << "nobody is waited for";
+    mutex.unlock();
+    EXPECT_TRUE(canBeHeldByAll(mutex));
+}
+
+// It may wait for the thread that forks.
+TEST(ForkSafeMutex, IsNewInTheChildWhereNobodyGivesItBack) {
+    dxForkSafeMutex mutex;
+    std::atomic<bool> isHeld{false}, isOver{false};
+    std::thread other([&] {
+        const std::lock_guard<dxForkSafeMutex> hold(mutex);
+        isHeld = true;
+        while (!isOver) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    });
+    while (!isHeld) std::this_thread::yield();
+    EXPECT_TRUE(trueInChild([&] {
+        const std::lock_guard<dxForkSafeMutex> hold(mutex);
+        return true;
+    }));
+    isOver = true;
+    other.join();
+    EXPECT_TRUE(canBeHeldByAll(mutex));
+}
+
+TEST(EventCount, WakesWhoWaits) {
+    dxForkSafeMutex mutex;
+    dxEventCount events;
+    bool isSo = false;
+    std::thread other([&] {
+        const std::lock_guard<dxForkSafeMutex> hold(mutex);
+        isSo = true;
+        events.notify();
+    });
+    std::unique_lock<dxForkSafeMutex> lock(mutex);
+    EXPECT_TRUE(events.waitFor(lock, std::chrono::seconds(30), [&] { return isSo; }));
+    EXPECT_FALSE(events.waitFor(lock, std::chrono::milliseconds(1), [] { return false; }));
+    lock.unlock();
+    other.join();
+}
+
+// The child of a handler that forks while the thread waits.
+TEST(EventCount, LooksAgainInTheChild) {
+    static pid_t child;
+    child = -1;
+    static dxEventCount events;
+    struct sigaction action {}, before;
+    action.sa_handler = [](int) {
+        child = fork();
+        if (child != 0) return;
+        alarm(30);
+        events.inForkedChild();
+    };
+    action.sa_flags = SA_RESTART;
+    sigaction(SIGUSR1, &action, &before);
+    dxForkSafeMutex mutex;
+    std::unique_lock<dxForkSafeMutex> lock(mutex);
+    std::thread other([&, waiting = pthread_self()] {
+        {
+            const std::lock_guard<dxForkSafeMutex> isWaiting(mutex);
+        }
+        const auto pause = std::chrono::milliseconds(50);
+        std::this_thread::sleep_for(pause);
+        pthread_kill(waiting, SIGUSR1);
+        std::this_thread::sleep_for(pause);
+        const std::lock_guard<dxForkSafeMutex> hold(mutex);
+        events.notify();
+    });
+    events.wait(lock);
+    if (child == 0) _exit(0);
+    sigaction(SIGUSR1, &before, nullptr);
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+    lock.unlock();
+    other.join();
 }
 
 TEST_P(ThreadManagerTest, WorksInAForkedChild) {

@@ -3,13 +3,31 @@
 #include <time.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <chrono>
 
 #include "ManagerKinds.h"
 #include "Runs.h"
 #include "threading/dxPerturbation.h"
+#include "threading/pool/dxFutex.h"
 #include "threading/pool/dxSpin.h"
 
 namespace {
+
+// The program's errno is its own: a caller may wait here, too.
+TEST(Futex, SaysWhetherTheTimeHasPassedAndLeavesErrno) {
+    dxFutexWord word{1};
+    errno = EPERM;
+    dxFutexWait(word, 0);
+    EXPECT_EQ(errno, EPERM);
+    EXPECT_TRUE(dxFutexWaitFor(word, 0, std::chrono::seconds(20)));
+    EXPECT_EQ(errno, EPERM);
+    const Stopwatch watch;
+    EXPECT_FALSE(dxFutexWaitFor(word, 1, std::chrono::milliseconds(10)));
+    EXPECT_EQ(errno, EPERM);
+    EXPECT_GE(watch.seconds(), 0.009);
+    EXPECT_LT(watch.seconds(), 10);
+}
 
 TEST_P(ThreadManagerTest, ProgressWithMoreWorkersThanCores) {
     const unsigned workers = std::min(16 * dxProcessorCount(), GetParam().maxWorkers);

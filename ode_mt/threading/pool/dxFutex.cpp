@@ -10,15 +10,24 @@
 static_assert(sizeof(dxFutexWord) == 4 && dxFutexWord::is_always_lock_free,
               "the kernel reads the plain word");
 
-void dxFutexWait(dxFutexWord &word, std::uint32_t expected) {
-    syscall(SYS_futex, &word, FUTEX_WAIT_PRIVATE, expected, nullptr, nullptr, 0);
+namespace {
+
+// Returns 0 or the error, and leaves errno to the program.
+int call(dxFutexWord &word, int operation, std::uint32_t value, const timespec *timeout = nullptr) {
+    const int before = errno;
+    const int error = syscall(SYS_futex, &word, operation, value, timeout, nullptr, 0) < 0 ? errno : 0;
+    errno = before;
+    return error;
 }
 
-bool dxFutexWaitFor(dxFutexWord &word, std::uint32_t expected, int seconds) {
-    const timespec most = {seconds, 0};
-    return syscall(SYS_futex, &word, FUTEX_WAIT_PRIVATE, expected, &most, nullptr, 0) == 0 || errno != ETIMEDOUT;
+}  // namespace
+
+void dxFutexWait(dxFutexWord &word, std::uint32_t expected) { call(word, FUTEX_WAIT_PRIVATE, expected); }
+
+bool dxFutexWaitFor(dxFutexWord &word, std::uint32_t expected, std::chrono::nanoseconds most) {
+    const std::chrono::seconds seconds = std::chrono::duration_cast<std::chrono::seconds>(most);
+    const timespec timeout = {seconds.count(), (most - seconds).count()};
+    return call(word, FUTEX_WAIT_PRIVATE, expected, &timeout) != ETIMEDOUT;
 }
 
-void dxFutexWake(dxFutexWord &word, unsigned count) {
-    syscall(SYS_futex, &word, FUTEX_WAKE_PRIVATE, count, nullptr, nullptr, 0);
-}
+void dxFutexWake(dxFutexWord &word, unsigned count) { call(word, FUTEX_WAKE_PRIVATE, count); }

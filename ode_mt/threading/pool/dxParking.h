@@ -33,7 +33,7 @@ public:
             unpark();
         } else if (!watched.exchange(true)) {
             while (!tryToTakeToken())
-                if (!dxFutexWaitFor(tokens, 0, kMonitorSeconds)) monitor();
+                if (!dxFutexWaitFor(tokens, 0, kMonitorPeriod)) monitor();
             watched.store(false);
         } else {
             takeToken();
@@ -51,7 +51,7 @@ private:
     void takeToken();
     bool tryToTakeToken();
 
-    static constexpr int kMonitorSeconds = 1;
+    static constexpr std::chrono::seconds kMonitorPeriod{1};
 
     std::atomic<std::uint32_t> counts{0};  // searching in the upper 16 bits, parked in the lower
     dxFutexWord tokens{0};

@@ -2,8 +2,10 @@
 
 #include <pthread.h>
 
+#include <chrono>
 #include <mutex>
 #include <new>
+#include <thread>
 
 #include "threading/process/dxForkLocks.h"
 
@@ -72,6 +74,27 @@ void dxForkListeners::child() {
     listeners.lock.unlock();
     renew(dxForkLocks::creation);
     renew(dxForkLocks::initialisation);
+}
+
+// Others hold it for moments. Whoever does not give it back in a second may wait for the thread that forks: a message of the library's is written under a lock
+// of the C library's, for example.
+void dxForkSafeMutex::beforeFork() {
+    constexpr std::chrono::seconds kMost{1};
+    constexpr std::chrono::microseconds kPause{20};
+    const auto begin = std::chrono::steady_clock::now();
+    while (!(m_isHeldToFork = m_mutex.try_lock()) && !isHeldHere() && std::chrono::steady_clock::now() - begin < kMost) std::this_thread::sleep_for(kPause);
+}
+
+void dxForkSafeMutex::inForkingParent() {
+    if (m_isHeldToFork) m_mutex.unlock();
+}
+
+// One that another thread holds, which is not there, becomes a new one.
+void dxForkSafeMutex::inForkedChild() {
+    if (m_isHeldToFork)
+        m_mutex.unlock();
+    else if (!isHeldHere())
+        new (&m_mutex) std::mutex;
 }
 
 void dxForkListener::listenToForks() {

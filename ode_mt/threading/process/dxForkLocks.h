@@ -4,6 +4,9 @@
 // Under a dxForkSafeMutex no other lock is taken.
 #pragma once
 
+#include <pthread.h>
+
+#include <atomic>
 #include <mutex>
 
 #include "threading/process/dxForkListener.h"
@@ -15,18 +18,30 @@ extern std::recursive_mutex creation;        // a dxProcessObject is being made;
 
 }  // namespace dxForkLocks
 
+// The thread that forks may hold it: in the handler of a signal that came meanwhile. It holds it in the child, too, and goes on there when the handler has
+// returned.
 class dxForkSafeMutex final : private dxForkListener {
 public:
     dxForkSafeMutex() { listenToForks(); }
     ~dxForkSafeMutex() { ignoreForks(); }
 
-    void lock() { m_mutex.lock(); }
-    void unlock() { m_mutex.unlock(); }
+    void lock() {
+        m_mutex.lock();
+        m_holder.store(pthread_self(), std::memory_order_relaxed);
+    }
+    void unlock() {
+        m_holder.store(pthread_t{}, std::memory_order_relaxed);
+        m_mutex.unlock();
+    }
 
 private:
-    void beforeFork() override { m_mutex.lock(); }
-    void inForkingParent() override { m_mutex.unlock(); }
-    void inForkedChild() override { m_mutex.unlock(); }
+    bool isHeldHere() const { return pthread_equal(m_holder.load(std::memory_order_relaxed), pthread_self()); }
+
+    void beforeFork() override;
+    void inForkingParent() override;
+    void inForkedChild() override;
 
     std::mutex m_mutex;
+    std::atomic<pthread_t> m_holder{};
+    bool m_isHeldToFork = false;
 };
