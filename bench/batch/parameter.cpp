@@ -58,7 +58,7 @@ const Property *findProperty(const std::string &name) {
 
 bool isPath(const std::string &name) { return name.rfind("/sdf", 0) == 0; }
 
-[[noreturn]] void fail(const std::string &name, const std::string &what) { throw std::invalid_argument("plan: parameters." + name + ": " + what); }
+[[noreturn]] void failParameter(const std::string &name, const std::string &what) { throw std::invalid_argument("plan: parameters." + name + ": " + what); }
 
 std::string knownNames() {
     std::string names;
@@ -72,21 +72,21 @@ void checkValue(const Property &property, const Json &value) {
     const std::string name = property.name;
     switch (property.kind) {
         case Kind::Switch:
-            if (!value.is_boolean()) fail(name, "'" + value.dump() + "' is not true or false");
+            if (!value.is_boolean()) failParameter(name, "'" + value.dump() + "' is not true or false");
             return;
         case Kind::Solver:
-            if (value != "exact" && value != "fast") fail(name, "'" + spelled(value) + "' is unknown; known: exact, fast");
+            if (value != "exact" && value != "fast") failParameter(name, "'" + spelled(value) + "' is unknown; known: exact, fast");
             return;
         case Kind::Whole:
-            if (!value.is_number_integer()) fail(name, "'" + value.dump() + "' is not a whole number");
+            if (!value.is_number_integer()) failParameter(name, "'" + value.dump() + "' is not a whole number");
             break;
         case Kind::Number:
-            if (!value.is_number()) fail(name, "'" + value.dump() + "' is not a number");
+            if (!value.is_number()) failParameter(name, "'" + value.dump() + "' is not a number");
     }
     const double number = value.get<double>();
     if (!(number >= property.least && number <= property.most)) {
         const auto text = [](double limit) { return Json(limit).dump(); };
-        fail(name, "'" + value.dump() + "' is not from " + text(property.least) + " to " + text(property.most));
+        failParameter(name, "'" + value.dump() + "' is not from " + text(property.least) + " to " + text(property.most));
     }
 }
 
@@ -98,7 +98,7 @@ struct Step {
 Step readStep(const std::string &text, const std::string &path) {
     const std::size_t bracket = text.find('[');
     if (bracket == std::string::npos) return {text, ""};
-    if (text.back() != ']') fail(path, "a [ has no ]");
+    if (text.back() != ']') failParameter(path, "a [ has no ]");
     return {text.substr(0, bracket), text.substr(bracket + 1, text.size() - bracket - 2)};
 }
 
@@ -157,10 +157,10 @@ void checkParameter(const std::string &name, const Json &value, const std::strin
     if (const Property *const property = findProperty(name)) return checkValue(*property, value);
     if (isPath(name)) {
         const std::string file = world.substr(0, world.find('$'));
-        if (world.find('$') == std::string::npos && !bench::readWorldSpec(world).isSdf) fail(name, "'" + file + "' is no SDF world");
+        if (world.find('$') == std::string::npos && !bench::readWorldSpec(world).isSdf) failParameter(name, "'" + file + "' is no SDF world");
         return;
     }
-    if (world.find("${" + name + "}") == std::string::npos) fail(name, "unknown in '" + world + "'; known: " + knownNames());
+    if (world.find("${" + name + "}") == std::string::npos) failParameter(name, "unknown in '" + world + "'; known: " + knownNames());
 }
 
 void setProperties(const scenes::Scene &scene, const Values &values) {
@@ -187,7 +187,7 @@ std::string changeElements(const std::string &sdf, const std::string &file, cons
         if (!isPath(path)) continue;
         std::string text = spelled(value);
         for (const auto &[name, other] : values) insertValue(text, name, other);
-        if (text.find("${") != std::string::npos) fail(path, "'" + text + "' names a parameter that there is not");
+        if (text.find("${") != std::string::npos) failParameter(path, "'" + text + "' names a parameter that there is not");
         changeElement(document, file, path, text);
     }
     tinyxml2::XMLPrinter printer;

@@ -20,10 +20,10 @@ namespace {
 
 constexpr int kIsWrong = 1;  // exit code of the process that has written why
 
-void endByError(int, const char *, va_list) { _exit(0); }  // the run says it
+void endQuietly(int, const char *, va_list) { _exit(0); }  // the run says it
 
 [[noreturn]] void tryWorlds(const Plan &plan, std::size_t first, int answer) {
-    initialiseOde(endByError);
+    initialiseOde(endQuietly);
     const long runsOfAWorld = plan.count() / static_cast<long>(plan.worlds.size());
     for (std::size_t world = first; world < plan.worlds.size(); ++world) {
         const Run run = plan.run(static_cast<long>(world) * runsOfAWorld);

@@ -195,6 +195,13 @@ bool Element::childFlag(const std::string &childName, bool otherwise) const {
     return found ? found->isTrue() : otherwise;
 }
 
+Vector3 Element::childVector(const std::string &childName, const Vector3 &otherwise) const {
+    const Element *const found = child(childName);
+    if (!found) return otherwise;
+    const std::vector<double> numbers = found->numbers(3);
+    return {numbers[0], numbers[1], numbers[2]};
+}
+
 std::string Element::childText(const std::string &childName) const {
     const Element *found = child(childName);
     return found ? found->text : std::string();

@@ -1,6 +1,7 @@
 // An XML element as plain data: what SDF worlds, models and controllers (<plugin>) are read from.
 #pragma once
 
+#include "loader/description/geometry.h"
 #include "loader/load_error.h"
 
 #include <limits>
@@ -77,6 +78,7 @@ struct Element {
     // The same, where infinite means "no limit".
     double childLimit(const std::string &childName, double otherwise) const;
     bool childFlag(const std::string &childName, bool otherwise) const;
+    Vector3 childVector(const std::string &childName, const Vector3 &otherwise) const;
     // Empty when there is no such child.
     std::string childText(const std::string &childName) const;
 

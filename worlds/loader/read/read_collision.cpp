@@ -28,32 +28,25 @@ std::optional<Shape> readFile(const Element &shape, const Reading &reading, Read
     }
 }
 
-Vector3 vectorChild(const Element &element, const std::string &name, const Vector3 &otherwise) {
-    const Element *child = element.child(name);
-    if (!child) return otherwise;
-    const std::vector<double> numbers = child->numbers(3);
-    return {numbers[0], numbers[1], numbers[2]};
-}
-
 // None for what is not supported on a body that moves, and for <empty/>.
 std::optional<Shape> readShape(const Element &shape, bool isStatic, const Reading &reading) {
     const std::string &kind = shape.name;
-    if (kind == "box") return Box{vectorChild(shape, "size", {1, 1, 1})};
+    if (kind == "box") return Box{shape.childVector("size", {1, 1, 1})};
     if (kind == "sphere") return Sphere{shape.childNumber("radius", 1)};
     if (kind == "cylinder") return Cylinder{shape.childNumber("radius", 1), shape.childNumber("length", 1)};
     if (kind == "capsule") return Capsule{shape.childNumber("radius", 0.5), shape.childNumber("length", 1)};
     if (kind == "mesh")
         return readFile(shape, reading, [&](const std::string &file) {
-            return readMeshFile(file, vectorChild(shape, "scale", {1, 1, 1}), shape.place());
+            return readMeshFile(file, shape.childVector("scale", {1, 1, 1}), shape.place());
         });
     if (kind == "empty") return std::nullopt;
     if (!isStatic) {
         reading.issues.unsupported(shape.parent->place(), "a shape without end on a body that moves");
         return std::nullopt;
     }
-    if (kind == "plane") return Plane{vectorChild(shape, "normal", {0, 0, 1}).normalized()};
+    if (kind == "plane") return Plane{shape.childVector("normal", {0, 0, 1}).normalized()};
     return readFile(shape, reading, [&](const std::string &file) {
-        return readHeightImage(file, vectorChild(shape, "size", {1, 1, 1}), shape.place());
+        return readHeightImage(file, shape.childVector("size", {1, 1, 1}), shape.place());
     });
 }
 
@@ -130,7 +123,7 @@ std::optional<Collision> readCollision(const Element &element, const Pose &pose,
     if (!read) return std::nullopt;
     collision.shape = std::move(*read);
     collision.pose = pose;
-    collision.pose.position += pose.rotation * vectorChild(shape, "pos", {});  // of a height map
+    collision.pose.position += pose.rotation * shape.childVector("pos", {});  // of a height map
     collision.surface = physics.defaultSurface;
     if (const Element *const surface = element.child("surface"))
         collision.surface = readSurface(*surface, collision.surface, physics.stepSize);

@@ -16,13 +16,6 @@ int wholeChild(const Element &element, const std::string &name, int otherwise) {
     return child ? static_cast<int>(child->number()) : otherwise;
 }
 
-Vector3 vectorChild(const Element &element, const std::string &name, const Vector3 &otherwise) {
-    const Element *child = element.child(name);
-    if (!child) return otherwise;
-    const std::vector<double> numbers = child->numbers();
-    return {numbers[0], numbers[1], numbers[2]};
-}
-
 scenes::Stepper readStepper(const Element &solver) {
     const Element *type = solver.child("type");
     return type && type->text == "world" ? scenes::Stepper::World : scenes::Stepper::Quick;
@@ -74,8 +67,8 @@ Space readSpace(const Element &element) {
     refuseOfOthers(element, type);
     space.minLevel = wholeChild(element, "min_level", space.minLevel);
     space.maxLevel = wholeChild(element, "max_level", space.maxLevel);
-    space.center = vectorChild(element, "center", space.center);
-    space.extents = vectorChild(element, "extents", space.extents);
+    space.center = element.childVector("center", space.center);
+    space.extents = element.childVector("extents", space.extents);
     space.depth = wholeChild(element, "depth", space.depth);
     if (space.minLevel > space.maxLevel) element.fail("min_level is above max_level");
     return space;
@@ -112,12 +105,12 @@ const Element *profileOf(const Element &world) {
 
 Physics readPhysics(const Element &world) {
     Physics physics;
-    physics.gravity = vectorChild(world, "gravity", physics.gravity);
+    physics.gravity = world.childVector("gravity", physics.gravity);
     const Element *profile = profileOf(world);
     if (!profile) return physics;
 
     const Element &element = *profile;
-    physics.gravity = vectorChild(element, "gravity", physics.gravity);  // where old versions have it
+    physics.gravity = element.childVector("gravity", physics.gravity);  // where old versions have it
     physics.maxContacts = wholeChild(element, "max_contacts", physics.maxContacts);
     if (const Element *ode = element.child("ode")) readOde(*ode, physics);
     physics.stepSize = element.childNumber("max_step_size", physics.stepSize);

@@ -5,6 +5,7 @@
 #include "loader/read/read_collision.h"
 #include "loader/read/read_joint.h"
 #include "loader/read/read_physics.h"
+#include "loader/read/shape_mass.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -58,6 +59,13 @@ Mass readMass(const Element &link, bool isStatic, const Issues &issues) {
     return mass;
 }
 
+// Whether the mass is to be that of the link's shapes.
+bool isMassOfShapes(const Element &link) {
+    const Element *const inertial = link.child("inertial");
+    const std::string wanted = inertial ? inertial->attributeOrEmpty("auto") : std::string();
+    return wanted == "true" || wanted == "1";
+}
+
 class WorldReader {
 public:
     WorldReader(WorldDescription &world, const std::shared_ptr<Element> &document, const Reading &reading)
@@ -102,16 +110,36 @@ private:
         link.gravity = element.childFlag("gravity", true);
         link.selfCollide = element.childFlag("self_collide", model.selfCollide);
         link.autoDisable = model.autoDisable;
-        link.mass = readMass(element, model.isStatic, m_reading.issues);
         if (const Element *const decay = element.child("velocity_decay")) {
             if (const Element *const linear = decay->child("linear")) link.linearDamping = linear->number();
             if (const Element *const angular = decay->child("angular"))
                 link.angularDamping = angular->number();
         }
+        ShapeMass shapes;
         for (const Element &child : element.children)
-            if (child.name == "collision") collision(child, element, scope, link);
+            if (child.name == "collision" && collision(child, element, scope, link)) shapes.add(link.collisions.back(), density(child, element));
+        link.mass = isMassOfShapes(element) && !model.isStatic ? massOf(element, shapes) : readMass(element, model.isStatic, m_reading.issues);
         m_numbers[&element] = static_cast<int>(m_world.links.size());
         m_world.links.push_back(std::move(link));
+    }
+
+    // The link's own, where a shape has none; else water's.
+    static double density(const Element &collision, const Element &link) {
+        constexpr double kWater = 1000;  // kg/m³
+        const Element *const inertial = link.child("inertial");
+        return collision.childNumber("density", inertial ? inertial->childNumber("density", kWater) : kWater);
+    }
+
+    // A mass that is written scales that of the shapes, as since libsdformat 15.2.
+    Mass massOf(const Element &link, const ShapeMass &shapes) const {
+        const Element &inertial = link.required("inertial");
+        const std::optional<Mass> total = shapes.total();
+        if (!total) {
+            m_reading.issues.unsupported(inertial.place(), "auto=\"true\" without a collision that has a volume, or beyond what can be computed with");
+            return readMass(link, false, m_reading.issues);
+        }
+        const Element *const mass = inertial.child("mass");
+        return mass ? scaledTo(mass->number(), *total) : *total;
     }
 
     // Old versions write a model within a model as links "inner::link".
@@ -123,15 +151,16 @@ private:
         return known->second;
     }
 
-    void collision(const Element &element, const Element &link, const Scope &scope, Link &read) {
+    // Returns whether there is one.
+    bool collision(const Element &element, const Element &link, const Scope &scope, Link &read) {
         const Element *const pose = element.child("pose");
         const std::string frame = pose ? pose->attributeOrEmpty("relative_to") : std::string();
         Pose inLink = readPose(pose);
         if (!frame.empty())
             inLink = scope.pose(link).inverse() * scope.pose(frame, *pose, "relative_to") * inLink;
-        if (std::optional<Collision> collision =
-                readCollision(element, inLink, read.isStatic, m_world.physics, m_reading))
-            read.collisions.push_back(std::move(*collision));
+        std::optional<Collision> collision = readCollision(element, inLink, read.isStatic, m_world.physics, m_reading);
+        if (collision) read.collisions.push_back(std::move(*collision));
+        return collision.has_value();
     }
 
     void joint(const Element &element, const Scope &scope, const Model &model, const Pose &modelPose) {
