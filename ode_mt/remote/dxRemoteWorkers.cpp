@@ -89,6 +89,7 @@ void dxRemoteWorkers::open(const char *name, const dxRemoteHello &hello, Open op
     m_open = std::move(open);
     m_isClosing = m_hasBegun = m_isWaking = m_isCommunicating = m_isTurnAwaited = m_isAsleep = false;
     m_isForAllThreads = false;
+    m_queue.clear();  // in a child of fork() those of the parent's threads
     const auto body = [](void *self) -> void * {
         static_cast<dxRemoteWorkers *>(self)->communicate();
         return nullptr;
