@@ -144,6 +144,7 @@ TEST(EventCount, LooksAgainInTheChild) {
     sigaction(SIGUSR1, &action, &before);
     dxForkSafeMutex mutex;
     std::unique_lock<dxForkSafeMutex> lock(mutex);
+    std::atomic<bool> isOver{false};
     std::thread other([&, waiting = pthread_self()] {
         {
             const std::lock_guard<dxForkSafeMutex> isWaiting(mutex);
@@ -152,17 +153,21 @@ TEST(EventCount, LooksAgainInTheChild) {
         std::this_thread::sleep_for(pause);
         pthread_kill(waiting, SIGUSR1);
         std::this_thread::sleep_for(pause);
-        const std::lock_guard<dxForkSafeMutex> hold(mutex);
-        events.notify();
+        {
+            const std::lock_guard<dxForkSafeMutex> hold(mutex);
+            events.notify();
+        }
+        isOver = true;
     });
-    events.wait(lock);
+    other.detach();  // the child cannot join it
+    while (child < 0) events.wait(lock);
     if (child == 0) _exit(0);
     sigaction(SIGUSR1, &before, nullptr);
     int status = 0;
     ASSERT_EQ(waitpid(child, &status, 0), child);
     EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
     lock.unlock();
-    other.join();
+    while (!isOver) std::this_thread::yield();
 }
 
 TEST_P(ThreadManagerTest, WorksInAForkedChild) {
