@@ -60,20 +60,24 @@ bool canBeHeldByAll(dxForkSafeMutex &mutex) {
 // Whoever holds it gives it back first, so that the child finds whole what it guards.
 TEST(ForkSafeMutex, IsGivenBackBeforeTheFork) {
     dxForkSafeMutex mutex;
-    std::atomic<bool> isHeld{false};
+    std::atomic<bool> isHeld{false}, isOver{false};
     int changes = 0;
     std::thread other([&] {
-        const std::lock_guard<dxForkSafeMutex> hold(mutex);
-        ++changes;
-        isHeld = true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(100));
-        ++changes;
+        {
+            const std::lock_guard<dxForkSafeMutex> hold(mutex);
+            ++changes;
+            isHeld = true;
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+            ++changes;
+        }
+        while (!isOver) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     });
     while (!isHeld) std::this_thread::yield();
     EXPECT_TRUE(trueInChild([&] {
         const std::lock_guard<dxForkSafeMutex> hold(mutex);
         return changes == 2;
     }));
+    isOver = true;
     other.join();
     EXPECT_TRUE(canBeHeldByAll(mutex));
 }

@@ -37,7 +37,7 @@ TEST_P(ThreadManagerTest, ProgressWithMoreWorkersThanCores) {
     EXPECT_LT(watch.seconds(), 20);
 }
 
-pthread_t heldCaller;
+std::atomic<pthread_t> heldCaller;
 std::atomic<int> held{0};
 
 // Every thread but the caller stops before it takes a block.
