@@ -35,10 +35,10 @@ TEST(WorldFolder, NamesWhatExistsWhenThereIsNoSuchWorld) {
 }
 
 TEST(WorldFolder, IsTheOneThatTheUserChose) {
-    setenv("ODE_MT_WORLDS", "/nowhere", 1);
-    EXPECT_EQ(worlds::worldFolder(), "/nowhere");
+    setenv("ODE_MT_WORLDS", "/dev/null/nowhere", 1);
+    EXPECT_EQ(worlds::worldFolder(), "/dev/null/nowhere");
     EXPECT_TRUE(worlds::availableWorlds().empty());
-    EXPECT_EQ(worlds::worldsInFolder(), "/nowhere is not a folder");
+    EXPECT_EQ(worlds::worldsInFolder(), "/dev/null/nowhere is not a folder");
     EXPECT_THROW(worlds::findWorld("create"), std::invalid_argument);
     setenv("ODE_MT_WORLDS", "/proc/self/task", 1);
     EXPECT_EQ(worlds::worldsInFolder(), "/proc/self/task holds no world");
