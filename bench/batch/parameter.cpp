@@ -58,7 +58,7 @@ const Property *findProperty(const std::string &name) {
 
 bool isPath(const std::string &name) { return name.rfind("/sdf", 0) == 0; }
 
-[[noreturn]] void failParameter(const std::string &name, const std::string &what) { throw std::invalid_argument("plan: parameters." + name + ": " + what); }
+[[noreturn]] void failParameter(const std::string &name, const std::string &what) { fail("parameters." + name, what); }
 
 std::string knownNames() {
     std::string names;
@@ -147,6 +147,8 @@ void changeElement(tinyxml2::XMLDocument &document, const std::string &file, con
 }
 
 }  // namespace
+
+void fail(const std::string &key, const std::string &what) { throw std::invalid_argument("plan: " + key + ": " + what); }
 
 void insertValue(std::string &text, const std::string &name, const Json &value) {
     const std::string mark = "${" + name + "}", inserted = spelled(value);

@@ -17,6 +17,9 @@ namespace batch {
 
 using Values = std::vector<std::pair<std::string, nlohmann::ordered_json>>;
 
+// Throws std::invalid_argument: what is wrong with a plan at that key.
+[[noreturn]] void fail(const std::string &key, const std::string &what);
+
 // Throws std::invalid_argument that names the parameter, if it means nothing in this world or cannot have the value. Opens no file.
 void checkParameter(const std::string &name, const nlohmann::ordered_json &value, const std::string &world);
 

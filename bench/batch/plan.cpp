@@ -28,8 +28,6 @@ constexpr long kMaxRuns = 1'000'000'000;
 const std::array<const char *, 8> kColumns = {"run", "world", "seed", "status", "message", "frames", "time", "hash"};
 const std::set<std::string> kSeriesColumns = {"run", "frame", "time", "hash"};
 
-[[noreturn]] void fail(const std::string &key, const std::string &what) { throw std::invalid_argument("plan: " + key + ": " + what); }
-
 void checkKeys(const Json &object, const std::string &where, const std::vector<std::string> &known) {
     for (const auto &[key, value] : object.items())
         if (std::find(known.begin(), known.end(), key) == known.end())

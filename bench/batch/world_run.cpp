@@ -95,7 +95,7 @@ long framesOf(const Plan &plan, const scenes::Scene &scene) {
     if (plan.frames > 0) return plan.frames;
     const double frames = plan.seconds / static_cast<double>(scene.stepSize());
     if (!(frames <= static_cast<double>(Plan::kMaxFrames)))
-        throw std::invalid_argument("plan: seconds: are more than " + std::to_string(Plan::kMaxFrames) + " frames");
+        fail("seconds", "are more than " + std::to_string(Plan::kMaxFrames) + " frames");
     return std::max(1L, std::lround(frames));
 }
 

@@ -141,9 +141,7 @@ void dxRemoteWorkers::inForkedChild() {
     m_isRunning = m_isCommunicating = false;
     m_isForAllThreads = false;
     ++m_forks;
-    m_wake.inForkedChild();
     m_done.inForkedChild();
-    m_turn.inForkedChild();
 }
 
 dxRemoteCapacity dxRemoteWorkers::capacity() {

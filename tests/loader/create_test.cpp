@@ -46,8 +46,7 @@ TEST_F(Create, PutsTheFurnitureWhereTheFileHasIt) {
 TEST_F(Create, DoorIsOneBodyOfLeafAndHandle) {
     const dBodyID leaf = body(*scene, "door::leaf");
     EXPECT_LT((position(leaf) - Vector3{-1.424, 0.0139, 1}).length(), 1e-9);
-    dMass mass;
-    dBodyGetMass(leaf, &mass);
+    const dMass mass = massOf(leaf);
     EXPECT_NEAR(mass.I[0], 7.611, 1e-9);
     EXPECT_NEAR(mass.I[5], 6.105, 1e-9);
     EXPECT_NEAR(mass.I[10], 1.518, 1e-9);

@@ -72,8 +72,7 @@ TEST(Fluid, DragNeverAddsEnergy) {
     dBodySetLinearVel(boat, 1, 2, 3);
     dBodySetAngularVel(boat, 3, 2, 1);
     const auto energy = [&] {
-        dMass mass;
-        dBodyGetMass(boat, &mass);
+        const dMass mass = massOf(boat);
         const Vector3 turning = spin(boat);
         dVector3 along;
         dBodyVectorFromWorld(boat, static_cast<dReal>(turning.x), static_cast<dReal>(turning.y),

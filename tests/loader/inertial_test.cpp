@@ -10,11 +10,7 @@ std::string modelWith(const std::string &inertial, const std::string &pose = "0 
                  "</link></model>");
 }
 
-dMass massOf(const worlds::SdfScene &scene) {
-    dMass mass;
-    dBodyGetMass(body(scene, "m::link"), &mass);
-    return mass;
-}
+dMass massOf(const worlds::SdfScene &scene) { return small_world::massOf(body(scene, "m::link")); }
 
 TEST(Inertial, TakesOffDiagonals) {
     const auto scene = load(modelWith(R"(<inertial><mass>2</mass><inertia>
@@ -76,9 +72,7 @@ TEST(Inertial, ThatNoBodyHasIsTakenWithAWarning) {
     EXPECT_EQ(loaded.warnings,
               std::vector<std::string>{"test.sdf: /sdf/world/model[m]/link[link]/inertial/inertia: no body has such an inertia "
                                        "matrix: a moment is above the sum of the others"});
-    dMass mass;
-    dBodyGetMass(body(*loaded.scene, "m::link"), &mass);
-    EXPECT_EQ(mass.I[10], 5);
+    EXPECT_EQ(massOf(*loaded.scene).I[10], 5);
 }
 
 }  // namespace

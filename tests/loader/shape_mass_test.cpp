@@ -16,6 +16,8 @@ Pose drawnPose() {
     return {{drawn(-2, 2), drawn(-2, 2), drawn(-2, 2)}, Quaternion::fromRollPitchYaw(drawn(-3, 3), drawn(-1, 1), drawn(-3, 3))};
 }
 
+Collision collisionOf(const Shape &shape, const Pose &pose = {}) { return {"", {}, shape, pose, {}, 0}; }
+
 // ODE's, of a shape in that pose.
 dMass placed(dMass mass, const Pose &pose) {
     const Quaternion q = pose.rotation;
@@ -64,7 +66,7 @@ void expectOdesMass(const ShapeKind &shape) {
     const Pose pose = drawnPose();
     const double density = drawn(1, 5000);
     ShapeMass sum;
-    sum.add(Collision{"", {}, shape, pose, {}, 0}, density);
+    sum.add(collisionOf(shape, pose), density);
     ASSERT_TRUE(sum.total());
     expectSame(*sum.total(), placed(odesMass(shape, density), pose));
 }
@@ -84,8 +86,8 @@ TEST(ShapeMass, OfSeveralIsTheSum) {
     const Capsule capsule{0.4, 1};
     const Pose first = drawnPose(), second = drawnPose();
     ShapeMass sum;
-    sum.add(Collision{"", {}, box, first, {}, 0}, 700);
-    sum.add(Collision{"", {}, capsule, second, {}, 0}, 2710);
+    sum.add(collisionOf(box, first), 700);
+    sum.add(collisionOf(capsule, second), 2710);
     dMass expected = placed(odesMass(box, 700), first);
     const dMass other = placed(odesMass(capsule, 2710), second);
     dMassAdd(&expected, &other);
@@ -108,8 +110,8 @@ TEST(ShapeMass, OfAMeshIsThatOfWhatItEncloses) {
     for (const bool isOutwards : {true, false}) {
         const Vector3 size{1, 0.5, 2};
         Pose pose = drawnPose();
-        ShapeMass sum, box;
-        sum.add(Collision{"", {}, boxMesh(size, isOutwards), pose, {}, 0}, 800);
+        ShapeMass sum;
+        sum.add(collisionOf(boxMesh(size, isOutwards), pose), 800);
         pose.position += pose.rotation * (0.5 * size);
         ASSERT_TRUE(sum.total());
         expectSame(*sum.total(), placed(odesMass(Box{size}, 800), pose));
@@ -119,7 +121,7 @@ TEST(ShapeMass, OfAMeshIsThatOfWhatItEncloses) {
 TEST(ShapeMass, IsNoneWithoutAVolume) {
     const auto isThere = [](const Shape &shape) {
         ShapeMass sum;
-        sum.add(Collision{"", {}, shape, {}, {}, 0}, 1000);
+        sum.add(collisionOf(shape), 1000);
         return sum.total().has_value();
     };
     EXPECT_FALSE(ShapeMass().total());
@@ -142,11 +144,7 @@ std::string linked(const std::string &inertial, const std::string &collisions, c
 std::string cube(const std::string &name, const std::string &pose, const std::string &density = "") {
     return "<collision name=\"" + name + "\"><pose>" + pose + "</pose>" + density + "<geometry>" + box(1, 1, 1) + "</geometry></collision>";
 }
-dMass massOf(const SdfScene &scene) {
-    dMass mass;
-    dBodyGetMass(body(scene, "m::link"), &mass);
-    return mass;
-}
+dMass massOf(const SdfScene &scene) { return small_world::massOf(body(scene, "m::link")); }
 
 TEST(AutomaticInertial, IsThatOfTheCollisions) {
     const auto scene = load(linked("<inertial auto=\"true\"/>", cube("a", "0 0 1 0 0 0") + cube("b", "0 0 3 0 0 0", "<density>3000</density>")));

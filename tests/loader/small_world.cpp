@@ -100,6 +100,12 @@ dGeomID geom(const worlds::SdfScene &scene, const std::string &name) {
     return find(scene.inventory().geoms, scene.geomNames(), name);
 }
 
+dMass massOf(dBodyID body) {
+    dMass mass;
+    dBodyGetMass(body, &mass);
+    return mass;
+}
+
 Vector3 position(dBodyID body) { return toVector(dBodyGetPosition(body)); }
 Vector3 velocity(dBodyID body) { return toVector(dBodyGetLinearVel(body)); }
 Vector3 spin(dBodyID body) { return toVector(dBodyGetAngularVel(body)); }
@@ -128,9 +134,7 @@ double totalMass(const worlds::SdfScene &scene, const std::string &model) {
     double total = 0;
     for (std::size_t i = 0; i < scene.bodyNames().size(); ++i) {
         if (scene.bodyNames()[i].compare(0, model.size() + 2, model + "::") != 0) continue;
-        dMass mass;
-        dBodyGetMass(scene.inventory().bodies[i], &mass);
-        total += mass.mass;
+        total += massOf(scene.inventory().bodies[i]).mass;
     }
     return total;
 }

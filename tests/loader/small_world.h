@@ -45,6 +45,7 @@ dBodyID body(const worlds::SdfScene &scene, const std::string &name);
 dJointID joint(const worlds::SdfScene &scene, const std::string &name);
 dGeomID geom(const worlds::SdfScene &scene, const std::string &name);
 
+dMass massOf(dBodyID body);
 Vector3 position(dBodyID body);
 Vector3 velocity(dBodyID body);
 Vector3 spin(dBodyID body);

@@ -332,7 +332,7 @@ TEST_F(RemoteHelp, IsNotWaitedForByTheChildOfAHandlerThatForks) {
     other.join();
 }
 
-// Whoever holds the lock at that moment is not in the child.
+// Whoever holds the lock at that moment gives it back first.
 TEST_F(RemoteHelp, DoesNotDisturbChildrenOfOtherThreads) {
     if (kAddressSanitizer) GTEST_SKIP() << "another thread may hold a lock of AddressSanitizer's, which the child would wait for";
     open(true);

@@ -53,8 +53,15 @@ TEST(ForkListener, AnyOfThemMayEnd) {
 }
 
 bool canBeHeldByAll(dxForkSafeMutex &mutex) {
-    std::thread([&] { const std::lock_guard<dxForkSafeMutex> hold(mutex); }).join();
-    return true;
+    std::atomic<bool> isHeld{false};
+    std::thread other([&] {
+        const std::lock_guard<dxForkSafeMutex> hold(mutex);
+        isHeld = true;
+    });
+    const bool can = waitUntil([&] { return isHeld.load(); }, 10);
+    if (!can) mutex.unlock();
+    other.join();
+    return can;
 }
 
 // Whoever holds it gives it back first, so that the child finds whole what it guards.

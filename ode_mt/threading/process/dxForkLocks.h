@@ -1,7 +1,7 @@
 // Locks that are held across fork, so that the child finds whole what they guard.
 //
 // Order, also while forking: initialisation, creation, the list of dxForkListener, then every dxForkSafeMutex.
-// Under a dxForkSafeMutex no other lock is taken.
+// Under a dxForkSafeMutex no other of these is taken.
 #pragma once
 
 #include <pthread.h>

@@ -62,8 +62,7 @@ void readFriction(const Element &ode, Surface &surface) {
     surface.slip1 = ode.childNumber("slip1", surface.slip1);
     surface.slip2 = ode.childNumber("slip2", surface.slip2);
     if (const Element *direction = ode.child("fdir1")) {
-        const std::vector<double> numbers = direction->numbers();
-        const Vector3 vector{numbers[0], numbers[1], numbers[2]};
+        const Vector3 vector = ode.childVector("fdir1", {});
         surface.frictionDirection.reset();
         if (vector.length() > 0) surface.frictionDirection = vector.normalized();
         surface.frictionFrame.clear();

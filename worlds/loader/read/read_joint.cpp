@@ -71,8 +71,7 @@ JointAxis readAxis(const Element &source, const Scope &model, const Pose &modelP
                    const Quaternion &joint) {
     JointAxis axis;
     const Element *const xyz = source.child("xyz");
-    const std::vector<double> numbers = xyz ? xyz->numbers(3) : std::vector<double>{0, 0, 1};
-    const Vector3 direction = Vector3{numbers[0], numbers[1], numbers[2]}.normalized();
+    const Vector3 direction = source.childVector("xyz", {0, 0, 1}).normalized();
     axis.direction = modelPose.rotation * (axisFrame(source, xyz, model, joint) * direction);
     readLimits(source, axis);
     if (const Element *const dynamics = source.child("dynamics")) {

@@ -62,8 +62,7 @@ Mass readMass(const Element &link, bool isStatic, const Issues &issues) {
 // Whether the mass is to be that of the link's shapes.
 bool isMassOfShapes(const Element &link) {
     const Element *const inertial = link.child("inertial");
-    const std::string wanted = inertial ? inertial->attributeOrEmpty("auto") : std::string();
-    return wanted == "true" || wanted == "1";
+    return inertial && isTrue(inertial->attributeOrEmpty("auto"));
 }
 
 class WorldReader {
@@ -115,10 +114,12 @@ private:
             if (const Element *const angular = decay->child("angular"))
                 link.angularDamping = angular->number();
         }
+        const bool isOfShapes = !model.isStatic && isMassOfShapes(element);
         ShapeMass shapes;
         for (const Element &child : element.children)
-            if (child.name == "collision" && collision(child, element, scope, link)) shapes.add(link.collisions.back(), density(child, element));
-        link.mass = isMassOfShapes(element) && !model.isStatic ? massOf(element, shapes) : readMass(element, model.isStatic, m_reading.issues);
+            if (child.name == "collision" && collision(child, element, scope, link) && isOfShapes)
+                shapes.add(link.collisions.back(), density(child, element));
+        link.mass = isOfShapes ? massOf(element, shapes) : readMass(element, model.isStatic, m_reading.issues);
         m_numbers[&element] = static_cast<int>(m_world.links.size());
         m_world.links.push_back(std::move(link));
     }
