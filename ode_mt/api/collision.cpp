@@ -58,13 +58,15 @@ int dCollide(dGeomID o1, dGeomID o2, int flags, dContactGeom *contact, int skip)
     return dxIsHeightField(*o1) || dxIsHeightField(*o2) ? dxTransformedGeom::whileTransformed(collide) : collide();
 }
 
+// Nothing is decided, nor recorded, for the smallest of spaces: it would take longer than the call.
 void dSpaceCollide(dSpaceID space, void *data, dNearCallback *callback) {
-    if (space != nullptr && callback != nullptr && dGeomIsSpace(space)) {
-        const dxSettings &settings = dxSettings::instance();
-        dxClusterManager::prepare(space, settings.passName());
-        if (dxOrderedSpace *const ordered = dxOrderedSpace::from(space)) return dxCollideSpace(*ordered, data, callback);
-    }
-    dxUpstreamSpaceCollide(space, data, callback);
+    dxOrderedSpace *const ordered = callback != nullptr ? dxOrderedSpace::from(space) : nullptr;
+    if (ordered == nullptr) return dxUpstreamSpaceCollide(space, data, callback);
+    const dxSettings &settings = dxSettings::instance();
+    if (settings.algorithm() == dxAlgorithm::Auto && !ordered->isRecorded() && ordered->broadphase() == nullptr)
+        return ordered->collide(data, callback);
+    dxClusterManager::prepare(space, settings.passName());
+    dxCollideSpace(*ordered, data, callback);
 }
 
 int dBoxBox(const dVector3 p1, const dMatrix3 R1, const dVector3 side1, const dVector3 p2, const dMatrix3 R2, const dVector3 side2,

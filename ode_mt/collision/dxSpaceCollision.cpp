@@ -156,7 +156,6 @@ unsigned dxMaxCollisionThreads(const dxOrderedSpace &space) {
 void dxCollideSpace(dxOrderedSpace &space, void *data, dNearCallback *callback) {
     const dxSettings &settings = dxSettings::instance();
     const bool isAuto = settings.algorithm() == dxAlgorithm::Auto;
-    if (isAuto && !space.isRecorded()) return space.collide(data, callback);
     CollideSpan span(space);
     const dODE_MT_Reason reason = whyAlone(space, callback);
     if (reason != dODE_MT_REASON_PARALLEL)

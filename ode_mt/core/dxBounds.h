@@ -9,6 +9,19 @@
 
 #include <ode/common.h>
 
+// Returns whether two boxes in that layout overlap. All bounds are compared at once: of boxes that lie anywhere, a branch for each is mispredicted, which
+// takes four times as long as the comparison.
+inline bool dxOverlap(const dReal *a, const dReal *b) {
+    using Two [[gnu::vector_size(2 * sizeof(dReal))]] = dReal;
+    const auto apart = (Two{a[0], b[0]} > Two{b[1], a[1]}) | (Two{a[2], b[2]} > Two{b[3], a[3]}) | (Two{a[4], b[4]} > Two{b[5], a[5]});
+    return (apart[0] | apart[1]) == 0;
+}
+
+// The same bound by bound: the faster way for a few boxes, whose comparisons come out alike from call to call.
+inline bool dxOverlapInTurn(const dReal *a, const dReal *b) {
+    return !(a[0] > b[1] || a[1] < b[0] || a[2] > b[3] || a[3] < b[2] || a[4] > b[5] || a[5] < b[4]);
+}
+
 struct dxBounds {
     dReal v[6];
 
@@ -18,10 +31,7 @@ struct dxBounds {
     dReal low(int axis) const { return v[2 * axis]; }
     dReal high(int axis) const { return v[2 * axis + 1]; }
 
-    bool overlaps(const dxBounds &b) const {
-        return !(v[0] > b.v[1] || v[1] < b.v[0] || v[2] > b.v[3] || v[3] < b.v[2] || v[4] > b.v[5] ||
-                 v[5] < b.v[4]);
-    }
+    bool overlaps(const dxBounds &b) const { return dxOverlap(v, b.v); }
 
     bool contains(const dxBounds &b) const {
         return v[0] <= b.v[0] && b.v[1] <= v[1] && v[2] <= b.v[2] && b.v[3] <= v[3] && v[4] <= b.v[4] &&

@@ -74,11 +74,9 @@ void reportUnknownVariable(const char *name, const char *nearest) {
         dxLog(dxLogLevel::warning, "%.100s is no variable of this library, and has no effect", name);
 }
 
-dxProcessObject<dxSettings> settings;
-
 }  // namespace
 
-dxSettings &dxSettings::instance() { return *settings; }
+dxProcessObject<dxSettings> dxProcessSettings;
 
 dxSettings::dxSettings() : m_cores(dxCountProcessors()) {
     // One literal: bench/library_release.cpp finds the release in a library's file by it.

@@ -121,3 +121,7 @@ private:
     dxRemoteChoice m_remoteWorkers;
     std::atomic<unsigned> m_cores;
 };
+
+extern dxProcessObject<dxSettings> dxProcessSettings;
+
+inline dxSettings &dxSettings::instance() { return *dxProcessSettings; }

@@ -76,7 +76,9 @@ TEST_P(QuadRows, FindAllPairsInOrderAndCompareNoMoreThanTheBlocksAsk) {
         comparisons += within;
         all += count * count / 2;
     }
-    if (GetParam().isSpread) EXPECT_LT(comparisons, all / 2) << "blocks save comparisons";
+    if (GetParam().isSpread) {
+        EXPECT_LT(comparisons, all / 2) << "blocks save comparisons";
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, QuadRows,

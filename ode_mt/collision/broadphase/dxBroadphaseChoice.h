@@ -33,6 +33,8 @@ enum class dxPairOrder {
 struct dxBroadphaseThresholds {
     // A simple space of up to so many geoms is walked if any geom moves: nothing pays for keeping pairs.
     static constexpr int kMaxAlwaysWalked = 12;
+    // And of up to so many if none moves.
+    static constexpr int kMaxNeverKept = 6;
     // A simple space of up to so many geoms is walked if three quarters of them move.
     static constexpr int kMaxWalked = 512;
     // A sweep-and-prune space of up to so many geoms is walked if any geom moves, a larger one if one of sixteen does: the places of all its
@@ -44,8 +46,8 @@ struct dxBroadphaseThresholds {
     static constexpr int kMinCallsRested = 4;
     // From so many geoms on a walk compares boxes by vectors; below, filling the table costs more than it saves.
     static constexpr int kMinWalkedByVectors = 20;
-    // More pairs than these are found row by row as they are delivered: a list of them does not stay in the first cache.
-    static constexpr std::size_t kMaxListedPairs = 1024;
+    // If there are more pairs than these they are found row by row as they are delivered, else all at once before.
+    static constexpr std::size_t kMaxListedPerGeom = 3;
 
     // Up to so many geoms comparing boxes by vectors is faster than neighbours and sorting, whatever share of them
     // moves. A space that has grown beyond comes back at half of it (hysteresis).

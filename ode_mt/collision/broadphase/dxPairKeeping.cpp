@@ -9,18 +9,33 @@ constexpr double kMaxStep = 2;
 constexpr unsigned kCallsOfAverage = 8;
 constexpr double kMinFactor = 1.0 / 8, kMaxFactor = 16;
 
-// What finding all anew has to be cheaper by: the geoms of kept pairs are prefetched for their callbacks, those of a row are not.
+// What finding all anew has to be cheaper by: the geoms of kept pairs are prefetched for their callbacks, those of a row are not. That is worth
+// nothing where all are in the cache.
 constexpr double kWorthOfKeeping = 2;
+constexpr std::size_t kMaxCached = 512;  // geoms
 
-double costAnew(dxPairOrder order, const dxPairWork &work) { return kWorthOfKeeping * dxCostOfFindingAnew(order, work); }
+// In a space of no more geoms an estimate would take as long as the call.
+constexpr std::size_t kMaxUnestimated = dxBroadphaseThresholds::kMaxNeverKept;
+
+double costAnew(dxPairOrder order, const dxPairWork &work) {
+    return (work.geoms > kMaxCached ? kWorthOfKeeping : 1) * dxCostOfFindingAnew(order, work);
+}
 
 }  // namespace
 
 void dxPairKeeping::note(const dxPairWork &work) {
-    if (m_isKept)
+    if (m_order == dxPairOrder::Blocks && work.geoms <= kMaxUnestimated)
+        noteFew(work.changed);
+    else if (m_isKept)
         noteKept(work);
     else
         noteAnew(work);
+}
+
+// Pairs of a space that rests are kept.
+void dxPairKeeping::noteFew(std::size_t changed) {
+    m_restedCalls = changed == 0 ? m_restedCalls + 1 : 0;
+    m_isKept = m_restedCalls >= dxBroadphaseThresholds::kMinCallsRested;
 }
 
 void dxPairKeeping::noteTime(const dxPairWork &work, double ns) {

@@ -29,6 +29,7 @@ public:
     void overflow();
 
 private:
+    void noteFew(std::size_t changed);
     void noteKept(const dxPairWork &work);
     void noteAnew(const dxPairWork &work);
     void change();
@@ -36,6 +37,7 @@ private:
     dxPairOrder m_order;
     bool m_isKept = true;
     unsigned m_timed = 0;   // calls, no more than make an average
-    double m_factor = 0.5;  // of what keeping costs to what is estimated; in doubt pairs are kept
+    double m_factor = 1;    // of what keeping costs to what is estimated
+    int m_restedCalls = 0;  // in a row, of a space of few geoms
     double m_saved = 0;   // ns that the other way would have saved, since it would have begun to
 };

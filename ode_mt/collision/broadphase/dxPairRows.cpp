@@ -1,19 +1,34 @@
 #include "collision/broadphase/dxPairRows.h"
 
 void dxPairRows::clear() {
-    m_geoms.clear();
-    m_slots.clear();
-    m_filters.clear();
+    m_elements.clear();
     m_boxes.clear();
     m_mayExclude = false;
     m_comparisons = m_overlaps = 0;
 }
 
-void dxPairRows::finish() {
+void dxPairRows::makeRoom() {
     if (m_found.size() < geoms()) m_found.resize(geoms());
 }
 
-std::size_t dxPairRows::find(std::size_t row) { return keepAgreeing(row, findFrom(row + 1, m_boxes, m_boxes.row(row))); }
+void dxPairRows::fillColumns() {
+    for (const Element &element : m_elements) m_boxes.push(element.box);
+}
+
+std::size_t dxPairRows::find(std::size_t row) { return keepAgreeing(row, findFrom(row + 1, m_boxes, box(row))); }
+
+std::size_t dxPairRows::findOneByOne(std::size_t element, std::size_t end) {
+    const dxBounds &box = this->box(element);
+    std::size_t overlaps = 0, count = 0;
+    for (std::size_t other = element + 1; other < end; ++other) {
+        if (!box.overlaps(this->box(other))) continue;
+        ++overlaps;
+        m_found[count] = static_cast<std::uint32_t>(other);
+        count += dxFiltersAgree(m_elements[element].filter, m_elements[other].filter);
+    }
+    countWork(end - element - 1, overlaps);
+    return count;
+}
 
 // Without a branch on what the filters say: where they exclude about half of the pairs it would be mispredicted.
 std::size_t dxPairRows::keepOnlyAgreeing(const dxPairFilter &filter, std::size_t count) {
@@ -21,7 +36,7 @@ std::size_t dxPairRows::keepOnlyAgreeing(const dxPairFilter &filter, std::size_t
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t element = m_found[i];
         m_found[kept] = element;
-        kept += dxFiltersAgree(filter, m_filters[element]);
+        kept += dxFiltersAgree(filter, m_elements[element].filter);
     }
     return kept;
 }

@@ -24,15 +24,18 @@ public:
     void clear();
     // Adds a geom behind the others.
     void push(dxGeom *geom, Slot slot, const dxPairFilter &filter, const dxBounds &box) {
-        pushElement(geom, slot, filter);
-        m_boxes.push(box);
+        m_elements.push_back({geom, slot, filter, box});
+        m_mayExclude = m_mayExclude || filter.mayExclude();
     }
     // Requires a call after the last push(). Then nothing allocates memory.
-    void finish();
+    void finish() {
+        makeRoom();
+        fillColumns();
+    }
 
-    std::size_t geoms() const { return m_geoms.size(); }
+    std::size_t geoms() const { return m_elements.size(); }
     // Number of rows: of groups of pairs with the same first geom.
-    virtual std::size_t rows() const { return m_geoms.size(); }
+    virtual std::size_t rows() const { return geoms(); }
     // Returns the element that is first in the pairs of a row.
     virtual std::size_t first(std::size_t row) const { return row; }
     // Finds the pairs of a row, in the order of callbacks; returns how many. Valid until the next call.
@@ -40,20 +43,19 @@ public:
     // Returns the element that is second in a pair of those found.
     std::size_t second(std::size_t i) const { return m_found[i]; }
 
-    dxGeom *geom(std::size_t element) const { return m_geoms[element]; }
-    Slot slot(std::size_t element) const { return m_slots[element]; }
+    dxGeom *geom(std::size_t element) const { return m_elements[element].geom; }
+    Slot slot(std::size_t element) const { return m_elements[element].slot; }
 
     // Return the number of boxes that were compared, and of those that overlap, since the last clear().
     std::size_t comparisons() const { return m_comparisons; }
     std::size_t overlaps() const { return m_overlaps; }
 
 protected:
-    void pushElement(dxGeom *geom, Slot slot, const dxPairFilter &filter) {
-        m_geoms.push_back(geom);
-        m_slots.push_back(slot);
-        m_filters.push_back(filter);
-        m_mayExclude = m_mayExclude || filter.mayExclude();
-    }
+    // Makes room for what a row finds.
+    void makeRoom();
+    // Copies the boxes to m_boxes.
+    void fillColumns();
+    const dxBounds &box(std::size_t element) const { return m_elements[element].box; }
     // Finds the elements from `begin` on, up to `end`, that overlap a box, and counts them.
     std::size_t findBetween(std::size_t begin, std::size_t end, const dxBoxColumns &boxes, const dxBounds &box) {
         const std::size_t count = m_overlappingRows(boxes, box, begin, end, m_found.data());
@@ -69,19 +71,26 @@ protected:
     }
     // Leaves those out that the filters exclude; returns how many are left.
     std::size_t keepAgreeing(std::size_t element, std::size_t count) {
-        return m_mayExclude ? keepOnlyAgreeing(m_filters[element], count) : count;
+        return m_mayExclude ? keepOnlyAgreeing(m_elements[element].filter, count) : count;
     }
+    // Finds those that overlap an element, up to `end`, and that its filter does not exclude, box by box.
+    std::size_t findOneByOne(std::size_t element, std::size_t end);
 
     dxBoxColumns m_boxes;
     std::vector<std::uint32_t> m_found;  // elements
 
 private:
+    struct Element {
+        dxGeom *geom;
+        Slot slot;
+        dxPairFilter filter;
+        dxBounds box;
+    };
+
     std::size_t keepOnlyAgreeing(const dxPairFilter &filter, std::size_t count);
 
     dxOverlappingRowsKernel m_overlappingRows = dxKernelOfOverlappingRows();
-    std::vector<dxGeom *> m_geoms;
-    std::vector<Slot> m_slots;
-    std::vector<dxPairFilter> m_filters;
+    std::vector<Element> m_elements;
     bool m_mayExclude = false;
     std::size_t m_comparisons = 0, m_overlaps = 0;
 };

@@ -38,11 +38,12 @@ void dxHashRows::finish() {
         m_cells.push_back(pushed.cells);
         dxPairRows::push(pushed.geom, pushed.slot, pushed.filter, pushed.box);
     }
+    fillColumns();
     for (const Pushed &pushed : m_big) {
-        pushElement(pushed.geom, pushed.slot, pushed.filter);
+        dxPairRows::push(pushed.geom, pushed.slot, pushed.filter, pushed.box);
         m_bigBoxes.push(pushed.box);
     }
-    dxPairRows::finish();
+    makeRoom();
     m_ordered.resize(m_found.size());
     m_corners.resize(m_found.size());
 }
@@ -50,7 +51,7 @@ void dxHashRows::finish() {
 std::size_t dxHashRows::find(std::size_t row) {
     const std::size_t table = m_listed.size(), element = first(row);
     if (row < table) return findInTable(element);
-    if (row < 2 * table) return findBig(0, m_boxes.row(element), element);
+    if (row < 2 * table) return findBig(0, box(element), element);
     return findBig(element - table + 1, m_bigBoxes.row(element - table), element);
 }
 
@@ -61,7 +62,7 @@ std::size_t dxHashRows::findBig(std::size_t begin, const dxBounds &box, std::siz
 }
 
 std::size_t dxHashRows::findInTable(std::size_t searcher) {
-    const std::size_t overlapping = findFrom(searcher + 1, m_boxes, m_boxes.row(searcher));
+    const std::size_t overlapping = findFrom(searcher + 1, m_boxes, box(searcher));
     return orderByCells(m_cells[searcher], keepAgreeing(searcher, overlapping));
 }
 

@@ -4,7 +4,6 @@
 
 #include "collision/spaces/dxOrderedSpace.h"
 
-#include "collision_space_internal.h"
 #include "core/dxNoIndex.h"
 
 struct dxHashWalk::Meeting {
@@ -14,7 +13,7 @@ struct dxHashWalk::Meeting {
 
     void meet(dxGeom *first, dxGeom *second) {
         if (after == nullptr)
-            collideAABBs(first, second, data, callback);
+            dxCollideBoxes(first, second, data, callback);
         else if (first == after->first && second == after->second)
             after = nullptr;
     }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "collision_space_internal.h"
 #include "util.h"
 
 #include "collision/pairs/dxMissedNotifications.h"
@@ -32,14 +31,14 @@ void computeBadBoxes(dxGeom *geom) {
 // As upstream's collide2.
 void collideFrom(dxGeom *member, void *data, dxGeom *geom, dNearCallback *callback) {
     for (; member != nullptr; member = member->next)
-        if (dxGeomIsEnabled(member)) collideAABBs(member, geom, data, callback);
+        if (dxGeomIsEnabled(member)) dxCollideBoxes(member, geom, data, callback);
 }
 
 }  // namespace
 
 // Cleaning would change nothing: several threads may ask so at the same time.
 bool dxOrderedListSpace::isAtRest() const {
-    if (first != nullptr && isDirty(first)) return false;
+    if (hasDirty()) return false;
     if (m_isInterrupted || !isSureOfMembers()) return false;
     return m_walking ? minMovedToWalk() != INT_MAX : !m_isIrregular && members().unranked() == 0;
 }
@@ -48,6 +47,12 @@ bool dxOrderedListSpace::isAtRest() const {
 // once, because a user's bounding-box function may leave by an exception or a jump.
 void dxOrderedListSpace::cleanGeoms() {
     if (isAtRest()) return;
+    if (__libc_single_threaded != 0 && isWalkedOnly()) {
+        lock_count++;
+        cleanWalked();
+        lock_count--;
+        return;
+    }
     const dxSoleCleaner::Scope cleaner(m_cleaner);
     lock();
     if (!cleaner.isMine())
@@ -68,12 +73,6 @@ void dxOrderedListSpace::cleanToCollide() {
     lock_count--;
 }
 
-// Nothing but upstream's list is needed: this call walks it, whatever moves.
-bool dxOrderedListSpace::isWalkedOnly() const {
-    return m_walking && count <= dxBroadphaseThresholds::kMaxAlwaysWalked && mayWalk() && !m_isInterrupted && isSureOfMembers();
-}
-
-// As upstream does.
 void dxOrderedListSpace::cleanWalked() {
     m_isInterrupted = true;
     ++m_cleanings;

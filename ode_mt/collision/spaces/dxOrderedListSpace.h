@@ -20,6 +20,13 @@ public:
 protected:
     using dxOrderedSpace::dxOrderedSpace;
 
+    // Whether nothing but upstream's list is needed: this call walks it, whatever moves.
+    bool isWalkedOnly() const {
+        return m_walking && count <= dxBroadphaseThresholds::kMaxAlwaysWalked && mayWalk() && !m_isInterrupted && isSureOfMembers();
+    }
+    bool hasDirty() const { return first != nullptr && (first->gflags & GEOM_DIRTY) != 0; }
+    // As upstream does. Requires a locked space and isWalkedOnly().
+    void cleanWalked();
     void cleanToCollide() override;
     bool isLeftOut(Slot slot) const override;
     bool requireRanks() override;
@@ -30,8 +37,6 @@ protected:
 
 private:
     bool isAtRest() const;
-    bool isWalkedOnly() const;
-    void cleanWalked();
     void cleanAlone();
     // Returns whether ranks represent the list and all boxes that upstream would read are up to date.
     bool ranksStand() const { return !m_walking && !m_hasBadBox; }

@@ -4,13 +4,9 @@
 
 #include "collision/pairs/dxMissedNotifications.h"
 
-#include "collision_space_internal.h"
 #include "util.h"
 
 namespace {
-
-// Fewer are sorted by comparisons.
-constexpr std::size_t kFewItems = 64;
 
 // A callback with swapped arguments.
 struct Swapped {
@@ -184,22 +180,10 @@ struct dxOrderedQuadTreeSpace::Visit {
         if (after != nullptr) {
             if (after->first == geom && after->second == member) after = nullptr;
         } else if (dxGeomIsEnabled(member)) {
-            collideAABBs(geom, member, data, callback);
+            dxCollideBoxes(geom, member, data, callback);
         }
     }
 };
-
-// Present members, front first. Most calls leave the order as it is, and those that do not change little of it.
-void dxOrderedQuadTreeSpace::sortByRank() {
-    m_items.clear();
-    for (Slot slot = 0; slot < members().end(); ++slot)
-        if (members().isPresent(slot)) m_items.push_back({dxFrontFirst(members()[slot].rank), slot});
-    if (m_items.size() < kFewItems)
-        std::sort(m_items.begin(), m_items.end(), [](const dxSortItem &a, const dxSortItem &b) { return a.key < b.key; });
-    else
-        dxRadixSort(m_items, m_spare);
-    m_orderings = members().orderings();
-}
 
 // How many boxes a call compares that finds all pairs anew follows from how geoms lie in the tree. The rows tell it; they are gathered for that where
 // there are none, or those of another number of geoms.
@@ -210,14 +194,18 @@ void dxOrderedQuadTreeSpace::update(std::vector<dxOrderedPair> &pairs, dxPairWor
 }
 
 dxPairRows &dxOrderedQuadTreeSpace::gatherRows() {
-    if (m_orderings != members().orderings()) sortByRank();
     m_rows.clear();
-    for (const dxSortItem &item : m_items) {
+    for (const dxSortItem &item : m_order.update(members())) {
         const dxMembers::Member &member = members()[item.index];
         m_rows.push(member.geom, item.index, member.filter, member.bounds, m_ranks.blockOf(member.rank));
     }
     m_rows.finish();
     return m_rows;
+}
+
+void dxOrderedQuadTreeSpace::deliverAnew(void *data, dNearCallback *callback) {
+    beforeCallbacks([this] { gatherRows(); });
+    deliverRows(m_rows, data, callback);
 }
 
 void dxOrderedQuadTreeSpace::walk(void *data, dNearCallback *callback, const dxOrderedPair *after) {
@@ -247,14 +235,14 @@ void dxOrderedQuadTreeSpace::collideMember(void *data, dxGeom *geom, dNearCallba
     Swapped swapped{data, callback};
     for (auto slot = inner; slot != slots.end(); ++slot) {
         dxGeom *const member = members().geomIn(*slot);
-        if (dxGeomIsEnabled(member)) collideAABBs(geom, member, &swapped, Swapped::call);
+        if (dxGeomIsEnabled(member)) dxCollideBoxes(geom, member, &swapped, Swapped::call);
     }
     for (auto end = inner; end != slots.begin();) {
         auto begin = end;
         while (begin != slots.begin() && blockOf(begin[-1]) == blockOf(end[-1])) --begin;
         for (auto slot = begin; slot != end; ++slot) {
             dxGeom *const member = members().geomIn(*slot);
-            if (dxGeomIsEnabled(member)) collideAABBs(member, geom, data, callback);
+            if (dxGeomIsEnabled(member)) dxCollideBoxes(member, geom, data, callback);
         }
         end = begin;
     }
@@ -276,7 +264,7 @@ void dxOrderedQuadTreeSpace::walkMember(void *data, dxGeom *geom, dNearCallback 
         const std::size_t begin = placeFrom(block), end = visit.endOfBlock(block, begin, visit.order.size());
         for (std::size_t place = begin; place != end; ++place) {
             dxGeom *const member = visit.geomAt(place);
-            if (dxGeomIsEnabled(member)) collideAABBs(member, geom, data, callback);
+            if (dxGeomIsEnabled(member)) dxCollideBoxes(member, geom, data, callback);
         }
     }
 }
@@ -290,7 +278,7 @@ void dxOrderedQuadTreeSpace::collideOther(void *data, dxGeom *geom, dNearCallbac
     for (const Slot slot : region.slots()) {
         dxGeom *const member = members().geomIn(slot);
         if (!dxGeomIsEnabled(member)) continue;
-        collideAABBs(geom, member, &swapped, Swapped::call);
+        dxCollideBoxes(geom, member, &swapped, Swapped::call);
         if (isStill(geom, box) && dxMissedNotifications.count() == missed) continue;
         Visit rest(*this, &swapped, Swapped::call);
         rest.next = rest.placeOf(slot) + 1;

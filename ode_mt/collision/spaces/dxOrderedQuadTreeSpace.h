@@ -8,12 +8,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "collision/pairs/dxRankOrder.h"
 #include "collision/spaces/dxBlockRanks.h"
 #include "collision/spaces/dxDirtyQueue.h"
 #include "collision/spaces/dxOrderedSpace.h"
 #include "collision/spaces/dxQuadRows.h"
 #include "collision/spaces/dxQuadTree.h"
-#include "core/dxRadixSort.h"
 
 class dxOrderedQuadTreeSpace final : public dxOrderedSpace {
 public:
@@ -32,6 +32,7 @@ private:
 
     void update(std::vector<dxOrderedPair> &pairs, dxPairWork &work) override;
     dxPairRows &gatherRows() override;
+    void deliverAnew(void *data, dNearCallback *callback) override;
     bool requireRanks() override;
     bool hasStrayMembers() const override;
     bool mayCome(const dxGeom *geom) const override;
@@ -42,7 +43,6 @@ private:
     void collideWith(void *data, dxGeom *geom, dNearCallback *callback) override;
 
     Block blockOf(Slot slot) const { return m_ranks.blockOf(members()[slot].rank); }
-    void sortByRank();
     dxRank nextRank(Block block);
     void rankAnew();
     void collideMember(void *data, dxGeom *geom, dNearCallback *callback);
@@ -54,6 +54,5 @@ private:
     dxBlockRanks m_ranks;
     dxDirtyQueue m_dirty;
     dxQuadRows m_rows;
-    std::vector<dxSortItem> m_items, m_spare;  // the members by rank
-    std::uint64_t m_orderings = 0;             // dxMembers::orderings() when they were sorted
+    dxRankOrder m_order;
 };

@@ -358,5 +358,5 @@ void dxOrderedSapSpace::collideWith(void *data, dxGeom *geom, dNearCallback *cal
 void dxOrderedSapSpace::collideFrom(std::size_t place, void *data, dxGeom *geom, dNearCallback *callback) {
     const std::vector<dxSapLists::Entry> &list = m_lists.clean();
     for (; place < list.size(); ++place)
-        if (dxGeomIsEnabled(list[place].geom)) collideAABBs(list[place].geom, geom, data, callback);
+        if (dxGeomIsEnabled(list[place].geom)) dxCollideBoxes(list[place].geom, geom, data, callback);
 }

@@ -2,8 +2,22 @@
 
 #include <new>
 
-#include "collision_space_internal.h"
+#include "collision/narrowphase/dxTransformedGeom.h"
+
 #include "util.h"
+
+// What moves in a small space is compared with the others as upstream does, and nothing else is done. One at rest keeps its pairs, unless it
+// has so few geoms that comparing them takes no longer.
+void dxOrderedSimpleSpace::collide(void *data, dNearCallback *callback) {
+    dAASSERT(callback);
+    dxTransformedGeom::noticeLeft();
+    const bool isAsQuick = hasDirty() || count <= dxBroadphaseThresholds::kMaxNeverKept;
+    if (!isAsQuick || !isWalkedOnly() || narrowphasePrefetch() != nullptr) return dxOrderedSpace::collide(data, callback);
+    lock_count++;
+    if (hasDirty()) cleanWalked();
+    if (first != nullptr) walkFrom(nullptr, first, data, callback);
+    lock_count--;
+}
 
 void dxOrderedSimpleSpace::walk(void *data, dNearCallback *callback, const dxOrderedPair *after) {
     if (after != nullptr)
@@ -17,7 +31,7 @@ void dxOrderedSimpleSpace::walk(void *data, dNearCallback *callback, const dxOrd
 bool dxOrderedSimpleSpace::walkRows(void *data, dNearCallback *callback) {
     using Threshold = dxBroadphaseThresholds;
     if (count < Threshold::kMinWalkedByVectors || lock_count > 1) return false;
-    const bool isSmall = count <= Threshold::kMaxWalked && m_overlapsWalked <= Threshold::kMaxListedPairs;
+    const bool isSmall = count <= Threshold::kMaxWalked && m_overlapsWalked <= Threshold::kMaxListedPerGeom * static_cast<std::size_t>(count);
     try {
         if (isSmall ? !findListed() : !areBoxesUpToDate()) return false;
         if (!isSmall) gatherRows();
@@ -56,11 +70,11 @@ bool dxOrderedSimpleSpace::findListed() {
 // enabled was asked when its turn came. NULL: none.
 void dxOrderedSimpleSpace::walkFrom(dxGeom *g1, dxGeom *g2, void *data, dNearCallback *callback) {
     for (; g1 != nullptr && g2 != nullptr; g2 = g2->next)
-        if (dxGeomIsEnabled(g2)) collideAABBs(g1, g2, data, callback);
+        if (dxGeomIsEnabled(g2)) dxCollideBoxes(g1, g2, data, callback, dxOverlapInTurn);
     for (g1 = g1 != nullptr ? g1->next : first; g1 != nullptr; g1 = g1->next) {
         if (!dxGeomIsEnabled(g1)) continue;
         for (g2 = g1->next; g2 != nullptr; g2 = g2->next)
-            if (dxGeomIsEnabled(g2)) collideAABBs(g1, g2, data, callback);
+            if (dxGeomIsEnabled(g2)) dxCollideBoxes(g1, g2, data, callback, dxOverlapInTurn);
     }
 }
 
@@ -68,6 +82,11 @@ bool dxOrderedSimpleSpace::areBoxesUpToDate() const {
     for (const dxGeom *geom = first; geom != nullptr; geom = geom->next)
         if ((geom->gflags & GEOM_AABB_BAD) != 0) return false;
     return true;
+}
+
+void dxOrderedSimpleSpace::deliverAnew(void *data, dNearCallback *callback) {
+    beforeCallbacks([this] { gatherRows(); });
+    deliverRows(m_rows, data, callback);
 }
 
 dxPairRows &dxOrderedSimpleSpace::gatherRows() {

@@ -11,8 +11,11 @@ class dxOrderedSimpleSpace final : public dxOrderedListSpace {
 public:
     explicit dxOrderedSimpleSpace(dSpaceID parent) : dxOrderedListSpace(parent, dSimpleSpaceClass, dxPairOrder::List) {}
 
+    void collide(void *data, dNearCallback *callback) override;
+
 private:
     dxPairRows &gatherRows() override;
+    void deliverAnew(void *data, dNearCallback *callback) override;
     void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) override;
     bool walkRows(void *data, dNearCallback *callback);
     void walkFrom(dxGeom *g1, dxGeom *g2, void *data, dNearCallback *callback);

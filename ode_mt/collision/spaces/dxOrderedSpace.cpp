@@ -68,19 +68,6 @@ dxOrderedSpace::Slot dxOrderedSpace::slotOf(const dxGeom *geom) {
     return static_cast<Slot>(reinterpret_cast<std::uintptr_t>(geom->tome_ex) - 1);
 }
 
-dxOrderedSpace *dxOrderedSpace::from(dxSpace *space) {
-    if (space == nullptr) return nullptr;
-    switch (space->type) {
-        case dSimpleSpaceClass:
-        case dHashSpaceClass:
-        case dSweepAndPruneSpaceClass:
-        case dQuadTreeSpaceClass:
-            return static_cast<dxOrderedSpace *>(space);
-        default:
-            return nullptr;
-    }
-}
-
 dxOrderedSpace *dxOrderedSpace::of(const dxGeom *geom) {
     return geom->tome_ex != nullptr ? from(geom->parent_space) : nullptr;
 }
@@ -529,22 +516,6 @@ void dxOrderedSpace::deliverInOrder(const std::vector<dxOrderedPair> &pairs, voi
     }
 }
 
-void dxOrderedSpace::deliverAnew(void *data, dNearCallback *callback) {
-    dxPairRows &rows = *beforeCallbacks([this] { return &gatherRows(); });
-    deliverRows(rows, data, callback);
-}
-
-void dxOrderedSpace::deliverRows(dxPairRows &rows, void *data, dNearCallback *callback) {
-    const std::uint64_t missed = dxMissedNotifications.count(), comebacks = m_comebacks;
-    forPairsOf(rows, dxGeomIsEnabled, [&](const dxOrderedPair &pair) {
-        if (!dxGeomIsEnabled(pair.second)) return true;
-        dxDeliver(pair, data, callback);
-        if (dxMissedNotifications.count() == missed && m_comebacks == comebacks) return true;
-        walk(data, callback, &pair);
-        return false;
-    });
-}
-
 bool dxOrderedSpace::isStill(const dxGeom *geom, const dxBounds &box) {
     return (geom->gflags & GEOM_AABB_BAD) == 0 && std::memcmp(geom->aabb, box.v, sizeof box.v) == 0;
 }
@@ -557,7 +528,7 @@ dxGeom *dxOrderedSpace::collideRegion(void *data, dxGeom *geom, dNearCallback *c
     for (const Slot slot : region.slots()) {
         dxGeom *const member = m_members.geomIn(slot);
         if (!dxGeomIsEnabled(member)) continue;
-        collideAABBs(member, geom, data, callback);
+        dxCollideBoxes(member, geom, data, callback);
         if (!isStill(geom, box) || dxMissedNotifications.count() != missed) return member;
     }
     return nullptr;

@@ -59,6 +59,7 @@
 #include "collision/pairs/dxMissedNotifications.h"
 #include "collision/pairs/dxOrderedPair.h"
 #include "collision_kernel.h"
+#include "collision_space_internal.h"
 #include "config.h"
 #include "objects.h"
 #include "settings/dxOwnThreads.h"
@@ -230,15 +231,13 @@ protected:
     virtual dxPairRows &gatherRows() = 0;
     // Returns whether a broad phase finds the pairs of this space.
     virtual bool mayKeep() const { return true; }
-    // Finds all pairs anew and calls their callbacks, by default in the way of deliverInOrder().
-    virtual void deliverAnew(void *data, dNearCallback *callback);
-    // Calls the callbacks of pairs that are ordered by their first geom.
-    void deliverRows(dxPairRows &rows, void *data, dNearCallback *callback);
+    // Finds all pairs anew and calls their callbacks.
+    virtual void deliverAnew(void *data, dNearCallback *callback) = 0;
     // Calls deliver(pair) for the pairs of the rows for whose first geom begin(geom) returns true, until it returns false.
-    template <class Begin, class Deliver>
-    void forPairsOf(dxPairRows &rows, Begin begin, Deliver deliver) {
+    template <class Rows, class Begin, class Deliver>
+    void forPairsOf(Rows &rows, Begin begin, Deliver deliver) {
         std::size_t pairs = 0;
-        for (std::size_t row = 0; row < rows.rows(); ++row) {
+        for (std::size_t row = 0, end = rows.rows(); row < end; ++row) {
             dxGeom *const first = rows.geom(rows.first(row));
             if (!begin(first)) continue;
             const std::size_t found = rows.find(row);
@@ -248,6 +247,9 @@ protected:
         }
         noteAnew(rows, pairs);
     }
+    // The same in the way of deliverInOrder().
+    template <class Rows>
+    void deliverRows(Rows &rows, void *data, dNearCallback *callback);
     // Appends the pairs of all rows.
     static void collectRows(dxPairRows &rows, std::vector<dxOrderedPair> &pairs);
     // Tells what a call has found that found all pairs anew.
@@ -338,6 +340,19 @@ private:
     dxOwnThreadNumber m_ownThreads;
 };
 
+inline dxOrderedSpace *dxOrderedSpace::from(dxSpace *space) {
+    if (space == nullptr) return nullptr;
+    switch (space->type) {
+    case dSimpleSpaceClass:
+    case dHashSpaceClass:
+    case dSweepAndPruneSpaceClass:
+    case dQuadTreeSpaceClass:
+        return static_cast<dxOrderedSpace *>(space);
+    default:
+        return nullptr;
+    }
+}
+
 inline bool dxGeomIsEnabled(const dxGeom *geom) {
     return (geom->gflags & GEOM_ENABLE_TEST_MASK) == GEOM_ENABLE_TEST_VALUE;
 }
@@ -355,4 +370,28 @@ inline bool dxRefusesBoxOf(dxGeom *geom, dxGeom *other) {
 inline void dxDeliver(const dxOrderedPair &pair, void *data, dNearCallback *callback) {
     if (dxRefusesBoxOf(pair.first, pair.second) || dxRefusesBoxOf(pair.second, pair.first)) return;
     callback(data, pair.first, pair.second);
+}
+
+// Upstream's collideAABBs, with its assertions. `overlap` compares the boxes.
+template <class Overlap>
+inline void dxCollideBoxes(dxGeom *first, dxGeom *second, void *data, dNearCallback *callback, Overlap overlap) {
+    if (((first->gflags | second->gflags) & GEOM_AABB_BAD) != 0) return collideAABBs(first, second, data, callback);
+    if (first->body == second->body && first->body != nullptr) return;
+    if (((first->category_bits & second->collide_bits) | (second->category_bits & first->collide_bits)) == 0) return;
+    if (overlap(first->aabb, second->aabb)) dxDeliver({first, second, {}}, data, callback);
+}
+inline void dxCollideBoxes(dxGeom *first, dxGeom *second, void *data, dNearCallback *callback) {
+    dxCollideBoxes(first, second, data, callback, dxOverlap);
+}
+
+template <class Rows>
+void dxOrderedSpace::deliverRows(Rows &rows, void *data, dNearCallback *callback) {
+    const std::uint64_t missed = dxMissedNotifications.count(), comebacks = m_comebacks;
+    forPairsOf(rows, dxGeomIsEnabled, [&](const dxOrderedPair &pair) {
+        if (!dxGeomIsEnabled(pair.second)) return true;
+        dxDeliver(pair, data, callback);
+        if (dxMissedNotifications.count() == missed && m_comebacks == comebacks) return true;
+        walk(data, callback, &pair);
+        return false;
+    });
 }

@@ -1,8 +1,15 @@
 #include "collision/spaces/dxQuadRows.h"
 
+namespace {
+
+// To put a box into columns takes as long as to compare it with so many.
+constexpr std::size_t kFewCandidatesPerGeom = 8;
+
+}  // namespace
+
 // Blocks are numbered from the root on, each before those within it: those that an element ends are the innermost that are open.
 void dxQuadRows::finish() {
-    dxPairRows::finish();
+    makeRoom();
     m_ends.resize(geoms());
     m_open.clear();
     m_candidates = 0;
@@ -20,4 +27,6 @@ void dxQuadRows::finish() {
         m_open.push_back(row);
     }
     while (!m_open.empty()) close(static_cast<std::uint32_t>(geoms()));
+    m_areFew = m_candidates <= kFewCandidatesPerGeom * geoms();
+    if (!m_areFew) fillColumns();
 }

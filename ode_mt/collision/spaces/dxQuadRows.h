@@ -29,7 +29,11 @@ public:
     // Returns how many boxes are compared to find all rows.
     std::size_t candidates() const { return m_candidates; }
 
-    std::size_t find(std::size_t row) override { return keepAgreeing(row, findBetween(row + 1, m_ends[row], m_boxes, m_boxes.row(row))); }
+    std::size_t rows() const override { return geoms(); }
+    std::size_t first(std::size_t row) const override { return row; }
+    std::size_t find(std::size_t row) override {
+        return m_areFew ? findOneByOne(row, m_ends[row]) : keepAgreeing(row, findBetween(row + 1, m_ends[row], m_boxes, box(row)));
+    }
 
 private:
     const dxQuadTree &m_tree;
@@ -37,4 +41,5 @@ private:
     std::vector<std::uint32_t> m_ends;  // by row: behind the last element in its block and those within
     std::vector<std::uint32_t> m_open;  // scratch: the first rows of blocks around the one at hand
     std::size_t m_candidates = 0;
+    bool m_areFew = false;  // too few for vectors
 };

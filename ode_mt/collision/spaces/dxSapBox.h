@@ -19,7 +19,9 @@ struct dxSapBox {
     // Returns whether the boxes overlap. Requires that this box is before `later` in the order, and no NaN in `low`.
     bool meets(const dxSapBox &later) const { return later.low <= high && meetsAcross(later); }
     bool meetsAcross(const dxSapBox &other) const {
-        return high1 >= other.low1 && other.high1 >= low1 && high2 >= other.low2 && other.high2 >= low2;
+        using Two [[gnu::vector_size(2 * sizeof(dReal))]] = dReal;
+        const auto meet = (Two{high1, other.high1} >= Two{other.low1, low1}) & (Two{high2, other.high2} >= Two{other.low2, low2});
+        return (meet[0] & meet[1]) != 0;
     }
 };
 

@@ -10,12 +10,12 @@ void dxSapRows::clear(std::size_t swept) {
 
 void dxSapRows::pushSwept(dxGeom *geom, Slot slot, const dxPairFilter &filter, const dxSapBox &box) {
     m_columns.set(geoms(), box);
-    pushElement(geom, slot, filter);
+    push(geom, slot, filter, {});
 }
 
 void dxSapRows::finish(const std::vector<std::uint32_t> &places) {
     m_places = places;
-    dxPairRows::finish();
+    makeRoom();
 }
 
 std::size_t dxSapRows::find(std::size_t row) {

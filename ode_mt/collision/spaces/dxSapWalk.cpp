@@ -1,6 +1,7 @@
 #include "collision/spaces/dxSapWalk.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "collision/spaces/dxOrderedSpace.h"
 #include "collision/spaces/dxUpstreamAssertion.h"
@@ -31,11 +32,12 @@ void dxSapWalk::begin(std::size_t geoms) {
     m_infinite.clear();
     m_boxes.clear();
     m_keys.clear();
-    m_pairs.clear();
+    m_found = 0;
     m_swept.reserve(geoms);
     m_boxes.reserve(geoms);
     m_keys.reserve(geoms);
     m_comparisons = 0;
+    m_hasNaN = false;
 }
 
 void dxSapWalk::add(dxGeom *geom) {
@@ -47,30 +49,51 @@ void dxSapWalk::add(dxGeom *geom) {
     m_swept.push_back(geom);
     m_boxes.push_back(box);
     m_keys.push_back(box.low);
+    m_hasNaN = m_hasNaN || std::isnan(box.low);
 }
 
 void dxSapWalk::findPairs(dxSapSort &sort) {
-    if (!m_swept.empty()) sweep(sort.sort(m_keys));
+    if (m_swept.empty()) return;
+    const std::vector<std::uint32_t> &order = sort.sort(m_keys);
+    m_hasNaN ? sweepAsUpstream(order) : sweep(order);
+}
+
+// Through the boxes as they stand in memory then, and without a branch on whether two of them meet.
+void dxSapWalk::sweep(const std::vector<std::uint32_t> &order) {
+    m_sorted.resize(order.size());
+    for (std::size_t place = 0; place < order.size(); ++place) m_sorted[place] = m_boxes[order[place]];
+    for (std::size_t place = 0; place < order.size(); ++place) {
+        const dxSapBox &box = m_sorted[place];
+        if (m_pairs.size() < m_found + order.size()) m_pairs.resize(2 * (m_found + order.size()));
+        std::size_t later = place + 1;
+        for (; later < order.size() && m_sorted[later].low <= box.high; ++later) {
+            m_pairs[m_found] = {order[place], order[later]};
+            m_found += box.meetsAcross(m_sorted[later]);
+        }
+        m_comparisons += later - place - 1;
+    }
 }
 
 // Upstream keeps a second place that runs on until it is past a key that is not below that of the geom whose turn it is.
 // Along keys that rise that is the geom itself. A NaN is not below anything and nothing below it, so it ends
 // whatever meets it.
-void dxSapWalk::sweep(const std::vector<std::uint32_t> &order) {
+void dxSapWalk::sweepAsUpstream(const std::vector<std::uint32_t> &order) {
+    m_pairs.clear();
     auto next = order.begin();
     for (const std::uint32_t earlier : order) {
         const float key = m_keys[earlier];
         next = std::find_if(next, order.end(), [&](std::uint32_t other) { return !(m_keys[other] < key); });
-        if (next == order.end() || ++next == order.end()) return;
+        if (next == order.end() || ++next == order.end()) break;
         auto later = next;
         for (; later != order.end() && m_keys[*later] <= m_boxes[earlier].high; ++later)
             if (m_boxes[earlier].meetsAcross(m_boxes[*later])) m_pairs.push_back({earlier, *later});
         m_comparisons += static_cast<std::size_t>(later - next);
     }
+    m_found = m_pairs.size();
 }
 
 void dxSapWalk::deliver(void *data, dNearCallback *callback) const {
-    for (const Pair &pair : m_pairs) deliverPair(m_swept[pair.earlier], m_swept[pair.later], data, callback);
+    for (std::size_t i = 0; i < m_found; ++i) deliverPair(m_swept[m_pairs[i].earlier], m_swept[m_pairs[i].later], data, callback);
     for (std::size_t i = 0; i < m_infinite.size(); ++i) {
         for (std::size_t j = i + 1; j < m_infinite.size(); ++j)
             deliverPair(m_infinite[i], m_infinite[j], data, callback);

@@ -17,7 +17,7 @@ public:
     // Adds a geom. Requires the order of the list and enabled geoms.
     void add(dxGeom *geom);
     void findPairs(dxSapSort &sort);
-    std::size_t pairs() const { return m_pairs.size(); }
+    std::size_t pairs() const { return m_found; }
     // Returns how many geoms began within the extent of others.
     std::size_t comparisons() const { return m_comparisons; }
     void deliver(void *data, dNearCallback *callback) const;
@@ -35,12 +35,17 @@ private:
 
     static void reportUncleanBox(bool isFirst);
 
+    // Requires that no key is NaN.
     void sweep(const std::vector<std::uint32_t> &order);
+    void sweepAsUpstream(const std::vector<std::uint32_t> &order);
 
     dxSapAxes m_axes;
     std::vector<dxGeom *> m_swept, m_infinite;
     std::vector<dxSapBox> m_boxes;  // of m_swept
+    std::vector<dxSapBox> m_sorted;  // scratch: the same in order
     std::vector<float> m_keys;
-    std::vector<Pair> m_pairs;
+    bool m_hasNaN = false;
+    std::vector<Pair> m_pairs;  // those found, and room for more
+    std::size_t m_found = 0;
     std::size_t m_comparisons = 0;
 };
