@@ -14,7 +14,7 @@ import subprocess
 import sys
 
 KINDS = ["simple", "hash", "sweep and prune", "quad tree"]
-FIELDS = ["kind", "geoms", "crowding", "moved", "motion", "filter", "rays", "nested"]
+FIELDS = ["kind", "geoms", "crowding", "moved", "motion", "filter", "rays", "nested", "queries"]
 TURNS = 3
 TURN_US = 8000  # of calls in a turn, about
 MOST_PAIRS = 700_000
@@ -31,14 +31,22 @@ class Engine:
         return float(time), (int(callbacks), digest)
 
 
+GEOMS = (4, 12, 40, 120, 400, 1200, 3000)
+MOVED = (0, -1, 100, 500, 1000)
+
+
+def is_wanted(cell):
+    kind, geoms, crowding, moved, motion, bits, rays, nested, queries = cell
+    overlapping = geoms if crowding < 0 else min(crowding, geoms)
+    if not queries and geoms * overlapping / 2 > MOST_PAIRS or crowding > geoms // 2:
+        return False
+    return not (moved == 0 and motion == 1) and not (nested and (bits or rays))
+
+
 def cells(quick):
-    for cell in itertools.product(range(4), (4, 12, 40, 120, 400, 1200, 3000), (0, 6, 40, -1), (0, -1, 100, 500, 1000), (0, 1), (0, 1), (0, 50, 90), (0, 4)):
-        kind, geoms, crowding, moved, motion, bits, rays, nested = cell
-        overlapping = geoms if crowding < 0 else min(crowding, geoms)
-        if geoms * overlapping / 2 > MOST_PAIRS or crowding > geoms // 2:
-            continue
-        if (moved == 0 and motion == 1) or (nested and (bits or rays)):
-            continue
+    collided = itertools.product(range(4), GEOMS, (0, 6, 40, -1), MOVED, (0, 1), (0, 1), (0, 50, 90), (0, 4), (0,))
+    queried = itertools.product(range(4), GEOMS, (0, 6), MOVED, (0,), (0,), (0,), (0, 4), (1, 50, 1000))
+    for cell in filter(is_wanted, itertools.chain(collided, queried)):
         if quick and hash(cell) % 16 != 0:
             continue
         yield cell

@@ -1,6 +1,6 @@
 // One engine of bench/spaces/grid: collides spaces as cells of the grid describe them, one a line of standard input, on the libode that it finds.
 //
-//   KIND GEOMS CROWDING MOVED MOTION FILTER RAYS NESTED CALLS
+//   KIND GEOMS CROWDING MOVED MOTION FILTER RAYS NESTED QUERIES CALLS
 //
 //   KIND      0 simple, 1 hash, 2 sweep and prune, 3 quad tree
 //   CROWDING  number of boxes that a box overlaps on average; -1: all are in one place
@@ -9,6 +9,7 @@
 //   FILTER    0: every geom may meet every other; 1: half of them meet the other half alone
 //   RAYS      share of rays among the geoms, in hundredths
 //   NESTED    0: all geoms are in the space; N: in simple spaces of N geoms within it, which are collided with one another
+//   QUERIES   0: a call is one of dSpaceCollide; N: it is N of dSpaceCollide2 with one ray, as a lidar casts it, and dCollide in the callbacks
 //
 // For each it answers with the time of a call, and of moving the geoms before it, in microseconds of the thread's processor time (the median of eight
 // parts of the calls); with the number of callbacks of the last call; and with a hash of all callbacks of the first twelve calls in their order. A
@@ -34,11 +35,11 @@ double now() {
 }
 
 struct Cell {
-    int kind, geoms, crowding, moved, motion, filter, rays, nested, calls;
+    int kind, geoms, crowding, moved, motion, filter, rays, nested, queries, calls;
 
     bool isSameScene(const Cell &other) const {
         return kind == other.kind && geoms == other.geoms && crowding == other.crowding && moved == other.moved && motion == other.motion &&
-               filter == other.filter && rays == other.rays && nested == other.nested;
+               filter == other.filter && rays == other.rays && nested == other.nested && queries == other.queries;
     }
 };
 
@@ -68,6 +69,14 @@ void onNear(void *data, dGeomID a, dGeomID b) {
         seen.hash = (seen.hash ^ reinterpret_cast<std::uintptr_t>(dGeomGetData(geom))) * UINT64_C(1099511628211);
 }
 
+// Of a ray.
+void onHit(void *data, dGeomID a, dGeomID b) {
+    if (dGeomIsSpace(a) != 0 || dGeomIsSpace(b) != 0) return dSpaceCollide2(a, b, data, onHit);
+    dContactGeom contact;
+    const int contacts = dCollide(a, b, 1, &contact, sizeof contact);
+    if (contacts != 0) onNear(data, a, b);
+}
+
 class Scene {
 public:
     explicit Scene(const Cell &cell) : m_cell(cell) {
@@ -92,7 +101,10 @@ public:
             place(geom);
         }
     }
-    ~Scene() { dSpaceDestroy(m_space); }
+    ~Scene() {
+        dGeomDestroy(m_ray);
+        dSpaceDestroy(m_space);
+    }
     Scene(const Scene &) = delete;
     Scene &operator=(const Scene &) = delete;
 
@@ -100,7 +112,10 @@ public:
 
     void call(Seen &seen) {
         move();
-        dSpaceCollide(m_space, &seen, onNear);
+        if (m_cell.queries == 0)
+            dSpaceCollide(m_space, &seen, onNear);
+        else
+            castRays(seen);
     }
 
 private:
@@ -120,6 +135,14 @@ private:
         for (int axis = 0; axis < 3; ++axis) moved[axis] = position[axis] * 0.999 + m_random.between(-0.1, 0.1);
         dGeomSetPosition(geom, static_cast<dReal>(moved[0]), static_cast<dReal>(moved[1]), static_cast<dReal>(moved[2]));
     }
+    // From the middle, all around.
+    void castRays(Seen &seen) {
+        for (int i = 0; i < m_cell.queries; ++i) {
+            const double angle = 2 * M_PI * i / m_cell.queries;
+            dGeomRaySet(m_ray, 0, 0, 0, static_cast<dReal>(std::cos(angle)), static_cast<dReal>(std::sin(angle)), dReal(0.1));
+            dSpaceCollide2(m_ray, reinterpret_cast<dGeomID>(m_space), &seen, onHit);
+        }
+    }
     void move() {
         const auto count = static_cast<std::size_t>(m_cell.moved < 0 ? 1 : m_cell.geoms * m_cell.moved / 1000);
         for (std::size_t i = 0; i < count; ++i) m_cell.motion == 0 ? shift(m_geoms[i]) : place(m_geoms[i]);
@@ -128,6 +151,7 @@ private:
     Cell m_cell;
     Random m_random;
     dSpaceID m_space = nullptr;
+    dGeomID m_ray = dCreateRay(nullptr, 10);
     std::vector<dGeomID> m_geoms;
 };
 
@@ -138,8 +162,8 @@ int main() {
     std::unique_ptr<Scene> scene;
     std::uint64_t hash = 0;
     int hashedCalls = 0;
-    for (Cell cell; std::scanf("%d %d %d %d %d %d %d %d %d", &cell.kind, &cell.geoms, &cell.crowding, &cell.moved, &cell.motion, &cell.filter,
-                               &cell.rays, &cell.nested, &cell.calls) == 9;) {
+    for (Cell cell; std::scanf("%d %d %d %d %d %d %d %d %d %d", &cell.kind, &cell.geoms, &cell.crowding, &cell.moved, &cell.motion, &cell.filter,
+                               &cell.rays, &cell.nested, &cell.queries, &cell.calls) == 10;) {
         if (scene == nullptr || !scene->cell().isSameScene(cell)) {
             scene = std::make_unique<Scene>(cell);
             hash = hashedCalls = 0;

@@ -7,11 +7,12 @@ namespace {
 // A call that is interrupted takes any time: it counts as so many times the average at most, and as one of so many calls.
 constexpr double kMaxStep = 2;
 constexpr unsigned kCallsOfAverage = 8;
+constexpr unsigned kTimesToTrust = 3;
 constexpr double kMinFactor = 1.0 / 8, kMaxFactor = 16;
 
 // What finding all anew has to be cheaper by: the geoms of kept pairs are prefetched for their callbacks, those of a row are not. That is worth
 // nothing where all are in the cache.
-constexpr double kWorthOfKeeping = 2;
+constexpr double kWorthOfKeeping = 1.5;
 constexpr std::size_t kMaxCached = 512;  // geoms
 
 // In a space of no more geoms an estimate would take as long as the call.
@@ -56,8 +57,13 @@ void dxPairKeeping::change() {
     m_saved = 0;
 }
 
-// To forget the pairs costs nothing, so what the first calls that find all anew would save has to be proved by a few calls.
+// To forget the pairs costs nothing, so what the first calls that find all anew would save has to be proved by a few calls. In the first of all every
+// geom has changed, and nothing is known of the clock.
 void dxPairKeeping::noteKept(const dxPairWork &work) {
+    if (m_timed < kTimesToTrust && m_keptCalls < kCallsOfAverage) {
+        ++m_keptCalls;
+        return;
+    }
     const double anew = costAnew(m_order, work);
     m_saved = std::max(0.0, m_saved + m_factor * dxCostOfKeeping(m_order, work) - anew);
     if (m_saved > dxBroadphaseThresholds::kCallsSavedBeforeAnew * anew) change();

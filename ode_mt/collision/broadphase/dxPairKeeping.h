@@ -38,6 +38,7 @@ private:
     bool m_isKept = true;
     unsigned m_timed = 0;   // calls, no more than make an average
     double m_factor = 1;    // of what keeping costs to what is estimated
+    unsigned m_keptCalls = 0;  // while the clock has told too little
     int m_restedCalls = 0;  // in a row, of a space of few geoms
     double m_saved = 0;   // ns that the other way would have saved, since it would have begun to
 };

@@ -2,6 +2,8 @@
 
 void dxPairRows::clear() {
     m_elements.clear();
+    m_filters.clear();
+    m_listed.clear();
     m_boxes.clear();
     m_mayExclude = false;
     m_comparisons = m_overlaps = 0;
@@ -12,7 +14,7 @@ void dxPairRows::makeRoom() {
 }
 
 void dxPairRows::fillColumns() {
-    for (const Element &element : m_elements) m_boxes.push(element.box);
+    for (const dxBounds &box : m_listed) m_boxes.push(box);
 }
 
 std::size_t dxPairRows::find(std::size_t row) { return keepAgreeing(row, findFrom(row + 1, m_boxes, box(row))); }
@@ -24,7 +26,7 @@ std::size_t dxPairRows::findOneByOne(std::size_t element, std::size_t end) {
         if (!box.overlaps(this->box(other))) continue;
         ++overlaps;
         m_found[count] = static_cast<std::uint32_t>(other);
-        count += dxFiltersAgree(m_elements[element].filter, m_elements[other].filter);
+        count += dxFiltersAgree(m_filters[element], m_filters[other]);
     }
     countWork(end - element - 1, overlaps);
     return count;
@@ -36,7 +38,7 @@ std::size_t dxPairRows::keepOnlyAgreeing(const dxPairFilter &filter, std::size_t
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t element = m_found[i];
         m_found[kept] = element;
-        kept += dxFiltersAgree(filter, m_elements[element].filter);
+        kept += dxFiltersAgree(filter, m_filters[element]);
     }
     return kept;
 }

@@ -24,7 +24,9 @@ public:
     void clear();
     // Adds a geom behind the others.
     void push(dxGeom *geom, Slot slot, const dxPairFilter &filter, const dxBounds &box) {
-        m_elements.push_back({geom, slot, filter, box});
+        m_elements.push_back({geom, slot});
+        m_filters.push_back(filter);
+        m_listed.push_back(box);
         m_mayExclude = m_mayExclude || filter.mayExclude();
     }
     // Requires a call after the last push(). Then nothing allocates memory.
@@ -55,7 +57,7 @@ protected:
     void makeRoom();
     // Copies the boxes to m_boxes.
     void fillColumns();
-    const dxBounds &box(std::size_t element) const { return m_elements[element].box; }
+    const dxBounds &box(std::size_t element) const { return m_listed[element]; }
     // Finds the elements from `begin` on, up to `end`, that overlap a box, and counts them.
     std::size_t findBetween(std::size_t begin, std::size_t end, const dxBoxColumns &boxes, const dxBounds &box) {
         const std::size_t count = m_overlappingRows(boxes, box, begin, end, m_found.data());
@@ -71,7 +73,7 @@ protected:
     }
     // Leaves those out that the filters exclude; returns how many are left.
     std::size_t keepAgreeing(std::size_t element, std::size_t count) {
-        return m_mayExclude ? keepOnlyAgreeing(m_elements[element].filter, count) : count;
+        return m_mayExclude ? keepOnlyAgreeing(m_filters[element], count) : count;
     }
     // Finds those that overlap an element, up to `end`, and that its filter does not exclude, box by box.
     std::size_t findOneByOne(std::size_t element, std::size_t end);
@@ -83,14 +85,14 @@ private:
     struct Element {
         dxGeom *geom;
         Slot slot;
-        dxPairFilter filter;
-        dxBounds box;
     };
 
     std::size_t keepOnlyAgreeing(const dxPairFilter &filter, std::size_t count);
 
     dxOverlappingRowsKernel m_overlappingRows = dxKernelOfOverlappingRows();
     std::vector<Element> m_elements;
+    std::vector<dxPairFilter> m_filters;
+    std::vector<dxBounds> m_listed;
     bool m_mayExclude = false;
     std::size_t m_comparisons = 0, m_overlaps = 0;
 };

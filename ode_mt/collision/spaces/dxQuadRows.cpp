@@ -3,7 +3,7 @@
 namespace {
 
 // To put a box into columns takes as long as to compare it with so many.
-constexpr std::size_t kFewCandidatesPerGeom = 8;
+constexpr std::size_t kFewCandidatesPerGeom = 16;
 
 }  // namespace
 

@@ -1,0 +1,118 @@
+// Geoms that all lie in one place, some of which move: one_place KIND SCENE. Prints, for each call, the number of callbacks and a sum over them
+// that depends on their order. one_place_test runs it on Debian's libode8 and on ours.
+//
+//   spaces        empty spaces in one point, as models without collisions are, and a ball that moves far away
+//   spaces_met    the same, and the ball moves through them
+//   boxes         boxes in one place, and a ball that moves far away
+//   lidar         rays that begin in one place and turn, among boxes
+//   lidar_bits    the same, and rays do not meet rays
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include <ode/ode.h>
+
+namespace {
+
+constexpr int kSpaces = 400, kBoxes = 300, kRays = 360, kObstacles = 100, kCalls = 30;
+
+dSpaceID create(int kind) {
+    const dVector3 centre = {0, 0, 0}, extents = {100, 100, 10};
+    switch (kind) {
+    case 0: return dSimpleSpaceCreate(nullptr);
+    case 1: return dHashSpaceCreate(nullptr);
+    case 2: return dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ);
+    default: return dQuadTreeSpaceCreate(nullptr, centre, extents, 4);
+    }
+}
+
+struct Seen {
+    std::uint64_t sum = 0;
+    long pairs = 0;
+};
+
+std::uint64_t numberOf(dGeomID geom) { return reinterpret_cast<std::uintptr_t>(dGeomGetData(geom)); }
+
+void onNear(void *data, dGeomID a, dGeomID b) {
+    Seen &seen = *static_cast<Seen *>(data);
+    ++seen.pairs;
+    seen.sum = (seen.sum ^ (numberOf(a) * 2048 + numberOf(b))) * 0x100000001b3u;
+    if (dGeomIsSpace(a) != 0 && dGeomIsSpace(b) != 0) dSpaceCollide2(a, b, data, onNear);
+}
+
+class Place {
+public:
+    explicit Place(int kind) : m_space(create(kind)) {}
+    ~Place() { dSpaceDestroy(m_space); }
+    Place(const Place &) = delete;
+    Place &operator=(const Place &) = delete;
+
+    dSpaceID space() const { return m_space; }
+    dGeomID add(dGeomID geom) {
+        dGeomSetData(geom, reinterpret_cast<void *>(static_cast<std::uintptr_t>(++m_geoms)));
+        return geom;
+    }
+    void collide() const {
+        Seen seen;
+        dSpaceCollide(m_space, &seen, onNear);
+        std::printf("%ld %016llx\n", seen.pairs, static_cast<unsigned long long>(seen.sum));
+    }
+
+private:
+    dSpaceID m_space;
+    int m_geoms = 0;
+};
+
+template <class Create>
+void moveBall(Place &place, int others, bool isFar, Create create) {
+    for (int i = 0; i < others; ++i) place.add(create());
+    const dGeomID ball = place.add(dCreateSphere(place.space(), dReal(0.3)));
+    for (int call = 0; call < kCalls; ++call) {
+        dGeomSetPosition(ball, isFar ? 50 + dReal(0.01) * call : std::sin(dReal(call)), 0, 0);
+        place.collide();
+    }
+}
+
+void turnRays(Place &place, bool haveBits) {
+    for (int i = 0; i < kObstacles; ++i) {
+        const dGeomID box = place.add(dCreateBox(place.space(), dReal(0.5), dReal(0.5), 1));
+        dGeomSetPosition(box, 15 * std::sin(dReal(7 * i)), 15 * std::cos(dReal(3 * i)), dReal(0.5));
+    }
+    std::vector<dGeomID> rays;
+    for (int i = 0; i < kRays; ++i) {
+        rays.push_back(place.add(dCreateRay(place.space(), 10)));
+        if (!haveBits) continue;
+        dGeomSetCategoryBits(rays.back(), 2);
+        dGeomSetCollideBits(rays.back(), 1);
+    }
+    for (int call = 0; call < kCalls; ++call) {
+        for (int i = 0; i < kRays; ++i) {
+            const dReal angle = 2 * static_cast<dReal>(M_PI) * i / kRays + dReal(0.01) * call;
+            dGeomRaySet(rays[static_cast<std::size_t>(i)], dReal(0.02) * call, 0, dReal(0.4), std::cos(angle), std::sin(angle), 0);
+        }
+        place.collide();
+    }
+}
+
+}  // namespace
+
+int main(int count, char **arguments) {
+    if (count != 3) return 2;
+    dInitODE2(0);
+    const std::string scene = arguments[2];
+    {
+        Place place(std::atoi(arguments[1]));
+        const dSpaceID space = place.space();
+        if (scene == "spaces" || scene == "spaces_met")
+            moveBall(place, kSpaces, scene == "spaces", [space] { return reinterpret_cast<dGeomID>(dSimpleSpaceCreate(space)); });
+        else if (scene == "boxes")
+            moveBall(place, kBoxes, true, [space] { return dCreateBox(space, 1, 1, 1); });
+        else
+            turnRays(place, scene == "lidar_bits");
+    }
+    dCloseODE();
+    return 0;
+}
