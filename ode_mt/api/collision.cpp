@@ -38,11 +38,8 @@ void tellSwitch(dGeomID geom) {
     if (space != nullptr) space->enabledChanges(geom);
 }
 
-}  // namespace
-
-extern "C" {
-
-int dCollide(dGeomID o1, dGeomID o2, int flags, dContactGeom *contact, int skip) {
+// Contacts that are kept for the pair, or are to be; colliders of users, and of height fields.
+[[gnu::noinline]] int collideWithCare(dGeomID o1, dGeomID o2, int flags, dContactGeom *contact, int skip) {
     if (dxNarrowphasePrefetch *const ahead = dxNarrowphasePrefetch::current()) {
         const int count = ahead->answer(o1, o2, flags, contact, skip);
         if (count >= 0) return count;
@@ -56,6 +53,17 @@ int dCollide(dGeomID o1, dGeomID o2, int flags, dContactGeom *contact, int skip)
     if ((isUsers(*o1) || isUsers(*o2)) && !isAnsweredEarly(*o1, *o2, flags))
         dxColliderTable::resolve(o1->type, o2->type);
     return dxIsHeightField(*o1) || dxIsHeightField(*o2) ? dxTransformedGeom::whileTransformed(collide) : collide();
+}
+
+}  // namespace
+
+extern "C" {
+
+int dCollide(dGeomID o1, dGeomID o2, int flags, dContactGeom *contact, int skip) {
+    const auto isPlain = [](dGeomID geom) { return geom != nullptr && !isUsers(*geom) && !dxIsHeightField(*geom); };
+    if (isPlain(o1) && isPlain(o2) && dxNarrowphasePrefetch::current() == nullptr && dxContactLog::current() == nullptr)
+        return dxUpstreamCollide(o1, o2, flags, contact, skip);
+    return collideWithCare(o1, o2, flags, contact, skip);
 }
 
 // Nothing is decided, nor recorded, for the smallest of spaces: it would take longer than the call.

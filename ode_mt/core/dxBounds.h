@@ -5,17 +5,56 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <limits>
 
 #include <ode/common.h>
+
+// Two numbers that are compared at once.
+using dxTwoReals [[gnu::vector_size(2 * sizeof(dReal))]] = dReal;
+
+// Returns whether a comparison of two numbers, or of twice two, was true for any.
+template <class Mask>
+bool dxIsAny(const Mask &mask) {
+    std::uint64_t words[sizeof mask / sizeof(std::uint64_t)], any = 0;
+    std::memcpy(words, &mask, sizeof mask);
+    for (const std::uint64_t word : words) any |= word;
+    return any != 0;
+}
 
 // Returns whether two boxes in that layout overlap. All bounds are compared at once: of boxes that lie anywhere, a branch for each is mispredicted, which
 // takes four times as long as the comparison.
 inline bool dxOverlap(const dReal *a, const dReal *b) {
-    using Two [[gnu::vector_size(2 * sizeof(dReal))]] = dReal;
-    const auto apart = (Two{a[0], b[0]} > Two{b[1], a[1]}) | (Two{a[2], b[2]} > Two{b[3], a[3]}) | (Two{a[4], b[4]} > Two{b[5], a[5]});
-    return (apart[0] | apart[1]) == 0;
+    using Two = dxTwoReals;
+    return !dxIsAny((Two{a[0], b[0]} > Two{b[1], a[1]}) | (Two{a[2], b[2]} > Two{b[3], a[3]}) | (Two{a[4], b[4]} > Two{b[5], a[5]}));
 }
+
+// A box that is compared with many: the same as dxOverlap().
+class dxBoxProbe {
+public:
+    explicit dxBoxProbe(const dReal *aabb) : m_ends{{aabb[1], -aabb[0]}, {aabb[3], -aabb[2]}, {aabb[5], -aabb[4]}} {}
+    // Overlaps every box.
+    static dxBoxProbe ofAny() {
+        constexpr dReal nan = std::numeric_limits<dReal>::quiet_NaN();
+        const dReal nans[6] = {nan, nan, nan, nan, nan, nan};
+        return dxBoxProbe(nans);
+    }
+
+    bool overlaps(const dReal *aabb) const {
+        return !dxIsAny((endsOf(aabb) > m_ends[0]) | (endsOf(aabb + 2) > m_ends[1]) | (endsOf(aabb + 4) > m_ends[2]));
+    }
+
+private:
+    // Of a box on one axis: the lower end, and the upper one with the other sign.
+    static dxTwoReals endsOf(const dReal *bounds) {
+        dxTwoReals ends;
+        std::memcpy(&ends, bounds, sizeof ends);
+        return ends * dxTwoReals{1, -1};
+    }
+
+    dxTwoReals m_ends[3];  // by axis: the upper end, and the lower one with the other sign
+};
 
 // The same bound by bound: the faster way for a few boxes, whose comparisons come out alike from call to call.
 inline bool dxOverlapInTurn(const dReal *a, const dReal *b) {

@@ -74,7 +74,11 @@ struct dxBroadphaseThresholds {
     static constexpr double kCallsSavedBeforeAnew = 4;
 
     // From so many geoms on a tree may answer what a geom meets in a space; a smaller space is walked as fast.
-    static constexpr int kMinIndexed = 16;
+    static constexpr int kMinIndexed = 64;
+    // Nor may it where one geom meets more than one of so many: to put those in order takes longer than the comparisons that it saves.
+    static constexpr std::size_t kMinUnmetPerMet = 8;
+    // A space that is asked for what single geoms meet, and not collided itself, is walked if so many of four geoms move.
+    static constexpr int kMovedOfFourQueried = 2;
     // Geoms against a walked space, between two moves, after which a tree pays for the ranks that it needs.
     static constexpr int kMaxWalksUnranked = 8;
     // Putting a box into the tree costs as much as so many comparisons with a box.

@@ -4,8 +4,6 @@
 #include <mutex>
 #include <new>
 
-#include "collision/broadphase/dxBroadphaseChoice.h"
-
 namespace {
 
 // Cells an axis of the curve along which boxes are put into the tree.

@@ -16,6 +16,7 @@
 #include <shared_mutex>
 #include <vector>
 
+#include "collision/broadphase/dxBroadphaseChoice.h"
 #include "collision/broadphase/overlap/dxBoxBvh.h"
 #include "collision/broadphase/overlap/dxBoxColumns.h"
 #include "collision/pairs/dxMembers.h"
@@ -35,6 +36,14 @@ public:
     // Fills `found` with the members whose boxes overlap `box`, the one furthest to the front of the list
     // first.
     void find(const dxMembers &members, const dxBounds &box, std::pmr::vector<Slot> &found);
+
+    // Requires a call after each question, answered here or by comparing all members, with how many of `all` overlap the box.
+    void noteFound(std::size_t found, std::size_t all) {
+        const bool isSelective = dxBroadphaseThresholds::kMinUnmetPerMet * found <= all;
+        if (isSelective != m_isSelective.load(std::memory_order_relaxed)) m_isSelective.store(isSelective, std::memory_order_relaxed);
+    }
+    // Returns whether the last question was answered by so few members that comparing all would take longer.
+    bool isSelective() const { return m_isSelective.load(std::memory_order_relaxed); }
 
 private:
     struct Home {
@@ -59,6 +68,7 @@ private:
     dxBoxColumns m_looseBoxes;  // of m_loose
     std::vector<Slot> m_slotOfRow;
     dxBoxBvh m_tree;
+    std::atomic<bool> m_isSelective{true};
     std::atomic<std::size_t> m_debt{0};  // comparisons outside the tree since it was built
     std::vector<dxSortItem> m_items, m_spare;
 };

@@ -15,7 +15,7 @@ bool isBefore(const dxSortItem &a, const dxSortItem &b) { return a.key < b.key; 
 }  // namespace
 
 const std::vector<dxSortItem> &dxRankOrder::update(const dxMembers &members) {
-    if (m_orderings == members.orderings()) return m_items;
+    if (isCurrent(members)) return m_items;
     reserveMemory(members.end());
     gatherLoose(members);
     m_items.erase(std::remove_if(m_items.begin(), m_items.end(), [this](const dxSortItem &item) { return item.key != m_keys[item.index]; }),

@@ -14,6 +14,9 @@ public:
     // without any change.
     const std::vector<dxSortItem> &update(const dxMembers &members);
 
+    // Returns whether update() would change nothing: then several threads may call it.
+    bool isCurrent(const dxMembers &members) const { return m_orderings == members.orderings(); }
+
 private:
     void reserveMemory(std::size_t slots);
     void gatherLoose(const dxMembers &members);

@@ -28,10 +28,11 @@ void computeBadBoxes(dxGeom *geom) {
     }
 }
 
-// As upstream's collide2.
-void collideFrom(dxGeom *member, void *data, dxGeom *geom, dNearCallback *callback) {
-    for (; member != nullptr; member = member->next)
-        if (dxGeomIsEnabled(member)) dxCollideBoxes(member, geom, data, callback);
+// As upstream's collide2. Returns how many it has met.
+std::size_t collideFrom(dxGeom *member, void *data, dxGeom *geom, dNearCallback *callback) {
+    dxGeomQuery query(data, geom, callback);
+    for (; member != nullptr; member = member->next) query.meet(member);
+    return query.met();
 }
 
 }  // namespace
@@ -40,7 +41,7 @@ void collideFrom(dxGeom *member, void *data, dxGeom *geom, dNearCallback *callba
 bool dxOrderedListSpace::isAtRest() const {
     if (hasDirty()) return false;
     if (m_isInterrupted || !isSureOfMembers()) return false;
-    return m_walking ? minMovedToWalk() != INT_MAX : !m_isIrregular && members().unranked() == 0;
+    return m_walking ? mayWalk() : !m_isIrregular && members().unranked() == 0;
 }
 
 // Upstream stops at the first geom that is clean, and so do we. Ranks are given from the front downwards, at
@@ -63,6 +64,7 @@ void dxOrderedListSpace::cleanGeoms() {
 }
 
 void dxOrderedListSpace::cleanToCollide() {
+    m_walking.noteCollided();
     m_cleaner.dismiss();
     if (isAtRest()) return;
     lock_count++;
@@ -137,7 +139,7 @@ void dxOrderedListSpace::rankAll() {
 void dxOrderedListSpace::chooseToWalk() {
     const auto moved = static_cast<int>(m_dirty.size());
     m_walking.noteMoved(moved, count);
-    m_walking.set(isWorthWalking(m_walking, moved));
+    m_walking.set(isWorthWalking(m_walking, moved) || (m_walking.isForQuery(moved, count) && mayWalk()));
     m_isIrregular = m_isIrregular || m_walking;
 }
 
@@ -208,10 +210,20 @@ void dxOrderedListSpace::rankBehindClean(dxGeom *geom, dxRank next) {
     m_isIrregular = isIrregular;
 }
 
+// As upstream, whatever is known of the members.
+void dxOrderedListSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback) {
+    if (isWorthAnIndex() || hasDirty()) return dxOrderedSpace::collide2(data, geom, callback);
+    dAASSERT(geom && callback);
+    lock();
+    geom->recomputeAABB();
+    noteMet(collideFrom(first, data, geom, callback));
+    unlock();
+}
+
 void dxOrderedListSpace::collideWith(void *data, dxGeom *geom, dNearCallback *callback) {
     if (m_walking && isWorthAnIndex()) m_walking.query([this] { stopWalking(); });
     if (!isWorthAnIndex() || !isAtRest() || !ranksStand())
-        collideFrom(first, data, geom, callback);
+        noteMet(collideFrom(first, data, geom, callback));
     else if (const dxGeom *const last = collideRegion(data, geom, callback))
         collideFrom(last->next, data, geom, callback);
 }

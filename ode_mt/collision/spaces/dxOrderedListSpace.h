@@ -16,6 +16,7 @@
 class dxOrderedListSpace : public dxOrderedSpace {
 public:
     void cleanGeoms() override;
+    void collide2(void *data, dxGeom *geom, dNearCallback *callback) override;
 
 protected:
     using dxOrderedSpace::dxOrderedSpace;

@@ -269,21 +269,44 @@ void dxOrderedQuadTreeSpace::walkMember(void *data, dxGeom *geom, dNearCallback 
     }
 }
 
-// Once the geom has moved in a callback, what is left of upstream's way from the root on has to be gone.
+// Whether the order of members tells what a geom meets: it has none of those that are enabled since, and one of several threads would have to
+// bring it up to date.
+bool dxOrderedQuadTreeSpace::isOrderOfUse() const {
+    return !isWorthAnIndex() && (m_order.isCurrent(members()) || __libc_single_threaded != 0) && members().switched().empty();
+}
+
 void dxOrderedQuadTreeSpace::collideOther(void *data, dxGeom *geom, dNearCallback *callback) {
-    const dxBounds box(geom->aabb);
-    Swapped swapped{data, callback};
-    const Region region = beforeCallbacks([&] { return Region(*this, box); });
-    const std::uint64_t missed = dxMissedNotifications.count();
-    for (const Slot slot : region.slots()) {
-        dxGeom *const member = members().geomIn(slot);
-        if (!dxGeomIsEnabled(member)) continue;
-        dxCollideBoxes(geom, member, &swapped, Swapped::call);
-        if (isStill(geom, box) && dxMissedNotifications.count() == missed) continue;
-        Visit rest(*this, &swapped, Swapped::call);
-        rest.next = rest.placeOf(slot) + 1;
-        return rest.meetFrom(geom, dxQuadTree::kRoot, 0, rest.order.size());
+    if (isOrderOfUse()) {
+        const std::vector<dxSortItem> &items = *beforeCallbacks([this] { return &m_order.update(members()); });
+        const dxBoxProbe probe(geom->aabb);  // the rest is done elsewhere once the geom has moved
+        std::size_t met = 0;
+        for (const dxSortItem &item : items) {
+            dxGeom *const member = members()[item.index].geom;
+            if (!probe.overlaps(member->aabb)) continue;
+            ++met;
+            if (!meetOther(data, geom, member, callback)) return;
+        }
+        return noteMet(met);
     }
+    const Region region = beforeCallbacks([&] { return Region(*this, dxBounds(geom->aabb)); });
+    for (const Slot slot : region.slots())
+        if (!meetOther(data, geom, members().geomIn(slot), callback)) return;
+}
+
+// Returns false if it has done the rest, too: once the geom has moved in a callback, what is left of upstream's way from the root on has to be
+// gone.
+bool dxOrderedQuadTreeSpace::meetOther(void *data, dxGeom *geom, dxGeom *member, dNearCallback *callback) {
+    if (!dxGeomIsEnabled(member)) return true;
+    const dxBounds box(geom->aabb);
+    const std::uint64_t missed = dxMissedNotifications.count();
+    const std::size_t switched = members().switched().size();
+    Swapped swapped{data, callback};
+    dxCollideBoxes(geom, member, &swapped, Swapped::call);
+    if (isStill(geom, box) && dxMissedNotifications.count() == missed && members().switched().size() == switched) return true;
+    Visit rest(*this, &swapped, Swapped::call);
+    rest.next = rest.placeOf(slotOf(member)) + 1;
+    rest.meetFrom(geom, dxQuadTree::kRoot, 0, rest.order.size());
+    return false;
 }
 
 void dxOrderedQuadTreeSpace::walkOther(void *data, dxGeom *geom, dNearCallback *callback) {

@@ -46,7 +46,9 @@ private:
     dxRank nextRank(Block block);
     void rankAnew();
     void collideMember(void *data, dxGeom *geom, dNearCallback *callback);
+    bool isOrderOfUse() const;
     void collideOther(void *data, dxGeom *geom, dNearCallback *callback);
+    bool meetOther(void *data, dxGeom *geom, dxGeom *member, dNearCallback *callback);
     void walkMember(void *data, dxGeom *geom, dNearCallback *callback);
     void walkOther(void *data, dxGeom *geom, dNearCallback *callback);
 

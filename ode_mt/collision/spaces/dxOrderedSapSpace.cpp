@@ -105,6 +105,7 @@ void dxOrderedSapSpace::cleanGeoms() {
     m_toClean.clear();
     for (const dxSapLists::Entry &entry : m_lists.dirty()) m_toClean.push_back(entry.geom);
     m_walking.noteMoved(static_cast<int>(m_toClean.size()), count);
+    if (m_walking.isForQuery(static_cast<int>(m_toClean.size()), count) && mayWalk()) m_walking.set(true);
     if (m_walking)
         for (std::size_t i = 0; i < m_toClean.size(); ++i) clean(m_toClean, i);
     else
@@ -159,6 +160,7 @@ dxBounds dxOrderedSapSpace::boundsOf(const dxGeom *geom, const dxSapBox &box) co
 // at which it fails an assertion; and a change that a callback made and the call it makes now would see,
 // while the call around it has not done with pairs().
 bool dxOrderedSapSpace::makeReady() {
+    m_walking.noteCollided();
     if (lock_count == 1) chooseToWalk();
     cleanGeoms();
     if (lock_count == 1) m_walking.takeMoved();  // has been chosen by
@@ -357,6 +359,7 @@ void dxOrderedSapSpace::collideWith(void *data, dxGeom *geom, dNearCallback *cal
 
 void dxOrderedSapSpace::collideFrom(std::size_t place, void *data, dxGeom *geom, dNearCallback *callback) {
     const std::vector<dxSapLists::Entry> &list = m_lists.clean();
-    for (; place < list.size(); ++place)
-        if (dxGeomIsEnabled(list[place].geom)) dxCollideBoxes(list[place].geom, geom, data, callback);
+    dxGeomQuery query(data, geom, callback);
+    for (; place < list.size(); ++place) query.meet(list[place].geom);
+    noteMet(query.met());
 }

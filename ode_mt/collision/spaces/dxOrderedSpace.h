@@ -281,7 +281,9 @@ protected:
     class Region {
     public:
         Region(dxOrderedSpace &space, const dxBounds &box) {
+            m_slots.reserve(kOnStack);
             space.m_index.find(space.m_members, box, m_slots);
+            space.noteMet(m_slots.size());
         }
         Region(const Region &) = delete;
         Region &operator=(const Region &) = delete;
@@ -298,7 +300,11 @@ protected:
     };
     // Returns whether the geom's box is still `box`. A geom that is not in the space may move in a callback.
     static bool isStill(const dxGeom *geom, const dxBounds &box);
-    bool isWorthAnIndex() const { return count >= dxBroadphaseThresholds::kMinIndexed; }
+    bool isWorthAnIndex() const { return count >= dxBroadphaseThresholds::kMinIndexed && m_index.isSelective(); }
+    // Requires a call after each query, with the number of members that the geom has met.
+    void noteMet(std::size_t members) {
+        if (count >= dxBroadphaseThresholds::kMinIndexed) m_index.noteFound(members, static_cast<std::size_t>(count));
+    }
     // Equivalent of upstream's collide2 where it walks a list, which has the order of ranks. Returns NULL, or the
     // member in whose callback the geom moved: upstream continues behind it with the new box.
     dxGeom *collideRegion(void *data, dxGeom *geom, dNearCallback *callback);
@@ -383,6 +389,35 @@ inline void dxCollideBoxes(dxGeom *first, dxGeom *second, void *data, dNearCallb
 inline void dxCollideBoxes(dxGeom *first, dxGeom *second, void *data, dNearCallback *callback) {
     dxCollideBoxes(first, second, data, callback, dxOverlap);
 }
+
+// A geom against members of a space, one after the other, as upstream's collide2 meets them. Callbacks may move the geom.
+class dxGeomQuery {
+public:
+    dxGeomQuery(void *data, dxGeom *geom, dNearCallback *callback) : m_data(data), m_geom(geom), m_callback(callback) {}
+
+    // Returns how many members it has met.
+    std::size_t met() const { return m_met; }
+    void meet(dxGeom *member) {
+        const bool isReady = (member->gflags & (GEOM_ENABLE_TEST_MASK | GEOM_AABB_BAD)) == GEOM_ENABLE_TEST_VALUE;
+        if (isReady && !m_probe.overlaps(member->aabb)) return;
+        if (!dxGeomIsEnabled(member)) return;
+        ++m_met;
+        dxCollideBoxes(member, m_geom, m_data, m_callback);
+        m_probe = probeOf(m_geom);
+    }
+
+private:
+    // While the box is not up to date the next pair's assertion fails, whatever the boxes.
+    static dxBoxProbe probeOf(const dxGeom *geom) {
+        return (geom->gflags & GEOM_AABB_BAD) == 0 ? dxBoxProbe(geom->aabb) : dxBoxProbe::ofAny();
+    }
+
+    void *m_data;
+    dxGeom *m_geom;
+    dNearCallback *m_callback;
+    dxBoxProbe m_probe = probeOf(m_geom);
+    std::size_t m_met = 0;
+};
 
 template <class Rows>
 void dxOrderedSpace::deliverRows(Rows &rows, void *data, dNearCallback *callback) {

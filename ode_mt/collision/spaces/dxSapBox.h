@@ -6,6 +6,8 @@
 
 #include <ode/ode.h>
 
+#include "core/dxBounds.h"
+
 #include "config.h"
 #include "objects.h"
 #include "collision_kernel.h"
@@ -19,9 +21,9 @@ struct dxSapBox {
     // Returns whether the boxes overlap. Requires that this box is before `later` in the order, and no NaN in `low`.
     bool meets(const dxSapBox &later) const { return later.low <= high && meetsAcross(later); }
     bool meetsAcross(const dxSapBox &other) const {
-        using Two [[gnu::vector_size(2 * sizeof(dReal))]] = dReal;
+        using Two = dxTwoReals;
         const auto meet = (Two{high1, other.high1} >= Two{other.low1, low1}) & (Two{high2, other.high2} >= Two{other.low2, low2});
-        return (meet[0] & meet[1]) != 0;
+        return !dxIsAny(~meet);
     }
 };
 

@@ -27,6 +27,14 @@ public:
         m_moved = std::min(m_moved + geoms, all);
         if (geoms != 0) m_queries.store(0, std::memory_order_relaxed);
     }
+    // Requires a call of each dSpaceCollide, before geoms are cleaned.
+    void noteCollided() { m_isCollided = true; }
+    // Requires a call of each cleaning. Returns whether it is one for a query of a space that has not been collided since the last one, of which that
+    // many move that a list walk answers it the fastest.
+    bool isForQuery(int moved, int all) {
+        return !std::exchange(m_isCollided, false) && 4 * moved >= dxBroadphaseThresholds::kMovedOfFourQueried * all;
+    }
+
     // Returns how many were since takeMoved() was last called, each counted as often as it was, at most all.
     int takeMoved() { return std::exchange(m_moved, 0); }
     // Requires a call of each dSpaceCollide, with the number of geoms that have moved since the last one. Returns whether walks are to end: few
@@ -48,6 +56,7 @@ public:
 private:
     std::atomic<int> m_queries{0};
     int m_moved = 0, m_restedCalls = 0;
+    bool m_isCollided = false;
     dxPublished<bool> m_isOn{false};
     std::mutex m_stopping;  // only try_lock is used
 };
