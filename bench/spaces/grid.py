@@ -3,8 +3,8 @@
 
 Each cell of the grid is a space with so many geoms that overlap so much, of which so many move before each call (space_cell.cpp). Both
 engines run its calls in turns, on one core, since two may not be equally fast, and the ratio is the median of those of adjacent turns: 2 means that
-ours takes half of the time. Prints the worst
-and the median ratio for each kind of space, and the cells below 0.9. Ends with 1 if callbacks differ.
+ours takes half of the time. Prints a
+table of ratios, and the cells below 0.9. Ends with 1 if callbacks differ.
 """
 import argparse
 import csv
@@ -73,6 +73,17 @@ def measure(engines, cell):
     return stock, ours, first[0][1][0], agree
 
 
+def print_table(rows):
+    print("| space | geoms | cells | median | worst | below 0.9 | rays: cells | median | worst | below 0.9 |\n" + "|---" * 10 + "|")
+    for (kind, name), geoms in itertools.product(enumerate(KINDS), GEOMS):
+        columns = []
+        for is_queried in (False, True):
+            ratios = [row["ratio"] for row in rows if (row["kind"], row["geoms"], row["queries"] != 0) == (kind, geoms, is_queried)]
+            columns += [len(ratios), f"{statistics.median(ratios):.2f}", f"{min(ratios):.2f}", sum(ratio < 0.9 for ratio in ratios)] if ratios else [""] * 4
+        if any(column != "" for column in columns):
+            print("|", " | ".join(map(str, [name, geoms] + columns)), "|")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program")
@@ -107,10 +118,8 @@ def main():
             writer.writerows(rows)
     if options.check:
         print(f"{len(rows)} cells, callbacks of {len(differing)} differ")
-    for kind, name in enumerate(KINDS if not options.check else []):
-        ratios = [row["ratio"] for row in rows if row["kind"] == kind]
-        if ratios:
-            print(f"{name}: {len(ratios)} cells, worst {min(ratios)}, median {statistics.median(ratios):.2f}, below 0.9: {sum(r < 0.9 for r in ratios)}")
+    if not options.check:
+        print_table(rows)
     for row in sorted(rows, key=lambda row: row["ratio"])[:40]:
         if row["ratio"] < 0.9:
             print(*(f"{name} {value}" for name, value in row.items()), sep=", ")

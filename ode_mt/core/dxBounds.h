@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 
 #include <ode/common.h>
 
@@ -48,9 +49,14 @@ public:
 private:
     // Of a box on one axis: the lower end, and the upper one with the other sign.
     static dxTwoReals endsOf(const dReal *bounds) {
+        using Bits = decltype(dxTwoReals{} > dxTwoReals{});
+        using Word = std::conditional_t<sizeof(dReal) == sizeof(std::int64_t), std::int64_t, std::int32_t>;
+        Bits bits;
+        std::memcpy(&bits, bounds, sizeof bits);
+        bits ^= Bits{0, std::numeric_limits<Word>::min()};  // no arithmetic, which may flush the smallest numbers to zero
         dxTwoReals ends;
-        std::memcpy(&ends, bounds, sizeof ends);
-        return ends * dxTwoReals{1, -1};
+        std::memcpy(&ends, &bits, sizeof ends);
+        return ends;
     }
 
     dxTwoReals m_ends[3];  // by axis: the upper end, and the lower one with the other sign

@@ -4,6 +4,8 @@
 //   spaces        empty spaces in one point, as models without collisions are, and a ball that moves far away
 //   spaces_met    the same, and the ball moves through them
 //   boxes         boxes in one place, and a ball that moves far away
+//   disabled      most of a crowd moves, some of it is disabled, and then one moves
+//   destroyed     the same, and some are destroyed
 //   lidar         rays that begin in one place and turn, among boxes
 //   lidar_bits    the same, and rays do not meet rays
 #include <cmath>
@@ -76,6 +78,24 @@ void moveBall(Place &place, int others, bool isFar, Create create) {
     }
 }
 
+void losePart(Place &place, bool areDestroyed) {
+    constexpr int kCrowd = 100, kMany = 80, kLost = 10, kCallsOfMany = 60;
+    std::vector<dGeomID> crowd;
+    for (int i = 0; i < kCrowd; ++i) crowd.push_back(place.add(dCreateSphere(place.space(), 1)));
+    int calls = 0;
+    const auto moveAndCollide = [&](int geoms) {
+        for (int i = 0; i < geoms; ++i) dGeomSetPosition(crowd[static_cast<std::size_t>(i)], dReal(0.001) * i, dReal(0.001) * ++calls, 0);
+        place.collide();
+    };
+    for (int call = 0; call < kCallsOfMany; ++call) moveAndCollide(kMany);
+    for (int i = 0; i < kLost; ++i) {
+        (areDestroyed ? dGeomDestroy : dGeomDisable)(crowd.back());
+        crowd.pop_back();
+    }
+    moveAndCollide(kMany);
+    for (int call = 0; call < kCalls; ++call) moveAndCollide(1);
+}
+
 void turnRays(Place &place, bool haveBits) {
     for (int i = 0; i < kObstacles; ++i) {
         const dGeomID box = place.add(dCreateBox(place.space(), dReal(0.5), dReal(0.5), 1));
@@ -110,6 +130,8 @@ int main(int count, char **arguments) {
             moveBall(place, kSpaces, scene == "spaces", [space] { return reinterpret_cast<dGeomID>(dSimpleSpaceCreate(space)); });
         else if (scene == "boxes")
             moveBall(place, kBoxes, true, [space] { return dCreateBox(space, 1, 1, 1); });
+        else if (scene == "disabled" || scene == "destroyed")
+            losePart(place, scene == "destroyed");
         else
             turnRays(place, scene == "lidar_bits");
     }

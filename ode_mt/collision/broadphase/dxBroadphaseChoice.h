@@ -1,7 +1,8 @@
 // Which broad phase a space uses now, and why: every threshold between one broad phase and another stands here.
 //
 //   broad phase     what a call does                                       done by
-//   ListWalk        walks the geoms as upstream does, keeps nothing        dxOrderedSimpleSpace, dxSapWalk
+//   ListWalk        walks the geoms as upstream does, keeps nothing        dxOrderedSimpleSpace, dxSapWalk; for queries alone
+//                                                                          dxOrderedListSpace
 //   OrderedTable    compares changed boxes with all; pairs come in order   dxBruteForcePairs
 //   SlotTable       compares changed boxes with all; pairs are sorted      dxBruteForceBroadphase
 //   NeighbourList   compares the candidates of a list; pairs are sorted    dxVerletBroadphase

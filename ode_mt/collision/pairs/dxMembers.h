@@ -75,6 +75,10 @@ public:
     void markChanged(Slot slot) {
         if (isPresent(slot)) note(slot, m_isChanged, m_changed);
     }
+    // Marks all slots as changed, also those whose members are absent or gone: who keeps pairs has not heard of all changes.
+    void markAllChanged() {
+        for (Slot slot = 0; slot < end(); ++slot) note(slot, m_isChanged, m_changed);
+    }
     // Returns the changed slots, including those of members that were removed or became absent.
     const std::vector<Slot> &changed() const { return m_changed; }
     bool isChanged(Slot slot) const { return m_isChanged[slot] != 0; }

@@ -39,8 +39,7 @@ std::size_t collideFrom(dxGeom *member, void *data, dxGeom *geom, dNearCallback 
 
 // Cleaning would change nothing: several threads may ask so at the same time.
 bool dxOrderedListSpace::isAtRest() const {
-    if (hasDirty()) return false;
-    if (m_isInterrupted || !isSureOfMembers()) return false;
+    if (!isClean() || !isSureOfMembers()) return false;
     return m_walking ? mayWalk() : !m_isIrregular && members().unranked() == 0;
 }
 
@@ -210,9 +209,9 @@ void dxOrderedListSpace::rankBehindClean(dxGeom *geom, dxRank next) {
     m_isIrregular = isIrregular;
 }
 
-// As upstream, whatever is known of the members.
+// As upstream, whatever is known of the members; unless another thread is cleaning them.
 void dxOrderedListSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback) {
-    if (isWorthAnIndex() || hasDirty()) return dxOrderedSpace::collide2(data, geom, callback);
+    if (isWorthAnIndex() || !isClean()) return dxOrderedSpace::collide2(data, geom, callback);
     dAASSERT(geom && callback);
     lock();
     geom->recomputeAABB();

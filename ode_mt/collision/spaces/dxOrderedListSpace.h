@@ -26,6 +26,12 @@ protected:
         return m_walking && count <= dxBroadphaseThresholds::kMaxAlwaysWalked && mayWalk() && !m_isInterrupted && isSureOfMembers();
     }
     bool hasDirty() const { return first != nullptr && (first->gflags & GEOM_DIRTY) != 0; }
+    // Whether no geom is to be cleaned, nor is being cleaned by another thread, which has begun with the first.
+    bool isClean() const {
+        if (hasDirty()) return false;
+        std::atomic_thread_fence(std::memory_order_acquire);
+        return !m_isInterrupted;
+    }
     // As upstream does. Requires a locked space and isWalkedOnly().
     void cleanWalked();
     void cleanToCollide() override;

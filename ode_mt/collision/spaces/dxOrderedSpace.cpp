@@ -244,7 +244,7 @@ void dxOrderedSpace::startAnew() {
     m_pairs.clear();
     m_defaultBroadphase.reset();
     m_kept.reset();
-    for (Slot slot = 0; slot < m_members.end(); ++slot) m_members.markChanged(slot);
+    m_members.markAllChanged();
 }
 
 bool dxOrderedSpace::collideShared(dxTaskRunner &runner, bool arraysStay, void *data,
