@@ -11,8 +11,8 @@
 void dxOrderedSimpleSpace::collide(void *data, dNearCallback *callback) {
     dAASSERT(callback);
     dxTransformedGeom::noticeLeft();
-    const bool isAsQuick = hasDirty() || count <= dxBroadphaseThresholds::kMaxNeverKept;
-    if (!isAsQuick || !isWalkedOnly() || narrowphasePrefetch() != nullptr) return dxOrderedSpace::collide(data, callback);
+    const bool isAsQuick = hasDirty() || count <= dxBroadphaseThresholds::kMaxNeverKept, isUnseen = !isRecorded() || dxTimeline::isOff();
+    if (!isAsQuick || !isUnseen || !isWalkedOnly() || narrowphasePrefetch() != nullptr) return dxOrderedSpace::collide(data, callback);
     lock_count++;
     if (hasDirty()) cleanWalked();
     if (first != nullptr) walkFrom(nullptr, first, data, callback);

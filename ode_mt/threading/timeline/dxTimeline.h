@@ -20,6 +20,8 @@ public:
         return __builtin_expect(s_state.load(std::memory_order_acquire) == kOff, 1) ? nullptr : findRing();
     }
 
+    // Returns whether nothing is recorded, nor asked for by the environment.
+    static bool isOff() { return s_state.load(std::memory_order_relaxed) == kOff; }
     static bool isTraced() { return (s_state.load(std::memory_order_relaxed) & kTraced) != 0; }
     static bool isCounted() { return (s_state.load(std::memory_order_relaxed) & kCounted) != 0; }
 
