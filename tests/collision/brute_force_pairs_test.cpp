@@ -132,6 +132,18 @@ TEST_F(BruteForcePairs, WhoStandInFrontMoveOn) {
     }
 }
 
+// A space that begins to keep its pairs again: slots of those that are gone count as changed, and no rank has changed.
+TEST_F(BruteForcePairs, AreFoundAgainAmongTheSlotsOfThoseThatAreGone) {
+    for (int i = 0; i < 40; ++i) add();
+    for (int frame = 0; frame < 20; ++frame) {
+        remove(static_cast<Slot>(2 * frame));
+        update();
+        pairs.clear();
+        members.markAllChanged();
+        ASSERT_EQ(update(), bruteForce()) << "frame " << frame;
+    }
+}
+
 TEST_F(BruteForcePairs, NothingIsLeftWhenAllHaveGone) {
     for (int i = 0; i < 20; ++i) add();
     update();

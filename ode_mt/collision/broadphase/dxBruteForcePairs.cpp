@@ -103,8 +103,10 @@ void dxBruteForcePairs::reorder(const dxMembers &members) {
     std::swap(m_boxes, m_nextBoxes);
 }
 
+// Slots without a member have no row.
 void dxBruteForcePairs::setBoxes(const dxMembers &members) {
-    for (const Slot slot : members.changed()) m_boxes.set(m_rowOf[slot], members[slot].bounds);
+    for (const Slot slot : members.changed())
+        if (members.isPresent(slot)) m_boxes.set(m_rowOf[slot], members[slot].bounds);
 }
 
 bool dxBruteForcePairs::changedAreInFront() const {
