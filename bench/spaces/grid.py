@@ -3,8 +3,7 @@
 
 Each cell of the grid is a space with so many geoms that overlap so much, of which so many move before each call (space_cell.cpp). Both
 engines run its calls in turns, on one core, since two may not be equally fast, and the ratio is the median of those of adjacent turns: 2 means that
-ours takes half of the time. Prints a
-table of ratios, and the cells below 0.9. Ends with 1 if callbacks differ.
+ours takes half of the time. Prints a table of ratios, and the cells below 0.9. Ends with 1 if callbacks differ.
 """
 import argparse
 import csv

@@ -4,41 +4,28 @@
 // libode8 and on ours.
 #include <sys/resource.h>
 
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <vector>
 
 #include <ode/ode.h>
 
+#include "numbered_spaces.h"
+
 namespace {
 
 constexpr int kGeoms = 1100;           // 604,450 pairs
 constexpr int kGeomsOfHashSpace = 3000;  // 4,498,500 pairs
 
-dSpaceID create(int kind) {
-    const dVector3 centre = {0, 0, 0}, extents = {200, 200, 10};
-    switch (kind) {
-    case 0: return dSimpleSpaceCreate(nullptr);
-    case 1: return dHashSpaceCreate(nullptr);
-    case 2: return dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ);
-    default: return dQuadTreeSpaceCreate(nullptr, centre, extents, 4);
-    }
-}
-
-struct Seen {
+struct Seen : SeenPairs {
     dSpaceID space = nullptr;
-    std::uint64_t sum = 0;
-    long pairs = 0;
     long asksAt = -1;  // the callback that collides the space again
 };
 
-std::uint64_t numberOf(dGeomID geom) { return reinterpret_cast<std::uintptr_t>(dGeomGetData(geom)); }
-
 void onNear(void *data, dGeomID a, dGeomID b) {
     Seen &seen = *static_cast<Seen *>(data);
-    seen.sum = (seen.sum ^ (numberOf(a) * 2048 + numberOf(b))) * 0x100000001b3u;
-    if (seen.pairs++ != seen.asksAt) return;
+    seen.see(a, b);
+    if (seen.pairs - 1 != seen.asksAt) return;
     Seen again;
     dSpaceCollide(seen.space, &again, onNear);
     std::printf("again %ld %016llx\n", again.pairs, static_cast<unsigned long long>(again.sum));
@@ -49,7 +36,7 @@ public:
     Crowd(dSpaceID space, int geoms) : m_space(space) {
         for (int i = 0; i < geoms; ++i) {
             m_geoms.push_back(dCreateSphere(space, 1));
-            dGeomSetData(m_geoms.back(), reinterpret_cast<void *>(static_cast<std::uintptr_t>(i)));
+            setNumber(m_geoms.back(), i);
             dGeomSetCategoryBits(m_geoms.back(), i % 50 == 0 ? 2 : 1);
             dGeomSetCollideBits(m_geoms.back(), 1);
         }
@@ -88,7 +75,7 @@ int main(int argc, char **argv) {
     }
     dInitODE2(0);
     const int kind = std::atoi(argv[1]);
-    const dSpaceID space = create(kind);
+    const dSpaceID space = createSpace(kind);
     Crowd crowd(space, kind == 1 ? kGeomsOfHashSpace : kGeoms);
     for (const dReal room : {dReal(0), dReal(0.01)}) {
         crowd.place(1, 3);  // a field

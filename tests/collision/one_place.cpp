@@ -9,7 +9,6 @@
 //   lidar         rays that begin in one place and turn, among boxes
 //   lidar_bits    the same, and rays do not meet rays
 #include <cmath>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -17,48 +16,31 @@
 
 #include <ode/ode.h>
 
+#include "numbered_spaces.h"
+
 namespace {
 
 constexpr int kSpaces = 400, kBoxes = 300, kRays = 360, kObstacles = 100, kCalls = 30;
 
-dSpaceID create(int kind) {
-    const dVector3 centre = {0, 0, 0}, extents = {100, 100, 10};
-    switch (kind) {
-    case 0: return dSimpleSpaceCreate(nullptr);
-    case 1: return dHashSpaceCreate(nullptr);
-    case 2: return dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ);
-    default: return dQuadTreeSpaceCreate(nullptr, centre, extents, 4);
-    }
-}
-
-struct Seen {
-    std::uint64_t sum = 0;
-    long pairs = 0;
-};
-
-std::uint64_t numberOf(dGeomID geom) { return reinterpret_cast<std::uintptr_t>(dGeomGetData(geom)); }
-
 void onNear(void *data, dGeomID a, dGeomID b) {
-    Seen &seen = *static_cast<Seen *>(data);
-    ++seen.pairs;
-    seen.sum = (seen.sum ^ (numberOf(a) * 2048 + numberOf(b))) * 0x100000001b3u;
+    static_cast<SeenPairs *>(data)->see(a, b);
     if (dGeomIsSpace(a) != 0 && dGeomIsSpace(b) != 0) dSpaceCollide2(a, b, data, onNear);
 }
 
 class Place {
 public:
-    explicit Place(int kind) : m_space(create(kind)) {}
+    explicit Place(int kind) : m_space(createSpace(kind)) {}
     ~Place() { dSpaceDestroy(m_space); }
     Place(const Place &) = delete;
     Place &operator=(const Place &) = delete;
 
     dSpaceID space() const { return m_space; }
     dGeomID add(dGeomID geom) {
-        dGeomSetData(geom, reinterpret_cast<void *>(static_cast<std::uintptr_t>(++m_geoms)));
+        setNumber(geom, ++m_geoms);
         return geom;
     }
     void collide() const {
-        Seen seen;
+        SeenPairs seen;
         dSpaceCollide(m_space, &seen, onNear);
         std::printf("%ld %016llx\n", seen.pairs, static_cast<unsigned long long>(seen.sum));
     }

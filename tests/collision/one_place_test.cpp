@@ -5,10 +5,9 @@
 #include <tuple>
 
 #include "child_process.h"
+#include "numbered_spaces.h"
 
 namespace {
-
-constexpr const char *kKinds[] = {"simple", "hash", "sweep", "quadtree"};
 
 std::string run(const char *libraryFolder, int kind, const char *scene, const char *threads) {
     const auto child = exactness::runChild({ODE_MT_ONE_PLACE_PROGRAM, std::to_string(kind), scene},

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "child_process.h"
+#include "numbered_spaces.h"
 #include "sanitizers.h"
 
 namespace {
@@ -23,8 +24,6 @@ Outcome run(const char *libraryFolder, int kind, const char *threads) {
     if (at == std::string::npos) return {child.ending, child.output + child.errors, 0};
     return {child.ending, child.output.substr(0, at), std::atoi(child.output.c_str() + at + label.size())};
 }
-
-constexpr const char *kKinds[] = {"simple", "hash", "sweep", "quadtree"};
 
 class Crowd : public testing::TestWithParam<int> {};
 

@@ -24,10 +24,8 @@ public:
     void clear();
     // Adds a geom behind the others.
     void push(dxGeom *geom, Slot slot, const dxPairFilter &filter, const dxBounds &box) {
-        m_elements.push_back({geom, slot});
-        m_filters.push_back(filter);
+        pushElement(geom, slot, filter);
         m_listed.push_back(box);
-        m_mayExclude = m_mayExclude || filter.mayExclude();
     }
     // Requires a call after the last push(). Then nothing allocates memory.
     void finish() {
@@ -53,10 +51,17 @@ public:
     std::size_t overlaps() const { return m_overlaps; }
 
 protected:
+    // push() for an element whose box the derived class keeps.
+    void pushElement(dxGeom *geom, Slot slot, const dxPairFilter &filter) {
+        m_elements.push_back({geom, slot});
+        m_filters.push_back(filter);
+        m_mayExclude = m_mayExclude || filter.mayExclude();
+    }
     // Makes room for what a row finds.
     void makeRoom();
     // Copies the boxes to m_boxes.
     void fillColumns();
+    // Requires an element that was added with its box, before all that were not.
     const dxBounds &box(std::size_t element) const { return m_listed[element]; }
     // Finds the elements from `begin` on, up to `end`, that overlap a box, and counts them.
     std::size_t findBetween(std::size_t begin, std::size_t end, const dxBoxColumns &boxes, const dxBounds &box) {

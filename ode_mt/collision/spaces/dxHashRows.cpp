@@ -38,12 +38,11 @@ void dxHashRows::finish() {
         m_cells.push_back(pushed.cells);
         dxPairRows::push(pushed.geom, pushed.slot, pushed.filter, pushed.box);
     }
-    fillColumns();
     for (const Pushed &pushed : m_big) {
-        dxPairRows::push(pushed.geom, pushed.slot, pushed.filter, pushed.box);
+        pushElement(pushed.geom, pushed.slot, pushed.filter);
         m_bigBoxes.push(pushed.box);
     }
-    makeRoom();
+    dxPairRows::finish();
     m_ordered.resize(m_found.size());
     m_corners.resize(m_found.size());
 }

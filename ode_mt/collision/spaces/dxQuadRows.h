@@ -29,8 +29,6 @@ public:
     // Returns how many boxes are compared to find all rows.
     std::size_t candidates() const { return m_candidates; }
 
-    std::size_t rows() const override { return geoms(); }
-    std::size_t first(std::size_t row) const override { return row; }
     std::size_t find(std::size_t row) override {
         return m_areFew ? findOneByOne(row, m_ends[row]) : keepAgreeing(row, findBetween(row + 1, m_ends[row], m_boxes, box(row)));
     }

@@ -10,7 +10,7 @@ void dxSapRows::clear(std::size_t swept) {
 
 void dxSapRows::pushSwept(dxGeom *geom, Slot slot, const dxPairFilter &filter, const dxSapBox &box) {
     m_columns.set(geoms(), box);
-    push(geom, slot, filter, {});
+    pushElement(geom, slot, filter);
 }
 
 void dxSapRows::finish(const std::vector<std::uint32_t> &places) {

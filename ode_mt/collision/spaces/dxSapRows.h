@@ -16,7 +16,7 @@ public:
     // Adds a geom that is swept. Requires the order of the sort.
     void pushSwept(dxGeom *geom, Slot slot, const dxPairFilter &filter, const dxSapBox &box);
     // Adds a geom that is infinite on the axis. Requires the order of the list, and that all that are swept have been added.
-    void pushInfinite(dxGeom *geom, Slot slot, const dxPairFilter &filter) { push(geom, slot, filter, {}); }
+    void pushInfinite(dxGeom *geom, Slot slot, const dxPairFilter &filter) { pushElement(geom, slot, filter); }
     // Requires a call after the last one was added; if any is infinite, with the places of the swept geoms in the sort, in the order of
     // the list.
     void finish(const std::vector<std::uint32_t> &places);
