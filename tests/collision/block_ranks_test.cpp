@@ -17,6 +17,15 @@ TEST(BlockRanks, FallWithTheBlockAndRiseWithTime) {
     EXPECT_EQ(ranks.blockOf(last), 20u);
 }
 
+TEST(BlockRanks, BlocksAreToldApartByALowestRank) {
+    dxBlockRanks ranks(21);
+    for (int round = 0; round < 3; ++round)
+        for (dxBlockRanks::Block block = 0; block < 21; ++block) {
+            const dxRank rank = ranks.next(block);
+            for (dxBlockRanks::Block end = 1; end <= 21; ++end) EXPECT_EQ(rank >= ranks.lowestBefore(end), block < end);
+        }
+}
+
 TEST(BlockRanks, ATreeOfOneBlockHasThemToo) {
     dxBlockRanks ranks(1);
     const dxRank early = ranks.next(0), late = ranks.next(0);

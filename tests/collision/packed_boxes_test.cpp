@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <vector>
 
 #include "RandomBoxes.h"
@@ -61,6 +62,37 @@ TEST(PackedBoxes, PairsAreThoseOfBruteForceWhateverTheBoxesAndMarks) {
                 found += pairs.size();
             }
             EXPECT_GT(found, 900u);
+        });
+        if (HasFatalFailure()) return;
+    }
+}
+
+TEST(PackedBoxes, OfARangeThoseAreFoundThatOverlapOne) {
+    for (const std::int64_t set : instructionSets()) {
+        onInstructionSet(set, [] {
+            RandomBoxes random(12);
+            std::size_t found = 0;
+            for (std::uint32_t size = 1; size < 60; ++size) {
+                std::vector<dxBounds> boxes;
+                dxPackedBoxes packed;
+                packed.resize(size);
+                for (std::uint32_t i = 0; i < size; ++i) {
+                    boxes.push_back(random.box());
+                    packed.set(i, boxes.back());
+                    EXPECT_EQ(std::memcmp(packed.box(i).v, boxes.back().v, sizeof boxes.back().v), 0);
+                }
+                for (std::uint32_t one = 0; one < size; ++one) {
+                    const std::uint32_t first = (7 * one) % size, end = first + (3 * one) % (size - first + 1);
+                    std::vector<std::uint32_t> expected;
+                    for (std::uint32_t other = first; other < end; ++other)
+                        if (boxes[one].overlaps(boxes[other])) expected.push_back(other);
+                    std::vector<std::uint32_t> slots(end - first);
+                    slots.resize(dxKernelOfOverlappingSlots()(packed, one, first, end, slots.data()));
+                    ASSERT_EQ(slots, expected);
+                    found += expected.size();
+                }
+            }
+            EXPECT_GT(found, 500u);
         });
         if (HasFatalFailure()) return;
     }

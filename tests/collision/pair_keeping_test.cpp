@@ -48,6 +48,19 @@ TEST(PairKeeping, OfALargeSparseSpaceTheyAreKept) {
     }
 }
 
+TEST(PairKeeping, OfAFewInAQuadTreeTheyAreKeptAfterSomeCallsAtRest) {
+    constexpr auto kFew = static_cast<std::size_t>(dxBroadphaseThresholds::kMaxAlwaysWalked);
+    dxPairKeeping keeping(dxPairOrder::Blocks);
+    keeping.note(work(kFew, 1, kFew));
+    EXPECT_FALSE(keeping.isKept());
+    for (int call = 1; call < dxBroadphaseThresholds::kMinCallsRested; ++call) keeping.note(work(kFew, 0, kFew));
+    EXPECT_FALSE(keeping.isKept());
+    keeping.note(work(kFew, 0, kFew));
+    EXPECT_TRUE(keeping.isKept());
+    keeping.note(work(kFew, 1, kFew));
+    EXPECT_FALSE(keeping.isKept());
+}
+
 TEST(PairKeeping, BeyondTheLimitNoneIsKeptUntilThereAreHalfAsMany) {
     dxPairKeeping keeping(dxPairOrder::Cells);
     keeping.overflow();

@@ -60,7 +60,7 @@ TEST_P(QuadRows, FindAllPairsInOrderAndCompareNoMoreThanTheBlocksAsk) {
     std::size_t comparisons = 0, all = 0;
     for (const std::size_t count : {0, 1, 2, 7, 60, 300, 40}) {
         const std::vector<Geom> geoms = make(tree, count);
-        rows.clear();
+        rows.clear(count);
         for (const Geom &geom : geoms) rows.push(nullptr, 0, {}, geom.box, geom.block);
         rows.finish();
         Pairs expected;

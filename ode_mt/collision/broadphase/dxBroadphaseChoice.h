@@ -32,7 +32,7 @@ enum class dxPairOrder {
 
 // Units are geoms, members, calls or pairs.
 struct dxBroadphaseThresholds {
-    // A simple space of up to so many geoms is walked if any geom moves: nothing pays for keeping pairs.
+    // A simple space of up to so many geoms is walked if any geom moves, and a quad tree keeps none of its pairs: nothing pays for keeping them.
     static constexpr int kMaxAlwaysWalked = 12;
     // And of up to so many if none moves.
     static constexpr int kMaxNeverKept = 6;

@@ -16,7 +16,7 @@ constexpr double kWorthOfKeeping = 1.5;
 constexpr std::size_t kMaxCached = 512;  // geoms
 
 // In a space of no more geoms an estimate would take as long as the call.
-constexpr std::size_t kMaxUnestimated = dxBroadphaseThresholds::kMaxNeverKept;
+constexpr std::size_t kMaxUnestimated = dxBroadphaseThresholds::kMaxAlwaysWalked;
 
 double costAnew(dxPairOrder order, const dxPairWork &work) {
     return (work.geoms > kMaxCached ? kWorthOfKeeping : 1) * dxCostOfFindingAnew(order, work);

@@ -19,19 +19,6 @@ void dxPairRows::fillColumns() {
 
 std::size_t dxPairRows::find(std::size_t row) { return keepAgreeing(row, findFrom(row + 1, m_boxes, box(row))); }
 
-std::size_t dxPairRows::findOneByOne(std::size_t element, std::size_t end) {
-    const dxBounds &box = this->box(element);
-    std::size_t overlaps = 0, count = 0;
-    for (std::size_t other = element + 1; other < end; ++other) {
-        if (!box.overlaps(this->box(other))) continue;
-        ++overlaps;
-        m_found[count] = static_cast<std::uint32_t>(other);
-        count += dxFiltersAgree(m_filters[element], m_filters[other]);
-    }
-    countWork(end - element - 1, overlaps);
-    return count;
-}
-
 // Without a branch on what the filters say: where they exclude about half of the pairs it would be mispredicted.
 std::size_t dxPairRows::keepOnlyAgreeing(const dxPairFilter &filter, std::size_t count) {
     std::size_t kept = 0;

@@ -80,8 +80,6 @@ protected:
     std::size_t keepAgreeing(std::size_t element, std::size_t count) {
         return m_mayExclude ? keepOnlyAgreeing(m_filters[element], count) : count;
     }
-    // Finds those that overlap an element, up to `end`, and that its filter does not exclude, box by box.
-    std::size_t findOneByOne(std::size_t element, std::size_t end);
 
     dxBoxColumns m_boxes;
     std::vector<std::uint32_t> m_found;  // elements

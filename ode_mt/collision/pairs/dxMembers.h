@@ -45,6 +45,8 @@ public:
     }
 
     const Member &operator[](Slot slot) const { return m_members[slot]; }
+    // Returns the member in slot 0. Valid until the next add().
+    const Member *data() const { return m_members.data(); }
     // Returns the geom in a slot, also an absent one; NULL if the slot is free.
     dxGeom *geomIn(Slot slot) const { return m_geoms[slot]; }
     bool isPresent(Slot slot) const { return m_members[slot].geom != nullptr; }

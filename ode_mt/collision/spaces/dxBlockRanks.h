@@ -25,6 +25,9 @@ public:
     dxRank next(Block block) { return static_cast<dxRank>(m_last - block) << m_stampBits | m_next++; }
     Block blockOf(dxRank rank) const { return m_last - static_cast<Block>(rank >> m_stampBits); }
 
+    // Returns a rank that is not above that of any geom in the blocks before `end`, and above those of all others.
+    dxRank lowestBefore(Block end) const { return static_cast<dxRank>(m_last - (end - 1)) << m_stampBits; }
+
     // Invalidates all ranks so far.
     void startAgain() { m_next = 1; }
 

@@ -19,6 +19,11 @@ struct Swapped {
     }
 };
 
+using Threshold = dxBroadphaseThresholds;
+
+// If each geom is compared with no more than so many, a copy of their boxes does not pay.
+constexpr std::size_t kMostPerGeomInPlace = 5;
+
 }  // namespace
 
 dxOrderedQuadTreeSpace::dxOrderedQuadTreeSpace(dSpaceID parent, const dReal *centre, const dReal *extents,
@@ -194,8 +199,9 @@ void dxOrderedQuadTreeSpace::update(std::vector<dxOrderedPair> &pairs, dxPairWor
 }
 
 dxPairRows &dxOrderedQuadTreeSpace::gatherRows() {
-    m_rows.clear();
-    for (const dxSortItem &item : m_order.update(members())) {
+    const std::vector<dxSortItem> &order = m_order.update(members());
+    m_rows.clear(order.size());
+    for (const dxSortItem &item : order) {
         const dxMembers::Member &member = members()[item.index];
         m_rows.push(member.geom, item.index, member.filter, member.bounds, m_ranks.blockOf(member.rank));
     }
@@ -204,8 +210,42 @@ dxPairRows &dxOrderedQuadTreeSpace::gatherRows() {
 }
 
 void dxOrderedQuadTreeSpace::deliverAnew(void *data, dNearCallback *callback) {
+    if (count <= Threshold::kMaxAlwaysWalked || m_comparisons <= kMostPerGeomInPlace * static_cast<std::size_t>(count))
+        return deliverInPlace(data, callback);
     beforeCallbacks([this] { gatherRows(); });
+    m_comparisons = m_rows.candidates();
     deliverRows(m_rows, data, callback);
+}
+
+// The same as deliverRows(), but that members are compared where they stand. To copy so few takes longer.
+void dxOrderedQuadTreeSpace::deliverInPlace(void *data, dNearCallback *callback) {
+    const std::vector<dxSortItem> &order = *beforeCallbacks([this] { return &m_order.update(members()); });
+    const std::uint64_t missed = dxMissedNotifications.count(), before = comebacks();
+    const dxMembers::Member *const members = this->members().data();
+    const dxSortItem *const end = order.data() + order.size();
+    dxPairWork work;
+    work.geoms = order.size();
+    for (const dxSortItem *item = order.data(); item != end; ++item) {
+        const dxMembers::Member &first = members[item->index];
+        if (!dxGeomIsEnabled(first.geom)) continue;
+        const dxRank lowest = m_ranks.lowestBefore(m_tree.endOf(m_ranks.blockOf(first.rank)));
+        const dxSortItem *other = item + 1;
+        for (; other != end; ++other) {
+            const dxMembers::Member &second = members[other->index];
+            if (second.rank < lowest) break;
+            if (!dxOverlapInTurn(first.bounds.v, second.bounds.v)) continue;
+            ++work.overlaps;
+            if (!dxFiltersAgree(first.filter, second.filter)) continue;
+            ++work.pairs;
+            if (!dxGeomIsEnabled(second.geom)) continue;
+            const dxOrderedPair pair{first.geom, second.geom, {}};
+            dxDeliver(pair, data, callback);
+            if (dxMissedNotifications.count() != missed || comebacks() != before) return walk(data, callback, &pair);
+        }
+        work.comparisons += static_cast<std::size_t>(other - item - 1);
+    }
+    m_comparisons = work.comparisons;
+    noteAnew(work);
 }
 
 void dxOrderedQuadTreeSpace::walk(void *data, dNearCallback *callback, const dxOrderedPair *after) {
@@ -281,10 +321,10 @@ void dxOrderedQuadTreeSpace::collideOther(void *data, dxGeom *geom, dNearCallbac
         const dxBoxProbe probe(geom->aabb);  // the rest is done elsewhere once the geom has moved
         std::size_t met = 0;
         for (const dxSortItem &item : items) {
-            dxGeom *const member = members()[item.index].geom;
-            if (!probe.overlaps(member->aabb)) continue;
+            const dxMembers::Member &member = members()[item.index];
+            if (!probe.overlaps(member.bounds.v)) continue;
             ++met;
-            if (!meetOther(data, geom, member, callback)) return;
+            if (!meetOther(data, geom, member.geom, callback)) return;
         }
         return noteMet(met);
     }

@@ -43,6 +43,7 @@ private:
     void collideWith(void *data, dxGeom *geom, dNearCallback *callback) override;
 
     Block blockOf(Slot slot) const { return m_ranks.blockOf(members()[slot].rank); }
+    void deliverInPlace(void *data, dNearCallback *callback);
     dxRank nextRank(Block block);
     void rankAnew();
     void collideMember(void *data, dxGeom *geom, dNearCallback *callback);
@@ -57,4 +58,5 @@ private:
     dxDirtyQueue m_dirty;
     dxQuadRows m_rows;
     dxRankOrder m_order;
+    std::size_t m_comparisons = 0;  // of boxes, where all pairs were last found anew
 };

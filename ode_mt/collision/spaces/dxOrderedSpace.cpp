@@ -413,14 +413,18 @@ void dxOrderedSpace::collectRows(dxPairRows &rows, std::vector<dxOrderedPair> &p
 }
 
 void dxOrderedSpace::noteAnew(const dxPairRows &rows, std::size_t pairs) {
-    m_pairsAnew = pairs;
-    if (m_keeping.isKept()) return;
     dxPairWork work;
     work.comparisons = rows.comparisons();
     work.geoms = rows.geoms();
-    work.changed = std::min(std::exchange(m_touched, 0), work.geoms);
     work.overlaps = rows.overlaps();
     work.pairs = pairs;
+    noteAnew(work);
+}
+
+void dxOrderedSpace::noteAnew(dxPairWork work) {
+    m_pairsAnew = work.pairs;
+    if (m_keeping.isKept()) return;
+    work.changed = std::min(std::exchange(m_touched, 0), work.geoms);
     m_keeping.note(work);
 }
 

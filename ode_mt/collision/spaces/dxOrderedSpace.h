@@ -254,6 +254,10 @@ protected:
     static void collectRows(dxPairRows &rows, std::vector<dxOrderedPair> &pairs);
     // Tells what a call has found that found all pairs anew.
     void noteAnew(const dxPairRows &rows, std::size_t pairs);
+    // The same; which geoms have changed is known here.
+    void noteAnew(dxPairWork work);
+    // How often a geom was enabled that a call in progress may have no data of.
+    std::uint64_t comebacks() const { return m_comebacks; }
 
     // The default order: of two members the one further to the front is the first; pairs are ordered by the first, then
     // by the second.

@@ -7,6 +7,12 @@ constexpr std::size_t kFewCandidatesPerGeom = 16;
 
 }  // namespace
 
+void dxQuadRows::clear(std::size_t mostGeoms) {
+    dxPairRows::clear();
+    m_blocks.clear();
+    if (m_packed.size() < mostGeoms) m_packed.resize(mostGeoms);
+}
+
 // Blocks are numbered from the root on, each before those within it: those that an element ends are the innermost that are open.
 void dxQuadRows::finish() {
     makeRoom();
@@ -28,5 +34,16 @@ void dxQuadRows::finish() {
     }
     while (!m_open.empty()) close(static_cast<std::uint32_t>(geoms()));
     m_areFew = m_candidates <= kFewCandidatesPerGeom * geoms();
-    if (!m_areFew) fillColumns();
+    if (m_areFew) return;
+    for (std::size_t row = 0; row < geoms(); ++row) m_boxes.push(m_packed.box(row));
+}
+
+std::size_t dxQuadRows::find(std::size_t row) {
+    return keepAgreeing(row, m_areFew ? findPacked(row) : findBetween(row + 1, m_ends[row], m_boxes, m_packed.box(row)));
+}
+
+std::size_t dxQuadRows::findPacked(std::size_t row) {
+    const std::size_t count = m_overlappingSlots(m_packed, row, row + 1, m_ends[row], m_found.data());
+    countWork(m_ends[row] - row - 1, count);
+    return count;
 }

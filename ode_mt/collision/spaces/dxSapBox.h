@@ -38,9 +38,20 @@ public:
     bool areAll() const { return (1 << m_axes[0] | 1 << m_axes[1] | 1 << m_axes[2]) == 7; }
 
     dxSapBox boxOf(const dxGeom *geom) const {
+        dxSapBox box;
+        readBox(geom, box);
+        return box;
+    }
+    // The same in place: a copy would wait for the stores of the box, which are narrower.
+    void readBox(const dxGeom *geom, dxSapBox &box) const {
         const dReal high0 = read(geom, 0, 1);
-        return {static_cast<float>(read(geom, 0, 0)), static_cast<float>(high0), read(geom, 1, 0), read(geom, 1, 1),
-                read(geom, 2, 0), read(geom, 2, 1), high0 == dInfinity};
+        box.low = static_cast<float>(read(geom, 0, 0));
+        box.high = static_cast<float>(high0);
+        box.low1 = read(geom, 1, 0);
+        box.high1 = read(geom, 1, 1);
+        box.low2 = read(geom, 2, 0);
+        box.high2 = read(geom, 2, 1);
+        box.isInfinite = high0 == dInfinity;
     }
 
 private:

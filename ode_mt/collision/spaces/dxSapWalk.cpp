@@ -41,13 +41,14 @@ void dxSapWalk::begin(std::size_t geoms) {
 }
 
 void dxSapWalk::add(dxGeom *geom) {
-    const dxSapBox box = m_axes.boxOf(geom);
+    dxSapBox &box = m_boxes.emplace_back();
+    m_axes.readBox(geom, box);
     if (box.isInfinite) {
+        m_boxes.pop_back();
         m_infinite.push_back(geom);
         return;
     }
     m_swept.push_back(geom);
-    m_boxes.push_back(box);
     m_keys.push_back(box.low);
     m_hasNaN = m_hasNaN || std::isnan(box.low);
 }

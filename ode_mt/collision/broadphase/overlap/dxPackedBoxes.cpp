@@ -20,9 +20,9 @@ constexpr std::size_t kPrefetchDistance = 16;
 
 // Not "together, if ...", because of NaN.
 HWY_INLINE bool areApart(const double *HWY_RESTRICT begin, const double *HWY_RESTRICT end) {
-    const hn::CappedTag<double, 8> d;
+    const hn::CappedTag<double, dxPackedBoxes::kLanes> d;
     auto apart = hn::Gt(hn::Load(d, begin), hn::Load(d, end));
-    for (std::size_t lane = hn::Lanes(d); lane < 8; lane += hn::Lanes(d))
+    for (std::size_t lane = hn::Lanes(d); lane < dxPackedBoxes::kLanes; lane += hn::Lanes(d))
         apart = hn::Or(apart, hn::Gt(hn::Load(d, begin + lane), hn::Load(d, end + lane)));
     return !hn::AllFalse(d, apart);
 }
@@ -46,6 +46,20 @@ std::size_t overlappingCandidates(const dxPackedBoxes &boxes, const dxSlotPair *
     return found;
 }
 
+std::size_t overlappingSlots(const dxPackedBoxes &boxes, std::size_t slot, std::size_t first, std::size_t end,
+                             std::uint32_t *HWY_RESTRICT slots) {
+    const double *HWY_RESTRICT const ends = boxes.end(slot);
+    const double *HWY_RESTRICT const begins = boxes.begin(0);
+    std::size_t found = 0;
+    for (std::size_t other = first; other < end; ++other) {
+        slots[found] = static_cast<std::uint32_t>(other);
+        found += !areApart(begins + dxPackedBoxes::kLanes * other, ends);
+    }
+    return found;
+}
+
+dxOverlappingSlotsKernel kernelOfOverlappingSlots() { return overlappingSlots; }
+
 }  // namespace HWY_NAMESPACE
 }  // namespace dxBroadphaseKernels
 HWY_AFTER_NAMESPACE();
@@ -53,6 +67,7 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace dxBroadphaseKernels {
 HWY_EXPORT(overlappingCandidates);
+HWY_EXPORT(kernelOfOverlappingSlots);
 }  // namespace dxBroadphaseKernels
 
 void dxPackedBoxes::resize(std::size_t boxes) {
@@ -64,5 +79,9 @@ void dxPackedBoxes::resize(std::size_t boxes) {
 std::size_t dxOverlappingCandidates(const dxPackedBoxes &boxes, const dxSlotPair *candidates, std::size_t count,
                                     dxSlotPair *pairs) {
     return HWY_DYNAMIC_DISPATCH(dxBroadphaseKernels::overlappingCandidates)(boxes, candidates, count, pairs);
+}
+
+dxOverlappingSlotsKernel dxKernelOfOverlappingSlots() {
+    return HWY_DYNAMIC_DISPATCH(dxBroadphaseKernels::kernelOfOverlappingSlots)();
 }
 #endif

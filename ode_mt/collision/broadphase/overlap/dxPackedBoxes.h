@@ -17,11 +17,13 @@
 class dxPackedBoxes {
 public:
     using Marks = std::uint8_t;
+    static constexpr std::size_t kLanes = 8;  // from a side of one box to that of the next
     static constexpr Marks kKnown = 1;    // pairs are only of boxes both of which are known
     static constexpr Marks kChanged = 2;  // and of which one has changed
 
     // New ones have no marks.
     void resize(std::size_t boxes);
+    std::size_t size() const { return m_marks.size(); }  // the last to grow, if memory has run out before
 
     void set(std::size_t slot, const dxBounds &box) {
         Row &begin = m_begins[slot], &end = m_ends[slot];
@@ -31,6 +33,15 @@ public:
             end.lanes[axis] = box.high(axis);
             end.lanes[3 + axis] = -double(box.low(axis));
         }
+    }
+
+    dxBounds box(std::size_t slot) const {
+        dxBounds box;
+        for (int axis = 0; axis < 3; ++axis) {
+            box.v[2 * axis] = static_cast<dReal>(m_begins[slot].lanes[axis]);
+            box.v[2 * axis + 1] = static_cast<dReal>(m_ends[slot].lanes[axis]);
+        }
+        return box;
     }
 
     // Prefetches for write a box that will be set soon.
@@ -46,7 +57,7 @@ public:
 
 private:
     struct alignas(kCacheLine) Row {
-        double lanes[8] = {};  // the last two stay zero
+        double lanes[kLanes] = {};  // the last two stay zero
     };
 
     std::vector<Row> m_begins, m_ends;
@@ -57,3 +68,10 @@ private:
 // dxBounds::overlaps. Returns how many; `pairs` has room for `count`.
 std::size_t dxOverlappingCandidates(const dxPackedBoxes &boxes, const dxSlotPair *candidates, std::size_t count,
                                     dxSlotPair *pairs);
+
+// Writes the numbers of those from `first` to `end` whose boxes overlap that of a slot, in rising order; returns how many. `slots` has room for
+// as many numbers as there are from first to end. Marks do not matter.
+using dxOverlappingSlotsKernel = std::size_t (*)(const dxPackedBoxes &boxes, std::size_t slot, std::size_t first, std::size_t end,
+                                                 std::uint32_t *slots);
+// Returns that function for this machine's instruction set.
+dxOverlappingSlotsKernel dxKernelOfOverlappingSlots();
