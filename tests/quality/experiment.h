@@ -30,8 +30,8 @@ struct Stepping {
 };
 
 struct Experiment {
-    const char *name, *meaning;
-    std::vector<Quantity> (*run)(const Stepping &);
+    std::string name, meaning;
+    std::function<std::vector<Quantity>(const Stepping &)> run;
 };
 
 const std::vector<Experiment> &experiments();

@@ -32,6 +32,7 @@ struct Options {
     std::vector<std::string> names;
     std::vector<int> iterations{20};
     int frames = 60, count = 1, every = 5;
+    unsigned long seed = 0;
     bool isWorldStep = false, tellsVelocities = false, warmsUp = false;
 
     scenes::Stepper stepper() const { return isWorldStep ? scenes::Stepper::World : scenes::Stepper::Quick; }
@@ -92,6 +93,7 @@ Json measure(const Options &options) {
     Json all = Json::object();
     for (const Experiment &experiment : experiments()) {
         if (!options.names.empty() && std::find(options.names.begin(), options.names.end(), experiment.name) == options.names.end()) continue;
+        dRandSetSeed(options.seed);
         for (const Quantity &quantity : experiment.run(options.stepping()))
             all[experiment.name][quantity.name] = {{"value", quantity.value},
                                                    {"unit", quantity.unit},
@@ -138,6 +140,7 @@ int main(int argc, char **argv) {
     CLI::App *const replays = command("replay", "step saved problems");
     CLI::App *const measures = command("measure", "closed loop");
     measures->add_option("experiments", options.names, "all unless named");
+    measures->add_option("--seed", options.seed, "of dRand, which dWorldQuickStep draws its orders from (0)");
     CLI::App *const hashes = command("hash", "the state, every so many frames");
     for (CLI::App *const made : {runs, replays, hashes}) made->add_option("scene", options.scene)->required();
     replays->add_option("problems", options.problems)->required();
