@@ -40,7 +40,8 @@ struct Exception {
 constexpr Exception kExceptions[] = {
     {"bouncing", false, 50, {3.4, 3.4}},   {"heavy_deck", false, 10, {1.25, 1.5}}, {"pile:200", true, 50, {1.35, 1.65}},
     {"stacks:4", true, 150, {1.4, 1.5}},   {"wall:6", true, 50, {1.5, 1.6}},       {"rover:4", true, 50, {1.1, 1.7}},
-    {"conveyor", true, 10, {1.45, 1.5}},   {"conveyor", true, 20, {1.55, 1.6}},    {"fixed_friction", true, 50, {1.55, 1.6}}};
+    {"conveyor", true, 10, {1.45, 1.5}},   {"conveyor", true, 20, {1.55, 1.6}},    {"fixed_friction", true, 50, {1.55, 1.6}},
+    {"bouncing", true, 20, {1.3, 1.15}},   {"infinite_friction", true, 50, {1.2, 1.1}}};
 
 Limits limitsOf(const std::string &scene, bool isCold, int iterations) {
     for (const Exception &exception : kExceptions)

@@ -16,9 +16,12 @@ constexpr double kLeastPart = 0.4;
 constexpr unsigned kSmoothing = 3;
 
 // So many of the iterations take pressures and friction together, which heaps in motion need; the others pressures first, which what stands
-// needs (docs/iterative-solver.md, "Pressures first").
-constexpr double kWholePart = 0.5;
+// needs, and more so without kept forces (docs/iterative-solver.md, "Pressures first").
+constexpr double kWholePart = 0.7, kWholePartCold = 0.4;
 constexpr unsigned kParts = 3;
+
+// By how much friction changes in these others, of what its own row asks for: with all of it bricks in a row push one another apart.
+constexpr dReal kFrictionInParts = dReal(0.7);
 
 // Kept forces may be so much worse than none: what they have wrong nearby, where bodies have hit one another, sweeps mend at once, and the
 // rest of them is worth more than that (docs/iterative-solver.md).
@@ -35,9 +38,10 @@ constexpr double kGrowth = 3;
 constexpr unsigned kMaxResponses = 4096;
 
 // So many take all rows of each contact at once. Those after them have three parts.
-unsigned wholeSweepsOf(unsigned most, const std::vector<dxContactPack> &packs) {
+unsigned wholeSweepsOf(unsigned most, const std::vector<dxContactPack> &packs, bool isWarm) {
     const auto hasSecond = [](const dxContactPack &pack) { return pack.contactCount > 1; };
-    return std::any_of(packs.begin(), packs.end(), hasSecond) ? static_cast<unsigned>(std::ceil(kWholePart * most)) : most;
+    if (std::none_of(packs.begin(), packs.end(), hasSecond)) return most;
+    return static_cast<unsigned>(std::ceil((isWarm ? kWholePart : kWholePartCold) * most));
 }
 
 unsigned iterationsOf(const dxIslandStep &step) { return static_cast<unsigned>(std::max(step.world->qs.num_iterations, 0)); }
@@ -70,7 +74,7 @@ void dxIterativeSolver::makePlan(const dxIslandStep &step) {
     m_others.reserve(m_plan);
     placeLanes();
     const unsigned most = iterationsOf(step);
-    m_wholeSweeps = wholeSweepsOf(most, m_plan.packs());
+    m_wholeSweeps = wholeSweepsOf(most, m_plan.packs(), step.iterativeWorld->isWarm());
     m_sweeps.begin(m_plan, 1 + m_wholeSweeps + (most - m_wholeSweeps) * kParts);
 }
 
@@ -161,15 +165,13 @@ bool dxIterativeSolver::isMeasured(unsigned sweep) const {
 // first part.
 double dxIterativeSolver::solveChunk(unsigned index, unsigned round) {
     const dxConstraintPlan::Chunk &chunk = m_plan.chunks()[index];
-    const dxOverRelaxation smooth = {std::min(m_factor.pressure, dReal(1)), std::min(m_factor.friction, dReal(1))};
     const auto [sweep, part] = sweepOf(round);
     double energy = 0;
     if (chunk.firstPack != chunk.endPack) {
         if (sweep == 0)
             energy += dxApplyImpulses(packs(), chunk.firstPack, chunk.endPack, m_velocities.data());
         else
-            energy += dxSweepContacts(packs(), chunk.firstPack, chunk.endPack, part, sweep > m_smoothFrom ? smooth : m_factor,
-                                      m_velocities.data());
+            energy += dxSweepContacts(packs(), chunk.firstPack, chunk.endPack, part, factorOf({sweep, part}), m_velocities.data());
     }
     if (chunk.firstOther != chunk.endOther && dxIsFirst(part)) {
         if (sweep == m_smoothFrom + 1) m_others.relax(chunk.firstOther, chunk.endOther);
@@ -186,6 +188,11 @@ dxIterativeSolver::Round dxIterativeSolver::sweepOf(unsigned round) const {
     constexpr dxSweepPart parts[kParts] = {dxSweepPart::Pressures, dxSweepPart::EvenFriction, dxSweepPart::OddFriction};
     const unsigned beyond = round - m_wholeSweeps - 1;
     return {m_wholeSweeps + 1 + beyond / kParts, parts[beyond % kParts]};
+}
+
+dxOverRelaxation dxIterativeSolver::factorOf(const Round &round) const {
+    const dReal most = round.sweep > m_smoothFrom ? 1 : dInfinity;
+    return {std::min(m_factor.pressure, most), std::min(m_factor.friction, round.part == dxSweepPart::Contacts ? most : kFrictionInParts)};
 }
 
 // Of a single island the sum is known anyway.

@@ -48,6 +48,7 @@ private:
         dxSweepPart part;
     };
     Round sweepOf(unsigned round) const;
+    dxOverRelaxation factorOf(const Round &round) const;
     bool isMeasured(unsigned sweep) const;
     void sumByIsland(std::vector<double> &energies) const;
     void startColdWhereWorse(const dxIslandStep &step, dxIslandBody *bodies, double energy);
