@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "ChainWorld.h"
 #include "ChildProcess.h"
@@ -146,6 +148,58 @@ TEST_P(LeftCallback, TheSpaceMayBeDestroyed) {
         leaveIn([space] { dSpaceDestroy(space); });
         useFreedMemory();
         _exit(isShared && collideDeeper(ball, box) == 1 ? 0 : 1);
+        return true;
+    }));
+}
+
+// Of the user's class; it leaves once.
+bool g_isBoxFunctionLeaving = false;
+void (*g_leaveBoxFunction)() = nullptr;
+
+void boundAndLeave(dGeomID geom, dReal box[6]) {
+    const dReal *const place = dGeomGetPosition(geom);
+    for (int i = 0; i < 6; ++i) box[i] = place[i / 2] + (i % 2 == 0 ? -1 : 1);
+    if (std::exchange(g_isBoxFunctionLeaving, false)) g_leaveBoxFunction();
+}
+
+dColliderFn *noCollider(int) { return nullptr; }
+
+// Where the frame of the call was that has been left.
+[[gnu::noinline]] void useStack() {
+    volatile char room[1 << 16];
+    for (std::size_t i = 0; i < sizeof room; ++i) room[i] = char(0xa5);
+}
+
+// Cleaning goes on without the workers of the call that was left, and a sweep-and-prune space fails upstream's assertion at the next one.
+TEST_P(LeftCallback, ABoxFunctionMayLeave) {
+    EXPECT_TRUE(trueInChild([] {
+        const OdeSession session(3, "lcp");
+        const dGeomClass description = {sizeof(int), &noCollider, &boundAndLeave, nullptr, nullptr};
+        const int usersClass = dCreateGeomClass(&description);
+        const dSpaceID space = createSpace();
+        std::vector<dGeomID> geoms;
+        for (int i = 0; i < 600; ++i) {
+            geoms.push_back(i == 300 ? dCreateGeom(usersClass) : dCreateBox(nullptr, 1, 1, 1));
+            dSpaceAdd(space, geoms.back());
+        }
+        const auto collide = [space] { dSpaceCollide(space, nullptr, [](void *, dGeomID, dGeomID) {}); };
+        for (int frame = 0; frame < 10; ++frame) {
+            for (int i = 0; i < 600; ++i) dGeomSetPosition(geoms[i], (37 * i + frame) % 60, (53 * i + 7 * frame) % 60, 0);
+            g_isBoxFunctionLeaving = frame == 9;
+            g_leaveBoxFunction = &leave;
+            leaveIn(collide);
+        }
+        useStack();
+        static std::string text;
+        dSetDebugHandler([](int, const char *format, va_list) {
+            text = format;
+            std::longjmp(g_place, 1);
+        });
+        const bool isSweep = dGeomGetClass(reinterpret_cast<dGeomID>(space)) == dSweepAndPruneSpaceClass;
+        const dGeomID ball = dCreateSphere(nullptr, 20);
+        if (!isSweep) leaveIn([=] { dSpaceCollide2(ball, reinterpret_cast<dGeomID>(space), nullptr, [](void *, dGeomID, dGeomID) {}); });
+        leaveIn(collide);
+        _exit(g_isBoxFunctionLeaving || (isSweep && text != "geom counts messed up in %s()") ? 1 : 0);
         return true;
     }));
 }

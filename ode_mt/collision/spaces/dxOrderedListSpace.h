@@ -50,7 +50,7 @@ private:
     int minMovedToWalk() const { return mayWalk() ? dxMinMovedToWalk(pairOrder(), count) : INT_MAX; }
     void gatherDirty();
     void cleanDirty();
-    static int cleanFrom(dxGeom *geom);
+    int cleanFrom(dxGeom *geom);
     void cleanBehind(dxGeom *geom);
     void rankAll();
     void chooseToWalk();

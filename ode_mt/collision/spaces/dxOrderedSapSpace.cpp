@@ -97,20 +97,20 @@ void dxOrderedSapSpace::dirty(dxGeom *geom) {
     rankSuccessor(slot, place);
 }
 
-// Where a bounding-box function has the space cleaned, upstream enters its geoms twice, and its next
-// collide() fails.
+// Where a bounding-box function has the space cleaned, or leaves its cleaning, upstream enters geoms twice, and its next collide() fails.
 void dxOrderedSapSpace::cleanGeoms() {
     if (m_lists.dirty().empty()) return;
     lock_count++;
     m_toClean.clear();
     for (const dxSapLists::Entry &entry : m_lists.dirty()) m_toClean.push_back(entry.geom);
+    const bool wasMessedUp = std::exchange(m_isMessedUp, true);  // where this is left, or nested
     m_walking.noteMoved(static_cast<int>(m_toClean.size()), count);
     if (m_walking.isForQuery(static_cast<int>(m_toClean.size()), count) && mayWalk()) m_walking.set(true);
     if (m_walking)
         for (std::size_t i = 0; i < m_toClean.size(); ++i) clean(m_toClean, i);
     else
         cleanAndRank();
-    m_isMessedUp = m_isMessedUp || m_lists.dirty().empty();
+    m_isMessedUp = wasMessedUp || m_lists.dirty().empty();
     m_lists.cleanAll();
     lock_count--;
 }

@@ -78,7 +78,7 @@ private:
     dxSapSort m_sort;
     bool m_isSorted = false;    // since m_swept was taken
     bool m_hasNaN = false;
-    bool m_isMessedUp = false;  // as in upstream's assertion: a cleaning was nested in a cleaning
+    bool m_isMessedUp = false;  // as in upstream's assertion: a cleaning was nested in a cleaning, or left
 
     dxWalking m_walking;       // there are no boxes of members, either
     dxSapWalk m_sweep;         // of the outermost call

@@ -51,13 +51,6 @@ struct CountedCallback {
     }
 };
 
-// Its box follows from data or arrays that the program may change while other boxes are computed, without a word to the space.
-bool hasBoxOfData(const dxGeom *geom) {
-    return geom->type == dConvexClass || geom->type == dTriMeshClass || geom->type == dHeightfieldClass;
-}
-
-bool hasBoxOfItsOwn(const dxGeom *geom) { return geom->type < dConvexClass || hasBoxOfData(geom); }
-
 // To clean it, or what is within it, may run a function of the program's.
 bool mayRunUserCode(const dxGeom *geom) { return geom->type >= dFirstUserClass || geom->type == dGeomTransformClass || IS_SPACE(geom); }
 
@@ -116,6 +109,7 @@ void dxOrderedSpace::remove(dxGeom *geom) {
 void dxOrderedSpace::collide(void *data, dNearCallback *callback) {
     dAASSERT(callback);
     dxTransformedGeom::noticeLeft();
+    forgetRunner();
     lock_count++;
     m_isPrefetching = false;
     if (m_prefetch != nullptr) m_prefetch->forgetPair();
@@ -272,29 +266,26 @@ bool dxOrderedSpace::preparePrefetch(const dxTaskRunner &runner) {
     }
 }
 
-// Whatever way it is left.
+// The runner is given back unless the call is left by a jump. Then it is not in use, and collide() forgets it.
 bool dxOrderedSpace::makeReadyShared(dxTaskRunner &runner) {
     struct Borrowed {
-        dxTaskRunner *&runner;
-        ~Borrowed() { runner = nullptr; }
+        dxOrderedSpace &space;
+        ~Borrowed() { space.forgetRunner(); }
     };
-    m_runner = &runner;
-    const Borrowed borrowed{m_runner};
+    m_lent = m_runner = &runner;
+    const Borrowed borrowed{*this};
     return makeReadyRecorded();
 }
 
-// Only of the built-in classes whose boxes depend on nothing but themselves and their bodies.
+// Only where all are of the built-in classes whose boxes depend on nothing but themselves, their data and their bodies. A function of the program's
+// may change these, or leave, and geoms behind it would have boxes that upstream has not computed.
 bool dxOrderedSpace::computeBoxes(const std::vector<dxGeom *> &geoms) {
     if (m_runner == nullptr || geoms.size() < kBoxesPerChunk) return false;
+    if (std::any_of(geoms.begin(), geoms.end(), mayRunUserCode)) return false;
     std::atomic<bool> areAll{true};
-    const bool dataMayChange = std::any_of(geoms.begin(), geoms.end(), mayRunUserCode);
     m_runner->forChunks(dxParallelStage::Boxes, geoms.size(), kBoxesPerChunk, [&](std::size_t begin, std::size_t end, unsigned) {
         for (std::size_t i = begin; i < end; ++i) {
             if (i + kBoxPrefetchDistance < end) dxPairPrefetch::pose(geoms[i + kBoxPrefetchDistance]);
-            if (!hasBoxOfItsOwn(geoms[i]) || (dataMayChange && hasBoxOfData(geoms[i]))) {
-                areAll.store(false, std::memory_order_relaxed);
-                continue;
-            }
             try {
                 const dxInterruptingScope scope;
                 geoms[i]->recomputeAABB();
@@ -336,6 +327,7 @@ void dxOrderedSpace::clean(const std::vector<dxGeom *> &geoms, std::size_t index
 }
 
 void dxOrderedSpace::clean(dxGeom *geom) {
+    m_runner = nullptr;  // until findPairs()
     if (IS_SPACE(geom)) static_cast<dxSpace *>(geom)->cleanGeoms();
     geom->recomputeAABB();
     geom->gflags &= ~GEOM_DIRTY;
@@ -357,6 +349,7 @@ bool dxOrderedSpace::makeReady() {
 }
 
 bool dxOrderedSpace::findPairs() {
+    m_runner = m_lent;
     if (!requireRanks() || !takeSwitches()) return false;
     if (m_members.changed().empty()) return true;
     if (lock_count > 1) return false;  // a call around this one goes through pairs()

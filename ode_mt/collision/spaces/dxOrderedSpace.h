@@ -188,12 +188,13 @@ protected:
     // clean() and rank() for all, on workers. Requires that computeBoxes() has returned true. Ranks fall from `first`; `slots` has room
     // for one of each.
     void cleanComputed(const std::vector<dxGeom *> &geoms, dxRank first, std::vector<Slot> &slots);
-    static void clean(const std::vector<dxGeom *> &geoms, std::size_t index);
-    static void clean(dxGeom *geom);
+    void clean(const std::vector<dxGeom *> &geoms, std::size_t index);
+    void clean(dxGeom *geom);
     void rank(dxGeom *geom, dxRank rank) { this->rank(geom, rank, dxBounds(geom->aabb)); }
     void rank(dxGeom *geom, dxRank rank, const dxBounds &bounds);
 
-    bool isShared() const { return m_runner != nullptr; }
+    void forgetRunner() { m_lent = m_runner = nullptr; }
+    bool isShared() const { return m_lent != nullptr; }
     dxTaskRunner &runner() const { return m_runner != nullptr ? *m_runner : dxTaskRunner::alone(); }
     // Calls find(), which may allocate. Without memory the pairs are discarded, and this call walks the geoms as
     // upstream does.
@@ -343,7 +344,8 @@ private:
     bool m_arePairsKept = true;   // what finds the pairs knows those of members that have not changed
     bool m_isFoundAnew = false;
     std::uint64_t m_comebacks = 0;  // number of absent geoms that were enabled
-    dxTaskRunner *m_runner = nullptr;  // during makeReady() of a parallel call, not in its callbacks
+    dxTaskRunner *m_lent = nullptr;    // during makeReady() of a parallel call, not in its callbacks
+    dxTaskRunner *m_runner = nullptr;  // the same, but not while code of the user's may run, which may leave the call by a jump
     bool m_isPrefetching = false;            // the call whose callbacks begin is a parallel one
     dxNarrowphasePrefetch::Owner m_prefetch;
     dxSharingPolicy m_sharing;

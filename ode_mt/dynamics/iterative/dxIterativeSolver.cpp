@@ -16,8 +16,8 @@ constexpr double kLeastPart = 0.4;
 constexpr unsigned kSmoothing = 3;
 
 // So many of the iterations take pressures and friction together, which heaps in motion need; the others pressures first, which what stands
-// needs, and more so without kept forces (docs/iterative-solver.md, "Pressures first").
-constexpr double kWholePart = 0.7, kWholePartCold = 0.4;
+// needs (docs/iterative-solver.md, "Pressures first").
+constexpr double kWholePart = 0.4;
 constexpr unsigned kParts = 3;
 
 // By how much friction changes in these others, of what its own row asks for: with all of it bricks in a row push one another apart.
@@ -38,10 +38,9 @@ constexpr double kGrowth = 3;
 constexpr unsigned kMaxResponses = 4096;
 
 // So many take all rows of each contact at once. Those after them have three parts.
-unsigned wholeSweepsOf(unsigned most, const std::vector<dxContactPack> &packs, bool isWarm) {
+unsigned wholeSweepsOf(unsigned most, const std::vector<dxContactPack> &packs) {
     const auto hasSecond = [](const dxContactPack &pack) { return pack.contactCount > 1; };
-    if (std::none_of(packs.begin(), packs.end(), hasSecond)) return most;
-    return static_cast<unsigned>(std::ceil((isWarm ? kWholePart : kWholePartCold) * most));
+    return std::any_of(packs.begin(), packs.end(), hasSecond) ? static_cast<unsigned>(std::ceil(kWholePart * most)) : most;
 }
 
 unsigned iterationsOf(const dxIslandStep &step) { return static_cast<unsigned>(std::max(step.world->qs.num_iterations, 0)); }
@@ -74,7 +73,7 @@ void dxIterativeSolver::makePlan(const dxIslandStep &step) {
     m_others.reserve(m_plan);
     placeLanes();
     const unsigned most = iterationsOf(step);
-    m_wholeSweeps = wholeSweepsOf(most, m_plan.packs(), step.iterativeWorld->isWarm());
+    m_wholeSweeps = wholeSweepsOf(most, m_plan.packs());
     m_sweeps.begin(m_plan, 1 + m_wholeSweeps + (most - m_wholeSweeps) * kParts);
 }
 

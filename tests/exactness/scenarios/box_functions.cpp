@@ -20,7 +20,7 @@ enum class Doing { Cleans, Collides, Asks, Grows, Throws, Jumps };
 // geoms of it larger (which is refused when it is half done), or leaves.
 class BoxFunctions : public ManyParts {
 public:
-    BoxFunctions(Stepper stepper, SpaceKind kind, Doing doing)
+    BoxFunctions(Stepper stepper, SpaceKind kind, Doing doing, int geoms)
         : ManyParts(stepper), m_kind(kind), m_doing(doing), m_space(createSpace(kind, nullptr)) {
         dSetDebugHandler(&handle);
         addGround();
@@ -31,7 +31,7 @@ public:
         });
         const dGeomClass description = {sizeof(int), &noCollider, &bound, nullptr, nullptr};
         m_class = dCreateGeomClass(&description);
-        for (int i = 0; i < 25; ++i) addGeom(i);
+        for (int i = 0; i < geoms; ++i) addGeom(i);
         m_ray = dCreateRay(nullptr, 20);
         dGeomRaySet(m_ray, -1, 2, 0.1, 1, 0.1, 0);
     }
@@ -39,9 +39,10 @@ public:
 
     void control() override {
         const int frame = frameNumber();
-        m_isDisturbing = frame % 3 == 0;
-        for (int i = 0; i < frame % 7; ++i)
-            attempt([=] { dGeomSetPosition(m_geoms[(5 * i + frame) % m_geoms.size()], i, 0.3 * i, 0); });
+        m_isDisturbing = frame % 3 == 0 && (m_geoms.size() == kFew || frame >= 6);  // among many not before a call is shared
+        const int moved = frame % 7 * static_cast<int>(m_geoms.size()) / kFew;
+        for (int i = 0; i < moved; ++i)
+            attempt([=] { dGeomSetPosition(m_geoms[(5 * i + frame) % m_geoms.size()], i % 20, 0.3 * (i / 20) + 0.3 * (i % 20), 0); });
         m_pairs = OrderSum();
         attempt([this] { dSpaceCollide(m_space, this, &meet); });
         if (m_kind != SpaceKind::SweepAndPrune)
@@ -49,6 +50,8 @@ public:
         note("pairs", static_cast<double>(m_pairs.count()));
         note("sum of the pairs", m_pairs.value());
     }
+
+    static constexpr int kFew = 25, kMany = 800;  // geoms; workers take part where so many move
 
 private:
     static BoxFunctions &self() { return static_cast<BoxFunctions &>(living()); }
@@ -146,13 +149,15 @@ void addBoxFunctions(Catalogue &catalogue) {
     const struct {
         Doing doing;
         const char *name, *meaning;
-        int frames = 12;
+        int frames = 12, geoms = BoxFunctions::kFew;
     } doings[] = {{Doing::Cleans, "clean", "has its space cleaned"},
                   {Doing::Collides, "collide", "collides its space"},
                   {Doing::Asks, "ask", "queries its space"},
                   {Doing::Grows, "grow", "makes geoms of its space larger, which is refused when it is done", 45},
                   {Doing::Throws, "throw", "throws"},
-                  {Doing::Jumps, "jump", "jumps out of the call"}};
+                  {Doing::Jumps, "jump", "jumps out of the call"},
+                  {Doing::Throws, "throw_among_many", "throws, in a large space", 12, BoxFunctions::kMany},
+                  {Doing::Jumps, "jump_among_many", "jumps out of the call, in a large space", 12, BoxFunctions::kMany}};
     for (const auto &doing : doings)
         for (const SpaceKind kind : allSpaceKinds) {
             // Elsewhere than here, upstream's sweep-and-prune space then reads memory that it never wrote.
@@ -162,7 +167,7 @@ void addBoxFunctions(Catalogue &catalogue) {
             catalogue.push_back(
                 collisionScenario(std::string("box_functions/") + doing.name + "_in_" + nameOf(kind),
                                   std::string("a user's bounding-box function ") + doing.meaning, doing.frames,
-                                  make<BoxFunctions>(kind, doing.doing)));
+                                  make<BoxFunctions>(kind, doing.doing, doing.geoms)));
             catalogue.back().leavesRuins = true;  // spaces that upstream cannot destroy any more
         }
 }
