@@ -42,7 +42,7 @@ public:
         m_isDisturbing = frame % 3 == 0 && (m_geoms.size() == kFew || frame >= 6);  // among many not before a call is shared
         const int moved = frame % 7 * static_cast<int>(m_geoms.size()) / kFew;
         for (int i = 0; i < moved; ++i)
-            attempt([=] { dGeomSetPosition(m_geoms[(5 * i + frame) % m_geoms.size()], i % 20, 0.3 * (i / 20) + 0.3 * (i % 20), 0); });
+            attempt([=] { dGeomSetPosition(m_geoms[(5 * i + frame) % m_geoms.size()], i % 20, 0.3 * (i / 20 + i % 20), 0); });
         m_pairs = OrderSum();
         attempt([this] { dSpaceCollide(m_space, this, &meet); });
         if (m_kind != SpaceKind::SweepAndPrune)
@@ -51,7 +51,7 @@ public:
         note("sum of the pairs", m_pairs.value());
     }
 
-    static constexpr int kFew = 25, kMany = 800;  // geoms; workers take part where so many move
+    static constexpr int kFew = 25, kMany = 800;  // geoms; calls of so many are shared
 
 private:
     static BoxFunctions &self() { return static_cast<BoxFunctions &>(living()); }
