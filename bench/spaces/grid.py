@@ -14,7 +14,7 @@ import subprocess
 import sys
 
 KINDS = ["simple", "hash", "sweep and prune", "quad tree"]
-FIELDS = ["kind", "geoms", "crowding", "moved", "motion", "filter", "rays", "nested", "queries"]
+FIELDS = ["kind", "geoms", "crowding", "moved", "motion", "filter", "rays", "nested", "queries", "askers"]
 TURNS = 5
 TURN_US = 5000  # of calls in a turn, about
 MOST_PAIRS = 700_000
@@ -36,7 +36,7 @@ MOVED = (0, -1, 100, 500, 1000)
 
 
 def is_wanted(cell):
-    kind, geoms, crowding, moved, motion, bits, rays, nested, queries = cell
+    kind, geoms, crowding, moved, motion, bits, rays, nested, queries, askers = cell
     overlapping = geoms if crowding < 0 else min(crowding, geoms)
     if not queries and geoms * overlapping / 2 > MOST_PAIRS or crowding > geoms // 2:
         return False
@@ -44,9 +44,12 @@ def is_wanted(cell):
 
 
 def cells(quick):
-    collided = itertools.product(range(4), GEOMS, (0, 6, 40, -1), MOVED, (0, 1), (0, 1), (0, 50, 90), (0, 4), (0,))
-    queried = itertools.product(range(4), GEOMS, (0, 6), MOVED, (0,), (0,), (0,), (0, 4), (1, 50, 1000))
-    for cell in filter(is_wanted, itertools.chain(collided, queried)):
+    collided = itertools.product(range(4), GEOMS, (0, 6, 40, -1), MOVED, (0, 1), (0, 1), (0, 50, 90), (0, 4), (0,), (0,))
+    in_turns = itertools.product(range(4), GEOMS, (0, 6, 40), (1000,), (2,), (0,), (0,), (0,), (0,), (0,))
+    switched = itertools.product(range(4), GEOMS, (0, 6, 40), (0, -1), (0,), (2,), (0,), (0,), (0,), (0,))
+    queried = itertools.product(range(4), GEOMS, (0, 6), MOVED, (0,), (0,), (0,), (0, 4), (1, 50, 1000), (0,))
+    asked = itertools.product(range(4), GEOMS, (0, 6), (0, -1, 1000), (0,), (0,), (0,), (0, 4), (8, 50), (1, 2))
+    for cell in filter(is_wanted, itertools.chain(collided, in_turns, switched, queried, asked)):
         if quick and hash(cell) % 16 != 0:
             continue
         yield cell
@@ -73,7 +76,7 @@ def measure(engines, cell):
 
 
 def print_table(rows):
-    print("| space | geoms | cells | median | worst | below 0.9 | rays: cells | median | worst | below 0.9 |\n" + "|---" * 10 + "|")
+    print("| space | geoms | cells | median | worst | below 0.9 | queries: cells | median | worst | below 0.9 |\n" + "|---" * 10 + "|")
     for (kind, name), geoms in itertools.product(enumerate(KINDS), GEOMS):
         columns = []
         for is_queried in (False, True):

@@ -1,15 +1,18 @@
 // One engine of bench/spaces/grid: collides spaces as cells of the grid describe them, one a line of standard input, on the libode that it finds.
 //
-//   KIND GEOMS CROWDING MOVED MOTION FILTER RAYS NESTED QUERIES CALLS
+//   KIND GEOMS CROWDING MOVED MOTION FILTER RAYS NESTED QUERIES ASKERS CALLS
 //
 //   KIND      0 simple, 1 hash, 2 sweep and prune, 3 quad tree
 //   CROWDING  number of boxes that a box overlaps on average; -1: all are in one place
 //   MOVED     share of the geoms that move before each call, in thousandths; -1: one geom alone
-//   MOTION    0: each by a tenth of its size; 1: each to any place
-//   FILTER    0: every geom may meet every other; 1: half of them meet the other half alone
+//   MOTION    0: each by a tenth of its size; 1: each to any place; 2: as 0, but for five calls nothing moves, then for five
+//   FILTER    0: every geom may meet every other; 1: half of them meet the other half alone; 2: as 0, and the category bits of one change before each
+//             call
 //   RAYS      share of rays among the geoms, in hundredths
 //   NESTED    0: all geoms are in the space; N: in simple spaces of N geoms within it, which are collided with one another
-//   QUERIES   0: a call is one of dSpaceCollide; N: it is N of dSpaceCollide2 with one ray, as a lidar casts it, and dCollide in the callbacks
+//   QUERIES   0: a call is one of dSpaceCollide; N: it is N of dSpaceCollide2, or one with a space of N
+//   ASKERS    of these queries: 0: one ray, as a lidar casts it, with dCollide in the callbacks; 1: members of the space, one after the other; 2: a
+//             space of the same kind with boxes that all move
 //
 // For each it answers with the time of a call, and of moving the geoms before it, in microseconds of the thread's processor time (the median of eight
 // parts of the calls); with the number of callbacks of the last call; and with a hash of all callbacks of the first twelve calls in their order. A
@@ -35,11 +38,11 @@ double now() {
 }
 
 struct Cell {
-    int kind, geoms, crowding, moved, motion, filter, rays, nested, queries, calls;
+    int kind, geoms, crowding, moved, motion, filter, rays, nested, queries, askers, calls;
 
     bool isSameScene(const Cell &other) const {
         return kind == other.kind && geoms == other.geoms && crowding == other.crowding && moved == other.moved && motion == other.motion &&
-               filter == other.filter && rays == other.rays && nested == other.nested && queries == other.queries;
+               filter == other.filter && rays == other.rays && nested == other.nested && queries == other.queries && askers == other.askers;
     }
 };
 
@@ -80,13 +83,6 @@ void onHit(void *data, dGeomID a, dGeomID b) {
 class Scene {
 public:
     explicit Scene(const Cell &cell) : m_cell(cell) {
-        const dVector3 centre = {0, 0, 0, 0}, extents = {edge() / 2, edge() / 2, edge() / 2, 0};
-        switch (cell.kind) {
-        case 0: m_space = dSimpleSpaceCreate(nullptr); break;
-        case 1: m_space = dHashSpaceCreate(nullptr); break;
-        case 2: m_space = dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ); break;
-        default: m_space = dQuadTreeSpaceCreate(nullptr, centre, extents, 5);
-        }
         dSpaceID into = m_space;
         for (int i = 0; i < cell.geoms; ++i) {
             if (cell.nested != 0 && i % cell.nested == 0) into = dSimpleSpaceCreate(m_space);
@@ -100,9 +96,15 @@ public:
             m_geoms.push_back(geom);
             place(geom);
         }
+        for (int i = 0; cell.askers == 2 && i < cell.queries; ++i) {
+            m_visitors.push_back(dCreateBox(m_visiting, 1, 1, 1));
+            dGeomSetData(m_visitors.back(), reinterpret_cast<void *>(static_cast<std::uintptr_t>(cell.geoms + i)));
+            place(m_visitors.back());
+        }
     }
     ~Scene() {
         dGeomDestroy(m_ray);
+        dSpaceDestroy(m_visiting);
         dSpaceDestroy(m_space);
     }
     Scene(const Scene &) = delete;
@@ -111,14 +113,29 @@ public:
     const Cell &cell() const { return m_cell; }
 
     void call(Seen &seen) {
-        move();
+        if (m_cell.motion != 2 || m_calls / 5 % 2 == 1) move();
+        if (m_cell.filter == 2) dGeomSetCategoryBits(m_geoms[m_calls % m_geoms.size()], 1 + m_calls / m_geoms.size() % 2);
+        ++m_calls;
         if (m_cell.queries == 0)
             dSpaceCollide(m_space, &seen, onNear);
-        else
+        else if (m_cell.askers == 0)
             castRays(seen);
+        else if (m_cell.askers == 1)
+            askMembers(seen);
+        else
+            visit(seen);
     }
 
 private:
+    dSpaceID makeSpace() const {
+        const dVector3 centre = {0, 0, 0, 0}, extents = {edge() / 2, edge() / 2, edge() / 2, 0};
+        switch (m_cell.kind) {
+        case 0: return dSimpleSpaceCreate(nullptr);
+        case 1: return dHashSpaceCreate(nullptr);
+        case 2: return dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ);
+        default: return dQuadTreeSpaceCreate(nullptr, centre, extents, 5);
+        }
+    }
     // Of the cube in which so many boxes of edge 1 overlap so many others each.
     double edge() const {
         if (m_cell.crowding < 0) return 0.25;
@@ -143,6 +160,14 @@ private:
             dSpaceCollide2(m_ray, reinterpret_cast<dGeomID>(m_space), &seen, onHit);
         }
     }
+    void askMembers(Seen &seen) {
+        for (int i = 0; i < m_cell.queries; ++i)
+            dSpaceCollide2(m_geoms[m_asked++ % m_geoms.size()], reinterpret_cast<dGeomID>(m_space), &seen, onNear);
+    }
+    void visit(Seen &seen) {
+        for (const dGeomID visitor : m_visitors) shift(visitor);
+        dSpaceCollide2(reinterpret_cast<dGeomID>(m_visiting), reinterpret_cast<dGeomID>(m_space), &seen, onNear);
+    }
     void move() {
         const auto count = static_cast<std::size_t>(m_cell.moved < 0 ? 1 : m_cell.geoms * m_cell.moved / 1000);
         for (std::size_t i = 0; i < count; ++i) m_cell.motion == 0 ? shift(m_geoms[i]) : place(m_geoms[i]);
@@ -150,9 +175,10 @@ private:
 
     Cell m_cell;
     Random m_random;
-    dSpaceID m_space = nullptr;
+    dSpaceID m_space = makeSpace(), m_visiting = makeSpace();
     dGeomID m_ray = dCreateRay(nullptr, 10);
-    std::vector<dGeomID> m_geoms;
+    std::vector<dGeomID> m_geoms, m_visitors;
+    std::size_t m_calls = 0, m_asked = 0;
 };
 
 }  // namespace
@@ -162,8 +188,8 @@ int main() {
     std::unique_ptr<Scene> scene;
     std::uint64_t hash = 0;
     int hashedCalls = 0;
-    for (Cell cell; std::scanf("%d %d %d %d %d %d %d %d %d %d", &cell.kind, &cell.geoms, &cell.crowding, &cell.moved, &cell.motion, &cell.filter,
-                               &cell.rays, &cell.nested, &cell.queries, &cell.calls) == 10;) {
+    for (Cell cell; std::scanf("%d %d %d %d %d %d %d %d %d %d %d", &cell.kind, &cell.geoms, &cell.crowding, &cell.moved, &cell.motion, &cell.filter,
+                               &cell.rays, &cell.nested, &cell.queries, &cell.askers, &cell.calls) == 11;) {
         if (scene == nullptr || !scene->cell().isSameScene(cell)) {
             scene = std::make_unique<Scene>(cell);
             hash = hashedCalls = 0;

@@ -15,11 +15,12 @@
 // Two numbers that are compared at once.
 using dxTwoReals [[gnu::vector_size(2 * sizeof(dReal))]] = dReal;
 
-// Returns whether a comparison of two numbers, or of twice two, was true for any.
-template <class Mask>
-bool dxIsAny(const Mask &mask) {
-    std::uint64_t words[sizeof mask / sizeof(std::uint64_t)], any = 0;
-    std::memcpy(words, &mask, sizeof mask);
+// Returns whether one of several comparisons of two numbers was true for any. Each gives 0 or -1; it takes their sum, since GCC extracts the two results
+// of a disjunction bit by bit.
+template <class Sum>
+bool dxIsAny(const Sum &sum) {
+    std::uint64_t words[sizeof sum / sizeof(std::uint64_t)], any = 0;
+    std::memcpy(words, &sum, sizeof sum);
     for (const std::uint64_t word : words) any |= word;
     return any != 0;
 }
@@ -28,7 +29,7 @@ bool dxIsAny(const Mask &mask) {
 // takes four times as long as the comparison.
 inline bool dxOverlap(const dReal *a, const dReal *b) {
     using Two = dxTwoReals;
-    return !dxIsAny((Two{a[0], b[0]} > Two{b[1], a[1]}) | (Two{a[2], b[2]} > Two{b[3], a[3]}) | (Two{a[4], b[4]} > Two{b[5], a[5]}));
+    return !dxIsAny((Two{a[0], b[0]} > Two{b[1], a[1]}) + (Two{a[2], b[2]} > Two{b[3], a[3]}) + (Two{a[4], b[4]} > Two{b[5], a[5]}));
 }
 
 // A box that is compared with many: the same as dxOverlap().
@@ -43,7 +44,7 @@ public:
     }
 
     bool overlaps(const dReal *aabb) const {
-        return !dxIsAny((endsOf(aabb) > m_ends[0]) | (endsOf(aabb + 2) > m_ends[1]) | (endsOf(aabb + 4) > m_ends[2]));
+        return !dxIsAny((endsOf(aabb) > m_ends[0]) + (endsOf(aabb + 2) > m_ends[1]) + (endsOf(aabb + 4) > m_ends[2]));
     }
 
 private:

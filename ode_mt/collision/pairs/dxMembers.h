@@ -72,6 +72,8 @@ public:
     std::uint64_t arrivalOf(Slot slot) const { return m_arrivals[slot]; }
     // Returns a counter of changes of the order: present members that are added, removed or get another rank.
     std::uint64_t orderings() const { return m_orderings; }
+    // The same, and of changes of the members' boxes.
+    std::uint64_t boxes() const { return m_orderings + m_placings; }
 
     // Marks a member as changed. An absent one has no pairs, and is not marked.
     void markChanged(Slot slot) {
@@ -88,6 +90,7 @@ public:
         Member &member = m_members[slot];
         member.bounds = bounds;
         member.filter = filter;
+        ++m_placings;
     }
     // Sets rank, bounds and filter of a member. Returns false, and sets nothing, if more than those changes: if it is absent, has had no
     // rank, or its geom is disabled. Several threads may do so for different members; moved() has to follow, on one thread.
@@ -129,5 +132,5 @@ private:
     std::vector<Slot> m_changed, m_switched;
     Flags m_isChanged, m_isSwitched;  // by slot
     dxRank m_highest = 0;
-    std::uint64_t m_orderings = 0;
+    std::uint64_t m_orderings = 0, m_placings = 0;
 };

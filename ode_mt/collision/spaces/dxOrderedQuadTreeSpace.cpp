@@ -19,6 +19,11 @@ struct Swapped {
     }
 };
 
+// For a pair whose boxes overlap.
+void deliverIfAgreed(dxGeom *first, dxGeom *second, void *data, dNearCallback *callback) {
+    if (dxFiltersAgree(dxFilterOf(first), dxFilterOf(second))) dxDeliver({first, second, {}}, data, callback);
+}
+
 using Threshold = dxBroadphaseThresholds;
 
 // If each geom is compared with no more than so many, a copy of their boxes does not pay.
@@ -257,100 +262,103 @@ void dxOrderedQuadTreeSpace::walk(void *data, dNearCallback *callback, const dxO
 void dxOrderedQuadTreeSpace::collideWith(void *data, dxGeom *geom, dNearCallback *callback) {
     const bool isMember = geom->parent_space == this;
     if (!isSureOfMembers())
-        isMember ? walkMember(data, geom, callback) : walkOther(data, geom, callback);
+        isMember ? walkMember(data, geom, callback, nullptr) : walkOther(data, geom, callback, nullptr);
     else if (isMember)
         collideMember(data, geom, callback);
     else
         collideOther(data, geom, callback);
 }
 
+// Calls meet(begin, end) with the slots of the members whose boxes overlap this one, in upstream's order. Those that are enabled since may be missing.
+template <class Meet>
+void dxOrderedQuadTreeSpace::withOverlapping(const dxBounds &box, const Meet &meet) {
+    dxOrderedBoxes::Found found;
+    const bool isInOrder = members().switched().empty() && beforeCallbacks([&] { return m_order.find(members(), box, isWorthAnIndex(), found); });
+    if (isInOrder) {
+        noteMet(found.count);
+        return meet(found.slots, found.slots + found.count);
+    }
+    const Region region = beforeCallbacks([&] { return Region(*this, box); });
+    meet(region.slots().data(), region.slots().data() + region.slots().size());
+}
+
 // With what is in its own block, which is itself too, and in those within; then with what is in the blocks
 // around, from the nearest outwards. In other blocks nothing meets it.
 void dxOrderedQuadTreeSpace::collideMember(void *data, dxGeom *geom, dNearCallback *callback) {
-    const Region region = beforeCallbacks([&] { return Region(*this, dxBounds(geom->aabb)); });
-    const auto &slots = region.slots();
     const Block home = blockOf(slotOf(geom));
-    const auto inner =
-        std::find_if(slots.begin(), slots.end(), [&](Slot slot) { return blockOf(slot) >= home; });
+    const std::uint64_t missed = dxMissedNotifications.count();
+    const std::size_t switched = members().switched().size();
     Swapped swapped{data, callback};
-    for (auto slot = inner; slot != slots.end(); ++slot) {
-        dxGeom *const member = members().geomIn(*slot);
-        if (dxGeomIsEnabled(member)) dxCollideBoxes(geom, member, &swapped, Swapped::call);
-    }
-    for (auto end = inner; end != slots.begin();) {
-        auto begin = end;
-        while (begin != slots.begin() && blockOf(begin[-1]) == blockOf(end[-1])) --begin;
-        for (auto slot = begin; slot != end; ++slot) {
-            dxGeom *const member = members().geomIn(*slot);
-            if (dxGeomIsEnabled(member)) dxCollideBoxes(member, geom, data, callback);
+    // Returns false if it has done the rest, too.
+    const auto meet = [&](Slot slot, bool isInner) {
+        dxGeom *const member = members().geomIn(slot);
+        if (!dxGeomIsEnabled(member)) return true;
+        isInner ? deliverIfAgreed(geom, member, &swapped, Swapped::call) : deliverIfAgreed(member, geom, data, callback);
+        if (dxMissedNotifications.count() == missed && members().switched().size() == switched) return true;
+        walkMember(data, geom, callback, member);
+        return false;
+    };
+    withOverlapping(dxBounds(geom->aabb), [&](const Slot *first, const Slot *last) {
+        const Slot *const inner = std::find_if(first, last, [&](Slot slot) { return blockOf(slot) >= home; });
+        for (const Slot *slot = inner; slot != last; ++slot)
+            if (!meet(*slot, true)) return;
+        for (const Slot *end = inner; end != first;) {
+            const Slot *begin = end;
+            while (begin != first && blockOf(begin[-1]) == blockOf(end[-1])) --begin;
+            for (const Slot *slot = begin; slot != end; ++slot)
+                if (!meet(*slot, false)) return;
+            end = begin;
         }
-        end = begin;
-    }
+    });
 }
 
-// The same without regard to where boxes are.
-void dxOrderedQuadTreeSpace::walkMember(void *data, dxGeom *geom, dNearCallback *callback) {
+// The same without regard to where boxes are; `after`: only what comes after this member.
+void dxOrderedQuadTreeSpace::walkMember(void *data, dxGeom *geom, dNearCallback *callback, dxGeom *after) {
     Swapped swapped{data, callback};
     Visit visit = beforeCallbacks([&] { return Visit(*this, &swapped, Swapped::call); });
     Block block = blockOf(slotOf(geom));
+    const Block last = after != nullptr ? blockOf(slotOf(after)) : m_tree.endOf(block);
     const auto placeFrom = [&](Block first) {
         std::size_t place = 0;
         while (place != visit.order.size() && visit.blockAt(place) < first) ++place;
         return place;
     };
-    visit.meetFrom(geom, block, placeFrom(block), placeFrom(m_tree.endOf(block)));
+    const std::size_t next = after != nullptr ? visit.placeOf(slotOf(after)) + 1 : 0;
+    if (last >= block) {
+        visit.next = next;
+        visit.meetFrom(geom, block, placeFrom(block), placeFrom(m_tree.endOf(block)));
+    }
     while (block != dxQuadTree::kRoot) {
         block = m_tree.parentOf(block);
+        if (block > last) continue;
         const std::size_t begin = placeFrom(block), end = visit.endOfBlock(block, begin, visit.order.size());
-        for (std::size_t place = begin; place != end; ++place) {
+        for (std::size_t place = block == last ? next : begin; place != end; ++place) {
             dxGeom *const member = visit.geomAt(place);
             if (dxGeomIsEnabled(member)) dxCollideBoxes(member, geom, data, callback);
         }
     }
 }
 
-// Whether the order of members tells what a geom meets: it has none of those that are enabled since, and one of several threads would have to
-// bring it up to date.
-bool dxOrderedQuadTreeSpace::isOrderOfUse() const {
-    return !isWorthAnIndex() && (m_order.isCurrent(members()) || __libc_single_threaded != 0) && members().switched().empty();
-}
-
 void dxOrderedQuadTreeSpace::collideOther(void *data, dxGeom *geom, dNearCallback *callback) {
-    if (isOrderOfUse()) {
-        const std::vector<dxSortItem> &items = *beforeCallbacks([this] { return &m_order.update(members()); });
-        const dxBoxProbe probe(geom->aabb);  // the rest is done elsewhere once the geom has moved
-        std::size_t met = 0;
-        for (const dxSortItem &item : items) {
-            const dxMembers::Member &member = members()[item.index];
-            if (!probe.overlaps(member.bounds.v)) continue;
-            ++met;
-            if (!meetOther(data, geom, member.geom, callback)) return;
-        }
-        return noteMet(met);
-    }
-    const Region region = beforeCallbacks([&] { return Region(*this, dxBounds(geom->aabb)); });
-    for (const Slot slot : region.slots())
-        if (!meetOther(data, geom, members().geomIn(slot), callback)) return;
-}
-
-// Returns false if it has done the rest, too: once the geom has moved in a callback, what is left of upstream's way from the root on has to be
-// gone.
-bool dxOrderedQuadTreeSpace::meetOther(void *data, dxGeom *geom, dxGeom *member, dNearCallback *callback) {
-    if (!dxGeomIsEnabled(member)) return true;
     const dxBounds box(geom->aabb);
     const std::uint64_t missed = dxMissedNotifications.count();
     const std::size_t switched = members().switched().size();
     Swapped swapped{data, callback};
-    dxCollideBoxes(geom, member, &swapped, Swapped::call);
-    if (isStill(geom, box) && dxMissedNotifications.count() == missed && members().switched().size() == switched) return true;
-    Visit rest(*this, &swapped, Swapped::call);
-    rest.next = rest.placeOf(slotOf(member)) + 1;
-    rest.meetFrom(geom, dxQuadTree::kRoot, 0, rest.order.size());
-    return false;
+    withOverlapping(box, [&](const Slot *first, const Slot *last) {
+        for (const Slot *slot = first; slot != last; ++slot) {
+            dxGeom *const member = members().geomIn(*slot);
+            if (!dxGeomIsEnabled(member)) continue;
+            deliverIfAgreed(geom, member, &swapped, Swapped::call);
+            if (isStill(geom, box) && dxMissedNotifications.count() == missed && members().switched().size() == switched) continue;
+            return walkOther(data, geom, callback, member);
+        }
+    });
 }
 
-void dxOrderedQuadTreeSpace::walkOther(void *data, dxGeom *geom, dNearCallback *callback) {
+// From the root on; `after`: only what comes after this member.
+void dxOrderedQuadTreeSpace::walkOther(void *data, dxGeom *geom, dNearCallback *callback, dxGeom *after) {
     Swapped swapped{data, callback};
     Visit visit = beforeCallbacks([&] { return Visit(*this, &swapped, Swapped::call); });
+    if (after != nullptr) visit.next = visit.placeOf(slotOf(after)) + 1;
     visit.meetFrom(geom, dxQuadTree::kRoot, 0, visit.order.size());
 }

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/pairs/dxRankOrder.h"
+#include "collision/broadphase/dxOrderedBoxes.h"
 #include "collision/spaces/dxBlockRanks.h"
 #include "collision/spaces/dxDirtyQueue.h"
 #include "collision/spaces/dxOrderedSpace.h"
@@ -46,17 +46,17 @@ private:
     void deliverInPlace(void *data, dNearCallback *callback);
     dxRank nextRank(Block block);
     void rankAnew();
+    template <class Meet>
+    void withOverlapping(const dxBounds &box, const Meet &meet);
     void collideMember(void *data, dxGeom *geom, dNearCallback *callback);
-    bool isOrderOfUse() const;
     void collideOther(void *data, dxGeom *geom, dNearCallback *callback);
-    bool meetOther(void *data, dxGeom *geom, dxGeom *member, dNearCallback *callback);
-    void walkMember(void *data, dxGeom *geom, dNearCallback *callback);
-    void walkOther(void *data, dxGeom *geom, dNearCallback *callback);
+    void walkMember(void *data, dxGeom *geom, dNearCallback *callback, dxGeom *after);
+    void walkOther(void *data, dxGeom *geom, dNearCallback *callback, dxGeom *after);
 
     dxQuadTree m_tree;
     dxBlockRanks m_ranks;
     dxDirtyQueue m_dirty;
     dxQuadRows m_rows;
-    dxRankOrder m_order;
+    dxOrderedBoxes m_order;
     std::size_t m_comparisons = 0;  // of boxes, where all pairs were last found anew
 };

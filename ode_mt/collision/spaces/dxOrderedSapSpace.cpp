@@ -70,6 +70,7 @@ void dxOrderedSapSpace::comes(dxGeom *geom, Slot slot) {
     m_lists.add(slot, geom);
     if (slot >= m_states.size()) m_states.resize(slot + 1);
     m_states[slot].part = Part::absent;
+    m_isSweepCurrent = false;
 }
 
 void dxOrderedSapSpace::goes(dxGeom * /*geom*/, Slot slot) {
@@ -78,6 +79,12 @@ void dxOrderedSapSpace::goes(dxGeom * /*geom*/, Slot slot) {
     m_lists.remove(slot);
     if (!wasDirty) rankSuccessor(slot, place);
     m_states[slot].part = Part::absent;
+    m_isSweepCurrent = false;
+}
+
+void dxOrderedSapSpace::enabledChanges(dxGeom *geom) {
+    m_isSweepCurrent = false;
+    dxOrderedSpace::enabledChanges(geom);
 }
 
 // The member that has taken the place of this one. If this one is absent, no other notification shows that the order
@@ -100,6 +107,7 @@ void dxOrderedSapSpace::dirty(dxGeom *geom) {
 // Where a bounding-box function has the space cleaned, or leaves its cleaning, upstream enters geoms twice, and its next collide() fails.
 void dxOrderedSapSpace::cleanGeoms() {
     if (m_lists.dirty().empty()) return;
+    m_isSweepCurrent = false;
     lock_count++;
     m_toClean.clear();
     for (const dxSapLists::Entry &entry : m_lists.dirty()) m_toClean.push_back(entry.geom);
@@ -136,7 +144,10 @@ void dxOrderedSapSpace::takeBox(dxGeom *geom, dxRank itsRank) {
     rank(geom, itsRank, boundsOf(geom, box));
 }
 
-void dxOrderedSapSpace::takeBoxAgain(dxGeom *geom) { takeBox(geom, members()[slotOf(geom)].rank); }
+void dxOrderedSapSpace::takeBoxAgain(dxGeom *geom) {
+    m_isSweepCurrent = false;
+    takeBox(geom, members()[slotOf(geom)].rank);
+}
 
 bool dxOrderedSapSpace::hasStrayMembers() const {
     const std::vector<dxSapLists::Entry> &list = m_lists.clean();
@@ -182,13 +193,19 @@ bool dxOrderedSapSpace::makeReady() {
 
 void dxOrderedSapSpace::chooseToWalk() {
     const int moved = std::min(m_walking.takeMoved() + static_cast<int>(m_lists.dirty().size()), count);
-    const bool hasRested = m_walking && m_walking.hasRested(moved, dxMinMovedToWalk(pairOrder(), count));
+    const bool hasRested = m_walking && !isServedBySweep(moved) && m_walking.hasRested(moved, dxMinMovedToWalk(pairOrder(), count));
     const bool isWalked = !hasRested && isWorthWalking(m_walking, moved, m_comparisons);
     if (m_walking && !isWalked) {
         stopWalking();
+        m_isSweepCurrent = false;
         m_sweep = dxSapWalk(m_axes);
     }
     m_walking.set(isWalked);
+}
+
+// Nothing is faster for a small space at rest, whose geoms may move again, than the pairs of its last walk.
+bool dxOrderedSapSpace::isServedBySweep(int moved) const {
+    return moved == 0 && m_isSweepCurrent && m_sweep.areMostWanted() && count <= dxBroadphaseThresholds::kMaxAlwaysSwept;
 }
 
 // The members that are dirty get ranks when they are cleaned.
@@ -329,13 +346,20 @@ void dxOrderedSapSpace::deliver(void *data, dNearCallback *callback) {
 // Upstream goes through a list of pairs, as deliver() does.
 void dxOrderedSapSpace::walk(void *data, dNearCallback *callback, const dxOrderedPair * /*after*/) {
     m_hasWalked = true;
+    const bool isOutermost = m_walking && lock_count == 1;
+    if (isOutermost && m_isSweepCurrent && isSureOfMembers()) return m_sweep.deliver(data, callback);
     dxSapWalk once(m_axes);
-    const bool isKept = m_walking && lock_count == 1;
-    walkWith(isKept ? m_sweep : once, data, callback);
-    if (isKept && m_sweep.pairs() > kMaxPairsPerGeomKept * static_cast<std::size_t>(count)) m_sweep = dxSapWalk(m_axes);
+    dxSapWalk &sweep = isOutermost ? m_sweep : once;
+    findPairsOf(sweep);
+    m_comparisons = sweep.comparisons();
+    if (isOutermost) m_isSweepCurrent = sweep.isRepeatable() && m_axes.areAll();  // or else a geom's bits may be bounds
+    sweep.deliver(data, callback);
+    if (!isOutermost || sweep.pairs() <= kMaxPairsPerGeomKept * static_cast<std::size_t>(count)) return;
+    m_isSweepCurrent = false;
+    m_sweep = dxSapWalk(m_axes);
 }
 
-void dxOrderedSapSpace::walkWith(dxSapWalk &sweep, void *data, dNearCallback *callback) {
+void dxOrderedSapSpace::findPairsOf(dxSapWalk &sweep) {
     beforeCallbacks([&] {
         const std::vector<dxSapLists::Entry> &list = m_lists.clean();
         sweep.begin(list.size());
@@ -345,8 +369,16 @@ void dxOrderedSapSpace::walkWith(dxSapWalk &sweep, void *data, dNearCallback *ca
         }
         sweep.findPairs(m_sort);
     });
-    m_comparisons = sweep.comparisons();
-    sweep.deliver(data, callback);
+}
+
+// As upstream, whatever is known of the members.
+void dxOrderedSapSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback) {
+    if (isWorthAnIndex() || !m_lists.dirty().empty()) return dxOrderedSpace::collide2(data, geom, callback);
+    dAASSERT(geom && callback);
+    lock();
+    geom->recomputeAABB();
+    collideFrom(0, data, geom, callback);
+    unlock();
 }
 
 void dxOrderedSapSpace::collideWith(void *data, dxGeom *geom, dNearCallback *callback) {

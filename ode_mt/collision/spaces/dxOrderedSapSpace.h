@@ -26,6 +26,7 @@ public:
     void dirty(dxGeom *geom) override;
     void computeAABB() override {}  // always infinite
     void cleanGeoms() override;
+    void collide2(void *data, dxGeom *geom, dNearCallback *callback) override;
     bool makeReady() override;
 
 private:
@@ -53,11 +54,13 @@ private:
     void collideWith(void *data, dxGeom *geom, dNearCallback *callback) override;
     bool hasStrayMembers() const override;
     void takeBoxAgain(dxGeom *geom) override;
+    void enabledChanges(dxGeom *geom) override;
 
     void chooseToWalk();
     void stopWalking();
     void cleanAndRank();
-    void walkWith(dxSapWalk &sweep, void *data, dNearCallback *callback);
+    bool isServedBySweep(int moved) const;
+    void findPairsOf(dxSapWalk &sweep);
     dxBounds boundsOf(const dxGeom *geom, const dxSapBox &box) const;
     void takeBox(dxGeom *geom, dxRank rank);
     void rankSuccessor(Slot slot, std::size_t place);
@@ -82,6 +85,7 @@ private:
 
     dxWalking m_walking;       // there are no boxes of members, either
     dxSapWalk m_sweep;         // of the outermost call
+    bool m_isSweepCurrent = false;  // no member has come, gone, moved, or been enabled or disabled since
     bool m_hasWalked = false;  // since pairs() was brought up to date
     dxSapRows m_rows;
     std::vector<std::uint32_t> m_places;  // by place in m_swept: that in m_inOrder

@@ -22,8 +22,8 @@ struct dxSapBox {
     bool meets(const dxSapBox &later) const { return later.low <= high && meetsAcross(later); }
     bool meetsAcross(const dxSapBox &other) const {
         using Two = dxTwoReals;
-        const auto meet = (Two{high1, other.high1} >= Two{other.low1, low1}) & (Two{high2, other.high2} >= Two{other.low2, low2});
-        return !dxIsAny(~meet);
+        const auto meets = (Two{high1, other.high1} >= Two{other.low1, low1}) + (Two{high2, other.high2} >= Two{other.low2, low2});
+        return !dxIsAny(meets + 2);
     }
 };
 

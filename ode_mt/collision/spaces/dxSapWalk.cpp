@@ -9,9 +9,12 @@
 
 namespace {
 
-void deliverPair(dxGeom *g1, dxGeom *g2, void *data, dNearCallback *callback) {
+// Returns whether the filters let the pair pass.
+bool deliverPair(dxGeom *g1, dxGeom *g2, void *data, dNearCallback *callback) {
     dxSapWalk::requireCleanBoxes(g1, g2);
-    if (dxFiltersAgree(dxFilterOf(g1), dxFilterOf(g2))) dxDeliver({g1, g2, {}}, data, callback);
+    if (!dxFiltersAgree(dxFilterOf(g1), dxFilterOf(g2))) return false;
+    dxDeliver({g1, g2, {}}, data, callback);
+    return true;
 }
 
 }  // namespace
@@ -93,8 +96,10 @@ void dxSapWalk::sweepAsUpstream(const std::vector<std::uint32_t> &order) {
     m_found = m_pairs.size();
 }
 
-void dxSapWalk::deliver(void *data, dNearCallback *callback) const {
-    for (std::size_t i = 0; i < m_found; ++i) deliverPair(m_swept[m_pairs[i].earlier], m_swept[m_pairs[i].later], data, callback);
+void dxSapWalk::deliver(void *data, dNearCallback *callback) {
+    std::size_t wanted = 0;
+    for (std::size_t i = 0; i < m_found; ++i) wanted += deliverPair(m_swept[m_pairs[i].earlier], m_swept[m_pairs[i].later], data, callback);
+    m_wanted = wanted;
     for (std::size_t i = 0; i < m_infinite.size(); ++i) {
         for (std::size_t j = i + 1; j < m_infinite.size(); ++j)
             deliverPair(m_infinite[i], m_infinite[j], data, callback);

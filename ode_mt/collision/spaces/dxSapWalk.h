@@ -20,7 +20,12 @@ public:
     std::size_t pairs() const { return m_found; }
     // Returns how many geoms began within the extent of others.
     std::size_t comparisons() const { return m_comparisons; }
-    void deliver(void *data, dNearCallback *callback) const;
+    void deliver(void *data, dNearCallback *callback);
+    // Returns whether deliver() may be called again instead of another walk, as long as no geom comes, goes, moves, is enabled or disabled: of keys
+    // without NaN the next sort has the same order.
+    bool isRepeatable() const { return !m_hasNaN; }
+    // Returns whether the filters excluded no more than half of the pairs that were last delivered.
+    bool areMostWanted() const { return 2 * m_wanted >= m_found; }
 
     // Upstream's assertions.
     static void requireUnlocked(const dxSpace &space);
@@ -46,6 +51,6 @@ private:
     std::vector<float> m_keys;
     bool m_hasNaN = false;
     std::vector<Pair> m_pairs;  // those found, and room for more
-    std::size_t m_found = 0;
+    std::size_t m_found = 0, m_wanted = 0;
     std::size_t m_comparisons = 0;
 };

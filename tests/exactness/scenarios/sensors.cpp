@@ -177,6 +177,70 @@ private:
     }
 };
 
+// Members that ask their own space, many in a row while all are at rest, and callbacks that enable and disable others. Between the frames few
+// things change, so that what a space has kept for the questions of one frame is asked in the next.
+class AskingMembers : public Crowd {
+public:
+    AskingMembers(Stepper stepper, SpaceKind kind) : Crowd(stepper, kind, 23) {
+        addMembers(kMembers, 5, 1);
+        for (int i = 0; i < 40; ++i) keepFromContacts(addMemberWithoutBody(m_dice.within(5), i % 4 == 0 ? 6 : 1));
+    }
+
+    void control() override {
+        moveEvery(frameNumber() % 6 < 4 ? 0 : 1);
+        ask(40);
+        change();
+        ask(3);
+        change();
+        ask(20);
+        note("what they met", m_met.value());
+    }
+
+protected:
+    void onNearPair(dGeomID o1, dGeomID o2) override {
+        if (m_isAsking)
+            meet(o1, o2);
+        else
+            Crowd::onNearPair(o1, o2);
+    }
+
+private:
+    static constexpr int kMembers = 160;
+
+    dGeomID some() { return m_inventory.geoms[m_dice.below(kMembers)]; }
+
+    void ask(int members) {
+        m_isAsking = true;
+        for (int i = 0; i < members; ++i) collideTwo(some(), reinterpret_cast<dGeomID>(space()));
+        m_isAsking = false;
+    }
+
+    void meet(dGeomID o1, dGeomID o2) {
+        for (const dGeomID geom : {o1, o2}) m_met.addReal(dGeomGetPosition(geom)[0]);
+        ++m_meetings;
+        if (m_meetings % 31 == 0) dGeomDisable(some());
+        if (m_meetings % 29 == 0) dGeomEnable(some());
+        if (m_meetings % 53 == 0) collideTwo(o2, reinterpret_cast<dGeomID>(space()));
+    }
+
+    void change() {
+        switch (frameNumber() % 5) {
+        case 0: dGeomSetCategoryBits(some(), 1ul << frameNumber() % 3); break;
+        case 1: nudge(some()); break;
+        case 2: dGeomEnable(some()); break;
+        case 3: dGeomDisable(some()); break;
+        default:
+            const dGeomID geom = some();
+            dSpaceRemove(space(), geom);
+            dSpaceAdd(space(), geom);
+        }
+    }
+
+    OrderSum m_met;
+    int m_meetings = 0;
+    bool m_isAsking = false;
+};
+
 // Volumes in a space of their own that are asked from within the callbacks of the world's space, and that ask
 // in turn what is in them.
 class Volumes : public Crowd {
@@ -248,6 +312,10 @@ void addSensors(Catalogue &catalogue) {
         make<RaysAgainstSpace>(SpaceKind::SweepAndPrune));
     add("sensors/rays_against_quad_tree", "150 rays query a quad-tree space",
         make<RaysAgainstSpace>(SpaceKind::QuadTree));
+    add("sensors/members_of_simple", "members of a simple space ask what they meet in it", make<AskingMembers>(SpaceKind::Simple));
+    add("sensors/members_of_hash", "the same in a hash space", make<AskingMembers>(SpaceKind::Hash));
+    add("sensors/members_of_sweep_and_prune", "the same in a sweep-and-prune space", make<AskingMembers>(SpaceKind::SweepAndPrune));
+    add("sensors/members_of_quad_tree", "the same in a quad-tree space", make<AskingMembers>(SpaceKind::QuadTree));
     add("sensors/ray_settings", "every setting of rays against every class of geoms", make<RaySettings>());
     add("sensors/carried_rays", "robots with fans of rays among posts", make<CarriedRays>(SpaceKind::Hash),
         Scenario::Callbacks::shared);
