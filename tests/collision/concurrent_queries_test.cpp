@@ -177,6 +177,7 @@ INSTANTIATE_TEST_SUITE_P(
     Kinds, ConcurrentQueries,
     testing::Values(Kind{"simple", dSimpleSpaceCreate, 24, true}, Kind{"hash", dHashSpaceCreate, 24, true},
                     Kind{"sweep", createSweep, 24, true}, Kind{"quadtree", createQuadTree, 24, true},
+                    Kind{"quadtreeSmall", createQuadTree, 9, true},
                     Kind{"simpleSmall", dSimpleSpaceCreate, 5, true}, Kind{"hashSmall", dHashSpaceCreate, 5, true},
                     Kind{"simpleUncleaned", dSimpleSpaceCreate, 24, false},
                     Kind{"hashUncleaned", dHashSpaceCreate, 24, false},
