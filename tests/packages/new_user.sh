@@ -1,4 +1,4 @@
-# Commands of README.md, on a fresh Debian 12, in a folder with the packages and pile.py; system_steps.sh runs them.
+# Commands of docs/start.md, on a fresh Debian 12, in a folder with the packages and pile.py; system_steps.sh runs them.
 
 # [try]
 apt-get install -y python3-pyode             # a program that is not recompiled, with Debian's libode8

@@ -1,6 +1,6 @@
 #!/bin/sh
 # In a Debian system of its own: our packages take the place of Debian's, a program of Debian's runs with them and computes the same,
-# an upgrade works, and when they are removed and Debian's are installed again, the system is as it was. Then the commands of README.md are
+# an upgrade works, and when they are removed and Debian's are installed again, the system is as it was. Then the commands of docs/start.md are
 # run as by a new user.
 . "$(dirname "$0")/common.sh"
 command -v mmdebstrap >/dev/null || skip "mmdebstrap is not installed"
