@@ -44,10 +44,10 @@ endfunction()
 # misc.cpp is left out: a step takes its random numbers as one atomic block, so the seed must be an
 # atomic of ours (ode_mt/api/misc.cpp).
 
-# Islands are found with fewer waits for memory (ode_mt/dynamics/islands/dxStepPreparation.h).
+# Islands are found with fewer waits for memory (ode_mt/dynamics/step/islands/dxStepPreparation.h).
 ode_mt_call_instead("ode.cpp" dxReallocateWorldProcessContext dxPrepareStepIslands)
 
-# The islands are distributed by our strategies instead of upstream's call queue (ode_mt/dynamics/dxStep.h), and stepped by stages of
+# The islands are distributed by our strategies instead of upstream's call queue (ode_mt/dynamics/step/dxStep.h), and stepped by stages of
 # ours (docs/steppers.md).
 # Upstream's steppers run only where a world has a threading implementation of the user's own, and for islands whose joints the
 # user changes during the step.
@@ -55,10 +55,10 @@ ode_mt_call_instead("ode.cpp" dxProcessIslands dxStepIslands)
 
 # Our steppers move a body by dxIntegrateIslandBody, which defers notifications on workers. Where upstream's steppers run, it marks
 # moved-callbacks as code of the user's, for which a second thread's first step does not wait for ever
-# (ode_mt/dynamics/islands/dxBodyIntegration.cpp, ode_mt/dynamics/random/dxSingleStepper.h).
+# (ode_mt/dynamics/step/islands/dxBodyIntegration.cpp, ode_mt/dynamics/step/random/dxSingleStepper.h).
 ode_mt_call_instead("step.cpp;quickstep.cpp" dxStepBody dxIntegrateIslandBody)
 
-# An island that upstream's QuickStep steps may have its own part of the random sequence (ode_mt/dynamics/random/dxIslandDraws.h).
+# An island that upstream's QuickStep steps may have its own part of the random sequence (ode_mt/dynamics/step/random/dxIslandDraws.h).
 ode_mt_call_instead("quickstep.cpp" dRandInt dxDrawForIsland)
 
 # Two threads of the user may collide meshes at the same time: each thread has a cache of its own. The
@@ -82,7 +82,7 @@ ode_mt_rename(ode.cpp dCheckConfiguration)
 ode_mt_rename(ode.cpp dWorldDestroy dWorldSetStepThreadingImplementation)
 
 # Where callbacks run on several threads, contact joints are put into their lists later (ode_mt/collision/callbacks/dxContactLog.h);
-# groups of joints are emptied without taking memory (ode_mt/dynamics/dxJointRemoval.h).
+# groups of joints are emptied without taking memory (ode_mt/dynamics/step/dxJointRemoval.h).
 ode_mt_rename(ode.cpp dJointCreateContact dJointAttach dJointGroupEmpty)
 
 # The table of colliders is filled lazily for the user's geom classes, without a lock (ode_mt/collision/narrowphase/dxColliderTable.h).
@@ -128,7 +128,7 @@ ode_mt_rename(collision_sapspace.cpp dSweepAndPruneSpaceCreate)
 ode_mt_compile_after("lcp.cpp" lcp.h)
 
 # Upstream's own solver is left with what is not finite, and with the other cases of docs/lcp.md
-# (ode_mt/dynamics/exactstep/dantzig/dxDantzig.cpp). There the sign of a NaN may decide whether it reports an error. Of two NaNs
+# (ode_mt/dynamics/world_step/exact/dantzig/dxDantzig.cpp). There the sign of a NaN may decide whether it reports an error. Of two NaNs
 # that are added one is kept, and vectors would keep another one than Debian's binary, which has none in these loops
 # (docs/exactness.md). Problems without limits, which it solves, too, take as long as before.
 set_property(SOURCE "${ODE_MT_UPSTREAM_DIR}/ode/src/lcp.cpp" APPEND PROPERTY

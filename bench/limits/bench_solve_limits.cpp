@@ -8,8 +8,8 @@
 #include <random>
 #include <vector>
 
-#include "dynamics/exactstep/kernels/dxSkyline.h"
-#include "dynamics/exactstep/kernels/dxSolveL1.h"
+#include "dynamics/world_step/kernels/dxSkyline.h"
+#include "dynamics/world_step/kernels/dxSolveL1.h"
 
 namespace {
 

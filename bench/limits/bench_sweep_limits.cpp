@@ -13,8 +13,8 @@
 #include <random>
 #include <vector>
 
-#include "dynamics/islands/dxIslandProblem.h"
-#include "dynamics/quickstep/sor/dxSorSweep.h"
+#include "dynamics/quick_step/sor/dxSorSweep.h"
+#include "dynamics/step/islands/dxIslandProblem.h"
 
 namespace {
 

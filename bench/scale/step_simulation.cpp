@@ -1,7 +1,7 @@
 #include "scale/step_simulation.h"
 
-#include "dynamics/dxCostModel.h"
 #include "dynamics/remote/dxRemoteShare.h"
+#include "dynamics/step/dxCostModel.h"
 #include "remote/dxPollPause.h"
 #include "remote/dxRemoteLink.h"
 #include "remote/dxRemoteNumber.h"
@@ -35,7 +35,7 @@ constexpr double kMakePart = 0.7;
 constexpr double kIslandNs = 8e3;
 
 double costOf(const Problem &problem) {
-    return dxCostModel::islandCost(dxStepperKind::World, 0, static_cast<unsigned>(problem.bodies), static_cast<unsigned>(problem.joints));
+    return dxCostModel::islandCost(dxStepperKind::WorldExact, 0, static_cast<unsigned>(problem.bodies), static_cast<unsigned>(problem.joints));
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 #include <cstdlib>
 
 #include "collision/pairs/dxMissedNotifications.h"
-#include "dynamics/random/dxSingleStepper.h"
+#include "dynamics/step/random/dxSingleStepper.h"
 #include "threading/dxUpstreamScope.h"
 
 namespace {

@@ -1,4 +1,4 @@
-// Functions of ode/misc.h, in place of upstream's misc.cpp: random numbers (the sequence is dynamics/random/dxRandom), and helpers to
+// Functions of ode/misc.h, in place of upstream's misc.cpp: random numbers (the sequence is dynamics/step/random/dxRandom), and helpers to
 // print, fill and compare matrices. A matrix is stored by rows; a row of n numbers takes dPAD(n).
 #include <ode/misc.h>
 
@@ -8,7 +8,7 @@
 
 #include "config.h"
 #include "common.h"
-#include "dynamics/random/dxRandom.h"
+#include "dynamics/step/random/dxRandom.h"
 
 namespace {
 

@@ -5,9 +5,9 @@
 #include "collision/callbacks/dxContactLog.h"
 #include "collision/narrowphase/dxSilentChanges.h"
 #include "core/dxJointAttachment.h"
-#include "dynamics/dxJointRemoval.h"
+#include "dynamics/step/dxJointRemoval.h"
 #include "seams/upstream.h"
-#include "dynamics/iterative/dxIterativeWorld.h"
+#include "dynamics/quick_step/fast/dxIterativeWorld.h"
 #include "settings/dxOwnThreads.h"
 #include "settings/dxWorldSolver.h"
 #include "settings/dxWorldStatistics.h"
@@ -36,7 +36,7 @@ void dWorldDestroy(dWorldID world) {
 }
 
 // Contact joints: where callbacks run on several threads, they are put into their lists later (collision/callbacks/dxContactLog.h).
-// They are removed without taking memory (dynamics/dxJointRemoval.h). A joint of any type that is attached during a step may concern
+// They are removed without taking memory (dynamics/step/dxJointRemoval.h). A joint of any type that is attached during a step may concern
 // it (core/dxJointAttachment.h).
 
 dJointID dJointCreateContact(dWorldID world, dJointGroupID group, const dContact *contact) {

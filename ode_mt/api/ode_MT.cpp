@@ -11,8 +11,8 @@
 #include "config.h"
 #include "error.h"
 
-#include "dynamics/dxRemoteIslands.h"
-#include "dynamics/islands/dxBodyWorkers.h"
+#include "dynamics/step/dxRemoteIslands.h"
+#include "dynamics/step/islands/dxBodyWorkers.h"
 #include "settings/dxSerialReason.h"
 #include "settings/dxSettings.h"
 #include "settings/dxStepStatistics.h"

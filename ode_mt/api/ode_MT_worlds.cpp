@@ -8,7 +8,7 @@
 #include "error.h"
 
 #include "core/dxPointerSet.h"
-#include "dynamics/dxStepWorlds.h"
+#include "dynamics/step/dxStepWorlds.h"
 
 namespace {
 

@@ -9,7 +9,7 @@ copy has branches of its own, of which a machine runs those that it can; so thei
 import json
 import sys
 
-KERNELS = ("ode_mt/collision/broadphase/overlap/", "ode_mt/dynamics/exactstep/kernels/", "ode_mt/dynamics/quickstep/sor/")
+KERNELS = ("ode_mt/collision/broadphase/overlap/", "ode_mt/dynamics/world_step/kernels/", "ode_mt/dynamics/quick_step/sor/")
 SHOWN = 15
 
 

@@ -1,13 +1,13 @@
 // The factorisation in body space against dense matrices, and the products that it is made of; with the same bits on every
 // instruction set.
-#include "dynamics/direct/dxBlockFactor.h"
+#include "dynamics/world_step/fast/dxBlockFactor.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 
-#include "dynamics/direct/dxReducedSystem.h"
-#include "dynamics/direct/dxRowProducts.h"
+#include "dynamics/world_step/fast/dxReducedSystem.h"
+#include "dynamics/world_step/fast/dxRowProducts.h"
 #include "instruction_sets.h"
 #include "own_threads.h"
 #include "random_direct_problem.h"

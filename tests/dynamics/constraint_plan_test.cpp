@@ -14,8 +14,8 @@
 #include "objects.h"
 #include "joints/contact.h"
 
-#include "dynamics/iterative/dxColoredSweeps.h"
-#include "dynamics/iterative/dxConstraintPlan.h"
+#include "dynamics/quick_step/fast/dxColoredSweeps.h"
+#include "dynamics/quick_step/fast/dxConstraintPlan.h"
 #include "own_threads.h"
 #include "random_world.h"
 

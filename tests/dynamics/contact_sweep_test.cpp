@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "dynamics/iterative/dxContactSweep.h"
+#include "dynamics/quick_step/fast/dxContactSweep.h"
 #include "instruction_sets.h"
 
 namespace {

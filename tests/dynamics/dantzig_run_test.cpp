@@ -11,7 +11,7 @@
 #include "lcp.h"
 #include "util.h"
 
-#include "dynamics/exactstep/dantzig/dxDantzigRun.h"
+#include "dynamics/world_step/exact/dantzig/dxDantzigRun.h"
 #include "instruction_sets.h"
 #include "lcp_problem.h"
 

@@ -15,10 +15,10 @@
 #include "kept_messages.h"
 #include "random_world.h"
 
-#include "dynamics/direct/dxDirectSolver.h"
-#include "dynamics/direct/dxReducedLcp.h"
-#include "dynamics/direct/dxUnlimitedRows.h"
-#include "dynamics/exactstep/dxDantzigSolver.h"
+#include "dynamics/world_step/exact/dxDantzigSolver.h"
+#include "dynamics/world_step/fast/dxDirectSolver.h"
+#include "dynamics/world_step/fast/dxReducedLcp.h"
+#include "dynamics/world_step/fast/dxUnlimitedRows.h"
 
 namespace {
 
@@ -31,11 +31,11 @@ constexpr double kNegligible = 1e-12, kComparable = 1e-12, kRounding = 8 * std::
 constexpr double kOtherLimits = 8;
 
 // inv(M) J' x, by body.
-std::vector<double> accelerationsOf(const dxExactProblem &problem) {
+std::vector<double> accelerationsOf(const dxWorldStepProblem &problem) {
     std::vector<double> forces(std::size_t(problem.bodyCount) * 6), accelerations(forces.size());
     for (unsigned i = 0; i < problem.jointCount; ++i)
         for (unsigned side = 0; side < 2; ++side) {
-            const dxExactJoint &joint = problem.joints[i];
+            const dxWorldStepJoint &joint = problem.joints[i];
             const dxBody *const body = joint.joint->node[side].body;
             if (body == nullptr) continue;
             for (unsigned row = 0; row < joint.rows; ++row)
@@ -76,7 +76,7 @@ struct Solution {
 
 // Calls `solve`, which writes forces, and leaves the problem as it was.
 template <class Solve>
-std::optional<Solution> solveAside(const dxExactProblem &problem, dxDirectSolver &judge, const Solve &solve) {
+std::optional<Solution> solveAside(const dxWorldStepProblem &problem, dxDirectSolver &judge, const Solve &solve) {
     const std::vector<dReal> pairs(problem.pairsBX, problem.pairsBX + 2 * std::size_t(problem.rowCount));
     std::optional<Solution> solution;
     if (solve()) solution = {judge.residualOf(problem), accelerationsOf(problem)};
@@ -113,7 +113,7 @@ protected:
     }
 
     // Solves each island three times, and leaves upstream's forces.
-    void compareSolutions(const dxIslandStep &step, const dxExactProblem &problem) {
+    void compareSolutions(const dxIslandStep &step, const dxWorldStepProblem &problem) {
         const std::optional<Solution> direct = solveAside(problem, m_solver, [&] {
             if (!m_solver.read(problem, step.stepSize, step.runner()) || !m_solver.solve(step.runner())) return false;
             m_solver.writeForces(problem);
@@ -134,7 +134,7 @@ protected:
         if (isUnlimited) expectAsExact(unlimited, upstreams, m_solver.scale(), 1, m_alone);
     }
 
-    static unsigned countRowsWithoutLimits(const dxExactProblem &problem) {
+    static unsigned countRowsWithoutLimits(const dxWorldStepProblem &problem) {
         unsigned count = 0;
         for (unsigned i = 0; i < problem.rowCount; ++i)
             count += problem.pairsLoHi[2 * i] == -dInfinity && problem.pairsLoHi[2 * i + 1] == dInfinity;
@@ -201,7 +201,7 @@ TEST_F(DirectSolver, SolvesRowsWithoutLimitsAloneAsExactlyAsUpstreams) {
                 const UnlimitedWorld world(bodies, kinds, seed);
                 for (int i = 0; i < 3; ++i)
                     solveIslands(world.world(), kStepSize,
-                                 [&](const dxIslandStep &step, const dxExactProblem &problem) { compareSolutions(step, problem); });
+                                 [&](const dxIslandStep &step, const dxWorldStepProblem &problem) { compareSolutions(step, problem); });
             }
     EXPECT_GE(m_alone.islands, 280u);
     EXPECT_LT(m_alone.unsolved, m_alone.islands / 10);
@@ -217,7 +217,7 @@ TEST_F(DirectSolver, IsAsExactAsUpstreams) {
             for (int i = 0; i < 3; ++i) {
                 world.push();
                 solveIslands(world.world(), kStepSize,
-                             [&](const dxIslandStep &step, const dxExactProblem &problem) { compareSolutions(step, problem); });
+                             [&](const dxIslandStep &step, const dxWorldStepProblem &problem) { compareSolutions(step, problem); });
             }
         }
     EXPECT_GT(m_direct.islands, 500u);

@@ -1,6 +1,6 @@
 // The symbolic factorisation: each body has a place, the factor has a block wherever elimination makes one, and there are as few
 // as there can be where that is known.
-#include "dynamics/direct/dxEliminationOrder.h"
+#include "dynamics/world_step/fast/dxEliminationOrder.h"
 
 #include <gtest/gtest.h>
 

@@ -11,8 +11,8 @@
 #include <random>
 #include <vector>
 
-#include "dynamics/exactstep/kernels/dxFactorLDLT.h"
-#include "dynamics/exactstep/kernels/dxTriangleScan.h"
+#include "dynamics/world_step/kernels/dxFactorLDLT.h"
+#include "dynamics/world_step/kernels/dxTriangleScan.h"
 #include "instruction_sets.h"
 
 namespace {

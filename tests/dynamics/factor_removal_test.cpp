@@ -11,7 +11,7 @@
 
 #include "matrix.h"
 
-#include "dynamics/exactstep/dantzig/dxFactorRemoval.h"
+#include "dynamics/world_step/exact/dantzig/dxFactorRemoval.h"
 
 namespace {
 

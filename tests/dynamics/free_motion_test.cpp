@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "dynamics/islands/dxBodyForces.h"
-#include "dynamics/iterative/dxFreeMotion.h"
+#include "dynamics/quick_step/fast/dxFreeMotion.h"
+#include "dynamics/step/islands/dxBodyForces.h"
 #include "random_world.h"
 
 namespace {

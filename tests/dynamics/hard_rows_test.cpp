@@ -21,11 +21,11 @@
 #include "random_world.h"
 #include "robot_world.h"
 
-#include "dynamics/direct/dxDantzigTrial.h"
-#include "dynamics/direct/dxDirectMemory.h"
-#include "dynamics/direct/dxFastSolver.h"
-#include "dynamics/direct/dxHeldMessage.h"
-#include "dynamics/islands/dxWorkingMemory.h"
+#include "dynamics/step/islands/dxWorkingMemory.h"
+#include "dynamics/world_step/fast/dxDantzigTrial.h"
+#include "dynamics/world_step/fast/dxDirectMemory.h"
+#include "dynamics/world_step/fast/dxFastSolver.h"
+#include "dynamics/world_step/fast/dxHeldMessage.h"
 
 namespace {
 
@@ -107,14 +107,14 @@ struct DenseRows {
     std::vector<double> b, diagonal;
     double rounding = 0;  // of the velocities of which b is the rest
 
-    DenseRows(const dxIslandStep &step, const dxExactProblem &problem)
+    DenseRows(const dxIslandStep &step, const dxWorldStepProblem &problem)
         : jacobian(problem.rowCount, std::vector<double>(6 * problem.bodyCount)), b(problem.rowCount), diagonal(problem.rowCount) {
         for (unsigned i = 0; i < problem.jointCount; ++i)
             for (unsigned row = 0; row < problem.joints[i].rows; ++row) addRow(step, problem, problem.joints[i], row);
     }
 
     // Of w = J inv(M) J' x - b.
-    std::vector<double> residualOf(const dxExactProblem &problem) const {
+    std::vector<double> residualOf(const dxWorldStepProblem &problem) const {
         std::vector<double> accelerations(6 * problem.bodyCount);
         for (unsigned body = 0; body < problem.bodyCount; ++body) {
             double force[6] = {};
@@ -174,7 +174,7 @@ private:
         for (std::size_t i = 0; i < from.size(); ++i) from[i] -= part * axis[i];
     }
 
-    static void accelerate(const dxExactProblem &problem, unsigned body, const double *force, double *acceleration) {
+    static void accelerate(const dxWorldStepProblem &problem, unsigned body, const double *force, double *acceleration) {
         for (unsigned axis = 0; axis < 3; ++axis) {
             acceleration[axis] = force[axis] * problem.bodies[body]->invMass;
             acceleration[3 + axis] = 0;
@@ -182,13 +182,13 @@ private:
         }
     }
 
-    void addRow(const dxIslandStep &step, const dxExactProblem &problem, const dxExactJoint &joint, unsigned row) {
+    void addRow(const dxIslandStep &step, const dxWorldStepProblem &problem, const dxWorldStepJoint &joint, unsigned row) {
         const unsigned index = joint.firstRow + row;
         b[index] = problem.pairsBX[2 * index];
         for (unsigned side = 0; side < 2; ++side) {
             const dxBody *const body = joint.joint->node[side].body;
             if (body == nullptr) continue;
-            const dReal *const elements = problem.rowsOf(joint, side) + row * dxExactProblem::kElements;
+            const dReal *const elements = problem.rowsOf(joint, side) + row * dxWorldStepProblem::kElements;
             double *const to = &jacobian[index][6 * unsigned(body->tag)];
             std::copy_n(elements, 6, to);
             double motion[6];
@@ -208,16 +208,16 @@ private:
     }
 };
 
-bool hasLimits(const dxExactProblem &problem) {
+bool hasLimits(const dxWorldStepProblem &problem) {
     return !std::all_of(problem.pairsLoHi, problem.pairsLoHi + 2 * std::size_t(problem.rowCount), [](dReal limit) { return std::isinf(limit); });
 }
 
 // Steps the world by "fast", and calls visit(rows before, problem after) for each island.
 template <class Visit>
 void stepFast(dWorldID world, const Visit &visit) {
-    struct Solver final : dxExactSolver {
+    struct Solver final : dxWorldStepSolver {
         explicit Solver(const Visit &visit) : m_visit(visit) {}
-        bool solve(const dxIslandStep &step, const dxExactProblem &problem) override {
+        bool solve(const dxIslandStep &step, const dxWorldStepProblem &problem) override {
             const bool isLimited = hasLimits(problem);
             const DenseRows rows(step, problem);
             const bool isPushed = dxFastSolver().solve(step, problem);
@@ -227,7 +227,7 @@ void stepFast(dWorldID world, const Visit &visit) {
         const Visit &m_visit;
     } solver(visit);
     forIslands(world, kStepSize, &dxEstimateDirectStepMemory, [&](const dxIsland &island, dxWorldProcessMemArena *arena) {
-        dxExactStep({world, kStepSize, island, arena}, solver);
+        dxWorldStep({world, kStepSize, island, arena}, solver);
     });
 }
 
@@ -253,7 +253,7 @@ void stepHardJoints(const HardWorld::Shape &shape, const Visit &visit) {
 // Joints that repeat one another have rows that forces satisfy.
 TEST_F(HardRows, ThatRepeatOneAnotherAreSatisfied) {
     unsigned islands = 0;
-    stepHardJoints({false, 40, false}, [&](const DenseRows &rows, const dxExactProblem &problem, bool isLimited) {
+    stepHardJoints({false, 40, false}, [&](const DenseRows &rows, const dxWorldStepProblem &problem, bool isLimited) {
         EXPECT_FALSE(isLimited);
         EXPECT_LE(largestOf(rows.residualOf(problem)), 1e-6 * largestOf(rows.b) + rows.rounding) << problem.rowCount << " rows";
         ++islands;
@@ -264,7 +264,7 @@ TEST_F(HardRows, ThatRepeatOneAnotherAreSatisfied) {
 // Where no forces satisfy all rows, little more is left than by the motion that leaves least.
 TEST_F(HardRows, ThatContradictOneAnotherAreSatisfiedAsFarAsCanBe) {
     unsigned contradictory = 0;
-    stepHardJoints({true, 20, false}, [&](const DenseRows &rows, const dxExactProblem &problem, bool) {
+    stepHardJoints({true, 20, false}, [&](const DenseRows &rows, const dxWorldStepProblem &problem, bool) {
         const double least = rows.leastEnergy(1e-4), all = rows.energyOf(rows.b);
         const double rounding = rows.energyOf(std::vector<double>(problem.rowCount, rows.rounding));
         EXPECT_LE(rows.energyOf(rows.residualOf(problem)), 1.1 * least + 1e-8 * all + rounding) << problem.rowCount << " rows";
@@ -279,7 +279,7 @@ TEST_F(HardRows, ThatContradictOneAnotherAreSatisfiedAsFarAsCanBe) {
 class Trials {
 public:
     void step(dWorldID world) {
-        solveIslands(world, kStepSize, [&](const dxIslandStep &step, const dxExactProblem &problem) {
+        solveIslands(world, kStepSize, [&](const dxIslandStep &step, const dxWorldStepProblem &problem) {
             // The trial's memory is another arena's, as that of "exact" has no room for it.
             const dxIsland &island = step.island;
             const dxArenaLease arena(dxEstimateDirectStepMemory(island.bodies, island.bodyCount, island.joints, island.jointCount));

@@ -1,13 +1,13 @@
 // The interior-point method on random problems with limits of every kind: it reaches a residual of rounding, also where rows are hard,
 // repeat or contradict one another, with the same bits on every instruction set.
-#include "dynamics/direct/dxInteriorPoint.h"
+#include "dynamics/world_step/fast/dxInteriorPoint.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <string>
 
-#include "dynamics/direct/dxKktResidual.h"
+#include "dynamics/world_step/fast/dxKktResidual.h"
 #include "instruction_sets.h"
 #include "random_direct_problem.h"
 

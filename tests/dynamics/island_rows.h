@@ -9,26 +9,26 @@
 #include "step.h"
 #include "util.h"
 
-#include "dynamics/exactstep/dxExactProblem.h"
-#include "dynamics/exactstep/dxExactSolver.h"
-#include "dynamics/exactstep/dxExactStep.h"
-#include "dynamics/islands/dxIslandStep.h"
+#include "dynamics/step/islands/dxIslandStep.h"
+#include "dynamics/world_step/dxWorldStep.h"
+#include "dynamics/world_step/dxWorldStepProblem.h"
+#include "dynamics/world_step/dxWorldStepSolver.h"
 #include "islands_of_step.h"
 
-// Solves a problem: dxExactSolver's function.
-using IslandSolve = std::function<void(const dxIslandStep &step, const dxExactProblem &problem)>;
+// Solves a problem: dxWorldStepSolver's function.
+using IslandSolve = std::function<void(const dxIslandStep &step, const dxWorldStepProblem &problem)>;
 
 // Steps each island by `solve`.
 inline void solveIslands(dWorldID world, dReal stepSize, const IslandSolve &solve) {
-    struct Solver final : dxExactSolver {
+    struct Solver final : dxWorldStepSolver {
         explicit Solver(const IslandSolve &solve) : m_solve(solve) {}
-        bool solve(const dxIslandStep &step, const dxExactProblem &problem) override {
+        bool solve(const dxIslandStep &step, const dxWorldStepProblem &problem) override {
             m_solve(step, problem);
             return false;
         }
         const IslandSolve &m_solve;
     } solver(solve);
     forIslands(world, stepSize, &dxEstimateStepMemoryRequirements, [&](const dxIsland &island, dxWorldProcessMemArena *arena) {
-        dxExactStep({world, stepSize, island, arena}, solver);
+        dxWorldStep({world, stepSize, island, arena}, solver);
     });
 }

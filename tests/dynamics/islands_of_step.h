@@ -6,8 +6,8 @@
 #include "config.h"
 #include "util.h"
 
-#include "dynamics/islands/dxIsland.h"
-#include "dynamics/islands/dxStepPreparation.h"
+#include "dynamics/step/islands/dxIsland.h"
+#include "dynamics/step/islands/dxStepPreparation.h"
 
 // Calls visit(island, arena) for each, in memory of the size that the estimate asks for.
 template <class Visit>

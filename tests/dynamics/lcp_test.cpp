@@ -20,8 +20,8 @@
 #include "lcp.h"
 #include "util.h"
 
-#include "dynamics/islands/dxLargeIslandWorkers.h"
-#include "dynamics/exactstep/dantzig/dxDantzig.h"
+#include "dynamics/step/islands/dxLargeIslandWorkers.h"
+#include "dynamics/world_step/exact/dantzig/dxDantzig.h"
 #include "../threading/manager_runner.h"
 #include "instruction_sets.h"
 #include "kept_messages.h"

@@ -1,5 +1,5 @@
 // Which method is chosen for an island: what is known of its problem's shape, and what follows for stars, wheels, chains, nets, robots and walls.
-#include "dynamics/direct/dxMethodCosts.h"
+#include "dynamics/world_step/fast/dxMethodCosts.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include "joint_world.h"
 #include "robot_world.h"
 
-#include "dynamics/direct/dxIslandShape.h"
-#include "dynamics/exactstep/dxDantzigSolver.h"
+#include "dynamics/world_step/exact/dxDantzigSolver.h"
+#include "dynamics/world_step/fast/dxIslandShape.h"
 
 namespace {
 
@@ -27,7 +27,7 @@ struct Island {
 // Of the world's last island, which is stepped.
 Island lookAt(dWorldID world) {
     Island island;
-    solveIslands(world, kStepSize, [&](const dxIslandStep &step, const dxExactProblem &problem) {
+    solveIslands(world, kStepSize, [&](const dxIslandStep &step, const dxWorldStepProblem &problem) {
         island = {dxIslandShape::of(problem, *step.arena), dxFindActiveShare(problem, step.stepSize)};
         dxDantzigSolver().solve(step, problem);
     });

@@ -6,7 +6,7 @@
 
 #include "aligned_numbers.h"
 #include "core/dxCacheLine.h"
-#include "dynamics/exactstep/kernels/dxMirror.h"
+#include "dynamics/world_step/kernels/dxMirror.h"
 #include "instruction_sets.h"
 
 namespace {

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "dynamics/exactstep/kernels/dxPivotLanes.h"
+#include "dynamics/world_step/kernels/dxPivotLanes.h"
 #include "instruction_sets.h"
 
 namespace {

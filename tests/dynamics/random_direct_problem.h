@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "dynamics/direct/dxDirectProblem.h"
-#include "dynamics/direct/dxEliminationOrder.h"
+#include "dynamics/world_step/fast/dxDirectProblem.h"
+#include "dynamics/world_step/fast/dxEliminationOrder.h"
 
 struct RandomDirectProblem {
     struct Shape {

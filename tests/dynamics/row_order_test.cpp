@@ -12,8 +12,8 @@
 #include "objects.h"
 #include "joints/joint.h"
 
-#include "dynamics/iterative/dxConstraintPlan.h"
-#include "dynamics/iterative/dxRowOrder.h"
+#include "dynamics/quick_step/fast/dxConstraintPlan.h"
+#include "dynamics/quick_step/fast/dxRowOrder.h"
 
 namespace {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "aligned_numbers.h"
-#include "dynamics/exactstep/kernels/dxPanelSolve.h"
-#include "dynamics/exactstep/kernels/dxSolveL1.h"
+#include "dynamics/world_step/kernels/dxPanelSolve.h"
+#include "dynamics/world_step/kernels/dxSolveL1.h"
 #include "instruction_sets.h"
 #include "core/dxCacheLine.h"
 #include "../threading/manager_runner.h"

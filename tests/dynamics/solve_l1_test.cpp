@@ -1,7 +1,7 @@
 // The triangular solves give upstream's bits: for every instruction set of this machine, size, stride and row
 // skip, whatever the values.
 #include "instruction_sets.h"
-#include "dynamics/exactstep/kernels/dxSolveL1.h"
+#include "dynamics/world_step/kernels/dxSolveL1.h"
 #include "sanitizers.h"
 #include "upstream_solve_l1.h"
 

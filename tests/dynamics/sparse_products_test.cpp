@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "aligned_numbers.h"
-#include "dynamics/exactstep/kernels/dxLaneProducts.h"
-#include "dynamics/exactstep/kernels/dxSparseProducts.h"
+#include "dynamics/world_step/kernels/dxLaneProducts.h"
+#include "dynamics/world_step/kernels/dxSparseProducts.h"
 #include "instruction_sets.h"
 
 namespace {

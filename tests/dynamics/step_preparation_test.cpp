@@ -10,7 +10,7 @@
 #include "step.h"
 #include "util.h"
 
-#include "dynamics/islands/dxStepPreparation.h"
+#include "dynamics/step/islands/dxStepPreparation.h"
 #include "random_world.h"
 
 namespace {

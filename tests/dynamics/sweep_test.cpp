@@ -1,7 +1,7 @@
 // QuickStep's sweep gives the bits of taking the rows one by one, for every instruction set of this machine.
 #include "instruction_sets.h"
-#include "dynamics/quickstep/sor/dxParallelSor.h"
-#include "dynamics/quickstep/sor/dxSorSweep.h"
+#include "dynamics/quick_step/sor/dxParallelSor.h"
+#include "dynamics/quick_step/sor/dxSorSweep.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The rules of dxCostModel, on invented machines: no clock.
-#include "dynamics/dxCostModel.h"
+#include "dynamics/step/dxCostModel.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 
 namespace {
 
-constexpr auto kWorld = dxStepperKind::World;
-constexpr auto kQuick = dxStepperKind::Quick;
+constexpr auto kWorld = dxStepperKind::WorldExact;
+constexpr auto kQuick = dxStepperKind::QuickExact;
 
 // A machine on which islands take `scale` times their cost and sharing them out costs `overhead` ns.
 struct Machine {

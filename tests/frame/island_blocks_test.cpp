@@ -1,5 +1,5 @@
 // Every island is in one block; large islands alone and first, small ones together in their own order.
-#include "dynamics/dxIslandBlocks.h"
+#include "dynamics/step/dxIslandBlocks.h"
 
 #include <gtest/gtest.h>
 

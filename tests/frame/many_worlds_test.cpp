@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "ChainWorld.h"
-#include "dynamics/random/dxRandom.h"
+#include "dynamics/step/random/dxRandom.h"
 #include "OdeSession.h"
 #include "sanitizers.h"
 

@@ -1,5 +1,5 @@
 // The random sequence and its public calls, against Debian's library.
-#include "dynamics/random/dxRandom.h"
+#include "dynamics/step/random/dxRandom.h"
 
 #include <gtest/gtest.h>
 #include <ode/ode.h>

@@ -1,5 +1,5 @@
 // dODE_MT_StepWorlds: the bits of a loop over dWorldStep or dWorldQuickStep, whatever the worlds share and whoever steps them.
-#include "dynamics/dxStepWorlds.h"
+#include "dynamics/step/dxStepWorlds.h"
 
 #include <gtest/gtest.h>
 #include <ode/ode.h>

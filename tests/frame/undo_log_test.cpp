@@ -1,5 +1,5 @@
 // A step that was taken back and taken again is the same step.
-#include "dynamics/islands/dxUndoLog.h"
+#include "dynamics/step/islands/dxUndoLog.h"
 
 #include <gtest/gtest.h>
 

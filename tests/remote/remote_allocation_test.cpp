@@ -12,8 +12,8 @@
 #include "../faults/failing_memory.h"
 #include "core/dxLog.h"
 #include "core/dxStopwatch.h"
-#include "dynamics/dxRemoteIslands.h"
 #include "dynamics/remote/dxPackedSolver.h"
+#include "dynamics/step/dxRemoteIslands.h"
 #include "loopback_transport.h"
 
 namespace {

@@ -1,6 +1,6 @@
 // Whole steps with remote workers have the bits of steps without: random worlds of many islands, with one thread at home and with several, while workers
 // are well and while they send flipped bits. And a problem's bytes are solved as the problem is.
-#include "dynamics/dxRemoteIslands.h"
+#include "dynamics/step/dxRemoteIslands.h"
 
 #include <gtest/gtest.h>
 #include <ode/ode_MT.h>

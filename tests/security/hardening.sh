@@ -31,12 +31,12 @@ for file in "$@"; do
     if [ "$COMPILED" = 1 ]; then
         has '^__stack_chk_fail$' "$imports" || complain "no function watches its stack (-fstack-protector-strong)"
         # Every unit that the compiler wrote into the debug information says with which options.
-        # Only the exact step's solves are left out (ode_mt/dynamics/exactstep/kernels/CMakeLists.txt).
+        # Only the exact step's solves are left out (ode_mt/dynamics/world_step/kernels/CMakeLists.txt).
         bare=$(readelf --debug-dump=info --dwarf-depth=1 "$file" 2>/dev/null | awk '
             /DW_AT_producer/ { options = $0 }
             /DW_AT_name/ && options ~ /GNU C(\+\+)?[0-9]/ {
                 if (options !~ /-fstack-protector-strong/ || options ~ /-fno-stack-protector/) print $NF
-                options = "" }' | grep -vcE 'ode_mt/dynamics/exactstep/(kernels/[^/]*|dantzig/dxForwardSolves)\.cpp$' || true)
+                options = "" }' | grep -vcE 'ode_mt/dynamics/world_step/(kernels/[^/]*|exact/dantzig/dxForwardSolves)\.cpp$' || true)
         [ "$bare" = 0 ] || complain "$bare units are compiled without -fstack-protector-strong"
     fi
     if [ "$FORTIFIED" = 1 ]; then

@@ -6,14 +6,14 @@
 #include <cstring>
 #include <utility>
 
-#include "dynamics/exactstep/dxExactMatrix.h"
-#include "dynamics/exactstep/dxExactProblem.h"
+#include "dynamics/world_step/dxWorldStepProblem.h"
+#include "dynamics/world_step/exact/dxExactMatrix.h"
 #include "threading/dxFloatEnvironment.h"
 
 namespace {
 
-constexpr unsigned kSides = dxExactProblem::kSides, kPair = 2;
-static_assert(dxExactProblem::kElements == kRowElements && sizeof(dxInverseInertia) == dxPackedProblem::kInertiaElements * sizeof(dReal),
+constexpr unsigned kSides = dxWorldStepProblem::kSides, kPair = 2;
+static_assert(dxWorldStepProblem::kElements == kRowElements && sizeof(dxInverseInertia) == dxPackedProblem::kInertiaElements * sizeof(dReal),
               "arrays are packed as they lie");
 
 // Joints have rows one after the other, of bodies that there are.
@@ -71,7 +71,7 @@ bool dxPackedProblem::read(const std::byte *bytes, std::size_t size) {
     return areJointsSound(*this) && areNormalsSound(*this);
 }
 
-void dxPackProblem(const dxExactProblem &problem, dReal stepSize, std::vector<std::byte> &bytes) {
+void dxPackProblem(const dxWorldStepProblem &problem, dReal stepSize, std::vector<std::byte> &bytes) {
     const dxPackedCounts counts{dxFloatMode(),  problem.bodyCount, problem.jointCount, problem.rowCount, problem.unboundedJoints, 0};
     const dxPackedLayout layout(counts);
     bytes.assign(layout.total, std::byte{0});
@@ -88,7 +88,7 @@ void dxPackProblem(const dxExactProblem &problem, dReal stepSize, std::vector<st
     put(layout.normalOf, problem.normalOf, rows * sizeof(int));
 }
 
-dxPackedAnswer dxReadPackedResult(const std::vector<std::byte> &bytes, const dxExactProblem &problem) {
+dxPackedAnswer dxReadPackedResult(const std::vector<std::byte> &bytes, const dxWorldStepProblem &problem) {
     dxPackedResult::Head head;
     if (bytes.empty()) return dxPackedAnswer::GivenBack;
     if (bytes.size() < sizeof head) return dxPackedAnswer::Wrong;

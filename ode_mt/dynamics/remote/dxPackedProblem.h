@@ -11,9 +11,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "dynamics/exactstep/kernels/dxConstraintMatrix.h"
+#include "dynamics/world_step/kernels/dxConstraintMatrix.h"
 
-struct dxExactProblem;
+struct dxWorldStepProblem;
 
 struct dxPackedCounts {
     std::uint32_t floatMode;  // dxFloatMode
@@ -50,7 +50,7 @@ struct dxPackedProblem {
 };
 
 // Requires rows, read, and no solver since. The result is written over `bytes`.
-void dxPackProblem(const dxExactProblem &problem, dReal stepSize, std::vector<std::byte> &bytes);
+void dxPackProblem(const dxWorldStepProblem &problem, dReal stepSize, std::vector<std::byte> &bytes);
 
 struct dxPackedResult {
     enum class Outcome : std::uint32_t { Solved, GivenBack };
@@ -69,7 +69,7 @@ struct dxPackedResult {
 // Writes x into the problem and raises exceptions. GivenBack: the worker could not solve it (no bytes say so, too); Wrong: the bytes are no result of this problem; then
 // nothing is changed.
 enum class dxPackedAnswer { Solved, GivenBack, Wrong };
-dxPackedAnswer dxReadPackedResult(const std::vector<std::byte> &bytes, const dxExactProblem &problem);
+dxPackedAnswer dxReadPackedResult(const std::vector<std::byte> &bytes, const dxWorldStepProblem &problem);
 
 // Reports what the solver reported (dMessage), of a result that was read. May not return.
 void dxReportPackedMessages(const std::vector<std::byte> &bytes);

@@ -11,10 +11,10 @@
 #include <string>
 
 #include "core/dxMixedBits.h"
-#include "dynamics/exactstep/dantzig/dxDantzig.h"
-#include "dynamics/exactstep/dantzig/dxUpstreamLcp.h"
-#include "dynamics/islands/dxWorkingMemory.h"
 #include "dynamics/remote/dxPackedProblem.h"
+#include "dynamics/step/islands/dxWorkingMemory.h"
+#include "dynamics/world_step/exact/dantzig/dxDantzig.h"
+#include "dynamics/world_step/exact/dantzig/dxUpstreamLcp.h"
 #include "threading/dxFloatEnvironment.h"
 #include "threading/dxUpstreamInterrupted.h"
 #include "threading/dxUpstreamScope.h"

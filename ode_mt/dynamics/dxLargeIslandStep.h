@@ -1,7 +1,0 @@
-// The large-island strategy: the islands in upstream's order, as the serial one, and each large island by all workers
-// together. See docs/large-islands.md.
-#pragma once
-
-#include "dynamics/dxStepStrategy.h"
-
-void dxRunLargeIslandStep(const dxStepCall &call, const dxStepPlan &plan);

@@ -1,7 +1,0 @@
-// dWorldQuickStep's stages for a group of islands of a world whose solver is "fast" (docs/iterative-solver.md).
-#pragma once
-
-#include "dynamics/islands/dxIslandStep.h"
-
-// Steps the group. Its arena is as large as upstream's estimate says. The workers of a large group share its stages.
-void dxIterativeStep(const dxIslandStep &step);

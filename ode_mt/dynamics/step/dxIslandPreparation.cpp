@@ -1,0 +1,102 @@
+#include "dynamics/step/dxIslandPreparation.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "dynamics/step/dxIslandBlocks.h"
+#include "dynamics/step/dxIslandStepper.h"
+#include "dynamics/step/random/dxRandom.h"
+#include "settings/dxWorkersRunner.h"
+
+namespace {
+
+// Islands cheaper than this share a block, so that taking a block costs little beside its work.
+constexpr double kMinBlockNs = 3e3;
+
+// More blocks than workers even out what the cost model misjudges.
+constexpr unsigned kBlocksPerWorker = 8;
+
+void resetRecords(const dxStepCall &call, unsigned workers, dxStepRecords &records) {
+    records.islands.resize(call.count);
+    dxIslandCursor cursor(call.info);
+    for (dxIslandRecord &record : records.islands) {
+        record = {};
+        record.island = cursor.next();
+        record.cost = dxCostModel::islandCost(call.kind, call.world->qs.num_iterations, record.island.bodyCount,
+                                              record.island.jointCount);
+    }
+    if (records.workers.size() < workers) records.workers.resize(workers);
+    for (dxWorkerRecord &worker : records.workers) {
+        worker.reset();
+        // One worker may come to survey all islands: room for what the last step found keeps a steady state
+        // from allocating.
+        worker.feedbacks.reserve(records.feedbacks.size());
+    }
+}
+
+// On a worker.
+void survey(const dxStepCall &call, dxStepRecords &records, unsigned begin, unsigned end, unsigned worker) {
+    for (unsigned i = begin; i < end; ++i) {
+        dxIslandRecord &record = records.islands[i];
+        record.inOrder = dxHasMovedCallback(record.island);
+        if (dxIslandStepper::drawsRandomNumbers(call)) {
+            const std::optional<unsigned> rows = dxCountRows(record.island);
+            record.rows = rows.value_or(0);
+            record.inOrder = record.inOrder || !rows;
+        }
+        dxCollectFeedback(record.island, i, records.workers[worker].feedbacks);
+    }
+}
+
+// Two joints may have been given one feedback structure, or two that overlap: upstream's later island overwrites it.
+void orderSharedFeedback(dxStepRecords &records) {
+    std::vector<dxFeedbackUse> &uses = records.feedbacks;
+    uses.clear();
+    for (const dxWorkerRecord &worker : records.workers) {
+        uses.insert(uses.end(), worker.feedbacks.begin(), worker.feedbacks.end());
+    }
+    std::sort(uses.begin(), uses.end(), [](const dxFeedbackUse &a, const dxFeedbackUse &b) {
+        return a.feedback != b.feedback ? a.feedback < b.feedback : a.island < b.island;
+    });
+    // Of structures of which each overlaps the one before it, the first island writes first.
+    const auto isEarlier = [](const dxFeedbackUse &a, const dxFeedbackUse &b) { return a.island < b.island; };
+    for (auto begin = uses.begin(); begin != uses.end();) {
+        auto end = begin + 1;
+        while (end != uses.end() && dxOverlap(end[-1], *end)) ++end;
+        const auto [first, last] = std::minmax_element(begin, end, isEarlier);
+        if (first->island != last->island) records.islands[first->island].inOrder = true;
+        begin = end;
+    }
+}
+
+}  // namespace
+
+void dxPrepareIslands(const dxStepCall &call, unsigned workers, dxStepRecords &records) {
+    resetRecords(call, workers, records);
+    const unsigned chunks = std::min(call.count, workers * kBlocksPerWorker);
+    dxWorkersRunner(workers, call.world)
+        .forBlocks(dxParallelStage::IslandSurvey, chunks, [&call, &records, chunks](unsigned chunk, unsigned worker) {
+            const std::uint64_t count = call.count;
+            survey(call, records, chunk * count / chunks, (chunk + 1) * count / chunks, worker);
+        });
+    orderSharedFeedback(records);
+    const auto first = std::find_if(records.islands.begin(), records.islands.end(),
+                                    [](const dxIslandRecord &record) { return record.inOrder; });
+    records.inOrderFrom = static_cast<unsigned>(first - records.islands.begin());
+    double cost = 0;
+    for (unsigned i = 0; i < records.inOrderFrom; ++i) cost += records.islands[i].cost;
+    dxCutIslandBlocks(records, records.inOrderFrom, std::max(kMinBlockNs, cost / (kBlocksPerWorker * workers)));
+}
+
+void dxReserveRandomNumbers(const dxStepCall &call, dxStepRecords &records) {
+    records.randomEnd = 0;
+    if (!dxIslandStepper::drawsRandomNumbers(call)) return;
+    std::uint64_t draws = 0;
+    for (unsigned i = 0; i < records.inOrderFrom; ++i) draws += dxIslandStepper::drawsOf(call, records.islands[i].rows);
+    std::uint32_t seed = dxRandom::takeSharedBlock(draws);
+    for (unsigned i = 0; i < records.inOrderFrom; ++i) {
+        records.islands[i].seed = seed;
+        seed = dxRandom::jump(seed, dxIslandStepper::drawsOf(call, records.islands[i].rows));
+    }
+    records.randomEnd = seed;
+}

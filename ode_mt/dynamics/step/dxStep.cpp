@@ -1,0 +1,99 @@
+#include "dynamics/step/dxStep.h"
+
+#include <new>
+
+#include "core/dxStopwatch.h"
+#include "dynamics/quick_step/fast/dxIterativeWorld.h"
+#include "dynamics/step/dxIslandParallelStep.h"
+#include "dynamics/step/dxIslandStepper.h"
+#include "dynamics/step/dxLargeIslandStep.h"
+#include "dynamics/step/dxRemoteIslands.h"
+#include "dynamics/step/dxSerialStep.h"
+#include "dynamics/step/dxStepStrategy.h"
+#include "dynamics/step/islands/dxStepPreparation.h"
+#include "dynamics/step/islands/dxStepTimeline.h"
+#include "dynamics/world_step/fast/dxDirectMemory.h"
+#include "quickstep.h"
+#include "settings/dxWorldSolver.h"
+#include "settings/dxWorldWorkers.h"
+
+namespace {
+
+void follow(dxStepPlan &plan, const dxStepCall &call) {
+    switch (plan.strategy) {
+        case dxStepStrategy::Serial: return dxSerialStep(call).run();
+        case dxStepStrategy::IslandParallel: return dxIslandParallelStep(call, plan).run();
+        case dxStepStrategy::LargeIsland: return dxRunLargeIslandStep(call, plan);
+    }
+}
+
+void followAndLearn(dxStepPlan &plan, const dxStepCall &call) {
+    const dxStopwatch stopwatch;
+    follow(plan, call);
+    dxLearnFromStep(call, plan, stopwatch.ns());
+}
+
+// Where the user's functions step the world, upstream's stepper does.
+bool isSolvedFast(const dxWorld *world) { return dxWorldSolver::isFast(world) && !dxWorldWorkers::haveToBeAsked(world); }
+
+// Small islands of a fast dWorldQuickStep are solved together. Contacts: a lane of a vector each; so many bodies and joints still fit L2. Beside
+// other joints contacts are rows, and sweeps are shorter where they fit L1: groups save preparations of tiny islands alone.
+constexpr dxGroupSizes kIterativeGroups = {600, 40};
+
+// Without memory each step begins from zero forces, by SOR.
+dxIterativeWorld *beginIteratively(const dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize) try {
+    dxIterativeWorld &own = dxIterativeWorld::of(world);
+    own.begin(info, dxWorldSolver::of(world), stepSize);
+    return &own;
+} catch (const std::bad_alloc &) {
+    return nullptr;
+}
+
+dxStepCall makeCall(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper) {
+    return {world, info, stepSize, dxIslandStepper::kindOf(world, stepper), static_cast<unsigned>(info.GetIslandsCount())};
+}
+
+}  // namespace
+
+bool dxPrepareStepIslands(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate) {
+    dxStepSpan::beginSearch();
+    const dxTimelineSpan search(dxStepEvents::kIslandSearch, true, dxTimelineSpan::Begin::Adjoining);
+    return dxPrepareWorldIslands(world, info, stepSize, estimate);
+}
+
+bool dxPrepareWorldIslands(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate) {
+    if (!isSolvedFast(world)) return dxPrepareStep(world, info, stepSize, estimate);
+    if (estimate == &dxEstimateQuickStepMemoryRequirements)
+        return dxPrepareGroups(world, info, stepSize, estimate, kIterativeGroups);
+    return dxPrepareStep(world, info, stepSize, &dxEstimateDirectStepMemory);  // no matrix of rows by rows
+}
+
+void dxStepOnThisThread(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper, unsigned worker) {
+    dxStepSpan::beginSearch();  // which is over: what follows is the step that is seen
+    dxStepCall call = makeCall(world, info, stepSize, stepper);
+    dxStepSpan span(world, call.count);
+    if (call.kind == dxStepperKind::QuickFast) call.iterativeWorld = beginIteratively(world, info, stepSize);
+    dxSerialStep(call, worker).stepIslands(dxIslandCursor(info), call.count);
+    span.setReason([](unsigned) { return dODE_MT_REASON_WORLDS; });
+    span.setRemote([] { return dxRemoteIslands::recordOf({}); });
+}
+
+bool dxStepIslands(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper,
+                   dmaxcallcountestimate_fn_t maxCallCountEstimator) {
+    dxStepSpan span(world, static_cast<unsigned>(info.GetIslandsCount()));
+    if (dxWorldWorkers::haveToBeAsked(world)) {
+        span.setReason([](unsigned) { return dODE_MT_REASON_USER_THREADING; });
+        return dxIslandStepper::stepByPosting(world, info, stepSize, stepper, maxCallCountEstimator);
+    }
+    if (!dxWorldWorkers::prepare(world)) return false;
+    dxStepCall call = makeCall(world, info, stepSize, stepper);
+    if (call.kind == dxStepperKind::QuickFast) call.iterativeWorld = beginIteratively(world, info, stepSize);
+    dxStepPlan plan = dxPlanStep(call);
+    if (plan.isMeasured)
+        followAndLearn(plan, call);
+    else
+        follow(plan, call);
+    span.setReason([&](unsigned threads) { return dxReasonOf(call, plan, threads); });
+    span.setRemote([&plan] { return dxRemoteIslands::recordOf(plan.outcomes); });
+    return true;
+}

@@ -1,0 +1,16 @@
+// One step of one world, as upstream's dWorldStep or dWorldQuickStep asks for it, with the islands that the search found.
+#pragma once
+
+#include "dynamics/step/dxCostModel.h"
+#include "dynamics/step/islands/dxIsland.h"
+
+class dxIterativeWorld;
+
+struct dxStepCall {
+    dxWorld *world;
+    const dxWorldProcessIslandsInfo &info;
+    dReal stepSize;
+    dxStepperKind kind;
+    unsigned count;  // of islands
+    dxIterativeWorld *iterativeWorld = nullptr;  // of a fast dWorldQuickStep, unless there is no memory for it
+};

@@ -1,0 +1,27 @@
+#include "dynamics/step/dxStepRecords.h"
+
+#include "threading/process/dxObjectPool.h"
+#include "threading/process/dxProcessObject.h"
+
+namespace {
+
+dxProcessObject<dxObjectPool<dxStepRecords>> pool;
+
+}  // namespace
+
+void dxWorkerRecord::reset() {
+    arena = nullptr;
+    undo.clear();
+    reports.clear();
+    feedbacks.clear();
+    busyNs = 0;
+    islands = 0;
+}
+
+dxStepRecords::Lease dxStepRecords::borrow() { return Lease(pool->takeOrMake()); }
+
+void dxStepRecords::Return::operator()(dxStepRecords *records) const { pool->giveBack(records); }
+
+void dxStepRecords::release() {
+    pool->clear([](dxStepRecords *records) { delete records; });
+}

@@ -1,0 +1,64 @@
+// What one step knows about its islands and workers while it is under way. Reused from step to step, so
+// that a steady state allocates nothing.
+//
+// Who writes what: the survey and the step of an island write that island's record, a worker writes its
+// own worker record, everything else is the caller's. No two threads write one record.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "dynamics/step/islands/dxDeferredIsland.h"
+#include "dynamics/step/islands/dxIsland.h"
+#include "dynamics/step/islands/dxIslandSurvey.h"
+#include "dynamics/step/islands/dxUndoLog.h"
+
+struct dxIslandRecord {
+    dxIsland island;
+    double cost;         // dxCostModel, scale 1
+    unsigned rows;       // of the constraint system; 0 unless random numbers depend on it
+    std::uint32_t seed;  // the random sequence before the island's first draw
+    bool inOrder;        // must be stepped on the calling thread, after all islands before it
+    bool stepped;
+    bool isRemote;      // dxRemoteIslands steps it
+    unsigned worker;    // who stepped it, or has made its problem
+    unsigned finisher;  // who applied the results
+    dxUndoLog::Mark undoBegin, undoEnd;
+};
+
+struct alignas(64) dxWorkerRecord {
+    dxWorldProcessMemArena *arena = nullptr;
+    dxUndoLog undo;
+    std::vector<dxKeptReport> reports;
+    std::vector<dxFeedbackUse> feedbacks;
+    double busyNs = 0;
+    unsigned islands = 0;  // stepped
+
+    void reset();  // keeps the memory
+};
+
+// Consecutive entries of dxStepRecords::order that one worker takes at once.
+struct dxIslandBlock {
+    unsigned begin, end;
+};
+
+struct dxStepRecords {
+    std::vector<dxIslandRecord> islands;
+    std::vector<unsigned> order;  // of islands, as they are shared out
+    std::vector<dxIslandBlock> blocks;
+    std::vector<dxWorkerRecord> workers;
+    std::vector<dxFeedbackUse> feedbacks;
+    unsigned inOrderFrom = 0;     // first island that has to be stepped in order
+    std::uint32_t randomEnd = 0;  // the random sequence after the reserved block
+
+    // Borrows a set that no step in progress uses.
+    struct Return {
+        void operator()(dxStepRecords *records) const;
+    };
+    using Lease = std::unique_ptr<dxStepRecords, Return>;
+    static Lease borrow();
+
+    // Frees the sets that are not in use (dCloseODE, unloading).
+    static void release();
+};

@@ -1,0 +1,241 @@
+#include "dynamics/step/dxStepStrategy.h"
+
+#include <algorithm>
+#include <mutex>
+
+#include "dynamics/remote/dxRemoteShare.h"
+#include "dynamics/step/dxRemoteIslands.h"
+#include "settings/dxOwnThreads.h"
+#include "settings/dxSettings.h"
+#include "settings/dxWorldWorkers.h"
+#include "threading/dxFloatEnvironment.h"
+#include "threading/dxSharingPolicy.h"
+#include "threading/process/dxProcessObject.h"
+#include "upstream_facts.h"
+
+namespace {
+
+// Joints that make an island large enough to be stepped by several workers together.
+constexpr unsigned kMinJoints = 500;
+
+// The exact step's: at three rows a contact its LCP begins to be worth sharing; under an algorithm that is
+// asked for by name it is shared earlier. It is not shared as well as islands side by side, so that the rest
+// of the world has to be small.
+constexpr unsigned kMinExactJoints = 134, kMinExactJointsByName = 64;
+constexpr double kMinExactShare = 0.9;
+
+// The direct solver's: its phases take some ten microseconds each.
+constexpr unsigned kMinDirectJoints = 250;
+
+// For a time per cost to be remembered like the time of a call: that of a step of one millisecond.
+constexpr double kCostOfReference = 1e6;
+
+// Whether large islands are stepped by several workers, under auto. For the process, as the cost model: what it
+// measures is the machine; one for each stepper. Steps that find it in use do without.
+struct LargeIslandPolicy {
+    std::mutex mutex;
+    dxSharingPolicy policies[kStepperKinds];
+
+    dxSharingPolicy &of(dxStepperKind kind) { return policies[static_cast<int>(kind)]; }
+};
+dxProcessObject<LargeIslandPolicy> largeIslandPolicy;
+
+// Whether remote workers that are predicted to pay do, under auto.
+struct RemotePolicy {
+    // Both ends take memory for the first problems, and the worker may be asleep.
+    static constexpr int kProbe = 8, kCold = 3;
+
+    std::mutex mutex;
+    dxSharingPolicy policy{kProbe, kCold};
+};
+dxProcessObject<RemotePolicy> remotePolicy;
+
+unsigned minLargeJoints(dxStepperKind kind) {
+    if (dxIsQuick(kind)) return kMinJoints;
+    if (kind == dxStepperKind::WorldFast) return kMinDirectJoints;
+    return dxSettings::instance().algorithm() == dxAlgorithm::Auto ? kMinExactJoints : kMinExactJointsByName;
+}
+
+// The steps of most small worlds are over before a clock could be read: they cost one look at their only
+// island.
+bool mayUseWorkers(const dxStepCall &call, dODE_MT_Reason &reason) {
+    reason = dODE_MT_REASON_ITERATIONS;
+    if (dxIsQuick(call.kind) && dxMayBeEndless(*call.world)) return false;
+    reason = call.count == 0 ? dODE_MT_REASON_NOTHING : dODE_MT_REASON_SMALL_ISLAND;
+    if (call.count != 1) return call.count > 1;
+    return dxIslandCursor(call.info).next().jointCount >= minLargeJoints(call.kind);
+}
+
+// Workers that the settings, the world and the machine allow, and what does not allow a second one.
+unsigned workerLimit(const dxWorld *world, dODE_MT_Reason &reason) {
+    const dxAlgorithm algorithm = dxSettings::instance().algorithm();
+    reason = dODE_MT_REASON_ALGORITHM;
+    if (algorithm == dxAlgorithm::Serial) return 1;
+    const bool isLent = dxWorldWorkers::given(world);
+    const unsigned own = dxOwnThreads::of(world);
+    reason = isLent ? dODE_MT_REASON_USER_THREADING : dODE_MT_REASON_THREADS;
+    unsigned limit = isLent ? dxWorldWorkers::count(world) : dxOwnThreads::inForce(own);
+    const auto lower = [&limit, &reason](unsigned bound, dODE_MT_Reason why) {
+        if (limit >= 2 && bound < 2) reason = why;
+        limit = std::min(limit, bound);
+    };
+    if (own != 0) lower(own, dODE_MT_REASON_THREADS);
+    const unsigned asked = world->islands_max_threads;
+    if (asked != dWORLDSTEP_THREADCOUNT_UNLIMITED) lower(asked, dODE_MT_REASON_WORLD_LIMIT);
+    if (algorithm == dxAlgorithm::Auto) lower(dxSettings::instance().cores(), dODE_MT_REASON_CORES);
+    if (limit >= 2 && dxTrapsFloatingPoint()) lower(1, dODE_MT_REASON_FLOAT_TRAPS);
+    return limit;
+}
+
+dxIslandCosts estimateCosts(const dxStepCall &call) {
+    dxIslandCosts costs;
+    dxIslandCursor cursor(call.info);
+    for (unsigned i = 0; i < call.count; ++i) {
+        const dxIsland island = cursor.next();
+        if (island.bodies[0]->moved_callback != nullptr) break;  // it and what follows goes in order
+        const double cost =
+            dxCostModel::islandCost(call.kind, call.world->qs.num_iterations, island.bodyCount, island.jointCount);
+        costs.total += cost;
+        costs.joints += island.jointCount;
+        costs.bodies += island.bodyCount;
+        ++costs.islands;
+        costs.largest = std::max(costs.largest, cost);
+        costs.maxJoints = std::max(costs.maxJoints, island.jointCount);
+        costs.areOfAll = i + 1 == call.count;
+    }
+    return costs;
+}
+
+// One island takes so long that the others would have to wait for it.
+bool hasLargeIsland(const dxStepCall &call, const dxStepPlan &plan, unsigned limit) {
+    if (plan.costs.maxJoints < plan.minLargeJoints || !plan.costs.areOfAll) return false;
+    const double part = call.kind == dxStepperKind::WorldExact ? kMinExactShare : 1.0 / limit;
+    return plan.costs.largest >= part * plan.costs.total;
+}
+
+// The exact step measures its LCPs instead (dxLcpWorkers).
+bool isLargeIslandMeasured(dxStepperKind kind) {
+    return kind != dxStepperKind::WorldExact && dxSettings::instance().algorithm() == dxAlgorithm::Auto;
+}
+
+bool isLargeIslandStepFaster(dxStepperKind kind) {
+    if (!isLargeIslandMeasured(kind)) return true;
+    const std::unique_lock<std::mutex> hold(largeIslandPolicy->mutex, std::try_to_lock);
+    return hold && largeIslandPolicy->of(kind).shouldShare();
+}
+
+void recordLargeIslandTime(const dxStepCall &call, const dxStepPlan &plan, double ns) {
+    if (!isLargeIslandMeasured(call.kind)) return;
+    const std::unique_lock<std::mutex> hold(largeIslandPolicy->mutex, std::try_to_lock);
+    const bool wasParallel = plan.strategy == dxStepStrategy::LargeIsland;
+    if (hold) largeIslandPolicy->of(call.kind).record(wasParallel, ns * kCostOfReference / plan.costs.total);
+}
+
+// For islands side by side. Returns 1 for the caller alone.
+unsigned chooseWorkers(const dxStepCall &call, const dxIslandCosts &costs, unsigned limit) {
+    const unsigned most = std::min(limit, call.count);
+    if (most < 2) return 1;
+    if (dxSettings::instance().algorithm() != dxAlgorithm::Auto) return most;
+    return dxCostModel::instance().chooseWorkers(call.kind, costs.total, costs.largest, most);
+}
+
+// Returns how many of `limit` workers may step one island together: those that prepare it are those that solve it.
+unsigned islandLimit(const dxWorld &world, unsigned limit) {
+    for (const unsigned bound : {dxIslandSteppingLimit(world), dxOwnThreads::solvingLimit(&world)})
+        if (bound != dWORLDSTEP_THREADCOUNT_UNLIMITED) limit = std::min(limit, bound);
+    return limit;
+}
+
+void planThreads(const dxStepCall &call, dxStepPlan &plan, unsigned limit) {
+    plan.minLargeJoints = minLargeJoints(call.kind);
+    const unsigned workers = islandLimit(*call.world, limit);
+    const bool isLarge = hasLargeIsland(call, plan, limit);
+    plan.hasLargeIsland = isLarge && workers >= 2;
+    if (plan.hasLargeIsland && isLargeIslandStepFaster(call.kind)) {
+        plan.strategy = dxStepStrategy::LargeIsland;
+        plan.reason = dODE_MT_REASON_LARGE_ISLAND;
+        plan.workers = workers;
+        return;
+    }
+    plan.workers = chooseWorkers(call, plan.costs, limit);
+    if (plan.workers >= 2) {
+        plan.strategy = dxStepStrategy::IslandParallel;
+        plan.reason = dODE_MT_REASON_LATE_WORKERS;
+    } else {
+        plan.reason = isLarge && workers < 2  ? dODE_MT_REASON_WORLD_LIMIT
+                      : plan.hasLargeIsland   ? dODE_MT_REASON_LARGE_ISLAND
+                      : plan.costs.areOfAll ? dODE_MT_REASON_COST
+                                            : dODE_MT_REASON_MOVED_CALLBACK;
+    }
+}
+
+// A step that is over before a message could be there and back is not worth reading a clock.
+bool isLongEnoughForMessages(const dxStepCall &call, const dxIslandCosts &costs) {
+    constexpr double kMinRemoteNs = 150e3;
+    return dxSettings::instance().algorithm() != dxAlgorithm::Auto || costs.total * dxCostModel::instance().scale(call.kind) >= kMinRemoteNs;
+}
+
+// Requires remote workers.
+void planRemote(const dxStepCall &call, dxStepPlan &plan) {
+    if (dxSettings::instance().algorithm() != dxAlgorithm::Auto) {
+        plan.remoteShare = 1;
+        plan.isRemoteForced = true;
+    } else {
+        const double scale = dxCostModel::instance().scale(call.kind);
+        const dxRemoteWork work{plan.costs.total * scale, plan.costs.largest * scale, plan.costs.bodies, plan.costs.joints, plan.costs.islands};
+        const double share = dxPredictRemoteShare(work, plan.workers, dxRemoteWorkers::instance().capacity());
+        if (!(share > 0)) return;
+        const std::unique_lock<std::mutex> hold(remotePolicy->mutex, std::try_to_lock);
+        if (!hold) return;
+        plan.mayBeRemote = true;
+        if (!remotePolicy->policy.shouldShare()) return;
+        plan.remoteShare = std::min(kRemoteReserve * share, 1.0);
+    }
+    plan.strategy = dxStepStrategy::IslandParallel;
+}
+
+void recordRemoteTime(const dxStepPlan &plan, double ns) {
+    const std::unique_lock<std::mutex> hold(remotePolicy->mutex, std::try_to_lock);
+    if (!hold) return;
+    dxSharingPolicy &policy = remotePolicy->policy;
+    policy.record(plan.remoteShare > 0, ns * kCostOfReference / plan.costs.total);
+    if (plan.remoteShare == 0 && policy.shouldShare()) dxRemoteWorkers::instance().wake();
+}
+
+}  // namespace
+
+bool dxMayBeEndless(const dxWorld &world) {
+    constexpr unsigned kMaxIterations = 100000;
+    return static_cast<unsigned>(world.qs.num_iterations) > kMaxIterations;
+}
+
+dxStepPlan dxPlanStep(const dxStepCall &call) {
+    dxStepPlan plan;
+    const unsigned limit = mayUseWorkers(call, plan.reason) ? workerLimit(call.world, plan.reason) : 1;
+    bool mayBeRemote = dxRemoteIslands::mayHelp(call);
+    if (limit < 2 && !mayBeRemote) return plan;
+    plan.costs = estimateCosts(call);
+    mayBeRemote = mayBeRemote && isLongEnoughForMessages(call, plan.costs);
+    if (limit < 2 && !mayBeRemote) return plan;
+    plan.isMeasured = true;
+    if (limit >= 2) planThreads(call, plan, limit);
+    if (mayBeRemote && plan.strategy != dxStepStrategy::LargeIsland) planRemote(call, plan);
+    return plan;
+}
+
+// Who allows one thread alone comes to know that first, though the islands were looked at before. Several threads may have looked at islands
+// that one then had to step in order.
+dODE_MT_Reason dxReasonOf(const dxStepCall &call, const dxStepPlan &plan, unsigned threads) {
+    const bool isInOrder = plan.reason == dODE_MT_REASON_MOVED_CALLBACK || plan.reason == dODE_MT_REASON_FEEDBACK;
+    if (threads >= 2 && !isInOrder) return dODE_MT_REASON_PARALLEL;
+    dODE_MT_Reason limit;
+    return workerLimit(call.world, limit) < 2 ? limit : plan.reason;
+}
+
+// Island-parallel steps measure their parallel part themselves.
+void dxLearnFromStep(const dxStepCall &call, const dxStepPlan &plan, double ns) {
+    if (plan.strategy == dxStepStrategy::Serial && plan.costs.areOfAll)
+        dxCostModel::instance().learnSerial(call.kind, plan.costs.total, ns);
+    if (plan.hasLargeIsland) recordLargeIslandTime(call, plan, ns);
+    if (plan.mayBeRemote) recordRemoteTime(plan, ns);
+}

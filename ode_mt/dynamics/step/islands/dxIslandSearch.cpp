@@ -1,0 +1,155 @@
+#include "dynamics/step/islands/dxIslandSearch.h"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "core/dxJointAttachment.h"
+#include "core/dxPrefetch.h"
+#include "joints/joint.h"
+
+namespace {
+
+// Upstream's tags, beside dxFoundTag.
+enum Tag : int { kUnfit = -1, kUnseen = 0, kFound = dxFoundTag };
+
+// Most objects of a list were made one after another, so the one some places on probably lies as many times as far away
+// as the next one. Nothing else says where it is: a list is followed from object to object.
+template <class Object>
+std::uintptr_t predictedAddress(const Object *object) {
+    constexpr std::uintptr_t kPrefetchDistance = 8;
+    const auto here = reinterpret_cast<std::uintptr_t>(object), next = reinterpret_cast<std::uintptr_t>(object->next);
+    return here + kPrefetchDistance * (next - here);
+}
+
+template <class Object, class Member>
+void prefetchAhead(const Object *object, const Member &member) {
+    const auto offset = reinterpret_cast<std::uintptr_t>(&member) - reinterpret_cast<std::uintptr_t>(object);
+    dxPrefetch::line(reinterpret_cast<const void *>(predictedAddress(object) + offset));
+}
+
+// What the search reads of bodies and joints fits L2, and is prefetched. Returns whether a callback hears that a body has moved, if that is
+// asked for: it is a cache line more of each body.
+bool untagBodies(dxWorld *world, bool asksForCallbacks) {
+    bool hasCallback = false;
+    for (dxBody *body = world->firstbody; body != nullptr; body = static_cast<dxBody *>(body->next)) {
+        prefetchAhead(body, body->tag);
+        prefetchAhead(body, body->flags);
+        prefetchAhead(body, body->invMass);
+        body->tag = kUnseen;
+        if (!asksForCallbacks) continue;
+        prefetchAhead(body, body->moved_callback);
+        hasCallback |= body->moved_callback != nullptr;
+    }
+    return hasCallback;
+}
+
+void untagJoints(dxWorld *world) {
+    for (dxJoint *joint = world->firstjoint; joint != nullptr; joint = static_cast<dxJoint *>(joint->next)) {
+        prefetchAhead(joint, joint->tag);
+        prefetchAhead(joint, joint->node[1]);
+        joint->tag = kUnseen;
+        dxJointAttachment::forget(*joint);
+    }
+    dxJointAttachment::forgetAll(*world);
+}
+
+// dxJoint::isEnabled as seen from one of the joint's bodies: a joint is enabled if one of them can move, and mostly
+// this one can.
+bool isEnabled(const dxJoint &joint, const dxBody &body) {
+    return body.invMass > 0 ? (joint.flags & dJOINT_DISABLED) == 0 : joint.isEnabled();
+}
+
+// Lists of one island after another, and the bodies from which the search has yet to go on.
+class Search {
+public:
+    Search(dxBody **bodies, dxJoint **joints, dxBody **open) : m_bodies(bodies), m_joints(joints), m_open(open) {}
+
+    // Depth first, the body found last before those found earlier.
+    void findIslandOf(dxBody *first) {
+        first->tag = kFound;
+        *m_bodies++ = first;
+        dxBody **const none = m_open;
+        for (dxBody *body = first;; *m_bodies++ = body) {
+            follow(*body);
+            if (m_open == none) return;
+            body = *--m_open;
+        }
+    }
+
+    dxIslandGroups::Lists lists() const { return {m_bodies, m_joints}; }
+
+private:
+    void follow(const dxBody &body) {
+        for (const dxJointNode *node = body.firstjoint; node != nullptr; node = node->next) {
+            if (node->next != nullptr) prefetchAfter(*node);
+            dxJoint *const joint = node->joint;
+            if (joint->tag != kUnseen) continue;
+            const bool enabled = isEnabled(*joint, body);
+            joint->tag = enabled ? kFound : kUnfit;
+            if (!enabled) continue;
+            *m_joints++ = joint;
+            if (node->body != nullptr && node->body->tag <= kUnseen) open(node->body);
+        }
+    }
+
+    // The contacts of two bodies mostly were made one after another.
+    static void prefetchAfter(const dxJointNode &node) {
+        const auto here = reinterpret_cast<std::uintptr_t>(&node), next = reinterpret_cast<std::uintptr_t>(node.next);
+        constexpr std::uintptr_t kPrefetchDistance = 2;
+        dxPrefetch::line(reinterpret_cast<const void *>(here + kPrefetchDistance * (next - here)));
+    }
+
+    // A body at rest wakes when it is joined to one that moves.
+    void open(dxBody *body) {
+        body->tag = kFound;
+        body->flags &= ~dxBodyDisabled;
+        *m_open++ = body;
+        dxPrefetch::line(body->firstjoint);
+    }
+
+    dxBody **m_bodies;
+    dxJoint **m_joints;
+    dxBody **m_open;
+};
+
+}  // namespace
+
+sizeint dxFindIslands(dxWorldProcessIslandsInfo &info, dxWorldProcessMemArena *arena, dxWorld *world, dReal stepSize,
+                      dmemestimate_fn_t estimate, const dxGroupSizes &groupSizes) {
+    const bool hasCallback = untagBodies(world, groupSizes.ofContacts != 0);
+    dInternalHandleAutoDisabling(world, stepSize);
+    untagJoints(world);
+
+    const auto bodyCount = static_cast<unsigned>(world->nb), jointCount = static_cast<unsigned>(world->nj);
+    unsigned *const sizes = arena->AllocateArray<unsigned>(std::size_t{2} * bodyCount);
+    dxBody **const bodies = arena->AllocateArray<dxBody *>(bodyCount);
+    dxJoint **const joints = arena->AllocateArray<dxJoint *>(jointCount);
+    void *const state = arena->SaveState();
+    // A body is put there when a joint is found, once.
+    Search search(bodies, joints, arena->AllocateArray<dxBody *>(std::min(bodyCount, jointCount)));
+
+    sizeint most = 0;
+    unsigned *size = sizes;
+    using Lists = dxIslandGroups::Lists;
+    // A callback may push bodies of islands that have yet to be stepped.
+    dxIslandGroups groups(hasCallback ? dxGroupSizes() : groupSizes, search.lists());
+    const auto endGroup = [&](const Lists &begin, const Lists &end) {
+        *size++ = static_cast<unsigned>(end.bodies - begin.bodies);
+        *size++ = static_cast<unsigned>(end.joints - begin.joints);
+        most = std::max(most, estimate(begin.bodies, size[-2], begin.joints, size[-1]));
+    };
+    for (dxBody *body = world->firstbody; body != nullptr; body = static_cast<dxBody *>(body->next)) {
+        if (body->tag != kUnseen) continue;
+        if ((body->flags & dxBodyDisabled) != 0) {
+            body->tag = kUnfit;
+            continue;
+        }
+        const Lists first = search.lists();
+        search.findIslandOf(body);
+        groups.take(first, search.lists(), endGroup);
+    }
+    groups.finish(search.lists(), endGroup);
+    arena->RestoreState(state);
+    info.AssignInfo(static_cast<sizeint>(size - sizes) / 2, sizes, bodies, joints);
+    return most;
+}

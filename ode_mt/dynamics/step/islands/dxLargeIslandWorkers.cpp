@@ -1,0 +1,20 @@
+#include "dynamics/step/islands/dxLargeIslandWorkers.h"
+
+#include "threading/process/dxProcessObject.h"
+
+namespace {
+
+dxProcessObject<dxObjectPool<dxLargeIslandWorkers>> pool;
+
+}  // namespace
+
+dxLargeIslandWorkersLease::dxLargeIslandWorkersLease(dxTaskRunner &runner, bool isAlwaysParallel) : m_islandWorkers(*pool) {
+    m_islandWorkers->runner = &runner;
+    m_islandWorkers->isAlwaysParallel = isAlwaysParallel;
+}
+
+dxLargeIslandWorkersLease::~dxLargeIslandWorkersLease() { m_islandWorkers->runner = nullptr; }
+
+void dxLargeIslandWorkersLease::forget() {
+    pool->clear([](dxLargeIslandWorkers *islandWorkers) { delete islandWorkers; });
+}

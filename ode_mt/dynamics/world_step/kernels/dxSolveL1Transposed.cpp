@@ -1,0 +1,287 @@
+#include "core/dxSimdTargets.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "dynamics/world_step/kernels/dxSolveL1Transposed.cpp"
+#include <hwy/foreach_target.h>
+// Highway's order of headers: after foreach_target.h
+#include "dynamics/world_step/kernels/dxRowTile-inl.h"
+#include "dynamics/world_step/kernels/dxSolveL1.h"
+#include "dynamics/world_step/kernels/dxSolveL1Plain.h"
+#include "dynamics/world_step/kernels/dxTriangleRows.h"
+#include "threading/dxTaskRunner.h"
+#include "threading/pool/dxOrderedCompletion.h"
+
+// Lanes are results: a band of rows whose results are known adds its products to the sums of all results
+// before it, and so L is read along its rows.
+HWY_BEFORE_NAMESPACE();
+namespace dxSolve {
+namespace HWY_NAMESPACE {
+
+constexpr std::size_t kBand = 8;     // rows: their results stay in registers
+constexpr std::size_t kPanel = 512;  // columns: their sums stay in L1
+constexpr std::size_t kMaxShortRows = 35;
+
+// sum[column] += products of Count rows of L with their results x, the last row first; `offset`: of column 0 in a row
+template <std::size_t Count, unsigned Stride, class D, class Rows>
+HWY_INLINE std::size_t addBandWith(D d, const Rows &L, std::size_t firstRow, std::size_t offset, const dReal *B,
+                                   std::size_t first, std::size_t columns, dReal *HWY_RESTRICT sum) {
+    const dReal *row[Count];
+    hn::Vec<D> q[Count];
+    for (std::size_t r = 0; r < Count; ++r) {
+        row[r] = L(firstRow + r) + offset;
+        q[r] = hn::Set(d, B[(firstRow + r) * Stride]);
+    }
+    for (; first + hn::Lanes(d) <= columns; first += hn::Lanes(d)) {
+        auto total = hn::Load(d, sum + first);
+        for (std::size_t r = Count; r-- > 0;) total = hn::Add(total, hn::Mul(hn::LoadU(d, row[r] + first), q[r]));
+        hn::Store(total, d, sum + first);
+    }
+    return first;
+}
+
+// As above with the widest vectors, of whose length `first` is a multiple; `columns`, a multiple of four, need not
+// be one.
+template <std::size_t Count, unsigned Stride, class Rows>
+HWY_INLINE void addBand(const Rows &L, std::size_t firstRow, std::size_t offset, const dReal *B, std::size_t first,
+                        std::size_t columns, dReal *HWY_RESTRICT sum) {
+    const std::size_t done =
+        addBandWith<Count, Stride>(hn::ScalableTag<dReal>(), L, firstRow, offset, B, first, columns, sum);
+    if (done < columns) addBandWith<Count, Stride>(RowLanes<4>(), L, firstRow, offset, B, done, columns, sum);
+}
+
+// addBand for the one to three rows after the last group of four.
+template <unsigned Stride, class Rows>
+HWY_INLINE void addLastRows(const Rows &L, std::size_t firstRow, std::size_t offset, const dReal *B, std::size_t rows,
+                            std::size_t columns, dReal *HWY_RESTRICT sum) {
+    if (rows == 1) addBand<1, Stride>(L, firstRow, offset, B, 0, columns, sum);
+    if (rows == 2) addBand<2, Stride>(L, firstRow, offset, B, 0, columns, sum);
+    if (rows == 3) addBand<3, Stride>(L, firstRow, offset, B, 0, columns, sum);
+}
+
+// Results after a panel are all known, ...
+struct AllKnown {
+    HWY_INLINE void await(std::size_t /*row*/) const {}
+};
+
+// ... or other workers are finding them, a panel each.
+class KnownInOrder {
+public:
+    KnownInOrder(const dxOrderedCompletion &completion, std::size_t lastGroupEnd) : m_completion(completion), m_lastGroupEnd(lastGroupEnd) {}
+
+    // The results of `row` and all after it.
+    HWY_INLINE void await(std::size_t row) {
+        const auto needed = static_cast<unsigned>((m_lastGroupEnd - row + kSharedPanel - 1) / kSharedPanel);
+        if (m_finished < needed) m_finished = m_completion.await(needed);
+    }
+
+private:
+    const dxOrderedCompletion &m_completion;
+    const std::size_t m_lastGroupEnd;
+    unsigned m_finished = 0;
+};
+
+// The results of columns begin..end-1, at most kPanel and a multiple of four, from those after them.
+template <unsigned Stride, bool LeavesOut, class Rows, class Known>
+HWY_INLINE void solvePanel(const Rows &L, dReal *B, std::size_t begin, std::size_t end, std::size_t rowCount,
+                           const dxSkyline &envelope, Known known) {
+    HWY_ALIGN dReal sum[kPanel];
+    const RowLanes<4> d;
+    const hn::ScalableTag<dReal> widest;
+    for (std::size_t column = 0; column < end - begin; column += hn::Lanes(d))
+        hn::Store(hn::Zero(d), d, sum + column);
+    const auto addBandAt = [&](std::size_t row, std::size_t columns) {
+        std::size_t leftOut = 0;
+        if constexpr (LeavesOut) {
+            const std::size_t first = envelope.begin(row, kBand);
+            if (first >= begin + columns) return;
+            leftOut = first > begin ? (first - begin) & ~(hn::Lanes(widest) - 1) : 0;
+        }
+        addBand<kBand, Stride>(L, row, begin, B, leftOut, columns, sum);
+    };
+
+    const std::size_t lastRows = rowCount % 4, lastGroupEnd = rowCount - lastRows;
+    addLastRows<Stride>(L, lastGroupEnd, begin, B, lastRows, end - begin, sum);
+    for (std::size_t row = lastGroupEnd; row > end;) {
+        row -= kBand;
+        known.await(row);
+        addBandAt(row, end - begin);
+    }
+    for (std::size_t row = end; row > begin;) {
+        row -= 4;
+        finishTransposedGroup<Stride>(L, row, B, sum + (row - begin));
+        if (row - begin >= 4) {
+            const std::size_t next = row - 4;
+            addBandWith<4, Stride>(RowLanes<4>(), L, row, next, B, 0, 4, sum + (next - begin));
+            row = next;
+            finishTransposedGroup<Stride>(L, row, B, sum + (row - begin));
+            addBandAt(row, row - begin);
+        }
+    }
+}
+
+// Few rows: the sums of all groups stay in registers, and no loop goes over groups, whose end could be guessed wrong. A
+// group is solved, its four results are multiplied into the sums before it, and what is left is the same problem with one
+// group less.
+template <unsigned Stride, class Rows>
+class ShortSolve {
+public:
+    HWY_INLINE ShortSolve(const Rows &L, dReal *B) : m_L(L), m_B(B) {
+        for (Sum &sum : m_sums)
+            for (Lanes &lanes : sum.part) lanes = hn::Zero(RowLanes<4>());
+    }
+
+    HWY_INLINE void solve(std::size_t rowCount) {
+        const std::size_t groups = rowCount / 4, first = 4 * groups;
+        finishTransposedLast<Stride>(m_L, first, m_B, rowCount);
+        for (std::size_t row = rowCount; row-- > first;) addRow(groups, m_L(row), m_B[row * Stride]);
+        solveGroups(groups);
+    }
+
+private:
+    using Lanes = hn::Vec<RowLanes<4>>;
+    static constexpr std::size_t kMaxGroups = kMaxShortRows / 4, kParts = 4 / kLanes<RowLanes<4>>;
+    static_assert(kMaxGroups == 8, "addRow and solveGroups begin with eight");
+    struct Sum {
+        Lanes part[kParts];
+    };
+
+    template <std::size_t Group>
+    HWY_INLINE void add(const dReal *row, dReal x) {
+        const RowLanes<4> d;
+        for (std::size_t part = 0; part < kParts; ++part) {
+            Lanes &sum = m_sums[Group].part[part];
+            sum = hn::Add(sum, hn::Mul(hn::LoadU(d, row + 4 * Group + part * hn::Lanes(d)), hn::Set(d, x)));
+        }
+    }
+
+    // Into the sums of the first `groups` groups.
+    HWY_INLINE void addRow(std::size_t groups, const dReal *row, dReal x) {
+        switch (groups) {
+        case 8: add<7>(row, x); [[fallthrough]];
+        case 7: add<6>(row, x); [[fallthrough]];
+        case 6: add<5>(row, x); [[fallthrough]];
+        case 5: add<4>(row, x); [[fallthrough]];
+        case 4: add<3>(row, x); [[fallthrough]];
+        case 3: add<2>(row, x); [[fallthrough]];
+        case 2: add<1>(row, x); [[fallthrough]];
+        case 1: add<0>(row, x);
+        }
+    }
+
+    template <std::size_t Group>
+    HWY_INLINE void solveGroup() {
+        const RowLanes<4> d;
+        HWY_ALIGN dReal sum[4];
+        for (std::size_t part = 0; part < kParts; ++part)
+            hn::Store(m_sums[Group].part[part], d, sum + part * hn::Lanes(d));
+        const FourResults results = finishTransposedGroup<Stride>(m_L, 4 * Group, m_B, sum);
+        for (std::size_t row = 4; row-- > 0;) addRow(Group, m_L(4 * Group + row), results.y[row]);
+    }
+
+    HWY_INLINE void solveGroups(std::size_t groups) {
+        switch (groups) {
+        case 8: solveGroup<7>(); [[fallthrough]];
+        case 7: solveGroup<6>(); [[fallthrough]];
+        case 6: solveGroup<5>(); [[fallthrough]];
+        case 5: solveGroup<4>(); [[fallthrough]];
+        case 4: solveGroup<3>(); [[fallthrough]];
+        case 3: solveGroup<2>(); [[fallthrough]];
+        case 2: solveGroup<1>(); [[fallthrough]];
+        case 1: solveGroup<0>();
+        }
+    }
+
+    const Rows &m_L;
+    dReal *const m_B;
+    Sum m_sums[kMaxGroups];
+};
+
+template <unsigned Stride, bool LeavesOut, class Rows>
+HWY_INLINE void solveInPanels(const Rows &L, dReal *B, std::size_t rowCount, const dxSkyline &envelope) {
+    std::size_t end = rowCount - rowCount % 4;
+    finishTransposedLast<Stride>(L, end, B, rowCount);
+    while (end > 0) {
+        const std::size_t begin = end > kPanel ? end - kPanel : 0;
+        solvePanel<Stride, LeavesOut>(L, B, begin, end, rowCount, envelope, AllKnown());
+        end = begin;
+    }
+}
+
+template <unsigned Stride, class Rows>
+HWY_INLINE void solveTransposed(const Rows &L, dReal *B, std::size_t rowCount) {
+    if (rowCount <= kMaxShortRows)
+        ShortSolve<Stride, Rows>(L, B).solve(rowCount);
+    else
+        solveInPanels<Stride, false>(L, B, rowCount, dxSkyline());
+}
+
+void solveTransposed1(const dReal *L, dReal *B, std::size_t rowCount, std::size_t rowSkip) {
+    solveTransposed<1>(dxRowsApart(L, rowSkip), B, rowCount);
+}
+void solveTransposed2(const dReal *L, dReal *B, std::size_t rowCount, std::size_t rowSkip) {
+    solveTransposed<2>(dxRowsApart(L, rowSkip), B, rowCount);
+}
+void solveTransposedListed(const dReal *const *L, dReal *B, std::size_t rowCount, const dxSkyline &envelope) {
+    const dxListedRows rows(L);
+    if (envelope.leavesOut() && rowCount > kMaxShortRows)
+        solveInPanels<1, true>(rows, B, rowCount, envelope);
+    else
+        solveTransposed<1>(rows, B, rowCount);
+}
+
+// Solves the panel with number `turn`, counted from the last columns.
+void solveTransposedOrdered(const dReal *const *L, dReal *B, std::size_t rowCount, const dxSkyline &envelope,
+                           unsigned chunk, dxOrderedCompletion &completion) {
+    const std::size_t lastGroupEnd = rowCount - rowCount % 4, end = lastGroupEnd - chunk * kSharedPanel;
+    const std::size_t begin = end > kSharedPanel ? end - kSharedPanel : 0;
+    const KnownInOrder known(completion, lastGroupEnd);
+    if (envelope.leavesOut())
+        solvePanel<1, true>(dxListedRows(L), B, begin, end, rowCount, envelope, known);
+    else
+        solvePanel<1, false>(dxListedRows(L), B, begin, end, rowCount, envelope, known);
+    completion.finish(chunk);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace dxSolve
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace dxSolve {
+HWY_EXPORT(solveTransposed1);
+HWY_EXPORT(solveTransposed2);
+HWY_EXPORT(solveTransposedListed);
+HWY_EXPORT(solveTransposedOrdered);
+
+// Up to this many rows vectors do not pay.
+constexpr unsigned kPlainRows = 11;
+}  // namespace dxSolve
+
+template <>
+void dxSolveL1Transposed<1>(const dReal *L, dReal *B, unsigned rowCount, unsigned rowSkip) {
+    using namespace dxSolve;
+    if (rowCount <= kPlainRows) return solveTransposedPlain<1>(dxRowsApart(L, rowSkip), B, rowCount);
+    HWY_DYNAMIC_DISPATCH(solveTransposed1)(L, B, rowCount, rowSkip);
+}
+
+template <>
+void dxSolveL1Transposed<2>(const dReal *L, dReal *B, unsigned rowCount, unsigned rowSkip) {
+    using namespace dxSolve;
+    if (rowCount <= kPlainRows) return solveTransposedPlain<2>(dxRowsApart(L, rowSkip), B, rowCount);
+    HWY_DYNAMIC_DISPATCH(solveTransposed2)(L, B, rowCount, rowSkip);
+}
+
+void dxSolveL1Transposed(const dReal *const *L, dReal *B, unsigned rowCount, const dxSkyline &envelope,
+                         dxTaskRunner *runner) {
+    using namespace dxSolve;
+    if (rowCount <= kPlainRows) return solveTransposedPlain<1>(dxListedRows(L), B, rowCount);
+    if (runner == nullptr) return HWY_DYNAMIC_DISPATCH(solveTransposedListed)(L, B, rowCount, envelope);
+    const std::size_t lastGroupEnd = rowCount - rowCount % 4;
+    finishTransposedLast<1>(dxListedRows(L), lastGroupEnd, B, rowCount);
+    dxOrderedCompletion completion;
+    runner->forBlocks(dxParallelStage::TransposedSolve, static_cast<unsigned>((lastGroupEnd + kSharedPanel - 1) / kSharedPanel),
+        [&](unsigned chunk, unsigned) {
+        HWY_DYNAMIC_DISPATCH(solveTransposedOrdered)(L, B, rowCount, envelope, chunk, completion);
+    });
+}
+#endif
