@@ -159,7 +159,8 @@ dSpaceID createQuadTree(dSpaceID parent) {
     return dQuadTreeSpaceCreate(parent, centre, extents, 3);
 }
 
-// Whole frames: pairs, contacts, contact joints, step.
+// Whole frames: pairs, contacts, contact joints, step. A worker that is scheduled late allocates for both parts of a frame, a dozen times; what allocated in
+// each frame would do so forty times.
 TEST_P(SteadyState, FramesOfAHeapAllocateNothing) {
     for (const auto create : {dSimpleSpaceCreate, dHashSpaceCreate, createQuadTree, createSweepSpace}) {
         HeapWorld world(create(nullptr));
@@ -169,10 +170,11 @@ TEST_P(SteadyState, FramesOfAHeapAllocateNothing) {
             world.step();
         };
         warmUp(frame);
+        constexpr unsigned kFrames = 40;
         const unsigned allocations = allocationsOf([&] {
-            for (int i = 0; i < 40; ++i) frame();
+            for (unsigned i = 0; i < kFrames; ++i) frame();
         });
-        EXPECT_LE(allocations, 2 * allowed());
+        EXPECT_LE(allocations, allowed() == 0 ? 0 : kFrames / 2);
     }
 }
 
