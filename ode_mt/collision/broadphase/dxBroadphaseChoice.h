@@ -78,6 +78,9 @@ struct dxBroadphaseThresholds {
     static constexpr int kMinIndexed = 64;
     // Nor may it where one geom meets more than one of so many: to put those in order takes longer than the comparisons that it saves.
     static constexpr std::size_t kMinUnmetPerMet = 8;
+    // The same where all boxes are compared by vectors.
+    static constexpr int kMinIndexedByVectors = 320;
+    static constexpr std::size_t kMinUnmetPerMetByVectors = 48;
     // A space that is asked for what single geoms meet, and not collided itself, is walked if so many of four geoms move.
     static constexpr int kMovedOfFourQueried = 2;
     // Geoms against a walked space, between two moves, after which a tree pays for the ranks that it needs.

@@ -1,12 +1,14 @@
 #include "collision/broadphase/dxOrderedBoxes.h"
 
+#include "core/dxNoIndex.h"
+
 namespace {
 
 // Up to so many are compared one by one as fast as by vectors.
 constexpr std::size_t kFewMembers = 16;
 
-// Queries of members that stay where they are, after which it pays to put their boxes into columns.
-constexpr unsigned kQueriesPerFill = 2;
+// Putting so many boxes into columns costs what one query saves.
+constexpr std::size_t kBoxesPerQuery = 8;
 
 }  // namespace
 
@@ -45,11 +47,16 @@ void dxOrderedBoxes::compareOneByOne(const dxMembers &members, const dxBounds &b
 
 // Counts this query.
 bool dxOrderedBoxes::isColumnsDue(const dxMembers &members) {
-    const std::uint64_t now = members.boxes();
-    const bool isFirst = m_queriedAt.exchange(now, std::memory_order_relaxed) != now;
-    const unsigned queries = isFirst ? 1 : m_queries.load(std::memory_order_relaxed) + 1;
+    if (haveFewMoved(members)) return true;
+    const std::size_t queries = m_queries.load(std::memory_order_relaxed) + 1;
     m_queries.store(queries, std::memory_order_relaxed);
-    return queries > kQueriesPerFill;
+    return queries > 1 + members.end() / kBoxesPerQuery;
+}
+
+// Since the columns were filled, and none of them to another place in the order.
+bool dxOrderedBoxes::haveFewMoved(const dxMembers &members) const {
+    return m_columnsOrderings.load(std::memory_order_relaxed) == members.orderings() &&
+           members.placings() - m_columnsPlacings.load(std::memory_order_relaxed) <= dxMembers::kPlacingsKnown;
 }
 
 bool dxOrderedBoxes::makeReady(const dxMembers &members, bool withColumns) {
@@ -57,9 +64,28 @@ bool dxOrderedBoxes::makeReady(const dxMembers &members, bool withColumns) {
     const std::unique_lock<std::mutex> alone(m_updating, std::try_to_lock);
     if (!alone) return false;
     update(members);
-    if (!withColumns || hasColumns(members)) return true;
-    m_boxes.clear();
-    for (const dxSortItem &item : *m_items) m_boxes.push(members[item.index].bounds);
-    m_columnsOf.store(members.boxes(), std::memory_order_release);
+    if (withColumns && !hasColumns(members)) fillColumns(members);
     return true;
+}
+
+// A member that is absent has no row.
+void dxOrderedBoxes::fillColumns(const dxMembers &members) {
+    if (haveFewMoved(members)) {
+        for (std::uint64_t placing = m_columnsPlacings.load(std::memory_order_relaxed); placing != members.placings(); ++placing) {
+            const Slot slot = members.placed(placing);
+            if (m_rowOf[slot] != kNoIndex) m_boxes.set(m_rowOf[slot], members[slot].bounds);
+        }
+    } else {
+        m_columnsOrderings.store(kNever, std::memory_order_relaxed);  // if memory runs out half way
+        m_boxes.clear();
+        m_rowOf.assign(members.end(), kNoIndex);
+        for (const dxSortItem &item : *m_items) {
+            m_rowOf[item.index] = static_cast<std::uint32_t>(m_boxes.size());
+            m_boxes.push(members[item.index].bounds);
+        }
+        m_columnsOrderings.store(members.orderings(), std::memory_order_relaxed);
+    }
+    m_queries.store(0, std::memory_order_relaxed);
+    m_columnsPlacings.store(members.placings(), std::memory_order_relaxed);
+    m_columnsOf.store(members.boxes(), std::memory_order_release);
 }

@@ -1,7 +1,7 @@
 // The present members of a space in the order of their ranks, and what of them a box overlaps, in that order.
 //
-// Members that stay where they are for a few queries have their boxes put into columns, which are compared by vectors: up to some hundred boxes
-// no tree answers faster.
+// After some queries the boxes are put into columns, which are compared by vectors: up to some hundred boxes no tree answers faster. A few members
+// that move and keep their places in the order are brought up to date there.
 //
 // Threading: update() and changes of the members one thread at a time. Several threads may query while no member changes; one of them brings
 // up to date what is not, and the others ask elsewhere meanwhile. No thread waits, and none reads what is rewritten: nothing is while the
@@ -34,7 +34,7 @@ public:
     const std::vector<dxSortItem> &update(const dxMembers &members);
 
     // Finds the members whose boxes overlap a box, the one furthest to the front first. Returns false if another thread is bringing the order up to
-    // date; or, if there is a faster way for a few queries, until there have been more. Throws std::bad_alloc; then the call may be repeated.
+    // date; or, if there is a faster way without columns, until there have been queries enough to pay for these. Throws std::bad_alloc; then the call may be repeated.
     bool find(const dxMembers &members, const dxBounds &box, bool isFewElsewhere, Found &found);
     // Returns whether find() compares by vectors now.
     bool hasColumns(const dxMembers &members) const { return m_columnsOf.load(std::memory_order_acquire) == members.boxes(); }
@@ -44,6 +44,8 @@ private:
 
     bool isCurrent(const dxMembers &members) const { return m_orderings.load(std::memory_order_acquire) == members.orderings(); }
     bool isColumnsDue(const dxMembers &members);
+    bool haveFewMoved(const dxMembers &members) const;
+    void fillColumns(const dxMembers &members);
     bool makeReady(const dxMembers &members, bool withColumns);
     void compareOneByOne(const dxMembers &members, const dxBounds &box, Found &found) const;
 
@@ -51,9 +53,10 @@ private:
     const std::vector<dxSortItem> *m_items = nullptr;
     dxBoxColumns m_boxes;  // of the items
     dxOverlappingRowsKernel m_overlappingRows = dxKernelOfOverlappingRows();
+    std::vector<std::uint32_t> m_rowOf;  // by slot
     std::atomic<std::uint64_t> m_orderings{kNever};  // dxMembers::orderings() at the last update
     std::atomic<std::uint64_t> m_columnsOf{kNever};  // dxMembers::boxes() of the columns
-    std::atomic<std::uint64_t> m_queriedAt{kNever};  // dxMembers::boxes() at the last query without columns
-    std::atomic<unsigned> m_queries{0};              // so many at that
+    std::atomic<std::uint64_t> m_columnsOrderings{kNever}, m_columnsPlacings{0};  // dxMembers::orderings() and placings() of them
+    std::atomic<std::size_t> m_queries{0};           // without columns since these were filled
     std::mutex m_updating;                           // only ever tried
 };

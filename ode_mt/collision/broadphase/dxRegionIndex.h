@@ -41,9 +41,13 @@ public:
     void noteFound(std::size_t found, std::size_t all) {
         const bool isSelective = dxBroadphaseThresholds::kMinUnmetPerMet * found <= all;
         if (isSelective != m_isSelective.load(std::memory_order_relaxed)) m_isSelective.store(isSelective, std::memory_order_relaxed);
+        const bool isHighly = dxBroadphaseThresholds::kMinUnmetPerMetByVectors * found <= all;
+        if (isHighly != m_isHighlySelective.load(std::memory_order_relaxed)) m_isHighlySelective.store(isHighly, std::memory_order_relaxed);
     }
     // Returns whether the last question was answered by so few members that comparing all would take longer.
     bool isSelective() const { return m_isSelective.load(std::memory_order_relaxed); }
+    // Returns the same of a comparison by vectors.
+    bool isHighlySelective() const { return m_isHighlySelective.load(std::memory_order_relaxed); }
 
 private:
     struct Home {
@@ -68,7 +72,7 @@ private:
     dxBoxColumns m_looseBoxes;  // of m_loose
     std::vector<Slot> m_slotOfRow;
     dxBoxBvh m_tree;
-    std::atomic<bool> m_isSelective{true};
+    std::atomic<bool> m_isSelective{true}, m_isHighlySelective{true};
     std::atomic<std::size_t> m_debt{0};  // comparisons outside the tree since it was built
     std::vector<dxSortItem> m_items, m_spare;
 };

@@ -12,6 +12,7 @@
 // cost nothing. It keeps its rank and its bounds for when it is enabled again.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -72,7 +73,11 @@ public:
     std::uint64_t arrivalOf(Slot slot) const { return m_arrivals[slot]; }
     // Returns a counter of changes of the order: present members that are added, removed or get another rank.
     std::uint64_t orderings() const { return m_orderings; }
-    // The same, and of changes of the members' boxes.
+    // Returns a counter of changes of members' boxes, and for the last of these the member.
+    std::uint64_t placings() const { return m_placings; }
+    static constexpr std::uint64_t kPlacingsKnown = 16;
+    Slot placed(std::uint64_t placing) const { return m_placed[placing % kPlacingsKnown]; }
+    // Returns a counter of both kinds of changes.
     std::uint64_t boxes() const { return m_orderings + m_placings; }
 
     // Marks a member as changed. An absent one has no pairs, and is not marked.
@@ -90,7 +95,7 @@ public:
         Member &member = m_members[slot];
         member.bounds = bounds;
         member.filter = filter;
-        ++m_placings;
+        m_placed[m_placings++ % kPlacingsKnown] = slot;
     }
     // Sets rank, bounds and filter of a member. Returns false, and sets nothing, if more than those changes: if it is absent, has had no
     // rank, or its geom is disabled. Several threads may do so for different members; moved() has to follow, on one thread.
@@ -133,4 +138,5 @@ private:
     Flags m_isChanged, m_isSwitched;  // by slot
     dxRank m_highest = 0;
     std::uint64_t m_orderings = 0, m_placings = 0;
+    std::array<Slot, kPlacingsKnown> m_placed{};
 };

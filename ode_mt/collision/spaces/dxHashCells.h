@@ -12,12 +12,12 @@ struct dxHashLevels {
 
 class dxHashCells {
 public:
-    enum class Kind { inTable, big, outOfRange };
+    enum class Kind { none, inTable, big, outOfRange };
 
     dxHashCells() = default;
     dxHashCells(const dReal aabb[6], const dxHashLevels &levels);
 
-    // outOfRange: the box has cells whose numbers do not fit an int; upstream ends the program there.
+    // none: of no box. outOfRange: the box has cells whose numbers do not fit an int; upstream ends the program there.
     Kind kind() const { return m_kind; }
     int level() const { return m_level; }
 
@@ -78,7 +78,7 @@ private:
     // Upstream halves as often as there are levels between; after 31 times all bits are the sign.
     int shiftTo(int level) const { return std::min(level - m_level, 31); }
 
-    Kind m_kind = Kind::big;
+    Kind m_kind = Kind::none;
     int m_level = 0;
     int m_bounds[6] = {};  // as dxAABB::dbounds
 };

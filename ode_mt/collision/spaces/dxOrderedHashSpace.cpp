@@ -65,9 +65,6 @@ bool secondaryKeysOf(const Element &searcher, const Element &found, dxPairKey &k
     return true;
 }
 
-// Changes of enabled flags in one call that are noted, beside one for each geom.
-constexpr std::size_t kMaxSwitched = 4096;
-
 // What one worker takes at once: some ten microseconds.
 constexpr std::size_t kCellsPerChunk = 512, kCellPrefetchDistance = 8;
 
@@ -90,7 +87,6 @@ void dxOrderedHashSpace::collide(void *data, dNearCallback *callback) {
 }
 
 bool dxOrderedHashSpace::findPairs() {
-    if (lock_count == 1) m_switched.clear();
     if (m_levelsChanged && lock_count > 1) return false;  // a call around this one goes through pairs()
     if (m_levelsChanged) startAnew();
     m_levelsChanged = false;
@@ -120,12 +116,11 @@ dxPairRows &dxOrderedHashSpace::gatherRows() {
 // As deliver().
 void dxOrderedHashSpace::deliverAnew(void *data, dNearCallback *callback) {
     beforeCallbacks([this] { gatherRows(); });
-    const std::size_t switched = m_switched.size();
     const std::uint64_t missed = dxMissedNotifications.count();
     forPairsOf(m_rows, [](const dxGeom *) { return true; }, [&](const dxOrderedPair &pair) {
         dxDeliver(pair, data, callback);
         if (dxMissedNotifications.count() == missed) return true;
-        walkFrom(switched, data, callback, &pair);
+        walk(data, callback, &pair);
         return false;
     });
 }
@@ -181,7 +176,6 @@ void dxOrderedHashSpace::requireInRange() const {
 // Upstream tests which geoms are enabled before the first callback, and not again.
 void dxOrderedHashSpace::deliver(void *data, dNearCallback *callback) {
     const std::vector<dxOrderedPair> &pairs = this->pairs();  // of those
-    const std::size_t switched = m_switched.size();
     dxNarrowphasePrefetch *const ahead = this->ahead();
     const std::uint64_t missed = dxMissedNotifications.count();
     for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -190,45 +184,21 @@ void dxOrderedHashSpace::deliver(void *data, dNearCallback *callback) {
         dxDeliver(pairs[i], data, callback);
         if (dxMissedNotifications.count() != missed) {
             const dxOrderedPair last = pairs[i];
-            walkFrom(switched, data, callback, &last);
+            walk(data, callback, &last);
             return;
         }
     }
 }
 
-// A space that was left locked by a jump has no outermost call any more: it notes no more than it has geoms
-// at once.
-void dxOrderedHashSpace::enabledChanges(dxGeom *geom) {
-    dxOrderedSpace::enabledChanges(geom);
-    if (lock_count == 0) return;
-    if (m_switched.size() >= static_cast<std::size_t>(count) + kMaxSwitched) m_switched.clear();
-    try {
-        m_switched.push_back({geom, dxGeomIsEnabled(geom)});
-    } catch (const std::bad_alloc &) {  // only a call that continues after an assertion allocates
-    }
-}
-
-bool dxOrderedHashSpace::wasEnabled(const dxGeom *geom, std::size_t switched) const {
-    for (; switched < m_switched.size(); ++switched)
-        if (m_switched[switched].geom == geom) return m_switched[switched].wasEnabled;
-    return dxGeomIsEnabled(geom);
-}
-
 // All pairs that share a cell, whether or not their boxes overlap, for the assertions in collideAABBs.
-// Upstream puts the boxes of geoms that are enabled into cells before the first callback.
+// Upstream puts the boxes of geoms that are enabled into cells before the first callback; behind a pair they are those of the call that met it.
 void dxOrderedHashSpace::walk(void *data, dNearCallback *callback, const dxOrderedPair *after) {
-    walkFrom(m_switched.size(), data, callback, after);
-}
-
-// `switched`: how many geoms had been switched when the call began.
-void dxOrderedHashSpace::walkFrom(std::size_t switched, void *data, dNearCallback *callback,
-                                  const dxOrderedPair *after) {
     dxHashWalk walk;
     beforeCallbacks([&] {
         for (dxGeom *geom = first; geom != nullptr; geom = geom->next) {
-            if (!wasEnabled(geom, switched)) continue;
-            const dxHashCells cells =
-                after != nullptr ? m_cells[slotOf(geom)] : dxHashCells(geom->aabb, m_levels);
+            if (after == nullptr && !dxGeomIsEnabled(geom)) continue;
+            const dxHashCells cells = after != nullptr ? m_cells[slotOf(geom)] : dxHashCells(geom->aabb, m_levels);
+            if (cells.kind() == Kind::none) continue;
             if (cells.kind() == Kind::outOfRange) reportOutOfRange();
             walk.add(geom, cells);
         }

@@ -17,15 +17,8 @@ public:
 
     void collide(void *data, dNearCallback *callback) override;
     bool findPairs() override;
-    void enabledChanges(dxGeom *geom) override;
 
 private:
-    // Whether a geom was enabled before a callback changed that.
-    struct Switched {
-        const dxGeom *geom;
-        bool wasEnabled;
-    };
-
     dxPairRows &gatherRows() override;
     void deliverAnew(void *data, dNearCallback *callback) override;
     void update(std::vector<dxOrderedPair> &pairs, dxPairWork &work) override;
@@ -35,16 +28,13 @@ private:
     void deliver(void *data, dNearCallback *callback) override;
     void walk(void *data, dNearCallback *callback, const dxOrderedPair *after) override;
 
-    void walkFrom(std::size_t switched, void *data, dNearCallback *callback, const dxOrderedPair *after);
-    bool wasEnabled(const dxGeom *geom, std::size_t switched) const;
     void updateCells();
     int updateCellsOf(Slot slot);
     void requireInRange() const;
 
     dxHashLevels m_levels{-3, 10};              // upstream's defaults
     bool m_levelsChanged = false;               // since pairs() was brought up to date
-    std::vector<dxHashCells> m_cells;           // by slot
+    std::vector<dxHashCells> m_cells;           // by slot; none: the member was not enabled when the outermost call began
     int m_outOfRange = 0;                       // number of members of this kind
     dxHashRows m_rows;
-    std::vector<Switched> m_switched;           // in callbacks of the outermost call, in order
 };

@@ -273,7 +273,8 @@ void dxOrderedQuadTreeSpace::collideWith(void *data, dxGeom *geom, dNearCallback
 template <class Meet>
 void dxOrderedQuadTreeSpace::withOverlapping(const dxBounds &box, const Meet &meet) {
     dxOrderedBoxes::Found found;
-    const bool isInOrder = members().switched().empty() && beforeCallbacks([&] { return m_order.find(members(), box, isWorthAnIndex(), found); });
+    const bool isInOrder = members().switched().empty() && !isWorthAnIndexByVectors() &&
+                           beforeCallbacks([&] { return m_order.find(members(), box, isWorthAnIndex(), found); });
     if (isInOrder) {
         noteMet(found.count);
         return meet(found.slots, found.slots + found.count);

@@ -67,6 +67,7 @@ private:
     bool hasUncleanBox() const;
     void takeParts();
     void sortSwept();
+    void deliverBehind(const dxOrderedPair &after, void *data, dNearCallback *callback) const;
     void pairInfinite(std::vector<dxOrderedPair> &pairs) const;
     void pairIfMayMeet(Slot a, Slot b, std::vector<dxOrderedPair> &pairs) const;
     void collideFrom(std::size_t place, void *data, dxGeom *geom, dNearCallback *callback);

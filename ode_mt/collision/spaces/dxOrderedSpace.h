@@ -306,6 +306,7 @@ protected:
     // Returns whether the geom's box is still `box`. A geom that is not in the space may move in a callback.
     static bool isStill(const dxGeom *geom, const dxBounds &box);
     bool isWorthAnIndex() const { return count >= dxBroadphaseThresholds::kMinIndexed && m_index.isSelective(); }
+    bool isWorthAnIndexByVectors() const { return count >= dxBroadphaseThresholds::kMinIndexedByVectors && m_index.isHighlySelective(); }
     // Requires a call after each query, with the number of members that the geom has met.
     void noteMet(std::size_t members) {
         if (count >= dxBroadphaseThresholds::kMinIndexed) m_index.noteFound(members, static_cast<std::size_t>(count));

@@ -7,18 +7,6 @@
 #include "collision/spaces/dxUpstreamAssertion.h"
 #include "seams/assertions.h"
 
-namespace {
-
-// Returns whether the filters let the pair pass.
-bool deliverPair(dxGeom *g1, dxGeom *g2, void *data, dNearCallback *callback) {
-    dxSapWalk::requireCleanBoxes(g1, g2);
-    if (!dxFiltersAgree(dxFilterOf(g1), dxFilterOf(g2))) return false;
-    dxDeliver({g1, g2, {}}, data, callback);
-    return true;
-}
-
-}  // namespace
-
 void dxSapWalk::requireUnlocked(const dxSpace &space) {
     if (space.lock_count != 0)
         dDebug(d_ERR_UASSERT, "Invalid operation for locked space in %s()", "~dxSAPSpace");
@@ -94,6 +82,13 @@ void dxSapWalk::sweepAsUpstream(const std::vector<std::uint32_t> &order) {
         m_comparisons += static_cast<std::size_t>(later - next);
     }
     m_found = m_pairs.size();
+}
+
+bool dxSapWalk::deliverPair(dxGeom *g1, dxGeom *g2, void *data, dNearCallback *callback) {
+    requireCleanBoxes(g1, g2);
+    if (!dxFiltersAgree(dxFilterOf(g1), dxFilterOf(g2))) return false;
+    dxDeliver({g1, g2, {}}, data, callback);
+    return true;
 }
 
 void dxSapWalk::deliver(void *data, dNearCallback *callback) {
