@@ -173,6 +173,7 @@ dxBounds dxOrderedSapSpace::boundsOf(const dxGeom *geom, const dxSapBox &box) co
 // while the call around it has not done with pairs().
 bool dxOrderedSapSpace::makeReady() {
     m_walking.noteCollided();
+    if (lock_count == 1) m_temporary.restart();
     if (lock_count == 1) chooseToWalk();
     cleanGeoms();
     if (lock_count == 1) m_walking.takeMoved();  // has been chosen by
@@ -283,11 +284,12 @@ dxPairRows &dxOrderedSapSpace::gatherRows() {
 void dxOrderedSapSpace::deliverAnew(void *data, dNearCallback *callback) {
     beforeCallbacks([this] { gatherRows(); });
     const std::uint64_t missed = dxMissedNotifications.count();
+    const unsigned fills = m_temporary.fills();
     forPairsOf(m_rows, [](const dxGeom *) { return true; }, [&](const dxOrderedPair &pair) {
         dxSapWalk::requireCleanBoxes(pair.first, pair.second);
         dxDeliver(pair, data, callback);
-        if (dxMissedNotifications.count() == missed) return true;
-        deliverBehind(pair, data, callback);
+        if (dxMissedNotifications.count() == missed && m_temporary.fills() == fills) return true;
+        deliverBehind(pair, fills, data, callback);
         return false;
     });
     m_comparisons = m_rows.comparisons();
@@ -340,54 +342,64 @@ void dxOrderedSapSpace::pairIfMayMeet(Slot a, Slot b, std::vector<dxOrderedPair>
 void dxOrderedSapSpace::deliver(void *data, dNearCallback *callback) {
     dxNarrowphasePrefetch *const ahead = this->ahead();
     const std::uint64_t missed = dxMissedNotifications.count();
+    const unsigned fills = m_temporary.fills();
     for (std::size_t i = 0; i < pairs().size(); ++i) {
         if (ahead != nullptr) ahead->beforePair(pairs(), i);
         dxPairPrefetch::forCallback(pairs(), i);
         dxSapWalk::requireCleanBoxes(pairs()[i].first, pairs()[i].second);
         dxDeliver(pairs()[i], data, callback);
-        if (dxMissedNotifications.count() == missed) continue;
+        if (dxMissedNotifications.count() == missed && m_temporary.fills() == fills) continue;
         const dxOrderedPair last = pairs()[i];
-        return deliverBehind(last, data, callback);
+        return deliverBehind(last, fills, data, callback);
     }
 }
 
 // Upstream's pairs from the one behind this on, with those that bits or bodies exclude: an assertion in a callback may have left a geom whose box is
-// not up to date, for which the next one fails.
-void dxOrderedSapSpace::deliverBehind(const dxOrderedPair &after, void *data, dNearCallback *callback) const {
-    bool isToCome = false;
-    const auto meet = [&](Slot a, Slot b) {
-        dxGeom *const first = members().geomIn(a), *const second = members().geomIn(b);
-        if (isToCome) dxSapWalk::deliverPair(first, second, data, callback);
-        isToCome = isToCome || (first == after.first && second == after.second);
-    };
-    for (std::size_t place = 0; place < m_inOrder.size(); ++place) {
-        const dxSapBox &box = m_states[m_inOrder[place]].box;
-        for (std::size_t later = place + 1; later < m_inOrder.size(); ++later) {
-            const dxSapBox &other = m_states[m_inOrder[later]].box;
-            if (!(other.low <= box.high)) break;
-            if (box.meetsAcross(other)) meet(m_inOrder[place], m_inOrder[later]);
-        }
+// not up to date, for which the next one fails; or a call within this one has filled the lists anew.
+void dxOrderedSapSpace::deliverBehind(const dxOrderedPair &after, unsigned fills, void *data, dNearCallback *callback) {
+    dxSapWalk rest(m_axes);
+    rest.begin(m_swept.size());
+    std::vector<std::uint32_t> places(m_states.size()), order;
+    for (std::size_t i = 0; i < m_swept.size(); ++i) {
+        const Slot slot = m_swept[i];
+        places[slot] = static_cast<std::uint32_t>(i);
+        rest.add(members().geomIn(slot), m_states[slot].box);
     }
-    for (std::size_t i = 0; i < m_infinite.size(); ++i) {
-        for (std::size_t j = i + 1; j < m_infinite.size(); ++j) meet(m_infinite[i], m_infinite[j]);
-        for (const Slot slot : m_swept) meet(m_infinite[i], slot);
-    }
+    for (const Slot slot : m_infinite) rest.addInfinite(members().geomIn(slot));
+    for (const Slot slot : m_inOrder) order.push_back(places[slot]);
+    rest.findPairs(order);
+    rest.deliver(data, callback, m_temporary, fills, &after);
 }
 
 // Upstream goes through a list of pairs, as deliver() does.
 void dxOrderedSapSpace::walk(void *data, dNearCallback *callback, const dxOrderedPair * /*after*/) {
     m_hasWalked = true;
     const bool isOutermost = m_walking && lock_count == 1;
-    if (isOutermost && m_isSweepCurrent && isSureOfMembers()) return m_sweep.deliver(data, callback);
+    if (isOutermost && m_isSweepCurrent && isSureOfMembers()) return m_sweep.deliver(data, callback, m_temporary, m_temporary.fills());
     dxSapWalk once(m_axes);
     dxSapWalk &sweep = isOutermost ? m_sweep : once;
     findPairsOf(sweep);
     m_comparisons = sweep.comparisons();
     if (isOutermost) m_isSweepCurrent = sweep.isRepeatable() && m_axes.areAll();  // or else a geom's bits may be bounds
-    sweep.deliver(data, callback);
+    if (lock_count > 1) fillTemporary(once);
+    sweep.deliver(data, callback, m_temporary, m_temporary.fills());
     if (!isOutermost || sweep.pairs() <= kMaxPairsPerGeomKept * static_cast<std::size_t>(count)) return;
     m_isSweepCurrent = false;
     m_sweep = dxSapWalk(m_axes);
+}
+
+// Of a call within another one.
+void dxOrderedSapSpace::fillTemporary(const dxSapWalk &walk) {
+    beforeCallbacks([&] {
+        if (m_temporary.isFirst() && m_walking) m_temporary.fill(m_sweep.swept(), m_sweep.infinite());
+        if (m_temporary.isFirst()) {
+            std::vector<dxGeom *> swept, infinite;
+            for (const Slot slot : m_swept) swept.push_back(members().geomIn(slot));
+            for (const Slot slot : m_infinite) infinite.push_back(members().geomIn(slot));
+            m_temporary.fill(swept, infinite);
+        }
+        m_temporary.fill(walk.swept(), walk.infinite());
+    });
 }
 
 void dxOrderedSapSpace::findPairsOf(dxSapWalk &sweep) {

@@ -67,7 +67,8 @@ private:
     bool hasUncleanBox() const;
     void takeParts();
     void sortSwept();
-    void deliverBehind(const dxOrderedPair &after, void *data, dNearCallback *callback) const;
+    void deliverBehind(const dxOrderedPair &after, unsigned fills, void *data, dNearCallback *callback);
+    void fillTemporary(const dxSapWalk &walk);
     void pairInfinite(std::vector<dxOrderedPair> &pairs) const;
     void pairIfMayMeet(Slot a, Slot b, std::vector<dxOrderedPair> &pairs) const;
     void collideFrom(std::size_t place, void *data, dxGeom *geom, dNearCallback *callback);
@@ -88,6 +89,7 @@ private:
     dxSapWalk m_sweep;         // of the outermost call
     bool m_isSweepCurrent = false;  // no member has come, gone, moved, or been enabled or disabled since
     bool m_hasWalked = false;  // since pairs() was brought up to date
+    dxSapTemporaryLists m_temporary;
     dxSapRows m_rows;
     std::vector<std::uint32_t> m_places;  // by place in m_swept: that in m_inOrder
     std::vector<dxSlotPair> m_again;

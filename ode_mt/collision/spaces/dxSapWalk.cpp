@@ -44,6 +44,11 @@ void dxSapWalk::add(dxGeom *geom) {
     m_hasNaN = m_hasNaN || std::isnan(box.low);
 }
 
+void dxSapWalk::add(dxGeom *geom, const dxSapBox &box) {
+    m_swept.push_back(geom);
+    m_boxes.push_back(box);
+}
+
 void dxSapWalk::findPairs(dxSapSort &sort) {
     if (m_swept.empty()) return;
     const std::vector<std::uint32_t> &order = sort.sort(m_keys);
@@ -91,13 +96,34 @@ bool dxSapWalk::deliverPair(dxGeom *g1, dxGeom *g2, void *data, dNearCallback *c
     return true;
 }
 
-void dxSapWalk::deliver(void *data, dNearCallback *callback) {
+// The numbers of a pair mean the geoms of the lists as they are by then. How many there are for the infinite ones is as of their beginning.
+void dxSapWalk::deliver(void *data, dNearCallback *callback, const dxSapTemporaryLists &lists, unsigned fills, const dxOrderedPair *after) {
+    const auto sweptAt = [&](std::size_t i) { return lists.fills() == fills ? m_swept[i] : lists.swept()[i]; };
+    const auto infiniteAt = [&](std::size_t i) { return lists.fills() == fills ? m_infinite[i] : lists.infinite()[i]; };
+    const auto isDone = [&](const dxGeom *first, const dxGeom *second) {
+        if (after == nullptr) return false;
+        if (first == after->first && second == after->second) after = nullptr;
+        return true;
+    };
     std::size_t wanted = 0;
-    for (std::size_t i = 0; i < m_found; ++i) wanted += deliverPair(m_swept[m_pairs[i].earlier], m_swept[m_pairs[i].later], data, callback);
+    for (std::size_t i = 0; i < m_found; ++i) {
+        const Pair &pair = m_pairs[i];
+        if (isDone(m_swept[pair.earlier], m_swept[pair.later])) continue;
+        wanted += deliverPair(sweptAt(pair.earlier), sweptAt(pair.later), data, callback);
+    }
     m_wanted = wanted;
-    for (std::size_t i = 0; i < m_infinite.size(); ++i) {
-        for (std::size_t j = i + 1; j < m_infinite.size(); ++j)
-            deliverPair(m_infinite[i], m_infinite[j], data, callback);
-        for (dxGeom *const other : m_swept) deliverPair(m_infinite[i], other, data, callback);
+    const bool areFilledAnew = lists.fills() != fills && after == nullptr;
+    const std::size_t swept = areFilledAnew ? lists.sweptSize() : m_swept.size();
+    const std::size_t infinite = areFilledAnew ? lists.infiniteSize() : m_infinite.size();
+    for (std::size_t i = 0; i < infinite; ++i) {
+        dxGeom *const first = after != nullptr ? m_infinite[i] : infiniteAt(i);  // which upstream reads before those that it meets
+        for (std::size_t j = i + 1; j < infinite; ++j) {
+            if (after != nullptr && isDone(m_infinite[i], m_infinite[j])) continue;
+            deliverPair(first, infiniteAt(j), data, callback);
+        }
+        for (std::size_t j = 0; j < swept; ++j) {
+            if (after != nullptr && isDone(m_infinite[i], m_swept[j])) continue;
+            deliverPair(first, sweptAt(j), data, callback);
+        }
     }
 }

@@ -272,7 +272,7 @@ private:
         (dGeomIsEnabled(ball) ? dGeomDisable : dGeomEnable)(ball);
         if (turn % 9 != 4) return;
         dGeomTriMeshSetData(scene.m_mesh, turn % 2 == 0 ? scene.m_large->data() : scene.m_small->data());
-        if (scene.m_isInner || turn % 3 != 0) return;
+        if (scene.m_isInner || turn % 2 != 0) return;
         scene.m_isInner = true;
         dSpaceCollide(scene.m_outer, data, &change);
         scene.m_isInner = false;
@@ -282,6 +282,63 @@ private:
     dGeomID m_mesh;
     int m_seen = 0;
     bool m_isInner = false;
+};
+
+// In each frame a row of balls in a space of its own, each of which overlaps the next one, is collided some times, and then something happens in a
+// callback. Bits exclude most pairs, or none.
+class Rows : public Strays {
+public:
+    enum class Event { grow, loseSize, collideWithin };
+
+    Rows(Stepper stepper, SpaceKind kind, Event event) : Strays(stepper, kind, false), m_event(event) {}
+
+protected:
+    void control() override {
+        const int wanted = frameNumber() % 2 == 0 ? kBalls : 2;
+        const dSpaceID row = createSpace(m_kind, nullptr);
+        m_row.clear();
+        for (int i = 0; i < kBalls; ++i) {
+            m_row.push_back(dCreateSphere(row, 0.5));
+            dGeomSetPosition(m_row[i], 0.9 * i, 0, 0);
+            if (i >= wanted) dGeomSetCategoryBits(m_row[i], 0), dGeomSetCollideBits(m_row[i], 0);
+        }
+        if (m_event == Event::collideWithin) dGeomDisable(m_row[frameNumber() % kBalls]);
+        for (int call = 0; call < kCallsAtRest; ++call) dSpaceCollide(row, this, &notice);
+        m_met = 0;
+        attempt([&] { dSpaceCollide(row, this, &disturb); });
+    }
+
+private:
+    static constexpr int kBalls = 8, kCallsAtRest = 6;
+
+    static void notice(void *data, dGeomID o1, dGeomID o2) { static_cast<Rows *>(data)->noteIt(o1, o2); }
+    static void disturb(void *data, dGeomID o1, dGeomID o2) {
+        Rows &scene = *static_cast<Rows *>(data);
+        scene.noteIt(o1, o2);
+        if (scene.m_met++ != scene.frameNumber() % 3 % (scene.frameNumber() % 2 == 0 ? 3 : 1)) return;
+        std::jmp_buf outer;
+        std::memcpy(&outer, &beforeTheCall, sizeof outer);
+        const dGeomID ball = scene.m_row[static_cast<std::size_t>(scene.frameNumber() * 3 % kBalls)];
+        switch (scene.m_event) {
+            case Event::grow: scene.attempt([&] { dGeomSphereSetRadius(ball, 0.6); }); break;
+            case Event::loseSize: scene.attempt([&] { dGeomSphereSetRadius(ball, 0); }); break;
+            default:
+                scene.attempt([&] {
+                    for (const dGeomID each : scene.m_row) dGeomEnable(each);
+                    if (scene.frameNumber() % 4 == 1) dGeomDisable(ball);
+                    dSpaceCollide(dGeomGetSpace(ball), data, &notice);
+                });
+        }
+        std::memcpy(&beforeTheCall, &outer, sizeof outer);
+    }
+
+    void noteIt(dGeomID o1, dGeomID o2) {
+        for (const dGeomID geom : {o1, o2}) note("ball", dGeomGetPosition(geom)[0]);
+    }
+
+    Event m_event;
+    std::vector<dGeomID> m_row;
+    int m_met = 0;
 };
 
 // A clean geom comes into a list in front of one that has changed, which is cleaned no more, and whose next moves the
@@ -375,9 +432,13 @@ void addStrayGeoms(Catalogue &catalogue) {
         catalogue.back().leavesRuins = true;
         add("onward_unasked", "the same with boxes that are not up to date", make<HalfRefusedOnward>(each.kind, false));
         catalogue.back().leavesRuins = true;
-        if (each.kind != SpaceKind::SweepAndPrune)  // whose lists a call from inside overwrites
-            add("switched", "geoms enabled and disabled, and another mesh that gets other data, in callbacks",
-                make<Switched>(each.kind));
+        add("switched", "geoms enabled and disabled, and another mesh that gets other data, in callbacks", make<Switched>(each.kind));
+        add("row_grown", "a callback resizes one of a row at rest", make<Rows>(each.kind, Rows::Event::grow));
+        catalogue.back().leavesRuins = true;
+        add("row_without_size", "a callback takes one of a row its size", make<Rows>(each.kind, Rows::Event::loseSize));
+        catalogue.back().leavesRuins = true;
+        add("row_within", "a callback enables some of a row and collides it", make<Rows>(each.kind, Rows::Event::collideWithin));
+        catalogue.back().leavesRuins = true;
         add("clean_in_front", "a clean geom is added to a list in front of one that has changed", make<CleanInFront>(each.kind, true));
         add("clean_in_front_unasked", "the same with boxes that are not up to date", make<CleanInFront>(each.kind, false));
         catalogue.back().leavesRuins = true;
