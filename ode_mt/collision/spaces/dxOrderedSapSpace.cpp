@@ -173,8 +173,11 @@ dxBounds dxOrderedSapSpace::boundsOf(const dxGeom *geom, const dxSapBox &box) co
 // while the call around it has not done with pairs().
 bool dxOrderedSapSpace::makeReady() {
     m_walking.noteCollided();
-    if (lock_count == 1) m_temporary.restart();
-    if (lock_count == 1) chooseToWalk();
+    if (lock_count == 1) {
+        m_temporary.restart();
+        m_isSweepDelivered = false;
+        chooseToWalk();
+    }
     cleanGeoms();
     if (lock_count == 1) m_walking.takeMoved();  // has been chosen by
     if (m_isMessedUp) dDebug(d_ERR_UASSERT, "geom counts messed up in %s()", "collide");
@@ -375,24 +378,25 @@ void dxOrderedSapSpace::deliverBehind(const dxOrderedPair &after, unsigned fills
 void dxOrderedSapSpace::walk(void *data, dNearCallback *callback, const dxOrderedPair * /*after*/) {
     m_hasWalked = true;
     const bool isOutermost = m_walking && lock_count == 1;
+    m_isSweepDelivered = m_isSweepDelivered || isOutermost;
     if (isOutermost && m_isSweepCurrent && isSureOfMembers()) return m_sweep.deliver(data, callback, m_temporary, m_temporary.fills());
     dxSapWalk once(m_axes);
     dxSapWalk &sweep = isOutermost ? m_sweep : once;
     findPairsOf(sweep);
     m_comparisons = sweep.comparisons();
     if (isOutermost) m_isSweepCurrent = sweep.isRepeatable() && m_axes.areAll();  // or else a geom's bits may be bounds
-    if (lock_count > 1) fillTemporary(once);
+    if (!isOutermost) fillTemporary(once);
     sweep.deliver(data, callback, m_temporary, m_temporary.fills());
     if (!isOutermost || sweep.pairs() <= kMaxPairsPerGeomKept * static_cast<std::size_t>(count)) return;
     m_isSweepCurrent = false;
     m_sweep = dxSapWalk(m_axes);
 }
 
-// Of a call within another one.
+// Of a call within another one, or of one whose walk is not kept.
 void dxOrderedSapSpace::fillTemporary(const dxSapWalk &walk) {
     beforeCallbacks([&] {
-        if (m_temporary.isFirst() && m_walking) m_temporary.fill(m_sweep.swept(), m_sweep.infinite());
-        if (m_temporary.isFirst()) {
+        if (m_temporary.isFirst() && lock_count > 1 && m_isSweepDelivered) m_temporary.fill(m_sweep.swept(), m_sweep.infinite());
+        if (m_temporary.isFirst() && lock_count > 1) {
             std::vector<dxGeom *> swept, infinite;
             for (const Slot slot : m_swept) swept.push_back(members().geomIn(slot));
             for (const Slot slot : m_infinite) infinite.push_back(members().geomIn(slot));

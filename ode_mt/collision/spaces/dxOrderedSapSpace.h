@@ -88,6 +88,7 @@ private:
     dxWalking m_walking;       // there are no boxes of members, either
     dxSapWalk m_sweep;         // of the outermost call
     bool m_isSweepCurrent = false;  // no member has come, gone, moved, or been enabled or disabled since
+    bool m_isSweepDelivered = false;  // by the outermost call
     bool m_hasWalked = false;  // since pairs() was brought up to date
     dxSapTemporaryLists m_temporary;
     dxSapRows m_rows;
