@@ -89,7 +89,7 @@ TEST_F(OrderedBoxes, FindWhatOverlapsAfterAnyChanges) {
             }
         }
     }
-    EXPECT_GT(withColumns, 100);
+    EXPECT_GT(withColumns, 50);
     EXPECT_GT(without, 100);
 }
 
