@@ -2,19 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <memory>
 #include <random>
 #include <vector>
 
+#include "RankedMembers.h"
 #include "collision/broadphase/dxOrderedBoxes.h"
 
 namespace {
 
-using Slot = dxMembers::Slot;
-
-dxGeom *const kGeom = reinterpret_cast<dxGeom *>(8);  // not read
-
-class OrderedBoxes : public testing::Test {
+class OrderedBoxes : public RankedMembers {
 protected:
     dxBounds randomBox() {
         std::uniform_real_distribution<double> place(-10, 10), size(0, 6);
@@ -26,20 +22,10 @@ protected:
         }
         return box;
     }
-    void add() {
-        const Slot slot = members.add(kGeom);
-        members.setRank(slot, nextRank());
+    void addBox() {
+        const Slot slot = add();
         members.setBounds(slot, randomBox());
-        taken.push_back(slot);
     }
-    void removeAny() {
-        const std::size_t i = random() % taken.size();
-        members.remove(taken[i]);
-        taken.erase(taken.begin() + static_cast<std::ptrdiff_t>(i));
-    }
-    // Ranks of a quad tree neither rise nor fall with time.
-    dxRank nextRank() { return (random() % 4 << 40) + ++ranks; }
-    Slot any() { return taken[random() % taken.size()]; }
 
     std::vector<Slot> expected(const dxBounds &box) const {
         std::vector<Slot> slots;
@@ -54,10 +40,6 @@ protected:
         ASSERT_EQ(std::vector<Slot>(found.slots, found.slots + found.count), expected(box));
     }
 
-    std::mt19937_64 random{1};
-    dxMembers members;
-    std::vector<Slot> taken;
-    dxRank ranks = 0;
     dxOrderedBoxes boxes;
     dxOrderedBoxes::Found found;
 };
@@ -68,12 +50,12 @@ TEST_F(OrderedBoxes, OfNoMembersFindNothing) { expectQuery(); }
 TEST_F(OrderedBoxes, FindWhatOverlapsAfterAnyChanges) {
     int withColumns = 0, without = 0;
     for (const std::size_t count : {1, 7, 40, 500}) {
-        while (taken.size() < count) add();
+        while (taken.size() < count) addBox();
         for (int call = 0; call < 100; ++call) {
             for (std::uint64_t change = random() % 4; change > 0; --change) {
                 switch (random() % 5) {
                 case 0:
-                    if (taken.size() < count) add();
+                    if (taken.size() < count) addBox();
                     break;
                 case 1:
                     if (taken.size() > 1) removeAny();
@@ -94,7 +76,7 @@ TEST_F(OrderedBoxes, FindWhatOverlapsAfterAnyChanges) {
 }
 
 TEST_F(OrderedBoxes, LeaveTheFirstQueriesToAFasterWay) {
-    for (int i = 0; i < 100; ++i) add();
+    for (int i = 0; i < 100; ++i) addBox();
     for (int round = 0; round < 3; ++round) {
         int refused = 0;
         while (!boxes.find(members, randomBox(), true, found)) ASSERT_LT(++refused, 20);
@@ -107,9 +89,9 @@ TEST_F(OrderedBoxes, LeaveTheFirstQueriesToAFasterWay) {
 }
 
 TEST_F(OrderedBoxes, OfTooManyMembersFindNothing) {
-    while (taken.size() < dxOrderedBoxes::kMostMembers) add();
+    while (taken.size() < dxOrderedBoxes::kMostMembers) addBox();
     expectQuery();
-    add();
+    addBox();
     EXPECT_FALSE(boxes.find(members, randomBox(), false, found));
 }
 

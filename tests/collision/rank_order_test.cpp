@@ -2,14 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 #include <vector>
 
+#include "RankedMembers.h"
 #include "collision/pairs/dxRankOrder.h"
 
 namespace {
-
-dxGeom *const kGeom = reinterpret_cast<dxGeom *>(8);  // not read
 
 std::vector<dxMembers::Slot> sorted(const dxMembers &members) {
     std::vector<dxMembers::Slot> slots;
@@ -25,26 +23,8 @@ std::vector<dxMembers::Slot> slotsOf(const std::vector<dxSortItem> &items) {
     return slots;
 }
 
-class RankOrder : public testing::Test {
+class RankOrder : public RankedMembers {
 protected:
-    void add() {
-        const dxMembers::Slot slot = members.add(kGeom);
-        members.setRank(slot, nextRank());
-        taken.push_back(slot);
-    }
-    void removeAny() {
-        const std::size_t i = random() % taken.size();
-        members.remove(taken[i]);
-        taken.erase(taken.begin() + static_cast<std::ptrdiff_t>(i));
-    }
-    // Ranks of a quad tree neither rise nor fall with time.
-    dxRank nextRank() { return (random() % 4 << 40) + ++ranks; }
-    dxMembers::Slot any() { return taken[random() % taken.size()]; }
-
-    std::mt19937_64 random{1};
-    dxMembers members;
-    std::vector<dxMembers::Slot> taken;
-    dxRank ranks = 0;
     dxRankOrder order;
 };
 

@@ -23,18 +23,19 @@ const std::vector<dxSortItem> &dxOrderedBoxes::update(const dxMembers &members) 
 bool dxOrderedBoxes::find(const dxMembers &members, const dxBounds &box, bool isFewElsewhere, Found &found) {
     if (members.end() > kMostMembers) return false;
     const bool areFew = members.end() <= kFewMembers;
-    if (areFew || !hasColumns(members)) {
-        const bool withColumns = !areFew && isColumnsDue(members);
-        if (isFewElsewhere && !withColumns) return false;
-        if (!makeReady(members, withColumns)) return false;
+    bool isByVectors = !areFew && hasColumns(members);
+    if (!isByVectors) {
+        isByVectors = !areFew && isColumnsDue(members);
+        if (isFewElsewhere && !isByVectors) return false;
+        if (!makeReady(members, isByVectors)) return false;
     }
-    if (areFew || !hasColumns(members)) {
-        compareOneByOne(members, box, found);
-    } else {
-        found.count = m_overlappingRows(m_boxes, box, 0, m_boxes.size(), found.slots);
-        for (std::size_t i = 0; i < found.count; ++i) found.slots[i] = (*m_items)[found.slots[i]].index;
-    }
+    isByVectors ? compareByVectors(box, found) : compareOneByOne(members, box, found);
     return true;
+}
+
+void dxOrderedBoxes::compareByVectors(const dxBounds &box, Found &found) const {
+    found.count = m_overlappingRows(m_boxes, box, 0, m_boxes.size(), found.slots);
+    for (std::size_t i = 0; i < found.count; ++i) found.slots[i] = (*m_items)[found.slots[i]].index;
 }
 
 // In turn, as the comparisons of few boxes mostly come out alike.
@@ -83,9 +84,8 @@ void dxOrderedBoxes::fillColumns(const dxMembers &members) {
             m_rowOf[item.index] = static_cast<std::uint32_t>(m_boxes.size());
             m_boxes.push(members[item.index].bounds);
         }
-        m_columnsOrderings.store(members.orderings(), std::memory_order_relaxed);
+        m_columnsOrderings.store(members.orderings(), std::memory_order_release);
     }
     m_queries.store(0, std::memory_order_relaxed);
-    m_columnsPlacings.store(members.placings(), std::memory_order_relaxed);
-    m_columnsOf.store(members.boxes(), std::memory_order_release);
+    m_columnsPlacings.store(members.placings(), std::memory_order_release);
 }

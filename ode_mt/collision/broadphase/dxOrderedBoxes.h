@@ -37,7 +37,10 @@ public:
     // date; or, if there is a faster way without columns, until there have been queries enough to pay for these. Throws std::bad_alloc; then the call may be repeated.
     bool find(const dxMembers &members, const dxBounds &box, bool isFewElsewhere, Found &found);
     // Returns whether find() compares by vectors now.
-    bool hasColumns(const dxMembers &members) const { return m_columnsOf.load(std::memory_order_acquire) == members.boxes(); }
+    bool hasColumns(const dxMembers &members) const {
+        return m_columnsPlacings.load(std::memory_order_acquire) == members.placings() &&
+               m_columnsOrderings.load(std::memory_order_acquire) == members.orderings();
+    }
 
 private:
     static constexpr std::uint64_t kNever = ~std::uint64_t{0};
@@ -48,6 +51,7 @@ private:
     void fillColumns(const dxMembers &members);
     bool makeReady(const dxMembers &members, bool withColumns);
     void compareOneByOne(const dxMembers &members, const dxBounds &box, Found &found) const;
+    void compareByVectors(const dxBounds &box, Found &found) const;
 
     dxRankOrder m_order;
     const std::vector<dxSortItem> *m_items = nullptr;
@@ -55,8 +59,7 @@ private:
     dxOverlappingRowsKernel m_overlappingRows = dxKernelOfOverlappingRows();
     std::vector<std::uint32_t> m_rowOf;  // by slot
     std::atomic<std::uint64_t> m_orderings{kNever};  // dxMembers::orderings() at the last update
-    std::atomic<std::uint64_t> m_columnsOf{kNever};  // dxMembers::boxes() of the columns
-    std::atomic<std::uint64_t> m_columnsOrderings{kNever}, m_columnsPlacings{0};  // dxMembers::orderings() and placings() of them
+    std::atomic<std::uint64_t> m_columnsOrderings{kNever}, m_columnsPlacings{0};  // the same of the columns, and dxMembers::placings()
     std::atomic<std::size_t> m_queries{0};           // without columns since these were filled
     std::mutex m_updating;                           // only ever tried
 };

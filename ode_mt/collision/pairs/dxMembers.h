@@ -77,8 +77,6 @@ public:
     std::uint64_t placings() const { return m_placings; }
     static constexpr std::uint64_t kPlacingsKnown = 16;
     Slot placed(std::uint64_t placing) const { return m_placed[placing % kPlacingsKnown]; }
-    // Returns a counter of both kinds of changes.
-    std::uint64_t boxes() const { return m_orderings + m_placings; }
 
     // Marks a member as changed. An absent one has no pairs, and is not marked.
     void markChanged(Slot slot) {

@@ -212,11 +212,7 @@ void dxOrderedListSpace::rankBehindClean(dxGeom *geom, dxRank next) {
 // As upstream, whatever is known of the members; unless another thread is cleaning them.
 void dxOrderedListSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback) {
     if (isWorthAnIndex() || !isClean()) return dxOrderedSpace::collide2(data, geom, callback);
-    dAASSERT(geom && callback);
-    lock();
-    geom->recomputeAABB();
-    noteMet(collideFrom(first, data, geom, callback));
-    unlock();
+    collideClean(geom, callback, [&] { noteMet(collideFrom(first, data, geom, callback)); });
 }
 
 void dxOrderedListSpace::collideWith(void *data, dxGeom *geom, dNearCallback *callback) {

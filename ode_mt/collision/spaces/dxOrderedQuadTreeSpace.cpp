@@ -19,11 +19,6 @@ struct Swapped {
     }
 };
 
-// For a pair whose boxes overlap.
-void deliverIfAgreed(dxGeom *first, dxGeom *second, void *data, dNearCallback *callback) {
-    if (dxFiltersAgree(dxFilterOf(first), dxFilterOf(second))) dxDeliver({first, second, {}}, data, callback);
-}
-
 using Threshold = dxBroadphaseThresholds;
 
 // If each geom is compared with no more than so many, a copy of their boxes does not pay.
@@ -294,7 +289,7 @@ void dxOrderedQuadTreeSpace::collideMember(void *data, dxGeom *geom, dNearCallba
     const auto meet = [&](Slot slot, bool isInner) {
         dxGeom *const member = members().geomIn(slot);
         if (!dxGeomIsEnabled(member)) return true;
-        isInner ? deliverIfAgreed(geom, member, &swapped, Swapped::call) : deliverIfAgreed(member, geom, data, callback);
+        isInner ? dxDeliverIfAgreed(geom, member, &swapped, Swapped::call) : dxDeliverIfAgreed(member, geom, data, callback);
         if (dxMissedNotifications.count() == missed && members().switched().size() == switched) return true;
         walkMember(data, geom, callback, member);
         return false;
@@ -349,7 +344,7 @@ void dxOrderedQuadTreeSpace::collideOther(void *data, dxGeom *geom, dNearCallbac
         for (const Slot *slot = first; slot != last; ++slot) {
             dxGeom *const member = members().geomIn(*slot);
             if (!dxGeomIsEnabled(member)) continue;
-            deliverIfAgreed(geom, member, &swapped, Swapped::call);
+            dxDeliverIfAgreed(geom, member, &swapped, Swapped::call);
             if (isStill(geom, box) && dxMissedNotifications.count() == missed && members().switched().size() == switched) continue;
             return walkOther(data, geom, callback, member);
         }

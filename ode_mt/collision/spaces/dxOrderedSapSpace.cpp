@@ -395,15 +395,16 @@ void dxOrderedSapSpace::walk(void *data, dNearCallback *callback, const dxOrdere
 // Of a call within another one, or of one whose walk is not kept.
 void dxOrderedSapSpace::fillTemporary(const dxSapWalk &walk) {
     beforeCallbacks([&] {
-        if (m_temporary.isFirst() && lock_count > 1 && m_isSweepDelivered) m_temporary.fill(m_sweep.swept(), m_sweep.infinite());
-        if (m_temporary.isFirst() && lock_count > 1) {
-            std::vector<dxGeom *> swept, infinite;
-            for (const Slot slot : m_swept) swept.push_back(members().geomIn(slot));
-            for (const Slot slot : m_infinite) infinite.push_back(members().geomIn(slot));
-            m_temporary.fill(swept, infinite);
-        }
+        if (lock_count > 1 && m_temporary.isFirst())
+            m_isSweepDelivered ? m_temporary.fill(m_sweep.swept(), m_sweep.infinite()) : m_temporary.fill(geomsIn(m_swept), geomsIn(m_infinite));
         m_temporary.fill(walk.swept(), walk.infinite());
     });
+}
+
+std::vector<dxGeom *> dxOrderedSapSpace::geomsIn(const std::vector<Slot> &slots) const {
+    std::vector<dxGeom *> geoms;
+    for (const Slot slot : slots) geoms.push_back(members().geomIn(slot));
+    return geoms;
 }
 
 void dxOrderedSapSpace::findPairsOf(dxSapWalk &sweep) {
@@ -421,11 +422,7 @@ void dxOrderedSapSpace::findPairsOf(dxSapWalk &sweep) {
 // As upstream, whatever is known of the members.
 void dxOrderedSapSpace::collide2(void *data, dxGeom *geom, dNearCallback *callback) {
     if (isWorthAnIndex() || !m_lists.dirty().empty()) return dxOrderedSpace::collide2(data, geom, callback);
-    dAASSERT(geom && callback);
-    lock();
-    geom->recomputeAABB();
-    collideFrom(0, data, geom, callback);
-    unlock();
+    collideClean(geom, callback, [&] { collideFrom(0, data, geom, callback); });
 }
 
 void dxOrderedSapSpace::collideWith(void *data, dxGeom *geom, dNearCallback *callback) {

@@ -69,6 +69,7 @@ private:
     void sortSwept();
     void deliverBehind(const dxOrderedPair &after, unsigned fills, void *data, dNearCallback *callback);
     void fillTemporary(const dxSapWalk &walk);
+    std::vector<dxGeom *> geomsIn(const std::vector<Slot> &slots) const;
     void pairInfinite(std::vector<dxOrderedPair> &pairs) const;
     void pairIfMayMeet(Slot a, Slot b, std::vector<dxOrderedPair> &pairs) const;
     void collideFrom(std::size_t place, void *data, dxGeom *geom, dNearCallback *callback);

@@ -311,6 +311,15 @@ protected:
     void noteMet(std::size_t members) {
         if (count >= dxBroadphaseThresholds::kMinIndexed) m_index.noteFound(members, static_cast<std::size_t>(count));
     }
+    // collide2() of a space that is clean and is asked by comparing all: collideAll() does that. For a few members the rest would take longer.
+    template <class CollideAll>
+    void collideClean(dxGeom *geom, dNearCallback *callback, const CollideAll &collideAll) {
+        dAASSERT(geom && callback);
+        lock();
+        geom->recomputeAABB();
+        collideAll();
+        unlock();
+    }
     // Equivalent of upstream's collide2 where it walks a list, which has the order of ranks. Returns NULL, or the
     // member in whose callback the geom moved: upstream continues behind it with the new box.
     dxGeom *collideRegion(void *data, dxGeom *geom, dNearCallback *callback);
@@ -383,6 +392,13 @@ inline bool dxRefusesBoxOf(dxGeom *geom, dxGeom *other) {
 inline void dxDeliver(const dxOrderedPair &pair, void *data, dNearCallback *callback) {
     if (dxRefusesBoxOf(pair.first, pair.second) || dxRefusesBoxOf(pair.second, pair.first)) return;
     callback(data, pair.first, pair.second);
+}
+
+// The same for a pair whose boxes overlap. Returns whether bits and bodies let it pass.
+inline bool dxDeliverIfAgreed(dxGeom *first, dxGeom *second, void *data, dNearCallback *callback) {
+    if (!dxFiltersAgree(dxFilterOf(first), dxFilterOf(second))) return false;
+    dxDeliver({first, second, {}}, data, callback);
+    return true;
 }
 
 // Upstream's collideAABBs, with its assertions. `overlap` compares the boxes.

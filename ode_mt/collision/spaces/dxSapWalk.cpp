@@ -91,9 +91,7 @@ void dxSapWalk::sweepAsUpstream(const std::vector<std::uint32_t> &order) {
 
 bool dxSapWalk::deliverPair(dxGeom *g1, dxGeom *g2, void *data, dNearCallback *callback) {
     requireCleanBoxes(g1, g2);
-    if (!dxFiltersAgree(dxFilterOf(g1), dxFilterOf(g2))) return false;
-    dxDeliver({g1, g2, {}}, data, callback);
-    return true;
+    return dxDeliverIfAgreed(g1, g2, data, callback);
 }
 
 // The numbers of a pair mean the geoms of the lists as they are by then. How many there are for the infinite ones is as of their beginning.

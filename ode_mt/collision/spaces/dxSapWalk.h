@@ -72,8 +72,6 @@ public:
     // Returns whether the filters excluded no more than half of the pairs that were last delivered.
     bool areMostWanted() const { return 2 * m_wanted >= m_found; }
 
-    // Delivers one pair as upstream does. Returns whether bits and bodies let it pass.
-    static bool deliverPair(dxGeom *first, dxGeom *second, void *data, dNearCallback *callback);
     // Upstream's assertions.
     static void requireUnlocked(const dxSpace &space);
     static void requireCleanBoxes(const dxGeom *g1, const dxGeom *g2) {
@@ -86,6 +84,8 @@ private:
     };
 
     static void reportUncleanBox(bool isFirst);
+    // Delivers one pair as upstream does. Returns whether bits and bodies let it pass.
+    static bool deliverPair(dxGeom *first, dxGeom *second, void *data, dNearCallback *callback);
 
     // Requires that no key is NaN.
     void sweep(const std::vector<std::uint32_t> &order);
