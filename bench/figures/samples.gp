@@ -1,6 +1,6 @@
 # How the real-time factor is distributed over the seconds of a minute: the normal distribution of its mean and
 # deviation, as the thesis draws it, and below the line each sample.
-samples = data . "-samples.csv"
+samples = data . ".csv"
 tint(e) = e == 1 ? "#d62728" : word(labels, e) eq "ODE_MT" ? ours : "#999999"  # the thesis's red and blue
 normal(x, mean, deviation) = exp(-0.5 * ((x - mean) / deviation) ** 2) / (deviation * sqrt(2 * pi))
 

@@ -41,6 +41,7 @@ data() {
     figure=$1
     shift
     {
+        echo "# 2 cores, Fast One"
         echo world,engine,frame_speedup_median,frame_speedup_q1,frame_speedup_q3,collision_speedup_median,collision_speedup_q1,collision_speedup_q3,dynamics_speedup_median,dynamics_speedup_q1,dynamics_speedup_q3
         for world in pioneer3at soccer; do
             i=0
@@ -50,30 +51,29 @@ data() {
             done
         done
     } >"docs/figures/data/$figure.csv"
-    printf '{\n "machine": {\n  "cores": 2,\n  "processor": "Fast One"\n }\n}\n' >"docs/figures/data/$figure.json"
 }
 
 data 3.1 stock ours:auto/original/concurrent ours:auto
 data 10.4 stock ours:auto/decluster/concurrent ours:auto/decluster/concurrent/cells=5
 data 10.5 stock ours:1 ours:2 ours:1/decluster/concurrent
-data 12.1 stock ours:auto/decluster/concurrent ours:auto
 {
-    echo world,engine,second,real_time_factor
+    echo "# 2 cores, Fast One"
+    echo world,engine,real_time_factor
     for world in pioneer3at bioloid create soccer; do
         for engine in stock ours:auto/decluster/concurrent ours:auto; do
-            for second in 1 2 3 4 5; do echo "$world,$engine,$second,$((10 * second))"; done
+            for second in 1 2 3 4 5; do echo "$world,$engine,$((10 * second))"; done
         done
     done
-} >docs/figures/data/12.1-samples.csv
-data B.1 stock ours:0 ours:auto
+} >docs/figures/data/12.1.csv
 {
-    echo world,engine,second,real_time_factor
+    echo "# 2 cores, Fast One"
+    echo world,engine,real_time_factor
     for world in $(sed -n 's/^samples=\(\$samples,\)\?//p' bench/figures/run | tr ',' ' '); do
-        for second in 1 2 3; do echo "$world,stock,$second,$((10 + second))"; done
-        for second in 1 2 3; do echo "$world,ours:0,$second,$((22 + 2 * second))"; done
-        for second in 1 2 3; do echo "$world,ours:auto,$second,$((34 + second))"; done
+        for second in 1 2 3; do echo "$world,stock,$((10 + second))"; done
+        for second in 1 2 3; do echo "$world,ours:0,$((22 + 2 * second))"; done
+        for second in 1 2 3; do echo "$world,ours:auto,$((34 + second))"; done
     done
-} >docs/figures/data/B.1-samples.csv
+} >docs/figures/data/B.1.csv
 for figure in 3.1 10.4 10.5 12.1 B.1; do printf '<!-- %s -->\nold\n<!-- end %s -->\n' $figure $figure; done >docs/figures.md
 
 bench/figures/run --draw 3.1 10.4 10.5 12.1 B.1 >output 2>&1 || fail "run --draw: $(cat output)"
@@ -81,6 +81,17 @@ for figure in 3.1 10.4 10.5 12.1 B.1; do
     grep -q 'Fast One' "docs/figures/$figure.svg" || fail "figure $figure does not name the machine"
     grep -q 'libode8' "docs/figures/$figure.svg" || fail "figure $figure does not hold libode8"
 done
+cat >result.csv <<DATA
+world,engine,bodies,frame_speedup_median,frame_speedup_q1,frame_speedup_q3,dynamics_speedup_median,dynamics_speedup_q1,dynamics_speedup_q3,hash
+create,stock,3,1,1,1,1,1,1,00
+DATA
+printf 'world,engine,second,real_time_factor\ncreate,stock,1,7.5\n' >samples.csv
+printf '{\n "machine": {\n  "cores": 2,\n  "processor": "Fast One"\n }\n}\n' >result.json
+bench/figures/compact dynamics result.csv result.json >compact
+[ "$(sed -n 1p compact)$(sed -n 3p compact)" = "# 2 cores, Fast Onecreate,stock,1,1,1,1,1,1" ] || fail "compact: $(cat compact)"
+bench/figures/compact frame result.csv result.json samples.csv >compact
+[ "$(sed -n 3p compact)" = create,stock,7.5 ] || fail "compact of samples: $(cat compact)"
+
 cp docs/figures/3.1.svg once.svg
 bench/figures/run --draw 3.1 >output 2>&1
 cmp once.svg docs/figures/3.1.svg || fail "a figure drawn twice is not the same"
