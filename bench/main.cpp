@@ -1,4 +1,4 @@
-// odemt_bench: worlds × engines, interleaved, as a table. docs/bench.md explains the method.
+// odemt_bench: worlds × engines, interleaved, as a table. docs/tools.md explains the method.
 #include "comparison.h"
 #include "error_output.h"
 #include "options.h"

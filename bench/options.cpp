@@ -141,7 +141,7 @@ void addOptions(CLI::App &app, Words &words, Options &options) {
     app.add_option("--samples", options.samplesFile,
                    "file for the real-time factor of each second that each engine ran;\n"
                    "measuring then does not end before --seconds or --frames");
-    app.add_option("--html", options.htmlFile, "file for a page with tables and plots of all figures (docs/report.md)");
+    app.add_option("--html", options.htmlFile, "file for a page with tables and plots of all figures (docs/tools.md)");
     app.add_option("--trace", options.traceFile,
                    "file for what each thread of ours does, to be opened in ui.perfetto.dev; of several\n"
                    "worlds or engines each has a file with its name in it");

@@ -1,5 +1,5 @@
 # Hardening as Debian's packages have it (dpkg-buildflags with hardening=+all), for the library and the tools:
-# docs/security.md says what each option is against, tests/security reads it off what was built.
+# docs/packages.md says what each option is against, tests/security reads it off what was built.
 include(CMakeDependentOption)
 # Sanitizers watch the stack and the copies themselves, and do not know the checked variants of the C library's functions.
 cmake_dependent_option(ODE_MT_HARDENING "Build with stack protector and checked copies, and link position-independent programs"

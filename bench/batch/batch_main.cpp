@@ -1,4 +1,4 @@
-// odemt_batch: many worlds into one table (docs/batch.md). Under mpirun it becomes odemt_batch_mpi, which lies beside it: this program needs no MPI.
+// odemt_batch: many worlds into one table (docs/tools.md). Under mpirun it becomes odemt_batch_mpi, which lies beside it: this program needs no MPI.
 #include "batch/batch_options.h"
 #include "batch/master.h"
 #include "batch/world_check.h"
@@ -27,7 +27,7 @@ bool isOneOfSeveralRanks() {
 [[noreturn]] void becomeRank(char **argv) {
     const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "odemt_batch_mpi";
     execv(program.c_str(), argv);
-    throw std::runtime_error("is one of several ranks of MPI, for which there is no " + program.string() + " (docs/batch.md)");
+    throw std::runtime_error("is one of several ranks of MPI, for which there is no " + program.string() + " (docs/tools.md)");
 }
 
 void list(const batch::Plan &plan) {

@@ -1,4 +1,4 @@
-// What odemt_batch is asked to run: a JSON file, docs/batch.md has an example.
+// What odemt_batch is asked to run: a JSON file, docs/tools.md has an example.
 //
 // A run is one world with one value of each parameter and one seed. Runs are numbered by the plan alone: worlds first, then values of
 // parameters, the last one named changing fastest, then seeds. Reading is strict: a key or value that is not known is an error that names it.

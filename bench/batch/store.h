@@ -1,4 +1,4 @@
-// The table of results, an SQLite file (docs/batch.md has its columns).
+// The table of results, an SQLite file (docs/tools.md has its columns).
 //
 // Each call of write() is one transaction. The file is in WAL mode, so that a reader sees whole transactions while the batch runs and a kill
 // leaves those that were written; no more than one process writes (a lock of the file, which ends with its process).

@@ -22,7 +22,7 @@ const char *const kDescription =
     "odemt_check [OPTIONS] -- PROGRAM [ARGUMENT...]\n";
 
 const char *const kFooter =
-    "\nThe program runs once on libode8 and once for each of --threads; if something differs, up to three times more,\n"
+    "\nThe program runs once on libode8 and once for each of --threads; if something differs, up to four times more,\n"
     "to see whether it differs on libode8 as well, and in which values. Its standard input is read once and given to\n"
     "all runs (a terminal is not: programs find its end there); what it prints is kept and compared, not shown.\n"
     "Ctrl-C ends the run, and what was compared by then is told. Variables ODE_MT_... of the environment hold for the\n"

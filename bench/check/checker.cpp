@@ -60,7 +60,7 @@ private:
     void compareReleases() {
         if (bench::areOtherReleases(m_options.stockRelease, m_options.ourRelease))
             remark("libode8 here is ODE " + m_options.stockRelease + ", ours is made of " + m_options.ourRelease +
-                   ": results may differ, since the releases do (docs/check.md).");
+                   ": results may differ, since the releases do (docs/tools.md).");
     }
 
     void compareAll() {

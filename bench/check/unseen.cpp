@@ -94,7 +94,7 @@ std::string whyNoWorld(const Play &play, const std::string &program, const std::
             library = object;
         else if (containsOde(object))
             return "'" + object +
-                   "' has a copy of ODE inside. No libode.so.8 is used in its place, on neither side (docs/programs.md).";
+                   "' has a copy of ODE inside. No libode.so.8 is used in its place, on neither side (docs/start.md).";
     }
     if (!library.empty())
         return "'" + program + "' loads libode.so.8, but no call of dWorldCreate, dWorldStep or dWorldQuickStep was seen.";
@@ -139,7 +139,7 @@ std::optional<std::string> whyWrongLibrary(const Play &play) {
     for (const ProcessRecord &process : play.record.processes) {
         if (fileName(process.library).rfind("libode.so.8", 0) != 0)
             return "'" + process.program + "' uses '" + process.library +
-                   "': ODE under another name, which is not exchanged (docs/programs.md).";
+                   "': ODE under another name, which is not exchanged (docs/start.md).";
         if (process.isOurs != play.engine.isOurs())
             return "'" + process.program + "' was to run on " + (play.engine.isOurs() ? "ODE_MT" : "libode8") + ", and uses '" +
                    process.library + "' all the same: " + wayTo(process.library);

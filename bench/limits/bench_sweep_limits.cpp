@@ -1,4 +1,4 @@
-// What limits QuickStep's sweep on this machine (docs/limits.md). Two limits hold for any sweep with upstream's bits:
+// What limits QuickStep's sweep on this machine (docs/notes/2026-11-step-limits.md). Two limits hold for any sweep with upstream's bits:
 //
 //   chain        rows that share a body come one after the other, each with the latency of a row (chain/…)
 //   throughput   no row takes less than one that waits for nothing (independent/…)

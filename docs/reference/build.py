@@ -4,7 +4,7 @@
     build.py --headers FOLDER --output FOLDER [--doxygen PROGRAM]
 
 Doxygen reads the groups of this folder, ode_MT.h, and upstream's declarations without their comments, each in its group. In comments, names
-of functions become links, as do documents (docs/faults.md). A public function of upstream that is in no group or in several, a function of
+of functions become links, as do documents (docs/limits.md). A public function of upstream that is in no group or in several, a function of
 ode_MT.h without a description of each parameter and of its result, and anything else that Doxygen warns of are errors.
 """
 import argparse

@@ -644,7 +644,7 @@ ODE_API unsigned dODE_MT_GetDirectFallbacks(void);
 ODE_API unsigned dODE_MT_GetMaxWorkersUsed(void);
 
 /**
- * Says whether steps note which thread steps each body, for dODE_MT_GetBodyWorker, as a replay shows it (docs/report.md). It costs a write to each
+ * Says whether steps note which thread steps each body, for dODE_MT_GetBodyWorker, as a replay shows it (docs/tools.md). It costs a write to each
  * body in a step. No result changes.
  *
  * @param isNoted 1, or 0 (the default)
@@ -801,7 +801,7 @@ ODE_API int dODE_MT_GetRemoteStatistics(dODE_MT_RemoteStatistics *statistics);
 
 /**
  * Starts to record what each thread does in steps and collisions, for a file that https://ui.perfetto.dev and chrome://tracing
- * open (docs/timeline.md). ODE_MT_TRACE does the same from the first step or collision on. No result changes.
+ * open (docs/tools.md). ODE_MT_TRACE does the same from the first step or collision on. No result changes.
  *
  * The last 8192 events of each thread are kept in memory, half a MiB a thread. The file is written by dODE_MT_FlushTrace, dODE_MT_StopTrace
  * and dCloseODE, when the process ends by exit, or when the library is unloaded; each time anew, with all events that are kept. A process that

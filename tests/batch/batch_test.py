@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of odemt_batch as its users see it (docs/batch.md).
+"""Tests of odemt_batch as its users see it (docs/tools.md).
 
     batch_test.py PROGRAM SCRATCH CASE...
 
@@ -266,7 +266,7 @@ def faults():
 
 
 def sample(page):
-    """The example of docs/batch.md."""
+    """The example of docs/tools.md."""
     file = fresh('sample')
     plan = pathlib.Path(page).read_text().split('```json\n')[1].split('```')[0]
     done = run(write_plan(plan, 'sample'), '-o', file, '--quiet')

@@ -57,7 +57,7 @@ TEST_F(OdemtReport, RecordingsOfDifferentWorldsAreWarnedOf) {
     EXPECT_NE(text().find("different worlds: 'rover:2' and 'rover:3'"), std::string::npos);
 }
 
-// As docs/report.md says: 0.8 MB, and about half of each recording's file.
+// As docs/notes/2026-11-cost-of-observation.md says: 0.8 MB, and about half of each recording's file.
 TEST_F(OdemtReport, PagesAreAsLargeAsDocumented) {
     ASSERT_EQ(runShell(std::string(ODEMT_RECORD) + " pile:100 --frames 60 --every 3 --output " + recording).exitCode, 0);
     report(results + " --output " + page);

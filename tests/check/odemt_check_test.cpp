@@ -84,7 +84,7 @@ TEST_F(OdemtCheck, ReleasesThatDifferAreSaidTo) {
     std::filesystem::create_symlink("libode.so." + number, folder + "/libode.so.8");
     const std::string release = bench::releaseOfLibrary(folder + "/libode.so.8"), options = "--threads 2 --stock-library " + folder;
     const std::string remark =
-        "libode8 here is ODE " + release + ", ours is made of " UPSTREAM ": results may differ, since the releases do (docs/check.md).";
+        "libode8 here is ODE " + release + ", ours is made of " UPSTREAM ": results may differ, since the releases do (docs/tools.md).";
     const Json json = checkJson(kSubject + " equal", 0, options);
     ASSERT_EQ(json["remarks"].size(), 1u) << json["remarks"];
     EXPECT_EQ(json["remarks"][0], remark);

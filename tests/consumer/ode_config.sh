@@ -26,11 +26,11 @@ for program in config_c config_odecpp; do
     expect_state "$SCRATCH/$program"
 done
 
-# The line of docs/linking.md as it is written, but for the folder, gives programs that run on ours without more.
+# The line of docs/start.md as it is written, but for the folder, gives programs that run on ours without more.
 unset LD_LIBRARY_PATH
 cp "$here/stacks.c" "$here/stacks.h" "$SCRATCH"
 cd "$SCRATCH"
-line=$(grep '^cc program.c .*ode-config' "$here/../../docs/linking.md" | sed "s,/opt/ode_mt/lib,$prefix/$LIBDIR,; s,/opt/ode_mt,$prefix,; s,^cc program.c,$CC stacks.c -o as_documented,")
+line=$(grep '^cc program.c .*ode-config' "$here/../../docs/start.md" | sed "s,/opt/ode_mt/lib,$prefix/$LIBDIR,; s,/opt/ode_mt,$prefix,; s,^cc program.c,$CC stacks.c -o as_documented,")
 eval "$line"
 expect_library "$SCRATCH/as_documented" "$prefix/$LIBDIR"
 expect_state "$SCRATCH/as_documented"

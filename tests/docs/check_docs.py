@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""What the documents name is there: links with their headings, files, functions and classes, tests. And every page of docs/ is
-in its contents, docs/README.md.
+"""What the documents name exists: links with their headings, files, functions and classes, tests. Every page of docs/ is in its contents,
+docs/README.md, and every note in docs/notes/README.md. Pages for users link to no note.
 
-    check_docs.py REPOSITORY UPSTREAM BUILD
+    check_docs.py REPOSITORY UPSTREAM BUILD    prints each fault with its document, and exits with 1 if there is one
+    check_docs.py --self-test                  shows that faults are found
 
-REPOSITORY: its root; UPSTREAM: upstream's unpacked sources; BUILD: the build folder, whose tests are asked for.
-Prints each name that is missing, with its document, and each page that is not in the contents, and exits with 1.
+REPOSITORY: its root; UPSTREAM: upstream's unpacked sources; BUILD: the build folder, whose tests are asked for. Notes have a date: only
+their links are checked, since code that they name may have changed since.
 """
 import json
 import pathlib
@@ -20,6 +21,8 @@ QUOTED = re.compile(r"`([^`\n]+)`")
 IDENTIFIER = re.compile(r"\b(?:dx|d(?=[A-Z])|ODE_MT_)\w{3,}\b(?![*-]|\.\.\.)")  # not `dGeom...`, which stands for many
 PATH = re.compile(r"(?<![\w/.~$-])(?:ode|ode_mt|tests|bench|worlds|docs|include)/[\w./-]*\w")
 TEST = re.compile(r"(?:[A-Z]\w+/)?[A-Z]\w*[a-z]\w*\.[A-Z]\w*[a-z]\w*")
+FENCE = re.compile(r"^```.*?^```$", re.DOTALL | re.MULTILINE)
+HEADING = re.compile(r"^#+ (.*)$", re.MULTILINE)
 
 
 def text_of(folder, suffixes):
@@ -31,6 +34,11 @@ def anchor_of(heading):
     return re.sub(r"[^\w\- ]", "", heading.strip().lower()).replace(" ", "-")
 
 
+def anchors_of(text):
+    """Returns the anchors of a page. Comments in fences begin like headings and are none."""
+    return {anchor_of(heading) for heading in HEADING.findall(FENCE.sub("", text))}
+
+
 def missing_links(document, text):
     for target, anchor in LINK.findall(text):
         if re.match(r"\w+:", target):
@@ -38,10 +46,8 @@ def missing_links(document, text):
         path = document.parent / target if target else document
         if not path.exists():
             yield target
-        elif anchor and path.suffix == ".md":
-            headings = re.findall(r"^#+ (.*)$", path.read_text(), flags=re.M)
-            if anchor not in map(anchor_of, headings):
-                yield f"{target}#{anchor}"
+        elif anchor and path.suffix == ".md" and anchor not in anchors_of(path.read_text()):
+            yield f"{target}#{anchor}"
 
 
 def missing_names(text, folders, words, tests):
@@ -57,10 +63,30 @@ def missing_names(text, folders, words, tests):
             yield test
 
 
+def links_of(text):
+    return {target for target, _ in LINK.findall(text)}
+
+
 def pages_without_contents(docs):
-    """Pages to which the contents have no link."""
-    linked = {target for target, _ in LINK.findall((docs / "README.md").read_text())}
-    return sorted({str(page.relative_to(docs)) for page in docs.rglob("*.md")} - linked - {"README.md"})
+    """Yields each list of pages with a page that it lacks."""
+    for contents, pages in ((docs / "README.md", docs.glob("*.md")), (docs / "notes" / "README.md", (docs / "notes").glob("*.md"))):
+        linked = links_of(contents.read_text()) if contents.is_file() else set()
+        for page in sorted({page.name for page in pages} - linked - {"README.md"}):
+            yield contents, page
+
+
+def pages_of_users(docs):
+    """Returns the pages of the first section of the contents, and README.md of the root."""
+    sections = (docs / "README.md").read_text().split("\n## ")
+    return [docs.parent / "README.md", *(docs / page for page in sorted(links_of(sections[1])) if page.endswith(".md"))]
+
+
+def links_to_notes(docs):
+    """Yields each page for users with its link to a note."""
+    for page in filter(pathlib.Path.is_file, pages_of_users(docs)):
+        for target in sorted(links_of(page.read_text())):
+            if docs / "notes" in (page.parent / target).resolve().parents:
+                yield page, target
 
 
 def main(root, upstream, build):
@@ -73,16 +99,63 @@ def main(root, upstream, build):
     tests |= {re.sub(r"/[^/]*$", "", name) for name in tests}  # without its parameter
     tests |= {re.sub(r"^\w+/", "", name) for name in tests}  # nor the name of the set of parameters
     failures = 0
-    for page in pages_without_contents(root / "docs"):
-        print(f"docs/README.md: the contents lack docs/{page}")
+    for contents, page in pages_without_contents(root / "docs"):
+        print(f"{contents.relative_to(root)}: the contents lack {page}")
+        failures += 1
+    for page, note in links_to_notes(root / "docs"):
+        print(f"{page.relative_to(root)}: a page for users links to the note {note}")
         failures += 1
     for document in documents:
         text = document.read_text()
-        for name in sorted({*missing_links(document, text), *missing_names(text, (root, upstream), words, tests)}):
+        has_date = root / "docs" / "notes" in document.parents
+        names = () if has_date else missing_names(text, (root, upstream), words, tests)
+        for name in sorted({*missing_links(document, text), *names}):
             print(f"{document.relative_to(root)}: there is no {name}")
             failures += 1
     return 1 if failures else 0
 
 
+def self_test():
+    import tempfile
+
+    with tempfile.TemporaryDirectory() as folder:
+        docs = pathlib.Path(folder).resolve() / "docs"
+        (docs / "notes").mkdir(parents=True)
+        contents = "# Contents\n\n## User\n\n[one](one.md)\n\n## Developer\n\n[two](two.md) [notes](notes/README.md)\n"
+        files = {
+            "README.md": contents,
+            "one.md": "# One\n\n## A heading, of `code`\n\n```sh\n# a comment\n```\n",
+            "two.md": "# Two\n",
+            "notes/README.md": "[old](2026-11-old.md)\n",
+            "notes/2026-11-old.md": "# Old\n",
+        }
+
+        def write(**changed):
+            for name, text in {**files, **{name.replace("__", "/") + ".md": text for name, text in changed.items()}}.items():
+                (docs / name).write_text(text)
+
+        def missing(text):
+            return list(missing_links(docs / "two.md", text))
+
+        write()
+        assert missing("[x](one.md) [x](one.md#a-heading-of-code) [x](https://example.org/#nothing) [x](#two)") == []
+        assert missing("[x](three.md)") == ["three.md"]
+        assert missing("[x](one.md#nothing)") == ["one.md#nothing"]
+        assert missing("[x](one.md#a-comment)") == ["one.md#a-comment"]
+        assert missing("[x](#nothing)") == ["#nothing"]
+        assert list(pages_without_contents(docs)) == [] and list(links_to_notes(docs)) == []
+        write(README=contents.replace("two.md", "one.md"))
+        assert [page for _, page in pages_without_contents(docs)] == ["two.md"]
+        write(notes__README="")
+        assert [page for _, page in pages_without_contents(docs)] == ["2026-11-old.md"]
+        write(two="[x](notes/2026-11-old.md)\n")
+        assert list(links_to_notes(docs)) == []
+        write(one="[x](notes/2026-11-old.md)\n")
+        assert list(links_to_notes(docs)) == [(docs / "one.md", "notes/2026-11-old.md")]
+        assert list(missing_names("`dNoSuchThing` `docs/no_such.md` `Some.TestThatIsNot`", [docs.parent], {"word"}, set())) == \
+            ["dNoSuchThing", "docs/no_such.md", "Some.TestThatIsNot"]
+    return 0
+
+
 if __name__ == "__main__":
-    sys.exit(main(*map(pathlib.Path, sys.argv[1:])))
+    sys.exit(self_test() if sys.argv[1:] == ["--self-test"] else main(*map(pathlib.Path, sys.argv[1:])))

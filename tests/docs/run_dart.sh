@@ -1,5 +1,5 @@
 #!/bin/sh
-# The command of docs/programs.md for DART, if python3-dartpy is installed: the same states on Debian's library and on ours, which
+# The command of docs/start.md for DART, if python3-dartpy is installed: the same states on Debian's library and on ours, which
 # DART does load: run_dart.sh LIBRARY_FOLDER
 set -eu
 cd "$(dirname "$0")/samples"

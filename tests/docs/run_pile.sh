@@ -1,5 +1,5 @@
 #!/bin/sh
-# Runs the command of docs/programs.md with few boxes, if python3-pyode is installed: run_pile.sh LIBRARY_FOLDER
+# Runs the command of docs/start.md with few boxes, if python3-pyode is installed: run_pile.sh LIBRARY_FOLDER
 set -eu
 cd "$(dirname "$0")/samples"
 export PYTHONDONTWRITEBYTECODE=1

@@ -1,4 +1,4 @@
-// The timeline (docs/timeline.md): what is recorded, that events nest, what a full ring tells, when the file is written, who writes it.
+// The timeline (docs/tools.md): what is recorded, that events nest, what a full ring tells, when the file is written, who writes it.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 #include <signal.h>

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A file of the timeline is what docs/timeline.md says.
+"""A file of the timeline is what docs/tools.md says.
 
     check_trace.py FILE STEPS NAME...    valid JSON, with so many steps that nothing has dropped, and with events of these names
     check_trace.py --self-test           shows that files with defects are refused

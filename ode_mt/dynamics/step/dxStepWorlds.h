@@ -8,7 +8,7 @@
 //   step              WORKERS  each world on one of them, its messages and moved-notifications put off
 //   commit            caller   messages and notifications in the order of the worlds
 //
-// A run is as good as the loop since nothing that a world of it writes is read by another: docs/batch.md has the table.
+// A run is as good as the loop since nothing that a world of it writes is read by another: docs/threads.md.
 #pragma once
 
 #include <ode/ode.h>

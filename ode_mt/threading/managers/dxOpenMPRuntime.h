@@ -1,6 +1,6 @@
 // The OpenMP runtime of the compiler that built this library: GNU's libgomp, or LLVM's libomp. It is loaded when somebody asks
 // for its threads, so that the library does without it: a runtime reads the environment when it is loaded, and may bind the thread
-// that loads it (docs/security.md). A program that uses the same runtime shares it.
+// that loads it (docs/limits.md). A program that uses the same runtime shares it.
 //
 // Once loaded it stays until the process ends, since idle threads of it may sleep in its code.
 //

@@ -1,4 +1,4 @@
-// The recording of what each thread does, for a viewer (docs/timeline.md): ODE_MT_TRACE, dODE_MT_StartTrace. And of the same for statistics of
+// The recording of what each thread does, for a viewer (docs/tools.md): ODE_MT_TRACE, dODE_MT_StartTrace. And of the same for statistics of
 // frames (settings/dxWorldStatistics.h), which need sums alone: it is on where either is wanted.
 //
 // Each thread has a ring of events (dxTimelineRing), which it gets with its first event and keeps until it ends; the file is written from

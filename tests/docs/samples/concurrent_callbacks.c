@@ -1,4 +1,4 @@
-/* A near-callback made fit for several threads, for docs/concurrent-callbacks.md: the same bits before and after. */
+/* A near-callback made fit for several threads, for docs/callbacks.md: the same bits before and after. */
 #include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>

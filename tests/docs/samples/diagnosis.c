@@ -1,4 +1,4 @@
-/* Reads off the counters why a world is not faster, for docs/why-not-faster.md. */
+/* Reads off the counters why a world is not faster, for docs/threads.md. */
 #include <stdio.h>
 #include <stdlib.h>
 

@@ -1,4 +1,4 @@
-"""Boxes that collapse, by python3-pyode, for docs/programs.md: pile.py BOXES STEPS prints a hash of all positions at the end."""
+"""Boxes that collapse, by python3-pyode, for docs/start.md: pile.py BOXES STEPS prints a hash of all positions at the end."""
 # [pile]
 import hashlib
 import struct

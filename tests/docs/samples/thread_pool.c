@@ -1,4 +1,4 @@
-/* Upstream's thread pool, kept and replaced, for docs/migrate.md: the same bits either way. */
+/* Upstream's thread pool, kept and replaced, for docs/start.md: the same bits either way. */
 #include <stdio.h>
 #include <stdlib.h>
 

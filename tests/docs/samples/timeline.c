@@ -1,4 +1,4 @@
-/* Records a part of a program's run, for docs/timeline.md. */
+/* Records a part of a program's run, for docs/tools.md. */
 #include <stdio.h>
 #include <stdlib.h>
 

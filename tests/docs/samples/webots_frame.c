@@ -1,4 +1,4 @@
-/* Calls that programs make of the multithreaded ODE of Webots, for docs/migrate.md. */
+/* Calls that programs make of the multithreaded ODE of Webots, for docs/start.md. */
 #include <stdio.h>
 #include <stdlib.h>
 

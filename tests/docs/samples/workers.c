@@ -1,4 +1,4 @@
-/* Control over workers, for docs/workers.md: the same bits whoever works. */
+/* Control over workers, for docs/threads.md: the same bits whoever works. */
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* Many worlds in one call, as docs/batch.md has it. Compared with a loop. */
+/* Many worlds in one call, for docs/threads.md. Compared with a loop. */
 #include <ode/ode.h>
 #include <stdio.h>
 #include <stdlib.h>
