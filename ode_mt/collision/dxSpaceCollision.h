@@ -5,7 +5,7 @@
 //   concurrent  callbacks on workers too, with the program's consent (dxConcurrentCallbacks)
 //
 // Pairs, their order, contacts and callbacks are the same in all three. Under `auto` measured times decide
-// (threading/dxSharingPolicy.h), under the other algorithms everything is shared that can be.
+// (threading/payoff/dxSharingPolicy.h), under the other algorithms everything is shared that can be.
 #pragma once
 
 #include <ode/ode.h>

@@ -1,5 +1,5 @@
 // The parts that decisions about sharing have in common (dxParallelPayoff.h).
-#include "threading/dxParallelPayoff.h"
+#include "threading/payoff/dxParallelPayoff.h"
 
 #include <gtest/gtest.h>
 

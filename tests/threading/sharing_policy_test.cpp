@@ -1,7 +1,9 @@
 // dxSharingPolicy: takes the faster way, does not spend much on finding out, and follows when times change.
 #include <gtest/gtest.h>
 
-#include "threading/dxSharingPolicy.h"
+#include <thread>
+
+#include "threading/payoff/dxSharingPolicy.h"
 
 namespace {
 
@@ -166,6 +168,37 @@ TEST_F(SharingPolicy, OneLateWorkerDoesNotEndWhatPays) {
     shared(1000, 400e3, 250e3);
     shared(1, 20e6, 20e6);
     EXPECT_GT(shared(2000, 400e3, 250e3), 1500);
+}
+
+// Steps of worlds of several sizes, in turns.
+TEST_F(SharingPolicy, ComparesTheTimeOfAUnitOfWork) {
+    constexpr double kNsOfUnit = 100, kSharedPart = 0.6;
+    int shared[2] = {}, calls[2] = {};
+    for (int i = 0; i < 2000; ++i) {
+        const int kind = i % 2;
+        const double work = kind == 0 ? 100 : 4000;  // 10 us and 400 us alone
+        const bool shares = policy.shouldShare(work);
+        shared[kind] += shares;
+        ++calls[kind];
+        policy.record(shares, work * kNsOfUnit * (shares ? kSharedPart : 1), work);
+    }
+    EXPECT_EQ(shared[0], 0) << "it is done before a worker wakes";
+    EXPECT_GT(shared[1], 0.9 * calls[1]);
+}
+
+TEST(ProcessSharingPolicy, ServesEveryThreadAndMakesNoneWait) {
+    dxProcessSharingPolicy policy;
+    constexpr double kWork = 400e3;
+    const auto step = [&policy] {
+        for (int i = 0; i < 2000; ++i) {
+            const bool shares = policy.ask(kWork) == dxProcessSharingPolicy::Answer::Shared;
+            policy.record(shares, shares ? 0.6 * kWork : kWork, kWork);
+        }
+    };
+    std::thread other(step);
+    step();
+    other.join();
+    EXPECT_EQ(policy.ask(kWork), dxProcessSharingPolicy::Answer::Shared);
 }
 
 }  // namespace

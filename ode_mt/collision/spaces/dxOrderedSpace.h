@@ -63,7 +63,7 @@
 #include "config.h"
 #include "objects.h"
 #include "settings/dxOwnThreads.h"
-#include "threading/dxSharingPolicy.h"
+#include "threading/payoff/dxSharingPolicy.h"
 #include "threading/timeline/dxTimeline.h"
 
 class dxOrderedSpace : public dxSpace, protected dxPairKeys {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/dxLog.h"
-#include "threading/dxParallelPayoff.h"
+#include "threading/payoff/dxParallelPayoff.h"
 #include "threading/process/dxProcessObject.h"
 
 namespace {

@@ -1,7 +1,6 @@
 #include "dynamics/step/dxStepStrategy.h"
 
 #include <algorithm>
-#include <mutex>
 
 #include "dynamics/remote/dxRemoteShare.h"
 #include "dynamics/step/dxRemoteIslands.h"
@@ -9,7 +8,7 @@
 #include "settings/dxSettings.h"
 #include "settings/dxWorldWorkers.h"
 #include "threading/dxFloatEnvironment.h"
-#include "threading/dxSharingPolicy.h"
+#include "threading/payoff/dxSharingPolicy.h"
 #include "threading/process/dxProcessObject.h"
 #include "upstream_facts.h"
 
@@ -27,26 +26,21 @@ constexpr double kMinExactShare = 0.9;
 // The direct solver's: its phases take some ten microseconds each.
 constexpr unsigned kMinDirectJoints = 250;
 
-// For a time per cost to be remembered like the time of a call: that of a step of one millisecond.
-constexpr double kCostOfReference = 1e6;
+// Whether large islands are stepped by several workers, under auto. For the process, as the cost model: what it measures is the machine; one for
+// each stepper. The work of a step is its cost by the model.
+struct LargeIslandPolicies {
+    dxProcessSharingPolicy policies[kStepperKinds];
 
-// Whether large islands are stepped by several workers, under auto. For the process, as the cost model: what it
-// measures is the machine; one for each stepper. Steps that find it in use do without.
-struct LargeIslandPolicy {
-    std::mutex mutex;
-    dxSharingPolicy policies[kStepperKinds];
-
-    dxSharingPolicy &of(dxStepperKind kind) { return policies[static_cast<int>(kind)]; }
+    dxProcessSharingPolicy &of(dxStepperKind kind) { return policies[static_cast<int>(kind)]; }
 };
-dxProcessObject<LargeIslandPolicy> largeIslandPolicy;
+dxProcessObject<LargeIslandPolicies> largeIslandPolicies;
 
 // Whether remote workers that are predicted to pay do, under auto.
-struct RemotePolicy {
+struct RemotePolicy : dxProcessSharingPolicy {
     // Both ends take memory for the first problems, and the worker may be asleep.
     static constexpr int kProbe = 8, kCold = 3;
 
-    std::mutex mutex;
-    dxSharingPolicy policy{kProbe, kCold};
+    RemotePolicy() : dxProcessSharingPolicy(kProbe, kCold) {}
 };
 dxProcessObject<RemotePolicy> remotePolicy;
 
@@ -118,17 +112,14 @@ bool isLargeIslandMeasured(dxStepperKind kind) {
     return kind != dxStepperKind::WorldExact && dxSettings::instance().algorithm() == dxAlgorithm::Auto;
 }
 
-bool isLargeIslandStepFaster(dxStepperKind kind) {
-    if (!isLargeIslandMeasured(kind)) return true;
-    const std::unique_lock<std::mutex> hold(largeIslandPolicy->mutex, std::try_to_lock);
-    return hold && largeIslandPolicy->of(kind).shouldShare();
+bool isLargeIslandStepFaster(dxStepperKind kind, double cost) {
+    return !isLargeIslandMeasured(kind) || largeIslandPolicies->of(kind).ask(cost) == dxProcessSharingPolicy::Answer::Shared;
 }
 
 void recordLargeIslandTime(const dxStepCall &call, const dxStepPlan &plan, double ns) {
     if (!isLargeIslandMeasured(call.kind)) return;
-    const std::unique_lock<std::mutex> hold(largeIslandPolicy->mutex, std::try_to_lock);
     const bool wasParallel = plan.strategy == dxStepStrategy::LargeIsland;
-    if (hold) largeIslandPolicy->of(call.kind).record(wasParallel, ns * kCostOfReference / plan.costs.total);
+    largeIslandPolicies->of(call.kind).record(wasParallel, ns, plan.costs.total);
 }
 
 // For islands side by side. Returns 1 for the caller alone.
@@ -151,7 +142,7 @@ void planThreads(const dxStepCall &call, dxStepPlan &plan, unsigned limit) {
     const unsigned workers = islandLimit(*call.world, limit);
     const bool isLarge = hasLargeIsland(call, plan, limit);
     plan.hasLargeIsland = isLarge && workers >= 2;
-    if (plan.hasLargeIsland && isLargeIslandStepFaster(call.kind)) {
+    if (plan.hasLargeIsland && isLargeIslandStepFaster(call.kind, plan.costs.total)) {
         plan.strategy = dxStepStrategy::LargeIsland;
         plan.reason = dODE_MT_REASON_LARGE_ISLAND;
         plan.workers = workers;
@@ -185,21 +176,19 @@ void planRemote(const dxStepCall &call, dxStepPlan &plan) {
         const dxRemoteWork work{plan.costs.total * scale, plan.costs.largest * scale, plan.costs.bodies, plan.costs.joints, plan.costs.islands};
         const double share = dxPredictRemoteShare(work, plan.workers, dxRemoteWorkers::instance().capacity());
         if (!(share > 0)) return;
-        const std::unique_lock<std::mutex> hold(remotePolicy->mutex, std::try_to_lock);
-        if (!hold) return;
+        const auto answer = remotePolicy->ask(plan.costs.total);
+        if (answer == dxProcessSharingPolicy::Answer::InUse) return;
         plan.mayBeRemote = true;
-        if (!remotePolicy->policy.shouldShare()) return;
+        if (answer == dxProcessSharingPolicy::Answer::Alone) return;
         plan.remoteShare = std::min(kRemoteReserve * share, 1.0);
     }
     plan.strategy = dxStepStrategy::IslandParallel;
 }
 
 void recordRemoteTime(const dxStepPlan &plan, double ns) {
-    const std::unique_lock<std::mutex> hold(remotePolicy->mutex, std::try_to_lock);
-    if (!hold) return;
-    dxSharingPolicy &policy = remotePolicy->policy;
-    policy.record(plan.remoteShare > 0, ns * kCostOfReference / plan.costs.total);
-    if (plan.remoteShare == 0 && policy.shouldShare()) dxRemoteWorkers::instance().wake();
+    const bool wasRemote = plan.remoteShare > 0;
+    const bool isNextRemote = remotePolicy->record(wasRemote, ns, plan.costs.total);
+    if (!wasRemote && isNextRemote) dxRemoteWorkers::instance().wake();
 }
 
 }  // namespace

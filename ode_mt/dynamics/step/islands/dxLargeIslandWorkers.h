@@ -1,7 +1,7 @@
 // Workers that step one large island together, and their state from step to step: memory and measurements.
 #pragma once
 
-#include "threading/dxSharingPolicy.h"
+#include "threading/payoff/dxSharingPolicy.h"
 #include "threading/dxTaskRunner.h"
 #include "threading/process/dxObjectPool.h"
 

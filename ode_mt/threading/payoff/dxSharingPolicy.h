@@ -11,8 +11,13 @@
 //
 // Of calls so short that reading a clock would be felt, only a few are timed.
 //
+// Calls of one kind may differ in how much work they do, as steps of worlds of different sizes. A caller that knows the amount of work of a call
+// beforehand passes it, in any unit: ways are then compared by the time of a unit. Otherwise the work of each call is 1.
+//
 // It decides about speed alone; results are the same either way. One thread at a time.
 #pragma once
+
+#include <mutex>
 
 class dxSharingPolicy {
 public:
@@ -21,19 +26,19 @@ public:
     // For work that is slow when it is shared for the first times: so many calls make a probe of sharing, of which the first ones are cold.
     dxSharingPolicy(int sharedProbe, int sharedCold) : m_shared{sharedProbe, sharedCold} {}
 
-    // Whether the next call should be shared.
-    bool shouldShare() const;
+    // Whether the next call, of that much work, should be shared.
+    bool shouldShare(double work = 1) const;
 
-    // Whether the time of the next call, which is not shared, should be recorded. To be asked once a call.
+    // Whether the time of the next call, which is not shared, should be recorded. Requires to be called once a call.
     bool shouldTimeAlone();
 
     // How long the call took, and whether it was shared.
-    void record(bool shared, double ns);
+    void record(bool shared, double ns, double work = 1);
 
 private:
     struct Way {
         int probe = 3, cold = 1;  // calls that make a probe, and the first of them that do not count
-        double ns = 0;      // moving average of a call; 0: never measured
+        double ns = 0;            // moving average of a unit of work; 0: never measured
         int callsInRow = 0;
     };
 
@@ -51,14 +56,35 @@ private:
     bool hasGrownSince(const Way &way) const;
 
     Way m_alone, m_shared;
+    double m_work = 1;         // of the last call
     bool m_isSharing = false;  // the way in use; during a probe the other one
     bool m_isProbe = false;
-    double m_doubtedNs = 0;    // of the last probe, which did not pay, until calls after it have been timed; 0: there is none
+    double m_doubtedNs = 0;    // per unit, of the last probe, which did not pay, until calls after it have been timed; 0: there is none
     int m_calls = 0;           // since the last probe ended
-    double m_judgedNs = 0;     // of the way in use, when it ended
+    double m_judgedNs = 0;     // per unit, of the way in use, when it ended
     int m_retryInterval = 0;   // calls
     int m_earlyRetryInterval = kMinEarlyRetry;  // if calls have become slower
     int m_slowCalls = 0;       // in a row, the last ones
     int m_untimedCalls = 0;    // still to come
     double m_savedNs = 0;      // by sharing; below zero: a debt
+};
+
+// A policy that all threads share. A call that finds it in use by another thread does without it: it is not shared, and its time is not recorded.
+//
+// Threading: any thread.
+class dxProcessSharingPolicy {
+public:
+    dxProcessSharingPolicy() = default;
+    dxProcessSharingPolicy(int sharedProbe, int sharedCold) : m_policy(sharedProbe, sharedCold) {}
+
+    enum class Answer { Alone, Shared, InUse };
+
+    Answer ask(double work);
+
+    // Returns whether the next call of that much work should be shared; false if the policy was in use.
+    bool record(bool shared, double ns, double work);
+
+private:
+    std::mutex m_mutex;
+    dxSharingPolicy m_policy;
 };

@@ -1,9 +1,9 @@
-#include "threading/dxSharingPolicy.h"
+#include "threading/payoff/dxSharingPolicy.h"
 
 #include <algorithm>
 
 #include "core/dxLog.h"
-#include "threading/dxParallelPayoff.h"
+#include "threading/payoff/dxParallelPayoff.h"
 
 namespace {
 
@@ -44,9 +44,7 @@ constexpr double kWeight = 0.25;
 
 }  // namespace
 
-bool dxSharingPolicy::shouldShare() const {
-    return m_isSharing && m_alone.ns >= kMinShared;
-}
+bool dxSharingPolicy::shouldShare(double work) const { return m_isSharing && m_alone.ns * work >= kMinShared; }
 
 bool dxSharingPolicy::shouldTimeAlone() {
     if (m_untimedCalls == 0) return true;
@@ -62,12 +60,14 @@ void dxSharingPolicy::average(Way &way, double ns) {
     way.ns = isFirst ? ns : dxMovingAverage(way.ns, ns, kWeight);
 }
 
-void dxSharingPolicy::record(bool shared, double ns) {
+void dxSharingPolicy::record(bool shared, double callNs, double work) {
+    m_work = work;
+    const double ns = callNs / work;
     Way &way = shared ? m_shared : m_alone, &other = shared ? m_alone : m_shared;
     other.callsInRow = 0;
     average(way, ns);
-    m_untimedCalls = m_alone.callsInRow >= kMinCallsInRow && m_alone.ns < kMinTimed ? kUntimedCalls : 0;
-    account(shared, ns);
+    m_untimedCalls = m_alone.callsInRow >= kMinCallsInRow && m_alone.ns * work < kMinTimed ? kUntimedCalls : 0;
+    account(shared, callNs);
     if (shared != m_isSharing) return;  // too small to be shared
     if (m_isProbe) {
         judgeProbe(ns);
@@ -90,7 +90,7 @@ void dxSharingPolicy::record(bool shared, double ns) {
 }
 
 bool dxSharingPolicy::isTimeForProbe(const Way &way) const {
-    if (way.callsInRow < kMinCallsInRow || (!m_isSharing && m_alone.ns < kMinShared)) return false;
+    if (way.callsInRow < kMinCallsInRow || (!m_isSharing && m_alone.ns * m_work < kMinShared)) return false;
     if (m_isSharing && isDebtTooHigh()) return true;
     return (m_calls >= m_retryInterval || isEarly()) && (m_isSharing || isPaidBack());
 }
@@ -99,11 +99,12 @@ bool dxSharingPolicy::isEarly() const {
     return m_calls < m_retryInterval && m_calls >= m_earlyRetryInterval && m_slowCalls >= kSlowCalls;
 }
 
-bool dxSharingPolicy::isPaidBack() const { return -m_savedNs <= kMaxDebtToProbe * m_alone.ns; }
-bool dxSharingPolicy::isDebtTooHigh() const { return -m_savedNs > kMaxDebtInUse * m_alone.ns; }
+bool dxSharingPolicy::isPaidBack() const { return -m_savedNs <= kMaxDebtToProbe * m_alone.ns * m_work; }
+bool dxSharingPolicy::isDebtTooHigh() const { return -m_savedNs > kMaxDebtInUse * m_alone.ns * m_work; }
 
 void dxSharingPolicy::account(bool shared, double ns) {
-    if (shared) m_savedNs = std::min(m_savedNs + m_alone.ns - ns, kMaxSaved * m_alone.ns);
+    const double aloneNs = m_alone.ns * m_work;
+    if (shared) m_savedNs = std::min(m_savedNs + aloneNs - ns, kMaxSaved * aloneNs);
     else if (m_savedNs < 0) m_savedNs = std::min(m_savedNs + kLossLimit * ns, 0.0);
 }
 
@@ -115,7 +116,7 @@ void dxSharingPolicy::judgeProbe(double ns) {
     if (probed.callsInRow < probed.probe && !isBrokenOff) return;
     const bool pays = !isBrokenOff && dxPaysClearly(probed.ns, usual.ns, kMargin);
     dxLog(dxLogLevel::debug, "a call of %.0f us takes %.0f us when the way in use is exchanged: %s from now on",
-          usual.ns / 1e3, probed.ns / 1e3, m_isSharing == pays ? "shared" : "alone");
+          usual.ns * m_work / 1e3, probed.ns * m_work / 1e3, m_isSharing == pays ? "shared" : "alone");
     if (pays) return beginUse(probed.ns);
     m_isSharing = !m_isSharing;
     if (isEarly())
@@ -145,4 +146,17 @@ void dxSharingPolicy::endProbe(double ns) {
 bool dxSharingPolicy::hasGrownSince(const Way &way) const {
     const bool isSlower = way.ns > kSlower * m_judgedNs;
     return isSlower && dxPaysClearly(m_doubtedNs, way.ns, kMargin) && (m_isSharing || isPaidBack());
+}
+
+dxProcessSharingPolicy::Answer dxProcessSharingPolicy::ask(double work) {
+    const std::unique_lock<std::mutex> hold(m_mutex, std::try_to_lock);
+    if (!hold) return Answer::InUse;
+    return m_policy.shouldShare(work) ? Answer::Shared : Answer::Alone;
+}
+
+bool dxProcessSharingPolicy::record(bool shared, double ns, double work) {
+    const std::unique_lock<std::mutex> hold(m_mutex, std::try_to_lock);
+    if (!hold) return false;
+    m_policy.record(shared, ns, work);
+    return m_policy.shouldShare(work);
 }
