@@ -18,7 +18,7 @@
 #include "dynamics/step/dxStepRecords.h"
 #include "dynamics/step/islands/dxLargeIslandWorkers.h"
 #include "dynamics/step/islands/dxWorkingMemory.h"
-#include "dynamics/world_step/fast/dxFastSolver.h"
+#include "dynamics/world_step/fast/dxFastWorldStep.h"
 #include "seams/upstream.h"
 #include "settings/dxWorkers.h"
 #include "settings/dxWorldStatistics.h"
@@ -45,7 +45,7 @@ void releaseWorkers() {
     dxForgetConcurrentCallbacks();
     dxForgetJointRemoval();
     dxStepRecords::release();
-    dxFastSolver::release();
+    dxFastWorldStep::release();
     dxIterativeWorld::release();
     dxLargeIslandWorkersLease::forget();
     dxParallelSor::forget();

@@ -35,7 +35,7 @@ enum class dxParallelStage : unsigned char {
     SorSweep,             // QuickStep: the sweep
     ColoredSweeps,     // fast QuickStep: sweeps by colours: dxColoredSweeps
     Motion,            // QuickStep: velocities and positions: dxBodyMotion
-    BodySpace,         // fast dWorldStep: phases of the direct solver: dxDirectSolver
+    BodySpace,         // fast dWorldStep: phases in body space: dxBodySpaceSolver
     PanelSolve,        // exact step: solves of several right-hand sides: dxPanelSolve
     TransposedSolve,   // exact step: back substitution: dxSolveL1Transposed
     SparseProducts,    // exact step: products with rows in C: dxSparseRows

@@ -32,7 +32,7 @@ enum class dxSchedulePoint : unsigned {
     ClaimChunk,
     OpenPhase,
     AwaitPhase,
-    // Phases of the direct solver
+    // Phases in body space
     PublishPhase,
     ClaimPhaseChunk,
     AwaitPhaseChunks,

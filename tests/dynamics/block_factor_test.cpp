@@ -1,23 +1,21 @@
-// The factorisation in body space against dense matrices, and the products that it is made of; with the same bits on every
-// instruction set.
+// The factorisation in body space against dense matrices, with the same bits on every instruction set and for every number of threads.
 #include "dynamics/world_step/fast/dxBlockFactor.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 
-#include "dynamics/world_step/fast/dxReducedSystem.h"
-#include "dynamics/world_step/fast/dxRowProducts.h"
+#include "dynamics/world_step/fast/dxNormalEquations.h"
 #include "instruction_sets.h"
 #include "own_threads.h"
-#include "random_direct_problem.h"
+#include "random_body_space_problem.h"
 
 namespace {
 
 using Dense = std::vector<std::vector<long double>>;
 
 // M + J' W J
-Dense denseMatrix(const dxDirectProblem &problem, const std::vector<double> &weight) {
+Dense denseMatrix(const dxBodySpaceProblem &problem, const std::vector<double> &weight) {
     const std::size_t n = std::size_t(problem.bodyCount) * kBodyAxes;
     Dense matrix(n, std::vector<long double>(n));
     for (std::size_t i = 0; i < n; ++i)
@@ -35,7 +33,7 @@ Dense denseMatrix(const dxDirectProblem &problem, const std::vector<double> &wei
     return matrix;
 }
 
-dxBodyVectors randomVector(RandomDirectProblem &random) {
+dxBodyVectors randomVector(RandomBodySpaceProblem &random) {
     dxBodyVectors vector(random.problem.bodyCount);
     for (dxBodyVector &body : vector) {
         body = {};
@@ -44,16 +42,16 @@ dxBodyVectors randomVector(RandomDirectProblem &random) {
     return vector;
 }
 
-std::vector<double> randomWeights(RandomDirectProblem &random) {
+std::vector<double> randomWeights(RandomBodySpaceProblem &random) {
     std::vector<double> weight;
     for (unsigned i = 0; i < random.problem.rowCount; ++i)
         weight.push_back(random.random() % 3 == 0 ? 0 : std::pow(10, 4 * random.number()));
     return weight;
 }
 
-const RandomDirectProblem::Shape kShapes[] = {{1, 0, 3, 1e-8}, {2, 1, 6, 1e-8}, {7, 10, 12, 1e-8}, {40, 80, 12, 1e-8}, {150, 500, 3, 1e-8}};
+const RandomBodySpaceProblem::Shape kShapes[] = {{1, 0, 3, 1e-8}, {2, 1, 6, 1e-8}, {7, 10, 12, 1e-8}, {40, 80, 12, 1e-8}, {150, 500, 3, 1e-8}};
 
-bool factorise(const RandomDirectProblem &random, const std::vector<double> &weight, dxBlockFactor &factor, dxPhaseRunner &phases) {
+bool factorise(const RandomBodySpaceProblem &random, const std::vector<double> &weight, dxBlockFactor &factor, dxPhaseRunner &phases) {
     dxProblemChunks chunks;
     chunks.make(random.problem);
     factor.shape(random.order, phases.threads());
@@ -63,8 +61,8 @@ bool factorise(const RandomDirectProblem &random, const std::vector<double> &wei
 }
 
 // H y = r for a y that is known.
-void expectSolution(const RandomDirectProblem::Shape &shape, unsigned seed) {
-    RandomDirectProblem random(shape, seed);
+void expectSolution(const RandomBodySpaceProblem::Shape &shape, unsigned seed) {
+    RandomBodySpaceProblem random(shape, seed);
     const std::vector<double> weight = randomWeights(random);
     dxBlockFactor factor;
     dxPhaseRunner alone;
@@ -85,12 +83,12 @@ void expectSolution(const RandomDirectProblem::Shape &shape, unsigned seed) {
 }
 
 TEST(BlockFactor, SolvesAsADenseMatrixDoes) {
-    for (const RandomDirectProblem::Shape &shape : kShapes)
+    for (const RandomBodySpaceProblem::Shape &shape : kShapes)
         for (unsigned seed = 0; seed < 10; ++seed) expectSolution(shape, seed);
 }
 
 TEST(BlockFactor, RefusesAMatrixThatIsNotPositiveDefinite) {
-    RandomDirectProblem random(kShapes[2], 1);
+    RandomBodySpaceProblem random(kShapes[2], 1);
     dxBlockFactor factor;
     dxPhaseRunner alone;
     for (const double mass : {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
@@ -99,38 +97,8 @@ TEST(BlockFactor, RefusesAMatrixThatIsNotPositiveDefinite) {
     }
 }
 
-// (J inv(M) J' + D) dx = q, whose residual is computed with the problem's own products.
-TEST(ReducedSystem, SolvesInTheSpaceOfRows) {
-    for (unsigned seed = 0; seed < 10; ++seed) {
-        RandomDirectProblem random(kShapes[3], seed);
-        const dxDirectProblem &problem = random.problem;
-        std::vector<double> d, q, dx, s;
-        for (unsigned i = 0; i < problem.rowCount; ++i) {
-            d.push_back(i % 5 == 0 ? std::numeric_limits<double>::infinity() : 0.1 + std::fabs(random.number()));
-            q.push_back(random.number());
-        }
-        const unsigned padded = dxProblemChunks::padded(problem.rowCount);
-        d.resize(padded, std::numeric_limits<double>::infinity());
-        for (std::vector<double> *array : {&q, &dx, &s}) array->resize(padded);
-        dxReducedSystem system;
-        dxPhaseRunner alone;
-        system.begin(problem, random.order, alone, 1);
-        ASSERT_TRUE(system.factorise(d));
-        system.solve(q, dx);
-        system.findResidual(dx, s);  // b - (J inv(M) J' + c) dx
-        for (unsigned i = 0; i < problem.rowCount; ++i) {
-            if (i % 5 == 0) {
-                EXPECT_EQ(dx[i], 0);
-                continue;
-            }
-            const double product = problem.b[i] - s[i] - problem.c[i] * dx[i];
-            EXPECT_NEAR(product + d[i] * dx[i], q[i], 1e-11);
-        }
-    }
-}
-
 TEST(BlockFactor, HasTheSameBitsOnEveryInstructionSet) {
-    RandomDirectProblem random(kShapes[3], 7);
+    RandomBodySpaceProblem random(kShapes[3], 7);
     const std::vector<double> weight = randomWeights(random);
     const dxBodyVectors right = randomVector(random);
     dxBodyVectors first;
@@ -149,7 +117,7 @@ TEST(BlockFactor, HasTheSameBitsOnEveryInstructionSet) {
 
 // A factorisation with a top: its columns are shared, and so are the chunks of columns below it.
 TEST(BlockFactor, HasTheSameBitsForEveryNumberOfThreads) {
-    RandomDirectProblem random({300, 900, 3, 1e-8}, 3);
+    RandomBodySpaceProblem random({300, 900, 3, 1e-8}, 3);
     const std::vector<double> weight = randomWeights(random);
     const dxBodyVectors right = randomVector(random);
     dxFactorPlan plan;

@@ -21,11 +21,7 @@
 #include "random_world.h"
 #include "robot_world.h"
 
-#include "dynamics/step/islands/dxWorkingMemory.h"
-#include "dynamics/world_step/fast/dxDantzigTrial.h"
-#include "dynamics/world_step/fast/dxDirectMemory.h"
-#include "dynamics/world_step/fast/dxFastSolver.h"
-#include "dynamics/world_step/fast/dxHeldMessage.h"
+#include "dynamics/world_step/fast/dxFastWorldStep.h"
 
 namespace {
 
@@ -208,7 +204,7 @@ private:
     }
 };
 
-bool hasLimits(const dxWorldStepProblem &problem) {
+bool hasUnilateralRows(const dxWorldStepProblem &problem) {
     return !std::all_of(problem.pairsLoHi, problem.pairsLoHi + 2 * std::size_t(problem.rowCount), [](dReal limit) { return std::isinf(limit); });
 }
 
@@ -218,15 +214,15 @@ void stepFast(dWorldID world, const Visit &visit) {
     struct Solver final : dxWorldStepSolver {
         explicit Solver(const Visit &visit) : m_visit(visit) {}
         bool solve(const dxIslandStep &step, const dxWorldStepProblem &problem) override {
-            const bool isLimited = hasLimits(problem);
+            const bool isUnilateral = hasUnilateralRows(problem);
             const DenseRows rows(step, problem);
-            const bool isPushed = dxFastSolver().solve(step, problem);
-            m_visit(rows, problem, isLimited);
-            return isPushed;
+            const bool areForcesApplied = dxFastWorldStep().solve(step, problem);
+            m_visit(rows, problem, isUnilateral);
+            return areForcesApplied;
         }
         const Visit &m_visit;
     } solver(visit);
-    forIslands(world, kStepSize, &dxEstimateDirectStepMemory, [&](const dxIsland &island, dxWorldProcessMemArena *arena) {
+    forIslands(world, kStepSize, &dxEstimateFastWorldStepMemory, [&](const dxIsland &island, dxWorldProcessMemArena *arena) {
         dxWorldStep({world, kStepSize, island, arena}, solver);
     });
 }
@@ -253,8 +249,8 @@ void stepHardJoints(const HardWorld::Shape &shape, const Visit &visit) {
 // Joints that repeat one another have rows that forces satisfy.
 TEST_F(HardRows, ThatRepeatOneAnotherAreSatisfied) {
     unsigned islands = 0;
-    stepHardJoints({false, 40, false}, [&](const DenseRows &rows, const dxWorldStepProblem &problem, bool isLimited) {
-        EXPECT_FALSE(isLimited);
+    stepHardJoints({false, 40, false}, [&](const DenseRows &rows, const dxWorldStepProblem &problem, bool isUnilateral) {
+        EXPECT_FALSE(isUnilateral);
         EXPECT_LE(largestOf(rows.residualOf(problem)), 1e-6 * largestOf(rows.b) + rows.rounding) << problem.rowCount << " rows";
         ++islands;
     });
@@ -271,45 +267,6 @@ TEST_F(HardRows, ThatContradictOneAnotherAreSatisfiedAsFarAsCanBe) {
         contradictory += least > 1e-6 * all;
     });
     EXPECT_GE(contradictory, countOfWorlds() / 2);
-}
-
-// --- problems that are well posed --------------------------------------------------------------------------
-
-// Forces of Dantzig's algorithm are an answer wherever it does not give up: joints of all types between bodies at random, robots on contacts.
-class Trials {
-public:
-    void step(dWorldID world) {
-        solveIslands(world, kStepSize, [&](const dxIslandStep &step, const dxWorldStepProblem &problem) {
-            // The trial's memory is another arena's, as that of "exact" has no room for it.
-            const dxIsland &island = step.island;
-            const dxArenaLease arena(dxEstimateDirectStepMemory(island.bodies, island.bodyCount, island.joints, island.jointCount));
-            dxIslandStep own = step;
-            own.arena = arena.get();
-            dxHeldMessage message;
-            const dxDantzigTrial trial(own, problem, message);
-            ++m_islands;
-            m_failures += !trial.isAnswer() && !message.isHeld();
-        });
-    }
-    unsigned islands() const { return m_islands; }
-    unsigned failures() const { return m_failures; }
-
-private:
-    unsigned m_islands = 0, m_failures = 0;
-};
-
-TEST_F(HardRows, AreNotSeenInWellPosedWorlds) {
-    Trials trials;
-    for (unsigned seed = 0; seed < countOfWorlds(); ++seed) {
-        RobotWorld robots({3, 9 + seed % 20, seed % 12}, seed);
-        RandomWorld random({3 + seed % 20, 2 + seed % 20}, seed);
-        for (int i = 0; i < 3; ++i) {
-            random.push();
-            for (const dWorldID world : {robots.world(), random.world()}) trials.step(world);
-        }
-    }
-    EXPECT_GE(trials.islands(), 10 * countOfWorlds());
-    EXPECT_EQ(trials.failures(), 0u);
 }
 
 }  // namespace

@@ -7,13 +7,13 @@
 #include <cstring>
 #include <string>
 
-#include "dynamics/world_step/fast/dxKktResidual.h"
+#include "dynamics/world_step/fast/dxResidual.h"
 #include "instruction_sets.h"
-#include "random_direct_problem.h"
+#include "random_body_space_problem.h"
 
 namespace {
 
-double solve(dxInteriorPoint &interior, const RandomDirectProblem &random) {
+double solve(dxInteriorPoint &interior, const RandomBodySpaceProblem &random) {
     dxPhaseRunner alone;
     interior.begin(random.problem, random.order, alone, 1);
     interior.low() = random.problem.lo;
@@ -22,8 +22,8 @@ double solve(dxInteriorPoint &interior, const RandomDirectProblem &random) {
 }
 
 // By the definition, without the solver's products.
-double residualOf(const RandomDirectProblem &random, const std::vector<double> &x) {
-    const dxDirectProblem &problem = random.problem;
+double residualOf(const RandomBodySpaceProblem &random, const std::vector<double> &x) {
+    const dxBodySpaceProblem &problem = random.problem;
     std::vector<long double> u(std::size_t(problem.bodyCount) * kBodyAxes);
     const auto forEachElement = [&](const auto &visit) {
         for (const dxManifold &manifold : problem.manifolds)
@@ -48,9 +48,9 @@ double residualOf(const RandomDirectProblem &random, const std::vector<double> &
 }
 
 // To what rounding leaves.
-void expectSolved(const RandomDirectProblem::Shape &shape, unsigned seed) {
+void expectSolved(const RandomBodySpaceProblem::Shape &shape, unsigned seed) {
     SCOPED_TRACE(std::to_string(shape.bodies) + " bodies, seed " + std::to_string(seed));
-    RandomDirectProblem random(shape, seed);
+    RandomBodySpaceProblem random(shape, seed);
     dxInteriorPoint interior;
     const double residual = solve(interior, random);
     const dxInteriorPoint::Scale scale = interior.scaleOf(interior.x());
@@ -62,8 +62,8 @@ void expectSolved(const RandomDirectProblem::Shape &shape, unsigned seed) {
 
 TEST(InteriorPoint, SolvesRandomProblems) {
     for (const double softness : {1e-3, 1e-6, 1e-9})
-        for (const RandomDirectProblem::Shape shape :
-             {RandomDirectProblem::Shape{1, 0, 3, softness}, {2, 1, 6, softness}, {7, 10, 4, softness}, {40, 80, 3, softness}, {40, 60, 12, softness}})
+        for (const RandomBodySpaceProblem::Shape shape :
+             {RandomBodySpaceProblem::Shape{1, 0, 3, softness}, {2, 1, 6, softness}, {7, 10, 4, softness}, {40, 80, 3, softness}, {40, 60, 12, softness}})
             for (unsigned seed = 0; seed < 20; ++seed) expectSolved(shape, seed);
 }
 
@@ -73,7 +73,7 @@ TEST(InteriorPoint, SolvesRowsThatRepeatOneAnother) {
 }
 
 TEST(InteriorPoint, HasTheSameBitsOnEveryInstructionSet) {
-    const RandomDirectProblem random({40, 60, 12, 1e-8}, 5);
+    const RandomBodySpaceProblem random({40, 60, 12, 1e-8}, 5);
     std::vector<double> first;
     for (const std::int64_t set : instructionSets())
         onInstructionSet(set, [&] {

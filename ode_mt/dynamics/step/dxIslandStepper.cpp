@@ -12,8 +12,7 @@
 #include "dynamics/world_step/dxWorldStep.h"
 #include "dynamics/world_step/dxWorldStepBodies.h"
 #include "dynamics/world_step/exact/dxDantzigSolver.h"
-#include "dynamics/world_step/fast/dxDirectMemory.h"
-#include "dynamics/world_step/fast/dxFastSolver.h"
+#include "dynamics/world_step/fast/dxFastWorldStep.h"
 #include "quickstep.h"
 #include "settings/dxWorldSolver.h"
 #include "step.h"
@@ -46,7 +45,7 @@ void stepAsUpstream(const dxIslandStep &step, dxStepperKind kind) {
     dxIsQuick(kind) ? dxQuickStepIsland(&context) : dxStepIsland(&context);
 }
 
-// In memory from the pool, as the direct step's arena has no room for upstream's matrix. Without memory the island stays where
+// In memory from the pool, as the fast step's arena has no room for upstream's matrix. Without memory the island stays where
 // it is.
 void stepAsUpstreamInOwnMemory(dxIslandStep step) {
     const dxIsland &island = step.island;
@@ -91,7 +90,7 @@ void dxIslandStepper::step(const dxStepCall &call, const dxIsland &island, dxWor
     } else if (call.kind == dxStepperKind::QuickFast) {
         dxFastQuickStep(step);
     } else {
-        dxFastSolver fast;
+        dxFastWorldStep fast;
         dxDantzigSolver dantzig;
         const bool isDirect = call.kind == dxStepperKind::WorldFast;
         dxWorldStep(step, isDirect ? static_cast<dxWorldStepSolver &>(fast) : dantzig, isDirect && dxAreBodiesForLanes(island));

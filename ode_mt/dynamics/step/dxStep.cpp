@@ -12,7 +12,7 @@
 #include "dynamics/step/dxStepStrategy.h"
 #include "dynamics/step/islands/dxStepPreparation.h"
 #include "dynamics/step/islands/dxStepTimeline.h"
-#include "dynamics/world_step/fast/dxDirectMemory.h"
+#include "dynamics/world_step/fast/dxFastWorldStep.h"
 #include "quickstep.h"
 #include "settings/dxWorldSolver.h"
 #include "settings/dxWorldWorkers.h"
@@ -65,7 +65,7 @@ bool dxPrepareWorldIslands(dxWorld *world, dxWorldProcessIslandsInfo &info, dRea
     if (!isSolvedFast(world)) return dxPrepareStep(world, info, stepSize, estimate);
     if (estimate == &dxEstimateQuickStepMemoryRequirements)
         return dxPrepareGroups(world, info, stepSize, estimate, kIterativeGroups);
-    return dxPrepareStep(world, info, stepSize, &dxEstimateDirectStepMemory);  // no matrix of rows by rows
+    return dxPrepareStep(world, info, stepSize, &dxEstimateFastWorldStepMemory);  // no matrix of rows by rows
 }
 
 void dxStepOnThisThread(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper, unsigned worker) {

@@ -23,8 +23,8 @@ constexpr unsigned kMinJoints = 500;
 constexpr unsigned kMinExactJoints = 134, kMinExactJointsByName = 64;
 constexpr double kMinExactShare = 0.9;
 
-// The direct solver's: its phases take some ten microseconds each.
-constexpr unsigned kMinDirectJoints = 250;
+// Of the fast dWorldStep, whose phases take some ten microseconds each.
+constexpr unsigned kMinFastWorldStepJoints = 250;
 
 // Whether large islands are stepped by several workers, under auto. For the process, as the cost model: what it measures is the machine; one for
 // each stepper. The work of a step is its cost by the model.
@@ -46,7 +46,7 @@ dxProcessObject<RemotePolicy> remotePolicy;
 
 unsigned minLargeJoints(dxStepperKind kind) {
     if (dxIsQuick(kind)) return kMinJoints;
-    if (kind == dxStepperKind::WorldFast) return kMinDirectJoints;
+    if (kind == dxStepperKind::WorldFast) return kMinFastWorldStepJoints;
     return dxSettings::instance().algorithm() == dxAlgorithm::Auto ? kMinExactJoints : kMinExactJointsByName;
 }
 

@@ -59,4 +59,11 @@ struct dxWorldStepProblem {
     dReal *rowsOf(const dxWorldStepJoint &joint, unsigned side) const {
         return jacobian + (std::size_t(joint.firstRow) * kSides + std::size_t(side) * joint.rows) * kElements;
     }
+
+    // Returns whether the row is bilateral: it has no limits, neither fixed ones nor those of a normal's force. All others are unilateral:
+    // contacts, friction, stops, motors.
+    bool isBilateral(std::size_t row) const {
+        const dReal *const limits = pairsLoHi + row * dxJoint::GI2__LO_HI_MAX;
+        return limits[dxJoint::GI2_LO] == -dInfinity && limits[dxJoint::GI2_HI] == dInfinity && normalOf[row] == -1;
+    }
 };

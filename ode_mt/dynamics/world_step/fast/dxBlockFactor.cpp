@@ -4,13 +4,14 @@
 #define HWY_TARGET_INCLUDE "dynamics/world_step/fast/dxBlockFactor.cpp"
 #include <hwy/foreach_target.h>
 // Highway's order of headers: after foreach_target.h
+#include "core/dxNoIndex.h"
 #include "dynamics/world_step/fast/dxBlockFactor.h"
 #include "dynamics/world_step/fast/dxBodyLanes-inl.h"
 
 #include <cmath>
 
 HWY_BEFORE_NAMESPACE();
-namespace dxDirect {
+namespace dxFastStepKernels {
 namespace HWY_NAMESPACE {
 
 // target -= left * right', as kernels of one vector of rows each.
@@ -181,18 +182,27 @@ void solveBackward(const dxFactorArrays &arrays, unsigned beginColumn, unsigned 
 }
 
 }  // namespace HWY_NAMESPACE
-}  // namespace dxDirect
+}  // namespace dxFastStepKernels
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace dxDirect {
+namespace dxFastStepKernels {
 HWY_EXPORT(factoriseColumns);
 HWY_EXPORT(factorisePart);
 HWY_EXPORT(solveForward);
 HWY_EXPORT(solveBackward);
-}  // namespace dxDirect
+}  // namespace dxFastStepKernels
 
 namespace {
+
+// Products of blocks, at some 10 ns: less is not shared.
+constexpr double kMinShared = 2000;
+
+// A subtree of more than this part of all products is cut.
+constexpr double kMaxPart = 1.0 / 24;
+
+// A column's other work, in products of blocks: its own blocks and its pivot.
+double workOf(double blocks) { return blocks * (blocks + 1) / 2 + blocks + 8; }
 
 // Products of blocks in a column at the top, at some 10 ns, and blocks of each part, from which on it is shared.
 constexpr unsigned kMinSharedWork = 200, kMinPart = 6;
@@ -202,6 +212,88 @@ void add(dxBodyVector &sum, const dxBodyVector &other) {
 }
 
 }  // namespace
+
+void dxFactorPlan::make(const dxEliminationOrder &order) {
+    weighSubtrees(order);
+    cutTree(order);
+    weighTop(order);
+    listTargets(order);
+}
+
+// Children come before their parents.
+void dxFactorPlan::weighSubtrees(const dxEliminationOrder &order) {
+    m_total = 0;
+    m_weights.assign(order.bodyCount(), 0);
+    for (unsigned column = 0; column < order.bodyCount(); ++column) {
+        const double work = workOf(order.firstBlock(column + 1) - order.firstBlock(column));
+        m_total += work;
+        m_weights[column] += work;
+        const unsigned parent = order.parentOf(column);
+        if (parent != kNoIndex) m_weights[parent] += m_weights[column];
+    }
+}
+
+// A chunk ends with a subtree, before a column of the top, or when it is large enough.
+void dxFactorPlan::cutTree(const dxEliminationOrder &order) {
+    const double most = m_total < kMinShared ? 2 * m_total : kMaxPart * m_total;
+    m_chunks.clear();
+    m_top.clear();
+    m_isTop.assign(order.bodyCount(), 0);
+    for (unsigned column = 0; column < order.bodyCount(); ++column) m_isTop[column] = m_weights[column] > most;
+    double weight = 0;
+    bool isOpen = false;
+    for (unsigned column = 0; column < order.bodyCount(); ++column) {
+        if (m_isTop[column]) {
+            m_top.push_back(column);
+            isOpen = false;
+            continue;
+        }
+        if (!isOpen) {
+            m_chunks.push_back({column, column, 0, 0});
+            weight = 0;
+            isOpen = true;
+        }
+        m_chunks.back().end = column + 1;
+        const unsigned parent = order.parentOf(column);
+        if (parent != kNoIndex && !m_isTop[parent]) continue;
+        weight += m_weights[column];
+        isOpen = weight <= most / 2;
+    }
+}
+
+void dxFactorPlan::weighTop(const dxEliminationOrder &order) {
+    m_topWork.clear();
+    for (const unsigned column : m_top) {
+        unsigned work = order.firstBlock(column + 1) - order.firstBlock(column);
+        for (unsigned e = order.firstEntry(column); e < order.firstEntry(column + 1); ++e)
+            work += order.firstBlock(order.entry(e).column + 1) - order.entry(e).block;
+        m_topWork.push_back(work);
+    }
+}
+
+void dxFactorPlan::listTargets(const dxEliminationOrder &order) {
+    const unsigned bodies = order.bodyCount();
+    m_targets.resize(order.blockCount());
+    for (const unsigned column : m_top)
+        for (unsigned block = order.firstBlock(column); block < order.firstBlock(column + 1); ++block)
+            m_targets[block] = order.rowOf(block);
+    m_spillRows.clear();
+    m_spillOf.assign(bodies, kNoIndex);
+    for (Chunk &chunk : m_chunks) {
+        chunk.firstSpill = static_cast<unsigned>(m_spillRows.size());
+        for (unsigned block = order.firstBlock(chunk.begin); block < order.firstBlock(chunk.end); ++block) {
+            const unsigned row = order.rowOf(block);
+            m_targets[block] = row;
+            if (!m_isTop[row]) continue;
+            if (m_spillOf[row] == kNoIndex || m_spillOf[row] < chunk.firstSpill) {
+                m_spillOf[row] = static_cast<unsigned>(m_spillRows.size());
+                m_spillRows.push_back(row);
+            }
+            m_targets[block] = bodies + m_spillOf[row];
+        }
+        chunk.endSpill = static_cast<unsigned>(m_spillRows.size());
+    }
+}
 
 void dxBlockFactor::shape(const dxEliminationOrder &order, unsigned threads) {
     m_order = &order;
@@ -219,7 +311,7 @@ dxFactorArrays dxBlockFactor::arrays() {
 }
 
 void dxBlockFactor::factoriseColumns(unsigned begin, unsigned end, unsigned share) {
-    if (!HWY_DYNAMIC_DISPATCH(dxDirect::factoriseColumns)(arrays(), begin, end, m_slotOf[share].data()))
+    if (!HWY_DYNAMIC_DISPATCH(dxFastStepKernels::factoriseColumns)(arrays(), begin, end, m_slotOf[share].data()))
         m_isRegular.store(false, std::memory_order_relaxed);
 }
 
@@ -228,7 +320,7 @@ void dxBlockFactor::factoriseTop(dxPhaseRunner &phases) {
         const unsigned column = m_plan.top()[i], blocks = m_order->firstBlock(column + 1) - m_order->firstBlock(column);
         const unsigned parts = m_plan.topWork()[i] < kMinSharedWork ? 1 : std::clamp(blocks / kMinPart, 1u, phases.threads());
         phases.forChunks(parts, [&](unsigned part, unsigned share) {
-            if (!HWY_DYNAMIC_DISPATCH(dxDirect::factorisePart)(arrays(), column, part, parts, m_slotOf[share].data()))
+            if (!HWY_DYNAMIC_DISPATCH(dxFastStepKernels::factorisePart)(arrays(), column, part, parts, m_slotOf[share].data()))
                 m_isRegular.store(false, std::memory_order_relaxed);
         });
     }
@@ -240,13 +332,13 @@ void dxBlockFactor::solve(dxPhaseRunner &phases, dxBodyVectors &y) {
     const dxFactorArrays arrays = this->arrays();
     phases.forChunks(static_cast<unsigned>(chunks.size()), [&](unsigned chunk, unsigned) {
         std::fill(m_spills.begin() + chunks[chunk].firstSpill, m_spills.begin() + chunks[chunk].endSpill, dxBodyVector{});
-        HWY_DYNAMIC_DISPATCH(dxDirect::solveForward)(arrays, chunks[chunk].begin, chunks[chunk].end, y, m_spills.data());
+        HWY_DYNAMIC_DISPATCH(dxFastStepKernels::solveForward)(arrays, chunks[chunk].begin, chunks[chunk].end, y, m_spills.data());
     });
     for (std::size_t i = 0; i < m_spills.size(); ++i) add(y[m_plan.spillRows()[i]], m_spills[i]);
-    for (const unsigned column : top) HWY_DYNAMIC_DISPATCH(dxDirect::solveForward)(arrays, column, column + 1, y, m_spills.data());
-    for (std::size_t i = top.size(); i-- > 0;) HWY_DYNAMIC_DISPATCH(dxDirect::solveBackward)(arrays, top[i], top[i] + 1, y);
+    for (const unsigned column : top) HWY_DYNAMIC_DISPATCH(dxFastStepKernels::solveForward)(arrays, column, column + 1, y, m_spills.data());
+    for (std::size_t i = top.size(); i-- > 0;) HWY_DYNAMIC_DISPATCH(dxFastStepKernels::solveBackward)(arrays, top[i], top[i] + 1, y);
     phases.forChunks(static_cast<unsigned>(chunks.size()), [&](unsigned chunk, unsigned) {
-        HWY_DYNAMIC_DISPATCH(dxDirect::solveBackward)(arrays, chunks[chunk].begin, chunks[chunk].end, y);
+        HWY_DYNAMIC_DISPATCH(dxFastStepKernels::solveBackward)(arrays, chunks[chunk].begin, chunks[chunk].end, y);
     });
 }
 #endif

@@ -1,19 +1,19 @@
 #include "dynamics/world_step/fast/dxDantzigTrial.h"
 
+#include <ode/error.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 #include "util.h"
 
 #include "dynamics/step/islands/dxIslandStep.h"
 #include "dynamics/world_step/exact/dxDantzigSolver.h"
 #include "dynamics/world_step/exact/dxExactMatrix.h"
-#include "dynamics/world_step/fast/dxBodyMotions.h"
-#include "dynamics/world_step/fast/dxDirectProblem.h"
-#include "dynamics/world_step/fast/dxHeldMessage.h"
-#include "dynamics/world_step/fast/dxKktResidual.h"
-#include "dynamics/world_step/fast/dxRowMatrix.h"
-#include "dynamics/world_step/fast/dxRowResidual.h"
+#include "dynamics/world_step/fast/dxBodySpaceProblem.h"
+#include "dynamics/world_step/fast/dxResidual.h"
 
 namespace {
 
@@ -44,6 +44,27 @@ double residualOfFriction(double x, double w, bool isFinite) {
 }
 
 }  // namespace
+
+bool dxHeldMessage::takeOver(dxReport kind, int number, const char *format, va_list arguments) {
+    if (kind != dxReport::Message) {
+        leave();
+        dxUpstreamScope *const outer = current();
+        return outer != nullptr && outer->takeOver(kind, number, format, arguments);
+    }
+    if (!m_isHeld) std::vsnprintf(m_text, sizeof m_text, format, arguments);
+    m_number = number;
+    m_isHeld = true;
+    return true;
+}
+
+// Neither happens where a message may.
+std::uint32_t dxHeldMessage::takeBlock(std::uint64_t) { std::abort(); }
+bool dxHeldMessage::defersMoved() const { return false; }
+
+void dxHeldMessage::deliver() {
+    leave();
+    if (m_isHeld) dMessage(m_number, "%s", m_text);
+}
 
 std::size_t dxDantzigTrial::memory(std::size_t bodies, std::size_t rows) {
     return 2 * sizeOf<dReal>(rows * kPair) + sizeOf<int>(rows) + 3 * sizeOf<double>(rows) + 2 * sizeOf<dxBodyVector>(bodies) +
@@ -101,7 +122,7 @@ bool dxDantzigTrial::findIfAnswer() const {
     for (std::size_t row = 0; row < rows; ++row) {
         forces[row] = m_problem.pairsBX[row * kPair + kForce];
         const double c = m_unsolved.pairsBX[row * kPair + dxJoint::GI2_CFM], sum = m_diagonal[row] * std::fabs(forces[row]);
-        if (sum > softSum && dxDirectProblem::isSoft(c, m_diagonal[row])) softSum = sum;
+        if (sum > softSum && dxBodySpaceProblem::isSoft(c, m_diagonal[row])) softSum = sum;
     }
     const double residual = findResidual(motions, forces);
     return std::isfinite(residual) && dxIsAnswer(residual, m_largestB, softSum, m_problem, motions);

@@ -1,4 +1,4 @@
-// One of the two convex problems of an island (dxDirectProblem.h): all limits are fixed.
+// One of the two convex problems of an island (dxBodySpaceProblem.h): all limits are fixed.
 //
 // Primal-dual interior-point method: x stays strictly between its limits, at distances l and h from them, and each limit has a
 // multiplier z of its own, so that w = zl - zh. Newton's method is applied to  J u + c x - b = zl - zh,  zl l = zh h = target,  M u = J' x
@@ -21,21 +21,69 @@
 
 #include <vector>
 
-#include "dynamics/world_step/fast/dxDirectProblem.h"
-#include "dynamics/world_step/fast/dxInteriorRows.h"
-#include "dynamics/world_step/fast/dxReducedSystem.h"
+#include "dynamics/world_step/fast/dxBodySpaceProblem.h"
+#include "dynamics/world_step/fast/dxNormalEquations.h"
 #include "dynamics/world_step/fast/dxRefinement.h"
+
+// The distance to a limit that there is not: nothing compares with it, and 0 times it is 0.
+constexpr double kFarLimit = 1e300;
+
+// The numbers that the method has of each row. All arrays have a multiple of kBodyLanes elements, and so have ranges.
+struct dxInteriorRows {
+    std::vector<double> low, high;              // limits; equal: fixed
+    std::vector<double> b, c, softness;         // dxBodySpaceProblem
+    std::vector<double> x;
+    std::vector<double> slackLow, slackHigh;          // distances; kFarLimit where there is no limit
+    std::vector<double> dualLow, dualHigh;      // multipliers; 0 where there is no limit
+    std::vector<double> dx, dDualLow, dDualHigh;  // of a step
+    std::vector<double> s;                      // b - (J inv(M) J' + c) x
+
+    // `padded` elements, of which those from `rows` on are fixed at 0. The others keep their values. Throws std::bad_alloc.
+    void resize(unsigned rows, unsigned padded);
+};
+
+// Its loops over rows. The bits do not depend on the instruction set: sums are over as many lanes as kBodyLanes, in the order of the rows.
+namespace dxInteriorLoops {
+
+// Of a step, or of a part of its rows.
+struct Step {
+    double largestLoss = 0;  // of all distances and multipliers, the largest part of one that the step takes
+    double energy = 0;       // the sum of changes of distances times changes of multipliers
+
+    // Both parts, in the order in which they are added.
+    void add(const Step &other) {
+        if (other.largestLoss > largestLoss) largestLoss = other.largestLoss;
+        energy += other.energy;
+    }
+};
+
+// s for J inv(M) J' x = `change`; the weights inv(D) for D = c + zl / l + zh / h, 0 where a row is fixed; s times them.
+void prepare(dxInteriorRows &rows, unsigned begin, unsigned end, const double *change, double *weight, double *scaled);
+
+// The step to a target of 0, for J du = `change`.
+Step predict(dxInteriorRows &rows, unsigned begin, unsigned end, const double *change, const double *weight);
+
+// The right-hand side of the step to `target`, corrected by the products that the predicted one left out, times the weights.
+void correct(dxInteriorRows &rows, unsigned begin, unsigned end, double target, const double *weight, double *scaled);
+
+// That step, for J du = `change`.
+Step finish(dxInteriorRows &rows, unsigned begin, unsigned end, const double *change, const double *weight);
+
+// Goes a part of the step. Returns the sum of all products of distances and multipliers then.
+double advance(dxInteriorRows &rows, unsigned begin, unsigned end, double length);
+
+}  // namespace dxInteriorLoops
 
 class dxInteriorPoint {
 public:
     // `order`: of the problem's bodies. All outlive what follows. At most so many threads share the phases. Throws std::bad_alloc.
-    void begin(const dxDirectProblem &problem, const dxEliminationOrder &order, dxPhaseRunner &phases, unsigned threads);
+    void begin(const dxBodySpaceProblem &problem, const dxEliminationOrder &order, dxPhaseRunner &phases, unsigned threads);
 
     // The limits of this problem, to be written before solve; low <= high.
     std::vector<double> &low() { return m_rows.low; }
     std::vector<double> &high() { return m_rows.high; }
 
-    // Writes x. Returns its residual (dxKktResidual.h); infinity if numbers left the range of doubles.
+    // Writes x. Returns its residual (dxResidual.h); infinity if numbers left the range of doubles.
     double solve();
 
     const std::vector<double> &x() const { return m_rows.x; }
@@ -72,8 +120,8 @@ private:
     void advance(double length);
     void guessStates();
 
-    const dxDirectProblem *m_problem = nullptr;
-    dxReducedSystem m_system;
+    const dxBodySpaceProblem *m_problem = nullptr;
+    dxNormalEquations m_system;
     dxRefinement m_refinement;
     dxInteriorRows m_rows;
     std::vector<double> m_best, m_found;         // x, refined: the last one, the best one

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "dynamics/world_step/fast/dxKktResidual.h"
+#include "dynamics/world_step/fast/dxResidual.h"
 
 namespace {
 
@@ -23,7 +23,7 @@ constexpr double kReleaseTolerance = 1e-3;
 
 }  // namespace
 
-void dxRefinement::begin(const dxDirectProblem &problem) {
+void dxRefinement::begin(const dxBodySpaceProblem &problem) {
     m_problem = &problem;
     const unsigned rows = dxProblemChunks::padded(problem.rowCount);
     for (std::vector<double> *array : {&m_s, &m_dx, &m_best}) array->assign(rows, 0);
@@ -45,13 +45,13 @@ unsigned dxRefinement::updateStates(const std::vector<double> &low, const std::v
     return changes;
 }
 
-bool dxRefinement::factorise(dxReducedSystem &system, const std::vector<dxRowState> &state) {
+bool dxRefinement::factorise(dxNormalEquations &system, const std::vector<dxRowState> &state) {
     for (unsigned i = 0; i < m_problem->rowCount; ++i)
         m_d[i] = state[i] == dxRowState::Free ? m_problem->softnessOf(i) : kInfinity;
     return system.factorise(m_d);
 }
 
-double dxRefinement::refine(dxReducedSystem &system, const std::vector<double> &low, const std::vector<double> &high,
+double dxRefinement::refine(dxNormalEquations &system, const std::vector<double> &low, const std::vector<double> &high,
                             double enough, std::vector<dxRowState> &state, std::vector<double> &x) {
     double best = kInfinity;
     unsigned stalled = 0;

@@ -11,26 +11,26 @@
 
 #include <vector>
 
-#include "dynamics/world_step/fast/dxReducedSystem.h"
+#include "dynamics/world_step/fast/dxNormalEquations.h"
 
 // Where a row stands.
 enum class dxRowState : unsigned char { Free, AtLow, AtHigh };
 
 class dxRefinement {
 public:
-    void begin(const dxDirectProblem &problem);
+    void begin(const dxBodySpaceProblem &problem);
 
     // From `x` on, with rows in `state`. A row that would pass a limit stays there; one that is pushed away from it is set
     // free, as long as such rows are few. Ends at a residual of `enough`. Writes `x`, as good as it was found. Returns its
     // residual, infinity for none.
-    double refine(dxReducedSystem &system, const std::vector<double> &low, const std::vector<double> &high, double enough,
+    double refine(dxNormalEquations &system, const std::vector<double> &low, const std::vector<double> &high, double enough,
                   std::vector<dxRowState> &state, std::vector<double> &x);
 
 private:
     unsigned updateStates(const std::vector<double> &low, const std::vector<double> &high, const std::vector<double> &x,
                           double tolerance, std::vector<dxRowState> &state) const;
-    bool factorise(dxReducedSystem &system, const std::vector<dxRowState> &state);
+    bool factorise(dxNormalEquations &system, const std::vector<dxRowState> &state);
 
-    const dxDirectProblem *m_problem = nullptr;
+    const dxBodySpaceProblem *m_problem = nullptr;
     std::vector<double> m_s, m_d, m_dx, m_best;
 };
