@@ -9,7 +9,7 @@
 #include "collision/narrowphase/dxNarrowphasePrefetch.h"
 #include "collision/narrowphase/dxHeightField.h"
 #include "collision/narrowphase/dxLiveHeightfields.h"
-#include "collision/narrowphase/dxSilentChanges.h"
+#include "collision/pairs/dxUnnoticedChanges.h"
 #include "collision/narrowphase/dxTransformedGeom.h"
 #include "collision/spaces/dxOrderedSpace.h"
 #include "seams/upstream.h"
@@ -113,7 +113,7 @@ void dGeomDisable(dGeomID geom) {
     dxUpstreamGeomDisable(geom);
 }
 
-// Data of height fields: contacts that were computed from it hear of changes (collision/narrowphase/dxSilentChanges.h), and which data
+// Data of height fields: contacts that were computed from it hear of changes (collision/pairs/dxUnnoticedChanges.h), and which data
 // is there is known (collision/narrowphase/dxLiveHeightfields.h).
 
 dHeightfieldDataID dGeomHeightfieldDataCreate() {

@@ -1,8 +1,7 @@
 // Functions of ode/collision_trimesh.h: what happens to a mesh, or to its data, without its space being told.
 #include <ode/collision.h>
 
-#include "collision/pairs/dxMissedNotifications.h"
-#include "collision/narrowphase/dxSilentChanges.h"
+#include "collision/pairs/dxUnnoticedChanges.h"
 #include "config.h"
 #include "collision_kernel.h"
 #include "seams/upstream.h"

@@ -13,7 +13,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "collision/pairs/dxMissedNotifications.h"
+#include "collision/pairs/dxUnnoticedChanges.h"
 #include "dynamics/step/random/dxSingleStepper.h"
 #include "threading/dxUpstreamScope.h"
 

@@ -3,8 +3,8 @@
 #include <ode/objects.h>
 
 #include "collision/callbacks/dxContactLog.h"
-#include "collision/narrowphase/dxSilentChanges.h"
-#include "core/dxJointAttachment.h"
+#include "collision/pairs/dxUnnoticedChanges.h"
+#include "settings/dxJointAttachment.h"
 #include "dynamics/step/dxJointRemoval.h"
 #include "seams/upstream.h"
 #include "dynamics/quick_step/fast/dxIterativeWorld.h"
@@ -37,7 +37,7 @@ void dWorldDestroy(dWorldID world) {
 
 // Contact joints: where callbacks run on several threads, they are put into their lists later (collision/callbacks/dxContactLog.h).
 // They are removed without taking memory (dynamics/step/dxJointRemoval.h). A joint of any type that is attached during a step may concern
-// it (core/dxJointAttachment.h).
+// it (settings/dxJointAttachment.h).
 
 dJointID dJointCreateContact(dWorldID world, dJointGroupID group, const dContact *contact) {
     dxContactLog *const log = dxContactLog::current();
@@ -61,7 +61,7 @@ void dJointGroupEmpty(dJointGroupID group) {
 }
 
 // These move a body to and fro while they compute anchors: its position comes back rounded, and contacts that were computed
-// from it hear of that (collision/narrowphase/dxSilentChanges.h).
+// from it hear of that (collision/pairs/dxUnnoticedChanges.h).
 
 void dJointSetPistonAnchorOffset(dJointID joint, dReal x, dReal y, dReal z, dReal dx, dReal dy, dReal dz) {
     dxSilentChanges.add();

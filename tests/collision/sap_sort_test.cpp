@@ -9,7 +9,7 @@
 #include <numeric>
 #include <random>
 
-#include "core/dxSapSort.h"
+#include "collision/spaces/dxSapSort.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "collision/narrowphase/dxTransformedGeom.h"
-#include "collision/pairs/dxMissedNotifications.h"
+#include "collision/pairs/dxUnnoticedChanges.h"
 
 namespace {
 

@@ -14,7 +14,7 @@ struct Costs {
 };
 constexpr Costs kTable{150, 30, 1.7, 8, 4};    // dxBruteForcePairs
 constexpr Costs kSorted{300, 60, 0, 110, 30};  // dxAdaptiveBroadphase, dxKeptPairs
-constexpr Costs kPlaced{300, 60, 0, 110, 60};  // the same, where kept pairs get new places (dxOrderedSapSpace)
+constexpr Costs kPlaced{300, 60, 0, 110, 60};  // the same, where kept pairs get new places (dxSapPairOrder)
 constexpr Costs kRows{20, 20, 1.7, 3, 0};      // dxPairRows
 constexpr Costs kHashRows{50, 60, 1.7, 10, 0};  // dxHashRows
 

@@ -2,7 +2,7 @@
 //
 //   broad phase     what a call does                                       done by
 //   ListWalk        walks the geoms as upstream does, keeps nothing        dxOrderedSimpleSpace, dxSapWalk; for queries alone
-//                                                                          dxOrderedListSpace
+//                                                                          dxListCleaner
 //   OrderedTable    compares changed boxes with all; pairs come in order   dxBruteForcePairs
 //   SlotTable       compares changed boxes with all; pairs are sorted      dxBruteForceBroadphase
 //   NeighbourList   compares the candidates of a list; pairs are sorted    dxVerletBroadphase

@@ -14,6 +14,7 @@
 #include "collision/callbacks/dxContactLog.h"
 #include "collision/callbacks/dxPairTasks.h"
 #include "collision/spaces/dxOrderedSpace.h"
+#include "collision/spaces/dxPairDelivery.h"
 #include "settings/dxSettings.h"
 #include "settings/dxStepStatistics.h"
 #include "settings/dxWorkers.h"
@@ -165,7 +166,7 @@ bool start(std::optional<dxPooledObject<Run>> &lease, const dxOrderedSpace &spac
 
 // The part between locking the space and unlocking it.
 bool collideLocked(dxOrderedSpace &space, dxTaskRunner &runner, void *data, dNearCallback *callback) {
-    if (!space.makeReadyShared(runner)) return false;
+    if (space.findPairsOnWorkers(runner) != dxPairsFound::Kept) return false;
     const unsigned workers = workersFor(space, runner);
     if (workers < 2 || space.pairs().size() < kMinPairs) return false;
     std::optional<dxPooledObject<Run>> lease;

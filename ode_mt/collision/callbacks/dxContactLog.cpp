@@ -4,7 +4,7 @@
 #include <new>
 #include <utility>
 
-#include "core/dxJointAttachment.h"
+#include "settings/dxJointAttachment.h"
 #include "core/dxPrefetch.h"
 #include "core/dxReserve.h"
 #include "joints/contact.h"

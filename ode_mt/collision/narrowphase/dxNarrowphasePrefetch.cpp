@@ -8,8 +8,7 @@
 
 #include "collision/narrowphase/dxCcdQuery.h"
 #include "collision/narrowphase/dxColliderOverrides.h"
-#include "collision/narrowphase/dxSilentChanges.h"
-#include "collision/pairs/dxMissedNotifications.h"
+#include "collision/pairs/dxUnnoticedChanges.h"
 #include "collision/pairs/dxPairPrefetch.h"
 #include "core/dxReserve.h"
 #include "threading/dxInterruptingScope.h"

@@ -1,6 +1,6 @@
 #include "collision/narrowphase/dxTransformedGeom.h"
 
-#include "collision/pairs/dxMissedNotifications.h"
+#include "collision/pairs/dxUnnoticedChanges.h"
 
 namespace dxTransformedGeom {
 

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "collision/spaces/dxOrderedSpace.h"
-
+#include "collision/spaces/dxPairDelivery.h"
 #include "core/dxNoIndex.h"
 
 struct dxHashWalk::Meeting {

@@ -1,16 +1,15 @@
 #include "collision/spaces/dxOrderedHashSpace.h"
 
-#include <algorithm>
 #include <atomic>
-#include <climits>
 
-#include "collision/pairs/dxMissedNotifications.h"
 #include "collision/pairs/dxPairPrefetch.h"
 #include "collision/spaces/dxHashWalk.h"
+#include "collision/spaces/dxPairDelivery.h"
 #include "collision/spaces/dxUpstreamAssertion.h"
-#include "collision_space_internal.h"
 #include "core/dxPrefetch.h"
 #include "seams/assertions.h"
+
+#include "collision_space_internal.h"
 #include "util.h"
 
 namespace {
@@ -74,62 +73,35 @@ void reportOutOfRange() {
 
 }  // namespace
 
-// Upstream takes them at its next call, and a callback may set them: pairs() stays as it is until then.
-void dxOrderedHashSpace::setLevels(const dxHashLevels &levels) {
-    m_levels = levels;
-    m_levelsChanged = true;
-}
-
 // Upstream does not even clean a lone geom.
 void dxOrderedHashSpace::collide(void *data, dNearCallback *callback) {
     dAASSERT(callback);
     if (count >= 2) dxOrderedSpace::collide(data, callback);
 }
 
-bool dxOrderedHashSpace::findPairs() {
-    if (m_levelsChanged && lock_count > 1) return false;  // a call around this one goes through pairs()
-    if (m_levelsChanged) startAnew();
-    m_levelsChanged = false;
-    if (!dxOrderedSpace::findPairs()) return false;
-    requireInRange();
-    return true;
+void dxCellPairOrder::update(std::vector<dxOrderedPair> &pairs, dxPairWork &work) {
+    updateCells();
+    m_pairs.updateSorted(pairs, work);
 }
 
-void dxOrderedHashSpace::update(std::vector<dxOrderedPair> &pairs, dxPairWork &work) {
+dxPairRows &dxCellPairOrder::gatherRows() {
     updateCells();
-    updateSorted(pairs, work);
-}
-
-dxPairRows &dxOrderedHashSpace::gatherRows() {
-    updateCells();
-    requireInRange();
+    requireValid();
     m_rows.clear();
-    for (dxGeom *geom = first; geom != nullptr; geom = geom->next) {
-        const Slot slot = slotOf(geom);
-        const dxMembers::Member &member = members()[slot];
+    for (dxGeom *geom = m_geoms.space().first; geom != nullptr; geom = geom->next) {
+        const Slot slot = dxSpaceGeoms::slotOf(geom);
+        const dxMembers::Member &member = m_geoms.members()[slot];
         if (member.geom != nullptr) m_rows.push(geom, slot, member.filter, member.bounds, m_cells[slot]);
     }
     m_rows.finish();
     return m_rows;
 }
 
-// As deliver().
-void dxOrderedHashSpace::deliverAnew(void *data, dNearCallback *callback) {
-    beforeCallbacks([this] { gatherRows(); });
-    const std::uint64_t missed = dxMissedNotifications.count();
-    forPairsOf(m_rows, [](const dxGeom *) { return true; }, [&](const dxOrderedPair &pair) {
-        dxDeliver(pair, data, callback);
-        if (dxMissedNotifications.count() == missed) return true;
-        walk(data, callback, &pair);
-        return false;
-    });
-}
-
-void dxOrderedHashSpace::updateCells() {
-    m_cells.resize(members().end());
-    const std::vector<Slot> &changed = members().changed();
+void dxCellPairOrder::updateCells() {
+    m_cells.resize(m_geoms.members().end());
+    const std::vector<Slot> &changed = m_geoms.members().changed();
     std::atomic<int> more{0};  // out of range
-    runner().forChunks(dxParallelStage::Boxes, changed.size(), kCellsPerChunk, [&](std::size_t begin, std::size_t end, unsigned) {
+    m_geoms.runner().forChunks(dxParallelStage::Boxes, changed.size(), kCellsPerChunk, [&](std::size_t begin, std::size_t end, unsigned) {
         int moreHere = 0;
         for (std::size_t i = begin; i < end; ++i) {
             if (i + kCellPrefetchDistance < end) prefetch(changed[i + kCellPrefetchDistance]);
@@ -141,63 +113,74 @@ void dxOrderedHashSpace::updateCells() {
 }
 
 // Returns by how many more members are out of range.
-int dxOrderedHashSpace::updateCellsOf(Slot slot) {
+int dxCellPairOrder::updateCellsOf(Slot slot) {
     dxHashCells &cells = m_cells[slot];
     const bool wasOut = cells.kind() == Kind::outOfRange;
-    const dxMembers::Member &member = members()[slot];
+    const dxMembers::Member &member = m_geoms.members()[slot];
     cells = member.geom != nullptr ? dxHashCells(member.bounds.v, m_levels) : dxHashCells();
     return (cells.kind() == Kind::outOfRange) - wasOut;
 }
 
-bool dxOrderedHashSpace::primaryKey(Slot a, Slot b, std::uint64_t &word, bool &swapped) const {
-    const Element elementA{m_cells[a], members()[a].rank}, elementB{m_cells[b], members()[b].rank};
+bool dxCellPairOrder::primaryKey(Slot a, Slot b, std::uint64_t &word, bool &swapped) const {
+    const Element elementA{m_cells[a], m_geoms.members()[a].rank}, elementB{m_cells[b], m_geoms.members()[b].rank};
     if (elementA.cells.kind() == Kind::outOfRange || elementB.cells.kind() == Kind::outOfRange) return false;
     swapped = !isSearcher(elementA, elementB);
     word = swapped ? primaryKeyOf(elementB, elementA) : primaryKeyOf(elementA, elementB);
     return true;
 }
 
-bool dxOrderedHashSpace::secondaryKey(Slot first, Slot second, dxPairKey &key) const {
-    return secondaryKeysOf({m_cells[first], members()[first].rank}, {m_cells[second], members()[second].rank},
+bool dxCellPairOrder::secondaryKey(Slot first, Slot second, dxPairKey &key) const {
+    return secondaryKeysOf({m_cells[first], m_geoms.members()[first].rank}, {m_cells[second], m_geoms.members()[second].rank},
                       key);
 }
 
-void dxOrderedHashSpace::prefetch(Slot slot) const {
-    members().prefetch(slot);
+void dxCellPairOrder::prefetch(Slot slot) const {
+    m_geoms.members().prefetch(slot);
     dxPrefetch::line(&m_cells[slot]);
 }
 
-void dxOrderedHashSpace::requireInRange() const {
-    if (m_outOfRange == 0) return;
-    for (const dxGeom *geom = first; geom != nullptr; geom = geom->next)
-        if (dxGeomIsEnabled(geom) && m_cells[slotOf(geom)].kind() == Kind::outOfRange) reportOutOfRange();
+bool dxCellPairOrder::requireValid() const {
+    if (m_outOfRange == 0) return false;
+    for (const dxGeom *geom = m_geoms.space().first; geom != nullptr; geom = geom->next)
+        if (dxGeomIsEnabled(geom) && m_cells[dxSpaceGeoms::slotOf(geom)].kind() == Kind::outOfRange) reportOutOfRange();
+    return true;
 }
 
 // Upstream tests which geoms are enabled before the first callback, and not again.
-void dxOrderedHashSpace::deliver(void *data, dNearCallback *callback) {
-    const std::vector<dxOrderedPair> &pairs = this->pairs();  // of those
-    dxNarrowphasePrefetch *const ahead = this->ahead();
+void dxCellWalker::deliver(void *data, dNearCallback *callback) {
+    const std::vector<dxOrderedPair> &pairs = m_space.pairs();  // of those
+    dxNarrowphasePrefetch *const ahead = m_space.ahead();
     const std::uint64_t missed = dxMissedNotifications.count();
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         if (ahead != nullptr) ahead->beforePair(pairs, i);
         dxPairPrefetch::forCallback(pairs, i);
         dxDeliver(pairs[i], data, callback);
-        if (dxMissedNotifications.count() != missed) {
-            const dxOrderedPair last = pairs[i];
-            walk(data, callback, &last);
-            return;
-        }
+        if (dxMissedNotifications.count() == missed) continue;
+        const dxOrderedPair last = pairs[i];
+        return walk(data, callback, &last);
     }
+}
+
+// As deliver().
+void dxCellWalker::deliverAnew(void *data, dNearCallback *callback) {
+    m_space.geoms().beforeCallbacks([this] { m_order.gatherRows(); });
+    const std::uint64_t missed = dxMissedNotifications.count();
+    dxForPairsOf(m_order.rows(), m_space.foundPairs(), [](const dxGeom *) { return true; }, [&](const dxOrderedPair &pair) {
+        dxDeliver(pair, data, callback);
+        if (dxMissedNotifications.count() == missed) return true;
+        walk(data, callback, &pair);
+        return false;
+    });
 }
 
 // All pairs that share a cell, whether or not their boxes overlap, for the assertions in collideAABBs.
 // Upstream puts the boxes of geoms that are enabled into cells before the first callback; behind a pair they are those of the call that met it.
-void dxOrderedHashSpace::walk(void *data, dNearCallback *callback, const dxOrderedPair *after) {
+void dxCellWalker::walk(void *data, dNearCallback *callback, const dxOrderedPair *after) {
     dxHashWalk walk;
-    beforeCallbacks([&] {
-        for (dxGeom *geom = first; geom != nullptr; geom = geom->next) {
+    m_space.geoms().beforeCallbacks([&] {
+        for (dxGeom *geom = m_space.first; geom != nullptr; geom = geom->next) {
             if (after == nullptr && !dxGeomIsEnabled(geom)) continue;
-            const dxHashCells cells = after != nullptr ? m_cells[slotOf(geom)] : dxHashCells(geom->aabb, m_levels);
+            const dxHashCells cells = after != nullptr ? m_order.cellsOf(dxSpaceGeoms::slotOf(geom)) : dxHashCells(geom->aabb, m_order.levels());
             if (cells.kind() == Kind::none) continue;
             if (cells.kind() == Kind::outOfRange) reportOutOfRange();
             walk.add(geom, cells);

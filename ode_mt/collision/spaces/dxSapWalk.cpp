@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "collision/spaces/dxOrderedSpace.h"
+#include "collision/spaces/dxPairDelivery.h"
 #include "collision/spaces/dxUpstreamAssertion.h"
 #include "seams/assertions.h"
 

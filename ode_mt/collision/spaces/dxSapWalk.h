@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "collision/spaces/dxSapBox.h"
-#include "core/dxSapSort.h"
+#include "collision/spaces/dxSapSort.h"
 
 struct dxOrderedPair;
 

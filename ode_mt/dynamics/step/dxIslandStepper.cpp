@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/dxJointAttachment.h"
+#include "settings/dxJointAttachment.h"
 #include "dynamics/quick_step/exact/dxQuickStep.h"
 #include "dynamics/quick_step/fast/dxFastQuickStep.h"
 #include "dynamics/quick_step/sor/dxRowShuffle.h"

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <numeric>
 
-#include "core/dxJointAttachment.h"
+#include "settings/dxJointAttachment.h"
 #include "core/dxLog.h"
 #include "core/dxStopwatch.h"
 #include "dynamics/remote/dxPackedProblem.h"

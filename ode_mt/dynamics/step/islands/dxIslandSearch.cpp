@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "core/dxJointAttachment.h"
+#include "settings/dxJointAttachment.h"
 #include "core/dxPrefetch.h"
 #include "joints/joint.h"
 

@@ -1,4 +1,4 @@
-#include "core/dxSapSort.h"
+#include "collision/spaces/dxSapSort.h"
 
 #include <algorithm>
 #include <cstddef>

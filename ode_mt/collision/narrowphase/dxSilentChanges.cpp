@@ -1,3 +1,0 @@
-#include "collision/narrowphase/dxSilentChanges.h"
-
-dxEventCounter dxSilentChanges;

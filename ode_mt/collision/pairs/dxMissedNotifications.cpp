@@ -1,3 +1,0 @@
-#include "collision/pairs/dxMissedNotifications.h"
-
-dxEventCounter dxMissedNotifications;
