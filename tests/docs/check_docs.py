@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """What the documents name exists: links with their headings, files, functions and classes, tests. Every page of docs/ is in its contents,
-docs/README.md, and every note in docs/notes/README.md. Pages for users link to no note.
+docs/README.md, and every note in docs/notes/README.md. Pages for users link to no note. Contracts that code names are defined.
 
     check_docs.py REPOSITORY UPSTREAM BUILD    prints each fault with its document, and exits with 1 if there is one
     check_docs.py --self-test                  shows that faults are found
@@ -23,6 +23,7 @@ PATH = re.compile(r"(?<![\w/.~$-])(?:ode|ode_mt|tests|bench|worlds|docs|include)
 TEST = re.compile(r"(?:[A-Z]\w+/)?[A-Z]\w*[a-z]\w*\.[A-Z]\w*[a-z]\w*")
 FENCE = re.compile(r"^```.*?^```$", re.DOTALL | re.MULTILINE)
 HEADING = re.compile(r"^#+ (.*)$", re.MULTILINE)
+CONTRACT = re.compile(r"\b[Cc]ontract ([CF]\d+)\b")
 
 
 def text_of(folder, suffixes):
@@ -89,6 +90,11 @@ def links_to_notes(docs):
                 yield page, target
 
 
+def undefined_contracts(code, page):
+    """Returns the contracts that code names and that have no heading on the page."""
+    return sorted(set(CONTRACT.findall(code)) - {heading.split(":")[0] for heading in HEADING.findall(page)})
+
+
 def main(root, upstream, build):
     folders = [root / name for name in FOLDERS]
     code = "".join(text_of(folder, CODE) for folder in folders) + text_of(upstream, {".c", ".cpp", ".h"})
@@ -104,6 +110,9 @@ def main(root, upstream, build):
         failures += 1
     for page, note in links_to_notes(root / "docs"):
         print(f"{page.relative_to(root)}: a page for users links to the note {note}")
+        failures += 1
+    for contract in undefined_contracts(code, (root / "docs" / "contracts.md").read_text()):
+        print(f"docs/contracts.md: code names the contract {contract}, which is not defined")
         failures += 1
     for document in documents:
         text = document.read_text()
@@ -154,6 +163,7 @@ def self_test():
         assert list(links_to_notes(docs)) == [(docs / "one.md", "notes/2026-11-old.md")]
         assert list(missing_names("`dNoSuchThing` `docs/no_such.md` `Some.TestThatIsNot`", [docs.parent], {"word"}, set())) == \
             ["dNoSuchThing", "docs/no_such.md", "Some.TestThatIsNot"]
+        assert undefined_contracts("// (contract C1) Contract " + "F9:", "# Contracts\n\n### C1: one\n") == ["F9"]
     return 0
 
 
