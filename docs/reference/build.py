@@ -18,7 +18,7 @@ from upstream_functions import complaints, declarations_of, groups_of, of_some_r
 
 HERE = pathlib.Path(__file__).resolve().parent
 COMMENT = re.compile(r"/\*\*.*?\*/", re.DOTALL)
-DOCUMENT = re.compile(r"\bdocs/([\w-]+)\.md\b")
+DOCUMENT = re.compile(r"\bdocs/([\w-]+)\.md\b(#[\w-]+)?")
 NAME = re.compile(r"(?<![\w#@`:\"])(d[A-Z]\w+)\b(?!\.\.\.|\([^)])")  # not dGeom..., which stands for many, and not the text of a call
 
 
@@ -26,7 +26,7 @@ def linked(text, names):
     """The text with links in its comments."""
 
     def comment(match):
-        inside = DOCUMENT.sub(r"[docs/\1.md](../docs/\1.html)", match[0])
+        inside = DOCUMENT.sub(r"[docs/\1.md](../docs/\1.html\2)", match[0])
         return NAME.sub(lambda name: ("#" if name[1] in names else "") + name[1], inside)
 
     return COMMENT.sub(comment, text)

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""The reference finds functions of headers, and sees which are in no group or in several: reference_self_test.py REPOSITORY"""
+"""The reference finds functions of headers, sees which are in no group or in several, and links documents: reference_self_test.py REPOSITORY"""
 import pathlib
 import sys
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(sys.argv[1]) / "docs" / "reference"))
+from build import linked  # noqa: E402
 from upstream_functions import complaints, declarations_in  # noqa: E402
 
 HEADER = """
@@ -31,3 +32,6 @@ assert list(complaints({"dOne", "dTwo"}, {"a": ["dOne"]})) == ["dTwo is in no gr
 assert len(list(complaints({"dOne", "dTwo"}, {"a": ["dOne", "dTwo"], "b": ["dTwo"]}))) == 1
 assert len(list(complaints({"dOne"}, {"a": ["dOne", "dThree"]}))) == 1
 assert not list(complaints({"dOne"}, {"a": ["dOne", "dThree"]}, {"dThree"}))
+
+assert linked("/** docs/step.md, dOne */ docs/step.md", {"dOne"}) == "/** [docs/step.md](../docs/step.html), #dOne */ docs/step.md"
+assert linked("/** (docs/step.md#the-end). */", set()) == "/** ([docs/step.md](../docs/step.html#the-end)). */"
