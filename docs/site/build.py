@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Builds the site: the documents of the repository as pages that a browser opens from the disk, with the reference of functions.
 
-    build.py --repository FOLDER --reference FOLDER --output FOLDER [--mkdocs PROGRAM]
+    build.py --repository FOLDER --reference FOLDER --tables FOLDER --output FOLDER [--mkdocs PROGRAM]
 
 Pages are README.md and whatever is linked from it, and so on; source files that a document links become pages, too. The navigation is that of
-docs/README.md. FOLDER of the reference is what docs/reference/build.py wrote. MkDocs warns of nothing, and every link leads somewhere, or it
+docs/README.md. FOLDER of the reference is what docs/reference/build.py wrote; that of tables has pages that the build generates, or does not exist. MkDocs warns of nothing, and every link leads somewhere, or it
 is an error.
 """
 import argparse
@@ -64,28 +64,39 @@ class Pages:
         return link[1] + link[2] + (self.add(target) if target.exists() else "") + link[3]
 
 
-def navigation(repository):
-    """Titles and pages in the order of docs/README.md: one section for each of its headings."""
+def add_tables(folder, target):
+    """Copies generated pages, and returns the section that lists them."""
+    pages = sorted(folder.glob("*.md"))
+    (target / "tables").mkdir(exist_ok=True)
+    for page in pages:
+        (target / "tables" / page.name).write_text(for_mkdocs(page.read_text()))
+    return [{"Generated tables": [f"tables/{page.name}" for page in pages]}] if pages else []
+
+
+def navigation(repository, tables):
+    """Titles and pages in the order of docs/README.md: one section for each of its headings, then the generated tables."""
     contents = (repository / "docs" / "README.md").read_text()
     sections = [{"ODE_MT": "README.md"}]
     for heading, text in re.findall(r"^## (.*?)\n(.*?)(?=^## |\Z)", contents, flags=re.MULTILINE | re.DOTALL):
         sections.append({heading: [{title: f"docs/{page}"} for title, page in ROW.findall(text)]})
-    return [*sections, {"Working on ODE_MT": ["CONTRIBUTING.md", "tests/README.md", "worlds/README.md"]}, {"Contents": "docs/README.md"}]
+    return [*sections, *tables, {"Working on ODE_MT": ["CONTRIBUTING.md", "tests/README.md", "worlds/README.md"]}, {"Contents": "docs/README.md"}]
 
 
 def main():
     arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     arguments.add_argument("--repository", type=pathlib.Path, required=True)
     arguments.add_argument("--reference", type=pathlib.Path, required=True)
+    arguments.add_argument("--tables", type=pathlib.Path, required=True)
     arguments.add_argument("--output", type=pathlib.Path, required=True)
     arguments.add_argument("--mkdocs", default="mkdocs")
     given = arguments.parse_args()
     output, html = given.output, given.output / "html"
     shutil.rmtree(output, ignore_errors=True)
     Pages(given.repository, output / "pages").add(given.repository / "README.md")
+    tables = add_tables(given.tables, output / "pages")
     shutil.copy(HERE / "site.css", output / "pages")
     shutil.copy(HERE / "hooks.py", output)
-    configuration = (HERE / "mkdocs.yml.in").read_text() + f"nav: {json.dumps(navigation(given.repository))}\n"
+    configuration = (HERE / "mkdocs.yml.in").read_text() + f"nav: {json.dumps(navigation(given.repository, tables))}\n"
     (output / "mkdocs.yml").write_text(configuration)  # JSON is YAML
     environment = {**os.environ, "ODE_MT_REFERENCE_TAGS": str(given.reference / "ode.tag")}
     if subprocess.run([given.mkdocs, "build", "--strict", "--quiet", "--config-file", output / "mkdocs.yml"], env=environment).returncode:

@@ -1,17 +1,27 @@
 #!/bin/sh
-# The table of scenarios in docs/exactness.md, and their numbers in its first paragraph, are those of the program
-# odemt_scenario and of odemt_world_scenario beside it.
+# Writes the table of all scenarios, a page of the site: scenario_table.sh PROGRAM PAGE
 #
-#   scenario_table.sh PROGRAM DOCUMENT          compares, and shows the difference
-#   scenario_table.sh PROGRAM DOCUMENT --write  rewrites the document
+# PROGRAM is odemt_scenario; odemt_world_scenario is beside it. Fails if a scenario is listed twice or does not say what happens, or if a
+# file of scenarios/ that adds to the catalogue has no scenario in the list.
 set -eu
-program=$1
-document=$2
+program=$1 page=$2
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
 "$program" --list >"$folder/list"
 "$(dirname "$program")/odemt_world_scenario" --list >>"$folder/list"
+
+cut -f 1 "$folder/list" | sort | uniq -d | sed 's/$/ is listed twice/' >"$folder/problems"
+awk -F '\t' '$5 == "" { print $1 " does not say what happens" }' "$folder/list" >>"$folder/problems"
+for file in $(grep -lE '^void add[A-Z]\w*\(Catalogue &' "$(dirname "$0")"/scenarios/*.cpp); do
+    theme=$(basename "$file" .cpp)
+    grep -q "^$theme/" "$folder/list" || echo "no scenario of scenarios/$theme.cpp is listed"
+done >>"$folder/problems"
+if [ -s "$folder/problems" ]; then
+    cat "$folder/problems" >&2
+    exit 1
+fi
+
 awk -F '\t' '
     {
         name = $1; sub("/[^/]*$", "", name)
@@ -24,23 +34,13 @@ awk -F '\t' '
         return runs[name] ~ /quick$/ ? "`dWorldQuickStep`" : "`dWorldStep`"
     }
     END {
+        print "# The scenarios of the exactness suite\n"
+        print "The suite compares " count " scenarios (" NR " with both steppers) with `libode8`, bit by bit. `tests/exactness/scenario_table.sh` writes this page."
+        print "\n| scenario | what happens | steppers | why it does not run in parallel |\n|---|---|---|---|"
         for (i = 1; i <= count; ++i)
             print "| `" names[i] "` | " meaning[names[i]] " | " steppers(names[i]) " | " why[names[i]] " |"
-    }' "$folder/list" >"$folder/rows"
+    }' "$folder/list" >"$folder/page"
 
-scenarios=$(wc -l <"$folder/rows")
-runs=$(wc -l <"$folder/list")
-awk -v rows="$folder/rows" -v numbers="$scenarios scenarios ($runs with both steppers)" '
-    { sub(/[0-9]+ scenarios \([0-9]+ with both steppers\)/, numbers) }
-    /^## / { inTable = 0 }
-    /^## Scenarios/ { inTable = 1 }
-    inTable && /^\| `/ { next }
-    { print }
-    inTable && /^\|---/ { while ((getline row <rows) > 0) print row }' "$document" >"$folder/document"
-
-if [ "${3:-}" = --write ]; then
-    cp "$folder/document" "$document"
-elif ! diff -u "$document" "$folder/document"; then
-    echo "rewrite it: $0 $program $document --write" >&2
-    exit 1
-fi
+mkdir -p "$(dirname "$page")"
+cp "$folder/page" "$page"
+sed -n 3p "$page"

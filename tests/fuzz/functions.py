@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
 """Every function that ODE exports is one that scripts call, or stands in not_drawn.txt with a reason.
 
-functions.py LIBODE PLAYER OUR_HEADER [--write]
+functions.py LIBODE PLAYER OUR_HEADER
 
-LIBODE is Debian's library, PLAYER the program odemt_fuzz_player, OUR_HEADER ode_MT.h. The table in docs/fuzzing.md has to be
-that of not_drawn.txt; --write puts it there.
+LIBODE is Debian's library, PLAYER the program odemt_fuzz_player, OUR_HEADER ode_MT.h.
 """
 import os
 import subprocess
@@ -12,8 +11,6 @@ import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
-DOCUMENT = os.path.join(ROOT, 'docs', 'fuzzing.md')
-BEGIN, END = '<!-- functions.py writes from here -->', '<!-- to here -->'
 sys.path.insert(0, os.path.join(ROOT, 'tests', 'kept_state'))
 from write_table import added_functions, exported_symbols, functions_of, matches  # noqa: E402
 
@@ -34,11 +31,11 @@ def reasons():
     return [(reason.strip(), names.split()) for reason, names in (line.split('|') for line in lines)]
 
 
-def classify(functions, drawn, rows):
-    """Returns for each row the functions that it excludes, and what is wrong."""
+def problems_of(functions, drawn, rows):
+    """What is wrong with the list: each function is drawn, or excluded by one row."""
     problems = [f'{name} is drawn, but is no exported function' for name in sorted(drawn - functions)]
-    excluded, reason_of = [], {}
-    for reason, patterns in rows:
+    excluded = set()
+    for _, patterns in rows:
         found = []
         for pattern in patterns:
             names = sorted(name for name in functions if matches(name, pattern))
@@ -48,43 +45,24 @@ def classify(functions, drawn, rows):
         for name in found:
             if name in drawn:
                 problems.append(f'not_drawn.txt: {name} is drawn')
-            if name in reason_of:
+            if name in excluded:
                 problems.append(f'not_drawn.txt: {name} stands there twice')
-            reason_of[name] = reason
-        excluded.append(sorted(set(found)))
-    problems += [f'{name} is neither drawn nor in not_drawn.txt' for name in sorted(functions - drawn - reason_of.keys())]
-    return excluded, problems
+            excluded.add(name)
+    problems += [f'{name} is neither drawn nor in not_drawn.txt' for name in sorted(functions - drawn - excluded)]
+    return problems
 
 
-def table(functions, drawn, rows, excluded):
-    lines = [f'Of {len(functions)} functions that ODE and ODE_MT export scripts call {len(drawn)}. The others:', '',
-             '| functions | why |', '|---|---|']
-    for (reason, _), names in zip(rows, excluded):
-        lines.append('| ' + ', '.join(f'`{name}`' for name in names) + f' | {reason} |')
-    return '\n'.join(lines)
-
-
-def main(library, player, our_header, *options):
+def main(library, player, our_header):
     functions = {name for name in exported_symbols(library) if is_ode_name(name)} | set(functions_of(our_header))
     others = added_functions().keys() - functions  # a newer release has them, with which they are drawn
     functions |= others
-    drawn, rows = drawn_functions(player) | others, reasons()
-    excluded, problems = classify(functions, drawn, rows)
-    if not problems:
-        with open(DOCUMENT, encoding='utf-8') as file:
-            text = file.read()
-        before, rest = text.split(BEGIN)
-        wanted = f'{before}{BEGIN}\n{table(functions, drawn, rows, excluded)}\n{END}{rest.split(END)[1]}'
-        if '--write' in options:
-            with open(DOCUMENT, 'w', encoding='utf-8') as file:
-                file.write(wanted)
-        elif wanted != text:
-            problems.append('docs/fuzzing.md: the table of functions is another one; functions.py --write writes it')
+    drawn = drawn_functions(player) | others
+    problems = problems_of(functions, drawn, reasons())
     print('\n'.join(problems) or f'{len(functions)} functions, {len(drawn)} of them drawn')
     return 1 if problems else 0
 
 
 if __name__ == '__main__':
-    if len(sys.argv) < 4:
+    if len(sys.argv) != 4:
         sys.exit(__doc__)
     sys.exit(main(*sys.argv[1:]))

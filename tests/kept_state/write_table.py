@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Writes docs/kept-state.md from the files in table/, and refuses tables that are not complete.
+"""Writes the page of kept state, which the site has, from the files in table/, and refuses tables that are not complete.
 
-write_table.py LIBODE HEADERS CALLS SCENARIOS [--check]
+write_table.py LIBODE HEADERS CALLS SCENARIOS PAGE
 
 LIBODE is Debian's library, HEADERS the folder of upstream's public headers, CALLS the program every_call and SCENARIOS
-the program odemt_scenario. With --check docs/kept-state.md is compared instead of written.
+the program odemt_scenario. PAGE is the file to write.
 """
 import fnmatch
 import os
@@ -14,7 +14,6 @@ import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
-DOCUMENT = os.path.join(ROOT, 'docs', 'kept-state.md')
 problems = []
 
 
@@ -125,9 +124,8 @@ nearly every function of ODE's may change a fact. A result whose fact changed wi
 So each fact is listed here with the functions that change it, and each piece of kept state with the facts it depends on,
 what notifies it, and the tests that verify it. If you add a function or keep something new, add its row.
 
-This file is written by `tests/kept_state/write_table.py` from `tests/kept_state/table/`; the test `kept_state.table` fails
-if a function that Debian's library exports is missing or listed twice, if a row has no test, if a test does not exist,
-or if this file is not up to date.
+`tests/kept_state/write_table.py` writes this page from `tests/kept_state/table/`. The test `kept_state.table` fails if a
+function that Debian's library exports is missing or listed twice, if a row has no test, or if a test does not exist.
 
 *Call test* is `kept_state.every_call`: it calls every exported function on live objects, between frames, between collision
 and step, twice, undone, before the end, and in every kind of code that a program gives to ODE (callbacks, functions of
@@ -168,7 +166,7 @@ def document(functions, headers, facts, states, notified, user_code):
     return '\n'.join(lines) + '\n'
 
 
-def main(library, header_folder, calls, scenarios, *options):
+def main(library, header_folder, calls, scenarios, page):
     listed = {name for row in rows('internals.txt', ' ') for name in row}
     internals = {name.lstrip('?') for name in listed}
     symbols = exported_symbols(library)
@@ -197,20 +195,16 @@ def main(library, header_folder, calls, scenarios, *options):
         if len(row) != 6:
             problems.append(f'user_code.txt: "{row[0]}" has {len(row)} cells')
         tests.check(f'user_code.txt: {row[0]}', row[-1].split())
-    text = '' if problems else document(functions, headers, facts, states, notified, user_code)
-    if not problems and '--check' in options:
-        with open(DOCUMENT, encoding='utf-8') as file:
-            if file.read() != text:
-                problems.append('docs/kept-state.md is not what write_table.py writes')
-    elif not problems:
-        with open(DOCUMENT, 'w', encoding='utf-8') as file:
-            file.write(text)
+    if not problems:
+        os.makedirs(os.path.dirname(page), exist_ok=True)
+        with open(page, 'w', encoding='utf-8') as file:
+            file.write(document(functions, headers, facts, states, notified, user_code))
     print('\n'.join(problems) or f'{len(functions)} functions, {len(states)} pieces of state, {len(notified)} rows, '
           f'{len(user_code)} places of user code')
     return 1 if problems else 0
 
 
 if __name__ == '__main__':
-    if len(sys.argv) < 5:
+    if len(sys.argv) != 6:
         sys.exit(__doc__)
     sys.exit(main(*sys.argv[1:]))
