@@ -1,4 +1,4 @@
-// odemt_scale: how far islands on other machines go (docs/scale.md).
+// odemt_scale: how far islands on other machines go (docs/remote.md).
 #include "error_output.h"
 #include "machine.h"
 #include "result_file.h"

@@ -46,7 +46,7 @@ std::optional<ScaleOptions> readScaleOptions(int argc, const char *const *argv, 
     ScaleOptions options;
     options.measure.library = bench::folderOfOurLibrary();
     std::string worlds = kWorlds, networks, workers;
-    CLI::App app("Predicts how long a frame takes with islands solved by other machines, from what is measured on this one (docs/scale.md).", "odemt_scale");
+    CLI::App app("Predicts how long a frame takes with islands solved by other machines, from what is measured on this one (docs/remote.md).", "odemt_scale");
     app.add_option("--worlds", worlds, "worlds and scenes, as for odemt_bench")->capture_default_str();
     app.add_option("--measured", options.measuredFiles, "files of --save, of which frames are predicted without measuring again");
     app.add_option("--networks", networks, "none, 100M, 1GbE, 10GbE, 25GbE, infiniband, DELAY/RATE in ns and bytes a second; all named ones unless given");

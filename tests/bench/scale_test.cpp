@@ -1,4 +1,4 @@
-// The model of docs/scale.md: steps that can be reckoned by hand, what must hold for any cluster, and a recorded scenario.
+// The model of docs/remote.md: steps that can be reckoned by hand, what must hold for any cluster, and a recorded scenario.
 #include "scale/measured_world.h"
 #include "scale/network.h"
 #include "scale/scale_table.h"
@@ -104,7 +104,7 @@ TEST(Scale, EnoughWorkersAreThoseBeyondWhichLittleIsGained) {
     for (std::size_t i = 1; i < scaling.frameNs.size(); ++i) EXPECT_LE(scaling.frameNs[i], scaling.frameNs[i - 1] * 1.05) << i;
 }
 
-// Measured once (docs/scale.md), a worker behind a simulated network: the model is held to what it said then. Each line of the file: world, network,
+// Measured once, a worker behind a simulated network: the model is held to what it said then. Each line of the file: world, network,
 // workers, a frame at home in turns with those that were measured, which took the last number. Milliseconds.
 TEST(Scale, PredictsRecordedScenarios) {
     std::istringstream lines(read(ODEMT_SCALE_DATA "/recorded.txt"));
@@ -115,7 +115,7 @@ TEST(Scale, PredictsRecordedScenarios) {
         const MeasuredWorld measured = readMeasuredWorld(read(ODEMT_SCALE_DATA "/" + world + ".json"));
         const MeasuredWorld now = slowedDown(measured, homeMs * kMs / measured.homeFrameNs);
         const double frame = predictFrame(now, {workers, readNetwork(network), true, false, 2}) / kMs;
-        std::printf("%s %s %u %g %g %g\n", world.c_str(), network.c_str(), workers, homeMs, frame, measuredMs);  // the table of docs/scale.md
+        std::printf("%s %s %u %g %g %g\n", world.c_str(), network.c_str(), workers, homeMs, frame, measuredMs);
         EXPECT_NEAR(frame / measuredMs, 1, 0.2) << world << " behind " << network << ", " << workers << " workers: " << frame << " ms";
     }
     EXPECT_GE(count, 10u);

@@ -1,5 +1,5 @@
 // Geoms added clean in front of dirty ones: upstream never cleans those behind and fails an assertion where they
-// meet something (docs/collision-order.md). Ours ends in the same way, with the same text, or continues in the same way.
+// meet something (docs/collision.md). Ours ends in the same way, with the same text, or continues in the same way.
 #include <gtest/gtest.h>
 
 #include <regex>

@@ -1,4 +1,4 @@
-// Pairs and their order in random spaces, against Debian's libode8: docs/collision-order.md.
+// Pairs and their order in random spaces, against Debian's libode8: docs/collision.md.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -14,7 +14,7 @@ namespace fuzz {
 
 namespace {
 
-// Messages of libode8 after which it uses unwritten numbers (docs/fuzzing.md).
+// Messages of libode8 after which it uses unwritten numbers (docs/testing.md).
 constexpr const char *kUndefined[] = {
     "zero length vector in dRFrom2Axes",  // the matrix on the stack is left as it is
 };

@@ -1,4 +1,4 @@
-/* Asks for the last frame of a world, for docs/tools.md, and for what workers have done, for docs/remote-islands.md. */
+/* Asks for the last frame of a world, for docs/tools.md, and for what workers have done, for docs/remote.md. */
 #include <stdio.h>
 #include <stdlib.h>
 

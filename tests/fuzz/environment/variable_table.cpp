@@ -108,7 +108,7 @@ std::vector<std::string> readHeuristicNames(const std::string &document) {
         std::smatch found;
         if (std::regex_match(line, found, row)) names.push_back(found[1]);
     }
-    if (names.empty()) throw std::runtime_error("docs/heuristics.md has no table of names");
+    if (names.empty()) throw std::runtime_error("docs/clusters.md has no table of names");
     return names;
 }
 

@@ -19,7 +19,7 @@ struct Variable {
 // Throws std::runtime_error when the document has no table.
 std::vector<Variable> readVariableTable(const std::string &document);
 
-// The names of heuristics, from the table of docs/heuristics.md.
+// The names of heuristics, from the table of docs/clusters.md.
 std::vector<std::string> readHeuristicNames(const std::string &document);
 
 enum class Understanding {
