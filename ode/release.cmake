@@ -6,7 +6,7 @@
 #   seams.cmake       seams that it alone needs (ode/seams.cmake has the others)
 #   new_functions.txt, gone_functions.txt   what its public headers declare that earlier ones did not, and the other way round
 #
-# A further release is a further folder (docs/next-release.md).
+# A further release is a further folder (docs/overview.md).
 file(GLOB _pins RELATIVE "${CMAKE_CURRENT_LIST_DIR}/releases" "${CMAKE_CURRENT_LIST_DIR}/releases/*/pin.cmake")
 string(REPLACE "/pin.cmake" "" ODE_MT_UPSTREAM_RELEASES "${_pins}")
 list(SORT ODE_MT_UPSTREAM_RELEASES COMPARE NATURAL)

@@ -48,7 +48,7 @@ endfunction()
 ode_mt_call_instead("ode.cpp" dxReallocateWorldProcessContext dxPrepareStepIslands)
 
 # The islands are distributed by our strategies instead of upstream's call queue (ode_mt/dynamics/step/dxStep.h), and stepped by stages of
-# ours (docs/steppers.md).
+# ours (docs/step.md).
 # Upstream's steppers run only where a world has a threading implementation of the user's own, and for islands whose joints the
 # user changes during the step.
 ode_mt_call_instead("ode.cpp" dxProcessIslands dxStepIslands)
@@ -88,7 +88,7 @@ ode_mt_rename(ode.cpp dJointCreateContact dJointAttach dJointGroupEmpty)
 # The table of colliders is filled lazily for the user's geom classes, without a lock (ode_mt/collision/narrowphase/dxColliderTable.h).
 ode_mt_rename(collision_kernel.cpp dCollide dCreateGeomClass dSetColliderOverride)
 
-# Two boxes are collided with vectors: same bits, less time (docs/narrowphase.md).
+# Two boxes are collided with vectors: same bits, less time (docs/collision.md).
 ode_mt_rename(box.cpp dBoxBox)
 ode_mt_call_instead("collision_kernel.cpp" dCollideBoxBox dxCollideBoxBox)
 
@@ -114,7 +114,7 @@ ode_mt_rename(joints/pu.cpp dJointSetPUAnchorDelta dJointSetPUAnchorOffset)
 ode_mt_compile_after("collision_libccd.cpp" collision_libccd.h)
 
 # The sign of a zero depth follows from the order of the arguments in fmax(0.0, x). g++ takes the order to be free and may change
-# it; Debian 12's binary has it as it is written, and that of a release whose compiler changed it has a seam of its own. Elsewhere upstream calls neither fmax nor fmin (docs/same-bits.md).
+# it; Debian 12's binary has it as it is written, and that of a release whose compiler changed it has a seam of its own. Elsewhere upstream calls neither fmax nor fmin (docs/exactness.md).
 set_property(SOURCE "${ODE_MT_UPSTREAM_DIR}/ode/src/collision_libccd.cpp" APPEND PROPERTY
     COMPILE_OPTIONS -fno-builtin-fmax)
 
@@ -124,10 +124,10 @@ ode_mt_rename(collision_space.cpp dSimpleSpaceCreate dHashSpaceCreate dHashSpace
 ode_mt_rename(collision_quadtreespace.cpp dQuadTreeSpaceCreate)
 ode_mt_rename(collision_sapspace.cpp dSweepAndPruneSpaceCreate)
 
-# The triangular solves of upstream's LCP solver with vectors: same bits, less time (docs/solve.md).
+# The triangular solves of upstream's LCP solver with vectors: same bits, less time (docs/exact.md).
 ode_mt_compile_after("lcp.cpp" lcp.h)
 
-# Upstream's own solver is left with what is not finite, and with the other cases of docs/lcp.md
+# Upstream's own solver is left with what is not finite, and with the other cases of docs/exact.md
 # (ode_mt/dynamics/world_step/exact/dantzig/dxDantzig.cpp). There the sign of a NaN may decide whether it reports an error. Of two NaNs
 # that are added one is kept, and vectors would keep another one than Debian's binary, which has none in these loops
 # (docs/exactness.md). Problems without limits, which it solves, too, take as long as before.

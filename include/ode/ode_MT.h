@@ -200,12 +200,12 @@ ODE_API const char *dODE_MT_GetAlgorithm(void);
  * Chooses how the islands of a world are solved: "exact" (the default, unless the environment says otherwise: upstream's algorithms,
  * with upstream's bits) or "fast" (the same equations of the same joints, solved in another way).
  *
- * dWorldStep, "fast": hundreds of times faster for large islands (docs/direct-solver.md). Velocities are those of "exact" to about nine
+ * dWorldStep, "fast": hundreds of times faster for large islands (docs/fast.md). Velocities are those of "exact" to about nine
  * digits wherever the equations determine them. Forces of redundant joints and contacts (dJointFeedback) may be distributed in
  * another way where cfm is 0.
  *
  * dWorldQuickStep, "fast": sweeps begin with the forces of the last step and take eight contacts at a time
- * (docs/iterative-solver.md). The number of iterations (dWorldSetQuickStepNumIterations) is an upper bound; the result is another approximation
+ * (docs/fast.md). The number of iterations (dWorldSetQuickStepNumIterations) is an upper bound; the result is another approximation
  * than upstream's of the same solution. No random numbers are drawn.
  *
  * The bits are other ones than upstream's, the same for every number of threads and instruction set. Both solvers are the same for
@@ -334,7 +334,7 @@ ODE_API int dODE_MT_GetWorkerIndex(void);
 ODE_API int dODE_MT_GetWorkerCount(dSpaceID space);
 
 /**
- * Chooses the heuristics that tune clusters (docs/heuristics.md), for measuring: "default", "none", or names with
+ * Chooses the heuristics that tune clusters (docs/clusters.md), for measuring: "default", "none", or names with
  * commas between them: "cells" (number of cells), "centre" (of the grid), "crossover" and "declustering" (checks
  * that are skipped where nothing can have collided or separated), "threads" (no more threads for concurrent
  * callbacks than clusters; not in "default"). They change speed, never results. Takes effect at the next
@@ -947,7 +947,7 @@ ODE_API dSpaceID dThreadGetSpaceID(int threadID, int index);
  *
  * A space has clusters while an algorithm that clusters is in force (dODE_MT_SetAlgorithm). They are those of the last check
  * in dSpaceCollide: at each call without heuristics, else where geoms could have collided or separated
- * (docs/heuristics.md), so cells may be those of some calls before.
+ * (docs/clusters.md), so cells may be those of some calls before.
  * The functions change nothing. They must not be called from another thread while the space collides. `world` is the
  * world whose bodies the geoms of the space have. A cluster has a name, a number from 1 on, that it keeps from
  * frame to frame; 0 stands for no cluster. Functions that write up to `capacity` of something only count where that is 0;

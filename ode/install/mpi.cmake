@@ -1,4 +1,4 @@
-# ode_mt_install_mpi(COMPONENT LIBDIR [EXCLUDE_FROM_ALL]): what islands that other processes solve need (docs/remote-islands.md), where MPI was
+# ode_mt_install_mpi(COMPONENT LIBDIR [EXCLUDE_FROM_ALL]): what islands that other processes solve need (docs/remote.md), where MPI was
 # found: libode_mt_mpi.so in the folder of the library's own parts, and odemt_worker, which that finds from its own place. Nothing else of the
 # tree is linked to MPI but odemt_batch_mpi.
 #

@@ -2,7 +2,7 @@
 //
 // Before each search the check frequencies say whether clusters have to be looked at again; after it the others
 // see what it took and how many clusters there are, and set the parameters of the next one (thesis chapter 10).
-// They change speed, never results: docs/heuristics.md.
+// They change speed, never results: docs/clusters.md.
 // One thread at a time, as the space.
 #pragma once
 

@@ -1,8 +1,8 @@
 // Where the centre of the grid lies (thesis 10.1, which names the parameter and gives no rule).
 //
 // The centre is put where the caller offers it: at the middle of what nearly all dynamic members span (dxFitGrid), so that one member
-// far away, or one that falls for ever, does not drag it along. (The median of the members was tried: docs/heuristics.md.) It is moved
-// only
+// far away, or one that falls for ever, does not drag it along. Tried and dropped: the median of the members, which lies in one of two
+// groups. It is moved only
 //   - when more than kOutside of the members are outside the grid, or the median frame has become dearer by
 //     more than kDrift since the last decision;
 //   - if what is offered is then further than kHysteresis cells from the centre on some axis: a move within a cell

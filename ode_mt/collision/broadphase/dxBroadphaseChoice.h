@@ -13,7 +13,7 @@
 // its list or ask its tree (dxRegionIndex).
 //
 // The choice shows in the time that a call takes, never in the pairs that it finds. Everything here is a pure
-// function of its arguments; what is remembered from call to call is the caller's. Figures: docs/collision-order.md.
+// function of its arguments; what is remembered from call to call is the caller's. Figures: docs/collision.md.
 // What tunes one broad phase within itself (skin, edge of cells, rows that a worker takes at once) stands with it.
 #pragma once
 

@@ -1,4 +1,4 @@
-// The collider of two boxes, as upstream's dCollideBoxBox and dBoxBox, with vectors (docs/narrowphase.md).
+// The collider of two boxes, as upstream's dCollideBoxBox and dBoxBox, with vectors (docs/collision.md).
 //
 // Threading: that of colliders; no state.
 #pragma once

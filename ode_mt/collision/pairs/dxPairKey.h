@@ -2,7 +2,7 @@
 //
 // Upstream walks its list of geoms; both orders follow from where the two geoms stand in the list. A
 // member's rank tells that without the list: of two members, the one with the higher rank stands further to
-// the front. Keys compare by their words in turn. docs/collision-order.md derives both orders.
+// the front. Keys compare by their words in turn. docs/collision.md derives both orders.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // The cells in which upstream's hash space stores a box, and the cell in which it finds a pair: dxHashSpace::collide in
-// collision_space.cpp, derived in docs/collision-order.md.
+// collision_space.cpp, derived in docs/collision.md.
 #pragma once
 
 #include <algorithm>

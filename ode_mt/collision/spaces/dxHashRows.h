@@ -1,4 +1,4 @@
-// All pairs of a hash space, found anew with SIMD, in upstream's order (docs/collision-order.md).
+// All pairs of a hash space, found anew with SIMD, in upstream's order (docs/collision.md).
 //
 // The geoms of the table are sorted by level, those of one level as in the list: what a geom finds is behind it. Those that it finds
 // on one level are ordered by the first cell that both cover, and in a cell the one furthest to the back comes first. A box covers at

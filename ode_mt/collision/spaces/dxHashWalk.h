@@ -2,7 +2,7 @@
 // boxes that are not up to date, a nested call.
 //
 // It needs memory for the geoms and the cells that they cover, at most eight each; upstream also keeps a bit for every
-// two geoms. docs/collision-order.md.
+// two geoms. docs/collision.md.
 #pragma once
 
 #include <cstdint>

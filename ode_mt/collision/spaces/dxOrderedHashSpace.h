@@ -1,5 +1,5 @@
 // The hash space: each geom finds others in the cells that it covers, on its own level and those above; pairs with
-// geoms too large for any level follow. docs/collision-order.md.
+// geoms too large for any level follow. docs/collision.md.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // The quad-tree space: pairs each geom with those behind it in its block, then with those in the blocks within, from
-// the root on. docs/collision-order.md.
+// the root on. docs/collision.md.
 #pragma once
 
 #include "collision/spaces/dxOrderedSpace.h"

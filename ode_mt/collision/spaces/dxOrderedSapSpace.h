@@ -1,5 +1,5 @@
 // The sweep-and-prune (SAP) space: geoms are sorted along an axis (dxSapPairOrder). It keeps its geoms in two arrays, as upstream's does
-// (dxSapCleaner). docs/collision-order.md.
+// (dxSapCleaner). docs/collision.md.
 #pragma once
 
 #include "collision/spaces/dxOrderedSpace.h"

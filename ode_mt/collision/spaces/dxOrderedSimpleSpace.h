@@ -1,4 +1,4 @@
-// The simple space: pairs each geom with those behind it in the list, from the front on. docs/collision-order.md.
+// The simple space: pairs each geom with those behind it in the list, from the front on. docs/collision.md.
 #pragma once
 
 #include <cstddef>

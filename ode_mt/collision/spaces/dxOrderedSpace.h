@@ -28,7 +28,7 @@
 // Threading: one thread at a time, as upstream; but while nothing changes, several threads may call collide2. They may be the
 // first to process earlier changes: one thread does, and the others wait for it for a limited time. (In quad-tree and
 // sweep-and-prune spaces geoms must have been cleaned before, as upstream's lists of geoms to be cleaned need it.)
-// docs/collision-order.md, docs/kept-state.md.
+// docs/collision.md, docs/exactness.md.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
 // All pairs of a quad-tree space, found anew: each geom with those behind it in its block and in the blocks within, which stand together in
-// the order of ranks (docs/collision-order.md). In other blocks nothing overlaps it.
+// the order of ranks (docs/collision.md). In other blocks nothing overlaps it.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // The callbacks of quad-tree spaces, in upstream's order: of a geom with those behind it in its block, then with those in the blocks within, from
-// the root on. docs/collision-order.md. Threading: as dxOrderedSpace.
+// the root on. docs/collision.md. Threading: as dxOrderedSpace.
 #pragma once
 
 #include <cstddef>

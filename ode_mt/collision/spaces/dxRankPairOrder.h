@@ -1,5 +1,5 @@
 // The order of pairs by the ranks of their geoms, which is that of simple spaces and quad trees: of two members the one with the higher rank is the
-// first; pairs are ordered by the first, then by the second. docs/collision-order.md.
+// first; pairs are ordered by the first, then by the second. docs/collision.md.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // The order of pairs of sweep-and-prune spaces: geoms are sorted along an axis, and each is paired with those that begin before it
-// ends; pairs with geoms of infinite extent on that axis follow. docs/collision-order.md.
+// ends; pairs with geoms of infinite extent on that axis follow. docs/collision.md.
 //
 // Upstream tests which geoms are enabled before it sorts, so enabling or disabling a geom changes the pairs. The place of a pair depends on all sorted
 // members: kept pairs get new places whenever a member changes. Threading: as dxOrderedSpace.

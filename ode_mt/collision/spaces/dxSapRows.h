@@ -1,4 +1,4 @@
-// All pairs of a sweep-and-prune space, found anew by a sweep along its first axis, in upstream's order (docs/collision-order.md).
+// All pairs of a sweep-and-prune space, found anew by a sweep along its first axis, in upstream's order (docs/collision.md).
 #pragma once
 
 #include <cstddef>

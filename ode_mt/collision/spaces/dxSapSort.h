@@ -5,7 +5,7 @@
 // their indices, and changes nothing if the numbers do not fall along it. Otherwise numbers rise, by their bits (-0
 // before 0), and of equal ones those with their sign bit clear keep that order while those with it set reverse it. So
 // the order of indices is a state that every call of upstream's changes, and every call here must change it likewise.
-// docs/collision-order.md. Not thread safe.
+// docs/collision.md. Not thread safe.
 #pragma once
 
 #include <cstdint>

@@ -11,7 +11,7 @@
 //   finishInOrder            caller   the islands from that one on, as the serial strategy
 //
 // Upstream's dxProcessIslands lets threads take islands as they come: its random numbers, list orders and messages then
-// differ from run to run. docs/same-bits.md goes through why the bits stay the same here.
+// differ from run to run. docs/exactness.md goes through why the bits stay the same here.
 //
 // A worker writes only the records of the islands that it steps, and its own worker record (dxStepRecords).
 #pragma once

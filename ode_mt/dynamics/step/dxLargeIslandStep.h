@@ -1,5 +1,5 @@
 // The large-island strategy: the islands in upstream's order, as the serial one, and each large island by all workers
-// together. See docs/large-islands.md.
+// together. See docs/step.md.
 #pragma once
 
 #include "dynamics/step/dxStepStrategy.h"

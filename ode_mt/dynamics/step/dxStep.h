@@ -5,7 +5,7 @@
 //   dxSerialStep, dxIslandParallelStep, dxLargeIslandStep do it
 //   dxIslandStepper steps one island for each of them
 //
-// See docs/frame.md for the picture and docs/same-bits.md for why the bits stay the same.
+// See docs/step.md for the picture and docs/exactness.md for why the bits stay the same.
 #pragma once
 
 #include "dynamics/step/islands/dxIsland.h"

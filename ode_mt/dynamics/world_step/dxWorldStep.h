@@ -1,4 +1,4 @@
-// dWorldStep's stages for one island (the picture is in docs/steppers.md).
+// dWorldStep's stages for one island (the picture is in docs/exact.md).
 //
 // The sequence of every sum is upstream's (dxStepIsland in ode/src/step.cpp), so the bits are, too. No memory is taken from the
 // arena beyond what upstream's stepper takes at the same time, since a user's allocator sees how large the arena is
@@ -14,5 +14,5 @@ struct dxWorldStepProblem;
 // for islands of which dxAreBodiesForLanes holds.
 void dxWorldStep(const dxIslandStep &step, dxWorldStepSolver &solver, bool inLanes = false);
 
-// The stages before the solver, for problems that are solved elsewhere (docs/remote-islands.md); dxApplyResults is the one after it.
+// The stages before the solver, for problems that are solved elsewhere (docs/remote.md); dxApplyResults is the one after it.
 void dxMakeWorldStepProblem(const dxIslandStep &step, dxWorldStepProblem &problem, bool inLanes = false);

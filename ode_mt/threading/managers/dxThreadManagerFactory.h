@@ -11,7 +11,7 @@
 
 namespace dxThreadManagerFactory {
 
-// The one that measured better; see docs/thread-managers.md.
+// The one that measured better; see docs/threading.md.
 const char *defaultName();
 
 // All managers; for one of them the system may lack a library.

@@ -1,4 +1,4 @@
-// Contacts of two boxes, with vectors: the same bits as upstream's dBoxBox (docs/narrowphase.md).
+// Contacts of two boxes, with vectors: the same bits as upstream's dBoxBox (docs/collision.md).
 //
 // The separating-axis test (Gottschalk, Lin and Manocha, OBBTree, 1996) looks for an axis of 15 on which the boxes are apart: the
 // normals of the faces of both, and the products of their edges. If there is none, the axis on which they overlap least is that of

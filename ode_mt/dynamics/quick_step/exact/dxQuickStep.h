@@ -1,4 +1,4 @@
-// dWorldQuickStep for one island: the stages in their order. docs/steppers.md has the picture.
+// dWorldQuickStep for one island: the stages in their order. docs/exact.md has the picture.
 #pragma once
 
 #include "dynamics/step/islands/dxIslandStep.h"

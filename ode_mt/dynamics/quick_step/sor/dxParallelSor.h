@@ -3,7 +3,7 @@
 // The bodies are partitioned (dxBodyPartition); a row belongs to the part of its first body. Each part takes its rows in the
 // order of the serial sweep. Rows of different parts that act on the same boundary body must keep their order: such a
 // row waits until the part of the row before it has finished that row. Most rows act only on bodies of their own part
-// and never wait. A part may start the next sweep while others are still in this one. docs/large-islands.md has the proof and a
+// and never wait. A part may start the next sweep while others are still in this one. docs/exact.md has the proof and a
 // picture.
 //
 // A thread that cannot proceed with a part releases it and tries another one, so any number of threads, one included,

@@ -1,4 +1,4 @@
-// QuickStep's sweep over the rows of an island (successive over-relaxation), which takes most of its time. docs/sweep.md tells
+// QuickStep's sweep over the rows of an island (successive over-relaxation), which takes most of its time. docs/exact.md tells
 // why the bits are those of upstream's loop.
 #pragma once
 

@@ -1,10 +1,10 @@
-// Solves an island's problem in body space: the two convex problems that upstream's algorithm solves in sequence (docs/direct-solver.md).
+// Solves an island's problem in body space: the two convex problems that upstream's algorithm solves in sequence (docs/fast.md).
 //
 //   1. all rows without a normal; friction rows have no force
 //   2. all rows; a friction row's limits are +- |hi x(normal)|, with the normal's force of the first problem
 //
 // Where no forces satisfy all rows (hard rows that contradict one another), or those that do are not unique and numbers are lost in them (rows that
-// repeat one another), regularise() finds forces of which least is left (docs/direct-solver.md, "Regularised rows").
+// repeat one another), regularise() finds forces of which least is left (docs/fast.md, "Regularised rows").
 //
 // Threading: one island, one thread, or the workers of a large island, which share its phases. Memory is kept from island to island; the
 // process keeps as many solvers as islands are solved at the same time.

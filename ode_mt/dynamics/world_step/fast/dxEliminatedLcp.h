@@ -1,6 +1,6 @@
 // Solves an island's problem with its bilateral rows eliminated first (dxRowBlocks.h): Dantzig's algorithm then has the unilateral rows
 // alone, and does not carry the others through each of its pivots. The solution is the same; so are the two problems in
-// sequence (docs/direct-solver.md), since friction rows and their normals have limits.
+// sequence (docs/fast.md), since friction rows and their normals have limits.
 //
 // Threading: one island, one thread. Memory is kept from island to island; the process keeps as many as islands are solved at the same
 // time. Nothing is kept that counts but the elimination order, which depends on the joints' graph alone.

@@ -1,4 +1,4 @@
-// The fast dWorldStep (docs/direct-solver.md): each island is solved by the method that is the cheapest for it: in body space, without a matrix
+// The fast dWorldStep (docs/fast.md): each island is solved by the method that is the cheapest for it: in body space, without a matrix
 // of rows by rows; with its bilateral rows eliminated; or by Dantzig's algorithm.
 //
 // Threading: islands may be solved by several threads at the same time. The workers of a large island share what is done in body space.

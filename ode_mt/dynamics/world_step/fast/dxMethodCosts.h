@@ -1,5 +1,5 @@
 // Which method is to solve an island, by how long each of them would take: sums of the elements and products that it has to compute, known from
-// statistics of the problem, times their measured costs (docs/direct-solver.md, "Which method"). Units: microseconds of the machine that they
+// statistics of the problem, times their measured costs (docs/fast.md, "Three methods"). Units: microseconds of the machine that they
 // were measured on; only their ratios count.
 //
 // Not known beforehand: fill where joints form rings, which Dantzig's algorithm has as well; how many rows change sides; how many
@@ -9,7 +9,7 @@
 class dxWorldProcessMemArena;
 struct dxWorldStepProblem;
 
-// Below this many rows Dantzig's algorithm may solve an island alone. From there on it is slower than the other methods (docs/direct-solver.md), and
+// Below this many rows Dantzig's algorithm may solve an island alone. From there on it is slower than the other methods (docs/fast.md), and
 // there is no memory for its matrix.
 constexpr unsigned kDantzigThreshold = 700;
 

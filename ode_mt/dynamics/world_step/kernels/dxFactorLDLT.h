@@ -1,5 +1,5 @@
 // The factorisation of the exact step's rows without limits: upstream's factorMatrixAsLDLT
-// (ode/src/fastldltfactor_impl.h) with its bits. docs/solve.md tells how.
+// (ode/src/fastldltfactor_impl.h) with its bits. docs/exact.md tells how.
 #pragma once
 
 #include <ode/common.h>

@@ -1,5 +1,5 @@
 // The skyline of a lower triangle: for each row, its first column that is not zero. Kernels skip the columns before it;
-// docs/lcp.md explains why the bits are the same.
+// docs/exact.md explains why the bits are the same.
 //
 // Source of the idea: Jennings, "A compact storage scheme for the solution of symmetric linear simultaneous equations", 1966.
 #pragma once

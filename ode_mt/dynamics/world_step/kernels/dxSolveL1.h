@@ -1,5 +1,5 @@
 // The triangular solves of the exact step. ode/seams/lcp.h puts them in the place of upstream's templates
-// of ode/src/fastlsolve_impl.h and fastltsolve_impl.h; docs/solve.md tells why the bits are the same.
+// of ode/src/fastlsolve_impl.h and fastltsolve_impl.h; docs/exact.md tells why the bits are the same.
 //
 // L is rowCount x rowCount, lower triangular, with ones on its diagonal, which is not read; its rows start
 // rowSkip elements apart. Element i of B is at B[i * b_stride]; it becomes element i of the solution.

@@ -21,7 +21,7 @@ struct dxSparseProductsTask {
 };
 
 // result(row) = the sum of products, for all rows of the wanted blocks: that of dxComputeLaneProducts but for its zeros,
-// which changes no bit if everything is finite and results are rounded to nearest (docs/lcp.md).
+// which changes no bit if everything is finite and results are rounded to nearest (docs/exact.md).
 void dxComputeSparseProducts(const dxSparseProductsTask &task);
 
 // Sets bit p of `bits` if one of the elements of piece p is not zero, for each of `pieces` pieces at `row`; clears all others

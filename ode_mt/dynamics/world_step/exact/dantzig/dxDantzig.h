@@ -1,5 +1,5 @@
 // The LCP solver of the exact step: Dantzig's algorithm with upstream's bits, in a layout made for vectors.
-// docs/lcp.md tells how it works and why the bits are those of upstream's dxSolveLCP (ode/src/lcp.cpp).
+// docs/exact.md tells how it works and why the bits are those of upstream's dxSolveLCP (ode/src/lcp.cpp).
 //
 // Source: Baraff, "Fast contact force computation for nonpenetrating rigid bodies", SIGGRAPH 1994, which applies the principal pivoting
 // of Cottle and Dantzig, "Complementary pivot theory of mathematical programming", 1968.
