@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "core/dxEnvironment.h"
-#include "core/dxNoCancellation.h"
+#include "core/dxGuards.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 
-// A thread of home's that has other work looks for messages no more often, as each look costs it system calls (dxNoSignals.h), but for when a problem
+// A thread of home's that has other work looks for messages no more often, as each look costs it system calls (dxGuards.h), but for when a problem
 // is new and a worker has nothing to do.
 constexpr double kRemoteBetweenLooksNs = 60e3;
 

@@ -1,17 +1,14 @@
 #include "remote/dxRemoteWorkers.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <new>
 #include <utility>
 
+#include "core/dxGuards.h"
 #include "core/dxLog.h"
-#include "core/dxNoCancellation.h"
-#include "core/dxNoSignals.h"
-#include "core/dxUnlocked.h"
 #include "remote/dxRemoteNumber.h"
 #include "remote/dxRemoteSchedule.h"
 #include "threading/pool/dxWorkerOptions.h"
@@ -39,20 +36,6 @@ constexpr double kPatienceNs = 3e9;     // a step that waits for workers takes h
 dxProcessObject<dxRemoteWorkers> remoteWorkers;
 
 std::chrono::nanoseconds duration(double ns) { return std::chrono::nanoseconds(static_cast<std::int64_t>(ns)); }
-
-// Around what a step has none of: points where a thread is cancelled, signals, whose handlers would run in the middle of it, changes of errno.
-class Undisturbed {
-public:
-    Undisturbed() = default;
-    ~Undisturbed() { errno = m_error; }
-    Undisturbed(const Undisturbed &) = delete;
-    Undisturbed &operator=(const Undisturbed &) = delete;
-
-private:
-    const int m_error = errno;
-    const dxNoCancellation m_whole;
-    const dxNoSignals m_none;
-};
 
 class CountedWait {
 public:
@@ -737,12 +720,12 @@ void dxRemoteWorkers::noticeLate(double time) {
 
 void dxRemoteWorkers::help(bool isUrgent) {
     if (!m_isForAllThreads || (!isUrgent && now() - m_helpedAt < kRemoteBetweenLooksNs)) return;
-    const Undisturbed whole;
+    const dxUndisturbed whole;
     Lock lock(m_mutex);
     help(lock);
 }
 
-// Under Undisturbed. All that there is to do, but for what would hold up signals. Returns whether there was anything.
+// Under dxUndisturbed. All that there is to do, but for what would hold up signals. Returns whether there was anything.
 bool dxRemoteWorkers::help(Lock &lock) {
     if (!m_isForAllThreads || m_isCommunicating || m_isTurnAwaited || m_isClosing) return false;
     m_isCommunicating = true;
@@ -767,7 +750,7 @@ void dxRemoteWorkers::tell() {
 // At once, for a moment. The lock is not held when signals that have come meanwhile are handled.
 bool dxRemoteWorkers::lookForNews(Lock &lock, const dxPollPause &pause) {
     const dxUnlocked handlers(lock);
-    const Undisturbed whole;
+    const dxUndisturbed whole;
     Lock again(m_mutex);
     while (!help(again)) {
         if (!pause.isAtOnce()) return false;

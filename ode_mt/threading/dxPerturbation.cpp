@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "core/dxEnvironment.h"
+#include "core/dxGuards.h"
 #include "core/dxLog.h"
 #include "core/dxMixedBits.h"
-#include "core/dxNoCancellation.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <new>
 #include <utility>
 
-#include "core/dxUnlocked.h"
+#include "core/dxGuards.h"
 
 #ifdef __linux__
 #include <sys/prctl.h>

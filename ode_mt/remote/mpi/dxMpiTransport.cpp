@@ -16,7 +16,7 @@
 #include <thread>
 #include <utility>
 
-#include "core/dxBlockedSignals.h"
+#include "core/dxGuards.h"
 #include "remote/dxLibraryFile.h"
 #include "remote/mpi/dxMpiHelp.h"
 

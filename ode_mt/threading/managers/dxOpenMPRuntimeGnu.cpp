@@ -11,7 +11,7 @@
 // first pthread_exit of a process, which is how they end, wants that lock to load the unwinder. So the first one happens before.
 #include <pthread.h>
 
-#include "core/dxNoCancellation.h"
+#include "core/dxGuards.h"
 #include "threading/managers/dxOpenMPRuntime.h"
 #include "threading/process/dxProcessObject.h"
 

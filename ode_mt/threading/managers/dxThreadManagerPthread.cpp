@@ -5,8 +5,8 @@
 #include <cstring>
 #include <new>
 
+#include "core/dxGuards.h"
 #include "core/dxLog.h"
-#include "core/dxNoCancellation.h"
 #include "threading/pool/dxLastThreads.h"
 #include "threading/pool/dxSpin.h"
 #include "threading/timeline/dxTimelineSpan.h"

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <chrono>
 
+#include "core/dxGuards.h"
 #include "core/dxLog.h"
 #include "threading/pool/dxBorrowedThreads.h"
-#include "threading/pool/dxSleep.h"
 #include "threading/pool/dxThreadCreation.h"
 
 dxThreadManagerUser::dxThreadManagerUser(const dThreadingFunctionsInfo *functions,

@@ -9,7 +9,7 @@
 #include <chrono>
 #include <climits>
 
-#include "core/dxUnlocked.h"
+#include "core/dxGuards.h"
 #include "threading/pool/dxFutex.h"
 
 class dxEventCount {

@@ -9,8 +9,8 @@
 #include <chrono>
 #include <thread>
 
+#include "core/dxGuards.h"
 #include "threading/dxPerturbation.h"
-#include "threading/pool/dxSleep.h"
 #include "threading/pool/dxSpin.h"
 
 class dxOrderedCompletion {

@@ -11,9 +11,8 @@
 #include <mutex>
 #include <vector>
 
-#include "core/dxBlockedSignals.h"
+#include "core/dxGuards.h"
 #include "core/dxLog.h"
-#include "core/dxNoCancellation.h"
 #include "threading/pool/dxWorkerOptions.h"
 #include "threading/process/dxProcessors.h"
 

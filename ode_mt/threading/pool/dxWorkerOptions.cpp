@@ -5,7 +5,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "core/dxNoCancellation.h"
+#include "core/dxGuards.h"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <new>
 
-#include "core/dxNoCancellation.h"
+#include "core/dxGuards.h"
 #include "threading/process/dxThreadName.h"
 #include "threading/timeline/dxTimeline.h"
 #include "threading/timeline/dxTimelineFile.h"

@@ -3,9 +3,9 @@
 #include <atomic>
 #include <chrono>
 
+#include "core/dxGuards.h"
 #include "threading/dxFloatEnvironment.h"
 #include "threading/dxPerturbation.h"
-#include "threading/pool/dxSleep.h"
 #include "threading/process/dxForkListener.h"
 #include "threading/process/dxProcessObject.h"
 
