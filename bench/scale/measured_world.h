@@ -37,7 +37,7 @@ std::string writeMeasuredWorld(const MeasuredWorld &measured);
 // Throws std::runtime_error.
 MeasuredWorld readMeasuredWorld(const std::string &json);
 
-// Steps of a worker's record (ode_mt/worker/dxWorkRecord.h), in their order. Throws std::runtime_error.
+// Steps of a worker's record (ode_mt/remote/worker/dxWorkRecord.h), in their order. Throws std::runtime_error.
 std::vector<Step> readWorkRecord(const std::string &text);
 
 // Mean of the middle half: of values that come in two heaps, it does not jump from one to the other.

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "worker/dxSimulatedNetwork.h"
+#include "remote/worker/dxSimulatedNetwork.h"
 
 namespace scale {
 

@@ -1,12 +1,12 @@
 #include "scale/step_simulation.h"
 
-#include "dynamics/remote/dxRemoteShare.h"
+#include "remote/islands/dxRemoteShare.h"
 #include "dynamics/step/dxCostModel.h"
-#include "remote/dxPollPause.h"
-#include "remote/dxRemoteLink.h"
-#include "remote/dxRemoteNumber.h"
-#include "remote/dxRemoteSchedule.h"
-#include "worker/dxSimulatedNetwork.h"
+#include "remote/transport/dxPollPause.h"
+#include "remote/coordinator/dxRemoteLink.h"
+#include "remote/coordinator/dxRemoteNumber.h"
+#include "remote/coordinator/dxRemoteSchedule.h"
+#include "remote/worker/dxSimulatedNetwork.h"
 
 #include <algorithm>
 #include <chrono>

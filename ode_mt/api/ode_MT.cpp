@@ -11,8 +11,8 @@
 #include "config.h"
 #include "error.h"
 
-#include "dynamics/step/dxRemoteIslands.h"
 #include "dynamics/step/islands/dxBodyWorkers.h"
+#include "remote/dxRemote.h"
 #include "settings/dxSerialReason.h"
 #include "settings/dxSettings.h"
 #include "settings/dxStepStatistics.h"
@@ -200,7 +200,7 @@ int dODE_MT_GetWorldStatistics(dWorldID world, dODE_MT_WorldStatistics *statisti
 int dODE_MT_GetRemoteStatistics(dODE_MT_RemoteStatistics *statistics) {
     dUASSERT(statistics, "bad statistics argument");
     if (!hasRoom("dODE_MT_GetRemoteStatistics", statistics->size, offsetof(dODE_MT_RemoteStatistics, workersLate))) return 0;
-    copyKnown(dxRemoteIslands::statistics(), *statistics);
+    copyKnown(dxRemote::statistics(), *statistics);
     return 1;
 }
 

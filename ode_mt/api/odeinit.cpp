@@ -14,11 +14,11 @@
 #include "dynamics/quick_step/fast/dxIterativeWorld.h"
 #include "dynamics/quick_step/sor/dxParallelSor.h"
 #include "dynamics/step/dxJointRemoval.h"
-#include "dynamics/step/dxRemoteIslands.h"
 #include "dynamics/step/dxStepRecords.h"
 #include "dynamics/step/islands/dxLargeIslandWorkers.h"
 #include "dynamics/step/islands/dxWorkingMemory.h"
 #include "dynamics/world_step/fast/dxFastWorldStep.h"
+#include "remote/dxRemote.h"
 #include "seams/upstream.h"
 #include "settings/dxWorkers.h"
 #include "settings/dxWorldStatistics.h"
@@ -53,7 +53,7 @@ void releaseWorkers() {
 }
 
 __attribute__((destructor)) void unload() {
-    dxRemoteIslands::close();
+    dxRemote::close();
     releaseWorkers();
     dxThreadTrimeshCache::unload();
     dxWorldStatistics::unload();
@@ -71,7 +71,7 @@ void dInitODE() {
         dxUpstreamInitODE();
         countInitialisation();
     }
-    dxRemoteIslands::open();
+    dxRemote::open();
 }
 
 int dInitODE2(unsigned flags) {
@@ -80,7 +80,7 @@ int dInitODE2(unsigned flags) {
         if (!dxUpstreamInitODE2(flags)) return 0;
         countInitialisation();
     }
-    dxRemoteIslands::open();
+    dxRemote::open();
     return 1;
 }
 

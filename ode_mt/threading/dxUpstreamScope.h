@@ -4,7 +4,7 @@
 // Where it shuffles rows, tells a collision space that a geom moved, or reports a message, our functions in the place
 // of upstream's (dxRowShuffle.h, dxBodyIntegration.h, ode_mt/api/error.cpp) ask the scope of the current thread:
 //
-//   dxDeferredIsland   an island is stepped on behalf of the thread that called the step
+//   dxDeferredScope    an island or a world is stepped on behalf of the thread that called the step
 //   dxReservedDraws    islands are stepped in order on that thread, with random numbers taken in advance
 //   dxIslandSurvey     joints are asked for their rows beforehand
 //   dxNarrowphasePrefetch    contacts are computed ahead of the near-callbacks

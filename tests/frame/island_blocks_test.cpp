@@ -9,11 +9,9 @@
 
 namespace {
 
-dxStepRecords recordsOf(const std::vector<double> &costs) {
-    dxStepRecords records;
+void fill(dxStepRecords &records, const std::vector<double> &costs) {
     records.islands.resize(costs.size());
     for (std::size_t i = 0; i < costs.size(); ++i) records.islands[i].cost = costs[i];
-    return records;
 }
 
 std::vector<std::vector<unsigned>> blocksOf(const dxStepRecords &records) {
@@ -25,7 +23,8 @@ std::vector<std::vector<unsigned>> blocksOf(const dxStepRecords &records) {
 }
 
 std::vector<std::vector<unsigned>> share(const std::vector<double> &costs, double least) {
-    dxStepRecords records = recordsOf(costs);
+    dxStepRecords records;
+    fill(records, costs);
     dxCutIslandBlocks(records, static_cast<unsigned>(costs.size()), least);
     return blocksOf(records);
 }
@@ -43,7 +42,8 @@ TEST(IslandBlocks, SmallIslandsShareABlockInTheirOrder) {
 }
 
 TEST(IslandBlocks, OnlyIslandsBeforeTheEnd) {
-    dxStepRecords records = recordsOf({1, 50, 1, 50});
+    dxStepRecords records;
+    fill(records, {1, 50, 1, 50});
     dxCutIslandBlocks(records, 3, 10);
     EXPECT_EQ(blocksOf(records), (Blocks{{1}, {0, 2}}));
     dxCutIslandBlocks(records, 0, 10);
@@ -71,7 +71,8 @@ protected:
 };
 
 TEST_P(RandomIslands, EveryIslandOnceInConsecutiveBlocks) {
-    dxStepRecords records = recordsOf(costs);
+    dxStepRecords records;
+    fill(records, costs);
     dxCutIslandBlocks(records, static_cast<unsigned>(costs.size()), least);
     std::vector<unsigned> islands = records.order;
     std::sort(islands.begin(), islands.end());
@@ -115,9 +116,10 @@ TEST_P(RandomIslands, LargeOnesAloneInDescendingOrderThenSmallOnesAscending) {
 }
 
 TEST_P(RandomIslands, TheSameFromReusedRecords) {
-    dxStepRecords records = recordsOf(std::vector<double>(500, 3));
+    dxStepRecords records;
+    fill(records, std::vector<double>(500, 3));
     dxCutIslandBlocks(records, 500, 10);
-    records.islands = recordsOf(costs).islands;
+    fill(records, costs);
     dxCutIslandBlocks(records, static_cast<unsigned>(costs.size()), least);
     EXPECT_EQ(blocksOf(records), share(costs, least));
 }

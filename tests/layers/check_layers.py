@@ -13,17 +13,16 @@ import tempfile
 from checks import run_check, unexpected
 
 # What each room may include, besides itself. Collision and dynamics know nothing of each other; clusters are opted into by
-# exported functions alone.
+# exported functions alone, and so is remote, which implements what dynamics asks of it (dynamics/step/dxRemoteSolvers.h).
 MAY_INCLUDE = {
     "core": (),
     "threading": ("core",),
     "settings": ("core", "threading"),
     "collision": ("core", "threading", "settings"),
-    "remote": ("core", "threading", "settings"),
-    "dynamics": ("core", "threading", "settings", "remote"),
+    "dynamics": ("core", "threading", "settings"),
+    "remote": ("core", "threading", "settings", "dynamics"),
     "clusters": ("core", "threading", "settings", "collision"),
-    "worker": ("core", "remote", "dynamics"),
-    "api": ("core", "threading", "settings", "collision", "dynamics", "clusters"),
+    "api": ("core", "threading", "settings", "collision", "dynamics", "remote", "clusters"),
 }
 INCLUDE = re.compile(r'\s*#\s*include\s*"([^"]+)"')
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-#include "dynamics/remote/dxPackedSolver.h"
+#include "remote/islands/dxPackedSolver.h"
 #include "loopback_transport.h"
 
 extern "C" __attribute__((visibility("default"))) dxRemoteTransport *dxOpenRemoteTransport(unsigned interfaceVersion, unsigned wanted, char *reason,

@@ -5,7 +5,7 @@
 #include <new>
 #include <utility>
 
-#include "worker/dxWorkRecord.h"
+#include "remote/worker/dxWorkRecord.h"
 
 namespace {
 

@@ -13,10 +13,10 @@
 #include <thread>
 #include <vector>
 
-#include "remote/dxRemoteFrame.h"
-#include "remote/dxRemoteServer.h"
-#include "remote/dxRemoteTransport.h"
-#include "worker/dxWorkerArguments.h"
+#include "remote/transport/dxRemoteFrame.h"
+#include "remote/worker/dxRemoteServer.h"
+#include "remote/transport/dxRemoteTransport.h"
+#include "remote/worker/dxWorkerArguments.h"
 
 struct LoopbackFate {
     enum class Kind { Arrives, Flipped, Stopped, Dies };

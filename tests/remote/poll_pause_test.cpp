@@ -1,5 +1,5 @@
 // A message that is expected is seen soon, and one that is not is looked for seldom.
-#include "remote/dxPollPause.h"
+#include "remote/transport/dxPollPause.h"
 
 #include <gtest/gtest.h>
 

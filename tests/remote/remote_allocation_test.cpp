@@ -12,8 +12,8 @@
 #include "../faults/failing_memory.h"
 #include "core/dxLog.h"
 #include "core/dxStopwatch.h"
-#include "dynamics/remote/dxPackedSolver.h"
-#include "dynamics/step/dxRemoteIslands.h"
+#include "remote/islands/dxPackedSolver.h"
+#include "remote/islands/dxRemoteIslands.h"
 #include "loopback_transport.h"
 
 namespace {
@@ -43,6 +43,7 @@ class RemoteAllocation : public testing::TestWithParam<Kind> {
 protected:
     RemoteAllocation() {
         dInitODE2(0);
+        dxRemoteSolvers::install(dxRemoteIslandSolvers());
         dODE_MT_SetAlgorithm("lcp");
         dToggleODE_MT(GetParam().threads);
         dxSetLogLevel(dxLogLevel::error);

@@ -1,6 +1,6 @@
 // Messages arrive as they were sent, or are recognised as something else: whichever bit is flipped, wherever they are cut off.
-#include "remote/dxRemoteFrame.h"
-#include "remote/dxSpareBytes.h"
+#include "remote/transport/dxRemoteFrame.h"
+#include "remote/transport/dxSpareBytes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Home's threads carry messages between two problems: one at a time, only where the transport allows it, and whatever its calls do.
-#include "remote/dxRemoteWorkers.h"
+#include "remote/coordinator/dxRemoteWorkers.h"
 
 #include <gtest/gtest.h>
 #include <pthread.h>

@@ -1,6 +1,6 @@
 // Whole steps with remote workers have the bits of steps without: random worlds of many islands, with one thread at home and with several, while workers
 // are well and while they send flipped bits. And a problem's bytes are solved as the problem is.
-#include "dynamics/step/dxRemoteIslands.h"
+#include "remote/islands/dxRemoteIslands.h"
 
 #include <gtest/gtest.h>
 #include <ode/ode_MT.h>
@@ -11,8 +11,8 @@
 #include <random>
 
 #include "../dynamics/random_world.h"
-#include "dynamics/remote/dxPackedProblem.h"
-#include "dynamics/remote/dxPackedSolver.h"
+#include "remote/islands/dxPackedProblem.h"
+#include "remote/islands/dxPackedSolver.h"
 #include "loopback_transport.h"
 
 namespace {
@@ -26,6 +26,7 @@ class RemoteIslands : public testing::TestWithParam<int> {
 protected:
     RemoteIslands() {
         dInitODE2(0);
+        dxRemoteSolvers::install(dxRemoteIslandSolvers());
         dODE_MT_SetAlgorithm("lcp");
     }
     ~RemoteIslands() override {
@@ -191,6 +192,7 @@ TEST(PackedProblem, ShorterOrDamagedBytesAreSolvedOrGivenBack) {
     // What a worker that is sent nonsense does: the bytes are the first problem of the self-test's kind, taken from a link.
     std::vector<dxRemoteBytes> problems;
     dInitODE2(0);
+    dxRemoteSolvers::install(dxRemoteIslandSolvers());
     dODE_MT_SetAlgorithm("lcp");
     dxRemoteWorkers::instance().open("loopback", dxDescribeSolver(), [&problems](std::string &) {
         return std::make_unique<LoopbackTransport>(1, dxDescribeSolver(), [&problems](const std::byte *data, std::size_t size, dxRemoteBytes &result) {

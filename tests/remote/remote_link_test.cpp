@@ -1,9 +1,9 @@
 // What is believed of a worker: when its problems should be back, when it is late, and when it is given problems again.
-#include "remote/dxRemoteLink.h"
+#include "remote/coordinator/dxRemoteLink.h"
 
 #include <gtest/gtest.h>
 
-#include "remote/dxRemoteNumber.h"
+#include "remote/coordinator/dxRemoteNumber.h"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // How often a worker looks for messages: seldom when it has heard nothing for a while, whatever signs of life home gives, and often again when
 // problems are about to come.
-#include "remote/dxRemoteServer.h"
+#include "remote/worker/dxRemoteServer.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <mutex>
 #include <thread>
 
-#include "remote/dxPollPause.h"
+#include "remote/transport/dxPollPause.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // What is predicted to pay: much work in several islands on fast links, and nothing else.
-#include "dynamics/remote/dxRemoteShare.h"
+#include "remote/islands/dxRemoteShare.h"
 
 #include <gtest/gtest.h>
 

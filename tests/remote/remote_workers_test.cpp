@@ -1,5 +1,5 @@
 // Batches come back whole and right, whatever becomes of workers: a thousand times one dies, stops, or sends flipped bits.
-#include "remote/dxRemoteWorkers.h"
+#include "remote/coordinator/dxRemoteWorkers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The simulated network delays as it is told: one message, several on a busy link, both directions at a time, and while its worker does something else;
 // over a transport that one thread uses, and over one that all may use.
-#include "worker/dxSimulatedNetwork.h"
+#include "remote/worker/dxSimulatedNetwork.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

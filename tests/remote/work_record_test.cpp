@@ -1,5 +1,5 @@
 // The record of what a worker did: a line for each problem, by step and number; messages pass unchanged.
-#include "worker/dxWorkRecord.h"
+#include "remote/worker/dxWorkRecord.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
 // Options of odemt_worker: units, and what is refused with its name.
-#include "worker/dxWorkerArguments.h"
+#include "remote/worker/dxWorkerArguments.h"
 
 #include <gtest/gtest.h>
 

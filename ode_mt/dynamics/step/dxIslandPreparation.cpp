@@ -5,7 +5,7 @@
 
 #include "dynamics/step/dxIslandBlocks.h"
 #include "dynamics/step/dxIslandStepper.h"
-#include "dynamics/step/random/dxRandom.h"
+#include "dynamics/step/islands/dxUserHandlers.h"
 #include "settings/dxWorkersRunner.h"
 
 namespace {
@@ -26,12 +26,8 @@ void resetRecords(const dxStepCall &call, unsigned workers, dxStepRecords &recor
                                               record.island.jointCount);
     }
     if (records.workers.size() < workers) records.workers.resize(workers);
-    for (dxWorkerRecord &worker : records.workers) {
-        worker.reset();
-        // One worker may come to survey all islands: room for what the last step found keeps a steady state
-        // from allocating.
-        worker.feedbacks.reserve(records.feedbacks.size());
-    }
+    for (dxWorkerRecord &worker : records.workers) worker.reset();
+    records.run.begin(call.count, workers, dxHasUserHandlers());
 }
 
 // On a worker.
@@ -44,28 +40,7 @@ void survey(const dxStepCall &call, dxStepRecords &records, unsigned begin, unsi
             record.rows = rows.value_or(0);
             record.inOrder = record.inOrder || !rows;
         }
-        dxCollectFeedback(record.island, i, records.workers[worker].feedbacks);
-    }
-}
-
-// Two joints may have been given one feedback structure, or two that overlap: upstream's later island overwrites it.
-void orderSharedFeedback(dxStepRecords &records) {
-    std::vector<dxFeedbackUse> &uses = records.feedbacks;
-    uses.clear();
-    for (const dxWorkerRecord &worker : records.workers) {
-        uses.insert(uses.end(), worker.feedbacks.begin(), worker.feedbacks.end());
-    }
-    std::sort(uses.begin(), uses.end(), [](const dxFeedbackUse &a, const dxFeedbackUse &b) {
-        return a.feedback != b.feedback ? a.feedback < b.feedback : a.island < b.island;
-    });
-    // Of structures of which each overlaps the one before it, the first island writes first.
-    const auto isEarlier = [](const dxFeedbackUse &a, const dxFeedbackUse &b) { return a.island < b.island; };
-    for (auto begin = uses.begin(); begin != uses.end();) {
-        auto end = begin + 1;
-        while (end != uses.end() && dxOverlap(end[-1], *end)) ++end;
-        const auto [first, last] = std::minmax_element(begin, end, isEarlier);
-        if (first->island != last->island) records.islands[first->island].inOrder = true;
-        begin = end;
+        records.run.collectFeedback(record.island, i, worker);
     }
 }
 
@@ -79,7 +54,8 @@ void dxPrepareIslands(const dxStepCall &call, unsigned workers, dxStepRecords &r
             const std::uint64_t count = call.count;
             survey(call, records, chunk * count / chunks, (chunk + 1) * count / chunks, worker);
         });
-    orderSharedFeedback(records);
+    // Two joints may have been given one feedback structure, or two that overlap: upstream's later island overwrites it.
+    records.run.forSharedFeedback([&records](unsigned island) { records.islands[island].inOrder = true; });
     const auto first = std::find_if(records.islands.begin(), records.islands.end(),
                                     [](const dxIslandRecord &record) { return record.inOrder; });
     records.inOrderFrom = static_cast<unsigned>(first - records.islands.begin());
@@ -89,14 +65,6 @@ void dxPrepareIslands(const dxStepCall &call, unsigned workers, dxStepRecords &r
 }
 
 void dxReserveRandomNumbers(const dxStepCall &call, dxStepRecords &records) {
-    records.randomEnd = 0;
     if (!dxIslandStepper::drawsRandomNumbers(call)) return;
-    std::uint64_t draws = 0;
-    for (unsigned i = 0; i < records.inOrderFrom; ++i) draws += dxIslandStepper::drawsOf(call, records.islands[i].rows);
-    std::uint32_t seed = dxRandom::takeSharedBlock(draws);
-    for (unsigned i = 0; i < records.inOrderFrom; ++i) {
-        records.islands[i].seed = seed;
-        seed = dxRandom::jump(seed, dxIslandStepper::drawsOf(call, records.islands[i].rows));
-    }
-    records.randomEnd = seed;
+    records.run.reserve(records.inOrderFrom, [&](unsigned island) { return dxIslandStepper::drawsOf(call, records.islands[island].rows); });
 }

@@ -7,7 +7,7 @@
 #include "dynamics/step/dxIslandParallelStep.h"
 #include "dynamics/step/dxIslandStepper.h"
 #include "dynamics/step/dxLargeIslandStep.h"
-#include "dynamics/step/dxRemoteIslands.h"
+#include "dynamics/step/dxRemoteSolvers.h"
 #include "dynamics/step/dxSerialStep.h"
 #include "dynamics/step/dxStepStrategy.h"
 #include "dynamics/step/islands/dxStepPreparation.h"
@@ -53,6 +53,11 @@ dxStepCall makeCall(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal
     return {world, info, stepSize, dxIslandStepper::kindOf(world, stepper), static_cast<unsigned>(info.GetIslandsCount())};
 }
 
+dxRemoteRecord withWorkers(dxRemoteRecord record) {
+    if (const dxRemoteSolvers *const remote = dxRemoteSolvers::installed()) remote->noteWorkers(record);
+    return record;
+}
+
 }  // namespace
 
 bool dxPrepareStepIslands(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate) {
@@ -75,7 +80,7 @@ void dxStepOnThisThread(dxWorld *world, const dxWorldProcessIslandsInfo &info, d
     if (call.kind == dxStepperKind::QuickFast) call.iterativeWorld = beginIteratively(world, info, stepSize);
     dxSerialStep(call, worker).stepIslands(dxIslandCursor(info), call.count);
     span.setReason([](unsigned) { return dODE_MT_REASON_WORLDS; });
-    span.setRemote([] { return dxRemoteIslands::recordOf({}); });
+    span.setRemote([] { return withWorkers({}); });
 }
 
 bool dxStepIslands(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper,
@@ -94,6 +99,6 @@ bool dxStepIslands(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal 
     else
         follow(plan, call);
     span.setReason([&](unsigned threads) { return dxReasonOf(call, plan, threads); });
-    span.setRemote([&plan] { return dxRemoteIslands::recordOf(plan.outcomes); });
+    span.setRemote([&plan] { return withWorkers(plan.remote); });
     return true;
 }

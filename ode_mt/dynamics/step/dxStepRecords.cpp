@@ -12,9 +12,6 @@ dxProcessObject<dxObjectPool<dxStepRecords>> pool;
 void dxWorkerRecord::reset() {
     arena = nullptr;
     undo.clear();
-    reports.clear();
-    feedbacks.clear();
-    busyNs = 0;
     islands = 0;
 }
 

@@ -9,30 +9,25 @@
 #include <memory>
 #include <vector>
 
-#include "dynamics/step/islands/dxDeferredIsland.h"
+#include "core/dxCacheLine.h"
+#include "dynamics/step/dxDeferredRun.h"
 #include "dynamics/step/islands/dxIsland.h"
-#include "dynamics/step/islands/dxIslandSurvey.h"
 #include "dynamics/step/islands/dxUndoLog.h"
 
 struct dxIslandRecord {
     dxIsland island;
     double cost;         // dxCostModel, scale 1
     unsigned rows;       // of the constraint system; 0 unless random numbers depend on it
-    std::uint32_t seed;  // the random sequence before the island's first draw
     bool inOrder;        // must be stepped on the calling thread, after all islands before it
     bool stepped;
-    bool isRemote;      // dxRemoteIslands steps it
-    unsigned worker;    // who stepped it, or has made its problem
-    unsigned finisher;  // who applied the results
+    bool isRemote;    // goes out to remote workers (dxRemoteStep)
+    unsigned worker;  // that stepped it, or made its problem
     dxUndoLog::Mark undoBegin, undoEnd;
 };
 
-struct alignas(64) dxWorkerRecord {
+struct alignas(kCacheLine) dxWorkerRecord {
     dxWorldProcessMemArena *arena = nullptr;
     dxUndoLog undo;
-    std::vector<dxKeptReport> reports;
-    std::vector<dxFeedbackUse> feedbacks;
-    double busyNs = 0;
     unsigned islands = 0;  // stepped
 
     void reset();  // keeps the memory
@@ -48,9 +43,8 @@ struct dxStepRecords {
     std::vector<unsigned> order;  // of islands, as they are shared out
     std::vector<dxIslandBlock> blocks;
     std::vector<dxWorkerRecord> workers;
-    std::vector<dxFeedbackUse> feedbacks;
-    unsigned inOrderFrom = 0;     // first island that has to be stepped in order
-    std::uint32_t randomEnd = 0;  // the random sequence after the reserved block
+    dxDeferredRun run;         // whose units are the islands
+    unsigned inOrderFrom = 0;  // first island that has to be stepped in order
 
     // Borrows a set that no step in progress uses.
     struct Return {

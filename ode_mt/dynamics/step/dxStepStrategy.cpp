@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "dynamics/remote/dxRemoteShare.h"
-#include "dynamics/step/dxRemoteIslands.h"
+#include "dynamics/step/dxRemoteSolvers.h"
 #include "settings/dxOwnThreads.h"
 #include "settings/dxSettings.h"
 #include "settings/dxWorldWorkers.h"
@@ -166,21 +165,20 @@ bool isLongEnoughForMessages(const dxStepCall &call, const dxIslandCosts &costs)
     return dxSettings::instance().algorithm() != dxAlgorithm::Auto || costs.total * dxCostModel::instance().scale(call.kind) >= kMinRemoteNs;
 }
 
-// Requires remote workers.
-void planRemote(const dxStepCall &call, dxStepPlan &plan) {
+void planRemote(const dxStepCall &call, dxStepPlan &plan, const dxRemoteSolvers &solvers) {
     if (dxSettings::instance().algorithm() != dxAlgorithm::Auto) {
         plan.remoteShare = 1;
         plan.isRemoteForced = true;
     } else {
         const double scale = dxCostModel::instance().scale(call.kind);
         const dxRemoteWork work{plan.costs.total * scale, plan.costs.largest * scale, plan.costs.bodies, plan.costs.joints, plan.costs.islands};
-        const double share = dxPredictRemoteShare(work, plan.workers, dxRemoteWorkers::instance().capacity());
+        const double share = solvers.predictShare(work, plan.workers);
         if (!(share > 0)) return;
         const auto answer = remotePolicy->ask(plan.costs.total);
         if (answer == dxProcessSharingPolicy::Answer::InUse) return;
         plan.mayBeRemote = true;
         if (answer == dxProcessSharingPolicy::Answer::Alone) return;
-        plan.remoteShare = std::min(kRemoteReserve * share, 1.0);
+        plan.remoteShare = share;
     }
     plan.strategy = dxStepStrategy::IslandParallel;
 }
@@ -188,7 +186,7 @@ void planRemote(const dxStepCall &call, dxStepPlan &plan) {
 void recordRemoteTime(const dxStepPlan &plan, double ns) {
     const bool wasRemote = plan.remoteShare > 0;
     const bool isNextRemote = remotePolicy->record(wasRemote, ns, plan.costs.total);
-    if (!wasRemote && isNextRemote) dxRemoteWorkers::instance().wake();
+    if (!wasRemote && isNextRemote) dxRemoteSolvers::installed()->wake();
 }
 
 }  // namespace
@@ -201,14 +199,15 @@ bool dxMayBeEndless(const dxWorld &world) {
 dxStepPlan dxPlanStep(const dxStepCall &call) {
     dxStepPlan plan;
     const unsigned limit = mayUseWorkers(call, plan.reason) ? workerLimit(call.world, plan.reason) : 1;
-    bool mayBeRemote = dxRemoteIslands::mayHelp(call);
+    const dxRemoteSolvers *const remote = dxRemoteSolvers::installed();
+    bool mayBeRemote = remote != nullptr && remote->maySolve(call);
     if (limit < 2 && !mayBeRemote) return plan;
     plan.costs = estimateCosts(call);
     mayBeRemote = mayBeRemote && isLongEnoughForMessages(call, plan.costs);
     if (limit < 2 && !mayBeRemote) return plan;
     plan.isMeasured = true;
     if (limit >= 2) planThreads(call, plan, limit);
-    if (mayBeRemote && plan.strategy != dxStepStrategy::LargeIsland) planRemote(call, plan);
+    if (mayBeRemote && plan.strategy != dxStepStrategy::LargeIsland) planRemote(call, plan, *remote);
     return plan;
 }
 

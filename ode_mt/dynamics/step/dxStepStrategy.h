@@ -10,7 +10,7 @@
 #include <ode/ode.h>
 
 #include "dynamics/step/dxStepCall.h"
-#include "remote/dxRemoteOutcomes.h"
+#include "settings/dxWorldStatistics.h"
 
 enum class dxStepStrategy { Serial, IslandParallel, LargeIsland };
 
@@ -31,7 +31,7 @@ struct dxStepPlan {
     double remoteShare = 0;       // of the cost, that remote workers are given; above 0 with IslandParallel only
     bool isRemoteForced = false;  // by an algorithm that is asked for by name
     bool mayBeRemote = false;     // both ways are possible
-    dxRemoteOutcomes outcomes;    // of what was sent, when the step has been carried out
+    dxRemoteRecord remote;        // of what was sent, when the step has been carried out
     bool isMeasured = false;      // its time is worth reading a clock
     bool hasLargeIsland = false;  // both LargeIsland and another strategy are possible
 };

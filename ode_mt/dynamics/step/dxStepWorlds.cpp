@@ -7,17 +7,13 @@
 #include <optional>
 #include <vector>
 
-#include "core/dxAtomicLeast.h"
-#include "core/dxCacheLine.h"
 #include "core/dxStopwatch.h"
+#include "dynamics/step/dxDeferredRun.h"
 #include "dynamics/step/dxIslandStepper.h"
 #include "dynamics/step/dxStep.h"
 #include "dynamics/step/dxWorldRuns.h"
 #include "dynamics/step/islands/dxBodyIntegration.h"
-#include "dynamics/step/islands/dxDeferredIsland.h"
-#include "dynamics/step/islands/dxIslandSurvey.h"
 #include "dynamics/step/islands/dxStepTimeline.h"
-#include "dynamics/step/random/dxRandom.h"
 #include "dynamics/step/random/dxSingleStepper.h"
 #include "quickstep.h"
 #include "settings/dxSettings.h"
@@ -40,49 +36,43 @@ dxProcessObject<dxCostModel> worldCosts;
 // Chunks of worlds that a worker takes at once: so many a worker that the last ones end at about the same time.
 constexpr unsigned kChunksPerWorker = 24;
 
+bool stepInOrder(dxWorld *const *worlds, unsigned count, const dxWorldStepper &stepper, dReal stepSize) {
+    bool areStepped = true;
+    for (unsigned i = 0; i < count; ++i) areStepped &= stepper.step(worlds[i], stepSize) != 0;
+    return areStepped;
+}
+
 struct World {
     dxWorld *world;
     dxWorldProcessIslandsInfo islands;
     std::uint64_t draws;
-    std::uint32_t seed;  // the random sequence before its first draw
-    unsigned worker;     // who stepped it
     bool isPrepared;
 };
 
-struct alignas(kCacheLine) Worker {
-    std::vector<dxKeptReport> reports;
-    std::vector<dxFeedbackUse> feedbacks;
-    double busyNs = 0;
-};
-
-// One run.
-class Run {
+// One run of worlds, which are the units of a deferred run.
+class Worlds {
 public:
-    Run(dxWorld *const *worlds, unsigned count, const dxWorldStepper &stepper, dReal stepSize, unsigned workers)
-        : m_stepper(stepper), m_stepSize(stepSize), m_count(count), m_worlds(count), m_workers(workers), m_interrupted(count) {
+    // Throws std::bad_alloc.
+    Worlds(dxWorld *const *worlds, unsigned count, const dxWorldStepper &stepper, dReal stepSize, unsigned workers)
+        : m_first(worlds), m_stepper(stepper), m_stepSize(stepSize), m_count(count), m_workers(workers), m_worlds(count) {
         for (unsigned i = 0; i < count; ++i) m_worlds[i].world = worlds[i];
+        m_run.begin(count, workers, false);  // dxWorldRuns leaves worlds to the loop where the user has handlers
     }
 
+    // Returns whether all have been stepped.
     bool step() {
-        forChunks(dxParallelStage::WorldPreparation, workers(), [this](unsigned index, unsigned worker) { prepare(index, worker); });
+        forChunks(dxParallelStage::WorldPreparation, m_workers, [this](unsigned index, unsigned worker) { prepare(index, worker); });
         reserve();
         if (dxTimeline::isCounted())
             for (const World &world : m_worlds) dxWorldStatistics::enrol(world.world);
-        const unsigned together = shareFeedback() ? 1 : workers();
+        const unsigned together = shareFeedback() ? 1 : m_workers;
         forChunks(dxParallelStage::Worlds, together, [this](unsigned index, unsigned worker) { stepWorld(index, worker); });
-        commit();
-        return std::all_of(m_worlds.begin(), m_worlds.end(), [](const World &world) { return world.isPrepared; });
+        return commit();
     }
 
-    double busyNs() const {
-        double busy = 0;
-        for (const Worker &worker : m_workers) busy += worker.busyNs;
-        return busy;
-    }
+    double busyNs() const { return m_run.busyNs(); }
 
 private:
-    unsigned workers() const { return static_cast<unsigned>(m_workers.size()); }
-
     dxStepCall callOf(World &world) const {
         return {world.world, world.islands, m_stepSize, dxIslandStepper::kindOf(world.world, m_stepper.island),
                 static_cast<unsigned>(world.islands.GetIslandsCount())};
@@ -95,7 +85,7 @@ private:
             const dxStopwatch stopwatch;
             const auto end = static_cast<unsigned>((chunk + 1) * count / chunks);
             for (auto index = static_cast<unsigned>(chunk * count / chunks); index < end; ++index) work(index, worker);
-            m_workers[worker].busyNs += stopwatch.ns();
+            m_run.addBusy(worker, stopwatch.ns());
         });
     }
 
@@ -117,37 +107,23 @@ private:
 
     // Without memory for it the worlds go in order.
     void collectFeedback(const dxIsland &island, unsigned index, unsigned worker) try {
-        dxCollectFeedback(island, index, m_workers[worker].feedbacks);
+        m_run.collectFeedback(island, index, worker);
     } catch (const std::bad_alloc &) {
         m_mayShareFeedback.store(true, std::memory_order_relaxed);
     }
 
-    // No step of another thread draws in between (contract C7).
     void reserve() {
-        std::uint64_t draws = 0;
-        for (const World &world : m_worlds) draws += world.draws;
-        if (draws == 0) return;
-        std::uint32_t seed;
-        {
-            const dxSingleStepper inTurn;
-            seed = dxRandom::takeSharedBlock(draws);
-        }
-        for (World &world : m_worlds) {
-            world.seed = seed;
-            seed = dxRandom::jump(seed, world.draws);
-        }
+        if (std::all_of(m_worlds.begin(), m_worlds.end(), [](const World &world) { return world.draws == 0; })) return;
+        const dxSingleStepper inTurn;
+        m_run.reserve(m_count, [this](unsigned index) { return m_worlds[index].draws; });
     }
 
     // Whether joints of two worlds write to one feedback structure, or to two that overlap.
-    bool shareFeedback() const try {
+    bool shareFeedback() try {
         if (m_mayShareFeedback.load(std::memory_order_relaxed)) return true;
-        std::vector<dxFeedbackUse> uses;
-        for (const Worker &worker : m_workers) uses.insert(uses.end(), worker.feedbacks.begin(), worker.feedbacks.end());
-        std::sort(uses.begin(), uses.end(), [](const dxFeedbackUse &a, const dxFeedbackUse &b) { return a.feedback < b.feedback; });
-        // Of structures of which each overlaps the one before it, some two neighbours are of different worlds if any are.
-        return std::adjacent_find(uses.begin(), uses.end(), [](const dxFeedbackUse &a, const dxFeedbackUse &b) {
-                   return a.island != b.island && dxOverlap(a, b);
-               }) != uses.end();
+        bool isShared = false;
+        m_run.forSharedFeedback([&isShared](unsigned) { isShared = true; });
+        return isShared;
     } catch (const std::bad_alloc &) {
         return true;
     }
@@ -155,53 +131,38 @@ private:
     // On a worker. There are no handlers: an error ends the process as soon as it is delivered, so worlds after it need no step.
     void stepWorld(unsigned index, unsigned worker) {
         World &world = m_worlds[index];
-        if (!world.isPrepared || index > m_interrupted.load(std::memory_order_relaxed)) return;
-        world.worker = worker;
-        try {
-            dxDeferredIsland scope(index, world.seed, false, m_workers[worker].reports);
-            dxStepOnThisThread(world.world, world.islands, m_stepSize, m_stepper.island, worker);
-        } catch (const dxUpstreamInterrupted &) {
-            dxLowerTo(m_interrupted, index);
-        }
+        if (!world.isPrepared || !m_run.isNeeded(index)) return;
+        m_run.run(index, worker, [&] { dxStepOnThisThread(world.world, world.islands, m_stepSize, m_stepper.island, worker); });
     }
 
-    void commit() {
-        const bool areReports = std::any_of(m_workers.begin(), m_workers.end(), [](const Worker &worker) { return !worker.reports.empty(); });
-        for (unsigned index = 0; index < m_count; ++index) {
-            if (areReports) deliverReports(index);
-            if (m_worlds[index].isPrepared) notifyMoved(m_worlds[index]);
-        }
-    }
-
-    void deliverReports(unsigned index) const {
-        for (const Worker &worker : m_workers)
-            for (const dxKeptReport &report : worker.reports)
-                if (report.island == index) report.deliver();
+    // A world that was interrupted has reported its error, with which the process ends, unless there was no memory to keep the report: then the world
+    // reports it again.
+    bool commit() {
+        const unsigned end = m_run.interrupted();
+        m_run.commit(end, [this](unsigned index) { notifyMoved(m_worlds[index]); });
+        const auto isPrepared = [](const World &world) { return world.isPrepared; };
+        const bool areStepped = std::all_of(m_worlds.begin(), m_worlds.begin() + end, isPrepared);
+        return stepInOrder(m_first + end, m_count - end, m_stepper, m_stepSize) && areStepped;
     }
 
     static void notifyMoved(const World &world) {
+        if (!world.isPrepared) return;
         dxIslandCursor cursor(world.islands);
         for (auto count = world.islands.GetIslandsCount(); count > 0; --count) dxNotifyMoved(cursor.next());
     }
 
+    dxWorld *const *const m_first;
     const dxWorldStepper &m_stepper;
     const dReal m_stepSize;
-    const unsigned m_count;
+    const unsigned m_count, m_workers;
     std::vector<World> m_worlds;
-    std::vector<Worker> m_workers;
+    dxDeferredRun m_run;
     std::atomic<bool> m_mayShareFeedback{false};
-    std::atomic<unsigned> m_interrupted;  // first world whose step has ended in an error
 };
-
-bool stepInOrder(dxWorld *const *worlds, unsigned count, const dxWorldStepper &stepper, dReal stepSize) {
-    bool areStepped = true;
-    for (unsigned i = 0; i < count; ++i) areStepped &= stepper.step(worlds[i], stepSize) != 0;
-    return areStepped;
-}
 
 // Without memory for more it is the loop.
 bool stepRun(dxWorld *const *worlds, unsigned count, const dxWorldStepper &stepper, dReal stepSize, unsigned workers, double &busyNs) {
-    std::optional<Run> run;
+    std::optional<Worlds> run;
     try {
         run.emplace(worlds, count, stepper, stepSize, std::min(workers, count));
     } catch (const std::bad_alloc &) {

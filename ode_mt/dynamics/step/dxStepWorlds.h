@@ -4,7 +4,7 @@
 //   dxWorldRuns       WORKERS  cuts the call into runs of worlds in which no code of the user's runs; what is between runs is stepped
 //                              as by the loop
 //   prepare           WORKERS  islands of each world, and how many random numbers it draws
-//   reserve           caller   the block of all worlds, cut up among them as islands of a step do (dxReserveRandomNumbers)
+//   reserve           caller   the block of all worlds, cut up among them (dxDeferredRun)
 //   step              WORKERS  each world on one of them, its messages and moved-notifications put off
 //   commit            caller   messages and notifications in the order of the worlds
 //

@@ -6,7 +6,7 @@
 #include <cstdarg>
 #include <cstring>
 
-#include "remote/dxLibraryFile.h"
+#include "remote/transport/dxLibraryFile.h"
 
 namespace {
 

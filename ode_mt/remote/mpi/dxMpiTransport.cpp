@@ -17,7 +17,7 @@
 #include <utility>
 
 #include "core/dxGuards.h"
-#include "remote/dxLibraryFile.h"
+#include "remote/transport/dxLibraryFile.h"
 #include "remote/mpi/dxMpiHelp.h"
 
 namespace {

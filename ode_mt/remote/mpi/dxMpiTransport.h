@@ -5,7 +5,7 @@
 // thread of its own calls MPI_Comm_spawn, which takes a fraction of a second. If the new process dies before it has greeted, that call may take a
 // minute, or never return: then the thread is left alone, and no other worker is replaced.
 //
-// Tried and dropped: MPI_Comm_accept, by which workers would join when they like (docs/remote-islands.md).
+// Tried and dropped: MPI_Comm_accept, by which workers would join when they like (docs/notes/2026-11-remote-experiments.md).
 //
 // All calls are non-blocking but those of the beginning and the end, since blocking ones of Open MPI keep a core busy. Errors are returned
 // (MPI_ERRORS_RETURN); the first one loses the link.
@@ -23,8 +23,8 @@
 #include <string>
 #include <vector>
 
-#include "remote/dxRemoteTransport.h"
-#include "remote/dxSpareBytes.h"
+#include "remote/transport/dxRemoteTransport.h"
+#include "remote/transport/dxSpareBytes.h"
 
 class dxMpiTransport final : public dxRemoteTransport {
 public:

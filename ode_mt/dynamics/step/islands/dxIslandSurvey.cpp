@@ -86,8 +86,8 @@ std::optional<unsigned> dxCountRows(const dxIsland &island) {
     return rows;
 }
 
-void dxCollectFeedback(const dxIsland &island, unsigned index, std::vector<dxFeedbackUse> &uses) {
+void dxCollectFeedback(const dxIsland &island, unsigned unit, std::vector<dxFeedbackUse> &uses) {
     for (unsigned i = 0; i < island.jointCount; ++i) {
-        if (const dJointFeedback *feedback = island.joints[i]->feedback) uses.push_back({reinterpret_cast<std::uintptr_t>(feedback), index});
+        if (const dJointFeedback *feedback = island.joints[i]->feedback) uses.push_back({reinterpret_cast<std::uintptr_t>(feedback), unit});
     }
 }

@@ -18,7 +18,7 @@ std::optional<unsigned> dxCountRows(const dxIsland &island);
 
 struct dxFeedbackUse {
     std::uintptr_t feedback;  // address
-    unsigned island;
+    unsigned unit;  // that writes it: an island, or the world of one (dxDeferredRun)
 };
 
 // Requires that `first` does not begin behind `second`.
@@ -26,5 +26,5 @@ inline bool dxOverlap(const dxFeedbackUse &first, const dxFeedbackUse &second) {
     return second.feedback - first.feedback < sizeof(dJointFeedback);
 }
 
-// Appends the feedback structures that the island writes.
-void dxCollectFeedback(const dxIsland &island, unsigned index, std::vector<dxFeedbackUse> &uses);
+// Appends the feedback structures that the island, which belongs to the unit, writes.
+void dxCollectFeedback(const dxIsland &island, unsigned unit, std::vector<dxFeedbackUse> &uses);

@@ -1,5 +1,5 @@
 // The random numbers that the island draws which the calling thread steps: its own part of the sequence, if the scope of the thread
-// has one (dxDeferredIsland, dxReservedDraws), or the next of the process.
+// has one (dxDeferredScope, dxReservedDraws), or the next of the process.
 #pragma once
 
 #include <cstdint>

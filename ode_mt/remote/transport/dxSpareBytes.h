@@ -1,0 +1,43 @@
+// Memory of messages that have been sent or read, for those that come. What is freed and taken again at every step comes back from the system page by
+// page, and that costs more than all else that is done to a message.
+//
+// Bounded. Threading: as its owner says.
+#pragma once
+
+#include <cstddef>
+#include <new>
+#include <utility>
+#include <vector>
+
+#include "remote/transport/dxRemoteFrame.h"
+
+class dxSpareBytes {
+public:
+    // Empty, with room if there is any to spare.
+    dxRemoteBytes take() {
+        if (m_spare.empty()) return {};
+        dxRemoteBytes bytes = std::move(m_spare.back());
+        m_spare.pop_back();
+        m_room -= bytes.capacity();
+        return bytes;
+    }
+
+    void giveBack(dxRemoteBytes &&bytes) noexcept {
+        if (m_room + bytes.capacity() > kMaxRoom) return dxRemoteBytes().swap(bytes);
+        bytes.clear();
+        try {
+            const std::size_t room = bytes.capacity();
+            m_spare.push_back(std::move(bytes));
+            m_room += room;
+        } catch (const std::bad_alloc &) {  // then it is freed
+        }
+    }
+
+    std::size_t room() const { return m_room; }
+
+    static constexpr std::size_t kMaxRoom = std::size_t{8} << 20;
+
+private:
+    std::vector<dxRemoteBytes> m_spare;
+    std::size_t m_room = 0;
+};

@@ -1,0 +1,23 @@
+// What odemt_worker is told, on its command line or, where another program starts it, by the variable ODEMT_WORKER_ARGUMENTS.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "remote/worker/dxSimulatedNetwork.h"
+
+struct dxWorkerArguments {
+    dxSimulatedLink link;
+    std::string record;  // file for dxWorkRecord; empty: none
+
+    static constexpr const char *kHelp =
+        "  --delay TIME       what home and this worker send arrives so much later: 50us, 1ms\n"
+        "  --bandwidth RATE   and takes bytes / RATE: 117MB/s, 1Gbit/s\n"
+        "  --record FILE      a line for each problem is appended: step, number, bodies, joints, rows, bytes, ns, bytes of the result\n";
+};
+
+// Those of the variable, in words.
+std::vector<std::string> dxWorkerArgumentsOfEnvironment();
+
+// Returns what is wrong; empty: nothing.
+std::string dxReadWorkerArguments(const std::vector<std::string> &words, dxWorkerArguments &arguments);
