@@ -128,7 +128,7 @@ ode_mt_rename(collision_sapspace.cpp dSweepAndPruneSpaceCreate)
 ode_mt_compile_after("lcp.cpp" lcp.h)
 
 # Upstream's own solver is left with what is not finite, and with the other cases of docs/exact.md
-# (ode_mt/dynamics/world_step/exact/dantzig/dxDantzig.cpp). There the sign of a NaN may decide whether it reports an error. Of two NaNs
+# (ode_mt/dynamics/world_step/exact/dxDantzig.cpp). There the sign of a NaN may decide whether it reports an error. Of two NaNs
 # that are added one is kept, and vectors would keep another one than Debian's binary, which has none in these loops
 # (docs/exactness.md). Problems without limits, which it solves, too, take as long as before.
 set_property(SOURCE "${ODE_MT_UPSTREAM_DIR}/ode/src/lcp.cpp" APPEND PROPERTY

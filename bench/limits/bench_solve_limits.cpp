@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "dynamics/world_step/kernels/dxSkyline.h"
+#include "dynamics/world_step/kernels/dxTriangle.h"
 #include "dynamics/world_step/kernels/dxSolveL1.h"
 
 namespace {

@@ -11,7 +11,7 @@
 #include "lcp.h"
 #include "util.h"
 
-#include "dynamics/world_step/exact/dantzig/dxDantzigRun.h"
+#include "dynamics/world_step/exact/dxDantzigRun.h"
 #include "instruction_sets.h"
 #include "lcp_problem.h"
 
@@ -36,7 +36,7 @@ private:
 };
 
 dxDantzigProblem problemOf(Problem &problem) {
-    return {problem.n, problem.A.data(), problem.bx.data(), problem.unbounded, problem.limits.data(), problem.normalOf.data()};
+    return {problem.n, problem.A.data(), problem.bx.data(), problem.bilateral, problem.limits.data(), problem.normalOf.data()};
 }
 
 }  // namespace
@@ -47,12 +47,12 @@ TEST(DantzigRun, TakesNoMoreMemoryThanItSays) {
         Arena given(dxEstimateSolveLCPMemoryReq(n, false));
         std::vector<dReal> A(std::size_t(n) * dPAD(n), dReal(1)), bx(2 * n), limits;
         for (unsigned i = 0; i < n; ++i) limits.insert(limits.end(), {dReal(-1), dReal(1)});
-        for (unsigned unbounded = 0; unbounded <= n; unbounded += n < 40 ? 1 : 8) {
+        for (unsigned bilateral = 0; bilateral <= n; bilateral += n < 40 ? 1 : 8) {
             Arena arena(dxDantzigRun::memory(n) + kMuchMore);
-            const dxDantzigProblem problem{n, A.data(), bx.data(), unbounded, limits.data(), nullptr};
+            const dxDantzigProblem problem{n, A.data(), bx.data(), bilateral, limits.data(), nullptr};
             given.get()->ResetState();
             const dxDantzigRun run(nullptr, given.get(), arena.get(), problem, true);
-            ASSERT_LE(arena.taken(), dxDantzigRun::memory(n)) << n << " rows, " << unbounded << " of them without limits";
+            ASSERT_LE(arena.taken(), dxDantzigRun::memory(n)) << n << " rows, " << bilateral << " of them without limits";
         }
     }
 }

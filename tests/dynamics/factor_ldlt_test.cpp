@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "dynamics/world_step/kernels/dxFactorLDLT.h"
-#include "dynamics/world_step/kernels/dxTriangleScan.h"
+#include "dynamics/world_step/kernels/dxTriangle.h"
 #include "instruction_sets.h"
 
 namespace {
@@ -75,29 +75,6 @@ TEST(FactorLDLT, GivesUpstreamsBits) {
                                 static_cast<int>(upstream.skip));
                     factor(ours);
                     EXPECT_TRUE(upstream == ours) << n << " rows, seed " << seed;
-                }
-            }
-        });
-    }
-}
-
-TEST(TriangleScan, FindsTheFirstElementsAndWhatIsNotFinite) {
-    using Limits = std::numeric_limits<dReal>;
-    for (const std::int64_t set : instructionSets()) {
-        onInstructionSet(set, [] {
-            for (unsigned n = 1; n < 40; ++n) {
-                for (unsigned row = 0; row < n; ++row) {
-                    const unsigned column = (7 * row + n) % (row + 1);
-                    for (const dReal value : {dReal(1), dReal(-0.), Limits::denorm_min(), -Limits::infinity(), Limits::quiet_NaN()}) {
-                        std::vector<dReal> triangle(std::size_t(n) * (n + 3), Limits::quiet_NaN());
-                        for (unsigned i = 0; i < n; ++i)
-                            std::fill_n(&triangle[i * std::size_t(n + 3)], i + 1, dReal(0));
-                        triangle[row * std::size_t(n + 3) + column] = value;
-                        EXPECT_EQ(dxAreRowsFinite(triangle.data(), 0, n, n + 3), std::isfinite(value));
-                        std::vector<unsigned> begins(n);
-                        dxFindSkyline(triangle.data(), n, n + 3, begins.data());
-                        for (unsigned i = 0; i < n; ++i) EXPECT_EQ(begins[i], i == row ? column : i);
-                    }
                 }
             }
         });

@@ -11,7 +11,7 @@
 
 #include "matrix.h"
 
-#include "dynamics/world_step/exact/dantzig/dxFactorRemoval.h"
+#include "dynamics/world_step/exact/dxFactorRemoval.h"
 
 namespace {
 
@@ -57,12 +57,12 @@ Factorisation removedByUpstream(Factorisation factors, unsigned r) {
     return factors;
 }
 
-Factorisation removed(Factorisation factors, unsigned r, bool leavesOut) {
+Factorisation removed(Factorisation factors, unsigned r, bool skipsZeros) {
     std::vector<dReal *> rows;
     for (unsigned i = 0; i < factors.count; ++i) rows.push_back(&factors.L[i * factors.count]);
     std::vector<dReal> storage(dxFactorRemovalStorage(factors.count));
     dxRemoveFactorRow({rows.data(), factors.d.data(), factors.count, r, &factors.A[factors.index[r] * factors.all()],
-                       factors.index.data(), leavesOut ? dxSkyline(factors.begins.data()) : dxSkyline(), storage.data()});
+                       factors.index.data(), skipsZeros ? dxSkyline(factors.begins.data()) : dxSkyline(), storage.data()});
     const std::vector<dReal> L = factors.L;
     for (unsigned i = 0; i + 1 < factors.count; ++i)
         std::copy_n(&L[static_cast<std::size_t>(rows[i] - factors.L.data())], i, &factors.L[i * factors.count]);

@@ -12,7 +12,6 @@
 #include "dynamics/step/islands/dxIslandStep.h"
 #include "dynamics/world_step/dxWorldStep.h"
 #include "dynamics/world_step/dxWorldStepProblem.h"
-#include "dynamics/world_step/dxWorldStepSolver.h"
 #include "islands_of_step.h"
 
 // Solves a problem: dxWorldStepSolver's function.

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "aligned_numbers.h"
-#include "dynamics/world_step/exact/dantzig/dxLcpMatrix.h"
+#include "dynamics/world_step/exact/dxLcpMatrix.h"
 #include "instruction_sets.h"
 
 namespace {

@@ -14,7 +14,7 @@
 #include "lcp.h"
 
 struct Shape {
-    unsigned n, unbounded;
+    unsigned n, bilateral;
     unsigned rank;  // of A, before its diagonal gets `softness`
     double softness, decades;
     bool friction, late;  // rows with a normal's limits; rows without limits after the first ones
@@ -24,7 +24,7 @@ struct Shape {
 // A = J J' with sparse random J, as a pile's, a robot's or a chain's.
 struct Problem {
     Problem(const Shape &shape, unsigned seed)
-        : random(seed), n(shape.n), skip(dPAD(n)), unbounded(shape.unbounded) {
+        : random(seed), n(shape.n), skip(dPAD(n)), bilateral(shape.bilateral) {
         A.assign(std::size_t(n) * skip, std::numeric_limits<dReal>::quiet_NaN());
         makeMatrix(shape);
         for (unsigned i = 0; i < n; ++i) {
@@ -57,7 +57,7 @@ struct Problem {
         const dReal endless = dInfinity, size = dReal(std::fabs(number()));
         int normal = -1;
         dReal low = -endless, high = endless;
-        if (i >= shape.unbounded) {
+        if (i >= shape.bilateral) {
             const unsigned kind = random() % 8;
             if (shape.friction && i > 0 && kind < 4) {
                 normal = static_cast<int>(random() % i);
@@ -90,7 +90,7 @@ struct Problem {
     double number() { return std::uniform_real_distribution<double>(-1, 1)(random); }
 
     std::mt19937 random;
-    unsigned n, skip, unbounded;
+    unsigned n, skip, bilateral;
     std::vector<dReal> A, bx, limits;
     std::vector<int> normalOf;
 };

@@ -22,10 +22,10 @@ namespace {
 
 RecordedProblem *recorded = nullptr;
 
-void solveRecorded(dxWorldProcessMemArena *arena, unsigned n, dReal *A, dReal *pairsBX, dReal *w, unsigned unbounded,
+void solveRecorded(dxWorldProcessMemArena *arena, unsigned n, dReal *A, dReal *pairsBX, dReal *w, unsigned bilateral,
                    dReal *pairsLoHi, int *findex) {
-    recorded->recordProblem(n, A, pairsBX, unbounded, pairsLoHi, findex);
-    dxSolveLCP(arena, n, A, pairsBX, w, unbounded, pairsLoHi, findex);
+    recorded->recordProblem(n, A, pairsBX, bilateral, pairsLoHi, findex);
+    dxSolveLCP(arena, n, A, pairsBX, w, bilateral, pairsLoHi, findex);
     recorded->recordSolution(pairsBX);
 }
 
@@ -38,10 +38,10 @@ std::uint64_t bitsOf(dReal number) {
 
 }  // namespace
 
-void RecordedProblem::recordProblem(unsigned n, const dReal *A, const dReal *pairsBX, unsigned unboundedJoints,
+void RecordedProblem::recordProblem(unsigned n, const dReal *A, const dReal *pairsBX, unsigned bilateralJoints,
                                     const dReal *pairsLoHi, const int *findex) {
     rows = n;
-    unbounded = unboundedJoints;
+    bilateral = bilateralJoints;
     for (unsigned i = 0; i < n; ++i) {
         for (unsigned j = 0; j <= i; ++j) matrix.push_back(bitsOf(A[std::size_t(i) * dPAD(n) + j]));
         rightSide.push_back(bitsOf(pairsBX[std::size_t(i) * PBX__MAX + PBX_B]));

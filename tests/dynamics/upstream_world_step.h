@@ -10,12 +10,12 @@ struct dxStepperProcessingCallContext;
 
 // What an island's rows come to. All NaNs have the same bits.
 struct RecordedProblem {
-    unsigned rows = 0, unbounded = 0;
+    unsigned rows = 0, bilateral = 0;
     std::vector<std::uint64_t> matrix;  // lower triangle
     std::vector<std::uint64_t> rightSide, limits, solution;
     std::vector<int> normalOf;
 
-    void recordProblem(unsigned n, const dReal *A, const dReal *pairsBX, unsigned unboundedJoints, const dReal *pairsLoHi,
+    void recordProblem(unsigned n, const dReal *A, const dReal *pairsBX, unsigned bilateralJoints, const dReal *pairsLoHi,
                        const int *findex);
     void recordSolution(const dReal *pairsBX);
 };

@@ -21,7 +21,6 @@
 #include "dynamics/world_step/dxWorldStepBodies.h"
 #include "dynamics/world_step/dxWorldStepProblem.h"
 #include "dynamics/world_step/exact/dxDantzigSolver.h"
-#include "dynamics/world_step/exact/dxExactMatrix.h"
 #include "instruction_sets.h"
 #include "kept_messages.h"
 #include "random_world.h"
@@ -38,7 +37,7 @@ public:
 
     bool solve(const dxIslandStep &step, const dxWorldStepProblem &problem) override {
         dReal *const matrix = dxMakeMatrix(step, problem);
-        m_recorded.recordProblem(problem.rowCount, matrix, problem.pairsBX, problem.unboundedJoints, problem.pairsLoHi,
+        m_recorded.recordProblem(problem.rowCount, matrix, problem.pairsBX, problem.bilateralJoints, problem.pairsLoHi,
                                  problem.normalOf);
         dxDantzigSolver::solve(step, problem, matrix);
         m_recorded.recordSolution(problem.pairsBX);
@@ -99,7 +98,7 @@ StepResult step(dxWorld *world, Preparation prepare, IslandStepper stepIsland) {
 
 void expectSame(const RecordedProblem &upstream, const RecordedProblem &ours) {
     EXPECT_EQ(upstream.rows, ours.rows);
-    EXPECT_EQ(upstream.unbounded, ours.unbounded);
+    EXPECT_EQ(upstream.bilateral, ours.bilateral);
     EXPECT_EQ(upstream.normalOf, ours.normalOf);
     EXPECT_EQ(upstream.limits, ours.limits);
     EXPECT_EQ(upstream.rightSide, ours.rightSide);

@@ -36,7 +36,7 @@ for file in "$@"; do
             /DW_AT_producer/ { options = $0 }
             /DW_AT_name/ && options ~ /GNU C(\+\+)?[0-9]/ {
                 if (options !~ /-fstack-protector-strong/ || options ~ /-fno-stack-protector/) print $NF
-                options = "" }' | grep -vcE 'ode_mt/dynamics/world_step/(kernels/[^/]*|exact/dantzig/dxForwardSolves)\.cpp$' || true)
+                options = "" }' | grep -vcE 'ode_mt/dynamics/world_step/(kernels/[^/]*|exact/dxForwardSolves)\.cpp$' || true)
         [ "$bare" = 0 ] || complain "$bare units are compiled without -fstack-protector-strong"
     fi
     if [ "$FORTIFIED" = 1 ]; then

@@ -1,29 +1,26 @@
 #include "dynamics/world_step/dxWorldStep.h"
 
 #include "dynamics/step/islands/dxStepTimeline.h"
-#include "dynamics/world_step/dxJointOrder.h"
+#include "dynamics/world_step/dxWorldStepRows.h"
 #include "dynamics/world_step/dxWorldStepBodies.h"
 #include "dynamics/world_step/dxWorldStepProblem.h"
-#include "dynamics/world_step/dxWorldStepResults.h"
-#include "dynamics/world_step/dxWorldStepRows.h"
-#include "dynamics/world_step/dxWorldStepSolver.h"
 
 // All stages but the solver are serial. Each reads what those before it have written.
 void dxWorldStep(const dxIslandStep &step, dxWorldStepSolver &solver, bool inLanes) {
     dxWorldStepProblem problem;
     dxMakeWorldStepProblem(step, problem, inLanes);
 
-    bool isPushed = false;
+    bool areForcesApplied = false;
     if (problem.rowCount > 0) {
         // Reads velocities, accumulators, inertia, rows, limits. Writes x. Dantzig's algorithm is parallel for large problems, if the
         // island has workers.
         const dxSolverSpan span(problem.rowCount);
-        isPushed = solver.solve(step, problem);
+        areForcesApplied = solver.solve(step, problem);
     }
 
     // Reads x, rows, inertia, accumulators. Writes feedback, velocities and poses, clears accumulators; tells spaces and the
     // user of each body that has moved before it goes on to the next one.
-    dxApplyResults(step, problem, isPushed, inLanes);
+    dxApplyResults(step, problem, areForcesApplied, inLanes);
 }
 
 void dxMakeWorldStepProblem(const dxIslandStep &step, dxWorldStepProblem &problem, bool inLanes) {

@@ -7,8 +7,19 @@
 
 #include "dynamics/step/islands/dxIslandStep.h"
 
-class dxWorldStepSolver;
 struct dxWorldStepProblem;
+
+// What solves an island's problem: finds x, the forces of its rows.
+class dxWorldStepSolver {
+public:
+    // Requires rows, read. Writes x into problem.pairsBX; b and the limits of friction rows may be written over. What is taken of
+    // the step's arena is given back. Returns whether J' x has been added to the bodies' accumulators, too, which is left to
+    // dxApplyResults otherwise, as it always is where a joint has feedback.
+    virtual bool solve(const dxIslandStep &step, const dxWorldStepProblem &problem) = 0;
+
+protected:
+    ~dxWorldStepSolver() = default;
+};
 
 // Steps the island, with upstream's bits if the solver has them. `inLanes`: bodies are gathered and moved some at a time, with the same bits;
 // for islands of which dxAreBodiesForLanes holds.

@@ -17,7 +17,7 @@
 #include "objects.h"
 #include "joints/joint.h"
 
-#include "dynamics/world_step/kernels/dxBodyLinks.h"
+#include "dynamics/world_step/kernels/dxConstraintMatrix.h"
 
 // A body's inverse inertia tensor in the world's frame: a 3 x 4 matrix. While the matrix is made, its last column holds the
 // inverse mass (dxConstraintMatrix.h).
@@ -41,7 +41,7 @@ struct dxWorldStepProblem {
     // --- joints with rows -------------------------------------------------------------------------------
     const dxWorldStepJoint *joints = nullptr;
     unsigned jointCount = 0;
-    unsigned unboundedJoints = 0;  // first joints, all of whose rows are without limits
+    unsigned bilateralJoints = 0;  // first joints, all of whose rows are bilateral
 
     // --- rows; null where there are none ------------------------------------------------------------------
     unsigned rowCount = 0;

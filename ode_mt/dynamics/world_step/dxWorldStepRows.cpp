@@ -5,9 +5,76 @@
 #include <algorithm>
 
 #include "dynamics/world_step/dxWorldStepProblem.h"
+#include "dynamics/world_step/kernels/dxConstraintMatrix.h"
 #include "dynamics/world_step/kernels/dxPair.h"
 
 namespace {
+
+// --- order -----------------------------------------------------------------------------------------------------
+
+// Three lists side by side, which grow from the middle of an array in both directions:
+//
+//   begin           mixed           unilateral        end
+//     | bilateral     | mixed         | unilateral      |
+//
+// A mixed joint goes to the end of its list that lies away from where the last joint of another kind went, unless nothing is
+// behind it on the other side; the neighbour in its way moves to the far end of its own list. That is upstream's order.
+class Lists {
+public:
+    explicit Lists(dxWorldStepJoint *middle) : m_begin(middle), m_mixed(middle), m_unilateral(middle), m_end(middle) {}
+
+    void addBilateral(const dxWorldStepJoint &joint) {
+        *--m_begin = joint;
+        m_wasBilateral = true;
+    }
+
+    void addUnilateral(const dxWorldStepJoint &joint) {
+        *m_end++ = joint;
+        m_wasBilateral = false;
+    }
+
+    void addMixed(const dxWorldStepJoint &joint) {
+        if (m_wasBilateral ? m_unilateral == m_end : m_begin != m_mixed)
+            appendMixed(joint);
+        else
+            prependMixed(joint);
+    }
+
+    dxWorldStepJoint *begin() const { return m_begin; }
+    dxWorldStepJoint *end() const { return m_end; }
+    unsigned countBilateral() const { return static_cast<unsigned>(m_mixed - m_begin); }
+
+private:
+    // Where the neighbouring list is empty, an element is copied to its own place.
+    void appendMixed(const dxWorldStepJoint &joint) {
+        *m_end++ = *m_unilateral;
+        *m_unilateral++ = joint;
+    }
+
+    void prependMixed(const dxWorldStepJoint &joint) {
+        *--m_begin = m_mixed[-1];
+        *--m_mixed = joint;
+    }
+
+    dxWorldStepJoint *m_begin, *m_mixed, *m_unilateral, *m_end;
+    bool m_wasBilateral = false;
+};
+
+// Upstream's tag of a joint without rows.
+constexpr int kNoRows = -1;
+
+// Numbers the joints and their rows. Returns how many rows there are.
+unsigned numberRows(dxWorldStepJoint *begin, const dxWorldStepJoint *end) {
+    unsigned row = 0;
+    for (dxWorldStepJoint *joint = begin; joint != end; ++joint) {
+        joint->joint->tag = static_cast<int>(joint - begin);
+        joint->firstRow = row;
+        row += joint->rows;
+    }
+    return row;
+}
+
+// --- rows ------------------------------------------------------------------------------------------------------
 
 constexpr int kPair = dxJoint::GI2__RHS_CFM_MAX;
 static_assert(kPair == int(dxJoint::GI2__LO_HI_MAX), "joints are told one distance for pairs of both kinds");
@@ -15,10 +82,10 @@ static_assert(kPair == 2 && int(dxJoint::GI2_RHS) == 0 && int(dxJoint::GI2_CFM) 
                   int(dxJoint::GI2_HI) == 1,
               "rows are cleared by pairs");
 
-// A hinge may write one row more than it has said: whose stop is taken away while the hinge rests on it keeps the stop's state (upstream's
-// dxJointHinge::getInfo1 does not look at stops that are infinite or crossed). That row goes where upstream's memory has it: into the joint's rows of
-// the second body and the next joint's, which is cleared after that; of the last joint the right side goes into the first row's limits, the limits into
-// the links, which are made later, and the Jacobian into what the arena has left for the matrix.
+// A hinge may write one row more than it has announced: if its stop is taken away while it rests on it, it keeps the stop's state (upstream's
+// dxJointHinge::getInfo1 does not look at stops that are infinite or crossed). That row goes where upstream's memory has it: into the joint's
+// rows of the second body and the next joint's, which is cleared after that; of the last joint the right side goes into the first row's
+// limits, the limits into the links, which are made later, and the Jacobian into what the arena has left for the matrix.
 void takeMemory(dxWorldProcessMemArena &arena, dxWorldStepProblem &problem) {
     const std::size_t rows = problem.rowCount;
     problem.normalOf = arena.AllocateArray<int>(rows);
@@ -68,6 +135,34 @@ void askJoints(const dxIslandStep &step, const dxWorldStepProblem &problem) {
 }
 
 }  // namespace
+
+void dxOrderJoints(const dxIslandStep &step, dxWorldStepProblem &problem) {
+    const std::size_t count = step.island.jointCount;
+    dxWorldStepJoint *const array = step.arena->AllocateArray<dxWorldStepJoint>(2 * count);
+    Lists lists(array + count);
+    for (std::size_t i = 0; i < count; ++i) {
+        dxJoint *const joint = step.island.joints[i];
+        dxJoint::Info1 info;
+        joint->getInfo1(&info);
+        dIASSERT(info.m <= kMaxJointRows && info.nub <= info.m);
+        if (info.m == 0) {
+            joint->tag = kNoRows;
+            continue;
+        }
+        const dxWorldStepJoint entry{joint, 0, info.m};
+        if (info.nub == 0)
+            lists.addUnilateral(entry);
+        else if (info.nub < info.m)
+            lists.addMixed(entry);
+        else
+            lists.addBilateral(entry);
+    }
+    step.arena->ShrinkArray(array, 2 * count, static_cast<std::size_t>(lists.end() - array));
+    problem.joints = lists.begin();
+    problem.jointCount = static_cast<unsigned>(lists.end() - lists.begin());
+    problem.bilateralJoints = lists.countBilateral();
+    problem.rowCount = numberRows(lists.begin(), lists.end());
+}
 
 void dxReadRows(const dxIslandStep &step, dxWorldStepProblem &problem) {
     takeMemory(*step.arena, problem);

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "dynamics/world_step/dxWorldStepProblem.h"
-#include "dynamics/world_step/exact/dxExactMatrix.h"
+#include "dynamics/world_step/exact/dxDantzigSolver.h"
 #include "threading/dxFloatEnvironment.h"
 
 namespace {
@@ -58,7 +58,7 @@ bool dxPackedProblem::read(const std::byte *bytes, std::size_t size) {
     constexpr std::uint32_t kMaxRows = 1u << 20;
     if (size < sizeof counts) return false;
     std::memcpy(&counts, bytes, sizeof counts);
-    if (counts.rows == 0 || counts.rows > kMaxRows || counts.unboundedJoints > counts.joints) return false;
+    if (counts.rows == 0 || counts.rows > kMaxRows || counts.bilateralJoints > counts.joints) return false;
     const dxPackedLayout layout(counts);
     if (layout.total != size) return false;
     joints = bytes + layout.joints;
@@ -72,7 +72,7 @@ bool dxPackedProblem::read(const std::byte *bytes, std::size_t size) {
 }
 
 void dxPackProblem(const dxWorldStepProblem &problem, dReal stepSize, std::vector<std::byte> &bytes) {
-    const dxPackedCounts counts{dxFloatMode(),  problem.bodyCount, problem.jointCount, problem.rowCount, problem.unboundedJoints, 0};
+    const dxPackedCounts counts{dxFloatMode(),  problem.bodyCount, problem.jointCount, problem.rowCount, problem.bilateralJoints, 0};
     const dxPackedLayout layout(counts);
     bytes.assign(layout.total, std::byte{0});
     const auto put = [&bytes](std::size_t at, const void *array, std::size_t size) { std::memcpy(bytes.data() + at, array, size); };

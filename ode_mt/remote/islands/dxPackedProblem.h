@@ -18,7 +18,7 @@ struct dxWorldStepProblem;
 struct dxPackedCounts {
     std::uint32_t floatMode;  // dxFloatMode
     std::uint32_t bodies, joints, rows;
-    std::uint32_t unboundedJoints;
+    std::uint32_t bilateralJoints;
     std::uint32_t padding;
 };
 

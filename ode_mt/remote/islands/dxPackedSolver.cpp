@@ -13,8 +13,8 @@
 #include "core/dxMixedBits.h"
 #include "remote/islands/dxPackedProblem.h"
 #include "dynamics/step/islands/dxWorkingMemory.h"
-#include "dynamics/world_step/exact/dantzig/dxDantzig.h"
-#include "dynamics/world_step/exact/dantzig/dxUpstreamLcp.h"
+#include "dynamics/world_step/exact/dxDantzig.h"
+#include "dynamics/world_step/exact/dxUpstreamLcp.h"
 #include "threading/dxFloatEnvironment.h"
 #include "threading/dxUpstreamInterrupted.h"
 #include "threading/dxUpstreamScope.h"
@@ -127,7 +127,7 @@ const dReal *solve(const dxPackedProblem &problem, dxWorldProcessMemArena &arena
     dxMakeConstraintMatrix(task, true);
     arena.RestoreState(state);
 
-    dxSolveDantzig(nullptr, &arena, counts.rows, matrix, pairsBX, nullptr, counts.unboundedJoints, pairsLoHi, normalOf);
+    dxSolveDantzig(nullptr, &arena, counts.rows, matrix, pairsBX, nullptr, counts.bilateralJoints, pairsLoHi, normalOf);
     return pairsBX;
 }
 
@@ -207,12 +207,12 @@ std::vector<std::byte> makeProblem(Numbers &numbers, unsigned bodies, std::uint3
     dReal *const pairsBX = reals(layout.pairsBX), *const pairsLoHi = reals(layout.pairsLoHi);
     int *const normalOf = reinterpret_cast<int *>(bytes.data() + layout.normalOf);
     for (unsigned i = 0; i < counts.rows; ++i) {
-        const bool isLimited = i / kRows >= counts.unboundedJoints, isNormal = i % kRows == 0;
+        const bool isUnilateral = i / kRows >= counts.bilateralJoints, isNormal = i % kRows == 0;
         pairsBX[kPair * i] = numbers.next();
         pairsBX[kPair * i + 1] = dReal(0.5);
-        pairsLoHi[kPair * i] = !isLimited ? -dInfinity : isNormal ? dReal(0) : dReal(-0.5);
-        pairsLoHi[kPair * i + 1] = !isLimited || isNormal ? dInfinity : dReal(0.5);
-        normalOf[i] = isLimited && !isNormal ? static_cast<int>(i - i % kRows) : -1;
+        pairsLoHi[kPair * i] = !isUnilateral ? -dInfinity : isNormal ? dReal(0) : dReal(-0.5);
+        pairsLoHi[kPair * i + 1] = !isUnilateral || isNormal ? dInfinity : dReal(0.5);
+        normalOf[i] = isUnilateral && !isNormal ? static_cast<int>(i - i % kRows) : -1;
     }
     return bytes;
 }

@@ -9,7 +9,7 @@
 #include "dynamics/step/islands/dxBodyWorkers.h"
 #include "dynamics/step/islands/dxWorkingMemory.h"
 #include "dynamics/world_step/dxWorldStep.h"
-#include "dynamics/world_step/dxWorldStepResults.h"
+#include "dynamics/world_step/dxWorldStepBodies.h"
 #include "dynamics/world_step/exact/dxDantzigSolver.h"
 #include "remote/islands/dxPackedProblem.h"
 #include "remote/islands/dxRemoteShare.h"

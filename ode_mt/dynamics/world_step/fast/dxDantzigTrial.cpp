@@ -11,7 +11,6 @@
 
 #include "dynamics/step/islands/dxIslandStep.h"
 #include "dynamics/world_step/exact/dxDantzigSolver.h"
-#include "dynamics/world_step/exact/dxExactMatrix.h"
 #include "dynamics/world_step/fast/dxBodySpaceProblem.h"
 #include "dynamics/world_step/fast/dxResidual.h"
 

@@ -6,7 +6,7 @@
 #include "core/dxNoIndex.h"
 #include "dynamics/step/islands/dxIslandStep.h"
 #include "dynamics/world_step/dxWorldStepProblem.h"
-#include "dynamics/world_step/exact/dantzig/dxDantzig.h"
+#include "dynamics/world_step/exact/dxDantzig.h"
 #include "dynamics/world_step/fast/dxResidual.h"
 
 namespace {

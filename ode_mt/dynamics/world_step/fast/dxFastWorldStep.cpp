@@ -179,7 +179,7 @@ Elimination eliminate(const dxIslandStep &step, const dxWorldStepProblem &proble
 
 // Nothing is chosen again for an island of bilateral rows that has the structure of the last one.
 Elimination eliminateKnown(const dxIslandStep &step, const dxWorldStepProblem &problem) try {
-    if (problem.unboundedJoints != problem.jointCount) return Elimination::Failed;
+    if (problem.bilateralJoints != problem.jointCount) return Elimination::Failed;
     return eliminateBilateral(step, problem, &dxBilateralSolver::solveKnown);
 } catch (const std::bad_alloc &) {
     return Elimination::Failed;

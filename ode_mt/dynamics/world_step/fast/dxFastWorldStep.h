@@ -10,7 +10,7 @@
 #include "objects.h"
 #include "joints/joint.h"
 
-#include "dynamics/world_step/dxWorldStepSolver.h"
+#include "dynamics/world_step/dxWorldStep.h"
 
 class dxFastWorldStep final : public dxWorldStepSolver {
 public:

@@ -110,7 +110,7 @@ dxLcpStatistics dxLcpStatistics::of(const dxWorldStepProblem &problem, dxWorldPr
     unsigned position = 0;  // among bilateral rows
     for (unsigned i = 0; i < problem.jointCount; ++i) {
         const dxWorldStepJoint &joint = problem.joints[i];
-        unsigned first = i < problem.unboundedJoints ? joint.rows : 0u, bilateral = first;
+        unsigned first = i < problem.bilateralJoints ? joint.rows : 0u, bilateral = first;
         for (unsigned row = first; row < joint.rows; ++row) {
             const bool isBilateral = problem.isBilateral(std::size_t(joint.firstRow) + row);
             first += isBilateral && bilateral == row;

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "dynamics/world_step/kernels/dxFactorLDLT.h"
-#include "dynamics/world_step/kernels/dxLineLanes-inl.h"
+#include "dynamics/world_step/kernels/dxLanes-inl.h"
 
 // Rows are factorised in panels, a row a lane. A row of L is a forward solve with the rows before it, scaled
 // by d; upstream takes rows in pairs, and columns too: a result subtracts the sum of its products with the
@@ -21,8 +21,8 @@ struct FactorPanel {
     dReal *A, *d;
     std::size_t rowSkip;
     std::size_t first, rows;
-    const dxSkyline &envelope;
-    std::size_t begin;  // of the panel's envelope: nothing is done for the columns before it, a multiple of eight
+    const dxSkyline &skyline;
+    std::size_t begin;  // of the panel's skyline: nothing is done for the columns before it, a multiple of eight
     dReal *solved;   // L^-1 A, by column, then by lane
     dReal *squares;  // by lane: the sum of products of a row's solved elements with its scaled ones
     dReal *crosses;  // by lane, for the second row of a pair: with the scaled ones of the first
@@ -51,7 +51,7 @@ HWY_INLINE void solveFactorColumns(const FactorPanel &panel, std::size_t first) 
     for (std::size_t lane = 0; lane < kLineLanes; lane += hn::Lanes(d)) {
         LineVector sum[Rows];
         for (std::size_t r = 0; r < Rows; ++r) sum[r] = hn::Zero(d);
-        const std::size_t begin = std::max(panel.begin, panel.envelope.begin(first, Rows));
+        const std::size_t begin = std::max(panel.begin, panel.skyline.begin(first, Rows));
         addColumns<Rows>(triangle, first, panel.solved + lane, begin, first, sum);
         finishFactorPair(panel, lane, first, sum);
         if constexpr (Rows > 2) {
@@ -143,13 +143,13 @@ HWY_INLINE void factorPanel(const FactorPanel &panel) {
     }
 }
 
-// The zeros before the envelope are scaled, too: they keep their signs unless a d is negative.
+// The zeros before the skyline are scaled, too: they keep their signs unless a d is negative.
 HWY_INLINE void signZeros(const FactorPanel &panel) {
     for (std::size_t column = 0; column < panel.begin; ++column)
         for (std::size_t lane = 0; lane < panel.rows; ++lane) panel.row(panel.first + lane)[column] *= panel.d[column];
 }
 
-void factorLDLT(dReal *A, dReal *d, std::size_t rowCount, std::size_t rowSkip, const dxSkyline &envelope,
+void factorLDLT(dReal *A, dReal *d, std::size_t rowCount, std::size_t rowSkip, const dxSkyline &skyline,
                 dReal *storage) {
     HWY_ALIGN dReal squares[kLineLanes], crosses[kLineLanes];
     bool areAllPositive = true;  // of d
@@ -157,7 +157,7 @@ void factorLDLT(dReal *A, dReal *d, std::size_t rowCount, std::size_t rowSkip, c
         std::fill_n(squares, kLineLanes, dReal(0));
         std::fill_n(crosses, kLineLanes, dReal(0));
         const std::size_t rows = std::min<std::size_t>(kLineLanes, rowCount - first);
-        const FactorPanel panel = {A,    d, rowSkip, first, rows, envelope, envelope.begin(first, rows, 8), storage,
+        const FactorPanel panel = {A,    d, rowSkip, first, rows, skyline, skyline.begin(first, rows, 8), storage,
                                    squares, crosses};
         if (!areAllPositive) signZeros(panel);
         factorPanel(panel);
@@ -176,8 +176,8 @@ HWY_EXPORT(factorLDLT);
 
 std::size_t dxFactorLDLTStorage(unsigned n) { return std::size_t(kLineLanes) * n; }
 
-void dxFactorLDLT(dReal *A, dReal *d, unsigned rowCount, unsigned rowSkip, const dxSkyline &envelope,
+void dxFactorLDLT(dReal *A, dReal *d, unsigned rowCount, unsigned rowSkip, const dxSkyline &skyline,
                   dReal *storage) {
-    HWY_DYNAMIC_DISPATCH(dxSolve::factorLDLT)(A, d, rowCount, rowSkip, envelope, storage);
+    HWY_DYNAMIC_DISPATCH(dxSolve::factorLDLT)(A, d, rowCount, rowSkip, skyline, storage);
 }
 #endif

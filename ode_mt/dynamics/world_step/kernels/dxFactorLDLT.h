@@ -1,4 +1,4 @@
-// The factorisation of the exact step's rows without limits: upstream's factorMatrixAsLDLT
+// The factorisation of the exact step's bilateral rows: upstream's factorMatrixAsLDLT
 // (ode/src/fastldltfactor_impl.h) with its bits. docs/exact.md tells how.
 #pragma once
 
@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-#include "dynamics/world_step/kernels/dxSkyline.h"
+#include "dynamics/world_step/kernels/dxTriangle.h"
 
 // Elements of storage, aligned to a cache line, for n rows.
 std::size_t dxFactorLDLTStorage(unsigned n);
@@ -14,5 +14,5 @@ std::size_t dxFactorLDLTStorage(unsigned n);
 // A = L D L': the lower triangle of A, whose rows start rowSkip elements apart, becomes that of L below the diagonal;
 // the diagonal itself, ones, is not written. d(i) = 1 / D(i). rowCount is at least 1. The skyline is that of A and of
 // L: before it, A is +0. It is exact if everything is finite, and results are rounded to nearest.
-void dxFactorLDLT(dReal *A, dReal *d, unsigned rowCount, unsigned rowSkip, const dxSkyline &envelope,
+void dxFactorLDLT(dReal *A, dReal *d, unsigned rowCount, unsigned rowSkip, const dxSkyline &skyline,
                   dReal *storage);

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "dynamics/world_step/kernels/dxMirror.h"
-#include "dynamics/world_step/kernels/dxRowTile-inl.h"
+#include "dynamics/world_step/kernels/dxLanes-inl.h"
 #include "core/dxCacheLine.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "dynamics/world_step/kernels/dxLineLanes-inl.h"
+#include "dynamics/world_step/kernels/dxLanes-inl.h"
 #include "dynamics/world_step/kernels/dxPanelSolve.h"
 #include "threading/dxTaskRunner.h"
 #include "threading/pool/dxOrderedCompletion.h"
@@ -36,7 +36,7 @@ HWY_INLINE void finishGroup(const dxSolvePanelTask &task, std::size_t lane, std:
 
 // The first column that counts in rows from `first` on.
 HWY_INLINE std::size_t beginOf(const dxSolvePanelTask &task, std::size_t first, std::size_t rows) {
-    return std::max<std::size_t>(task.envelope.begin(first, rows), task.zeros);
+    return std::max<std::size_t>(task.skyline.begin(first, rows), task.zeros);
 }
 
 // Four or eight rows, whose sums include the columns before `begin`.

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include "dynamics/world_step/kernels/dxSkyline.h"
+#include "dynamics/world_step/kernels/dxTriangle.h"
 
 class dxTaskRunner;
 
@@ -16,7 +16,7 @@ struct dxSolvePanelTask {
     const dReal *rightHandSides;
     std::size_t rightHandSkip;
     const unsigned *index;
-    dxSkyline envelope;
+    dxSkyline skyline;
     unsigned zeros;       // rows of the solutions that are 0, and neither read nor written
     unsigned begin, end;  // rows to be solved for, multiples of four; those before them are solved
     dReal *solutions;     // by row, then by lane

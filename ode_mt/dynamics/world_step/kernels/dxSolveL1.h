@@ -8,7 +8,7 @@
 
 #include <ode/common.h>
 
-#include "dynamics/world_step/kernels/dxSkyline.h"
+#include "dynamics/world_step/kernels/dxTriangle.h"
 
 class dxTaskRunner;
 
@@ -22,10 +22,10 @@ void dxSolveL1Transposed(const dReal *L, dReal *B, unsigned rowCount, unsigned r
 
 // The same for b_stride 1 with skyline storage: columns before the skyline are taken for zero, which is exact if
 // everything is finite, no sum overflows, and results are rounded to nearest.
-void dxSolveL1Straight(const dReal *L, dReal *B, unsigned rowCount, unsigned rowSkip, const dxSkyline &envelope);
+void dxSolveL1Straight(const dReal *L, dReal *B, unsigned rowCount, unsigned rowSkip, const dxSkyline &skyline);
 
 // Row i of L is at L[i]. `runner`: null for the calling thread alone.
-void dxSolveL1Transposed(const dReal *const *L, dReal *B, unsigned rowCount, const dxSkyline &envelope,
+void dxSolveL1Transposed(const dReal *const *L, dReal *B, unsigned rowCount, const dxSkyline &skyline,
                          dxTaskRunner *runner = nullptr);
 
 namespace dxSolve {
