@@ -103,6 +103,33 @@ grep -qxF '| soccer | 2.00 / 4.00 | 3.00 / 6.00 |' docs/figures.md || fail "no s
 grep -qxF '| soccer | libode8 | 30 [20, 40] | 30 ± 16 |' docs/figures.md || fail "no quantiles: $(cat docs/figures.md)"
 if grep -q old docs/figures.md; then fail "an old table is left"; fi
 
+# A bench that measures nothing: both kinds of figures, one after the other.
+mkdir -p build/release/bench
+cat >build/release/bench/odemt_bench <<'BENCH'
+#!/bin/sh
+while [ $# -gt 0 ]; do
+    case $1 in
+        --worlds) worlds=$2 ;;
+        --engines) engines=$2 ;;
+        --csv) echo world,engine,bodies,frame_speedup_median,frame_speedup_q1,frame_speedup_q3,collision_speedup_median,collision_speedup_q1,collision_speedup_q3 >"$2"; csv=$2 ;;
+        --json) cp result.json "$2" ;;
+        --samples) echo world,engine,second,real_time_factor >"$2"; samples=$2 ;;
+    esac
+    shift
+done
+for world in $(echo "$worlds" | tr , ' '); do
+    for engine in $(echo "$engines" | tr , ' '); do
+        echo "$world,$engine,3,1,1,2,1,1,2" >>"$csv"
+        for second in 1 2 3; do [ -z "${samples:-}" ] || echo "$world,$engine,$second,1$second" >>"$samples"; done
+    done
+done
+BENCH
+chmod +x build/release/bench/odemt_bench
+bench/figures/run 12.1 3.1 >output 2>&1 || fail "run: $(cat output)"
+[ "$(sed -n '1p;4p' docs/figures/data/12.1.csv | tr '\n' ' ')" = "# 2 cores, Fast One pioneer3at,stock,12 " ] || fail "measured: $(head -4 docs/figures/data/12.1.csv)"
+[ "$(sed -n 3p docs/figures/data/3.1.csv)" = pioneer3at,stock,1,1,2,1,1,2 ] || fail "measured: $(head -4 docs/figures/data/3.1.csv)"
+[ -e build/figures/3.1.json ] || fail "the whole result is not kept"
+
 : >docs/figures.md
 if bench/figures/run --draw 3.1 >output 2>&1; then fail "a document without a place for the table was taken"; fi
 grep -q 'no place for figure 3.1' output || fail "the missing place is not named: $(cat output)"
