@@ -78,7 +78,7 @@ private:
     std::uniform_real_distribution<dReal> m_number{-1, 1};
     std::vector<Row> m_rows;
     std::vector<dxIslandBody> m_bodies;
-    std::vector<dxBodyAcceleration> m_accelerations;
+    std::vector<dxSpatialMotion> m_accelerations;
     std::vector<int> m_order;
 };
 

@@ -7,7 +7,7 @@
 #include "settings/dxJointAttachment.h"
 #include "dynamics/step/dxJointRemoval.h"
 #include "seams/upstream.h"
-#include "dynamics/quick_step/fast/dxIterativeWorld.h"
+#include "dynamics/quick_step/fast/dxFastQuickStepState.h"
 #include "settings/dxOwnThreads.h"
 #include "settings/dxWorldSolver.h"
 #include "settings/dxWorldStatistics.h"
@@ -30,7 +30,7 @@ void dWorldDestroy(dWorldID world) {
         dxWorldSolver::forget(world);
         dxWorldStatistics::forget(world);
         dxOwnThreads::forget(world);
-        dxIterativeWorld::forget(world);
+        dxFastQuickStepState::forget(world);
     }
     dxUpstreamWorldDestroy(world);
 }

@@ -11,7 +11,7 @@
 #include "collision/callbacks/dxConcurrentCallbacks.h"
 #include "collision/narrowphase/dxColliderTable.h"
 #include "collision/narrowphase/dxThreadTrimeshCache.h"
-#include "dynamics/quick_step/fast/dxIterativeWorld.h"
+#include "dynamics/quick_step/fast/dxFastQuickStepState.h"
 #include "dynamics/quick_step/sor/dxParallelSor.h"
 #include "dynamics/step/dxJointRemoval.h"
 #include "dynamics/step/dxStepRecords.h"
@@ -46,7 +46,7 @@ void releaseWorkers() {
     dxForgetJointRemoval();
     dxStepRecords::release();
     dxFastWorldStep::release();
-    dxIterativeWorld::release();
+    dxFastQuickStepState::release();
     dxLargeIslandWorkersLease::forget();
     dxParallelSor::forget();
     dxWorkingMemory::release();

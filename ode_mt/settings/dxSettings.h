@@ -29,10 +29,10 @@ enum class dxAlgorithm {
 // Which near-callbacks may run at the same time: none; those of pairs that share no body; any.
 enum class dxCallbackPolicy { Serial, Concurrent, Independent };
 
-// How islands are solved: with upstream's bits, or by the direct and the iterative solver.
+// How islands are solved: with upstream's bits, or by the fast solvers (direct, projected Gauss-Seidel).
 enum class dxSolver { Exact, Fast };
 
-// Of a world. The last two are the iterative solver's.
+// Of a world. The last two are of fast QuickStep.
 struct dxSolverChoice {
     static constexpr double kDefaultTolerance = 1e-9;
 

@@ -33,7 +33,7 @@ enum class dxParallelStage : unsigned char {
     Rows,              // QuickStep: rows prepared for the sweep: dxSorSolver
     SorPlan,         // QuickStep: order of rows for each worker: dxParallelSor
     SorSweep,             // QuickStep: the sweep
-    ColoredSweeps,     // fast QuickStep: sweeps by colours: dxColoredSweeps
+    PgsSweep,          // fast QuickStep: warm start and sweeps: dxPgsSolver
     Motion,            // QuickStep: velocities and positions: dxBodyMotion
     BodySpace,         // fast dWorldStep: phases in body space: dxBodySpaceSolver
     PanelSolve,        // exact step: solves of several right-hand sides: dxPanelSolve
@@ -50,7 +50,7 @@ public:
     static constexpr std::array<const char *, kCount> kNames = {
         "world survey", "world preparation", "worlds", "island survey", "islands", "boxes", "cell-grid pairs", "Verlet changes", "Verlet candidates", "pair keys",
         "kept pair keys", "narrow-phase prefetch", "callbacks", "bodies", "joints", "right-hand sides", "rows",
-        "SOR plan", "SOR sweep", "colored sweeps", "motion", "body space", "panel solve", "transposed solve",
+        "SOR plan", "SOR sweep", "PGS sweep", "motion", "body space", "panel solve", "transposed solve",
         "sparse products"};
 
     static bool ranByTwo(dxParallelStage stage) { return flag(stage).load(std::memory_order_relaxed); }

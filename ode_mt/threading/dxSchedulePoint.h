@@ -28,11 +28,7 @@ enum class dxSchedulePoint : unsigned {
     ClaimPartition,
     AnnounceRows,
     AwaitRows,
-    // The same of fast worlds
-    ClaimChunk,
-    OpenPhase,
-    AwaitPhase,
-    // Phases in body space
+    // Phases of the fast solvers
     PublishPhase,
     ClaimPhaseChunk,
     AwaitPhaseChunks,

@@ -1,5 +1,5 @@
 // The plan of a group's constraints: each joint is in one place, packs that may be solved at once share no moving body, bodies with many edges
-// have some left over; small groups are solved from the ground up or down. And its sweeps: each chunk once a sweep, phases one after the other, whatever threads take part.
+// have an overflow; small groups are solved upwards or downwards. And its phases on threads: each chunk once a sweep, phases one after the other.
 #include <gtest/gtest.h>
 
 #include <ode/ode.h>
@@ -14,12 +14,26 @@
 #include "objects.h"
 #include "joints/contact.h"
 
-#include "dynamics/quick_step/fast/dxColoredSweeps.h"
 #include "dynamics/quick_step/fast/dxConstraintPlan.h"
 #include "own_threads.h"
 #include "random_world.h"
+#include "threading/pool/dxPhaseRunner.h"
 
 namespace {
+
+using Manifold = dxConstraintPlan::Manifold;
+
+std::vector<Manifold> lanesOf(const dxConstraintPlan &plan) {
+    std::vector<Manifold> manifolds;
+    plan.forLaneManifolds([&](const Manifold &manifold) { manifolds.push_back(manifold); });
+    return manifolds;
+}
+
+std::vector<Manifold> rowsOf(const dxConstraintPlan &plan) {
+    std::vector<Manifold> manifolds;
+    plan.forRowManifolds([&](const Manifold &manifold) { manifolds.push_back(manifold); });
+    return manifolds;
+}
 
 // All joints of a world as one group; joints between bodies that do not move left out.
 class Group {
@@ -72,12 +86,12 @@ protected:
     ~ConstraintPlan() override { dCloseODE(); }
 
     // By pack: the manifolds in its lanes. Fails where two share a lane, or a joint is in two places or none.
-    static std::vector<std::vector<const dxConstraintPlan::Manifold *>> packsOf(const dxConstraintPlan &plan, const Group &group,
+    static std::vector<std::vector<const Manifold *>> packsOf(const dxConstraintPlan &plan, const Group &group,
                                                                                 std::size_t packs) {
         std::vector<unsigned> times(group.island().jointCount, 0);
-        std::vector<std::vector<const dxConstraintPlan::Manifold *>> all(packs);
+        std::vector<std::vector<const Manifold *>> all(packs);
         std::set<std::pair<unsigned, unsigned>> lanes;
-        for (const dxConstraintPlan::Manifold &manifold : plan.manifolds()) {
+        plan.forLaneManifolds([&](const Manifold &manifold) {
             EXPECT_LT(manifold.pack, packs);
             EXPECT_TRUE(lanes.insert({manifold.pack, manifold.lane}).second);
             EXPECT_LE(manifold.contactCount, dxContactPack::kMaxContacts);
@@ -87,27 +101,27 @@ protected:
                 EXPECT_EQ(group.bodyOf(manifold.firstJoint + i, 0), manifold.body[0]);
                 EXPECT_EQ(group.bodyOf(manifold.firstJoint + i, 1), manifold.body[1]);
             }
-        }
-        for (const dxConstraintPlan::OtherJoint &other : plan.otherJoints()) ++times.at(other.joint);
-        for (const dxConstraintPlan::Manifold &manifold : plan.rowManifolds())
+        });
+        for (const dxConstraintPlan::RowJoint &other : plan.rowJoints()) ++times.at(other.joint);
+        for (const Manifold &manifold : rowsOf(plan))
             for (unsigned i = 0; i < manifold.contactCount; ++i)
-                EXPECT_EQ(plan.otherJoints().at(manifold.firstOther() + i).joint, manifold.firstJoint + i);
+                EXPECT_EQ(plan.rowJoints()[manifold.firstRowJoint() + i].joint, manifold.firstJoint + i);
         EXPECT_EQ(std::count(times.begin(), times.end(), 1u), static_cast<std::ptrdiff_t>(times.size()));
         return all;
     }
 
-    static std::vector<int> movingBodiesOf(const std::vector<const dxConstraintPlan::Manifold *> &pack, const Group &group) {
+    static std::vector<int> movingBodiesOf(const std::vector<const Manifold *> &pack, const Group &group) {
         std::set<int> bodies;
-        for (const dxConstraintPlan::Manifold *manifold : pack)
+        for (const Manifold *manifold : pack)
             for (const int body : manifold->body)
                 if (group.moves(body)) EXPECT_TRUE(bodies.insert(body).second) << "two lanes share a body";
         return {bodies.begin(), bodies.end()};
     }
 
     // Chunks of a phase share no moving body; packs and joints of a chunk do if it is alone in its phase.
-    static void expectNoneShared(dxConstraintPlan &plan, const Group &group) {
+    static void expectNoneShared(const dxConstraintPlan &plan, const Group &group) {
         const auto packs = packsOf(plan, group, plan.packs().size());
-        std::vector<unsigned> timesOfPack(packs.size(), 0), timesOfOther(plan.otherJoints().size(), 0);
+        std::vector<unsigned> timesOfPack(packs.size(), 0), timesOfOther(plan.rowJoints().size(), 0);
         for (const dxConstraintPlan::Phase &phase : plan.phases()) {
             const bool isAlone = phase.endChunk - phase.firstChunk == 1;
             std::set<int> used;
@@ -122,10 +136,10 @@ protected:
                     ++timesOfPack.at(p);
                     take(movingBodiesOf(packs[p], group));
                 }
-                for (unsigned o = chunk.firstOther; o < chunk.endOther; ++o) {
-                    const unsigned other = plan.othersInOrder().at(o);
+                for (unsigned o = chunk.firstRowJoint; o < chunk.endRowJoint; ++o) {
+                    const unsigned other = plan.rowJointsInOrder()[o];
                     ++timesOfOther.at(other);
-                    take({group.bodyOf(plan.otherJoints()[other].joint, 0), group.bodyOf(plan.otherJoints()[other].joint, 1)});
+                    take({group.bodyOf(plan.rowJoints()[other].joint, 0), group.bodyOf(plan.rowJoints()[other].joint, 1)});
                 }
                 for (const int body : own) EXPECT_TRUE(used.insert(body).second) << "two chunks at once share a body";
             }
@@ -139,8 +153,9 @@ TEST_F(ConstraintPlan, ColorsRandomWorlds) {
     for (const RandomWorld::Shape shape : {RandomWorld::Shape{5, 12}, {80, 240}, {300, 200}, {500, 4000}}) {
         RandomWorld world(shape, 2);
         const Group group(world.world());
+        dxStepArena arena;
         dxConstraintPlan plan;
-        plan.make(group.island());
+        plan.make(group.island(), arena);
         expectNoneShared(plan, group);
         // They have joints of all types: few contacts beside them are rows, all in one phase.
         const bool areRows = group.island().jointCount <= 1000;
@@ -155,11 +170,12 @@ TEST_F(ConstraintPlan, FillsPacks) {
     const dWorldID world = dWorldCreate();
     touchInGrid(world, kSide);
     const Group group(world);
+    dxStepArena arena;
     dxConstraintPlan plan;
-    plan.make(group.island());
+    plan.make(group.island(), arena);
     expectNoneShared(plan, group);
     EXPECT_LE(plan.phases().size(), 7u);
-    EXPECT_LE(plan.packs().size(), plan.manifolds().size() / 8 + plan.phases().size());
+    EXPECT_LE(plan.packs().size(), lanesOf(plan).size() / 8 + plan.phases().size());
     dWorldDestroy(world);
 }
 
@@ -174,13 +190,14 @@ TEST_F(ConstraintPlan, SolvesSmallGroupsUpOrDown) {
     unsigned up = 0, down = 0;
     for (int place = 0; place < 20; ++place) {
         dBodySetPosition(group.island().bodies[0], 0.1 * place, 0, 0);
+        dxStepArena arena;
         dxConstraintPlan plan;
-        plan.make(group.island());
+        plan.make(group.island(), arena);
         expectNoneShared(plan, group);
-        EXPECT_LE(plan.packs().size(), plan.manifolds().size() / 8 + kSide);
+        EXPECT_LE(plan.packs().size(), lanesOf(plan).size() / 8 + kSide);
         unsigned lowest[kSide], highest[kSide] = {};  // packs of contacts with what is below
         std::fill_n(lowest, kSide, ~0u);
-        for (const dxConstraintPlan::Manifold &manifold : plan.manifolds()) {
+        for (const Manifold &manifold : lanesOf(plan)) {
             const int height = heightOf(manifold.body[0]);
             if (manifold.body[1] >= 0 && heightOf(manifold.body[1]) == height) continue;
             lowest[height] = std::min(lowest[height], manifold.pack);
@@ -203,13 +220,14 @@ TEST_F(ConstraintPlan, KeepsColumnsInOrder) {
     for (std::size_t i = 0; i < kColumns * kHeight; ++i) bodies.push_back(dBodyCreate(world));
     for (std::size_t i = 0; i < kColumns * kHeight; ++i) touch(world, bodies[i], i % kHeight == 0 ? nullptr : bodies[i - 1]);
     const Group group(world);
+    dxStepArena arena;
     dxConstraintPlan plan;
-    plan.make(group.island());
+    plan.make(group.island(), arena);
     expectNoneShared(plan, group);
-    ASSERT_EQ(plan.manifolds().size(), kColumns * kHeight);
+    ASSERT_EQ(lanesOf(plan).size(), kColumns * kHeight);
     EXPECT_EQ(plan.packs().size(), kHeight);  // eight columns are eight lanes, whichever way they go
     std::vector<unsigned> packOf(bodies.size());
-    for (const dxConstraintPlan::Manifold &manifold : plan.manifolds()) packOf.at(static_cast<std::size_t>(manifold.body[0])) = manifold.pack;
+    for (const Manifold &manifold : lanesOf(plan)) packOf.at(static_cast<std::size_t>(manifold.body[0])) = manifold.pack;
     for (std::size_t column = 0; column < kColumns; ++column) {
         const unsigned first = packOf[column * kHeight];
         for (std::size_t i = 0; i < kHeight; ++i)
@@ -228,11 +246,12 @@ TEST_F(ConstraintPlan, SolvesTheRestOfAHubAsRows) {
         for (int i = 0; i < kPairs; ++i) touch(world, dBodyCreate(world), dBodyCreate(world));
         for (int i = 0; i < kTouching; ++i) touch(world, dBodyCreate(world), hub);
         const Group group(world);
+        dxStepArena arena;
         dxConstraintPlan plan;
-        plan.make(group.island());
+        plan.make(group.island(), arena);
         expectNoneShared(plan, group);
-        EXPECT_EQ(plan.rowManifolds().size(), moves ? kTouching - kColors : 0u);
-        EXPECT_EQ(plan.otherJoints().size(), moves ? kTouching - kColors : 0u);
+        EXPECT_EQ(rowsOf(plan).size(), moves ? kTouching - kColors : 0u);
+        EXPECT_EQ(plan.rowJoints().size(), moves ? kTouching - kColors : 0u);
         EXPECT_EQ(plan.phases().size(), moves ? kColors + 1u : 1u);
         dWorldDestroy(world);
     }
@@ -244,11 +263,12 @@ TEST_F(ConstraintPlan, SolvesContactsAsRowsWhereLanesWouldBeEmpty) {
         const dWorldID world = dWorldCreate();
         for (unsigned i = 0; i < pairs; ++i) touch(world, dBodyCreate(world), dBodyCreate(world));
         const Group group(world);
+        dxStepArena arena;
         dxConstraintPlan plan;
-        plan.make(group.island());
+        plan.make(group.island(), arena);
         expectNoneShared(plan, group);
-        EXPECT_EQ(plan.manifolds().size(), pairs > 4 ? pairs : 0);
-        EXPECT_EQ(plan.rowManifolds().size(), pairs > 4 ? 0 : pairs);
+        EXPECT_EQ(lanesOf(plan).size(), pairs > 4 ? pairs : 0);
+        EXPECT_EQ(rowsOf(plan).size(), pairs > 4 ? 0 : pairs);
         dWorldDestroy(world);
     }
 }
@@ -263,13 +283,14 @@ TEST_F(ConstraintPlan, PutsContactsOfTwoBodiesTogether) {
             for (int i = 0; i < 3; ++i) touch(world, first, nullptr);
         }
         const Group group(world);
+        dxStepArena arena;
         dxConstraintPlan plan;
-        plan.make(group.island());
-        EXPECT_EQ(plan.manifolds().empty(), pairs == 1);
-        EXPECT_EQ(plan.rowManifolds().empty(), pairs != 1);
+        plan.make(group.island(), arena);
+        EXPECT_EQ(lanesOf(plan).empty(), pairs == 1);
+        EXPECT_EQ(rowsOf(plan).empty(), pairs != 1);
         std::vector<unsigned> counts, expected;
-        for (const dxConstraintPlan::Manifold &manifold : plan.manifolds()) counts.push_back(manifold.contactCount);
-        for (const dxConstraintPlan::Manifold &manifold : plan.rowManifolds()) counts.push_back(manifold.contactCount);
+        for (const Manifold &manifold : lanesOf(plan)) counts.push_back(manifold.contactCount);
+        for (const Manifold &manifold : rowsOf(plan)) counts.push_back(manifold.contactCount);
         for (int pair = 0; pair < pairs; ++pair) expected.insert(expected.end(), {1, 3, 8});
         std::sort(counts.begin(), counts.end());
         std::sort(expected.begin(), expected.end());
@@ -287,10 +308,12 @@ TEST_F(ConstraintPlan, OrdersRows) {
         for (std::size_t i = 1; i < row.size(); ++i) touch(world, row[i - 1], row[i]);
         if (hasBall) dJointAttach(dJointCreateBall(world, nullptr), row[0], nullptr);
         const Group group(world);
+        dxStepArena arena;
         dxConstraintPlan plan;
-        plan.make(group.island());
+        plan.make(group.island(), arena);
         EXPECT_EQ(plan.hasContactsOnly(), !hasBall);
-        EXPECT_EQ(plan.othersInOrder(), hasBall ? std::vector<unsigned>({0, 1, 2, 3}) : std::vector<unsigned>({0, 1, 2}));
+        const std::vector<unsigned> order(plan.rowJointsInOrder().begin(), plan.rowJointsInOrder().end());
+        EXPECT_EQ(order, hasBall ? std::vector<unsigned>({0, 1, 2, 3}) : std::vector<unsigned>({0, 1, 2}));
         dWorldDestroy(world);
     }
 }
@@ -308,62 +331,49 @@ TEST_F(ConstraintPlan, FindsIslands) {
     dJointAttach(joint, body(5), body(7));
     touch(world, body(6), body(7));
     const Group group(world);
+    dxStepArena arena;
     dxConstraintPlan plan;
-    plan.make(group.island());
+    plan.make(group.island(), arena);
     std::vector<std::pair<unsigned, unsigned>> islands;
     for (const dxConstraintPlan::Island &island : plan.islands()) islands.emplace_back(island.firstBody, island.endBody);
     EXPECT_EQ(islands, (std::vector<std::pair<unsigned, unsigned>>{{0, 3}, {3, 4}, {4, 5}, {5, 8}}));
-    for (const dxConstraintPlan::OtherJoint &other : plan.otherJoints()) {
+    for (const dxConstraintPlan::RowJoint &other : plan.rowJoints()) {
         const dxBody *const first = plan.jointOf(other)->node[0].body;
-        const dxConstraintPlan::Island &island = plan.islands().at(plan.islandOf(other));
+        const dxConstraintPlan::Island &island = plan.islands()[plan.islandOf(other)];
         EXPECT_LE(island.firstBody, static_cast<unsigned>(first->tag));
         EXPECT_GT(island.endBody, static_cast<unsigned>(first->tag));
     }
     dWorldDestroy(world);
 }
 
+// Solvers take the plan's phases of chunks: each chunk once a sweep, and none before all of the phase before it, whatever threads take part.
 TEST_F(ConstraintPlan, IsSweptOnceASweepByAnyNumberOfThreads) {
     RandomWorld world({500, 4000}, 2);
     const Group group(world.world());
+    dxStepArena arena;
     dxConstraintPlan plan;
-    plan.make(group.island());
-    std::vector<unsigned> phaseOf(plan.chunks().size());
-    for (unsigned phase = 0; phase < plan.phases().size(); ++phase)
-        for (unsigned chunk = plan.phases()[phase].firstChunk; chunk < plan.phases()[phase].endChunk; ++chunk)
-            phaseOf[chunk] = phase;
-
-    constexpr unsigned kMost = 12, kEnd = 7;
-    std::vector<double> expected;
+    plan.make(group.island(), arena);
+    constexpr unsigned kSweeps = 7;
     for (const unsigned workers : {1u, 2u, 5u}) {
-        dxColoredSweeps sweeps;
-        sweeps.begin(plan, kMost);
+        dxPhaseRunner phases;
+        phases.reserve(workers);
         OwnThreads threads(workers);
         std::vector<std::atomic<unsigned>> times(plan.chunks().size());
-        std::atomic<std::uint64_t> phasesBegun{0};
+        std::atomic<unsigned> inWork{0};
         std::atomic<bool> isInOrder{true};
-        std::vector<double> energies;
-        const unsigned count = sweeps.run(
-            threads,
-            [&](unsigned chunk, unsigned sweep) {
-                if (times[chunk].fetch_add(1) != sweep) isInOrder = false;
-                // No chunk of an earlier phase comes after one of a later phase.
-                const std::uint64_t position = sweep * plan.phases().size() + phaseOf[chunk];
-                std::uint64_t latest = phasesBegun.load();
-                if (latest > position) isInOrder = false;
-                while (latest < position && !phasesBegun.compare_exchange_weak(latest, position)) {
+        phases.run(dxParallelStage::PgsSweep, threads, [&] {
+            for (unsigned sweep = 0; sweep < kSweeps; ++sweep)
+                for (const dxConstraintPlan::Phase &phase : plan.phases()) {
+                    if (inWork.load() != 0) isInOrder = false;
+                    phases.forChunks(phase.endChunk - phase.firstChunk, [&](unsigned i, unsigned) {
+                        ++inWork;
+                        if (times[phase.firstChunk + i].fetch_add(1) != sweep) isInOrder = false;
+                        --inWork;
+                    });
                 }
-                return 1 / (1.0 + chunk + sweep);
-            },
-            [&](unsigned sweep, double energy) {
-                energies.push_back(energy);
-                return sweep + 1 == kEnd;
-            });
-        EXPECT_EQ(count, kEnd);
+        });
         EXPECT_TRUE(isInOrder);
-        for (const std::atomic<unsigned> &chunk : times) EXPECT_EQ(chunk.load(), kEnd);
-        if (expected.empty()) expected = energies;
-        EXPECT_EQ(energies, expected);  // bits: sums have one order
-        EXPECT_EQ(energies.size(), kEnd);
+        for (const std::atomic<unsigned> &chunk : times) EXPECT_EQ(chunk.load(), kSweeps);
     }
 }
 

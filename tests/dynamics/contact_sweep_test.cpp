@@ -46,36 +46,36 @@ public:
     }
     double prepare() { return dxPrepareContacts(packs(), 0, 1, m_velocities.data()); }
     double apply() { return dxApplyImpulses(packs(), 0, 1, m_velocities.data()); }
-    // One of all rows at once, and one of pressures first. Returns the energy of the latter.
+    // One of all rows at once, and one of normals first. Returns the energy of the latter.
     double sweep(dReal factor = 1) {
         const auto part = [&](dxSweepPart part) { return dxSweepContacts(packs(), 0, 1, part, {factor, factor}, m_velocities.data()); };
-        part(dxSweepPart::Contacts);
-        return part(dxSweepPart::Pressures) + part(dxSweepPart::EvenFriction) + part(dxSweepPart::OddFriction);
+        part(dxSweepPart::AllRows);
+        return part(dxSweepPart::Normals) + part(dxSweepPart::EvenFriction) + part(dxSweepPart::OddFriction);
     }
 
-    const std::vector<dxVelocity> &velocities() const { return m_velocities; }
+    const std::vector<dxSpatialMotion> &velocities() const { return m_velocities; }
     dxContactLanes &contact(unsigned i) { return m_contacts[i]; }
     double energyOf(unsigned lane) const { return m_energies[0].lane[lane]; }
 
     bool has(unsigned lane, unsigned contact) const { return lane < 6 || (lane == 6 && contact + 1 < kContacts); }
 
     // The velocity along a row, of the pack's velocities or of those that the impulses give.
-    double velocityAlong(const std::vector<dxVelocity> &velocities, unsigned lane, unsigned contact, unsigned row) const {
+    double velocityAlong(const std::vector<dxSpatialMotion> &velocities, unsigned lane, unsigned contact, unsigned row) const {
         double sum = 0;
         for (unsigned side = 0; side < 2; ++side) {
             const int body = m_packs[0].source[side][lane];
             const dReal *const u = velocities[static_cast<std::size_t>(body)].columns;
             const Vector v = {u[0], u[1], u[2]}, w = {u[3], u[4], u[5]};
             const Vector direction = vectorOf(m_contacts[contact].direction[row], lane),
-                         arm = armOf(m_contacts[contact], side, lane);
-            sum += (side == 0 ? 1 : -1) * (dot(direction, v) + dot(cross(arm, direction), w));
+                         rA = offsetOf(m_contacts[contact], side, lane);
+            sum += (side == 0 ? 1 : -1) * (dot(direction, v) + dot(cross(rA, direction), w));
         }
         return sum;
     }
 
     // The free velocities and what the impulses add.
-    std::vector<dxVelocity> expectedVelocities() const {
-        std::vector<dxVelocity> all = m_free;
+    std::vector<dxSpatialMotion> expectedVelocities() const {
+        std::vector<dxSpatialMotion> all = m_free;
         for (unsigned lane = 0; lane < dxLanes::kCount; ++lane)
             for (const dxContactLanes &contact : m_contacts)
                 for (unsigned row = 0; row < 3; ++row)
@@ -90,12 +90,12 @@ private:
         return {numbers[0].lane[lane], numbers[1].lane[lane], numbers[2].lane[lane]};
     }
 
-    Vector armOf(const dxContactLanes &contact, unsigned side, unsigned lane) const {
-        Vector arm = vectorOf(contact.arm, lane);
-        const Vector between = vectorOf(m_packs[0].between, lane);
+    Vector offsetOf(const dxContactLanes &contact, unsigned side, unsigned lane) const {
+        Vector rA = vectorOf(contact.rA, lane);
+        const Vector dAB = vectorOf(m_packs[0].dAB, lane);
         if (side == 1)
-            for (std::size_t i = 0; i < 3; ++i) arm[i] += between[i];
-        return arm;
+            for (std::size_t i = 0; i < 3; ++i) rA[i] += dAB[i];
+        return rA;
     }
 
     void fillLane(unsigned lane) {
@@ -113,8 +113,8 @@ private:
                                        2 + number() / 2, number() / 4, 2 + number() / 2};
             for (int i = 0; i < 6; ++i) pack.inverseInertia[side][i].lane[lane] = inertia[i];
         }
-        for (auto &between : pack.between)
-            if (lane < 5 || lane == 6) between.lane[lane] = number();
+        for (auto &dAB : pack.dAB)
+            if (lane < 5 || lane == 6) dAB.lane[lane] = number();
         for (unsigned i = 0; i < kContacts; ++i)
             if (has(lane, i)) fillContact(m_contacts[i], lane);
     }
@@ -123,11 +123,11 @@ private:
         Vector normal = {number(), number(), number()};
         const double length = std::sqrt(dot(normal, normal));
         for (int axis = 0; axis < 3; ++axis) {
-            contact.direction[0][axis].lane[lane] = normal[static_cast<std::size_t>(axis)] / length;
-            contact.arm[axis].lane[lane] = number();
+            contact.direction[dxContactLanes::kNormal][axis].lane[lane] = normal[static_cast<std::size_t>(axis)] / length;
+            contact.rA[axis].lane[lane] = number();
         }
         for (int row = 0; row < 3; ++row) {
-            contact.wanted[row].lane[lane] = number();
+            contact.bias[row].lane[lane] = number();
             contact.softness[row].lane[lane] = 0.05;
         }
         for (int tangent = 0; tangent < 2; ++tangent) {
@@ -136,13 +136,13 @@ private:
         }
     }
 
-    void push(std::vector<dxVelocity> &all, unsigned lane, const dxContactLanes &contact, unsigned row, unsigned side) const {
+    void push(std::vector<dxSpatialMotion> &all, unsigned lane, const dxContactLanes &contact, unsigned row, unsigned side) const {
         const dxContactPack &pack = m_packs[0];
         const int target = pack.target[side][lane];
         if (target == dxContactPack::kNoBody) return;
         const double impulse = (side == 0 ? 1 : -1) * contact.impulse[row].lane[lane];
         const Vector direction = vectorOf(contact.direction[row], lane),
-                     axis = cross(armOf(contact, side, lane), direction);
+                     axis = cross(offsetOf(contact, side, lane), direction);
         constexpr int kElement[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
         for (std::size_t i = 0; i < 3; ++i) {
             all[static_cast<std::size_t>(target)].columns[i] += pack.inverseMass[side].lane[lane] * direction[i] * impulse;
@@ -154,7 +154,7 @@ private:
 
     std::mt19937 m_random;
     bool m_hasResponses;
-    std::vector<dxVelocity> m_velocities, m_free;
+    std::vector<dxSpatialMotion> m_velocities, m_free;
     std::vector<dxLaneNumbers> m_energies;
     std::vector<dxContactPack> m_packs;
     std::vector<dxContactLanes> m_contacts;
@@ -188,9 +188,9 @@ TEST(ContactSweep, PreparesThreeDirectionsAtRightAngles) {
 TEST(ContactSweep, KeepsAGivenDirection) {
     onAllInstructionSets([] {
         Pack pack(2);
-        for (int axis = 0; axis < 3; ++axis) pack.contact(0).direction[1][axis].lane[3] = 0.3 * (axis + 1);
+        for (int axis = 0; axis < 3; ++axis) pack.contact(0).direction[dxContactLanes::kTangent][axis].lane[3] = 0.3 * (axis + 1);
         pack.prepare();
-        for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(pack.contact(0).direction[1][axis].lane[3], 0.3 * (axis + 1));
+        for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(pack.contact(0).direction[dxContactLanes::kTangent][axis].lane[3], 0.3 * (axis + 1));
     });
 }
 
@@ -209,11 +209,11 @@ TEST(ContactSweep, FindsForcesThatSolveTheConditions) {
                     const dxContactLanes &contact = pack.contact(i);
                     for (unsigned row = 0; row < 3; ++row) {
                         const double impulse = contact.impulse[row].lane[lane];
-                        const double missing = contact.wanted[row].lane[lane] -
+                        const double missing = contact.bias[row].lane[lane] -
                                                pack.velocityAlong(pack.velocities(), lane, i, row) -
                                                contact.softness[row].lane[lane] * impulse;
                         const double high = row == 0 ? 1e300
-                                                     : contact.friction[row - 1].lane[lane] * contact.impulse[0].lane[lane] +
+                                                     : contact.friction[row - 1].lane[lane] * contact.impulse[dxContactLanes::kNormal].lane[lane] +
                                                            contact.limit[row - 1].lane[lane];
                         const double low = row == 0 ? 0 : -high;
                         EXPECT_GE(impulse, low - 1e-12);
@@ -235,14 +235,14 @@ TEST(ContactSweep, LeavesTheVelocitiesThatTheForcesGive) {
             pack.prepare();
             pack.apply();
             for (int i = 0; i < 5; ++i) pack.sweep();
-            const std::vector<dxVelocity> expected = pack.expectedVelocities();
+            const std::vector<dxSpatialMotion> expected = pack.expectedVelocities();
             for (unsigned body = 0; body < Pack::kBodies; ++body)
                 for (int k = 0; k < 6; ++k) EXPECT_NEAR(pack.velocities()[body].columns[k], expected[body].columns[k], 1e-11);
         }
     });
 }
 
-// What impulses add to 1/2 u' M u + 1/2 p' softness p - wanted' p: their work on the mean of the velocities before and after them, less
+// What impulses add to 1/2 u' M u + 1/2 p' softness p - bias' p: their work on the mean of the velocities before and after them, less
 // what is wanted.
 TEST(ContactSweep, FindsTheEnergyOfAppliedImpulses) {
     onAllInstructionSets([] {
@@ -253,7 +253,7 @@ TEST(ContactSweep, FindsTheEnergyOfAppliedImpulses) {
                     for (unsigned lane = 0; lane < 7; ++lane)
                         if (pack.has(lane, i)) pack.contact(i).impulse[axis].lane[lane] = 0.3 * axis - 0.05 * lane;
             pack.prepare();
-            const std::vector<dxVelocity> before = pack.velocities();
+            const std::vector<dxSpatialMotion> before = pack.velocities();
             const double found = pack.apply();
             double sum = 0;
             for (unsigned lane = 0; lane < 7; ++lane) {
@@ -265,7 +265,7 @@ TEST(ContactSweep, FindsTheEnergyOfAppliedImpulses) {
                         const double impulse = contact.impulse[row].lane[lane];
                         const double mean = (pack.velocityAlong(before, lane, i, row) +
                                              pack.velocityAlong(pack.velocities(), lane, i, row)) / 2;
-                        expected += impulse * (mean - contact.wanted[row].lane[lane] +
+                        expected += impulse * (mean - contact.bias[row].lane[lane] +
                                                contact.softness[row].lane[lane] * impulse / 2);
                     }
                 }
@@ -314,7 +314,7 @@ TEST(ContactSweep, HasTheSameBitsOnEveryInstructionSet) {
             numbers.push_back(pack.prepare());
             pack.apply();
             for (int i = 0; i < 7; ++i) numbers.push_back(pack.sweep(dReal(1.3)));
-            for (const dxVelocity &velocity : pack.velocities())
+            for (const dxSpatialMotion &velocity : pack.velocities())
                 numbers.insert(numbers.end(), velocity.columns, velocity.columns + 6);
         }
         if (first.empty()) first = numbers;

@@ -30,7 +30,7 @@ struct FreeMotionOf {
 
     const std::vector<dxBody *> bodies;
     std::vector<dxIslandBody> masses;
-    std::vector<dxVelocity> velocities;
+    std::vector<dxSpatialMotion> velocities;
 };
 
 // v + h inv(M) f, by the functions that the exact steppers use. Leaves gravity and torque in the accumulators.

@@ -43,9 +43,9 @@ std::vector<dReal> columnsOf(const std::vector<dReal> &jacobian, const std::vect
     return columns;
 }
 
-std::vector<dReal> columnsOf(const std::vector<dxBodyAcceleration> &accelerations) {
+std::vector<dReal> columnsOf(const std::vector<dxSpatialMotion> &accelerations) {
     std::vector<dReal> columns;
-    for (const dxBodyAcceleration &of : accelerations) columns.insert(columns.end(), of.columns, of.columns + 6);
+    for (const dxSpatialMotion &of : accelerations) columns.insert(columns.end(), of.columns, of.columns + 6);
     return columns;
 }
 
@@ -83,7 +83,7 @@ void expectSameStages(const dxIslandStep &step, const UpstreamQuickStep &upstrea
     dxJointRows joints(step);
     ASSERT_EQ(joints.rowCount(), upstream.boundingRow.size());
     std::vector<dxConstraintRow> rows(joints.rowCount());
-    std::vector<dxBodyAcceleration> accelerations(bodyCount);
+    std::vector<dxSpatialMotion> accelerations(bodyCount);
     std::vector<int> order(rows.size());
     const dxIslandProblem problem{joints.rowCount(), bodyCount, rows.data(), bodies.data(), accelerations.data(), order.data()};
     if (!rows.empty()) {
@@ -108,9 +108,9 @@ void expectSameStages(const dxIslandStep &step, const UpstreamQuickStep &upstrea
         ASSERT_TRUE(sameBits(columnsOf(accelerations), upstream.acceleration));
         joints.giveFeedback(rows.data());
     }
-    dxQuietMotion motion(step);
-    dxIntegrateVelocities(step, bodies.data(), rows.empty() ? nullptr : accelerations.data(), motion);
-    dxMoveBodies(step, motion);
+    dxNotificationPolicy notifications(step);
+    dxIntegrateVelocities(step, bodies.data(), rows.empty() ? nullptr : accelerations.data(), notifications);
+    dxMoveBodies(step, notifications);
 }
 
 TEST_P(QuickStepStages, GiveUpstreamsBits) {

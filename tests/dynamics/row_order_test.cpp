@@ -43,18 +43,20 @@ protected:
             dJointAttach(joints.back(), m_bodies[i], m_bodies[i + 1]);
         }
         const dxIsland group{m_bodies.data(), joints.data(), static_cast<unsigned>(m_bodies.size()), kJoints};
+        dxStepArena arena;
         dxConstraintPlan plan;
-        plan.make(group);
-        std::vector<unsigned> firstRow(kJoints + 1);
+        plan.make(group, arena);
+        const dxArenaArray<unsigned> firstRow = arena.take<unsigned>(kJoints + 1);
         for (unsigned i = 0; i <= kJoints; ++i) firstRow[i] = i * kRowsPerJoint;
         std::vector<dxConstraintRow> rows(kJoints * kRowsPerJoint);
         for (unsigned i = 0; i < rows.size(); ++i) rows[i].boundingRow = i % kRowsPerJoint == 0 ? dxConstraintRow::kNone : static_cast<int>(i - i % kRowsPerJoint);
         dxRowOrder order;
+        order.reserve(kJoints, rows.size(), arena);
         order.make(plan, firstRow, rows.data());
         order.mix(state);
         for (unsigned sweep = 1; sweep <= sweeps; ++sweep) order.inSweep(0, kJoints, sweep);
         for (const dJointID joint : joints) dJointDestroy(joint);
-        const dxRowOrder::Rows all = order.of(0, kJoints);
+        const dxArenaArray<const int> all = order.of(0, kJoints);
         std::vector<int> result(all.begin(), all.end()), sorted = result, numbers(rows.size());
         std::sort(sorted.begin(), sorted.end());
         std::iota(numbers.begin(), numbers.end(), 0);

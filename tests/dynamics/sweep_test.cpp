@@ -31,7 +31,7 @@ struct RandomIsland {
             for (dReal &value : row.impulseOn1) value = number(extremes);
             for (dReal &value : row.impulseOn2) value = number(extremes);
         }
-        for (dxBodyAcceleration &of : accelerations)
+        for (dxSpatialMotion &of : accelerations)
             for (dReal &value : of.columns) value = number(extremes);
         std::iota(order.begin(), order.end(), 0);
     }
@@ -95,14 +95,14 @@ struct RandomIsland {
 
     std::vector<dReal> columns() const {
         std::vector<dReal> all;
-        for (const dxBodyAcceleration &of : accelerations) all.insert(all.end(), of.columns, of.columns + 6);
+        for (const dxSpatialMotion &of : accelerations) all.insert(all.end(), of.columns, of.columns + 6);
         return all;
     }
 
     std::mt19937 random;
     std::vector<dxConstraintRow> rows;
     std::vector<dxIslandBody> bodies;
-    std::vector<dxBodyAcceleration> accelerations;
+    std::vector<dxSpatialMotion> accelerations;
     std::vector<int> order, scheduled;
 };
 
@@ -203,7 +203,7 @@ INSTANTIATE_TEST_SUITE_P(Numbers, Sweep, testing::Bool(),
 TEST(SorSchedule, PutsRowsOfDifferentBodiesSideBySide) {
     constexpr unsigned kBodies = 10, kRowsPerLink = 4, kRows = (kBodies - 1) * kRowsPerLink;
     std::vector<dxConstraintRow> rows(kRows);
-    std::vector<dxBodyAcceleration> accelerations(kBodies);
+    std::vector<dxSpatialMotion> accelerations(kBodies);
     std::vector<int> scheduled(kRows);
     for (unsigned row = 0; row < kRows; ++row) {
         // Every second link first: the others wait for them, not for one another.

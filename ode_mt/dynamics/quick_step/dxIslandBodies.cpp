@@ -39,8 +39,8 @@ void dxFindFreeAccelerations(const dxIslandStep &step, const dxIslandProblem &pr
     });
 }
 
-void dxIntegrateVelocities(const dxIslandStep &step, const dxIslandBody *bodies, const dxBodyAcceleration *accelerations,
-                           dxQuietMotion &motion) {
+void dxIntegrateVelocities(const dxIslandStep &step, const dxIslandBody *bodies, const dxSpatialMotion *accelerations,
+                           dxNotificationPolicy &notifications) {
     const dReal h = step.stepSize;
     dxForBodiesInParallel(step, dxParallelStage::Motion, [&](std::size_t i) {
         dxBody &body = *step.island.bodies[i];
@@ -59,6 +59,6 @@ void dxIntegrateVelocities(const dxIslandStep &step, const dxIslandBody *bodies,
         dReal turned[3];
         multiply(turned, bodies[i].invInertia, body.tacc);
         dAddVectors3(body.avel, body.avel, turned);
-        motion.see(body);
+        notifications.add(body);
     });
 }

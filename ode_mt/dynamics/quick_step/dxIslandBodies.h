@@ -14,5 +14,5 @@ void dxGatherBodies(const dxIslandStep &step, dxIslandBody *bodies);
 void dxFindFreeAccelerations(const dxIslandStep &step, const dxIslandProblem &problem);
 
 // Integrates forces and the constraints' `accelerations`, which may be null, to velocities. Parallel: writes bodies.
-void dxIntegrateVelocities(const dxIslandStep &step, const dxIslandBody *bodies, const dxBodyAcceleration *accelerations,
-                           dxQuietMotion &motion);
+void dxIntegrateVelocities(const dxIslandStep &step, const dxIslandBody *bodies, const dxSpatialMotion *accelerations,
+                           dxNotificationPolicy &notifications);

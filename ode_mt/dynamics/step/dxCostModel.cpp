@@ -15,8 +15,8 @@ constexpr double kStepJoint = 900;        // ns
 constexpr double kStepJointCubed = 4;     // ns
 constexpr double kDirectJoint = 1e4;      // ns, in a wall of bricks
 constexpr double kQuickJoint = 350;       // ns
-constexpr double kIterativeJoint = 250;    // ns
-constexpr double kIterativeIteration = 6;  // ns per contact
+constexpr double kFastQuickStepJoint = 250;    // ns
+constexpr double kFastQuickStepIteration = 6;  // ns per contact
 constexpr double kQuickIteration = 33;    // ns per joint of about three rows
 
 // A moving average over about sixteen steps follows a change of load within a second of simulation.
@@ -69,7 +69,7 @@ double dxCostModel::islandCost(dxStepperKind stepper, int iterations, unsigned b
     const double exact = kStepJoint * j + kStepJointCubed * j * j * j;
     if (stepper == dxStepperKind::WorldExact) return kBody * bodies + exact;
     if (stepper == dxStepperKind::WorldFast) return kBody * bodies + std::min(exact, kDirectJoint * j);
-    if (stepper == dxStepperKind::QuickFast) return kBody * bodies + j * (kIterativeJoint + kIterativeIteration * std::max(iterations, 0));
+    if (stepper == dxStepperKind::QuickFast) return kBody * bodies + j * (kFastQuickStepJoint + kFastQuickStepIteration * std::max(iterations, 0));
     return kBody * bodies + j * (kQuickJoint + kQuickIteration * std::max(iterations, 0));
 }
 

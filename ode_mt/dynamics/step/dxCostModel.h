@@ -5,7 +5,7 @@
 //   dWorldStep       b·B + j·J + c·J³      B bodies, J joints; the cube is the LCP's factorisation
 //   dWorldQuickStep  b·B + J·(j + r·I)     I iterations of the sweep over the rows
 //   fast dWorldStep   b·B + d·J             about as many factorisations for any island
-//   iterative solver b·B + J·(j + r·I)     as dWorldQuickStep, with numbers of its own
+//   fast QuickStep   b·B + J·(j + r·I)     as dWorldQuickStep, with numbers of its own
 //
 // in nanoseconds on a machine of scale 1. The scale of this machine, one number per stepper, and the overhead of
 // sharing a step out are moving averages of what the steps themselves measured (dxParallelPayoff.h has the words). Sharing

@@ -4,7 +4,7 @@
 #include <new>
 
 #include "core/dxStopwatch.h"
-#include "dynamics/quick_step/fast/dxIterativeWorld.h"
+#include "dynamics/quick_step/fast/dxFastQuickStepState.h"
 #include "dynamics/step/dxIslandPreparation.h"
 #include "dynamics/step/dxIslandStepper.h"
 #include "dynamics/step/dxSerialStep.h"
@@ -53,7 +53,7 @@ bool dxIslandParallelStep::prepare() try {
     noteOrder();
     m_islands.emplace(m_call, *m_records);
     if (m_plan.remoteShare > 0) m_remote = dxRemoteSolvers::installed()->begin(*m_islands, m_plan.remoteShare, m_plan.isRemoteForced);
-    if (m_call.iterativeWorld != nullptr) m_call.iterativeWorld->provideSolvers(m_plan.workers);
+    if (m_call.fastQuickStep != nullptr) m_call.fastQuickStep->provideSolvers(m_plan.workers);
     return true;
 } catch (const std::bad_alloc &) {
     return false;

@@ -82,7 +82,7 @@ void dxIslandStepper::step(const dxStepCall &call, const dxIsland &island, dxWor
                            dxLargeIslandWorkers *islandWorkers) {
     const dxIslandSpan span(island);
     arena->ResetState();
-    const dxIslandStep step{call.world, call.stepSize, island, arena, islandWorkers, call.iterativeWorld};
+    const dxIslandStep step{call.world, call.stepSize, island, arena, islandWorkers, call.fastQuickStep};
     if (isChanged(*call.world, island, call.kind)) {
         call.kind == dxStepperKind::WorldFast ? stepAsUpstreamInOwnMemory(step) : stepAsUpstream(step, call.kind);
     } else if (call.kind == dxStepperKind::QuickExact) {

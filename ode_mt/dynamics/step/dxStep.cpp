@@ -3,7 +3,7 @@
 #include <new>
 
 #include "core/dxStopwatch.h"
-#include "dynamics/quick_step/fast/dxIterativeWorld.h"
+#include "dynamics/quick_step/fast/dxFastQuickStepState.h"
 #include "dynamics/step/dxIslandParallelStep.h"
 #include "dynamics/step/dxIslandStepper.h"
 #include "dynamics/step/dxLargeIslandStep.h"
@@ -38,11 +38,11 @@ bool isSolvedFast(const dxWorld *world) { return dxWorldSolver::isFast(world) &&
 
 // Small islands of a fast dWorldQuickStep are solved together. Contacts: a lane of a vector each; so many bodies and joints still fit L2. Beside
 // other joints contacts are rows, and sweeps are shorter where they fit L1: groups save preparations of tiny islands alone.
-constexpr dxGroupSizes kIterativeGroups = {600, 40};
+constexpr dxGroupSizes kFastQuickStepGroups = {600, 40};
 
 // Without memory each step begins from zero forces, by SOR.
-dxIterativeWorld *beginIteratively(const dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize) try {
-    dxIterativeWorld &own = dxIterativeWorld::of(world);
+dxFastQuickStepState *beginFastQuickStep(const dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize) try {
+    dxFastQuickStepState &own = dxFastQuickStepState::of(world);
     own.begin(info, dxWorldSolver::of(world), stepSize);
     return &own;
 } catch (const std::bad_alloc &) {
@@ -69,7 +69,7 @@ bool dxPrepareStepIslands(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal
 bool dxPrepareWorldIslands(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate) {
     if (!isSolvedFast(world)) return dxPrepareStep(world, info, stepSize, estimate);
     if (estimate == &dxEstimateQuickStepMemoryRequirements)
-        return dxPrepareGroups(world, info, stepSize, estimate, kIterativeGroups);
+        return dxPrepareGroups(world, info, stepSize, estimate, kFastQuickStepGroups);
     return dxPrepareStep(world, info, stepSize, &dxEstimateFastWorldStepMemory);  // no matrix of rows by rows
 }
 
@@ -77,7 +77,7 @@ void dxStepOnThisThread(dxWorld *world, const dxWorldProcessIslandsInfo &info, d
     dxStepSpan::beginSearch();  // which is over: what follows is the step that is seen
     dxStepCall call = makeCall(world, info, stepSize, stepper);
     dxStepSpan span(world, call.count);
-    if (call.kind == dxStepperKind::QuickFast) call.iterativeWorld = beginIteratively(world, info, stepSize);
+    if (call.kind == dxStepperKind::QuickFast) call.fastQuickStep = beginFastQuickStep(world, info, stepSize);
     dxSerialStep(call, worker).stepIslands(dxIslandCursor(info), call.count);
     span.setReason([](unsigned) { return dODE_MT_REASON_WORLDS; });
     span.setRemote([] { return withWorkers({}); });
@@ -92,7 +92,7 @@ bool dxStepIslands(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal 
     }
     if (!dxWorldWorkers::prepare(world)) return false;
     dxStepCall call = makeCall(world, info, stepSize, stepper);
-    if (call.kind == dxStepperKind::QuickFast) call.iterativeWorld = beginIteratively(world, info, stepSize);
+    if (call.kind == dxStepperKind::QuickFast) call.fastQuickStep = beginFastQuickStep(world, info, stepSize);
     dxStepPlan plan = dxPlanStep(call);
     if (plan.isMeasured)
         followAndLearn(plan, call);

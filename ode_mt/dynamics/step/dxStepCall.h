@@ -4,7 +4,7 @@
 #include "dynamics/step/dxCostModel.h"
 #include "dynamics/step/islands/dxIsland.h"
 
-class dxIterativeWorld;
+class dxFastQuickStepState;
 
 struct dxStepCall {
     dxWorld *world;
@@ -12,5 +12,5 @@ struct dxStepCall {
     dReal stepSize;
     dxStepperKind kind;
     unsigned count;  // of islands
-    dxIterativeWorld *iterativeWorld = nullptr;  // of a fast dWorldQuickStep, unless there is no memory for it
+    dxFastQuickStepState *fastQuickStep = nullptr;  // of a fast dWorldQuickStep, unless there is no memory for it
 };

@@ -1,5 +1,6 @@
 #include "dynamics/quick_step/exact/dxQuickStep.h"
 
+#include "core/dxCacheLine.h"
 #include "dynamics/quick_step/dxIslandBodies.h"
 #include "dynamics/quick_step/dxJointRows.h"
 #include "dynamics/quick_step/sor/dxSorSolver.h"
@@ -7,8 +8,6 @@
 #include "dynamics/step/islands/dxStepTimeline.h"
 
 namespace {
-
-constexpr unsigned kCacheLine = 64;
 
 // Upstream's estimate for an island (dxEstimateQuickStepMemoryRequirements), which a user's allocator sees, is for other arrays: for
 // each row 128 + 96 bytes of Jacobian and impulse, and 36 of lambda, indices, orders and levels; for each body 96 + 48. Ours take
@@ -20,7 +19,7 @@ dxIslandProblem makeProblem(const dxIslandStep &step, dxIslandBody *bodies, unsi
     problem.bodies = bodies;
     problem.rows = step.arena->AllocateOveralignedArray<dxConstraintRow>(rows, kCacheLine);
     // Behind the rows without a gap.
-    problem.accelerations = step.arena->AllocateOveralignedArray<dxBodyAcceleration>(problem.bodyCount, alignof(dxBodyAcceleration));
+    problem.accelerations = step.arena->AllocateOveralignedArray<dxSpatialMotion>(problem.bodyCount, alignof(dxSpatialMotion));
     problem.order = step.arena->AllocateArray<int>(rows);
     return problem;
 }
@@ -29,11 +28,11 @@ dxIslandProblem makeProblem(const dxIslandStep &step, dxIslandBody *bodies, unsi
 
 void dxQuickStep(const dxIslandStep &step) {
     auto *const bodies = step.arena->AllocateArray<dxIslandBody>(step.island.bodyCount);
-    dxQuietMotion motion(step);
+    dxNotificationPolicy notifications(step);
     dxGatherBodies(step, bodies);                                              // parallel
     dxJointRows joints(step);                                                  // serial
     if (joints.rowCount() == 0) {
-        dxIntegrateVelocities(step, bodies, nullptr, motion);                  // parallel
+        dxIntegrateVelocities(step, bodies, nullptr, notifications);           // parallel
     } else {
         const dxIslandProblem problem = makeProblem(step, bodies, joints.rowCount());
         joints.read(problem.rows);                                             // parallel, if there are contacts alone
@@ -43,7 +42,7 @@ void dxQuickStep(const dxIslandStep &step) {
             dxSorSolver(step).solve(problem);                                  // parallel
         }
         joints.giveFeedback(problem.rows);                                     // serial
-        dxIntegrateVelocities(step, bodies, problem.accelerations, motion);    // parallel
+        dxIntegrateVelocities(step, bodies, problem.accelerations, notifications);  // parallel
     }
-    dxMoveBodies(step, motion);                                                // positions parallel; spaces and the user are told serially
+    dxMoveBodies(step, notifications);                                         // positions parallel; spaces and the user are told serially
 }

@@ -1,28 +1,32 @@
 #include "dynamics/quick_step/fast/dxConstraintPlan.h"
 
 #include <algorithm>
-#include <iterator>
+#include <cstring>
 #include <numeric>
 #include <utility>
 
 #include "joints/contact.h"
 
+#include "dynamics/quick_step/fast/dxPackOrder.h"
 #include "dynamics/quick_step/fast/dxStateNumbers.h"
 #include "dynamics/step/islands/dxIslandPrefetch.h"
 
 namespace {
 
-// Some ten microseconds of a sweep.
-constexpr unsigned kPacksPerChunk = 16, kOthersPerChunk = 64;
+// A chunk takes some ten microseconds of a sweep.
+constexpr unsigned kPacksPerChunk = 16, kRowJointsPerChunk = 64;
 
-// Up to so many are solved by one thread, before contacts.
+// Up to this number, one thread solves all joints in rows, before contacts in lanes.
 constexpr std::size_t kMaxSerial = 1000;
 
-// So many manifolds are one thread's, too: their sweep takes some twenty microseconds.
+// Up to this number, one thread solves all manifolds: their sweep takes some twenty microseconds.
 constexpr std::size_t kMaxSequence = 1024;
 
-// A pack takes as long for one manifold as for eight: about as long as the rows of four, with vectors of 256 bits of five.
-constexpr unsigned kLeastLanes = 4;
+// Lanes of a pack, on average, up to which its contacts are solved faster in rows: a pack takes about as long as the rows of four manifolds, with
+// vectors of 256 bits of five.
+constexpr unsigned kMinLanes = 4;
+
+constexpr unsigned kMaxContacts = dxContactPack::kMaxContacts;
 
 bool isContact(const dxJoint &joint) { return joint.type() == dJointTypeContact; }
 
@@ -30,90 +34,157 @@ bool isRolling(const dxJoint &contact) {
     return (static_cast<const dxJointContact &>(contact).contact.surface.mode & dContactRolling) != 0;
 }
 
-std::size_t contactsOf(const std::vector<dxContactManifold> &manifolds) {
-    std::size_t count = 0;
-    for (const dxContactManifold &manifold : manifolds) count += manifold.contactCount;
-    return count;
-}
-
 // Drawn anew in each step, as long as the body moves.
 bool goesDown(const dxBody &body) { return (dxStateNumbers::bitsOf(body.posr.pos) & 2) != 0; }
 
 int tagOf(const dxBody *body) { return body != nullptr ? body->tag : dxConstraintPlan::kNoBody; }
 
+// A greedy colouring of edges between bodies: edges of one colour share no moving body.
+//
+// Source of the method: Saad, "Iterative Methods for Sparse Linear Systems", 12.4 (multicolour orderings).
+class EdgeColors {
+public:
+    static constexpr unsigned kMaxColors = 63, kOverflowColor = kMaxColors;
+
+    // `moves`: by body.
+    EdgeColors(dxArenaArray<const std::uint8_t> moves, dxStepArena &arena) : m_moves(moves), m_used(arena.take<std::uint64_t>(moves.size())) {
+        begin();
+    }
+
+    void begin() {
+        std::fill(m_used.begin(), m_used.end(), 0);
+        m_count = 0;
+    }
+
+    // Takes the first colour that is free on both bodies; kOverflowColor where none is.
+    unsigned take(const int (&body)[2]) {
+        std::uint64_t used = 0;
+        for (const int end : body)
+            if (dxDoesMove(end, m_moves)) used |= m_used[static_cast<unsigned>(end)];
+        const auto color = static_cast<unsigned>(__builtin_ctzll(~used | std::uint64_t(1) << kOverflowColor));
+        if (color == kOverflowColor) return color;
+        m_count = std::max(m_count, color + 1);
+        for (const int end : body)
+            if (dxDoesMove(end, m_moves)) m_used[static_cast<unsigned>(end)] |= std::uint64_t(1) << color;
+        return color;
+    }
+
+    unsigned count() const { return m_count; }
+
+private:
+    const dxArenaArray<const std::uint8_t> m_moves;
+    const dxArenaArray<std::uint64_t> m_used;  // by body: a bit for each colour
+    unsigned m_count = 0;
+};
+
 }  // namespace
 
-void dxConstraintPlan::make(const dxIsland &group) {
-    m_joints = group.joints;
-    m_moves.resize(group.bodyCount);
-    for (unsigned i = 0; i < group.bodyCount; ++i) m_moves[i] = group.bodies[i]->invMass > 0;
-    m_reach.resize(group.bodyCount);
-    std::iota(m_reach.begin(), m_reach.end(), 0u);
-    readJoints(group);
-    findIslands(group.bodyCount);
-    placeManifolds(group);
-    placeOthers();
-    cutChunks();
-}
+class dxConstraintPlan::Maker {
+public:
+    Maker(dxConstraintPlan &plan, const dxIsland &group, dxStepArena &arena)
+        : m_plan(plan), m_group(group), m_arena(arena), m_moves(findMoving(group, arena)), m_reach(arena.take<unsigned>(group.bodyCount)),
+          m_colors(m_moves, arena) {}
 
-void dxConstraintPlan::reserveAs(const dxConstraintPlan &other) {
-    m_colors.reserveAs(other.m_colors);
-    m_moves.reserve(other.m_moves.capacity());
-    m_reach.reserve(other.m_reach.capacity());
-    m_islands.reserve(other.m_islands.capacity());
-    m_islandOfBody.reserve(other.m_islandOfBody.capacity());
-    m_manifolds.reserve(other.m_manifolds.capacity());
-    m_rowManifolds.reserve(other.m_rowManifolds.capacity());
-    m_others.reserve(other.m_others.capacity());
-    m_othersInOrder.reserve(other.m_othersInOrder.capacity());
-    m_goesDown.reserve(other.m_goesDown.capacity());
-    m_packOrder.reserveAs(other.m_packOrder);
-    m_packs.reserve(other.m_packs.capacity());
-    m_chunks.reserve(other.m_chunks.capacity());
-    m_phases.reserve(other.m_phases.capacity());
-}
-
-// Contacts of two bodies follow one another, since they were attached one after the other. `last`: the list that the joint before
-// this one has gone to, if that is a contact.
-void dxConstraintPlan::addContact(unsigned joint, const int (&body)[2], bool isPacked, std::vector<Manifold> *&last) {
-    const auto continues = [&](const Manifold &manifold) {
-        return manifold.body[0] == body[0] && manifold.body[1] == body[1] &&
-               manifold.contactCount < dxContactPack::kMaxContacts;
-    };
-    if (last != nullptr && (isPacked || last == &m_rowManifolds) && continues(last->back())) {
-        ++last->back().contactCount;
-    } else {
-        connect(body);
-        last = isPacked ? &m_manifolds : &m_rowManifolds;
-        last->push_back({joint, 1, dxEdgeColors::kLeftOver, 0, false, static_cast<unsigned>(m_others.size()), {body[0], body[1]}});
+    void make() {
+        readJoints();
+        findIslands();
+        placeContacts();
+        listRowJoints();
+        colorRowJoints();
+        cutChunks();
     }
-    if (last == &m_rowManifolds) m_others.push_back({joint, body[0], dxEdgeColors::kLeftOver});
+
+private:
+    static dxArenaArray<const std::uint8_t> findMoving(const dxIsland &group, dxStepArena &arena) {
+        const dxArenaArray<std::uint8_t> moves = arena.take<std::uint8_t>(group.bodyCount);
+        for (unsigned i = 0; i < group.bodyCount; ++i) moves[i] = group.bodies[i]->invMass > 0;
+        return moves;
+    }
+
+    void readJoints();
+    void addContact(unsigned joint, const int (&body)[2], bool mayBeLane, bool continuesLast);
+    void connect(const int (&body)[2]);
+    void findIslands();
+
+    void placeContacts();
+    bool placeInSequence(std::size_t contacts);
+    bool placeByColor();
+    void placeInRows();
+    std::size_t contactsOfBusiestBody() const;
+    void makePacks(const dxPackCount &count);
+
+    void listRowJoints();
+    void colorRowJoints();
+    void cutChunks();
+    template <class AddChunks>
+    void addPhase(const AddChunks &addChunks);
+    void cutPacks(unsigned begin, unsigned end);
+    void cutRowJoints(unsigned begin, unsigned end);
+
+    static bool fillsLanes(std::size_t contacts, std::size_t packedContacts) { return contacts > kMinLanes * packedContacts; }
+
+    dxConstraintPlan &m_plan;
+    const dxIsland &m_group;
+    dxStepArena &m_arena;
+    const dxArenaArray<const std::uint8_t> m_moves;  // by body
+    const dxArenaArray<unsigned> m_reach;            // by body: the last one that is connected with it, or with one before it
+    EdgeColors m_colors;
+    dxArenaArray<unsigned> m_otherJoints;                // that are no contacts
+    std::size_t m_laneContacts = 0, m_rowContacts = 0;  // in manifolds that may be lanes, and in others
+    std::size_t m_laneManifolds = 0;
+    unsigned m_packColors = 0;  // without colours, packs follow one another
+    // By colour, and the end; of row joints, the overflow comes last.
+    unsigned m_firstPack[EdgeColors::kMaxColors + 1], m_firstRowJoint[EdgeColors::kMaxColors + 2];
+};
+
+void dxConstraintPlan::make(const dxIsland &group, dxStepArena &arena) {
+    m_joints = group.joints;
+    Maker(*this, group, arena).make();
 }
 
-void dxConstraintPlan::readJoints(const dxIsland &group) {
-    m_manifolds.clear();
-    m_rowManifolds.clear();
-    m_others.clear();
-    std::vector<Manifold> *last = nullptr;
+void dxConstraintPlan::Maker::readJoints() {
+    m_plan.m_manifolds = m_arena.takeList<Manifold>(m_group.jointCount);
+    m_otherJoints = m_arena.takeList<unsigned>(m_group.jointCount);
+    std::iota(m_reach.begin(), m_reach.end(), 0u);
+    bool isAfterContact = false;
     const auto read = [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const dxJoint &joint = *group.joints[i];
+            const dxJoint &joint = *m_group.joints[i];
             const int body[2] = {tagOf(joint.node[0].body), tagOf(joint.node[1].body)};
             if (isContact(joint)) {
-                addContact(static_cast<unsigned>(i), body, !isRolling(joint), last);
+                addContact(static_cast<unsigned>(i), body, !isRolling(joint), std::exchange(isAfterContact, true));
                 continue;
             }
-            last = nullptr;
+            isAfterContact = false;
             connect(body);
-            m_others.push_back({static_cast<unsigned>(i), body[0] != kNoBody ? body[0] : body[1], dxEdgeColors::kLeftOver});
+            m_otherJoints.push(static_cast<unsigned>(i));
         }
     };
-    if (group.bodyCount < dxIslandPrefetch::kMinBodies) return read(0, group.jointCount);
+    if (m_group.bodyCount < dxIslandPrefetch::kMinBodies) return read(0, m_group.jointCount);
     dxIslandPrefetch::forChunks(
-        0, group.jointCount, group.jointCount, [&group](std::size_t i) { dxIslandPrefetch::joint(group.joints[i]); }, read);
+        0, m_group.jointCount, m_group.jointCount, [this](std::size_t i) { dxIslandPrefetch::joint(m_group.joints[i]); }, read);
 }
 
-void dxConstraintPlan::connect(const int (&body)[2]) {
+// Contacts of two bodies follow one another, since they were attached one after the other. `continuesLast`: the joint before this one is a
+// contact, too.
+void dxConstraintPlan::Maker::addContact(unsigned joint, const int (&body)[2], bool mayBeLane, bool continuesLast) {
+    const dxArenaArray<Manifold> &manifolds = m_plan.m_manifolds;
+    const auto continues = [&](const Manifold &manifold) {
+        return (mayBeLane || manifold.isInRows()) && manifold.body[0] == body[0] && manifold.body[1] == body[1] &&
+               manifold.contactCount < kMaxContacts;
+    };
+    if (continuesLast && continues(manifolds.back())) {
+        ++manifolds.back().contactCount;
+    } else {
+        connect(body);
+        const auto lane = mayBeLane ? std::uint8_t(0) : Manifold::kNoLane;
+        m_plan.m_manifolds.push({joint, 1, EdgeColors::kOverflowColor, lane, false, 0, {body[0], body[1]}});
+        m_laneManifolds += mayBeLane;
+    }
+    ++(manifolds.back().isInRows() ? m_rowContacts : m_laneContacts);
+}
+
+void dxConstraintPlan::Maker::connect(const int (&body)[2]) {
     if (body[0] == kNoBody || body[1] == kNoBody) return;
     const auto [first, last] = std::minmax(body[0], body[1]);
     unsigned &reach = m_reach[static_cast<unsigned>(first)];
@@ -121,180 +192,192 @@ void dxConstraintPlan::connect(const int (&body)[2]) {
 }
 
 // Islands follow one another in the group.
-void dxConstraintPlan::findIslands(unsigned bodyCount) {
-    m_islands.clear();
-    m_islandOfBody.resize(bodyCount);
+void dxConstraintPlan::Maker::findIslands() {
+    m_plan.m_islands = m_arena.takeList<Island>(m_group.bodyCount);
+    m_plan.m_islandOfBody = m_arena.take<unsigned>(m_group.bodyCount);
     unsigned first = 0, last = 0;
-    for (unsigned i = 0; i < bodyCount; ++i) {
-        m_islandOfBody[i] = static_cast<unsigned>(m_islands.size());
+    for (unsigned i = 0; i < m_group.bodyCount; ++i) {
+        m_plan.m_islandOfBody[i] = static_cast<unsigned>(m_plan.m_islands.size());
         last = std::max(last, m_reach[i]);
         if (last != i) continue;
-        m_islands.push_back({first, i + 1});
+        m_plan.m_islands.push({first, i + 1});
         first = last = i + 1;
     }
 }
 
-void dxConstraintPlan::placeManifolds(const dxIsland &group) {
-    m_colors.begin(m_moves);
-    if (m_manifolds.size() > kMaxSequence || !placeInSequence(group)) placeByColor();
-    m_packColors = m_colors.count();
+// Beside other joints, few contacts are rows: swept in lanes after all joints, the error that those leave would tilt columns that stand on both.
+void dxConstraintPlan::Maker::placeContacts() {
+    m_plan.m_packs = {};
+    m_plan.m_packedContacts = 0;
+    if (m_laneManifolds == 0) return;
+    const bool mayBeRows = m_laneContacts + m_rowContacts + m_otherJoints.size() <= kMaxSerial;
+    if (mayBeRows && !m_otherJoints.empty()) return placeInRows();
+    if (m_laneManifolds <= kMaxSequence && placeInSequence(m_laneContacts)) return;
+    if (mayBeRows || !placeByColor()) placeInRows();
 }
 
-// Returns whether that is done: vectors are filled, or so few contacts remain that they are rows. Beside joints contacts are rows in any case:
-// swept after all joints, what those have not found would tilt columns that stand on both.
-bool dxConstraintPlan::placeInSequence(const dxIsland &group) {
-    const bool haveJoints = m_others.size() != contactsOf(m_rowManifolds);
-    const bool mayBeRows = contactsOf(m_manifolds) + m_others.size() <= kMaxSerial;
-    if (!haveJoints || !mayBeRows) {
-        drawDirections(group);
-        makePacks(m_packOrder.place(m_manifolds, m_moves, m_goesDown));
-        if (fillsLanes()) return true;
-        if (!mayBeRows) return false;
-    }
-    moveToRows([](const Manifold &) { return true; });
+// An island is solved upwards or downwards. Only upwards, columns of eight or ten boxes lean further with each step until they fall; only downwards,
+// they move more and fall sooner. Returns whether lanes are filled.
+bool dxConstraintPlan::Maker::placeInSequence(std::size_t contacts) {
+    if (!fillsLanes(contacts, contactsOfBusiestBody())) return false;
+    const dxArenaArray<std::uint8_t> isDown = m_arena.take<std::uint8_t>(m_group.bodyCount);
+    for (const Island &island : m_plan.m_islands)
+        std::fill(isDown.begin() + island.firstBody, isDown.begin() + island.endBody, goesDown(*m_group.bodies[island.firstBody]));
+    const dxPackCount count = dxOrderPacks(m_plan.m_manifolds, m_moves, isDown, m_arena);
+    if (!fillsLanes(contacts, count.contacts)) return false;
+    makePacks(count);
     return true;
 }
 
-// An island is solved from the ground up, or down. Up alone, columns of eight or ten boxes lean further with each step until they fall; down
-// alone, they move more and fall sooner.
-void dxConstraintPlan::drawDirections(const dxIsland &group) {
-    m_goesDown.resize(group.bodyCount);
-    for (const Island &island : m_islands)
-        std::fill(m_goesDown.begin() + island.firstBody, m_goesDown.begin() + island.endBody, goesDown(*group.bodies[island.firstBody]));
+// The manifolds of a body are in different packs, which have at least their contacts.
+std::size_t dxConstraintPlan::Maker::contactsOfBusiestBody() const {
+    const dxArenaArray<unsigned> contacts = m_arena.takeFilled(m_group.bodyCount, 0u);
+    m_plan.forLaneManifolds([&](const Manifold &manifold) {
+        for (const int body : manifold.body)
+            if (dxDoesMove(body, m_moves)) contacts[static_cast<unsigned>(body)] += manifold.contactCount;
+    });
+    return *std::max_element(contacts.begin(), contacts.end());
 }
 
-void dxConstraintPlan::placeByColor() {
-    for (Manifold &manifold : m_manifolds) manifold.color = static_cast<std::uint8_t>(m_colors.take(manifold.body));
-    moveToRows([](const Manifold &manifold) { return manifold.color == dxEdgeColors::kLeftOver; });
-    sortByColor();
-    if (fillsLanes()) return;
-    m_colors.begin(m_moves);
-    moveToRows([](const Manifold &) { return true; });
-}
-
-// Those with many contacts first, so that packs have little to fill up.
-void dxConstraintPlan::sortByColor() {
-    constexpr unsigned kMost = dxContactPack::kMaxContacts, kLanes = dxLanes::kCount;
-    const unsigned colors = m_colors.count();
-    unsigned place[dxEdgeColors::kMost * kMost];
-    std::fill_n(place, colors * kMost, 0u);
+// Manifolds with many contacts come first in a colour, so that the lanes of a pack have similar numbers of contacts. Returns whether lanes are
+// filled; the overflow is in rows then.
+bool dxConstraintPlan::Maker::placeByColor() {
+    std::size_t contacts = 0;
+    unsigned place[EdgeColors::kMaxColors * kMaxContacts] = {};
     const auto placeOf = [&place](const Manifold &manifold) -> unsigned & {
-        return place[manifold.color * kMost + (kMost - manifold.contactCount)];
+        return place[manifold.color * kMaxContacts + (kMaxContacts - manifold.contactCount)];
     };
-    for (const Manifold &manifold : m_manifolds) ++placeOf(manifold);
-    unsigned packs = 0;
-    for (unsigned color = 0; color < colors; ++color) {
-        m_firstPack[color] = packs;
-        unsigned count = 0;
-        for (unsigned i = 0; i < kMost; ++i) count += std::exchange(place[color * kMost + i], packs * kLanes + count);
-        packs += (count + kLanes - 1) / kLanes;
-    }
-    m_firstPack[colors] = packs;
-    for (Manifold &manifold : m_manifolds) {
-        const unsigned number = placeOf(manifold)++;
-        manifold.pack = number / kLanes;
-        manifold.lane = static_cast<std::uint8_t>(number % kLanes);
-    }
-    makePacks(packs);
-}
-
-void dxConstraintPlan::makePacks(unsigned count) {
-    m_packs.clear();
-    m_packs.resize(count);
-    for (const Manifold &manifold : m_manifolds) {
-        dxContactPack &pack = m_packs[manifold.pack];
-        pack.contactCount = std::max<unsigned>(pack.contactCount, manifold.contactCount);
-    }
-    m_packedContacts = 0;
-    for (dxContactPack &pack : m_packs) {
-        pack.firstContact = m_packedContacts;
-        m_packedContacts += pack.contactCount;
-    }
-}
-
-bool dxConstraintPlan::fillsLanes() const {
-    const std::size_t contacts = contactsOf(m_manifolds);
-    return contacts == 0 || contacts > std::size_t(kLeastLanes) * m_packedContacts;
-}
-
-// All lists are in the order of the group: they are merged from the back. If no manifold remains, neither does a pack.
-template <class IsRow>
-void dxConstraintPlan::moveToRows(const IsRow &isRow) {
-    std::size_t moved = 0, contacts = 0, manifolds = m_rowManifolds.size(), others = m_others.size();
-    for (const Manifold &manifold : m_manifolds) {
-        if (!isRow(manifold)) continue;
-        ++moved;
+    m_plan.forLaneManifolds([&](Manifold &manifold) {
+        manifold.color = static_cast<std::uint8_t>(m_colors.take(manifold.body));
+        if (manifold.color == EdgeColors::kOverflowColor) return;
         contacts += manifold.contactCount;
+        ++placeOf(manifold);
+    });
+    const auto packsOf = [](unsigned manifolds) { return (manifolds + dxLanes::kCount - 1) / dxLanes::kCount; };
+    dxPackCount packs = {0, 0};
+    for (unsigned color = 0; color < m_colors.count(); ++color) {
+        m_firstPack[color] = static_cast<unsigned>(packs.packs);
+        unsigned count = 0;
+        for (unsigned i = 0; i < kMaxContacts; ++i) {
+            const unsigned own = std::exchange(place[color * kMaxContacts + i], m_firstPack[color] * dxLanes::kCount + count);
+            packs.contacts += (packsOf(count + own) - packsOf(count)) * std::size_t(kMaxContacts - i);
+            count += own;
+        }
+        packs.packs += packsOf(count);
     }
-    if (moved == 0) return;
-    m_rowManifolds.resize(manifolds + moved);
-    m_others.resize(others + contacts);
-    auto rowManifold = m_rowManifolds.rbegin();
-    auto other = m_others.rbegin();
-    for (auto manifold = m_manifolds.rbegin(); manifold != m_manifolds.rend(); ++manifold) {
-        if (!isRow(*manifold)) continue;
-        const unsigned first = manifold->firstJoint;
-        while (manifolds > 0 && m_rowManifolds[manifolds - 1].firstJoint > first) *rowManifold++ = m_rowManifolds[--manifolds];
-        *rowManifold++ = *manifold;
-        while (others > 0 && m_others[others - 1].joint > first) *other++ = m_others[--others];
-        for (unsigned i = manifold->contactCount; i > 0; --i) *other++ = {first + i - 1, manifold->body[0], dxEdgeColors::kLeftOver};
+    m_firstPack[m_colors.count()] = static_cast<unsigned>(packs.packs);
+    if (contacts != 0 && !fillsLanes(contacts, packs.contacts)) {
+        m_colors.begin();
+        return false;
     }
-    m_manifolds.erase(std::remove_if(m_manifolds.begin(), m_manifolds.end(), isRow), m_manifolds.end());
-    if (m_manifolds.empty()) makePacks(0);
-    unsigned next = 0;
-    for (Manifold &manifold : m_rowManifolds) {
-        while (m_others[next].joint != manifold.firstJoint) ++next;
-        manifold.pack = next;
+    m_packColors = m_colors.count();
+    m_plan.forLaneManifolds([&](Manifold &manifold) {
+        if (manifold.color == EdgeColors::kOverflowColor) {
+            manifold.lane = Manifold::kNoLane;
+            --m_laneManifolds;
+            return;
+        }
+        const unsigned number = placeOf(manifold)++;
+        manifold.pack = number / dxLanes::kCount;
+        manifold.lane = static_cast<std::uint8_t>(number % dxLanes::kCount);
+    });
+    m_rowContacts += m_laneContacts - contacts;
+    m_laneContacts = contacts;
+    makePacks(packs);
+    return true;
+}
+
+void dxConstraintPlan::Maker::placeInRows() {
+    for (Manifold &manifold : m_plan.m_manifolds) manifold.lane = Manifold::kNoLane;
+    m_rowContacts += std::exchange(m_laneContacts, 0);
+    m_laneManifolds = 0;
+}
+
+void dxConstraintPlan::Maker::makePacks(const dxPackCount &count) {
+    m_plan.m_packs = m_arena.take<dxContactPack>(count.packs);
+    std::memset(m_plan.m_packs.data(), 0, count.packs * sizeof(dxContactPack));
+    m_plan.forLaneManifolds([this](const Manifold &manifold) {
+        dxContactPack &pack = m_plan.m_packs[manifold.pack];
+        pack.contactCount = std::max<unsigned>(pack.contactCount, manifold.contactCount);
+    });
+    for (dxContactPack &pack : m_plan.m_packs) {
+        pack.firstContact = m_plan.m_packedContacts;
+        m_plan.m_packedContacts += pack.contactCount;
     }
 }
 
-void dxConstraintPlan::placeOthers() {
-    m_hasContactsOnly = contactsOf(m_rowManifolds) == m_others.size();
-    m_isSerial = m_others.size() <= kMaxSerial;
-    m_othersInOrder.resize(m_others.size());
-    if (m_isSerial) return std::iota(m_othersInOrder.begin(), m_othersInOrder.end(), 0u);
-    for (OtherJoint &other : m_others) {
-        const dxJoint &joint = *jointOf(other);
-        other.color = static_cast<std::uint8_t>(m_colors.take({tagOf(joint.node[0].body), tagOf(joint.node[1].body)}));
+// Merges contacts and other joints in the order of the group.
+void dxConstraintPlan::Maker::listRowJoints() {
+    m_plan.m_rowManifolds = m_plan.m_manifolds.size() - m_laneManifolds;
+    m_plan.m_hasContactsOnly = m_otherJoints.empty();
+    m_plan.m_rowJoints = m_arena.takeList<RowJoint>(m_rowContacts + m_otherJoints.size());
+    std::size_t next = 0;
+    const auto listOthersBefore = [&](unsigned joint) {
+        for (; next < m_otherJoints.size() && m_otherJoints[next] < joint; ++next) {
+            const dxJoint &other = *m_group.joints[m_otherJoints[next]];
+            const int first = tagOf(other.node[0].body);
+            m_plan.m_rowJoints.push({m_otherJoints[next], first != kNoBody ? first : tagOf(other.node[1].body), EdgeColors::kOverflowColor});
+        }
+    };
+    m_plan.forRowManifolds([&](Manifold &manifold) {
+        listOthersBefore(manifold.firstJoint);
+        manifold.pack = static_cast<unsigned>(m_plan.m_rowJoints.size());
+        for (unsigned i = 0; i < manifold.contactCount; ++i)
+            m_plan.m_rowJoints.push({manifold.firstJoint + i, manifold.body[0], EdgeColors::kOverflowColor});
+    });
+    listOthersBefore(m_group.jointCount);
+}
+
+void dxConstraintPlan::Maker::colorRowJoints() {
+    const dxArenaArray<RowJoint> &joints = m_plan.m_rowJoints;
+    m_plan.m_hasSerialRows = joints.size() <= kMaxSerial;
+    m_plan.m_rowJointsInOrder = m_arena.take<unsigned>(joints.size());
+    if (m_plan.m_hasSerialRows) return std::iota(m_plan.m_rowJointsInOrder.begin(), m_plan.m_rowJointsInOrder.end(), 0u);
+    for (RowJoint &row : joints) {
+        const dxJoint &joint = *m_plan.jointOf(row);
+        row.color = static_cast<std::uint8_t>(m_colors.take({tagOf(joint.node[0].body), tagOf(joint.node[1].body)}));
     }
     const unsigned colors = m_colors.count();
     const auto placeOf = [colors](unsigned color) { return std::min(color, colors); };
-    std::fill_n(m_firstOther, colors + 2, 0u);
-    for (const OtherJoint &other : m_others) ++m_firstOther[placeOf(other.color) + 1];
-    for (unsigned place = 0; place <= colors; ++place) m_firstOther[place + 1] += m_firstOther[place];
-    unsigned next[dxEdgeColors::kMost + 1];
-    std::copy_n(m_firstOther, colors + 1, next);
-    for (unsigned i = 0; i < m_others.size(); ++i) m_othersInOrder[next[placeOf(m_others[i].color)]++] = i;
+    std::fill_n(m_firstRowJoint, colors + 2, 0u);
+    for (const RowJoint &row : joints) ++m_firstRowJoint[placeOf(row.color) + 1];
+    for (unsigned place = 0; place <= colors; ++place) m_firstRowJoint[place + 1] += m_firstRowJoint[place];
+    unsigned next[EdgeColors::kMaxColors + 1];
+    std::copy_n(m_firstRowJoint, colors + 1, next);
+    for (unsigned i = 0; i < joints.size(); ++i) m_plan.m_rowJointsInOrder[next[placeOf(joints[i].color)]++] = i;
 }
 
-void dxConstraintPlan::cutChunks() {
-    m_chunks.clear();
-    m_phases.clear();
-    const auto count = static_cast<unsigned>(m_others.size());
-    if (m_isSerial && count != 0) addPhase([&] { m_chunks.push_back({0, 0, 0, count}); });
-    for (unsigned color = 0; color < m_colors.count(); ++color)
+void dxConstraintPlan::Maker::cutChunks() {
+    const auto rows = static_cast<unsigned>(m_plan.m_rowJoints.size()), colors = m_colors.count();
+    const auto allPacks = static_cast<unsigned>(m_plan.m_packs.size());
+    const unsigned maxPhases = 3 + colors + allPacks / kPacksPerChunk;
+    m_plan.m_phases = m_arena.takeList<Phase>(maxPhases);
+    m_plan.m_chunks = m_arena.takeList<Chunk>(2 * maxPhases + allPacks / kPacksPerChunk + rows / kRowJointsPerChunk);
+    const bool isSerial = m_plan.m_hasSerialRows;
+    if (isSerial && rows != 0) addPhase([&] { m_plan.m_chunks.push({0, 0, 0, rows}); });
+    for (unsigned color = 0; color < colors; ++color)
         addPhase([&] {
             if (color < m_packColors) cutPacks(m_firstPack[color], m_firstPack[color + 1]);
-            if (!m_isSerial) cutOthers(m_firstOther[color], m_firstOther[color + 1]);
+            if (!isSerial) cutRowJoints(m_firstRowJoint[color], m_firstRowJoint[color + 1]);
         });
-    const unsigned packs = m_packColors == 0 ? static_cast<unsigned>(m_packs.size()) : 0;
+    const unsigned packs = m_packColors == 0 ? allPacks : 0;
     for (unsigned i = 0; i < packs; i += kPacksPerChunk) addPhase([&] { cutPacks(i, std::min(i + kPacksPerChunk, packs)); });
-    const unsigned leftOver = m_isSerial ? count : m_firstOther[m_colors.count()];
-    if (leftOver != count) addPhase([&] { m_chunks.push_back({0, 0, leftOver, count}); });
+    const unsigned overflow = isSerial ? rows : m_firstRowJoint[colors];
+    if (overflow != rows) addPhase([&] { m_plan.m_chunks.push({0, 0, overflow, rows}); });
 }
 
 template <class AddChunks>
-void dxConstraintPlan::addPhase(const AddChunks &addChunks) {
-    const auto first = static_cast<unsigned>(m_chunks.size());
+void dxConstraintPlan::Maker::addPhase(const AddChunks &addChunks) {
+    const auto first = static_cast<unsigned>(m_plan.m_chunks.size());
     addChunks();
-    const auto end = static_cast<unsigned>(m_chunks.size());
-    if (end != first) m_phases.push_back({first, end});
+    const auto end = static_cast<unsigned>(m_plan.m_chunks.size());
+    if (end != first) m_plan.m_phases.push({first, end});
 }
 
-void dxConstraintPlan::cutPacks(unsigned begin, unsigned end) {
-    for (unsigned i = begin; i < end; i += kPacksPerChunk) m_chunks.push_back({i, std::min(i + kPacksPerChunk, end), 0, 0});
+void dxConstraintPlan::Maker::cutPacks(unsigned begin, unsigned end) {
+    for (unsigned i = begin; i < end; i += kPacksPerChunk) m_plan.m_chunks.push({i, std::min(i + kPacksPerChunk, end), 0, 0});
 }
 
-void dxConstraintPlan::cutOthers(unsigned begin, unsigned end) {
-    for (unsigned i = begin; i < end; i += kOthersPerChunk) m_chunks.push_back({0, 0, i, std::min(i + kOthersPerChunk, end)});
+void dxConstraintPlan::Maker::cutRowJoints(unsigned begin, unsigned end) {
+    for (unsigned i = begin; i < end; i += kRowJointsPerChunk) m_plan.m_chunks.push({0, 0, i, std::min(i + kRowJointsPerChunk, end)});
 }

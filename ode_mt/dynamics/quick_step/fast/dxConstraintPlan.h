@@ -1,22 +1,21 @@
-// How the constraints of a group of islands are solved: which contacts are a manifold, which manifolds are lanes of a vector, and which
-// of them may be solved by several threads at the same time.
+// How the constraints of a group of islands are solved: which contacts are a manifold, which manifolds are lanes of a vector and which are rows, and
+// which of them several threads may solve at the same time.
 //
-// Manifolds and joints are edges between bodies. Eight manifolds without a common moving body are a pack (dxPackPlaces). The packs of most
-// groups are solved one after the other; of large ones by colour: those of one colour share no moving body, so that they may be
-// solved in any order, by any threads. Bodies with more edges than there are colours have some left over, which are solved one by
-// one at the end of a sweep.
+// Manifolds and joints are edges between bodies. Eight manifolds without a common moving body are a pack. The packs of most groups are solved one
+// after the other (dxPackOrder). Those of large groups are coloured: manifolds of one colour share no moving body, so that any threads may solve
+// them in any order. A body with more edges than there are colours has an overflow, which is solved in rows at the end of a sweep.
 //
-// Contacts become lanes where that fills vectors. Those left over, those with rolling friction, and all of a group whose
-// vectors would be nearly empty are solved as rows, like other joints.
+// Lanes or rows: a pack takes as long for one manifold as for eight, so contacts become lanes only where they fill them. Contacts with rolling
+// friction, those of the overflow, and all contacts of a group whose lanes would be nearly empty are solved in rows, like other joints. Numbers of contacts
+// per body, per pack or per colour decide that before any pack is made.
+//
+// The plan is in an arena and lives until that is reset.
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
-#include "dynamics/quick_step/fast/dxContactManifold.h"
+#include "core/dxStepArena.h"
 #include "dynamics/quick_step/fast/dxContactPack.h"
-#include "dynamics/quick_step/fast/dxEdgeColors.h"
-#include "dynamics/quick_step/fast/dxPackOrder.h"
 #include "dynamics/step/islands/dxIsland.h"
 
 class dxConstraintPlan {
@@ -25,17 +24,17 @@ public:
 
     using Manifold = dxContactManifold;
 
-    // A joint that is not solved as a lane: its rows are generic.
-    struct OtherJoint {
+    // A joint that is solved in rows.
+    struct RowJoint {
         unsigned joint;
         int body;  // the tag of one of its bodies
         std::uint8_t color;
     };
 
-    // What one thread takes at once of a colour.
+    // What one thread takes at once.
     struct Chunk {
         unsigned firstPack, endPack;
-        unsigned firstOther, endOther;  // of othersInOrder()
+        unsigned firstRowJoint, endRowJoint;  // of rowJointsInOrder()
     };
 
     // Chunks that may be solved at the same time.
@@ -49,70 +48,54 @@ public:
     };
 
     // Requires bodies with tags. Throws std::bad_alloc.
-    void make(const dxIsland &group);
+    void make(const dxIsland &group, dxStepArena &arena);
 
-    // Takes as much memory as another plan has. Throws std::bad_alloc.
-    void reserveAs(const dxConstraintPlan &other);
+    // Call visit(manifold) for manifolds in lanes, or in rows, in the order of the group.
+    template <class Visit>
+    void forLaneManifolds(const Visit &visit) const {
+        for (Manifold &manifold : m_manifolds)
+            if (!manifold.isInRows()) visit(manifold);
+    }
+    template <class Visit>
+    void forRowManifolds(const Visit &visit) const {
+        if (m_rowManifolds == 0) return;
+        for (Manifold &manifold : m_manifolds)
+            if (manifold.isInRows()) visit(manifold);
+    }
+    bool hasLanes() const { return m_rowManifolds != m_manifolds.size(); }
 
-    const std::vector<Manifold> &manifolds() const { return m_manifolds; }
-    std::vector<Manifold> &manifolds() { return m_manifolds; }
-    const std::vector<Manifold> &rowManifolds() const { return m_rowManifolds; }
-    std::vector<Manifold> &rowManifolds() { return m_rowManifolds; }
     // At least one.
-    const std::vector<Island> &islands() const { return m_islands; }
+    dxArenaArray<const Island> islands() const { return m_islands; }
     unsigned islandOf(const Manifold &manifold) const { return m_islandOfBody[static_cast<unsigned>(manifold.body[0])]; }
-    unsigned islandOf(const OtherJoint &other) const { return m_islandOfBody[static_cast<unsigned>(other.body)]; }
-    // In the order of the group.
-    const std::vector<OtherJoint> &otherJoints() const { return m_others; }
-    const dxJoint *jointOf(const OtherJoint &other) const { return m_joints[other.joint]; }
-    // Indices of otherJoints(), in the order in which they are solved first: that of the group, or, if several threads solve them, by colour.
-    const std::vector<unsigned> &othersInOrder() const { return m_othersInOrder; }
-    bool hasContactsOnly() const { return m_hasContactsOnly; }
-    bool hasSerialRows() const { return m_isSerial; }  // one chunk
-    const std::vector<Chunk> &chunks() const { return m_chunks; }
-    const std::vector<Phase> &phases() const { return m_phases; }
+    unsigned islandOf(const RowJoint &joint) const { return m_islandOfBody[static_cast<unsigned>(joint.body)]; }
 
-    std::vector<dxContactPack> &packs() { return m_packs; }
+    // In the order of the group.
+    dxArenaArray<const RowJoint> rowJoints() const { return m_rowJoints; }
+    const dxJoint *jointOf(const RowJoint &joint) const { return m_joints[joint.joint]; }
+    // Indices of rowJoints(), in the order in which they are solved first: that of the group, or, if several threads solve them, by colour.
+    dxArenaArray<const unsigned> rowJointsInOrder() const { return m_rowJointsInOrder; }
+    bool hasContactsOnly() const { return m_hasContactsOnly; }  // in rows
+    bool hasSerialRows() const { return m_hasSerialRows; }      // all in one chunk
+
+    dxArenaArray<const Chunk> chunks() const { return m_chunks; }
+    dxArenaArray<const Phase> phases() const { return m_phases; }
+
+    dxArenaArray<dxContactPack> packs() const { return m_packs; }
     unsigned packedContacts() const { return m_packedContacts; }  // elements of the array of dxContactLanes
 
 private:
-    void readJoints(const dxIsland &group);
-    void addContact(unsigned joint, const int (&body)[2], bool isPacked, std::vector<Manifold> *&last);
-    void connect(const int (&body)[2]);
-    void findIslands(unsigned bodyCount);
-    void placeManifolds(const dxIsland &group);
-    bool placeInSequence(const dxIsland &group);
-    void drawDirections(const dxIsland &group);
-    void placeByColor();
-    void sortByColor();
-    void makePacks(unsigned count);
-    bool fillsLanes() const;
-    template <class IsRow>
-    void moveToRows(const IsRow &isRow);
-    void placeOthers();
-    void cutChunks();
-    template <class AddChunks>
-    void addPhase(const AddChunks &addChunks);
-    void cutPacks(unsigned begin, unsigned end);
-    void cutOthers(unsigned begin, unsigned end);
+    class Maker;
 
     dxJoint *const *m_joints = nullptr;
-    std::vector<std::uint8_t> m_moves;  // by body
-    std::vector<unsigned> m_reach;  // by body: the last one that is connected with it, or with one before it
-    std::vector<Island> m_islands;
-    std::vector<unsigned> m_islandOfBody;
-    std::vector<Manifold> m_manifolds, m_rowManifolds;
-    std::vector<OtherJoint> m_others;
-    std::vector<unsigned> m_othersInOrder;
-    std::vector<std::uint8_t> m_goesDown;  // by body
-    dxPackOrder m_packOrder;
-    dxEdgeColors m_colors;
-    std::vector<dxContactPack> m_packs;
-    std::vector<Chunk> m_chunks;
-    std::vector<Phase> m_phases;
-    unsigned m_packedContacts = 0, m_packColors = 0;  // without colours, packs follow one another
-    bool m_isSerial = false;  // other joints
-    bool m_hasContactsOnly = true;
-    // By colour, and the end; of other joints, those left over come last.
-    unsigned m_firstPack[dxEdgeColors::kMost + 1], m_firstOther[dxEdgeColors::kMost + 2];
+    dxArenaArray<Island> m_islands;
+    dxArenaArray<unsigned> m_islandOfBody;
+    dxArenaArray<Manifold> m_manifolds;
+    dxArenaArray<RowJoint> m_rowJoints;
+    dxArenaArray<unsigned> m_rowJointsInOrder;
+    dxArenaArray<dxContactPack> m_packs;
+    dxArenaArray<Chunk> m_chunks;
+    dxArenaArray<Phase> m_phases;
+    std::size_t m_rowManifolds = 0;
+    unsigned m_packedContacts = 0;
+    bool m_hasSerialRows = false, m_hasContactsOnly = true;
 };

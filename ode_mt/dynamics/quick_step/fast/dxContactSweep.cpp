@@ -10,10 +10,10 @@
 #include "dynamics/quick_step/fast/dxContactSweep.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace dxIterative {
+namespace dxContactKernels {
 namespace HWY_NAMESPACE {
 
-// The impulses of some contacts between the same bodies, as one in the first body's centre.
+// The impulses of some contacts between the same bodies as one linear and one angular impulse in the centre of A.
 struct Wrench {
     Vector impulse, turning;
 
@@ -22,54 +22,54 @@ struct Wrench {
         return {{zero, zero, zero}, {zero, zero, zero}};
     }
 
-    // impulses: along the contact's directions from firstRow on
+    // `impulses`: along the contact's directions, from firstRow on
     template <unsigned kCount>
     HWY_INLINE void add(const dxContactLanes &contact, const Lane (&impulses)[kCount], unsigned firstRow, unsigned first) {
         Vector sum = scale(loadVector(contact.direction[firstRow], first), impulses[0]);
         for (unsigned i = 1; i < kCount; ++i)
             sum = HWY_NAMESPACE::add(sum, scale(loadVector(contact.direction[firstRow + i], first), impulses[i]));
         impulse = HWY_NAMESPACE::add(impulse, sum);
-        turning = HWY_NAMESPACE::add(turning, cross(loadVector(contact.arm, first), sum));
+        turning = HWY_NAMESPACE::add(turning, cross(loadVector(contact.rA, first), sum));
     }
 
-    HWY_INLINE void actOn(const dxContactPack &pack, unsigned first, Bodies &body1, Bodies &body2) const {
-        body1.push(Masses::load(pack, 0, first), impulse, turning);
-        body2.pull(Masses::load(pack, 1, first), impulse,
-                   HWY_NAMESPACE::add(turning, cross(loadVector(pack.between, first), impulse)));
+    HWY_INLINE void actOn(const dxContactPack &pack, unsigned first, Bodies &bodyA, Bodies &bodyB) const {
+        bodyA.push(Masses::load(pack, 0, first), impulse, turning);
+        bodyB.pull(Masses::load(pack, 1, first), impulse,
+                   HWY_NAMESPACE::add(turning, cross(loadVector(pack.dAB, first), impulse)));
     }
 };
 
-// As forPacks, and stores the bodies as work leaves them.
+// As forPacks, and stores the bodies as `work` leaves them.
 template <class Work>
-HWY_INLINE void forMovingPacks(const dxContactPacks &contacts, unsigned begin, unsigned end, unsigned least, dxVelocity *velocities,
+HWY_INLINE void forMovingPacks(const dxContactPacks &contacts, unsigned begin, unsigned end, unsigned minContacts, dxSpatialMotion *velocities,
                                const Work &work) {
-    dxVelocity elsewhere;
-    forPacks(contacts, begin, end, least, velocities,
-             [&](const dxContactPack &pack, unsigned first, Bodies &body1, Bodies &body2) HWY_ATTR {
-                 work(pack, first, body1, body2);
-                 body1.store(pack, 0, first, velocities, elsewhere);
-                 body2.store(pack, 1, first, velocities, elsewhere);
+    dxSpatialMotion elsewhere;
+    forPacks(contacts, begin, end, minContacts, velocities,
+             [&](const dxContactPack &pack, unsigned first, Bodies &bodyA, Bodies &bodyB) HWY_ATTR {
+                 work(pack, first, bodyA, bodyB);
+                 bodyA.store(pack, 0, first, velocities, elsewhere);
+                 bodyB.store(pack, 1, first, velocities, elsewhere);
              });
 }
 
-// 1/2 p' softness p - wanted' p
+// 1/2 p' softness p - bias' p
 HWY_INLINE Lane energyOf(const dxContactLanes &contact, unsigned first) {
     const Lane half = hn::Set(LaneTag(), dReal(0.5));
     Lane energy = hn::Zero(LaneTag());
     for (unsigned row = 0; row < dxContactLanes::kRows; ++row) {
         const Lane impulse = loadLanes(contact.impulse[row], first);
         const Lane yielding = hn::Mul(half, hn::Mul(loadLanes(contact.softness[row], first), impulse));
-        energy = hn::Add(energy, hn::Mul(impulse, hn::Sub(yielding, loadLanes(contact.wanted[row], first))));
+        energy = hn::Add(energy, hn::Mul(impulse, hn::Sub(yielding, loadLanes(contact.bias[row], first))));
     }
     return energy;
 }
 
-// The kinetic energy changes by the wrench's work on the mean of the motions before and after it.
-double apply(const dxContactPacks &contacts, unsigned begin, unsigned end, dxVelocity *velocities) {
+// The kinetic energy changes by the work of the wrench on the mean of the motions before and after it.
+double apply(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSpatialMotion *velocities) {
     clearEnergies(contacts, begin, end);
     Energy energy(contacts);
     forMovingPacks(contacts, begin, end, 1, velocities,
-                   [&](const dxContactPack &pack, unsigned first, Bodies &body1, Bodies &body2) HWY_ATTR {
+                   [&](const dxContactPack &pack, unsigned first, Bodies &bodyA, Bodies &bodyB) HWY_ATTR {
                        const dxContactLanes *const own = contacts.contacts + pack.firstContact;
                        Wrench wrench = Wrench::none();
                        Lane sum = hn::Zero(LaneTag());
@@ -79,10 +79,10 @@ double apply(const dxContactPacks &contacts, unsigned begin, unsigned end, dxVel
                            wrench.add(own[k], impulses, 0, first);
                            sum = hn::Add(sum, energyOf(own[k], first));
                        }
-                       const Vector between = loadVector(pack.between, first);
-                       const RelativeMotion before = RelativeMotion::of(body1, body2, between);
-                       wrench.actOn(pack, first, body1, body2);
-                       const RelativeMotion twice = RelativeMotion::of(body1, body2, between).plus(before);
+                       const Vector dAB = loadVector(pack.dAB, first);
+                       const RelativeMotion before = RelativeMotion::of(bodyA, bodyB, dAB);
+                       wrench.actOn(pack, first, bodyA, bodyB);
+                       const RelativeMotion twice = RelativeMotion::of(bodyA, bodyB, dAB).plus(before);
                        const Lane work = hn::Add(dot(wrench.impulse, twice.v), dot(wrench.turning, twice.w));
                        energy.add(pack, hn::Add(sum, hn::Mul(hn::Set(LaneTag(), dReal(0.5)), work)), first);
                    });
@@ -90,21 +90,21 @@ double apply(const dxContactPacks &contacts, unsigned begin, unsigned end, dxVel
 }
 
 struct Factors {
-    Lane pressure, friction;
+    Lane normal, friction;
 
     explicit HWY_INLINE Factors(const dxOverRelaxation &factor)
-        : pressure(hn::Set(LaneTag(), factor.pressure)), friction(hn::Set(LaneTag(), factor.friction)) {}
+        : normal(hn::Set(LaneTag(), factor.normal)), friction(hn::Set(LaneTag(), factor.friction)) {}
 };
 
-// What a row lacks of what it asks for.
+// Returns the row's residual: bias - softness p - J u.
 HWY_INLINE Lane residualOf(const dxContactLanes &contact, unsigned row, const Vector &relative, unsigned first) {
     const Lane yielding = hn::Mul(loadLanes(contact.softness[row], first), loadLanes(contact.impulse[row], first));
-    return hn::Sub(hn::Sub(loadLanes(contact.wanted[row], first), yielding), dot(loadVector(contact.direction[row], first), relative));
+    return hn::Sub(hn::Sub(loadLanes(contact.bias[row], first), yielding), dot(loadVector(contact.direction[row], first), relative));
 }
 
-// What does not wait for the residual is apart from what does: a contact takes as long as its longest chain of operations.
+// Operations that do not depend on the residual are separate from those that do: a contact takes as long as its longest dependency chain.
 HWY_INLINE Lane moved(const dxContactLanes &contact, unsigned row, Lane residual, Lane factor, unsigned first) {
-    const Lane step = hn::Mul(factor, loadLanes(contact.inverse[row], first));
+    const Lane step = hn::Mul(factor, loadLanes(contact.effectiveMass[row], first));
     return hn::Add(loadLanes(contact.impulse[row], first), hn::Mul(residual, step));
 }
 
@@ -119,32 +119,31 @@ struct Relaxed {
 };
 
 HWY_INLINE Relaxed relaxNormal(dxContactLanes &contact, unsigned first, const Factors &factor, const Vector &relative) {
-    const Lane residual = residualOf(contact, 0, relative, first);
-    const Lane impulse = atLeast(hn::Zero(LaneTag()), moved(contact, 0, residual, factor.pressure, first));
-    return Relaxed::to(impulse, contact, 0, residual, first);
+    const Lane residual = residualOf(contact, kNormal, relative, first);
+    const Lane impulse = atLeast(hn::Zero(LaneTag()), moved(contact, kNormal, residual, factor.normal, first));
+    return Relaxed::to(impulse, contact, kNormal, residual, first);
 }
 
-// pressure: the normal's impulse
-HWY_INLINE Relaxed relaxTangent(dxContactLanes &contact, int tangent, unsigned first, const Factors &factor, Lane residual, Lane pressure) {
+HWY_INLINE Relaxed relaxTangent(dxContactLanes &contact, int tangent, unsigned first, const Factors &factor, Lane residual, Lane normalImpulse) {
     const unsigned row = 1 + static_cast<unsigned>(tangent);
-    const Lane impulse = clamp(limitOf(contact, tangent, pressure, first), moved(contact, row, residual, factor.friction, first));
+    const Lane impulse = clamp(limitOf(contact, tangent, normalImpulse, first), moved(contact, row, residual, factor.friction, first));
     return Relaxed::to(impulse, contact, row, residual, first);
 }
 
-// The residual of a row after another one's change.
+// Returns the residual of a row after the impulse of a row that is coupled with it has changed.
 HWY_INLINE Lane coupled(Lane residual, const dxContactLanes &contact, unsigned coupling, Lane change, unsigned first) {
     return hn::Sub(residual, hn::Mul(loadLanes(contact.coupling[coupling], first), change));
 }
 
-// Of the impulses of some rows, and the energy of it.
+// Changes of the impulses of some rows, and the energy of the change.
 template <unsigned kRows>
 struct Change {
     Lane row[kRows], energy;
 };
 
-// Normals alone.
-struct Pressure {
-    static constexpr unsigned kFirstRow = 0, kRows = 1, kLeastContacts = 1;
+// Relaxes the normal only.
+struct NormalRow {
+    static constexpr unsigned kFirstRow = 0, kRows = 1, kMinContacts = 1;
 
     static HWY_INLINE Change<kRows> relax(dxContactLanes &contact, unsigned first, const Factors &factor, const Vector &relative) {
         const Relaxed normal = relaxNormal(contact, first, factor, relative);
@@ -152,21 +151,21 @@ struct Pressure {
     }
 };
 
-// Both tangents.
-struct Friction {
-    static constexpr unsigned kFirstRow = 1, kRows = 2, kLeastContacts = 2;
+// Relaxes both tangents.
+struct FrictionRows {
+    static constexpr unsigned kFirstRow = 1, kRows = 2, kMinContacts = 2;
 
     static HWY_INLINE Change<kRows> relax(dxContactLanes &contact, unsigned first, const Factors &factor, const Vector &relative) {
-        const Lane pressure = loadLanes(contact.impulse[0], first), residual2 = residualOf(contact, 2, relative, first);
-        const Relaxed a = relaxTangent(contact, 0, first, factor, residualOf(contact, 1, relative, first), pressure);
-        const Relaxed b = relaxTangent(contact, 1, first, factor, coupled(residual2, contact, 2, a.change, first), pressure);
+        const Lane normalImpulse = loadLanes(contact.impulse[kNormal], first), residual2 = residualOf(contact, 2, relative, first);
+        const Relaxed a = relaxTangent(contact, 0, first, factor, residualOf(contact, 1, relative, first), normalImpulse);
+        const Relaxed b = relaxTangent(contact, 1, first, factor, coupled(residual2, contact, 2, a.change, first), normalImpulse);
         return {{a.change, b.change}, hn::Add(a.energy, b.energy)};
     }
 };
 
-// The normal, then friction against its new impulse.
-struct Contact {
-    static constexpr unsigned kFirstRow = 0, kRows = 3, kLeastContacts = 1;
+// Relaxes the normal, then friction against its new impulse.
+struct AllRows {
+    static constexpr unsigned kFirstRow = 0, kRows = 3, kMinContacts = 1;
 
     static HWY_INLINE Change<kRows> relax(dxContactLanes &contact, unsigned first, const Factors &factor, const Vector &relative) {
         Lane residual1 = residualOf(contact, 1, relative, first), residual2 = residualOf(contact, 2, relative, first);
@@ -179,47 +178,47 @@ struct Contact {
     }
 };
 
-// Contacts begin, begin + step, ... of each manifold. More than one are relaxed so many times while the bodies are in registers, since
-// contacts between the same bodies depend on one another more than on others.
+// Contacts begin, begin + step, ... of each manifold are relaxed in so many passes while the bodies are in registers: contacts of one
+// manifold depend on one another more than on others.
 struct Visit {
     unsigned begin, step, passes;
 };
 
-// What the last pass changes.
+// Relaxes the contacts of kLanes manifolds; bodies move after each contact. Returns the energy of the last pass.
 template <class Rows>
 HWY_INLINE Lane relaxManifold(const dxContactPack &pack, dxContactLanes *contacts, unsigned first, const Visit &visit, const Factors &factor,
-                              Bodies &body1, Bodies &body2) {
-    const Vector between = loadVector(pack.between, first);
+                              Bodies &bodyA, Bodies &bodyB) {
+    const Vector dAB = loadVector(pack.dAB, first);
     Lane energy = hn::Zero(LaneTag());
     for (unsigned pass = 0; pass < visit.passes; ++pass) {
         energy = hn::Zero(LaneTag());
         for (unsigned k = visit.begin; k < pack.contactCount; k += visit.step) {
-            const RelativeMotion motion = RelativeMotion::of(body1, body2, between);
-            const auto change = Rows::relax(contacts[k], first, factor, motion.velocityAt(loadVector(contacts[k].arm, first)));
+            const RelativeMotion motion = RelativeMotion::of(bodyA, bodyB, dAB);
+            const auto change = Rows::relax(contacts[k], first, factor, motion.velocityAt(loadVector(contacts[k].rA, first)));
             Wrench wrench = Wrench::none();
             wrench.add(contacts[k], change.row, Rows::kFirstRow, first);
-            wrench.actOn(pack, first, body1, body2);
+            wrench.actOn(pack, first, bodyA, bodyB);
             energy = hn::Add(energy, change.energy);
         }
     }
     return energy;
 }
 
-// The same, but that the bodies move when the last contact is done. Until then their relative motion tells all.
+// The same by responses: only the relative motion changes from contact to contact, and the bodies move once, after the last one.
 template <class Rows>
 HWY_INLINE Lane relaxManifold(const dxContactPack &pack, dxContactLanes *contacts, const dxContactResponse *responses, unsigned first,
-                              const Visit &visit, const Factors &factor, Bodies &body1, Bodies &body2) {
+                              const Visit &visit, const Factors &factor, Bodies &bodyA, Bodies &bodyB) {
     const LaneTag d;
     HWY_ALIGN dReal before[dxContactPack::kMaxContacts][Rows::kRows][dxLanes::kCount];
     for (unsigned k = visit.begin; k < pack.contactCount; k += visit.step)
         for (unsigned i = 0; i < Rows::kRows; ++i)
             hn::Store(loadLanes(contacts[k].impulse[Rows::kFirstRow + i], first), d, before[k][i]);
-    RelativeMotion motion = RelativeMotion::of(body1, body2, loadVector(pack.between, first));
+    RelativeMotion motion = RelativeMotion::of(bodyA, bodyB, loadVector(pack.dAB, first));
     Lane energy = hn::Zero(d);
     for (unsigned pass = 0; pass < visit.passes; ++pass) {
         energy = hn::Zero(d);
         for (unsigned k = visit.begin; k < pack.contactCount; k += visit.step) {
-            const auto change = Rows::relax(contacts[k], first, factor, motion.velocityAt(loadVector(contacts[k].arm, first)));
+            const auto change = Rows::relax(contacts[k], first, factor, motion.velocityAt(loadVector(contacts[k].rA, first)));
             for (unsigned i = 0; i < Rows::kRows; ++i) motion.respond(responses[k].row[Rows::kFirstRow + i], change.row[i], first);
             energy = hn::Add(energy, change.energy);
         }
@@ -231,28 +230,28 @@ HWY_INLINE Lane relaxManifold(const dxContactPack &pack, dxContactLanes *contact
             changes[i] = hn::Sub(loadLanes(contacts[k].impulse[Rows::kFirstRow + i], first), hn::Load(d, before[k][i]));
         wrench.add(contacts[k], changes, Rows::kFirstRow, first);
     }
-    wrench.actOn(pack, first, body1, body2);
+    wrench.actOn(pack, first, bodyA, bodyB);
     return energy;
 }
 
-// The same for the normals of all contacts: each one knows from the others' changes what it lacks.
+// The same for the normals of all contacts: a change of one normal updates the residuals of all others.
 template <>
-HWY_INLINE Lane relaxManifold<Pressure>(const dxContactPack &pack, dxContactLanes *contacts, const dxContactResponse *responses,
-                                        unsigned first, const Visit &visit, const Factors &factor, Bodies &body1, Bodies &body2) {
+HWY_INLINE Lane relaxManifold<NormalRow>(const dxContactPack &pack, dxContactLanes *contacts, const dxContactResponse *responses,
+                                        unsigned first, const Visit &visit, const Factors &factor, Bodies &bodyA, Bodies &bodyB) {
     const unsigned count = pack.contactCount;
-    Lane residual[dxContactPack::kMaxContacts], pressure[dxContactPack::kMaxContacts], energy = hn::Zero(LaneTag());
-    const RelativeMotion motion = RelativeMotion::of(body1, body2, loadVector(pack.between, first));
+    Lane residual[dxContactPack::kMaxContacts], normalImpulse[dxContactPack::kMaxContacts], energy = hn::Zero(LaneTag());
+    const RelativeMotion motion = RelativeMotion::of(bodyA, bodyB, loadVector(pack.dAB, first));
     for (unsigned k = 0; k < count; ++k) {
-        residual[k] = residualOf(contacts[k], 0, motion.velocityAt(loadVector(contacts[k].arm, first)), first);
-        pressure[k] = loadLanes(contacts[k].impulse[0], first);
+        residual[k] = residualOf(contacts[k], 0, motion.velocityAt(loadVector(contacts[k].rA, first)), first);
+        normalImpulse[k] = loadLanes(contacts[k].impulse[kNormal], first);
     }
     for (unsigned pass = 0; pass < visit.passes; ++pass) {
         energy = hn::Zero(LaneTag());
         for (unsigned k = 0; k < count; ++k) {
-            const Lane step = hn::Mul(factor.pressure, loadLanes(contacts[k].inverse[0], first));
-            const Lane next = atLeast(hn::Zero(LaneTag()), hn::Add(pressure[k], hn::Mul(residual[k], step)));
-            const Lane change = hn::Sub(next, pressure[k]);
-            pressure[k] = next;
+            const Lane step = hn::Mul(factor.normal, loadLanes(contacts[k].effectiveMass[kNormal], first));
+            const Lane next = atLeast(hn::Zero(LaneTag()), hn::Add(normalImpulse[k], hn::Mul(residual[k], step)));
+            const Lane change = hn::Sub(next, normalImpulse[k]);
+            normalImpulse[k] = next;
             energy = hn::Add(energy, hn::Abs(hn::Mul(change, residual[k])));
             for (unsigned i = 0; i < count; ++i)
                 residual[i] = hn::Sub(residual[i], hn::Mul(loadFloats(responses[k].normal[i], first), change));
@@ -260,65 +259,65 @@ HWY_INLINE Lane relaxManifold<Pressure>(const dxContactPack &pack, dxContactLane
     }
     Wrench wrench = Wrench::none();
     for (unsigned k = 0; k < count; ++k) {
-        const Lane change[1] = {hn::Sub(pressure[k], loadLanes(contacts[k].impulse[0], first))};
+        const Lane change[1] = {hn::Sub(normalImpulse[k], loadLanes(contacts[k].impulse[kNormal], first))};
         wrench.add(contacts[k], change, 0, first);
-        storeLanes(pressure[k], contacts[k].impulse[0], first);
+        storeLanes(normalImpulse[k], contacts[k].impulse[kNormal], first);
     }
-    wrench.actOn(pack, first, body1, body2);
+    wrench.actOn(pack, first, bodyA, bodyB);
     return energy;
 }
 
-// A single contact has pressure and friction in the first part: it depends on no others of its manifold.
+// A single contact has all its rows in the first part of a sweep: no other contact of its manifold depends on it.
 template <class Rows>
 HWY_INLINE double relaxPacks(const dxContactPacks &contacts, unsigned begin, unsigned end, const Visit &visit,
-                             const dxOverRelaxation &relaxation, dxVelocity *velocities) {
+                             const dxOverRelaxation &relaxation, dxSpatialMotion *velocities) {
     const Factors factor(relaxation);
     Energy energy(contacts);
-    forMovingPacks(contacts, begin, end, Rows::kLeastContacts, velocities,
-                   [&](const dxContactPack &pack, unsigned first, Bodies &body1, Bodies &body2) HWY_ATTR {
+    forMovingPacks(contacts, begin, end, Rows::kMinContacts, velocities,
+                   [&](const dxContactPack &pack, unsigned first, Bodies &bodyA, Bodies &bodyB) HWY_ATTR {
                        dxContactLanes *const own = contacts.contacts + pack.firstContact;
                        const dxContactResponse *const responses = responsesOf(contacts, pack);
                        Lane found;
                        if (pack.contactCount == 1)
-                           found = relaxManifold<Contact>(pack, own, first, {0, 1, 1}, factor, body1, body2);
+                           found = relaxManifold<AllRows>(pack, own, first, {0, 1, 1}, factor, bodyA, bodyB);
                        else if (responses != nullptr)
-                           found = relaxManifold<Rows>(pack, own, responses, first, visit, factor, body1, body2);
+                           found = relaxManifold<Rows>(pack, own, responses, first, visit, factor, bodyA, bodyB);
                        else
-                           found = relaxManifold<Rows>(pack, own, first, visit, factor, body1, body2);
+                           found = relaxManifold<Rows>(pack, own, first, visit, factor, bodyA, bodyB);
                        energy.add(pack, found, first);
                    });
     return energy.sum();
 }
 
 double sweep(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSweepPart part, const dxOverRelaxation &factor,
-             dxVelocity *velocities) {
+             dxSpatialMotion *velocities) {
     if (dxIsFirst(part)) clearEnergies(contacts, begin, end);
     switch (part) {
-    case dxSweepPart::Contacts: return relaxPacks<Contact>(contacts, begin, end, {0, 1, 2}, factor, velocities);
-    case dxSweepPart::Pressures: return relaxPacks<Pressure>(contacts, begin, end, {0, 1, 2}, factor, velocities);
-    case dxSweepPart::EvenFriction: return relaxPacks<Friction>(contacts, begin, end, {0, 2, 1}, factor, velocities);
-    default: return relaxPacks<Friction>(contacts, begin, end, {1, 2, 1}, factor, velocities);
+    case dxSweepPart::AllRows: return relaxPacks<AllRows>(contacts, begin, end, {0, 1, 2}, factor, velocities);
+    case dxSweepPart::Normals: return relaxPacks<NormalRow>(contacts, begin, end, {0, 1, 2}, factor, velocities);
+    case dxSweepPart::EvenFriction: return relaxPacks<FrictionRows>(contacts, begin, end, {0, 2, 1}, factor, velocities);
+    default: return relaxPacks<FrictionRows>(contacts, begin, end, {1, 2, 1}, factor, velocities);
     }
 }
 
 }  // namespace HWY_NAMESPACE
-}  // namespace dxIterative
+}  // namespace dxContactKernels
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace dxIterative {
+namespace dxContactKernels {
 HWY_EXPORT(apply);
 HWY_EXPORT(sweep);
-}  // namespace dxIterative
+}  // namespace dxContactKernels
 
-double dxApplyImpulses(const dxContactPacks &contacts, unsigned begin, unsigned end, dxVelocity *velocities) {
-    using namespace dxIterative;
+double dxApplyImpulses(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSpatialMotion *velocities) {
+    using namespace dxContactKernels;
     return HWY_DYNAMIC_DISPATCH(apply)(contacts, begin, end, velocities);
 }
 
 double dxSweepContacts(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSweepPart part, const dxOverRelaxation &factor,
-                       dxVelocity *velocities) {
-    using namespace dxIterative;
+                       dxSpatialMotion *velocities) {
+    using namespace dxContactKernels;
     return HWY_DYNAMIC_DISPATCH(sweep)(contacts, begin, end, part, factor, velocities);
 }
 #endif

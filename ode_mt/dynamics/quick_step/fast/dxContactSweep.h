@@ -1,39 +1,39 @@
-// Kernels over packs of contacts (dxContactPack.h), for every instruction set. A lane's numbers go through the same operations on
-// all of them, products and sums apart, so that results do not depend on the width of vectors.
+// Kernels over packs of contacts (dxContactPack.h), for every instruction set. The numbers of a lane go through the same operations on all of
+// them, and products and sums stay separate, so that results do not depend on the width of vectors.
 //
-// Each writes an energy for each manifold, and returns the sum of them over manifolds.
+// Each kernel writes an energy for each manifold, and returns the sum of them over manifolds.
 //
-// Threading: packs [begin, end) of one colour share no moving body with others of that colour.
+// Threading: packs [begin, end) of one colour share no moving body with other packs of that colour, so several threads may take some each.
 #pragma once
 
 #include "dynamics/quick_step/fast/dxContactPack.h"
-#include "dynamics/quick_step/fast/dxVelocities.h"
+#include "dynamics/step/islands/dxIslandProblem.h"
 
-// Completes what dxContactReader has written: tangents where none are given (direction[1] zero), couplings, inverses, responses (if there is room), impulses as
-// projections of `impulse`, which holds a vector in the world's frame. Energies: of the residual without impulses, u being the free
-// velocities.
-double dxPrepareContacts(const dxContactPacks &contacts, unsigned begin, unsigned end, const dxVelocity *velocities);
+// Completes what dxContactReader has written: tangents where none are given (direction[kTangent] is zero), couplings, effective masses,
+// responses (if there is room for them), and impulses as projections of `impulse`, which holds a vector of the world. Energies: of the residual of
+// the normals without impulses, `velocities` being the free ones.
+double dxPrepareContacts(const dxContactPacks &contacts, unsigned begin, unsigned end, const dxSpatialMotion *velocities);
 
-// Adds the impulses p to the velocities u. Energies: by how much that raises 1/2 u' M u + 1/2 p' softness p - wanted' p, which the
-// solution makes least.
-double dxApplyImpulses(const dxContactPacks &contacts, unsigned begin, unsigned end, dxVelocity *velocities);
+// Adds the impulses p to the velocities u. Energies: by how much that raises 1/2 u' M u + 1/2 p' softness p - bias' p, which is smallest for the
+// solution.
+double dxApplyImpulses(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSpatialMotion *velocities);
 
-// By how much the change of an impulse exceeds what its own row asks for.
+// Factors by which an impulse changes more than its own row asks for.
 struct dxOverRelaxation {
-    dReal pressure, friction;
+    dReal normal, friction;
 };
 
-// A sweep of projected Gauss-Seidel goes over the packs once, or three times (docs/iterative-solver.md, "Pressures first").
+// A sweep of projected Gauss-Seidel goes over the packs once, or three times (docs/fast.md, "The sweeps").
 enum class dxSweepPart : unsigned {
-    Contacts,      // all rows: of each contact the normal, then friction; a manifold's contacts twice in turn
-    Pressures,     // normals alone, a manifold's twice in turn; all rows where a manifold has a single contact
-    EvenFriction,  // tangents of the contacts 0, 2, ... of each manifold with two or more
-    OddFriction,   // of 1, 3, ...
+    AllRows,       // of each contact the normal, then friction; all contacts of a manifold, twice
+    Normals,       // the normals of a manifold, twice; all rows where a manifold has a single contact
+    EvenFriction,  // tangents of the contacts 0, 2, ... of each manifold of two or more
+    OddFriction,   // tangents of the contacts 1, 3, ...
 };
 
-constexpr bool dxIsFirst(dxSweepPart part) { return part == dxSweepPart::Contacts || part == dxSweepPart::Pressures; }
-constexpr bool dxIsLast(dxSweepPart part) { return part == dxSweepPart::Contacts || part == dxSweepPart::OddFriction; }
+constexpr bool dxIsFirst(dxSweepPart part) { return part == dxSweepPart::AllRows || part == dxSweepPart::Normals; }
+constexpr bool dxIsLast(dxSweepPart part) { return part == dxSweepPart::AllRows || part == dxSweepPart::OddFriction; }
 
-// Energies: of the change, the sum of |change of an impulse times its residual|; parts add theirs to those of the first one.
+// Energies: of the change, the sum of |change of an impulse x its residual|. The first part of a sweep sets them, others add to them.
 double dxSweepContacts(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSweepPart part, const dxOverRelaxation &factor,
-                       dxVelocity *velocities);
+                       dxSpatialMotion *velocities);

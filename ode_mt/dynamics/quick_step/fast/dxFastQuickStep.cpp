@@ -4,8 +4,7 @@
 
 #include "core/dxPrefetch.h"
 #include "dynamics/quick_step/exact/dxQuickStep.h"
-#include "dynamics/quick_step/fast/dxIterativeWorld.h"
-#include "dynamics/quick_step/fast/dxOtherJoints.h"
+#include "dynamics/quick_step/fast/dxFastQuickStepState.h"
 #include "dynamics/step/islands/dxStepTimeline.h"
 
 namespace {
@@ -18,20 +17,20 @@ void numberBodies(const dxIsland &group) {
     }
 }
 
-// Units: rows. A contact counts as three, also where it has no friction.
-unsigned countRows(const dxIsland &group, const dxConstraintPlan &plan, const dxOtherJoints &joints) {
-    return 3 * (group.jointCount - static_cast<unsigned>(plan.otherJoints().size())) + joints.rowCount();
+// Returns the number of rows. A contact counts as three, also where it has no friction.
+unsigned countRows(const dxIsland &group, const dxConstraintPlan &plan, const dxRowJoints &joints) {
+    return 3 * (group.jointCount - static_cast<unsigned>(plan.rowJoints().size())) + joints.rowCount();
 }
 
 // Returns false if there is no memory; nothing of the bodies has changed then.
-bool solve(const dxIslandStep &step, dxQuietMotion &motion) try {
-    numberBodies(step.island);
-    const dxIterativeWorld::Lease solver(*step.iterativeWorld);
+bool solve(const dxIslandStep &step, dxNotificationPolicy &notifications) try {
+    numberBodies(step.island);                              // serial: writes tags
+    const dxFastQuickStepState::Lease solver(*step.fastQuickStep);
     auto *const masses = step.arena->AllocateArray<dxIslandBody>(step.island.bodyCount);
-    solver->begin(step, masses);                       // parallel: the plan beside the bodies' free motion
-    const dxOtherJoints joints(step, solver->plan());  // serial
+    solver->begin(step, masses);                            // parallel: reads bodies and joints; writes the plan, masses, free velocities
+    const dxRowJoints joints(step, solver->plan());         // serial: asks joints for rows, which may add to the bodies' accumulators
     const dxSolverSpan span(countRows(step.island, solver->plan(), joints));
-    solver->solve(step, masses, joints, motion);       // parallel
+    solver->solve(step, joints, notifications);             // parallel: the stages are in dxPgsSolver.cpp; writes velocities, feedback
     return true;
 } catch (const std::bad_alloc &) {
     return false;
@@ -40,7 +39,7 @@ bool solve(const dxIslandStep &step, dxQuietMotion &motion) try {
 }  // namespace
 
 void dxFastQuickStep(const dxIslandStep &step) {
-    dxQuietMotion motion(step);
-    if (step.iterativeWorld == nullptr || !solve(step, motion)) return dxQuickStep(step);
-    dxMoveBodies(step, motion);  // positions parallel; spaces and the user are told serially
+    dxNotificationPolicy notifications(step);
+    if (step.fastQuickStep == nullptr || !solve(step, notifications)) return dxQuickStep(step);
+    dxMoveBodies(step, notifications);                      // positions parallel; spaces and the user are told serially
 }

@@ -1,4 +1,4 @@
-// dWorldQuickStep's stages for a group of islands of a world whose solver is "fast" (docs/iterative-solver.md).
+// dWorldQuickStep's stages for a group of islands of a world whose solver is "fast" (docs/fast.md).
 #pragma once
 
 #include "dynamics/step/islands/dxIslandStep.h"

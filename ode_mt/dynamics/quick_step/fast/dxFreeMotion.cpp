@@ -53,7 +53,7 @@ void findVelocity(const dxIslandStep &step, const dxBody &body, const dxIslandBo
     }
 }
 
-void findMotion(const dxIslandStep &step, std::size_t i, dxIslandBody *masses, dxVelocity *velocities) {
+void findMotion(const dxIslandStep &step, std::size_t i, dxIslandBody *masses, dxSpatialMotion *velocities) {
     const dxBody &body = *step.island.bodies[i];
     dxFindMasses(body, masses[i]);
     findVelocity(step, body, masses[i], velocities[i].columns);
@@ -61,10 +61,10 @@ void findMotion(const dxIslandStep &step, std::size_t i, dxIslandBody *masses, d
 
 }  // namespace
 
-void dxFindFreeMotion(const dxIslandStep &step, std::size_t begin, std::size_t end, dxIslandBody *masses, dxVelocity *velocities) {
+void dxFindFreeMotion(const dxIslandStep &step, std::size_t begin, std::size_t end, dxIslandBody *masses, dxSpatialMotion *velocities) {
     dxBodyLoops::forRange(step, begin, end, end, [&](std::size_t i) { findMotion(step, i, masses, velocities); });
 }
 
-void dxFindFreeMotion(const dxIslandStep &step, dxIslandBody *masses, dxVelocity *velocities) {
+void dxFindFreeMotion(const dxIslandStep &step, dxIslandBody *masses, dxSpatialMotion *velocities) {
     dxForBodiesInParallel(step, dxParallelStage::Bodies, [&](std::size_t i) { findMotion(step, i, masses, velocities); });
 }

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "core/dxMixedBits.h"
-#include "core/dxReserve.h"
 #include "dynamics/quick_step/fast/dxStateNumbers.h"
 #include "dynamics/quick_step/sor/dxSorSweep.h"
 
@@ -17,28 +16,24 @@ constexpr unsigned kSweepsPerOrder = 9;
 
 }  // namespace
 
-void dxRowOrder::reserve(std::size_t joints, std::size_t rows) {
-    m_rows.reserve(rows);
-    m_first.reserve(joints + 1);
+void dxRowOrder::reserve(std::size_t joints, std::size_t rows, dxStepArena &arena) {
+    m_rows = arena.takeList<int>(rows);
+    m_first = arena.takeList<unsigned>(joints + 1);
 }
 
-void dxRowOrder::reserveAs(const dxRowOrder &other) {
-    m_rows.reserve(other.m_rows.capacity());
-    m_first.reserve(other.m_first.capacity());
-}
-
-void dxRowOrder::make(const dxConstraintPlan &plan, const std::vector<unsigned> &firstRow, const Row *rows) {
+void dxRowOrder::make(const dxConstraintPlan &plan, dxArenaArray<const unsigned> firstRow, const Row *rows) {
     const bool isUpstreams = !plan.hasContactsOnly();
     m_isSerial = plan.hasSerialRows();
     m_seed = 0;
-    const std::vector<unsigned> &joints = plan.othersInOrder();
-    dxFill(m_first, joints.size() + 1, 0);
-    for (std::size_t i = 0; i < joints.size(); ++i) m_first[i + 1] = m_first[i] + firstRow[joints[i] + 1] - firstRow[joints[i]];
+    const dxArenaArray<const unsigned> joints = plan.rowJointsInOrder();
+    m_first.clear();
+    m_first.push(0);
+    for (const unsigned joint : joints) m_first.push(m_first.back() + firstRow[joint + 1] - firstRow[joint]);
     m_rows.clear();
     const auto take = [&](const dxConstraintPlan::Chunk &chunk, const auto &takes) {
-        for (unsigned i = chunk.firstOther; i < chunk.endOther; ++i)
+        for (unsigned i = chunk.firstRowJoint; i < chunk.endRowJoint; ++i)
             for (unsigned row = firstRow[joints[i]]; row < firstRow[joints[i] + 1]; ++row)
-                if (takes(rows[row])) m_rows.push_back(static_cast<int>(row));
+                if (takes(rows[row])) m_rows.push(static_cast<int>(row));
     };
     for (const dxConstraintPlan::Chunk &chunk : plan.chunks()) {
         if (isUpstreams) {
@@ -50,7 +45,7 @@ void dxRowOrder::make(const dxConstraintPlan &plan, const std::vector<unsigned> 
     }
 }
 
-// As FNV-1a mixes bytes (G. Fowler, L. C. Noll, K.-P. Vo); shuffle() makes random numbers of it.
+// FNV-1a mixes bytes in this way (G. Fowler, L. C. Noll, K.-P. Vo). shuffle() makes random numbers of the result.
 void dxRowOrder::mix(double number) { m_seed = (m_seed ^ dxStateNumbers::bitsOf(number)) * 0x100000001b3u; }
 
 void dxRowOrder::schedule(dxIslandProblem problem) {
@@ -60,16 +55,16 @@ void dxRowOrder::schedule(dxIslandProblem problem) {
     dxScheduleSor(problem);
 }
 
-dxRowOrder::Rows dxRowOrder::of(unsigned begin, unsigned end) const {
-    return {m_rows.data() + m_first[begin], m_rows.data() + m_first[end]};
+dxArenaArray<const int> dxRowOrder::of(unsigned begin, unsigned end) const {
+    return {m_rows.data() + m_first[begin], m_first[end] - m_first[begin]};
 }
 
-dxRowOrder::Rows dxRowOrder::inSweep(unsigned begin, unsigned end, unsigned sweep) {
+dxArenaArray<const int> dxRowOrder::inSweep(unsigned begin, unsigned end, unsigned sweep) {
     if (sweep > 1 && sweep % kSweepsPerOrder == 1) shuffle(m_first[begin], m_first[end], sweep);
     return of(begin, end);
 }
 
-// Chunks are shuffled apart, so that the order does not depend on who solves them.
+// Chunks are shuffled separately, so that the order does not depend on who solves them.
 void dxRowOrder::shuffle(unsigned first, unsigned last, unsigned sweep) {
     std::uint64_t bits = dxMixedBits(m_seed ^ first ^ std::uint64_t(sweep) << 32);
     for (unsigned i = last; i > first + 1; --i) {

@@ -1,5 +1,5 @@
 // Random numbers that follow from the state: a step from the same state draws the same ones, another step others, and nobody else's sequence
-// is touched. Orders are drawn with them (docs/iterative-solver.md).
+// is touched. Orders are drawn with them (docs/fast.md).
 #pragma once
 
 #include <cstdint>

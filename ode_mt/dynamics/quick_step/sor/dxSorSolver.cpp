@@ -37,7 +37,7 @@ void prepareRow(const dxIslandProblem &problem, Row &row, dReal factor) {
 
 void dxSorSolver::solve(const dxIslandProblem &problem) {
     prepareRows(problem);
-    std::fill_n(problem.accelerations, problem.bodyCount, dxBodyAcceleration());
+    std::fill_n(problem.accelerations, problem.bodyCount, dxSpatialMotion());
     unsigned left = static_cast<unsigned>(m_step.world->qs.num_iterations);
     for (unsigned shuffles = 0; left != 0; ++shuffles) {
         if (shuffles == 0) dxScheduleSor(problem);  // the results of dxOrderRows

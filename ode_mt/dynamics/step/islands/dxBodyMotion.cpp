@@ -15,15 +15,15 @@ void clearForces(dxBody &body) {
 
 }  // namespace
 
-dxQuietMotion::dxQuietMotion(const dxIslandStep &step)
-    : m_isQuiet(step.islandWorkers != nullptr && !(dxHasUserHandlers() && dxTouchesLockedSpace(step.island))) {}
+dxNotificationPolicy::dxNotificationPolicy(const dxIslandStep &step)
+    : m_mayDefer(step.islandWorkers != nullptr && !(dxHasUserHandlers() && dxTouchesLockedSpace(step.island))) {}
 
-void dxQuietMotion::see(const dxBody &body) {
-    if (isQuiet() && !dxMovesQuietly(body)) m_isQuiet.store(false, std::memory_order_relaxed);
+void dxNotificationPolicy::add(const dxBody &body) {
+    if (mayDefer() && !dxMovesQuietly(body)) m_mayDefer.store(false, std::memory_order_relaxed);
 }
 
-void dxMoveBodies(const dxIslandStep &step, const dxQuietMotion &motion) {
-    if (motion.isQuiet()) {
+void dxMoveBodies(const dxIslandStep &step, const dxNotificationPolicy &notifications) {
+    if (notifications.mayDefer()) {
         dxForBodiesInParallel(step, dxParallelStage::Motion, [&](std::size_t i) {
             dxBody &body = *step.island.bodies[i];
             dxIntegrateUntold(&body, step.stepSize);

@@ -9,21 +9,22 @@
 
 #include "dynamics/step/islands/dxIslandStep.h"
 
-// Whether all bodies of an island that has workers move quietly. Asked body by body by the stage that sets their velocities. Spaces
-// that are being collided report an error when they are told; where a handler would hear of it, nothing is quiet.
-class dxQuietMotion {
+// Whether notifications of an island that has workers may be deferred until all its bodies have moved: only spaces are notified of any of them.
+// The stage that sets velocities adds the bodies. Spaces that are being collided report an error when they are notified; where a handler would hear of it,
+// notifications are not deferred.
+class dxNotificationPolicy {
 public:
-    explicit dxQuietMotion(const dxIslandStep &step);
+    explicit dxNotificationPolicy(const dxIslandStep &step);
 
     // Any thread.
-    void see(const dxBody &body);
+    void add(const dxBody &body);
 
-    bool isQuiet() const { return m_isQuiet.load(std::memory_order_relaxed); }
+    bool mayDefer() const { return m_mayDefer.load(std::memory_order_relaxed); }
 
 private:
-    std::atomic<bool> m_isQuiet;
+    std::atomic<bool> m_mayDefer;
 };
 
 // Integrates velocities to positions, tells spaces and callbacks, and clears the accumulators. Positions are found on the island's
-// workers where the motion is quiet.
-void dxMoveBodies(const dxIslandStep &step, const dxQuietMotion &motion);
+// workers where notifications may be deferred.
+void dxMoveBodies(const dxIslandStep &step, const dxNotificationPolicy &notifications);

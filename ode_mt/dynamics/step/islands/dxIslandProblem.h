@@ -54,9 +54,9 @@ struct dxIslandBody {
     }
 };
 
-// What the constraints of an island add to a body's acceleration: linear, then angular. One cache line (in double precision), since
-// every row that acts on the body reads and writes it.
-struct alignas(8 * sizeof(dReal)) dxBodyAcceleration {
+// The motion of a body while constraints are solved, linear, then angular: what they add to its acceleration (exact; m/s2, 1/s2), or its
+// velocity (fast; m/s, 1/s). One cache line (in double precision), since every row that acts on the body reads and writes it.
+struct alignas(8 * sizeof(dReal)) dxSpatialMotion {
     dReal columns[dxConstraintRow::kBodyColumns];
     unsigned level;  // of dxScheduleSor alone
 };
@@ -67,7 +67,7 @@ struct dxIslandProblem {
     dxConstraintRow *rows;
     dxIslandBody *bodies;
     // By body. Given: -(v / h + inv(M) f), which is missing in the rows' right-hand sides. Answer: inv(M) J' lambda.
-    dxBodyAcceleration *accelerations;
+    dxSpatialMotion *accelerations;
     int *order;  // rowCount: room for the solver
 
     dReal *accelerationOf(int body) const { return accelerations[body].columns; }

@@ -4,7 +4,7 @@
 #include "dynamics/step/islands/dxIsland.h"
 #include "dynamics/step/islands/dxLargeIslandWorkers.h"
 
-class dxIterativeWorld;
+class dxFastQuickStepState;
 
 struct dxIslandStep {
     dxWorld *world;
@@ -13,7 +13,7 @@ struct dxIslandStep {
     dxWorldProcessMemArena *arena;  // of the size that upstream's estimate for this stepper asks for
     dxLargeIslandWorkers *islandWorkers = nullptr;  // of a large island; null: the calling thread alone
 
-    dxIterativeWorld *iterativeWorld = nullptr;     // of a fast dWorldQuickStep; null otherwise
+    dxFastQuickStepState *fastQuickStep = nullptr;     // of a fast dWorldQuickStep; null otherwise
 
     dxTaskRunner &runner() const { return islandWorkers != nullptr ? *islandWorkers->runner : dxTaskRunner::alone(); }
 };

@@ -1,5 +1,6 @@
-#include "dynamics/quick_step/fast/dxContactForces.h"
+#include "dynamics/quick_step/fast/dxContactCache.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/dxPrefetch.h"
@@ -9,9 +10,15 @@ namespace {
 // Upstream's flags end at 256.
 constexpr unsigned kNumberShift = 10, kUpstreamsFlags = (1u << kNumberShift) - 1, kMaxNumber = ~0u >> kNumberShift;
 
+constexpr dReal kWarmStart = dReal(0.75), kMaxFullErp = dReal(0.2);
+
 }  // namespace
 
-void dxContactForces::begin(const dxWorldProcessIslandsInfo &info, bool isWarm) {
+dReal dxWarmStartFactor(dReal erp) {
+    return erp <= kMaxFullErp ? kWarmStart : kWarmStart * std::max(dReal(0), (1 - erp) / (1 - kMaxFullErp));  // NaN: none
+}
+
+void dxContactCache::begin(const dxWorldProcessIslandsInfo &info, bool isWarm) {
     unsigned bodyCount = 0, jointCount = 0;
     const unsigned *const sizes = info.GetIslandSizes();
     for (std::size_t i = 0; i < info.GetIslandsCount(); ++i) {
@@ -31,7 +38,7 @@ void dxContactForces::begin(const dxWorldProcessIslandsInfo &info, bool isWarm) 
 }
 
 // A body that was not stepped last time has an older number, under which the last step knows another body.
-void dxContactForces::numberBodies(unsigned bodyCount) {
+void dxContactCache::numberBodies(unsigned bodyCount) {
     constexpr unsigned kPrefetchDistance = 16;
     for (unsigned i = 0; i < bodyCount; ++i) {
         if (i + kPrefetchDistance < bodyCount) dxPrefetch::lineForWrite(&m_bodies[i + kPrefetchDistance]->flags);
@@ -44,12 +51,12 @@ void dxContactForces::numberBodies(unsigned bodyCount) {
     }
 }
 
-void dxContactForces::clear(const dxIsland &group) {
+void dxContactCache::clear(const dxIsland &group) {
     const unsigned first = firstBody(group);
     for (unsigned i = first; i < first + group.bodyCount; ++i) m_now.bodies[i] = {m_bodies[i], kNone, 0};
 }
 
-bool dxContactForces::keep(unsigned first, unsigned second, unsigned firstContact, unsigned contactCount) {
+bool dxContactCache::keep(unsigned first, unsigned second, unsigned firstContact, unsigned contactCount) {
     const bool firstOwns = second == kNone || m_now.bodies[first].manifoldCount <= m_now.bodies[second].manifoldCount;
     Body &owner = m_now.bodies[firstOwns ? first : second];
     m_now.manifolds[firstContact] = {firstOwns ? second : first, firstContact, contactCount, owner.firstManifold};
