@@ -4,7 +4,7 @@
 #include "dynamics/step/dxCostModel.h"
 #include "remote/transport/dxPollPause.h"
 #include "remote/coordinator/dxRemoteLink.h"
-#include "remote/coordinator/dxRemoteNumber.h"
+#include "remote/coordinator/dxRemoteProblem.h"
 #include "remote/coordinator/dxRemoteSchedule.h"
 #include "remote/worker/dxSimulatedNetwork.h"
 
@@ -331,7 +331,7 @@ bool StepSimulation::Play::withdrawLast() {
             worker = i;
         }
     }
-    if (last == nullptr || !dxIsSoonerAtHome(last->cost, last->expected, m_now)) return false;
+    if (last == nullptr || !dxIsSoonerHere(last->cost, last->expected, m_now)) return false;
     m_withdrawals.emplace_back(worker, last->number);
     const std::vector<std::uint64_t> problems = last->problems;
     m_workers[worker].link.withdraw(last->number);

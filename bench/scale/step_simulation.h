@@ -1,4 +1,4 @@
-// Predicts how long steps take with remote workers: plays, event by event, what dxIslandParallelStep, dxRemoteWorkers and dxRemoteServer do, with
+// Predicts how long steps take with remote workers: plays, event by event, what dxIslandParallelStep, dxRemoteScheduler and dxRemoteServer do, with
 // measured costs and a network that is assumed. What an island is thought to cost, which islands go out, when a link may be given more, how much goes into a message, when home
 // takes problems back and when a worker is late is decided by the library's own code (dxCostModel, dxRemoteShare, dxRemoteLink, dxRemoteSchedule), for
 // which time is a number.

@@ -141,9 +141,9 @@ Link readLink(const std::string &log) {
 
 // Of all steps: how long home's threads have waited for workers.
 double readWaitedNs(const std::string &log) {
-    const std::size_t at = log.rfind("home waited ");
+    const std::size_t at = log.rfind("waited for them ");
     double ms = 0;
-    if (at == std::string::npos || std::sscanf(log.c_str() + at, "home waited %lf ms", &ms) != 1)
+    if (at == std::string::npos || std::sscanf(log.c_str() + at, "waited for them %lf ms", &ms) != 1)
         throw std::runtime_error("the library has not told how long it waited:\n" + log);
     return ms * 1e6;
 }

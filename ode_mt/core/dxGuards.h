@@ -60,8 +60,9 @@ private:
     sigset_t m_before;
 };
 
-// For calls of another library: a handler of the program's would run in the middle of it, and writing to a process that has ended raises SIGPIPE, which
-// ends the program. That signal is the calling thread's own: what is pending of it at the end, and was not at the beginning, is taken away.
+// For calls of another library: a handler of the program's would run in the middle of it, and writing to a process that has ended raises
+// SIGPIPE, which ends the program. That signal is the calling thread's own: what is pending of it at the end, and was not at the beginning, is
+// taken away.
 //
 // Three calls of the system: 3 us on a virtual machine.
 class dxNoSignals {

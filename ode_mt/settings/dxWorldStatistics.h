@@ -26,7 +26,7 @@ struct dxCollisionRecord {
 // Of a step: what workers in other processes (ODE_MT_WORKERS) did for it.
 struct dxRemoteRecord {
     unsigned workers = 0, lostWorkers = 0;  // of the process, at its end
-    unsigned solved = 0, returned = 0;      // islands: solved by them; sent to them, and solved at home after all
+    unsigned solved = 0, returned = 0;      // islands: solved by them; sent to them, and solved by this process after all
 };
 
 struct dxStepRecord {

@@ -1,5 +1,5 @@
-// Units that are run out of order leave what a loop over them would have: reports and notifications in order, random numbers of their own, up to the first
-// unit that was interrupted.
+// Units that are run out of order leave what a loop over them would have: reports and notifications in order, random numbers of their own, up to
+// the first unit that was interrupted.
 #include "dynamics/step/dxDeferredRun.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "remote/coordinator/dxRemoteNumber.h"
+#include "remote/coordinator/dxRemoteProblem.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // Batches come back whole and right, whatever becomes of workers: a thousand times one dies, stops, or sends flipped bits.
-#include "remote/coordinator/dxRemoteWorkers.h"
+#include "remote/coordinator/dxRemoteBatch.h"
 
 #include <gtest/gtest.h>
 
@@ -58,26 +58,26 @@ protected:
         for (int attempt = 0; attempt < 400 && countsSince(m_before).sent < count; ++attempt) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
 
-    // Takes whatever comes, home's problems unsolved.
+    // Takes whatever comes, reclaimed problems unsolved.
     static void drain(dxRemoteBatch &batch) {
         unsigned index = 0;
         dxRemoteBytes result;
         while (batch.next(index, result) != dxRemoteBatch::Next::None) {}
     }
 
-    // Returns how many of the problems were solved at home. Waits for workers, unless home `mayHurry`.
-    unsigned runBatch(unsigned count, bool mayHurry = true, double cost = kProblemNs) {
-        dxRemoteBatch batch(m_workers, count, mayHurry);
+    // Returns how many of the problems were reclaimed. Waits for workers, unless it `mayReclaim`.
+    unsigned runBatch(unsigned count, bool mayReclaim = true, double cost = kProblemNs) {
+        dxRemoteBatch batch(m_workers, count, mayReclaim);
         for (unsigned i = 0; i < count; ++i) batch.submit(i, problemOf(i), cost);
-        unsigned index = 0, atHome = 0, answered = 0;
+        unsigned index = 0, reclaimed = 0, answered = 0;
         std::vector<bool> isAnswered(count);
         dxRemoteBytes result;
         for (dxRemoteBatch::Next next; (next = batch.next(index, result)) != dxRemoteBatch::Next::None; ++answered) {
             EXPECT_FALSE(isAnswered[index]) << index;
             isAnswered[index] = true;
             const dxRemoteBytes problem = problemOf(index);
-            if (next == dxRemoteBatch::Next::AtHome) {
-                ++atHome;
+            if (next == dxRemoteBatch::Next::Reclaimed) {
+                ++reclaimed;
                 solve(problem.data(), problem.size(), result);
                 continue;
             }
@@ -87,9 +87,9 @@ protected:
             EXPECT_EQ(sum, sumOf(problem.data(), problem.size()));
         }
         EXPECT_EQ(answered, count);
-        EXPECT_EQ(batch.outcomes().solved(), count - atHome);
-        EXPECT_LE(batch.outcomes().returned(), atHome);
-        return atHome;
+        EXPECT_EQ(batch.outcomes().solved(), count - reclaimed);
+        EXPECT_LE(batch.outcomes().returned(), reclaimed);
+        return reclaimed;
     }
 
     // What has happened since.
@@ -115,18 +115,18 @@ protected:
     const dxRemoteWorkers::Counts m_before = m_workers.counts();
 };
 
-TEST_F(RemoteWorkers, SolveAllThatHomeWaitsFor) {
+TEST_F(RemoteWorkers, SolveAllThatIsWaitedFor) {
     open(3);
     ASSERT_TRUE(m_workers.areThere());
     EXPECT_EQ(m_workers.capacity().workers, 3u);
     EXPECT_EQ(runBatch(100, false), 0u);
 }
 
-TEST_F(RemoteWorkers, ShareWithHome) {
-    openDelayed(std::chrono::milliseconds(10));  // home comes to solve, however slowly it submits
-    const unsigned atHome = runBatch(200);
-    EXPECT_GT(atHome, 0u);
-    EXPECT_LT(atHome, 200u);
+TEST_F(RemoteWorkers, ShareWithThisProcess) {
+    openDelayed(std::chrono::milliseconds(10));  // this process comes to solve, however slowly it submits
+    const unsigned reclaimed = runBatch(200);
+    EXPECT_GT(reclaimed, 0u);
+    EXPECT_LT(reclaimed, 200u);
 }
 
 TEST_F(RemoteWorkers, OfAnotherVersionAreRefused) {
@@ -207,7 +207,7 @@ TEST_F(RemoteWorkers, CountWhatTheySolve) {
     EXPECT_EQ(m_workers.counts().open, 0u);
 }
 
-// Home waits for the first problem until its worker is late, and takes a second one, which is under way behind that, back before.
+// The first problem is waited for until its worker is late; a second one, which is under way behind that, is reclaimed before.
 TEST_F(RemoteWorkers, CountWhatIsLate) {
     open(1, [](unsigned, unsigned, dxRemoteKind kind) { return LoopbackFate{kind == dxRemoteKind::Results ? Kind::Stopped : Kind::Arrives}; });
     constexpr double kLongNs = 100 * kProblemNs;
@@ -222,8 +222,8 @@ TEST_F(RemoteWorkers, CountWhatIsLate) {
     EXPECT_EQ(counts.openLate, 1u);
 }
 
-// Home has other things to do for longer than the worker was predicted to need.
-TEST_F(RemoteWorkers, AreNotLateWhileHomeIsBusy) {
+// This process has other things to do for longer than the worker was predicted to need.
+TEST_F(RemoteWorkers, AreNotLateWhileThisProcessIsBusy) {
     openDelayed(std::chrono::milliseconds(30));
     dxRemoteBatch batch(m_workers, 2, true);
     for (unsigned i = 0; i < 2; ++i) batch.submit(i, problemOf(i), kProblemNs);
@@ -236,15 +236,15 @@ TEST_F(RemoteWorkers, AreNotLateWhileHomeIsBusy) {
     EXPECT_GT(batch.outcomes().solved(), 0u);
 }
 
-// Home finds that its own problems take a thousand times what was predicted, and waits for the worker.
-TEST_F(RemoteWorkers, AreGivenTheTimeThatProblemsTakeAtHome) {
+// This process finds that its own problems take a thousand times what was predicted, and waits for the worker.
+TEST_F(RemoteWorkers, AreGivenTheTimeThatProblemsTakeHere) {
     openDelayed(std::chrono::milliseconds(40));
     for (const bool isTold : {true, false}) {
         SCOPED_TRACE(isTold);
         dxRemoteBatch batch(m_workers, 1, true);
         batch.submit(0, problemOf(0), kProblemNs);
         waitUntilSent(isTold ? 1 : 2);
-        if (isTold) batch.noteHome(kProblemNs, 1000 * kProblemNs);
+        if (isTold) batch.noteLocal(kProblemNs, 1000 * kProblemNs);
         drain(batch);
         EXPECT_EQ(batch.outcomes().solved(), isTold ? 1u : 0u);
         if (isTold) {
@@ -254,7 +254,7 @@ TEST_F(RemoteWorkers, AreGivenTheTimeThatProblemsTakeAtHome) {
 }
 
 // A message that takes so long to be answered is not worth waiting for.
-TEST_F(RemoteWorkers, CountWhatHomeSolvesSooner) {
+TEST_F(RemoteWorkers, CountWhatIsSolvedSoonerHere) {
     open(1, [](unsigned, unsigned, dxRemoteKind kind) {
         LoopbackFate fate;
         if (kind == dxRemoteKind::Echo) fate.delay = std::chrono::milliseconds(50);
@@ -294,9 +294,9 @@ TEST_F(RemoteWorkers, AStepThatEndsEarlyIsForgotten) {
         for (unsigned k = 0; k < 10; ++k) batch.submit(k, problemOf(k), kProblemNs);
     }
     // On a slow machine workers may be late with what was forgotten.
-    unsigned atHome = 20;
-    for (int attempt = 0; attempt < 10 && atHome > 0 && hasSoon(2); ++attempt) atHome = runBatch(20, false);
-    EXPECT_EQ(atHome, 0u);
+    unsigned reclaimed = 20;
+    for (int attempt = 0; attempt < 10 && reclaimed > 0 && hasSoon(2); ++attempt) reclaimed = runBatch(20, false);
+    EXPECT_EQ(reclaimed, 0u);
 }
 
 // Has found, in a process of more than ten seconds: workers were lost before they could greet.
@@ -316,9 +316,9 @@ TEST_F(RemoteWorkers, ThatAreLostAreReplaced) {
         // One that stopped is taken for lost after seconds.
         while (m_workers.counts().replaced < before + 2 && Clock::now() - begin < std::chrono::seconds(20)) runBatch(40);
         EXPECT_GE(m_workers.counts().replaced, before + 2);
-        unsigned atHome = 20;
-        while (atHome > 0 && Clock::now() - begin < std::chrono::seconds(40)) atHome = runBatch(20, false);
-        EXPECT_EQ(atHome, 0u);
+        unsigned reclaimed = 20;
+        while (reclaimed > 0 && Clock::now() - begin < std::chrono::seconds(40)) reclaimed = runBatch(20, false);
+        EXPECT_EQ(reclaimed, 0u);
         m_workers.close();
     }
 }

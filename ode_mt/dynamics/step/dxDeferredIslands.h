@@ -1,5 +1,5 @@
-// The islands of one step as units of a deferred run (dxDeferredRun): workers step them, in arenas of their own, and what is needed to take them back is
-// saved where the user has handlers.
+// The islands of one step as units of a deferred run (dxDeferredRun): workers step them, in arenas of their own, and what is needed to take them
+// back is saved where the user has handlers.
 //
 // Threading: step(), save(), arenaOf() and run() on workers, of different islands; all else on the thread that called the step.
 #pragma once

@@ -6,8 +6,8 @@
 //   run                                   WORKERS           each unit in a scope of its own (dxDeferredScope)
 //   commit                                caller            reports and moved-notifications, up to a unit that ends it
 //
-// Invariants: the caller sees what a loop over the units would have shown it. A unit is interrupted by an error, and by a message where the user has a
-// handler, which may look at the world or never return: it has to be run again in order, so that those after it need not run at all.
+// Invariants: the caller sees what a loop over the units would have shown it. A unit is interrupted by an error, and by a message where the user
+// has a handler, which may look at the world or never return: it has to be run again in order, so that those after it need not run at all.
 //
 // Memory is kept from run to run. Threading: a worker writes its own record and the units that it runs; all else is the caller's.
 #pragma once

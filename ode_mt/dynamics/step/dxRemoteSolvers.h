@@ -62,8 +62,8 @@ public:
     // The part of a step's cost that should go out; 0: it does not pay.
     virtual double predictShare(const dxRemoteWork &work, unsigned workers) const = 0;
 
-    // Chooses islands, the most expensive first, until they are `share` of the cost of all; marks their records. `isForced`: they are not taken back from
-    // workers that work. Throws std::bad_alloc.
+    // Chooses islands, the most expensive first, until they are `share` of the cost of all; marks their records. `isForced`: they are not taken
+    // back from workers that work. Throws std::bad_alloc.
     virtual std::unique_ptr<dxRemoteStep> begin(dxDeferredIslands &islands, double share, bool isForced) = 0;
 
     // Islands of the next step go out: workers that sleep should be awake by then.

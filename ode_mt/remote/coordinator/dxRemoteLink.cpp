@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "remote/coordinator/dxRemoteNumber.h"
+#include "remote/coordinator/dxRemoteProblem.h"
 
 namespace {
 
@@ -54,7 +54,8 @@ void dxRemoteLink::foresee(double from) {
     for (dxRemoteInFlight &problems : m_inFlight) {
         const double length = problems.cost * m_slowness + problems.transferNs;
         problems.expected = std::max(from, problems.sent) + length;
-        problems.deadline = std::max(problems.deadline, std::max(from, problems.sent) + kLateFactor * length + (problems.isPatient ? kPatienceNs : kLateNs));
+        const double patience = problems.isPatient ? kPatienceNs : kLateNs;
+        problems.deadline = std::max(problems.deadline, std::max(from, problems.sent) + kLateFactor * length + patience);
         from = problems.expected;
     }
 }
@@ -88,7 +89,8 @@ void dxRemoteLink::withdraw(std::uint64_t number) {
 }
 
 bool dxRemoteLink::takeWithdrawal(std::uint64_t &number) {
-    const auto found = std::find_if(m_inFlight.begin(), m_inFlight.end(), [](const dxRemoteInFlight &one) { return one.isWithdrawn && !one.isWithdrawalSent; });
+    const auto isNews = [](const dxRemoteInFlight &one) { return one.isWithdrawn && !one.isWithdrawalSent; };
+    const auto found = std::find_if(m_inFlight.begin(), m_inFlight.end(), isNews);
     if (found == m_inFlight.end()) return false;
     found->isWithdrawalSent = true;
     number = found->number;

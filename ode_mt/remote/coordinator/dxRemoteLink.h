@@ -1,4 +1,4 @@
-// What home knows of one worker: whether it may be given problems, how fast it is, what it has to do, and when that should be back.
+// What the coordinator knows of one worker: whether it may be given problems, how fast it is, what it has to do, and when that should be back.
 //
 // A link is New until its worker has said hello, Measured in between, Open when it may be given problems, and Lost for ever when it
 // disconnected, was refused, or sent what cannot be. An open link of which something is late gets nothing until all is back, and then not for
@@ -9,7 +9,7 @@
 //
 // Only send() takes memory, and changes nothing where there is none.
 //
-// Units: times in ns of one clock, costs in ns of work at home. Threading: under the lock of dxRemoteWorkers.
+// Units: times in ns of one clock, costs in ns of work in this process. Threading: under the lock of dxRemoteWorkers.
 #pragma once
 
 #include <algorithm>
@@ -27,10 +27,10 @@ struct dxRemoteInFlight {
     double transferNs;    // there and back, the worker's sleep included
     double sent;
     double expected = 0;  // when they should be back
-    double deadline = 0;  // after which home solves them
+    double deadline = 0;  // after which they are reclaimed
     bool isWithdrawn = false, isWithdrawalSent = false;
     bool meetsSleep = false;  // the worker may have been asleep
-    bool isPatient = false;   // home has nothing better to do: it waits for seconds
+    bool isPatient = false;   // this process has nothing better to do: it waits for seconds
 };
 
 class dxRemoteLink {
@@ -83,7 +83,7 @@ public:
     // --- what was measured ---------------------------------------------------------------------------------
     double latencyNs() const { return m_latencyNs; }   // there and back
     double nsPerByte() const { return m_nsPerByte; }
-    double slowness(double now) const;                 // time of a problem there, of that at home
+    double slowness(double now) const;                 // time of a problem there, over that here
 
 private:
     static constexpr unsigned kOnTimeToForget = 100;  // messages in a row that let the next pause be the first one's again

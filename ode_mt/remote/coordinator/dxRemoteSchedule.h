@@ -1,13 +1,13 @@
-// Rules by which problems are given to workers: dxRemoteWorkers keeps them, and bench/scale/ predicts from them how long a step takes.
+// Rules by which problems are given to workers: dxRemoteScheduler keeps them, and bench/scale/ predicts from them how long a step takes.
 //
-// Units: costs in ns of work at home, times in ns of one clock.
+// Units: costs in ns of work in this process, times in ns of one clock.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
 
-// A thread of home's that has other work looks for messages no more often, as each look costs it system calls (dxGuards.h), but for when a problem
-// is new and a worker has nothing to do.
+// A thread that has other work looks for messages no more often, as each look costs it system calls (dxGuards.h), but for when a problem is new and a
+// worker has nothing to do.
 constexpr double kRemoteBetweenLooksNs = 60e3;
 
 // Problems go to the link with the least to do. Of elements with a dxRemoteLink `link`; null: none is free.
@@ -31,8 +31,8 @@ inline double dxMaxMessageCost(double queuedCost, std::size_t links) {
     return std::min(kMaxNs, queuedCost / (2.0 * static_cast<double>(links)));
 }
 
-// Home, which has nothing left to do, takes problems back if it needs less than this part of the time until they are expected.
-inline bool dxIsSoonerAtHome(double cost, double expected, double now) {
+// A process that has nothing left to do reclaims problems if it needs less than this part of the time until they are expected.
+inline bool dxIsSoonerHere(double cost, double expected, double now) {
     constexpr double kSooner = 0.8;
     return cost <= kSooner * (expected - now);
 }

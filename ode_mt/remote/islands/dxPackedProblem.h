@@ -66,8 +66,8 @@ struct dxPackedResult {
     };
 };
 
-// Writes x into the problem and raises exceptions. GivenBack: the worker could not solve it (no bytes say so, too); Wrong: the bytes are no result of this problem; then
-// nothing is changed.
+// Writes x into the problem and raises exceptions. GivenBack: the worker could not solve it (no bytes say so, too); Wrong: the bytes are no
+// result of this problem; then nothing is changed.
 enum class dxPackedAnswer { Solved, GivenBack, Wrong };
 dxPackedAnswer dxReadPackedResult(const std::vector<std::byte> &bytes, const dxWorldStepProblem &problem);
 

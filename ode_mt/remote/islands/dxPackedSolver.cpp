@@ -24,7 +24,7 @@ namespace {
 constexpr unsigned kPair = 2;
 constexpr unsigned kAlignment = 64;  // bytes, of arrays that kernels read by vectors
 
-// Keeps messages for home, which reports them in its own order. Errors end the scope.
+// Keeps messages for the coordinator, which reports them in its own order. Errors end the scope.
 class KeptMessages final : public dxUpstreamScope {
 public:
     std::uint32_t takeBlock(std::uint64_t) override { return 0; }
@@ -33,7 +33,7 @@ public:
         if (kind != dxReport::Message) throw dxUpstreamInterrupted();
         char text[1024];
         const int length = std::vsnprintf(text, sizeof text, format, arguments);
-        if (length < 0 || length >= static_cast<int>(sizeof text)) throw dxUpstreamInterrupted();  // home has room for it
+        if (length < 0 || length >= static_cast<int>(sizeof text)) throw dxUpstreamInterrupted();  // the coordinator has room for it
         const dxPackedResult::Message head{number, static_cast<std::uint32_t>(length)};
         const auto *const bytes = reinterpret_cast<const std::byte *>(&head);
         m_bytes.insert(m_bytes.end(), bytes, bytes + sizeof head);

@@ -187,5 +187,5 @@ void dxRemoteIslands::apply(Entry &entry, const dxRemoteBytes &result, bool hasR
 void dxRemoteIslands::solve(const dxIslandStep &step, Entry &entry) {
     const dxStopwatch stopwatch;
     dxDantzigSolver().solve(step, entry.problem);
-    m_batch->noteHome(solverCost(entry), stopwatch.ns());
+    m_batch->noteLocal(solverCost(entry), stopwatch.ns());
 }

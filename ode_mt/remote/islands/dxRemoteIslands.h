@@ -14,7 +14,7 @@
 #include "dynamics/step/dxRemoteSolvers.h"
 #include "dynamics/step/islands/dxIslandStep.h"
 #include "dynamics/world_step/dxWorldStepProblem.h"
-#include "remote/coordinator/dxRemoteWorkers.h"
+#include "remote/coordinator/dxRemoteBatch.h"
 
 // What a step asks. Its islands go to dxRemoteWorkers::instance().
 dxRemoteSolvers &dxRemoteIslandSolvers();
@@ -29,8 +29,8 @@ public:
 
     unsigned count() const override { return static_cast<unsigned>(m_entries.size()); }
     void make(unsigned entry, unsigned worker) override;
-    void poll() override { dxRemoteWorkers::instance().help(); }
-    void noteStepped(double cost, double ns) override { m_batch->noteHome(cost * m_scale, ns); }
+    void poll() override { dxRemoteWorkers::instance().poll(); }
+    void noteStepped(double cost, double ns) override { m_batch->noteLocal(cost * m_scale, ns); }
     void finish(unsigned worker) override;
     dxRemoteRecord finishRest() override;
 

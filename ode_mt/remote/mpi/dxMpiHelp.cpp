@@ -10,8 +10,8 @@
 
 namespace {
 
-// Variables of Open MPI's base library (opal/util/show_help.h of versions 4.0 and 4.1): the function that every part calls with a help text, and the one
-// that writes it to standard error.
+// Variables of Open MPI's base library (opal/util/show_help.h of versions 4.0 and 4.1): the function that every part calls with a help text, and
+// the one that writes it to standard error.
 using ShowHelp = int(const char *file, const char *topic, int hasHeader, ...);
 using WriteHelp = int(const char *file, const char *topic, bool hasHeader, va_list values);
 

@@ -61,8 +61,8 @@ bool doesJobSurvive() {
     return false;
 }
 
-// Open MPI's processes listen at the first port that is free from 1024 on, so that a new worker would have a lost one's, to which home may still
-// try to connect: both then wait for ever. Each gets ports of its own, unless the user has chosen.
+// Open MPI's processes listen at the first port that is free from 1024 on, so that a new worker would have a lost one's, to which the
+// coordinator may still try to connect: both then wait for ever. Each gets ports of its own, unless the user has chosen.
 void listenElsewhere() {
     constexpr unsigned kFirst = 20000, kCount = 12000;
     char port[16];
@@ -98,10 +98,10 @@ std::string textOf(int error) {
     return text;
 }
 
-// While MPI begins on this thread, and while it starts the first worker: a process that it forks has no files of the program's but standard output and
-// error. Without mpirun Open MPI starts one, in MPI_Init (4: orted) or in the first MPI_Comm_spawn (5: prte), that would read the program's standard
-// input for the workers, and what it has read is lost to the program (its key ompi_stdin_target ends Open MPI 4.1's server); and it would hold the
-// program's pipes open, whose other ends would never see their end.
+// While MPI begins on this thread, and while it starts the first worker: a process that it forks has no files of the program's but standard
+// output and error. Without mpirun Open MPI starts one, in MPI_Init (4: orted) or in the first MPI_Comm_spawn (5: prte), that would read the
+// program's standard input for the workers, and what it has read is lost to the program (its key ompi_stdin_target ends Open MPI 4.1's server);
+// and it would hold the program's pipes open, whose other ends would never see their end.
 class NoFilesForChildren {
 public:
     NoFilesForChildren() {
@@ -190,7 +190,7 @@ bool dxMpiTransport::initialise(int wantedLevel, std::string &reason) {
     return true;
 }
 
-std::unique_ptr<dxMpiTransport> dxMpiTransport::openHome(unsigned wanted, std::string &reason) {
+std::unique_ptr<dxMpiTransport> dxMpiTransport::openCoordinator(unsigned wanted, std::string &reason) {
     std::unique_ptr<dxMpiTransport> transport(new dxMpiTransport);
     if (!transport->initialise(wanted > 0 ? MPI_THREAD_MULTIPLE : MPI_THREAD_SERIALIZED, reason)) return nullptr;
     if (wanted > 0) {
@@ -279,7 +279,8 @@ bool dxMpiTransport::send(unsigned link, const void *message, std::size_t bytes)
     m_sending.push_back({std::move(copy), MPI_REQUEST_NULL});
     Sending &sending = m_sending.back();
     const Link &to = m_links[link];
-    if (MPI_Isend(sending.bytes.data(), static_cast<int>(bytes), MPI_BYTE, to.rank, kTag, to.communicator, &sending.request) == MPI_SUCCESS) return true;
+    const int count = static_cast<int>(bytes);
+    if (MPI_Isend(sending.bytes.data(), count, MPI_BYTE, to.rank, kTag, to.communicator, &sending.request) == MPI_SUCCESS) return true;
     m_sending.pop_back();
     return false;
 }

@@ -1,5 +1,5 @@
-// Messages by MPI. Home and its workers are processes of one job (MPMD: mpirun -np 1 program : -np 15 odemt_worker), home the one of rank
-// 0; or each worker is a job of its own that home has spawned, one after the other, so that none is in another one's.
+// Messages by MPI. The coordinator and its workers are processes of one job (MPMD: mpirun -np 1 program : -np 15 odemt_worker), the coordinator
+// the one of rank 0; or each worker is a job of its own that the coordinator has spawned, one after the other, so that none is in another one's.
 //
 // A lost worker of the second kind is replaced where mpirun lets the job live without it (--enable-recovery of Open MPI 4, --with-ft ulfm of 5): a
 // thread of its own calls MPI_Comm_spawn, which takes a fraction of a second. If the new process dies before it has greeted, that call may take a
@@ -28,8 +28,8 @@
 
 class dxMpiTransport final : public dxRemoteTransport {
 public:
-    // Home's. `wanted`: workers to spawn; 0: the other processes of the job. Null: `reason` says why.
-    static std::unique_ptr<dxMpiTransport> openHome(unsigned wanted, std::string &reason);
+    // The coordinator's. `wanted`: workers to spawn; 0: the other processes of the job. Null: `reason` says why.
+    static std::unique_ptr<dxMpiTransport> openCoordinator(unsigned wanted, std::string &reason);
 
     // A worker's, with one link: to the process that has spawned it, else to that of rank 0.
     static std::unique_ptr<dxMpiTransport> openWorker(std::string &reason);

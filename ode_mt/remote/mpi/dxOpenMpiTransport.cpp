@@ -10,7 +10,7 @@ extern "C" __attribute__((visibility("default"))) dxRemoteTransport *dxOpenRemot
     if (interfaceVersion != dxRemoteTransport::kInterfaceVersion)
         text = "libode_mt_mpi.so is of another version than the library";
     else
-        transport = dxMpiTransport::openHome(wanted, text);
+        transport = dxMpiTransport::openCoordinator(wanted, text);
     std::snprintf(reason, reasonSize, "%s", text.c_str());
     return transport.release();
 }

@@ -1,5 +1,6 @@
 // How long a thread sleeps between two looks at what it cannot be woken by. The pause grows while nothing comes: a message that is expected is
-// seen at once, and a process that waits for minutes takes next to nothing from the others of its machine (docs/notes/2026-11-remote-experiments.md has figures).
+// seen at once, and a process that waits for minutes takes next to nothing from the others of its machine
+// (docs/notes/2026-11-remote-experiments.md has figures).
 //
 // A thread that has nothing else to do looks at once again for a moment, before its first pause: to fall asleep and wake up takes a core longer than
 // most answers take to come. It keeps its core for that moment: one that yields it to a thread that computes gets it back at the end of a time slice

@@ -1,4 +1,4 @@
-// A message between home and a worker: a header, then a body that depends on the kind. The page is docs/remote.md.
+// A message between the coordinator and a worker: a header, then a body that depends on the kind. The page is docs/remote.md.
 //
 // Numbers are in the sender's byte order, by which the magic number tells a receiver of another one.
 #pragma once
@@ -13,15 +13,15 @@ using dxRemoteBytes = std::vector<std::byte>;
 
 enum class dxRemoteKind : std::uint16_t {
     Hello,     // worker: dxRemoteHello
-    Welcome,   // home: the worker is taken
-    Refusal,   // home: it is not; text
-    Echo,      // home: to measure the link; the worker sends it back
-    Problems,  // home: items
+    Welcome,   // coordinator: the worker is taken
+    Refusal,   // coordinator: it is not; text
+    Echo,      // coordinator: to measure the link; the worker sends it back
+    Problems,  // coordinator: items
     Results,   // worker: items; the number is that of the problems
-    Withdraw,  // home: the problems of this number are no longer wanted
-    Alive,     // home: nothing but that, for a worker that may go on sleeping
-    Quit,      // home: the worker ends; body: one byte, whether all end in good order
-    Wake,      // home: problems are about to come
+    Withdraw,  // coordinator: the problems of this number are no longer wanted
+    Alive,     // coordinator: nothing but that, for a worker that may go on sleeping
+    Quit,      // coordinator: the worker ends; body: one byte, whether all end in good order
+    Wake,      // coordinator: problems are about to come
 };
 
 struct dxRemoteHeader {
@@ -37,7 +37,7 @@ struct dxRemoteHeader {
 };
 static_assert(sizeof(dxRemoteHeader) == 32, "the body is aligned");
 
-// What a worker says of itself. Workers of which all is equal to home's compute the same bits.
+// What a worker says of itself. Workers of which all is equal to the coordinator's compute the same bits.
 struct dxRemoteHello {
     static constexpr std::size_t kTextSize = 32;
 

@@ -1,9 +1,9 @@
 // What carries messages between the program's process and its workers: MPI (remote/mpi/, loaded by dxRemoteLoader), threads in tests.
 //
-// A transport has links: home one to each worker, a worker one (link 0) to home. Messages are whole, and those of one link arrive in the
-// order in which they were sent. They may be lost or damaged with a worker, which is found out by others (dxRemoteLink).
+// A transport has links: the coordinator one to each worker, a worker one (link 0) to the coordinator. Messages are whole, and those of one link
+// arrive in the order in which they were sent. They may be lost or damaged with a worker, which is found out by others (dxRemoteLink).
 //
-// Home's may be able to replace a lost worker by a new one, of which the link is then.
+// The coordinator's may be able to replace a lost worker by a new one, of which the link is then.
 //
 // Threading: one call at a time. The thread that made the transport replaces workers and closes it; others may send and receive where it says so.
 // Nothing is waited for but in open and close.
@@ -44,8 +44,8 @@ public:
     // What has become of it. Here: its messages can be sent and received.
     virtual Replacement replacement() { return Replacement::Failed; }
 
-    // Home's, once. Where the program ends what carries the messages, and not the transport, `end` is called before, on the program's thread: it has this
-    // transport closed on the thread of its calls, and returns when that is done.
+    // The coordinator's, once. Where the program ends what carries the messages, and not the transport, `end` is called before, on the program's
+    // thread: it has this transport closed on the thread of its calls, and returns when that is done.
     virtual void setEnd(void (* /*end*/)()) {}
 
     // The last call. `isOrderly`: all others close as well, and may be waited for.

@@ -48,7 +48,7 @@ dxRemoteServer::End dxRemoteServer::serve(double maxSilence) {
     return m_end;
 }
 
-// Messages that are not whole are home's to miss.
+// Messages that are not whole are the coordinator's to miss.
 dxRemoteServer::Received dxRemoteServer::receiveAll() {
     Received received = Received::Nothing;
     unsigned link = 0;

@@ -1,7 +1,7 @@
-// A worker: solves the problems that home sends, until home says that it may end or is not heard of any more.
+// A worker: solves the problems that the coordinator sends, until the coordinator says that it may end or is not heard of any more.
 //
-// Memory: a problem for which there is none is given back, by a result without bytes, or all of a message by one without results. A worker that cannot
-// even receive or answer ends.
+// Memory: a problem for which there is none is given back, by a result without bytes, or all of a message by one without results. A worker that
+// cannot even receive or answer ends.
 //
 // Threading: one thread, that of the transport.
 #pragma once
@@ -21,7 +21,7 @@ public:
 
     dxRemoteServer(dxRemoteTransport &transport, const dxRemoteHello &hello, Solve solve);
 
-    // `maxSilence` (s): without a message for so long, home is taken to be gone.
+    // `maxSilence` (s): without a message for so long, the coordinator is taken to be gone.
     End run(double maxSilence);
 
     // Why it was refused.

@@ -64,7 +64,7 @@ bool dxSimulatedNetwork::send(unsigned, const void *message, std::size_t bytes) 
     const Lock lock(m_mutex);
     if (m_isLost) return false;
     const Clock::time_point now = Clock::now();
-    put(m_toHome, std::move(copy), now);
+    put(m_toCoordinator, std::move(copy), now);
     if (!m_isForAllThreads || m_sleepsUntil > now + kBesideWorker) m_wake.notify_one();
     return true;
 }
@@ -117,16 +117,16 @@ bool dxSimulatedNetwork::look(Lock &lock) {
     try {
         const bool hasPassed = passOn(lock), hasTaken = takeIn(lock);
         return hasPassed || hasTaken;
-    } catch (const std::bad_alloc &) {  // the message is gone; home takes the worker to be late
+    } catch (const std::bad_alloc &) {  // the message is gone; the coordinator takes the worker to be late
         m_isLost = true;
         return false;
     }
 }
 
 bool dxSimulatedNetwork::passOn(Lock &lock) {
-    if (m_toHome.messages.empty() || m_toHome.messages.front().due > Clock::now()) return false;
-    const dxRemoteBytes message = std::move(m_toHome.messages.front().bytes);
-    m_toHome.messages.pop_front();
+    if (m_toCoordinator.messages.empty() || m_toCoordinator.messages.front().due > Clock::now()) return false;
+    const dxRemoteBytes message = std::move(m_toCoordinator.messages.front().bytes);
+    m_toCoordinator.messages.pop_front();
     const auto send = [&] {
         const dxUnlocked others(lock);
         return m_below->send(0, message.data(), message.size());
@@ -172,7 +172,7 @@ void dxSimulatedNetwork::run(const Open &open) {
 }
 
 void dxSimulatedNetwork::carry(Lock &lock) {
-    while (m_state == State::Open || !(m_isLost || m_toHome.messages.empty())) {
+    while (m_state == State::Open || !(m_isLost || m_toCoordinator.messages.empty())) {
         if (look(lock))
             m_pause.reset();
         else
@@ -185,5 +185,5 @@ dxSimulatedNetwork::Clock::time_point dxSimulatedNetwork::nextLook() {
     const Clock::time_point now = Clock::now();
     if (m_isLooking || (m_state == State::Open && now - m_workerLooked < kLately)) return now + kBesideWorker;
     const Clock::time_point next = now + m_pause.next();
-    return m_isLost || m_toHome.messages.empty() ? next : std::min(next, m_toHome.messages.front().due);
+    return m_isLost || m_toCoordinator.messages.empty() ? next : std::min(next, m_toCoordinator.messages.front().due);
 }

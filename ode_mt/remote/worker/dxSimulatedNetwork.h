@@ -1,16 +1,17 @@
-// A network between a worker and home that is slower than the one that is there: what a transport carries arrives
+// A network between a worker and the coordinator that is slower than the one that is there: what a transport carries arrives
 //
 //   delay + bytes / bandwidth          after it was sent, in both directions, each of which is busy for bytes / bandwidth,
 //
-// so that what a step costs on a cluster can be tried on one machine. A message that comes from home is taken to have been sent between the two
-// looks of which the second one found it.
+// so that what a step costs on a cluster can be tried on one machine. A message that comes from the coordinator is taken to have been sent
+// between the two looks of which the second one found it.
 //
-// Messages are carried by whoever looks, one at a time: the worker's own thread whenever it asks what is waiting and between two problems (carrying()),
-// and a thread of this object's, which makes the transport below and closes it, sleeps until something is due, and looks seldom while the worker's
-// does. Where the transport below is for one thread only, that thread carries all. Sleeps are as exact as the system's timers.
+// Messages are carried by whoever looks, one at a time: the worker's own thread whenever it asks what is waiting and between two problems
+// (carrying()), and a thread of this object's, which makes the transport below and closes it, sleeps until something is due, and looks seldom
+// while the worker's does. Where the transport below is for one thread only, that thread carries all. Sleeps are as exact as the system's
+// timers.
 //
-// Why two: one of its own alone found no core where home and the worker keep one each busy, and was milliseconds late (docs/scale.md); the worker's alone
-// would let a result wait for the next problem, which may take 0.1 s.
+// Why two: one of its own alone found no core where the coordinator and the worker keep one each busy, and was milliseconds late
+// (docs/scale.md); the worker's alone would let a result wait for the next problem, which may take 0.1 s.
 //
 // Units: ns. Threading: that of a transport; the thread below is internal.
 #pragma once
@@ -88,7 +89,7 @@ private:
     const dxSimulatedLink m_link;
     mutable std::mutex m_mutex;
     std::condition_variable m_wake, m_changed;
-    Direction m_toHome, m_toWorker;
+    Direction m_toCoordinator, m_toWorker;
     State m_state = State::Opening;
     bool m_isOrderly = false, m_isLost = false;
     bool m_isForAllThreads = false;  // the transport below

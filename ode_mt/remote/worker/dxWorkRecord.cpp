@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "remote/islands/dxPackedProblem.h"
-#include "remote/coordinator/dxRemoteNumber.h"
+#include "remote/coordinator/dxRemoteProblem.h"
 
 namespace {
 

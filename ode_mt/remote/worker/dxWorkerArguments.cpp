@@ -49,7 +49,8 @@ std::string dxReadWorkerArguments(const std::vector<std::string> &words, dxWorke
         if (option == "--record") {
             arguments.record = text;
         } else if (option == "--delay") {
-            if (!read(text, kTimes, value) || value > dxSimulatedLink::kMaxDelayNs) return option + ": '" + text + "' is no time up to 1s, as 50us or 1ms";
+            if (!read(text, kTimes, value) || value > dxSimulatedLink::kMaxDelayNs)
+                return option + ": '" + text + "' is no time up to 1s, as 50us or 1ms";
             arguments.link.delayNs = value;
         } else {
             if (!read(text, kRates, value)) return option + ": '" + text + "' is no rate, as 117MB/s or 1Gbit/s";

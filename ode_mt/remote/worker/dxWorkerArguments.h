@@ -11,7 +11,7 @@ struct dxWorkerArguments {
     std::string record;  // file for dxWorkRecord; empty: none
 
     static constexpr const char *kHelp =
-        "  --delay TIME       what home and this worker send arrives so much later: 50us, 1ms\n"
+        "  --delay TIME       what the coordinator and this worker send arrives so much later: 50us, 1ms\n"
         "  --bandwidth RATE   and takes bytes / RATE: 117MB/s, 1Gbit/s\n"
         "  --record FILE      a line for each problem is appended: step, number, bodies, joints, rows, bytes, ns, bytes of the result\n";
 };

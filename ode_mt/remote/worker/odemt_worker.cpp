@@ -25,7 +25,7 @@
 
 namespace {
 
-constexpr double kMaxSilence = 60;  // s; home is heard of every few seconds
+constexpr double kMaxSilence = 60;  // s; the coordinator is heard of every few seconds
 
 std::unique_ptr<dxRemoteTransport> openTransport(const dxSimulatedLink &link, dxSimulatedNetwork *&network, std::string &reason) {
     const auto openMpi = [](std::string &why) -> std::unique_ptr<dxRemoteTransport> { return dxMpiTransport::openWorker(why); };

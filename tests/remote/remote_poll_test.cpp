@@ -1,5 +1,5 @@
-// Home's threads carry messages between two problems: one at a time, only where the transport allows it, and whatever its calls do.
-#include "remote/coordinator/dxRemoteWorkers.h"
+// Threads that step worlds carry messages between two problems: one at a time, only where the transport allows it, and whatever its calls do.
+#include "remote/coordinator/dxRemoteBatch.h"
 
 #include <gtest/gtest.h>
 #include <pthread.h>
@@ -97,9 +97,9 @@ private:
     const std::thread::id m_faulty;
 };
 
-class RemoteHelp : public testing::Test {
+class RemotePoll : public testing::Test {
 protected:
-    ~RemoteHelp() override { m_workers.close(); }
+    ~RemotePoll() override { m_workers.close(); }
 
     // `faulty`: a thread whose calls throw. `fate`: of workers, which are replaced.
     void open(bool isForAllThreads, std::thread::id faulty = {}, const LoopbackTransport::Fate &fate = nullptr) {
@@ -107,14 +107,14 @@ protected:
         ASSERT_EQ(m_workers.capacity().workers, 2u);
     }
 
-    // A step of so many problems, of which home solves what it is given. Returns those that have come back right.
-    unsigned step(unsigned count, bool mayHurry = true) {
-        dxRemoteBatch batch(m_workers, count, mayHurry);
+    // A step of so many problems, of which this process solves what it is given. Returns those that have come back right.
+    unsigned step(unsigned count, bool mayReclaim = true) {
+        dxRemoteBatch batch(m_workers, count, mayReclaim);
         for (unsigned i = 0; i < count; ++i) batch.submit(i, problemOf(i), 100e3);
         unsigned index = 0, right = 0;
         dxRemoteBytes result;
-        for (dxRemoteBatch::Next next; (next = batch.next(index, result)) != dxRemoteBatch::Next::None; m_workers.help())
-            right += next == dxRemoteBatch::Next::AtHome || result == problemOf(index);
+        for (dxRemoteBatch::Next next; (next = batch.next(index, result)) != dxRemoteBatch::Next::None; m_workers.poll())
+            right += next == dxRemoteBatch::Next::Reclaimed || result == problemOf(index);
         return right;
     }
 
@@ -141,9 +141,9 @@ protected:
     Calls m_calls;
 };
 
-// Both workers have one when the second problem has been submitted, and none waits for the next look of home's. Now and then the communication thread has
-// the turn at that moment, on a loaded machine often; of looks every 60 us none or a few would come in time.
-TEST_F(RemoteHelp, AWorkerWithNothingToDoGetsAProblemAtOnce) {
+// Both workers have one when the second problem has been submitted, and none waits for the next look of this thread's. Now and then the
+// communication thread has the turn at that moment, on a loaded machine often; of looks every 60 us none or a few would come in time.
+TEST_F(RemotePoll, AWorkerWithNothingToDoGetsAProblemAtOnce) {
     constexpr unsigned kSteps = 100;
     open(true);
     unsigned atOnce = 0;
@@ -159,26 +159,26 @@ TEST_F(RemoteHelp, AWorkerWithNothingToDoGetsAProblemAtOnce) {
     EXPECT_GT(atOnce, kSteps / 5);
 }
 
-TEST_F(RemoteHelp, IsGivenByTheThreadThatSteps) {
+TEST_F(RemotePoll, IsDoneByTheThreadThatSteps) {
     open(true);
     EXPECT_EQ(step(100, false), 100u);
     EXPECT_TRUE(m_calls.areOf(std::this_thread::get_id()));
 }
 
-TEST_F(RemoteHelp, IsNotGivenWhereOneThreadHasToMakeAllCalls) {
+TEST_F(RemotePoll, IsNotDoneWhereOneThreadHasToMakeAllCalls) {
     open(false);
     EXPECT_EQ(step(100, false), 100u);
     EXPECT_EQ(m_calls.countThreads(), 1u);
     EXPECT_FALSE(m_calls.areOf(std::this_thread::get_id()));
 }
 
-TEST_F(RemoteHelp, IsGivenByOneThreadAtATime) {
+TEST_F(RemotePoll, IsDoneByOneThreadAtATime) {
     open(true);
     expectOneAtATime(50);
     EXPECT_GE(m_calls.countThreads(), 2u);
 }
 
-TEST_F(RemoteHelp, WaitsWhileWorkersAreReplaced) {
+TEST_F(RemotePoll, WaitsWhileWorkersAreReplaced) {
     m_calls.disturb = [] { std::this_thread::sleep_for(std::chrono::microseconds(200)); };
     const unsigned replaced = m_workers.counts().replaced;
     open(true, {}, [](unsigned worker, unsigned count, dxRemoteKind) {
@@ -190,7 +190,7 @@ TEST_F(RemoteHelp, WaitsWhileWorkersAreReplaced) {
     EXPECT_GT(m_workers.counts().replaced, replaced);
 }
 
-TEST_F(RemoteHelp, IsNoPlaceWhereAThreadIsCancelled) {
+TEST_F(RemotePoll, IsNoPlaceWhereAThreadIsCancelled) {
     if (kAddressSanitizer) GTEST_SKIP() << "AddressSanitizer does not bear the end of a cancelled thread";
     open(true);
     unsigned right = 0;
@@ -214,7 +214,7 @@ TEST_F(RemoteHelp, IsNoPlaceWhereAThreadIsCancelled) {
     EXPECT_TRUE(isThere);
 }
 
-// Each call of the transport's that sends raises this signal for its own thread: home's, or the other one, which has signals blocked.
+// Each call of the transport's that sends raises this signal for its own thread: the stepping one, or the other one, which has signals blocked.
 class RaisedSignal {
 public:
     RaisedSignal(Calls &calls, int signal, void (*handle)(int)) : m_signal(signal) {
@@ -231,7 +231,7 @@ private:
 };
 
 // As a call that writes to a worker which has ended.
-TEST_F(RemoteHelp, RaisesNoSignal) {
+TEST_F(RemotePoll, RaisesNoSignal) {
     static std::atomic<int> signals{0};
     const RaisedSignal raised(m_calls, SIGPIPE, [](int) { ++signals; });
     open(true);
@@ -244,7 +244,7 @@ TEST_F(RemoteHelp, RaisesNoSignal) {
     EXPECT_EQ(signals, 1) << "the program's own arrives";
 }
 
-TEST_F(RemoteHelp, LeavesErrnoAndTheSignalMaskAsTheyAre) {
+TEST_F(RemotePoll, LeavesErrnoAndTheSignalMaskAsTheyAre) {
     m_calls.disturb = [] { errno = EPIPE; };
     open(true);
     sigset_t before, after;
@@ -257,7 +257,7 @@ TEST_F(RemoteHelp, LeavesErrnoAndTheSignalMaskAsTheyAre) {
 }
 
 // One that was blocked and pending before stays so.
-TEST_F(RemoteHelp, LeavesTheProgramItsPendingSignal) {
+TEST_F(RemotePoll, LeavesTheProgramItsPendingSignal) {
     sigset_t pipe, pending;
     sigemptyset(&pipe);
     sigaddset(&pipe, SIGPIPE);
@@ -273,7 +273,7 @@ TEST_F(RemoteHelp, LeavesTheProgramItsPendingSignal) {
 }
 
 // As exit() does, which closes them.
-TEST_F(RemoteHelp, LetsHandlersUseTheWorkers) {
+TEST_F(RemotePoll, LetsHandlersUseTheWorkers) {
     static std::atomic<unsigned> handled{0};
     const RaisedSignal raised(m_calls, SIGUSR1, [](int) { handled += dxRemoteWorkers::instance().capacity().workers; });
     open(true);
@@ -290,7 +290,7 @@ void forkInHandler(int) {
     errno = error;
 }
 
-void RemoteHelp::stepInBoth() {
+void RemotePoll::stepInBoth() {
     unsigned right = 50;
     for (int steps = 0; steps < 200 && childOfHandler < 0; ++steps) right = std::min(right, step(50, false));
     if (childOfHandler == 0) _exit(right == 50 && step(50) == 50 && !m_workers.areThere() && m_workers.capacity().workers == 0 ? 0 : 1);
@@ -301,8 +301,8 @@ void RemoteHelp::stepInBoth() {
     EXPECT_EQ(right, 50u);
 }
 
-// The child goes on with the step, at home.
-TEST_F(RemoteHelp, IsNotGivenByTheChildOfAHandlerThatForks) {
+// The child goes on with the step, alone.
+TEST_F(RemotePoll, IsNotDoneByTheChildOfAHandlerThatForks) {
     if (kAddressSanitizer) GTEST_SKIP() << "another thread may hold a lock of AddressSanitizer's, which the child would wait for";
     childOfHandler = -1;
     const RaisedSignal raised(m_calls, SIGUSR1, forkInHandler);
@@ -310,7 +310,7 @@ TEST_F(RemoteHelp, IsNotGivenByTheChildOfAHandlerThatForks) {
     stepInBoth();
 }
 
-TEST_F(RemoteHelp, IsNotWaitedForByTheChildOfAHandlerThatForks) {
+TEST_F(RemotePoll, IsNotWaitedForByTheChildOfAHandlerThatForks) {
     if (kAddressSanitizer) GTEST_SKIP() << "another thread may hold a lock of AddressSanitizer's, which the child would wait for";
     childOfHandler = -1;
     const RaisedSignal raised(m_calls, SIGUSR1, forkInHandler);
@@ -322,10 +322,10 @@ TEST_F(RemoteHelp, IsNotWaitedForByTheChildOfAHandlerThatForks) {
         return fate;
     });
     isWaiting = false;
-    std::thread other([&, home = pthread_self()] {
+    std::thread other([&, stepping = pthread_self()] {
         while (!isWaiting && !isOver) std::this_thread::yield();
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
-        pthread_kill(home, SIGUSR1);
+        pthread_kill(stepping, SIGUSR1);
     });
     stepInBoth();
     isOver = true;
@@ -333,7 +333,7 @@ TEST_F(RemoteHelp, IsNotWaitedForByTheChildOfAHandlerThatForks) {
 }
 
 // Whoever holds the lock at that moment gives it back first.
-TEST_F(RemoteHelp, DoesNotDisturbChildrenOfOtherThreads) {
+TEST_F(RemotePoll, DoesNotDisturbChildrenOfOtherThreads) {
     if (kAddressSanitizer) GTEST_SKIP() << "another thread may hold a lock of AddressSanitizer's, which the child would wait for";
     open(true);
     std::atomic<bool> isOver{false};
@@ -351,7 +351,7 @@ TEST_F(RemoteHelp, DoesNotDisturbChildrenOfOtherThreads) {
     stepping.join();
 }
 
-TEST_F(RemoteHelp, ThatThrowsLeavesTheStepAtHome) {
+TEST_F(RemotePoll, ThatThrowsLeavesTheStepInThisProcess) {
     open(true, std::this_thread::get_id());
     for (int steps = 0; steps < 200 && m_workers.areThere(); ++steps) EXPECT_EQ(step(50), 50u);  // the other thread may be faster
     EXPECT_FALSE(m_workers.areThere());
