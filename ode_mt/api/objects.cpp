@@ -7,11 +7,8 @@
 #include "settings/dxJointAttachment.h"
 #include "dynamics/step/dxJointRemoval.h"
 #include "seams/upstream.h"
-#include "dynamics/quick_step/fast/dxFastQuickStepState.h"
-#include "settings/dxOwnThreads.h"
-#include "settings/dxWorldSolver.h"
-#include "settings/dxWorldStatistics.h"
-#include "settings/dxWorldWorkers.h"
+#include "settings/dxLentThreads.h"
+#include "settings/dxWorldState.h"
 
 extern "C" {
 
@@ -27,10 +24,7 @@ void dWorldSetStepThreadingImplementation(dWorldID world, const dThreadingFuncti
 void dWorldDestroy(dWorldID world) {
     if (world != nullptr) {
         dxWorldWorkers::giveBack(world);
-        dxWorldSolver::forget(world);
-        dxWorldStatistics::forget(world);
-        dxOwnThreads::forget(world);
-        dxFastQuickStepState::forget(world);
+        dxWorldState::forget(world);
     }
     dxUpstreamWorldDestroy(world);
 }

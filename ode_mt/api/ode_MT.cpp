@@ -17,16 +17,14 @@
 #include "settings/dxSettings.h"
 #include "settings/dxStepStatistics.h"
 #include "settings/dxWorkers.h"
-#include "settings/dxWorldSolver.h"
+#include "settings/dxWorldState.h"
 #include "settings/dxWorldStatistics.h"
 #include "threading/timeline/dxTimeline.h"
 
 namespace {
 
-// The getters' numbers wrap, so that the difference of two readings is right whatever was counted before.
-unsigned lowBits(const dxStepStatistics::Count &count) {
-    return static_cast<unsigned>(count.load(std::memory_order_relaxed));
-}
+// The getters return members of dODE_MT_Statistics. Their numbers wrap, so that the difference of two readings is right whatever was counted before.
+unsigned lowBits(unsigned long long dODE_MT_Statistics::*count) { return static_cast<unsigned>(dxStepStatistics::instance().read().*count); }
 
 // Returns what note() returns, or false where it has no memory. That is reported outside the catch clause, as the handler may leave.
 template <class Note>
@@ -94,19 +92,19 @@ const char *dODE_MT_GetAlgorithm() { return dxSettings::instance().algorithmName
 
 int dODE_MT_SetSolver(dWorldID world, const char *name) {
     dUASSERT(world, "bad world argument");
-    return noteSolver([=] { return dxWorldSolver::choose(world, name ? name : "(null)"); });
+    return noteSolver([=] { return dxSetSolver(world, name ? name : "(null)"); });
 }
 
 const char *dODE_MT_GetSolver(dWorldID world) {
     dUASSERT(world, "bad world argument");
-    return dxSettings::nameOfSolver(dxWorldSolver::of(world).solver);
+    return dxSettings::nameOfSolver(dxWorldSettings::of(world).solver.solver);
 }
 
 int dODE_MT_SetSolverTolerance(dWorldID world, double tolerance) {
     dUASSERT(world, "bad world argument");
     if (dxSolverChoice::isTolerance(tolerance))
         return noteSolver([=] {
-            dxWorldSolver::setTolerance(world, tolerance);
+            dxWorldState::of(world).setTolerance(tolerance);
             return true;
         });
     dMessage(0, "ODE_MT: no solver tolerance %g; known: a number from 0 to 1", tolerance);
@@ -115,20 +113,20 @@ int dODE_MT_SetSolverTolerance(dWorldID world, double tolerance) {
 
 double dODE_MT_GetSolverTolerance(dWorldID world) {
     dUASSERT(world, "bad world argument");
-    return dxWorldSolver::of(world).tolerance;
+    return dxWorldSettings::of(world).solver.tolerance;
 }
 
 void dODE_MT_SetWarmStart(dWorldID world, int isWarm) {
     dUASSERT(world, "bad world argument");
     noteSolver([=] {
-        dxWorldSolver::setWarmStart(world, isWarm != 0);
+        dxWorldState::of(world).setWarmStart(isWarm != 0);
         return true;
     });
 }
 
 int dODE_MT_GetWarmStart(dWorldID world) {
     dUASSERT(world, "bad world argument");
-    return dxWorldSolver::of(world).isWarm ? 1 : 0;
+    return dxWorldSettings::of(world).solver.isWarm ? 1 : 0;
 }
 
 int dODE_MT_SetCallbackPolicy(const char *name) {
@@ -151,37 +149,30 @@ int dODE_MT_SetThreadManager(const char *name) { return dxWorkers::instance().ch
 
 const char *dODE_MT_GetThreadManager() { return dxWorkers::instance().name(); }
 
-unsigned dODE_MT_GetParallelSteps() { return lowBits(dxStepStatistics::instance().parallelSteps); }
+unsigned dODE_MT_GetParallelSteps() { return lowBits(&dODE_MT_Statistics::parallelSteps); }
 
-unsigned dODE_MT_GetParallelIslands() { return lowBits(dxStepStatistics::instance().parallelIslands); }
+unsigned dODE_MT_GetParallelIslands() { return lowBits(&dODE_MT_Statistics::parallelIslands); }
 
-unsigned dODE_MT_GetTeamSteps() { return lowBits(dxStepStatistics::instance().teamSteps); }
+unsigned dODE_MT_GetTeamSteps() { return lowBits(&dODE_MT_Statistics::teamSteps); }
 
-unsigned dODE_MT_GetParallelCollisions() { return lowBits(dxStepStatistics::instance().parallelCollisions); }
+unsigned dODE_MT_GetParallelCollisions() { return lowBits(&dODE_MT_Statistics::parallelCollisions); }
 
-unsigned dODE_MT_GetSharedCollisions() { return lowBits(dxStepStatistics::instance().sharedCollisions); }
+unsigned dODE_MT_GetSharedCollisions() { return lowBits(&dODE_MT_Statistics::sharedCollisions); }
 
-unsigned dODE_MT_GetContactsAhead() { return lowBits(dxStepStatistics::instance().contactsAhead); }
+unsigned dODE_MT_GetContactsAhead() { return lowBits(&dODE_MT_Statistics::contactsAhead); }
 
-unsigned dODE_MT_GetContactsAheadUnused() { return lowBits(dxStepStatistics::instance().contactsAheadUnused); }
+unsigned dODE_MT_GetContactsAheadUnused() { return lowBits(&dODE_MT_Statistics::contactsAheadUnused); }
 
-unsigned dODE_MT_GetDirectIslands() { return lowBits(dxStepStatistics::instance().directIslands); }
+unsigned dODE_MT_GetDirectIslands() { return static_cast<unsigned>(dxStepStatistics::instance().directIslands); }
 
-unsigned dODE_MT_GetDirectFallbacks() { return lowBits(dxStepStatistics::instance().directFallbacks); }
+unsigned dODE_MT_GetDirectFallbacks() { return static_cast<unsigned>(dxStepStatistics::instance().directFallbacks); }
 
 void dODE_MT_GetStatistics(dODE_MT_Statistics *statistics) {
     if (statistics == nullptr) {
         dMessage(0, "ODE_MT: dODE_MT_GetStatistics was given no place for them (NULL)");
         return;
     }
-    const dxStepStatistics &counted = dxStepStatistics::instance();
-    statistics->parallelSteps = counted.parallelSteps;
-    statistics->parallelIslands = counted.parallelIslands;
-    statistics->teamSteps = counted.teamSteps;
-    statistics->parallelCollisions = counted.parallelCollisions;
-    statistics->sharedCollisions = counted.sharedCollisions;
-    statistics->contactsAhead = counted.contactsAhead;
-    statistics->contactsAheadUnused = counted.contactsAheadUnused;
+    *statistics = dxStepStatistics::instance().read();
 }
 
 const char *dODE_MT_GetReasonText(int reason) { return dxTextOfReason(reason); }

@@ -14,14 +14,14 @@
 #include "collision/dxSpaceCollision.h"
 #include "collision/spaces/dxOrderedSpace.h"
 #include "error.h"
-#include "settings/dxOwnThreads.h"
 #include "settings/dxSettings.h"
 #include "settings/dxWorkers.h"
+#include "settings/dxWorldState.h"
 
 namespace {
 
 bool choose(const dxWorld *world, unsigned threads) try {
-    dxOwnThreads::choose(world, threads);
+    dxSetThreads(world, threads);
     return true;
 } catch (const std::bad_alloc &) {
     return false;
@@ -60,7 +60,7 @@ extern "C" {
 int dODE_MT_SetWorldThreads(dWorldID world, int numThreads) {
     dUASSERT(world, "bad world argument");
     const unsigned threads = dxSettings::instance().resolveThreads(numThreads);
-    if (!maySet(threads, dxOwnThreads::of(world))) return 0;
+    if (!maySet(threads, dxWorldSettings::of(world).threads)) return 0;
     const bool isChosen = choose(world, threads);
     if (!isChosen) dMessage(0, "ODE_MT: no memory to note the number of threads of a world");
     dxWorkers::instance().resize();
@@ -69,7 +69,7 @@ int dODE_MT_SetWorldThreads(dWorldID world, int numThreads) {
 
 int dODE_MT_GetWorldThreads(dWorldID world) {
     dUASSERT(world, "bad world argument");
-    return static_cast<int>(dxOwnThreads::inForce(dxOwnThreads::of(world)));
+    return static_cast<int>(dxWorldSettings::of(world).threadsInForce());
 }
 
 void dODE_MT_SetSpaceThreads(dSpaceID space, int numThreads) {

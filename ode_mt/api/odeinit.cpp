@@ -8,22 +8,12 @@
 #include <atomic>
 #include <mutex>
 
-#include "collision/callbacks/dxConcurrentCallbacks.h"
 #include "collision/narrowphase/dxColliderTable.h"
-#include "collision/narrowphase/dxThreadTrimeshCache.h"
-#include "dynamics/quick_step/fast/dxFastQuickStepState.h"
-#include "dynamics/quick_step/sor/dxParallelSor.h"
-#include "dynamics/step/dxJointRemoval.h"
-#include "dynamics/step/dxStepRecords.h"
-#include "dynamics/step/islands/dxLargeIslandWorkers.h"
-#include "dynamics/step/islands/dxWorkingMemory.h"
-#include "dynamics/world_step/fast/dxFastWorldStep.h"
 #include "remote/dxRemote.h"
 #include "seams/upstream.h"
 #include "settings/dxWorkers.h"
-#include "settings/dxWorldStatistics.h"
 #include "threading/process/dxForkLocks.h"
-#include "threading/timeline/dxTimeline.h"
+#include "threading/process/dxProcess.h"
 
 namespace {
 
@@ -40,24 +30,10 @@ void countInitialisation() {
     if (++initialisations == 1) dxColliderTable::forget();
 }
 
-void releaseWorkers() {
-    dxWorkers::instance().stop();
-    dxForgetConcurrentCallbacks();
-    dxForgetJointRemoval();
-    dxStepRecords::release();
-    dxFastWorldStep::release();
-    dxFastQuickStepState::release();
-    dxLargeIslandWorkersLease::forget();
-    dxParallelSor::forget();
-    dxWorkingMemory::release();
-}
-
 __attribute__((destructor)) void unload() {
     dxRemote::close();
-    releaseWorkers();
-    dxThreadTrimeshCache::unload();
-    dxWorldStatistics::unload();
-    dxTimeline::unload();
+    dxWorkers::instance().stop();
+    dxProcess::unload();
 }
 
 }  // namespace
@@ -100,10 +76,8 @@ void dCloseODE() {
     const std::unique_lock<std::recursive_mutex> lock = lockIfInitialised();
     dxUpstreamCloseODE();
     if (--initialisations == 0) {
-        dxColliderTable::forgetClasses();
-        dxThreadTrimeshCache::release();
-        releaseWorkers();
-        dxTimeline::flushAtClose();
+        dxWorkers::instance().stop();
+        dxProcess::close();
     }
 }
 

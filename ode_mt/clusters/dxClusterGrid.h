@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "core/dxBounds.h"
-#include "settings/dxGridCells.h"
+#include "settings/dxSettings.h"
 
 struct dxCellRange {
     std::int16_t low[3], high[3];

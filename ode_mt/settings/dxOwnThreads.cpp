@@ -2,10 +2,8 @@
 
 #include <atomic>
 #include <mutex>
-#include <utility>
 
 #include "threading/process/dxForkLocks.h"
-#include "threading/process/dxPerWorld.h"
 #include "threading/process/dxProcessObject.h"
 
 namespace dxOwnThreads {
@@ -34,43 +32,8 @@ private:
 };
 
 dxProcessObject<Numbers> numbers;
-dxProcessObject<dxPerWorld<unsigned>> ofWorlds;
-dxProcessObject<dxPerWorld<unsigned>> solvingLimits;
 
 }  // namespace
-
-unsigned of(const dxWorld *world) {
-    unsigned own = 0;
-    ofWorlds->visit(world, [&own](unsigned threads) { own = threads; });
-    return own;
-}
-
-void choose(const dxWorld *world, unsigned threads) {
-    unsigned before = 0;
-    if (threads == 0)
-        ofWorlds->forget(world, [&before](unsigned own) { before = own; });
-    else
-        ofWorlds->visitOrMake(world, [] { return 0u; }, [&before, threads](unsigned &own) { before = std::exchange(own, threads); });
-    numbers->exchange(before, threads);
-}
-
-unsigned solvingLimit(const dxWorld *world) {
-    unsigned limit = dWORLDSTEP_THREADCOUNT_UNLIMITED;
-    solvingLimits->visit(world, [&limit](unsigned threads) { limit = threads; });
-    return limit;
-}
-
-void limitSolving(const dxWorld *world, unsigned threads) {
-    if (threads == dWORLDSTEP_THREADCOUNT_UNLIMITED)
-        solvingLimits->forget(world);
-    else
-        solvingLimits->visitOrMake(world, [] { return 0u; }, [threads](unsigned &limit) { limit = threads; });
-}
-
-void forget(const dxWorld *world) {
-    solvingLimits->forget(world);
-    if (!ofWorlds->isEmpty()) choose(world, 0);
-}
 
 unsigned largest() { return numbers->largest(); }
 

@@ -1,9 +1,8 @@
 // How many threads worlds and spaces may use that have a number of their own (dODE_MT_SetWorldThreads, dODE_MT_SetSpaceThreads), in place of
 // the process's (dxSettings).
 //
-// A world's number is kept in a list beside the worlds, since a world is upstream's structure; a space keeps its own
-// (dxOwnThreadNumber). Limits for solving are kept likewise. Of all numbers of threads the largest is known: there are as many workers as it says. A step looks at one size as long as
-// no world has a number. Any thread may call.
+// Each keeps its own number (dxOwnThreadNumber; that of a world is in its dxWorldState). Of all numbers of threads the largest is known: there are as many
+// workers as it says. Any thread may call.
 #pragma once
 
 #include <ode/ode.h>
@@ -13,22 +12,6 @@
 #include "settings/dxSettings.h"
 
 namespace dxOwnThreads {
-
-// The world's own number; 0: it has none.
-unsigned of(const dxWorld *world);
-
-// 0: the process's number. Throws std::bad_alloc, and changes nothing then.
-void choose(const dxWorld *world, unsigned threads);
-
-// The limit of threads that solve one island of the world, where the program has set one (dWSTP_LCPSolvingMaxThreads);
-// dWORLDSTEP_THREADCOUNT_UNLIMITED: it has not, or has set none.
-unsigned solvingLimit(const dxWorld *world);
-
-// Throws std::bad_alloc, and changes nothing then.
-void limitSolving(const dxWorld *world, unsigned threads);
-
-// The world is about to be destroyed.
-void forget(const dxWorld *world);
 
 // Of an own number, the one in force: 0 is the process's.
 inline unsigned inForce(unsigned own) { return own != 0 ? own : dxSettings::instance().threads(); }
@@ -41,7 +24,7 @@ void exchange(unsigned before, unsigned now);
 
 }  // namespace dxOwnThreads
 
-// The number of a space, as long as the space lives.
+// The number of a world or space, as long as it lives.
 class dxOwnThreadNumber {
 public:
     dxOwnThreadNumber() = default;

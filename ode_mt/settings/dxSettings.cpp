@@ -5,11 +5,12 @@
 #include <ode/version.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
+#include <sstream>
 
 #include "core/dxEnvironment.h"
 #include "core/dxLog.h"
-#include "settings/dxGridCells.h"
 #include "threading/process/dxProcessors.h"
 
 namespace {
@@ -63,6 +64,40 @@ bool choose(const Named<Choice> (&all)[N], const std::string &name, std::atomic<
     if (known != nullptr) choice.store(known->choice, std::memory_order_relaxed);
     return known != nullptr;
 }
+
+// By bit.
+constexpr const char *kHeuristics[] = {"cells", "centre", "crossover", "declustering", "threads"};
+constexpr unsigned kHeuristicsCount = sizeof kHeuristics / sizeof *kHeuristics;
+
+bool addHeuristic(const std::string &name, unsigned &choice) {
+    for (unsigned bit = 0; bit < kHeuristicsCount; ++bit) {
+        if (name != kHeuristics[bit]) continue;
+        choice |= 1u << bit;
+        return true;
+    }
+    return false;
+}
+
+// The names of each set, made once. They lie in the object itself: what it allocated would be lost with each unloading.
+struct HeuristicTexts {
+    static constexpr std::size_t kMaxLength = 48;
+    static_assert(sizeof "cells,centre,crossover,declustering,threads" <= kMaxLength, "all of kHeuristics");
+
+    char of[1u << kHeuristicsCount][kMaxLength] = {"none"};
+
+    HeuristicTexts() {
+        for (unsigned choice = 1; choice < 1u << kHeuristicsCount; ++choice)
+            for (unsigned bit = 0; bit < kHeuristicsCount; ++bit)
+                if ((choice >> bit & 1u) != 0) append(of[choice], kHeuristics[bit]);
+    }
+
+    static void append(char *text, const char *name) {
+        if (*text != '\0') std::strcat(text, ",");
+        std::strcat(text, name);
+    }
+};
+
+dxProcessObject<HeuristicTexts> heuristicTexts;
 
 constexpr int kTunedCells = 0;
 
@@ -120,7 +155,6 @@ void dxSettings::readAlgorithm(const char *text) {
 void dxSettings::readSolver(const char *text) {
     if (const Named<dxSolver> *const known = find(kSolvers, text)) {
         m_solver.solver = known->choice;
-        if (known->choice != dxSolver::Exact) allowFast();
         return;
     }
     dxLog(dxLogLevel::warning, "ODE_MT_SOLVER is '%.100s'; known: %s; %s is taken", text, knownNames(kSolvers).c_str(),
@@ -270,3 +304,21 @@ bool dxSettings::setAlgorithm(const std::string &name) {
 }
 
 bool dxSettings::chooseAlgorithm(const std::string &name) { return choose(kAlgorithms, name, m_algorithm); }
+
+bool dxReadHeuristics(const std::string &names, unsigned &choice) {
+    if (names == "default" || names == "none") {
+        choice = names == "default" ? dxDefaultHeuristics : dxNoHeuristics;
+        return true;
+    }
+    if (names.empty() || names.back() == ',') return false;
+    unsigned read = dxNoHeuristics;
+    std::istringstream stream(names);
+    for (std::string name; std::getline(stream, name, ',');)
+        if (!addHeuristic(name, read)) return false;
+    choice = read;
+    return true;
+}
+
+const char *dxNamesOfHeuristics(unsigned choice) { return heuristicTexts->of[choice]; }
+
+const char *dxKnownHeuristics() { return "default, none, cells, centre, crossover, declustering, threads"; }

@@ -10,7 +10,6 @@
 #include <atomic>
 #include <string>
 
-#include "settings/dxHeuristicChoice.h"
 #include "threading/process/dxProcessObject.h"
 
 // Auto shares out what is predicted to pay, the others whatever can be shared out (Serial: nothing).
@@ -52,6 +51,30 @@ struct dxRemoteChoice {
     unsigned wanted = 0;              // workers to start; 0: those that are there
 };
 
+// Which heuristics tune the clusters: a set of them (dODE_MT_SetHeuristics).
+enum dxHeuristicChoice : unsigned {
+    dxTuneCells = 1u << 0,
+    dxTuneCentre = 1u << 1,
+    dxSkipCrossovers = 1u << 2,
+    dxSkipDeclustering = 1u << 3,
+    dxTuneThreads = 1u << 4,
+
+    dxNoHeuristics = 0,
+    dxDefaultHeuristics = dxTuneCells | dxTuneCentre | dxSkipCrossovers | dxSkipDeclustering
+};
+
+// "default", "none", or names with commas between them. False: one is unknown, and `choice` is as it was.
+bool dxReadHeuristics(const std::string &names, unsigned &choice);
+
+// "none", or names with commas between them. For ever.
+const char *dxNamesOfHeuristics(unsigned choice);
+
+// All that dxReadHeuristics knows.
+const char *dxKnownHeuristics();
+
+// How fine the grid of clusters may be, in cells on each axis (thesis 10.2).
+constexpr int dxMinGridCells = 5, dxMaxGridCells = 20;
+
 class dxSettings {
 public:
     static dxSettings &instance();
@@ -68,14 +91,10 @@ public:
     const char *passName() const;
     bool setAlgorithm(const std::string &name);  // false: unknown
 
-    // Of worlds that have none of their own (dxWorldSolver.h).
+    // Of worlds that have none of their own (dxWorldState.h).
     const dxSolverChoice &solver() const { return m_solver; }
     static const char *nameOfSolver(dxSolver solver);
     static bool readSolver(const std::string &name, dxSolver &solver);  // false: unknown, reported with dMessage
-
-    // Whether any world may have another solver than the exact one.
-    bool mayBeFast() const { return m_mayBeFast.load(std::memory_order_relaxed); }
-    void allowFast() { m_mayBeFast.store(true, std::memory_order_relaxed); }
 
     dxCallbackPolicy callbackPolicy() const { return m_callbackPolicy.load(std::memory_order_relaxed); }
     const char *callbackPolicyName() const;
@@ -114,7 +133,6 @@ private:
     std::atomic<unsigned> m_threads{0};
     std::atomic<dxAlgorithm> m_algorithm{dxAlgorithm::Auto};
     dxSolverChoice m_solver;
-    std::atomic<bool> m_mayBeFast{false};
     std::atomic<dxCallbackPolicy> m_callbackPolicy{dxCallbackPolicy::Serial};
     std::atomic<unsigned> m_heuristics{dxDefaultHeuristics};
     std::atomic<int> m_gridCells{0};

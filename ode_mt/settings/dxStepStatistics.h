@@ -1,8 +1,13 @@
-// Counters of parallel work since the process started, for tests and users.
+// Counters of parallel work since the process started: the one place where it is counted for the process. All getters of ode_MT.h read it
+// (dODE_MT_Statistics). What is counted of one world is in dxWorldStatistics.
+//
+// Threading: any thread may count and read; each number by itself is whole.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
+
+#include <ode/ode_MT.h>
 
 struct dxStepStatistics {
     using Count = std::atomic<std::uint64_t>;  // a crowd has a million pairs in a second, which 32 bits hold for an hour
@@ -21,6 +26,19 @@ struct dxStepStatistics {
     static dxStepStatistics &instance() {
         static dxStepStatistics statistics;
         return statistics;
+    }
+
+    // Of the members of which programs know.
+    dODE_MT_Statistics read() const {
+        dODE_MT_Statistics counted{};
+        counted.parallelSteps = parallelSteps;
+        counted.parallelIslands = parallelIslands;
+        counted.teamSteps = teamSteps;
+        counted.parallelCollisions = parallelCollisions;
+        counted.sharedCollisions = sharedCollisions;
+        counted.contactsAhead = contactsAhead;
+        counted.contactsAheadUnused = contactsAheadUnused;
+        return counted;
     }
 
     void countParallelStep(unsigned islands, unsigned workers) {

@@ -1,24 +1,145 @@
 #include "settings/dxWorkersRunner.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
 
-#include "settings/dxStageTimeline.h"
+#include "settings/dxLentThreads.h"
 #include "settings/dxWorkers.h"
-#include "settings/dxWorldWorkers.h"
+#include "threading/dxParallelStage.h"
+#include "threading/timeline/dxTimeline.h"
+
+namespace {
+
+// A stage as its caller sees it, and as a worker does.
+struct Events {
+    dxTimelineEvent run, blocks;
+};
+
+// Other stages are parts of these.
+constexpr dxFrameStage frameStageOf(dxParallelStage stage) {
+    switch (stage) {
+        case dxParallelStage::Islands: return dxFrameStage::Islands;
+        case dxParallelStage::NarrowphasePrefetch: return dxFrameStage::NarrowphasePrefetch;
+        case dxParallelStage::Callbacks: return dxFrameStage::NearCallbacks;
+        default: return dxFrameStage::None;
+    }
+}
+
+constexpr std::array<Events, dxParallelStages::kCount> eventsOfStages() {
+    std::array<Events, dxParallelStages::kCount> events{};
+    for (std::size_t i = 0; i < events.size(); ++i)
+        events[i] = {{dxParallelStages::kNames[i], "stage", {"blocks", "run", "workers"}, dxTimelineEvent::Kind::Span,
+                      frameStageOf(static_cast<dxParallelStage>(i))},
+                     {dxParallelStages::kNames[i], "worker", {"blocks", "run"}}};
+    return events;
+}
+
+constexpr std::array<Events, dxParallelStages::kCount> kEvents = eventsOfStages();
+constexpr dxTimelineEvent kWait{"wait for workers", "wait", {"run"}, dxTimelineEvent::Kind::Span, dxFrameStage::Wait};
+constexpr std::uint64_t kMinWait = 1000;  // ticks: less than a microsecond
+
+std::atomic<std::uint64_t> runs{0};
+
+const Events &eventsOf(dxParallelStage stage) { return kEvents[static_cast<std::size_t>(stage)]; }
+
+// One run of a parallel stage on the timeline: an event of the caller for the run, one of each worker for the blocks that it has run one
+// after the other, and one for the time that the caller has waited for them. While nothing is recorded a run costs one load, and a block a
+// look at what was loaded.
+class StageTimeline {
+public:
+    StageTimeline(const dxWorkersRunner &runner, dxParallelStage stage, unsigned blocks);
+    ~StageTimeline() {
+        if (m_ring != nullptr) end();
+    }
+    StageTimeline(const StageTimeline &) = delete;
+    StageTimeline &operator=(const StageTimeline &) = delete;
+
+    // A block, on the thread that runs it.
+    class Block {
+    public:
+        Block(StageTimeline &timeline, unsigned worker) : m_timeline(timeline), m_isOfCaller(worker == 0) {
+            if (timeline.m_ring != nullptr) begin();
+        }
+        ~Block() {
+            if (m_ring != nullptr) end();
+        }
+        Block(const Block &) = delete;
+        Block &operator=(const Block &) = delete;
+
+    private:
+        void begin();
+        void end();
+
+        StageTimeline &m_timeline;
+        const bool m_isOfCaller;
+        dxTimelineRing *m_ring = nullptr;  // of this thread
+        dxTimelineRing::Caller m_before{};
+        std::uint64_t m_begin = 0;
+    };
+
+private:
+    void end();
+
+    const dxWorkersRunner &m_runner;
+    const dxParallelStage m_stage;
+    const unsigned m_blocks;
+    dxTimelineRing *const m_ring;  // the caller's; null: nothing is recorded
+    dxTimelineRing::Caller m_caller{};
+    std::uint64_t m_run = 0, m_begin = 0;
+    std::uint64_t m_callerEnds = 0;  // its last block so far; written by it alone
+};
+
+StageTimeline::StageTimeline(const dxWorkersRunner &runner, dxParallelStage stage, unsigned blocks)
+    : m_runner(runner), m_stage(stage), m_blocks(blocks), m_ring(dxTimeline::ofThisThread()) {
+    if (m_ring == nullptr) return;
+    m_caller = m_ring->caller();
+    m_run = runs.fetch_add(1, std::memory_order_relaxed) + 1;
+    m_begin = m_callerEnds = dxTimelineClock::ticks();
+}
+
+void StageTimeline::end() {
+    const std::uint64_t now = dxTimelineClock::ticks();
+    const unsigned workers = m_runner.tookPart();
+    m_ring->noteThreads(workers);
+    if (now - m_callerEnds >= kMinWait) m_ring->add(kWait, m_callerEnds, now, {m_run});
+    m_ring->add(eventsOf(m_stage).run, m_begin, now, {m_blocks, m_run, workers});
+}
+
+void StageTimeline::Block::begin() {
+    m_ring = m_isOfCaller ? m_timeline.m_ring : dxTimeline::ofThisThread();
+    if (m_isOfCaller || m_ring == nullptr) return;
+    m_before = m_ring->caller();
+    m_ring->setCaller(m_timeline.m_caller);
+    m_begin = m_ring->beginBlock(eventsOf(m_timeline.m_stage).blocks, m_timeline.m_run);
+}
+
+void StageTimeline::Block::end() {
+    if (m_isOfCaller) {
+        m_timeline.m_callerEnds = dxTimelineClock::ticks();
+        return;
+    }
+    m_ring->endBlock(eventsOf(m_timeline.m_stage).blocks, m_timeline.m_run, m_begin);
+    m_ring->setCaller(m_before);
+}
+
+}  // namespace
 
 void dxWorkersRunner::run(dxParallelStage stage, unsigned blocks, dxThreadManager::Task task, void *context) {
-    dxStageTimeline timeline(*this, stage, blocks);
+    StageTimeline timeline(*this, stage, blocks);
     struct Job {
         dxThreadManager::Task task;
         void *context;
         bool *ranABlock;
         dxStageWatch watch;
-        dxStageTimeline &timeline;
+        StageTimeline &timeline;
     } job{task, context, m_ranABlock, dxStageWatch(stage), timeline};
     const auto watched = [](void *of, unsigned block, unsigned worker) {
         Job &running = *static_cast<Job *>(of);
         running.watch.see(worker);
-        const dxStageTimeline::Block recorded(running.timeline, worker);
+        const StageTimeline::Block recorded(running.timeline, worker);
         running.task(running.context, block, worker);
         if (!running.ranABlock[worker]) running.ranABlock[worker] = true;  // bytes of other workers are beside it
     };

@@ -1,4 +1,4 @@
-// Workers as a task runner, for the length of one call: the process's, or those that the user lent to a world.
+// Workers as a task runner, for the length of one call: the process's, or those that the user lent to a world. Each run is an event of the timeline.
 #pragma once
 
 #include <algorithm>

@@ -4,14 +4,14 @@
 #include <array>
 #include <atomic>
 #include <cstdio>
+#include <memory>
 #include <new>
 
 #include "core/dxLog.h"
 #include "settings/dxSerialReason.h"
 #include "settings/dxStatisticsFile.h"
-#include "settings/dxStatisticsSharing.h"
+#include "settings/dxWorldState.h"
 #include "threading/process/dxForkListener.h"
-#include "threading/process/dxPerWorld.h"
 #include "threading/process/dxProcessObject.h"
 #include "threading/timeline/dxTimelineClock.h"
 
@@ -44,7 +44,9 @@ private:
     unsigned m_frames = 0;  // with the same reasons, the last ones
 };
 
-struct Entry {
+struct Entry final : dxWorldPart {
+    ~Entry() override;
+
     dODE_MT_WorldStatistics last{};  // frame
     std::uint64_t lastStepEnd = 0;   // ticks
     dxCollisionRecord collision{};   // sums of those since; the last one's reasons
@@ -59,24 +61,36 @@ class Keeper final : private dxForkListener {
 public:
     Keeper() { listenToForks(); }
 
-    dxPerWorld<Entry> entries;
-    // Under the lock of the entries:
+    // Under the lock of the states:
     dxStatisticsSharing sharing;
     unsigned worlds = 0;
 
     double secondsOf(std::uint64_t ticks) const { return 1e-9 * m_scale.nsOf(ticks); }
     void measure() { m_scale.measure(); }
-    unsigned generation() const { return m_generation; }
+    unsigned generation() const { return m_generation.load(std::memory_order_relaxed); }
+
+    void atUnload() {
+        forgetSlots();
+        dxWorldState::forAll([](dxWorldState &state) { state.frames.reset(); });
+        const std::lock_guard<dxForkSafeMutex> hold(dxWorldState::lock());
+        sharing.close();
+    }
 
 private:
-    void inForkedChild() override { ++m_generation; }
+    void inForkedChild() override { forgetSlots(); }
+
+    // The slots are no longer this process's, or no longer in memory.
+    void forgetSlots() { m_generation.fetch_add(1, std::memory_order_relaxed); }
 
     dxTimelineScale m_scale;
-    unsigned m_generation = 1;
+    std::atomic<unsigned> m_generation{1};
 };
 
 dxProcessObject<Keeper> keeper;
-std::atomic<bool> isInUse{false};
+
+Entry::~Entry() {
+    if (generation == keeper->generation()) dxStatisticsSharing::giveBack(slot);
+}
 
 void setTimes(dODE_MT_WorldStatistics &frame, const Entry &entry, const dxStepRecord &step) {
     const dxFrameTimes &ofCollisions = entry.collision.times;
@@ -176,10 +190,15 @@ void announce(const dODE_MT_WorldStatistics &frame) {
           frame.frames, frame.bodies, frame.pairs, frame.islands, frame.rows, std::max(frame.threads, 1u), collision, callbacks, step);
 }
 
+Entry *entryOf(const dxWorldState &state) { return static_cast<Entry *>(state.frames.get()); }
+
 template <class Change>
 void change(const dxWorld *world, const Change &change) try {
-    isInUse.store(true, std::memory_order_relaxed);
-    keeper->entries.visitOrMake(world, [] { return Entry(); }, change);
+    keeper->generation();  // it is made before a lock is held
+    dxWorldState &state = dxWorldState::of(world);
+    const std::lock_guard<dxForkSafeMutex> hold(dxWorldState::lock());
+    if (state.frames == nullptr) state.frames = std::make_unique<Entry>();
+    change(*entryOf(state));
 } catch (const std::bad_alloc &) {  // not counted
 }
 
@@ -222,26 +241,13 @@ void enrol(const dxWorld *world) {
 }
 
 bool read(const dxWorld *world, dODE_MT_WorldStatistics &statistics) {
-    bool isKnown = false;
-    keeper->entries.visit(world, [&](const Entry &entry) {
-        isKnown = entry.last.frames != 0;
-        if (isKnown) statistics = entry.last;
-    });
-    return isKnown;
-}
-
-void forget(const dxWorld *world) {
-    if (!isInUse.load(std::memory_order_relaxed)) return;
-    keeper->entries.visit(world, [](const Entry &entry) {
-        if (entry.generation == keeper->generation()) dxStatisticsSharing::giveBack(entry.slot);
-    });
-    keeper->entries.forget(world);
-}
-
-void unload() {
-    if (!isInUse.load(std::memory_order_relaxed)) return;
-    keeper->entries.clear();
-    keeper->sharing.close();
+    const dxWorldState *const state = dxWorldState::find(world);
+    if (state == nullptr) return false;
+    const std::lock_guard<dxForkSafeMutex> hold(dxWorldState::lock());
+    const Entry *const entry = entryOf(*state);
+    if (entry == nullptr || entry->last.frames == 0) return false;
+    statistics = entry->last;
+    return true;
 }
 
 }  // namespace dxWorldStatistics

@@ -4,7 +4,7 @@
 // stage; they are recorded while dxTimeline::isCounted(). A collision is a world's if the first body in its space is. It is kept until
 // that world's next step, which may be on another thread.
 //
-// Threading: any thread may call; one lock, held for moments. The same world is not stepped twice at a time.
+// What is counted is a part of the state of the world (dxWorldState). Threading: any thread may call; one lock, held for moments. The same world is not stepped twice at a time.
 //
 // Dropped: the world of each pair's bodies. To look at all bodies of a crowd takes as long as a part of its collision does.
 #pragma once
@@ -50,11 +50,5 @@ void enrol(const dxWorld *world);
 
 // Of the last frame. Returns false, and leaves them as they are, if there is none.
 bool read(const dxWorld *world, dODE_MT_WorldStatistics &statistics);
-
-// The world is about to be destroyed.
-void forget(const dxWorld *world);
-
-// The library is about to be unloaded.
-void unload();
 
 }  // namespace dxWorldStatistics

@@ -3,8 +3,8 @@ import sys
 
 
 def run_check(complaints_of, failed_self_tests):
-    """Prints what the argument, a folder, is complained of, or, after --self-test, which cases are not found; exits with 1 for any."""
-    complaints = list(failed_self_tests() if sys.argv[1] == "--self-test" else complaints_of(sys.argv[1]))
+    """Prints what the arguments, folders and programs, are complained of, or, after --self-test, which cases are not found; exits with 1 for any."""
+    complaints = list(failed_self_tests() if sys.argv[1] == "--self-test" else complaints_of(*sys.argv[1:]))
     for complaint in complaints:
         print(complaint)
     sys.exit(1 if complaints else 0)

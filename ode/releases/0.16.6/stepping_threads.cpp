@@ -4,7 +4,7 @@
 #include <new>
 
 #include "seams/upstream.h"
-#include "settings/dxOwnThreads.h"
+#include "settings/dxWorldState.h"
 
 extern "C" {
 
@@ -14,7 +14,7 @@ void dWorldSetSteppingThreadingParameters(dWorldID world, const dWorldSteppingTh
     dxUpstreamWorldSetSteppingThreadingParameters(world, parameters);
     if ((parameters->param_set & dWSTP_LCPSolvingMaxThreads) == 0) return;
     try {
-        dxOwnThreads::limitSolving(world, parameters->lcp_solving_max_threads);
+        dxSetSolvingLimit(world, parameters->lcp_solving_max_threads);
     } catch (const std::bad_alloc &) {
         dMessage(0, "ODE_MT: no memory to note the limit of threads that solve an island of a world");
     }

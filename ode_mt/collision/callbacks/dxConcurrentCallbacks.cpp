@@ -194,7 +194,3 @@ bool dxCollideConcurrently(dxOrderedSpace &space, dxTaskRunner &runner, void *da
     space.lock_count--;  // not if an exception passes, as upstream
     return done;
 }
-
-void dxForgetConcurrentCallbacks() {
-    idleRuns->clear([](Run *run) { delete run; });
-}

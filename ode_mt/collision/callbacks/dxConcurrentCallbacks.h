@@ -13,6 +13,3 @@ class dxTaskRunner;
 
 // The space is not locked and has two geoms at least. Returns false, before any callback, if it is not possible.
 bool dxCollideConcurrently(dxOrderedSpace &space, dxTaskRunner &runner, void *data, dNearCallback *callback);
-
-// Frees what is kept from call to call; none may be in progress.
-void dxForgetConcurrentCallbacks();

@@ -32,6 +32,12 @@ struct Dispatch {
 
     Dispatch() { forget(); }
 
+    void atClose() {
+        forget();
+        dxColliderOverrides::forget();
+        classes = 0;
+    }
+
     void set(int type1, int type2, Entry entry, Entry reversed) {
         entries[type2][type1].store(reversed, std::memory_order_release);
         entries[type1][type2].store(entry, std::memory_order_release);
@@ -133,9 +139,4 @@ void dxColliderTable::setOverride(int type1, int type2, dColliderFn *collider) {
 void dxColliderTable::forget() {
     dispatch->forget();
     dxColliderOverrides::forget();
-}
-
-void dxColliderTable::forgetClasses() {
-    forget();
-    dispatch->classes = 0;
 }

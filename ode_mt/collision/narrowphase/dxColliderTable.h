@@ -5,7 +5,7 @@
 // for that entry. Here the entry is written under a lock before upstream looks at it; the user's functions
 // run without the lock, so they may take their time, nest, or leave by longjmp (contract C7).
 //
-// For the process, as upstream's table is.
+// For the process, as upstream's table is. With the last dCloseODE upstream forgets the user's classes, and so does this table.
 #pragma once
 
 #include <ode/collision.h>
@@ -21,8 +21,5 @@ void setOverride(int type1, int type2, dColliderFn *collider);
 
 // To be called when upstream empties its table (first dInitODE2).
 void forget();
-
-// To be called when upstream forgets the user's classes as well (last dCloseODE).
-void forgetClasses();
 
 }  // namespace dxColliderTable

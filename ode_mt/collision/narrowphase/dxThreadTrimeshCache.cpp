@@ -1,5 +1,9 @@
-#include "collision/narrowphase/dxThreadTrimeshCache.h"
-
+// The scratch data of upstream's mesh colliders, one for each thread that collides meshes.
+//
+// Upstream has one for the whole process, unless it is built with thread-local storage, which would change
+// what callers see. The cache is made at a thread's first use and freed when the thread ends, when the
+// library is closed by the last user, or when it is unloaded. It does not use a C++ thread_local object:
+// that would keep the library from being unloaded.
 #include <pthread.h>
 
 #include <algorithm>
@@ -32,7 +36,7 @@ public:
 
     // A new key is empty in every thread, so that none keeps the address of a freed cache, and the old
     // one no longer calls into a library that is being unloaded.
-    void release() {
+    void atClose() {
         const std::lock_guard<dxForkSafeMutex> lock(m_mutex);
         m_caches.clear();
         deleteKey();
@@ -40,7 +44,7 @@ public:
     }
 
     // Those of other threads stay: if it is the process that ends, one of them may be in the middle of a collision.
-    void unload() {
+    void atUnload() {
         const std::lock_guard<dxForkSafeMutex> lock(m_mutex);
         dropIf([](const Owned &owned) { return pthread_equal(owned.thread, pthread_self()) != 0; });
         m_caches.shrink_to_fit();
@@ -97,7 +101,3 @@ void Registry::threadEnded(void *cache) { registry->forget(cache); }
 
 // Seam: takes the place of upstream's variable g_ccTrimeshCollidersCache.
 TrimeshCollidersCache *dxThreadTrimeshCollidersCache() { return registry->ofThisThread(); }
-
-void dxThreadTrimeshCache::release() { registry->release(); }
-
-void dxThreadTrimeshCache::unload() { registry->unload(); }

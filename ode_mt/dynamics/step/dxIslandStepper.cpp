@@ -14,7 +14,6 @@
 #include "dynamics/world_step/exact/dxDantzigSolver.h"
 #include "dynamics/world_step/fast/dxFastWorldStep.h"
 #include "quickstep.h"
-#include "settings/dxWorldSolver.h"
 #include "step.h"
 #include "upstream_facts.h"
 
@@ -35,6 +34,12 @@ bool hasJoinedBodies(const dxIsland &island) {
 bool isChanged(const dxWorld &world, const dxIsland &island, dxStepperKind kind) {
     if (!dxJointAttachment::hasAny(world)) return false;
     return hasRecentJoints(island) || (!dxIsQuick(kind) && hasJoinedBodies(island));
+}
+
+dxStepperKind kindOf(const dxWorldSettings &settings, dstepper_fn_t stepper) {
+    const bool isFast = settings.isFast();
+    if (stepper == &dxQuickStepIsland) return isFast ? dxStepperKind::QuickFast : dxStepperKind::QuickExact;
+    return isFast ? dxStepperKind::WorldFast : dxStepperKind::WorldExact;
 }
 
 // On the calling thread alone.
@@ -72,10 +77,9 @@ void quickStepAlone(const dxStepperProcessingCallContext *call) {
 
 }  // namespace
 
-dxStepperKind dxIslandStepper::kindOf(const dxWorld *world, dstepper_fn_t stepper) {
-    const bool isFast = dxWorldSolver::isFast(world);
-    if (stepper == &dxQuickStepIsland) return isFast ? dxStepperKind::QuickFast : dxStepperKind::QuickExact;
-    return isFast ? dxStepperKind::WorldFast : dxStepperKind::WorldExact;
+dxStepCall dxIslandStepper::makeCall(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper) {
+    const dxWorldSettings settings = dxWorldSettings::of(world);
+    return {world, info, stepSize, settings, kindOf(settings, stepper), static_cast<unsigned>(info.GetIslandsCount())};
 }
 
 void dxIslandStepper::step(const dxStepCall &call, const dxIsland &island, dxWorldProcessMemArena *arena,

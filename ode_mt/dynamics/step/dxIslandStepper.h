@@ -10,7 +10,8 @@
 
 namespace dxIslandStepper {
 
-dxStepperKind kindOf(const dxWorld *world, dstepper_fn_t stepper);
+// The one place in which a step reads the settings of its world.
+dxStepCall makeCall(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper);
 
 // `islandWorkers`: the workers that step the island together; null: the calling thread alone.
 void step(const dxStepCall &call, const dxIsland &island, dxWorldProcessMemArena *arena, dxLargeIslandWorkers *islandWorkers = nullptr);

@@ -75,7 +75,3 @@ bool dxRemoveJoints(dxJointGroup &group) try {
 } catch (const std::bad_alloc &) {
     return false;
 }
-
-void dxForgetJointRemoval() {
-    lists->clear([](std::vector<dxJoint *> *list) { delete list; });
-}

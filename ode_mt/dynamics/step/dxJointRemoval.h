@@ -8,6 +8,3 @@ struct dxJointGroup;
 
 // Returns false, without any effect, if there is no memory for a list of the joints.
 bool dxRemoveJoints(dxJointGroup &group);
-
-// Frees what is kept from call to call (dCloseODE, unloading).
-void dxForgetJointRemoval();

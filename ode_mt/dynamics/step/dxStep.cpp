@@ -14,8 +14,8 @@
 #include "dynamics/step/islands/dxStepTimeline.h"
 #include "dynamics/world_step/fast/dxFastWorldStep.h"
 #include "quickstep.h"
-#include "settings/dxWorldSolver.h"
-#include "settings/dxWorldWorkers.h"
+#include "settings/dxLentThreads.h"
+#include "settings/dxWorldState.h"
 
 namespace {
 
@@ -34,23 +34,19 @@ void followAndLearn(dxStepPlan &plan, const dxStepCall &call) {
 }
 
 // Where the user's functions step the world, upstream's stepper does.
-bool isSolvedFast(const dxWorld *world) { return dxWorldSolver::isFast(world) && !dxWorldWorkers::haveToBeAsked(world); }
+bool isSolvedFast(const dxWorld *world) { return dxWorldSettings::of(world).isFast() && !dxWorldWorkers::haveToBeAsked(world); }
 
 // Small islands of a fast dWorldQuickStep are solved together. Contacts: a lane of a vector each; so many bodies and joints still fit L2. Beside
 // other joints contacts are rows, and sweeps are shorter where they fit L1: groups save preparations of tiny islands alone.
 constexpr dxGroupSizes kFastQuickStepGroups = {600, 40};
 
 // Without memory each step begins from zero forces, by SOR.
-dxFastQuickStepState *beginFastQuickStep(const dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize) try {
-    dxFastQuickStepState &own = dxFastQuickStepState::of(world);
-    own.begin(info, dxWorldSolver::of(world), stepSize);
+dxFastQuickStepState *beginFastQuickStep(const dxStepCall &call) try {
+    dxFastQuickStepState &own = dxFastQuickStepState::of(dxWorldState::of(call.world));
+    own.begin(call.info, call.settings.solver, call.stepSize);
     return &own;
 } catch (const std::bad_alloc &) {
     return nullptr;
-}
-
-dxStepCall makeCall(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper) {
-    return {world, info, stepSize, dxIslandStepper::kindOf(world, stepper), static_cast<unsigned>(info.GetIslandsCount())};
 }
 
 dxRemoteRecord withWorkers(dxRemoteRecord record) {
@@ -75,9 +71,9 @@ bool dxPrepareWorldIslands(dxWorld *world, dxWorldProcessIslandsInfo &info, dRea
 
 void dxStepOnThisThread(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper, unsigned worker) {
     dxStepSpan::beginSearch();  // which is over: what follows is the step that is seen
-    dxStepCall call = makeCall(world, info, stepSize, stepper);
+    dxStepCall call = dxIslandStepper::makeCall(world, info, stepSize, stepper);
     dxStepSpan span(world, call.count);
-    if (call.kind == dxStepperKind::QuickFast) call.fastQuickStep = beginFastQuickStep(world, info, stepSize);
+    if (call.kind == dxStepperKind::QuickFast) call.fastQuickStep = beginFastQuickStep(call);
     dxSerialStep(call, worker).stepIslands(dxIslandCursor(info), call.count);
     span.setReason([](unsigned) { return dODE_MT_REASON_WORLDS; });
     span.setRemote([] { return withWorkers({}); });
@@ -91,8 +87,8 @@ bool dxStepIslands(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal 
         return dxIslandStepper::stepByPosting(world, info, stepSize, stepper, maxCallCountEstimator);
     }
     if (!dxWorldWorkers::prepare(world)) return false;
-    dxStepCall call = makeCall(world, info, stepSize, stepper);
-    if (call.kind == dxStepperKind::QuickFast) call.fastQuickStep = beginFastQuickStep(world, info, stepSize);
+    dxStepCall call = dxIslandStepper::makeCall(world, info, stepSize, stepper);
+    if (call.kind == dxStepperKind::QuickFast) call.fastQuickStep = beginFastQuickStep(call);
     dxStepPlan plan = dxPlanStep(call);
     if (plan.isMeasured)
         followAndLearn(plan, call);

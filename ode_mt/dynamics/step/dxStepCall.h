@@ -3,6 +3,7 @@
 
 #include "dynamics/step/dxCostModel.h"
 #include "dynamics/step/islands/dxIsland.h"
+#include "settings/dxWorldState.h"
 
 class dxFastQuickStepState;
 
@@ -10,6 +11,7 @@ struct dxStepCall {
     dxWorld *world;
     const dxWorldProcessIslandsInfo &info;
     dReal stepSize;
+    dxWorldSettings settings;  // of the world, as the step began with them
     dxStepperKind kind;
     unsigned count;  // of islands
     dxFastQuickStepState *fastQuickStep = nullptr;  // of a fast dWorldQuickStep, unless there is no memory for it

@@ -18,7 +18,3 @@ void dxWorkerRecord::reset() {
 dxStepRecords::Lease dxStepRecords::borrow() { return Lease(pool->takeOrMake()); }
 
 void dxStepRecords::Return::operator()(dxStepRecords *records) const { pool->giveBack(records); }
-
-void dxStepRecords::release() {
-    pool->clear([](dxStepRecords *records) { delete records; });
-}

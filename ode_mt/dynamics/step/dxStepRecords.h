@@ -52,7 +52,4 @@ struct dxStepRecords {
     };
     using Lease = std::unique_ptr<dxStepRecords, Return>;
     static Lease borrow();
-
-    // Frees the sets that are not in use (dCloseODE, unloading).
-    static void release();
 };

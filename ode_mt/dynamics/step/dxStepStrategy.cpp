@@ -3,9 +3,8 @@
 #include <algorithm>
 
 #include "dynamics/step/dxRemoteSolvers.h"
-#include "settings/dxOwnThreads.h"
+#include "settings/dxLentThreads.h"
 #include "settings/dxSettings.h"
-#include "settings/dxWorldWorkers.h"
 #include "threading/dxFloatEnvironment.h"
 #include "threading/payoff/dxSharingPolicy.h"
 #include "threading/process/dxProcessObject.h"
@@ -60,14 +59,15 @@ bool mayUseWorkers(const dxStepCall &call, dODE_MT_Reason &reason) {
 }
 
 // Workers that the settings, the world and the machine allow, and what does not allow a second one.
-unsigned workerLimit(const dxWorld *world, dODE_MT_Reason &reason) {
+unsigned workerLimit(const dxStepCall &call, dODE_MT_Reason &reason) {
+    const dxWorld *const world = call.world;
     const dxAlgorithm algorithm = dxSettings::instance().algorithm();
     reason = dODE_MT_REASON_ALGORITHM;
     if (algorithm == dxAlgorithm::Serial) return 1;
     const bool isLent = dxWorldWorkers::given(world);
-    const unsigned own = dxOwnThreads::of(world);
+    const unsigned own = call.settings.threads;
     reason = isLent ? dODE_MT_REASON_USER_THREADING : dODE_MT_REASON_THREADS;
-    unsigned limit = isLent ? dxWorldWorkers::count(world) : dxOwnThreads::inForce(own);
+    unsigned limit = isLent ? dxWorldWorkers::count(world) : call.settings.threadsInForce();
     const auto lower = [&limit, &reason](unsigned bound, dODE_MT_Reason why) {
         if (limit >= 2 && bound < 2) reason = why;
         limit = std::min(limit, bound);
@@ -130,15 +130,15 @@ unsigned chooseWorkers(const dxStepCall &call, const dxIslandCosts &costs, unsig
 }
 
 // Returns how many of `limit` workers may step one island together: those that prepare it are those that solve it.
-unsigned islandLimit(const dxWorld &world, unsigned limit) {
-    for (const unsigned bound : {dxIslandSteppingLimit(world), dxOwnThreads::solvingLimit(&world)})
+unsigned islandLimit(const dxStepCall &call, unsigned limit) {
+    for (const unsigned bound : {dxIslandSteppingLimit(*call.world), call.settings.solvingLimit})
         if (bound != dWORLDSTEP_THREADCOUNT_UNLIMITED) limit = std::min(limit, bound);
     return limit;
 }
 
 void planThreads(const dxStepCall &call, dxStepPlan &plan, unsigned limit) {
     plan.minLargeJoints = minLargeJoints(call.kind);
-    const unsigned workers = islandLimit(*call.world, limit);
+    const unsigned workers = islandLimit(call, limit);
     const bool isLarge = hasLargeIsland(call, plan, limit);
     plan.hasLargeIsland = isLarge && workers >= 2;
     if (plan.hasLargeIsland && isLargeIslandStepFaster(call.kind, plan.costs.total)) {
@@ -198,7 +198,7 @@ bool dxMayBeEndless(const dxWorld &world) {
 
 dxStepPlan dxPlanStep(const dxStepCall &call) {
     dxStepPlan plan;
-    const unsigned limit = mayUseWorkers(call, plan.reason) ? workerLimit(call.world, plan.reason) : 1;
+    const unsigned limit = mayUseWorkers(call, plan.reason) ? workerLimit(call, plan.reason) : 1;
     const dxRemoteSolvers *const remote = dxRemoteSolvers::installed();
     bool mayBeRemote = remote != nullptr && remote->maySolve(call);
     if (limit < 2 && !mayBeRemote) return plan;
@@ -217,7 +217,7 @@ dODE_MT_Reason dxReasonOf(const dxStepCall &call, const dxStepPlan &plan, unsign
     const bool isInOrder = plan.reason == dODE_MT_REASON_MOVED_CALLBACK || plan.reason == dODE_MT_REASON_FEEDBACK;
     if (threads >= 2 && !isInOrder) return dODE_MT_REASON_PARALLEL;
     dODE_MT_Reason limit;
-    return workerLimit(call.world, limit) < 2 ? limit : plan.reason;
+    return workerLimit(call, limit) < 2 ? limit : plan.reason;
 }
 
 // Island-parallel steps measure their parallel part themselves.

@@ -74,8 +74,7 @@ public:
 
 private:
     dxStepCall callOf(World &world) const {
-        return {world.world, world.islands, m_stepSize, dxIslandStepper::kindOf(world.world, m_stepper.island),
-                static_cast<unsigned>(world.islands.GetIslandsCount())};
+        return dxIslandStepper::makeCall(world.world, world.islands, m_stepSize, m_stepper.island);
     }
 
     template <class Work>

@@ -6,10 +6,10 @@
 #include "core/dxPointerSet.h"
 #include "dynamics/step/dxStepStrategy.h"
 #include "dynamics/step/islands/dxUserHandlers.h"
-#include "settings/dxOwnThreads.h"
+#include "settings/dxLentThreads.h"
 #include "settings/dxSettings.h"
 #include "settings/dxWorkersRunner.h"
-#include "settings/dxWorldWorkers.h"
+#include "settings/dxWorldState.h"
 #include "threading/dxFloatEnvironment.h"
 
 namespace {
@@ -36,7 +36,7 @@ bool hasMovedCallback(const dxWorld &world) {
 // On a worker.
 bool goesAlone(const dxWorld &world) {
     const bool hasOwnMemory = world.wmem != nullptr && world.wmem->GetMemoryManager() != nullptr;
-    return hasOwnMemory || dxMayBeEndless(world) || dxWorldWorkers::given(&world) || dxOwnThreads::of(&world) != 0 || hasMovedCallback(world);
+    return hasOwnMemory || dxMayBeEndless(world) || dxWorldWorkers::given(&world) || dxWorldSettings::of(&world).threads != 0 || hasMovedCallback(world);
 }
 
 // As if all of it were one island.

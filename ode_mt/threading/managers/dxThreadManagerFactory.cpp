@@ -14,7 +14,7 @@ struct Kind {
     std::unique_ptr<dxThreadManager> (*make)(const dxWorkerOptions &options);
 };
 
-const Kind kinds[] = {
+const Kind kKinds[] = {
     {"pthread", nullptr, true,
      [](const dxWorkerOptions &options) -> std::unique_ptr<dxThreadManager> {
          return std::make_unique<dxThreadManagerPthread>(pthread_create, options);
@@ -34,30 +34,30 @@ std::string knownNames() {
 
 namespace dxThreadManagerFactory {
 
-const char *defaultName() { return kinds[0].name; }
+const char *defaultName() { return kKinds[0].name; }
 
 std::vector<const char *> names() {
     std::vector<const char *> list;
-    for (const Kind &kind : kinds) list.push_back(kind.name);
+    for (const Kind &kind : kKinds) list.push_back(kind.name);
     return list;
 }
 
 const char *missingLibrary(const std::string &name) {
-    for (const Kind &kind : kinds) {
+    for (const Kind &kind : kKinds) {
         if (name == kind.name && kind.library != nullptr && !dxOpenMPRuntime::load()) return kind.library;
     }
     return nullptr;
 }
 
 bool takesOptions(const std::string &name) {
-    for (const Kind &kind : kinds) {
+    for (const Kind &kind : kKinds) {
         if (name == kind.name) return kind.takesOptions;
     }
     return false;
 }
 
 std::unique_ptr<dxThreadManager> create(const std::string &name, const dxWorkerOptions &options) {
-    for (const Kind &kind : kinds) {
+    for (const Kind &kind : kKinds) {
         if (name != kind.name) continue;
         std::unique_ptr<dxThreadManager> manager = kind.make(options);
         if (manager == nullptr)

@@ -1,29 +1,34 @@
 // A pool of objects that no step uses at the moment. Threading: any thread may take and give back. Taking may throw
-// std::bad_alloc, giving back needs no memory: capacity is reserved for all taken objects.
+// std::bad_alloc, giving back needs no memory: there is room for all objects that exist.
 //
-// Holds only pointers. The one used last is taken first, since its memory is likely to be in a cache.
-// Survives fork.
+// Holds only pointers. The one used last is taken first, since its memory is likely to be in a cache; it is taken and given back without the mutex, which is
+// all that a step on one thread needs. Survives fork. That of a dxProcessObject is
+// cleared by dxProcess.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
+#include <memory>
 #include <mutex>
 #include <vector>
 
 #include "threading/process/dxForkLocks.h"
 
-template <class Object>
+template <class Object, class Destroy = std::default_delete<Object>>
 class dxObjectPool {
 public:
-    // Null if there is none.
+    // Returns null if there is none; the caller then makes one, or calls lose().
     Object *take() {
+        if (Object *const object = m_last.exchange(nullptr, std::memory_order_acq_rel)) return object;
         const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
-        const std::size_t all = m_idle.size() + m_taken + 1;
-        if (m_idle.capacity() < all) m_idle.reserve(2 * all);
-        ++m_taken;
-        if (m_idle.empty()) return nullptr;
-        Object *object = m_idle.back();
-        m_idle.pop_back();
-        return object;
+        if (!m_idle.empty()) {
+            Object *const object = m_idle.back();
+            m_idle.pop_back();
+            return object;
+        }
+        if (m_idle.capacity() <= m_count) m_idle.reserve(2 * (m_count + 1));
+        ++m_count;
+        return nullptr;
     }
 
     Object *takeOrMake() {
@@ -39,27 +44,33 @@ public:
     // Records that a taken object was destroyed or never constructed.
     void lose() {
         const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
-        --m_taken;
+        --m_count;
     }
 
     void giveBack(Object *object) noexcept {
+        Object *const before = m_last.exchange(object, std::memory_order_acq_rel);
+        if (before == nullptr) return;
         const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
-        --m_taken;
-        m_idle.push_back(object);
+        m_idle.push_back(before);
     }
 
-    template <class Destroy>
-    void clear(Destroy destroy) {
+    // Destroys all that no step uses.
+    void clear() {
         const std::lock_guard<dxForkSafeMutex> hold(m_mutex);
-        for (Object *object : m_idle) destroy(object);
+        if (Object *const last = m_last.exchange(nullptr, std::memory_order_acq_rel)) m_idle.push_back(last);
+        m_count -= m_idle.size();
+        for (Object *object : m_idle) Destroy()(object);
         m_idle.clear();
-        if (m_taken == 0) m_idle.shrink_to_fit();
+        if (m_count == 0) m_idle.shrink_to_fit();
     }
+    void atClose() { clear(); }
+    void atUnload() { clear(); }
 
 private:
+    std::atomic<Object *> m_last{nullptr};  // the one given back last
     dxForkSafeMutex m_mutex;
-    std::vector<Object *> m_idle;
-    std::size_t m_taken = 0;
+    std::vector<Object *> m_idle;  // the others
+    std::size_t m_count = 0;  // objects that exist, or are being made
 };
 
 // An object of a pool until the end of the scope. It has the state in which its last user left it.

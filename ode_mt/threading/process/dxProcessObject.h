@@ -1,4 +1,4 @@
-// The one object of its kind in the process: made at its first use, by whichever thread comes first, and never
+// An object of which the process has one, owned by dxProcess: made at its first use, by whichever thread comes first, and never
 // destroyed, since other threads may step and collide while the process ends.
 //
 // Dropped: static variables of functions. While a thread makes one, the compiler's guard is locked; a child
@@ -6,7 +6,7 @@
 // held across fork takes the guard's place.
 //
 // Usage: at namespace scope, `dxProcessObject<Object> object;` (constant-initialised, so usable before main);
-// then `object->` and `*object`. An object may use others while it is made, but must not wait for a thread
+// then `object->` and `*object`. A type may have `void atClose()` and `void atUnload()` (dxProcess). An object may use others while it is made, but must not wait for a thread
 // that does.
 #pragma once
 
@@ -15,6 +15,7 @@
 #include <new>
 
 #include "threading/process/dxForkLocks.h"
+#include "threading/process/dxProcess.h"
 
 template <class Object>
 class dxProcessObject {
@@ -31,10 +32,16 @@ private:
     Object &make() {
         const std::lock_guard<std::recursive_mutex> hold(dxForkLocks::creation);
         if (m_object.load(std::memory_order_relaxed) == nullptr)
-            m_object.store(new (m_memory) Object, std::memory_order_release);
+            publish(new (m_memory) Object);
         return *m_object.load(std::memory_order_relaxed);
+    }
+
+    void publish(Object *object) {
+        dxProcess::own(*object, m_member);
+        m_object.store(object, std::memory_order_release);
     }
 
     alignas(Object) std::byte m_memory[sizeof(Object)] = {};  // goes with the library when it is unloaded
     std::atomic<Object *> m_object{nullptr};
+    dxProcess::Member m_member{};
 };

@@ -11,7 +11,12 @@
 
 namespace {
 
-dxProcessObject<dxTimelineRings> rings;
+struct Rings : dxTimelineRings {
+    void atClose() { dxTimeline::flushAtClose(); }
+    void atUnload() { dxTimeline::unload(); }
+};
+
+dxProcessObject<Rings> rings;
 
 __attribute__((tls_model("initial-exec"))) thread_local dxTimelineRing *t_ring = nullptr;
 __attribute__((tls_model("initial-exec"))) thread_local bool t_isRefused = false;  // a ring

@@ -16,7 +16,7 @@
 #include "threading/process/dxForkLocks.h"
 #include "threading/timeline/dxTimelineRing.h"
 
-class dxTimelineRings final : private dxForkListener {
+class dxTimelineRings : private dxForkListener {
 public:
     dxTimelineRings() { listenToForks(); }
 

@@ -3,25 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "threading/process/dxPerWorld.h"
-#include "threading/process/dxProcessObject.h"
-
-namespace {
-
-dxProcessObject<dxPerWorld<std::unique_ptr<dxFastQuickStepState>>> worlds;
-
-}  // namespace
-
-dxFastQuickStepState &dxFastQuickStepState::of(const dxWorld *world) {
-    dxFastQuickStepState *found = nullptr;
-    worlds->visitOrMake(world, [] { return std::make_unique<dxFastQuickStepState>(); },
-                        [&found](const std::unique_ptr<dxFastQuickStepState> &own) { found = own.get(); });
-    return *found;
+dxFastQuickStepState &dxFastQuickStepState::of(dxWorldState &state) {
+    if (state.fastQuickStep == nullptr) state.fastQuickStep = std::make_unique<dxFastQuickStepState>();
+    return static_cast<dxFastQuickStepState &>(*state.fastQuickStep);
 }
-
-void dxFastQuickStepState::forget(const dxWorld *world) { worlds->forget(world); }
-
-void dxFastQuickStepState::release() { worlds->clear(); }
 
 void dxFastQuickStepState::begin(const dxWorldProcessIslandsInfo &info, const dxSolverChoice &choice, dReal stepSize) {
     m_choice = choice;

@@ -9,18 +9,12 @@
 
 #include "dynamics/quick_step/fast/dxContactCache.h"
 #include "dynamics/quick_step/fast/dxPgsSolver.h"
-#include "settings/dxWorldSolver.h"
+#include "settings/dxWorldState.h"
 
-class dxFastQuickStepState {
+class dxFastQuickStepState final : public dxWorldPart {
 public:
-    // Returns the world's state, which is made at its first use. Throws std::bad_alloc. Any thread.
-    static dxFastQuickStepState &of(const dxWorld *world);
-
-    // The world is about to be destroyed.
-    static void forget(const dxWorld *world);
-
-    // Frees the states of all worlds (unloading). No step may be in progress.
-    static void release();
+    // Returns the world's, which is made at its first use. Throws std::bad_alloc. One step of the world at a time.
+    static dxFastQuickStepState &of(dxWorldState &state);
 
     // Begins a step. Solvers that the last step did not give back, since user code left it, are there again. Throws std::bad_alloc. Forces
     // of a step of quite another size are not used.

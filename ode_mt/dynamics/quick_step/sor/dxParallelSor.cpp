@@ -69,10 +69,6 @@ struct alignas(128) dxParallelSor::Part {
 
 dxObjectPool<dxParallelSor> &dxParallelSor::pool() { return *idle; }
 
-void dxParallelSor::forget() {
-    idle->clear([](dxParallelSor *sweep) { delete sweep; });
-}
-
 dxParallelSor::dxParallelSor() = default;
 dxParallelSor::~dxParallelSor() = default;
 

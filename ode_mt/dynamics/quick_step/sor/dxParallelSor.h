@@ -30,9 +30,6 @@ public:
     using Lease = dxPooledObject<dxParallelSor>;
     static dxObjectPool<dxParallelSor> &pool();
 
-    // Frees what is kept; no step may be in progress.
-    static void forget();
-
     // Minimum number of rows of a part: below, waiting costs more than parallelism gains.
     static constexpr unsigned kMinRows = 500;
 

@@ -14,7 +14,3 @@ dxLargeIslandWorkersLease::dxLargeIslandWorkersLease(dxTaskRunner &runner, bool 
 }
 
 dxLargeIslandWorkersLease::~dxLargeIslandWorkersLease() { m_islandWorkers->runner = nullptr; }
-
-void dxLargeIslandWorkersLease::forget() {
-    pool->clear([](dxLargeIslandWorkers *islandWorkers) { delete islandWorkers; });
-}

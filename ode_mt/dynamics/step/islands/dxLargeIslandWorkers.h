@@ -21,9 +21,6 @@ public:
 
     dxLargeIslandWorkers &operator*() const { return *m_islandWorkers; }
 
-    // Frees what is kept; no step may be in progress.
-    static void forget();
-
 private:
     dxPooledObject<dxLargeIslandWorkers> m_islandWorkers;
 };

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "settings/dxOwnThreads.h"
+#include "settings/dxWorldState.h"
 
 namespace {
 
@@ -45,7 +45,7 @@ void dxStepSpan::end() {
     if (m_begin != 0) m_ring->add(kStep, m_begin, now, {m_bodies, m_islands, rows, threads});
     m_ring->nextFrame();
     if (dxTimeline::isCounted() && m_begin != 0)
-        dxWorldStatistics::add(m_world, {m_begin, now, m_ring->times(), rows, threads, dxOwnThreads::inForce(dxOwnThreads::of(m_world)),
+        dxWorldStatistics::add(m_world, {m_begin, now, m_ring->times(), rows, threads, dxWorldSettings::of(m_world).threadsInForce(),
                                          m_bodies, m_contacts, m_islands, m_reason, m_remote});
     goOnWithOuter();
 }

@@ -1,4 +1,4 @@
-// What the timeline shows of a step, besides its parallel stages (settings/dxStageTimeline.h).
+// What the timeline shows of a step, besides its parallel stages (settings/dxWorkersRunner.h).
 //
 //   step                      from the search for islands to the last body's move
 //     island search           bodies fall asleep, islands get their order

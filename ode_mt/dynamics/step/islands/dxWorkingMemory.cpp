@@ -19,8 +19,12 @@ struct HeapManager : dxWorldProcessMemoryManager {
     HeapManager() : dxWorldProcessMemoryManager(allocate, shrink, deallocate) {}
 };
 
+struct FreeArena {
+    void operator()(dxWorldProcessMemArena *arena) const { dxWorldProcessMemArena::FreeMemArena(arena); }
+};
+
 dxProcessObject<HeapManager> manager;
-dxProcessObject<dxObjectPool<dxWorldProcessMemArena>> pool;
+dxProcessObject<dxObjectPool<dxWorldProcessMemArena, FreeArena>> pool;
 
 }  // namespace
 
@@ -41,7 +45,5 @@ dxWorldProcessMemArena *take(std::size_t size) {
 }
 
 void giveBack(dxWorldProcessMemArena *arena) { pool->giveBack(arena); }
-
-void release() { pool->clear(dxWorldProcessMemArena::FreeMemArena); }
 
 }  // namespace dxWorkingMemory

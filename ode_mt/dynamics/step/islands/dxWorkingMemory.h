@@ -16,9 +16,6 @@ namespace dxWorkingMemory {
 dxWorldProcessMemArena *take(std::size_t size);
 void giveBack(dxWorldProcessMemArena *arena);
 
-// Frees the arenas that are not in use (dCloseODE, unloading).
-void release();
-
 }  // namespace dxWorkingMemory
 
 // An arena until the end of the scope; null: there is no memory.

@@ -250,12 +250,6 @@ bool dxFastWorldStep::solve(const dxIslandStep &step, const dxWorldStepProblem &
     return false;
 }
 
-void dxFastWorldStep::release() {
-    solvers->clear([](dxBodySpaceSolver *solver) { delete solver; });
-    eliminations->clear([](dxEliminatedLcp *elimination) { delete elimination; });
-    bilateralSolvers->clear([](dxBilateralSolver *system) { delete system; });
-}
-
 sizeint dxEstimateFastWorldStepMemory(dxBody *const *bodies, unsigned bodyCount, dxJoint *const *joints, unsigned jointCount) {
     const sizeint upstreams = dxEstimateStepMemoryRequirements(bodies, bodyCount, joints, jointCount);
     const sizeint trial = dxDantzigTrial::memory(bodyCount, std::min(kMaxJointRows * jointCount, kDantzigThreshold));

@@ -16,9 +16,6 @@ class dxFastWorldStep final : public dxWorldStepSolver {
 public:
     // Requires a step's arena as large as dxEstimateFastWorldStepMemory says.
     bool solve(const dxIslandStep &step, const dxWorldStepProblem &problem) override;
-
-    // Frees what is kept from island to island and is not in use (dCloseODE, unloading).
-    static void release();
 };
 
 // Returns how much memory a step takes from its arena, in place of upstream's dxEstimateStepMemoryRequirements: no more than that and a trial

@@ -1,4 +1,4 @@
-#include "settings/dxStatisticsSharing.h"
+#include "settings/dxStatisticsFile.h"
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -6,12 +6,10 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdint>
 #include <cstdio>
 #include <cstring>
 
 #include "core/dxEnvironment.h"
-#include "settings/dxStatisticsFile.h"
 
 namespace {
 
