@@ -192,7 +192,7 @@ TEST_F(Settings, UnknownSolverIsNamedAndChangesNothing) {
     dWorldDestroy(world);
 }
 
-TEST_F(Settings, SettingsOfTheIterativeSolverAreOfOneWorld) {
+TEST_F(Settings, SettingsOfFastQuickStepAreOfOneWorld) {
     const Messages messages;
     const dWorldID chosen = dWorldCreate(), other = dWorldCreate();
     const double usual = dODE_MT_GetSolverTolerance(chosen);
@@ -251,7 +251,7 @@ TEST(SettingsDeathTest, SolverOfTheEnvironmentIsThatOfNewWorlds) {
     EXPECT_EXIT(run("foo", "exact"), testing::ExitedWithCode(0), "ODE_MT_SOLVER is 'foo'.*exact, fast; exact is taken");
 }
 
-TEST(SettingsDeathTest, SettingsOfTheIterativeSolverAreReadFromTheEnvironment) {
+TEST(SettingsDeathTest, SettingsOfFastQuickStepAreReadFromTheEnvironment) {
     testing::FLAGS_gtest_death_test_style = "threadsafe";
     const auto run = [](const char *tolerance, const char *warmStart, double expectedTolerance, int expectedWarmStart) {
         setenv("ODE_MT_SOLVER_TOLERANCE", tolerance, 1);

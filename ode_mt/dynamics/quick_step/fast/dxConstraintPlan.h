@@ -6,8 +6,8 @@
 // them in any order. A body with more edges than there are colours has an overflow, which is solved in rows at the end of a sweep.
 //
 // Lanes or rows: a pack takes as long for one manifold as for eight, so contacts become lanes only where they fill them. Contacts with rolling
-// friction, those of the overflow, and all contacts of a group whose lanes would be nearly empty are solved in rows, like other joints. Numbers of contacts
-// per body, per pack or per colour decide that before any pack is made.
+// friction, those of the overflow, and all contacts of a group whose lanes would be nearly empty are solved in rows, like other joints. Numbers
+// of contacts per body, per pack or per colour decide that before any pack is made.
 //
 // The plan is in an arena and lives until that is reset.
 #pragma once

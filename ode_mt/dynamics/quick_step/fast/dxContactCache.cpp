@@ -7,7 +7,7 @@
 
 namespace {
 
-// Upstream's flags end at 256.
+// Upstream uses flags up to 256; the bits above hold a number.
 constexpr unsigned kNumberShift = 10, kUpstreamsFlags = (1u << kNumberShift) - 1, kMaxNumber = ~0u >> kNumberShift;
 
 constexpr dReal kWarmStart = dReal(0.75), kMaxFullErp = dReal(0.2);
@@ -43,7 +43,7 @@ void dxContactCache::numberBodies(unsigned bodyCount) {
     for (unsigned i = 0; i < bodyCount; ++i) {
         if (i + kPrefetchDistance < bodyCount) dxPrefetch::lineForWrite(&m_bodies[i + kPrefetchDistance]->flags);
         dxBody &body = *m_bodies[i];
-        const unsigned number = body.flags >> kNumberShift;  // and one more; 0: none
+        const unsigned number = body.flags >> kNumberShift;  // plus one; 0: none
         const bool isKnown = number != 0 && number <= m_last.bodies.size() && m_last.bodies[number - 1].body == &body;
         m_lastNumber[i] = isKnown ? number - 1 : kNone;
         body.flags = (body.flags & kUpstreamsFlags) | (i < kMaxNumber ? (i + 1) << kNumberShift : 0);

@@ -38,7 +38,7 @@ void addGyroscopicTorque(const dxBody &body, dReal stepSize, dReal *torque) {
     dAddVectors3(torque, torque, turned);
 }
 
-// v + h inv(M) f
+// Writes v + h inv(M) f.
 void findVelocity(const dxIslandStep &step, const dxBody &body, const dxIslandBody &masses, dReal *velocity) {
     const dReal h = step.stepSize, perForce = h * masses.invMass;
     dVector3 force, torque;

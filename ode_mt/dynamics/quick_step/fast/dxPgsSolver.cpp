@@ -126,6 +126,8 @@ void dxPgsSolver::prepare(const dxIslandStep &step, const dxRowJoints &joints) {
     const dxContactReader reader(step, m_masses);
     m_hasFeedback.store(false, std::memory_order_relaxed);
     forChunks(step, [&](const dxConstraintPlan::Chunk &chunk, unsigned i) {
+        m_chunkEnergies[i] = 0;
+        if (chunk.firstPack == chunk.endPack) return;
         if (reader.read(packs(), m_lanes, chunk.firstPack, chunk.endPack)) m_hasFeedback.store(true, std::memory_order_relaxed);
         m_chunkEnergies[i] = dxPrepareContacts(packs(), chunk.firstPack, chunk.endPack, m_velocities.data());
     });

@@ -1,5 +1,5 @@
-// Random numbers that follow from the state: a step from the same state draws the same ones, another step others, and nobody else's sequence
-// is touched. Orders are drawn with them (docs/fast.md).
+// Random numbers that follow from the state: a step from the same state draws the same numbers, another step draws others, and no other
+// sequence changes. Orders are drawn with them (docs/fast.md).
 #pragma once
 
 #include <cstdint>
@@ -17,14 +17,14 @@ inline std::uint64_t bitsOf(double number) {
     return bits;
 }
 
-// Mixed, of a place.
+// Returns the mixed bits of a position.
 inline std::uint64_t bitsOf(const dVector3 place) {
     std::uint64_t bits = 0;
     for (int axis = 0; axis < 3; ++axis) bits = dxMixedBits(bits ^ bitsOf(static_cast<double>(place[axis])));
     return bits;
 }
 
-// Of mixed bits, a number in [0, count).
+// Returns a number in [0, count) from mixed bits.
 inline unsigned below(std::uint64_t bits, unsigned count) { return static_cast<unsigned>((bits >> 32) * count >> 32); }
 
 }  // namespace dxStateNumbers
