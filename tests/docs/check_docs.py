@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """What the documents name exists: links with their headings, files, functions and classes, tests. Every page of docs/ is in its contents,
-docs/README.md, and every note in docs/notes/README.md. Pages for users link to no note. Contracts that code names are defined.
+docs/README.md, and every note in docs/notes/README.md. Pages for users link to no note. Contracts and pages that code names exist.
 
     check_docs.py REPOSITORY UPSTREAM BUILD    prints each fault with its document, and exits with 1 if there is one
     check_docs.py --self-test                  shows that faults are found
@@ -23,6 +23,7 @@ PATH = re.compile(r"(?<![\w/.~$-])(?:ode|ode_mt|tests|bench|worlds|docs|include)
 TEST = re.compile(r"(?:[A-Z]\w+/)?[A-Z]\w*[a-z]\w*\.[A-Z]\w*[a-z]\w*")
 FENCE = re.compile(r"^```.*?^```$", re.DOTALL | re.MULTILINE)
 HEADING = re.compile(r"^#+ (.*)$", re.MULTILINE)
+PAGE = re.compile(r"(?<![\w/.])docs/[\w/-]+\.md\b")
 CONTRACT = re.compile(r"\b[Cc]ontract ([CF]\d+)\b")
 
 
@@ -62,6 +63,11 @@ def missing_names(text, folders, words, tests):
         test = re.sub(r"(\.\w+)/\w+$", r"\1", quoted)  # without the name of its parameter
         if TEST.fullmatch(test) and test not in tests:
             yield test
+
+
+def missing_pages(code, root):
+    """Yields pages that code names and docs/ lacks."""
+    return sorted({page for page in PAGE.findall(code) if not (root / page).exists()})
 
 
 def links_of(text):
@@ -114,6 +120,9 @@ def main(root, upstream, build):
     for contract in undefined_contracts(code, (root / "docs" / "contracts.md").read_text()):
         print(f"docs/contracts.md: code names the contract {contract}, which is not defined")
         failures += 1
+    for page in missing_pages(code, root):
+        print(f"{page}: code names it (git grep), and it does not exist")
+        failures += 1
     for document in documents:
         text = document.read_text()
         has_date = root / "docs" / "notes" in document.parents
@@ -152,6 +161,7 @@ def self_test():
         assert missing("[x](one.md#nothing)") == ["one.md#nothing"]
         assert missing("[x](one.md#a-comment)") == ["one.md#a-comment"]
         assert missing("[x](#nothing)") == ["#nothing"]
+        assert missing_pages("// {0}/one.md, {0}/four.md; build/{0}/five.md".format("docs"), docs.parent) == ["docs" "/four.md"]
         assert list(pages_without_contents(docs)) == [] and list(links_to_notes(docs)) == []
         write(README=contents.replace("two.md", "one.md"))
         assert [page for _, page in pages_without_contents(docs)] == ["two.md"]
@@ -161,8 +171,8 @@ def self_test():
         assert list(links_to_notes(docs)) == []
         write(one="[x](notes/2026-11-old.md)\n")
         assert list(links_to_notes(docs)) == [(docs / "one.md", "notes/2026-11-old.md")]
-        assert list(missing_names("`dNoSuchThing` `docs/no_such.md` `Some.TestThatIsNot`", [docs.parent], {"word"}, set())) == \
-            ["dNoSuchThing", "docs/no_such.md", "Some.TestThatIsNot"]
+        assert list(missing_names("`dNoSuchThing` `tests/no_such.md` `Some.TestThatIsNot`", [docs.parent], {"word"}, set())) == \
+            ["dNoSuchThing", "tests/no_such.md", "Some.TestThatIsNot"]
         assert undefined_contracts("// (contract C1) Contract " + "F9:", "# Contracts\n\n### C1: one\n") == ["F9"]
     return 0
 

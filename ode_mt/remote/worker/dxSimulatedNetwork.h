@@ -10,8 +10,8 @@
 // while the worker's does. Where the transport below is for one thread only, that thread carries all. Sleeps are as exact as the system's
 // timers.
 //
-// Why two: one of its own alone found no core where the coordinator and the worker keep one each busy, and was milliseconds late
-// (docs/scale.md); the worker's alone would let a result wait for the next problem, which may take 0.1 s.
+// Why two: one of its own alone found no core where the coordinator and the worker keep one each busy, and was milliseconds late; the worker's
+// alone would let a result wait for the next problem, which may take 0.1 s.
 //
 // Units: ns. Threading: that of a transport; the thread below is internal.
 #pragma once
