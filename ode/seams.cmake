@@ -44,7 +44,7 @@ endfunction()
 # misc.cpp is left out: a step takes its random numbers as one atomic block, so the seed must be an
 # atomic of ours (ode_mt/api/misc.cpp).
 
-# Islands are found with fewer waits for memory (ode_mt/dynamics/step/islands/dxStepPreparation.h).
+# Islands are found with fewer waits for memory (ode_mt/dynamics/step/islands/dxIslandSearch.h).
 ode_mt_call_instead("ode.cpp" dxReallocateWorldProcessContext dxPrepareStepIslands)
 
 # The islands are distributed by our strategies instead of upstream's call queue (ode_mt/dynamics/step/dxStep.h), and stepped by stages of
@@ -55,7 +55,7 @@ ode_mt_call_instead("ode.cpp" dxProcessIslands dxStepIslands)
 
 # Our steppers move a body by dxIntegrateIslandBody, which defers notifications on workers. Where upstream's steppers run, it marks
 # moved-callbacks as code of the user's, for which a second thread's first step does not wait for ever
-# (ode_mt/dynamics/step/islands/dxBodyIntegration.cpp, ode_mt/dynamics/step/random/dxSingleStepper.h).
+# (ode_mt/dynamics/step/islands/dxBodyMotion.cpp, ode_mt/dynamics/step/random/dxSingleStepper.h).
 ode_mt_call_instead("step.cpp;quickstep.cpp" dxStepBody dxIntegrateIslandBody)
 
 # An island that upstream's QuickStep steps may have its own part of the random sequence (ode_mt/dynamics/step/random/dxIslandDraws.h).

@@ -13,6 +13,7 @@
 #include <random>
 #include <vector>
 
+#include "dynamics/quick_step/sor/dxSorOrder.h"
 #include "dynamics/quick_step/sor/dxSorSweep.h"
 #include "dynamics/step/islands/dxIslandProblem.h"
 

@@ -2,7 +2,7 @@
 // pair that it collides ahead of its callback.
 //
 // Where it shuffles rows, tells a collision space that a geom moved, or reports a message, our functions in the place
-// of upstream's (dxRowShuffle.h, dxBodyIntegration.h, ode_mt/api/error.cpp) ask the scope of the current thread:
+// of upstream's (dxSorOrder.h, dxBodyMotion.h, ode_mt/api/error.cpp) ask the scope of the current thread:
 //
 //   dxDeferredScope    an island or a world is stepped on behalf of the thread that called the step
 //   dxReservedDraws    islands are stepped in order on that thread, with random numbers taken in advance

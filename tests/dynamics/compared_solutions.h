@@ -1,5 +1,5 @@
-// Solutions of the methods of the fast dWorldStep beside that of Dantzig's algorithm: residuals are no larger, and where that of Dantzig's algorithm is
-// small, bodies are accelerated as by it.
+// Solutions of the methods of the fast dWorldStep beside that of Dantzig's algorithm: residuals are no larger, and where that of Dantzig's
+// algorithm is small, bodies are accelerated as by it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -103,8 +103,8 @@ protected:
         dCloseODE();
     }
 
-    // Solves an island by the body space solver, which judges all solutions, by `solve`, which writes forces, and by Dantzig's algorithm, whose forces
-    // are left. `allowed`: as expectAsExact has it.
+    // Solves an island by the body space solver, which judges all solutions, by `solve`, which writes forces, and by Dantzig's algorithm, whose
+    // forces are left. `allowed`: as expectAsExact has it.
     template <class Solve>
     void compare(const dxIslandStep &step, const dxWorldStepProblem &problem, double allowed, const Solve &solve) {
         const bool isJudged = m_judge.read(problem, step.stepSize, step.runner()) && m_judge.solve(step.runner());

@@ -20,7 +20,7 @@
 #include "lcp.h"
 #include "util.h"
 
-#include "dynamics/step/islands/dxLargeIslandWorkers.h"
+#include "dynamics/step/islands/dxIslandStep.h"
 #include "dynamics/world_step/exact/dxDantzig.h"
 #include "../threading/manager_runner.h"
 #include "instruction_sets.h"

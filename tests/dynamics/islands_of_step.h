@@ -7,7 +7,7 @@
 #include "util.h"
 
 #include "dynamics/step/islands/dxIsland.h"
-#include "dynamics/step/islands/dxStepPreparation.h"
+#include "dynamics/step/islands/dxIslandSearch.h"
 
 // Calls visit(island, arena) for each, in memory of the size that the estimate asks for.
 template <class Visit>

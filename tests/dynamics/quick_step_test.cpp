@@ -3,7 +3,7 @@
 #include "dynamics/quick_step/dxJointRows.h"
 #include "dynamics/quick_step/exact/dxQuickStep.h"
 #include "dynamics/quick_step/sor/dxSorSolver.h"
-#include "dynamics/step/islands/dxStepPreparation.h"
+#include "dynamics/step/islands/dxIslandSearch.h"
 #include "quickstep.h"
 #include "instruction_sets.h"
 #include "islands_of_step.h"

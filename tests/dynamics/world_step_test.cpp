@@ -16,7 +16,7 @@
 #include "util.h"
 
 #include "dynamics/step/islands/dxIsland.h"
-#include "dynamics/step/islands/dxStepPreparation.h"
+#include "dynamics/step/islands/dxIslandSearch.h"
 #include "dynamics/world_step/dxWorldStep.h"
 #include "dynamics/world_step/dxWorldStepBodies.h"
 #include "dynamics/world_step/dxWorldStepProblem.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "dynamics/step/islands/dxIslandPrefetch.h"
+#include "dynamics/step/islands/dxForBodies.h"
 #include "joints/joint.h"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <new>
 
 #include "dynamics/step/dxIslandStepper.h"
-#include "dynamics/step/islands/dxBodyIntegration.h"
+#include "dynamics/step/islands/dxBodyMotion.h"
 #include "dynamics/step/islands/dxBodyWorkers.h"
 #include "dynamics/step/islands/dxIslandSearch.h"
 #include "dynamics/step/islands/dxStepTimeline.h"

@@ -11,7 +11,7 @@
 #include "dynamics/step/dxWorldArena.h"
 #include "dynamics/step/islands/dxStepTimeline.h"
 #include "dynamics/step/random/dxRandom.h"
-#include "dynamics/step/random/dxReservedDraws.h"
+#include "dynamics/step/random/dxIslandDraws.h"
 #include "settings/dxWorkersRunner.h"
 
 void dxIslandParallelStep::run() {

@@ -5,7 +5,7 @@
 #include "settings/dxJointAttachment.h"
 #include "dynamics/quick_step/exact/dxQuickStep.h"
 #include "dynamics/quick_step/fast/dxFastQuickStep.h"
-#include "dynamics/quick_step/sor/dxRowShuffle.h"
+#include "dynamics/quick_step/sor/dxSorOrder.h"
 #include "dynamics/step/islands/dxStepTimeline.h"
 #include "dynamics/step/islands/dxWorkingMemory.h"
 #include "dynamics/step/random/dxSingleStepper.h"

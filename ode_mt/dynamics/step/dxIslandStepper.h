@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "dynamics/step/dxStepCall.h"
-#include "dynamics/step/islands/dxLargeIslandWorkers.h"
+#include "dynamics/step/islands/dxIslandStep.h"
 
 namespace dxIslandStepper {
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "dynamics/step/dxSerialStep.h"
-#include "dynamics/step/islands/dxLargeIslandWorkers.h"
+#include "dynamics/step/islands/dxIslandStep.h"
 #include "settings/dxSettings.h"
 #include "settings/dxStepStatistics.h"
 #include "settings/dxWorkersRunner.h"

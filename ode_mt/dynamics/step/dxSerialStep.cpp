@@ -8,7 +8,7 @@
 #include "dynamics/step/islands/dxIslandSurvey.h"
 #include "dynamics/step/islands/dxStepTimeline.h"
 #include "dynamics/step/random/dxRandom.h"
-#include "dynamics/step/random/dxReservedDraws.h"
+#include "dynamics/step/random/dxIslandDraws.h"
 #include "dynamics/step/random/dxSingleStepper.h"
 
 void dxSerialStep::run() const {

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "dynamics/step/dxStepCall.h"
-#include "dynamics/step/islands/dxLargeIslandWorkers.h"
+#include "dynamics/step/islands/dxIslandStep.h"
 
 class dxSerialStep {
 public:

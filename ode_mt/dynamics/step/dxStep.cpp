@@ -10,7 +10,7 @@
 #include "dynamics/step/dxRemoteSolvers.h"
 #include "dynamics/step/dxSerialStep.h"
 #include "dynamics/step/dxStepStrategy.h"
-#include "dynamics/step/islands/dxStepPreparation.h"
+#include "dynamics/step/islands/dxIslandSearch.h"
 #include "dynamics/step/islands/dxStepTimeline.h"
 #include "dynamics/world_step/fast/dxFastWorldStep.h"
 #include "quickstep.h"

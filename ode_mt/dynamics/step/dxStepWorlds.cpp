@@ -12,7 +12,7 @@
 #include "dynamics/step/dxIslandStepper.h"
 #include "dynamics/step/dxStep.h"
 #include "dynamics/step/dxWorldRuns.h"
-#include "dynamics/step/islands/dxBodyIntegration.h"
+#include "dynamics/step/islands/dxBodyMotion.h"
 #include "dynamics/step/islands/dxStepTimeline.h"
 #include "dynamics/step/random/dxSingleStepper.h"
 #include "quickstep.h"

@@ -6,7 +6,7 @@
 #include <cfenv>
 
 #include "dynamics/step/islands/dxBodyForces.h"
-#include "dynamics/step/islands/dxBodyIntegration.h"
+#include "dynamics/step/islands/dxBodyMotion.h"
 #include "dynamics/step/islands/dxUserHandlers.h"
 #include "dynamics/world_step/dxWorldStepProblem.h"
 #include "dynamics/world_step/kernels/dxBodyColumns.h"
@@ -198,7 +198,7 @@ bool accelerateQuietly(const dxIslandStep &step, const dxWorldStepProblem &probl
         std::copy_n(body.lvel, 3, before[i - begin].linear);
         std::copy_n(body.avel, 3, before[i - begin].angular);
         hasFeedback |= accelerateBody(step, problem, i, areForcesApplied, false);
-        isQuiet &= dxMovesQuietly(body);
+        isQuiet &= dxMayDeferNotification(body);
     }
     dReal sum[kElements];
     for (unsigned i = begin; i < end && isQuiet && hasFeedback; ++i)

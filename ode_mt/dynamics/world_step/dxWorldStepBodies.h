@@ -15,5 +15,5 @@ void dxGatherBodies(const dxIslandStep &step, dxWorldStepProblem &problem, bool 
 
 // Requires x, if there are rows. Body by body, in the island's order: writes feedback of the body's joints, velocities and pose,
 // tells spaces and the user that it has moved, clears facc and tacc. `areForcesApplied`: J' x is in facc and tacc already. `inLanes`: bodies
-// that move quietly (dxMovesQuietly) are moved some at a time, and spaces are told afterwards; the bits are the same.
+// that move quietly (dxMayDeferNotification) are moved some at a time, and spaces are told afterwards; the bits are the same.
 void dxApplyResults(const dxIslandStep &step, const dxWorldStepProblem &problem, bool areForcesApplied = false, bool inLanes = false);

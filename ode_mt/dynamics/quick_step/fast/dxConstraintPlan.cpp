@@ -9,7 +9,7 @@
 
 #include "dynamics/quick_step/fast/dxPackOrder.h"
 #include "dynamics/quick_step/fast/dxStateNumbers.h"
-#include "dynamics/step/islands/dxIslandPrefetch.h"
+#include "dynamics/step/islands/dxForBodies.h"
 
 namespace {
 

@@ -12,7 +12,7 @@
 #include "core/dxPrefetch.h"
 #include "dynamics/quick_step/fast/dxFastQuickStepState.h"
 #include "dynamics/quick_step/fast/dxStateNumbers.h"
-#include "dynamics/step/islands/dxIslandPrefetch.h"
+#include "dynamics/step/islands/dxForBodies.h"
 
 namespace {
 

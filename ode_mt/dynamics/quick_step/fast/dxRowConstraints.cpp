@@ -26,7 +26,7 @@ constexpr int kJacobianOf[2] = {Row::kBody1, Row::kBody2};
 
 // An infinite coefficient allows any force, as long as the row that bounds this one has a force.
 dReal limited(dReal impulse, const Row &row, dReal bounding) {
-    if (!row.isBounded()) return std::max(row.jacobian[Row::kLow], std::min(row.jacobian[Row::kHigh], impulse));
+    if (!row.hasFrictionIndex()) return std::max(row.jacobian[Row::kLow], std::min(row.jacobian[Row::kHigh], impulse));
     const dReal limit = bounding != 0 ? std::fabs(row.jacobian[Row::kHigh] * bounding) : 0;
     return std::max(-limit, std::min(limit, impulse));
 }
@@ -136,7 +136,7 @@ void dxRowConstraints::keep(const dxIslandStep &step) const {
 double dxRowConstraints::prepareRow(Row &row, const dxIslandBody *bodies, const dxSpatialMotion *velocities, dReal stepSize,
                                dReal &diagonal) {
     row.jacobian[Row::kRhs] *= stepSize;
-    if (!row.isBounded()) {
+    if (!row.hasFrictionIndex()) {
         row.jacobian[Row::kLow] *= stepSize;
         row.jacobian[Row::kHigh] *= stepSize;
     }
@@ -154,8 +154,8 @@ double dxRowConstraints::prepareRow(Row &row, const dxIslandBody *bodies, const 
     const dReal inverse = diagonal > 0 ? 1 / diagonal : 0, scale = m_factor * inverse;
     const dReal impulse = (row.jacobian[Row::kRhs] - velocity) * inverse;
     m_order.mix(static_cast<double>(impulse));
-    m_hasFriction |= row.isBounded();
-    const dReal allowed = row.isBounded() ? 0 : std::max(row.jacobian[Row::kLow], std::min(row.jacobian[Row::kHigh], impulse));
+    m_hasFriction |= row.hasFrictionIndex();
+    const dReal allowed = row.hasFrictionIndex() ? 0 : std::max(row.jacobian[Row::kLow], std::min(row.jacobian[Row::kHigh], impulse));
     for (int side = 0; side < sides; ++side)
         for (int i = 0; i < Row::kBodyColumns; ++i) row.jacobian[kJacobianOf[side] + i] *= scale;
     row.jacobian[Row::kRhs] *= scale;
@@ -186,7 +186,7 @@ double dxRowConstraints::prepare(const dxRowJoints &joints, const dxIslandBody *
             Row &row = m_rows[first + i];
             m_energies[index] += prepareRow(row, bodies, velocities, stepSize, m_diagonal[first + i]);
             const dReal impulse = row.lambda;
-            row.lambda = std::isfinite(impulse) ? limited(impulse, row, row.isBounded() ? m_rows[row.boundingRow].lambda : 0) : 0;
+            row.lambda = std::isfinite(impulse) ? limited(impulse, row, row.hasFrictionIndex() ? m_rows[row.boundingRow].lambda : 0) : 0;
         }
         energy += m_energies[index];
     });
@@ -276,13 +276,13 @@ void dxRowConstraints::endOverRelaxation(Row &row) {
 void dxRowConstraints::endOverRelaxation(unsigned begin, unsigned end) {
     if (m_factor <= 1) return;
     for (const int index : m_order.of(begin, end))
-        if (!m_isFrictionRelaxed || !m_rows[index].isBounded()) endOverRelaxation(m_rows[index]);
+        if (!m_isFrictionRelaxed || !m_rows[index].hasFrictionIndex()) endOverRelaxation(m_rows[index]);
 }
 
 void dxRowConstraints::endOverRelaxationOfFriction() {
     m_isFrictionRelaxed = true;
     for (const int index : m_order.all())
-        if (m_rows[index].isBounded()) endOverRelaxation(m_rows[index]);
+        if (m_rows[index].hasFrictionIndex()) endOverRelaxation(m_rows[index]);
 }
 
 void dxRowConstraints::finish(dReal stepSize) {

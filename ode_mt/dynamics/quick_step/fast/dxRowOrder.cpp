@@ -4,7 +4,7 @@
 
 #include "core/dxMixedBits.h"
 #include "dynamics/quick_step/fast/dxStateNumbers.h"
-#include "dynamics/quick_step/sor/dxSorSweep.h"
+#include "dynamics/quick_step/sor/dxSorOrder.h"
 
 namespace {
 
@@ -37,8 +37,8 @@ void dxRowOrder::make(const dxConstraintPlan &plan, dxArenaArray<const unsigned>
     };
     for (const dxConstraintPlan::Chunk &chunk : plan.chunks()) {
         if (isUpstreams) {
-            take(chunk, [](const Row &row) { return !row.isBounded(); });
-            take(chunk, [](const Row &row) { return row.isBounded(); });
+            take(chunk, [](const Row &row) { return !row.hasFrictionIndex(); });
+            take(chunk, [](const Row &row) { return row.hasFrictionIndex(); });
         } else {
             take(chunk, [](const Row &) { return true; });
         }

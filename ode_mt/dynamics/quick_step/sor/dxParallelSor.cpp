@@ -5,7 +5,6 @@
 #include <thread>
 #include <utility>
 
-#include "dynamics/quick_step/sor/dxSorRun.h"
 #include "threading/dxPerturbation.h"
 #include "threading/pool/dxSpin.h"
 #include "threading/process/dxProcessObject.h"

@@ -18,7 +18,7 @@ HWY_INLINE dReal residual(const Row &row) { return row.jacobian[Row::kRhs] - row
 // are predicted, the dependency chain does not contain the clamp; branch-free code would add its latency to every row.
 HWY_INLINE dReal relax(const dxIslandProblem &problem, Row &row, dReal delta) {
     dReal low = row.jacobian[Row::kLow], high = row.jacobian[Row::kHigh];
-    if (row.isBounded()) {
+    if (row.hasFrictionIndex()) {
         high = std::fabs(high * problem.rows[row.boundingRow].lambda);
         low = -high;
     }

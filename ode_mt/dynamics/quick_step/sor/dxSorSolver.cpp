@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <new>
 
-#include "dynamics/quick_step/sor/dxRowShuffle.h"
 #include "dynamics/quick_step/sor/dxSorOrder.h"
 #include "dynamics/quick_step/sor/dxSorSweep.h"
 

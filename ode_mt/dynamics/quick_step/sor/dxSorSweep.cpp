@@ -12,7 +12,6 @@
 #include <type_traits>
 
 #include "dynamics/quick_step/sor/dxSorPlain.h"
-#include "dynamics/quick_step/sor/dxSorRun.h"
 #include "dynamics/quick_step/sor/dxSorSweep.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -110,15 +109,15 @@ constexpr hn::FixedTag<dReal, 1> kSingle;
 struct BranchFree {
     static HWY_INLINE dReal relaxRow(const dxIslandProblem &problem, Row &row, dReal delta) {
         const hn::RebindToSigned<decltype(kSingle)> whole;
-        const auto isBounded =
+        const auto hasFrictionIndex =
             hn::RebindMask(kSingle, hn::Gt(hn::Set(whole, row.boundingRow), hn::Set(whole, Row::kNone)));
         const auto ownLow = hn::LoadU(kSingle, row.jacobian + Row::kLow);
         const auto ownHigh = hn::LoadU(kSingle, row.jacobian + Row::kHigh);
         const auto one = hn::Set(kSingle, dReal(1));  // an infinite limit times a lambda of 0 would be no number
-        const auto factor = hn::IfThenElse(isBounded, hn::LoadU(kSingle, &boundingRowOf(problem, row).lambda), one);
+        const auto factor = hn::IfThenElse(hasFrictionIndex, hn::LoadU(kSingle, &boundingRowOf(problem, row).lambda), one);
         const auto bound = hn::Abs(hn::Mul(ownHigh, factor));
-        const auto high = hn::IfThenElse(isBounded, bound, ownHigh);
-        const auto low = hn::IfThenElse(isBounded, hn::Neg(bound), ownLow);
+        const auto high = hn::IfThenElse(hasFrictionIndex, bound, ownHigh);
+        const auto low = hn::IfThenElse(hasFrictionIndex, hn::Neg(bound), ownLow);
 
         const auto old = hn::LoadU(kSingle, &row.lambda), change = hn::Set(kSingle, delta), wanted = hn::Add(old, change);
         const auto isLow = hn::Lt(wanted, low), isHigh = hn::Gt(wanted, high), isLimited = hn::Or(isLow, isHigh);

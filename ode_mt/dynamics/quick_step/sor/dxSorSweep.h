@@ -2,11 +2,23 @@
 // why the bits are those of upstream's loop.
 #pragma once
 
-#include "dynamics/step/islands/dxIslandProblem.h"
+#include <cstddef>
+#include <cstdint>
 
-// Writes an order of the rows to problem.order that gives the results of taking unbounded rows first, then bounded ones, each in
-// the order of their joints, and in which neighbours seldom wait for one another (level scheduling; dxSorSchedule.cpp has the source).
-void dxScheduleSor(const dxIslandProblem &problem);
+#include "dynamics/step/islands/dxIslandProblem.h"
 
 // Relaxes every row once, in this order. Each row's columns are scaled and its impulse is set (dxSorSolver).
 void dxSorSweep(const dxIslandProblem &problem, const int *order);
+
+// --- a part of a sweep: consecutive rows up to a dependency on another thread (dxParallelSor) ---------------------
+
+// An entry of a list of rows: the number of a row, and marks.
+namespace dxSorRun {
+constexpr std::uint32_t kWaits = UINT32_C(1) << 30;      // waits for another thread to finish a certain row
+constexpr std::uint32_t kAnnounces = UINT32_C(1) << 31;  // other threads may be waiting for it
+constexpr std::uint32_t kRow = kWaits - 1;
+}  // namespace dxSorRun
+
+// Takes entries from `begin` on: up to one that announces, that included, or the next one that waits, or
+// `end`. The first one does not wait any more. Returns the entry to go on with.
+std::size_t dxRelaxRun(const dxIslandProblem &problem, const std::uint32_t *entries, std::size_t begin, std::size_t end);

@@ -36,7 +36,8 @@ struct dxConstraintRow {
     unsigned level, levelBegin;
 
     bool hasSecondBody() const { return body[1] != kNone; }
-    bool isBounded() const { return boundingRow != kNone; }
+    // Returns whether the bounds follow another row's lambda, as those of friction follow the normal (upstream's findex).
+    bool hasFrictionIndex() const { return boundingRow != kNone; }
 };
 
 // A body's masses in the world's frame, side by side for the rows that act on it.

@@ -7,7 +7,7 @@
 #include <cstddef>
 
 #include "core/dxStopwatch.h"
-#include "dynamics/step/islands/dxLargeIslandWorkers.h"
+#include "dynamics/step/islands/dxIslandStep.h"
 
 class dxLcpWorkers {
 public:

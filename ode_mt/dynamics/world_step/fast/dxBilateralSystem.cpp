@@ -27,8 +27,8 @@ HWY_INLINE double addUpLanes(const double *lanes) {
 }
 
 // Linear rows of a ball joint for its first body and its second one, and columns of the unit matrix.
-alignas(64) constexpr double kBallSigns[2][kBodyLanes] = {{1, 1, 1}, {-1, -1, -1}};
-alignas(64) constexpr double kUnits[3][kBodyLanes] = {{1}, {0, 1}, {0, 0, 1}};
+alignas(kCacheLine) constexpr double kBallSigns[2][kBodyLanes] = {{1, 1, 1}, {-1, -1, -1}};
+alignas(kCacheLine) constexpr double kUnits[3][kBodyLanes] = {{1}, {0, 1}, {0, 0, 1}};
 
 // `kBalls`: all joints are ball joints, and nobody reads linear columns.
 template <bool kBalls>
@@ -61,7 +61,7 @@ public:
 
     HWY_INLINE dxBilateralSizes findResidual(const dxBodyVector *accelerations) {
         const Tag d;
-        alignas(64) double worst[kLanes] = {}, largestSum[kLanes] = {}, zeros[kLanes] = {};
+        alignas(kCacheLine) double worst[kLanes] = {}, largestSum[kLanes] = {}, zeros[kLanes] = {};
         for (unsigned joint = 0; joint < m_system.joints.size(); ++joint) {
             const unsigned *const bodies = m_system.joints[joint].bodies;
             for (unsigned lane = 0; lane < kLanes; lane += hn::Lanes(d)) {
@@ -169,7 +169,7 @@ private:
         const Tag d;
         const unsigned *const bodies = m_system.joints[joint].bodies;
         const unsigned sides = bodies[1] != kNoIndex ? 2 : 1;
-        alignas(64) double byMass[2][kBodyAxes * kLanes];
+        alignas(kCacheLine) double byMass[2][kBodyAxes * kLanes];
         for (unsigned side = 0; side < sides; ++side)
             multiplyByInverseMass<kLanes, !kBalls>(jacobianOf(2 * joint + side), inverseMasses[bodies[side]], byMass[side]);
         double *const diagonal = columnsOf(m_system.diagonal, joint);
@@ -300,7 +300,7 @@ private:
     template <unsigned kRows>
     HWY_NOINLINE void substitute(unsigned joint) {
         const Tag d;
-        alignas(64) double sums[kRows][kLanes];
+        alignas(kCacheLine) double sums[kRows][kLanes];
         for (unsigned lane = 0; lane < kLanes; lane += hn::Lanes(d)) {
             Lanes sum[kRows];
             for (unsigned row = 0; row < kRows; ++row) sum[row] = hn::Zero(d);
@@ -324,7 +324,7 @@ private:
 
     dxBilateralSystem &m_system;
     const dxEliminationOrder &m_order;
-    alignas(64) double m_largestB[kLanes] = {};
+    alignas(kCacheLine) double m_largestB[kLanes] = {};
 };
 
 bool solveBilateral(dxBilateralSystem &system, const dxInverseMass *inverseMasses, const dxBodyVector *motions) {

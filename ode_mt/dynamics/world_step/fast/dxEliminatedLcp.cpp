@@ -12,7 +12,6 @@
 namespace {
 
 constexpr int kPair = dxJoint::GI2__RHS_CFM_MAX;
-constexpr unsigned kMatrixAlignment = 64;  // bytes
 
 // The largest sum, as part of the largest b, where there are unilateral rows: those that contradict one another have forces of b/c, and which
 // of them end at a limit is a matter of rounding. Up to the second one, forces tell whether they do: by what part of b/c they are. A robot of
@@ -174,7 +173,7 @@ bool dxEliminatedLcp::solveUnilateralRows(const dxIslandStep &step, const dxWorl
     if (unilateral == 0) return true;
     dxWorldProcessMemArena &arena = *step.arena;
     void *const state = arena.SaveState();
-    dReal *const matrix = arena.AllocateOveralignedArray<dReal>(std::size_t(unilateral) * dPAD(unilateral), kMatrixAlignment);
+    dReal *const matrix = arena.AllocateOveralignedArray<dReal>(std::size_t(unilateral) * dPAD(unilateral), kCacheLine);
     dReal *const pairsBX = arena.AllocateArray<dReal>(std::size_t(unilateral) * kPair);
     dReal *const pairsLoHi = arena.AllocateArray<dReal>(std::size_t(unilateral) * kPair);
     int *const normalOf = arena.AllocateArray<int>(unilateral);

@@ -201,11 +201,9 @@ bool solveByElimination(const dxIslandStep &step, const dxWorldStepProblem &prob
 
 // --- memory ------------------------------------------------------------------------------------------------
 
-constexpr sizeint kAlignment = 64;  // of matrices and tensors, at most
-
 template <class Element>
 sizeint sizeOf(sizeint count) {
-    return dOVERALIGNED_SIZE(count * sizeof(Element), kAlignment);
+    return dOVERALIGNED_SIZE(count * sizeof(Element), kCacheLine);
 }
 
 // Bodies, joints and rows.

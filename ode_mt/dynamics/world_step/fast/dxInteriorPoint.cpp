@@ -35,12 +35,12 @@ public:
     void raise(unsigned vector, V value) { m_sums[vector] = hn::IfThenElse(hn::Gt(value, m_sums[vector]), value, m_sums[vector]); }
 
     double sum() const {
-        alignas(64) double lanes[kBodyLanes];
+        alignas(kCacheLine) double lanes[kBodyLanes];
         store(lanes);
         return addUp(lanes);
     }
     double largest() const {
-        alignas(64) double lanes[kBodyLanes];
+        alignas(kCacheLine) double lanes[kBodyLanes];
         store(lanes);
         double value = lanes[0];
         for (const double lane : lanes) value = lane > value ? lane : value;

@@ -8,10 +8,12 @@
 
 #include <ode/common.h>
 
+#include "core/dxCacheLine.h"
+
 constexpr unsigned kBodyColumns = 16;  // bodies: their columns stay in L1, and what is stored by bodies has arrived when vectors read it
 
 // Matrices by rows.
-struct alignas(64) dxInertiaColumns {
+struct alignas(kCacheLine) dxInertiaColumns {
     // --- given ---------------------------------------------------------------------------------------------
     dReal rotation[9][kBodyColumns];
     dReal tensor[9][kBodyColumns], inverseTensor[9][kBodyColumns];  // in the body's frame
@@ -24,7 +26,7 @@ struct alignas(64) dxInertiaColumns {
 };
 
 // Quaternions: real part first.
-struct alignas(64) dxTurnColumns {
+struct alignas(kCacheLine) dxTurnColumns {
     dReal velocity[3][kBodyColumns];     // given
     dReal orientation[4][kBodyColumns];  // given; then that after the step
     dReal rotation[9][kBodyColumns];     // found

@@ -1,11 +1,10 @@
-// Level scheduling of a triangular dependency graph (Saltz, "Aggregation methods for solving sparse triangular
-// systems on multiprocessors", 1990): the level of a row is the length of the longest chain of rows that
-// must come before it. Rows of one level share no body, so their order is free.
+#include "dynamics/quick_step/sor/dxSorOrder.h"
+
 #include <algorithm>
 #include <utility>
 
-#include "dynamics/quick_step/sor/dxSorOrder.h"
-#include "dynamics/quick_step/sor/dxSorSweep.h"
+#include "dynamics/step/random/dxIslandDraws.h"
+#include "dynamics/step/random/dxRandom.h"
 
 namespace {
 
@@ -47,4 +46,13 @@ void dxScheduleSor(const dxIslandProblem &problem) {
         dxOrderRows(problem);
     else
         sortByLevel(problem, levels);
+}
+
+void dxShuffleRows(int *order, unsigned rows) {
+    if (rows < 2) return;
+    std::uint32_t seed = dxTakeIslandDraws(rows - 1);
+    for (unsigned i = 1; i < rows; ++i) {
+        seed = dxRandom::next(seed);
+        std::swap(order[i], order[dxRandom::toRange(seed, i + 1)]);
+    }
 }

@@ -10,7 +10,7 @@
 #include "step.h"
 #include "util.h"
 
-#include "dynamics/step/islands/dxStepPreparation.h"
+#include "dynamics/step/islands/dxIslandSearch.h"
 #include "random_world.h"
 
 namespace {
@@ -92,7 +92,7 @@ private:
 }  // namespace
 
 // Upstream begins with the body that was made last.
-TEST(StepPreparation, JoinsIslandsToGroups) {
+TEST(IslandSearch, JoinsIslandsToGroups) {
     const Columns columns;
     for (const int bodies : {3, 3, 2, 3, 3}) columns.add(bodies, false);
     EXPECT_EQ(columns.groups({}), (std::vector<Size>{{3, 2}, {3, 2}, {2, 1}, {3, 2}, {3, 2}}));
@@ -100,27 +100,27 @@ TEST(StepPreparation, JoinsIslandsToGroups) {
     EXPECT_EQ(columns.groups({100, 1}), (std::vector<Size>{{14, 9}}));
 }
 
-TEST(StepPreparation, DoesNotMixContactsAndOtherJointsInAGroup) {
+TEST(IslandSearch, DoesNotMixContactsAndOtherJointsInAGroup) {
     const Columns columns;
     for (const bool hasBalls : {false, false, true, true, true, false, false}) columns.add(2, hasBalls);
     EXPECT_EQ(columns.groups({100, 6}), (std::vector<Size>{{4, 2}, {4, 2}, {2, 1}, {4, 2}}));
 }
 
-TEST(StepPreparation, LeavesAnIslandAloneThatFillsAGroup) {
+TEST(IslandSearch, LeavesAnIslandAloneThatFillsAGroup) {
     const Columns columns;
     for (const int bodies : {2, 60, 2, 2}) columns.add(bodies, false);
     EXPECT_EQ(columns.groups({100, 1}), (std::vector<Size>{{4, 2}, {60, 59}, {2, 1}}));
 }
 
 // A callback may push bodies of islands that have yet to be stepped.
-TEST(StepPreparation, JoinsNoIslandsWhereABodyHasAMovedCallback) {
+TEST(IslandSearch, JoinsNoIslandsWhereABodyHasAMovedCallback) {
     const Columns columns;
     columns.add(2, false);
     dBodySetMovedCallback(columns.add(2, false), [](dBodyID) {});
     EXPECT_EQ(columns.groups({100, 1}), (std::vector<Size>{{2, 1}, {2, 1}}));
 }
 
-TEST(StepPreparation, AsksForUpstreamsMemory) {
+TEST(IslandSearch, AsksForUpstreamsMemory) {
     dInitODE2(0);
     for (const dmemestimate_fn_t estimate : {&dxEstimateStepMemoryRequirements, &dxEstimateQuickStepMemoryRequirements}) {
         for (unsigned seed = 0; seed < 50; ++seed) {

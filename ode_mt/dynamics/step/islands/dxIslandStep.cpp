@@ -1,4 +1,4 @@
-#include "dynamics/step/islands/dxLargeIslandWorkers.h"
+#include "dynamics/step/islands/dxIslandStep.h"
 
 #include "threading/process/dxProcessObject.h"
 
