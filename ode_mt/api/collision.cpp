@@ -8,7 +8,6 @@
 #include "collision/narrowphase/dxColliderTable.h"
 #include "collision/narrowphase/dxNarrowphasePrefetch.h"
 #include "collision/narrowphase/dxHeightField.h"
-#include "collision/narrowphase/dxLiveHeightfields.h"
 #include "collision/pairs/dxUnnoticedChanges.h"
 #include "collision/narrowphase/dxTransformedGeom.h"
 #include "collision/spaces/dxOrderedSpace.h"
@@ -66,14 +65,15 @@ int dCollide(dGeomID o1, dGeomID o2, int flags, dContactGeom *contact, int skip)
     return collideWithCare(o1, o2, flags, contact, skip);
 }
 
-// Nothing is decided, nor recorded, for the smallest of spaces: it would take longer than the call.
+// Nothing is decided, nor recorded, for the smallest of spaces: it would take longer than the call. Clusters are the broad phase of spaces that
+// collide under an algorithm that clusters; a call under another algorithm asks nothing of them, unless the space still has them.
 void dSpaceCollide(dSpaceID space, void *data, dNearCallback *callback) {
     dxOrderedSpace *const ordered = callback != nullptr ? dxOrderedSpace::from(space) : nullptr;
     if (ordered == nullptr) return dxUpstreamSpaceCollide(space, data, callback);
     const dxSettings &settings = dxSettings::instance();
     if (settings.algorithm() == dxAlgorithm::Auto && !ordered->isRecorded() && ordered->broadphase() == nullptr)
         return ordered->collide(data, callback);
-    dxClusterManager::prepare(space, settings.passName());
+    if (settings.passName() != nullptr || ordered->broadphase() != nullptr) dxClusterManager::prepare(space, settings.passName());
     dxCollideSpace(*ordered, data, callback);
 }
 
@@ -114,7 +114,7 @@ void dGeomDisable(dGeomID geom) {
 }
 
 // Data of height fields: contacts that were computed from it hear of changes (collision/pairs/dxUnnoticedChanges.h), and which data
-// is there is known (collision/narrowphase/dxLiveHeightfields.h).
+// is there is known (collision/narrowphase/dxHeightField.h).
 
 dHeightfieldDataID dGeomHeightfieldDataCreate() {
     const dHeightfieldDataID data = dxUpstreamGeomHeightfieldDataCreate();

@@ -25,7 +25,7 @@ struct dxCellRange {
 
 class dxClusterGrid {
 public:
-    static constexpr int kMinCells = dxMinGridCells, kMaxCells = dxMaxGridCells;  // an axis
+    static constexpr int kMinCells = dxSettings::kMinGridCells, kMaxCells = dxSettings::kMaxGridCells;  // an axis
 
     dxClusterGrid() = default;
     // `cells` an axis; `edge` of a cell, above 0.

@@ -3,28 +3,28 @@
 #include <cstring>
 #include <new>
 
-#include "clusters/dxTunedClusters.h"
+#include "clusters/dxClusterBroadphase.h"
 #include "collision/spaces/dxOrderedSpace.h"
 
 namespace {
 
-// A space's search, if it has one, was set by prepare().
-dxTunedClusters *tunedOf(dxSpace *space) {
+// A space has no other broad phase that was set than the one of prepare().
+dxClusterBroadphase *broadphaseOf(dxSpace *space) {
     dxOrderedSpace *const ordered = dxOrderedSpace::from(space);
-    return ordered != nullptr ? static_cast<dxTunedClusters *>(ordered->broadphase()) : nullptr;
+    return ordered != nullptr ? static_cast<dxClusterBroadphase *>(ordered->broadphase()) : nullptr;
 }
 
 }  // namespace
 
 const dxClusteredWorldAndSpace *dxClusterManager::find(dSpaceID space) {
-    const dxTunedClusters *const tuned = tunedOf(space);
-    return tuned != nullptr ? &tuned->clusters() : nullptr;
+    const dxClusterBroadphase *const broadphase = broadphaseOf(space);
+    return broadphase != nullptr ? &broadphase->clusters() : nullptr;
 }
 
 void dxClusterManager::prepare(dSpaceID space, const char *passName) {
     dxOrderedSpace *const ordered = dxOrderedSpace::from(space);
     if (ordered == nullptr || ordered->lock_count != 0) return;
-    dxTunedClusters *const present = tunedOf(space);
+    dxClusterBroadphase *const present = broadphaseOf(space);
     if (passName == nullptr) {
         if (present != nullptr) ordered->setBroadphase(nullptr);
         return;
@@ -34,7 +34,7 @@ void dxClusterManager::prepare(dSpaceID space, const char *passName) {
         return;
     }
     try {
-        ordered->setBroadphase(std::make_unique<dxTunedClusters>(dxMakeCrossoverPass(passName)));
+        ordered->setBroadphase(std::make_unique<dxClusterBroadphase>(dxMakeCrossoverPass(passName)));
     } catch (const std::bad_alloc &) {  // without clusters this time
         ordered->setBroadphase(nullptr);
     }

@@ -1,7 +1,7 @@
 // Which spaces have clusters: those that collide while a cluster algorithm is in force. The name is the thesis's, whose
 // manager owned a hidden world and space for each cluster; this one owns nothing.
 //
-// The clusters of a world and space belong to the space (dxTunedClusters is its broad phase), so
+// The clusters of a world and space belong to the space (dxClusterBroadphase is its broad phase), so
 // they are found through it in O(1), there are as many as there are spaces, and they go with it.
 #pragma once
 

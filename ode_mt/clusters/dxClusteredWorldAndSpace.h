@@ -1,13 +1,13 @@
 // The clusters of one space and of the world whose bodies its geoms have: grid, pass, clusters and the broad phase by
 // clusters (thesis chapters 2 and 5 to 8).
 //
-// It is the broad phase of its space, which owns it. Clusters are index sets over the space's members; the space and
-// the world stay the user's own.
+// A space owns it through its broad phase (dxClusterBroadphase), which tunes it; alone it is a broad phase without heuristics. Clusters are index
+// sets over the space's members; the space and the world stay the user's own.
 //
 // A search costs the changed members, the crossover pass if one of them changed its cells, and the clusters
-// in which something changed. Static geoms that rest cost nothing but where a pass says so. Who knows that a
-// check can be left out (dxTunedClusters) calls the parts of a search instead.
-// One thread at a time, as the space.
+// in which something changed. Static geoms that rest cost nothing but where a pass says so. dxClusterBroadphase,
+// which knows that a check can be left out, calls the parts of a search instead.
+// Threading: one thread at a time, as the space.
 #pragma once
 
 #include <cstdint>

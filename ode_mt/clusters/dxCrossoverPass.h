@@ -73,5 +73,5 @@ void dxPseudoMerge(const dxClusterScene &scene, dxCrossoverMemory &memory, dxClu
 // Each dynamic cluster gets the static inhabitants with which it shares a cell, big ones included.
 void dxDuplicateStatics(const dxClusterScene &scene, dxClusters &clusters);
 
-// The passes by their names, NULL for others.
+// Returns the pass of a name, NULL for others: "original", "static", "static-unmerged", "duplication" or "decluster".
 std::unique_ptr<dxCrossoverPass> dxMakeCrossoverPass(const std::string &name);

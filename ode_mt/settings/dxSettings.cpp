@@ -231,12 +231,12 @@ bool dxSettings::chooseHeuristics(const std::string &names) {
 void dxSettings::readGridCells(const char *text) {
     if (std::strcmp(text, "auto") == 0) return;
     long long number = kTunedCells;
-    const bool understood = dxReadNumber(text, dxMinGridCells, dxMaxGridCells, number) == dxNumberText::InRange;
+    const bool understood = dxReadNumber(text, kMinGridCells, kMaxGridCells, number) == dxNumberText::InRange;
     chooseGridCells(static_cast<int>(number));
     if (understood) return;
     dxLog(dxLogLevel::warning,
           "ODE_MT_GRID_CELLS is '%.100s'; known: auto, or a number from %d to %d; %s is taken", text,
-          dxMinGridCells, dxMaxGridCells, number == kTunedCells ? "auto" : std::to_string(number).c_str());
+          kMinGridCells, kMaxGridCells, number == kTunedCells ? "auto" : std::to_string(number).c_str());
 }
 
 // The library of the transport "loopback" is not installed: its workers are threads of the process, for tests.
@@ -259,12 +259,12 @@ bool dxSettings::setGridCells(int cells) {
     const bool possible = chooseGridCells(cells);
     if (!possible)
         dMessage(0, "ODE_MT: no grid of %d cells on each axis; known: %d to %d, or %d to have it tuned",
-                 cells, dxMinGridCells, dxMaxGridCells, kTunedCells);
+                 cells, kMinGridCells, kMaxGridCells, kTunedCells);
     return possible;
 }
 
 bool dxSettings::chooseGridCells(int cells) {
-    if (cells != kTunedCells && (cells < dxMinGridCells || cells > dxMaxGridCells)) return false;
+    if (cells != kTunedCells && (cells < kMinGridCells || cells > kMaxGridCells)) return false;
     m_gridCells.store(cells, std::memory_order_relaxed);
     return true;
 }

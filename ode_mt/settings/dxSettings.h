@@ -103,7 +103,8 @@ public:
     unsigned heuristics() const { return m_heuristics.load(std::memory_order_relaxed); }  // a dxHeuristicChoice
     bool setHeuristics(const std::string &names);  // false: unknown
 
-    // Cells of the grid of clusters on each axis; 0: tuned.
+    // Cells of the grid of clusters on each axis, within these limits (thesis 10.2); 0: tuned.
+    static constexpr int kMinGridCells = 5, kMaxGridCells = 20;
     int gridCells() const { return m_gridCells.load(std::memory_order_relaxed); }
     bool setGridCells(int cells);  // false: too few or too many
 

@@ -103,13 +103,13 @@ TEST_F(BroadphaseChoice, ATableOfSlotsGivesWayToAListAndComesBackAtHalfTheSize) 
 TEST_F(BroadphaseChoice, ListsAndNeighboursAreChangedAfterCallsThatSpeakAgainstThem) {
     facts.slots = 1000;
     facts.current = dxBroadphaseKind::NeighbourList;
-    facts.callsAgainst = Threshold::kCallsAgainst - 1;
+    facts.mismatchStreak = Threshold::kMinMismatchStreak - 1;
     EXPECT_EQ(dxChooseBroadphase(facts), dxBroadphaseKind::NeighbourList);
-    facts.callsAgainst = Threshold::kCallsAgainst;
+    facts.mismatchStreak = Threshold::kMinMismatchStreak;
     EXPECT_EQ(dxChooseBroadphase(facts), dxBroadphaseKind::NeighbourSets);
     facts.current = dxBroadphaseKind::NeighbourSets;
     EXPECT_EQ(dxChooseBroadphase(facts), dxBroadphaseKind::NeighbourList);
-    facts.callsAgainst = Threshold::kCallsAgainst - 1;
+    facts.mismatchStreak = Threshold::kMinMismatchStreak - 1;
     EXPECT_EQ(dxChooseBroadphase(facts), dxBroadphaseKind::NeighbourSets);
 }
 
@@ -117,16 +117,16 @@ TEST_F(BroadphaseChoice, FewChangesSpeakAgainstAListAndManyAgainstNeighbours) {
     facts.slots = 1000;
     facts.current = dxBroadphaseKind::NeighbourList;
     facts.changed = 99;
-    EXPECT_TRUE(dxSpeaksAgainst(facts));
+    EXPECT_TRUE(dxPrefersOtherBroadphase(facts));
     facts.changed = 100;
-    EXPECT_FALSE(dxSpeaksAgainst(facts));
+    EXPECT_FALSE(dxPrefersOtherBroadphase(facts));
     facts.current = dxBroadphaseKind::NeighbourSets;
     facts.changed = 199;
-    EXPECT_FALSE(dxSpeaksAgainst(facts));
+    EXPECT_FALSE(dxPrefersOtherBroadphase(facts));
     facts.changed = 200;
-    EXPECT_TRUE(dxSpeaksAgainst(facts));
+    EXPECT_TRUE(dxPrefersOtherBroadphase(facts));
     facts.current = dxBroadphaseKind::SlotTable;
-    EXPECT_FALSE(dxSpeaksAgainst(facts));
+    EXPECT_FALSE(dxPrefersOtherBroadphase(facts));
 }
 
 TEST_F(BroadphaseChoice, MembersThatLeaveTheirNeighboursAllAtOnceAreListedAtOnce) {

@@ -89,7 +89,7 @@ TEST_F(OrderedBoxes, LeaveTheFirstQueriesToAFasterWay) {
 }
 
 TEST_F(OrderedBoxes, OfTooManyMembersFindNothing) {
-    while (taken.size() < dxOrderedBoxes::kMostMembers) addBox();
+    while (taken.size() < dxOrderedBoxes::kMaxMembers) addBox();
     expectQuery();
     addBox();
     EXPECT_FALSE(boxes.find(members, randomBox(), false, found));

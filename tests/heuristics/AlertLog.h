@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "clusters/heuristics/HeuristicAlertCallback.h"
+#include "clusters/heuristics/dxHeuristic.h"
 
 struct AlertLog final : HeuristicAlertCallback {
     void alertCallback(const dxHeuristic &, const dxHeuristicAlert &alert) override { numbers.push_back(alert.now); }

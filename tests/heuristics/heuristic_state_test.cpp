@@ -1,5 +1,5 @@
 // Which state may follow which, in the table and in a heuristic that is driven through all of them.
-#include "clusters/heuristics/dxHeuristicState.h"
+#include "clusters/heuristics/dxHeuristic.h"
 
 #include <gtest/gtest.h>
 

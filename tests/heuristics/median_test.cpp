@@ -1,4 +1,4 @@
-#include "clusters/heuristics/dxMedian.h"
+#include "clusters/heuristics/dxHeuristic.h"
 
 #include <gtest/gtest.h>
 

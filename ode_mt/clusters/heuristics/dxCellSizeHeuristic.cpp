@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "clusters/heuristics/dxMedian.h"
+#include "clusters/heuristics/dxHeuristic.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clusters/heuristics/dxMedian.h"
+#include "clusters/heuristics/dxHeuristic.h"
 
 void dxGridCentreHeuristic::forget() {
     m_frame = {};

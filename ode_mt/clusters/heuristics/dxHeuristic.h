@@ -8,8 +8,39 @@
 // that pair's frame.
 #pragma once
 
-#include "clusters/heuristics/dxHeuristicState.h"
-#include "clusters/heuristics/HeuristicAlertCallback.h"
+#include <vector>
+
+// The states of a heuristic, and which may follow which (thesis, figure A.4, which names the states only).
+//
+//             start            pause
+//   Init ─────────────► Running ─────► Paused      Init     created, has never run
+//                       ▲  ▲             │         Reset    as created, waits for its start
+//   Reset ──────────────┘  └─────────────┘         Running  takes a sample, or judges, once a frame
+//     start                    start               Paused   keeps everything, does nothing
+//                                                  Stopped  over; what it found can still be read
+//   any state ──reset──► Reset
+//   any state but Stopped ──stop──► Stopped        nothing returns to Init
+enum class dxHeuristicState { Init, Reset, Running, Paused, Stopped };
+
+bool dxMayFollow(dxHeuristicState from, dxHeuristicState to);
+
+class dxHeuristic;
+
+// The parameter, as a number.
+struct dxHeuristicAlert {
+    double before, now;
+};
+
+// Who is told when a heuristic sets its parameter anew. The names are the thesis's (figures A.4 and A.5).
+//
+// Called on the thread that ticks, within the tick. Inside, the heuristic's state may be changed; it may not be destroyed.
+class HeuristicAlertCallback {
+public:
+    virtual void alertCallback(const dxHeuristic &heuristic, const dxHeuristicAlert &alert) = 0;
+
+protected:
+    ~HeuristicAlertCallback() = default;
+};
 
 class dxHeuristic {
 public:
@@ -48,3 +79,7 @@ private:
     dxHeuristicState m_state = dxHeuristicState::Init;
     HeuristicAlertCallback *m_callback = nullptr;
 };
+
+// Returns the median of samples of a heuristic, which outliers (a frame during which the system took the thread off its core) do not move: the lower
+// of the two middle numbers if their count is even; 0 if there are none. Requires that no number is NaN. Reorders them.
+double dxMedian(std::vector<double> &numbers);

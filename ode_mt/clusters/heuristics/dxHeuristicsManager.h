@@ -2,7 +2,7 @@
 //
 // tick() is called once at the end of every search for pairs and ticks the heuristics in the order in which they were added, so
 // that alerts come in the same order in every run. Unlike the thesis's manager this one knows no heuristic, world or cluster: its
-// owner (dxTunedClusters) decides what is observed and acts upon it. There is no global state; several pairs have several managers.
+// owner (dxClusterBroadphase) decides what is observed and acts upon it. There is no global state; several pairs have several managers.
 //
 // Threading: none, owned and used by the thread that runs the pair's frame.
 #pragma once

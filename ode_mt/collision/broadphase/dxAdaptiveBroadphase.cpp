@@ -31,7 +31,7 @@ void dxAdaptiveBroadphase::chooseBySize(const dxMembers &members) {
     m_bruteForce.reset();
     m_verlet.reset();
     m_neighbours.reset();
-    m_callsAgainst = 0;
+    m_mismatchStreak = 0;
     if (choice == dxBroadphaseKind::SlotTable) {
         m_bruteForce = std::make_unique<dxBruteForceBroadphase>();
         m_bruteForce->adopt(members);
@@ -42,7 +42,7 @@ void dxAdaptiveBroadphase::chooseBySize(const dxMembers &members) {
 
 void dxAdaptiveBroadphase::findWithVerletList(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) {
     dxBroadphaseFacts facts = factsOf(members);
-    facts.callsAgainst = m_callsAgainst = dxSpeaksAgainst(facts) ? m_callsAgainst + 1 : 0;
+    facts.mismatchStreak = m_mismatchStreak = dxPrefersOtherBroadphase(facts) ? m_mismatchStreak + 1 : 0;
     if (dxChooseBroadphase(facts) == dxBroadphaseKind::NeighbourList) {
         m_verlet->findOverlaps(members, runner, matches);
         return;
@@ -57,9 +57,9 @@ void dxAdaptiveBroadphase::findWithNeighbours(const dxMembers &members, dxTaskRu
     m_neighbours->findOverlaps(members, runner, matches);
     dxBroadphaseFacts facts = factsOf(members);
     facts.lookedUp = m_neighbours->lookedUp();
-    facts.callsAgainst = m_callsAgainst = dxSpeaksAgainst(facts) ? m_callsAgainst + 1 : 0;
+    facts.mismatchStreak = m_mismatchStreak = dxPrefersOtherBroadphase(facts) ? m_mismatchStreak + 1 : 0;
     if (dxChooseBroadphase(facts) == dxBroadphaseKind::NeighbourSets) return;
     m_neighbours.reset();
     m_verlet = std::make_unique<dxVerletBroadphase>(m_maxPairs);
-    m_callsAgainst = 0;
+    m_mismatchStreak = 0;
 }

@@ -30,5 +30,5 @@ private:
     std::unique_ptr<dxBruteForceBroadphase> m_bruteForce;
     std::unique_ptr<dxVerletBroadphase> m_verlet;
     std::unique_ptr<dxNeighbourBroadphase> m_neighbours;
-    int m_callsAgainst = 0;  // in a row (dxSpeaksAgainst)
+    int m_mismatchStreak = 0;  // in a row (dxPrefersOtherBroadphase)
 };

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "collision/pairs/dxMembers.h"
-#include "collision/pairs/dxSlotPair.h"
+#include "collision/pairs/dxPair.h"
 #include "threading/dxTaskRunner.h"
 
 class dxBroadphase {

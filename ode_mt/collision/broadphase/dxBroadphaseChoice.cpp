@@ -43,7 +43,7 @@ bool areNeighboursLost(const dxBroadphaseFacts &facts) {
 
 // All members have just come, or a table has become too small: a list takes all of them in at once.
 dxBroadphaseKind chooseNeighbours(const dxBroadphaseFacts &facts) {
-    const bool isTold = facts.callsAgainst >= Threshold::kCallsAgainst;
+    const bool isTold = facts.mismatchStreak >= Threshold::kMinMismatchStreak;
     if (facts.current == dxBroadphaseKind::NeighbourList)
         return isTold ? dxBroadphaseKind::NeighbourSets : dxBroadphaseKind::NeighbourList;
     if (facts.current == dxBroadphaseKind::NeighbourSets && !isTold && !areNeighboursLost(facts))
@@ -60,7 +60,7 @@ dxBroadphaseKind dxChooseBroadphase(const dxBroadphaseFacts &facts) {
     return isSlotTable(facts) ? dxBroadphaseKind::SlotTable : chooseNeighbours(facts);
 }
 
-bool dxSpeaksAgainst(const dxBroadphaseFacts &facts) {
+bool dxPrefersOtherBroadphase(const dxBroadphaseFacts &facts) {
     if (facts.current == dxBroadphaseKind::NeighbourList) return facts.changed * Threshold::kListedPerLookUp < facts.slots;
     return facts.current == dxBroadphaseKind::NeighbourSets && facts.changed * Threshold::kListedPerMove >= facts.slots;
 }

@@ -64,7 +64,7 @@ struct dxBroadphaseThresholds {
     static constexpr std::size_t kMinLookUps = 32;
     // So many calls in a row with few changes must come before neighbours are built up, which costs a look-up for each
     // member; and so many with many changes before a list is made instead.
-    static constexpr int kCallsAgainst = 8;
+    static constexpr int kMinMismatchStreak = 8;
 
     // A neighbour list pays if it serves so many calls; after so many lists in a row that did not, none is made for so
     // many calls.
@@ -93,21 +93,21 @@ struct dxBroadphaseThresholds {
 struct dxBroadphaseFacts {
     dxPairOrder order = dxPairOrder::Cells;
     dxBroadphaseKind current = dxBroadphaseKind::None;  // what the space has used so far
-    bool mayWalk = false;         // ranks are not given yet, and neither workers nor a search of the caller's need them
+    bool mayWalk = false;         // ranks are not given yet, and neither workers nor a broad phase that was set need them
     int geoms = 0;
     int moved = 0;                // geoms that are to be cleaned
     std::size_t comparisons = 0;  // Axis: of the last sweep
     std::size_t slots = 0;        // of members
     std::size_t changed = 0;      // members, since pairs were last found
     std::size_t lookedUp = 0;     // boxes that left their neighbours at this call, in NeighbourSets
-    int callsAgainst = 0;         // in a row, this one included, for which dxSpeaksAgainst() was true
+    int mismatchStreak = 0;       // calls in a row, this one included, for which dxPrefersOtherBroadphase() was true
 };
 
 dxBroadphaseKind dxChooseBroadphase(const dxBroadphaseFacts &facts);
 
 // Whether the changes of this call would have been cheaper to follow the other way: by neighbours instead of a list,
 // or by a list instead of neighbours.
-bool dxSpeaksAgainst(const dxBroadphaseFacts &facts);
+bool dxPrefersOtherBroadphase(const dxBroadphaseFacts &facts);
 
 // Geoms that must move for a space to be walked; INT_MAX: it is never walked for that.
 int dxMinMovedToWalk(dxPairOrder order, int geoms);

@@ -10,7 +10,7 @@
 
 #include "collision/broadphase/overlap/dxBoxColumns.h"
 #include "collision/pairs/dxMembers.h"
-#include "collision/pairs/dxOrderedPair.h"
+#include "collision/pairs/dxPair.h"
 
 class dxBruteForcePairs {
 public:

@@ -5,7 +5,7 @@
 namespace {
 
 // Up to so many are compared one by one as fast as by vectors.
-constexpr std::size_t kFewMembers = 16;
+constexpr std::size_t kMaxComparedOneByOne = 16;
 
 // Putting so many boxes into columns costs what one query saves.
 constexpr std::size_t kBoxesPerQuery = 8;
@@ -21,8 +21,8 @@ const std::vector<dxSortItem> &dxOrderedBoxes::update(const dxMembers &members) 
 }
 
 bool dxOrderedBoxes::find(const dxMembers &members, const dxBounds &box, bool isFewElsewhere, Found &found) {
-    if (members.end() > kMostMembers) return false;
-    const bool areFew = members.end() <= kFewMembers;
+    if (members.end() > kMaxMembers) return false;
+    const bool areFew = members.end() <= kMaxComparedOneByOne;
     bool isByVectors = !areFew && hasColumns(members);
     if (!isByVectors) {
         isByVectors = !areFew && isColumnsDue(members);

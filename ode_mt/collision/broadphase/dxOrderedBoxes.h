@@ -23,11 +23,11 @@ public:
     using Slot = dxMembers::Slot;
 
     // Of more members nothing is found.
-    static constexpr std::size_t kMostMembers = 512;
+    static constexpr std::size_t kMaxMembers = 512;
     // Room for what is found. It is not initialised.
     struct Found {
         std::size_t count;
-        Slot slots[kMostMembers];
+        Slot slots[kMaxMembers];
     };
 
     // As dxRankOrder::update().

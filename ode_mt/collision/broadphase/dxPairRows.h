@@ -12,7 +12,7 @@
 
 #include "collision/broadphase/overlap/dxBoxColumns.h"
 #include "collision/pairs/dxMembers.h"
-#include "collision/pairs/dxPairFilter.h"
+#include "collision/pairs/dxPair.h"
 
 // Where each geom is paired with those behind it.
 class dxPairRows {

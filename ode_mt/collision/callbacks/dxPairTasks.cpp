@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include "collision/narrowphase/dxHeightField.h"
-#include "collision/narrowphase/dxLiveHeightfields.h"
 #include "collision/narrowphase/dxConcurrentColliders.h"
 #include "collision/spaces/dxOrderedSpace.h"
 #include "core/dxNoIndex.h"

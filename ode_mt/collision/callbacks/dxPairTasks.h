@@ -14,7 +14,7 @@
 
 #include "collision/broadphase/dxBroadphase.h"
 #include "collision/callbacks/dxColliderMemory.h"
-#include "collision/pairs/dxOrderedPair.h"
+#include "collision/pairs/dxPair.h"
 #include "core/dxDisjointSets.h"
 
 class dxPairTasks {

@@ -5,7 +5,6 @@
 #include <mutex>
 #include <utility>
 
-#include "collision/narrowphase/dxColliderOverrides.h"
 #include "config.h"
 #include "collision_kernel.h"
 #include "seams/upstream.h"
@@ -13,6 +12,8 @@
 #include "threading/process/dxProcessObject.h"
 
 namespace {
+
+std::atomic<bool> overridden[dGeomNumClasses][dGeomNumClasses] = {};
 
 // What upstream's table holds for two classes, as far as it matters here. Upstream never writes over a
 // collider when a class is created: those of spaces, of geom transforms and those set by the user stay, and
@@ -139,4 +140,16 @@ void dxColliderTable::setOverride(int type1, int type2, dColliderFn *collider) {
 void dxColliderTable::forget() {
     dispatch->forget();
     dxColliderOverrides::forget();
+}
+
+void dxColliderOverrides::note(int type1, int type2) { overridden[type1][type2] = overridden[type2][type1] = true; }
+
+bool dxColliderOverrides::has(int type1, int type2) {
+    return overridden[type1][type2].load(std::memory_order_relaxed);
+}
+
+void dxColliderOverrides::forget() {
+    for (auto &row : overridden) {
+        for (std::atomic<bool> &entry : row) entry.store(false, std::memory_order_relaxed);
+    }
 }

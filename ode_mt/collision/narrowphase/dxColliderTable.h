@@ -23,3 +23,12 @@ void setOverride(int type1, int type2, dColliderFn *collider);
 void forget();
 
 }  // namespace dxColliderTable
+
+// The colliders that are the user's (dSetColliderOverride). They run on the user's thread alone. The set is the process's, too.
+namespace dxColliderOverrides {
+
+void note(int type1, int type2);  // in both orders
+bool has(int type1, int type2);
+void forget();
+
+}  // namespace dxColliderOverrides

@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <new>
 
-#include "collision/narrowphase/dxColliderOverrides.h"
+#include "collision/narrowphase/dxColliderTable.h"
 #include "collision/narrowphase/dxHeightField.h"
 
 #include <ode/memory.h>

@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "collision/narrowphase/dxCcdQuery.h"
-#include "collision/narrowphase/dxColliderOverrides.h"
+#include "collision/narrowphase/dxColliderTable.h"
 #include "collision/pairs/dxUnnoticedChanges.h"
 #include "collision/pairs/dxPairPrefetch.h"
 #include "core/dxReserve.h"

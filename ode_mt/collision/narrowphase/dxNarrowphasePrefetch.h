@@ -32,7 +32,7 @@
 #include "collision/narrowphase/dxConvexArrays.h"
 #include "collision/narrowphase/dxConcurrentColliders.h"
 #include "collision/pairs/dxMembers.h"
-#include "collision/pairs/dxOrderedPair.h"
+#include "collision/pairs/dxPair.h"
 #include "core/dxNoIndex.h"
 #include "threading/dxStackFrame.h"
 #include "threading/dxTaskRunner.h"

@@ -9,9 +9,7 @@
 #include <vector>
 
 #include "collision/pairs/dxMembers.h"
-#include "collision/pairs/dxOrderedPair.h"
-#include "collision/pairs/dxPairKey.h"
-#include "collision/pairs/dxSlotPair.h"
+#include "collision/pairs/dxPair.h"
 #include "core/dxRadixSort.h"
 #include "threading/dxTaskRunner.h"
 

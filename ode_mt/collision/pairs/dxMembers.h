@@ -18,8 +18,7 @@
 
 #include <ode/common.h>
 
-#include "collision/pairs/dxPairFilter.h"
-#include "collision/pairs/dxPairKey.h"
+#include "collision/pairs/dxPair.h"
 #include "core/dxBounds.h"
 #include "core/dxPrefetch.h"
 

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "collision/pairs/dxOrderedPair.h"
+#include "collision/pairs/dxPair.h"
 #include "core/dxPrefetch.h"
 
 #include "config.h"

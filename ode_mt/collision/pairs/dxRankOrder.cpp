@@ -8,7 +8,7 @@
 namespace {
 
 // Fewer are sorted by comparisons.
-constexpr std::size_t kFewItems = 64;
+constexpr std::size_t kMinRadixSorted = 64;
 
 bool isBefore(const dxSortItem &a, const dxSortItem &b) { return a.key < b.key; }
 
@@ -20,7 +20,7 @@ const std::vector<dxSortItem> &dxRankOrder::update(const dxMembers &members) {
     gatherLoose(members);
     m_items.erase(std::remove_if(m_items.begin(), m_items.end(), [this](const dxSortItem &item) { return item.key != m_keys[item.index]; }),
                   m_items.end());
-    if (m_loose.size() < kFewItems)
+    if (m_loose.size() < kMinRadixSorted)
         std::sort(m_loose.begin(), m_loose.end(), isBefore);
     else
         dxRadixSort(m_loose, m_spare);

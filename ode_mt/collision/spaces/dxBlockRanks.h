@@ -6,7 +6,7 @@
 // then assigned again.
 #pragma once
 
-#include "collision/pairs/dxPairKey.h"
+#include "collision/pairs/dxPair.h"
 #include "collision/spaces/dxQuadTree.h"
 
 class dxBlockRanks {

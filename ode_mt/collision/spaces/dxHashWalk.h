@@ -10,7 +10,7 @@
 
 #include <ode/collision_space.h>
 
-#include "collision/pairs/dxOrderedPair.h"
+#include "collision/pairs/dxPair.h"
 #include "collision/spaces/dxHashCells.h"
 
 class dxHashWalk {

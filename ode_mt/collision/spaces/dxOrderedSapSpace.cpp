@@ -8,7 +8,8 @@
 // If the axes are not all three, upstream's sweep meets pairs that do not overlap: then no broad phase can find them.
 dxOrderedSapSpace::dxOrderedSapSpace(dSpaceID parent, int axes)
     : dxOrderedSpace(parent, dSweepAndPruneSpaceClass, dxPairOrder::Axis, m_cleaner, m_order, m_walker, dxSapAxes(axes).areAll()), m_state(axes),
-      m_cleaner(geoms(), foundPairs(), m_state), m_order(geoms(), foundPairs(), m_state, m_cleaner.lists()), m_walker(*this, m_state, m_cleaner, m_order) {
+      m_cleaner(geoms(), foundPairs(), m_state), m_order(geoms(), foundPairs(), m_state, m_cleaner.lists()),
+      m_walker(*this, m_state, m_cleaner, m_order) {
     dInfiniteAABB(this, aabb);
 }
 

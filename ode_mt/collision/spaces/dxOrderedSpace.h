@@ -4,9 +4,9 @@
 // Between two calls of dSpaceCollide it keeps the list of pairs whose boxes overlap, in order. The cost of a call is
 // proportional to the changes since the last one, plus one callback per pair.
 //
-// A call has three stages (collideInStages): the geoms are cleaned, pairs are found, callbacks are called. All kinds of spaces are of this class. A kind
-// differs in three parts, which its class owns and this one asks (dxSpaceParts.h): the cleaner, the order of pairs, and the walker. The list of geoms
-// (dxSpace::first) is upstream's, with upstream's order, locks and messages.
+// A call has three stages (collideInStages): the geoms are cleaned, pairs are found, callbacks are called. All kinds of spaces are of this
+// class. A kind differs in three parts, which its class owns and this one asks (dxSpaceParts.h): the cleaner, the order of pairs, and the
+// walker. The list of geoms (dxSpace::first) is upstream's, with upstream's order, locks and messages.
 //
 // Invariants, when pairs have been found (dxPairsFound::Kept):
 //  - every geom of the space is a member with a rank, which gives its place in upstream's order. Only geoms that change
@@ -40,7 +40,7 @@
 #include "collision/broadphase/dxBroadphase.h"
 #include "collision/narrowphase/dxNarrowphasePrefetch.h"
 #include "collision/pairs/dxMembers.h"
-#include "collision/pairs/dxOrderedPair.h"
+#include "collision/pairs/dxPair.h"
 #include "collision/spaces/dxSpaceGeoms.h"
 #include "collision/spaces/dxSpacePairs.h"
 #include "collision/spaces/dxSpaceParts.h"
@@ -106,7 +106,8 @@ public:
 
 protected:
     // The parts may be members of the derived class: they are not used here. `mayKeep`: as in dxSpacePairs.
-    dxOrderedSpace(dSpaceID parent, int type, dxPairOrder kind, dxSpaceCleaner &cleaner, dxSpacePairOrder &order, dxSpaceWalker &walker, bool mayKeep = true);
+    dxOrderedSpace(dSpaceID parent, int type, dxPairOrder kind, dxSpaceCleaner &cleaner, dxSpacePairOrder &order, dxSpaceWalker &walker,
+                   bool mayKeep = true);
 
 private:
     static constexpr int kMinRecorded = 8;  // geoms

@@ -10,8 +10,7 @@
 
 #include <ode/ode.h>
 
-#include "collision/pairs/dxOrderedPair.h"
-#include "collision/pairs/dxPairFilter.h"
+#include "collision/pairs/dxPair.h"
 #include "collision/spaces/dxOrderedSpace.h"
 #include "core/dxBounds.h"
 
@@ -61,7 +60,8 @@ private:
 //
 // Upstream tests whether a geom is enabled once before it is paired with those behind it, and each of those at its
 // pair. A callback may enable or disable either.
-inline void dxDeliverInOrder(dxOrderedSpace &space, dxSpaceWalker &walker, const std::vector<dxOrderedPair> &pairs, void *data, dNearCallback *callback) {
+inline void dxDeliverInOrder(dxOrderedSpace &space, dxSpaceWalker &walker, const std::vector<dxOrderedPair> &pairs, void *data,
+                             dNearCallback *callback) {
     const dxGeom *front = nullptr;
     bool frontIsEnabled = false;
     dxNarrowphasePrefetch *const ahead = space.ahead();

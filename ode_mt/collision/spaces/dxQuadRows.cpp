@@ -3,7 +3,7 @@
 namespace {
 
 // To put a box into columns takes as long as to compare it with so many.
-constexpr std::size_t kFewCandidatesPerGeom = 16;
+constexpr std::size_t kMaxPackedPerGeom = 16;
 
 }  // namespace
 
@@ -33,7 +33,7 @@ void dxQuadRows::finish() {
         m_open.push_back(row);
     }
     while (!m_open.empty()) close(static_cast<std::uint32_t>(geoms()));
-    m_areFew = m_candidates <= kFewCandidatesPerGeom * geoms();
+    m_areFew = m_candidates <= kMaxPackedPerGeom * geoms();
     if (m_areFew) return;
     for (std::size_t row = 0; row < geoms(); ++row) m_boxes.push(m_packed.box(row));
 }

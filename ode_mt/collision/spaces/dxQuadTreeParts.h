@@ -6,12 +6,12 @@
 
 #include <vector>
 
+#include "collision/broadphase/dxOrderedBoxes.h"
 #include "collision/spaces/dxBlockRanks.h"
 #include "collision/spaces/dxDirtyQueue.h"
 #include "collision/spaces/dxQuadRows.h"
 #include "collision/spaces/dxQuadTree.h"
 #include "collision/spaces/dxRankPairOrder.h"
-#include "collision/broadphase/dxOrderedBoxes.h"
 #include "collision/spaces/dxSpaceGeoms.h"
 #include "collision/spaces/dxSpacePairs.h"
 #include "collision/spaces/dxSpaceParts.h"
@@ -20,7 +20,8 @@ class dxQuadTreeCleaner final : public dxSpaceCleaner {
 public:
     using Block = dxQuadTree::Block;
 
-    dxQuadTreeCleaner(dxSpaceGeoms &geoms, dxSpacePairs &pairs, const dxQuadTree &tree) : m_geoms(geoms), m_pairs(pairs), m_tree(tree), m_ranks(tree.size()) {}
+    dxQuadTreeCleaner(dxSpaceGeoms &geoms, dxSpacePairs &pairs, const dxQuadTree &tree)
+        : m_geoms(geoms), m_pairs(pairs), m_tree(tree), m_ranks(tree.size()) {}
 
     const dxBlockRanks &ranks() const { return m_ranks; }
     // Returns the block of a member.

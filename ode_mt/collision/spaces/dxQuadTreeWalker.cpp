@@ -160,12 +160,15 @@ void dxQuadTreeWalker::collideWith(void *data, dxGeom *geom, dNearCallback *call
         collideOther(data, geom, callback);
 }
 
-// Calls meet(begin, end) with the slots of the members whose boxes overlap this one, in upstream's order. Those that are enabled since may be missing.
+// Calls meet(begin, end) with the slots of the members whose boxes overlap this one, in upstream's order. Those that are enabled since may be
+// missing.
 template <class Meet>
 void dxQuadTreeWalker::withOverlapping(const dxBounds &box, const Meet &meet) {
     dxOrderedBoxes::Found found;
-    const bool isInOrder = m_space.members().switched().empty() && !m_space.geoms().isWorthAnIndexByVectors() &&
-                           m_space.geoms().beforeCallbacks([&] { return m_order.boxes().find(m_space.members(), box, m_space.geoms().isWorthAnIndex(), found); });
+    dxSpaceGeoms &geoms = m_space.geoms();
+    const bool isInOrder =
+        geoms.members().switched().empty() && !geoms.isWorthAnIndexByVectors() &&
+        geoms.beforeCallbacks([&] { return m_order.boxes().find(geoms.members(), box, geoms.isWorthAnIndex(), found); });
     if (isInOrder) {
         m_space.geoms().noteMet(found.count);
         return meet(found.slots, found.slots + found.count);

@@ -1,4 +1,5 @@
-// The cleaner of sweep-and-prune spaces, which keep their geoms in two arrays (dxSapLists): a member's rank follows from its place among the clean ones.
+// The cleaner of sweep-and-prune spaces, which keep their geoms in two arrays (dxSapLists): a member's rank follows from its place among the
+// clean ones.
 //
 // It also chooses whether calls walk: a walk sorts and sweeps as upstream does, and needs neither ranks nor boxes of members.
 // Threading: as dxOrderedSpace.

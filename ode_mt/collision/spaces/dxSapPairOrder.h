@@ -1,15 +1,15 @@
 // The order of pairs of sweep-and-prune spaces: geoms are sorted along an axis, and each is paired with those that begin before it
 // ends; pairs with geoms of infinite extent on that axis follow. docs/collision.md.
 //
-// Upstream tests which geoms are enabled before it sorts, so enabling or disabling a geom changes the pairs. The place of a pair depends on all sorted
-// members: kept pairs get new places whenever a member changes. Threading: as dxOrderedSpace.
+// Upstream tests which geoms are enabled before it sorts, so enabling or disabling a geom changes the pairs. The place of a pair depends on all
+// sorted members: kept pairs get new places whenever a member changes. Threading: as dxOrderedSpace.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "collision/pairs/dxSlotPair.h"
+#include "collision/pairs/dxPair.h"
 #include "collision/spaces/dxSapLists.h"
 #include "collision/spaces/dxSapRows.h"
 #include "collision/spaces/dxSapState.h"

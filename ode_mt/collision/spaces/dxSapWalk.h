@@ -11,9 +11,9 @@
 
 struct dxOrderedPair;
 
-// Upstream's lists of the geoms that a call goes through, which are its space's: a call of dSpaceCollide in a callback of another one fills them anew, if
-// a geom has been enabled or disabled, and the numbers of the other's pairs then mean other geoms. What the new lists do not reach stays in memory as it
-// was.
+// Upstream's lists of the geoms that a call goes through, which are its space's: a call of dSpaceCollide in a callback of another one fills them
+// anew, if a geom has been enabled or disabled, and the numbers of the other's pairs then mean other geoms. What the new lists do not reach
+// stays in memory as it was.
 class dxSapTemporaryLists {
 public:
     // Requires a call at the beginning of each call that none is around.

@@ -18,7 +18,7 @@
 #include "collision/broadphase/dxPairKeeping.h"
 #include "collision/broadphase/dxPairRows.h"
 #include "collision/pairs/dxKeptPairs.h"
-#include "collision/pairs/dxOrderedPair.h"
+#include "collision/pairs/dxPair.h"
 #include "collision/spaces/dxSpaceGeoms.h"
 #include "collision/spaces/dxSpaceParts.h"
 
@@ -39,7 +39,8 @@ public:
 
     const std::vector<dxOrderedPair> &all() const { return m_pairs; }
 
-    // Finds the pairs, if they can be known. Requires a locked space and clean geoms; `areRanked`: what dxSpaceCleaner::cleanToCollide() has returned.
+    // Finds the pairs, if they can be known. Requires a locked space and clean geoms; `areRanked`: what dxSpaceCleaner::cleanToCollide() has
+    // returned.
     dxPairsFound find(bool areRanked) {
         m_geoms.resumeRunner();
         if (!areRanked || !m_geoms.takeSwitches()) return dxPairsFound::None;

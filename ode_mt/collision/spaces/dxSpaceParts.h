@@ -17,7 +17,7 @@
 #include "collision/broadphase/dxPairRows.h"
 #include "collision/pairs/dxKeptPairs.h"
 #include "collision/pairs/dxMembers.h"
-#include "collision/pairs/dxOrderedPair.h"
+#include "collision/pairs/dxPair.h"
 
 class dxSpaceCleaner {
 public:

@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/pairs/dxSlotPair.h"
+#include "collision/pairs/dxPair.h"
 
 // In rising order of their lower bounds on the first axis; none of these is NaN. A NaN elsewhere overlaps nothing.
 class dxSapColumns {

@@ -7,7 +7,7 @@
 
 #include <ode/common.h>
 
-#include "collision/pairs/dxSlotPair.h"
+#include "collision/pairs/dxPair.h"
 #include "core/dxBounds.h"
 
 class dxBoxColumns {

@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/pairs/dxSlotPair.h"
+#include "collision/pairs/dxPair.h"
 #include "core/dxBounds.h"
 
 // Boxes in rising order of their cells, in columns. Numbers of cells are below 2^52, so that a double holds them and

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/pairs/dxSlotPair.h"
+#include "collision/pairs/dxPair.h"
 #include "core/dxBounds.h"
 #include "core/dxCacheLine.h"
 #include "core/dxPrefetch.h"

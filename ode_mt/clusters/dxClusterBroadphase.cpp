@@ -1,4 +1,4 @@
-#include "clusters/dxTunedClusters.h"
+#include "clusters/dxClusterBroadphase.h"
 
 #include <algorithm>
 #include <utility>
@@ -28,7 +28,7 @@ dxGridCentreHeuristic::Point pointOf(const dReal *v) {
 
 }  // namespace
 
-dxTunedClusters::dxTunedClusters(std::unique_ptr<dxCrossoverPass> pass)
+dxClusterBroadphase::dxClusterBroadphase(std::unique_ptr<dxCrossoverPass> pass)
     : m_clusters(std::move(pass)),
       m_cellSize(m_heuristics.add(std::make_unique<dxCellSizeHeuristic>())),
       m_gridCentre(m_heuristics.add(std::make_unique<dxGridCentreHeuristic>())),
@@ -40,12 +40,12 @@ dxTunedClusters::dxTunedClusters(std::unique_ptr<dxCrossoverPass> pass)
     m_threadCount->setAlertCallback(this);
 }
 
-void dxTunedClusters::alertCallback(const dxHeuristic &heuristic, const dxHeuristicAlert &alert) {
+void dxClusterBroadphase::alertCallback(const dxHeuristic &heuristic, const dxHeuristicAlert &alert) {
     dxLog(dxLogLevel::debug, "heuristics: %s, %.0f before, %.0f from now on",
           &heuristic == m_cellSize ? "grid cells an axis" : "threads for callbacks", alert.before, alert.now);
 }
 
-void dxTunedClusters::findOverlaps(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) {
+void dxClusterBroadphase::findOverlaps(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) {
     follow(dxSettings::instance().heuristics());
     const int fixedCells = dxSettings::instance().gridCells();
     m_clusters.setCells(fixedCells != 0 ? fixedCells : m_cellSize->cells());
@@ -56,7 +56,7 @@ void dxTunedClusters::findOverlaps(const dxMembers &members, dxTaskRunner &runne
     tune(stopwatch.ns(), runner.workers());
 }
 
-void dxTunedClusters::follow(unsigned choice) {
+void dxClusterBroadphase::follow(unsigned choice) {
     if (choice == m_choice) return;
     const auto set = [&](dxHeuristic *heuristic, dxHeuristicChoice which) {
         if ((choice & which) != 0) heuristic->start();
@@ -71,7 +71,7 @@ void dxTunedClusters::follow(unsigned choice) {
     m_choice = choice;
 }
 
-bool dxTunedClusters::mustCheck(const dxMembers &members) {
+bool dxClusterBroadphase::mustCheck(const dxMembers &members) {
     const double travel = m_clusters.travel(members);
     const dxMotionBound motion = motionOf(travel - m_travel);
     m_travel = travel;
@@ -82,7 +82,7 @@ bool dxTunedClusters::mustCheck(const dxMembers &members) {
            m_searches - m_checkedAt > dxCheckFrequencyHeuristic::kMaxFrames;
 }
 
-void dxTunedClusters::check(const dxMembers &members) {
+void dxClusterBroadphase::check(const dxMembers &members) {
     const bool gapLasted = m_searches - m_checkedAt > 1;
     ++m_checks;
     m_checkedAt = m_searches;
@@ -100,13 +100,13 @@ void dxTunedClusters::check(const dxMembers &members) {
     measureGaps();
 }
 
-void dxTunedClusters::measureGaps() {
+void dxClusterBroadphase::measureGaps() {
     const bool skips = m_crossover->running();
     m_crossover->checked(skips ? m_clusters.gapToOthers() : 0);
     m_declustering->checked(skips && m_clusters.splits() ? m_clusters.gapBeforeCut() : 0);
 }
 
-void dxTunedClusters::tune(double ns, unsigned threads) {
+void dxClusterBroadphase::tune(double ns, unsigned threads) {
     tuneCells(ns);
     observeCentre(ns);
     m_threadCount->observe(static_cast<unsigned>(m_clusters.clusters().dynamicCount()), threads);
@@ -114,20 +114,20 @@ void dxTunedClusters::tune(double ns, unsigned threads) {
     placeCentre();
 }
 
-void dxTunedClusters::tuneCells(double ns) {
+void dxClusterBroadphase::tuneCells(double ns) {
     if (dxSettings::instance().gridCells() != 0) return;
     const bool climbs = m_cellSize->phase() == dxCellSizeHeuristic::Phase::Climb;  // only then are they asked for
     const auto entities = static_cast<unsigned>(climbs ? m_clusters.entities() : 0);
     m_cellSize->observe({ns, static_cast<unsigned>(m_clusters.clusters().dynamicCount()), entities});
 }
 
-void dxTunedClusters::observeCentre(double ns) {
+void dxClusterBroadphase::observeCentre(double ns) {
     if (!m_gridCentre->running()) return;
     if (m_searches % kSearchesBetweenLooks == 0) m_shareOutside = dxShareOutside(m_clusters.scene());
     m_gridCentre->observe({m_shareOutside, ns});
 }
 
-void dxTunedClusters::placeCentre() {
+void dxClusterBroadphase::placeCentre() {
     if (!m_gridCentre->wantsMedian()) return;
     const dxClusterGrid &grid = m_clusters.scene().grid();
     const dxGridCentreHeuristic::Point fitted = pointOf(dxFitGrid(m_clusters.scene(), grid.cells()).centre());
@@ -135,6 +135,6 @@ void dxTunedClusters::placeCentre() {
         m_clusters.placeGrid();
 }
 
-unsigned dxTunedClusters::threads(unsigned limit) const {
+unsigned dxClusterBroadphase::threads(unsigned limit) const {
     return m_threadCount->running() ? std::min(m_threadCount->threads(), limit) : limit;
 }

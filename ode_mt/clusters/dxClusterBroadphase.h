@@ -16,9 +16,9 @@
 #include "clusters/heuristics/dxThreadCountHeuristic.h"
 #include "collision/broadphase/dxBroadphase.h"
 
-class dxTunedClusters final : public dxBroadphase, private HeuristicAlertCallback {
+class dxClusterBroadphase final : public dxBroadphase, private HeuristicAlertCallback {
 public:
-    explicit dxTunedClusters(std::unique_ptr<dxCrossoverPass> pass);
+    explicit dxClusterBroadphase(std::unique_ptr<dxCrossoverPass> pass);
 
     void findOverlaps(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
     int groupOf(dxMembers::Slot slot) const override { return m_clusters.groupOf(slot); }

@@ -119,3 +119,86 @@ void dxDuplicateStatics(const dxClusterScene &scene, dxClusters &clusters) {
     });
     for (int cluster = 0; cluster < clusters.dynamicCount(); ++cluster) sortUnique(clusters[cluster].duplicated);
 }
+
+// --- passes -----------------------------------------------------------------------------------------
+
+namespace {
+
+// "original" (thesis chapter 2): only what is dynamic is clustered; clusters that share a cell merge and stay merged;
+// static geoms and planes are tested apart, with every cluster.
+class Original final : public dxCrossoverPass {
+public:
+    const char *name() const override { return "original"; }
+    bool setsStaticsApart() const override { return true; }
+    void cross(const dxClusterScene &scene, const std::vector<Link> &links, const dxClusters &before,
+               dxClusters &clusters) override {
+        dxClusterDynamics(scene, links, &before, m_memory, clusters);
+    }
+};
+
+// "static" (thesis chapter 5): static geoms are clustered too, and such clusters merge with one another; a dynamic and
+// a static cluster that share a cell are tested together, without becoming one.
+class Static final : public dxCrossoverPass {
+public:
+    const char *name() const override { return "static"; }
+    void cross(const dxClusterScene &scene, const std::vector<Link> &links, const dxClusters &before,
+               dxClusters &clusters) override {
+        dxClusterDynamics(scene, links, &before, m_memory, clusters);
+        m_memory.sets.reset(scene.end());
+        dxUniteByCells(scene, dxClusterScene::Kind::staticGeom, dxTogetherness::sharing, m_memory.sets);
+        dxUniteAsBefore(scene, dxClusterScene::Kind::staticGeom, before, m_memory);
+        dxMakeClusters(scene, dxClusterScene::Kind::staticGeom, m_memory, clusters);
+        dxPseudoMerge(scene, m_memory, clusters);
+    }
+};
+
+// "static-unmerged" (thesis chapter 6): as "static", but static clusters never merge, so each holds one geom, and a
+// dynamic cluster is tested only with those with which it shares a cell.
+class StaticUnmerged final : public dxCrossoverPass {
+public:
+    const char *name() const override { return "static-unmerged"; }
+    void cross(const dxClusterScene &scene, const std::vector<Link> &links, const dxClusters &before,
+               dxClusters &clusters) override {
+        dxClusterDynamics(scene, links, &before, m_memory, clusters);
+        m_memory.sets.reset(scene.end());
+        dxMakeClusters(scene, dxClusterScene::Kind::staticGeom, m_memory, clusters);
+        dxPseudoMerge(scene, m_memory, clusters);
+    }
+};
+
+// "duplication" (thesis chapter 7): a static geom near several dynamic clusters is listed in each of them, planes
+// and other big geoms too, so it no longer joins them; what flies above the floor is not tested with it.
+class Duplication final : public dxCrossoverPass {
+public:
+    const char *name() const override { return "duplication"; }
+    bool listsBigStatics() const override { return true; }
+    void cross(const dxClusterScene &scene, const std::vector<Link> &links, const dxClusters &before,
+               dxClusters &clusters) override {
+        dxClusterDynamics(scene, links, &before, m_memory, clusters);
+        dxDuplicateStatics(scene, clusters);
+    }
+};
+
+// "decluster" (thesis chapter 8): as "duplication", and a cluster whose cells have fallen apart is split, found in
+// the same traversal: clusters are made anew from the cells, as flood fill would, in every frame.
+class Decluster final : public dxCrossoverPass {
+public:
+    const char *name() const override { return "decluster"; }
+    bool listsBigStatics() const override { return true; }
+    bool splits() const override { return true; }
+    void cross(const dxClusterScene &scene, const std::vector<Link> &links, const dxClusters &,
+               dxClusters &clusters) override {
+        dxClusterDynamics(scene, links, nullptr, m_memory, clusters);
+        dxDuplicateStatics(scene, clusters);
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<dxCrossoverPass> dxMakeCrossoverPass(const std::string &name) {
+    std::unique_ptr<dxCrossoverPass> passes[] = {std::make_unique<Original>(), std::make_unique<Static>(), std::make_unique<StaticUnmerged>(),
+                                                 std::make_unique<Duplication>(), std::make_unique<Decluster>()};
+    for (auto &pass : passes)
+        if (pass->name() == name) return std::move(pass);
+    return nullptr;
+}

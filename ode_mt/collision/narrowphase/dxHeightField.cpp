@@ -1,4 +1,4 @@
-#include "collision/narrowphase/dxLiveHeightfields.h"
+#include "collision/narrowphase/dxHeightField.h"
 
 #include <mutex>
 #include <new>

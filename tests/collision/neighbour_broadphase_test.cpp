@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "RandomBoxes.h"
-#include "collision/broadphase/dxNeighbours.h"
+#include "collision/broadphase/dxNeighbourBroadphase.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-// dxTunedClusters leaves checks out, finds the pairs of brute force all the same, and rebuilds nothing because one
+// dxClusterBroadphase leaves checks out, finds the pairs of brute force all the same, and rebuilds nothing because one
 // member goes and another comes.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
@@ -15,7 +15,7 @@
 #include "CrossoverPasses.h"
 #include "OdeSession.h"
 #include "collision/pairs/dxMembers.h"
-#include "clusters/dxTunedClusters.h"
+#include "clusters/dxClusterBroadphase.h"
 
 namespace {
 
@@ -114,7 +114,7 @@ protected:
         }
     }
 
-    Pairs found(dxTunedClusters &tuned) {
+    Pairs found(dxClusterBroadphase &tuned) {
         std::vector<dxBroadphase::Match> matches;
         tuned.findOverlaps(members, dxTaskRunner::alone(), matches);
         Pairs pairs;
@@ -144,7 +144,7 @@ TEST_P(TunedClusters, FindThePairsOfBruteForceThoughChecksAreLeftOut) {
     std::size_t pairs = 0;
     for (const int count : {6, 12, 40})
         for (const dReal speed : {dReal(0.01), dReal(0.1), dReal(1)}) {
-            dxTunedClusters tuned(dxMakeCrossoverPass(GetParam()));
+            dxClusterBroadphase tuned(dxMakeCrossoverPass(GetParam()));
             for (Slot slot = 0; slot < members.end(); ++slot)
                 if (members[slot].geom != nullptr) remove(slot);
             members.forgetChanges();
@@ -171,7 +171,7 @@ TEST_P(TunedClusters, NoneIsMissedThatMeetsHeadOn) {
     const Slot left = add(true, 1), right = add(true, 1), far = add(true, 1), wall = add(false, 0);
     unsigned checks = 0, searches = 0;
     for (int trial = 0; trial < 60; ++trial) {
-        dxTunedClusters tuned(dxMakeCrossoverPass(GetParam()));
+        dxClusterBroadphase tuned(dxMakeCrossoverPass(GetParam()));
         const dReal speed = uniform(dReal(0.02), dReal(0.3));
         for (const Slot slot : {left, right, far, wall}) movers[slot] = {{0, 0, 0}, {0, 0, 0}, dReal(0.4)};
         movers[left].centre[0] = uniform(-20, -10);
@@ -196,7 +196,7 @@ TEST_P(TunedClusters, NoneIsMissedThatMeetsHeadOn) {
 // Two that approach slowly: were travel counted more than once, a check would come after some five frames.
 TEST_P(TunedClusters, AGapLastsAsLongAsTravelLeavesAnyOfIt) {
     dODE_MT_SetHeuristics("crossover,declustering");
-    dxTunedClusters tuned(dxMakeCrossoverPass(GetParam()));
+    dxClusterBroadphase tuned(dxMakeCrossoverPass(GetParam()));
     const Slot left = add(true, 1), right = add(true, 1);
     movers[left] = {{-10, 0, 0}, {dReal(0.05), 0, 0}, dReal(0.4)};
     movers[right] = {{10, 0, 0}, {dReal(-0.05), 0, 0}, dReal(0.4)};
@@ -215,7 +215,7 @@ TEST_P(TunedClusters, AGapLastsAsLongAsTravelLeavesAnyOfIt) {
 
 TEST_P(TunedClusters, WithoutTheCheckFrequencyEverySearchChecks) {
     dODE_MT_SetHeuristics("cells,centre");
-    dxTunedClusters tuned(dxMakeCrossoverPass(GetParam()));
+    dxClusterBroadphase tuned(dxMakeCrossoverPass(GetParam()));
     for (int i = 0; i < 10; ++i) add(true, dReal(0.01));
     for (int frame = 0; frame < 50; ++frame) {
         found(tuned);
@@ -226,7 +226,7 @@ TEST_P(TunedClusters, WithoutTheCheckFrequencyEverySearchChecks) {
 }
 
 TEST_P(TunedClusters, WhatComesGoesOrJumpsIsCheckedAtOnce) {
-    dxTunedClusters tuned(dxMakeCrossoverPass(GetParam()));
+    dxClusterBroadphase tuned(dxMakeCrossoverPass(GetParam()));
     for (int i = 0; i < 8; ++i) add(true, dReal(0.001));
     const auto checkedAtOnce = [&](const char *what) {
         const unsigned before = tuned.checks();
@@ -265,7 +265,7 @@ TEST_P(TunedClusters, WhatComesGoesOrJumpsIsCheckedAtOnce) {
 // The scene counts members that enter or leave cells: a rebuilt grid or list would count all members.
 TEST_P(TunedClusters, OneThatGoesAndOneThatComesMoveNobodyElse) {
     dODE_MT_SetHeuristics("crossover,declustering");
-    dxTunedClusters tuned(dxMakeCrossoverPass(GetParam()));
+    dxClusterBroadphase tuned(dxMakeCrossoverPass(GetParam()));
     addFloor();
     for (int i = 0; i < 300; ++i) add(i % 3 != 0, 0);
     found(tuned);

@@ -1,8 +1,0 @@
-// Two members of a space, known by their slots.
-#pragma once
-
-#include <cstdint>
-
-struct dxSlotPair {
-    std::uint32_t a, b;
-};
