@@ -5,8 +5,8 @@
 
 #include "error_output.h"
 #include "library_folders.h"
-#include "library_variables.h"
-#include "run_folder.h"
+#include "library_folders.h"
+#include "library_folders.h"
 
 namespace bench {
 
@@ -22,14 +22,14 @@ public:
         m_path = file.parent_path();
         if (file.filename() == "libode.so.8" && m_path.find_first_of(":;$") == std::string::npos) return;
         m_made.emplace("odemt_bench");
-        m_path = m_made->addLibrary("stock", file);
+        m_path = addLibrary(*m_made, "stock", file);
     }
 
     const std::string &path() const { return m_path; }
 
 private:
     std::string m_path;
-    std::optional<RunFolder> m_made;
+    std::optional<support::TemporaryFolder> m_made;
 };
 
 }  // namespace
@@ -37,7 +37,7 @@ private:
 // The child has loaded its library when it answers.
 Ready ChildCompetitor::start() {
     const LibraryFolder folder(engine(), m_settings);
-    m_process = std::make_unique<process::LineProcess>(command(), environment(folder.path()));
+    m_process = std::make_unique<support::LineProcess>(command(), environment(folder.path()));
     const Ready ready = readReady(answer(m_settings.whileLoading));
     check(ready);
     return ready;
@@ -51,7 +51,7 @@ Batch ChildCompetitor::run(int frames) {
 std::string ChildCompetitor::answer(const std::function<void()> &whileWaiting) {
     try {
         return m_process->readLine(m_settings.limit, whileWaiting);
-    } catch (const process::LineProcessError &) {
+    } catch (const support::LineProcessError &) {
         m_process.reset();  // a child that hangs must not go on beside the others
         throw;
     }
@@ -65,9 +65,9 @@ std::vector<std::string> ChildCompetitor::command() const {
     return command;
 }
 
-process::Environment ChildCompetitor::environment(const std::string &libraryFolder) const {
+support::Environment ChildCompetitor::environment(const std::string &libraryFolder) const {
     // Nothing that the user has set for other programs may reach one engine and not the other.
-    process::Environment changes;
+    support::Environment changes;
     for (const std::string &name : libraryVariables()) changes[name] = "";
     for (const auto &[name, value] : engine().environment()) changes[name] = value;
     if (engine().isOurs() && !m_settings.traceFile.empty()) changes["ODE_MT_TRACE"] = m_settings.traceFile;
@@ -81,7 +81,7 @@ void ChildCompetitor::endTrace() {
     try {
         m_process->writeEnd();
         m_process->waitForExit();
-    } catch (const process::LineProcessError &error) {
+    } catch (const support::LineProcessError &error) {
         printError("no trace of " + engine().name() + ": " + error.what());
     }
 }

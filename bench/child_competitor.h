@@ -7,7 +7,7 @@
 #include <functional>
 #include <memory>
 
-#include "process/line_process.h"
+#include "support/process.h"
 
 namespace bench {
 
@@ -34,13 +34,13 @@ public:
 private:
     std::string answer(const std::function<void()> &whileWaiting = {});
     std::vector<std::string> command() const;
-    process::Environment environment(const std::string &libraryFolder) const;
+    support::Environment environment(const std::string &libraryFolder) const;
     void check(const Ready &ready) const;
     void endTrace();
 
     std::string m_world;
     ChildSettings m_settings;
-    std::unique_ptr<process::LineProcess> m_process;
+    std::unique_ptr<support::LineProcess> m_process;
 };
 
 }  // namespace bench

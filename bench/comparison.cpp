@@ -1,8 +1,8 @@
 #include "comparison.h"
 
-#include "loader/load_error.h"
+#include "support/text.h"
 #include "number_text.h"
-#include "statistics.h"
+#include "support/statistics.h"
 #include "table.h"
 
 #include <nlohmann/json.hpp>
@@ -22,7 +22,7 @@ namespace {
 
 struct Figures {
     double seconds;  // of a frame
-    Spread speedUp;
+    support::Spread speedUp;
     bool isReference;
 };
 
@@ -35,7 +35,7 @@ struct Run {
 
 Figures figuresOf(const json &engine, bool isReference) {
     const json &frame = engine.at("parts").at("frame"), &speedUp = frame.at("speedUp");
-    Spread spread{};
+    support::Spread spread{};
     speedUp.at("median").get_to(spread.median);
     speedUp.at("lowerQuartile").get_to(spread.lowerQuartile);
     speedUp.at("upperQuartile").get_to(spread.upperQuartile);
@@ -44,7 +44,7 @@ Figures figuresOf(const json &engine, bool isReference) {
 
 Run readRun(const std::string &file) {
     std::ifstream stream(file);
-    if (!stream) throw std::runtime_error("cannot read " + worlds::quote(file));
+    if (!stream) throw std::runtime_error("cannot read " + support::quote(file));
     Run run;
     try {
         const json results = json::parse(stream);
@@ -59,12 +59,12 @@ Run readRun(const std::string &file) {
             }
         }
     } catch (const json::exception &) {  // its words are of the library's inside
-        throw std::runtime_error(worlds::quote(file) + " holds no results of odemt_bench");
+        throw std::runtime_error(support::quote(file) + " holds no results of odemt_bench");
     }
     return run;
 }
 
-std::string spreadText(const Spread &spread) {
+std::string spreadText(const support::Spread &spread) {
     return numberText(spread.median) + " [" + numberText(spread.lowerQuartile) + ", " + numberText(spread.upperQuartile) + "]";
 }
 
@@ -90,7 +90,7 @@ std::string mark(const std::optional<Figures> *was, const std::optional<Figures>
 
 void addRow(Table &table, const Key &key, const std::optional<Figures> *was, const std::optional<Figures> *is) {
     const bool has = was != nullptr && *was, hasNow = is != nullptr && *is;
-    table.addRow({worlds::printable(key.first), worlds::printable(key.second), has ? millisecondsText((*was)->seconds) : "-",
+    table.addRow({support::printable(key.first), support::printable(key.second), has ? millisecondsText((*was)->seconds) : "-",
                   hasNow ? millisecondsText((*is)->seconds) : "-", has ? spreadText((*was)->speedUp) : "-",
                   hasNow ? spreadText((*is)->speedUp) : "-", has && hasNow ? verdict(**was, **is) : mark(was, is)});
 }
@@ -114,7 +114,7 @@ std::string compareResults(const std::string &before, const std::string &after) 
     }
     for (const Key &key : other.order)
         if (find(one, key) == nullptr) addRow(table, key, nullptr, find(other, key));
-    if (!areCommon) throw std::runtime_error(worlds::quote(before) + " and " + worlds::quote(after) + " have no world and engine in common");
+    if (!areCommon) throw std::runtime_error(support::quote(before) + " and " + support::quote(after) + " have no world and engine in common");
     return table.text() + "\nfaster, slower: quartiles of the speed-ups over the first engine of the same run do not overlap.\n";
 }
 

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <stdexcept>
 
-#include "loader/load_error.h"
+#include "support/text.h"
 
 namespace bench {
 
@@ -102,7 +102,7 @@ std::string slash(const std::string &word) { return word.empty() ? "" : "/" + wo
 std::string Engine::name() const {
     switch (kind) {
         case Kind::Stock:
-            return path.empty() ? "stock" : kStockPath + worlds::printable(path);
+            return path.empty() ? "stock" : kStockPath + support::printable(path);
         case Kind::StockPool:
             return "stock-pool:" + threads;
         case Kind::Ours:

@@ -1,12 +1,12 @@
 #include "error_output.h"
 
-#include "loader/load_error.h"
+#include "support/text.h"
 
 #include <iostream>
 
 namespace bench {
 
-void printError(const std::string &message) { std::cerr << worlds::printable(message) << "\n"; }
+void printError(const std::string &message) { std::cerr << support::printable(message) << "\n"; }
 
 int printOptionError(const std::string &message) {
     printError(message);

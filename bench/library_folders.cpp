@@ -1,7 +1,10 @@
 #include "library_folders.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <iterator>
 #include <sstream>
@@ -40,6 +43,28 @@ std::vector<std::string> preloadedLibraries() {
     std::replace(names.begin(), names.end(), ':', ' ');
     std::istringstream stream(names);
     return {std::istream_iterator<std::string>(stream), {}};
+}
+
+std::string addLibrary(const support::TemporaryFolder &in, const std::string &folder, const std::string &library) {
+    const std::filesystem::path made = in.path() / folder;
+    std::filesystem::create_directory(made);
+    std::filesystem::create_symlink(std::filesystem::canonical(library), made / "libode.so.8");
+    return made;
+}
+
+std::string inFront(const std::string &path, const char *variable) {
+    const char *const others = std::getenv(variable);
+    return others != nullptr && *others != '\0' ? path + ':' + others : path;
+}
+
+std::vector<std::string> libraryVariables() {
+    const std::string prefix = "ODE_MT_";
+    std::vector<std::string> names;
+    for (char **entry = environ; entry != nullptr && *entry != nullptr; ++entry) {
+        const std::string name(*entry, std::strcspn(*entry, "="));
+        if (name.compare(0, prefix.size(), prefix) == 0 && name != "ODE_MT_WORLDS") names.push_back(name);
+    }
+    return names;
 }
 
 }  // namespace bench

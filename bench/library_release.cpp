@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "library_releases.h"
-#include "text_file.h"
+#include "support/text_file.h"
 
 namespace bench {
 
@@ -34,12 +34,12 @@ std::string releaseByName(const std::string &file) {
 }
 
 std::string releaseOfLibrary(const std::string &file) {
-    const std::string text = readWhatIsThere(file);
+    const std::string text = support::readWhatIsThere(file);
     const std::string said = isOurText(text) ? releaseInText(text) : "";
     return said.empty() ? releaseByName(file) : said;
 }
 
-bool isOurLibrary(const std::string &file) { return isOurText(readWhatIsThere(file)); }
+bool isOurLibrary(const std::string &file) { return isOurText(support::readWhatIsThere(file)); }
 
 bool areOtherReleases(const std::string &one, const std::string &other) {
     return one != kUnknownRelease && other != kUnknownRelease && one != other;

@@ -6,7 +6,7 @@
 #include "report.h"
 #include "report/page.h"
 #include "result_file.h"
-#include "loader/load_error.h"
+#include "support/text.h"
 #include "standard_output.h"
 #include "trace_file.h"
 #include "world_source.h"
@@ -59,7 +59,7 @@ bool compare(const bench::Options &options) {
         bench::print(bench::reportText(results.back()));
     }
     bench::print(bench::reportCurves(results) + bench::reportScaling(results) + "Figures: " +
-                 worlds::printable(options.jsonFile + ", " + options.csvFile) + "\n" + bench::reportSentence(results));
+                 support::printable(options.jsonFile + ", " + options.csvFile) + "\n" + bench::reportSentence(results));
     if (!isClean) bench::print("AN ENGINE FAILED OR GAVE OTHER RESULTS: see above.\n");
     return isClean;
 }

@@ -1,6 +1,6 @@
 #include "options.h"
 
-#include "comma_list.h"
+#include "support/text.h"
 #include "error_output.h"
 #include "library_folders.h"
 #include "library_release.h"
@@ -49,16 +49,9 @@ const char *const kFooter =
 // Checked by hand, because CLI11 prints the largest double with all its 309 digits and lets NaN pass.
 const CLI::Validator kSeconds = numberIn(1e-3, 1e6), kShare = numberIn(1e-6, 1);
 
-std::vector<std::string> split(const std::string &list) {
-    std::vector<std::string> words;
-    std::istringstream stream(list);
-    for (std::string word; std::getline(stream, word, ',');) words.push_back(word);
-    return words;
-}
-
 std::vector<std::string> splitEngines(const std::string &list) {
     std::vector<std::string> engines;
-    for (const std::string &word : splitAtCommas(list)) engines.push_back(withoutEscapes(word));
+    for (const std::string &word : support::splitAtCommas(list)) engines.push_back(support::withoutEscapes(word));
     return engines;
 }
 
@@ -174,7 +167,7 @@ void interpret(const Words &words, Options &options) {
     options.worlds = splitWorlds(words.worlds);
     if (options.worlds.empty()) throw std::invalid_argument("--worlds: no worlds given");
     for (const std::string &world : options.worlds) checkWorld(world);
-    options.engines = readEngines(splitEngines(words.engines), split(words.threads), words.manager);
+    options.engines = readEngines(splitEngines(words.engines), support::split(words.threads, ','), words.manager);
     for (const Engine &engine : options.engines) checkLibrary(engine, options.child);
     checkPreloaded();
     std::vector<std::string> files = {options.jsonFile, options.csvFile};

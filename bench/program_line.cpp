@@ -1,6 +1,6 @@
 #include "program_line.h"
 
-#include "loader/load_error.h"
+#include "support/text.h"
 
 #include <algorithm>
 #include <charconv>
@@ -26,7 +26,7 @@ void checkThreadCount(const std::string &word) {
     const char *const end = word.data() + word.size();
     const auto [stopped, error] = std::from_chars(word.data(), end, number);
     if (error != std::errc() || stopped != end || number < 0 || number > 1024)
-        throw std::invalid_argument("--threads: " + worlds::quote(word) + " is neither a number from 0 to 1024 nor auto");
+        throw std::invalid_argument("--threads: " + support::quote(word) + " is neither a number from 0 to 1024 nor auto");
 }
 
 }  // namespace bench

@@ -1,6 +1,6 @@
 #include "progress.h"
 
-#include "loader/load_error.h"
+#include "support/text.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -14,7 +14,7 @@ namespace {
 // "4 worlds (a, b, c, d)".
 std::string counted(const std::vector<std::string> &names, const char *thing) {
     std::string list;
-    for (const std::string &name : names) list += (list.empty() ? "" : ", ") + worlds::printable(name);
+    for (const std::string &name : names) list += (list.empty() ? "" : ", ") + support::printable(name);
     return std::to_string(names.size()) + ' ' + thing + (names.size() == 1 ? " (" : "s (") + list + ')';
 }
 
@@ -37,7 +37,7 @@ void Progress::announce(const std::vector<std::string> &worlds, const std::vecto
 }
 
 void Progress::showLoading(const std::string &world, const Engine &engine) {
-    if (m_line.isDue()) m_line.show("loading " + worlds::printable(world) + " for " + worlds::printable(engine.name()));
+    if (m_line.isDue()) m_line.show("loading " + support::printable(world) + " for " + support::printable(engine.name()));
 }
 
 void Progress::show(std::size_t world, const WorldResult &result) {
@@ -47,7 +47,7 @@ void Progress::show(std::size_t world, const WorldResult &result) {
     char seconds[32];
     std::snprintf(seconds, sizeof seconds, "%.0f", left);
     m_line.show((m_line.isOnTerminal() ? bar(part) + ' ' : "") + "at most " + seconds + " s left; world " + std::to_string(world + 1) + " of " +
-                std::to_string(m_worlds) + ": " + worlds::printable(result.world) + ": " + std::to_string(result.frames) + " frames, " +
+                std::to_string(m_worlds) + ": " + support::printable(result.world) + ": " + std::to_string(result.frames) + " frames, " +
                 std::to_string(result.rounds) + " rounds");
 }
 

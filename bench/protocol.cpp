@@ -1,6 +1,6 @@
 #include "protocol.h"
 
-#include "loader/load_error.h"
+#include "support/text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -34,7 +34,7 @@ auto parse(const std::string &line, const char *key, Reader read) -> decltype(re
         message = json::parse(line);
         if (!message.contains("error")) return read(message.at(key));
     } catch (const std::exception &) {  // its words are of the library's inside
-        throw std::runtime_error("expected a line with '" + std::string(key) + "', got " + worlds::quote(line));
+        throw std::runtime_error("expected a line with '" + std::string(key) + "', got " + support::quote(line));
     }
     throw std::runtime_error(message["error"].get<std::string>());
 }
@@ -123,6 +123,6 @@ Batch readBatch(const std::string &line) {
     });
 }
 
-std::string writeError(const std::string &what) { return dump({{"error", worlds::printable(what)}}); }
+std::string writeError(const std::string &what) { return dump({{"error", support::printable(what)}}); }
 
 }  // namespace bench

@@ -1,4 +1,4 @@
-#include "csv_field.h"
+#include "support/text.h"
 #include "curve.h"
 #include "report.h"
 #include "summary.h"
@@ -28,7 +28,7 @@ void writeHeader(std::ostream &out, const std::vector<Part> &parts, bool withCur
 
 void writeLine(std::ostream &out, const WorldResult &result, const EngineResult &engine,
                const EngineSummary &summary, const std::vector<Part> &parts) {
-    out << csvField(result.world) << ',' << csvField(summary.engine) << ',' << engine.ready.bodies << ','
+    out << support::csvField(result.world) << ',' << support::csvField(summary.engine) << ',' << engine.ready.bodies << ','
         << result.frames << ',' << engine.batches.size();
     for (Part part : parts) {
         const PartSummary &figures = summary.part(part);
@@ -37,7 +37,7 @@ void writeLine(std::ostream &out, const WorldResult &result, const EngineResult 
             << figures.speedUp.upperQuartile;
     }
     out << ',' << summary.realTimeFactor << ',' << summary.sharedSteps << ',' << hashText(summary.hash) << ','
-        << nameOf(summary.check) << ',' << csvField(summary.failure);
+        << nameOf(summary.check) << ',' << support::csvField(summary.failure);
 }
 
 // Empty fields for what has no curve or no smaller size.

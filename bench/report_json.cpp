@@ -3,6 +3,7 @@
 #include "real_time_samples.h"
 #include "report.h"
 #include "summary.h"
+#include "support/statistics.h"
 
 #include <nlohmann/json.hpp>
 
@@ -12,7 +13,7 @@ using nlohmann::json;
 
 namespace {
 
-json toJson(const Spread &s) {
+json toJson(const support::Spread &s) {
     return {{"median", s.median},
             {"lowerQuartile", s.lowerQuartile},
             {"upperQuartile", s.upperQuartile},
@@ -23,11 +24,11 @@ json toJson(const Spread &s) {
 json toJson(const Machine &machine) { return {{"processor", machine.processor}, {"cores", machine.cores}}; }
 
 json samplesToJson(const std::vector<double> &samples) {
-    const MeanAndDeviation summary = meanAndDeviation(samples);
+    const support::MeanAndDeviation summary = support::meanAndDeviation(samples);
     return {{"count", samples.size()},
             {"mean", summary.mean},
             {"deviation", summary.deviation},
-            {"quantiles", toJson(spreadOf(samples))}};
+            {"quantiles", toJson(support::spreadOf(samples))}};
 }
 
 // Bins that hold frames, by rising time.

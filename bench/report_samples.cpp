@@ -1,4 +1,4 @@
-#include "csv_field.h"
+#include "support/text.h"
 #include "real_time_samples.h"
 #include "report.h"
 
@@ -14,7 +14,7 @@ std::string reportSamples(const std::vector<WorldResult> &results) {
         for (const EngineResult &engine : result.engines) {
             int second = 0;
             for (double factor : realTimeSamples(engine))
-                out << csvField(result.world) << ',' << csvField(engine.engine.name()) << ',' << ++second
+                out << support::csvField(result.world) << ',' << support::csvField(engine.engine.name()) << ',' << ++second
                     << ',' << factor << '\n';
         }
     }

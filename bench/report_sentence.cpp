@@ -1,4 +1,4 @@
-#include "loader/load_error.h"
+#include "support/text.h"
 #include "number_text.h"
 #include "report.h"
 #include "summary.h"
@@ -43,7 +43,7 @@ std::string reportSentence(const std::vector<WorldResult> &results) {
         areOfOneRelease = !areOtherReleases(result.engines[0].ready.release, release) && areOfOneRelease;
         const std::string factor = numberText(engine.part(Part::Frame).speedUp.median) + " times";
         text += text.empty() ? "ODE_MT runs at " + factor + " the speed of " + inPlainWords(summaries[0].engine) : ", at " + factor;
-        text += " on " + worlds::printable(result.world) + " (" + engine.engine + ")";
+        text += " on " + support::printable(result.world) + " (" + engine.engine + ")";
     }
     if (text.empty()) return text;
     if (areClean && !areOfOneRelease) return text + "; the releases of ODE differ, so results may.\n";

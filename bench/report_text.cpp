@@ -1,8 +1,9 @@
-#include "loader/load_error.h"
+#include "support/text.h"
 #include "number_text.h"
 #include "report.h"
 #include "summary.h"
 #include "table.h"
+#include "support/statistics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +23,7 @@ std::string format(const char *pattern, Values... values) {
     return text;
 }
 
-std::string ratio(const Spread &spread) {
+std::string ratio(const support::Spread &spread) {
     if (!std::isfinite(spread.median)) return "-";
     if (spread.lowerQuartile == 1 && spread.upperQuartile == 1) return "1";  // the first engine itself
     return format("%.2f [%.2f, %.2f]", spread.median, spread.lowerQuartile, spread.upperQuartile);
@@ -64,7 +65,7 @@ std::string releases(const WorldResult &result) {
 }
 
 std::string title(const WorldResult &result) {
-    std::string text = "== " + worlds::printable(result.world) + " ==\n";
+    std::string text = "== " + support::printable(result.world) + " ==\n";
     for (const EngineResult &engine : result.engines) {
         const Ready &r = engine.ready;
         if (r.stepSize == 0) continue;

@@ -1,6 +1,6 @@
 #include "result_file.h"
 
-#include "write_all.h"
+#include "support/text_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -132,7 +132,7 @@ ResultStream::ResultStream(const std::string &file)
 ResultStream::~ResultStream() = default;
 
 void ResultStream::append(const std::string &text) {
-    if (!writeAll(m_target->descriptor(), text)) fail(m_file, std::strerror(errno));
+    if (!support::writeAll(m_target->descriptor(), text)) fail(m_file, std::strerror(errno));
 }
 
 void ResultStream::finish() {
@@ -154,7 +154,7 @@ void checkWritable(const std::string &file) {
     if (access(path.c_str(), F_OK) == 0 && access(path.c_str(), W_OK) != 0) fail(file, std::strerror(errno));
     const TemporaryFile trial(path);
     if (!trial.isOpen()) fail(file, std::strerror(errno));
-    if (!writeAll(trial.descriptor(), "\n")) fail(file, std::strerror(errno));
+    if (!support::writeAll(trial.descriptor(), "\n")) fail(file, std::strerror(errno));
 }
 
 void writeResultFile(const std::string &file, const std::string &text) {

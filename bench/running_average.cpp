@@ -13,9 +13,9 @@ void RunningAverage::add(int frames, double seconds) {
         m_kept.push_back(m_seconds / static_cast<double>(m_frames));
 }
 
-MeanAndDeviation RunningAverage::summary() const {
-    if (!m_kept.empty()) return meanAndDeviation(m_kept);
-    return meanAndDeviation(m_frames ? std::vector<double>{m_seconds / static_cast<double>(m_frames)}
+support::MeanAndDeviation RunningAverage::summary() const {
+    if (!m_kept.empty()) return support::meanAndDeviation(m_kept);
+    return support::meanAndDeviation(m_frames ? std::vector<double>{m_seconds / static_cast<double>(m_frames)}
                                      : std::vector<double>{});
 }
 
@@ -23,7 +23,7 @@ double RunningAverage::relativeSpread() const {
     if (m_kept.size() < kValuesCompared) return std::numeric_limits<double>::infinity();
     const std::vector<double> last(m_kept.end() - kValuesCompared, m_kept.end());
     const auto [smallest, largest] = std::minmax_element(last.begin(), last.end());
-    return (*largest - *smallest) / meanAndDeviation(last).mean;
+    return (*largest - *smallest) / support::meanAndDeviation(last).mean;
 }
 
 }  // namespace bench

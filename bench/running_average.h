@@ -3,7 +3,7 @@
 // running average has become stable.
 #pragma once
 
-#include "statistics.h"
+#include "support/statistics.h"
 
 #include <vector>
 
@@ -21,7 +21,7 @@ public:
     const std::vector<double> &kept() const { return m_kept; }  // s per frame
 
     // Mean and deviation of the kept values; before the first is kept, the average so far.
-    MeanAndDeviation summary() const;
+    support::MeanAndDeviation summary() const;
 
     // (largest - smallest) / mean of the last ten kept values; infinite while there are fewer.
     double relativeSpread() const;

@@ -65,7 +65,7 @@ std::vector<EngineSummary> summarize(const WorldResult &result) {
         for (Part part : kParts)
             summary.parts[static_cast<std::size_t>(part)] = {
                 engine.average(part).summary(),
-                spreadOf(pairedRatios(first.seconds(part), engine.seconds(part)))};
+                support::spreadOf(support::pairedRatios(first.seconds(part), engine.seconds(part)))};
         addTotals(engine, summary);
         summary.check = stateCheck(result, engine, references);
         summaries.push_back(summary);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "race.h"
-#include "statistics.h"
+#include "support/statistics.h"
 
 #include <array>
 
@@ -13,8 +13,8 @@ enum class StateCheck { Reference, Same, Differs, NotReproducible, OwnBits, Othe
 const char *nameOf(StateCheck check);
 
 struct PartSummary {
-    MeanAndDeviation seconds;  // per frame, over the kept running averages
-    Spread speedUp;            // time of the first engine / own time, by rounds
+    support::MeanAndDeviation seconds;  // per frame, over the kept running averages
+    support::Spread speedUp;            // time of the first engine / own time, by rounds
 };
 
 struct EngineSummary {

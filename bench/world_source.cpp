@@ -1,6 +1,6 @@
 #include "world_source.h"
 
-#include "comma_list.h"
+#include "support/text.h"
 #include "loader/world_folder.h"
 #include "size_range.h"
 #include "world_spec.h"
@@ -33,7 +33,7 @@ std::string nameAndMeaning(const scenes::SceneDescription &description) {
 std::vector<std::string> splitWords(const std::string &list) {
     std::vector<std::string> result;
     bool isOfTheThesis = false;  // the word before
-    for (const std::string &word : splitAtCommas(list)) {
+    for (const std::string &word : support::splitAtCommas(list)) {
         if (isModifier(word) && isOfTheThesis)
             throw std::invalid_argument("'thesis," + word + "': a modifier belongs to one world");
         isOfTheThesis = word == "thesis";
@@ -72,7 +72,7 @@ void checkWorld(const std::string &world) {
         for (const scenes::SceneDescription &scene : scenes) names.push_back(scene.name);
         throw std::invalid_argument(
             "unknown world '" + world + "'; SDF worlds: " + worlds::worldsInFolder() +
-            ", or the path of an .sdf file; scenes: " + joinWords(names) + " (:N for their size)");
+            ", or the path of an .sdf file; scenes: " + support::join(names) + " (:N for their size)");
     }
     scenes::checkScene(world);
 }
@@ -94,7 +94,7 @@ std::string listWorlds() {
     const std::vector<std::string> inFolder = worlds::availableWorlds();
     if (inFolder.empty()) text += "  none: " + worlds::worldsInFolder() + "\n";
     for (const std::string &world : inFolder) text += "  " + world + "\n";
-    text += nameAndMeaning({"thesis", joinWords(kWorldsOfTheThesis)});
+    text += nameAndMeaning({"thesis", support::join(kWorldsOfTheThesis)});
     text += "\nWith N static shapes, as NAME:N. Modifier of an SDF world, as NAME,MODIFIER:\n";
     text +=
         nameAndMeaning({kStaticMeetsStatic, "ODE reports pairs of static shapes, which then are dropped"});

@@ -1,6 +1,6 @@
 #include "world_spec.h"
 
-#include "comma_list.h"
+#include "support/text.h"
 #include "loader/world_folder.h"
 #include "scenes/scene.h"
 
@@ -55,9 +55,9 @@ std::size_t readStaticShapes(const WorldSpec &spec) {
 
 WorldSpec readWorldSpec(const std::string &world) {
     WorldSpec spec;
-    spec.modifiers = splitAtCommas(world);
+    spec.modifiers = support::splitAtCommas(world);
     if (!spec.modifiers.empty()) {
-        spec.name = withoutEscapes(spec.modifiers.front());
+        spec.name = support::withoutEscapes(spec.modifiers.front());
         spec.modifiers.erase(spec.modifiers.begin());
     }
     const std::size_t colon = spec.name.rfind(':');

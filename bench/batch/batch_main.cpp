@@ -3,9 +3,9 @@
 #include "batch/master.h"
 #include "batch/world_check.h"
 #include "error_output.h"
-#include "library_variables.h"
+#include "library_folders.h"
 #include "standard_output.h"
-#include "text_file.h"
+#include "support/text_file.h"
 
 #include <unistd.h>
 
@@ -42,7 +42,7 @@ void list(const batch::Plan &plan) {
 
 // Returns the exit code: 1 if a run has failed.
 int runBatch(const batch::BatchOptions &options) {
-    const batch::Plan plan = batch::readPlan(bench::readTextFile(options.planFile));
+    const batch::Plan plan = batch::readPlan(support::readTextFile(options.planFile));
     if (options.lists) {
         list(plan);
         return 0;

@@ -6,9 +6,9 @@
 #include "batch/master.h"
 #include "batch/world_check.h"
 #include "error_output.h"
-#include "library_variables.h"
+#include "library_folders.h"
 #include "standard_output.h"
-#include "text_file.h"
+#include "support/text_file.h"
 
 #include <mpi.h>
 
@@ -148,7 +148,7 @@ int main(int argc, char **argv) {
     if (!options) return bench::exitCodeAfterOutput(exitCode);
     for (const std::string &name : bench::libraryVariables()) unsetenv(name.c_str());
     try {
-        const batch::Plan plan = batch::readPlan(bench::readTextFile(options->planFile));
+        const batch::Plan plan = batch::readPlan(support::readTextFile(options->planFile));
         batch::checkWorlds(plan);
         const auto workers = std::make_unique<batch::Workers>(plan, options->workers);
         MPI_Init(&argc, &argv);

@@ -1,12 +1,11 @@
 #include "batch/plan.h"
 
 #include "batch/parameter.h"
-#include "comma_list.h"
-#include "loader/load_error.h"
+#include "support/text.h"
 #include "loader/world_folder.h"
 #include "protocol.h"
 #include "scenes/fnv1a.h"
-#include "text_file.h"
+#include "support/text_file.h"
 #include "world_source.h"
 #include "world_spec.h"
 
@@ -31,7 +30,7 @@ const std::set<std::string> kSeriesColumns = {"run", "frame", "time", "hash"};
 void checkKeys(const Json &object, const std::string &where, const std::vector<std::string> &known) {
     for (const auto &[key, value] : object.items())
         if (std::find(known.begin(), known.end(), key) == known.end())
-            fail(where.empty() ? key : where + "." + key, "unknown key; known: " + bench::joinWords(known));
+            fail(where.empty() ? key : where + "." + key, "unknown key; known: " + support::join(known));
 }
 
 double numberOf(const Json &value, const std::string &key) {
@@ -231,7 +230,7 @@ std::string fingerprintOf(const Plan &plan, const std::vector<std::string> &worl
     std::set<std::string> files;
     for (const std::string &world : worldsOfRuns) {
         const bench::WorldSpec spec = bench::readWorldSpec(world);
-        if (spec.isSdf && files.insert(spec.name).second) add(bench::readTextFile(worlds::findWorld(spec.name)));
+        if (spec.isSdf && files.insert(spec.name).second) add(support::readTextFile(worlds::findWorld(spec.name)));
     }
     return bench::hashText(hash.value());
 }
@@ -248,7 +247,7 @@ public:
             m_open.pop_back();
         } else if (event == Event::key) {
             m_open.back().last = parsed.get<std::string>();
-            if (!m_open.back().all.insert(m_open.back().last).second) fail(worlds::printable(path()), "the key is there twice");
+            if (!m_open.back().all.insert(m_open.back().last).second) fail(support::printable(path()), "the key is there twice");
         }
         return true;
     }
@@ -276,7 +275,7 @@ Json parse(const std::string &text) {
     try {
         return Json::parse(text, std::ref(keys));
     } catch (const Json::exception &error) {
-        throw std::invalid_argument("plan: not JSON: " + worlds::printable(error.what()));
+        throw std::invalid_argument("plan: not JSON: " + support::printable(error.what()));
     }
 }
 

@@ -20,12 +20,6 @@ enum StatementIndex { kRuns, kSeries, kStates, kTimes };
 // Tables of another layout are not gone on with.
 constexpr const char *kLayout = "1";
 
-std::string quoted(const std::string &name) {
-    std::string text = "\"";
-    for (const char letter : name) text += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-    return text + "\"";
-}
-
 void bindValue(sqlite3_stmt *statement, int place, const Json &value) {
     if (value.is_number_integer())
         sqlite3_bind_int64(statement, place, value.get<sqlite3_int64>());
@@ -136,9 +130,9 @@ void Store::step(sqlite3_stmt *statement) const {
 
 void Store::createTables() {
     std::string parameters, observables, series;
-    for (const Parameter &parameter : m_plan.parameters) parameters += ", " + quoted(parameter.name);
-    for (const Observable &observable : m_plan.observables) observables += ", " + quoted(observable.name);
-    for (const Observable &observable : m_plan.series) series += ", " + quoted(observable.name);
+    for (const Parameter &parameter : m_plan.parameters) parameters += ", " + support::doubleQuoted(parameter.name);
+    for (const Observable &observable : m_plan.observables) observables += ", " + support::doubleQuoted(observable.name);
+    for (const Observable &observable : m_plan.series) series += ", " + support::doubleQuoted(observable.name);
     execute("BEGIN IMMEDIATE;"
             "CREATE TABLE IF NOT EXISTS plan (key TEXT PRIMARY KEY, value TEXT);"
             "CREATE TABLE IF NOT EXISTS runs (run INTEGER PRIMARY KEY, world TEXT" + parameters +

@@ -1,8 +1,7 @@
 #include "batch/workers.h"
 
-#include "batch/child.h"
 #include "batch/world_run.h"
-#include "write_all.h"
+#include "support/text_file.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -42,7 +41,7 @@ int answerFile = -1;
 long runInProgress = -1;
 
 void answer(Json line) {
-    if (!bench::writeAll(answerFile, line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n")) _exit(0);  // the parent is gone
+    if (!support::writeAll(answerFile, line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n")) _exit(0);  // the parent is gone
 }
 
 // Of ODE: what it was in the midst of cannot be left in another way.
@@ -91,7 +90,7 @@ void Workers::start(Worker &worker) {
         close(commands[1]);
         throw std::runtime_error(std::string("cannot start a worker: ") + std::strerror(errno));
     }
-    worker.process = forkChild();
+    worker.process = support::forkChild();
     if (worker.process == 0) {
         for (const Worker &other : m_workers) {
             if (other.commands >= 0) close(other.commands);
@@ -129,7 +128,7 @@ void Workers::feed() {
             if (worker.runs.size() >= most) continue;
             worker.runs.push_back(m_queue.front());
             m_queue.pop_front();
-            bench::writeAll(worker.commands, std::to_string(worker.runs.back()) + "\n");  // a worker that is gone is seen by its answers' end
+            support::writeAll(worker.commands, std::to_string(worker.runs.back()) + "\n");  // a worker that is gone is seen by its answers' end
         }
 }
 
@@ -177,7 +176,7 @@ void Workers::replace(unsigned index, std::vector<Json> &answers) {
         worker.kills = 0;
     }
     start(worker);
-    for (const long run : worker.runs) bench::writeAll(worker.commands, std::to_string(run) + "\n");
+    for (const long run : worker.runs) support::writeAll(worker.commands, std::to_string(run) + "\n");
 }
 
 }  // namespace batch

@@ -1,8 +1,7 @@
 #include "batch/world_check.h"
 
-#include "batch/child.h"
 #include "batch/world_run.h"
-#include "write_all.h"
+#include "support/text_file.h"
 
 #include <fcntl.h>
 #include <sys/wait.h>
@@ -27,11 +26,11 @@ void endQuietly(int, const char *, va_list) { _exit(0); }  // the run says it
     const long runsOfAWorld = plan.count() / static_cast<long>(plan.worlds.size());
     for (std::size_t world = first; world < plan.worlds.size(); ++world) {
         const Run run = plan.run(static_cast<long>(world) * runsOfAWorld);
-        bench::writeAll(answer, std::string(1, '\0'));  // begins with this one
+        support::writeAll(answer, std::string(1, '\0'));  // begins with this one
         try {
             tryWorld(plan, run);
         } catch (const std::exception &error) {
-            bench::writeAll(answer, std::string(error.what()) + " (run " + std::to_string(run.number) + ", world '" + run.world + "')");
+            support::writeAll(answer, std::string(error.what()) + " (run " + std::to_string(run.number) + ", world '" + run.world + "')");
             _exit(kIsWrong);
         }
     }
@@ -52,7 +51,7 @@ void checkWorlds(const Plan &plan) {
     for (std::size_t first = 0; first < plan.worlds.size();) {
         int ends[2];
         if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error(std::string("cannot make a pipe: ") + std::strerror(errno));
-        const pid_t child = forkChild();
+        const pid_t child = support::forkChild();
         if (child == 0) {
             close(ends[0]);
             tryWorlds(plan, first, ends[1]);

@@ -6,11 +6,12 @@
 #include "protocol.h"
 #include "scenes/generator.h"
 #include "scenes/state_hash.h"
-#include "text_file.h"
+#include "support/text_file.h"
 #include "world_source.h"
 #include "world_spec.h"
 
 #include <algorithm>
+#include <cstdarg>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -33,7 +34,7 @@ std::unique_ptr<scenes::Scene> openChanged(const Plan &plan, const Run &run, std
     const std::string name = worlds::findWorld(spec.name);
     Values values = run.values;
     values.emplace_back("seed", run.seed);
-    return worlds::loadWorldText(changeElements(bench::readTextFile(name), name, values), name, options);
+    return worlds::loadWorldText(changeElements(support::readTextFile(name), name, values), name, options);
 }
 
 std::unique_ptr<scenes::Scene> open(const Plan &plan, const Run &run) {
@@ -146,7 +147,16 @@ Json play(const Plan &plan, const Run &run, scenes::Scene &scene) {
             {"series", rows},    {"states", states},             {"mean_ms", 1e3 * times.sum / static_cast<double>(frames)},     {"max_ms", 1e3 * times.most}};
 }
 
+void ignoreMessage(int, const char *, va_list) {}
+
 }  // namespace
+
+void initialiseOde(dMessageFunction *endByError) {
+    dInitODE2(0);
+    dSetErrorHandler(endByError);
+    dSetDebugHandler(endByError);
+    dSetMessageHandler(ignoreMessage);
+}
 
 Json failedRun(long number, const std::string &message) { return {{"run", number}, {"status", "error"}, {"message", message}}; }
 

@@ -4,9 +4,14 @@
 // no other world may be stepped in the process meanwhile.
 #pragma once
 
+#include <ode/ode.h>
+
 #include "batch/plan.h"
 
 namespace batch {
+
+// In a child: ODE is ready, its messages are ignored, its errors go to the handler, which does not return.
+void initialiseOde(dMessageFunction *endByError);
 
 // One line of JSON, as it goes from workers to the table (store.h). A run whose world cannot be made has the status "error" and says why.
 Json runWorld(const Plan &plan, const Run &run);

@@ -1,10 +1,10 @@
 // odemt_check: whether a program computes the same on ODE_MT as on Debian's libode8.
 #include "check/check_options.h"
 #include "check/checker.h"
-#include "check/interrupt.h"
+#include "support/deferred_signals.h"
 #include "check/report.h"
 #include "error_output.h"
-#include "orphans.h"
+#include "support/orphans.h"
 #include "standard_output.h"
 
 namespace {
@@ -21,8 +21,8 @@ int main(int argc, char **argv) {
     int exitCode = 0;
     const auto options = check::readCheckOptions(argc, argv, exitCode);
     if (!options) return bench::exitCodeAfterOutput(exitCode);
-    check::deferSignals();
-    bench::adoptOrphans();
+    support::deferSignals();
+    support::adoptOrphans();
     try {
         const check::CheckResult result = check::check(*options);
         bench::print(options->isJson ? reportJson(result) : reportText(result));

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "comma_list.h"
+#include "support/text.h"
 #include "error_output.h"
 #include "library_folders.h"
 #include "library_release.h"
@@ -36,7 +36,7 @@ const char *const kFooter =
 
 std::vector<std::string> readThreads(const std::string &list) {
     std::vector<std::string> threads;
-    for (const std::string &word : bench::splitAtCommas(list)) {
+    for (const std::string &word : support::splitAtCommas(list)) {
         bench::checkThreadCount(word);
         if (std::find(threads.begin(), threads.end(), word) == threads.end()) threads.push_back(word);
     }

@@ -8,6 +8,7 @@
 #include "check/unseen.h"
 #include "library_release.h"
 #include "number_text.h"
+#include "support/process.h"
 
 namespace check {
 
@@ -265,14 +266,14 @@ private:
     static std::string wordsOf(const std::string &name, const std::string &words) { return name + " says at the end: " + words; }
 
     // Of a program of which nothing was seen.
-    bool isSaid(const End &end) const { return m_result.sentence.find("ended with " + process::endingOf(end.status)) != std::string::npos; }
+    bool isSaid(const End &end) const { return m_result.sentence.find("ended with " + support::endingOf(end.status)) != std::string::npos; }
 
     std::string textOfEnds() const {
         std::string text;
         for (auto at = m_ends.begin(); at != m_ends.end(); ++at) {
             const End &end = *at;
             if (std::any_of(m_ends.begin(), at, [&](const End &earlier) { return earlier.name == end.name && earlier == end; })) continue;
-            text += (text.empty() ? "" : ", ") + end.name + (text.empty() ? " ends with " : " with ") + process::endingOf(end.status) +
+            text += (text.empty() ? "" : ", ") + end.name + (text.empty() ? " ends with " : " with ") + support::endingOf(end.status) +
                     (end.isLimit ? " after --seconds" : "");
         }
         return text + '.';

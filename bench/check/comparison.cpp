@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "loader/load_error.h"
+#include "support/text.h"
 #include "number_text.h"
 
 namespace check {
@@ -21,7 +21,7 @@ std::optional<std::string> differentLine(const char *what, const Play &left, con
     const auto difference = firstDifferentLine(leftOutput.text(), rightOutput.text());
     if (!difference) return std::nullopt;
     return std::string(what) + " differs from line " + std::to_string(difference->line) +
-           " on: " + worlds::quote(difference->left) + " (" + left.engine.name + "), " + worlds::quote(difference->right) + " (" +
+           " on: " + support::quote(difference->left) + " (" + left.engine.name + "), " + support::quote(difference->right) + " (" +
            right.engine.name + ").";
 }
 
@@ -52,8 +52,8 @@ PlayComparison comparePlays(const Play &left, const Play &right, std::uint64_t l
         comparison.ending =
             left.engine.name + " ends with " + left.ending() + ", " + right.engine.name + " with " + right.ending() + ".";
     if (const auto difference = firstDifferentMessage(left, right))
-        comparison.messages = "Messages of ODE differ: " + worlds::quote(difference->left) + " (" + left.engine.name + "), " +
-                              worlds::quote(difference->right) + " (" + right.engine.name + ").";
+        comparison.messages = "Messages of ODE differ: " + support::quote(difference->left) + " (" + left.engine.name + "), " +
+                              support::quote(difference->right) + " (" + right.engine.name + ").";
     comparison.output = differentLine("Standard output", left, right, left.run.output, right.run.output);
     if (!comparison.output && !comparison.messages)
         comparison.output = differentLine("Standard error", left, right, left.run.errors, right.run.errors);

@@ -17,14 +17,14 @@ void showProgress(const std::string &text) {
 }  // namespace
 
 Player::Player(const CheckOptions &options) : m_options(options), m_input(STDIN_FILENO) {
-    m_folder.addLibrary("stock", options.stockFolder + "/libode.so.8");
-    m_folder.addLibrary("ours", options.ourFolder + "/libode.so.8");
-    std::filesystem::create_symlink(std::filesystem::canonical(options.observer), m_folder.path() + "/observer.so");
+    bench::addLibrary(m_folder, "stock", options.stockFolder + "/libode.so.8");
+    bench::addLibrary(m_folder, "ours", options.ourFolder + "/libode.so.8");
+    std::filesystem::create_symlink(std::filesystem::canonical(options.observer), m_folder.file("observer.so"));
 }
 
-process::Environment Player::environment(const Engine &engine, const std::string &recordFolder, std::uint64_t dumpStep) const {
+support::Environment Player::environment(const Engine &engine, const std::string &recordFolder, std::uint64_t dumpStep) const {
     const auto number = [](std::uint64_t value) { return value != 0 ? std::to_string(value) : ""; };
-    return {{"LD_PRELOAD", bench::inFront(m_folder.path() + "/observer.so", "LD_PRELOAD")},
+    return {{"LD_PRELOAD", bench::inFront(m_folder.file("observer.so"), "LD_PRELOAD")},
             {"LD_LIBRARY_PATH", bench::inFront(libraryFolder(engine), "LD_LIBRARY_PATH")},
             {"ODE_MT_THREADS", engine.threads},
             {"ODE_MT_SOLVER", ""},
@@ -34,7 +34,7 @@ process::Environment Player::environment(const Engine &engine, const std::string
 }
 
 Play Player::play(const Engine &engine, std::uint64_t dumpStep) {
-    Play play{engine, m_folder.path() + "/run-" + std::to_string(++m_plays), {}, {}};
+    Play play{engine, m_folder.file("run-" + std::to_string(++m_plays)), {}, {}};
     std::filesystem::create_directory(play.folder);
     showProgress("run " + std::to_string(m_plays) + ": " + engine.name + " ...");
     play.run =

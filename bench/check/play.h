@@ -4,7 +4,8 @@
 #include "check/check_options.h"
 #include "check/program_run.h"
 #include "check/run_record.h"
-#include "run_folder.h"
+#include "library_folders.h"
+#include "support/process.h"
 
 namespace check {
 
@@ -21,7 +22,7 @@ struct Play {
     ProgramRun run;
     RunRecord record;
 
-    std::string ending() const { return process::endingOf(run.status); }
+    std::string ending() const { return support::endingOf(run.status); }
     bool wasEnded() const { return run.end != ProgramRun::End::Itself; }
 };
 
@@ -33,11 +34,11 @@ public:
     Play play(const Engine &engine, std::uint64_t dumpStep = 0);
 
 private:
-    process::Environment environment(const Engine &engine, const std::string &recordFolder, std::uint64_t dumpStep) const;
-    std::string libraryFolder(const Engine &engine) const { return m_folder.path() + (engine.isOurs() ? "/ours" : "/stock"); }
+    support::Environment environment(const Engine &engine, const std::string &recordFolder, std::uint64_t dumpStep) const;
+    std::string libraryFolder(const Engine &engine) const { return m_folder.file(engine.isOurs() ? "ours" : "stock"); }
 
     const CheckOptions &m_options;
-    bench::RunFolder m_folder{"odemt_check"};
+    support::TemporaryFolder m_folder{"odemt_check"};
     ProgramInput m_input;
     int m_plays = 0;
 };

@@ -9,10 +9,11 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <stdexcept>
 
-#include "check/interrupt.h"
+#include "support/deferred_signals.h"
 
 namespace check {
 
@@ -21,40 +22,9 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-class File {
-public:
-    explicit File(int number = -1) : m_number(number) {}
-    File(File &&other) noexcept : m_number(other.m_number) { other.m_number = -1; }
-    File &operator=(File &&other) noexcept {
-        std::swap(m_number, other.m_number);
-        return *this;
-    }
-    ~File() { close(); }
-
-    int number() const { return m_number; }
-    void close() {
-        if (m_number >= 0) ::close(m_number);
-        m_number = -1;
-    }
-
-private:
-    int m_number;  // -1: none
-};
-
-struct Pipe {
-    File reading, writing;
-
-    Pipe() {
-        int ends[2];
-        if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error(std::string("cannot make a pipe: ") + std::strerror(errno));
-        reading = File(ends[0]);
-        writing = File(ends[1]);
-    }
-};
-
 double seconds(const timeval &time) { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); }
 
-void neverWait(const File &file) { fcntl(file.number(), F_SETFL, fcntl(file.number(), F_GETFL) | O_NONBLOCK); }
+void neverWait(const support::Descriptor &file) { fcntl(file.number(), F_SETFL, fcntl(file.number(), F_GETFL) | O_NONBLOCK); }
 
 class Runner {
 public:
@@ -75,19 +45,18 @@ public:
 
 private:
     void start() {
-        Pipe in, out, errors;
-        File nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
+        support::Pipe in, out, errors;
+        const support::Descriptor nothing(open("/dev/null", O_RDONLY | O_CLOEXEC));
         const bool isShown = m_settings.showOutput;
-        const process::StandardFiles files = {m_input.isEmpty() ? nothing.number() : in.reading.number(),
+        const support::StandardFiles files = {m_input.isEmpty() ? nothing.number() : in.reading.number(),
                                               isShown ? STDERR_FILENO : out.writing.number(),
                                               isShown ? -1 : errors.writing.number()};
-        m_interruptsBefore = interrupts();
         m_start = Clock::now();
-        m_child = process::spawn(m_settings.command, m_settings.environment, files, process::Group::Own);
+        m_child = support::spawn(m_settings.command, m_settings.environment, files, support::Group::Own);
         if (!m_input.isEmpty()) m_toChild = std::move(in.writing);
         m_output = std::move(out.reading);
         m_errors = std::move(errors.reading);
-        for (const File *const file : {&m_toChild, &m_output, &m_errors})
+        for (const support::Descriptor *const file : {&m_toChild, &m_output, &m_errors})
             if (file->number() >= 0) neverWait(*file);
     }
 
@@ -106,14 +75,13 @@ private:
 
     // First politely; whoever asks twice, or does not want to wait, is obeyed at once.
     void askToEnd() {
-        const int asked = interrupts() - m_interruptsBefore;
         const bool isLate = m_settings.limit.count() > 0 && Clock::now() - m_start > m_settings.limit;
-        if (asked == 0 && !isLate) return;
+        if (m_interrupts == 0 && !isLate) return;
         if (m_run.end == ProgramRun::End::Itself) {
-            m_run.end = asked > 0 ? ProgramRun::End::Interrupt : ProgramRun::End::Limit;
+            m_run.end = m_interrupts > 0 ? ProgramRun::End::Interrupt : ProgramRun::End::Limit;
             m_asked = Clock::now();
-            kill(-m_child, asked > 0 ? SIGINT : SIGTERM);
-        } else if (asked > 1 || (m_run.end == ProgramRun::End::Limit && Clock::now() - m_asked > 2s)) {
+            kill(-m_child, m_interrupts > 0 ? SIGINT : SIGTERM);
+        } else if (m_interrupts > 1 || (m_run.end == ProgramRun::End::Limit && Clock::now() - m_asked > 2s)) {
             kill(-m_child, SIGKILL);
         }
     }
@@ -134,16 +102,18 @@ private:
         pollfd files[] = {{m_output.number(), POLLIN, 0},
                           {m_errors.number(), POLLIN, 0},
                           {hasMore ? m_toChild.number() : -1, POLLOUT, 0},
-                          {isGiving && !hasMore ? m_input.source() : -1, POLLIN, 0}};
-        const timespec limit = {most.count() / 1000, most.count() % 1000 * 1'000'000};
-        if (ppoll(files, 4, &limit, &waitingMask()) <= 0) return;
+                          {isGiving && !hasMore ? m_input.source() : -1, POLLIN, 0},
+                          {m_signals.number(), POLLIN, 0}};
+        if (poll(files, 5, static_cast<int>(most.count())) <= 0) return;
         if (files[0].revents != 0) listen(m_output, m_run.output);
         if (files[1].revents != 0) listen(m_errors, m_run.errors);
         if (files[2].revents != 0) give();
         if (files[3].revents != 0) m_input.readSource();
+        while (const int signal = support::waitForSignal(0ms))
+            if (signal != SIGCHLD) ++m_interrupts;
     }
 
-    static void listen(File &file, ProgramOutput &to) {
+    static void listen(support::Descriptor &file, ProgramOutput &to) {
         char bytes[1 << 16];
         const ssize_t count = read(file.number(), bytes, sizeof bytes);
         if (count > 0)
@@ -163,7 +133,7 @@ private:
     // Of its process group also those whose parents are still there.
     void endRest() {
         kill(-m_child, SIGTERM);
-        m_run.orphans = bench::endOrphans([this](std::chrono::milliseconds most) { exchange(most); });
+        m_run.orphans = support::endOrphans([this](std::chrono::milliseconds most) { exchange(most); });
     }
 
     const RunSettings &m_settings;
@@ -171,9 +141,10 @@ private:
     std::size_t m_given = 0;  // bytes of the input
     ProgramRun m_run;
     pid_t m_child = -1;
-    int m_interruptsBefore = 0;
+    const support::Descriptor m_signals = support::signalFile();
+    int m_interrupts = 0;  // since the run was started
     Clock::time_point m_start, m_end, m_asked;
-    File m_toChild, m_output, m_errors;
+    support::Descriptor m_toChild, m_output, m_errors;
 };
 
 }  // namespace

@@ -10,14 +10,14 @@
 
 #include "check/program_input.h"
 #include "check/program_output.h"
-#include "orphans.h"
-#include "process/spawn.h"
+#include "support/orphans.h"
+#include "support/process.h"
 
 namespace check {
 
 struct RunSettings {
     std::vector<std::string> command;
-    process::Environment environment;
+    support::Environment environment;
     std::chrono::milliseconds limit{0};  // 0: none
     bool showOutput = false;             // on this process's standard error, instead of keeping it
 };
@@ -28,7 +28,7 @@ struct ProgramRun {
     End end = End::Itself;
     int status = 0;                      // as waitpid gives it
     double seconds = 0, cpuSeconds = 0;  // the latter of all processes that were waited for
-    bench::EndedOrphans orphans;         // what it has left running
+    support::EndedOrphans orphans;         // what it has left running
     ProgramOutput output, errors;
 };
 

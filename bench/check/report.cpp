@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "loader/load_error.h"
+#include "support/text.h"
 #include "number_text.h"
 #include "table.h"
 
@@ -62,8 +62,8 @@ Json asJson(const Finding &finding) {
 
 std::string reportText(const CheckResult &result) {
     constexpr double kShort = 0.5;  // seconds, in which a program mostly starts
-    std::string text = enginesText(result.engines) + '\n' + worlds::printable(result.sentence) + '\n';
-    for (const std::string &remark : result.remarks) text += worlds::printable(remark) + '\n';
+    std::string text = enginesText(result.engines) + '\n' + support::printable(result.sentence) + '\n';
+    for (const std::string &remark : result.remarks) text += support::printable(remark) + '\n';
     if (result.engines.size() > 1 && result.engines[0].seconds < kShort) text += "Runs as short as these say little about speed.\n";
     if (result.finding && result.finding->state) text += '\n' + valuesText(*result.finding);
     return text;

@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "library_folders.h"
-#include "text_file.h"
+#include "support/text_file.h"
 
 namespace check {
 
@@ -24,8 +24,7 @@ std::string fileName(const std::string &path) { return std::filesystem::path(pat
 std::string inPath(const std::string &program) {
     if (program.find('/') != std::string::npos) return program;
     const char *const path = std::getenv("PATH");
-    std::istringstream folders(path != nullptr ? path : "/bin:/usr/bin");
-    for (std::string folder; std::getline(folders, folder, ':');)
+    for (const std::string &folder : support::split(path != nullptr ? path : "/bin:/usr/bin", ':'))
         if (const std::string file = folder + '/' + program; access(file.c_str(), X_OK) == 0) return file;
     return "";
 }
@@ -53,7 +52,7 @@ bool hasOtherRights(const std::string &file) {
 // The list of its features, in which names follow one another, is in every build of ODE. Programs that ask for one have its name
 // alone.
 bool containsOde(const std::string &file) {
-    const std::string text = bench::readWhatIsThere(file);
+    const std::string text = support::readWhatIsThere(file);
     return text.find(" ODE_double_precision") != std::string::npos || text.find(" ODE_single_precision") != std::string::npos;
 }
 

@@ -1,6 +1,6 @@
 #include "record/other_world.h"
 
-#include "loader/load_error.h"
+#include "support/text.h"
 #include "number_text.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ bool areEqual(const Geom &one, const Geom &other) {
 }
 
 std::string difference(const Header &one, const Header &other) {
-    if (nameOf(one.world) != nameOf(other.world)) return worlds::quote(one.world) + " and " + worlds::quote(other.world);
+    if (nameOf(one.world) != nameOf(other.world)) return support::quote(one.world) + " and " + support::quote(other.world);
     if (one.geoms.size() != other.geoms.size())
         return counted(one.geoms.size(), "geom") + " in the first, " + std::to_string(other.geoms.size()) + " in the second";
     const auto [geom, twin] = std::mismatch(one.geoms.begin(), one.geoms.end(), other.geoms.begin(), areEqual);

@@ -1,7 +1,7 @@
 // odemt_record: a world and its clusters, frame by frame, as JSON lines (recording.h).
 #include "error_output.h"
 #include "library_probe.h"
-#include "library_variables.h"
+#include "library_folders.h"
 #include "record/record_options.h"
 #include "record/recorder.h"
 #include "result_file.h"

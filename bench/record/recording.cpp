@@ -1,6 +1,6 @@
 #include "record/recording.h"
 
-#include "loader/load_error.h"
+#include "support/text.h"
 #include "record/recording_check.h"
 
 #include <nlohmann/json.hpp>
@@ -22,7 +22,7 @@ namespace {
 // What is nested is named by its type: to write it down takes as much stack as it is deep.
 std::string shown(const json &value) {
     if (value.is_structured()) return "an " + std::string(value.type_name());
-    return value.is_string() ? worlds::quote(value.get<std::string>()) : value.dump();
+    return value.is_string() ? support::quote(value.get<std::string>()) : value.dump();
 }
 
 // nlohmann-json would cut a fraction off, and take a number that is too large modulo 2^32.

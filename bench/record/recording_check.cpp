@@ -1,6 +1,6 @@
 #include "record/recording_check.h"
 
-#include "loader/load_error.h"
+#include "support/text.h"
 
 #include <cmath>
 #include <map>
@@ -16,7 +16,7 @@ std::size_t numbersOf(const std::string &kind) {
     static const std::map<std::string, std::size_t> kNumbers = {
         {"box", 3}, {"sphere", 1}, {"capsule", 2}, {"cylinder", 2}, {"plane", 4}, {"mesh", 6}, {"bounds", 3}};
     const auto found = kNumbers.find(kind);
-    if (found == kNumbers.end()) throw std::runtime_error("unknown shape " + worlds::quote(kind));
+    if (found == kNumbers.end()) throw std::runtime_error("unknown shape " + support::quote(kind));
     return found->second;
 }
 

@@ -1,6 +1,6 @@
 // odemt_report: results and recordings as one HTML page (page.h).
 #include "error_output.h"
-#include "loader/load_error.h"
+#include "support/text.h"
 #include "record/other_world.h"
 #include "report/page.h"
 #include "report/report_options.h"
@@ -17,7 +17,7 @@ std::string contentOf(const std::string &file) {
     std::ifstream stream(file, std::ios::binary);
     std::ostringstream content;
     content << stream.rdbuf();
-    if (!stream) throw std::runtime_error("cannot read " + worlds::quote(file));
+    if (!stream) throw std::runtime_error("cannot read " + support::quote(file));
     return content.str();
 }
 
@@ -30,7 +30,7 @@ report::NamedRecording recordingOf(const std::string &file, record::Header &head
         if (recording.frames.empty()) throw std::runtime_error("no frames");
         header = std::move(recording.header);
     } catch (const std::runtime_error &error) {
-        throw std::runtime_error(worlds::quote(file) + ": " + error.what());
+        throw std::runtime_error(support::quote(file) + ": " + error.what());
     }
     return {file, std::move(content)};
 }
@@ -50,12 +50,12 @@ void writePage(const report::ReportOptions &options) {
     bench::checkWritable(options.file);
     const std::vector<report::NamedRecording> recordings = recordingsOf(options.recordings);
     const std::string results = options.results.empty() ? "" : contentOf(options.results);
-    if (!options.results.empty() && results.empty()) throw std::runtime_error(worlds::quote(options.results) + ": empty");
+    if (!options.results.empty() && results.empty()) throw std::runtime_error(support::quote(options.results) + ": empty");
     std::string page;
     try {
         page = report::page(results, recordings);
     } catch (const std::runtime_error &error) {
-        throw std::runtime_error(worlds::quote(options.results) + ": " + error.what());
+        throw std::runtime_error(support::quote(options.results) + ": " + error.what());
     }
     bench::writeResultFile(options.file, page);
 }

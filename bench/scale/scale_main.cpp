@@ -7,7 +7,7 @@
 #include "scale/scale_table.h"
 #include "scale/world_measure.h"
 #include "standard_output.h"
-#include "text_file.h"
+#include "support/text_file.h"
 
 #include <algorithm>
 
@@ -32,7 +32,7 @@ void checkFiles(const ScaleOptions &options) {
 
 std::vector<MeasuredWorld> measureAll(const ScaleOptions &options) {
     std::vector<MeasuredWorld> all;
-    for (const std::string &file : options.measuredFiles) all.push_back(readMeasuredWorld(bench::readTextFile(file)));
+    for (const std::string &file : options.measuredFiles) all.push_back(readMeasuredWorld(support::readTextFile(file)));
     for (const std::string &world : options.worlds) {
         all.push_back(measureWorld(world, options.measure));
         if (!options.saveFolder.empty()) bench::writeResultFile(savedFile(options, world), writeMeasuredWorld(all.back()));

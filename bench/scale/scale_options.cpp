@@ -1,6 +1,6 @@
 #include "scale/scale_options.h"
 
-#include "comma_list.h"
+#include "support/text.h"
 #include "error_output.h"
 #include "library_folders.h"
 #include "world_source.h"
@@ -64,10 +64,10 @@ std::optional<ScaleOptions> readScaleOptions(int argc, const char *const *argv, 
         app.parse(argc, argv);
         if (options.measuredFiles.empty()) options.worlds = bench::splitWorlds(worlds);
         for (const std::string &world : options.worlds) bench::checkWorld(world);
-        for (const std::string &name : bench::splitAtCommas(networks)) options.networks.push_back(readNetwork(name));
+        for (const std::string &name : support::splitAtCommas(networks)) options.networks.push_back(readNetwork(name));
         if (options.networks.empty()) options.networks = knownNetworks();
         if (workers.empty()) workers = options.validates ? "1" : "1,2,4,8,16,32,64";
-        for (const std::string &count : bench::splitAtCommas(workers)) options.workers.push_back(readWorkers(count));
+        for (const std::string &count : support::splitAtCommas(workers)) options.workers.push_back(readWorkers(count));
         bench::checkLibraryFolder("--our-library", options.measure.library);
     };
     if (!bench::readCommandLine(app, read, exitCode)) return std::nullopt;

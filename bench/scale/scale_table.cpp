@@ -1,6 +1,6 @@
 #include "scale/scale_table.h"
 
-#include "csv_field.h"
+#include "support/text.h"
 #include "number_text.h"
 #include "table.h"
 
@@ -82,7 +82,7 @@ std::string scalingLines(const MeasuredWorld &measured, const std::vector<Networ
     std::string lines;
     for (const NetworkScaling &one : scalings)
         for (std::size_t i = 0; i < workers.size(); ++i)
-            lines += bench::csvField(measured.world) + "," + one.network.name + "," + std::to_string(workers[i]) + "," + ms(measured.homeFrameNs) + "," +
+            lines += support::csvField(measured.world) + "," + one.network.name + "," + std::to_string(workers[i]) + "," + ms(measured.homeFrameNs) + "," +
                      ms(one.frameNs[i]) + "," + std::to_string(one.enough) + "\n";
     return lines;
 }
@@ -117,7 +117,7 @@ std::string validationRow(const Validation &row) {
 std::string validationHeader() { return "world,network,workers,islands,home_ms,predicted_ms,measured_ms,sent,late\n"; }
 
 std::string validationLine(const MeasuredWorld &measured, const Validation &row) {
-    return bench::csvField(measured.world) + "," + row.cluster.network.name + "," + std::to_string(row.cluster.workers) + "," + islandsOf(row.cluster) + "," +
+    return support::csvField(measured.world) + "," + row.cluster.network.name + "," + std::to_string(row.cluster.workers) + "," + islandsOf(row.cluster) + "," +
            ms(row.measured.homeNs) + "," + ms(row.predictedNs) + "," + ms(row.measured.clusterNs) + "," + text("%.1f", row.measured.sent) + "," +
            std::to_string(row.measured.late) + "\n";
 }

@@ -1,8 +1,8 @@
 #include "scale/world_measure.h"
 
-#include "library_variables.h"
-#include "run_folder.h"
-#include "text_file.h"
+#include "library_folders.h"
+#include "library_folders.h"
+#include "support/text_file.h"
 
 #include <unistd.h>
 
@@ -17,7 +17,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "process/line_process.h"
+#include "support/process.h"
 
 namespace scale {
 
@@ -51,7 +51,7 @@ public:
             const nlohmann::json answer = nlohmann::json::parse(m_process.readLine(kLimit));
             return {answer.at("frame"), answer.at("step"), answer.at("hash")};
         } catch (const std::exception &error) {
-            throw std::runtime_error(std::string(error.what()) + "\n" + bench::readWhatIsThere(m_log));  // the program may not have begun
+            throw std::runtime_error(std::string(error.what()) + "\n" + support::readWhatIsThere(m_log));  // the program may not have begun
         }
     }
     void end() {
@@ -71,8 +71,8 @@ private:
                 R"([ "$OMPI_COMM_WORLD_RANK" != 0 ] || exec "$@"; exec "$0")", settings.worker, settings.program, world, log};
     }
 
-    static process::Environment environment(const MeasureSettings &settings, const Party &party) {
-        process::Environment changes;
+    static support::Environment environment(const MeasureSettings &settings, const Party &party) {
+        support::Environment changes;
         for (const std::string &name : bench::libraryVariables()) changes[name] = "";
         changes["ODE_MT_THREADS"] = "0";
         changes["ODE_MT_WORKERS"] = party.workers == "loopback" ? "loopback:" + std::to_string(party.count) : party.workers;
@@ -84,7 +84,7 @@ private:
     }
 
     const std::string m_log;
-    process::LineProcess m_process;
+    support::LineProcess m_process;
 };
 
 // Two players in turns, on the same frames.
@@ -161,13 +161,13 @@ double measureSleep() {
 }
 
 // What a handshake measures while processes start varies by a factor of two: the least latency of several is that of a link in use.
-Link measureLink(const std::string &world, const MeasureSettings &settings, const bench::RunFolder &scratch) {
+Link measureLink(const std::string &world, const MeasureSettings &settings, const support::TemporaryFolder &scratch) {
     constexpr int kHandshakes = 5;
     std::vector<double> latencies, nsPerByte;
     for (int i = 0; i < kHandshakes; ++i) {
-        const std::string log = scratch.path() + "/link";
+        const std::string log = scratch.file("link");
         Player(world, settings, {settings.transport, 1, true, ""}, log).end();
-        const Link link = readLink(bench::readWhatIsThere(log));
+        const Link link = readLink(support::readWhatIsThere(log));
         latencies.push_back(link.latencyNs);
         nsPerByte.push_back(link.nsPerByte);
     }
@@ -177,9 +177,9 @@ Link measureLink(const std::string &world, const MeasureSettings &settings, cons
 }  // namespace
 
 MeasuredWorld measureWorld(const std::string &world, const MeasureSettings &settings) {
-    const bench::RunFolder scratch(kTool);
-    const std::string record = scratch.path() + "/record", log = scratch.path() + "/away";
-    Player home(world, settings, {}, scratch.path() + "/home");
+    const support::TemporaryFolder scratch(kTool);
+    const std::string record = scratch.file("record"), log = scratch.file("away");
+    Player home(world, settings, {}, scratch.file("home"));
     Player away(world, settings, {settings.transport, 1, true, "--record " + record}, log);
     Race race(home, away);
     MeasuredWorld measured;
@@ -198,26 +198,26 @@ MeasuredWorld measureWorld(const std::string &world, const MeasureSettings &sett
     home.end();
     measured.homeFrameNs = typical(race.home.frame);
     measured.homeStepNs = typical(race.home.step);
-    measured.awayStepNs = std::max(race.steppedNs() - readWaitedNs(bench::readTextFile(log)), 0.0) / (measured.warmUp + measured.frames);
+    measured.awayStepNs = std::max(race.steppedNs() - readWaitedNs(support::readTextFile(log)), 0.0) / (measured.warmUp + measured.frames);
     measured.sleepNs = measureSleep();
     const Link link = measureLink(world, settings, scratch);
     measured.latencyNs = link.latencyNs;
     measured.nsPerByte = link.nsPerByte;
-    measured.steps = readWorkRecord(bench::readTextFile(record));
+    measured.steps = readWorkRecord(support::readTextFile(record));
     return measured;
 }
 
 MeasuredFrames measureFrames(const MeasuredWorld &measured, const Cluster &cluster, const MeasureSettings &settings) {
-    const bench::RunFolder scratch(kTool);
-    Player home(measured.world, settings, {}, scratch.path() + "/home");
-    Player other(measured.world, settings, {settings.transport, cluster.workers, cluster.sendsAll, cluster.network.workerArguments()}, scratch.path() + "/other");
+    const support::TemporaryFolder scratch(kTool);
+    Player home(measured.world, settings, {}, scratch.file("home"));
+    Player other(measured.world, settings, {settings.transport, cluster.workers, cluster.sendsAll, cluster.network.workerArguments()}, scratch.file("other"));
     Race race(home, other);
     race.run(measured.warmUp);
     race.forget();
     race.runBatches(measured.frames);
     other.end();
     home.end();
-    const std::string log = bench::readTextFile(scratch.path() + "/other");
+    const std::string log = support::readTextFile(scratch.file("other"));
     unsigned long long sent = 0, solved = 0, taken = 0;
     unsigned late = 0;
     const std::size_t counts = log.rfind("remote workers: ");

@@ -23,6 +23,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/statistics.h"
 #include "threading/managers/dxThreadManagerFactory.h"
 #include "threading/managers/dxThreadManagerUser.h"
 
@@ -77,12 +78,6 @@ double seconds(Function function) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 void dispatch(benchmark::State &state, const std::string &name, bool all) {
     const unsigned workers = static_cast<unsigned>(state.range(0));
     const auto manager = make(name, workers);
@@ -98,7 +93,7 @@ void dispatch(benchmark::State &state, const std::string &name, bool all) {
         times.push_back(seconds(run));
         state.SetIterationTime(times.back());
     }
-    state.counters["median_us"] = 1e6 * median(times);
+    state.counters["median_us"] = 1e6 * support::median(times);
 }
 
 // Work that needs the processor and nothing else: dependent multiplications.
@@ -129,7 +124,7 @@ void blocks(benchmark::State &state, const std::string &name) {
         state.SetIterationTime(shared);
         ratios.push_back(alone / shared);
     }
-    state.counters["speedup"] = median(ratios);
+    state.counters["speedup"] = support::median(ratios);
 }
 
 void registerManager(const std::string &name) {

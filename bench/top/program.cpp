@@ -11,9 +11,9 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "orphans.h"
-#include "process/spawn.h"
-#include "top/signals.h"
+#include "support/orphans.h"
+#include "support/process.h"
+#include "support/deferred_signals.h"
 
 namespace top {
 
@@ -33,11 +33,11 @@ int Program::openOutput(const TopOptions &options) {
     return file;
 }
 
-Program::Program(const TopOptions &options, const bench::RunFolder &folder, const FrameBoard &board) {
-    const std::string library = folder.addLibrary("ours", options.ourFolder + "/libode.so.8");
+Program::Program(const TopOptions &options, const support::TemporaryFolder &folder, const FrameBoard &board) {
+    const std::string library = bench::addLibrary(folder, "ours", options.ourFolder + "/libode.so.8");
     const int output = openOutput(options), nothing = isatty(STDIN_FILENO) != 0 ? open("/dev/null", O_RDONLY | O_CLOEXEC) : -1;
     const int to = output >= 0 ? output : STDERR_FILENO;
-    const process::Environment environment = {{"LD_LIBRARY_PATH", bench::inFront(library, "LD_LIBRARY_PATH")},
+    const support::Environment environment = {{"LD_LIBRARY_PATH", bench::inFront(library, "LD_LIBRARY_PATH")},
                                               {"ODE_MT_THREADS", options.threads},
                                               {"ODE_MT_STATISTICS", board.path()}};
     const auto closeFiles = [=] {
@@ -45,7 +45,7 @@ Program::Program(const TopOptions &options, const bench::RunFolder &folder, cons
         if (nothing >= 0) close(nothing);
     };
     try {
-        m_child = process::spawn(options.command, environment, {nothing, to, to}, process::Group::Own);
+        m_child = support::spawn(options.command, environment, {nothing, to, to}, support::Group::Own);
     } catch (...) {
         closeFiles();
         throw;
@@ -80,7 +80,7 @@ void Program::askToEnd(int signal) {
 bool Program::endRest() {
     if (!m_isAsked) return true;
     kill(-m_child, SIGTERM);
-    return !bench::endOrphans([](std::chrono::milliseconds most) { waitForSignal(most); }).areLeft;
+    return !support::endOrphans([](std::chrono::milliseconds most) { support::waitForSignal(most); }).areLeft;
 }
 
 }  // namespace top

@@ -9,7 +9,7 @@
 
 #include <string>
 
-#include "run_folder.h"
+#include "library_folders.h"
 #include "top/frame_board.h"
 #include "top/top_options.h"
 
@@ -18,7 +18,7 @@ namespace top {
 class Program {
 public:
     // Throws std::runtime_error if it cannot be started. Requires that this process has no other children, and has adopted orphans (orphans.h).
-    Program(const TopOptions &options, const bench::RunFolder &folder, const FrameBoard &board);
+    Program(const TopOptions &options, const support::TemporaryFolder &folder, const FrameBoard &board);
 
     // What it prints is in it; empty: it went to standard error.
     const std::string &output() const { return m_output; }

@@ -8,15 +8,15 @@
 #include <filesystem>
 
 #include "error_output.h"
-#include "orphans.h"
-#include "run_folder.h"
+#include "support/orphans.h"
+#include "library_folders.h"
 #include "standard_output.h"
 #include "top/frame_board.h"
 #include "top/frame_rates.h"
 #include "top/frame_text.h"
 #include "top/program.h"
 #include "top/screen.h"
-#include "top/signals.h"
+#include "support/deferred_signals.h"
 #include "top/top_options.h"
 
 namespace {
@@ -90,7 +90,7 @@ void watchOnScreen(const TopOptions &options, Program &program, const FrameBoard
     Readings readings(board);
     while (!program.hasEnded()) {
         const std::vector<FrameRates> rates = readings.next();
-        for (const Clock::time_point next = Clock::now() + options.interval; Clock::now() < next && !passOn(program, top::waitForSignal(0ms));) {
+        for (const Clock::time_point next = Clock::now() + options.interval; Clock::now() < next && !passOn(program, support::waitForSignal(0ms));) {
             screen.show(titleOf(options, secondsSince(start), "   (q: end it)"), rates, program.output());
             const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(next - Clock::now());
             if (screen.readKey(std::clamp<std::chrono::milliseconds>(left, 1ms, kKeyInterval))) program.askToEnd(SIGINT);
@@ -104,7 +104,7 @@ void watchInText(const TopOptions &options, Program &program, const FrameBoard &
     Clock::time_point next = start + options.interval;
     while (!program.hasEnded()) {
         const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(next - Clock::now());
-        if (passOn(program, top::waitForSignal(left))) break;
+        if (passOn(program, support::waitForSignal(left))) break;
         if (Clock::now() < next) continue;
         next += options.interval;
         if (options.mode == top::Mode::Batch)
@@ -123,7 +123,7 @@ void tellOfOutput(const TopOptions &options, const Program &program, Output &out
 }
 
 int run(const TopOptions &options) {
-    const bench::RunFolder folder("odemt_top");
+    const support::TemporaryFolder folder("odemt_top");
     const FrameBoard board(folder.path());
     const Clock::time_point start = Clock::now();
     Program program(options, folder, board);
@@ -146,8 +146,8 @@ int main(int argc, char **argv) {
     int exitCode = 0;
     const auto options = top::readTopOptions(argc, argv, exitCode);
     if (!options) return bench::exitCodeAfterOutput(exitCode);
-    top::deferSignals();
-    bench::adoptOrphans();
+    support::deferSignals();
+    support::adoptOrphans();
     try {
         return run(*options);
     } catch (const std::exception &error) {

@@ -5,7 +5,7 @@
 #include <regex>
 #include <string>
 
-#include "child_process.h"
+#include "support/child_run.h"
 
 namespace {
 
@@ -15,10 +15,10 @@ struct Outcome {
 
 // Without file and line of the assertion.
 Outcome run(const char *libraryFolder, bool hash, int moved, int added) {
-    const auto child = exactness::runChild(
+    const auto child = support::runProgram(
         {ODE_MT_CLEAN_BEFORE_DIRTY_PROGRAM, hash ? "1" : "0", std::to_string(moved), std::to_string(added)},
         {{"LD_LIBRARY_PATH", libraryFolder}});
-    return {child.ending, child.output, std::regex_replace(child.errors, std::regex("\\[[^\\]]*:[0-9]+\\]"), "[]")};
+    return {child.text(), child.output, std::regex_replace(child.errors, std::regex("\\[[^\\]]*:[0-9]+\\]"), "[]")};
 }
 
 class CleanBeforeDirty : public testing::TestWithParam<bool> {};

@@ -4,15 +4,15 @@
 #include <string>
 #include <tuple>
 
-#include "child_process.h"
+#include "support/child_run.h"
 #include "numbered_spaces.h"
 
 namespace {
 
 std::string run(const char *libraryFolder, int kind, const char *scene, const char *threads) {
-    const auto child = exactness::runChild({ODE_MT_ONE_PLACE_PROGRAM, std::to_string(kind), scene},
+    const auto child = support::runProgram({ODE_MT_ONE_PLACE_PROGRAM, std::to_string(kind), scene},
                                            {{"LD_LIBRARY_PATH", libraryFolder}, {"ODE_MT_THREADS", threads}, {"ODE_MT_ALGORITHM", "lcp"}});
-    return child.ending + "\n" + child.output;
+    return child.text() + "\n" + child.output;
 }
 
 class OnePlace : public testing::TestWithParam<std::tuple<int, const char *>> {};

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "child_process.h"
+#include "support/child_run.h"
 
 namespace {
 
@@ -21,8 +21,8 @@ void PrintTo(const Kind &kind, std::ostream *out) { *out << kind.name; }
 
 class PairOrder : public testing::TestWithParam<Kind> {};
 
-exactness::ChildResult run(const char *libraryFolder, unsigned seed, const Kind &kind) {
-    return exactness::runChild({ODE_MT_PAIR_SEQUENCE_PROGRAM, std::to_string(seed), kind.space,
+support::Ending run(const char *libraryFolder, unsigned seed, const Kind &kind) {
+    return support::runProgram({ODE_MT_PAIR_SEQUENCE_PROGRAM, std::to_string(seed), kind.space,
                                 std::to_string(kind.geoms), std::to_string(kind.frames), kind.breathes ? "1" : "0"},
                                {{"LD_LIBRARY_PATH", libraryFolder}, {"ODE_MT_ALGORITHM", kind.algorithm},
                                 {"ODE_MT_THREADS", std::to_string(kind.threads)}});
@@ -48,8 +48,8 @@ TEST_P(PairOrder, IsThatOfLibode8) {
     for (unsigned seed = 1; seed <= static_cast<unsigned>(kind.seeds); ++seed) {
         const auto stock = run(ODE_MT_STOCK_LIBRARY_DIR, seed, kind);
         const auto ours = run(ODE_MT_LIBRARY_DIR, seed, kind);
-        ASSERT_TRUE(stock.succeeded) << "seed " << seed << ": libode8 ended with " << stock.ending << stock.errors;
-        ASSERT_TRUE(ours.succeeded) << "seed " << seed << ": ours ended with " << ours.ending << ours.errors;
+        ASSERT_TRUE(stock.exitedWith(0)) << "seed " << seed << ": libode8 ended with " << stock.text() << stock.errors;
+        ASSERT_TRUE(ours.exitedWith(0)) << "seed " << seed << ": ours ended with " << ours.text() << ours.errors;
         ASSERT_TRUE(stock.output == ours.output)
             << "seed " << seed << ", " << firstDifference(stock.output, ours.output);
         pairs += static_cast<std::size_t>(std::count(stock.output.begin(), stock.output.end(), '-'));

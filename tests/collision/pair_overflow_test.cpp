@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "child_process.h"
+#include "support/child_run.h"
 #include "numbered_spaces.h"
 #include "sanitizers.h"
 
@@ -17,12 +17,12 @@ struct Outcome {
 };
 
 Outcome run(const char *libraryFolder, int kind, const char *threads) {
-    const auto child = exactness::runChild({ODE_MT_CROWD_PROGRAM, std::to_string(kind)},
+    const auto child = support::runProgram({ODE_MT_CROWD_PROGRAM, std::to_string(kind)},
                                            {{"LD_LIBRARY_PATH", libraryFolder}, {"ODE_MT_THREADS", threads}});
     const std::string label = "memory ";
     const auto at = child.output.rfind(label);
-    if (at == std::string::npos) return {child.ending, child.output + child.errors, 0};
-    return {child.ending, child.output.substr(0, at), std::atoi(child.output.c_str() + at + label.size())};
+    if (at == std::string::npos) return {child.text(), child.output + child.errors, 0};
+    return {child.text(), child.output.substr(0, at), std::atoi(child.output.c_str() + at + label.size())};
 }
 
 class Crowd : public testing::TestWithParam<int> {};

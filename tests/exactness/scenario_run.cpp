@@ -1,6 +1,7 @@
 #include "scenario_run.h"
 
 #include "thorough.h"
+#include "support/temporary_folder.h"
 
 #include <cstdlib>
 #include <sstream>
@@ -53,7 +54,7 @@ std::string describe(const Player &player) {
 }
 
 Record run(const std::string &scenario, const Player &player, const std::vector<std::string> &options) {
-    const TemporaryFolder folder;
+    const support::TemporaryFolder folder;
     const std::string path = folder.file("record.json");
     std::vector<std::string> command{childProgram(), scenario,       "--record",
                                      path,           "--time-limit", std::to_string(timeLimit)};
@@ -62,9 +63,9 @@ Record run(const std::string &scenario, const Player &player, const std::vector<
         command.insert(command.end(), {"--instruction-set", player.setting->instructionSet});
     }
     command.insert(command.end(), options.begin(), options.end());
-    const ChildResult child = runChild(command, variablesFor(player));
-    if (!child.succeeded) {
-        throw std::runtime_error(scenario + " on " + describe(player) + " ended with " + child.ending +
+    const support::Ending child = support::runProgram(command, variablesFor(player));
+    if (!child.exitedWith(0)) {
+        throw std::runtime_error(scenario + " on " + describe(player) + " ended with " + child.text() +
                                  ":\n" + lastOf(child.errors));
     }
     return Record::read(path);
@@ -78,8 +79,8 @@ std::string libraryFolder(const Player &player) {
 }
 
 std::vector<ScenarioName> listScenarios() {
-    const ChildResult child = runChild({childProgram(), "--list"}, variablesFor(libode8));
-    if (!child.succeeded) throw std::runtime_error(childProgram() + " --list ended with " + child.ending);
+    const support::Ending child = support::runProgram({childProgram(), "--list"}, variablesFor(libode8));
+    if (!child.exitedWith(0)) throw std::runtime_error(childProgram() + " --list ended with " + child.text());
     std::vector<ScenarioName> names;
     std::istringstream lines(child.output);
     for (std::string line; std::getline(lines, line);) {

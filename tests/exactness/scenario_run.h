@@ -1,7 +1,7 @@
 // Runs a scenario in a child process on one of the two libraries.
 #pragma once
 
-#include "child_process.h"
+#include "support/child_run.h"
 #include "comparison.h"
 
 #include <optional>

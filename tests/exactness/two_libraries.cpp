@@ -1,6 +1,6 @@
 #include "two_libraries.h"
 
-#include "child_process.h"
+#include "support/child_run.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -22,10 +22,10 @@ std::string folderOf(Library library) {
 
 Lines linesOn(Library library, const Lines &command, const char *memoryPattern) {
     const std::string folder = folderOf(library);
-    const ChildResult child =
-        runChild(command, {{"LD_LIBRARY_PATH", folder}, {"MALLOC_PERTURB_", memoryPattern}});
-    if (!child.succeeded)
-        throw std::runtime_error(command[0] + " on " + folder + ": " + child.ending + "\n" + child.errors);
+    const support::Ending child =
+        support::runProgram(command, {{"LD_LIBRARY_PATH", folder}, {"MALLOC_PERTURB_", memoryPattern}});
+    if (!child.exitedWith(0))
+        throw std::runtime_error(command[0] + " on " + folder + ": " + child.text() + "\n" + child.errors);
     std::istringstream text(child.output);
     Lines lines;
     for (std::string line; std::getline(text, line);) lines.push_back(line);

@@ -1,6 +1,6 @@
 // Bad surroundings: ODE_MT gives the bits that libode8 gives in good ones, with one thread, with two, and
 // with more than there are cores.
-#include "child_process.h"
+#include "support/child_run.h"
 #include "two_libraries.h"
 
 #include <gtest/gtest.h>
@@ -44,12 +44,11 @@ INSTANTIATE_TEST_SUITE_P(Locale, Surroundings,
 // What the system refuses is reported.
 TEST(SurroundingsReport, RefusedThreadsAreReportedOnce) {
     const char *const given = std::getenv("ODE_MT_LIBRARY_DIR");
-    const ChildResult child =
-        runChild({ODE_MT_SURROUNDINGS_PROGRAM, "no_threads"},
-                 {{"LD_LIBRARY_PATH", given != nullptr ? given : ODE_MT_OWN_LIBRARY_DIR},
-                  {"ODE_MT_THREADS", "4"},
-                  {"ODE_MT_ALGORITHM", "lcp"}});
-    EXPECT_TRUE(child.succeeded) << child.ending;
+    const support::Ending child = support::runProgram({ODE_MT_SURROUNDINGS_PROGRAM, "no_threads"},
+                                                      {{"LD_LIBRARY_PATH", given != nullptr ? given : ODE_MT_OWN_LIBRARY_DIR},
+                                                       {"ODE_MT_THREADS", "4"},
+                                                       {"ODE_MT_ALGORITHM", "lcp"}});
+    EXPECT_TRUE(child.exitedWith(0)) << child.text();
     const std::string text = "the system refused a thread";
     const std::size_t first = child.errors.find(text);
     EXPECT_NE(first, std::string::npos) << child.errors;

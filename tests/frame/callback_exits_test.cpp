@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "ChainWorld.h"
-#include "ChildProcess.h"
+#include "support/child_run.h"
 #include "Deadline.h"
 #include "HeapWorld.h"
 #include "OdeSession.h"
@@ -81,7 +81,7 @@ unsigned sharedBy(HeapWorld &world) {
 
 // In a child, because the space stays locked, as upstream's, and cannot be destroyed.
 TEST_P(LeftCallback, NextCollisionsAreSharedAgain) {
-    EXPECT_TRUE(trueInChild([] {
+    EXPECT_TRUE(support::trueInChild([] {
         const OdeSession session(3, "lcp");
         auto &left = *new HeapWorld(createSpace());
         HeapWorld other(createSpace());
@@ -102,7 +102,7 @@ TEST_P(LeftCallback, NextCollisionsAreSharedAgain) {
 
 // The call that was left says nothing about the geoms any more.
 TEST_P(LeftCallback, DCollideComputesAnew) {
-    EXPECT_TRUE(trueInChild([] {
+    EXPECT_TRUE(support::trueInChild([] {
         const OdeSession session(3, "lcp");
         auto &world = *new HeapWorld(createSpace());
         settle(world);
@@ -135,7 +135,7 @@ void useFreedMemory() {
 
 // The space stays locked, and its destructor reports that half way; it is not accessed any more.
 TEST_P(LeftCallback, TheSpaceMayBeDestroyed) {
-    EXPECT_TRUE(trueInChild([] {
+    EXPECT_TRUE(support::trueInChild([] {
         const OdeSession session(3, "lcp");
         const dGeomID ball = dCreateSphere(nullptr, 1), box = dCreateBox(nullptr, 1, 1, 1);
         const dSpaceID space = createSpace();
@@ -172,7 +172,7 @@ dColliderFn *noCollider(int) { return nullptr; }
 
 // Cleaning goes on without the workers of the call that was left, and a sweep-and-prune space fails upstream's assertion at the next one.
 TEST_P(LeftCallback, ABoxFunctionMayLeave) {
-    EXPECT_TRUE(trueInChild([] {
+    EXPECT_TRUE(support::trueInChild([] {
         const OdeSession session(3, "lcp");
         const dGeomClass description = {sizeof(int), &noCollider, &boundAndLeave, nullptr, nullptr};
         const int usersClass = dCreateGeomClass(&description);
@@ -217,7 +217,7 @@ INSTANTIATE_TEST_SUITE_P(Spaces, LeftCallback,
 
 // A step that a moved-callback leaves: another thread's first step does not wait for it without limit.
 TEST(LeftStep, AnotherThreadSteps) {
-    EXPECT_TRUE(trueInChild([] {
+    EXPECT_TRUE(support::trueInChild([] {
         const OdeSession session(2, "lcp");
         auto &world = *new ChainWorld(10, 3);
         dBodySetMovedCallback(world.bodies()[5], [](dBodyID) { std::longjmp(g_place, 1); });
@@ -254,7 +254,7 @@ void joinAndEndThread(void *data, dGeomID o1, dGeomID o2) {
 class EndedThread : public testing::TestWithParam<bool> {};
 
 TEST_P(EndedThread, EndsTheCallersThreadAndNothingElse) {
-    EXPECT_TRUE(trueInChild([] {
+    EXPECT_TRUE(support::trueInChild([] {
         const OdeSession session(3, "lcp");
         dODE_MT_SetCallbackPolicy("concurrent");
         for (int i = 0; i < 3; ++i) {

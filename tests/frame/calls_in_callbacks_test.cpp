@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "ChainWorld.h"
-#include "ChildProcess.h"
+#include "support/child_run.h"
 #include "Deadline.h"
 #include "OdePool.h"
 #include "OdeSession.h"
@@ -75,7 +75,7 @@ protected:
 
     // Whether the frames were done, in a process of their own.
     static bool doneInChild(const std::function<void()> &frames) {
-        const ChildEnd end = runInChild([&frames] {
+        const support::Ending end = support::runInChild([&frames] {
             dInitODE2(0);
             OdeSession::use(3, "lcp");
             frames();

@@ -3,7 +3,7 @@
 #include <ode/ode.h>
 #include <pthread.h>
 
-#include "ChildProcess.h"
+#include "support/child_run.h"
 #include "HeapWorld.h"
 #include "sanitizers.h"
 
@@ -65,7 +65,7 @@ protected:
 };
 
 TEST_P(Cancellation, ComesAtThePointOfTheProgram) {
-    EXPECT_TRUE(trueInChild([] {
+    EXPECT_TRUE(support::trueInChild([] {
         const auto [manager, work] = GetParam();
         dInitODE2(0);
         dODE_MT_SetThreadManager(manager);

@@ -5,7 +5,7 @@
 
 #include <atomic>
 
-#include "ChildProcess.h"
+#include "support/child_run.h"
 #include "OdeSession.h"
 #include "SphereRows.h"
 
@@ -45,8 +45,8 @@ struct Caller {
 
 class BadArguments : public testing::TestWithParam<BadCall> {
 protected:
-    static ChildEnd endWith(const char *policy) {
-        return runInChild([policy] {
+    static support::Ending endWith(const char *policy) {
+        return support::runInChild([policy] {
             const OdeSession session(3, "lcp");
             dODE_MT_SetCallbackPolicy(policy);
             SphereRows rows(dHashSpaceCreate(nullptr));
@@ -57,10 +57,10 @@ protected:
 };
 
 TEST_P(BadArguments, AreAnsweredAsOneAtATime) {
-    const ChildEnd expected = endWith("serial");
+    const support::Ending expected = endWith("serial");
     EXPECT_NE(expected.errors, "");
     for (const char *policy : {"concurrent", "independent"}) {
-        const ChildEnd end = endWith(policy);
+        const support::Ending end = endWith(policy);
         EXPECT_EQ(end.errors, expected.errors) << policy;
         EXPECT_EQ(end.status, expected.status) << policy;
     }

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "ChildProcess.h"
+#include "support/child_run.h"
 #include "DebianOde.h"
 
 namespace {
@@ -32,7 +32,7 @@ std::vector<Call> calls() {
             {"dMessage", dMessage, dSetMessageHandler, dGetMessageHandler, "dSetMessageHandler"}};
 }
 
-void expectSame(const ChildEnd &own, const ChildEnd &debian) {
+void expectSame(const support::Ending &own, const support::Ending &debian) {
     EXPECT_EQ(own.errors, debian.errors);
     EXPECT_EQ(own.status, debian.status);
 }
@@ -52,7 +52,7 @@ TEST(Error, DefaultTextAndEndAreDebians) {
         for (const int number : {0, 7, -3}) {
             SCOPED_TRACE(call.name + std::string(" ") + std::to_string(number));
             const auto speak = [number](Report *report) {
-                return runInChild([=] { report(number, "%d boxes fell %s\n", 3, "down"); });
+                return support::runInChild([=] { report(number, "%d boxes fell %s\n", 3, "down"); });
             };
             expectSame(speak(call.report), speak(debian));
         }
@@ -77,21 +77,21 @@ TEST(Error, MessagesOfOurOwnHaveNoNumber) {
 
 // So that the comparison above is of something.
 TEST(Error, DefaultTextNamesTheNumber) {
-    EXPECT_EQ(runInChild([] { dMessage(7, "hello"); }).errors, "\nODE Message 7: hello\n");
-    EXPECT_TRUE(runInChild([] { dError(0, "hello"); }).exitedWith(1));
-    EXPECT_TRUE(runInChild([] { dDebug(0, "hello"); }).killedBy(SIGABRT));
+    EXPECT_EQ(support::runInChild([] { dMessage(7, "hello"); }).errors, "\nODE Message 7: hello\n");
+    EXPECT_TRUE(support::runInChild([] { dError(0, "hello"); }).exitedWith(1));
+    EXPECT_TRUE(support::runInChild([] { dDebug(0, "hello"); }).killedBy(SIGABRT));
 }
 
 TEST(Error, HandlerIsCalledAndTheProcessEndsAsWithDebian) {
     for (const Call &call : calls()) {
         SCOPED_TRACE(call.name);
         const auto speak = [](Report *report, auto *setHandler) {
-            return runInChild([=] {
+            return support::runInChild([=] {
                 setHandler(hear);
                 report(5, "%s", "text");
             });
         };
-        const ChildEnd own = speak(call.report, call.setHandler);
+        const support::Ending own = speak(call.report, call.setHandler);
         EXPECT_NE(own.errors.find("heard 5: text"), std::string::npos);
         expectSame(own, speak(debianOde::function(call.report, call.name),
                               debianOde::function(call.setHandler, call.setHandlerName)));

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "ChildProcess.h"
+#include "support/child_run.h"
 #include "HeapWorld.h"
 #include "OdeSession.h"
 #include "sanitizers.h"
@@ -91,7 +91,7 @@ class FibersTest : public testing::TestWithParam<int> {};
 
 TEST_P(FibersTest, SwitchInNearCallbacks) {
     if (kAddressSanitizer || kThreadSanitizer) GTEST_SKIP() << "sanitizers do not follow such switches";
-    EXPECT_TRUE(trueInChild([] {
+    EXPECT_TRUE(support::trueInChild([] {
         const OdeSession session(0, "serial");
         dRandSetSeed(0);
         const std::vector<dReal> serial = Fibers(GetParam()).positions();

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "ChainWorld.h"
-#include "ChildProcess.h"
+#include "support/child_run.h"
 #include "OdeSession.h"
 #include "sanitizers.h"
 
@@ -34,7 +34,7 @@ TEST_P(Fork, ChildStepsAsTheParent) {
     serial.step(20);
     OdeSession::use(4, "lcp");
     dRandSetSeed(seed);
-    EXPECT_TRUE(trueInChild([&] {
+    EXPECT_TRUE(support::trueInChild([&] {
         world.step(10);
         return world.state() == serial.state() && dODE_MT_GetParallelSteps() >= 20;
     }));
@@ -48,7 +48,7 @@ TEST_P(Fork, ChildCanCloseAndStartAgain) {
         ChainWorld world(64, 5);
         world.step(10);
     }
-    EXPECT_TRUE(trueInChild([] {
+    EXPECT_TRUE(support::trueInChild([] {
         dCloseODE();
         const OdeSession again(3, "lcp");
         ChainWorld world(64, 5);
@@ -68,7 +68,7 @@ TEST_P(Fork, WhileAnotherThreadSteps) {
     });
     ChainWorld world(30, 4);
     for (int i = 0; i < 30; ++i) {
-        EXPECT_TRUE(trueInChild([&] {
+        EXPECT_TRUE(support::trueInChild([&] {
             world.step(3);
             dToggleODE_MT(2);
             world.step(3);
@@ -87,7 +87,7 @@ TEST_P(Fork, WhileAnotherThreadStepsForTheFirstTime) {
     if (kAddressSanitizer) GTEST_SKIP() << "AddressSanitizer's own locks do not survive a fork";
     constexpr int kTries = 100;
     for (int i = 0; i < kTries; ++i) {
-        EXPECT_TRUE(trueInChild([i] {
+        EXPECT_TRUE(support::trueInChild([i] {
             const OdeSession session(3, "lcp");
             std::atomic<bool> stepping{false};
             std::thread other([&stepping] {
@@ -98,7 +98,7 @@ TEST_P(Fork, WhileAnotherThreadStepsForTheFirstTime) {
             ChainWorld world(30, 4);
             while (!stepping) continue;
             std::this_thread::sleep_for(std::chrono::microseconds(i));
-            const bool done = trueInChild([&world] {
+            const bool done = support::trueInChild([&world] {
                 world.step(3);
                 dCloseODE();
                 return true;

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <vector>
 
-#include "ChildProcess.h"
+#include "support/child_run.h"
 #include "HeapWorld.h"
 #include "OdeSession.h"
 
@@ -134,7 +134,7 @@ protected:
 };
 
 TEST_P(GoneArrays, BetweenFrames) {
-    EXPECT_TRUE(trueInChild([] {
+    EXPECT_TRUE(support::trueInChild([] {
         const OdeSession session(3, "lcp");
         dODE_MT_SetCallbackPolicy(GetParam().policy);
         Fading *const fading = GetParam().make();
@@ -161,7 +161,7 @@ INSTANTIATE_TEST_SUITE_P(All, GoneArrays,
 
 // In the midst of a call, after some of its pairs.
 TEST(GoneArraysInCallbacks, PointsOfAConvexGeom) {
-    EXPECT_TRUE(trueInChild([] {
+    EXPECT_TRUE(support::trueInChild([] {
         const OdeSession session(3, "lcp");
         FadingConvex fading;
         const dSpaceID space = dHashSpaceCreate(nullptr);

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "ChainWorld.h"
-#include "ChildProcess.h"
+#include "support/child_run.h"
 #include "ExecutorPool.h"
 #include "HeapWorld.h"
 #include "OdePool.h"
@@ -196,7 +196,7 @@ TEST_F(Executor, WhoseQueueIsCalledInAForkedChild) {
     ChainWorld world(40, 4);
     world.step();
     ASSERT_EQ(kept.pieces.size(), 1u);
-    EXPECT_TRUE(trueInChild([&] {
+    EXPECT_TRUE(support::trueInChild([&] {
         world.step();
         kept.call();
         world.step(5);
@@ -221,7 +221,7 @@ TEST_F(Executor, InAForkedChildIsNotAskedForWhatItWasLentToTheParentFor) {
     Kept kept;
     dODE_MT_SetExecutor(Kept::post, &kept);
     ChainWorld world(40, 4);
-    EXPECT_TRUE(trueInChild([&] {
+    EXPECT_TRUE(support::trueInChild([&] {
         world.step(5);
         return kept.pieces.empty();
     }));
@@ -249,7 +249,7 @@ TEST_F(Executor, InAForkedChildTheCallerIsAloneUntilItLendsThreads) {
     ChainWorld world(40, 4), other(40, 4);
     world.step(10);
     other.step(10);
-    EXPECT_TRUE(trueInChild([&] {
+    EXPECT_TRUE(support::trueInChild([&] {
         world.step(10);
         auto own = std::make_unique<ExecutorPool>(2);
         dODE_MT_SetExecutor(ExecutorPool::post, own.get());

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "ChainWorld.h"
-#include "ChildProcess.h"
+#include "support/child_run.h"
 #include "OdeSession.h"
 #include "processThreads.h"
 #include "sanitizers.h"
@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(Managers, Lifecycle,
                          });
 
 TEST(LifecycleErrors, CloseWithoutInitIsUpstreamsError) {
-    const ChildEnd end = runInChild([] { dCloseODE(); });
+    const support::Ending end = support::runInChild([] { dCloseODE(); });
     EXPECT_TRUE(end.killedBy(SIGABRT));
     EXPECT_NE(end.errors.find("dCloseODE must not be called without dInitODE2"), std::string::npos)
         << end.errors;
@@ -96,7 +96,7 @@ TEST(LifecycleErrors, CloseWithoutInitIsUpstreamsError) {
 
 // A debug handler that does not return leaves a library that can be used.
 TEST(LifecycleErrors, HandlerMayLeave) {
-    EXPECT_TRUE(trueInChild([] {
+    EXPECT_TRUE(support::trueInChild([] {
         static std::jmp_buf place;
         dSetDebugHandler([](int, const char *, va_list) { std::longjmp(place, 1); });
         if (setjmp(place) == 0) dCloseODE();

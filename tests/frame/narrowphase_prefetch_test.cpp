@@ -7,7 +7,7 @@
 
 #include <csignal>
 
-#include "ChildProcess.h"
+#include "support/child_run.h"
 #include "HeapWorld.h"
 #include "OdeSession.h"
 
@@ -158,12 +158,12 @@ bool isLong(dGeomID geom) { return dGeomGetClass(geom) == dCylinderClass || dGeo
 
 // Both are collided with the balls.
 TEST_P(NarrowphasePrefetch, NoWaitForAPairThatIsNotRequested) {
-    const ChildEnd asked = runInChild([] {
+    const support::Ending asked = support::runInChild([] {
         alarm(1);
         LongPair(nullptr).collide();
     });
     EXPECT_TRUE(asked.killedBy(SIGALRM)) << "libccd comes to an end";
-    EXPECT_TRUE(trueInChild([] {
+    EXPECT_TRUE(support::trueInChild([] {
         OdeSession::use(3, "lcp");
         const dSpaceID space = GetParam()(nullptr);
         LongPair pair(space);

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "ChainWorld.h"
-#include "ChildProcess.h"
+#include "support/child_run.h"
 #include "HeapWorld.h"
 #include "OdePool.h"
 #include "OdeSession.h"
@@ -226,7 +226,7 @@ TEST(OwnThreads, InAForkedChild) {
     ChainWorld world(40, 4, dWorldStep);
     dODE_MT_SetWorldThreads(world.world(), 3);
     world.step(10);
-    EXPECT_TRUE(trueInChild([&] { return parallelSteps([&] { world.step(10); }) == 10 && dODE_MT_GetWorldThreads(world.world()) == 3; }));
+    EXPECT_TRUE(support::trueInChild([&] { return parallelSteps([&] { world.step(10); }) == 10 && dODE_MT_GetWorldThreads(world.world()) == 3; }));
     EXPECT_EQ(parallelSteps([&] { world.step(10); }), 10u);
 }
 

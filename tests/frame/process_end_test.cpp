@@ -8,7 +8,7 @@
 #include <string>
 #include <thread>
 
-#include "ChildProcess.h"
+#include "support/child_run.h"
 #include "Deadline.h"
 #include "OdeSession.h"
 #include "SphereRows.h"
@@ -46,8 +46,8 @@ class ProcessEnd : public testing::TestWithParam<Mode> {
 protected:
     void SetUp() override { skipIfUnseen(GetParam().manager); }
 
-    ChildEnd collide(void (*action)()) {
-        return runInChild([action] {
+    support::Ending collide(void (*action)()) {
+        return support::runInChild([action] {
             dODE_MT_SetThreadManager(GetParam().manager);
             dODE_MT_SetCallbackPolicy("concurrent");
             const OdeSession session(2, "lcp");
@@ -63,7 +63,7 @@ TEST_P(ProcessEnd, ByExitInAConcurrentCallback) {
 }
 
 TEST_P(ProcessEnd, ByErrorInAConcurrentCallback) {
-    const ChildEnd end = collide([] { dError(5, "enough"); });
+    const support::Ending end = collide([] { dError(5, "enough"); });
     EXPECT_TRUE(end.exitedWith(1));
     EXPECT_NE(end.errors.find("ODE Error 5: enough"), std::string::npos) << end.errors;
 }
@@ -80,7 +80,7 @@ INSTANTIATE_TEST_SUITE_P(Threads, ProcessEnd,
 class MainReturns : public testing::TestWithParam<const char *> {};
 
 TEST_P(MainReturns, WhileACallbackWaitsForIt) {
-    const ChildEnd end = runInChild([] {
+    const support::Ending end = support::runInChild([] {
         static std::mutex held;
         static std::atomic<int> inside{0};
         held.lock();

@@ -14,7 +14,7 @@
 #include <thread>
 
 #include "ChainWorld.h"
-#include "ChildProcess.h"
+#include "support/child_run.h"
 #include "OdeSession.h"
 #include "threading/dxPerturbation.h"
 
@@ -55,7 +55,7 @@ bool stepUntilError(ChainWorld &world) {
 }
 
 TEST_P(Reports, HandlerThatLeavesFindsTheWorldOfASerialStep) {
-    EXPECT_TRUE(trueInChild([&] {
+    EXPECT_TRUE(support::trueInChild([&] {
         static bool onCaller = true;
         dSetDebugHandler([](int, const char *, va_list) {
             onCaller = onCaller && std::this_thread::get_id() == g_caller;
@@ -80,7 +80,7 @@ TEST_P(Reports, HandlerThatLeavesFindsTheWorldOfASerialStep) {
 
 // A body without joints has no rows; it comes first, and its error leaves the step.
 TEST_P(Reports, AnIslandWithoutEndIsNotBegunBeforeItsTurn) {
-    EXPECT_TRUE(trueInChild([&] {
+    EXPECT_TRUE(support::trueInChild([&] {
         const dBodyID first = dBodyCreate(world.world());
         dBodySetAngularVel(first, std::numeric_limits<dReal>::quiet_NaN(), 0, 0);
         dWorldSetQuickStepNumIterations(world.world(), -1);
@@ -110,12 +110,12 @@ TEST_P(Reports, HandlerMayThrow) {
 TEST_P(Reports, WithoutAHandlerTheProcessEndsWithUpstreamsText) {
     breakChain(world, 7);
     const auto end = [&](int threads, const char *algorithm) {
-        return runInChild([&] {
+        return support::runInChild([&] {
             OdeSession::use(threads, algorithm);
             world.step();
         });
     };
-    const ChildEnd serialEnd = end(0, "serial"), sharedEnd = end(4, "lcp");
+    const support::Ending serialEnd = end(0, "serial"), sharedEnd = end(4, "lcp");
     EXPECT_TRUE(serialEnd.killedBy(SIGABRT));
     EXPECT_TRUE(sharedEnd.killedBy(SIGABRT));
     EXPECT_NE(serialEnd.errors, "");

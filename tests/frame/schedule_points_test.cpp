@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "ChainWorld.h"
-#include "ChildProcess.h"
+#include "support/child_run.h"
 #include "HeapWorld.h"
 #include "OdeSession.h"
 #include "sanitizers.h"
@@ -148,7 +148,7 @@ void playScenes() {
 
 TEST(SchedulePoints, AreAllReached) {
     if (kThreadSanitizer) GTEST_SKIP() << "one of the points is reached by threads that ask a space which is to be cleaned: upstream's own race";
-    const ChildEnd end = runInChild([] {
+    const support::Ending end = support::runInChild([] {
         constexpr std::chrono::seconds kBudget{90};
         alarm(120);
         const OdeSession session;

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "ChainWorld.h"
-#include "ChildProcess.h"
+#include "support/child_run.h"
 #include "Deadline.h"
 #include "OdeSession.h"
 #include "sanitizers.h"
@@ -25,7 +25,7 @@ using namespace std::chrono_literals;
 class SingleStepper : public testing::Test {};
 
 TEST_F(SingleStepper, IsAwaitedForLongerThanASecond) {
-    EXPECT_TRUE(trueInChild([] {
+    EXPECT_TRUE(support::trueInChild([] {
         std::atomic<bool> ended{false}, hasBegun{false}, sawEnd{false};
         std::thread other;
         {
@@ -66,7 +66,7 @@ TEST_F(SingleStepper, LongStepsDrawInOrder) {
         both.insert(both.end(), more.begin(), more.end());
         return std::make_pair(both, isLong);
     };
-    EXPECT_TRUE(trueInChild([&run] {
+    EXPECT_TRUE(support::trueInChild([&run] {
         const OdeSession session(0, "serial");
         int iterations = 50000;
         auto inOrder = run(false, iterations);
@@ -76,7 +76,7 @@ TEST_F(SingleStepper, LongStepsDrawInOrder) {
 }
 
 TEST_F(SingleStepper, DoesNotHoldUpAThreadThatItsCallbackWaitsFor) {
-    EXPECT_TRUE(trueInChild([] {
+    EXPECT_TRUE(support::trueInChild([] {
         const OdeSession session(0, "serial");
         ChainWorld world(3, 3);
         dBodySetMovedCallback(world.bodies()[4], [](dBodyID) {
@@ -91,7 +91,7 @@ TEST_F(SingleStepper, DoesNotHoldUpAThreadThatItsCallbackWaitsFor) {
 }
 
 TEST_F(SingleStepper, NorOneThatWasLeftByLongjmp) {
-    EXPECT_TRUE(trueInChild([] {
+    EXPECT_TRUE(support::trueInChild([] {
         static std::jmp_buf place;
         const OdeSession session(0, "serial");
         auto &world = *new ChainWorld(3, 3);
@@ -108,7 +108,7 @@ TEST_F(SingleStepper, NorOneThatWasLeftByLongjmp) {
 
 // So may the handler of a floating-point exception.
 TEST_F(SingleStepper, NorOneThatTrapsFloatingPointExceptions) {
-    EXPECT_TRUE(trueInChild([] {
+    EXPECT_TRUE(support::trueInChild([] {
         static std::jmp_buf place;
         feenableexcept(FE_DIVBYZERO);
         if (setjmp(place) == 0) {
@@ -123,7 +123,7 @@ TEST_F(SingleStepper, NorOneThatTrapsFloatingPointExceptions) {
 // In a child forked by another thread no thread continues the step.
 TEST_F(SingleStepper, IsNotAwaitedInAForkedChild) {
     if (kThreadSanitizer) GTEST_SKIP() << "ThreadSanitizer cannot start threads in the child";
-    EXPECT_TRUE(trueInChild([] {
+    EXPECT_TRUE(support::trueInChild([] {
         std::atomic<bool> isStepping{false}, enough{false};
         std::thread stepping([&] {
             const dxSingleStepper step;
@@ -131,7 +131,7 @@ TEST_F(SingleStepper, IsNotAwaitedInAForkedChild) {
             comesTrue([&] { return enough.load(); });
         });
         comesTrue([&] { return isStepping.load(); });
-        const bool done = trueInChild([] {
+        const bool done = support::trueInChild([] {
             const dxSingleStepper step;
             return true;
         });

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "ChainWorld.h"
-#include "ChildProcess.h"
+#include "support/child_run.h"
 #include "OdeSession.h"
 #include "last_message.h"
 
@@ -252,7 +252,7 @@ TEST(StepWorldsAlone, NothingIsSteppedWhereAWorldStandsTwice) {
 // A body that spins with NaN ends the process with upstream's text, whatever comes behind it: another one, or a world whose step never ends.
 TEST(StepWorldsAlone, AnErrorEndsTheProcessInItsTurn) {
     const auto end = [](bool isTogether) {
-        return runInChild([isTogether] {
+        return support::runInChild([isTogether] {
             const OdeSession session(4, "lcp");
             Worlds worlds(dWorldQuickStep, 30);
             for (const unsigned broken : {7u, 21u}) {
@@ -263,7 +263,7 @@ TEST(StepWorldsAlone, AnErrorEndsTheProcessInItsTurn) {
             isTogether ? static_cast<void>(worlds.stepTogether()) : worlds.stepOneByOne();
         });
     };
-    const ChildEnd looped = end(false), together = end(true);
+    const support::Ending looped = end(false), together = end(true);
     EXPECT_EQ(together.status, looped.status);
     EXPECT_TRUE(together.killedBy(SIGABRT));
     EXPECT_EQ(together.errors, looped.errors);

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "ChildProcess.h"
+#include "support/child_run.h"
 #include "OdeSession.h"
 #include "sanitizers.h"
 
@@ -46,7 +46,7 @@ void takeAllKeys() {
 
 TEST(ThreadKeys, AllTakenByTheProgram) {
     if (kThreadSanitizer) GTEST_SKIP() << "ThreadSanitizer needs a key itself to follow threads";
-    EXPECT_TRUE(trueInChild([] {
+    EXPECT_TRUE(support::trueInChild([] {
         takeAllKeys();
         const OdeSession session;
         std::atomic<bool> good{true};
@@ -65,7 +65,7 @@ TEST(ThreadKeys, AllTakenByTheProgram) {
 
 // Closing gives the library's key back; it may be gone when it is wanted again.
 TEST(ThreadKeys, TakenBetweenTwoUses) {
-    EXPECT_TRUE(trueInChild([] {
+    EXPECT_TRUE(support::trueInChild([] {
         bool good;
         {
             const OdeSession session;

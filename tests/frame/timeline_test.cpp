@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "ChainWorld.h"
-#include "ChildProcess.h"
+#include "support/child_run.h"
 #include "HeapWorld.h"
 #include "OdeSession.h"
 #include "last_message.h"
@@ -253,7 +253,7 @@ TEST_F(Timeline, AForkedChildLeavesTheFileOfItsParentAlone) {
     ASSERT_EQ(dODE_MT_FlushTrace(), 1);
     const json before = read(path);
     const std::string own = path + ".child";
-    EXPECT_TRUE(trueInChild([&] {
+    EXPECT_TRUE(support::trueInChild([&] {
         chains.step(2);
         dODE_MT_RequestTraceFlush();
         chains.step(2);

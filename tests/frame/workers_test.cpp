@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "ChainWorld.h"
-#include "ChildProcess.h"
+#include "support/child_run.h"
 #include "OdeSession.h"
 #include "processThreads.h"
 #include "sanitizers.h"
@@ -208,7 +208,7 @@ TEST_F(Workers, HooksSetNoOtherNumberOfThreads) {
 // The last close waits for workers, also for one that is in its hook, which wants the library's lock.
 TEST_F(Workers, CloseWaitsForHooksThatAllocateData) {
     if (kThreadSanitizer) GTEST_SKIP() << "ThreadSanitizer cannot start threads in the child";
-    EXPECT_TRUE(trueInChild([] {
+    EXPECT_TRUE(support::trueInChild([] {
         Hooked hooked;
         for (int i = 0; i < 200; ++i) {
             dODE_MT_SetWorkerHooks(

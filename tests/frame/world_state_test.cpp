@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ChainWorld.h"
-#include "ChildProcess.h"
+#include "support/child_run.h"
 #include "OdeSession.h"
 #include "threading/process/dxProcess.h"
 
@@ -110,7 +110,7 @@ TEST(WorldState, InAForkedChild) {
     const OdeSession session;
     const dWorldID world = dWorldCreate();
     dODE_MT_SetSolverTolerance(world, 0.5);
-    EXPECT_TRUE(trueInChild([world] {
+    EXPECT_TRUE(support::trueInChild([world] {
         const dWorldID another = dWorldCreate();
         dODE_MT_SetSolverTolerance(another, 0.125);
         return dODE_MT_GetSolverTolerance(world) == 0.5 && dODE_MT_GetSolverTolerance(another) == 0.125;

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "ChainWorld.h"
-#include "ChildProcess.h"
+#include "support/child_run.h"
 #include "HeapWorld.h"
 #include "OdeSession.h"
 #include "SphereRows.h"
@@ -377,7 +377,7 @@ TEST_F(WorldStatistics, ANewWorldInTheSamePlaceBeginsAnew) {
 TEST_F(WorldStatistics, GoOnInAForkedChild) {
     ChainWorld chains(20, 4);
     chains.step(2);
-    EXPECT_TRUE(trueInChild([&chains] {
+    EXPECT_TRUE(support::trueInChild([&chains] {
         chains.step(2);
         return statisticsOf(chains.world()).frames == 4;
     }));

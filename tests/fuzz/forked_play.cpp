@@ -11,10 +11,8 @@
 
 #include <sys/mman.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <regex>
@@ -93,37 +91,30 @@ void ForkedPlay::Remains::play(const RequestHeader &request, const std::vector<s
 ForkedPlay::ForkedPlay(AtBirth atBirth, AfterDeath afterDeath)
     : m_atBirth(std::move(atBirth)), m_afterDeath(std::move(afterDeath)) {
     void *const shared = mmap(nullptr, sizeof(Remains), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
-    m_errors = memfd_create("errors", MFD_CLOEXEC);
-    if (shared == MAP_FAILED || m_errors < 0) throw std::runtime_error("no memory to share with playing processes");
+    if (shared == MAP_FAILED) throw std::runtime_error("no memory to share with playing processes");
     m_remains = static_cast<Remains *>(shared);
     functions();  // once, not in each child
 }
 
-ForkedPlay::~ForkedPlay() {
-    munmap(m_remains, sizeof *m_remains);
-    close(m_errors);
-}
+ForkedPlay::~ForkedPlay() { munmap(m_remains, sizeof *m_remains); }
 
 void ForkedPlay::ask(RequestHeader request, const std::vector<std::uint8_t> &script) {
     m_remains->hash = 0;
     m_remains->calls = m_remains->workers = m_remains->directIslands = m_remains->length = 0;
-    if (ftruncate(m_errors, 0) != 0) throw std::runtime_error("the file of standard error cannot be emptied");
-    lseek(m_errors, 0, SEEK_SET);
+    m_errors.write("");
     m_child = fork();
     if (m_child < 0) throw std::runtime_error("no process to play in");
     if (m_child > 0) return;
     if (m_atBirth) m_atBirth(request);
-    dup2(m_errors, STDERR_FILENO);
-    dup2(m_errors, STDOUT_FILENO);
+    dup2(m_errors.descriptor(), STDERR_FILENO);
+    dup2(m_errors.descriptor(), STDOUT_FILENO);
     m_remains->play(request, script);
     _exit(0);
 }
 
 Outcome ForkedPlay::answer() {
     Outcome outcome;
-    int status = 0;
-    while (waitpid(m_child, &status, 0) < 0)
-        if (errno != EINTR) throw std::runtime_error("a playing process cannot be waited for");
+    const int status = support::waitFor(m_child);
     if (m_afterDeath) m_afterDeath();
     outcome.errors = errors();
     outcome.text.assign(m_remains->text, m_remains->length);
@@ -139,8 +130,7 @@ Outcome ForkedPlay::answer() {
 
 // The place in the source is not compared (contract C8).
 std::string ForkedPlay::errors() const {
-    std::string text(static_cast<std::size_t>(lseek(m_errors, 0, SEEK_END)), '\0');
-    if (pread(m_errors, &text[0], text.size(), 0) < 0) return "";
+    const std::string text = m_errors.text();
     if (text.find('[') == std::string::npos) return text;
     static const std::regex place("\\[[^\\]]*:[0-9]+\\]");
     return std::regex_replace(text, place, "[file:line]");

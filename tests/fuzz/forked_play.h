@@ -9,6 +9,8 @@
 
 #include <functional>
 
+#include "support/process.h"
+
 namespace fuzz {
 
 class ForkedPlay final : public Playing {
@@ -33,8 +35,8 @@ private:
 
     const AtBirth m_atBirth;
     const AfterDeath m_afterDeath;
-    Remains *m_remains;  // memory shared with the children
-    int m_errors;        // file that has their standard output and standard error
+    Remains *m_remains;                  // memory shared with the children
+    const support::MemoryFile m_errors;  // their standard output and standard error
     pid_t m_child = -1;
 };
 

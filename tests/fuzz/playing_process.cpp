@@ -29,14 +29,14 @@ void readAll(int file, void *place, std::size_t size) {
     }
 }
 
-process::Environment withLibrary(process::Environment environment, const std::string &folder) {
+support::Environment withLibrary(support::Environment environment, const std::string &folder) {
     environment["LD_LIBRARY_PATH"] = folder;
     return environment;
 }
 
 }  // namespace
 
-PlayingProcess::PlayingProcess(const std::vector<std::string> &command, const std::string &libraryFolder, process::Environment environment)
+PlayingProcess::PlayingProcess(const std::vector<std::string> &command, const std::string &libraryFolder, support::Environment environment)
     : m_process(command, withLibrary(std::move(environment), libraryFolder)) {}
 
 PlayingProcess::~PlayingProcess() {

@@ -6,21 +6,21 @@
 #include <string>
 #include <vector>
 
-#include "process/piped_process.h"
+#include "support/process.h"
 
 namespace fuzz {
 
 class PlayingProcess final : public Playing {
 public:
     // Throws std::runtime_error if it cannot be started.
-    PlayingProcess(const std::vector<std::string> &command, const std::string &libraryFolder, process::Environment environment);
+    PlayingProcess(const std::vector<std::string> &command, const std::string &libraryFolder, support::Environment environment);
     ~PlayingProcess() override;  // waits for its end
 
     void ask(RequestHeader request, const std::vector<std::uint8_t> &script) override;
     Outcome answer() override;
 
 private:
-    process::PipedProcess m_process;
+    support::PipedProcess m_process;
 };
 
 }  // namespace fuzz

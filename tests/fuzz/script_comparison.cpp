@@ -2,6 +2,7 @@
 
 #include "input.h"
 #include "unset_memory.h"
+#include "support/process.h"
 
 #include <algorithm>
 #include <iterator>
@@ -79,22 +80,22 @@ const char *nameOf(Verdict verdict) {
 namespace {
 
 // Blocks of a thread's cache would not get the pattern.
-const process::Environment kPatterned{{"MALLOC_PERTURB_", "165"}, {"GLIBC_TUNABLES", "glibc.malloc.tcache_count=0"}};
+const support::Environment kPatterned{{"MALLOC_PERTURB_", "165"}, {"GLIBC_TUNABLES", "glibc.malloc.tcache_count=0"}};
 // Read when the library is loaded.
-const process::Environment kDisturbed{{"ODE_MT_PERTURB", "1"}};
+const support::Environment kDisturbed{{"ODE_MT_PERTURB", "1"}};
 
-std::shared_ptr<Playing> processOfFast(const Libraries &libraries, const char *option, process::Environment environment) {
+std::shared_ptr<Playing> processOfFast(const Libraries &libraries, const char *option, support::Environment environment) {
     environment["ODE_MT_SOLVER"] = "fast";
     return std::make_shared<PlayingProcess>(std::vector<std::string>{libraries.player, option}, libraries.ours, std::move(environment));
 }
 
-std::shared_ptr<Playing> processOfOurs(const Libraries &libraries, const process::Environment &environment) {
+std::shared_ptr<Playing> processOfOurs(const Libraries &libraries, const support::Environment &environment) {
     if (libraries.isFast) return processOfFast(libraries, "--fast", environment);
     return std::make_shared<PlayingProcess>(std::vector<std::string>{libraries.player}, libraries.ours, environment);
 }
 
 // Draws what that of ours draws.
-std::shared_ptr<Playing> processOfDebian(const Libraries &libraries, const process::Environment &environment) {
+std::shared_ptr<Playing> processOfDebian(const Libraries &libraries, const support::Environment &environment) {
     std::vector<std::string> command{libraries.player};
     if (libraries.isFast) command.push_back("--fast");
     return std::make_shared<PlayingProcess>(command, libraries.debian, environment);

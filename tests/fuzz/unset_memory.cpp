@@ -1,7 +1,8 @@
 #include "unset_memory.h"
 
-#include "driver/limited_run.h"
-#include "driver/temporary_folder.h"
+#include "support/child_run.h"
+#include "support/temporary_folder.h"
+#include "support/text_file.h"
 
 #include <unistd.h>
 
@@ -11,10 +12,10 @@ namespace fuzz {
 
 bool readsUnsetMemory(const std::string &player, const std::string &libraryFolder, const std::string &text) {
     constexpr int kFound = 77;
-    const fuzz_driver::TemporaryFolder folder;
+    const support::TemporaryFolder folder;
     const std::string script = (folder.path() / "script").string();
-    fuzz_driver::writeFile(script, text);
-    fuzz_driver::Limits limits;
+    support::writeTextFile(script, text);
+    support::Limits limits;
     limits.seconds = 600;
     limits.cpuSeconds = 300;
     limits.memory = std::size_t{4} << 30;
@@ -24,7 +25,7 @@ bool readsUnsetMemory(const std::string &player, const std::string &libraryFolde
                player.c_str(), script.c_str(), static_cast<char *>(nullptr));
         return 127;
     };
-    const fuzz_driver::Ending ending = fuzz_driver::runLimited(work, limits);
+    const support::Ending ending = support::runFunction(work, limits);
     return ending.exited() && ending.exitCode() == kFound;
 }
 

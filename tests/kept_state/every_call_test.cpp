@@ -1,8 +1,9 @@
 // Every exported function of upstream's, called on live objects in every context, and three frames after it,
 // on Debian's libode8 and on ODE_MT: nothing that the library keeps from call to call may have missed the
 // call.
-#include "child_process.h"
+#include "support/child_run.h"
 #include "thorough.h"
+#include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -45,11 +46,11 @@ void add(Statistics &sum, const std::string &line) {
 // Lines are "function/context/space/place/turn hash", and "statistics/function numbers" at the end of each
 // process; one that crashed leaves "... ended by ...".
 Outcomes play(Variables variables) {
-    const exactness::TemporaryFolder folder;
+    const support::TemporaryFolder folder;
     const std::string path = folder.file("outcomes");
-    const exactness::ChildResult child =
-        exactness::runChild({ODE_MT_EVERY_CALL_PROGRAM, "--run", path}, variables);
-    EXPECT_TRUE(child.succeeded) << child.ending;
+    const support::Ending child =
+        support::runProgram({ODE_MT_EVERY_CALL_PROGRAM, "--run", path}, variables);
+    EXPECT_TRUE(child.exitedWith(0)) << child.text();
     Outcomes outcomes;
     std::ifstream lines(path);
     for (std::string line; std::getline(lines, line);) {

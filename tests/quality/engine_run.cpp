@@ -1,6 +1,7 @@
 #include "engine_run.h"
 
-#include "exactness/child_process.h"
+#include "support/process.h"
+#include "support/child_run.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -25,13 +26,13 @@ Engine Engine::fast(std::map<std::string, std::string> variables) {
 
 nlohmann::json answerOf(const Engine &engine, std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), ODE_MT_QUALITY_PROGRAM);
-    process::Environment variables(engine.variables.begin(), engine.variables.end());
+    support::Environment variables(engine.variables.begin(), engine.variables.end());
     const std::string folder = folderOf(engine);
     variables["LD_LIBRARY_PATH"] = folder;
-    const exactness::ChildResult child = exactness::runChild(arguments, variables);
+    const support::Ending child = support::runProgram(arguments, variables);
     std::string command;
     for (const std::string &argument : arguments) command += argument + ' ';
-    if (!child.succeeded) throw std::runtime_error(command + "on " + folder + ": " + child.ending + "\n" + child.errors);
+    if (!child.exitedWith(0)) throw std::runtime_error(command + "on " + folder + ": " + child.text() + "\n" + child.errors);
     nlohmann::json answer = nlohmann::json::parse(child.output);
     const std::string library = answer["library"];
     if (!std::filesystem::equivalent(std::filesystem::path(library).parent_path(), folder))

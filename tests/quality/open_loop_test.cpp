@@ -6,7 +6,7 @@
 // hundreds, and a matter of luck: with three times the iterations it is still larger now and then.
 #include "engine_run.h"
 
-#include "exactness/child_process.h"
+#include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -130,7 +130,7 @@ protected:
     }
 
 private:
-    const exactness::TemporaryFolder m_folder;
+    const support::TemporaryFolder m_folder;
     const std::string m_problems = m_folder.file("problems");
 };
 

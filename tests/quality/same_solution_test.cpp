@@ -3,7 +3,7 @@
 // normals' forces of another problem), it is no larger than libode8's or than rounding.
 #include "engine_run.h"
 
-#include "exactness/child_process.h"
+#include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ class SameSolution : public testing::TestWithParam<Scene> {};
 
 // Frames before are QuickSteps of libode8.
 TEST_P(SameSolution, VelocitiesAreLibode8s) {
-    const exactness::TemporaryFolder folder;
+    const support::TemporaryFolder folder;
     const std::string problems = folder.file("problems"), name = GetParam().name;
     answerOf(Engine::debian(), {"run", name, "--frames", "60", "--problems", "3", "--save", problems});
     const auto solutions = [&](const Engine &engine) {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "block.h"
-#include "process/line_process.h"
+#include "support/process.h"
 
 namespace soak {
 
@@ -22,7 +22,7 @@ public:
     void waitForExit() { m_process.waitForExit(); }
 
 private:
-    process::LineProcess m_process;
+    support::LineProcess m_process;
 };
 
 }  // namespace soak

@@ -16,15 +16,6 @@ struct Place {
 // For messages: a long path is shown by its begin and end.
 std::string toString(const Place &place);
 
-// With control characters, bytes that are no UTF-8 and changes of the direction of writing as \x1b.
-std::string printable(const std::string &text);
-
-// Long text by its begin and end.
-std::string shortened(const std::string &text);
-
-// Text in quotes; long text is shown by its begin and end.
-std::string quote(const std::string &text);
-
 class LoadError : public std::runtime_error {
 public:
     enum class Kind {
@@ -36,8 +27,7 @@ public:
         Resource      // a mesh, image or model named by the file is missing or broken
     };
 
-    LoadError(Kind kind, const Place &place, const std::string &what)
-        : std::runtime_error(toString(place) + ": " + printable(what)), m_kind(kind), m_place(place), m_reason(what) {}
+    LoadError(Kind kind, const Place &place, const std::string &what);
 
     Kind kind() const { return m_kind; }
     const Place &place() const { return m_place; }

@@ -2,6 +2,7 @@
 
 #include "loader/load_error.h"
 #include "loader/read/regular_file.h"
+#include "support/text.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -40,13 +41,13 @@ std::vector<std::string> availableWorlds() {
 }
 
 std::string worldsInFolder() {
-    const std::string folder = worldFolder(), name = printable(folder);
+    const std::string folder = worldFolder(), name = support::printable(folder);
     std::error_code none;
     if (!fs::is_directory(folder, none)) return name + " is not a folder";
     const std::vector<std::string> worlds = availableWorlds();
     if (worlds.empty()) return name + " holds no world";
     std::string text = name + " holds";
-    for (const std::string &world : worlds) text += ' ' + printable(world);
+    for (const std::string &world : worlds) text += ' ' + support::printable(world);
     return text;
 }
 
@@ -69,7 +70,7 @@ std::string findWorld(const std::string &nameOrFile) {
     if (isThere(inFolder, isFile)) return inFolder;
     if (isNamed) throw std::invalid_argument(nameOrFile + ": " + whyNotReadable(nameOrFile, longestTextFile));
 
-    throw std::invalid_argument("no world " + quote(printable(nameOrFile)) + ": no such file, and " + worldsInFolder());
+    throw std::invalid_argument("no world " + support::quote(support::printable(nameOrFile)) + ": no such file, and " + worldsInFolder());
 }
 
 }  // namespace worlds

@@ -1,6 +1,7 @@
 #include "message_text.h"
 
 #include <cstdio>
+#include <cstdlib>
 
 namespace fuzz_driver {
 
@@ -44,6 +45,15 @@ std::string innerNameIn(const std::string &text) {
                                    "map::at", "_M_", "bad_alloc", "json.exception", "terminate called"})
         if (text.find(name) != std::string::npos) return name;
     return {};
+}
+
+void setSanitizerOptions() {
+    const std::string code = "exitcode=" + std::to_string(kSanitizerExitCode);
+    for (const char *const variable : {"ASAN_OPTIONS", "UBSAN_OPTIONS", "LSAN_OPTIONS"}) {
+        const char *const set = getenv(variable);
+        const std::string more = std::string(variable) == "ASAN_OPTIONS" ? ":detect_stack_use_after_return=0" : "";
+        setenv(variable, ((set && *set ? std::string(set) + ":" : "") + code + more).c_str(), 1);
+    }
 }
 
 std::string sanitizerReportIn(const std::string &text) {

@@ -1,4 +1,4 @@
-// What every message of the project's programs keeps to.
+// What every message of the project's programs keeps to, and what sanitizers say of them.
 #pragma once
 
 #include <string>
@@ -14,6 +14,12 @@ std::string whatIsNoPlainText(const std::string &text);
 // Internal names that mean nothing to the user: of files in memory, of functions of the standard library.
 // Empty when there is none.
 std::string innerNameIn(const std::string &text);
+
+// Exit code of a process that a sanitizer has ended, if setSanitizerOptions was called before it was started.
+constexpr int kSanitizerExitCode = 99;
+
+// Makes sanitizers of programs that are executed from now on end them with kSanitizerExitCode.
+void setSanitizerOptions();
 
 // The part of a text that a sanitizer wrote; empty when there is none.
 std::string sanitizerReportIn(const std::string &text);

@@ -4,10 +4,11 @@
 //   odemt_fuzz_environment --seconds 300 --seed 1
 #include "driver/campaign.h"
 #include "driver/drawn_text.h"
-#include "driver/limited_run.h"
+#include "support/child_run.h"
 #include "driver/message_text.h"
-#include "driver/temporary_folder.h"
+#include "support/temporary_folder.h"
 #include "environment/variable_table.h"
+#include "support/text_file.h"
 
 #include <unistd.h>
 #include <nlohmann/json.hpp>
@@ -20,7 +21,7 @@
 namespace {
 
 using namespace fuzz_environment;
-using fuzz_driver::Ending;
+using support::Ending;
 using fuzz_driver::Random;
 using fuzz_driver::Verdict;
 using nlohmann::json;
@@ -37,7 +38,7 @@ struct Run {
 };
 
 Run simulate(const std::string &scene, const Environment &environment) {
-    fuzz_driver::Limits limits;
+    support::Limits limits;
     limits.cpuSeconds = 120;
     limits.seconds = 300;  // machines may be busy
     limits.memory = std::size_t{3} << 30;
@@ -49,7 +50,7 @@ Run simulate(const std::string &scene, const Environment &environment) {
         return 126;
     };
     Run run;
-    run.ending = fuzz_driver::runLimited(start, limits, "{\"frames\":20}\n");
+    run.ending = support::runFunction(start, limits, "{\"frames\":20}\n");
     std::istringstream lines(run.ending.output);
     for (std::string line; std::getline(lines, line);) {
         const json told = json::parse(line, nullptr, false);
@@ -69,8 +70,8 @@ class Fuzzer {
 public:
     explicit Fuzzer(const fuzz_driver::CampaignOptions &options)
         : m_options(options),
-          m_table(readVariableTable(fuzz_driver::readFile(ODE_MT_FUZZ_SETTINGS))),
-          m_heuristics(readHeuristicNames(fuzz_driver::readFile(ODE_MT_FUZZ_HEURISTICS))) {
+          m_table(readVariableTable(support::readWhatIsThere(ODE_MT_FUZZ_SETTINGS))),
+          m_heuristics(readHeuristicNames(support::readWhatIsThere(ODE_MT_FUZZ_HEURISTICS))) {
         for (const Variable &variable : m_table) unsetenv(variable.name.c_str());
     }
 

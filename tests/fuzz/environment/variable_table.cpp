@@ -1,5 +1,7 @@
 #include "environment/variable_table.h"
 
+#include "support/text.h"
+
 #include <algorithm>
 #include <charconv>
 #include <regex>
@@ -12,17 +14,6 @@ namespace fuzz_environment {
 
 namespace {
 
-std::vector<std::string> split(const std::string &text, char separator) {
-    std::vector<std::string> words(1);
-    for (const char c : text) {
-        if (c == separator)
-            words.emplace_back();
-        else
-            words.back() += c;
-    }
-    return words;
-}
-
 bool contains(const std::vector<std::string> &list, const std::string &word) {
     return std::count(list.begin(), list.end(), word) > 0;
 }
@@ -30,7 +21,7 @@ bool contains(const std::vector<std::string> &list, const std::string &word) {
 Variable readRow(const std::smatch &row) {
     Variable variable;
     variable.name = row[1];
-    for (const std::string &alternative : split(row[2], '|')) {
+    for (const std::string &alternative : support::split(row[2].str() + '|', '|')) {
         if (alternative == "n")
             variable.takesNumber = true;
         else if (alternative == "x")
@@ -120,7 +111,7 @@ Meaning meaningOf(const Variable &variable, const std::string &value,
     if (variable.takesNumber && isNumber(value)) return meaningOfNumber(variable, value);
     if (variable.takesFraction && isFraction(value)) return {Understanding::Understood, value};
     if (variable.takesList) {
-        const std::vector<std::string> names = split(value, ',');
+        const std::vector<std::string> names = support::split(value + ',', ',');
         const bool areKnown = std::all_of(
             names.begin(), names.end(), [&](const std::string &name) { return contains(heuristics, name); });
         const bool areDistinct = std::set<std::string>(names.begin(), names.end()).size() == names.size();

@@ -4,9 +4,11 @@
 //   odemt_fuzz_options --seconds 300 --seed 1 --keep found
 #include "driver/campaign.h"
 #include "driver/message_text.h"
-#include "driver/temporary_folder.h"
+#include "support/temporary_folder.h"
 #include "options/command_draw.h"
 #include "options/recording_mutation.h"
+#include "support/text_file.h"
+#include "support/child_run.h"
 
 #include <sys/stat.h>
 #include <nlohmann/json.hpp>
@@ -18,7 +20,7 @@
 namespace {
 
 using namespace fuzz_options;
-using fuzz_driver::Ending;
+using support::Ending;
 using fuzz_driver::Random;
 using fuzz_driver::Verdict;
 
@@ -84,17 +86,17 @@ private:
     // The files that command lines name.
     void prepare(Random &random) const {
         fs::remove_all(work());
-        fuzz_driver::writeFile(work() / "world.sdf", kWorld);
-        fuzz_driver::writeFile(work() / "a,b.sdf", kWorld);
-        fuzz_driver::writeFile(work() / "broken.sdf",
+        support::writeTextFile(work() / "world.sdf", kWorld);
+        support::writeTextFile(work() / "a,b.sdf", kWorld);
+        support::writeTextFile(work() / "broken.sdf",
                                "<sdf version=\"1.9\"><world name=\"w\"><model/></world></sdf>");
-        fuzz_driver::writeFile(work() / "kept", "of old\n");
+        support::writeTextFile(work() / "kept", "of old\n");
         fs::create_symlink("kept", work() / "link");
         fs::create_symlink("nowhere", work() / "dangling");
         mkfifo((work() / "fifo.sdf").c_str(), 0600);
         const std::string &recording = random.oneIn(4) ? m_meshRecording : m_recording;
-        fuzz_driver::writeFile(work() / kResultsFile, random.oneIn(5) ? kResults : mutatedLines(kResults, random));
-        fuzz_driver::writeFile(work() / kRecordingFile,
+        support::writeTextFile(work() / kResultsFile, random.oneIn(5) ? kResults : mutatedLines(kResults, random));
+        support::writeTextFile(work() / kRecordingFile,
                                random.oneIn(5) ? recording : mutatedLines(recording, random));
     }
 
@@ -103,7 +105,7 @@ private:
         fs::create_directories(folder);
         for (const char *const file : {kRecordingFile, kResultsFile})
             fs::copy_file(work() / file, folder / file, fs::copy_options::overwrite_existing);
-        fuzz_driver::writeFile(folder / "command", command.text() + "\n");
+        support::writeTextFile(folder / "command", command.text() + "\n");
     }
 
     // A page has its end, an answer of the child is JSON.
@@ -141,7 +143,7 @@ private:
     }
 
     const fuzz_driver::CampaignOptions &m_options;
-    const fuzz_driver::TemporaryFolder m_folder;
+    const support::TemporaryFolder m_folder;
     std::vector<Program> m_programs;
     std::string m_recording, m_meshRecording;
 };

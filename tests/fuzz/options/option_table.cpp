@@ -1,18 +1,13 @@
 #include "options/option_table.h"
 
+#include "support/text.h"
+
 #include <sstream>
 #include <stdexcept>
 
 namespace fuzz_options {
 
 namespace {
-
-std::vector<std::string> split(const std::string &text, char separator) {
-    std::vector<std::string> words;
-    std::istringstream stream(text);
-    for (std::string word; std::getline(stream, word, separator);) words.push_back(word);
-    return words;
-}
 
 // "--no-averages{false}" as "--no-averages".
 std::string withoutValue(const std::string &name) { return name.substr(0, name.find('{')); }
@@ -24,10 +19,10 @@ Option readLine(const std::string &line, bool isPositional) {
     if (line.find("  ", 2 + names.size()) != 2 + names.size()) words >> type;
     Option option;
     option.isPositional = isPositional;
-    option.name = withoutValue(split(names, ',').back());
+    option.name = withoutValue(support::split(names, ',').back());
     const std::size_t brace = type.find('{'), end = type.find('}');
     if (brace != std::string::npos && end != std::string::npos)
-        option.choices = split(type.substr(brace + 1, end - brace - 1), ',');
+        option.choices = support::split(type.substr(brace + 1, end - brace - 1), ',');
     option.type = type.substr(0, type.find_first_of("=:{"));
     return option;
 }

@@ -11,7 +11,7 @@
 namespace fuzz_options {
 
 namespace fs = std::filesystem;
-using fuzz_driver::Ending;
+using support::Ending;
 
 namespace {
 
@@ -117,7 +117,7 @@ std::string Command::text() const {
 }
 
 Ending run(const Command &command, const fs::path &folder) {
-    fuzz_driver::Limits limits;
+    support::Limits limits;
     limits.cpuSeconds = 60;
     limits.seconds = 300;  // machines may be busy
     limits.memory = kMemory;
@@ -129,7 +129,7 @@ Ending run(const Command &command, const fs::path &folder) {
         setStandardFile(STDERR_FILENO, command.errors);
         execute(command);
     };
-    return fuzz_driver::runLimited(start, limits, command.input);
+    return support::runFunction(start, limits, command.input);
 }
 
 std::vector<std::string> filesIn(const fs::path &folder) {

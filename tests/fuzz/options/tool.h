@@ -1,7 +1,7 @@
 // A command line of one of the programs, run, and what is demanded of its end.
 #pragma once
 
-#include "driver/limited_run.h"
+#include "support/child_run.h"
 
 #include <filesystem>
 #include <map>
@@ -25,7 +25,7 @@ struct Command {
 };
 
 // Runs the command in `folder`.
-fuzz_driver::Ending run(const Command &command, const std::filesystem::path &folder);
+support::Ending run(const Command &command, const std::filesystem::path &folder);
 
 // All files inside.
 std::vector<std::string> filesIn(const std::filesystem::path &folder);
@@ -33,7 +33,7 @@ std::vector<std::string> filesIn(const std::filesystem::path &folder);
 // Empty, or what is wrong: exit codes other than 0, 1 and 2, an error without a word, words that name no
 // option, control characters, internal names, unrequested files. `before` are the files that
 // were there.
-std::string whatIsWrong(const Command &command, const fuzz_driver::Ending &ending,
+std::string whatIsWrong(const Command &command, const support::Ending &ending,
                         const std::filesystem::path &folder, const std::vector<std::string> &before);
 
 }  // namespace fuzz_options

@@ -1,8 +1,9 @@
 #include "worlds/bases.h"
 
-#include "driver/temporary_folder.h"
+#include "support/temporary_folder.h"
 #include "rule_world.h"
 #include "worlds/asset_files.h"
+#include "support/text_file.h"
 
 #include <algorithm>
 
@@ -136,13 +137,13 @@ WorldCase withFile(const std::string &geometry, const std::string &file, const s
 WorldCase fromFile(const fs::path &file) {
     WorldCase world;
     world.name = file.filename().string();
-    world.files[kWorldFile] = fuzz_driver::readFile(file);
+    world.files[kWorldFile] = support::readWhatIsThere(file);
     const fs::path folder = file.parent_path();
     for (const fs::directory_entry &entry : fs::recursive_directory_iterator(folder / "models"))
         if (entry.is_regular_file() &&
             world.world().find("model://" + entry.path().parent_path().filename().string()) !=
                 std::string::npos)
-            world.files[fs::relative(entry.path(), folder).string()] = fuzz_driver::readFile(entry.path());
+            world.files[fs::relative(entry.path(), folder).string()] = support::readWhatIsThere(entry.path());
     return world;
 }
 

@@ -1,6 +1,6 @@
 #include "worlds/loading.h"
 
-#include "driver/limited_run.h"
+#include "support/child_run.h"
 #include "driver/message_text.h"
 #include "fields.h"
 #include "loader/load_world.h"
@@ -20,7 +20,7 @@ namespace fuzz_worlds {
 
 namespace {
 
-using fuzz_driver::Ending;
+using support::Ending;
 using nlohmann::json;
 
 constexpr int kFrames = 5;
@@ -126,11 +126,11 @@ std::string faultOf(const Ending &ending, const std::string &stage) {
 
 Loading load(const WorldCase &world, const std::filesystem::path &folder) {
     const std::string file = (folder / kWorldFile).string();
-    fuzz_driver::Limits limits;
+    support::Limits limits;
     limits.cpuSeconds = kIsSlowed ? 60 : 20;
     limits.seconds = 8 * limits.cpuSeconds;
     limits.memory = memoryBound(world) * (kIsSlowed ? 3 : 1) + (kIsSlowed ? std::size_t{1} << 30 : 0);
-    const Ending ending = fuzz_driver::runLimited([&] { return loadAndStep(world, file); }, limits);
+    const Ending ending = support::runFunction([&] { return loadAndStep(world, file); }, limits);
 
     Loading loading;
     loading.errors = ending.errors;

@@ -4,9 +4,9 @@
 //   odemt_fuzz_worlds --seconds 300 --seed 1 --keep found
 //   odemt_fuzz_worlds --replay found/17
 #include "driver/campaign.h"
-#include "driver/limited_run.h"
+#include "support/child_run.h"
 #include "driver/message_text.h"
-#include "driver/temporary_folder.h"
+#include "support/temporary_folder.h"
 #include "worlds/bases.h"
 #include "worlds/case_mutation.h"
 #include "worlds/case_shrinking.h"
@@ -123,7 +123,7 @@ private:
     }
 
     const fuzz_driver::CampaignOptions &m_options;
-    const fuzz_driver::TemporaryFolder m_folder;
+    const support::TemporaryFolder m_folder;
     const Bases m_bases;
     Judge m_judge;
     std::set<std::string> m_classes;  // of complaints; the first of each is made small

@@ -1,6 +1,7 @@
 #include "worlds/world_case.h"
 
-#include "driver/temporary_folder.h"
+#include "support/temporary_folder.h"
+#include "support/text_file.h"
 
 #include <algorithm>
 #include <sstream>
@@ -26,18 +27,18 @@ bool anyHolds(const WorldCase &world, const std::string &part) {
 }  // namespace
 
 void writeCase(const WorldCase &world, const fs::path &folder) {
-    for (const auto &[file, text] : world.files) fuzz_driver::writeFile(folder / file, text);
+    for (const auto &[file, text] : world.files) support::writeTextFile(folder / file, text);
     std::ostringstream options;
     options << world.ignoreUnsupported << ' ' << world.staticMeetsStatic << ' ' << world.staticShapes << ' '
             << world.name << '\n';
-    fuzz_driver::writeFile(folder / "options", options.str());
+    support::writeTextFile(folder / "options", options.str());
 }
 
 WorldCase readCase(const fs::path &folder) {
     WorldCase world;
     for (const fs::directory_entry &entry : fs::recursive_directory_iterator(folder))
         if (entry.is_regular_file())
-            world.files[fs::relative(entry.path(), folder).string()] = fuzz_driver::readFile(entry.path());
+            world.files[fs::relative(entry.path(), folder).string()] = support::readWhatIsThere(entry.path());
     std::istringstream options(world.files["options"]);
     options >> world.ignoreUnsupported >> world.staticMeetsStatic >> world.staticShapes >> world.name;
     world.files.erase("options");

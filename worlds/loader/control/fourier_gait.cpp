@@ -1,6 +1,7 @@
 #include "loader/control/fourier_gait.h"
 
 #include "loader/description/geometry.h"
+#include "support/text.h"
 
 #include <cmath>
 
@@ -27,7 +28,7 @@ FourierGait::FourierGait(const Element &parameters, const FindMotor &findMotor, 
     m_frequency = parameters.childNumber("frequency", 0);
     for (const Element &element : parameters.children)
         if (element.name == "wave" && !m_waves.emplace(element.attribute("name"), readWave(element)).second)
-            element.fail("a second wave is called " + quote(element.attribute("name")));
+            element.fail("a second wave is called " + support::quote(element.attribute("name")));
     for (const Element &element : parameters.children) {
         if (element.name == "hold") {
             element.expectOnly({"joint"}, {});
@@ -47,7 +48,7 @@ FourierGait::Wave FourierGait::readWave(const Element &element) {
 void FourierGait::readSwing(const Element &element, const FindMotor &findMotor) {
     element.expectOnly({"joint", "wave", "phase"}, {});
     const auto wave = m_waves.find(element.attribute("wave"));
-    if (wave == m_waves.end()) element.fail("there is no wave " + quote(element.attribute("wave")));
+    if (wave == m_waves.end()) element.fail("there is no wave " + support::quote(element.attribute("wave")));
     m_swings.push_back(
         {findMotor(element.attribute("joint"), element), &wave->second, element.attributeNumber("phase", 0)});
 }

@@ -1,4 +1,5 @@
 #include "loader/description/element.h"
+#include "support/text.h"
 
 #include <algorithm>
 #include <charconv>
@@ -13,17 +14,10 @@ bool contains(const std::vector<std::string> &list, const std::string &word) {
     return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-std::vector<std::string> split(const std::string &text) {
-    std::istringstream stream(text);
-    std::vector<std::string> words;
-    for (std::string word; stream >> word;) words.push_back(word);
-    return words;
-}
-
 }  // namespace
 
 bool readNumbers(const std::string &text, std::vector<double> &numbers) {
-    for (const std::string &word : split(text)) {
+    for (const std::string &word : support::splitAtBlanks(text)) {
         const bool hasPlus = word[0] == '+' && word.size() > 1 && word[1] != '-';
         const char *begin = word.data() + (hasPlus ? 1 : 0), *end = word.data() + word.size();
         double number = 0;
@@ -90,7 +84,7 @@ bool Element::isWithinMost(const std::vector<double> &numbers) const {
 
 // Throws LoadError for the first word that is a number beyond the limit.
 void Element::expectWithinMost(const std::string &list) const {
-    for (const std::string &word : split(list)) {
+    for (const std::string &word : support::splitAtBlanks(list)) {
         std::vector<double> values;
         if (!readNumbers(word, values) || !(std::fabs(values[0]) > most)) continue;
         std::ostringstream range;
@@ -148,7 +142,7 @@ double Element::attributeNumber(const std::string &key) const {
     const std::string &value = attribute(key);
     if (!readNumbers(value, values) || values.size() != 1 || !isWithinMost(values)) {
         expectWithinMost(value);
-        fail("attribute '" + key + "' is " + quote(value) + ", not a number");
+        fail("attribute '" + key + "' is " + support::quote(value) + ", not a number");
     }
     return values[0];
 }
@@ -161,7 +155,7 @@ std::vector<double> Element::numbers() const {
     std::vector<double> values;
     if (!readNumbers(text, values) || !isWithinMost(values)) {
         expectWithinMost(text);
-        fail(quote(text) + " is not a list of numbers");
+        fail(support::quote(text) + " is not a list of numbers");
     }
     return values;
 }
@@ -180,11 +174,11 @@ std::vector<double> Element::notNegativeNumbers(std::size_t count) const {
     return values;
 }
 
-std::vector<std::string> Element::words() const { return split(text); }
+std::vector<std::string> Element::words() const { return support::splitAtBlanks(text); }
 
 double Element::number() const {
     const std::vector<double> values = numbers();
-    if (values.size() != 1) fail(quote(text) + " is not one number");
+    if (values.size() != 1) fail(support::quote(text) + " is not one number");
     return values[0];
 }
 
@@ -220,7 +214,7 @@ double Element::childLimit(const std::string &childName, double otherwise) const
     found->expectOnly({}, {});
     std::vector<double> values;
     if (!readNumbers(found->text, values) || values.size() != 1 || std::isnan(values[0]))
-        found->fail(quote(found->text) + " is not one number");
+        found->fail(support::quote(found->text) + " is not one number");
     return values[0];
 }
 

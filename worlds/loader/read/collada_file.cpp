@@ -5,6 +5,7 @@
 #include "loader/read/mesh_check.h"
 #include "loader/read/word_list.h"
 #include "loader/read/xml_text.h"
+#include "support/text.h"
 
 #include <cmath>
 #include <map>
@@ -97,7 +98,7 @@ private:
     static const XMLElement &find(const ById &elements, const XMLElement &instance) {
         const std::string id = referenceOf(instance, "url");
         if (elements.count(id) != 1)
-            fail(instance, "names " + quote(id) + ", of which there " +
+            fail(instance, "names " + support::quote(id) + ", of which there " +
                                (elements.count(id) ? "are several" : "is none"));
         return *elements.find(id)->second;
     }
@@ -110,7 +111,7 @@ private:
         if (!meter) return;
         const std::optional<double> metres = finiteNumber(meter);
         if (!metres || *metres < 1e-9 || *metres > 1e9)
-            fail(*given, "has " + quote(meter) + " as 'meter', not a number between 1e-9 and 1e9");
+            fail(*given, "has " + support::quote(meter) + " as 'meter', not a number between 1e-9 and 1e9");
         asset.InsertNewChildElement("unit")->SetAttribute("meter", meter);
     }
 
@@ -150,7 +151,7 @@ private:
         WordList words(text);
         for (std::string_view word = words.next(); !word.empty(); word = words.next(), ++count)
             if (const std::optional<double> number = finiteNumber(word); !number || std::fabs(*number) > 1e16)
-                fail(source, "holds " + quote(std::string(word)) + ", not a number between -1e16 and 1e16");
+                fail(source, "holds " + support::quote(std::string(word)) + ", not a number between -1e16 and 1e16");
         const int wanted = transforms().at(source.Name());
         if (count != wanted)
             fail(source, "has " + std::to_string(count) + " numbers instead of " + std::to_string(wanted));

@@ -4,6 +4,7 @@
 #include "loader/read/mesh_check.h"
 #include "loader/read/word_list.h"
 #include "loader/read/xml_text.h"
+#include "support/text.h"
 
 #include <algorithm>
 
@@ -21,10 +22,10 @@ const XMLElement &childWithId(const XMLElement &mesh, const char *name, const st
     for (const XMLElement *child = mesh.FirstChildElement(name); child;
          child = child->NextSiblingElement(name)) {
         if (!child->Attribute("id", id.c_str())) continue;
-        if (found) throw MeshFault("two elements have id " + quote(id));
+        if (found) throw MeshFault("two elements have id " + support::quote(id));
         found = child;
     }
-    if (!found) throw MeshFault("<mesh> has no <" + std::string(name) + "> with id " + quote(id));
+    if (!found) throw MeshFault("<mesh> has no <" + std::string(name) + "> with id " + support::quote(id));
     return *found;
 }
 
@@ -35,7 +36,7 @@ std::vector<std::size_t> wholeNumbers(const XMLElement &element) {
     for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
         const std::optional<std::int64_t> number = wholeNumber(word);
         if (!number || *number < 0 || *number > largestCount)
-            fail(element, "holds " + quote(std::string(word)) + ", not a whole number that is not negative");
+            fail(element, "holds " + support::quote(std::string(word)) + ", not a whole number that is not negative");
         numbers.push_back(static_cast<std::size_t>(*number));
     }
     return numbers;
@@ -51,7 +52,7 @@ void readPositions(const XMLElement &source, ColladaMesh &mesh) {
     std::vector<std::string_view> numbers;
     WordList words(text);
     for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
-        if (!finiteNumber(word)) fail(array, "holds " + quote(std::string(word)) + ", not a finite number");
+        if (!finiteNumber(word)) fail(array, "holds " + support::quote(std::string(word)) + ", not a finite number");
         numbers.push_back(word);
     }
     if (numbers.size() != countOf(array, "count"))
@@ -203,7 +204,7 @@ std::size_t countOf(const XMLElement &element, const char *attribute) {
     if (!value) fail(element, "needs an attribute '" + std::string(attribute) + "'");
     const std::optional<std::int64_t> number = wholeNumber(value);
     if (!number || *number < 0 || *number > largestCount)
-        fail(element, "has " + quote(value) + " as '" + attribute + "', not a whole number up to " +
+        fail(element, "has " + support::quote(value) + " as '" + attribute + "', not a whole number up to " +
                           std::to_string(largestCount));
     return static_cast<std::size_t>(*number);
 }
@@ -216,7 +217,7 @@ std::string referenceOf(const XMLElement &element, const char *attribute) {
     const std::string value = element.Attribute(attribute) ? element.Attribute(attribute) : "";
     if (value.size() < 2 || value[0] != '#')
         fail(element,
-             "has " + quote(value) + " as '" + attribute + "', not the id of an element of this file");
+             "has " + support::quote(value) + " as '" + attribute + "', not the id of an element of this file");
     return value.substr(1);
 }
 

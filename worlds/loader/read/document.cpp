@@ -4,6 +4,7 @@
 #include "loader/read/element_rules.h"
 #include "loader/read/regular_file.h"
 #include "loader/read/xml_text.h"
+#include "support/text.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -56,15 +57,15 @@ bool parse(const std::string &text, const std::string &file, bool isIncluded, co
     const std::optional<int> version = versionNamed(name);
     const std::string supported = versionName(oldestVersion) + " to " + versionName(newestVersion);
     if (!version && isIncluded) {
-        issues.unsupported(place, "version " + quote(name) + ", none of " + supported);
+        issues.unsupported(place, "version " + support::quote(name) + ", none of " + supported);
         return false;
     }
     if (!version)
         throw LoadError(LoadError::Kind::Unsupported, place,
-                        "version " + quote(name) + ": not supported; " + supported + " are");
+                        "version " + support::quote(name) + ": not supported; " + supported + " are");
     root.source = std::make_shared<SourceFile>(SourceFile{file, *version});
     copy(sdf, root, *version);
-    if (!root.text.empty() && !root.isCData) root.fail("holds text: " + quote(root.text));
+    if (!root.text.empty() && !root.isCData) root.fail("holds text: " + support::quote(root.text));
     return true;
 }
 
@@ -74,7 +75,7 @@ std::string readModelConfig(const std::string &folder, const Place &place, const
     const std::string config = folder + "/model.config";
     const auto fail = [&](const std::string &what) {
         return LoadError(LoadError::Kind::Resource, place,
-                         "model " + quote(model) + ": " + config + ": " + what);
+                         "model " + support::quote(model) + ": " + config + ": " + what);
     };
     if (const std::string wrong = whyNotReadable(config, longestConfig); !wrong.empty()) throw fail(wrong);
     tinyxml2::XMLDocument xml;
@@ -127,7 +128,7 @@ public:
         const std::string found = m_reading.resources.find(uri.text, include.file().name);
         std::list<Element> included;
         if (found.empty()) {
-            m_reading.issues.missing(place, "no model " + quote(uri.text) + ": " +
+            m_reading.issues.missing(place, "no model " + support::quote(uri.text) + ": " +
                                                 m_reading.resources.whereSearched(uri.text, include.file().name));
             return included;
         }

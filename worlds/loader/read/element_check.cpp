@@ -4,6 +4,7 @@
 #include "loader/read/element_rules.h"
 #include "loader/read/gazebo_plugins.h"
 #include "loader/read/value_check.h"
+#include "support/text.h"
 
 #include <algorithm>
 #include <map>
@@ -82,7 +83,7 @@ private:
     void engine(const Element &physics) const {
         const std::string type = physics.attributeOrEmpty("type");
         for (const char *const other : {"bullet", "dart", "simbody", "tpe"})
-            if (type == other) m_issues.warn(physics.place(), "type " + quote(type) + ": the engine is ODE nevertheless");
+            if (type == other) m_issues.warn(physics.place(), "type " + support::quote(type) + ": the engine is ODE nevertheless");
     }
 
     // Whether of several elements the first one counts, as libsdformat has it. Ours may not be doubled, and no file holds
@@ -124,7 +125,7 @@ private:
         if (rule.use == Use::ReadBySelf) return textOrElements(element), true;
         if (rule.use == Use::DefaultOnly) return defaultOnly(element, rule), false;
         if (rule.type == Type::Group) {
-            if (!element.text.empty() && !element.isCData) element.fail("holds text: " + quote(element.text));
+            if (!element.text.empty() && !element.isCData) element.fail("holds text: " + support::quote(element.text));
             needs(element, path, rule);
             const bool wasStatic = m_isStatic;
             if (element.name == "model") m_isStatic = m_isStatic || element.childFlag("static", false);
@@ -151,12 +152,12 @@ private:
             case PluginEffect::MovesNothing:
                 break;
             case PluginEffect::AwaitsMessages:
-                m_issues.warn(plugin.place(), "filename " + quote(file) + ": left aside: it moves something only when it is sent "
+                m_issues.warn(plugin.place(), "filename " + support::quote(file) + ": left aside: it moves something only when it is sent "
                                                                           "messages, and nobody sends any here");
                 break;
             case PluginEffect::Unknown:
-                m_issues.unsupported(plugin.place(), "filename " + quote(file) + ", which may move something, none of " +
-                                                         join(controllerTypes(), ", "));
+                m_issues.unsupported(plugin.place(), "filename " + support::quote(file) + ", which may move something, none of " +
+                                                         support::join(controllerTypes(), ", "));
         }
         return false;
     }
@@ -170,8 +171,8 @@ private:
             if (!value || known->values.empty() ||
                 std::find(known->values.begin(), known->values.end(), *value) != known->values.end())
                 continue;
-            m_issues.unsupported(element.place(), known->attribute + " " + quote(*value) + ", none of " +
-                                                      join(known->values, ", "));
+            m_issues.unsupported(element.place(), known->attribute + " " + support::quote(*value) + ", none of " +
+                                                      support::join(known->values, ", "));
             return false;
         }
         if (rule.use == Use::NoPhysics) return true;
@@ -215,7 +216,7 @@ private:
     static void nameOf(const Element &element, const std::string &name) {
         if (name.find_first_not_of(" \t\r\n") == std::string::npos) element.fail("has an empty name");
         if (element.name == "plugin" || element.name == "physics" || element.name == "world") return;
-        if (isReserved(name)) element.fail("the name " + quote(name) + " is reserved");
+        if (isReserved(name)) element.fail("the name " + support::quote(name) + " is reserved");
         if (element.file().version >= kPartedNames && name.find("::") != std::string::npos)
             element.fail("a name may not hold '::'");
     }
@@ -232,7 +233,7 @@ private:
         const bool isSame = known->second == kind;
         throw LoadError(LoadError::Kind::Value, place,
                         (isSame ? "a second <" + kind : "a <" + known->second) + "> is called " +
-                            quote(name) + (isSame ? "" : ", too"));
+                            support::quote(name) + (isSame ? "" : ", too"));
     }
 
     void defaultOnly(const Element &element, const ElementRule &rule) const {
@@ -267,7 +268,7 @@ private:
         const auto check = [&](const char *key, const std::string &rule, const std::string &wrong) {
             const std::string *const value = pose.findAttribute(key);
             if (value && (" " + rule + " ").find(" " + *value + " ") == std::string::npos)
-                pose.fail(std::string("attribute '") + key + "': " + quote(*value) + wrong);
+                pose.fail(std::string("attribute '") + key + "': " + support::quote(*value) + wrong);
         };
         check("rotation_format", "euler_rpy quat_xyzw", " is neither euler_rpy nor quat_xyzw");
         check("degrees", "true false 1 0", " is neither true nor false");
@@ -288,7 +289,7 @@ private:
             if (!isThere(name)) element.fail("needs an element <" + name + ">");
         const std::vector<std::string> &some = rule.needsOneOf;
         if (!some.empty() && std::none_of(some.begin(), some.end(), isThere))
-            element.fail("needs an element " + join(some, " or "));
+            element.fail("needs an element " + support::join(some, " or "));
         if (!rule.needsOneChild) return;
         if (element.children.empty()) element.fail("holds no element");
         const Element *one = nullptr;

@@ -468,7 +468,7 @@ std::string elementDocs() {
     text += "\n| Attribute | Times | One of |\n|---|---|---|\n";
     for (const AttributeRule &rule : attributeRules())
         text += "| " + code(rule.path + " " + rule.attribute) + " | " + (rule.isNeeded ? "1" : "0..1") +
-                " | " + (rule.values.empty() ? "any" : join(rule.values, ", ")) +
+                " | " + (rule.values.empty() ? "any" : support::join(rule.values, ", ")) +
                 (rule.since > oldestVersion ? "; from version " + versionName(rule.since) : "") + " |\n";
     return text +
            "\nPoses have `relative_to`, `rotation_format` (euler_rpy, quat_xyzw) and `degrees`; up to "

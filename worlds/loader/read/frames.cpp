@@ -1,4 +1,5 @@
 #include "loader/read/frames.h"
+#include "support/text.h"
 
 #include <vector>
 
@@ -99,8 +100,8 @@ Scope::Found Scope::find(const Reference &reference) const {
                         name.substr(end + kSeparator.size())};
     }
     fail(*reference.namedBy, reference.what,
-         "no frame " + quote(name) + " in the " + m_element.name +
-             (isModel ? " " + quote(m_element.attribute("name")) : std::string()));
+         "no frame " + support::quote(name) + " in the " + m_element.name +
+             (isModel ? " " + support::quote(m_element.attribute("name")) : std::string()));
 }
 
 Scope::Reference Scope::poseReference(const Frame &frame) {
@@ -185,7 +186,7 @@ Body Scope::ownBody(const Element &namedBy) const {
     if (m_element.name != "model") return nullptr;
     const Element *const link = canonicalLink();
     if (!link)
-        fail(namedBy, {}, "the model " + quote(m_element.attribute("name")) + " has no link to move with");
+        fail(namedBy, {}, "the model " + support::quote(m_element.attribute("name")) + " has no link to move with");
     return link;
 }
 
@@ -196,7 +197,7 @@ const Element *Scope::canonicalLink() const {
         while (!found.inner.empty())
             found = found.frame->inside->find({found.inner, &m_element, "canonical_link"});
         if (!found.frame || found.frame->element->name != "link")
-            fail(m_element, "canonical_link", quote(name) + " is no link");
+            fail(m_element, "canonical_link", support::quote(name) + " is no link");
         return found.frame->element;
     }
     const Element *ofModels = nullptr;

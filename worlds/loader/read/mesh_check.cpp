@@ -1,6 +1,7 @@
 #include "loader/read/mesh_check.h"
 
 #include "loader/read/word_list.h"
+#include "support/text.h"
 
 #include <algorithm>
 #include <cstring>
@@ -30,7 +31,7 @@ private:
     void vertex(WordList words) {
         int count = 0;
         for (std::string_view word = words.next(); !word.empty(); word = words.next(), ++count)
-            if (!finiteNumber(word)) fail(quote(std::string(word)) + " is not a finite number");
+            if (!finiteNumber(word)) fail(support::quote(std::string(word)) + " is not a finite number");
         if (count < 3) fail("a vertex has " + std::to_string(count) + " coordinates");
         ++m_vertices;
     }
@@ -43,7 +44,7 @@ private:
             if (word[0] == '#') break;
             const std::optional<std::int64_t> vertex = wholeNumber(word.substr(0, word.find('/')));
             if (!vertex || *vertex == 0 || -*vertex > m_vertices)
-                fail("a face has no vertex " + quote(std::string(word)));
+                fail("a face has no vertex " + support::quote(std::string(word)));
             m_largest = std::max(m_largest, *vertex);
             if (++corners > maxCorners)
                 fail("a face has more than " + std::to_string(maxCorners) + " corners");
@@ -123,7 +124,7 @@ private:
     }
 
     [[noreturn]] static void fail(std::string_view word, const std::string &wanted) {
-        throw MeshFault((word.empty() ? "ends" : "has " + quote(std::string(word))) + " where " + wanted +
+        throw MeshFault((word.empty() ? "ends" : "has " + support::quote(std::string(word))) + " where " + wanted +
                         " has to be; it is no binary STL either");
     }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "loader/load_error.h"
+#include "support/text.h"
 
 #include <cstddef>
 #include <stdexcept>
@@ -13,7 +14,7 @@ namespace worlds {
 // What is wrong with the inside of a mesh file, in words; mesh_file.h adds which file it is.
 class MeshFault : public std::runtime_error {
 public:
-    explicit MeshFault(const std::string &what) : std::runtime_error(printable(what)) {}
+    explicit MeshFault(const std::string &what) : std::runtime_error(support::printable(what)) {}
 };
 
 // Cutting a polygon into triangles takes a time that grows with the square of its corners.

@@ -3,6 +3,7 @@
 #include "loader/read/collada_file.h"
 #include "loader/read/mesh_check.h"
 #include "loader/read/regular_file.h"
+#include "support/text.h"
 
 #include <assimp/BaseImporter.h>
 #include <assimp/config.h>
@@ -109,7 +110,7 @@ TriangleMesh readMesh(const std::string &file, const Vector3 &scale) {
         text.data(), text.size(),
         aiProcess_Triangulate | aiProcess_PreTransformVertices | aiProcess_JoinIdenticalVertices,
         extension.c_str() + 1);
-    if (!scene) throw MeshFault(shortened(importer.GetErrorString()));
+    if (!scene) throw MeshFault(support::shortened(importer.GetErrorString()));
 
     TriangleMesh mesh;
     for (unsigned i = 0; i < scene->mNumMeshes; ++i) append(*scene->mMeshes[i], scale, mesh);

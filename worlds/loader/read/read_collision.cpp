@@ -3,6 +3,7 @@
 #include "loader/read/height_image.h"
 #include "loader/read/mesh_file.h"
 #include "loader/read/value_check.h"
+#include "support/text.h"
 
 namespace worlds {
 
@@ -16,7 +17,7 @@ std::optional<Shape> readFile(const Element &shape, const Reading &reading, Read
     const std::string &uri = shape.required("uri").text, &namedIn = shape.file().name;
     const std::string file = reading.resources.find(uri, namedIn);
     if (file.empty()) {
-        reading.issues.missing(shape.place(), "no file " + quote(uri) + ": " + reading.resources.whereSearched(uri, namedIn));
+        reading.issues.missing(shape.place(), "no file " + support::quote(uri) + ": " + reading.resources.whereSearched(uri, namedIn));
         return std::nullopt;
     }
     try {

@@ -2,6 +2,7 @@
 
 #include "loader/read/element_rules.h"
 #include "loader/read/value_check.h"
+#include "support/text.h"
 
 #include <cmath>
 #include <unordered_map>
@@ -151,7 +152,7 @@ JointedBodies readJointedBodies(const Element &joint, const Scope &model) {
     const JointedBodies bodies{parentOf(joint, model),
                                model.body(joint.required("child").text, joint.required("child"))};
     if (bodies.parent == bodies.child)
-        joint.fail("joins " + quote(bodies.child->attribute("name")) + " to itself");
+        joint.fail("joins " + support::quote(bodies.child->attribute("name")) + " to itself");
     return bodies;
 }
 

@@ -4,6 +4,7 @@
 #include "loader/description/world_description.h"
 #include "loader/load_world.h"
 #include "loader/read/resource_finder.h"
+#include "support/text.h"
 
 #include <unordered_set>
 
@@ -26,7 +27,7 @@ public:
 
     // Records what the user should know of a world that is read nevertheless.
     void warn(const Place &place, const std::string &what) const {
-        const std::string text = toString(place) + ": " + printable(what);
+        const std::string text = toString(place) + ": " + support::printable(what);
         if (m_options.warnings && m_known.insert(text).second) m_options.warnings->push_back(text);
     }
 

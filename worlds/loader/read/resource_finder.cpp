@@ -3,6 +3,7 @@
 #include "loader/load_error.h"
 #include "loader/read/value_check.h"
 #include "loader/world_folder.h"
+#include "support/text.h"
 
 #include <algorithm>
 #include <cctype>
@@ -22,8 +23,7 @@ constexpr std::size_t kMaxFoldersShown = 8;
 std::vector<std::string> foldersOf(const char *variable) {
     std::vector<std::string> folders;
     if (const char *list = std::getenv(variable)) {
-        std::istringstream stream(list);
-        for (std::string folder; std::getline(stream, folder, ':');)
+        for (const std::string &folder : support::split(list, ':'))
             if (!folder.empty()) folders.push_back(folder);
     }
     return folders;
@@ -133,7 +133,7 @@ std::string findFetched(const std::string &url) {
 std::string listed(const std::vector<std::string> &folders) {
     std::string text;
     for (std::size_t i = 0; i < std::min(folders.size(), kMaxFoldersShown); ++i)
-        text += (i ? ", " : "") + (folders[i].empty() ? "the current folder" : shortened(folders[i]));
+        text += (i ? ", " : "") + (folders[i].empty() ? "the current folder" : support::shortened(folders[i]));
     if (folders.size() > kMaxFoldersShown) text += " and " + std::to_string(folders.size() - kMaxFoldersShown) + " more";
     return text;
 }
@@ -177,7 +177,7 @@ std::string ResourceFinder::whereSearched(const std::string &uri, const std::str
     for (const std::string &folder : folders)
         if (std::find(distinct.begin(), distinct.end(), folder) == distinct.end()) distinct.push_back(folder);
     return "looked for in " + listed(distinct) + "; " +
-           join({kModelFolderVariables.begin(), kModelFolderVariables.end()}, ", ") + " name further folders";
+           support::join({kModelFolderVariables.begin(), kModelFolderVariables.end()}, ", ") + " name further folders";
 }
 
 }  // namespace worlds

@@ -2,6 +2,7 @@
 
 #include "loader/description/element.h"
 #include "loader/load_error.h"
+#include "support/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +48,7 @@ std::string wrongRange(const ElementRule &rule, double number) {
 }
 
 std::string wrongNumbers(const ElementRule &rule, const std::string &text, std::vector<double> &numbers) {
-    const std::string shown = quote(text);
+    const std::string shown = support::quote(text);
     if (!readNumbers(text, numbers)) return shown + " is not a number";
     if (static_cast<int>(numbers.size()) != rule.count)
         return shown + " has " + std::to_string(numbers.size()) + " numbers instead of " +
@@ -71,7 +72,7 @@ std::string wrongPose(const std::string &text, bool isQuaternion) {
     std::string wrong = wrongNumbers(asNumbers, text, numbers);
     if (!wrong.empty() || !isQuaternion) return wrong;
     const double length = std::hypot(std::hypot(numbers[3], numbers[4]), std::hypot(numbers[5], numbers[6]));
-    if (length < 0.99 || length > 1.01) return quote(text) + " holds a quaternion whose length is not 1";
+    if (length < 0.99 || length > 1.01) return support::quote(text) + " holds a quaternion whose length is not 1";
     return {};
 }
 
@@ -88,12 +89,6 @@ bool isOneOf(const std::vector<std::string> &words, const std::string &word) {
 
 }  // namespace
 
-std::string join(const std::vector<std::string> &words, const std::string &between) {
-    std::string list;
-    for (const std::string &word : words) list += (list.empty() ? "" : between) + word;
-    return list;
-}
-
 unsigned readMask(const std::string &text) {
     const std::optional<unsigned long long> mask = hexadecimal(text);
     return static_cast<unsigned>(mask ? *mask : std::stoull(text));
@@ -107,20 +102,20 @@ std::string complaint(const ElementRule &rule, const std::string &whole, bool is
     switch (rule.type) {
         case Type::Text:
             if (text.size() > longestText)
-                return quote(text) + " has " + std::to_string(text.size()) + " characters, more than " +
+                return support::quote(text) + " has " + std::to_string(text.size()) + " characters, more than " +
                        std::to_string(longestText);
             return {};
         case Type::Choice:
-            return isOneOf(rule.choices, text) ? "" : quote(text) + " is none of " + join(rule.choices, ", ");
+            return isOneOf(rule.choices, text) ? "" : support::quote(text) + " is none of " + support::join(rule.choices, ", ");
         case Type::Flag:
             return isOneOf({"true", "false", "1", "0", "True", "False", "TRUE", "FALSE"}, text)
                        ? ""
-                       : quote(text) + " is neither true nor false";
+                       : support::quote(text) + " is neither true nor false";
         case Type::Pose:
             return wrongPose(text, isQuaternion);
         case Type::Mask:
             if (const auto mask = hexadecimal(text))
-                return *mask <= rule.most ? "" : quote(text) + " is not " + range(rule);
+                return *mask <= rule.most ? "" : support::quote(text) + " is not " + range(rule);
             return wrongNumbers(rule, text, numbers);
         default:
             return wrongNumbers(rule, text, numbers);
@@ -133,12 +128,12 @@ std::string describe(const ElementRule &rule) {
             return "";
         case Type::Group:
             if (rule.needsOneChild) return "exactly one element";
-            if (!rule.needsOneOf.empty()) return "elements; needs " + join(rule.needsOneOf, " or ");
-            return rule.needs.empty() ? "elements" : "elements; needs " + join(rule.needs, ", ");
+            if (!rule.needsOneOf.empty()) return "elements; needs " + support::join(rule.needsOneOf, " or ");
+            return rule.needs.empty() ? "elements" : "elements; needs " + support::join(rule.needs, ", ");
         case Type::Text:
             return "text, up to " + std::to_string(longestText) + " characters";
         case Type::Choice:
-            return join(rule.choices, ", ");
+            return support::join(rule.choices, ", ");
         case Type::Flag:
             return "true or false";
         case Type::Pose:

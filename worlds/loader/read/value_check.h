@@ -14,8 +14,6 @@ std::string complaint(const ElementRule &rule, const std::string &text, bool isQ
 // The value of a mask that is no cause for a complaint.
 unsigned readMask(const std::string &text);
 
-std::string join(const std::vector<std::string> &words, const std::string &between);
-
 // "3 numbers between 1e-09 and 1e+16", for documentation.
 std::string describe(const ElementRule &rule);
 

@@ -1,6 +1,7 @@
 #include "loader/read/xml_text.h"
 
 #include "loader/load_error.h"
+#include "support/text.h"
 
 #include <expat.h>
 #include <strings.h>
@@ -34,9 +35,9 @@ struct Limits {
 void onDeclaration(void *data, const char *version, const char *encoding, int) {
     Limits &limits = *static_cast<Limits *>(data);
     if (version && std::string(version) != "1.0")
-        return limits.stop("XML of version " + quote(version) + ", not 1.0");
+        return limits.stop("XML of version " + support::quote(version) + ", not 1.0");
     if (encoding && ::strcasecmp(encoding, "UTF-8") != 0 && ::strcasecmp(encoding, "US-ASCII") != 0)
-        limits.stop("XML in encoding " + quote(encoding) + ", neither UTF-8 nor US-ASCII");
+        limits.stop("XML in encoding " + support::quote(encoding) + ", neither UTF-8 nor US-ASCII");
 }
 
 void onDocumentType(void *data, const char *, const char *, const char *, int) {

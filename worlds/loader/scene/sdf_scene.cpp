@@ -7,6 +7,7 @@
 #include "loader/scene/joint_springs.h"
 #include "loader/scene/ode_joint.h"
 #include "loader/scene/ode_world.h"
+#include "support/text.h"
 
 #include <algorithm>
 #include <set>
@@ -88,7 +89,7 @@ void SdfScene::setFrictionFrames(const WorldDescription &world) {
             const auto found = std::find_if(world.links.begin(), world.links.end(),
                                             [&](const Link &other) { return other.name == model + name; });
             if (found == world.links.end())
-                throw LoadError(LoadError::Kind::Value, collision.place, "model has no link " + quote(name));
+                throw LoadError(LoadError::Kind::Value, collision.place, "model has no link " + support::quote(name));
             // A static link is turned for good: the direction of its shapes is not asked for otherwise.
             if (found->isStatic)
                 throw LoadError(LoadError::Kind::Unsupported, collision.place, "fdir1 expressed in a static link");
@@ -123,15 +124,15 @@ void SdfScene::addControllers(const WorldDescription &world) {
         const FindMotor findMotor = [&](const std::string &joint, const Element &namedBy) {
             const auto found = m_parts->motors.find(description.model + "::" + joint);
             if (found == m_parts->motors.end())
-                namedBy.fail("model has no joint " + quote(joint) + " with an axis");
+                namedBy.fail("model has no joint " + support::quote(joint) + " with an axis");
             if (!driven.insert(found->first).second)
-                namedBy.fail("joint " + quote(joint) + " is driven already");
+                namedBy.fail("joint " + support::quote(joint) + " is driven already");
             return found->second;
         };
         const FindBody findBody = [&](const std::string &link, const Element &namedBy) {
             const auto found = m_parts->bodies.find(description.model + "::" + link);
-            if (found == m_parts->bodies.end()) namedBy.fail("model has no link " + quote(link));
-            if (!pushed.insert(found->second).second) namedBy.fail("link " + quote(link) + " is pushed already");
+            if (found == m_parts->bodies.end()) namedBy.fail("model has no link " + support::quote(link));
+            if (!pushed.insert(found->second).second) namedBy.fail("link " + support::quote(link) + " is pushed already");
             return found->second;
         };
         m_parts->controllers.push_back(
