@@ -4,14 +4,11 @@
 //   stacks:10
 // The exit code is 0, 1 after an error, 2 for a wrong option.
 #include "callback_timer.h"
-#include "error_output.h"
-#include "library_probe.h"
-#include "number_range.h"
+#include "tool_output.h"
+#include "platform.h"
+#include "command_line.h"
 #include "protocol.h"
-#include "reader_watch.h"
 #include "scenes/state_hash.h"
-#include "standard_output.h"
-#include "stock_pool.h"
 #include "world_source.h"
 
 #include <CLI/CLI.hpp>
@@ -19,8 +16,43 @@
 #include <chrono>
 #include <iostream>
 #include <optional>
+#include <stdexcept>
+#include <vector>
 
 namespace {
+
+// Upstream's own thread pool, lent to all worlds of a scene while this object lives.
+class StockPool {
+public:
+    // Throws std::runtime_error if the library was built without threads.
+    StockPool(const scenes::Inventory &inventory, unsigned threads);
+    ~StockPool();
+    StockPool(const StockPool &) = delete;
+    StockPool &operator=(const StockPool &) = delete;
+
+private:
+    std::vector<dWorldID> m_worlds;
+    dThreadingImplementationID m_threading;
+    dThreadingThreadPoolID m_pool;
+};
+
+StockPool::StockPool(const scenes::Inventory &inventory, unsigned threads)
+    : m_worlds(inventory.worlds),
+      m_threading(dThreadingAllocateMultiThreadedImplementation()),
+      m_pool(dThreadingAllocateThreadPool(threads, 0, dAllocateFlagBasicData, nullptr)) {
+    if (!m_threading || !m_pool) throw std::runtime_error("this libode.so.8 has no thread pool");
+    dThreadingThreadPoolServeMultiThreadedImplementation(m_pool, m_threading);
+    for (dWorldID world : m_worlds)
+        dWorldSetStepThreadingImplementation(world, dThreadingImplementationGetFunctions(m_threading),
+                                             m_threading);
+}
+
+StockPool::~StockPool() {
+    dThreadingImplementationShutdownProcessing(m_threading);
+    dThreadingFreeThreadPool(m_pool);
+    for (dWorldID world : m_worlds) dWorldSetStepThreadingImplementation(world, nullptr, nullptr);
+    dThreadingFreeImplementation(m_threading);
+}
 
 unsigned messageCount = 0;
 
@@ -91,7 +123,7 @@ void serve(const std::string &world, unsigned poolThreads, bool ignoreUnsupporte
     const bench::LibraryProbe library = bench::probeLibrary();
     std::vector<std::string> warnings;
     const std::unique_ptr<scenes::Scene> scene = load(world, ignoreUnsupported, warnings);
-    std::optional<bench::StockPool> pool;
+    std::optional<StockPool> pool;
     if (poolThreads > 0) pool.emplace(scene->inventory(), poolThreads);
 
     bench::print(bench::writeReady(describe(library, *scene, warnings)) + "\n");

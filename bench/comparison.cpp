@@ -1,9 +1,8 @@
 #include "comparison.h"
 
 #include "support/text.h"
-#include "number_text.h"
-#include "support/statistics.h"
 #include "table.h"
+#include "support/statistics.h"
 
 #include <nlohmann/json.hpp>
 

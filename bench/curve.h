@@ -1,14 +1,17 @@
-// How time grows with the size of a world: the results of worlds that differ in nothing but :N.
+// How figures of several results depend on one quantity: time on the size of a world, speed-up on the number of threads.
 #pragma once
 
-#include "summary.h"
-
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "engine.h"
+#include "summary.h"
+
 namespace bench {
 
+// How time grows with the size of a world: the results of worlds that differ in nothing but :N.
 struct CurvePoint {
     long size;
     std::vector<EngineSummary> engines;
@@ -36,5 +39,19 @@ struct CurvePlace {
     std::size_t point;
 };
 std::optional<CurvePlace> findInCurves(const std::vector<Curve> &curves, const std::string &world);
+
+// How speed-up grows with the number of threads: engines of a run that differ in nothing else.
+struct Scaling {
+    struct Point {
+        unsigned threads;
+        std::size_t engine;  // its place in the run
+    };
+
+    std::string engine;         // "ours:N/independent"
+    std::vector<Point> points;  // two or more, by rising number of threads
+};
+
+// Returns the curves in the order of their engines. Engines that are not ours, and "auto", have no number of threads.
+std::vector<Scaling> scalingsOf(const std::vector<Engine> &engines);
 
 }  // namespace bench

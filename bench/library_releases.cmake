@@ -1,5 +1,5 @@
 # Writes library_releases.h: the number in the file name of each release's shared library (ode/releases/*/pin.cmake), by which
-# library_release.cpp tells what another libode than ours is made of.
+# platform.cpp tells what another libode than ours is made of.
 function(ode_mt_write_library_releases file)
     set(rows "")
     foreach(release IN LISTS ODE_MT_UPSTREAM_RELEASES)

@@ -1,14 +1,12 @@
 // odemt_bench: worlds × engines, interleaved, as a table. docs/tools.md explains the method.
 #include "comparison.h"
-#include "error_output.h"
+#include "tool_output.h"
 #include "options.h"
 #include "progress.h"
 #include "report.h"
 #include "report/page.h"
 #include "result_file.h"
 #include "support/text.h"
-#include "standard_output.h"
-#include "trace_file.h"
 #include "world_source.h"
 
 #include <algorithm>

@@ -1,13 +1,12 @@
 #include "options.h"
 
 #include "support/text.h"
-#include "error_output.h"
+#include "tool_output.h"
 #include "library_folders.h"
-#include "library_release.h"
-#include "number_range.h"
+#include "platform.h"
+#include "command_line.h"
 #include "result_file.h"
 #include "world_source.h"
-#include "world_spec.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,7 +1,7 @@
 // The command line of odemt_bench.
 #pragma once
 
-#include "child_competitor.h"
+#include "competitor.h"
 #include "race.h"
 
 #include <optional>

@@ -9,8 +9,7 @@
 #pragma once
 
 #include "frame_times.h"
-#include "library_release.h"
-#include "stage.h"
+#include "platform.h"
 
 #include <cstdint>
 #include <string>

@@ -1,6 +1,6 @@
 #include "race.h"
 
-#include "batch_size.h"
+#include "stopping_rule.h"
 
 #include <algorithm>
 

@@ -6,7 +6,6 @@
 #pragma once
 
 #include "competitor.h"
-#include "running_average.h"
 #include "stopping_rule.h"
 
 #include <array>

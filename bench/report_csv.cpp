@@ -1,12 +1,12 @@
-#include "support/text.h"
-#include "curve.h"
-#include "report.h"
-#include "summary.h"
-
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
+
+#include "curve.h"
+#include "summary.h"
+#include "report.h"
+#include "support/text.h"
 
 namespace bench {
 
@@ -69,6 +69,20 @@ std::string reportCsv(const std::vector<WorldResult> &results) {
             writeLine(out, result, result.engines[i], summaries[i], parts);
             if (!curves.empty()) writeGrowth(out, curves, result.world, i);
             out << '\n';
+        }
+    }
+    return out.str();
+}
+
+std::string reportSamples(const std::vector<WorldResult> &results) {
+    std::ostringstream out;
+    out << std::setprecision(6) << "world,engine,second,real_time_factor\n";
+    for (const WorldResult &result : results) {
+        for (const EngineResult &engine : result.engines) {
+            int second = 0;
+            for (double factor : realTimeSamples(engine))
+                out << support::csvField(result.world) << ',' << support::csvField(engine.engine.name()) << ',' << ++second
+                    << ',' << factor << '\n';
         }
     }
     return out.str();

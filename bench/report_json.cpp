@@ -1,8 +1,7 @@
 #include "curve.h"
-#include "machine.h"
-#include "real_time_samples.h"
-#include "report.h"
+#include "platform.h"
 #include "summary.h"
+#include "report.h"
 #include "support/statistics.h"
 
 #include <nlohmann/json.hpp>

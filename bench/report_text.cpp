@@ -1,16 +1,16 @@
-#include "support/text.h"
-#include "number_text.h"
-#include "report.h"
-#include "summary.h"
-#include "table.h"
-#include "support/statistics.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <set>
 #include <utility>
 #include <vector>
+
+#include "curve.h"
+#include "table.h"
+#include "report.h"
+#include "summary.h"
+#include "support/statistics.h"
+#include "support/text.h"
 
 namespace bench {
 
@@ -164,6 +164,137 @@ std::string reportText(const WorldResult &result) {
         if (!result.engines[i].batches.empty())
             table.addRow(cells(summaries[i], result.engines[i].engine.isOurs(), callbacksTimed));
     return title(result) + table.text() + notes(result, summaries) + "\n";
+}
+
+namespace {
+
+std::string exponentText(double exponent) {
+    if (!std::isfinite(exponent)) return "";
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2f", exponent);
+    return text;
+}
+
+std::vector<Table::Column> columns(const Curve &curve) {
+    std::vector<Table::Column> columns = {{"N"}};
+    for (Part part : Curve::kReported)
+        for (std::size_t i = 0; i < curve.points[0].engines.size(); ++i) {
+            const std::string &engine = curve.points[0].engines[i].engine;
+            columns.push_back({i == 0 ? nameOf(part) + (" ms: " + engine) : engine});
+            columns.push_back({"growth"});
+        }
+    return columns;
+}
+
+std::vector<std::string> cells(const Curve &curve, std::size_t point) {
+    std::vector<std::string> cells = {std::to_string(curve.points[point].size)};
+    for (Part part : Curve::kReported)
+        for (std::size_t engine = 0; engine < curve.points[point].engines.size(); ++engine) {
+            cells.push_back(millisecondsText(curve.seconds(part, point, engine)));
+            cells.push_back(exponentText(curve.growth(part, point, engine)));
+        }
+    return cells;
+}
+
+}  // namespace
+
+std::string reportCurves(const std::vector<WorldResult> &results) {
+    std::string text;
+    for (const Curve &curve : curvesOf(results)) {
+        Table table(columns(curve));
+        for (std::size_t point = 0; point < curve.points.size(); ++point) table.addRow(cells(curve, point));
+        text += "== " + curve.world + ": time over size ==\n\n" + table.text() + "\n";
+    }
+    return text;
+}
+
+namespace {
+
+constexpr Part kReported[] = {Part::Frame, Part::Collision, Part::Dynamics};
+
+std::vector<Engine> enginesOf(const WorldResult &result) {
+    std::vector<Engine> engines;
+    for (const EngineResult &engine : result.engines) engines.push_back(engine.engine);
+    return engines;
+}
+
+std::vector<Table::Column> columns(const Scaling &scaling) {
+    std::vector<Table::Column> columns = {{"world", Table::Align::Left}};
+    for (Part part : kReported)
+        for (const Scaling::Point &point : scaling.points) {
+            const std::string threads = std::to_string(point.threads);
+            columns.push_back({&point == scaling.points.data() ? nameOf(part) + (": " + threads) : threads});
+        }
+    return columns;
+}
+
+std::vector<std::string> cells(const Scaling &scaling, const WorldResult &result) {
+    const std::vector<EngineSummary> summaries = summarize(result);
+    std::vector<std::string> cells = {result.world};
+    for (Part part : kReported)
+        for (const Scaling::Point &point : scaling.points) {
+            const EngineSummary &summary = summaries[point.engine];
+            cells.push_back(summary.failure.empty() ? numberText(summary.part(part).speedUp.median) : "-");
+        }
+    return cells;
+}
+
+}  // namespace
+
+// All worlds of a run have the same engines.
+std::string reportScaling(const std::vector<WorldResult> &results) {
+    std::string text;
+    if (results.empty()) return text;
+    const std::vector<Engine> engines = enginesOf(results.front());
+    for (const Scaling &scaling : scalingsOf(engines)) {
+        Table table(columns(scaling));
+        for (const WorldResult &result : results) table.addRow(cells(scaling, result));
+        text += "== " + scaling.engine + ": speed-up over " + engines.front().name() + ", by threads ==\n\n" +
+                table.text() + "\n";
+    }
+    return text;
+}
+
+namespace {
+
+// Returns the place of the fastest engine of ours; -1 if there is none beside the reference.
+long fastestOfOurs(const WorldResult &result, const std::vector<EngineSummary> &summaries) {
+    long fastest = -1;
+    double most = 0;
+    for (std::size_t i = 1; i < summaries.size(); ++i) {
+        const double speedUp = summaries[i].part(Part::Frame).speedUp.median;
+        const bool hasBits = summaries[i].check == StateCheck::Same || summaries[i].check == StateCheck::OtherRelease;
+        const bool isComparable = summaries[i].failure.empty() && hasBits;
+        if (!result.engines[i].engine.isOurs() || !isComparable || !(speedUp > most)) continue;
+        most = speedUp;
+        fastest = static_cast<long>(i);
+    }
+    return fastest;
+}
+
+// What the first engine is, for people who have not chosen it.
+std::string inPlainWords(const std::string &engine) { return engine == "stock" ? "libode8" : engine; }
+
+}  // namespace
+
+std::string reportSentence(const std::vector<WorldResult> &results) {
+    std::string text;
+    bool areClean = true, areOfOneRelease = true;
+    for (const WorldResult &result : results) {
+        areClean = result.isClean() && areClean;
+        const std::vector<EngineSummary> summaries = summarize(result);
+        const long fastest = fastestOfOurs(result, summaries);
+        if (fastest < 0) continue;
+        const EngineSummary &engine = summaries[static_cast<std::size_t>(fastest)];
+        const std::string &release = result.engines[static_cast<std::size_t>(fastest)].ready.release;
+        areOfOneRelease = !areOtherReleases(result.engines[0].ready.release, release) && areOfOneRelease;
+        const std::string factor = numberText(engine.part(Part::Frame).speedUp.median) + " times";
+        text += text.empty() ? "ODE_MT runs at " + factor + " the speed of " + inPlainWords(summaries[0].engine) : ", at " + factor;
+        text += " on " + support::printable(result.world) + " (" + engine.engine + ")";
+    }
+    if (text.empty()) return text;
+    if (areClean && !areOfOneRelease) return text + "; the releases of ODE differ, so results may.\n";
+    return text + (areClean ? ", with the same results in every bit.\n" : "; an engine failed or gave other results.\n");
 }
 
 }  // namespace bench

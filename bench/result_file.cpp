@@ -1,7 +1,5 @@
 #include "result_file.h"
 
-#include "support/text_file.h"
-
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -13,6 +11,8 @@
 #include <stdexcept>
 #include <system_error>
 #include <utility>
+
+#include "support/text_file.h"
 
 namespace bench {
 
@@ -176,6 +176,26 @@ void checkDistinct(const std::vector<std::string> &files) {
                                             "' are one file, of which something would be lost");
         }
     }
+}
+
+namespace {
+
+std::string plain(std::string name) {
+    for (char &c : name) {
+        const bool isPlain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+        if (!isPlain) c = '-';
+    }
+    return name;
+}
+
+}  // namespace
+
+std::string traceFileOf(const std::string &file, const std::string &world, const std::string &engine, std::size_t runs) {
+    if (file.empty() || runs < 2) return file;
+    const std::filesystem::path path(file), name = std::filesystem::path(world).stem();
+    std::filesystem::path result = path.parent_path() / path.stem();
+    result += "-" + plain(name.string()) + "-" + plain(engine) + path.extension().string();
+    return result.string();
 }
 
 }  // namespace bench

@@ -1,10 +1,11 @@
-// A file of results that is whole at every moment: the old text or the new one, never a part of one.
+// Files of results, each of which is whole at every moment: the old text or the new one, never a part of one.
 //
 // A new text is written into a temporary file beside the old one and then takes its name (rename), so that an
 // interrupt, a kill or a full disk leaves the old text. What is no regular file (a pipe, /dev/null) has no
 // name to take and is written to directly.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -38,8 +39,14 @@ private:
     std::unique_ptr<Target> m_target;
 };
 
-// Checks files of results and of their inputs. Requires files whose folders exist. Throws std::invalid_argument if two of them, however they are spelled
-// (relative, through a symbolic link), are one file.
+// Checks files of results and of their inputs. Requires files whose folders exist. Throws std::invalid_argument if two of them, however
+// they are spelled (relative, through a symbolic link), are one file.
 void checkDistinct(const std::vector<std::string> &files);
+
+// Where the timeline of one engine in one world is written (--trace).
+//
+// The file itself if there is one run; otherwise world and engine stand before its ending: trace-create-ours-2.json. Of them, what is no
+// letter or digit becomes a hyphen.
+std::string traceFileOf(const std::string &file, const std::string &world, const std::string &engine, std::size_t runs);
 
 }  // namespace bench

@@ -1,12 +1,22 @@
 // A measured world reduced to the figures that are printed and saved.
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "race.h"
 #include "support/statistics.h"
 
-#include <array>
-
 namespace bench {
+
+// The real-time factor of an engine once a second, as in the thesis's chapter 12.2: simulated seconds in a
+// second of wall-clock time.
+//
+// The seconds are the engine's own: those in which other engines run do not count.
+//
+// One sample for each `period` (s) that the engine ran, at the end of the batch in which it became full; the
+// rest at the end is dropped.
+std::vector<double> realTimeSamples(const EngineResult &engine, double period = 1);
 
 // OtherRelease: the first engine of another release of ODE than the reference's; those of its release are compared with it.
 enum class StateCheck { Reference, Same, Differs, NotReproducible, OwnBits, OtherRelease, Unknown };

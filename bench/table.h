@@ -1,10 +1,15 @@
-// Text in aligned columns.
+// Text in aligned columns, and figures as text for people.
 #pragma once
 
 #include <string>
 #include <vector>
 
 namespace bench {
+
+// Three significant digits, but never more than four behind the point; "-" if it is not finite.
+std::string numberText(double value);
+
+std::string millisecondsText(double seconds);
 
 class Table {
 public:

@@ -1,14 +1,121 @@
 #include "world_source.h"
 
-#include "support/text.h"
-#include "loader/world_folder.h"
-#include "size_range.h"
-#include "world_spec.h"
-
 #include <algorithm>
+#include <charconv>
+#include <optional>
 #include <stdexcept>
 
+#include "loader/world_folder.h"
+#include "scenes/scene.h"
+#include "support/text.h"
+
 namespace bench {
+
+namespace {
+
+// Twice as much as any size that a world takes, so that doubling does not overflow.
+constexpr long kLargest = 1'000'000'000;
+
+std::optional<long> readNumber(const std::string &text) {
+    long number = 0;
+    const char *end = text.data() + text.size();
+    const auto [stopped, error] = std::from_chars(text.data(), end, number);
+    if (error != std::errc() || stopped != end || number < 1 || number > kLargest) return std::nullopt;
+    return number;
+}
+
+}  // namespace
+
+std::vector<std::string> expandSizes(const std::string &world) {
+    const std::size_t comma = world.find(','), colon = world.substr(0, comma).rfind(':');
+    if (colon == std::string::npos) return {world};
+    const std::string name = world.substr(0, colon + 1),
+                      modifiers = comma < world.size() ? world.substr(comma) : "",
+                      size = world.substr(colon + 1, comma < world.size() ? comma - colon - 1 : comma);
+    const std::size_t dots = size.find("..");
+    if (dots == std::string::npos) return {world};
+    const std::optional<long> first = readNumber(size.substr(0, dots)),
+                              last = readNumber(size.substr(dots + 2));
+    if (!first || !last || *first > *last) return {world};
+    std::vector<std::string> worlds;
+    for (long n = *first; n <= *last; n *= 2) worlds.push_back(name + std::to_string(n) + modifiers);
+    return worlds;
+}
+
+const char *const kStaticMeetsStatic = "static_meets_static";
+
+namespace {
+
+constexpr std::size_t maxStaticShapes = 1'000'000;
+
+bool isFile(const std::string &name) {
+    return name.find('/') != std::string::npos || name.find(".sdf") != std::string::npos ||
+           name.find(".world") != std::string::npos;
+}
+
+bool isSceneName(const std::string &name) {
+    const auto all = scenes::availableScenes();
+    return std::any_of(all.begin(), all.end(),
+                       [&](const scenes::SceneDescription &scene) { return scene.name == name; });
+}
+
+// A name of both kinds is the scene once something is said that only scenes know.
+bool isSdfWorld(const WorldSpec &spec) {
+    if (isFile(spec.name)) return true;
+    const auto all = worlds::availableWorlds();
+    if (std::find(all.begin(), all.end(), spec.name) == all.end()) return false;
+    const bool asScene = !spec.size.empty() || std::any_of(spec.modifiers.begin(), spec.modifiers.end(),
+                                                           [](const std::string &modifier) {
+                                                               return modifier != kStaticMeetsStatic;
+                                                           });
+    return !(asScene && isSceneName(spec.name));
+}
+
+std::size_t readStaticShapes(const WorldSpec &spec) {
+    std::size_t count = 0;
+    const char *end = spec.size.data() + spec.size.size();
+    const auto [stopped, error] = std::from_chars(spec.size.data(), end, count);
+    if (error != std::errc() || stopped != end || count < 1 || count > maxStaticShapes ||
+        spec.size != std::to_string(count))
+        throw std::invalid_argument("world '" + spec.name + "': size '" + spec.size +
+                                    "' is not a number of static shapes from 1 to " +
+                                    std::to_string(maxStaticShapes));
+    return count;
+}
+
+}  // namespace
+
+WorldSpec readWorldSpec(const std::string &world) {
+    WorldSpec spec;
+    spec.modifiers = support::splitAtCommas(world);
+    if (!spec.modifiers.empty()) {
+        spec.name = support::withoutEscapes(spec.modifiers.front());
+        spec.modifiers.erase(spec.modifiers.begin());
+    }
+    const std::size_t colon = spec.name.rfind(':');
+    if (colon != std::string::npos && !isFile(spec.name.substr(colon))) {
+        spec.size = spec.name.substr(colon + 1);
+        spec.name.resize(colon);
+        if (spec.size.empty()) throw std::invalid_argument("world '" + world + "': no size behind the colon");
+    }
+    for (const std::string &modifier : spec.modifiers)
+        if (std::count(spec.modifiers.begin(), spec.modifiers.end(), modifier) > 1)
+            throw std::invalid_argument("world '" + world + "': '" + modifier + "' is said twice");
+    spec.isSdf = isSdfWorld(spec);
+    return spec;
+}
+
+worlds::LoadOptions loadOptions(const WorldSpec &spec) {
+    worlds::LoadOptions options;
+    if (!spec.size.empty()) options.staticShapes = readStaticShapes(spec);
+    for (const std::string &modifier : spec.modifiers) {
+        if (modifier != kStaticMeetsStatic)
+            throw std::invalid_argument("world '" + spec.name + "': unknown modifier '" + modifier +
+                                        "'; SDF worlds know " + kStaticMeetsStatic);
+        options.staticMeetsStatic = true;
+    }
+    return options;
+}
 
 namespace {
 

@@ -1,10 +1,9 @@
 // odemt_batch: many worlds into one table (docs/tools.md). Under mpirun it becomes odemt_batch_mpi, which lies beside it: this program needs no MPI.
 #include "batch/batch_options.h"
 #include "batch/master.h"
-#include "batch/world_check.h"
-#include "error_output.h"
+#include "batch/workers.h"
+#include "tool_output.h"
 #include "library_folders.h"
-#include "standard_output.h"
 #include "support/text_file.h"
 
 #include <unistd.h>

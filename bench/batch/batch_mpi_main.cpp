@@ -4,10 +4,9 @@
 // blocking call of OpenMPI would take a processor from the workers.
 #include "batch/batch_options.h"
 #include "batch/master.h"
-#include "batch/world_check.h"
-#include "error_output.h"
+#include "batch/workers.h"
+#include "tool_output.h"
 #include "library_folders.h"
-#include "standard_output.h"
 #include "support/text_file.h"
 
 #include <mpi.h>

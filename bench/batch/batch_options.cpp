@@ -1,8 +1,8 @@
 #include "batch/batch_options.h"
 
-#include "error_output.h"
-#include "machine.h"
-#include "number_range.h"
+#include "tool_output.h"
+#include "platform.h"
+#include "command_line.h"
 
 #include <CLI/CLI.hpp>
 

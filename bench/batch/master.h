@@ -1,4 +1,4 @@
-// Hands out the runs of a plan and writes their rows.
+// Hands out the runs of a plan and writes their rows, and shows how far they are.
 //
 // Whoever has workers is a site: this process, and other ranks. A site is given runs for the next tenth of a second, so that its workers
 // never wait for the master, and fewer towards the end, so that all end at about the same time. Which site runs what changes no row.
@@ -6,10 +6,34 @@
 // Threading: one thread.
 #pragma once
 
+#include <chrono>
+#include <cstddef>
+
 #include "batch/store.h"
 #include "batch/workers.h"
+#include "progress.h"
 
 namespace batch {
+
+// How many runs are done, and how long the rest takes.
+class RunProgress {
+public:
+    RunProgress(long runs, long doneBefore, bool isQuiet);
+
+    void show(std::size_t more);  // runs that have ended since
+    void end();
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    double elapsed() const;  // s
+
+    const long m_runs;
+    const bool m_isQuiet;
+    long m_done, m_doneBefore;
+    const Clock::time_point m_begin = Clock::now();
+    bench::ProgressLine m_line;
+};
 
 // Sites elsewhere (MPI).
 class Ranks {

@@ -1,6 +1,6 @@
 #include "batch/parameter.h"
 
-#include "world_spec.h"
+#include "world_source.h"
 
 #include <dlfcn.h>
 #include <tinyxml2.h>

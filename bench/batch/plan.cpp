@@ -7,7 +7,6 @@
 #include "scenes/fnv1a.h"
 #include "support/text_file.h"
 #include "world_source.h"
-#include "world_spec.h"
 
 #include <algorithm>
 #include <array>

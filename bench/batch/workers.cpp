@@ -1,8 +1,5 @@
 #include "batch/workers.h"
 
-#include "batch/world_run.h"
-#include "support/text_file.h"
-
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/wait.h>
@@ -18,6 +15,9 @@
 #include <iostream>
 #include <iterator>
 #include <stdexcept>
+
+#include "batch/world_run.h"
+#include "support/text_file.h"
 
 namespace batch {
 
@@ -78,7 +78,7 @@ Workers::~Workers() {
         close(worker.commands);
         close(worker.answers);
         kill(worker.process, SIGKILL);
-        waitpid(worker.process, nullptr, 0);
+        support::waitFor(worker.process);
     }
 }
 
@@ -165,8 +165,7 @@ void Workers::replace(unsigned index, std::vector<Json> &answers) {
     Worker &worker = m_workers[index];
     close(worker.commands);
     close(worker.answers);
-    int status = 0;
-    waitpid(worker.process, &status, 0);
+    const int status = support::waitFor(worker.process);
     worker.text.clear();
     const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
     const bool isFault = isOwnFault(signal) || ++worker.kills >= kMaxKills;
@@ -177,6 +176,44 @@ void Workers::replace(unsigned index, std::vector<Json> &answers) {
     }
     start(worker);
     for (const long run : worker.runs) support::writeAll(worker.commands, std::to_string(run) + "\n");
+}
+
+namespace {
+
+constexpr int kIsWrong = 1;  // exit code of the process that has written why
+
+void endQuietly(int, const char *, va_list) { _exit(0); }  // the run says it
+
+[[noreturn]] void tryWorlds(const Plan &plan, std::size_t first, int answer) {
+    initialiseOde(endQuietly);
+    const long runsOfAWorld = plan.count() / static_cast<long>(plan.worlds.size());
+    for (std::size_t world = first; world < plan.worlds.size(); ++world) {
+        const Run run = plan.run(static_cast<long>(world) * runsOfAWorld);
+        support::writeAll(answer, std::string(1, '\0'));  // begins with this one
+        try {
+            tryWorld(plan, run);
+        } catch (const std::exception &error) {
+            support::writeAll(answer, std::string(error.what()) + " (run " + std::to_string(run.number) + ", world '" + run.world + "')");
+            _exit(kIsWrong);
+        }
+    }
+    _exit(0);
+}
+
+}  // namespace
+
+void checkWorlds(const Plan &plan) {
+    for (std::size_t first = 0; first < plan.worlds.size();) {
+        const support::MemoryFile answer;
+        const pid_t child = support::forkChild();
+        if (child < 0) throw std::runtime_error(std::string("cannot start a process: ") + std::strerror(errno));
+        if (child == 0) tryWorlds(plan, first, answer.descriptor());
+        const int status = support::waitFor(child);
+        const std::string text = answer.text();
+        if (WIFEXITED(status) && WEXITSTATUS(status) == kIsWrong) throw std::runtime_error(text.substr(text.rfind('\0') + 1));
+        // Behind one that has ended the process, if it has.
+        first += std::max<std::size_t>(1, static_cast<std::size_t>(std::count(text.begin(), text.end(), '\0')));
+    }
 }
 
 }  // namespace batch

@@ -8,7 +8,6 @@
 #include "scenes/state_hash.h"
 #include "support/text_file.h"
 #include "world_source.h"
-#include "world_spec.h"
 
 #include <algorithm>
 #include <cstdarg>

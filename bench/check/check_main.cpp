@@ -3,9 +3,8 @@
 #include "check/checker.h"
 #include "support/deferred_signals.h"
 #include "check/report.h"
-#include "error_output.h"
+#include "tool_output.h"
 #include "support/orphans.h"
-#include "standard_output.h"
 
 namespace {
 

@@ -5,11 +5,10 @@
 #include <stdexcept>
 
 #include "support/text.h"
-#include "error_output.h"
+#include "tool_output.h"
 #include "library_folders.h"
-#include "library_release.h"
-#include "number_range.h"
-#include "program_line.h"
+#include "platform.h"
+#include "command_line.h"
 
 namespace check {
 

@@ -13,7 +13,7 @@ struct CheckOptions {
     std::vector<std::string> command;    // the program and its arguments
     std::vector<std::string> threads;    // "0", "auto": of each run on ODE_MT
     std::string stockFolder, ourFolder;  // of libode.so.8
-    std::string stockRelease, ourRelease;  // of ODE, in these (library_release.h)
+    std::string stockRelease, ourRelease;  // of ODE, in these (platform.h)
     std::string observer;                // file
     std::uint64_t steps = 0;             // of any world, after which the program is ended; 0: none
     std::chrono::milliseconds limit{0};  // of a run; 0: none

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "check/comparison.h"
+#include "check/play.h"
 #include "check/unseen.h"
-#include "library_release.h"
-#include "number_text.h"
+#include "platform.h"
+#include "table.h"
 #include "support/process.h"
 
 namespace check {

@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "support/text.h"
-#include "number_text.h"
 #include "table.h"
 
 namespace check {

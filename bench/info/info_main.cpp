@@ -9,10 +9,9 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "error_output.h"
+#include "tool_output.h"
 #include "info/vector_width.h"
-#include "library_probe.h"
-#include "machine.h"
+#include "platform.h"
 
 namespace {
 

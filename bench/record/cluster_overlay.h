@@ -1,13 +1,39 @@
-// The overlay of ODE_MT (ode_MT.h, group ode_mt_clusters) as plain data. Its functions are looked up by name:
-// the program is linked to what Debian's library exports.
+// What our library says of bodies, beside their states: in which cluster each is, and which worker stepped it.
 #pragma once
+
+#include <dlfcn.h>
+#include <ode/ode.h>
+
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "record/recording.h"
 
-#include <ode/ode.h>
-
 namespace record {
 
+// Finds a function of ode_MT.h by name: the programs are linked to what Debian's library exports. Throws std::runtime_error if the library has none.
+template <class Function>
+void findOwn(const char *name, Function &function) {
+    function = reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, name));
+    if (!function) throw std::runtime_error(std::string("this libode.so.8 has no ") + name + ": it is not ODE_MT");
+}
+
+// Which thread of ODE_MT's steps each body.
+class BodyWorkers {
+public:
+    // From now on steps note it. Throws std::runtime_error if the library cannot.
+    BodyWorkers();
+
+    // In the last step: 0: the thread that called it; n: worker n; -1: none, the body slept.
+    std::vector<int> of(const std::vector<dBodyID> &bodies) const;
+
+private:
+    decltype(&dODE_MT_GetBodyWorker) m_get;
+};
+
+// The overlay of ODE_MT (ode_MT.h, group ode_mt_clusters) as plain data. Its functions are looked up by name:
+// the program is linked to what Debian's library exports.
 class ClusterOverlay {
 public:
     // Throws std::runtime_error if the library has none of these functions.

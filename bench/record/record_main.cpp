@@ -1,11 +1,10 @@
 // odemt_record: a world and its clusters, frame by frame, as JSON lines (recording.h).
-#include "error_output.h"
-#include "library_probe.h"
+#include "tool_output.h"
+#include "platform.h"
 #include "library_folders.h"
 #include "record/record_options.h"
 #include "record/recorder.h"
 #include "result_file.h"
-#include "standard_output.h"
 #include "world_source.h"
 
 #include <ode/ode.h>

@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-#include "error_output.h"
-#include "number_range.h"
+#include "tool_output.h"
+#include "command_line.h"
 #include "world_source.h"
 
 #include <CLI/CLI.hpp>

@@ -1,16 +1,26 @@
-// Runs a scene and keeps what an onlooker sees of it. A scene of several worlds or spaces: the grid, the
-// cells and the events are those of the first.
+// Records a scene frame by frame, with its islands.
 #pragma once
 
-#include "record/body_workers.h"
+#include <ode/ode.h>
+
+#include <optional>
+#include <vector>
+
 #include "record/cluster_overlay.h"
 #include "record/contact_log.h"
 #include "scenes/scene.h"
 
-#include <optional>
-
 namespace record {
 
+// Which bodies a step handles together: those that are awake and connected by enabled joints, contacts among them.
+constexpr int kNoIsland = -1;  // of a body that sleeps
+
+// The island of each body: islands are numbered from 0 in the order of their first bodies. Requires that contact joints are there
+// still: between a scene's step() and finish().
+std::vector<int> islandsOf(const std::vector<dBodyID> &bodies);
+
+// Runs a scene and keeps what an onlooker sees of it. A scene of several worlds or spaces: the grid, the
+// cells and the events are those of the first.
 struct RecorderSettings {
     bool clusters = true;   // requires ODE_MT
     bool contacts = false;  // with their forces

@@ -6,6 +6,10 @@
 
 namespace report {
 
+// Recordings as text that fits into a page: compressed (a sixth), and in letters that HTML leaves alone.
+std::string gzip(const std::string &bytes);    // RFC 1952
+std::string base64(const std::string &bytes);  // RFC 4648, section 4
+
 // The page without data, written by bundle.py: sources in page/, three.js, Chart.js, their licences.
 extern const char *const kEmptyPage;
 

@@ -1,11 +1,10 @@
 // odemt_report: results and recordings as one HTML page (page.h).
-#include "error_output.h"
+#include "tool_output.h"
 #include "support/text.h"
-#include "record/other_world.h"
+#include "record/recording_check.h"
 #include "report/page.h"
 #include "report/report_options.h"
 #include "result_file.h"
-#include "standard_output.h"
 
 #include <fstream>
 #include <sstream>

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "error_output.h"
+#include "tool_output.h"
 #include "result_file.h"
 
 #include <CLI/CLI.hpp>

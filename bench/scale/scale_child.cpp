@@ -3,11 +3,9 @@
 //   odemt_scale_child WORLD LOG        LOG: file for standard error, where the library says what its workers are
 //
 // For each line with a number of frames it prints one with their times: {"frame": [ns …], "step": [ns …], "hash": …}.
-#include "error_output.h"
+#include "tool_output.h"
 #include "protocol.h"
-#include "reader_watch.h"
 #include "scenes/state_hash.h"
-#include "standard_output.h"
 #include "world_source.h"
 
 #include <fcntl.h>

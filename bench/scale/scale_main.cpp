@@ -1,12 +1,11 @@
 // odemt_scale: how far islands on other machines go (docs/remote.md).
-#include "error_output.h"
-#include "machine.h"
+#include "platform.h"
+#include "tool_output.h"
 #include "result_file.h"
 #include "scale/measured_world.h"
 #include "scale/scale_options.h"
 #include "scale/scale_table.h"
 #include "scale/world_measure.h"
-#include "standard_output.h"
 #include "support/text_file.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "scale/scale_options.h"
 
 #include "support/text.h"
-#include "error_output.h"
+#include "tool_output.h"
 #include "library_folders.h"
 #include "world_source.h"
 

@@ -1,7 +1,7 @@
 // The command line of odemt_scale.
 #pragma once
 
-#include "scale/network.h"
+#include "scale/measured_world.h"
 #include "scale/world_measure.h"
 
 #include <optional>

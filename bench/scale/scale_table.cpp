@@ -1,7 +1,6 @@
 #include "scale/scale_table.h"
 
 #include "support/text.h"
-#include "number_text.h"
 #include "table.h"
 
 #include <algorithm>

@@ -15,7 +15,6 @@
 #pragma once
 
 #include "scale/measured_world.h"
-#include "scale/network.h"
 
 #include <memory>
 

@@ -4,16 +4,18 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 
+#include "support/deferred_signals.h"
 #include "support/orphans.h"
 #include "support/process.h"
-#include "support/deferred_signals.h"
 
 namespace top {
 
@@ -81,6 +83,33 @@ bool Program::endRest() {
     if (!m_isAsked) return true;
     kill(-m_child, SIGTERM);
     return !support::endOrphans([](std::chrono::milliseconds most) { support::waitForSignal(most); }).areLeft;
+}
+
+namespace {
+
+constexpr std::streamoff kBytes = 16384;
+
+// ASCII alone: the width of anything else is the terminal's affair.
+char shown(char c) {
+    if (c == '\t') return ' ';
+    return c >= 0x20 && c < 0x7f ? c : '?';
+}
+
+}  // namespace
+
+std::vector<std::string> tailOf(const std::string &file, std::size_t count, std::size_t width) {
+    std::ifstream stream(file, std::ios::binary);
+    stream.seekg(0, std::ios::end);
+    stream.seekg(std::max<std::streamoff>(0, static_cast<std::streamoff>(stream.tellg()) - kBytes));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);) {
+        if (!line.empty() && line.back() == '\r') line.pop_back();
+        line.resize(std::min(line.size(), width));
+        std::transform(line.begin(), line.end(), line.begin(), shown);
+        lines.push_back(line);
+    }
+    if (lines.size() > count) lines.erase(lines.begin(), lines.end() - static_cast<std::ptrdiff_t>(count));
+    return lines;
 }
 
 }  // namespace top

@@ -1,13 +1,11 @@
-// The program that is looked at: started with our library and the file of its frames, and asked to end.
-//
-// It leads a process group of its own, so that a Ctrl-C is passed on once. What it prints goes to a file or to standard error, never through
-// this process, whose end it does not notice. Processes that it starts are ended with it where it was asked to end: a script's background jobs
-// ignore SIGINT. Those of a program that ends by itself are its own affair.
+// The program that is looked at, and the end of what it printed.
 #pragma once
 
 #include <sys/types.h>
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "library_folders.h"
 #include "top/frame_board.h"
@@ -15,6 +13,11 @@
 
 namespace top {
 
+// The program that is looked at: started with our library and the file of its frames, and asked to end.
+//
+// It leads a process group of its own, so that a Ctrl-C is passed on once. What it prints goes to a file or to standard error, never through
+// this process, whose end it does not notice. Processes that it starts are ended with it where it was asked to end: a script's background jobs
+// ignore SIGINT. Those of a program that ends by itself are its own affair.
 class Program {
 public:
     // Throws std::runtime_error if it cannot be started. Requires that this process has no other children, and has adopted orphans (orphans.h).
@@ -45,5 +48,10 @@ private:
     int m_status = 0;
     bool m_hasEnded = false, m_isAsked = false;
 };
+
+// The last lines of what a program has printed into a file.
+
+// Of the file's last few KiB, at most `count` lines, none longer than `width`; characters that a terminal would obey are '?'.
+std::vector<std::string> tailOf(const std::string &file, std::size_t count, std::size_t width);
 
 }  // namespace top

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "top/frame_text.h"
-#include "top/output_tail.h"
+#include "top/program.h"
 
 namespace top {
 

@@ -7,10 +7,9 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "error_output.h"
+#include "tool_output.h"
 #include "support/orphans.h"
 #include "library_folders.h"
-#include "standard_output.h"
 #include "top/frame_board.h"
 #include "top/frame_rates.h"
 #include "top/frame_text.h"

@@ -4,10 +4,9 @@
 
 #include <cstdlib>
 
-#include "error_output.h"
+#include "tool_output.h"
 #include "library_folders.h"
-#include "number_range.h"
-#include "program_line.h"
+#include "command_line.h"
 
 namespace top {
 

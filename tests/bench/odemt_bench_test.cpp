@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "library_release.h"
+#include "platform.h"
 #include "shell_run.h"
 #include "slow_world.h"
 

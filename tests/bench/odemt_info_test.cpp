@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "library_release.h"
+#include "platform.h"
 #include "shell_run.h"
 
 namespace {

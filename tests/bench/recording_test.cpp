@@ -1,6 +1,6 @@
 #include "record/recording.h"
 
-#include "record/other_world.h"
+#include "record/recording_check.h"
 
 #include <gtest/gtest.h>
 

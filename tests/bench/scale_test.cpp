@@ -1,6 +1,5 @@
 // The model of docs/remote.md: steps that can be reckoned by hand, what must hold for any cluster, and a recorded scenario.
 #include "scale/measured_world.h"
-#include "scale/network.h"
 #include "scale/scale_table.h"
 #include "scale/step_simulation.h"
 

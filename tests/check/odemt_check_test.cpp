@@ -11,7 +11,7 @@
 #include <string>
 
 #include "../bench/shell_run.h"
-#include "library_release.h"
+#include "platform.h"
 
 namespace {
 
