@@ -5,6 +5,7 @@
 
 #include "tool_output.h"
 #include "library_folders.h"
+#include "support/temporary_folder.h"
 
 namespace bench {
 

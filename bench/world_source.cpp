@@ -5,7 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "loader/world_folder.h"
+#include "loader/load_world.h"
 #include "scenes/scene.h"
 #include "support/text.h"
 

@@ -2,7 +2,7 @@
 
 #include "batch/parameter.h"
 #include "support/text.h"
-#include "loader/world_folder.h"
+#include "loader/load_world.h"
 #include "protocol.h"
 #include "scenes/fnv1a.h"
 #include "support/text_file.h"

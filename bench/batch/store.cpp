@@ -1,4 +1,5 @@
 #include "batch/store.h"
+#include "support/text.h"
 
 #include <fcntl.h>
 #include <sqlite3.h>

@@ -18,6 +18,7 @@
 
 #include "batch/world_run.h"
 #include "support/text_file.h"
+#include "support/process.h"
 
 namespace batch {
 

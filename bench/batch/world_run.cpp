@@ -2,7 +2,6 @@
 
 #include "batch/parameter.h"
 #include "loader/load_world.h"
-#include "loader/world_folder.h"
 #include "protocol.h"
 #include "scenes/generator.h"
 #include "scenes/state_hash.h"

@@ -11,6 +11,7 @@
 #include "check/state_difference.h"
 #include "library_folders.h"
 #include "support/process.h"
+#include "support/temporary_folder.h"
 
 namespace check {
 

@@ -12,6 +12,7 @@
 
 #include "library_folders.h"
 #include "support/text_file.h"
+#include "support/text.h"
 
 namespace check {
 

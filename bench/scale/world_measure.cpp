@@ -18,6 +18,7 @@
 #include <thread>
 
 #include "support/process.h"
+#include "support/temporary_folder.h"
 
 namespace scale {
 

@@ -10,6 +10,7 @@
 #include "library_folders.h"
 #include "top/frame_board.h"
 #include "top/top_options.h"
+#include "support/temporary_folder.h"
 
 namespace top {
 

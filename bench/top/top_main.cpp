@@ -17,6 +17,7 @@
 #include "top/screen.h"
 #include "support/deferred_signals.h"
 #include "top/top_options.h"
+#include "support/temporary_folder.h"
 
 namespace {
 

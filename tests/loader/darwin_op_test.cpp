@@ -1,7 +1,7 @@
 // The world darwin_op against its facts.
 #include "touched_models.h"
 
-#include "loader/world_folder.h"
+#include "loader/load_world.h"
 
 #include <algorithm>
 

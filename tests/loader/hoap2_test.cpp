@@ -1,7 +1,7 @@
 // The worlds hoap2_walk and hoap2_sumo against their facts.
 #include "small_world.h"
 
-#include "loader/world_folder.h"
+#include "loader/load_world.h"
 
 #include <algorithm>
 

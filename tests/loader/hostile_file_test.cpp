@@ -3,7 +3,7 @@
 #include "small_world.h"
 #include "test_folder.h"
 
-#include "loader/world_folder.h"
+#include "loader/load_world.h"
 
 #include <sys/stat.h>
 

@@ -1,7 +1,7 @@
 // The worlds humanoid and humanoids against their facts.
 #include "touched_models.h"
 
-#include "loader/world_folder.h"
+#include "loader/load_world.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // Every type of joint: what it leaves free, its stops, motors, friction, damping and springs.
 #include "small_world.h"
 
-#include "loader/scene/joint_axis_handle.h"
+#include "loader/scene/joint_axis.h"
 
 #include <cmath>
 

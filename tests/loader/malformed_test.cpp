@@ -1,7 +1,7 @@
 // Damaged worlds: loading them ends in a scene or in a LoadError, never in anything else.
 #include "small_world.h"
 
-#include "loader/world_folder.h"
+#include "loader/load_world.h"
 
 #include <fstream>
 #include <random>

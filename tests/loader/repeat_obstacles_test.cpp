@@ -1,7 +1,7 @@
 // Worlds with more static shapes than their files have.
 #include "small_world.h"
 
-#include "loader/world_folder.h"
+#include "loader/load_world.h"
 #include "scenes/state_hash.h"
 
 #include <cmath>

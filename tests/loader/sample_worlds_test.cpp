@@ -2,7 +2,7 @@
 // moves.
 #include "touched_models.h"
 
-#include "loader/world_folder.h"
+#include "loader/load_world.h"
 
 #include <algorithm>
 #include <cmath>

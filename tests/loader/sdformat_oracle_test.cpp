@@ -6,7 +6,7 @@
 #include "loader/read/document.h"
 #include "loader/read/read_world.h"
 #include "loader/read/regular_file.h"
-#include "loader/world_folder.h"
+#include "loader/load_world.h"
 
 #include <gtest/gtest.h>
 #include <sdf/sdf.hh>

@@ -1,7 +1,7 @@
 // The world soccer against its facts.
 #include "box_sums.h"
 
-#include "loader/world_folder.h"
+#include "loader/load_world.h"
 
 #include <cmath>
 #include <set>

@@ -1,7 +1,7 @@
 // Pairs of static shapes: excluded by ODE's space, or reported and dropped. The motion is the same.
 #include "small_world.h"
 
-#include "loader/world_folder.h"
+#include "loader/load_world.h"
 #include "scenes/state_hash.h"
 
 namespace {

@@ -1,7 +1,7 @@
 // The world stewart_platform against its facts.
 #include "small_world.h"
 
-#include "loader/world_folder.h"
+#include "loader/load_world.h"
 
 #include <cmath>
 

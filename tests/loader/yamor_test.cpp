@@ -1,7 +1,7 @@
 // The world yamor against its facts.
 #include "small_world.h"
 
-#include "loader/world_folder.h"
+#include "loader/load_world.h"
 
 #include <algorithm>
 

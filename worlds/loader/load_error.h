@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "support/text.h"
+
 namespace worlds {
 
 // A place in an SDF file. The path names elements as "/sdf/world/model[robot]/joint[j1]/axis"; it is
@@ -14,7 +16,9 @@ struct Place {
     std::string path;
 };
 // For messages: a long path is shown by its begin and end.
-std::string toString(const Place &place);
+inline std::string toString(const Place &place) {
+    return support::printable(place.path.empty() ? place.file : place.file + ": " + support::shortened(place.path));
+}
 
 class LoadError : public std::runtime_error {
 public:
@@ -27,7 +31,8 @@ public:
         Resource      // a mesh, image or model named by the file is missing or broken
     };
 
-    LoadError(Kind kind, const Place &place, const std::string &what);
+    LoadError(Kind kind, const Place &place, const std::string &what)
+        : std::runtime_error(toString(place) + ": " + support::printable(what)), m_kind(kind), m_place(place), m_reason(what) {}
 
     Kind kind() const { return m_kind; }
     const Place &place() const { return m_place; }

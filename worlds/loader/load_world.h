@@ -1,12 +1,12 @@
-// Turns an SDF world into a scene. ../README.md lists the elements that are supported.
+// Finds SDF worlds, and turns them into scenes. ../README.md lists the elements that are supported.
 #pragma once
-
-#include "loader/load_error.h"
-#include "loader/scene/sdf_scene.h"
 
 #include <memory>
 #include <string>
 #include <vector>
+
+#include "loader/load_error.h"
+#include "loader/scene/sdf_scene.h"
 
 namespace worlds {
 
@@ -40,5 +40,22 @@ std::unique_ptr<SdfScene> loadWorld(const std::string &file, const LoadOptions &
 // The same for a world in memory; `name` replaces the file in messages and for relative names.
 std::unique_ptr<SdfScene> loadWorldText(const std::string &sdf, const std::string &name,
                                         const LoadOptions &options = {});
+
+// The folder of the SDF files: $ODE_MT_WORLDS if set, else share/ode_mt/worlds of the tree that this program is installed
+// in, else the source folder.
+std::string worldFolder();
+
+// The folder of the models that come with the worlds, whatever ODE_MT_WORLDS is: Gazebo's sun and ground plane among them.
+std::string commonModelFolder();
+
+// "create", "pioneer3at", … in alphabetical order.
+std::vector<std::string> availableWorlds();
+
+// The folder and what it holds: "/worlds holds create epuck", "/worlds is not a folder".
+std::string worldsInFolder();
+
+// The file of a world given by name ("create") or by file name ("my/world.sdf"). Throws
+// std::invalid_argument, naming the worlds that exist.
+std::string findWorld(const std::string &nameOrFile);
 
 }  // namespace worlds

@@ -4,7 +4,6 @@
 #include "catalogue.h"
 
 #include "loader/load_world.h"
-#include "loader/world_folder.h"
 
 namespace exactness {
 

@@ -7,7 +7,7 @@
 //     <quadratic_drag>0.07 0.28 0.22 0 0 0</quadratic_drag>    N·s²/m², N·m·s²
 //     <righting_moment>0.2</righting_moment>                   N·m, when the link lies on its side
 //     <phase duration="2">0.04 0 0 0 0.006 0</phase>           s; force in N, torque in N·m
-//     <repeat> … </repeat>                                     timeline.h
+//     <repeat> … </repeat>                                     Timeline
 //   </plugin>
 //
 // Six numbers are those along the link's x, y and z axes and those about them; forces act at the centre of mass.
@@ -16,7 +16,7 @@
 #pragma once
 
 #include "loader/control/damped_body.h"
-#include "loader/control/timeline.h"
+#include "loader/control/schedule.h"
 
 #include <array>
 

@@ -17,7 +17,7 @@
 // A link is immersed once, and no other controller pushes it.
 #pragma once
 
-#include "loader/control/controller_registry.h"
+#include "loader/control/controller.h"
 #include "loader/control/damped_body.h"
 
 #include <array>

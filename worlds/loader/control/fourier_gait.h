@@ -15,7 +15,7 @@
 // φ = 2π (frequency · (t - start) + phase). The speed is cut to the joint's <velocity>.
 #pragma once
 
-#include "loader/control/controller_registry.h"
+#include "loader/control/controller.h"
 
 #include <map>
 

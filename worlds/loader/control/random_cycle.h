@@ -15,7 +15,7 @@
 // x' = 48271 x mod (2³¹ - 1) that the C++ standard defines to the last bit.
 #pragma once
 
-#include "loader/control/controller_registry.h"
+#include "loader/control/controller.h"
 
 #include <random>
 

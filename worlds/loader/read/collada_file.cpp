@@ -2,7 +2,7 @@
 
 #include "loader/load_error.h"
 #include "loader/read/collada_mesh.h"
-#include "loader/read/mesh_check.h"
+#include "loader/read/mesh_file.h"
 #include "loader/read/word_list.h"
 #include "loader/read/xml_text.h"
 #include "support/text.h"

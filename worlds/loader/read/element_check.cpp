@@ -1,6 +1,6 @@
 #include "loader/read/element_check.h"
 
-#include "loader/control/controller_registry.h"
+#include "loader/control/controller.h"
 #include "loader/read/element_rules.h"
 #include "loader/read/gazebo_plugins.h"
 #include "loader/read/value_check.h"

@@ -2,6 +2,7 @@
 
 #include "loader/read/gazebo_plugins.h"
 #include "loader/read/value_check.h"
+#include "support/text.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,24 +1,179 @@
 #include "loader/read/mesh_file.h"
 
-#include "loader/read/collada_file.h"
-#include "loader/read/mesh_check.h"
-#include "loader/read/regular_file.h"
-#include "support/text.h"
-
 #include <assimp/BaseImporter.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
-#include <assimp/Importer.hpp>
-#include <assimp/IOSystem.hpp>
 
+#include <assimp/IOSystem.hpp>
+#include <assimp/Importer.hpp>
+
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <map>
 #include <set>
 #include <utility>
 
+#include "loader/read/collada_file.h"
+#include "loader/read/regular_file.h"
+#include "loader/read/word_list.h"
+#include "support/text.h"
+
 namespace worlds {
+
+namespace {
+
+class ObjCheck {
+public:
+    void line(std::string_view text, std::size_t number) {
+        m_line = number;
+        WordList words(text);
+        const std::string_view kind = words.next();
+        if (kind == "v") vertex(words);
+        if (kind == "f") face(words);
+    }
+
+    void end() const {
+        if (m_largest > m_vertices)
+            throw MeshFault("a face has a vertex " + std::to_string(m_largest) + " of " +
+                            std::to_string(m_vertices));
+    }
+
+private:
+    // The coordinates may be followed by a weight or a colour.
+    void vertex(WordList words) {
+        int count = 0;
+        for (std::string_view word = words.next(); !word.empty(); word = words.next(), ++count)
+            if (!finiteNumber(word)) fail(support::quote(std::string(word)) + " is not a finite number");
+        if (count < 3) fail("a vertex has " + std::to_string(count) + " coordinates");
+        ++m_vertices;
+    }
+
+    // A corner is "vertex", "vertex/texture" or "vertex/texture/normal"; from -1 downwards vertices are
+    // counted backwards from the last one before the face.
+    void face(WordList words) {
+        std::size_t corners = 0;
+        for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+            if (word[0] == '#') break;
+            const std::optional<std::int64_t> vertex = wholeNumber(word.substr(0, word.find('/')));
+            if (!vertex || *vertex == 0 || -*vertex > m_vertices)
+                fail("a face has no vertex " + support::quote(std::string(word)));
+            m_largest = std::max(m_largest, *vertex);
+            if (++corners > maxCorners)
+                fail("a face has more than " + std::to_string(maxCorners) + " corners");
+        }
+        if (corners == 0) fail("a face has no corners");
+    }
+
+    [[noreturn]] void fail(const std::string &what) const {
+        throw MeshFault("line " + std::to_string(m_line) + ": " + what);
+    }
+
+    std::int64_t m_vertices = 0, m_largest = 0;
+    std::size_t m_line = 0;
+};
+
+constexpr std::size_t headerBytes = 80, triangleBytes = 50;
+
+bool isBinary(const std::string &bytes) {
+    std::uint32_t triangles = 0;
+    if (bytes.size() < headerBytes + sizeof triangles) return false;
+    std::memcpy(&triangles, bytes.data() + headerBytes, sizeof triangles);  // little-endian, as this machine
+    return bytes.size() - headerBytes - sizeof triangles ==
+           triangleBytes * static_cast<std::uint64_t>(triangles);
+}
+
+class TextCheck {
+public:
+    explicit TextCheck(std::string_view text) : m_text(text) {}
+
+    void solids() {
+        while (skipBlank()) {
+            expect("solid");
+            skipLine();  // the name
+            while (peek() == "facet") facet();
+            expect("endsolid");
+            skipLine();
+        }
+    }
+
+private:
+    void facet() {
+        expect("facet");
+        expect("normal");
+        numbers();
+        expect("outer");
+        expect("loop");
+        for (int corner = 0; corner < 3; ++corner) {
+            expect("vertex");
+            numbers();
+        }
+        expect("endloop");
+        expect("endfacet");
+    }
+
+    void numbers() {
+        for (int i = 0; i < 3; ++i) {
+            const std::string_view word = next();
+            if (!finiteNumber(word)) fail(word, "a finite number");
+        }
+    }
+    void expect(std::string_view wanted) {
+        if (const std::string_view word = next(); word != wanted) fail(word, "'" + std::string(wanted) + "'");
+    }
+
+    bool skipBlank() {
+        const std::size_t begin = m_text.find_first_not_of(" \t\r\n");
+        m_text.remove_prefix(std::min(begin, m_text.size()));
+        return !m_text.empty();
+    }
+    void skipLine() { m_text.remove_prefix(std::min(m_text.find('\n'), m_text.size())); }
+    std::string_view peek() const { return WordList(m_text).next(); }
+    std::string_view next() {
+        const std::string_view word = peek();
+        if (!word.empty())
+            m_text.remove_prefix(static_cast<std::size_t>(word.data() + word.size() - m_text.data()));
+        return word;
+    }
+
+    [[noreturn]] static void fail(std::string_view word, const std::string &wanted) {
+        throw MeshFault((word.empty() ? "ends" : "has " + support::quote(std::string(word))) + " where " + wanted +
+                        " has to be; it is no binary STL either");
+    }
+
+    std::string_view m_text;
+};
+
+}  // namespace
+
+void checkObj(const std::string &text) {
+    ObjCheck check;
+    std::string joined;  // of lines that end in a backslash
+    std::size_t number = 0;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        std::string_view line = std::string_view(text).substr(at, end - at);
+        at = end + 1;
+        ++number;
+        if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+        if (!line.empty() && line.back() == '\\') {
+            joined.append(line.substr(0, line.size() - 1)) += ' ';
+        } else if (joined.empty()) {
+            check.line(line, number);
+        } else {
+            check.line(joined.append(line), number);
+            joined.clear();
+        }
+    }
+    if (!joined.empty()) check.line(joined, number);
+    check.end();
+}
+
+void checkStl(const std::string &bytes) {
+    if (!isBinary(bytes)) TextCheck(bytes).solids();
+}
 
 namespace {
 

@@ -1,12 +1,33 @@
-// Triangles out of a mesh file, STL, OBJ or COLLADA: looked through here, then imported by Assimp.
+// Triangles out of a mesh file, STL, OBJ or COLLADA: looked through here, then imported by Assimp, which takes what it cannot read for zero,
+// and makes do with facets that are not triangles.
 #pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
 
 #include "loader/description/world_description.h"
 #include "loader/load_error.h"
-
-#include <string>
+#include "support/text.h"
 
 namespace worlds {
+
+// What is wrong with the inside of a mesh file, in words; readMeshFile adds which file it is.
+class MeshFault : public std::runtime_error {
+public:
+    explicit MeshFault(const std::string &what) : std::runtime_error(support::printable(what)) {}
+};
+
+// Cutting a polygon into triangles takes a time that grows with the square of its corners.
+constexpr std::size_t maxCorners = 1000;
+
+// Throws MeshFault for a vertex that is not three finite numbers or more, a face whose corners are no
+// vertices of the file, and one with more than maxCorners.
+void checkObj(const std::string &text);
+
+// Throws MeshFault for a file that is neither binary, with room for exactly the triangles that it says it
+// holds, nor text, with every facet a triangle of finite numbers and every solid ended.
+void checkStl(const std::string &bytes);
 
 // `place` is where the mesh is named. Throws LoadError.
 TriangleMesh readMeshFile(const std::string &file, const Vector3 &scale, const Place &place);

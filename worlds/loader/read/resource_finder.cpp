@@ -2,7 +2,7 @@
 
 #include "loader/load_error.h"
 #include "loader/read/value_check.h"
-#include "loader/world_folder.h"
+#include "loader/load_world.h"
 #include "support/text.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "loader/scene/ode_joint.h"
 
-#include "loader/scene/joint_axis_handle.h"
+#include "loader/scene/joint_axis.h"
 #include "loader/scene/ode_types.h"
 
 namespace worlds {

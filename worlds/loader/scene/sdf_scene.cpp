@@ -1,10 +1,10 @@
 #include "loader/scene/sdf_scene.h"
 
-#include "loader/control/controller_registry.h"
+#include "loader/control/controller.h"
 #include "loader/description/world_description.h"
 #include "loader/scene/contact_rules.h"
 #include "loader/scene/geom_factory.h"
-#include "loader/scene/joint_springs.h"
+#include "loader/scene/joint_axis.h"
 #include "loader/scene/ode_joint.h"
 #include "loader/scene/ode_world.h"
 #include "support/text.h"

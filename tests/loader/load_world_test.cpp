@@ -1,4 +1,4 @@
-#include "loader/world_folder.h"
+#include "loader/load_world.h"
 
 #include <gtest/gtest.h>
 

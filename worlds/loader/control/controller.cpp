@@ -1,16 +1,34 @@
-#include "loader/control/controller_registry.h"
+#include "loader/control/controller.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
 
 #include "loader/control/body_forces.h"
 #include "loader/control/fluid.h"
 #include "loader/control/fourier_gait.h"
-#include "loader/control/position_schedule.h"
+#include "loader/control/schedule.h"
 #include "loader/control/random_cycle.h"
-#include "loader/control/velocity_schedule.h"
-
-#include <cmath>
-#include <map>
+#include "loader/description/geometry.h"
+#include "loader/scene/ode_types.h"
 
 namespace worlds {
+
+JointMotor::JointMotor(JointAxisHandle axis, const JointAxis &description)
+    : m_axis(axis), m_maxForce(description.maxForce), m_maxSpeed(description.maxSpeed) {}
+
+void JointMotor::setSpeed(double speed) {
+    const double cut = std::clamp(speed, -m_maxSpeed, m_maxSpeed);
+    m_axis.set(dParamVel, toReal(cut));
+    m_axis.set(dParamFMax, toReal(m_maxForce));
+    if (cut != 0) m_axis.wake();
+}
+
+double JointMotor::position() {
+    const double measured = m_axis.position();
+    m_position = m_axis.isAngular() ? measured + kTurn * std::round((m_position - measured) / kTurn) : measured;
+    return m_position;
+}
 
 namespace {
 
