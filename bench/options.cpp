@@ -64,7 +64,8 @@ void checkLibrary(const Engine &engine, const ChildSettings &settings) {
         throw std::invalid_argument("engine '" + engine.name() + "': no such file: '" + file + "'");
     if (isOurLibrary(file))
         throw std::invalid_argument("engine '" + engine.name() + "': '" + file +
-                                    "' is ODE_MT itself, as where the package libode8-mt is installed: it would be measured against itself. For Debian's, as --stock-library: " +
+                                    "' is ODE_MT itself, as where the package libode8-mt is installed: it would be measured against itself. For "
+                                    "Debian's, as --stock-library: " +
                                     commandsForStockLibrary());
 }
 

@@ -103,7 +103,8 @@ int main(int argc, char **argv) {
     Scene scene;
     const auto gravity = numbers<3>(world, {"gravity"}, {0, 0, -9.8});
     dWorldSetGravity(scene.world, gravity[0], gravity[1], gravity[2]);
-    for (const XMLElement *model = world->FirstChildElement("model"); model != nullptr; model = model->NextSiblingElement("model")) addModel(scene, *model);
+    for (const XMLElement *model = world->FirstChildElement("model"); model != nullptr; model = model->NextSiblingElement("model"))
+        addModel(scene, *model);
     for (int step = 0; step < 200; ++step) {
         dSpaceCollide(scene.space, &scene, collide);
         dWorldQuickStep(scene.world, 0.005);

@@ -39,7 +39,8 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
         # As where the package libode8-mt is installed: what we compare with would be ours.
         file(STRINGS "${ODE_MT_SYSTEM_LIBRARY}" _ours REGEX "dToggleODE_MT" LIMIT_COUNT 1)
         if(_ours)
-            message(WARNING "The system's libode.so.8, ${ODE_MT_SYSTEM_LIBRARY}, is ODE_MT itself: bench and tests compare with Debian's, which is fetched")
+            message(WARNING
+                "The system's libode.so.8, ${ODE_MT_SYSTEM_LIBRARY}, is ODE_MT itself: bench and tests compare with Debian's, which is fetched")
             set(ODE_MT_SYSTEM_LIBRARY "")
             set(ODE_MT_SYSTEM_RELEASE "")
         endif()

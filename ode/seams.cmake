@@ -114,7 +114,8 @@ ode_mt_rename(joints/pu.cpp dJointSetPUAnchorDelta dJointSetPUAnchorOffset)
 ode_mt_compile_after("collision_libccd.cpp" collision_libccd.h)
 
 # The sign of a zero depth follows from the order of the arguments in fmax(0.0, x). g++ takes the order to be free and may change
-# it; Debian 12's binary has it as it is written, and that of a release whose compiler changed it has a seam of its own. Elsewhere upstream calls neither fmax nor fmin (docs/exactness.md).
+# it; Debian 12's binary has it as it is written, and that of a release whose compiler changed it has a seam of its own. Elsewhere upstream calls
+# neither fmax nor fmin (docs/exactness.md).
 set_property(SOURCE "${ODE_MT_UPSTREAM_DIR}/ode/src/collision_libccd.cpp" APPEND PROPERTY
     COMPILE_OPTIONS -fno-builtin-fmax)
 

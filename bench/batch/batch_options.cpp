@@ -16,7 +16,8 @@ std::optional<BatchOptions> readBatchOptions(int argc, const char *const *argv, 
     CLI::App app("Runs the worlds of a plan, and writes what comes out into an SQLite file, one row a run.", "odemt_batch");
     app.add_option("plan", options.planFile, "JSON file (docs/tools.md)")->required();
     app.add_option("-o,--output", options.output, "SQLite file; the plan's name with .sqlite if it is not given");
-    app.add_option("-j,--workers,--threads", options.workers, "worlds that run at the same time, on each rank of MPI; 0: one for each processor that the process may use")
+    app.add_option("-j,--workers,--threads", options.workers,
+                   "worlds that run at the same time, on each rank of MPI; 0: one for each processor that the process may use")
         ->capture_default_str()
         ->check(bench::wholeNumberIn(0, 1024));
     app.add_flag("--resume", options.isResumed, "go on with the output of a batch that has ended early, if there is one");

@@ -57,7 +57,8 @@ const std::map<std::string, OfWorld> kOfWorld = {
 };
 
 using OfBody = const dReal *(*)(dBodyID);
-const std::map<std::string, OfBody> kVectors = {{"position", dBodyGetPosition}, {"velocity", dBodyGetLinearVel}, {"angular_velocity", dBodyGetAngularVel}};
+const std::map<std::string, OfBody> kVectors = {
+    {"position", dBodyGetPosition}, {"velocity", dBodyGetLinearVel}, {"angular_velocity", dBodyGetAngularVel}};
 
 const std::vector<std::string> kOfJoint = {"angle", "rate", "extension"};
 

@@ -36,7 +36,8 @@ void setSolver(dWorldID world, const std::string &name) {
 constexpr double kHuge = 1e10;
 
 const Property kProperties[] = {
-    {"gravity", Kind::Number, -kHuge, kHuge, [](dWorldID world, double z) { dWorldSetGravity(world, 0, 0, static_cast<dReal>(z)); }},  // along z, m/s²
+    {"gravity", Kind::Number, -kHuge, kHuge,
+     [](dWorldID world, double z) { dWorldSetGravity(world, 0, 0, static_cast<dReal>(z)); }},  // along z, m/s²
     {"erp", Kind::Number, 0, 1, [](dWorldID world, double erp) { dWorldSetERP(world, static_cast<dReal>(erp)); }},
     {"cfm", Kind::Number, 0, kHuge, [](dWorldID world, double cfm) { dWorldSetCFM(world, static_cast<dReal>(cfm)); }},
     {"iterations", Kind::Whole, 1, 100000,  // of dWorldQuickStep
@@ -152,7 +153,8 @@ void fail(const std::string &key, const std::string &what) { throw std::invalid_
 
 void insertValue(std::string &text, const std::string &name, const Json &value) {
     const std::string mark = "${" + name + "}", inserted = spelled(value);
-    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + inserted.size())) text.replace(at, mark.size(), inserted);
+    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + inserted.size()))
+        text.replace(at, mark.size(), inserted);
 }
 
 void checkParameter(const std::string &name, const Json &value, const std::string &world) {

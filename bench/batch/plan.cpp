@@ -68,8 +68,10 @@ std::vector<Json> rangeOf(const Json &range, const std::string &key) {
     checkKeys(range, key, {"from", "to", "step"});
     for (const char *const part : {"from", "to", "step"})
         if (!range.contains(part)) fail(key, std::string("a range has no '") + part + "'");
-    const double from = numberOf(range["from"], key + ".from"), to = numberOf(range["to"], key + ".to"), step = numberOf(range["step"], key + ".step");
-    if (step == 0 || (to - from) / step < 0) fail(key, "a step of " + range["step"].dump() + " does not lead from " + range["from"].dump() + " to " + range["to"].dump());
+    const double from = numberOf(range["from"], key + ".from"), to = numberOf(range["to"], key + ".to"),
+                 step = numberOf(range["step"], key + ".step");
+    if (step == 0 || (to - from) / step < 0)
+        fail(key, "a step of " + range["step"].dump() + " does not lead from " + range["from"].dump() + " to " + range["to"].dump());
     constexpr double kRounding = 1e-9;  // of a step: 0.1 + 0.1 + 0.1 is 0.3
     const double count = std::floor((to - from) / step + kRounding);
     if (count >= static_cast<double>(kMaxRuns)) fail(key, "too many values");
@@ -178,15 +180,17 @@ void checkColumns(const Plan &plan) {
     for (const Parameter &parameter : plan.parameters) add("parameters", parameter.name);
     for (const Observable &observable : plan.observables) add("observables", observable.name);
     for (const Observable &observable : plan.series)
-        if (kSeriesColumns.count(lowered(observable.name)) != 0) fail("series.observables", "'" + observable.name + "' is the name of another column of the series");
+        if (kSeriesColumns.count(lowered(observable.name)) != 0)
+            fail("series.observables", "'" + observable.name + "' is the name of another column of the series");
 }
 
 void checkCounts(const Plan &plan) {
     if (!plan.isGrid)
         for (const Parameter &parameter : plan.parameters)
             if (parameter.values.size() != plan.parameters.front().values.size())
-                fail("parameters." + parameter.name, "has " + std::to_string(parameter.values.size()) + " values, and '" + plan.parameters.front().name +
-                                                          "' has " + std::to_string(plan.parameters.front().values.size()) + ": of lists, each has as many");
+                fail("parameters." + parameter.name, "has " + std::to_string(parameter.values.size()) + " values, and '" +
+                                                         plan.parameters.front().name + "' has " +
+                                                         std::to_string(plan.parameters.front().values.size()) + ": of lists, each has as many");
     double count = static_cast<double>(plan.worlds.size() * plan.seeds.size());
     if (plan.isGrid)
         for (const Parameter &parameter : plan.parameters) count *= static_cast<double>(parameter.values.size());
@@ -308,7 +312,8 @@ Run Plan::run(long number) const {
 Plan readPlan(const std::string &text) {
     const Json json = parse(text);
     if (!json.is_object()) throw std::invalid_argument("plan: not a JSON object");
-    checkKeys(json, "", {"worlds", "parameters", "expand", "seeds", "frames", "seconds", "perturbation", "observables", "series", "ignore_unsupported"});
+    checkKeys(json, "",
+              {"worlds", "parameters", "expand", "seeds", "frames", "seconds", "perturbation", "observables", "series", "ignore_unsupported"});
     if (!json.contains("worlds")) fail("worlds", "there are none");
     Plan plan;
     plan.text = json.dump();

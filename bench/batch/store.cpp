@@ -134,16 +134,22 @@ void Store::createTables() {
     for (const Parameter &parameter : m_plan.parameters) parameters += ", " + support::doubleQuoted(parameter.name);
     for (const Observable &observable : m_plan.observables) observables += ", " + support::doubleQuoted(observable.name);
     for (const Observable &observable : m_plan.series) series += ", " + support::doubleQuoted(observable.name);
-    execute("BEGIN IMMEDIATE;"
-            "CREATE TABLE IF NOT EXISTS plan (key TEXT PRIMARY KEY, value TEXT);"
-            "CREATE TABLE IF NOT EXISTS runs (run INTEGER PRIMARY KEY, world TEXT" + parameters +
-            ", seed INTEGER, status TEXT, message TEXT, frames INTEGER, time REAL, hash TEXT" + observables + ");"
-            "CREATE TABLE IF NOT EXISTS series (run INTEGER, frame INTEGER, time REAL, hash TEXT" + series + ", PRIMARY KEY (run, frame)) WITHOUT ROWID;"
-            "CREATE TABLE IF NOT EXISTS states (run INTEGER, frame INTEGER, body INTEGER, x REAL, y REAL, z REAL, qw REAL, qx REAL, qy REAL, qz REAL,"
-            " vx REAL, vy REAL, vz REAL, wx REAL, wy REAL, wz REAL, PRIMARY KEY (run, frame, body)) WITHOUT ROWID;"
-            "CREATE TABLE IF NOT EXISTS times (run INTEGER PRIMARY KEY, seconds REAL, mean_ms REAL, max_ms REAL, rank INTEGER, worker INTEGER);"
-            "INSERT OR IGNORE INTO plan VALUES ('layout', '" + std::string(kLayout) + "'), ('fingerprint', '" + m_plan.fingerprint + "');"
-            "COMMIT");
+    execute(
+        "BEGIN IMMEDIATE;"
+        "CREATE TABLE IF NOT EXISTS plan (key TEXT PRIMARY KEY, value TEXT);"
+        "CREATE TABLE IF NOT EXISTS runs (run INTEGER PRIMARY KEY, world TEXT" +
+        parameters + ", seed INTEGER, status TEXT, message TEXT, frames INTEGER, time REAL, hash TEXT" + observables +
+        ");"
+        "CREATE TABLE IF NOT EXISTS series (run INTEGER, frame INTEGER, time REAL, hash TEXT" +
+        series +
+        ", PRIMARY KEY (run, frame)) WITHOUT ROWID;"
+        "CREATE TABLE IF NOT EXISTS states (run INTEGER, frame INTEGER, body INTEGER, x REAL, y REAL, z REAL, qw REAL, qx REAL, qy REAL, qz REAL,"
+        " vx REAL, vy REAL, vz REAL, wx REAL, wy REAL, wz REAL, PRIMARY KEY (run, frame, body)) WITHOUT ROWID;"
+        "CREATE TABLE IF NOT EXISTS times (run INTEGER PRIMARY KEY, seconds REAL, mean_ms REAL, max_ms REAL, rank INTEGER, worker INTEGER);"
+        "INSERT OR IGNORE INTO plan VALUES ('layout', '" +
+        std::string(kLayout) + "'), ('fingerprint', '" + m_plan.fingerprint +
+        "');"
+        "COMMIT");
     const Statement text = prepare("INSERT OR IGNORE INTO plan VALUES ('plan', ?)");
     sqlite3_bind_text(text.get(), 1, m_plan.text.c_str(), -1, SQLITE_STATIC);
     step(text.get());

@@ -19,7 +19,8 @@ class Store {
 public:
     enum class Begin { New, Resumed };
 
-    // Throws std::runtime_error that names the file, and leaves none that was not there: New, and it exists; it is of another plan; another process writes to it. Resumed: there need not be one.
+    // Throws std::runtime_error that names the file, and leaves none that was not there: New, and it exists; it is of another plan; another process
+    // writes to it. Resumed: there need not be one.
     Store(const std::string &file, const Plan &plan, Begin begin);
     ~Store();  // as it is without close(), but that no error is told
     Store(const Store &) = delete;

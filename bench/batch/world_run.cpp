@@ -37,7 +37,8 @@ std::unique_ptr<scenes::Scene> openChanged(const Plan &plan, const Run &run, std
 
 std::unique_ptr<scenes::Scene> open(const Plan &plan, const Run &run) {
     std::vector<std::string> warnings;
-    return changesElements(run.values) ? openChanged(plan, run, warnings) : bench::openWorld(run.world, {plan.ignoreUnsupported, kIgnoreUnsupported}, warnings);
+    return changesElements(run.values) ? openChanged(plan, run, warnings)
+                                       : bench::openWorld(run.world, {plan.ignoreUnsupported, kIgnoreUnsupported}, warnings);
 }
 
 // Bodies that can be pushed.
@@ -141,8 +142,16 @@ Json play(const Plan &plan, const Run &run, scenes::Scene &scene) {
     }
     Json values = Json::array();
     for (const Watched &each : watched) values.push_back(numberOf(each.value()));
-    return {{"run", run.number}, {"status", "done"}, {"frames", frames}, {"time", scene.time()}, {"hash", hashOf(scene)}, {"values", values},
-            {"series", rows},    {"states", states},             {"mean_ms", 1e3 * times.sum / static_cast<double>(frames)},     {"max_ms", 1e3 * times.most}};
+    return {{"run", run.number},
+            {"status", "done"},
+            {"frames", frames},
+            {"time", scene.time()},
+            {"hash", hashOf(scene)},
+            {"values", values},
+            {"series", rows},
+            {"states", states},
+            {"mean_ms", 1e3 * times.sum / static_cast<double>(frames)},
+            {"max_ms", 1e3 * times.most}};
 }
 
 void ignoreMessage(int, const char *, va_list) {}

@@ -81,7 +81,8 @@ std::optional<CheckOptions> readCheckOptions(int argc, const char *const *argv, 
         ->check(bench::numberIn(1e-3, 1e6));
     app.add_flag("--show-output", options.showOutput, "show what the program prints, on standard error, instead of comparing it");
     app.add_flag("--json", options.isJson, "print a JSON object");
-    app.add_option("--stock-library", options.stockFolder, "folder of the system's libode.so.8, or of another to compare with")->capture_default_str();
+    app.add_option("--stock-library", options.stockFolder, "folder of the system's libode.so.8, or of another to compare with")
+        ->capture_default_str();
     app.add_option("--our-library", options.ourFolder, "folder of ODE_MT's libode.so.8")->capture_default_str();
     const auto read = [&] {
         options.command = bench::parseProgramLine(app, argc, argv);

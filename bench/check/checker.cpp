@@ -168,16 +168,16 @@ private:
     }
 
     static std::string sometimesText(const Play &other, int equal, int rounds) {
-        return counted(static_cast<std::uint64_t>(rounds + 1 - equal), "run") + " of " + std::to_string(rounds + 1) + " on " + other.engine.name + " differed, and none of " +
-               std::to_string(rounds + 1) + " on libode8";
+        return counted(static_cast<std::uint64_t>(rounds + 1 - equal), "run") + " of " + std::to_string(rounds + 1) + " on " + other.engine.name +
+               " differed, and none of " + std::to_string(rounds + 1) + " on libode8";
     }
 
     // A difference that some runs on ODE_MT have, of a program whose own threads or processes may be the reason.
     void undecided(const Play &stock, const Play &other, const PlayComparison &comparison, int equal, int rounds) {
         const auto &first = comparison.steps.first;
-        notCompared("Not decided: " + sometimesText(other, equal, rounds) + ". Several threads or processes of the program make worlds, so its own order of " +
-                    "events may be the reason. The difference: " +
-                    (first                 ? textOf(*first, stock, other) + '.'
+        notCompared("Not decided: " + sometimesText(other, equal, rounds) +
+                    ". Several threads or processes of the program make worlds, so its own order of " + "events may be the reason. The difference: " +
+                    (first               ? textOf(*first, stock, other) + '.'
                      : comparison.ending ? *comparison.ending
                                          : *comparison.messages));
         if (first) setFinding(other.engine.name, *first, stock, other, std::nullopt);

@@ -42,7 +42,8 @@ struct SharingProcesses {
     SharingProcesses(const RunRecord &leftRun, const RunRecord &rightRun) {
         Processes ofLeft = processesOf(leftRun), ofRight = processesOf(rightRun);
         for (auto process = ofLeft.begin(); process != ofLeft.end();) {
-            const auto same = std::find_if(ofRight.begin(), ofRight.end(), [&](const auto &other) { return makeTheSame(process->second, other.second); });
+            const auto same =
+                std::find_if(ofRight.begin(), ofRight.end(), [&](const auto &other) { return makeTheSame(process->second, other.second); });
             if (same == ofRight.end()) {
                 ++process;
                 continue;

@@ -1,8 +1,8 @@
 // Where two runs of a program differ first.
 //
 // Worlds that one thread has made are paired by their numbers. All others are paired by what they did, as threads may make them in
-// another order each time, and so are processes, and worlds of several processes that share tasks (a pool): those whose steps are all the same first, the others with the world of the same
-// number, or else with the one that agrees with them for most steps.
+// another order each time, and so are processes, and worlds of several processes that share tasks (a pool): those whose steps are all the same first,
+// the others with the world of the same number, or else with the one that agrees with them for most steps.
 #pragma once
 
 #include <optional>

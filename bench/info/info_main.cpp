@@ -34,7 +34,8 @@ Facts variables() {
     Facts found = Facts::object();
     for (char **entry = environ; *entry != nullptr; ++entry) {
         const char *const end = std::strchr(*entry, '=');
-        if (end != nullptr && std::strncmp(*entry, "ODE_MT_", 7) == 0) found[std::string(static_cast<const char *>(*entry), end)] = std::string(end + 1);
+        if (end != nullptr && std::strncmp(*entry, "ODE_MT_", 7) == 0)
+            found[std::string(static_cast<const char *>(*entry), end)] = std::string(end + 1);
     }
     return found;
 }

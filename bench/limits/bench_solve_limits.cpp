@@ -1,6 +1,6 @@
-// What limits the triangular solves of dWorldStep on this machine (docs/notes/2026-11-step-limits.md). Each result of L' x = b is upstream's sum, less
-// products with the results of its group of four, the last one found last: so from one result to the next there are a multiplication
-// and a subtraction, whatever the order of everything else. `chain` is that latency; a solve takes no less than (rows - 1) times it.
+// What limits the triangular solves of dWorldStep on this machine (docs/notes/2026-11-step-limits.md). Each result of L' x = b is upstream's sum,
+// less products with the results of its group of four, the last one found last: so from one result to the next there are a multiplication and a
+// subtraction, whatever the order of everything else. `chain` is that latency; a solve takes no less than (rows - 1) times it.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

@@ -32,7 +32,8 @@ std::string difference(const Header &one, const Header &other) {
     if (geom != one.geoms.end()) return "geom " + std::to_string(geom - one.geoms.begin()) + " has another shape, size or body in the second";
     if (one.bodyNames != other.bodyNames) return "bodies have other names in the second";
     if (one.stepSize != other.stepSize)
-        return "steps of " + bench::numberText(1e3 * one.stepSize) + " ms in the first, of " + bench::numberText(1e3 * other.stepSize) + " ms in the second";
+        return "steps of " + bench::numberText(1e3 * one.stepSize) + " ms in the first, of " + bench::numberText(1e3 * other.stepSize) +
+               " ms in the second";
     return "";
 }
 

@@ -46,19 +46,24 @@ std::optional<ScaleOptions> readScaleOptions(int argc, const char *const *argv, 
     ScaleOptions options;
     options.measure.library = bench::folderOfOurLibrary();
     std::string worlds = kWorlds, networks, workers;
-    CLI::App app("Predicts how long a frame takes with islands solved by other machines, from what is measured on this one (docs/remote.md).", "odemt_scale");
+    CLI::App app("Predicts how long a frame takes with islands solved by other machines, from what is measured on this one (docs/remote.md).",
+                 "odemt_scale");
     app.add_option("--worlds", worlds, "worlds and scenes, as for odemt_bench")->capture_default_str();
     app.add_option("--measured", options.measuredFiles, "files of --save, of which frames are predicted without measuring again");
-    app.add_option("--networks", networks, "none, 100M, 1GbE, 10GbE, 25GbE, infiniband, DELAY/RATE in ns and bytes a second; all named ones unless given");
+    app.add_option("--networks", networks,
+                   "none, 100M, 1GbE, 10GbE, 25GbE, infiniband, DELAY/RATE in ns and bytes a second; all named ones unless given");
     app.add_option("--workers", workers, "numbers of workers, 1,2,4,8,16,32,64 unless given; to validate: 1");
     app.add_flag("--validate", options.validates, "run frames with workers behind each network, simulated, and compare");
-    app.add_flag("--as-they-pay", options.asTheyPay, "to validate: islands go out as the library finds that it pays, which it finds out anew in each run; otherwise all");
+    app.add_flag("--as-they-pay", options.asTheyPay,
+                 "to validate: islands go out as the library finds that it pays, which it finds out anew in each run; otherwise all");
     app.add_option("--save", options.saveFolder, "folder for what was measured, a file for each world");
     app.add_option("--csv", options.csvFile, "file with a line for each world, network and number of workers");
     app.add_option("--transport", options.measure.transport, "how the worker is reached that is measured: mpi, loopback (a thread)")
         ->capture_default_str()
         ->check(CLI::IsMember({"mpi", "loopback"}));
-    app.add_option("--seconds", options.measure.seconds, "measured seconds for each world, about")->capture_default_str()->check(CLI::Range(0.1, 600.0));
+    app.add_option("--seconds", options.measure.seconds, "measured seconds for each world, about")
+        ->capture_default_str()
+        ->check(CLI::Range(0.1, 600.0));
     app.add_option("--our-library", options.measure.library, "folder of ODE_MT's libode.so.8")->capture_default_str();
     const auto read = [&] {
         app.parse(argc, argv);

@@ -58,7 +58,8 @@ std::string describe(const MeasuredWorld &measured) {
     return measured.world + ": a frame takes " + ms(measured.homeFrameNs) + " ms at home, " + ms(measured.homeStepNs) + " of them the step; " +
            text("%.0f", typical(islands)) + " islands of " + text("%.0f", typical(bytes)) + " bytes, " + text("%.0f", typical(back)) +
            " back; their solver " + ms(measured.solveNs()) + " ms, the longest " + ms(typical(longest)) + "; home's part of them " +
-           ms(measured.awayStepNs) + " ms; link " + text("%.0f", measured.latencyNs / 1e3) + " us, " + text("%.2f", measured.nsPerByte) + " ns a byte\n";
+           ms(measured.awayStepNs) + " ms; link " + text("%.0f", measured.latencyNs / 1e3) + " us, " + text("%.2f", measured.nsPerByte) +
+           " ns a byte\n";
 }
 
 std::string scalingTable(const std::vector<NetworkScaling> &scalings, const std::vector<unsigned> &workers) {
@@ -81,8 +82,8 @@ std::string scalingLines(const MeasuredWorld &measured, const std::vector<Networ
     std::string lines;
     for (const NetworkScaling &one : scalings)
         for (std::size_t i = 0; i < workers.size(); ++i)
-            lines += support::csvField(measured.world) + "," + one.network.name + "," + std::to_string(workers[i]) + "," + ms(measured.homeFrameNs) + "," +
-                     ms(one.frameNs[i]) + "," + std::to_string(one.enough) + "\n";
+            lines += support::csvField(measured.world) + "," + one.network.name + "," + std::to_string(workers[i]) + "," + ms(measured.homeFrameNs) +
+                     "," + ms(one.frameNs[i]) + "," + std::to_string(one.enough) + "\n";
     return lines;
 }
 
@@ -107,8 +108,8 @@ std::string validationTitles() {
 
 std::string validationRow(const Validation &row) {
     char line[200];
-    std::snprintf(line, sizeof line, kRow, row.cluster.network.name.c_str(), std::to_string(row.cluster.workers).c_str(), islandsOf(row.cluster).c_str(),
-                  ms(row.measured.homeNs).c_str(), ms(row.predictedNs).c_str(), ms(row.measured.clusterNs).c_str(),
+    std::snprintf(line, sizeof line, kRow, row.cluster.network.name.c_str(), std::to_string(row.cluster.workers).c_str(),
+                  islandsOf(row.cluster).c_str(), ms(row.measured.homeNs).c_str(), ms(row.predictedNs).c_str(), ms(row.measured.clusterNs).c_str(),
                   text("%+.0f %%", 100 * row.error()).c_str(), text("%.1f", row.measured.sent).c_str(), std::to_string(row.measured.late).c_str());
     return line;
 }
@@ -116,9 +117,9 @@ std::string validationRow(const Validation &row) {
 std::string validationHeader() { return "world,network,workers,islands,home_ms,predicted_ms,measured_ms,sent,late\n"; }
 
 std::string validationLine(const MeasuredWorld &measured, const Validation &row) {
-    return support::csvField(measured.world) + "," + row.cluster.network.name + "," + std::to_string(row.cluster.workers) + "," + islandsOf(row.cluster) + "," +
-           ms(row.measured.homeNs) + "," + ms(row.predictedNs) + "," + ms(row.measured.clusterNs) + "," + text("%.1f", row.measured.sent) + "," +
-           std::to_string(row.measured.late) + "\n";
+    return support::csvField(measured.world) + "," + row.cluster.network.name + "," + std::to_string(row.cluster.workers) + "," +
+           islandsOf(row.cluster) + "," + ms(row.measured.homeNs) + "," + ms(row.predictedNs) + "," + ms(row.measured.clusterNs) + "," +
+           text("%.1f", row.measured.sent) + "," + std::to_string(row.measured.late) + "\n";
 }
 
 }  // namespace scale

@@ -144,7 +144,8 @@ private:
     std::vector<std::pair<unsigned, std::uint64_t>> m_withdrawals;
 };
 
-StepSimulation::Play::Play(const MeasuredWorld &measured, const Cluster &cluster) : m_measured(measured), m_cluster(cluster), m_workers(cluster.workers) {
+StepSimulation::Play::Play(const MeasuredWorld &measured, const Cluster &cluster)
+    : m_measured(measured), m_cluster(cluster), m_workers(cluster.workers) {
     std::vector<double> bytes, costs, islandCounts;
     for (const Step &step : measured.steps) {
         islandCounts.push_back(static_cast<double>(step.size()));
@@ -176,8 +177,8 @@ void StepSimulation::Play::makeIslands(const Step &step) {
     m_islands.clear();
     for (const Problem &problem : step) {
         const double away = m_awayPerIsland + m_awayPerByte * problem.bytes;
-        m_islands.push_back({problem.solveNs, m_homeSolver * problem.solveNs + m_restPerByte * problem.bytes, kMakePart * away, (1 - kMakePart) * away,
-                             problem.bytes, problem.resultBytes, m_costScale * scale::costOf(problem)});
+        m_islands.push_back({problem.solveNs, m_homeSolver * problem.solveNs + m_restPerByte * problem.bytes, kMakePart * away,
+                             (1 - kMakePart) * away, problem.bytes, problem.resultBytes, m_costScale * scale::costOf(problem)});
     }
 }
 
@@ -270,7 +271,8 @@ void StepSimulation::Play::goOn(bool hasNew) {
         m_busyNs += m_islands[island].makeNs;
         at(m_now + m_islands[island].makeNs, [this, island] {
             m_islands[island].state = State::Queued;
-            m_queue.insert(std::upper_bound(m_queue.begin(), m_queue.end(), island, [this](unsigned a, unsigned b) { return costOf(a) > costOf(b); }), island);
+            m_queue.insert(std::upper_bound(m_queue.begin(), m_queue.end(), island, [this](unsigned a, unsigned b) { return costOf(a) > costOf(b); }),
+                           island);
             goOn(true);
         });
         return;

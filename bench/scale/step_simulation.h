@@ -1,7 +1,7 @@
 // Predicts how long steps take with remote workers: plays, event by event, what dxIslandParallelStep, dxRemoteScheduler and dxRemoteServer do, with
-// measured costs and a network that is assumed. What an island is thought to cost, which islands go out, when a link may be given more, how much goes into a message, when home
-// takes problems back and when a worker is late is decided by the library's own code (dxCostModel, dxRemoteShare, dxRemoteLink, dxRemoteSchedule), for
-// which time is a number.
+// measured costs and a network that is assumed. What an island is thought to cost, which islands go out, when a link may be given more, how much goes
+// into a message, when home takes problems back and when a worker is late is decided by the library's own code (dxCostModel, dxRemoteShare,
+// dxRemoteLink, dxRemoteSchedule), for which time is a number.
 //
 //   home's thread     makes problems, steps the islands that stay, applies results, solves what nobody has; in between sends and receives, one
 //                     message at a time: a price each, and a price a byte (checksum, copies)

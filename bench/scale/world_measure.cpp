@@ -67,7 +67,8 @@ private:
         std::vector<std::string> words;
         if (party.workers != "mpi") return {settings.program, world, log};
         if (settings.worker.empty())
-            throw std::runtime_error("there is no odemt_worker beside libode.so.8 in '" + settings.library + "' or beside this program (docs/packages.md)");
+            throw std::runtime_error("there is no odemt_worker beside libode.so.8 in '" + settings.library +
+                                     "' or beside this program (docs/packages.md)");
         return {"mpirun", "--enable-recovery", "-np", std::to_string(party.count + 1), "sh", "-c",
                 R"([ "$OMPI_COMM_WORLD_RANK" != 0 ] || exec "$@"; exec "$0")", settings.worker, settings.program, world, log};
     }
@@ -211,7 +212,8 @@ MeasuredWorld measureWorld(const std::string &world, const MeasureSettings &sett
 MeasuredFrames measureFrames(const MeasuredWorld &measured, const Cluster &cluster, const MeasureSettings &settings) {
     const support::TemporaryFolder scratch(kTool);
     Player home(measured.world, settings, {}, scratch.file("home"));
-    Player other(measured.world, settings, {settings.transport, cluster.workers, cluster.sendsAll, cluster.network.workerArguments()}, scratch.file("other"));
+    Player other(measured.world, settings, {settings.transport, cluster.workers, cluster.sendsAll, cluster.network.workerArguments()},
+                 scratch.file("other"));
     Race race(home, other);
     race.run(measured.warmUp);
     race.forget();
@@ -223,8 +225,8 @@ MeasuredFrames measureFrames(const MeasuredWorld &measured, const Cluster &clust
     unsigned late = 0;
     const std::size_t counts = log.rfind("remote workers: ");
     if (counts == std::string::npos ||
-        std::sscanf(log.c_str() + counts, "remote workers: %llu islands sent, %llu solved there, %llu taken back; late %u times", &sent, &solved, &taken,
-                    &late) != 4)
+        std::sscanf(log.c_str() + counts, "remote workers: %llu islands sent, %llu solved there, %llu taken back; late %u times", &sent, &solved,
+                    &taken, &late) != 4)
         throw std::runtime_error("the library has not counted islands:\n" + log);
     return {typical(race.home.frame), typical(race.other.frame), static_cast<double>(sent) / (measured.warmUp + measured.frames), late};
 }

@@ -53,7 +53,8 @@ std::string elsewhere(const dODE_MT_WorldStatistics &last) {
 }  // namespace
 
 const char *const kNoWorld =
-    "No world was seen to be stepped. Not seen are programs that take another library than LD_LIBRARY_PATH names (RPATH, LD_PRELOAD, linked statically), or are started "
+    "No world was seen to be stepped. Not seen are programs that take another library than LD_LIBRARY_PATH names (RPATH, LD_PRELOAD, linked "
+    "statically), or are started "
     "with an emptied environment (env -i)";
 
 std::vector<std::string> tableOf(const std::vector<FrameRates> &worlds) {
@@ -93,7 +94,8 @@ std::vector<std::string> detailsOf(const FrameRates &rates) {
                                                          {"islands", last.islandsTime},
                                                          {"commit", last.commitTime}}));
     lines.push_back("           " + why("islands", last.stepThreads, last.stepReason, rates.parallelSteps));
-    if (last.remoteWorkers + last.remoteWorkersLost > 0 || last.allRemoteIslands + last.allReturnedIslands > 0) lines.push_back("           " + elsewhere(last));
+    if (last.remoteWorkers + last.remoteWorkersLost > 0 || last.allRemoteIslands + last.allReturnedIslands > 0)
+        lines.push_back("           " + elsewhere(last));
     if (last.waitTime > 0) lines.push_back("  waiting  " + milliseconds(last.waitTime) + " ms for other threads");
     return lines;
 }

@@ -325,7 +325,8 @@ ODE_API int dODE_MT_GetWorkerIndex(void);
 
 /**
  * Tells how many buffers the near-callbacks of a space need: an upper bound for dODE_MT_GetWorkerIndex in the next dSpaceCollide, unless
- * a near-callback of another space makes that call (the other space's number holds then), as long as no setting changes until then. dODE_MT_MAX_THREADS is one for all spaces and settings.
+ * a near-callback of another space makes that call (the other space's number holds then), as long as no setting changes until then.
+ * dODE_MT_MAX_THREADS is one for all spaces and settings.
  *
  * @param space the space
  * @return the number, from 1 on.
@@ -519,9 +520,9 @@ ODE_API int dODE_MT_SetWorkerHooks(dODE_MT_WorkerHook *start, dODE_MT_WorkerHook
  * of threads is the process's (dToggleODE_MT), and threads are used where they pay.
  *
  * On the calling thread alone, in their place among the others, are stepped: a world with a moved-callback, with memory functions of the
- * program's, with a threading implementation or a number of threads of its own; and one that takes so long that its islands are better shared out. All
- * worlds are while the program has a handler of errors or messages or an allocator of its own. Worlds that share working memory
- * are stepped one after the other.
+ * program's, with a threading implementation or a number of threads of its own; and one that takes so long that its islands are better shared out.
+ * All worlds are while the program has a handler of errors or messages or an allocator of its own. Worlds that share working memory are stepped one
+ * after the other.
  *
  * May be called from any thread, also at the same time for other worlds. As with dWorldStep, no other thread may use one of these worlds, or a
  * space that holds their geoms, meanwhile. A joint cannot connect bodies of two worlds (dJointAttach). An error in one of the worlds ends in

@@ -15,8 +15,8 @@
 // Two numbers that are compared at once.
 using dxTwoReals [[gnu::vector_size(2 * sizeof(dReal))]] = dReal;
 
-// Returns whether one of several comparisons of two numbers was true for any. Each gives 0 or -1; it takes their sum, since GCC extracts the two results
-// of a disjunction bit by bit.
+// Returns whether one of several comparisons of two numbers was true for any. Each gives 0 or -1; it takes their sum, since GCC extracts the two
+// results of a disjunction bit by bit.
 template <class Sum>
 bool dxIsAny(const Sum &sum) {
     std::uint64_t words[sizeof sum / sizeof(std::uint64_t)], any = 0;
@@ -25,8 +25,8 @@ bool dxIsAny(const Sum &sum) {
     return any != 0;
 }
 
-// Returns whether two boxes in that layout overlap. All bounds are compared at once: of boxes that lie anywhere, a branch for each is mispredicted, which
-// takes four times as long as the comparison.
+// Returns whether two boxes in that layout overlap. All bounds are compared at once: of boxes that lie anywhere, a branch for each is mispredicted,
+// which takes four times as long as the comparison.
 inline bool dxOverlap(const dReal *a, const dReal *b) {
     using Two = dxTwoReals;
     return !dxIsAny((Two{a[0], b[0]} > Two{b[1], a[1]}) + (Two{a[2], b[2]} > Two{b[3], a[3]}) + (Two{a[4], b[4]} > Two{b[5], a[5]}));

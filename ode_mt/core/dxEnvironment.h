@@ -7,7 +7,22 @@
 #pragma once
 
 // In the order of need: what most users set comes first, what is for measuring and tests last.
-enum class dxVariable { Threads, Callbacks, Solver, SolverTolerance, WarmStart, Log, Trace, Statistics, ThreadManager, Perturb, Algorithm, Heuristics, GridCells, Workers };
+enum class dxVariable {
+    Threads,
+    Callbacks,
+    Solver,
+    SolverTolerance,
+    WarmStart,
+    Log,
+    Trace,
+    Statistics,
+    ThreadManager,
+    Perturb,
+    Algorithm,
+    Heuristics,
+    GridCells,
+    Workers
+};
 
 // Returns its value; NULL: unset or empty.
 const char *dxEnvironment(dxVariable variable);

@@ -26,8 +26,8 @@ void giveBack(const dxThreadLender &lender);
 
 }  // namespace dxLentThreads
 
-// Workers of the threading implementation that the user gave a world with dWorldSetStepThreadingImplementation. They step that world's islands instead of
-// the process's own workers, and change no bits.
+// Workers of the threading implementation that the user gave a world with dWorldSetStepThreadingImplementation. They step that world's islands
+// instead of the process's own workers, and change no bits.
 namespace dxWorldWorkers {
 
 // Whether the user gave the world an implementation.

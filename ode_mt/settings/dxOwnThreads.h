@@ -1,8 +1,8 @@
 // How many threads worlds and spaces may use that have a number of their own (dODE_MT_SetWorldThreads, dODE_MT_SetSpaceThreads), in place of
 // the process's (dxSettings).
 //
-// Each keeps its own number (dxOwnThreadNumber; that of a world is in its dxWorldState). Of all numbers of threads the largest is known: there are as many
-// workers as it says. Any thread may call.
+// Each keeps its own number (dxOwnThreadNumber; that of a world is in its dxWorldState). Of all numbers of threads the largest is known: there are as
+// many workers as it says. Any thread may call.
 #pragma once
 
 #include <ode/ode.h>

@@ -246,7 +246,8 @@ void dxSettings::readRemoteWorkers(const char *text) {
         const std::size_t length = std::strlen(transport);
         if (std::strncmp(text, transport, length) != 0) continue;
         long long wanted = 0;
-        const bool isNumbered = text[length] == ':' && dxReadNumber(text + length + 1, 1, dxRemoteChoice::kMaxWorkers, wanted) == dxNumberText::InRange;
+        const bool isNumbered =
+            text[length] == ':' && dxReadNumber(text + length + 1, 1, dxRemoteChoice::kMaxWorkers, wanted) == dxNumberText::InRange;
         if (text[length] != '\0' && !isNumbered) continue;
         m_remoteWorkers = {transport, static_cast<unsigned>(wanted)};
         return;

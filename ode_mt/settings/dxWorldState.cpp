@@ -11,8 +11,8 @@
 
 namespace {
 
-// Worlds and their states: a hash table with a fixed number of places, and a map for the worlds that find no free one. A place is searched without a lock: as
-// long as a world exists, nobody changes the place that holds it.
+// Worlds and their states: a hash table with a fixed number of places, and a map for the worlds that find no free one. A place is searched without a
+// lock: as long as a world exists, nobody changes the place that holds it.
 class Table {
 public:
     dxWorldState *find(const dxWorld *world) {

@@ -85,8 +85,8 @@ struct dxWorldSettings {
     unsigned threadsInForce() const { return dxOwnThreads::inForce(threads); }
 };
 
-// Sets the solver of a world by its name. Returns false for an unknown one, which is reported with dMessage. Throws std::bad_alloc, and changes nothing
-// then; so do the following.
+// Sets the solver of a world by its name. Returns false for an unknown one, which is reported with dMessage. Throws std::bad_alloc, and changes
+// nothing then; so do the following.
 bool dxSetSolver(const dxWorld *world, const std::string &name);
 
 // 0: the process's number.

@@ -4,7 +4,8 @@
 // stage; they are recorded while dxTimeline::isCounted(). A collision is a world's if the first body in its space is. It is kept until
 // that world's next step, which may be on another thread.
 //
-// What is counted is a part of the state of the world (dxWorldState). Threading: any thread may call; one lock, held for moments. The same world is not stepped twice at a time.
+// What is counted is a part of the state of the world (dxWorldState). Threading: any thread may call; one lock, held for moments. The same world is
+// not stepped twice at a time.
 //
 // Dropped: the world of each pair's bodies. To look at all bodies of a crowd takes as long as a part of its collision does.
 #pragma once

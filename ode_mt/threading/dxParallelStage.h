@@ -47,11 +47,31 @@ public:
     static constexpr std::size_t kCount = static_cast<std::size_t>(dxParallelStage::Count);
 
     // In the order of the enumeration.
-    static constexpr std::array<const char *, kCount> kNames = {
-        "world survey", "world preparation", "worlds", "island survey", "islands", "boxes", "cell-grid pairs", "Verlet changes", "Verlet candidates", "pair keys",
-        "kept pair keys", "narrow-phase prefetch", "callbacks", "bodies", "joints", "right-hand sides", "rows",
-        "SOR plan", "SOR sweep", "PGS sweep", "motion", "body space", "panel solve", "transposed solve",
-        "sparse products"};
+    static constexpr std::array<const char *, kCount> kNames = {"world survey",
+                                                                "world preparation",
+                                                                "worlds",
+                                                                "island survey",
+                                                                "islands",
+                                                                "boxes",
+                                                                "cell-grid pairs",
+                                                                "Verlet changes",
+                                                                "Verlet candidates",
+                                                                "pair keys",
+                                                                "kept pair keys",
+                                                                "narrow-phase prefetch",
+                                                                "callbacks",
+                                                                "bodies",
+                                                                "joints",
+                                                                "right-hand sides",
+                                                                "rows",
+                                                                "SOR plan",
+                                                                "SOR sweep",
+                                                                "PGS sweep",
+                                                                "motion",
+                                                                "body space",
+                                                                "panel solve",
+                                                                "transposed solve",
+                                                                "sparse products"};
 
     static bool ranByTwo(dxParallelStage stage) { return flag(stage).load(std::memory_order_relaxed); }
     static void noteTwo(dxParallelStage stage) { flag(stage).store(true, std::memory_order_relaxed); }

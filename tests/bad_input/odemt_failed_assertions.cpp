@@ -95,8 +95,8 @@ void failLocked(const Kind &kind) {
     tellLocked("destroyed", [](dSpaceID space) { dSpaceDestroy(space); });
 }
 
-// A mesh gets other data, which no space hears of: its box is not up to date. It has come to the space last or first, and lies behind the other geom or
-// before it.
+// A mesh gets other data, which no space hears of: its box is not up to date. It has come to the space last or first, and lies behind the other geom
+// or before it.
 void failUncleanBoxes(const Kind &kind) {
     static const float vertices[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
     static const dTriIndex indices[] = {0, 1, 2};

@@ -51,13 +51,16 @@ static std::string lineOf(const std::string &table, const std::string &words) {
 }
 
 TEST_F(Comparison, WhatOnlyOneHasIsMarked) {
-    const std::string figures = engine("ours:2", "1.4", "1.5", "1.6"), one = file("one", figures), other = file("other", engine("ours:4", "1.6", "1.7", "1.8")),
+    const std::string figures = engine("ours:2", "1.4", "1.5", "1.6"), one = file("one", figures),
+                      other = file("other", engine("ours:4", "1.6", "1.7", "1.8")),
                       failed = file("failed", engine("ours:2", "null", "null", "null", "died")),
                       otherFailed = file("other_failed", engine("ours:4", "null", "null", "null", "died"));
     EXPECT_EQ(lineOf(compareResults(one, other), "ours:2"), "pile   ours:2       2.00      -  1.50 [1.40, 1.60]                  -  only before");
     EXPECT_EQ(lineOf(compareResults(one, other), "ours:4"), "pile   ours:4          -   2.00                  -  1.70 [1.60, 1.80]  only after");
-    for (const auto &[before, after, engine, mark] : {std::tuple(one, failed, "ours:2", "  failed after"), {failed, one, "ours:2", "  failed before"},
-                                                      {failed, failed, "ours:2", "  failed in both"}, {one, otherFailed, "ours:4", "  only after, failed"},
+    for (const auto &[before, after, engine, mark] : {std::tuple(one, failed, "ours:2", "  failed after"),
+                                                      {failed, one, "ours:2", "  failed before"},
+                                                      {failed, failed, "ours:2", "  failed in both"},
+                                                      {one, otherFailed, "ours:4", "  only after, failed"},
                                                       {otherFailed, one, "ours:4", "  only before, failed"}}) {
         const std::string line = lineOf(compareResults(before, after), engine), words = mark;
         EXPECT_EQ(line.substr(line.size() - std::min(line.size(), words.size())), words) << line;

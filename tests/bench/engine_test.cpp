@@ -26,9 +26,9 @@ std::string complaint(const std::string &engine) {
 }  // namespace
 
 TEST(Engine, NamesAreReadAndWrittenBack) {
-    for (const char *name : {"stock", "stock:/usr/lib/libode.so.8", "stock:a/b:c", "stock:2", "stock-pool:2", "ours:0", "ours:1024", "ours:auto", "ours:2/openmp",
-                             "ours:2/lcp", "ours:2/pthread/lcp", "ours:2/concurrent", "ours:2/independent",
-                             "ours:2/cells=5", "ours:0/fast", "ours:2/lcp/exact", "ours:auto/openmp/decluster/concurrent/cells=20"})
+    for (const char *name : {"stock", "stock:/usr/lib/libode.so.8", "stock:a/b:c", "stock:2", "stock-pool:2", "ours:0", "ours:1024", "ours:auto",
+                             "ours:2/openmp", "ours:2/lcp", "ours:2/pthread/lcp", "ours:2/concurrent", "ours:2/independent", "ours:2/cells=5",
+                             "ours:0/fast", "ours:2/lcp/exact", "ours:auto/openmp/decluster/concurrent/cells=20"})
         EXPECT_EQ(readEngine(name).name(), name);
 }
 

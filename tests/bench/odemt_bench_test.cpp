@@ -207,8 +207,8 @@ TEST_F(OdemtBench, AKillWhileItLoadsEndsTheChild) {
 // `script` draws its input on a terminal.
 TEST_F(OdemtBench, SaysOnATerminalWhatItLoads) {
     const std::string world = slowWorld(folder);
-    const Outcome outcome = runShell("timeout -s KILL 4 script -qec '" + std::string(ODEMT_BENCH) + " --worlds " + world + " --engines ours:0 --frames 1" +
-                                     files() + "' /dev/null");
+    const Outcome outcome = runShell("timeout -s KILL 4 script -qec '" + std::string(ODEMT_BENCH) + " --worlds " + world +
+                                     " --engines ours:0 --frames 1" + files() + "' /dev/null");
     EXPECT_NE(outcome.output.find("loading " + world + " for ours:0"), std::string::npos) << outcome.output;
 }
 

@@ -30,7 +30,8 @@ TEST(OdemtInfo, TellsTheReleaseInsideOurLibrary) {
 TEST(OdemtInfo, TellsTheReleaseOfAnotherLibraryByItsFile) {
     const std::string folder = testing::TempDir() + "/odemt_info_" + std::to_string(getpid());
     std::filesystem::create_directories(folder);
-    for (const auto &[name, release] : {std::pair("libode.so.8.0.2", "0.16.2"), std::pair("libode.so.8.2.0", "0.16.6"), std::pair("other", "unknown")}) {
+    for (const auto &[name, release] :
+         {std::pair("libode.so.8.0.2", "0.16.2"), std::pair("libode.so.8.2.0", "0.16.6"), std::pair("other", "unknown")}) {
         std::filesystem::copy_file(ODEMT_ORACLE, folder + '/' + name);
         std::filesystem::remove(folder + "/libode.so.8");
         std::filesystem::create_symlink(name, folder + "/libode.so.8");

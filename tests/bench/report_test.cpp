@@ -131,7 +131,8 @@ TEST(Report, EachReleaseHasItsEngines) {
     EXPECT_EQ(reportText(result).find("releases of ODE differ"), std::string::npos);
     EXPECT_EQ(nlohmann::json::parse(reportJson({result}))["worlds"][0]["engines"][1]["release"], "0.16.6");
     result.engines[0].ready.release = kUnknownRelease;
-    EXPECT_NE(reportText(result).find("\na release of ODE that is not known: stock\nODE 0.16.6: ours:2\n\n"), std::string::npos) << reportText(result);
+    EXPECT_NE(reportText(result).find("\na release of ODE that is not known: stock\nODE 0.16.6: ours:2\n\n"), std::string::npos)
+        << reportText(result);
     EXPECT_EQ(reportText(result).find("releases of ODE differ"), std::string::npos);
 }
 

@@ -143,7 +143,8 @@ TEST(Scale, NetworksAreNamedOrGiven) {
     EXPECT_EQ(readNetwork("1e6/117e6").nsPerByte(), 1e9 / 117e6);
     EXPECT_EQ(readNetwork("1e6/117e6").workerArguments(), "--delay 1000000ns --bandwidth 117000000B/s");
     EXPECT_EQ(readNetwork("none").workerArguments(), "");
-    for (const char *const wrong : {"", "2GbE", "1", "1/", "-1/0", "0/-1", "1/1x", "2e9/0", "nan/0"}) EXPECT_THROW(readNetwork(wrong), std::invalid_argument) << wrong;
+    for (const char *const wrong : {"", "2GbE", "1", "1/", "-1/0", "0/-1", "1/1x", "2e9/0", "nan/0"})
+        EXPECT_THROW(readNetwork(wrong), std::invalid_argument) << wrong;
 }
 
 TEST(Scale, TheToolMeasuresAndPredicts) {
@@ -160,9 +161,11 @@ TEST(Scale, TheToolMeasuresAndPredicts) {
 TEST(Scale, AKillWhileItLoadsEndsTheChild) {
     const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / ("scale_kill_" + std::to_string(getpid()));
     std::filesystem::create_directories(folder);
-    const Outcome outcome = runShell(ODEMT_SCALE " --worlds " + slowWorld(folder) + " --transport loopback --seconds 0.2 & P=$!; for i in $(seq 100); do "
-                                     "C=$(cat /proc/$P/task/$P/children); C=${C%% *}; [ -n \"$C\" ] && break; sleep 0.1; done; sleep 1; [ -e /proc/$C/exe ] && echo loading; "
-                                     "kill -TERM $P; sleep 1.5; [ -e /proc/$C/exe ] && echo goes on; echo done");
+    const Outcome outcome = runShell(
+        ODEMT_SCALE " --worlds " + slowWorld(folder) +
+        " --transport loopback --seconds 0.2 & P=$!; for i in $(seq 100); do "
+        "C=$(cat /proc/$P/task/$P/children); C=${C%% *}; [ -n \"$C\" ] && break; sleep 0.1; done; sleep 1; [ -e /proc/$C/exe ] && echo loading; "
+        "kill -TERM $P; sleep 1.5; [ -e /proc/$C/exe ] && echo goes on; echo done");
     EXPECT_NE(outcome.output.find("loading\n"), std::string::npos) << outcome.output;
     EXPECT_EQ(outcome.output.find("goes on"), std::string::npos) << outcome.output;
     EXPECT_NE(outcome.output.find("done"), std::string::npos) << outcome.output;

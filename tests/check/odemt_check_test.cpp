@@ -167,7 +167,8 @@ TEST_F(OdemtCheck, WhatRunsOnLibode8DoAtTimesIsNoDifference) {
 
 TEST_F(OdemtCheck, ADifferenceOfOneRunIsCounted) {
     const Json json = checkJson(kSubject + " push-once " + m_runs, 1);
-    expectWords(json["remarks"].dump(), "1 run of 5 on ODE_MT, 2 threads differed, and none of 5 on libode8: what differs depends on time or chance.");
+    expectWords(json["remarks"].dump(),
+                "1 run of 5 on ODE_MT, 2 threads differed, and none of 5 on libode8: what differs depends on time or chance.");
 }
 
 // Worlds are in another process each time, under another number, and messages come in another order.
@@ -203,7 +204,9 @@ TEST_F(OdemtCheck, AnEndThatIsNotReproducibleIsNone) {
 TEST_F(OdemtCheck, OtherEndsAreDifferences) {
     const Json crash = checkJson(kSubject + " crash", 1);
     expectWords(crash["sentence"], "world 0 makes 60 steps on libode8, 20 on ODE_MT, 2 threads. Equal before: 20 steps.");
-    expectWords(crash["remarks"].dump(), "libode8 ends with exit code 0, ODE_MT, 2 threads with signal 6 (Aborted), libode8 again with exit code 0, ODE_MT, 2 threads again with signal 6 (Aborted).");
+    expectWords(crash["remarks"].dump(),
+                "libode8 ends with exit code 0, ODE_MT, 2 threads with signal 6 (Aborted), libode8 again with exit code 0, ODE_MT, 2 threads again "
+                "with signal 6 (Aborted).");
     expectWords(crash["remarks"].dump(), "last words");
     const Json more = checkJson(kSubject + " more-steps", 1);
     expectWords(more["sentence"], "world 0 makes 60 steps on libode8, 65 on ODE_MT, 2 threads.");
@@ -288,7 +291,8 @@ TEST_F(OdemtCheck, DebiansPythonBindingIsObserved) {
 
 // It looks dWorldStep up behind itself: not behind the observer, where it would find itself.
 TEST_F(OdemtCheck, OtherLibrariesInFrontOfOdeStayThere) {
-    const Outcome outcome = runShell("LD_PRELOAD=" COUNTS_STEPS " " ODEMT_CHECK " --stock-library " STOCK_FOLDER " --threads 0 --show-output -- " SUBJECT);
+    const Outcome outcome =
+        runShell("LD_PRELOAD=" COUNTS_STEPS " " ODEMT_CHECK " --stock-library " STOCK_FOLDER " --threads 0 --show-output -- " SUBJECT);
     EXPECT_EQ(outcome.exitCode, 0) << outcome.output;
     expectWords(outcome.output, "counted 30\ncounted 30\n");
     expectWords(outcome.output, "Equal for 60 steps");
@@ -340,7 +344,8 @@ TEST_F(OdemtCheck, ProgramsThatCannotBeComparedAreToldWhy) {
 // A program that steps worlds all the same is told no untruth.
 TEST_F(OdemtCheck, WhatCannotBeSeenIsNotDenied) {
     const std::string sentence = checkJson("env -i " + kSubject + " equal", 2, "--threads 0")["sentence"];
-    expectWords(sentence, "No process of 'env' was seen to use libode.so.8. Not seen are those that are started with an emptied environment (env -i)");
+    expectWords(sentence,
+                "No process of 'env' was seen to use libode.so.8. Not seen are those that are started with an emptied environment (env -i)");
 }
 
 TEST_F(OdemtCheck, AnotherLibraryByLD_PRELOADIsNamed) {
@@ -362,13 +367,16 @@ TEST_F(OdemtCheck, AFullTemporaryFolderIsNamed) {
     if (runShell("unshare --mount true").exitCode != 0) GTEST_SKIP() << "no file system can be mounted here";
     const std::string folder = testing::TempDir() + "/odemt_check_full_" + std::to_string(getpid());
     std::filesystem::create_directory(folder);
-    for (const std::string &fill : {"size=64k tmpfs " + folder + " && head -c 1M /dev/zero >" + folder + "/filled",
-                                   "size=64k tmpfs " + folder + " && head -c 48k /dev/zero >" + folder + "/filled", "size=1m,nr_inodes=8 tmpfs " + folder + " && true"}) {
-        const Outcome outcome = runShell("unshare --mount sh -c 'mount -t tmpfs -o " + fill + "; TMPDIR=" + folder + " " ODEMT_CHECK " --stock-library " STOCK_FOLDER
-                                         " --threads 0 -- " SUBJECT " equal'");
+    for (const std::string &fill :
+         {"size=64k tmpfs " + folder + " && head -c 1M /dev/zero >" + folder + "/filled",
+          "size=64k tmpfs " + folder + " && head -c 48k /dev/zero >" + folder + "/filled", "size=1m,nr_inodes=8 tmpfs " + folder + " && true"}) {
+        const Outcome outcome = runShell("unshare --mount sh -c 'mount -t tmpfs -o " + fill + "; TMPDIR=" + folder +
+                                         " " ODEMT_CHECK " --stock-library " STOCK_FOLDER " --threads 0 -- " SUBJECT " equal'");
         EXPECT_EQ(outcome.exitCode, 2) << outcome.output;
-        EXPECT_TRUE(outcome.output.find("no room for records in '" + folder) != std::string::npos || outcome.output.find("there is no room in '" + folder) != std::string::npos)
-            << fill << '\n' << outcome.output;
+        EXPECT_TRUE(outcome.output.find("no room for records in '" + folder) != std::string::npos ||
+                    outcome.output.find("there is no room in '" + folder) != std::string::npos)
+            << fill << '\n'
+            << outcome.output;
         EXPECT_EQ(outcome.output.find("No process"), std::string::npos) << outcome.output;
     }
     std::filesystem::remove(folder);
@@ -408,8 +416,9 @@ TEST_F(OdemtCheck, WhatAProgramLeavesRunningIsEnded) {
 TEST_F(OdemtCheck, NothingIsLeftBehindBySIGQUIT) {
     const std::string folder = testing::TempDir() + "/odemt_check_quit_" + std::to_string(getpid());
     std::filesystem::create_directory(folder);
-    const Outcome outcome = runShell("TMPDIR=" + folder + " " ODEMT_CHECK " --stock-library " STOCK_FOLDER " --threads 0 -- " SUBJECT " endless & check=$!; until ls " + folder +
-                                     "/odemt_check_*/run-1/record-0000 2>/dev/null; do sleep 0.05; done; kill -QUIT $check; wait $check");
+    const Outcome outcome =
+        runShell("TMPDIR=" + folder + " " ODEMT_CHECK " --stock-library " STOCK_FOLDER " --threads 0 -- " SUBJECT " endless & check=$!; until ls " +
+                 folder + "/odemt_check_*/run-1/record-0000 2>/dev/null; do sleep 0.05; done; kill -QUIT $check; wait $check");
     EXPECT_EQ(outcome.exitCode, 2) << outcome.output;
     expectWords(outcome.output, "Interrupted during the first run");
     EXPECT_TRUE(std::filesystem::is_empty(folder));

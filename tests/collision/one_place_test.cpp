@@ -26,9 +26,8 @@ TEST_P(OnePlace, IsCollidedAsByLibode8) {
 }
 
 INSTANTIATE_TEST_SUITE_P(KindsAndScenes, OnePlace,
-                         testing::Combine(testing::Range(0, 4), testing::Values("spaces", "spaces_met", "boxes", "disabled", "destroyed", "lidar", "lidar_bits")),
-                         [](const auto &info) {
-                             return std::string(kKinds[std::get<0>(info.param)]) + "_" + std::get<1>(info.param);
-                         });
+                         testing::Combine(testing::Range(0, 4),
+                                          testing::Values("spaces", "spaces_met", "boxes", "disabled", "destroyed", "lidar", "lidar_bits")),
+                         [](const auto &info) { return std::string(kKinds[std::get<0>(info.param)]) + "_" + std::get<1>(info.param); });
 
 }  // namespace

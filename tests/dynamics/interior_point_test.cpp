@@ -62,8 +62,11 @@ void expectSolved(const RandomBodySpaceProblem::Shape &shape, unsigned seed) {
 
 TEST(InteriorPoint, SolvesRandomProblems) {
     for (const double softness : {1e-3, 1e-6, 1e-9})
-        for (const RandomBodySpaceProblem::Shape shape :
-             {RandomBodySpaceProblem::Shape{1, 0, 3, softness}, {2, 1, 6, softness}, {7, 10, 4, softness}, {40, 80, 3, softness}, {40, 60, 12, softness}})
+        for (const RandomBodySpaceProblem::Shape shape : {RandomBodySpaceProblem::Shape{1, 0, 3, softness},
+                                                          {2, 1, 6, softness},
+                                                          {7, 10, 4, softness},
+                                                          {40, 80, 3, softness},
+                                                          {40, 60, 12, softness}})
             for (unsigned seed = 0; seed < 20; ++seed) expectSolved(shape, seed);
 }
 

@@ -112,7 +112,8 @@ TEST_F(MethodCosts, StarsAndWheelsAreNotEliminated) {
 }
 
 TEST_F(MethodCosts, ChainsAndNetsAreEliminatedUnlessSmall) {
-    for (const unsigned links : {5u, 10u}) EXPECT_EQ(methodFor([&](JointWorld &world) { world.addChain(links); }), dxWorldStepMethod::Dantzig) << links;
+    for (const unsigned links : {5u, 10u})
+        EXPECT_EQ(methodFor([&](JointWorld &world) { world.addChain(links); }), dxWorldStepMethod::Dantzig) << links;
     for (const unsigned links : {100u, 400u})
         EXPECT_EQ(methodFor([&](JointWorld &world) { world.addChain(links); }), dxWorldStepMethod::Elimination) << links;
     EXPECT_EQ(methodFor([&](JointWorld &world) { world.addNet(3); }), dxWorldStepMethod::Dantzig);

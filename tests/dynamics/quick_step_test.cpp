@@ -129,10 +129,11 @@ TEST_P(QuickStepStages, GiveUpstreamsBits) {
                 world.push();
                 std::size_t number = 0;
                 dRandSetSeed(seed);
-                forIslands(world.world(), kStepSize, &dxEstimateQuickStepMemoryRequirements, [&](const dxIsland &island, dxWorldProcessMemArena *arena) {
-                    ASSERT_LT(number, islands.size());
-                    expectSameStages({world.world(), kStepSize, island, arena}, islands[number++]);
-                });
+                forIslands(world.world(), kStepSize, &dxEstimateQuickStepMemoryRequirements,
+                           [&](const dxIsland &island, dxWorldProcessMemArena *arena) {
+                               ASSERT_LT(number, islands.size());
+                               expectSameStages({world.world(), kStepSize, island, arena}, islands[number++]);
+                           });
                 EXPECT_EQ(dRandGetSeed(), drawn);
                 EXPECT_EQ(world.state(), reference.state()) << "seed " << seed;
             });

@@ -49,7 +49,8 @@ protected:
         const dxArenaArray<unsigned> firstRow = arena.take<unsigned>(kJoints + 1);
         for (unsigned i = 0; i <= kJoints; ++i) firstRow[i] = i * kRowsPerJoint;
         std::vector<dxConstraintRow> rows(kJoints * kRowsPerJoint);
-        for (unsigned i = 0; i < rows.size(); ++i) rows[i].boundingRow = i % kRowsPerJoint == 0 ? dxConstraintRow::kNone : static_cast<int>(i - i % kRowsPerJoint);
+        for (unsigned i = 0; i < rows.size(); ++i)
+            rows[i].boundingRow = i % kRowsPerJoint == 0 ? dxConstraintRow::kNone : static_cast<int>(i - i % kRowsPerJoint);
         dxRowOrder order;
         order.reserve(kJoints, rows.size(), arena);
         order.make(plan, firstRow, rows.data());

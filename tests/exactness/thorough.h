@@ -1,5 +1,5 @@
-// How much of their cases tests take, by ODE_MT_EXACTNESS: "thorough", all, where they take a part in turn or few repeats otherwise; "turn0", "turn1" or
-// "turn2": a third of the thread settings of each scenario, which all three have together.
+// How much of their cases tests take, by ODE_MT_EXACTNESS: "thorough", all, where they take a part in turn or few repeats otherwise; "turn0", "turn1"
+// or "turn2": a third of the thread settings of each scenario, which all three have together.
 #pragma once
 
 #include <cstddef>

@@ -43,8 +43,9 @@ TEST_F(LogLevels, InfoNamesVersionsSettingsAndThreads) {
 }
 
 TEST_F(LogLevels, InfoSaysHowAWorldRuns) {
-    const std::string line = "ODE_MT info: world 1, frame 1: 500 bodies, 0 pairs, 100 islands, [0-9]+ rows, 3 threads at most; no collision; step on one "
-                             "thread, as the algorithm is \"serial\"\n";
+    const std::string line =
+        "ODE_MT info: world 1, frame 1: 500 bodies, 0 pairs, 100 islands, [0-9]+ rows, 3 threads at most; no collision; step on one "
+        "thread, as the algorithm is \"serial\"\n";
     EXPECT_EXIT(step("info", "serial", 200), testing::ExitedWithCode(0), "heuristics [^\n]*\n" + line + "ODE_MT info: 2 threads, 3 before[^\n]*\n$")
         << "once for all frames";
 }

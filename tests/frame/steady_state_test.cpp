@@ -159,8 +159,8 @@ dSpaceID createQuadTree(dSpaceID parent) {
     return dQuadTreeSpaceCreate(parent, centre, extents, 3);
 }
 
-// Whole frames: pairs, contacts, contact joints, step. A worker that is scheduled late allocates for both parts of a frame, a dozen times; what allocated in
-// each frame would do so forty times.
+// Whole frames: pairs, contacts, contact joints, step. A worker that is scheduled late allocates for both parts of a frame, a dozen times; what
+// allocated in each frame would do so forty times.
 TEST_P(SteadyState, FramesOfAHeapAllocateNothing) {
     for (const auto create : {dSimpleSpaceCreate, dHashSpaceCreate, createQuadTree, createSweepSpace}) {
         HeapWorld world(create(nullptr));

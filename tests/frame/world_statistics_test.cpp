@@ -57,7 +57,8 @@ protected:
     ~WorldStatistics() override { dODE_MT_SetCallbackPolicy("serial"); }
 
     // A step of separate chains, and its reason.
-    int stepReason(unsigned chains, unsigned links, const std::function<void(dWorldID)> &prepare = nullptr, dWorldStepFunction *stepper = dWorldQuickStep) {
+    int stepReason(unsigned chains, unsigned links, const std::function<void(dWorldID)> &prepare = nullptr,
+                   dWorldStepFunction *stepper = dWorldQuickStep) {
         ChainWorld world(chains, links, stepper);
         if (prepare) prepare(world.world());
         world.step();

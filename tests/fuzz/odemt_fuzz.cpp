@@ -83,8 +83,8 @@ int fuzzAway(const Options &options) {
         differences += options.untilDifference ? settingOf(input.request) + comparison.difference(input.request, input.script)
                                                : keepDifference(comparison, input, "seed-" + std::to_string(seed), options.keep);
     }
-    std::cout << played << " scripts, " << calls << " calls in " << seconds() << " s, "
-              << static_cast<double>(played) / seconds() << " scripts a second; " << onWorkers << " with two workers at least, " << direct << " with the direct solver\n";
+    std::cout << played << " scripts, " << calls << " calls in " << seconds() << " s, " << static_cast<double>(played) / seconds()
+              << " scripts a second; " << onWorkers << " with two workers at least, " << direct << " with the direct solver\n";
     for (const auto &[name, count] : verdicts) std::cout << "  " << name << ": " << count << '\n';
     for (const auto &[name, count] : endings) std::cout << "  " << name << ": " << count << '\n';
     std::cout << differences;

@@ -72,8 +72,8 @@ bool isHeardOnOneSide(const std::string &textA, const std::string &textB) {
 }  // namespace
 
 const char *nameOf(Verdict verdict) {
-    static constexpr const char *names[] = {"same", "different", "upstream crashes", "upstream is too slow", "memory is over", "upstream is undefined",
-                                            "sign of a NaN in a message"};
+    static constexpr const char *names[] = {
+        "same", "different", "upstream crashes", "upstream is too slow", "memory is over", "upstream is undefined", "sign of a NaN in a message"};
     return names[static_cast<int>(verdict)];
 }
 
@@ -202,7 +202,8 @@ std::string Comparison::difference(RequestHeader request, const std::vector<std:
 std::string Comparison::lastDifference() const {
     const Fork fork = forkOf(m_reference.text, m_ours.text);
     const std::string reference = m_libraries.isFast ? "one thread" : "libode8";
-    std::string told = "  after " + fork.call + "\n  " + reference + ' ' + fork.a.value_or("(ends)") + "\n  ODE_MT  " + fork.b.value_or("(ends)") + '\n';
+    std::string told =
+        "  after " + fork.call + "\n  " + reference + ' ' + fork.a.value_or("(ends)") + "\n  ODE_MT  " + fork.b.value_or("(ends)") + '\n';
     if (m_reference.header.hash != m_ours.header.hash) told += "  what they saw differs\n";
     if (m_reference.header.ending != m_ours.header.ending)
         told += "  " + reference + " ends with " + m_reference.ending() + ", ODE_MT with " + m_ours.ending() + '\n';

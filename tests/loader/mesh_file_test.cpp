@@ -105,7 +105,9 @@ TEST_F(MeshCheck, ColladaThatIsTrueLoads) {
 // SketchUp writes such nodes. Nodes that show something have to be true nevertheless.
 TEST_F(MeshCheck, ColladaWithCamerasAnywhere) {
     const std::string scene = "<visual_scene id=\"s\">", nowhere = "<matrix>NaN NaN NaN NaN NaN NaN NaN NaN NaN NaN NaN NaN NaN NaN NaN NaN</matrix>";
-    const auto camera = [&](const std::string &matrix) { return "<node>" + matrix + "<instance_camera url=\"#c\"/></node><node>" + matrix + "</node>"; };
+    const auto camera = [&](const std::string &matrix) {
+        return "<node>" + matrix + "<instance_camera url=\"#c\"/></node><node>" + matrix + "</node>";
+    };
     EXPECT_EQ(triangles("m.dae", with(tetrahedron, scene, scene + camera(nowhere))), 4);
     EXPECT_EQ(triangles("m.dae", with(tetrahedron, scene, scene + camera("<matrix>1e30 0 0 0</matrix>"))), 4);
     EXPECT_EQ(triangles("m.dae", with(tetrahedron, "<node id=\"n\">", "<node id=\"n\">" + camera(nowhere))), 4);

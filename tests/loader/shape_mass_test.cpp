@@ -157,9 +157,10 @@ TEST(AutomaticInertial, IsThatOfTheCollisions) {
 
 // What is written of the centre and the matrix does not count, and a mass scales them.
 TEST(AutomaticInertial, HasTheMassThatIsWritten) {
-    const auto scene = load(linked("<inertial auto=\"1\"><mass>6</mass><pose>5 5 5 0 0 0</pose><inertia><ixx>9</ixx><iyy>9</iyy><izz>9</izz></inertia>"
-                                   "</inertial>",
-                                   cube("a", "0 0 1 0 0 0")));
+    const auto scene =
+        load(linked("<inertial auto=\"1\"><mass>6</mass><pose>5 5 5 0 0 0</pose><inertia><ixx>9</ixx><iyy>9</iyy><izz>9</izz></inertia>"
+                    "</inertial>",
+                    cube("a", "0 0 1 0 0 0")));
     EXPECT_DOUBLE_EQ(massOf(*scene).mass, 6);
     EXPECT_NEAR(massOf(*scene).I[0], 1, 1e-6);
     EXPECT_NEAR(position(body(*scene, "m::link")).z, 1, 1e-6);
@@ -179,8 +180,9 @@ TEST(AutomaticInertial, NeedsAVolume) {
     const Loaded loaded = loadWithWarnings(nothing, true);
     EXPECT_EQ(loaded.warnings.size(), 1u);
     EXPECT_DOUBLE_EQ(massOf(*loaded.scene).mass, 1);
-    EXPECT_NO_THROW(load("<sdf version=\"1.11\"><world name=\"w\"><model name=\"m\"><static>1</static><link name=\"link\"><inertial auto=\"true\"/></link>"
-                         "</model></world></sdf>"));
+    EXPECT_NO_THROW(
+        load("<sdf version=\"1.11\"><world name=\"w\"><model name=\"m\"><static>1</static><link name=\"link\"><inertial auto=\"true\"/></link>"
+             "</model></world></sdf>"));
 }
 
 TEST(AutomaticInertial, IsOfVersion1_11) {

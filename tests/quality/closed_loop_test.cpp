@@ -42,7 +42,8 @@ class ClosedLoop : public testing::TestWithParam<std::string> {
 protected:
     ClosedLoop() {
         for (const int iterations : kNear) m_debian.push_back(measure(Engine::debian(), GetParam(), iterations));
-        const bool hasReference = std::any_of(m_debian[0].begin(), m_debian[0].end(), [](const json &quantity) { return bool(quantity["reference"]); });
+        const bool hasReference =
+            std::any_of(m_debian[0].begin(), m_debian[0].end(), [](const json &quantity) { return bool(quantity["reference"]); });
         if (hasReference) m_reference = measure(Engine::debian(), GetParam(), std::vector<std::string>{"--world"});
     }
 

@@ -46,9 +46,9 @@ std::string library() {
 }
 
 Json jsonOf(const Judgement &judgement, const Options &options) {
-    Json json{{"startWorst", judgement.start.worst}, {"startEnergy", judgement.start.energy}, {"worst", judgement.residual.worst},   {"energy", judgement.residual.energy}, {"rows", judgement.residual.rows},
-              {"inconsistency", judgement.inconsistency}, {"change", judgement.change},
-              {"seconds", judgement.seconds}};
+    Json json{{"startWorst", judgement.start.worst}, {"startEnergy", judgement.start.energy}, {"worst", judgement.residual.worst},
+              {"energy", judgement.residual.energy}, {"rows", judgement.residual.rows},       {"inconsistency", judgement.inconsistency},
+              {"change", judgement.change},          {"seconds", judgement.seconds}};
     if (options.tellsVelocities)
         for (const Velocity &velocity : judgement.velocities)
             for (const double number : velocity.axis) json["velocities"].push_back(number);

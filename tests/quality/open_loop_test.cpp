@@ -2,8 +2,8 @@
 // libode8's, on the same problems. A solver that keeps forces from step to step is judged on the problems that it meets, which
 // libode8 solves once more; and, without such forces, on those that libode8 meets.
 //
-// The energy of all rows' errors is compared, problem by problem: the geometric mean of the ratios is 1 at most, but for noise. Its largest row is one of
-// hundreds, and a matter of luck: with three times the iterations it is still larger now and then.
+// The energy of all rows' errors is compared, problem by problem: the geometric mean of the ratios is 1 at most, but for noise. Its largest row is
+// one of hundreds, and a matter of luck: with three times the iterations it is still larger now and then.
 #include "engine_run.h"
 
 #include "support/temporary_folder.h"
@@ -95,7 +95,8 @@ testing::AssertionResult isNoWorse(const Norms &judged, const Norms &reference, 
     const std::vector<double> worst = ratiosOf(judged.worst, reference.worst, reference.startWorst);
     const double largest = *std::max_element(judged.energy.begin(), judged.energy.end());
     const double usual = *std::max_element(reference.energy.begin(), reference.energy.end());
-    if (geometricMean(energy) <= limits.energy && geometricMean(worst) <= limits.largestRow && largest <= std::max(kOneProblem * usual, kNegligible * reference.startEnergy[0]))
+    if (geometricMean(energy) <= limits.energy && geometricMean(worst) <= limits.largestRow &&
+        largest <= std::max(kOneProblem * usual, kNegligible * reference.startEnergy[0]))
         return testing::AssertionSuccess();
     return testing::AssertionFailure() << "energy " << geometricMean(energy) << " times that of libode8:" << textOf(energy)
                                        << "\nlargest row " << geometricMean(worst) << " times:" << textOf(worst)
@@ -111,10 +112,27 @@ struct Scene {
 
 std::ostream &operator<<(std::ostream &stream, const Scene &scene) { return stream << scene.name; }
 
-constexpr Scene kScenes[] = {{"pile:200", 60}, {"stacks:4", 60},          {"wall:6", 60},   {"spheres:200", 100}, {"chain:30", 60},
-                             {"ragdolls:4", 80}, {"rover:4", 60},         {"humanoids:2", 60}, {"vehicles:2", 60},
-                             {"fixed_friction", 60}, {"infinite_friction", 60}, {"hard_contacts", 60}, {"shaken", 60}, {"rolling", 60},
-                             {"conveyor", 60},   {"hub", 60},             {"deck", 20},    {"heavy_deck", 20},    {"mass_ratio", 40, 400}, {"bouncing", 60},    {"bridge", 60, 400}};
+constexpr Scene kScenes[] = {{"pile:200", 60},
+                             {"stacks:4", 60},
+                             {"wall:6", 60},
+                             {"spheres:200", 100},
+                             {"chain:30", 60},
+                             {"ragdolls:4", 80},
+                             {"rover:4", 60},
+                             {"humanoids:2", 60},
+                             {"vehicles:2", 60},
+                             {"fixed_friction", 60},
+                             {"infinite_friction", 60},
+                             {"hard_contacts", 60},
+                             {"shaken", 60},
+                             {"rolling", 60},
+                             {"conveyor", 60},
+                             {"hub", 60},
+                             {"deck", 20},
+                             {"heavy_deck", 20},
+                             {"mass_ratio", 40, 400},
+                             {"bouncing", 60},
+                             {"bridge", 60, 400}};
 
 class OpenLoop : public testing::TestWithParam<Scene> {
 protected:

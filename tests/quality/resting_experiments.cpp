@@ -39,7 +39,8 @@ std::vector<Quantity> towers(const Stepping &stepping) {
         fallen += real < 0.9 * ideal;
         sag = std::max(sag, (ideal - real) / ideal);
     }
-    return {{"fallen", "", fallen, 0}, {"largest sag", "of the height", sag, 1e-3}, {"kinetic energy", "J", kineticEnergy(lab.inventory().bodies), 1e-3}};
+    return {
+        {"fallen", "", fallen, 0}, {"largest sag", "of the height", sag, 1e-3}, {"kinetic energy", "J", kineticEnergy(lab.inventory().bodies), 1e-3}};
 }
 
 // Contacts correct most of their depth within a step, so a force of the last one may be much too large.

@@ -22,9 +22,9 @@ struct Scene {
 
 std::ostream &operator<<(std::ostream &stream, const Scene &scene) { return stream << scene.name; }
 
-constexpr Scene kScenes[] = {{"wall:5", false},     {"pile:60", false},           {"stacks:2", false},  {"spheres:60", false},  {"chain:250", true},
-                             {"humanoids:2", false}, {"ragdolls:3", false},       {"vehicles:2", false}, {"rover:4", false},    {"fixed_friction", true},
-                             {"conveyor", false},   {"rolling", false},           {"mass_ratio", false}, {"bouncing", false},   {"bridge", false}};
+constexpr Scene kScenes[] = {{"wall:5", false},      {"pile:60", false},    {"stacks:2", false},   {"spheres:60", false}, {"chain:250", true},
+                             {"humanoids:2", false}, {"ragdolls:3", false}, {"vehicles:2", false}, {"rover:4", false},    {"fixed_friction", true},
+                             {"conveyor", false},    {"rolling", false},    {"mass_ratio", false}, {"bouncing", false},   {"bridge", false}};
 
 class SameSolution : public testing::TestWithParam<Scene> {};
 

@@ -31,8 +31,8 @@ __attribute__((constructor)) void begin() {
 
 }  // namespace
 
-extern "C" __attribute__((visibility("default"))) int MPI_Isend(const void *data, int count, MPI_Datatype type, int to, int tag, MPI_Comm communicator,
-                                                                 MPI_Request *request) {
+extern "C" __attribute__((visibility("default"))) int MPI_Isend(const void *data, int count, MPI_Datatype type, int to, int tag,
+                                                                MPI_Comm communicator, MPI_Request *request) {
     if (own != nullptr) {
         if (const unsigned bit = own->wantFlip.exchange(0)) {
             auto *const bytes = static_cast<unsigned char *>(const_cast<void *>(data));  // the transport's copy

@@ -1,9 +1,10 @@
 // A simulation that kills its remote workers (SIGKILL), stops and continues them (SIGSTOP), and has them send flipped bits, while islands are sent:
 //
-//   ODE_MT_WORKERS=mpi:4 LD_PRELOAD=libodemt_flipped_bits.so ODEMT_FAULT_TABLE=file mpirun --enable-recovery -np 1 odemt_worker_faults FAULTS [SEED [SECONDS]]
+//   ODE_MT_WORKERS=mpi:4 LD_PRELOAD=libodemt_flipped_bits.so ODEMT_FAULT_TABLE=file mpirun --enable-recovery -np 1 odemt_worker_faults FAULTS [SEED
+//   [SECONDS]]
 //
-// Each step has the hash of that without workers; the last line says how many faults there were, and how long steps took. It ends when there have been
-// FAULTS, or after SECONDS (600), with status 1 if there have been fewer.
+// Each step has the hash of that without workers; the last line says how many faults there were, and how long steps took. It ends when there have
+// been FAULTS, or after SECONDS (600), with status 1 if there have been fewer.
 #include <fcntl.h>
 #include <ode/ode.h>
 #include <sys/wait.h>
@@ -200,7 +201,8 @@ struct Span {
 double longestOf(const std::vector<Span> &steps, const std::vector<Span> &pauses) {
     double longest = 0;
     for (const Span &step : steps) {
-        if (std::none_of(pauses.begin(), pauses.end(), [&step](const Span &pause) { return pause.overlaps(step); })) longest = std::max(longest, step.ms());
+        if (std::none_of(pauses.begin(), pauses.end(), [&step](const Span &pause) { return pause.overlaps(step); }))
+            longest = std::max(longest, step.ms());
     }
     return longest;
 }
@@ -264,9 +266,11 @@ int main(int argumentCount, char **arguments) {
     std::vector<double> times;
     for (const Span &step : steps) times.push_back(step.ms());
     std::sort(times.begin(), times.end());
-    std::printf("%u faults (%u killed, %u stopped, %u flipped bits) of %u worker processes in %.0f s; %zu steps, %u with another hash; median %.2f ms, 99 %% %.1f ms, longest %.1f ms (%.1f ms with %zu pauses of the whole process)\n",
-                counts.all(), counts.kills, counts.stops, counts.flips, table->count.load(), msSince(begin) / 1e3, times.size(), wrong,
-                times[times.size() / 2], times[times.size() * 99 / 100], longest, times.back(), pauses.size());
+    std::printf(
+        "%u faults (%u killed, %u stopped, %u flipped bits) of %u worker processes in %.0f s; %zu steps, %u with another hash; median %.2f ms, 99 %% "
+        "%.1f ms, longest %.1f ms (%.1f ms with %zu pauses of the whole process)\n",
+        counts.all(), counts.kills, counts.stops, counts.flips, table->count.load(), msSince(begin) / 1e3, times.size(), wrong,
+        times[times.size() / 2], times[times.size() * 99 / 100], longest, times.back(), pauses.size());
     std::fflush(nullptr);
     return wrong == 0 && counts.all() >= wanted ? 0 : 1;
 }

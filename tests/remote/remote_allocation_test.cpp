@@ -1,6 +1,6 @@
-// Memory that is refused to home, to its communication thread or to workers, request by request, while workers are welcomed, during a step, or while they
-// are sent away: a step has the bits of steps without workers, or says std::bad_alloc and may be made again; it waits for nobody in vain; and the
-// next workers are used as if nothing had been.
+// Memory that is refused to home, to its communication thread or to workers, request by request, while workers are welcomed, during a step, or while
+// they are sent away: a step has the bits of steps without workers, or says std::bad_alloc and may be made again; it waits for nobody in vain; and
+// the next workers are used as if nothing had been.
 //
 // Has found: std::bad_alloc on the communication thread ended the process.
 #include <gtest/gtest.h>
@@ -142,8 +142,9 @@ TEST_P(RemoteAllocation, RefusedOnceOrUntilTheEnd) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, RemoteAllocation,
-                         testing::Values(Kind{Phase::Open, Shortage::once, 0}, Kind{Phase::Open, Shortage::lasting, 0}, Kind{Phase::Step, Shortage::once, 0},
-                                         Kind{Phase::Step, Shortage::lasting, 0}, Kind{Phase::Step, Shortage::once, 2}, Kind{Phase::Step, Shortage::lasting, 2},
+                         testing::Values(Kind{Phase::Open, Shortage::once, 0}, Kind{Phase::Open, Shortage::lasting, 0},
+                                         Kind{Phase::Step, Shortage::once, 0}, Kind{Phase::Step, Shortage::lasting, 0},
+                                         Kind{Phase::Step, Shortage::once, 2}, Kind{Phase::Step, Shortage::lasting, 2},
                                          Kind{Phase::Close, Shortage::once, 0}, Kind{Phase::Close, Shortage::lasting, 0}),
                          nameOf);
 

@@ -1,5 +1,5 @@
-// Whole steps with remote workers have the bits of steps without: random worlds of many islands, with one thread at home and with several, while workers
-// are well and while they send flipped bits. And a problem's bytes are solved as the problem is.
+// Whole steps with remote workers have the bits of steps without: random worlds of many islands, with one thread at home and with several, while
+// workers are well and while they send flipped bits. And a problem's bytes are solved as the problem is.
 #include "remote/islands/dxRemoteIslands.h"
 
 #include <gtest/gtest.h>
@@ -143,7 +143,8 @@ TEST_P(RemoteIslands, AreCountedWhenWorkersGiveThemBack) {
     dToggleODE_MT(GetParam());
     const States expected = run(kManyIslands, 4);
     dxRemoteWorkers::instance().open("loopback", dxDescribeSolver(), [](std::string &) {
-        return std::make_unique<LoopbackTransport>(1, dxDescribeSolver(), [](const std::byte *, std::size_t, dxRemoteBytes &) { throw std::bad_alloc(); });
+        return std::make_unique<LoopbackTransport>(1, dxDescribeSolver(),
+                                                   [](const std::byte *, std::size_t, dxRemoteBytes &) { throw std::bad_alloc(); });
     });
     const dODE_MT_RemoteStatistics before = statistics();
     EXPECT_EQ(run(kManyIslands, 4), expected);
@@ -156,7 +157,9 @@ TEST_P(RemoteIslands, AreCountedWhenWorkersGiveThemBack) {
 
 TEST_P(RemoteIslands, AreCountedWhenWorkersAreLost) {
     dToggleODE_MT(GetParam());
-    open(1, [](unsigned, unsigned, dxRemoteKind kind) { return LoopbackFate{kind == dxRemoteKind::Results ? Kind::Flipped : Kind::Arrives, {}, 300}; });
+    open(1, [](unsigned, unsigned, dxRemoteKind kind) {
+        return LoopbackFate{kind == dxRemoteKind::Results ? Kind::Flipped : Kind::Arrives, {}, 300};
+    });
     const dODE_MT_RemoteStatistics before = statistics();
     RandomWorld world(kManyIslands, 5);
     statisticsOf(world.world());
@@ -195,10 +198,11 @@ TEST(PackedProblem, ShorterOrDamagedBytesAreSolvedOrGivenBack) {
     dxRemoteSolvers::install(dxRemoteIslandSolvers());
     dODE_MT_SetAlgorithm("lcp");
     dxRemoteWorkers::instance().open("loopback", dxDescribeSolver(), [&problems](std::string &) {
-        return std::make_unique<LoopbackTransport>(1, dxDescribeSolver(), [&problems](const std::byte *data, std::size_t size, dxRemoteBytes &result) {
-            problems.emplace_back(data, data + size);
-            dxSolvePacked(data, size, result);
-        });
+        return std::make_unique<LoopbackTransport>(1, dxDescribeSolver(),
+                                                   [&problems](const std::byte *data, std::size_t size, dxRemoteBytes &result) {
+                                                       problems.emplace_back(data, data + size);
+                                                       dxSolvePacked(data, size, result);
+                                                   });
     });
     {
         RandomWorld world(kManyIslands, 3);

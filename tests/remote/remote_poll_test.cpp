@@ -103,7 +103,8 @@ protected:
 
     // `faulty`: a thread whose calls throw. `fate`: of workers, which are replaced.
     void open(bool isForAllThreads, std::thread::id faulty = {}, const LoopbackTransport::Fate &fate = nullptr) {
-        m_workers.open("loopback", helloOf("1"), [=](std::string &) { return std::make_unique<WatchedTransport>(2, m_calls, isForAllThreads, faulty, fate); });
+        m_workers.open("loopback", helloOf("1"),
+                       [=](std::string &) { return std::make_unique<WatchedTransport>(2, m_calls, isForAllThreads, faulty, fate); });
         ASSERT_EQ(m_workers.capacity().workers, 2u);
     }
 

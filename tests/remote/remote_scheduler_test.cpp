@@ -54,7 +54,8 @@ protected:
     }
 
     std::size_t countOf(State state) const {
-        return static_cast<std::size_t>(std::count_if(m_step.all.begin(), m_step.all.end(), [state](const dxRemoteProblem &one) { return one.state == state; }));
+        return static_cast<std::size_t>(
+            std::count_if(m_step.all.begin(), m_step.all.end(), [state](const dxRemoteProblem &one) { return one.state == state; }));
     }
 
     dxRemoteScheduler m_scheduler;

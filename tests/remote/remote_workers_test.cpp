@@ -55,7 +55,8 @@ protected:
 
     // Until as many problems have been sent since the beginning, or for two seconds.
     void waitUntilSent(std::uint64_t count) {
-        for (int attempt = 0; attempt < 400 && countsSince(m_before).sent < count; ++attempt) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        for (int attempt = 0; attempt < 400 && countsSince(m_before).sent < count; ++attempt)
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
 
     // Takes whatever comes, reclaimed problems unsolved.
@@ -267,7 +268,9 @@ TEST_F(RemoteWorkers, CountWhatIsSolvedSoonerHere) {
 }
 
 TEST_F(RemoteWorkers, CountWhatIsLostWithThem) {
-    open(1, [](unsigned, unsigned, dxRemoteKind kind) { return LoopbackFate{kind == dxRemoteKind::Results ? Kind::Flipped : Kind::Arrives, {}, 300}; });
+    open(1, [](unsigned, unsigned, dxRemoteKind kind) {
+        return LoopbackFate{kind == dxRemoteKind::Results ? Kind::Flipped : Kind::Arrives, {}, 300};
+    });
     EXPECT_EQ(runBatch(4, false), 4u);
     const dxRemoteWorkers::Counts counts = countsSince(m_before);
     EXPECT_GT(counts.sent, 0u);
@@ -304,10 +307,11 @@ TEST_F(RemoteWorkers, ThatAreLostAreReplaced) {
     for (const Kind kind : {Kind::Flipped, Kind::Dies, Kind::Stopped}) {
         std::atomic<bool> hasFailed[2]{};
         m_workers.open("loopback", helloOf("1"), [&hasFailed, kind](std::string &) {
-            auto transport = std::make_unique<LoopbackTransport>(2, helloOf("1"), solve, [&hasFailed, kind](unsigned worker, unsigned, dxRemoteKind message) {
-                if (message != dxRemoteKind::Results || hasFailed[worker].exchange(true)) return LoopbackFate();
-                return LoopbackFate{kind};
-            });
+            auto transport =
+                std::make_unique<LoopbackTransport>(2, helloOf("1"), solve, [&hasFailed, kind](unsigned worker, unsigned, dxRemoteKind message) {
+                    if (message != dxRemoteKind::Results || hasFailed[worker].exchange(true)) return LoopbackFate();
+                    return LoopbackFate{kind};
+                });
             transport->setReplacing();
             return transport;
         });

@@ -1,5 +1,5 @@
-// The simulated network delays as it is told: one message, several on a busy link, both directions at a time, and while its worker does something else;
-// over a transport that one thread uses, and over one that all may use.
+// The simulated network delays as it is told: one message, several on a busy link, both directions at a time, and while its worker does something
+// else; over a transport that one thread uses, and over one that all may use.
 #include "remote/worker/dxSimulatedNetwork.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,9 @@ struct Home {
         const std::lock_guard<std::mutex> hold(mutex);
         return isOneThread;
     }
-    double msOf(std::size_t message, Clock::time_point begin) { return std::chrono::duration<double, std::milli>(arrived[message].time - begin).count(); }
+    double msOf(std::size_t message, Clock::time_point begin) {
+        return std::chrono::duration<double, std::milli>(arrived[message].time - begin).count();
+    }
 
     const bool isForAllThreads;
     std::mutex mutex;
@@ -114,7 +116,8 @@ bool comesTrue(const Try &isTrue) {
 
 class SimulatedNetwork : public testing::TestWithParam<bool> {};
 
-INSTANTIATE_TEST_SUITE_P(Transport, SimulatedNetwork, testing::Bool(), [](const auto &info) { return info.param ? "ForAllThreads" : "ForOneThread"; });
+INSTANTIATE_TEST_SUITE_P(Transport, SimulatedNetwork, testing::Bool(),
+                         [](const auto &info) { return info.param ? "ForAllThreads" : "ForOneThread"; });
 
 TEST_P(SimulatedNetwork, AMessageArrivesAfterItsDelay) {
     Home home(GetParam());
@@ -212,7 +215,8 @@ TEST_P(SimulatedNetwork, KeepsNoCoreBusy) {
     std::this_thread::sleep_for(290ms);
     getrusage(RUSAGE_SELF, &after);
     const auto ms = [](const rusage &usage) {
-        return 1e3 * static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) + 1e-3 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+        return 1e3 * static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+               1e-3 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
     };
     EXPECT_LT(ms(after) - ms(before), 100);
     home.waitFor(1);

@@ -32,7 +32,8 @@ TEST(WorkRecord, HasALineForEachProblem) {
     {
         const std::unique_ptr<dxWorkRecord> record = dxWorkRecord::open(file, sent, reason);
         ASSERT_NE(record, nullptr) << reason;
-        const dxRemoteServer::Solve solve = record->timed([](const std::byte *, std::size_t bytes, dxRemoteBytes &result) { result.resize(bytes / 2); });
+        const dxRemoteServer::Solve solve =
+            record->timed([](const std::byte *, std::size_t bytes, dxRemoteBytes &result) { result.resize(bytes / 2); });
         dxRemoteFrame results;
         for (std::uint64_t i = 0; i < 2; ++i) {
             const dxRemoteBytes problem(100 * (i + 1));

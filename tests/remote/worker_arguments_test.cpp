@@ -28,7 +28,8 @@ TEST(WorkerArguments, WithoutThemTheLinkIsThatWhichIsThere) {
 
 TEST(WorkerArguments, WhatIsWrongIsNamed) {
     dxWorkerArguments arguments;
-    for (const char *const time : {"", "us", "50", "-1us", "nanus", "2s", "1e999s", "50us "}) EXPECT_NE(read({"--delay", time}, arguments), "") << time;
+    for (const char *const time : {"", "us", "50", "-1us", "nanus", "2s", "1e999s", "50us "})
+        EXPECT_NE(read({"--delay", time}, arguments), "") << time;
     for (const char *const rate : {"0B/s", "1", "1Gb/s", "1 GB/s"}) EXPECT_NE(read({"--bandwidth", rate}, arguments), "") << rate;
     EXPECT_EQ(read({"--delay"}, arguments), "--delay: its value is missing");
     EXPECT_EQ(read({"--later", "1us"}, arguments), "unknown option '--later'");

@@ -13,7 +13,8 @@ namespace {
 const std::string kNoMemory = "/proc/self/mem";  // nothing is mapped at address 0
 
 TEST(TextFile, WhatCannotBeReadIsNamedWithTheReason) {
-    for (const auto &[file, reason] : {std::pair<std::string, std::string>{kNoMemory, "Input/output error"}, {"/none", "No such file or directory"}, {"/", "is a folder"}}) {
+    for (const auto &[file, reason] :
+         {std::pair<std::string, std::string>{kNoMemory, "Input/output error"}, {"/none", "No such file or directory"}, {"/", "is a folder"}}) {
         try {
             support::readTextFile(file);
             ADD_FAILURE() << file;

@@ -43,7 +43,8 @@ TEST(FrameText, SaysWhyItIsOneThread) {
     EXPECT_NE(text.find("collide  2.000 ms: broad phase 0.500\n"), std::string::npos) << text;
     EXPECT_NE(text.find("pairs: 2 threads (on several in 50 %)\n"), std::string::npos) << text;
     EXPECT_NE(text.find("near-callbacks: one thread, as the callback policy is \"serial\"\n"), std::string::npos) << text;
-    EXPECT_NE(text.find("islands: one thread, as there is one island, too small for several threads (on several in 25 %)\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("islands: one thread, as there is one island, too small for several threads (on several in 25 %)\n"), std::string::npos)
+        << text;
 
     world.statistics.collisionReason = world.statistics.callbackReason = dODE_MT_REASON_FEW_GEOMS;
     world.statistics.collisionThreads = 1;
@@ -57,13 +58,15 @@ TEST(FrameText, SaysWhatWorkersInOtherProcessesDo) {
     world.statistics.remoteWorkers = 3;
     world.statistics.remoteIslands = 40;
     world.statistics.allRemoteIslands = 150;
-    EXPECT_NE(join(top::detailsOf(top::ratesOfAll({world})[0])).find("remote workers: 3; solved 40 islands, 0 more at home after all (of all frames 150, 0)\n"),
+    EXPECT_NE(join(top::detailsOf(top::ratesOfAll({world})[0]))
+                  .find("remote workers: 3; solved 40 islands, 0 more at home after all (of all frames 150, 0)\n"),
               std::string::npos);
     world.statistics.remoteWorkers = 0;
     world.statistics.remoteWorkersLost = 3;
     world.statistics.returnedIslands = 7;
     world.statistics.allReturnedIslands = 9;
-    EXPECT_NE(join(top::detailsOf(top::ratesOfAll({world})[0])).find("remote workers: 0, 3 lost; solved 40 islands, 7 more at home after all (of all frames 150, 9)\n"),
+    EXPECT_NE(join(top::detailsOf(top::ratesOfAll({world})[0]))
+                  .find("remote workers: 0, 3 lost; solved 40 islands, 7 more at home after all (of all frames 150, 9)\n"),
               std::string::npos);
 }
 

@@ -60,9 +60,13 @@ protected:
         setenv("TMPDIR", folder.c_str(), 1);
         unsetenv("ODE_MT_THREADS");
     }
-    ~OdemtTop() override { std::filesystem::remove_all(folder); }
+    ~OdemtTop() override {
+        setenv("TMPDIR", folderOfAll.c_str(), 1);
+        std::filesystem::remove_all(folder);
+    }
 
-    const std::string folder = testing::TempDir() + "odemt_top_test_" + std::to_string(getpid()), output = folder + "/output";
+    const std::string folderOfAll = testing::TempDir();
+    const std::string folder = folderOfAll + "odemt_top_test_" + std::to_string(getpid()), output = folder + "/output";
 };
 
 TEST_F(OdemtTop, OneTableAtTheEnd) {
@@ -99,8 +103,8 @@ TEST_F(OdemtTop, ATableForEachInterval) {
 }
 
 TEST_F(OdemtTop, SIGQUITLeavesNothing) {
-    const Outcome outcome = runShell("ulimit -c 0; " ODEMT_TOP " --once --output " + output + " -- " STEPPER " 1 0 & top=$!; until grep -qs begins " + output +
-                                     "; do sleep 0.05; done; kill -QUIT $top; wait $top");
+    const Outcome outcome = runShell("ulimit -c 0; " ODEMT_TOP " --once --output " + output + " -- " STEPPER " 1 0 & top=$!; until grep -qs begins " +
+                                     output + "; do sleep 0.05; done; kill -QUIT $top; wait $top");
     EXPECT_EQ(outcome.exitCode, 128 + SIGQUIT) << outcome.output;
     expectWords(outcome.output, "all frames on average");
     std::smatch found;
@@ -115,9 +119,10 @@ TEST_F(OdemtTop, SIGQUITLeavesNothing) {
 TEST_F(OdemtTop, BackgroundJobsEndWithTheProgramThatIsAskedTo) {
     for (const std::string signal : {"INT", "TERM", "HUP"}) {
         const std::string jobs = folder + "/jobs", kept = " & echo $! >>" + jobs + ";";
-        const Outcome outcome = runShell(ODEMT_TOP " --once --threads 0 --output " + output + " -- sh -c '" STEPPER " 1 0" + kept + " (sleep 100" + kept + "); setsid sleep 100" +
-                                         kept + " sh -c \"trap true TERM; sleep 100; sleep 100\"" + kept + " echo all >>" + jobs +
-                                         "; wait' & top=$!; until grep -qs all " + jobs + "; do sleep 0.05; done; kill -" + signal + " $top; wait $top");
+        const Outcome outcome =
+            runShell(ODEMT_TOP " --once --threads 0 --output " + output + " -- sh -c '" STEPPER " 1 0" + kept + " (sleep 100" + kept +
+                     "); setsid sleep 100" + kept + " sh -c \"trap true TERM; sleep 100; sleep 100\"" + kept + " echo all >>" + jobs +
+                     "; wait' & top=$!; until grep -qs all " + jobs + "; do sleep 0.05; done; kill -" + signal + " $top; wait $top");
         EXPECT_GT(outcome.exitCode, 128) << outcome.output;
         expectWords(outcome.output, "all frames on average");
         int count = 0;
@@ -230,7 +235,8 @@ TEST_F(OdemtTop, ATerminalIsWrittenOverUntilAKeyEndsTheProgram) {
 }
 
 TEST_F(OdemtTop, ATerminalThatIsTooSimpleIsReported) {
-    const Outcome outcome = runShell("TERM=nonsense script -qec '" ODEMT_TOP " -- sh -c \"echo \\$\\$ >" + output + "; exec " STEPPER " 1 0\"' /dev/null");
+    const Outcome outcome =
+        runShell("TERM=nonsense script -qec '" ODEMT_TOP " -- sh -c \"echo \\$\\$ >" + output + "; exec " STEPPER " 1 0\"' /dev/null");
     EXPECT_NE(outcome.exitCode, 0);
     expectWords(outcome.output, "--batch prints tables");
     if (const std::string process = read(output); !process.empty()) {

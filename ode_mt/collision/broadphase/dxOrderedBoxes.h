@@ -34,7 +34,8 @@ public:
     const std::vector<dxSortItem> &update(const dxMembers &members);
 
     // Finds the members whose boxes overlap a box, the one furthest to the front first. Returns false if another thread is bringing the order up to
-    // date; or, if there is a faster way without columns, until there have been queries enough to pay for these. Throws std::bad_alloc; then the call may be repeated.
+    // date; or, if there is a faster way without columns, until there have been queries enough to pay for these. Throws std::bad_alloc; then the call
+    // may be repeated.
     bool find(const dxMembers &members, const dxBounds &box, bool isFewElsewhere, Found &found);
     // Returns whether find() compares by vectors now.
     bool hasColumns(const dxMembers &members) const {

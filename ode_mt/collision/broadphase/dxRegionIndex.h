@@ -2,9 +2,9 @@
 // against a whole space.
 //
 // Members at rest are in a BVH (overlap/dxBoxBvh.h). A member that changes becomes loose, and is compared with every
-// queried box, with SIMD. At first all are loose. Loose members cost time at each query, building the tree costs it once: the tree is rebuilt when the
-// comparisons since have cost as much. So a space without queries builds none, and in one with many queries, with or
-// without motion, a query has logarithmic cost.
+// queried box, with SIMD. At first all are loose. Loose members cost time at each query, building the tree costs it once: the tree is rebuilt when
+// the comparisons since have cost as much. So a space without queries builds none, and in one with many queries, with or without motion, a query has
+// logarithmic cost.
 //
 // Threading: several threads may query while no member changes. One of them builds the tree, the others compare all
 // members meanwhile. No thread waits, so none can wait for a thread that does not exist after fork. The result is in

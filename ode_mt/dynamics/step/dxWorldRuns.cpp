@@ -36,7 +36,8 @@ bool hasMovedCallback(const dxWorld &world) {
 // On a worker.
 bool goesAlone(const dxWorld &world) {
     const bool hasOwnMemory = world.wmem != nullptr && world.wmem->GetMemoryManager() != nullptr;
-    return hasOwnMemory || dxMayBeEndless(world) || dxWorldWorkers::given(&world) || dxWorldSettings::of(&world).threads != 0 || hasMovedCallback(world);
+    return hasOwnMemory || dxMayBeEndless(world) || dxWorldWorkers::given(&world) || dxWorldSettings::of(&world).threads != 0 ||
+           hasMovedCallback(world);
 }
 
 // As if all of it were one island.

@@ -1,7 +1,7 @@
 // What threads wait for that hold a lock: a condition variable whose whole state are two words.
 //
-// A condition variable of the C library counts the threads that wait, and those of the parent are not in a child of fork(): there it may never be used
-// again. This one is used on by the thread that forked, even from the handler of a signal that came while it waited.
+// A condition variable of the C library counts the threads that wait, and those of the parent are not in a child of fork(): there it may never be
+// used again. This one is used on by the thread that forked, even from the handler of a signal that came while it waited.
 //
 // Threading: any thread. What is waited for is changed and looked at under the lock.
 #pragma once

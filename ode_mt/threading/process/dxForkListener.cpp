@@ -76,13 +76,14 @@ void dxForkListeners::child() {
     renew(dxForkLocks::initialisation);
 }
 
-// Others hold it for moments. Whoever does not give it back in a second may wait for the thread that forks: a message of the library's is written under a lock
-// of the C library's, for example.
+// Others hold it for moments. Whoever does not give it back in a second may wait for the thread that forks: a message of the library's is written
+// under a lock of the C library's, for example.
 void dxForkSafeMutex::beforeFork() {
     constexpr std::chrono::seconds kMost{1};
     constexpr std::chrono::microseconds kPause{20};
     const auto begin = std::chrono::steady_clock::now();
-    while (!(m_isHeldToFork = m_mutex.try_lock()) && !isHeldHere() && std::chrono::steady_clock::now() - begin < kMost) std::this_thread::sleep_for(kPause);
+    while (!(m_isHeldToFork = m_mutex.try_lock()) && !isHeldHere() && std::chrono::steady_clock::now() - begin < kMost)
+        std::this_thread::sleep_for(kPause);
 }
 
 void dxForkSafeMutex::inForkingParent() {

@@ -18,8 +18,8 @@ extern std::recursive_mutex creation;        // a dxProcessObject is being made;
 
 }  // namespace dxForkLocks
 
-// The thread that forks may hold it: in the handler of a signal that came meanwhile. It holds it in the child, too, and goes on there when the handler has
-// returned.
+// The thread that forks may hold it: in the handler of a signal that came meanwhile. It holds it in the child, too, and goes on there when the
+// handler has returned.
 class dxForkSafeMutex final : private dxForkListener {
 public:
     dxForkSafeMutex() { listenToForks(); }

@@ -18,8 +18,8 @@ public:
     // The last dCloseODE: calls atClose() of each object that has it, the latest one first. Requires that no step and no collision is in progress.
     static void close();
 
-    // The library is about to be unloaded, or the process ends: calls atUnload() of each object that has it. If the process ends, other threads may still
-    // step and collide.
+    // The library is about to be unloaded, or the process ends: calls atUnload() of each object that has it. If the process ends, other threads may
+    // still step and collide.
     static void unload();
 
 private:

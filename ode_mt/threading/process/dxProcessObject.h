@@ -6,8 +6,8 @@
 // held across fork takes the guard's place.
 //
 // Usage: at namespace scope, `dxProcessObject<Object> object;` (constant-initialised, so usable before main);
-// then `object->` and `*object`. A type may have `void atClose()` and `void atUnload()` (dxProcess). An object may use others while it is made, but must not wait for a thread
-// that does.
+// then `object->` and `*object`. A type may have `void atClose()` and `void atUnload()` (dxProcess). An object may use others while it is made, but
+// must not wait for a thread that does.
 #pragma once
 
 #include <atomic>

@@ -47,7 +47,8 @@ struct Microseconds {
 std::uint64_t spaceFor(int file) {
     struct stat status;
     rlimit limit;
-    const bool isLimited = fstat(file, &status) == 0 && S_ISREG(status.st_mode) && getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+    const bool isLimited =
+        fstat(file, &status) == 0 && S_ISREG(status.st_mode) && getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
     return isLimited ? limit.rlim_cur : UINT64_MAX;
 }
 

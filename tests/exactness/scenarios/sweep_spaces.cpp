@@ -307,7 +307,8 @@ void addSweepSpaces(Catalogue &catalogue) {
         make<Switched>(1400));
     add("sweep_spaces/any_axes", "spaces whose axes are not all three", 24, make<AnyAxes>(), reentrant);
     add("sweep_spaces/inverted", "boxes that end before they begin, and others that begin there, added and removed", 30, make<Inverted>());
-    add("sweep_spaces/restless", "200 geoms that all move, rest, or move by few, for some frames each, with queries in callbacks", 60, make<Restless>());
+    add("sweep_spaces/restless", "200 geoms that all move, rest, or move by few, for some frames each, with queries in callbacks", 60,
+        make<Restless>());
     add("sweep_spaces/asked", "rays and boxes query 1300 geoms in a sweep-and-prune space", 20, make<Asked>());
 }
 

@@ -11,7 +11,7 @@ namespace worlds {
 
 class DampedBody {
 public:
-    
+
     // Keeps the body's mass. `stepSize` in s.
     DampedBody(dBodyID body, double stepSize);
 

@@ -254,7 +254,8 @@ private:
         const Element &inertial = link.required("inertial");
         const std::optional<Mass> total = shapes.total();
         if (!total) {
-            m_reading.issues.unsupported(inertial.place(), "auto=\"true\" without a collision that has a volume, or beyond what can be computed with");
+            m_reading.issues.unsupported(inertial.place(),
+                                         "auto=\"true\" without a collision that has a volume, or beyond what can be computed with");
             return readMass(link, false, m_reading.issues);
         }
         const Element *const mass = inertial.child("mass");

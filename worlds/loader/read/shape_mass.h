@@ -7,8 +7,8 @@
 
 namespace worlds {
 
-// Solid shapes, each of one density; where two overlap, both count. Those without a volume weigh nothing: planes, height fields and meshes that are not
-// closed.
+// Solid shapes, each of one density; where two overlap, both count. Those without a volume weigh nothing: planes, height fields and meshes that are
+// not closed.
 class ShapeMass {
 public:
     // `density` in kg/m³.
