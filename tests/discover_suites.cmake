@@ -36,7 +36,7 @@ foreach(_line IN LISTS _lines)
             add_test("${prefix}${_suite}.${_case}" "${program}" "--gtest_filter=${_suite}.${_case}")
             set_tests_properties("${prefix}${_suite}.${_case}" PROPERTIES WORKING_DIRECTORY "${_folder}" ${properties})
         endif()
-    elseif(_line MATCHES "^([^ ]+)\\.$" AND NOT _line MATCHES "DISABLED_")
+    elseif(NOT _line MATCHES "DISABLED_" AND _line MATCHES "^([^ ]+)\\.$")  # the match that is made last is that of CMAKE_MATCH_1
         set(_suite "${CMAKE_MATCH_1}")
         set(_is_alone FALSE)
         if(alone AND _suite MATCHES "${alone}")

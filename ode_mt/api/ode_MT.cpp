@@ -107,7 +107,7 @@ int dODE_MT_SetSolverTolerance(dWorldID world, double tolerance) {
             dxWorldState::of(world).setTolerance(tolerance);
             return true;
         });
-    dMessage(0, "ODE_MT: no solver tolerance %g; known: a number from 0 to 1", tolerance);
+    dMessage(0, "ODE_MT: no solver tolerance %.17g; known: a number from 0 to 1", tolerance);
     return 0;
 }
 

@@ -101,6 +101,18 @@ def undefined_contracts(code, page):
     return sorted(set(CONTRACT.findall(code)) - {heading.split(":")[0] for heading in HEADING.findall(page)})
 
 
+def cases_of(listed):
+    """Returns the names of the cases that a GoogleTest program lists."""
+    cases, suite = set(), ""
+    for line in listed.splitlines():
+        name = line.split("#")[0].rstrip()
+        if name.startswith("  "):
+            cases.add(suite + name.strip())
+        else:
+            suite = name
+    return cases
+
+
 def main(root, upstream, build):
     folders = [root / name for name in FOLDERS]
     code = "".join(text_of(folder, CODE) for folder in folders) + text_of(upstream, {".c", ".cpp", ".h"})
@@ -108,6 +120,8 @@ def main(root, upstream, build):
     documents = [*root.glob("*.md"), *(path for folder in folders for path in folder.rglob("*.md") if upstream not in path.parents)]
     listed = subprocess.check_output(["ctest", "--test-dir", build, "--show-only=json-v1"], text=True)
     tests = {re.sub(r"^[a-z_]+\.(?=[A-Z])", "", test["name"]) for test in json.loads(listed)["tests"]}
+    for suites in pathlib.Path(build).rglob("*_suites.txt"):  # tests/suites.cmake
+        tests |= cases_of(suites.read_text())
     tests |= {re.sub(r"/[^/]*$", "", name) for name in tests}  # without its parameter
     tests |= {re.sub(r"^\w+/", "", name) for name in tests}  # nor the name of the set of parameters
     failures = 0
