@@ -24,6 +24,8 @@ endif()
 file(READ "${_list}" _lines)
 string(REGEX REPLACE " *# [^\n]*" "" _lines "${_lines}")
 string(REGEX MATCHALL "[^\n]+" _lines "${_lines}")
+# A filter that selects nothing passes.
+list(APPEND properties FAIL_REGULAR_EXPRESSION "Running 0 tests")
 set(_suite "")
 set(_without "")
 if(filter MATCHES "^-(.+)")
