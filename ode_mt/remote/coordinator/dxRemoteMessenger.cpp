@@ -22,10 +22,9 @@ std::string findGreetingFault(const dxRemoteHello &worker, const dxRemoteHello &
 
 }  // namespace
 
-void dxRemoteMessenger::begin(const dxRemoteHello &own, dxRemoteTransport *transport, bool areLostDead) {
+void dxRemoteMessenger::begin(const dxRemoteHello &own, dxRemoteTransport *transport) {
     m_own = own;
     m_transport = transport;
-    m_areLostDead = areLostDead;
     m_isWaking = false;
 }
 
@@ -53,6 +52,13 @@ bool dxRemoteMessenger::send(unsigned worker, const dxRemoteBytes &message, dxRe
     if (!isSent) m_scheduler.dropUnreachable(worker, "cannot be reached");
     if (static_cast<dxRemoteKind>(dxReadHeader(message).kind) != dxRemoteKind::Alive) at(worker).link.noteContact(m_scheduler.now());
     return isSent;
+}
+
+// Without memory for the message it is not sent.
+void dxRemoteMessenger::sendIfMemory(unsigned worker, dxRemoteKind kind, std::uint64_t number, dxRemoteLock &lock) try {
+    send(worker, dxRemoteFrame().seal(kind, number), lock);
+} catch (const std::bad_alloc &) {
+    m_scheduler.warnOfMemory();
 }
 
 bool dxRemoteMessenger::sendProblems(dxRemoteLock &lock) {
@@ -85,13 +91,9 @@ void dxRemoteMessenger::sendHeartbeat(dxRemoteLock &lock) {
     if (time - m_lastAlive <= kHeartbeatNs) return;
     m_lastAlive = time;
     for (unsigned i = 0; i < m_scheduler.workers().size(); ++i) {
-        const bool isHeard = at(i).isOpen() ? !at(i).link.isLate() : at(i).isLost() && !m_areLostDead;
-        if (!isHeard || at(i).isUnreachable) continue;
-        try {
-            send(i, dxRemoteFrame().seal(dxRemoteKind::Alive), lock);
-        } catch (const std::bad_alloc &) {
-            m_scheduler.warnOfMemory();
-        }
+        // Where lost workers are replaced, none that is lost has to hear of this process.
+        const bool isHeard = at(i).isOpen() ? !at(i).link.isLate() : at(i).isLost() && !m_transport->canReplace();
+        if (isHeard && !at(i).isUnreachable) sendIfMemory(i, dxRemoteKind::Alive, 0, lock);
     }
 }
 
@@ -101,12 +103,7 @@ bool dxRemoteMessenger::sendWithdrawals(dxRemoteLock &lock) {
     m_scheduler.noteWithdrawalsSent();
     for (unsigned i = 0; i < m_scheduler.workers().size(); ++i) {
         for (std::uint64_t number = 0; at(i).link.takeWithdrawal(number);) {
-            if (!at(i).isOpen()) continue;
-            try {
-                send(i, dxRemoteFrame().seal(dxRemoteKind::Withdraw, number), lock);
-            } catch (const std::bad_alloc &) {
-                m_scheduler.warnOfMemory();
-            }
+            if (at(i).isOpen()) sendIfMemory(i, dxRemoteKind::Withdraw, number, lock);
         }
     }
     return true;
@@ -117,12 +114,7 @@ bool dxRemoteMessenger::sendWakeUps(dxRemoteLock &lock) {
     if (!std::exchange(m_isWaking, false)) return false;
     for (unsigned i = 0; i < m_scheduler.workers().size(); ++i) {
         const double time = m_scheduler.now();
-        if (!at(i).link.isUsable(time) || !at(i).link.isAsleep(time)) continue;
-        try {
-            send(i, dxRemoteFrame().seal(dxRemoteKind::Wake), lock);
-        } catch (const std::bad_alloc &) {
-            m_scheduler.warnOfMemory();
-        }
+        if (at(i).link.isUsable(time) && at(i).link.isAsleep(time)) sendIfMemory(i, dxRemoteKind::Wake, 0, lock);
     }
     return true;
 }

@@ -24,8 +24,8 @@ class dxRemoteMessenger {
 public:
     explicit dxRemoteMessenger(dxRemoteScheduler &scheduler) : m_scheduler(scheduler) {}
 
-    // `own`: what workers have to be like. `transport`: null: there is none. `areLostDead`: no worker that is lost has to hear of this process.
-    void begin(const dxRemoteHello &own, dxRemoteTransport *transport, bool areLostDead);
+    // `own`: what workers have to be like. `transport`: null: there is none.
+    void begin(const dxRemoteHello &own, dxRemoteTransport *transport);
 
     // Sends and receives one message of each kind, if there is one. Returns whether there was any.
     bool exchange(dxRemoteLock &lock);
@@ -43,6 +43,7 @@ public:
 
 private:
     bool send(unsigned worker, const dxRemoteBytes &message, dxRemoteLock &lock);
+    void sendIfMemory(unsigned worker, dxRemoteKind kind, std::uint64_t number, dxRemoteLock &lock);
     bool sendProblems(dxRemoteLock &lock);
     void sendHeartbeat(dxRemoteLock &lock);
     bool sendWithdrawals(dxRemoteLock &lock);
@@ -58,7 +59,7 @@ private:
     dxRemoteScheduler &m_scheduler;
     dxRemoteTransport *m_transport = nullptr;
     dxRemoteHello m_own;
-    bool m_areLostDead = false, m_isWaking = false;
+    bool m_isWaking = false;
     double m_lastAlive = 0;
     dxSpareBytes m_spare;
     dxRemoteBytes m_received;

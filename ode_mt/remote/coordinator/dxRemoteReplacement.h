@@ -18,7 +18,6 @@ public:
     // Takes the worker that is being started, if it is there or cannot be. Returns whether none is being started any more.
     bool takeStarted();
 
-    bool canReplace() const { return m_canReplace; }
     bool isStarting() const { return m_isStarting; }
 
     // Some worker is lost that is going to be replaced.

@@ -190,7 +190,7 @@ void dxRemoteWorkers::begin() {
     const dxRemoteLock lock(m_mutex);
     m_scheduler.begin(workers);
     m_replacement.begin(m_transport.get());
-    m_messenger.begin(m_hello, m_transport.get(), m_replacement.canReplace());
+    m_messenger.begin(m_hello, m_transport.get());
     m_isForAllThreads = m_transport && m_transport->isForAllThreads();
     m_hasBegun = true;
     m_scheduler.news().notify();
