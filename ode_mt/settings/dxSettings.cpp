@@ -99,6 +99,24 @@ struct HeuristicTexts {
 
 dxProcessObject<HeuristicTexts> heuristicTexts;
 
+// "default", "none", or names with commas between them. False: one is unknown, and `choice` is as it was.
+bool parseHeuristics(const std::string &names, unsigned &choice) {
+    if (names == "default" || names == "none") {
+        choice = names == "default" ? dxDefaultHeuristics : dxNoHeuristics;
+        return true;
+    }
+    if (names.empty() || names.back() == ',') return false;
+    unsigned read = dxNoHeuristics;
+    std::istringstream stream(names);
+    for (std::string name; std::getline(stream, name, ',');)
+        if (!addHeuristic(name, read)) return false;
+    choice = read;
+    return true;
+}
+
+// All that parseHeuristics knows.
+const char *knownHeuristics() { return "default, none, cells, centre, crossover, declustering, threads"; }
+
 constexpr int kTunedCells = 0;
 
 // What is misspelt would be without effect, and nobody would know.
@@ -211,19 +229,19 @@ bool dxSettings::chooseCallbackPolicy(const std::string &name) {
 
 void dxSettings::readHeuristics(const char *text) {
     if (chooseHeuristics(text)) return;
-    dxLog(dxLogLevel::warning, "ODE_MT_HEURISTICS is '%.100s'; known: %s; %s is taken", text, dxKnownHeuristics(),
+    dxLog(dxLogLevel::warning, "ODE_MT_HEURISTICS is '%.100s'; known: %s; %s is taken", text, knownHeuristics(),
           dxNamesOfHeuristics(heuristics()));
 }
 
 bool dxSettings::setHeuristics(const std::string &names) {
     const bool found = chooseHeuristics(names);
-    if (!found) dMessage(0, "ODE_MT: no heuristics '%s'; known: %s", names.c_str(), dxKnownHeuristics());
+    if (!found) dMessage(0, "ODE_MT: no heuristics '%s'; known: %s", names.c_str(), knownHeuristics());
     return found;
 }
 
 bool dxSettings::chooseHeuristics(const std::string &names) {
     unsigned choice = dxNoHeuristics;
-    if (!dxReadHeuristics(names, choice)) return false;
+    if (!parseHeuristics(names, choice)) return false;
     m_heuristics.store(choice, std::memory_order_relaxed);
     return true;
 }
@@ -306,20 +324,4 @@ bool dxSettings::setAlgorithm(const std::string &name) {
 
 bool dxSettings::chooseAlgorithm(const std::string &name) { return choose(kAlgorithms, name, m_algorithm); }
 
-bool dxReadHeuristics(const std::string &names, unsigned &choice) {
-    if (names == "default" || names == "none") {
-        choice = names == "default" ? dxDefaultHeuristics : dxNoHeuristics;
-        return true;
-    }
-    if (names.empty() || names.back() == ',') return false;
-    unsigned read = dxNoHeuristics;
-    std::istringstream stream(names);
-    for (std::string name; std::getline(stream, name, ',');)
-        if (!addHeuristic(name, read)) return false;
-    choice = read;
-    return true;
-}
-
 const char *dxNamesOfHeuristics(unsigned choice) { return heuristicTexts->of[choice]; }
-
-const char *dxKnownHeuristics() { return "default, none, cells, centre, crossover, declustering, threads"; }

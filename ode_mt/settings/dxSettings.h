@@ -63,17 +63,8 @@ enum dxHeuristicChoice : unsigned {
     dxDefaultHeuristics = dxTuneCells | dxTuneCentre | dxSkipCrossovers | dxSkipDeclustering
 };
 
-// "default", "none", or names with commas between them. False: one is unknown, and `choice` is as it was.
-bool dxReadHeuristics(const std::string &names, unsigned &choice);
-
 // "none", or names with commas between them. For ever.
 const char *dxNamesOfHeuristics(unsigned choice);
-
-// All that dxReadHeuristics knows.
-const char *dxKnownHeuristics();
-
-// How fine the grid of clusters may be, in cells on each axis (thesis 10.2).
-constexpr int dxMinGridCells = 5, dxMaxGridCells = 20;
 
 class dxSettings {
 public:

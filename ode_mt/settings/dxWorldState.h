@@ -1,11 +1,11 @@
 // What the library keeps beside a world, which is upstream's structure: the settings that the world has of its own, how its last frame went, and what
 // its solver remembers from step to step. There is one object for a world, made when something is first kept for it; it ends with the world.
 //
-// A step reads its world's settings once (dxWorldSettings::of), and passes them on. Looking a world up takes no lock for the first thousand worlds
-// that have a state.
+// A step reads its world's settings (dxWorldSettings::of) before it takes memory for its islands, and again when it begins with them; from there on
+// they are passed on (dxStepCall). Looking a world up takes no lock for the first thousand worlds that have a state.
 //
-// Threading: any thread may call. A setting that changes while its world is stepped holds from the next step on. As upstream, a world must not be
-// destroyed by one thread and used by another.
+// Threading: any thread may call. The solver must not be changed while its world is stepped, not by the world's memory functions either:
+// memory has been taken for the one before. As upstream, a world must not be destroyed by one thread and used by another.
 //
 // Dropped: a list for each kind of state, with a mutex and a search of its own. A step locked up to five of them.
 #pragma once
