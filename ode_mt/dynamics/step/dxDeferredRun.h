@@ -75,7 +75,7 @@ public:
     std::uint32_t seedOf(unsigned unit) const { return m_units[unit].seed; }  // the random sequence before its first draw
     std::uint32_t randomEnd() const { return m_randomEnd; }                   // the random sequence after the block
 
-    // On a worker: work() in the unit's scope. A unit may come in several parts, one after the other.
+    // On a worker: work() in the unit's scope. A unit may come in two parts, one after the other; then it draws no random numbers.
     template <class Work>
     void run(unsigned unit, unsigned worker, const Work &work);
 

@@ -3,7 +3,8 @@
 //
 //   dxPlanStep              maySolve(), predictShare(): how much of the step goes out
 //   dxIslandParallelStep    begin(): the islands that do (dxRemoteStep), beside those that stay
-//   dxStepIslands           noteWorkers(): for the world's statistics
+//   dxStepIslands           noteWorkers(): for the world's statistics; so does dxStepOnThisThread, of a step of many worlds
+//   dxLearnFromStep         wake(): before a step that will go out
 //
 // Results never depend on it, only speed does.
 //

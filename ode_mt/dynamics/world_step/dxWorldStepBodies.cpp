@@ -144,16 +144,11 @@ bool accelerateBody(const dxIslandStep &step, const dxWorldStepProblem &problem,
     return hasFeedback;
 }
 
-void clearForces(dxBody &body) {
-    dZeroVector3(body.facc);
-    dZeroVector3(body.tacc);
-}
-
 void moveAlone(const dxIslandStep &step, const dxWorldStepProblem &problem, unsigned index, bool areForcesApplied) {
     dxBody &body = *problem.bodies[index];
     accelerateBody(step, problem, index, areForcesApplied);
     dxIntegrateIslandBody(&body, step.stepSize);
-    clearForces(body);
+    dxClearForces(body);
 }
 
 // --- in lanes ----------------------------------------------------------------------------------------------
@@ -225,7 +220,7 @@ void turnInLanes(const dxIslandStep &step, unsigned begin, unsigned end) {
         for (unsigned axis = 0; axis < 3; ++axis) body.posr.pos[axis] += step.stepSize * body.lvel[axis];
         take(columns, i, body);
         damp(body);
-        clearForces(body);
+        dxClearForces(body);
     }
 }
 

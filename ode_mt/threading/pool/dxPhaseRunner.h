@@ -27,6 +27,8 @@ public:
         m_room = threads;
     }
 
+    unsigned room() const { return m_room; }  // number of threads for which it has been reserved
+
     // Calls control(). Its phases are shared by the runner's workers, of which there may be no more than reserved.
     template <class Control>
     void run(dxParallelStage stage, dxTaskRunner &runner, const Control &control) {

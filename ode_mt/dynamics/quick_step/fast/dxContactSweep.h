@@ -32,7 +32,6 @@ enum class dxSweepPart : unsigned {
 };
 
 constexpr bool dxIsFirst(dxSweepPart part) { return part == dxSweepPart::AllRows || part == dxSweepPart::Normals; }
-constexpr bool dxIsLast(dxSweepPart part) { return part == dxSweepPart::AllRows || part == dxSweepPart::OddFriction; }
 
 // Energies: of the change, the sum of |change of an impulse x its residual|. The first part of a sweep sets them, others add to them.
 double dxSweepContacts(const dxContactPacks &contacts, unsigned begin, unsigned end, dxSweepPart part, const dxOverRelaxation &factor,

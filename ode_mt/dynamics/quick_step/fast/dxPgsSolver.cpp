@@ -116,13 +116,12 @@ void dxPgsSolver::makePlan(const dxIslandStep &step) {
 
 void dxPgsSolver::reserve(std::size_t memory, unsigned threads) {
     m_phases.reserve(threads);
-    m_threads = std::max(m_threads, threads);
     if (memory != 0) m_arena.reserve(memory);
 }
 
 void dxPgsSolver::prepare(const dxIslandStep &step, const dxRowJoints &joints) {
     // Joints other than contacts may have pushed their bodies when they were asked for their rows.
-    if (step.islandWorkers == nullptr || !m_plan.rowJoints().empty()) dxFindFreeMotion(step, m_masses, m_velocities.data());
+    if (step.islandWorkers == nullptr || !m_plan.hasContactsOnly()) dxFindFreeMotion(step, m_masses, m_velocities.data());
     const dxContactReader reader(step, m_masses);
     m_hasFeedback.store(false, std::memory_order_relaxed);
     forChunks(step, [&](const dxConstraintPlan::Chunk &chunk, unsigned i) {

@@ -30,7 +30,7 @@ public:
     // Provides the memory and the number of threads that another solver has, between groups. Throws std::bad_alloc.
     void reserve(std::size_t memory, unsigned threads);
     std::size_t memory() const { return m_arena.capacity(); }
-    unsigned threads() const { return m_threads; }
+    unsigned threads() const { return m_phases.room(); }
 
 private:
     // The stages of a solution, in their order.
@@ -77,7 +77,6 @@ private:
     dxConstraintPlan m_plan;
     dxRowConstraints m_rows;
     dxPhaseRunner m_phases;
-    unsigned m_threads = 0;           // for which m_phases has room
     dxIslandBody *m_masses = nullptr;  // of the step's arena
     dxArenaArray<dxContactLanes> m_contacts;
     dxArenaArray<dxContactResponse> m_responses;                // by contact; none where there are too many

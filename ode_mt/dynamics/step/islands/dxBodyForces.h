@@ -1,10 +1,18 @@
 // What a stepper does with a body before it asks the joints: gravity, gyroscopic torque, and inertia in the world's frame.
 #pragma once
 
+#include <ode/odemath.h>
+
 #include "config.h"
 #include "objects.h"
 
 #include "dynamics/step/islands/dxIslandProblem.h"
+
+// Clears the body's accumulators.
+inline void dxClearForces(dxBody &body) {
+    dZeroVector3(body.facc);
+    dZeroVector3(body.tacc);
+}
 
 // Adds gravity, where it is not 0, to the body's accumulator, unless the body is in no-gravity mode.
 void dxAddGravity(dxBody &body, const dReal *gravity);

@@ -8,6 +8,7 @@
 #include "collision_kernel.h"
 #include "collision_space_internal.h"
 #include "core/dxPrefetch.h"
+#include "dynamics/step/islands/dxBodyForces.h"
 #include "dynamics/step/islands/dxForBodies.h"
 #include "dynamics/step/islands/dxUserHandlers.h"
 #include "dynamics/step/random/dxSingleStepper.h"
@@ -29,11 +30,6 @@ void prefetchMove(const dxGeom *geom) {
     if (geom == nullptr) return;
     dxPrefetch::lineForWrite(&geom->gflags);
     dxPrefetch::lineForWrite(&geom->next);
-}
-
-void clearForces(dxBody &body) {
-    dZeroVector3(body.facc);
-    dZeroVector3(body.tacc);
 }
 
 }  // namespace
@@ -98,13 +94,13 @@ void dxMoveBodies(const dxIslandStep &step, const dxNotificationPolicy &notifica
         dxForBodiesInParallel(step, dxParallelStage::Motion, [&](std::size_t i) {
             dxBody &body = *step.island.bodies[i];
             dxIntegrateUntold(&body, step.stepSize);
-            clearForces(body);
+            dxClearForces(body);
         });
         return dxNotifyMoved(step.island);
     }
     dxForBodies(step, [&](std::size_t i) {
         dxBody &body = *step.island.bodies[i];
         dxIntegrateIslandBody(&body, step.stepSize);
-        clearForces(body);
+        dxClearForces(body);
     });
 }

@@ -2,8 +2,9 @@
 //
 // Upstream's dxStepBody moves a body, then tells the collision spaces that its geoms moved, which re-links their lists (the order of the next
 // frame's pairs), then calls the user, then damps, and goes on with the next body. Here moving and notifying are two operations. On a worker the
-// notification is deferred; dxIslandParallelStep replays it for all bodies in island and body order. Damping and the clearing of accumulators read
-// nothing that the spaces write, so the bits stay the same. A body with a callback of the user is never stepped on a worker.
+// notification is deferred; dxDeferredRun::commit replays it for all bodies, in the order of islands, or worlds, and bodies. Damping and the
+// clearing of accumulators read nothing that the spaces write, so the bits stay the same. A body with a callback of the user is never stepped on a
+// worker.
 //
 // In a large island positions come first and the spaces are told afterwards, in the island's order. Nobody sees the difference as long as nobody
 // but the spaces hears of any body: see dxMayDeferNotification.

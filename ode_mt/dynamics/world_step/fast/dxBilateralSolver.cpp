@@ -17,7 +17,7 @@ dxBilateralJoint describe(const dxWorldStepJoint &joint) {
     const dxBody *const second = joint.joint->node[dJCB_SECOND_BODY].body;
     return {{static_cast<unsigned>(joint.joint->node[dJCB_FIRST_BODY].body->tag),
              second != nullptr ? static_cast<unsigned>(second->tag) : kNoIndex},
-            joint.firstRow, joint.rows, joint.joint->type() == dJointTypeBall};
+            joint.rows, joint.joint->type() == dJointTypeBall};
 }
 
 // Calls work(rows), the number of most bilateral joints being a constant in it: loops are unrolled.

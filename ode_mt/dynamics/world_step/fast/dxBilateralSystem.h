@@ -19,7 +19,6 @@
 
 struct dxBilateralJoint {
     unsigned bodies[2];  // tags; the second one may be kNoIndex: none
-    unsigned firstRow;   // of the island
     unsigned rows;
     bool isBall;
 };
@@ -61,8 +60,6 @@ struct dxBilateralSystem {
 
     unsigned columns() const { return isBalls ? kBallLanes : kBodyAxes; }  // of a block
     double *jacobianOf(unsigned joint, unsigned side) { return numbers(jacobian, (2 * std::size_t(joint) + side) * kBodyAxes); }
-    double *diagonalOf(unsigned joint) { return numbers(diagonal, std::size_t(joint) * columns()); }
-    double *belowOf(unsigned block) { return numbers(below, std::size_t(block) * columns()); }
     double *vectorOf(unsigned joint, Vector which) { return numbers(vectors, std::size_t(joint) * kVectors + which); }
 
 private:
