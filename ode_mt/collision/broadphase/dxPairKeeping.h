@@ -17,7 +17,6 @@ class dxPairKeeping {
 public:
     explicit dxPairKeeping(dxPairOrder order) : m_order(order) {}
 
-    dxPairOrder order() const { return m_order; }
     bool isKept() const { return m_isKept; }
 
     // Requires a call after each call of dSpaceCollide, with what that did. May change isKept() for the next one.

@@ -34,8 +34,7 @@ struct Dispatch {
     Dispatch() { forget(); }
 
     void atClose() {
-        forget();
-        dxColliderOverrides::forget();
+        dxColliderTable::forget();
         classes = 0;
     }
 

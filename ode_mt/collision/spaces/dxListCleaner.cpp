@@ -191,7 +191,7 @@ void dxListCleaner::onAdded(dxGeom *geom, Slot /*slot*/) {
 }
 
 bool dxListCleaner::readAgain() {
-    for (dxGeom *geom = first(); geom != nullptr; geom = geom->next) m_geoms.rank(geom, m_geoms.members()[dxSpaceGeoms::slotOf(geom)].rank);
+    m_geoms.rankAgain();
     for (const dxGeom *geom = firstClean(first()); geom != nullptr; geom = geom->next)
         if (isDirty(geom)) return true;
     return false;

@@ -1,7 +1,6 @@
 #include "collision/spaces/dxOrderedSpace.h"
 
 #include <new>
-#include <optional>
 
 #include "collision/narrowphase/dxTransformedGeom.h"
 #include "threading/timeline/dxTimelineSpan.h"

@@ -35,8 +35,7 @@ bool dxQuadTreeCleaner::cleanToCollide() {
 
 // A geom is also stale if it has another box, but not the block of that, in which upstream would not look for it.
 bool dxQuadTreeCleaner::readAgain() {
-    for (dxGeom *geom = m_geoms.space().first; geom != nullptr; geom = geom->next)
-        m_geoms.rank(geom, m_geoms.members()[dxSpaceGeoms::slotOf(geom)].rank);
+    m_geoms.rankAgain();
     for (const dxGeom *geom = m_geoms.space().first; geom != nullptr; geom = geom->next) {
         const Slot slot = dxSpaceGeoms::slotOf(geom);
         if (m_dirty.has(slot)) continue;

@@ -35,7 +35,6 @@ public:
 protected:
     ~dxRankPairOrder() = default;
 
-    const dxSpaceGeoms &geoms() const { return m_geoms; }
     dxSpaceGeoms &geoms() { return m_geoms; }
 
 private:

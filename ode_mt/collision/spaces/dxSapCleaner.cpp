@@ -8,9 +8,6 @@
 
 namespace {
 
-// Prefetch distance in geoms.
-constexpr std::size_t kPrefetchDistance = 8;
-
 // Geoms that are cleaned before their boxes are taken.
 constexpr std::size_t kBoxesAtOnce = 8;
 
@@ -168,7 +165,7 @@ void dxSapCleaner::stopWalking() {
 bool dxSapCleaner::hasUncleanBox() const {
     const std::vector<dxSapLists::Entry> &list = m_lists.clean();
     for (std::size_t i = 0; i < list.size(); ++i) {
-        if (i + kPrefetchDistance < list.size()) dxPrefetch::line(&list[i + kPrefetchDistance].geom->gflags);
+        if (i + kSapPrefetchDistance < list.size()) dxPrefetch::line(&list[i + kSapPrefetchDistance].geom->gflags);
         if (dxGeomIsEnabled(list[i].geom) && (list[i].geom->gflags & GEOM_AABB_BAD) != 0) return true;
     }
     return false;

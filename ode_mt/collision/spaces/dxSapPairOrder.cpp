@@ -6,13 +6,6 @@
 
 #include "core/dxPrefetch.h"
 
-namespace {
-
-// Prefetch distance in members.
-constexpr std::size_t kPrefetchDistance = 8;
-
-}  // namespace
-
 // Returns false if there is NaN among the keys, along which upstream's sweep loses its way.
 bool dxSapPairOrder::prepare() {
     m_swept.clear();
@@ -22,7 +15,7 @@ bool dxSapPairOrder::prepare() {
     bool hasNaN = false;
     const std::vector<dxSapLists::Entry> &list = m_lists.clean();
     for (std::size_t i = 0; i < list.size(); ++i) {
-        if (i + kPrefetchDistance < list.size()) dxPrefetch::line(&m_state.members[list[i + kPrefetchDistance].slot]);
+        if (i + kSapPrefetchDistance < list.size()) dxPrefetch::line(&m_state.members[list[i + kSapPrefetchDistance].slot]);
         const Slot slot = list[i].slot;
         dxSapMember &member = m_state.members[slot];
         if (!m_state.axes.areAll()) member.box = m_state.axes.boxOf(list[i].geom);  // a geom's bits may be bounds

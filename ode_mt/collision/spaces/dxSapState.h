@@ -7,11 +7,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/pairs/dxMembers.h"
 #include "collision/spaces/dxSapBox.h"
 #include "collision/spaces/dxSapSort.h"
 #include "collision/spaces/dxSapWalk.h"
 #include "collision/spaces/dxSpaceGeoms.h"
+
+// Prefetch distance of the parts of a sweep-and-prune space, in members.
+constexpr std::size_t kSapPrefetchDistance = 8;
 
 enum class dxSapPart : std::uint8_t { absent, swept, infinite };
 

@@ -7,9 +7,6 @@
 
 namespace {
 
-// Prefetch distance in geoms.
-constexpr std::size_t kPrefetchDistance = 8;
-
 // If a walk finds more pairs they are not left in memory.
 constexpr std::size_t kMaxPairsPerGeomKept = 2 * dxBroadphaseThresholds::kMaxComparisonsWalked;
 
@@ -113,7 +110,7 @@ void dxSapWalker::findPairsOf(dxSapWalk &sweep) {
         const std::vector<dxSapLists::Entry> &list = m_cleaner.lists().clean();
         sweep.begin(list.size());
         for (std::size_t i = 0; i < list.size(); ++i) {
-            if (i + kPrefetchDistance < list.size()) dxPrefetch::line(list[i + kPrefetchDistance].geom->aabb);
+            if (i + kSapPrefetchDistance < list.size()) dxPrefetch::line(list[i + kSapPrefetchDistance].geom->aabb);
             if (dxGeomIsEnabled(list[i].geom)) sweep.add(list[i].geom);
         }
         sweep.findPairs(m_state.sort);

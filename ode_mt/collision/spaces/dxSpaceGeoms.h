@@ -53,7 +53,6 @@ public:
     dxMembers &members() { return m_members; }
     const dxMembers &members() const { return m_members; }
     dxSpace &space() { return m_space; }
-    const dxSpace &space() const { return m_space; }
     int count() const { return m_space.count; }
     bool isOutermostCall() const { return m_space.lock_count == 1; }
     dxPairOrder pairOrder() const { return m_order; }
@@ -94,6 +93,10 @@ public:
     // Sets the rank of a geom, possibly the old one, and its bounds, which may be wider than its box.
     void rank(dxGeom *geom, dxRank rank) { this->rank(geom, rank, dxBounds(geom->aabb)); }
     void rank(dxGeom *geom, dxRank rank, const dxBounds &bounds);
+    // Takes the boxes of all members again; their ranks stay.
+    void rankAgain() {
+        for (dxGeom *geom = m_space.first; geom != nullptr; geom = geom->next) rank(geom, m_members[slotOf(geom)].rank);
+    }
 
     // ---- Walks -----------------------------------------------------------------------------------------------------------------------
 
