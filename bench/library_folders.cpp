@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <iterator>
-#include <sstream>
 #include <stdexcept>
+
+#include "support/text.h"
 
 namespace bench {
 
@@ -41,8 +41,7 @@ std::vector<std::string> preloadedLibraries() {
     const char *const text = std::getenv("LD_PRELOAD");
     std::string names = text != nullptr ? text : "";
     std::replace(names.begin(), names.end(), ':', ' ');
-    std::istringstream stream(names);
-    return {std::istream_iterator<std::string>(stream), {}};
+    return support::splitAtBlanks(names);
 }
 
 std::string addLibrary(const support::TemporaryFolder &in, const std::string &folder, const std::string &library) {

@@ -169,10 +169,7 @@ std::string reportText(const WorldResult &result) {
 namespace {
 
 std::string exponentText(double exponent) {
-    if (!std::isfinite(exponent)) return "";
-    char text[32];
-    std::snprintf(text, sizeof text, "%.2f", exponent);
-    return text;
+    return std::isfinite(exponent) ? format("%.2f", exponent) : "";
 }
 
 std::vector<Table::Column> columns(const Curve &curve) {

@@ -1,6 +1,5 @@
 #include "batch/workers.h"
 
-#include <fcntl.h>
 #include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -12,13 +11,13 @@
 #include <cstdarg>
 #include <cstdio>
 #include <cstring>
-#include <iostream>
 #include <iterator>
 #include <stdexcept>
+#include <utility>
 
 #include "batch/world_run.h"
-#include "support/text_file.h"
 #include "support/process.h"
+#include "support/text_file.h"
 
 namespace batch {
 
@@ -76,38 +75,29 @@ Workers::Workers(const Plan &plan, unsigned count) : m_plan(plan), m_workers(cou
 Workers::~Workers() {
     for (Worker &worker : m_workers) {
         if (worker.process < 0) continue;
-        close(worker.commands);
-        close(worker.answers);
+        worker.commands.close();
+        worker.answers.close();
         kill(worker.process, SIGKILL);
         support::waitFor(worker.process);
     }
 }
 
 void Workers::start(Worker &worker) {
-    int commands[2], answers[2];
-    if (pipe2(commands, O_CLOEXEC) != 0) throw std::runtime_error(std::string("cannot start a worker: ") + std::strerror(errno));
-    if (pipe2(answers, O_CLOEXEC) != 0) {
-        close(commands[0]);
-        close(commands[1]);
-        throw std::runtime_error(std::string("cannot start a worker: ") + std::strerror(errno));
-    }
+    support::Pipe commands, answers;
     worker.process = support::forkChild();
+    if (worker.process < 0) throw std::runtime_error(std::string("cannot start a worker: ") + std::strerror(errno));
     if (worker.process == 0) {
-        for (const Worker &other : m_workers) {
-            if (other.commands >= 0) close(other.commands);
-            if (other.answers >= 0) close(other.answers);
+        for (Worker &other : m_workers) {
+            other.commands.close();
+            other.answers.close();
         }
-        close(commands[1]);
-        close(answers[0]);
-        answerFile = answers[1];
-        work(m_plan, commands[0]);
+        commands.writing.close();
+        answers.reading.close();
+        answerFile = answers.writing.number();
+        work(m_plan, commands.reading.number());
     }
-    const int error = errno;
-    close(commands[0]);
-    close(answers[1]);
-    worker.commands = commands[1];
-    worker.answers = answers[0];
-    if (worker.process < 0) throw std::runtime_error(std::string("cannot start a worker: ") + std::strerror(error));
+    worker.commands = std::move(commands.writing);
+    worker.answers = std::move(answers.reading);
 }
 
 std::size_t Workers::outstanding() const {
@@ -129,13 +119,14 @@ void Workers::feed() {
             if (worker.runs.size() >= most) continue;
             worker.runs.push_back(m_queue.front());
             m_queue.pop_front();
-            support::writeAll(worker.commands, std::to_string(worker.runs.back()) + "\n");  // a worker that is gone is seen by its answers' end
+            // A worker that is gone is seen by its answers' end.
+            support::writeAll(worker.commands.number(), std::to_string(worker.runs.back()) + "\n");
         }
 }
 
 std::vector<Json> Workers::takeAnswers(int milliseconds) {
     std::vector<pollfd> files;
-    for (const Worker &worker : m_workers) files.push_back({worker.answers, POLLIN, 0});
+    for (const Worker &worker : m_workers) files.push_back({worker.answers.number(), POLLIN, 0});
     std::vector<Json> answers;
     if (poll(files.data(), files.size(), milliseconds) <= 0) return answers;
     for (unsigned i = 0; i < count(); ++i)
@@ -147,7 +138,7 @@ std::vector<Json> Workers::takeAnswers(int milliseconds) {
 void Workers::read(unsigned index, std::vector<Json> &answers) {
     Worker &worker = m_workers[index];
     char bytes[65536];
-    const ssize_t count = ::read(worker.answers, bytes, sizeof bytes);
+    const ssize_t count = ::read(worker.answers.number(), bytes, sizeof bytes);
     if (count < 0 && errno == EINTR) return;
     if (count <= 0) return replace(index, answers);
     worker.text.append(bytes, static_cast<std::size_t>(count));
@@ -164,9 +155,10 @@ void Workers::read(unsigned index, std::vector<Json> &answers) {
 
 void Workers::replace(unsigned index, std::vector<Json> &answers) {
     Worker &worker = m_workers[index];
-    close(worker.commands);
-    close(worker.answers);
+    worker.commands.close();
+    worker.answers.close();
     const int status = support::waitFor(worker.process);
+    worker.process = -1;
     worker.text.clear();
     const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
     const bool isFault = isOwnFault(signal) || ++worker.kills >= kMaxKills;
@@ -176,7 +168,7 @@ void Workers::replace(unsigned index, std::vector<Json> &answers) {
         worker.kills = 0;
     }
     start(worker);
-    for (const long run : worker.runs) support::writeAll(worker.commands, std::to_string(run) + "\n");
+    for (const long run : worker.runs) support::writeAll(worker.commands.number(), std::to_string(run) + "\n");
 }
 
 namespace {

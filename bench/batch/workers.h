@@ -4,11 +4,11 @@
 #include <sys/types.h>
 
 #include <deque>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "batch/plan.h"
+#include "support/process.h"
 
 namespace batch {
 
@@ -38,7 +38,7 @@ public:
 private:
     struct Worker {
         pid_t process = -1;
-        int commands = -1, answers = -1;  // files
+        support::Descriptor commands, answers;
         std::deque<long> runs;            // that it has; the first one is in progress
         std::string text;                 // of an answer that is not complete
         unsigned kills = 0;               // while the first one was in progress

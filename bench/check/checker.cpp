@@ -176,7 +176,7 @@ private:
     void undecided(const Play &stock, const Play &other, const PlayComparison &comparison, int equal, int rounds) {
         const auto &first = comparison.steps.first;
         notCompared("Not decided: " + sometimesText(other, equal, rounds) +
-                    ". Several threads or processes of the program make worlds, so its own order of " + "events may be the reason. The difference: " +
+                    ". Several threads or processes of the program make worlds, so its own order of events may be the reason. The difference: " +
                     (first               ? textOf(*first, stock, other) + '.'
                      : comparison.ending ? *comparison.ending
                                          : *comparison.messages));

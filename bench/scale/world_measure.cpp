@@ -1,7 +1,6 @@
 #include "scale/world_measure.h"
 
 #include "library_folders.h"
-#include "library_folders.h"
 #include "support/text_file.h"
 
 #include <unistd.h>

@@ -2,9 +2,9 @@
 
 #include <cstdarg>
 #include <cstdio>
-#include <sstream>
 
 #include "settings/dxSerialReason.h"
+#include "support/text.h"
 #include "table.h"
 
 namespace top {
@@ -69,10 +69,7 @@ std::vector<std::string> tableOf(const std::vector<FrameRates> &worlds) {
                       std::to_string(last.pairs), last.contactsAhead != 0 ? percent(last.hitRate) : "-", std::to_string(last.islands),
                       std::to_string(last.rows), print("%u+%u", last.collisionThreads, last.stepThreads)});
     }
-    std::vector<std::string> lines;
-    std::istringstream text(table.text());
-    for (std::string line; std::getline(text, line);) lines.push_back(line);
-    return lines;
+    return support::split(table.text(), '\n');
 }
 
 std::vector<std::string> detailsOf(const FrameRates &rates) {

@@ -37,22 +37,12 @@ int Program::openOutput(const TopOptions &options) {
 
 Program::Program(const TopOptions &options, const support::TemporaryFolder &folder, const FrameBoard &board) {
     const std::string library = bench::addLibrary(folder, "ours", options.ourFolder + "/libode.so.8");
-    const int output = openOutput(options), nothing = isatty(STDIN_FILENO) != 0 ? open("/dev/null", O_RDONLY | O_CLOEXEC) : -1;
-    const int to = output >= 0 ? output : STDERR_FILENO;
+    const support::Descriptor output(openOutput(options)), nothing(isatty(STDIN_FILENO) != 0 ? open("/dev/null", O_RDONLY | O_CLOEXEC) : -1);
+    const int to = output.number() >= 0 ? output.number() : STDERR_FILENO;
     const support::Environment environment = {{"LD_LIBRARY_PATH", bench::inFront(library, "LD_LIBRARY_PATH")},
                                               {"ODE_MT_THREADS", options.threads},
                                               {"ODE_MT_STATISTICS", board.path()}};
-    const auto closeFiles = [=] {
-        if (output >= 0) close(output);
-        if (nothing >= 0) close(nothing);
-    };
-    try {
-        m_child = support::spawn(options.command, environment, {nothing, to, to}, support::Group::Own);
-    } catch (...) {
-        closeFiles();
-        throw;
-    }
-    closeFiles();
+    m_child = support::spawn(options.command, environment, {nothing.number(), to, to}, support::Group::Own);
 }
 
 Program::~Program() {

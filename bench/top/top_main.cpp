@@ -9,7 +9,6 @@
 
 #include "tool_output.h"
 #include "support/orphans.h"
-#include "library_folders.h"
 #include "top/frame_board.h"
 #include "top/frame_rates.h"
 #include "top/frame_text.h"

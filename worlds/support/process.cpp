@@ -151,7 +151,7 @@ PipedProcess::~PipedProcess() {
     m_output.close();
     if (m_pid < 0) return;
     kill(m_pid, SIGKILL);
-    waitpid(m_pid, nullptr, 0);
+    waitFor(m_pid);
 }
 
 int PipedProcess::wait() {

@@ -10,7 +10,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
-#include <sstream>
 
 namespace fs = std::filesystem;
 
@@ -72,8 +71,7 @@ struct FuelModel {
 
 std::optional<FuelModel> fuelModel(const std::string &url) {
     std::vector<std::string> parts;
-    std::istringstream stream(url.substr(url.find("://") + 3));
-    for (std::string part; std::getline(stream, part, '/');) {
+    for (const std::string &part : support::split(url.substr(url.find("://") + 3), '/')) {
         if (part == "." || part == "..") return std::nullopt;
         if (!part.empty()) parts.push_back(part);
     }
