@@ -2,8 +2,9 @@
 #
 #   odemt_add_suites(PROGRAM PREFIX name. [FILTER gtest_filter] [ALONE regex] PROPERTIES property value ...)
 #
-# A suite S is the test name.S. FILTER leaves out suites and cases, as --gtest_filter does. Each case of a suite whose name matches ALONE is a test
-# with a process of its own, name.S.case: cases that take long by themselves, and those that need a process in which nothing has happened yet.
+# A suite S is the test name.S. FILTER is empty or -PATTERNS, as --gtest_filter has it: it leaves out suites and cases. Each case of a suite whose
+# name matches ALONE is a test with a process of its own, name.S.case: cases that take long by themselves, and those that need a process in which
+# nothing has happened yet.
 # Suites are read from the program when ctest starts, again after each build of the program.
 function(odemt_add_suites program)
     cmake_parse_arguments(PARSE_ARGV 1 suites "" "PREFIX;FILTER;ALONE" "PROPERTIES")
@@ -13,7 +14,8 @@ function(odemt_add_suites program)
         string(APPEND _properties " [==[${_word}]==]")
     endforeach()
     file(GENERATE OUTPUT "${_script}" CONTENT
-"set(program [==[$<TARGET_FILE:${program}>]==])
+"set(script [==[${_script}]==])
+set(program [==[$<TARGET_FILE:${program}>]==])
 set(prefix [==[${suites_PREFIX}]==])
 set(filter [==[${suites_FILTER}]==])
 set(alone [==[${suites_ALONE}]==])

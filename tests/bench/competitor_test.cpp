@@ -33,6 +33,13 @@ public:
     const std::string file = testing::TempDir() + "/bench_child_" + std::to_string(getpid());
 };
 
+// The hash of the world's state after so many frames.
+auto hashAfter(int frames, const std::string &world, const std::string &engine) {
+    ChildCompetitor competitor(readEngine(engine), world, settings());
+    competitor.start();
+    return competitor.run(frames).hash;
+}
+
 }  // namespace
 
 TEST(ChildCompetitor, StockRunsOnDebiansLibrary) {
@@ -62,19 +69,11 @@ TEST(ChildCompetitor, OursRunsWithItsCallbacksAndGrid) {
 }
 
 TEST(ChildCompetitor, ConcurrentCallbacksOfAnSdfWorldGiveTheSameState) {
-    ChildCompetitor stock(readEngine("stock"), "humanoids", settings());
-    ChildCompetitor ours(readEngine("ours:4/lcp/concurrent"), "humanoids", settings());
-    stock.start();
-    ours.start();
-    EXPECT_EQ(stock.run(100).hash, ours.run(100).hash);
+    EXPECT_EQ(hashAfter(100, "humanoids", "stock"), hashAfter(100, "humanoids", "ours:4/lcp/concurrent"));
 }
 
 TEST(ChildCompetitor, BothEnginesGiveTheSameState) {
-    ChildCompetitor stock(readEngine("stock"), "humanoids:2", settings());
-    ChildCompetitor ours(readEngine("ours:2"), "humanoids:2", settings());
-    stock.start();
-    ours.start();
-    EXPECT_EQ(stock.run(50).hash, ours.run(50).hash);
+    EXPECT_EQ(hashAfter(50, "humanoids:2", "stock"), hashAfter(50, "humanoids:2", "ours:2"));
 }
 
 TEST(ChildCompetitor, ThePoolRuns) {

@@ -6,7 +6,6 @@
 
 using namespace bench;
 
-using bench::expandSizes;
 using Worlds = std::vector<std::string>;
 
 TEST(SizeRange, SizesDouble) {
@@ -30,13 +29,23 @@ TEST(SizeRange, ARangeThatMakesNoSenseIsLeftToBeComplainedOf) {
 
 namespace {
 
-std::string complaintOfOptions(const std::string &world) {
+// What a call throws std::invalid_argument with; empty if it does not.
+template <class Call>
+std::string complaintOf(const Call &call) {
     try {
-        loadOptions(readWorldSpec(world));
+        call();
     } catch (const std::invalid_argument &error) {
         return error.what();
     }
     return "";
+}
+
+std::string complaintOfOptions(const std::string &world) {
+    return complaintOf([&] { loadOptions(readWorldSpec(world)); });
+}
+
+std::string complaint(const std::string &world) {
+    return complaintOf([&] { checkWorld(world); });
 }
 
 }  // namespace
@@ -84,19 +93,6 @@ TEST(WorldSpec, WrongSizesAndModifiersAreNamed) {
     EXPECT_NE(complaintOfOptions("create,sap").find("'sap'"), std::string::npos);
     EXPECT_EQ(complaintOfOptions("create:620"), "");
 }
-
-namespace {
-
-std::string complaint(const std::string &world) {
-    try {
-        checkWorld(world);
-    } catch (const std::invalid_argument &error) {
-        return error.what();
-    }
-    return "";
-}
-
-}  // namespace
 
 TEST(WorldSource, ModifiersBelongToTheSceneBeforeThem) {
     EXPECT_EQ(splitWorlds("rover,pile:40,quick,sap,create,a/b.sdf"),

@@ -14,6 +14,8 @@ import re
 import subprocess
 import sys
 
+from check_samples import pages_of_users
+
 CODE = {".c", ".cc", ".cmake", ".cpp", ".h", ".hpp", ".in", ".json", ".map", ".py", ".sdf", ".sh", ".txt", ""}
 FOLDERS = ("ode", "ode_mt", "include", "tests", "bench", "worlds", "docs", "examples", ".ci")
 LINK = re.compile(r"\]\(([^)#\s]*)(?:#([^)\s]*))?\)")
@@ -82,15 +84,9 @@ def pages_without_contents(docs):
             yield contents, page
 
 
-def pages_of_users(docs):
-    """Returns the pages of the first section of the contents, and README.md of the root."""
-    sections = (docs / "README.md").read_text().split("\n## ")
-    return [docs.parent / "README.md", *(docs / page for page in sorted(links_of(sections[1])) if page.endswith(".md"))]
-
-
 def links_to_notes(docs):
     """Yields each page for users with its link to a note."""
-    for page in filter(pathlib.Path.is_file, pages_of_users(docs)):
+    for page in sorted(filter(pathlib.Path.is_file, pages_of_users(docs.parent))):
         for target in sorted(links_of(page.read_text())):
             if docs / "notes" in (page.parent / target).resolve().parents:
                 yield page, target

@@ -36,9 +36,9 @@ CODE = re.compile(r"^```.*?^```$|`[^`\n]*`|\]\([^)]*\)|<!--.*?-->", re.DOTALL | 
 
 def faults_of(text):
     """Yields the number of a line, the word and what to say instead."""
-    plain = CODE.sub(lambda code: "\n" * code[0].count("\n"), text)
+    plain = re.sub("[ \t]+", " ", CODE.sub(lambda code: "\n" * code[0].count("\n"), text))
     for pattern, instead in INSTEAD.items():
-        for found in re.finditer(rf"\b{pattern}\b", re.sub("[ \t]+", " ", plain), re.IGNORECASE):
+        for found in re.finditer(rf"\b{pattern}\b", plain, re.IGNORECASE):
             yield plain.count("\n", 0, found.start()) + 1, found[0], instead
 
 

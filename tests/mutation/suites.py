@@ -12,8 +12,8 @@ _UNITS = {
     "ode_mt/collision/": ["collision/search_parts_tests"],
     "ode_mt/clusters/heuristics/": ["heuristics/heuristics_tests"],
     "ode_mt/clusters/": ["clustering/clustering_tests"],
-    "ode_mt/dynamics/": ["dynamics/dantzig_tests", "dynamics/stepper_tests", "dynamics/dynamics_tests"],
-    "ode_mt/core/": ["dynamics/dantzig_tests", "dynamics/dynamics_tests", "collision/search_parts_tests", "clustering/clustering_tests",
+    "ode_mt/dynamics/": ["dynamics/lcp_tests", "dynamics/stepper_tests", "dynamics/dynamics_tests"],
+    "ode_mt/core/": ["dynamics/lcp_tests", "dynamics/dynamics_tests", "collision/search_parts_tests", "clustering/clustering_tests",
                      "threading/threading_tests"],
     "ode_mt/threading/": ["threading/threading_tests"],
     "ode_mt/": ["frame/frame_tests"],  # and for all others, last of all suites
