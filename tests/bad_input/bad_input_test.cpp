@@ -3,6 +3,8 @@
 //
 // Has found: dQuadTreeSpaceCreate did not end for a depth of two thousand million, where libode8
 // crashes.
+//
+// Covers api/ode_MT.cpp, api/ode_MT_worlds.cpp.
 #include "two_libraries.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,6 @@
 // dxClusterHistory: names stay with clusters; merges and splits are reported.
+//
+// Covers dxClusters.cpp.
 #include <gtest/gtest.h>
 
 #include <vector>

@@ -1,5 +1,7 @@
 // Contacts of two boxes, bit for bit those of upstream's dBoxBox, as Debian built it: on every instruction set, in every mode of
 // rounding, for boxes at random, on a grid, stacked, crossed, flat, endless, tiny, huge, sheared and not numbers.
+//
+// Covers dxBoxContacts.cpp.
 #include <gtest/gtest.h>
 
 #include <ode/ode.h>

@@ -1,5 +1,7 @@
 // Geoms added clean in front of dirty ones: upstream never cleans those behind and fails an assertion where they
 // meet something (docs/collision.md). Ours ends in the same way, with the same text, or continues in the same way.
+//
+// Covers dxListCleaner.cpp.
 #include <gtest/gtest.h>
 
 #include <regex>

@@ -1,4 +1,6 @@
 // dxGridBroadphase against brute force, beyond what every search has to do (broadphase_test.cpp): crowds and deserts.
+//
+// Covers dxCellGridPairs.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>

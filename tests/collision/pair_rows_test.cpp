@@ -1,4 +1,6 @@
 // dxPairRows, dxHashRows and dxSapRows against what upstream's spaces do, step by step.
+//
+// Covers dxHashRows.cpp, dxSapRows.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>

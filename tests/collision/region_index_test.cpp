@@ -1,4 +1,6 @@
 // dxRegionIndex against brute force: members come, go and change between questions, whatever their boxes.
+//
+// Covers dxBoxBvh.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>

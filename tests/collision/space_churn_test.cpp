@@ -1,6 +1,8 @@
 // A space to which geoms are added and from which they are removed uses no more memory than at the start, for any use in between:
 // collided, asked with a ray, asked as a member of another space, only cleaned, or nothing; under every way of finding
 // pairs.
+//
+// Covers dxOrderedSpace.cpp, dxSpaceGeoms.cpp.
 #include <gtest/gtest.h>
 #include <malloc.h>
 

@@ -1,4 +1,6 @@
 // The solver of islands all of whose rows are bilateral beside Dantzig's algorithm: chains, trees and rings of joints of all such types.
+//
+// Covers dxBilateralSystem.cpp.
 #include "dynamics/world_step/fast/dxBilateralSolver.h"
 
 #include <random>

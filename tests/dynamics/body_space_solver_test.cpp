@@ -1,4 +1,6 @@
 // The body space solver beside Dantzig's algorithm, on islands of random worlds: joints of all types, motors, stops, friction, kinematic bodies.
+//
+// Covers dxBodySpaceProblem.cpp.
 #include "dynamics/world_step/fast/dxBodySpaceSolver.h"
 
 #include "compared_solutions.h"

@@ -1,5 +1,7 @@
 // The plan of a group's constraints: each joint is in one place, packs that may be solved at once share no moving body, bodies with many edges
 // have an overflow; small groups are solved upwards or downwards. And its phases on threads: each chunk once a sweep, phases one after the other.
+//
+// Covers dxPackOrder.cpp.
 #include <gtest/gtest.h>
 
 #include <ode/ode.h>

@@ -1,5 +1,7 @@
 // The kernels over packs of contacts, on every instruction set: impulses that are swept long enough solve the contact's
 // conditions, velocities are those that the impulses give, and the bits do not depend on the width of vectors.
+//
+// Covers dxContactPreparation.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 // A run of Dantzig's algorithm stays within its memory, and raises no exception where upstream raises none: it would be
 // right all the same, but upstream's solver would do everything again.
+//
+// Covers dxDantzigArrays.cpp.
 #include <gtest/gtest.h>
 
 #include <cfenv>

@@ -1,4 +1,6 @@
 // Dantzig's algorithm gives the bits of upstream's LCP solver, for every instruction set of this machine.
+//
+// Covers dxIslandStep.cpp.
 #include <gtest/gtest.h>
 
 #include <ode/error.h>

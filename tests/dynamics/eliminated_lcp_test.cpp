@@ -1,5 +1,7 @@
 // Dantzig's algorithm for the unilateral rows alone, the bilateral ones being eliminated, beside Dantzig's algorithm for all rows, on islands
 // of random worlds: joints of all types, motors, stops, friction, kinematic bodies.
+//
+// Covers dxRowBlocks.cpp.
 #include "dynamics/world_step/fast/dxEliminatedLcp.h"
 
 #include "compared_solutions.h"

@@ -1,6 +1,8 @@
 // dWorldQuickStep of worlds whose solver is "fast": the same bits for every number of threads and instruction set, and for a
 // world made anew from a saved state; forces of the last step found again; what is not solved so is left to upstream. How good
 // its results are is judged in tests/quality.
+//
+// Covers dxContactCache.cpp, dxContactReader.cpp, dxFastQuickStepState.cpp, dxPgsSolver.cpp, dxRowConstraints.cpp.
 #include <gtest/gtest.h>
 
 #include <ode/ode.h>

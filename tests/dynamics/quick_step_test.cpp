@@ -1,4 +1,6 @@
 // Each stage of QuickStep gives the bits of upstream's, for every instruction set of this machine, one island after the other.
+//
+// Covers dxBodyForces.cpp, dxIslandBodies.cpp, dxJointRows.cpp, dxSorSolver.cpp.
 #include "dynamics/quick_step/dxIslandBodies.h"
 #include "dynamics/quick_step/dxJointRows.h"
 #include "dynamics/quick_step/exact/dxQuickStep.h"

@@ -1,4 +1,6 @@
 // The exact step of an island gives the bits of upstream's at each stage, for every instruction set of this machine.
+//
+// Covers dxBodyColumns.cpp, dxBodyForces.cpp, dxConstraintMatrix.cpp, dxDantzigSolver.cpp, dxWorldStepBodies.cpp, dxWorldStepRows.cpp.
 #include <gtest/gtest.h>
 
 #include <ode/error.h>

@@ -4,6 +4,8 @@
 //
 // Has found: no memory on a worker ended the process, as did an object that could not be given back to its
 // pool; the space was left locked; a list of a sweep-and-prune space half grown was taken for whole.
+//
+// Covers dxJointRemoval.cpp, dxWorkingMemory.cpp.
 #include "two_libraries.h"
 
 #include <gtest/gtest.h>

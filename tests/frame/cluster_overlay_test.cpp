@@ -1,4 +1,6 @@
 // What a debug overlay can see of clusters (ode_MT.h, group ode_mt_clusters).
+//
+// Covers api/ode_MT_clusters.cpp.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 

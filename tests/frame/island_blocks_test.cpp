@@ -1,4 +1,6 @@
 // Every island is in one block; large islands alone and first, small ones together in their own order.
+//
+// Covers dxStepRecords.cpp.
 #include "dynamics/step/dxIslandBlocks.h"
 
 #include <gtest/gtest.h>

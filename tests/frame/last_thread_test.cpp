@@ -2,6 +2,8 @@
 // pthread_exit, no thread calls dCloseODE. A program of its own, because pthread_exit unwinds the stack, which a test runner does not survive.
 //
 // The program plays one of these processes if it is given its name.
+//
+// Covers dxLastThreads.cpp.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 #include <pthread.h>

@@ -1,4 +1,6 @@
 // dInitODE2 and dCloseODE: threads end with the last close and start again after the next use.
+//
+// Covers api/odeinit.cpp.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 

@@ -1,5 +1,7 @@
 // Worlds stepped at the same time by threads of the user (contract C7): the bits are those of some order of
 // whole steps, one after the other.
+//
+// Covers dxIslandDraws.cpp, dxIslandSurvey.cpp, dxSerialStep.cpp.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 

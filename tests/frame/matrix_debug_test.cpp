@@ -1,4 +1,6 @@
 // The helpers that print, fill and compare matrices, against Debian's library.
+//
+// Covers api/misc.cpp.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 

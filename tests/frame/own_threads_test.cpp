@@ -1,4 +1,6 @@
 // Worlds and spaces with numbers of threads of their own: more than the process's, or fewer, with the same bits.
+//
+// Covers api/ode_MT_workers.cpp.
 #include "settings/dxOwnThreads.h"
 
 #include <gtest/gtest.h>

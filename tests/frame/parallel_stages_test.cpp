@@ -1,5 +1,7 @@
 // Each parallel stage is run by at least two workers: one that always runs on a single worker
 // would never be tested for what workers do to one another.
+//
+// Covers dxBodyMotion.cpp, dxLargeIslandStep.cpp, dxSpaceCollision.cpp, dxWorkersRunner.cpp.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 

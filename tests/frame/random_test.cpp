@@ -1,4 +1,6 @@
 // The random sequence and its public calls, against Debian's library.
+//
+// Covers api/misc.cpp.
 #include "dynamics/step/random/dxRandom.h"
 
 #include <gtest/gtest.h>

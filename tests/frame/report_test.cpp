@@ -4,6 +4,8 @@
 // Where a handler leaves with longjmp, the memory of the step is lost, as with upstream: in a child.
 //
 // A body that spins with NaN cannot be integrated: upstream reports an internal error from within its island.
+//
+// Covers dxDeferredIslands.cpp, dxIslandParallelStep.cpp, dxUpstreamScope.cpp.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 

@@ -1,5 +1,7 @@
 // Disturbed schedules (ODE_MT_PERTURB) reach every claim, hand-over, wait and commit: scenes that together come to each
 // dxSchedulePoint. A point that none of them reaches fails the test by name.
+//
+// Covers dxPerturbation.cpp, dxSchedulePoint.cpp.
 #include "threading/dxSchedulePoint.h"
 
 #include <gtest/gtest.h>

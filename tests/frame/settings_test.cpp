@@ -1,4 +1,6 @@
 // The number of threads, the algorithm and the thread manager, from calls and from the environment.
+//
+// Covers api/ode_MT.cpp, dxEnvironment.cpp, dxProcessors.cpp.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 #include <sched.h>

@@ -1,5 +1,7 @@
 // A second thread's first step waits for the step in progress, however long that takes (contract C7); but not for ever
 // where the user's code in that step may be waiting for it. Each in a process of its own, in which no thread has stepped.
+//
+// Covers dxSerialStep.cpp.
 #include "dynamics/step/random/dxSingleStepper.h"
 
 #include <fenv.h>

@@ -1,4 +1,6 @@
 // The counters have 64 bits; the older calls show the lower half of each.
+//
+// Covers api/ode_MT.cpp.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 

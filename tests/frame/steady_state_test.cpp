@@ -2,6 +2,8 @@
 // its relatives during the steps are counted.
 //
 // A program of its own, because it puts its functions in the place of the C library's.
+//
+// Covers dxJointRemoval.cpp, dxStepRecords.cpp, dxWorkingMemory.cpp.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 

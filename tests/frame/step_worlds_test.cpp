@@ -1,4 +1,6 @@
 // dODE_MT_StepWorlds: the bits of a loop over dWorldStep or dWorldQuickStep, whatever the worlds share and whoever steps them.
+//
+// Covers api/ode_MT_worlds.cpp, dxWorldRuns.cpp.
 #include "dynamics/step/dxStepWorlds.h"
 
 #include <gtest/gtest.h>

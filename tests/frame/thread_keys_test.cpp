@@ -1,5 +1,7 @@
 // A program that has taken all keys for thread data that a process can have: meshes are collided all the same, by several
 // threads, and no memory is allocated for every pair.
+//
+// Covers dxThreadTrimeshCache.cpp.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 #include <pthread.h>

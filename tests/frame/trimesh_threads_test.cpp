@@ -1,4 +1,6 @@
 // Meshes collided by several threads of the user at once: each thread has scratch data of its own.
+//
+// Covers dxThreadTrimeshCache.cpp.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 

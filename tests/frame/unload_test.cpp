@@ -1,4 +1,6 @@
 // dlclose of libode.so.8 after parallel steps: no crash, no thread left, nothing that keeps the library.
+//
+// Covers api/odeinit.cpp.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 #include <malloc.h>

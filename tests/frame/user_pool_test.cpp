@@ -1,5 +1,7 @@
 // A world with a thread pool of the user: its threads step islands, the bits are those of a serial step,
 // and the pool can be freed in every order that upstream allows.
+//
+// Covers api/objects.cpp.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 

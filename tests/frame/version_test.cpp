@@ -1,4 +1,6 @@
 // The version of the library and of its header, and how a program that also runs on upstream's library asks for ours.
+//
+// Covers api/common.cpp.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 

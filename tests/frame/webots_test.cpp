@@ -1,4 +1,6 @@
 // The calls of programs written for the multithreaded ODE of Webots.
+//
+// Covers api/ode_MT_webots.cpp.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 

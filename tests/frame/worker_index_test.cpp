@@ -1,5 +1,7 @@
 // Callbacks that run at the same time have different indices below dODE_MT_GetWorkerCount, with every policy and every kind of threads; so
 // buffers by index need no lock.
+//
+// Covers api/ode_MT_workers.cpp.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 

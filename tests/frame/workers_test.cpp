@@ -1,4 +1,6 @@
 // How workers are to start, as programs ask for it: what is valid, what is refused and how, and that hooks may call what they are allowed to.
+//
+// Covers api/ode_MT_workers.cpp.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 

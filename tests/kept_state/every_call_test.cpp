@@ -1,6 +1,8 @@
 // Every exported function of upstream's, called on live objects in every context, and three frames after it,
 // on Debian's libode8 and on ODE_MT: nothing that the library keeps from call to call may have missed the
 // call.
+//
+// Covers api/collision.cpp, api/collision_trimesh.cpp, api/objects.cpp.
 #include "support/child_run.h"
 #include "thorough.h"
 #include "support/temporary_folder.h"

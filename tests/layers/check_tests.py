@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""Each source file of ode_mt/ has a test of its name, or a line in tests/README.md that says which test covers it.
+"""Each source file of ode_mt/ has a test of its name, or a test whose opening comment says that it covers the file.
 
-    check_tests.py REPOSITORY    its root; prints each file without a test, and each line that is out of date
-    check_tests.py --self-test   shows that such files and lines are found
+    check_tests.py REPOSITORY    its root; prints each file without a test, and each name that is out of date
+    check_tests.py --self-test   shows that such files and names are found
 
-The test of dxFooBar.cpp is foo_bar_test.cpp, in any folder of tests/. A line of the table is
+The test of dxFooBar.cpp is foo_bar_test.cpp, in any folder of tests/. Any other file of tests/ may say at the end of its opening comment
 
-    | `room/dxFooBar.cpp` | `folder/file_test.cpp`, `folder/another.cpp` |
+    // Covers dxFooBar.cpp, api/common.cpp.
 
-with a file of ode_mt/, and the files of tests/ that cover it.
+with names of files, or with the last parts of their paths.
 """
 import pathlib
 import re
@@ -16,8 +16,10 @@ import tempfile
 
 from checks import run_check, unexpected
 
-LINE = re.compile(r"^\| `([\w/]+\.cpp)` \| (.*) \|$", re.MULTILINE)
-QUOTED = re.compile(r"`([^`]+)`")
+OPENING = re.compile(r"\A(?:#!.*\n)?((?:(?://|#(?!\S)).*\n)+)")
+COVERS = re.compile(r"^(?://|#) Covers ((?:.|\n)*)", re.MULTILINE)
+NAME = re.compile(r"[\w/]+\.cpp\b")
+SUFFIXES = {".cpp", ".py", ".sh"}
 
 
 def key_of(name):
@@ -25,55 +27,56 @@ def key_of(name):
     return re.sub(r"^dx(?=[A-Z])", "", name).replace("_", "").lower()
 
 
+def covered_by(test):
+    """The names that the opening comment of a file of tests/ gives."""
+    opening = OPENING.match(test.read_text())
+    covers = COVERS.search(opening[1]) if opening else None
+    return NAME.findall(covers[1]) if covers else []
+
+
 def complaints_of(root):
     root = pathlib.Path(root)
-    tests = {key_of(path.stem[:-len("_test")]) for path in (root / "tests").rglob("*_test.cpp")}
-    files = {path.relative_to(root / "ode_mt").as_posix(): key_of(path.stem) in tests for path in (root / "ode_mt").rglob("*.cpp")}
-    lines = LINE.findall((root / "tests" / "README.md").read_text())
-    listed = [file for file, _ in lines]
-    for file in sorted(files):
-        if not files[file] and file not in listed:
-            yield f"ode_mt/{file}: no test has its name, and tests/README.md does not say which one covers it"
-    for file, covering in lines:
-        if file not in files:
-            yield f"tests/README.md: there is no ode_mt/{file}"
-        elif files[file]:
-            yield f"tests/README.md: ode_mt/{file} needs no line, as a test has its name"
-        if listed.count(file) > 1:
-            yield f"tests/README.md: ode_mt/{file} has two lines"
-        quoted = QUOTED.findall(covering)
-        if not quoted:
-            yield f"tests/README.md: the line of ode_mt/{file} names no test"
-        for test in quoted:
-            if not (root / "tests" / test).is_file():
-                yield f"tests/README.md: there is no tests/{test}, which covers ode_mt/{file}"
+    tests = sorted(path for path in (root / "tests").rglob("*") if path.suffix in SUFFIXES)
+    of_a_test = {key_of(path.stem[:-len("_test")]) for path in tests if path.name.endswith("_test.cpp")}
+    files = sorted(path.relative_to(root) for path in (root / "ode_mt").rglob("*.cpp"))
+    covered = set()
+    for test in tests:
+        for name in covered_by(test):
+            parts = pathlib.PurePath(name).parts
+            named = [file for file in files if file.parts[-len(parts):] == parts]
+            covered.update(named)
+            where = f"{test.relative_to(root)} covers {name}"
+            if len(named) != 1:
+                yield f"{where}: {len(named)} files of ode_mt/ have this name"
+            elif key_of(named[0].stem) in of_a_test:
+                yield f"{where}: needless, as a test has its name"
+    for file in files:
+        if file not in covered and key_of(file.stem) not in of_a_test:
+            yield f"{file}: no test has its name or says that it covers it"
 
 
 def self_test():
-    def complaints(files, table):
+    def complaints(files):
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)
-            for path in (*files, "tests/README.md"):
+            for path, text in files.items():
                 (root / path).parent.mkdir(parents=True, exist_ok=True)
-                (root / path).touch()
-            (root / "ode_mt").mkdir(exist_ok=True)
-            (root / "tests" / "README.md").write_text("# Tests\n\n" + "".join(f"| `{file}` | {test} |\n" for file, test in table))
+                (root / path).write_text(text)
             return list(complaints_of(root))
 
-    file, covering = "ode_mt/core/dxFooBar.cpp", "tests/core/all_test.cpp"
-    line = ("core/dxFooBar.cpp", "`core/all_test.cpp`")
+    file, test = "ode_mt/core/dxFooBar.cpp", "tests/core/all_test.cpp"
+    covers = "// All of it.\n//\n// Covers dxFooBar.cpp.\n#include <x>\n"
     cases = {
-        "a test of its name": (([file, "tests/core/foo_bar_test.cpp"], []), []),
-        "a line": (([file, covering], [line]), []),
-        "neither": (([file, covering], []), [f"{file}: no test has its name, and tests/README.md does not say which one covers it"]),
-        "both": (([file, covering, "tests/core/foo_bar_test.cpp"], [line]),
-                 [f"tests/README.md: {file} needs no line, as a test has its name"]),
-        "a file that is gone": (([covering], [line]), [f"tests/README.md: there is no {file}"]),
-        "a test that is gone": (([file], [line]), [f"tests/README.md: there is no {covering}, which covers {file}"]),
-        "a line without a test": (([file], [(line[0], "all of them")]), [f"tests/README.md: the line of {file} names no test"]),
-        "two lines": (([file, covering], [line, line]), [f"tests/README.md: {file} has two lines"] * 2),
+        "a test of its name": ({file: "", "tests/core/foo_bar_test.cpp": ""}, []),
+        "covered": ({file: "", test: covers}, []),
+        "covered by a script": ({file: "", "tests/core/all.sh": "#!/bin/sh\n# Covers all of these: dxNo.hpp,\n# core/dxFooBar.cpp.\n"}, []),
+        "neither": ({file: "", test: ""}, [f"{file}: no test has its name or says that it covers it"]),
+        "named below the opening comment": ({file: "", test: "#include <x>\n" + covers}, [f"{file}: no test has its name or says that it covers it"]),
+        "both": ({file: "", test: covers, "tests/core/foo_bar_test.cpp": ""}, [f"{test} covers dxFooBar.cpp: needless, as a test has its name"]),
+        "a file that is gone": ({test: covers}, [f"{test} covers dxFooBar.cpp: 0 files of ode_mt/ have this name"]),
+        "an ambiguous name": ({file: "", "ode_mt/api/dxFooBar.cpp": "", test: covers}, [f"{test} covers dxFooBar.cpp: 2 files of ode_mt/ have this name"]),
     }
-    return unexpected(lambda given: complaints(*given), cases)
+    return unexpected(complaints, cases)
 
 
 if __name__ == "__main__":

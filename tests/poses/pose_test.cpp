@@ -2,6 +2,8 @@
 //
 // Has found: the sign of a zero depth, convex against mesh, where g++ had changed the order of fmax's
 // arguments.
+//
+// Covers dxBoxContacts.cpp.
 #include "two_libraries.h"
 
 #include <gtest/gtest.h>

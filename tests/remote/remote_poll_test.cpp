@@ -1,4 +1,6 @@
 // Threads that step worlds carry messages between two problems: one at a time, only where the transport allows it, and whatever its calls do.
+//
+// Covers dxRemoteMessenger.cpp.
 #include "remote/coordinator/dxRemoteBatch.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,6 @@
 // Batches come back whole and right, whatever becomes of workers: a thousand times one dies, stops, or sends flipped bits.
+//
+// Covers dxRemoteBatch.cpp, dxRemoteMessenger.cpp, dxRemoteReplacement.cpp.
 #include "remote/coordinator/dxRemoteBatch.h"
 
 #include <gtest/gtest.h>

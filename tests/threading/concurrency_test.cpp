@@ -1,4 +1,6 @@
 // Runs at the same time: from several user threads, and nested.
+//
+// Covers dxJobBoard.cpp, dxPerturbation.cpp, dxThreadManagerOpenMP.cpp, dxThreadManagerPthread.cpp.
 #include <thread>
 
 #include "ManagerKinds.h"

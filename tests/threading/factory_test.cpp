@@ -1,3 +1,4 @@
+// Covers dxThreadManagerFactory.cpp.
 #include "threading/managers/dxThreadManagerFactory.h"
 
 #include <gtest/gtest.h>

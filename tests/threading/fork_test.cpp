@@ -1,5 +1,7 @@
 // fork in the host program: the child has workers again where the manager can give them, the parent
 // notices nothing.
+//
+// Covers dxForkListener.cpp, dxOpenMPRuntimeGnu.cpp, dxOpenMPRuntimeLlvm.cpp.
 #include <pthread.h>
 #include <signal.h>
 #include <sys/wait.h>

@@ -1,3 +1,4 @@
+// Covers dxEnvironment.cpp.
 #include "core/dxLog.h"
 
 #include <gtest/gtest.h>

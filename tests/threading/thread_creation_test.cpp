@@ -1,4 +1,6 @@
 // The system refuses threads: fewer workers, one warning, nothing lost.
+//
+// Covers dxThreadManagerOpenMP.cpp.
 #include <cerrno>
 
 #include "processThreads.h"

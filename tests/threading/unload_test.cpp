@@ -1,4 +1,6 @@
 // dlclose while workers are idle.
+//
+// Covers dxOpenMPRuntimeGnu.cpp, dxOpenMPRuntimeLlvm.cpp.
 #include <dlfcn.h>
 #include <unistd.h>
 

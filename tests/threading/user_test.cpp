@@ -1,4 +1,6 @@
 // What is special about threads borrowed from a user's threading implementation.
+//
+// Covers dxBorrowedThreads.cpp, dxThreadManagerUser.cpp.
 #include <ode/odeinit.h>
 #include <ode/threading_impl.h>
 

@@ -1,4 +1,6 @@
 // What a worker thread of the pthread manager looks like from outside.
+//
+// Covers dxProcessors.cpp, dxThreadManagerPthread.cpp.
 #include <pthread.h>
 #include <sched.h>
 #include <signal.h>

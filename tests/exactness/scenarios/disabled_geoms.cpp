@@ -1,3 +1,4 @@
+// Covers api/collision.cpp.
 #include "additions.h"
 #include "crowd.h"
 #include "order_sum.h"

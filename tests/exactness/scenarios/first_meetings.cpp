@@ -1,3 +1,4 @@
+// Covers dxColliderTable.cpp.
 #include "additions.h"
 #include "scenario_scene.h"
 #include "shapes.h"

@@ -1,3 +1,4 @@
+// Covers api/collision_space.cpp.
 #include "additions.h"
 #include "scenario_scene.h"
 #include "shapes.h"

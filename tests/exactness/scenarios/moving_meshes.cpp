@@ -1,3 +1,4 @@
+// Covers api/collision_trimesh.cpp.
 #include "additions.h"
 #include "ground_grid.h"
 #include "scenario_scene.h"

@@ -1,3 +1,4 @@
+// Covers api/collision.cpp, dxColliderTable.cpp.
 #include "additions.h"
 #include "order_sum.h"
 #include "scenario_scene.h"
