@@ -1,6 +1,10 @@
 #!/bin/sh
-# Each line of tests/nightly.txt names tests that exist: nightly.sh LIST BUILD_FOLDER CTEST
+# Each line of tests/nightly.txt names tests that exist: nightly.sh LIST BUILD_FOLDER CTEST PACKAGES
+# Skipped where one of the Debian packages that these tests need (.ci/packages.nightly) is missing, as some tests are then.
 set -eu
+for package in $(grep -v '^#' "$4"); do
+    dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed || { echo "SKIPPED: $package is not installed" && exit 77; }
+done
 tests=$("$3" --test-dir "$2" -N | sed -n 's/^ *Test *#[0-9]*: //p')
 [ -n "$tests" ]
 status=0
