@@ -6,7 +6,7 @@
 
 namespace {
 
-// One piece in so many, at most.
+// At most one in kSparsity pieces of all rows is kept.
 constexpr std::size_t kSparsity = 5;
 
 constexpr unsigned kWordBits = 64;
