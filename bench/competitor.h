@@ -25,8 +25,6 @@ private:
     Engine m_engine;
 };
 
-// An engine in a process of its own: the same program, odemt_bench_child, for every engine.
-// LD_LIBRARY_PATH decides which libode.so.8 it gets.
 struct ChildSettings {
     std::string program;                                        // odemt_bench_child
     std::string stockFolder;                                    // of the system's libode.so.8
@@ -38,6 +36,8 @@ struct ChildSettings {
     std::function<void()> whileLoading;  // called some times a second
 };
 
+// An engine in a process of its own: the same program, odemt_bench_child, for every engine.
+// LD_LIBRARY_PATH decides which libode.so.8 it gets.
 class ChildCompetitor final : public Competitor {
 public:
     ChildCompetitor(const Engine &engine, const std::string &world, const ChildSettings &settings)

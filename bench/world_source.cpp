@@ -42,10 +42,9 @@ std::vector<std::string> expandSizes(const std::string &world) {
     return worlds;
 }
 
-const char *const kStaticMeetsStatic = "static_meets_static";
-
 namespace {
 
+const char *const kStaticMeetsStatic = "static_meets_static";  // a modifier of SDF worlds
 constexpr std::size_t maxStaticShapes = 1'000'000;
 
 bool isFile(const std::string &name) {

@@ -35,9 +35,6 @@ struct WorldSpec {
 // Opens no file. Throws std::invalid_argument for what says nothing or the same twice.
 WorldSpec readWorldSpec(const std::string &world);
 
-// "static_meets_static", the modifiers of an SDF world.
-extern const char *const kStaticMeetsStatic;
-
 // How to load an SDF world. Throws std::invalid_argument for a size or modifier that makes no sense.
 worlds::LoadOptions loadOptions(const WorldSpec &spec);
 

@@ -1,10 +1,13 @@
 #include "batch/master.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <string>
 
+#include "progress.h"
 #include "tool_output.h"
 
 namespace batch {
@@ -23,7 +26,25 @@ std::string duration(double seconds) {
     return text;
 }
 
-}  // namespace
+// How many runs are done, and how long the rest takes.
+class RunProgress {
+public:
+    RunProgress(long runs, long doneBefore, bool isQuiet);
+
+    void show(std::size_t more);  // runs that have ended since
+    void end();
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    double elapsed() const;  // s
+
+    const long m_runs;
+    const bool m_isQuiet;
+    long m_done, m_doneBefore;
+    const Clock::time_point m_begin = Clock::now();
+    bench::ProgressLine m_line;
+};
 
 RunProgress::RunProgress(long runs, long doneBefore, bool isQuiet) : m_runs(runs), m_isQuiet(isQuiet), m_done(doneBefore), m_doneBefore(doneBefore) {}
 
@@ -44,8 +65,6 @@ void RunProgress::end() {
     m_line.clear();
     std::fprintf(stderr, "%ld runs in %s\n", m_done - m_doneBefore, duration(elapsed()).c_str());
 }
-
-namespace {
 
 constexpr int kPollRanks = 2, kPollAlone = 200;  // ms
 constexpr double kAhead = 0.1;                   // s of work that a site has at a time

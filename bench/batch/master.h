@@ -6,34 +6,13 @@
 // Threading: one thread.
 #pragma once
 
-#include <chrono>
-#include <cstddef>
+#include <utility>
+#include <vector>
 
 #include "batch/store.h"
 #include "batch/workers.h"
-#include "progress.h"
 
 namespace batch {
-
-// How many runs are done, and how long the rest takes.
-class RunProgress {
-public:
-    RunProgress(long runs, long doneBefore, bool isQuiet);
-
-    void show(std::size_t more);  // runs that have ended since
-    void end();
-
-private:
-    using Clock = std::chrono::steady_clock;
-
-    double elapsed() const;  // s
-
-    const long m_runs;
-    const bool m_isQuiet;
-    long m_done, m_doneBefore;
-    const Clock::time_point m_begin = Clock::now();
-    bench::ProgressLine m_line;
-};
 
 // Sites elsewhere (MPI).
 class Ranks {

@@ -15,7 +15,6 @@
 
 namespace check {
 
-// Plays of a program: runs of it on one library, under the observer, with what was recorded of each.
 struct Engine {
     std::string name;     // "libode8", "ODE_MT, 2 threads"
     std::string threads;  // of ODE_MT; empty: Debian's libode8
@@ -23,6 +22,7 @@ struct Engine {
     bool isOurs() const { return !threads.empty(); }
 };
 
+// A run of the program on one library, under the observer, and what was recorded of it.
 struct Play {
     Engine engine;
     std::string folder;  // of the record

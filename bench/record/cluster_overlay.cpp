@@ -1,6 +1,30 @@
 #include "record/cluster_overlay.h"
 
+#include <dlfcn.h>
+
+#include <stdexcept>
+#include <string>
+
 namespace record {
+
+namespace {
+
+// Finds a function of ode_MT.h by name: the programs are linked to what Debian's library exports. Throws std::runtime_error if the library has none.
+template <class Function>
+void findOwn(const char *name, Function &function) {
+    function = reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, name));
+    if (!function) throw std::runtime_error(std::string("this libode.so.8 has no ") + name + ": it is not ODE_MT");
+}
+
+// All of what `get(values, capacity)` writes, which returns how many there are.
+template <class Value, class Get>
+std::vector<Value> all(Get get) {
+    std::vector<Value> values(static_cast<std::size_t>(get(nullptr, 0)));
+    get(values.data(), static_cast<int>(values.size()));
+    return values;
+}
+
+}  // namespace
 
 BodyWorkers::BodyWorkers() {
     decltype(&dODE_MT_NoteBodyWorkers) note = nullptr;
@@ -14,18 +38,6 @@ std::vector<int> BodyWorkers::of(const std::vector<dBodyID> &bodies) const {
     for (const dBodyID body : bodies) workers.push_back(m_get(body));
     return workers;
 }
-
-namespace {
-
-// All of what `get(values, capacity)` writes, which returns how many there are.
-template <class Value, class Get>
-std::vector<Value> all(Get get) {
-    std::vector<Value> values(static_cast<std::size_t>(get(nullptr, 0)));
-    get(values.data(), static_cast<int>(values.size()));
-    return values;
-}
-
-}  // namespace
 
 ClusterOverlay::ClusterOverlay() {
     findOwn("dClusterGetCount", m_count);

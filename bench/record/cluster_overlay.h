@@ -1,23 +1,13 @@
 // What our library says of bodies, beside their states: in which cluster each is, and which worker stepped it.
 #pragma once
 
-#include <dlfcn.h>
 #include <ode/ode.h>
 
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "record/recording.h"
 
 namespace record {
-
-// Finds a function of ode_MT.h by name: the programs are linked to what Debian's library exports. Throws std::runtime_error if the library has none.
-template <class Function>
-void findOwn(const char *name, Function &function) {
-    function = reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, name));
-    if (!function) throw std::runtime_error(std::string("this libode.so.8 has no ") + name + ": it is not ODE_MT");
-}
 
 // Which thread of ODE_MT's steps each body.
 class BodyWorkers {

@@ -12,21 +12,20 @@
 
 namespace record {
 
-// Which bodies a step handles together: those that are awake and connected by enabled joints, contacts among them.
 constexpr int kNoIsland = -1;  // of a body that sleeps
 
-// The island of each body: islands are numbered from 0 in the order of their first bodies. Requires that contact joints are there
-// still: between a scene's step() and finish().
+// The island of each body, which awake bodies and enabled joints form, contacts among them. Islands are numbered from 0 in the order of their
+// first bodies. Requires that contact joints still exist: between a scene's step() and finish().
 std::vector<int> islandsOf(const std::vector<dBodyID> &bodies);
 
-// Runs a scene and keeps what an onlooker sees of it. A scene of several worlds or spaces: the grid, the
-// cells and the events are those of the first.
 struct RecorderSettings {
     bool clusters = true;   // requires ODE_MT
     bool contacts = false;  // with their forces
     bool workers = false;   // requires ODE_MT
 };
 
+// Runs a scene and keeps what an onlooker sees of it. Of a scene of several worlds or spaces it keeps the grid, the cells and the
+// events of the first.
 class Recorder {
 public:
     Recorder(scenes::Scene &scene, const RecorderSettings &settings);

@@ -14,9 +14,9 @@
 namespace support {
 
 struct Limits {
-    double seconds = 0;       // by the clock, after which the process is killed; 0: none
-    unsigned cpuSeconds = 0;  // of all its threads; 0: none
-    std::size_t memory = 0;   // bytes that are resident at one time; 0: none
+    double seconds = 0;       // by the clock, after which the process is killed; 0: no limit
+    unsigned cpuSeconds = 0;  // of all its threads, after which the system kills it; 0: no limit
+    std::size_t memory = 0;   // bytes that are resident at one time; 0: no limit
 };
 
 struct Ending {

@@ -67,8 +67,10 @@ bool unpackedSize(const std::string &packed, std::uint64_t most, std::uint64_t &
     return isWhole || size > most;
 }
 
-}  // namespace
-
+// Looks through a PNG file before it is decoded: the decoder passes over every checksum.
+//
+// Returns an empty text for a file that is no PNG; else what is wrong with it: a part or the whole is cut off, a checksum
+// does not match, or there are more or fewer pixels than its size says.
 std::string whyNotPng(const std::string &bytes) {
     if (bytes.compare(0, signature.size(), signature) != 0) return {};
     std::string header, pixels;
@@ -94,8 +96,6 @@ std::string whyNotPng(const std::string &bytes) {
     if (size != expectedSize(header)) return "has more or fewer pixels than its size says";
     return {};
 }
-
-namespace {
 
 constexpr std::uintmax_t longestImageFile = 1u << 30;  // bytes
 constexpr int maxPixels = 100000000;                  // 18 bytes are taken for each

@@ -146,8 +146,8 @@ private:
     std::string_view m_text;
 };
 
-}  // namespace
-
+// Throws MeshFault for a vertex that is not three finite numbers or more, a face whose corners are no
+// vertices of the file, and one with more than maxCorners.
 void checkObj(const std::string &text) {
     ObjCheck check;
     std::string joined;  // of lines that end in a backslash
@@ -171,11 +171,11 @@ void checkObj(const std::string &text) {
     check.end();
 }
 
+// Throws MeshFault for a file that is neither binary, with room for exactly the triangles that it says it
+// holds, nor text, with every facet a triangle of finite numbers and every solid ended.
 void checkStl(const std::string &bytes) {
     if (!isBinary(bytes)) TextCheck(bytes).solids();
 }
-
-namespace {
 
 constexpr std::uintmax_t longestMeshFile = 1u << 30;  // bytes
 

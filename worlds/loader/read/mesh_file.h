@@ -21,14 +21,6 @@ public:
 // Cutting a polygon into triangles takes a time that grows with the square of its corners.
 constexpr std::size_t maxCorners = 1000;
 
-// Throws MeshFault for a vertex that is not three finite numbers or more, a face whose corners are no
-// vertices of the file, and one with more than maxCorners.
-void checkObj(const std::string &text);
-
-// Throws MeshFault for a file that is neither binary, with room for exactly the triangles that it says it
-// holds, nor text, with every facet a triangle of finite numbers and every solid ended.
-void checkStl(const std::string &bytes);
-
 // `place` is where the mesh is named. Throws LoadError.
 TriangleMesh readMeshFile(const std::string &file, const Vector3 &scale, const Place &place);
 
