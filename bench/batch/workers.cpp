@@ -26,7 +26,7 @@ namespace {
 // One in progress and one that waits, so that a worker never waits for its parent.
 constexpr std::size_t kRunsAtWorker = 2;
 
-// A run during which so many workers were killed is not given to another.
+// A run is given to no other worker after this number of workers was killed during it.
 constexpr unsigned kMaxKills = 5;
 
 // A run that ends its worker so would do it again. Other signals come from outside.

@@ -75,9 +75,9 @@ std::optional<CheckOptions> readCheckOptions(int argc, const char *const *argv, 
     CLI::App app(kDescription, "odemt_check");
     app.footer(kFooter);
     app.add_option("--threads", threads, "threads of the runs on ODE_MT: numbers from 0 to 1024, or auto")->capture_default_str();
-    app.add_option("--steps", options.steps, "end the program when a world has made so many steps")
+    app.add_option("--steps", options.steps, "end the program when a world has made this number of steps")
         ->check(bench::wholeNumberIn(1, 1'000'000'000));
-    app.add_option("--seconds", seconds, "end each run after so many seconds; steps that both runs made are compared")
+    app.add_option("--seconds", seconds, "end each run after this number of seconds; steps that both runs made are compared")
         ->check(bench::numberIn(1e-3, 1e6));
     app.add_flag("--show-output", options.showOutput, "show what the program prints, on standard error, instead of comparing it");
     app.add_flag("--json", options.isJson, "print a JSON object");

@@ -26,7 +26,7 @@ void addOptions(CLI::App &app, RecordOptions &options) {
     app.add_option("--frames", options.frames, "frames that are run")
         ->capture_default_str()
         ->check(bench::wholeNumberIn(1, 1'000'000'000));
-    app.add_option("--every", options.every, "one frame of so many is kept; the last one always")
+    app.add_option("--every", options.every, "one frame in this number is kept; the last one always")
         ->capture_default_str()
         ->check(bench::wholeNumberIn(1, 1'000'000'000));
     app.add_option("--output", options.file, "file; standard output if it is not given");

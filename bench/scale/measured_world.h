@@ -37,7 +37,7 @@ using Step = std::vector<Problem>;
 
 struct MeasuredWorld {
     std::string world;
-    int warmUp = 0, frames = 0;              // after so many frames so many were measured
+    int warmUp = 0, frames = 0;              // those before the measured ones, and the measured ones
     double homeFrameNs = 0, homeStepNs = 0;  // all islands at home, one thread
     double awayStepNs = 0;                   // home's thread, without waiting, in a step of which all islands are solved by a worker
     double latencyNs = 0, nsPerByte = 0;     // there and back; what the library measured of the link to the worker beside it

@@ -25,7 +25,7 @@ namespace {
 constexpr double kMessageNs = 1e3;
 constexpr double kFrameBytes = 32, kItemBytes = 16;  // headers
 
-// While home's thread has a long island, another one looks for messages so much later.
+// While home's thread has a long island, another one looks for messages after this time.
 constexpr double kBesideHomeNs = 1e6;
 
 // Of what is done at home for an island that goes out: to make its problem; the rest applies results.

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Spaces of all kinds against libode8, over a grid of scenes: grid.py CELL_PROGRAM STOCK_FOLDER OUR_FOLDER [--csv FILE] [--quick] [--check]
 
-Each cell of the grid is a space with so many geoms that overlap so much, of which so many move before each call (space_cell.cpp). Both
+Each cell of the grid is a space of N geoms with a given overlap, some of which move before each call (space_cell.cpp). Both
 engines run its calls in turns, on one core, since two may not be equally fast, and the ratio is the median of those of adjacent turns: 2 means that
 ours takes half of the time. Prints a table of ratios, and the cells below 0.9. Ends with 1 if callbacks differ.
 """

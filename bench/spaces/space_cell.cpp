@@ -136,7 +136,7 @@ private:
         default: return dQuadTreeSpaceCreate(nullptr, centre, extents, 5);
         }
     }
-    // Of the cube in which so many boxes of edge 1 overlap so many others each.
+    // Of the cube in which `geoms` boxes of edge 1 overlap `crowding` others each.
     double edge() const {
         if (m_cell.crowding < 0) return 0.25;
         return std::cbrt(8.0 * m_cell.geoms / std::max(m_cell.crowding, 1));

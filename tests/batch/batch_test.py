@@ -3,7 +3,7 @@
 
     batch_test.py PROGRAM SCRATCH CASE...
 
-CASE: expansion, bad_plans, unknown_names, parameters, same_table, kills, faults, sample PAGE; ranks and ranks_kills MPIEXEC need MPI. KILLS=20 in the environment: so many
+CASE: expansion, bad_plans, unknown_names, parameters, same_table, kills, faults, sample PAGE; ranks and ranks_kills MPIEXEC need MPI. KILLS=20 in the environment: 20 kills
 kills instead of the few that take seconds.
 """
 import glob

@@ -33,7 +33,7 @@ public:
     const std::string file = testing::TempDir() + "/bench_child_" + std::to_string(getpid());
 };
 
-// The hash of the world's state after so many frames.
+// The hash of the world's state after `frames` frames.
 auto hashAfter(int frames, const std::string &world, const std::string &engine) {
     ChildCompetitor competitor(readEngine(engine), world, settings());
     competitor.start();

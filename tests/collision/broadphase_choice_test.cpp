@@ -11,13 +11,13 @@ using Threshold = dxBroadphaseThresholds;
 
 class BroadphaseChoice : public testing::Test {
 protected:
-    // Of a space with so many geoms, all of them members.
+    // Of a space with `geoms` geoms, all of them members.
     dxBroadphaseKind chooseFor(int geoms) {
         facts.geoms = geoms;
         facts.slots = static_cast<std::size_t>(geoms);
         return dxChooseBroadphase(facts);
     }
-    // As a space that grows or shrinks to so many geoms.
+    // Of a space that grows or shrinks to `geoms` geoms.
     dxBroadphaseKind follow(int geoms) { return facts.current = chooseFor(geoms); }
 
     dxBroadphaseFacts facts;

@@ -42,7 +42,7 @@ public:
         }
     }
 
-    // Every `stride`-th geom, with so much room between two. Without room they are in one cell of a hash space.
+    // Every `stride`-th geom, with `room` between two. Without room they are in one cell of a hash space.
     void place(int stride, dReal room) {
         for (int i = 0; i < count(); i += stride)
             dGeomSetPosition(m_geoms[i], 1.9 + room * (i % 33) + dReal(0.001) * (i % 97), 1.9 + room * (i / 33),

@@ -124,7 +124,7 @@ int main(int argc, char **argv) {
         ->check(CLI::PositiveNumber);
     app.add_option("--dump-step", options.dumpStep, "record every value of this step")
         ->check(CLI::NonNegativeNumber);
-    app.add_option("--time-limit", options.timeLimit, "end the program after so many seconds");
+    app.add_option("--time-limit", options.timeLimit, "end the program after this number of seconds");
     app.add_flag("--unordered", options.unordered, "record near pairs and contacts without their order");
     app.add_option("--instruction-set", options.instructionSet, "that ODE_MT's vector code uses, as in AVX2");
     app.add_flag("--list", options.list, "show all scenarios")->excludes(scenario);

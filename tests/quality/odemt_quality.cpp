@@ -55,7 +55,7 @@ Json jsonOf(const Judgement &judgement, const Options &options) {
     return json;
 }
 
-// The problems are those of every so many frames behind the first ones. Steps between them, which need no feedback, are timed.
+// The problems are those of every `every`-th frame behind the first ones. Steps between them, which need no feedback, are timed.
 Json runScene(const Options &options) {
     const std::unique_ptr<scenes::Scene> scene = makeJudgedScene(options.scene, options.stepper());
     use(options.stepping(), *scene);
@@ -141,7 +141,7 @@ int main(int argc, char **argv) {
     CLI::App *const measures = command("measure", "closed loop");
     measures->add_option("experiments", options.names, "all unless named");
     measures->add_option("--seed", options.seed, "of dRand, which dWorldQuickStep draws its orders from (0)");
-    CLI::App *const hashes = command("hash", "the state, every so many frames");
+    CLI::App *const hashes = command("hash", "the state, every few frames");
     for (CLI::App *const made : {runs, replays, hashes}) made->add_option("scene", options.scene)->required();
     replays->add_option("problems", options.problems)->required();
     replays->add_flag("--warm-up", options.warmsUp, "step another of the problems before, so that memory is there");

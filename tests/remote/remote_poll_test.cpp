@@ -110,7 +110,7 @@ protected:
         ASSERT_EQ(m_workers.capacity().workers, 2u);
     }
 
-    // A step of so many problems, of which this process solves what it is given. Returns those that have come back right.
+    // A step of `count` problems, of which this process solves what it is given. Returns those that have come back right.
     unsigned step(unsigned count, bool mayReclaim = true) {
         dxRemoteBatch batch(m_workers, count, mayReclaim);
         for (unsigned i = 0; i < count; ++i) batch.submit(i, problemOf(i), 100e3);
@@ -124,7 +124,7 @@ protected:
     // Until the handler of a signal has forked. Both go on, the child without workers.
     void stepInBoth();
 
-    // Of calls, while four threads make so many steps each.
+    // Of calls, while four threads make `steps` steps each.
     void expectOneAtATime(unsigned steps) {
         constexpr unsigned kThreads = 4, kProblems = 30;
         std::atomic<unsigned> right{0};

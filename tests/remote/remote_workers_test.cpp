@@ -46,7 +46,7 @@ protected:
     }
     ~RemoteWorkers() override { m_workers.close(); }
 
-    // A worker whose results come so much later.
+    // A worker whose results are delayed.
     void openDelayed(std::chrono::milliseconds delay) {
         open(1, [delay](unsigned, unsigned, dxRemoteKind kind) {
             LoopbackFate fate;
@@ -107,7 +107,7 @@ protected:
         return counts;
     }
 
-    // Whether so many workers are usable within a second.
+    // Whether `workers` workers are usable within a second.
     bool hasSoon(unsigned workers) {
         for (int attempt = 0; attempt < 200 && m_workers.capacity().workers != workers; ++attempt)
             std::this_thread::sleep_for(std::chrono::milliseconds(5));

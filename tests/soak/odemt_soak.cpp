@@ -114,7 +114,7 @@ private:
 int main(int argc, char **argv) {
     Options options;
     CLI::App app("Plays the same frames on libode8 and on ODE_MT for a time, and compares.");
-    app.add_option("--seconds", options.seconds, "begins no day after so many; there are twenty at least")->capture_default_str();
+    app.add_option("--seconds", options.seconds, "begins no day after this time; there are twenty at least")->capture_default_str();
     app.add_option("--seed", options.seed, "of settings")->capture_default_str();
     app.add_option("--threads", options.threads, "most of ODE_MT's")->check(CLI::Range(0, 64))->capture_default_str();
     app.add_option("--ours", options.ours, "folder of ODE_MT's library")->capture_default_str();

@@ -20,7 +20,7 @@ protected:
         return count;
     }
 
-    // How many of forty calls are shared in a scene that has grown until then, by so much from call to call; `part`: of the time alone that a shared
+    // How many of forty calls are shared in a scene that has grown until then by `growth` from call to call; `part`: of the time alone that a shared
     // call takes.
     int sharedAfterGrowing(double growth, double part) {
         double aloneNs = 20e3;
@@ -28,7 +28,7 @@ protected:
         return shared(40, aloneNs, part * aloneNs);
     }
 
-    // The same, where one shared call in so many takes longer by a time slice of the scheduler's, for which a worker waits. Returns the time
+    // The same, where one shared call in `every` takes longer by a time slice of the scheduler's, for which a worker waits. Returns the time
     // of all calls in parts of the time alone.
     double timeWithLateWorkers(int calls, double aloneNs, double sharedNs, int oneIn) {
         constexpr double kTimeSlice = 20e6;  // ns

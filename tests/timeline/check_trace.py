@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A file of the timeline is what docs/tools.md says.
 
-    check_trace.py FILE STEPS NAME...    valid JSON, with so many steps that nothing has dropped, and with events of these names
+    check_trace.py FILE STEPS NAME...    valid JSON, with STEPS steps, none of which is dropped, and with events of these names
     check_trace.py --self-test           shows that files with defects are refused
 
 Each event of a thread lies within another or beside it, and the stages directly within a step, and within a collision, take nine
@@ -62,7 +62,7 @@ def self_test():
         thread = {"name": "thread_name", "ph": "M", "tid": 1}
         return {"traceEvents": [thread, *events], "otherData": {"eventsDropped": dropped}}
 
-    def steps(interrupted):  # of three, 10 us each, so many with a gap of half their time
+    def steps(interrupted):  # of three, 10 us each; `interrupted` of them have a gap of half their time
         for k in range(3):
             begin = 20 * k
             yield from (span("step", begin, 10), span("islands", begin, 5 if k < interrupted else 10))

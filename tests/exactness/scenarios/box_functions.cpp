@@ -51,7 +51,7 @@ public:
         note("sum of the pairs", m_pairs.value());
     }
 
-    static constexpr int kFew = 25, kMany = 800;  // geoms; calls of so many are shared
+    static constexpr int kFew = 25, kMany = 800;  // geoms; calls of kMany are shared
 
 private:
     static BoxFunctions &self() { return static_cast<BoxFunctions &>(living()); }

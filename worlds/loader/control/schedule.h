@@ -5,11 +5,11 @@
 
 namespace worlds {
 
-// The phases of a schedule in time: each lasts so many frames, some are repeated, the last ones perhaps for
+// The phases of a schedule in time: each lasts a number of frames, some are repeated, the last ones perhaps for
 // ever.
 //
 //   <PHASE duration="0.5"/>                 s, rounded to whole steps
-//   <repeat count="3"> … </repeat>          phases and repeats, so many times
+//   <repeat count="3"> … </repeat>          phases and repeats, three times
 //   <repeat> … </repeat>                    without count: endless, so it comes last
 //
 // After the last phase time goes on in it. Names of phases are the controller's. Repeats with a count make at most

@@ -66,7 +66,7 @@ struct Element {
 
     // The text, read as numbers or words parted by white space. Every number is finite.
     std::vector<double> numbers() const;
-    // The same, exactly so many.
+    // The same, exactly `count` numbers.
     std::vector<double> numbers(std::size_t count) const;
     std::vector<double> notNegativeNumbers(std::size_t count) const;
     std::vector<std::string> words() const;

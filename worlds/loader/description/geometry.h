@@ -45,7 +45,7 @@ inline Vector3 maxOf(const Vector3 &a, const Vector3 &b) {
 struct Quaternion {
     double w = 1, x = 0, y = 0, z = 0;
 
-    // Rotates about the fixed axes x, then y, then z, by so many rad: SDF's roll, pitch and yaw.
+    // Rotates about the fixed axes x, then y, then z, by angles in rad: SDF's roll, pitch and yaw.
     static Quaternion fromRollPitchYaw(double roll, double pitch, double yaw);
 
     Quaternion normalized() const;
