@@ -1042,8 +1042,8 @@ ODE_API unsigned dClusterGetOfBody(dBodyID body);
 /** A cell that a dynamic geom occupied at the last check of the clusters. @ingroup ode_mt_clusters */
 typedef struct dClusterCell {
     int x;            /**< from 0 to dClusterGetGridCells - 1 */
-    int y;            /**< likewise */
-    int z;            /**< likewise */
+    int y;            /**< from 0 to dClusterGetGridCells - 1 */
+    int z;            /**< from 0 to dClusterGetGridCells - 1 */
     unsigned cluster; /**< name */
 } dClusterCell;
 

@@ -21,7 +21,7 @@ public:
     dWorldID world() const { return m_world; }
     const std::vector<dBodyID> &bodies() const { return m_bodies; }
 
-    // So many bodies around a hub, the first body.
+    // `rays` bodies around a hub, the first body.
     void addStar(unsigned rays) {
         const dBodyID hub = addBody(0, 0, 0);
         for (unsigned i = 0; i < rays; ++i) connect(addBody(3 * std::cos(dReal(i)), 3 * std::sin(dReal(i)), dReal(0.1) * i), hub);

@@ -74,7 +74,7 @@ private:
     }
 
     // The first collides with all, the second with classes of odd numbers, the third with none, the fourth
-    // likewise with all but itself.
+    // with all but itself.
     template <int user>
     static dColliderFn *choose(int other) {
         static_cast<FirstMeetings &>(living()).note("asked", 100 * user + other);

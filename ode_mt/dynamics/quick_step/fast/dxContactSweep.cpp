@@ -178,7 +178,7 @@ struct AllRows {
     }
 };
 
-// Contacts begin, begin + step, ... of each manifold are relaxed in so many passes while the bodies are in registers: contacts of one
+// Contacts begin, begin + step, ... of each manifold are relaxed in `passes` passes while the bodies are in registers: contacts of one
 // manifold depend on one another more than on others.
 struct Visit {
     unsigned begin, step, passes;

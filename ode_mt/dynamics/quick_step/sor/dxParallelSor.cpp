@@ -26,7 +26,7 @@ std::size_t bodyOf(const dxIslandProblem &problem, std::size_t row, unsigned whi
 
 }  // namespace
 
-// A row that acts on a shared body, in the order of the sweep.
+// A row that acts on a boundary body, in the order of the sweep.
 struct dxParallelSor::BoundaryRow {
     unsigned row;
     std::uint32_t part;
@@ -34,8 +34,8 @@ struct dxParallelSor::BoundaryRow {
 };
 
 struct alignas(128) dxParallelSor::Part {
-    // The row at `at` needs so many rows of another part done. Counted from the beginning of the sweep: what
-    // is not above zero was done in the sweep before.
+    // How many rows of another part must be done before the row at `at`. Counted from the beginning of the sweep: zero
+    // and below were done in the sweep before.
     struct Wait {
         std::uint32_t at;
         std::uint32_t part;

@@ -44,7 +44,7 @@ public:
         partition(problem, parts);
     }
 
-    // As dxSorSweep(problem, order) so many times.
+    // Computes what `times` calls of dxSorSweep(problem, order) compute.
     void sweep(const dxIslandProblem &problem, const int *order, unsigned times, dxTaskRunner &runner);
 
 private:
@@ -65,7 +65,7 @@ private:
     std::vector<unsigned> m_weights;              // by body: rows that act on it
     std::vector<std::uint8_t> m_isBoundary;         // by body: rows of several parts act on it
     std::vector<unsigned> m_boundaryBodies;
-    std::vector<std::uint16_t> m_partOfRow;       // and whether it acts on a shared body
+    std::vector<std::uint16_t> m_partOfRow;       // and whether it acts on a boundary body
     std::vector<std::unique_ptr<Part>> m_parts;
     unsigned m_partCount = 0;
 };

@@ -1,5 +1,5 @@
 // Solves an island's problem by successive over-relaxation (projected Gauss-Seidel with a factor), as upstream's QuickStep does:
-// so many sweeps over all rows, which are shuffled before every eighth sweep but the first.
+// sweeps over all rows, which are shuffled before every eighth sweep but the first.
 //
 // Source of the method: Cryer, "The solution of a quadratic programming problem using systematic overrelaxation", 1971.
 #pragma once

@@ -26,7 +26,7 @@ constexpr unsigned kFewRows = 2;
 // Below this many rows lanes are as fast.
 constexpr unsigned kSparseProductRows = 256;
 
-// One part in so many of the rows is taken before products of all others are kept.
+// One in kSparsePart of the rows is taken before products of the others are kept.
 constexpr unsigned kSparsePart = 4;
 
 std::size_t sparseMemory(unsigned n) { return n < kSparseProductRows ? 0 : dxSparseRows::memory(n); }

@@ -9,7 +9,7 @@
 
 namespace {
 
-// Upstream's dot product adds up so many products at a time.
+// How many products upstream's dot product adds up at a time.
 constexpr std::size_t kDotGroup = 4;
 
 // Upstream goes column by column down the rows, which is a cache line for each element. By row, a row needs of the

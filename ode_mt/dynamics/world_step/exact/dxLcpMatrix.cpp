@@ -15,7 +15,7 @@ bool isBilateral(const dxDantzigProblem &problem, unsigned row) {
     return limits[PLH_LO] == -dInfinity && limits[PLH_HI] == dInfinity;
 }
 
-// Up to so many rows are taken at once: there is little to save, and calls cost more.
+// Up to this number all rows are taken at once: there is little to save, and calls cost more.
 constexpr unsigned kFewRows = 64;
 
 unsigned countInPlace(const unsigned *order, unsigned n) {

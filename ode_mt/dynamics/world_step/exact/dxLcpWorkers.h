@@ -20,7 +20,7 @@ public:
         return m_isSharing && elements >= least() ? m_islandWorkers->runner : nullptr;
     }
 
-    // Calls solve(runner) for a triangle of so many elements, with a runner as above.
+    // Calls solve(runner) for a triangle of `elements` elements, with a runner as above.
     template <class Solve>
     void solveTriangle(std::size_t elements, Solve solve) {
         if (m_islandWorkers == nullptr || elements < least()) return solve(nullptr);

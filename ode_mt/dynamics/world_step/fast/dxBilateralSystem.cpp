@@ -30,7 +30,7 @@ HWY_INLINE double addUpLanes(const double *lanes) {
 alignas(kCacheLine) constexpr double kBallSigns[2][kBodyLanes] = {{1, 1, 1}, {-1, -1, -1}};
 alignas(kCacheLine) constexpr double kUnits[3][kBodyLanes] = {{1}, {0, 1}, {0, 0, 1}};
 
-// `kBalls`: all joints are ball joints, and nobody reads linear columns.
+// `kBalls`: all joints are ball joints, and linear columns are not read.
 template <bool kBalls>
 class BilateralSystem {
     static constexpr unsigned kLanes = kBalls ? dxBilateralSystem::kBallLanes : kBodyLanes;

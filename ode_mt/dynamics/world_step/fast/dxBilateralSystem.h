@@ -5,7 +5,7 @@
 // linear part, b is a vector, and what has not changed of the island's structure is neither found nor cleared again.
 //
 // Joints are numbered by their places in the elimination order; so are the rows of all arrays. Invariants: lanes beyond a joint's rows are
-// 0 once the structure is there, and nobody writes others into them. All numbers are doubles, whatever dReal is.
+// 0 once the structure is there, and stay 0. All numbers are doubles, whatever dReal is.
 //
 // Bits do not depend on the instruction set: lanes are rows, each element is one sum in one order, products and sums are apart.
 //

@@ -87,7 +87,7 @@ struct dxFactorArrays {
 
 class dxBlockFactor {
 public:
-    // Keeps the order by reference. Blocks are as large as it says. At most so many threads work on it. Throws std::bad_alloc.
+    // Keeps the order by reference, which gives the sizes of blocks. At most `threads` threads work on it. Throws std::bad_alloc.
     void shape(const dxEliminationOrder &order, unsigned threads = 1);
 
     // H, to be written before its columns are factorised: of the diagonal blocks the lower triangle is read.

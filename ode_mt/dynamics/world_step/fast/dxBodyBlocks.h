@@ -1,5 +1,5 @@
 // Numbers of one body and of two: vectors and matrices of its six directions (linear, then angular), padded to a cache line, so that
-// kernels read a column by vectors of any width. All are doubles, whatever dReal is.
+// kernels read a column in SIMD vectors of any width. All are doubles, whatever dReal is.
 #pragma once
 
 #include <vector>

@@ -86,7 +86,7 @@ void dxBodySpaceSolver::solveRegularised() {
     m_residual = m_interior.residualOf(best);
 }
 
-// Solves the problem with c of at least so much of the diagonal, from the forces x on. Returns false where that fails, or writes x.
+// Solves the problem with c of at least `part` of the diagonal, beginning at the forces x. Returns false where that fails, otherwise writes x.
 bool dxBodySpaceSolver::solveSoftened(double part, const std::vector<double> &b, const std::vector<double> &c, std::vector<double> &x) {
     dxBodySpaceProblem &problem = m_rows.problem();
     soften(part, b, c, x);

@@ -40,7 +40,7 @@ constexpr unsigned kMaxDenseRows = 3000;
 // forces, for which regularised rows are too soft.
 constexpr double kFarLess = 0.01;
 
-// Below so many rows Dantzig's algorithm is as fast as any method, and choosing would take a part of its time.
+// With fewer rows Dantzig's algorithm is as fast as any method, and choosing would take a part of its time.
 constexpr unsigned kMinChoiceRows = 48;
 
 // How many times as many factorisations are expected where elimination has failed.

@@ -76,7 +76,7 @@ double advance(dxInteriorRows &rows, unsigned begin, unsigned end, double length
 
 class dxInteriorPoint {
 public:
-    // `order`: of the problem's bodies. All outlive what follows. At most so many threads share the phases. Throws std::bad_alloc.
+    // `order`: of the problem's bodies. All outlive what follows. At most `threads` threads share the phases. Throws std::bad_alloc.
     void begin(const dxBodySpaceProblem &problem, const dxEliminationOrder &order, dxPhaseRunner &phases, unsigned threads);
 
     // The limits of this problem, to be written before solve; low <= high.

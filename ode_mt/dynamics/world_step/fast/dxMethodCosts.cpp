@@ -46,7 +46,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // The part of the cost of Dantzig's algorithm that another method may have.
 constexpr double kEliminationPart = 0.8, kBodySpacePart = 0.92;
 
-// Below so many rows Dantzig's algorithm knows no skyline.
+// With fewer rows Dantzig's algorithm uses no skyline.
 constexpr unsigned kSkylineRows = 64;
 
 // Of an interior point: motors take 8, contacts 13 to 26, those of high stacks and of crowded joints up to 60.

@@ -80,7 +80,7 @@ class dxNormalEquations {
 public:
     using Rows = dxProblemChunks::Rows;
 
-    // The problem, the order and the phases outlive what follows. At most so many threads share the phases. Throws std::bad_alloc.
+    // The problem, the order and the phases outlive what follows. At most `threads` threads share the phases. Throws std::bad_alloc.
     void begin(const dxBodySpaceProblem &problem, const dxEliminationOrder &order, dxPhaseRunner &phases, unsigned threads);
 
     unsigned rowChunks() const { return static_cast<unsigned>(m_chunks.rows().size()); }

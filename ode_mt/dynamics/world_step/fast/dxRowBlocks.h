@@ -55,9 +55,9 @@ struct dxRowBlocks {
     // --- A_ek and A_kk -----------------------------------------------------------------------------------
     unsigned unilateralCount = 0;        // rows; column and row of b
     unsigned lines = 1;                  // of a row
-    dxBodyVectors beside;                // by place kBodyAxes rows of so many lines
+    dxBodyVectors beside;                // by place kBodyAxes rows of `lines` lines
     std::vector<std::uint64_t> masks;    // by place: lines that are not 0
-    dxBodyVectors unilateralRows;        // unilateralCount + 1 rows of so many lines, up to the diagonal's
+    dxBodyVectors unilateralRows;        // unilateralCount + 1 rows of `lines` lines, up to the diagonal's
 
     dxBodyVector *besideOf(unsigned place, unsigned row) { return beside.data() + (std::size_t(place) * kBodyAxes + row) * lines; }
     const dxBodyVector *besideOf(unsigned place, unsigned row) const {
