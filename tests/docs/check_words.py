@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Pages use the field's words: a picture of our own in the place of a word that the field has is a fault.
+"""Pages and comments use the field's words: a picture of our own in the place of a word that the field has is a fault.
 
-    check_words.py REPOSITORY     prints each such word of docs/*.md, README.md and CONTRIBUTING.md, and exits with 1 if there is one
+    check_words.py REPOSITORY     prints each such word of the pages and of the comments of sources, and exits with 1 if there is one
     check_words.py --self-test    shows that they are found
 
-The list has words that mean nothing else on these pages. docs/glossary.md defines the words to use. Code is not looked at.
+The list has words that mean nothing else here. docs/glossary.md defines the words to use. Code on a page is not looked at.
 """
 import pathlib
 import re
@@ -16,6 +16,7 @@ INSTEAD = {
     r"by vectors": "vectorised, with SIMD",
     r"contacts ahead": "narrow-phase prefetch",
     r"courtesy": "worker, chunk",
+    r"in vain": "without a result",
     r"inside out": "min > max",
     r"lines? of the cache": "cache line",
     r"likewise": "the condition itself",
@@ -26,39 +27,55 @@ INSTEAD = {
     r"rows? of L begins? late": "skyline storage",
     r"shall": "should, must",
     r"shared bod(?:y|ies)": "boundary body",
+    r"so (?:many|much)(?!(?: \S+){0,9}? that\b)": "the name of the number",
     r"summons?": "start workers",
     r"third cache": "L3",
     r"trials? in vain": "probe",
     r"wrong guess(?:es)?": "misprediction",
 }
+PAGES = ("README.md", "CONTRIBUTING.md", "docs/*.md", "worlds/README.md", "tests/README.md")
+SOURCES = ("include/**/*.h", "ode/*.*", "ode_mt/**/*.h", "ode_mt/**/*.cpp", "bench/**/*.h", "bench/**/*.cpp", "worlds/**/*.h", "worlds/**/*.cpp",
+           "tests/**/*.h", "tests/**/*.cpp")
 CODE = re.compile(r"^```.*?^```$|`[^`\n]*`|\]\([^)]*\)|<!--.*?-->", re.DOTALL | re.MULTILINE)
 
 
-def faults_of(text):
+def text_of_page(text):
+    return CODE.sub(lambda code: "\n" * code[0].count("\n"), text)
+
+
+def text_of_source(text):
+    """The comments, each line in its place."""
+    return "\n".join(re.split("//|/[*]|^ *[*]", line, maxsplit=1)[-1] if re.search("//|/[*]|^ *[*]", line) else "" for line in text.split("\n"))
+
+
+def faults_of(plain):
     """Yields the number of a line, the word and what to say instead."""
-    plain = re.sub("[ \t]+", " ", CODE.sub(lambda code: "\n" * code[0].count("\n"), text))
+    words = re.sub(r"[ \t]+", " ", plain)
     for pattern, instead in INSTEAD.items():
-        for found in re.finditer(rf"\b{pattern}\b", plain, re.IGNORECASE):
-            yield plain.count("\n", 0, found.start()) + 1, found[0], instead
+        for found in re.finditer(rf"\b{pattern}".replace(" ", r"\s+") + r"\b", words, re.IGNORECASE):
+            yield words.count("\n", 0, found.start()) + 1, " ".join(found[0].split()), instead
 
 
 def main(root):
     failures = 0
-    for page in [*sorted((root / "docs").glob("*.md")), root / "README.md", root / "CONTRIBUTING.md"]:
-        for line, word, instead in sorted(faults_of(page.read_text())):
-            print(f"{page.relative_to(root)}:{line}: '{word}': say {instead}")
-            failures += 1
+    for patterns, text_of in ((PAGES, text_of_page), (SOURCES, text_of_source)):
+        for path in sorted(path for pattern in patterns for path in root.glob(pattern)):
+            for line, word, instead in sorted(faults_of(text_of(path.read_text()))):
+                print(f"{path.relative_to(root)}:{line}: '{word}': say {instead}")
+                failures += 1
     return 1 if failures else 0
 
 
 def self_test():
-    def words(text):
-        return [(line, word) for line, word, _ in faults_of(text)]
+    def words(text, text_of=text_of_page):
+        return sorted((line, word) for line, word, _ in faults_of(text_of(text)))
 
     assert words("Plain words.\nMarshall, a wall.") == []
     assert words("It works.\nBounds are inside  out.") == [(2, "inside out")]
     assert words("It Shall be.") == [(1, "Shall")]
     assert words("`inside out` and\n```\nshall\n```\nthe nearest cache") == [(5, "nearest cache")]
+    assert words("So many words\nthat all agree, and so many others.") == [(2, "so many")]
+    assert words("int shall;  // a wrong\n    // guess\n/* It\n * shall. */", text_of_source) == [(1, "wrong guess"), (4, "shall")]
     return 0
 
 

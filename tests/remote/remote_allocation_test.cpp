@@ -1,6 +1,6 @@
-// Memory that is refused to home, to its communication thread or to workers, request by request, while workers are welcomed, during a step, or while
-// they are sent away: a step has the bits of steps without workers, or says std::bad_alloc and may be made again; it does not wait for an answer that cannot come; and
-// the next workers are used as if nothing had been.
+// Memory is refused to the coordinator, to its communication thread or to workers, request by request: while workers connect, during a step, or
+// while they are dropped. A step has the bits of steps without workers, or says std::bad_alloc and may be made again. It does not wait for an
+// answer that cannot come. The next workers are used as if nothing had been.
 //
 // Has found: std::bad_alloc on the communication thread ended the process.
 #include <gtest/gtest.h>
