@@ -12,7 +12,7 @@
 #include "remote/dxRemote.h"
 #include "seams/upstream.h"
 #include "settings/dxWorkers.h"
-#include "threading/process/dxForkLocks.h"
+#include "threading/process/dxFork.h"
 #include "threading/process/dxProcess.h"
 
 namespace {

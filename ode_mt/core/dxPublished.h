@@ -1,8 +1,10 @@
-// A value that one thread at a time writes and any thread reads. Who reads it also sees what was written before it.
+// Atomic values that publish: a thread that reads one also sees what was written before it.
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 
+// A value that one thread at a time writes and any thread reads.
 template <class Value>
 class dxPublished {
 public:
@@ -18,4 +20,14 @@ public:
 
 private:
     std::atomic<Value> m_value;
+};
+
+// Counts events of the process. Code that keeps something compares counts to know whether there were any since. Any thread may add and read.
+class dxEventCounter {
+public:
+    std::uint64_t count() const { return m_events.load(std::memory_order_acquire); }
+    void add() { m_events.fetch_add(1, std::memory_order_acq_rel); }
+
+private:
+    std::atomic<std::uint64_t> m_events{0};
 };

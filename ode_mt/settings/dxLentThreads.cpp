@@ -9,9 +9,8 @@
 #include "objects.h"
 #include "default_threading.h"
 #include "threading/pool/dxJobBoard.h"
-#include "threading/process/dxForkListener.h"
-#include "threading/process/dxForkLocks.h"
-#include "threading/process/dxProcessObject.h"
+#include "threading/process/dxFork.h"
+#include "threading/process/dxProcess.h"
 
 namespace dxLentThreads {
 

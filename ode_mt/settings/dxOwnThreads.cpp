@@ -3,8 +3,8 @@
 #include <atomic>
 #include <mutex>
 
-#include "threading/process/dxForkLocks.h"
-#include "threading/process/dxProcessObject.h"
+#include "threading/process/dxFork.h"
+#include "threading/process/dxProcess.h"
 
 namespace dxOwnThreads {
 

@@ -10,7 +10,7 @@
 #include <atomic>
 #include <string>
 
-#include "threading/process/dxProcessObject.h"
+#include "threading/process/dxProcess.h"
 
 // Auto shares out what is predicted to pay, the others whatever can be shared out (Serial: nothing).
 // ClusteredXxx: pairs are found by clusters, under the crossover pass of that name.

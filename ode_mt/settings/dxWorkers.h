@@ -24,8 +24,8 @@
 #include "threading/dxThreadManager.h"
 #include "threading/pool/dxThreadLender.h"
 #include "threading/pool/dxWorkerOptions.h"
-#include "threading/process/dxForkLocks.h"
-#include "threading/process/dxProcessObject.h"
+#include "threading/process/dxFork.h"
+#include "threading/process/dxProcess.h"
 
 class dxWorkers {
 public:

@@ -7,7 +7,7 @@
 
 #include "core/dxCacheLine.h"
 #include "core/dxMixedBits.h"
-#include "threading/process/dxProcessObject.h"
+#include "threading/process/dxProcess.h"
 
 namespace {
 

@@ -19,7 +19,7 @@
 
 #include "settings/dxOwnThreads.h"
 #include "settings/dxSettings.h"
-#include "threading/process/dxForkLocks.h"
+#include "threading/process/dxFork.h"
 
 // What another file keeps in the state of a world. It knows the type of what it has put there.
 class dxWorldPart {

@@ -11,8 +11,8 @@
 #include "settings/dxSerialReason.h"
 #include "settings/dxStatisticsFile.h"
 #include "settings/dxWorldState.h"
-#include "threading/process/dxForkListener.h"
-#include "threading/process/dxProcessObject.h"
+#include "threading/process/dxFork.h"
+#include "threading/process/dxProcess.h"
 #include "threading/timeline/dxTimelineClock.h"
 
 namespace dxWorldStatistics {

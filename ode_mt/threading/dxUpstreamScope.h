@@ -1,19 +1,29 @@
-// What code meets where it would leave the work that it does on behalf of a call: an island that it steps, a
-// pair that it collides ahead of its callback.
+// The scope of work that a thread does on behalf of a call (an island that it steps, a pair that it collides before the callback), and how upstream's
+// code leaves it.
 //
-// Where it shuffles rows, tells a collision space that a geom moved, or reports a message, our functions in the place
-// of upstream's (dxSorOrder.h, dxBodyMotion.h, ode_mt/api/error.cpp) ask the scope of the current thread:
+// Upstream's code would shuffle rows, tell a collision space that a geom moved, or report a message or a failed assertion. Our functions in its place
+// (dxSorOrder.h, dxBodyMotion.h, ode_mt/api/error.cpp) ask the scope of the current thread:
 //
 //   dxDeferredScope    an island or a world is stepped on behalf of the thread that called the step
 //   dxReservedDraws    islands are stepped in order on that thread, with random numbers taken in advance
 //   dxIslandSurvey     joints are asked for their rows beforehand
-//   dxNarrowphasePrefetch    contacts are computed ahead of the near-callbacks
+//   dxInterruptingScope    contacts are computed before the near-callbacks, or bounding boxes on workers
 //
 // Invariant: a thread without a scope behaves exactly as upstream.
 #pragma once
 
+#include <ode/error.h>
+
 #include <cstdarg>
 #include <cstdint>
+
+// Returns whether user code hears of errors, assertions or messages: it may look at the world in the middle of a step, or leave it.
+inline bool dxHasUserHandlers() {
+    return dGetErrorHandler() != nullptr || dGetDebugHandler() != nullptr || dGetMessageHandler() != nullptr;
+}
+
+// Thrown through upstream's code to leave work on a worker. The call does it again on its own thread, in order.
+struct dxUpstreamInterrupted {};
 
 enum class dxReport { Message, Debug, Error };
 
@@ -22,17 +32,17 @@ public:
     dxUpstreamScope(const dxUpstreamScope &) = delete;
     dxUpstreamScope &operator=(const dxUpstreamScope &) = delete;
 
-    // The scope of this thread, or null. Islands do not nest: a callback that steps another world does
+    // Returns the scope of this thread, or null. Islands do not nest: a callback that steps another world does
     // so without a scope or under a new one, and finds the old one again afterwards.
     static dxUpstreamScope *current();
 
     // Takes the next `draws` numbers of the random sequence. Returns the seed before the first of them.
     virtual std::uint32_t takeBlock(std::uint64_t draws) = 0;
 
-    // Whether moved-notifications of bodies are put off.
+    // Whether moved-notifications of bodies are deferred.
     virtual bool defersMoved() const = 0;
 
-    // A call of dMessage, dDebug or dError. True: taken over; false: to be handled as upstream does.
+    // Handles a call of dMessage, dDebug or dError. Returns false if upstream should handle it.
     virtual bool takeOver(dxReport kind, int number, const char *format, va_list arguments) = 0;
 
 protected:
@@ -46,4 +56,13 @@ protected:
 private:
     dxUpstreamScope *m_outer;
     bool m_entered = true;
+};
+
+// The scope of work that a worker does before a call needs it. Whatever upstream's code would report, or draw from the random sequence, interrupts the
+// work.
+class dxInterruptingScope final : public dxUpstreamScope {
+public:
+    std::uint32_t takeBlock(std::uint64_t) override { throw dxUpstreamInterrupted(); }
+    bool defersMoved() const override { return false; }
+    bool takeOver(dxReport, int, const char *, va_list) override { throw dxUpstreamInterrupted(); }
 };

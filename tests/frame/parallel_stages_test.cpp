@@ -19,7 +19,7 @@
 #include "SphereRows.h"
 #include "settings/dxWorkersRunner.h"
 #include "threading/dxParallelStage.h"
-#include "threading/dxPerturbation.h"
+#include "threading/dxSchedulePoints.h"
 #include "threading/dxTaskRunner.h"
 
 namespace {
@@ -107,11 +107,11 @@ const std::thread::id caller = std::this_thread::get_id();
 class HesitatingCaller {
 public:
     HesitatingCaller() {
-        dxSetDisturbance([](auto...) {
+        dxSetPerturbation([](auto...) {
             if (std::this_thread::get_id() == caller) std::this_thread::sleep_for(std::chrono::microseconds(100));
         });
     }
-    ~HesitatingCaller() { dxSetDisturbance(nullptr); }
+    ~HesitatingCaller() { dxSetPerturbation(nullptr); }
 };
 
 class ParallelStages : public testing::TestWithParam<Scene> {};

@@ -18,7 +18,7 @@
 #include "ChainWorld.h"
 #include "support/child_run.h"
 #include "OdeSession.h"
-#include "threading/dxPerturbation.h"
+#include "threading/dxSchedulePoints.h"
 
 namespace {
 
@@ -40,7 +40,7 @@ protected:
     Reports() { g_caller = std::this_thread::get_id(); }
     ~Reports() override {
         dSetDebugHandler(nullptr);
-        dxSetDisturbance(nullptr);
+        dxSetPerturbation(nullptr);
     }
 
     OdeSession session;
@@ -72,7 +72,7 @@ TEST_P(Reports, HandlerThatLeavesFindsTheWorldOfASerialStep) {
         const bool serialLeft = stepUntilError(serial);
         const unsigned long seed = dRandGetSeed();
         OdeSession::use(4, "lcp");
-        dxSetRandomDisturbance(2);
+        dxSetRandomPerturbation(2);
         dRandSetSeed(3);
         const bool left = stepUntilError(world);
         return serialLeft && left && onCaller && sameBits(world.state(), serial.state()) &&

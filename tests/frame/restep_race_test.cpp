@@ -15,7 +15,7 @@
 #include "OdeSession.h"
 #include "sanitizers.h"
 #include "thorough.h"
-#include "threading/dxPerturbation.h"
+#include "threading/dxSchedulePoints.h"
 
 namespace {
 
@@ -39,7 +39,7 @@ Result replay(ChurnWorld &world, int run) {
     const pid_t child = fork();
     if (child == 0) {
         alarm(kLimit);
-        if (run % 2 == 1) dxSetRandomDisturbance(static_cast<unsigned>(run));
+        if (run % 2 == 1) dxSetRandomPerturbation(static_cast<unsigned>(run));
         world.frames(kFrames);
         const Result result{world.hash(), dODE_MT_GetMaxWorkersUsed(), dODE_MT_GetContactsAhead()};
         _exit(write(ends[1], &result, sizeof result) == sizeof result ? 0 : 1);

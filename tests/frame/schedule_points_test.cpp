@@ -1,8 +1,6 @@
 // Disturbed schedules (ODE_MT_PERTURB) reach every claim, hand-over, wait and commit: scenes that together come to each
 // dxSchedulePoint. A point that none of them reaches fails the test by name.
-//
-// Covers dxPerturbation.cpp, dxSchedulePoint.cpp.
-#include "threading/dxSchedulePoint.h"
+#include "threading/dxSchedulePoints.h"
 
 #include <gtest/gtest.h>
 #include <ode/ode.h>
@@ -22,7 +20,7 @@
 #include "OdeSession.h"
 #include "sanitizers.h"
 #include "PackedWorld.h"
-#include "threading/dxPerturbation.h"
+#include "threading/dxSchedulePoints.h"
 
 namespace {
 
@@ -156,10 +154,10 @@ TEST(SchedulePoints, AreAllReached) {
         const OdeSession session;
         const auto begin = std::chrono::steady_clock::now();
         for (unsigned seed = 1; !unreached().empty() && std::chrono::steady_clock::now() - begin < kBudget; ++seed) {
-            dxSetRandomDisturbance(seed);
+            dxSetRandomPerturbation(seed);
             playScenes();
         }
-        dxSetDisturbance(nullptr);
+        dxSetPerturbation(nullptr);
         for (const dxSchedulePoint point : unreached()) std::fprintf(stderr, "never: %s\n", dxDescribe(point));
     });
     EXPECT_TRUE(end.exitedWith(0));

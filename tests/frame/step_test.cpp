@@ -11,7 +11,7 @@
 #include "Runs.h"
 #include "sanitizers.h"
 #include "settings/dxStepStatistics.h"
-#include "threading/dxPerturbation.h"
+#include "threading/dxSchedulePoints.h"
 
 namespace {
 
@@ -62,7 +62,7 @@ TEST_P(Step, LcpSharesEveryStep) {
 TEST_P(Step, TwoWorkersDoRealWork) {
     OdeSession::use(3, "lcp");
     dxStepStatistics::instance().maxWorkersUsed = 0;
-    dxSetRandomDisturbance(1);  // sleeping threads leave work to the others
+    dxSetRandomPerturbation(1);  // sleeping threads leave work to the others
     EXPECT_TRUE(waitUntil(
         [&] {
             world.step();
@@ -70,20 +70,20 @@ TEST_P(Step, TwoWorkersDoRealWork) {
         },
         30));
     EXPECT_LE(dODE_MT_GetMaxWorkersUsed(), 3u);
-    dxSetDisturbance(nullptr);
+    dxSetPerturbation(nullptr);
 }
 
 TEST_P(Step, DisturbedSchedulesGiveSerialBits) {
     for (unsigned seed = 0; seed < 10; ++seed) {
         OdeSession::use(2 + seed % 4, "lcp");
-        dxSetRandomDisturbance(seed);
+        dxSetRandomPerturbation(seed);
         ChainWorld disturbed(kChains, kLinks, GetParam());
         dRandSetSeed(9);
         disturbed.step(10);
         EXPECT_EQ(disturbed.state(), serial.state());
         EXPECT_EQ(dRandGetSeed(), serialSeed);
     }
-    dxSetDisturbance(nullptr);
+    dxSetPerturbation(nullptr);
 }
 
 TEST_P(Step, SerialSharesNothing) {

@@ -1,11 +1,11 @@
 // Runs at the same time: from several user threads, and nested.
 //
-// Covers dxJobBoard.cpp, dxPerturbation.cpp, dxThreadManagerOpenMP.cpp, dxThreadManagerPthread.cpp.
+// Covers dxJobBoard.cpp, dxThreadManagerOpenMP.cpp, dxThreadManagerPthread.cpp.
 #include <thread>
 
 #include "ManagerKinds.h"
 #include "Runs.h"
-#include "threading/dxPerturbation.h"
+#include "threading/dxSchedulePoints.h"
 
 namespace {
 
@@ -73,9 +73,9 @@ TEST_P(ThreadManagerTest, ConcurrentRunsShareTheWorkers) {
 
 TEST_P(ThreadManagerTest, PerturbedSchedule) {
     const auto manager = GetParam().make(5);
-    dxSetRandomDisturbance(42);
+    dxSetRandomPerturbation(42);
     EXPECT_EQ(hammerFromThreads(*manager, 4, 30), 0);
-    dxSetDisturbance(nullptr);
+    dxSetPerturbation(nullptr);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // fork in the host program: the child has workers again where the manager can give them, the parent
 // notices nothing.
 //
-// Covers dxForkListener.cpp, dxOpenMPRuntimeGnu.cpp, dxOpenMPRuntimeLlvm.cpp.
+// Covers dxOpenMPRuntimeGnu.cpp, dxOpenMPRuntimeLlvm.cpp.
 #include <pthread.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -14,8 +14,7 @@
 #include "ManagerKinds.h"
 #include "Runs.h"
 #include "threading/pool/dxEventCount.h"
-#include "threading/process/dxForkListener.h"
-#include "threading/process/dxForkLocks.h"
+#include "threading/process/dxFork.h"
 
 namespace {
 

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "threading/process/dxObjectPool.h"
-#include "threading/process/dxProcessObject.h"
 
 namespace {
 

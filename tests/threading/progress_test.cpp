@@ -10,7 +10,7 @@
 
 #include "ManagerKinds.h"
 #include "Runs.h"
-#include "threading/dxPerturbation.h"
+#include "threading/dxSchedulePoints.h"
 #include "threading/pool/dxFutex.h"
 #include "threading/pool/dxSpin.h"
 
@@ -55,14 +55,14 @@ TEST_P(ThreadManagerTest, DescheduledWorkerDelaysNoOther) {
     ASSERT_TRUE(allWorkersMeet(*manager, 4));
     heldCaller = pthread_self();
     held = 0;
-    dxSetDisturbance(holdWorkers);
+    dxSetPerturbation(holdWorkers);
     const Stopwatch watch;
     runBlocks(*manager, 4, 4, [&](unsigned, unsigned worker) {
         // Gives the workers time to arrive and stop.
         if (worker == 0) waitUntil([] { return held > 0; }, 1);
     });
     const double seconds = watch.seconds();
-    dxSetDisturbance(nullptr);
+    dxSetPerturbation(nullptr);
     EXPECT_GT(held, 0);
     // A run that waits for idle workers still ends once they continue.
     EXPECT_LT(seconds, GetParam().waitsForIdleWorkers ? 20 : 1.5);

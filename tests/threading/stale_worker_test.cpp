@@ -6,7 +6,7 @@
 
 #include "ManagerKinds.h"
 #include "Runs.h"
-#include "threading/dxPerturbation.h"
+#include "threading/dxSchedulePoints.h"
 
 namespace {
 
@@ -30,10 +30,10 @@ TEST_P(ThreadManagerTest, StaleWorkerTakesNothingFromALaterRun) {
         caller = pthread_self();
         held = 0;
         released = false;
-        dxSetDisturbance(holdWorkers);
+        dxSetPerturbation(holdWorkers);
         runBlocks(*manager, 3, 3, [](unsigned, unsigned) { waitUntil([] { return held == 2; }, 0.05); });
         ASSERT_GT(held, 0);
-        dxSetDisturbance(nullptr);
+        dxSetPerturbation(nullptr);
 
         std::mutex lock;
         std::set<pthread_t> threads;

@@ -19,10 +19,10 @@
 #include "settings/dxStepStatistics.h"
 #include "settings/dxWorkers.h"
 #include "settings/dxWorkersRunner.h"
-#include "threading/dxPerturbation.h"
+#include "threading/dxSchedulePoints.h"
 #include "threading/dxTaskRunner.h"
 #include "threading/process/dxObjectPool.h"
-#include "threading/process/dxProcessObject.h"
+#include "threading/process/dxProcess.h"
 #include "threading/timeline/dxTimelineSpan.h"
 
 namespace {

@@ -1,6 +1,6 @@
 #include "collision/narrowphase/dxCcdQuery.h"
 
-#include "threading/dxUpstreamInterrupted.h"
+#include "threading/dxUpstreamScope.h"
 
 namespace {
 

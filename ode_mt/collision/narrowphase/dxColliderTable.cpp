@@ -8,8 +8,8 @@
 #include "config.h"
 #include "collision_kernel.h"
 #include "seams/upstream.h"
-#include "threading/process/dxForkLocks.h"
-#include "threading/process/dxProcessObject.h"
+#include "threading/process/dxFork.h"
+#include "threading/process/dxProcess.h"
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include <new>
 #include <unordered_set>
 
-#include "threading/process/dxForkLocks.h"
-#include "threading/process/dxProcessObject.h"
+#include "threading/process/dxFork.h"
+#include "threading/process/dxProcess.h"
 
 namespace {
 

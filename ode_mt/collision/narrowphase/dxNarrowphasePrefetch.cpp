@@ -11,9 +11,9 @@
 #include "collision/pairs/dxUnnoticedChanges.h"
 #include "collision/pairs/dxPairPrefetch.h"
 #include "core/dxReserve.h"
-#include "threading/dxInterruptingScope.h"
+#include "threading/dxUpstreamScope.h"
 #include "threading/dxFloatEnvironment.h"
-#include "threading/dxPerturbation.h"
+#include "threading/dxSchedulePoints.h"
 
 #include "collision_kernel.h"
 #include "collision_std.h"

@@ -12,8 +12,8 @@
 #include <optional>
 #include <vector>
 
-#include "threading/process/dxForkLocks.h"
-#include "threading/process/dxProcessObject.h"
+#include "threading/process/dxFork.h"
+#include "threading/process/dxProcess.h"
 
 #include "config.h"
 #include "collision_util.h"

@@ -4,7 +4,7 @@
 // Threading: as dxEventCounter.
 #pragma once
 
-#include "core/dxEventCounter.h"
+#include "core/dxPublished.h"
 
 // Events after which a geom may have changed without a notification of its space.
 //

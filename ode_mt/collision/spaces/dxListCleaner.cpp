@@ -4,7 +4,7 @@
 
 #include "core/dxPrefetch.h"
 #include "core/dxReserve.h"
-#include "threading/dxPerturbation.h"
+#include "threading/dxSchedulePoints.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include "collision/pairs/dxPairPrefetch.h"
 #include "collision/spaces/dxOrderedSpace.h"
 #include "core/dxNoIndex.h"
-#include "threading/dxInterruptingScope.h"
+#include "threading/dxUpstreamScope.h"
 
 namespace {
 

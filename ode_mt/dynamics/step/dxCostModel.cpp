@@ -4,7 +4,7 @@
 
 #include "core/dxLog.h"
 #include "threading/payoff/dxParallelPayoff.h"
-#include "threading/process/dxProcessObject.h"
+#include "threading/process/dxProcess.h"
 
 namespace {
 

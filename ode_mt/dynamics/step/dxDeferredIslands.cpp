@@ -10,7 +10,7 @@
 #include "dynamics/step/islands/dxStepTimeline.h"
 #include "dynamics/step/islands/dxWorkingMemory.h"
 #include "settings/dxStepStatistics.h"
-#include "threading/dxPerturbation.h"
+#include "threading/dxSchedulePoints.h"
 
 void dxDeferredIslands::step(unsigned index, unsigned worker) {
     dxPerturb(dxSchedulePoint::StepIsland);

@@ -22,8 +22,7 @@
 #include "core/dxCacheLine.h"
 #include "dynamics/step/islands/dxIslandSurvey.h"
 #include "dynamics/step/random/dxRandom.h"
-#include "threading/dxPerturbation.h"
-#include "threading/dxUpstreamInterrupted.h"
+#include "threading/dxSchedulePoints.h"
 #include "threading/dxUpstreamScope.h"
 
 struct dxKeptReport {

@@ -5,8 +5,8 @@
 
 #include "dynamics/step/dxIslandBlocks.h"
 #include "dynamics/step/dxIslandStepper.h"
-#include "dynamics/step/islands/dxUserHandlers.h"
 #include "settings/dxWorkersRunner.h"
+#include "threading/dxUpstreamScope.h"
 
 namespace {
 

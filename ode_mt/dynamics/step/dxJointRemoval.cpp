@@ -5,7 +5,7 @@
 
 #include "core/dxPrefetch.h"
 #include "threading/process/dxObjectPool.h"
-#include "threading/process/dxProcessObject.h"
+#include "threading/process/dxProcess.h"
 
 #include "config.h"
 #include "joints/joint.h"

@@ -1,7 +1,7 @@
 #include "dynamics/step/dxStepRecords.h"
 
 #include "threading/process/dxObjectPool.h"
-#include "threading/process/dxProcessObject.h"
+#include "threading/process/dxProcess.h"
 
 namespace {
 

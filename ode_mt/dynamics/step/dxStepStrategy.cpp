@@ -7,7 +7,7 @@
 #include "settings/dxSettings.h"
 #include "threading/dxFloatEnvironment.h"
 #include "threading/payoff/dxSharingPolicy.h"
-#include "threading/process/dxProcessObject.h"
+#include "threading/process/dxProcess.h"
 #include "upstream_facts.h"
 
 namespace {

@@ -20,7 +20,7 @@
 #include "settings/dxWorkersRunner.h"
 #include "settings/dxWorldStatistics.h"
 #include "step.h"
-#include "threading/process/dxProcessObject.h"
+#include "threading/process/dxProcess.h"
 #include "threading/timeline/dxTimeline.h"
 
 namespace {

@@ -5,12 +5,12 @@
 
 #include "core/dxPointerSet.h"
 #include "dynamics/step/dxStepStrategy.h"
-#include "dynamics/step/islands/dxUserHandlers.h"
 #include "settings/dxLentThreads.h"
 #include "settings/dxSettings.h"
 #include "settings/dxWorkersRunner.h"
 #include "settings/dxWorldState.h"
 #include "threading/dxFloatEnvironment.h"
+#include "threading/dxUpstreamScope.h"
 
 namespace {
 

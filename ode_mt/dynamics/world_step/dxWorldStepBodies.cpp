@@ -7,7 +7,6 @@
 
 #include "dynamics/step/islands/dxBodyForces.h"
 #include "dynamics/step/islands/dxBodyMotion.h"
-#include "dynamics/step/islands/dxUserHandlers.h"
 #include "dynamics/world_step/dxWorldStepProblem.h"
 #include "dynamics/world_step/kernels/dxBodyColumns.h"
 #include "dynamics/world_step/kernels/dxPair.h"

@@ -16,7 +16,7 @@
 #include "remote/transport/dxRemoteFrame.h"
 #include "remote/transport/dxRemoteTransport.h"
 #include "remote/transport/dxSpareBytes.h"
-#include "threading/process/dxForkLocks.h"
+#include "threading/process/dxFork.h"
 
 using dxRemoteLock = std::unique_lock<dxForkSafeMutex>;
 

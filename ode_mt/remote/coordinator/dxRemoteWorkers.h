@@ -24,8 +24,8 @@
 
 #include "remote/coordinator/dxRemoteReplacement.h"
 #include "remote/transport/dxPollPause.h"
-#include "threading/process/dxForkListener.h"
-#include "threading/process/dxProcessObject.h"
+#include "threading/process/dxFork.h"
+#include "threading/process/dxProcess.h"
 
 class dxRemoteWorkers final : private dxForkListener {
 public:

@@ -16,7 +16,6 @@
 #include "dynamics/world_step/exact/dxDantzig.h"
 #include "dynamics/world_step/exact/dxUpstreamLcp.h"
 #include "threading/dxFloatEnvironment.h"
-#include "threading/dxUpstreamInterrupted.h"
 #include "threading/dxUpstreamScope.h"
 
 namespace {

@@ -13,7 +13,7 @@
 
 #include "core/dxGuards.h"
 #include "threading/managers/dxOpenMPRuntime.h"
-#include "threading/process/dxProcessObject.h"
+#include "threading/process/dxProcess.h"
 
 namespace {
 

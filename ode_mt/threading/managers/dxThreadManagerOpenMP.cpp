@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "threading/dxFloatEnvironment.h"
-#include "threading/dxPerturbation.h"
+#include "threading/dxSchedulePoints.h"
 #include "threading/pool/dxJobBoard.h"
 
 namespace {

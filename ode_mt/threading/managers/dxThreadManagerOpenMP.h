@@ -18,7 +18,7 @@
 #include "threading/dxThreadManager.h"
 #include "threading/managers/dxOpenMPRuntime.h"
 #include "threading/pool/dxThreadCreation.h"
-#include "threading/process/dxForkListener.h"
+#include "threading/process/dxFork.h"
 
 class dxThreadManagerOpenMP final : public dxThreadManager, private dxForkListener {
 public:

@@ -32,7 +32,7 @@
 #include "threading/pool/dxAdaptiveSpin.h"
 #include "threading/pool/dxThreadCreation.h"
 #include "threading/pool/dxWorkerOptions.h"
-#include "threading/process/dxForkListener.h"
+#include "threading/process/dxFork.h"
 
 class dxThreadManagerPthread final : public dxThreadManager, private dxForkListener, private dxWorkerSource {
 public:

@@ -26,7 +26,7 @@
 
 #include "threading/dxThreadManager.h"
 #include "threading/pool/dxThreadLender.h"
-#include "threading/process/dxForkListener.h"
+#include "threading/process/dxFork.h"
 
 class dxBorrowedThreads;
 

@@ -1,6 +1,6 @@
 #include "threading/pool/dxBarrier.h"
 
-#include "threading/dxPerturbation.h"
+#include "threading/dxSchedulePoints.h"
 #include "threading/pool/dxSpin.h"
 
 void dxBarrier::reset(unsigned blocks) { pending.store(blocks, std::memory_order_relaxed); }

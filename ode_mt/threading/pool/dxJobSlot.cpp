@@ -1,6 +1,6 @@
 #include "threading/pool/dxJobSlot.h"
 
-#include "threading/dxPerturbation.h"
+#include "threading/dxSchedulePoints.h"
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "core/dxGuards.h"
-#include "threading/dxPerturbation.h"
+#include "threading/dxSchedulePoints.h"
 #include "threading/pool/dxSpin.h"
 
 class dxOrderedCompletion {

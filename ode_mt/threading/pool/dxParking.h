@@ -9,7 +9,7 @@
 // publishes its job, then reads the counts; a worker counts itself as parked, then reads the board.
 #pragma once
 
-#include "threading/dxPerturbation.h"
+#include "threading/dxSchedulePoints.h"
 #include "threading/pool/dxFutex.h"
 
 class dxParking {

@@ -14,7 +14,7 @@
 #include <memory>
 
 #include "core/dxCacheLine.h"
-#include "threading/dxPerturbation.h"
+#include "threading/dxSchedulePoints.h"
 #include "threading/dxTaskRunner.h"
 #include "threading/pool/dxSpin.h"
 

@@ -11,7 +11,7 @@
 #include <mutex>
 #include <vector>
 
-#include "threading/process/dxForkLocks.h"
+#include "threading/process/dxFork.h"
 
 template <class Object, class Destroy = std::default_delete<Object>>
 class dxObjectPool {

@@ -6,7 +6,7 @@
 
 #include "core/dxEnvironment.h"
 #include "core/dxLog.h"
-#include "threading/process/dxProcessObject.h"
+#include "threading/process/dxProcess.h"
 #include "threading/timeline/dxTimelineRings.h"
 
 namespace {

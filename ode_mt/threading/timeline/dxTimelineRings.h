@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "threading/process/dxForkListener.h"
-#include "threading/process/dxForkLocks.h"
+#include "threading/process/dxFork.h"
 #include "threading/timeline/dxTimelineRing.h"
 
 class dxTimelineRings : private dxForkListener {

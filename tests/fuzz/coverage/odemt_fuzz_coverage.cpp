@@ -11,7 +11,7 @@
 #include "script_comparison.h"
 #include "shared_counters.h"
 
-#include "threading/dxPerturbation.h"
+#include "threading/dxSchedulePoints.h"
 
 #include <dlfcn.h>
 
@@ -60,7 +60,7 @@ private:
         const auto atBirth = [this](const RequestHeader &request) {
             restoreSignals();
             m_counters.share();
-            if (request.disturbs != 0) dxSetRandomDisturbance(1);
+            if (request.disturbs != 0) dxSetRandomPerturbation(1);
         };
         return std::make_shared<ForkedPlay>(atBirth, [this] { m_counters.collect(); });
     }

@@ -5,9 +5,9 @@
 #include <thread>
 #include <utility>
 
-#include "threading/dxPerturbation.h"
+#include "threading/dxSchedulePoints.h"
 #include "threading/pool/dxSpin.h"
-#include "threading/process/dxProcessObject.h"
+#include "threading/process/dxProcess.h"
 
 namespace {
 

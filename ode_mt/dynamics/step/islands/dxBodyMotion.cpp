@@ -10,7 +10,6 @@
 #include "core/dxPrefetch.h"
 #include "dynamics/step/islands/dxBodyForces.h"
 #include "dynamics/step/islands/dxForBodies.h"
-#include "dynamics/step/islands/dxUserHandlers.h"
 #include "dynamics/step/random/dxSingleStepper.h"
 #include "threading/dxUpstreamScope.h"
 

@@ -1,6 +1,6 @@
 #include "dynamics/step/islands/dxIslandStep.h"
 
-#include "threading/process/dxProcessObject.h"
+#include "threading/process/dxProcess.h"
 
 namespace {
 

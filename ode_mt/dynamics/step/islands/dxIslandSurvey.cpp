@@ -5,7 +5,6 @@
 
 #include "contact.h"
 #include "core/dxPrefetch.h"
-#include "threading/dxUpstreamInterrupted.h"
 #include "threading/dxUpstreamScope.h"
 
 namespace {

@@ -5,7 +5,7 @@
 
 #include "dynamics/step/islands/dxIsland.h"
 #include "threading/process/dxObjectPool.h"
-#include "threading/process/dxProcessObject.h"
+#include "threading/process/dxProcess.h"
 
 namespace dxWorkingMemory {
 

@@ -2,7 +2,7 @@
 
 #include <atomic>
 
-#include "threading/dxPerturbation.h"
+#include "threading/dxSchedulePoints.h"
 
 namespace dxRandom {
 

@@ -5,9 +5,9 @@
 
 #include "core/dxGuards.h"
 #include "threading/dxFloatEnvironment.h"
-#include "threading/dxPerturbation.h"
-#include "threading/process/dxForkListener.h"
-#include "threading/process/dxProcessObject.h"
+#include "threading/dxSchedulePoints.h"
+#include "threading/process/dxFork.h"
+#include "threading/process/dxProcess.h"
 
 namespace {
 

@@ -21,7 +21,7 @@
 #include "dynamics/world_step/kernels/dxConstraintMatrix.h"
 #include "settings/dxStepStatistics.h"
 #include "threading/process/dxObjectPool.h"
-#include "threading/process/dxProcessObject.h"
+#include "threading/process/dxProcess.h"
 
 namespace {
 

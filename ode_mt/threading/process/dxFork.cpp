@@ -1,13 +1,8 @@
-#include "threading/process/dxForkListener.h"
-
-#include <pthread.h>
+#include "threading/process/dxFork.h"
 
 #include <chrono>
-#include <mutex>
 #include <new>
 #include <thread>
-
-#include "threading/process/dxForkLocks.h"
 
 namespace dxForkLocks {
 std::recursive_mutex initialisation;
