@@ -1,10 +1,10 @@
 // Functions of ode/collision_space.h: spaces of all kinds are ours.
 #include <ode/collision_space.h>
 
-#include "collision/spaces/dxOrderedHashSpace.h"
-#include "collision/spaces/dxOrderedQuadTreeSpace.h"
+#include "collision/spaces/hash/dxOrderedHashSpace.h"
+#include "collision/spaces/quad_tree/dxOrderedQuadTreeSpace.h"
 #include "collision/spaces/dxOrderedSimpleSpace.h"
-#include "collision/spaces/dxOrderedSapSpace.h"
+#include "collision/spaces/sweep_and_prune/dxOrderedSapSpace.h"
 
 extern "C" {
 

@@ -1,5 +1,5 @@
 // The cell in which upstream's hash space finds a pair, beside a search through all cells of both boxes.
-#include "collision/spaces/dxHashCells.h"
+#include "collision/spaces/hash/dxHashCells.h"
 
 #include <gtest/gtest.h>
 

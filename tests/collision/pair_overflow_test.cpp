@@ -1,6 +1,6 @@
 // More pairs than a space keeps (dxPairKeeping). The callbacks are Debian's, and the memory is not that of all pairs.
 //
-// Covers dxHashWalk.cpp, dxOrderedSpace.cpp, dxSpacePairs.cpp.
+// Covers dxOrderedHashSpace.cpp, dxOrderedSpace.cpp, dxSpacePairs.cpp.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -1,6 +1,6 @@
 // dxPairRows, dxHashRows and dxSapRows against what upstream's spaces do, step by step.
 //
-// Covers dxHashRows.cpp, dxSapRows.cpp.
+// Covers dxHashPairOrder.cpp, dxSapPairOrder.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "collision/spaces/dxHashRows.h"
-#include "collision/spaces/dxSapRows.h"
+#include "collision/spaces/hash/dxHashPairOrder.h"
+#include "collision/spaces/sweep_and_prune/dxSapPairOrder.h"
 #include "config.h"
 
 namespace {

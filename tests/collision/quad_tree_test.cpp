@@ -11,7 +11,7 @@
 
 #include <ode/ode.h>
 
-#include "collision/spaces/dxQuadTree.h"
+#include "collision/spaces/quad_tree/dxQuadTree.h"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <random>
 
-#include "collision/spaces/dxSapSort.h"
+#include "collision/spaces/sweep_and_prune/dxSapSort.h"
 
 namespace {
 

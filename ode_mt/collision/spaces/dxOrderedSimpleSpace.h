@@ -8,7 +8,6 @@
 #include "collision/broadphase/overlap/dxBoxColumns.h"
 #include "collision/spaces/dxListCleaner.h"
 #include "collision/spaces/dxOrderedSpace.h"
-#include "collision/spaces/dxRankPairOrder.h"
 
 class dxOrderedSimpleSpace final : public dxOrderedSpace {
 public:
