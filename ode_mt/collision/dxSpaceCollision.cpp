@@ -122,7 +122,7 @@ void collideOnWorkers(CollideSpan &span, dxOrderedSpace &space, unsigned workers
     const bool mayBeConcurrent = dxSettings::instance().callbackPolicy() != dxCallbackPolicy::Serial;
     if (mayBeConcurrent && dxCollideConcurrently(space, runner, data, callback)) return;
     span.setReasons(dODE_MT_REASON_PARALLEL, mayBeConcurrent ? dODE_MT_REASON_FEW_TASKS : dODE_MT_REASON_CALLBACK_POLICY);
-    if (!space.collideShared(runner, mayBeConcurrent, data, callback)) {
+    if (!space.collideOnWorkers(runner, mayBeConcurrent, data, callback)) {
         span.setReasons(dODE_MT_REASON_MEMORY, dODE_MT_REASON_MEMORY);
         return;
     }

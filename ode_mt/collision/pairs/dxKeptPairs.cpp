@@ -7,14 +7,14 @@
 
 namespace {
 
-// Pairs that one worker takes at once: some ten microseconds.
+// Pairs in a chunk: some ten microseconds of work.
 constexpr std::size_t kPairsPerChunk = 256;
 
 // Prefetch distance, in items.
 constexpr std::size_t kPrefetchDistance = 8;
 
-// Pairs of one geom that are sorted by insertion.
-constexpr std::size_t kShortRun = 32;
+// Pairs of one geom, up to which they are sorted by insertion.
+constexpr std::size_t kMaxShortRun = 32;
 
 }  // namespace
 
@@ -60,11 +60,11 @@ void dxKeptPairs::placeAll(const dxMembers &members, const dxPairKeys &order, dx
         if (!placeRuns(members, order, begin, end, m_longRuns[worker]))
             allPlaced.store(false, std::memory_order_relaxed);
     });
-    if (!allPlaced) leaveOutUnplaced();
+    if (!allPlaced) removeUnplaced();
 }
 
-// Places the runs of equal primary keys that begin in [begin, end). Returns whether upstream reports all of their
-// pairs; those that it does not report are last in their runs, without geoms.
+// Places the runs of equal primary keys that begin in [begin, end). Returns whether upstream reports all pairs of these runs; pairs that it does not
+// report are last in their runs, without geoms.
 bool dxKeptPairs::placeRuns(const dxMembers &members, const dxPairKeys &order, std::size_t begin,
                             std::size_t end, LongRun &longRun) {
     const std::size_t size = m_items.size();
@@ -89,10 +89,10 @@ bool dxKeptPairs::placeRuns(const dxMembers &members, const dxPairKeys &order, s
     return all;
 }
 
-// Runs are mostly short. A branch-free counting sort takes as long.
+// Sorts by insertion, because runs are mostly short. Tried and dropped: a branch-free counting sort, which takes as long.
 void dxKeptPairs::sortRun(std::size_t begin, std::size_t end, LongRun &longRun) {
     const std::size_t count = end - begin;
-    if (count > kShortRun) return sortLongRun(begin, end, longRun);
+    if (count > kMaxShortRun) return sortLongRun(begin, end, longRun);
     dxPairKey *const keys = m_nextKeys.data() + begin;
     dxOrderedPair *const pairs = m_nextPairs.data() + begin;
     for (std::size_t i = 1; i < count; ++i) {
@@ -119,7 +119,7 @@ void dxKeptPairs::sortLongRun(std::size_t begin, std::size_t end, LongRun &run) 
     }
 }
 
-void dxKeptPairs::leaveOutUnplaced() {
+void dxKeptPairs::removeUnplaced() {
     std::size_t placed = 0;
     for (std::size_t i = 0; i < m_nextPairs.size(); ++i) {
         if (m_nextPairs[i].first == nullptr) continue;
@@ -130,21 +130,21 @@ void dxKeptPairs::leaveOutUnplaced() {
     m_nextPairs.resize(placed);
 }
 
-// What is left of the pairs of the last call, between the new ones.
+// Merges the pairs of the last call of which both geoms are unchanged with the new pairs.
 void dxKeptPairs::merge(const dxMembers &members, std::vector<dxOrderedPair> &pairs) {
     const auto isKept = [&](const dxOrderedPair &pair) {
         return !members.isChanged(pair.slots[0]) && !members.isChanged(pair.slots[1]);
     };
     m_keptKeys.clear();
     m_keptPairs.clear();
-    // Of fewer than two members that have not changed there is no pair.
-    const std::size_t looked = members.end() - members.changed().size() < 2 ? 0 : pairs.size();
-    for (std::size_t i = 0; i < looked; ++i) {
+    // No pair is kept if fewer than two members are unchanged.
+    const std::size_t candidates = members.end() - members.changed().size() < 2 ? 0 : pairs.size();
+    for (std::size_t i = 0; i < candidates; ++i) {
         if (!isKept(pairs[i])) continue;
         m_keptKeys.push_back(m_keys[i]);
         m_keptPairs.push_back(pairs[i]);
     }
-    // From behind, so that what is new moves up within its own memory.
+    // From the back, so that new pairs move within their own memory.
     std::size_t found = m_nextKeys.size(), kept = m_keptKeys.size();
     m_nextKeys.resize(found + kept);
     m_nextPairs.resize(found + kept);

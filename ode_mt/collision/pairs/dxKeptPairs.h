@@ -1,9 +1,9 @@
 // Ordered pairs that are kept from call to call: pairs of unchanged geoms keep their places, and new pairs are sorted
 // by key and merged.
 //
-// A pair's key is computed in two steps. The primary key identifies the geom that reports the pair, and is sufficient
-// for most of the sorting. The secondary key orders the few pairs of one geom: it is computed when these are adjacent
-// and their common member is in the cache, and is written directly to its final place.
+// A pair's key is computed in two steps. The primary key identifies the geom that reports the pair, and is sufficient for most of the sorting. The
+// secondary key orders the few pairs of one geom: it is computed when these are adjacent and their common member is in the cache, and is written
+// directly to its final place. Threading: one thread at a time; the runner's workers share the work.
 #pragma once
 
 #include <vector>
@@ -42,7 +42,7 @@ private:
         dxPairKey key;
         dxOrderedPair pair;
     };
-    using LongRun = std::vector<Placed>;  // scratch of a worker for sorting one
+    using LongRun = std::vector<Placed>;  // scratch of a worker that sorts a long run
 
     void sortByPrimaryKey(const dxMembers &members, const std::vector<dxSlotPair> &matches,
                     const dxPairKeys &order, dxTaskRunner &runner);
@@ -51,10 +51,10 @@ private:
                    LongRun &longRun);
     void sortRun(std::size_t begin, std::size_t end, LongRun &longRun);
     void sortLongRun(std::size_t begin, std::size_t end, LongRun &run);
-    void leaveOutUnplaced();
+    void removeUnplaced();
     void merge(const dxMembers &members, std::vector<dxOrderedPair> &pairs);
 
-    std::vector<dxPairKey> m_keys, m_nextKeys;  // of the pairs
+    std::vector<dxPairKey> m_keys, m_nextKeys;  // by place of the pair
     std::vector<dxOrderedPair> m_nextPairs;
     std::vector<dxPairKey> m_keptKeys;
     std::vector<dxOrderedPair> m_keptPairs;

@@ -1,15 +1,13 @@
 // The geoms of a space by slots, with the changes since the pairs were last updated.
 //
-// A member's rank gives its place in upstream's list: of two members, the one with the higher rank is further to the
-// front.
+// A member's rank gives its place in upstream's list: of two members, the one with the higher rank is further to the front.
 //
-// The slot of a removed member is free at once, so there are never more slots, nor more changes, than there were
-// members at one time, also in a space that never updates its pairs. Until the changes are forgotten such a slot counts
-// as changed, for any member in it: kept pairs with it are invalid, and the broad phase takes its box for one that
-// moved. Threading: changes are not thread-safe; several threads may read.
+// The slot of a removed member is free at once. So there are never more slots, nor more changes, than there were members at one time, even in a space
+// that never updates its pairs. Until the changes are forgotten such a slot counts as changed, whatever member is in it: kept pairs with it are
+// invalid, and the broad phase treats its box as one that moved.
 //
-// A member whose geom is disabled is absent: the broad phase does not find it, so pools of disabled geoms in one place
-// cost nothing. It keeps its rank and its bounds for when it is enabled again.
+// A member whose geom is disabled is absent: the broad phase does not find it, so pools of disabled geoms in one place cost nothing. It keeps its
+// rank and its bounds until it is enabled again. Threading: changes are not thread-safe; several threads may read.
 #pragma once
 
 #include <array>
@@ -47,7 +45,7 @@ public:
     const Member &operator[](Slot slot) const { return m_members[slot]; }
     // Returns the member in slot 0. Valid until the next add().
     const Member *data() const { return m_members.data(); }
-    // Returns the geom in a slot, also an absent one; NULL if the slot is free.
+    // Returns the geom in a slot, present or absent; NULL: the slot is free.
     dxGeom *geomIn(Slot slot) const { return m_geoms[slot]; }
     bool isPresent(Slot slot) const { return m_members[slot].geom != nullptr; }
     void setPresence(Slot slot, bool isPresent);
@@ -56,9 +54,10 @@ public:
     // Returns the noted slots, including slots that have become free.
     const std::vector<Slot> &switched() const { return m_switched; }
     void forgetSwitches();
-    Slot end() const { return static_cast<Slot>(m_members.size()); }  // slots are below
+    // Returns one past the last slot.
+    Slot end() const { return static_cast<Slot>(m_members.size()); }
 
-    // Returns the first of a number of ranks, which are assigned downwards and are above all earlier ones.
+    // Returns the highest of a number of new ranks, which are above all earlier ones and are assigned downwards.
     dxRank firstOf(int ranks) { return m_highest += static_cast<dxRank>(ranks); }
     void setRank(Slot slot, dxRank rank) {
         Member &member = m_members[slot];
@@ -68,20 +67,20 @@ public:
         if (isPresent(slot)) ++m_orderings;
     }
     int unranked() const { return m_unranked; }
-    // Returns a number that distinguishes the member in a slot from earlier ones in it.
+    // Returns a number that distinguishes the member in a slot from earlier members in it.
     std::uint64_t arrivalOf(Slot slot) const { return m_arrivals[slot]; }
-    // Returns a counter of changes of the order: present members that are added, removed or get another rank.
+    // Returns a counter of changes of the order: it rises when a present member is added or removed or gets another rank.
     std::uint64_t orderings() const { return m_orderings; }
-    // Returns a counter of changes of members' boxes, and for the last of these the member.
+    // Returns a counter of changes of members' boxes, and, for the last kPlacingsKnown of these, the member whose box it was.
     std::uint64_t placings() const { return m_placings; }
     static constexpr std::uint64_t kPlacingsKnown = 16;
     Slot placed(std::uint64_t placing) const { return m_placed[placing % kPlacingsKnown]; }
 
-    // Marks a member as changed. An absent one has no pairs, and is not marked.
+    // Marks a member as changed. An absent member has no pairs and is not marked.
     void markChanged(Slot slot) {
         if (isPresent(slot)) note(slot, m_isChanged, m_changed);
     }
-    // Marks all slots as changed, also those whose members are absent or gone: who keeps pairs has not heard of all changes.
+    // Marks all slots as changed, even those of absent and removed members, for a keeper of pairs that has missed changes.
     void markAllChanged() {
         for (Slot slot = 0; slot < end(); ++slot) note(slot, m_isChanged, m_changed);
     }
@@ -94,15 +93,15 @@ public:
         member.filter = filter;
         m_placed[m_placings++ % kPlacingsKnown] = slot;
     }
-    // Sets rank, bounds and filter of a member. Returns false, and sets nothing, if more than those changes: if it is absent, has had no
-    // rank, or its geom is disabled. Several threads may do so for different members; moved() has to follow, on one thread.
+    // Sets rank, bounds and filter of a member. Returns false, and sets nothing, if more than these would change: the member is absent, has no rank
+    // yet, or its geom is disabled. Several threads may call this for different members; moved() must follow, on one thread.
     bool place(Slot slot, dxRank rank, const dxBounds &bounds, const dxPairFilter &filter, bool isEnabled) {
         Member &member = m_members[slot];
         if (member.geom == nullptr || member.rank == 0 || !isEnabled) return false;
         member = {member.geom, rank, bounds, filter};
         return true;
     }
-    // place() has returned true.
+    // Requires that place() has returned true.
     void moved(Slot slot) {
         ++m_orderings;
         note(slot, m_isChanged, m_changed);
@@ -125,11 +124,11 @@ private:
         noted.clear();
     }
 
-    int m_unranked = 0;  // first, as every query reads it
+    int m_unranked = 0;  // first, because every query reads it
     std::vector<Member> m_members;
     std::vector<dxGeom *> m_geoms;          // by slot
-    std::vector<std::uint64_t> m_arrivals;  // by slot: how many had come by then
-    std::uint64_t m_lastArrival = 0;
+    std::vector<std::uint64_t> m_arrivals;  // by slot: m_lastArrival when the member was added
+    std::uint64_t m_lastArrival = 0;  // number of members ever added
     std::vector<Slot> m_free;
     std::vector<Slot> m_changed, m_switched;
     Flags m_isChanged, m_isSwitched;  // by slot

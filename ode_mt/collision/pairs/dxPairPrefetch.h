@@ -1,7 +1,5 @@
-// Prefetches what a near-callback and its colliders read of a pair: in the order of pairs, geoms are random in memory,
-// and a large scene does not fit L2.
-//
-// There are two steps, because a geom refers to its pose by a pointer.
+// Prefetches what a near-callback and its colliders read of a pair: in the order of pairs, geoms are at random places in memory, and a large scene
+// does not fit L2. There are two steps, because a geom refers to its pose by a pointer. Threading: thread-safe while the pairs stay.
 #pragma once
 
 #include <vector>

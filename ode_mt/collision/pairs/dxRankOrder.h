@@ -1,5 +1,5 @@
-// The present members of a space in the order of their ranks, front first, kept from call to call: a call costs a look at each slot, and a sort of
-// those that have another rank than at the last one. Threading: not thread-safe.
+// The present members of a space in the order of their ranks, front first, kept from call to call. A call visits each slot, and sorts the members
+// whose rank has changed since the last call. Threading: not thread-safe.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 class dxRankOrder {
 public:
-    // Returns the members as they are now: their slots are the indices. Requires ranks that differ. Valid until the next call. Throws std::bad_alloc
-    // without any change.
+    // Returns an item for each present member, with its slot as index. Requires that all ranks differ. Valid until the next call. Throws
+    // std::bad_alloc without any change.
     const std::vector<dxSortItem> &update(const dxMembers &members);
 
     // Returns whether update() would change nothing: then several threads may call it.
@@ -19,9 +19,9 @@ public:
 
 private:
     void reserveMemory(std::size_t slots);
-    void gatherLoose(const dxMembers &members);
+    void gatherUnplaced(const dxMembers &members);
 
-    std::vector<dxSortItem> m_items, m_loose, m_spare;
-    std::vector<std::uint64_t> m_keys;  // by slot: of the member's item; 0: it has none
-    std::uint64_t m_orderings = 0;      // dxMembers::orderings() when they were put in order
+    std::vector<dxSortItem> m_items, m_unplaced, m_spare;
+    std::vector<std::uint64_t> m_keys;  // by slot: key of the member's item; 0: it has no item
+    std::uint64_t m_orderings = 0;      // dxMembers::orderings() at the last update
 };

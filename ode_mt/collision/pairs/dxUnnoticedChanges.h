@@ -1,6 +1,6 @@
 // Counters of changes to geoms of which those that keep data about the geoms are not notified.
 //
-// Both count events of the process. A reader keeps the count beside its data, and the data are invalid when the count has changed.
+// Both count events of the process. A reader keeps the count beside its data; when the count has changed, the data may be invalid.
 // Threading: as dxEventCounter.
 #pragma once
 
@@ -13,11 +13,11 @@
 //  - dGeomTriMeshSetData marks the box of a mesh as bad, without notifying the space;
 //  - an assertion inside dGeomMoved, that the space is locked, comes after the geom was marked and before the space is
 //    notified; a debug handler that jumps or throws leaves it so;
-//  - a clean geom that is added to a simple or hash space stands in front of those that have changed, at which
-//    cleaning stops. The space itself sees that, those around it do not;
+//  - a clean geom that is added to a simple or hash space is in front of dirty ones, so cleaning stops before these. The space itself notices that,
+//    the spaces around it do not;
 //  - a collision with a height field that is left in the middle leaves a geom with another box (dxTransformedGeom).
-// A geom marked so is *stale*: dirty, and not among those that its space will clean. From then on dGeomMoved does not
-// notify its space, nor the spaces around it. After any such event spaces examine all their members again.
+// A geom that was changed so is *stale*: dirty, and not among those that its space will clean. From then on dGeomMoved does not notify its space, nor
+// the spaces around it. After any such event spaces examine all their members again.
 inline dxEventCounter dxMissedNotifications;
 
 // Changes to inputs of colliders without a notification of the space: samples of a height field, destroyed data of meshes

@@ -1,4 +1,5 @@
-// One geom against the members of a space (dSpaceCollide2), as upstream's collide2 meets them: one after the other, or those that an index finds.
+// One geom against the members of a space (dSpaceCollide2), in the order of upstream's collide2: all members one by one, or those that an index
+// finds. Threading: as dxOrderedSpace.
 #pragma once
 
 #include <cstddef>
@@ -15,12 +16,12 @@
 
 #include "util.h"
 
-// Callbacks may move the geom.
+// Tests a geom against members one by one. Callbacks may move the geom.
 class dxGeomQuery {
 public:
     dxGeomQuery(void *data, dxGeom *geom, dNearCallback *callback) : m_data(data), m_geom(geom), m_callback(callback) {}
 
-    // Returns how many members it has met.
+    // Returns the number of members met.
     std::size_t met() const { return m_met; }
     void meet(dxGeom *member) {
         const bool isReady = (member->gflags & (GEOM_ENABLE_TEST_MASK | GEOM_AABB_BAD)) == GEOM_ENABLE_TEST_VALUE;
@@ -32,7 +33,7 @@ public:
     }
 
 private:
-    // While the box is not up to date the next pair's assertion fails, whatever the boxes.
+    // While the geom's box is not up to date, upstream's assertion fails at the next pair, whether or not the boxes overlap.
     static dxBoxProbe probeOf(const dxGeom *geom) {
         return (geom->gflags & GEOM_AABB_BAD) == 0 ? dxBoxProbe(geom->aabb) : dxBoxProbe::ofAny();
     }
@@ -69,11 +70,11 @@ private:
 };
 
 // Returns whether the geom's box is still `box`. A geom that is not in the space may move in a callback.
-inline bool dxIsStill(const dxGeom *geom, const dxBounds &box) {
+inline bool dxHasKeptBox(const dxGeom *geom, const dxBounds &box) {
     return (geom->gflags & GEOM_AABB_BAD) == 0 && std::memcmp(geom->aabb, box.v, sizeof box.v) == 0;
 }
 
-// collide2() of a space that is clean and is asked by comparing all: collideAll() does that. For a few members the rest would take longer.
+// Executes collide2() of a clean space whose members are all compared, by collideAll(). It omits what would take longer than comparing a few members.
 template <class CollideAll>
 void dxCollideClean(dxSpaceGeoms &geoms, dxGeom *geom, dNearCallback *callback, const CollideAll &collideAll) {
     dAASSERT(geom && callback);
@@ -83,9 +84,8 @@ void dxCollideClean(dxSpaceGeoms &geoms, dxGeom *geom, dNearCallback *callback, 
     geoms.unlock();
 }
 
-// Equivalent of upstream's collide2 where it walks a list, which has the order of ranks. Returns NULL, or the
-// member in whose callback the geom moved: upstream continues behind it with the new box.
-// The members of the space cannot move while it is locked.
+// Executes upstream's collide2, where it walks a list that has the order of ranks, for the members that the index finds. Returns NULL, or the member
+// in whose callback the geom moved: upstream continues behind it with the new box. (Members cannot move while the space is locked.)
 inline dxGeom *dxCollideRegion(dxSpaceGeoms &geoms, void *data, dxGeom *geom, dNearCallback *callback) {
     const dxBounds box(geom->aabb);
     const dxSpaceRegion region = geoms.beforeCallbacks([&] { return dxSpaceRegion(geoms, box); });
@@ -94,7 +94,7 @@ inline dxGeom *dxCollideRegion(dxSpaceGeoms &geoms, void *data, dxGeom *geom, dN
         dxGeom *const member = geoms.members().geomIn(slot);
         if (!dxGeomIsEnabled(member)) continue;
         dxCollideBoxes(member, geom, data, callback);
-        if (!dxIsStill(geom, box) || dxMissedNotifications.count() != missed) return member;
+        if (!dxHasKeptBox(geom, box) || dxMissedNotifications.count() != missed) return member;
     }
     return nullptr;
 }

@@ -8,7 +8,7 @@
 
 namespace {
 
-// Prefetch distance in geoms.
+// Prefetch distance, in geoms.
 constexpr std::size_t kGeomPrefetchDistance = 8;
 
 bool isDirty(const dxGeom *geom) { return (geom->gflags & GEOM_DIRTY) != 0; }
@@ -18,7 +18,7 @@ dxGeom *firstClean(dxGeom *geom) {
     return geom;
 }
 
-// For a thread that may not clean. Others may be doing the same.
+// Does what a thread can do that is not the cleaner. Several threads may do this at the same time.
 void computeBadBoxes(dxGeom *geom) {
     for (; geom != nullptr; geom = geom->next) {
         if (IS_SPACE(geom)) static_cast<dxSpace *>(geom)->cleanGeoms();
@@ -46,8 +46,8 @@ bool dxListCleaner::becomeCleaner() {
     return false;
 }
 
-// Upstream stops at the first geom that is clean, and so do we. Ranks are given from the front downwards, at
-// once, because a user's bounding-box function may leave by an exception or a jump.
+// As upstream, stops at the first clean geom. Each geom gets its rank as soon as it is clean, because a user's bounding-box function may leave by an
+// exception or a jump.
 void dxListCleaner::clean() {
     if (isAtRest()) return;
     if (__libc_single_threaded != 0 && isWalkedOnly()) {
@@ -67,7 +67,7 @@ void dxListCleaner::clean() {
     m_geoms.lock();
     if (!cleaner.isMine)
         computeBadBoxes(first());
-    else if (!isAtRest())  // by now
+    else if (!isAtRest())  // it may be by now
         cleanAlone();
     m_geoms.unlock();
 }
@@ -86,7 +86,7 @@ bool dxListCleaner::cleanToCollide() {
     }
     const int moved = walking.takeMoved();
     if (walking && walking.hasRested(moved, minMovedToWalk())) stopWalking();
-    return ranksStand();
+    return areRanksValid();
 }
 
 void dxListCleaner::cleanWalked() {
@@ -109,42 +109,41 @@ void dxListCleaner::cleanAlone() {
 
 void dxListCleaner::cleanDirty() {
     const std::uint64_t cleaning = ++m_cleanings;
-    const bool givesRanks = !m_geoms.walking();
-    dxRank next = givesRanks ? m_geoms.members().firstOf(m_geoms.count()) : 0;
-    const bool areComputed = givesRanks && m_geoms.computeBoxes(m_dirty);
+    const bool assignsRanks = !m_geoms.walking();
+    dxRank next = assignsRanks ? m_geoms.members().firstOf(m_geoms.count()) : 0;
+    const bool areComputed = assignsRanks && m_geoms.computeBoxes(m_dirty);
     if (areComputed) {
         m_geoms.cleanComputed(m_dirty, next, m_dirtySlots);
         next -= static_cast<dxRank>(m_dirty.size());
     }
     for (std::size_t i = areComputed ? m_dirty.size() : 0; i < m_dirty.size(); ++i) {
         dxGeom *const geom = m_dirty[i];
-        if (givesRanks && i + kGeomPrefetchDistance < m_dirty.size())
+        if (assignsRanks && i + kGeomPrefetchDistance < m_dirty.size())
             m_geoms.members().prefetch(dxSpaceGeoms::slotOf(m_dirty[i + kGeomPrefetchDistance]));
         m_geoms.clean(m_dirty, i);
         if (m_cleanings != cleaning) return cleanBehind(geom);
-        if (givesRanks) m_geoms.rank(geom, next--);
+        if (assignsRanks) m_geoms.rank(geom, next--);
     }
     dxGeom *const behind = m_dirty.empty() ? first() : m_dirty.back()->next;
     if (behind != nullptr && isDirty(behind)) return cleanBehind(m_dirty.back());
-    if (givesRanks && (m_geoms.members().unranked() != 0 || m_isIrregular)) rankBehindClean(behind, next);
+    if (assignsRanks && (m_geoms.members().unranked() != 0 || m_isIrregular)) rankBehindClean(behind, next);
 }
 
-// Up to the first geom that is clean. Returns how many.
+// Cleans up to the first clean geom. Returns the number of geoms.
 int dxListCleaner::cleanFrom(dxGeom *geom) {
     int cleaned = 0;
     for (; geom != nullptr && isDirty(geom); geom = geom->next, ++cleaned) m_geoms.clean(geom);
     return cleaned;
 }
 
-// The bounding-box function of this geom has had the space cleaned: what was gathered is gone, and ranks were
-// given by both. Or one has made the geom behind those that were gathered stale, which upstream then
-// cleans.
+// Called if the bounding-box function of this geom has had the space cleaned, which gathered other geoms and assigned ranks; or if a function has
+// made the geom stale that is behind the gathered ones, which upstream then cleans, too.
 void dxListCleaner::cleanBehind(dxGeom *geom) {
     cleanFrom(geom->next);
     rankAll();
 }
 
-// A bounding-box function has changed what was gathered, or made a stale geom.
+// Called if a bounding-box function has changed what was gathered, or has made a geom stale.
 void dxListCleaner::rankAll() {
     m_isIrregular = true;
     if (!m_geoms.walking()) rankBehindClean(first(), m_geoms.members().firstOf(m_geoms.count()));
@@ -162,8 +161,8 @@ void dxListCleaner::stopWalking() {
     m_geoms.walking().set(false);
 }
 
-// The geoms mostly come in the order of the last call, whose list tells what will be read. What a geom that is gone had is prefetched in
-// vain.
+// Geoms are mostly in the order of the last call, so its list tells which memory will be read. Some of those geoms may have been destroyed; a
+// prefetch of their memory does no harm.
 void dxListCleaner::gatherDirty() {
     std::size_t gathered = 0;
     for (dxGeom *geom = first(); geom != nullptr && isDirty(geom); geom = geom->next, ++gathered) {
@@ -185,7 +184,7 @@ void dxListCleaner::reserveMemory(Slot slots) {
     dxReserveCapacity(m_dirtySlots, slots);
 }
 
-// Upstream puts a clean one in front, too. Those behind it that have changed are then cleaned no more.
+// Upstream puts a clean geom in front, too. Then it no longer cleans the dirty geoms behind it.
 void dxListCleaner::onAdded(dxGeom *geom, Slot /*slot*/) {
     if (!isDirty(geom) && first() != nullptr && isDirty(first())) m_geoms.noteStaleGeoms();
 }
@@ -197,9 +196,8 @@ bool dxListCleaner::readAgain() {
     return false;
 }
 
-// A dirty geom may be behind a clean one: the clean one was added clean, or the other is stale. Upstream never gets to
-// those that are dirty: they keep the boxes that they have, and an assertion fails where one meets whose box is not up
-// to date. While there are such geoms, all ranks are assigned again.
+// A dirty geom is behind a clean one if the clean one was added clean, or if the dirty one is stale. Upstream does not clean it: it keeps its box,
+// and if that is not up to date an assertion fails at its first pair. While there are such geoms, all ranks are assigned again.
 void dxListCleaner::rankBehindClean(dxGeom *geom, dxRank next) {
     const bool wasIrregular = m_isIrregular;
     bool isIrregular = false;
@@ -227,7 +225,7 @@ bool dxListQuery::collideAll(dxSpaceGeoms &geoms, const dxListCleaner &cleaner, 
 
 void dxListQuery::collideWith(dxSpaceGeoms &geoms, dxListCleaner &cleaner, void *data, dxGeom *geom, dNearCallback *callback) {
     if (geoms.walking() && geoms.isWorthAnIndex()) geoms.walking().query([&] { cleaner.stopWalking(); });
-    if (!geoms.isWorthAnIndex() || !cleaner.isAtRest() || !cleaner.ranksStand())
+    if (!geoms.isWorthAnIndex() || !cleaner.isAtRest() || !cleaner.areRanksValid())
         geoms.noteMet(collideFrom(geoms.space().first, data, geom, callback));
     else if (const dxGeom *const last = dxCollideRegion(geoms, data, geom, callback))
         collideFrom(last->next, data, geom, callback);

@@ -7,13 +7,15 @@
 
 #include "util.h"
 
-// What moves in a small space is compared with the others as upstream does, and nothing else is done. One at rest keeps its pairs, unless it
-// has so few geoms that comparing them takes no longer.
+// A small space whose geoms move is walked as upstream does, and nothing else is done. A space at rest keeps its pairs, unless it has so few geoms
+// that a walk is as fast.
 void dxOrderedSimpleSpace::collide(void *data, dNearCallback *callback) {
     dAASSERT(callback);
     dxTransformedGeom::noticeLeft();
-    const bool isAsQuick = m_cleaner.hasDirty() || count <= dxBroadphaseThresholds::kMaxNeverKept, isUnseen = !isRecorded() || dxTimeline::isOff();
-    if (!isAsQuick || !isUnseen || !m_cleaner.isWalkedOnly() || narrowphasePrefetch() != nullptr) return dxOrderedSpace::collide(data, callback);
+    const bool isWalkAsFast = m_cleaner.hasDirty() || count <= dxBroadphaseThresholds::kMaxNeverKept;
+    const bool isUnrecorded = !isRecorded() || dxTimeline::isOff();
+    if (!isWalkAsFast || !isUnrecorded || !m_cleaner.isWalkedOnly() || narrowphasePrefetch() != nullptr)
+        return dxOrderedSpace::collide(data, callback);
     lock_count++;
     if (m_cleaner.hasDirty()) m_cleaner.cleanWalked();
     if (first != nullptr) m_walker.walkFrom(nullptr, first, data, callback);
@@ -42,8 +44,8 @@ void dxOrderedSimpleSpace::Walker::walk(void *data, dNearCallback *callback, con
         walkFrom(nullptr, m_space.first, data, callback);  // with upstream's assertions where boxes are not up to date
 }
 
-// Returns false if the list must be walked: it is short, or boxes are not up to date, or there is no memory for rows, or a call around
-// this one uses them. In a small space it is quicker to find all pairs before the first is delivered, unless they are many.
+// Walks with SIMD. Returns false if the list must be walked geom by geom: it is short, boxes are not up to date, there is no memory for rows, or an
+// outer call uses the rows. In a small space it is faster to find all pairs before the first is delivered, unless there are many.
 bool dxOrderedSimpleSpace::Walker::walkRows(void *data, dNearCallback *callback) {
     using Threshold = dxBroadphaseThresholds;
     const int count = m_space.count;
@@ -89,8 +91,8 @@ bool dxOrderedSimpleSpace::Walker::areBoxesUpToDate() const {
     return true;
 }
 
-// Pairs g1 with g2 and those behind it; then each geom behind g1 with those behind that. Whether g1 is
-// enabled was asked when its turn came.
+// Pairs g1 with g2 and the geoms behind g2; then each geom behind g1 with those behind it. As in upstream, whether g1 is enabled was tested before
+// its first pair.
 void dxOrderedSimpleSpace::Walker::walkFrom(dxGeom *g1, dxGeom *g2, void *data, dNearCallback *callback) {
     for (; g1 != nullptr && g2 != nullptr; g2 = g2->next)
         if (dxGeomIsEnabled(g2)) dxCollideBoxes(g1, g2, data, callback, dxOverlapInTurn);

@@ -1,4 +1,5 @@
-// The simple space: pairs each geom with those behind it in the list, from the front on. docs/collision.md.
+// The simple space, which pairs each geom with those behind it in the list, from the front on; with its order of pairs and its walker.
+// docs/collision.md. Threading: as dxOrderedSpace.
 #pragma once
 
 #include <cstddef>
@@ -55,12 +56,12 @@ private:
         dxOrderedSpace &m_space;
         dxListCleaner &m_cleaner;
         Order &m_order;
-        // Scratch of a walk of a small space: the geoms in the order of the list, and the overlapping ones.
+        // Scratch of a walk of a small space: the geoms in the order of the list, their boxes, overlaps and pairs.
         std::vector<dxGeom *> m_listed;
         dxBoxColumns m_boxes;
         std::vector<dxSlotPair> m_overlaps;
         std::vector<dxOrderedPair> m_walked;
-        std::size_t m_overlapsWalked = 0;  // at the last walk by vectors
+        std::size_t m_overlapsWalked = 0;  // number of overlaps in the last walk with SIMD
     };
 
     dxListCleaner m_cleaner;

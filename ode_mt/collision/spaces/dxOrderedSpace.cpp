@@ -10,11 +10,11 @@
 
 namespace {
 
-// On the timeline.
+// Events on the timeline.
 constexpr dxTimelineEvent kBroadPhase{"broad phase", "collision", {"pairs"}, dxTimelineEvent::Kind::Span, dxFrameStage::BroadPhase};
 constexpr dxTimelineEvent kNearCallbacks{"near-callbacks", "collision", {"pairs"}, dxTimelineEvent::Kind::Span, dxFrameStage::NearCallbacks};
 
-// A near-callback whose calls are counted: nothing else knows the pairs of a walk.
+// A near-callback that counts its calls, which is the only way to know the number of pairs of a walk.
 struct CountedCallback {
     void *data;
     dNearCallback *callback;
@@ -27,10 +27,10 @@ struct CountedCallback {
     }
 };
 
-// Upstream's spaces of two kinds refuse a geom to which either of these fields still belongs.
+// Returns whether one of these two fields is still in use, for which upstream's spaces of two kinds refuse a geom.
 bool hasExtraLinks(int spaceType, const dxGeom *geom) {
-    const bool looksAtThem = spaceType == dSweepAndPruneSpaceClass || spaceType == dQuadTreeSpaceClass;
-    return looksAtThem && (geom->tome_ex != nullptr || geom->next_ex != nullptr);
+    const bool areRead = spaceType == dSweepAndPruneSpaceClass || spaceType == dQuadTreeSpaceClass;
+    return areRead && (geom->tome_ex != nullptr || geom->next_ex != nullptr);
 }
 
 }  // namespace
@@ -41,11 +41,11 @@ dxOrderedSpace::dxOrderedSpace(dSpaceID parent, int spaceType, dxPairOrder kind,
     type = spaceType;
 }
 
-// From here on the geoms are in a space of upstream's, whose destructor removes or destroys them.
+// After this the geoms are in a space of upstream's, whose destructor removes or destroys them.
 dxOrderedSpace::~dxOrderedSpace() { m_geoms.release(); }
 
-// What upstream refuses, it refuses before it has changed anything; but the spaces around this one may be
-// locked, and then an assertion fails after the geom is in, or out.
+// Upstream's checks precede all changes, with one exception: if a space around this one is locked, an assertion fails after the geom was added or
+// removed.
 void dxOrderedSpace::add(dxGeom *geom) {
     CHECK_NOT_LOCKED(this);
     dAASSERT(geom);
@@ -65,7 +65,7 @@ void dxOrderedSpace::remove(dxGeom *geom) {
     dxSpace::remove(geom);
 }
 
-// A call before may have been left by a jump, with workers.
+// The last call may have had workers and been left by a jump.
 void dxOrderedSpace::collide(void *data, dNearCallback *callback) {
     dAASSERT(callback);
     m_geoms.forgetRunner();
@@ -74,7 +74,7 @@ void dxOrderedSpace::collide(void *data, dNearCallback *callback) {
     collideInStages(nullptr, data, callback);
 }
 
-bool dxOrderedSpace::collideShared(dxTaskRunner &runner, bool arraysStay, void *data, dNearCallback *callback) {
+bool dxOrderedSpace::collideOnWorkers(dxTaskRunner &runner, bool arraysStay, void *data, dNearCallback *callback) {
     if (!preparePrefetch(runner)) {
         collide(data, callback);
         return false;
@@ -94,7 +94,7 @@ bool dxOrderedSpace::preparePrefetch(const dxTaskRunner &runner) {
     }
 }
 
-// Calls the callbacks of what has been found.
+// Stage 3.
 inline void dxOrderedSpace::callBack(dxPairsFound found, void *data, dNearCallback *callback) {
     switch (found) {
     case dxPairsFound::Kept:
@@ -124,13 +124,13 @@ void dxOrderedSpace::collideInStages(dxTaskRunner *runner, void *data, dNearCall
     if (runner != nullptr) m_isPrefetching = found == dxPairsFound::Kept;
 
     // 3 Call back: reads pairs() and enabled flags. The near-callback runs on this thread and may change everything that a locked space
-    //   allows; what it changes is tested when upstream tests it. The narrow phase of later pairs on workers (ahead()).
+    //   allows; what it changes is tested when upstream tests it. The narrow phase of later pairs on workers (activePrefetch()).
     isRecorded ? callBackRecorded(found, data, callback) : callBack(found, data, callback);
 
     lock_count--;
 }
 
-// On the timeline.
+// findPairs() on the timeline.
 dxPairsFound dxOrderedSpace::findPairsRecorded() {
     dxTimelineSpan span(kBroadPhase, true, dxTimelineSpan::Begin::Adjoining);
     const dxPairsFound found = m_pairs.find(m_cleaner.cleanToCollide());
@@ -138,14 +138,14 @@ dxPairsFound dxOrderedSpace::findPairsRecorded() {
     return found;
 }
 
-// The runner is given back unless the call is left by a jump. Then it is not in use, and collide() forgets it.
+// If the call is left by a jump, collide() forgets the runner, which nothing uses meanwhile.
 dxPairsFound dxOrderedSpace::findPairsOnWorkers(dxTaskRunner &runner) {
-    struct Borrowed {
+    struct Scope {
         dxSpaceGeoms &geoms;
-        ~Borrowed() { geoms.forgetRunner(); }
+        ~Scope() { geoms.forgetRunner(); }
     };
-    m_geoms.lend(runner);
-    const Borrowed borrowed{m_geoms};
+    m_geoms.setRunner(runner);
+    const Scope scope{m_geoms};
     return findPairs(isRecorded());
 }
 

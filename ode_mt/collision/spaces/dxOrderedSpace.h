@@ -69,7 +69,7 @@ public:
     // collide() with parallel work on the runner: boxes, broad phase, and narrow-phase prefetch; the callbacks are
     // called as by collide(). `arraysStay` is as in dxNarrowphasePrefetch. Returns false if there was no memory for parallel
     // work and collide() ran instead.
-    bool collideShared(dxTaskRunner &runner, bool arraysStay, void *data, dNearCallback *callback);
+    bool collideOnWorkers(dxTaskRunner &runner, bool arraysStay, void *data, dNearCallback *callback);
     // The first two stages of a call, with parallel work on the runner. Requires a locked space.
     dxPairsFound findPairsOnWorkers(dxTaskRunner &runner);
 
@@ -79,7 +79,7 @@ public:
     // Returns NULL until the first narrow-phase prefetch.
     const dxNarrowphasePrefetch *narrowphasePrefetch() const { return m_prefetch.get(); }
     dxSharingPolicy &sharing() { return m_sharing; }
-    // Returns whether calls get a place on the timeline: for fewer geoms they would take longer to record than to do.
+    // Returns whether calls are recorded on the timeline: for fewer geoms recording would take longer than the call.
     bool isRecorded() const { return count >= kMinRecorded || dxTimeline::isCounted(); }
 
     dxOwnThreadNumber &ownThreads() { return m_ownThreads; }
@@ -92,7 +92,7 @@ public:
 
     // Requires a call when the category bits, collide bits or body of a member changed.
     void filtersChanged(dxGeom *geom) { m_geoms.filtersChanged(geom); }
-    // A member is about to be enabled or disabled.
+    // Requires a call before a member is enabled or disabled.
     void enabledChanges(dxGeom *geom) { m_geoms.enabledChanges(geom); }
     // Returns whether a member, or a geom of a nested space, is stale (dxMissedNotifications).
     bool hasStaleGeoms() { return m_geoms.hasStaleGeoms(); }
@@ -101,11 +101,11 @@ public:
 
     dxSpaceGeoms &geoms() { return m_geoms; }
     dxSpacePairs &foundPairs() { return m_pairs; }
-    // Returns the object that must be notified of each pair before its callback, or NULL.
-    dxNarrowphasePrefetch *ahead() const { return m_isPrefetching ? m_prefetch.get() : nullptr; }
+    // Returns the narrow-phase prefetch of this call, which must be notified of each pair before its callback; NULL: there is none.
+    dxNarrowphasePrefetch *activePrefetch() const { return m_isPrefetching ? m_prefetch.get() : nullptr; }
 
 protected:
-    // The parts may be members of the derived class: they are not used here. `mayKeep`: as in dxSpacePairs.
+    // The parts may be members of the derived class, as the constructor does not use them. `mayKeep`: as in dxSpacePairs.
     dxOrderedSpace(dSpaceID parent, int type, dxPairOrder kind, dxSpaceCleaner &cleaner, dxSpacePairOrder &order, dxSpaceWalker &walker,
                    bool mayKeep = true);
 
@@ -119,11 +119,11 @@ private:
     void callBackRecorded(dxPairsFound found, void *data, dNearCallback *callback);
     bool preparePrefetch(const dxTaskRunner &runner);
 
-    dxSpaceGeoms m_geoms;  // first, as it says
+    dxSpaceGeoms m_geoms;  // first, because queries read its first fields beside upstream's
     dxSpaceCleaner &m_cleaner;
     dxSpaceWalker &m_walker;
     dxSpacePairs m_pairs;
-    bool m_isPrefetching = false;  // the call whose callbacks begin is a parallel one
+    bool m_isPrefetching = false;  // this call has workers, and its pairs are known
     dxNarrowphasePrefetch::Owner m_prefetch;
     dxSharingPolicy m_sharing;
     dxOwnThreadNumber m_ownThreads;

@@ -1,7 +1,7 @@
 // The callbacks of pairs: upstream's tests of a pair, and the loops that deliver pairs which a space has found.
 //
-// Upstream's collideAABBs tests bodies, bits and boxes, then the box tests of user classes, and calls back. Who has tested a part already calls
-// dxDeliver or dxDeliverIfAgreed for the rest.
+// Upstream's collideAABBs tests bodies, bits and boxes, then the box tests of user classes, and calls back. Code that has done some of these tests
+// before calls dxDeliver or dxDeliverIfAgreed for the rest. Threading: as dxOrderedSpace.
 #pragma once
 
 #include <cstddef>
@@ -14,25 +14,25 @@
 #include "collision/spaces/dxOrderedSpace.h"
 #include "core/dxBounds.h"
 
-// Whether a user class says that the geom does not meet the other one's box. The classes of upstream's have no such test.
+// Returns whether the geom's class is a user's and its box test excludes the other geom. Upstream's classes have no such test.
 inline bool dxRefusesBoxOf(dxGeom *geom, dxGeom *other) {
     return geom->type >= dFirstUserClass && geom->AABBTest(other, other->aabb) == 0;
 }
 
-// The rest of upstream's collideAABBs, for a pair of dxOrderedSpace::pairs().
+// Executes the rest of upstream's collideAABBs for a pair of dxOrderedSpace::pairs().
 inline void dxDeliver(const dxOrderedPair &pair, void *data, dNearCallback *callback) {
     if (dxRefusesBoxOf(pair.first, pair.second) || dxRefusesBoxOf(pair.second, pair.first)) return;
     callback(data, pair.first, pair.second);
 }
 
-// The same for a pair whose boxes overlap. Returns whether bits and bodies let it pass.
+// Does the same for two geoms whose boxes overlap. Returns whether bits and bodies let the pair pass.
 inline bool dxDeliverIfAgreed(dxGeom *first, dxGeom *second, void *data, dNearCallback *callback) {
     if (!dxFiltersAgree(dxFilterOf(first), dxFilterOf(second))) return false;
     dxDeliver({first, second, {}}, data, callback);
     return true;
 }
 
-// Upstream's collideAABBs, with its assertions. `overlap` compares the boxes.
+// Executes upstream's collideAABBs, with its assertions. `overlap` compares the boxes.
 template <class Overlap>
 inline void dxCollideBoxes(dxGeom *first, dxGeom *second, void *data, dNearCallback *callback, Overlap overlap) {
     if (((first->gflags | second->gflags) & GEOM_AABB_BAD) != 0) return collideAABBs(first, second, data, callback);
@@ -44,8 +44,8 @@ inline void dxCollideBoxes(dxGeom *first, dxGeom *second, void *data, dNearCallb
     dxCollideBoxes(first, second, data, callback, dxOverlap);
 }
 
-// Whether pairs that were found before a callback may be delivered on behind it: no notification has been missed, and no geom was enabled that is
-// in no pair.
+// Tells after a callback whether the pairs that were found before it are still upstream's: no notification has been missed, and no geom was enabled
+// that is in no pair.
 class dxPairsStillHold {
 public:
     explicit dxPairsStillHold(const dxSpaceGeoms &geoms) : m_geoms(geoms), m_missed(dxMissedNotifications.count()), m_reenabled(geoms.reenabled()) {}
@@ -64,7 +64,7 @@ inline void dxDeliverInOrder(dxOrderedSpace &space, dxSpaceWalker &walker, const
                              dNearCallback *callback) {
     const dxGeom *front = nullptr;
     bool frontIsEnabled = false;
-    dxNarrowphasePrefetch *const ahead = space.ahead();
+    dxNarrowphasePrefetch *const prefetch = space.activePrefetch();
     const dxPairsStillHold stillHold(space.geoms());
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const dxOrderedPair &pair = pairs[i];
@@ -73,7 +73,7 @@ inline void dxDeliverInOrder(dxOrderedSpace &space, dxSpaceWalker &walker, const
             frontIsEnabled = dxGeomIsEnabled(front);
         }
         if (!frontIsEnabled || !dxGeomIsEnabled(pair.second)) continue;
-        if (ahead != nullptr) ahead->beforePair(pairs, i);
+        if (prefetch != nullptr) prefetch->beforePair(pairs, i);
         dxDeliver(pair, data, callback);
         if (stillHold) continue;
         const dxOrderedPair last = pair;
@@ -96,7 +96,7 @@ void dxForPairsOf(Rows &rows, dxSpacePairs &spacePairs, Begin begin, Deliver del
     spacePairs.noteAnew(rows, pairs);
 }
 
-// dxDeliverInOrder() for the pairs of rows.
+// Does what dxDeliverInOrder() does, for the pairs of rows.
 template <class Rows>
 void dxDeliverRows(Rows &rows, dxOrderedSpace &space, dxSpaceWalker &walker, void *data, dNearCallback *callback) {
     const dxPairsStillHold stillHold(space.geoms());

@@ -9,13 +9,13 @@
 
 namespace {
 
-// Geoms that one worker takes at once: some ten microseconds.
+// Geoms in a chunk: some ten microseconds of work.
 constexpr std::size_t kBoxesPerChunk = 128;
 
-// Prefetch distance in geoms.
+// Prefetch distance, in geoms.
 constexpr std::size_t kBoxPrefetchDistance = 4;
 
-// To clean it, or what is within it, may run a function of the program's.
+// Returns whether cleaning the geom, or a geom within it, may run a function of the user's.
 bool mayRunUserCode(const dxGeom *geom) { return geom->type >= dFirstUserClass || geom->type == dGeomTransformClass || IS_SPACE(geom); }
 
 }  // namespace
@@ -42,8 +42,8 @@ void dxSpaceGeoms::release() {
         if (dxGeom *const geom = m_members.geomIn(slot)) geom->tome_ex = nullptr;
 }
 
-// Only where all are of the built-in classes whose boxes depend on nothing but themselves, their data and their bodies. A function of the program's
-// may change these, or leave, and geoms behind it would have boxes that upstream has not computed.
+// All geoms must be of built-in classes, whose boxes depend only on the geoms, their data and their bodies. A function of the user's may change
+// these, or leave by a jump, and geoms behind it would have boxes that upstream has not computed.
 bool dxSpaceGeoms::computeBoxes(const std::vector<dxGeom *> &geoms) {
     if (m_runner == nullptr || geoms.size() < kBoxesPerChunk) return false;
     if (std::any_of(geoms.begin(), geoms.end(), mayRunUserCode)) return false;
@@ -54,7 +54,7 @@ bool dxSpaceGeoms::computeBoxes(const std::vector<dxGeom *> &geoms) {
             try {
                 const dxInterruptingScope scope;
                 geoms[i]->recomputeAABB();
-            } catch (const dxUpstreamInterrupted &) {  // an assertion, which clean() comes to in its turn
+            } catch (const dxUpstreamInterrupted &) {  // an assertion, which fails again in clean()
                 areAll.store(false, std::memory_order_relaxed);
             }
         }
@@ -92,7 +92,7 @@ void dxSpaceGeoms::clean(const std::vector<dxGeom *> &geoms, std::size_t index) 
 }
 
 void dxSpaceGeoms::clean(dxGeom *geom) {
-    m_runner = nullptr;  // until resumeRunner()
+    m_runner = nullptr;  // until resumeRunner(): a function of the user's may run
     if (IS_SPACE(geom)) static_cast<dxSpace *>(geom)->cleanGeoms();
     geom->recomputeAABB();
     geom->gflags &= ~GEOM_DIRTY;
@@ -101,7 +101,7 @@ void dxSpaceGeoms::clean(dxGeom *geom) {
 void dxSpaceGeoms::rank(dxGeom *geom, dxRank rank, const dxBounds &bounds) {
     const Slot slot = slotOf(geom);
     m_members.setRank(slot, rank);
-    m_members.setPresence(slot, dxGeomIsEnabled(geom));  // without a size it counts as disabled
+    m_members.setPresence(slot, dxGeomIsEnabled(geom));  // a geom without a size counts as disabled
     m_members.setBounds(slot, bounds, dxFilterOf(geom));
     m_members.markChanged(slot);
     m_index.loosen(slot, bounds);

@@ -57,14 +57,14 @@ public:
     bool isOutermostCall() const { return m_space.lock_count == 1; }
     dxPairOrder pairOrder() const { return m_order; }
 
-    // Members come and go. Upstream has accepted it.
+    // Adds or removes a member. Requires that upstream's checks have passed.
     Slot add(dxGeom *geom);
     void remove(dxGeom *geom);
-    // Makes the geoms upstream's, whose destructor of the space follows.
+    // Leaves the geoms to upstream's destructor of the space, which follows.
     void release();
 
-    // The lock count is atomic: rays of several threads may query a space at once. In a process of one thread, which the C library knows, that
-    // would only cost time.
+    // The lock count is atomic, because rays of several threads may query a space at once; but not in a process of one thread, which the C library
+    // tells, as that would only cost time.
     void lock() { addToLock(1); }
     void unlock() { addToLock(-1); }
     // Calls prepare(), which may allocate, before the first callback of a walk. Without memory std::bad_alloc is thrown
@@ -81,39 +81,38 @@ public:
 
     // ---- Cleaning --------------------------------------------------------------------------------------------------------------------
 
-    // Computes boxes beforehand, on workers if there are any. Returns whether nothing but clean() and rank() remains to be done for all geoms, so
-    // that they may be cleaned in any order.
+    // Computes boxes beforehand on workers, if there are any. Returns whether it has computed all boxes: then only clean() and rank() remain, in any
+    // order.
     bool computeBoxes(const std::vector<dxGeom *> &geoms);
-    // clean() and rank() for all, on workers. Requires that computeBoxes() has returned true. Ranks fall from `first`; `slots` has room
-    // for one of each.
+    // Does clean() and rank() for all geoms, on workers. Requires that computeBoxes() has returned true. Ranks fall from `first`; `slots` is
+    // scratch.
     void cleanComputed(const std::vector<dxGeom *> &geoms, dxRank first, std::vector<Slot> &slots);
-    // Computes the box of one geom and marks the geom clean. A function of the user's may run.
+    // Computes the box of a geom and marks the geom clean. A function of the user's may run. The first form prefetches a later geom of the list.
     void clean(const std::vector<dxGeom *> &geoms, std::size_t index);
     void clean(dxGeom *geom);
     // Sets the rank of a geom, possibly the old one, and its bounds, which may be wider than its box.
     void rank(dxGeom *geom, dxRank rank) { this->rank(geom, rank, dxBounds(geom->aabb)); }
     void rank(dxGeom *geom, dxRank rank, const dxBounds &bounds);
-    // Takes the boxes of all members again; their ranks stay.
+    // Reads the boxes of all members again; their ranks stay.
     void rankAgain() {
         for (dxGeom *geom = m_space.first; geom != nullptr; geom = geom->next) rank(geom, m_members[slotOf(geom)].rank);
     }
 
     // ---- Walks -----------------------------------------------------------------------------------------------------------------------
 
-    // Whether calls walk the geoms as upstream does. Ranks and presences of members are not brought up to date then.
+    // Tells whether calls walk the geoms as upstream does. Then ranks and presences of members are not kept up to date.
     dxWalking &walking() { return m_walking; }
     const dxWalking &walking() const { return m_walking; }
-    // Whether the geoms may be walked. Workers, and a broad phase that was set, need the ranks and all pairs.
-    bool mayWalk() const { return !isShared() && !m_hasBroadphase; }
+    // Returns whether the geoms may be walked. Workers, and a broad phase that was set, need the ranks and all pairs.
+    bool mayWalk() const { return !hasRunner() && !m_hasBroadphase; }
     void setHasBroadphase(bool hasBroadphase) { m_hasBroadphase = hasBroadphase; }
-    // Whether that pays after so many have moved. `comparisons`: as in dxBroadphaseFacts.
+    // Returns whether a walk pays after `moved` geoms have moved. `comparisons`: as in dxBroadphaseFacts.
     bool isWorthWalking(int moved, std::size_t comparisons = 0) const;
 
     // ---- Stale geoms -----------------------------------------------------------------------------------------------------------------
 
-    // Returns whether there are stale geoms, or were when this was last asked: their boxes, and whether these are up to date, may
-    // change without notice. Costs nothing while no notification has been missed. Only one of several threads examines
-    // the members.
+    // Returns whether there may be stale geoms; the boxes of these may change without a notification. It costs nothing while no notification has been
+    // missed. Otherwise all members are examined, by one of several threads that ask.
     bool mayHaveStaleGeoms() { return !isSure() && lookForStaleGeoms(); }
     // Returns whether there are certainly none.
     bool isSure() const {
@@ -131,13 +130,13 @@ public:
     // ---- Filters and enabled flags ---------------------------------------------------------------------------------------------------
 
     void filtersChanged(dxGeom *geom);
-    // A member is about to be enabled or disabled.
+    // Requires a call before a member is enabled or disabled.
     void enabledChanges(dxGeom *geom);
     // Applies changes of enabled flags to the members. Returns false if an outer call iterates over pairs.
     bool takeSwitches() { return m_members.switched().empty() || applySwitches(); }
-    // Number of changes of enabled flags.
+    // Returns the number of changes of enabled flags.
     std::uint64_t switches() const { return m_switches; }
-    // Number of geoms that were enabled in a callback and of which the call in progress may have no data.
+    // Returns the number of geoms that were enabled in a callback and of which the call in progress may have no data.
     std::uint64_t reenabled() const { return m_reenabled; }
     // Returns the number of changes of members since the last call.
     std::size_t takeChanges() { return std::exchange(m_changes, 0); }
@@ -148,12 +147,12 @@ public:
 
     // ---- Workers ---------------------------------------------------------------------------------------------------------------------
 
-    // The call has a runner until forgetRunner().
-    void lend(dxTaskRunner &runner) { m_lent = m_runner = &runner; }
-    void forgetRunner() { m_lent = m_runner = nullptr; }
-    // Cleaning has ended: the runner may be used again.
-    void resumeRunner() { m_runner = m_lent; }
-    bool isShared() const { return m_lent != nullptr; }
+    // Sets the runner of a parallel call, until forgetRunner().
+    void setRunner(dxTaskRunner &runner) { m_callRunner = m_runner = &runner; }
+    void forgetRunner() { m_callRunner = m_runner = nullptr; }
+    // Allows the runner again when cleaning has ended.
+    void resumeRunner() { m_runner = m_callRunner; }
+    bool hasRunner() const { return m_callRunner != nullptr; }
     dxTaskRunner &runner() const { return m_runner != nullptr ? *m_runner : dxTaskRunner::alone(); }
 
     // ---- Queries ---------------------------------------------------------------------------------------------------------------------
@@ -169,7 +168,7 @@ public:
 private:
     bool lookForStaleGeoms();
     bool applySwitches();
-    // Returns whether a call in progress may have no data of the disabled geom in a slot. A walk reads the current flags.
+    // Returns whether a call in progress may have no data of the geom in a slot, as it is disabled. A walk reads the current flags.
     bool isLeftOut(Slot slot) const { return m_walking ? !dxGeomIsEnabled(m_members.geomIn(slot)) : !m_members.isPresent(slot); }
     void addToLock(int by) {
         if (__libc_single_threaded != 0)
@@ -178,20 +177,20 @@ private:
             __atomic_fetch_add(&m_space.lock_count, by, __ATOMIC_RELAXED);
     }
 
-    // What a query of a space at rest reads comes first, beside upstream's count, list and lock: a scene may have a space for each of a
-    // thousand robots, and each pair of them is a query.
-    std::atomic<std::uint64_t> m_notificationsMissed{0};  // the process's counter when the members were last examined
-    std::atomic<bool> m_hasStaleGeoms{false};             // then
+    // The fields that a query of a space at rest reads are first, beside upstream's count, list and lock: a scene may have a space for each of a
+    // thousand robots, and each pair of these spaces is a query.
+    std::atomic<std::uint64_t> m_notificationsMissed{0};  // dxMissedNotifications when the members were last examined
+    std::atomic<bool> m_hasStaleGeoms{false};             // result of that examination
     dxMembers m_members;
     dxSpace &m_space;
     dxSpaceCleaner &m_cleaner;
     dxPairOrder m_order;
-    bool m_hasBroadphase = false;  // that was set
+    bool m_hasBroadphase = false;  // a broad phase was set
     dxRegionIndex m_index;
     dxWalking m_walking;
-    std::mutex m_lookingForStaleGeoms;  // only ever tried
-    std::size_t m_changes = 0;          // of members, since pairs were last found
+    std::mutex m_lookingForStaleGeoms;  // only try_lock is used
+    std::size_t m_changes = 0;          // number of changes of members since pairs were last found
     std::uint64_t m_switches = 0, m_reenabled = 0;
-    dxTaskRunner *m_lent = nullptr;    // while a parallel call finds its pairs, not in its callbacks
-    dxTaskRunner *m_runner = nullptr;  // the same, but not while code of the user's may run, which may leave the call by a jump
+    dxTaskRunner *m_callRunner = nullptr;  // while a parallel call finds its pairs, not in its callbacks
+    dxTaskRunner *m_runner = nullptr;      // the same, but NULL while code of the user's may run, which may leave the call by a jump
 };

@@ -9,20 +9,20 @@
 
 namespace {
 
-// Geoms; with fewer, reading the clock would take longer than it tells.
+// Geoms below which no call is timed, because reading the clock would take too large a part of the time.
 constexpr int kMinTimed = 24;
 
-// All of the first calls that change pairs are timed but the very first, which takes memory; then one of so many.
-constexpr unsigned kCallsTimedFirst = 8, kCallsPerTime = 4;
+// The first kUpdatesTimedFirst updates of pairs are timed, except for the very first, which allocates memory; then one of kUpdatesPerTimed.
+constexpr unsigned kUpdatesTimedFirst = 8, kUpdatesPerTimed = 4;
 
-bool isTimedUpdate(unsigned update) { return (update != 1 && update <= kCallsTimedFirst) || update % kCallsPerTime == 0; }
+bool isTimedUpdate(unsigned update) { return (update != 1 && update <= kUpdatesTimedFirst) || update % kUpdatesPerTimed == 0; }
 
 }  // namespace
 
 dxPairsFound dxSpacePairs::findChanged() {
     dxPairsFound found = dxPairsFound::Kept;
     if (m_areOutdated || !m_geoms.members().changed().empty()) {
-        if (!m_geoms.isOutermostCall()) return dxPairsFound::None;  // a call around this one goes through pairs()
+        if (!m_geoms.isOutermostCall()) return dxPairsFound::None;  // an outer call iterates over pairs()
         if (m_areOutdated) startAnew();
         m_areOutdated = false;
         m_isCheckDue = true;
@@ -44,7 +44,7 @@ dxPairsFound dxSpacePairs::updateKept() {
     work.geoms = static_cast<std::size_t>(m_geoms.count());
     work.comparisons = work.geoms * work.geoms / 2;
     work.changed = m_geoms.members().changed().size();
-    const bool isTimed = m_geoms.count() >= kMinTimed && !m_geoms.isShared() && isTimedUpdate(++m_updates);
+    const bool isTimed = m_geoms.count() >= kMinTimed && !m_geoms.hasRunner() && isTimedUpdate(++m_updates);
     std::optional<dxStopwatch> stopwatch;
     if (isTimed) stopwatch.emplace();
     m_order.update(m_pairs, work);
@@ -55,16 +55,16 @@ dxPairsFound dxSpacePairs::updateKept() {
     m_geoms.forgetChanges();
     work.pairs = m_pairs.size();
     work.overlaps = std::max(work.found, work.pairs);
-    if (m_broadphase != nullptr) return dxPairsFound::Kept;  // which is not to be left for another way
+    if (m_broadphase != nullptr) return dxPairsFound::Kept;  // a broad phase that was set is always used
     if (isTimed) m_keeping.noteTime(work, ns);
     m_keeping.note(work);
     return dxPairsFound::Kept;
 }
 
-// With a runner the pairs are wanted beforehand. They are valid until a member changes, but nothing is known of their keys.
+// Workers need all pairs before the first callback. These pairs are valid until a member changes; they have no keys.
 dxPairsFound dxSpacePairs::findAnew() {
     if (m_arePairsKept) forget();
-    if (!m_geoms.isShared() || isTooMany(m_pairsAnew)) return dxPairsFound::RowByRow;
+    if (!m_geoms.hasRunner() || isTooMany(m_pairsAnew)) return dxPairsFound::RowByRow;
     dxPairRows &rows = m_order.gatherRows();
     m_pairs.clear();
     collectRows(rows);
@@ -122,12 +122,12 @@ void dxSpacePairs::startAnew() {
 // Discards partial results. A broad phase that was set must be set again by its owner.
 void dxSpacePairs::giveUp() {
     replaceBroadphase(nullptr);
-    m_dense.reset();
+    m_bruteForce.reset();
     m_matches = {};
     startAnew();
 }
 
-// With their memory.
+// Discards all pairs and frees their memory.
 void dxSpacePairs::forget() {
     m_arePairsKept = false;
     startAnew();
@@ -143,14 +143,14 @@ void dxSpacePairs::updateRanked(std::vector<dxOrderedPair> &pairs, dxPairWork &w
     dxBroadphaseFacts facts;
     facts.order = m_geoms.pairOrder();
     facts.geoms = m_geoms.count();
-    facts.current = m_dense != nullptr ? dxBroadphaseKind::OrderedTable : dxBroadphaseKind::None;
-    const bool dense = m_broadphase == nullptr && dxChooseBroadphase(facts) == dxBroadphaseKind::OrderedTable;
-    if (dense != (m_dense != nullptr)) {
-        m_dense.reset(dense ? new dxBruteForcePairs : nullptr);
+    facts.current = m_bruteForce != nullptr ? dxBroadphaseKind::OrderedTable : dxBroadphaseKind::None;
+    const bool isSmall = m_broadphase == nullptr && dxChooseBroadphase(facts) == dxBroadphaseKind::OrderedTable;
+    if (isSmall != (m_bruteForce != nullptr)) {
+        m_bruteForce.reset(isSmall ? new dxBruteForcePairs : nullptr);
         startAnew();
     }
-    if (dense)
-        work.found = m_dense->update(m_geoms.members(), pairs);
+    if (isSmall)
+        work.found = m_bruteForce->update(m_geoms.members(), pairs);
     else
         updateSorted(pairs, work);
 }

@@ -28,7 +28,7 @@
 enum class dxPairsFound {
     Kept,      // pairs() holds them
     RowByRow,  // nothing yet: dxSpaceWalker::deliverAnew() finds the pairs of a row as it calls back
-    None       // they are not known, or an outer call iterates over pairs(): the geoms must be walked as upstream does
+    None       // pairs are not known, or an outer call iterates over pairs(): the geoms must be walked as upstream does
 };
 
 class dxSpacePairs {
@@ -71,9 +71,9 @@ public:
 
     // ---- For the walker --------------------------------------------------------------------------------------------------------------
 
-    // Tells what a call has found that found all pairs anew.
+    // Requires a call at the end of a call of dSpaceCollide that has found all pairs anew: the rows and the number of their pairs.
     void noteAnew(const dxPairRows &rows, std::size_t pairs);
-    // The same; which geoms have changed is known here.
+    // The same with the work that it took, except for dxPairWork::changed, which is filled in here.
     void noteAnew(dxPairWork work);
 
 private:
@@ -90,16 +90,16 @@ private:
     dxSpacePairOrder &m_order;
     const bool m_mayKeep;
     std::vector<dxOrderedPair> m_pairs;
-    std::unique_ptr<dxBruteForcePairs> m_dense;  // while the space is small
+    std::unique_ptr<dxBruteForcePairs> m_bruteForce;  // while the space is small
     std::unique_ptr<dxBroadphase> m_broadphase, m_defaultBroadphase;
     std::vector<dxBroadphase::Match> m_matches;
     std::unique_ptr<dxKeptPairs> m_kept;
     dxPairKeeping m_keeping;
-    std::size_t m_pairsAnew = 0;  // number of pairs that the last call found which found all anew
+    std::size_t m_pairsAnew = 0;  // number of pairs of the last call that found all anew
     bool m_areOutdated = false;   // startAnew() is due
     bool m_isCheckDue = false;    // dxSpacePairOrder::requireValid()
     unsigned m_updates = 0;       // number of calls that have brought kept pairs up to date
-    bool m_arePairsKept = true;   // what finds the pairs knows those of members that have not changed
+    bool m_arePairsKept = true;   // the broad phase and m_kept know the pairs of unchanged members
 };
 
 // The order of pairs by the ranks of their geoms, which is that of simple spaces and quad trees: of two members the one with the higher rank is the

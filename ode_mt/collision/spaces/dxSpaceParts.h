@@ -29,8 +29,8 @@ public:
     virtual void onAdded(dxGeom *geom, Slot slot) = 0;
     virtual void onRemoved(Slot slot) = 0;
 
-    // Cleans the geoms in a call of dSpaceCollide, which no call of another thread may overlap. Requires a locked space. Returns whether the
-    // ranks represent upstream's order, and all boxes that upstream would read are up to date.
+    // Cleans the geoms in a call of dSpaceCollide, which no call of another thread may overlap. Requires a locked space. Returns whether the ranks
+    // represent upstream's order and all boxes that upstream would read are up to date.
     virtual bool cleanToCollide() = 0;
     // Reads the boxes of all members again, as some may have changed without a notification. Returns whether a member is stale
     // (dxMissedNotifications).
@@ -44,12 +44,12 @@ class dxSpacePairOrder : public dxPairKeys {
 public:
     // Called if a member has changed, in the outermost call. It may allocate. Returns false if upstream's pairs do not follow from boxes.
     virtual bool prepare() { return true; }
-    // Updates kept pairs after members have changed, and tells what it took.
+    // Updates kept pairs after members have changed, and notes the work that it took.
     virtual void update(std::vector<dxOrderedPair> &pairs, dxPairWork &work) = 0;
     // Fills the rows in which a call finds all pairs anew, with the geoms that are enabled. Requires the outermost call.
     virtual dxPairRows &gatherRows() = 0;
-    // Raises the assertions that upstream's call raises before its first callback. Called after pairs have changed. Returns whether it must also
-    // be called when nothing has changed.
+    // Raises the assertions that upstream's call raises before its first callback. Called after pairs have changed; if it returns true, also in the
+    // next call when nothing has changed.
     virtual bool requireValid() const { return false; }
 
 protected:

@@ -1,8 +1,8 @@
-// Whether a space is walked as upstream does, because most of its geoms move: nothing that a walk does not need is brought up to date
-// then, ranks least of all.
+// Tells whether a space is walked as upstream does, because most of its geoms move. Then nothing is kept up to date that a walk does not need, above
+// all no ranks.
 //
-// One thread at a time begins, moves geoms and ends; several threads may ask in queries (dSpaceCollide2), of which one ends the walks when they
-// have asked often enough to pay for the ranks.
+// Threading: one thread at a time begins walks, moves geoms and ends walks. Several threads may query the space (dSpaceCollide2); one of them ends
+// the walks when there have been enough queries to pay for the ranks.
 #pragma once
 
 #include <algorithm>
@@ -22,30 +22,31 @@ public:
         m_isOn = isOn;
     }
 
-    // So many of `all` geoms have been cleaned.
+    // Requires a call after each cleaning, with the number of geoms that were cleaned, of `all`.
     void noteMoved(int geoms, int all) {
         m_moved = std::min(m_moved + geoms, all);
         if (geoms != 0) m_queries.store(0, std::memory_order_relaxed);
     }
-    // Requires a call of each dSpaceCollide, before geoms are cleaned.
+    // Requires a call in each dSpaceCollide, before geoms are cleaned.
     void noteCollided() { m_isCollided = true; }
-    // Requires a call of each cleaning. Returns whether it is one for a query of a space that has not been collided since the last one, of which that
-    // many move that a list walk answers it the fastest.
+    // Requires a call in each cleaning. Returns whether the cleaning is for a query, the space has not been collided since the last cleaning, and so
+    // many of its geoms move that a walk answers the query fastest.
     bool isForQuery(int moved, int all) {
         return !std::exchange(m_isCollided, false) && 4 * moved >= dxBroadphaseThresholds::kMovedOfFourQueried * all;
     }
 
-    // Returns how many were since takeMoved() was last called, each counted as often as it was, at most all.
+    // Returns the number of geoms cleaned since the last call of takeMoved(), at most all. A geom counts each time that it was cleaned.
     int takeMoved() { return std::exchange(m_moved, 0); }
-    // Requires a call of each dSpaceCollide, with the number of geoms that have moved since the last one. Returns whether walks are to end: few
-    // have moved for some calls, which a program that collides a space twice a frame does not come to. `minMoved`: dxMinMovedToWalk().
+    // Requires a call in each dSpaceCollide, with the number of geoms that have moved since the last one. Returns whether walks should end, because
+    // few geoms have moved for kMinCallsRested calls. (So a program that collides a space twice in each frame keeps its walks.) `minMoved`:
+    // dxMinMovedToWalk().
     bool hasRested(int moved, int minMoved) {
         m_restedCalls = dxHaveFewMoved(moved, minMoved) ? m_restedCalls + 1 : 0;
         return minMoved == INT_MAX || m_restedCalls >= dxBroadphaseThresholds::kMinCallsRested;
     }
 
-    // A query of a space that is walked: calls stop(), which has to end the walks, if there have been many since a geom moved. The other
-    // threads walk once more meanwhile.
+    // Requires a call in each query of a walked space. Calls stop(), which must end the walks, if there have been many queries since a geom moved.
+    // Other threads go on walking meanwhile.
     template <class Stop>
     void query(Stop stop) {
         if (++m_queries <= dxBroadphaseThresholds::kMaxWalksUnranked) return;

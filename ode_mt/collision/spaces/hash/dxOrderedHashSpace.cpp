@@ -165,10 +165,10 @@ void dxOrderedHashSpace::collide(void *data, dNearCallback *callback) {
 // Upstream tests which geoms are enabled before the first callback, and not again. So callbacks may enable and disable geoms.
 void dxHashWalker::deliver(void *data, dNearCallback *callback) {
     const std::vector<dxOrderedPair> &pairs = m_space.pairs();
-    dxNarrowphasePrefetch *const ahead = m_space.ahead();
+    dxNarrowphasePrefetch *const prefetch = m_space.activePrefetch();
     const std::uint64_t missed = dxMissedNotifications.count();
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        if (ahead != nullptr) ahead->beforePair(pairs, i);
+        if (prefetch != nullptr) prefetch->beforePair(pairs, i);
         dxPairPrefetch::forCallback(pairs, i);
         dxDeliver(pairs[i], data, callback);
         if (dxMissedNotifications.count() == missed) continue;

@@ -266,7 +266,7 @@ void dxQuadTreeWalker::collideOther(void *data, dxGeom *geom, dNearCallback *cal
             dxGeom *const member = m_space.members().geomIn(*slot);
             if (!dxGeomIsEnabled(member)) continue;
             dxDeliverIfAgreed(geom, member, &swapped, Swapped::call);
-            if (dxIsStill(geom, box) && dxMissedNotifications.count() == missed && m_space.members().switched().size() == switched) continue;
+            if (dxHasKeptBox(geom, box) && dxMissedNotifications.count() == missed && m_space.members().switched().size() == switched) continue;
             return walkOther(data, geom, callback, member);
         }
     });

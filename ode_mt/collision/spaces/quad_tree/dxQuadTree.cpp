@@ -10,8 +10,7 @@ void requireOrder(bool isInOrder, const char *assertion, unsigned line) {
     if (!isInOrder) dxFailUpstreamAssertion(assertion, "Create", "collision_quadtreespace.cpp", line);
 }
 
-// A tree of so many levels has more blocks than there are numbers for (dxQuadTree::Block), nor is there
-// memory for it.
+// Depth from which on a tree has more blocks than dxQuadTree::Block can number, and more than memory holds.
 constexpr int kTooDeep = 16;
 
 std::size_t blocksOf(int depth) {
@@ -23,7 +22,7 @@ std::size_t blocksOf(int depth) {
 
 }  // namespace
 
-// A geom on the upper edge is still in the tree.
+// The upper edges are the next larger numbers, because upstream's tree includes a geom on its upper edge.
 dxQuadTree::dxQuadTree(const dReal *centre, const dReal *extents, int depth) {
     const auto upperEdge = [&](int axis) {
         return static_cast<dReal>(dNextAfter(centre[axis] + extents[axis], static_cast<dReal>(dInfinity)));
@@ -38,7 +37,7 @@ void dxQuadTree::build(const Area &area, Block parent, int depth) {
     const Block block = size();
     m_nodes.push_back({area, parent, 0});
     if (depth > 0) {
-        // Rounded as upstream's, which adds half the width to the lower edge.
+        // Rounded as in upstream, which adds half the width to the lower edge.
         const dReal middleX = area.lowX + (area.highX - area.lowX) / 2;
         const dReal middleY = area.lowY + (area.highY - area.lowY) / 2;
         build({area.lowX, middleX, area.lowY, middleY}, block, depth - 1);
@@ -49,7 +48,7 @@ void dxQuadTree::build(const Area &area, Block parent, int depth) {
     m_nodes[block].end = size();
 }
 
-// Outwards to a block that has the box, and from there inwards.
+// Searches outwards for a block that contains the box, and from there inwards.
 dxQuadTree::Block dxQuadTree::find(const dReal *aabb, Block from) const {
     while (!m_nodes[from].area.has(aabb)) {
         if (from == kRoot) return kRoot;

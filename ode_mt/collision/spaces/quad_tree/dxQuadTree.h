@@ -1,9 +1,8 @@
-// The blocks of upstream's quad tree: a rectangle of x and y, halved on both axes as many times as the tree
-// is deep.
+// The blocks of upstream's quad tree: a rectangle of x and y, halved along both axes on each level of the tree.
 //
-// Blocks are numbered in the order in which upstream visits them: a block, then its quarters with all that is in each,
-// by x, then by y. So the blocks within a block have the numbers that follow it. A block includes its lower edges and
-// excludes its upper ones; its quarters partition it. The root also has whatever does not fit into it.
+// Blocks are numbered in the order in which upstream visits them, which is pre-order: a block, then its quarters, by x, then by y, each with all
+// blocks within it. So the blocks within a block have the numbers that follow its own. A block includes its lower edges and excludes its upper ones;
+// its quarters partition it. The root also has the boxes that do not fit into it. Threading: constant after construction.
 #pragma once
 
 #include <cstdint>
@@ -26,8 +25,8 @@ public:
     // Returns the block around a block other than the root.
     Block parentOf(Block block) const { return m_nodes[block].parent; }
 
-    // Returns the block of a box that was in block `from`: the smallest block that contains it in x and y. Only for an
-    // inverted box the result depends on `from`.
+    // Returns the block of a box that was in block `from`: the smallest block that contains it in x and y. The result depends on `from` only for an
+    // inverted box.
     Block find(const dReal *aabb, Block from) const;
 
     // Returns whether upstream tests the boxes in the block against this one, or skips the block.

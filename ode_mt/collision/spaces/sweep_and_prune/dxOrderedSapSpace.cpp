@@ -56,11 +56,11 @@ void dxOrderedSapSpace::collide2(void *data, dxGeom *geom, dNearCallback *callba
 
 void dxSapWalker::deliver(void *data, dNearCallback *callback) {
     const std::vector<dxOrderedPair> &pairs = m_space.pairs();
-    dxNarrowphasePrefetch *const ahead = m_space.ahead();
+    dxNarrowphasePrefetch *const prefetch = m_space.activePrefetch();
     const std::uint64_t missed = dxMissedNotifications.count();
     const unsigned fills = m_lastWalk.lists().fills();
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-        if (ahead != nullptr) ahead->beforePair(pairs, i);
+        if (prefetch != nullptr) prefetch->beforePair(pairs, i);
         dxPairPrefetch::forCallback(pairs, i);
         dxSapWalk::requireCleanBoxes(pairs[i].first, pairs[i].second);
         dxDeliver(pairs[i], data, callback);

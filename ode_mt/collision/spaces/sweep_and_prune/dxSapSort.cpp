@@ -11,10 +11,10 @@ namespace {
 
 constexpr std::uint32_t kSign = UINT32_C(1) << 31;
 
-// More take longer than a radix sort.
-constexpr std::size_t kShiftsPerKey = 4;
+// Shifts per key, above which an insertion sort takes longer than a radix sort.
+constexpr std::size_t kMaxShiftsPerKey = 4;
 
-// Calls without a trial, after many trials in vain.
+// Largest number of calls without a trial of an insertion sort, after many failed trials.
 constexpr unsigned kMaxPause = 15;
 
 std::uint32_t bitsOf(float key) {
@@ -23,7 +23,7 @@ std::uint32_t bitsOf(float key) {
     return bits;
 }
 
-// Of the bits of a number: sorts as the numbers do, and NaN beyond all others of its sign.
+// Returns an integer that sorts as the number with these bits, and NaN beyond all other numbers of its sign.
 std::uint32_t sortable(std::uint32_t bits) {
     return (bits & kSign) != 0 ? ~bits : bits | kSign;
 }
@@ -36,20 +36,20 @@ const std::vector<std::uint32_t> &dxSapSort::sort(const std::vector<float> &keys
         std::iota(m_order.begin(), m_order.end(), 0);
     }
     if (isInOrder(keys) || tryInserting(keys)) return m_order;
-    takeTieOrder(keys);
+    setTieOrder(keys);
     dxRadixSort(m_items, m_spare);
     for (std::size_t place = 0; place < m_items.size(); ++place) m_order[place] = m_tieOrder[static_cast<std::uint32_t>(m_items[place])];
     return m_order;
 }
 
-// A comparison with NaN counts as in order, as upstream's does.
+// As in upstream, a comparison with NaN counts as in order.
 bool dxSapSort::isInOrder(const std::vector<float> &keys) const {
     for (std::size_t place = 1; place < m_order.size(); ++place)
         if (keys[m_order[place]] < keys[m_order[place - 1]]) return false;
     return true;
 }
 
-// Where keys move far they mostly do so at the next call, too.
+// If an insertion sort took too long, it mostly would in the next call, too.
 bool dxSapSort::tryInserting(const std::vector<float> &keys) {
     if (m_untried != 0) {
         --m_untried;
@@ -60,13 +60,13 @@ bool dxSapSort::tryInserting(const std::vector<float> &keys) {
     return isDone;
 }
 
-// Insertion sort, for keys of which few have changed or all by little. Returns false, and changes nothing, if it would take long. Equal negative
-// numbers come to be in the reverse of their order, as by takeTieOrder().
+// Insertion sort, for keys of which few have changed or all have changed little. Returns false, and changes nothing, if it would take long. It
+// reverses equal negative keys, as setTieOrder() does.
 bool dxSapSort::insertFew(const std::vector<float> &keys) {
     m_tieOrder = m_order;
     m_sorted.resize(keys.size());
     for (std::size_t place = 0; place < keys.size(); ++place) m_sorted[place] = sortable(bitsOf(keys[m_order[place]]));
-    std::size_t shifts = kShiftsPerKey * keys.size();
+    std::size_t shifts = kMaxShiftsPerKey * keys.size();
     for (std::size_t place = 1; place < keys.size(); ++place) {
         const std::uint32_t key = m_sorted[place], index = m_tieOrder[place];
         std::size_t at = place;
@@ -87,8 +87,8 @@ bool dxSapSort::insertFew(const std::vector<float> &keys) {
     return true;
 }
 
-// Negative numbers from the back, the others from the front.
-void dxSapSort::takeTieOrder(const std::vector<float> &keys) {
+// Sets the order that a stable sort must leave among equal keys: negative keys from the back, the others from the front.
+void dxSapSort::setTieOrder(const std::vector<float> &keys) {
     const std::size_t count = m_order.size();
     m_sorted.resize(count);
     m_tieOrder.resize(count);
