@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "clusters/dxGridFit.h"
 #include "core/dxLog.h"
 #include "core/dxStopwatch.h"
 #include "settings/dxSettings.h"

@@ -12,7 +12,7 @@
 #include "clusters/heuristics/dxCellSizeHeuristic.h"
 #include "clusters/heuristics/dxCheckFrequencyHeuristic.h"
 #include "clusters/heuristics/dxGridCentreHeuristic.h"
-#include "clusters/heuristics/dxHeuristicsManager.h"
+#include "clusters/heuristics/dxHeuristic.h"
 #include "clusters/heuristics/dxThreadCountHeuristic.h"
 #include "collision/broadphase/dxBroadphase.h"
 

@@ -1,8 +1,19 @@
 #include "clusters/dxClusterScene.h"
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 namespace {
+
+using Kind = dxClusterScene::Kind;
+
+// Share of the dynamic inhabitants that may lie beyond either end of an axis of the grid.
+constexpr double kOutliers = 0.02;
+// Above this share outside a grid is outgrown: more than a fit leaves.
+constexpr double kMaxOutside = 6 * kOutliers;
+// The grid is this many times as long as the extent of the dynamic inhabitants.
+constexpr dReal kRelativeSize = 1.5;
 
 // A floor, one layer of cells, is big; a wall along the whole grid, one cell thick and a few high, is not.
 bool coversALayer(const dxCellRange &range, int cells) { return range.count() > cells * cells / 2; }
@@ -10,6 +21,23 @@ bool coversALayer(const dxCellRange &range, int cells) { return range.count() > 
 void eraseFrom(std::vector<dxMembers::Slot> &slots, dxMembers::Slot slot) {
     *std::find(slots.begin(), slots.end(), slot) = slots.back();
     slots.pop_back();
+}
+
+template <class Visit>
+void forDynamics(const dxClusterScene &scene, Visit &&visit) {
+    for (dxClusterScene::Slot slot = 0; slot < scene.end(); ++slot)
+        if (scene[slot].kind == Kind::dynamicGeom && scene[slot].bounds.isProper()) visit(scene[slot].bounds);
+}
+
+struct Extent {
+    dReal low = 0, high = 0;
+};
+
+Extent extentOf(std::vector<dReal> &lows, std::vector<dReal> &highs) {
+    const auto outliers = static_cast<std::ptrdiff_t>(kOutliers * static_cast<double>(lows.size()));
+    std::nth_element(lows.begin(), lows.begin() + outliers, lows.end());
+    std::nth_element(highs.begin(), highs.end() - 1 - outliers, highs.end());
+    return {lows[outliers], *(highs.end() - 1 - outliers)};
 }
 
 }  // namespace
@@ -88,3 +116,33 @@ void dxClusterScene::leave(Slot slot) {
         m_whereOccupied[cell] = -1;
     });
 }
+
+dxClusterGrid dxFitGrid(const dxClusterScene &scene, int cells) {
+    std::vector<dReal> lows[3], highs[3];
+    forDynamics(scene, [&](const dxBounds &box) {
+        for (int axis = 0; axis < 3; ++axis) {
+            lows[axis].push_back(box.low(axis));
+            highs[axis].push_back(box.high(axis));
+        }
+    });
+    dReal centre[3] = {0, 0, 0}, longest = 0;
+    for (int axis = 0; axis < 3 && !lows[axis].empty(); ++axis) {
+        const Extent extent = extentOf(lows[axis], highs[axis]);
+        centre[axis] = extent.low / 2 + extent.high / 2;
+        longest = std::max(longest, extent.high - extent.low);
+    }
+    const dReal edge = longest * kRelativeSize / dReal(cells);
+    const bool usable = std::isfinite(edge) && edge > 0;
+    return dxClusterGrid(cells, usable ? edge : dReal(1), centre);
+}
+
+double dxShareOutside(const dxClusterScene &scene) {
+    std::size_t all = 0, outside = 0;
+    forDynamics(scene, [&](const dxBounds &box) {
+        ++all;
+        outside += scene.grid().isLeftBy(box);
+    });
+    return all > 0 ? static_cast<double>(outside) / static_cast<double>(all) : 0;
+}
+
+bool dxGridIsOutgrown(const dxClusterScene &scene) { return dxShareOutside(scene) > kMaxOutside; }

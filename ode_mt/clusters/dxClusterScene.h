@@ -1,10 +1,13 @@
-// The input of the crossover passes: the inhabitants of each cell of the grid. Kept from frame to frame; a frame costs
-// what has changed.
+// The input of the crossover passes: the inhabitants of each cell of the grid, and where the grid should lie. The scene is kept from frame to
+// frame; the cost of a frame is proportional to what has changed.
 //
 // An inhabitant is a geom of the space (a geom or a nested space) and is known by its slot. It is dynamic if
 // it, or a geom in it, has a body, else static (thesis 5.1). Big ones, planes and everything that covers
 // more than a share of the grid, are in no cell and are kept apart (thesis 2.2).
-// Not thread safe.
+//
+// The grid is placed around the dynamic inhabitants (thesis 10.1: the grid's centre). Static ones do not enlarge it, and neither do a few outliers.
+//
+// Threading: not thread-safe.
 #pragma once
 
 #include <array>
@@ -42,7 +45,7 @@ public:
     // Cells with dynamic inhabitants, in no order.
     const std::vector<int> &occupied() const { return m_occupied; }
 
-    // Rises whenever an inhabitant comes, goes, changes its kind or its cells.
+    // Returns a counter that rises whenever an inhabitant is added, is removed, or changes its kind or its cells.
     unsigned changes() const { return m_changes; }
 
 private:
@@ -59,3 +62,12 @@ private:
     std::vector<int> m_occupied, m_whereOccupied;  // m_whereOccupied: by cell, -1 if none
     unsigned m_changes = 0;
 };
+
+// Returns a grid of `cells` cells on each axis around the dynamic inhabitants, with room to move.
+dxClusterGrid dxFitGrid(const dxClusterScene &scene, int cells);
+
+// Returns the share of the dynamic inhabitants that are outside the grid.
+double dxShareOutside(const dxClusterScene &scene);
+
+// Returns whether that share is so large that the grid should be placed anew.
+bool dxGridIsOutgrown(const dxClusterScene &scene);

@@ -5,8 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "clusters/dxGridFit.h"
-
 namespace {
 
 using Kind = dxClusterScene::Kind;

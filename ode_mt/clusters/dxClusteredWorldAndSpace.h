@@ -18,7 +18,6 @@
 #include <ode/ode.h>
 
 #include "clusters/dxClusterGap.h"
-#include "clusters/dxClusterHistory.h"
 #include "clusters/dxClusterScene.h"
 #include "clusters/dxClusters.h"
 #include "clusters/dxCrossoverPass.h"

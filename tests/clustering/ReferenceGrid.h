@@ -1,5 +1,5 @@
 // Where the grid lies and which cells a box covers, computed plainly from the rules of docs/clusters.md, for
-// comparison with dxClusterGrid and dxGridFit.
+// comparison with dxClusterGrid and dxFitGrid.
 #pragma once
 
 #include <vector>

@@ -1,7 +1,5 @@
 // Random worlds under each pass: membership is that of ReferenceClusters, no overlapping pair is ever split, and
 // the pairs that the search finds are those of brute force.
-//
-// Covers dxClusters.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "bounds.h"
-#include "clusters/dxGridFit.h"
+#include "clusters/dxClusterScene.h"
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "clusters/heuristics/dxMotionBound.h"
+#include "clusters/heuristics/dxCheckFrequencyHeuristic.h"
 
 struct SwarmSetting {
     double speed, acceleration, step;  // at the start; at most

@@ -1,13 +1,15 @@
 // What all heuristics have in common: a state, a tick at the end of every frame, and an alert when they change what they
-// tune (thesis, figure A.3).
+// tune (thesis, figure A.3); and the manager that owns the heuristics of one (world, space) pair (figure A.5).
 //
 // A heuristic watches numbers that its owner hands in and tunes one parameter of the clustering (thesis 10.1). It may
 // change speed, never results.
 //
-// Threading: none. A heuristic belongs to one (world, space) pair and is used by the thread that runs
-// that pair's frame.
+// Threading: not thread-safe. Heuristics and their manager belong to one (world, space) pair and are used by the thread that runs that pair's
+// frame.
 #pragma once
 
+#include <memory>
+#include <utility>
 #include <vector>
 
 // The states of a heuristic, and which may follow which (thesis, figure A.4, which names the states only).
@@ -31,9 +33,9 @@ struct dxHeuristicAlert {
     double before, now;
 };
 
-// Who is told when a heuristic sets its parameter anew. The names are the thesis's (figures A.4 and A.5).
+// Notified when a heuristic changes its parameter. The names are the thesis's (figures A.4 and A.5).
 //
-// Called on the thread that ticks, within the tick. Inside, the heuristic's state may be changed; it may not be destroyed.
+// The call comes from within the tick, on its thread. It may change the heuristic's state, but not destroy the heuristic.
 class HeuristicAlertCallback {
 public:
     virtual void alertCallback(const dxHeuristic &heuristic, const dxHeuristicAlert &alert) = 0;
@@ -52,32 +54,52 @@ public:
     dxHeuristicState state() const { return m_state; }
     bool running() const { return m_state == dxHeuristicState::Running; }
 
-    // False, and nothing happens, where dxMayFollow forbids it.
+    // Return false and do nothing where dxMayFollow forbids the change.
     bool start() { return change(dxHeuristicState::Running); }  // also after a pause
     bool pause() { return change(dxHeuristicState::Paused); }
     bool stop() { return change(dxHeuristicState::Stopped); }
     bool reset();  // forgets everything; needs a new start
 
-    // The frame is over. False if nothing was done: the heuristic does not run.
+    // Requires a call at the end of each frame. Returns false if nothing was done because the heuristic does not run.
     bool tick();
 
-    // From now on `callback` is notified; NULL: none is. It has to outlive the heuristic.
+    // Sets the callback that is notified from now on; NULL: none. It has to outlive the heuristic.
     void setAlertCallback(HeuristicAlertCallback *callback) { m_callback = callback; }
 
 protected:
-    // The parameter has been set anew, if the numbers differ.
+    // Notifies the callback if the numbers differ.
     void alert(double before, double now) {
         if (m_callback != nullptr && before != now) m_callback->alertCallback(*this, {before, now});
     }
 
 private:
-    virtual void judge() = 0;   // a frame, while running
-    virtual void forget() = 0;  // back to what it was when created
+    virtual void judge() = 0;   // called once a frame while running
+    virtual void forget() = 0;  // returns to the state of a new object
 
     bool change(dxHeuristicState to);
 
     dxHeuristicState m_state = dxHeuristicState::Init;
     HeuristicAlertCallback *m_callback = nullptr;
+};
+
+// tick() is called once at the end of every search for pairs. It ticks the heuristics in the order in which they were added, so that alerts come in
+// the same order in every run. Unlike the thesis's manager this one knows no heuristic, world or cluster: its owner (dxClusterBroadphase) decides what
+// is observed, and acts upon it. There is no global state; several pairs have several managers.
+class dxHeuristicsManager {
+public:
+    template <class Heuristic>
+    Heuristic *add(std::unique_ptr<Heuristic> heuristic) {
+        Heuristic *const typed = heuristic.get();
+        m_heuristics.push_back(std::move(heuristic));
+        return typed;
+    }
+
+    void tick() {
+        for (const std::unique_ptr<dxHeuristic> &heuristic : m_heuristics) heuristic->tick();
+    }
+
+private:
+    std::vector<std::unique_ptr<dxHeuristic>> m_heuristics;
 };
 
 // Returns the median of samples of a heuristic, which outliers (a frame during which the system took the thread off its core) do not move: the lower

@@ -1,11 +1,9 @@
-// dxClusterHistory: names stay with clusters; merges and splits are reported.
-//
-// Covers dxClusters.cpp.
+// dxClusters and dxClusterHistory: names stay with clusters; merges and splits are reported.
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "clusters/dxClusterHistory.h"
+#include "clusters/dxClusters.h"
 
 namespace {
 
