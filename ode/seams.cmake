@@ -81,7 +81,7 @@ ode_mt_rename(ode.cpp dCheckConfiguration)
 # A world's threading implementation may be freed after these calls: its threads are given back first.
 ode_mt_rename(ode.cpp dWorldDestroy dWorldSetStepThreadingImplementation)
 
-# Where callbacks run on several threads, contact joints are put into their lists later (ode_mt/collision/callbacks/dxContactLog.h);
+# Where callbacks run on several threads, contact joints are put into their lists later (ode_mt/collision/callbacks/dxConcurrentCallbacks.h);
 # groups of joints are emptied without taking memory (ode_mt/dynamics/step/dxJointRemoval.h).
 ode_mt_rename(ode.cpp dJointCreateContact dJointAttach dJointGroupEmpty)
 
@@ -109,8 +109,8 @@ ode_mt_rename(collision_trimesh_opcode.cpp dGeomTriMeshDataDestroy)
 ode_mt_rename(joints/piston.cpp dJointSetPistonAnchorOffset)
 ode_mt_rename(joints/pu.cpp dJointSetPUAnchorDelta dJointSetPUAnchorOffset)
 
-# libccd asks convex geoms for their furthest point, dozens of times a pair (ode_mt/collision/narrowphase/dxConvexSupport.h). It may search
-# without end (ode_mt/collision/narrowphase/dxCcdQuery.h).
+# libccd asks convex geoms for their furthest point, dozens of times a pair, and its iteration may never end
+# (ode_mt/collision/narrowphase/dxCcdQuery.h).
 ode_mt_compile_after("collision_libccd.cpp" collision_libccd.h)
 
 # The sign of a zero depth follows from the order of the arguments in fmax(0.0, x). g++ takes the order to be free and may change

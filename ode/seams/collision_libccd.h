@@ -2,7 +2,6 @@
 #pragma once
 
 #include "collision/narrowphase/dxCcdQuery.h"
-#include "collision/narrowphase/dxConvexSupport.h"
 
 /* Upstream's support function of convex geoms, defined in its file. */
 static void ccdSupportConvex(const void *object, const ccd_vec3_t *direction, ccd_vec3_t *support);

@@ -2,14 +2,13 @@
 #include <ode/collision.h>
 
 #include "clusters/dxClusterManager.h"
-#include "collision/callbacks/dxContactLog.h"
+#include "collision/callbacks/dxConcurrentCallbacks.h"
 #include "collision/dxSpaceCollision.h"
-#include "collision/narrowphase/dxBoxBox.h"
+#include "collision/narrowphase/boxes/dxBoxBox.h"
 #include "collision/narrowphase/dxColliderTable.h"
-#include "collision/narrowphase/dxNarrowphasePrefetch.h"
 #include "collision/narrowphase/dxHeightField.h"
+#include "collision/narrowphase/dxNarrowphasePrefetch.h"
 #include "collision/pairs/dxUnnoticedChanges.h"
-#include "collision/narrowphase/dxTransformedGeom.h"
 #include "collision/spaces/dxOrderedSpace.h"
 #include "seams/upstream.h"
 #include "settings/dxSettings.h"

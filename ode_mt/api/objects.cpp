@@ -2,7 +2,7 @@
 #include <ode/memory.h>
 #include <ode/objects.h>
 
-#include "collision/callbacks/dxContactLog.h"
+#include "collision/callbacks/dxConcurrentCallbacks.h"
 #include "collision/pairs/dxUnnoticedChanges.h"
 #include "settings/dxJointAttachment.h"
 #include "dynamics/step/dxJointRemoval.h"
@@ -29,7 +29,7 @@ void dWorldDestroy(dWorldID world) {
     dxUpstreamWorldDestroy(world);
 }
 
-// Contact joints: where callbacks run on several threads, they are put into their lists later (collision/callbacks/dxContactLog.h).
+// Contact joints: where callbacks run on several threads, they are put into their lists later (collision/callbacks/dxConcurrentCallbacks.h).
 // They are removed without taking memory (dynamics/step/dxJointRemoval.h). A joint of any type that is attached during a step may concern
 // it (settings/dxJointAttachment.h).
 

@@ -10,7 +10,7 @@
 #include <cstring>
 #include <new>
 
-#include "collision/callbacks/dxContactLog.h"
+#include "collision/callbacks/dxConcurrentCallbacks.h"
 #include "collision/dxSpaceCollision.h"
 #include "collision/spaces/dxOrderedSpace.h"
 #include "error.h"

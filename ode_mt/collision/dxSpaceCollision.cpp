@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #include "collision/callbacks/dxConcurrentCallbacks.h"
-#include "collision/callbacks/dxContactLog.h"
 #include "collision/spaces/dxOrderedSpace.h"
 #include "core/dxStopwatch.h"
 #include "settings/dxSettings.h"

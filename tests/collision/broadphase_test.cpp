@@ -7,7 +7,7 @@
 #include "collision/broadphase/dxAdaptiveBroadphase.h"
 #include "collision/broadphase/dxGridBroadphase.h"
 #include "collision/broadphase/dxNeighbourBroadphase.h"
-#include "collision/broadphase/dxBruteForceBroadphase.h"
+#include "collision/broadphase/dxBruteForce.h"
 #include "collision/broadphase/dxVerletBroadphase.h"
 
 namespace {

@@ -1,7 +1,7 @@
 // What callbacks that run at once get from the library is what they get one at a time: answers to bad arguments, and what they
 // read from a joint that they have just made.
 //
-// Covers api/objects.cpp, dxContactLog.cpp, dxSpaceCollision.cpp.
+// Covers api/objects.cpp, dxSpaceCollision.cpp.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 

@@ -1,7 +1,7 @@
 // Narrow-phase prefetch: workers compute contacts before their callbacks, dCollide returns them, and what is not asked
 // for stays little. That they are the right ones is the exactness suite's.
 //
-// Covers dxCcdQuery.cpp, dxSpaceCollision.cpp.
+// Covers dxSpaceCollision.cpp.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 #include <sys/mman.h>

@@ -1,7 +1,7 @@
 // Callbacks of one body never run at the same time under "concurrent", wherever its geoms are; and cutting the pairs into
 // tasks writes to no body, since two threads of the user may collide spaces with geoms of the same bodies.
 //
-// Covers dxColliderMemory.cpp, dxConcurrentColliders.cpp.
+// Covers dxConcurrentColliders.cpp.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 

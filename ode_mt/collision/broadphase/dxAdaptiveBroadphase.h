@@ -4,10 +4,10 @@
 
 #include <memory>
 
-#include "collision/broadphase/dxBroadphaseChoice.h"
-#include "collision/broadphase/dxNeighbourBroadphase.h"
 #include "collision/broadphase/dxBroadphase.h"
-#include "collision/broadphase/dxBruteForceBroadphase.h"
+#include "collision/broadphase/dxBroadphaseChoice.h"
+#include "collision/broadphase/dxBruteForce.h"
+#include "collision/broadphase/dxNeighbourBroadphase.h"
 #include "collision/broadphase/dxVerletBroadphase.h"
 
 class dxAdaptiveBroadphase final : public dxBroadphase {

@@ -4,26 +4,153 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <exception>
 #include <memory>
 #include <mutex>
 #include <new>
 #include <optional>
+#include <utility>
 #include <vector>
 
-#include "collision/callbacks/dxContactLog.h"
 #include "collision/callbacks/dxPairTasks.h"
 #include "collision/spaces/dxOrderedSpace.h"
 #include "collision/spaces/dxPairDelivery.h"
+#include "core/dxPrefetch.h"
+#include "core/dxReserve.h"
+#include "joints/contact.h"
+#include "settings/dxJointAttachment.h"
 #include "settings/dxSettings.h"
 #include "settings/dxStepStatistics.h"
 #include "settings/dxWorkers.h"
 #include "settings/dxWorkersRunner.h"
 #include "threading/dxSchedulePoints.h"
 #include "threading/dxTaskRunner.h"
+#include "threading/pool/dxSpin.h"
 #include "threading/process/dxObjectPool.h"
 #include "threading/process/dxProcess.h"
 #include "threading/timeline/dxTimelineSpan.h"
+
+// Upstream's function: inserts an object at the front of a list of its world.
+void addObjectToList(dObject *object, dObject **first);
+
+namespace {
+
+// Memory of a contact joint, for dxJointGroup::alloc, which constructs an object of the type that it is given and marks it as in a
+// group.
+struct JointMemory {
+    explicit JointMemory(dxWorld * /*world*/) {}
+    alignas(dxJointContact) unsigned flags = 0;
+    std::byte rest[sizeof(dxJointContact) - sizeof(unsigned)];
+};
+static_assert(sizeof(JointMemory) == sizeof(dxJointContact) && alignof(JointMemory) == alignof(dxJointContact));
+
+// Spins for a mutex that is held for some ten nanoseconds at a time: sleeping takes a thousand times as long.
+std::unique_lock<std::mutex> lockBriefly(std::mutex &mutex) {
+    std::unique_lock<std::mutex> lock(mutex, std::defer_lock);
+    if (!dxSpinUntil([&] { return lock.try_lock(); })) lock.lock();
+    return lock;
+}
+
+__attribute__((tls_model("initial-exec"))) thread_local dxContactLog *t_current = nullptr;
+
+}  // namespace
+
+dxContactLog *dxContactLog::current() { return t_current; }
+
+dxContactLog::Scope::Scope(dxContactLog &log, unsigned worker) : m_outer(std::exchange(t_current, &log)) { log.m_worker = worker; }
+dxContactLog::Scope::~Scope() { t_current = m_outer; }
+
+void dxContactLog::start(std::mutex &groups) {
+    m_groups = &groups;
+    m_operations.clear();
+}
+
+dJointID dxContactLog::create(dWorldID world, dJointGroupID group, const dContact *contact) {
+    if (world == nullptr || contact == nullptr) return dxUpstreamJointCreateContact(world, group, contact);
+    dxReserveCapacity(m_operations, m_operations.size() + 2);  // two: its attachment takes no memory then
+    dxJointContact *const joint = construct(group);
+    joint->contact = *contact;
+    joint->world = world;
+    m_operations.push_back({joint, nullptr, nullptr, true});
+    return joint;
+}
+
+// Constructs a joint of no world, without the lock.
+dxJointContact *dxContactLog::construct(dxJointGroup *group) {
+    dxJointContact *joint;
+    if (group == nullptr) {
+        joint = new dxJointContact(&m_constructionWorld);
+    } else {
+        joint = new (takeJointMemory(*group)) dxJointContact(&m_constructionWorld);
+        joint->flags |= dJOINT_INGROUP;
+    }
+    m_constructionWorld.firstjoint = nullptr;
+    m_constructionWorld.nj = 0;
+    joint->world = nullptr;
+    return joint;
+}
+
+// Several are allocated at once, to avoid coherence misses between tasks.
+void *dxContactLog::takeJointMemory(dxJointGroup &group) {
+    constexpr int kJointsPerAllocation = 8;
+    if (m_freeJointsOf != &group) finish();
+    if (m_freeJoints.empty()) {
+        m_freeJoints.reserve(kJointsPerAllocation);
+        const auto lock = lockBriefly(*m_groups);
+        m_freeJointsOf = &group;
+        for (int i = 0; i < kJointsPerAllocation; ++i) m_freeJoints.push_back(group.alloc<JointMemory>(nullptr));
+    }
+    void *const memory = m_freeJoints.back();
+    m_freeJoints.pop_back();
+    return memory;
+}
+
+// Constructs joints of no world in memory that was not used: a group counts its joints, and visits them when it is emptied.
+void dxContactLog::finish() {
+    while (!m_freeJoints.empty()) construct(m_freeJointsOf);
+    m_freeJointsOf = nullptr;
+}
+
+// The joint reads as after upstream's dJointAttach.
+void dxContactLog::attach(dJointID joint, dBodyID body1, dBodyID body2) {
+    m_operations.push_back({joint, body1, body2, false});
+    if (joint == nullptr) return;  // upstream reports it at the commit
+    const bool isReversed = body1 == nullptr;
+    joint->flags = isReversed ? joint->flags | dJOINT_REVERSE : joint->flags & ~dJOINT_REVERSE;
+    joint->node[0].body = isReversed ? body2 : body1;
+    joint->node[1].body = isReversed ? nullptr : body2;
+}
+
+// Joints were written by the task's worker, and bodies by another thread.
+void dxContactLog::prefetch(std::size_t index) const {
+    constexpr std::size_t kJointPrefetchDistance = 16, kBodyPrefetchDistance = 10;  // operations
+    if (index + kJointPrefetchDistance < m_operations.size()) {
+        const Operation &operation = m_operations[index + kJointPrefetchDistance];
+        const auto begin = reinterpret_cast<const char *>(operation.joint);
+        if (operation.isCreation)
+            dxPrefetch::linesForWrite(begin, static_cast<std::size_t>(reinterpret_cast<const char *>(operation.joint->node + 2) - begin));
+    }
+    if (index + kBodyPrefetchDistance >= m_operations.size()) return;
+    const Operation &operation = m_operations[index + kBodyPrefetchDistance];
+    if (operation.body1 != nullptr) dxPrefetch::lineForWrite(&operation.body1->firstjoint);
+    if (operation.body2 != nullptr) dxPrefetch::lineForWrite(&operation.body2->firstjoint);
+}
+
+void dxContactLog::commit(Span span) {
+    for (std::uint32_t i = span.begin; i != span.end; ++i) {
+        prefetch(i);
+        const Operation &operation = m_operations[i];
+        dxJoint *const joint = operation.joint;
+        if (operation.isCreation) {
+            addObjectToList(joint, reinterpret_cast<dObject **>(&joint->world->firstjoint));
+            ++joint->world->nj;
+            joint->node[0].body = joint->node[1].body = nullptr;
+        } else {
+            dxJointAttachment::attach(joint, operation.body1, operation.body2);
+        }
+    }
+}
 
 namespace {
 
@@ -49,9 +176,9 @@ private:
     dxContactLog::Span &m_span;
 };
 
-// What a call needs, kept from call to call.
+// The state of a call; objects are reused from call to call.
 struct Run {
-    dxPairTasks cut;
+    dxPairTasks pairTasks;
     std::vector<std::unique_ptr<dxContactLog>> logs;  // by task
     std::vector<dxContactLog::Span> spans;            // by pair
     std::vector<std::uint32_t> taskOfPair;
@@ -76,10 +203,10 @@ void Run::start(const dxOrderedSpace &space, unsigned workers) {
     failed.store(false, std::memory_order_relaxed);
     threadEnded.store(false, std::memory_order_relaxed);
     thrown = nullptr;
-    cut.cut(*pairs, space.broadphase(), workers * kTasksPerWorker,
+    pairTasks.cut(*pairs, space.broadphase(), workers * kTasksPerWorker,
             dxSettings::instance().callbackPolicy() == dxCallbackPolicy::Independent);
-    while (logs.size() < cut.tasks().size()) logs.push_back(std::make_unique<dxContactLog>());
-    for (std::size_t i = 0; i < cut.tasks().size(); ++i) logs[i]->start(groups);
+    while (logs.size() < pairTasks.tasks().size()) logs.push_back(std::make_unique<dxContactLog>());
+    for (std::size_t i = 0; i < pairTasks.tasks().size(); ++i) logs[i]->start(groups);
     spans.assign(pairs->size(), {});
     taskOfPair.assign(pairs->size(), 0);
 }
@@ -87,9 +214,9 @@ void Run::start(const dxOrderedSpace &space, unsigned workers) {
 void Run::runTask(unsigned task, unsigned worker) {
     dxContactLog &log = *logs[task];
     const dxContactLog::Scope scope(log, worker);
-    const dxPairTasks::Task &range = cut.tasks()[task];
+    const dxPairTasks::Task &range = pairTasks.tasks()[task];
     for (std::uint32_t i = range.begin; i != range.end; ++i) {
-        const std::uint32_t pair = cut.order()[i];
+        const std::uint32_t pair = pairTasks.order()[i];
         taskOfPair[pair] = task;
         dxPerturb(dxSchedulePoint::DeliverPair);
         if (failed.load(std::memory_order_relaxed)) continue;
@@ -104,7 +231,7 @@ void Run::deliver(const dxOrderedPair &pair) {
         dxDeliver(pair, data, callback);
     } catch (...) {
         const std::exception_ptr exception = std::current_exception();
-        if (exception == nullptr) {  // none of C++'s, but the end of a thread, which may not be held up
+        if (exception == nullptr) {  // not one of C++'s, but the end of the thread, which has to go on
             threadEnded.store(true);
             failed.store(true);
             throw;
@@ -129,8 +256,8 @@ struct Commit {
     ~Commit() { run.commit(); }
 };
 
-// A callback has ended the worker that it ran on. As an exception, that is passed on: without workers it would have
-// ended the thread that called dSpaceCollide. The pool is recreated, with as many workers as before.
+// Ends the thread that called dSpaceCollide, because a callback has ended the worker that it ran on: without workers it would have ended this
+// thread. The pool is recreated with as many workers as before.
 [[noreturn]] void endThread() {
     dxWorkers::instance().stop();
     pthread_exit(nullptr);
@@ -138,33 +265,32 @@ struct Commit {
 
 dxProcessObject<dxObjectPool<Run>> idleRuns;
 
-// Of an algorithm that clusters: as many as its heuristics want.
+// Under a clustered algorithm its heuristics may lower the number.
 unsigned workersFor(dxOrderedSpace &space, const dxTaskRunner &runner) {
     const bool mayCluster = dxSettings::instance().algorithm() != dxAlgorithm::Auto && space.broadphase() != nullptr;
     return mayCluster ? space.broadphase()->threads(runner.workers()) : runner.workers();
 }
 
-// Under auto: more than half of the pairs are in one task, as in a heap. One worker would run their callbacks while the
+// Returns whether, under `auto`, more than half of the pairs are in one task, as in a heap. One worker would run their callbacks while the
 // others wait; with the narrow-phase prefetch all have work.
-bool isLopsided(const dxPairTasks &cut, std::size_t pairs) {
+bool isUnbalanced(const dxPairTasks &pairTasks, std::size_t pairs) {
     if (dxSettings::instance().algorithm() != dxAlgorithm::Auto) return false;
-    return std::any_of(cut.tasks().begin(), cut.tasks().end(), [pairs](const dxPairTasks::Task &task) {
+    return std::any_of(pairTasks.tasks().begin(), pairTasks.tasks().end(), [pairs](const dxPairTasks::Task &task) {
         return 2 * std::size_t{task.end - task.begin} > pairs;
     });
 }
 
-// Cuts the pairs into tasks. Returns false if the callbacks should not run concurrently, or there is no memory for
-// that.
+// Cuts the pairs into tasks. Returns false if the callbacks should not run concurrently, or without memory.
 bool start(std::optional<dxPooledObject<Run>> &lease, const dxOrderedSpace &space, unsigned workers) {
     try {
         (*lease.emplace(*idleRuns)).start(space, workers);
     } catch (const std::bad_alloc &) {
         return false;
     }
-    return (*lease)->cut.tasks().size() >= 2 && !isLopsided((*lease)->cut, space.pairs().size());
+    return (*lease)->pairTasks.tasks().size() >= 2 && !isUnbalanced((*lease)->pairTasks, space.pairs().size());
 }
 
-// The part between locking the space and unlocking it.
+// Requires a locked space.
 bool collideLocked(dxOrderedSpace &space, dxTaskRunner &runner, void *data, dNearCallback *callback) {
     if (space.findPairsOnWorkers(runner) != dxPairsFound::Kept) return false;
     const unsigned workers = workersFor(space, runner);
@@ -172,7 +298,7 @@ bool collideLocked(dxOrderedSpace &space, dxTaskRunner &runner, void *data, dNea
     std::optional<dxPooledObject<Run>> lease;
     if (!start(lease, space, workers)) return false;
     Run &run = **lease;
-    const auto tasks = static_cast<unsigned>(run.cut.tasks().size());
+    const auto tasks = static_cast<unsigned>(run.pairTasks.tasks().size());
     run.data = data;
     run.callback = callback;
     dxWorkersRunner workersRunner(workers);

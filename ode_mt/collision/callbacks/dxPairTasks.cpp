@@ -1,32 +1,32 @@
 #include "collision/callbacks/dxPairTasks.h"
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 
-#include "collision/narrowphase/dxHeightField.h"
 #include "collision/narrowphase/dxConcurrentColliders.h"
+#include "collision/narrowphase/dxHeightField.h"
 #include "collision/spaces/dxOrderedSpace.h"
 #include "core/dxNoIndex.h"
 
 namespace {
 
-// Of a pair whose collision may write to it: whether it may write to this geom of the two, or run the user's code for
-// it. The others are only read.
+// Returns whether a collision that may write to its pair may write to this geom, or run the user's code for it.
 bool isWrittenTo(const dxGeom *geom) {
     const int type = geom->type;
     return dxIsHeightField(*geom) || type == dGeomTransformClass || type == dTriMeshClass ||
            type >= dFirstUserClass || dGeomIsSpace(const_cast<dxGeom *>(geom));
 }
 
-// Without looking at data that the program has destroyed.
-class Readers {
+// Finds the pairs that may be collided on any thread, without access to data that the program has destroyed.
+class ConcurrentPairs {
 public:
-    bool mayCollideAnywhere(const dxOrderedPair &pair) {
+    bool has(const dxOrderedPair &pair) {
         return isThere(pair.first) && isThere(pair.second) && dxMayCollideConcurrently(*pair.first, *pair.second);
     }
 
 private:
-    // Most pairs of a terrain follow one another.
+    // Keeps the last answer, because most pairs of a terrain are neighbours in the order.
     bool isThere(const dxGeom *geom) {
         if (!dxIsHeightField(*geom)) return true;
         const dxHeightfieldData *const data = dxHeightsOf(*geom);
@@ -41,18 +41,51 @@ private:
 
 }  // namespace
 
-void dxPairTasks::cut(const std::vector<dxOrderedPair> &pairs, const dxBroadphase *search, unsigned wanted,
-                      bool sharingBodies) {
-    Readers readers;
-    const auto mayBeAnywhere = [&readers](const dxOrderedPair &pair) { return readers.mayCollideAnywhere(pair); };
-    if (sharingBodies && search == nullptr && std::all_of(pairs.begin(), pairs.end(), mayBeAnywhere))
-        cutAnywhere(wanted, static_cast<std::uint32_t>(pairs.size()));
-    else
-        cutBetweenSets(pairs, search, wanted, sharingBodies);
+void dxColliderMemory::reset(Slot end) {
+    m_members.assign(end, 0);
+    m_uses.clear();
 }
 
-// As they come: neighbours in the order of pairs are mostly neighbours in memory.
-void dxPairTasks::cutAnywhere(unsigned wanted, std::uint32_t pairs) {
+void dxColliderMemory::add(const dxGeom *member, Slot slot) {
+    if ((m_members[slot] & kAdded) != 0) return;
+    m_members[slot] |= kAdded;
+    addUses(member, slot);
+}
+
+// Leaves out disabled geoms in nested spaces: they are never collided, and the geoms of their transforms may have been destroyed.
+void dxColliderMemory::addUses(const dxGeom *geom, Slot slot) {
+    if (dxIsHeightField(*geom)) {
+        m_members[slot] |= kHasHeights;
+        m_uses.push_back({dxHeightsOf(*geom), slot});
+    } else if (geom->type == dGeomTransformClass) {
+        const dxGeom *const inner = dGeomTransformGetGeom(const_cast<dxGeom *>(geom));
+        if (inner == nullptr) return;
+        m_uses.push_back({inner, slot});
+        addUses(inner, slot);
+    } else if (IS_SPACE(geom)) {
+        for (const dxGeom *inner = static_cast<const dxSpace *>(geom)->first; inner != nullptr; inner = inner->next)
+            if ((inner->gflags & GEOM_ENABLED) != 0) addUses(inner, slot);
+    }
+}
+
+void dxColliderMemory::sort() {
+    std::sort(m_uses.begin(), m_uses.end(), [](const Use &a, const Use &b) {
+        return a.memory != b.memory ? std::less<const void *>()(a.memory, b.memory) : a.slot < b.slot;
+    });
+}
+
+void dxPairTasks::cut(const std::vector<dxOrderedPair> &pairs, const dxBroadphase *broadphase, unsigned wanted,
+                      bool sharingBodies) {
+    ConcurrentPairs concurrent;
+    const auto isConcurrent = [&concurrent](const dxOrderedPair &pair) { return concurrent.has(pair); };
+    if (sharingBodies && broadphase == nullptr && std::all_of(pairs.begin(), pairs.end(), isConcurrent))
+        cutInOrder(wanted, static_cast<std::uint32_t>(pairs.size()));
+    else
+        cutBetweenSets(pairs, broadphase, wanted, sharingBodies);
+}
+
+// Pairs that are neighbours in the order are mostly neighbours in memory.
+void dxPairTasks::cutInOrder(unsigned wanted, std::uint32_t pairs) {
     m_tasks.clear();
     for (std::uint64_t task = 0; task < wanted; ++task)
         m_tasks.push_back({static_cast<std::uint32_t>(task * pairs / wanted),
@@ -61,7 +94,7 @@ void dxPairTasks::cutAnywhere(unsigned wanted, std::uint32_t pairs) {
     std::iota(m_order.begin(), m_order.end(), std::uint32_t{0});
 }
 
-void dxPairTasks::cutBetweenSets(const std::vector<dxOrderedPair> &pairs, const dxBroadphase *search, unsigned wanted,
+void dxPairTasks::cutBetweenSets(const std::vector<dxOrderedPair> &pairs, const dxBroadphase *broadphase, unsigned wanted,
                                  bool sharingBodies) {
     Slot end = 0;
     for (const dxOrderedPair &pair : pairs) end = std::max({end, pair.slots[0] + 1, pair.slots[1] + 1});
@@ -72,13 +105,13 @@ void dxPairTasks::cutBetweenSets(const std::vector<dxOrderedPair> &pairs, const 
     if (!pairs.empty()) m_space = pairs.front().first->parent_space;
     m_memory.reset(end);
     for (const dxOrderedPair &pair : pairs) {
-        m_memory.look(pair.first, pair.slots[0]);
-        m_memory.look(pair.second, pair.slots[1]);
+        m_memory.add(pair.first, pair.slots[0]);
+        m_memory.add(pair.second, pair.slots[1]);
     }
     m_memory.sort();
-    Readers readers;
+    ConcurrentPairs concurrent;
     for (const dxOrderedPair &pair : pairs)
-        if (!readers.mayCollideAnywhere(pair)) markWritten(pair);
+        if (!concurrent.has(pair)) markWritten(pair);
     if (!sharingBodies)
         for (const dxOrderedPair &pair : pairs) {
             tieBody(pair.first, pair.slots[0]);
@@ -86,25 +119,23 @@ void dxPairTasks::cutBetweenSets(const std::vector<dxOrderedPair> &pairs, const 
         }
     uniteSharedMemory();
     uniteExclusive(pairs);
-    if (search != nullptr) uniteGroups(pairs, *search);
+    if (broadphase != nullptr) uniteGroups(pairs, *broadphase);
     sizeSets(pairs);
-    shareOut(wanted, pairs.size());
+    assignTasks(wanted, pairs.size());
 }
 
-// Upstream's height fields transform the other geom, and its body with it, while they collide it: every geom with a
-// pose.
+// Upstream's height fields transform the other geom, and its body with it, while they collide it, if it has a pose.
 void dxPairTasks::markWritten(const dxOrderedPair &pair) {
     for (int i = 0; i < 2; ++i) {
         const dxGeom *const geom = i == 0 ? pair.first : pair.second;
-        const bool isTurned = m_memory.hasHeights(pair.slots[1 - i]) && (geom->gflags & GEOM_PLACEABLE) != 0;
-        if (isTurned || isWrittenTo(geom)) m_exclusive[pair.slots[i]] = 1;
+        const bool isTransformed = m_memory.hasHeights(pair.slots[1 - i]) && (geom->gflags & GEOM_PLACEABLE) != 0;
+        if (isTransformed || isWrittenTo(geom)) m_exclusive[pair.slots[i]] = 1;
         tieBody(geom, pair.slots[i]);
     }
 }
 
-// All pairs of the geom's body belong together; of a nested space, those of all bodies in it. What a body's geoms have in
-// common is found by its list of them: nothing is written to the body, whose geoms in another space another thread of the
-// user's may be colliding.
+// Unites all pairs of the geom's body; of a nested space, those of all bodies in it. The body's list of geoms is read, and nothing is written
+// to the body: another thread of the user's may be colliding its geoms in another space.
 void dxPairTasks::tieBody(const dxGeom *geom, Slot slot) {
     if (m_isTied[slot]) return;
     if (IS_SPACE(geom)) {
@@ -117,7 +148,7 @@ void dxPairTasks::tieBody(const dxGeom *geom, Slot slot) {
 }
 
 void dxPairTasks::tieNested(const dxGeom *space, Slot slot) {
-    dBodyID done = nullptr;  // most often the geoms of a body are neighbours
+    dBodyID done = nullptr;  // the geoms of a body are mostly neighbours
     for (const dxGeom *geom = static_cast<const dxSpace *>(space)->first; geom != nullptr; geom = geom->next) {
         if (IS_SPACE(geom))
             tieNested(geom, slot);
@@ -126,7 +157,7 @@ void dxPairTasks::tieNested(const dxGeom *space, Slot slot) {
     }
 }
 
-// By the members of the space that its geoms are, or are nested in.
+// Finds the members of the space that are geoms of the body or contain one.
 void dxPairTasks::uniteGeomsOf(dBodyID body, Slot slot) {
     for (const dxGeom *geom = body->geom; geom != nullptr; geom = geom->body_next) {
         const dxGeom *member = geom;
@@ -145,7 +176,7 @@ void dxPairTasks::uniteExclusive(const std::vector<dxOrderedPair> &pairs) {
         if (m_exclusive[pair.slots[0]] && m_exclusive[pair.slots[1]]) m_sets.unite(pair.slots[0], pair.slots[1]);
 }
 
-// Memory that is only read, by colliders that have copies of what they write to, belongs to no task.
+// Memory that is only read, because colliders write to copies, belongs to no task.
 void dxPairTasks::uniteSharedMemory() {
     const std::vector<dxColliderMemory::Use> &uses = m_memory.uses();
     for (std::size_t i = 0, end; i < uses.size(); i = end) {
@@ -159,11 +190,11 @@ void dxPairTasks::uniteSharedMemory() {
     }
 }
 
-void dxPairTasks::uniteGroups(const std::vector<dxOrderedPair> &pairs, const dxBroadphase &search) {
+void dxPairTasks::uniteGroups(const std::vector<dxOrderedPair> &pairs, const dxBroadphase &broadphase) {
     std::vector<std::uint32_t> firstOfGroup;
     for (const dxOrderedPair &pair : pairs)
         for (const Slot slot : pair.slots) {
-            const int group = m_exclusive[slot] ? search.groupOf(slot) : dxBroadphase::kNoGroup;
+            const int group = m_exclusive[slot] ? broadphase.groupOf(slot) : dxBroadphase::kNoGroup;
             if (group == dxBroadphase::kNoGroup) continue;
             const auto index = static_cast<std::size_t>(group);
             if (index >= firstOfGroup.size()) firstOfGroup.resize(index + 1, kNoIndex);
@@ -187,28 +218,27 @@ void dxPairTasks::sizeSets(const std::vector<dxOrderedPair> &pairs) {
     }
 }
 
-// Large sets first, each a task of its own; small ones are combined in order until they are as large as a task should
-// be.
-void dxPairTasks::shareOut(unsigned wanted, std::size_t pairs) {
-    const std::size_t least = pairs / wanted + 1;
+// Each large set becomes a task of its own, the largest first. Small sets are combined in order until they reach the size of a task.
+void dxPairTasks::assignTasks(unsigned wanted, std::size_t pairs) {
+    const std::size_t minSize = pairs / wanted + 1;
     m_taskOfSet.assign(m_exclusive.size(), kNoIndex);
     m_tasks.clear();
     m_largeSets.clear();
     for (const std::uint32_t set : m_usedSets)
-        if (m_sizeOfSet[set] >= least) m_largeSets.push_back(set);
+        if (m_sizeOfSet[set] >= minSize) m_largeSets.push_back(set);
     std::sort(m_largeSets.begin(), m_largeSets.end(),
               [&](std::uint32_t a, std::uint32_t b) { return m_sizeOfSet[a] > m_sizeOfSet[b]; });
     for (const std::uint32_t set : m_largeSets) addToTask(set, true);
-    std::size_t size = least;  // of the last task
+    std::size_t size = minSize;  // of the last task
     for (const std::uint32_t set : m_usedSets) {
-        if (m_sizeOfSet[set] >= least) continue;
-        addToTask(set, size >= least);
+        if (m_sizeOfSet[set] >= minSize) continue;
+        addToTask(set, size >= minSize);
         size = m_tasks.back().end;
     }
     sortIntoTasks(pairs);
 }
 
-// While tasks are combined, their ends hold their sizes.
+// Until sortIntoTasks(), the end of a task holds its size.
 void dxPairTasks::addToTask(std::uint32_t set, bool isFirst) {
     if (isFirst) m_tasks.push_back({0, 0});
     m_taskOfSet[set] = static_cast<std::uint32_t>(m_tasks.size() - 1);

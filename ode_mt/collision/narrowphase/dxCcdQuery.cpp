@@ -4,13 +4,13 @@
 
 namespace {
 
-// Upstream limits the last phase to 500 iterations (ccdCollide in collision_libccd.cpp), libccd does not limit the
-// earlier ones. They take some ten.
+// Upstream limits the last phase to 500 iterations (ccdCollide in collision_libccd.cpp); libccd does not limit the
+// earlier ones, which take about ten.
 constexpr unsigned kMaxCcdIterations = 2000;
 
 __attribute__((tls_model("initial-exec"))) thread_local bool t_isLimited = false;
 
-// Replaces the first object: libccd calls the support function of each object in every iteration.
+// Counts iterations. It replaces the first object: libccd calls the support function of each object in every iteration.
 class Counted {
 public:
     Counted(const void *object, const ccd_t &search) : m_object(object), m_support(search.support1), m_center(search.center1) {}

@@ -4,6 +4,7 @@
 #include <new>
 #include <unordered_set>
 
+#include "collision/pairs/dxUnnoticedChanges.h"
 #include "threading/process/dxFork.h"
 #include "threading/process/dxProcess.h"
 
@@ -35,3 +36,21 @@ bool dxLiveHeightfields::has(const dxHeightfieldData *data) {
     const std::lock_guard<dxForkSafeMutex> lock(living->mutex);
     return living->data.count(data) != 0;
 }
+
+namespace dxTransformedGeom {
+
+thread_local unsigned begun = 0;
+std::atomic<bool> hasEverBegun{false};
+
+void report() {
+    begun = 0;
+    dxMissedNotifications.add();
+}
+
+// Collisions that began later than this one were left by a jump into it, or have been reported.
+void end(unsigned collision) {
+    if (begun != collision) report();
+    if (begun != 0) begun = collision - 1;
+}
+
+}  // namespace dxTransformedGeom

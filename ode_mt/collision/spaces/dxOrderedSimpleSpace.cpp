@@ -2,7 +2,7 @@
 
 #include <new>
 
-#include "collision/narrowphase/dxTransformedGeom.h"
+#include "collision/narrowphase/dxHeightField.h"
 #include "collision/spaces/dxPairDelivery.h"
 
 #include "util.h"

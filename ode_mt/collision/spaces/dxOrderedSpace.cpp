@@ -2,7 +2,7 @@
 
 #include <new>
 
-#include "collision/narrowphase/dxTransformedGeom.h"
+#include "collision/narrowphase/dxHeightField.h"
 #include "threading/timeline/dxTimelineSpan.h"
 
 #include "collision_space_internal.h"

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "collision/broadphase/dxBroadphase.h"
-#include "collision/broadphase/dxBruteForcePairs.h"
+#include "collision/broadphase/dxBruteForce.h"
 #include "collision/broadphase/dxPairKeeping.h"
 #include "collision/broadphase/dxPairRows.h"
 #include "collision/pairs/dxKeptPairs.h"

@@ -6,7 +6,7 @@
 // Highway's order of headers: after foreach_target.h
 #include <hwy/highway.h>
 
-#include "collision/narrowphase/boxes/dxBoxContacts.h"
+#include "collision/narrowphase/boxes/dxBoxBox.h"
 #include "collision/narrowphase/boxes/dxFaceClipping-inl.h"
 #include "collision/narrowphase/boxes/dxSeparatingAxes-inl.h"
 

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-#include "collision/narrowphase/boxes/dxBoxContacts.h"
+#include "collision/narrowphase/boxes/dxBoxBox.h"
 #include "collision/narrowphase/boxes/dxFourLanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();

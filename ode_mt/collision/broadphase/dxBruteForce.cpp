@@ -1,4 +1,4 @@
-#include "collision/broadphase/dxBruteForcePairs.h"
+#include "collision/broadphase/dxBruteForce.h"
 
 #include <algorithm>
 
@@ -6,11 +6,15 @@
 
 namespace {
 
-auto standsBefore(const dxMembers &members) {
+bool arePresent(const dxMembers &members, const dxSlotPair &pair) {
+    return members[pair.a].geom != nullptr && members[pair.b].geom != nullptr;
+}
+
+auto isInFrontOf(const dxMembers &members) {
     return [&members](dxMembers::Slot a, dxMembers::Slot b) { return members[a].rank > members[b].rank; };
 }
 
-auto comesBefore(const dxMembers &members) {
+auto precedes(const dxMembers &members) {
     return [&members](const dxOrderedPair &a, const dxOrderedPair &b) {
         const dxRank rankA = members[a.slots[0]].rank, rankB = members[b.slots[0]].rank;
         return rankA != rankB ? rankA > rankB : members[a.slots[1]].rank > members[b.slots[1]].rank;
@@ -18,6 +22,44 @@ auto comesBefore(const dxMembers &members) {
 }
 
 }  // namespace
+
+void dxBruteForceBroadphase::findOverlaps(const dxMembers &members, dxTaskRunner & /*runner*/, std::vector<Match> &matches) {
+    while (m_boxes.size() < members.end()) m_boxes.push(members[static_cast<Slot>(m_boxes.size())].bounds);
+    for (const Slot slot : members.changed()) m_boxes.set(slot, members[slot].bounds);
+    if (dxHaveMostChanged(members.changed().size(), members.end()))
+        searchAll(members, matches);
+    else
+        findPairsOfChanged(members, matches);
+}
+
+void dxBruteForceBroadphase::adopt(const dxMembers &members) {
+    m_boxes.clear();
+    for (Slot slot = 0; slot < members.end(); ++slot) m_boxes.push(members[slot].bounds);
+}
+
+// Each pair once, of which some may not have changed.
+void dxBruteForceBroadphase::searchAll(const dxMembers &members, std::vector<Match> &matches) {
+    const std::size_t count = dxOverlappingPairs(m_boxes, m_boxes.size(), m_found);
+    for (std::size_t i = 0; i < count; ++i) {
+        const dxSlotPair &pair = m_found[i];
+        const bool isNew = members.isChanged(pair.a) || members.isChanged(pair.b);
+        if (isNew && arePresent(members, pair)) matches.push_back(pair);
+    }
+}
+
+// Pairs of two that have changed are found from either: that of the lower slot counts.
+void dxBruteForceBroadphase::findPairsOfChanged(const dxMembers &members, std::vector<Match> &matches) {
+    m_rows.resize(m_boxes.size());
+    for (const Slot slot : members.changed()) {
+        if (members[slot].geom == nullptr) continue;
+        const std::size_t count = dxOverlappingRows(m_boxes, members[slot].bounds, 0, m_boxes.size(), m_rows.data());
+        for (std::size_t i = 0; i < count; ++i) {
+            const Slot other = m_rows[i];
+            const bool isFoundFromOther = members.isChanged(other) && other <= slot;
+            if (!isFoundFromOther && arePresent(members, {slot, other})) matches.push_back({slot, other});
+        }
+    }
+}
 
 std::size_t dxBruteForcePairs::update(const dxMembers &members, std::vector<dxOrderedPair> &pairs) {
     const bool stayInPlace = m_orderings == members.orderings();
@@ -42,13 +84,13 @@ std::size_t dxBruteForcePairs::update(const dxMembers &members, std::vector<dxOr
         keepUnchanged(members, pairs, m_kept);
         overlaps = findAround(members);
         pairs.resize(m_found.size() + m_kept.size());
-        std::merge(m_found.begin(), m_found.end(), m_kept.begin(), m_kept.end(), pairs.begin(), comesBefore(members));
+        std::merge(m_found.begin(), m_found.end(), m_kept.begin(), m_kept.end(), pairs.begin(), precedes(members));
     }
     return overlaps;
 }
 
 void dxBruteForcePairs::keepUnchanged(const dxMembers &members, const std::vector<dxOrderedPair> &pairs,
-                                 std::vector<dxOrderedPair> &kept) const {
+                                      std::vector<dxOrderedPair> &kept) const {
     for (const dxOrderedPair &pair : pairs)
         if (!members.isChanged(pair.slots[0]) && !members.isChanged(pair.slots[1])) kept.push_back(pair);
 }
@@ -57,20 +99,21 @@ void dxBruteForcePairs::gatherChanged(const dxMembers &members) {
     m_changed.clear();
     for (const Slot slot : members.changed())
         if (members[slot].geom != nullptr) m_changed.push_back(slot);
-    if (!std::is_sorted(m_changed.begin(), m_changed.end(), standsBefore(members)))
-        std::sort(m_changed.begin(), m_changed.end(), standsBefore(members));
+    if (!std::is_sorted(m_changed.begin(), m_changed.end(), isInFrontOf(members)))
+        std::sort(m_changed.begin(), m_changed.end(), isInFrontOf(members));
 }
 
-// Where those that have changed are those that stood in front, as robots do among things that rest, nothing else moves.
+// Reorders only the front, where the members that have changed are those that were in front, as robots are among objects at rest. Returns false if
+// they are not.
 bool dxBruteForcePairs::reorderFront(const dxMembers &members) {
     const std::size_t count = m_changed.size();
-    const auto stoodInFront = [&](Slot slot) {
+    const auto wasInFront = [&](Slot slot) {
         return slot < m_rowOf.size() && m_rowOf[slot] < count && m_order[m_rowOf[slot]] == slot;
     };
-    const bool hasAnyGone = members.changed().size() != count;
-    if (hasAnyGone || count == 0 || count > m_order.size()) return false;
-    if (!std::all_of(m_changed.begin(), m_changed.end(), stoodInFront)) return false;
-    if (count < m_order.size() && !standsBefore(members)(m_changed.back(), m_order[count])) return false;
+    const bool isAnyRemoved = members.changed().size() != count;
+    if (isAnyRemoved || count == 0 || count > m_order.size()) return false;
+    if (!std::all_of(m_changed.begin(), m_changed.end(), wasInFront)) return false;
+    if (count < m_order.size() && !isInFrontOf(members)(m_changed.back(), m_order[count])) return false;
     for (std::uint32_t row = 0; row < count; ++row) {
         m_order[row] = m_changed[row];
         m_rowOf[m_changed[row]] = row;
@@ -80,7 +123,7 @@ bool dxBruteForcePairs::reorderFront(const dxMembers &members) {
 }
 
 void dxBruteForcePairs::reorder(const dxMembers &members) {
-    const auto isBefore = standsBefore(members);
+    const auto isBefore = isInFrontOf(members);
     m_nextOrder.clear();
     m_nextBoxes.clear();
     auto changed = m_changed.cbegin();
@@ -103,7 +146,7 @@ void dxBruteForcePairs::reorder(const dxMembers &members) {
     std::swap(m_boxes, m_nextBoxes);
 }
 
-// Slots without a member have no row.
+// Leaves out slots without a member: they have no row.
 void dxBruteForcePairs::setBoxes(const dxMembers &members) {
     for (const Slot slot : members.changed())
         if (members.isPresent(slot)) m_boxes.set(m_rowOf[slot], members[slot].bounds);
@@ -128,8 +171,8 @@ std::size_t dxBruteForcePairs::findAround(const dxMembers &members) {
         const std::size_t count = dxOverlappingRows(m_boxes, members[m_order[row]].bounds, 0, m_boxes.size(), m_rows.data());
         for (std::size_t i = 0; i < count; ++i) {
             const std::uint32_t other = m_rows[i];
-            const bool isFoundFromThere = other <= row && members.isChanged(m_order[other]);
-            if (!isFoundFromThere)
+            const bool isFoundFromOther = other <= row && members.isChanged(m_order[other]);
+            if (!isFoundFromOther)
                 m_around.push_back(static_cast<std::uint64_t>(std::min(row, other)) << 32 | std::max(row, other));
         }
     }

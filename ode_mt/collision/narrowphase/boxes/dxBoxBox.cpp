@@ -1,4 +1,4 @@
-#include "collision/narrowphase/dxBoxBox.h"
+#include "collision/narrowphase/boxes/dxBoxBox.h"
 
 #include <algorithm>
 
@@ -11,7 +11,7 @@
 #include "collision_std.h"
 #include "collision_util.h"
 
-// Upstream's: chooses `chosen` of the points of a polygon, of which `first` is one. The points are x, y.
+// Upstream's function: chooses `chosen` of the points of a polygon, of which `first` is one. The points are x, y.
 void cullPoints(int count, dReal *points, int chosen, int first, int *indices);
 
 namespace {
@@ -29,7 +29,7 @@ void writePoint(const dxBoxContacts &found, int point, dContactGeom &contact) {
     contact.depth = found.depths[point];
 }
 
-// There are more points than the program wants: the deepest one comes first.
+// Writes as many points as the program wants, of more; the deepest one comes first.
 void writeChosen(const dxBoxContacts &found, int wanted, dContactGeom *contacts, int skip) {
     dReal onFace[2 * dxBoxContacts::kMax];
     for (int i = 0; i < 2 * found.count; ++i) onFace[i] = found.onFace[i % 2][i / 2];
@@ -62,7 +62,7 @@ int dxBoxBox(const dxBoxPair &boxes, dReal *normal, dReal &depth, int &code, int
     return writePoints(found, flags, contacts, skip);
 }
 
-// Called instead of upstream's (ode/seams.cmake), which also reports what its assertions find.
+// Replaces upstream's dCollideBoxBox (ode/seams.cmake), which still answers where the kernel does not, or where one of its assertions may fail.
 int dxCollideBoxBox(dxGeom *o1, dxGeom *o2, int flags, dContactGeom *contacts, int skip) {
     const auto upstream = [=] { return dCollideBoxBox(o1, o2, flags, contacts, skip); };
     dxBoxContacts found;

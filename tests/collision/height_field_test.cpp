@@ -4,7 +4,7 @@
 #include <csetjmp>
 #include <stdexcept>
 
-#include "collision/narrowphase/dxTransformedGeom.h"
+#include "collision/narrowphase/dxHeightField.h"
 #include "collision/pairs/dxUnnoticedChanges.h"
 
 namespace {
@@ -18,7 +18,7 @@ private:
     std::uint64_t m_before = dxMissedNotifications.count();
 };
 
-TEST(TurnedGeom, OneThatIsTurnedBackIsNotToldOf) {
+TEST(TransformedGeom, IsNotReportedOnceRestored) {
     const Missed missed;
     for (int i = 0; i < 3; ++i) {
         EXPECT_EQ(dxTransformedGeom::whileTransformed([] { return 7; }), 7);
@@ -27,14 +27,14 @@ TEST(TurnedGeom, OneThatIsTurnedBackIsNotToldOf) {
     EXPECT_EQ(missed.count(), 0u);
 }
 
-TEST(TurnedGeom, NorOneWithinAnother) {
+TEST(TransformedGeom, IsNotReportedOnceRestoredWithinAnotherCollision) {
     const Missed missed;
     dxTransformedGeom::whileTransformed([] { return dxTransformedGeom::whileTransformed([] { return 0; }); });
     dxTransformedGeom::noticeLeft();
     EXPECT_EQ(missed.count(), 0u);
 }
 
-TEST(TurnedGeom, AnExceptionIsToldOfOnce) {
+TEST(TransformedGeom, AnExceptionIsReportedOnce) {
     const Missed missed;
     EXPECT_THROW(dxTransformedGeom::whileTransformed([]() -> int { throw std::runtime_error("heights"); }), std::runtime_error);
     EXPECT_EQ(missed.count(), 1u);
@@ -42,7 +42,7 @@ TEST(TurnedGeom, AnExceptionIsToldOfOnce) {
     EXPECT_EQ(missed.count(), 1u);
 }
 
-TEST(TurnedGeom, AJumpIsToldOfByTheNextWhoUsesASpace) {
+TEST(TransformedGeom, AJumpIsReportedByTheNextUseOfASpace) {
     const Missed missed;
     static std::jmp_buf outside;
     if (setjmp(outside) == 0) dxTransformedGeom::whileTransformed([]() -> int { std::longjmp(outside, 1); });
@@ -52,7 +52,7 @@ TEST(TurnedGeom, AJumpIsToldOfByTheNextWhoUsesASpace) {
     EXPECT_EQ(missed.count(), 1u);
 }
 
-TEST(TurnedGeom, AJumpWithinAnotherIsToldOfAtItsEnd) {
+TEST(TransformedGeom, AJumpWithinAnotherCollisionIsReportedAtItsEnd) {
     const Missed missed;
     static std::jmp_buf outside;
     dxTransformedGeom::whileTransformed([] {
@@ -64,8 +64,8 @@ TEST(TurnedGeom, AJumpWithinAnotherIsToldOfAtItsEnd) {
     EXPECT_EQ(missed.count(), 1u);
 }
 
-// A function for heights that uses a space: the geom is turned still, and turned back later.
-TEST(TurnedGeom, OneThatASpaceIsUsedInIsToldOfThenAndAtItsEnd) {
+// The height function uses a space while the geom is transformed; the geom is restored later.
+TEST(TransformedGeom, IsReportedWhenASpaceIsUsedAndAtTheEnd) {
     const Missed missed;
     dxTransformedGeom::whileTransformed([&] {
         dxTransformedGeom::noticeLeft();

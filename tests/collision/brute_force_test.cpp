@@ -1,17 +1,34 @@
-// dxBruteForcePairs: the pairs of a small space, in the order of ranks, kept up to date, against brute force.
+// What dxBruteForceBroadphase does beyond every broad phase (broadphase_test.cpp), and dxBruteForcePairs: the pairs of a small space, in the order
+// of ranks, kept up to date, against a plain comparison of every two boxes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <utility>
 #include <vector>
 
+#include "BroadphaseMembers.h"
 #include "OdeSession.h"
 #include "RandomBoxes.h"
-#include "collision/broadphase/dxBruteForcePairs.h"
+#include "collision/broadphase/dxBruteForce.h"
 
 namespace {
 
 using Slot = dxMembers::Slot;
+
+TEST(BruteForceBroadphase, AdoptsMembersThatRest) {
+    RandomBoxes random(9);
+    BroadphaseMembers crowd;
+    dxBruteForceBroadphase first, second;
+    for (int i = 0; i < 70; ++i) crowd.add(cubeAt(random.uniform(-3, 3), random.uniform(-3, 3), 0));
+    crowd.remove(20);
+    const auto expectedFirst = crowd.expected();
+    ASSERT_EQ(crowd.found(first), expectedFirst);
+    second.adopt(crowd.members());
+    crowd.move(5, cubeAt(0, 0, 0));
+    const auto expected = crowd.expected();
+    EXPECT_GT(expected.size(), 2u);
+    EXPECT_EQ(crowd.found(second), expected);
+}
 
 class BruteForcePairs : public testing::Test {
 protected:
@@ -119,7 +136,7 @@ TEST_F(BruteForcePairs, AreThoseOfBruteForceInOrder) {
 }
 
 // Models robots among resting objects: those in front exchange their places, and occasionally another one moves.
-TEST_F(BruteForcePairs, WhoStandInFrontMoveOn) {
+TEST_F(BruteForcePairs, MembersInFrontExchangePlaces) {
     for (int i = 0; i < 40; ++i) add();
     std::vector<Slot> robots = {3, 17, 21, 30, 31};
     for (int frame = 0; frame < 600; ++frame) {
@@ -132,8 +149,8 @@ TEST_F(BruteForcePairs, WhoStandInFrontMoveOn) {
     }
 }
 
-// A space that begins to keep its pairs again: slots of those that are gone count as changed, and no rank has changed.
-TEST_F(BruteForcePairs, AreFoundAgainAmongTheSlotsOfThoseThatAreGone) {
+// A space that begins to keep its pairs again: free slots count as changed, and no rank has changed.
+TEST_F(BruteForcePairs, AreFoundAmongFreeSlots) {
     for (int i = 0; i < 40; ++i) add();
     for (int frame = 0; frame < 20; ++frame) {
         remove(static_cast<Slot>(2 * frame));
@@ -144,7 +161,7 @@ TEST_F(BruteForcePairs, AreFoundAgainAmongTheSlotsOfThoseThatAreGone) {
     }
 }
 
-TEST_F(BruteForcePairs, NothingIsLeftWhenAllHaveGone) {
+TEST_F(BruteForcePairs, AreNoneOnceAllMembersAreRemoved) {
     for (int i = 0; i < 20; ++i) add();
     update();
     for (Slot slot = 0; slot < members.end(); ++slot) remove(slot);

@@ -1,4 +1,5 @@
-// The furthest point of a convex geom: the first of those that lie furthest, as a plain loop finds it.
+// The support function of convex geoms returns the first of the furthest points, as a plain loop finds it. libccd's queries answer the same with a
+// limit, and end at it.
 #include <gtest/gtest.h>
 
 #include <ode/ode.h>
@@ -9,7 +10,8 @@
 #include <random>
 #include <vector>
 
-#include "collision/narrowphase/dxConvexSupport.h"
+#include "collision/narrowphase/dxCcdQuery.h"
+#include "threading/dxUpstreamInterrupted.h"
 
 namespace {
 
@@ -86,6 +88,63 @@ TEST_F(ConvexSupport, StaysWhereNoPointHasADistance) {
     const ccd_vec3_t expected = placed(convex, support);
     dxSupportConvex(convex, direction, support);
     for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(support.v[axis], expected.v[axis]);
+}
+
+struct Ball {
+    ccd_vec3_t centre;
+    mutable ccd_real_t radius;
+    ccd_real_t growth;  // at each call of its support function
+};
+
+void supportBall(const void *object, const ccd_vec3_t *direction, ccd_vec3_t *point) {
+    const Ball &ball = *static_cast<const Ball *>(object);
+    *point = *direction;
+    ccdVec3Normalize(point);
+    ccdVec3Scale(point, ball.radius);
+    ccdVec3Add(point, &ball.centre);
+    ball.radius += ball.growth;
+}
+
+void centreOfBall(const void *object, ccd_vec3_t *centre) { *centre = static_cast<const Ball *>(object)->centre; }
+
+class CcdQuery : public testing::Test {
+protected:
+    CcdQuery() {
+        CCD_INIT(&search);
+        search.support1 = search.support2 = supportBall;
+        search.center1 = search.center2 = centreOfBall;
+        search.mpr_tolerance = 1e-6;
+    }
+    Ball fixed{{{0, 0, 0}}, 1, 0}, near{{{1.5, 0.25, 0}}, 1, 0}, far{{{2.5, 0, 0}}, 1, 0}, growing{{{0.5, 0.25, 0.125}}, 1, 1};
+    ccd_t search;
+};
+
+TEST_F(CcdQuery, AnswersTheSameWithALimit) {
+    const dxCcdQuery::Limit limit;
+    EXPECT_EQ(dxCcdQuery::intersect(&fixed, &near, &search), 1);
+    EXPECT_EQ(dxCcdQuery::intersect(&fixed, &far, &search), 0);
+    ccd_real_t depth = 0, expectedDepth = 0;
+    ccd_vec3_t direction, position, expectedDirection, expectedPosition;
+    ASSERT_EQ(dxCcdQuery::penetration(&fixed, &near, &search, &depth, &direction, &position), 0);
+    ASSERT_EQ(ccdMPRPenetration(&fixed, &near, &search, &expectedDepth, &expectedDirection, &expectedPosition), 0);
+    EXPECT_EQ(depth, expectedDepth);
+    EXPECT_TRUE(ccdVec3Eq(&direction, &expectedDirection));
+    EXPECT_TRUE(ccdVec3Eq(&position, &expectedPosition));
+}
+
+// A shape that grows is never reached within the tolerance.
+TEST_F(CcdQuery, EndsAtTheLimit) {
+    ccd_real_t depth;
+    ccd_vec3_t direction, position;
+    {
+        const dxCcdQuery::Limit limit;
+        EXPECT_THROW(dxCcdQuery::penetration(&growing, &fixed, &search, &depth, &direction, &position), dxUpstreamInterrupted);
+    }
+    const ccd_real_t atLimit = growing.radius;
+    growing.radius = 1;
+    search.max_iterations = 3 * static_cast<unsigned long>(atLimit);
+    dxCcdQuery::penetration(&growing, &fixed, &search, &depth, &direction, &position);
+    EXPECT_GT(growing.radius, atLimit) << "without a limit the iteration goes on";
 }
 
 }  // namespace
