@@ -12,7 +12,7 @@ namespace {
 // Counting the inhabitants outside the grid visits all dynamic ones.
 constexpr unsigned kSearchesBetweenLooks = 16;
 
-// After a gap that did not last until the next search, so many checks at most do without measuring one.
+// Maximum number of checks that measure no gap, after a gap that did not last until the next search.
 constexpr unsigned kMaxBlindChecks = 31;
 
 constexpr dxMotionBound kRest{0, 0, 1, 0};
@@ -115,7 +115,7 @@ void dxClusterBroadphase::tune(double ns, unsigned threads) {
 
 void dxClusterBroadphase::tuneCells(double ns) {
     if (dxSettings::instance().gridCells() != 0) return;
-    const bool climbs = m_cellSize->phase() == dxCellSizeHeuristic::Phase::Climb;  // only then are they asked for
+    const bool climbs = m_cellSize->phase() == dxCellSizeHeuristic::Phase::Climb;  // which alone needs them
     const auto entities = static_cast<unsigned>(climbs ? m_clusters.entities() : 0);
     m_cellSize->observe({ns, static_cast<unsigned>(m_clusters.clusters().dynamicCount()), entities});
 }
@@ -127,7 +127,7 @@ void dxClusterBroadphase::observeCentre(double ns) {
 }
 
 void dxClusterBroadphase::placeCentre() {
-    if (!m_gridCentre->wantsMedian()) return;
+    if (!m_gridCentre->wantsCentre()) return;
     const dxClusterGrid &grid = m_clusters.scene().grid();
     const dxGridCentreHeuristic::Point fitted = pointOf(dxFitGrid(m_clusters.scene(), grid.cells()).centre());
     if (m_gridCentre->offer(fitted, static_cast<double>(grid.edge())) && fitted != pointOf(grid.centre()))

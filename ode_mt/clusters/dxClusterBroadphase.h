@@ -1,9 +1,9 @@
 // Clusters with the heuristics that tune them: the broad phase of a space under a clustered algorithm.
 //
-// Before each search the check frequencies say whether clusters have to be looked at again; after it the others
-// see what it took and how many clusters there are, and set the parameters of the next one (thesis chapter 10).
+// Before each search the check frequencies decide whether clusters have to be checked again; after it the other heuristics
+// observe its time and the number of clusters, and set the parameters of the next one (thesis chapter 10).
 // They change speed, never results: docs/clusters.md.
-// One thread at a time, as the space.
+// Threading: one thread at a time, as the space.
 #pragma once
 
 #include <memory>
@@ -24,13 +24,14 @@ public:
     int groupOf(dxMembers::Slot slot) const override { return m_clusters.groupOf(slot); }
     unsigned threads(unsigned limit) const override;
 
-    // A frame in which nothing has changed has no search.
+    // Requires a call at each frame: a frame in which nothing has changed has no search.
     void beginFrame() { m_clusters.beginFrame(); }
 
     const dxClusteredWorldAndSpace &clusters() const { return m_clusters; }
 
+    // Return the number of searches, and of those that checked clusters again.
     unsigned searches() const { return m_searches; }
-    unsigned checks() const { return m_checks; }  // searches that looked at clusters again
+    unsigned checks() const { return m_checks; }
 
 private:
     void alertCallback(const dxHeuristic &heuristic, const dxHeuristicAlert &alert) override;
@@ -52,9 +53,9 @@ private:
     unsigned m_choice;  // of heuristics, in force
 
     unsigned m_searches = 0, m_checks = 0;
-    unsigned m_checkedAt = 0;     // search
-    double m_travel = 0;          // since the last check, as of the last search
-    unsigned m_blindChecks = 0;   // checks to come that measure no gap
-    unsigned m_blindInARow = 0;   // how many the last gap that did not last led to
-    double m_shareOutside = 0;    // as of the last time it was looked at
+    unsigned m_checkedAt = 0;    // number of the search with the last check
+    double m_travel = 0;         // from the last check to the last search
+    unsigned m_blindChecks = 0;  // number of checks to come that measure no gap
+    unsigned m_blindInARow = 0;  // its value after the last gap that did not last
+    double m_shareOutside = 0;   // when it was last counted
 };

@@ -11,7 +11,7 @@ using Slot = dxMembers::Slot;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-// Not above the exact difference, if that is positive.
+// Returns a difference that is not above the exact one, if that is positive.
 double difference(dReal high, dReal low) {
     const double rounded = static_cast<double>(high) - static_cast<double>(low);
     return std::nextafter(rounded, 0.0);
@@ -31,7 +31,7 @@ dxBounds boxAround(const std::vector<Slot> &members, const dxClusterScene &scene
     return box;
 }
 
-// How far a bound may move, either way, without leaving its cell. The border cells have no end outwards.
+// Returns how far a bound may move, either way, without leaving its cell. Border cells are unlimited outwards.
 double distanceToCellFace(dReal bound, int axis, const dxClusterGrid &grid) {
     const dReal corner = grid.centre()[axis] - grid.edge() * dReal(grid.cells()) / 2;
     const dReal cell = (bound - corner) / grid.edge();
@@ -76,8 +76,8 @@ void dxClusterGap::gather(const dxClusterScene &scene, const dxClusters &cluster
     m_rows.resize(m_boxes.size());
 }
 
-// Among boxes not found within `reach`, rounding of the grown box hides none that is nearer than half of it:
-// where it could, the numbers are so large that their neighbours are further apart than that.
+// The boxes that are not found within `reach` are further away than half of it. Rounding of the grown box cannot hide a nearer one:
+// where it could, the numbers are so large that adjacent ones are further apart than that.
 double dxClusterGap::gapOf(int cluster, const dxClusters &clusters, double reach) {
     const dxBounds around = m_boxes[cluster].grown(dReal(reach));
     const std::size_t found = dxOverlappingRows(m_table, around, 0, m_table.size(), m_rows.data());

@@ -1,8 +1,10 @@
 // The motion after which unchanged clusters could miss a pair: the bound that allows crossovers to be skipped
 // (dxCheckFrequencyHeuristic; thesis 10.1, crossover and declustering frequencies).
 //
-// Distances are those of boxes: two boxes are g apart if on some axis g lies between them; they cannot overlap
-// before their bounds have moved by g together. Gaps are never too large. Metres. Not thread safe.
+// Distances are those of boxes: two boxes have the gap g if on some axis there is g between them; they cannot overlap
+// before their bounds together have moved by g. Gaps are never overestimated.
+//
+// Units: metres. Threading: not thread-safe.
 #pragma once
 
 #include <vector>
@@ -14,9 +16,9 @@
 
 class dxClusterGap {
 public:
-    // The smallest gap between a dynamic cluster and something with which it is not tested; at most about a
-    // cell, as nothing is looked for further away; infinite if every cluster is tested with everything. 0 also
-    // means: not known, as the box around a cluster is measured, not its members.
+    // Returns the smallest gap between a dynamic cluster and an inhabitant or cluster with which it is not tested; at most about the edge of a
+    // cell, since only boxes within that reach are examined; infinite if every cluster is tested with everything. 0 may also
+    // mean that the gap is not known, because the box around a cluster is measured, not its members.
     double toOthers(const dxClusterScene &scene, const dxClusters &clusters, const dxCrossoverPass &pass);
 
 private:
@@ -32,7 +34,7 @@ private:
     std::vector<std::uint32_t> m_rows;
 };
 
-// How far a member has to move before a cluster that could be cut in two occupies other cells; infinite if no
-// cluster could be.
+// Returns twice the distance that a member has to move before a cluster that could be split occupies other cells; infinite if no
+// cluster could be split. It is compared with twice the travel, as a gap is.
 double dxGapBeforeCut(const dxClusterScene &scene, const dxClusters &clusters,
                       const std::vector<dxCrossoverPass::Link> &links);

@@ -28,7 +28,7 @@ public:
     static constexpr int kMinCells = dxSettings::kMinGridCells, kMaxCells = dxSettings::kMaxGridCells;  // an axis
 
     dxClusterGrid() = default;
-    // `cells` an axis; `edge` of a cell, above 0.
+    // `cells` on each axis; `edge` of a cell, above 0.
     dxClusterGrid(int cells, dReal edge, const dReal centre[3]);
 
     int cells() const { return m_cells; }
@@ -36,8 +36,7 @@ public:
     dReal edge() const { return m_edge; }
     const dReal *centre() const { return m_centre; }
 
-    // All cells on an axis on which a bound is NaN or low exceeds high, as such a box overlaps everything or is
-    // compared with care.
+    // Returns the cells that a box covers: all cells of an axis on which a bound is NaN, which overlaps everything, or min > max.
     dxCellRange cellsOf(const dxBounds &box) const;
     // Returns whether the box extends beyond the grid on some side.
     bool isLeftBy(const dxBounds &box) const;

@@ -8,7 +8,7 @@
 
 namespace {
 
-// A space has no other broad phase that was set than the one of prepare().
+// No function but prepare() sets the broad phase of a space.
 dxClusterBroadphase *broadphaseOf(dxSpace *space) {
     dxOrderedSpace *const ordered = dxOrderedSpace::from(space);
     return ordered != nullptr ? static_cast<dxClusterBroadphase *>(ordered->broadphase()) : nullptr;

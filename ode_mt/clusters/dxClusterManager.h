@@ -1,8 +1,8 @@
-// Which spaces have clusters: those that collide while a cluster algorithm is in force. The name is the thesis's, whose
+// Gives spaces their clusters: those that collide while a clustered algorithm is in force. The name is the thesis's, whose
 // manager owned a hidden world and space for each cluster; this one owns nothing.
 //
 // The clusters of a world and space belong to the space (dxClusterBroadphase is its broad phase), so
-// they are found through it in O(1), there are as many as there are spaces, and they go with it.
+// they are found through it in O(1) and are destroyed with it.
 #pragma once
 
 #include <ode/ode.h>
@@ -11,10 +11,10 @@ class dxClusteredWorldAndSpace;
 
 class dxClusterManager {
 public:
-    // Before a space collides: gives it clusters under the pass of that name, or takes them away, if it is
-    // NULL. A locked space keeps what it has.
+    // Requires a call before a space collides. Gives it clusters under the pass of that name, or removes them if the name is
+    // NULL. A locked space keeps those that it has.
     static void prepare(dSpaceID space, const char *passName);
 
-    // NULL: the space has no clusters.
+    // Returns NULL if the space has no clusters.
     static const dxClusteredWorldAndSpace *find(dSpaceID space);
 };

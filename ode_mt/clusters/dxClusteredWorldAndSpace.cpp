@@ -14,7 +14,7 @@ constexpr int kChecksBetweenFits = 16;
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-// Cells an axis until somebody says otherwise: thesis 10.2 begins with the fewest.
+// Number of cells on each axis before setCells(): thesis 10.2 begins with the minimum.
 constexpr int kFirstCells = dxClusterGrid::kMinCells;
 
 }  // namespace
@@ -55,7 +55,7 @@ bool dxClusteredWorldAndSpace::isAnother(Slot slot, const dxMembers &members) co
 double dxClusteredWorldAndSpace::travelOf(Slot slot, const dxMembers &members) const {
     const dxGeom *const geom = members[slot].geom;
     const bool known = slot < m_scene.end() && m_scene[slot].kind != Kind::none;
-    if (geom == nullptr && !known) return 0;  // came and went
+    if (geom == nullptr && !known) return 0;  // added and removed since
     if (geom == nullptr || !known || m_scene[slot].kind != dxKindOf(geom) || isAnother(slot, members)) return kInfinite;
     double furthest = 0;
     for (int bound = 0; bound < 6; ++bound) {
@@ -165,7 +165,7 @@ void dxClusteredWorldAndSpace::findPairsInCluster(int number, const dxMembers &m
     for (std::size_t i = 0; i < count; ++i) matches.push_back({m_listed[m_together[i].a], m_listed[m_together[i].b]});
 }
 
-// A static or a big member that changed: in no cluster of what moves, so it is compared with everything, except
+// A static or big member that changed is in no dynamic cluster, so it is compared with everything, except
 // with changed members of clusters, which have found it.
 void dxClusteredWorldAndSpace::findPairsWithAll(Slot slot, const dxMembers &members,
                                              std::vector<Match> &matches) const {

@@ -4,9 +4,9 @@
 // A space owns it through its broad phase (dxClusterBroadphase), which tunes it; alone it is a broad phase without heuristics. Clusters are index
 // sets over the space's members; the space and the world stay the user's own.
 //
-// A search costs the changed members, the crossover pass if one of them changed its cells, and the clusters
-// in which something changed. Static geoms that rest cost nothing but where a pass says so. dxClusterBroadphase,
-// which knows that a check can be left out, calls the parts of a search instead.
+// The cost of a search is that of the changed members, of the crossover pass if one of them changed its cells, and of the clusters
+// in which a member changed. Static geoms at rest cost nothing, except under passes that list them. dxClusterBroadphase,
+// which knows when a check can be skipped, calls the parts of a search instead.
 // Threading: one thread at a time, as the space.
 #pragma once
 
@@ -34,21 +34,21 @@ public:
     void findOverlaps(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
     int groupOf(Slot slot) const override;  // the task of its cluster
 
-    // Forgets what happened to clusters in the frame before.
+    // Forgets the changes of clusters in the frame before.
     void beginFrame() { m_history.rest(); }
 
-    // The parts of a search, in this order; check() may be left out while nothing has come further than the gap
+    // The parts of a search, in this order; check() may be skipped while no member has moved further than the gap
     // allows. Clusters, and everything else below, are then those of the last check.
     //
-    // Notes what has changed. How far a bound of a member has moved since the last check, at most; infinite if
-    // something else happened: a member came, went, or changed its kind; a joint or a body of theirs did.
+    // Notes what has changed. Returns the largest distance that a bound of a member has moved since the last check; infinite if
+    // a member was added, was removed or changed its kind, or if a joint or a body of theirs changed.
     double travel(const dxMembers &members);
     void check(const dxMembers &members);
     void findPairs(const dxMembers &members, std::vector<Match> &matches);
 
-    // Of the last check: no pair is missed while twice the travel is less than this.
+    // Returns the gap at the last check: no pair is missed while twice the travel is less than this.
     double gapToOthers() { return m_gap.toOthers(m_scene, m_clusters, *m_pass); }
-    // No cluster could be split before twice the travel is this, under a pass that splits.
+    // Returns the gap of a pass that splits: no cluster can be split before twice the travel reaches it.
     double gapBeforeCut() const { return dxGapBeforeCut(m_scene, m_clusters, m_links.all()); }
 
     const char *passName() const { return m_pass->name(); }
@@ -57,21 +57,21 @@ public:
     const dxClusters &clusters() const { return m_clusters; }
     const dxClusterHistory &history() const { return m_history; }
 
-    // Whether the slot's inhabitant is the one that it had at the last check.
+    // Returns whether the slot's inhabitant is the one that it had at the last check.
     bool knows(Slot slot, const dxMembers &members) const { return !isAnother(slot, members); }
 
-    // As of the last check: what the slot holds is compared with what moves in that cluster of dynamic inhabitants.
+    // Returns whether, by the last check, the slot's inhabitant is tested with the changed members of that dynamic cluster.
     bool isTestedWith(Slot slot, int cluster) const;
 
-    // Cells an axis, at the next check.
+    // Sets the number of cells on each axis from the next check on.
     void setCells(int cells) { m_wantedCells = cells; }
-    // The grid is placed anew at the next check.
+    // Lets the next check place the grid anew.
     void placeGrid() { m_isMisplaced = true; }
-    // Whether, from now on, it is also placed anew once it is outgrown. True at first.
+    // Sets whether the grid is also placed anew when it is outgrown; true at first.
     void setWatchesGrid(bool watches) { m_watchesGrid = watches; }
-    // The next check places it anew.
+    // Returns whether the next check places the grid anew.
     bool wantsGrid() const { return m_isMisplaced || m_wantedCells != m_scene.grid().cells(); }
-    // Sets of dynamic geoms that belong together: as many as there could be clusters, were the cells small
+    // Returns the number of sets of dynamic geoms that belong together: as many as there would be clusters if the cells were small
     // enough (the "entities" of thesis 10.2).
     int entities() const;
 
@@ -95,7 +95,7 @@ private:
     dxInhabitantLinks m_links;
     dxClusterGap m_gap;
     std::vector<Slot> m_apart;  // tested with every cluster
-    std::vector<std::uint64_t> m_arrivals;  // by slot: of who was in it at the last check
+    std::vector<std::uint64_t> m_arrivals;  // by slot: of the member that was in it at the last check
 
     // Since the last check.
     std::vector<Slot> m_noted;           // members that changed
@@ -104,7 +104,7 @@ private:
     bool m_linksChanged = false;
 
     unsigned m_changesSeen = 0;
-    bool m_linksKnown = false;  // gathered in this search, of the scene as it was at the last check
+    bool m_linksKnown = false;  // they were gathered in this search
     int m_wantedCells;
     bool m_isMisplaced = false, m_watchesGrid = true;
     int m_checksSinceFit = 0;

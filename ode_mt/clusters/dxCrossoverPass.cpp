@@ -167,7 +167,7 @@ public:
 };
 
 // "duplication" (thesis chapter 7): a static geom near several dynamic clusters is listed in each of them, planes
-// and other big geoms too, so it no longer joins them; what flies above the floor is not tested with it.
+// and other big geoms too, so it no longer joins them; a geom that flies above the floor is not tested with it.
 class Duplication final : public dxCrossoverPass {
 public:
     const char *name() const override { return "duplication"; }

@@ -15,7 +15,7 @@
 #include "clusters/dxClusters.h"
 #include "core/dxDisjointSets.h"
 
-// What the pieces below work with, kept so that a pass takes no memory once it has run.
+// Scratch of the functions below, kept so that a pass takes no memory once it has run.
 struct dxCrossoverMemory {
     dxDisjointSets sets;
     std::vector<std::int64_t> firstOfCluster;  // -1: none
@@ -31,11 +31,11 @@ public:
     virtual ~dxCrossoverPass() = default;
 
     virtual const char *name() const = 0;
-    // Static inhabitants are tested with every cluster: the rule does not place them.
+    // Returns whether static inhabitants are in no cluster, and are tested with every one.
     virtual bool setsStaticsApart() const { return false; }
-    // Big static inhabitants are listed where they are near; else they are tested with every cluster.
+    // Returns whether big static inhabitants are listed in the clusters near them; else they are tested with every cluster.
     virtual bool listsBigStatics() const { return false; }
-    // A cluster whose cells have come apart is split.
+    // Returns whether a cluster whose cells have come apart is split.
     virtual bool splits() const { return false; }
     // `before`: the clusters of the last frame, for rules under which what has merged stays merged.
     virtual void cross(const dxClusterScene &scene, const std::vector<Link> &links, const dxClusters &before,
@@ -45,32 +45,32 @@ protected:
     dxCrossoverMemory m_memory;
 };
 
-// --- pieces that the rules are made of --------------------------------------------------------------
+// --- Steps of which the rules consist ---------------------------------------------------------------
 
 enum class dxTogetherness {
     sharing,   // inhabitants of one cell belong together
-    touching,  // and so do those of cells with a common face: what flood fill finds when clusters are made
+    touching,  // and so do those of cells with a common face: the result of flood fill when clusters are made
 };
 
-// Unites what cells hold together, among inhabitants of one kind.
+// Unites inhabitants of one kind that belong together by their cells.
 void dxUniteByCells(const dxClusterScene &scene, dxClusterScene::Kind kind, dxTogetherness togetherness,
                     dxDisjointSets &sets);
 void dxUniteByLinks(const std::vector<dxCrossoverPass::Link> &links, dxDisjointSets &sets);
-// Unites what was one cluster before.
+// Unites inhabitants that were in one cluster before.
 void dxUniteAsBefore(const dxClusterScene &scene, dxClusterScene::Kind kind, const dxClusters &before,
                      dxCrossoverMemory &memory);
-// One cluster for each set.
+// Makes one cluster of each set.
 void dxMakeClusters(const dxClusterScene &scene, dxClusterScene::Kind kind, dxCrossoverMemory &memory,
                     dxClusters &clusters);
 
-// Dynamic clusters as all rules make them; sticky: what has merged stays merged.
+// Makes dynamic clusters as all rules do. `sticky`: the clusters before, which stay merged, or null.
 void dxClusterDynamics(const dxClusterScene &scene, const std::vector<dxCrossoverPass::Link> &links,
                        const dxClusters *sticky, dxCrossoverMemory &memory, dxClusters &clusters);
 
-// Each dynamic cluster gets the static clusters with which it shares a cell; dynamic clusters around the same
+// Gives each dynamic cluster the static clusters with which it shares a cell; dynamic clusters around the same
 // static one become one task.
 void dxPseudoMerge(const dxClusterScene &scene, dxCrossoverMemory &memory, dxClusters &clusters);
-// Each dynamic cluster gets the static inhabitants with which it shares a cell, big ones included.
+// Gives each dynamic cluster the static inhabitants with which it shares a cell, big ones included.
 void dxDuplicateStatics(const dxClusterScene &scene, dxClusters &clusters);
 
 // Returns the pass of a name, NULL for others: "original", "static", "static-unmerged", "duplication" or "decluster".

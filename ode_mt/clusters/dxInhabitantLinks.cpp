@@ -16,8 +16,8 @@ const dxGeom *firstInside(const dxGeom *geom) {
     return IS_SPACE(geom) ? static_cast<const dxSpace *>(geom)->first : nullptr;
 }
 
-// Visits the bodies of a geom or of the geoms of a space, however deep, without recursion, until visit says
-// true; tells whether it did.
+// Visits the bodies of a geom or of the geoms of a space, however deep, without recursion, until visit returns
+// true; returns whether it did.
 template <class Visit>
 bool forBodies(const dxGeom *top, Visit &&visit) {
     const dxGeom *geom = top;

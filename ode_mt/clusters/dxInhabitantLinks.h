@@ -1,5 +1,5 @@
 // Which members of a space belong together wherever they are: geoms of one body, and of bodies with a joint
-// between them. Asks upstream's lists of geoms and joints, so whatever was made or broken is known at once.
+// between them. Read from upstream's lists of geoms and joints, so every joint that was made or broken is known at once.
 #pragma once
 
 #include <utility>
@@ -11,14 +11,14 @@
 #include "clusters/dxCrossoverPass.h"
 #include "collision/pairs/dxMembers.h"
 
-// Dynamic, if the geom, or a geom in it, has a body.
+// Returns dynamic if the geom, or a geom in it, has a body.
 dxClusterScene::Kind dxKindOf(const dxGeom *geom);
 
 class dxInhabitantLinks {
 public:
     using Link = dxCrossoverPass::Link;
 
-    // True if they are others than the last time.
+    // Returns whether the links differ from those of the last call.
     bool gather(const dxMembers &members, const dxClusterScene &scene);
 
     const std::vector<Link> &all() const { return m_links; }  // sorted

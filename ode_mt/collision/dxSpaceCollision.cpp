@@ -15,13 +15,13 @@
 
 namespace {
 
-// Minimum number of geoms for workers, and even for reading the clock.
+// Minimum number of geoms for workers; below it even reading the clock costs too much.
 constexpr int kMinGeoms = 48;
 
 constexpr dxTimelineEvent kCollide{"collide", "collision", {"geoms", "pairs", "threads"}};
 constexpr dxTimelineEvent kCounters{"of a collision", "counter", {"pairs", "threads of collide"}, dxTimelineEvent::Kind::Counter};
 
-// The body's world of the first geom with one, in nested spaces too; null: there is none.
+// Returns the world of the first body that a geom of the space or of a nested space has; null: there is none.
 const dxWorld *worldOf(const dxSpace &space) {
     for (const dxGeom *geom = space.first; geom != nullptr; geom = geom->next) {
         if (geom->body != nullptr) return geom->body->world;
@@ -31,9 +31,9 @@ const dxWorld *worldOf(const dxSpace &space) {
     return nullptr;
 }
 
-// A collision on the timeline and for its world's statistics, to which those within its near-callbacks belong; on the thread that calls
-// dSpaceCollide, or on a worker that runs a callback. A callback that leaves by longjmp leaves the depth too large: until the thread's next step its
-// collisions are not counted then.
+// Records a collision on the timeline and for its world's statistics. Collisions within its near-callbacks belong to it. It is used on the thread
+// that calls dSpaceCollide, or on a worker that runs a callback. A callback that leaves by longjmp leaves the depth too large: then collisions are
+// not counted until the thread's next step.
 class CollideSpan {
 public:
     explicit CollideSpan(const dxOrderedSpace &space)
@@ -44,12 +44,12 @@ public:
         if (m_span.ring() != nullptr) end(*m_span.ring());
     }
 
-    // Why pairs, and callbacks, stay on the calling thread.
+    // Sets why the pairs, and why the callbacks, stay on the calling thread.
     void setReasons(dODE_MT_Reason reason, dODE_MT_Reason ofCallbacks) {
         m_record.reason = reason;
         m_record.callbackReason = ofCallbacks;
     }
-    void setContactsAhead(std::uint64_t computed, std::uint64_t used) {
+    void setPrefetched(std::uint64_t computed, std::uint64_t used) {
         m_record.contactsAhead = computed;
         m_record.contactsAheadUsed = used;
     }
@@ -93,15 +93,14 @@ private:
     const dxOrderedSpace &m_space;
     dxTimelineSpan m_span;
     dxCollisionRecord m_record;
-    dxFrameTimes m_outerTimes;  // as the following, of the collision or step around this one
     std::uint64_t m_begin = 0, m_pairsBefore = 0;
+    // Of the collision or step around this one.
+    dxFrameTimes m_outerTimes;
     unsigned m_outerDepth = 0, m_outerThreads = 1;
 };
 
-// From inside a callback of a call that is shared, whether of this space or of another one, everything stays
-// on its thread. That the space is locked says nothing: a callback may have left it so by longjmp or an
-// exception.
-// PARALLEL: it may be shared.
+// Returns why the call is not shared, or PARALLEL if it may be. A call from inside a callback of a shared call, of this space or another one, stays
+// on its thread. The lock of the space is no sign of that: a callback may have left it locked by longjmp or an exception.
 dODE_MT_Reason whyAlone(const dxOrderedSpace &space, dNearCallback *callback) {
     const dxSettings &settings = dxSettings::instance();
     if (space.ownThreads().inForce() <= 1) return dODE_MT_REASON_THREADS;
@@ -125,9 +124,9 @@ void collideOnWorkers(CollideSpan &span, dxOrderedSpace &space, unsigned workers
         span.setReasons(dODE_MT_REASON_MEMORY, dODE_MT_REASON_MEMORY);
         return;
     }
-    const dxNarrowphasePrefetch &ahead = *space.narrowphasePrefetch();
-    span.setContactsAhead(ahead.computed(), ahead.used());
-    dxStepStatistics::instance().countSharedCollision(runner.tookPart(), ahead.computed(), ahead.used());
+    const dxNarrowphasePrefetch &prefetch = *space.narrowphasePrefetch();
+    span.setPrefetched(prefetch.computed(), prefetch.used());
+    dxStepStatistics::instance().countSharedCollision(runner.tookPart(), prefetch.computed(), prefetch.used());
 }
 
 void collideMeasured(CollideSpan &span, dxOrderedSpace &space, void *data, dNearCallback *callback) {

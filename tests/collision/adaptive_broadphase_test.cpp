@@ -45,12 +45,12 @@ TEST_F(AdaptiveBroadphase, FollowsTheNumberOfMovingMembers) {
             travel();
             check();
         }
-        EXPECT_EQ(search.current(), dxBroadphaseKind::NeighbourList);
+        EXPECT_EQ(search.current(), dxBroadphaseKind::VerletList);
         for (int i = 0; i < 20; ++i) {
             stir();
             check();
         }
-        EXPECT_EQ(search.current(), dxBroadphaseKind::NeighbourSets);
+        EXPECT_EQ(search.current(), dxBroadphaseKind::Neighbours);
     }
 }
 
@@ -61,7 +61,7 @@ TEST_F(AdaptiveBroadphase, ABurstNowAndThenDoesNotMakeItGoBackAndForth) {
         else
             stir();
         check();
-        EXPECT_EQ(search.current(), dxBroadphaseKind::NeighbourList);
+        EXPECT_EQ(search.current(), dxBroadphaseKind::VerletList);
     }
 }
 
@@ -76,7 +76,7 @@ TEST(AdaptiveBroadphaseOfFew, IsBruteForceUntilThereAreMany) {
         crowd.move(slots[random.below(static_cast<unsigned>(slots.size()))], somewhere());
         const auto expected = crowd.expected();
         ASSERT_EQ(crowd.found(search), expected) << slots.size();
-        EXPECT_EQ(search.current() == dxBroadphaseKind::SlotTable, slots.size() <= 128) << slots.size();
+        EXPECT_EQ(search.current() == dxBroadphaseKind::BruteForce, slots.size() <= 128) << slots.size();
     }
 }
 

@@ -28,9 +28,9 @@ TEST_F(BroadphaseChoice, ASmallSimpleSpaceIsWalkedIfAnythingMoves) {
     facts.mayWalk = true;
     facts.moved = 1;
     EXPECT_EQ(chooseFor(Threshold::kMaxAlwaysWalked), dxBroadphaseKind::ListWalk);
-    EXPECT_EQ(chooseFor(Threshold::kMaxAlwaysWalked + 1), dxBroadphaseKind::OrderedTable);
+    EXPECT_EQ(chooseFor(Threshold::kMaxAlwaysWalked + 1), dxBroadphaseKind::OrderedBruteForce);
     facts.moved = 0;
-    EXPECT_EQ(chooseFor(Threshold::kMaxAlwaysWalked), dxBroadphaseKind::OrderedTable);
+    EXPECT_EQ(chooseFor(Threshold::kMaxAlwaysWalked), dxBroadphaseKind::OrderedBruteForce);
 }
 
 TEST_F(BroadphaseChoice, AMiddlingSimpleSpaceIsWalkedIfThreeQuartersMove) {
@@ -39,7 +39,7 @@ TEST_F(BroadphaseChoice, AMiddlingSimpleSpaceIsWalkedIfThreeQuartersMove) {
     facts.moved = 75;
     EXPECT_EQ(chooseFor(100), dxBroadphaseKind::ListWalk);
     facts.moved = 74;
-    EXPECT_EQ(chooseFor(100), dxBroadphaseKind::OrderedTable);
+    EXPECT_EQ(chooseFor(100), dxBroadphaseKind::OrderedBruteForce);
     facts.current = dxBroadphaseKind::ListWalk;
     EXPECT_EQ(chooseFor(100), dxBroadphaseKind::ListWalk) << "it is walked on";
     facts.moved = INT_MAX;
@@ -82,63 +82,63 @@ TEST_F(BroadphaseChoice, TablesInOrderOfRanksGiveWayToSearchesAndComeBackAtHalfT
     for (const dxPairOrder order : {dxPairOrder::List, dxPairOrder::Blocks}) {
         facts = {};
         facts.order = order;
-        EXPECT_EQ(follow(256), dxBroadphaseKind::OrderedTable);
-        EXPECT_EQ(follow(512), dxBroadphaseKind::OrderedTable);
-        EXPECT_EQ(follow(513), dxBroadphaseKind::NeighbourList);
-        EXPECT_EQ(follow(257), dxBroadphaseKind::NeighbourList);
-        EXPECT_EQ(follow(256), dxBroadphaseKind::OrderedTable);
+        EXPECT_EQ(follow(256), dxBroadphaseKind::OrderedBruteForce);
+        EXPECT_EQ(follow(512), dxBroadphaseKind::OrderedBruteForce);
+        EXPECT_EQ(follow(513), dxBroadphaseKind::VerletList);
+        EXPECT_EQ(follow(257), dxBroadphaseKind::VerletList);
+        EXPECT_EQ(follow(256), dxBroadphaseKind::OrderedBruteForce);
     }
 }
 
 TEST_F(BroadphaseChoice, ATableOfSlotsGivesWayToAListAndComesBackAtHalfTheSize) {
-    EXPECT_EQ(follow(128), dxBroadphaseKind::SlotTable);
-    EXPECT_EQ(follow(129), dxBroadphaseKind::NeighbourList);
-    EXPECT_EQ(follow(65), dxBroadphaseKind::NeighbourList);
-    EXPECT_EQ(follow(64), dxBroadphaseKind::SlotTable);
-    facts.current = dxBroadphaseKind::NeighbourSets;
-    EXPECT_EQ(chooseFor(65), dxBroadphaseKind::NeighbourSets);
-    EXPECT_EQ(chooseFor(64), dxBroadphaseKind::SlotTable);
+    EXPECT_EQ(follow(128), dxBroadphaseKind::BruteForce);
+    EXPECT_EQ(follow(129), dxBroadphaseKind::VerletList);
+    EXPECT_EQ(follow(65), dxBroadphaseKind::VerletList);
+    EXPECT_EQ(follow(64), dxBroadphaseKind::BruteForce);
+    facts.current = dxBroadphaseKind::Neighbours;
+    EXPECT_EQ(chooseFor(65), dxBroadphaseKind::Neighbours);
+    EXPECT_EQ(chooseFor(64), dxBroadphaseKind::BruteForce);
 }
 
 TEST_F(BroadphaseChoice, ListsAndNeighboursAreChangedAfterCallsThatSpeakAgainstThem) {
     facts.slots = 1000;
-    facts.current = dxBroadphaseKind::NeighbourList;
+    facts.current = dxBroadphaseKind::VerletList;
     facts.mismatchStreak = Threshold::kMinMismatchStreak - 1;
-    EXPECT_EQ(dxChooseBroadphase(facts), dxBroadphaseKind::NeighbourList);
+    EXPECT_EQ(dxChooseBroadphase(facts), dxBroadphaseKind::VerletList);
     facts.mismatchStreak = Threshold::kMinMismatchStreak;
-    EXPECT_EQ(dxChooseBroadphase(facts), dxBroadphaseKind::NeighbourSets);
-    facts.current = dxBroadphaseKind::NeighbourSets;
-    EXPECT_EQ(dxChooseBroadphase(facts), dxBroadphaseKind::NeighbourList);
+    EXPECT_EQ(dxChooseBroadphase(facts), dxBroadphaseKind::Neighbours);
+    facts.current = dxBroadphaseKind::Neighbours;
+    EXPECT_EQ(dxChooseBroadphase(facts), dxBroadphaseKind::VerletList);
     facts.mismatchStreak = Threshold::kMinMismatchStreak - 1;
-    EXPECT_EQ(dxChooseBroadphase(facts), dxBroadphaseKind::NeighbourSets);
+    EXPECT_EQ(dxChooseBroadphase(facts), dxBroadphaseKind::Neighbours);
 }
 
 TEST_F(BroadphaseChoice, FewChangesSpeakAgainstAListAndManyAgainstNeighbours) {
     facts.slots = 1000;
-    facts.current = dxBroadphaseKind::NeighbourList;
+    facts.current = dxBroadphaseKind::VerletList;
     facts.changed = 99;
     EXPECT_TRUE(dxPrefersOtherBroadphase(facts));
     facts.changed = 100;
     EXPECT_FALSE(dxPrefersOtherBroadphase(facts));
-    facts.current = dxBroadphaseKind::NeighbourSets;
+    facts.current = dxBroadphaseKind::Neighbours;
     facts.changed = 199;
     EXPECT_FALSE(dxPrefersOtherBroadphase(facts));
     facts.changed = 200;
     EXPECT_TRUE(dxPrefersOtherBroadphase(facts));
-    facts.current = dxBroadphaseKind::SlotTable;
+    facts.current = dxBroadphaseKind::BruteForce;
     EXPECT_FALSE(dxPrefersOtherBroadphase(facts));
 }
 
 TEST_F(BroadphaseChoice, MembersThatLeaveTheirNeighboursAllAtOnceAreListedAtOnce) {
-    facts.current = dxBroadphaseKind::NeighbourSets;
+    facts.current = dxBroadphaseKind::Neighbours;
     facts.slots = 1000;
     facts.lookedUp = 99;
-    EXPECT_EQ(dxChooseBroadphase(facts), dxBroadphaseKind::NeighbourSets);
+    EXPECT_EQ(dxChooseBroadphase(facts), dxBroadphaseKind::Neighbours);
     facts.lookedUp = 100;
-    EXPECT_EQ(dxChooseBroadphase(facts), dxBroadphaseKind::NeighbourList);
+    EXPECT_EQ(dxChooseBroadphase(facts), dxBroadphaseKind::VerletList);
     facts.slots = 200;
     facts.lookedUp = Threshold::kMinLookUps - 1;
-    EXPECT_EQ(dxChooseBroadphase(facts), dxBroadphaseKind::NeighbourSets) << "a handful of look-ups takes no time";
+    EXPECT_EQ(dxChooseBroadphase(facts), dxBroadphaseKind::Neighbours) << "a handful of look-ups takes no time";
 }
 
 TEST_F(BroadphaseChoice, APairLimitIsNeverLowAndNeverBeyondMemory) {

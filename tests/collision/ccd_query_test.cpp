@@ -105,14 +105,20 @@ void supportBall(const void *object, const ccd_vec3_t *direction, ccd_vec3_t *po
     ball.radius += ball.growth;
 }
 
-void centreOfBall(const void *object, ccd_vec3_t *centre) { *centre = static_cast<const Ball *>(object)->centre; }
+// Any point inside would do. With the true centres libccd ends before it iterates.
+void pointInBall(const void *object, ccd_vec3_t *point) {
+    const Ball &ball = *static_cast<const Ball *>(object);
+    *point = ball.centre;
+    point->v[2] += ball.radius / 4;
+}
 
 class CcdQuery : public testing::Test {
 protected:
     CcdQuery() {
         CCD_INIT(&search);
         search.support1 = search.support2 = supportBall;
-        search.center1 = search.center2 = centreOfBall;
+        search.center1 = pointInBall;
+        search.center2 = [](const void *object, ccd_vec3_t *centre) { *centre = static_cast<const Ball *>(object)->centre; };
         search.mpr_tolerance = 1e-6;
     }
     Ball fixed{{{0, 0, 0}}, 1, 0}, near{{{1.5, 0.25, 0}}, 1, 0}, far{{{2.5, 0, 0}}, 1, 0}, growing{{{0.5, 0.25, 0.125}}, 1, 1};

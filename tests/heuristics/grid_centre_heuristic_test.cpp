@@ -26,7 +26,7 @@ struct Grid {
     bool frame(const Rule::Frame &seen, const Point &median) {
         rule.observe(seen);
         rule.tick();
-        if (!rule.wantsMedian()) return false;
+        if (!rule.wantsCentre()) return false;
         ++medians;
         const bool moved = rule.offer(median, kEdge);
         moves += moved;
@@ -47,10 +47,10 @@ TEST(GridCentreHeuristic, TheFirstMedianIsTaken) {
     rule.start();
     EXPECT_FALSE(rule.offer({1, 2, 3}, kEdge)) << "not wanted yet";
     rule.tick();
-    EXPECT_TRUE(rule.wantsMedian());
+    EXPECT_TRUE(rule.wantsCentre());
     EXPECT_TRUE(rule.offer({0.1, 0.2, 0.3}, kEdge)) << "within a cell of the origin, still";
     EXPECT_EQ(rule.centre(), (Point{0.1, 0.2, 0.3}));
-    EXPECT_FALSE(rule.wantsMedian());
+    EXPECT_FALSE(rule.wantsCentre());
     EXPECT_FALSE(rule.offer({9, 9, 9}, kEdge)) << "not wanted any more";
 }
 
@@ -156,7 +156,7 @@ TEST(GridCentreHeuristic, OddNumbersMoveNothing) {
         rule.tick();
         EXPECT_FALSE(rule.offer({5, 5, 5}, edge));
         rule.tick();
-        EXPECT_TRUE(rule.wantsMedian()) << "there is no centre yet";
+        EXPECT_TRUE(rule.wantsCentre()) << "there is no centre yet";
     }
 }
 
@@ -172,7 +172,7 @@ TEST(GridCentreHeuristic, PauseKeepsTheCentreResetForgetsIt) {
     EXPECT_EQ(grid.rule.centre()[0], 0);
     grid.rule.start();
     grid.rule.tick();
-    EXPECT_TRUE(grid.rule.wantsMedian());
+    EXPECT_TRUE(grid.rule.wantsCentre());
 }
 
 }  // namespace

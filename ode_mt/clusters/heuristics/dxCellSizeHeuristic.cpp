@@ -27,7 +27,7 @@ void dxCellSizeHeuristic::forget() {
     m_frame = {};
     m_phase = Phase::Climb;
     m_cost = {};
-    m_dearInARow = 0;
+    m_expensiveInARow = 0;
     m_hold = kMinHold;
     m_moved = false;
     use(kMinCells);
@@ -44,7 +44,7 @@ void dxCellSizeHeuristic::judge() {
     }
     m_times.push_back(ns);
     const double median = dxMedian(m_times);
-    const bool early = tooDear(median);
+    const bool early = tooExpensive(median);
     if (!early && m_times.size() < m_interval) return;
 
     m_times.clear();
@@ -55,18 +55,18 @@ void dxCellSizeHeuristic::judge() {
     endProbe();
 }
 
-bool dxCellSizeHeuristic::tooDear(double median) const {
+bool dxCellSizeHeuristic::tooExpensive(double median) const {
     if (m_phase == Phase::Hold || m_times.size() < kTrialFrames) return false;
     const double best = cheapestCost();
-    return best > 0 && median > kDear * best;
+    return best > 0 && median > kTooExpensive * best;
 }
 
-// While probing, costs of other numbers than the one that was held are of another time. 0: none yet.
+// While probing, the costs of numbers other than the one that was held are out of date. Returns 0 if there is none yet.
 double dxCellSizeHeuristic::cheapestCost() const {
     return m_phase == Phase::Climb ? cost(cheapest()) : cost(m_home);
 }
 
-// The smallest of several.
+// Of several the smallest number.
 int dxCellSizeHeuristic::cheapest() const {
     int best = kMinCells;
     for (int cells = kMinCells + 1; cells <= kMaxCells; ++cells) {
@@ -76,9 +76,9 @@ int dxCellSizeHeuristic::cheapest() const {
 }
 
 void dxCellSizeHeuristic::endClimbingStep(double cost) {
-    m_dearInARow = cost == kLeftEarly ? m_dearInARow + 1 : 0;
+    m_expensiveInARow = cost == kLeftEarly ? m_expensiveInARow + 1 : 0;
     const bool separated = m_frame.entities > 0 && m_frame.clusters >= m_frame.entities;
-    if (separated || m_cells == kMaxCells || m_dearInARow == 2) {
+    if (separated || m_cells == kMaxCells || m_expensiveInARow == 2) {
         hold(cheapest(), kMinHold);
     } else {
         use(m_cells + 1);

@@ -9,19 +9,19 @@ void dxGridCentreHeuristic::forget() {
     m_frame = {};
     m_centre = {};
     m_placed = false;
-    m_wantsMedian = false;
+    m_wantsCentre = false;
     beginRest(kMinRest);
 }
 
 void dxGridCentreHeuristic::judge() {
     measure();
     if (!m_placed) {
-        m_wantsMedian = true;
+        m_wantsCentre = true;
         return;
     }
-    if (m_wantsMedian || ++m_rested < m_rest) return;
+    if (m_wantsCentre || ++m_rested < m_rest) return;
     if (needsMove()) {
-        m_wantsMedian = true;
+        m_wantsCentre = true;
     } else {
         m_rest = kMinRest;
     }
@@ -38,8 +38,8 @@ void dxGridCentreHeuristic::measure() {
 }
 
 bool dxGridCentreHeuristic::needsMove() const {
-    const bool dearer = m_costAtDecision > 0 && m_cost > (1 + kDrift) * m_costAtDecision;
-    return m_frame.outside > kOutside || dearer;
+    const bool isMoreExpensive = m_costAtDecision > 0 && m_cost > (1 + kDrift) * m_costAtDecision;
+    return m_frame.outside > kOutside || isMoreExpensive;
 }
 
 bool dxGridCentreHeuristic::farFromCentre(const Point &point, double cellEdge) const {
@@ -49,15 +49,15 @@ bool dxGridCentreHeuristic::farFromCentre(const Point &point, double cellEdge) c
     return false;
 }
 
-bool dxGridCentreHeuristic::offer(const Point &median, double cellEdge) {
-    if (!wantsMedian()) return false;
-    m_wantsMedian = false;
+bool dxGridCentreHeuristic::offer(const Point &centre, double cellEdge) {
+    if (!wantsCentre()) return false;
+    m_wantsCentre = false;
     beginRest(m_placed ? std::min(2 * m_rest, kMaxRest) : kMinRest);
     const auto finite = [](double number) { return std::isfinite(number); };
-    if (!std::all_of(median.begin(), median.end(), finite)) return false;
+    if (!std::all_of(centre.begin(), centre.end(), finite)) return false;
     if (!finite(cellEdge) || cellEdge <= 0) return false;
-    if (m_placed && !farFromCentre(median, cellEdge)) return false;
-    m_centre = median;
+    if (m_placed && !farFromCentre(centre, cellEdge)) return false;
+    m_centre = centre;
     m_placed = true;
     return true;
 }

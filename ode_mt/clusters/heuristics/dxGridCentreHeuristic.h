@@ -1,21 +1,21 @@
 // Where the centre of the grid lies (thesis 10.1, which names the parameter and gives no rule).
 //
-// The centre is put where the caller offers it: at the middle of what nearly all dynamic members span (dxFitGrid), so that one member
-// far away, or one that falls for ever, does not drag it along. Tried and dropped: the median of the members, which lies in one of two
-// groups. It is moved only
-//   - when more than kOutside of the members are outside the grid, or the median frame has become dearer by
+// The centre is the one that the caller offers: the middle of the extent of nearly all dynamic members (dxFitGrid), so that one member
+// far away, or one that falls for ever, does not move it. Tried and dropped: the median of the members, which lies in one of two
+// groups. The centre is moved only
+//   - when more than kOutside of the members are outside the grid, or the median frame costs more than before by
 //     more than kDrift since the last decision;
-//   - if what is offered is then further than kHysteresis cells from the centre on some axis: a move within a cell
-//     hardly changes who shares one, and costs a new grid;
-//   - at least kMinRest frames after the last decision. Rest doubles, up to kMaxRest, each time the reason is
-//     still there at its end (members that are spread wider than the grid are not helped by moving
-//     it) and is short again once it has gone.
-// It is asked for (wantsMedian, the name is older) only in the frames that decide, since it costs a pass over the members.
+//   - if the offered centre is then further than kHysteresis cells from the present one on some axis: a move within a cell
+//     hardly changes which members share a cell, and costs a new grid;
+//   - at least kMinRest frames after the last decision. The rest doubles, up to kMaxRest, each time the reason
+//     still holds at its end (moving the grid does not help members that are spread wider than
+//     it), and is short again once the reason has gone.
+// A centre is requested (wantsCentre) only in the frames that decide, since it costs a pass over the members.
 //
 // Bound: at most one such pass and one new grid in kMinRest frames, once the centre is set.
 //
-// The grid decides who is tested with whom how fast, never the result, so any centre is right. What this does
-// not do: look for cell boundaries that fall between two members (the thesis's figure 10.2).
+// The grid affects speed, never the result, so any centre is right. Not done: looking
+// for cell boundaries that fall between two members (the thesis's figure 10.2).
 //
 // Units: metres, nanoseconds. Threading: as dxHeuristic.
 #pragma once
@@ -44,14 +44,14 @@ public:
     // Judged by the next tick, if running.
     void observe(const Frame &frame) { m_frame = frame; }
 
-    // After a tick: hand the median in now. From the start, until the centre was set once.
-    bool wantsMedian() const { return m_wantsMedian && running(); }
+    // Returns whether a centre should be offered after this tick. True from the start until the centre was set once.
+    bool wantsCentre() const { return m_wantsCentre && running(); }
 
-    // True if the centre has moved. Refused, with false, if not wanted, not finite, or without a cell.
-    bool offer(const Point &median, double cellEdge);
+    // Returns whether the centre has moved. Refuses a centre that is not wanted or not finite, and a cell edge that is not positive and finite.
+    bool offer(const Point &centre, double cellEdge);
 
-    const Point &centre() const { return m_centre; }  // 0, 0, 0 until there was a median
-    unsigned rest() const { return m_rest; }          // frames, at present
+    const Point &centre() const { return m_centre; }  // 0, 0, 0 until one was set
+    unsigned rest() const { return m_rest; }          // number of frames between decisions, at present
 
 private:
     void judge() override;
@@ -65,7 +65,7 @@ private:
     Frame m_frame{};
     Point m_centre{};
     bool m_placed = false;  // the centre was set once
-    bool m_wantsMedian = false;
+    bool m_wantsCentre = false;
 
     unsigned m_rest = kMinRest;  // frames between decisions
     unsigned m_rested = 0;

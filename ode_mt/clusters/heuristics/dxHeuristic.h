@@ -83,8 +83,8 @@ private:
 };
 
 // tick() is called once at the end of every search for pairs. It ticks the heuristics in the order in which they were added, so that alerts come in
-// the same order in every run. Unlike the thesis's manager this one knows no heuristic, world or cluster: its owner (dxClusterBroadphase) decides what
-// is observed, and acts upon it. There is no global state; several pairs have several managers.
+// the same order in every run. Unlike the thesis's manager this one knows no heuristic, world or cluster: its owner (dxClusterBroadphase) decides
+// what is observed, and acts upon it. There is no global state; several pairs have several managers.
 class dxHeuristicsManager {
 public:
     template <class Heuristic>

@@ -1,9 +1,9 @@
 #include "collision/broadphase/dxAdaptiveBroadphase.h"
 
 dxBroadphaseKind dxAdaptiveBroadphase::current() const {
-    if (m_bruteForce != nullptr) return dxBroadphaseKind::SlotTable;
-    if (m_verlet != nullptr) return dxBroadphaseKind::NeighbourList;
-    return m_neighbours != nullptr ? dxBroadphaseKind::NeighbourSets : dxBroadphaseKind::None;
+    if (m_bruteForce != nullptr) return dxBroadphaseKind::BruteForce;
+    if (m_verlet != nullptr) return dxBroadphaseKind::VerletList;
+    return m_neighbours != nullptr ? dxBroadphaseKind::Neighbours : dxBroadphaseKind::None;
 }
 
 dxBroadphaseFacts dxAdaptiveBroadphase::factsOf(const dxMembers &members) const {
@@ -24,7 +24,7 @@ void dxAdaptiveBroadphase::findOverlaps(const dxMembers &members, dxTaskRunner &
         findWithNeighbours(members, runner, matches);
 }
 
-// A new Verlet list takes all members, changed or not; the other algorithms adopt those that have not changed.
+// A new Verlet list takes all members, changed or not; the other broad phases adopt those that have not changed.
 void dxAdaptiveBroadphase::chooseBySize(const dxMembers &members) {
     const dxBroadphaseKind choice = dxChooseBroadphase(factsOf(members));
     if (choice == current()) return;
@@ -32,7 +32,7 @@ void dxAdaptiveBroadphase::chooseBySize(const dxMembers &members) {
     m_verlet.reset();
     m_neighbours.reset();
     m_mismatchStreak = 0;
-    if (choice == dxBroadphaseKind::SlotTable) {
+    if (choice == dxBroadphaseKind::BruteForce) {
         m_bruteForce = std::make_unique<dxBruteForceBroadphase>();
         m_bruteForce->adopt(members);
     } else {
@@ -43,7 +43,7 @@ void dxAdaptiveBroadphase::chooseBySize(const dxMembers &members) {
 void dxAdaptiveBroadphase::findWithVerletList(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) {
     dxBroadphaseFacts facts = factsOf(members);
     facts.mismatchStreak = m_mismatchStreak = dxPrefersOtherBroadphase(facts) ? m_mismatchStreak + 1 : 0;
-    if (dxChooseBroadphase(facts) == dxBroadphaseKind::NeighbourList) {
+    if (dxChooseBroadphase(facts) == dxBroadphaseKind::VerletList) {
         m_verlet->findOverlaps(members, runner, matches);
         return;
     }
@@ -58,7 +58,7 @@ void dxAdaptiveBroadphase::findWithNeighbours(const dxMembers &members, dxTaskRu
     dxBroadphaseFacts facts = factsOf(members);
     facts.lookedUp = m_neighbours->lookedUp();
     facts.mismatchStreak = m_mismatchStreak = dxPrefersOtherBroadphase(facts) ? m_mismatchStreak + 1 : 0;
-    if (dxChooseBroadphase(facts) == dxBroadphaseKind::NeighbourSets) return;
+    if (dxChooseBroadphase(facts) == dxBroadphaseKind::Neighbours) return;
     m_neighbours.reset();
     m_verlet = std::make_unique<dxVerletBroadphase>(m_maxPairs);
     m_mismatchStreak = 0;

@@ -1,5 +1,4 @@
-// The search that a space uses unless it is told otherwise: whichever dxChooseBroadphase() takes of the table of slots,
-// the neighbour list and the neighbour sets.
+// The default broad phase of a space: brute force, a Verlet list or neighbours, as dxChooseBroadphase() decides.
 #pragma once
 
 #include <memory>

@@ -17,10 +17,10 @@ public:
     // Called whenever members have changed; at the first call all have. It may run chunks on the runner's workers.
     virtual void findOverlaps(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) = 0;
 
-    // What a search that groups members (by clusters) has to say of callbacks on several threads. Of the last search.
+    // For callbacks on several threads after a call of findOverlaps(), if the broad phase groups members (by clusters).
     static constexpr int kNoGroup = -1;
-    // Returns the group of a member, whose pairs one worker delivers; groups are numbered from 0.
+    // Returns the group of a member; one worker delivers the pairs of a group. Groups are numbered from 0.
     virtual int groupOf(dxMembers::Slot) const { return kNoGroup; }
-    // Returns how many threads the callbacks should use, from 1 to the limit.
+    // Returns the number of threads that the callbacks should use, from 1 to the limit.
     virtual unsigned threads(unsigned limit) const { return limit; }
 };

@@ -7,48 +7,51 @@ namespace {
 
 using Threshold = dxBroadphaseThresholds;
 
-// Nanoseconds: of a call, of a geom that is looked up or put into a row, of comparing two boxes with SIMD, of a pair that is found, of a
-// pair that is kept while others change. On an AMD EPYC with AVX2; what matters is their relation.
+// Nanoseconds on an AMD EPYC with AVX2; only their ratios matter.
 struct Costs {
-    double call, geom, comparison, found, kept;
+    double call;
+    double geom;        // that is looked up or put into a row
+    double comparison;  // of two boxes, with SIMD
+    double found;       // of a pair that is found
+    double kept;        // of a pair that is kept while others change
 };
-constexpr Costs kTable{150, 30, 1.7, 8, 4};    // dxBruteForcePairs
-constexpr Costs kSorted{300, 60, 0, 110, 30};  // dxAdaptiveBroadphase, dxKeptPairs
-constexpr Costs kPlaced{300, 60, 0, 110, 60};  // the same, where kept pairs get new places (dxSapPairOrder)
-constexpr Costs kRows{20, 20, 1.7, 3, 0};      // dxPairRows
+constexpr Costs kBruteForce{150, 30, 1.7, 8, 4};  // dxBruteForcePairs
+constexpr Costs kSorted{300, 60, 0, 110, 30};     // dxAdaptiveBroadphase, dxKeptPairs
+constexpr Costs kPlaced{300, 60, 0, 110, 60};     // the same, where kept pairs get new places (dxSapPairOrder)
+constexpr Costs kRows{20, 20, 1.7, 3, 0};         // dxPairRows
 constexpr Costs kHashRows{50, 60, 1.7, 10, 0};  // dxHashRows
 
 bool isListWalk(const dxBroadphaseFacts &facts) {
     if (!facts.mayWalk) return false;
     const int minMoved = dxMinMovedToWalk(facts.order, facts.geoms);
     const bool isNow = facts.current == dxBroadphaseKind::ListWalk;
-    const std::size_t mostComparisons = (isNow ? 2 : 1) * Threshold::kMaxComparisonsWalked * static_cast<std::size_t>(facts.geoms);
-    if (facts.order == dxPairOrder::Axis && facts.comparisons > mostComparisons) return false;
+    const std::size_t maxComparisons = (isNow ? 2 : 1) * Threshold::kMaxComparisonsWalked * static_cast<std::size_t>(facts.geoms);
+    if (facts.order == dxPairOrder::Axis && facts.comparisons > maxComparisons) return false;
     return minMoved != INT_MAX && (facts.moved >= minMoved || isNow);
 }
 
-bool isOrderedTable(const dxBroadphaseFacts &facts) {
-    const bool isNow = facts.current == dxBroadphaseKind::OrderedTable;
-    return facts.geoms <= (isNow ? Threshold::kMaxOrderedTable : Threshold::kMaxOrderedTable / 2);
+bool isOrderedBruteForce(const dxBroadphaseFacts &facts) {
+    const bool isNow = facts.current == dxBroadphaseKind::OrderedBruteForce;
+    return facts.geoms <= (isNow ? Threshold::kMaxOrderedBruteForce : Threshold::kMaxOrderedBruteForce / 2);
 }
 
-bool isSlotTable(const dxBroadphaseFacts &facts) {
-    const bool hasGrown = facts.current == dxBroadphaseKind::NeighbourList || facts.current == dxBroadphaseKind::NeighbourSets;
-    return facts.slots <= (hasGrown ? Threshold::kMaxSlotTable / 2 : Threshold::kMaxSlotTable);
+bool isBruteForce(const dxBroadphaseFacts &facts) {
+    const bool hasGrown = facts.current == dxBroadphaseKind::VerletList || facts.current == dxBroadphaseKind::Neighbours;
+    return facts.slots <= (hasGrown ? Threshold::kMaxBruteForce / 2 : Threshold::kMaxBruteForce);
 }
 
-bool areNeighboursLost(const dxBroadphaseFacts &facts) {
+bool isListCheaper(const dxBroadphaseFacts &facts) {
     return facts.lookedUp >= Threshold::kMinLookUps && facts.lookedUp * Threshold::kListedPerLookUp >= facts.slots;
 }
 
-// All members have just come, or a table has become too small: a list takes all of them in at once.
+// A new space, or one that has outgrown brute force, begins with a list, which takes in all members at once.
 dxBroadphaseKind chooseNeighbours(const dxBroadphaseFacts &facts) {
-    const bool isTold = facts.mismatchStreak >= Threshold::kMinMismatchStreak;
-    if (facts.current == dxBroadphaseKind::NeighbourList)
-        return isTold ? dxBroadphaseKind::NeighbourSets : dxBroadphaseKind::NeighbourList;
-    if (facts.current == dxBroadphaseKind::NeighbourSets && !isTold && !areNeighboursLost(facts))
-        return dxBroadphaseKind::NeighbourSets;
-    return dxBroadphaseKind::NeighbourList;
+    const bool isMismatch = facts.mismatchStreak >= Threshold::kMinMismatchStreak;
+    if (facts.current == dxBroadphaseKind::VerletList)
+        return isMismatch ? dxBroadphaseKind::Neighbours : dxBroadphaseKind::VerletList;
+    if (facts.current == dxBroadphaseKind::Neighbours && !isMismatch && !isListCheaper(facts))
+        return dxBroadphaseKind::Neighbours;
+    return dxBroadphaseKind::VerletList;
 }
 
 }  // namespace
@@ -56,13 +59,13 @@ dxBroadphaseKind chooseNeighbours(const dxBroadphaseFacts &facts) {
 dxBroadphaseKind dxChooseBroadphase(const dxBroadphaseFacts &facts) {
     if (isListWalk(facts)) return dxBroadphaseKind::ListWalk;
     const bool isByRank = facts.order == dxPairOrder::List || facts.order == dxPairOrder::Blocks;
-    if (isByRank && isOrderedTable(facts)) return dxBroadphaseKind::OrderedTable;
-    return isSlotTable(facts) ? dxBroadphaseKind::SlotTable : chooseNeighbours(facts);
+    if (isByRank && isOrderedBruteForce(facts)) return dxBroadphaseKind::OrderedBruteForce;
+    return isBruteForce(facts) ? dxBroadphaseKind::BruteForce : chooseNeighbours(facts);
 }
 
 bool dxPrefersOtherBroadphase(const dxBroadphaseFacts &facts) {
-    if (facts.current == dxBroadphaseKind::NeighbourList) return facts.changed * Threshold::kListedPerLookUp < facts.slots;
-    return facts.current == dxBroadphaseKind::NeighbourSets && facts.changed * Threshold::kListedPerMove >= facts.slots;
+    if (facts.current == dxBroadphaseKind::VerletList) return facts.changed * Threshold::kListedPerLookUp < facts.slots;
+    return facts.current == dxBroadphaseKind::Neighbours && facts.changed * Threshold::kListedPerMove >= facts.slots;
 }
 
 int dxMinMovedToWalk(dxPairOrder order, int geoms) {
@@ -74,7 +77,7 @@ int dxMinMovedToWalk(dxPairOrder order, int geoms) {
 double dxCostOfKeeping(dxPairOrder order, const dxPairWork &work) {
     if (work.changed == 0) return 0;
     const bool isByRank = order == dxPairOrder::List || order == dxPairOrder::Blocks;
-    const Costs &costs = isByRank && work.geoms <= static_cast<std::size_t>(Threshold::kMaxOrderedTable) ? kTable
+    const Costs &costs = isByRank && work.geoms <= static_cast<std::size_t>(Threshold::kMaxOrderedBruteForce) ? kBruteForce
                          : order == dxPairOrder::Axis ? kPlaced
                                                        : kSorted;
     const double geoms = static_cast<double>(work.geoms), changed = static_cast<double>(work.changed);

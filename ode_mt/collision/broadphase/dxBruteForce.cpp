@@ -37,7 +37,7 @@ void dxBruteForceBroadphase::adopt(const dxMembers &members) {
     for (Slot slot = 0; slot < members.end(); ++slot) m_boxes.push(members[slot].bounds);
 }
 
-// Each pair once, of which some may not have changed.
+// Finds each pair once, and leaves out those of which no member has changed.
 void dxBruteForceBroadphase::searchAll(const dxMembers &members, std::vector<Match> &matches) {
     const std::size_t count = dxOverlappingPairs(m_boxes, m_boxes.size(), m_found);
     for (std::size_t i = 0; i < count; ++i) {
@@ -47,7 +47,7 @@ void dxBruteForceBroadphase::searchAll(const dxMembers &members, std::vector<Mat
     }
 }
 
-// Pairs of two that have changed are found from either: that of the lower slot counts.
+// A pair of two changed members is found from both; it is taken from the lower slot.
 void dxBruteForceBroadphase::findPairsOfChanged(const dxMembers &members, std::vector<Match> &matches) {
     m_rows.resize(m_boxes.size());
     for (const Slot slot : members.changed()) {

@@ -7,24 +7,24 @@ namespace {
 
 constexpr int kLowestExponent = -40, kHighestExponent = 80;
 
-// Most cells an axis. Numbers of cells are then below 2^52, borders included; what lies beyond is put into the last
-// cell, which keeps neighbours neighbours.
+// Maximum number of cells on an axis, so that numbers of cells are below 2^52, borders included. Boxes beyond are put into the last
+// cell; so neighbours stay neighbours.
 constexpr std::uint32_t kMaxCells = 1 << 17;
 
-// A level with less than one box for so many of the next larger one is joined to that: one sweep less.
+// A level is joined to the next larger one if that has more than this many boxes for each of its own: one sweep less.
 constexpr std::size_t kSparse = 4;
 
-// Up to so many boxes are compared with all smaller ones, instead of sorting those again.
-constexpr std::size_t kHandful = 64;
+// Maximum number of boxes of a level that are compared with all smaller ones, instead of sorting those again.
+constexpr std::size_t kMaxComparedWithAll = 64;
 
-// Rows that one worker takes at once: some ten microseconds.
+// Some ten microseconds.
 constexpr std::size_t kRowsPerChunk = 256;
 
 bool fitsACell(const dxBounds &box) {
     return box.isModerate() && box.longestEdge() < std::ldexp(1.0, kHighestExponent);
 }
 
-// Of the smallest cell that holds the box: 2^(exponent - 1) <= edge < 2^exponent.
+// Returns the exponent of the smallest cell that holds the box: 2^(exponent - 1) <= edge < 2^exponent.
 int exponentOf(const dxBounds &box) {
     int exponent = kLowestExponent;
     const dReal edge = box.longestEdge();
@@ -46,7 +46,7 @@ std::uint64_t dxGridBroadphase::Grid::cellOf(const dxBounds &box) const {
         at[axis] = 1 + static_cast<std::uint64_t>(std::min(cell, double(cells[axis] - 1)));
     }
     const dxCellStrides stride = strides();
-    // One row and one layer more below, so that numbers of neighbours are never below zero.
+    // There is one row and one layer more below, so that numbers of neighbours are never negative.
     return at[0] * stride.x + at[1] * stride.y + at[2];
 }
 
@@ -101,7 +101,7 @@ void dxGridBroadphase::joinSparseLevels() {
     m_levels.resize(kept);
 }
 
-// Of the corners so far. Where its boxes lie so far apart that there would be too many cells, these are made larger.
+// Returns the grid of the corners so far. Cells are enlarged where boxes lie so far apart that there would be too many.
 dxGridBroadphase::Grid dxGridBroadphase::gridOf(int exponent) const {
     const double extent = m_corners.longestEdge();
     if (extent > 0) exponent = std::max(exponent, std::ilogb(extent / kMaxCells) + 2);
@@ -144,7 +144,7 @@ void dxGridBroadphase::searchLevel(const dxMembers &members, std::size_t index, 
 void dxGridBroadphase::findPairsWithSmaller(const dxMembers &members, std::size_t index, const Grid &grid,
                                   dxTaskRunner &runner) {
     const Level &level = *m_levels[index];
-    if (level.slots.size() <= kHandful) {
+    if (level.slots.size() <= kMaxComparedWithAll) {
         for (std::size_t smaller = 0; smaller < index; ++smaller)
             for (const Slot slot : level.slots)
                 dxCellPairsOfBox(m_levels[smaller]->rows, members[slot].bounds, slot, members.isChanged(slot),

@@ -1,4 +1,4 @@
-// Broad phase by cell grids, without state: for calls in which many members have changed.
+// Broad phase by cell grids, for calls in which many members have changed.
 //
 // It keeps no state from call to call, so the cost of a call does not depend on how far boxes have moved, and includes
 // the members at rest.
@@ -23,7 +23,7 @@
 
 class dxGridBroadphase final : public dxBroadphase {
 public:
-    // The search stops as soon as there are more pairs than `maxPairs` allows.
+    // A call stops as soon as there are more pairs than `maxPairs` allows.
     explicit dxGridBroadphase(dxPairLimit maxPairs = dxUnlimitedPairs) : m_maxPairs(maxPairs) {}
 
     void findOverlaps(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;

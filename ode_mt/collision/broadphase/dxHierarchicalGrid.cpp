@@ -53,7 +53,7 @@ dxHierarchicalGrid::Cell &dxHierarchicalGrid::findOrMake(std::int32_t level, std
     return m_cells[i] = Cell{level, x, y, z, kNoIndex};
 }
 
-// Drops the empty cells; things that travel leave such cells behind.
+// Drops the empty cells, which moving boxes leave behind.
 void dxHierarchicalGrid::rebuildTable() {
     constexpr std::size_t kSmallest = 64;
     std::vector<Cell> old;

@@ -2,11 +2,11 @@
 
 namespace {
 
-// Share of its longest edge that a box is given as margin. A wider one means fewer searches and more
+// Margin of a box as a share of its longest edge. A wider one means fewer queries and more
 // candidates that do not touch; between 5 and 20 % the time of a frame is the same within its noise.
 constexpr dReal kMargin = 0.1;
 
-// What travels gets room for this many moves of the same length, but not more than its longest edge.
+// A box that moves gets room for this many moves of the same length, but not more than its longest edge.
 constexpr dReal kPredictedMoves = 8;
 
 dReal marginOf(dReal edge, dReal distance) {
@@ -87,7 +87,7 @@ void dxNeighbourBroadphase::findOverlaps(const dxMembers &members, dxTaskRunner 
         if (members[slot].geom == nullptr) continue;
         for (const dxNeighbours::Candidate &candidate : m_neighbours.of(slot)) {
             const dxMembers::Slot other = candidate.slot;
-            if (members.isChanged(other) && other < slot) continue;  // found from that side
+            if (members.isChanged(other) && other < slot) continue;  // found from the other one
             if (members[slot].bounds.overlaps(members[other].bounds)) matches.push_back({slot, other});
         }
     }

@@ -4,10 +4,10 @@
 
 namespace {
 
-// Up to so many are compared one by one as fast as by vectors.
+// Up to this number boxes are compared one by one as fast as with SIMD.
 constexpr std::size_t kMaxComparedOneByOne = 16;
 
-// Putting so many boxes into columns costs what one query saves.
+// Putting this many boxes into columns costs as much as one query saves.
 constexpr std::size_t kBoxesPerQuery = 8;
 
 }  // namespace
@@ -23,22 +23,22 @@ const std::vector<dxSortItem> &dxOrderedBoxes::update(const dxMembers &members) 
 bool dxOrderedBoxes::find(const dxMembers &members, const dxBounds &box, bool isFewElsewhere, Found &found) {
     if (members.end() > kMaxMembers) return false;
     const bool areFew = members.end() <= kMaxComparedOneByOne;
-    bool isByVectors = !areFew && hasColumns(members);
-    if (!isByVectors) {
-        isByVectors = !areFew && isColumnsDue(members);
-        if (isFewElsewhere && !isByVectors) return false;
-        if (!makeReady(members, isByVectors)) return false;
+    bool useColumns = !areFew && hasColumns(members);
+    if (!useColumns) {
+        useColumns = !areFew && isColumnsDue(members);
+        if (isFewElsewhere && !useColumns) return false;
+        if (!makeReady(members, useColumns)) return false;
     }
-    isByVectors ? compareByVectors(box, found) : compareOneByOne(members, box, found);
+    useColumns ? compareColumns(box, found) : compareOneByOne(members, box, found);
     return true;
 }
 
-void dxOrderedBoxes::compareByVectors(const dxBounds &box, Found &found) const {
+void dxOrderedBoxes::compareColumns(const dxBounds &box, Found &found) const {
     found.count = m_overlappingRows(m_boxes, box, 0, m_boxes.size(), found.slots);
     for (std::size_t i = 0; i < found.count; ++i) found.slots[i] = (*m_items)[found.slots[i]].index;
 }
 
-// In turn, as the comparisons of few boxes mostly come out alike.
+// Compares axis after axis: comparisons of few boxes mostly have the same result, which is predicted.
 void dxOrderedBoxes::compareOneByOne(const dxMembers &members, const dxBounds &box, Found &found) const {
     std::size_t count = 0;
     for (const dxSortItem &item : *m_items)
@@ -54,7 +54,7 @@ bool dxOrderedBoxes::isColumnsDue(const dxMembers &members) {
     return queries > 1 + members.end() / kBoxesPerQuery;
 }
 
-// Since the columns were filled, and none of them to another place in the order.
+// Returns whether few members have moved since the columns were filled, and none of them to another place in the order.
 bool dxOrderedBoxes::haveFewMoved(const dxMembers &members) const {
     return m_columnsOrderings.load(std::memory_order_relaxed) == members.orderings() &&
            members.placings() - m_columnsPlacings.load(std::memory_order_relaxed) <= dxMembers::kPlacingsKnown;
@@ -69,7 +69,7 @@ bool dxOrderedBoxes::makeReady(const dxMembers &members, bool withColumns) {
     return true;
 }
 
-// A member that is absent has no row.
+// An absent member has no row.
 void dxOrderedBoxes::fillColumns(const dxMembers &members) {
     if (haveFewMoved(members)) {
         for (std::uint64_t placing = m_columnsPlacings.load(std::memory_order_relaxed); placing != members.placings(); ++placing) {

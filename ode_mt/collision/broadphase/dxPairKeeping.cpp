@@ -4,18 +4,18 @@
 
 namespace {
 
-// A call that is interrupted takes any time: it counts as so many times the average at most, and as one of so many calls.
+// An interrupted call may take any time: it counts as at most kMaxStep times the average, in a moving average of kCallsOfAverage calls.
 constexpr double kMaxStep = 2;
 constexpr unsigned kCallsOfAverage = 8;
 constexpr unsigned kTimesToTrust = 3;
 constexpr double kMinFactor = 1.0 / 8, kMaxFactor = 16;
 
-// What finding all anew has to be cheaper by: the geoms of kept pairs are prefetched for their callbacks, those of a row are not. That is worth
+// Factor by which finding all anew has to be cheaper: the geoms of kept pairs are prefetched for their callbacks, those of a row are not. That saves
 // nothing where all are in the cache.
 constexpr double kWorthOfKeeping = 1.5;
 constexpr std::size_t kMaxCached = 512;  // geoms
 
-// In a space of no more geoms an estimate would take as long as the call.
+// Up to this number of geoms an estimate would take as long as the call.
 constexpr std::size_t kMaxUnestimated = dxBroadphaseThresholds::kMaxAlwaysWalked;
 
 double costAnew(dxPairOrder order, const dxPairWork &work) {
@@ -33,7 +33,7 @@ void dxPairKeeping::note(const dxPairWork &work) {
         noteAnew(work);
 }
 
-// Pairs of a space that rests are kept.
+// In a small space pairs are kept while it rests.
 void dxPairKeeping::noteFew(std::size_t changed) {
     m_restedCalls = changed == 0 ? m_restedCalls + 1 : 0;
     m_isKept = m_restedCalls >= dxBroadphaseThresholds::kMinCallsRested;
@@ -57,8 +57,8 @@ void dxPairKeeping::change() {
     m_saved = 0;
 }
 
-// To forget the pairs costs nothing, so what the first calls that find all anew would save has to be proved by a few calls. In the first of all every
-// geom has changed, and nothing is known of the clock.
+// Forgetting the pairs costs nothing, so a few calls have to prove that finding all anew saves time. In the first call every
+// geom has changed, and no call has been timed.
 void dxPairKeeping::noteKept(const dxPairWork &work) {
     if (m_timed < kTimesToTrust && m_keptCalls < kCallsOfAverage) {
         ++m_keptCalls;

@@ -19,7 +19,7 @@ void dxPairRows::fillColumns() {
 
 std::size_t dxPairRows::find(std::size_t row) { return keepAgreeing(row, findFrom(row + 1, m_boxes, box(row))); }
 
-// Without a branch on what the filters say: where they exclude about half of the pairs it would be mispredicted.
+// Branch-free in the result of the filters: where they exclude about half of the pairs, a branch would be mispredicted.
 std::size_t dxPairRows::keepOnlyAgreeing(const dxPairFilter &filter, std::size_t count) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < count; ++i) {

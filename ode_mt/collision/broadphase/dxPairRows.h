@@ -1,6 +1,6 @@
-// All pairs of a space, found anew row by row, with SIMD: what a call does that keeps no pairs.
+// All pairs of a space, found anew row by row, with SIMD, for calls that keep no pairs.
 //
-// The pairs of a row are used before those of the next are looked for, so their memory is that of one row, however many there are. Filters
+// The pairs of a row are delivered before those of the next row are found, so memory for one row suffices. Filters
 // are read in the order of rows, so a pair that they exclude costs no cache miss. Threading: not thread-safe.
 #pragma once
 
@@ -14,7 +14,7 @@
 #include "collision/pairs/dxMembers.h"
 #include "collision/pairs/dxPair.h"
 
-// Where each geom is paired with those behind it.
+// In this class each geom is paired with those behind it; derived classes pair otherwise.
 class dxPairRows {
 public:
     using Slot = dxMembers::Slot;
@@ -76,7 +76,7 @@ protected:
         m_comparisons += comparisons;
         m_overlaps += overlaps;
     }
-    // Leaves those out that the filters exclude; returns how many are left.
+    // Removes those that the filters exclude from what was found; returns how many are left.
     std::size_t keepAgreeing(std::size_t element, std::size_t count) {
         return m_mayExclude ? keepOnlyAgreeing(m_filters[element], count) : count;
     }

@@ -6,14 +6,14 @@
 
 namespace {
 
-// Cells an axis of the curve along which boxes are put into the tree.
+// Number of cells on an axis of the curve along which boxes are sorted into the tree.
 constexpr int kCurveBits = 16;
 constexpr double kCurveCells = 1 << kCurveBits;
 
-// Loose boxes that one comparison of a box outside the tree stands for, and those that are compared in one part.
+// Number of loose boxes that count as one comparison, and that are compared before their results are appended.
 constexpr std::size_t kComparedAtOnce = 4, kRowsInPart = 256;
 
-// Spreads the bits of a number out, two empty ones between each.
+// Returns the bits of a number with two zeros between each two of them.
 std::uint64_t spread(std::uint64_t bits) {
     std::uint64_t spread = 0;
     for (int i = 0; i < kCurveBits; ++i) spread |= (bits >> i & 1) << (3 * i);
@@ -102,7 +102,7 @@ bool dxRegionIndex::query(const dxBounds &box, std::pmr::vector<Slot> &found) {
     return true;
 }
 
-// In parts, whose results have room on the stack.
+// Compares a part at a time, whose results fit on the stack.
 void dxRegionIndex::appendLoose(const dxBounds &box, std::pmr::vector<Slot> &found) const {
     std::uint32_t rows[kRowsInPart];
     for (std::size_t begin = 0; begin < m_loose.size(); begin += kRowsInPart) {
@@ -112,7 +112,7 @@ void dxRegionIndex::appendLoose(const dxBounds &box, std::pmr::vector<Slot> &fou
     }
 }
 
-// The first query. Returns false if another thread is about it, or without memory.
+// Requires a call at the first query. Returns false if another thread is in it, or without memory.
 bool dxRegionIndex::begin(const dxMembers &members) {
     const std::unique_lock<std::shared_mutex> building(m_mutex, std::try_to_lock);
     if (!building) return false;

@@ -2,8 +2,8 @@
 // against a whole space.
 //
 // Members at rest are in a BVH (overlap/dxBoxBvh.h). A member that changes becomes loose, and is compared with every
-// queried box, with SIMD. At first all are loose. Loose members cost time at each query, building the tree costs it once: the tree is rebuilt when
-// the comparisons since have cost as much. So a space without queries builds none, and in one with many queries, with or without motion, a query has
+// queried box, with SIMD. At first all are loose. The tree is rebuilt when the comparisons of loose members have cost as much as building it
+// does. So a space without queries builds none, and in one with many queries, with or without motion, a query has
 // logarithmic cost.
 //
 // Threading: several threads may query while no member changes. One of them builds the tree, the others compare all
@@ -37,16 +37,16 @@ public:
     // first.
     void find(const dxMembers &members, const dxBounds &box, std::pmr::vector<Slot> &found);
 
-    // Requires a call after each question, answered here or by comparing all members, with how many of `all` overlap the box.
+    // Requires a call after each query, here or by comparing all members, with the number of members found and of all.
     void noteFound(std::size_t found, std::size_t all) {
         const bool isSelective = dxBroadphaseThresholds::kMinUnmetPerMet * found <= all;
         if (isSelective != m_isSelective.load(std::memory_order_relaxed)) m_isSelective.store(isSelective, std::memory_order_relaxed);
         const bool isHighly = dxBroadphaseThresholds::kMinUnmetPerMetByVectors * found <= all;
         if (isHighly != m_isHighlySelective.load(std::memory_order_relaxed)) m_isHighlySelective.store(isHighly, std::memory_order_relaxed);
     }
-    // Returns whether the last question was answered by so few members that comparing all would take longer.
+    // Returns whether the last query found so few members that comparing all one by one would have taken longer.
     bool isSelective() const { return m_isSelective.load(std::memory_order_relaxed); }
-    // Returns the same of a comparison by vectors.
+    // Returns the same for comparing all with SIMD.
     bool isHighlySelective() const { return m_isHighlySelective.load(std::memory_order_relaxed); }
 
 private:
@@ -66,7 +66,7 @@ private:
     void sortAlongCurve(const dxMembers &members);
 
     std::shared_mutex m_mutex;  // only try_lock is used: shared for a query, exclusive for a build
-    bool m_isInUse = false;     // since the first question all members are in the tree or loose
+    bool m_isInUse = false;     // all members are in the tree or loose, from the first query on
     std::vector<Home> m_homes;  // by slot
     std::vector<Slot> m_loose;
     dxBoxColumns m_looseBoxes;  // of m_loose

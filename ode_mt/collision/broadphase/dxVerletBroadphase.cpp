@@ -11,21 +11,21 @@ namespace {
 // The skin, as a share of a box's longest edge. A wider one means fewer lists and more candidates that do not touch.
 constexpr dReal kSkin = 0.05;
 
-// What travels gets room for so many calls, but not for more than its longest edge.
+// A box that moves gets room for this many calls, but not for more than its longest edge.
 constexpr dReal kPredictedCalls = 8;
 
-// Growing a stored box takes at least a three hundredth of the time that making a list takes, whatever their number;
-// and what is appended to the list is compared at every call.
+// Growing a stored box takes at least a three hundredth of the time of making a list, whatever the number of boxes;
+// and appended candidates are compared at every call.
 constexpr std::size_t kGrowthsForAList = 250;
 constexpr std::size_t kMaxByFresh = 2;  // a list that has grown by this factor is rebuilt
 
-// Where one of so many members has left its stored box in one call, a list is made rather.
+// A list is made if one of this many members has left its stored box in one call.
 constexpr std::size_t kManyEscaped = 8;
 
-// What one worker takes at once: some ten microseconds.
+// Some ten microseconds.
 constexpr std::size_t kMembersPerChunk = 512, kCandidatesPerChunk = 2048;
 
-// Members between asking the memory for one and looking at it.
+// Prefetch distance, in members.
 constexpr std::size_t kPrefetchDistance = 8;
 
 // Marks beside those of dxPackedBoxes: the slot has a stored box; the box is not within it.
@@ -42,7 +42,7 @@ dxBounds withoutNaN(dxBounds box) {
 
 }  // namespace
 
-// The list is none while it is worked on: nothing is left half-way if memory runs out.
+// There is no list while it is updated: nothing is left half done if memory runs out.
 void dxVerletBroadphase::findOverlaps(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) {
     ++m_calls;
     const bool hadList = m_hasList, isPaused = m_callsWithout > 0;
@@ -56,7 +56,7 @@ void dxVerletBroadphase::findOverlaps(const dxMembers &members, dxTaskRunner &ru
         m_batch.findOverlaps(members, runner, matches);
         return;
     }
-    if (m_candidates.size() > m_maxPairs(members.end())) {  // not all of them, perhaps
+    if (m_candidates.size() > m_maxPairs(members.end())) {  // perhaps not all were found
         m_batch.findOverlaps(members, runner, matches);
         return;
     }
@@ -101,12 +101,12 @@ void dxVerletBroadphase::resize(std::size_t slots) {
     m_boxes.resize(slots);
     m_starts.resize(slots);
     m_stored.resize(slots);
-    while (m_storedTable.size() < slots) m_storedTable.push(dxBounds());
+    while (m_storedColumns.size() < slots) m_storedColumns.push(dxBounds());
 }
 
 void dxVerletBroadphase::store(Slot slot, const dxBounds &box) {
     m_stored[slot] = box;
-    m_storedTable.set(slot, box);
+    m_storedColumns.set(slot, box);
 }
 
 // The motion since the last list predicts the next. Members at rest have no skin.
@@ -173,8 +173,8 @@ void dxVerletBroadphase::grow(const dxMembers &members, Slot slot) {
     const dxBounds before = m_stored[slot];
     dxBounds grown = boxToStore(members, slot);
     if (hadStored) grown.include(before);
-    m_met.resize(m_storedTable.size());
-    const std::size_t met = dxOverlappingRows(m_storedTable, grown, 0, m_storedTable.size(), m_met.data());
+    m_met.resize(m_storedColumns.size());
+    const std::size_t met = dxOverlappingRows(m_storedColumns, grown, 0, m_storedColumns.size(), m_met.data());
     for (std::size_t i = 0; i < met; ++i) {
         const Slot other = m_met[i];
         if (other == slot || (m_boxes.marks(other) & kStored) == 0) continue;

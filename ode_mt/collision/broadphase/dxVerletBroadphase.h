@@ -3,14 +3,14 @@
 //
 // Source: the neighbour list with a skin of molecular dynamics (Verlet, Physical Review 159, 1967; Allen and Tildesley,
 // Computer Simulation of Liquids, 5.3). Each box is stored enlarged, by a skin on all sides and by its motion of some
-// calls on the side to which it travels. While boxes lie within their stored ones, they cannot overlap without these,
-// so a call compares the candidates and nothing else.
+// calls on the side to which it moves. While boxes lie within their stored boxes, they overlap only if those do,
+// so a call compares only the candidates.
 //
 // Invariant: the candidates are, each once, the pairs of slots whose stored boxes overlap. All are found at once when a
-// list is made (dxGridBroadphase). Stored boxes only ever grow until the next one: where a box leaves its own, that is
-// grown to hold it, compared with all others, and what it meets now and did not meet before becomes a candidate. A slot
-// keeps its stored box when its member goes. A list is rebuilt when growing has cost about as much, or has made the
-// list long. Where boxes move so fast that lists serve few calls, pairs are found by the cell grid for a while.
+// list is made (dxGridBroadphase). Until the next list stored boxes only grow: when a box leaves its stored box, that is
+// grown to hold it and compared with all others; those that it meets anew become candidates. A slot
+// keeps its stored box when its member is removed. A list is rebuilt when growing has cost about as much, or has made the
+// list long. Where boxes move so fast that lists serve few calls, pairs are found by the cell grid for some calls.
 #pragma once
 
 #include <vector>
@@ -63,18 +63,17 @@ private:
     const dxPairLimit m_maxPairs;
     dxPackedBoxes m_boxes;           // as they are, by slot
     std::vector<dxBounds> m_stored;  // by slot
-    dxBoxColumns m_storedTable;        // the same in columns
+    dxBoxColumns m_storedColumns;    // the same in columns
     std::vector<Start> m_starts;     // by slot
     std::vector<Match> m_candidates;
-    std::vector<Slot> m_escaped;     // in this call
+    std::vector<Slot> m_escaped;     // from their stored boxes, in this call
     std::vector<std::uint32_t> m_met;
     dxGridBroadphase m_batch;
     dxMembers m_grown;               // for the batch: the members with their stored boxes
     std::vector<Found> m_found;      // by worker
     bool m_hasList = false;
     std::size_t m_lists = 0;
-    std::size_t m_calls = 0;         // since the list was made
-    std::size_t m_growths = 0;       // since then
+    std::size_t m_calls = 0, m_growths = 0;  // since the list was made
     std::size_t m_freshCandidates = 0;
     unsigned m_shortLists = 0;       // in a row
     unsigned m_callsWithout = 0;     // to come

@@ -15,14 +15,14 @@ namespace {
 
 std::atomic<bool> overridden[dGeomNumClasses][dGeomNumClasses] = {};
 
-// What upstream's table holds for two classes, as far as it matters here. Upstream never writes over a
+// The entry of upstream's table for two classes, as far as it matters here. Upstream never overwrites a
 // collider when a class is created: those of spaces, of geom transforms and those set by the user stay, and
 // the class is not asked.
 enum class Entry : std::uint8_t {
-    none,       // no collider: the next class that is created and is one of the two will be asked
+    none,       // no collider: a class that is created later and is one of the two will be asked
     other,      // a collider of upstream's or of the user's
-    asksFirst,  // the first of the two classes will be asked, at the first meeting
-    asksSecond  // the second will
+    asksFirst,  // the first of the two classes will be asked when they meet
+    asksSecond  // the second one will be asked
 };
 
 struct Dispatch {
@@ -42,7 +42,7 @@ struct Dispatch {
         entries[type2][type1].store(reversed, std::memory_order_release);
         entries[type1][type2].store(entry, std::memory_order_release);
     }
-    // As upstream fills the table, where user classes are concerned.
+    // Fills the table as upstream does, as far as user classes are concerned.
     void forget() {
         for (std::atomic<dGetColliderFnFn *> &getter : getters) getter = nullptr;
         const auto isFilled = [](int type) {
@@ -72,9 +72,8 @@ void write(int type1, int type2, dColliderFn *collider) {
     dispatch->set(type1, type2, entry, entry);
 }
 
-// Upstream asks by itself where a collider of its own calls its own dCollide: that of spaces, for what is in
-// them. It is given this function to ask, so that what it writes is known here; and what it writes is what is
-// written here.
+// The function that upstream itself asks, where a collider of its own calls its own dCollide: that of spaces, for the geoms
+// in them. So what upstream writes is known here, and is the same as what is written here.
 template <int user>
 dColliderFn *askForUpstream(int other) {
     constexpr int type = dFirstUserClass + user;
@@ -95,8 +94,8 @@ bool areClasses(int type1, int type2) {
 
 }  // namespace
 
-// As upstream: the class that is named in the table is asked for the other one; then the other, if it is the
-// user's.
+// The class that the table names is asked for the other one; then the other, if it is the
+// user's: the same as upstream.
 void dxColliderTable::resolve(int type1, int type2) {
     if (!areClasses(type1, type2)) return;
     const Entry entry = dispatch->entries[type1][type2].load(std::memory_order_acquire);
@@ -111,7 +110,7 @@ void dxColliderTable::resolve(int type1, int type2) {
 }
 
 int dxColliderTable::createClass(const dGeomClass *description) {
-    // Upstream reports what is wrong, to a handler that may never return: without the lock.
+    // Without the lock: upstream reports an error to a handler that may never return.
     const bool wrong = description == nullptr || description->bytes < 0 || !description->collider ||
                        !description->aabb || dispatch->classes.load() >= dMaxUserClasses;
     if (wrong) return dxUpstreamCreateGeomClass(description);

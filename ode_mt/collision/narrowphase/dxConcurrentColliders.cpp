@@ -20,7 +20,7 @@ namespace {
 bool hasNoPlace(const dxGeom &geom) { return geom.type == dPlaneClass; }
 bool isMesh(const dxGeom &geom) { return geom.type == dTriMeshClass; }
 
-// Colliding a height field takes memory, which may be the user's to give.
+// Colliding a height field takes memory, which a function of the user's may provide.
 bool callsUser(const dxHeightfieldData *heights) {
     return heights == nullptr || heights->m_nGetHeightMode == 0 || dGetAllocHandler() != nullptr;
 }
@@ -52,11 +52,11 @@ bool isPure(const dxGeom &geom) {
     }
 }
 
-// A copy of a geom of a built-in class with a pose of its own, which may be transformed. Never destroyed: what it
-// points to is the original's.
+// A copy of a geom of a built-in class with a pose of its own, which may be transformed. The copied geom is never destroyed: its
+// pointers are the original's.
 class MovableCopy {
 public:
-    // `arrays`: that a convex geom is to have instead of its own, or NULL.
+    // `arrays`: those that a convex geom gets instead of its own, or NULL.
     dxGeom *of(const dxGeom &geom, const dxConvexArrays::Copy *arrays) {
         switch (geom.type) {
             case dSphereClass:
@@ -99,7 +99,7 @@ struct Copied {
     const dxGeom *copy, *original;
 };
 
-// Contacts of copies become contacts of the originals.
+// Replaces copies in contacts by their originals.
 void giveToOriginals(dContactGeom *contacts, int count, int skip, std::initializer_list<Copied> geoms) {
     for (int i = 0; i < count; ++i) {
         dContactGeom &contact = *CONTACT(contacts, i * skip);
@@ -137,7 +137,7 @@ std::uint64_t dxColliderState(const dxGeom &geom) {
            static_cast<std::uint64_t>(mesh.m_SphereContactsMergeOption) << 48;
 }
 
-// A height field with buffers and data of its own. It takes over from each original all but the buffers,
+// A height field with buffers and data of its own. It takes over everything from each original except the buffers,
 // which it keeps.
 class dxColliderCopies::Terrain {
 public:
@@ -156,7 +156,7 @@ public:
     }
 
 private:
-    // Gives back what is the original's, also when a message of the collider's is thrown.
+    // Drops the original's data, also when a message of the collider's is thrown.
     class Borrowed {
     public:
         explicit Borrowed(dxHeightfield &field) : m_field(field) {}

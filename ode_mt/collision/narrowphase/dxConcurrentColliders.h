@@ -20,20 +20,18 @@
 // used.
 bool dxMayCollideConcurrently(const dxGeom &a, const dxGeom &b);
 
-// Whether what colliders of such a pair read can be known to be unchanged later, as far as arrays are concerned that
-// are the program's own, so that it may write to them without a call: those of meshes, and samples of height fields
-// that were not copied, are too many to compare.
+// Returns whether later calls can find out that the arrays which colliders of such a pair read have not changed. Arrays of the program's own, which
+// it may write to without a call, are too large to compare if they are those of meshes, or samples of height fields that were not copied.
 bool dxKnowsArrays(const dxGeom &a, const dxGeom &b);
 
-// Whether the geom has data in an object that the program may destroy while it has the geom, but does not collide it:
+// Returns whether the geom has data in an object that the program may destroy while it keeps the geom but does not collide it:
 // such data may be accessed only if no such object has been destroyed (dxSilentChanges) since the program collided the
 // geom.
 bool dxHasDataOfProgram(const dxGeom &geom);
 
-// What the user may change about a geom in a callback without moving it, and colliders read: flags of rays and the data
-// of meshes. Where it is the same, the geom has not moved, and the arrays of a convex geom are those of the copy
-// (dxConvexArrays), dCollide gives the same contacts. Whether samples of height fields have changed is told by
-// dxSilentChanges.
+// Returns the state that colliders read and the user may change in a callback without moving the geom: flags of rays and the data
+// of meshes. dCollide gives the same contacts if this state is the same, the geom has not moved, and the arrays of a convex geom are those of the
+// copy (dxConvexArrays). dxSilentChanges counts changes of the samples of height fields.
 std::uint64_t dxColliderState(const dxGeom &geom);
 
 // Scratch memory of one worker.
@@ -43,7 +41,7 @@ public:
     ~dxColliderCopies();
     dxColliderCopies(dxColliderCopies &&) noexcept;
 
-    // What is read instead of the arrays of convex geoms; NULL: the program's.
+    // Arrays that are read instead of those of convex geoms; NULL: the program's.
     struct Arrays {
         const dxConvexArrays::Copy *a = nullptr, *b = nullptr;
     };
@@ -55,5 +53,5 @@ private:
     class Terrain;
     int collideWithTerrain(dxGeom &a, dxGeom &b, const Arrays &arrays, int flags, dContactGeom *contacts, int skip);
 
-    std::unique_ptr<Terrain> m_terrain;  // made when the first height field comes
+    std::unique_ptr<Terrain> m_terrain;  // made for the first height field
 };

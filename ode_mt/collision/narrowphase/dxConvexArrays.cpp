@@ -39,7 +39,7 @@ dxConvexArrays::Copy::Copy(const dxConvex &convex) : m_number(nextNumber()) {
     copy(m_polygons, convex.polygons, static_cast<std::size_t>(polygon - convex.polygons));
 }
 
-// A polygon begins with the number of its points: what lies behind it is read only if all before it was equal.
+// A polygon begins with the number of its points: it is read only if everything before it was equal.
 bool dxConvexArrays::Copy::equals(const dxConvex &convex) const {
     if (!areEqual(m_planes, convex.planes, planeNumbers(convex))) return false;
     if (!areEqual(m_points, convex.points, pointNumbers(convex))) return false;

@@ -1,9 +1,9 @@
 // Copies of the arrays of convex geoms, for workers to read.
 //
 // Points, planes and polygons are the program's; it may write to them, or free those of a geom that it does not collide
-// any more, without a notification. They exist whenever it calls dCollide for the geom: then, and only then, they are
+// any more, without a notification. They exist whenever it calls dCollide for the geom: only then are they
 // read, and copied if they have changed. Workers prefetch contacts (dxNarrowphasePrefetch) from the copy. Such contacts are
-// valid as long as the geom's arrays are equal to it.
+// valid as long as the geom's arrays are equal to the copy.
 //
 // Threading: one thread at a time; while workers read, no thread changes anything. Dropped: a hash of the program's
 // arrays, taken by workers. They read freed arrays.
@@ -46,7 +46,7 @@ public:
     void read(Slot slot, const dxConvex &convex);
     void forget(Slot slot);
 
-    // NULL: the geom has not been collided.
+    // Returns the copy; NULL: the geom has not been collided.
     const Copy *of(Slot slot) const { return slot < m_copies.size() ? m_copies[slot].get() : nullptr; }
 
 private:
@@ -58,5 +58,5 @@ private:
 
     std::vector<std::shared_ptr<const Copy>> m_copies;  // by slot
     std::map<Place, std::weak_ptr<const Copy>> m_byPlace;
-    std::size_t m_maxPlaces = 64;  // until those that no geom has are dropped
+    std::size_t m_maxPlaces = 64;  // number of entries at which those that no geom has are dropped
 };

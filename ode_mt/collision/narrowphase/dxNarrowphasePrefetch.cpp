@@ -32,19 +32,19 @@ std::atomic<std::uint64_t> lastCall{0};
 constexpr std::size_t kBatch = 2048;
 // Number of pairs after which the flags are known, or are checked again.
 constexpr std::size_t kUnjudgedBatch = 16;
-// Number of pairs that one worker takes at once. Consecutive pairs share geoms; but a convex pair may take twenty
+// Number of pairs in a chunk. Consecutive pairs share geoms; but a convex pair may take twenty
 // microseconds, and every worker should get some.
 constexpr std::size_t kMinChunk = 8, kMaxChunk = 128;
 constexpr std::size_t kChunksPerWorker = 4;
 
-// Contacts a pair for which scratch memory is kept.
+// Maximum number of contacts of a pair for which scratch memory is kept.
 constexpr int kMaxContacts = 4096;
 
 // Number of pairs after which it is decided whether the prefetched contacts are used.
 constexpr std::uint64_t kJudgeThreshold = 256;
 constexpr unsigned kMinPause = 16, kMaxPause = 1024;  // calls
 
-// Never the result of arithmetic: a signalling NaN; the number of no triangle; the address of no geom.
+// The pattern, no part of which a collider writes: a signalling NaN, which arithmetic never returns; no triangle's number; no geom's address.
 using RealBits = std::conditional_t<sizeof(dReal) == sizeof(std::uint64_t), std::uint64_t, std::uint32_t>;
 constexpr auto kNoReal =
     static_cast<RealBits>(sizeof(RealBits) == 8 ? UINT64_C(0x7ff4a5c3e1d2b697) : UINT64_C(0x7fa5c3e1));
@@ -75,8 +75,8 @@ bool isUnwritten(const dContactGeom &contact) {
 
 // Returns false if the call asked only whether two shapes touch: some colliders return a contact without writing it,
 // and dCollide negates the normal if the shapes were in the other order. The same holds if a ray of infinite length
-// hits a convex geom at no distance: the collider computes with the place that it finds in the contact. A number that
-// was computed from the pattern is none, like the pattern.
+// hits a convex geom at no distance: the collider computes with the position that it finds in the contact. A number that
+// was computed from the pattern is a NaN, like the pattern.
 bool isWritten(const dContactGeom &contact) {
     for (int i = 0; i < 3; ++i)
         if (std::isnan(contact.pos[i]) || std::isnan(contact.normal[i])) return false;
@@ -139,7 +139,7 @@ void dxNarrowphasePrefetch::release() {
     if (m_holders.fetch_sub(1, std::memory_order_acq_rel) == 1) delete this;
 }
 
-// Its remaining holders get no further notifications.
+// Releases memory, because the remaining holders of the object get no further notifications.
 void dxNarrowphasePrefetch::leaveSpace() {
     m_pair = nullptr;
     m_hasResults = false;
@@ -150,7 +150,7 @@ void dxNarrowphasePrefetch::leaveSpace() {
     release();
 }
 
-// Either of them makes void what was computed.
+// Any of these changes makes what was computed invalid.
 std::uint64_t dxNarrowphasePrefetch::changesNoticed() {
     return dxSilentChanges.count() + dxMissedNotifications.count();
 }
@@ -219,7 +219,7 @@ void dxNarrowphasePrefetch::computeBatch(const std::vector<dxOrderedPair> &pairs
     const std::size_t chunk =
         std::clamp(size / (kChunksPerWorker * m_runner->workers()), kMinChunk, kMaxChunk);
     m_runner->forChunks(dxParallelStage::NarrowphasePrefetch, size, chunk, [&](std::size_t begin, std::size_t end, unsigned worker) {
-        // A collider that reports something, or that might not end, is left: dCollide runs it when the callback calls it.
+        // A collider that reports a message, or may never end, is interrupted: dCollide runs it when the callback calls it.
         const dxInterruptingScope interrupting;
         const dxCcdQuery::Limit limit;
         m_workers[worker].enterBatch(m_batch);
@@ -269,7 +269,7 @@ void dxNarrowphasePrefetch::compute(const dxOrderedPair &pair, Result &result, u
     worker.wipeDrafts();
 }
 
-// What is left of the window before.
+// Clears what is left of the batch before.
 void dxNarrowphasePrefetch::Worker::enterBatch(std::uint64_t newBatch) {
     if (batch == newBatch) return;
     batch = newBatch;
@@ -296,7 +296,7 @@ void dxNarrowphasePrefetch::Worker::wipe(std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) unwrite(contacts[i]);
 }
 
-// What colliders leave behind the last contact.
+// Restores the pattern that colliders have overwritten behind the last contact.
 void dxNarrowphasePrefetch::Worker::wipeDrafts() {
     for (std::size_t i = used; i < contacts.size() && !isUnwritten(contacts[i]); ++i) unwrite(contacts[i]);
 }

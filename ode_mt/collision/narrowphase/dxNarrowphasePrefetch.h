@@ -66,8 +66,8 @@ public:
         dxNarrowphasePrefetch &m_prefetch;
     };
 
-    // Reserves memory for a call; `slots` is the number of slots of the space's members. Throws std::bad_alloc. No
-    // other function does: contacts without memory are computed in the callbacks.
+    // Reserves memory for a call; `slots` is the number of slots of the space's members. Throws std::bad_alloc, as no
+    // other function does: without memory contacts are computed in the callbacks.
     void reserveMemory(const dxTaskRunner &runner, std::size_t slots);
 
     // Requires a call before the callback of each pairs[index], with rising indices.
@@ -95,7 +95,7 @@ public:
 private:
     static constexpr int kUnknown = -1;
 
-    // It is small, because one moves from core to core for every pair.
+    // It is small, because one is moved between caches for every pair.
     struct Result {
         std::int32_t count;    // kUnknown
         std::uint32_t first;   // among the worker's contacts
@@ -110,11 +110,11 @@ private:
     };
 
     struct alignas(64) Worker {
-        std::vector<dContactGeom> contacts;  // of the window; from `used` on they hold the pattern
+        std::vector<dContactGeom> contacts;  // of the batch; from `used` on they hold the pattern
         std::size_t used = 0;
-        std::vector<States> states;  // of pairs of which one is not 0
-        std::uint64_t batch = 0;    // whose contacts they are
-        std::uint64_t computed = 0;  // pairs in it
+        std::vector<States> states;   // of pairs of which one is not 0
+        std::uint64_t batch = 0;      // to which the contacts belong
+        std::uint64_t computed = 0;   // number of pairs in it
         dxColliderCopies copies;
 
         void enterBatch(std::uint64_t batch);
@@ -143,12 +143,12 @@ private:
     std::atomic<unsigned> m_holders{1};
     dxTaskRunner *m_runner = nullptr;
     bool m_arraysStay = false;
-    std::uint64_t m_batchChanges = 0;      // changesNoticed() when the window was computed
-    std::uint32_t m_batchMode = 0;         // of floating point, then
+    std::uint64_t m_batchChanges = 0;       // changesNoticed() when the batch was computed
+    std::uint32_t m_batchMode = 0;          // of floating point, then
     const dxOrderedPair *m_pair = nullptr;  // whose callback runs
-    std::size_t m_begin = 0, m_end = 0;     // the window
-    std::size_t m_index = 0;                // of the pair in the window
-    std::vector<Result> m_results;          // the first ones are those of the window
+    std::size_t m_begin = 0, m_end = 0;     // the batch
+    std::size_t m_index = 0;                // of the pair in the batch
+    std::vector<Result> m_results;          // the first ones are those of the batch
     bool m_hasResults = false;
     std::uint64_t m_batch = 0;  // its number
     std::vector<Worker> m_workers;

@@ -43,7 +43,7 @@ public:
         createKey();
     }
 
-    // Those of other threads stay: if it is the process that ends, one of them may be in the middle of a collision.
+    // Caches of other threads stay: if the process ends, one of these may be in the middle of a collision.
     void atUnload() {
         const std::lock_guard<dxForkSafeMutex> lock(m_mutex);
         dropIf([](const Owned &owned) { return pthread_equal(owned.thread, pthread_self()) != 0; });
@@ -57,7 +57,8 @@ private:
         std::unique_ptr<TrimeshCollidersCache> cache;
     };
 
-    // A thread without a key, or a new one with the number of such a thread, has a cache of its own all the same.
+    // Finds the cache by the thread's number, so that a thread without a key has one too. A new thread may take over the cache of an ended one that
+    // had the same number.
     TrimeshCollidersCache *findOrMake(pthread_t thread) {
         for (const Owned &owned : m_caches)
             if (pthread_equal(owned.thread, thread)) return owned.cache.get();
@@ -75,7 +76,7 @@ private:
         dropIf([cache](const Owned &owned) { return owned.cache.get() == cache; });
     }
 
-    // The program may have taken all keys that a process can have.
+    // Creates no key if the program has taken all that a process can have.
     void createKey() {
         pthread_key_t key;
         if (pthread_key_create(&key, threadEnded) == 0) m_key = key;

@@ -143,8 +143,8 @@ void dxSpacePairs::updateRanked(std::vector<dxOrderedPair> &pairs, dxPairWork &w
     dxBroadphaseFacts facts;
     facts.order = m_geoms.pairOrder();
     facts.geoms = m_geoms.count();
-    facts.current = m_bruteForce != nullptr ? dxBroadphaseKind::OrderedTable : dxBroadphaseKind::None;
-    const bool isSmall = m_broadphase == nullptr && dxChooseBroadphase(facts) == dxBroadphaseKind::OrderedTable;
+    facts.current = m_bruteForce != nullptr ? dxBroadphaseKind::OrderedBruteForce : dxBroadphaseKind::None;
+    const bool isSmall = m_broadphase == nullptr && dxChooseBroadphase(facts) == dxBroadphaseKind::OrderedBruteForce;
     if (isSmall != (m_bruteForce != nullptr)) {
         m_bruteForce.reset(isSmall ? new dxBruteForcePairs : nullptr);
         startAnew();

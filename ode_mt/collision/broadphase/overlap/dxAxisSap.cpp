@@ -16,18 +16,18 @@ namespace dxBroadphaseKernels {
 namespace HWY_NAMESPACE {
 using AxisLanes = hn::ScalableTag<double>;
 
-// A row that is compared with those behind it.
+// A row that is compared with the rows behind it.
 class AxisProbe {
 public:
     AxisProbe(const dxSapColumns &rows, std::size_t row) : m_rows(rows) {
         for (int i = 0; i < dxSapColumns::kColumns; ++i) m_own[i] = hn::Set(AxisLanes(), rows.column(i)[row]);
     }
 
-    // A bit for each row from `first` on that it meets, of `valid` ones; `goesOn`: none begins above it.
-    HWY_INLINE std::uint32_t meet(std::size_t first, std::size_t valid, bool &goesOn) const {
+    // Returns a bit for each of `valid` rows from `first` on that it meets. Sets `continues` if none of the vector's rows begins above it.
+    HWY_INLINE std::uint32_t meet(std::size_t first, std::size_t valid, bool &continues) const {
         const AxisLanes d;
         const auto begun = hn::Le(at(dxSapColumns::low, first), m_own[dxSapColumns::high]);
-        goesOn = hn::AllTrue(d, begun);
+        continues = hn::AllTrue(d, begun);
         const auto across1 = across(dxSapColumns::low1, dxSapColumns::high1, first);
         const auto across2 = across(dxSapColumns::low2, dxSapColumns::high2, first);
         return lanesLeft(d, hn::Not(hn::And(begun, hn::And(across1, across2))), valid);
@@ -49,8 +49,8 @@ dxSapMeetings meetBehind(const dxSapColumns &rows, std::size_t row, std::uint32_
     const std::size_t size = rows.size(), lanes = hn::Lanes(AxisLanes());
     const AxisProbe probe(rows, row);
     std::size_t count = 0, first = row + 1;
-    for (bool goesOn = true; goesOn && first < size; first += lanes)
-        forLanes(probe.meet(first, std::min(lanes, size - first), goesOn),
+    for (bool continues = true; continues && first < size; first += lanes)
+        forLanes(probe.meet(first, std::min(lanes, size - first), continues),
                  [&](std::size_t lane) HWY_ATTR { met[count++] = static_cast<std::uint32_t>(first + lane); });
     return {count, first - row - 1};
 }

@@ -14,7 +14,7 @@
 
 #include "collision/pairs/dxPair.h"
 
-// In rising order of their lower bounds on the first axis; none of these is NaN. A NaN elsewhere overlaps nothing.
+// Boxes in rising order of their lower bounds on the first axis, none of which is NaN. A NaN elsewhere overlaps nothing.
 class dxSapColumns {
 public:
     enum Column { low, high, low1, high1, low2, high2, kColumns };

@@ -12,8 +12,8 @@
 #include "collision/broadphase/overlap/dxBoxLanes-inl.h"
 #include "collision/broadphase/overlap/dxBoxBvh.h"
 
-#ifndef DX_BOX_TREE_CONSTANTS
-#define DX_BOX_TREE_CONSTANTS
+#ifndef DX_BOX_BVH_CONSTANTS
+#define DX_BOX_BVH_CONSTANTS
 namespace dxBroadphaseKernels {
 constexpr std::size_t kChildren = 8;
 }  // namespace dxBroadphaseKernels
@@ -22,7 +22,7 @@ constexpr std::size_t kChildren = 8;
 HWY_BEFORE_NAMESPACE();
 namespace dxBroadphaseKernels {
 namespace HWY_NAMESPACE {
-// At most eight lanes: a node's children.
+// At most eight lanes, one for each child of a node.
 using Lanes = hn::CappedTag<double, kChildren>;
 
 class Query {
@@ -59,7 +59,7 @@ private:
     BoxLanes<Lanes> m_box;
 };
 
-void queryTree(const dxBoxBvh::Level *levels, std::size_t top, const std::uint8_t *isThere,
+void queryBvh(const dxBoxBvh::Level *levels, std::size_t top, const std::uint8_t *isThere,
                const dxBounds &box, std::pmr::vector<std::uint32_t> &rows) {
     double bounds[6];
     std::copy(box.v, box.v + 6, bounds);
@@ -72,14 +72,14 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace dxBroadphaseKernels {
-HWY_EXPORT(queryTree);
+HWY_EXPORT(queryBvh);
 
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNowhere[6] = {kInfinity, -kInfinity, kInfinity, -kInfinity, kInfinity, -kInfinity};
 
-// Around the children of one node.
+// Computes the box around the children of one node.
 void around(const dxBoxBvh::Level &level, std::size_t first, double *box) {
     std::copy(kNowhere, kNowhere + 6, box);
     for (std::size_t i = first; i < first + kChildren; ++i)
@@ -138,6 +138,6 @@ void dxBoxBvh::erase(std::size_t row) {
 
 void dxBoxBvh::query(const dxBounds &box, std::pmr::vector<std::uint32_t> &rows) const {
     if (m_inUse != 0)
-        HWY_DYNAMIC_DISPATCH(dxBroadphaseKernels::queryTree)(m_levels.data(), m_inUse - 1, m_isThere.data(), box, rows);
+        HWY_DYNAMIC_DISPATCH(dxBroadphaseKernels::queryBvh)(m_levels.data(), m_inUse - 1, m_isThere.data(), box, rows);
 }
 #endif

@@ -54,7 +54,7 @@ std::size_t overlappingRows(const dxBoxColumns &table, const dxBounds &box, std:
 
 dxOverlappingRowsKernel kernelOfOverlappingRows() { return overlappingRows; }
 
-// No call within the loops: it would push the box out of the registers.
+// There is no call within the loops: it would spill the box from the registers.
 std::size_t overlappingPairs(const dxBoxColumns &table, std::size_t end, std::vector<dxSlotPair> &pairs) {
     const Columns columns(table);
     std::size_t count = 0;
@@ -75,7 +75,7 @@ std::size_t overlappingPairs(const dxBoxColumns &table, std::size_t end, std::ve
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-// Room for half as many again, and in the beginning for a small space.
+// Makes room for half as many again, and at first for a small space.
 void dxBoxColumns::grow() {
     const std::size_t capacity = m_capacity + m_capacity / 2 + 2 * kPadding;
     std::vector<dReal> bounds(6 * capacity);

@@ -40,7 +40,7 @@ private:
     void grow();
 
     std::size_t m_size = 0, m_capacity = 0;  // rows
-    std::vector<dReal> m_bounds;         // the columns, one behind the other
+    std::vector<dReal> m_bounds;             // the columns, one behind the other
 };
 
 // Writes the numbers of the rows from `first` to `end` whose boxes overlap `box`, in rising order; returns how many.
@@ -54,5 +54,5 @@ using dxOverlappingRowsKernel = std::size_t (*)(const dxBoxColumns &table, const
 dxOverlappingRowsKernel dxKernelOfOverlappingRows();
 
 // Writes the pairs of rows whose boxes overlap: of each row before `end`, in order, with those behind it, in order; returns
-// how many. `a` is the earlier one. What `pairs` held is lost; it grows if there is no room.
+// how many. `a` is the earlier one. Overwrites `pairs`, which grows if there is no room.
 std::size_t dxOverlappingPairs(const dxBoxColumns &table, std::size_t end, std::vector<dxSlotPair> &pairs);

@@ -49,7 +49,7 @@ private:
     hn::Vec<Tag> m_bounds[6];
 };
 
-// A bit for each lane that is not in the mask, of the first `valid` lanes.
+// Returns a bit for each of the first `valid` lanes that is not in the mask.
 template <class Tag>
 HWY_INLINE std::uint32_t lanesLeft(Tag d, hn::Mask<Tag> mask, std::size_t valid = hn::Lanes(Tag())) {
     std::uint8_t bytes[8] = {};

@@ -38,7 +38,7 @@ public:
         for (int i = 0; i < 6; ++i) m_columns[i] = rows.bound(i);
     }
 
-    // The rows from `begin` on whose cells are `last` at most.
+    // Compares a box with the rows from `begin` on whose cells are at most `last`.
     HWY_INLINE void testRun(const Box &box, std::size_t begin, double last) {
         const Lanes d;
         const double *const cells = m_rows.cells();
@@ -60,7 +60,7 @@ private:
     const double *m_columns[6];
 };
 
-// Where the cells from cell + offset - 1 on begin, for rising cells.
+// The row at which the cells from cell + offset - 1 on begin, for rising cells.
 class Run {
 public:
     Run(const dxCellRows &rows, double firstCell, double offset)
@@ -137,7 +137,7 @@ HWY_EXPORT(sweepAll);
 }  // namespace dxBroadphaseKernels
 
 void dxCellRows::resize(std::size_t rows) {
-    constexpr std::size_t kWidest = 8;  // doubles in a vector, and so many may be read behind the last row
+    constexpr std::size_t kWidest = 8;  // doubles in a vector, which may be read behind the last row
     constexpr double kNever = std::numeric_limits<double>::infinity();
     if (m_columns[6].size() < rows + kWidest)
         for (std::vector<double> &column : m_columns) column.resize(rows + rows / 2 + kWidest);

@@ -15,10 +15,10 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Candidates between asking the memory for one and comparing it.
+// In candidates.
 constexpr std::size_t kPrefetchDistance = 16;
 
-// Not "together, if ...", because of NaN.
+// The negated test would differ for NaN.
 HWY_INLINE bool areApart(const double *HWY_RESTRICT begin, const double *HWY_RESTRICT end) {
     const hn::CappedTag<double, dxPackedBoxes::kLanes> d;
     auto apart = hn::Gt(hn::Load(d, begin), hn::Load(d, end));
@@ -32,7 +32,7 @@ HWY_INLINE bool mayBePair(dxPackedBoxes::Marks a, dxPackedBoxes::Marks b) {
     return (both != 0) & (either != 0);
 }
 
-// Which candidates are pairs is unpredictable: every one is written, and kept if it is one (branch-free).
+// Which candidates are pairs is unpredictable: every one is written, and overwritten by the next one if it is no pair (branch-free).
 std::size_t overlappingCandidates(const dxPackedBoxes &boxes, const dxSlotPair *HWY_RESTRICT candidates,
                                   std::size_t count, dxSlotPair *HWY_RESTRICT pairs) {
     std::size_t found = 0;

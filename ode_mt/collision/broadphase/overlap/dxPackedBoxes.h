@@ -18,10 +18,10 @@ class dxPackedBoxes {
 public:
     using Marks = std::uint8_t;
     static constexpr std::size_t kLanes = 8;  // from a side of one box to that of the next
-    static constexpr Marks kKnown = 1;    // pairs are only of boxes both of which are known
-    static constexpr Marks kChanged = 2;  // and of which one has changed
+    static constexpr Marks kKnown = 1;    // both boxes of a pair are known
+    static constexpr Marks kChanged = 2;  // and one of them has changed
 
-    // New ones have no marks.
+    // New boxes have no marks.
     void resize(std::size_t boxes);
     std::size_t size() const { return m_marks.size(); }  // the last to grow, if memory has run out before
 
@@ -44,7 +44,7 @@ public:
         return box;
     }
 
-    // Prefetches for write a box that will be set soon.
+    // Prefetches a box for write.
     void prefetchForWrite(std::size_t slot) const {
         dxPrefetch::lineForWrite(&m_begins[slot]);
         dxPrefetch::lineForWrite(&m_ends[slot]);

@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace dxBoxKernels {
 namespace HWY_NAMESPACE {
 
-// From the first box to the second. Which box a face belongs to is unpredictable, and which way the axis points.
+// Computes the normal, from the first box to the second. Branch-free: which box a face belongs to and which way the axis points are unpredictable.
 HWY_INLINE void findNormal(const dxBoxPair &boxes, const SeparatingAxis &axis, dReal *normal) {
     const dReal sign = kSigns[axis.isInverted];
     if (axis.code <= 6) {
@@ -28,7 +28,7 @@ HWY_INLINE void findNormal(const dxBoxPair &boxes, const SeparatingAxis &axis, d
     }
 }
 
-// A point of the edge of the box that is furthest along the normal, or against it.
+// Computes a point of the edge of the box that is furthest along the normal, for the second box against it.
 template <class Lanes>
 HWY_INLINE void findEdge(const dxBoxPair &boxes, const SeparatingAxes<Lanes> &axes, int box, const dReal *normal, dReal *point) {
     alignas(32) dReal along[4];
@@ -42,7 +42,7 @@ HWY_INLINE void findEdge(const dxBoxPair &boxes, const SeparatingAxes<Lanes> &ax
 
 HWY_INLINE dReal product(const dReal *a, const dReal *b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-// The middle of the points where two lines are closest to each other; of parallel ones, of the points given.
+// Computes the middle between the points where two lines are closest to each other; for parallel lines, between the given points.
 HWY_INLINE void findCrossing(const dReal *point1, const dReal *direction1, const dReal *point2, const dReal *direction2,
                              dReal (&middle)[3]) {
     constexpr dReal kParallel = dReal(0.0001);

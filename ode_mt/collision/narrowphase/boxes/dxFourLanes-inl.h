@@ -1,5 +1,5 @@
-// Vectors of four numbers, three of them mostly the coordinates of a point or the axes of a box. Included once per instruction set; the
-// guard is Highway's.
+// Vectors of four numbers: mostly the three coordinates of a point, or numbers for the three axes of a box, and one that is not used. Included once
+// per instruction set; the guard is Highway's.
 #if defined(ODE_MT_FOUR_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef ODE_MT_FOUR_LANES_INL_H
 #undef ODE_MT_FOUR_LANES_INL_H
@@ -19,13 +19,13 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Of what a condition turns round, without a branch.
+// Factors of a number whose sign depends on a condition, without a branch.
 constexpr dReal kSigns[2] = {1, -1};
 
 // Number of a lane, or a mask.
 using LaneNumber = hwy::MakeUnsigned<dReal>;
 
-// Whether this instruction set has such vectors. Without, the class cannot be instantiated: what uses it is a template.
+// Whether this instruction set has such vectors. Without them the class cannot be instantiated, so its users are templates.
 constexpr bool kHasFourLanes = HWY_MAX_BYTES >= 4 * sizeof(dReal);
 
 template <class Real>
@@ -37,7 +37,7 @@ public:
     FourLanes() = default;
     HWY_INLINE FourLanes(Vector lanes) : m_lanes(lanes) {}
     explicit HWY_INLINE FourLanes(Real all) : m_lanes(hn::Set(Tag(), all)) {}
-    // Of three numbers; the fourth is zero.
+    // Loads three numbers; the fourth is zero.
     static HWY_INLINE FourLanes three(const Real *from) {
         return hn::MaskedLoad(hn::FirstN(Tag(), 3), Tag(), from);
     }

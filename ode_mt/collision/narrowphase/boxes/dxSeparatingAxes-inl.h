@@ -18,13 +18,13 @@ HWY_BEFORE_NAMESPACE();
 namespace dxBoxKernels {
 namespace HWY_NAMESPACE {
 
-// A vector times a number, element by element of the vector, summed in the order of coordinates.
+// Returns a vector times a matrix, summed in the order of coordinates.
 template <class Lanes>
 HWY_INLINE Lanes sumOfProducts(const Lanes (&rows)[3], dReal x, dReal y, dReal z) {
     return rows[0] * Lanes(x) + rows[1] * Lanes(y) + rows[2] * Lanes(z);
 }
 
-// What an axis is, and how the boxes lie on it. The overlap is `depth`, as a number that is not positive.
+// An axis, and how the boxes lie on it. `depth` is the overlap, as a number that is not positive.
 struct SeparatingAxis {
     int code = 0;  // upstream's, or 0: the boxes are apart
     dReal depth;
@@ -32,8 +32,8 @@ struct SeparatingAxis {
     dReal inFirst[3];  // of two edges: the axis in the frame of the first box
 };
 
-// The lanes are the axes of the first box where a name ends with 1, else those of the second. Names of others are those of the paper: R is
-// the rotation of the second box in the frame of the first, t the place of its centre there.
+// Lanes are the axes of the first box where a name ends with 1, else those of the second. Other names are those of the paper: R is
+// the rotation of the second box in the frame of the first, t the position of its centre there.
 template <class Lanes>
 class SeparatingAxes {
 public:
@@ -59,7 +59,7 @@ public:
     }
 
     alignas(32) dReal half[2][4];  // half of the sides
-    alignas(32) dReal R[12];  // rows of four
+    alignas(32) dReal R[12];       // rows of four
 
 private:
     // Bits of three lanes.
@@ -90,7 +90,7 @@ private:
         return axis.depth > -std::numeric_limits<dReal>::infinity() ? kTogether : kUnknown;
     }
 
-    // The first of the axes with the least overlap. Branch-free: which one it is is unpredictable.
+    // Takes the first of the axes with the least overlap, branch-free: which one that is is unpredictable.
     HWY_INLINE void chooseFace(Lanes overlap1, Lanes overlap2, SeparatingAxis &axis) {
         const Lanes ofBoth = overlap1.max(overlap2);
         m_least = ofBoth.max(ofBoth.template pick<1, 2, 0>()).max(ofBoth.template pick<2, 0, 1>());
@@ -134,10 +134,10 @@ private:
         return kTogether;
     }
 
-    // Edges are the axis only if their overlap is so much less than that of faces.
+    // Two edges give the axis only if their overlap times this factor is less than that of the faces.
     static constexpr dReal kPreferenceOfFaces = dReal(1.05);
 
-    // The axes that are the products of edge i of the first box with the edges of the second.
+    // Returns the overlaps on the axes that are the products of edge i of the first box and the edges of the second.
     template <int i>
     HWY_INLINE Lanes overlapOfEdges() const {
         constexpr int next = (i + 1) % 3, last = (i + 2) % 3;
@@ -150,8 +150,8 @@ private:
                (ofFirst + Lanes::four(low) * Q.template pick<2, 2, 1>() + Lanes::four(high) * Q.template pick<1, 0, 0>());
     }
 
-    // Returns the lanes in which the overlap, divided by the length and times the preference, may be less than that of the faces. No root
-    // and no quotient is taken of others: squares tell them by far more than what rounding may change, unless they are near the smallest
+    // Returns the lanes in which the overlap, divided by the length and times the preference, may be less than that of the faces. Others need no
+    // root and no quotient: their squares differ by far more than rounding may change, unless they are near the smallest
     // numbers.
     HWY_INLINE unsigned mayOverlapLess(Lanes overlap, Lanes squaredLength) const {
         constexpr dReal kLess = dReal(1.1), kSmall = std::numeric_limits<dReal>::min() / std::numeric_limits<dReal>::epsilon();
