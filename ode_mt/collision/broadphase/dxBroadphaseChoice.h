@@ -47,7 +47,7 @@ struct dxBroadphaseThresholds {
     // Number of calls in a row in which few geoms move, after which ranks and kept pairs pay for making them.
     static constexpr int kMinCallsRested = 4;
     // From this size on a walk compares boxes with SIMD; below, filling the columns costs more than it saves.
-    static constexpr int kMinWalkedByVectors = 20;
+    static constexpr int kMinWalkedWithSimd = 20;
     // With more pairs per geom than this, pairs are found row by row as they are delivered, else all at once before.
     static constexpr std::size_t kMaxListedPerGeom = 3;
 
@@ -79,8 +79,8 @@ struct dxBroadphaseThresholds {
     // The tree does not pay where a geom meets more than one of this many: sorting those takes longer than the comparisons that it saves.
     static constexpr std::size_t kMinUnmetPerMet = 8;
     // The same two thresholds where all boxes are compared with SIMD.
-    static constexpr int kMinIndexedByVectors = 320;
-    static constexpr std::size_t kMinUnmetPerMetByVectors = 48;
+    static constexpr int kMinIndexedWithSimd = 320;
+    static constexpr std::size_t kMinUnmetPerMetWithSimd = 48;
     // A space that is queried with single geoms, and not collided itself, is walked if this many of four geoms move.
     static constexpr int kMovedOfFourQueried = 2;
     // Number of queries of a walked space, between two moves, after which a tree pays for the ranks that it needs.
@@ -138,7 +138,7 @@ std::size_t dxUnlimitedPairs(std::size_t geoms);
 // For spaces whose walk tests every two boxes. Testing two boxes takes about a twentieth of the time of finding, sorting and
 // keeping a pair; and a pair takes about a hundred bytes while it is found.
 std::size_t dxMaxPairsOfWalk(std::size_t geoms);
-// For spaces whose walk visits cells (dxHashWalk). That takes as long for a pair as finding and sorting it, so the limit
+// For spaces whose walk visits cells (dxHashWalker). That takes as long for a pair as finding and sorting it, so the limit
 // is for memory: half a GB while pairs are found.
 std::size_t dxMaxPairsOfCells(std::size_t geoms);
 dxPairLimit dxPairLimitOf(dxPairOrder order);

@@ -41,7 +41,7 @@ public:
     void noteFound(std::size_t found, std::size_t all) {
         const bool isSelective = dxBroadphaseThresholds::kMinUnmetPerMet * found <= all;
         if (isSelective != m_isSelective.load(std::memory_order_relaxed)) m_isSelective.store(isSelective, std::memory_order_relaxed);
-        const bool isHighly = dxBroadphaseThresholds::kMinUnmetPerMetByVectors * found <= all;
+        const bool isHighly = dxBroadphaseThresholds::kMinUnmetPerMetWithSimd * found <= all;
         if (isHighly != m_isHighlySelective.load(std::memory_order_relaxed)) m_isHighlySelective.store(isHighly, std::memory_order_relaxed);
     }
     // Returns whether the last query found so few members that comparing all one by one would have taken longer.

@@ -49,7 +49,7 @@ void dxOrderedSimpleSpace::Walker::walk(void *data, dNearCallback *callback, con
 bool dxOrderedSimpleSpace::Walker::walkRows(void *data, dNearCallback *callback) {
     using Threshold = dxBroadphaseThresholds;
     const int count = m_space.count;
-    if (count < Threshold::kMinWalkedByVectors || m_space.lock_count > 1) return false;
+    if (count < Threshold::kMinWalkedWithSimd || m_space.lock_count > 1) return false;
     const bool isSmall = count <= Threshold::kMaxWalked && m_overlapsWalked <= Threshold::kMaxListedPerGeom * static_cast<std::size_t>(count);
     try {
         if (isSmall ? !findListed() : !areBoxesUpToDate()) return false;

@@ -159,7 +159,7 @@ public:
 
     dxRegionIndex &index() { return m_index; }
     bool isWorthAnIndex() const { return count() >= dxBroadphaseThresholds::kMinIndexed && m_index.isSelective(); }
-    bool isWorthAnIndexByVectors() const { return count() >= dxBroadphaseThresholds::kMinIndexedByVectors && m_index.isHighlySelective(); }
+    bool isWorthAnIndexWithSimd() const { return count() >= dxBroadphaseThresholds::kMinIndexedWithSimd && m_index.isHighlySelective(); }
     // Requires a call after each query, with the number of members that the geom has met.
     void noteMet(std::size_t members) {
         if (count() >= dxBroadphaseThresholds::kMinIndexed) m_index.noteFound(members, static_cast<std::size_t>(count()));

@@ -189,7 +189,7 @@ void dxQuadTreeWalker::withOverlapping(const dxBounds &box, const Meet &meet) {
     dxOrderedBoxes::Found found;
     dxSpaceGeoms &geoms = m_space.geoms();
     const bool isInOrder =
-        geoms.members().switched().empty() && !geoms.isWorthAnIndexByVectors() &&
+        geoms.members().switched().empty() && !geoms.isWorthAnIndexWithSimd() &&
         geoms.beforeCallbacks([&] { return m_order.boxes().find(geoms.members(), box, geoms.isWorthAnIndex(), found); });
     if (isInOrder) {
         m_space.geoms().noteMet(found.count);
