@@ -103,7 +103,7 @@ void dODE_MT_SetExecutor(dODE_MT_PostFunction *post, void *context) {
     dxThreadLender lender;
     lender.executor = post;
     if (post != nullptr) lender.context = context;
-    dxWorkers::instance().borrow(lender);
+    dxWorkers::instance().lend(lender);
 }
 
 int dODE_MT_SetThreadingImplementation(const dThreadingFunctionsInfo *functions, dThreadingImplementationID implementation) {
@@ -111,7 +111,7 @@ int dODE_MT_SetThreadingImplementation(const dThreadingFunctionsInfo *functions,
         dMessage(0, "ODE_MT: a threading implementation without %s (NULL)", functions == nullptr ? "functions" : "implementation");
         return 0;
     }
-    return dxWorkers::instance().borrow({functions, implementation, nullptr, nullptr}) ? 1 : 0;
+    return dxWorkers::instance().lend({functions, implementation, nullptr, nullptr}) ? 1 : 0;
 }
 
 int dODE_MT_SetWorkerName(const char *name) {

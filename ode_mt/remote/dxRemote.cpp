@@ -11,7 +11,7 @@
 #include "remote/transport/dxRemoteLoader.h"
 #include "settings/dxSettings.h"
 #include "settings/dxWorkers.h"
-#include "threading/pool/dxLastThreads.h"
+#include "threading/process/dxProcessThreads.h"
 
 void dxRemote::open() try {
     const dxRemoteChoice choice = dxSettings::instance().remoteWorkers();

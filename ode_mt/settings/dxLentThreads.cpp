@@ -93,7 +93,7 @@ Manager managerOf(const dxThreadLender &lender) {
     return managers->keep({lender, std::make_shared<dxThreadManagerUser>(lender, managers->isServed(lender))});
 }
 
-// The end of the manager, outside of all locks, waits for the threads that it has borrowed.
+// The manager ends outside of all locks, and waits for the lent threads that are inside.
 void giveBack(const dxThreadLender &lender) { managers->remove(lender); }
 
 }  // namespace dxLentThreads

@@ -1,9 +1,9 @@
-// The managers of threads that the program lends (dxThreadManagerUser): one for each lender, whoever uses it. Several worlds may share an
+// The managers of threads that the program lends (dxThreadManagerUser): one for each lender, for all that use it. Several worlds may share an
 // implementation, and the process may have it too; two managers would have two calls waiting in its pool.
 //
-// In a forked child the threads are gone: whoever was lent them works alone there, until the child lends some itself.
+// In a forked child the threads do not exist: worlds and the process work alone there, until the child lends some itself.
 //
-// A run looks its manager up in a list that is as short as there are lenders. Any thread may call.
+// A run looks its manager up in a list of all lenders, which are few. Threading: any thread.
 #pragma once
 
 #include <memory>
@@ -20,8 +20,8 @@ void lend(const dxThreadLender &lender);
 // Throws std::bad_alloc.
 std::shared_ptr<dxThreadManagerUser> managerOf(const dxThreadLender &lender);
 
-// The threads are to leave the library: waits for them, unless a run of another thread goes on, which then waits at its end. Who still uses
-// the lender borrows them anew.
+// Has the threads leave the library: waits for them, unless a run of another thread goes on, which then waits at its end. A later run with the lender
+// makes a new manager.
 void giveBack(const dxThreadLender &lender);
 
 }  // namespace dxLentThreads
@@ -30,20 +30,18 @@ void giveBack(const dxThreadLender &lender);
 // instead of the process's own workers, and change no bits.
 namespace dxWorldWorkers {
 
-// Whether the user gave the world an implementation.
+// Returns whether the user gave the world an implementation.
 bool given(const dxWorld *world);
 
-// Whether functions of the user's own, or the user's limit for the world, have a single thread run all calls of a step.
-// They are then asked for all that upstream asks of them, in upstream's order: they may count calls, refuse them, or
-// throw. Calls of upstream's own functions are not observable, and a pool that no thread serves yet would block the
-// step.
+// Returns whether functions of the user's own, or the user's limit for the world, have a single thread run all calls of a step. They are then asked for
+// all that upstream asks of them, in upstream's order: they may count calls, refuse them, or throw. (Nobody sees calls of upstream's own functions, and
+// a pool that no thread serves yet would block the step.)
 bool haveToBeAsked(const dxWorld *world);
 
-// How many workers it lends.
+// Returns the number of workers that it lends.
 unsigned count(const dxWorld *world);
 
-// To be called before a step. False if the implementation given refuses its resources: no step then, as
-// upstream.
+// Called before a step. Returns false if the implementation refuses its resources: there is no step then, as in upstream.
 bool prepare(const dxWorld *world);
 
 void run(const dxWorld *world, unsigned blocks, unsigned workers, dxThreadManager::Task task, void *context);
@@ -51,8 +49,7 @@ void run(const dxWorld *world, unsigned blocks, unsigned workers, dxThreadManage
 // The user has just given the world an implementation.
 void lend(const dxWorld *world);
 
-// Gives the workers of the world's implementation back: it is about to be exchanged or freed. Other
-// worlds that use it borrow them anew.
+// Gives the workers of the world's implementation back, before it is exchanged or freed. Later runs of other worlds that use it make a new manager.
 void giveBack(const dxWorld *world);
 
 }  // namespace dxWorldWorkers

@@ -50,8 +50,8 @@ std::unique_ptr<dxThreadManager> make(const char *&name, const dxWorkerOptions &
     return manager;
 }
 
-// An implementation has as many as it has.
-std::shared_ptr<dxThreadManager> makeBorrowing(const dxThreadLender &lender) {
+// An executor lends as many threads as are wanted; the number of an implementation's is its own.
+std::shared_ptr<dxThreadManager> makeLent(const dxThreadLender &lender) {
     const std::shared_ptr<dxThreadManagerUser> manager = dxLentThreads::managerOf(lender);
     if (lender.executor != nullptr && manager->limit() != wantedSize()) manager->resize(wantedSize());
     return manager;
@@ -107,9 +107,9 @@ dxWorkers::Manager dxWorkers::makeCurrent() {
         choice = m_choice;
     }
     if (!lender.isNone()) {
-        Manager borrowing = makeBorrowing(lender);
-        if (m_choice != choice) dxLentThreads::giveBack(lender);  // it was taken back before it was borrowed
-        return borrowing;
+        Manager lent = makeLent(lender);
+        if (m_choice != choice) dxLentThreads::giveBack(lender);  // it was taken back before its manager was made
+        return lent;
     }
     Manager made = make(name, options);
     {
@@ -165,7 +165,7 @@ bool dxWorkers::hasOptions() {
     return !m_options.areDefault();
 }
 
-bool dxWorkers::borrow(const dxThreadLender &lender) {
+bool dxWorkers::lend(const dxThreadLender &lender) {
     if (!mayEndWorkers()) return false;
     if (!lender.isNone()) dxLentThreads::lend(lender);
     exchange([this, &lender] { m_lender = lender; });

@@ -3,7 +3,7 @@
 // place while they are lent (dxThreadLender).
 //
 // Process-wide, because threads are a property of the process: steps of several worlds at the same time
-// borrow the same workers.
+// use the same workers.
 //
 // Any of these functions may be called at any time, also by a callback that runs on a worker: none waits for a run in
 // progress. A run keeps the manager that it began with; the run that leaves an exchanged manager last ends its threads.
@@ -22,8 +22,8 @@
 #include <string>
 
 #include "threading/dxThreadManager.h"
-#include "threading/pool/dxThreadLender.h"
-#include "threading/pool/dxWorkerOptions.h"
+#include "threading/managers/dxThreadManagerUser.h"
+#include "threading/pool/dxWorkerThread.h"
 #include "threading/process/dxFork.h"
 #include "threading/process/dxProcess.h"
 
@@ -40,8 +40,9 @@ public:
     const char *name();
     std::string threadName();  // with which those of its own threads' names begin that start from now on
 
-    // Threads of the program's from now on; none: those of the manager that was chosen. False: reported with dMessage.
-    bool borrow(const dxThreadLender &lender);
+    // From now on the threads are those of the lender; none: those of the manager that was chosen. Returns false if that is not possible, which is
+    // reported with dMessage.
+    bool lend(const dxThreadLender &lender);
 
     // Workers that start from now on start with what change(options) leaves, for which `what` stands in messages. False: not
     // possible, reported with dMessage.

@@ -3,7 +3,7 @@
 //
 // The program plays one of these processes if it is given its name.
 //
-// Covers dxLastThreads.cpp.
+// Covers dxProcessThreads.cpp.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 #include <pthread.h>

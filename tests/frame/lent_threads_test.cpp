@@ -1,7 +1,7 @@
 // Threads that the program lends to the process serve steps and collisions, with serial bits, and are gone from the library when they are
 // taken back.
 //
-// Covers api/ode_MT_workers.cpp, dxThreadLender.cpp.
+// Covers api/ode_MT_workers.cpp.
 #include "settings/dxLentThreads.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // How long a worker spins: dxAdaptiveSpin.
-#include "threading/pool/dxAdaptiveSpin.h"
+#include "threading/pool/dxParking.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@ namespace {
 
 using std::chrono::microseconds;
 
-TEST(AdaptiveSpin, IsShortWithoutExperience) { EXPECT_EQ(dxAdaptiveSpin().spinTime(), dxSpinTime); }
+TEST(AdaptiveSpin, IsShortWithoutExperience) { EXPECT_EQ(dxAdaptiveSpin().spinTime(), kSpinTime); }
 
 TEST(AdaptiveSpin, CoversTheLongestOfRecentWaits) {
     dxAdaptiveSpin spin;
@@ -22,7 +22,7 @@ TEST(AdaptiveSpin, CoversTheLongestOfRecentWaits) {
 TEST(AdaptiveSpin, DoesNotSpinThroughLongWaits) {
     dxAdaptiveSpin spin;
     for (int frame = 0; frame < 100; ++frame) spin.remember(std::chrono::milliseconds(20));
-    EXPECT_EQ(spin.spinTime(), dxSpinTime);
+    EXPECT_EQ(spin.spinTime(), kSpinTime);
 }
 
 TEST(AdaptiveSpin, NeverSpinsLongerThanItsBound) {
@@ -35,7 +35,7 @@ TEST(AdaptiveSpin, FadesWhenWaitsGetShort) {
     dxAdaptiveSpin spin;
     spin.remember(microseconds(900));
     for (int frame = 0; frame < 100; ++frame) spin.remember(microseconds(5));
-    EXPECT_EQ(spin.spinTime(), dxSpinTime);
+    EXPECT_EQ(spin.spinTime(), kSpinTime);
 }
 
 }  // namespace

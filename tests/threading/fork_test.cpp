@@ -1,7 +1,7 @@
 // fork in the host program: the child has workers again where the manager can give them, the parent
 // notices nothing.
 //
-// Covers dxOpenMPRuntimeGnu.cpp, dxOpenMPRuntimeLlvm.cpp.
+// Covers dxOpenMPRuntime.cpp.
 #include <pthread.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -13,7 +13,7 @@
 
 #include "ManagerKinds.h"
 #include "Runs.h"
-#include "threading/pool/dxEventCount.h"
+#include "threading/pool/dxFutex.h"
 #include "threading/process/dxFork.h"
 
 namespace {

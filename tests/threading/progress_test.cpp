@@ -1,7 +1,7 @@
 // Forward progress within a wall-clock budget, and quiet when there is nothing to do. Budgets are wide:
 // what they catch (spin-only waits, waiting for a thread that does not run) takes many times longer.
 //
-// Covers dxBarrier.cpp, dxFutex.cpp, dxParking.cpp.
+// Covers dxFutex.cpp, dxParking.cpp.
 #include <time.h>
 
 #include <algorithm>

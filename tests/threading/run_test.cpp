@@ -1,7 +1,6 @@
 // What one run promises: every block once, in ascending order, worker numbers, visible writes.
 //
-// Covers dxBarrier.cpp, dxJobBoard.cpp, dxJobSlot.cpp, dxOpenMPRuntime.cpp, dxThreadLender.cpp, dxThreadManagerOpenMP.cpp,
-// dxThreadManagerPthread.cpp, dxThreadManagerUser.cpp.
+// Covers dxJobBoard.cpp, dxOpenMPRuntime.cpp, dxThreadManagerOpenMP.cpp, dxThreadManagerPthread.cpp.
 #include <algorithm>
 
 #include "ManagerKinds.h"

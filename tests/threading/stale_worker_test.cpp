@@ -1,6 +1,6 @@
 // A worker that was descheduled inside one run and continues during a later one.
 //
-// Covers dxJobSlot.cpp.
+// Covers dxJobBoard.cpp.
 #include <mutex>
 #include <set>
 

@@ -7,7 +7,7 @@
 #include "Runs.h"
 #include "threading/managers/dxThreadManagerOpenMP.h"
 #include "threading/managers/dxThreadManagerPthread.h"
-#include "threading/pool/dxThreadCreation.h"
+#include "threading/pool/dxWorkerThread.h"
 #include "threadSanitizer.h"
 
 namespace {

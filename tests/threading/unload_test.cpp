@@ -1,6 +1,6 @@
 // dlclose while workers are idle.
 //
-// Covers dxOpenMPRuntimeGnu.cpp, dxOpenMPRuntimeLlvm.cpp.
+// Covers dxOpenMPRuntime.cpp.
 #include <dlfcn.h>
 #include <unistd.h>
 

@@ -1,5 +1,5 @@
 // Each worker calls the hooks of its manager once, on its own thread: before its first work and after its last.
-#include "threading/pool/dxWorkerHooks.h"
+#include "threading/pool/dxWorkerThread.h"
 
 #include <sys/wait.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
 // Workers start as the options say, and options that the system refuses are recognised before they are taken.
-#include "threading/pool/dxWorkerOptions.h"
+#include "threading/pool/dxWorkerThread.h"
 
 #include <sys/resource.h>
 #include <unistd.h>

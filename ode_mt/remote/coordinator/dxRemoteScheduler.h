@@ -19,7 +19,7 @@
 #include "remote/coordinator/dxRemoteProblem.h"
 #include "remote/coordinator/dxRemoteWorker.h"
 #include "remote/transport/dxSpareBytes.h"
-#include "threading/pool/dxEventCount.h"
+#include "threading/pool/dxFutex.h"
 
 // Problems of one message, and their bytes.
 struct dxRemoteSending {

@@ -10,7 +10,7 @@
 #include "core/dxGuards.h"
 #include "core/dxLog.h"
 #include "remote/coordinator/dxRemoteSchedule.h"
-#include "threading/pool/dxWorkerOptions.h"
+#include "threading/pool/dxWorkerThread.h"
 
 namespace {
 

@@ -1,6 +1,10 @@
 #include "threading/managers/dxOpenMPRuntime.h"
 
 #include <dlfcn.h>
+#include <pthread.h>
+
+#include "core/dxGuards.h"
+#include "threading/process/dxProcess.h"
 
 namespace {
 
@@ -10,9 +14,30 @@ bool find(void *library, const char *name, Function *&function) {
     return function != nullptr;
 }
 
+#ifdef __clang__
+constexpr bool kIsGnu = false;
+#else
+constexpr bool kIsGnu = true;
+#endif
+
+// When a library that uses libgomp's threads is unloaded, they are ended under the dynamic loader's lock. They end by pthread_exit, and the first one of
+// a process takes that lock to load the unwinder. So the first one happens before.
+struct LoadedUnwinder {
+    LoadedUnwinder() {
+        const dxNoCancellation whole;
+        pthread_t thread;
+        const auto body = [](void *) -> void * { pthread_exit(nullptr); };
+        if (pthread_create(&thread, nullptr, body, nullptr) == 0) pthread_join(thread, nullptr);
+    }
+};
+
+dxProcessObject<LoadedUnwinder> unwinder;
+
 }  // namespace
 
-// The loader counts a library that is there already.
+const char *dxOpenMPRuntime::fileName() { return kIsGnu ? "libgomp.so.1" : "libomp.so.5"; }
+
+// The loader counts a library that is loaded already.
 std::optional<dxOpenMPRuntime> dxOpenMPRuntime::load() {
     void *const library = dlopen(fileName(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
     if (library == nullptr) return std::nullopt;
@@ -23,3 +48,19 @@ std::optional<dxOpenMPRuntime> dxOpenMPRuntime::load() {
                          find(library, "omp_pause_resource_all", runtime.m_pauseAll);
     return isWhole ? std::optional(runtime) : std::nullopt;
 }
+
+void dxOpenMPRuntime::prepareRegions() const {
+    if (kIsGnu)
+        *unwinder;
+    else if (m_setBlockTime != nullptr)
+        m_setBlockTime(0);
+}
+
+bool dxOpenMPRuntime::endThreads() const {
+    constexpr int kPauseHard = 2;  // omp_pause_hard of OpenMP 5.0
+    if (!kIsGnu) return false;
+    const dxNoCancellation whole;
+    return m_pauseAll(kPauseHard) == 0;
+}
+
+bool dxOpenMPRuntime::prepareFork() const { return kIsGnu ? endThreads() : m_inParallel() == 0; }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "threading/dxThreadManager.h"
-#include "threading/pool/dxWorkerOptions.h"
+#include "threading/pool/dxWorkerThread.h"
 
 namespace dxThreadManagerFactory {
 

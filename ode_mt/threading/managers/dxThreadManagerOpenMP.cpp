@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/dxCacheLine.h"
 #include "threading/dxFloatEnvironment.h"
 #include "threading/dxSchedulePoints.h"
 #include "threading/pool/dxJobBoard.h"
@@ -10,41 +11,41 @@ namespace {
 
 class Region {
 public:
-    Region(const dxOpenMPRuntime &openmp, unsigned blockCount, dxThreadManager::Task blockTask, void *taskContext)
-        : runtime(openmp), blocks(blockCount), task(blockTask), context(taskContext) {
-        environment.capture();
+    Region(const dxOpenMPRuntime &runtime, unsigned blocks, dxThreadManager::Task task, void *context)
+        : m_runtime(runtime), m_blocks(blocks), m_task(task), m_context(context) {
+        m_environment.capture();
     }
 
     void run(unsigned team) {
-        runtime.parallel([](void *region) { static_cast<Region *>(region)->work(); }, this, team);
-        environment.raiseFlags();
+        m_runtime.parallel([](void *region) { static_cast<Region *>(region)->work(); }, this, team);
+        m_environment.raiseFlags();
     }
 
 private:
     void work() {
-        const unsigned worker = runtime.threadNumber();
-        dxFloatEnvironmentScope scope(environment);
+        const unsigned worker = m_runtime.threadNumber();
+        dxFloatEnvironmentScope scope(m_environment);
         for (;;) {
             dxPerturb(dxSchedulePoint::ClaimTeamBlock);
-            const unsigned long long block = next.fetch_add(1, std::memory_order_relaxed);
-            if (block >= blocks) break;
-            task(context, static_cast<unsigned>(block), worker);
+            const unsigned long long block = m_next.fetch_add(1, std::memory_order_relaxed);
+            if (block >= m_blocks) break;
+            m_task(m_context, static_cast<unsigned>(block), worker);
         }
         scope.shareFlags();
     }
 
-    const dxOpenMPRuntime &runtime;
-    const unsigned blocks;
-    const dxThreadManager::Task task;
-    void *const context;
-    dxFloatEnvironment environment;
-    alignas(64) std::atomic<unsigned long long> next{0};
+    const dxOpenMPRuntime &m_runtime;
+    const unsigned m_blocks;
+    const dxThreadManager::Task m_task;
+    void *const m_context;
+    dxFloatEnvironment m_environment;
+    alignas(kCacheLine) std::atomic<unsigned long long> m_next{0};
 };
 
-// Counts the times that pools were ended, by whichever manager: they are the runtime's.
+// Counts how often pools were ended, by any manager: they are the runtime's.
 std::atomic<unsigned> pools{1};
 
-// The largest team that was tried out for the calling thread's pool, and which life of the pools that was.
+// The largest team that was tried for the calling thread's pool, and the count of pools at that time.
 struct Probed {
     unsigned pools;
     unsigned team;
@@ -53,7 +54,7 @@ thread_local Probed probed{0, 0};
 
 }  // namespace
 
-dxThreadManagerOpenMP::dxThreadManagerOpenMP(const dxOpenMPRuntime &openmp, dxCreateThread creation) : runtime(openmp), create(creation) {
+dxThreadManagerOpenMP::dxThreadManagerOpenMP(const dxOpenMPRuntime &runtime, dxCreateThread create) : m_runtime(runtime), m_create(create) {
     listenToForks();
 }
 
@@ -69,37 +70,37 @@ std::unique_ptr<dxThreadManager> dxThreadManagerOpenMP::make(dxCreateThread crea
 
 void dxThreadManagerOpenMP::resize(unsigned workers) {
     const unsigned wanted = dxClampWorkers(workers);
-    if (wanted < size.load()) stop();
-    allowed.store(dxMaxWorkers);
-    size.store(wanted);
+    if (wanted < m_size.load()) stop();
+    m_allowed.store(kMaxWorkers);
+    m_size.store(wanted);
 }
 
 void dxThreadManagerOpenMP::run(unsigned blocks, unsigned maxWorkers, Task task, void *context) {
-    const unsigned most = std::min({maxWorkers, blocks, size.load(), allowed.load()});
-    if (most < 2 || alone || busy.exchange(true)) {
+    const unsigned most = std::min({maxWorkers, blocks, m_size.load(), m_allowed.load()});
+    if (most < 2 || m_isAlone || m_isBusy.exchange(true)) {
         dxRunAlone(blocks, task, context);
         return;
     }
     const unsigned team = allowedTeam(most);
-    runtime.prepareRegions();
-    Region(runtime, blocks, task, context).run(team);
-    busy.store(false);
+    m_runtime.prepareRegions();
+    Region(m_runtime, blocks, task, context).run(team);
+    m_isBusy.store(false);
 }
 
 void dxThreadManagerOpenMP::stop() {
-    runtime.endThreads();
+    m_runtime.endThreads();
     ++pools;
-    allowed.store(dxMaxWorkers);
+    m_allowed.store(kMaxWorkers);
 }
 
 void dxThreadManagerOpenMP::beforeFork() {
-    regionsSafeInChild = runtime.prepareFork();
+    m_areRegionsSafeInChild = m_runtime.prepareFork();
     ++pools;
 }
 
 void dxThreadManagerOpenMP::inForkedChild() {
-    alone = alone || !regionsSafeInChild;
-    busy.store(false);
+    m_isAlone = m_isAlone || !m_areRegionsSafeInChild;
+    m_isBusy.store(false);
 }
 
 // Called by the run that has the region.
@@ -107,12 +108,12 @@ unsigned dxThreadManagerOpenMP::allowedTeam(unsigned wanted) {
     if (probed.pools != pools.load()) probed = {pools.load(), 1};
     if (wanted <= probed.team) return wanted;
     int refusal = 0;
-    const unsigned team = 1 + dxProbeThreads(create, wanted - 1, refusal);
+    const unsigned team = 1 + dxProbeThreads(m_create, wanted - 1, refusal);
     probed.team = team;
     if (refusal != 0) {
-        allowed.store(team);
-        if (!reported) dxReportRefusal(name(), team, size.load(), refusal);
-        reported = true;
+        m_allowed.store(team);
+        if (!m_isReported) dxReportRefusal(name(), team, m_size.load(), refusal);
+        m_isReported = true;
     }
     return team;
 }

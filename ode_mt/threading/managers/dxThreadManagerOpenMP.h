@@ -17,7 +17,7 @@
 
 #include "threading/dxThreadManager.h"
 #include "threading/managers/dxOpenMPRuntime.h"
-#include "threading/pool/dxThreadCreation.h"
+#include "threading/pool/dxWorkerThread.h"
 #include "threading/process/dxFork.h"
 
 class dxThreadManagerOpenMP final : public dxThreadManager, private dxForkListener {
@@ -29,7 +29,7 @@ public:
     static std::unique_ptr<dxThreadManager> make(dxCreateThread create = pthread_create);
 
     const char *name() const override { return "openmp"; }
-    unsigned workers() const override { return size.load(); }
+    unsigned workers() const override { return m_size.load(); }
     void resize(unsigned workers) override;
     void run(unsigned blocks, unsigned maxWorkers, Task task, void *context) override;
     void stop() override;
@@ -40,12 +40,12 @@ private:
 
     unsigned allowedTeam(unsigned wanted);
 
-    const dxOpenMPRuntime runtime;
-    const dxCreateThread create;
-    std::atomic<unsigned> size{1};                // workers wanted, the caller included
-    std::atomic<unsigned> allowed{dxMaxWorkers};  // workers the system gives, the caller included
-    std::atomic<bool> busy{false};                // some run has a region
-    bool regionsSafeInChild = true;
-    bool alone = false;  // in a child where a region could hang
-    bool reported = false;
+    const dxOpenMPRuntime m_runtime;
+    const dxCreateThread m_create;
+    std::atomic<unsigned> m_size{1};               // workers wanted, the caller included
+    std::atomic<unsigned> m_allowed{kMaxWorkers};  // workers the system gives, the caller included
+    std::atomic<bool> m_isBusy{false};             // some run has a region
+    bool m_areRegionsSafeInChild = true;
+    bool m_isAlone = false;     // in a child where a region could hang
+    bool m_isReported = false;  // a refusal
 };

@@ -4,8 +4,8 @@
 //
 //        created ──> searching ──joins a run──> at work ──no block left──> searching
 //                     │   ^                                                  │
-//         dxAdaptiveSpin  │   │ woken by a run that can use it                   │ stop
-//         without work v   │                                                  v
+//     dxAdaptiveSpin  │   │ woken by a run that can use it                   │ stop
+//       without work  v   │                                                  v
 //                     parked (asleep)                                        ends
 //
 // Threads are started by runs that can use more workers than are idle, not by resize. Waking, joining
@@ -18,7 +18,7 @@
 // inside a task can only exec or exit: the blocks of that run are lost with the threads that held them.
 //
 // A process whose main thread ends by pthread_exit, without dCloseODE, ends with its last other thread: within a second
-// of that the workers end, too (dxLastThreads).
+// of that the workers end, too (dxProcessThreads.h).
 //
 // Dropped: a mutex and a condition variable around a list of jobs (a waiter per run queued on the
 // mutex at every join and leave); C++ thread_local with destructors (pins the library in memory).
@@ -29,9 +29,7 @@
 
 #include "threading/pool/dxJobBoard.h"
 #include "threading/pool/dxParking.h"
-#include "threading/pool/dxAdaptiveSpin.h"
-#include "threading/pool/dxThreadCreation.h"
-#include "threading/pool/dxWorkerOptions.h"
+#include "threading/pool/dxWorkerThread.h"
 #include "threading/process/dxFork.h"
 
 class dxThreadManagerPthread final : public dxThreadManager, private dxForkListener, private dxWorkerSource {
@@ -40,7 +38,7 @@ public:
     ~dxThreadManagerPthread() override;
 
     const char *name() const override { return "pthread"; }
-    unsigned workers() const override { return size.load(); }
+    unsigned workers() const override { return m_size.load(); }
     void resize(unsigned workers) override;
     void run(unsigned blocks, unsigned maxWorkers, Task task, void *context) override;
     void stop() override;
@@ -62,17 +60,17 @@ private:
     void endWithTheProcess();
     void passOnWakeUp();
 
-    const dxCreateThread create;
-    const dxWorkerOptions options;
-    dxJobBoard board;
-    dxParking parking;
-    std::atomic<bool> stopping{false};
-    std::atomic<unsigned> size{1};                // workers wanted, the caller included
-    std::atomic<unsigned> allowed{dxMaxWorkers};  // workers the system gives, the caller included
-    std::atomic<unsigned> started{0};
-    std::atomic<unsigned> numbered{0};            // threads that have taken their number
-    bool reported = false;
-    std::mutex lifecycle;  // held by stop and resize
-    std::mutex creation;   // held while one thread is started; never while one is waited for
-    pthread_t threads[dxMaxWorkers - 1];
+    const dxCreateThread m_create;
+    const dxWorkerOptions m_options;
+    dxJobBoard m_board;
+    dxParking m_parking;
+    std::atomic<bool> m_isStopping{false};
+    std::atomic<unsigned> m_size{1};                // workers wanted, the caller included
+    std::atomic<unsigned> m_allowed{kMaxWorkers};   // workers the system gives, the caller included
+    std::atomic<unsigned> m_started{0};
+    std::atomic<unsigned> m_numbered{0};            // threads that have taken their number
+    bool m_isReported = false;                      // a refusal
+    std::mutex m_lifecycle;  // held by stop and resize
+    std::mutex m_creation;   // held while one thread is started; never while one is waited for
+    pthread_t m_threads[kMaxWorkers - 1];
 };

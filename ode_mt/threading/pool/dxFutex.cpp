@@ -7,12 +7,11 @@
 #include <cerrno>
 #include <ctime>
 
-static_assert(sizeof(dxFutexWord) == 4 && dxFutexWord::is_always_lock_free,
-              "the kernel reads the plain word");
+static_assert(sizeof(dxFutexWord) == 4 && dxFutexWord::is_always_lock_free, "the kernel reads the plain word");
 
 namespace {
 
-// Returns 0 or the error, and leaves errno to the program.
+// Returns 0 or the error. errno is unchanged.
 int call(dxFutexWord &word, int operation, std::uint32_t value, const timespec *timeout = nullptr) {
     const int before = errno;
     const int error = syscall(SYS_futex, &word, operation, value, timeout, nullptr, 0) < 0 ? errno : 0;

@@ -9,7 +9,7 @@
 #include <new>
 
 #include "core/dxGuards.h"
-#include "threading/process/dxThreadName.h"
+#include "threading/process/dxProcessThreads.h"
 #include "threading/timeline/dxTimeline.h"
 #include "threading/timeline/dxTimelineFile.h"
 

@@ -1,4 +1,4 @@
-#include "threading/pool/dxLastThreads.h"
+#include "threading/process/dxProcessThreads.h"
 
 #include <dirent.h>
 #include <fcntl.h>
@@ -12,11 +12,9 @@
 #include <cstring>
 #include <memory>
 
-#include "threading/process/dxThreadName.h"
-
 namespace {
 
-// A thread that has ended has no memory any more, its own process may look into which.
+// The system finds no memory of a thread that has ended. A process may ask for its own.
 bool hasFirstThreadEnded() {
     char from = 0, to = 0;
     const iovec source{&from, 1}, target{&to, 1};
@@ -24,7 +22,7 @@ bool hasFirstThreadEnded() {
 }
 
 // proc(5): the state of the process is that of its first thread, Z once that has ended; it counts as a thread until the
-// process ends. The name in parentheses may hold anything. Returns false if the system does not tell.
+// process ends. The name in parentheses may hold any characters. Returns false if the system does not tell.
 bool readProcess(char &state, unsigned &threads) {
     char text[1024];
     const int file = open("/proc/self/stat", O_RDONLY | O_CLOEXEC);
@@ -39,7 +37,7 @@ bool readProcess(char &state, unsigned &threads) {
                        &threads) == 2;
 }
 
-// One whose name is not told, as it has just ended or no descriptor is free, is not.
+// Returns false for a thread whose name the system does not tell, as it has just ended or no descriptor is free.
 bool isOneOf(const char *thread, const std::vector<std::string> &names) {
     std::string own;
     return dxReadThreadName(static_cast<std::uint32_t>(std::atoi(thread)), own) &&
@@ -47,6 +45,18 @@ bool isOneOf(const char *thread, const std::vector<std::string> &names) {
 }
 
 }  // namespace
+
+bool dxReadThreadName(std::uint32_t thread, std::string &name) {
+    char path[64], line[kThreadNameSize + 1] = "";
+    std::snprintf(path, sizeof path, "/proc/self/task/%u/comm", thread);
+    std::FILE *const file = std::fopen(path, "re");
+    if (file == nullptr) return false;
+    const std::size_t length = std::fread(line, 1, kThreadNameSize, file);
+    std::fclose(file);
+    name.assign(line, length);
+    if (!name.empty() && name.back() == '\n') name.pop_back();
+    return true;
+}
 
 bool dxMayBeLastThreads(unsigned threads) {
     char state = 0;

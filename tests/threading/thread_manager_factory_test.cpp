@@ -1,4 +1,4 @@
-// Covers dxThreadManagerFactory.cpp.
+// Thread managers are made by name.
 #include "threading/managers/dxThreadManagerFactory.h"
 
 #include <gtest/gtest.h>

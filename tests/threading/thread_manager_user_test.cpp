@@ -1,6 +1,4 @@
-// What is special about threads borrowed from a user's threading implementation.
-//
-// Covers dxBorrowedThreads.cpp, dxThreadManagerUser.cpp.
+// What is special about threads that the program lends by a threading implementation.
 #include <ode/odeinit.h>
 #include <ode/threading_impl.h>
 
