@@ -11,7 +11,7 @@
 #include "settings/dxWorkersRunner.h"
 #include "settings/dxWorldStatistics.h"
 #include "threading/dxFloatEnvironment.h"
-#include "threading/timeline/dxTimelineSpan.h"
+#include "threading/timeline/dxTimeline.h"
 
 namespace {
 

@@ -14,7 +14,7 @@
 
 #include <ode/ode.h>
 
-#include "threading/timeline/dxFrameStage.h"
+#include "threading/timeline/dxTimelineEvent.h"
 
 struct dxCollisionRecord {
     std::uint64_t ticks = 0;  // dxTimelineClock

@@ -1,6 +1,6 @@
 // The timeline (docs/tools.md): what is recorded, that events nest, what a full ring tells, when the file is written, who writes it.
 //
-// Covers api/ode_MT.cpp, dxStepTimeline.cpp, dxTimelineClock.cpp, dxTimelineFile.cpp, dxTimelineRing.cpp, dxTimelineRings.cpp, dxWorkersRunner.cpp.
+// Covers api/ode_MT.cpp, dxStepTimeline.cpp, dxTimelineClock.cpp, dxTimelineFile.cpp, dxTimelineRing.cpp, dxWorkersRunner.cpp.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 #include <signal.h>

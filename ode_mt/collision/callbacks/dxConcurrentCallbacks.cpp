@@ -29,7 +29,7 @@
 #include "threading/pool/dxSpin.h"
 #include "threading/process/dxObjectPool.h"
 #include "threading/process/dxProcess.h"
-#include "threading/timeline/dxTimelineSpan.h"
+#include "threading/timeline/dxTimeline.h"
 
 // Upstream's function: inserts an object at the front of a list of its world.
 void addObjectToList(dObject *object, dObject **first);

@@ -3,7 +3,7 @@
 #include <new>
 
 #include "collision/narrowphase/dxHeightField.h"
-#include "threading/timeline/dxTimelineSpan.h"
+#include "threading/timeline/dxTimeline.h"
 
 #include "collision_space_internal.h"
 #include "util.h"

@@ -9,7 +9,7 @@
 #include "core/dxLog.h"
 #include "threading/pool/dxSpin.h"
 #include "threading/process/dxProcessThreads.h"
-#include "threading/timeline/dxTimelineSpan.h"
+#include "threading/timeline/dxTimeline.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // The clock of the timeline, in ticks: of the processor's counter where it has a constant rate, or else nanoseconds.
 //
 // The system's clock takes 24 ns to read and waits for all instructions before (a fence): with it the events of a small robot's frame of
-// 11 us made the frame 4 % longer. The counter takes 8 ns and waits for nothing, which blurs events by some nanoseconds. The rate is measured
+// 11 us made the frame 4 % longer. The counter takes 8 ns and waits for nothing, so that events are exact to some nanoseconds. The rate is measured
 // when it is needed: between the start of the trace and the writing of its file.
 //
 // Threading: any thread.
@@ -25,7 +25,7 @@ public:
         return ns();
     }
 
-    // Of a clock that never goes back.
+    // Reads a clock that never goes back.
     static std::uint64_t ns() {
         timespec time;
         clock_gettime(CLOCK_MONOTONIC, &time);
@@ -33,13 +33,13 @@ public:
     }
 
 private:
-    static const bool s_hasCounter;  // an invariant one; false until it is known
+    static const bool s_hasCounter;  // of a constant rate; false until it is known
 };
 
 // Converts ticks since the moment of its construction.
 class dxTimelineScale {
 public:
-    // Until now.
+    // Measures the rate from then until now.
     void measure() {
         const std::uint64_t ticks = dxTimelineClock::ticks() - m_startTicks, ns = dxTimelineClock::ns() - m_startNs;
         m_nsPerTick = ticks != 0 ? static_cast<double>(ns) / static_cast<double>(ticks) : 1;
@@ -50,7 +50,7 @@ public:
         return isBefore(ticks) ? 0 : static_cast<std::uint64_t>(static_cast<double>(ticks - m_startTicks) * m_nsPerTick);
     }
 
-    // Of a span. Units: ns.
+    // Returns the length of a span. Units: ns.
     double nsOf(std::uint64_t ticks) const { return static_cast<double>(ticks) * m_nsPerTick; }
 
     bool isBefore(std::uint64_t ticks) const { return ticks < m_startTicks; }

@@ -1,15 +1,13 @@
-// The events of one thread: a ring of fixed size, in which a new record takes the place of the oldest. And sums of their times by stage of a
-// frame, which are all that is kept while statistics are recorded and no trace is.
+// The events of one thread: a ring of fixed size, in which a new record replaces the oldest. It also has sums of their times by stage of a frame; while
+// statistics are recorded and no trace is, it keeps these alone.
 //
-// Invariants: record i lies at i modulo kCapacity; records from m_head - kCapacity on are whole, but for the one that is being
-// written. A record is a cache line of atomic words. The words are released after the head that the record before it has published, so
-// whoever reads a word of a newer record than it looked for also sees that the head has come so far, and drops what it has read
-// (H.-J. Boehm, "Can seqlocks get along with programming language memory models?", 2012).
+// Invariants: record i lies at i modulo kCapacity; records from m_head - kCapacity on are whole, except the one that is being written. A record is a
+// cache line of atomic words. The words are released after the head that the record before it has published. So a reader that meets a word of a newer
+// record also sees the newer head, and drops what it has read (H.-J. Boehm, "Can seqlocks get along with programming language memory models?", 2012).
 //
 // Threading: the owner alone writes; any thread may read. A ring is never freed while a thread may write to it.
 //
-// Dropped: a lock for each ring (a reader would hold up the owner); one ring for all threads (its head would be a cache line that all wait
-// for).
+// Dropped: a lock for each ring (a reader would delay the owner); one ring for all threads (its head would be a contended cache line).
 #pragma once
 
 #include <array>
@@ -41,9 +39,9 @@ public:
         std::uint32_t frame;
     };
 
-    // For the owner.
+    // --- for the owner ---
 
-    // The clock, and what it has told last: of two events that adjoin one another one has to read it.
+    // The clock, and its last reading: of two events that adjoin one another, only one has to read the clock.
     std::uint64_t readClock() { return m_lastReading = dxTimelineClock::ticks(); }
     std::uint64_t lastReading() const { return m_lastReading; }
 
@@ -58,13 +56,14 @@ public:
     void becomeCaller() { m_caller = {this, m_frames}; }
     void nextFrame() { m_caller = {this, ++m_frames}; }
 
-    // Of islands that this thread has solved, for its caller. No locked instruction for the caller's own: it would wait for all stores before.
+    // Counts rows of islands that this thread has solved for its caller. The caller's own need no locked instruction, which would wait for all stores
+    // before.
     void countRows(std::uint64_t rows) {
         m_rows += rows;
         if (m_caller.ring != this) m_caller.ring->m_rowsOfWorkers.fetch_add(rows, std::memory_order_relaxed);
     }
     std::uint64_t rows() const { return m_rows; }  // of this thread since it has the ring
-    // Since they were asked for last. Requires that no worker solves islands for this thread.
+    // Returns the number of rows since the last call. Requires that no worker solves islands for this thread.
     std::uint64_t takeRowsOfStep() {
         const std::uint64_t rows = m_rows - m_rowsBefore + m_rowsOfWorkers.load(std::memory_order_relaxed);
         m_rowsBefore = m_rows;
@@ -72,28 +71,28 @@ public:
         return rows;
     }
 
-    // They belong to the step around the one that took them.
+    // Gives back rows that belong to the step around the one that took them.
     void giveRowsBack(std::uint64_t rows) { m_rowsBefore -= rows; }
 
     void noteThreads(unsigned threads) { m_threads = threads > m_threads ? threads : m_threads; }
     unsigned threads() const { return m_threads; }
-    unsigned takeThreads();  // most that took part in a run since it was asked last; at least 1
+    unsigned takeThreads();  // largest number that took part in a run since the last call; at least 1
 
     // Sums of the events since they were set.
     const dxFrameTimes &times() const { return m_times; }
     void setTimes(const dxFrameTimes &times) { m_times = times; }
 
-    // Collisions of the owner's that are under way, one within a near-callback of the other.
+    // Collisions of the owner in progress, one within a near-callback of the other.
     unsigned collisionDepth = 0;
-    std::uint64_t pairs = 0;  // that they have brought to callbacks
+    std::uint64_t pairs = 0;  // that they have given to callbacks
 
     // Of a step that the owner begins, until its dxStepSpan takes it.
-    std::uint64_t stepBegin = 0;  // 0: it is not known
+    std::uint64_t stepBegin = 0;  // 0: not known
     dxFrameTimes outerTimes{};    // of the step or collision around it, if there is one
 
-    // For whoever holds the lock of the timeline.
+    // --- under the lock of the timeline ---
 
-    // Another thread, or the same one anew: its events begin here.
+    // Gives the ring to a thread, whose events begin here.
     void own(std::uint32_t thread);
     void forget() { m_first = m_head.load(std::memory_order_acquire); }
     std::uint32_t thread() const { return m_thread.load(std::memory_order_relaxed); }

@@ -15,7 +15,7 @@
 
 #include "dynamics/step/islands/dxIsland.h"
 #include "settings/dxWorldStatistics.h"
-#include "threading/timeline/dxTimelineSpan.h"
+#include "threading/timeline/dxTimeline.h"
 
 namespace dxStepEvents {
 
