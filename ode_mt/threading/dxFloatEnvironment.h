@@ -1,7 +1,8 @@
 // The floating-point environment of a run: rounding mode, flush-to-zero, denormals-are-zero, exception
-// masks and flags. Same bits need the same environment on every thread, and a thread has the one its
-// creator had long ago (trap 9 of the design), so workers take over the caller's for as long as they
-// work for it and hand back the exception flags they raised.
+// masks and flags. Same bits need the same environment on every thread. A thread begins with the one that its
+// creator had at that time, so workers take the caller's for as long as they work for it, and give it the exception flags that they raised.
+//
+// Threading: the caller captures and raises, workers have scopes.
 #pragma once
 
 #include <atomic>
@@ -12,8 +13,8 @@
 #include <xmmintrin.h>
 #endif
 
-// How the calling thread computes: rounding, denormals, masks of exceptions, not the flags raised so far. Results of two
-// computations in the same mode are the same.
+// Returns how the calling thread computes: rounding, denormals, masks of exceptions, without the flags raised so far. Two
+// computations in the same mode have the same results.
 inline std::uint32_t dxFloatMode() {
 #ifdef __SSE2__
     return _mm_getcsr() & ~std::uint32_t{_MM_EXCEPT_MASK};
@@ -22,12 +23,12 @@ inline std::uint32_t dxFloatMode() {
 #endif
 }
 
-// Whether the calling thread gets a signal for floating-point exceptions. A program that asked for it expects the
-// signal on the thread that called the library, so that nothing is given to workers then.
+// Returns whether the calling thread gets a signal for floating-point exceptions. A program that asked for it expects the
+// signal on the thread that called the library, so workers get nothing then.
 bool dxTrapsFloatingPoint();
 
-// Whether the calling thread rounds to nearest and gets no signal for floating-point exceptions, as nearly every program. Then the sign of
-// a sum is that of its terms, turned round, and more may be computed than is used.
+// Returns whether the calling thread rounds to nearest and gets no signal for floating-point exceptions, as nearly every program. Then a sum of
+// negated terms is the negated sum, and code may compute more than it uses.
 inline bool dxIsPlainFloatMode() {
 #ifdef __SSE2__
     return (_mm_getcsr() & (_MM_MASK_MASK | _MM_ROUND_MASK)) == _MM_MASK_MASK;
@@ -38,22 +39,22 @@ inline bool dxIsPlainFloatMode() {
 
 class dxFloatEnvironment {
 public:
-    // The calling thread's environment, to be taken over by others.
+    // Stores the calling thread's environment, for scopes of other threads.
     void capture();
 
-    // Sets the flags that workers raised on the calling thread, without trapping.
+    // Sets the flags that workers raised, on the calling thread, without trapping.
     void raiseFlags() const;
 
 private:
     friend class dxFloatEnvironmentScope;
-    std::fenv_t environment{};
-    std::atomic<unsigned> raised{0};  // exception flags, as std::fetestexcept gives them
+    std::fenv_t m_environment{};
+    std::atomic<unsigned> m_raised{0};  // exception flags, as std::fetestexcept gives them
 };
 
-// Takes over the environment; the destructor restores the thread's own.
+// Sets the environment for the calling thread; the destructor restores the thread's own.
 class dxFloatEnvironmentScope {
 public:
-    explicit dxFloatEnvironmentScope(dxFloatEnvironment &shared);
+    explicit dxFloatEnvironmentScope(dxFloatEnvironment &environment);
     ~dxFloatEnvironmentScope();
     dxFloatEnvironmentScope(const dxFloatEnvironmentScope &) = delete;
     dxFloatEnvironmentScope &operator=(const dxFloatEnvironmentScope &) = delete;
@@ -62,7 +63,7 @@ public:
     void shareFlags();
 
 private:
-    dxFloatEnvironment &shared;
-    unsigned known;
-    std::fenv_t own;
+    dxFloatEnvironment &m_shared;
+    unsigned m_known;  // flags that have been added
+    std::fenv_t m_own;
 };

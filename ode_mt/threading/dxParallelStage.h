@@ -1,5 +1,4 @@
-// The stages of a step and of a collision that are shared out to workers, and whether two workers at least
-// have run each.
+// The parallel stages of a step and of a collision, and whether at least two workers have run each.
 //
 // A stage that always runs on one worker is untested for races. So every parallel run names its stage (dxTaskRunner),
 // and a test runs scenes until two workers have run each one (parallel_stages_test).
@@ -14,32 +13,32 @@
 #include "core/dxNoIndex.h"
 
 enum class dxParallelStage : unsigned char {
-    WorldSurvey,       // code of the user's in each of many worlds: dxWorldRuns
-    WorldPreparation,  // their islands: dxStepWorlds
-    Worlds,            // worlds side by side
-    IslandSurvey,      // what a step looks at in each island first: dxStep
-    Islands,           // islands side by side
-    Boxes,             // bounding boxes of a space that is made ready: dxOrderedSpace
-    CellGridPairs,         // pairs in rows of cells: dxGridBroadphase
-    VerletChanges,     // members that have moved: dxVerletBroadphase
-    VerletCandidates,  // pairs of its list that are compared
-    PairKeys,          // places of found pairs in upstream's order: dxKeptPairs
-    KeptPairKeys,      // the same of all pairs that are kept
-    NarrowphasePrefetch,     // contacts before their callbacks: dxNarrowphasePrefetch
-    Callbacks,         // near-callbacks that may run at once: dxConcurrentCallbacks
-    Bodies,            // QuickStep: inertia and gravity: dxIslandBodies
-    Joints,            // QuickStep: Jacobians and limits
-    RightHandSides,    // QuickStep
-    Rows,              // QuickStep: rows prepared for the sweep: dxSorSolver
-    SorPlan,         // QuickStep: order of rows for each worker: dxParallelSor
-    SorSweep,             // QuickStep: the sweep
-    PgsSweep,          // fast QuickStep: warm start and sweeps: dxPgsSolver
-    Motion,            // QuickStep: velocities and positions: dxBodyMotion
-    BodySpace,         // fast dWorldStep: phases in body space: dxBodySpaceSolver
-    PanelSolve,        // exact step: solves of several right-hand sides: dxPanelSolve
-    TransposedSolve,   // exact step: back substitution: dxSolveL1Transposed
-    SparseProducts,    // exact step: products with rows in C: dxSparseRows
-    Count,             // of stages, itself none
+    WorldSurvey,                              // code of the user's in each of many worlds: dxWorldRuns
+    WorldPreparation,                         // their islands: dxStepWorlds
+    Worlds,                                   // worlds side by side
+    IslandSurvey,                             // what a step looks at in each island first: dxStep
+    Islands,                                  // islands side by side
+    Boxes,                                    // bounding boxes of a space that is made ready: dxOrderedSpace
+    CellGridPairs,                            // pairs in rows of cells: dxGridBroadphase
+    VerletChanges,                            // members that have moved: dxVerletBroadphase
+    VerletCandidates,                         // pairs of its list that are compared
+    PairKeys,                                 // places of found pairs in upstream's order: dxKeptPairs
+    KeptPairKeys,                             // the same of all pairs that are kept
+    NarrowphasePrefetch,                      // contacts before their callbacks: dxNarrowphasePrefetch
+    Callbacks,                                // near-callbacks that may run at once: dxConcurrentCallbacks
+    Bodies,                                   // QuickStep: inertia and gravity: dxIslandBodies
+    Joints,                                   // QuickStep: Jacobians and limits
+    RightHandSides,                           // QuickStep
+    Rows,                                     // QuickStep: rows prepared for the sweep: dxSorSolver
+    SorPlan,                                  // QuickStep: order of rows for each worker: dxParallelSor
+    SorSweep,                                 // QuickStep: the sweep
+    PgsSweep,                                 // fast QuickStep: warm start and sweeps: dxPgsSolver
+    Motion,                                   // QuickStep: velocities and positions: dxBodyMotion
+    BodySpace,                                // fast dWorldStep: phases in body space: dxBodySpaceSolver
+    PanelSolve,                               // exact step: solves of several right-hand sides: dxPanelSolve
+    TransposedSolve,                          // exact step: back substitution: dxSolveL1Transposed
+    SparseProducts,                           // exact step: products with rows in C: dxSparseRows
+    Count,                                    // of stages, itself none
 };
 
 class dxParallelStages {
@@ -47,31 +46,10 @@ public:
     static constexpr std::size_t kCount = static_cast<std::size_t>(dxParallelStage::Count);
 
     // In the order of the enumeration.
-    static constexpr std::array<const char *, kCount> kNames = {"world survey",
-                                                                "world preparation",
-                                                                "worlds",
-                                                                "island survey",
-                                                                "islands",
-                                                                "boxes",
-                                                                "cell-grid pairs",
-                                                                "Verlet changes",
-                                                                "Verlet candidates",
-                                                                "pair keys",
-                                                                "kept pair keys",
-                                                                "narrow-phase prefetch",
-                                                                "callbacks",
-                                                                "bodies",
-                                                                "joints",
-                                                                "right-hand sides",
-                                                                "rows",
-                                                                "SOR plan",
-                                                                "SOR sweep",
-                                                                "PGS sweep",
-                                                                "motion",
-                                                                "body space",
-                                                                "panel solve",
-                                                                "transposed solve",
-                                                                "sparse products"};
+    static constexpr std::array<const char *, kCount> kNames = {
+        "world survey", "world preparation", "worlds", "island survey", "islands", "boxes", "cell-grid pairs", "Verlet changes",
+        "Verlet candidates", "pair keys", "kept pair keys", "narrow-phase prefetch", "callbacks", "bodies", "joints", "right-hand sides",
+        "rows", "SOR plan", "SOR sweep", "PGS sweep", "motion", "body space", "panel solve", "transposed solve", "sparse products"};
 
     static bool ranByTwo(dxParallelStage stage) { return flag(stage).load(std::memory_order_relaxed); }
     static void noteTwo(dxParallelStage stage) { flag(stage).store(true, std::memory_order_relaxed); }
@@ -83,15 +61,14 @@ private:
     }
 };
 
-// Watches the workers of one run until its stage has been run by two; from then on costs a look at a constant.
+// Watches the workers of one run until two have run its stage. From then on a block costs one comparison.
 //
 // Dropped: the number of workers of every run. With many workers their first blocks would wait for one counter.
 class dxStageWatch {
 public:
-    explicit dxStageWatch(dxParallelStage stage)
-        : m_stage(stage), m_isKnown(dxParallelStages::ranByTwo(stage)) {}
+    explicit dxStageWatch(dxParallelStage stage) : m_stage(stage), m_isKnown(dxParallelStages::ranByTwo(stage)) {}
 
-    // A worker has run a block.
+    // Called when a worker has run a block.
     void see(unsigned worker) {
         if (m_isKnown) return;
         unsigned first = kNoIndex;

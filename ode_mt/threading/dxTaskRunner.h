@@ -1,5 +1,7 @@
 // Runs the blocks of a job: on workers, or on the calling thread alone. It is passed to parts of the engine that can
 // run in parallel but do not decide whether that pays.
+//
+// Threading: as dxThreadManager.
 #pragma once
 
 #include <atomic>
@@ -12,14 +14,14 @@
 
 class dxTaskRunner {
 public:
-    // More than any worker's number in `run`.
+    // Returns an upper bound of the number of threads in `run`; all workers have smaller numbers.
     virtual unsigned workers() const = 0;
 
-    // As dxThreadManager::run, for a piece of the stage.
+    // As dxThreadManager::run, for a job of the stage.
     virtual void run(dxParallelStage stage, unsigned blocks, dxThreadManager::Task task, void *context) = 0;
 
-    // Calls work(block, worker) for every block. Where some block gets no memory std::bad_alloc is thrown on
-    // the calling thread, after all have ended: left to itself on a worker it would end the process.
+    // Calls work(block, worker) for every block. If one throws std::bad_alloc, that is thrown on the calling thread, after all have ended: on a
+    // worker it would end the process.
     template <class Work>
     void forBlocks(dxParallelStage stage, unsigned blocks, Work &&work) {
         struct Job {
@@ -38,7 +40,7 @@ public:
         if (job.isShortOfMemory.load(std::memory_order_relaxed)) throw std::bad_alloc();
     }
 
-    // Calls work(begin, end, worker) for chunks of [0, count) of at most `piece` items.
+    // Calls work(begin, end, worker) for chunks of [0, count) of at most `chunk` items.
     template <class Work>
     void forChunks(dxParallelStage stage, std::size_t count, std::size_t chunk, Work &&work) {
         forBlocks(stage, static_cast<unsigned>((count + chunk - 1) / chunk), [&](unsigned block, unsigned worker) {
@@ -47,7 +49,7 @@ public:
         });
     }
 
-    // The calling thread alone, which is worker 0.
+    // Returns a runner that uses the calling thread alone, which is worker 0.
     static dxTaskRunner &alone();
 
 protected:

@@ -1,5 +1,7 @@
-// Thread managers by name, as ODE_MT_THREAD_MANAGER gives it. The manager of a user's threading
-// implementation is not made here: it needs the implementation.
+// Thread managers by name, as ODE_MT_THREAD_MANAGER gives it. The manager of threads that the program lends (dxThreadManagerUser) is not made here: it
+// needs the lender.
+//
+// Threading: any thread.
 #pragma once
 
 #include <memory>
@@ -14,16 +16,16 @@ namespace dxThreadManagerFactory {
 // The one that measured better; see docs/threading.md.
 const char *defaultName();
 
-// All managers; for one of them the system may lack a library.
+// Returns all managers; for one of them the system may lack a library.
 std::vector<const char *> names();
 
-// File name of a library that this manager needs and the dynamic loader does not find; null if there is none. Loads it.
+// Loads the library that this manager needs. Returns its file name if the dynamic loader does not find it, else null.
 const char *missingLibrary(const std::string &name);
 
-// Whether its threads are started as dxWorkerOptions say. Those of a runtime are not the library's to start.
+// Returns whether its threads are started as dxWorkerOptions say. A runtime starts its own.
 bool takesOptions(const std::string &name);
 
-// Null for a name that is not in names() and where a library is missing; the reason is logged.
+// Returns null for a name that is not in names() and where a library is missing, and logs the reason.
 std::unique_ptr<dxThreadManager> create(const std::string &name, const dxWorkerOptions &options = {});
 
 }  // namespace dxThreadManagerFactory

@@ -1,13 +1,13 @@
-// Does parallelism pay? How every such decision is made, in which words, and the parts that all of them have in common.
+// Does parallelism pay? How every such decision is made, the words for it, and the parts that all decisions have in common.
 //
-//   overhead         what sharing work out costs beside the work itself: waking workers, waiting for the last of them.
+//   overhead         what parallel work costs beside the work itself: waking workers, waiting for the last of them.
 //                    Never assumed, always measured, as a part of whole steps or calls
 //   moving average   of measured times: the machine and the world change, single times are disturbed
 //   margin           what is predicted or was measured has to be better by this part to be taken (hysteresis)
 //   probe            some steps or calls in a row in the way that is not in use, to measure it anew. The first of them are
-//                    cold: workers sleep, their caches hold other things
+//                    cold: workers sleep, their caches hold other data
 //   retry interval   until the next probe: twice as long after a probe that did not pay, short again after what paid
-//   loss limit       the part of the time on the caller that probes may cost in the long run
+//   loss limit       the part of the caller's time that probes may cost in the long run
 //
 // Two classes decide:
 //
@@ -21,8 +21,8 @@
 //   retry interval   time on the caller: the overhead fades    48 to 768 calls; 8 and more if calls become slower
 //   loss limit       0.4 %                                     1/32, by a debt that is paid back
 //
-// They are two because one time per way does not do for steps: worlds and islands differ from step to step, so that what was
-// measured of one step has to predict another; and because a model does not do for calls, whose cost is mostly the program's
+// There are two because one time per way is not enough for steps: worlds and islands differ from step to step, so that what was
+// measured of one step has to predict another. And a model is not possible for calls: most of their cost is the program's
 // callbacks, of which nothing is known beforehand.
 #pragma once
 

@@ -10,36 +10,35 @@ namespace {
 // Below, waking a worker may take longer than the whole call.
 constexpr double kMinShared = 30e3;  // ns
 
-// Two readings of a clock take up to 0.1 us, some of a hundred of a call below this. One that is timed in so many notices
-// within a moment that a scene has grown.
+// Two readings of a clock take up to 0.1 us, more than 1 % of a call below this. One timed call in sixteen is enough to notice soon that a scene has
+// grown.
 constexpr double kMinTimed = 8e3;  // ns
 constexpr int kUntimedCalls = 15;
 
 constexpr int kMinCallsInRow = 2;  // alone, before the first probe
-constexpr double kHopeless = 1.5;  // a call alone that takes so many times as long as shared ones ends its probe: the caller has no cold workers
+constexpr double kHopeless = 1.5;  // a call alone that takes this many times as long as shared ones ends its probe: the caller is never cold
 constexpr dxRetryLimits<int> kRetry{48, 768};  // calls
 
-// In use, a way is compared anew if so many calls in a row were slower by this than after the last probe, each of them: one
-// that was held up by something else says nothing.
+// The way in use is compared anew if each of kSlowCalls calls in a row was slower by this factor than after the last probe: a single slow call may have
+// been delayed by something else.
 constexpr double kSlower = 1.1;
 constexpr int kSlowCalls = 5;
 
 // Times are noisy.
 constexpr double kMargin = 0.97;
 
-// Of the time that is worked alone, what may be lost by probes.
+// The part of the time of calls alone that probes may cost.
 constexpr double kLossLimit = 1.0 / 32;
 
-// Debts in calls worked alone: with which a probe may begin, beyond which sharing is given up; and what may have been saved up:
-// more is not remembered.
+// Debts, in times of a call alone: up to which a probe may begin, and beyond which sharing ends; and savings, beyond which no more are remembered.
 constexpr double kMaxDebtToProbe = 2, kMaxDebtInUse = 16, kMaxSaved = 256;
 
-// More of anything that is counted is not told apart.
+// Counters stop here.
 constexpr int kMany = 1 << 20;
 
 void countUp(int &count) { count = std::min(count + 1, kMany); }
 
-// Of the newest time in the average.
+// The weight of the newest time in the average.
 constexpr double kWeight = 0.25;
 
 }  // namespace

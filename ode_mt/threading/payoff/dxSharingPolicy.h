@@ -1,20 +1,22 @@
-// Whether work that comes again and again, as the collisions of a space, is shared out to workers or stays on the calling
-// thread: whichever of the two took less time of late. The words are those of dxParallelPayoff.h.
+// Decides whether work that comes again and again, as the collisions of a space, is shared by workers or stays on the calling
+// thread: whichever of the two took less time lately. The words are those of dxParallelPayoff.h.
 //
-// Both times are measured, of whole calls, with all that belongs to them. If several calls in a row take longer than
+// Both times are measured, of whole calls, with everything that belongs to them. If several calls in a row take longer than
 // after the last probe, as in a scene that grows, the next probe comes early. A probe whose calls were slower than those before it
-// is doubted: the scene may have grown during it. If the calls after it are slower still, it has paid.
+// is doubted: the scene may have grown during it. If the calls after it are even slower, it has paid.
 //
-// What sharing costs more than working alone is taken from what it has saved. A debt is paid back by a small part of the
-// time that is worked alone; until then there is no probe. So where workers come late, because other programs have the
-// processors, the loss is bounded however long a call takes that waits for them.
+// What shared calls cost more than calls alone is subtracted from what they have saved. A debt is paid back by a small part of the
+// time of calls alone; until then there is no probe. So where workers come late, because other programs use the
+// processors, the loss is bounded, no matter how long a call waits for them.
 //
-// Of calls so short that reading a clock would be felt, only a few are timed.
+// Very short calls, which reading a clock would slow down, are timed only now and then.
 //
 // Calls of one kind may differ in how much work they do, as steps of worlds of different sizes. A caller that knows the amount of work of a call
 // beforehand passes it, in any unit: ways are then compared by the time of a unit. Otherwise the work of each call is 1.
 //
-// It decides about speed alone; results are the same either way. One thread at a time.
+// The decision affects speed alone; results are the same either way.
+//
+// Threading: one thread at a time.
 #pragma once
 
 #include <mutex>
@@ -23,16 +25,16 @@ class dxSharingPolicy {
 public:
     dxSharingPolicy() = default;
 
-    // For work that is slow when it is shared for the first times: so many calls make a probe of sharing, of which the first ones are cold.
+    // For work that is slow when it is first shared: a probe of sharing has `sharedProbe` calls, of which the first `sharedCold` are cold.
     dxSharingPolicy(int sharedProbe, int sharedCold) : m_shared{sharedProbe, sharedCold} {}
 
-    // Whether the next call, of that much work, should be shared.
+    // Returns whether the next call, with this amount of work, should be shared.
     bool shouldShare(double work = 1) const;
 
-    // Whether the time of the next call, which is not shared, should be recorded. Requires to be called once a call.
+    // Returns whether the time of the next call, which is not shared, should be recorded. Must be called once a call.
     bool shouldTimeAlone();
 
-    // How long the call took, and whether it was shared.
+    // Records how long the call took, and whether it was shared.
     void record(bool shared, double ns, double work = 1);
 
 private:

@@ -1,8 +1,10 @@
-// Ordered completion of the blocks of a run whose results all later blocks need: they are computed in parallel as far
-// as possible, and finished in order.
+// Ordered completion of the blocks of a run whose results all later blocks need: blocks compute in parallel as far
+// as possible, and finish in order.
 //
 // Blocks of a run start in ascending order (dxThreadManager::run), so the first unfinished one is held by a thread that
 // does not wait: any number of threads, one included, finishes all.
+//
+// Threading: the blocks of one run.
 #pragma once
 
 #include <atomic>
@@ -18,7 +20,7 @@ public:
     // Returns the number of finished blocks, which are the first ones.
     unsigned finished() const { return m_finished.load(std::memory_order_acquire); }
 
-    // Waits until `blocks` are finished; what they wrote is then visible. Returns how many are.
+    // Waits until `blocks` are finished; what they wrote is then visible. Returns the number of finished blocks.
     unsigned await(unsigned blocks) const {
         unsigned known = finished();
         if (known < blocks) dxPerturb(dxSchedulePoint::AwaitInOrder);
@@ -26,14 +28,14 @@ public:
         return known;
     }
 
-    // Marks the next block as finished. Requires the thread that holds it.
+    // Marks the next block as finished. Called by the thread that holds it.
     void finish(unsigned block) {
         dxPerturb(dxSchedulePoint::FinishInOrder);
         m_finished.store(block + 1, std::memory_order_release);
     }
 
 private:
-    // Number of polls before a thread yields, and before it sleeps: a yield does not let threads of lower priority run.
+    // Numbers of polls before a thread yields, and before it sleeps: a yield does not let threads of lower priority run.
     static constexpr int kSpinPolls = 256, kYieldPolls = 1024;
     static constexpr std::chrono::microseconds kSleep{20};
 

@@ -1,12 +1,12 @@
 // A job of many short phases, one after the other, that the workers of one run share: a run for each phase would cost more than the
 // phase. One thread has the control: it runs the job, and hands out the chunks of each phase. The others wait for phases and take chunks.
 //
-// Which thread takes a chunk decides nothing but speed. Each thread begins with its own share of a phase's chunks, the same in each phase,
-// so that what they read lies in its caches, and then takes those of others. Who comes first has the control; who comes late, or
+// Which thread takes a chunk affects nothing but speed. Each thread begins with its own share of a phase's chunks, the same in each phase,
+// so that what they read is in its caches, and then takes those of others. The first thread to come has the control. A thread that comes late, or
 // never, is not waited for. A thread waits only for chunks that running threads hold, so that any number of them finishes, one included.
 //
-// Threading: a share holds the phase, its next chunk and the end of its chunks in one number. So whoever takes a chunk knows that its
-// phase is still under way, and with it what to call.
+// Threading: a share holds the phase, its next chunk and the end of its chunks in one number. So a thread that takes a chunk knows that its
+// phase is in progress, and with it what to call.
 #pragma once
 
 #include <atomic>
@@ -20,7 +20,7 @@
 
 class dxPhaseRunner {
 public:
-    // For so many threads. Throws std::bad_alloc.
+    // Makes room for this number of threads. Throws std::bad_alloc.
     void reserve(unsigned threads) {
         if (threads <= m_room) return;
         m_shares = std::make_unique<Share[]>(threads);
@@ -29,7 +29,7 @@ public:
 
     unsigned room() const { return m_room; }  // number of threads for which it has been reserved
 
-    // Calls control(). Its phases are shared by the runner's workers, of which there may be no more than reserved.
+    // Calls control(). The runner's workers share its phases. Requires that there are no more of them than reserved.
     template <class Control>
     void run(dxParallelStage stage, dxTaskRunner &runner, const Control &control) {
         m_threads = runner.workers();
@@ -47,7 +47,7 @@ public:
         m_threads = 1;
     }
 
-    // In control: how many threads may take part.
+    // In control: returns how many threads may take part.
     unsigned threads() const { return m_threads; }
 
     // In control: calls work(chunk, share) for all chunks, fewer than a million. Threads that do so at the same time have different
@@ -71,7 +71,7 @@ private:
         std::atomic<std::uint64_t> ticket{0};
     };
 
-    // Lets the others go, also where control throws.
+    // Ends the waiting of the others, also where control throws.
     class End {
     public:
         explicit End(std::atomic<bool> &isOver) : m_isOver(isOver) {}

@@ -1,8 +1,10 @@
-// A pool of objects that no step uses at the moment. Threading: any thread may take and give back. Taking may throw
-// std::bad_alloc, giving back needs no memory: there is room for all objects that exist.
+// A pool of objects that no step uses at the moment. Taking may throw std::bad_alloc. Giving back needs no memory: there is room for all objects that
+// exist.
 //
-// Holds only pointers. The one used last is taken first, since its memory is likely to be in a cache; it is taken and given back without the mutex,
-// which is all that a step on one thread needs. Survives fork. That of a dxProcessObject is cleared by dxProcess.
+// It holds only pointers. The object used last is taken first, since its memory is likely to be in a cache. It is taken and given back without the
+// mutex, which is all that a step on one thread needs. A pool survives fork. dxProcess clears those of dxProcessObjects.
+//
+// Threading: any thread may take and give back.
 #pragma once
 
 #include <atomic>
