@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "collision/narrowphase/dxCcdQuery.h"
-#include "threading/dxUpstreamInterrupted.h"
+#include "threading/dxUpstreamScope.h"
 
 namespace {
 
