@@ -11,8 +11,8 @@
 // A space keeps data of its members from call to call, and is notified of changes through dxSpace::dirty. Some changes
 // cause no notification. Upstream's spaces then continue with the geom at its old place:
 //  - dGeomTriMeshSetData marks the box of a mesh as bad, without notifying the space;
-//  - an assertion inside dGeomMoved, that the space is locked, comes after the geom was marked and before the space is
-//    notified; a debug handler that jumps or throws leaves it so;
+//  - an assertion inside dGeomMoved (the space is locked) fails after the geom was marked and before the space is notified; if the debug handler
+//    jumps or throws, the space is never notified;
 //  - a clean geom that is added to a simple or hash space is in front of dirty ones, so cleaning stops before these. The space itself notices that,
 //    the spaces around it do not;
 //  - a collision with a height field that is left in the middle leaves a geom with another box (dxTransformedGeom).

@@ -1,7 +1,7 @@
 #include "collision/spaces/dxListCleaner.h"
 
 #include "collision/spaces/dxGeomQuery.h"
-
+#include "collision/spaces/dxWalking.h"
 #include "core/dxPrefetch.h"
 #include "core/dxReserve.h"
 #include "threading/dxSchedulePoints.h"

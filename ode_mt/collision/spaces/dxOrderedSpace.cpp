@@ -118,13 +118,13 @@ void dxOrderedSpace::collideInStages(dxTaskRunner *runner, void *data, dNearCall
     const bool isRecorded = this->isRecorded();
 
     // 1 Clean: reads poses, shapes and enabled flags of the geoms that have changed; writes their boxes, ranks and filters, and upstream's
-    //   list of geoms. Bounding-box functions of the user's may run. Boxes on workers.
-    // 2 Find: reads what 1 has written; writes pairs(). No code of the user's runs. The broad phase and the sort on workers.
+    //   list of geoms. Bounding-box functions of the user's may run. Workers compute boxes.
+    // 2 Find: reads what 1 has written; writes pairs(). No code of the user's runs. Workers share the broad phase and the sort.
     const dxPairsFound found = runner != nullptr ? findPairsOnWorkers(*runner) : findPairs(isRecorded);
     if (runner != nullptr) m_isPrefetching = found == dxPairsFound::Kept;
 
     // 3 Call back: reads pairs() and enabled flags. The near-callback runs on this thread and may change everything that a locked space
-    //   allows; what it changes is tested when upstream tests it. The narrow phase of later pairs on workers (activePrefetch()).
+    //   allows; what it changes is tested when upstream tests it. Workers compute contacts of later pairs (activePrefetch()).
     isRecorded ? callBackRecorded(found, data, callback) : callBack(found, data, callback);
 
     lock_count--;

@@ -1,33 +1,32 @@
-// A collision space that finds its pairs incrementally and calls back in the order of upstream's space of
-// the same kind, which tests all pairs anew at each call.
+// A collision space that finds its pairs incrementally and calls back in the order of upstream's space of the same kind, which tests all pairs at each
+// call.
 //
-// Between two calls of dSpaceCollide it keeps the list of pairs whose boxes overlap, in order. The cost of a call is
-// proportional to the changes since the last one, plus one callback per pair.
+// Between two calls of dSpaceCollide it keeps the list of pairs whose boxes overlap, in order. The cost of a call is proportional to the changes since
+// the last one, plus one callback per pair.
 //
-// A call has three stages (collideInStages): the geoms are cleaned, pairs are found, callbacks are called. All kinds of spaces are of this
-// class. A kind differs in three parts, which its class owns and this one asks (dxSpaceParts.h): the cleaner, the order of pairs, and the
-// walker. The list of geoms (dxSpace::first) is upstream's, with upstream's order, locks and messages.
+// A call has three stages (collideInStages): geoms are cleaned, pairs are found, callbacks are called. All kinds of spaces derive from this class.
+// They differ in three parts, which the derived class owns and this one calls (dxSpaceParts.h): the cleaner, the order of pairs, and the walker. The
+// list of geoms (dxSpace::first) is upstream's, with upstream's order, locks and messages.
 //
 // Invariants, when pairs have been found (dxPairsFound::Kept):
-//  - every geom of the space is a member with a rank, which gives its place in upstream's order. Only geoms that change
-//    move to another place, so old ranks remain comparable and only changed geoms may need new ones;
-//  - pairs() is as dxSpacePairs says. Whether geoms are enabled can change in callbacks, so that is tested when upstream tests it; those that were
-//    disabled when the call began are in no pair, and when one of them is enabled in a callback, the rest of the call
-//    walks the geoms as upstream does.
+//  - every geom of the space is a member with a rank, which gives its place in upstream's order. Only geoms that change move to another place, so old
+//    ranks remain comparable and only changed geoms may need new ones;
+//  - pairs() is as dxSpacePairs describes. Callbacks may enable and disable geoms, so a walker tests whether a geom is enabled when upstream tests
+//    it. Geoms that were disabled when the call began are in no pair. If a callback enables one of them and upstream would see that, the rest of the
+//    call walks the geoms as upstream does.
 //
-// Code of the user's runs while a space is cleaned (bounding-box functions) and while pairs are delivered
-// (near-callbacks, box tests), and may collide, clean or query this space again, or leave by a jump:
-//  - only the outermost call updates pairs(). A nested call that would have to change pairs() walks the geoms as
-//    upstream does (dxSpaceWalker::walk);
+// Code of the user's runs while a space is cleaned (bounding-box functions) and while pairs are delivered (near-callbacks, box tests). It may
+// collide, clean or query this space again, or leave by a jump:
+//  - only the outermost call updates pairs(). A nested call that would have to change pairs() walks the geoms as upstream does (dxSpaceWalker::walk);
 //  - an unfinished or nested cleaning is detected, and all ranks are assigned again;
-//  - the debug handler may leave by a jump from any assertion of upstream's: the data of a member is complete before
-//    upstream's part of a call begins, and after an assertion all members are examined again (dxMissedNotifications); a
-//    call that continues after an assertion walks the geoms as upstream does, too;
+//  - the debug handler may leave by a jump from any assertion of upstream's. So the data of a member is complete before upstream's part of a call
+//    begins, and after an assertion all members are examined again (dxMissedNotifications). A call that continues after an assertion walks the
+//    geoms as upstream does, too;
 //  - the destructor leaves the geoms to upstream's destructor, in whose callbacks of() returns NULL.
 //
-// Threading: one thread at a time, as upstream; but while nothing changes, several threads may call collide2. They may be the
-// first to process earlier changes: one thread does, and the others wait for it for a limited time. (In quad-tree and
-// sweep-and-prune spaces geoms must have been cleaned before, as upstream's lists of geoms to be cleaned need it.)
+// Threading: one thread at a time, as upstream; but while nothing changes, several threads may call collide2. If there are earlier changes to
+// process, one of them does, and the others wait for it for a limited time. (In quad-tree and sweep-and-prune spaces geoms must have been cleaned
+// before, because upstream's lists of dirty geoms require it.)
 // docs/collision.md, docs/exactness.md.
 #pragma once
 

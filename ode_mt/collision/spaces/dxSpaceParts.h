@@ -1,4 +1,4 @@
-// The three parts in which kinds of spaces differ. A space (dxOrderedSpace) owns one of each and asks them in this order, in each call of
+// The three parts in which kinds of spaces differ. A space (dxOrderedSpace) owns one of each and calls them in this order, in each call of
 // dSpaceCollide:
 //
 //   dxSpaceCleaner     boxes and ranks of the geoms that have changed, in upstream's order of cleaning

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "collision/spaces/dxWalking.h"
 #include "core/dxPrefetch.h"
 #include "core/dxReserve.h"
 
