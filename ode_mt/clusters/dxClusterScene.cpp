@@ -10,7 +10,7 @@ using Kind = dxClusterScene::Kind;
 
 // Share of the dynamic inhabitants that may lie beyond either end of an axis of the grid.
 constexpr double kOutliers = 0.02;
-// Above this share outside a grid is outgrown: more than a fit leaves.
+// A grid is outgrown when more than this share is outside: more than a fit leaves.
 constexpr double kMaxOutside = 6 * kOutliers;
 // The grid is this many times as long as the extent of the dynamic inhabitants.
 constexpr dReal kRelativeSize = 1.5;

@@ -66,7 +66,7 @@ double dxCellSizeHeuristic::cheapestCost() const {
     return m_phase == Phase::Climb ? cost(cheapest()) : cost(m_home);
 }
 
-// Of several the smallest number.
+// Returns the smallest of several numbers that cost the same.
 int dxCellSizeHeuristic::cheapest() const {
     int best = kMinCells;
     for (int cells = kMinCells + 1; cells <= kMaxCells; ++cells) {

@@ -17,7 +17,7 @@ constexpr std::size_t kSparse = 4;
 // Maximum number of boxes of a level that are compared with all smaller ones, instead of sorting those again.
 constexpr std::size_t kMaxComparedWithAll = 64;
 
-// Some ten microseconds.
+// A chunk takes some ten microseconds.
 constexpr std::size_t kRowsPerChunk = 256;
 
 bool fitsACell(const dxBounds &box) {
@@ -51,7 +51,7 @@ std::uint64_t dxGridBroadphase::Grid::cellOf(const dxBounds &box) const {
 }
 
 void dxGridBroadphase::findOverlaps(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) {
-    m_most = m_maxPairs(members.end());
+    m_maxMatches = m_maxPairs(members.end());
     sortIntoLevels(members);
     joinSparseLevels();
     if (m_found.size() < runner.workers()) m_found.resize(runner.workers());
@@ -165,7 +165,7 @@ void dxGridBroadphase::pairsByChunks(const dxCellRows &rows, dxTaskRunner &runne
     runner.forChunks(dxParallelStage::CellGridPairs, rows.size(), kRowsPerChunk,
         [&](std::size_t begin, std::size_t end, unsigned worker) {
         std::vector<Match> &matches = m_found[worker].matches;
-        if (matches.size() <= m_most) sweep(begin, end, matches);
+        if (matches.size() <= m_maxMatches) sweep(begin, end, matches);
     });
 }
 
@@ -180,6 +180,6 @@ void dxGridBroadphase::findPairsApart(const dxMembers &members, std::vector<Matc
             if ((members.isChanged(slot) || members.isChanged(other)) && box.overlaps(members[other].bounds))
                 matches.push_back({slot, other});
         }
-        if (matches.size() > m_most) return;
+        if (matches.size() > m_maxMatches) return;
     }
 }

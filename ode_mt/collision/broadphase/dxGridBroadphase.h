@@ -58,7 +58,7 @@ private:
     void pairsByChunks(const dxCellRows &rows, dxTaskRunner &runner, const Sweep &sweep);
 
     const dxPairLimit m_maxPairs;
-    std::size_t m_most = 0;            // number of matches of a worker after which it stops
+    std::size_t m_maxMatches = 0;      // number of matches of a worker after which it stops
     std::vector<Level> m_byEdge;       // by exponent, from the lowest
     std::vector<Level *> m_levels;     // those in use, smallest boxes first
     dxBounds m_corners;                // the low ones of the boxes of a level and all smaller ones

@@ -30,7 +30,7 @@ public:
         Slot slots[kMaxMembers];
     };
 
-    // As dxRankOrder::update().
+    // Does the same as dxRankOrder::update().
     const std::vector<dxSortItem> &update(const dxMembers &members);
 
     // Finds the members whose boxes overlap a box, the one furthest to the front first. Returns false while another thread updates the order; or,

@@ -15,7 +15,7 @@ constexpr double kMinFactor = 1.0 / 8, kMaxFactor = 16;
 constexpr double kWorthOfKeeping = 1.5;
 constexpr std::size_t kMaxCached = 512;  // geoms
 
-// Up to this number of geoms an estimate would take as long as the call.
+// Up to this number of geoms an estimate takes as long as a call.
 constexpr std::size_t kMaxUnestimated = dxBroadphaseThresholds::kMaxAlwaysWalked;
 
 double costAnew(dxPairOrder order, const dxPairWork &work) {

@@ -38,18 +38,18 @@ std::uint64_t placeOnCurve(const dxBounds &middles, const dxBounds &box) {
 
 }  // namespace
 
-dxRegionIndex::Home &dxRegionIndex::homeOf(Slot slot) {
-    if (slot >= m_homes.size()) m_homes.resize(slot + 1);
-    return m_homes[slot];
+dxRegionIndex::Place &dxRegionIndex::placeOf(Slot slot) {
+    if (slot >= m_places.size()) m_places.resize(slot + 1);
+    return m_places[slot];
 }
 
 void dxRegionIndex::loosen(Slot slot, const dxBounds &box) noexcept {
     if (!m_isInUse) return;
     try {
-        Home &home = homeOf(slot);
-        if (home.loose != kNoIndex) return m_looseBoxes.set(home.loose, box);
-        if (home.row != kNoIndex) m_tree.erase(home.row);
-        home.row = kNoIndex;
+        Place &place = placeOf(slot);
+        if (place.loose != kNoIndex) return m_looseBoxes.set(place.loose, box);
+        if (place.row != kNoIndex) m_tree.erase(place.row);
+        place.row = kNoIndex;
         joinLoose(slot, box);
     } catch (const std::bad_alloc &) {
         m_isInUse = false;
@@ -57,27 +57,27 @@ void dxRegionIndex::loosen(Slot slot, const dxBounds &box) noexcept {
 }
 
 void dxRegionIndex::joinLoose(Slot slot, const dxBounds &box) {
-    homeOf(slot).loose = static_cast<std::uint32_t>(m_loose.size());
+    placeOf(slot).loose = static_cast<std::uint32_t>(m_loose.size());
     m_loose.push_back(slot);
     m_looseBoxes.push(box);
 }
 
 void dxRegionIndex::drop(Slot slot) {
     if (!m_isInUse) return;
-    Home &home = homeOf(slot);
-    if (home.row != kNoIndex) m_tree.erase(home.row);
-    home.row = kNoIndex;
-    leaveLoose(home);
+    Place &place = placeOf(slot);
+    if (place.row != kNoIndex) m_tree.erase(place.row);
+    place.row = kNoIndex;
+    leaveLoose(place);
 }
 
-void dxRegionIndex::leaveLoose(Home &home) {
-    if (home.loose == kNoIndex) return;
-    m_loose[home.loose] = m_loose.back();
-    m_looseBoxes.set(home.loose, m_looseBoxes.row(m_loose.size() - 1));
-    m_homes[m_loose.back()].loose = home.loose;
+void dxRegionIndex::leaveLoose(Place &place) {
+    if (place.loose == kNoIndex) return;
+    m_loose[place.loose] = m_loose.back();
+    m_looseBoxes.set(place.loose, m_looseBoxes.row(m_loose.size() - 1));
+    m_places[m_loose.back()].loose = place.loose;
     m_loose.pop_back();
     m_looseBoxes.pop();
-    home.loose = kNoIndex;
+    place.loose = kNoIndex;
 }
 
 void dxRegionIndex::find(const dxMembers &members, const dxBounds &box, std::pmr::vector<Slot> &found) {
@@ -118,7 +118,7 @@ bool dxRegionIndex::begin(const dxMembers &members) {
     if (!building) return false;
     if (m_isInUse) return true;
     try {
-        m_homes.assign(members.end(), Home());
+        m_places.assign(members.end(), Place());
         m_loose.clear();
         m_looseBoxes.clear();
         for (Slot slot = 0; slot < members.end(); ++slot)
@@ -144,22 +144,22 @@ void dxRegionIndex::buildIfDue(const dxMembers &members) {
 void dxRegionIndex::build(const dxMembers &members) {
     m_debt.store(0, std::memory_order_relaxed);
     m_isInUse = false;  // if memory runs out half way
-    m_homes.resize(members.end());
+    m_places.resize(members.end());
     sortAlongCurve(members);
     m_slotOfRow.clear();
     m_loose.clear();
     m_looseBoxes.clear();
     m_tree.begin();
-    for (Home &home : m_homes) home = Home();
+    for (Place &place : m_places) place = Place();
     for (const dxSortItem &item : m_items) {
         const Slot slot = item.index;
-        m_homes[slot].row = static_cast<std::uint32_t>(m_slotOfRow.size());
+        m_places[slot].row = static_cast<std::uint32_t>(m_slotOfRow.size());
         m_slotOfRow.push_back(slot);
         m_tree.push(members[slot].bounds);
     }
     m_tree.finish();
     for (Slot slot = 0; slot < members.end(); ++slot)
-        if (members.geomIn(slot) != nullptr && homeOf(slot).row == kNoIndex) joinLoose(slot, members[slot].bounds);
+        if (members.geomIn(slot) != nullptr && placeOf(slot).row == kNoIndex) joinLoose(slot, members[slot].bounds);
     m_isInUse = true;
 }
 

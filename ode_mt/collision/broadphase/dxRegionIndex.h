@@ -50,16 +50,16 @@ public:
     bool isHighlySelective() const { return m_isHighlySelective.load(std::memory_order_relaxed); }
 
 private:
-    struct Home {
+    struct Place {
         std::uint32_t row = kNoIndex;    // in the tree
         std::uint32_t loose = kNoIndex;  // place in m_loose
     };
 
-    Home &homeOf(Slot slot);
+    Place &placeOf(Slot slot);
     void joinLoose(Slot slot, const dxBounds &box);
     bool begin(const dxMembers &members);
     void appendLoose(const dxBounds &box, std::pmr::vector<Slot> &found) const;
-    void leaveLoose(Home &home);
+    void leaveLoose(Place &place);
     bool query(const dxBounds &box, std::pmr::vector<Slot> &found);
     void buildIfDue(const dxMembers &members);
     void build(const dxMembers &members);
@@ -67,7 +67,7 @@ private:
 
     std::shared_mutex m_mutex;  // only try_lock is used: shared for a query, exclusive for a build
     bool m_isInUse = false;     // all members are in the tree or loose, from the first query on
-    std::vector<Home> m_homes;  // by slot
+    std::vector<Place> m_places;  // by slot
     std::vector<Slot> m_loose;
     dxBoxColumns m_looseBoxes;  // of m_loose
     std::vector<Slot> m_slotOfRow;

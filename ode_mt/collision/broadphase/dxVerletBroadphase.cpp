@@ -22,7 +22,7 @@ constexpr std::size_t kMaxByFresh = 2;  // a list that has grown by this factor 
 // A list is made if one of this many members has left its stored box in one call.
 constexpr std::size_t kManyEscaped = 8;
 
-// Some ten microseconds.
+// A chunk takes some ten microseconds.
 constexpr std::size_t kMembersPerChunk = 512, kCandidatesPerChunk = 2048;
 
 // Prefetch distance, in members.
@@ -53,11 +53,11 @@ void dxVerletBroadphase::findOverlaps(const dxMembers &members, dxTaskRunner &ru
     }
     if (m_callsWithout > 0) {
         --m_callsWithout;
-        m_batch.findOverlaps(members, runner, matches);
+        m_cellGrid.findOverlaps(members, runner, matches);
         return;
     }
     if (m_candidates.size() > m_maxPairs(members.end())) {  // perhaps not all were found
-        m_batch.findOverlaps(members, runner, matches);
+        m_cellGrid.findOverlaps(members, runner, matches);
         return;
     }
     compareCandidates(runner, matches);
@@ -81,7 +81,7 @@ void dxVerletBroadphase::makeList(const dxMembers &members, dxTaskRunner &runner
         if (members[slot].geom != nullptr) takeMember(members, slot);
     }
     m_candidates.clear();
-    m_batch.findOverlaps(m_grown, runner, m_candidates);
+    m_cellGrid.findOverlaps(m_grown, runner, m_candidates);
     m_freshCandidates = m_candidates.size();
     m_calls = m_growths = 0;
     ++m_lists;

@@ -23,8 +23,8 @@
 
 class dxVerletBroadphase final : public dxBroadphase {
 public:
-    // As for dxGridBroadphase.
-    explicit dxVerletBroadphase(dxPairLimit maxPairs = dxUnlimitedPairs) : m_maxPairs(maxPairs), m_batch(maxPairs) {}
+    // `maxPairs` is as in dxGridBroadphase.
+    explicit dxVerletBroadphase(dxPairLimit maxPairs = dxUnlimitedPairs) : m_maxPairs(maxPairs), m_cellGrid(maxPairs) {}
 
     void findOverlaps(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) override;
 
@@ -68,8 +68,8 @@ private:
     std::vector<Match> m_candidates;
     std::vector<Slot> m_escaped;     // from their stored boxes, in this call
     std::vector<std::uint32_t> m_met;
-    dxGridBroadphase m_batch;
-    dxMembers m_grown;               // for the batch: the members with their stored boxes
+    dxGridBroadphase m_cellGrid;
+    dxMembers m_grown;               // for the cell grid: the members with their stored boxes
     std::vector<Found> m_found;      // by worker
     bool m_hasList = false;
     std::size_t m_lists = 0;

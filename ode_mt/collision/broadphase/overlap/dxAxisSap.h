@@ -38,9 +38,9 @@ private:
     std::vector<double> m_columns[kColumns];  // longer than the table by a vector
 };
 
-// What one row meets behind it.
+// The result of comparing one row with the rows behind it.
 struct dxSapMeetings {
-    std::size_t rows;      // number of rows that it meets
+    std::size_t rows;      // number of rows whose boxes overlap its own
     std::size_t compared;  // number of rows that it was compared with
 };
 
