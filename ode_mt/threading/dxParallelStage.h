@@ -13,32 +13,32 @@
 #include "core/dxNoIndex.h"
 
 enum class dxParallelStage : unsigned char {
-    WorldSurvey,                              // code of the user's in each of many worlds: dxWorldRuns
-    WorldPreparation,                         // their islands: dxStepWorlds
-    Worlds,                                   // worlds side by side
-    IslandSurvey,                             // what a step looks at in each island first: dxStep
-    Islands,                                  // islands side by side
-    Boxes,                                    // bounding boxes of a space that is made ready: dxOrderedSpace
-    CellGridPairs,                            // pairs in rows of cells: dxGridBroadphase
-    VerletChanges,                            // members that have moved: dxVerletBroadphase
-    VerletCandidates,                         // pairs of its list that are compared
-    PairKeys,                                 // places of found pairs in upstream's order: dxKeptPairs
-    KeptPairKeys,                             // the same of all pairs that are kept
-    NarrowphasePrefetch,                      // contacts before their callbacks: dxNarrowphasePrefetch
-    Callbacks,                                // near-callbacks that may run at once: dxConcurrentCallbacks
-    Bodies,                                   // QuickStep: inertia and gravity: dxIslandBodies
-    Joints,                                   // QuickStep: Jacobians and limits
-    RightHandSides,                           // QuickStep
-    Rows,                                     // QuickStep: rows prepared for the sweep: dxSorSolver
-    SorPlan,                                  // QuickStep: order of rows for each worker: dxParallelSor
-    SorSweep,                                 // QuickStep: the sweep
-    PgsSweep,                                 // fast QuickStep: warm start and sweeps: dxPgsSolver
-    Motion,                                   // QuickStep: velocities and positions: dxBodyMotion
-    BodySpace,                                // fast dWorldStep: phases in body space: dxBodySpaceSolver
-    PanelSolve,                               // exact step: solves of several right-hand sides: dxPanelSolve
-    TransposedSolve,                          // exact step: back substitution: dxSolveL1Transposed
-    SparseProducts,                           // exact step: products with rows in C: dxSparseRows
-    Count,                                    // of stages, itself none
+    WorldSurvey,          // code of the user's in each of many worlds: dxWorldRuns
+    WorldPreparation,     // their islands: dxStepWorlds
+    Worlds,               // worlds side by side
+    IslandSurvey,         // what a step looks at in each island first: dxStep
+    Islands,              // islands side by side
+    Boxes,                // bounding boxes of a space that is made ready: dxOrderedSpace
+    CellGridPairs,        // pairs in rows of cells: dxGridBroadphase
+    VerletChanges,        // members that have moved: dxVerletBroadphase
+    VerletCandidates,     // pairs of its list that are compared
+    PairKeys,             // places of found pairs in upstream's order: dxKeptPairs
+    KeptPairKeys,         // the same of all pairs that are kept
+    NarrowphasePrefetch,  // contacts before their callbacks: dxNarrowphasePrefetch
+    Callbacks,            // near-callbacks that may run at once: dxConcurrentCallbacks
+    Bodies,               // QuickStep: inertia and gravity: dxIslandBodies
+    Joints,               // QuickStep: Jacobians and limits
+    RightHandSides,       // QuickStep
+    Rows,                 // QuickStep: rows prepared for the sweep: dxSorSolver
+    SorPlan,              // QuickStep: order of rows for each worker: dxParallelSor
+    SorSweep,             // QuickStep: the sweep
+    PgsSweep,             // fast QuickStep: warm start and sweeps: dxPgsSolver
+    Motion,               // QuickStep: velocities and positions: dxBodyMotion
+    BodySpace,            // fast dWorldStep: phases in body space: dxBodySpaceSolver
+    PanelSolve,           // exact step: solves of several right-hand sides: dxPanelSolve
+    TransposedSolve,      // exact step: back substitution: dxSolveL1Transposed
+    SparseProducts,       // exact step: products with rows in C: dxSparseRows
+    Count,                // of stages, itself none
 };
 
 class dxParallelStages {

@@ -1,6 +1,6 @@
 // Dantzig's algorithm gives the bits of upstream's LCP solver, for every instruction set of this machine.
 //
-// Covers dxIslandStep.cpp.
+// Covers dxLargeIslandStep.cpp.
 #include <gtest/gtest.h>
 
 #include <ode/error.h>
@@ -22,7 +22,7 @@
 #include "lcp.h"
 #include "util.h"
 
-#include "dynamics/step/islands/dxIslandStep.h"
+#include "dynamics/step/dxLargeIslandStep.h"
 #include "dynamics/world_step/exact/dxDantzig.h"
 #include "../threading/manager_runner.h"
 #include "instruction_sets.h"

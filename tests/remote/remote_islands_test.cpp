@@ -1,7 +1,7 @@
 // Whole steps with remote workers have the bits of steps without: random worlds of many islands, with one thread at home and with several, while
 // workers are well and while they send flipped bits. And a problem's bytes are solved as the problem is.
 //
-// Covers dxPackedProblem.cpp, dxPackedSolver.cpp, dxRemote.cpp, dxRemoteSolvers.cpp.
+// Covers dxPackedProblem.cpp, dxPackedSolver.cpp, dxRemote.cpp.
 #include "remote/islands/dxRemoteIslands.h"
 
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 #
 # By hand: WHOLE=1 compares every scenario of dWorldStep with 1, 2 and 4 workers, which takes an hour.
 #
-# Covers dxMpiHelp.cpp, dxMpiTransport.cpp, dxOpenMpiTransport.cpp, dxPackedSolver.cpp, dxRemote.cpp, dxRemoteLoader.cpp, odemt_worker.cpp.
+# Covers dxMpiTransport.cpp, dxOpenMpiTransport.cpp, dxPackedSolver.cpp, dxRemote.cpp, dxRemoteLoader.cpp, odemt_worker.cpp.
 set -eu
 export MALLOC_PERTURB_=165  # as in the exactness suite
 here=$(cd "$(dirname "$0")" && pwd)

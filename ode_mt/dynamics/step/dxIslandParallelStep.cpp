@@ -8,7 +8,7 @@
 #include "dynamics/step/dxIslandPreparation.h"
 #include "dynamics/step/dxIslandStepper.h"
 #include "dynamics/step/dxSerialStep.h"
-#include "dynamics/step/dxWorldArena.h"
+#include "dynamics/step/islands/dxWorkingMemory.h"
 #include "dynamics/step/islands/dxStepTimeline.h"
 #include "dynamics/step/random/dxRandom.h"
 #include "dynamics/step/random/dxIslandDraws.h"

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <optional>
 
-#include "dynamics/step/dxIslandBlocks.h"
 #include "dynamics/step/dxIslandStepper.h"
 #include "settings/dxWorkersRunner.h"
 #include "threading/dxUpstreamScope.h"
 
 namespace {
 
-// Islands cheaper than this share a block, so that taking a block costs little beside its work.
+// Islands cheaper than this share a block, so that taking a block costs little beside its work. Units: ns.
 constexpr double kMinBlockNs = 3e3;
 
 // More blocks than workers even out what the cost model misjudges.
@@ -67,4 +66,34 @@ void dxPrepareIslands(const dxStepCall &call, unsigned workers, dxStepRecords &r
 void dxReserveRandomNumbers(const dxStepCall &call, dxStepRecords &records) {
     if (!dxIslandStepper::drawsRandomNumbers(call)) return;
     records.run.reserve(records.inOrderFrom, [&](unsigned island) { return dxIslandStepper::drawsOf(call, records.islands[island].rows); });
+}
+
+void dxCutIslandBlocks(dxStepRecords &records, unsigned end, double minCost) {
+    const std::vector<dxIslandRecord> &islands = records.islands;
+    records.order.clear();
+    records.blocks.clear();
+
+    for (unsigned i = 0; i < end; ++i) {
+        if (islands[i].cost >= minCost) records.order.push_back(i);
+    }
+    std::sort(records.order.begin(), records.order.end(), [&islands](unsigned a, unsigned b) {
+        return islands[a].cost != islands[b].cost ? islands[a].cost > islands[b].cost : a < b;
+    });
+    const unsigned large = static_cast<unsigned>(records.order.size());
+    for (unsigned i = 0; i < large; ++i) records.blocks.push_back({i, i + 1});
+
+    // Small islands keep their order: neighbours in it are often neighbours in memory.
+    double cost = 0;
+    unsigned begin = large;
+    for (unsigned i = 0; i < end; ++i) {
+        if (islands[i].cost >= minCost) continue;
+        records.order.push_back(i);
+        cost += islands[i].cost;
+        if (cost >= minCost) {
+            records.blocks.push_back({begin, static_cast<unsigned>(records.order.size())});
+            begin = records.blocks.back().end;
+            cost = 0;
+        }
+    }
+    if (begin < records.order.size()) records.blocks.push_back({begin, static_cast<unsigned>(records.order.size())});
 }

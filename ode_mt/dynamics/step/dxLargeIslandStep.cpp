@@ -5,16 +5,18 @@
 #include <optional>
 
 #include "dynamics/step/dxSerialStep.h"
-#include "dynamics/step/islands/dxIslandStep.h"
 #include "settings/dxSettings.h"
 #include "settings/dxStepStatistics.h"
 #include "settings/dxWorkersRunner.h"
+#include "threading/process/dxProcess.h"
 
 namespace {
 
-// Workers of one island wait for one another, so more of them than cores would only get in one another's way. An
-// algorithm that is asked for by name gets so many on any machine: what they do can be tested there.
+// Workers of one island wait for one another, so more of them than cores would only delay one another. An
+// algorithm that the user has named gets this number on any machine, so that tests can run it there.
 constexpr unsigned kMinWorkers = 4;
+
+dxProcessObject<dxObjectPool<dxLargeIslandWorkers>> pool;
 
 }  // namespace
 
@@ -25,8 +27,15 @@ void dxRunLargeIslandStep(const dxStepCall &call, const dxStepPlan &plan) {
     dxLargeIslandWorkers *islandWorkers = nullptr;
     try {
         islandWorkers = &*lease.emplace(runner, dxSettings::instance().algorithm() != dxAlgorithm::Auto);
-    } catch (const std::bad_alloc &) {  // then without one
+    } catch (const std::bad_alloc &) {  // the calling thread steps large islands, too
     }
     dxSerialStep(call, islandWorkers, plan.minLargeJoints).run();
     dxStepStatistics::instance().countLargeIslandStep(runner.tookPart());
 }
+
+dxLargeIslandWorkersLease::dxLargeIslandWorkersLease(dxTaskRunner &runner, bool isAlwaysParallel) : m_islandWorkers(*pool) {
+    m_islandWorkers->runner = &runner;
+    m_islandWorkers->isAlwaysParallel = isAlwaysParallel;
+}
+
+dxLargeIslandWorkersLease::~dxLargeIslandWorkersLease() { m_islandWorkers->runner = nullptr; }

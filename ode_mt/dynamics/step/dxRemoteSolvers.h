@@ -1,10 +1,10 @@
-// Solvers of islands in other processes, as a step sees them: remote/ implements this. A step of a program whose user named no workers looks at one
-// pointer (installed()).
+// Solvers of islands in other processes, as a step sees them: remote/ implements this. Where the user has named no workers, a step reads one pointer
+// (installed()).
 //
-//   dxPlanStep              maySolve(), predictShare(): how much of the step goes out
-//   dxIslandParallelStep    begin(): the islands that do (dxRemoteStep), beside those that stay
+//   dxPlanStep              maySolve(), predictShare(): how much of the step goes to remote workers
+//   dxIslandParallelStep    begin(): the islands that do (dxRemoteStep), beside the local ones
 //   dxStepIslands           noteWorkers(): for the world's statistics; so does dxStepOnThisThread, of a step of many worlds
-//   dxLearnFromStep         wake(): before a step that will go out
+//   dxLearnFromStep         wake(): before a step that will use remote workers
 //
 // Results never depend on it, only speed does.
 //
@@ -32,42 +32,42 @@ public:
 
     virtual unsigned count() const = 0;
 
-    // On a worker of this process, once for each of the `count` islands, before those that stay: makes its problem and sends it.
+    // Makes the problem of one of the count() islands and sends it. Called by a worker of this process, once for each, before the local islands.
     virtual void make(unsigned entry, unsigned worker) = 0;
 
-    // On a worker of this process, between two islands that stay: messages.
+    // Sends and receives messages. Called by a worker of this process between two local islands.
     virtual void poll() = 0;
 
-    // On a worker of this process: islands that stay, of this cost (dxCostModel, scale 1), have been stepped in so long.
+    // Called by a worker of this process when it has stepped local islands of this cost (dxCostModel, scale 1) in this time.
     virtual void noteStepped(double cost, double ns) = 0;
 
-    // On each worker of this process, when nothing else is left: applies results as they come, until there are no more. make() of all islands must be
-    // running or done.
+    // Applies results as they arrive, until there are no more. Called by each worker of this process when nothing else is left. Requires that make() of
+    // all islands is running or done.
     virtual void finish(unsigned worker) = 0;
 
-    // On the caller, when the workers are done: islands for which a worker had no memory. Returns what became of those that went out.
+    // Solves islands for which a worker had no memory. Called by the caller of the step when the workers are done. Returns what became of the islands.
     virtual dxRemoteRecord finishRest() = 0;
 };
 
 class dxRemoteSolvers {
 public:
-    // Null: the user has named no workers.
+    // Returns null if the user has named no workers.
     static dxRemoteSolvers *installed() { return s_installed.load(std::memory_order_acquire); }
 
-    // For the rest of the process.
-    static void install(dxRemoteSolvers &solvers);
+    // Installs the solvers for the rest of the process.
+    static void install(dxRemoteSolvers &solvers) { s_installed.store(&solvers, std::memory_order_release); }
 
-    // Whether islands of this step may go out at all.
+    // Returns whether islands of this step may go to remote workers at all.
     virtual bool maySolve(const dxStepCall &call) const = 0;
 
-    // The part of a step's cost that should go out; 0: it does not pay.
+    // Returns the part of a step's cost that should go to remote workers; 0: it does not pay.
     virtual double predictShare(const dxRemoteWork &work, unsigned workers) const = 0;
 
     // Chooses islands, the most expensive first, until they are `share` of the cost of all; marks their records. `isForced`: they are not taken
     // back from workers that work. Throws std::bad_alloc.
     virtual std::unique_ptr<dxRemoteStep> begin(dxDeferredIslands &islands, double share, bool isForced) = 0;
 
-    // Islands of the next step go out: workers that sleep should be awake by then.
+    // Wakes workers that sleep, since islands of the next step will go to them.
     virtual void wake() = 0;
 
     // Adds what is known of the process's workers now.
@@ -77,5 +77,5 @@ protected:
     ~dxRemoteSolvers() = default;
 
 private:
-    static std::atomic<dxRemoteSolvers *> s_installed;
+    static inline std::atomic<dxRemoteSolvers *> s_installed{nullptr};
 };

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "dynamics/step/dxIslandStepper.h"
-#include "dynamics/step/dxWorldArena.h"
+#include "dynamics/step/islands/dxWorkingMemory.h"
 #include "dynamics/step/islands/dxBodyWorkers.h"
 #include "dynamics/step/islands/dxIslandSurvey.h"
 #include "dynamics/step/islands/dxStepTimeline.h"

@@ -1,6 +1,7 @@
 #include "remote/mpi/dxMpiTransport.h"
 
 #include <dirent.h>
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <pthread.h>
 #include <sys/stat.h>
@@ -9,6 +10,7 @@
 #include <atomic>
 #include <chrono>
 #include <climits>
+#include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -17,8 +19,7 @@
 #include <utility>
 
 #include "core/dxGuards.h"
-#include "remote/transport/dxLibraryFile.h"
-#include "remote/mpi/dxMpiHelp.h"
+#include "remote/transport/dxRemoteLoader.h"
 
 namespace {
 
@@ -26,7 +27,7 @@ constexpr int kTag = 20773;  // of all messages; a program that uses MPI itself 
 
 constexpr const char *kWorker = "odemt_worker";
 
-// In a folder of PATH; empty: in none.
+// Returns the path of a program in a folder of PATH; empty: in none.
 std::string findOnPath(const char *name) {
     const char *const path = std::getenv("PATH");
     for (std::string folders = path != nullptr ? path : ""; !folders.empty();) {
@@ -38,8 +39,8 @@ std::string findOnPath(const char *name) {
     return "";
 }
 
-// The worker's program: beside this library, as in the build's folder, or in bin/ beside one of the folders around it, as installed, else on the
-// PATH. Empty: it is in none of these. MPI would end the program, or wait for ever.
+// Returns the worker's program: beside this library, as in the build's folder, or in bin/ beside one of the folders around it, as installed, else on the
+// PATH. Empty: it is in none of these, and MPI would end the program, or wait for ever.
 std::string findWorkerProgram() {
     const std::string name = kWorker, file = dxFindLibraryFile(reinterpret_cast<void *>(&findWorkerProgram));
     for (std::size_t slash = file.rfind('/'); slash != std::string::npos && slash > 0; slash = file.rfind('/', slash - 1)) {
@@ -51,7 +52,7 @@ std::string findWorkerProgram() {
     return findOnPath(kWorker);
 }
 
-// Whether mpirun lets the others live when one process ends: --enable-recovery of Open MPI 4, --with-ft ulfm of Open MPI 5. Both tell processes by
+// Returns whether mpirun lets the others live when one process ends: --enable-recovery of Open MPI 4, --with-ft ulfm of Open MPI 5. Both tell processes by
 // their environment.
 bool doesJobSurvive() {
     for (const char *const name : {"OMPI_MCA_orte_enable_recovery", "OMPI_MCA_mpi_ft_enable"}) {
@@ -71,7 +72,7 @@ void listenElsewhere() {
     setenv("OMPI_MCA_btl_tcp_port_min_v6", port, 0);
 }
 
-// Open MPI would start no more workers than there are cores, however many the user wants, and bind each of them, a job of its own, to the first
+// By default Open MPI starts no more workers than there are cores, even if the user wants more, and binds each of them, a job of its own, to the first
 // core. Other MPIs do not know the keys.
 MPI_Info howToSpawn() {
     MPI_Info info = MPI_INFO_NULL;
@@ -98,10 +99,10 @@ std::string textOf(int error) {
     return text;
 }
 
-// While MPI begins on this thread, and while it starts the first worker: a process that it forks has no files of the program's but standard
-// output and error. Without mpirun Open MPI starts one, in MPI_Init (4: orted) or in the first MPI_Comm_spawn (5: prte), that would read the
-// program's standard input for the workers, and what it has read is lost to the program (its key ompi_stdin_target ends Open MPI 4.1's server);
-// and it would hold the program's pipes open, whose other ends would never see their end.
+// Exists while MPI begins on this thread, and while it starts the first worker: a process that MPI forks then has no files of the program but standard
+// output and error. Without mpirun Open MPI starts a server, in MPI_Init (4: orted) or in the first MPI_Comm_spawn (5: prte). It would read the
+// program's standard input for the workers, and the program would lose what it has read (its key ompi_stdin_target ends Open MPI 4.1's server). It
+// would also keep the program's pipes open, whose other ends would never see their end.
 class NoFilesForChildren {
 public:
     NoFilesForChildren() {
@@ -118,7 +119,7 @@ public:
     NoFilesForChildren &operator=(const NoFilesForChildren &) = delete;
 
 private:
-    // Another thread may close a file, whose number Open MPI's own pipe to the child then has: that is another file.
+    // Another thread may close a file. If Open MPI's own pipe to the child then gets its number, it is another file.
     struct File {
         int number;
         struct stat status;
@@ -153,6 +154,44 @@ private:
     static inline thread_local std::vector<File> s_files;
 };
 
+// --- help texts of Open MPI, such as the one that a peer has hung up ------------------------------------------------
+//
+// Open MPI 4 sends them to mpirun (or orted), which reads a message after it has told another thread to free it (orte_rml_oob_send_buffer_nb gives it
+// away before it copies it): now and then mpirun crashes, and ends the job that should survive a lost worker. So this process writes its own to standard
+// error. Other versions of MPI are left alone.
+
+// Variables of Open MPI's base library (opal/util/show_help.h of versions 4.0 and 4.1): the function that every part calls with a help text, and
+// the one that writes it to standard error.
+using ShowHelp = int(const char *file, const char *topic, int hasHeader, ...);
+using WriteHelp = int(const char *file, const char *topic, bool hasHeader, va_list values);
+
+WriteHelp **s_writeHelp = nullptr;
+
+int writeHelpHere(const char *file, const char *topic, int hasHeader, ...) {
+    va_list values;
+    va_start(values, hasHeader);
+    const int result = (*s_writeHelp)(file, topic, (hasHeader & 0xff) != 0, values);
+    va_end(values);
+    return result;
+}
+
+bool isOpenMpi4() {
+    char version[MPI_MAX_LIBRARY_VERSION_STRING] = "";
+    int length = 0;
+    MPI_Get_library_version(version, &length);
+    return std::strncmp(version, "Open MPI v4.", 12) == 0;
+}
+
+// Requires that MPI has been initialised.
+void haveHelpWrittenHere() {
+    if (!isOpenMpi4()) return;
+    void *const mpi = dlopen(dxFindLibraryFile(reinterpret_cast<void *>(&MPI_Init)).c_str(), RTLD_LAZY | RTLD_NOLOAD);
+    if (mpi == nullptr) return;
+    const auto show = static_cast<ShowHelp **>(dlsym(mpi, "opal_show_help"));
+    s_writeHelp = static_cast<WriteHelp **>(dlsym(mpi, "opal_show_vhelp"));
+    if (show != nullptr && s_writeHelp != nullptr) __atomic_store_n(show, &writeHelpHere, __ATOMIC_RELEASE);
+}
+
 }  // namespace
 
 struct dxMpiTransport::Start {
@@ -184,7 +223,7 @@ bool dxMpiTransport::initialise(int wantedLevel, std::string &reason) {
         }
         m_isOwn = true;
     }
-    dxWriteMpiHelpHere();
+    haveHelpWrittenHere();
     m_isForAllThreads = level >= MPI_THREAD_SERIALIZED;
     m_canReplace = level == MPI_THREAD_MULTIPLE && doesJobSurvive();
     return true;
@@ -285,7 +324,7 @@ bool dxMpiTransport::send(unsigned link, const void *message, std::size_t bytes)
     return false;
 }
 
-// Open MPI first looks for the message, and then takes in what has arrived: that is found by the next call, which must not come after a pause.
+// Open MPI first looks for the message, and then receives what has arrived. The next call finds that, and must not come after a pause.
 std::size_t dxMpiTransport::waiting(unsigned &link) {
     if (!m_sending.empty()) forgetSent();
     std::size_t bytes = 0;

@@ -1,9 +1,6 @@
 #include "remote/transport/dxRemoteLoader.h"
 
-#include <dlfcn.h>
 #include <unistd.h>
-
-#include "remote/transport/dxLibraryFile.h"
 
 namespace {
 
@@ -15,7 +12,8 @@ std::string folderOfThisLibrary() {
     return slash == std::string::npos ? std::string() : file.substr(0, slash + 1);
 }
 
-// Its path, or the name alone, which the system's loader looks for. One that is there and cannot be loaded, as for want of MPI, says so.
+// Returns the library's path, or the name alone, for which the system's loader looks. (A file that exists and cannot be loaded, as MPI is missing,
+// gives an error that says so.)
 std::string find(const std::string &file) {
     const std::string folder = folderOfThisLibrary();
     for (const char *const place : {"", kOwnFolder})

@@ -1,10 +1,11 @@
-// One island in one step: what a stepper is given; and the workers of a large one.
+// One island in one step, as a stepper gets it, and the workers of a large one.
+//
+// Threading: steppers of different islands run at the same time.
 #pragma once
 
 #include "dynamics/step/islands/dxIsland.h"
-#include "threading/payoff/dxSharingPolicy.h"
 #include "threading/dxTaskRunner.h"
-#include "threading/process/dxObjectPool.h"
+#include "threading/payoff/dxSharingPolicy.h"
 
 class dxFastQuickStepState;
 
@@ -12,21 +13,7 @@ class dxFastQuickStepState;
 struct dxLargeIslandWorkers {
     dxTaskRunner *runner = nullptr;
     bool isAlwaysParallel = false;  // parallel whenever the island is large enough; otherwise the measured times decide
-    dxSharingPolicy solvePolicy;  // of the exact step's triangular solves
-};
-
-// Borrows the workers' state for a step; its memory is returned to the process's pool.
-class dxLargeIslandWorkersLease {
-public:
-    dxLargeIslandWorkersLease(dxTaskRunner &runner, bool isAlwaysParallel);
-    ~dxLargeIslandWorkersLease();
-    dxLargeIslandWorkersLease(const dxLargeIslandWorkersLease &) = delete;
-    dxLargeIslandWorkersLease &operator=(const dxLargeIslandWorkersLease &) = delete;
-
-    dxLargeIslandWorkers &operator*() const { return *m_islandWorkers; }
-
-private:
-    dxPooledObject<dxLargeIslandWorkers> m_islandWorkers;
+    dxSharingPolicy solvePolicy;    // of the exact step's triangular solves
 };
 
 struct dxIslandStep {
@@ -35,8 +22,7 @@ struct dxIslandStep {
     dxIsland island;
     dxWorldProcessMemArena *arena;  // of the size that upstream's estimate for this stepper asks for
     dxLargeIslandWorkers *islandWorkers = nullptr;  // of a large island; null: the calling thread alone
-
-    dxFastQuickStepState *fastQuickStep = nullptr;     // of a fast dWorldQuickStep; null otherwise
+    dxFastQuickStepState *fastQuickStep = nullptr;  // of a fast dWorldQuickStep; null otherwise
 
     dxTaskRunner &runner() const { return islandWorkers != nullptr ? *islandWorkers->runner : dxTaskRunner::alone(); }
 };

@@ -3,7 +3,6 @@
 #include <cstdlib>
 #include <new>
 
-#include "dynamics/step/islands/dxIsland.h"
 #include "threading/process/dxObjectPool.h"
 #include "threading/process/dxProcess.h"
 

@@ -1,7 +1,7 @@
 // Every island is in one block; large islands alone and first, small ones together in their own order.
 //
 // Covers dxStepRecords.cpp.
-#include "dynamics/step/dxIslandBlocks.h"
+#include "dynamics/step/dxIslandPreparation.h"
 
 #include <gtest/gtest.h>
 
