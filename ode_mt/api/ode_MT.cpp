@@ -13,9 +13,9 @@
 
 #include "dynamics/step/islands/dxBodyWorkers.h"
 #include "remote/dxRemote.h"
+#include "settings/dxProcessStatistics.h"
 #include "settings/dxSerialReason.h"
 #include "settings/dxSettings.h"
-#include "settings/dxStepStatistics.h"
 #include "settings/dxWorkers.h"
 #include "settings/dxWorldState.h"
 #include "settings/dxWorldStatistics.h"
@@ -24,7 +24,7 @@
 namespace {
 
 // The getters return members of dODE_MT_Statistics. Their numbers wrap, so that the difference of two readings is right whatever was counted before.
-unsigned lowBits(unsigned long long dODE_MT_Statistics::*count) { return static_cast<unsigned>(dxStepStatistics::instance().read().*count); }
+unsigned lowBits(unsigned long long dODE_MT_Statistics::*count) { return static_cast<unsigned>(dxProcessStatistics::instance().read().*count); }
 
 // Returns what note() returns, or false where it has no memory. That is reported outside the catch clause, as the handler may leave.
 template <class Note>
@@ -163,16 +163,16 @@ unsigned dODE_MT_GetContactsAhead() { return lowBits(&dODE_MT_Statistics::contac
 
 unsigned dODE_MT_GetContactsAheadUnused() { return lowBits(&dODE_MT_Statistics::contactsAheadUnused); }
 
-unsigned dODE_MT_GetDirectIslands() { return static_cast<unsigned>(dxStepStatistics::instance().directIslands); }
+unsigned dODE_MT_GetDirectIslands() { return static_cast<unsigned>(dxProcessStatistics::instance().directIslands); }
 
-unsigned dODE_MT_GetDirectFallbacks() { return static_cast<unsigned>(dxStepStatistics::instance().directFallbacks); }
+unsigned dODE_MT_GetDirectFallbacks() { return static_cast<unsigned>(dxProcessStatistics::instance().directFallbacks); }
 
 void dODE_MT_GetStatistics(dODE_MT_Statistics *statistics) {
     if (statistics == nullptr) {
         dMessage(0, "ODE_MT: dODE_MT_GetStatistics was given no place for them (NULL)");
         return;
     }
-    *statistics = dxStepStatistics::instance().read();
+    *statistics = dxProcessStatistics::instance().read();
 }
 
 const char *dODE_MT_GetReasonText(int reason) { return dxTextOfReason(reason); }
@@ -209,7 +209,7 @@ void dODE_MT_RequestTraceFlush() { dxTimeline::requestFlush(); }
 
 int dODE_MT_StopTrace() { return writeTrace(dxTimeline::stop); }
 
-unsigned dODE_MT_GetMaxWorkersUsed() { return dxStepStatistics::instance().maxWorkersUsed; }
+unsigned dODE_MT_GetMaxWorkersUsed() { return dxProcessStatistics::instance().maxWorkersUsed; }
 
 void dODE_MT_NoteBodyWorkers(int isNoted) { dxBodyWorkers::setNoted(isNoted != 0); }
 

@@ -6,8 +6,8 @@
 #include "collision/callbacks/dxConcurrentCallbacks.h"
 #include "collision/spaces/dxOrderedSpace.h"
 #include "core/dxStopwatch.h"
+#include "settings/dxProcessStatistics.h"
 #include "settings/dxSettings.h"
-#include "settings/dxStepStatistics.h"
 #include "settings/dxWorkersRunner.h"
 #include "settings/dxWorldStatistics.h"
 #include "threading/dxFloatEnvironment.h"
@@ -126,7 +126,7 @@ void collideOnWorkers(CollideSpan &span, dxOrderedSpace &space, unsigned workers
     }
     const dxNarrowphasePrefetch &prefetch = *space.narrowphasePrefetch();
     span.setPrefetched(prefetch.computed(), prefetch.used());
-    dxStepStatistics::instance().countSharedCollision(runner.tookPart(), prefetch.computed(), prefetch.used());
+    dxProcessStatistics::instance().countSharedCollision(runner.tookPart(), prefetch.computed(), prefetch.used());
 }
 
 void collideMeasured(CollideSpan &span, dxOrderedSpace &space, void *data, dNearCallback *callback) {

@@ -1,12 +1,12 @@
-// Joints that have been attached since the last search for islands.
+// Marks joints that have been attached since the last search for islands.
 //
 // Code of the user's that runs within a step (moved-callbacks, handlers of messages, the step's allocator) may attach joints to
-// bodies of islands that are still to be stepped, also joints of such islands. Upstream's exact step meets a new joint in its
-// bodies' lists, and takes it for the joint of the island that its tag numbers (Stage2c in step.cpp); both of its steppers take
-// a body of another island for one of their own that has the same number. What follows from that is left to them: the mark
-// tells a step of such islands.
+// bodies of islands that are not stepped yet, including joints of such islands. Upstream's exact step finds a new joint in its
+// bodies' lists, and takes it for the joint of the island that its tag numbers (Stage2c in step.cpp). Both of its steppers take
+// a body of another island for one of their own that has the same number. So upstream's steppers step such islands, which a step finds
+// by the marks.
 //
-// Most steps have none. So that these need not look at all their joints, the world is marked as well: in the fourth number of
+// Most steps have none. So that these need not test all their joints, the world is marked as well: in the fourth number of
 // its gravity, which upstream sets to zero and never reads.
 //
 // Threading: that of upstream's dJointAttach.
@@ -30,7 +30,7 @@ inline void attach(dxJoint *joint, dxBody *body1, dxBody *body2) {
     if (joint->world != nullptr && joint->world->gravity[3] == 0) joint->world->gravity[3] = 1;
 }
 
-// Whether any joint of the world has been attached since forgetAll().
+// Returns whether any joint of the world has been attached since forgetAll().
 inline bool hasAny(const dxWorld &world) { return world.gravity[3] != 0; }
 
 // Requires forget() for all joints of the world.
@@ -40,7 +40,7 @@ inline void forget(dxJoint &joint) { joint.flags &= ~kMark; }
 
 inline bool isRecent(const dxJoint &joint) { return (joint.flags & kMark) != 0; }
 
-// The joint that was attached last is the first of its bodies' lists.
+// Returns whether a joint of the body is recent: the joint that was attached last is the first of its bodies' lists.
 inline bool hasRecent(const dxBody &body) { return body.firstjoint != nullptr && isRecent(*body.firstjoint->joint); }
 
 }  // namespace dxJointAttachment

@@ -10,7 +10,7 @@ namespace dxOwnThreads {
 
 namespace {
 
-// How many worlds and spaces have each number.
+// For each number, counts the worlds and spaces that have it.
 class Numbers {
 public:
     void exchange(unsigned before, unsigned now) {
@@ -27,7 +27,7 @@ public:
 
 private:
     dxForkSafeMutex m_mutex;
-    int m_owners[dODE_MT_MAX_THREADS + 1] = {};  // by their number; below 0 for a moment, where two threads set one number
+    int m_owners[dODE_MT_MAX_THREADS + 1] = {};  // by their number; below 0 for a moment if two threads change the number of one owner
     std::atomic<unsigned> m_largest{0};
 };
 

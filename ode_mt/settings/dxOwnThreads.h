@@ -1,8 +1,10 @@
-// How many threads worlds and spaces may use that have a number of their own (dODE_MT_SetWorldThreads, dODE_MT_SetSpaceThreads), in place of
-// the process's (dxSettings).
+// Numbers of threads that worlds and spaces have of their own (dODE_MT_SetWorldThreads, dODE_MT_SetSpaceThreads), instead of that of
+// the process (dxSettings).
 //
-// Each keeps its own number (dxOwnThreadNumber; that of a world is in its dxWorldState). Of all numbers of threads the largest is known: there are as
-// many workers as it says. Any thread may call.
+// Each keeps its own number (dxOwnThreadNumber; that of a world is in its dxWorldState). The largest of all numbers is the size of the pool of
+// workers.
+//
+// Threading: any thread.
 #pragma once
 
 #include <ode/ode.h>
@@ -13,13 +15,13 @@
 
 namespace dxOwnThreads {
 
-// Of an own number, the one in force: 0 is the process's.
+// Returns the number in force for an own number: that of the process for 0.
 inline unsigned inForce(unsigned own) { return own != 0 ? own : dxSettings::instance().threads(); }
 
-// The largest of all; 0: there is none.
+// Returns the largest of all own numbers; 0: there is none.
 unsigned largest();
 
-// Somebody has another number than before; 0: none.
+// Called when a world or space changes its number; 0: none.
 void exchange(unsigned before, unsigned now);
 
 }  // namespace dxOwnThreads
@@ -34,10 +36,10 @@ public:
     dxOwnThreadNumber(const dxOwnThreadNumber &) = delete;
     dxOwnThreadNumber &operator=(const dxOwnThreadNumber &) = delete;
 
-    // Its own, or else the process's.
+    // Returns its own number, or else that of the process.
     unsigned inForce() const { return dxOwnThreads::inForce(own()); }
 
-    // 0: the process's.
+    // 0: that of the process.
     void choose(unsigned threads) { dxOwnThreads::exchange(m_own.exchange(threads), threads); }
 
     unsigned own() const { return m_own.load(std::memory_order_relaxed); }

@@ -1,4 +1,6 @@
-// The words for each dODE_MT_Reason. Read by bench/top, too.
+// The text for each dODE_MT_Reason: why a step or collision ran on one thread. bench/top uses it, too.
+//
+// Threading: any thread.
 #pragma once
 
 #include <array>
@@ -33,7 +35,7 @@ inline constexpr std::array<const char *, 22> kReasonTexts = {
 };
 static_assert(kReasonTexts.size() == dODE_MT_REASON_WORLDS + 1, "a text for each reason");
 
-// Returns half a sentence, also for numbers that are no reason.
+// Returns a clause; for numbers that are no reason, too.
 inline const char *dxTextOfReason(int reason) {
     const auto index = static_cast<std::size_t>(reason);
     return index < kReasonTexts.size() ? kReasonTexts[index] : "unknown reason";

@@ -78,7 +78,7 @@ bool addHeuristic(const std::string &name, unsigned &choice) {
     return false;
 }
 
-// The names of each set, made once. They lie in the object itself: what it allocated would be lost with each unloading.
+// The names of each set, made once. The object contains them: what it allocated would leak with each unloading.
 struct HeuristicTexts {
     static constexpr std::size_t kMaxLength = 48;
     static_assert(sizeof "cells,centre,crossover,declustering,threads" <= kMaxLength, "all of kHeuristics");
@@ -99,7 +99,7 @@ struct HeuristicTexts {
 
 dxProcessObject<HeuristicTexts> heuristicTexts;
 
-// "default", "none", or names with commas between them. False: one is unknown, and `choice` is as it was.
+// Reads "default", "none", or names with commas between them. Returns false if one is unknown; `choice` is unchanged then.
 bool parseHeuristics(const std::string &names, unsigned &choice) {
     if (names == "default" || names == "none") {
         choice = names == "default" ? dxDefaultHeuristics : dxNoHeuristics;
@@ -114,12 +114,12 @@ bool parseHeuristics(const std::string &names, unsigned &choice) {
     return true;
 }
 
-// All that parseHeuristics knows.
+// Returns all that parseHeuristics knows.
 const char *knownHeuristics() { return "default, none, cells, centre, crossover, declustering, threads"; }
 
 constexpr int kTunedCells = 0;
 
-// What is misspelt would be without effect, and nobody would know.
+// A misspelt name has no effect, which users would not notice.
 void reportUnknownVariable(const char *name, const char *nearest) {
     if (nearest != nullptr)
         dxLog(dxLogLevel::warning, "%.100s is no variable of this library, and has no effect; is %s meant?", name, nearest);

@@ -2,9 +2,11 @@
 // concurrently, which heuristics tune the clusters, how fine their grid is.
 //
 // Process-wide, because ODE_MT's API is (dToggleODE_MT has no world). The environment is read once, at
-// the first use. A value that is not understood is reported by name and leaves the default: one from a
-// call with dMessage; one from the environment, which is not the program's, in the log, so that no handler
-// of the user runs while the library finds its settings.
+// the first use. A value that is not understood is reported by name, and the setting is unchanged. A value from a
+// call is reported with dMessage, one from the environment, which is not the program's, in the log, so that no handler
+// of the user runs while the library reads its settings.
+//
+// Threading: any thread.
 #pragma once
 
 #include <atomic>
@@ -12,7 +14,7 @@
 
 #include "threading/process/dxProcess.h"
 
-// Auto shares out what is predicted to pay, the others whatever can be shared out (Serial: nothing).
+// Auto: parallel where that is predicted to pay; Serial: nothing; the others: all that can be parallel.
 // ClusteredXxx: pairs are found by clusters, under the crossover pass of that name.
 enum class dxAlgorithm {
     Auto,
@@ -43,7 +45,7 @@ struct dxSolverChoice {
     bool isWarm = true;                    // steps begin with the forces of the last one
 };
 
-// What carries problems to workers that are other processes.
+// The transport to workers in other processes.
 struct dxRemoteChoice {
     static constexpr unsigned kMaxWorkers = 1024;
 
@@ -63,7 +65,7 @@ enum dxHeuristicChoice : unsigned {
     dxDefaultHeuristics = dxTuneCells | dxTuneCentre | dxSkipCrossovers | dxSkipDeclustering
 };
 
-// "none", or names with commas between them. For ever.
+// Returns "none", or names with commas between them. The text lives as long as the library.
 const char *dxNamesOfHeuristics(unsigned choice);
 
 class dxSettings {
@@ -73,16 +75,16 @@ public:
     // Threads a step may use, the caller included, unless its world has a number of its own (dxOwnThreads.h); 0 and 1: the caller alone.
     unsigned threads() const { return m_threads.load(std::memory_order_relaxed); }
     void setThreads(unsigned threads);  // resolved
-    // The number that is meant, as dToggleODE_MT takes it; counts the cores anew.
+    // Returns the number that an argument of dToggleODE_MT means; counts the cores anew.
     unsigned resolveThreads(int threads);
 
     dxAlgorithm algorithm() const { return m_algorithm.load(std::memory_order_relaxed); }
     const char *algorithmName() const;
-    // Of the crossover pass, if the algorithm clusters; else NULL.
+    // Returns the name of the crossover pass, if the algorithm clusters; else null.
     const char *passName() const;
     bool setAlgorithm(const std::string &name);  // false: unknown
 
-    // Of worlds that have none of their own (dxWorldState.h).
+    // Returns the choice for worlds that have none of their own (dxWorldState.h).
     const dxSolverChoice &solver() const { return m_solver; }
     static const char *nameOfSolver(dxSolver solver);
     static bool readSolver(const std::string &name, dxSolver &solver);  // false: unknown, reported with dMessage
@@ -99,10 +101,10 @@ public:
     int gridCells() const { return m_gridCells.load(std::memory_order_relaxed); }
     bool setGridCells(int cells);  // false: too few or too many
 
-    // Only the environment says it, as processes are started before the program can.
+    // Set by the environment alone, as processes are started before the program could set it.
     const dxRemoteChoice &remoteWorkers() const { return m_remoteWorkers; }
 
-    // Cores that this process may use, as of the last time that a number of threads was set.
+    // Returns the number of cores that this process might use when a number of threads was set last.
     unsigned cores() const { return m_cores.load(std::memory_order_relaxed); }
 
 private:

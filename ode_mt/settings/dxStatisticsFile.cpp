@@ -13,7 +13,8 @@
 
 namespace {
 
-// Null, and errno: none. Room for all of it is made sure of, as memory without room behind it would end the process.
+// Returns null, and sets errno, if it cannot be mapped. Allocates all of it on the disk, as writing to memory without disk space would end the
+// process.
 dxStatisticsFile *map(const char *path) {
     const int number = ::open(path, O_RDWR | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
     if (number < 0) return nullptr;

@@ -1,9 +1,11 @@
-// The file through which a process tells another one how frames go: odemt_top makes it, and ODE_MT_STATISTICS names it. Both map it into
-// memory, so that neither waits for the other, and what was written is there after either has ended. Read by bench/top, too.
+// The file by which a process shares statistics of its frames: odemt_top makes it, and ODE_MT_STATISTICS names it. Both processes map it into
+// memory, so that neither waits for the other, and the contents remain after either has ended. bench/top includes this header, too.
 //
-// A header, and slots of fixed size: one for each world that is stepped, of any process that has the file, until all are taken. A slot is
-// claimed by its owner's number, and whole while its sequence is even (a seqlock; H.-J. Boehm, "Can seqlocks get along with programming
+// The file has a header and slots of fixed size: one for each world that is stepped, of any process that has the file, until all are taken. A process
+// claims a slot by its number. A slot is consistent while its sequence is even (a seqlock; H.-J. Boehm, "Can seqlocks get along with programming
 // language memory models?", 2012).
+//
+// Threading: a slot is written by one thread at a time and read by any process.
 #pragma once
 
 #include <array>
@@ -34,7 +36,7 @@ struct dxStatisticsSlot {
         sequence.store(now + 1, std::memory_order_release);
     }
 
-    // False: it is being written.
+    // Returns false if the slot is being written.
     bool read(dODE_MT_WorldStatistics &statistics) const {
         std::uint64_t values[kWords];
         const std::uint64_t before = sequence.load(std::memory_order_acquire);
@@ -63,12 +65,12 @@ static_assert(std::atomic<std::uint64_t>::is_always_lock_free, "shared by proces
 // This process's slots of the file that ODE_MT_STATISTICS names. Threading: under the lock of dxWorldStatistics.
 class dxStatisticsSharing {
 public:
-    // Of a new world; null: there is no file, or no free slot in it.
+    // Returns a slot for a new world; null: there is no file, or no free slot in it.
     dxStatisticsSlot *claim();
 
     static void giveBack(dxStatisticsSlot *slot);
 
-    // What kept the file from being used, once; empty: nothing.
+    // Returns, once, why the file cannot be used; empty: it can, or the reason was returned before.
     const char *takeComplaint();
 
     void close();

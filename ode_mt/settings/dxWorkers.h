@@ -1,16 +1,18 @@
-// The process's thread manager: exchanged by name, by dToggleODE_MT, and where workers are to start in another way; its threads ended by
-// dCloseODE and when the library is unloaded. A manager starts threads only for runs that use them. Threads of the program's own take its
-// place while they are lent (dxThreadLender).
+// The process's thread manager. It is exchanged when the program names another, sets another number of threads (dToggleODE_MT), or has workers start
+// in another way. dCloseODE ends its threads, and so does unloading. A manager starts threads only for runs that use them. While the program lends
+// threads (dxThreadLender), they replace it.
 //
 // Process-wide, because threads are a property of the process: steps of several worlds at the same time
 // use the same workers.
 //
 // Any of these functions may be called at any time, also by a callback that runs on a worker: none waits for a run in
-// progress. A run keeps the manager that it began with; the run that leaves an exchanged manager last ends its threads.
+// progress. A run keeps the manager that it began with; the last run of an exchanged manager ends its threads.
 // So neither a run that never ends (a callback that ends the process, or waits for the caller) nor continuous runs
 // block any other call.
 //
-// A worker's hook (dxWorkerHooks) runs outside of runs: in it threads are neither ended nor used.
+// A worker's hook (dxWorkerHooks) runs outside of runs: a hook neither ends nor uses threads.
+//
+// Threading: any thread.
 //
 // Dropped: a shared lock for runs and an exclusive one for changes. A change inside a callback deadlocked, and so did
 // the end of the process.
@@ -38,20 +40,21 @@ public:
 
     bool choose(const std::string &name);  // false: not possible, reported with dMessage
     const char *name();
-    std::string threadName();  // with which those of its own threads' names begin that start from now on
+    std::string threadName();  // the beginning of the names of own threads that start from now on
 
     // From now on the threads are those of the lender; none: those of the manager that was chosen. Returns false if that is not possible, which is
     // reported with dMessage.
     bool lend(const dxThreadLender &lender);
 
-    // Workers that start from now on start with what change(options) leaves, for which `what` stands in messages. False: not
-    // possible, reported with dMessage.
+    // Has workers that start from now on start with the options as change(options) changes them. `what` names the change in messages. Returns false
+    // if that is not possible, which is reported with dMessage.
     bool changeOptions(const char *what, const std::function<void(dxWorkerOptions &)> &change);
 
-    // Whether the calling thread may set another number of threads, or whatever else ends workers: not in a hook, which is reported with dMessage.
+    // Returns whether the calling thread may do what ends workers, such as setting another number of threads. In a hook it may not, which is reported
+    // with dMessage.
     bool mayEndWorkers() const;
 
-    // Ends all threads, those that are in use with the last run; the next run starts new ones.
+    // Ends all threads; those in use end with the last run. The next run starts new ones.
     void stop();
 
 private:

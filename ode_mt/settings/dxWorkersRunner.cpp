@@ -13,12 +13,12 @@
 
 namespace {
 
-// A stage as its caller sees it, and as a worker does.
+// A run of a stage on the caller, and on a worker.
 struct Events {
     dxTimelineEvent run, blocks;
 };
 
-// Other stages are parts of these.
+// Returns the stage of a frame; other stages are parts of these.
 constexpr dxFrameStage frameStageOf(dxParallelStage stage) {
     switch (stage) {
         case dxParallelStage::Islands: return dxFrameStage::Islands;
@@ -46,8 +46,8 @@ std::atomic<std::uint64_t> runs{0};
 const Events &eventsOf(dxParallelStage stage) { return kEvents[static_cast<std::size_t>(stage)]; }
 
 // One run of a parallel stage on the timeline: an event of the caller for the run, one of each worker for the blocks that it has run one
-// after the other, and one for the time that the caller has waited for them. While nothing is recorded a run costs one load, and a block a
-// look at what was loaded.
+// after the other, and one for the time that the caller has waited for them. While nothing is recorded a run costs one load, and a block one
+// comparison.
 class StageTimeline {
 public:
     StageTimeline(const dxWorkersRunner &runner, dxParallelStage stage, unsigned blocks);
@@ -89,7 +89,7 @@ private:
     dxTimelineRing *const m_ring;  // the caller's; null: nothing is recorded
     dxTimelineRing::Caller m_caller{};
     std::uint64_t m_run = 0, m_begin = 0;
-    std::uint64_t m_callerEnds = 0;  // its last block so far; written by it alone
+    std::uint64_t m_callerEnds = 0;  // end of its last block so far; written by the caller alone
 };
 
 StageTimeline::StageTimeline(const dxWorkersRunner &runner, dxParallelStage stage, unsigned blocks)

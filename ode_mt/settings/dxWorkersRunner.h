@@ -1,4 +1,6 @@
-// Workers as a task runner, for the length of one call: the process's, or those that the user lent to a world. Each run is an event of the timeline.
+// Workers as a task runner, for one call: those of the process, or those that the user lent to a world. Each run is an event of the timeline.
+//
+// Threading: the thread that makes the call.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +19,7 @@ public:
     unsigned workers() const override { return m_workers; }
     void run(dxParallelStage stage, unsigned blocks, dxThreadManager::Task task, void *context) override;
 
-    // How many workers, the caller included, have run a block so far.
+    // Returns how many workers, the caller included, have run a block so far.
     unsigned tookPart() const;
 
 private:

@@ -1,11 +1,11 @@
-// What the library keeps beside a world, which is upstream's structure: the settings that the world has of its own, how its last frame went, and what
+// What the library keeps beside a world, which is upstream's structure: the world's own settings, statistics of its last frame, and what
 // its solver remembers from step to step. There is one object for a world, made when something is first kept for it; it ends with the world.
 //
-// A step reads its world's settings (dxWorldSettings::of) before it takes memory for its islands, and again when it begins with them; from there on
-// they are passed on (dxStepCall). Looking a world up takes no lock for the first thousand worlds that have a state.
+// A step reads its world's settings (dxWorldSettings::of) before it takes memory for its islands, and again when it begins to step them; from there
+// on they are passed (dxStepCall). Finding a world takes no lock for the first thousand worlds that have a state.
 //
-// Threading: any thread may call. The solver must not be changed while its world is stepped, not by the world's memory functions either:
-// memory has been taken for the one before. As upstream, a world must not be destroyed by one thread and used by another.
+// Threading: any thread may call. The solver must not be changed while its world is stepped, not even by the world's memory functions:
+// the step has taken memory for the previous solver. As in upstream, a world must not be destroyed by one thread and used by another.
 //
 // Dropped: a list for each kind of state, with a mutex and a search of its own. A step locked up to five of them.
 #pragma once
@@ -21,7 +21,7 @@
 #include "settings/dxSettings.h"
 #include "threading/process/dxFork.h"
 
-// What another file keeps in the state of a world. It knows the type of what it has put there.
+// What another file keeps in the state of a world. That file knows the type.
 class dxWorldPart {
 public:
     virtual ~dxWorldPart() = default;
@@ -35,7 +35,7 @@ public:
     // Makes the state if there is none. Throws std::bad_alloc, and changes nothing then.
     static dxWorldState &of(const dxWorld *world);
 
-    // The world is about to be destroyed.
+    // Called before the world is destroyed.
     static void forget(const dxWorld *world);
 
     // Calls visit(state) for the states of all worlds, under lock().

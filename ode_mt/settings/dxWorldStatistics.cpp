@@ -22,11 +22,11 @@ namespace {
 // Why each part of a frame ran on one thread: of the collision, its near-callbacks, and the step.
 using Reasons = std::array<int, 3>;
 
-// What ODE_MT_LOG=info has said of a world. A change is said when it has lasted for so many frames: the cost model tries several threads
+// What ODE_MT_LOG=info has reported of a world. A change is reported when it has lasted for kLasting frames: the cost model tries several threads
 // now and then, for some frames.
 class Announcement {
 public:
-    // Whether these are to be said.
+    // Returns whether to report these now.
     bool isDue(const Reasons &reasons) {
         if (reasons != m_reasons) m_frames = 0;
         m_reasons = reasons;
@@ -79,7 +79,7 @@ public:
 private:
     void inForkedChild() override { forgetSlots(); }
 
-    // The slots are no longer this process's, or no longer in memory.
+    // Called when slots no longer belong to this process, or are no longer in memory.
     void forgetSlots() { m_generation.fetch_add(1, std::memory_order_relaxed); }
 
     dxTimelineScale m_scale;
@@ -220,7 +220,7 @@ void add(const dxWorld *world, const dxCollisionRecord &collision) {
     });
 }
 
-// What is said is said without the lock.
+// The log is written without the lock.
 void add(const dxWorld *world, const dxStepRecord &step) {
     dODE_MT_WorldStatistics said{};
     const char *complaint = "";

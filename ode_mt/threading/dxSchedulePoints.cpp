@@ -55,8 +55,8 @@ std::atomic<std::uint64_t> seed{0};
 std::atomic<std::uint64_t> drawn{0};
 std::atomic<std::uint64_t> timesReached[kSchedulePoints];
 
-// At first one point in eight sleeps and two yield. The part decreases, as a long run with millions of points would otherwise do nothing else: after n
-// points there have been about 1000 (1 + ln(n / 8000)) sleeps.
+// At first one point in eight sleeps and two yield. The part decreases, as a long run with millions of points would otherwise do nothing else: after
+// n points there have been about 1000 (1 + ln(n / 8000)) sleeps.
 constexpr std::uint64_t kMinPeriod = 8, kSleeps = 1000;
 
 // SplitMix64: its state only counts up, so threads can share it.

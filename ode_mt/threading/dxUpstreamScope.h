@@ -58,8 +58,8 @@ private:
     bool m_entered = true;
 };
 
-// The scope of work that a worker does before a call needs it. Whatever upstream's code would report, or draw from the random sequence, interrupts the
-// work.
+// The scope of work that a worker does before a call needs it. Whatever upstream's code would report, or draw from the random sequence, interrupts
+// the work.
 class dxInterruptingScope final : public dxUpstreamScope {
 public:
     std::uint32_t takeBlock(std::uint64_t) override { throw dxUpstreamInterrupted(); }

@@ -17,7 +17,7 @@
 #include "SphereRows.h"
 #include "processThreads.h"
 #include "sanitizers.h"
-#include "settings/dxStepStatistics.h"
+#include "settings/dxProcessStatistics.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 
 #include "OdeSession.h"
 #include "PackedWorld.h"
-#include "settings/dxStepStatistics.h"
+#include "settings/dxProcessStatistics.h"
 
 namespace {
 
@@ -15,7 +15,7 @@ TEST(Statistics, CountBeyond32Bits) {
     dODE_MT_GetStatistics(&before);
     const unsigned low = dODE_MT_GetContactsAhead();
     constexpr std::uint64_t kMany = (std::uint64_t{1} << 32) + 5;
-    dxStepStatistics::instance().countSharedCollision(2, kMany, kMany - 7);
+    dxProcessStatistics::instance().countSharedCollision(2, kMany, kMany - 7);
     dODE_MT_GetStatistics(&after);
     EXPECT_EQ(after.contactsAhead - before.contactsAhead, kMany);
     EXPECT_EQ(after.contactsAheadUnused - before.contactsAheadUnused, 7u);

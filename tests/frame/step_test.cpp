@@ -10,7 +10,7 @@
 #include "OdeSession.h"
 #include "Runs.h"
 #include "sanitizers.h"
-#include "settings/dxStepStatistics.h"
+#include "settings/dxProcessStatistics.h"
 #include "threading/dxSchedulePoints.h"
 
 namespace {
@@ -61,7 +61,7 @@ TEST_P(Step, LcpSharesEveryStep) {
 
 TEST_P(Step, TwoWorkersDoRealWork) {
     OdeSession::use(3, "lcp");
-    dxStepStatistics::instance().maxWorkersUsed = 0;
+    dxProcessStatistics::instance().maxWorkersUsed = 0;
     dxSetRandomPerturbation(1);  // sleeping threads leave work to the others
     EXPECT_TRUE(waitUntil(
         [&] {

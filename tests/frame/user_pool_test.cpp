@@ -13,7 +13,7 @@
 #include "processThreads.h"
 #include "Runs.h"
 #include "sanitizers.h"
-#include "settings/dxStepStatistics.h"
+#include "settings/dxProcessStatistics.h"
 
 namespace {
 
@@ -48,7 +48,7 @@ TEST_F(UserPool, StepsIslandsWithSerialBits) {
     const unsigned before = dODE_MT_GetParallelSteps();
     world->step(20);
     EXPECT_EQ(dODE_MT_GetParallelSteps(), before + 20);
-    dxStepStatistics::instance().maxWorkersUsed = 0;
+    dxProcessStatistics::instance().maxWorkersUsed = 0;
     EXPECT_EQ(world->state(), serial->state());
     EXPECT_TRUE(waitUntil(
         [&] {

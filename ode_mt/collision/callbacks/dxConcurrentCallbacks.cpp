@@ -20,8 +20,8 @@
 #include "core/dxReserve.h"
 #include "joints/contact.h"
 #include "settings/dxJointAttachment.h"
+#include "settings/dxProcessStatistics.h"
 #include "settings/dxSettings.h"
-#include "settings/dxStepStatistics.h"
 #include "settings/dxWorkers.h"
 #include "settings/dxWorkersRunner.h"
 #include "threading/dxSchedulePoints.h"
@@ -306,7 +306,7 @@ bool collideLocked(dxOrderedSpace &space, dxTaskRunner &runner, void *data, dNea
         const Commit commit{run};
         workersRunner.forBlocks(dxParallelStage::Callbacks, tasks, [&run](unsigned task, unsigned worker) { run.runTask(task, worker); });
     }
-    dxStepStatistics::instance().countParallelCollision(workersRunner.tookPart());
+    dxProcessStatistics::instance().countParallelCollision(workersRunner.tookPart());
     if (run.threadEnded.load()) endThread();
     if (run.thrown != nullptr) std::rethrow_exception(run.thrown);
     return true;

@@ -9,7 +9,7 @@
 #include "dynamics/step/islands/dxIslandSearch.h"
 #include "dynamics/step/islands/dxStepTimeline.h"
 #include "dynamics/step/islands/dxWorkingMemory.h"
-#include "settings/dxStepStatistics.h"
+#include "settings/dxProcessStatistics.h"
 #include "threading/dxSchedulePoints.h"
 
 void dxDeferredIslands::step(unsigned index, unsigned worker) {
@@ -89,5 +89,5 @@ void dxDeferredIslands::giveArenasBack() {
         used += worker.islands != 0;
         if (&worker != &m_records.workers[0] && worker.arena) dxWorkingMemory::giveBack(worker.arena);
     }
-    dxStepStatistics::instance().countParallelStep(islands, used);
+    dxProcessStatistics::instance().countParallelStep(islands, used);
 }

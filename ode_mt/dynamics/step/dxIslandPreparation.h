@@ -1,8 +1,8 @@
 // What an island-parallel step finds out before its islands run on workers: which of them call the user, how many random
 // numbers they draw, which joint feedback they have in common, and the blocks that workers take.
 //
-// Blocks are ordered by estimated cost, largest first (longest processing time first keeps the end of the step short); small islands are combined until a
-// block is large enough. The blocks do not depend on the workers, and no result depends on the blocks. Source of the rule: Graham, "Bounds on
+// Blocks are ordered by estimated cost, largest first (longest processing time first keeps the end of the step short); small islands are combined
+// until a block is large enough. The blocks do not depend on the workers, and no result depends on the blocks. Source of the rule: Graham, "Bounds on
 // multiprocessing timing anomalies", 1969.
 //
 // Threading: the thread that calls the step.

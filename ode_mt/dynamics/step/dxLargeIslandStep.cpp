@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "dynamics/step/dxSerialStep.h"
+#include "settings/dxProcessStatistics.h"
 #include "settings/dxSettings.h"
-#include "settings/dxStepStatistics.h"
 #include "settings/dxWorkersRunner.h"
 #include "threading/process/dxProcess.h"
 
@@ -30,7 +30,7 @@ void dxRunLargeIslandStep(const dxStepCall &call, const dxStepPlan &plan) {
     } catch (const std::bad_alloc &) {  // the calling thread steps large islands, too
     }
     dxSerialStep(call, islandWorkers, plan.minLargeJoints).run();
-    dxStepStatistics::instance().countLargeIslandStep(runner.tookPart());
+    dxProcessStatistics::instance().countLargeIslandStep(runner.tookPart());
 }
 
 dxLargeIslandWorkersLease::dxLargeIslandWorkersLease(dxTaskRunner &runner, bool isAlwaysParallel) : m_islandWorkers(*pool) {

@@ -41,11 +41,12 @@ public:
     // Called by a worker of this process when it has stepped local islands of this cost (dxCostModel, scale 1) in this time.
     virtual void noteStepped(double cost, double ns) = 0;
 
-    // Applies results as they arrive, until there are no more. Called by each worker of this process when nothing else is left. Requires that make() of
-    // all islands is running or done.
+    // Applies results as they arrive, until there are no more. Called by each worker of this process when nothing else is left. Requires that make()
+    // of all islands is running or done.
     virtual void finish(unsigned worker) = 0;
 
-    // Solves islands for which a worker had no memory. Called by the caller of the step when the workers are done. Returns what became of the islands.
+    // Solves islands for which a worker had no memory. Called by the caller of the step when the workers are done. Returns what became of the
+    // islands.
     virtual dxRemoteRecord finishRest() = 0;
 };
 

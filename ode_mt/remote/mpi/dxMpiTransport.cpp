@@ -39,8 +39,8 @@ std::string findOnPath(const char *name) {
     return "";
 }
 
-// Returns the worker's program: beside this library, as in the build's folder, or in bin/ beside one of the folders around it, as installed, else on the
-// PATH. Empty: it is in none of these, and MPI would end the program, or wait for ever.
+// Returns the worker's program: beside this library, as in the build's folder, or in bin/ beside one of the folders around it, as installed, else on
+// the PATH. Empty: it is in none of these, and MPI would end the program, or wait for ever.
 std::string findWorkerProgram() {
     const std::string name = kWorker, file = dxFindLibraryFile(reinterpret_cast<void *>(&findWorkerProgram));
     for (std::size_t slash = file.rfind('/'); slash != std::string::npos && slash > 0; slash = file.rfind('/', slash - 1)) {
@@ -52,8 +52,8 @@ std::string findWorkerProgram() {
     return findOnPath(kWorker);
 }
 
-// Returns whether mpirun lets the others live when one process ends: --enable-recovery of Open MPI 4, --with-ft ulfm of Open MPI 5. Both tell processes by
-// their environment.
+// Returns whether mpirun lets the others live when one process ends: --enable-recovery of Open MPI 4, --with-ft ulfm of Open MPI 5. Both tell
+// processes by their environment.
 bool doesJobSurvive() {
     for (const char *const name : {"OMPI_MCA_orte_enable_recovery", "OMPI_MCA_mpi_ft_enable"}) {
         const char *const value = std::getenv(name);
@@ -72,8 +72,8 @@ void listenElsewhere() {
     setenv("OMPI_MCA_btl_tcp_port_min_v6", port, 0);
 }
 
-// By default Open MPI starts no more workers than there are cores, even if the user wants more, and binds each of them, a job of its own, to the first
-// core. Other MPIs do not know the keys.
+// By default Open MPI starts no more workers than there are cores, even if the user wants more, and binds each of them, a job of its own, to the
+// first core. Other MPIs do not know the keys.
 MPI_Info howToSpawn() {
     MPI_Info info = MPI_INFO_NULL;
     MPI_Info_create(&info);
@@ -99,10 +99,10 @@ std::string textOf(int error) {
     return text;
 }
 
-// Exists while MPI begins on this thread, and while it starts the first worker: a process that MPI forks then has no files of the program but standard
-// output and error. Without mpirun Open MPI starts a server, in MPI_Init (4: orted) or in the first MPI_Comm_spawn (5: prte). It would read the
-// program's standard input for the workers, and the program would lose what it has read (its key ompi_stdin_target ends Open MPI 4.1's server). It
-// would also keep the program's pipes open, whose other ends would never see their end.
+// Exists while MPI begins on this thread, and while it starts the first worker: a process that MPI forks then has no files of the program but
+// standard output and error. Without mpirun Open MPI starts a server, in MPI_Init (4: orted) or in the first MPI_Comm_spawn (5: prte). It would read
+// the program's standard input for the workers, and the program would lose what it has read (its key ompi_stdin_target ends Open MPI 4.1's server).
+// It would also keep the program's pipes open, whose other ends would never see their end.
 class NoFilesForChildren {
 public:
     NoFilesForChildren() {
@@ -157,8 +157,8 @@ private:
 // --- help texts of Open MPI, such as the one that a peer has hung up ------------------------------------------------
 //
 // Open MPI 4 sends them to mpirun (or orted), which reads a message after it has told another thread to free it (orte_rml_oob_send_buffer_nb gives it
-// away before it copies it): now and then mpirun crashes, and ends the job that should survive a lost worker. So this process writes its own to standard
-// error. Other versions of MPI are left alone.
+// away before it copies it): now and then mpirun crashes, and ends the job that should survive a lost worker. So this process writes its own to
+// standard error. Other versions of MPI are left alone.
 
 // Variables of Open MPI's base library (opal/util/show_help.h of versions 4.0 and 4.1): the function that every part calls with a help text, and
 // the one that writes it to standard error.

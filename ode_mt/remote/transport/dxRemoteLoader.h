@@ -1,5 +1,5 @@
-// Loads the library of a transport, libode_mt_NAME.so: from the folder of this library, as in the build's, or from ode_mt/ in it, as installed, else from
-// where the system's loader finds it. So libode.so.8 is linked to no MPI, and a process without remote workers loads none.
+// Loads the library of a transport, libode_mt_NAME.so: from the folder of this library, as in the build's, or from ode_mt/ in it, as installed, else
+// from where the system's loader finds it. So libode.so.8 is linked to no MPI, and a process without remote workers loads none.
 //
 // Threading: any thread.
 #pragma once
@@ -12,8 +12,8 @@
 
 #include "remote/transport/dxRemoteTransport.h"
 
-// Returns the file from which a library was loaded, without symbolic links: /lib may be one to /usr/lib, and odemt_top and odemt_check give programs a
-// folder with a link to the library alone. `address`: of a function of the library. Empty: not known.
+// Returns the file from which a library was loaded, without symbolic links: /lib may be one to /usr/lib, and odemt_top and odemt_check give programs
+// a folder with a link to the library alone. `address`: of a function of the library. Empty: not known.
 inline std::string dxFindLibraryFile(void *address) {
     Dl_info info;
     if (dladdr(address, &info) == 0 || info.dli_fname == nullptr) return "";

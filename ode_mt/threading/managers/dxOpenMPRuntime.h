@@ -4,16 +4,16 @@
 //
 // Once loaded it stays until the process ends, since idle threads of it may sleep in its code.
 //
-// Functions are called by name: a directive (#pragma omp) would link the runtime. GOMP_parallel is what g++ compiles a parallel region to, and part of
-// the interface of both.
+// Functions are called by name: a directive (#pragma omp) would link the runtime. GOMP_parallel is what g++ compiles a parallel region to, and part
+// of the interface of both.
 //
-// libgomp (gcc). Idle threads: after a region a thread spins for 300,000 pauses (about 7 ms at 2.6 GHz), then sleeps; with more threads than processors
-// it spins for 1000. Only the environment, read when the runtime is loaded, changes that (OMP_WAIT_POLICY=passive). Fork: the child inherits a pool
-// whose threads do not exist, and hangs in its next region. Without a pool at the time of the fork the child makes one of its own.
+// libgomp (gcc). Idle threads: after a region a thread spins for 300,000 pauses (about 7 ms at 2.6 GHz), then sleeps; with more threads than
+// processors it spins for 1000. Only the environment, read when the runtime is loaded, changes that (OMP_WAIT_POLICY=passive). Fork: the child
+// inherits a pool whose threads do not exist, and hangs in its next region. Without a pool at the time of the fork the child makes one of its own.
 //
 // libomp (clang). Idle threads: a thread spins for 200 ms after a region unless the blocktime is 0. End of threads: omp_pause_resource_all ends them,
-// but the next region then aborts (libomp 14: "Thread identifier invalid"), so they stay, asleep, until the process ends. Fork: libomp has handlers of
-// its own.
+// but the next region then aborts (libomp 14: "Thread identifier invalid"), so they stay, asleep, until the process ends. Fork: libomp has handlers
+// of its own.
 //
 // Threading: any thread.
 #pragma once

@@ -1,5 +1,5 @@
-// Thread managers by name, as ODE_MT_THREAD_MANAGER gives it. The manager of threads that the program lends (dxThreadManagerUser) is not made here: it
-// needs the lender.
+// Thread managers by name, as ODE_MT_THREAD_MANAGER gives it. The manager of threads that the program lends (dxThreadManagerUser) is not made here:
+// it needs the lender.
 //
 // Threading: any thread.
 #pragma once

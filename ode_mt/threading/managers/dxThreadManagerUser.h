@@ -10,12 +10,12 @@
 //  - run never waits for a posted call, only for blocks; wait_call is not used, so run may be called from inside a threaded call.
 //  - Calls refer to a state of their own, which lives until the last of them has returned.
 //
-// workers() is the number of threads that serve an implementation, or that an executor is to lend (resize). It counts the caller, which takes the place
-// of one of them, as the program meant that many threads to be busy. With ODE's self-threaded implementation (0 threads) and with a pool of one, the
-// caller works alone.
+// workers() is the number of threads that serve an implementation, or that an executor is to lend (resize). It counts the caller, which takes the
+// place of one of them, as the program meant that many threads to be busy. With ODE's self-threaded implementation (0 threads) and with a pool of
+// one, the caller works alone.
 //
-// There is one manager per lender, kept from step to step: its threads go on looking for work for a moment, and two would make two waiting calls. In a
-// forked child the program's threads do not exist, so every run is done by its caller.
+// There is one manager per lender, kept from step to step: its threads go on looking for work for a moment, and two would make two waiting calls. In
+// a forked child the program's threads do not exist, so every run is done by its caller.
 //
 // Threading: any thread, also from inside a task.
 #pragma once

@@ -19,8 +19,8 @@ constexpr int kMinCallsInRow = 2;  // alone, before the first probe
 constexpr double kHopeless = 1.5;  // a call alone that takes this many times as long as shared ones ends its probe: the caller is never cold
 constexpr dxRetryLimits<int> kRetry{48, 768};  // calls
 
-// The way in use is compared anew if each of kSlowCalls calls in a row was slower by this factor than after the last probe: a single slow call may have
-// been delayed by something else.
+// The way in use is compared anew if each of kSlowCalls calls in a row was slower by this factor than after the last probe: a single slow call may
+// have been delayed by something else.
 constexpr double kSlower = 1.1;
 constexpr int kSlowCalls = 5;
 

@@ -1,7 +1,8 @@
-// Sleeping until another thread wakes this one: on a 32-bit word (Linux futex, private to the process), and a condition variable made of two such words.
+// Sleeping until another thread wakes this one: on a 32-bit word (Linux futex, private to the process), and a condition variable made of two such
+// words.
 //
-// A condition variable of the C library counts the threads that wait, and those of the parent do not exist in a child of fork(): there it may never be
-// used again. The thread that forked goes on using dxEventCount, even from the handler of a signal that came while it waited.
+// A condition variable of the C library counts the threads that wait, and those of the parent do not exist in a child of fork(): there it may never
+// be used again. The thread that forked goes on using dxEventCount, even from the handler of a signal that came while it waited.
 //
 // Threading: any thread.
 #pragma once

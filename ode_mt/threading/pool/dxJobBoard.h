@@ -4,8 +4,8 @@
 // The board holds up to 64 runs that use workers at one time, nested ones included. The caller of a run beyond that does it alone, which changes no
 // result. There is no lock: a run is published by a bit in m_open.
 //
-// Forward progress: a thread waits only for blocks that another running thread holds, and that thread waits, if at all, only for blocks of runs nested
-// in its own block. So waiting has no cycles, and no worker ever has to come.
+// Forward progress: a thread waits only for blocks that another running thread holds, and that thread waits, if at all, only for blocks of runs
+// nested in its own block. So waiting has no cycles, and no worker ever has to come.
 //
 // Source of the barrier: thesis section 4.1 (ode_barrier_t). There every thread waits for every other.
 //
@@ -41,8 +41,8 @@ private:
 };
 
 // One run in progress. A slot is used for one run after another and is never freed while a worker may look at it. m_blocksLeft and m_seats have the
-// number of the run (its generation) in the upper half, so that a worker that was descheduled between two steps of an old run can take neither a block
-// nor a seat of a new one.
+// number of the run (its generation) in the upper half, so that a worker that was descheduled between two steps of an old run can take neither a
+// block nor a seat of a new one.
 //
 // Invariants
 //  - A thread that holds a block keeps the run open: m_order may be read without further care.
@@ -66,8 +66,8 @@ public:
     void runAsCaller();
     void finish();
 
-    // The worker's side. canJoin only looks; runAsWorker takes a seat, and blocks while there are any. It calls `joined` when it holds its first block,
-    // so that the run cannot end during that call.
+    // The worker's side. canJoin only looks; runAsWorker takes a seat, and blocks while there are any. It calls `joined` when it holds its first
+    // block, so that the run cannot end during that call.
     bool canJoin() const;
     template <typename Joined>
     bool runAsWorker(Joined joined) {

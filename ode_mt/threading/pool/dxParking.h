@@ -1,11 +1,11 @@
 // Idle workers: how long they spin for the next run, where they sleep, and how many are awake and look for work.
 //
-// A worker is at work, searching (awake; it will look at the job board before it sleeps) or parked. A run that wants n workers relies on the searching
-// ones and wakes only the difference, so that runs that follow each other closely need no system call. A woken worker counts as searching from the
-// moment another thread has decided to wake it; m_tokens holds the wake-ups that no worker has taken yet.
+// A worker is at work, searching (awake; it will look at the job board before it sleeps) or parked. A run that wants n workers relies on the
+// searching ones and wakes only the difference, so that runs that follow each other closely need no system call. A woken worker counts as searching
+// from the moment another thread has decided to wake it; m_tokens holds the wake-ups that no worker has taken yet.
 //
-// No wake-up is lost because both sides write first and read second, sequentially consistent: a run publishes its job, then reads the counts; a worker
-// counts itself as parked, then reads the board.
+// No wake-up is lost because both sides write first and read second, sequentially consistent: a run publishes its job, then reads the counts; a
+// worker counts itself as parked, then reads the board.
 #pragma once
 
 #include <algorithm>

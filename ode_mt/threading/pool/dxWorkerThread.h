@@ -1,5 +1,5 @@
-// How a worker thread of dxThreadManagerPthread starts and ends: with the options and hooks of the program (dODE_MT_SetWorkerName and its like), and as
-// far as the system allows threads.
+// How a worker thread of dxThreadManagerPthread starts and ends: with the options and hooks of the program (dODE_MT_SetWorkerName and its like), and
+// as far as the system allows threads.
 //
 // Processors and stack are given to the system before a thread starts. The thread sets scheduling and name itself, as not all of them can be given
 // before. So options are tried on a thread of their own (dxTryWorker) before they are taken.
@@ -80,9 +80,9 @@ struct dxWorkerOptions {
 
 enum class dxIfRefused { Inherit, Fail };
 
-// Starts one thread: joinable, with all signals blocked but those that a fault raises on the thread itself, which must reach the host's crash handler.
-// Its stack and its processors are those of the options. It has ordinary scheduling, whatever the starting thread has bound itself to. Where the system
-// refuses that, the thread inherits processors and scheduling, or is not started. Returns an error number.
+// Starts one thread: joinable, with all signals blocked but those that a fault raises on the thread itself, which must reach the host's crash
+// handler. Its stack and its processors are those of the options. It has ordinary scheduling, whatever the starting thread has bound itself to. Where
+// the system refuses that, the thread inherits processors and scheduling, or is not started. Returns an error number.
 int dxStartThread(dxCreateThread create, pthread_t &thread, void *(*body)(void *), void *context, const dxWorkerOptions &options,
                   dxIfRefused ifRefused = dxIfRefused::Inherit);
 
@@ -93,8 +93,8 @@ void dxTakeProcessNiceness();
 // Tries the options on a worker that does nothing. Returns an error number.
 int dxTryWorker(const dxWorkerOptions &options, dxCreateThread create = pthread_create);
 
-// Returns how many threads, at most `wanted`, the system lets exist at the same time beside those there are. Starts and ends them. Sets `refusal` to the
-// error number of the first one refused, or to 0.
+// Returns how many threads, at most `wanted`, the system lets exist at the same time beside those there are. Starts and ends them. Sets `refusal` to
+// the error number of the first one refused, or to 0.
 unsigned dxProbeThreads(dxCreateThread create, unsigned wanted, int &refusal);
 
 // Reports that there are fewer workers than wanted.

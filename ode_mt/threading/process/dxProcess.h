@@ -1,5 +1,5 @@
-// What the library keeps for the process: pools, caches, measurements, settings. Each is a dxProcessObject beside the code that uses it. dxProcess knows
-// those that have been made, and has them free what they keep when the library is closed or unloaded.
+// What the library keeps for the process: pools, caches, measurements, settings. Each is a dxProcessObject beside the code that uses it. dxProcess
+// knows those that have been made, and has them free what they keep when the library is closed or unloaded.
 //
 // They belong to the process because ODE's API has no context: neither dInitODE nor dWorldCreate says whose they are.
 //
@@ -26,8 +26,8 @@ public:
     // progress.
     static void close();
 
-    // Calls atUnload() of each object that has it. Called before the library is unloaded, and when the process ends; then other threads may still step
-    // and collide.
+    // Calls atUnload() of each object that has it. Called before the library is unloaded, and when the process ends; then other threads may still
+    // step and collide.
     static void unload();
 
 private:
@@ -68,8 +68,8 @@ private:
 // An object of which the process has one. It is made at its first use, by whichever thread comes first, and never destroyed, since other threads may
 // step and collide while the process ends.
 //
-// Usage: at namespace scope, `dxProcessObject<Object> object;` (constant-initialised, so usable before main); then `object->` and `*object`. A type may
-// have `void atClose()` and `void atUnload()` (dxProcess). An object may use others while it is made, but must not wait for a thread that does.
+// Usage: at namespace scope, `dxProcessObject<Object> object;` (constant-initialised, so usable before main); then `object->` and `*object`. A type
+// may have `void atClose()` and `void atUnload()` (dxProcess). An object may use others while it is made, but must not wait for a thread that does.
 template <class Object>
 class dxProcessObject {
 public:

@@ -1,5 +1,5 @@
-// The events of one thread: a ring of fixed size, in which a new record replaces the oldest. It also has sums of their times by stage of a frame; while
-// statistics are recorded and no trace is, it keeps these alone.
+// The events of one thread: a ring of fixed size, in which a new record replaces the oldest. It also has sums of their times by stage of a frame;
+// while statistics are recorded and no trace is, it keeps these alone.
 //
 // Invariants: record i lies at i modulo kCapacity; records from m_head - kCapacity on are whole, except the one that is being written. A record is a
 // cache line of atomic words. The words are released after the head that the record before it has published. So a reader that meets a word of a newer

@@ -1,8 +1,8 @@
 // Memory in which islands are stepped: upstream's arena, one for each worker that takes part.
 //
 // The caller's arena is the world's, so that allocators that the user has set are called as upstream calls them, on the calling thread. The other
-// workers' arenas come from a pool that all steps of the process share. They are reused from step to step, and grow for a larger island. They use malloc,
-// which any thread may call.
+// workers' arenas come from a pool that all steps of the process share. They are reused from step to step, and grow for a larger island. They use
+// malloc, which any thread may call.
 #pragma once
 
 #include <cstddef>

@@ -19,7 +19,7 @@
 #include "dynamics/world_step/fast/dxEliminatedLcp.h"
 #include "dynamics/world_step/fast/dxBilateralSolver.h"
 #include "dynamics/world_step/kernels/dxConstraintMatrix.h"
-#include "settings/dxStepStatistics.h"
+#include "settings/dxProcessStatistics.h"
 #include "threading/process/dxObjectPool.h"
 #include "threading/process/dxProcess.h"
 
@@ -53,9 +53,9 @@ dxMethodCosts findCosts(const dxIslandStep &step, const dxWorldStepProblem &prob
     return dxMethodCosts::of(statistics, dxFindActiveShare(problem, step.stepSize, *step.arena));
 }
 
-void countIsland() { dxStepStatistics::instance().directIslands.fetch_add(1, std::memory_order_relaxed); }
+void countIsland() { dxProcessStatistics::instance().directIslands.fetch_add(1, std::memory_order_relaxed); }
 
-void countFallback() { dxStepStatistics::instance().directFallbacks.fetch_add(1, std::memory_order_relaxed); }
+void countFallback() { dxProcessStatistics::instance().directFallbacks.fetch_add(1, std::memory_order_relaxed); }
 
 // Counts an island that Dantzig's algorithm is asked to solve. `residual`: of what was found; infinity: nothing was.
 void leaveToDantzig(const dxWorldStepProblem &problem, double residual) {

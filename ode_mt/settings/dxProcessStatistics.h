@@ -1,7 +1,7 @@
-// Counters of parallel work since the process started: the one place where it is counted for the process. All getters of ode_MT.h read it
-// (dODE_MT_Statistics). What is counted of one world is in dxWorldStatistics.
+// Counters of parallel steps and collisions since the process started. All getters of ode_MT.h read them (dODE_MT_Statistics). dxWorldStatistics has
+// those of one world.
 //
-// Threading: any thread may count and read; each number by itself is whole.
+// Threading: any thread may count and read. Each number is consistent in itself.
 #pragma once
 
 #include <atomic>
@@ -9,8 +9,8 @@
 
 #include <ode/ode_MT.h>
 
-struct dxStepStatistics {
-    using Count = std::atomic<std::uint64_t>;  // a crowd has a million pairs in a second, which 32 bits hold for an hour
+struct dxProcessStatistics {
+    using Count = std::atomic<std::uint64_t>;  // a crowd has a million pairs in a second; 32 bits would overflow in an hour
 
     std::atomic<unsigned> maxWorkersUsed{0};
     Count parallelSteps{0};
@@ -21,14 +21,14 @@ struct dxStepStatistics {
     Count contactsAhead{0};  // pairs
     Count contactsAheadUnused{0};
     Count directIslands{0};
-    Count directFallbacks{0};  // of those, left to Dantzig's algorithm or regularised
+    Count directFallbacks{0};  // of these, solved by Dantzig's algorithm or regularised
 
-    static dxStepStatistics &instance() {
-        static dxStepStatistics statistics;
+    static dxProcessStatistics &instance() {
+        static dxProcessStatistics statistics;
         return statistics;
     }
 
-    // Of the members of which programs know.
+    // Returns the counters that programs know.
     dODE_MT_Statistics read() const {
         dODE_MT_Statistics counted{};
         counted.parallelSteps = parallelSteps;
@@ -61,7 +61,7 @@ struct dxStepStatistics {
         noteWorkers(workers);
     }
 
-    // `computed` pairs were collided ahead of their callbacks, `used` of them asked for.
+    // `computed`: number of pairs whose contacts were prefetched; `used`: of these, asked for by callbacks.
     void countSharedCollision(unsigned workers, std::uint64_t computed, std::uint64_t used) {
         if (workers > 1) sharedCollisions.fetch_add(1, std::memory_order_relaxed);
         contactsAhead.fetch_add(computed, std::memory_order_relaxed);
