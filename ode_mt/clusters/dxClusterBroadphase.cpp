@@ -40,7 +40,7 @@ dxClusterBroadphase::dxClusterBroadphase(std::unique_ptr<dxCrossoverPass> pass)
 }
 
 void dxClusterBroadphase::alertCallback(const dxHeuristic &heuristic, const dxHeuristicAlert &alert) {
-    dxLog(dxLogLevel::debug, "heuristics: %s, %.0f before, %.0f from now on",
+    dxLog(dxLogLevel::Debug, "heuristics: %s, %.0f before, %.0f from now on",
           &heuristic == m_cellSize ? "grid cells an axis" : "threads for callbacks", alert.before, alert.now);
 }
 

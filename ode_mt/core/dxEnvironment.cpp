@@ -39,7 +39,7 @@ constexpr Variable kVariables[] = {
     {"ODE_MT_WORKERS", "none|mpi|mpi:n"},
 };
 
-// Of the loader of worlds, the build and the tests, in the same environment.
+// Variables of the loader of worlds, the build and the tests, which are in the same environment.
 constexpr const char *kVariablesOfOthers[] = {"ODE_MT_WORLDS",      "ODE_MT_PRESET",           "ODE_MT_EXACTNESS",        "ODE_MT_MUTANT",
                                               "ODE_MT_LIBRARY_DIR", "ODE_MT_STOCK_LIBRARY_DIR", "ODE_MT_SCENARIO_PROGRAM", "ODE_MT_REACHED"};
 
@@ -66,10 +66,10 @@ std::size_t editDistance(std::string_view one, std::string_view other) {
     return row.back();
 }
 
-// Returns the library's name that is meant by the look of it; null: none.
+// Returns the library's name that is probably meant; null: none.
 const char *nearestVariable(std::string_view name) {
     const char *nearest = nullptr;
-    std::size_t least = 4;  // more letters are another word
+    std::size_t least = 4;  // with more letters it is another word
     for (const Variable &variable : kVariables) {
         const std::size_t length = std::strlen(variable.name), distance = editDistance(name, variable.name);
         if (distance >= least || 2 * distance >= length - kPrefixLength) continue;
@@ -86,8 +86,8 @@ bool isRead(std::string_view name) {
 
 }  // namespace
 
-void dxTellUnknownVariables(void (*tell)(const char *name, const char *nearest)) {
-    constexpr std::size_t kMaxName = 100;  // no longer one is near
+void dxReportUnknownVariables(void (*report)(const char *name, const char *nearest)) {
+    constexpr std::size_t kMaxName = 100;  // longer names are not near any
     for (char **entry = environ; entry != nullptr && *entry != nullptr; ++entry) {
         const std::string name(*entry, std::strcspn(*entry, "="));
         const bool isOurs = startsWith(name, "ODE_MT_");
@@ -95,7 +95,7 @@ void dxTellUnknownVariables(void (*tell)(const char *name, const char *nearest))
         const char *const value = secure_getenv(name.c_str());
         if (value == nullptr || *value == '\0') continue;
         const char *const nearest = name.size() <= kMaxName ? nearestVariable(name) : nullptr;
-        if (isOurs || nearest != nullptr) tell(name.c_str(), nearest);
+        if (isOurs || nearest != nullptr) report(name.c_str(), nearest);
     }
 }
 
@@ -113,16 +113,16 @@ bool dxReadReal(const char *text, double &number) {
     return true;
 }
 
-dxNumberText dxReadNumber(const char *text, long long least, long long most, long long &number) {
+dxNumberText dxReadNumber(const char *text, long long min, long long max, long long &number) {
     const char *const end = text + std::strlen(text);
     long long value = 0;
     const auto [stopped, error] = std::from_chars(text, end, value);
     if (stopped != end || error == std::errc::invalid_argument) return dxNumberText::NoNumber;
     if (value == 0 && *text == '-') return dxNumberText::NoNumber;
     if (error == std::errc::result_out_of_range) {
-        number = *text == '-' ? least : most;
+        number = *text == '-' ? min : max;
         return dxNumberText::OutOfRange;
     }
-    number = std::clamp(value, least, most);
+    number = std::clamp(value, min, max);
     return number == value ? dxNumberText::InRange : dxNumberText::OutOfRange;
 }

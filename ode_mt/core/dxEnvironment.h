@@ -3,7 +3,9 @@
 //
 // A variable that is empty counts as unset. A program that runs with the rights of another user
 // (secure_getenv) sees none. docs/settings.md and ode_MT.h repeat the table; a test compares them
-// (tests/environment). Any thread may call.
+// (tests/environment).
+//
+// Threading: any thread.
 #pragma once
 
 // In the order of need: what most users set comes first, what is for measuring and tests last.
@@ -24,19 +26,19 @@ enum class dxVariable {
     Workers
 };
 
-// Returns its value; NULL: unset or empty.
+// Returns its value; null: unset or empty.
 const char *dxEnvironment(dxVariable variable);
 
-// Calls `tell` for each variable of the process that has a name like the library's, which the library does not read: ODE_MT_THREAD,
-// ODEMT_THREADS, ode_mt_threads. `nearest`: the library's name that is meant by the look of it; NULL: none. Those of the loader, the build and
-// the tests are not told, nor are empty ones.
-void dxTellUnknownVariables(void (*tell)(const char *name, const char *nearest));
+// Calls `report` for each variable of the process that has a name like the library's, but that the library does not read: ODE_MT_THREAD,
+// ODEMT_THREADS, ode_mt_threads. `nearest`: the library's name that is probably meant; null: none. Variables of the loader, the build and
+// the tests are not reported, nor are empty ones.
+void dxReportUnknownVariables(void (*report)(const char *name, const char *nearest));
 
-// A finite number as strtod reads it in the "C" locale, without blanks. Returns false for anything else.
+// Reads a finite number as strtod does in the "C" locale, without blanks. Returns false for anything else.
 bool dxReadReal(const char *text, double &number);
 
 enum class dxNumberText { InRange, OutOfRange, NoNumber };
 
-// A number is decimal digits, with a minus in front or not, and nothing else. One that is out of range is
-// replaced by the nearest that is in it; what is no number leaves `number` as it is.
-dxNumberText dxReadNumber(const char *text, long long least, long long most, long long &number);
+// Reads a whole number: decimal digits, perhaps after a minus, and nothing else. A number that is out of range is
+// replaced by the nearest that is in it; `number` is unchanged if the text is no number.
+dxNumberText dxReadNumber(const char *text, long long min, long long max, long long &number);

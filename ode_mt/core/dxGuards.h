@@ -1,13 +1,15 @@
 // Guards around calls that upstream's functions do not make, on the program's threads: each changes what may happen to the calling thread in its
-// scope, and puts it back at its end.
+// scope, and restores that at its end.
 //
 //   dxNoCancellation    pthread_cancel does not end the thread
 //   dxBlockedSignals    no signals but faults
-//   dxNoSignals         likewise, and no SIGPIPE of its own calls afterwards
-//   dxUndisturbed       the first and the third, and errno is unchanged
+//   dxNoSignals         no signals but faults, and no SIGPIPE of the thread's own calls afterwards
+//   dxUndisturbed       dxNoCancellation and dxNoSignals, and errno is unchanged
 //   dxUnlocked          a lock is free
 //
-// None may be held while user code runs, but for dxUnlocked.
+// Only dxUnlocked may exist while user code runs.
+//
+// Threading: each changes the calling thread alone.
 #pragma once
 
 #include <pthread.h>
@@ -19,8 +21,8 @@
 #include <mutex>
 #include <thread>
 
-// Upstream has no cancellation point in what it computes: a request stays pending until the program's own next one. Ours joins threads and sleeps,
-// which are cancellation points, often where an object is destroyed, out of which nothing may unwind.
+// Upstream computes without cancellation points: a request stays pending until the program's own next one. Our code joins threads and sleeps,
+// which are cancellation points, often in destructors, out of which nothing may unwind.
 class dxNoCancellation {
 public:
     dxNoCancellation() { pthread_setcancelstate(PTHREAD_CANCEL_DISABLE, &m_before); }
@@ -35,13 +37,13 @@ private:
     int m_before = PTHREAD_CANCEL_ENABLE;
 };
 
-// Sleeps for a moment, while others go on. No cancellation point.
+// Sleeps for this time. No cancellation point.
 inline void dxSleep(std::chrono::microseconds time) {
     const dxNoCancellation whole;
     std::this_thread::sleep_for(time);
 }
 
-// Threads that are started meanwhile never get signals: these are the program's. Faults are their thread's own.
+// Threads that are started in the scope never get signals, which belong to the program. Faults are their thread's own.
 class dxBlockedSignals {
 public:
     dxBlockedSignals() {
@@ -60,11 +62,11 @@ private:
     sigset_t m_before;
 };
 
-// For calls of another library: a handler of the program's would run in the middle of it, and writing to a process that has ended raises
-// SIGPIPE, which ends the program. That signal is the calling thread's own: what is pending of it at the end, and was not at the beginning, is
-// taken away.
+// For calls of another library: a handler of the program's would run in the middle of them, and writing to a process that has ended raises
+// SIGPIPE, which ends the program. That signal belongs to the calling thread: one that is pending at the end, and was not at the beginning, is
+// removed.
 //
-// Three calls of the system: 3 us on a virtual machine.
+// It makes three system calls: 3 us on a virtual machine.
 class dxNoSignals {
 public:
     dxNoSignals() : m_wasPending(m_blocked.wasBlocked(SIGPIPE) && isPending()) {}
@@ -91,7 +93,7 @@ private:
     const bool m_wasPending;
 };
 
-// Around what a step of upstream's has none of: points where a thread is cancelled, signals, changes of errno.
+// For calls in a step: one of upstream's has no cancellation points, gets no signals from its own calls, and does not change errno.
 class dxUndisturbed {
 public:
     dxUndisturbed() = default;

@@ -10,10 +10,10 @@
 
 namespace {
 
-constexpr const char *levelNames[] = {"error", "warning", "info", "debug"};
+constexpr const char *kLevelNames[] = {"error", "warning", "info", "debug"};
 
-// Values of variables may hold anything: a line stays one, and does not speak to the terminal. U+0080 to U+009f are
-// written with two bytes.
+// Values of variables may have any characters: without control characters a line remains one line, and does not control the terminal. U+0080 to
+// U+009f have two bytes.
 void hideControls(char *text) {
     for (; *text != '\0'; ++text) {
         const auto byte = static_cast<unsigned char>(*text), next = static_cast<unsigned char>(text[1]);
@@ -24,7 +24,7 @@ void hideControls(char *text) {
 
 void write(dxLogLevel level, const char *text) {
     char line[1100];
-    std::snprintf(line, sizeof line - 1, "ODE_MT %s: %s", levelNames[static_cast<int>(level)], text);
+    std::snprintf(line, sizeof line - 1, "ODE_MT %s: %s", kLevelNames[static_cast<int>(level)], text);
     hideControls(line);
     std::strcat(line, "\n");
     const dxNoCancellation whole;
@@ -37,13 +37,13 @@ std::atomic<int> shownLevel{kUnread};
 void reportUnknown(const char *name) {
     char text[200];
     std::snprintf(text, sizeof text, "ODE_MT_LOG is '%.100s'; known: error, warning, info, debug", name);
-    write(dxLogLevel::warning, text);
+    write(dxLogLevel::Warning, text);
 }
 
-// Without a lock, which another thread may hold while this one forks: threads that come first at the same
-// time all read the environment, and one of them reports.
+// Takes no lock, which another thread might hold while this one forks: if several threads are first at the same
+// time, all of them read the environment, and one of them reports.
 void readEnvironment() {
-    dxLogLevel level = dxLogLevel::warning;
+    dxLogLevel level = dxLogLevel::Warning;
     const char *name = dxEnvironment(dxVariable::Log);
     const bool understood = name == nullptr || dxLogLevelFromName(name, level);
     int expected = kUnread;
@@ -55,7 +55,7 @@ void readEnvironment() {
 
 bool dxLogLevelFromName(const char *name, dxLogLevel &level) {
     for (int i = 0; i < 4; ++i) {
-        if (std::strcmp(name, levelNames[i]) == 0) {
+        if (std::strcmp(name, kLevelNames[i]) == 0) {
             level = static_cast<dxLogLevel>(i);
             return true;
         }

@@ -1,17 +1,18 @@
-// One line to stderr for the person who runs the program: "ODE_MT warning: ...".
+// The log: lines on stderr for the person who runs the program, as "ODE_MT warning: ...".
 //
 // The environment variable ODE_MT_LOG names the most verbose level that is shown: error, warning (the default), info or
-// debug. Upstream's dMessage and dError stay upstream's; this is for what only ODE_MT has to say. Any thread may call;
-// a line is written in one piece.
+// debug. The log is for messages that only ODE_MT has; upstream's are reported with dMessage and dError.
+//
+// Threading: any thread; a line is written at once.
 #pragma once
 
-enum class dxLogLevel { error, warning, info, debug };
+enum class dxLogLevel { Error, Warning, Info, Debug };
 
-// Reads a level's name; false if there is no such level.
+// Reads the name of a level. Returns false if there is no such level.
 bool dxLogLevelFromName(const char *name, dxLogLevel &level);
 
 dxLogLevel dxGetLogLevel();
 void dxSetLogLevel(dxLogLevel level);
 
-// Text without the "ODE_MT level: " in front and without the line end; cut after 1000 characters.
+// Writes a line: "ODE_MT level: " and the text, which is cut after 1000 characters.
 void dxLog(dxLogLevel level, const char *format, ...) __attribute__((format(printf, 2, 3)));

@@ -1,4 +1,4 @@
-// Numbers that look random, from any others.
+// Numbers that look random, computed from any others: for hash tables and random sequences.
 #pragma once
 
 #include <cstdint>
@@ -11,5 +11,5 @@ inline std::uint64_t dxMixedBits(std::uint64_t bits) {
     return bits ^ bits >> 31;
 }
 
-// That generator's state after a draw is the one before it and this.
+// The state of that generator after a draw is the one before it plus this.
 constexpr std::uint64_t kMixedBitsStep = 0x9e3779b97f4a7c15u;

@@ -1,4 +1,4 @@
-// What an array of 32-bit indices holds where there is nothing to point to.
+// The value of a 32-bit index that points to nothing.
 #pragma once
 
 #include <cstdint>

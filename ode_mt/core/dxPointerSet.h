@@ -1,4 +1,6 @@
-// Tells whether an address has come before. Open addressing: one array, at most half full.
+// A set of addresses, which tells whether one has come before. Open addressing: one array, at most half full.
+//
+// Threading: one thread at a time.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +23,7 @@ public:
 private:
     using Slots = std::vector<const void *>;
 
-    // Where it is, or else where it has its place.
+    // Returns the slot where it is, or else the slot for it.
     static const void *&slotOf(Slots &slots, const void *pointer) {
         constexpr std::uint64_t kGoldenRatio = 0x9e3779b97f4a7c15u;  // Knuth, "Sorting and Searching", 6.4: multiplicative hashing
         const std::size_t mask = slots.size() - 1;

@@ -10,14 +10,14 @@
 
 namespace dxPrefetch {
 
-// The empty statement keeps the compiler from taking a function that only prefetches for one without effect, and leaving its calls out.
+// Without the empty statement the compiler takes a function that only prefetches for one without effect, and removes its calls.
 inline void line(const void *place) {
     __builtin_prefetch(place);
     __asm__ volatile("" : : "r"(place));
 }
 
 // The compiler's own __builtin_prefetch(place, 1) does not emit the instruction unless the target is a newer processor.
-// Those made since 2006 take it (64-bit Windows has asked for it since 8.1), some as one that does nothing.
+// Processors made since 2006 accept it (64-bit Windows has required it since 8.1); on some it does nothing.
 inline void lineForWrite(const void *place) {
 #if defined(__x86_64__)
     __asm__ volatile("prefetchw %0" : : "m"(*static_cast<const char *>(place)));

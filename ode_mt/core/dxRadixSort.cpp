@@ -30,7 +30,7 @@ struct Bits {
     std::uint64_t of(std::uint64_t key) const { return key >> shift & ((std::uint64_t{1} << count) - 1); }
 };
 
-// The lowest `most` bits at most of those that vary, which are taken from `varying`.
+// Returns the lowest consecutive bits that vary, `most` at most, and removes them from `varying`.
 Bits takeBits(std::uint64_t &varying, int most) {
     Bits bits;
     if (varying == 0) return bits;

@@ -1,7 +1,9 @@
 // Radix sort by integer keys, linear in the number of items.
 //
-// Digits of eight bits from the lowest up, from one or two places of the key; bits in which all keys agree are left out, so keys
-// of a narrow range cost few passes. Items with equal keys keep the order of their indices. Requires items in the order of their indices.
+// Digits have eight bits, the lowest first, from one or two places of the key. Bits in which all keys agree are left out, so keys
+// of a narrow range need few passes. Items with equal keys keep the order of their indices. Requires items in the order of their indices.
+//
+// Threading: one thread for one pair of arrays.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Memory that is reserved beforehand: every list of the members of a space has capacity for each member once it is
-// added, so that cleaning and changes of geoms never allocate, and cannot fail half way. Lists of a step whose length
+// Memory that is reserved in advance: every list of the members of a space has capacity for each member from its addition on,
+// so that cleaning and changes of geoms never allocate, and cannot fail half way. Lists whose length
 // changes from step to step grow as if by push_back, so that a scene at rest soon allocates no more.
 #pragma once
 
@@ -12,7 +12,7 @@ void dxReserveCapacity(Vector &vector, std::size_t count) {
     if (vector.capacity() < count) vector.reserve(std::max(count, 2 * vector.capacity()));
 }
 
-// Gives the vector `count` copies of a value. std::vector::assign would take what is needed just now, and more a step later.
+// Fills the vector with `count` copies of a value. std::vector::assign would reserve no more than that, and allocate again a step later.
 template <class Vector>
 void dxFill(Vector &vector, std::size_t count, const typename Vector::value_type &value) {
     dxReserveCapacity(vector, count);

@@ -1,7 +1,7 @@
 // The instruction sets that vector code is compiled for. Include before any header of Highway.
 //
-// Left out: AVX3_DL, AVX3_ZEN4 and AVX3_SPR, which add nothing that is used here to AVX3, and vectors whose length is not known
-// when compiling, which tiles with a fixed number of rows cannot use.
+// Left out: AVX3_DL, AVX3_ZEN4 and AVX3_SPR, which add nothing to AVX3 that is used here, and vectors whose length is not known
+// at compile time, which tiles with a fixed number of rows cannot use.
 #pragma once
 
 // The last two are given by their bits: Highway before 1.1 has neither the names nor other sets with these bits.

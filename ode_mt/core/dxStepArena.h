@@ -1,4 +1,4 @@
-// An arena for arrays that live until a step (or a part of it) is over: they are taken one after the other and freed all at once.
+// An arena for arrays that live until a step (or a part of it) ends: they are taken one after the other and freed all at once.
 //
 // Memory is kept. A step that needs more gets further blocks, and the next reset() makes one block of all of them. Each further block is at least
 // as large as those before it together, so that a scene at rest, or one that changes by little, soon allocates no more.
@@ -59,14 +59,14 @@ public:
     }
     std::size_t capacity() const { return m_capacity; }
 
-    // Items without values. Arrays begin at a cache line. Throws std::bad_alloc.
+    // Returns an array of items without values. Arrays begin at a cache line. Throws std::bad_alloc.
     template <class T>
     dxArenaArray<T> take(std::size_t count) {
         static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T> && alignof(T) <= kCacheLine);
         return {new (takeBytes(count * sizeof(T))) T[count], count};
     }
 
-    // Items with a value. Throws std::bad_alloc.
+    // Returns an array of items with this value. Throws std::bad_alloc.
     template <class T>
     dxArenaArray<T> takeFilled(std::size_t count, const T &value) {
         const dxArenaArray<T> array = take<T>(count);
@@ -74,7 +74,7 @@ public:
         return array;
     }
 
-    // No items, and room for so many. Throws std::bad_alloc.
+    // Returns an array of no items, with room for this many. Throws std::bad_alloc.
     template <class T>
     dxArenaArray<T> takeList(std::size_t room) {
         dxArenaArray<T> list = take<T>(room);

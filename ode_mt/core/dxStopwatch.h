@@ -1,4 +1,4 @@
-// Wall-clock time since it was made, of a clock that never goes back.
+// Wall-clock time since it was made or restarted, of a clock that never goes back.
 #pragma once
 
 #include <chrono>

@@ -26,7 +26,7 @@ void dxRemote::open() try {
     });
     std::atexit(dxRemote::close);  // before the handlers of what was loaded for it
 } catch (const std::bad_alloc &) {
-    dxLog(dxLogLevel::warning, "remote workers: no memory; islands stay in this process");
+    dxLog(dxLogLevel::Warning, "remote workers: no memory; islands stay in this process");
 }
 
 void dxRemote::close() { dxRemoteWorkers::instance().close(); }

@@ -122,9 +122,9 @@ constexpr int kTunedCells = 0;
 // A misspelt name has no effect, which users would not notice.
 void reportUnknownVariable(const char *name, const char *nearest) {
     if (nearest != nullptr)
-        dxLog(dxLogLevel::warning, "%.100s is no variable of this library, and has no effect; is %s meant?", name, nearest);
+        dxLog(dxLogLevel::Warning, "%.100s is no variable of this library, and has no effect; is %s meant?", name, nearest);
     else
-        dxLog(dxLogLevel::warning, "%.100s is no variable of this library, and has no effect", name);
+        dxLog(dxLogLevel::Warning, "%.100s is no variable of this library, and has no effect", name);
 }
 
 }  // namespace
@@ -133,8 +133,8 @@ dxProcessObject<dxSettings> dxProcessSettings;
 
 dxSettings::dxSettings() : m_cores(dxCountProcessors()) {
     // One literal: bench/library_release.cpp finds the release in a library's file by it.
-    dxLog(dxLogLevel::info, "version " dODE_MT_VERSION ", made of ODE " dODE_VERSION);
-    dxTellUnknownVariables(reportUnknownVariable);
+    dxLog(dxLogLevel::Info, "version " dODE_MT_VERSION ", made of ODE " dODE_VERSION);
+    dxReportUnknownVariables(reportUnknownVariable);
     if (const char *text = dxEnvironment(dxVariable::Threads)) readThreads(text);
     if (const char *text = dxEnvironment(dxVariable::Algorithm)) readAlgorithm(text);
     if (const char *text = dxEnvironment(dxVariable::Solver)) readSolver(text);
@@ -144,7 +144,7 @@ dxSettings::dxSettings() : m_cores(dxCountProcessors()) {
     if (const char *text = dxEnvironment(dxVariable::Heuristics)) readHeuristics(text);
     if (const char *text = dxEnvironment(dxVariable::GridCells)) readGridCells(text);
     if (const char *text = dxEnvironment(dxVariable::Workers)) readRemoteWorkers(text);
-    dxLog(dxLogLevel::info, "threads %u of %u cores, algorithm %s, solver %s, callbacks %s, heuristics %s", threads(), cores(),
+    dxLog(dxLogLevel::Info, "threads %u of %u cores, algorithm %s, solver %s, callbacks %s, heuristics %s", threads(), cores(),
           algorithmName(), nameOfSolver(solver().solver), callbackPolicyName(), dxNamesOfHeuristics(heuristics()));
 }
 
@@ -157,7 +157,7 @@ void dxSettings::readThreads(const char *text) {
     const bool understood = dxReadNumber(text, 0, dODE_MT_MAX_THREADS, number) == dxNumberText::InRange;
     const int taken = static_cast<int>(number);
     if (!understood) {
-        dxLog(dxLogLevel::warning,
+        dxLog(dxLogLevel::Warning,
               "ODE_MT_THREADS is '%.100s'; known: auto, or a number from 0 to %d; %d is taken", text,
               dODE_MT_MAX_THREADS, taken);
     }
@@ -166,7 +166,7 @@ void dxSettings::readThreads(const char *text) {
 
 void dxSettings::readAlgorithm(const char *text) {
     if (chooseAlgorithm(text)) return;
-    dxLog(dxLogLevel::warning, "ODE_MT_ALGORITHM is '%.100s'; known: %s; %s is taken", text,
+    dxLog(dxLogLevel::Warning, "ODE_MT_ALGORITHM is '%.100s'; known: %s; %s is taken", text,
           knownNames(kAlgorithms).c_str(), algorithmName());
 }
 
@@ -175,7 +175,7 @@ void dxSettings::readSolver(const char *text) {
         m_solver.solver = known->choice;
         return;
     }
-    dxLog(dxLogLevel::warning, "ODE_MT_SOLVER is '%.100s'; known: %s; %s is taken", text, knownNames(kSolvers).c_str(),
+    dxLog(dxLogLevel::Warning, "ODE_MT_SOLVER is '%.100s'; known: %s; %s is taken", text, knownNames(kSolvers).c_str(),
           nameOfSolver(solver().solver));
 }
 
@@ -185,7 +185,7 @@ void dxSettings::readTolerance(const char *text) {
         m_solver.tolerance = tolerance;
         return;
     }
-    dxLog(dxLogLevel::warning, "ODE_MT_SOLVER_TOLERANCE is '%.100s'; known: a number from 0 to 1; %g is taken", text, m_solver.tolerance);
+    dxLog(dxLogLevel::Warning, "ODE_MT_SOLVER_TOLERANCE is '%.100s'; known: a number from 0 to 1; %g is taken", text, m_solver.tolerance);
 }
 
 void dxSettings::readWarmStart(const char *text) {
@@ -193,7 +193,7 @@ void dxSettings::readWarmStart(const char *text) {
     const dxNumberText found = dxReadNumber(text, 0, 1, number);
     m_solver.isWarm = number != 0;
     if (found == dxNumberText::InRange) return;
-    dxLog(dxLogLevel::warning, "ODE_MT_WARM_START is '%.100s'; known: 0, 1; %d is taken", text, m_solver.isWarm ? 1 : 0);
+    dxLog(dxLogLevel::Warning, "ODE_MT_WARM_START is '%.100s'; known: 0, 1; %d is taken", text, m_solver.isWarm ? 1 : 0);
 }
 
 const char *dxSettings::nameOfSolver(dxSolver solver) { return nameOf(kSolvers, solver); }
@@ -209,7 +209,7 @@ bool dxSettings::readSolver(const std::string &name, dxSolver &solver) {
 
 void dxSettings::readCallbackPolicy(const char *text) {
     if (chooseCallbackPolicy(text)) return;
-    dxLog(dxLogLevel::warning, "ODE_MT_CALLBACKS is '%.100s'; known: %s; %s is taken", text,
+    dxLog(dxLogLevel::Warning, "ODE_MT_CALLBACKS is '%.100s'; known: %s; %s is taken", text,
           knownNames(kCallbackPolicies).c_str(), callbackPolicyName());
 }
 
@@ -229,7 +229,7 @@ bool dxSettings::chooseCallbackPolicy(const std::string &name) {
 
 void dxSettings::readHeuristics(const char *text) {
     if (chooseHeuristics(text)) return;
-    dxLog(dxLogLevel::warning, "ODE_MT_HEURISTICS is '%.100s'; known: %s; %s is taken", text, knownHeuristics(),
+    dxLog(dxLogLevel::Warning, "ODE_MT_HEURISTICS is '%.100s'; known: %s; %s is taken", text, knownHeuristics(),
           dxNamesOfHeuristics(heuristics()));
 }
 
@@ -252,7 +252,7 @@ void dxSettings::readGridCells(const char *text) {
     const bool understood = dxReadNumber(text, kMinGridCells, kMaxGridCells, number) == dxNumberText::InRange;
     chooseGridCells(static_cast<int>(number));
     if (understood) return;
-    dxLog(dxLogLevel::warning,
+    dxLog(dxLogLevel::Warning,
           "ODE_MT_GRID_CELLS is '%.100s'; known: auto, or a number from %d to %d; %s is taken", text,
           kMinGridCells, kMaxGridCells, number == kTunedCells ? "auto" : std::to_string(number).c_str());
 }
@@ -270,7 +270,7 @@ void dxSettings::readRemoteWorkers(const char *text) {
         m_remoteWorkers = {transport, static_cast<unsigned>(wanted)};
         return;
     }
-    dxLog(dxLogLevel::warning, "ODE_MT_WORKERS is '%.100s'; known: none, mpi, mpi:n with a number from 1 to %u; none is taken", text,
+    dxLog(dxLogLevel::Warning, "ODE_MT_WORKERS is '%.100s'; known: none, mpi, mpi:n with a number from 1 to %u; none is taken", text,
           dxRemoteChoice::kMaxWorkers);
 }
 
@@ -306,7 +306,7 @@ unsigned dxSettings::resolveThreads(int threads) {
 
 void dxSettings::setThreads(unsigned threads) {
     const unsigned before = m_threads.exchange(threads, std::memory_order_relaxed);
-    if (threads != before) dxLog(dxLogLevel::info, "%u threads, %u before; %u cores", threads, before, cores());
+    if (threads != before) dxLog(dxLogLevel::Info, "%u threads, %u before; %u cores", threads, before, cores());
 }
 
 const char *dxSettings::algorithmName() const { return nameOf(kAlgorithms, algorithm()); }

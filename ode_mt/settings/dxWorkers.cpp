@@ -46,7 +46,7 @@ std::unique_ptr<dxThreadManager> make(const char *&name, const dxWorkerOptions &
         manager = dxThreadManagerFactory::create(name, options);
     }
     manager->resize(wantedSize());
-    dxLog(dxLogLevel::info, "thread manager %s: up to %u threads, the caller included", name, wantedSize());
+    dxLog(dxLogLevel::Info, "thread manager %s: up to %u threads, the caller included", name, wantedSize());
     return manager;
 }
 
@@ -69,7 +69,7 @@ dxWorkers::dxWorkers() : m_name(dxThreadManagerFactory::defaultName()) {
         m_name = known;
         return;
     }
-    dxLog(dxLogLevel::warning, "ODE_MT_THREAD_MANAGER is '%.100s'; known: %s; %s is taken", name, knownNames().c_str(),
+    dxLog(dxLogLevel::Warning, "ODE_MT_THREAD_MANAGER is '%.100s'; known: %s; %s is taken", name, knownNames().c_str(),
           m_name);
 }
 

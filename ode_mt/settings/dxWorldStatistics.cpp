@@ -186,7 +186,7 @@ void announce(const dODE_MT_WorldStatistics &frame) {
         if (!isOneReason) describe(callbacks, "; near-callbacks", frame.callbackReason);
     }
     describe(step, "step", frame.stepReason);
-    dxLog(dxLogLevel::info, "world %u, frame %llu: %u bodies, %llu pairs, %u islands, %llu rows, %u threads at most; %s%s; %s", frame.number,
+    dxLog(dxLogLevel::Info, "world %u, frame %llu: %u bodies, %llu pairs, %u islands, %llu rows, %u threads at most; %s%s; %s", frame.number,
           frame.frames, frame.bodies, frame.pairs, frame.islands, frame.rows, std::max(frame.threads, 1u), collision, callbacks, step);
 }
 
@@ -224,7 +224,7 @@ void add(const dxWorld *world, const dxCollisionRecord &collision) {
 void add(const dxWorld *world, const dxStepRecord &step) {
     dODE_MT_WorldStatistics said{};
     const char *complaint = "";
-    const bool isTold = dxGetLogLevel() >= dxLogLevel::info;
+    const bool isTold = dxGetLogLevel() >= dxLogLevel::Info;
     change(world, [&](Entry &entry) {
         finishFrame(entry, step);
         share(entry);
@@ -232,7 +232,7 @@ void add(const dxWorld *world, const dxStepRecord &step) {
         const dODE_MT_WorldStatistics &frame = entry.last;
         if (isTold && entry.announcement.isDue({frame.collisionReason, frame.callbackReason, frame.stepReason})) said = frame;
     });
-    if (*complaint != '\0') dxLog(dxLogLevel::warning, "%s", complaint);
+    if (*complaint != '\0') dxLog(dxLogLevel::Warning, "%s", complaint);
     if (said.number != 0) announce(said);
 }
 

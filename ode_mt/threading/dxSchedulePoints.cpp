@@ -93,10 +93,10 @@ dxPerturbation fromEnvironment() {
     long long number = 0;
     switch (dxReadNumber(text, 0, kMaxSeed, number)) {
         case dxNumberText::NoNumber:
-            dxLog(dxLogLevel::warning, "ODE_MT_PERTURB is '%.100s'; it takes a number, the seed", text);
+            dxLog(dxLogLevel::Warning, "ODE_MT_PERTURB is '%.100s'; it takes a number, the seed", text);
             return nullptr;
         case dxNumberText::OutOfRange:
-            dxLog(dxLogLevel::warning,
+            dxLog(dxLogLevel::Warning,
                   "ODE_MT_PERTURB is '%.100s'; known: a number from 0 to %lld; %lld is taken", text,
                   kMaxSeed, number);
             break;

@@ -112,7 +112,7 @@ TEST(CostModel, TinyWorldsStayOnTheCallerLargeOnesAreShared) {
 // On a machine on which sharing out costs too much at first, and then little.
 TEST(CostModel, TellsItsDecisionsAtDebugLevel) {
     const dxLogLevel before = dxGetLogLevel();
-    dxSetLogLevel(dxLogLevel::debug);
+    dxSetLogLevel(dxLogLevel::Debug);
     testing::internal::CaptureStderr();
     Simulation simulation({1, 5e6}, 10e3, 100, 2);
     simulation.shared(2000);

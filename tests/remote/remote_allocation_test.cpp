@@ -46,11 +46,11 @@ protected:
         dxRemoteSolvers::install(dxRemoteIslandSolvers());
         dODE_MT_SetAlgorithm("lcp");
         dToggleODE_MT(GetParam().threads);
-        dxSetLogLevel(dxLogLevel::error);
+        dxSetLogLevel(dxLogLevel::Error);
     }
     ~RemoteAllocation() override {
         dxRemoteWorkers::instance().close();
-        dxSetLogLevel(dxLogLevel::warning);
+        dxSetLogLevel(dxLogLevel::Warning);
         dToggleODE_MT(0);
         dODE_MT_SetAlgorithm("auto");
         dCloseODE();

@@ -155,7 +155,7 @@ void dxCostModel::endProbe(unsigned steps, double ideal, double serial) {
     std::nth_element(overheads + firstWarm, overheads + middle, overheads + steps);
     const double median = overheads[middle];
     const bool pays = dxPaysClearly(ideal + median, serial, kMargin);
-    dxLog(dxLogLevel::debug, "cost model: a step of %.0f us on the caller costs %.0f us to share out, which %s",
+    dxLog(dxLogLevel::Debug, "cost model: a step of %.0f us on the caller costs %.0f us to share out, which %s",
           serial / 1e3, median / 1e3, pays ? "pays" : "does not pay");
     m_overhead.set(pays ? median : std::max(std::min(median, serial), lost / kProbeSteps));
     if (pays) return;

@@ -209,7 +209,7 @@ void dxRemoteMessenger::handleEcho(unsigned worker, const dxRemoteBytes &message
     if (echo == dxLinkMeasurement::Echo::Next) return sendEcho(worker, lock);
     one.link.setMeasured(one.measurement.latencyNs(), one.measurement.nsPerByte());
     if (one.isReplacement)
-        dxLog(dxLogLevel::info, "remote worker %u is replaced; latency %.0f us, %.2f GB/s", worker + 1, one.measurement.latencyNs() / 1e3,
+        dxLog(dxLogLevel::Info, "remote worker %u is replaced; latency %.0f us, %.2f GB/s", worker + 1, one.measurement.latencyNs() / 1e3,
               1 / one.link.nsPerByte());
     m_scheduler.noteAvailable();
     m_scheduler.news().notify();

@@ -28,7 +28,7 @@ bool dxRemoteReplacement::takeStarted() {
     m_isStarting = false;
     dxRemoteWorker &one = m_scheduler.workers()[m_worker];
     if (replacement == dxRemoteTransport::Replacement::Failed) {
-        dxLog(dxLogLevel::warning, "remote worker %u cannot be replaced", m_worker + 1);
+        dxLog(dxLogLevel::Warning, "remote worker %u cannot be replaced", m_worker + 1);
         one.restart.begin(m_scheduler.now(), false);
         m_canReplace = m_transport->canReplace();
         return true;

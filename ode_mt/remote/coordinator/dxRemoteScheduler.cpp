@@ -38,7 +38,7 @@ void dxRemoteScheduler::begin(std::vector<dxRemoteWorker> &workers) {
 void dxRemoteScheduler::dropWorker(unsigned worker, const char *why, const char *detail) {
     dxRemoteWorker &one = m_workers[worker];
     if (one.isLost()) return;
-    dxLog(dxLogLevel::warning, "remote worker %u %s%s; it is left out", worker + 1, why, detail);
+    dxLog(dxLogLevel::Warning, "remote worker %u %s%s; it is left out", worker + 1, why, detail);
     one.restart.begin(now(), one.link.hasProved());
     one.link.lose();
     ++(one.isRefused ? m_counts.refused : m_counts.lost);
@@ -56,7 +56,7 @@ void dxRemoteScheduler::dropUnreachable(unsigned worker, const char *why) {
 }
 
 void dxRemoteScheduler::dropAll(const char *why) {
-    dxLog(dxLogLevel::warning, "remote workers: %s; islands stay in this process", why);
+    dxLog(dxLogLevel::Warning, "remote workers: %s; islands stay in this process", why);
     for (unsigned i = 0; i < m_workers.size(); ++i) dropWorker(i, "cannot be talked to");
     reclaimQueue();
 }
@@ -68,7 +68,7 @@ void dxRemoteScheduler::noticeLate() {
         const bool isAwaited = m_waiting != 0 || !isSolving(one.link);
         if (isAwaited && one.link.noticeLate(time)) {
             ++m_counts.late;
-            dxLog(dxLogLevel::debug, "remote worker %zu is late", static_cast<std::size_t>(&one - m_workers.data()) + 1);
+            dxLog(dxLogLevel::Debug, "remote worker %zu is late", static_cast<std::size_t>(&one - m_workers.data()) + 1);
             for (const dxRemoteInFlight &late : one.link.inFlight()) reclaim(late.problems, dxRemoteOutcome::Late);
             m_news.notify();
         }
@@ -84,7 +84,7 @@ bool dxRemoteScheduler::isSolving(const dxRemoteLink &link) const {
 
 void dxRemoteScheduler::warnOfMemory() {
     if (std::exchange(m_hasWarnedOfMemory, true)) return;
-    dxLog(dxLogLevel::warning, "remote workers: no memory for a message; its islands stay in this process");
+    dxLog(dxLogLevel::Warning, "remote workers: no memory for a message; its islands stay in this process");
 }
 
 // --- problems -----------------------------------------------------------------------------------------------

@@ -52,7 +52,7 @@ void dxRemoteWorkers::open(const char *name, const dxRemoteHello &hello, Open op
     };
     const int error = dxStartThread(pthread_create, m_thread, body, this, dxWorkerOptions());
     if (error != 0) {
-        dxLog(dxLogLevel::warning, "remote workers: no thread to communicate (error %d); islands stay in this process", error);
+        dxLog(dxLogLevel::Warning, "remote workers: no thread to communicate (error %d); islands stay in this process", error);
         return;
     }
     if (!m_scheduler.news().waitFor(lock, most, [this] { return m_hasBegun; })) return leaveAlone(lock);
@@ -63,7 +63,7 @@ void dxRemoteWorkers::open(const char *name, const dxRemoteHello &hello, Open op
     if (wanted == 0) return;
     lock.unlock();
     const dxRemoteCapacity all = capacity();
-    dxLog(all.workers == 0 ? dxLogLevel::warning : dxLogLevel::info,
+    dxLog(all.workers == 0 ? dxLogLevel::Warning : dxLogLevel::Info,
           "remote workers: %u of %zu by %s; latency %.0f us, %.2f GB/s", all.workers, wanted, name, all.latencyNs / 1e3,
           all.nsPerByte > 0 ? 1 / all.nsPerByte : 0);
 }
@@ -73,7 +73,7 @@ void dxRemoteWorkers::leaveAlone(dxRemoteLock &lock) {
     m_isClosing = true;
     pthread_detach(m_thread);
     lock.unlock();
-    dxLog(dxLogLevel::warning, "remote workers: none by %s: it does not begin; islands stay in this process", m_name.c_str());
+    dxLog(dxLogLevel::Warning, "remote workers: none by %s: it does not begin; islands stay in this process", m_name.c_str());
 }
 
 void dxRemoteWorkers::close() {
@@ -87,7 +87,7 @@ void dxRemoteWorkers::close() {
     m_wake.notify();
     pthread_join(m_thread, nullptr);
     const Counts all = counts();
-    dxLog(dxLogLevel::info,
+    dxLog(dxLogLevel::Info,
           "remote workers: %llu islands sent, %llu solved there, %llu reclaimed; late %u times, %u workers lost, %u replaced; "
           "waited for them %.3f ms",
           static_cast<unsigned long long>(all.sent), static_cast<unsigned long long>(all.outcomes.solved()),
@@ -170,7 +170,7 @@ void dxRemoteWorkers::awaitTurn(dxRemoteLock &lock) {
 void dxRemoteWorkers::begin() {
     std::vector<dxRemoteWorker> workers;
     const auto haveNone = [this](const char *why) {
-        dxLog(dxLogLevel::warning, "remote workers: none by %s: %s; islands stay in this process", m_name.c_str(), why);
+        dxLog(dxLogLevel::Warning, "remote workers: none by %s: %s; islands stay in this process", m_name.c_str(), why);
         if (m_transport) m_transport->close(false);
         m_transport.reset();
     };
@@ -180,7 +180,7 @@ void dxRemoteWorkers::begin() {
         if (!m_transport)
             haveNone(reason.c_str());
         else if (workers.resize(m_transport->links()); !reason.empty())
-            dxLog(dxLogLevel::warning, "remote workers: %zu by %s, fewer than wanted: %s", workers.size(), m_name.c_str(), reason.c_str());
+            dxLog(dxLogLevel::Warning, "remote workers: %zu by %s, fewer than wanted: %s", workers.size(), m_name.c_str(), reason.c_str());
     } catch (const std::exception &fault) {
         haveNone(fault.what());
     } catch (...) {
@@ -257,7 +257,7 @@ void dxRemoteWorkers::end() {
     try {
         m_transport->close(isOrderly);
     } catch (...) {
-        dxLog(dxLogLevel::warning, "remote workers: an exception at their end");
+        dxLog(dxLogLevel::Warning, "remote workers: an exception at their end");
     }
     m_transport.reset();
 }

@@ -61,10 +61,10 @@ std::unique_ptr<dxThreadManager> create(const std::string &name, const dxWorkerO
         if (name != kind.name) continue;
         std::unique_ptr<dxThreadManager> manager = kind.make(options);
         if (manager == nullptr)
-            dxLog(dxLogLevel::warning, "thread manager '%s' needs %s, which cannot be loaded", kind.name, kind.library);
+            dxLog(dxLogLevel::Warning, "thread manager '%s' needs %s, which cannot be loaded", kind.name, kind.library);
         return manager;
     }
-    dxLog(dxLogLevel::error, "unknown thread manager '%s'; known: %s", name.c_str(), knownNames().c_str());
+    dxLog(dxLogLevel::Error, "unknown thread manager '%s'; known: %s", name.c_str(), knownNames().c_str());
     return nullptr;
 }
 

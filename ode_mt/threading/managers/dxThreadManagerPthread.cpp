@@ -84,7 +84,7 @@ bool dxThreadManagerPthread::startThread() {
     const int refusal = dxStartThread(m_create, m_threads[index], threadBody, this, m_options);
     if (refusal == 0) {
         m_started.store(index + 1);
-        dxLog(dxLogLevel::info, "thread manager %s: started %s-%u", this->name(), m_options.name, index + 1);
+        dxLog(dxLogLevel::Info, "thread manager %s: started %s-%u", this->name(), m_options.name, index + 1);
         return true;
     }
     m_parking.endSearch();
@@ -124,7 +124,7 @@ void dxThreadManagerPthread::becomeWorker(unsigned number) {
     pthread_setname_np(pthread_self(), threadName);
     if (!m_options.scheduling) return dxTakeProcessNiceness();
     if (const int refusal = m_options.scheduling->apply())
-        dxLog(dxLogLevel::warning, "thread manager %s: %s has ordinary scheduling (%s)", name(), threadName, std::strerror(refusal));
+        dxLog(dxLogLevel::Warning, "thread manager %s: %s has ordinary scheduling (%s)", name(), threadName, std::strerror(refusal));
 }
 
 void dxThreadManagerPthread::serve() {

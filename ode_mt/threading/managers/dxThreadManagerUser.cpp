@@ -153,7 +153,7 @@ void dxThreadManagerUser::stop() {
     while (!idle()) {
         if (std::chrono::steady_clock::now() > end) {
             // An implementation may make calls only where a thread waits for them, and none does here. The work was done without it.
-            dxLog(dxLogLevel::info, "thread manager user: the threading implementation has not run %u call(s)", m_calls->outstanding());
+            dxLog(dxLogLevel::Info, "thread manager user: the threading implementation has not run %u call(s)", m_calls->outstanding());
             return;
         }
         dxSleep(std::chrono::microseconds(50));

@@ -5,8 +5,8 @@
 // looking for kSpinTime after its last one, and returns to the program. A call that is made late finds nothing and returns.
 //
 //  - At most one posted call is waiting to be made, and calls are posted only while a run is in progress: by its caller, or by a call that holds a
-//    block of it and finds that it can use more threads. So calls do not pile up in a pool that does not serve yet, and a pool that is shut down right
-//    after a run may make the waiting call as its last one. (ODE's pool aborts on two, and on a call posted later.)
+//    block of it and finds that it can use more threads. So calls do not pile up in a pool that does not serve yet, and a pool that is shut down
+//    right after a run may make the waiting call as its last one. (ODE's pool aborts on two, and on a call posted later.)
 //  - run never waits for a posted call, only for blocks; wait_call is not used, so run may be called from inside a threaded call.
 //  - Calls refer to a state of their own, which lives until the last of them has returned.
 //

@@ -114,7 +114,7 @@ void dxSharingPolicy::judgeProbe(double ns) {
     if (isHopeless) m_alone.ns = ns;
     if (probed.callsInRow < probed.probe && !isBrokenOff) return;
     const bool pays = !isBrokenOff && dxPaysClearly(probed.ns, usual.ns, kMargin);
-    dxLog(dxLogLevel::debug, "a call of %.0f us takes %.0f us when the way in use is exchanged: %s from now on",
+    dxLog(dxLogLevel::Debug, "a call of %.0f us takes %.0f us when the way in use is exchanged: %s from now on",
           usual.ns * m_work / 1e3, probed.ns * m_work / 1e3, m_isSharing == pays ? "shared" : "alone");
     if (pays) return beginUse(probed.ns);
     m_isSharing = !m_isSharing;

@@ -117,7 +117,7 @@ int dxStartThread(dxCreateThread create, pthread_t &thread, void *(*body)(void *
     attributes.becomeOrdinary(options);
     const int refusal = create(&thread, attributes.get(), body, context);
     if (ifRefused == dxIfRefused::Fail || (refusal != EPERM && refusal != EINVAL)) return refusal;
-    dxLog(dxLogLevel::info, "a worker thread inherits processors and scheduling (%s)", std::strerror(refusal));
+    dxLog(dxLogLevel::Info, "a worker thread inherits processors and scheduling (%s)", std::strerror(refusal));
     const Attributes inherited(options);
     return create(&thread, inherited.get(), body, context);
 }
@@ -162,7 +162,7 @@ unsigned dxProbeThreads(dxCreateThread create, unsigned wanted, int &refusal) {
 }
 
 void dxReportRefusal(const char *manager, unsigned workers, unsigned wanted, int refusal) {
-    dxLog(dxLogLevel::warning,
+    dxLog(dxLogLevel::Warning,
           "thread manager %s: the system refused a thread (%s); %u of %u workers, the caller included, are "
           "used",
           manager, std::strerror(refusal), workers, wanted);

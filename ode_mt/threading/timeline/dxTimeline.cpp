@@ -104,7 +104,7 @@ std::string nameOfThisThread() {
 }
 
 void report(int error, const char *path) {
-    if (error > 0) dxLog(dxLogLevel::warning, "the trace '%.800s' cannot be written: %s", path, std::strerror(error));
+    if (error > 0) dxLog(dxLogLevel::Warning, "the trace '%.800s' cannot be written: %s", path, std::strerror(error));
 }
 
 // For a file that no call of the program's has asked for just now.
@@ -273,7 +273,7 @@ void dxTimeline::readEnvironment() {
     unsigned char unread = kUnread;
     if (!s_state.compare_exchange_strong(unread, kOff)) return;
     if (path != nullptr) report(start(path), path);
-    if (dxGetLogLevel() >= dxLogLevel::info || dxEnvironment(dxVariable::Statistics) != nullptr) startCounting();
+    if (dxGetLogLevel() >= dxLogLevel::Info || dxEnvironment(dxVariable::Statistics) != nullptr) startCounting();
 }
 
 // The environment is read first.

@@ -60,7 +60,7 @@ void countFallback() { dxProcessStatistics::instance().directFallbacks.fetch_add
 // Counts an island that Dantzig's algorithm is asked to solve. `residual`: of what was found; infinity: nothing was.
 void leaveToDantzig(const dxWorldStepProblem &problem, double residual) {
     countFallback();
-    dxLog(dxLogLevel::info, "an island of %u rows was left to Dantzig's algorithm: residual %g", problem.rowCount, residual);
+    dxLog(dxLogLevel::Info, "an island of %u rows was left to Dantzig's algorithm: residual %g", problem.rowCount, residual);
 }
 
 // What became of an island. Where nothing of ours has forces for it, Dantzig's algorithm has the last word, and its message is told.
@@ -69,7 +69,7 @@ enum class Outcome { Solved, Regularised, LeftToDantzig };
 // Writes forces of which least is left, unless those that are there leave far less. Returns false where there are none, or no memory.
 bool regularise(const dxIslandStep &step, const dxWorldStepProblem &problem, dxBodySpaceSolver &solver) try {
     if (!solver.regularise(step.runner())) return false;
-    dxLog(dxLogLevel::info, "an island of %u rows was regularised: residual %g", problem.rowCount, solver.residual());
+    dxLog(dxLogLevel::Info, "an island of %u rows was regularised: residual %g", problem.rowCount, solver.residual());
     const bool isTooSoft = !solver.isAnswer(solver.residual()) && solver.energyOf(problem) < kFarLess * solver.energy();
     if (!isTooSoft) solver.writeForces(problem);
     return true;
