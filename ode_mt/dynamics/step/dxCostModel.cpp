@@ -25,23 +25,23 @@ constexpr double kWeight = 1.0 / 16;
 // Without this margin prediction errors would make worlds slower.
 constexpr double kMargin = 0.9;
 
-// An overhead that was once measured too high would never be measured again, since nothing is shared out any
-// more: it fades with the time spent on the caller, so slowly that what is lost by probes is at most
-// this part of it. (A probe whose steps lose n ns on average sets the overhead n ns above what would pay.)
+// An overhead that was once measured too high would never be measured again, since steps are no longer
+// parallel. So it fades with the time spent on the caller, slowly enough that probes lose at most
+// this part of that time. (A probe whose steps lose n ns on average sets the overhead n ns above what would pay.)
 constexpr double kLossLimit = 0.004;
 
-// Each step that pays shortens the interval until a probe: what disturbs sharing afterwards will probably pass soon. It is a
+// Each step that pays shortens the interval until a probe: a later disturbance is probably temporary. It is a
 // part of the interval that keeps to the loss limit.
 constexpr dxRetryLimits<double> kRetry{1.0 / 32, 1};
 constexpr double kShortened = 1 / (1 + kWeight);
 
-// A step that lost more than this many times its time on the caller was disturbed, and counts for no more.
+// A step that lost more than this many times its time on the caller was disturbed, and counts as if it had lost this.
 constexpr double kOutlierFactor = 2;
 
 constexpr unsigned kColdSteps = 2;  // of a probe
 constexpr double kAbortFactor = 10;    // times its time on the caller: a cold step's overhead that ends a probe
 
-// Steps whose time on the caller is this part of that of the first of a probe belong to it too.
+// Steps whose time on the caller is at least this part of that of a probe's first step belong to the probe, too.
 constexpr double kSimilarCost = 0.8;
 
 constexpr double kMinOverhead = 2e3;  // ns
@@ -77,7 +77,7 @@ unsigned dxCostModel::chooseWorkers(dxStepperKind stepper, double total, double 
     const double serial = total * scale(stepper);
     const double overhead = this->overhead();
     if (limit >= 2 && isProbed(serial)) return std::min(limit, m_probe.workers.load(std::memory_order_relaxed));
-    // No worker is woken for less work than it takes to wake it.
+    // Waking a worker must not take longer than its work.
     const double useful = serial / std::max(overhead, kMinOverhead);
     const unsigned workers = static_cast<unsigned>(std::min<double>(limit, useful));
     const auto parallel = [&] { return std::max(largest * scale(stepper), serial / workers) + overhead; };

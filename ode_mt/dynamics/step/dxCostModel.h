@@ -8,21 +8,20 @@
 //   fast QuickStep   b·B + J·(j + r·I)     as dWorldQuickStep, with numbers of its own
 //
 // in nanoseconds on a machine of scale 1. The scale of this machine, one number per stepper, and the overhead of
-// sharing a step out are moving averages of what the steps themselves measured (dxParallelPayoff.h has the words). Sharing
-// out over w workers is predicted to take
+// a parallel step are moving averages of what the steps themselves measured (dxParallelPayoff.h has the words). A parallel
+// step on w workers is predicted to take
 //
 //   max(largest block, total / w) + overhead
 //
-// and is chosen where that is clearly less than the total. An overhead estimate that keeps steps on the caller is not
-// measured any more; it fades until sharing seems to pay, and is then measured by a probe. The speed at which it fades is
+// and is chosen where that is clearly less than the total. While the overhead estimate keeps steps on the caller, nothing
+// measures it. So it fades until a parallel step seems to pay, and a probe then measures it. The speed at which it fades is
 // the retry interval. Nothing depends on the world: a small world stays on the caller's thread because its total is below
 // the overhead. Results never depend on the model, only speed does.
 //
-// Tried and dropped: a fixed least number of bodies (right for one machine and one stepper only); cost by
-// rows instead of joints (asking every joint for its rows costs more than the better estimate brings).
+// Tried and dropped: a fixed minimum number of bodies (right for one machine and one stepper only); cost by
+// rows instead of joints (asking every joint for its rows costs more than the better estimate gains).
 //
-// Threading: all functions may be called from any thread; the averages are relaxed atomics, a lost
-// update only delays learning.
+// Threading: any thread. The averages are relaxed atomics; a lost update only delays learning.
 #pragma once
 
 #include <algorithm>
@@ -34,8 +33,8 @@ constexpr unsigned kStepperKinds = 4;
 
 inline bool dxIsQuick(dxStepperKind kind) { return kind == dxStepperKind::QuickExact || kind == dxStepperKind::QuickFast; }
 
-// A moving average that is not spoilt by one odd value, such as that of a thread which the system took off
-// its core for milliseconds: the first of several surprising values counts for little.
+// A moving average that one outlier hardly changes, such as that of a thread that lost its core for milliseconds: the first of several surprising
+// values has a small weight.
 class dxSteadyAverage {
 public:
     explicit dxSteadyAverage(double first) : m_mean(first) {}
@@ -51,20 +50,20 @@ private:
 
 class dxCostModel {
 public:
-    // The process's, since what it measures is the machine.
+    // Returns that of the process, since it measures the machine.
     static dxCostModel &instance();
 
-    // ns on a machine of scale 1.
+    // Returns the cost of an island. Units: ns on a machine of scale 1.
     static double islandCost(dxStepperKind stepper, int iterations, unsigned bodies, unsigned joints);
 
-    // The workers a step should use, 1: the caller alone. `total` and `largest`: costs of all islands
-    // and of the largest. `limit`: the most workers there may be.
+    // Returns the number of workers that a step should use; 1: the caller alone. `total` and `largest`: costs of all islands
+    // and of the largest. `limit`: the largest number allowed.
     unsigned chooseWorkers(dxStepperKind stepper, double total, double largest, unsigned limit);
 
-    // A step on the caller alone took `ns` for islands of cost `total`.
+    // Records that a step on the caller alone took `ns` for islands of cost `total`.
     void learnSerial(dxStepperKind stepper, double total, double ns);
 
-    // A step shared out over `workers` took `wallNs`; its workers were busy for `busyNs` in all.
+    // Records that a step on several workers took `wallNs`, and that they were busy for `busyNs` in total.
     void learnParallel(dxStepperKind stepper, double total, double largest, unsigned workers, double busyNs,
                        double wallNs);
 

@@ -71,7 +71,7 @@ unsigned dxDeferredIslands::findEnd() const {
     return end;
 }
 
-// Only where the user has handlers something is saved: elsewhere an error ends the process.
+// Nothing is saved where the user has no handlers: an error ends the process then.
 void dxDeferredIslands::takeBack(unsigned begin) {
     if (!m_records.run.hasUserHandlers()) return;
     for (unsigned i = begin; i < m_records.inOrderFrom; ++i) {

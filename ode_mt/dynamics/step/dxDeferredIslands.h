@@ -1,7 +1,7 @@
-// The islands of one step as units of a deferred run (dxDeferredRun): workers step them, in arenas of their own, and what is needed to take them
-// back is saved where the user has handlers.
+// The islands of one step as units of a deferred run (dxDeferredRun): workers step them, in arenas of their own. Where the user has handlers, the
+// state that is needed to undo a step is saved.
 //
-// Threading: step(), save(), arenaOf() and run() on workers, of different islands; all else on the thread that called the step.
+// Threading: step(), save(), arenaOf() and run() on workers, for different islands; everything else on the thread that called the step.
 #pragma once
 
 #include "dynamics/step/dxStepCall.h"
@@ -15,29 +15,28 @@ public:
     const dxStepCall &call() const { return m_call; }
     dxStepRecords &records() const { return m_records; }
 
-    // An island's whole step. One without memory for it stays as it is (stepRest()).
+    // Steps an island. Without memory the island is unchanged (stepRest()).
     void step(unsigned index, unsigned worker);
 
-    // The parts of which it consists, for an island that is stepped in several of them. save() comes first; false: there is no memory, and the run is
-    // interrupted there.
+    // The parts of step(), for an island that is stepped in several parts. save() comes first. It returns false if there is no memory; the run is
+    // then interrupted there.
     bool save(unsigned index, unsigned worker);
     template <class Work>
     void run(unsigned index, unsigned worker, const Work &work) {
         m_records.run.run(index, worker, work);
     }
 
-    // Null: there is no memory.
+    // Returns null if there is no memory.
     dxWorldProcessMemArena *arenaOf(unsigned worker);
 
-    // False: the island would be taken back.
+    // Returns false if the island would be undone.
     bool isNeeded(unsigned index) const { return m_records.run.isNeeded(index); }
 
-    // The islands before the first one in order that no worker has stepped.
+    // Steps the islands that no worker has stepped, before the first one that has to be stepped in order.
     void stepRest();
 
-    // Makes the steps of the islands visible in upstream's order, up to the first one that cannot be: one that has to be stepped in order, was
-    // interrupted, or has a geom in a space that is being collided. Those after it are taken back. Returns that one.
-    // The last call.
+    // Makes the steps of the islands visible in upstream's order, up to the first one for which that is not possible: it has to be stepped in order,
+    // was interrupted, or has a geom in a space that is being collided. Undoes those after it. Returns that one. The last call.
     unsigned commit();
 
 private:

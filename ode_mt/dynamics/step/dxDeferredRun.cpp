@@ -42,7 +42,7 @@ bool dxDeferredScope::takeOver(dxReport kind, int number, const char *format, va
     try {
         m_reports.push_back({m_unit, kind, number, formatText(format, arguments)});
     } catch (const std::bad_alloc &) {
-        if (kind == dxReport::Message) return false;  // is printed at once, out of its order
+        if (kind == dxReport::Message) return false;  // it is printed at once, out of order
     }
     if (kind != dxReport::Message) throw dxUpstreamInterrupted();
     return true;

@@ -1,15 +1,17 @@
 // Units that workers run out of order, and whose effects become visible in order: the islands of one step (dxDeferredIslands), or the worlds of one
-// call (dxStepWorlds). The stages, in this order; WORKERS marks those that are shared:
+// call (dxStepWorlds). The stages, in this order; WORKERS marks the parallel ones:
 //
 //   collectFeedback, forSharedFeedback    WORKERS, caller   units that write to one feedback structure: the later one wins
-//   reserve                               caller            the block of random numbers of all units, cut up among them
+//   reserve                               caller            the random numbers of all units, as one block that is divided among them
 //   run                                   WORKERS           each unit in a scope of its own (dxDeferredScope)
 //   commit                                caller            reports and moved-notifications, up to a unit that ends it
 //
-// Invariants: the caller sees what a loop over the units would have shown it. A unit is interrupted by an error, and by a message where the user
-// has a handler, which may look at the world or never return: it has to be run again in order, so that those after it need not run at all.
+// Invariants: the caller sees what a loop over the units would have shown it. An error interrupts a unit, and so does a message where the user
+// has a handler, which may look at the world or never return. The unit has to be run again in order, so units after it need not run at all.
 //
-// Memory is kept from run to run. Threading: a worker writes its own record and the units that it runs; all else is the caller's.
+// Memory is kept from run to run.
+//
+// Threading: a worker writes its own record and the units that it runs; the caller writes everything else.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +37,7 @@ struct dxKeptReport {
 };
 
 // The scope in which a worker runs a unit on behalf of the caller: random numbers come from the unit's part of the block, messages are kept,
-// moved-notifications are put off, dDebug and dError end the unit, and so does dMessage where the user has handlers.
+// moved-notifications are deferred, dDebug and dError end the unit, and so does dMessage where the user has handlers.
 class dxDeferredScope final : public dxUpstreamScope {
 public:
     dxDeferredScope(unsigned unit, std::uint32_t seed, bool hasUserHandlers, std::vector<dxKeptReport> &reports)
@@ -59,32 +61,32 @@ public:
 
     bool hasUserHandlers() const { return m_hasUserHandlers; }
 
-    // On a worker: the island belongs to the unit. Throws std::bad_alloc.
+    // Called by a worker for an island of the unit. Throws std::bad_alloc.
     void collectFeedback(const dxIsland &island, unsigned unit, unsigned worker) { dxCollectFeedback(island, unit, m_workers[worker].feedbacks); }
 
     // Calls visit(unit) for the first unit of each group that writes to one structure, or to structures that overlap. Throws std::bad_alloc.
     template <class Visit>
     void forSharedFeedback(const Visit &visit);
 
-    // Takes drawsOf(unit) numbers for each of the first `end` units from the process's sequence, as one block: no step of another thread draws in
-    // between (contract C7).
+    // Takes drawsOf(unit) numbers for each of the first `end` units from the process's sequence, as one block, so that no step of another thread
+    // draws in between (contract C7).
     template <class Draws>
     void reserve(unsigned end, const Draws &drawsOf);
 
     std::uint32_t seedOf(unsigned unit) const { return m_units[unit].seed; }  // the random sequence before its first draw
     std::uint32_t randomEnd() const { return m_randomEnd; }                   // the random sequence after the block
 
-    // On a worker: work() in the unit's scope. A unit may come in two parts, one after the other; then it draws no random numbers.
+    // Calls work() in the unit's scope, on a worker. A unit may have two parts, one after the other; then it draws no random numbers.
     template <class Work>
     void run(unsigned unit, unsigned worker, const Work &work);
 
-    // On a worker: the unit cannot be run out of order.
+    // Called by a worker for a unit that cannot be run out of order.
     void interruptAt(unsigned unit);
 
-    // False: one before it was interrupted, so that it would be taken back.
+    // Returns false if a unit before it was interrupted, so that it would be undone.
     bool isNeeded(unsigned unit) const { return unit <= m_interrupted.load(std::memory_order_relaxed); }
 
-    // The first unit that was interrupted; their number: none.
+    // Returns the first unit that was interrupted, or the number of units if none was.
     unsigned interrupted() const { return m_interrupted.load(std::memory_order_relaxed); }
 
     // Delivers reports and calls notifyMoved(unit) for the units before `end`, in their order. Where the user has no handlers, unit `end` may have
@@ -92,7 +94,7 @@ public:
     template <class Notify>
     void commit(unsigned end, const Notify &notifyMoved) const;
 
-    // Units: ns of work, of all workers.
+    // Returns the time of work of all workers. Units: ns.
     void addBusy(unsigned worker, double ns) { m_workers[worker].busyNs += ns; }
     double busyNs() const;
 

@@ -38,17 +38,17 @@ void dxIslandParallelStep::run() {
     finishInOrder(rest);
 }
 
-// Where no two islands come before the first that has to be stepped in order.
+// Sets the reason where fewer than two islands come before the first one that has to be stepped in order.
 void dxIslandParallelStep::noteOrder() {
     if (m_records->inOrderFrom >= 2 || m_records->inOrderFrom == m_call.count) return;
     const dxIsland &first = m_records->islands[m_records->inOrderFrom].island;
     m_plan.reason = dxHasMovedCallback(first) ? dODE_MT_REASON_MOVED_CALLBACK : dODE_MT_REASON_FEEDBACK;
 }
 
-// Changes nothing of the world's. Returns false if there is no memory for it.
+// The world is unchanged. Returns false if there is no memory.
 bool dxIslandParallelStep::prepare() try {
     const dxTimelineSpan preparation(dxStepEvents::kIslandPreparation);
-    m_records = dxStepRecords::borrow();
+    m_records = dxStepRecords::take();
     dxPrepareIslands(m_call, m_plan.workers, *m_records);
     noteOrder();
     m_islands.emplace(m_call, *m_records);
@@ -59,8 +59,8 @@ bool dxIslandParallelStep::prepare() try {
     return false;
 }
 
-// Blocks are begun in their order: first the problems that remote workers solve are made, then come the islands that stay, then what
-// the remote workers have to say.
+// Blocks begin in their order: first those that make the problems for remote workers, then those of local islands, then those that wait for results
+// of remote workers.
 void dxIslandParallelStep::runBlocks() {
     const unsigned made = m_remote ? m_remote->count() : 0, stepped = static_cast<unsigned>(m_records->blocks.size());
     const unsigned finished = m_remote ? m_plan.workers : 0;
@@ -95,7 +95,7 @@ void dxIslandParallelStep::finishInOrder(unsigned begin) {
     const std::uint32_t seed = reserved ? m_records->run.seedOf(begin) : 0, end = m_records->run.randomEnd();
     const unsigned reservedCount = inOrderFrom - std::min(begin, inOrderFrom);
     m_islands.reset();
-    m_records.reset();  // from here on user code runs, which may leave the step and never come back
+    m_records.reset();  // from here on user code runs, which may leave the step by longjmp
 
     const dxSerialStep inOrder(m_call);
     dxIslandCursor cursor(m_call.info);
@@ -117,7 +117,7 @@ void dxIslandParallelStep::learn(double wallNs) const {
                                           wallNs);
 }
 
-// Other processes were busy, too, so the step tells nothing of what sharing it out costs here: of the islands that stayed alone.
+// Learns from the local islands alone: other processes were busy, too, so the time of the step does not tell the overhead here.
 void dxIslandParallelStep::learnFromRest(double busyNs) const {
     double cost = 0;
     for (const dxIslandRecord &record : m_records->islands)

@@ -1,19 +1,19 @@
-// The island-parallel strategy: islands are stepped side by side by several workers, and what they did is made visible in
-// upstream's order (thesis chapter 11). The stages, in this order; WORKERS marks those that are shared:
+// The island-parallel strategy: several workers step islands at the same time, and the results become visible in
+// upstream's order (thesis chapter 11). The stages, in this order; WORKERS marks the parallel ones:
 //
 //   dxPrepareIslands         WORKERS  callbacks of the user, rows, feedback; blocks for workers
-//   dxReserveRandomNumbers   caller   the block of the step, cut up among the islands
+//   dxReserveRandomNumbers   caller   the random numbers of the step, as one block that is divided among the islands
 //   dxRemoteStep::make       WORKERS  problems of islands that remote workers solve, if there are any
-//   stepBlock                WORKERS  each other island, its messages and moved-notifications put off
-//   dxRemoteStep::finish     WORKERS  results of remote workers, in the order in which they come
+//   stepBlock                WORKERS  each other island, with its messages and moved-notifications deferred
+//   dxRemoteStep::finish     WORKERS  results of remote workers, in the order in which they arrive
 //   stepRest                 caller   islands for which a worker had no memory
-//   commit                   caller   messages and notifications in upstream's order, up to the first island that cannot be
-//   finishInOrder            caller   the islands from that one on, as the serial strategy
+//   commit                   caller   messages and notifications in upstream's order, up to the first island for which that is not possible
+//   finishInOrder            caller   the islands from that one on, as in the serial strategy
 //
-// Upstream's dxProcessIslands lets threads take islands as they come: its random numbers, list orders and messages then
-// differ from run to run. docs/exactness.md goes through why the bits stay the same here.
+// Upstream's dxProcessIslands lets threads take islands in any order: its random numbers, list orders and messages then
+// differ from run to run. docs/exactness.md explains why the bits are the same here.
 //
-// A worker writes only the records of the islands that it steps, and its own worker record (dxStepRecords).
+// Threading: a worker writes only the records of the islands that it steps, and its own worker record (dxStepRecords).
 #pragma once
 
 #include <memory>
@@ -25,7 +25,7 @@
 
 class dxIslandParallelStep {
 public:
-    // The reason of the plan becomes the step's own, if there is one for which a single thread carries it out.
+    // Sets the plan's reason if a single thread steps the islands all the same.
     dxIslandParallelStep(const dxStepCall &call, dxStepPlan &plan) : m_call(call), m_plan(plan) {}
 
     void run();

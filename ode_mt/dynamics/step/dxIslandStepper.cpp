@@ -29,8 +29,8 @@ bool hasJoinedBodies(const dxIsland &island) {
                        [](const dxBody *body) { return dxJointAttachment::hasRecent(*body); });
 }
 
-// Whether joints have been attached since the island was found in a way that the stepper meets: such islands are upstream's.
-// The exact step also goes through all joints of its bodies.
+// Returns whether the stepper would find joints that have been attached since the island was found: upstream's stepper steps such islands.
+// The exact step goes through all joints of its bodies, too.
 bool isChanged(const dxWorld &world, const dxIsland &island, dxStepperKind kind) {
     if (!dxJointAttachment::hasAny(world)) return false;
     return hasRecentJoints(island) || (!dxIsQuick(kind) && hasJoinedBodies(island));
@@ -50,8 +50,7 @@ void stepAsUpstream(const dxIslandStep &step, dxStepperKind kind) {
     dxIsQuick(kind) ? dxQuickStepIsland(&context) : dxStepIsland(&context);
 }
 
-// In memory from the pool, as the fast step's arena has no room for upstream's matrix. Without memory the island stays where
-// it is.
+// Uses memory from the pool, as the fast step's arena has no room for upstream's matrix. Without memory the island is not stepped.
 void stepAsUpstreamInOwnMemory(dxIslandStep step) {
     const dxIsland &island = step.island;
     const dxArenaLease arena(dxEstimateStepMemoryRequirements(island.bodies, island.bodyCount, island.joints, island.jointCount));
@@ -63,8 +62,8 @@ void stepAsUpstreamInOwnMemory(dxIslandStep step) {
     stepAsUpstream(step, dxStepperKind::WorldExact);
 }
 
-// Upstream's steppers for functions of the user's: an island is stepped by the thread that its call is given to. A world that is
-// limited to one thread for islands may allow more for one island; their order of additions is not repeatable.
+// Upstream's steppers for threading functions of the user's: the thread that gets the call of an island steps it. A world that is
+// limited to one thread for islands may allow more for one island, but their order of additions would not be repeatable.
 void worldStepAlone(const dxStepperProcessingCallContext *call) {
     const dxStepperProcessingCallContext alone = dxOnThisThread(*call);
     dxStepIsland(&alone);
@@ -101,7 +100,7 @@ void dxIslandStepper::step(const dxStepCall &call, const dxIsland &island, dxWor
     }
 }
 
-// Upstream shuffles the rows before every eighth iteration but the first: m - 1 draws each time.
+// Upstream shuffles the rows before every eighth iteration except the first, with m - 1 draws each time.
 std::uint64_t dxIslandStepper::drawsOf(const dxStepCall &call, unsigned rows) {
     if (call.kind != dxStepperKind::QuickExact || rows == 0 || call.world->qs.num_iterations < 1) return 0;
     const std::uint64_t shuffles =

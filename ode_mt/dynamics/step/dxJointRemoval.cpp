@@ -13,7 +13,7 @@
 
 namespace {
 
-// Joints between asking the memory for one, or for the bodies that it names, and removing it.
+// Prefetch distances for a joint, and for its bodies. Units: joints.
 constexpr std::size_t kPrefetchDistance = 8, kBodyPrefetchDistance = 4;
 
 dxProcessObject<dxObjectPool<std::vector<dxJoint *>>> lists;

@@ -25,7 +25,7 @@ void dxSerialStep::run() const {
 }
 
 void dxSerialStep::runReserving() const {
-    // Up to the first callback of the user nothing can look at the random sequence: those islands take
+    // Nothing can see the random sequence before the first callback of the user: the islands until there take
     // their numbers as one block.
     std::uint64_t draws = 0;
     unsigned quiet = 0;

@@ -1,8 +1,10 @@
 // The serial strategy: the islands one after the other on the calling thread, in upstream's order.
 //
-// QuickStep draws random numbers. While one thread alone steps with them they are drawn one by one, as upstream does
-// (dxSingleStepper); else those of all islands before the first callback of the user are taken as one block, so that no step of
+// QuickStep draws random numbers. While a single thread steps with them, they are drawn one by one, as upstream does
+// (dxSingleStepper). Otherwise the step takes those of all islands before the first callback of the user as one block, so that no step of
 // another thread draws in between (contract C7).
+//
+// Threading: one thread, which may be a worker (dxStepWorlds).
 #pragma once
 
 #include "dynamics/step/dxStepCall.h"
@@ -12,16 +14,16 @@ class dxSerialStep {
 public:
     explicit dxSerialStep(const dxStepCall &call) : m_call(call) {}
 
-    // Islands of at least so many joints are stepped by the islandWorkers.
+    // The island workers step islands of at least minLargeJoints joints.
     dxSerialStep(const dxStepCall &call, dxLargeIslandWorkers *islandWorkers, unsigned minLargeJoints)
         : m_call(call), m_islandWorkers(islandWorkers), m_minLargeJoints(minLargeJoints) {}
 
-    // On a worker, which is noted as the one that has stepped the bodies.
+    // On a worker, which dxBodyWorkers notes.
     dxSerialStep(const dxStepCall &call, unsigned worker) : m_call(call), m_worker(worker) {}
 
     void run() const;
 
-    // Some islands in a row, whose random numbers are drawn from the scope in force.
+    // Steps some islands in a row. Their random numbers come from the current scope.
     void stepIslands(dxIslandCursor cursor, unsigned count) const;
 
 private:

@@ -33,14 +33,15 @@ void followAndLearn(dxStepPlan &plan, const dxStepCall &call) {
     dxLearnFromStep(call, plan, stopwatch.ns());
 }
 
-// Where the user's functions step the world, upstream's stepper does.
+// Returns whether a fast solver steps the world: upstream's stepper does where functions of the user's share its stages.
 bool isSolvedFast(const dxWorld *world) { return dxWorldSettings::of(world).isFast() && !dxWorldWorkers::haveToBeAsked(world); }
 
-// Small islands of a fast dWorldQuickStep are solved together. Contacts: a lane of a vector each; so many bodies and joints still fit L2. Beside
-// other joints contacts are rows, and sweeps are shorter where they fit L1: groups save preparations of tiny islands alone.
+// Small islands of a fast dWorldQuickStep are solved together, in groups. 600: a group of this many bodies and joints still fits L2; each of its
+// contacts is a lane of a vector. 40: in a group with other joints contacts are rows, and sweeps are shorter if it fits L1; such a group only saves
+// preparations of tiny islands.
 constexpr dxGroupSizes kFastQuickStepGroups = {600, 40};
 
-// Without memory each step begins from zero forces, by SOR.
+// Returns null if there is no memory: then a step begins with zero forces, and SOR solves it.
 dxFastQuickStepState *beginFastQuickStep(const dxStepCall &call) try {
     dxFastQuickStepState &own = dxFastQuickStepState::of(dxWorldState::of(call.world));
     own.begin(call.info, call.settings.solver, call.stepSize);
@@ -70,7 +71,7 @@ bool dxPrepareWorldIslands(dxWorld *world, dxWorldProcessIslandsInfo &info, dRea
 }
 
 void dxStepOnThisThread(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper, unsigned worker) {
-    dxStepSpan::beginSearch();  // which is over: what follows is the step that is seen
+    dxStepSpan::beginSearch();  // the search has ended: the recorded step begins here
     dxStepCall call = dxIslandStepper::makeCall(world, info, stepSize, stepper);
     dxStepSpan span(world, call.count);
     if (call.kind == dxStepperKind::QuickFast) call.fastQuickStep = beginFastQuickStep(call);

@@ -1,4 +1,6 @@
 // One step of one world, as upstream's dWorldStep or dWorldQuickStep asks for it, with the islands that the search found.
+//
+// Threading: workers read it.
 #pragma once
 
 #include "dynamics/step/dxCostModel.h"
@@ -11,7 +13,7 @@ struct dxStepCall {
     dxWorld *world;
     const dxWorldProcessIslandsInfo &info;
     dReal stepSize;
-    dxWorldSettings settings;  // of the world, as the step began with them
+    dxWorldSettings settings;  // of the world when the step began
     dxStepperKind kind;
     unsigned count;  // of islands
     dxFastQuickStepState *fastQuickStep = nullptr;  // of a fast dWorldQuickStep, unless there is no memory for it

@@ -15,6 +15,6 @@ void dxWorkerRecord::reset() {
     islands = 0;
 }
 
-dxStepRecords::Lease dxStepRecords::borrow() { return Lease(pool->takeOrMake()); }
+dxStepRecords::Lease dxStepRecords::take() { return Lease(pool->takeOrMake()); }
 
 void dxStepRecords::Return::operator()(dxStepRecords *records) const { pool->giveBack(records); }

@@ -1,8 +1,8 @@
-// What one step knows about its islands and workers while it is under way. Reused from step to step, so
+// What one step knows about its islands and workers while it is in progress. Records are reused from step to step, so
 // that a steady state allocates nothing.
 //
-// Who writes what: the survey and the step of an island write that island's record, a worker writes its
-// own worker record, everything else is the caller's. No two threads write one record.
+// Threading: the survey and the step of an island write that island's record, a worker writes its
+// own worker record, the caller writes everything else. No two threads write one record.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ struct dxIslandRecord {
     unsigned rows;       // of the constraint system; 0 unless random numbers depend on it
     bool inOrder;        // must be stepped on the calling thread, after all islands before it
     bool stepped;
-    bool isRemote;    // goes out to remote workers (dxRemoteStep)
+    bool isRemote;    // remote workers solve it (dxRemoteStep)
     unsigned worker;  // that stepped it, or made its problem
     dxUndoLog::Mark undoBegin, undoEnd;
 };
@@ -40,16 +40,16 @@ struct dxIslandBlock {
 
 struct dxStepRecords {
     std::vector<dxIslandRecord> islands;
-    std::vector<unsigned> order;  // of islands, as they are shared out
+    std::vector<unsigned> order;  // of islands, as workers get them
     std::vector<dxIslandBlock> blocks;
     std::vector<dxWorkerRecord> workers;
     dxDeferredRun run;         // whose units are the islands
     unsigned inOrderFrom = 0;  // first island that has to be stepped in order
 
-    // Borrows a set that no step in progress uses.
+    // Returns records that no step in progress uses. They go back to a pool of the process.
     struct Return {
         void operator()(dxStepRecords *records) const;
     };
     using Lease = std::unique_ptr<dxStepRecords, Return>;
-    static Lease borrow();
+    static Lease take();
 };

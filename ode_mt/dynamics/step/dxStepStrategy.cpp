@@ -15,17 +15,16 @@ namespace {
 // Joints that make an island large enough to be stepped by several workers together.
 constexpr unsigned kMinJoints = 500;
 
-// The exact step's: at three rows a contact its LCP begins to be worth sharing; under an algorithm that is
-// asked for by name it is shared earlier. It is not shared as well as islands side by side, so that the rest
-// of the world has to be small.
+// The same for the exact step: from here on, at three rows a contact, several workers are faster at its LCP; under an algorithm that
+// the user has named they begin earlier. Islands at the same time use workers better, so the rest of the world has to be small.
 constexpr unsigned kMinExactJoints = 134, kMinExactJointsByName = 64;
 constexpr double kMinExactShare = 0.9;
 
-// Of the fast dWorldStep, whose phases take some ten microseconds each.
+// The same for the fast dWorldStep, whose phases take some ten microseconds each.
 constexpr unsigned kMinFastWorldStepJoints = 250;
 
-// Whether large islands are stepped by several workers, under auto. For the process, as the cost model: what it measures is the machine; one for
-// each stepper. The work of a step is its cost by the model.
+// Decide under auto whether several workers step large islands; one for each stepper. They belong to the process, as the cost model does, since they
+// measure the machine. The work of a step is its cost by the model.
 struct LargeIslandPolicies {
     dxProcessSharingPolicy policies[kStepperKinds];
 
@@ -33,7 +32,7 @@ struct LargeIslandPolicies {
 };
 dxProcessObject<LargeIslandPolicies> largeIslandPolicies;
 
-// Whether remote workers that are predicted to pay do, under auto.
+// Decides under auto whether remote workers that are predicted to pay do so.
 struct RemotePolicy : dxProcessSharingPolicy {
     // Both ends take memory for the first problems, and the worker may be asleep.
     static constexpr int kProbe = 8, kCold = 3;
@@ -48,7 +47,7 @@ unsigned minLargeJoints(dxStepperKind kind) {
     return dxSettings::instance().algorithm() == dxAlgorithm::Auto ? kMinExactJoints : kMinExactJointsByName;
 }
 
-// The steps of most small worlds are over before a clock could be read: they cost one look at their only
+// Reading a clock would take longer than the steps of most small worlds: they cost one look at their only
 // island.
 bool mayUseWorkers(const dxStepCall &call, dODE_MT_Reason &reason) {
     reason = dODE_MT_REASON_ITERATIONS;
@@ -58,7 +57,7 @@ bool mayUseWorkers(const dxStepCall &call, dODE_MT_Reason &reason) {
     return dxIslandCursor(call.info).next().jointCount >= minLargeJoints(call.kind);
 }
 
-// Workers that the settings, the world and the machine allow, and what does not allow a second one.
+// Returns how many workers the settings, the world and the machine allow. Sets `reason` if that is one.
 unsigned workerLimit(const dxStepCall &call, dODE_MT_Reason &reason) {
     const dxWorld *const world = call.world;
     const dxAlgorithm algorithm = dxSettings::instance().algorithm();
@@ -121,7 +120,7 @@ void recordLargeIslandTime(const dxStepCall &call, const dxStepPlan &plan, doubl
     largeIslandPolicies->of(call.kind).record(wasParallel, ns, plan.costs.total);
 }
 
-// For islands side by side. Returns 1 for the caller alone.
+// Returns the number of workers for islands at the same time; 1: the caller alone.
 unsigned chooseWorkers(const dxStepCall &call, const dxIslandCosts &costs, unsigned limit) {
     const unsigned most = std::min(limit, call.count);
     if (most < 2) return 1;
@@ -159,7 +158,7 @@ void planThreads(const dxStepCall &call, dxStepPlan &plan, unsigned limit) {
     }
 }
 
-// A step that is over before a message could be there and back is not worth reading a clock.
+// Returns whether the step takes longer than a message to a worker and back. If not, it is not worth reading a clock.
 bool isLongEnoughForMessages(const dxStepCall &call, const dxIslandCosts &costs) {
     constexpr double kMinRemoteNs = 150e3;
     return dxSettings::instance().algorithm() != dxAlgorithm::Auto || costs.total * dxCostModel::instance().scale(call.kind) >= kMinRemoteNs;
@@ -211,8 +210,8 @@ dxStepPlan dxPlanStep(const dxStepCall &call) {
     return plan;
 }
 
-// Who allows one thread alone comes to know that first, though the islands were looked at before. Several threads may have looked at islands
-// that one then had to step in order.
+// A limit of one thread is reported in preference to any property of the islands. Several threads may have surveyed islands that one thread then had
+// to step in order.
 dODE_MT_Reason dxReasonOf(const dxStepCall &call, const dxStepPlan &plan, unsigned threads) {
     const bool isInOrder = plan.reason == dODE_MT_REASON_MOVED_CALLBACK || plan.reason == dODE_MT_REASON_FEEDBACK;
     if (threads >= 2 && !isInOrder) return dODE_MT_REASON_PARALLEL;

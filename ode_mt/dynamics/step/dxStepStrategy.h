@@ -1,10 +1,12 @@
-// Which way a step goes: the one place that decides it, and learns from how long it took.
+// The strategy of a step: decides it, and learns from the time that the step took.
 //
 //   Serial           all islands on the calling thread, in upstream's order (dxSerialStep)
-//   IslandParallel   islands side by side on several workers (dxIslandParallelStep)
-//   LargeIsland      in order, and an island that outweighs the others by several workers together (dxLargeIslandStep)
+//   IslandParallel   islands at the same time on several workers (dxIslandParallelStep)
+//   LargeIsland      in order, and an island that costs more than the others on several workers together (dxLargeIslandStep)
 //
-// Results never depend on the strategy, only speed does. A step stays serial where dxPlanStep says why.
+// Results never depend on the strategy, only speed does. dxPlanStep gives the reason for a serial step.
+//
+// Threading: the thread that calls the step.
 #pragma once
 
 #include <ode/ode.h>
@@ -27,23 +29,23 @@ struct dxStepPlan {
     unsigned workers = 1;  // the caller included
     unsigned minLargeJoints = 0;
     dxIslandCosts costs;
-    dODE_MT_Reason reason = dODE_MT_REASON_PARALLEL;  // why it is Serial, or else is carried out by one thread if it is
-    double remoteShare = 0;       // of the cost, that remote workers are given; above 0 with IslandParallel only
-    bool isRemoteForced = false;  // by an algorithm that is asked for by name
+    dODE_MT_Reason reason = dODE_MT_REASON_PARALLEL;  // why it is Serial, or why one thread does it all the same
+    double remoteShare = 0;       // part of the cost that remote workers get; above 0 with IslandParallel only
+    bool isRemoteForced = false;  // by an algorithm that the user has named
     bool mayBeRemote = false;     // both ways are possible
-    dxRemoteRecord remote;        // of what was sent, when the step has been carried out
+    dxRemoteRecord remote;        // of what was sent, after the step
     bool isMeasured = false;      // its time is worth reading a clock
     bool hasLargeIsland = false;  // both LargeIsland and another strategy are possible
 };
 
-// Upstream takes a negative number of iterations for one above two thousand million, and never returns from an island with rows then. It
-// may never come to that island, though: one before it, or a world before this one, may report an error.
+// Returns whether a step may never end: upstream takes a negative number of iterations for one above two thousand million, and then never returns
+// from an island with rows. (It may end all the same, if an island before that one, or a world before this one, reports an error.)
 bool dxMayBeEndless(const dxWorld &world);
 
 dxStepPlan dxPlanStep(const dxStepCall &call);
 
-// Why no more threads took part in a step of this plan than did.
+// Returns why no more threads took part in a step of this plan.
 dODE_MT_Reason dxReasonOf(const dxStepCall &call, const dxStepPlan &plan, unsigned threads);
 
-// A step that was measured took `ns`.
+// Records that a measured step took `ns`.
 void dxLearnFromStep(const dxStepCall &call, const dxStepPlan &plan, double ns);

@@ -30,10 +30,10 @@ const dxWorldStepper kSteppers[] = {
     {dWorldQuickStep, &dxQuickStepIsland, &dxEstimateQuickStepMemoryRequirements, dxStepperKind::QuickExact},
 };
 
-// What sharing worlds out costs is another thing than what sharing islands out does: a model of its own.
+// Parallel worlds have another overhead than parallel islands, so they have a model of their own.
 dxProcessObject<dxCostModel> worldCosts;
 
-// Chunks of worlds that a worker takes at once: so many a worker that the last ones end at about the same time.
+// Number of chunks of worlds for each worker: enough that all workers end at about the same time.
 constexpr unsigned kChunksPerWorker = 24;
 
 bool stepInOrder(dxWorld *const *worlds, unsigned count, const dxWorldStepper &stepper, dReal stepSize) {
@@ -127,15 +127,15 @@ private:
         return true;
     }
 
-    // On a worker. There are no handlers: an error ends the process as soon as it is delivered, so worlds after it need no step.
+    // Runs on a worker. There are no handlers: an error ends the process as soon as it is delivered, so worlds after it need no step.
     void stepWorld(unsigned index, unsigned worker) {
         World &world = m_worlds[index];
         if (!world.isPrepared || !m_run.isNeeded(index)) return;
         m_run.run(index, worker, [&] { dxStepOnThisThread(world.world, world.islands, m_stepSize, m_stepper.island, worker); });
     }
 
-    // A world that was interrupted has reported its error, with which the process ends, unless there was no memory to keep the report: then the world
-    // reports it again.
+    // A world that was interrupted has reported its error, which ends the process. If there was no memory to keep the report, the world reports it
+    // again.
     bool commit() {
         const unsigned end = m_run.interrupted();
         m_run.commit(end, [this](unsigned index) { notifyMoved(m_worlds[index]); });
@@ -159,7 +159,7 @@ private:
     std::atomic<bool> m_mayShareFeedback{false};
 };
 
-// Without memory for more it is the loop.
+// Without memory this is the loop.
 bool stepRun(dxWorld *const *worlds, unsigned count, const dxWorldStepper &stepper, dReal stepSize, unsigned workers, double &busyNs) {
     std::optional<Worlds> run;
     try {

@@ -1,11 +1,11 @@
 // Many worlds in one call (dODE_MT_StepWorlds): each is stepped as a whole by one worker, with the bits of a loop over
 // dWorldStep or dWorldQuickStep. The stages, in this order; WORKERS marks those that are shared:
 //
-//   dxWorldRuns       WORKERS  cuts the call into runs of worlds in which no code of the user's runs; what is between runs is stepped
+//   dxWorldRuns       WORKERS  divides the call into runs of worlds in which no code of the user's runs; worlds between runs are stepped
 //                              as by the loop
 //   prepare           WORKERS  islands of each world, and how many random numbers it draws
-//   reserve           caller   the block of all worlds, cut up among them (dxDeferredRun)
-//   step              WORKERS  each world on one of them, its messages and moved-notifications put off
+//   reserve           caller   the random numbers of all worlds, as one block that is divided among them (dxDeferredRun)
+//   step              WORKERS  each world on one worker, with its messages and moved-notifications deferred
 //   commit            caller   messages and notifications in the order of the worlds
 //
 // A run is as good as the loop since nothing that a world of it writes is read by another: docs/threads.md.
@@ -27,6 +27,6 @@ struct dxWorldStepper {
 // "step" or "quick"; null for any other name.
 const dxWorldStepper *dxFindWorldStepper(const char *name);
 
-// Requires different worlds, none of them null. Returns whether all have been stepped: one for which there is no memory has not, and the
-// others have. On the thread that steps these worlds.
+// Steps the worlds. Requires different worlds, none of them null, and the thread that steps them. Returns whether all have been stepped: one for
+// which there is no memory has not, the others have.
 bool dxStepWorlds(dxWorld *const *worlds, unsigned count, const dxWorldStepper &stepper, dReal stepSize);

@@ -14,13 +14,13 @@
 
 namespace {
 
-// Worlds of a chunk of the survey: some hundred bodies, which take longer than to take a chunk.
+// Worlds in a chunk of the survey: with some hundred bodies, which take longer than claiming a chunk.
 constexpr std::size_t kSurveyChunk = 16;
 
 // A world that takes this many times the share of a thread is stepped by all of them.
 constexpr double kLargeWorld = 1.2;
 
-// Of worlds whose islands are small: how often their rows are swept makes little difference then.
+// Assumed for worlds of small islands, where the number of iterations makes little difference.
 constexpr int kIterations = 20;
 
 bool hasUserAllocator() {
@@ -40,7 +40,7 @@ bool goesAlone(const dxWorld &world) {
            hasMovedCallback(world);
 }
 
-// As if all of it were one island.
+// Returns the cost as if the world were one island.
 double upperCost(const dxWorld &world, dxStepperKind kind) {
     return dxCostModel::islandCost(kind, world.qs.num_iterations, static_cast<unsigned>(world.nb), static_cast<unsigned>(world.nj));
 }
@@ -61,7 +61,7 @@ public:
 
 private:
     dxWorld *const *m_worlds;
-    dxPointerSet m_memories;  // of all runs: one too many is cut where three worlds share one
+    dxPointerSet m_memories;  // of all runs: there is one run too many where three worlds share one
     std::vector<dxWorldRun> m_runs;
 };
 

@@ -1,4 +1,4 @@
-// The end of a step for an island's bodies: velocities become positions, and spaces and the user are told.
+// The end of a step for an island's bodies: velocities become positions, and spaces and the user are notified.
 //
 // Upstream's dxStepBody moves a body, then tells the collision spaces that its geoms moved, which re-links their lists (the order of the next
 // frame's pairs), then calls the user, then damps, and goes on with the next body. Here moving and notifying are two operations. On a worker the
@@ -6,8 +6,8 @@
 // clearing of accumulators read nothing that the spaces write, so the bits stay the same. A body with a callback of the user is never stepped on a
 // worker.
 //
-// In a large island positions come first and the spaces are told afterwards, in the island's order. Nobody sees the difference as long as nobody
-// but the spaces hears of any body: see dxMayDeferNotification.
+// In a large island positions come first and the spaces are notified afterwards, in the island's order. The difference is not visible as long as only
+// the spaces are notified: see dxMayDeferNotification.
 #pragma once
 
 #include <atomic>
@@ -17,11 +17,11 @@
 // Both steppers call this instead of dxStepBody; so do upstream's, by a seam.
 void dxIntegrateIslandBody(dxBody *body, dReal stepSize);
 
-// Moves a body and damps it, but tells no space. Any thread; writes the body alone.
+// Moves a body and damps it, but notifies no space. Any thread; writes the body alone.
 void dxIntegrateUntold(dxBody *body, dReal stepSize);
 
-// Returns whether moving a body, at its present velocity, is heard by nobody but the spaces: it has no callback, and none of upstream's asserts
-// fails. Bodies of which all are so may be moved in any order.
+// Returns whether only the spaces are notified when a body moves, at its present velocity: it has no callback, and none of upstream's asserts
+// fails. If that holds for all bodies, they may be moved in any order.
 bool dxMayDeferNotification(const dxBody &body);
 
 // Notifies the spaces that the island's geoms moved.
@@ -31,8 +31,8 @@ void dxNotifyMoved(const dxIsland &island);
 // within the step.
 bool dxTouchesLockedSpace(const dxIsland &island);
 
-// Whether the notifications of all bodies of an island that has workers may be deferred. Asked body by body by the stage that sets their
-// velocities. Spaces that are being collided report an error when they are told; where a handler would hear of it, nothing may be deferred.
+// Decides whether the notifications of all bodies of an island that has workers may be deferred. The stage that sets velocities adds the bodies.
+// Spaces that are being collided report an error when they are notified; where the user has a handler for it, nothing may be deferred.
 class dxNotificationPolicy {
 public:
     explicit dxNotificationPolicy(const dxIslandStep &step);
@@ -46,6 +46,6 @@ private:
     std::atomic<bool> m_mayDefer;
 };
 
-// Integrates velocities to positions, tells spaces and callbacks, and clears the accumulators. Positions are found on the island's
-// workers where notifications may be deferred.
+// Integrates velocities to positions, notifies spaces and callbacks, and clears the accumulators. The island's workers integrate
+// where notifications may be deferred.
 void dxMoveBodies(const dxIslandStep &step, const dxNotificationPolicy &notifications);

@@ -1,6 +1,6 @@
-// Which worker has stepped each body in the last step of its world: for replays, which ask for it (dODE_MT_NoteBodyWorkers).
+// The worker that has stepped each body in the last step of its world, for replays (dODE_MT_NoteBodyWorkers).
 //
-// It is kept in the body's tag, which nothing reads between two steps, and which the search for islands resets. A large island that several
+// The body's tag has it: nothing reads the tag between two steps, and the search for islands resets it. A large island that several
 // workers step together counts as the caller's.
 //
 // Threading: of() by the thread that steps the world; note() by the thread that steps the island.
@@ -16,7 +16,7 @@ public:
 
     static void setNoted(bool isNoted) { s_isNoted.store(isNoted, std::memory_order_relaxed); }
 
-    // To be called behind the step of the island. While nobody asks for it it costs one load.
+    // Called after the step of the island. Costs one load while workers are not noted.
     static void note(const dxIsland &island, unsigned worker) {
         if (__builtin_expect(s_isNoted.load(std::memory_order_relaxed), 0)) tagBodies(island, worker);
     }

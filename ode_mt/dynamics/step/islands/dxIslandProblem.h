@@ -1,7 +1,7 @@
-// The constraint problem of one island, as plain data: what a solver is given, and where it leaves its answer.
+// The constraint problem of one island, as plain data: the input of a solver, and its answer.
 //
 // Symbols, as in upstream's manual: J the Jacobian, M the bodies' masses, h the step size, v and f the velocities and
-// external forces before the step. Wanted are multipliers lambda, one for each row, with
+// external forces before the step. A solver finds multipliers lambda, one for each row, with
 //
 //   (J inv(M) J' + cfm) lambda = rhs - J (v / h + inv(M) f)
 //
@@ -28,7 +28,7 @@ struct dxConstraintRow {
     // four does not cross a cache line.
     dReal impulseOn1[kBodyColumns];
     dReal lambda;     // the answer
-    int body[2];      // indices; the second may be kNone, and then its columns mean nothing
+    int body[2];      // indices; the second may be kNone, and its columns are undefined then
     dReal impulseOn2[kBodyColumns];
     int boundingRow;  // an earlier row of the same joint, or kNone
 
@@ -73,7 +73,7 @@ struct dxIslandProblem {
 
     dReal *accelerationOf(int body) const { return accelerations[body].columns; }
 
-    // From so many rows on they do not fit the second-level cache: prefetching pays for itself.
+    // From this number of rows on they do not fit L2, and prefetching pays.
     static constexpr unsigned kLarge = 1000;
     bool isLarge() const { return rowCount >= kLarge; }
 };

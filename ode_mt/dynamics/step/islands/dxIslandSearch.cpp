@@ -13,8 +13,8 @@ namespace {
 // Upstream's tags, beside dxFoundTag.
 enum Tag : int { kUnfit = -1, kUnseen = 0, kFound = dxFoundTag };
 
-// Most objects of a list were made one after another, so the one some places on probably lies as many times as far away
-// as the next one. Nothing else says where it is: a list is followed from object to object.
+// Returns the probable address of the object kPrefetchDistance places further on in a list. Most objects of a list were made one after another, so
+// the distance to the next one tells. The address is not known, as a list is followed from object to object.
 template <class Object>
 std::uintptr_t predictedAddress(const Object *object) {
     constexpr std::uintptr_t kPrefetchDistance = 8;
@@ -28,8 +28,8 @@ void prefetchAhead(const Object *object, const Member &member) {
     dxPrefetch::line(reinterpret_cast<const void *>(predictedAddress(object) + offset));
 }
 
-// What the search reads of bodies and joints fits L2, and is prefetched. Returns whether a callback hears that a body has moved, if that is
-// asked for: it is a cache line more of each body.
+// Prefetches what the search reads of bodies and joints, which fits L2. Returns whether a body has a moved-callback, if the caller asks for that: it
+// needs one more cache line of each body.
 bool untagBodies(dxWorld *world, bool asksForCallbacks) {
     bool hasCallback = false;
     for (dxBody *body = world->firstbody; body != nullptr; body = static_cast<dxBody *>(body->next)) {
@@ -60,7 +60,7 @@ bool isEnabled(const dxJoint &joint, const dxBody &body) {
     return body.invMass > 0 ? (joint.flags & dJOINT_DISABLED) == 0 : joint.isEnabled();
 }
 
-// Lists of one island after another, and the bodies from which the search has yet to go on.
+// Lists of one island after another, and the bodies from which the search will continue.
 class Search {
 public:
     Search(dxBody **bodies, dxJoint **joints, dxBody **open) : m_bodies(bodies), m_joints(joints), m_open(open) {}
@@ -113,7 +113,7 @@ private:
     dxBody **m_open;
 };
 
-// What dxFindIslands takes: sizes and lists of the islands, and the bodies from which the search has yet to go on.
+// Returns the memory that dxFindIslands takes: for sizes and lists of the islands, and for the bodies from which the search will continue.
 sizeint searchMemory(const dxWorld &world) {
     const auto bodies = static_cast<sizeint>(world.nb), joints = static_cast<sizeint>(world.nj);
     const sizeint bodyList = dEFFICIENT_SIZE(bodies * sizeof(dxBody *)), jointList = dEFFICIENT_SIZE(joints * sizeof(dxJoint *));
@@ -146,7 +146,7 @@ sizeint dxFindIslands(dxWorldProcessIslandsInfo &info, dxWorldProcessMemArena *a
     sizeint most = 0;
     unsigned *size = sizes;
     using Lists = dxIslandGroups::Lists;
-    // A callback may push bodies of islands that have yet to be stepped.
+    // A callback may push bodies of islands that are not stepped yet.
     dxIslandGroups groups(hasCallback ? dxGroupSizes() : groupSizes, search.lists());
     const auto endGroup = [&](const Lists &begin, const Lists &end) {
         *size++ = static_cast<unsigned>(end.bodies - begin.bodies);

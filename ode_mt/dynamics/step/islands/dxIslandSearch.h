@@ -1,5 +1,5 @@
-// What comes before a step, for all steppers: the search for islands, bodies that enabled joints connect, in upstream's order
-// (BuildIslandsAndEstimateStepperMemoryRequirements in util.cpp), and working memory.
+// Prepares a step, for all steppers: searches for islands (bodies that enabled joints connect) in upstream's order
+// (BuildIslandsAndEstimateStepperMemoryRequirements in util.cpp), and takes working memory.
 //
 // Threading: requires the thread that steps the world.
 #pragma once
@@ -9,16 +9,17 @@
 
 #include "dynamics/step/islands/dxIsland.h"
 
-// Islands may be stepped together, as if they were one. A group ends when it has so many bodies and joints; 0: each island is its own.
+// Sizes of groups: islands that are stepped together, as if they were one. A group ends when it has this many bodies and joints; 0: each island is
+// its own.
 struct dxGroupSizes {
     unsigned ofContacts = 0;  // islands that only contacts hold together
     unsigned ofJoints = 0;    // islands with other joints
 };
 
-// Follows the search for islands and tells where groups end. Islands of the two kinds are not mixed, and one that fills a group is alone.
+// Finds where groups end during the search. Islands of the two kinds are not mixed, and an island that fills a group is alone.
 class dxIslandGroups {
 public:
-    // The lists of what has been found.
+    // The lists of bodies and joints that have been found.
     struct Lists {
         dxBody **bodies;
         dxJoint **joints;
@@ -26,7 +27,7 @@ public:
 
     dxIslandGroups(const dxGroupSizes &sizes, const Lists &lists) : m_sizes(sizes), m_begin(lists) {}
 
-    // An island has been found, from `first` on. Calls end(begin of a group, end of it) for the group before it, if that does not go on, and
+    // Called when an island has been found, from `first` on. Calls end(begin of a group, end of it) for the group before it, if that ends here, and
     // for its own, if that is full.
     template <class End>
     void take(const Lists &first, const Lists &last, const End &end) {
@@ -36,7 +37,7 @@ public:
         if (sizeOf(m_begin, last) >= (kind == Kind::Joints ? m_sizes.ofJoints : m_sizes.ofContacts)) endAt(last, end);
     }
 
-    // No more islands come.
+    // Called after the last island.
     template <class End>
     void finish(const Lists &last, const End &end) {
         if (!isEmpty(last)) endAt(last, end);
@@ -82,12 +83,12 @@ constexpr int dxFoundTag = 1;  // of bodies and joints in islands
 sizeint dxFindIslands(dxWorldProcessIslandsInfo &info, dxWorldProcessMemArena *arena, dxWorld *world, dReal stepSize,
                       dmemestimate_fn_t estimate, const dxGroupSizes &groupSizes);
 
-// In place of dxReallocateWorldProcessContext (util.cpp), and with the same effect (the seam is dxPrepareStepIslands):
+// Replaces dxReallocateWorldProcessContext (util.cpp), with the same effect (the seam is dxPrepareStepIslands):
 // the user's memory manager is asked for blocks of the same sizes in the same order, and `info` gets upstream's islands.
 //
 //   estimate  the stepper's own estimate of the memory that it needs for an island
 //
-// Returns false where there is no memory.
+// Returns false if there is no memory.
 bool dxPrepareStep(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate);
 
 // The same for groups of islands, which are then stepped as if each were one island.

@@ -1,4 +1,4 @@
-// What the timeline shows of a step, besides its parallel stages (settings/dxWorkersRunner.h).
+// The events of a step on the timeline, besides its parallel stages (settings/dxWorkersRunner.h).
 //
 //   step                      from the search for islands to the last body's move
 //     island search           bodies fall asleep, islands get their order
@@ -28,10 +28,10 @@ inline constexpr dxTimelineEvent kSolver{"solver", "island", {"rows"}};
 
 }  // namespace dxStepEvents
 
-// The whole step, of which the search for islands is over. Its counters are written at its end, and it is counted for its world's statistics.
+// The whole step, after the search for islands. At its end it writes its counters, and adds itself to the statistics of its world.
 //
-// A callback may step another world: what belongs to the step or collision around it is kept, and given back at the end. Not so the depth of
-// collisions: one that a callback has left by longjmp would never end.
+// A callback may step another world: the state of the step or collision around that one is kept, and restored at its end. The depth of
+// collisions is not: a collision that a callback has left by longjmp would never end.
 class dxStepSpan {
 public:
     dxStepSpan(const dxWorld *world, unsigned islands) : m_ring(dxTimeline::ofThisThread()), m_world(world) {
@@ -43,16 +43,16 @@ public:
     dxStepSpan(const dxStepSpan &) = delete;
     dxStepSpan &operator=(const dxStepSpan &) = delete;
 
-    // A step begins, with the search for islands.
+    // Called when a step begins with the search for islands.
     static void beginSearch();
 
-    // Returns reasonOf(threads): why so many threads, which took part, were no more. It is asked for if it is counted.
+    // Stores reasonOf(threads): why no more threads took part. Called only if the step is counted.
     template <class Reason>
     void setReason(const Reason &reasonOf) {
         if (m_ring != nullptr) m_reason = reasonOf(m_ring->threads());
     }
 
-    // Returns recordOf(): what remote workers did. It is asked for if it is counted.
+    // Stores recordOf(): what remote workers did. Called only if the step is counted.
     template <class Record>
     void setRemote(const Record &recordOf) {
         if (m_ring != nullptr && dxTimeline::isCounted()) m_remote = recordOf();
@@ -79,7 +79,7 @@ private:
 
 class dxIslandSpan {
 public:
-    // Smaller islands are seen as a part of what is around them. Units: bodies and joints.
+    // Smaller islands have no event of their own. Units: bodies and joints.
     static constexpr unsigned kMinRecorded = 16;
 
     explicit dxIslandSpan(const dxIsland &island)

@@ -1,12 +1,14 @@
-// The random numbers that the island draws which the calling thread steps: its own part of the sequence, if the scope of the thread
-// has one (dxDeferredScope, dxReservedDraws), or the next of the process.
+// The random numbers of the island that the calling thread steps: from its own part of the sequence, if the scope of the thread
+// has one (dxDeferredScope, dxReservedDraws), or else the next of the process.
+//
+// Threading: any thread that steps islands.
 #pragma once
 
 #include <cstdint>
 
 #include "threading/dxUpstreamScope.h"
 
-// Returns the seed before the first of them.
+// Takes random numbers. Returns the seed before the first of them.
 std::uint32_t dxTakeIslandDraws(std::uint64_t draws);
 
 // dRandInt, as upstream's QuickStep calls it.
@@ -15,8 +17,8 @@ extern "C" int dxDrawForIsland(int range);
 // The scope of islands that are stepped in order on the calling thread: their random numbers were taken from the shared
 // sequence as one block beforehand, so that a step of another thread cannot interleave (contract C7).
 //
-// Before user code can read the shared sequence, the unused rest of the block is returned, and the islands that follow
-// draw one by one, as upstream does. If another thread has drawn meanwhile, nothing can be returned, and the next
+// Before user code can read the shared sequence, the unused rest of the block is given back, and the islands that follow
+// draw one by one, as upstream does. If another thread has drawn meanwhile, nothing can be given back, and the next
 // numbers follow those of that thread.
 class dxReservedDraws final : public dxUpstreamScope {
 public:

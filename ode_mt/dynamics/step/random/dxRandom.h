@@ -12,15 +12,15 @@
 
 namespace dxRandom {
 
-constexpr std::uint32_t multiplier = 1664525u;
-constexpr std::uint32_t increment = 1013904223u;
+constexpr std::uint32_t kMultiplier = 1664525u;
+constexpr std::uint32_t kIncrement = 1013904223u;
 
-constexpr std::uint32_t next(std::uint32_t seed) { return multiplier * seed + increment; }
+constexpr std::uint32_t next(std::uint32_t seed) { return kMultiplier * seed + kIncrement; }
 
 // The seed after `draws` calls of next.
 constexpr std::uint32_t jump(std::uint32_t seed, std::uint64_t draws) {
-    std::uint32_t a = multiplier;
-    std::uint32_t c = increment;
+    std::uint32_t a = kMultiplier;
+    std::uint32_t c = kIncrement;
     for (; draws != 0; draws >>= 1) {
         if (draws & 1) seed = a * seed + c;
         c *= a + 1;
