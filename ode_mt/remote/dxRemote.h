@@ -12,10 +12,10 @@
 
 namespace dxRemote {
 
-// Begins to use the workers that the settings name, if they name any. Once in a process.
+// Connects to the workers that the settings name, if they name any. Once in a process.
 void open();
 
-// Ends that.
+// Ends the workers.
 void close();
 
 // dODE_MT_GetRemoteStatistics; the size is the caller's.

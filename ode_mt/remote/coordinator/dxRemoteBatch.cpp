@@ -8,7 +8,7 @@
 
 namespace {
 
-constexpr double kPatienceNs = 3e9;  // a step that waits for workers takes what has not been sent when nothing has happened for so long
+constexpr double kPatienceNs = 3e9;  // a step that waits for workers takes problems that were not sent when nothing has happened for this time
 
 class CountedWait {
 public:
@@ -97,7 +97,7 @@ void dxRemoteBatch::noteGivenBack() {
     count(dxRemoteOutcome::NoResult);
 }
 
-// Costs are predicted, and in a scene that settles problems may take many times as long from one step to the next: those of one step are alike.
+// Costs are predicted. In a scene that settles, problems may take many times as long from one step to the next, but those of one step are alike.
 void dxRemoteBatch::noteLocal(double cost, double ns) {
     constexpr double kChange = 1.1, kMax = 1e4;
     if (!(cost > 0)) return;
@@ -120,7 +120,7 @@ void dxRemoteBatch::count(dxRemoteOutcome outcome, int change) {
     m_scheduler.counters().outcomes[outcome] += static_cast<std::uint64_t>(change);
 }
 
-// What has been answered twice in the meantime is in both lists.
+// A problem that has meanwhile been answered twice is in both lists.
 bool dxRemoteBatch::takeReady(State state, unsigned &index, dxRemoteBytes *result) {
     std::vector<unsigned> &list = state == State::Returned ? m_problems.returned : m_problems.reclaimed;
     while (!list.empty()) {
@@ -146,7 +146,7 @@ bool dxRemoteBatch::takeUnsent(unsigned &index) {
     return true;
 }
 
-// In a child of fork(), where there are no workers.
+// Called in a child of fork(), where there are no workers.
 void dxRemoteBatch::reclaimAll() {
     m_forks = m_workers.m_forks;
     for (dxRemoteProblem &problem : m_problems.all) m_scheduler.reclaim(problem, dxRemoteOutcome::Lost);

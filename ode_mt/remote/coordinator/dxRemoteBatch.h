@@ -1,7 +1,7 @@
-// The problems of one step, from when they are made until each of them has been answered: by a worker, or by this process, because no worker has
-// had it yet, because its worker is late, lost or wrong, or because this process is sooner.
+// The problems of one step, from when they are made until each has been answered: by a worker, or by this process, because no worker has
+// got it yet, because its worker is late, lost or wrong, or because this process is faster.
 //
-// Threading: any thread of the step. Waits in next() alone, for workers.
+// Threading: any thread of the step. Only next() waits for workers.
 #pragma once
 
 #include <cstdint>
@@ -15,36 +15,36 @@ class dxRemoteBatch {
 public:
     enum class Next { Result, Reclaimed, None };
 
-    // `mayReclaim`: this process takes what no worker has had yet, or what it would solve sooner; otherwise it waits for workers that work. Throws
-    // std::bad_alloc.
+    // `mayReclaim`: this process takes problems that no worker has got yet, or that it would solve sooner; otherwise it waits as long as workers
+    // answer. Throws std::bad_alloc.
     dxRemoteBatch(dxRemoteWorkers &workers, unsigned count, bool mayReclaim);
-    // A step that ends early forgets the problems that are not back.
+    // If the step ends early, problems without a result are forgotten.
     ~dxRemoteBatch();
     dxRemoteBatch(const dxRemoteBatch &) = delete;
     dxRemoteBatch &operator=(const dxRemoteBatch &) = delete;
 
-    // Each of the `count` problems is either submitted, kept (this process has to solve it) or dropped (nobody has to). Nothing from here on
-    // takes memory, but messages.
+    // Each of the `count` problems is either submitted, kept (this process has to solve it) or dropped (it need not be solved). From here on only
+    // messages take memory.
     void submit(unsigned index, dxRemoteBytes &&problem, double cost);
     void keep(unsigned index);
     void drop(unsigned index);
 
-    // This process has solved problems of this step, or islands that were not to go out, whose costs were predicted; the others take as many
-    // times theirs.
+    // Called when this process has solved problems of this step, or local islands, in `ns`. The ratio to their predicted cost is assumed for the
+    // other problems, too.
     void noteLocal(double cost, double ns);
 
-    // Waits until there is something to do. None: all problems have been answered.
+    // Waits for a problem that can be finished or has to be solved here. Returns None when all problems have been answered.
     Next next(unsigned &index, dxRemoteBytes &result);
 
-    // The result that next() gave is none: its worker is dropped, and this process solves the problem.
+    // Called if the result that next() gave is invalid: its worker is dropped, and this process solves the problem.
     void reject(unsigned index);
-    // It says that the worker could not solve the problem; whoever calls does.
+    // Called if the result says that the worker could not solve the problem; the caller solves it.
     void noteGivenBack();
 
-    // Memory for a problem that is to be submitted.
+    // Returns memory for a problem that will be submitted.
     dxRemoteBytes room();
 
-    // Of those that next() has given so far.
+    // Returns the outcomes of those that next() has given so far.
     dxRemoteOutcomes outcomes() const;
 
 private:
@@ -63,5 +63,5 @@ private:
     dxRemoteProblems m_problems;
     std::list<dxRemoteProblem *> m_nodes;  // of the queue, for problems that are not submitted yet
     unsigned m_left;
-    double m_localCost = 0, m_localNs = 0, m_pace = 1;  // ns in this process, of what was predicted so
+    double m_localCost = 0, m_localNs = 0, m_pace = 1;  // predicted and measured in this process (ns), and their ratio
 };

@@ -9,21 +9,21 @@
 
 namespace {
 
-// A deadline is so much after what is expected: predictions of single problems are rough, and systems take processes off their cores for
-// a moment.
+// How long after the expected time a deadline is: predictions of single problems are rough, and systems suspend processes for
+// moments.
 constexpr double kLateFactor = 2, kLateNs = 2e6, kPatienceNs = 2e9;
 
 constexpr double kFirstPauseNs = 10e6, kMaxPauseNs = 10e9;
 constexpr double kGoneNs = 2e9;
 
-// A worker that is stopped while it is measured seems to be as far away as nobody is; deadlines follow from that.
+// The largest latency: one of a worker that was suspended while it was measured would be too long, and deadlines follow from it.
 constexpr double kMaxLatencyNs = 100e6, kMaxNsPerByte = 1000;
 
 constexpr double kMinNsPerByte = 0.1;  // memory is not faster
 
 constexpr double kLearning = 0.125;  // weight of a new value
-constexpr double kFullCost = 400e3;  // ns; less counts for less: what it took is mostly how long messages waited to be seen
-constexpr double kForgetNs = 2e9;    // after which half of it is forgotten
+constexpr double kFullCost = 400e3;  // ns; cheaper problems have a smaller weight, as most of their time is polling delay
+constexpr double kForgetNs = 2e9;    // half-life of the estimate
 constexpr double kMinSlowness = 0.05, kMaxSlowness = 50;
 
 }  // namespace
@@ -38,18 +38,18 @@ void dxRemoteLink::setMeasured(double latencyNs, double nsPerByte) {
     if (m_state == State::Measured) m_state = State::Open;
 }
 
-// A worker that seems slow gets nothing, of which it could be learnt that it is not: what disturbs one passes.
+// The estimate fades, since a worker that seems slow gets no problems that could show that it is fast: a disturbance is probably temporary.
 double dxRemoteLink::slowness(double now) const {
-    constexpr double kAll = 60;  // half-lives; more would underflow, of which the program could be told by a floating-point exception
+    constexpr double kAll = 60;  // half-lives; more would underflow, which could raise a floating-point exception in the program
     return 1 + (m_slowness - 1) * std::exp2(-std::clamp((now - m_learntAt) / kForgetNs, 0.0, kAll));
 }
 
-// From when they could be begun: what was sent after they were begun waits for them.
+// Returns the time from which the worker could solve them: problems that were sent later wait.
 double dxRemoteLink::begin(const dxRemoteInFlight &problems) const {
     return std::max(problems.expected - problems.cost * m_slowness - problems.transferNs, problems.sent);
 }
 
-// When each of them should be back, if the first one is begun at that time.
+// Sets when each result should arrive, if the worker begins with the first problem at that time.
 void dxRemoteLink::foresee(double from) {
     for (dxRemoteInFlight &problems : m_inFlight) {
         const double length = problems.cost * m_slowness + problems.transferNs;
@@ -72,13 +72,13 @@ void dxRemoteLink::send(dxRemoteInFlight &&problems, std::size_t bytes, double n
     foresee(m_inFlight.front().sent);
 }
 
-// It has looked for the message when the pause in which it is now is over.
+// The worker looks for messages at the end of its present pause.
 void dxRemoteLink::noteContact(double now) {
     if (isAsleep(now)) m_looksBy = now + dxPollPause::longestNs(now - m_lastContact);
     m_lastContact = now;
 }
 
-// How long a message may wait until the worker looks for it; 0: no longer than those of which the latency was measured.
+// Returns how long a message may wait until the worker looks for it; 0: no longer than those with which the latency was measured.
 double dxRemoteLink::sleepNs(double now) const {
     return isAsleep(now) ? dxPollPause::longestNs(now - m_lastContact) : std::max(m_looksBy - now, 0.0);
 }
@@ -129,7 +129,7 @@ bool dxRemoteLink::takeBack(std::uint64_t number, double now, dxRemoteInFlight &
     return true;
 }
 
-// What is withdrawn is nobody's to wait for, but its worker is not there until it has answered.
+// This process does not wait for withdrawn problems, but the worker gets no others until it has answered.
 double dxRemoteLink::deadline() const {
     if (m_isLate || m_state != State::Open) return std::numeric_limits<double>::infinity();
     return m_inFlight.empty() ? std::numeric_limits<double>::infinity() : m_inFlight.front().deadline;

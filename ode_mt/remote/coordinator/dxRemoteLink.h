@@ -1,13 +1,13 @@
-// What the coordinator knows of one worker: whether it may be given problems, how fast it is, what it has to do, and when that should be back.
+// What the coordinator knows of one worker: whether it may get problems, how fast it is, what it has to do, and when results should arrive.
 //
-// A link is New until its worker has said hello, Measured in between, Open when it may be given problems, and Lost for ever when it
-// disconnected, was refused, or sent what cannot be. An open link of which something is late gets nothing until all is back, and then not for
-// a pause that doubles each time, up to ten seconds.
+// A link is New until its worker has said hello, then Measured, Open when the worker may get problems, and Lost for ever when the worker
+// disconnected, was refused, or sent invalid data. If a result is late, an open link gets no problems until all results have arrived, and then for a
+// pause that doubles each time, up to ten seconds.
 //
-// A worker that has heard nothing for a second looks for messages less often (dxPollPause). The link knows when it was sent something last, so
-// that a message which finds it asleep is expected later, and tells nothing of its speed.
+// A worker that has received nothing for a second looks for messages less often (dxPollPause). The link knows the time of the last message to it, so
+// a result for a message to a sleeping worker is expected later, and is no measure of its speed.
 //
-// Only send() takes memory, and changes nothing where there is none.
+// Only send() takes memory, and changes nothing if there is none.
 //
 // Units: times in ns of one clock, costs in ns of work in this process. Threading: under the lock of dxRemoteWorkers.
 #pragma once
@@ -19,18 +19,18 @@
 
 #include "remote/transport/dxPollPause.h"
 
-// Problems that were sent in one message and are not back.
+// Problems that were sent in one message and have no result yet.
 struct dxRemoteInFlight {
     std::uint64_t number;
     std::vector<std::uint64_t> problems;
     double cost;
     double transferNs;    // there and back, the worker's sleep included
     double sent;
-    double expected = 0;  // when they should be back
+    double expected = 0;  // when the results should arrive
     double deadline = 0;  // after which they are reclaimed
     bool isWithdrawn = false, isWithdrawalSent = false;
     bool meetsSleep = false;  // the worker may have been asleep
-    bool isPatient = false;   // this process has nothing better to do: it waits for seconds
+    bool isPatient = false;   // this process has no other work: it waits for seconds
 };
 
 class dxRemoteLink {
@@ -39,45 +39,46 @@ public:
 
     State state() const { return m_state; }
     bool isLate() const { return m_isLate; }
-    // Has been late for so long that it had better be replaced, if that is possible.
+    // Returns whether it has been late for so long that it should be replaced, if that is possible.
     bool isGone(double now) const;
-    // Has answered often.
+    // Returns whether it has answered often.
     bool hasProved() const { return m_answers >= kOnTimeToForget; }
 
-    // May be given problems now.
+    // Returns whether it may get problems now.
     bool isFree(double now) const;
-    // Will be given some when what it has to do is back in time.
+    // Returns whether it has nothing to do.
     bool isIdle(double now) const { return isUsable(now) && m_inFlight.empty(); }
     bool isUsable(double now) const { return m_state == State::Open && !m_isLate && now >= m_pausedUntil; }
 
     void welcome() { m_state = State::Measured; }
-    // Echoes of the two sizes came back after so long. Opens the link.
+    // Stores what echoes of the two sizes have measured. Opens the link.
     void setMeasured(double latencyNs, double nsPerByte);
     void lose() { m_state = State::Lost; }
 
-    // The worker was heard, or is sent what it wakes up for.
+    // Called when a message has come from the worker, or one is sent that wakes it.
     void noteContact(double now);
-    // It has just answered.
+    // Called when it has just answered.
     void noteAwake(double now) { m_lastContact = m_looksBy = now; }
-    // Has heard nothing for long.
+    // Returns whether it has received nothing for long.
     bool isAsleep(double now) const { return dxPollPause::isLong(now - m_lastContact); }
 
     // --- problems ------------------------------------------------------------------------------------------
     const std::list<dxRemoteInFlight> &inFlight() const { return m_inFlight; }
     void send(dxRemoteInFlight &&problems, std::size_t bytes, double now);
     void withdraw(std::uint64_t number);
-    // Returns whether there is a withdrawal of which the worker has not been told; from now on it has.
+    // Returns whether there is a withdrawal that has not been sent; from now on it counts as sent.
     bool takeWithdrawal(std::uint64_t &number);
 
-    // The problems of this batch, of those that are not back, are found to take so many times what was thought.
+    // Multiplies the predicted costs of those problems of this batch that have no result yet.
     void rescale(std::uint64_t batch, double factor);
 
-    // A message with results has arrived. Returns false if none is expected of this number; else what it should be about.
+    // Called when a message with results has arrived. Returns false if none is expected with this number; else sets `problems` to those it should
+    // answer.
     bool takeBack(std::uint64_t number, double now, dxRemoteInFlight &problems);
 
-    // The first deadline; infinite: there is none.
+    // Returns the first deadline; infinite: there is none.
     double deadline() const;
-    // Notes it if the deadline has gone by. Returns whether that is news.
+    // Notes if the deadline has passed. Returns whether that was not known.
     bool noticeLate(double now);
 
     // --- what was measured ---------------------------------------------------------------------------------
@@ -86,8 +87,8 @@ public:
     double slowness(double now) const;                 // time of a problem there, over that here
 
 private:
-    static constexpr unsigned kOnTimeToForget = 100;  // messages in a row that let the next pause be the first one's again
-    static constexpr std::size_t kMaxInFlight = 2;  // one that is solved, and one that waits
+    static constexpr unsigned kOnTimeToForget = 100;  // messages in a row after which the next pause is as short as the first
+    static constexpr std::size_t kMaxInFlight = 2;    // one that is solved, and one that waits
 
     double begin(const dxRemoteInFlight &problems) const;
     void foresee(double from);
@@ -103,7 +104,7 @@ private:
     std::list<dxRemoteInFlight> m_inFlight;  // in the order in which they were sent
 };
 
-// What all usable workers together are to a step.
+// All usable workers together, for a step.
 struct dxRemoteCapacity {
     unsigned workers = 0;
     double speed = 0;      // problems that they solve while a thread of this process solves one

@@ -11,7 +11,7 @@
 
 namespace {
 
-// Why a worker that greets so is refused; empty: it is welcome.
+// Returns why a worker with this hello is refused; empty: it is welcome.
 std::string findGreetingFault(const dxRemoteHello &worker, const dxRemoteHello &own) {
     if (std::strcmp(worker.version, own.version) != 0) return "is version " + std::string(worker.version) + " of ODE_MT, not " + own.version;
     if (worker.realSize != own.realSize)
@@ -41,7 +41,7 @@ bool dxRemoteMessenger::exchange(dxRemoteLock &lock) try {
     return false;
 }
 
-// --- what is said -------------------------------------------------------------------------------------------
+// --- messages to workers ------------------------------------------------------------------------------------
 
 bool dxRemoteMessenger::send(unsigned worker, const dxRemoteBytes &message, dxRemoteLock &lock) {
     bool isSent = false;
@@ -91,13 +91,13 @@ void dxRemoteMessenger::sendHeartbeat(dxRemoteLock &lock) {
     if (time - m_lastAlive <= kHeartbeatNs) return;
     m_lastAlive = time;
     for (unsigned i = 0; i < m_scheduler.workers().size(); ++i) {
-        // Where lost workers are replaced, none that is lost has to hear of this process.
+        // A lost worker needs no sign of life if it will be replaced.
         const bool isHeard = at(i).isOpen() ? !at(i).link.isLate() : at(i).isLost() && !m_transport->canReplace();
         if (isHeard && !at(i).isUnreachable) sendIfMemory(i, dxRemoteKind::Alive, 0, lock);
     }
 }
 
-// Without memory for the message the worker solves in vain.
+// Without memory for the message the worker solves problems that are no longer wanted.
 bool dxRemoteMessenger::sendWithdrawals(dxRemoteLock &lock) {
     if (!m_scheduler.hasWithdrawals()) return false;
     m_scheduler.noteWithdrawalsSent();
@@ -109,7 +109,7 @@ bool dxRemoteMessenger::sendWithdrawals(dxRemoteLock &lock) {
     return true;
 }
 
-// Without memory for the message the worker sleeps on.
+// Without memory for the message the worker goes on sleeping.
 bool dxRemoteMessenger::sendWakeUps(dxRemoteLock &lock) {
     if (!std::exchange(m_isWaking, false)) return false;
     for (unsigned i = 0; i < m_scheduler.workers().size(); ++i) {
@@ -141,7 +141,7 @@ void dxRemoteMessenger::sendQuit(unsigned worker, bool isOrderly, dxRemoteLock &
     }
 }
 
-// --- what workers say ---------------------------------------------------------------------------------------
+// --- messages from workers ----------------------------------------------------------------------------------
 
 bool dxRemoteMessenger::receive(dxRemoteLock &lock) {
     if (m_transport == nullptr) return false;

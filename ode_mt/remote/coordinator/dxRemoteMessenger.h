@@ -1,10 +1,10 @@
-// What is said to workers, and what they say: greetings, echoes, problems, results, signs of life. It uses the transport, one thread at a time:
+// Messages to workers and from them: greetings, echoes, problems, results, signs of life. One thread at a time uses the transport:
 // the one that has the turn (dxRemoteWorkers).
 //
-// Memory: whatever is refused, it goes on. Problems that cannot be sent are reclaimed; a worker whose message cannot be read is dropped. What
-// else is thrown drops all workers.
+// Without memory it continues: problems that cannot be sent are reclaimed; a worker whose message cannot be read is dropped. Any other
+// exception drops all workers.
 //
-// Threading: by whoever has the turn, under the lock of dxRemoteWorkers, which is free while the transport is at work; wakeAll() by any thread
+// Threading: the thread that has the turn, under the lock of dxRemoteWorkers, which is free while the transport works; wakeAll() by any thread
 // under the lock.
 #pragma once
 
@@ -24,7 +24,7 @@ class dxRemoteMessenger {
 public:
     explicit dxRemoteMessenger(dxRemoteScheduler &scheduler) : m_scheduler(scheduler) {}
 
-    // `own`: what workers have to be like. `transport`: null: there is none.
+    // `own`: what the hello of a worker must equal. `transport`: null: there is none.
     void begin(const dxRemoteHello &own, dxRemoteTransport *transport);
 
     // Sends and receives one message of each kind, if there is one. Returns whether there was any.
@@ -33,12 +33,12 @@ public:
     // Receives one message. Throws what the transport throws.
     bool receive(dxRemoteLock &lock);
 
-    // Tells workers that sleep that problems are about to come.
+    // Has sleeping workers woken, as problems will come soon.
     void wakeAll() { m_isWaking = true; }
 
     bool hasSomethingToSay() const { return m_scheduler.hasQueued() || m_scheduler.hasWithdrawals() || m_isWaking; }
 
-    // A worker that cannot be told ends when it has not heard of this process for a while. `isOrderly`: all end.
+    // Has a worker end. One that does not get the message ends when it has received nothing for a while. `isOrderly`: all end.
     void sendQuit(unsigned worker, bool isOrderly, dxRemoteLock &lock);
 
 private:

@@ -1,7 +1,7 @@
-// Problems that workers solve, of steps that are under way, and what becomes of them.
+// Problems of steps in progress that workers solve, and their outcomes.
 //
-// Each outcome is counted when the step takes the problem, so that one that is late and comes nevertheless, before this process begins with it,
-// is solved. Those of steps that end early are not counted.
+// Each outcome is counted when the step takes the problem. So a problem that is late, but whose result arrives before this process begins with it,
+// counts as solved. Problems of steps that end early are not counted.
 //
 // Threading: under the lock of dxRemoteWorkers.
 #pragma once
@@ -22,7 +22,7 @@ constexpr std::uint64_t dxRemoteNumber(std::uint64_t batch, unsigned index) { re
 constexpr std::uint64_t dxRemoteBatchOf(std::uint64_t number) { return number >> kRemoteIndexBits; }
 constexpr unsigned dxRemoteIndexOf(std::uint64_t number) { return static_cast<unsigned>(number & ((std::uint64_t{1} << kRemoteIndexBits) - 1)); }
 
-// Of a problem that was sent. All but the first: solved by this process after all.
+// The outcome of a problem that was sent. In all cases but the first, this process has solved it.
 enum class dxRemoteOutcome {
     Solved,    // by the worker
     Sooner,    // this process had nothing left to do, and was predicted to be sooner
@@ -52,13 +52,13 @@ struct dxRemoteProblem {
     double cost = 0;  // ns in this process
     State state = State::Expected;
     unsigned worker = 0;
-    bool isPatient = false;  // this process has nothing better to do than to wait for it
+    bool isPatient = false;  // this process has no other work and waits for it
     bool isSent = false;
-    dxRemoteOutcome outcome = dxRemoteOutcome::Solved;  // of one that was sent and reclaimed: why
+    dxRemoteOutcome outcome = dxRemoteOutcome::Solved;  // of a problem that was sent and reclaimed: the reason
     dxRemoteBytes bytes;                                // the problem, until it is sent; then the result
 };
 
-// Those of one step.
+// The problems of one step.
 struct dxRemoteProblems {
     std::uint64_t number = 0;  // the upper half of each problem's
     std::vector<dxRemoteProblem> all;

@@ -11,7 +11,7 @@ void dxRemoteReplacement::begin(dxRemoteTransport *transport) {
 }
 
 bool dxRemoteReplacement::advance(dxRemoteLock &lock) {
-    constexpr double kGreetingNs = 10e9;  // a worker in the place of another one is usable in so long, or lost
+    constexpr double kGreetingNs = 10e9;  // a new worker that is not usable after this time is lost
     if (!m_canReplace) return false;
     const double time = m_scheduler.now();
     for (unsigned i = 0; i < m_scheduler.workers().size(); ++i) {

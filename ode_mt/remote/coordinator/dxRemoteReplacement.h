@@ -1,4 +1,4 @@
-// Starts workers in the place of lost ones, one at a time, where the transport can.
+// Replaces lost workers by new ones, one at a time, where the transport can.
 //
 // Threading: the thread that made the transport, when it has the turn, under the lock of dxRemoteWorkers.
 #pragma once
@@ -15,12 +15,12 @@ public:
     // Drops workers that have not answered for seconds, and goes on with replacements. Returns whether there is news.
     bool advance(dxRemoteLock &lock);
 
-    // Takes the worker that is being started, if it is there or cannot be. Returns whether none is being started any more.
+    // Takes the worker that is being started, if it has started or cannot. Returns whether none is being started any more.
     bool takeStarted();
 
     bool isStarting() const { return m_isStarting; }
 
-    // Some worker is lost that is going to be replaced.
+    // Returns whether a worker is lost that will be replaced.
     bool isNeeded() const;
 
 private:

@@ -77,7 +77,7 @@ void dxRemoteScheduler::noticeLate() {
     if (!isAnyUsable && !m_queue.empty()) reclaimQueue();
 }
 
-// A problem of a step that is under way.
+// Returns a problem of a step in progress.
 bool dxRemoteScheduler::isSolving(const dxRemoteLink &link) const {
     return !link.inFlight().empty() && m_steps.count(dxRemoteBatchOf(link.inFlight().front().problems.front())) != 0;
 }
@@ -161,7 +161,7 @@ void dxRemoteScheduler::takeMessageBack(const dxRemoteSending &sending) {
     warnOfMemory();
     dxRemoteInFlight unsent;
     dxRemoteLink &link = m_workers[sending.worker].link;
-    link.withdraw(sending.number);  // tells nothing of its speed
+    link.withdraw(sending.number);  // it is no measure of its speed
     if (link.takeBack(sending.number, now(), unsent)) reclaim(unsent.problems, dxRemoteOutcome::NoResult);
     m_news.notify();
 }
@@ -172,7 +172,7 @@ void dxRemoteScheduler::accept(unsigned worker, const dxRemoteBytes &results) {
     dxRemoteItems all(results);
     std::size_t count = 0;
     while (all.next()) ++count;
-    if (count == 0) link.withdraw(number);  // tells nothing of its speed
+    if (count == 0) link.withdraw(number);  // it is no measure of its speed
     dxRemoteInFlight expected;
     if (!link.takeBack(number, now(), expected)) return dropWorker(worker, "sent results of nothing");
     bool isSound = all.isAtEnd() && (count == expected.problems.size() || count == 0);

@@ -1,10 +1,12 @@
-// Which problem goes to which worker, and what happens to it if that worker is late, lost or wrong: the workers, the queue of problems, and the
-// problems of all steps that are under way.
+// Distributes problems to workers, and reclaims those of workers that are late, lost or wrong. It has the workers, the queue of problems, and the
+// problems of all steps in progress.
 //
-// Rules: the most expensive problems go first, to the worker with the least to do (dxRemoteSchedule.h); those of a worker that is late or dropped are
-// reclaimed; without a usable worker the whole queue is. A problem is answered once, whatever happens to workers.
+// Rules: the most expensive problems go first, to the worker with the least to do (dxRemoteSchedule.h). Problems of a worker that is late or dropped
+// are reclaimed; without a usable worker the whole queue is. A problem is answered exactly once.
 //
-// Only what says so takes memory. Units: ns of now(). Threading: under the lock of dxRemoteWorkers, but for areThere().
+// Only functions that say so take memory. Units: ns of now().
+//
+// Threading: under the lock of dxRemoteWorkers, except areThere().
 #pragma once
 
 #include <algorithm>
@@ -34,14 +36,14 @@ struct dxRemoteCounts {
     dxRemoteOutcomes outcomes;
     unsigned late = 0, refused = 0, lost = 0, replaced = 0;  // times, workers
     double waitedNs = 0;                                     // by threads of this process, one after the other
-    unsigned open = 0, openLate = 0;  // workers now: may be given problems; of these, get none for the moment, as they are late or were
+    unsigned open = 0, openLate = 0;  // workers now: may get problems; of these, get none for the moment, as they are or were late
 };
 
 class dxRemoteScheduler {
 public:
     double now() const { return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - m_start).count(); }
 
-    // Whether a worker may be given problems, at the cost of one look.
+    // Returns whether a worker may get problems. Costs one load.
     bool areThere() const { return m_areThere.load(std::memory_order_relaxed); }
     void setNoneThere() { m_areThere.store(false, std::memory_order_relaxed); }
     void noteAvailable() { m_areThere.store(any([](const dxRemoteWorker &one) { return one.isOpen(); }), std::memory_order_relaxed); }
@@ -52,7 +54,7 @@ public:
     std::vector<dxRemoteWorker> &workers() { return m_workers; }
     dxRemoteCounts &counters() { return m_counts; }
 
-    // Notified when a problem is returned or reclaimed: of threads that wait for that, whose number has to be right.
+    // Notified when a problem is returned or reclaimed. waiting(): the number of threads that wait for that, which they must keep correct.
     dxEventCount &news() { return m_news; }
     unsigned &waiting() { return m_waiting; }
 
@@ -66,64 +68,64 @@ public:
     }
 
     // --- workers ------------------------------------------------------------------------------------------
-    // A transport with these workers is open. The vector is swapped with that of those before.
+    // Called when a transport with these workers is open. The vector is swapped with that of the previous workers.
     void begin(std::vector<dxRemoteWorker> &workers);
     bool hasLost() const { return m_hasLost; }  // a worker, since then
 
-    // Gives it no more problems, and reclaims what it has.
+    // Gives the worker no more problems, and reclaims those that it has.
     void dropWorker(unsigned worker, const char *why, const char *detail = "");
     void dropUnreachable(unsigned worker, const char *why);
     void dropAll(const char *why);
 
-    // Reclaims what is late. What is late while all threads of this process have enough to do costs nothing, and how long problems take is learnt.
+    // Reclaims late problems. (While all threads of this process have enough to do, a late result costs nothing, and its time is learnt.)
     void noticeLate();
 
-    // No memory for a message.
+    // Reports, once, that there is no memory for a message.
     void warnOfMemory();
 
     // --- problems -----------------------------------------------------------------------------------------
-    // The problems of a step, which get their number. Takes memory.
+    // Adds the problems of a step, which get their number. Takes memory.
     void add(dxRemoteProblems &problems);
     void remove(const dxRemoteProblems &problems);
 
     // `nodes`: one of them is taken for the queue.
     void enqueue(dxRemoteProblem &problem, std::list<dxRemoteProblem *> &nodes);
 
-    // The step's cheapest problem that no worker has had; null: there is none.
+    // Takes the step's cheapest problem that no worker has got; null: there is none.
     dxRemoteProblem *takeUnsent(const dxRemoteProblems &problems);
 
-    // From the queue: the next message, if a worker is free. Returns false if there is none. Takes memory; without it the queue is reclaimed, and the
-    // message is empty.
+    // Takes the next message from the queue, if a worker is free. Returns false if there is none. Takes memory; without it the queue is reclaimed,
+    // and the message is empty.
     bool takeMessage(dxRemoteSending &sending);
-    // It could not be made.
+    // Called if the message could not be made.
     void takeMessageBack(const dxRemoteSending &sending);
 
-    // Of a message that is not what it should be nothing is used, and its worker is dropped. One without results says that its worker could
-    // solve none, or was told in time not to. Takes memory; problems without it are reclaimed.
+    // Takes the results of a message. If it is invalid, no result is used, and its worker is dropped. A message without results says that the worker
+    // could solve none, or that a withdrawal came in time. Takes memory; without it the problems are reclaimed.
     void accept(unsigned worker, const dxRemoteBytes &results);
 
-    // Memory for a problem.
+    // Returns memory for a problem.
     dxRemoteBytes takeSpare() { return m_spareProblems.take(); }
     void giveSpareBack(dxRemoteBytes &&bytes) { m_spareProblems.giveBack(std::move(bytes)); }
 
     bool hasQueued() const { return !m_queue.empty(); }
     void forgetQueue() { m_queue.clear(); }
 
-    // Some messages that workers have are no longer wanted, and they have not been told.
+    // Returns whether there are withdrawals that have not been sent.
     bool hasWithdrawals() const { return m_hasWithdrawals; }
     void noteWithdrawalsSent() { m_hasWithdrawals = false; }
 
-    // `why`: if it was sent.
+    // `why`: for a problem that was sent.
     void reclaim(dxRemoteProblem &problem, dxRemoteOutcome why);
     void reclaimQueue();
 
-    // Reclaims the problems of the step that are expected last, if this process would have solved them before. Returns whether it has.
+    // Reclaims those problems of the step whose results are expected last, if this process would solve them before that. Returns whether it has.
     bool withdrawLast(const dxRemoteProblems &problems);
 
-    // The step's problems are found to take so many times what was thought.
+    // Multiplies the predicted costs of the step's problems.
     void rescale(dxRemoteProblems &problems, double factor);
 
-    // After which a worker is late.
+    // Returns the next time at which a worker will be late.
     double nextDeadline() const;
 
 private:

@@ -1,6 +1,8 @@
-// One worker as the coordinator sees it: its link, the measurement of that, and when it may be replaced once it is lost.
+// One worker as the coordinator sees it: its link, the measurement of the link, and when it may be replaced after it is lost.
 //
-// Units: ns of one clock. Threading: under the lock of dxRemoteWorkers.
+// Units: ns of one clock.
+//
+// Threading: under the lock of dxRemoteWorkers.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +11,7 @@
 
 #include "remote/coordinator/dxRemoteLink.h"
 
-// To be measured, a link carries small messages, and then large ones, one after the other; the fastest of each size counts.
+// Measures a link by small messages, and then large ones, one after the other; the fastest of each size counts.
 class dxLinkMeasurement {
 public:
     enum class Echo { Unexpected, Next, Last };
@@ -19,7 +21,7 @@ public:
     std::size_t size() const { return m_count < kSmall ? 0 : kLargeSize; }
     void begin(double now) { m_begin = now; }
 
-    // The worker has sent the message of this number back.
+    // Called when the worker has sent the message with this number back.
     Echo end(std::uint64_t number, double now) {
         if (number != m_count) return Echo::Unexpected;
         double &fastest = m_count < kSmall ? m_smallNs : m_largeNs;
@@ -39,11 +41,11 @@ private:
     double m_begin = 0, m_smallNs = 0, m_largeNs = 0;
 };
 
-// A lost worker is replaced after a pause, which doubles with each worker that is lost before it has proved itself, so that one that cannot live
-// costs less and less.
+// The pause before a lost worker is replaced. It doubles with each worker that is lost before it has answered often, so that workers that cannot run
+// cost less and less.
 class dxRestartPause {
 public:
-    // The worker is lost, or its successor could not be started. `hasProved`: it has answered often.
+    // Called when the worker is lost, or a new one could not be started. `hasProved`: it has answered often.
     void begin(double now, bool hasProved) {
         m_pauseNs = hasProved ? kFirstNs : std::clamp(2 * m_pauseNs, kFirstNs, kMaxNs);
         m_end = now + m_pauseNs;
@@ -64,16 +66,16 @@ struct dxRemoteWorker {
     double since = 0;  // when it was started
     bool isReplacement = false;
     bool isRefused = false;
-    bool isUnreachable = false;  // else one that is lost may live, and has to hear of this process: the end of a process may be that of its job
+    bool isUnreachable = false;  // otherwise a lost worker may live, and needs signs of life: if it ends, its whole job may end
 
     bool isOpen() const { return link.state() == dxRemoteLink::State::Open; }
     bool isLost() const { return link.state() == dxRemoteLink::State::Lost; }
     bool isReplaceable() const { return isLost() && !isRefused; }
 
-    // It has greeted and was measured, or never will.
+    // Returns whether it has said hello and was measured, or never will.
     bool isSettled() const { return isOpen() || isLost(); }
 
-    // Another process has been started in its place.
+    // Called when another process has been started instead.
     void becomeReplacement(double now) {
         link = dxRemoteLink();
         measurement = dxLinkMeasurement();

@@ -19,13 +19,13 @@ namespace {
 constexpr std::chrono::milliseconds kEchoMoment{20};
 
 constexpr double kOverLookNs = 1e9;       // between two looks at whether the program's threads have ended
-constexpr double kSettleNs = 2e9;         // open() waits so long for workers
+constexpr double kSettleNs = 2e9;         // how long open() waits for workers
 constexpr double kRestartPollNs = 20e6;   // between two looks at whether a worker has started
-constexpr double kMaxStartNs = 3e9;       // close() waits so long for a worker that is being started
-constexpr double kDrainNs = 1e9;          // close() waits so long for results that nobody needs, so that all can end in good order
-constexpr double kPolledNs = 400e3;       // the communication thread does not look when another one has within that time
-constexpr double kMaxAtOnceNs = 100e3;    // a look of another thread's ends, though there is more to do
-// Between two looks of the communication thread's, while others may look: it takes cores from those that solve.
+constexpr double kMaxStartNs = 3e9;       // how long close() waits for a worker that is being started
+constexpr double kDrainNs = 1e9;          // how long close() waits for unneeded results, so that all workers can end in good order
+constexpr double kPolledNs = 400e3;       // the communication thread does not look if another one has within this time
+constexpr double kMaxAtOnceNs = 100e3;    // after which another thread stops looking, even if there is more to do
+// Between two looks of the communication thread while other threads may look: it uses a core that they need.
 constexpr double kMaxBesideOthersNs = 2e6;
 
 dxProcessObject<dxRemoteWorkers> remoteWorkers;
@@ -45,7 +45,7 @@ void dxRemoteWorkers::open(const char *name, const dxRemoteHello &hello, Open op
     m_open = std::move(open);
     m_isClosing = m_hasBegun = m_isCommunicating = m_isTurnAwaited = m_isAsleep = false;
     m_isForAllThreads = false;
-    m_scheduler.forgetQueue();  // in a child of fork() those of the parent's threads
+    m_scheduler.forgetQueue();  // in a child of fork() it has the problems of the parent's threads
     const auto body = [](void *self) -> void * {
         static_cast<dxRemoteWorkers *>(self)->communicate();
         return nullptr;
@@ -68,7 +68,7 @@ void dxRemoteWorkers::open(const char *name, const dxRemoteHello &hello, Open op
           all.nsPerByte > 0 ? 1 / all.nsPerByte : 0);
 }
 
-// What the transport waits for may never come: a worker that has ended before it could join. If it does, the thread ends what has begun.
+// The transport may wait for ever, for a worker that ended before it could join. If it does get its workers, the thread closes it.
 void dxRemoteWorkers::leaveAlone(dxRemoteLock &lock) {
     m_isClosing = true;
     pthread_detach(m_thread);
@@ -94,8 +94,8 @@ void dxRemoteWorkers::close() {
           static_cast<unsigned long long>(all.outcomes.returned()), all.late, all.lost, all.replaced, all.waitedNs / 1e6);
 }
 
-// The communication thread is the parent's, and so are the workers. A handler of a signal may have forked in the middle of a step, which the
-// child goes on with, alone (dxRemoteBatch::next()).
+// The communication thread and the workers belong to the parent. A handler of a signal may have forked in the middle of a step; the child
+// continues that step alone (dxRemoteBatch::next()).
 void dxRemoteWorkers::inForkedChild() {
     m_scheduler.setNoneThere();
     m_isRunning = m_isCommunicating = false;
@@ -142,13 +142,13 @@ void dxRemoteWorkers::communicate() {
     m_isClosing = true;
     awaitTurn(lock);
     m_scheduler.reclaimQueue();
-    if (isOver) m_isRunning = false;  // handlers at the exit need not close what is closed here
+    if (isOver) m_isRunning = false;  // exit handlers need not close it again
     lock.unlock();
     end();
     if (isOver) std::exit(0);
 }
 
-// Threads of MPI's may go on, so that this one's end would not end the process.
+// Threads of MPI may still run, so that the end of this thread would not end the process.
 bool dxRemoteWorkers::isProcessOver(dxRemoteLock &lock) {
     if (!m_isOver || m_scheduler.now() - m_lastLook < kOverLookNs) return false;
     m_lastLook = m_scheduler.now();
@@ -196,7 +196,7 @@ void dxRemoteWorkers::begin() {
     m_scheduler.news().notify();
 }
 
-// Messages may come that this thread cannot be woken by.
+// This thread sleeps for a limited time, as messages do not wake it.
 bool dxRemoteWorkers::isPolled() const {
     return m_scheduler.any([](const dxRemoteWorker &one) { return !one.isSettled() || !one.link.inFlight().empty(); });
 }
@@ -209,8 +209,8 @@ void dxRemoteWorkers::sleep(dxRemoteLock &lock) {
     m_isAsleep = false;
 }
 
-// A late worker is looked for less and less often; one that has gone for good costs nothing that matters. While other threads look, this one is
-// there in case they have long islands to solve.
+// This thread looks for messages of late workers less and less often, so that a worker that never answers costs little. While other threads look, it
+// looks in case they have long islands to solve.
 void dxRemoteWorkers::sleepBetweenLooks(dxRemoteLock &lock) {
     const bool isMeasured = m_scheduler.any([](const dxRemoteWorker &one) { return one.link.state() == dxRemoteLink::State::Measured; });
     if (m_scheduler.now() - m_polledAt < kPolledNs) {
@@ -222,7 +222,7 @@ void dxRemoteWorkers::sleepBetweenLooks(dxRemoteLock &lock) {
     }
 }
 
-// Waits for results that nobody needs any more, and for a worker that is being started.
+// Waits for results that are no longer needed, and for a worker that is being started.
 void dxRemoteWorkers::drain(dxRemoteLock &lock) {
     const double begin = m_scheduler.now();
     const auto isIdle = [](const dxRemoteWorker &one) { return one.link.inFlight().empty() || one.link.isLate() || one.isLost(); };
@@ -243,7 +243,7 @@ void dxRemoteWorkers::end() {
     dxRemoteLock lock(m_mutex);
     m_scheduler.setNoneThere();
     drain(lock);
-    // All of them answer, so none is waited for in vain.
+    // All of them answer, so the wait ends.
     bool isOrderly = !m_replacement.isStarting() && !m_scheduler.hasLost() &&
                      m_scheduler.all([](const dxRemoteWorker &one) { return one.isOpen() && one.link.inFlight().empty(); });
     std::vector<dxRemoteWorker> &workers = m_scheduler.workers();
@@ -271,7 +271,8 @@ void dxRemoteWorkers::poll(bool isUrgent) {
     poll(lock);
 }
 
-// Under dxUndisturbed. Does all that there is to do, but for what would hold up signals. Returns whether there was anything.
+// Requires dxUndisturbed. Sends and receives until nothing is left, or until signals have been blocked for long enough. Returns whether there was
+// anything.
 bool dxRemoteWorkers::poll(dxRemoteLock &lock) {
     if (!m_isForAllThreads || m_isCommunicating || m_isTurnAwaited || m_isClosing) return false;
     m_isCommunicating = true;
@@ -288,12 +289,12 @@ bool dxRemoteWorkers::poll(dxRemoteLock &lock) {
     return hasDone;
 }
 
-// There is something to say or to be looked for.
+// Called when there are messages to send, or results are expected.
 void dxRemoteWorkers::notify() {
     if (!m_isForAllThreads || m_isAsleep) m_wake.notify();
 }
 
-// At once, for a moment. The lock is not held when signals that have come meanwhile are handled.
+// Looks at once, for a moment. Releases the lock before handlers of signals that have come meanwhile run.
 bool dxRemoteWorkers::lookForNews(dxRemoteLock &lock, const dxPollPause &pause) {
     const dxUnlocked handlers(lock);
     const dxUndisturbed whole;
@@ -305,7 +306,7 @@ bool dxRemoteWorkers::lookForNews(dxRemoteLock &lock, const dxPollPause &pause) 
     return true;
 }
 
-// For so long at most. One thread that may look itself does, the others are notified.
+// Waits for this time at most. One thread looks for messages itself, if it may; it notifies the others.
 void dxRemoteWorkers::waitForNews(dxRemoteLock &lock, dxPollPause &pause, double ns) {
     if (m_isForAllThreads && m_scheduler.waiting() == 1) {
         if (lookForNews(lock, pause)) return pause.reset();

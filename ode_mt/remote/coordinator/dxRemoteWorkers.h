@@ -1,17 +1,17 @@
-// The process's remote workers: the lock, the communication thread, and whose turn it is to communicate.
+// The process's remote workers: the lock, the communication thread, and the turn to communicate.
 //
-// A step makes a batch (dxRemoteBatch), submits problems as they are made, and then asks what is next until nothing is left.
+// A step makes a batch (dxRemoteBatch), submits problems as they are made, and then asks for the next one until none is left.
 //
-//   dxRemoteScheduler      which problem goes to which worker, and what happens to it
-//   dxRemoteMessenger      what is said to workers, and what they say
-//   dxRemoteReplacement    workers in the place of lost ones
+//   dxRemoteScheduler      distributes problems to workers, and reclaims them
+//   dxRemoteMessenger      messages to workers and from them
+//   dxRemoteReplacement    new workers for lost ones
 //
-// The communication thread makes the transport, uses it and closes it; it sleeps while nothing is under way. Where the transport allows it,
-// threads that step worlds do in between what that thread would have to be woken for (poll()), and it looks less often. A child of fork() has no
-// remote workers; neither has a process after close().
+// The communication thread makes the transport, uses it and closes it; it sleeps while no step uses workers. Where the transport allows it,
+// threads that step worlds communicate between islands (poll()), so that they need not wake that thread, which then looks for messages less often. A
+// child of fork() has no remote workers; neither has a process after close().
 //
-// Threading: any thread; one lock, held for moments. Never waits for a worker but in open(). The transport is used without the lock, by whoever has
-// the turn (m_isCommunicating).
+// Threading: any thread; one lock, held for moments. Only open() waits for a worker. The thread that has the turn (m_isCommunicating) uses the
+// transport, without the lock.
 #pragma once
 
 #include <pthread.h>
@@ -31,33 +31,33 @@ class dxRemoteWorkers final : private dxForkListener {
 public:
     static dxRemoteWorkers &instance();
 
-    // Makes a transport on the communication thread; null: `reason` says why not.
+    // Makes a transport, on the communication thread. Returns null if that is not possible: `reason` says why.
     using Open = std::function<std::unique_ptr<dxRemoteTransport>(std::string &reason)>;
 
-    // Waits until the workers have been welcomed or refused, or for two seconds after the transport has been made; there are none if that takes more
-    // than `most`. Once in a process, but for tests, which close in between.
+    // Waits until the workers have been welcomed or refused, or for two seconds after the transport has been made. If making it takes longer than
+    // `most`, there are no workers. Called once in a process, except in tests, which close in between.
     void open(const char *name, const dxRemoteHello &hello, Open open, std::chrono::nanoseconds most = kMaxToBegin);
 
     // Ends the communication thread, and the workers.
     void close();
 
-    // Of threads that the communication thread makes, as MPI does, and its own.
+    // The name of the communication thread, and of threads that it makes, as MPI does.
     static constexpr const char *kThreadName = "ode_mt-remote";
 
-    // Before open(): tells whether no threads of the program's are left. It is asked each second; the process ends then as it does with its last
-    // thread, with status 0.
+    // Called before open(). isOver() returns whether no threads of the program are left. It is called each second. If so, the process ends as it does
+    // with its last thread, with status 0.
     using IsOver = std::function<bool()>;
     void endProcessWhen(IsOver isOver) { m_isOver = std::move(isOver); }
 
-    // Whether there are any, at the cost of one look.
+    // Returns whether there are any. Costs one load.
     bool areThere() const { return m_scheduler.areThere(); }
 
     dxRemoteCapacity capacity();
 
-    // Problems are about to come: workers that sleep look for them again as often as they can.
+    // Wakes sleeping workers, as problems will come soon: they look for messages as often as they can.
     void wake();
 
-    // Between two islands: sends and receives what there is, if nobody else does, and, unless it is urgent, nobody has for a while.
+    // Sends and receives messages between two islands, unless another thread does. If it is not urgent, only if no thread has for a while.
     void poll(bool isUrgent = false);
 
     using Counts = dxRemoteCounts;
@@ -99,7 +99,7 @@ private:
 
     dxEventCount m_wake;   // of the communication thread
     dxEventCount m_turn;   // of the communication thread, while another one has it
-    unsigned m_forks = 0;  // of which this process is the child
+    unsigned m_forks = 0;  // number of forks of which this process is the child
     bool m_isCommunicating = false, m_isTurnAwaited = false, m_isAsleep = false;
     std::atomic<bool> m_isForAllThreads{false};  // the transport
     std::atomic<double> m_polledAt{0};           // when a thread that steps a world last looked

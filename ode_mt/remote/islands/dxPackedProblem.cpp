@@ -16,7 +16,7 @@ constexpr unsigned kSides = dxWorldStepProblem::kSides, kPair = 2;
 static_assert(dxWorldStepProblem::kElements == kRowElements && sizeof(dxInverseInertia) == dxPackedProblem::kInertiaElements * sizeof(dReal),
               "arrays are packed as they lie");
 
-// Joints have rows one after the other, of bodies that there are.
+// Returns whether joints have consecutive rows, and bodies that exist.
 bool areJointsSound(const dxPackedProblem &problem) {
     unsigned row = 0;
     for (unsigned i = 0; i < problem.counts.joints; ++i) {
@@ -30,7 +30,7 @@ bool areJointsSound(const dxPackedProblem &problem) {
     return row == problem.counts.rows;
 }
 
-// A row of friction comes after that of its normal.
+// Returns whether a friction row comes after the row of its normal.
 bool areNormalsSound(const dxPackedProblem &problem) {
     for (unsigned i = 0; i < problem.counts.rows; ++i) {
         int normal = 0;

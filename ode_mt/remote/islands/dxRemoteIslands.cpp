@@ -93,7 +93,7 @@ double dxRemoteIslands::solverCost(const Entry &entry) const {
     return kRemoteSolverPart * m_scale * m_islands.records().islands[entry.island].cost;
 }
 
-// Without memory for the problem the island is stepped as any other one.
+// Without memory for the problem the island is stepped like a local one.
 void dxRemoteIslands::make(unsigned entry, unsigned worker) {
     Entry &one = m_entries[entry];
     if (!m_islands.isNeeded(one.island)) return m_batch->drop(entry);
@@ -106,7 +106,7 @@ void dxRemoteIslands::make(unsigned entry, unsigned worker) {
     m_islands.run(one.island, worker, [this, entry] { makeProblem(entry); });
 }
 
-// Without memory for the bytes the problem is solved here.
+// Without memory for the bytes this process solves the problem.
 void dxRemoteIslands::makeProblem(unsigned entry) {
     Entry &one = m_entries[entry];
     try {
@@ -115,7 +115,7 @@ void dxRemoteIslands::makeProblem(unsigned entry) {
         m_batch->drop(entry);
         throw;
     }
-    if (dxTimelineRing *const ring = dxTimeline::ofThisThread()) ring->countRows(one.problem.rowCount);  // whoever solves them
+    if (dxTimelineRing *const ring = dxTimeline::ofThisThread()) ring->countRows(one.problem.rowCount);  // for this process or a worker
     if (one.problem.rowCount == 0) return m_batch->keep(entry);
     dxRemoteBytes bytes = m_batch->room();
     try {

@@ -2,9 +2,11 @@
 //
 //   make      gather bodies, order joints, read rows, pack, submit         in blocks
 //   solve     by a worker, or by this process after all
-//   finish    apply results                                                in the order in which results come
+//   finish    apply results                                                in the order in which results arrive
 //
 // The islands' problems are kept until they are finished, in arenas of their own.
+//
+// Threading: make(), poll(), noteStepped() and finish() on workers of this process; everything else on the thread that called the step.
 #pragma once
 
 #include <memory>
@@ -16,7 +18,7 @@
 #include "dynamics/world_step/dxWorldStepProblem.h"
 #include "remote/coordinator/dxRemoteBatch.h"
 
-// What a step asks. Its islands go to dxRemoteWorkers::instance().
+// Returns what a step asks. Its islands go to dxRemoteWorkers::instance().
 dxRemoteSolvers &dxRemoteIslandSolvers();
 
 class dxRemoteIslands final : public dxRemoteStep {

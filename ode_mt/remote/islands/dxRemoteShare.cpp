@@ -4,10 +4,10 @@
 
 namespace {
 
-// Sizes of problems, before rows are known: contacts and joints of machines have three to five rows.
+// Estimates of sizes of problems, before rows are known: contacts and joints of machines have three to five rows.
 constexpr double kBytesPerJoint = 550, kBytesPerBody = 144;
 
-// In this process for each island: locks, two copies, the result.
+// Overhead in this process for each island: locks, two copies, the result. Units: ns.
 constexpr double kIslandNs = 3e3, kCopyNsPerByte = 0.3;
 
 constexpr double kMinGain = 0.1, kMinGainNs = 30e3;

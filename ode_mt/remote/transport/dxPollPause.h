@@ -32,7 +32,7 @@ public:
 
     void reset() { *this = dxPollPause(); }
 
-    // Whether the moment has not gone by in which a pause is not worth while.
+    // Returns whether the wait has just begun, and a pause does not pay yet.
     bool isAtOnce(Duration moment = kAtOnce) const { return dxProcessorCount() > 1 && Clock::now() - m_since < moment; }
 
     void wait() {

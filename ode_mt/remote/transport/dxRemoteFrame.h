@@ -1,6 +1,8 @@
 // A message between the coordinator and a worker: a header, then a body that depends on the kind. The page is docs/remote.md.
 //
-// Numbers are in the sender's byte order, by which the magic number tells a receiver of another one.
+// Numbers are in the sender's byte order. A receiver with another one finds a wrong magic number.
+//
+// Threading: one thread at a time.
 #pragma once
 
 #include <cstddef>
@@ -37,7 +39,7 @@ struct dxRemoteHeader {
 };
 static_assert(sizeof(dxRemoteHeader) == 32, "the body is aligned");
 
-// What a worker says of itself. Workers of which all is equal to the coordinator's compute the same bits.
+// The properties of a worker. Workers for which all are equal to the coordinator's compute the same bits.
 struct dxRemoteHello {
     static constexpr std::size_t kTextSize = 32;
 
@@ -67,7 +69,7 @@ private:
     dxRemoteBytes m_bytes;
 };
 
-// Null: the message is whole, and of this version; else what it is not.
+// Returns null if the message is complete and of this version; else its fault.
 const char *dxFindFrameFault(const dxRemoteBytes &message);
 
 // Requires a message without fault.
@@ -83,7 +85,7 @@ public:
     explicit dxRemoteItems(const dxRemoteBytes &message)
         : m_next(message.data() + sizeof(dxRemoteHeader)), m_end(message.data() + message.size()) {}
 
-    // False: there is no further one, or what follows is none.
+    // Returns false if there is no further one, or the bytes that follow are no item.
     bool next();
     bool isAtEnd() const { return m_next == m_end; }
 

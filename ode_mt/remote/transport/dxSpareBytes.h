@@ -1,7 +1,9 @@
-// Memory of messages that have been sent or read, for those that come. What is freed and taken again at every step comes back from the system page by
-// page, and that costs more than all else that is done to a message.
+// Memory of messages that have been sent or read, for later ones. Memory that is freed and allocated in every step comes from the system page by
+// page, which costs more than everything else that is done with a message.
 //
-// Bounded. Threading: as its owner says.
+// It is bounded.
+//
+// Threading: as its owner says.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +15,7 @@
 
 class dxSpareBytes {
 public:
-    // Empty, with room if there is any to spare.
+    // Returns empty bytes, with room if any is spare.
     dxRemoteBytes take() {
         if (m_spare.empty()) return {};
         dxRemoteBytes bytes = std::move(m_spare.back());

@@ -1,4 +1,4 @@
-// A worker: solves the problems that the coordinator sends, until the coordinator says that it may end or is not heard of any more.
+// A worker: solves the problems that the coordinator sends, until the coordinator has it end or sends nothing any more.
 //
 // Memory: a problem for which there is none is given back, by a result without bytes, or all of a message by one without results. A worker that
 // cannot even receive or answer ends.

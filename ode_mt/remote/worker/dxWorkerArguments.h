@@ -1,4 +1,4 @@
-// What odemt_worker is told, on its command line or, where another program starts it, by the variable ODEMT_WORKER_ARGUMENTS.
+// The options of odemt_worker, on its command line or, where another program starts it, in the variable ODEMT_WORKER_ARGUMENTS.
 #pragma once
 
 #include <string>
@@ -16,8 +16,8 @@ struct dxWorkerArguments {
         "  --record FILE      a line for each problem is appended: step, number, bodies, joints, rows, bytes, ns, bytes of the result\n";
 };
 
-// Those of the variable, in words.
+// Returns the words of the variable.
 std::vector<std::string> dxWorkerArgumentsOfEnvironment();
 
-// Returns what is wrong; empty: nothing.
+// Reads options. Returns what is wrong; empty: nothing.
 std::string dxReadWorkerArguments(const std::vector<std::string> &words, dxWorkerArguments &arguments);

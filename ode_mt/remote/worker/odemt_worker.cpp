@@ -2,7 +2,7 @@
 //
 //   mpirun -np 1 PROGRAM : -np 15 odemt_worker        with ODE_MT_WORKERS=mpi in PROGRAM's environment
 //
-// It ends with the program, or when it has not heard of it for a minute. The options (--help) are for measurements: a slower network, a record.
+// It ends with the program, or when it has received nothing for a minute. The options (--help) are for measurements: a slower network, a record.
 #include <malloc.h>
 
 #include <cstdio>
@@ -25,7 +25,7 @@
 
 namespace {
 
-constexpr double kMaxSilence = 60;  // s; the coordinator is heard of every few seconds
+constexpr double kMaxSilence = 60;  // s; the coordinator sends a sign of life every few seconds
 
 std::unique_ptr<dxRemoteTransport> openTransport(const dxSimulatedLink &link, dxSimulatedNetwork *&network, std::string &reason) {
     const auto openMpi = [](std::string &why) -> std::unique_ptr<dxRemoteTransport> { return dxMpiTransport::openWorker(why); };
