@@ -21,7 +21,7 @@
 namespace {
 
 constexpr unsigned kPair = 2;
-constexpr unsigned kAlignment = 64;  // bytes, of arrays that kernels read by vectors
+constexpr unsigned kAlignment = 64;  // bytes, of arrays that SIMD kernels read
 
 // Keeps messages for the coordinator, which reports them in its own order. Errors end the scope.
 class KeptMessages final : public dxUpstreamScope {
