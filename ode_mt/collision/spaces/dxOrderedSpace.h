@@ -1,8 +1,8 @@
-// A collision space that finds its pairs incrementally and calls back in the order of upstream's space of the same kind, which tests all pairs at each
-// call.
+// A collision space that finds its pairs incrementally and calls back in the order of upstream's space of the same kind, which tests all pairs at
+// each call.
 //
-// Between two calls of dSpaceCollide it keeps the list of pairs whose boxes overlap, in order. The cost of a call is proportional to the changes since
-// the last one, plus one callback per pair.
+// Between two calls of dSpaceCollide it keeps the list of pairs whose boxes overlap, in order. The cost of a call is proportional to the changes
+// since the last one, plus one callback per pair.
 //
 // A call has three stages (collideInStages): geoms are cleaned, pairs are found, callbacks are called. All kinds of spaces derive from this class.
 // They differ in three parts, which the derived class owns and this one calls (dxSpaceParts.h): the cleaner, the order of pairs, and the walker. The
