@@ -33,9 +33,9 @@ TEST(RemoteFrame, ItemsComeBack) {
 TEST(RemoteFrame, UsesRoomThatIsToSpare) {
     dxSpareBytes spare;
     spare.giveBack(dxRemoteBytes(1000, std::byte{7}));
-    EXPECT_GE(spare.room(), 1000u);
+    EXPECT_GE(spare.capacity(), 1000u);
     dxRemoteFrame frame(spare.take());
-    EXPECT_EQ(spare.room(), 0u);
+    EXPECT_EQ(spare.capacity(), 0u);
     const char text[] = "as in a new one";
     frame.addItem(7, text, sizeof text);
     const std::byte *const at = frame.seal(dxRemoteKind::Problems).data();
@@ -47,10 +47,10 @@ TEST(RemoteFrame, UsesRoomThatIsToSpare) {
 TEST(RemoteFrame, RoomToSpareIsBounded) {
     dxSpareBytes spare;
     for (int i = 0; i < 100; ++i) spare.giveBack(dxRemoteBytes(1 << 20));
-    EXPECT_LE(spare.room(), dxSpareBytes::kMaxRoom);
-    EXPECT_GT(spare.room(), dxSpareBytes::kMaxRoom / 2);
-    spare.giveBack(dxRemoteBytes(2 * dxSpareBytes::kMaxRoom));
-    while (spare.room() > 0) spare.take();
+    EXPECT_LE(spare.capacity(), dxSpareBytes::kMaxCapacity);
+    EXPECT_GT(spare.capacity(), dxSpareBytes::kMaxCapacity / 2);
+    spare.giveBack(dxRemoteBytes(2 * dxSpareBytes::kMaxCapacity));
+    while (spare.capacity() > 0) spare.take();
     EXPECT_EQ(spare.take().capacity(), 0u);
 }
 

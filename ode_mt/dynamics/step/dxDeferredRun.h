@@ -99,11 +99,11 @@ public:
     double busyNs() const;
 
 private:
-    static constexpr unsigned kNobody = ~0u;
+    static constexpr unsigned kNone = ~0u;
 
     struct Unit {
         std::uint32_t seed = 0;
-        unsigned first = kNobody, last = kNobody;  // workers of its first and its last part
+        unsigned first = kNone, last = kNone;  // workers of its first and its last part
     };
     struct alignas(kCacheLine) Worker {
         std::vector<dxKeptReport> reports;
@@ -151,7 +151,7 @@ void dxDeferredRun::reserve(unsigned end, const Draws &drawsOf) {
 template <class Work>
 void dxDeferredRun::run(unsigned unit, unsigned worker, const Work &work) {
     Unit &one = m_units[unit];
-    if (one.first == kNobody) one.first = worker;
+    if (one.first == kNone) one.first = worker;
     one.last = worker;
     try {
         const dxDeferredScope scope(unit, one.seed, m_hasUserHandlers, m_workers[worker].reports);

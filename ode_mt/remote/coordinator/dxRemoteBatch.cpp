@@ -61,7 +61,7 @@ bool dxRemoteBatch::queue(unsigned index, dxRemoteBytes &&bytes, double cost) {
     return dxIsAnyIdle(m_scheduler.workers(), m_scheduler.now());
 }
 
-dxRemoteBytes dxRemoteBatch::room() {
+dxRemoteBytes dxRemoteBatch::takeSpare() {
     const dxRemoteLock lock(m_workers.m_mutex);
     return m_scheduler.takeSpare();
 }

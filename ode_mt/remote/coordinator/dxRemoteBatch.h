@@ -42,7 +42,7 @@ public:
     void noteGivenBack();
 
     // Returns memory for a problem that will be submitted.
-    dxRemoteBytes room();
+    dxRemoteBytes takeSpare();
 
     // Returns the outcomes of those that next() has given so far.
     dxRemoteOutcomes outcomes() const;

@@ -153,7 +153,7 @@ bool dxRemoteMessenger::receive(dxRemoteLock &lock) {
         {
             const dxUnlocked others(lock);
             bytes = m_transport->waiting(worker);
-            if (m_received.capacity() > dxSpareBytes::kMaxRoom) dxRemoteBytes().swap(m_received);
+            if (m_received.capacity() > dxSpareBytes::kMaxCapacity) dxRemoteBytes().swap(m_received);
             m_received.resize(bytes);
             isReceived = bytes != 0 && m_transport->receive(m_received.data());
             fault = isReceived ? dxFindFrameFault(m_received) : nullptr;

@@ -117,7 +117,7 @@ void dxRemoteIslands::makeProblem(unsigned entry) {
     }
     if (dxTimelineRing *const ring = dxTimeline::ofThisThread()) ring->countRows(one.problem.rowCount);  // for this process or a worker
     if (one.problem.rowCount == 0) return m_batch->keep(entry);
-    dxRemoteBytes bytes = m_batch->room();
+    dxRemoteBytes bytes = m_batch->takeSpare();
     try {
         dxPackProblem(one.problem, m_islands.call().stepSize, bytes);
     } catch (const std::bad_alloc &) {

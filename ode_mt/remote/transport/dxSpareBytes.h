@@ -20,26 +20,26 @@ public:
         if (m_spare.empty()) return {};
         dxRemoteBytes bytes = std::move(m_spare.back());
         m_spare.pop_back();
-        m_room -= bytes.capacity();
+        m_capacity -= bytes.capacity();
         return bytes;
     }
 
     void giveBack(dxRemoteBytes &&bytes) noexcept {
-        if (m_room + bytes.capacity() > kMaxRoom) return dxRemoteBytes().swap(bytes);
+        if (m_capacity + bytes.capacity() > kMaxCapacity) return dxRemoteBytes().swap(bytes);
         bytes.clear();
         try {
-            const std::size_t room = bytes.capacity();
+            const std::size_t capacity = bytes.capacity();
             m_spare.push_back(std::move(bytes));
-            m_room += room;
+            m_capacity += capacity;
         } catch (const std::bad_alloc &) {  // then it is freed
         }
     }
 
-    std::size_t room() const { return m_room; }
+    std::size_t capacity() const { return m_capacity; }
 
-    static constexpr std::size_t kMaxRoom = std::size_t{8} << 20;
+    static constexpr std::size_t kMaxCapacity = std::size_t{8} << 20;
 
 private:
     std::vector<dxRemoteBytes> m_spare;
-    std::size_t m_room = 0;
+    std::size_t m_capacity = 0;
 };

@@ -22,12 +22,12 @@ class dxPhaseRunner {
 public:
     // Makes room for this number of threads. Throws std::bad_alloc.
     void reserve(unsigned threads) {
-        if (threads <= m_room) return;
+        if (threads <= m_capacity) return;
         m_shares = std::make_unique<Share[]>(threads);
-        m_room = threads;
+        m_capacity = threads;
     }
 
-    unsigned room() const { return m_room; }  // number of threads for which it has been reserved
+    unsigned capacity() const { return m_capacity; }  // number of threads for which it is reserved
 
     // Calls control(). The runner's workers share its phases. Requires that there are no more of them than reserved.
     template <class Control>
@@ -146,7 +146,7 @@ private:
     }
 
     std::unique_ptr<Share[]> m_shares;
-    unsigned m_room = 0, m_threads = 1;
+    unsigned m_capacity = 0, m_threads = 1;
     unsigned m_own = 0;  // the share of the thread that has the control
     alignas(kCacheLine) std::atomic<bool> m_isControlled{false};
     std::atomic<Task> m_task{nullptr};

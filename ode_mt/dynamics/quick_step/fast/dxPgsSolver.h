@@ -30,7 +30,7 @@ public:
     // Provides the memory and the number of threads that another solver has, between groups. Throws std::bad_alloc.
     void reserve(std::size_t memory, unsigned threads);
     std::size_t memory() const { return m_arena.capacity(); }
-    unsigned threads() const { return m_phases.room(); }
+    unsigned threads() const { return m_phases.capacity(); }
 
 private:
     // The stages of a solution, in their order.
