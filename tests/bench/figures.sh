@@ -56,6 +56,17 @@ data() {
 data 3.1 stock ours:auto/original/concurrent ours:auto
 data 10.4 stock ours:auto/decluster/concurrent ours:auto/decluster/concurrent/cells=5
 data 10.5 stock ours:1 ours:2 ours:1/decluster/concurrent
+data frames stock ours:0 ours:2/fast
+cat >README.md <<'PAGE'
+| `before` | the table | stays |
+<!-- frames -->
+| times as fast | bodies | old |
+|---|---|---|
+| `soccer`, robots | 19 | 0.1 | 0.2 |
+
+Machine: old.
+<!-- end frames -->
+PAGE
 {
     echo "# 2 cores, Fast One"
     echo world,engine,real_time_factor
@@ -74,9 +85,9 @@ data 10.5 stock ours:1 ours:2 ours:1/decluster/concurrent
         for second in 1 2 3; do echo "$world,ours:auto,$((34 + second))"; done
     done
 } >docs/figures/data/B.1.csv
-for figure in 3.1 10.4 10.5 12.1 B.1; do printf '<!-- %s -->\nold\n<!-- end %s -->\n' $figure $figure; done >docs/figures.md
+for figure in 3.1 10.4 10.5 12.1 B.1 frames; do printf '<!-- %s -->\nold\n<!-- end %s -->\n' $figure $figure; done >docs/figures.md
 
-bench/figures/run --draw 3.1 10.4 10.5 12.1 B.1 >output 2>&1 || fail "run --draw: $(cat output)"
+bench/figures/run --draw 3.1 10.4 10.5 12.1 B.1 frames >output 2>&1 || fail "run --draw: $(cat output)"
 for figure in 3.1 10.4 10.5 12.1 B.1; do
     grep -q 'Fast One' "docs/figures/$figure.svg" || fail "figure $figure does not name the machine"
     grep -q 'libode8' "docs/figures/$figure.svg" || fail "figure $figure does not hold libode8"
@@ -101,6 +112,11 @@ grep -qxF '| blimp | 12 ± 1 | 26 ± 2 | 36 ± 1 | 2.17 | 3.00 |' docs/figures.m
 grep -qxF '| frame / collision | original | ODE_MT |' docs/figures.md || fail "no titles: $(cat docs/figures.md)"
 grep -qxF '| soccer | 2.00 / 4.00 | 3.00 / 6.00 |' docs/figures.md || fail "no speed-ups: $(cat docs/figures.md)"
 grep -qxF '| soccer | libode8 | 30 [20, 40] | 30 ± 16 |' docs/figures.md || fail "no quantiles: $(cat docs/figures.md)"
+grep -qxF '| world | one thread | `fast`, 2 threads |' docs/figures.md || fail "no titles of frames: $(cat docs/figures.md)"
+grep -qxF '| `soccer` | 2 [0.2, 2.5] | 3 [0.3, 3.5] |' docs/figures.md || fail "no frames: $(cat docs/figures.md)"
+grep -qxF 'Machine: 2 cores, Fast One.' docs/figures.md || fail "no machine: $(cat docs/figures.md)"
+grep -qxF '| `soccer`, robots | 19 | 2.00 | 3.00 |' README.md || fail "no frames in README: $(cat README.md)"
+[ "$(grep -c 'Machine: 2 cores, Fast One.' README.md)$(grep -c before README.md)" = 11 ] || fail "README: $(cat README.md)"
 if grep -q old docs/figures.md; then fail "an old table is left"; fi
 
 # A bench that measures nothing: both kinds of figures, one after the other.
