@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "clusters/dxClusterScene.h"
 #include "core/dxLog.h"
 #include "core/dxStopwatch.h"
 #include "settings/dxSettings.h"
@@ -115,7 +116,7 @@ void dxClusterBroadphase::tune(double ns, unsigned threads) {
 
 void dxClusterBroadphase::tuneCells(double ns) {
     if (dxSettings::instance().gridCells() != 0) return;
-    const bool climbs = m_cellSize->phase() == dxCellSizeHeuristic::Phase::Climb;  // which alone needs them
+    const bool climbs = m_cellSize->phase() == dxCellSizeHeuristic::Phase::Climb;  // only the climb needs entities
     const auto entities = static_cast<unsigned>(climbs ? m_clusters.entities() : 0);
     m_cellSize->observe({ns, static_cast<unsigned>(m_clusters.clusters().dynamicCount()), entities});
 }

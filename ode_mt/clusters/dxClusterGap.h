@@ -16,8 +16,8 @@
 
 class dxClusterGap {
 public:
-    // Returns the smallest gap between a dynamic cluster and an inhabitant or cluster with which it is not tested; at most about the edge of a
-    // cell, since only boxes within that reach are examined; infinite if every cluster is tested with everything. 0 may also
+    // Returns the smallest gap between a dynamic cluster and an inhabitant or cluster with which it is not tested; at most half of the edge of a
+    // cell, since only boxes within an edge are examined; infinite if every cluster is tested with everything. 0 may also
     // mean that the gap is not known, because the box around a cluster is measured, not its members.
     double toOthers(const dxClusterScene &scene, const dxClusters &clusters, const dxCrossoverPass &pass);
 

@@ -36,7 +36,8 @@ public:
     dReal edge() const { return m_edge; }
     const dReal *centre() const { return m_centre; }
 
-    // Returns the cells that a box covers: all cells of an axis on which a bound is NaN, which overlaps everything, or min > max.
+    // Returns the cells that a box covers. On an axis on which a bound is NaN or min > max these are all cells: NaN overlaps everything, and an
+    // inverted box overlaps those that extend from its max to its min.
     dxCellRange cellsOf(const dxBounds &box) const;
     // Returns whether the box extends beyond the grid on some side.
     bool isLeftBy(const dxBounds &box) const;

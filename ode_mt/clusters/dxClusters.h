@@ -51,8 +51,8 @@ struct dxClusterChange {
 
 class dxClusterHistory {
 public:
-    // Names the dynamic clusters of `now`. A cluster gets the name of the cluster of `before` with which it shares most members, unless another one
-    // shares more with that; else it gets a new name. Names are never reused.
+    // Names the dynamic clusters of `now`. Shares of members are taken from the largest on: a cluster gets the name of the cluster of `before` if
+    // neither has been matched yet. A cluster without a match gets a new name. Names are never reused.
     void follow(const dxClusters &before, dxClusters &now);
     // Requires a call when a search begins, and in a frame without one.
     void rest() { m_changes.clear(); }

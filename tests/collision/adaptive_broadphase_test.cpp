@@ -1,4 +1,4 @@
-// dxAdaptiveBroadphase: goes over to batches when many boxes travel, back when they rest, and misses nothing meanwhile.
+// dxAdaptiveBroadphase: changes to a Verlet list when many boxes move, back when they rest, and misses nothing meanwhile.
 #include <gtest/gtest.h>
 
 #include <vector>

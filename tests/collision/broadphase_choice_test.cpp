@@ -78,7 +78,7 @@ TEST_F(BroadphaseChoice, NothingIsWalkedWhoseRanksAreNeededOrWhoseOrderIsAnother
     }
 }
 
-TEST_F(BroadphaseChoice, TablesInOrderOfRanksGiveWayToSearchesAndComeBackAtHalfTheSize) {
+TEST_F(BroadphaseChoice, OrderedBruteForceGivesWayToAVerletListAndComesBackAtHalfTheSize) {
     for (const dxPairOrder order : {dxPairOrder::List, dxPairOrder::Blocks}) {
         facts = {};
         facts.order = order;
@@ -90,7 +90,7 @@ TEST_F(BroadphaseChoice, TablesInOrderOfRanksGiveWayToSearchesAndComeBackAtHalfT
     }
 }
 
-TEST_F(BroadphaseChoice, ATableOfSlotsGivesWayToAListAndComesBackAtHalfTheSize) {
+TEST_F(BroadphaseChoice, BruteForceGivesWayToAVerletListAndComesBackAtHalfTheSize) {
     EXPECT_EQ(follow(128), dxBroadphaseKind::BruteForce);
     EXPECT_EQ(follow(129), dxBroadphaseKind::VerletList);
     EXPECT_EQ(follow(65), dxBroadphaseKind::VerletList);

@@ -1,4 +1,4 @@
-// What every search has to do, against brute force: members that come, go and change, few or many at once; sizes over
+// What every broad phase has to do, against brute force: members that come, go and change, few or many at once; sizes over
 // many decades, boxes that no cell can hold.
 #include <gtest/gtest.h>
 
@@ -14,11 +14,11 @@ namespace {
 
 using Slot = BroadphaseMembers::Slot;
 
-template <class Search>
+template <class>
 class Broadphase : public testing::Test {};
 
-using Searches = testing::Types<dxAdaptiveBroadphase, dxGridBroadphase, dxNeighbourBroadphase, dxBruteForceBroadphase, dxVerletBroadphase>;
-TYPED_TEST_SUITE(Broadphase, Searches);
+using Broadphases = testing::Types<dxAdaptiveBroadphase, dxGridBroadphase, dxNeighbourBroadphase, dxBruteForceBroadphase, dxVerletBroadphase>;
+TYPED_TEST_SUITE(Broadphase, Broadphases);
 
 struct Churn {
     unsigned seed;
@@ -37,11 +37,11 @@ void change(BroadphaseMembers &crowd, Slot slot, RandomBoxes &random) {
 }
 
 TYPED_TEST(Broadphase, FindsNothingWithoutMembersAndForOne) {
-    TypeParam search;
+    TypeParam broadphase;
     BroadphaseMembers crowd;
-    EXPECT_TRUE(crowd.found(search).empty());
+    EXPECT_TRUE(crowd.found(broadphase).empty());
     crowd.add(cubeAt(0, 0, 0));
-    EXPECT_TRUE(crowd.found(search).empty());
+    EXPECT_TRUE(crowd.found(broadphase).empty());
 }
 
 TYPED_TEST(Broadphase, FindsEveryOverlapOnceWhateverTheBoxes) {
@@ -49,14 +49,14 @@ TYPED_TEST(Broadphase, FindsEveryOverlapOnceWhateverTheBoxes) {
         RandomBoxes random(churn.seed);
         std::size_t overlaps = 0;
         for (int round = 0; round < churn.rounds; ++round) {
-            TypeParam search;
+            TypeParam broadphase;
             BroadphaseMembers crowd;
             for (int step = 0; step < churn.steps; ++step) {
                 for (int i = 0; i < (step == 0 ? 60 : churn.changes); ++i)
                     change(crowd, random.below(churn.slots), random);
                 const auto expected = crowd.expected();
                 overlaps += expected.size();
-                ASSERT_EQ(crowd.found(search), expected)
+                ASSERT_EQ(crowd.found(broadphase), expected)
                     << churn.changes << " changes, round " << round << ", step " << step;
             }
         }

@@ -1,4 +1,4 @@
-// dxGridBroadphase against brute force, beyond what every search has to do (broadphase_test.cpp): crowds and deserts.
+// dxGridBroadphase against brute force, beyond what every broad phase has to do (broadphase_test.cpp): crowds and deserts.
 //
 // Covers dxCellGridPairs.cpp.
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Pairs and their order in random spaces, against Debian's libode8: docs/collision.md.
 //
 // Covers api/collision.cpp, api/collision_space.cpp, dxListCleaner.cpp, dxOrderedHashSpace.cpp, dxOrderedQuadTreeSpace.cpp, dxOrderedSapSpace.cpp,
-// dxOrderedSimpleSpace.cpp, dxOrderedSpace.cpp, dxSapPairOrder.cpp, dxSapWalk.cpp, dxSpaceGeoms.cpp, dxSpacePairs.cpp.
+// dxOrderedSimpleSpace.cpp, dxOrderedSpace.cpp, dxQuadTreeCleaner.cpp, dxSapPairOrder.cpp, dxSapWalk.cpp, dxSpaceGeoms.cpp, dxSpacePairs.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>

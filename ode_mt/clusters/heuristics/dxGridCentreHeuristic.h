@@ -3,8 +3,8 @@
 // The centre is the one that the caller offers: the middle of the extent of nearly all dynamic members (dxFitGrid), so that one member
 // far away, or one that falls for ever, does not move it. Tried and dropped: the median of the members, which lies in one of two
 // groups. The centre is moved only
-//   - when more than kOutside of the members are outside the grid, or the median frame costs more than before by
-//     more than kDrift since the last decision;
+//   - when more than kOutside of the members are outside the grid, or the median frame costs more than (1 + kDrift)
+//     times what it cost after the last decision;
 //   - if the offered centre is then further than kHysteresis cells from the present one on some axis: a move within a cell
 //     hardly changes which members share a cell, and costs a new grid;
 //   - at least kMinRest frames after the last decision. The rest doubles, up to kMaxRest, each time the reason

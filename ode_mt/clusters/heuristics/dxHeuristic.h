@@ -1,4 +1,4 @@
-// What all heuristics have in common: a state, a tick at the end of every frame, and an alert when they change what they
+// What all heuristics have in common: a state, a tick at the end of every search, and an alert when they change what they
 // tune (thesis, figure A.3); and the manager that owns the heuristics of one (world, space) pair (figure A.5).
 //
 // A heuristic watches numbers that its owner hands in and tunes one parameter of the clustering (thesis 10.1). It may
@@ -17,7 +17,7 @@
 //             start            pause
 //   Init ─────────────► Running ─────► Paused      Init     created, has never run
 //                       ▲  ▲             │         Reset    as created, waits for its start
-//   Reset ──────────────┘  └─────────────┘         Running  takes a sample, or judges, once a frame
+//   Reset ──────────────┘  └─────────────┘         Running  takes a sample, or judges, at each tick
 //     start                    start               Paused   keeps everything, does nothing
 //                                                  Stopped  over; what it found can still be read
 //   any state ──reset──► Reset
@@ -60,7 +60,7 @@ public:
     bool stop() { return change(dxHeuristicState::Stopped); }
     bool reset();  // forgets everything; needs a new start
 
-    // Requires a call at the end of each frame. Returns false if nothing was done because the heuristic does not run.
+    // Requires a call at the end of each search. Returns false if nothing was done because the heuristic does not run.
     bool tick();
 
     // Sets the callback that is notified from now on; NULL: none. It has to outlive the heuristic.
@@ -73,7 +73,7 @@ protected:
     }
 
 private:
-    virtual void judge() = 0;   // called once a frame while running
+    virtual void judge() = 0;   // called at each tick while running
     virtual void forget() = 0;  // returns to the state of a new object
 
     bool change(dxHeuristicState to);

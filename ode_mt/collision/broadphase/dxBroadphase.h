@@ -17,10 +17,11 @@ public:
     // Called whenever members have changed; at the first call all have. It may run chunks on the runner's workers.
     virtual void findOverlaps(const dxMembers &members, dxTaskRunner &runner, std::vector<Match> &matches) = 0;
 
-    // For callbacks on several threads after a call of findOverlaps(), if the broad phase groups members (by clusters).
+    // The group of members that belong to none.
     static constexpr int kNoGroup = -1;
-    // Returns the group of a member; one worker delivers the pairs of a group. Groups are numbered from 0.
+    // Returns, after findOverlaps(), the group of a member, for callbacks on several threads; one worker delivers the pairs of a group. Groups are
+    // numbered from 0. A broad phase that does not group members (by clusters) returns kNoGroup.
     virtual int groupOf(dxMembers::Slot) const { return kNoGroup; }
-    // Returns the number of threads that the callbacks should use, from 1 to the limit.
+    // Returns, after findOverlaps(), the number of threads that the callbacks should use, from 1 to the limit.
     virtual unsigned threads(unsigned limit) const { return limit; }
 };

@@ -19,7 +19,7 @@ constexpr Costs kBruteForce{150, 30, 1.7, 8, 4};  // dxBruteForcePairs
 constexpr Costs kSorted{300, 60, 0, 110, 30};     // dxAdaptiveBroadphase, dxKeptPairs
 constexpr Costs kPlaced{300, 60, 0, 110, 60};     // the same, where kept pairs get new places (dxSapPairOrder)
 constexpr Costs kRows{20, 20, 1.7, 3, 0};         // dxPairRows
-constexpr Costs kHashRows{50, 60, 1.7, 10, 0};  // dxHashRows
+constexpr Costs kHashRows{50, 60, 1.7, 10, 0};    // dxHashRows
 
 bool isListWalk(const dxBroadphaseFacts &facts) {
     if (!facts.mayWalk) return false;

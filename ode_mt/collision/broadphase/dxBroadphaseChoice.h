@@ -33,9 +33,10 @@ enum class dxPairOrder {
 
 // Units are geoms, members, calls or pairs. "Walked" means ListWalk.
 struct dxBroadphaseThresholds {
-    // Up to this size a simple space is walked if any geom moves, and a quad tree keeps no pairs: keeping them never pays.
+    // Up to this size a simple space is walked if any geom moves. A quad tree in which a geom has moved keeps no pairs until it has rested for
+    // kMinCallsRested calls.
     static constexpr int kMaxAlwaysWalked = 12;
-    // The same if no geom moves.
+    // Up to this size a simple space that is walked is also walked in calls in which no geom moves, however many these are.
     static constexpr int kMaxNeverKept = 6;
     // Up to this size a simple space is walked if three quarters of its geoms move.
     static constexpr int kMaxWalked = 512;
@@ -48,7 +49,7 @@ struct dxBroadphaseThresholds {
     static constexpr int kMinCallsRested = 4;
     // From this size on a walk compares boxes with SIMD; below, filling the columns costs more than it saves.
     static constexpr int kMinWalkedWithSimd = 20;
-    // With more pairs per geom than this, pairs are found row by row as they are delivered, else all at once before.
+    // If the last walk with SIMD found more overlaps per geom than this, pairs are found row by row as they are delivered, else all at once before.
     static constexpr std::size_t kMaxListedPerGeom = 3;
 
     // Up to this size brute force with SIMD is faster than neighbours and sorting, whatever share of the geoms

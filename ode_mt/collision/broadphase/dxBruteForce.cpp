@@ -7,7 +7,7 @@
 namespace {
 
 bool arePresent(const dxMembers &members, const dxSlotPair &pair) {
-    return members[pair.a].geom != nullptr && members[pair.b].geom != nullptr;
+    return members.isPresent(pair.a) && members.isPresent(pair.b);
 }
 
 auto isInFrontOf(const dxMembers &members) {
@@ -27,7 +27,7 @@ void dxBruteForceBroadphase::findOverlaps(const dxMembers &members, dxTaskRunner
     while (m_boxes.size() < members.end()) m_boxes.push(members[static_cast<Slot>(m_boxes.size())].bounds);
     for (const Slot slot : members.changed()) m_boxes.set(slot, members[slot].bounds);
     if (dxHaveMostChanged(members.changed().size(), members.end()))
-        searchAll(members, matches);
+        findAllPairs(members, matches);
     else
         findPairsOfChanged(members, matches);
 }
@@ -38,7 +38,7 @@ void dxBruteForceBroadphase::adopt(const dxMembers &members) {
 }
 
 // Finds each pair once, and leaves out those of which no member has changed.
-void dxBruteForceBroadphase::searchAll(const dxMembers &members, std::vector<Match> &matches) {
+void dxBruteForceBroadphase::findAllPairs(const dxMembers &members, std::vector<Match> &matches) {
     const std::size_t count = dxOverlappingPairs(m_boxes, m_boxes.size(), m_found);
     for (std::size_t i = 0; i < count; ++i) {
         const dxSlotPair &pair = m_found[i];

@@ -22,7 +22,7 @@ public:
 private:
     using Slot = dxMembers::Slot;
 
-    void searchAll(const dxMembers &members, std::vector<Match> &matches);
+    void findAllPairs(const dxMembers &members, std::vector<Match> &matches);
     void findPairsOfChanged(const dxMembers &members, std::vector<Match> &matches);
 
     dxBoxColumns m_boxes;              // by slot; removed members keep their last box

@@ -56,7 +56,7 @@ void dxGridBroadphase::findOverlaps(const dxMembers &members, dxTaskRunner &runn
     joinSparseLevels();
     if (m_found.size() < runner.workers()) m_found.resize(runner.workers());
     m_corners = dxBounds::nothing();
-    for (std::size_t level = 0; level < m_levels.size(); ++level) searchLevel(members, level, runner);
+    for (std::size_t level = 0; level < m_levels.size(); ++level) findPairsOfLevel(members, level, runner);
     for (Found &found : m_found) {
         matches.insert(matches.end(), found.matches.begin(), found.matches.end());
         found.matches.clear();
@@ -127,7 +127,7 @@ void dxGridBroadphase::fillRows(const dxMembers &members, const Grid &grid, cons
     }
 }
 
-void dxGridBroadphase::searchLevel(const dxMembers &members, std::size_t index, dxTaskRunner &runner) {
+void dxGridBroadphase::findPairsOfLevel(const dxMembers &members, std::size_t index, dxTaskRunner &runner) {
     Level &level = *m_levels[index];
     for (const Slot slot : level.slots) {
         const dxBounds &box = members[slot].bounds;

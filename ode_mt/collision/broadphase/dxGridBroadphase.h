@@ -50,7 +50,7 @@ private:
     void joinSparseLevels();
     Grid gridOf(int exponent) const;
     void fillRows(const dxMembers &members, const Grid &grid, const std::vector<Slot> &slots, dxCellRows &rows);
-    void searchLevel(const dxMembers &members, std::size_t level, dxTaskRunner &runner);
+    void findPairsOfLevel(const dxMembers &members, std::size_t level, dxTaskRunner &runner);
     void findPairsWithSmaller(const dxMembers &members, std::size_t level, const Grid &grid, dxTaskRunner &runner);
     void findPairsApart(const dxMembers &members, std::vector<Match> &matches);
     // Calls sweep(begin, end, matches) for chunks of the rows, until there are more matches than a space keeps.

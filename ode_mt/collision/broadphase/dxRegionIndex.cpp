@@ -10,8 +10,11 @@ namespace {
 constexpr int kCurveBits = 16;
 constexpr double kCurveCells = 1 << kCurveBits;
 
-// Number of loose boxes that count as one comparison, and that are compared before their results are appended.
-constexpr std::size_t kComparedAtOnce = 4, kRowsInPart = 256;
+// Number of loose boxes that count as one comparison.
+constexpr std::size_t kComparedAtOnce = 4;
+
+// Number of loose boxes that are compared before their results are appended.
+constexpr std::size_t kRowsInPart = 256;
 
 // Returns the bits of a number with two zeros between each two of them.
 std::uint64_t spread(std::uint64_t bits) {

@@ -65,8 +65,8 @@ private:
     void build(const dxMembers &members);
     void sortAlongCurve(const dxMembers &members);
 
-    std::shared_mutex m_mutex;  // only try_lock is used: shared for a query, exclusive for a build
-    bool m_isInUse = false;     // all members are in the tree or loose, from the first query on
+    std::shared_mutex m_mutex;    // only try_lock is used: shared for a query, exclusive for a build
+    bool m_isInUse = false;       // all members are in the tree or loose, from the first query on
     std::vector<Place> m_places;  // by slot
     std::vector<Slot> m_loose;
     dxBoxColumns m_looseBoxes;  // of m_loose

@@ -203,8 +203,7 @@ void Run::start(const dxOrderedSpace &space, unsigned workers) {
     failed.store(false, std::memory_order_relaxed);
     threadEnded.store(false, std::memory_order_relaxed);
     thrown = nullptr;
-    pairTasks.cut(*pairs, space.broadphase(), workers * kTasksPerWorker,
-            dxSettings::instance().callbackPolicy() == dxCallbackPolicy::Independent);
+    pairTasks.cut(*pairs, space.broadphase(), workers * kTasksPerWorker, dxSettings::instance().callbackPolicy() == dxCallbackPolicy::Independent);
     while (logs.size() < pairTasks.tasks().size()) logs.push_back(std::make_unique<dxContactLog>());
     for (std::size_t i = 0; i < pairTasks.tasks().size(); ++i) logs[i]->start(groups);
     spans.assign(pairs->size(), {});
@@ -231,7 +230,7 @@ void Run::deliver(const dxOrderedPair &pair) {
         dxDeliver(pair, data, callback);
     } catch (...) {
         const std::exception_ptr exception = std::current_exception();
-        if (exception == nullptr) {  // not one of C++'s, but the end of the thread, which has to go on
+        if (exception == nullptr) {  // no exception of C++: the thread is ending (pthread_exit), which must not be stopped
             threadEnded.store(true);
             failed.store(true);
             throw;

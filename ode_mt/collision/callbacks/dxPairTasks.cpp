@@ -11,7 +11,8 @@
 
 namespace {
 
-// Returns whether a collision that may write to its pair may write to this geom, or run the user's code for it.
+// Returns whether colliders may write to this geom, or run the user's code for it. Requires a geom of a pair that may not be collided
+// concurrently.
 bool isWrittenTo(const dxGeom *geom) {
     const int type = geom->type;
     return dxIsHeightField(*geom) || type == dGeomTransformClass || type == dTriMeshClass ||

@@ -36,8 +36,8 @@ public:
     };
 };
 
-// Upstream's ccd_convex_t, which is known in its file alone. That file is the one release that the fork is made of
-// (ode/releases/), and every pair with a convex geom in the exactness suite depends on it.
+// Upstream's ccd_convex_t, which is known in its file alone. It is that of the one release that the fork is made of
+// (ode/releases/); every pair with a convex geom in the exactness suite depends on it.
 struct dxCcdConvex {
     ccd_vec3_t position;
     ccd_quat_t rotation, inverseRotation;

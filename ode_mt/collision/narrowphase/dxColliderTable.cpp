@@ -72,8 +72,8 @@ void write(int type1, int type2, dColliderFn *collider) {
     dispatch->set(type1, type2, entry, entry);
 }
 
-// The function that upstream itself asks, where a collider of its own calls its own dCollide: that of spaces, for the geoms
-// in them. So what upstream writes is known here, and is the same as what is written here.
+// Upstream itself calls this function where its collider of spaces calls upstream's own dCollide for the geoms in them. So what upstream writes is
+// known here, and is the same as what is written here.
 template <int user>
 dColliderFn *askForUpstream(int other) {
     constexpr int type = dFirstUserClass + user;

@@ -8,12 +8,12 @@
 
 #include "collision/narrowphase/dxCcdQuery.h"
 #include "collision/narrowphase/dxColliderTable.h"
-#include "collision/pairs/dxUnnoticedChanges.h"
 #include "collision/pairs/dxPairPrefetch.h"
+#include "collision/pairs/dxUnnoticedChanges.h"
 #include "core/dxReserve.h"
-#include "threading/dxUpstreamScope.h"
 #include "threading/dxFloatEnvironment.h"
 #include "threading/dxSchedulePoints.h"
+#include "threading/dxUpstreamScope.h"
 
 #include "collision_kernel.h"
 #include "collision_std.h"

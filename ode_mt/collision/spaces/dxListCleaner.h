@@ -88,7 +88,7 @@ namespace dxListQuery {
 std::size_t collideFrom(dxGeom *member, void *data, dxGeom *geom, dNearCallback *callback);
 
 // Executes upstream's collide2 for a space that is clean and does not need an index, without a look at what is kept of its members. For other spaces,
-// one that another thread is cleaning among them, it returns false and does nothing.
+// or while another thread is cleaning, it returns false and does nothing.
 bool collideAll(dxSpaceGeoms &geoms, const dxListCleaner &cleaner, void *data, dxGeom *geom, dNearCallback *callback);
 
 // dxSpaceWalker::collideWith().

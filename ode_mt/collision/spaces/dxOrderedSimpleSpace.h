@@ -9,6 +9,7 @@
 #include "collision/broadphase/overlap/dxBoxColumns.h"
 #include "collision/spaces/dxListCleaner.h"
 #include "collision/spaces/dxOrderedSpace.h"
+#include "collision/spaces/dxSpacePairs.h"
 
 class dxOrderedSimpleSpace final : public dxOrderedSpace {
 public:

@@ -1,6 +1,7 @@
 #include "collision/spaces/dxSpacePairs.h"
 
 #include <algorithm>
+#include <new>
 #include <optional>
 #include <utility>
 

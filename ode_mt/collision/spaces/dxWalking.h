@@ -22,7 +22,7 @@ public:
         m_isOn = isOn;
     }
 
-    // Requires a call after each cleaning, with the number of geoms that were cleaned, of `all`.
+    // Requires a call in each cleaning, with the number of geoms that it cleans, of `all`.
     void noteMoved(int geoms, int all) {
         m_moved = std::min(m_moved + geoms, all);
         if (geoms != 0) m_queries.store(0, std::memory_order_relaxed);

@@ -12,8 +12,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/pairs/dxPair.h"
-
 // Boxes in rising order of their lower bounds on the first axis, none of which is NaN. A NaN elsewhere overlaps nothing.
 class dxSapColumns {
 public:

@@ -59,8 +59,8 @@ private:
     BoxLanes<Lanes> m_box;
 };
 
-void queryBvh(const dxBoxBvh::Level *levels, std::size_t top, const std::uint8_t *isThere,
-               const dxBounds &box, std::pmr::vector<std::uint32_t> &rows) {
+void queryBvh(const dxBoxBvh::Level *levels, std::size_t top, const std::uint8_t *isThere, const dxBounds &box,
+              std::pmr::vector<std::uint32_t> &rows) {
     double bounds[6];
     std::copy(box.v, box.v + 6, bounds);
     Query(levels, isThere, bounds, rows).descend(top, 0);

@@ -27,8 +27,9 @@ int levelOf(const dReal aabb[6]) {
 
 }  // namespace
 
-// Upstream numbers the slots of a column of cells (x, y fixed) upwards from its lowest cell. Where this sum is below zero at the lowest cell, the
-// unsigned remainder jumps within the column. So the same cell has one slot for a box that begins below zero and another for one that does not.
+// Upstream numbers the slots of a column of cells (x, y fixed) upwards from its lowest cell. Where the sum 1000 level + 100 x + 10 y + z (level, x
+// and y as unsigned numbers) is below zero at the lowest cell, the unsigned remainder jumps within the column. So the same cell has one slot for a
+// box that begins below zero and another for one that does not.
 bool dxHashCells::beginsBelowZero(int level, int x, int y, int z) {
     const std::uint64_t base = static_cast<unsigned>(level) * UINT64_C(1000) +
                                static_cast<unsigned>(x) * UINT64_C(100) +

@@ -1,6 +1,5 @@
 #include "collision/spaces/hash/dxHashPairOrder.h"
 
-#include <algorithm>
 #include <atomic>
 
 #include "core/dxPrefetch.h"
@@ -23,11 +22,11 @@ std::uint64_t stageAndRank(Stage stage, dxRank rank) {
     return static_cast<std::uint64_t>(stage) << 62 | (dxFrontFirst(rank) & kRankBits);
 }
 
+// Returns an unsigned number that sorts as this signed one does.
+std::uint32_t sortable(int number) { return static_cast<std::uint32_t>(number) ^ UINT32_C(0x80000000); }
+
 // Returns two signed numbers in one word that sorts as they do.
-std::uint64_t pack(int high, int low) {
-    const auto biased = [](int i) { return static_cast<std::uint32_t>(i) ^ UINT32_C(0x80000000); };
-    return static_cast<std::uint64_t>(biased(high)) << 32 | biased(low);
-}
+std::uint64_t pack(int high, int low) { return static_cast<std::uint64_t>(sortable(high)) << 32 | sortable(low); }
 
 struct Element {
     const dxHashCells &cells;
@@ -83,10 +82,7 @@ void dxHashRows::clear() {
 
 void dxHashRows::push(dxGeom *geom, Slot slot, const dxPairFilter &filter, const dxBounds &box, const dxHashCells &cells) {
     const bool isBig = cells.kind() == dxHashCells::Kind::big;
-    if (!isBig) {
-        const auto biased = static_cast<std::uint32_t>(cells.level()) ^ UINT32_C(0x80000000);
-        m_byLevel.push_back({biased, static_cast<std::uint32_t>(m_table.size())});
-    }
+    if (!isBig) m_byLevel.push_back({sortable(cells.level()), static_cast<std::uint32_t>(m_table.size())});
     (isBig ? m_big : m_table).push_back({geom, slot, filter, box, cells});
 }
 

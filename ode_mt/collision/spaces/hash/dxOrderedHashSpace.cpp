@@ -46,7 +46,7 @@ private:
         std::uint32_t boxed;
         std::uint32_t before;  // the node stored before it in the same cell
     };
-    // Calls back for two geoms that share a cell, whether or not their boxes overlap. With `after`, it begins behind that pair.
+    // Tests two geoms as upstream's collideAABBs does, and calls back if they pass. With `after`, it begins behind that pair.
     struct Meeting {
         void *data;
         dNearCallback *callback;

@@ -12,6 +12,7 @@
 #include "collision/broadphase/dxOrderedBoxes.h"
 #include "collision/broadphase/dxPairRows.h"
 #include "collision/broadphase/overlap/dxPackedBoxes.h"
+#include "collision/spaces/dxSpaceGeoms.h"
 #include "collision/spaces/dxSpacePairs.h"
 #include "collision/spaces/quad_tree/dxQuadTree.h"
 #include "collision/spaces/quad_tree/dxQuadTreeCleaner.h"

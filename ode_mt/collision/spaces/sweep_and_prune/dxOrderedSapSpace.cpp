@@ -85,8 +85,9 @@ void dxSapWalker::deliverAnew(void *data, dNearCallback *callback) {
     m_state.comparisons = m_order.rows().comparisons();
 }
 
-// Delivers upstream's pairs behind this one, those that bits or bodies exclude among them. It is called when an assertion in a callback may have
-// left a box that is not up to date, for which upstream's next assertion fails; or when a nested call has refilled the lists.
+// Goes through upstream's pairs behind this one. Pairs that bits or bodies exclude get upstream's assertion too, but no callback. It is called when
+// an assertion in a callback may have left a box that is not up to date, for which upstream's next assertion fails; or when a nested call has
+// refilled the lists.
 void dxSapWalker::deliverBehind(const dxOrderedPair &after, unsigned fills, void *data, dNearCallback *callback) {
     const std::vector<Slot> &swept = m_order.swept();
     dxSapWalk rest(m_state.axes);

@@ -1,6 +1,7 @@
 // What the parts of a sweep-and-prune space share: the bounds of its members along its axes, and the state of the sort.
 //
-// The cleaner writes boxes, the pair order writes parts and positions. Threading: as dxOrderedSpace.
+// The cleaner writes boxes, and `absent` for members that are added or removed. The pair order writes parts, positions and, where the axes are not
+// x, y and z, boxes. The walker writes `comparisons`. Pair order and walker both sort. Threading: as dxOrderedSpace.
 #pragma once
 
 #include <cstddef>
