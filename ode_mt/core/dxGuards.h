@@ -93,7 +93,7 @@ private:
     const bool m_wasPending;
 };
 
-// For calls in a step: one of upstream's has no cancellation points, gets no signals from its own calls, and does not change errno.
+// For calls within a step: upstream's step has no cancellation points, gets no signals from its own calls, and does not change errno.
 class dxUndisturbed {
 public:
     dxUndisturbed() = default;

@@ -3,7 +3,7 @@
 // The environment variable ODE_MT_LOG names the most verbose level that is shown: error, warning (the default), info or
 // debug. The log is for messages that only ODE_MT has; upstream's are reported with dMessage and dError.
 //
-// Threading: any thread; a line is written at once.
+// Threading: any thread; a line is written by one call, so lines of several threads are not mixed.
 #pragma once
 
 enum class dxLogLevel { Error, Warning, Info, Debug };

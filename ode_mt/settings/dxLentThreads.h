@@ -34,8 +34,8 @@ namespace dxWorldWorkers {
 bool given(const dxWorld *world);
 
 // Returns whether functions of the user's own, or the user's limit for the world, have a single thread run all calls of a step. They are then asked
-// for all that upstream asks of them, in upstream's order: they may count calls, refuse them, or throw. (Nobody sees calls of upstream's own
-// functions, and a pool that no thread serves yet would block the step.)
+// for all that upstream asks of them, in upstream's order: they may count calls, refuse them, or throw. (Calls of upstream's own
+// functions are not observable, and a pool that no thread serves yet would block the step.)
 bool haveToBeAsked(const dxWorld *world);
 
 // Returns the number of workers that it lends.

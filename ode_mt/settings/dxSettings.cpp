@@ -132,7 +132,7 @@ void reportUnknownVariable(const char *name, const char *nearest) {
 dxProcessObject<dxSettings> dxProcessSettings;
 
 dxSettings::dxSettings() : m_cores(dxCountProcessors()) {
-    // One literal: bench/library_release.cpp finds the release in a library's file by it.
+    // One literal: bench/platform.cpp finds the release in a library's file by it.
     dxLog(dxLogLevel::Info, "version " dODE_MT_VERSION ", made of ODE " dODE_VERSION);
     dxReportUnknownVariables(reportUnknownVariable);
     if (const char *text = dxEnvironment(dxVariable::Threads)) readThreads(text);

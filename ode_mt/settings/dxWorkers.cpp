@@ -50,7 +50,7 @@ std::unique_ptr<dxThreadManager> make(const char *&name, const dxWorkerOptions &
     return manager;
 }
 
-// An executor lends as many threads as are wanted; the number of an implementation's is its own.
+// An executor lends as many threads as are wanted; an implementation has a number of its own.
 std::shared_ptr<dxThreadManager> makeLent(const dxThreadLender &lender) {
     const std::shared_ptr<dxThreadManagerUser> manager = dxLentThreads::managerOf(lender);
     if (lender.executor != nullptr && manager->limit() != wantedSize()) manager->resize(wantedSize());

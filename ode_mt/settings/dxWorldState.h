@@ -2,7 +2,8 @@
 // its solver remembers from step to step. There is one object for a world, made when something is first kept for it; it ends with the world.
 //
 // A step reads its world's settings (dxWorldSettings::of) before it takes memory for its islands, and again when it begins to step them; from there
-// on they are passed (dxStepCall). Finding a world takes no lock for the first thousand worlds that have a state.
+// on they are passed (dxStepCall). The statistics read the number of threads at the end. Finding a world takes no lock for the first thousand worlds
+// that have a state.
 //
 // Threading: any thread may call. The solver must not be changed while its world is stepped, not even by the world's memory functions:
 // the step has taken memory for the previous solver. As in upstream, a world must not be destroyed by one thread and used by another.

@@ -44,8 +44,8 @@ constexpr const char *kDescriptions[] = {
     "a second stepping thread waits for the first one's step",
     "a thread becomes the cleaner of a space",
     "a thread waits for the cleaner of a space",
-    "a worker computes contacts of a pair ahead of its callback",
-    "dCollide answers with contacts computed ahead",
+    "a worker prefetches the contacts of a pair",
+    "dCollide answers with prefetched contacts",
     "a worker calls a callback that may run beside others",
     "joints made by such callbacks are put into their lists",
 };

@@ -81,7 +81,7 @@ inline void dxPerturb(dxSchedulePoint point) {
 // Returns how many times threads have been at a point while a perturbation was set.
 std::uint64_t dxTimesReached(dxSchedulePoint point);
 
-// Null: none.
+// Sets the perturbation; null: none.
 void dxSetPerturbation(dxPerturbation perturb);
 
 // Sets the pseudo-random perturbation, as ODE_MT_PERTURB=seed does.

@@ -4,10 +4,12 @@
 // Upstream's code would shuffle rows, tell a collision space that a geom moved, or report a message or a failed assertion. Our functions in its place
 // (dxSorOrder.h, dxBodyMotion.h, ode_mt/api/error.cpp) ask the scope of the current thread:
 //
-//   dxDeferredScope    an island or a world is stepped on behalf of the thread that called the step
-//   dxReservedDraws    islands are stepped in order on that thread, with random numbers taken in advance
-//   dxIslandSurvey     joints are asked for their rows beforehand
+//   dxDeferredScope        an island or a world is stepped on behalf of the thread that called the step
+//   dxReservedDraws        islands are stepped in order on that thread, with random numbers taken in advance
+//   dxIslandSurvey         joints are asked for their rows beforehand
 //   dxInterruptingScope    contacts are computed before the near-callbacks, or bounding boxes on workers
+//   dxHeldMessage          Dantzig's algorithm is tried, and its message kept back (dxDantzigTrial.h)
+//   KeptMessages           a remote worker solves a problem (dxPackedSolver.cpp)
 //
 // Invariant: a thread without a scope behaves exactly as upstream.
 #pragma once
@@ -22,7 +24,7 @@ inline bool dxHasUserHandlers() {
     return dGetErrorHandler() != nullptr || dGetDebugHandler() != nullptr || dGetMessageHandler() != nullptr;
 }
 
-// Thrown through upstream's code to leave work on a worker. The call does it again on its own thread, in order.
+// Thrown through upstream's code to leave work that was begun early or on another thread. The call does it again in order.
 struct dxUpstreamInterrupted {};
 
 enum class dxReport { Message, Debug, Error };

@@ -1,7 +1,7 @@
 // A program may free what a geom is made of while the geom is in a space, if it does not collide it any more: upstream then does
 // not read it, and neither do workers.
 //
-// Covers dxConvexArrays.cpp.
+// Covers dxConvexArrays.cpp, dxHeightField.cpp.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 #include <sys/mman.h>

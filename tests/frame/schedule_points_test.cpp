@@ -1,4 +1,4 @@
-// Disturbed schedules (ODE_MT_PERTURB) reach every claim, hand-over, wait and commit: scenes that together come to each
+// Perturbed schedules (ODE_MT_PERTURB) reach every claim, hand-over, wait and commit: scenes that together come to each
 // dxSchedulePoint. A point that none of them reaches fails the test by name.
 #include "threading/dxSchedulePoints.h"
 
@@ -20,7 +20,6 @@
 #include "OdeSession.h"
 #include "sanitizers.h"
 #include "PackedWorld.h"
-#include "threading/dxSchedulePoints.h"
 
 namespace {
 
@@ -164,7 +163,7 @@ TEST(SchedulePoints, AreAllReached) {
     EXPECT_EQ(end.errors, "");
 }
 
-TEST(SchedulePoints, AreNotCountedWithoutADisturbance) {
+TEST(SchedulePoints, AreNotCountedWithoutAPerturbation) {
     const OdeSession session(3, "lcp");
     ChainWorld(10, 3).step(3);
     EXPECT_EQ(unreached().size(), kSchedulePoints);

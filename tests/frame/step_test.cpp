@@ -1,6 +1,6 @@
 // Which steps run in parallel, and that their bits are those of a serial one.
 //
-// Covers dxBodyMotion.cpp, dxDeferredIslands.cpp, dxIslandParallelStep.cpp, dxIslandStepper.cpp, dxStepStrategy.cpp.
+// Covers dxBodyMotion.cpp, dxDeferredIslands.cpp, dxIslandParallelStep.cpp, dxIslandPreparation.cpp, dxIslandStepper.cpp, dxStepStrategy.cpp.
 #include <gtest/gtest.h>
 #include <ode/ode.h>
 

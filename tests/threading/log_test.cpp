@@ -1,3 +1,5 @@
+// The log: which levels are shown, long lines, control characters, the variable ODE_MT_LOG.
+//
 // Covers dxEnvironment.cpp.
 #include "core/dxLog.h"
 

@@ -28,7 +28,7 @@ protected:
         return shared(40, aloneNs, part * aloneNs);
     }
 
-    // The same, where one shared call in `every` takes longer by a time slice of the scheduler's, for which a worker waits. Returns the time
+    // The same, where one shared call in `oneIn` takes longer by a time slice of the scheduler's, for which a worker waits. Returns the time
     // of all calls in parts of the time alone.
     double timeWithLateWorkers(int calls, double aloneNs, double sharedNs, int oneIn) {
         constexpr double kTimeSlice = 20e6;  // ns

@@ -18,7 +18,7 @@ public:
     // Steps an island. Without memory the island is unchanged (stepRest()).
     void step(unsigned index, unsigned worker);
 
-    // The parts of step(), for an island that is stepped in several parts. save() comes first. It returns false if there is no memory; the run is
+    // The parts of step(), for an island that is stepped in two parts. save() comes first. It returns false if there is no memory; the run is
     // then interrupted there.
     bool save(unsigned index, unsigned worker);
     template <class Work>

@@ -10,7 +10,7 @@
 
 namespace dxIslandStepper {
 
-// Makes the call of a step. Only here a step reads the settings of its world.
+// Makes the call of a step, with the settings of its world at this moment; solvers get them from here.
 dxStepCall makeCall(dxWorld *world, const dxWorldProcessIslandsInfo &info, dReal stepSize, dstepper_fn_t stepper);
 
 // Steps the island. `islandWorkers`: the workers that do so together; null: the calling thread alone.

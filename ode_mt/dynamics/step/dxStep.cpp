@@ -33,7 +33,8 @@ void followAndLearn(dxStepPlan &plan, const dxStepCall &call) {
     dxLearnFromStep(call, plan, stopwatch.ns());
 }
 
-// Returns whether a fast solver steps the world: upstream's stepper does where functions of the user's share its stages.
+// Returns whether a fast solver steps the world. If the user's threading functions have to be asked for each call (haveToBeAsked), upstream's
+// steppers do.
 bool isSolvedFast(const dxWorld *world) { return dxWorldSettings::of(world).isFast() && !dxWorldWorkers::haveToBeAsked(world); }
 
 // Small islands of a fast dWorldQuickStep are solved together, in groups. 600: a group of this many bodies and joints still fits L2; each of its

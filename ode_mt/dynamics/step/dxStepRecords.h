@@ -46,10 +46,12 @@ struct dxStepRecords {
     dxDeferredRun run;         // whose units are the islands
     unsigned inOrderFrom = 0;  // first island that has to be stepped in order
 
-    // Returns records that no step in progress uses. They go back to a pool of the process.
+    // Gives the records back to a pool of the process.
     struct Return {
         void operator()(dxStepRecords *records) const;
     };
     using Lease = std::unique_ptr<dxStepRecords, Return>;
+
+    // Returns records that no step in progress uses.
     static Lease take();
 };

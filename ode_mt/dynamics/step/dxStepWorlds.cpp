@@ -13,7 +13,7 @@
 #include "dynamics/step/dxStep.h"
 #include "dynamics/step/dxWorldRuns.h"
 #include "dynamics/step/islands/dxBodyMotion.h"
-#include "dynamics/step/islands/dxStepTimeline.h"
+#include "dynamics/step/islands/dxIslandSurvey.h"
 #include "dynamics/step/random/dxSingleStepper.h"
 #include "quickstep.h"
 #include "settings/dxSettings.h"

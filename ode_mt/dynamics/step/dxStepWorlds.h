@@ -1,5 +1,5 @@
 // Many worlds in one call (dODE_MT_StepWorlds): each is stepped as a whole by one worker, with the bits of a loop over
-// dWorldStep or dWorldQuickStep. The stages, in this order; WORKERS marks those that are shared:
+// dWorldStep or dWorldQuickStep. The stages, in this order; WORKERS marks the parallel ones:
 //
 //   dxWorldRuns       WORKERS  divides the call into runs of worlds in which no code of the user's runs; worlds between runs are stepped
 //                              as by the loop
@@ -9,6 +9,8 @@
 //   commit            caller   messages and notifications in the order of the worlds
 //
 // A run is as good as the loop since nothing that a world of it writes is read by another: docs/threads.md.
+//
+// Threading: the thread that steps the worlds.
 #pragma once
 
 #include <ode/ode.h>

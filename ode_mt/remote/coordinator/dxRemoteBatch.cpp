@@ -49,7 +49,7 @@ bool dxRemoteBatch::queue(unsigned index, dxRemoteBytes &&bytes, double cost) {
     const dxRemoteLock lock(m_workers.m_mutex);
     dxRemoteProblem &problem = m_problems.all[index];
     problem.bytes = std::move(bytes);
-    problem.cost = m_pace * cost;
+    problem.cost = m_costRatio * cost;
     problem.isPatient = !m_mayReclaim;
     problem.state = State::Queued;
     if (!m_workers.areThere() || m_workers.m_isClosing) {
@@ -104,9 +104,9 @@ void dxRemoteBatch::noteLocal(double cost, double ns) {
     const dxRemoteLock lock(m_workers.m_mutex);
     m_localCost += cost;
     m_localNs += ns;
-    const double factor = std::clamp(m_localNs / m_localCost, 1 / kMax, kMax) / m_pace;
+    const double factor = std::clamp(m_localNs / m_localCost, 1 / kMax, kMax) / m_costRatio;
     if (factor < kChange && factor > 1 / kChange) return;
-    m_pace *= factor;
+    m_costRatio *= factor;
     m_scheduler.rescale(m_problems, factor);
 }
 

@@ -63,5 +63,5 @@ private:
     dxRemoteProblems m_problems;
     std::list<dxRemoteProblem *> m_nodes;  // of the queue, for problems that are not submitted yet
     unsigned m_left;
-    double m_localCost = 0, m_localNs = 0, m_pace = 1;  // predicted and measured in this process (ns), and their ratio
+    double m_localCost = 0, m_localNs = 0, m_costRatio = 1;  // predicted and measured in this process (ns), and their ratio
 };

@@ -129,7 +129,7 @@ bool dxRemoteLink::takeBack(std::uint64_t number, double now, dxRemoteInFlight &
     return true;
 }
 
-// This process does not wait for withdrawn problems, but the worker gets no others until it has answered.
+// Withdrawn problems have a deadline, too: a worker that does not answer is late, and gets no others until all its results have arrived.
 double dxRemoteLink::deadline() const {
     if (m_isLate || m_state != State::Open) return std::numeric_limits<double>::infinity();
     return m_inFlight.empty() ? std::numeric_limits<double>::infinity() : m_inFlight.front().deadline;

@@ -1,8 +1,8 @@
 // What the coordinator knows of one worker: whether it may get problems, how fast it is, what it has to do, and when results should arrive.
 //
-// A link is New until its worker has said hello, then Measured, Open when the worker may get problems, and Lost for ever when the worker
-// disconnected, was refused, or sent invalid data. If a result is late, an open link gets no problems until all results have arrived, and then for a
-// pause that doubles each time, up to ten seconds.
+// A link is New until its worker has said hello, Measured while echoes are sent, Open when the worker may get problems, and Lost for ever when the
+// worker disconnected, was refused, or sent invalid data. If a result is late, an open link gets no problems until all results have arrived, and then
+// for a pause that doubles each time, up to ten seconds.
 //
 // A worker that has received nothing for a second looks for messages less often (dxPollPause). The link knows the time of the last message to it, so
 // a result for a message to a sleeping worker is expected later, and is no measure of its speed.
@@ -46,9 +46,10 @@ public:
 
     // Returns whether it may get problems now.
     bool isFree(double now) const;
-    // Returns whether it has nothing to do.
-    bool isIdle(double now) const { return isUsable(now) && m_inFlight.empty(); }
+    // Returns whether it may get problems as far as its state goes: open, not late, not in a pause.
     bool isUsable(double now) const { return m_state == State::Open && !m_isLate && now >= m_pausedUntil; }
+    // Returns whether it is usable and has nothing to do.
+    bool isIdle(double now) const { return isUsable(now) && m_inFlight.empty(); }
 
     void welcome() { m_state = State::Measured; }
     // Stores what echoes of the two sizes have measured. Opens the link.

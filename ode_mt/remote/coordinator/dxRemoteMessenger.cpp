@@ -12,7 +12,7 @@
 namespace {
 
 // Returns why a worker with this hello is refused; empty: it is welcome.
-std::string findGreetingFault(const dxRemoteHello &worker, const dxRemoteHello &own) {
+std::string findHelloFault(const dxRemoteHello &worker, const dxRemoteHello &own) {
     if (std::strcmp(worker.version, own.version) != 0) return "is version " + std::string(worker.version) + " of ODE_MT, not " + own.version;
     if (worker.realSize != own.realSize)
         return "computes with numbers of " + std::to_string(worker.realSize) + " bytes, not " + std::to_string(own.realSize);
@@ -184,10 +184,10 @@ void dxRemoteMessenger::handle(unsigned worker, const dxRemoteBytes &message, dx
 
 void dxRemoteMessenger::handleHello(unsigned worker, const dxRemoteBytes &message, dxRemoteLock &lock) {
     dxRemoteHello hello;
-    if (message.size() != sizeof(dxRemoteHeader) + sizeof hello) return m_scheduler.dropWorker(worker, "sent a greeting of another size");
+    if (message.size() != sizeof(dxRemoteHeader) + sizeof hello) return m_scheduler.dropWorker(worker, "sent a hello of another size");
     std::memcpy(&hello, message.data() + sizeof(dxRemoteHeader), sizeof hello);
     hello.version[sizeof hello.version - 1] = '\0';
-    const std::string why = findGreetingFault(hello, m_own);
+    const std::string why = findHelloFault(hello, m_own);
     if (!why.empty()) {
         at(worker).isRefused = true;
         dxRemoteFrame refusal;

@@ -1,4 +1,4 @@
-// Messages to workers and from them: greetings, echoes, problems, results, signs of life. One thread at a time uses the transport:
+// Messages to workers and from them: hellos, echoes, problems, results, signs of life. One thread at a time uses the transport:
 // the one that has the turn (dxRemoteWorkers).
 //
 // Without memory it continues: problems that cannot be sent are reclaimed; a worker whose message cannot be read is dropped. Any other

@@ -11,13 +11,13 @@ void dxRemoteReplacement::begin(dxRemoteTransport *transport) {
 }
 
 bool dxRemoteReplacement::advance(dxRemoteLock &lock) {
-    constexpr double kGreetingNs = 10e9;  // a new worker that is not usable after this time is lost
+    constexpr double kHelloNs = 10e9;  // a new worker that is not usable after this time is lost
     if (!m_canReplace) return false;
     const double time = m_scheduler.now();
     for (unsigned i = 0; i < m_scheduler.workers().size(); ++i) {
         const dxRemoteWorker &one = m_scheduler.workers()[i];
         if (one.link.isGone(time)) m_scheduler.dropWorker(i, "has not answered for seconds");
-        if (!one.isSettled() && time - one.since > kGreetingNs) m_scheduler.dropWorker(i, "has not said what it is");
+        if (!one.isSettled() && time - one.since > kHelloNs) m_scheduler.dropWorker(i, "has not said what it is");
     }
     return m_isStarting ? takeStarted() : start(time, lock);
 }

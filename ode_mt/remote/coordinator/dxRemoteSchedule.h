@@ -1,6 +1,6 @@
 // Rules for distributing problems to workers: dxRemoteScheduler follows them, and bench/scale/ predicts from them how long a step takes.
 //
-// Units: costs in ns of work in this process, times in ns of one clock.
+// Units: costs in ns of work in this process, times in ns of one clock. Threading: as the owner of the links.
 #pragma once
 
 #include <algorithm>

@@ -196,7 +196,7 @@ void dxRemoteWorkers::begin() {
     m_scheduler.news().notify();
 }
 
-// This thread sleeps for a limited time, as messages do not wake it.
+// Returns whether messages are expected. They do not wake this thread, so it has to look for them.
 bool dxRemoteWorkers::isPolled() const {
     return m_scheduler.any([](const dxRemoteWorker &one) { return !one.isSettled() || !one.link.inFlight().empty(); });
 }

@@ -2,8 +2,8 @@
 // the one of rank 0; or each worker is a job of its own that the coordinator has spawned, one after the other, so that none is in another one's.
 //
 // A lost worker of the second kind is replaced where mpirun lets the job live without it (--enable-recovery of Open MPI 4, --with-ft ulfm of 5): a
-// thread of its own calls MPI_Comm_spawn, which takes a fraction of a second. If the new process dies before it has greeted, that call may take a
-// minute, or never return: then the thread is left alone, and no other worker is replaced.
+// thread of its own calls MPI_Comm_spawn, which takes a fraction of a second. If the new process dies before it has said hello, that call may take
+// a minute, or never return: then the thread is left alone, and no other worker is replaced.
 //
 // Tried and dropped: MPI_Comm_accept, by which workers would join when they like (docs/notes/2026-11-remote-experiments.md).
 //

@@ -1,4 +1,6 @@
 // The options of odemt_worker, on its command line or, where another program starts it, in the variable ODEMT_WORKER_ARGUMENTS.
+//
+// Threading: one thread.
 #pragma once
 
 #include <string>

@@ -20,8 +20,8 @@ constexpr bool kIsGnu = false;
 constexpr bool kIsGnu = true;
 #endif
 
-// When a library that uses libgomp's threads is unloaded, they are ended under the dynamic loader's lock. They end by pthread_exit, and the first one
-// of a process takes that lock to load the unwinder. So the first one happens before.
+// Unloading a library that uses libgomp ends its threads, by pthread_exit, under the dynamic loader's lock. The first pthread_exit of a process takes
+// that lock to load the unwinder, so it is called before.
 struct LoadedUnwinder {
     LoadedUnwinder() {
         const dxNoCancellation whole;

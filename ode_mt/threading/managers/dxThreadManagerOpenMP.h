@@ -10,6 +10,8 @@
 //    as many threads are started and ended again on trial; what is refused there is not asked of it.
 //  - A region with another number of threads than the last one may end or start threads.
 //  - After fork the child can use regions, unless the fork happened inside one: then it runs alone.
+//
+// Threading: as dxThreadManager.
 #pragma once
 
 #include <atomic>

@@ -37,7 +37,7 @@ struct dxThreadLender {
                context == other.context;
     }
 
-    // Returns how many threads serve the implementation. An executor does not tell: the largest number of workers.
+    // Returns how many threads serve the implementation; kMaxWorkers for an executor, which does not tell.
     unsigned threads() const;
 
     // Makes room for calls that wait, of which there is one at most.
@@ -55,9 +55,9 @@ struct dxThreadLender {
 
 class dxThreadManagerUser final : public dxThreadManager, private dxForkListener {
 public:
-    // The lender must live until the manager is destroyed or stopped for good. Unless it serves (it does not in a child of fork that it was lent to
-    // before), every run is done by its caller.
+    // The lender must live until the manager is destroyed or stopped for good.
     dxThreadManagerUser(const dThreadingFunctionsInfo *functions, dThreadingImplementationID implementation);
+    // `isServed`: false in a child of fork if the lender was lent before the fork. Every run is then done by its caller.
     explicit dxThreadManagerUser(const dxThreadLender &lender, bool isServed = true);
     ~dxThreadManagerUser() override;
 

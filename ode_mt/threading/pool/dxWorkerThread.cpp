@@ -15,7 +15,7 @@
 
 namespace {
 
-__attribute__((tls_model("initial-exec"))) thread_local bool t_isInside = false;
+__attribute__((tls_model("initial-exec"))) thread_local bool t_isInHook = false;
 
 struct Scheduling {
     const char *name;
@@ -74,7 +74,7 @@ void *waitForGate(void *gate) {
 
 }  // namespace
 
-bool dxWorkerHooks::isInside() { return t_isInside; }
+bool dxWorkerHooks::isInside() { return t_isInHook; }
 
 dxWorkerHookScope::dxWorkerHookScope(const dxWorkerHooks &hooks, unsigned worker) : m_hooks(hooks), m_worker(static_cast<int>(worker)) {
     call(m_hooks.start);
@@ -84,9 +84,9 @@ dxWorkerHookScope::~dxWorkerHookScope() { call(m_hooks.end); }
 
 void dxWorkerHookScope::call(dxWorkerHooks::Hook hook) const {
     if (hook == nullptr) return;
-    t_isInside = true;
+    t_isInHook = true;
     hook(m_hooks.data, m_worker);
-    t_isInside = false;
+    t_isInHook = false;
 }
 
 std::optional<dxWorkerScheduling> dxWorkerScheduling::find(const char *name, int priority) {

@@ -56,7 +56,7 @@ struct dxWorkerScheduling {
     int policy;    // SCHED_OTHER, SCHED_BATCH: the priority is the niceness
     int priority;
 
-    // By the names that dODE_MT_SetWorkerPriority knows. Empty: no such name, or the priority is out of its range.
+    // Finds a scheduling by a name that dODE_MT_SetWorkerPriority knows. Returns none for another name, or if the priority is out of its range.
     static std::optional<dxWorkerScheduling> find(const char *name, int priority);
     static constexpr const char *kKnown = "normal and batch with -20 to 19, idle with 0, fifo and round-robin with 1 to 99";
 

@@ -7,6 +7,8 @@
 // dxForkSafeMutex takes no other of these.
 //
 // The handlers are registered with pthread_atfork on behalf of this library; the C library drops them when the library is unloaded.
+//
+// Threading: any thread.
 #pragma once
 
 #include <pthread.h>
@@ -14,20 +16,20 @@
 #include <atomic>
 #include <mutex>
 
-// Is notified of fork().
+// An object that is notified of fork().
 class dxForkListener {
 public:
     dxForkListener() = default;
     dxForkListener(const dxForkListener &) = delete;
     dxForkListener &operator=(const dxForkListener &) = delete;
 
-    // Before the fork, on the thread that forks. Must neither start nor end to listen.
+    // Called before the fork, on the thread that forks. Must neither start nor end to listen.
     virtual void beforeFork() {}
 
-    // After the fork, in the parent, on that thread.
+    // Called after the fork, in the parent, on that thread.
     virtual void inForkingParent() {}
 
-    // In the child, while it has one thread. May touch nothing but memory.
+    // Called in the child, while it has one thread. May touch nothing but memory.
     virtual void inForkedChild() = 0;
 
 protected:

@@ -1,8 +1,8 @@
 // The clock of the timeline, in ticks: of the processor's counter where it has a constant rate, or else nanoseconds.
 //
 // The system's clock takes 24 ns to read and waits for all instructions before (a fence): with it the events of a small robot's frame of
-// 11 us made the frame 4 % longer. The counter takes 8 ns and waits for nothing, so that events are exact to some nanoseconds. The rate is measured
-// when it is needed: between the start of the trace and the writing of its file.
+// 11 us made the frame 4 % longer. The counter takes 8 ns, but does not wait for earlier instructions, so times are inexact by some nanoseconds. The
+// rate is measured when it is needed: between the start of the trace and the writing of its file.
 //
 // Threading: any thread.
 #pragma once

@@ -13,7 +13,7 @@
 #include <type_traits>
 
 #include "dynamics/quick_step/fast/dxContactPack.h"
-#include "dynamics/quick_step/fast/dxContactSweep.h"
+#include "dynamics/step/islands/dxIslandProblem.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace dxContactKernels {

@@ -13,6 +13,7 @@
 #include "dynamics/quick_step/fast/dxFastQuickStepState.h"
 #include "dynamics/quick_step/fast/dxStateNumbers.h"
 #include "dynamics/step/islands/dxForBodies.h"
+#include "dynamics/step/islands/dxIslandProblem.h"
 
 namespace {
 

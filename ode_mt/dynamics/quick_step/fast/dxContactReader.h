@@ -8,7 +8,7 @@
 
 #include "dynamics/quick_step/fast/dxConstraintPlan.h"
 #include "dynamics/quick_step/fast/dxContactCache.h"
-#include "dynamics/quick_step/fast/dxContactSweep.h"
+#include "dynamics/quick_step/fast/dxContactPack.h"
 #include "dynamics/step/islands/dxIslandStep.h"
 
 struct dxIslandBody;

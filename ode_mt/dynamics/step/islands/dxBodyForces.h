@@ -1,4 +1,6 @@
 // What a stepper does with a body before it asks the joints: gravity, gyroscopic torque, and inertia in the world's frame.
+//
+// Threading: different bodies by different threads.
 #pragma once
 
 #include <ode/odemath.h>

@@ -8,6 +8,8 @@
 //
 // In a large island positions come first and the spaces are notified afterwards, in the island's order. The difference is not visible as long as only
 // the spaces are notified: see dxMayDeferNotification.
+//
+// Threading: different islands by different threads, but dxNotifyMoved() by the thread that called the step.
 #pragma once
 
 #include <atomic>

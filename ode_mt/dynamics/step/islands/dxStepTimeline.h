@@ -7,6 +7,8 @@
 //       island                of kMinRecorded bodies and joints at least
 //         solver              from the rows to the forces or velocities
 //     commit                  of islands side by side: what the user and the spaces hear
+//
+// Threading: the thread that steps the world; of an island, the one that steps the island.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +30,8 @@ inline constexpr dxTimelineEvent kSolver{"solver", "island", {"rows"}};
 
 }  // namespace dxStepEvents
 
-// The whole step, after the search for islands. At its end it writes its counters, and adds itself to the statistics of its world.
+// The event of a whole step. It is made after the search for islands, and begins where beginSearch() was called: before the search, or after it for
+// one of many worlds (dxStepWorlds). At its end it writes the counters and, if steps are counted, adds the step to the statistics of its world.
 //
 // A callback may step another world: the state of the step or collision around that one is kept, and restored at its end. The depth of
 // collisions is not: a collision that a callback has left by longjmp would never end.
@@ -46,13 +49,13 @@ public:
     // Called when a step begins with the search for islands.
     static void beginSearch();
 
-    // Stores reasonOf(threads): why no more threads took part. Called only if the step is counted.
+    // Stores reasonOf(threads): why no more threads took part. reasonOf is called only if something is recorded.
     template <class Reason>
     void setReason(const Reason &reasonOf) {
         if (m_ring != nullptr) m_reason = reasonOf(m_ring->threads());
     }
 
-    // Stores recordOf(): what remote workers did. Called only if the step is counted.
+    // Stores recordOf(): what remote workers did. recordOf is called only if the step is counted.
     template <class Record>
     void setRemote(const Record &recordOf) {
         if (m_ring != nullptr && dxTimeline::isCounted()) m_remote = recordOf();

@@ -18,7 +18,7 @@ namespace HWY_NAMESPACE {
 // Rows of the matrix are read as streams, eight at a time, and the sums kept in `result`.
 constexpr unsigned kStreams = 8;
 
-// Up to kMaxShortVectors from the first lane to the last, sums are kept in registers, kSumsAtOnce at a time.
+// Up to kMaxShortVectors vectors from the first lane to the last, sums are kept in registers, kSumsAtOnce at a time.
 constexpr std::size_t kMaxShortVectors = 32, kSumsAtOnce = 4;
 
 HWY_INLINE bool isVectorWanted(const dxLaneProductsTask &task, std::size_t lane) {
