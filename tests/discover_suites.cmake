@@ -1,5 +1,5 @@
 # Read by ctest for each program of odemt_add_suites (tests/suites.cmake): adds its tests. What the program lists is kept in a file beside it until
-# the program is built anew.
+# the program is built anew or its filter changes.
 get_filename_component(_name "${program}" NAME)
 get_filename_component(_folder "${program}" DIRECTORY)
 set(_list "${_folder}/${_name}_suites.txt")

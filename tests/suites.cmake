@@ -5,7 +5,7 @@
 # A suite S is the test name.S. FILTER is empty or -PATTERNS, as --gtest_filter has it: it leaves out suites and cases. Each case of a suite whose
 # name matches ALONE is a test with a process of its own, name.S.case: cases that take long by themselves, and those that need a process in which
 # nothing has happened yet.
-# Suites are read from the program when ctest starts, again after each build of the program.
+# Suites are read from the program when ctest starts, again after the program was built or its filter has changed.
 function(odemt_add_suites program)
     cmake_parse_arguments(PARSE_ARGV 1 suites "" "PREFIX;FILTER;ALONE" "PROPERTIES")
     set(_script "${CMAKE_CURRENT_BINARY_DIR}/${program}_suites.cmake")

@@ -46,7 +46,7 @@ struct Plan {
     double seconds = 0;  // simulated; 0: frames says how many
     Perturbation perturbation;
     std::vector<Observable> observables;
-    std::vector<Observable> series;  // a row of them every few frames
+    std::vector<Observable> series;  // a row of them after each `every`-th frame
     long every = 0;                  // 0: no series
     bool hasStates = false;          // and rows of all bodies with it
     bool ignoreUnsupported = false;

@@ -3,8 +3,8 @@
 
     batch_test.py PROGRAM SCRATCH CASE...
 
-CASE: expansion, bad_plans, unknown_names, parameters, same_table, kills, faults, sample PAGE; ranks and ranks_kills MPIEXEC need MPI. KILLS=20 in the environment: 20 kills
-kills instead of the few that take seconds.
+CASE: expansion, bad_plans, unknown_names, parameters, same_table, kills, faults, sample PAGE; ranks and ranks_kills MPIEXEC need MPI.
+KILLS=20 in the environment: 20 kills instead of the few that take seconds.
 """
 import glob
 import json

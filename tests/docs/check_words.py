@@ -16,7 +16,7 @@ INSTEAD = {
     r"by vectors": "vectorised, with SIMD",
     r"contacts ahead": "narrow-phase prefetch",
     r"courtesy": "worker, chunk",
-    r"in vain": "without a result",
+    r"in vain": "without a result, a probe",
     r"inside out": "min > max",
     r"lines? of the cache": "cache line",
     r"likewise": "the condition itself",
@@ -30,11 +30,10 @@ INSTEAD = {
     r"so (?:many|much)(?!(?: \S+){0,9}? that\b)": "the name of the number",
     r"summons?": "start workers",
     r"third cache": "L3",
-    r"trials? in vain": "probe",
     r"wrong guess(?:es)?": "misprediction",
 }
 PAGES = ("README.md", "CONTRIBUTING.md", "docs/*.md", "worlds/README.md", "tests/README.md")
-SOURCES = ("include/**/*.h", "ode/*.*", "ode_mt/**/*.h", "ode_mt/**/*.cpp", "bench/**/*.h", "bench/**/*.cpp", "worlds/**/*.h", "worlds/**/*.cpp",
+SOURCES = ("include/**/*.h", "ode/seams/*", "examples/*.c*", "tests/**/*.c", "bench/**/*.c", "ode_mt/**/*.h", "ode_mt/**/*.cpp", "bench/**/*.h", "bench/**/*.cpp", "worlds/**/*.h", "worlds/**/*.cpp",
            "tests/**/*.h", "tests/**/*.cpp")
 CODE = re.compile(r"^```.*?^```$|`[^`\n]*`|\]\([^)]*\)|<!--.*?-->", re.DOTALL | re.MULTILINE)
 

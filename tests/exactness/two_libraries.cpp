@@ -1,10 +1,10 @@
 #include "two_libraries.h"
 
 #include "support/child_run.h"
+#include "support/text.h"
 
 #include <algorithm>
 #include <cstdlib>
-#include <sstream>
 #include <stdexcept>
 
 namespace exactness {
@@ -26,10 +26,7 @@ Lines linesOn(Library library, const Lines &command, const char *memoryPattern) 
         support::runProgram(command, {{"LD_LIBRARY_PATH", folder}, {"MALLOC_PERTURB_", memoryPattern}});
     if (!child.exitedWith(0))
         throw std::runtime_error(command[0] + " on " + folder + ": " + child.text() + "\n" + child.errors);
-    std::istringstream text(child.output);
-    Lines lines;
-    for (std::string line; std::getline(text, line);) lines.push_back(line);
-    return lines;
+    return support::split(child.output, '\n');
 }
 
 std::string firstDifference(const Lines &onDebian, const Lines &onOurs) {

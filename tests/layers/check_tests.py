@@ -48,8 +48,6 @@ def complaints_of(root):
             where = f"{test.relative_to(root)} covers {name}"
             if len(named) != 1:
                 yield f"{where}: {len(named)} files of ode_mt/ have this name"
-            elif key_of(named[0].stem) in of_a_test:
-                yield f"{where}: needless, as a test has its name"
     for file in files:
         if file not in covered and key_of(file.stem) not in of_a_test:
             yield f"{file}: no test has its name or says that it covers it"
@@ -72,7 +70,7 @@ def self_test():
         "covered by a script": ({file: "", "tests/core/all.sh": "#!/bin/sh\n# Covers all of these: dxNo.hpp,\n# core/dxFooBar.cpp.\n"}, []),
         "neither": ({file: "", test: ""}, [f"{file}: no test has its name or says that it covers it"]),
         "named below the opening comment": ({file: "", test: "#include <x>\n" + covers}, [f"{file}: no test has its name or says that it covers it"]),
-        "both": ({file: "", test: covers, "tests/core/foo_bar_test.cpp": ""}, [f"{test} covers dxFooBar.cpp: needless, as a test has its name"]),
+        "both": ({file: "", test: covers, "tests/core/foo_bar_test.cpp": ""}, []),
         "a file that is gone": ({test: covers}, [f"{test} covers dxFooBar.cpp: 0 files of ode_mt/ have this name"]),
         "an ambiguous name": ({file: "", "ode_mt/api/dxFooBar.cpp": "", test: covers}, [f"{test} covers dxFooBar.cpp: 2 files of ode_mt/ have this name"]),
     }

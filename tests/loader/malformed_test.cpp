@@ -2,6 +2,7 @@
 #include "small_world.h"
 
 #include "loader/load_world.h"
+#include "support/text.h"
 
 #include <fstream>
 #include <random>
@@ -115,9 +116,7 @@ TEST(Malformed, ElementsNestedDeeply) {
 // Lines of a benchmark world are removed, one at a time.
 TEST(Malformed, LinesOfABenchmarkWorldLeftOut) {
     const std::string text = readFile(worlds::findWorld("create"));
-    std::vector<std::string> lines;
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    const std::vector<std::string> lines = support::split(text, '\n');
     for (std::size_t left = 1; left < lines.size(); left += 37) {
         std::string damaged;
         for (std::size_t i = 0; i < lines.size(); ++i)

@@ -1,5 +1,7 @@
 #include "rule_world.h"
 
+#include "support/text.h"
+
 #include <algorithm>
 #include <fstream>
 #include <map>
@@ -27,10 +29,7 @@ std::vector<std::string> chainOf(const std::string &path) {
                                                               {"joint", "sdf/world/model/"},
                                                               {"collision", "sdf/world/model/link/"}};
     const std::string first = path.substr(0, path.find('/'));
-    std::istringstream stream(around.at(first) + (first.empty() ? path.substr(1) : path));
-    std::vector<std::string> chain;
-    for (std::string word; std::getline(stream, word, '/');) chain.push_back(word);
-    return chain;
+    return support::split(around.at(first) + (first.empty() ? path.substr(1) : path), '/');
 }
 
 std::string jointType(const std::string &path) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Each mutant that equivalent.jsonl calls equivalent is still one of a line that the sources have.
+"""Each mutant that equivalent.jsonl calls equivalent is still one of a line that the sources have, and changes a text of that line.
 
     check_equivalents.py REPOSITORY
 
@@ -17,6 +17,8 @@ def gone(repository):
         lines = [text.strip() for text in source.read_text().splitlines()] if source.exists() else []
         if entry["code"] not in lines:
             yield f"equivalent.jsonl:{number}: {entry['file']} has no line '{entry['code']}'"
+        elif entry["old"] not in entry["code"]:
+            yield f"equivalent.jsonl:{number}: the line has no '{entry['old']}'"
 
 
 def main(repository):

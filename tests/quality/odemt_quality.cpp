@@ -141,7 +141,7 @@ int main(int argc, char **argv) {
     CLI::App *const measures = command("measure", "closed loop");
     measures->add_option("experiments", options.names, "all unless named");
     measures->add_option("--seed", options.seed, "of dRand, which dWorldQuickStep draws its orders from (0)");
-    CLI::App *const hashes = command("hash", "the state, every few frames");
+    CLI::App *const hashes = command("hash", "the state after each --every frames");
     for (CLI::App *const made : {runs, replays, hashes}) made->add_option("scene", options.scene)->required();
     replays->add_option("problems", options.problems)->required();
     replays->add_flag("--warm-up", options.warmsUp, "step another of the problems before, so that memory is there");

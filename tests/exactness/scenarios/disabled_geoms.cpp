@@ -1,3 +1,5 @@
+// Disabled geoms: moved, shrunk and taken out of spaces while they are, and enabled and disabled in callbacks.
+//
 // Covers api/collision.cpp.
 #include "additions.h"
 #include "crowd.h"

@@ -1,3 +1,5 @@
+// The first pairs of two classes of geoms, when the table of colliders decides who collides them.
+//
 // Covers dxColliderTable.cpp.
 #include "additions.h"
 #include "scenario_scene.h"

@@ -1,3 +1,5 @@
+// Levels of a hash space that change while it is collided.
+//
 // Covers api/collision_space.cpp.
 #include "additions.h"
 #include "scenario_scene.h"

@@ -1,3 +1,5 @@
+// Meshes that move: the triangles that they remember, their last transforms, and data that are exchanged.
+//
 // Covers api/collision_trimesh.cpp.
 #include "additions.h"
 #include "ground_grid.h"

@@ -1,3 +1,5 @@
+// Spaces of every kind and with every parameter.
+//
 // Covers api/collision_space.cpp.
 #include "additions.h"
 #include "scenario_scene.h"

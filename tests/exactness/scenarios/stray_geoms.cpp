@@ -1,3 +1,5 @@
+// Meshes whose data are exchanged without a notification of their space.
+//
 // Covers api/collision_trimesh.cpp.
 #include "additions.h"
 #include "ground_grid.h"

@@ -1,3 +1,5 @@
+// Geom classes and colliders of the user.
+//
 // Covers api/collision.cpp, dxColliderTable.cpp.
 #include "additions.h"
 #include "order_sum.h"

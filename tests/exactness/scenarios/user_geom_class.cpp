@@ -1,3 +1,5 @@
+// A geom class of the user with a collider, and a collider set in place of one of ODE.
+//
 // Covers dxColliderTable.cpp.
 #include "additions.h"
 #include "scenario_scene.h"

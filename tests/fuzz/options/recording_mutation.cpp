@@ -1,10 +1,10 @@
 #include "options/recording_mutation.h"
 
 #include "driver/drawn_text.h"
+#include "support/text.h"
 
 #include <nlohmann/json.hpp>
 
-#include <sstream>
 #include <vector>
 
 namespace fuzz_options {
@@ -13,13 +13,6 @@ namespace {
 
 using fuzz_driver::Random;
 using nlohmann::json;
-
-std::vector<std::string> linesOf(const std::string &text) {
-    std::vector<std::string> lines;
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);) lines.push_back(line);
-    return lines;
-}
 
 std::string joined(const std::vector<std::string> &lines, const std::string &end) {
     std::string text;
@@ -121,7 +114,7 @@ void mutateLine(std::string &line, Random &random) {
 }  // namespace
 
 std::string mutatedLines(const std::string &text, Random &random) {
-    std::vector<std::string> lines = linesOf(text);
+    std::vector<std::string> lines = support::split(text, '\n');
     for (std::size_t changes = 1 + random.below(3); changes > 0 && !lines.empty(); --changes) {
         std::string &line = lines[random.below(lines.size())];
         switch (random.below(12)) {
