@@ -50,6 +50,22 @@ TEST_F(LogLevels, InfoSaysHowAWorldRuns) {
         << "once for all frames";
 }
 
+// The collision comes before the first step, and the space is too small for a timeline.
+TEST_F(LogLevels, InfoCountsTheFirstCollisionOfASmallSpace) {
+    const auto run = [] {
+        setenv("ODE_MT_LOG", "info", 1);
+        dInitODE2(0);
+        const dWorldID world = dWorldCreate();
+        const dSpaceID space = dHashSpaceCreate(nullptr);
+        dCreatePlane(space, 0, 0, 1, 0);
+        dGeomSetBody(dCreateSphere(space, 1), dBodyCreate(world));
+        dSpaceCollide(space, nullptr, [](void *, dGeomID, dGeomID) {});
+        dWorldStep(world, REAL(0.01));
+        std::_Exit(0);
+    };
+    EXPECT_EXIT(run(), testing::ExitedWithCode(0), "world 1, frame 1: 1 bodies, 1 pairs, [^\n]*; pairs and near-callbacks on one thread");
+}
+
 // A change that does not last is not told.
 TEST_F(LogLevels, InfoSaysWhenThatHasChanged) {
     const auto run = [] {

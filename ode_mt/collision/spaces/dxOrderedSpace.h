@@ -78,8 +78,8 @@ public:
     // Returns NULL until the first narrow-phase prefetch.
     const dxNarrowphasePrefetch *narrowphasePrefetch() const { return m_prefetch.get(); }
     dxSharingPolicy &sharing() { return m_sharing; }
-    // Returns whether calls are recorded on the timeline: for fewer geoms recording would take longer than the call.
-    bool isRecorded() const { return count >= kMinRecorded || dxTimeline::isCounted(); }
+    // Returns whether calls are recorded on the timeline: for fewer geoms recording would take longer than the call, so only statistics have them.
+    bool isRecorded() const { return count >= kMinRecorded || dxTimeline::mayBeCounted(); }
 
     dxOwnThreadNumber &ownThreads() { return m_ownThreads; }
     const dxOwnThreadNumber &ownThreads() const { return m_ownThreads; }

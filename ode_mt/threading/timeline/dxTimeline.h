@@ -26,6 +26,8 @@ public:
     static bool isOff() { return s_state.load(std::memory_order_relaxed) == kOff; }
     static bool isTraced() { return (s_state.load(std::memory_order_relaxed) & kTraced) != 0; }
     static bool isCounted() { return (s_state.load(std::memory_order_relaxed) & kCounted) != 0; }
+    // Returns whether statistics are recorded, or may be: until the first event, it is not known what the environment asks for.
+    static bool mayBeCounted() { return (s_state.load(std::memory_order_relaxed) & (kCounted | kUnread)) != 0; }
 
     // Records for statistics from here on. ODE_MT_LOG and ODE_MT_STATISTICS ask for that, too.
     static void startCounting();
