@@ -25,12 +25,13 @@ SOURCE = re.compile(r"^\s+([\w./-]+\.(?:c|cpp))\)?\s*$")
 
 
 def files_of(root):
-    """The files that git follows or would follow, or all where there is no repository."""
-    listed = subprocess.run(["git", "-C", root, "ls-files", "--cached", "--others", "--exclude-standard"], capture_output=True, text=True)
-    if listed.returncode == 0:
+    """The files that git follows or would follow; without git or a repository all but what is built and fetched."""
+    try:
+        listed = subprocess.run(["git", "-C", root, "ls-files", "--cached", "--others", "--exclude-standard"], check=True, capture_output=True, text=True)
         names = listed.stdout.splitlines()
-    else:
+    except (OSError, subprocess.CalledProcessError):
         names = [path.relative_to(root).as_posix() for path in pathlib.Path(root).rglob("*") if path.is_file()]
+        names = [name for name in names if not name.startswith(("build/", "ode/upstream/"))]
     return sorted(name for name in names if (pathlib.Path(name).suffix in CODE + SCRIPTS + PROSE or name.endswith("CMakeLists.txt"))
                   and not LEFT_OUT.match(name) and pathlib.Path(root, name).is_file())
 
