@@ -13,7 +13,7 @@ struct RecordOptions {
     long frames = 500;  // that are run
     long every = 10;    // frames between those that are kept
     std::string file;   // empty: standard output
-    int threads = 0;        // above 0: of each step, and which of them has stepped a body is recorded
+    int threads = 0;        // of steps; above 0: which of them has stepped a body is recorded
     bool contacts = false;  // and their forces
     bool onStock = false;   // run Debian's libode8, and record no clusters
     bool ignoreUnsupported = false;

@@ -12,6 +12,7 @@
 #include <set>
 
 #include "shell_run.h"
+#include "support/text_file.h"
 
 namespace {
 
@@ -32,11 +33,6 @@ protected:
     const std::string folder = testing::TempDir() + "/odemt_record_" + std::to_string(getpid());
     const std::string file = folder + "/r.jsonl";
 };
-
-std::string text(const std::string &file) {
-    std::ifstream stream(file);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 }  // namespace
 
@@ -162,9 +158,9 @@ TEST_F(OdemtRecord, StockAndOursMoveEverythingAlike) {
 
 TEST_F(OdemtRecord, IsTheSameEveryTime) {
     ASSERT_EQ(record("bioloid --frames 20 --cells 10").exitCode, 0);
-    const std::string first = text(file);
+    const std::string first = support::readTextFile(file);
     ASSERT_EQ(record("bioloid --frames 20 --cells 10").exitCode, 0);
-    EXPECT_TRUE(text(file) == first);
+    EXPECT_TRUE(support::readTextFile(file) == first);
 }
 
 TEST_F(OdemtRecord, WrongOptionsAreAnsweredByName) {

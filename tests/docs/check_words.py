@@ -33,8 +33,8 @@ INSTEAD = {
     r"wrong guess(?:es)?": "misprediction",
 }
 PAGES = ("README.md", "CONTRIBUTING.md", "docs/*.md", "worlds/README.md", "tests/README.md")
-SOURCES = ("include/**/*.h", "ode/seams/*", "examples/*.c*", "tests/**/*.c", "bench/**/*.c", "ode_mt/**/*.h", "ode_mt/**/*.cpp", "bench/**/*.h", "bench/**/*.cpp", "worlds/**/*.h", "worlds/**/*.cpp",
-           "tests/**/*.h", "tests/**/*.cpp")
+SOURCES = ("ode/seams/*", *(f"{folder}/**/*.{kind}" for folder in ("include", "ode_mt", "bench", "worlds", "examples", "tests") for kind in ("c", "cpp", "h")))
+COMMENT = re.compile(r"//|/[*]|^ *[*]")
 CODE = re.compile(r"^```.*?^```$|`[^`\n]*`|\]\([^)]*\)|<!--.*?-->", re.DOTALL | re.MULTILINE)
 
 
@@ -44,7 +44,7 @@ def text_of_page(text):
 
 def text_of_source(text):
     """The comments, each line in its place."""
-    return "\n".join(re.split("//|/[*]|^ *[*]", line, maxsplit=1)[-1] if re.search("//|/[*]|^ *[*]", line) else "" for line in text.split("\n"))
+    return "\n".join("".join(COMMENT.split(line, maxsplit=1)[1:]) for line in text.split("\n"))
 
 
 def faults_of(plain):

@@ -32,12 +32,13 @@ def complaints(variables, sources, listed):
     words = set(re.findall(r"\w+", "\n".join(sources.values())))
     # Others are the compiler's, or upstream's, some of whose files have the name of one of ours.
     own = sorted({(name, file) for name, file in variables if file in sources and name in words})
+    named = {(name, file): {name, f"{file[:-len('.cpp')]}:{name}"} for name, file in own}
     for name, file in own:
-        if name in listed or f"{file[:-len('.cpp')]}:{name}" in listed:
+        if named[name, file].intersection(listed):
             continue
         if not re.search(rf"\bdxProcessObject<.*>\s+{name};", sources[file]):
             yield f"ode_mt/.../{file}: {name} is neither a dxProcessObject nor in {LIST}"
-    there = {name for name, _ in own} | {f"{file[:-len('.cpp')]}:{name}" for name, file in own}
+    there = set().union(*named.values())
     for name in listed:
         if name not in there:
             yield f"{LIST}: there is no variable {name}"

@@ -19,7 +19,7 @@ from checks import run_check, unexpected
 OPENING = re.compile(r"\A(?:#!.*\n)?((?:(?://|#(?!\S)).*\n)+)")
 COVERS = re.compile(r"^(?://|#) Covers ((?:.|\n)*)", re.MULTILINE)
 NAME = re.compile(r"[\w/]+\.cpp\b")
-SUFFIXES = {".cpp", ".py", ".sh"}
+SUFFIXES = {".cpp", ".sh"}
 
 
 def key_of(name):

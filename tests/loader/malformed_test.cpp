@@ -3,20 +3,13 @@
 
 #include "loader/load_world.h"
 #include "support/text.h"
+#include "support/text_file.h"
 
-#include <fstream>
 #include <random>
-#include <sstream>
 
 namespace {
 
 using namespace small_world;
-
-std::string readFile(const std::string &file) {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
-}
 
 // A small world with something of everything.
 const std::string base = world(R"(
@@ -115,7 +108,7 @@ TEST(Malformed, ElementsNestedDeeply) {
 
 // Lines of a benchmark world are removed, one at a time.
 TEST(Malformed, LinesOfABenchmarkWorldLeftOut) {
-    const std::string text = readFile(worlds::findWorld("create"));
+    const std::string text = support::readTextFile(worlds::findWorld("create"));
     const std::vector<std::string> lines = support::split(text, '\n');
     for (std::size_t left = 1; left < lines.size(); left += 37) {
         std::string damaged;

@@ -18,8 +18,6 @@ bool isNumber(Type type) {
     return type == Type::Numbers || type == Type::Whole || type == Type::Limit || type == Type::Direction;
 }
 
-std::string textOf(const XMLElement &element) { return element.GetText() ? element.GetText() : ""; }
-
 bool isBlank(const std::string &text) { return text.find_first_not_of(" \t\r\n") == std::string::npos; }
 
 // What can be done to an element by its rule.

@@ -77,8 +77,6 @@ std::vector<std::string> wordsOf(const std::string &text) {
     return words;
 }
 
-std::string textOf(const XMLElement &element) { return element.GetText() ? element.GetText() : ""; }
-
 void setText(XMLElement &element, const std::string &text) {
     element.DeleteChildren();
     element.SetText(text.c_str());

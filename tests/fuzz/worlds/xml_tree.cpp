@@ -62,6 +62,8 @@ std::string printXml(const XMLDocument &xml) {
     return printer.CStr();
 }
 
+std::string textOf(const XMLElement &element) { return element.GetText() ? element.GetText() : ""; }
+
 std::vector<XMLElement *> elementsOf(XMLDocument &xml) {
     std::vector<XMLElement *> all;
     collect(*xml.RootElement(), all);

@@ -22,6 +22,9 @@ std::string printXml(const XMLDocument &xml);
 // All elements, outer ones first.
 std::vector<XMLElement *> elementsOf(XMLDocument &xml);
 
+// Empty when there is none.
+std::string textOf(const XMLElement &element);
+
 // "pose", "link[a]": as the loader's messages name it.
 std::string shownName(const XMLElement &element);
 
