@@ -11,10 +11,3 @@ template <class Vector>
 void dxReserveCapacity(Vector &vector, std::size_t count) {
     if (vector.capacity() < count) vector.reserve(std::max(count, 2 * vector.capacity()));
 }
-
-// Fills the vector with `count` copies of a value. std::vector::assign would reserve no more than that, and allocate again a step later.
-template <class Vector>
-void dxFill(Vector &vector, std::size_t count, const typename Vector::value_type &value) {
-    dxReserveCapacity(vector, count);
-    vector.assign(count, value);
-}

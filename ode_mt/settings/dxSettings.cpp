@@ -99,18 +99,14 @@ struct HeuristicTexts {
 
 dxProcessObject<HeuristicTexts> heuristicTexts;
 
-// Reads "default", "none", or names with commas between them. Returns false if one is unknown; `choice` is unchanged then.
+// Reads "default", "none", or names with commas between them. Returns false if one is unknown.
 bool parseHeuristics(const std::string &names, unsigned &choice) {
-    if (names == "default" || names == "none") {
-        choice = names == "default" ? dxDefaultHeuristics : dxNoHeuristics;
-        return true;
-    }
+    choice = names == "default" ? dxDefaultHeuristics : dxNoHeuristics;
+    if (names == "default" || names == "none") return true;
     if (names.empty() || names.back() == ',') return false;
-    unsigned read = dxNoHeuristics;
     std::istringstream stream(names);
     for (std::string name; std::getline(stream, name, ',');)
-        if (!addHeuristic(name, read)) return false;
-    choice = read;
+        if (!addHeuristic(name, choice)) return false;
     return true;
 }
 

@@ -29,13 +29,6 @@ const char *findName(const std::string &name) {
     return found != names.end() ? *found : nullptr;
 }
 
-std::string knownNames() {
-    std::string list;
-    for (const char *name : dxThreadManagerFactory::names())
-        list += (list.empty() ? "" : ", ") + std::string(name);
-    return list;
-}
-
 unsigned wantedSize() { return std::max({dxSettings::instance().threads(), dxOwnThreads::largest(), 1u}); }
 
 // The default manager, and its name, where the one asked for cannot be made.
@@ -69,7 +62,7 @@ dxWorkers::dxWorkers() : m_name(dxThreadManagerFactory::defaultName()) {
         m_name = known;
         return;
     }
-    dxLog(dxLogLevel::Warning, "ODE_MT_THREAD_MANAGER is '%.100s'; known: %s; %s is taken", name, knownNames().c_str(),
+    dxLog(dxLogLevel::Warning, "ODE_MT_THREAD_MANAGER is '%.100s'; known: %s; %s is taken", name, dxThreadManagerFactory::knownNames().c_str(),
           m_name);
 }
 
@@ -141,7 +134,7 @@ void dxWorkers::resize() {
 bool dxWorkers::choose(const std::string &name) {
     const char *const known = findName(name);
     if (known == nullptr) {
-        dMessage(0, "ODE_MT: no thread manager '%s'; known: %s", name.c_str(), knownNames().c_str());
+        dMessage(0, "ODE_MT: no thread manager '%s'; known: %s", name.c_str(), dxThreadManagerFactory::knownNames().c_str());
         return false;
     }
     if (const char *const missing = dxThreadManagerFactory::missingLibrary(name)) {

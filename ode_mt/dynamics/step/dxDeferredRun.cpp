@@ -80,7 +80,7 @@ void dxDeferredRun::sortFeedback() {
 // The workers that ran the unit have its reports, and few units have any.
 void dxDeferredRun::deliverReports(unsigned unit) const {
     const Unit &one = m_units[unit];
-    if (one.first == kNone) return;
+    if (one.first == kNoIndex) return;
     const auto deliver = [this, unit](unsigned worker) {
         for (const dxKeptReport &report : m_workers[worker].reports)
             if (report.unit == unit) report.deliver();

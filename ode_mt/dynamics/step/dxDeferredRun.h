@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "core/dxCacheLine.h"
+#include "core/dxNoIndex.h"
 #include "dynamics/step/islands/dxIslandSurvey.h"
 #include "dynamics/step/random/dxRandom.h"
 #include "threading/dxSchedulePoints.h"
@@ -99,11 +100,9 @@ public:
     double busyNs() const;
 
 private:
-    static constexpr unsigned kNone = ~0u;
-
     struct Unit {
         std::uint32_t seed = 0;
-        unsigned first = kNone, last = kNone;  // workers of its first and its last part
+        unsigned first = kNoIndex, last = kNoIndex;  // workers of its first and its last part
     };
     struct alignas(kCacheLine) Worker {
         std::vector<dxKeptReport> reports;
@@ -151,7 +150,7 @@ void dxDeferredRun::reserve(unsigned end, const Draws &drawsOf) {
 template <class Work>
 void dxDeferredRun::run(unsigned unit, unsigned worker, const Work &work) {
     Unit &one = m_units[unit];
-    if (one.first == kNone) one.first = worker;
+    if (one.first == kNoIndex) one.first = worker;
     one.last = worker;
     try {
         const dxDeferredScope scope(unit, one.seed, m_hasUserHandlers, m_workers[worker].reports);

@@ -103,7 +103,6 @@ void dxIslandParallelStep::finishInOrder(unsigned begin) {
     if (reserved && !dxRandom::rewindShared(end, seed)) {
         dxReservedDraws draws(seed, end);
         inOrder.stepIslands(cursor, reservedCount);
-        for (unsigned i = 0; i < reservedCount; ++i) cursor.next();
         begin = inOrderFrom;
     }
     inOrder.stepIslands(cursor, m_call.count - begin);

@@ -12,13 +12,14 @@
 #include "dynamics/step/random/dxSingleStepper.h"
 
 void dxSerialStep::run() const {
+    dxIslandCursor cursor(m_call.info);
     if (!dxIslandStepper::drawsRandomNumbers(m_call)) {
-        stepIslands(dxIslandCursor(m_call.info), m_call.count);
+        stepIslands(cursor, m_call.count);
         return;
     }
     const dxSingleStepper stepper;
     if (stepper.alone()) {
-        stepIslands(dxIslandCursor(m_call.info), m_call.count);
+        stepIslands(cursor, m_call.count);
     } else {
         runReserving();
     }
@@ -42,11 +43,10 @@ void dxSerialStep::runReserving() const {
         dxReservedDraws reserved(seed, dxRandom::jump(seed, draws));
         stepIslands(cursor, quiet);
     }
-    for (unsigned i = 0; i < quiet; ++i) cursor.next();
     stepIslands(cursor, m_call.count - quiet);
 }
 
-void dxSerialStep::stepIslands(dxIslandCursor cursor, unsigned count) const {
+void dxSerialStep::stepIslands(dxIslandCursor &cursor, unsigned count) const {
     if (count == 0) return;
     dxTimelineSpan inOrder(dxStepEvents::kIslandsInOrder);
     inOrder.set(0, count);

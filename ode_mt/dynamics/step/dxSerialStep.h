@@ -23,8 +23,8 @@ public:
 
     void run() const;
 
-    // Steps some islands in a row. Their random numbers come from the current scope.
-    void stepIslands(dxIslandCursor cursor, unsigned count) const;
+    // Steps the next `count` islands of the cursor. Their random numbers come from the current scope.
+    void stepIslands(dxIslandCursor &cursor, unsigned count) const;
 
 private:
     void runReserving() const;

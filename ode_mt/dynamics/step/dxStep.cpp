@@ -76,7 +76,8 @@ void dxStepOnThisThread(dxWorld *world, const dxWorldProcessIslandsInfo &info, d
     dxStepCall call = dxIslandStepper::makeCall(world, info, stepSize, stepper);
     dxStepSpan span(world, call.count);
     if (call.kind == dxStepperKind::QuickFast) call.fastQuickStep = beginFastQuickStep(call);
-    dxSerialStep(call, worker).stepIslands(dxIslandCursor(info), call.count);
+    dxIslandCursor cursor(info);
+    dxSerialStep(call, worker).stepIslands(cursor, call.count);
     span.setReason([](unsigned) { return dODE_MT_REASON_WORLDS; });
     span.setRemote([] { return withWorkers({}); });
 }

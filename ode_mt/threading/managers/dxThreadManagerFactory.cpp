@@ -23,13 +23,6 @@ const Kind kKinds[] = {
      [](const dxWorkerOptions &) -> std::unique_ptr<dxThreadManager> { return dxThreadManagerOpenMP::make(); }},
 };
 
-std::string knownNames() {
-    std::string list;
-    for (const char *name : dxThreadManagerFactory::names())
-        list += (list.empty() ? "" : ", ") + std::string(name);
-    return list;
-}
-
 }  // namespace
 
 namespace dxThreadManagerFactory {
@@ -39,6 +32,12 @@ const char *defaultName() { return kKinds[0].name; }
 std::vector<const char *> names() {
     std::vector<const char *> list;
     for (const Kind &kind : kKinds) list.push_back(kind.name);
+    return list;
+}
+
+std::string knownNames() {
+    std::string list;
+    for (const char *name : names()) list += (list.empty() ? "" : ", ") + std::string(name);
     return list;
 }
 

@@ -19,6 +19,9 @@ const char *defaultName();
 // Returns all managers; for one of them the system may lack a library.
 std::vector<const char *> names();
 
+// The same as a text, with commas, for messages.
+std::string knownNames();
+
 // Loads the library that this manager needs. Returns its file name if the dynamic loader does not find it, else null.
 const char *missingLibrary(const std::string &name);
 

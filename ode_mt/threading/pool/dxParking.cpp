@@ -18,9 +18,9 @@ void dxParking::reset() {
     m_isWatched.store(false);
 }
 
-void dxParking::beginSearch(unsigned workers) { m_counts.fetch_add(workers * kOneSearching); }
+void dxParking::beginSearch() { m_counts.fetch_add(kOneSearching); }
 
-void dxParking::endSearch(unsigned workers) { m_counts.fetch_sub(workers * kOneSearching); }
+void dxParking::endSearch() { m_counts.fetch_sub(kOneSearching); }
 
 unsigned dxParking::searching() const { return searchingIn(m_counts.load()); }
 

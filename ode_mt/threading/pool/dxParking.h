@@ -53,8 +53,8 @@ class dxParking {
 public:
     void reset();
 
-    void beginSearch(unsigned workers = 1);
-    void endSearch(unsigned workers = 1);
+    void beginSearch();
+    void endSearch();
     unsigned searching() const;
     unsigned idle() const;  // searching or parked
 

@@ -64,6 +64,14 @@ private:
     pthread_attr_t m_attributes;
 };
 
+// Starts a thread with ordinary scheduling, or returns an error number.
+int startOrdinary(dxCreateThread create, pthread_t &thread, void *(*body)(void *), void *context, const dxWorkerOptions &options) {
+    const dxBlockedSignals blocked;
+    Attributes attributes(options);
+    attributes.becomeOrdinary(options);
+    return create(&thread, attributes.get(), body, context);
+}
+
 // Returns that of one thread; 0: the calling one. The first thread of a process has the number of the process.
 int nicenessOf(id_t thread) { return getpriority(PRIO_PROCESS, thread); }
 
@@ -110,14 +118,11 @@ bool dxWorkerOptions::areDefault() const {
            hooks.end == nullptr;
 }
 
-int dxStartThread(dxCreateThread create, pthread_t &thread, void *(*body)(void *), void *context, const dxWorkerOptions &options,
-                  dxIfRefused ifRefused) {
-    const dxBlockedSignals blocked;
-    Attributes attributes(options);
-    attributes.becomeOrdinary(options);
-    const int refusal = create(&thread, attributes.get(), body, context);
-    if (ifRefused == dxIfRefused::Fail || (refusal != EPERM && refusal != EINVAL)) return refusal;
+int dxStartThread(dxCreateThread create, pthread_t &thread, void *(*body)(void *), void *context, const dxWorkerOptions &options) {
+    const int refusal = startOrdinary(create, thread, body, context, options);
+    if (refusal != EPERM && refusal != EINVAL) return refusal;
     dxLog(dxLogLevel::Info, "a worker thread inherits processors and scheduling (%s)", std::strerror(refusal));
+    const dxBlockedSignals blocked;
     const Attributes inherited(options);
     return create(&thread, inherited.get(), body, context);
 }
@@ -136,7 +141,7 @@ int dxTryWorker(const dxWorkerOptions &options, dxCreateThread create) {
         return nullptr;
     };
     pthread_t thread;
-    const int refusal = dxStartThread(create, thread, body, &trial, options, dxIfRefused::Fail);
+    const int refusal = startOrdinary(create, thread, body, &trial, options);
     if (refusal != 0) return refusal;
     pthread_join(thread, nullptr);
     return trial.refusal;

@@ -78,13 +78,10 @@ struct dxWorkerOptions {
     dxWorkerHooks hooks;
 };
 
-enum class dxIfRefused { Inherit, Fail };
-
 // Starts one thread: joinable, with all signals blocked but those that a fault raises on the thread itself, which must reach the host's crash
 // handler. Its stack and its processors are those of the options. It has ordinary scheduling, whatever the starting thread has bound itself to. Where
-// the system refuses that, the thread inherits processors and scheduling, or is not started. Returns an error number.
-int dxStartThread(dxCreateThread create, pthread_t &thread, void *(*body)(void *), void *context, const dxWorkerOptions &options,
-                  dxIfRefused ifRefused = dxIfRefused::Inherit);
+// the system refuses that, the thread inherits processors and scheduling. Returns an error number.
+int dxStartThread(dxCreateThread create, pthread_t &thread, void *(*body)(void *), void *context, const dxWorkerOptions &options);
 
 // Gives the calling thread, which inherited its niceness from the one that started it, that of the process's first
 // thread, as far as the system allows: to lower it needs a privilege.

@@ -17,9 +17,6 @@
 
 #include "threading/process/dxFork.h"
 
-template <class Object>
-class dxProcessObject;
-
 class dxProcess {
 public:
     // Calls atClose() of each object that has it, the latest one first. Called by the last dCloseODE. Requires that no step and no collision is in

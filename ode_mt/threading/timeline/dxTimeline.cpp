@@ -37,13 +37,13 @@ public:
     // Returns null if nothing is recorded, there is no memory, or there are too many threads.
     dxTimelineRing *give();
 
-    // From here on nothing of the library is called when a thread ends. A ring stays if its thread may be in the middle of an event.
-    void unload();
-
     void copyPath(char *text, std::size_t size);
 
     void atClose() { dxTimeline::flushAtClose(); }
-    void atUnload() { dxTimeline::unload(); }
+
+    // Nothing is recorded afterwards, and nothing of the library is called when a thread ends. A ring stays if its thread may be in the middle of an
+    // event.
+    void atUnload();
 
 private:
     static constexpr std::size_t kKeptRings = 64;
@@ -74,9 +74,6 @@ private:
     int write();
     static void threadEnds(void *ring);
     void inForkedChild() override;
-
-    // Called by the thread of the ring when it ends.
-    void end(const dxTimelineRing *ring);
 
     dxForkSafeMutex m_mutex;
     std::vector<Owned> m_rings;
@@ -192,14 +189,11 @@ void dxTimelineRings::createKey() {
     if (pthread_key_create(&key, threadEnds) == 0) m_key = key;
 }
 
+// Called by the thread of the ring when it ends.
 void dxTimelineRings::threadEnds(void *ring) {
     t_ring = nullptr;
-    rings->end(static_cast<dxTimelineRing *>(ring));
-}
-
-void dxTimelineRings::end(const dxTimelineRing *ring) {
-    const Hold hold(*this);
-    for (Owned &owned : m_rings) {
+    const Hold hold(*rings);
+    for (Owned &owned : rings->m_rings) {
         if (owned.ring != ring) continue;
         owned.name = nameOfThisThread();
         owned.hasEnded = true;
@@ -224,7 +218,9 @@ int dxTimelineRings::write() try {
     return ENOMEM;
 }
 
-void dxTimelineRings::unload() {
+void dxTimelineRings::atUnload() {
+    dxTimeline::flushAtClose();
+    dxTimeline::s_state.store(dxTimeline::kOff, std::memory_order_relaxed);
     const Hold hold(*this);
     if (m_key) pthread_key_delete(*m_key);
     m_key.reset();
@@ -233,6 +229,7 @@ void dxTimelineRings::unload() {
     std::vector<Owned>().swap(m_rings);
     std::vector<dxTimelineRecord>().swap(m_records);
     std::string().swap(m_path);
+    t_ring = nullptr;
 }
 
 void dxTimelineRings::copyPath(char *text, std::size_t size) {
@@ -312,16 +309,9 @@ void dxTimeline::copyPath(char *text, std::size_t size) { rings->copyPath(text, 
 
 void dxTimeline::flushAsRequested() {
     s_flushIsRequested.store(false, std::memory_order_relaxed);
-    if (isTraced()) flushAndReport();
+    flushAtClose();
 }
 
 void dxTimeline::flushAtClose() {
     if (isTraced()) flushAndReport();
-}
-
-void dxTimeline::unload() {
-    flushAtClose();
-    s_state.store(kOff, std::memory_order_relaxed);
-    rings->unload();
-    t_ring = nullptr;
 }

@@ -49,12 +49,6 @@ public:
         if (__builtin_expect(s_flushIsRequested.load(std::memory_order_relaxed), 0)) flushAsRequested();
     }
 
-    // Writes the file if something is recorded. Reports an error in the log.
-    static void flushAtClose();
-
-    // The same before the library is unloaded. Nothing is recorded afterwards.
-    static void unload();
-
 private:
     friend class dxTimelineRings;
 
@@ -64,6 +58,9 @@ private:
     static void readEnvironment();
     static void end();
     static void flushAsRequested();
+
+    // Writes the file if something is recorded. Reports an error in the log.
+    static void flushAtClose();
 
     static std::atomic<unsigned char> s_state;  // bits
     static std::atomic<bool> s_flushIsRequested;

@@ -31,18 +31,8 @@ void prefetchMove(const dxGeom *geom) {
     dxPrefetch::lineForWrite(&geom->next);
 }
 
-}  // namespace
-
-void dxIntegrateIslandBody(dxBody *body, dReal stepSize) {
-    const dxUpstreamScope *scope = dxUpstreamScope::current();
-    if (scope == nullptr || !scope->defersMoved()) {
-        stepBody(body, stepSize);
-        return;
-    }
-    dxIntegrateUntold(body, stepSize);
-}
-
-void dxIntegrateUntold(dxBody *body, dReal stepSize) {
+// Moves a body and damps it, but notifies no space. Any thread; writes the body alone.
+void integrateUntold(dxBody *body, dReal stepSize) {
     // A body without geoms notifies no space. Nothing else reads the list while the island is stepped.
     const dGeomID geoms = std::exchange(body->geom, nullptr);
     try {
@@ -52,6 +42,17 @@ void dxIntegrateUntold(dxBody *body, dReal stepSize) {
         throw;
     }
     body->geom = geoms;
+}
+
+}  // namespace
+
+void dxIntegrateIslandBody(dxBody *body, dReal stepSize) {
+    const dxUpstreamScope *scope = dxUpstreamScope::current();
+    if (scope == nullptr || !scope->defersMoved()) {
+        stepBody(body, stepSize);
+        return;
+    }
+    integrateUntold(body, stepSize);
 }
 
 // Upstream asserts that the quaternion, to which half of its product with the angular velocity has been added, has a length.
@@ -92,7 +93,7 @@ void dxMoveBodies(const dxIslandStep &step, const dxNotificationPolicy &notifica
     if (notifications.mayDefer()) {
         dxForBodiesInParallel(step, dxParallelStage::Motion, [&](std::size_t i) {
             dxBody &body = *step.island.bodies[i];
-            dxIntegrateUntold(&body, step.stepSize);
+            integrateUntold(&body, step.stepSize);
             dxClearForces(body);
         });
         return dxNotifyMoved(step.island);

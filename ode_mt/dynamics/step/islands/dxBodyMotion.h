@@ -19,9 +19,6 @@
 // Both steppers call this instead of dxStepBody; so do upstream's, by a seam.
 void dxIntegrateIslandBody(dxBody *body, dReal stepSize);
 
-// Moves a body and damps it, but notifies no space. Any thread; writes the body alone.
-void dxIntegrateUntold(dxBody *body, dReal stepSize);
-
 // Returns whether only the spaces are notified when a body moves, at its present velocity: it has no callback, and none of upstream's asserts
 // fails. If that holds for all bodies, they may be moved in any order.
 bool dxMayDeferNotification(const dxBody &body);

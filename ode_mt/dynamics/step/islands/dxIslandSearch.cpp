@@ -1,6 +1,7 @@
 #include "dynamics/step/islands/dxIslandSearch.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 
 #include "settings/dxJointAttachment.h"
@@ -60,6 +61,59 @@ bool isEnabled(const dxJoint &joint, const dxBody &body) {
     return body.invMass > 0 ? (joint.flags & dJOINT_DISABLED) == 0 : joint.isEnabled();
 }
 
+// Finds where groups end during the search. Islands of the two kinds are not mixed, and an island that fills a group is alone.
+class Groups {
+public:
+    // The lists of bodies and joints that have been found.
+    struct Lists {
+        dxBody **bodies;
+        dxJoint **joints;
+    };
+
+    Groups(const dxGroupSizes &sizes, const Lists &lists) : m_sizes(sizes), m_begin(lists) {}
+
+    // Called when an island has been found, from `first` on. Calls end(begin of a group, end of it) for the group before it, if that ends here, and
+    // for its own, if that is full.
+    template <class End>
+    void take(const Lists &first, const Lists &last, const End &end) {
+        const Kind kind = kindOf(first, last);
+        if (kind != m_kind && !isEmpty(first)) endAt(first, end);
+        m_kind = kind;
+        if (sizeOf(m_begin, last) >= (kind == Kind::Joints ? m_sizes.ofJoints : m_sizes.ofContacts)) endAt(last, end);
+    }
+
+    // Called after the last island.
+    template <class End>
+    void finish(const Lists &last, const End &end) {
+        if (!isEmpty(last)) endAt(last, end);
+    }
+
+private:
+    enum class Kind { Contacts, Joints, Full };
+
+    static std::size_t sizeOf(const Lists &first, const Lists &last) {
+        return static_cast<std::size_t>(last.bodies - first.bodies) + static_cast<std::size_t>(last.joints - first.joints);
+    }
+
+    Kind kindOf(const Lists &first, const Lists &last) const {
+        if (sizeOf(first, last) >= m_sizes.ofContacts) return Kind::Full;
+        const auto isOther = [](const dxJoint *joint) { return joint->type() != dJointTypeContact; };
+        return std::any_of(first.joints, last.joints, isOther) ? Kind::Joints : Kind::Contacts;
+    }
+
+    bool isEmpty(const Lists &last) const { return last.bodies == m_begin.bodies; }
+
+    template <class End>
+    void endAt(const Lists &last, const End &end) {
+        end(m_begin, last);
+        m_begin = last;
+    }
+
+    dxGroupSizes m_sizes;
+    Lists m_begin;
+    Kind m_kind = Kind::Full;
+};
+
 // Lists of one island after another, and the bodies from which the search will continue.
 class Search {
 public:
@@ -77,7 +131,7 @@ public:
         }
     }
 
-    dxIslandGroups::Lists lists() const { return {m_bodies, m_joints}; }
+    Groups::Lists lists() const { return {m_bodies, m_joints}; }
 
 private:
     void follow(const dxBody &body) {
@@ -127,8 +181,15 @@ constexpr sizeint kIslandCallSize = dEFFICIENT_SIZE(3 * sizeof(void *) + sizeof(
 // The arena of islands is as large as needed, whatever the user's reserve for steppers.
 constexpr float kNoReserve = 1;
 
-}  // namespace
-
+// Disables bodies at rest, finds the islands of the others, and returns the maximum memory that the stepper needs for
+// an island.
+//
+//   info      gets the islands, which lie in the arena
+//   estimate  the stepper's own estimate, called for each island
+//   groupSizes  of groups, which then stand for islands
+//
+// Afterwards a body or joint in an island has dxFoundTag, all others a tag of 0 or
+// below.
 sizeint dxFindIslands(dxWorldProcessIslandsInfo &info, dxWorldProcessMemArena *arena, dxWorld *world, dReal stepSize,
                       dmemestimate_fn_t estimate, const dxGroupSizes &groupSizes) {
     const bool hasCallback = untagBodies(world, groupSizes.ofContacts != 0);
@@ -145,9 +206,9 @@ sizeint dxFindIslands(dxWorldProcessIslandsInfo &info, dxWorldProcessMemArena *a
 
     sizeint most = 0;
     unsigned *size = sizes;
-    using Lists = dxIslandGroups::Lists;
+    using Lists = Groups::Lists;
     // A callback may push bodies of islands that are not stepped yet.
-    dxIslandGroups groups(hasCallback ? dxGroupSizes() : groupSizes, search.lists());
+    Groups groups(hasCallback ? dxGroupSizes() : groupSizes, search.lists());
     const auto endGroup = [&](const Lists &begin, const Lists &end) {
         *size++ = static_cast<unsigned>(end.bodies - begin.bodies);
         *size++ = static_cast<unsigned>(end.joints - begin.joints);
@@ -168,6 +229,8 @@ sizeint dxFindIslands(dxWorldProcessIslandsInfo &info, dxWorldProcessMemArena *a
     info.AssignInfo(static_cast<sizeint>(size - sizes) / 2, sizes, bodies, joints);
     return most;
 }
+
+}  // namespace
 
 bool dxPrepareStep(dxWorld *world, dxWorldProcessIslandsInfo &info, dReal stepSize, dmemestimate_fn_t estimate) {
     return dxPrepareGroups(world, info, stepSize, estimate, {});
